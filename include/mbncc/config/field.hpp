@@ -1,0 +1,105 @@
+// One list of fields per config struct serves every reader: YAML, tool flags, ROS parameters, the
+// table of parameters and the tests. Each config struct has a static member template
+//   template <class Self, class Visitor> static void fields(Self& self, Visitor&& visit);
+// which calls visit(name, value, Range/Choices/..., unit, meaning) for every field.
+#pragma once
+
+#include <functional>
+#include <limits>
+#include <string>
+#include <type_traits>
+#include <vector>
+
+namespace mbncc {
+
+/// What values a field accepts. Numbers lie in [low, high]; texts match one of `choices` when there
+/// are any.
+struct Allowed {
+  double low = -std::numeric_limits<double>::infinity();
+  double high = std::numeric_limits<double>::infinity();
+  std::vector<std::string> choices;
+
+  static Allowed anything() { return {}; }
+  static Allowed range(double low, double high) { return {low, high, {}}; }
+  static Allowed at_least(double low) { return {low, std::numeric_limits<double>::infinity(), {}}; }
+  static Allowed one_of(std::vector<std::string> choices) {
+    Allowed allowed;
+    allowed.choices = std::move(choices);
+    return allowed;
+  }
+
+  /// "0 .. 1", ">= 0", "fast | polar" or "any".
+  std::string to_string() const;
+};
+
+/// What is known of a field beside its value.
+struct FieldInfo {
+  std::string name;  ///< key in YAML, on the parameter server and in --set
+  Allowed allowed;
+  std::string unit;     ///< "px", "s", ...; "" for a plain number
+  std::string meaning;  ///< one sentence
+};
+
+/// Calls visit(const FieldInfo&, value&) for every field of `config`; value is a bool, int, double
+/// or std::string.
+template <class Config, class Visitor>
+void for_each_field(Config& config, Visitor&& visit) {
+  std::remove_const_t<Config>::fields(config, std::forward<Visitor>(visit));
+}
+
+/// Throws ConfigError naming key, value and what is allowed when `value` breaks `info.allowed`.
+void check_allowed(const FieldInfo& info, bool value);
+void check_allowed(const FieldInfo& info, int value);
+void check_allowed(const FieldInfo& info, double value);
+void check_allowed(const FieldInfo& info, const std::string& value);
+
+/// Reads `text` into `value`; throws ConfigError naming the key when it is mistyped or not allowed.
+void parse_field(const FieldInfo& info, const std::string& text, bool& value);
+void parse_field(const FieldInfo& info, const std::string& text, int& value);
+void parse_field(const FieldInfo& info, const std::string& text, double& value);
+void parse_field(const FieldInfo& info, const std::string& text, std::string& value);
+
+/// Text that parse_field() reads back to the same value.
+std::string field_text(bool value);
+std::string field_text(int value);
+std::string field_text(double value);
+std::string field_text(const std::string& value);
+
+/// A field without its type: what tables, YAML and --set work on.
+struct FieldRow {
+  FieldInfo info;
+  std::string type;                                ///< "bool", "int", "double" or "string"
+  std::string value;                               ///< as text
+  std::function<void(const std::string&)> assign;  ///< parse_field() into the struct it came from
+};
+
+template <class T>
+constexpr const char* type_name() {
+  if constexpr (std::is_same_v<T, bool>) return "bool";
+  if constexpr (std::is_same_v<T, int>) return "int";
+  if constexpr (std::is_same_v<T, double>) return "double";
+  return "string";
+}
+
+/// All fields of `config`, which must outlive the rows.
+template <class Config>
+std::vector<FieldRow> field_rows(Config& config) {
+  std::vector<FieldRow> rows;
+  for_each_field(config, [&rows](const FieldInfo& info, auto& value) {
+    using Value = std::decay_t<decltype(value)>;
+    rows.push_back({info, type_name<Value>(), field_text(value),
+                    [info, &value](const std::string& text) { parse_field(info, text, value); }});
+  });
+  return rows;
+}
+
+/// Sets the row named `key`; throws ConfigError for an unknown key, naming the nearest known one.
+void assign_field(const std::vector<FieldRow>& rows, const std::string& key,
+                  const std::string& text);
+
+/// Reads a flat YAML mapping `key: value` from `path` into the rows. Throws FileError for an
+/// unreadable file and ConfigError for an unknown, mistyped or out-of-range key; then no row has
+/// been changed by that key.
+void load_yaml_file(const std::vector<FieldRow>& rows, const std::string& path);
+
+}  // namespace mbncc

@@ -1,0 +1,45 @@
+// Settings of learn_object.
+#pragma once
+
+#include <string>
+
+#include "mbncc/config/field.hpp"
+
+namespace mbncc {
+
+struct LearningConfig {
+  std::string method = "auto";  ///< auto: change_cut with an after picture, else sb_grabcut
+  int iterations = 2;           ///< graph cuts of every method
+  int superpixels = 1600;       ///< sb_grabcut: superpixels asked of SEEDS for the region's crop
+  double min_area = 80;         ///< [px] smaller maps are refused
+  double max_change =
+      0.5;            ///< [0..1] changed part of the picture above which the light or camera moved
+  int max_shift = 8;  ///< [px] camera shift between before and after that is undone
+
+  template <class Self, class Visitor>
+  static void fields(Self& self, Visitor&& visit) {
+    visit(
+        FieldInfo{
+            "method",
+            Allowed::one_of({"auto", "change_cut", "sb_grabcut", "grabcut_rect", "grabcut_mask"}),
+            "", "segmentation; auto: change_cut where there is an after picture, else sb_grabcut"},
+        self.method);
+    visit(FieldInfo{"iterations", Allowed::range(1, 20), "", "graph cuts of every method"},
+          self.iterations);
+    visit(FieldInfo{"superpixels", Allowed::range(16, 100000), "",
+                    "superpixels asked of SEEDS by sb_grabcut for the region's crop"},
+          self.superpixels);
+    visit(FieldInfo{"min_area", Allowed::range(1, 1e6), "px", "smaller maps are refused"},
+          self.min_area);
+    visit(
+        FieldInfo{
+            "max_change", Allowed::range(0.05, 1), "",
+            "changed part of the picture above which light or camera are taken to have moved"},
+        self.max_change);
+    visit(FieldInfo{"max_shift", Allowed::range(0, 64), "px",
+                    "camera shift between before and after that is undone"},
+          self.max_shift);
+  }
+};
+
+}  // namespace mbncc

@@ -1,0 +1,64 @@
+// Settings of Matcher::find.
+#pragma once
+
+#include <string>
+
+#include "mbncc/config/field.hpp"
+
+namespace mbncc {
+
+struct SearchConfig {
+  std::string engine =
+      "fast";  ///< fast: pyramid and rotated templates; polar: the paper's, step by step
+  std::string accept_by = "score";  ///< score: fused evidence; similarity: the paper's plain rule
+  double min_score = 0.3;           ///< [0..1] a detection is reported from here on
+  double confirm_score = 0.7;       ///< [0..1] it may be grasped from here on
+  double min_margin_place = 4;      ///< log-odds to the best competitor elsewhere
+  double min_margin_angle = 4;      ///< log-odds to the best other angle at the place
+  double min_visible = 0.6;         ///< [0..1] part of the map inside the picture
+  int max_instances = 10;           ///< per name
+  double max_overlap = 0.25;  ///< [0..1] of the smaller map, above which the weaker detection goes
+  double time_budget = 0;     ///< [s] per picture; 0: none
+  int threads = 1;            ///< worker threads of a search
+
+  template <class Self, class Visitor>
+  static void fields(Self& self, Visitor&& visit) {
+    visit(FieldInfo{"engine", Allowed::one_of({"fast", "polar"}), "",
+                    "fast: image pyramid and rotated templates; polar: the paper's polar matching"},
+          self.engine);
+    visit(FieldInfo{"accept_by", Allowed::one_of({"score", "similarity"}), "",
+                    "what the thresholds compare: the fused score or the plain similarity"},
+          self.accept_by);
+    visit(FieldInfo{"min_score", Allowed::range(0, 1), "", "a detection is reported from here on"},
+          self.min_score);
+    visit(FieldInfo{"confirm_score", Allowed::range(0, 1), "",
+                    "a detection may be grasped from here on"},
+          self.confirm_score);
+    visit(FieldInfo{"min_margin_place", Allowed::range(0, 100), "log-odds",
+                    "graspable only with this margin to the best competitor elsewhere"},
+          self.min_margin_place);
+    visit(FieldInfo{"min_margin_angle", Allowed::range(0, 100), "log-odds",
+                    "graspable only with this margin to the best other angle at the place"},
+          self.min_margin_angle);
+    visit(FieldInfo{"min_visible", Allowed::range(0.1, 1), "",
+                    "graspable only with this part of the map inside the picture"},
+          self.min_visible);
+    visit(
+        FieldInfo{"max_instances", Allowed::range(1, 1000), "", "detections per name and picture"},
+        self.max_instances);
+    visit(
+        FieldInfo{
+            "max_overlap", Allowed::range(0, 1), "",
+            "overlap of two maps, as part of the smaller, above which the weaker detection goes"},
+        self.max_overlap);
+    visit(
+        FieldInfo{
+            "time_budget", Allowed::range(0, 3600), "s",
+            "search time per picture, after which the remaining objects are skipped; 0: no limit"},
+        self.time_budget);
+    visit(FieldInfo{"threads", Allowed::range(1, 256), "", "worker threads of a search"},
+          self.threads);
+  }
+};
+
+}  // namespace mbncc

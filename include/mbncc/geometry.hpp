@@ -1,0 +1,67 @@
+// Plane geometry of the package: poses in the picture, circles about a map.
+// Axes: x right, y down, pixel centres at integers. theta > 0 turns x towards y, which is clockwise
+// on screen and right-handed about the optical axis (REP 103).
+#pragma once
+
+#include <opencv2/core.hpp>
+
+namespace mbncc {
+
+/// Position and rotation angle in a picture.
+struct Pose2D {
+  double x = 0;      ///< [px]
+  double y = 0;      ///< [px]
+  double theta = 0;  ///< [rad] clockwise on screen
+
+  cv::Point2d position() const { return {x, y}; }
+};
+
+/// A circle in picture coordinates.
+struct Circle {
+  cv::Point2d centre;  ///< [px]
+  double radius = 0;   ///< [px]
+};
+
+constexpr double kPi = 3.14159265358979323846;
+
+constexpr double to_degrees(double radians) {
+  return radians * 180.0 / kPi;
+}
+constexpr double to_radians(double degrees) {
+  return degrees * kPi / 180.0;
+}
+
+/// Angle wrapped into (-pi, pi].
+double wrap_angle(double radians);
+
+/// Smallest difference of two angles under a rotational symmetry.
+/// `symmetry` counts the equal positions in a turn (1: none, 2: 180 degrees ...); 0 means round,
+/// difference 0.
+double angle_distance(double a, double b, int symmetry = 1);
+
+/// `point` turned clockwise by `theta` about the origin.
+cv::Point2d rotate(cv::Point2d point, double theta);
+
+/// Point given in the frame of `pose`, expressed in the picture: R(theta) point + (x, y).
+cv::Point2d transform(const Pose2D& pose, cv::Point2d point);
+
+/// Pose of the inner frame in the outer one's parent: transform(compose(a, b), p) = transform(a,
+/// transform(b, p)).
+Pose2D compose(const Pose2D& outer, const Pose2D& inner);
+
+Pose2D inverse(const Pose2D& pose);
+
+/// Mean position of the non-zero pixels. Throws std::invalid_argument when `map` has none.
+cv::Point2d centroid(const cv::Mat& map);
+
+/// Smallest circle that holds every map pixel's centre (the paper's term,
+/// doi 10.1177/1687814017728839). Throws std::invalid_argument when `map` has no pixel.
+Circle excircle(const cv::Mat& map);
+
+/// Largest circle that holds map pixels only. Throws std::invalid_argument when `map` has no pixel.
+Circle incircle(const cv::Mat& map);
+
+/// True when `map` is a non-empty CV_8UC1 picture of zeros and 255s.
+bool is_binary_map(const cv::Mat& map);
+
+}  // namespace mbncc

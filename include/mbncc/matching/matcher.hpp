@@ -1,0 +1,76 @@
+// Finds learned objects in a picture: position, rotation angle, score and how sure that is.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <opencv2/core.hpp>
+#include <string>
+#include <vector>
+
+#include "mbncc/config/search_config.hpp"
+#include "mbncc/object_model.hpp"
+
+namespace mbncc {
+
+/// One instance of a learned object in one picture.
+struct Match {
+  std::string name;
+  std::uint32_t revision = 0;
+  Pose2D pose;              ///< [px],[rad] object frame: reference point and direction
+  double scale = 1;         ///< relative to the learning picture
+  cv::Matx33d covariance;   ///< of pose: x, y, theta [px^2, px rad, rad^2]
+  double score = 0;         ///< [0..1] acceptance score
+  double similarity = 0;    ///< [-1..1] normalized cross correlation weighted by the map
+  double margin_place = 0;  ///< log-odds to the best competitor elsewhere or of another object here
+  double margin_angle =
+      0;                   ///< log-odds to the best other angle (> 10 deg off, symmetry aside) here
+  double visible = 1;      ///< [0..1] part of the map inside the picture
+  int symmetry = 1;        ///< 1: none, 2: 180 deg ..., 0: round
+  bool graspable = false;  ///< score, margins and visibility suffice in this picture
+  bool ambiguous = false;  ///< score would suffice, but a margin does not
+  std::vector<cv::Point2f> outline;  ///< [px] largest outline of the map in this picture
+};
+
+/// What to search for. Zero, empty or negative values mean: as configured.
+struct SearchRequest {
+  std::vector<std::string> names;  ///< empty: all enabled objects
+  cv::Rect roi;  ///< [px] reference points are looked for in here; empty: whole picture
+  double min_score = -1;
+  int max_instances = 0;
+};
+
+struct SearchResult {
+  std::vector<Match> matches;         ///< best score first
+  std::vector<std::string> searched;  ///< names really searched
+  std::vector<std::string> skipped;   ///< "name: reason"
+  bool budget_exceeded = false;
+  double search_time = 0;  ///< [s] wall time, preparation of objects not included
+};
+
+/// Searches pictures for a set of objects. A learned point p appears at
+/// (x, y) + R(theta - reference.theta) scale (p - reference).
+/// find() is const and may run in several threads; set_objects() must not run beside it.
+class Matcher {
+ public:
+  explicit Matcher(SearchConfig config = {});
+  ~Matcher();
+  Matcher(Matcher&&) noexcept;
+  Matcher& operator=(Matcher&&) noexcept;
+
+  const SearchConfig& config() const;
+
+  /// Replaces the objects. Unchanged ones (same pointer) keep their prepared templates; the others
+  /// are prepared here, which takes some milliseconds each. Throws std::invalid_argument when a
+  /// model breaks the rules of object_model.hpp.
+  void set_objects(std::vector<std::shared_ptr<const ObjectModel>> objects);
+
+  /// `picture` is CV_8UC3 (bgr) or CV_8UC1, at least 16 x 16; else std::invalid_argument.
+  /// A requested name that is unknown or disabled is listed in `skipped`.
+  SearchResult find(const cv::Mat& picture, const SearchRequest& request = {}) const;
+
+ private:
+  struct Implementation;
+  std::unique_ptr<Implementation> implementation_;
+};
+
+}  // namespace mbncc

@@ -1,0 +1,92 @@
+// What a lesson makes, the library stores and matching searches.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <limits>
+#include <opencv2/core.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "mbncc/geometry.hpp"
+
+namespace mbncc {
+
+enum class Verdict : std::uint8_t { kGood = 0, kMarginal = 1, kBad = 2 };
+
+/// "GOOD", "MARGINAL" or "BAD".
+const char* to_string(Verdict verdict);
+
+/// Verdict on a learned map and template; the fields are those of msg/LearnQuality.msg.
+struct Quality {
+  static constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
+
+  Verdict verdict = Verdict::kGood;
+  std::vector<std::string> reasons;  ///< machine keys, worst first
+  std::vector<std::string> advice;   ///< one plain sentence per reason
+  double area = 0;                   ///< [px] number of map pixels
+  double fill = 0;                   ///< [0..1] map pixels / pixels of the excircle
+  double contrast = 0;        ///< [grey levels] standard deviation of the template under the map
+  double edge_agreement = 0;  ///< [0..1] part of the outline that lies on an image edge
+  double change_agreement =
+      kUnknown;                 ///< [0..1] IoU with the before/after difference; NaN: no after
+  double self_score = 0;        ///< [0..1] score of the object in the picture it was learned from
+  double self_error = 0;        ///< [px] distance of that detection from the reference point
+  double runner_up = 0;         ///< [0..1] best score elsewhere in that picture
+  double angle_halfwidth = 0;   ///< [rad] rotation at which the score falls half-way to runner_up
+  int symmetry = 1;             ///< 1: none, 2: 180 deg, 3: 120 deg, ... 0: round
+  std::string confusable_with;  ///< stored name that scores highest on this object, or ""
+  double confusable_score = 0;  ///< [0..1]
+  double search_time = 0;       ///< [s] one full search with this object
+};
+
+/// One picture that the object was learned from, cropped to the excircle of its map and a margin.
+struct View {
+  cv::Mat template_image;  ///< CV_8UC3 bgr, the learning picture around the object
+  cv::Mat map;             ///< CV_8UC1, 255 on the object, 0 elsewhere; same size
+  cv::Point origin;        ///< [px] top left corner of the crop in the learning picture
+  cv::Size picture_size;   ///< [px] of the learning picture
+  Pose2D reference;        ///< [px],[rad] object frame in the learning picture
+};
+
+/// Gripper pose relative to the object frame.
+struct Grasp {
+  std::array<double, 3> position{};                 ///< [m]
+  std::array<double, 4> orientation{{0, 0, 0, 1}};  ///< unit quaternion x, y, z, w
+};
+
+struct ObjectModel {
+  std::string name;            ///< library key, see is_valid_name()
+  std::string label;           ///< shown to the operator, UTF-8
+  bool enabled = true;         ///< searched for
+  std::uint32_t revision = 1;  ///< +1 at every re-learning, added view or edit that moves poses
+  double learned_at = 0;       ///< [s] since 1970-01-01 UTC
+  double metres_per_pixel = Quality::kUnknown;  ///< on the top face; NaN: learned without scale
+  double object_height = 0;                     ///< [m] top face above the platform
+  std::optional<Grasp> grasp;
+  std::optional<double> min_score;  ///< (0..1] own threshold; none: the matcher's
+  Quality quality;
+  std::vector<View> views;  ///< at least one; views.front() is the one learned first
+};
+
+/// Names serve as file names and tf frames: [A-Za-z][A-Za-z0-9_]{0,63}.
+bool is_valid_name(const std::string& name);
+
+/// Cuts a view out of a learning picture: the bounding box of the map's excircle plus `margin`
+/// pixels, clipped to the picture. `picture` is CV_8UC3, `map` a non-empty binary map of the same
+/// size. Throws std::invalid_argument when they do not fit each other.
+View crop_view(const cv::Mat& picture, const cv::Mat& map, const Pose2D& reference,
+               int margin = 12);
+
+/// The view's map at full size, in learning picture coordinates.
+cv::Mat full_size_map(const View& view);
+
+/// Outlines of the map (outer contours, largest first) relative to the reference point, in the
+/// object frame's directions. [px]
+std::vector<std::vector<cv::Point2f>> outlines(const View& view);
+
+/// Throws std::invalid_argument naming the fault when the model breaks a rule stated above.
+void validate(const ObjectModel& model);
+
+}  // namespace mbncc

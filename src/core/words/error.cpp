@@ -1,0 +1,91 @@
+#include "mbncc/error.hpp"
+
+#include <algorithm>
+#include <array>
+
+namespace mbncc {
+namespace {
+
+struct Entry {
+  LearnError error;
+  const char* name;
+  const char* message;
+  const char* hint;
+};
+
+constexpr std::array<Entry, 25> kEntries{{
+    {LearnError::kSuccess, "SUCCESS", "The object was learned.", "Nothing to do."},
+    {LearnError::kNoImage, "NO_IMAGE", "No usable picture arrived.",
+     "Check the camera and the image topic, or give a readable picture of at least 32 x 32 "
+     "pixels."},
+    {LearnError::kRegionInvalid, "REGION_INVALID", "The region does not lie in the picture.",
+     "Give a region of at least 8 x 8 pixels inside the picture; an outline needs three corners "
+     "and must not cross itself."},
+    {LearnError::kNoChange, "NO_CHANGE", "The pictures before and after show no difference.",
+     "Take the object away between the two pictures, and check that the region covers it."},
+    {LearnError::kChangeTooLarge, "CHANGE_TOO_LARGE",
+     "Nearly everything changed between the pictures.",
+     "Keep light, exposure and camera still while the object is taken away, then teach again."},
+    {LearnError::kNotStill, "NOT_STILL", "The scene did not come to rest.",
+     "Move arm and hands out of the picture and wait for the message."},
+    {LearnError::kSegmentationEmpty, "SEGMENTATION_EMPTY", "No object stands out in the region.",
+     "Put the object on a background of another colour, or mark it by an outline."},
+    {LearnError::kSegmentationFull, "SEGMENTATION_FULL",
+     "The whole region was taken for the object.",
+     "Give a larger region with background on every side."},
+    {LearnError::kTouchesBorder, "TOUCHES_BORDER", "The object touches the picture's border.",
+     "Put the object wholly into the picture and teach again."},
+    {LearnError::kTooSmall, "TOO_SMALL", "The object is too small to be found reliably.",
+     "Bring the camera nearer or use a higher resolution."},
+    {LearnError::kLowTexture, "LOW_TEXTURE",
+     "The object has too little texture and outline to be found.",
+     "Turn its marked side up or improve the light."},
+    {LearnError::kNotDistinct, "NOT_DISTINCT", "The object cannot be told from its surroundings.",
+     "Teach it on a plainer background, or turn its marked side up."},
+    {LearnError::kAlreadyKnown, "ALREADY_KNOWN", "The library already knows this object.",
+     "Use overwrite or add_view on the stored name."},
+    {LearnError::kNameInvalid, "NAME_INVALID", "The name is not allowed.",
+     "Use a letter, then letters, digits or underscores, 64 characters at most."},
+    {LearnError::kNameTaken, "NAME_TAKEN", "The name is in the library already.",
+     "Choose another name, or set overwrite or add_view."},
+    {LearnError::kStorage, "STORAGE", "The object could not be stored.",
+     "Check the library folder's disk space and permissions; the library itself is unchanged."},
+    {LearnError::kRejectedByOperator, "REJECTED_BY_OPERATOR", "The operator rejected the lesson.",
+     "Teach again when ready; nothing was stored."},
+    {LearnError::kCancelled, "CANCELLED", "The lesson was cancelled.",
+     "Teach again when ready; nothing was stored."},
+    {LearnError::kTimeout, "TIMEOUT", "The lesson ran out of time.",
+     "Follow the messages sooner, or give a longer timeout."},
+    {LearnError::kEncoding, "ENCODING", "The picture's encoding or layout is not supported.",
+     "Use mono8, mono16, bgr8, rgb8, bgra8, rgba8, bayer_*8, yuv422 or yuv422_yuy2 with a step and "
+     "data length that fit."},
+    {LearnError::kBusy, "BUSY", "Another lesson is running.", "Wait for it to end, or cancel it."},
+    {LearnError::kNameUnknown, "NAME_UNKNOWN", "The library does not know this name.",
+     "List the objects, and teach the first view without add_view."},
+    {LearnError::kImageMismatch, "IMAGE_MISMATCH", "The pictures differ in size.",
+     "Give before, after and mask of the same camera and size."},
+    {LearnError::kQualityBad, "QUALITY_BAD", "The lesson is not good enough to store.",
+     "Follow the advice, or set allow_bad to store it all the same."},
+    {LearnError::kInternal, "INTERNAL", "An unexpected error ended the lesson.",
+     "Report the message with the log; nothing was stored."},
+}};
+
+const Entry& entry_of(LearnError error) {
+  const auto found = std::find_if(kEntries.begin(), kEntries.end(),
+                                  [error](const Entry& entry) { return entry.error == error; });
+  return found == kEntries.end() ? kEntries.back() : *found;
+}
+
+}  // namespace
+
+const char* to_string(LearnError error) {
+  return entry_of(error).name;
+}
+const char* message_of(LearnError error) {
+  return entry_of(error).message;
+}
+const char* hint_of(LearnError error) {
+  return entry_of(error).hint;
+}
+
+}  // namespace mbncc

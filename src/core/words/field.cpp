@@ -1,0 +1,153 @@
+#include "mbncc/config/field.hpp"
+
+#include <yaml-cpp/yaml.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <cstdlib>
+#include <numeric>
+#include <sstream>
+
+#include "mbncc/error.hpp"
+
+namespace mbncc {
+namespace {
+
+[[noreturn]] void refuse(const FieldInfo& info, const std::string& value,
+                         const std::string& wanted) {
+  throw ConfigError("parameter '" + info.name + "': value '" + value + "' is not allowed; give " +
+                    wanted + (info.unit.empty() ? "" : " [" + info.unit + "]"));
+}
+
+std::string joined(const std::vector<std::string>& words) {
+  std::string text;
+  for (const auto& word : words) text += (text.empty() ? "" : " | ") + word;
+  return text;
+}
+
+std::string number_text(double value) {
+  char shortest[32];
+  // The shortest text that reads back to the same value.
+  for (int digits = 1; digits <= 17; ++digits) {
+    std::snprintf(shortest, sizeof shortest, "%.*g", digits, value);
+    if (std::strtod(shortest, nullptr) == value) break;
+  }
+  return shortest;
+}
+
+int edit_distance(const std::string& a, const std::string& b) {
+  std::vector<int> row(b.size() + 1);
+  std::iota(row.begin(), row.end(), 0);
+  for (std::size_t i = 1; i <= a.size(); ++i) {
+    int diagonal = row[0];
+    row[0] = static_cast<int>(i);
+    for (std::size_t j = 1; j <= b.size(); ++j) {
+      const int change = diagonal + (a[i - 1] == b[j - 1] ? 0 : 1);
+      diagonal = row[j];
+      row[j] = std::min({change, row[j] + 1, row[j - 1] + 1});
+    }
+  }
+  return row.back();
+}
+
+}  // namespace
+
+std::string Allowed::to_string() const {
+  if (!choices.empty()) return joined(choices);
+  if (std::isinf(low) && std::isinf(high)) return "any";
+  if (std::isinf(high)) return ">= " + number_text(low);
+  return number_text(low) + " .. " + number_text(high);
+}
+
+void check_allowed(const FieldInfo&, bool) {}
+
+void check_allowed(const FieldInfo& info, double value) {
+  if (!(value >= info.allowed.low && value <= info.allowed.high))
+    refuse(info, number_text(value), "a number " + info.allowed.to_string());
+}
+
+void check_allowed(const FieldInfo& info, int value) {
+  if (value < info.allowed.low || value > info.allowed.high)
+    refuse(info, std::to_string(value), "a whole number " + info.allowed.to_string());
+}
+
+void check_allowed(const FieldInfo& info, const std::string& value) {
+  const auto& choices = info.allowed.choices;
+  if (!choices.empty() && std::find(choices.begin(), choices.end(), value) == choices.end())
+    refuse(info, value, "one of " + info.allowed.to_string());
+}
+
+void parse_field(const FieldInfo& info, const std::string& text, bool& value) {
+  if (text != "true" && text != "false") refuse(info, text, "true or false");
+  value = text == "true";
+}
+
+void parse_field(const FieldInfo& info, const std::string& text, int& value) {
+  int parsed = 0;
+  const auto end = text.data() + text.size();
+  const auto read = std::from_chars(text.data(), end, parsed);
+  if (text.empty() || read.ec != std::errc() || read.ptr != end)
+    refuse(info, text, "a whole number " + info.allowed.to_string());
+  check_allowed(info, parsed);
+  value = parsed;
+}
+
+void parse_field(const FieldInfo& info, const std::string& text, double& value) {
+  std::istringstream stream(text);
+  stream.imbue(std::locale::classic());
+  double parsed = 0;
+  // An int or double, then nothing: "1e3" is a number, "1 m" and "nan" are not.
+  if (!(stream >> parsed) || stream.peek() != std::istringstream::traits_type::eof())
+    refuse(info, text, "a number " + info.allowed.to_string());
+  check_allowed(info, parsed);
+  value = parsed;
+}
+
+void parse_field(const FieldInfo& info, const std::string& text, std::string& value) {
+  check_allowed(info, text);
+  value = text;
+}
+
+std::string field_text(bool value) {
+  return value ? "true" : "false";
+}
+std::string field_text(int value) {
+  return std::to_string(value);
+}
+std::string field_text(double value) {
+  return number_text(value);
+}
+std::string field_text(const std::string& value) {
+  return value;
+}
+
+void assign_field(const std::vector<FieldRow>& rows, const std::string& key,
+                  const std::string& text) {
+  if (rows.empty()) throw ConfigError("parameter '" + key + "' is unknown");
+  const FieldRow* nearest = &rows.front();
+  for (const auto& row : rows) {
+    if (row.info.name == key) return row.assign(text);
+    if (edit_distance(row.info.name, key) < edit_distance(nearest->info.name, key)) nearest = &row;
+  }
+  throw ConfigError("parameter '" + key + "' is unknown; did you mean '" + nearest->info.name +
+                    "'? `mbncc params` lists all of them");
+}
+
+void load_yaml_file(const std::vector<FieldRow>& rows, const std::string& path) {
+  YAML::Node root;
+  try {
+    root = YAML::LoadFile(path);
+  } catch (const YAML::Exception& error) {
+    throw FileError(path, std::string("not a readable YAML file: ") + error.what());
+  }
+  if (!root.IsMap()) throw FileError(path, "expected lines of the form `key: value`");
+  for (const auto& entry : root) {
+    const auto key = entry.first.as<std::string>();
+    if (!entry.second.IsScalar())
+      throw ConfigError("parameter '" + key + "' must be a single value");
+    assign_field(rows, key, entry.second.Scalar());
+  }
+}
+
+}  // namespace mbncc

@@ -1,0 +1,81 @@
+#include "mbncc/geometry.hpp"
+
+#include <cmath>
+#include <opencv2/imgproc.hpp>
+#include <stdexcept>
+#include <vector>
+
+namespace mbncc {
+namespace {
+
+std::vector<cv::Point> map_pixels(const cv::Mat& map) {
+  std::vector<cv::Point> pixels;
+  if (!map.empty()) cv::findNonZero(map, pixels);
+  if (pixels.empty()) throw std::invalid_argument("the map has no pixel");
+  return pixels;
+}
+
+}  // namespace
+
+double wrap_angle(double radians) {
+  const double wrapped = std::remainder(radians, 2 * kPi);
+  return wrapped <= -kPi ? kPi : wrapped;
+}
+
+double angle_distance(double a, double b, int symmetry) {
+  if (symmetry == 0) return 0;
+  return std::abs(std::remainder(a - b, 2 * kPi / symmetry));
+}
+
+cv::Point2d rotate(cv::Point2d point, double theta) {
+  const double c = std::cos(theta), s = std::sin(theta);
+  return {c * point.x - s * point.y, s * point.x + c * point.y};
+}
+
+cv::Point2d transform(const Pose2D& pose, cv::Point2d point) {
+  return rotate(point, pose.theta) + pose.position();
+}
+
+Pose2D compose(const Pose2D& outer, const Pose2D& inner) {
+  const cv::Point2d position = transform(outer, inner.position());
+  return {position.x, position.y, wrap_angle(outer.theta + inner.theta)};
+}
+
+Pose2D inverse(const Pose2D& pose) {
+  const cv::Point2d position = rotate(-pose.position(), -pose.theta);
+  return {position.x, position.y, wrap_angle(-pose.theta)};
+}
+
+cv::Point2d centroid(const cv::Mat& map) {
+  cv::Point2d sum;
+  const auto pixels = map_pixels(map);
+  for (const auto& pixel : pixels) sum += cv::Point2d(pixel);
+  return sum / static_cast<double>(pixels.size());
+}
+
+Circle excircle(const cv::Mat& map) {
+  cv::Point2f centre;
+  float radius = 0;
+  cv::minEnclosingCircle(map_pixels(map), centre, radius);
+  return {cv::Point2d(centre), static_cast<double>(radius)};
+}
+
+Circle incircle(const cv::Mat& map) {
+  map_pixels(map);
+  cv::Mat padded, distance;
+  cv::copyMakeBorder(map, padded, 1, 1, 1, 1, cv::BORDER_CONSTANT, cv::Scalar(0));
+  cv::distanceTransform(padded, distance, cv::DIST_L2, cv::DIST_MASK_PRECISE);
+  double radius = 0;
+  cv::Point where;
+  cv::minMaxLoc(distance, nullptr, &radius, nullptr, &where);
+  // The distance runs to the centre of the nearest background pixel, half a pixel beyond the map's
+  // edge.
+  return {cv::Point2d(where.x - 1, where.y - 1), radius - 0.5};
+}
+
+bool is_binary_map(const cv::Mat& map) {
+  if (map.empty() || map.type() != CV_8UC1) return false;
+  return cv::countNonZero(map) == cv::countNonZero(map == 255);
+}
+
+}  // namespace mbncc

@@ -1,0 +1,100 @@
+#include "mbncc/object_model.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <opencv2/imgproc.hpp>
+#include <stdexcept>
+
+namespace mbncc {
+namespace {
+
+bool is_letter(char c) {
+  return (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z');
+}
+bool is_digit(char c) {
+  return c >= '0' && c <= '9';
+}
+
+void require(bool condition, const char* fault) {
+  if (!condition) throw std::invalid_argument(fault);
+}
+
+bool is_finite(const Pose2D& pose) {
+  return std::isfinite(pose.x) && std::isfinite(pose.y) && std::isfinite(pose.theta);
+}
+
+void validate_view(const View& view) {
+  require(view.template_image.type() == CV_8UC3 && !view.template_image.empty(),
+          "a view's template must be a non-empty 8-bit colour picture");
+  require(is_binary_map(view.map) && view.map.size() == view.template_image.size(),
+          "a view's map must be binary and of its template's size");
+  require(cv::countNonZero(view.map) > 0, "a view's map is empty");
+  const cv::Rect crop(view.origin, view.map.size());
+  require((crop & cv::Rect({0, 0}, view.picture_size)) == crop,
+          "a view's crop must lie in its learning picture");
+  require(is_finite(view.reference), "a view's reference must be finite");
+}
+
+}  // namespace
+
+const char* to_string(Verdict verdict) {
+  switch (verdict) {
+    case Verdict::kGood:
+      return "GOOD";
+    case Verdict::kMarginal:
+      return "MARGINAL";
+    case Verdict::kBad:
+      return "BAD";
+  }
+  return "BAD";
+}
+
+bool is_valid_name(const std::string& name) {
+  if (name.empty() || name.size() > 64 || !is_letter(name.front())) return false;
+  return std::all_of(name.begin(), name.end(),
+                     [](char c) { return is_letter(c) || is_digit(c) || c == '_'; });
+}
+
+View crop_view(const cv::Mat& picture, const cv::Mat& map, const Pose2D& reference, int margin) {
+  require(picture.type() == CV_8UC3 && picture.size() == map.size() && is_binary_map(map),
+          "crop_view needs a colour picture and a binary map of the same size");
+  const Circle circle = excircle(map);
+  const double reach = circle.radius + margin;
+  const cv::Point low(static_cast<int>(std::floor(circle.centre.x - reach)),
+                      static_cast<int>(std::floor(circle.centre.y - reach)));
+  const int side = static_cast<int>(std::ceil(2 * reach)) + 2;
+  const cv::Rect crop = cv::Rect(low, cv::Size(side, side)) & cv::Rect({0, 0}, map.size());
+  return {picture(crop).clone(), map(crop).clone(), crop.tl(), picture.size(), reference};
+}
+
+cv::Mat full_size_map(const View& view) {
+  cv::Mat full = cv::Mat::zeros(view.picture_size, CV_8UC1);
+  view.map.copyTo(full(cv::Rect(view.origin, view.map.size())));
+  return full;
+}
+
+std::vector<std::vector<cv::Point2f>> outlines(const View& view) {
+  std::vector<std::vector<cv::Point>> contours;
+  cv::findContours(view.map.clone(), contours, cv::RETR_EXTERNAL, cv::CHAIN_APPROX_SIMPLE,
+                   view.origin);
+  std::sort(contours.begin(), contours.end(),
+            [](const auto& a, const auto& b) { return cv::contourArea(a) > cv::contourArea(b); });
+  const Pose2D to_object = inverse(view.reference);
+  std::vector<std::vector<cv::Point2f>> result;
+  for (const auto& contour : contours) {
+    auto& outline = result.emplace_back();
+    for (const auto& point : contour)
+      outline.emplace_back(transform(to_object, cv::Point2d(point)));
+  }
+  return result;
+}
+
+void validate(const ObjectModel& model) {
+  require(is_valid_name(model.name), "an object's name must match [A-Za-z][A-Za-z0-9_]{0,63}");
+  require(!model.views.empty(), "an object needs at least one view");
+  require(std::isfinite(model.object_height) && model.object_height >= 0,
+          "an object's height must be finite and not negative");
+  for (const auto& view : model.views) validate_view(view);
+}
+
+}  // namespace mbncc
