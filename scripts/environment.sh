@@ -1,0 +1,31 @@
+# Sourced by the other scripts: finds the package, the ROS installation and the system's Python.
+# shellcheck shell=bash
+
+MBNCC_ROOT="$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)"
+MBNCC_BUILD="${MBNCC_BUILD:-$MBNCC_ROOT/build}"
+
+# ROS's Python modules belong to the system's interpreter; another one may stand ahead of it on PATH.
+export PATH="/usr/bin:$PATH"
+export LC_ALL="${LC_ALL:-C.UTF-8}"
+# A fresh machine may be unable to resolve its own name.
+export ROS_HOSTNAME="${ROS_HOSTNAME:-localhost}"
+export ROSCONSOLE_STDOUT_LINE_BUFFERED=1
+
+# Some ROS set-up files read variables that are not set.
+source_leniently() {
+  local restore
+  restore="$(set +o)"
+  set +eu
+  # shellcheck disable=SC1090
+  . "$1"
+  eval "$restore"
+}
+
+if [ -f /opt/ros/noetic/setup.bash ]; then
+  source_leniently /opt/ros/noetic/setup.bash
+fi
+
+fail() {
+  echo "error: $*" >&2
+  exit 1
+}
