@@ -1,0 +1,152 @@
+#include "nodelets/images.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <cstring>
+#include <opencv2/imgproc.hpp>
+
+namespace mbncc::nodelets {
+namespace {
+
+constexpr std::uint32_t kLargestSide = 16384;  // [px]
+constexpr int kCopy = -1;                      // no colour conversion
+constexpr int kHighByte = -2;                  // 16 bits to 8
+
+struct Encoding {
+  const char* name;
+  int type;        // of the message's memory
+  int conversion;  // OpenCV's colour code to bgr
+};
+
+// sensor_msgs names a Bayer pattern by its first row, OpenCV by the second row's middle columns.
+constexpr std::array<Encoding, 14> kEncodings{{
+    {"mono8", CV_8UC1, cv::COLOR_GRAY2BGR},
+    {"8UC1", CV_8UC1, cv::COLOR_GRAY2BGR},
+    {"mono16", CV_8UC2, kHighByte},
+    {"bgr8", CV_8UC3, kCopy},
+    {"8UC3", CV_8UC3, kCopy},
+    {"rgb8", CV_8UC3, cv::COLOR_RGB2BGR},
+    {"bgra8", CV_8UC4, cv::COLOR_BGRA2BGR},
+    {"rgba8", CV_8UC4, cv::COLOR_RGBA2BGR},
+    {"bayer_rggb8", CV_8UC1, cv::COLOR_BayerBG2BGR},
+    {"bayer_bggr8", CV_8UC1, cv::COLOR_BayerRG2BGR},
+    {"bayer_gbrg8", CV_8UC1, cv::COLOR_BayerGR2BGR},
+    {"bayer_grbg8", CV_8UC1, cv::COLOR_BayerGB2BGR},
+    {"yuv422", CV_8UC2, cv::COLOR_YUV2BGR_UYVY},
+    {"yuv422_yuy2", CV_8UC2, cv::COLOR_YUV2BGR_YUY2},
+}};
+
+const Encoding* find_encoding(const std::string& name) {
+  const auto found = std::find_if(kEncodings.begin(), kEncodings.end(),
+                                  [&name](const Encoding& known) { return name == known.name; });
+  return found == kEncodings.end() ? nullptr : &*found;
+}
+
+bool is_yuv(const Encoding& encoding) {
+  return encoding.conversion == cv::COLOR_YUV2BGR_UYVY ||
+         encoding.conversion == cv::COLOR_YUV2BGR_YUY2;
+}
+
+// A name out of a message, safe to print.
+std::string printable(const std::string& text) {
+  std::string shown = text.substr(0, 32);
+  std::replace_if(
+      shown.begin(), shown.end(), [](char c) { return c < ' ' || c > '~'; }, '?');
+  return shown;
+}
+
+std::string layout_fault(const sensor_msgs::Image& message, const Encoding& encoding) {
+  const std::string size = std::to_string(message.width) + " x " + std::to_string(message.height);
+  if (message.width < 2 || message.height < 2 || message.width > kLargestSide ||
+      message.height > kLargestSide)
+    return "a picture of " + size + " pixels is not usable; send 2 .. 16384 a side";
+  if (is_yuv(encoding) && message.width % 2 != 0)
+    return "a " + message.encoding + " picture of odd width " + std::to_string(message.width) +
+           " is not usable; send an even width";
+  const std::uint64_t row = std::uint64_t{message.width} * CV_ELEM_SIZE(encoding.type);
+  if (message.step < row)
+    return "step " + std::to_string(message.step) + " is less than a row of " +
+           std::to_string(row) + " bytes; correct the driver";
+  if (message.data.size() != std::uint64_t{message.step} * message.height)
+    return "data of " + std::to_string(message.data.size()) + " bytes is not step " +
+           std::to_string(message.step) + " x height " + std::to_string(message.height) +
+           "; correct the driver";
+  return "";
+}
+
+cv::Mat view_of(const sensor_msgs::Image& message, const Encoding& encoding) {
+  return cv::Mat(static_cast<int>(message.height), static_cast<int>(message.width), encoding.type,
+                 const_cast<std::uint8_t*>(message.data.data()), message.step);
+}
+
+cv::Mat to_bgr(const sensor_msgs::Image& message, const Encoding& encoding) {
+  const cv::Mat view = view_of(message, encoding);
+  cv::Mat picture;
+  if (encoding.conversion == kCopy) {
+    view.copyTo(picture);
+  } else if (encoding.conversion == kHighByte) {
+    cv::Mat high;
+    cv::extractChannel(view, high, message.is_bigendian ? 0 : 1);
+    cv::cvtColor(high, picture, cv::COLOR_GRAY2BGR);
+  } else {
+    cv::cvtColor(view, picture, encoding.conversion);
+  }
+  return picture;
+}
+
+Decoded unknown_encoding(const std::string& name) {
+  std::string known;
+  for (const auto& encoding : kEncodings) known += std::string(" ") + encoding.name;
+  Decoded refused;
+  refused.fault = "encoding '" + printable(name) + "' is not supported; send one of" + known;
+  refused.encoding_unknown = true;
+  return refused;
+}
+
+}  // namespace
+
+Decoded decode_picture(const sensor_msgs::Image& message) {
+  const Encoding* encoding = find_encoding(message.encoding);
+  if (encoding == nullptr) return unknown_encoding(message.encoding);
+  Decoded decoded;
+  decoded.fault = layout_fault(message, *encoding);
+  if (decoded.fault.empty()) decoded.picture = to_bgr(message, *encoding);
+  return decoded;
+}
+
+Decoded decode_map(const sensor_msgs::Image& message) {
+  Decoded decoded;
+  const Encoding* encoding = find_encoding(message.encoding);
+  if (encoding == nullptr || encoding->conversion != cv::COLOR_GRAY2BGR) {
+    decoded.fault = "a mask of encoding '" + printable(message.encoding) +
+                    "' is not supported; send mono8 with 255 on the object and 0 elsewhere";
+    return decoded;
+  }
+  decoded.fault = layout_fault(message, *encoding);
+  if (decoded.fault.empty()) decoded.picture = view_of(message, *encoding) >= 128;
+  return decoded;
+}
+
+bool is_given(const sensor_msgs::Image& message) {
+  return message.width != 0 || message.height != 0 || !message.data.empty() ||
+         !message.encoding.empty();
+}
+
+sensor_msgs::Image encode_picture(const cv::Mat& picture, const std_msgs::Header& header) {
+  sensor_msgs::Image message;
+  message.header = header;
+  if (picture.empty()) return message;
+  CV_Assert(picture.type() == CV_8UC3 || picture.type() == CV_8UC1);
+  const std::size_t row = picture.cols * picture.elemSize();
+  message.height = static_cast<std::uint32_t>(picture.rows);
+  message.width = static_cast<std::uint32_t>(picture.cols);
+  message.encoding = picture.type() == CV_8UC3 ? "bgr8" : "mono8";
+  message.step = static_cast<std::uint32_t>(row);
+  message.data.resize(row * picture.rows);
+  for (int y = 0; y < picture.rows; ++y)
+    std::memcpy(message.data.data() + row * y, picture.ptr(y), row);
+  return message;
+}
+
+}  // namespace mbncc::nodelets

@@ -1,0 +1,35 @@
+// Picture messages to and from cv::Mat. Everything that arrives is distrusted: encoding, step and
+// length are checked before a byte is read, and nothing throws because of a message.
+#pragma once
+
+#include <sensor_msgs/Image.h>
+#include <std_msgs/Header.h>
+
+#include <opencv2/core.hpp>
+#include <string>
+
+namespace mbncc::nodelets {
+
+/// A picture, or the sentence why the message holds none.
+struct Decoded {
+  cv::Mat picture;    ///< its own memory; empty when refused
+  std::string fault;  ///< "" when decoded
+  bool encoding_unknown = false;
+
+  explicit operator bool() const { return !picture.empty(); }
+};
+
+/// CV_8UC3 bgr from any accepted encoding: mono8 mono16 8UC1 8UC3 bgr8 rgb8 bgra8 rgba8 bayer_*8
+/// yuv422 yuv422_yuy2. mono16 keeps its high byte.
+Decoded decode_picture(const sensor_msgs::Image& message);
+
+/// CV_8UC1 map of 0 and 255 from mono8 or 8UC1; values >= 128 count as object.
+Decoded decode_map(const sensor_msgs::Image& message);
+
+/// True when a field of a goal or request holds a picture rather than being left empty.
+bool is_given(const sensor_msgs::Image& message);
+
+/// Message of a CV_8UC3 (bgr8) or CV_8UC1 (mono8) picture; an empty picture gives an empty message.
+sensor_msgs::Image encode_picture(const cv::Mat& picture, const std_msgs::Header& header = {});
+
+}  // namespace mbncc::nodelets

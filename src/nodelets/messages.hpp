@@ -1,0 +1,49 @@
+// The core's values as messages, and back.
+#pragma once
+
+#include <geometry_msgs/Polygon.h>
+#include <geometry_msgs/Pose2D.h>
+#include <mbncc_vision/DetectedObject.h>
+#include <mbncc_vision/LearnQuality.h>
+#include <mbncc_vision/LearnedObject.h>
+#include <sensor_msgs/RegionOfInterest.h>
+
+#include <opencv2/core.hpp>
+#include <optional>
+#include <vector>
+
+#include "mbncc/matching/matcher.hpp"
+#include "mbncc/object_model.hpp"
+
+namespace mbncc::nodelets {
+
+geometry_msgs::Pose2D to_msg(const Pose2D& pose);
+geometry_msgs::Polygon to_msg(const std::vector<cv::Point2f>& polygon);
+geometry_msgs::Pose to_msg(const Grasp& grasp);
+sensor_msgs::RegionOfInterest to_msg(const cv::Rect& region);
+mbncc_vision::LearnQuality to_msg(const Quality& quality);
+
+/// `with_thumbnail`: adds a picture of at most 160 px of the first view.
+mbncc_vision::LearnedObject to_msg(const ObjectModel& model, bool with_thumbnail);
+
+/// The part of the message that a picture alone tells: metric pose NaN, state NEW or AMBIGUOUS, no
+/// instance. `size` is filled in from `model` (may be null: NaN).
+mbncc_vision::DetectedObject to_msg(const Match& match, const ObjectModel* model);
+
+/// None when a number is not finite.
+std::optional<Pose2D> from_msg(const geometry_msgs::Pose2D& pose);
+
+/// None when a number is not finite or the quaternion is far from unit length.
+std::optional<Grasp> from_msg(const geometry_msgs::Pose& grasp);
+
+/// None when a corner is not finite.
+std::optional<std::vector<cv::Point2f>> from_msg(const geometry_msgs::Polygon& polygon);
+
+/// Empty for 0 x 0; none when it does not lie in a picture of `size`, or has one side of 0.
+std::optional<cv::Rect> from_msg(const sensor_msgs::RegionOfInterest& region, cv::Size size);
+
+/// Height and extents of the first view's map along the object's x and y. [m]; NaN when learned
+/// without scale.
+geometry_msgs::Vector3 size_of(const ObjectModel& model);
+
+}  // namespace mbncc::nodelets
