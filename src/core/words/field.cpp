@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <cstdio>
 #include <cstdlib>
 #include <numeric>
 #include <sstream>
@@ -28,6 +29,10 @@ std::string joined(const std::vector<std::string>& words) {
 
 std::string number_text(double value) {
   char shortest[32];
+  if (std::abs(value) < 1e15 && value == std::floor(value)) {
+    std::snprintf(shortest, sizeof shortest, "%.0f", value);
+    return shortest;
+  }
   // The shortest text that reads back to the same value.
   for (int digits = 1; digits <= 17; ++digits) {
     std::snprintf(shortest, sizeof shortest, "%.*g", digits, value);
