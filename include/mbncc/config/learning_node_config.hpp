@@ -1,0 +1,46 @@
+// Settings of the learning nodelet: the lesson, and what surrounds it.
+#pragma once
+
+#include <string>
+
+#include "mbncc/config/field.hpp"
+#include "mbncc/config/learning_config.hpp"
+#include "mbncc/config/platform_config.hpp"
+
+namespace mbncc {
+
+struct LearningNodeConfig {
+  LearningConfig learning;
+  PlatformConfig platform;
+  std::string library_path = "~/.ros/mbncc_library";  ///< folder of the learned objects
+  std::string image_transport = "raw";                ///< how pictures travel: raw, compressed, ...
+  double learn_timeout = 120;                         ///< [s] of a lesson whose goal names none
+  double still_time = 0.5;    ///< [s] without motion that makes a scene still
+  int max_objects = 1000;     ///< more are not learned
+  std::string gripper_frame;  ///< tf frame that mark_grasp records; "": refused
+
+  template <class Self, class Visitor>
+  static void fields(Self& self, Visitor&& visit) {
+    visit(FieldInfo{"library_path", Allowed::anything(), "",
+                    "folder of the learned objects; ~ is the home folder"},
+          self.library_path);
+    LearningConfig::fields(self.learning, visit);
+    visit(FieldInfo{"learn_timeout", Allowed::range(0.1, 86400), "s",
+                    "time limit of a lesson whose goal names none"},
+          self.learn_timeout);
+    visit(FieldInfo{"still_time", Allowed::range(0.05, 60), "s",
+                    "time without motion after which the scene counts as still"},
+          self.still_time);
+    visit(FieldInfo{"max_objects", Allowed::range(1, 100000), "", "more objects are not learned"},
+          self.max_objects);
+    visit(FieldInfo{"gripper_frame", Allowed::anything(), "",
+                    "tf frame of the gripper that mark_grasp records; empty: mark_grasp refuses"},
+          self.gripper_frame);
+    PlatformConfig::fields(self.platform, visit);
+    visit(FieldInfo{"image_transport", Allowed::anything(), "",
+                    "how pictures travel: raw, compressed, ..."},
+          self.image_transport);
+  }
+};
+
+}  // namespace mbncc

@@ -1,0 +1,74 @@
+// Settings of the matching nodelet: the search, and what is made of its matches.
+#pragma once
+
+#include <string>
+
+#include "mbncc/config/field.hpp"
+#include "mbncc/config/platform_config.hpp"
+#include "mbncc/config/search_config.hpp"
+
+namespace mbncc {
+
+struct MatchingNodeConfig {
+  SearchConfig search;
+  PlatformConfig platform;
+  std::string library_path = "~/.ros/mbncc_library";  ///< folder of the learned objects
+  std::string image_transport = "raw";                ///< how pictures travel: raw, compressed, ...
+  std::string search_roi;    ///< "x,y,width,height" [px] of reference points; "": whole picture
+  double max_rate = 0;       ///< [Hz] pictures searched at most; 0: every one that arrives
+  int confirm_frames = 3;    ///< graspable pictures needed ...
+  int confirm_window = 5;    ///< ... among this many of the last ones
+  double hold_time = 0;      ///< [s] a lost instance is repeated as HELD; 0: not at all
+  double max_age = 0.5;      ///< [s] older pictures are dropped, older poses not confirmed
+  double max_ahead = 0.1;    ///< [s] pictures stamped further in the future are dropped
+  double stale_after = 1;    ///< [s] without a picture before STALE is published
+  bool publish_tf = true;    ///< send tf frames of confirmed instances; counts as listening
+  std::string tf_prefix;     ///< put before every child frame
+  std::string target_frame;  ///< frame of the published poses; "": the camera's
+
+  template <class Self, class Visitor>
+  static void fields(Self& self, Visitor&& visit) {
+    visit(FieldInfo{"library_path", Allowed::anything(), "",
+                    "folder of the learned objects; ~ is the home folder"},
+          self.library_path);
+    SearchConfig::fields(self.search, visit);
+    visit(FieldInfo{"search_roi", Allowed::anything(), "px",
+                    "x,y,width,height in which reference points are looked for; empty: everywhere"},
+          self.search_roi);
+    visit(FieldInfo{"max_rate", Allowed::range(0, 1000), "Hz",
+                    "pictures searched at most; 0: every one that arrives"},
+          self.max_rate);
+    visit(FieldInfo{"confirm_frames", Allowed::range(1, 100), "",
+                    "an instance is confirmed when graspable in this many pictures"},
+          self.confirm_frames);
+    visit(FieldInfo{"confirm_window", Allowed::range(1, 100), "",
+                    "number of last pictures that confirm_frames counts in"},
+          self.confirm_window);
+    visit(FieldInfo{"hold_time", Allowed::range(0, 60), "s",
+                    "a lost instance is repeated as HELD for this long; 0: not at all"},
+          self.hold_time);
+    visit(FieldInfo{"max_age", Allowed::range(0.01, 3600), "s",
+                    "pictures older than this are dropped, and no older pose is confirmed"},
+          self.max_age);
+    visit(FieldInfo{"max_ahead", Allowed::range(0, 3600), "s",
+                    "pictures stamped further in the future are dropped"},
+          self.max_ahead);
+    visit(FieldInfo{"stale_after", Allowed::range(0.1, 3600), "s",
+                    "time without a picture after which STALE is published"},
+          self.stale_after);
+    visit(FieldInfo{"publish_tf", Allowed::anything(), "",
+                    "send a tf frame for every confirmed instance; counts as listening"},
+          self.publish_tf);
+    visit(FieldInfo{"tf_prefix", Allowed::anything(), "", "put before every object's tf frame"},
+          self.tf_prefix);
+    visit(FieldInfo{"target_frame", Allowed::anything(), "",
+                    "frame that poses are published in; empty: the camera's"},
+          self.target_frame);
+    PlatformConfig::fields(self.platform, visit);
+    visit(FieldInfo{"image_transport", Allowed::anything(), "",
+                    "how pictures travel: raw, compressed, ..."},
+          self.image_transport);
+  }
+};
+
+}  // namespace mbncc

@@ -1,0 +1,33 @@
+// Where the objects' plane lies under the camera.
+#pragma once
+
+#include <string>
+
+#include "mbncc/config/field.hpp"
+
+namespace mbncc {
+
+struct PlatformConfig {
+  std::string platform_frame;    ///< tf frame whose x-y plane is the platform; "": use the distance
+  double platform_distance = 0;  ///< [m] of the platform along the optical axis; 0: unknown
+  bool rectified = true;         ///< pictures are rectified: P of camera_info, else K and D
+  std::string camera_frame;      ///< optical frame; "": the pictures' frame_id
+
+  template <class Self, class Visitor>
+  static void fields(Self& self, Visitor&& visit) {
+    visit(FieldInfo{"platform_frame", Allowed::anything(), "",
+                    "tf frame whose x-y plane is the platform; empty: platform_distance"},
+          self.platform_frame);
+    visit(FieldInfo{"platform_distance", Allowed::range(0, 100), "m",
+                    "distance of the platform along the optical axis; 0: unknown"},
+          self.platform_distance);
+    visit(FieldInfo{"rectified", Allowed::anything(), "",
+                    "pictures are rectified: P of camera_info counts, otherwise K and D"},
+          self.rectified);
+    visit(FieldInfo{"camera_frame", Allowed::anything(), "",
+                    "optical frame of the camera; empty: the pictures' frame_id"},
+          self.camera_frame);
+  }
+};
+
+}  // namespace mbncc

@@ -1,0 +1,27 @@
+// Marks in pictures for people: outlines, object axes, captions.
+#pragma once
+
+#include <opencv2/core.hpp>
+#include <string>
+#include <vector>
+
+#include "mbncc/geometry.hpp"
+#include "mbncc/object_model.hpp"
+
+namespace mbncc {
+
+/// One thing to point out in a picture.
+struct Marking {
+  std::vector<std::vector<cv::Point2f>> outlines;  ///< [px] in the picture
+  Pose2D pose;                                     ///< [px],[rad] its axes: x red, y green
+  cv::Scalar colour{80, 220, 80};                  ///< bgr of outlines and caption
+  std::string caption;                             ///< plain ASCII
+};
+
+/// CV_8UC3 copy of `picture` (CV_8UC3 or CV_8UC1) with the markings drawn in.
+cv::Mat draw_markings(const cv::Mat& picture, const std::vector<Marking>& markings);
+
+/// Outline and axes of a learned view in its learning picture, coloured by the verdict.
+Marking marking_of(const View& view, const Quality& quality, const std::string& caption);
+
+}  // namespace mbncc

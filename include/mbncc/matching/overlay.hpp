@@ -1,0 +1,18 @@
+// Shows matches in their picture.
+#pragma once
+
+#include <opencv2/core.hpp>
+#include <vector>
+
+#include "mbncc/drawing.hpp"
+#include "mbncc/matching/matcher.hpp"
+
+namespace mbncc {
+
+/// Outline, axes and "name score"; green when graspable, amber when ambiguous, grey otherwise.
+Marking marking_of(const Match& match);
+
+/// CV_8UC3 copy of `picture` with every match marked.
+cv::Mat draw_matches(const cv::Mat& picture, const std::vector<Match>& matches);
+
+}  // namespace mbncc

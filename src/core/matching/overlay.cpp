@@ -1,0 +1,28 @@
+#include "mbncc/matching/overlay.hpp"
+
+#include <algorithm>
+#include <cstdio>
+
+namespace mbncc {
+
+Marking marking_of(const Match& match) {
+  char score[16];
+  std::snprintf(score, sizeof score, " %.2f", match.score);
+  Marking marking;
+  marking.outlines = {match.outline};
+  marking.pose = match.pose;
+  marking.caption = match.name + score;
+  if (match.ambiguous)
+    marking.colour = {60, 190, 250};
+  else if (!match.graspable)
+    marking.colour = {190, 190, 190};
+  return marking;
+}
+
+cv::Mat draw_matches(const cv::Mat& picture, const std::vector<Match>& matches) {
+  std::vector<Marking> markings;
+  for (const auto& match : matches) markings.push_back(marking_of(match));
+  return draw_markings(picture, markings);
+}
+
+}  // namespace mbncc
