@@ -51,14 +51,10 @@ cv::Scalar colour_of(Verdict verdict) {
 }  // namespace
 
 cv::Mat draw_markings(const cv::Mat& picture, const std::vector<Marking>& markings) {
-  cv::Mat drawn;
-  if (picture.type() == CV_8UC1) {
-    cv::cvtColor(picture, drawn, cv::COLOR_GRAY2BGR);
-  } else if (picture.type() == CV_8UC3) {
-    drawn = picture.clone();
-  } else {
+  if (picture.empty() || (picture.type() != CV_8UC1 && picture.type() != CV_8UC3))
     throw std::invalid_argument("markings are drawn on 8-bit grey or colour pictures");
-  }
+  cv::Mat drawn = picture.clone();
+  if (picture.type() == CV_8UC1) cv::cvtColor(picture, drawn, cv::COLOR_GRAY2BGR);
   for (const auto& marking : markings) {
     for (const auto& outline : marking.outlines) draw_outline(drawn, outline, marking.colour);
     draw_axis(drawn, marking.pose, {kAxisLength, 0}, kXColour);
