@@ -2,6 +2,8 @@
 // step.
 #pragma once
 
+#include <cstdint>
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -10,10 +12,14 @@
 
 namespace mbncc {
 
-/// A file that could not be read and was moved to `.quarantine/`.
+class LibraryCache;
+
+/// A file that could not be read.
 struct QuarantinedFile {
-  std::string file;  ///< name within the library folder
-  std::string reason;
+  std::string file;    ///< name within the library folder
+  std::string reason;  ///< one sentence
+  bool moved = true;   ///< to `.quarantine/`; false: left in place (no permission, or no fault of
+                       ///< the file's content)
 };
 
 /// Immutable state of a library at one moment; share it freely between threads.
@@ -25,12 +31,19 @@ struct LibrarySnapshot {
 };
 
 /// Writers work under an exclusive lock on the folder (flock), so one writes at a time, across
-/// processes. All functions throw FileError (with errno's text) when a file operation fails; then
-/// the library is as before.
+/// processes; readers need no lock, since every file changes in one step. All functions throw
+/// FileError (with errno's text) when a file operation fails; then the library is as before. A
+/// writer that finds the lock taken for 10 s gives up with a FileError.
+///
+/// Revisions count up per name and are never given twice, not even after a removal, as long as the
+/// trash is not emptied. One instance serves one thread at a time.
 class ObjectLibrary {
  public:
-  /// Opens `folder`, creating it when missing.
+  /// Opens `folder`, creating it (not its parents) when missing.
   explicit ObjectLibrary(std::string folder);
+  ~ObjectLibrary();
+  ObjectLibrary(ObjectLibrary&&) noexcept;
+  ObjectLibrary& operator=(ObjectLibrary&&) noexcept;
 
   const std::string& folder() const { return folder_; }
 
@@ -41,32 +54,38 @@ class ObjectLibrary {
   /// True when a file was added, changed or removed since the last load() of this instance.
   bool changed_on_disk() const;
 
+  /// What lies in `.quarantine/`, by this and earlier loads, with its reasons.
+  std::vector<QuarantinedFile> quarantine() const;
+
   /// What save() does about a name that is taken.
   enum class Existing { kRefuse, kReplace };
 
   /// Stores `model` durably: temporary file, fsync, rename, fsync of the folder. Replacing moves
-  /// the old revision to `.trash/` and stores revision + 1. Returns the model as stored. Throws
+  /// the old revision to `.trash/`. Returns the model as stored, with its new revision. Throws
   /// std::invalid_argument for a name that is taken (kRefuse) or a model that breaks the rules.
   ObjectModel save(ObjectModel model, Existing existing);
 
-  /// Applies `edit` to the stored object under the lock and stores the result as the next revision.
-  /// Throws std::invalid_argument when the name is unknown.
-  template <class Edit>
-  ObjectModel edit(const std::string& name, Edit&& edit);
+  /// Applies `change` to the stored object under the lock and stores the result; as the next
+  /// revision, with the old one in the trash, when it moves poses (views, references, scale,
+  /// height, grasp). An exception from `change` leaves everything as it was. Throws
+  /// std::invalid_argument when the name is unknown.
+  ObjectModel edit(const std::string& name, const std::function<void(ObjectModel&)>& change);
 
   /// New key and/or label; an empty argument keeps the old one. Throws std::invalid_argument when
   /// the name is unknown or the new one invalid or taken.
   ObjectModel rename(const std::string& name, const std::string& new_name,
                      const std::string& label);
 
-  /// Moves the object to `.trash/`.
+  /// Moves the object to `.trash/`. Throws std::invalid_argument when the name is unknown.
   void remove(const std::string& name);
 
-  /// Brings a revision back from the trash (0: the newest there) as the next revision of that name.
+  /// Brings a revision back from the trash (0: the newest there) as the next revision of that name;
+  /// what it replaces goes to the trash. Throws std::invalid_argument when there is none.
   ObjectModel restore(const std::string& name, std::uint32_t revision = 0);
 
  private:
   std::string folder_;
+  std::unique_ptr<LibraryCache> cache_;
 };
 
 }  // namespace mbncc

@@ -5,8 +5,9 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
-#include <cstdio>
-#include <cstdlib>
+#include <iomanip>
+#include <limits>
+#include <locale>
 #include <numeric>
 #include <sstream>
 
@@ -27,18 +28,24 @@ std::string joined(const std::vector<std::string>& words) {
   return text;
 }
 
+double number_of(const std::string& text) {
+  std::istringstream stream(text);
+  stream.imbue(std::locale::classic());
+  double value = std::numeric_limits<double>::quiet_NaN();
+  stream >> value;
+  return value;
+}
+
+// The shortest text that reads back to the same value, with a point whatever the locale.
 std::string number_text(double value) {
-  char shortest[32];
-  if (std::abs(value) < 1e15 && value == std::floor(value)) {
-    std::snprintf(shortest, sizeof shortest, "%.0f", value);
-    return shortest;
+  std::ostringstream text;
+  for (const int digits : {15, 16, 17}) {
+    text.str("");
+    text.imbue(std::locale::classic());
+    text << std::setprecision(digits) << value;
+    if (std::isnan(value) || number_of(text.str()) == value) break;
   }
-  // The shortest text that reads back to the same value.
-  for (int digits = 1; digits <= 17; ++digits) {
-    std::snprintf(shortest, sizeof shortest, "%.*g", digits, value);
-    if (std::strtod(shortest, nullptr) == value) break;
-  }
-  return shortest;
+  return text.str();
 }
 
 int edit_distance(const std::string& a, const std::string& b) {

@@ -1,0 +1,92 @@
+// Files as the library needs them: read within bounds, write so that a crash leaves the old file or
+// the new one. POSIX calls, interrupted ones repeated; failures are FileErrors with errno's text.
+#pragma once
+
+#include <sys/stat.h>
+
+#include <cstdint>
+#include <ctime>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "mbncc/error.hpp"
+
+namespace mbncc {
+
+/// A file whose content is at fault, not the system it lies on: such files go to quarantine.
+class ContentError : public FileError {
+ public:
+  using FileError::FileError;
+};
+
+/// "No space left on device" ...
+std::string errno_text(int code);
+
+/// Owns an open file.
+class FileDescriptor {
+ public:
+  explicit FileDescriptor(int descriptor) : descriptor_(descriptor) {}
+  ~FileDescriptor();
+  FileDescriptor(const FileDescriptor&) = delete;
+  FileDescriptor& operator=(const FileDescriptor&) = delete;
+
+  int get() const { return descriptor_; }
+  bool is_open() const { return descriptor_ >= 0; }
+
+  /// Closes now; errno's code or 0.
+  int close();
+
+ private:
+  int descriptor_;
+};
+
+/// Tells whether a file is still the one that was read.
+struct FileStamp {
+  std::uint64_t device = 0, inode = 0;
+  std::int64_t size = 0, modified_ns = 0, changed_ns = 0;
+
+  explicit FileStamp(const struct stat& status);
+  FileStamp() = default;
+  bool operator==(const FileStamp& other) const;
+};
+
+struct FileContent {
+  std::vector<std::uint8_t> bytes;
+  FileStamp stamp;
+};
+
+/// Reads a regular file of at most `max_bytes`. Throws ContentError for anything else (FIFO,
+/// folder, symbolic link, too large), FileError when the system fails.
+FileContent read_regular_file(const std::string& path, std::size_t max_bytes);
+
+/// Temporary files are called so; those found under the folder's lock are leftovers of a crash.
+constexpr const char* kTemporaryPrefix = ".tmp-";
+
+/// Writes `folder/name` durably and in one step: temporary file, fsync, rename, fsync of the
+/// folder. On failure the old file is as before and no temporary file is left.
+void write_file_atomically(const std::string& folder, const std::string& name,
+                           const std::vector<std::uint8_t>& bytes);
+
+/// Removes leftovers of crashed writers; to be called under the folder's lock.
+void remove_temporaries(const std::string& folder);
+
+/// Makes created, renamed and removed entries of a folder durable.
+void sync_folder(const std::string& folder);
+
+/// Creates the folder when it is missing.
+void make_folder(const std::string& folder);
+
+/// rename(2), replacing `to`.
+void rename_path(const std::string& from, const std::string& to);
+
+/// Stamp of whatever has this name, links not followed; none when nothing has.
+std::optional<FileStamp> stamp_of(const std::string& path);
+
+/// True when something, whatever it is, has this name.
+bool path_exists(const std::string& path);
+
+/// Names of a folder's entries, sorted.
+std::vector<std::string> entries_of(const std::string& folder);
+
+}  // namespace mbncc

@@ -1,0 +1,71 @@
+#include "library/library_cache.hpp"
+
+#include "library/png_codec.hpp"
+#include "mbncc/library/object_file.hpp"
+
+namespace mbncc {
+namespace {
+
+// Moves an unreadable file out of the way; false when that is not permitted here.
+bool move_to_quarantine(const LibraryFolder& folder, const std::string& file) {
+  try {
+    LockedFolder(folder).quarantine_unreadable(file);
+    return true;
+  } catch (const FileError&) {
+    return false;
+  }
+}
+
+}  // namespace
+
+std::shared_ptr<const LibrarySnapshot> LibraryCache::load(const LibraryFolder& folder) {
+  auto snapshot = std::make_shared<LibrarySnapshot>();
+  std::map<std::string, Entry> entries;
+  for (const auto& file : object_files(folder)) {
+    const auto entry = load_file(folder, file, *snapshot);
+    if (!entry) continue;
+    if (entry->object)
+      snapshot->objects.push_back(entry->object);
+    else
+      snapshot->quarantined.push_back({file, entry->reason, false});
+    entries[file] = *entry;
+  }
+  entries_ = std::move(entries);
+  return snapshot;
+}
+
+// None: the file is gone, by another writer or into the quarantine.
+std::optional<LibraryCache::Entry> LibraryCache::load_file(const LibraryFolder& folder,
+                                                           const std::string& file,
+                                                           LibrarySnapshot& snapshot) const {
+  const std::string path = folder.path + "/" + file;
+  const auto stamp = stamp_of(path);
+  if (!stamp) return std::nullopt;
+  const auto known = entries_.find(file);
+  if (known != entries_.end() && known->second.stamp == *stamp) return known->second;
+  try {
+    const FileContent content = read_regular_file(path, PngLimits::kMaxBytes);
+    return Entry{content.stamp,
+                 std::make_shared<const ObjectModel>(decode_object(content.bytes, path)), ""};
+  } catch (const ContentError& error) {
+    if (!move_to_quarantine(folder, file)) return Entry{*stamp, nullptr, error.reason()};
+    snapshot.quarantined.push_back({file, error.reason(), true});
+    return std::nullopt;
+  } catch (const FileError& error) {
+    if (!path_exists(path)) return std::nullopt;
+    return Entry{*stamp, nullptr, error.reason()};
+  }
+}
+
+bool LibraryCache::is_stale(const LibraryFolder& folder) const {
+  const auto files = object_files(folder);
+  if (files.size() != entries_.size()) return true;
+  for (const auto& file : files) {
+    const auto known = entries_.find(file);
+    const auto stamp = stamp_of(folder.path + "/" + file);
+    if (known == entries_.end() || !stamp || !(known->second.stamp == *stamp)) return true;
+  }
+  return false;
+}
+
+}  // namespace mbncc

@@ -1,0 +1,34 @@
+// What was read from a library folder, so that the next load reads only what changed.
+#pragma once
+
+#include <map>
+#include <memory>
+#include <string>
+
+#include "library/library_folder.hpp"
+#include "mbncc/library/object_library.hpp"
+
+namespace mbncc {
+
+class LibraryCache {
+ public:
+  /// Reads new and changed files and quarantines unreadable ones.
+  std::shared_ptr<const LibrarySnapshot> load(const LibraryFolder& folder);
+
+  /// True when the folder differs from what was last loaded.
+  bool is_stale(const LibraryFolder& folder) const;
+
+ private:
+  struct Entry {
+    FileStamp stamp;
+    std::shared_ptr<const ObjectModel> object;  // null: unreadable and left in place
+    std::string reason;                         // why it is unreadable
+  };
+
+  std::optional<Entry> load_file(const LibraryFolder& folder, const std::string& file,
+                                 LibrarySnapshot& snapshot) const;
+
+  std::map<std::string, Entry> entries_;  // by file name
+};
+
+}  // namespace mbncc

@@ -1,0 +1,190 @@
+#include "library/library_folder.hpp"
+
+#include <fcntl.h>
+#include <sys/file.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <charconv>
+#include <chrono>
+#include <thread>
+
+#include "library/png_codec.hpp"
+#include "mbncc/library/object_file.hpp"
+
+namespace mbncc {
+namespace {
+
+using namespace std::chrono_literals;
+
+constexpr const char* kEnding = ".png";
+constexpr std::size_t kMaxReason = 4096;  // [bytes]
+constexpr auto kLockPatience = 10s;
+constexpr auto kLockPoll = 5ms;
+
+bool ends_with(const std::string& text, const std::string& ending) {
+  return text.size() > ending.size() &&
+         text.compare(text.size() - ending.size(), ending.size(), ending) == 0;
+}
+
+FileDescriptor open_lock(const LibraryFolder& folder) {
+  const int descriptor =
+      ::open(folder.lock_file().c_str(), O_RDWR | O_CREAT | O_NOFOLLOW | O_CLOEXEC, 0644);
+  if (descriptor < 0) throw FileError(folder.path, "cannot be written: " + errno_text(errno));
+  return FileDescriptor(descriptor);
+}
+
+// Polls, since a writer that was stopped must not stop others for ever.
+void lock(const FileDescriptor& file, const LibraryFolder& folder) {
+  const auto deadline = std::chrono::steady_clock::now() + kLockPatience;
+  while (::flock(file.get(), LOCK_EX | LOCK_NB) != 0) {
+    if (errno != EWOULDBLOCK && errno != EINTR)
+      throw FileError(folder.path, "cannot be locked: " + errno_text(errno));
+    if (std::chrono::steady_clock::now() > deadline)
+      throw FileError(folder.path, "another program has been writing to this library for 10 s");
+    std::this_thread::sleep_for(kLockPoll);
+  }
+}
+
+// A path that is free: `stem` + `ending`, or with a number between them.
+std::string free_path(const std::string& stem, const std::string& ending) {
+  std::string path = stem + ending;
+  for (int i = 2; path_exists(path); ++i) path = stem + "." + std::to_string(i) + ending;
+  return path;
+}
+
+// Revision of a file of the trash, `name.<revision>.png` or `name.<revision>.<n>.png`; 0: not one.
+std::uint32_t revision_in(const std::string& file, const std::string& name) {
+  const std::string start = name + ".";
+  if (file.rfind(start, 0) != 0 || !ends_with(file, kEnding)) return 0;
+  std::uint32_t revision = 0;
+  const char* digits = file.data() + start.size();
+  const auto read = std::from_chars(digits, file.data() + file.size(), revision);
+  return read.ec == std::errc() && *read.ptr == '.' ? revision : 0;
+}
+
+std::string reason_beside(const std::string& path) {
+  try {
+    const auto bytes = read_regular_file(path + kReasonEnding, kMaxReason).bytes;
+    return std::string(bytes.begin(), std::find(bytes.begin(), bytes.end(), '\n'));
+  } catch (const FileError&) {
+    return "reason unknown";
+  }
+}
+
+}  // namespace
+
+std::vector<std::string> object_files(const LibraryFolder& folder) {
+  std::vector<std::string> files;
+  for (const auto& name : entries_of(folder.path))
+    if (name.front() != '.' && ends_with(name, kEnding)) files.push_back(name);
+  return files;
+}
+
+std::vector<QuarantinedFile> quarantined_files(const LibraryFolder& folder) {
+  std::vector<QuarantinedFile> files;
+  if (!path_exists(folder.quarantine())) return files;
+  for (const auto& name : entries_of(folder.quarantine())) {
+    if (name.front() == '.' || ends_with(name, kReasonEnding)) continue;
+    files.push_back({name, reason_beside(folder.quarantine() + "/" + name)});
+  }
+  return files;
+}
+
+std::map<std::uint32_t, std::string> trashed_revisions(const LibraryFolder& folder,
+                                                       const std::string& name) {
+  std::map<std::uint32_t, std::string> revisions;
+  if (!path_exists(folder.trash())) return revisions;
+  for (const auto& file : entries_of(folder.trash()))
+    if (const auto revision = revision_in(file, name))
+      revisions[revision] = folder.trash() + "/" + file;
+  return revisions;
+}
+
+LockedFolder::LockedFolder(LibraryFolder folder)
+    : folder_(std::move(folder)), lock_(open_lock(folder_)) {
+  lock(lock_, folder_);
+  remove_temporaries(folder_.path);
+}
+
+std::unique_ptr<ObjectModel> LockedFolder::read(const std::string& name) {
+  if (!is_valid_name(name) || !path_exists(folder_.object_file(name))) return nullptr;
+  try {
+    return std::make_unique<ObjectModel>(read_object_file(folder_.object_file(name)));
+  } catch (const ContentError& error) {
+    quarantine(name + kEnding, error.reason());
+    return nullptr;
+  }
+}
+
+std::uint32_t LockedFolder::next_revision(const std::string& name,
+                                          const ObjectModel* stored) const {
+  const auto trashed = trashed_revisions(folder_, name);
+  return 1 + std::max(stored == nullptr ? 0 : stored->revision,
+                      trashed.empty() ? 0 : trashed.rbegin()->first);
+}
+
+void LockedFolder::write(const ObjectModel& model, const ObjectModel* keep_old) {
+  const auto bytes = encode_object(model);
+  const std::string in_trash = keep_old == nullptr ? "" : link_to_trash(*keep_old);
+  try {
+    write_file_atomically(folder_.path, model.name + kEnding, bytes);
+  } catch (...) {
+    if (!in_trash.empty()) ::unlink(in_trash.c_str());
+    throw;
+  }
+}
+
+// The old file appears in the trash before the new one takes its place: at no moment is it nowhere.
+std::string LockedFolder::link_to_trash(const ObjectModel& model) {
+  make_folder(folder_.trash());
+  const std::string from = folder_.object_file(model.name);
+  const std::string to =
+      free_path(folder_.trash() + "/" + model.name + "." + std::to_string(model.revision), kEnding);
+  if (::link(from.c_str(), to.c_str()) != 0) {
+    // File systems without hard links get a copy.
+    if (errno != EPERM && errno != EOPNOTSUPP && errno != EMLINK)
+      throw FileError(to, "cannot keep the old revision: " + errno_text(errno));
+    const auto content = read_regular_file(from, PngLimits::kMaxBytes);
+    write_file_atomically(folder_.trash(), to.substr(to.find_last_of('/') + 1), content.bytes);
+  }
+  sync_folder(folder_.trash());
+  return to;
+}
+
+void LockedFolder::discard(const ObjectModel& model) {
+  make_folder(folder_.trash());
+  rename_path(folder_.object_file(model.name),
+              free_path(folder_.trash() + "/" + model.name + "." + std::to_string(model.revision),
+                        kEnding));
+  sync_folder(folder_.trash());
+  sync_folder(folder_.path);
+}
+
+void LockedFolder::rename(const std::string& name, const std::string& new_name) {
+  rename_path(folder_.object_file(name), folder_.object_file(new_name));
+  sync_folder(folder_.path);
+}
+
+void LockedFolder::quarantine_unreadable(const std::string& file) {
+  try {
+    read_object_file(folder_.path + "/" + file);
+  } catch (const ContentError& error) {
+    quarantine(file, error.reason());
+  }
+}
+
+void LockedFolder::quarantine(const std::string& file, const std::string& reason) {
+  make_folder(folder_.quarantine());
+  const std::string to = free_path(folder_.quarantine() + "/" + file, "");
+  // The reason comes first, so that no file lies there without one.
+  const std::string text = reason + "\n";
+  write_file_atomically(folder_.quarantine(), to.substr(to.find_last_of('/') + 1) + kReasonEnding,
+                        {text.begin(), text.end()});
+  rename_path(folder_.path + "/" + file, to);
+  sync_folder(folder_.quarantine());
+  sync_folder(folder_.path);
+}
+
+}  // namespace mbncc

@@ -1,0 +1,73 @@
+// The layout of a library folder on disk: `<name>.png`, `.lock`, `.trash/<name>.<revision>.png`,
+// `.quarantine/<file>` with `<file>.reason.txt`. What changes it needs the lock, see LockedFolder.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "library/file_io.hpp"
+#include "mbncc/library/object_library.hpp"
+#include "mbncc/object_model.hpp"
+
+namespace mbncc {
+
+constexpr const char* kReasonEnding = ".reason.txt";
+
+/// Paths within a library folder.
+struct LibraryFolder {
+  std::string path;
+
+  std::string object_file(const std::string& name) const { return path + "/" + name + ".png"; }
+  std::string trash() const { return path + "/.trash"; }
+  std::string quarantine() const { return path + "/.quarantine"; }
+  std::string lock_file() const { return path + "/.lock"; }
+};
+
+/// What lies in the quarantine, with its reasons.
+std::vector<QuarantinedFile> quarantined_files(const LibraryFolder& folder);
+
+/// Names of the files that should be objects: *.png, hidden ones aside.
+std::vector<std::string> object_files(const LibraryFolder& folder);
+
+/// Revisions of `name` in the trash and their paths.
+std::map<std::uint32_t, std::string> trashed_revisions(const LibraryFolder& folder,
+                                                       const std::string& name);
+
+/// Exclusive access for one writer. Construction waits for the lock, 10 s at most, and clears away
+/// what a crashed writer left. Throws FileError.
+class LockedFolder {
+ public:
+  explicit LockedFolder(LibraryFolder folder);
+
+  /// The stored object. Null when there is none; an unreadable file is quarantined and counts as
+  /// none.
+  std::unique_ptr<ObjectModel> read(const std::string& name);
+
+  /// One above every revision of `name`: that of `stored` (may be null) and those in the trash.
+  std::uint32_t next_revision(const std::string& name, const ObjectModel* stored) const;
+
+  /// Stores the model as it is. With `keep_old` the file that it replaces goes to the trash under
+  /// that revision; when storing fails it does not.
+  void write(const ObjectModel& model, const ObjectModel* keep_old);
+
+  /// Moves the object to the trash.
+  void discard(const ObjectModel& model);
+
+  /// Gives the file another name, which must be free.
+  void rename(const std::string& name, const std::string& new_name);
+
+  /// Moves `file` to the quarantine if it is still unreadable, now that nobody can replace it.
+  void quarantine_unreadable(const std::string& file);
+
+ private:
+  void quarantine(const std::string& file, const std::string& reason);
+  std::string link_to_trash(const ObjectModel& model);
+
+  LibraryFolder folder_;
+  FileDescriptor lock_;
+};
+
+}  // namespace mbncc

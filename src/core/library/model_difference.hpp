@@ -1,0 +1,14 @@
+// Tells edits that move published poses from those that only describe an object.
+#pragma once
+
+#include "mbncc/object_model.hpp"
+
+namespace mbncc {
+
+/// A copy that shares no pixels.
+ObjectModel deep_copy(const ObjectModel& model);
+
+/// True when views, references, scale, height or grasp differ.
+bool moves_poses(const ObjectModel& before, const ObjectModel& after);
+
+}  // namespace mbncc

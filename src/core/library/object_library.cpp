@@ -1,0 +1,125 @@
+#include "mbncc/library/object_library.hpp"
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "library/library_cache.hpp"
+#include "library/library_folder.hpp"
+#include "library/model_difference.hpp"
+#include "mbncc/library/object_file.hpp"
+
+namespace mbncc {
+namespace {
+
+[[noreturn]] void refuse_unknown(const std::string& name) {
+  throw std::invalid_argument("the library has no object '" + name + "'");
+}
+
+void refuse_taken(const LibraryFolder& folder, const std::string& name) {
+  if (path_exists(folder.object_file(name)))
+    throw std::invalid_argument("the library has an object '" + name + "' already");
+}
+
+std::unique_ptr<ObjectModel> read_known(LockedFolder& locked, const std::string& name) {
+  auto stored = locked.read(name);
+  if (!stored) refuse_unknown(name);
+  return stored;
+}
+
+}  // namespace
+
+std::shared_ptr<const ObjectModel> LibrarySnapshot::find(const std::string& name) const {
+  const auto found = std::find_if(objects.begin(), objects.end(),
+                                  [&name](const auto& object) { return object->name == name; });
+  return found == objects.end() ? nullptr : *found;
+}
+
+ObjectLibrary::ObjectLibrary(std::string folder)
+    : folder_(std::move(folder)), cache_(std::make_unique<LibraryCache>()) {
+  if (folder_.empty()) throw FileError("''", "a library needs a folder");
+  make_folder(folder_);
+}
+
+ObjectLibrary::~ObjectLibrary() = default;
+ObjectLibrary::ObjectLibrary(ObjectLibrary&&) noexcept = default;
+ObjectLibrary& ObjectLibrary::operator=(ObjectLibrary&&) noexcept = default;
+
+std::shared_ptr<const LibrarySnapshot> ObjectLibrary::load() {
+  return cache_->load({folder_});
+}
+
+bool ObjectLibrary::changed_on_disk() const {
+  return cache_->is_stale({folder_});
+}
+
+std::vector<QuarantinedFile> ObjectLibrary::quarantine() const {
+  return quarantined_files({folder_});
+}
+
+ObjectModel ObjectLibrary::save(ObjectModel model, Existing existing) {
+  validate(model);
+  LockedFolder locked({folder_});
+  if (existing == Existing::kRefuse) refuse_taken({folder_}, model.name);
+  const auto old = locked.read(model.name);
+  model.revision = locked.next_revision(model.name, old.get());
+  locked.write(model, old.get());
+  return model;
+}
+
+ObjectModel ObjectLibrary::edit(const std::string& name,
+                                const std::function<void(ObjectModel&)>& change) {
+  LockedFolder locked({folder_});
+  const auto old = read_known(locked, name);
+  ObjectModel model = deep_copy(*old);
+  change(model);
+  model.name = name;
+  const bool new_revision = moves_poses(*old, model);
+  model.revision = new_revision ? locked.next_revision(name, old.get()) : old->revision;
+  locked.write(model, new_revision ? old.get() : nullptr);
+  return model;
+}
+
+// Two atomic steps: the description under the old name, then the name.
+ObjectModel ObjectLibrary::rename(const std::string& name, const std::string& new_name,
+                                  const std::string& label) {
+  LockedFolder locked({folder_});
+  ObjectModel model = *read_known(locked, name);
+  const bool moves = !new_name.empty() && new_name != name;
+  if (moves && !is_valid_name(new_name))
+    throw std::invalid_argument("the name '" + new_name +
+                                "' must match [A-Za-z][A-Za-z0-9_]{0,63}");
+  if (moves) {
+    refuse_taken({folder_}, new_name);
+    model.revision = std::max(model.revision, locked.next_revision(new_name, nullptr));
+  }
+  if (!label.empty()) model.label = label;
+  locked.write(model, nullptr);
+  if (moves) {
+    locked.rename(name, new_name);
+    model.name = new_name;
+  }
+  return model;
+}
+
+void ObjectLibrary::remove(const std::string& name) {
+  LockedFolder locked({folder_});
+  locked.discard(*read_known(locked, name));
+}
+
+ObjectModel ObjectLibrary::restore(const std::string& name, std::uint32_t revision) {
+  LockedFolder locked({folder_});
+  const auto revisions = trashed_revisions({folder_}, name);
+  const auto chosen = revision != 0       ? revisions.find(revision)
+                      : revisions.empty() ? revisions.end()
+                                          : std::prev(revisions.end());
+  if (chosen == revisions.end())
+    throw std::invalid_argument("the trash has no object '" + name + "'" +
+                                (revision == 0 ? "" : " of revision " + std::to_string(revision)));
+  ObjectModel model = read_object_file(chosen->second);
+  const auto old = locked.read(name);
+  model.revision = locked.next_revision(name, old.get());
+  locked.write(model, old.get());
+  return model;
+}
+
+}  // namespace mbncc

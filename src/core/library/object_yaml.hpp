@@ -1,0 +1,25 @@
+// The description of an object file: everything of an ObjectModel but its name and its pixels.
+#pragma once
+
+#include <opencv2/core.hpp>
+#include <string>
+#include <vector>
+
+#include "mbncc/object_model.hpp"
+
+namespace mbncc {
+
+/// A model whose views have no pixels yet, and where in the file these lie.
+struct ObjectDescription {
+  ObjectModel model;
+  std::vector<cv::Rect> rectangles;  ///< [px] one per view, stacked from top to bottom
+};
+
+/// YAML text of the model; `rectangles` has one entry per view.
+std::string write_description(const ObjectModel& model, const std::vector<cv::Rect>& rectangles);
+
+/// Throws std::runtime_error with one clear sentence when the text is not what
+/// write_description() writes.
+ObjectDescription read_description(const std::string& text);
+
+}  // namespace mbncc

@@ -1,0 +1,65 @@
+#include "mbncc/library/object_file.hpp"
+
+#include <gtest/gtest.h>
+
+#include "library/models.hpp"
+#include "mbncc/error.hpp"
+
+namespace mbncc::test {
+namespace {
+
+TEST(ObjectFile, RoundTripKeepsEverything) {
+  for (unsigned seed = 0; seed < 60; ++seed) {
+    SCOPED_TRACE(seed);
+    ObjectModel model = random_model(seed);
+    model.revision = seed + 1;
+    const ObjectModel read = decode_object(encode_object(model), "/some/where/wrench.png");
+    expect_equal(read, model);
+    EXPECT_EQ(read.revision, model.revision);
+  }
+}
+
+TEST(ObjectFile, EncodingIsReproducible) {
+  EXPECT_EQ(encode_object(random_model(3)), encode_object(random_model(3)));
+}
+
+TEST(ObjectFile, NameIsTheFileNamesUpToItsFirstDot) {
+  const auto bytes = encode_object(random_model(1));
+  EXPECT_EQ(decode_object(bytes, "/lib/.trash/spanner.12.png").name, "spanner");
+  EXPECT_THROW(decode_object(bytes, "/lib/2nd try.png"), FileError);
+}
+
+TEST(ObjectFile, RefusesModelsThatBreakTheRules) {
+  ObjectModel model = random_model(1);
+  model.name = "../escape";
+  EXPECT_THROW(encode_object(model), std::invalid_argument);
+  model = random_model(1);
+  model.views.clear();
+  EXPECT_THROW(encode_object(model), std::invalid_argument);
+  model = random_model(1);
+  model.views.front().map.setTo(128);
+  EXPECT_THROW(encode_object(model), std::invalid_argument);
+}
+
+TEST(ObjectFile, RefusesMorePixelsThanItWouldRead) {
+  ObjectModel model = random_model(1);
+  View large;
+  large.template_image = cv::Mat::zeros(3000, 3000, CV_8UC3);
+  large.map = cv::Mat(3000, 3000, CV_8UC1, cv::Scalar(255));
+  large.picture_size = {3000, 3000};
+  model.views = {large};
+  EXPECT_THROW(encode_object(model), std::invalid_argument);
+}
+
+TEST(ObjectFile, ErrorsNameThePath) {
+  try {
+    decode_object({1, 2, 3}, "/lib/wrench.png");
+    FAIL() << "three bytes are no object";
+  } catch (const FileError& error) {
+    EXPECT_EQ(error.path(), "/lib/wrench.png");
+    EXPECT_FALSE(error.reason().empty());
+  }
+}
+
+}  // namespace
+}  // namespace mbncc::test

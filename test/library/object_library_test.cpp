@@ -1,0 +1,186 @@
+#include "mbncc/library/object_library.hpp"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+
+#include "library/models.hpp"
+#include "mbncc/error.hpp"
+#include "support/temporary_folder.hpp"
+
+namespace mbncc::test {
+namespace {
+
+using Existing = ObjectLibrary::Existing;
+
+std::vector<std::string> names_of(const LibrarySnapshot& snapshot) {
+  std::vector<std::string> names;
+  for (const auto& object : snapshot.objects) names.push_back(object->name);
+  return names;
+}
+
+TEST(ObjectLibrary, CreatesItsFolder) {
+  TemporaryFolder folder;
+  ObjectLibrary library(folder / "new");
+  EXPECT_TRUE(library.load()->objects.empty());
+  EXPECT_THROW(ObjectLibrary(folder / "missing/parent"), FileError);
+  EXPECT_THROW(ObjectLibrary(""), FileError);
+}
+
+TEST(ObjectLibrary, LoadsWhatWasSavedSortedByName) {
+  TemporaryFolder folder;
+  ObjectLibrary library(folder.path());
+  for (const char* name : {"nut", "Bolt", "gear_2", "gear"})
+    expect_equal(library.save(random_model(7, name), Existing::kRefuse), random_model(7, name));
+  const auto snapshot = ObjectLibrary(folder.path()).load();
+  EXPECT_EQ(names_of(*snapshot), (std::vector<std::string>{"Bolt", "gear", "gear_2", "nut"}));
+  expect_equal(*snapshot->find("gear"), random_model(7, "gear"));
+  EXPECT_EQ(snapshot->find("wrench"), nullptr);
+}
+
+TEST(ObjectLibrary, UnchangedObjectsKeepTheirPointer) {
+  TemporaryFolder folder;
+  ObjectLibrary library(folder.path());
+  library.save(random_model(1, "a"), Existing::kRefuse);
+  library.save(random_model(2, "b"), Existing::kRefuse);
+  const auto first = library.load();
+  library.save(random_model(3, "b"), Existing::kReplace);
+  const auto second = library.load();
+  EXPECT_EQ(first->find("a"), second->find("a"));
+  EXPECT_NE(first->find("b"), second->find("b"));
+  expect_equal(*first->find("b"), random_model(2, "b"));
+}
+
+TEST(ObjectLibrary, NoticesChangesOfOthers) {
+  TemporaryFolder folder;
+  ObjectLibrary reader(folder.path()), writer(folder.path());
+  writer.save(random_model(1, "a"), Existing::kRefuse);
+  EXPECT_TRUE(reader.changed_on_disk());
+  reader.load();
+  EXPECT_FALSE(reader.changed_on_disk());
+  writer.save(random_model(2, "a"), Existing::kReplace);
+  EXPECT_TRUE(reader.changed_on_disk());
+  reader.load();
+  writer.remove("a");
+  EXPECT_TRUE(reader.changed_on_disk());
+  reader.load();
+  EXPECT_FALSE(reader.changed_on_disk());
+}
+
+TEST(ObjectLibrary, RefusesATakenNameUnlessReplacing) {
+  TemporaryFolder folder;
+  ObjectLibrary library(folder.path());
+  library.save(random_model(1), Existing::kRefuse);
+  EXPECT_THROW(library.save(random_model(2), Existing::kRefuse), std::invalid_argument);
+  expect_equal(*library.load()->find("wrench"), random_model(1));
+  EXPECT_EQ(library.save(random_model(2), Existing::kReplace).revision, 2u);
+  expect_equal(*library.load()->find("wrench"), random_model(2));
+}
+
+TEST(ObjectLibrary, ReplacedAndRemovedRevisionsCanBeRestored) {
+  TemporaryFolder folder;
+  ObjectLibrary library(folder.path());
+  for (unsigned seed : {1, 2, 3}) library.save(random_model(seed), Existing::kReplace);
+  EXPECT_EQ(library.restore("wrench", 1).revision, 4u);
+  expect_equal(*library.load()->find("wrench"), random_model(1));
+  EXPECT_EQ(library.restore("wrench").revision, 5u);
+  expect_equal(*library.load()->find("wrench"), random_model(3));
+  library.remove("wrench");
+  EXPECT_EQ(library.load()->find("wrench"), nullptr);
+  EXPECT_EQ(library.restore("wrench").revision, 6u);
+  expect_equal(*library.load()->find("wrench"), random_model(3));
+  EXPECT_THROW(library.restore("wrench", 77), std::invalid_argument);
+  EXPECT_THROW(library.restore("gear"), std::invalid_argument);
+}
+
+TEST(ObjectLibrary, RevisionsAreNeverGivenTwice) {
+  TemporaryFolder folder;
+  ObjectLibrary library(folder.path());
+  library.save(random_model(1), Existing::kRefuse);
+  library.remove("wrench");
+  EXPECT_EQ(library.save(random_model(2), Existing::kRefuse).revision, 2u);
+}
+
+TEST(ObjectLibrary, EditThatMovesPosesIsANewRevision) {
+  TemporaryFolder folder;
+  ObjectLibrary library(folder.path());
+  library.save(random_model(1), Existing::kRefuse);
+  const auto edited =
+      library.edit("wrench", [](ObjectModel& model) { model.views.front().reference.x += 1; });
+  EXPECT_EQ(edited.revision, 2u);
+  EXPECT_EQ(library.edit("wrench", [](ObjectModel& model) { model.label = "w"; }).revision, 2u);
+  EXPECT_EQ(library.edit("wrench", [](ObjectModel& model) { model.enabled = false; }).revision, 2u);
+  EXPECT_EQ(library.edit("wrench", [](ObjectModel& model) { model.views.front().map.setTo(255); })
+                .revision,
+            3u);
+  EXPECT_EQ(library.load()->find("wrench")->label, "w");
+  EXPECT_THROW(library.edit("nut", [](ObjectModel&) {}), std::invalid_argument);
+}
+
+TEST(ObjectLibrary, ThrowingEditChangesNothing) {
+  TemporaryFolder folder;
+  ObjectLibrary library(folder.path());
+  library.save(random_model(1), Existing::kRefuse);
+  EXPECT_THROW(library.edit("wrench",
+                            [](ObjectModel& model) {
+                              model.label = "lost";
+                              throw std::runtime_error("changed my mind");
+                            }),
+               std::runtime_error);
+  expect_equal(*library.load()->find("wrench"), random_model(1));
+}
+
+TEST(ObjectLibrary, RenameChangesKeyAndLabel) {
+  TemporaryFolder folder;
+  ObjectLibrary library(folder.path());
+  library.save(random_model(1), Existing::kRefuse);
+  library.save(random_model(2, "nut"), Existing::kRefuse);
+  EXPECT_EQ(library.rename("wrench", "spanner", "").revision, 1u);
+  expect_equal(*library.load()->find("spanner"), random_model(1, "spanner"));
+  EXPECT_EQ(library.rename("spanner", "", "Spanner 10").label, "Spanner 10");
+  EXPECT_EQ(names_of(*library.load()), (std::vector<std::string>{"nut", "spanner"}));
+  EXPECT_THROW(library.rename("spanner", "nut", ""), std::invalid_argument);
+  EXPECT_THROW(library.rename("spanner", "../x", ""), std::invalid_argument);
+  EXPECT_THROW(library.rename("wrench", "w", ""), std::invalid_argument);
+}
+
+TEST(ObjectLibrary, RenameOntoAUsedNameTakesANewRevision) {
+  TemporaryFolder folder;
+  ObjectLibrary library(folder.path());
+  for (unsigned seed : {1, 2}) library.save(random_model(seed, "nut"), Existing::kReplace);
+  library.remove("nut");
+  library.save(random_model(3), Existing::kRefuse);
+  EXPECT_EQ(library.rename("wrench", "nut", "").revision, 3u);
+}
+
+TEST(ObjectLibrary, UnreadableFilesAreQuarantinedAndTheRestLoads) {
+  TemporaryFolder folder;
+  ObjectLibrary library(folder.path());
+  library.save(random_model(1), Existing::kRefuse);
+  std::ofstream(folder / "broken.png") << "not a picture";
+  std::ofstream(folder / "notes.txt") << "not the library's concern";
+  const auto snapshot = library.load();
+  EXPECT_EQ(names_of(*snapshot), std::vector<std::string>{"wrench"});
+  ASSERT_EQ(snapshot->quarantined.size(), 1u);
+  EXPECT_EQ(snapshot->quarantined[0].file, "broken.png");
+  EXPECT_TRUE(snapshot->quarantined[0].moved);
+  EXPECT_FALSE(std::filesystem::exists(folder / "broken.png"));
+  EXPECT_TRUE(std::filesystem::exists(folder / "notes.txt"));
+  EXPECT_TRUE(library.load()->quarantined.empty());
+  ASSERT_EQ(library.quarantine().size(), 1u);
+  EXPECT_EQ(library.quarantine()[0].file, "broken.png");
+  EXPECT_EQ(library.quarantine()[0].reason, snapshot->quarantined[0].reason);
+}
+
+TEST(ObjectLibrary, ReplacingAnUnreadableFileQuarantinesIt) {
+  TemporaryFolder folder;
+  ObjectLibrary library(folder.path());
+  std::ofstream(folder / "wrench.png") << "not a picture";
+  library.save(random_model(1), Existing::kReplace);
+  expect_equal(*library.load()->find("wrench"), random_model(1));
+  EXPECT_EQ(library.quarantine().size(), 1u);
+}
+
+}  // namespace
+}  // namespace mbncc::test
