@@ -1,0 +1,38 @@
+// Picture pyramid: level l has half the resolution of level l - 1.
+#pragma once
+
+#include <opencv2/core.hpp>
+#include <vector>
+
+#include "mbncc/geometry.hpp"
+
+namespace mbncc {
+
+/// Levels 0 (the picture itself, not copied) to `top`; each pixel is the mean of 2 x 2 pixels below
+/// it, an odd last row or column is left out. Stops early rather than make a level smaller than
+/// 4 x 4. `picture` has 8-bit or float channels.
+std::vector<cv::Mat> build_pyramid(const cv::Mat& picture, int top);
+
+/// Where a point of level 0 lies in level `level`: pixel centres are at integers in both.
+inline cv::Point2d to_level(cv::Point2d point, int level) {
+  const double side = 1 << level;
+  return {(point.x + 0.5) / side - 0.5, (point.y + 0.5) / side - 0.5};
+}
+
+/// Inverse of to_level().
+inline cv::Point2d from_level(cv::Point2d point, int level) {
+  const double side = 1 << level;
+  return {(point.x + 0.5) * side - 0.5, (point.y + 0.5) * side - 0.5};
+}
+
+inline Pose2D to_level(const Pose2D& pose, int level) {
+  const cv::Point2d position = to_level(pose.position(), level);
+  return {position.x, position.y, pose.theta};
+}
+
+inline Pose2D from_level(const Pose2D& pose, int level) {
+  const cv::Point2d position = from_level(pose.position(), level);
+  return {position.x, position.y, pose.theta};
+}
+
+}  // namespace mbncc

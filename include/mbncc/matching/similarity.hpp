@@ -1,0 +1,40 @@
+// The measure everything rests on: normalized cross correlation over map pixels only (the paper,
+// doi 10.1177/1687814017728839). What lies outside the map has no influence.
+#pragma once
+
+#include <opencv2/core.hpp>
+#include <vector>
+
+#include "mbncc/geometry.hpp"
+
+namespace mbncc {
+
+/// Variance of picture noise [grey^2] that tames the denominator: places without texture get a
+/// similarity near 0 instead of the correlation of their noise.
+constexpr double kNoiseVariance = 16;
+
+/// Grey values of a template under its map, as points about an anchor.
+struct MaskedTemplate {
+  std::vector<float> x, y;    ///< [px] relative to the anchor, template axes
+  std::vector<float> values;  ///< [grey levels]
+
+  std::size_t size() const { return values.size(); }
+};
+
+/// Points of `grey` (CV_8UC1) where `map` (CV_8UC1, binary, same size) is set; at level > 0 the
+/// map-weighted means of 2^level squares at least half inside the map. `anchor` [px, level 0] is
+/// the origin. Throws std::invalid_argument when the pictures do not fit each other.
+MaskedTemplate masked_template(const cv::Mat& grey, const cv::Mat& map, cv::Point2d anchor,
+                               int level = 0);
+
+struct Similarity {
+  double value = 0;    ///< [-1..1]; 0 where less than a quarter of the template is visible
+  double visible = 0;  ///< [0..1] part of the points inside the picture
+};
+
+/// Similarity of the template with `grey` (CV_8UC1) when the anchor lies at `pose` and the template
+/// is turned by pose.theta. Points outside the picture do not count.
+Similarity similarity(const MaskedTemplate& points, const cv::Mat& grey, const Pose2D& pose,
+                      double noise_variance = kNoiseVariance);
+
+}  // namespace mbncc

@@ -1,0 +1,199 @@
+#include "matching/coarse_search.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "matching/kernels.hpp"
+#include "mbncc/matching/similarity.hpp"
+
+namespace mbncc {
+namespace {
+
+constexpr int kMiddleGrey = 128;  // subtracted so that pixels fit the kernels' bounds
+
+/// The picture with room for the kernels around it, and running sums along its rows.
+struct PaddedPicture {
+  PaddedPicture(const cv::Mat& grey, int margin_pixels)
+      : margin(margin_pixels), stride(grey.cols + 2 * margin + 1) {
+    cv::Mat bordered;
+    cv::copyMakeBorder(grey, bordered, margin, margin, margin, margin + 1, cv::BORDER_REPLICATE);
+    const auto size = static_cast<std::size_t>(bordered.rows) * stride;
+    pixels.resize(size);
+    sums.resize(size);
+    squares.resize(size);
+    for (int y = 0; y < bordered.rows; ++y) fill_row(bordered.ptr(y), y);
+  }
+
+  std::size_t index(int x, int y) const {
+    return static_cast<std::size_t>(y + margin) * stride + x + margin;
+  }
+
+  int margin, stride;
+  std::vector<std::int16_t> pixels;         // minus kMiddleGrey
+  std::vector<std::int32_t> sums, squares;  // of the pixels left of each
+
+ private:
+  void fill_row(const uchar* row, int y) {
+    const std::size_t start = static_cast<std::size_t>(y) * stride;
+    std::int32_t sum = 0, square = 0;
+    for (int x = 0; x < stride; ++x) {
+      const int value = row[x] - kMiddleGrey;
+      pixels[start + x] = static_cast<std::int16_t>(value);
+      sums[start + x] = sum;
+      squares[start + x] = square;
+      sum += value;
+      square += value * value;
+    }
+  }
+};
+
+/// A rotated kernel as offsets into a padded picture.
+struct KernelOffsets {
+  KernelOffsets(const RotatedKernel& kernel, int stride)
+      : weights(kernel.weights),
+        pixels(static_cast<double>(kernel.pixels.size())),
+        norm(kernel.norm) {
+    for (const auto& pixel : kernel.pixels) offsets.push_back(pixel.y * stride + pixel.x);
+    while (offsets.size() % kernels::kTermGroup != 0) {
+      offsets.push_back(0);
+      weights.push_back(0);
+    }
+    for (const auto& run : kernel.runs) {
+      begins.push_back(run.y * stride + run.begin);
+      ends.push_back(run.y * stride + run.end);
+    }
+  }
+
+  std::vector<std::int32_t> offsets, begins, ends;
+  std::vector<std::int16_t> weights;
+  double pixels, norm;
+};
+
+class CoarseSearch {
+ public:
+  CoarseSearch(const KernelBank& bank, const cv::Mat& grey, const cv::Rect& roi)
+      : bank_(bank), roi_(roi & cv::Rect({0, 0}, grey.size())), picture_(grey, bank.radius + 1) {
+    for (const auto& kernel : bank.kernels) offsets_.emplace_back(kernel, picture_.stride);
+    best_.create(roi_.size(), CV_32FC1);
+    best_.setTo(-1);
+    numerators_.resize(roi_.width);
+    sums_.resize(roi_.width);
+    squares_.resize(roi_.width);
+  }
+
+  std::vector<Candidate> run(const CoarseSettings& settings) {
+    for (int y = 0; y < roi_.height; ++y)
+      for (const auto& kernel : offsets_) correlate_row(kernel, y, settings.min_similarity);
+    return rotations_at(best_places(settings), settings);
+  }
+
+ private:
+  /// Similarities of one rotation along one row, into `best_`. Only values that would reach
+  /// `threshold` or the best so far are worked out in full.
+  void correlate_row(const KernelOffsets& kernel, int y, double threshold) {
+    if (kernel.norm <= 0) return;
+    const std::size_t start = picture_.index(roi_.x, roi_.y + y);
+    kernels::correlate(&picture_.pixels[start], kernel.offsets.data(), kernel.weights.data(),
+                       static_cast<int>(kernel.offsets.size()), numerators_.data(), roi_.width);
+    if (!promising(kernel, threshold)) return;
+    sum_row(kernel, start);
+    const float count = static_cast<float>(kernel.pixels);
+    const float floor = static_cast<float>(kNoiseVariance) * count;
+    const float scale = 1 / static_cast<float>(kernel.norm);
+    float* best = best_.ptr<float>(y);
+    for (int x = 0; x < roi_.width; ++x) {
+      const float sum = static_cast<float>(sums_[x]);
+      const float variance = static_cast<float>(squares_[x]) - sum * sum / count + floor;
+      const float value = scale * static_cast<float>(numerators_[x]) / std::sqrt(variance);
+      best[x] = std::max(best[x], value);
+    }
+  }
+
+  /// False when no numerator of the row reaches the threshold even over a picture that is flat but
+  /// for its noise.
+  bool promising(const KernelOffsets& kernel, double threshold) const {
+    const double least = threshold * kernel.norm * std::sqrt(kNoiseVariance * kernel.pixels);
+    return *std::max_element(numerators_.begin(), numerators_.end()) >= least;
+  }
+
+  void sum_row(const KernelOffsets& kernel, std::size_t start) {
+    const int runs = static_cast<int>(kernel.begins.size());
+    kernels::sum_runs(&picture_.sums[start], kernel.begins.data(), kernel.ends.data(), runs,
+                      sums_.data(), roi_.width);
+    kernels::sum_runs(&picture_.squares[start], kernel.begins.data(), kernel.ends.data(), runs,
+                      squares_.data(), roi_.width);
+  }
+
+  std::vector<Candidate> best_places(const CoarseSettings& settings) const {
+    std::vector<Candidate> places;
+    for (int y = 0; y < best_.rows; ++y)
+      for (int x = 0; x < best_.cols; ++x)
+        if (best_.at<float>(y, x) >= settings.min_similarity && is_peak(x, y))
+          places.push_back({{static_cast<double>(x + roi_.x), static_cast<double>(y + roi_.y), 0},
+                            bank_.level,
+                            best_.at<float>(y, x)});
+    sort_by_value(places);
+    if (places.size() > static_cast<std::size_t>(settings.max_places))
+      places.resize(settings.max_places);
+    return places;
+  }
+
+  bool is_peak(int x, int y) const {
+    const cv::Rect around = cv::Rect(x - 1, y - 1, 3, 3) & cv::Rect({0, 0}, best_.size());
+    double highest = 0;
+    cv::minMaxLoc(best_(around), nullptr, &highest);
+    return best_.at<float>(y, x) >= highest;
+  }
+
+  std::vector<Candidate> rotations_at(const std::vector<Candidate>& places,
+                                      const CoarseSettings& settings) const {
+    std::vector<Candidate> candidates;
+    const std::size_t count = offsets_.size();
+    std::vector<double> values(count);
+    for (const auto& place : places) {
+      const std::size_t at =
+          picture_.index(static_cast<int>(place.pose.x), static_cast<int>(place.pose.y));
+      for (std::size_t k = 0; k < count; ++k) values[k] = value_at(offsets_[k], at);
+      for (std::size_t k = 0; k < count; ++k) {
+        const double before = values[(k + count - 1) % count], after = values[(k + 1) % count];
+        if (values[k] < settings.min_similarity || values[k] < before || values[k] <= after ||
+            values[k] < place.value - settings.rotation_slack)
+          continue;
+        candidates.push_back(place);
+        candidates.back().pose.theta = wrap_angle(bank_.kernels[k].angle);
+        candidates.back().value = values[k];
+      }
+    }
+    return candidates;
+  }
+
+  double value_at(const KernelOffsets& kernel, std::size_t at) const {
+    if (kernel.norm <= 0) return -1;
+    double numerator = 0, sum = 0, square = 0;
+    for (std::size_t k = 0; k < kernel.offsets.size(); ++k)
+      numerator += kernel.weights[k] * picture_.pixels[at + kernel.offsets[k]];
+    for (std::size_t r = 0; r < kernel.begins.size(); ++r) {
+      sum += picture_.sums[at + kernel.ends[r]] - picture_.sums[at + kernel.begins[r]];
+      square += picture_.squares[at + kernel.ends[r]] - picture_.squares[at + kernel.begins[r]];
+    }
+    const double variance = square - sum * sum / kernel.pixels + kNoiseVariance * kernel.pixels;
+    return numerator / (kernel.norm * std::sqrt(variance));
+  }
+
+  const KernelBank& bank_;
+  cv::Rect roi_;
+  PaddedPicture picture_;
+  std::vector<KernelOffsets> offsets_;
+  cv::Mat best_;  // CV_32FC1, roi's size: largest similarity over the rotations
+  std::vector<std::int32_t> numerators_, sums_, squares_;
+};
+
+}  // namespace
+
+std::vector<Candidate> coarse_search(const KernelBank& bank, const cv::Mat& grey,
+                                     const cv::Rect& roi, const CoarseSettings& settings) {
+  if ((roi & cv::Rect({0, 0}, grey.size())).empty()) return {};
+  return CoarseSearch(bank, grey, roi).run(settings);
+}
+
+}  // namespace mbncc

@@ -1,0 +1,16 @@
+// A template and its map at one level of the pyramid.
+#pragma once
+
+#include <opencv2/core.hpp>
+
+namespace mbncc {
+
+struct MapLevel {
+  cv::Mat values;    ///< CV_32FC1 mean grey value of the map pixels within each pixel
+  cv::Mat coverage;  ///< CV_32FC1 [0..1] part of each pixel that the map covers
+};
+
+/// `grey` CV_8UC1 and `map` binary of the same size; else std::invalid_argument.
+MapLevel map_level(const cv::Mat& grey, const cv::Mat& map, int level);
+
+}  // namespace mbncc

@@ -1,0 +1,159 @@
+#include "mbncc/matching/matcher.hpp"
+
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <cmath>
+#include <optional>
+#include <thread>
+
+#include "matching/prepared_object.hpp"
+#include "matching/scene_picture.hpp"
+#include "matching/selection.hpp"
+#include "matching/view_search.hpp"
+
+namespace mbncc {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+using ObjectList = std::vector<std::shared_ptr<const PreparedObject>>;
+
+double seconds_since(Clock::time_point start) {
+  return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+/// Where the anchor of a view can be when its reference point lies in `roi`.
+cv::Rect anchor_region(const cv::Rect& roi, const PreparedView& view, cv::Size size) {
+  const cv::Rect picture({0, 0}, size);
+  if (roi.empty()) return picture;
+  const int lever = static_cast<int>(std::ceil(cv::norm(view.reference_in_anchor.position())));
+  return cv::Rect(roi.x - lever, roi.y - lever, roi.width + 2 * lever, roi.height + 2 * lever) &
+         picture;
+}
+
+bool reference_within(const Detection& detection, const cv::Rect& roi) {
+  if (roi.empty()) return true;
+  const Pose2D pose = compose(detection.pose, detection.view->reference_in_anchor);
+  return pose.x >= roi.x && pose.y >= roi.y && pose.x <= roi.br().x - 1 && pose.y <= roi.br().y - 1;
+}
+
+std::vector<Detection> search_object(const PreparedObject& object, const ScenePicture& scene,
+                                     const cv::Rect& roi) {
+  std::vector<Detection> found;
+  for (const auto& view : object.views) {
+    const auto detections =
+        search_view(object, view, scene, anchor_region(roi, view, scene.size()));
+    std::copy_if(detections.begin(), detections.end(), std::back_inserter(found),
+                 [&](const Detection& detection) { return reference_within(detection, roi); });
+  }
+  return found;
+}
+
+/// Calls work(i) for i in [0, count) on up to `threads` threads.
+template <class Work>
+void in_parallel(std::size_t count, int threads, const Work& work) {
+  std::atomic<std::size_t> next{0};
+  const auto worker = [&] {
+    for (std::size_t i = next++; i < count; i = next++) work(i);
+  };
+  std::vector<std::thread> helpers;
+  const std::size_t wanted = std::min<std::size_t>(static_cast<std::size_t>(threads), count);
+  for (std::size_t k = 1; k < wanted; ++k) helpers.emplace_back(worker);
+  worker();
+  for (auto& helper : helpers) helper.join();
+}
+
+int top_level(const ObjectList& objects) {
+  int top = 0;
+  for (const auto& object : objects) top = std::max(top, object->top_level());
+  return top;
+}
+
+}  // namespace
+
+struct Matcher::Implementation {
+  SearchConfig config;
+  ObjectList objects;
+
+  /// The objects a request asks for; the others' reasons go to `result.skipped`.
+  ObjectList wanted(const SearchRequest& request, SearchResult& result) const;
+};
+
+ObjectList Matcher::Implementation::wanted(const SearchRequest& request,
+                                           SearchResult& result) const {
+  ObjectList chosen;
+  if (request.names.empty()) {
+    std::copy_if(objects.begin(), objects.end(), std::back_inserter(chosen),
+                 [](const auto& object) { return object->model->enabled; });
+    return chosen;
+  }
+  for (const auto& name : request.names) {
+    const auto at = std::find_if(objects.begin(), objects.end(),
+                                 [&](const auto& object) { return object->model->name == name; });
+    if (at == objects.end())
+      result.skipped.push_back(name + ": unknown");
+    else if (!(*at)->model->enabled)
+      result.skipped.push_back(name + ": disabled");
+    else if (std::find(chosen.begin(), chosen.end(), *at) == chosen.end())
+      chosen.push_back(*at);
+  }
+  return chosen;
+}
+
+Matcher::Matcher(SearchConfig config) : implementation_(std::make_unique<Implementation>()) {
+  implementation_->config = std::move(config);
+}
+Matcher::~Matcher() = default;
+Matcher::Matcher(Matcher&&) noexcept = default;
+Matcher& Matcher::operator=(Matcher&&) noexcept = default;
+
+const SearchConfig& Matcher::config() const {
+  return implementation_->config;
+}
+
+void Matcher::set_objects(std::vector<std::shared_ptr<const ObjectModel>> objects) {
+  ObjectList prepared;
+  for (auto& object : objects) {
+    const auto& old = implementation_->objects;
+    const auto known = std::find_if(old.begin(), old.end(),
+                                    [&](const auto& other) { return other->model == object; });
+    prepared.push_back(known != old.end() ? *known
+                                          : std::make_shared<const PreparedObject>(object));
+  }
+  implementation_->objects = std::move(prepared);
+}
+
+SearchResult Matcher::find(const cv::Mat& picture, const SearchRequest& request) const {
+  const auto start = Clock::now();
+  const SearchConfig& config = implementation_->config;
+  SearchResult result;
+  const ObjectList objects = implementation_->wanted(request, result);
+  const ScenePicture scene(picture, top_level(objects));
+
+  std::vector<std::vector<Detection>> found(objects.size());
+  std::vector<char> searched(objects.size(), 0);
+  in_parallel(objects.size(), config.threads, [&](std::size_t i) {
+    if (config.time_budget > 0 && seconds_since(start) > config.time_budget) return;
+    found[i] = search_object(*objects[i], scene, request.roi);
+    searched[i] = 1;
+  });
+
+  std::vector<Detection> detections;
+  for (std::size_t i = 0; i < objects.size(); ++i) {
+    const std::string& name = objects[i]->model->name;
+    if (searched[i])
+      result.searched.push_back(name);
+    else
+      result.skipped.push_back(name + ": time budget exceeded");
+    detections.insert(detections.end(), found[i].begin(), found[i].end());
+  }
+  result.budget_exceeded = result.searched.size() < objects.size();
+  result.matches = select_matches(
+      std::move(detections),
+      {config, request.min_score >= 0 ? std::make_optional(request.min_score) : std::nullopt,
+       request.max_instances > 0 ? request.max_instances : config.max_instances});
+  result.search_time = seconds_since(start);
+  return result;
+}
+
+}  // namespace mbncc

@@ -1,0 +1,140 @@
+#include "matching/rotated_kernels.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <opencv2/imgproc.hpp>
+
+#include "matching/kernels.hpp"
+#include "matching/map_level.hpp"
+#include "mbncc/geometry.hpp"
+#include "mbncc/matching/pyramid.hpp"
+
+namespace mbncc {
+namespace {
+
+constexpr int kTopLevel = 5;
+constexpr int kMinPixels = 36;     // fewer are matched by chance everywhere
+constexpr float kCoverage = 0.6f;  // [0..1] of a pixel in the map
+constexpr double kArcStep = 1.8;   // [px] that the rim moves per rotation step
+constexpr int kOversampling = 4;   // samples per pixel side when turning
+
+/// Template and map at a level somewhat finer than the coarse one, ready to be turned.
+struct Source {
+  cv::Mat weighted, coverage;  // CV_32FC1
+  cv::Point2d anchor;
+  int samples;  // per coarse pixel side
+};
+
+Source turning_source(const cv::Mat& grey, const cv::Mat& map, cv::Point2d anchor, int level) {
+  const int finer = std::min(level, static_cast<int>(std::log2(kOversampling)));
+  MapLevel source = map_level(grey, map, level - finer);
+  return {source.values.mul(source.coverage), source.coverage, to_level(anchor, level - finer),
+          1 << finer};
+}
+
+/// `picture` turned about its anchor and averaged down to (2 radius + 1)^2 coarse pixels.
+cv::Mat turned(const cv::Mat& picture, const Source& source, double angle, int radius) {
+  const int side = (2 * radius + 1) * source.samples;
+  const double middle = 0.5 * (side - 1);
+  const double c = std::cos(angle), s = std::sin(angle);
+  const cv::Matx23d to_source(c, s, source.anchor.x - c * middle - s * middle,  //
+                              -s, c, source.anchor.y + s * middle - c * middle);
+  cv::Mat fine, coarse;
+  cv::warpAffine(picture, fine, to_source, {side, side}, cv::INTER_LINEAR | cv::WARP_INVERSE_MAP,
+                 cv::BORDER_CONSTANT, cv::Scalar(0));
+  cv::resize(fine, coarse, {2 * radius + 1, 2 * radius + 1}, 0, 0, cv::INTER_AREA);
+  return coarse;
+}
+
+/// Rounds to weights of at most kMaxWeight and removes the rounding's remainder, so that the sum is
+/// exactly 0 and the picture's mean drops out.
+std::vector<std::int16_t> zero_sum_weights(const std::vector<float>& values) {
+  double mean = 0;
+  for (float value : values) mean += value / static_cast<double>(values.size());
+  double largest = 1e-3;
+  for (float value : values) largest = std::max(largest, std::abs(value - mean));
+  std::vector<std::int16_t> weights;
+  int sum = 0;
+  for (float value : values) {
+    weights.push_back(
+        static_cast<std::int16_t>(std::lround((value - mean) * kernels::kMaxWeight / largest)));
+    sum += weights.back();
+  }
+  const int correction = sum > 0 ? -1 : 1;
+  for (std::size_t i = 0; sum != 0; i = (i + 1) % weights.size()) {
+    if (std::abs(weights[i] + correction) > kernels::kMaxWeight) continue;
+    weights[i] = static_cast<std::int16_t>(weights[i] + correction);
+    sum += correction;
+  }
+  return weights;
+}
+
+void add_pixel(RotatedKernel& kernel, int x, int y) {
+  if (!kernel.runs.empty() && kernel.runs.back().y == y && kernel.runs.back().end == x)
+    ++kernel.runs.back().end;
+  else
+    kernel.runs.push_back({y, x, x + 1});
+  kernel.pixels.emplace_back(x, y);
+}
+
+RotatedKernel rotated_kernel(const Source& source, double angle, int radius) {
+  const cv::Mat coverage = turned(source.coverage, source, angle, radius);
+  const cv::Mat weighted = turned(source.weighted, source, angle, radius);
+  RotatedKernel kernel;
+  kernel.angle = angle;
+  std::vector<float> values;
+  for (int y = 0; y < coverage.rows; ++y) {
+    for (int x = 0; x < coverage.cols; ++x) {
+      const float covered = coverage.at<float>(y, x);
+      if (covered < kCoverage) continue;
+      add_pixel(kernel, x - radius, y - radius);
+      values.push_back(weighted.at<float>(y, x) / covered);
+    }
+  }
+  if (values.empty()) return kernel;
+  kernel.weights = zero_sum_weights(values);
+  double square = 0;
+  for (int weight : kernel.weights) square += weight * weight;
+  kernel.norm = std::sqrt(square);
+  return kernel;
+}
+
+double reach(const cv::Mat& map, cv::Point2d anchor) {
+  std::vector<cv::Point> pixels;
+  cv::findNonZero(map, pixels);
+  double farthest = 0;
+  for (const auto& pixel : pixels)
+    farthest = std::max(farthest, cv::norm(cv::Point2d(pixel) - anchor));
+  return farthest;
+}
+
+std::size_t fewest_pixels(const Source& source, int radius) {
+  constexpr int kTrials = 6;
+  std::size_t fewest = std::numeric_limits<std::size_t>::max();
+  for (int k = 0; k < kTrials; ++k) {
+    const RotatedKernel kernel = rotated_kernel(source, k * kPi / kTrials, radius);
+    fewest = std::min(fewest, kernel.pixels.size());
+  }
+  return fewest;
+}
+
+}  // namespace
+
+KernelBank rotated_kernels(const cv::Mat& grey, const cv::Mat& map, cv::Point2d anchor) {
+  const double farthest = reach(map, anchor);
+  KernelBank bank;
+  Source source;
+  for (bank.level = kTopLevel; bank.level >= 0; --bank.level) {
+    bank.radius = static_cast<int>(std::ceil(farthest / (1 << bank.level))) + 1;
+    source = turning_source(grey, map, anchor, bank.level);
+    if (bank.level == 0 || fewest_pixels(source, bank.radius) >= kMinPixels) break;
+  }
+  const double rim = 2 * kPi * farthest / (1 << bank.level);
+  const int rotations = std::max(12, static_cast<int>(std::ceil(rim / kArcStep)));
+  for (int k = 0; k < rotations; ++k)
+    bank.kernels.push_back(rotated_kernel(source, 2 * kPi * k / rotations, bank.radius));
+  return bank;
+}
+
+}  // namespace mbncc

@@ -1,0 +1,34 @@
+// The template turned to all rotations at the coarse level, as zero-sum integer weights.
+#pragma once
+
+#include <cstdint>
+#include <opencv2/core.hpp>
+#include <vector>
+
+namespace mbncc {
+
+/// One rotation of the template; only pixels well inside the map.
+struct RotatedKernel {
+  /// Pixels [begin, end) of one row.
+  struct Run {
+    int y, begin, end;
+  };
+
+  double angle = 0;                   ///< [rad]
+  std::vector<cv::Point> pixels;      ///< relative to the anchor's pixel
+  std::vector<std::int16_t> weights;  ///< one per pixel, sum 0
+  std::vector<Run> runs;              ///< the same pixels as rows
+  double norm = 0;                    ///< sqrt(sum of squared weights)
+};
+
+struct KernelBank {
+  int level = 0;   ///< of the pyramid
+  int radius = 0;  ///< [px at level] no pixel lies farther from the anchor in x or y
+  std::vector<RotatedKernel> kernels;  ///< evenly over a turn
+};
+
+/// Chooses the coarsest level at which the map keeps enough pixels at every rotation, and the
+/// rotation step by the arc that the rim moves. `anchor` [px] is the centre of rotation.
+KernelBank rotated_kernels(const cv::Mat& grey, const cv::Mat& map, cv::Point2d anchor);
+
+}  // namespace mbncc

@@ -1,0 +1,35 @@
+// Bilinear reading of 8-bit pictures.
+#pragma once
+
+#include <opencv2/core.hpp>
+
+namespace mbncc {
+
+/// One grey picture, read between pixels.
+class GreySampler {
+ public:
+  explicit GreySampler(const cv::Mat& grey)
+      : data_(grey.data), step_(grey.step), right_(grey.cols - 1), bottom_(grey.rows - 1) {}
+
+  bool contains(float x, float y) const { return x >= 0 && y >= 0 && x <= right_ && y <= bottom_; }
+
+  /// Value at a point that is contained.
+  float operator()(float x, float y) const {
+    const int column = static_cast<int>(x), row = static_cast<int>(y);
+    const float fx = x - static_cast<float>(column), fy = y - static_cast<float>(row);
+    const uchar* p = data_ + row * step_ + column;
+    // On the last row or column the neighbour beyond has weight 0 and is not read.
+    const std::size_t right = static_cast<float>(column) < right_ ? 1 : 0;
+    const std::size_t below = static_cast<float>(row) < bottom_ ? step_ : 0;
+    const float top = p[0] + fx * (p[right] - p[0]);
+    const float bottom = p[below] + fx * (p[below + right] - p[below]);
+    return top + fy * (bottom - top);
+  }
+
+ private:
+  const uchar* data_;
+  std::size_t step_;
+  float right_, bottom_;
+};
+
+}  // namespace mbncc

@@ -1,0 +1,138 @@
+#include "matching/selection.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace mbncc {
+namespace {
+
+constexpr double kNoCompetitor = 20;  // log-odds: margin where nothing else was found
+constexpr double kOtherAngle = to_radians(10);
+
+bool overlapping(const Detection& a, const Detection& b, double most) {
+  return overlap(a.view->shape, a.pose, b.view->shape, b.pose) > most;
+}
+
+int count_of(const std::vector<const Detection*>& accepted, const PreparedObject* object) {
+  return static_cast<int>(
+      std::count_if(accepted.begin(), accepted.end(),
+                    [object](const Detection* other) { return other->object == object; }));
+}
+
+double min_score_of(const Detection& detection, const Acceptance& acceptance) {
+  if (acceptance.min_score) return *acceptance.min_score;
+  return detection.object->model->min_score.value_or(acceptance.config.min_score);
+}
+
+std::vector<const Detection*> accept(const std::vector<Detection>& detections,
+                                     const Acceptance& acceptance) {
+  std::vector<const Detection*> accepted;
+  for (const auto& detection : detections) {
+    if (acceptance_score(detection, acceptance.config) < min_score_of(detection, acceptance))
+      continue;
+    if (count_of(accepted, detection.object) >= acceptance.max_instances) continue;
+    const bool covered =
+        std::any_of(accepted.begin(), accepted.end(), [&](const Detection* better) {
+          return overlapping(detection, *better, acceptance.config.max_overlap);
+        });
+    if (!covered) accepted.push_back(&detection);
+  }
+  return accepted;
+}
+
+/// Distance to the best detection for which `competes` holds.
+template <class Predicate>
+double margin_to(const Detection& detection, const std::vector<Detection>& all,
+                 Predicate&& competes) {
+  double margin = kNoCompetitor;
+  for (const auto& other : all)
+    if (&other != &detection && competes(other))
+      margin = std::min(margin, detection.log_odds - other.log_odds);
+  return margin;
+}
+
+class Margins {
+ public:
+  Margins(const std::vector<Detection>& all, const std::vector<const Detection*>& accepted,
+          double max_overlap)
+      : all_(all), accepted_(accepted), max_overlap_(max_overlap) {}
+
+  double place(const Detection& detection) const {
+    return margin_to(detection, all_, [&](const Detection& other) {
+      const bool here = overlapping(detection, other, max_overlap_);
+      const bool same_object = other.object == detection.object;
+      return same_object ? !here && !explained(other) : here;
+    });
+  }
+
+  double angle(const Detection& detection) const {
+    return margin_to(detection, all_, [&](const Detection& other) {
+      return other.object == detection.object &&
+             angle_distance(other.pose.theta, detection.pose.theta) > kOtherAngle &&
+             overlapping(detection, other, max_overlap_);
+    });
+  }
+
+ private:
+  /// Part of another accepted instance.
+  bool explained(const Detection& other) const {
+    return std::any_of(accepted_.begin(), accepted_.end(), [&](const Detection* one) {
+      return one == &other || overlapping(other, *one, max_overlap_);
+    });
+  }
+
+  const std::vector<Detection>& all_;
+  const std::vector<const Detection*>& accepted_;
+  double max_overlap_;
+};
+
+cv::Matx33d moved_to_reference(const cv::Matx33d& covariance, cv::Point2d lever) {
+  // Turning about the anchor moves the reference point at the lever's end sideways.
+  const cv::Matx33d jacobian(1, 0, -lever.y, 0, 1, lever.x, 0, 0, 1);
+  return jacobian * covariance * jacobian.t();
+}
+
+Match to_match(const Detection& detection, const Margins& margins, const SearchConfig& config) {
+  const ObjectModel& model = *detection.object->model;
+  const PreparedView& view = *detection.view;
+  Match match;
+  match.name = model.name;
+  match.revision = model.revision;
+  match.pose = compose(detection.pose, view.reference_in_anchor);
+  match.covariance = moved_to_reference(
+      detection.covariance, rotate(view.reference_in_anchor.position(), detection.pose.theta));
+  match.score = acceptance_score(detection, config);
+  match.similarity = detection.similarity;
+  match.margin_place = margins.place(detection);
+  match.margin_angle = margins.angle(detection);
+  match.visible = detection.visible;
+  const bool sure = match.margin_place >= config.min_margin_place &&
+                    match.margin_angle >= config.min_margin_angle;
+  const bool enough = match.score >= config.confirm_score;
+  match.graspable = enough && sure && match.visible >= config.min_visible;
+  match.ambiguous = enough && !sure;
+  for (const auto& point : view.outline)
+    match.outline.emplace_back(transform(match.pose, cv::Point2d(point)));
+  return match;
+}
+
+}  // namespace
+
+double acceptance_score(const Detection& detection, const SearchConfig& config) {
+  return config.accept_by == "similarity" ? std::max(0.0, detection.similarity) : detection.score();
+}
+
+std::vector<Match> select_matches(std::vector<Detection> detections, const Acceptance& acceptance) {
+  std::stable_sort(
+      detections.begin(), detections.end(), [&](const Detection& a, const Detection& b) {
+        return acceptance_score(a, acceptance.config) > acceptance_score(b, acceptance.config);
+      });
+  const auto accepted = accept(detections, acceptance);
+  const Margins margins(detections, accepted, acceptance.config.max_overlap);
+  std::vector<Match> matches;
+  for (const Detection* detection : accepted)
+    matches.push_back(to_match(*detection, margins, acceptance.config));
+  return matches;
+}
+
+}  // namespace mbncc

@@ -1,0 +1,159 @@
+#include "mbncc/matching/matcher.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "matching/pictures.hpp"
+
+namespace mbncc {
+namespace {
+
+using test::LearningPicture;
+using test::object_from;
+using test::place;
+using test::texture;
+
+constexpr double kPlaceTolerance = 0.5;              // [px]
+constexpr double kAngleTolerance = to_radians(0.5);  // [rad]
+
+class MatcherTest : public ::testing::Test {
+ protected:
+  const LearningPicture source_{1};
+  const Pose2D reference_{58, 60, 0};
+
+  Matcher matcher_of(std::vector<std::shared_ptr<const ObjectModel>> objects,
+                     const SearchConfig& config = {}) const {
+    Matcher matcher(config);
+    matcher.set_objects(std::move(objects));
+    return matcher;
+  }
+
+  Matcher matcher() const { return matcher_of({object_from(source_, reference_)}); }
+
+  static void expect_at(const Match& match, const Pose2D& truth) {
+    EXPECT_NEAR(match.pose.x, truth.x, kPlaceTolerance);
+    EXPECT_NEAR(match.pose.y, truth.y, kPlaceTolerance);
+    EXPECT_LT(angle_distance(match.pose.theta, truth.theta), kAngleTolerance);
+  }
+};
+
+TEST_F(MatcherTest, FindsTheObjectAtAnyRotation) {
+  const Matcher matcher = this->matcher();
+  for (int k = 0; k < 12; ++k) {
+    const Pose2D truth{120.3 + 5 * k, 90.7 + 3 * k, wrap_angle(0.2 + k * kPi / 6)};
+    cv::Mat scene = texture({320, 240}, 50 + k, 4);
+    place(scene, source_, reference_.position(), truth);
+    const SearchResult result = matcher.find(scene);
+    ASSERT_FALSE(result.matches.empty()) << "rotation " << k;
+    expect_at(result.matches[0], truth);
+    EXPECT_GT(result.matches[0].similarity, 0.9);
+    EXPECT_EQ(result.matches[0].name, "object");
+  }
+}
+
+TEST_F(MatcherTest, HonoursReferencePointAndDirection) {
+  Pose2D reference{40, 70, 0.7};
+  const Matcher matcher = matcher_of({object_from(source_, reference)});
+  cv::Mat scene = texture({320, 240}, 60, 4);
+  place(scene, source_, reference.position(), {150.5, 110.25, 1.1});
+  const SearchResult result = matcher.find(scene);
+  ASSERT_EQ(result.matches.size(), 1u);
+  expect_at(result.matches[0], {150.5, 110.25, 1.1 + 0.7});
+}
+
+TEST_F(MatcherTest, FindsTwoInstances) {
+  const std::vector<Pose2D> truths{{80, 70, 0.4}, {220, 150, -2}};
+  cv::Mat scene = texture({320, 240}, 61, 4);
+  for (const auto& truth : truths) place(scene, source_, reference_.position(), truth);
+  const SearchResult result = matcher().find(scene);
+  ASSERT_EQ(result.matches.size(), 2u);
+  const bool in_order = result.matches[0].pose.x < 150;
+  expect_at(result.matches[in_order ? 0 : 1], truths[0]);
+  expect_at(result.matches[in_order ? 1 : 0], truths[1]);
+  SearchRequest one;
+  one.max_instances = 1;
+  EXPECT_EQ(matcher().find(scene, one).matches.size(), 1u);
+}
+
+TEST_F(MatcherTest, TellsObjectsApart) {
+  const LearningPicture other(2);
+  const Matcher matcher = matcher_of(
+      {object_from(source_, reference_, "first"), object_from(other, reference_, "second")});
+  cv::Mat scene = texture({320, 240}, 62, 4);
+  place(scene, other, reference_.position(), {160, 120, 0.9});
+  const SearchResult result = matcher.find(scene);
+  ASSERT_EQ(result.matches.size(), 1u);
+  EXPECT_EQ(result.matches[0].name, "second");
+  EXPECT_EQ(result.searched, (std::vector<std::string>{"first", "second"}));
+}
+
+TEST_F(MatcherTest, NamesWhatItSkips) {
+  auto disabled = object_from(source_, reference_, "off");
+  disabled->enabled = false;
+  const Matcher matcher = matcher_of({object_from(source_, reference_), disabled});
+  SearchRequest request;
+  request.names = {"off", "nowhere", "object"};
+  const SearchResult result = matcher.find(texture({64, 64}, 63), request);
+  EXPECT_EQ(result.searched, std::vector<std::string>{"object"});
+  EXPECT_EQ(result.skipped, (std::vector<std::string>{"off: disabled", "nowhere: unknown"}));
+}
+
+TEST_F(MatcherTest, LooksForReferencePointsInTheRegionOnly) {
+  cv::Mat scene = texture({320, 240}, 64, 4);
+  const Pose2D truth{100, 100, 0.3};
+  place(scene, source_, reference_.position(), truth);
+  SearchRequest request;
+  request.roi = {90, 90, 20, 20};
+  ASSERT_EQ(matcher().find(scene, request).matches.size(), 1u);
+  request.roi = {150, 90, 100, 100};
+  EXPECT_TRUE(matcher().find(scene, request).matches.empty());
+}
+
+TEST_F(MatcherTest, FindsNothingWhereThereIsNothing) {
+  const Matcher matcher = this->matcher();
+  cv::Mat noise(240, 320, CV_8UC3);
+  cv::RNG(5).fill(noise, cv::RNG::UNIFORM, 0, 256);
+  const std::vector<cv::Mat> pictures{cv::Mat::zeros(240, 320, CV_8UC3),
+                                      cv::Mat(240, 320, CV_8UC3, cv::Scalar(90, 120, 130)),
+                                      noise,
+                                      texture({320, 240}, 65, 4),
+                                      cv::Mat::zeros(16, 16, CV_8UC1),
+                                      texture({17, 33}, 66)};
+  for (const auto& picture : pictures) EXPECT_TRUE(matcher.find(picture).matches.empty());
+}
+
+TEST_F(MatcherTest, RefusesPicturesItCannotSearch) {
+  const Matcher matcher = this->matcher();
+  EXPECT_THROW(matcher.find(cv::Mat()), std::invalid_argument);
+  EXPECT_THROW(matcher.find(cv::Mat::zeros(15, 64, CV_8UC3)), std::invalid_argument);
+  EXPECT_THROW(matcher.find(cv::Mat::zeros(64, 64, CV_16UC1)), std::invalid_argument);
+}
+
+TEST_F(MatcherTest, ThreadsDoNotChangeTheResult) {
+  std::vector<std::shared_ptr<const ObjectModel>> objects;
+  for (int k = 0; k < 5; ++k)
+    objects.push_back(object_from(LearningPicture(k), reference_, "object" + std::to_string(k)));
+  cv::Mat scene = texture({320, 240}, 67, 4);
+  place(scene, LearningPicture(3), reference_.position(), {120, 100, 2});
+  SearchConfig config;
+  const SearchResult alone = matcher_of(objects, config).find(scene);
+  config.threads = 3;
+  const SearchResult together = matcher_of(objects, config).find(scene);
+  ASSERT_EQ(alone.matches.size(), together.matches.size());
+  for (std::size_t i = 0; i < alone.matches.size(); ++i) {
+    EXPECT_EQ(alone.matches[i].name, together.matches[i].name);
+    EXPECT_EQ(alone.matches[i].pose.x, together.matches[i].pose.x);
+    EXPECT_EQ(alone.matches[i].score, together.matches[i].score);
+  }
+}
+
+TEST_F(MatcherTest, RefusesBrokenModels) {
+  Matcher matcher;
+  auto model = object_from(source_, reference_);
+  model->views.front().map = cv::Mat::zeros(model->views.front().map.size(), CV_8UC1);
+  EXPECT_THROW(matcher.set_objects({model}), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace mbncc
