@@ -1,0 +1,34 @@
+// The verdict on a lesson: how good are map and template, and will the object be found again?
+#pragma once
+
+#include <opencv2/core.hpp>
+#include <optional>
+
+#include "mbncc/config/learning_config.hpp"
+#include "mbncc/config/search_config.hpp"
+#include "mbncc/error.hpp"
+#include "mbncc/object_model.hpp"
+
+namespace mbncc {
+
+/// What a graph cut between two pictures knows about its own reliability.
+struct CutEvidence {
+  double region_touch = 0;    ///< [0..1] part of the outline that lies on the region's edge
+  double change_outside = 0;  ///< [0..1] changed part of the strip around the region
+  double stability = 1;       ///< [0..1] least IoU with cuts whose balance was shifted
+  double boundary_contrast =
+      1;                       ///< [0..1] how strong the picture edges are that the outline follows
+  double shadow_fraction = 0;  ///< [0..1] map pixels that look like shadowed platform
+  double ambiguous = 0;        ///< [0..1] region pixels that neither side claims
+};
+
+/// Judges `object` (one view, no quality yet) against the learning pictures. `after` may be empty.
+/// Searches the object in `before` to learn how distinct it is. Reasons are ordered worst first.
+Quality assess_quality(const ObjectModel& object, const cv::Mat& before, const cv::Mat& after,
+                       const std::optional<CutEvidence>& evidence, const LearningConfig& config,
+                       const SearchConfig& search);
+
+/// Error code of a BAD verdict: that of its worst reason, kQualityBad for a reason without a code.
+LearnError error_of(const Quality& quality);
+
+}  // namespace mbncc

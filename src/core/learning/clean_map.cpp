@@ -1,0 +1,71 @@
+#include "learning/clean_map.hpp"
+
+#include <algorithm>
+#include <opencv2/imgproc.hpp>
+#include <vector>
+
+namespace mbncc {
+namespace {
+
+constexpr double kKeptWeight = 0.25;   // of the heaviest group
+constexpr int kSmallestHole = 12;      // [px] always filled
+constexpr double kFilledPart = 0.002;  // of the map
+
+cv::Mat group_labels(const cv::Mat& map, int gap, int& count) {
+  const cv::Mat disc =
+      cv::getStructuringElement(cv::MORPH_ELLIPSE, cv::Size(2 * gap + 1, 2 * gap + 1));
+  cv::Mat grown, labels;
+  cv::dilate(map, grown, disc);
+  count = cv::connectedComponents(grown, labels, 8, CV_32S);
+  return labels;
+}
+
+std::vector<double> group_weights(const cv::Mat& map, const cv::Mat& labels, int count,
+                                  const cv::Mat& weight) {
+  constexpr double kPresence = 0.01;  // a group without any positive weight still counts a little
+  std::vector<double> weights(count, 0);
+  for (int y = 0; y < map.rows; ++y)
+    for (int x = 0; x < map.cols; ++x) {
+      if (!map.at<uchar>(y, x)) continue;
+      const double pixel = weight.empty() ? 1 : std::max(0.F, weight.at<float>(y, x)) + kPresence;
+      weights[labels.at<int>(y, x)] += pixel;
+    }
+  return weights;
+}
+
+}  // namespace
+
+void keep_main_groups(cv::Mat& map, const cv::Mat& weight, int gap) {
+  int count = 0;
+  const cv::Mat labels = group_labels(map, gap, count);
+  if (count <= 2) return;
+  const auto weights = group_weights(map, labels, count, weight);
+  const double least = kKeptWeight * *std::max_element(weights.begin(), weights.end());
+  for (int y = 0; y < map.rows; ++y)
+    for (int x = 0; x < map.cols; ++x)
+      if (weights[labels.at<int>(y, x)] < least) map.at<uchar>(y, x) = 0;
+}
+
+void fill_holes(cv::Mat& map, int area) {
+  cv::Mat background, labels, stats, centres;
+  cv::copyMakeBorder(255 - map, background, 1, 1, 1, 1, cv::BORDER_CONSTANT, cv::Scalar(255));
+  cv::connectedComponentsWithStats(background, labels, stats, centres, 4, CV_32S);
+  const int outside = labels.at<int>(0, 0);
+  for (int y = 0; y < map.rows; ++y)
+    for (int x = 0; x < map.cols; ++x) {
+      const int label = labels.at<int>(y + 1, x + 1);
+      if (label != outside && stats.at<int>(label, cv::CC_STAT_AREA) <= area)
+        map.at<uchar>(y, x) = 255;
+    }
+}
+
+cv::Mat clean_map(const cv::Mat& raw, const cv::Mat& weight) {
+  cv::Mat map = raw.clone();
+  keep_main_groups(map, weight);
+  fill_holes(map, std::max(kSmallestHole, static_cast<int>(kFilledPart * cv::countNonZero(map))));
+  cv::Mat smooth;
+  cv::medianBlur(map, smooth, 3);
+  return smooth;
+}
+
+}  // namespace mbncc

@@ -1,0 +1,163 @@
+#include "mbncc/learning/learn_object.hpp"
+
+#include <chrono>
+#include <opencv2/imgproc.hpp>
+#include <stdexcept>
+
+#include "learning/lesson_checks.hpp"
+#include "learning/lesson_progress.hpp"
+#include "learning/segmenter.hpp"
+#include "learning/stage_pictures.hpp"
+#include "mbncc/learning/change.hpp"
+#include "mbncc/learning/quality.hpp"
+
+namespace mbncc {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double milliseconds_since(Clock::time_point start) {
+  return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
+}
+
+// Runs one named step and notes its time, also when the step ends the lesson.
+class StepTimer {
+ public:
+  StepTimer(std::map<std::string, double>& timings, std::string step)
+      : timings_(timings), step_(std::move(step)) {}
+  ~StepTimer() { timings_[step_] += milliseconds_since(start_); }
+  StepTimer(const StepTimer&) = delete;
+  StepTimer& operator=(const StepTimer&) = delete;
+
+ private:
+  std::map<std::string, double>& timings_;
+  std::string step_;
+  Clock::time_point start_ = Clock::now();
+};
+
+class LessonRun {
+ public:
+  LessonRun(const Lesson& lesson, const LearningConfig& config, const SearchConfig& search,
+            const StageObserver& observer, LearnResult& result)
+      : lesson_(lesson), config_(config), search_(search), progress_(observer), result_(result) {}
+
+  void run() {
+    check_lesson(lesson_);
+    const Segmentation segmentation = acquire_map();
+    make_model(segmentation.map);
+    judge(segmentation);
+  }
+
+ private:
+  // A ready map is the teacher's word, and so is an outline unless a method is asked to refine it.
+  Segmentation acquire_map() {
+    if (!lesson_.map.empty()) return accept(lesson_.map > 127);
+    if (!lesson_.outline.empty() && config_.method == "auto") return accept(outline_map(lesson_));
+    const SegmentationTask task = mark_region();
+    return segment(task);
+  }
+
+  Segmentation accept(const cv::Mat& map) {
+    check_map(map, {{0, 0}, map.size()});
+    progress_.report(Stage::kRegion, 0.1, "Taking the map as it is.",
+                     [&] { return outlined(lesson_.before, map); });
+    return {map, std::nullopt};
+  }
+
+  SegmentationTask mark_region() {
+    const StepTimer timer(result_.timings_ms, "region");
+    SegmentationTask task{lesson_.before, lesson_.after, usable_region(lesson_), {}};
+    if (!lesson_.outline.empty()) {
+      task.approximate = outline_map(lesson_);
+      task.region = cv::boundingRect(task.approximate);
+    } else if (!lesson_.after.empty()) {
+      mark_change(task);
+    } else {
+      task.approximate = cv::Mat::zeros(lesson_.before.size(), CV_8UC1);
+      task.approximate(task.region).setTo(255);
+    }
+    progress_.report(Stage::kRegion, 0.1, "Marking the approximate region.",
+                     [&] { return tinted(task.before, task.approximate, task.region); });
+    return task;
+  }
+
+  void mark_change(SegmentationTask& task) {
+    const ChangeSurvey survey = survey_change(task.before, task.after);
+    if (survey.fraction > config_.max_change) throw LessonEnded(LearnError::kChangeTooLarge);
+    if (lesson_.region == cv::Rect()) task.region = changed_region(survey);
+    task.approximate = cv::Mat::zeros(task.before.size(), CV_8UC1);
+    if (!task.region.empty()) survey.changed(task.region).copyTo(task.approximate(task.region));
+    if (cv::countNonZero(task.approximate) == 0) throw LessonEnded(LearnError::kNoChange);
+  }
+
+  Segmentation segment(const SegmentationTask& task) {
+    const StepTimer timer(result_.timings_ms, "segment");
+    Segmentation segmentation =
+        segmenter_of(config_.method, !task.after.empty())(task, config_, progress_);
+    check_map(segmentation.map, task.region);
+    progress_.report(Stage::kSegment, 0.8, "The object is cut out.",
+                     [&] { return outlined(task.before, segmentation.map); });
+    return segmentation;
+  }
+
+  void make_model(const cv::Mat& map) {
+    const cv::Point2d centre = centroid(map);
+    const Pose2D reference = lesson_.reference.value_or(Pose2D{centre.x, centre.y, 0});
+    ObjectModel& object = result_.object;
+    object.name = lesson_.name;
+    object.label = lesson_.label.empty() ? lesson_.name : lesson_.label;
+    object.object_height = lesson_.object_height;
+    object.learned_at =
+        std::chrono::duration<double>(std::chrono::system_clock::now().time_since_epoch()).count();
+    object.views = {crop_view(lesson_.before, map, reference)};
+  }
+
+  void judge(const Segmentation& segmentation) {
+    const StepTimer timer(result_.timings_ms, "quality");
+    progress_.report(Stage::kQuality, 0.85, "Judging the lesson.");
+    Quality& quality = result_.object.quality;
+    quality = assess_quality(result_.object, lesson_.before, lesson_.after, segmentation.evidence,
+                             config_, search_);
+    // A ready map is never refused for quality: the verdict warns, no more.
+    if (!lesson_.map.empty() && quality.verdict == Verdict::kBad)
+      quality.verdict = Verdict::kMarginal;
+    result_.has_model = true;
+    progress_.report(Stage::kQuality, 1,
+                     std::string("Verdict: ") + to_string(quality.verdict) + ".",
+                     [&] { return outlined(lesson_.before, segmentation.map); });
+    conclude(error_of(quality));
+  }
+
+  void conclude(LearnError error) {
+    result_.error = error;
+    result_.message = message_of(error);
+    result_.hint = hint_of(error);
+    if (error != LearnError::kSuccess) result_.hint = result_.object.quality.advice.front();
+  }
+
+  const Lesson& lesson_;
+  const LearningConfig& config_;
+  const SearchConfig& search_;
+  LessonProgress progress_;
+  LearnResult& result_;
+};
+
+}  // namespace
+
+LearnResult learn_object(const Lesson& lesson, const LearningConfig& config,
+                         const SearchConfig& search, const StageObserver& observer) {
+  LearnResult result;
+  const auto start = Clock::now();
+  try {
+    LessonRun(lesson, config, search, observer, result).run();
+  } catch (const LessonEnded& ended) {
+    result.error = ended.error();
+    result.message = ended.what();
+    result.hint = hint_of(ended.error());
+    result.has_model = false;
+  }
+  result.timings_ms["total"] = milliseconds_since(start);
+  return result;
+}
+
+}  // namespace mbncc

@@ -1,0 +1,135 @@
+#include "learning/lesson_checks.hpp"
+
+#include <cmath>
+#include <cstdint>
+#include <opencv2/imgproc.hpp>
+#include <string>
+
+#include "learning/lesson_progress.hpp"
+
+namespace mbncc {
+namespace {
+
+constexpr int kSmallestPicture = 32;      // [px]
+constexpr int kSmallestRegion = 8;        // [px]
+constexpr int kLargestPicture = 1 << 15;  // [px] a side beyond this is no camera's
+constexpr double kFullPart = 0.98;        // of the room, from which on a map is everything
+
+void require(bool condition, LearnError error, const std::string& message) {
+  if (!condition) throw LessonEnded(error, message);
+}
+
+std::string size_text(const cv::Size& size) {
+  return std::to_string(size.width) + " x " + std::to_string(size.height);
+}
+
+void check_picture(const cv::Mat& picture, const std::string& which) {
+  require(!picture.empty() && picture.dims == 2, LearnError::kNoImage,
+          "The picture " + which + " is missing.");
+  require(picture.type() == CV_8UC3, LearnError::kNoImage,
+          "The picture " + which + " is not an 8-bit colour picture.");
+  require(picture.rows >= kSmallestPicture && picture.cols >= kSmallestPicture,
+          LearnError::kNoImage,
+          "The picture " + which + " is only " + size_text(picture.size()) + " pixels.");
+  require(picture.rows <= kLargestPicture && picture.cols <= kLargestPicture, LearnError::kNoImage,
+          "The picture " + which + " is too large: " + size_text(picture.size()) + " pixels.");
+}
+
+void check_same_size(const cv::Mat& picture, const cv::Mat& before, const std::string& which) {
+  require(picture.size() == before.size(), LearnError::kImageMismatch,
+          "The " + which + " has " + size_text(picture.size()) + " pixels, the picture before " +
+              size_text(before.size()) + ".");
+}
+
+bool is_finite(const Pose2D& pose) {
+  return std::isfinite(pose.x) && std::isfinite(pose.y) && std::isfinite(pose.theta);
+}
+
+double cross(const cv::Point2d& a, const cv::Point2d& b) {
+  return a.x * b.y - a.y * b.x;
+}
+
+bool segments_cross(const cv::Point2d& a, const cv::Point2d& b, const cv::Point2d& c,
+                    const cv::Point2d& d) {
+  return cross(b - a, c - a) * cross(b - a, d - a) < 0 &&
+         cross(d - c, a - c) * cross(d - c, b - c) < 0;
+}
+
+bool crosses_itself(const std::vector<cv::Point2f>& outline) {
+  const std::size_t n = outline.size();
+  const auto corner = [&](std::size_t i) { return cv::Point2d(outline[i % n]); };
+  for (std::size_t i = 0; i < n; ++i)
+    for (std::size_t j = i + 2; j < n; ++j)
+      if (segments_cross(corner(i), corner(i + 1), corner(j), corner(j + 1))) return true;
+  return false;
+}
+
+}  // namespace
+
+void check_lesson(const Lesson& lesson) {
+  if (!is_valid_name(lesson.name)) throw LessonEnded(LearnError::kNameInvalid);
+  check_picture(lesson.before, "before");
+  if (!lesson.after.empty()) {
+    check_picture(lesson.after, "after");
+    check_same_size(lesson.after, lesson.before, "picture after");
+  }
+  if (!lesson.map.empty()) {
+    check_same_size(lesson.map, lesson.before, "map");
+    require(lesson.map.type() == CV_8UC1, LearnError::kImageMismatch,
+            "The map is not an 8-bit grey picture.");
+  }
+  require(!lesson.reference || is_finite(*lesson.reference), LearnError::kRegionInvalid,
+          "The reference point is not a number.");
+  require(std::isfinite(lesson.object_height) && lesson.object_height >= 0,
+          LearnError::kRegionInvalid, "The object's height must be 0 or more metres.");
+  require(!lesson.map.empty() || !lesson.outline.empty() || !lesson.after.empty() ||
+              lesson.region != cv::Rect(),
+          LearnError::kRegionInvalid,
+          "Nothing says where the object is: no map, outline, region or picture after.");
+}
+
+cv::Rect usable_region(const Lesson& lesson) {
+  const cv::Rect& given = lesson.region;
+  if (given == cv::Rect()) return {{0, 0}, lesson.before.size()};
+  // Far-out numbers overflow the corners of cv::Rect.
+  const auto clipped = [](int start, int length, int limit) {
+    const std::int64_t low = std::max<std::int64_t>(start, 0);
+    const std::int64_t high = std::min<std::int64_t>(std::int64_t{start} + length, limit);
+    return cv::Range(static_cast<int>(std::min<std::int64_t>(low, limit)), static_cast<int>(high));
+  };
+  const cv::Range columns = clipped(given.x, given.width, lesson.before.cols);
+  const cv::Range rows = clipped(given.y, given.height, lesson.before.rows);
+  require(
+      columns.end - columns.start >= kSmallestRegion && rows.end - rows.start >= kSmallestRegion,
+      LearnError::kRegionInvalid, "");
+  return {columns.start, rows.start, columns.end - columns.start, rows.end - rows.start};
+}
+
+cv::Mat outline_map(const Lesson& lesson) {
+  constexpr int kFractionBits = 4;
+  require(lesson.outline.size() >= 3, LearnError::kRegionInvalid,
+          "The outline has fewer than three corners.");
+  std::vector<cv::Point> corners;
+  for (const auto& corner : lesson.outline) {
+    require(std::abs(corner.x) <= kLargestPicture && std::abs(corner.y) <= kLargestPicture,
+            LearnError::kRegionInvalid, "The outline does not lie in the picture.");
+    corners.emplace_back(cvRound(corner.x * (1 << kFractionBits)),
+                         cvRound(corner.y * (1 << kFractionBits)));
+  }
+  require(!crosses_itself(lesson.outline), LearnError::kRegionInvalid,
+          "The outline crosses itself.");
+  cv::Mat map = cv::Mat::zeros(lesson.before.size(), CV_8UC1);
+  cv::fillPoly(map, std::vector<std::vector<cv::Point>>{corners}, cv::Scalar(255), cv::LINE_8,
+               kFractionBits);
+  require(cv::countNonZero(map) > 0, LearnError::kRegionInvalid,
+          "The outline does not lie in the picture.");
+  return map;
+}
+
+void check_map(const cv::Mat& map, const cv::Rect& room) {
+  const int filled = cv::countNonZero(map);
+  if (filled == 0) throw LessonEnded(LearnError::kSegmentationEmpty);
+  if (filled >= kFullPart * room.area()) throw LessonEnded(LearnError::kSegmentationFull);
+}
+
+}  // namespace mbncc

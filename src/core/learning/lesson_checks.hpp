@@ -1,0 +1,26 @@
+// What a lesson must bring, and what a map must be, before anything is made of it.
+#pragma once
+
+#include <opencv2/core.hpp>
+
+#include "mbncc/learning/learn_object.hpp"
+
+namespace mbncc {
+
+/// Throws LessonEnded with the code of the first fault: NAME_INVALID, NO_IMAGE, IMAGE_MISMATCH or
+/// REGION_INVALID.
+void check_lesson(const Lesson& lesson);
+
+/// The lesson's region clipped to the picture; the whole picture when none is given. Throws
+/// LessonEnded(kRegionInvalid) when less than 8 x 8 pixels remain.
+cv::Rect usable_region(const Lesson& lesson);
+
+/// The outline filled. Throws LessonEnded(kRegionInvalid) when it crosses itself, has fewer than
+/// three corners or lies outside.
+cv::Mat outline_map(const Lesson& lesson);
+
+/// Throws LessonEnded when the map holds nothing or everything. `room` is what it could have
+/// filled.
+void check_map(const cv::Mat& map, const cv::Rect& room);
+
+}  // namespace mbncc

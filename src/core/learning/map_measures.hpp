@@ -1,0 +1,22 @@
+// Figures of a map and its template that need no search.
+#pragma once
+
+#include <opencv2/core.hpp>
+
+#include "mbncc/object_model.hpp"
+
+namespace mbncc {
+
+/// Fills in area, fill, contrast and edge_agreement. `map` has the picture's size.
+void measure_map(const cv::Mat& picture, const cv::Mat& map, Quality& quality);
+
+/// IoU of the map with the changed pixels around it.
+double change_agreement(const cv::Mat& before, const cv::Mat& after, const cv::Mat& map);
+
+/// Does a map pixel lie on the picture's border?
+bool touches_border(const cv::Mat& map);
+
+/// Outermost map pixels.
+cv::Mat outline_pixels(const cv::Mat& map);
+
+}  // namespace mbncc

@@ -1,0 +1,55 @@
+#include "learning/segmenter.hpp"
+
+#include <stdexcept>
+
+#include "learning/clean_map.hpp"
+#include "mbncc/learning/sb_grabcut.hpp"
+
+namespace mbncc {
+namespace {
+
+// The cuts take the middle part of a lesson.
+double segment_progress(int iteration, int iterations) {
+  return 0.2 + 0.6 * iteration / iterations;
+}
+
+BeforeCut report_cuts(const LearningConfig& config, LessonProgress& progress) {
+  return [&config, &progress](int iteration) {
+    progress.report(Stage::kSegment, segment_progress(iteration, config.iterations),
+                    "Cutting the object out, round " + std::to_string(iteration + 1) + " of " +
+                        std::to_string(config.iterations) + ".");
+  };
+}
+
+Segmentation by_sb_grabcut(const SegmentationTask& task, const LearningConfig& config,
+                           LessonProgress& progress) {
+  return {clean_map(sb_grabcut(task.before, task.region, task.approximate, config.superpixels,
+                               config.iterations, report_cuts(config, progress))),
+          std::nullopt};
+}
+
+Segmentation by_grabcut_rect(const SegmentationTask& task, const LearningConfig& config,
+                             LessonProgress& progress) {
+  return {clean_map(grabcut_rect(task.before, task.region, config.iterations,
+                                 report_cuts(config, progress))),
+          std::nullopt};
+}
+
+Segmentation by_grabcut_mask(const SegmentationTask& task, const LearningConfig& config,
+                             LessonProgress& progress) {
+  return {clean_map(grabcut_mask(task.before, task.region, task.approximate, config.iterations,
+                                 report_cuts(config, progress))),
+          std::nullopt};
+}
+
+}  // namespace
+
+Segmenter segmenter_of(const std::string& method, bool /*has_after*/) {
+  if (method == "auto") return by_sb_grabcut;
+  if (method == "sb_grabcut") return by_sb_grabcut;
+  if (method == "grabcut_rect") return by_grabcut_rect;
+  if (method == "grabcut_mask") return by_grabcut_mask;
+  throw std::invalid_argument("unknown learning method '" + method + "'");
+}
+
+}  // namespace mbncc

@@ -1,0 +1,14 @@
+// Pictures of a lesson's steps for whoever watches.
+#pragma once
+
+#include <opencv2/core.hpp>
+
+namespace mbncc {
+
+/// `picture` with the pixels of `mask` (CV_8UC1) tinted and the region framed.
+cv::Mat tinted(const cv::Mat& picture, const cv::Mat& mask, const cv::Rect& region);
+
+/// `picture` with the outline of `map` drawn.
+cv::Mat outlined(const cv::Mat& picture, const cv::Mat& map);
+
+}  // namespace mbncc

@@ -1,0 +1,71 @@
+#include "mbncc/learning/superpixels.hpp"
+
+#include <algorithm>
+#include <opencv2/imgproc.hpp>
+#include <opencv2/ximgproc/seeds.hpp>
+#include <stdexcept>
+#include <vector>
+
+namespace mbncc {
+namespace {
+
+// SEEDS: two block levels over pixels, smoothness prior 2, 5 bins per Lab channel, and four passes,
+// after which the cells hardly move any more.
+constexpr int kLevels = 2;
+constexpr int kPrior = 2;
+constexpr int kHistogramBins = 5;
+constexpr int kPasses = 4;
+constexpr int kSmallestCell = 16;  // [px]
+
+}  // namespace
+
+Superpixels seeds_superpixels(const cv::Mat& picture, int wanted) {
+  if (picture.type() != CV_8UC3 || picture.rows < 8 || picture.cols < 8)
+    throw std::invalid_argument("seeds_superpixels needs a colour picture of at least 8 x 8");
+  const int most = static_cast<int>(picture.total()) / kSmallestCell;
+  cv::Mat lab;
+  cv::cvtColor(picture, lab, cv::COLOR_BGR2Lab);
+  const auto seeds = cv::ximgproc::createSuperpixelSEEDS(
+      picture.cols, picture.rows, picture.channels(), std::clamp(wanted, 4, most), kLevels, kPrior,
+      kHistogramBins);
+  seeds->iterate(lab, kPasses);
+  Superpixels result;
+  seeds->getLabels(result.labels);
+  result.labels = result.labels.clone();
+  result.count = seeds->getNumberOfSuperpixels();
+  return result;
+}
+
+cv::Mat simplify_superpixels(const cv::Mat& picture, const Superpixels& superpixels) {
+  std::vector<cv::Vec4d> sums(superpixels.count, cv::Vec4d::all(0));
+  for (int y = 0; y < picture.rows; ++y)
+    for (int x = 0; x < picture.cols; ++x) {
+      const auto& colour = picture.at<cv::Vec3b>(y, x);
+      sums[superpixels.labels.at<int>(y, x)] += cv::Vec4d(colour[0], colour[1], colour[2], 1);
+    }
+  std::vector<cv::Vec3b> means(sums.size());
+  std::transform(sums.begin(), sums.end(), means.begin(), [](const cv::Vec4d& sum) {
+    const double n = std::max(1.0, sum[3]);
+    return cv::Vec3b(cv::saturate_cast<uchar>(sum[0] / n), cv::saturate_cast<uchar>(sum[1] / n),
+                     cv::saturate_cast<uchar>(sum[2] / n));
+  });
+  cv::Mat simplified(picture.size(), CV_8UC3);
+  for (int y = 0; y < picture.rows; ++y)
+    for (int x = 0; x < picture.cols; ++x)
+      simplified.at<cv::Vec3b>(y, x) = means[superpixels.labels.at<int>(y, x)];
+  return simplified;
+}
+
+cv::Mat superpixels_inside(const Superpixels& superpixels, const cv::Mat& region) {
+  std::vector<int> balance(superpixels.count, 0);  // pixels inside minus pixels outside
+  for (int y = 0; y < region.rows; ++y)
+    for (int x = 0; x < region.cols; ++x)
+      balance[superpixels.labels.at<int>(y, x)] += region.at<uchar>(y, x) ? 1 : -1;
+  cv::Mat inside(region.size(), CV_8UC1);
+  for (int y = 0; y < region.rows; ++y)
+    for (int x = 0; x < region.cols; ++x)
+      inside.at<uchar>(y, x) = balance[superpixels.labels.at<int>(y, x)] > 0 ? 255 : 0;
+  return inside;
+}
+
+}  // namespace mbncc

@@ -1,0 +1,14 @@
+// GOOD, MARGINAL or BAD, with reasons and advice.
+#pragma once
+
+#include <optional>
+
+#include "mbncc/learning/quality.hpp"
+
+namespace mbncc {
+
+/// Fills in verdict, reasons and advice from the figures of `quality`.
+void decide(Quality& quality, bool touches_border, const std::optional<CutEvidence>& evidence,
+            const LearningConfig& config);
+
+}  // namespace mbncc
