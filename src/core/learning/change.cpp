@@ -11,6 +11,7 @@ namespace {
 constexpr int kSurveyWidth = 320;       // [px]
 constexpr float kLeastDifference = 18;  // [grey levels, summed over channels] above any usual noise
 constexpr float kNoiseFactor = 5;       // a change stands out from the median difference this much
+constexpr float kSureDifference = 45;   // [likewise] a change, however much else differs
 
 cv::Mat reduced(const cv::Mat& picture, double scale) {
   cv::Mat small;
