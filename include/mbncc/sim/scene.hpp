@@ -4,7 +4,9 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <opencv2/core.hpp>
+#include <optional>
 #include <vector>
 
 #include "mbncc/geometry.hpp"
@@ -14,42 +16,54 @@ namespace mbncc::sim {
 /// A flat textured object with an irregular outline.
 struct SceneObject {
   std::uint64_t seed = 1;   ///< draws outline and texture
-  double diameter = 90;     ///< [px]
-  double elongation = 1.6;  ///< [1] longest by shortest extent
+  double diameter = 90;     ///< [px] of the excircle
+  double elongation = 1.6;  ///< [1] longest by shortest extent, roughly
 };
 
-/// An object lying at a pose: position of its map's centroid, angle against its own drawing.
+/// An object lying at a pose: position of its outline's centroid, angle against its own drawing.
 struct Placed {
   SceneObject object;
   Pose2D pose;
 };
 
-struct SceneConfig {
-  cv::Size size{640, 480};      ///< [px]
-  std::uint64_t seed = 1;       ///< platform texture
-  double noise_sigma = 2;       ///< [grey levels]
-  double light_gradient = 0.1;  ///< [0..1] fall-off of the light across the picture
-  double gain = 1;              ///< exposure
+/// A tapered robot arm with a two-finger gripper, seen from above; it reaches over the picture from
+/// beyond its edge.
+struct Arm {
+  Pose2D grip;          ///< point between the finger tips; theta: direction the arm reaches in
+  double opening = 60;  ///< [px] between the fingers
 };
 
-/// Renders pictures of the cell.
+struct SceneConfig {
+  cv::Size size{640, 480};      ///< [px]
+  std::uint64_t seed = 1;       ///< platform texture, light direction and noise
+  double noise_sigma = 2;       ///< [grey levels] at medium brightness; grows with the signal
+  double light_gradient = 0.1;  ///< [0..1] fall-off of the light across the picture
+  double gain = 1;              ///< exposure
+  double blur_sigma = 0.6;      ///< [px] of the optics
+};
+
+class DrawingCache;
+
+/// Renders pictures of the cell. The const functions may run in several threads.
 class Scene {
  public:
   explicit Scene(SceneConfig config = {});
 
   const SceneConfig& config() const { return config_; }
 
-  /// CV_8UC3 picture of the platform with `placed` on it, later ones on top. `frame` seeds the
-  /// noise. `arm` (when not empty) is the polygon [px] of an arm-like occluder drawn on top.
+  /// CV_8UC3 picture of the platform with `placed` on it, later ones on top, and the arm above all.
+  /// `frame` seeds the noise.
   cv::Mat render(const std::vector<Placed>& placed, std::uint64_t frame = 0,
-                 const std::vector<cv::Point2f>& arm = {}) const;
+                 const std::optional<Arm>& arm = std::nullopt) const;
 
   /// True map (CV_8UC1, 0/255, pixel coverage >= 0.5) of one placed object.
   cv::Mat true_map(const Placed& placed) const;
 
  private:
   SceneConfig config_;
-  cv::Mat platform_;  // CV_32FC3
+  cv::Mat platform_;  // CV_32FC3 [grey levels]
+  cv::Mat light_;     // CV_32FC3 [1]
+  std::shared_ptr<DrawingCache> drawings_;
 };
 
 }  // namespace mbncc::sim

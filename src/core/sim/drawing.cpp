@@ -1,0 +1,117 @@
+#include "sim/drawing.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <opencv2/imgproc.hpp>
+
+#include "sim/outline.hpp"
+#include "sim/texture.hpp"
+
+namespace mbncc::sim {
+namespace {
+
+constexpr double kShadowStrength = 0.4;
+
+/// Part of the picture that the drawing at `pose` can touch, grown by `margin`.
+cv::Rect footprint(const Drawing& drawing, const Pose2D& pose, int margin, cv::Size picture) {
+  const double right = drawing.cover.cols - drawing.origin.x;
+  const double bottom = drawing.cover.rows - drawing.origin.y;
+  cv::Point2d low(1e9, 1e9), high(-1e9, -1e9);
+  for (const double x : {-drawing.origin.x, right}) {
+    for (const double y : {-drawing.origin.y, bottom}) {
+      const cv::Point2d corner = transform(pose, cv::Point2d(x, y) / drawing.scale);
+      low = {std::min(low.x, corner.x), std::min(low.y, corner.y)};
+      high = {std::max(high.x, corner.x), std::max(high.y, corner.y)};
+    }
+  }
+  const cv::Rect box(cv::Point(cvFloor(low.x) - margin, cvFloor(low.y) - margin),
+                     cv::Point(cvCeil(high.x) + margin + 1, cvCeil(high.y) + margin + 1));
+  return box & cv::Rect({0, 0}, picture);
+}
+
+/// Resamples `source` at `pose` as many times finer than the picture as it is drawn, then averages
+/// over each pixel's area.
+cv::Mat resample(const cv::Mat& source, const Drawing& drawing, const Pose2D& pose,
+                 const cv::Rect& where) {
+  const double s = drawing.scale, c = std::cos(pose.theta), sn = std::sin(pose.theta);
+  // Sample u of the fine grid lies at picture coordinate where.x + (u + 0.5) / s - 0.5.
+  const cv::Point2d first(where.x + 0.5 / s - 0.5, where.y + 0.5 / s - 0.5);
+  const cv::Point2d start = rotate(first - pose.position(), -pose.theta) * s + drawing.origin;
+  const cv::Matx23d to_source(c, sn, start.x, -sn, c, start.y);
+  cv::Mat fine, result;
+  const int factor = cvRound(s);
+  cv::warpAffine(source, fine, to_source, where.size() * factor,
+                 cv::INTER_LINEAR | cv::WARP_INVERSE_MAP);
+  cv::resize(fine, result, where.size(), 0, 0, cv::INTER_AREA);
+  return result;
+}
+
+cv::Mat three_channels(const cv::Mat& grey) {
+  cv::Mat result;
+  cv::merge(std::vector<cv::Mat>(3, grey), result);
+  return result;
+}
+
+std::vector<cv::Point> fixed_point(const std::vector<cv::Point2d>& outline, const Drawing& drawing,
+                                   int shift) {
+  std::vector<cv::Point> points;
+  for (const auto& point : outline)
+    points.emplace_back((drawing.origin + point * drawing.scale) * (1 << shift));
+  return points;
+}
+
+}  // namespace
+
+Drawing draw_object(const SceneObject& object) {
+  constexpr int kShift = 6;
+  Drawing drawing;
+  const auto outline = object_outline(object);
+  double reach = 0;
+  for (const auto& point : outline) reach = std::max({reach, std::abs(point.x), std::abs(point.y)});
+  const int half = cvCeil((reach + 2) * drawing.scale);
+  const cv::Size size(2 * half + 1, 2 * half + 1);
+  drawing.origin = cv::Point2d(half, half);
+  drawing.colour = object_texture(size, drawing.scale, object.seed);
+  cv::Mat cover = cv::Mat::zeros(size, CV_8UC1);
+  cv::fillPoly(cover, std::vector<std::vector<cv::Point>>{fixed_point(outline, drawing, kShift)},
+               cv::Scalar(255), cv::LINE_8, kShift);
+  cover.convertTo(drawing.cover, CV_32F, 1.0 / 255);
+  drawing.colour.setTo(cv::Scalar::all(0), cover == 0);
+  return drawing;
+}
+
+cv::Mat coverage(const Drawing& drawing, const Pose2D& pose, cv::Size picture, cv::Rect& where) {
+  where = footprint(drawing, pose, 0, picture);
+  return where.empty() ? cv::Mat() : resample(drawing.cover, drawing, pose, where);
+}
+
+void composite(const Drawing& drawing, const Pose2D& pose, double shadow_sigma, cv::Mat& picture) {
+  const int margin = cvCeil(3 * shadow_sigma);
+  const cv::Rect where = footprint(drawing, pose, margin, picture.size());
+  if (where.empty()) return;
+  const cv::Mat cover = resample(drawing.cover, drawing, pose, where);
+  const cv::Mat colour = resample(drawing.colour, drawing, pose, where);
+  const cv::Matx23d beside(1, 0, 0.5 * shadow_sigma, 0, 1, 0.8 * shadow_sigma);
+  cv::Mat shadow;
+  cv::warpAffine(cover, shadow, beside, cover.size());
+  cv::GaussianBlur(shadow, shadow, {}, shadow_sigma);
+  cv::Mat part = picture(where);
+  const cv::Mat kept = (1 - kShadowStrength * shadow).mul(1 - cover);
+  cv::Mat(part.mul(three_channels(kept)) + colour).copyTo(part);
+}
+
+std::shared_ptr<const Drawing> DrawingCache::get(const SceneObject& object) {
+  constexpr std::size_t kCapacity = 64;
+  const std::lock_guard<std::mutex> lock(mutex_);
+  for (const auto& entry : entries_) {
+    const SceneObject& known = entry.object;
+    if (known.seed == object.seed && known.diameter == object.diameter &&
+        known.elongation == object.elongation)
+      return entry.drawing;
+  }
+  if (entries_.size() == kCapacity) entries_.erase(entries_.begin());
+  entries_.push_back({object, std::make_shared<const Drawing>(draw_object(object))});
+  return entries_.back().drawing;
+}
+
+}  // namespace mbncc::sim

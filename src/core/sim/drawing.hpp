@@ -1,0 +1,53 @@
+// A thing drawn once, finer than the picture, and put into pictures at sub-pixel poses.
+#pragma once
+
+#include <memory>
+#include <mutex>
+#include <opencv2/core.hpp>
+#include <vector>
+
+#include "mbncc/sim/scene.hpp"
+
+namespace mbncc::sim {
+
+/// The thing's point p [px] lies at drawing coordinates origin + scale * p.
+struct Drawing {
+  cv::Mat colour;      ///< CV_32FC3 [grey levels], times cover
+  cv::Mat cover;       ///< CV_32FC1 [0..1]
+  cv::Point2d origin;  ///< drawing pixel of the thing's origin
+  double scale = 4;    ///< drawing pixels per picture pixel, a whole number
+};
+
+Drawing draw_object(const SceneObject& object);
+
+/// The arm about its grip point, reaching along +x, without its fingers.
+Drawing draw_arm_body();
+
+/// One finger about its tip's inner side, reaching along +x, to the side of +y.
+Drawing draw_finger();
+
+/// The same thing with its y axis turned round.
+Drawing mirrored(const Drawing& drawing);
+
+/// CV_32FC1 [0..1] share of each pixel that the drawing at `pose` covers; `where` gets the part of
+/// the picture that it describes (empty when the drawing lies outside).
+cv::Mat coverage(const Drawing& drawing, const Pose2D& pose, cv::Size picture, cv::Rect& where);
+
+/// Puts the drawing over `picture` (CV_32FC3) with a soft shadow beside it.
+void composite(const Drawing& drawing, const Pose2D& pose, double shadow_sigma, cv::Mat& picture);
+
+/// Drawings of the objects seen last; the same object is drawn once. Safe to share by threads.
+class DrawingCache {
+ public:
+  std::shared_ptr<const Drawing> get(const SceneObject& object);
+
+ private:
+  struct Entry {
+    SceneObject object;
+    std::shared_ptr<const Drawing> drawing;
+  };
+  std::mutex mutex_;
+  std::vector<Entry> entries_;  // oldest first
+};
+
+}  // namespace mbncc::sim
