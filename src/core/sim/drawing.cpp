@@ -52,31 +52,40 @@ cv::Mat three_channels(const cv::Mat& grey) {
   return result;
 }
 
-std::vector<cv::Point> fixed_point(const std::vector<cv::Point2d>& outline, const Drawing& drawing,
-                                   int shift) {
-  std::vector<cv::Point> points;
-  for (const auto& point : outline)
-    points.emplace_back((drawing.origin + point * drawing.scale) * (1 << shift));
-  return points;
+/// Sets the pixels of `cover` whose centres lie inside `outline` (drawing coordinates) to 1.
+/// cv::fillPoly also paints the outline's own pixels, which would move the centroid.
+void fill_inside(const std::vector<cv::Point2d>& outline, cv::Mat& cover) {
+  for (int row = 0; row < cover.rows; ++row) {
+    std::vector<double> crossings;
+    for (std::size_t i = 0; i < outline.size(); ++i) {
+      const cv::Point2d a = outline[i], b = outline[(i + 1) % outline.size()];
+      if ((a.y <= row) != (b.y <= row))
+        crossings.push_back(a.x + (row - a.y) / (b.y - a.y) * (b.x - a.x));
+    }
+    std::sort(crossings.begin(), crossings.end());
+    for (std::size_t i = 0; i + 1 < crossings.size(); i += 2)
+      cover.row(row).colRange(cvCeil(crossings[i]), cvFloor(crossings[i + 1]) + 1).setTo(1);
+  }
 }
 
 }  // namespace
 
 Drawing draw_object(const SceneObject& object) {
-  constexpr int kShift = 6;
   Drawing drawing;
-  const auto outline = object_outline(object);
+  auto outline = object_outline(object);
   double reach = 0;
   for (const auto& point : outline) reach = std::max({reach, std::abs(point.x), std::abs(point.y)});
   const int half = cvCeil((reach + 2) * drawing.scale);
   const cv::Size size(2 * half + 1, 2 * half + 1);
   drawing.origin = cv::Point2d(half, half);
+  for (auto& point : outline) point = drawing.origin + point * drawing.scale;
+  drawing.cover = cv::Mat::zeros(size, CV_32FC1);
+  fill_inside(outline, drawing.cover);
+  // The centroid of what was really drawn, which differs by a fraction of a drawing pixel.
+  const cv::Moments moments = cv::moments(drawing.cover);
+  drawing.origin = {moments.m10 / moments.m00, moments.m01 / moments.m00};
   drawing.colour = object_texture(size, drawing.scale, object.seed);
-  cv::Mat cover = cv::Mat::zeros(size, CV_8UC1);
-  cv::fillPoly(cover, std::vector<std::vector<cv::Point>>{fixed_point(outline, drawing, kShift)},
-               cv::Scalar(255), cv::LINE_8, kShift);
-  cover.convertTo(drawing.cover, CV_32F, 1.0 / 255);
-  drawing.colour.setTo(cv::Scalar::all(0), cover == 0);
+  drawing.colour.setTo(cv::Scalar::all(0), drawing.cover == 0);
   return drawing;
 }
 

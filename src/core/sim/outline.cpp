@@ -53,7 +53,7 @@ Outline hammer(cv::RNG& random) {
 Outline spanner(cv::RNG& random) {
   const double half = random.uniform(0.1, 0.15), jaw = random.uniform(0.26, 0.34);
   const double depth = random.uniform(0.2, 0.3), end = random.uniform(0.18, 0.26);
-  return {{-0.15, -end},       {0.15, -end}, {0.25, -half}, {1, -half},
+  return {{-0.15, end},        {0.15, -end}, {0.25, -half}, {1, -half},
           {1.15, -jaw},        {1.5, -jaw},  {1.52, -0.12}, {1.5 - depth, -0.1},
           {1.5 - depth, 0.12}, {1.42, 0.14}, {1.4, jaw},    {1.15, jaw},
           {1, half},           {0.25, half}, {0.15, end},   {-0.15, end}};
