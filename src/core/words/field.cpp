@@ -8,10 +8,10 @@
 #include <iomanip>
 #include <limits>
 #include <locale>
-#include <numeric>
 #include <sstream>
 
 #include "mbncc/error.hpp"
+#include "mbncc/nearest_word.hpp"
 
 namespace mbncc {
 namespace {
@@ -46,21 +46,6 @@ std::string number_text(double value) {
     if (std::isnan(value) || number_of(text.str()) == value) break;
   }
   return text.str();
-}
-
-int edit_distance(const std::string& a, const std::string& b) {
-  std::vector<int> row(b.size() + 1);
-  std::iota(row.begin(), row.end(), 0);
-  for (std::size_t i = 1; i <= a.size(); ++i) {
-    int diagonal = row[0];
-    row[0] = static_cast<int>(i);
-    for (std::size_t j = 1; j <= b.size(); ++j) {
-      const int change = diagonal + (a[i - 1] == b[j - 1] ? 0 : 1);
-      diagonal = row[j];
-      row[j] = std::min({change, row[j] + 1, row[j - 1] + 1});
-    }
-  }
-  return row.back();
 }
 
 }  // namespace
@@ -136,14 +121,13 @@ std::string field_text(const std::string& value) {
 
 void assign_field(const std::vector<FieldRow>& rows, const std::string& key,
                   const std::string& text) {
-  if (rows.empty()) throw ConfigError("parameter '" + key + "' is unknown");
-  const FieldRow* nearest = &rows.front();
+  std::vector<std::string> known;
   for (const auto& row : rows) {
     if (row.info.name == key) return row.assign(text);
-    if (edit_distance(row.info.name, key) < edit_distance(nearest->info.name, key)) nearest = &row;
+    known.push_back(row.info.name);
   }
-  throw ConfigError("parameter '" + key + "' is unknown; did you mean '" + nearest->info.name +
-                    "'? `mbncc params` lists all of them");
+  throw ConfigError("parameter '" + key + "' is unknown; did you mean '" +
+                    nearest_word(key, known) + "'? `mbncc params` lists all of them");
 }
 
 void load_yaml_file(const std::vector<FieldRow>& rows, const std::string& path) {

@@ -1,0 +1,85 @@
+#include "cli/arguments.hpp"
+
+#include <algorithm>
+
+#include "mbncc/nearest_word.hpp"
+
+namespace mbncc::cli {
+namespace {
+
+const Option& known_option(const std::vector<Option>& options, const std::string& name) {
+  std::vector<std::string> names;
+  for (const auto& option : options) {
+    if (option.name == name) return option;
+    names.push_back(option.name);
+  }
+  throw UsageError("unknown option '" + name + "'; did you mean '" + nearest_word(name, names) +
+                   "'?");
+}
+
+bool looks_like_option(const std::string& word) {
+  return word.size() > 1 && word[0] == '-' && (word[1] == '-' || !std::isdigit(word[1]));
+}
+
+}  // namespace
+
+Arguments::Arguments(const std::vector<Option>& options, const std::string& operand,
+                     const std::vector<std::string>& words) {
+  bool only_operands = false;
+  for (std::size_t i = 0; i < words.size(); ++i) {
+    const std::string& word = words[i];
+    if (only_operands || !looks_like_option(word)) {
+      operands_.push_back(word);
+      continue;
+    }
+    if (word == "--") {
+      only_operands = true;
+      continue;
+    }
+    const auto equals = word.find('=');
+    const Option& option = known_option(options, word.substr(0, equals));
+    auto& values = values_[option.name];
+    if (!values.empty() && !option.repeatable)
+      throw UsageError(option.name + " is given twice; give it once");
+    if (option.value.empty()) {
+      if (equals != std::string::npos) throw UsageError(option.name + " takes no value");
+      values.emplace_back();
+    } else if (equals != std::string::npos) {
+      values.push_back(word.substr(equals + 1));
+    } else {
+      if (i + 1 == words.size() || looks_like_option(words[i + 1]))
+        throw UsageError(option.name + " needs a value: " + option.name + " " + option.value);
+      values.push_back(words[++i]);
+    }
+    if (!option.value.empty() && values.back().empty())
+      throw UsageError(option.name + " needs a value that is not empty");
+  }
+  for (const auto& option : options)
+    if (option.required && !has(option.name))
+      throw UsageError(option.name + " " + option.value + " is missing");
+  if (operand.empty() && !operands_.empty())
+    throw UsageError("'" + operands_.front() + "' is not expected here");
+  if (!operand.empty() && operands_.empty()) throw UsageError("no " + operand + " is given");
+}
+
+std::string Arguments::get(const std::string& option, const std::string& otherwise) const {
+  const auto found = values_.find(option);
+  return found == values_.end() ? otherwise : found->second.back();
+}
+
+std::vector<std::string> Arguments::all(const std::string& option) const {
+  const auto found = values_.find(option);
+  return found == values_.end() ? std::vector<std::string>{} : found->second;
+}
+
+void Arguments::at_most_one_of(const std::vector<std::string>& options) const {
+  std::string given;
+  for (const auto& option : options) {
+    if (!has(option)) continue;
+    if (!given.empty())
+      throw UsageError(given + " and " + option + " exclude each other; give one");
+    given = option;
+  }
+}
+
+}  // namespace mbncc::cli

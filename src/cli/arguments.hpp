@@ -1,0 +1,51 @@
+// Command lines: what a command accepts, and what it was given.
+#pragma once
+
+#include <map>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace mbncc::cli {
+
+/// Wrong usage: exit code 2.
+class UsageError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+struct Option {
+  std::string name;   ///< "--roi"
+  std::string value;  ///< "x,y,w,h"; "" for a flag
+  std::string meaning;
+  bool required = false;
+  bool repeatable = false;
+};
+
+/// The values given for a command's options, and its operands.
+class Arguments {
+ public:
+  /// Throws UsageError for unknown, repeated, incomplete or missing options. With `operand` empty
+  /// no operands are accepted, otherwise at least one is needed.
+  Arguments(const std::vector<Option>& options, const std::string& operand,
+            const std::vector<std::string>& words);
+
+  bool has(const std::string& option) const { return values_.count(option) != 0; }
+
+  /// Last value of the option, or `otherwise`.
+  std::string get(const std::string& option, const std::string& otherwise = "") const;
+
+  /// All values of the option, in order.
+  std::vector<std::string> all(const std::string& option) const;
+
+  const std::vector<std::string>& operands() const { return operands_; }
+
+  /// Throws UsageError when more than one of `options` is given.
+  void at_most_one_of(const std::vector<std::string>& options) const;
+
+ private:
+  std::map<std::string, std::vector<std::string>> values_;
+  std::vector<std::string> operands_;
+};
+
+}  // namespace mbncc::cli

@@ -1,0 +1,37 @@
+// What every command of the tool is made of. Each lives in a file of its own, <name>_command.cpp.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "cli/arguments.hpp"
+
+namespace mbncc::cli {
+
+enum ExitCode { kDone = 0, kFailed = 1, kWrongUsage = 2 };
+
+struct Command {
+  std::string name;
+  std::string summary;  ///< one line
+  std::vector<Option> options;
+  std::string operand;  ///< "IMAGE"; "": none
+  std::string remarks;  ///< printed below the options by --help
+  ExitCode (*run)(const Arguments& arguments);
+};
+
+Command learn_command();
+Command find_command();
+Command map_command();
+Command list_command();
+Command show_command();
+Command forget_command();
+Command restore_command();
+Command check_command();
+Command params_command();
+
+/// Options that several commands share.
+Option library_option();
+Option name_option();
+Option json_option();
+
+}  // namespace mbncc::cli

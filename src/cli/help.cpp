@@ -1,0 +1,35 @@
+#include "cli/help.hpp"
+
+#include <iomanip>
+
+namespace mbncc::cli {
+namespace {
+
+std::string written(const Option& option) {
+  return option.value.empty() ? option.name : option.name + " " + option.value;
+}
+
+}  // namespace
+
+void print_help(std::ostream& out, const std::vector<Command>& commands) {
+  out << "mbncc: teach, find and manage objects seen by a camera that looks down on them\n\n"
+         "usage: mbncc COMMAND [OPTIONS]\n\n";
+  for (const auto& command : commands)
+    out << "  " << std::left << std::setw(9) << command.name << command.summary << '\n';
+  out << "\n'mbncc COMMAND --help' explains a command, 'mbncc --version' prints the version.\n"
+         "Exit codes: 0 done, 1 refused or failed (reason on stderr), 2 wrong usage.\n";
+}
+
+void print_help(std::ostream& out, const Command& command) {
+  out << "mbncc " << command.name << ": " << command.summary << "\n\nusage: mbncc " << command.name;
+  for (const auto& option : command.options) {
+    if (option.required) out << ' ' << written(option);
+  }
+  out << " [OPTIONS]" << (command.operand.empty() ? "" : " " + command.operand + "...") << "\n\n";
+  for (const auto& option : command.options)
+    out << "  " << std::left << std::setw(25) << written(option) << ' ' << option.meaning
+        << (option.repeatable ? " (repeatable)" : "") << '\n';
+  if (!command.remarks.empty()) out << '\n' << command.remarks;
+}
+
+}  // namespace mbncc::cli

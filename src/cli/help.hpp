@@ -1,0 +1,14 @@
+// Help texts, made from the commands' own descriptions.
+#pragma once
+
+#include <ostream>
+#include <vector>
+
+#include "cli/command.hpp"
+
+namespace mbncc::cli {
+
+void print_help(std::ostream& out, const std::vector<Command>& commands);
+void print_help(std::ostream& out, const Command& command);
+
+}  // namespace mbncc::cli

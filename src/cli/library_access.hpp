@@ -1,0 +1,22 @@
+// How the commands reach the library.
+#pragma once
+
+#include <memory>
+
+#include "cli/arguments.hpp"
+#include "mbncc/library/object_library.hpp"
+
+namespace mbncc::cli {
+
+/// The existing folder given by --library; throws FileError when there is none, so that a
+/// misspelt path does not make a new library.
+ObjectLibrary existing_library(const Arguments& arguments);
+
+/// Its content; files that cannot be read are reported on stderr.
+std::shared_ptr<const LibrarySnapshot> load_reporting(ObjectLibrary& library);
+
+/// The object given by --name. Throws std::invalid_argument listing the known names.
+std::shared_ptr<const ObjectModel> named_object(const LibrarySnapshot& snapshot,
+                                                const std::string& name);
+
+}  // namespace mbncc::cli

@@ -1,0 +1,90 @@
+// mbncc: teaches, finds and manages objects without a ROS graph.
+#include <cstdio>
+#include <exception>
+#include <iostream>
+
+#include "cli/command.hpp"
+#include "cli/help.hpp"
+#include "cli/settings.hpp"
+#include "mbncc/error.hpp"
+#include "mbncc/nearest_word.hpp"
+
+namespace mbncc::cli {
+namespace {
+
+std::vector<Command> all_commands() {
+  std::vector<Command> commands = {map_command(),    list_command(),    show_command(),
+                                   forget_command(), restore_command(), check_command(),
+                                   params_command()};
+  for (auto& command : commands)
+    for (const auto& option : settings_options()) command.options.push_back(option);
+  return commands;
+}
+
+const Command& command_called(const std::string& name, const std::vector<Command>& commands) {
+  std::vector<std::string> names;
+  for (const auto& command : commands) {
+    if (command.name == name) return command;
+    names.push_back(command.name);
+  }
+  throw UsageError("unknown command '" + name + "'; did you mean '" + nearest_word(name, names) +
+                   "'?");
+}
+
+bool asks_for_help(const std::vector<std::string>& words) {
+  for (const auto& word : words) {
+    if (word == "--") return false;
+    if (word == "--help" || word == "-h") return true;
+  }
+  return false;
+}
+
+ExitCode run(const std::vector<std::string>& words) {
+  const auto commands = all_commands();
+  if (words.empty()) throw UsageError("no command is given");
+  if (words[0] == "--help" || words[0] == "-h" || words[0] == "help") {
+    print_help(std::cout, commands);
+    return kDone;
+  }
+  if (words[0] == "--version") {
+    std::cout << "mbncc " << MBNCC_VERSION << '\n';
+    return kDone;
+  }
+  const Command& command = command_called(words[0], commands);
+  const std::vector<std::string> rest(words.begin() + 1, words.end());
+  if (asks_for_help(rest)) {
+    print_help(std::cout, command);
+    return kDone;
+  }
+  return command.run(Arguments(command.options, command.operand, rest));
+}
+
+ExitCode wrong_usage(const std::string& sentence, const std::string& command) {
+  const bool known = !command.empty() && command[0] != '-';
+  std::cerr << "mbncc: " << sentence << "\nTry 'mbncc " << (known ? command + " " : "")
+            << "--help'.\n";
+  return kWrongUsage;
+}
+
+ExitCode run_guarded(const std::vector<std::string>& words) {
+  try {
+    const ExitCode code = run(words);
+    std::cout.flush();
+    if (std::cout) return code;
+    std::cerr << "mbncc: the output could not be written; check the disk's space\n";
+  } catch (const UsageError& error) {
+    return wrong_usage(error.what(), words.empty() ? "" : words[0]);
+  } catch (const ConfigError& error) {
+    return wrong_usage(error.what(), words.empty() ? "" : words[0]);
+  } catch (const std::exception& error) {
+    std::cerr << "mbncc: " << error.what() << '\n';
+  }
+  return kFailed;
+}
+
+}  // namespace
+}  // namespace mbncc::cli
+
+int main(int count, char** words) {
+  return mbncc::cli::run_guarded({words + 1, words + count});
+}

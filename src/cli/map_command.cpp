@@ -1,0 +1,28 @@
+#include "cli/command.hpp"
+#include "cli/library_access.hpp"
+#include "cli/pictures.hpp"
+#include "cli/settings.hpp"
+
+namespace mbncc::cli {
+namespace {
+
+ExitCode run(const Arguments& arguments) {
+  settings_from(arguments);
+  ObjectLibrary library = existing_library(arguments);
+  const auto object = named_object(*load_reporting(library), arguments.get("--name"));
+  write_picture(arguments.get("--out"), full_size_map(object->views.front()));
+  return kDone;
+}
+
+}  // namespace
+
+Command map_command() {
+  return {"map",
+          "write an object's map at the size of its learning picture",
+          {library_option(), name_option(), {"--out", "map.png", "file to write", true}},
+          "",
+          "The map of the view learned first: 255 on the object, 0 elsewhere.\n",
+          run};
+}
+
+}  // namespace mbncc::cli

@@ -1,0 +1,43 @@
+#include "cli/numbers.hpp"
+
+#include <array>
+#include <charconv>
+#include <sstream>
+
+#include "cli/arguments.hpp"
+
+namespace mbncc::cli {
+namespace {
+
+bool read_whole(const std::string& text, int& value) {
+  const auto end = text.data() + text.size();
+  const auto read = std::from_chars(text.data(), end, value);
+  return read.ec == std::errc() && read.ptr == end;
+}
+
+}  // namespace
+
+cv::Rect parse_rectangle(const std::string& option, const std::string& text) {
+  const auto refuse = [&] {
+    throw UsageError(option +
+                     " needs x,y,w,h: four whole numbers in pixels, w and h above 0, not '" + text +
+                     "'");
+  };
+  std::array<int, 4> numbers{};
+  std::size_t count = 0;
+  std::istringstream stream(text);
+  for (std::string part; std::getline(stream, part, ','); ++count)
+    if (count == numbers.size() || !read_whole(part, numbers[count])) refuse();
+  if (count != numbers.size() || text.back() == ',' || numbers[2] <= 0 || numbers[3] <= 0) refuse();
+  return {numbers[0], numbers[1], numbers[2], numbers[3]};
+}
+
+int parse_whole(const std::string& option, const std::string& text, int lowest) {
+  int value = 0;
+  if (!read_whole(text, value) || value < lowest)
+    throw UsageError(option + " needs a whole number of at least " + std::to_string(lowest) +
+                     ", not '" + text + "'");
+  return value;
+}
+
+}  // namespace mbncc::cli

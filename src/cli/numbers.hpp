@@ -1,0 +1,15 @@
+// Numbers in option values.
+#pragma once
+
+#include <opencv2/core.hpp>
+#include <string>
+
+namespace mbncc::cli {
+
+/// "x,y,w,h" with w, h > 0. Throws UsageError naming the option.
+cv::Rect parse_rectangle(const std::string& option, const std::string& text);
+
+/// A whole number of at least `lowest`. Throws UsageError naming the option.
+int parse_whole(const std::string& option, const std::string& text, int lowest);
+
+}  // namespace mbncc::cli

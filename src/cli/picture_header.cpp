@@ -1,0 +1,102 @@
+#include "cli/picture_header.hpp"
+
+#include <algorithm>
+#include <stdexcept>
+
+namespace mbncc::cli {
+namespace {
+
+constexpr std::uint8_t kPngSignature[] = {0x89, 'P', 'N', 'G', '\r', '\n', 0x1a, '\n'};
+constexpr std::uint8_t kPngEnd[] = {'I', 'E', 'N', 'D', 0xae, 0x42, 0x60, 0x82};
+
+// JPEG markers (ITU-T T.81, table B.1).
+constexpr std::uint8_t kMarker = 0xff, kStartOfImage = 0xd8, kEndOfImage = 0xd9;
+constexpr std::uint8_t kFirstRestart = 0xd0, kTemporary = 0x01;
+
+class Reader {
+ public:
+  explicit Reader(const std::vector<std::uint8_t>& bytes) : bytes_(bytes) {}
+
+  bool at_end() const { return position_ >= bytes_.size(); }
+  std::size_t position() const { return position_; }
+  void seek(std::size_t position) { position_ = position; }
+
+  /// Big-endian number of `count` bytes.
+  std::uint32_t number(int count) {
+    std::uint32_t value = 0;
+    for (int i = 0; i < count; ++i) {
+      if (at_end()) throw std::runtime_error("the file is cut short");
+      value = value << 8 | bytes_[position_++];
+    }
+    return value;
+  }
+
+ private:
+  const std::vector<std::uint8_t>& bytes_;
+  std::size_t position_ = 0;
+};
+
+PictureHeader png_header(const std::vector<std::uint8_t>& bytes) {
+  Reader reader(bytes);
+  reader.seek(16);  // signature, then length and name of the first chunk, IHDR
+  PictureHeader header;
+  header.width = reader.number(4);
+  header.height = reader.number(4);
+  header.bits = static_cast<int>(reader.number(1));
+  header.complete = std::search(bytes.begin(), bytes.end(), std::begin(kPngEnd),
+                                std::end(kPngEnd)) != bytes.end();
+  return header;
+}
+
+bool is_frame(std::uint8_t marker) {
+  return marker >= 0xc0 && marker <= 0xcf && marker != 0xc4 && marker != 0xc8 && marker != 0xcc;
+}
+
+bool stands_alone(std::uint8_t marker) {
+  return marker == kTemporary || (marker >= kFirstRestart && marker <= kStartOfImage);
+}
+
+// To the next marker; in a scan, 0xff 0x00 is a byte of data.
+std::uint8_t next_marker(Reader& reader) {
+  while (!reader.at_end()) {
+    if (reader.number(1) != kMarker) continue;
+    std::uint32_t code = kMarker;
+    while (code == kMarker && !reader.at_end()) code = reader.number(1);
+    if (code != 0 && code != kMarker) return static_cast<std::uint8_t>(code);
+  }
+  return 0;
+}
+
+PictureHeader jpeg_header(const std::vector<std::uint8_t>& bytes) {
+  Reader reader(bytes);
+  PictureHeader header;
+  while (const std::uint8_t marker = next_marker(reader)) {
+    if (marker == kEndOfImage) {
+      header.complete = header.bits != 0;
+      break;
+    }
+    if (stands_alone(marker)) continue;
+    const std::size_t start = reader.position();
+    const std::uint32_t length = reader.number(2);
+    if (is_frame(marker)) {
+      header.bits = static_cast<int>(reader.number(1));
+      header.height = reader.number(2);
+      header.width = reader.number(2);
+    }
+    reader.seek(start + length);
+  }
+  return header;
+}
+
+}  // namespace
+
+PictureHeader read_picture_header(const std::vector<std::uint8_t>& bytes) {
+  if (bytes.size() > sizeof kPngSignature &&
+      std::equal(std::begin(kPngSignature), std::end(kPngSignature), bytes.begin()))
+    return png_header(bytes);
+  if (bytes.size() > 2 && bytes[0] == kMarker && bytes[1] == kStartOfImage)
+    return jpeg_header(bytes);
+  throw std::runtime_error("neither a PNG nor a JPEG picture; convert it to PNG");
+}
+
+}  // namespace mbncc::cli

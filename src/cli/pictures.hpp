@@ -1,0 +1,22 @@
+// Pictures in and out of files.
+#pragma once
+
+#include <opencv2/core.hpp>
+#include <string>
+
+namespace mbncc::cli {
+
+/// CV_8UC3 picture from a PNG or JPEG file of at most 8 bits per channel; grey becomes colour,
+/// transparency is dropped. Throws FileError with a remedy.
+cv::Mat read_picture(const std::string& path);
+
+/// CV_8UC1 map of zeros and 255s: what is brighter than half in the file.
+cv::Mat read_map(const std::string& path);
+
+/// Writes a PNG file. Throws FileError.
+void write_picture(const std::string& path, const cv::Mat& picture);
+
+/// Creates the folder and its parents when missing. Throws FileError.
+void make_output_folder(const std::string& folder);
+
+}  // namespace mbncc::cli

@@ -1,0 +1,42 @@
+// Every parameter of the package: one list serves --config, --set and `mbncc params`.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "cli/arguments.hpp"
+#include "mbncc/config/learning_node_config.hpp"
+#include "mbncc/config/matching_node_config.hpp"
+
+namespace mbncc::cli {
+
+/// The settings of the nodelets hold those of the core.
+struct Settings {
+  MatchingNodeConfig matching;
+  LearningNodeConfig learning;
+
+  SearchConfig& search() { return matching.search; }
+  LearningConfig& lesson() { return learning.learning; }
+};
+
+/// The parameters of one part of the package.
+struct SettingsSection {
+  std::string title;
+  std::vector<FieldRow> rows;
+};
+
+/// All parameters by part, each once. `settings` must outlive the rows.
+std::vector<SettingsSection> sections_of(Settings& settings);
+
+/// All parameters; setting one that several parts share sets it in each. `settings` must outlive
+/// the rows.
+std::vector<FieldRow> rows_of(Settings& settings);
+
+/// --config and --set.
+std::vector<Option> settings_options();
+
+/// Defaults, changed by --config FILE and then by --set key=value. Throws UsageError, ConfigError,
+/// FileError.
+Settings settings_from(const Arguments& arguments);
+
+}  // namespace mbncc::cli

@@ -1,0 +1,35 @@
+#include "mbncc/nearest_word.hpp"
+
+#include <algorithm>
+#include <numeric>
+
+namespace mbncc {
+namespace {
+
+// Levenshtein distance, row by row.
+int edit_distance(const std::string& a, const std::string& b) {
+  std::vector<int> row(b.size() + 1);
+  std::iota(row.begin(), row.end(), 0);
+  for (std::size_t i = 1; i <= a.size(); ++i) {
+    int diagonal = row[0];
+    row[0] = static_cast<int>(i);
+    for (std::size_t j = 1; j <= b.size(); ++j) {
+      const int change = diagonal + (a[i - 1] == b[j - 1] ? 0 : 1);
+      diagonal = row[j];
+      row[j] = std::min({change, row[j] + 1, row[j - 1] + 1});
+    }
+  }
+  return row.back();
+}
+
+}  // namespace
+
+std::string nearest_word(const std::string& word, const std::vector<std::string>& known) {
+  const auto nearest = std::min_element(known.begin(), known.end(),
+                                        [&word](const std::string& a, const std::string& b) {
+                                          return edit_distance(a, word) < edit_distance(b, word);
+                                        });
+  return nearest == known.end() ? "" : *nearest;
+}
+
+}  // namespace mbncc
