@@ -5,6 +5,7 @@
 #include <sstream>
 
 #include "cli/arguments.hpp"
+#include "mbncc/config/field.hpp"
 
 namespace mbncc::cli {
 namespace {
@@ -37,6 +38,12 @@ int parse_whole(const std::string& option, const std::string& text, int lowest) 
   if (!read_whole(text, value) || value < lowest)
     throw UsageError(option + " needs a whole number of at least " + std::to_string(lowest) +
                      ", not '" + text + "'");
+  return value;
+}
+
+double parse_number(const std::string& option, const std::string& text, double low, double high) {
+  double value = 0;
+  parse_field({option, Allowed::range(low, high), "", ""}, text, value);
   return value;
 }
 

@@ -12,4 +12,7 @@ cv::Rect parse_rectangle(const std::string& option, const std::string& text);
 /// A whole number of at least `lowest`. Throws UsageError naming the option.
 int parse_whole(const std::string& option, const std::string& text, int lowest);
 
+/// A number in [low, high]. Throws UsageError naming the option.
+double parse_number(const std::string& option, const std::string& text, double low, double high);
+
 }  // namespace mbncc::cli

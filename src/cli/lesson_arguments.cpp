@@ -1,0 +1,49 @@
+#include "cli/lesson_arguments.hpp"
+
+#include "cli/command.hpp"
+#include "cli/numbers.hpp"
+#include "cli/pictures.hpp"
+
+namespace mbncc::cli {
+
+std::vector<Option> lesson_options() {
+  return {library_option(),
+          name_option(),
+          {"--before", "B.png", "picture with the object, PNG or JPEG", true},
+          {"--after", "A.png", "the same scene without the object"},
+          {"--roi", "x,y,w,h", "approximate region of the object in pixels"},
+          {"--map", "M.png", "ready map of the picture's size: white on the object"},
+          {"--method", "M", "change_cut (with --after), sb_grabcut, grabcut_rect, grabcut_mask"},
+          {"--label", "TEXT", "shown to people; default: the name"},
+          {"--height", "METRES", "of the object's top face above the platform; default: 0"},
+          {"--overwrite", "", "replace the object of this name, if there is one"},
+          {"--add-view", "", "add a picture to the object of this name"},
+          {"--allow-bad", "", "store it even when the verdict is BAD"},
+          {"--stages", "DIR", "write pictures of the steps"},
+          json_option()};
+}
+
+void check_lesson_arguments(const Arguments& arguments) {
+  arguments.at_most_one_of({"--roi", "--map"});
+  arguments.at_most_one_of({"--map", "--method"});
+  arguments.at_most_one_of({"--overwrite", "--add-view"});
+  if (!arguments.has("--after") && !arguments.has("--roi") && !arguments.has("--map"))
+    throw UsageError(
+        "--before alone does not say where the object is; add --after, --roi or --map");
+  if (arguments.get("--method") == "change_cut" && !arguments.has("--after"))
+    throw UsageError("--method change_cut needs --after, a picture without the object");
+}
+
+Lesson lesson_from(const Arguments& arguments) {
+  Lesson lesson;
+  lesson.name = arguments.get("--name");
+  lesson.label = arguments.get("--label");
+  lesson.object_height = parse_number("--height", arguments.get("--height", "0"), 0, 10);
+  if (arguments.has("--roi")) lesson.region = parse_rectangle("--roi", arguments.get("--roi"));
+  lesson.before = read_picture(arguments.get("--before"));
+  if (arguments.has("--after")) lesson.after = read_picture(arguments.get("--after"));
+  if (arguments.has("--map")) lesson.map = read_map(arguments.get("--map"));
+  return lesson;
+}
+
+}  // namespace mbncc::cli

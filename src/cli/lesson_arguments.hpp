@@ -1,0 +1,19 @@
+// The options of `mbncc learn`.
+#pragma once
+
+#include <vector>
+
+#include "cli/arguments.hpp"
+#include "mbncc/learning/learn_object.hpp"
+
+namespace mbncc::cli {
+
+std::vector<Option> lesson_options();
+
+/// Throws UsageError for options that do not fit each other.
+void check_lesson_arguments(const Arguments& arguments);
+
+/// Reads the pictures. Throws UsageError, FileError.
+Lesson lesson_from(const Arguments& arguments);
+
+}  // namespace mbncc::cli

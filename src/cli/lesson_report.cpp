@@ -1,0 +1,53 @@
+#include "cli/lesson_report.hpp"
+
+#include <iomanip>
+
+#include "cli/json_writer.hpp"
+#include "cli/object_report.hpp"
+
+namespace mbncc::cli {
+namespace {
+
+// The view that this lesson made: the newest one of the object.
+void write_view(JsonWriter& json, const View& view) {
+  json.key("reference").begin_object();
+  json.member("x", view.reference.x).member("y", view.reference.y);
+  json.member("theta_deg", to_degrees(view.reference.theta)).end_object();
+  json.member("radius", excircle(view.map).radius);
+  json.member("area", cv::countNonZero(view.map));
+}
+
+}  // namespace
+
+void write_lesson(std::ostream& out, const LearnResult& result) {
+  const ObjectModel& object = result.object;
+  JsonWriter json(out);
+  json.begin_object().member("name", object.name);
+  if (result.has_model) {
+    json.member("verdict", to_string(object.quality.verdict));
+    json.member("reasons", object.quality.reasons).member("advice", object.quality.advice);
+    write_view(json, object.views.back());
+    json.member("revision", object.revision);
+    write_quality(json.key("quality"), object.quality);
+  }
+  json.member("stored", result.error == LearnError::kSuccess);
+  json.member("error_code", static_cast<int>(result.error))
+      .member("error", to_string(result.error));
+  json.member("message", result.message).member("hint", result.hint);
+  json.key("timings_ms").begin_object();
+  for (const auto& [step, milliseconds] : result.timings_ms) json.member(step, milliseconds);
+  json.end_object().end_object();
+}
+
+void print_lesson(std::ostream& out, const LearnResult& result) {
+  const ObjectModel& object = result.object;
+  const View& view = object.views.back();
+  out << "learned '" << object.name << "', revision " << object.revision << ": "
+      << to_string(object.quality.verdict) << std::fixed << std::setprecision(1)
+      << "\n  reference (" << view.reference.x << ", " << view.reference.y << "), excircle radius "
+      << excircle(view.map).radius << " px, area " << cv::countNonZero(view.map) << " px, "
+      << result.timings_ms.at("total") << " ms\n";
+  for (const auto& advice : object.quality.advice) out << "  " << advice << '\n';
+}
+
+}  // namespace mbncc::cli

@@ -1,0 +1,31 @@
+// What was found, printed in one of three forms.
+#pragma once
+
+#include <memory>
+#include <opencv2/core.hpp>
+#include <ostream>
+#include <string>
+
+#include "mbncc/matching/matcher.hpp"
+
+namespace mbncc::cli {
+
+class MatchReport {
+ public:
+  virtual ~MatchReport() = default;
+
+  /// `image` as given on the command line.
+  virtual void add(const std::string& image, const cv::Size& size, const SearchResult& result) = 0;
+  virtual void finish() {}
+};
+
+/// Header, then a row per detection, or one with empty fields for a picture without any.
+std::unique_ptr<MatchReport> csv_report(std::ostream& out);
+
+/// One array with an object per picture.
+std::unique_ptr<MatchReport> json_report(std::ostream& out);
+
+/// Lines for people.
+std::unique_ptr<MatchReport> plain_report(std::ostream& out);
+
+}  // namespace mbncc::cli

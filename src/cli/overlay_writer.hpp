@@ -1,0 +1,26 @@
+// Writes searched pictures with the matches drawn in.
+#pragma once
+
+#include <opencv2/core.hpp>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "mbncc/matching/matcher.hpp"
+
+namespace mbncc::cli {
+
+class OverlayWriter {
+ public:
+  /// Creates the folder; "" writes nothing.
+  explicit OverlayWriter(std::string folder);
+
+  /// Writes `folder/<image>_overlay.png`, numbered when several pictures have one file name.
+  void write(const std::string& image, const cv::Mat& picture, const std::vector<Match>& matches);
+
+ private:
+  std::string folder_;
+  std::set<std::string> written_;
+};
+
+}  // namespace mbncc::cli
