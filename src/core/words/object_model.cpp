@@ -89,6 +89,15 @@ std::vector<std::vector<cv::Point2f>> outlines(const View& view) {
   return result;
 }
 
+void move_reference(ObjectModel& model, const Pose2D& reference) {
+  require(is_finite(reference), "the new reference must be finite");
+  require(!model.grasp,
+          "the object has a grasp, which belongs to the old reference; clear it first");
+  require(!model.views.empty(), "an object needs at least one view");
+  const Pose2D move = compose(inverse(model.views.front().reference), reference);
+  for (auto& view : model.views) view.reference = compose(view.reference, move);
+}
+
 void validate(const ObjectModel& model) {
   require(is_valid_name(model.name), "an object's name must match [A-Za-z][A-Za-z0-9_]{0,63}");
   require(!model.views.empty(), "an object needs at least one view");

@@ -1,0 +1,51 @@
+#include "nodelets/camera_input.hpp"
+
+#include <utility>
+
+namespace mbncc::nodelets {
+
+CameraInput::CameraInput(ros::NodeHandle node, const std::string& transport, Callback callback)
+    : node_(std::move(node)),
+      transport_(node_),
+      transport_name_(transport),
+      callback_(std::move(callback)) {}
+
+void CameraInput::set_active(bool active) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  if (active == static_cast<bool>(images_)) return;
+  if (!active) {
+    images_.shutdown();
+    images_ = image_transport::Subscriber();
+    infos_.shutdown();
+    info_.reset();
+    return;
+  }
+  infos_ = node_.subscribe<sensor_msgs::CameraInfo>(
+      "camera_info", 1, [this](const sensor_msgs::CameraInfoConstPtr& info) {
+        const std::lock_guard<std::mutex> info_lock(mutex_);
+        info_ = info;
+      });
+  images_ = transport_.subscribe(
+      "image_raw", 1, [this](const sensor_msgs::ImageConstPtr& image) { callback_(image); },
+      ros::VoidPtr(), image_transport::TransportHints(transport_name_));
+}
+
+bool CameraInput::active() const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return static_cast<bool>(images_);
+}
+
+std::uint32_t CameraInput::publishers() const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return images_ ? images_.getNumPublishers() : 0;
+}
+
+sensor_msgs::CameraInfoConstPtr CameraInput::camera_info_for(
+    const sensor_msgs::Image& image) const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  const bool fits = info_ && info_->width == image.width && info_->height == image.height &&
+                    info_->header.frame_id == image.header.frame_id;
+  return fits ? info_ : nullptr;
+}
+
+}  // namespace mbncc::nodelets

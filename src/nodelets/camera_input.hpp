@@ -1,0 +1,43 @@
+// image_raw and camera_info, subscribed to while somebody needs them.
+#pragma once
+
+#include <image_transport/image_transport.h>
+#include <ros/node_handle.h>
+#include <sensor_msgs/CameraInfo.h>
+#include <sensor_msgs/Image.h>
+
+#include <functional>
+#include <mutex>
+#include <string>
+
+namespace mbncc::nodelets {
+
+class CameraInput {
+ public:
+  using Callback = std::function<void(const sensor_msgs::ImageConstPtr&)>;
+
+  /// `transport`: raw, compressed ... Pictures reach `callback` on the node's callback thread.
+  CameraInput(ros::NodeHandle node, const std::string& transport, Callback callback);
+
+  /// Subscribes or unsubscribes; does nothing when that is so already.
+  void set_active(bool active);
+  bool active() const;
+
+  /// Number of publishers of the picture topic.
+  std::uint32_t publishers() const;
+
+  /// Calibration of this picture's size and frame as last heard of; null: none.
+  sensor_msgs::CameraInfoConstPtr camera_info_for(const sensor_msgs::Image& image) const;
+
+ private:
+  ros::NodeHandle node_;
+  image_transport::ImageTransport transport_;
+  const std::string transport_name_;
+  const Callback callback_;
+  mutable std::mutex mutex_;
+  image_transport::Subscriber images_;
+  ros::Subscriber infos_;
+  sensor_msgs::CameraInfoConstPtr info_;
+};
+
+}  // namespace mbncc::nodelets

@@ -1,0 +1,122 @@
+#include "nodelets/lesson_goal.hpp"
+
+#include <cmath>
+
+#include "nodelets/images.hpp"
+#include "nodelets/messages.hpp"
+#include "nodelets/outcome.hpp"
+
+namespace mbncc::nodelets {
+namespace {
+
+using Goal = mbncc_vision::LearnObjectGoal;
+using Fault = std::optional<mbncc_vision::LearnObjectResult>;
+
+constexpr std::size_t kLongestLabel = 256;  // [bytes]
+
+bool is_empty(const sensor_msgs::RegionOfInterest& roi) {
+  return roi.width == 0 && roi.height == 0;
+}
+
+Fault check_name(const Goal& goal, const LibrarySnapshot& library, int max_objects) {
+  if (goal.overwrite && goal.add_view)
+    return outcome(LearnError::kNameTaken, "Both overwrite and add_view are set.",
+                   "Set one of them: overwrite replaces the object, add_view adds a picture.");
+  const bool known = library.find(goal.name) != nullptr;
+  if (goal.name.empty() ? goal.add_view : !is_valid_name(goal.name))
+    return outcome(LearnError::kNameInvalid);
+  if (known && !goal.overwrite && !goal.add_view)
+    return outcome(LearnError::kNameTaken, "The library already holds '" + goal.name + "'.");
+  if (!known && goal.add_view)
+    return outcome(LearnError::kNameUnknown, "The library does not hold '" + goal.name + "'.");
+  if (!known && library.objects.size() >= static_cast<std::size_t>(max_objects))
+    return outcome(LearnError::kStorage,
+                   "The library holds " + std::to_string(max_objects) + " objects, its limit.",
+                   "Delete objects, or raise max_objects.");
+  if (goal.label.size() > kLongestLabel)
+    return outcome(LearnError::kNameInvalid, "The label is longer than 256 bytes.",
+                   "Give a shorter label.");
+  return {};
+}
+
+Fault check_mode(const Goal& goal) {
+  switch (goal.mode) {
+    case Goal::CHANGE:
+      return {};
+    case Goal::ROI:
+      if (!is_empty(goal.roi)) return {};
+      return outcome(LearnError::kRegionInvalid, "Mode ROI needs a region, but roi is 0 x 0.");
+    case Goal::OUTLINE:
+      if (goal.outline.points.size() >= 3) return {};
+      return outcome(LearnError::kRegionInvalid, "Mode OUTLINE needs three corners or more.");
+    case Goal::MASK:
+      if (is_given(goal.mask)) return {};
+      return outcome(LearnError::kRegionInvalid, "Mode MASK needs a mask, but it is empty.");
+    case Goal::CLICK:
+      return outcome(LearnError::kRegionInvalid, "Mode CLICK is not available yet.",
+                     "Teach by CHANGE, or mark the object by ROI, OUTLINE or MASK.");
+    default:
+      return outcome(LearnError::kRegionInvalid,
+                     "Mode " + std::to_string(goal.mode) + " does not exist.",
+                     "Give CHANGE, ROI, OUTLINE or MASK.");
+  }
+}
+
+Fault check_numbers(const Goal& goal) {
+  if (!std::isfinite(goal.object_height) || goal.object_height < 0)
+    return outcome(LearnError::kRegionInvalid, "The object's height is not a length.",
+                   "Give object_height in metres, 0 for a flat object.");
+  if (goal.set_reference && !from_msg(goal.reference))
+    return outcome(LearnError::kRegionInvalid, "The reference is not finite.",
+                   "Give reference x, y [px] and theta [rad], or leave set_reference false.");
+  if (!from_msg(goal.outline))
+    return outcome(LearnError::kRegionInvalid, "A corner of the outline is not finite.");
+  if (goal.timeout.toSec() < 0)
+    return outcome(LearnError::kTimeout, "The timeout is negative.",
+                   "Give a positive timeout, or 0 for the configured one.");
+  return {};
+}
+
+}  // namespace
+
+Fault check_goal(const Goal& goal, const LibrarySnapshot& library, int max_objects) {
+  if (auto fault = check_name(goal, library, max_objects)) return fault;
+  if (auto fault = check_mode(goal)) return fault;
+  return check_numbers(goal);
+}
+
+std::string name_for(const Goal& goal, const LibrarySnapshot& library) {
+  if (!goal.name.empty()) return goal.name;
+  std::size_t number = 1;
+  while (library.find("object_" + std::to_string(number))) ++number;
+  return "object_" + std::to_string(number);
+}
+
+GoalLesson to_lesson(const Goal& goal, const std::string& name, const cv::Mat& before,
+                     const cv::Mat& after) {
+  GoalLesson made;
+  Lesson& lesson = made.lesson;
+  lesson.before = before;
+  lesson.name = name;
+  lesson.label = goal.label;
+  lesson.object_height = goal.object_height;
+  if (goal.set_reference) lesson.reference = from_msg(goal.reference);
+  if (goal.mode == Goal::CHANGE || goal.mode == Goal::ROI) {
+    const auto region = from_msg(goal.roi, before.size());
+    if (!region) made.fault = outcome(LearnError::kRegionInvalid);
+    lesson.region = region.value_or(cv::Rect{});
+  }
+  if (goal.mode == Goal::CHANGE) lesson.after = after;
+  if (goal.mode == Goal::OUTLINE) lesson.outline = *from_msg(goal.outline);
+  if (goal.mode == Goal::MASK) {
+    const Decoded mask = decode_map(goal.mask);
+    if (!mask) made.fault = outcome(LearnError::kEncoding, "Mask: " + mask.fault + ".");
+    lesson.map = mask.picture;
+  }
+  const bool mismatch = (!lesson.after.empty() && lesson.after.size() != before.size()) ||
+                        (!lesson.map.empty() && lesson.map.size() != before.size());
+  if (mismatch) made.fault = outcome(LearnError::kImageMismatch);
+  return made;
+}
+
+}  // namespace mbncc::nodelets

@@ -1,0 +1,88 @@
+// The LearnObject action: one lesson at a time, on a thread of its own. A second goal is rejected
+// with BUSY and never disturbs the running one.
+#pragma once
+
+#include <actionlib/server/action_server.h>
+#include <mbncc_vision/LearnObjectAction.h>
+#include <ros/node_handle.h>
+
+#include <atomic>
+#include <chrono>
+#include <condition_variable>
+#include <functional>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <thread>
+
+#include "mbncc/error.hpp"
+
+namespace mbncc::nodelets {
+
+/// The client of a running lesson: what it wants, whether it still wants it, and its feedback.
+class LessonClient {
+ public:
+  using Handle = actionlib::ActionServer<mbncc_vision::LearnObjectAction>::GoalHandle;
+
+  LessonClient(Handle handle, std::chrono::duration<double> timeout);
+
+  const mbncc_vision::LearnObjectGoal& goal() const { return *goal_; }
+
+  /// Why the lesson must end now: cancelled or out of time. None: go on.
+  std::optional<LearnError> interruption() const;
+
+  /// [s] until the deadline, by the steady clock.
+  double remaining() const;
+
+  /// Publishes feedback; fills in `remaining` and keeps `progress` from falling.
+  void tell(mbncc_vision::LearnObjectFeedback feedback);
+
+ private:
+  friend class LessonServer;
+  Handle handle_;
+  boost::shared_ptr<const mbncc_vision::LearnObjectGoal> goal_;
+  std::chrono::steady_clock::time_point deadline_;
+  std::atomic<bool> cancelled_{false};
+  std::atomic<bool> stopped_{false};
+  float progress_ = 0;
+};
+
+class LessonServer {
+ public:
+  /// Result to reject a goal with, or none to accept it. Called on the callback thread.
+  using Admit = std::function<std::optional<mbncc_vision::LearnObjectResult>(
+      const mbncc_vision::LearnObjectGoal&)>;
+  /// Teaches; called on the worker thread. Must return soon after an interruption().
+  using Teach = std::function<mbncc_vision::LearnObjectResult(LessonClient&)>;
+
+  LessonServer(ros::NodeHandle node, const std::string& name, double default_timeout, Admit admit,
+               Teach teach);
+  /// Ends a running lesson; its client is told ABORTED.
+  ~LessonServer();
+
+  bool busy() const;
+
+ private:
+  using Server = actionlib::ActionServer<mbncc_vision::LearnObjectAction>;
+
+  void on_goal(LessonClient::Handle handle);
+  void on_cancel(LessonClient::Handle handle);
+  std::optional<mbncc_vision::LearnObjectResult> refusal(const mbncc_vision::LearnObjectGoal& goal);
+  bool reserve(const std::shared_ptr<LessonClient>& client);
+  void work();
+  mbncc_vision::LearnObjectResult teach_safely(LessonClient& client);
+  void finish(LessonClient& client, const mbncc_vision::LearnObjectResult& result);
+
+  const double default_timeout_;
+  const Admit admit_;
+  const Teach teach_;
+  mutable std::mutex mutex_;  // never held while calling the action server, which has its own
+  std::condition_variable changed_;
+  std::shared_ptr<LessonClient> running_;
+  bool accepted_ = false;
+  bool stopping_ = false;
+  Server server_;
+  std::thread worker_;
+};
+
+}  // namespace mbncc::nodelets

@@ -1,0 +1,66 @@
+#include "nodelets/live_matcher.hpp"
+
+#include <algorithm>
+#include <mutex>
+#include <utility>
+#include <vector>
+
+namespace mbncc::nodelets {
+namespace {
+
+std::string text(cv::Size size) {
+  return std::to_string(size.width) + " x " + std::to_string(size.height);
+}
+
+bool wanted(const std::vector<std::string>& names, const std::string& name) {
+  return names.empty() || std::find(names.begin(), names.end(), name) != names.end();
+}
+
+// Takes the objects that were learned in pictures of another size out of `names`.
+std::vector<std::string> drop_other_sizes(const LibrarySnapshot& library, cv::Size size,
+                                          std::vector<std::string>& names) {
+  std::vector<std::string> fitting, dropped;
+  for (const auto& name : names)
+    if (!library.find(name)) fitting.push_back(name);  // the matcher says that it is unknown
+  for (const auto& object : library.objects) {
+    if (!wanted(names, object->name) || (names.empty() && !object->enabled)) continue;
+    const cv::Size learned = object->views.front().picture_size;
+    if (learned == size)
+      fitting.push_back(object->name);
+    else
+      dropped.push_back(object->name + ": learned in pictures of " + text(learned) +
+                        ", this one is " + text(size));
+  }
+  names = fitting;
+  return dropped;
+}
+
+}  // namespace
+
+LiveMatcher::LiveMatcher(const SearchConfig& config, const std::string& library_path)
+    : matcher_(config), library_(library_path, [this](const SharedLibrary::Snapshot& snapshot) {
+        take_over(snapshot);
+      }) {}
+
+Found LiveMatcher::find(const cv::Mat& picture, SearchRequest request) const {
+  const std::shared_lock<std::shared_mutex> lock(mutex_);
+  Found found;
+  found.library = searched_;
+  const auto dropped = drop_other_sizes(*searched_, picture.size(), request.names);
+  // An empty list would mean all objects.
+  if (!request.names.empty()) found.result = matcher_.find(picture, request);
+  found.result.skipped.insert(found.result.skipped.end(), dropped.begin(), dropped.end());
+  return found;
+}
+
+void LiveMatcher::refresh(bool always) {
+  library_.refresh(always);
+}
+
+void LiveMatcher::take_over(const SharedLibrary::Snapshot& snapshot) {
+  const std::unique_lock<std::shared_mutex> lock(mutex_);
+  matcher_.set_objects(snapshot->objects);
+  searched_ = snapshot;
+}
+
+}  // namespace mbncc::nodelets

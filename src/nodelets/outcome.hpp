@@ -1,0 +1,16 @@
+// How a lesson ends, as its client hears it.
+#pragma once
+
+#include <mbncc_vision/LearnObjectResult.h>
+
+#include <string>
+
+#include "mbncc/error.hpp"
+
+namespace mbncc::nodelets {
+
+/// Result with code, message and hint of `error`; texts given here replace the usual ones.
+mbncc_vision::LearnObjectResult outcome(LearnError error, const std::string& message = "",
+                                        const std::string& hint = "");
+
+}  // namespace mbncc::nodelets

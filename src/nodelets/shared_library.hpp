@@ -1,0 +1,45 @@
+// The library as one nodelet's threads see it: one open folder, one current snapshot.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <mutex>
+#include <string>
+
+#include "mbncc/library/object_library.hpp"
+
+namespace mbncc::nodelets {
+
+/// `path` with a leading "~" replaced by the home folder.
+std::string expand_home(const std::string& path);
+
+class SharedLibrary {
+ public:
+  using Snapshot = std::shared_ptr<const LibrarySnapshot>;
+  /// Hears every new snapshot, also the first; called on whichever thread brought it, one at a
+  /// time.
+  using Listener = std::function<void(const Snapshot&)>;
+
+  /// Opens and reads the folder. Throws FileError.
+  SharedLibrary(const std::string& path, Listener listener);
+
+  const std::string& folder() const { return library_.folder(); }
+  Snapshot snapshot() const;
+
+  /// Reads the folder again, when a file changed or `always`. Throws FileError.
+  void refresh(bool always);
+
+  /// Runs `change` on the library, then reads it again. Throws what `change` throws.
+  ObjectModel change(const std::function<ObjectModel(ObjectLibrary&)>& change);
+
+ private:
+  void load();
+
+  mutable std::mutex snapshot_mutex_;
+  std::mutex library_mutex_;  // taken first
+  ObjectLibrary library_;
+  Snapshot snapshot_;
+  const Listener listener_;
+};
+
+}  // namespace mbncc::nodelets

@@ -1,0 +1,86 @@
+#include "nodelets/confirmation.hpp"
+
+#include <gtest/gtest.h>
+
+#include <future>
+#include <utility>
+
+namespace mbncc::nodelets {
+namespace {
+
+using Request = Confirmation::Request;
+using Response = Confirmation::Response;
+
+bool never() {
+  return false;
+}
+
+Request command(std::uint8_t code) {
+  Request request;
+  request.command = code;
+  return request;
+}
+
+// Asks again until a lesson has opened the desk.
+Response ask_patiently(Confirmation& desk, std::uint8_t code) {
+  Response response = desk.ask(command(code));
+  while (!response.success && response.message.rfind("no lesson", 0) == 0)
+    response = desk.ask(command(code));
+  return response;
+}
+
+TEST(Confirmation, RefusesWhileNoLessonWaits) {
+  Confirmation desk;
+  const Response response = desk.ask(command(Request::ACCEPT));
+  EXPECT_FALSE(response.success);
+  EXPECT_FALSE(response.message.empty());
+}
+
+TEST(Confirmation, CarriesCommandsAndAnswersAcross) {
+  Confirmation desk;
+  auto operator_side = std::async(std::launch::async, [&desk] {
+    const Response first = ask_patiently(desk, Request::UNDO);
+    return std::make_pair(first, ask_patiently(desk, Request::ACCEPT));
+  });
+  for (const auto expected : {Request::UNDO, Request::ACCEPT}) {
+    const auto request = desk.next(never);
+    ASSERT_TRUE(request);
+    EXPECT_EQ(request->command, expected);
+    Response response;
+    response.success = true;
+    response.message = std::to_string(expected);
+    desk.answer(response);
+  }
+  const auto answers = operator_side.get();
+  EXPECT_EQ(answers.first.message, std::to_string(Request::UNDO));
+  EXPECT_EQ(answers.second.message, std::to_string(Request::ACCEPT));
+}
+
+TEST(Confirmation, EndsWhenInterrupted) {
+  Confirmation desk;
+  EXPECT_FALSE(desk.next([] { return true; }));
+}
+
+TEST(Confirmation, ReleasesTheOperatorWhenTheLessonEnds) {
+  Confirmation desk;
+  auto operator_side =
+      std::async(std::launch::async, [&desk] { return ask_patiently(desk, Request::ACCEPT); });
+  ASSERT_TRUE(desk.next(never));
+  desk.close();
+  EXPECT_FALSE(operator_side.get().success);
+}
+
+TEST(Confirmation, AnAnswerGivenJustBeforeTheEndArrives) {
+  Confirmation desk;
+  auto operator_side =
+      std::async(std::launch::async, [&desk] { return ask_patiently(desk, Request::ACCEPT); });
+  ASSERT_TRUE(desk.next(never));
+  Response response;
+  response.success = true;
+  desk.answer(response);
+  desk.close();
+  EXPECT_TRUE(operator_side.get().success);
+}
+
+}  // namespace
+}  // namespace mbncc::nodelets

@@ -1,0 +1,120 @@
+#include "nodelets/edit_command.hpp"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+#include "library/models.hpp"
+#include "nodelets/messages.hpp"
+#include "support/temporary_folder.hpp"
+
+namespace mbncc::nodelets {
+namespace {
+
+using Request = mbncc_vision::EditObject::Request;
+
+class EditObject : public ::testing::Test {
+ protected:
+  EditObject() {
+    ObjectModel model = test::random_model(1, "cup");
+    model.grasp.reset();
+    library_.save(model, ObjectLibrary::Existing::kRefuse);
+  }
+
+  Request request(std::uint8_t command) {
+    Request request;
+    request.name = "cup";
+    request.command = command;
+    return request;
+  }
+
+  ObjectModel stored(const std::string& name = "cup") { return *library_.load()->find(name); }
+
+  test::TemporaryFolder folder_;
+  ObjectLibrary library_{folder_.path()};
+};
+
+TEST_F(EditObject, SwitchesTheSearchOffAndOn) {
+  EXPECT_FALSE(edit_object(library_, request(Request::DISABLE)).enabled);
+  EXPECT_FALSE(stored().enabled);
+  EXPECT_TRUE(edit_object(library_, request(Request::ENABLE)).enabled);
+  EXPECT_TRUE(stored().enabled);
+}
+
+TEST_F(EditObject, Renames) {
+  auto rename = request(Request::RENAME);
+  rename.new_name = "mug";
+  rename.label = "The mug";
+  EXPECT_EQ(edit_object(library_, rename).name, "mug");
+  EXPECT_EQ(stored("mug").label, "The mug");
+  EXPECT_EQ(library_.load()->find("cup"), nullptr);
+}
+
+TEST_F(EditObject, DeletesAndRestores) {
+  EXPECT_EQ(edit_object(library_, request(Request::DELETE)).name, "cup");
+  EXPECT_TRUE(library_.load()->objects.empty());
+  EXPECT_EQ(edit_object(library_, request(Request::RESTORE)).name, "cup");
+  EXPECT_NE(library_.load()->find("cup"), nullptr);
+}
+
+TEST_F(EditObject, MovesTheReference) {
+  auto move = request(Request::SET_REFERENCE);
+  move.reference.x = 5;
+  move.reference.theta = 0.5;
+  const std::uint32_t before = stored().revision;
+  edit_object(library_, move);
+  EXPECT_DOUBLE_EQ(stored().views.front().reference.x, 5);
+  EXPECT_DOUBLE_EQ(stored().views.front().reference.theta, 0.5);
+  EXPECT_GT(stored().revision, before);
+}
+
+TEST_F(EditObject, KeepsTheReferenceOfAGraspedObject) {
+  auto grasp = request(Request::SET_GRASP);
+  grasp.grasp.orientation.w = 1;
+  edit_object(library_, grasp);
+  EXPECT_THROW(edit_object(library_, request(Request::SET_REFERENCE)), std::invalid_argument);
+  grasp.clear = true;
+  edit_object(library_, grasp);
+  EXPECT_FALSE(stored().grasp);
+  EXPECT_NO_THROW(edit_object(library_, request(Request::SET_REFERENCE)));
+}
+
+TEST_F(EditObject, SetsAndClearsTheThreshold) {
+  auto threshold = request(Request::SET_THRESHOLD);
+  threshold.min_score = 0.5f;
+  EXPECT_DOUBLE_EQ(*edit_object(library_, threshold).min_score, 0.5);
+  threshold.clear = true;
+  EXPECT_FALSE(edit_object(library_, threshold).min_score);
+}
+
+TEST_F(EditObject, RefusesNonsenseAndChangesNothing) {
+  const ObjectModel before = stored();
+  auto threshold = request(Request::SET_THRESHOLD);
+  for (const float score : {0.0f, -1.0f, 1.5f, std::numeric_limits<float>::quiet_NaN()}) {
+    threshold.min_score = score;
+    EXPECT_THROW(edit_object(library_, threshold), std::invalid_argument) << score;
+  }
+  auto reference = request(Request::SET_REFERENCE);
+  reference.reference.y = std::numeric_limits<double>::infinity();
+  EXPECT_THROW(edit_object(library_, reference), std::invalid_argument);
+  EXPECT_THROW(edit_object(library_, request(Request::SET_GRASP)), std::invalid_argument);
+  EXPECT_THROW(edit_object(library_, request(99)), std::invalid_argument);
+  auto rename = request(Request::RENAME);
+  rename.new_name = "../mug";
+  EXPECT_THROW(edit_object(library_, rename), std::invalid_argument);
+  test::expect_equal(stored(), before);
+}
+
+TEST_F(EditObject, NamesAnUnknownObject) {
+  for (std::uint8_t command = Request::ENABLE; command <= Request::SET_THRESHOLD; ++command) {
+    auto edit = request(command);
+    edit.name = "wrench";
+    edit.new_name = "pliers";
+    edit.min_score = 0.5f;
+    edit.grasp.orientation.w = 1;
+    EXPECT_THROW(edit_object(library_, edit), std::invalid_argument) << int(command);
+  }
+}
+
+}  // namespace
+}  // namespace mbncc::nodelets
