@@ -41,7 +41,8 @@ TEST_P(EveryMethod, GivesTheSameMapTwice) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Learning, EveryMethod,
-                         testing::Values("auto", "sb_grabcut", "grabcut_rect", "grabcut_mask"));
+                         testing::Values("change_cut", "sb_grabcut", "grabcut_rect",
+                                         "grabcut_mask"));
 
 TEST(LearnObject, LearnsFromARegionAlone) {
   DrawnLesson drawn = draw_lesson();
@@ -194,6 +195,12 @@ TEST(LearnErrors, ImageMismatch) {
   EXPECT_EQ(error_for(lesson), LearnError::kImageMismatch);
   lesson.map = cv::Mat(drawn.truth.size(), CV_8UC3);
   EXPECT_EQ(error_for(lesson), LearnError::kImageMismatch);
+}
+
+TEST(LearnErrors, ChangeCutNeedsAPictureAfter) {
+  DrawnLesson drawn = draw_lesson();
+  drawn.lesson.after = cv::Mat();
+  EXPECT_EQ(learn_object(drawn.lesson, with_method("change_cut")).error, LearnError::kNoImage);
 }
 
 TEST(LearnErrors, NothingSaysWhereTheObjectIs) {

@@ -66,28 +66,27 @@ class LessonRun {
 
   SegmentationTask mark_region() {
     const StepTimer timer(result_.timings_ms, "region");
-    SegmentationTask task{lesson_.before, lesson_.after, usable_region(lesson_), {}};
+    SegmentationTask task{lesson_.before, lesson_.after, usable_region(lesson_), {}, {}};
+    if (!task.after.empty()) survey(task);
     if (!lesson_.outline.empty()) {
       task.approximate = outline_map(lesson_);
       task.region = cv::boundingRect(task.approximate);
-    } else if (!lesson_.after.empty()) {
-      mark_change(task);
     } else {
-      task.approximate = cv::Mat::zeros(lesson_.before.size(), CV_8UC1);
+      task.approximate = cv::Mat::zeros(task.before.size(), CV_8UC1);
       task.approximate(task.region).setTo(255);
+      if (!task.after.empty()) task.approximate &= task.changed;
+      if (cv::countNonZero(task.approximate) == 0) throw LessonEnded(LearnError::kNoChange);
     }
     progress_.report(Stage::kRegion, 0.1, "Marking the approximate region.",
                      [&] { return tinted(task.before, task.approximate, task.region); });
     return task;
   }
 
-  void mark_change(SegmentationTask& task) {
+  void survey(SegmentationTask& task) {
     const ChangeSurvey survey = survey_change(task.before, task.after);
     if (survey.fraction > config_.max_change) throw LessonEnded(LearnError::kChangeTooLarge);
+    task.changed = survey.changed;
     if (lesson_.region == cv::Rect()) task.region = changed_region(survey);
-    task.approximate = cv::Mat::zeros(task.before.size(), CV_8UC1);
-    if (!task.region.empty()) survey.changed(task.region).copyTo(task.approximate(task.region));
-    if (cv::countNonZero(task.approximate) == 0) throw LessonEnded(LearnError::kNoChange);
   }
 
   Segmentation segment(const SegmentationTask& task) {

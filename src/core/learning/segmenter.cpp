@@ -3,6 +3,7 @@
 #include <stdexcept>
 
 #include "learning/clean_map.hpp"
+#include "mbncc/learning/change_cut.hpp"
 #include "mbncc/learning/sb_grabcut.hpp"
 
 namespace mbncc {
@@ -42,10 +43,21 @@ Segmentation by_grabcut_mask(const SegmentationTask& task, const LearningConfig&
           std::nullopt};
 }
 
+Segmentation by_change_cut(const SegmentationTask& task, const LearningConfig& config,
+                           LessonProgress& progress) {
+  if (task.after.empty())
+    throw LessonEnded(LearnError::kNoImage, "The method change_cut needs a picture after.");
+  const ChangeCut cut =
+      change_cut(task.before, task.after, task.region, task.changed, config.iterations,
+                 config.max_shift, report_cuts(config, progress));
+  return {cut.map, cut.evidence};
+}
+
 }  // namespace
 
-Segmenter segmenter_of(const std::string& method, bool /*has_after*/) {
-  if (method == "auto") return by_sb_grabcut;
+Segmenter segmenter_of(const std::string& method, bool has_after) {
+  if (method == "auto") return segmenter_of(has_after ? "change_cut" : "sb_grabcut", has_after);
+  if (method == "change_cut") return by_change_cut;
   if (method == "sb_grabcut") return by_sb_grabcut;
   if (method == "grabcut_rect") return by_grabcut_rect;
   if (method == "grabcut_mask") return by_grabcut_mask;

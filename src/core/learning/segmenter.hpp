@@ -18,6 +18,7 @@ struct SegmentationTask {
   cv::Mat after;        ///< CV_8UC3, or empty
   cv::Rect region;      ///< [px] the object lies in here
   cv::Mat approximate;  ///< CV_8UC1, 255 on the paper's approximate region
+  cv::Mat changed;      ///< CV_8UC1, 255 where the pictures differ anywhere; empty without `after`
 };
 
 struct Segmentation {

@@ -76,7 +76,7 @@ void weigh_evidence(const CutEvidence& evidence, Charges& charges) {
   charges.above("change_outside_region", evidence.change_outside, 0.1, 0.5);
   charges.below("unstable_cut", evidence.stability, 0.6, 0.3);
   charges.below("weak_boundary", evidence.boundary_contrast, 0.35, 0.1);
-  charges.above("looks_like_shadow", evidence.shadow_fraction, 0.2, 0.5);
+  charges.above("looks_like_shadow", evidence.shadow_fraction, 0.5, 1);
 }
 
 }  // namespace

@@ -1,0 +1,24 @@
+// Change cut: the object is what the unchanged, perhaps shadowed, platform of the picture after
+// cannot explain in the picture before, cut out along the edges that vanished with it.
+#pragma once
+
+#include <opencv2/core.hpp>
+
+#include "mbncc/learning/quality.hpp"
+#include "mbncc/learning/sb_grabcut.hpp"
+
+namespace mbncc {
+
+struct ChangeCut {
+  cv::Mat map;  ///< CV_8UC1 of the pictures' size, 0/255; all 0 when nothing in the region changed
+  CutEvidence evidence;
+};
+
+/// `before` and `after` are CV_8UC3 of one size; `region` holds the object, inside the pictures.
+/// `changed` (CV_8UC1, as by survey_change()) marks coarsely what changed anywhere. The camera may
+/// have moved by up to `max_shift` pixels.
+ChangeCut change_cut(const cv::Mat& before, const cv::Mat& after, const cv::Rect& region,
+                     const cv::Mat& changed, int iterations, int max_shift,
+                     const BeforeCut& before_cut = {});
+
+}  // namespace mbncc

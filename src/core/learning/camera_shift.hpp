@@ -1,0 +1,20 @@
+// A small camera shift between two pictures.
+#pragma once
+
+#include <opencv2/core.hpp>
+
+namespace mbncc {
+
+/// Luminance of a CV_32FC3 picture, lightly smoothed (sigma 1): what the shift is measured on.
+cv::Mat smooth_luminance(const cv::Mat& picture);
+
+/// Displacement d [px] such that before(x) = after(x + d) on the `trusted` pixels (CV_8UC1), by
+/// robust Gauss-Newton from 0. (0, 0) unless it explains the pictures clearly better than no shift,
+/// and when it is longer than `max_shift`. Pictures as by smooth_luminance().
+cv::Point2d estimate_shift(const cv::Mat& before, const cv::Mat& after, const cv::Mat& trusted,
+                           double max_shift);
+
+/// `picture` moved so that it shows at x what it showed at x + shift.
+cv::Mat undo_shift(const cv::Mat& picture, const cv::Point2d& shift, int interpolation);
+
+}  // namespace mbncc

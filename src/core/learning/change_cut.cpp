@@ -1,0 +1,129 @@
+#include "mbncc/learning/change_cut.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <opencv2/imgproc.hpp>
+
+#include "learning/align_pictures.hpp"
+#include "learning/arrival_test.hpp"
+#include "learning/background_likelihood.hpp"
+#include "learning/clean_map.hpp"
+#include "learning/cut_evidence.hpp"
+#include "learning/graph_cut.hpp"
+#include "learning/rectangles.hpp"
+#include "learning/smoothness.hpp"
+
+namespace mbncc {
+namespace {
+
+constexpr float kAnyColour = 0.02F;    // part of the object's pixels in colours not seen yet
+constexpr float kUnaryWeight = 1.15F;  // against the smoothness
+constexpr float kHighestUnary = 60;
+constexpr float kArrivalUnary = 12;  // log-likelihood ratio given to arrivals
+constexpr int kFewestPixels = 30;    // of a seed worth cutting
+
+// What one round of cutting works on; all pictures have the crop's size.
+class Cutter {
+ public:
+  Cutter(const AlignedPair& pair, const cv::Rect& crop, const cv::Rect& region)
+      : pair_(pair),
+        before_(pair.before(crop - pair.window.tl())),
+        after_(pair.after(crop - pair.window.tl())),
+        inside_(cv::Mat::zeros(crop.size(), CV_8UC1)) {
+    inside_(region - crop.tl()).setTo(255);
+  }
+
+  void explain_background() {
+    noise_ = learn_noise(pair_);
+    platform_ = ColourMixture::fit(pair_.before, pair_.trusted);
+    background_ = background_likelihood(before_, after_, noise_, platform_);
+  }
+
+  // The changed pixels that the foreground's colours are first learned from.
+  bool seed() {
+    map_ = (background_.changed > 0.5) & inside_;
+    cv::morphologyEx(map_, map_, cv::MORPH_OPEN,
+                     cv::getStructuringElement(cv::MORPH_ELLIPSE, {3, 3}));
+    exclude(find_arrivals(before_, after_, map_, platform_));
+    keep_main_groups(map_, background_.changed);
+    return cv::countNonZero(map_) >= kFewestPixels;
+  }
+
+  void weigh_edges() { smoothness_ = smoothness(before_, after_, noise_); }
+
+  void cut() {
+    unary_ = unary_of(ColourMixture::fit(before_, map_, background_.changed));
+    cv::Mat next = minimum_cut(unary_, smoothness_);
+    if (cv::countNonZero(next) < kFewestPixels) return;
+    keep_main_groups(next, unary_);
+    map_ = next;
+  }
+
+  void clean() { map_ = clean_map(map_, unary_); }
+
+  const cv::Mat& map() const { return map_; }
+
+  CutEvidence evidence() const {
+    return cut_evidence({map_, inside_, unary_, background_.changed, background_.shadow},
+                        smoothness_);
+  }
+
+ private:
+  // Arrivals lie in the picture after: in the one before, they are platform.
+  void exclude(cv::Mat arrivals) {
+    if (cv::countNonZero(arrivals) == 0) return;
+    map_.setTo(0, arrivals);
+    cv::dilate(arrivals, arrivals, cv::getStructuringElement(cv::MORPH_ELLIPSE, {7, 7}));
+    arrivals.setTo(0, map_);
+    background_.changed.setTo(0, arrivals);
+    background_.log_ratio.setTo(kArrivalUnary, arrivals);
+  }
+
+  // Positive where the object explains a pixel better than the platform.
+  cv::Mat unary_of(const ColourMixture& object) const {
+    const float uniform = std::exp(-log_uniform_colour());
+    cv::Mat unary(before_.size(), CV_32FC1, cv::Scalar(-kHighestUnary));
+    for (int y = 0; y < before_.rows; ++y)
+      for (int x = 0; x < before_.cols; ++x) {
+        if (!inside_.at<uchar>(y, x)) continue;
+        const float density = object.density(before_.at<cv::Vec3f>(y, x)) * uniform;
+        const float ratio = std::log((1 - kAnyColour) * density + kAnyColour) -
+                            background_.log_ratio.at<float>(y, x);
+        unary.at<float>(y, x) = std::clamp(kUnaryWeight * ratio, -kHighestUnary, kHighestUnary);
+      }
+    return unary;
+  }
+
+  const AlignedPair& pair_;
+  cv::Mat before_, after_, inside_;
+  NoiseModel noise_;
+  ColourMixture platform_;
+  BackgroundLikelihood background_;
+  Smoothness smoothness_;
+  cv::Mat unary_, map_;
+};
+
+}  // namespace
+
+ChangeCut change_cut(const cv::Mat& before, const cv::Mat& after, const cv::Rect& region,
+                     const cv::Mat& changed, int iterations, int max_shift,
+                     const BeforeCut& before_cut) {
+  const int margin = std::max(6, std::max(region.width, region.height) / 20);
+  const cv::Rect crop = grown(region, margin) & cv::Rect({0, 0}, before.size());
+  const AlignedPair pair = align_pictures(before, after, region, changed, max_shift);
+  Cutter cutter(pair, crop, region);
+  cutter.explain_background();
+  ChangeCut result{cv::Mat::zeros(before.size(), CV_8UC1), {}};
+  if (!cutter.seed()) return result;
+  cutter.weigh_edges();
+  for (int i = 0; i < iterations; ++i) {
+    if (before_cut) before_cut(i);
+    cutter.cut();
+  }
+  cutter.clean();
+  cutter.map().copyTo(result.map(crop));
+  result.evidence = cutter.evidence();
+  return result;
+}
+
+}  // namespace mbncc

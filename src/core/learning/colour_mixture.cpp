@@ -1,0 +1,168 @@
+#include "learning/colour_mixture.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace mbncc {
+namespace {
+
+constexpr int kMostComponents = 5;
+constexpr int kMostSamples = 3000;
+constexpr int kFewestSamples = 20;
+constexpr int kRounds = 2;          // of reassignment
+constexpr double kLeastSpread = 4;  // [grey levels^2] narrower clusters are not split
+constexpr double kRegularity = 36;  // [grey levels^2] added to each covariance's diagonal
+constexpr float kLeastWeight = 0.05F;
+const double kLog2Pi = std::log(2 * CV_PI);
+
+struct Sample {
+  cv::Vec3f colour;
+  float weight;
+  int component = 0;
+};
+
+struct Moments {
+  double weight = 0;
+  cv::Vec3d mean;
+  cv::Matx33d covariance;
+};
+
+std::vector<Sample> draw_samples(const cv::Mat& picture, const cv::Mat& mask,
+                                 const cv::Mat& weight) {
+  const int step = std::max(1, cv::countNonZero(mask) / kMostSamples);
+  std::vector<Sample> samples;
+  int seen = 0;
+  for (int y = 0; y < picture.rows; ++y)
+    for (int x = 0; x < picture.cols; ++x)
+      if (mask.at<uchar>(y, x) && seen++ % step == 0)
+        samples.push_back({picture.at<cv::Vec3f>(y, x),
+                           weight.empty() ? 1 : std::max(kLeastWeight, weight.at<float>(y, x))});
+  return samples;
+}
+
+Moments moments_of(const std::vector<Sample>& samples, int component) {
+  Moments m;
+  cv::Matx33d squares = cv::Matx33d::zeros();
+  for (const auto& sample : samples) {
+    if (sample.component != component) continue;
+    const cv::Vec3d colour = sample.colour;
+    m.weight += sample.weight;
+    m.mean += sample.weight * colour;
+    squares += sample.weight * (colour * colour.t());
+  }
+  if (m.weight <= 0) return m;
+  m.mean *= 1 / m.weight;
+  m.covariance = squares * (1 / m.weight) - m.mean * m.mean.t();
+  return m;
+}
+
+// Main axis by power iteration; a fixed start keeps it repeatable.
+cv::Vec3d main_axis(const cv::Matx33d& covariance) {
+  cv::Vec3d axis(1, 0.9, 0.8);
+  for (int i = 0; i < 12; ++i) {
+    axis = covariance * axis;
+    const double length = cv::norm(axis);
+    if (length < 1e-9) break;
+    axis *= 1 / length;
+  }
+  return axis;
+}
+
+// Splits the component with the largest spread along its main axis (Orchard and Bouman). False when
+// none is worth splitting.
+bool split_widest(std::vector<Sample>& samples, int count) {
+  double widest = 0;
+  int chosen = -1;
+  cv::Vec3d axis, mean;
+  for (int k = 0; k < count; ++k) {
+    const Moments m = moments_of(samples, k);
+    if (m.weight <= 0) continue;
+    const cv::Vec3d a = main_axis(m.covariance);
+    const double spread = a.dot(m.covariance * a) * m.weight;
+    if (spread <= widest) continue;
+    widest = spread;
+    chosen = k;
+    axis = a;
+    mean = m.mean;
+  }
+  if (chosen < 0 || widest / static_cast<double>(samples.size()) < kLeastSpread) return false;
+  for (auto& sample : samples)
+    if (sample.component == chosen && axis.dot(cv::Vec3d(sample.colour) - mean) > 0)
+      sample.component = count;
+  return true;
+}
+
+}  // namespace
+
+class MixtureFit {
+ public:
+  explicit MixtureFit(std::vector<Sample> samples) : samples_(std::move(samples)) {}
+
+  ColourMixture run() {
+    while (count_ < kMostComponents && split_widest(samples_, count_)) ++count_;
+    estimate();
+    for (int round = 0; round < kRounds; ++round) {
+      reassign();
+      estimate();
+    }
+    return std::move(mixture_);
+  }
+
+ private:
+  void estimate() {
+    mixture_.components_.clear();
+    double total = 0;
+    for (const auto& sample : samples_) total += sample.weight;
+    for (int k = 0; k < count_; ++k) {
+      const Moments m = moments_of(samples_, k);
+      if (m.weight <= 0) continue;
+      const cv::Matx33d covariance = m.covariance + cv::Matx33d::eye() * kRegularity;
+      ColourMixture::Component component;
+      component.mean = m.mean;
+      component.precision = covariance.inv(cv::DECOMP_CHOLESKY);
+      component.log_weight = static_cast<float>(
+          std::log(m.weight / total) - 0.5 * std::log(cv::determinant(covariance)) - 1.5 * kLog2Pi);
+      mixture_.components_.push_back(component);
+    }
+    count_ = static_cast<int>(mixture_.components_.size());
+  }
+
+  void reassign() {
+    for (auto& sample : samples_) {
+      float best = -std::numeric_limits<float>::infinity();
+      for (int k = 0; k < count_; ++k) {
+        const float log_density = mixture_.components_[k].log_density(sample.colour);
+        if (log_density <= best) continue;
+        best = log_density;
+        sample.component = k;
+      }
+    }
+  }
+
+  std::vector<Sample> samples_;
+  int count_ = 1;
+  ColourMixture mixture_;
+};
+
+ColourMixture ColourMixture::fit(const cv::Mat& picture, const cv::Mat& mask,
+                                 const cv::Mat& weight) {
+  auto samples = draw_samples(picture, mask, weight);
+  if (samples.size() < kFewestSamples) return {};
+  return MixtureFit(std::move(samples)).run();
+}
+
+float ColourMixture::Component::log_density(const cv::Vec3f& colour) const {
+  const float a = colour[0] - mean[0], b = colour[1] - mean[1], c = colour[2] - mean[2];
+  const auto& p = precision;
+  const float distance = a * a * p(0, 0) + b * b * p(1, 1) + c * c * p(2, 2) +
+                         2 * (a * b * p(0, 1) + a * c * p(0, 2) + b * c * p(1, 2));
+  return log_weight - 0.5F * distance;
+}
+
+float ColourMixture::density(const cv::Vec3f& colour) const {
+  float sum = 0;
+  for (const auto& component : components_) sum += std::exp(component.log_density(colour));
+  return sum;
+}
+
+}  // namespace mbncc

@@ -1,0 +1,34 @@
+// Gaussian mixture of colours.
+#pragma once
+
+#include <opencv2/core.hpp>
+#include <vector>
+
+namespace mbncc {
+
+class ColourMixture {
+ public:
+  /// Fits up to five Gaussians to the pixels of `picture` (CV_32FC3) on `mask` (CV_8UC1), weighted
+  /// by `weight` (CV_32FC1; empty: all 1); at most about 3000 of them. The start is deterministic:
+  /// the widest cluster is split along its main axis. Fewer than 20 pixels leave it empty.
+  static ColourMixture fit(const cv::Mat& picture, const cv::Mat& mask, const cv::Mat& weight = {});
+
+  bool empty() const { return components_.empty(); }
+
+  /// Density of a colour. [1 / grey level^3]
+  float density(const cv::Vec3f& colour) const;
+
+ private:
+  struct Component {
+    cv::Vec3f mean;
+    cv::Matx33f precision;
+    float log_weight = 0;  // of the component, including the Gaussian's constant
+
+    float log_density(const cv::Vec3f& colour) const;
+  };
+
+  friend class MixtureFit;
+  std::vector<Component> components_;
+};
+
+}  // namespace mbncc

@@ -1,0 +1,78 @@
+#include "learning/cut_evidence.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <opencv2/imgproc.hpp>
+
+#include "learning/clean_map.hpp"
+#include "learning/graph_cut.hpp"
+#include "learning/half_smoothness.hpp"
+#include "learning/map_measures.hpp"
+
+namespace mbncc {
+namespace {
+
+constexpr float kBalanceShift = 2;        // log-odds per pixel by which the re-cuts are tilted
+constexpr float kForcedBackground = -50;  // unary outside the region
+constexpr float kUndecided = 1.5F;        // log-odds below which a pixel is claimed by no side
+constexpr float kSurelyChanged = 0.7F;
+
+double part(const cv::Mat& of, const cv::Mat& among) {
+  const int all = cv::countNonZero(among);
+  return all == 0 ? 0 : cv::countNonZero(of & among) / static_cast<double>(all);
+}
+
+double region_touch(const cv::Mat& map, const cv::Mat& inside) {
+  cv::Mat core;
+  cv::erode(inside, core, cv::Mat(), {-1, -1}, 2, cv::BORDER_CONSTANT, cv::Scalar(0));
+  return part(~core, outline_pixels(map));
+}
+
+// Mean strength of the edges that the outline follows, 1: it costs nothing there.
+double boundary_contrast(const cv::Mat& map, const Smoothness& smoothness) {
+  double cost = 0, length = 0;
+  for (const int k : {0, 2})  // left and upper neighbour
+    for (int y = 1; y < map.rows; ++y)
+      for (int x = 1; x < map.cols; ++x)
+        if (map.at<uchar>(y, x) != map.at<uchar>(y + Smoothness::kDy[k], x + Smoothness::kDx[k])) {
+          cost += smoothness.weights[k].at<float>(y, x) / smoothness.strength;
+          ++length;
+        }
+  return 1 - cost / std::max(1.0, length);
+}
+
+double agreement(const cv::Mat& a, const cv::Mat& b) {
+  const int either = cv::countNonZero(a | b);
+  return either == 0 ? 0 : cv::countNonZero(a & b) / static_cast<double>(either);
+}
+
+// Least agreement of the map with two cuts at half resolution whose balance is tilted either way.
+double stability(const FinishedCut& cut, const Smoothness& smoothness) {
+  const Smoothness half = half_resolution(smoothness);
+  double least = 1;
+  for (const float tilt : {-kBalanceShift, kBalanceShift}) {
+    cv::Mat unary = cut.unary + tilt;
+    unary.setTo(kForcedBackground, ~cut.inside);
+    cv::Mat coarse = minimum_cut(half_resolution(unary), half), tilted;
+    cv::resize(coarse, tilted, coarse.size() * 2, 0, 0, cv::INTER_NEAREST);
+    tilted = tilted(cv::Rect({0, 0}, cut.map.size())).clone();
+    keep_main_groups(tilted, unary);
+    least = std::min(least, agreement(tilted, cut.map));
+  }
+  return least;
+}
+
+}  // namespace
+
+CutEvidence cut_evidence(const FinishedCut& cut, const Smoothness& smoothness) {
+  CutEvidence evidence;
+  evidence.region_touch = region_touch(cut.map, cut.inside);
+  evidence.change_outside = part(cut.changed > kSurelyChanged, ~cut.inside);
+  evidence.stability = stability(cut, smoothness);
+  evidence.boundary_contrast = boundary_contrast(cut.map, smoothness);
+  evidence.shadow_fraction = part(cut.shadow > 0.5, cut.map);
+  evidence.ambiguous = part(cv::abs(cut.unary) < kUndecided, cut.inside);
+  return evidence;
+}
+
+}  // namespace mbncc

@@ -1,0 +1,22 @@
+// What a finished cut tells about its own reliability.
+#pragma once
+
+#include <opencv2/core.hpp>
+
+#include "learning/smoothness.hpp"
+#include "mbncc/learning/quality.hpp"
+
+namespace mbncc {
+
+/// Pictures of one crop.
+struct FinishedCut {
+  cv::Mat map;      ///< CV_8UC1
+  cv::Mat inside;   ///< CV_8UC1, 255 in the region
+  cv::Mat unary;    ///< CV_32FC1, what the last cut minimised
+  cv::Mat changed;  ///< CV_32FC1, as in BackgroundLikelihood
+  cv::Mat shadow;   ///< CV_32FC1, likewise
+};
+
+CutEvidence cut_evidence(const FinishedCut& cut, const Smoothness& smoothness);
+
+}  // namespace mbncc

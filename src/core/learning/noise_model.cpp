@@ -1,0 +1,186 @@
+#include "learning/noise_model.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <opencv2/imgproc.hpp>
+#include <vector>
+
+#include "learning/statistics.hpp"
+
+namespace mbncc {
+namespace {
+
+constexpr float kLeastSigma = 0.6F;      // [grey levels] rounding to 8 bits in two pictures
+constexpr float kUnknownSigma = 4;       // [grey levels] where the ring is too small to tell
+constexpr float kFlatGradient = 64;      // squared [grey levels / px]: below, no edge disturbs
+constexpr float kClipped = 252;          // [grey levels]
+constexpr float kPooledPart = 0.7F;      // of the 3 x 3 mean in pool()
+constexpr float kPooledQuantile = 4.9F;  // 90 % of a pooled chi^2 of three degrees lie below
+
+// Differences on trusted pixels: by brightness where it is flat, by gradient elsewhere.
+struct Differences {
+  std::array<std::vector<float>, 3> flat;
+  std::array<std::array<std::vector<float>, NoiseModel::kBins>, 3> flat_by_brightness;
+  std::vector<cv::Vec2f> sloped;  // squared difference, squared gradient; green channel
+};
+
+int brightness_bin(float value) {
+  return std::clamp(static_cast<int>(value / NoiseModel::kBins), 0, NoiseModel::kBins - 1);
+}
+
+float squared_gradient(const cv::Mat& picture, int y, int x, int channel) {
+  const float gx =
+      (picture.at<cv::Vec3f>(y, x + 1)[channel] - picture.at<cv::Vec3f>(y, x - 1)[channel]) / 2;
+  const float gy =
+      (picture.at<cv::Vec3f>(y + 1, x)[channel] - picture.at<cv::Vec3f>(y - 1, x)[channel]) / 2;
+  return gx * gx + gy * gy;
+}
+
+void collect_pixel(const AlignedPair& pair, int y, int x, Differences& differences) {
+  for (int c = 0; c < 3; ++c) {
+    const float a = pair.after.at<cv::Vec3f>(y, x)[c], b = pair.before.at<cv::Vec3f>(y, x)[c];
+    if (a > kClipped && b > kClipped) continue;
+    const float gradient = squared_gradient(pair.after, y, x, c);
+    if (gradient < kFlatGradient) {
+      differences.flat[c].push_back(std::abs(b - a));
+      differences.flat_by_brightness[c][brightness_bin(a)].push_back(std::abs(b - a));
+    }
+    if (c == 1 && gradient > 36) differences.sloped.emplace_back((b - a) * (b - a), gradient);
+  }
+}
+
+Differences collect(const AlignedPair& pair) {
+  Differences differences;
+  for (int y = 1; y < pair.after.rows - 1; ++y)
+    for (int x = 1 + y % 2; x < pair.after.cols - 1; x += 2)
+      if (pair.trusted.at<uchar>(y, x)) collect_pixel(pair, y, x, differences);
+  return differences;
+}
+
+// The median of whole-numbered differences is coarse: the 68 % quantile is asked, too.
+float robust_sigma(std::vector<float>& differences) {
+  return std::max(
+      {kLeastSigma, deviation_of_mad(median(differences)), quantile(differences, 0.683)});
+}
+
+// Bins with few samples lean on the channel as a whole and on their neighbours.
+NoiseModel::Channel channel_variance(std::vector<float>& all,
+                                     std::array<std::vector<float>, NoiseModel::kBins>& bins) {
+  const float overall = all.size() < 100 ? kUnknownSigma : robust_sigma(all);
+  NoiseModel::Channel own{}, smooth{};
+  for (int k = 0; k < NoiseModel::kBins; ++k) {
+    const float sigma = bins[k].size() > 30 ? robust_sigma(bins[k]) : overall;
+    const float trust = static_cast<float>(bins[k].size()) / (bins[k].size() + 200.F);
+    own[k] = trust * sigma * sigma + (1 - trust) * overall * overall;
+  }
+  for (int k = 0; k < NoiseModel::kBins; ++k) {
+    float sum = 0, weights = 0;
+    for (int j = std::max(0, k - 1); j <= std::min(k + 1, NoiseModel::kBins - 1); ++j) {
+      const float weight = (bins[j].size() + 21.F) * (j == k ? 1.F : 0.5F);
+      sum += weight * own[j];
+      weights += weight;
+    }
+    smooth[k] = sum / weights;
+  }
+  return smooth;
+}
+
+// Slope of the squared difference over the squared gradient, from robust means of gradient classes.
+float gradient_part(const std::vector<cv::Vec2f>& sloped, float sigma) {
+  constexpr std::array<float, 5> kClassEnds{100, 225, 400, 900, 2500};
+  constexpr float kQuantileOfChi2 = 0.708F;  // 60 % of a chi^2 of one degree lie below
+  std::array<std::vector<float>, kClassEnds.size() + 1> classes;
+  std::array<double, kClassEnds.size() + 1> gradients{};
+  for (const auto& sample : sloped) {
+    const auto end = std::upper_bound(kClassEnds.begin(), kClassEnds.end(), sample[1]);
+    const auto k = static_cast<std::size_t>(end - kClassEnds.begin());
+    classes[k].push_back(sample[0]);
+    gradients[k] += sample[1];
+  }
+  double numerator = 0, denominator = 0;
+  for (std::size_t k = 0; k < classes.size(); ++k) {
+    if (classes[k].size() <= 40) continue;
+    const auto n = static_cast<double>(classes[k].size());
+    const double variance = quantile(classes[k], 0.6) / kQuantileOfChi2;
+    const double gradient = gradients[k] / n;
+    numerator += n * std::max(0.0, variance - sigma * sigma) * gradient;
+    denominator += n * gradient * gradient;
+  }
+  if (denominator == 0) return NoiseModel().gradient_part;
+  return static_cast<float>(std::clamp(numerator / denominator, 0.0016, 0.09));
+}
+
+// JPEG and demosaicing leave tails heavier than a normal distribution's.
+float tail_factor(const AlignedPair& pair, const NoiseModel& noise) {
+  cv::Mat difference =
+      normalized_difference(pair.before, pair.after, noise.variance_picture(pair.after));
+  pool(difference);
+  std::vector<float> values;
+  for (int y = 1; y < difference.rows - 1; y += 2)
+    for (int x = 1; x < difference.cols - 1; x += 2)
+      if (pair.trusted.at<uchar>(y, x)) values.push_back(difference.at<float>(y, x));
+  if (values.size() <= 50) return 1;
+  return std::clamp(quantile(values, 0.9) / kPooledQuantile, 1.F, 4.F);
+}
+
+}  // namespace
+
+cv::Mat NoiseModel::variance_picture(const cv::Mat& after) const {
+  cv::Mat result(after.size(), CV_32FC3);
+  for (int y = 0; y < after.rows; ++y) {
+    const auto* row = after.ptr<float>(y);
+    const auto* up = after.ptr<float>(std::max(y - 1, 0));
+    const auto* down = after.ptr<float>(std::min(y + 1, after.rows - 1));
+    auto* out = result.ptr<float>(y);
+    for (int x = 0; x < after.cols; ++x) {
+      const int left = 3 * std::max(x - 1, 0), right = 3 * std::min(x + 1, after.cols - 1);
+      for (int c = 0; c < 3; ++c) {
+        const int i = 3 * x + c;
+        const float gx = (row[right + c] - row[left + c]) / 2, gy = (down[i] - up[i]) / 2;
+        out[i] = variance[c][brightness_bin(row[i])] + gradient_part * (gx * gx + gy * gy);
+      }
+    }
+  }
+  return result;
+}
+
+float NoiseModel::sigma(int channel) const {
+  const auto& bins = variance[channel];
+  return std::sqrt(std::accumulate(bins.begin(), bins.end(), 0.F) / kBins);
+}
+
+NoiseModel learn_noise(const AlignedPair& pair) {
+  Differences differences = collect(pair);
+  NoiseModel noise;
+  for (int c = 0; c < 3; ++c)
+    noise.variance[c] = channel_variance(differences.flat[c], differences.flat_by_brightness[c]);
+  noise.gradient_part = gradient_part(differences.sloped, noise.sigma(1));
+  noise.tail = tail_factor(pair, noise);
+  return noise;
+}
+
+cv::Mat normalized_difference(const cv::Mat& before, const cv::Mat& predicted,
+                              const cv::Mat& variance) {
+  cv::Mat result(before.size(), CV_32FC1);
+  for (int y = 0; y < before.rows; ++y) {
+    const auto* b = before.ptr<float>(y);
+    const auto* p = predicted.ptr<float>(y);
+    const auto* v = variance.ptr<float>(y);
+    auto* out = result.ptr<float>(y);
+    for (int x = 0; x < before.cols; ++x) {
+      const int i = 3 * x;
+      const float d0 = b[i] - p[i], d1 = b[i + 1] - p[i + 1], d2 = b[i + 2] - p[i + 2];
+      out[x] = d0 * d0 / v[i] + d1 * d1 / v[i + 1] + d2 * d2 / v[i + 2];
+    }
+  }
+  return result;
+}
+
+void pool(cv::Mat& values) {
+  cv::Mat mean;
+  cv::blur(values, mean, {3, 3});
+  cv::addWeighted(values, 1 - kPooledPart, mean, kPooledPart, 0, values);
+}
+
+}  // namespace mbncc

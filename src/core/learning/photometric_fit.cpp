@@ -1,0 +1,115 @@
+#include "learning/photometric_fit.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "learning/statistics.hpp"
+
+namespace mbncc {
+namespace {
+
+constexpr int kStep = 3;              // [px] sampling of the pictures
+constexpr std::size_t kFewest = 200;  // samples
+constexpr int kRounds = 5;            // of reweighting
+constexpr double kLeastSpread = 0.5;  // [grey levels] rounding alone
+constexpr double kFrozen = 1e12;      // prior that keeps a term at 0
+
+// One equation: difference = a g + a u gx + a v gy + offset.
+struct Sample {
+  cv::Vec4d terms;
+  double difference;
+
+  double residual(const cv::Vec4d& light) const { return difference - terms.dot(light); }
+};
+
+std::vector<Sample> samples_of(const cv::Mat& before, const cv::Mat& after, const cv::Mat& trusted,
+                               int channel) {
+  std::vector<Sample> samples;
+  for (int y = 0; y < after.rows; y += kStep)
+    for (int x = (y / kStep) % 2; x < after.cols; x += kStep) {
+      if (!trusted.at<uchar>(y, x)) continue;
+      const double u = (x - after.cols / 2) / double(after.cols);
+      const double v = (y - after.rows / 2) / double(after.rows);
+      const double a = after.at<cv::Vec3f>(y, x)[channel];
+      const double b = before.at<cv::Vec3f>(y, x)[channel];
+      samples.push_back({{a, a * u, a * v, 1}, b - a});
+    }
+  return samples;
+}
+
+float spread_of(const std::vector<Sample>& samples, const cv::Vec4d& light) {
+  std::vector<float> residuals;
+  residuals.reserve(samples.size());
+  for (const auto& sample : samples)
+    residuals.push_back(static_cast<float>(std::abs(sample.residual(light))));
+  return deviation_of_mad(std::max(static_cast<float>(kLeastSpread), median(residuals)));
+}
+
+// Weak priors per sample keep terms at 0 that the scene cannot tell apart.
+cv::Matx44d prior(double samples, bool planar) {
+  const double plane = planar ? samples * 40 : kFrozen;
+  return cv::Matx44d::diag({samples * 20, plane, plane, samples * 0.005});
+}
+
+// One weighted least squares step; samples beyond `cut` have no say.
+cv::Vec4d reweighted(const std::vector<Sample>& samples, const cv::Vec4d& light, double cut,
+                     bool planar) {
+  cv::Matx44d normal = prior(static_cast<double>(samples.size()), planar);
+  cv::Vec4d right(0, 0, 0, 0);
+  for (const auto& sample : samples) {
+    const double r = sample.residual(light) / cut;
+    if (std::abs(r) >= 1) continue;
+    const double weight = (1 - r * r) * (1 - r * r);
+    for (int i = 0; i < 4; ++i) {
+      right[i] += weight * sample.terms[i] * sample.difference;
+      for (int j = 0; j < 4; ++j) normal(i, j) += weight * sample.terms[i] * sample.terms[j];
+    }
+  }
+  return normal.solve(right, cv::DECOMP_CHOLESKY);
+}
+
+float median_difference(const std::vector<Sample>& samples) {
+  std::vector<float> differences;
+  differences.reserve(samples.size());
+  for (const auto& sample : samples) differences.push_back(static_cast<float>(sample.difference));
+  return median(differences);
+}
+
+ChannelLight fit_channel(const std::vector<Sample>& samples, bool planar) {
+  if (samples.size() < kFewest) return {};
+  cv::Vec4d light(0, 0, 0, median_difference(samples));
+  for (int round = 0; round < kRounds; ++round) {
+    const double cut = (round == 0 ? 4 : 3) * spread_of(samples, light);
+    light = reweighted(samples, light, cut, planar);
+  }
+  return {light[0], light[1], light[2], light[3]};
+}
+
+}  // namespace
+
+Light fit_light(const cv::Mat& before, const cv::Mat& after, const cv::Mat& trusted, bool planar) {
+  Light light;
+  for (int c = 0; c < 3; ++c) light[c] = fit_channel(samples_of(before, after, trusted, c), planar);
+  return light;
+}
+
+cv::Mat apply_light(const cv::Mat& after, const Light& light) {
+  cv::Mat lit(after.size(), CV_32FC3);
+  for (int y = 0; y < after.rows; ++y) {
+    const auto* from = after.ptr<float>(y);
+    auto* to = lit.ptr<float>(y);
+    const double v = (y - after.rows / 2) / double(after.rows);
+    for (int c = 0; c < 3; ++c) {
+      const auto& l = light[c];
+      const auto slope = static_cast<float>(l.gain_x / after.cols);
+      const auto start = static_cast<float>(1 + l.gain + l.gain_y * v - slope * (after.cols / 2));
+      const auto offset = static_cast<float>(l.offset);
+      for (int x = 0; x < after.cols; ++x)
+        to[3 * x + c] = from[3 * x + c] * (start + slope * static_cast<float>(x)) + offset;
+    }
+  }
+  return lit;
+}
+
+}  // namespace mbncc

@@ -1,0 +1,28 @@
+// Exposure and light between two pictures of a still scene: per channel, a gain that may vary
+// linearly across the picture, and an offset.
+#pragma once
+
+#include <array>
+#include <opencv2/core.hpp>
+
+namespace mbncc {
+
+/// before = after (1 + gain + gain_x u + gain_y v) + offset, with u, v in -0.5 .. 0.5 across the
+/// picture.
+struct ChannelLight {
+  double gain = 0;
+  double gain_x = 0;
+  double gain_y = 0;
+  double offset = 0;  ///< [grey levels]
+};
+
+using Light = std::array<ChannelLight, 3>;
+
+/// Robust fit (Tukey weights) over the pixels of `trusted` (CV_8UC1); pictures are CV_32FC3.
+/// Without `planar` the gain is constant. Fewer than 200 samples give the identity.
+Light fit_light(const cv::Mat& before, const cv::Mat& after, const cv::Mat& trusted, bool planar);
+
+/// `after` (CV_32FC3) as `before` would show it.
+cv::Mat apply_light(const cv::Mat& after, const Light& light);
+
+}  // namespace mbncc
