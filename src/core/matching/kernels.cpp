@@ -47,6 +47,71 @@ void sum_runs_vectorised(const std::int32_t* __restrict prefix,
   }
 }
 
+MBNCC_CLONES
+void sum_rows_max_vectorised(const std::int16_t* const* rows, int row_count,
+                             std::int16_t* __restrict sums, std::int16_t* __restrict best,
+                             int count) {
+  std::fill(sums, sums + count, std::int16_t{0});
+  int k = 0;
+  for (; k + 4 <= row_count; k += 4) {
+    const std::int16_t* __restrict a = rows[k];
+    const std::int16_t* __restrict b = rows[k + 1];
+    const std::int16_t* __restrict c = rows[k + 2];
+    const std::int16_t* __restrict d = rows[k + 3];
+    for (int x = 0; x < count; ++x)
+      sums[x] = static_cast<std::int16_t>(sums[x] + a[x] + b[x] + c[x] + d[x]);
+  }
+  for (; k < row_count; ++k) {
+    const std::int16_t* __restrict row = rows[k];
+    for (int x = 0; x < count; ++x) sums[x] = static_cast<std::int16_t>(sums[x] + row[x]);
+  }
+  for (int x = 0; x < count; ++x) best[x] = std::max(best[x], sums[x]);
+}
+
+MBNCC_CLONES
+void strongest_of_three_vectorised(const std::int16_t* __restrict along_x,
+                                   const std::int16_t* __restrict along_y,
+                                   std::int16_t* __restrict out, int count) {
+  for (int i = 0; i < count; ++i) {
+    const int c = 3 * i;
+    const int x0 = along_x[c], x1 = along_x[c + 1], x2 = along_x[c + 2];
+    const int y0 = along_y[c], y1 = along_y[c + 1], y2 = along_y[c + 2];
+    const int square0 = x0 * x0 + y0 * y0, square1 = x1 * x1 + y1 * y1, square2 = x2 * x2 + y2 * y2;
+    const bool second = square1 > square0;
+    const int x01 = second ? x1 : x0, y01 = second ? y1 : y0;
+    const bool third = square2 > (second ? square1 : square0);
+    out[2 * i] = static_cast<std::int16_t>(third ? x2 : x01);
+    out[2 * i + 1] = static_cast<std::int16_t>(third ? y2 : y01);
+  }
+}
+
+MBNCC_CLONES
+void edge_vectors_vectorised(const std::int16_t* __restrict gradients,
+                             std::int8_t* __restrict edges, int count) {
+  for (int i = 0; i < count; ++i) {
+    const float x = gradients[2 * i], y = gradients[2 * i + 1];
+    const float square = x * x + y * y;
+    const float magnitude = __builtin_sqrtf(square);
+    const float scale = 127.f / ((magnitude + 48.f) * (magnitude + 1e-6f));
+    edges[2 * i] = static_cast<std::int8_t>((x * x - y * y) * scale);
+    edges[2 * i + 1] = static_cast<std::int8_t>(2.f * x * y * scale);
+  }
+}
+
+MBNCC_CLONES
+void dots_vectorised(const float* __restrict rows, std::size_t stride, int row_count,
+                     const float* __restrict vector, int count, float* __restrict products) {
+  for (int k = 0; k < row_count; ++k) {
+    const float* __restrict row = rows + k * stride;
+    float partial[kLanes] = {};
+    for (int i = 0; i < count; i += kLanes)
+      for (int lane = 0; lane < kLanes; ++lane) partial[lane] += row[i + lane] * vector[i + lane];
+    float sum = 0;
+    for (int lane = 0; lane < kLanes; ++lane) sum += partial[lane];
+    products[k] = sum;
+  }
+}
+
 bool reference_wanted() {
   const char* wanted = std::getenv("MBNCC_KERNELS");
   return wanted != nullptr && std::strcmp(wanted, "reference") == 0;
@@ -55,7 +120,9 @@ bool reference_wanted() {
 }  // namespace
 
 const Table& vectorised() {
-  static const Table table{correlate_vectorised, sum_runs_vectorised};
+  static const Table table{correlate_vectorised,    sum_runs_vectorised,
+                           sum_rows_max_vectorised, strongest_of_three_vectorised,
+                           edge_vectors_vectorised, dots_vectorised};
   return table;
 }
 
@@ -72,6 +139,25 @@ void correlate(const std::int16_t* picture, const std::int32_t* offsets,
 void sum_runs(const std::int32_t* prefix, const std::int32_t* begins, const std::int32_t* ends,
               int runs, std::int32_t* sums, int count) {
   active().sum_runs_row(prefix, begins, ends, runs, sums, count);
+}
+
+void sum_rows_max(const std::int16_t* const* rows, int row_count, std::int16_t* sums,
+                  std::int16_t* best, int count) {
+  active().sum_rows_max_row(rows, row_count, sums, best, count);
+}
+
+void strongest_of_three(const std::int16_t* along_x, const std::int16_t* along_y, std::int16_t* out,
+                        int count) {
+  active().strongest_of_three_row(along_x, along_y, out, count);
+}
+
+void edge_vectors(const std::int16_t* gradients, std::int8_t* edges, int count) {
+  active().edge_vectors_row(gradients, edges, count);
+}
+
+void dots(const float* rows, std::size_t stride, int row_count, const float* vector, int count,
+          float* products) {
+  active().dots_rows(rows, stride, row_count, vector, count, products);
 }
 
 }  // namespace mbncc::kernels

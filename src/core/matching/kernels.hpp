@@ -1,6 +1,7 @@
-// The innermost loops of the search, on plain pointers. Integer arithmetic only, so that every
-// version of a kernel gives the same bits. MBNCC_KERNELS=reference in the environment selects the
-// formulas of kernels_reference.cpp instead of the vectorised loops.
+// The innermost loops of the search, on plain pointers. Every version of a kernel gives the same
+// bits: integers, or floats added in a fixed order without fused multiply-add.
+// MBNCC_KERNELS=reference in the environment selects the formulas of kernels_reference.cpp instead
+// of the vectorised loops.
 #pragma once
 
 #include <cstddef>
@@ -25,13 +26,42 @@ void correlate(const std::int16_t* picture, const std::int32_t* offsets,
 void sum_runs(const std::int32_t* prefix, const std::int32_t* begins, const std::int32_t* ends,
               int runs, std::int32_t* sums, int count);
 
+/// sums[x] = sum_k rows[k][x] and best[x] = max(best[x], sums[x]) for x in [0, count). The sums
+/// must fit into 16 bits.
+void sum_rows_max(const std::int16_t* const* rows, int row_count, std::int16_t* sums,
+                  std::int16_t* best, int count);
+
+/// For interleaved triples of gradients along x and y: out[2 i], out[2 i + 1] are those of the
+/// channel with the largest magnitude (the first of equals). |gradient| <= 1024.
+void strongest_of_three(const std::int16_t* along_x, const std::int16_t* along_y, std::int16_t* out,
+                        int count);
+
+/// Edge vectors (see edge_picture.hpp) of `count` gradient pairs in eighths of a grey level.
+void edge_vectors(const std::int16_t* gradients, std::int8_t* edges, int count);
+
+/// Lanes in which dots() adds up; vectors are padded with zeros to a multiple of it.
+constexpr int kLanes = 16;
+
+/// products[k] = sum_i rows[k stride + i] vector[i] for i in [0, count), k in [0, row_count), added
+/// up in kLanes partial sums. `count` is a multiple of kLanes.
+void dots(const float* rows, std::size_t stride, int row_count, const float* vector, int count,
+          float* products);
+
 using Correlate = decltype(&correlate);
 using SumRuns = decltype(&sum_runs);
+using SumRowsMax = decltype(&sum_rows_max);
+using StrongestOfThree = decltype(&strongest_of_three);
+using EdgeVectors = decltype(&edge_vectors);
+using Dots = decltype(&dots);
 
 /// One set of kernels.
 struct Table {
   Correlate correlate_row;
   SumRuns sum_runs_row;
+  SumRowsMax sum_rows_max_row;
+  StrongestOfThree strongest_of_three_row;
+  EdgeVectors edge_vectors_row;
+  Dots dots_rows;
 };
 
 /// The formulas, written down plainly.

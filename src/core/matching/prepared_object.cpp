@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <opencv2/imgproc.hpp>
 
+#include "mbncc/matching/pyramid.hpp"
+
 namespace mbncc {
 namespace {
 
@@ -29,16 +31,44 @@ Pose2D reference_in_crop(const View& view, cv::Point2d anchor) {
 
 }  // namespace
 
-PreparedView::PreparedView(const View& view)
-    : anchor(excircle(view.map).centre),
-      reference_in_anchor(reference_in_crop(view, anchor)),
-      shape(view.map, anchor) {
-  const cv::Mat grey = grey_of(view), inner = without_rim(view.map);
-  kernels = rotated_kernels(grey, inner, anchor);
-  points = masked_template(grey, view.map, anchor);
-  for (int level = 0; level <= kernels.level; ++level)
-    refiners.emplace_back(grey, inner, anchor, level);
-  const auto all = outlines(view);
+/// Pictures that all parts are made from.
+struct PreparedView::Source {
+  explicit Source(const View& learned)
+      : view(learned),
+        grey(grey_of(learned)),
+        inner(without_rim(learned.map)),
+        anchor(excircle(learned.map).centre) {}
+
+  const View& view;
+  cv::Mat grey, inner;
+  cv::Point2d anchor;
+};
+
+PreparedView::PreparedView(const View& view) : PreparedView(Source(view)) {}
+
+PreparedView::PreparedView(const Source& source)
+    : anchor(source.anchor),
+      reference_in_anchor(reference_in_crop(source.view, anchor)),
+      shape(source.view.map, anchor),
+      geometry(source.view.map),
+      kernels(rotated_kernels(source.grey, source.inner, anchor)),
+      edges(geometry, anchor),
+      points(masked_template(source.grey, source.view.map, anchor)),
+      refiner(source.grey, source.inner, anchor, 0) {
+  const int top = std::max(kernels.level, edges.level());
+  const cv::Mat surface = continued_outwards(source.view.template_image, source.view.map);
+  const auto pyramid = build_pyramid(surface, top);
+  for (int level = 0; level < static_cast<int>(pyramid.size()); ++level) {
+    const SceneLevel picture(pyramid[level], level);
+    const auto prepare = [&](std::size_t surface_points, std::size_t contour_points) {
+      return PoseTemplate{
+          SurfaceTemplate(picture, geometry, source.view.map.size(), anchor, level, surface_points),
+          ContourTemplate(geometry, anchor, level, contour_points)};
+    };
+    templates.push_back(prepare(160, 64));
+    if (level == 0) fine = prepare(640, 200);
+  }
+  const auto all = outlines(source.view);
   if (!all.empty()) outline = all.front();
 }
 

@@ -4,6 +4,8 @@
 #include <memory>
 #include <vector>
 
+#include "matching/edge_search.hpp"
+#include "matching/evidence.hpp"
 #include "matching/map_shape.hpp"
 #include "matching/refine.hpp"
 #include "matching/rotated_kernels.hpp"
@@ -12,18 +14,27 @@
 namespace mbncc {
 
 /// One view, in the frame of its anchor: the centre of the map's excircle.
-struct PreparedView {
+class PreparedView {
+ public:
   explicit PreparedView(const View& view);
 
-  int top_level() const { return kernels.level; }
+  int top_level() const { return static_cast<int>(templates.size()) - 1; }
 
   cv::Point2d anchor;          ///< [px] in the view's crop
   Pose2D reference_in_anchor;  ///< [px],[rad] object frame as seen from the anchor
   MapShape shape;
+  MapGeometry geometry;
   KernelBank kernels;
-  MaskedTemplate points;             ///< all map pixels at full resolution
-  std::vector<Refiner> refiners;     ///< per level 0 .. top_level()
-  std::vector<cv::Point2f> outline;  ///< [px] largest outline in the object frame
+  EdgeBank edges;
+  std::vector<PoseTemplate> templates;  ///< per level, small: they judge hundreds of candidates
+  PoseTemplate fine;                    ///< at full resolution, dense: judges the last few
+  MaskedTemplate points;                ///< all map pixels at full resolution
+  Refiner refiner;                      ///< at full resolution
+  std::vector<cv::Point2f> outline;     ///< [px] largest outline in the object frame
+
+ private:
+  struct Source;
+  explicit PreparedView(const Source& source);
 };
 
 struct PreparedObject {

@@ -3,26 +3,49 @@
 #include <opencv2/imgproc.hpp>
 #include <stdexcept>
 
+#include "matching/edge_picture.hpp"
 #include "mbncc/matching/pyramid.hpp"
 
 namespace mbncc {
 namespace {
 
-cv::Mat to_grey(const cv::Mat& picture) {
+void check(const cv::Mat& picture) {
   constexpr int kSmallest = 16;
   if (picture.type() != CV_8UC3 && picture.type() != CV_8UC1)
     throw std::invalid_argument("a picture to search must be 8-bit colour or grey");
   if (picture.cols < kSmallest || picture.rows < kSmallest)
     throw std::invalid_argument("a picture to search must have at least 16 x 16 pixels");
+}
+
+cv::Mat to_grey(const cv::Mat& picture) {
   if (picture.type() == CV_8UC1) return picture;
   cv::Mat grey;
   cv::cvtColor(picture, grey, cv::COLOR_BGR2GRAY);
   return grey;
 }
 
+cv::Mat to_colour(const cv::Mat& picture) {
+  if (picture.type() == CV_8UC3) return picture;
+  cv::Mat colour;
+  cv::cvtColor(picture, colour, cv::COLOR_GRAY2BGR);
+  return colour;
+}
+
 }  // namespace
 
-ScenePicture::ScenePicture(const cv::Mat& picture, int top_level)
-    : grey(build_pyramid(to_grey(picture), top_level)) {}
+SceneLevel::SceneLevel(const cv::Mat& picture, int level) {
+  const double sigma = level == 0 ? 0.9 : 0.6;
+  cv::GaussianBlur(picture, colour, {5, 5}, sigma);
+  gradient = strongest_gradient(colour);
+  edges = edge_picture(gradient);
+}
+
+ScenePicture::ScenePicture(const cv::Mat& picture, int top_level) {
+  check(picture);
+  grey = build_pyramid(to_grey(picture), top_level);
+  const auto colours = build_pyramid(to_colour(picture), top_level);
+  for (std::size_t level = 0; level < colours.size(); ++level)
+    levels.emplace_back(colours[level], static_cast<int>(level));
+}
 
 }  // namespace mbncc

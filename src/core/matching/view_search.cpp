@@ -4,17 +4,18 @@
 #include <cmath>
 
 #include "matching/coarse_search.hpp"
+#include "matching/edge_search.hpp"
 #include "mbncc/matching/pyramid.hpp"
 
 namespace mbncc {
 namespace {
 
-constexpr int kFirstIterations = 6;  // of refinement, at the level of the coarse search
-constexpr int kOtherIterations = 4;  // at finer levels
-constexpr int kLastIterations = 10;  // at full resolution
+constexpr int kEdgePlaces = 100;        // places that the edge search proposes
+constexpr std::size_t kEntering = 150;  // candidates that enter at a level
+constexpr std::size_t kFinal = 4;       // places whose other angles are tried and that are polished
 
 std::size_t most_at(int level) {
-  return level == 0 ? 24 : level == 1 ? 48 : 120;
+  return level == 0 ? 32 : level == 1 ? 64 : 120;
 }
 
 cv::Rect at_level(const cv::Rect& roi, int level) {
@@ -24,39 +25,193 @@ cv::Rect at_level(const cv::Rect& roi, int level) {
   return {low, high};
 }
 
-void refine_at(const PreparedView& view, const ScenePicture& scene, int level, int iterations,
-               std::vector<Candidate>& candidates) {
-  for (auto& candidate : candidates) {
-    const RefinedPose refined =
-        view.refiners[level].refine(scene.grey[level], candidate.pose, iterations);
-    candidate.pose = refined.pose;
-    candidate.value = refined.similarity;
-  }
-  drop_duplicates(candidates, 1.0, view.shape.radius() / (1 << level), most_at(level));
-}
+class ViewSearch {
+ public:
+  ViewSearch(const PreparedObject& object, const PreparedView& view, const ScenePicture& scene,
+             const cv::Rect& roi)
+      : object_(object), view_(view), scene_(scene), roi_(roi), entering_(view.templates.size()) {}
 
-void step_down(std::vector<Candidate>& candidates) {
-  for (auto& candidate : candidates) {
-    candidate.pose = from_level(candidate.pose, 1);
-    --candidate.level;
+  std::vector<Detection> run() {
+    correlate();
+    follow_edges();
+    std::vector<Candidate> candidates;
+    for (int level = view_.top_level(); level >= 0; --level) {
+      const bool fresh = !entering_[level].empty();
+      admit(level, candidates);
+      refine_at(level, fresh ? 4 : 2, candidates);
+      if (level > 0) step_down(candidates);
+    }
+    try_other_angles(candidates);
+    return judge(candidates);
   }
-}
 
-Detection judged(const PreparedObject& object, const PreparedView& view, const ScenePicture& scene,
-                 const Candidate& candidate) {
-  const RefinedPose refined =
-      view.refiners[0].refine(scene.grey[0], candidate.pose, kLastIterations);
-  Detection detection;
-  detection.object = &object;
-  detection.view = &view;
-  detection.pose = refined.pose;
-  detection.covariance = refined.covariance;
-  const Similarity similar = similarity(view.points, scene.grey[0], refined.pose);
-  detection.similarity = similar.value;
-  detection.visible = similar.visible;
-  detection.log_odds = 30 * (similar.value - 0.8) + 0.6 * (std::log(view.shape.area()) - 8);
-  return detection;
-}
+ private:
+  void correlate() {
+    const int level = view_.kernels.level;
+    entering_[level] = coarse_search(view_.kernels, scene_.grey[level], at_level(roi_, level));
+  }
+
+  void follow_edges() {
+    const int level = view_.edges.level();
+    const EdgeCandidates found =
+        edge_search(view_.edges, scene_.levels[level].edges, at_level(roi_, level), kEdgePlaces);
+    auto& entering = entering_[level];
+    entering.insert(entering.end(), found.poses.begin(), found.poses.end());
+    for (const auto& place : found.round_places) add_rotations_by_surface(place, entering);
+  }
+
+  /// The best rotations at a place by what the surface looks like.
+  void add_rotations_by_surface(const Candidate& place, std::vector<Candidate>& found) const {
+    constexpr std::size_t kMost = 4;
+    auto peaks = rotation_peaks(view_.templates[place.level], place, 1.5);
+    if (peaks.size() > kMost) peaks.resize(kMost);
+    found.insert(found.end(), peaks.begin(), peaks.end());
+  }
+
+  /// Local maxima of the agreement over a full turn in steps of `arc` [px], best first.
+  std::vector<Candidate> rotation_peaks(const PoseTemplate& object, const Candidate& place,
+                                        double arc) const {
+    const SceneLevel& scene = scene_.levels[place.level];
+    const double rim = 2 * kPi * object.surface.radius();
+    const int count = std::max(24, static_cast<int>(std::ceil(rim / arc)));
+    std::vector<Candidate> turned(count, place);
+    for (int k = 0; k < count; ++k) {
+      turned[k].pose.theta = wrap_angle(place.pose.theta + 2 * kPi * k / count);
+      turned[k].value = climb(object, scene, turned[k].pose, 0, 1).value;
+    }
+    std::vector<Candidate> peaks;
+    for (int k = 0; k < count; ++k)
+      if (turned[k].value >= turned[(k + 1) % count].value &&
+          turned[k].value > turned[(k + count - 1) % count].value)
+        peaks.push_back(turned[k]);
+    sort_by_value(peaks);
+    return peaks;
+  }
+
+  void admit(int level, std::vector<Candidate>& candidates) {
+    auto& entering = entering_[level];
+    for (auto& candidate : entering) candidate.value = odds(level, candidate.pose);
+    sort_by_value(entering);
+    if (entering.size() > kEntering) entering.resize(kEntering);
+    candidates.insert(candidates.end(), entering.begin(), entering.end());
+  }
+
+  double odds(int level, const Pose2D& pose) const {
+    return log_odds(gather_evidence(view_.templates[level], scene_.levels[level], pose),
+                    view_.shape.area());
+  }
+
+  void refine_at(int level, int iterations, std::vector<Candidate>& candidates) const {
+    const SceneLevel& scene = scene_.levels[level];
+    for (auto& candidate : candidates) {
+      candidate.pose = climb(view_.templates[level], scene, candidate.pose, iterations, 2).pose;
+      candidate.value = odds(level, candidate.pose);
+    }
+    drop_duplicates(candidates, level == 0 ? 1.5 : 1.0, view_.shape.radius() / (1 << level),
+                    most_at(level));
+  }
+
+  static void step_down(std::vector<Candidate>& candidates) {
+    for (auto& candidate : candidates) {
+      candidate.pose = from_level(candidate.pose, 1);
+      --candidate.level;
+    }
+  }
+
+  /// The best candidates of different places.
+  std::vector<Candidate> best_places(const std::vector<Candidate>& candidates) const {
+    std::vector<Candidate> places;
+    for (const auto& candidate : candidates) {
+      const bool near = std::any_of(places.begin(), places.end(), [&](const Candidate& other) {
+        return cv::norm(candidate.pose.position() - other.pose.position()) <
+               0.5 * view_.shape.radius();
+      });
+      if (!near) places.push_back(candidate);
+      if (places.size() == kFinal) break;
+    }
+    return places;
+  }
+
+  /// Adds the best other rotations at the best places: rivals that the margin is measured against,
+  /// and sometimes the truth.
+  void try_other_angles(std::vector<Candidate>& candidates) const {
+    constexpr std::size_t kMost = 3;
+    for (const auto& place : best_places(candidates)) {
+      auto peaks = rotation_peaks(view_.templates[0], place, 2);
+      if (peaks.size() > kMost) peaks.resize(kMost);
+      for (auto& peak : peaks) {
+        peak.pose = climb(view_.templates[0], scene_.levels[0], peak.pose, 5, 2).pose;
+        peak.value = odds(0, peak.pose);
+        candidates.push_back(peak);
+      }
+    }
+    drop_duplicates(candidates, 1.5, view_.shape.radius(), most_at(0));
+  }
+
+  std::vector<Detection> judge(const std::vector<Candidate>& candidates) const {
+    std::vector<Detection> detections;
+    for (std::size_t i = 0; i < candidates.size(); ++i)
+      detections.push_back(judged(i < kFinal ? polished(candidates[i].pose) : candidates[i].pose));
+    std::stable_sort(
+        detections.begin(), detections.end(),
+        [](const Detection& a, const Detection& b) { return a.log_odds > b.log_odds; });
+    return detections;
+  }
+
+  /// The best of several climbs from slightly turned starts: narrow objects have side maxima.
+  Pose2D polished(const Pose2D& pose) const {
+    constexpr double kArc = 2.5;  // [px] between the starts at the rim
+    Pose2D best = pose;
+    double best_odds = -1e9;
+    for (int k = -2; k <= 2; ++k) {
+      Pose2D start = pose;
+      start.theta += k * kArc / std::max(4.0, 0.75 * view_.shape.radius());
+      const Pose2D reached = climb(view_.fine, scene_.levels[0], start, 6, 2).pose;
+      const double reached_odds = fine_odds(reached);
+      if (reached_odds > best_odds) {
+        best = reached;
+        best_odds = reached_odds;
+      }
+    }
+    return best;
+  }
+
+  double fine_odds(const Pose2D& pose) const {
+    return log_odds(gather_evidence(view_.fine, scene_.levels[0], pose), view_.shape.area());
+  }
+
+  Detection judged(const Pose2D& pose) const {
+    Detection detection;
+    detection.object = &object_;
+    detection.view = &view_;
+    detection.log_odds = fine_odds(pose);
+    settle(pose, detection);
+    const Similarity similar = similarity(view_.points, scene_.grey[0], detection.pose);
+    detection.similarity = similar.value;
+    detection.visible = similar.visible;
+    return detection;
+  }
+
+  /// Pose and covariance. Where the light is the same as in the lesson, the plain correlation knows
+  /// the pose best; else its maximum is displaced by shading.
+  void settle(const Pose2D& pose, Detection& detection) const {
+    constexpr double kSameLight = 0.85;  // similarity
+    constexpr double kNear = 5;          // [px] at the rim
+    const RefinedPose refined = view_.refiner.refine(scene_.grey[0], pose, 10);
+    const double turn = angle_distance(refined.pose.theta, pose.theta);
+    const bool near = cv::norm(refined.pose.position() - pose.position()) < kNear &&
+                      turn * view_.shape.radius() < kNear;
+    detection.pose = near && refined.similarity > kSameLight ? refined.pose : pose;
+    detection.pose.theta = wrap_angle(detection.pose.theta);
+    detection.covariance = refined.covariance;
+  }
+
+  const PreparedObject& object_;
+  const PreparedView& view_;
+  const ScenePicture& scene_;
+  cv::Rect roi_;
+  std::vector<std::vector<Candidate>> entering_;  // per level
+};
 
 }  // namespace
 
@@ -66,20 +221,8 @@ double Detection::score() const {
 
 std::vector<Detection> search_view(const PreparedObject& object, const PreparedView& view,
                                    const ScenePicture& scene, const cv::Rect& roi) {
-  const int top = view.top_level();
-  if (top > scene.top_level()) return {};
-  auto candidates = coarse_search(view.kernels, scene.grey[top], at_level(roi, top));
-  for (int level = top; level > 0; --level) {
-    refine_at(view, scene, level, level == top ? kFirstIterations : kOtherIterations, candidates);
-    step_down(candidates);
-  }
-  refine_at(view, scene, 0, kOtherIterations, candidates);
-  std::vector<Detection> detections;
-  for (const auto& candidate : candidates)
-    detections.push_back(judged(object, view, scene, candidate));
-  std::stable_sort(detections.begin(), detections.end(),
-                   [](const Detection& a, const Detection& b) { return a.log_odds > b.log_odds; });
-  return detections;
+  if (view.top_level() > scene.top_level()) return {};
+  return ViewSearch(object, view, scene, roi).run();
 }
 
 }  // namespace mbncc

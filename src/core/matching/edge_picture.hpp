@@ -1,0 +1,22 @@
+// Direction and strength of the colour edges of a picture, in a form that compares directions
+// without regard to which side is brighter.
+#pragma once
+
+#include <opencv2/core.hpp>
+
+namespace mbncc {
+
+/// Largest length of an edge vector.
+constexpr int kEdgeScale = 127;
+
+/// CV_16SC2: gradient of the channel with the strongest one, in eighths of a grey level per pixel.
+/// `picture` is CV_8UC3.
+cv::Mat strongest_gradient(const cv::Mat& picture);
+
+/// CV_8SC2: for a gradient of magnitude m [grey levels per pixel] and direction a the vector
+/// kEdgeScale m / (m + 6) (cos 2a, sin 2a). Its scalar product with (cos 2b, sin 2b) is the
+/// response to an edge whose normal has direction b: positive when aligned, negative when crossing,
+/// near zero where there is little gradient. Clutter averages to zero.
+cv::Mat edge_picture(const cv::Mat& gradient);
+
+}  // namespace mbncc

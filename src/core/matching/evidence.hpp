@@ -1,0 +1,45 @@
+// Evidence for and against an object at a pose, and its fusion into one score. Correlation alone
+// cannot tell: under a lamp, shading and gloss do not turn with the object.
+#pragma once
+
+#include "matching/contour_template.hpp"
+#include "matching/surface_template.hpp"
+
+namespace mbncc {
+
+struct Evidence {
+  double contour = -1;     ///< [-1..1] edges along the map's edge, see contour_agreement()
+  double gradient = 0;     ///< [-1..1] direction of texture gradients inside
+  double residual = 5;     ///< ln(rms colour difference [grey levels] + 3) after gain and offset
+  double best_blocks = 5;  ///< the same over the best 5 of 8 blocks: bears occlusion and gloss
+  double histogram = 0;    ///< [0..1] intersection of the chroma histograms
+  double chroma = 0;       ///< [-1..1] correlation of chroma
+  double projected = 0;    ///< [-1..1] correlation of colour without shading and gloss
+  double visible = 0;      ///< [0..1] part of the surface points inside the picture
+};
+
+/// Surface and contour of one view at one pyramid level.
+struct PoseTemplate {
+  SurfaceTemplate surface;
+  ContourTemplate contour;
+};
+
+Evidence gather_evidence(const PoseTemplate& object, const SceneLevel& scene, const Pose2D& pose);
+
+/// Fused log-odds that the object of `area` [px] lies at the pose: a logistic model of the
+/// evidence. Small objects are matched by chance more often and need more.
+double log_odds(const Evidence& evidence, double area);
+
+/// A pose reached by climb().
+struct Climbed {
+  Pose2D pose;
+  double value = 0;  ///< [-2..2] contour agreement plus correlation without shading
+};
+
+/// Gauss-Newton ascent of contour agreement plus correlation without shading, from `start` [px at
+/// the templates' level], at most `iterations` steps; edges are looked for within `reach` [px].
+/// Returns the best pose met, `start` itself where nothing is better.
+Climbed climb(const PoseTemplate& object, const SceneLevel& scene, const Pose2D& start,
+              int iterations, int reach);
+
+}  // namespace mbncc

@@ -1,0 +1,37 @@
+// Where a map's pixels lie against its edge.
+#pragma once
+
+#include <opencv2/core.hpp>
+#include <vector>
+
+namespace mbncc {
+
+/// A point of the map's edge.
+struct EdgePoint {
+  cv::Point2f position;  ///< [px] between the last map pixel and the first beyond
+  cv::Point2f normal;    ///< unit, pointing out of the map
+};
+
+class MapGeometry {
+ public:
+  explicit MapGeometry(const cv::Mat& map);
+
+  /// Distance [px] of a pixel to the nearest one outside the map; 0 outside.
+  float depth(cv::Point pixel) const { return depth_.at<float>(pixel); }
+
+  /// Unit vector from a map pixel away from the nearest edge.
+  cv::Point2f inward(cv::Point pixel) const;
+
+  /// All points of the edge, holes included, in order along each contour. `smoothing` [px] is that
+  /// of the normals.
+  std::vector<EdgePoint> edge(double smoothing) const;
+
+ private:
+  cv::Mat map_, depth_, slope_x_, slope_y_;
+};
+
+/// `picture` (CV_8UC3) with the surface under `map` continued outwards, so that nothing of the
+/// background is left to smooth into the object.
+cv::Mat continued_outwards(const cv::Mat& picture, const cv::Mat& map);
+
+}  // namespace mbncc

@@ -1,0 +1,98 @@
+// The object's surface as coloured points, prepared for comparison under changing light.
+#pragma once
+
+#include <array>
+#include <opencv2/core.hpp>
+#include <vector>
+
+#include "matching/map_geometry.hpp"
+#include "matching/scene_picture.hpp"
+#include "mbncc/geometry.hpp"
+
+namespace mbncc {
+
+/// Colours of a picture at the points of a surface: one plane per channel (b, g, r).
+struct SurfaceSample {
+  std::array<std::vector<float>, 3> planes;  ///< padded with zeros to whole lanes
+  std::vector<char> inside;                  ///< 1: the point is inside the picture
+  std::size_t visible = 0;
+
+  /// Enough is visible for a judgement.
+  bool suffices() const { return visible >= 10 && 4 * visible >= inside.size(); }
+};
+
+class SurfaceTemplate {
+ public:
+  static constexpr int kChannels = 3;
+  static constexpr int kBlocks = 8;
+  static constexpr int kHistogramSide = 8;
+
+  SurfaceTemplate() = default;
+
+  /// At most `most` points inside the map, spread evenly, of `picture` at pyramid level `level`.
+  /// `anchor` [px, level 0] is their origin.
+  SurfaceTemplate(const SceneLevel& picture, const MapGeometry& map, cv::Size map_size,
+                  cv::Point2d anchor, int level, std::size_t most);
+
+  std::size_t size() const { return x.size(); }
+  std::size_t padded() const { return planes[0].size(); }
+
+  /// Reads the colours at `pose`. Points outside the picture take the mean of those inside.
+  void sample(const SceneLevel& scene, const Pose2D& pose, SurfaceSample& sample) const;
+
+  /// Correlation [-1..1] of the colours after the basis has been projected out of both.
+  double projected_correlation(const SurfaceSample& sample, double noise_variance) const;
+
+  double radius() const { return radius_; }  ///< [px at level] of the farthest point
+
+  std::vector<float> x, y;                   ///< [px at level] relative to the anchor
+  std::array<std::vector<float>, 3> planes;  ///< colours, padded with zeros
+  std::vector<int> block;                    ///< [0..blocks) compact parts of equal size
+  int blocks = 1;
+
+  // Shading and gloss near the edge follow the light, not the object: smooth functions of the place
+  // and of the distance to the edge are projected out of template and picture.
+  int basis_size = 0;
+  std::vector<float> basis;                     ///< basis_size orthonormal rows of padded() values
+  std::array<std::vector<float>, 3> projected;  ///< planes without the basis
+  double projected_energy = 0;                  ///< sum of squares of `projected`
+
+  /// Rows: for each channel projected derivatives along x, y and theta, orthogonal to `projected`,
+  /// then `projected` itself. 4 rows of padded() per channel.
+  std::array<std::vector<float>, 3> slopes;
+  cv::Matx33d slope_product;  ///< slopes times slopes, summed over channels
+
+  // Texture gradients: weight and doubled direction.
+  std::vector<float> gradient_weight, gradient_x, gradient_y;
+  double gradient_total = 0;
+
+  // Chroma: (ln R/G, ln B/G) with the mean removed, and its histogram.
+  std::vector<float> chroma_x, chroma_y;
+  double chroma_energy = 0;
+  std::array<float, kHistogramSide * kHistogramSide> histogram{};
+
+ private:
+  void choose_points(const MapGeometry& map, cv::Size map_size, cv::Point2d anchor, int level,
+                     std::size_t most);
+  void read_gradients(const SceneLevel& picture);
+  void read_chroma();
+  void build_basis();
+  void project();
+  void read_slopes(const SceneLevel& picture);
+  void split_blocks();
+
+  struct Site {
+    cv::Point2f at;      // [px at level] in the template picture
+    float depth;         // [px at level 0] to the map's edge
+    cv::Point2f inward;  // unit
+  };
+  std::vector<Site> sites_;
+  double radius_ = 1;
+};
+
+/// (ln R/G, ln B/G) of a colour, tamed where it is dark.
+cv::Point2f chroma(float blue, float green, float red);
+/// Histogram cell of a chroma.
+int chroma_cell(cv::Point2f chroma);
+
+}  // namespace mbncc
