@@ -1,0 +1,28 @@
+// Work of known size that times are divided by, so that figures of different machines compare.
+#pragma once
+
+#include <opencv2/core.hpp>
+
+namespace mbncc::bench {
+
+/// One unrotated cv::matchTemplate (TM_CCOEFF_NORMED) of 101 x 101 in 640 x 480 pixels of noise.
+class MatchYardstick {
+ public:
+  MatchYardstick();
+  void run();
+
+ private:
+  cv::Mat picture_, template_, scores_;
+};
+
+/// One cv::grabCut by rectangle, two iterations, on 200 x 200 pixels of smoothed noise.
+class CutYardstick {
+ public:
+  CutYardstick();
+  void run();
+
+ private:
+  cv::Mat picture_, labels_, background_, foreground_;
+};
+
+}  // namespace mbncc::bench

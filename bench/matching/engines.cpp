@@ -1,0 +1,53 @@
+#include <algorithm>
+#include <functional>
+#include <iterator>
+#include <stdexcept>
+#include <utility>
+
+#include "matching/engine.hpp"
+#include "matching/masked_template_engine.hpp"
+#include "matching/mbncc_engine.hpp"
+#include "matching/sift_engine.hpp"
+
+namespace mbncc::bench {
+namespace {
+
+using Maker = std::function<std::unique_ptr<Engine>()>;
+
+/// The paper's rule: plain similarity, everything from .3 on reported.
+SearchConfig polar_config() {
+  SearchConfig config;
+  config.engine = "polar";
+  config.accept_by = "similarity";
+  return config;
+}
+
+const std::vector<std::pair<std::string, Maker>>& makers() {
+  static const std::vector<std::pair<std::string, Maker>> list = {
+      {"ours", [] { return std::make_unique<MbnccEngine>(SearchConfig{}); }},
+      {"mbncc_polar", [] { return std::make_unique<MbnccEngine>(polar_config(), 0.3); }},
+      {"masked_template", [] { return std::make_unique<MaskedTemplateEngine>(); }},
+      {"sift_ransac", [] { return std::make_unique<SiftEngine>(); }},
+  };
+  return list;
+}
+
+}  // namespace
+
+std::vector<std::string> engine_names() {
+  std::vector<std::string> names;
+  std::transform(makers().begin(), makers().end(), std::back_inserter(names),
+                 [](const auto& maker) { return maker.first; });
+  return names;
+}
+
+std::unique_ptr<Engine> make_engine(const std::string& name) {
+  std::string known;
+  for (const auto& [engine, make] : makers()) {
+    if (engine == name) return make();
+    known += (known.empty() ? "" : ", ") + engine;
+  }
+  throw std::invalid_argument("there is no engine '" + name + "'; there are: " + known);
+}
+
+}  // namespace mbncc::bench

@@ -1,0 +1,167 @@
+// Matching engines on the same pictures in the same run, one thread, true maps given.
+#include <filesystem>
+#include <iostream>
+#include <opencv2/core/utility.hpp>
+
+#include "common/case_folder.hpp"
+#include "common/clock.hpp"
+#include "common/csv.hpp"
+#include "common/statistics.hpp"
+#include "common/table.hpp"
+#include "common/yardstick.hpp"
+#include "matching/engine.hpp"
+#include "matching/predictions.hpp"
+#include "matching/scoring.hpp"
+
+namespace mbncc::bench {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* kOptions =
+    "{@set            |     | folder with the cases to search }"
+    "{out             |     | folder for figures.csv and one folder of predictions per engine }"
+    "{engines         |     | comma separated; all when empty }"
+    "{cases           | 0   | the first so many cases only; 0: all }"
+    "{tags            |     | print a table per tag as well }"
+    "{position_tol    | 3   | [px] largest position error of a correct detection ... }"
+    "{position_of_diameter | 0.03 | ... or this part of the object's diameter, if larger }"
+    "{angle_tol       | 3   | [deg] largest angle error of a correct detection }"
+    "{help h          |     | this text }";
+
+/// One engine with what it has done so far.
+struct Contestant {
+  std::string name;
+  std::unique_ptr<Engine> engine;
+  TaggedTally tally;
+};
+
+struct Run {
+  std::vector<Contestant> contestants;
+  std::vector<double> yardstick_ms;
+};
+
+Run contestants_for(const std::string& names) {
+  Run run;
+  for (const auto& name : names.empty() ? engine_names() : split(names, ','))
+    run.contestants.push_back({name, make_engine(name), {}});
+  return run;
+}
+
+/// Engines and yardstick take turns on every picture, so that a slow minute of the machine hits
+/// all.
+void run_case(const CaseFolder& one, const Tolerance& tolerance, const fs::path& out, Run& run) {
+  MatchYardstick yardstick;
+  std::map<std::string, Predictions> predictions;
+  for (auto& contestant : run.contestants)
+    contestant.engine->teach(one.before, one.map, one.reference);
+  for (const auto& target : one.targets) {
+    const cv::Mat picture = read_picture(target.picture);
+    run.yardstick_ms.push_back(cpu_ms_of([&] { yardstick.run(); }));
+    for (auto& contestant : run.contestants) {
+      std::vector<Found> found;
+      const double ms = cpu_ms_of([&] { found = contestant.engine->find(picture); });
+      contestant.tally.add(judge(found, target.instances, one.diameter, tolerance), target, ms);
+      predictions[contestant.name].add(target.name, found, ms);
+    }
+  }
+  if (out.empty()) return;
+  for (const auto& [name, prediction] : predictions) prediction.save(out / name, one.name);
+}
+
+/// The shipped threshold, or the best one on all of the set.
+double threshold_of(const Contestant& contestant) {
+  return contestant.engine->threshold().value_or(contestant.tally.all().best_threshold());
+}
+
+std::vector<std::string> row_of(const Contestant& contestant, const Tally& tally,
+                                double yardstick) {
+  const Figures figures = tally.figures(threshold_of(contestant));
+  const auto ms = [](double value) { return to_text(value, value < 10 ? 2 : 1); };
+  return {contestant.name,
+          contestant.engine->threshold() ? "shipped" : "best F1",
+          to_text(figures.threshold, 3),
+          std::to_string(figures.instances),
+          to_text(figures.recall, 3),
+          to_text(figures.precision, 3),
+          to_text(figures.f1, 3),
+          to_text(figures.recall_without_alarm, 3),
+          std::to_string(figures.alarms) + "/" + std::to_string(figures.absent_targets),
+          std::to_string(figures.graspable - figures.graspable_wrong) + "/" +
+              std::to_string(figures.graspable),
+          to_text(figures.position_error, 3),
+          to_text(to_degrees(figures.angle_error), 3),
+          ms(figures.ms_median),
+          ms(figures.ms_p95),
+          ms(figures.ms_max),
+          to_text(figures.ms_median / yardstick, 2)};
+}
+
+Table table_of(const Run& run, const std::string& tag) {
+  Table table;
+  table.columns = {"engine",    "rule",      "threshold", "n",      "recall",
+                   "precision", "F1",        "R@0abs",    "alarms", "graspable right",
+                   "pos px",    "angle deg", "ms median", "ms p95", "ms max",
+                   "ratio"};
+  for (const auto& contestant : run.contestants) {
+    const auto at = contestant.tally.by_tag().find(tag);
+    if (at != contestant.tally.by_tag().end())
+      table.rows.push_back(row_of(contestant, at->second, median(run.yardstick_ms)));
+  }
+  return table;
+}
+
+/// All tags below each other, the tag as the first column.
+Table table_of_tags(const Run& run) {
+  Table all;
+  for (const auto& [tag, unused] : run.contestants.front().tally.by_tag()) {
+    Table table = table_of(run, tag);
+    table.columns.insert(table.columns.begin(), "tag");
+    all.columns = table.columns;
+    for (auto& row : table.rows) {
+      row.insert(row.begin(), tag);
+      all.rows.push_back(std::move(row));
+    }
+  }
+  return all;
+}
+
+void benchmark(const cv::CommandLineParser& options) {
+  const fs::path set = options.get<std::string>("@set"), out = options.get<std::string>("out");
+  const Tolerance tolerance{options.get<double>("position_tol"),
+                            options.get<double>("position_of_diameter"),
+                            to_radians(options.get<double>("angle_tol"))};
+  auto cases = list_cases(set);
+  if (cases.empty()) throw std::runtime_error("'" + set.string() + "' holds no case");
+  const auto wanted = options.get<std::size_t>("cases");
+  if (wanted > 0 && wanted < cases.size()) cases.resize(wanted);
+  Run run = contestants_for(options.get<std::string>("engines"));
+  for (const auto& name : cases) {
+    std::cerr << name << '\n';
+    run_case(read_case(set / name), tolerance, out, run);
+  }
+  write_markdown(std::cout, options.has("tags") ? table_of_tags(run) : table_of(run, "all"));
+  std::cout << "\nyardstick (cv::matchTemplate 101x101 in 640x480): "
+            << to_text(median(run.yardstick_ms), 2) << " ms\n";
+  if (!out.empty()) save_csv((out / "figures.csv").string(), table_of_tags(run));
+}
+
+}  // namespace
+}  // namespace mbncc::bench
+
+int main(int argc, char** argv) {
+  cv::CommandLineParser options(argc, argv, mbncc::bench::kOptions);
+  if (options.has("help") || !options.has("@set")) {
+    options.printMessage();
+    return options.has("help") ? 0 : 2;
+  }
+  cv::setNumThreads(1);
+  cv::setRNGSeed(1);
+  try {
+    mbncc::bench::benchmark(options);
+  } catch (const std::exception& error) {
+    std::cerr << "matching_bench: " << error.what() << '\n';
+    return 1;
+  }
+  return 0;
+}
