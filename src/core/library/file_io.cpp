@@ -144,10 +144,11 @@ FileContent read_regular_file(const std::string& path, std::size_t max_bytes) {
 void write_file_atomically(const std::string& folder, const std::string& name,
                            const std::vector<std::uint8_t>& bytes) {
   const std::string path = folder + "/" + name;
+  FolderSync folder_sync(folder);
   TemporaryFile temporary(folder);
   temporary.write(bytes, path);
   temporary.rename_to(path);
-  sync_folder(folder);
+  folder_sync.sync();
 }
 
 void remove_temporaries(const std::string& folder) {
@@ -155,13 +156,16 @@ void remove_temporaries(const std::string& folder) {
     if (name.rfind(kTemporaryPrefix, 0) == 0) ::unlink((folder + "/" + name).c_str());
 }
 
-void sync_folder(const std::string& folder) {
-  const FileDescriptor file(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
-  if (!file.is_open()) fail(folder, "cannot open", errno);
+FolderSync::FolderSync(const std::string& folder)
+    : folder_(folder), file_(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC)) {
+  if (!file_.is_open()) fail(folder, "cannot open", errno);
+}
+
+void FolderSync::sync() {
   // Some network file systems do not sync folders and say EINVAL.
-  const int result = repeat_interrupted([&] { return ::fsync(file.get()); });
+  const int result = repeat_interrupted([&] { return ::fsync(file_.get()); });
   if (result != 0 && errno != EINVAL)
-    fail(folder, "the change is made but not yet safe on the disk", errno);
+    fail(folder_, "the change is made but not yet safe on the disk", errno);
 }
 
 void make_folder(const std::string& folder) {

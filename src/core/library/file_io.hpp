@@ -71,8 +71,18 @@ void write_file_atomically(const std::string& folder, const std::string& name,
 /// Removes leftovers of crashed writers; to be called under the folder's lock.
 void remove_temporaries(const std::string& folder);
 
-/// Makes created, renamed and removed entries of a folder durable.
-void sync_folder(const std::string& folder);
+/// Makes created, renamed and removed entries of a folder durable. Opened before the change is
+/// made, so that little can fail after it.
+class FolderSync {
+ public:
+  explicit FolderSync(const std::string& folder);
+
+  void sync();
+
+ private:
+  std::string folder_;
+  FileDescriptor file_;
+};
 
 /// Creates the folder when it is missing.
 void make_folder(const std::string& folder);

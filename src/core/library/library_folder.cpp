@@ -127,11 +127,14 @@ std::uint32_t LockedFolder::next_revision(const std::string& name,
 
 void LockedFolder::write(const ObjectModel& model, const ObjectModel* keep_old) {
   const auto bytes = encode_object(model);
+  const std::string path = folder_.object_file(model.name);
   const std::string in_trash = keep_old == nullptr ? "" : link_to_trash(*keep_old);
+  const auto old = stamp_of(path);
   try {
     write_file_atomically(folder_.path, model.name + kEnding, bytes);
   } catch (...) {
-    if (!in_trash.empty()) ::unlink(in_trash.c_str());
+    // Where the new file is in place already, the trash holds the only old one.
+    if (!in_trash.empty() && stamp_of(path) == old) ::unlink(in_trash.c_str());
     throw;
   }
 }
@@ -139,6 +142,7 @@ void LockedFolder::write(const ObjectModel& model, const ObjectModel* keep_old) 
 // The old file appears in the trash before the new one takes its place: at no moment is it nowhere.
 std::string LockedFolder::link_to_trash(const ObjectModel& model) {
   make_folder(folder_.trash());
+  FolderSync trash_sync(folder_.trash());
   const std::string from = folder_.object_file(model.name);
   const std::string to =
       free_path(folder_.trash() + "/" + model.name + "." + std::to_string(model.revision), kEnding);
@@ -149,22 +153,24 @@ std::string LockedFolder::link_to_trash(const ObjectModel& model) {
     const auto content = read_regular_file(from, PngLimits::kMaxBytes);
     write_file_atomically(folder_.trash(), to.substr(to.find_last_of('/') + 1), content.bytes);
   }
-  sync_folder(folder_.trash());
+  trash_sync.sync();
   return to;
 }
 
 void LockedFolder::discard(const ObjectModel& model) {
   make_folder(folder_.trash());
+  FolderSync trash_sync(folder_.trash()), folder_sync(folder_.path);
   rename_path(folder_.object_file(model.name),
               free_path(folder_.trash() + "/" + model.name + "." + std::to_string(model.revision),
                         kEnding));
-  sync_folder(folder_.trash());
-  sync_folder(folder_.path);
+  trash_sync.sync();
+  folder_sync.sync();
 }
 
 void LockedFolder::rename(const std::string& name, const std::string& new_name) {
+  FolderSync folder_sync(folder_.path);
   rename_path(folder_.object_file(name), folder_.object_file(new_name));
-  sync_folder(folder_.path);
+  folder_sync.sync();
 }
 
 void LockedFolder::quarantine_unreadable(const std::string& file) {
@@ -182,9 +188,10 @@ void LockedFolder::quarantine(const std::string& file, const std::string& reason
   const std::string text = reason + "\n";
   write_file_atomically(folder_.quarantine(), to.substr(to.find_last_of('/') + 1) + kReasonEnding,
                         {text.begin(), text.end()});
+  FolderSync quarantine_sync(folder_.quarantine()), folder_sync(folder_.path);
   rename_path(folder_.path + "/" + file, to);
-  sync_folder(folder_.quarantine());
-  sync_folder(folder_.path);
+  quarantine_sync.sync();
+  folder_sync.sync();
 }
 
 }  // namespace mbncc
