@@ -1,0 +1,28 @@
+// Ways of cutting an object out of its picture, behind one interface.
+#pragma once
+
+#include <functional>
+#include <opencv2/core.hpp>
+#include <string>
+#include <vector>
+
+#include "common/case_folder.hpp"
+
+namespace mbncc::bench {
+
+struct Cut {
+  cv::Mat map;           ///< CV_8UC1 of the picture's size; empty when the lesson was refused
+  double map_ms = 0;     ///< thread CPU time from pictures to map
+  double lesson_ms = 0;  ///< thread CPU time of the whole lesson, verdict included; NaN: no lesson
+  std::string outcome;   ///< "GOOD", "MARGINAL", "BAD", or the name of the error
+};
+
+struct Method {
+  std::string name;
+  std::function<Cut(const CaseFolder& one, int iterations)> cut;
+};
+
+/// The package's methods, and GrabCut with scribbles as the paper's operator draws them.
+const std::vector<Method>& methods();
+
+}  // namespace mbncc::bench

@@ -1,0 +1,36 @@
+#include "learning/scribbles.hpp"
+
+#include <opencv2/imgproc.hpp>
+#include <opencv2/ximgproc.hpp>
+
+namespace mbncc::bench {
+namespace {
+
+constexpr int kClearance = 6;    // [px] from the outline to the stroke around the object
+constexpr int kStrokeWidth = 3;  // [px]
+
+cv::Mat grown(const cv::Mat& map, int pixels) {
+  cv::Mat result;
+  const cv::Size size(2 * pixels + 1, 2 * pixels + 1);
+  cv::dilate(map, result, cv::getStructuringElement(cv::MORPH_ELLIPSE, size));
+  return result;
+}
+
+cv::Mat middle_line(const cv::Mat& map) {
+  cv::Mat line;
+  cv::ximgproc::thinning(map, line);
+  return grown(line, kStrokeWidth / 2) & map;
+}
+
+}  // namespace
+
+cv::Mat scribbled(const cv::Mat& true_map, const cv::Rect& region) {
+  cv::Mat labels(true_map.size(), CV_8UC1, cv::Scalar(cv::GC_BGD));
+  labels(region).setTo(cv::GC_PR_FGD);
+  labels.setTo(cv::GC_BGD,
+               grown(true_map, kClearance + kStrokeWidth) & ~grown(true_map, kClearance));
+  labels.setTo(cv::GC_FGD, middle_line(true_map));
+  return labels;
+}
+
+}  // namespace mbncc::bench
