@@ -23,14 +23,25 @@ double contrast_under(const cv::Mat& grey, const cv::Mat& map) {
   return deviation[0];
 }
 
+// Slope of the steepest channel. [grey levels / px]
+cv::Mat steepest_slope(const cv::Mat& picture) {
+  cv::Mat smooth, channels[3], slope = cv::Mat::zeros(picture.size(), CV_32FC1);
+  cv::GaussianBlur(picture, smooth, {3, 3}, 0);
+  cv::split(smooth, channels);
+  for (const cv::Mat& channel : channels) {
+    cv::Mat slope_x, slope_y, magnitude;
+    cv::Sobel(channel, slope_x, CV_32F, 1, 0, 3, 1.0 / 8);
+    cv::Sobel(channel, slope_y, CV_32F, 0, 1, 3, 1.0 / 8);
+    cv::magnitude(slope_x, slope_y, magnitude);
+    slope = cv::max(slope, magnitude);
+  }
+  return slope;
+}
+
 // Part of the outline with an image edge within a pixel.
-double edge_agreement(const cv::Mat& grey, const cv::Mat& map) {
-  cv::Mat smooth, slope_x, slope_y, slope;
-  cv::GaussianBlur(grey, smooth, {3, 3}, 0);
-  cv::Sobel(smooth, slope_x, CV_32F, 1, 0, 3, 1.0 / 8);
-  cv::Sobel(smooth, slope_y, CV_32F, 0, 1, 3, 1.0 / 8);
-  cv::magnitude(slope_x, slope_y, slope);
-  cv::dilate(slope, slope, cv::Mat());
+double edge_agreement(const cv::Mat& picture, const cv::Mat& map) {
+  cv::Mat slope;
+  cv::dilate(steepest_slope(picture), slope, cv::Mat());
   const cv::Mat outline = outline_pixels(map);
   const int length = cv::countNonZero(outline);
   return length == 0 ? 0 : cv::countNonZero((slope > kEdgeSlope) & outline) / double(length);
@@ -58,7 +69,7 @@ void measure_map(const cv::Mat& picture, const cv::Mat& map, Quality& quality) {
   quality.area = cv::countNonZero(part);
   quality.fill = std::min(1.0, quality.area / (kPi * radius * radius));
   quality.contrast = contrast_under(grey, part);
-  quality.edge_agreement = edge_agreement(grey, part);
+  quality.edge_agreement = edge_agreement(picture(box), part);
 }
 
 double change_agreement(const cv::Mat& before, const cv::Mat& after, const cv::Mat& map) {

@@ -1,6 +1,8 @@
 #include "mbncc/learning/quality.hpp"
 
 #include "learning/map_measures.hpp"
+#include "learning/rotation_profile.hpp"
+#include "learning/self_search.hpp"
 #include "learning/verdict.hpp"
 
 namespace mbncc {
@@ -8,13 +10,16 @@ namespace mbncc {
 Quality assess_quality(const ObjectModel& object, const cv::Mat& before, const cv::Mat& after,
                        const std::optional<CutEvidence>& evidence, const LearningConfig& config,
                        const SearchConfig& search) {
-  (void)search;
   const View& view = object.views.front();
   const cv::Mat map = full_size_map(view);
   Quality quality;
   measure_map(before, map, quality);
   if (!after.empty()) quality.change_agreement = change_agreement(before, after, map);
-  decide(quality, touches_border(map), evidence, config);
+  search_itself(object, before, search, quality);
+  const RotationProfile profile(view, before);
+  quality.angle_halfwidth = profile.fall_to((quality.self_score + quality.runner_up) / 2);
+  quality.symmetry = profile.symmetry();
+  decide(quality, touches_border(map), evidence, config, search);
   return quality;
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstring>
 #include <string>
 
 namespace mbncc {
@@ -15,12 +16,16 @@ struct Reason {
 };
 
 // Worst first.
-constexpr std::array<Reason, 10> kReasons{{
+constexpr std::array<Reason, 14> kReasons{{
     {"touches_image_border", LearnError::kTouchesBorder,
      "Put the object wholly into the picture and teach again."},
     {"too_small", LearnError::kTooSmall, "Bring the camera nearer or use a higher resolution."},
     {"low_texture", LearnError::kLowTexture,
      "Turn the object's marked side up or improve the light."},
+    {"not_found_again", LearnError::kNotDistinct,
+     "Turn the object's marked side up, or teach it on a plainer background."},
+    {"not_distinct", LearnError::kNotDistinct,
+     "Take other things that look alike out of the picture, or teach on a plainer background."},
     {"touches_region_edge", LearnError::kQualityBad,
      "Draw the region larger, with platform on every side of the object."},
     {"change_outside_region", LearnError::kQualityBad,
@@ -33,12 +38,17 @@ constexpr std::array<Reason, 10> kReasons{{
      "Use softer light, or check that no shadow was taken into the map."},
     {"ambiguous_pixels", LearnError::kQualityBad,
      "Put the object on a background of another colour."},
+    {"round", LearnError::kQualityBad, "Nothing shows the angle: any angle may be reported."},
+    {"symmetric", LearnError::kQualityBad,
+     "The object looks the same after part of a turn: the angle is known up to that."},
     {"", LearnError::kQualityBad, ""},
 }};
 
 const Reason& reason_of(const std::string& key) {
-  const auto found = std::find_if(kReasons.begin(), kReasons.end(),
-                                  [&key](const Reason& reason) { return key == reason.key; });
+  // Keys may carry a number: symmetric_180.
+  const auto found = std::find_if(kReasons.begin(), kReasons.end(), [&key](const Reason& reason) {
+    return key.compare(0, std::strlen(reason.key), reason.key) == 0;
+  });
   return found == kReasons.end() ? kReasons.back() : *found;
 }
 
@@ -53,6 +63,11 @@ class Charges {
       add(key, Verdict::kBad);
     else if (value > marginal)
       add(key, Verdict::kMarginal);
+  }
+  // Worth knowing, but no fault.
+  void note(const std::string& key) {
+    quality_.reasons.push_back(key);
+    quality_.advice.push_back(reason_of(key).advice);
   }
   void below(const char* key, double value, double marginal, double bad) {
     above(key, -value, -marginal, -bad);
@@ -79,16 +94,29 @@ void weigh_evidence(const CutEvidence& evidence, Charges& charges) {
   charges.above("looks_like_shadow", evidence.shadow_fraction, 0.5, 1);
 }
 
+void weigh_search(const Quality& quality, const SearchConfig& search, Charges& charges) {
+  charges.below("not_found_again", quality.self_score, search.confirm_score, search.min_score);
+  charges.above("not_distinct", quality.runner_up, 0.7 * quality.self_score,
+                0.9 * quality.self_score);
+}
+
+void note_symmetry(int symmetry, Charges& charges) {
+  if (symmetry == 0) charges.note("round");
+  if (symmetry > 1) charges.note("symmetric_" + std::to_string(360 / symmetry));
+}
+
 }  // namespace
 
 void decide(Quality& quality, bool touches_border, const std::optional<CutEvidence>& evidence,
-            const LearningConfig& config) {
+            const LearningConfig& config, const SearchConfig& search) {
   quality.verdict = Verdict::kGood;
   Charges charges(quality);
   charges.above("touches_image_border", touches_border ? 1 : 0, 0.5, 0.5);
   charges.below("too_small", quality.area, 2 * config.min_area, config.min_area);
   charges.below("low_texture", quality.contrast, 6, 2);
+  weigh_search(quality, search, charges);
   if (evidence) weigh_evidence(*evidence, charges);
+  note_symmetry(quality.symmetry, charges);
 }
 
 LearnError error_of(const Quality& quality) {

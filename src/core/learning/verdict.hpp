@@ -3,12 +3,13 @@
 
 #include <optional>
 
+#include "mbncc/config/search_config.hpp"
 #include "mbncc/learning/quality.hpp"
 
 namespace mbncc {
 
 /// Fills in verdict, reasons and advice from the figures of `quality`.
 void decide(Quality& quality, bool touches_border, const std::optional<CutEvidence>& evidence,
-            const LearningConfig& config);
+            const LearningConfig& config, const SearchConfig& search);
 
 }  // namespace mbncc

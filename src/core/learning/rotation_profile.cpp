@@ -1,0 +1,97 @@
+#include "learning/rotation_profile.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <opencv2/imgproc.hpp>
+
+#include "learning/rectangles.hpp"
+#include "mbncc/matching/pyramid.hpp"
+#include "mbncc/matching/similarity.hpp"
+
+namespace mbncc {
+namespace {
+
+constexpr double kSamePattern = 0.85;  // similarity that counts as the same
+constexpr double kSameOutline = 0.9;   // IoU that counts as the same
+constexpr int kEnoughPoints = 600;     // the profile needs no more
+
+int level_for(double area) {
+  int level = 0;
+  while (area / (1 << (2 * level)) > 2 * kEnoughPoints) ++level;
+  return level;
+}
+
+double overlap_with_itself(const MaskedTemplate& points, const cv::Mat& map, const Pose2D& pose) {
+  const double c = std::cos(pose.theta), s = std::sin(pose.theta);
+  int common = 0;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const cv::Point at(cvRound(pose.x + c * points.x[i] - s * points.y[i]),
+                       cvRound(pose.y + s * points.x[i] + c * points.y[i]));
+    if (cv::Rect({0, 0}, map.size()).contains(at) && map.at<uchar>(at) > 127) ++common;
+  }
+  const auto all = static_cast<double>(points.size());
+  return points.size() == 0 ? 0 : common / (2 * all - common);
+}
+
+}  // namespace
+
+RotationProfile::RotationProfile(const View& view, const cv::Mat& picture) {
+  const cv::Point2d centre = centroid(view.map);
+  const int reach = static_cast<int>(2 * excircle(view.map).radius) + 4;
+  cv::Mat grey, part, map;
+  cv::cvtColor(picture, grey, cv::COLOR_BGR2GRAY);
+  const cv::Rect around = grown(cv::Rect(cv::Point(centre) + view.origin, cv::Size(1, 1)), reach) &
+                          cv::Rect({0, 0}, grey.size());
+  full_size_map(view)(around).copyTo(map);
+  grey(around).copyTo(part);
+  const cv::Point2d anchor = centre + cv::Point2d(view.origin - around.tl());
+
+  const int level = level_for(cv::countNonZero(map));
+  const MaskedTemplate points = masked_template(part, map, anchor, level);
+  const cv::Mat at_level = build_pyramid(part, level).back();
+  const cv::Mat map_at_level = build_pyramid(map, level).back();
+  const cv::Point2d pivot = to_level(anchor, level);
+  for (int step = 0; step < kSteps; ++step) {
+    const Pose2D turned{pivot.x, pivot.y, 2 * kPi * step / kSteps};
+    similarity_.push_back(mbncc::similarity(points, at_level, turned).value);
+    overlap_.push_back(overlap_with_itself(points, map_at_level, turned));
+  }
+}
+
+double RotationProfile::fall_to(double level) const {
+  const double step_size = 2 * kPi / kSteps;
+  for (int step = 1; step <= kSteps / 2; ++step) {
+    // The weaker side decides: turning either way must be noticed.
+    const double before =
+        std::max(similarity_[step - 1], similarity_[(kSteps - step + 1) % kSteps]);
+    const double here = std::max(similarity_[step], similarity_[kSteps - step]);
+    if (here > level) continue;
+    const double part = before > here ? (before - level) / (before - here) : 1;
+    return step_size * (step - 1 + std::clamp(part, 0.0, 1.0));
+  }
+  return kPi;
+}
+
+bool RotationProfile::returns_at(int step) const {
+  double similarity = -1, overlap = 0;
+  for (int near = step - 1; near <= step + 1; ++near) {
+    similarity = std::max(similarity, similarity_[(near + kSteps) % kSteps]);
+    overlap = std::max(overlap, overlap_[(near + kSteps) % kSteps]);
+  }
+  return similarity > kSamePattern && overlap > kSameOutline;
+}
+
+int RotationProfile::symmetry() const {
+  const auto always = [this](int stride) {
+    for (int step = stride; step < kSteps; step += stride)
+      if (!returns_at(step)) return false;
+    return true;
+  };
+  if (always(3)) return 0;
+  for (const int folds : std::array<int, 4>{6, 4, 3, 2})
+    if (always(kSteps / folds)) return folds;
+  return 1;
+}
+
+}  // namespace mbncc

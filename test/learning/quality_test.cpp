@@ -1,0 +1,140 @@
+#include "mbncc/learning/quality.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "learning/pictures.hpp"
+
+namespace mbncc {
+namespace {
+
+using test::draw_lesson;
+using test::DrawnLesson;
+
+ObjectModel model_of(const cv::Mat& picture, const cv::Mat& map) {
+  const cv::Point2d centre = centroid(map);
+  ObjectModel object;
+  object.name = "thing";
+  object.views = {crop_view(picture, map, {centre.x, centre.y, 0})};
+  return object;
+}
+
+Quality quality_of(const cv::Mat& picture, const cv::Mat& map,
+                   const std::optional<CutEvidence>& evidence = std::nullopt) {
+  return assess_quality(model_of(picture, map), picture, cv::Mat(), evidence, {}, {});
+}
+
+bool has_reason(const Quality& quality, const std::string& key) {
+  return std::find(quality.reasons.begin(), quality.reasons.end(), key) != quality.reasons.end();
+}
+
+cv::Mat disc_map(cv::Size size, cv::Point centre, int radius) {
+  cv::Mat map = cv::Mat::zeros(size, CV_8UC1);
+  cv::circle(map, centre, radius, cv::Scalar(255), cv::FILLED);
+  return map;
+}
+
+TEST(Quality, OfAGoodMap) {
+  const DrawnLesson drawn = draw_lesson();
+  const Quality quality = quality_of(drawn.lesson.before, drawn.truth);
+  EXPECT_EQ(quality.verdict, Verdict::kGood);
+  EXPECT_TRUE(quality.reasons.empty());
+  EXPECT_EQ(quality.area, cv::countNonZero(drawn.truth));
+  EXPECT_GT(quality.fill, 0.3);
+  EXPECT_LT(quality.fill, 0.9);
+  EXPECT_NEAR(quality.contrast, 22, 8);
+  EXPECT_GT(quality.edge_agreement, 0.7);
+  EXPECT_TRUE(std::isnan(quality.change_agreement)) << "there was no picture after";
+  EXPECT_GT(quality.self_score, 0.9);
+  EXPECT_LT(quality.self_error, 0.2);
+  EXPECT_LT(quality.runner_up, 0.5);
+  EXPECT_GT(quality.angle_halfwidth, 0);
+  EXPECT_LT(quality.angle_halfwidth, to_radians(60));
+  EXPECT_EQ(quality.symmetry, 1);
+  EXPECT_GT(quality.search_time, 0);
+}
+
+TEST(Quality, ChangeAgreesWithTheTrueMap) {
+  const DrawnLesson drawn = draw_lesson();
+  const Quality quality =
+      assess_quality(model_of(drawn.lesson.before, drawn.truth), drawn.lesson.before,
+                     drawn.lesson.after, std::nullopt, {}, {});
+  EXPECT_GT(quality.change_agreement, 0.7);
+}
+
+TEST(Quality, ADiscFillsItsExcircle) {
+  const DrawnLesson drawn = draw_lesson();
+  const Quality quality =
+      quality_of(drawn.lesson.before, disc_map(drawn.truth.size(), {120, 100}, 30));
+  EXPECT_NEAR(quality.fill, 1, 0.05);
+}
+
+TEST(Quality, ShiftedMapLosesItsEdges) {
+  const DrawnLesson drawn = draw_lesson();
+  cv::Mat shifted = cv::Mat::zeros(drawn.truth.size(), CV_8UC1);
+  drawn.truth(cv::Rect(0, 0, 200, 160)).copyTo(shifted(cv::Rect(40, 40, 200, 160)));
+  EXPECT_LT(quality_of(drawn.lesson.before, shifted).edge_agreement,
+            quality_of(drawn.lesson.before, drawn.truth).edge_agreement);
+}
+
+TEST(Quality, ATwinInThePictureIsNotDistinct) {
+  DrawnLesson drawn = draw_lesson({60, 60}, {320, 240});
+  cv::Mat twin = drawn.lesson.before(cv::Rect(10, 20, 100, 80)).clone();
+  twin.copyTo(drawn.lesson.before(cv::Rect(180, 130, 100, 80)));
+  const Quality quality = quality_of(drawn.lesson.before, drawn.truth);
+  EXPECT_EQ(quality.verdict, Verdict::kBad);
+  EXPECT_TRUE(has_reason(quality, "not_distinct"));
+  EXPECT_EQ(error_of(quality), LearnError::kNotDistinct);
+}
+
+TEST(Quality, SymmetriesAreNotedButNoFault) {
+  const cv::Size size(240, 200);
+  cv::Mat picture = test::exposed(test::texture(size, cv::Scalar(110, 110, 110), 10, 5), 6);
+  // A bar whose right half is its left half turned.
+  const cv::Rect bar(70, 80, 100, 41), left(70, 80, 50, 41), right(120, 80, 50, 41);
+  cv::Mat map = cv::Mat::zeros(size, CV_8UC1), turned;
+  map(bar).setTo(255);
+  test::exposed(test::texture(left.size(), cv::Scalar(60, 90, 190), 40, 7), 8)
+      .copyTo(picture(left));
+  cv::rotate(picture(left), turned, cv::ROTATE_180);
+  turned.copyTo(picture(right));
+  const Quality quality = quality_of(picture, map);
+  EXPECT_EQ(quality.symmetry, 2);
+  EXPECT_TRUE(has_reason(quality, "symmetric_180"));
+  EXPECT_EQ(quality.verdict, Verdict::kGood);
+}
+
+TEST(Quality, RoundObjectsHaveNoAngle) {
+  const cv::Size size(240, 200);
+  cv::Mat picture = test::exposed(test::texture(size, cv::Scalar(110, 110, 110), 10, 5), 6);
+  for (int radius = 40; radius > 0; radius -= 10)
+    cv::circle(picture, {120, 100}, radius, cv::Scalar::all(radius % 20 == 0 ? 220 : 40),
+               cv::FILLED);
+  const Quality quality = quality_of(picture, disc_map(size, {120, 100}, 40));
+  EXPECT_EQ(quality.symmetry, 0);
+  EXPECT_TRUE(has_reason(quality, "round"));
+}
+
+// Every weakness of a cut is named; none improves the verdict.
+TEST(Quality, EvidenceAgainstTheCutIsNamed) {
+  const DrawnLesson drawn = draw_lesson();
+  const auto verdict_with = [&](const CutEvidence& evidence, const char* key) {
+    const Quality quality = quality_of(drawn.lesson.before, drawn.truth, evidence);
+    EXPECT_TRUE(has_reason(quality, key)) << key;
+    EXPECT_EQ(quality.reasons.size(), quality.advice.size());
+    return quality.verdict;
+  };
+  CutEvidence touch, outside, unstable, weak;
+  touch.region_touch = 0.5;
+  outside.change_outside = 0.8;
+  unstable.stability = 0.1;
+  weak.boundary_contrast = 0.05;
+  EXPECT_NE(verdict_with(touch, "touches_region_edge"), Verdict::kGood);
+  EXPECT_NE(verdict_with(outside, "change_outside_region"), Verdict::kGood);
+  EXPECT_NE(verdict_with(unstable, "unstable_cut"), Verdict::kGood);
+  EXPECT_NE(verdict_with(weak, "weak_boundary"), Verdict::kGood);
+}
+
+}  // namespace
+}  // namespace mbncc
