@@ -7,8 +7,10 @@
 namespace mbncc {
 namespace {
 
-constexpr double kNoise = 60;     // [grey^2] keeps plain surfaces from pulling
-constexpr double kMaxStep = 1.5;  // [px] of one step, at the rim for a turn
+constexpr double kNoise = 60;        // [grey^2] keeps plain surfaces from pulling
+constexpr double kMaxStep = 1.5;     // [px] of one step, at the rim for a turn
+constexpr double kSmallStep = 0.01;  // [px] ends the climb
+constexpr int kReach = 2;            // [px] along the normals in which edges are looked for
 
 /// Adds the pull of the surface: normal equations of the motion that explains what the picture
 /// shows beyond the template, by the template's slopes.
@@ -29,38 +31,103 @@ void add_surface_pull(const SurfaceTemplate& surface, const SurfaceSample& sampl
   pull.gradient += right * (correlation / common);
 }
 
-cv::Vec3d bounded_step(const ContourPull& pull, double radius) {
-  cv::Matx33d hessian = pull.hessian;
-  hessian(0, 0) += 1e-4;
-  hessian(1, 1) += 1e-4;
-  hessian(2, 2) += 1e-4 * radius * radius;
-  cv::Vec3d step = hessian.inv() * pull.gradient;
-  const double length = std::max(std::hypot(step[0], step[1]), std::abs(step[2]) * radius);
-  if (length > kMaxStep) step *= kMaxStep / length;
-  return step;
+cv::Matx33d damped(cv::Matx33d hessian, double radius) {
+  constexpr double kDamping = 1e-4;
+  hessian(0, 0) += kDamping;
+  hessian(1, 1) += kDamping;
+  hessian(2, 2) += kDamping * radius * radius;
+  return hessian;
+}
+
+double length_of(const cv::Vec3d& step, double radius) {
+  return std::max(std::hypot(step[0], step[1]), std::abs(step[2]) * radius);
+}
+
+/// The climb of one template in one picture.
+class Climber {
+ public:
+  Climber(const PoseTemplate& object, const SceneLevel& scene, double contour_weight)
+      : object_(object), scene_(scene), contour_weight_(contour_weight) {}
+
+  Climbed run(const Pose2D& start, int iterations) {
+    Climbed best{start, -2, {}};
+    Pose2D pose = start;
+    for (int k = 0; look_at(pose); ++k) {
+      if (value_ > best.value) best = {pose, value_, {}};
+      if (k == iterations) break;
+      const cv::Vec3d step = next_step(pose);
+      if (length_of(step, radius()) < kSmallStep) break;
+      pose = compose(pose, inverse(Pose2D{step[0], step[1], step[2]}));
+    }
+    return best;
+  }
+
+  cv::Matx33d covariance(const Pose2D& pose);
+
+ private:
+  double radius() const { return object_.surface.radius(); }
+
+  /// Samples at `pose`; false when too little is visible.
+  bool look_at(const Pose2D& pose) {
+    object_.surface.sample(scene_, pose, sample_);
+    if (!sample_.suffices()) return false;
+    correlation_ = object_.surface.projected_correlation(sample_, kNoise);
+    value_ =
+        contour_weight_ * contour_agreement(object_.contour, scene_.edges, pose) + correlation_;
+    return true;
+  }
+
+  cv::Vec3d next_step(const Pose2D& pose) {
+    ContourPull pull = contour_pull(object_.contour, scene_.edges, pose, kReach);
+    pull.hessian *= contour_weight_;
+    pull.gradient *= contour_weight_;
+    add_surface_pull(object_.surface, sample_, correlation_, pull);
+    const cv::Vec3d step = damped(pull.hessian, radius()).inv() * pull.gradient;
+    return step * std::min(1.0, kMaxStep / (length_of(step, radius()) + 1e-9));
+  }
+
+  const PoseTemplate& object_;
+  const SceneLevel& scene_;
+  double contour_weight_;
+  SurfaceSample sample_;
+  double correlation_ = 0, value_ = -2;  // at the pose looked at last
+};
+
+/// Least squares says (1 - r^2) / r^2 times the inverse of the slopes' products, for independent
+/// residuals. Smoothing, shading and the basis make neighbours' residuals alike: fewer independent
+/// ones, and an error that does not average out.
+cv::Matx33d Climber::covariance(const Pose2D& pose) {
+  constexpr double kCorrelatedPixels = 12;
+  constexpr double kSystematic = 0.05;  // [px]
+  const SurfaceTemplate& surface = object_.surface;
+  const double r = look_at(pose) ? std::clamp(correlation_, 0.1, 0.999) : 0.1;
+  const double residual = kCorrelatedPixels * (1 - r * r) / (r * r) * surface.projected_energy /
+                          (SurfaceTemplate::kChannels * static_cast<double>(surface.size()));
+  const cv::Matx33d slopes =
+      damped(surface.slope_product * (1 / std::max(residual, 1e-9)), radius());
+  cv::Matx33d in_template = slopes.inv();
+  in_template(0, 0) += kSystematic * kSystematic;
+  in_template(1, 1) += kSystematic * kSystematic;
+  in_template(2, 2) += kSystematic * kSystematic / (radius() * radius());
+  const double c = std::cos(pose.theta), s = std::sin(pose.theta);
+  const cv::Matx33d turn(c, -s, 0, s, c, 0, 0, 0, 1);
+  return turn * in_template * turn.t();
 }
 
 }  // namespace
 
 Climbed climb(const PoseTemplate& object, const SceneLevel& scene, const Pose2D& start,
-              int iterations, int reach) {
-  thread_local SurfaceSample sample;
-  Climbed best{start, -2};
-  Pose2D pose = start;
-  for (int k = 0; k <= iterations; ++k) {
-    object.surface.sample(scene, pose, sample);
-    if (!sample.suffices()) break;
-    const double correlation = object.surface.projected_correlation(sample, kNoise);
-    const double value = contour_agreement(object.contour, scene.edges, pose) + correlation;
-    if (value > best.value) best = {pose, value};
-    if (k == iterations) break;
-    ContourPull pull = contour_pull(object.contour, scene.edges, pose, reach);
-    add_surface_pull(object.surface, sample, correlation, pull);
-    const cv::Vec3d step = bounded_step(pull, object.surface.radius());
-    if (std::hypot(step[0], step[1], step[2] * object.surface.radius()) < 0.01) break;
-    pose = compose(pose, inverse(Pose2D{step[0], step[1], step[2]}));
-  }
-  return best;
+              int iterations) {
+  return Climber(object, scene, 1).run(start, iterations);
+}
+
+Climbed settle(const PoseTemplate& object, const SceneLevel& scene, const Pose2D& start,
+               int iterations) {
+  constexpr double kContourWeight = 0.1;
+  Climber climber(object, scene, kContourWeight);
+  Climbed settled = climber.run(start, iterations);
+  settled.covariance = climber.covariance(settled.pose);
+  return settled;
 }
 
 }  // namespace mbncc

@@ -30,16 +30,23 @@ Evidence gather_evidence(const PoseTemplate& object, const SceneLevel& scene, co
 /// evidence. Small objects are matched by chance more often and need more.
 double log_odds(const Evidence& evidence, double area);
 
-/// A pose reached by climb().
+/// A pose reached by climbing.
 struct Climbed {
   Pose2D pose;
-  double value = 0;  ///< [-2..2] contour agreement plus correlation without shading
+  double value = 0;        ///< [-2..2] contour agreement plus correlation without shading
+  cv::Matx33d covariance;  ///< of x, y, theta [px^2, px rad, rad^2], from settle() alone
 };
 
 /// Gauss-Newton ascent of contour agreement plus correlation without shading, from `start` [px at
-/// the templates' level], at most `iterations` steps; edges are looked for within `reach` [px].
-/// Returns the best pose met, `start` itself where nothing is better.
+/// the templates' level], at most `iterations` steps. Returns the best pose met, `start` itself
+/// where nothing is better.
 Climbed climb(const PoseTemplate& object, const SceneLevel& scene, const Pose2D& start,
-              int iterations, int reach);
+              int iterations);
+
+/// The same with the contour counting little: a learned map may be a pixel off, and shadows
+/// displace edges, so the surface knows the last fraction of a pixel better. Gives the covariance
+/// too.
+Climbed settle(const PoseTemplate& object, const SceneLevel& scene, const Pose2D& start,
+               int iterations);
 
 }  // namespace mbncc

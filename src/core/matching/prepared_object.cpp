@@ -53,8 +53,7 @@ PreparedView::PreparedView(const Source& source)
       geometry(source.view.map),
       kernels(rotated_kernels(source.grey, source.inner, anchor)),
       edges(geometry, anchor),
-      points(masked_template(source.grey, source.view.map, anchor)),
-      refiner(source.grey, source.inner, anchor, 0) {
+      points(masked_template(source.grey, source.view.map, anchor)) {
   const int top = std::max(kernels.level, edges.level());
   const cv::Mat surface = continued_outwards(source.view.template_image, source.view.map);
   const auto pyramid = build_pyramid(surface, top);
@@ -66,7 +65,9 @@ PreparedView::PreparedView(const Source& source)
           ContourTemplate(geometry, anchor, level, contour_points)};
     };
     templates.push_back(prepare(160, 64));
-    if (level == 0) fine = prepare(640, 200);
+    if (level > 0) continue;
+    fine = prepare(640, 200);
+    dense = prepare(4000, 200);
   }
   const auto all = outlines(source.view);
   if (!all.empty()) outline = all.front();

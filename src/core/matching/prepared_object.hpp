@@ -7,8 +7,8 @@
 #include "matching/edge_search.hpp"
 #include "matching/evidence.hpp"
 #include "matching/map_shape.hpp"
-#include "matching/refine.hpp"
 #include "matching/rotated_kernels.hpp"
+#include "mbncc/matching/similarity.hpp"
 #include "mbncc/object_model.hpp"
 
 namespace mbncc {
@@ -27,9 +27,9 @@ class PreparedView {
   KernelBank kernels;
   EdgeBank edges;
   std::vector<PoseTemplate> templates;  ///< per level, small: they judge hundreds of candidates
-  PoseTemplate fine;                    ///< at full resolution, dense: judges the last few
+  PoseTemplate fine;                    ///< at full resolution: judges the last few
+  PoseTemplate dense;                   ///< at full resolution: settles the pose of the last few
   MaskedTemplate points;                ///< all map pixels at full resolution
-  Refiner refiner;                      ///< at full resolution
   std::vector<cv::Point2f> outline;     ///< [px] largest outline in the object frame
 
  private:

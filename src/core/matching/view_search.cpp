@@ -77,7 +77,7 @@ class ViewSearch {
     std::vector<Candidate> turned(count, place);
     for (int k = 0; k < count; ++k) {
       turned[k].pose.theta = wrap_angle(place.pose.theta + 2 * kPi * k / count);
-      turned[k].value = climb(object, scene, turned[k].pose, 0, 1).value;
+      turned[k].value = climb(object, scene, turned[k].pose, 0).value;
     }
     std::vector<Candidate> peaks;
     for (int k = 0; k < count; ++k)
@@ -104,7 +104,7 @@ class ViewSearch {
   void refine_at(int level, int iterations, std::vector<Candidate>& candidates) const {
     const SceneLevel& scene = scene_.levels[level];
     for (auto& candidate : candidates) {
-      candidate.pose = climb(view_.templates[level], scene, candidate.pose, iterations, 2).pose;
+      candidate.pose = climb(view_.templates[level], scene, candidate.pose, iterations).pose;
       candidate.value = odds(level, candidate.pose);
     }
     drop_duplicates(candidates, level == 0 ? 1.5 : 1.0, view_.shape.radius() / (1 << level),
@@ -140,7 +140,7 @@ class ViewSearch {
       auto peaks = rotation_peaks(view_.templates[0], place, 2);
       if (peaks.size() > kMost) peaks.resize(kMost);
       for (auto& peak : peaks) {
-        peak.pose = climb(view_.templates[0], scene_.levels[0], peak.pose, 5, 2).pose;
+        peak.pose = climb(view_.templates[0], scene_.levels[0], peak.pose, 5).pose;
         peak.value = odds(0, peak.pose);
         candidates.push_back(peak);
       }
@@ -151,7 +151,7 @@ class ViewSearch {
   std::vector<Detection> judge(const std::vector<Candidate>& candidates) const {
     std::vector<Detection> detections;
     for (std::size_t i = 0; i < candidates.size(); ++i)
-      detections.push_back(judged(i < kFinal ? polished(candidates[i].pose) : candidates[i].pose));
+      detections.push_back(judged(candidates[i].pose, i < kFinal));
     std::stable_sort(
         detections.begin(), detections.end(),
         [](const Detection& a, const Detection& b) { return a.log_odds > b.log_odds; });
@@ -166,7 +166,7 @@ class ViewSearch {
     for (int k = -2; k <= 2; ++k) {
       Pose2D start = pose;
       start.theta += k * kArc / std::max(4.0, 0.75 * view_.shape.radius());
-      const Pose2D reached = climb(view_.fine, scene_.levels[0], start, 6, 2).pose;
+      const Pose2D reached = climb(view_.fine, scene_.levels[0], start, 6).pose;
       const double reached_odds = fine_odds(reached);
       if (reached_odds > best_odds) {
         best = reached;
@@ -180,30 +180,20 @@ class ViewSearch {
     return log_odds(gather_evidence(view_.fine, scene_.levels[0], pose), view_.shape.area());
   }
 
-  Detection judged(const Pose2D& pose) const {
+  Detection judged(const Pose2D& candidate, bool thoroughly) const {
+    const Pose2D pose = thoroughly ? polished(candidate) : candidate;
     Detection detection;
     detection.object = &object_;
     detection.view = &view_;
     detection.log_odds = fine_odds(pose);
-    settle(pose, detection);
+    const Climbed settled = settle(view_.dense, scene_.levels[0], pose, thoroughly ? 8 : 0);
+    detection.pose = settled.pose;
+    detection.pose.theta = wrap_angle(settled.pose.theta);
+    detection.covariance = settled.covariance;
     const Similarity similar = similarity(view_.points, scene_.grey[0], detection.pose);
     detection.similarity = similar.value;
     detection.visible = similar.visible;
     return detection;
-  }
-
-  /// Pose and covariance. Where the light is the same as in the lesson, the plain correlation knows
-  /// the pose best; else its maximum is displaced by shading.
-  void settle(const Pose2D& pose, Detection& detection) const {
-    constexpr double kSameLight = 0.85;  // similarity
-    constexpr double kNear = 5;          // [px] at the rim
-    const RefinedPose refined = view_.refiner.refine(scene_.grey[0], pose, 10);
-    const double turn = angle_distance(refined.pose.theta, pose.theta);
-    const bool near = cv::norm(refined.pose.position() - pose.position()) < kNear &&
-                      turn * view_.shape.radius() < kNear;
-    detection.pose = near && refined.similarity > kSameLight ? refined.pose : pose;
-    detection.pose.theta = wrap_angle(detection.pose.theta);
-    detection.covariance = refined.covariance;
   }
 
   const PreparedObject& object_;
