@@ -1,0 +1,45 @@
+#include "cell/motion.hpp"
+
+#include <algorithm>
+#include <opencv2/imgproc.hpp>
+#include <vector>
+
+namespace mbncc {
+namespace {
+
+constexpr int kWidth = 160;             // [px]
+constexpr double kLeastDifference = 5;  // [grey levels] of a small pixel
+constexpr double kSureDifference = 30;  // [grey levels] motion, however much else differs
+constexpr double kNoiseFactor = 6;      // times the standard deviation of the pair
+constexpr double kMadToSigma = 1.4826;  // for normal noise
+constexpr int kLeastPatch = 3;          // [px] small pixels, after opening
+
+float median(cv::Mat values) {
+  values = values.reshape(1, 1).clone();
+  const auto middle = values.begin<float>() + static_cast<int>(values.total() / 2);
+  std::nth_element(values.begin<float>(), middle, values.end<float>());
+  return *middle;
+}
+
+}  // namespace
+
+cv::Mat motion_picture(const cv::Mat& picture) {
+  const double scale = std::min(1.0, static_cast<double>(kWidth) / picture.cols);
+  cv::Mat small, grey, values;
+  cv::resize(picture, small, {}, scale, scale, cv::INTER_AREA);
+  cv::cvtColor(small, grey, cv::COLOR_BGR2GRAY);
+  grey.convertTo(values, CV_32F);
+  return values;
+}
+
+bool has_moved(const cv::Mat& a, const cv::Mat& b) {
+  const cv::Mat ratio = (b + 8) / (a + 8);
+  const float gain = median(ratio);
+  const cv::Mat difference = cv::abs(b + 8 - gain * (a + 8));
+  const double noise = kMadToSigma * median(difference);
+  cv::Mat moved = difference > std::clamp(kNoiseFactor * noise, kLeastDifference, kSureDifference);
+  cv::morphologyEx(moved, moved, cv::MORPH_OPEN, cv::getStructuringElement(cv::MORPH_RECT, {2, 2}));
+  return cv::countNonZero(moved) >= kLeastPatch;
+}
+
+}  // namespace mbncc

@@ -1,0 +1,186 @@
+#include "mbncc/cell/scene_watch.hpp"
+
+#include <gtest/gtest.h>
+
+#include "mbncc/sim/cell_script.hpp"
+#include "mbncc/sim/scene.hpp"
+
+namespace mbncc {
+namespace {
+
+constexpr double kFrameTime = 0.1;  // [s]
+
+/// A small simulated cell whose pictures a watch sees.
+class Cell {
+ public:
+  explicit Cell(double noise = 3) : scene_(scene_config(noise)), script_(script_config()) {}
+
+  /// Shows `count` pictures of the script as it goes on.
+  void show(int count, std::optional<double> gain = {}) {
+    for (int i = 0; i < count; ++i) {
+      const sim::CellFrame frame = script_.frame();
+      show_picture(scene_.render(frame.placed, frames_, frame.arm) * gain.value_or(1));
+      script_.step();
+    }
+  }
+
+  /// Shows the whole motion that the script is in.
+  void show_motion() {
+    while (!script_.at_rest()) show(1);
+  }
+
+  /// Shows the resting cell with an arm that reaches over it.
+  void show_arm(int count, cv::Point2d grip) {
+    for (int i = 0; i < count; ++i)
+      show_picture(
+          scene_.render(script_.frame().placed, frames_, sim::Arm{{grip.x, grip.y, -kPi / 2}}));
+  }
+
+  void show_picture(const cv::Mat& picture) {
+    watch.update(1000 + kFrameTime * static_cast<double>(frames_++), picture);
+  }
+
+  cv::Mat picture_at_rest() const { return scene_.render(script_.frame().placed, 12345); }
+
+  SceneWatch watch{0.5};
+  sim::CellScript& script() { return script_; }
+
+ private:
+  static sim::SceneConfig scene_config(double noise) {
+    sim::SceneConfig config;
+    config.size = {320, 240};
+    config.noise_sigma = noise;
+    return config;
+  }
+  static sim::CellScriptConfig script_config() {
+    sim::CellScriptConfig config;
+    config.size = {320, 240};
+    config.object.diameter = 45;
+    config.auto_play = false;
+    config.leg_frames = 8;
+    return config;
+  }
+
+  sim::Scene scene_;
+  sim::CellScript script_;
+  std::uint64_t frames_ = 0;
+};
+
+TEST(SceneWatch, BecomesStillAfterTheStillTime) {
+  Cell cell;
+  cell.show(5);
+  EXPECT_FALSE(cell.watch.still());
+  cell.show(2);
+  ASSERT_TRUE(cell.watch.still());
+  EXPECT_EQ(cell.watch.still()->number, 1u);
+  EXPECT_FALSE(cell.watch.before_change());
+}
+
+TEST(SceneWatch, StaysStillUnderNoiseAndFlicker) {
+  Cell cell(9);
+  for (int i = 0; i < 40; ++i) cell.show(1, 1 + 0.04 * (i % 3 - 1));
+  EXPECT_TRUE(cell.watch.still());
+  EXPECT_EQ(cell.watch.periods(), 1u);
+}
+
+TEST(SceneWatch, HandsOverBeforeAndAfter) {
+  Cell cell;
+  cell.show(10);
+  const cv::Mat before_truth = cell.picture_at_rest();
+  ASSERT_TRUE(cell.script().take_away());
+  cell.show(6);
+  EXPECT_FALSE(cell.watch.still());
+  EXPECT_FALSE(cell.watch.before_change());
+  cell.show_motion();
+  cell.show(10);
+  ASSERT_TRUE(cell.watch.still());
+  const auto before = cell.watch.before_change();
+  ASSERT_TRUE(before);
+  EXPECT_LT(before->number, cell.watch.still()->number);
+  EXPECT_EQ(scene_change(before->picture, before_truth), SceneChange::kNone);
+  EXPECT_EQ(scene_change(cell.watch.still()->picture, cell.picture_at_rest()), SceneChange::kNone);
+  EXPECT_EQ(scene_change(before->picture, cell.watch.still()->picture), SceneChange::kInside);
+}
+
+TEST(SceneWatch, StillPicturesShowNothingOfTheMotion) {
+  for (std::uint64_t start = 0; start < 5; ++start) {
+    Cell cell(0);
+    cell.show(10 + static_cast<int>(start));
+    const cv::Mat truth = cell.picture_at_rest();
+    ASSERT_TRUE(cell.script().take_away());
+    cell.show_motion();
+    cell.show(10);
+    ASSERT_TRUE(cell.watch.before_change());
+    EXPECT_EQ(cv::norm(cell.watch.before_change()->picture, truth, cv::NORM_INF), 0);
+  }
+}
+
+TEST(SceneWatch, ArmThatComesAndGoesIsNoChange) {
+  Cell cell;
+  cell.show(10);
+  const std::uint64_t number = cell.watch.still()->number;
+  for (int y = 300; y > 100; y -= 40) cell.show_arm(1, {160.0, double(y)});
+  EXPECT_FALSE(cell.watch.still());
+  for (int y = 100; y < 300; y += 40) cell.show_arm(1, {160.0, double(y)});
+  cell.show(10);
+  ASSERT_TRUE(cell.watch.still());
+  EXPECT_GT(cell.watch.still()->number, number);
+  EXPECT_FALSE(cell.watch.before_change());
+}
+
+TEST(SceneWatch, PausingArmIsToldByTheBorder) {
+  Cell cell;
+  cell.show(10);
+  const cv::Mat before = cell.watch.still()->picture;
+  for (int y = 300; y > 100; y -= 40) cell.show_arm(1, {160.0, double(y)});
+  cell.show_arm(10, {160.0, 100.0});
+  ASSERT_TRUE(cell.watch.still()) << "the arm pauses";
+  EXPECT_EQ(scene_change(before, cell.watch.still()->picture), SceneChange::kAtBorder);
+  EXPECT_FALSE(cell.watch.before_change());
+}
+
+TEST(SceneWatch, BeforeChangeSkipsThePausingArm) {
+  Cell cell;
+  cell.show(10);
+  const cv::Mat truth = cell.picture_at_rest();
+  for (int y = 300; y > 100; y -= 40) cell.show_arm(1, {160.0, double(y)});
+  cell.show_arm(10, {160.0, 100.0});
+  ASSERT_TRUE(cell.watch.still());
+  ASSERT_TRUE(cell.script().take_away());
+  cell.show_motion();
+  cell.show(10);
+  ASSERT_TRUE(cell.watch.before_change());
+  EXPECT_EQ(scene_change(cell.watch.before_change()->picture, truth), SceneChange::kNone);
+}
+
+TEST(SceneWatch, SlowMotionAddsUp) {
+  Cell cell(1);
+  cell.show(10);
+  for (int i = 0; i < 60; ++i) cell.show_arm(1, {160.0, 330.0 - 2 * i});
+  EXPECT_GE(cell.watch.periods(), 1u);
+  EXPECT_FALSE(cell.watch.still());
+}
+
+TEST(SceneWatch, ClockJumpAndNewSizeStartAnew) {
+  Cell cell;
+  cell.show(10);
+  ASSERT_TRUE(cell.watch.still());
+  cell.watch.update(5, cell.picture_at_rest());
+  EXPECT_FALSE(cell.watch.still());
+  cell.watch.update(6, cell.picture_at_rest());
+  ASSERT_TRUE(cell.watch.still());
+  EXPECT_EQ(cell.watch.still()->number, 2u) << "numbers go on";
+  EXPECT_FALSE(cell.watch.before_change());
+  cell.watch.update(7, cell.picture_at_rest()(cv::Rect(0, 0, 300, 200)));
+  EXPECT_FALSE(cell.watch.still());
+}
+
+TEST(SceneWatch, RefusesUnusablePictures) {
+  SceneWatch watch;
+  EXPECT_THROW(watch.update(1, cv::Mat()), std::invalid_argument);
+  EXPECT_THROW(watch.update(1, cv::Mat(10, 10, CV_8UC1)), std::invalid_argument);
+  EXPECT_THROW(SceneWatch(0), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace mbncc
