@@ -1,0 +1,179 @@
+#include "mbncc/cell/tracker.hpp"
+
+#include <algorithm>
+#include <stdexcept>
+
+namespace mbncc {
+namespace {
+
+constexpr double kGateShare = 0.5;             // of the outline's radius
+constexpr double kLeastGate = 5;               // [px]
+constexpr double kAngleJump = to_radians(15);  // [rad]
+
+/// Distance [px] within which a match continues an instance.
+double gate_of(const Match& match) {
+  double radius = 0;
+  for (const auto& point : match.outline)
+    radius = std::max(radius, cv::norm(cv::Point2d(point) - match.pose.position()));
+  return std::max(kLeastGate, kGateShare * radius);
+}
+
+bool may_be_same(const Match& a, const Match& b) {
+  return a.name == b.name && a.revision == b.revision &&
+         cv::norm(a.pose.position() - b.pose.position()) <= gate_of(b);
+}
+
+bool angle_jumped(const Match& a, const Match& b) {
+  return angle_distance(a.pose.theta, b.pose.theta, b.symmetry) > kAngleJump;
+}
+
+}  // namespace
+
+const char* to_string(TrackState state) {
+  switch (state) {
+    case TrackState::kNew:
+      return "NEW";
+    case TrackState::kConfirmed:
+      return "CONFIRMED";
+    case TrackState::kAmbiguous:
+      return "AMBIGUOUS";
+    case TrackState::kHeld:
+      return "HELD";
+  }
+  return "NEW";
+}
+
+InstanceTracker::InstanceTracker(TrackerConfig config) : config_(config) {
+  if (config_.confirm_frames < 1 || config_.confirm_frames > config_.confirm_window)
+    throw std::invalid_argument("confirm_frames must lie in 1 .. confirm_window");
+  if (!(config_.hold_time >= 0 && config_.max_age >= 0 && config_.reuse_after >= 0))
+    throw std::invalid_argument("hold_time, max_age and reuse_after must not be negative");
+}
+
+void InstanceTracker::reset() {
+  tracks_.clear();
+  released_.clear();
+}
+
+std::vector<TrackedMatch> InstanceTracker::update(double stamp, const std::vector<Match>& matches) {
+  if (stamp < last_stamp_) reset();
+  last_stamp_ = stamp;
+  drop_lost(stamp);
+  const std::vector<Track*> continued = associate(matches);
+  std::vector<TrackedMatch> result;
+  for (std::size_t i = 0; i < matches.size(); ++i) {
+    Track& track = continued[i] ? *continued[i] : begin_track(matches[i]);
+    see(track, matches[i], stamp);
+    result.push_back(track.last);
+  }
+  note_missed();
+  for (const auto& track : tracks_) {
+    if (track.seen || !is_held(track, stamp)) continue;
+    result.push_back(track.last);
+    result.back().state = TrackState::kHeld;
+  }
+  return result;
+}
+
+/// Nearest pairs first; nullptr where a match begins a new instance.
+std::vector<InstanceTracker::Track*> InstanceTracker::associate(const std::vector<Match>& matches) {
+  struct Pair {
+    double distance;
+    std::size_t match;
+    Track* track;
+  };
+  std::vector<Pair> pairs;
+  for (auto& track : tracks_) {
+    track.seen = false;
+    for (std::size_t i = 0; i < matches.size(); ++i) {
+      const Match& before = track.last.match;
+      if (may_be_same(before, matches[i]))
+        pairs.push_back({cv::norm(before.pose.position() - matches[i].pose.position()), i, &track});
+    }
+  }
+  std::stable_sort(pairs.begin(), pairs.end(),
+                   [](const Pair& a, const Pair& b) { return a.distance < b.distance; });
+  std::vector<Track*> result(matches.size(), nullptr);
+  for (const auto& pair : pairs) {
+    if (pair.track->seen || result[pair.match]) continue;
+    pair.track->seen = true;
+    result[pair.match] = pair.track;
+  }
+  return result;
+}
+
+InstanceTracker::Track& InstanceTracker::begin_track(const Match& match) {
+  const int index = free_frame_index(match.name);
+  Track& track = tracks_.emplace_back();
+  track.last.match = match;
+  track.last.instance_id = next_id_++;
+  track.last.frame_index = index;
+  return track;
+}
+
+void InstanceTracker::see(Track& track, const Match& match, double stamp) {
+  if (angle_jumped(track.last.match, match)) track.graspable.clear();
+  track.graspable.push_back(match.graspable);
+  if (static_cast<int>(track.graspable.size()) > config_.confirm_window)
+    track.graspable.pop_front();
+  track.last.match = match;
+  track.last.valid_until = stamp + config_.max_age;
+  track.seen_at = stamp;
+  track.seen = true;
+  track.missed = 0;
+  const auto times = std::count(track.graspable.begin(), track.graspable.end(), true);
+  if (match.ambiguous)
+    track.last.state = TrackState::kAmbiguous;
+  else if (match.graspable && times >= config_.confirm_frames)
+    track.last.state = TrackState::kConfirmed;
+  else
+    track.last.state = TrackState::kNew;
+}
+
+void InstanceTracker::note_missed() {
+  for (auto& track : tracks_) {
+    if (track.seen) continue;
+    ++track.missed;
+    track.graspable.push_back(false);
+    if (static_cast<int>(track.graspable.size()) > config_.confirm_window)
+      track.graspable.pop_front();
+  }
+}
+
+bool InstanceTracker::is_held(const Track& track, double stamp) const {
+  return config_.hold_time > 0 && stamp - track.seen_at <= config_.hold_time;
+}
+
+/// An instance is lost when it has been missed in a whole window of pictures and is not held.
+void InstanceTracker::drop_lost(double stamp) {
+  const auto lost = std::stable_partition(tracks_.begin(), tracks_.end(), [&](const Track& track) {
+    return track.missed < config_.confirm_window || is_held(track, stamp);
+  });
+  for (auto track = lost; track != tracks_.end(); ++track)
+    released_.push_back({track->last.match.name, track->last.frame_index, stamp});
+  tracks_.erase(lost, tracks_.end());
+  released_.erase(std::remove_if(released_.begin(), released_.end(),
+                                 [&](const ReleasedFrame& frame) {
+                                   return stamp - frame.at >= config_.reuse_after;
+                                 }),
+                  released_.end());
+}
+
+int InstanceTracker::free_frame_index(const std::string& name) const {
+  int index = 0;
+  while (is_frame_taken(name, index)) ++index;
+  return index;
+}
+
+bool InstanceTracker::is_frame_taken(const std::string& name, int index) const {
+  const auto holds = [&](const Track& track) {
+    return track.last.match.name == name && track.last.frame_index == index;
+  };
+  const auto held = [&](const ReleasedFrame& frame) {
+    return frame.name == name && frame.index == index;
+  };
+  return std::any_of(tracks_.begin(), tracks_.end(), holds) ||
+         std::any_of(released_.begin(), released_.end(), held);
+}
+
+}  // namespace mbncc

@@ -1,0 +1,195 @@
+#include "mbncc/cell/tracker.hpp"
+
+#include <gtest/gtest.h>
+
+#include <set>
+
+namespace mbncc {
+namespace {
+
+/// A graspable match whose outline has a radius of 40 px.
+Match match_at(double x, double y, double theta = 0, const std::string& name = "key") {
+  Match match;
+  match.name = name;
+  match.revision = 1;
+  match.pose = {x, y, theta};
+  match.graspable = true;
+  for (const double angle : {0.0, 2.0, 4.0})
+    match.outline.emplace_back(match.pose.position() + rotate({40, 0}, angle));
+  return match;
+}
+
+Match ambiguous_at(double x, double y) {
+  Match match = match_at(x, y);
+  match.graspable = false;
+  match.ambiguous = true;
+  return match;
+}
+
+TEST(InstanceTracker, KeepsTheIdentityOfASlowlyMovingInstance) {
+  InstanceTracker tracker;
+  for (int i = 0; i < 20; ++i) {
+    const auto tracked = tracker.update(i * 0.1, {match_at(100 + 10 * i, 80, 0.05 * i)});
+    ASSERT_EQ(tracked.size(), 1u);
+    EXPECT_EQ(tracked[0].instance_id, 1u);
+    EXPECT_EQ(tracked[0].frame_index, 0);
+    EXPECT_EQ(tracked[0].state, i < 2 ? TrackState::kNew : TrackState::kConfirmed);
+    EXPECT_DOUBLE_EQ(tracked[0].valid_until, i * 0.1 + 0.5);
+  }
+}
+
+TEST(InstanceTracker, AnswersInTheOrderOfTheMatches) {
+  InstanceTracker tracker;
+  tracker.update(0, {match_at(100, 100), match_at(300, 100)});
+  const auto tracked = tracker.update(1, {match_at(301, 100), match_at(101, 100)});
+  ASSERT_EQ(tracked.size(), 2u);
+  EXPECT_EQ(tracked[0].instance_id, 2u);
+  EXPECT_EQ(tracked[0].frame_index, 1);
+  EXPECT_EQ(tracked[0].match.pose.x, 301);
+  EXPECT_EQ(tracked[1].instance_id, 1u);
+}
+
+TEST(InstanceTracker, JumpBeyondTheGateIsAnotherInstanceWithAnotherFrame) {
+  InstanceTracker tracker;
+  tracker.update(0, {match_at(100, 100)});
+  const auto tracked = tracker.update(0.1, {match_at(200, 100)});
+  ASSERT_EQ(tracked.size(), 1u);
+  EXPECT_EQ(tracked[0].instance_id, 2u);
+  EXPECT_EQ(tracked[0].frame_index, 1);
+  EXPECT_EQ(tracked[0].state, TrackState::kNew);
+}
+
+TEST(InstanceTracker, NamesAndRevisionsAreKeptApart) {
+  InstanceTracker tracker;
+  tracker.update(0, {match_at(100, 100)});
+  EXPECT_EQ(tracker.update(1, {match_at(100, 100, 0, "nut")})[0].instance_id, 2u);
+  EXPECT_EQ(tracker.update(2, {match_at(100, 100, 0, "nut")})[0].frame_index, 0);
+  Match relearned = match_at(100, 100);
+  relearned.revision = 2;
+  EXPECT_EQ(tracker.update(3, {relearned})[0].instance_id, 3u);
+}
+
+TEST(InstanceTracker, FrameIndexIsNotGivenToAnotherInstanceForTenSeconds) {
+  InstanceTracker tracker;
+  double stamp = 0;
+  tracker.update(stamp, {match_at(100, 100)});
+  for (int i = 0; i < 6; ++i) tracker.update(stamp += 0.1, {});
+  const double lost_at = stamp;
+  EXPECT_EQ(tracker.update(lost_at + 9.9, {match_at(300, 100)})[0].frame_index, 1);
+  EXPECT_EQ(tracker.update(lost_at + 10.1, {match_at(300, 100), match_at(100, 100)})[1].frame_index,
+            0);
+}
+
+TEST(InstanceTracker, IdsAreNeverUsedAgain) {
+  InstanceTracker tracker;
+  cv::RNG random(3);
+  std::set<std::uint32_t> closed, open;
+  for (int i = 0; i < 500; ++i) {
+    std::vector<Match> matches;
+    for (int k = random.uniform(0, 4); k > 0; --k)
+      matches.push_back(match_at(random.uniform(0, 5) * 100, random.uniform(0, 5) * 100));
+    std::set<std::uint32_t> now;
+    std::set<int> frames;
+    const auto tracked = tracker.update(i * 0.2, matches);
+    for (const auto& instance : tracked) {
+      EXPECT_TRUE(now.insert(instance.instance_id).second) << "one match per instance";
+      EXPECT_TRUE(frames.insert(instance.frame_index).second) << "one instance per frame";
+    }
+    if (i % 50 == 49) {
+      tracker.reset();
+      closed.insert(open.begin(), open.end());
+      closed.insert(now.begin(), now.end());
+      open.clear();
+    } else {
+      open.insert(now.begin(), now.end());
+    }
+    for (const auto id : now) EXPECT_TRUE(i % 50 == 49 || closed.count(id) == 0);
+  }
+}
+
+TEST(InstanceTracker, ConfirmsByKOfN) {
+  InstanceTracker tracker;
+  const bool graspable[] = {true, false, true, false, true, true, false, false, false, true};
+  const bool confirmed[] = {false, false, false, false, true, true, false, false, false, false};
+  for (int i = 0; i < 10; ++i) {
+    Match match = match_at(100, 100);
+    match.graspable = graspable[i];
+    const auto tracked = tracker.update(i, {match});
+    EXPECT_EQ(tracked[0].state == TrackState::kConfirmed, confirmed[i]) << i;
+  }
+}
+
+TEST(InstanceTracker, MissedPicturesCountAgainstConfirmation) {
+  InstanceTracker tracker;
+  for (int i = 0; i < 4; ++i) tracker.update(i, {match_at(100, 100)});
+  for (int i = 4; i < 7; ++i) EXPECT_TRUE(tracker.update(i, {}).empty());
+  EXPECT_EQ(tracker.update(7, {match_at(100, 100)})[0].state, TrackState::kNew);
+  EXPECT_EQ(tracker.update(8, {match_at(100, 100)})[0].instance_id, 1u);
+}
+
+TEST(InstanceTracker, AmbiguousIsNeverConfirmed) {
+  InstanceTracker tracker;
+  for (int i = 0; i < 4; ++i) tracker.update(i, {match_at(100, 100)});
+  EXPECT_EQ(tracker.update(4, {ambiguous_at(100, 100)})[0].state, TrackState::kAmbiguous);
+}
+
+TEST(InstanceTracker, AngleJumpHasToBeConfirmedAnew) {
+  InstanceTracker tracker;
+  for (int i = 0; i < 5; ++i) tracker.update(i, {match_at(100, 100, 0)});
+  const auto flipped = tracker.update(5, {match_at(100, 100, kPi)});
+  EXPECT_EQ(flipped[0].instance_id, 1u);
+  EXPECT_EQ(flipped[0].state, TrackState::kNew);
+  tracker.update(6, {match_at(100, 100, -kPi)});
+  EXPECT_EQ(tracker.update(7, {match_at(100, 100, kPi)})[0].state, TrackState::kConfirmed);
+}
+
+TEST(InstanceTracker, AngleJumpByTheSymmetryIsNone) {
+  InstanceTracker tracker;
+  for (int i = 0; i < 6; ++i) {
+    Match match = match_at(100, 100, i % 2 == 0 ? 0 : kPi);
+    match.symmetry = 2;
+    EXPECT_EQ(tracker.update(i, {match})[0].state == TrackState::kConfirmed, i >= 2);
+  }
+}
+
+TEST(InstanceTracker, HoldsALostInstanceForTheHoldTime) {
+  TrackerConfig config;
+  config.hold_time = 1;
+  InstanceTracker tracker(config);
+  for (int i = 0; i < 4; ++i) tracker.update(0.1 * i, {match_at(100, 100)});
+  const auto held = tracker.update(1.2, {});
+  ASSERT_EQ(held.size(), 1u);
+  EXPECT_EQ(held[0].state, TrackState::kHeld);
+  EXPECT_DOUBLE_EQ(held[0].valid_until, 0.3 + 0.5) << "counts from when it was seen";
+  EXPECT_TRUE(tracker.update(1.4, {}).empty());
+}
+
+TEST(InstanceTracker, NothingIsHeldByDefault) {
+  InstanceTracker tracker;
+  tracker.update(0, {match_at(100, 100)});
+  EXPECT_TRUE(tracker.update(0, {}).empty());
+  EXPECT_TRUE(tracker.update(0.01, {}).empty());
+}
+
+TEST(InstanceTracker, ClockJumpBackResets) {
+  InstanceTracker tracker;
+  for (int i = 0; i < 5; ++i) tracker.update(100 + i, {match_at(100, 100)});
+  const auto tracked = tracker.update(3, {match_at(100, 100)});
+  EXPECT_EQ(tracked[0].instance_id, 2u);
+  EXPECT_EQ(tracked[0].frame_index, 0);
+  EXPECT_EQ(tracked[0].state, TrackState::kNew);
+}
+
+TEST(InstanceTracker, RefusesNonsense) {
+  TrackerConfig config;
+  config.confirm_frames = 6;
+  EXPECT_THROW(InstanceTracker{config}, std::invalid_argument);
+  config.confirm_frames = 0;
+  EXPECT_THROW(InstanceTracker{config}, std::invalid_argument);
+  config = {};
+  config.hold_time = -1;
+  EXPECT_THROW(InstanceTracker{config}, std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace mbncc
