@@ -1,0 +1,73 @@
+// From pixels to metres: the ray through a pixel, met with the plane of an object's top face.
+// All positions are in the camera's optical frame: z along the optical axis, x right, y down.
+#pragma once
+
+#include <functional>
+#include <opencv2/core.hpp>
+#include <optional>
+
+#include "mbncc/geometry.hpp"
+
+namespace mbncc {
+
+/// Direction (of any length, z > 0) of the ray seen at a pixel of the picture as received. Lens
+/// distortion is the function's business.
+using PixelToRay = std::function<cv::Vec3d(cv::Point2d)>;
+
+/// A camera without distortion.
+struct PinholeCamera {
+  double fx = 0, fy = 0;  ///< [px] focal lengths
+  double cx = 0, cy = 0;  ///< [px] principal point
+};
+
+/// Camera from the left 3x3 part of a camera matrix (K or P). None when the matrix cannot be used:
+/// a focal length that is zero, negative or not finite, a principal point that is not finite, or a
+/// calibration made for another picture size.
+std::optional<PinholeCamera> usable_camera(const cv::Matx33d& matrix, cv::Size calibrated,
+                                           cv::Size picture);
+
+PixelToRay rays_of(const PinholeCamera& camera);
+
+/// The platform's plane.
+struct Plane {
+  cv::Vec3d point;   ///< [m]
+  cv::Vec3d normal;  ///< unit length, away from the platform on the camera's side
+};
+
+/// Plane across the optical axis at `distance` [m]. Throws std::invalid_argument unless it is
+/// positive and finite.
+Plane plane_at(double distance);
+
+/// Plane through the x and y axes of a frame given by its pose T_camera_platform. Throws
+/// std::invalid_argument when the pose is not a finite rigid one or holds the camera itself.
+Plane plane_of(const cv::Matx44d& T_camera_platform);
+
+/// Pose of an object frame: origin at the reference point on the top face, z into the platform, x
+/// along the object's direction. Seen straight from above its yaw about z is the picture's theta.
+struct PlatformPose {
+  cv::Vec3d position;                 ///< [m]
+  cv::Matx33d rotation;               ///< columns are the object's axes
+  cv::Matx<double, 6, 6> covariance;  ///< x, y, z [m], rotation about x, y, z [rad]
+};
+
+class Platform {
+ public:
+  Platform(PixelToRay ray, const Plane& plane) : ray_(std::move(ray)), plane_(plane) {}
+
+  /// Lifts a pose with its covariance (x, y, theta) out of the picture, for an object whose top
+  /// face lies `object_height` [m] above the platform. None when the ray does not meet that plane
+  /// in front of the camera.
+  std::optional<PlatformPose> lift(const Pose2D& pose, const cv::Matx33d& covariance,
+                                   double object_height) const;
+
+  /// Length [m] of a pixel's side on that plane, the geometric mean over directions. None as above.
+  std::optional<double> metres_per_pixel(cv::Point2d pixel, double object_height) const;
+
+ private:
+  std::optional<cv::Vec3d> meet(cv::Point2d pixel, double object_height) const;
+
+  PixelToRay ray_;
+  Plane plane_;
+};
+
+}  // namespace mbncc
