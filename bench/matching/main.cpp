@@ -20,7 +20,8 @@ namespace fs = std::filesystem;
 
 constexpr const char* kOptions =
     "{@set            |     | folder with the cases to search }"
-    "{out             |     | folder for figures.csv and one folder of predictions per engine }"
+    "{out             |     | folder for figures.csv, curves.csv and one folder of predictions per "
+    "engine }"
     "{engines         |     | comma separated; all when empty }"
     "{cases           | 0   | the first so many cases only; 0: all }"
     "{tags            |     | print a table per tag as well }"
@@ -34,6 +35,7 @@ struct Contestant {
   std::string name;
   std::unique_ptr<Engine> engine;
   TaggedTally tally;
+  double threshold = 0;  ///< the shipped one, or the best one on all of the set
 };
 
 struct Run {
@@ -44,7 +46,7 @@ struct Run {
 Run contestants_for(const std::string& names) {
   Run run;
   for (const auto& name : names.empty() ? engine_names() : split(names, ','))
-    run.contestants.push_back({name, make_engine(name), {}});
+    run.contestants.push_back({name, make_engine(name), {}, 0});
   return run;
 }
 
@@ -69,14 +71,16 @@ void run_case(const CaseFolder& one, const Tolerance& tolerance, const fs::path&
   for (const auto& [name, prediction] : predictions) prediction.save(out / name, one.name);
 }
 
-/// The shipped threshold, or the best one on all of the set.
-double threshold_of(const Contestant& contestant) {
-  return contestant.engine->threshold().value_or(contestant.tally.all().best_threshold());
+void set_thresholds(Run& run) {
+  for (auto& contestant : run.contestants) {
+    const auto shipped = contestant.engine->threshold();
+    contestant.threshold = shipped ? *shipped : contestant.tally.all().best_threshold();
+  }
 }
 
 std::vector<std::string> row_of(const Contestant& contestant, const Tally& tally,
                                 double yardstick) {
-  const Figures figures = tally.figures(threshold_of(contestant));
+  const Figures figures = tally.figures(contestant.threshold);
   const auto ms = [](double value) { return to_text(value, value < 10 ? 2 : 1); };
   return {contestant.name,
           contestant.engine->threshold() ? "shipped" : "best F1",
@@ -126,6 +130,16 @@ Table table_of_tags(const Run& run) {
   return all;
 }
 
+/// Recall and precision of every engine at every threshold.
+Table table_of_curves(const Run& run) {
+  Table table{{"engine", "threshold", "recall", "precision"}, {}};
+  for (const auto& contestant : run.contestants)
+    for (const auto& point : contestant.tally.all().curve())
+      table.rows.push_back({contestant.name, to_text(point.threshold, 6), to_text(point.recall, 6),
+                            to_text(point.precision, 6)});
+  return table;
+}
+
 void benchmark(const cv::CommandLineParser& options) {
   const fs::path set = options.get<std::string>("@set"), out = options.get<std::string>("out");
   const Tolerance tolerance{options.get<double>("position_tol"),
@@ -140,10 +154,13 @@ void benchmark(const cv::CommandLineParser& options) {
     std::cerr << name << '\n';
     run_case(read_case(set / name), tolerance, out, run);
   }
+  set_thresholds(run);
   write_markdown(std::cout, options.has("tags") ? table_of_tags(run) : table_of(run, "all"));
   std::cout << "\nyardstick (cv::matchTemplate 101x101 in 640x480): "
             << to_text(median(run.yardstick_ms), 2) << " ms\n";
-  if (!out.empty()) save_csv((out / "figures.csv").string(), table_of_tags(run));
+  if (out.empty()) return;
+  save_csv((out / "figures.csv").string(), table_of_tags(run));
+  save_csv((out / "curves.csv").string(), table_of_curves(run));
 }
 
 }  // namespace

@@ -1,7 +1,7 @@
 #include "matching/scoring.hpp"
 
 #include <algorithm>
-#include <cmath>
+#include <functional>
 #include <limits>
 #include <set>
 
@@ -128,22 +128,19 @@ Figures Tally::figures(double threshold) const {
   return figures;
 }
 
+std::vector<Figures> Tally::curve() const {
+  std::set<double, std::greater<>> scores;
+  for (const auto& detection : detections_) scores.insert(detection.score);
+  std::vector<Figures> curve;
+  for (const double score : scores) curve.push_back(figures(score));
+  return curve;
+}
+
 double Tally::best_threshold() const {
-  auto sorted = detections_;
-  std::sort(sorted.begin(), sorted.end(),
-            [](const Judged& a, const Judged& b) { return a.score > b.score; });
-  double best = std::numeric_limits<double>::infinity(), best_f1 = -1;
-  int correct = 0;
-  for (std::size_t i = 0; i < sorted.size(); ++i) {
-    correct += sorted[i].correct;
-    if (i + 1 < sorted.size() && sorted[i + 1].score == sorted[i].score) continue;
-    const double f1 = ratio(2 * correct, static_cast<int>(i) + 1 + instances_);
-    if (f1 > best_f1) {
-      best_f1 = f1;
-      best = sorted[i].score;
-    }
-  }
-  return best;
+  const auto all = curve();
+  const auto best = std::max_element(
+      all.begin(), all.end(), [](const Figures& a, const Figures& b) { return a.f1 < b.f1; });
+  return best == all.end() ? std::numeric_limits<double>::infinity() : best->threshold;
 }
 
 void TaggedTally::add(const std::vector<Judged>& judged, const Target& target, double ms) {

@@ -60,6 +60,9 @@ class Tally {
 
   Figures figures(double threshold) const;
 
+  /// Figures at every threshold that makes a difference, highest first.
+  std::vector<Figures> curve() const;
+
   /// The threshold with the best F1 on what was added: it flatters, since it knows the answers.
   double best_threshold() const;
 
