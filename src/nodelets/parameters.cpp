@@ -2,7 +2,7 @@
 
 #include "mbncc/error.hpp"
 
-namespace mbncc {
+namespace mbncc::nodelets {
 namespace {
 
 using XmlRpc::XmlRpcValue;
@@ -89,4 +89,4 @@ void read_parameters(const ros::NodeHandle& handle, const std::vector<FieldRow>&
   }
 }
 
-}  // namespace mbncc
+}  // namespace mbncc::nodelets

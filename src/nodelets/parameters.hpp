@@ -11,7 +11,7 @@
 
 #include "mbncc/config/field.hpp"
 
-namespace mbncc {
+namespace mbncc::nodelets {
 
 /// Assigns each member of the struct `values` to the row of its name. Members named in `foreign`
 /// are left alone: they belong to libraries that read the same namespace. A whole number may stand
@@ -26,4 +26,4 @@ void assign_parameters(const std::vector<FieldRow>& rows, const XmlRpc::XmlRpcVa
 void read_parameters(const ros::NodeHandle& handle, const std::vector<FieldRow>& rows,
                      std::set<std::string> foreign = {});
 
-}  // namespace mbncc
+}  // namespace mbncc::nodelets

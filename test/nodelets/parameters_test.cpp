@@ -4,7 +4,7 @@
 
 #include "mbncc/error.hpp"
 
-namespace mbncc {
+namespace mbncc::nodelets {
 namespace {
 
 struct Sample {
@@ -120,4 +120,4 @@ TEST(Parameters, KeysOfOtherLibrariesAreLeftAlone) {
 }
 
 }  // namespace
-}  // namespace mbncc
+}  // namespace mbncc::nodelets

@@ -1,0 +1,192 @@
+// Plays the simulated cell as a camera: image_raw, camera_info, and the truth for demo and tests.
+#include <cv_bridge/cv_bridge.h>
+#include <image_transport/image_transport.h>
+#include <mbncc_vision/DetectedObjectArray.h>
+#include <nodelet/nodelet.h>
+#include <ros/ros.h>
+#include <std_srvs/Trigger.h>
+#include <pluginlib/class_list_macros.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <memory>
+#include <mutex>
+
+#include "mbncc/cell/platform.hpp"
+#include "mbncc/config/simulated_camera_config.hpp"
+#include "mbncc/sim/cell_script.hpp"
+#include "mbncc/sim/scene.hpp"
+#include "nodelets/messages.hpp"
+#include "nodelets/parameters.hpp"
+
+namespace mbncc::nodelets {
+namespace {
+
+sim::SceneConfig scene_config(const SimulatedCameraConfig& config) {
+  sim::SceneConfig scene;
+  scene.size = {config.width, config.height};
+  scene.seed = static_cast<std::uint64_t>(config.seed);
+  scene.noise_sigma = config.noise_sigma;
+  scene.light_gradient = config.light_gradient;
+  scene.gain = config.gain;
+  return scene;
+}
+
+sim::CellScriptConfig script_config(const SimulatedCameraConfig& config) {
+  sim::CellScriptConfig script;
+  script.size = {config.width, config.height};
+  script.seed = static_cast<std::uint64_t>(config.seed);
+  script.object = {static_cast<std::uint64_t>(config.object_seed), config.object_diameter,
+                   config.object_elongation};
+  script.neighbours = config.neighbours;
+  script.auto_play = config.auto_play;
+  script.rest_frames = std::max(1, cvRound(config.rest_time * config.frame_rate));
+  script.leg_frames = std::max(1, cvRound(config.leg_time * config.frame_rate));
+  return script;
+}
+
+PinholeCamera pinhole(const SimulatedCameraConfig& config) {
+  return {config.focal_length, config.focal_length, (config.width - 1) / 2.0,
+          (config.height - 1) / 2.0};
+}
+
+sensor_msgs::CameraInfo camera_info(const SimulatedCameraConfig& config) {
+  sensor_msgs::CameraInfo info;
+  info.width = static_cast<std::uint32_t>(config.width);
+  info.height = static_cast<std::uint32_t>(config.height);
+  if (config.focal_length == 0) return info;
+  const PinholeCamera camera = pinhole(config);
+  info.distortion_model = "plumb_bob";
+  info.D.assign(5, 0);
+  info.K = {camera.fx, 0, camera.cx, 0, camera.fy, camera.cy, 0, 0, 1};
+  info.R = {1, 0, 0, 0, 1, 0, 0, 0, 1};
+  info.P = {camera.fx, 0, camera.cx, 0, 0, camera.fy, camera.cy, 0, 0, 0, 1, 0};
+  return info;
+}
+
+}  // namespace
+
+class SimulatedCameraNodelet : public nodelet::Nodelet {
+ public:
+  ~SimulatedCameraNodelet() override { timer_.stop(); }
+
+ private:
+  void onInit() override {
+    try {
+      start();
+    } catch (const std::exception& error) {
+      NODELET_FATAL("%s", error.what());
+      throw;
+    }
+  }
+
+  void start() {
+    read_parameters(getPrivateNodeHandle(), field_rows(config_));
+    scene_ = std::make_unique<sim::Scene>(scene_config(config_));
+    script_ = std::make_unique<sim::CellScript>(script_config(config_));
+    info_ = camera_info(config_);
+    image_transport::ImageTransport transport(getNodeHandle());
+    camera_ = transport.advertiseCamera("image_raw", 1);
+    ros::NodeHandle& handle = getMTPrivateNodeHandle();
+    truth_ = handle.advertise<mbncc_vision::DetectedObjectArray>("truth", 10, true);
+    take_away_ = handle.advertiseService("take_away", &SimulatedCameraNodelet::on_take_away, this);
+    put_next_ = handle.advertiseService("put_next", &SimulatedCameraNodelet::on_put_next, this);
+    timer_ = handle.createWallTimer(ros::WallDuration(1 / config_.frame_rate),
+                                    &SimulatedCameraNodelet::on_timer, this);
+  }
+
+  void on_timer(const ros::WallTimerEvent&) {
+    std::unique_lock<std::mutex> lock(mutex_);
+    script_->step();
+    const sim::CellFrame frame = script_->frame();
+    lock.unlock();
+    std_msgs::Header header;
+    header.stamp = ros::Time::now();
+    header.frame_id = config_.frame_id;
+    // A simulated clock that stands still gives no new stamp.
+    if (header.stamp == last_stamp_) return;
+    last_stamp_ = header.stamp;
+    publish_picture(frame, header);
+    truth_.publish(truth_of(frame, header));
+  }
+
+  void publish_picture(const sim::CellFrame& frame, const std_msgs::Header& header) {
+    ++frames_;
+    if (camera_.getNumSubscribers() == 0) return;
+    const cv::Mat picture = scene_->render(frame.placed, frames_, frame.arm);
+    const auto info = boost::make_shared<sensor_msgs::CameraInfo>(info_);
+    info->header = header;
+    camera_.publish(cv_bridge::CvImage(header, "bgr8", picture).toImageMsg(), info);
+  }
+
+  mbncc_vision::DetectedObjectArray truth_of(const sim::CellFrame& frame,
+                                             const std_msgs::Header& header) const {
+    mbncc_vision::DetectedObjectArray truth;
+    truth.header = header;
+    truth.message = sim::to_string(frame.phase);
+    truth.searched = {config_.object_name};
+    truth.image_width = info_.width;
+    truth.image_height = info_.height;
+    if (!frame.truth) return truth;
+    Match match;
+    match.name = config_.object_name;
+    match.pose = *frame.truth;
+    match.score = match.similarity = 1;
+    auto object = to_msg(match, nullptr);
+    const bool at_rest = frame.phase == sim::CellPhase::kRest;
+    object.state =
+        at_rest ? mbncc_vision::DetectedObject::CONFIRMED : mbncc_vision::DetectedObject::NEW;
+    add_metric_pose(*frame.truth, object);
+    truth.objects.push_back(object);
+    return truth;
+  }
+
+  void add_metric_pose(const Pose2D& pose, mbncc_vision::DetectedObject& object) const {
+    if (config_.focal_length == 0) return;
+    const Platform platform(rays_of(pinhole(config_)), plane_at(config_.platform_distance));
+    const auto lifted = platform.lift(pose, cv::Matx33d::zeros(), 0);
+    if (!lifted) return;
+    object.pose_valid = true;
+    object.pose.pose.position.x = lifted->position[0];
+    object.pose.pose.position.y = lifted->position[1];
+    object.pose.pose.position.z = lifted->position[2];
+    object.pose.pose.orientation.x = object.pose.pose.orientation.y = 0;
+    object.pose.pose.orientation.z = std::sin(pose.theta / 2);
+    object.pose.pose.orientation.w = std::cos(pose.theta / 2);
+  }
+
+  bool on_take_away(std_srvs::Trigger::Request&, std_srvs::Trigger::Response& response) {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    const bool at_rest = script_->at_rest();
+    response.success = script_->take_away();
+    response.message = response.success ? "The arm takes the object away."
+                       : at_rest        ? "No object lies on the platform; call put_next."
+                                        : "The arm is under way; call again when it has gone.";
+    return true;
+  }
+
+  bool on_put_next(std_srvs::Trigger::Request&, std_srvs::Trigger::Response& response) {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    response.success = script_->put_next();
+    response.message = response.success ? "The arm puts the object down at the next place."
+                                        : "The arm is under way; call again when it has gone.";
+    return true;
+  }
+
+  SimulatedCameraConfig config_;
+  sensor_msgs::CameraInfo info_;
+  std::unique_ptr<const sim::Scene> scene_;
+  std::mutex mutex_;  // guards script_
+  std::unique_ptr<sim::CellScript> script_;
+  std::uint64_t frames_ = 0;
+  ros::Time last_stamp_;
+  image_transport::CameraPublisher camera_;
+  ros::Publisher truth_;
+  ros::ServiceServer take_away_, put_next_;
+  ros::WallTimer timer_;
+};
+
+}  // namespace mbncc::nodelets
+
+PLUGINLIB_EXPORT_CLASS(mbncc::nodelets::SimulatedCameraNodelet, nodelet::Nodelet)

@@ -1,0 +1,24 @@
+// Waiting in rostests: for a predicate, never for a time.
+#pragma once
+
+#include <ros/callback_queue.h>
+#include <ros/ros.h>
+
+#include <chrono>
+
+namespace mbncc::nodelets {
+
+/// Handles callbacks until `predicate` holds. False when it does not within `timeout`, a generous
+/// deadline by the steady clock.
+template <class Predicate>
+bool spin_until(Predicate predicate, std::chrono::seconds timeout = std::chrono::seconds(30)) {
+  const auto deadline = std::chrono::steady_clock::now() + timeout;
+  while (ros::ok()) {
+    ros::getGlobalCallbackQueue()->callAvailable(ros::WallDuration(0.01));
+    if (predicate()) return true;
+    if (std::chrono::steady_clock::now() > deadline) return false;
+  }
+  return false;
+}
+
+}  // namespace mbncc::nodelets
