@@ -16,7 +16,8 @@ namespace mbncc::bench {
 struct Found {
   Pose2D pose;
   double score = 0;
-  bool graspable = false;  ///< the engine vouches for it: a robot may grip there
+  bool graspable = false;                 ///< the engine vouches for it: a robot may grip there
+  std::optional<cv::Matx33d> covariance;  ///< of x, y, theta, where the engine claims one
 };
 
 class Engine {

@@ -2,6 +2,7 @@
 #include <filesystem>
 #include <iostream>
 #include <opencv2/core/utility.hpp>
+#include <opencv2/imgproc.hpp>
 
 #include "common/case_folder.hpp"
 #include "common/clock.hpp"
@@ -27,6 +28,7 @@ constexpr const char* kOptions =
     "{tags            |     | print a table per tag as well }"
     "{position_tol    | 3   | [px] largest position error of a correct detection ... }"
     "{position_of_diameter | 0.03 | ... or this part of the object's diameter, if larger }"
+    "{scale           | 1   | the targets are resized by this factor, the truth with them }"
     "{angle_tol       | 3   | [deg] largest angle error of a correct detection }"
     "{help h          |     | this text }";
 
@@ -50,20 +52,38 @@ Run contestants_for(const std::string& names) {
   return run;
 }
 
+/// Where the truth lies in a target resized by `scale`, whose pixel centres are at integers too.
+std::vector<Instance> rescaled(std::vector<Instance> instances, double scale) {
+  for (auto& instance : instances) {
+    instance.pose.x = (instance.pose.x + 0.5) * scale - 0.5;
+    instance.pose.y = (instance.pose.y + 0.5) * scale - 0.5;
+  }
+  return instances;
+}
+
+cv::Mat rescaled(const cv::Mat& picture, double scale) {
+  if (scale == 1) return picture;
+  cv::Mat result;
+  cv::resize(picture, result, {}, scale, scale, scale < 1 ? cv::INTER_AREA : cv::INTER_CUBIC);
+  return result;
+}
+
 /// Engines and yardstick take turns on every picture, so that a slow minute of the machine hits
 /// all.
-void run_case(const CaseFolder& one, const Tolerance& tolerance, const fs::path& out, Run& run) {
+void run_case(const CaseFolder& one, const Tolerance& tolerance, double scale, const fs::path& out,
+              Run& run) {
   MatchYardstick yardstick;
   std::map<std::string, Predictions> predictions;
   for (auto& contestant : run.contestants)
     contestant.engine->teach(one.before, one.map, one.reference);
   for (const auto& target : one.targets) {
-    const cv::Mat picture = read_picture(target.picture);
+    const cv::Mat picture = rescaled(read_picture(target.picture), scale);
+    const auto instances = rescaled(target.instances, scale);
     run.yardstick_ms.push_back(cpu_ms_of([&] { yardstick.run(); }));
     for (auto& contestant : run.contestants) {
       std::vector<Found> found;
       const double ms = cpu_ms_of([&] { found = contestant.engine->find(picture); });
-      contestant.tally.add(judge(found, target.instances, one.diameter, tolerance), target, ms);
+      contestant.tally.add(judge(found, instances, scale * one.diameter, tolerance), target, ms);
       predictions[contestant.name].add(target.name, found, ms);
     }
   }
@@ -95,6 +115,7 @@ std::vector<std::string> row_of(const Contestant& contestant, const Tally& tally
               std::to_string(figures.graspable),
           to_text(figures.position_error, 3),
           to_text(to_degrees(figures.angle_error), 3),
+          to_text(figures.error_ratio, 2),
           ms(figures.ms_median),
           ms(figures.ms_p95),
           ms(figures.ms_max),
@@ -103,10 +124,10 @@ std::vector<std::string> row_of(const Contestant& contestant, const Tally& tally
 
 Table table_of(const Run& run, const std::string& tag) {
   Table table;
-  table.columns = {"engine",    "rule",      "threshold", "n",      "recall",
-                   "precision", "F1",        "R@0abs",    "alarms", "graspable right",
-                   "pos px",    "angle deg", "ms median", "ms p95", "ms max",
-                   "ratio"};
+  table.columns = {"engine",    "rule",      "threshold",   "n",         "recall",
+                   "precision", "F1",        "R@0abs",      "alarms",    "graspable right",
+                   "pos px",    "angle deg", "error/sigma", "ms median", "ms p95",
+                   "ms max",    "ratio"};
   for (const auto& contestant : run.contestants) {
     const auto at = contestant.tally.by_tag().find(tag);
     if (at != contestant.tally.by_tag().end())
@@ -152,7 +173,7 @@ void benchmark(const cv::CommandLineParser& options) {
   Run run = contestants_for(options.get<std::string>("engines"));
   for (const auto& name : cases) {
     std::cerr << name << '\n';
-    run_case(read_case(set / name), tolerance, out, run);
+    run_case(read_case(set / name), tolerance, options.get<double>("scale"), out, run);
   }
   set_thresholds(run);
   write_markdown(std::cout, options.has("tags") ? table_of_tags(run) : table_of(run, "all"));

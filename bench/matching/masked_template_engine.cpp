@@ -177,7 +177,7 @@ std::vector<Found> MaskedTemplateEngine::find(const cv::Mat& picture) {
     kept.push_back(peak);
     const Pose2D centre{peak.position.x, peak.position.y, wrap_angle(peak.theta)};
     const cv::Point2d reference = transform(centre, lever_);
-    found.push_back({{reference.x, reference.y, centre.theta}, peak.score});
+    found.push_back({{reference.x, reference.y, centre.theta}, peak.score, false, {}});
   }
   return found;
 }

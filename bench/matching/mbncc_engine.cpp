@@ -19,7 +19,7 @@ std::vector<Found> MbnccEngine::find(const cv::Mat& picture) {
   request.min_score = floor_.value_or(matcher_.config().min_score);
   std::vector<Found> found;
   for (const auto& match : matcher_.find(picture, request).matches)
-    found.push_back({match.pose, match.score, match.graspable});
+    found.push_back({match.pose, match.score, match.graspable, match.covariance});
   return found;
 }
 

@@ -1,6 +1,7 @@
 #include "matching/scoring.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <functional>
 #include <limits>
 #include <set>
@@ -23,6 +24,19 @@ struct Difference {
 Difference difference(const Pose2D& pose, const Instance& instance) {
   return {cv::norm(pose.position() - instance.pose.position()),
           angle_distance(pose.theta, instance.pose.theta, instance.symmetry)};
+}
+
+double signed_turn(double a, double b, int symmetry) {
+  return wrap_angle(symmetry * (a - b)) / symmetry;
+}
+
+/// Squared error weighted by the covariance that the engine claims. A round object has no angle
+/// whose error could be judged.
+std::optional<double> squared_error(const Found& found, const Instance& instance) {
+  if (!found.covariance || instance.symmetry == 0) return {};
+  const cv::Vec3d error(found.pose.x - instance.pose.x, found.pose.y - instance.pose.y,
+                        signed_turn(found.pose.theta, instance.pose.theta, instance.symmetry));
+  return error.dot(found.covariance->inv(cv::DECOMP_SVD) * error);
 }
 
 /// The nearest instance that `accepted` lets through.
@@ -51,6 +65,7 @@ Judged describe(const Found& found, const std::vector<Instance>& instances,
   const Difference apart = difference(found.pose, instances[*instance]);
   judged.position_error = apart.position;
   if (instances[*instance].symmetry != 0) judged.angle_error = apart.angle;
+  judged.squared_error = squared_error(found, instances[*instance]);
   return judged;
 }
 
@@ -104,7 +119,7 @@ Figures Tally::figures(double threshold) const {
     figures.alarms += score >= threshold;
     loudest_alarm = std::max(loudest_alarm, score);
   }
-  std::vector<double> position_errors, angle_errors;
+  std::vector<double> position_errors, angle_errors, squared_errors;
   int beyond_alarms = 0;
   for (const auto& detection : detections_) {
     if (detection.score < threshold) continue;
@@ -115,6 +130,7 @@ Figures Tally::figures(double threshold) const {
     beyond_alarms += detection.score > loudest_alarm;
     position_errors.push_back(detection.position_error);
     if (detection.angle_error) angle_errors.push_back(*detection.angle_error);
+    if (detection.squared_error) squared_errors.push_back(*detection.squared_error);
   }
   figures.recall = ratio(figures.correct, instances_);
   figures.precision = ratio(figures.correct, figures.correct + figures.wrong);
@@ -122,6 +138,7 @@ Figures Tally::figures(double threshold) const {
   figures.recall_without_alarm = ratio(beyond_alarms, instances_);
   figures.position_error = median(std::move(position_errors));
   figures.angle_error = median(std::move(angle_errors));
+  figures.error_ratio = std::sqrt(mean(squared_errors) / 3);
   figures.ms_median = median(ms_);
   figures.ms_p95 = percentile(ms_, 95);
   figures.ms_max = percentile(ms_, 100);

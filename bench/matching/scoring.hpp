@@ -26,6 +26,7 @@ struct Judged {
   bool graspable = false;
   std::optional<std::size_t> instance;  ///< the one that it found, doubled or nearly found
   double position_error = 0;            ///< [px] to that instance
+  std::optional<double> squared_error;  ///< [1] weighted by the claimed covariance; 3 expected
   std::optional<double> angle_error;    ///< [rad] to that instance; none for round objects
 };
 
@@ -49,6 +50,7 @@ struct Figures {
   double recall_without_alarm = 0;  ///< with the threshold that silences all absent targets
   double position_error = 0;        ///< [px] median of the correct ones
   double angle_error = 0;           ///< [rad] median of the correct ones
+  double error_ratio = 0;           ///< [1] RMS error by claimed deviation of the correct ones
   double ms_median = 0, ms_p95 = 0, ms_max = 0;
 };
 

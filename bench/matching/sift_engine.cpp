@@ -61,7 +61,8 @@ std::vector<Found> SiftEngine::find(const cv::Mat& picture) {
     const double scale = std::hypot(m(0, 0), m(1, 0));
     if (scale > kScaleRange || scale < 1 / kScaleRange) continue;
     const cv::Point2d at = m * cv::Vec3d(reference_.x, reference_.y, 1);
-    found.push_back({{at.x, at.y, std::atan2(m(1, 0), m(0, 0))}, static_cast<double>(count)});
+    found.push_back(
+        {{at.x, at.y, std::atan2(m(1, 0), m(0, 0))}, static_cast<double>(count), false, {}});
   }
   return found;
 }

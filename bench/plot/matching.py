@@ -27,10 +27,12 @@ def draw(curves, figures, out):
         by_recall.plot(*zip(*points), label=row["engine"])
         by_recall.plot(float(row["recall"]), float(row["precision"]), "ko", markersize=4)
         by_time.plot(float(row["ratio"]), float(row["F1"]), "o", markersize=9)
-    by_recall.set(xlabel="recall", ylabel="precision", xlim=(0, 1.02), ylim=(0, 1.02))
+    by_recall.set(xlabel="recall", ylabel="precision", xlim=(0, 1.05), ylim=(0, 1.05))
     by_recall.set_title("over all thresholds; dots: the one in the table", fontsize="medium")
     by_time.set(xlabel="median time / one unrotated cv::matchTemplate", ylabel="F1", xscale="log")
-    by_time.set_ylim(0, 1.02)
+    for axis in (by_time.xaxis.set_major_formatter, by_time.xaxis.set_minor_formatter):
+        axis("{x:g}")
+    by_time.set_ylim(0, 1.05)
     for axes in (by_recall, by_time):
         axes.grid(alpha=0.3)
     figure.legend(*by_recall.get_legend_handles_labels(), loc="upper center", ncol=len(figures))

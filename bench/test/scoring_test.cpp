@@ -17,7 +17,7 @@ Instance at(double x, double y, double degrees, int symmetry = 1) {
 }
 
 Found found(double x, double y, double degrees, double score) {
-  return {{x, y, to_radians(degrees)}, score};
+  return {{x, y, to_radians(degrees)}, score, false, {}};
 }
 
 int correct_of(const std::vector<Judged>& judged) {
@@ -67,6 +67,15 @@ TEST(Judge, MeasuresAnglesModuloTheSymmetry) {
 
 TEST(Judge, WrapsAnglesAtHalfATurn) {
   EXPECT_EQ(correct_of(judge({found(100, 50, -179, .9)}, {at(100, 50, 179)}, kDiameter)), 1);
+}
+
+TEST(Judge, WeighsErrorsByTheClaimedCovariance) {
+  Found one = found(101, 52, 1, .9);
+  const double deviation = to_radians(0.5);
+  one.covariance = cv::Matx33d(1, 0, 0, 0, 4, 0, 0, 0, deviation * deviation);
+  const auto judged = judge({one}, {at(100, 50, 0)}, kDiameter);
+  EXPECT_NEAR(judged[0].squared_error.value(), 1 + 1 + 4, 1e-9);
+  EXPECT_FALSE(judge({one}, {at(100, 50, 0, 0)}, kDiameter)[0].squared_error);
 }
 
 TEST(SymmetryOf, ReadsThePeriodTag) {
