@@ -58,7 +58,7 @@ struct Grasp {
 
 struct ObjectModel {
   std::string name;            ///< library key, see is_valid_name()
-  std::string label;           ///< shown to the operator, UTF-8
+  std::string label;           ///< shown to the operator, UTF-8, at most 200 bytes
   bool enabled = true;         ///< searched for
   std::uint32_t revision = 1;  ///< +1 at every re-learning, added view or edit that moves poses
   double learned_at = 0;       ///< [s] since 1970-01-01 UTC

@@ -75,6 +75,7 @@ LearnResult learn_and_store(const Arguments& arguments, Settings& settings) {
   refuse(result, check_name(arguments, library));
   if (result.error != LearnError::kSuccess) return result;
   result = learn_object(lesson, settings.lesson(), settings.search(), stages.observer());
+  result.object.name = lesson.name;
   if (may_store(result, arguments)) store(library, arguments, lesson, settings.search(), result);
   return result;
 }

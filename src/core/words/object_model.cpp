@@ -23,6 +23,29 @@ bool is_finite(const Pose2D& pose) {
   return std::isfinite(pose.x) && std::isfinite(pose.y) && std::isfinite(pose.theta);
 }
 
+// Printable text: no control characters, and every byte part of a well-formed UTF-8 sequence.
+bool is_printable_utf8(const std::string& text) {
+  int continuing = 0;
+  for (const unsigned char c : text) {
+    if ((c >= 0x80 && c < 0xc0) != (continuing > 0)) return false;
+    if (continuing > 0) {
+      --continuing;
+      continue;
+    }
+    if (c < 0x20 || c == 0x7f || c == 0xc0 || c == 0xc1 || c > 0xf4) return false;
+    continuing = c < 0x80 ? 0 : c < 0xe0 ? 1 : c < 0xf0 ? 2 : 3;
+  }
+  return continuing == 0;
+}
+
+bool is_sound(const Grasp& grasp) {
+  double norm = 0;
+  for (const double value : grasp.orientation) norm += value * value;
+  const bool finite = std::all_of(grasp.position.begin(), grasp.position.end(),
+                                  [](double value) { return std::isfinite(value); });
+  return finite && std::abs(norm - 1) < 1e-3;
+}
+
 void validate_view(const View& view) {
   require(view.template_image.type() == CV_8UC3 && !view.template_image.empty(),
           "a view's template must be a non-empty 8-bit colour picture");
@@ -100,9 +123,17 @@ void move_reference(ObjectModel& model, const Pose2D& reference) {
 
 void validate(const ObjectModel& model) {
   require(is_valid_name(model.name), "an object's name must match [A-Za-z][A-Za-z0-9_]{0,63}");
+  require(model.label.size() <= 200 && is_printable_utf8(model.label),
+          "an object's label must be printable UTF-8 of at most 200 bytes");
   require(!model.views.empty(), "an object needs at least one view");
   require(std::isfinite(model.object_height) && model.object_height >= 0,
           "an object's height must be finite and not negative");
+  require(std::isnan(model.metres_per_pixel) || model.metres_per_pixel > 0,
+          "an object's scale must be above 0, or NaN for unknown");
+  require(!model.min_score || (*model.min_score > 0 && *model.min_score <= 1),
+          "an object's own threshold must lie in (0..1]");
+  require(!model.grasp || is_sound(*model.grasp),
+          "a grasp needs a finite position and a unit quaternion");
   for (const auto& view : model.views) validate_view(view);
 }
 

@@ -1,0 +1,161 @@
+#include <gtest/gtest.h>
+#include <yaml-cpp/yaml.h>
+
+#include <sstream>
+
+#include "cli/tool.hpp"
+
+namespace mbncc::test {
+namespace {
+
+using Words = std::vector<std::string>;
+
+constexpr const char* kHeader =
+    "image,name,instance,x,y,theta_deg,score,similarity,margin_place,margin_angle,graspable,ms";
+
+std::vector<std::string> split(const std::string& text, char separator) {
+  std::vector<std::string> parts;
+  std::istringstream stream(text);
+  for (std::string part; std::getline(stream, part, separator);) parts.push_back(part);
+  return parts;
+}
+
+class FindCommand : public testing::Test {
+ protected:
+  FindCommand() { learned_ = run_tool(folder_.lesson("part")).code; }
+
+  void SetUp() override { ASSERT_EQ(learned_, 0); }
+
+  ToolRun find(const Words& words) const {
+    return run_tool(Words{"find", "--library", folder_.library()} + words);
+  }
+
+  LessonFolder folder_;
+  int learned_ = -1;
+};
+
+TEST_F(FindCommand, CsvHasARowPerDetectionAndOnePerEmptyPicture) {
+  const ToolRun run = find({"--csv", folder_ / "target.png", folder_ / "empty.png"});
+  ASSERT_EQ(run.code, 0) << run.err;
+  const auto lines = split(run.out, '\n');
+  ASSERT_EQ(lines.size(), 3u) << run.out;
+  EXPECT_EQ(lines[0], kHeader);
+  const auto found = split(lines[1], ',');
+  ASSERT_EQ(found.size(), 12u);
+  EXPECT_EQ(found[0], folder_ / "target.png");
+  EXPECT_EQ(found[1], "part");
+  EXPECT_EQ(found[2], "0");
+  EXPECT_NEAR(std::stod(found[3]), 195, 1);
+  EXPECT_NEAR(std::stod(found[4]), 125, 1);
+  EXPECT_NEAR(std::stod(found[5]), 70, 1);
+  EXPECT_GT(std::stod(found[6]), 0.5);
+  EXPECT_GT(std::stod(found[11]), 0);
+  EXPECT_EQ(lines[2].rfind(folder_ / "empty.png" + ",,,,,,,,,,,", 0), 0u) << lines[2];
+}
+
+TEST_F(FindCommand, JsonHoldsWhatADetectionHolds) {
+  const ToolRun run = find({"--json", folder_ / "target.png", folder_ / "empty.png"});
+  ASSERT_EQ(run.code, 0) << run.err;
+  const YAML::Node pictures = YAML::Load(run.out);
+  ASSERT_EQ(pictures.size(), 2u);
+  EXPECT_EQ(pictures[0]["width"].as<int>(), LessonFolder::kWidth);
+  ASSERT_EQ(pictures[0]["objects"].size(), 1u);
+  const YAML::Node object = pictures[0]["objects"][0];
+  for (const char* key : {"name", "revision", "instance", "x", "y", "theta_deg", "scale", "score",
+                          "similarity", "margin_place", "margin_angle", "visible", "symmetry",
+                          "graspable", "covariance", "outline"})
+    EXPECT_TRUE(object[key]) << key;
+  EXPECT_EQ(object["covariance"].size(), 9u);
+  EXPECT_EQ(pictures[1]["objects"].size(), 0u);
+}
+
+TEST_F(FindCommand, UnreadablePicturesDoNotStopTheOthers) {
+  const cv::Mat picture = cv::imread(folder_ / "target.png");
+  cv::Mat deep;
+  picture.convertTo(deep, CV_16UC3, 256);
+  folder_.write("deep.png", deep);
+  folder_.write("whole.jpg", picture);
+  for (const char* name : {"whole.jpg", "target.png"}) {
+    const std::string bytes = content_of_file(folder_ / name);
+    std::ofstream(folder_ / ("cut_" + std::string(name)), std::ios::binary)
+        << bytes.substr(0, bytes.size() / 2);
+  }
+  std::ofstream(folder_ / "text.png") << "no picture";
+  const ToolRun run = find({"--csv", folder_ / "none.png", folder_ / "deep.png",
+                            folder_ / "cut_target.png", folder_ / "cut_whole.jpg",
+                            folder_ / "text.png", folder_.path(), folder_ / "whole.jpg"});
+  EXPECT_EQ(run.code, 1);
+  EXPECT_EQ(split(run.out, '\n').size(), 2u) << run.out;
+  for (const char* sentence :
+       {"none.png: there is no such file", "deep.png: 16 bits per channel",
+        "cut_target.png: the file is cut short", "cut_whole.jpg: the file is cut short",
+        "text.png: neither a PNG nor a JPEG", ": not a regular file"})
+    EXPECT_TRUE(run.says(sentence)) << sentence << "\n" << run.err;
+}
+
+TEST_F(FindCommand, PicturesWithAlphaAndGreyPicturesAreSearched) {
+  cv::Mat picture = cv::imread(folder_ / "target.png"), grey;
+  std::vector<cv::Mat> planes;
+  cv::split(picture, planes);
+  grey = planes[1].clone();
+  planes.push_back(cv::Mat(picture.size(), CV_8UC1, cv::Scalar(7)));
+  cv::Mat transparent;
+  cv::merge(planes, transparent);
+  folder_.write("transparent.png", transparent);
+  folder_.write("grey.png", grey);
+  const ToolRun run = find({"--csv", folder_ / "transparent.png", folder_ / "grey.png"});
+  EXPECT_EQ(run.code, 0) << run.err;
+  EXPECT_TRUE(run.prints("transparent.png,part,0,")) << run.out;
+}
+
+TEST_F(FindCommand, OverlayShowsTheObjectAndKeepsInputsApart) {
+  std::filesystem::create_directory(folder_ / "sub");
+  folder_.write("sub/target.png", cv::imread(folder_ / "target.png"));
+  const ToolRun run =
+      find({"--overlay", folder_ / "marked", folder_ / "target.png", folder_ / "sub/target.png"});
+  ASSERT_EQ(run.code, 0) << run.err;
+  const cv::Mat marked = cv::imread(folder_ / "marked/target_overlay.png");
+  EXPECT_EQ(marked.size(), cv::Size(LessonFolder::kWidth, LessonFolder::kHeight));
+  EXPECT_GT(cv::norm(marked, cv::imread(folder_ / "target.png"), cv::NORM_INF), 50);
+  EXPECT_FALSE(cv::imread(folder_ / "marked/target_2_overlay.png").empty());
+}
+
+TEST_F(FindCommand, ThresholdsComeFromOptionsAndSettings) {
+  const std::string target = folder_ / "target.png";
+  EXPECT_TRUE(find({"--min-score", "1", target}).prints("nothing found"));
+  EXPECT_TRUE(find({"--set", "min_score=1", target}).prints("nothing found"));
+  std::ofstream(folder_ / "settings.yaml") << "min_score: 1\nlibrary_path: unused\n";
+  EXPECT_TRUE(find({"--config", folder_ / "settings.yaml", target}).prints("nothing found"));
+  const ToolRun both =
+      find({"--config", folder_ / "settings.yaml", "--set", "min_score=0.3", target});
+  EXPECT_TRUE(both.prints("part at (")) << both.out;
+  std::ofstream(folder_ / "wrong.yaml") << "min_scroe: 0.5\n";
+  const ToolRun wrong = find({"--config", folder_ / "wrong.yaml", target});
+  EXPECT_EQ(wrong.code, 2);
+  EXPECT_TRUE(wrong.says("did you mean 'min_score'?"));
+  EXPECT_EQ(find({"--config", folder_ / "none.yaml", target}).code, 1);
+}
+
+TEST_F(FindCommand, UnknownNamesAndMissingLibrariesAreRefused) {
+  const ToolRun unknown = find({"--name", "nut", folder_ / "target.png"});
+  EXPECT_EQ(unknown.code, 1);
+  EXPECT_TRUE(unknown.says("no object 'nut'; it has part")) << unknown.err;
+  const ToolRun missing = run_tool({"find", "--library", folder_ / "nowhere", "x.png"});
+  EXPECT_EQ(missing.code, 1);
+  EXPECT_TRUE(missing.says("no such library folder"));
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "nowhere"));
+  std::filesystem::create_directory(folder_ / "bare");
+  EXPECT_TRUE(run_tool({"find", "--library", folder_ / "bare", folder_ / "target.png"})
+                  .says("has no objects"));
+}
+
+TEST_F(FindCommand, AnyPictureSizeIsSearched) {
+  const cv::Mat picture = cv::imread(folder_ / "target.png");
+  folder_.write("part_of_it.png", picture(cv::Rect(60, 30, 230, 190)));
+  const ToolRun run = find({"--csv", folder_ / "part_of_it.png"});
+  EXPECT_EQ(run.code, 0);
+  EXPECT_TRUE(run.prints("part_of_it.png,part,0,")) << run.out;
+}
+
+}  // namespace
+}  // namespace mbncc::test

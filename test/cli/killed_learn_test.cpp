@@ -1,0 +1,59 @@
+// `mbncc learn --overwrite` killed at random moments: the old object or the new one, never less.
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <csignal>
+#include <cstdlib>
+#include <random>
+#include <thread>
+
+#include "cli/tool.hpp"
+#include "mbncc/library/object_library.hpp"
+
+namespace mbncc::test {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+// 30 by default; MBNCC_KILLS asks for more.
+int kills_wanted() {
+  const char* wanted = std::getenv("MBNCC_KILLS");
+  return wanted == nullptr ? 30 : std::atoi(wanted);
+}
+
+// The delay before each kill is the point of this test, not a way to wait for something.
+TEST(KilledLearn, LeavesTheOldObjectOrTheNewOne) {
+  const LessonFolder folder;
+  const auto words = folder.lesson("part") + std::vector<std::string>{"--overwrite"};
+  const auto start = Clock::now();
+  ASSERT_EQ(run_tool(words).code, 0);
+  const auto whole = std::chrono::duration_cast<std::chrono::microseconds>(Clock::now() - start);
+
+  std::mt19937 random(17);
+  std::uniform_int_distribution<long> moment(0, whole.count());
+  ObjectLibrary library(folder.library());
+  std::uint32_t revision = 1;
+  int stored = 0, killed = 0;
+  for (int i = 0; i < kills_wanted(); ++i) {
+    const pid_t child = start_tool(words, "/dev/null", "/dev/null");
+    std::this_thread::sleep_for(std::chrono::microseconds(moment(random)));
+    ::kill(child, SIGKILL);
+    int status = 0;
+    ASSERT_EQ(::waitpid(child, &status, 0), child);
+    killed += WIFSIGNALED(status) ? 1 : 0;
+    const auto snapshot = library.load();
+    ASSERT_TRUE(snapshot->quarantined.empty());
+    const auto object = snapshot->find("part");
+    ASSERT_NE(object, nullptr);
+    ASSERT_GE(object->revision, revision);
+    stored += object->revision > revision ? 1 : 0;
+    revision = object->revision;
+  }
+  RecordProperty("killed", killed);
+  RecordProperty("new_revision", stored);
+  std::printf("%d of %d runs killed, %d left a new revision\n", killed, kills_wanted(), stored);
+  ASSERT_EQ(run_tool(words).code, 0) << "and the library still takes lessons";
+}
+
+}  // namespace
+}  // namespace mbncc::test

@@ -1,0 +1,96 @@
+// map, list, show, forget, restore, check, params.
+#include <gtest/gtest.h>
+#include <yaml-cpp/yaml.h>
+
+#include <filesystem>
+
+#include "cli/tool.hpp"
+#include "mbncc/config/learning_node_config.hpp"
+#include "mbncc/config/matching_node_config.hpp"
+
+namespace mbncc::test {
+namespace {
+
+class LibraryCommands : public testing::Test {
+ protected:
+  void SetUp() override { ASSERT_EQ(run_tool(folder_.lesson("part")).code, 0); }
+
+  ToolRun on_library(const std::string& command, const std::vector<std::string>& words = {}) const {
+    return run_tool(std::vector<std::string>{command, "--library", folder_.library()} + words);
+  }
+
+  LessonFolder folder_;
+};
+
+TEST_F(LibraryCommands, MapComesBackAtFullSize) {
+  ASSERT_EQ(on_library("map", {"--name", "part", "--out", folder_ / "out.png"}).code, 0);
+  const cv::Mat out = cv::imread(folder_ / "out.png", cv::IMREAD_UNCHANGED);
+  const cv::Mat map = cv::imread(folder_ / "map.png", cv::IMREAD_UNCHANGED);
+  ASSERT_EQ(out.type(), CV_8UC1);
+  ASSERT_EQ(out.size(), map.size());
+  EXPECT_EQ(cv::norm(out, map, cv::NORM_INF), 0);
+  const ToolRun nowhere = on_library("map", {"--name", "part", "--out", folder_ / "no/out.png"});
+  EXPECT_EQ(nowhere.code, 1);
+  EXPECT_TRUE(nowhere.says("cannot be written: No such file or directory")) << nowhere.err;
+}
+
+TEST_F(LibraryCommands, ListAndShowDescribeObjects) {
+  EXPECT_TRUE(on_library("list").prints("part"));
+  const YAML::Node list = YAML::Load(on_library("list", {"--json"}).out);
+  ASSERT_EQ(list.size(), 1u);
+  EXPECT_EQ(list[0]["name"].as<std::string>(), "part");
+  EXPECT_TRUE(on_library("show", {"--name", "part"}).prints("verdict"));
+  const YAML::Node object = YAML::Load(on_library("show", {"--name", "part", "--json"}).out);
+  EXPECT_EQ(object["views"].size(), 1u);
+  EXPECT_TRUE(object["quality"]["verdict"]);
+  EXPECT_EQ(on_library("show", {"--name", "nut"}).code, 1);
+}
+
+TEST_F(LibraryCommands, ForgottenObjectsCanBeRestored) {
+  EXPECT_EQ(on_library("forget", {"--name", "part"}).code, 0);
+  EXPECT_FALSE(on_library("list").prints("part"));
+  const ToolRun again = on_library("forget", {"--name", "part"});
+  EXPECT_EQ(again.code, 1);
+  EXPECT_TRUE(again.says("no object 'part'")) << again.err;
+  EXPECT_EQ(on_library("restore", {"--name", "part", "--revision", "9"}).code, 1);
+  EXPECT_TRUE(on_library("restore", {"--name", "part"}).prints("as revision 2"));
+  EXPECT_TRUE(on_library("list").prints("part"));
+}
+
+TEST_F(LibraryCommands, CheckReportsUnreadableFilesUntilTheyAreGone) {
+  EXPECT_EQ(on_library("check").code, 0);
+  std::ofstream(folder_.library() + "/broken.png") << "no picture";
+  for (int round = 0; round < 2; ++round) {
+    const ToolRun check = on_library("check");
+    EXPECT_EQ(check.code, 1);
+    EXPECT_TRUE(check.prints("1 readable, 1 unreadable")) << check.out;
+    EXPECT_TRUE(check.says(".quarantine/broken.png: ")) << check.err;
+  }
+  std::filesystem::remove_all(folder_.library() + "/.quarantine");
+  EXPECT_EQ(on_library("check").code, 0);
+}
+
+TEST_F(LibraryCommands, CommandsOnOneFileWarnOfBrokenOthers) {
+  std::ofstream(folder_.library() + "/broken.png") << "no picture";
+  const ToolRun list = on_library("list");
+  EXPECT_EQ(list.code, 0);
+  EXPECT_TRUE(list.says("broken.png")) << list.err;
+}
+
+TEST(ParamsCommand, ListsEveryFieldOfEveryStruct) {
+  const ToolRun plain = run_tool({"params"}), markdown = run_tool({"params", "--markdown"});
+  ASSERT_EQ(plain.code, 0);
+  ASSERT_EQ(markdown.code, 0);
+  const auto expect_all = [&](auto config) {
+    for (const auto& row : field_rows(config)) {
+      EXPECT_TRUE(plain.prints("\n" + row.info.name + " ")) << row.info.name;
+      EXPECT_TRUE(markdown.prints("\n| " + row.info.name + " | ")) << row.info.name;
+    }
+  };
+  expect_all(MatchingNodeConfig{});
+  expect_all(LearningNodeConfig{});
+  EXPECT_TRUE(run_tool({"params", "--set", "min_score=0.125"}).prints("0.125"));
+}
+
+}  // namespace
+}  // namespace mbncc::test

@@ -1,0 +1,89 @@
+// Wrong usage: exit code 2 and a sentence that says what is wrong.
+#include <gtest/gtest.h>
+
+#include "cli/tool.hpp"
+
+namespace mbncc::test {
+namespace {
+
+struct Wrong {
+  std::vector<std::string> words;
+  std::string sentence;
+};
+
+TEST(Usage, WrongUsageGetsASentenceAndExitCode2) {
+  const std::vector<std::string> learn = {"learn", "--library", "L",    "--name",
+                                          "n",     "--before",  "b.png"};
+  const std::vector<std::string> find = {"find", "--library", "L"};
+  const std::vector<Wrong> table = {
+      {{}, "no command"},
+      {{"lern"}, "did you mean 'learn'?"},
+      {{"--versoin"}, "unknown command"},
+      {{"list"}, "--library DIR is missing"},
+      {{"list", "--libary", "L"}, "did you mean '--library'?"},
+      {{"list", "--library"}, "--library needs a value"},
+      {{"list", "--library", "--json"}, "--library needs a value"},
+      {{"list", "--library="}, "--library needs a value"},
+      {{"list", "--library", "L", "--library", "M"}, "given twice"},
+      {{"list", "--library", "L", "extra"}, "'extra' is not expected"},
+      {{"list", "--library", "L", "--json=yes"}, "--json takes no value"},
+      {{"show", "--library", "L"}, "--name NAME is missing"},
+      {{"map", "--library", "L", "--name", "n"}, "--out map.png is missing"},
+      {{"restore", "--library", "L", "--name", "n", "--revision", "x"}, "--revision needs"},
+      {find, "no IMAGE is given"},
+      {find + std::vector<std::string>{"--csv", "--json", "i.png"}, "exclude each other"},
+      {find + std::vector<std::string>{"--min-score", "2", "i.png"}, "0 .. 1"},
+      {find + std::vector<std::string>{"--min-score", "nan", "i.png"}, "0 .. 1"},
+      {find + std::vector<std::string>{"--max-instances", "0", "i.png"}, "max_instances"},
+      {find + std::vector<std::string>{"--threads", "-1", "i.png"}, "threads"},
+      {find + std::vector<std::string>{"--engine", "slow", "i.png"}, "fast | polar"},
+      {find + std::vector<std::string>{"--set", "min_score", "i.png"}, "key=value"},
+      {find + std::vector<std::string>{"--set", "min_scor=.5", "i.png"}, "'min_score'"},
+      {find + std::vector<std::string>{"--set", "min_score=high", "i.png"}, "'high'"},
+      {learn, "add --after, --roi or --map"},
+      {learn + std::vector<std::string>{"--roi", "1,2,3,4", "--map", "m.png"}, "exclude"},
+      {learn + std::vector<std::string>{"--map", "m.png", "--method", "sb_grabcut"}, "exclude"},
+      {learn + std::vector<std::string>{"--roi", "1,2,3,4", "--overwrite", "--add-view"},
+       "exclude"},
+      {learn + std::vector<std::string>{"--roi", "1,2,3,4", "--method", "change_cut"},
+       "needs --after"},
+      {learn + std::vector<std::string>{"--roi", "1,2,3"}, "--roi needs x,y,w,h"},
+      {learn + std::vector<std::string>{"--roi", "1,2,3,4,"}, "--roi needs x,y,w,h"},
+      {learn + std::vector<std::string>{"--roi", "1,2,3,x"}, "--roi needs x,y,w,h"},
+      {learn + std::vector<std::string>{"--roi", "1,2,0,4"}, "--roi needs x,y,w,h"},
+      {learn + std::vector<std::string>{"--roi", "1,2,99999999999,4"}, "--roi needs x,y,w,h"},
+  };
+  for (const auto& wrong : table) {
+    const ToolRun run = run_tool(wrong.words);
+    std::string line = "mbncc";
+    for (const auto& word : wrong.words) line += " " + word;
+    EXPECT_EQ(run.code, 2) << line;
+    EXPECT_TRUE(run.says(wrong.sentence)) << line << "\n" << run.err;
+    EXPECT_TRUE(run.says("--help'")) << line << "\n" << run.err;
+    EXPECT_EQ(run.out, "") << line;
+  }
+}
+
+TEST(Usage, EveryCommandExplainsItself) {
+  const ToolRun all = run_tool({"--help"});
+  EXPECT_EQ(all.code, 0);
+  for (const char* command :
+       {"learn", "find", "map", "list", "show", "forget", "restore", "check", "params"}) {
+    EXPECT_TRUE(all.prints(command));
+    const ToolRun one = run_tool({command, "--help"});
+    EXPECT_EQ(one.code, 0);
+    EXPECT_TRUE(one.prints(std::string("usage: mbncc ") + command));
+    EXPECT_TRUE(one.prints("--config FILE.yaml"));
+    EXPECT_TRUE(one.prints("--set key=value"));
+  }
+  EXPECT_EQ(run_tool({"--version"}).out.rfind("mbncc ", 0), 0u);
+}
+
+TEST(Usage, OutputThatCannotBeWrittenIsAFailure) {
+  int status = 0;
+  ::waitpid(start_tool({"params"}, "/dev/full", "/dev/null"), &status, 0);
+  EXPECT_EQ(WEXITSTATUS(status), 1);
+}
+
+}  // namespace
+}  // namespace mbncc::test

@@ -1,0 +1,136 @@
+#include "mbncc/config/field.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <fstream>
+#include <set>
+
+#include "mbncc/config/learning_node_config.hpp"
+#include "mbncc/config/matching_node_config.hpp"
+#include "mbncc/error.hpp"
+#include "mbncc/nearest_word.hpp"
+#include "support/temporary_folder.hpp"
+
+namespace mbncc::test {
+namespace {
+
+struct Sample {
+  bool flag = true;
+  int count = 3;
+  double ratio = 0.25;
+  std::string engine = "fast";
+
+  template <class Self, class Visitor>
+  static void fields(Self& self, Visitor&& visit) {
+    visit(FieldInfo{"flag", Allowed::anything(), "", "a truth"}, self.flag);
+    visit(FieldInfo{"count", Allowed::range(1, 10), "px", "a number"}, self.count);
+    visit(FieldInfo{"ratio", Allowed::at_least(0), "", "a share"}, self.ratio);
+    visit(FieldInfo{"engine", Allowed::one_of({"fast", "polar"}), "", "a choice"}, self.engine);
+  }
+};
+
+std::string refusal_of(const std::string& key, const std::string& text) {
+  Sample sample;
+  try {
+    assign_field(field_rows(sample), key, text);
+  } catch (const ConfigError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST(Field, AssignsEachType) {
+  Sample sample;
+  const auto rows = field_rows(sample);
+  assign_field(rows, "flag", "false");
+  assign_field(rows, "count", "10");
+  assign_field(rows, "ratio", "1e3");
+  assign_field(rows, "engine", "polar");
+  EXPECT_FALSE(sample.flag);
+  EXPECT_EQ(sample.count, 10);
+  EXPECT_EQ(sample.ratio, 1000);
+  EXPECT_EQ(sample.engine, "polar");
+}
+
+TEST(Field, RefusalsNameKeyValueAndRange) {
+  for (const auto& [key, text, wanted] :
+       std::vector<std::array<std::string, 3>>{{"flag", "yes", "true or false"},
+                                               {"count", "11", "1 .. 10"},
+                                               {"count", "2.5", "whole number"},
+                                               {"count", "99999999999", "whole number"},
+                                               {"count", "", "whole number"},
+                                               {"count", "3 px", "whole number"},
+                                               {"ratio", "-0.1", ">= 0"},
+                                               {"ratio", "nan", "a number"},
+                                               {"ratio", "1,5", "a number"},
+                                               {"engine", "Fast", "fast | polar"}}) {
+    const std::string refusal = refusal_of(key, text);
+    EXPECT_NE(refusal.find("'" + key + "'"), std::string::npos) << refusal;
+    EXPECT_NE(refusal.find("'" + text + "'"), std::string::npos) << refusal;
+    EXPECT_NE(refusal.find(wanted), std::string::npos) << refusal;
+  }
+}
+
+TEST(Field, UnknownKeysNameTheNearestOne) {
+  EXPECT_NE(refusal_of("cuont", "1").find("'count'"), std::string::npos);
+}
+
+TEST(Field, RefusedValuesChangeNothing) {
+  Sample sample;
+  EXPECT_THROW(assign_field(field_rows(sample), "count", "0"), ConfigError);
+  EXPECT_EQ(sample.count, 3);
+}
+
+TEST(Field, TextReadsBackToTheSameNumber) {
+  const FieldInfo info{"x", Allowed::anything(), "", ""};
+  for (const double value : {0.0, 1.0, -1.0, 0.1, 1.0 / 3, 100.0, 1e15, 1e-9, 1763692114.123456,
+                             6.02214076e23, 123456789012345678.0}) {
+    double read = -7;
+    parse_field(info, field_text(value), read);
+    EXPECT_EQ(read, value) << field_text(value);
+  }
+  EXPECT_EQ(field_text(100.0), "100");
+  EXPECT_EQ(field_text(0.1), "0.1");
+}
+
+TEST(Field, YamlFilesAreReadStrictly) {
+  TemporaryFolder folder;
+  const auto load = [&folder](const std::string& text) {
+    std::ofstream(folder / "settings.yaml") << text;
+    Sample sample;
+    load_yaml_file(field_rows(sample), folder / "settings.yaml");
+    return sample;
+  };
+  EXPECT_EQ(load("# comment\ncount: 7\nengine: polar\n").count, 7);
+  EXPECT_THROW(load("cuont: 7\n"), ConfigError);
+  EXPECT_THROW(load("count: seven\n"), ConfigError);
+  EXPECT_THROW(load("count: [7]\n"), ConfigError);
+  EXPECT_THROW(load("- count\n"), FileError);
+  EXPECT_THROW(load("count: [7\n"), FileError);
+  EXPECT_THROW(load_yaml_file({}, folder / "none.yaml"), FileError);
+}
+
+template <class Config>
+void expect_sound_fields() {
+  Config config;
+  std::set<std::string> names;
+  for (const auto& row : field_rows(config)) {
+    EXPECT_TRUE(names.insert(row.info.name).second) << row.info.name << " is listed twice";
+    EXPECT_FALSE(row.info.meaning.empty()) << row.info.name;
+    EXPECT_NO_THROW(row.assign(row.value)) << "default of " << row.info.name;
+  }
+}
+
+TEST(Configs, DefaultsAreAllowedAndNamesUnique) {
+  expect_sound_fields<MatchingNodeConfig>();
+  expect_sound_fields<LearningNodeConfig>();
+}
+
+TEST(NearestWord, HasTheFewestEdits) {
+  EXPECT_EQ(nearest_word("lern", {"find", "learn", "list"}), "learn");
+  EXPECT_EQ(nearest_word("x", {}), "");
+}
+
+}  // namespace
+}  // namespace mbncc::test

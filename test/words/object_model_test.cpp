@@ -1,0 +1,107 @@
+#include "mbncc/object_model.hpp"
+
+#include <gtest/gtest.h>
+
+#include <functional>
+#include <opencv2/imgproc.hpp>
+#include <stdexcept>
+
+namespace mbncc::test {
+namespace {
+
+const cv::Size kSize(160, 120);
+
+cv::Mat picture() {
+  cv::Mat noise(kSize, CV_8UC3);
+  cv::RNG(3).fill(noise, cv::RNG::UNIFORM, 0, 256);
+  return noise;
+}
+
+cv::Mat disc(cv::Point centre, int radius) {
+  cv::Mat map = cv::Mat::zeros(kSize, CV_8UC1);
+  cv::circle(map, centre, radius, cv::Scalar(255), cv::FILLED);
+  return map;
+}
+
+ObjectModel sound_model() {
+  ObjectModel model;
+  model.name = "wrench";
+  model.label = "Wrench 10";
+  model.views = {crop_view(picture(), disc({70, 60}, 20), {70, 60, 0})};
+  return model;
+}
+
+TEST(Names, AreSafeAsFilesAndFrames) {
+  for (const char* name : {"a", "Wrench_10", "Z9"}) EXPECT_TRUE(is_valid_name(name)) << name;
+  EXPECT_TRUE(is_valid_name(std::string(64, 'a')));
+  for (const std::string& name :
+       {std::string(), std::string("1a"), std::string("_a"), std::string("../a"),
+        std::string("a b"), std::string("a/b"), std::string("a.b"), std::string("a\0b", 3),
+        std::string("\xc3\xa4"), std::string(65, 'a'), std::string(10000, 'a'), std::string("a\n")})
+    EXPECT_FALSE(is_valid_name(name)) << name;
+}
+
+TEST(CropView, KeepsPicturePlaceAndMap) {
+  for (const cv::Point centre : {cv::Point(70, 60), cv::Point(21, 21), cv::Point(139, 99)}) {
+    const cv::Mat map = disc(centre, 20);
+    const View view = crop_view(picture(), map, {1, 2, 3});
+    const cv::Rect crop(view.origin, view.map.size());
+    EXPECT_EQ(cv::norm(view.template_image, picture()(crop), cv::NORM_INF), 0);
+    EXPECT_EQ(cv::norm(full_size_map(view), map, cv::NORM_INF), 0);
+    EXPECT_EQ(view.picture_size, kSize);
+  }
+  EXPECT_THROW(crop_view(picture(), cv::Mat::zeros(5, 5, CV_8UC1), {}), std::invalid_argument);
+  EXPECT_THROW(crop_view(picture(), cv::Mat::zeros(kSize, CV_8UC1), {}), std::invalid_argument);
+}
+
+TEST(Outlines, LieInTheObjectFrame) {
+  View view = crop_view(picture(), disc({70, 60}, 20), {70, 60, kPi / 2});
+  const auto round = outlines(view);
+  ASSERT_EQ(round.size(), 1u);
+  for (const auto& point : round[0]) EXPECT_NEAR(cv::norm(point), 20, 1.5);
+  view.reference = {70 - 100, 60, kPi / 2};
+  // The disc lies at picture x +100, which is -y in a frame turned by 90 degrees.
+  const auto moved = outlines(view);
+  cv::Point2f mean;
+  for (const auto& point : moved[0]) mean += point;
+  mean /= static_cast<float>(moved[0].size());
+  EXPECT_NEAR(mean.x, 0, 2);
+  EXPECT_NEAR(mean.y, -100, 2);
+}
+
+TEST(Validate, NamesEachBrokenRule) {
+  EXPECT_NO_THROW(validate(sound_model()));
+  const std::vector<std::function<void(ObjectModel&)>> faults = {
+      [](ObjectModel& model) { model.name = ""; },
+      [](ObjectModel& model) { model.label = std::string(300, 'x'); },
+      [](ObjectModel& model) { model.label = "line\nbreak"; },
+      [](ObjectModel& model) { model.label = "\xff\xfe"; },
+      [](ObjectModel& model) { model.views.clear(); },
+      [](ObjectModel& model) { model.object_height = -1; },
+      [](ObjectModel& model) { model.object_height = Quality::kUnknown; },
+      [](ObjectModel& model) { model.metres_per_pixel = -1; },
+      [](ObjectModel& model) { model.min_score = 0; },
+      [](ObjectModel& model) { model.min_score = 1.5; },
+      [](ObjectModel& model) {
+        model.grasp = Grasp{{0, 0, 0}, {0, 0, 0, 0}};
+      },
+      [](ObjectModel& model) {
+        model.grasp = Grasp{{0, 0, Quality::kUnknown}, {0, 0, 0, 1}};
+      },
+      [](ObjectModel& model) { model.views[0].map.setTo(0); },
+      [](ObjectModel& model) { model.views[0].map.setTo(7); },
+      [](ObjectModel& model) { model.views[0].template_image = cv::Mat(); },
+      [](ObjectModel& model) { model.views[0].origin.x = -1; },
+      [](ObjectModel& model) { model.views[0].origin.x = 1000; },
+      [](ObjectModel& model) { model.views[0].reference.x = Quality::kUnknown; },
+  };
+  for (std::size_t i = 0; i < faults.size(); ++i) {
+    ObjectModel model = sound_model();
+    model.views[0].map = model.views[0].map.clone();
+    faults[i](model);
+    EXPECT_THROW(validate(model), std::invalid_argument) << "fault " << i;
+  }
+}
+
+}  // namespace
+}  // namespace mbncc::test
