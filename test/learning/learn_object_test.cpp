@@ -265,6 +265,51 @@ TEST(LearnErrors, ChangeTooLarge) {
   EXPECT_EQ(error_for(drawn.lesson), LearnError::kChangeTooLarge);
 }
 
+// What the survey refuses: the same scene under another light, or seen by a moved camera.
+LearnError error_for_after(const cv::Mat& radiance) {
+  DrawnLesson drawn = draw_lesson({160, 120}, {320, 240});
+  drawn.lesson.after = test::exposed(radiance, 12);
+  return error_for(drawn.lesson);
+}
+
+TEST(LearnErrors, LightSwitched) {
+  const cv::Mat platform = draw_lesson({160, 120}, {320, 240}).platform;
+  for (const double gain : {0.5, 1.7})
+    EXPECT_EQ(error_for_after(platform * gain), LearnError::kChangeTooLarge) << gain;
+}
+
+TEST(LearnErrors, LightFromElsewhere) {
+  cv::Mat platform = draw_lesson({160, 120}, {320, 240}).platform;
+  for (int x = 0; x < platform.cols; ++x) platform.col(x) *= 0.75 + 0.5 * x / platform.cols;
+  EXPECT_EQ(error_for_after(platform), LearnError::kChangeTooLarge);
+}
+
+TEST(LearnErrors, CameraPushed) {
+  const cv::Mat wide = test::texture({420, 340}, cv::Scalar(105, 115, 120), 14, 1);
+  DrawnLesson drawn = draw_lesson({160, 120}, {320, 240});
+  cv::Mat scene = wide(cv::Rect(40, 40, 320, 240)).clone();
+  drawn.scene.copyTo(scene, drawn.truth);
+  drawn.lesson.before = test::exposed(scene, 11);
+  drawn.lesson.after = test::exposed(wide(cv::Rect(65, 30, 320, 240)), 12);
+  EXPECT_EQ(error_for(drawn.lesson), LearnError::kChangeTooLarge);
+  cv::Mat turned;
+  cv::warpAffine(wide, turned, cv::getRotationMatrix2D({200, 160}, 4, 1), wide.size());
+  drawn.lesson.after = test::exposed(turned(cv::Rect(40, 40, 320, 240)), 12);
+  EXPECT_EQ(error_for(drawn.lesson), LearnError::kChangeTooLarge);
+}
+
+TEST(LearnObject, ForgivesExposureAndASmallShift) {
+  const cv::Mat wide = test::texture({420, 340}, cv::Scalar(105, 115, 120), 14, 1);
+  DrawnLesson drawn = draw_lesson({160, 120}, {320, 240});
+  cv::Mat scene = wide(cv::Rect(40, 40, 320, 240)).clone();
+  drawn.scene.copyTo(scene, drawn.truth);
+  drawn.lesson.before = test::exposed(scene, 11);
+  drawn.lesson.after = test::exposed(wide(cv::Rect(43, 38, 320, 240)), 12, 1.15);
+  const LearnResult result = learn_object(drawn.lesson);
+  ASSERT_EQ(result.error, LearnError::kSuccess) << result.message;
+  EXPECT_GT(iou(learned_map(result), drawn.truth), 0.85);
+}
+
 TEST(LearnErrors, TouchesBorder) {
   const DrawnLesson drawn = draw_lesson({30, 100});
   const LearnResult result = learn_object(drawn.lesson);

@@ -7,16 +7,20 @@
 namespace mbncc {
 
 struct ChangeSurvey {
-  cv::Mat changed;      ///< CV_8UC1 of the pictures' size, 255 where they differ beyond noise
-  double fraction = 0;  ///< [0..1] changed part of the picture
-  double gain = 1;      ///< exposure of `before` relative to `after`
+  cv::Mat changed;        ///< CV_8UC1 of the pictures' size, 255 where they differ beyond noise
+  double fraction = 0;    ///< [0..1] changed part of the picture
+  double displaced = 0;   ///< [0..1] part of the textured area whose texture is not where it was
+  double exposure = 1;    ///< factor between the pictures, >= 1
+  double unevenness = 1;  ///< largest over smallest exposure factor of the picture's quarters, >= 1
+  cv::Point2d shift;      ///< [px] of the camera, to about a pixel
 };
 
-/// Compares two CV_8UC3 pictures of one size at about 320 pixels width: the exposure of each
-/// channel is evened out, a camera shift of a pixel or so is forgiven.
+/// Compares two CV_8UC3 pictures of one size at about 320 pixels width. Exposure is evened out per
+/// channel and a camera shift undone before they are compared.
 ChangeSurvey survey_change(const cv::Mat& before, const cv::Mat& after);
 
-/// Bounding box, with a margin, of the largest group of changed pixels; empty when nothing changed.
-cv::Rect changed_region(const ChangeSurvey& survey);
+/// Bounding box, with a margin, of the groups of changed pixels inside `within` that are at least
+/// `least_part` of the largest one; empty when nothing changed there.
+cv::Rect changed_region(const ChangeSurvey& survey, const cv::Rect& within, double least_part);
 
 }  // namespace mbncc

@@ -2,30 +2,37 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <opencv2/imgproc.hpp>
 #include <vector>
+
+#include "learning/camera_shift.hpp"
+#include "learning/rectangles.hpp"
+#include "learning/statistics.hpp"
 
 namespace mbncc {
 namespace {
 
 constexpr int kSurveyWidth = 320;       // [px]
-constexpr float kLeastDifference = 18;  // [grey levels, summed over channels] above any usual noise
+constexpr float kLeastDifference = 18;  // [grey levels, summed over channels] above usual noise
 constexpr float kNoiseFactor = 5;       // a change stands out from the median difference this much
 constexpr float kSureDifference = 45;   // [likewise] a change, however much else differs
+constexpr double kClearGain = 0.8;      // a shift must lower the difference to this part
+constexpr int kTextureBox = 15;         // [px] of the survey: texture is compared in such squares
+constexpr double kTextured = 9;         // [grey levels^2] variance above which a square has texture
+constexpr double kSameTexture = 0.5;    // correlation of squares that show the same
 
 cv::Mat reduced(const cv::Mat& picture, double scale) {
-  cv::Mat small;
+  cv::Mat small, values;
   cv::resize(picture, small, {}, scale, scale, cv::INTER_AREA);
-  cv::Mat values;
   small.convertTo(values, CV_32F);
   return values;
 }
 
-float median(std::vector<float>& values) {
-  if (values.empty()) return 0;
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
+cv::Mat grey_of(const cv::Mat& picture) {
+  cv::Mat grey;
+  cv::cvtColor(picture, grey, cv::COLOR_BGR2GRAY);
+  return grey;
 }
 
 // Median ratio of the two pictures per channel; dark and saturated pixels say nothing.
@@ -43,14 +50,49 @@ cv::Vec3f exposure_ratio(const cv::Mat& before, const cv::Mat& after) {
   return gain;
 }
 
-// Difference of the pictures, summed over channels, averaged over 3 x 3.
-cv::Mat difference_of(const cv::Mat& before, const cv::Mat& after, const cv::Vec3f& gain) {
-  cv::Mat difference(before.size(), CV_32FC1);
-  for (int y = 0; y < before.rows; ++y)
-    for (int x = 0; x < before.cols; ++x) {
-      const cv::Vec3f d = before.at<cv::Vec3f>(y, x) - after.at<cv::Vec3f>(y, x).mul(gain);
-      difference.at<float>(y, x) = std::abs(d[0]) + std::abs(d[1]) + std::abs(d[2]);
+double mean_of(const cv::Vec3f& values) {
+  return (values[0] + values[1] + values[2]) / 3;
+}
+
+double unevenness(const cv::Mat& before, const cv::Mat& after) {
+  const cv::Size half(before.cols / 2, before.rows / 2);
+  double low = 1e9, high = 0;
+  for (const int x : {0, before.cols - half.width})
+    for (const int y : {0, before.rows - half.height}) {
+      const cv::Rect quarter({x, y}, half);
+      const double gain = mean_of(exposure_ratio(before(quarter), after(quarter)));
+      low = std::min(low, gain);
+      high = std::max(high, gain);
     }
+  return high / std::max(low, 1e-3);
+}
+
+// Mean difference of two grey pictures; large ones count no more than kLeastDifference.
+double mean_difference(const cv::Mat& before, const cv::Mat& after) {
+  cv::Mat difference;
+  cv::absdiff(before, after, difference);
+  return cv::mean(cv::min(difference, kLeastDifference))[0];
+}
+
+// By phase correlation at half the survey's width, believed only when it explains the pictures.
+cv::Point2d coarse_shift(const cv::Mat& before, const cv::Mat& after) {
+  cv::Mat b, a, window;
+  cv::resize(before, b, {}, 0.5, 0.5, cv::INTER_AREA);
+  cv::resize(after, a, {}, 0.5, 0.5, cv::INTER_AREA);
+  cv::createHanningWindow(window, b.size(), CV_32F);
+  const cv::Point2d shift = cv::phaseCorrelate(b, a, window);
+  const cv::Rect inner(b.cols / 4, b.rows / 4, b.cols / 2, b.rows / 2);
+  const cv::Mat moved = undo_shift(a, shift, cv::INTER_LINEAR);
+  const bool explains =
+      mean_difference(b(inner), moved(inner)) < kClearGain * mean_difference(b(inner), a(inner));
+  return explains ? 2 * shift : cv::Point2d();
+}
+
+// Difference of the pictures, summed over channels, averaged over 3 x 3.
+cv::Mat difference_of(const cv::Mat& before, const cv::Mat& after) {
+  cv::Mat distance, difference;
+  cv::absdiff(before, after, distance);
+  cv::transform(distance, difference, cv::Matx13f(1, 1, 1));
   cv::blur(difference, difference, {3, 3});
   return difference;
 }
@@ -60,42 +102,80 @@ float change_threshold(const cv::Mat& difference) {
   return std::clamp(kNoiseFactor * median(values), kLeastDifference, kSureDifference);
 }
 
+struct LocalMoments {
+  cv::Mat mean, variance;
+};
+
+cv::Mat box_mean(const cv::Mat& values) {
+  cv::Mat mean;
+  cv::boxFilter(values, mean, CV_32F, {kTextureBox, kTextureBox});
+  return mean;
+}
+
+LocalMoments moments_of(const cv::Mat& grey) {
+  const cv::Mat mean = box_mean(grey);
+  return {mean, box_mean(grey.mul(grey)) - mean.mul(mean)};
+}
+
+// Light and exposure leave the correlation of small squares alone; a moved camera does not.
+double displaced_part(const cv::Mat& before, const cv::Mat& after) {
+  const LocalMoments b = moments_of(before), a = moments_of(after);
+  const cv::Mat covariance = box_mean(before.mul(after)) - b.mean.mul(a.mean);
+  int textured = 0, displaced = 0;
+  for (int y = 0; y < before.rows; ++y)
+    for (int x = 0; x < before.cols; ++x) {
+      const double variance = b.variance.at<float>(y, x);
+      if (variance < kTextured) continue;
+      ++textured;
+      const double other = std::max(kTextured, double(a.variance.at<float>(y, x)));
+      if (covariance.at<float>(y, x) < kSameTexture * std::sqrt(variance * other)) ++displaced;
+    }
+  return textured == 0 ? 0 : displaced / static_cast<double>(textured);
+}
+
 }  // namespace
 
 ChangeSurvey survey_change(const cv::Mat& before, const cv::Mat& after) {
   const double scale = std::min(1.0, static_cast<double>(kSurveyWidth) / before.cols);
-  const cv::Mat b = reduced(before, scale), a = reduced(after, scale);
+  const cv::Mat b = reduced(before, scale);
+  cv::Mat a = reduced(after, scale);
+  ChangeSurvey survey;
   const cv::Vec3f gain = exposure_ratio(b, a);
-  const cv::Mat difference = difference_of(b, a, gain);
+  const double exposure = mean_of(gain);
+  survey.exposure = std::max(exposure, 1 / std::max(exposure, 1e-3));
+  survey.unevenness = unevenness(b, a);
+  cv::multiply(a, cv::Scalar(gain[0], gain[1], gain[2]), a);
+  const cv::Point2d shift = coarse_shift(grey_of(b), grey_of(a));
+  survey.shift = shift / scale;
+  a = undo_shift(a, shift, cv::INTER_LINEAR);
+  survey.displaced = displaced_part(grey_of(b), grey_of(a));
+
+  const cv::Mat difference = difference_of(b, a);
   cv::Mat changed = difference > change_threshold(difference);
   cv::morphologyEx(changed, changed, cv::MORPH_OPEN,
                    cv::getStructuringElement(cv::MORPH_ELLIPSE, {3, 3}));
-  ChangeSurvey survey;
   survey.fraction = cv::countNonZero(changed) / static_cast<double>(changed.total());
-  survey.gain = (gain[0] + gain[1] + gain[2]) / 3;
   cv::resize(changed, survey.changed, before.size(), 0, 0, cv::INTER_NEAREST);
   return survey;
 }
 
-cv::Rect changed_region(const ChangeSurvey& survey) {
+cv::Rect changed_region(const ChangeSurvey& survey, const cv::Rect& within, double least_part) {
   constexpr int kGap = 9;  // [px] pieces nearer than this belong together
   cv::Mat joined, labels, stats, centres;
-  cv::morphologyEx(survey.changed, joined, cv::MORPH_CLOSE,
+  cv::morphologyEx(survey.changed(within), joined, cv::MORPH_CLOSE,
                    cv::getStructuringElement(cv::MORPH_ELLIPSE, {kGap, kGap}));
   const int count = cv::connectedComponentsWithStats(joined, labels, stats, centres, 8, CV_32S);
+  const auto area = [&](int i) { return stats.at<int>(i, cv::CC_STAT_AREA); };
   int largest = 0;
+  for (int i = 1; i < count; ++i) largest = std::max(largest, area(i));
+  cv::Rect box;
   for (int i = 1; i < count; ++i)
-    if (largest == 0 ||
-        stats.at<int>(i, cv::CC_STAT_AREA) > stats.at<int>(largest, cv::CC_STAT_AREA))
-      largest = i;
-  if (largest == 0) return {};
-  const cv::Rect box(
-      stats.at<int>(largest, cv::CC_STAT_LEFT), stats.at<int>(largest, cv::CC_STAT_TOP),
-      stats.at<int>(largest, cv::CC_STAT_WIDTH), stats.at<int>(largest, cv::CC_STAT_HEIGHT));
+    if (area(i) >= least_part * largest)
+      box |= cv::Rect(stats.at<int>(i, cv::CC_STAT_LEFT), stats.at<int>(i, cv::CC_STAT_TOP),
+                      stats.at<int>(i, cv::CC_STAT_WIDTH), stats.at<int>(i, cv::CC_STAT_HEIGHT));
+  if (box.empty()) return {};
   const int margin = std::max(8, std::max(box.width, box.height) * 15 / 100);
-  const cv::Rect grown(box.x - margin, box.y - margin, box.width + 2 * margin,
-                       box.height + 2 * margin);
-  return grown & cv::Rect({0, 0}, survey.changed.size());
+  return grown(box + within.tl(), margin) & within;
 }
 
 }  // namespace mbncc

@@ -84,9 +84,18 @@ class LessonRun {
 
   void survey(SegmentationTask& task) {
     const ChangeSurvey survey = survey_change(task.before, task.after);
-    if (survey.fraction > config_.max_change) throw LessonEnded(LearnError::kChangeTooLarge);
+    check_survey(survey, config_);
     task.changed = survey.changed;
-    if (lesson_.region == cv::Rect()) task.region = changed_region(survey);
+    task.region = region_of_change(survey, task.region);
+  }
+
+  // Without a region, the largest change is the object. A region that is far larger than all change
+  // inside it is narrowed: the work grows with it.
+  cv::Rect region_of_change(const ChangeSurvey& survey, const cv::Rect& region) const {
+    constexpr int kFarLarger = 4;
+    if (lesson_.region == cv::Rect()) return changed_region(survey, region, 1);
+    const cv::Rect narrow = changed_region(survey, region, 0.1);
+    return !narrow.empty() && region.area() > kFarLarger * narrow.area() ? narrow : region;
   }
 
   Segmentation segment(const SegmentationTask& task) {

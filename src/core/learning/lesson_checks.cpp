@@ -126,6 +126,19 @@ cv::Mat outline_map(const Lesson& lesson) {
   return map;
 }
 
+void check_survey(const ChangeSurvey& survey, const LearningConfig& config) {
+  constexpr LearnError kError = LearnError::kChangeTooLarge;
+  require(survey.exposure <= config.max_exposure_change, kError,
+          "The exposure or the light changed between the pictures.");
+  require(survey.unevenness <= config.max_light_change, kError,
+          "The light comes from elsewhere in the second picture.");
+  require(cv::norm(survey.shift) <= config.max_shift, kError,
+          "The camera moved between the pictures.");
+  require(survey.displaced <= config.max_change, kError,
+          "The scene moved under the camera between the pictures.");
+  require(survey.fraction <= config.max_change, kError, "");
+}
+
 void check_map(const cv::Mat& map, const cv::Rect& room) {
   const int filled = cv::countNonZero(map);
   if (filled == 0) throw LessonEnded(LearnError::kSegmentationEmpty);

@@ -3,6 +3,7 @@
 
 #include <opencv2/core.hpp>
 
+#include "mbncc/learning/change.hpp"
 #include "mbncc/learning/learn_object.hpp"
 
 namespace mbncc {
@@ -18,6 +19,10 @@ cv::Rect usable_region(const Lesson& lesson);
 /// The outline filled. Throws LessonEnded(kRegionInvalid) when it crosses itself, has fewer than
 /// three corners or lies outside.
 cv::Mat outline_map(const Lesson& lesson);
+
+/// Throws LessonEnded(kChangeTooLarge) when the pictures cannot be compared: light switched, camera
+/// moved, or another scene altogether.
+void check_survey(const ChangeSurvey& survey, const LearningConfig& config);
 
 /// Throws LessonEnded when the map holds nothing or everything. `room` is what it could have
 /// filled.
