@@ -1,7 +1,6 @@
 #include "cli/settings.hpp"
 
 #include <algorithm>
-#include <set>
 
 namespace mbncc::cli {
 namespace {
@@ -13,29 +12,31 @@ std::vector<FieldRow> all_rows(Settings& settings) {
   };
   append(field_rows(settings.matching));
   append(field_rows(settings.learning));
+  append(field_rows(settings.simulated_camera));
+  return rows;
+}
+
+// The rows whose names are not among the listed ones: a nodelet's list repeats those of the core.
+std::vector<FieldRow> without(const std::vector<FieldRow>& listed, std::vector<FieldRow> rows) {
+  const auto is_listed = [&listed](const FieldRow& row) {
+    return std::any_of(listed.begin(), listed.end(),
+                       [&row](const FieldRow& other) { return other.info.name == row.info.name; });
+  };
+  rows.erase(std::remove_if(rows.begin(), rows.end(), is_listed), rows.end());
   return rows;
 }
 
 }  // namespace
 
 std::vector<SettingsSection> sections_of(Settings& settings) {
-  std::vector<SettingsSection> sections = {
-      {"search (find, learn, matching nodelet)", field_rows(settings.search())},
-      {"lesson (learn, learning nodelet)", field_rows(settings.lesson())},
-      {"platform (both nodelets)", field_rows(settings.matching.platform)},
-      {"matching nodelet", field_rows(settings.matching)},
-      {"learning nodelet", field_rows(settings.learning)}};
-  // A nodelet's list repeats those of the core, and library_path is in both nodelets.
-  std::set<std::string> listed;
-  for (auto& section : sections) {
-    auto& rows = section.rows;
-    rows.erase(
-        std::remove_if(rows.begin(), rows.end(),
-                       [&listed](const FieldRow& row) { return listed.count(row.info.name) != 0; }),
-        rows.end());
-    for (const auto& row : rows) listed.insert(row.info.name);
-  }
-  return sections;
+  const auto search = field_rows(settings.search()), lesson = field_rows(settings.lesson());
+  const auto platform = field_rows(settings.matching.platform);
+  return {{"search (find, learn, matching nodelet)", search},
+          {"lesson (learn, learning nodelet)", lesson},
+          {"platform (matching and learning nodelet)", platform},
+          {"matching nodelet", without(platform, without(search, field_rows(settings.matching)))},
+          {"learning nodelet", without(platform, without(lesson, field_rows(settings.learning)))},
+          {"simulated camera nodelet", field_rows(settings.simulated_camera)}};
 }
 
 std::vector<FieldRow> rows_of(Settings& settings) {

@@ -7,6 +7,7 @@
 #include "cli/arguments.hpp"
 #include "mbncc/config/learning_node_config.hpp"
 #include "mbncc/config/matching_node_config.hpp"
+#include "mbncc/config/simulated_camera_config.hpp"
 
 namespace mbncc::cli {
 
@@ -14,6 +15,7 @@ namespace mbncc::cli {
 struct Settings {
   MatchingNodeConfig matching;
   LearningNodeConfig learning;
+  SimulatedCameraConfig simulated_camera;
 
   SearchConfig& search() { return matching.search; }
   LearningConfig& lesson() { return learning.learning; }
@@ -25,7 +27,7 @@ struct SettingsSection {
   std::vector<FieldRow> rows;
 };
 
-/// All parameters by part, each once. `settings` must outlive the rows.
+/// All parameters by part. `settings` must outlive the rows.
 std::vector<SettingsSection> sections_of(Settings& settings);
 
 /// All parameters; setting one that several parts share sets it in each. `settings` must outlive

@@ -8,6 +8,7 @@
 
 #include "mbncc/config/learning_node_config.hpp"
 #include "mbncc/config/matching_node_config.hpp"
+#include "mbncc/config/simulated_camera_config.hpp"
 #include "mbncc/error.hpp"
 #include "mbncc/nearest_word.hpp"
 #include "support/temporary_folder.hpp"
@@ -125,6 +126,7 @@ void expect_sound_fields() {
 TEST(Configs, DefaultsAreAllowedAndNamesUnique) {
   expect_sound_fields<MatchingNodeConfig>();
   expect_sound_fields<LearningNodeConfig>();
+  expect_sound_fields<SimulatedCameraConfig>();
 }
 
 TEST(NearestWord, HasTheFewestEdits) {
