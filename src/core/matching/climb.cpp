@@ -2,7 +2,7 @@
 #include <cmath>
 
 #include "matching/evidence.hpp"
-#include "matching/kernels.hpp"
+#include "polar/kernels.hpp"
 
 namespace mbncc {
 namespace {

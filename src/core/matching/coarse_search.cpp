@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "matching/kernels.hpp"
 #include "mbncc/matching/similarity.hpp"
+#include "polar/kernels.hpp"
 
 namespace mbncc {
 namespace {

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <opencv2/imgproc.hpp>
 
-#include "matching/kernels.hpp"
+#include "polar/kernels.hpp"
 
 namespace mbncc {
 

@@ -6,7 +6,7 @@
 #include <opencv2/imgproc.hpp>
 
 #include "matching/edge_picture.hpp"
-#include "matching/kernels.hpp"
+#include "polar/kernels.hpp"
 
 namespace mbncc {
 namespace {

@@ -112,13 +112,14 @@ const SearchConfig& Matcher::config() const {
 }
 
 void Matcher::set_objects(std::vector<std::shared_ptr<const ObjectModel>> objects) {
+  const Engine engine = implementation_->config.engine == "polar" ? Engine::kPolar : Engine::kFast;
   ObjectList prepared;
   for (auto& object : objects) {
     const auto& old = implementation_->objects;
     const auto known = std::find_if(old.begin(), old.end(),
                                     [&](const auto& other) { return other->model == object; });
     prepared.push_back(known != old.end() ? *known
-                                          : std::make_shared<const PreparedObject>(object));
+                                          : std::make_shared<const PreparedObject>(object, engine));
   }
   implementation_->objects = std::move(prepared);
 }

@@ -44,9 +44,9 @@ struct PreparedView::Source {
   cv::Point2d anchor;
 };
 
-PreparedView::PreparedView(const View& view) : PreparedView(Source(view)) {}
+PreparedView::PreparedView(const View& view, Engine engine) : PreparedView(Source(view), engine) {}
 
-PreparedView::PreparedView(const Source& source)
+PreparedView::PreparedView(const Source& source, Engine engine)
     : anchor(source.anchor),
       reference_in_anchor(reference_in_crop(source.view, anchor)),
       shape(source.view.map, anchor),
@@ -69,19 +69,21 @@ PreparedView::PreparedView(const Source& source)
     fine = prepare(640, 200);
     dense = prepare(4000, 200);
   }
+  if (engine == Engine::kPolar) polar.emplace(source.view);
   const auto all = outlines(source.view);
   if (!all.empty()) outline = all.front();
 }
 
-PreparedObject::PreparedObject(std::shared_ptr<const ObjectModel> object)
+PreparedObject::PreparedObject(std::shared_ptr<const ObjectModel> object, Engine engine)
     : model(std::move(object)) {
   validate(*model);
-  for (const auto& view : model->views) views.emplace_back(view);
+  for (const auto& view : model->views) views.emplace_back(view, engine);
 }
 
 int PreparedObject::top_level() const {
   int top = 0;
-  for (const auto& view : views) top = std::max(top, view.top_level());
+  for (const auto& view : views)
+    top = std::max({top, view.top_level(), view.polar ? view.polar->top_level() : 0});
   return top;
 }
 

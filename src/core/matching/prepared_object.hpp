@@ -2,21 +2,26 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "matching/edge_search.hpp"
 #include "matching/evidence.hpp"
 #include "matching/map_shape.hpp"
 #include "matching/rotated_kernels.hpp"
+#include "mbncc/matching/polar_search.hpp"
 #include "mbncc/matching/similarity.hpp"
 #include "mbncc/object_model.hpp"
 
 namespace mbncc {
 
+/// How poses are searched for.
+enum class Engine { kFast, kPolar };
+
 /// One view, in the frame of its anchor: the centre of the map's excircle.
 class PreparedView {
  public:
-  explicit PreparedView(const View& view);
+  PreparedView(const View& view, Engine engine);
 
   int top_level() const { return static_cast<int>(templates.size()) - 1; }
 
@@ -30,15 +35,16 @@ class PreparedView {
   PoseTemplate fine;                    ///< at full resolution: judges the last few
   PoseTemplate dense;                   ///< at full resolution: settles the pose of the last few
   MaskedTemplate points;                ///< all map pixels at full resolution
+  std::optional<PolarSearch> polar;     ///< with Engine::kPolar
   std::vector<cv::Point2f> outline;     ///< [px] largest outline in the object frame
 
  private:
   struct Source;
-  explicit PreparedView(const Source& source);
+  PreparedView(const Source& source, Engine engine);
 };
 
 struct PreparedObject {
-  explicit PreparedObject(std::shared_ptr<const ObjectModel> object);
+  PreparedObject(std::shared_ptr<const ObjectModel> object, Engine engine);
 
   int top_level() const;
 

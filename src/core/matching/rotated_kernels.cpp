@@ -5,10 +5,10 @@
 #include <limits>
 #include <opencv2/imgproc.hpp>
 
-#include "matching/kernels.hpp"
 #include "matching/map_level.hpp"
 #include "mbncc/geometry.hpp"
 #include "mbncc/matching/pyramid.hpp"
+#include "polar/kernels.hpp"
 
 namespace mbncc {
 namespace {

@@ -9,21 +9,6 @@
 namespace mbncc {
 namespace {
 
-void check(const cv::Mat& picture) {
-  constexpr int kSmallest = 16;
-  if (picture.type() != CV_8UC3 && picture.type() != CV_8UC1)
-    throw std::invalid_argument("a picture to search must be 8-bit colour or grey");
-  if (picture.cols < kSmallest || picture.rows < kSmallest)
-    throw std::invalid_argument("a picture to search must have at least 16 x 16 pixels");
-}
-
-cv::Mat to_grey(const cv::Mat& picture) {
-  if (picture.type() == CV_8UC1) return picture;
-  cv::Mat grey;
-  cv::cvtColor(picture, grey, cv::COLOR_BGR2GRAY);
-  return grey;
-}
-
 cv::Mat to_colour(const cv::Mat& picture) {
   if (picture.type() == CV_8UC3) return picture;
   cv::Mat colour;
@@ -33,6 +18,18 @@ cv::Mat to_colour(const cv::Mat& picture) {
 
 }  // namespace
 
+cv::Mat grey_picture(const cv::Mat& picture) {
+  constexpr int kSmallest = 16;
+  if (picture.type() != CV_8UC3 && picture.type() != CV_8UC1)
+    throw std::invalid_argument("a picture to search must be 8-bit colour or grey");
+  if (picture.cols < kSmallest || picture.rows < kSmallest)
+    throw std::invalid_argument("a picture to search must have at least 16 x 16 pixels");
+  if (picture.type() == CV_8UC1) return picture;
+  cv::Mat grey;
+  cv::cvtColor(picture, grey, cv::COLOR_BGR2GRAY);
+  return grey;
+}
+
 SceneLevel::SceneLevel(const cv::Mat& picture, int level) {
   const double sigma = level == 0 ? 0.9 : 0.6;
   cv::GaussianBlur(picture, colour, {5, 5}, sigma);
@@ -41,8 +38,7 @@ SceneLevel::SceneLevel(const cv::Mat& picture, int level) {
 }
 
 ScenePicture::ScenePicture(const cv::Mat& picture, int top_level) {
-  check(picture);
-  grey = build_pyramid(to_grey(picture), top_level);
+  grey = build_pyramid(grey_picture(picture), top_level);
   const auto colours = build_pyramid(to_colour(picture), top_level);
   for (std::size_t level = 0; level < colours.size(); ++level)
     levels.emplace_back(colours[level], static_cast<int>(level));

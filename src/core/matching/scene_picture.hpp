@@ -6,6 +6,9 @@
 
 namespace mbncc {
 
+/// `picture` as grey: CV_8UC3 (bgr) or CV_8UC1, at least 16 x 16; else std::invalid_argument.
+cv::Mat grey_picture(const cv::Mat& picture);
+
 /// A picture at one pyramid level, as evidence is read from it.
 struct SceneLevel {
   /// `colour` is CV_8UC3; it is smoothed a little against noise, more at level 0.
@@ -19,7 +22,7 @@ struct SceneLevel {
 };
 
 struct ScenePicture {
-  /// `picture` is CV_8UC3 (bgr) or CV_8UC1, at least 16 x 16; else std::invalid_argument.
+  /// `picture` as for grey_picture().
   ScenePicture(const cv::Mat& picture, int top_level);
 
   int top_level() const { return static_cast<int>(grey.size()) - 1; }

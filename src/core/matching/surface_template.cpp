@@ -5,8 +5,8 @@
 #include <numeric>
 #include <random>
 
-#include "matching/kernels.hpp"
 #include "mbncc/matching/pyramid.hpp"
+#include "polar/kernels.hpp"
 
 namespace mbncc {
 namespace {

@@ -32,6 +32,8 @@ class ViewSearch {
       : object_(object), view_(view), scene_(scene), roi_(roi), entering_(view.templates.size()) {}
 
   std::vector<Detection> run() {
+    if (view_.polar) return judge_polar();
+    if (view_.top_level() > scene_.top_level()) return {};
     correlate();
     follow_edges();
     std::vector<Candidate> candidates;
@@ -148,10 +150,23 @@ class ViewSearch {
     drop_duplicates(candidates, 1.5, view_.shape.radius(), most_at(0));
   }
 
+  /// The paper's poses as they are, with the evidence for them.
+  std::vector<Detection> judge_polar() const {
+    std::vector<Detection> detections;
+    if (view_.polar->top_level() > scene_.top_level()) return detections;
+    for (const auto& found : view_.polar->find(scene_.grey, roi_))
+      detections.push_back(judged(found.pose, false));
+    return best_first(detections);
+  }
+
   std::vector<Detection> judge(const std::vector<Candidate>& candidates) const {
     std::vector<Detection> detections;
     for (std::size_t i = 0; i < candidates.size(); ++i)
       detections.push_back(judged(candidates[i].pose, i < kFinal));
+    return best_first(detections);
+  }
+
+  static std::vector<Detection> best_first(std::vector<Detection> detections) {
     std::stable_sort(
         detections.begin(), detections.end(),
         [](const Detection& a, const Detection& b) { return a.log_odds > b.log_odds; });
@@ -211,7 +226,6 @@ double Detection::score() const {
 
 std::vector<Detection> search_view(const PreparedObject& object, const PreparedView& view,
                                    const ScenePicture& scene, const cv::Rect& roi) {
-  if (view.top_level() > scene.top_level()) return {};
   return ViewSearch(object, view, scene, roi).run();
 }
 

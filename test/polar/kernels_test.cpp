@@ -1,4 +1,4 @@
-#include "matching/kernels.hpp"
+#include "polar/kernels.hpp"
 
 #include <gtest/gtest.h>
 
@@ -65,6 +65,53 @@ TEST_P(Kernels, SumRunsEqualsReference) {
   };
   run(reference(), expected);
   run(vectorised(), actual);
+  EXPECT_EQ(expected, actual);
+}
+
+TEST_P(Kernels, SumRowsMaxEqualsReference) {
+  constexpr int kRows = 10;
+  const auto maps = random_values<std::int16_t>(count() + kRows * 3 + misalignment(), -1000, 1000);
+  std::vector<const std::int16_t*> rows;
+  for (int k = 0; k < kRows; ++k) rows.push_back(maps.data() + misalignment() + 3 * k);
+  const auto best = random_values<std::int16_t>(count(), -2000, 2000);
+  auto best_expected = best, best_actual = best;
+  std::vector<std::int16_t> expected(count()), actual(count());
+  reference().sum_rows_max_row(rows.data(), kRows, expected.data(), best_expected.data(), count());
+  vectorised().sum_rows_max_row(rows.data(), kRows, actual.data(), best_actual.data(), count());
+  EXPECT_EQ(expected, actual);
+  EXPECT_EQ(best_expected, best_actual);
+}
+
+TEST_P(Kernels, StrongestOfThreeEqualsReference) {
+  const auto x = random_values<std::int16_t>(3 * count() + misalignment(), -1024, 1024);
+  const auto y = random_values<std::int16_t>(3 * count() + misalignment(), -1024, 1024);
+  std::vector<std::int16_t> expected(2 * count()), actual(2 * count());
+  reference().strongest_of_three_row(x.data() + misalignment(), y.data() + misalignment(),
+                                     expected.data(), count());
+  vectorised().strongest_of_three_row(x.data() + misalignment(), y.data() + misalignment(),
+                                      actual.data(), count());
+  EXPECT_EQ(expected, actual);
+}
+
+TEST_P(Kernels, EdgeVectorsEqualReference) {
+  const auto gradients = random_values<std::int16_t>(2 * count() + misalignment(), -1024, 1024);
+  std::vector<std::int8_t> expected(2 * count()), actual(2 * count());
+  reference().edge_vectors_row(gradients.data() + misalignment(), expected.data(), count());
+  vectorised().edge_vectors_row(gradients.data() + misalignment(), actual.data(), count());
+  EXPECT_EQ(expected, actual);
+}
+
+TEST_P(Kernels, DotsEqualReference) {
+  constexpr int kRows = 5;
+  const int padded = (count() + kLanes - 1) / kLanes * kLanes;
+  std::vector<float> values(kRows * padded + misalignment() + padded);
+  std::normal_distribution<float> value(0, 30);
+  for (auto& v : values) v = value(random_);
+  const float* rows = values.data() + misalignment();
+  const float* vector = values.data() + kRows * padded;
+  std::vector<float> expected(kRows), actual(kRows);
+  reference().dots_rows(rows, padded, kRows, vector, padded, expected.data());
+  vectorised().dots_rows(rows, padded, kRows, vector, padded, actual.data());
   EXPECT_EQ(expected, actual);
 }
 

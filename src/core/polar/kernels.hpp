@@ -43,7 +43,7 @@ void edge_vectors(const std::int16_t* gradients, std::int8_t* edges, int count);
 constexpr int kLanes = 16;
 
 /// products[k] = sum_i rows[k stride + i] vector[i] for i in [0, count), k in [0, row_count), added
-/// up in kLanes partial sums. `count` is a multiple of kLanes.
+/// up in kLanes partial sums. `count` is a multiple of kLanes; rows may overlap.
 void dots(const float* rows, std::size_t stride, int row_count, const float* vector, int count,
           float* products);
 

@@ -1,4 +1,4 @@
-#include "matching/kernels.hpp"
+#include "polar/kernels.hpp"
 
 #include <algorithm>
 #include <cstdlib>

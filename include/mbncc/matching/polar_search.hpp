@@ -1,0 +1,50 @@
+// The paper's matching phase, step by step: image pyramid, candidate centres, polar transform of
+// the target's disc about each, normalized cross correlation over all cyclic shifts with the map,
+// from coarse to fine (doi 10.1177/1687814017728839). Kept beside the fast search for comparison.
+#pragma once
+
+#include <opencv2/core.hpp>
+#include <vector>
+
+#include "mbncc/object_model.hpp"
+#include "mbncc/polar.hpp"
+
+namespace mbncc {
+
+/// Which template pixels count.
+enum class PolarRegion {
+  kMap,       ///< the map's: MB-NCC
+  kIncircle,  ///< the largest disc inside the map: PP-NCC, loses object pixels
+  kExcircle,  ///< the smallest disc around the map: PP-NCC, takes in background pixels
+};
+
+/// A place and rotation of the view, by similarity.
+struct PolarPose {
+  Pose2D pose;            ///< [px],[rad] of the region's centre, against the learning picture
+  double similarity = 0;  ///< [-1..1]
+};
+
+class PolarSearch {
+ public:
+  explicit PolarSearch(const View& view, PolarRegion region = PolarRegion::kMap);
+
+  /// Centre of the region's circle [px] in the view's crop: the point that poses are given of.
+  cv::Point2d centre() const { return centre_; }
+
+  /// Coarsest pyramid level used.
+  int top_level() const { return static_cast<int>(templates_.size()) - 1; }
+
+  /// Local maxima of the similarity with centres in `roi` [px], refined to full resolution, best
+  /// first. `levels` is the grey pyramid (build_pyramid()) of the picture searched.
+  std::vector<PolarPose> find(const std::vector<cv::Mat>& levels, const cv::Rect& roi) const;
+
+ private:
+  std::vector<PolarPose> scan(const cv::Mat& grey, int level, const cv::Rect& roi) const;
+  PolarPose refined(const cv::Mat& grey, int level, const PolarPose& coarse) const;
+  PolarPose interpolated(const cv::Mat& grey, const PolarPose& best) const;
+
+  cv::Point2d centre_;
+  std::vector<PolarTemplate> templates_;  // per level
+};
+
+}  // namespace mbncc

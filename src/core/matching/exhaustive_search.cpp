@@ -1,0 +1,71 @@
+#include "mbncc/matching/exhaustive_search.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <opencv2/imgproc.hpp>
+
+#include "matching/candidate.hpp"
+#include "matching/map_shape.hpp"
+#include "matching/scene_picture.hpp"
+#include "mbncc/matching/similarity.hpp"
+
+namespace mbncc {
+namespace {
+
+/// Every grid pose that reaches the threshold.
+std::vector<Candidate> all_poses(const MaskedTemplate& points, const cv::Mat& grey,
+                                 const ExhaustiveSettings& settings) {
+  const int rotations = std::max(1, static_cast<int>(std::ceil(2 * kPi / settings.angle_step)));
+  std::vector<Candidate> poses;
+  for (int k = 0; k < rotations; ++k)
+    for (int y = 0; y < grey.rows; y += settings.position_step)
+      for (int x = 0; x < grey.cols; x += settings.position_step) {
+        const Pose2D pose{double(x), double(y), wrap_angle(2 * kPi * k / rotations)};
+        const Similarity found = similarity(points, grey, pose);
+        if (found.value >= settings.min_similarity && found.visible >= settings.min_visible)
+          poses.push_back({pose, 0, found.value});
+      }
+  sort_by_value(poses);
+  return poses;
+}
+
+std::vector<Candidate> without_overlaps(const std::vector<Candidate>& poses, const MapShape& shape,
+                                        const ExhaustiveSettings& settings) {
+  std::vector<Candidate> kept;
+  for (const auto& pose : poses) {
+    if (static_cast<int>(kept.size()) >= settings.max_instances) break;
+    const bool covered = std::any_of(kept.begin(), kept.end(), [&](const Candidate& better) {
+      return overlap(shape, pose.pose, shape, better.pose) > settings.max_overlap;
+    });
+    if (!covered) kept.push_back(pose);
+  }
+  return kept;
+}
+
+}  // namespace
+
+std::vector<Match> find_exhaustively(const ObjectModel& object, const cv::Mat& picture,
+                                     const ExhaustiveSettings& settings) {
+  validate(object);
+  const View& view = object.views.front();
+  const cv::Mat searched = grey_picture(picture);
+  const cv::Mat learned = grey_picture(view.template_image);
+  const cv::Point2d anchor = excircle(view.map).centre;
+  const MapShape shape(view.map, anchor);
+  const auto poses = all_poses(masked_template(learned, view.map, anchor), searched, settings);
+  const Pose2D reference{view.reference.x - view.origin.x - anchor.x,
+                         view.reference.y - view.origin.y - anchor.y, view.reference.theta};
+  std::vector<Match> matches;
+  for (const auto& pose : without_overlaps(poses, shape, settings)) {
+    Match match;
+    match.name = object.name;
+    match.revision = object.revision;
+    match.pose = compose(pose.pose, reference);
+    match.similarity = match.score = pose.value;
+    match.visible = shape.visible(pose.pose, searched.size());
+    matches.push_back(match);
+  }
+  return matches;
+}
+
+}  // namespace mbncc
