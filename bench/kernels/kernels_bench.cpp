@@ -4,7 +4,7 @@
 #include <random>
 #include <vector>
 
-#include "polar/kernels.hpp"
+#include "matching/kernels.hpp"
 
 namespace mbncc::bench {
 namespace {

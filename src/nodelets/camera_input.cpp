@@ -40,6 +40,11 @@ std::uint32_t CameraInput::publishers() const {
   return images_ ? images_.getNumPublishers() : 0;
 }
 
+sensor_msgs::CameraInfoConstPtr CameraInput::camera_info() const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return info_;
+}
+
 sensor_msgs::CameraInfoConstPtr CameraInput::camera_info_for(
     const sensor_msgs::Image& image) const {
   const std::lock_guard<std::mutex> lock(mutex_);

@@ -26,6 +26,9 @@ class CameraInput {
   /// Number of publishers of the picture topic.
   std::uint32_t publishers() const;
 
+  /// Calibration as last heard of; null: none.
+  sensor_msgs::CameraInfoConstPtr camera_info() const;
+
   /// Calibration of this picture's size and frame as last heard of; null: none.
   sensor_msgs::CameraInfoConstPtr camera_info_for(const sensor_msgs::Image& image) const;
 

@@ -1,0 +1,29 @@
+// The platform under the camera, from camera_info, parameters and tf.
+#pragma once
+
+#include <sensor_msgs/CameraInfo.h>
+#include <std_msgs/Header.h>
+#include <tf2_ros/buffer.h>
+
+#include <opencv2/core.hpp>
+#include <optional>
+#include <string>
+
+#include "mbncc/cell/platform.hpp"
+#include "mbncc/config/platform_config.hpp"
+
+namespace mbncc::nodelets {
+
+struct Calibration {
+  std::optional<Platform> platform;  ///< none: poses in pixels only
+  std::string fault;                 ///< why there is none, with the remedy
+};
+
+/// Optical frame of a picture: the configured one, else the picture's own.
+std::string camera_frame_of(const PlatformConfig& config, const std_msgs::Header& header);
+
+/// Calibration of one picture of `size`. `info` may be null. Never waits for tf.
+Calibration calibrate(const PlatformConfig& config, const sensor_msgs::CameraInfo* info,
+                      const std_msgs::Header& header, cv::Size size, const tf2_ros::Buffer& tf);
+
+}  // namespace mbncc::nodelets

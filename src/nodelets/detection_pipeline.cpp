@@ -1,0 +1,148 @@
+#include "nodelets/detection_pipeline.hpp"
+
+#include <tf2/LinearMath/Matrix3x3.h>
+#include <tf2/LinearMath/Quaternion.h>
+#include <tf2_geometry_msgs/tf2_geometry_msgs.h>
+
+#include <algorithm>
+#include <string>
+
+#include "nodelets/messages.hpp"
+
+namespace mbncc::nodelets {
+namespace {
+
+using mbncc_vision::DetectedObject;
+using mbncc_vision::DetectedObjectArray;
+
+TrackerConfig tracker_config(const MatchingNodeConfig& config) {
+  TrackerConfig tracker;
+  tracker.confirm_frames = config.confirm_frames;
+  tracker.confirm_window = config.confirm_window;
+  tracker.hold_time = config.hold_time;
+  tracker.max_age = config.max_age;
+  return tracker;
+}
+
+geometry_msgs::Quaternion quaternion_of(const cv::Matx33d& r) {
+  tf2::Quaternion q;
+  tf2::Matrix3x3(r(0, 0), r(0, 1), r(0, 2), r(1, 0), r(1, 1), r(1, 2), r(2, 0), r(2, 1), r(2, 2))
+      .getRotation(q);
+  return tf2::toMsg(q);
+}
+
+geometry_msgs::PoseWithCovariance to_msg(const PlatformPose& pose) {
+  geometry_msgs::PoseWithCovariance message;
+  message.pose.position.x = pose.position[0];
+  message.pose.position.y = pose.position[1];
+  message.pose.position.z = pose.position[2];
+  message.pose.orientation = quaternion_of(pose.rotation);
+  std::copy(pose.covariance.val, pose.covariance.val + 36, message.covariance.begin());
+  return message;
+}
+
+bool any_enabled(const LibrarySnapshot& library) {
+  return std::any_of(library.objects.begin(), library.objects.end(),
+                     [](const auto& object) { return object->enabled; });
+}
+
+/// The first thing that matters to whoever acts on the array.
+void set_status(DetectedObjectArray& array, const LibrarySnapshot& library,
+                const Calibration& calibration, bool budget_exceeded, bool target_reached) {
+  if (!any_enabled(library)) {
+    array.status = DetectedObjectArray::LIBRARY_EMPTY;
+    array.message = "no enabled object in the library; teach one";
+  } else if (budget_exceeded) {
+    array.status = DetectedObjectArray::BUDGET_EXCEEDED;
+    array.message = "time_budget exceeded; some objects were not searched";
+  } else if (!calibration.platform) {
+    array.status = DetectedObjectArray::UNCALIBRATED;
+    array.message = calibration.fault;
+  } else if (!target_reached) {
+    array.status = DetectedObjectArray::TF_UNAVAILABLE;
+    array.message = "target_frame cannot be reached at the picture's stamp";
+  } else {
+    array.status = DetectedObjectArray::OK;
+  }
+}
+
+}  // namespace
+
+DetectionPipeline::DetectionPipeline(const MatchingNodeConfig& config, const LiveMatcher& matcher,
+                                     const tf2_ros::Buffer& tf)
+    : config_(config), matcher_(matcher), tf_(tf), tracker_(tracker_config(config)) {}
+
+Detections DetectionPipeline::process(const ReceivedPicture& received,
+                                      const SearchRequest& request) {
+  return describe(received, track(received, request));
+}
+
+TrackedPicture DetectionPipeline::track(const ReceivedPicture& received,
+                                        const SearchRequest& request) {
+  TrackedPicture tracked{matcher_.find(received.picture, request), {}};
+  tracked.matches = tracker_.update(received.header.stamp.toSec(), tracked.found.result.matches);
+  return tracked;
+}
+
+Detections DetectionPipeline::describe(const ReceivedPicture& received,
+                                       const TrackedPicture& tracked) const {
+  const SearchResult& result = tracked.found.result;
+  const Calibration calibration = calibrate(config_.platform, received.camera_info.get(),
+                                            received.header, received.picture.size(), tf_);
+  Detections detections{{}, tracked.found.library};
+  DetectedObjectArray& array = detections.array;
+  array.header = received.header;
+  array.header.frame_id = camera_frame_of(config_.platform, received.header);
+  array.image_width = static_cast<std::uint32_t>(received.picture.cols);
+  array.image_height = static_cast<std::uint32_t>(received.picture.rows);
+  array.searched = result.searched;
+  array.skipped = result.skipped;
+  array.search_time = static_cast<float>(result.search_time);
+  for (const auto& match : tracked.matches)
+    array.objects.push_back(
+        describe(match, detections.library->find(match.match.name).get(), calibration));
+  const bool reached = to_target_frame(array);
+  set_status(array, *detections.library, calibration, result.budget_exceeded, reached);
+  return detections;
+}
+
+DetectedObject DetectionPipeline::describe(const TrackedMatch& tracked, const ObjectModel* model,
+                                           const Calibration& calibration) const {
+  const Match& match = tracked.match;
+  DetectedObject object = nodelets::to_msg(match, model);
+  object.instance_id = tracked.instance_id;
+  object.state = static_cast<std::uint8_t>(tracked.state);
+  object.valid_until.fromSec(tracked.valid_until);
+  if (!calibration.platform || model == nullptr) return object;
+  const auto pose = calibration.platform->lift(match.pose, match.covariance, model->object_height);
+  if (!pose) return object;
+  object.pose_valid = true;
+  object.pose = to_msg(*pose);
+  if (tracked.state == TrackState::kConfirmed)
+    object.child_frame_id =
+        config_.tf_prefix + "object_" + match.name + "_" + std::to_string(tracked.frame_index);
+  return object;
+}
+
+bool DetectionPipeline::to_target_frame(DetectedObjectArray& array) const {
+  if (config_.target_frame.empty() || config_.target_frame == array.header.frame_id) return true;
+  try {
+    const auto transform =
+        tf_.lookupTransform(config_.target_frame, array.header.frame_id, array.header.stamp);
+    for (auto& object : array.objects) {
+      geometry_msgs::PoseWithCovarianceStamped pose;
+      pose.pose = object.pose;
+      if (object.pose_valid) tf2::doTransform(pose, pose, transform);
+      object.pose = pose.pose;
+    }
+    array.header.frame_id = config_.target_frame;
+    return true;
+  } catch (const tf2::TransformException&) {
+    // A frame that hangs under the camera once and under target_frame the next time would tear the
+    // tf tree, so none is sent.
+    for (auto& object : array.objects) object.child_frame_id.clear();
+    return false;
+  }
+}
+
+}  // namespace mbncc::nodelets

@@ -1,0 +1,63 @@
+// From a picture to its DetectedObjectArray: search, track, lift, describe.
+#pragma once
+
+#include <mbncc_vision/DetectedObjectArray.h>
+#include <sensor_msgs/CameraInfo.h>
+#include <tf2_ros/buffer.h>
+
+#include <opencv2/core.hpp>
+#include <vector>
+
+#include "mbncc/cell/tracker.hpp"
+#include "mbncc/config/matching_node_config.hpp"
+#include "nodelets/calibration.hpp"
+#include "nodelets/live_matcher.hpp"
+
+namespace mbncc::nodelets {
+
+/// What was found in one picture, before it is put into words.
+struct TrackedPicture {
+  Found found;
+  std::vector<TrackedMatch> matches;
+};
+
+/// What goes out about a picture; the library tells the grasps.
+struct Detections {
+  mbncc_vision::DetectedObjectArray array;
+  SharedLibrary::Snapshot library;
+};
+
+/// A picture with what its messages say about it.
+struct ReceivedPicture {
+  cv::Mat picture;  ///< CV_8UC3
+  std_msgs::Header header;
+  sensor_msgs::CameraInfoConstPtr camera_info;  ///< null: none fits
+};
+
+class DetectionPipeline {
+ public:
+  /// `matcher` and `tf` outlive the pipeline.
+  DetectionPipeline(const MatchingNodeConfig& config, const LiveMatcher& matcher,
+                    const tf2_ros::Buffer& tf);
+
+  Detections process(const ReceivedPicture& received, const SearchRequest& request);
+
+  /// The two halves of process().
+  TrackedPicture track(const ReceivedPicture& received, const SearchRequest& request);
+  Detections describe(const ReceivedPicture& received, const TrackedPicture& tracked) const;
+
+  /// Forgets the instances.
+  void reset() { tracker_.reset(); }
+
+ private:
+  mbncc_vision::DetectedObject describe(const TrackedMatch& tracked, const ObjectModel* model,
+                                        const Calibration& calibration) const;
+  bool to_target_frame(mbncc_vision::DetectedObjectArray& array) const;
+
+  const MatchingNodeConfig config_;
+  const LiveMatcher& matcher_;
+  const tf2_ros::Buffer& tf_;
+  InstanceTracker tracker_;
+};
+
+}  // namespace mbncc::nodelets

@@ -1,0 +1,205 @@
+// Teaches objects: the LearnObject action and the services of the library. Wiring only.
+#include <diagnostic_updater/diagnostic_updater.h>
+#include <nodelet/nodelet.h>
+#include <ros/callback_queue.h>
+#include <ros/ros.h>
+#include <std_srvs/Trigger.h>
+#include <tf2_ros/buffer.h>
+#include <tf2_ros/transform_listener.h>
+#include <pluginlib/class_list_macros.hpp>
+
+#include <memory>
+
+#include "mbncc/config/learning_node_config.hpp"
+#include "nodelets/calibration.hpp"
+#include "nodelets/camera_input.hpp"
+#include "nodelets/confirmation.hpp"
+#include "nodelets/images.hpp"
+#include "nodelets/lesson.hpp"
+#include "nodelets/lesson_goal.hpp"
+#include "nodelets/lesson_server.hpp"
+#include "nodelets/library_services.hpp"
+#include "nodelets/parameters.hpp"
+#include "nodelets/picture_feed.hpp"
+#include "nodelets/shared_library.hpp"
+
+namespace mbncc::nodelets {
+
+class LearningNodelet : public nodelet::Nodelet {
+ public:
+  ~LearningNodelet() override;
+
+ private:
+  void onInit() override;
+  void start();
+  void open_library(ros::NodeHandle& node);
+  void start_pictures(ros::NodeHandle& node);
+  void start_lessons(ros::NodeHandle& node);
+  void start_diagnostics();
+  mbncc_vision::LearnObjectResult teach(LessonClient& client);
+  double metres_per_pixel(const sensor_msgs::CameraInfo& given, const std_msgs::Header& header,
+                          const ObjectModel& model) const;
+  bool confirm(mbncc_vision::ConfirmLearning::Request& request,
+               mbncc_vision::ConfirmLearning::Response& response);
+  void look_for_changes();
+  void diagnose(diagnostic_updater::DiagnosticStatusWrapper& status);
+
+  LearningNodeConfig config_;
+  ros::Publisher preview_publisher_, stage_publisher_;
+  std::unique_ptr<LibraryPublisher> library_publisher_;
+  std::shared_ptr<SharedLibrary> library_;
+  std::unique_ptr<LibraryServices> library_services_;
+  std::unique_ptr<PictureFeed> pictures_;
+  std::unique_ptr<CameraInput> camera_;
+  tf2_ros::Buffer tf_buffer_;
+  std::unique_ptr<tf2_ros::TransformListener> tf_listener_;
+  Confirmation confirmation_;
+  // confirm_learning waits for the lesson's answer, so it has a callback thread of its own.
+  ros::CallbackQueue confirm_queue_;
+  ros::AsyncSpinner confirm_spinner_{1, &confirm_queue_};
+  ros::ServiceServer confirm_server_;
+  std::unique_ptr<LessonServer> lessons_;
+  std::unique_ptr<diagnostic_updater::Updater> diagnostics_;
+  ros::WallTimer library_timer_, diagnostics_timer_;
+};
+
+void LearningNodelet::onInit() {
+  try {
+    start();
+  } catch (const std::exception& error) {
+    NODELET_FATAL("%s", error.what());
+    throw;
+  }
+}
+
+void LearningNodelet::start() {
+  ros::NodeHandle node = getNodeHandle();
+  read_parameters(getPrivateNodeHandle(), field_rows(config_));
+  open_library(node);
+  start_pictures(node);
+  start_lessons(node);
+  start_diagnostics();
+}
+
+LearningNodelet::~LearningNodelet() {
+  library_timer_.stop();
+  diagnostics_timer_.stop();
+  if (camera_) camera_->set_active(false);
+  lessons_.reset();  // ends a running lesson, which releases a waiting confirm_learning
+  confirm_spinner_.stop();
+  tf_listener_.reset();  // before its buffer
+}
+
+void LearningNodelet::open_library(ros::NodeHandle& node) {
+  library_publisher_ = std::make_unique<LibraryPublisher>(node);
+  const std::string folder = expand_home(config_.library_path);
+  library_ = std::make_shared<SharedLibrary>(
+      folder, [this, folder](const SharedLibrary::Snapshot& snapshot) {
+        for (const auto& file : snapshot->quarantined)
+          NODELET_WARN("%s was moved to .quarantine: %s", file.file.c_str(), file.reason.c_str());
+        library_publisher_->publish(folder, *snapshot);
+      });
+  library_services_ = std::make_unique<LibraryServices>(node, library_);
+  library_timer_ =
+      node.createWallTimer(ros::WallDuration(1), [this](const auto&) { look_for_changes(); });
+}
+
+void LearningNodelet::look_for_changes() {
+  try {
+    library_->refresh(false);
+  } catch (const std::exception& error) {
+    NODELET_ERROR_THROTTLE(10, "%s", error.what());
+  }
+}
+
+void LearningNodelet::start_pictures(ros::NodeHandle& node) {
+  tf_listener_ = std::make_unique<tf2_ros::TransformListener>(tf_buffer_);
+  pictures_ = std::make_unique<PictureFeed>(config_.still_time);
+  camera_ = std::make_unique<CameraInput>(
+      node, config_.image_transport,
+      [this](const sensor_msgs::ImageConstPtr& image) { pictures_->put(image); });
+  // Always listening: already_moved asks for pictures from before the goal.
+  camera_->set_active(true);
+}
+
+void LearningNodelet::start_lessons(ros::NodeHandle& node) {
+  preview_publisher_ = node.advertise<sensor_msgs::Image>("learn_object/preview", 1, true);
+  stage_publisher_ = node.advertise<sensor_msgs::Image>("learn_object/stage_image", 1);
+  ros::NodeHandle confirm_node = node;
+  confirm_node.setCallbackQueue(&confirm_queue_);
+  confirm_server_ =
+      confirm_node.advertiseService("confirm_learning", &LearningNodelet::confirm, this);
+  confirm_spinner_.start();
+  lessons_ = std::make_unique<LessonServer>(
+      node, "learn_object", config_.learn_timeout,
+      [this](const mbncc_vision::LearnObjectGoal& goal) {
+        return check_goal(goal, *library_->snapshot(), config_.max_objects);
+      },
+      [this](LessonClient& client) { return teach(client); });
+}
+
+mbncc_vision::LearnObjectResult LearningNodelet::teach(LessonClient& client) {
+  const LessonTools tools{
+      *pictures_,
+      *library_,
+      confirmation_,
+      config_.learning,
+      [this](const cv::Mat& picture) { stage_publisher_.publish(encode_picture(picture)); },
+      [this](const cv::Mat& picture) { preview_publisher_.publish(encode_picture(picture)); },
+      [this](const sensor_msgs::CameraInfo& given, const std_msgs::Header& header,
+             const ObjectModel& model) { return metres_per_pixel(given, header, model); }};
+  const auto result = LessonRun(client, tools).run();
+  NODELET_INFO("lesson: %s %s", result.message.c_str(), result.hint.c_str());
+  return result;
+}
+
+double LearningNodelet::metres_per_pixel(const sensor_msgs::CameraInfo& given,
+                                         const std_msgs::Header& header,
+                                         const ObjectModel& model) const {
+  const View& view = model.views.front();
+  const auto live = camera_->camera_info();
+  const auto* info = given.width != 0 ? &given : live.get();
+  const Calibration calibration =
+      calibrate(config_.platform, info, header, view.picture_size, tf_buffer_);
+  if (!calibration.platform) return Quality::kUnknown;
+  return calibration.platform->metres_per_pixel(view.reference.position(), model.object_height)
+      .value_or(Quality::kUnknown);
+}
+
+bool LearningNodelet::confirm(mbncc_vision::ConfirmLearning::Request& request,
+                              mbncc_vision::ConfirmLearning::Response& response) {
+  response = confirmation_.ask(request);
+  return true;
+}
+
+void LearningNodelet::start_diagnostics() {
+  diagnostics_ = std::make_unique<diagnostic_updater::Updater>(getNodeHandle(),
+                                                               getPrivateNodeHandle(), getName());
+  diagnostics_->setHardwareID("none");
+  diagnostics_->add("learning", this, &LearningNodelet::diagnose);
+  // The steady clock: a simulated one may stand still.
+  diagnostics_timer_ = getNodeHandle().createWallTimer(
+      ros::WallDuration(1), [this](const auto&) { diagnostics_->force_update(); });
+}
+
+void LearningNodelet::diagnose(diagnostic_updater::DiagnosticStatusWrapper& status) {
+  using diagnostic_msgs::DiagnosticStatus;
+  const PictureFeed::View view = pictures_->look();
+  const auto library = library_->snapshot();
+  if (camera_->publishers() == 0)
+    status.summary(DiagnosticStatus::WARN, "nobody publishes pictures");
+  else if (!view.any_picture)
+    status.summary(DiagnosticStatus::WARN, "no usable picture yet");
+  else
+    status.summary(DiagnosticStatus::OK, lessons_->busy() ? "teaching" : "idle");
+  status.add("scene", view.still ? "still" : "moving");
+  status.add("pictures refused", view.refused);
+  status.add("last fault", view.fault);
+  status.add("library", library_->folder());
+  status.add("objects", library->objects.size());
+  status.add("files quarantined", library->quarantined.size());
+}
+
+}  // namespace mbncc::nodelets
+
+PLUGINLIB_EXPORT_CLASS(mbncc::nodelets::LearningNodelet, nodelet::Nodelet)

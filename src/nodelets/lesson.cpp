@@ -1,0 +1,150 @@
+#include "nodelets/lesson.hpp"
+
+#include <ros/time.h>
+
+#include <utility>
+
+#include "mbncc/drawing.hpp"
+#include "nodelets/images.hpp"
+#include "nodelets/lesson_goal.hpp"
+#include "nodelets/lesson_stages.hpp"
+#include "nodelets/messages.hpp"
+#include "nodelets/outcome.hpp"
+
+namespace mbncc::nodelets {
+namespace {
+
+using Feedback = mbncc_vision::LearnObjectFeedback;
+
+std::uint8_t feedback_stage(Stage stage) {
+  if (stage == Stage::kRegion) return Feedback::REGION;
+  return stage == Stage::kSegment ? Feedback::SEGMENT : Feedback::QUALITY;
+}
+
+}  // namespace
+
+LessonRun::LessonRun(LessonClient& client, const LessonTools& tools)
+    : client_(client),
+      tools_(tools),
+      goal_(client.goal()),
+      name_(name_for(goal_, *tools.library.snapshot())) {}
+
+LessonRun::Result LessonRun::run() {
+  try {
+    return teach_and_store();
+  } catch (const LessonEnded& ended) {
+    return ended.result;
+  }
+}
+
+LessonRun::Result LessonRun::teach_and_store() {
+  take_pictures();
+  draft_ = learn(lesson_of(after_.picture));
+  // The coarse look saw a change where the close one sees none: the object still lies there.
+  while (draft_.learned.error == LearnError::kNoChange && waits_for_change()) {
+    after_ = wait_for_change(after_.number);
+    draft_ = learn(lesson_of(after_.picture));
+  }
+  if (goal_.confirm && draft_.learned.has_model) return review();
+  judge();
+  return store();
+}
+
+Lesson LessonRun::lesson_of(const cv::Mat& after) const {
+  GoalLesson made = to_lesson(goal_, name_, before_.picture, after);
+  if (made.fault) throw LessonEnded{*made.fault};
+  return made.lesson;
+}
+
+LessonRun::Draft LessonRun::learn(const Lesson& lesson) {
+  const auto observer = [this](Stage stage, double progress, const std::string& message,
+                               const cv::Mat& picture) {
+    tell(feedback_stage(stage), kTaken + (kLearned - kTaken) * progress, message);
+    if (!picture.empty()) tools_.show_stage(picture);
+    return !client_.interruption();
+  };
+  Draft draft{lesson, learn_object(lesson, tools_.config, {}, observer)};
+  leave_if_interrupted();
+  if (draft.learned.has_model) tools_.show_preview(preview(draft.learned.object));
+  return draft;
+}
+
+void LessonRun::judge() const {
+  const LearnResult& learned = draft_.learned;
+  if (may_be_stored()) return;
+  const Result failed = outcome(learned.error, learned.message, learned.hint);
+  throw LessonEnded{learned.has_model ? describe(failed, learned.object) : failed};
+}
+
+bool LessonRun::may_be_stored() const {
+  const LearnResult& learned = draft_.learned;
+  return learned.error == LearnError::kSuccess || (learned.has_model && goal_.allow_bad);
+}
+
+LessonRun::Result LessonRun::store() {
+  leave_if_interrupted();
+  tell(Feedback::STORE, kChecked, "Storing '" + name_ + "'.");
+  ObjectModel model = draft_.learned.object;
+  model.learned_at = ros::Time::now().toSec();
+  model.metres_per_pixel = tools_.metres_per_pixel(goal_.camera_info, before_.header, model);
+  try {
+    const ObjectModel stored = save(model);
+    const std::string verdict = to_string(stored.quality.verdict);
+    return describe(outcome(LearnError::kSuccess, "Learned '" + name_ + "', verdict " + verdict),
+                    stored);
+  } catch (const FileError& error) {
+    return describe(outcome(LearnError::kStorage, error.what()), model);
+  } catch (const std::invalid_argument& error) {
+    // The library changed during the lesson.
+    const bool taken = tools_.library.snapshot()->find(name_) != nullptr;
+    return describe(
+        outcome(taken ? LearnError::kNameTaken : LearnError::kNameUnknown, error.what()), model);
+  }
+}
+
+ObjectModel LessonRun::save(const ObjectModel& model) const {
+  using Existing = ObjectLibrary::Existing;
+  return tools_.library.change([&](ObjectLibrary& library) {
+    if (!goal_.add_view)
+      return library.save(model, goal_.overwrite ? Existing::kReplace : Existing::kRefuse);
+    return library.edit(name_, [&model](ObjectModel& stored) {
+      stored.views.push_back(model.views.front());
+      stored.quality = model.quality;
+    });
+  });
+}
+
+LessonRun::Result LessonRun::describe(Result result, const ObjectModel& model) const {
+  const View& view = model.views.back();
+  result.object = to_msg(model, true);
+  result.map = encode_picture(view.map);
+  result.template_image = encode_picture(view.template_image);
+  result.preview = encode_picture(preview(model), before_.header);
+  return result;
+}
+
+cv::Mat LessonRun::preview(const ObjectModel& model) const {
+  const std::string caption = model.name + " " + to_string(model.quality.verdict);
+  return draw_markings(before_.picture, {marking_of(model.views.back(), model.quality, caption)});
+}
+
+void LessonRun::tell(std::uint8_t stage, double progress, const std::string& message,
+                     bool operator_action) {
+  Feedback feedback;
+  feedback.stage = stage;
+  feedback.progress = static_cast<float>(progress);
+  feedback.message = message;
+  feedback.operator_action = operator_action;
+  feedback.roi = goal_.roi;
+  client_.tell(feedback);
+}
+
+void LessonRun::fail(LearnError error, const std::string& message, const std::string& hint) const {
+  throw LessonEnded{outcome(error, message, hint)};
+}
+
+void LessonRun::leave_if_interrupted() const {
+  if (const auto why = client_.interruption()) fail(*why);
+}
+
+}  // namespace mbncc::nodelets

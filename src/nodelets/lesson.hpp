@@ -1,0 +1,107 @@
+// One run of teaching over the action: pictures, segmentation, the operator's word, storing.
+#pragma once
+
+#include <mbncc_vision/LearnObjectResult.h>
+#include <sensor_msgs/CameraInfo.h>
+#include <sensor_msgs/Image.h>
+
+#include <cstdint>
+#include <functional>
+#include <opencv2/core.hpp>
+#include <string>
+#include <vector>
+
+#include "mbncc/config/learning_config.hpp"
+#include "mbncc/learning/learn_object.hpp"
+#include "nodelets/confirmation.hpp"
+#include "nodelets/lesson_server.hpp"
+#include "nodelets/picture_feed.hpp"
+#include "nodelets/shared_library.hpp"
+
+namespace mbncc::nodelets {
+
+/// What a lesson works with; all of it outlives the lesson.
+struct LessonTools {
+  PictureFeed& pictures;
+  SharedLibrary& library;
+  Confirmation& confirmation;
+  LearningConfig config;
+  std::function<void(const cv::Mat&)> show_stage;
+  std::function<void(const cv::Mat&)> show_preview;
+  /// [m] per pixel on the object's top face; NaN when unknown. The camera_info is the goal's, empty
+  /// when it gave none; the header is that of the picture before.
+  std::function<double(const sensor_msgs::CameraInfo&, const std_msgs::Header&, const ObjectModel&)>
+      metres_per_pixel;
+};
+
+/// A picture to learn from, CV_8UC3.
+struct LessonPicture {
+  cv::Mat picture;
+  std_msgs::Header header;
+  std::uint64_t number = 0;  ///< of the still period it was taken in; 0: given with the goal
+};
+
+class LessonRun {
+ public:
+  LessonRun(LessonClient& client, const LessonTools& tools);
+
+  /// Failures of pictures, region, operator and library end in the result.
+  mbncc_vision::LearnObjectResult run();
+
+ private:
+  using Goal = mbncc_vision::LearnObjectGoal;
+  using Result = mbncc_vision::LearnObjectResult;
+
+  /// What an EDIT starts from and an UNDO returns to.
+  struct Draft {
+    Lesson lesson;
+    LearnResult learned;
+  };
+
+  Result teach_and_store();
+
+  // Pictures.
+  void take_pictures();
+  void take_already_moved();
+  bool waits_for_change() const;
+  LessonPicture given(const sensor_msgs::Image& image, const std::string& what) const;
+  template <class Ready, class Say>
+  LessonPicture wait_until(const Ready& ready, const Say& say);
+  LessonPicture wait_for_still();
+  LessonPicture wait_for_change(std::uint64_t seen);
+  [[noreturn]] void fail_waiting(LearnError interruption, const PictureFeed::View& view) const;
+
+  // Learning.
+  Lesson lesson_of(const cv::Mat& after) const;
+  Draft learn(const Lesson& lesson);
+  void judge() const;
+
+  // The operator's check.
+  Result review();
+  void carry_out(const Confirmation::Request& command, Confirmation::Response& response);
+  void edit(const Confirmation::Request& command, Confirmation::Response& response);
+  void undo(Confirmation::Response& response);
+
+  // The end.
+  bool may_be_stored() const;
+  Result store();
+  ObjectModel save(const ObjectModel& model) const;
+  Result describe(Result result, const ObjectModel& model) const;
+  cv::Mat preview(const ObjectModel& model) const;
+
+  void tell(std::uint8_t stage, double progress, const std::string& message,
+            bool operator_action = false);
+  [[noreturn]] void fail(LearnError error, const std::string& message = "",
+                         const std::string& hint = "") const;
+  void leave_if_interrupted() const;
+
+  LessonClient& client_;
+  const LessonTools& tools_;
+  const Goal& goal_;
+  const std::string name_;
+  LessonPicture before_, after_;
+  Draft draft_;
+  std::vector<Draft> earlier_;
+};
+
+}  // namespace mbncc::nodelets

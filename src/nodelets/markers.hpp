@@ -1,0 +1,13 @@
+// Detections as RViz markers.
+#pragma once
+
+#include <mbncc_vision/DetectedObjectArray.h>
+#include <visualization_msgs/MarkerArray.h>
+
+namespace mbncc::nodelets {
+
+/// An arrow along x, the outline's extents as a flat box and a caption for every object with a
+/// metric pose; first of all a DELETEALL, so that lost objects vanish.
+visualization_msgs::MarkerArray to_markers(const mbncc_vision::DetectedObjectArray& detections);
+
+}  // namespace mbncc::nodelets

@@ -1,0 +1,39 @@
+#include "nodelets/overlay.hpp"
+
+#include <cstdio>
+#include <vector>
+
+#include "mbncc/drawing.hpp"
+
+namespace mbncc::nodelets {
+namespace {
+
+using mbncc_vision::DetectedObject;
+
+cv::Scalar colour_of(std::uint8_t state) {
+  if (state == DetectedObject::CONFIRMED) return {80, 220, 80};
+  return state == DetectedObject::AMBIGUOUS ? cv::Scalar(60, 190, 250) : cv::Scalar(190, 190, 190);
+}
+
+Marking marking_of(const DetectedObject& object) {
+  char tail[32];
+  std::snprintf(tail, sizeof tail, " #%u %.2f", object.instance_id, object.score);
+  Marking marking;
+  auto& outline = marking.outlines.emplace_back();
+  for (const auto& point : object.outline.points) outline.emplace_back(point.x, point.y);
+  marking.pose = {object.image_pose.x, object.image_pose.y, object.image_pose.theta};
+  marking.colour = colour_of(object.state);
+  marking.caption = object.name + tail;
+  return marking;
+}
+
+}  // namespace
+
+cv::Mat draw_detections(const cv::Mat& picture,
+                        const mbncc_vision::DetectedObjectArray& detections) {
+  std::vector<Marking> markings;
+  for (const auto& object : detections.objects) markings.push_back(marking_of(object));
+  return draw_markings(picture, markings);
+}
+
+}  // namespace mbncc::nodelets

@@ -1,0 +1,50 @@
+#include "nodelets/picture_feed.hpp"
+
+#include <ros/console.h>
+
+#include "nodelets/images.hpp"
+
+namespace mbncc::nodelets {
+
+PictureFeed::PictureFeed(double still_time) : watch_(still_time), worker_([this] { work(); }) {}
+
+PictureFeed::~PictureFeed() {
+  mailbox_.close();
+  worker_.join();
+}
+
+PictureFeed::View PictureFeed::look() const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return view_;
+}
+
+std::optional<StillShot> PictureFeed::before_change() const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return watch_.before_change();
+}
+
+void PictureFeed::work() {
+  while (const auto image = mailbox_.take()) {
+    try {
+      watch(**image);
+    } catch (const std::exception& error) {
+      ROS_ERROR_THROTTLE(10, "watching the cell failed: %s", error.what());
+    }
+  }
+}
+
+void PictureFeed::watch(const sensor_msgs::Image& image) {
+  const Decoded decoded = decode_picture(image);
+  const std::lock_guard<std::mutex> lock(mutex_);
+  if (!decoded) {
+    ++view_.refused;
+    view_.fault = decoded.fault;
+    return;
+  }
+  watch_.update(image.header.stamp.toSec(), decoded.picture);
+  view_.any_picture = true;
+  view_.still = watch_.still();
+  view_.frame_id = image.header.frame_id;
+}
+
+}  // namespace mbncc::nodelets

@@ -1,0 +1,51 @@
+// Live pictures of the cell, watched for stillness on a thread of their own.
+#pragma once
+
+#include <sensor_msgs/Image.h>
+
+#include <cstdint>
+#include <mutex>
+#include <opencv2/core.hpp>
+#include <optional>
+#include <string>
+#include <thread>
+
+#include "mbncc/cell/scene_watch.hpp"
+#include "nodelets/mailbox.hpp"
+
+namespace mbncc::nodelets {
+
+class PictureFeed {
+ public:
+  /// `still_time` [s] without motion makes the scene still.
+  explicit PictureFeed(double still_time);
+  ~PictureFeed();
+
+  /// Hands over a picture; never blocks, the newest wins.
+  void put(const sensor_msgs::ImageConstPtr& image) { mailbox_.put(image); }
+
+  /// What the watch has seen so far.
+  struct View {
+    bool any_picture = false;        ///< a usable one has arrived
+    std::optional<StillShot> still;  ///< see SceneWatch::still()
+    std::string frame_id;            ///< of the newest picture
+    std::uint64_t refused = 0;       ///< pictures that could not be decoded
+    std::string fault;               ///< why, for the last of them
+  };
+  View look() const;
+
+  /// See SceneWatch::before_change(); compares pictures, so not for every glance.
+  std::optional<StillShot> before_change() const;
+
+ private:
+  void work();
+  void watch(const sensor_msgs::Image& image);
+
+  Mailbox<sensor_msgs::ImageConstPtr> mailbox_;
+  mutable std::mutex mutex_;
+  SceneWatch watch_;
+  View view_;
+  std::thread worker_;
+};
+
+}  // namespace mbncc::nodelets

@@ -1,0 +1,37 @@
+// Service calls that wait for the next live picture.
+#pragma once
+
+#include <ros/time.h>
+#include <sensor_msgs/Image.h>
+
+#include <condition_variable>
+#include <mutex>
+
+namespace mbncc::nodelets {
+
+class PictureWait {
+ public:
+  /// Camera side: hands every picture over; keeps it only while somebody waits.
+  void offer(const sensor_msgs::ImageConstPtr& image);
+
+  /// Service side: pictures are wanted from enter() to leave().
+  void enter();
+  void leave();
+  bool wanted() const;
+
+  /// The next picture stamped later than `after`; null when none comes within `timeout` [s] by the
+  /// steady clock, or after close().
+  sensor_msgs::ImageConstPtr next(const ros::Time& after, double timeout);
+
+  /// Ends every wait, now and later.
+  void close();
+
+ private:
+  mutable std::mutex mutex_;
+  std::condition_variable offered_;
+  sensor_msgs::ImageConstPtr newest_;
+  int waiting_ = 0;
+  bool closed_ = false;
+};
+
+}  // namespace mbncc::nodelets

@@ -1,0 +1,43 @@
+// What diagnostics tell about the stream of pictures.
+#pragma once
+
+#include <cstdint>
+#include <mutex>
+#include <string>
+
+#include "mbncc/cell/stamp_gate.hpp"
+
+namespace mbncc::nodelets {
+
+struct SearchStatistics {
+  std::uint64_t arrived = 0;    ///< pictures
+  std::uint64_t overtaken = 0;  ///< replaced by newer ones before they were searched
+  std::uint64_t searched = 0;
+  std::uint64_t refused = 0;  ///< encoding or layout
+  std::uint64_t badly_stamped = 0;
+  std::string last_fault;  ///< of a refused or badly stamped picture
+  double search_time = 0;  ///< [s] of the last search
+  double latency = 0;      ///< [s] from the last picture's stamp to its publication
+  std::string message;     ///< of the last array; empty: all is well
+};
+
+/// Statistics that several threads write to.
+class SharedStatistics {
+ public:
+  template <class Change>
+  auto change(const Change& change) {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    return change(statistics_);
+  }
+
+  SearchStatistics get() const {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    return statistics_;
+  }
+
+ private:
+  mutable std::mutex mutex_;
+  SearchStatistics statistics_;
+};
+
+}  // namespace mbncc::nodelets

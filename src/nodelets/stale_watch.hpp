@@ -1,0 +1,36 @@
+// Notices that pictures have stopped, by the steady clock: a simulated one may stand still.
+#pragma once
+
+#include <chrono>
+#include <mutex>
+
+namespace mbncc::nodelets {
+
+class StaleWatch {
+ public:
+  using Clock = std::chrono::steady_clock;
+
+  /// `stale_after` [s] of silence are reported, and again every second.
+  explicit StaleWatch(double stale_after) : stale_after_(stale_after) {}
+
+  /// A picture was searched, or searching begins: silence counts from now.
+  void restart(Clock::time_point now = Clock::now()) {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    next_report_ = now + std::chrono::duration_cast<Clock::duration>(stale_after_);
+  }
+
+  /// True when a report is due; the next one is due a second later.
+  bool due(Clock::time_point now = Clock::now()) {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    if (now < next_report_) return false;
+    next_report_ = now + std::chrono::seconds(1);
+    return true;
+  }
+
+ private:
+  const std::chrono::duration<double> stale_after_;
+  std::mutex mutex_;
+  Clock::time_point next_report_ = Clock::time_point::max();
+};
+
+}  // namespace mbncc::nodelets
