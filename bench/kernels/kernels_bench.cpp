@@ -4,7 +4,7 @@
 #include <random>
 #include <vector>
 
-#include "matching/kernels.hpp"
+#include "polar/kernels.hpp"
 
 namespace mbncc::bench {
 namespace {

@@ -7,6 +7,7 @@
 #include "matching/engine.hpp"
 #include "matching/masked_template_engine.hpp"
 #include "matching/mbncc_engine.hpp"
+#include "matching/polar_engine.hpp"
 #include "matching/sift_engine.hpp"
 
 namespace mbncc::bench {
@@ -14,18 +15,12 @@ namespace {
 
 using Maker = std::function<std::unique_ptr<Engine>()>;
 
-/// The paper's rule: plain similarity, everything from .3 on reported.
-SearchConfig polar_config() {
-  SearchConfig config;
-  config.engine = "polar";
-  config.accept_by = "similarity";
-  return config;
-}
-
 const std::vector<std::pair<std::string, Maker>>& makers() {
   static const std::vector<std::pair<std::string, Maker>> list = {
-      {"ours", [] { return std::make_unique<MbnccEngine>(SearchConfig{}); }},
-      {"mbncc_polar", [] { return std::make_unique<MbnccEngine>(polar_config(), 0.3); }},
+      {"ours", [] { return std::make_unique<MbnccEngine>(); }},
+      {"mbncc_polar", [] { return std::make_unique<PolarEngine>(PolarRegion::kMap); }},
+      {"ppncc_incircle", [] { return std::make_unique<PolarEngine>(PolarRegion::kIncircle); }},
+      {"ppncc_excircle", [] { return std::make_unique<PolarEngine>(PolarRegion::kExcircle); }},
       {"masked_template", [] { return std::make_unique<MaskedTemplateEngine>(); }},
       {"sift_ransac", [] { return std::make_unique<SiftEngine>(); }},
   };

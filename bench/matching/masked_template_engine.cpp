@@ -4,6 +4,8 @@
 #include <cmath>
 #include <opencv2/imgproc.hpp>
 
+#include "matching/suppression.hpp"
+
 namespace mbncc::bench {
 namespace {
 
@@ -165,21 +167,14 @@ std::vector<Found> MaskedTemplateEngine::find(const cv::Mat& picture) {
       peak = refined(finer, level, peak);
     }
   }
-  std::sort(peaks.begin(), peaks.end(),
-            [](const Peak& a, const Peak& b) { return a.score > b.score; });
-  std::vector<Peak> kept;
   std::vector<Found> found;
   for (const auto& peak : peaks) {
-    const bool near = std::any_of(kept.begin(), kept.end(), [&](const Peak& other) {
-      return cv::norm(other.position - peak.position) < radius_ / 2;
-    });
-    if (near || peak.score <= 0) continue;
-    kept.push_back(peak);
+    if (peak.score <= 0) continue;
     const Pose2D centre{peak.position.x, peak.position.y, wrap_angle(peak.theta)};
     const cv::Point2d reference = transform(centre, lever_);
     found.push_back({{reference.x, reference.y, centre.theta}, peak.score, false, {}});
   }
-  return found;
+  return without_neighbours(std::move(found), radius_ / 2);
 }
 
 }  // namespace mbncc::bench

@@ -4,9 +4,6 @@
 
 namespace mbncc::bench {
 
-MbnccEngine::MbnccEngine(SearchConfig config, std::optional<double> floor)
-    : floor_(floor), matcher_(std::move(config)) {}
-
 void MbnccEngine::teach(const cv::Mat& picture, const cv::Mat& map, cv::Point2d reference) {
   auto object = std::make_shared<ObjectModel>();
   object->name = "object";
@@ -15,16 +12,10 @@ void MbnccEngine::teach(const cv::Mat& picture, const cv::Mat& map, cv::Point2d 
 }
 
 std::vector<Found> MbnccEngine::find(const cv::Mat& picture) {
-  SearchRequest request;
-  request.min_score = floor_.value_or(matcher_.config().min_score);
   std::vector<Found> found;
-  for (const auto& match : matcher_.find(picture, request).matches)
+  for (const auto& match : matcher_.find(picture).matches)
     found.push_back({match.pose, match.score, match.graspable, match.covariance});
   return found;
-}
-
-std::optional<double> MbnccEngine::threshold() const {
-  return floor_ ? std::nullopt : std::make_optional(matcher_.config().min_score);
 }
 
 }  // namespace mbncc::bench

@@ -1,4 +1,4 @@
-// The package's own matcher.
+// The package's own matcher, with its shipped threshold.
 #pragma once
 
 #include "matching/engine.hpp"
@@ -8,15 +8,11 @@ namespace mbncc::bench {
 
 class MbnccEngine : public Engine {
  public:
-  /// With a `floor` everything scoring more is reported and no shipped threshold counts.
-  explicit MbnccEngine(SearchConfig config, std::optional<double> floor = {});
-
   void teach(const cv::Mat& picture, const cv::Mat& map, cv::Point2d reference) override;
   std::vector<Found> find(const cv::Mat& picture) override;
-  std::optional<double> threshold() const override;
+  std::optional<double> threshold() const override { return matcher_.config().min_score; }
 
  private:
-  std::optional<double> floor_;
   Matcher matcher_;
 };
 
