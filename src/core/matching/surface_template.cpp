@@ -109,7 +109,7 @@ SurfaceTemplate::SurfaceTemplate(const SceneLevel& picture, const MapGeometry& m
     for (int c = 0; c < kChannels; ++c) planes[c][i] = colour[c];
   }
   read_gradients(picture);
-  read_chroma();
+  count_chroma();
   build_basis();
   project();
   read_slopes(picture);
@@ -205,21 +205,10 @@ void SurfaceTemplate::read_gradients(const SceneLevel& picture) {
   }
 }
 
-void SurfaceTemplate::read_chroma() {
-  cv::Point2f mean;
-  const auto count = static_cast<float>(std::max<std::size_t>(1, size()));
-  for (std::size_t i = 0; i < size(); ++i) {
-    const cv::Point2f value = chroma(planes[0][i], planes[1][i], planes[2][i]);
-    chroma_x.push_back(value.x);
-    chroma_y.push_back(value.y);
-    mean += value / count;
-    histogram[chroma_cell(value)] += 1 / count;
-  }
-  for (std::size_t i = 0; i < size(); ++i) {
-    chroma_x[i] -= mean.x;
-    chroma_y[i] -= mean.y;
-    chroma_energy += chroma_x[i] * chroma_x[i] + chroma_y[i] * chroma_y[i];
-  }
+void SurfaceTemplate::count_chroma() {
+  const float share = 1 / static_cast<float>(std::max<std::size_t>(1, size()));
+  for (std::size_t i = 0; i < size(); ++i)
+    histogram[chroma_cell(chroma(planes[0][i], planes[1][i], planes[2][i]))] += share;
 }
 
 void SurfaceTemplate::build_basis() {

@@ -66,16 +66,13 @@ class SurfaceTemplate {
   std::vector<float> gradient_weight, gradient_x, gradient_y;
   double gradient_total = 0;
 
-  // Chroma: (ln R/G, ln B/G) with the mean removed, and its histogram.
-  std::vector<float> chroma_x, chroma_y;
-  double chroma_energy = 0;
-  std::array<float, kHistogramSide * kHistogramSide> histogram{};
+  std::array<float, kHistogramSide * kHistogramSide> histogram{};  ///< of chroma
 
  private:
   void choose_points(const MapGeometry& map, cv::Size map_size, cv::Point2d anchor, int level,
                      std::size_t most);
   void read_gradients(const SceneLevel& picture);
-  void read_chroma();
+  void count_chroma();
   void build_basis();
   void project();
   void read_slopes(const SceneLevel& picture);
