@@ -14,6 +14,7 @@ namespace {
 constexpr int kOrientations = 8;     // of a half turn
 constexpr std::size_t kPoints = 64;  // of the contour
 constexpr double kSmallest = 20;     // [px] diameter at the coarse level
+constexpr double kThinnest = 2;      // [px] mean width there
 constexpr int kTopLevel = 4;
 constexpr double kArcStep = 1.5;       // [px] that the rim moves per rotation step
 constexpr double kMinResponse = 0.05;  // [-1..1] mean of a candidate
@@ -135,6 +136,11 @@ class EdgeSearch {
   std::vector<const std::int16_t*> rows_;
 };
 
+int coarse_level(double diameter, double width) {
+  const double halvings = std::min(std::log2(diameter / kSmallest), std::log2(width / kThinnest));
+  return std::clamp(static_cast<int>(std::floor(halvings)), 0, kTopLevel);
+}
+
 }  // namespace
 
 EdgeBank::EdgeBank(const MapGeometry& map, cv::Point2d anchor) {
@@ -142,7 +148,7 @@ EdgeBank::EdgeBank(const MapGeometry& map, cv::Point2d anchor) {
   double reach = 1;
   for (std::size_t i = 0; i < whole.size(); ++i)
     reach = std::max<double>(reach, std::hypot(whole.x[i], whole.y[i]));
-  level_ = std::clamp(static_cast<int>(std::floor(std::log2(2 * reach / kSmallest))), 0, kTopLevel);
+  level_ = coarse_level(2 * reach, map.mean_width());
   const ContourTemplate contour(map, anchor, level_, kPoints);
   radius_ = static_cast<int>(std::ceil(reach / (1 << level_))) + 1;
   const double rim = 2 * kPi * reach / (1 << level_);

@@ -15,9 +15,9 @@ struct Evidence {
   double gradient = 0;          ///< [-1..1] direction of texture gradients inside
   double best_blocks = kNoFit;  ///< ln(rms colour difference [grey levels] + 3) after gain and
                                 ///< offset, over the best 5 of 8 blocks: bears occlusion and gloss
-  double histogram = 0;  ///< [0..1] intersection of the chroma histograms
-  double projected = 0;  ///< [-1..1] correlation of colour without shading and gloss
-  double visible = 0;    ///< [0..1] part of the surface points inside the picture
+  double histogram = 0;         ///< [0..1] intersection of the chroma histograms
+  double projected = 0;         ///< [-1..1] correlation of colour without shading and gloss
+  double visible = 0;           ///< [0..1] part of the surface points inside the picture
 };
 
 /// Surface and contour of one view at one pyramid level.

@@ -40,6 +40,11 @@ cv::Point2f MapGeometry::inward(cv::Point pixel) const {
   return unit(slope_x_.at<float>(pixel), slope_y_.at<float>(pixel));
 }
 
+double MapGeometry::mean_width() const {
+  const double length = static_cast<double>(edge(1.5).size());
+  return 2 * cv::countNonZero(map_) / std::max(1.0, length);
+}
+
 std::vector<EdgePoint> MapGeometry::edge(double smoothing) const {
   cv::Mat soft, slope_x, slope_y;
   map_.convertTo(soft, CV_32F, 1.0 / 255);

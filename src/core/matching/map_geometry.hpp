@@ -22,6 +22,9 @@ class MapGeometry {
   /// Unit vector from a map pixel away from the nearest edge.
   cv::Point2f inward(cv::Point pixel) const;
 
+  /// Mean width [px]: that of a long strip with this area and edge length.
+  double mean_width() const;
+
   /// All points of the edge, holes included, in order along each contour. `smoothing` [px] is that
   /// of the normals.
   std::vector<EdgePoint> edge(double smoothing) const;

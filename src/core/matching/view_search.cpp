@@ -205,6 +205,7 @@ class ViewSearch {
     detection.pose = settled.pose;
     detection.pose.theta = wrap_angle(settled.pose.theta);
     detection.covariance = settled.covariance;
+    detection.log_odds = std::max(detection.log_odds, fine_odds(detection.pose));
     const Similarity similar = similarity(view_.points, scene_.grey[0], detection.pose);
     detection.similarity = similar.value;
     detection.visible = similar.visible;
