@@ -16,10 +16,14 @@ cv::Mat grown(const cv::Mat& map, int pixels) {
   return result;
 }
 
-cv::Mat middle_line(const cv::Mat& map) {
-  cv::Mat line;
+/// The middle lines, and the core: the lines of a disc or square shrink to a point.
+cv::Mat strokes_on(const cv::Mat& map) {
+  cv::Mat line, distance;
   cv::ximgproc::thinning(map, line);
-  return grown(line, kStrokeWidth / 2) & map;
+  cv::distanceTransform(map, distance, cv::DIST_L2, 5);
+  double widest = 0;
+  cv::minMaxLoc(distance, nullptr, &widest);
+  return (grown(line, kStrokeWidth / 2) | (distance > widest / 2)) & map;
 }
 
 }  // namespace
@@ -29,7 +33,7 @@ cv::Mat scribbled(const cv::Mat& true_map, const cv::Rect& region) {
   labels(region).setTo(cv::GC_PR_FGD);
   labels.setTo(cv::GC_BGD,
                grown(true_map, kClearance + kStrokeWidth) & ~grown(true_map, kClearance));
-  labels.setTo(cv::GC_FGD, middle_line(true_map));
+  labels.setTo(cv::GC_FGD, strokes_on(true_map));
   return labels;
 }
 

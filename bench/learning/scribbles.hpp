@@ -6,8 +6,8 @@
 
 namespace mbncc::bench {
 
-/// cv::GrabCutClasses: strokes along the object's middle line and around it, background outside of
-/// `region`, probable foreground in the rest.
+/// cv::GrabCutClasses: strokes on the object's core and along its middle lines, and around it,
+/// background outside of `region`, probable foreground in the rest.
 cv::Mat scribbled(const cv::Mat& true_map, const cv::Rect& region);
 
 }  // namespace mbncc::bench
