@@ -1,6 +1,6 @@
 #include "cli/arguments.hpp"
 
-#include <algorithm>
+#include <cctype>
 
 #include "mbncc/nearest_word.hpp"
 
@@ -18,7 +18,8 @@ const Option& known_option(const std::vector<Option>& options, const std::string
 }
 
 bool looks_like_option(const std::string& word) {
-  return word.size() > 1 && word[0] == '-' && (word[1] == '-' || !std::isdigit(word[1]));
+  return word.size() > 1 && word[0] == '-' &&
+         (word[1] == '-' || std::isdigit(static_cast<unsigned char>(word[1])) == 0);
 }
 
 }  // namespace
@@ -26,34 +27,39 @@ bool looks_like_option(const std::string& word) {
 Arguments::Arguments(const std::vector<Option>& options, const std::string& operand,
                      const std::vector<std::string>& words) {
   bool only_operands = false;
-  for (std::size_t i = 0; i < words.size(); ++i) {
-    const std::string& word = words[i];
-    if (only_operands || !looks_like_option(word)) {
-      operands_.push_back(word);
-      continue;
-    }
-    if (word == "--") {
+  for (auto word = words.begin(); word != words.end(); ++word) {
+    if (only_operands || !looks_like_option(*word))
+      operands_.push_back(*word);
+    else if (*word == "--")
       only_operands = true;
-      continue;
-    }
-    const auto equals = word.find('=');
-    const Option& option = known_option(options, word.substr(0, equals));
-    auto& values = values_[option.name];
-    if (!values.empty() && !option.repeatable)
-      throw UsageError(option.name + " is given twice; give it once");
-    if (option.value.empty()) {
-      if (equals != std::string::npos) throw UsageError(option.name + " takes no value");
-      values.emplace_back();
-    } else if (equals != std::string::npos) {
-      values.push_back(word.substr(equals + 1));
-    } else {
-      if (i + 1 == words.size() || looks_like_option(words[i + 1]))
-        throw UsageError(option.name + " needs a value: " + option.name + " " + option.value);
-      values.push_back(words[++i]);
-    }
-    if (!option.value.empty() && values.back().empty())
-      throw UsageError(option.name + " needs a value that is not empty");
+    else
+      word = take_option(options, word, words.end());
   }
+  check_complete(options, operand);
+}
+
+// Returns the last word that was used up.
+Arguments::Word Arguments::take_option(const std::vector<Option>& options, Word word, Word end) {
+  const auto equals = word->find('=');
+  const bool has_value = equals != std::string::npos;
+  const Option& option = known_option(options, word->substr(0, equals));
+  auto& values = values_[option.name];
+  if (!values.empty() && !option.repeatable)
+    throw UsageError(option.name + " is given twice; give it once");
+  if (option.value.empty()) {
+    if (has_value) throw UsageError(option.name + " takes no value");
+    values.emplace_back();
+    return word;
+  }
+  if (!has_value && (++word == end || looks_like_option(*word)))
+    throw UsageError(option.name + " needs a value: " + option.name + " " + option.value);
+  values.push_back(has_value ? word->substr(equals + 1) : *word);
+  if (values.back().empty()) throw UsageError(option.name + " needs a value that is not empty");
+  return word;
+}
+
+void Arguments::check_complete(const std::vector<Option>& options,
+                               const std::string& operand) const {
   for (const auto& option : options)
     if (option.required && !has(option.name))
       throw UsageError(option.name + " " + option.value + " is missing");

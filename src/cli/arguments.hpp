@@ -44,6 +44,11 @@ class Arguments {
   void at_most_one_of(const std::vector<std::string>& options) const;
 
  private:
+  using Word = std::vector<std::string>::const_iterator;
+
+  Word take_option(const std::vector<Option>& options, Word word, Word end);
+  void check_complete(const std::vector<Option>& options, const std::string& operand) const;
+
   std::map<std::string, std::vector<std::string>> values_;
   std::vector<std::string> operands_;
 };

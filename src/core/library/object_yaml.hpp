@@ -9,6 +9,8 @@
 
 namespace mbncc {
 
+constexpr int kMaxViews = 64;  ///< of one object
+
 /// A model whose views have no pixels yet, and where in the file these lie.
 struct ObjectDescription {
   ObjectModel model;

@@ -1,11 +1,11 @@
-#include "library/object_yaml.hpp"
-
 #include <yaml-cpp/yaml.h>
 
 #include <algorithm>
-#include <cmath>
+#include <array>
 #include <stdexcept>
 
+#include "library/object_yaml.hpp"
+#include "library/quality_numbers.hpp"
 #include "mbncc/config/field.hpp"
 #include "mbncc/library/object_file.hpp"
 
@@ -13,7 +13,6 @@ namespace mbncc {
 namespace {
 
 constexpr double kLargest = 1e9;  // bound of every number but times; far beyond any picture
-constexpr int kMaxViews = 64;
 
 // The parser recurses; text of this kind never nests deeply, whatever a damaged file holds.
 void refuse_deep_nesting(const std::string& text) {
@@ -44,95 +43,27 @@ int whole(const YAML::Node& node, const char* key, double low, double high) {
   return value;
 }
 
-template <std::size_t N>
-std::array<double, N> numbers(const YAML::Node& parent, const char* key) {
+template <std::size_t N, class Read>
+auto elements(const YAML::Node& parent, const char* key, Read&& read) {
   const YAML::Node list = parent[key];
   if (!list.IsSequence() || list.size() != N)
     throw std::runtime_error(std::string(key) + " must have " + std::to_string(N) + " numbers");
-  std::array<double, N> values{};
-  for (std::size_t i = 0; i < N; ++i)
-    values[i] = number(list[i], key, Allowed::range(-kLargest, kLargest));
+  std::array<decltype(read(list[0])), N> values{};
+  for (std::size_t i = 0; i < N; ++i) values[i] = read(list[i]);
   return values;
+}
+
+template <std::size_t N>
+std::array<double, N> numbers(const YAML::Node& parent, const char* key) {
+  return elements<N>(parent, key, [key](const YAML::Node& node) {
+    return number(node, key, Allowed::range(-kLargest, kLargest));
+  });
 }
 
 template <std::size_t N>
 std::array<int, N> wholes(const YAML::Node& parent, const char* key) {
-  const YAML::Node list = parent[key];
-  if (!list.IsSequence() || list.size() != N)
-    throw std::runtime_error(std::string(key) + " must have " + std::to_string(N) + " numbers");
-  std::array<int, N> values{};
-  for (std::size_t i = 0; i < N; ++i) values[i] = whole(list[i], key, 0, 1e6);
-  return values;
-}
-
-void put(YAML::Emitter& out, const char* key, double value) {
-  if (std::isfinite(value)) out << YAML::Key << key << YAML::Value << field_text(value);
-}
-
-void put(YAML::Emitter& out, const char* key, const std::string& text) {
-  out << YAML::Key << key << YAML::Value << YAML::DoubleQuoted << text;
-}
-
-void put(YAML::Emitter& out, const char* key, const std::vector<double>& values) {
-  out << YAML::Key << key << YAML::Value << YAML::Flow << YAML::BeginSeq;
-  for (const double value : values) out << field_text(value);
-  out << YAML::EndSeq;
-}
-
-void put(YAML::Emitter& out, const char* key, const std::vector<std::string>& texts) {
-  out << YAML::Key << key << YAML::Value << YAML::BeginSeq;
-  for (const auto& text : texts) out << YAML::DoubleQuoted << text;
-  out << YAML::EndSeq;
-}
-
-void put_view(YAML::Emitter& out, const View& view, const cv::Rect& rectangle) {
-  const auto as_numbers = [](auto... values) {
-    return std::vector<double>{static_cast<double>(values)...};
-  };
-  out << YAML::BeginMap;
-  put(out, "rectangle", as_numbers(rectangle.x, rectangle.y, rectangle.width, rectangle.height));
-  put(out, "origin", as_numbers(view.origin.x, view.origin.y));
-  put(out, "picture_size", as_numbers(view.picture_size.width, view.picture_size.height));
-  put(out, "reference", as_numbers(view.reference.x, view.reference.y, view.reference.theta));
-  out << YAML::EndMap;
-}
-
-void put_grasp(YAML::Emitter& out, const Grasp& grasp) {
-  const auto& p = grasp.position;
-  const auto& q = grasp.orientation;
-  out << YAML::Key << "grasp" << YAML::Value << YAML::BeginMap;
-  put(out, "position", std::vector<double>(p.begin(), p.end()));
-  put(out, "orientation", std::vector<double>(q.begin(), q.end()));
-  out << YAML::EndMap;
-}
-
-// The quality's numbers, once for reading and writing: visit(key, value, lowest, highest).
-template <class SomeQuality, class Visitor>
-void for_each_number(SomeQuality& quality, Visitor&& visit) {
-  visit("area", quality.area, 0.0, kLargest);
-  visit("fill", quality.fill, 0.0, 1.5);
-  visit("contrast", quality.contrast, 0.0, 255.0);
-  visit("edge_agreement", quality.edge_agreement, 0.0, 1.0);
-  visit("change_agreement", quality.change_agreement, 0.0, 1.0);
-  visit("self_score", quality.self_score, 0.0, 1.0);
-  visit("self_error", quality.self_error, 0.0, kLargest);
-  visit("runner_up", quality.runner_up, 0.0, 1.0);
-  visit("angle_halfwidth", quality.angle_halfwidth, 0.0, 2 * kPi);
-  visit("confusable_score", quality.confusable_score, 0.0, 1.0);
-  visit("search_time", quality.search_time, 0.0, kLargest);
-}
-
-void put_quality(YAML::Emitter& out, const Quality& quality) {
-  out << YAML::Key << "quality" << YAML::Value << YAML::BeginMap;
-  put(out, "verdict", std::string(to_string(quality.verdict)));
-  put(out, "reasons", quality.reasons);
-  put(out, "advice", quality.advice);
-  put(out, "symmetry", quality.symmetry);
-  put(out, "confusable_with", quality.confusable_with);
-  for_each_number(quality, [&out](const char* key, double value, double low, double high) {
-    put(out, key, std::isnan(value) ? value : std::clamp(value, low, high));
-  });
-  out << YAML::EndMap;
+  return elements<N>(parent, key,
+                     [key](const YAML::Node& node) { return whole(node, key, 0, 1e6); });
 }
 
 Verdict read_verdict(const std::string& text) {
@@ -197,28 +128,6 @@ ObjectDescription read_root(const YAML::Node& root) {
 }
 
 }  // namespace
-
-std::string write_description(const ObjectModel& model, const std::vector<cv::Rect>& rectangles) {
-  if (model.views.size() > kMaxViews)
-    throw std::invalid_argument("an object has at most " + std::to_string(kMaxViews) + " views");
-  YAML::Emitter out;
-  out << YAML::BeginMap;
-  put(out, "format", kObjectFileVersion);
-  put(out, "label", model.label);
-  out << YAML::Key << "enabled" << YAML::Value << model.enabled;
-  put(out, "revision", model.revision);
-  put(out, "learned_at", model.learned_at);
-  put(out, "object_height", model.object_height);
-  put(out, "metres_per_pixel", model.metres_per_pixel);
-  if (model.min_score) put(out, "min_score", *model.min_score);
-  if (model.grasp) put_grasp(out, *model.grasp);
-  out << YAML::Key << "views" << YAML::Value << YAML::BeginSeq;
-  for (std::size_t i = 0; i < model.views.size(); ++i) put_view(out, model.views[i], rectangles[i]);
-  out << YAML::EndSeq;
-  put_quality(out, model.quality);
-  out << YAML::EndMap;
-  return out.c_str();
-}
 
 ObjectDescription read_description(const std::string& text) {
   refuse_deep_nesting(text);
