@@ -69,7 +69,6 @@ struct Results {
   Table rotation{{"elongation", "degrees", "mbncc", "incircle", "excircle"}, {}};
   Table backgrounds{{"elongation", "background", "mbncc", "incircle", "excircle"}, {}};
 };
-};
 
 /// The object is learned on one platform and looked at on others.
 void compare(double elongation, Results& results) {
