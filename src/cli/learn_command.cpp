@@ -1,5 +1,4 @@
 #include <iostream>
-#include <sstream>
 
 #include "cli/command.hpp"
 #include "cli/lesson_arguments.hpp"
@@ -8,82 +7,100 @@
 #include "cli/settings.hpp"
 #include "cli/stage_writer.hpp"
 #include "mbncc/error.hpp"
-#include "mbncc/learning/add_view.hpp"
 #include "mbncc/learning/learn_object.hpp"
+#include "mbncc/learning/resemblance.hpp"
 
 namespace mbncc::cli {
 namespace {
 
-void refuse(LearnResult& result, LearnError error, const std::string& message = "") {
-  result.error = error;
-  result.message = message.empty() ? message_of(error) : message;
-  result.hint = hint_of(error);
+// Ends a lesson that cannot be stored.
+struct Refused {
+  LearnError error;
+  std::string message;
+};
+
+Lesson read_lesson(const Arguments& arguments) {
+  try {
+    return lesson_from(arguments);
+  } catch (const FileError& error) {
+    throw Refused{LearnError::kNoImage, std::string(error.what()) + "."};
+  }
 }
 
 // Before the lesson, so that nobody waits for what cannot be stored.
-LearnError check_name(const Arguments& arguments, ObjectLibrary& library) {
+void check_name(const Arguments& arguments, const LibrarySnapshot& known) {
+  const auto refuse = [](LearnError error) { throw Refused{error, message_of(error)}; };
   const std::string name = arguments.get("--name");
-  if (!is_valid_name(name)) return LearnError::kNameInvalid;
-  const bool known = load_reporting(library)->find(name) != nullptr;
-  if (known && !arguments.has("--overwrite") && !arguments.has("--add-view"))
-    return LearnError::kNameTaken;
-  if (!known && arguments.has("--add-view")) return LearnError::kNameUnknown;
-  return LearnError::kSuccess;
+  if (!is_valid_name(name)) refuse(LearnError::kNameInvalid);
+  const bool taken = known.find(name) != nullptr;
+  if (taken && !arguments.has("--overwrite") && !arguments.has("--add-view"))
+    refuse(LearnError::kNameTaken);
+  if (!taken && arguments.has("--add-view")) refuse(LearnError::kNameUnknown);
 }
 
 bool may_store(const LearnResult& result, const Arguments& arguments) {
   return result.has_model && (result.error == LearnError::kSuccess || arguments.has("--allow-bad"));
 }
 
-ObjectModel add_view(ObjectLibrary& library, const LearnResult& result, const cv::Mat& picture,
+ObjectModel add_view(ObjectLibrary& library, const ObjectModel& learned, const cv::Mat& picture,
                      const SearchConfig& search) {
-  return library.edit(result.object.name, [&](ObjectModel& stored) {
-    View view = result.object.views.front();
+  return library.edit(learned.name, [&](ObjectModel& stored) {
+    View view = learned.views.front();
     const auto reference = shared_reference(stored, view, picture, search);
     if (!reference)
-      throw std::runtime_error(
-          "the stored object was not found in the new picture, so the new view cannot share its "
-          "frame; show it more like the stored views, or use --overwrite");
+      throw Refused{LearnError::kNotDistinct,
+                    "The stored object was not found in the new picture, so the new view cannot "
+                    "share its frame: show it more like the stored views, or use --overwrite."};
     view.reference = *reference;
     stored.views.push_back(view);
+    stored.quality = learned.quality;
   });
 }
 
-void store(ObjectLibrary& library, const Arguments& arguments, const Lesson& lesson,
-           const SearchConfig& search, LearnResult& result) {
+ObjectModel store(ObjectLibrary& library, const Arguments& arguments, const ObjectModel& learned,
+                  const cv::Mat& picture, const SearchConfig& search) {
   using Existing = ObjectLibrary::Existing;
   try {
-    result.object =
-        arguments.has("--add-view")
-            ? add_view(library, result, lesson.before, search)
-            : library.save(result.object,
-                           arguments.has("--overwrite") ? Existing::kReplace : Existing::kRefuse);
-    result.error = LearnError::kSuccess;
+    if (arguments.has("--add-view")) return add_view(library, learned, picture, search);
+    return library.save(learned,
+                        arguments.has("--overwrite") ? Existing::kReplace : Existing::kRefuse);
   } catch (const FileError& error) {
-    refuse(result, LearnError::kStorage, error.what());
+    throw Refused{LearnError::kStorage, std::string(error.what()) + "."};
   }
 }
 
-LearnResult learn_and_store(const Arguments& arguments, Settings& settings) {
-  const Lesson lesson = lesson_from(arguments);
-  if (arguments.has("--method"))
-    assign_field(field_rows(settings.lesson()), "method", arguments.get("--method"));
+void learn_and_store(const Arguments& arguments, Settings& settings, LearnResult& result) {
+  const Lesson lesson = read_lesson(arguments);
   StageWriter stages(arguments.get("--stages"));
   ObjectLibrary library(arguments.get("--library"));
-  LearnResult result;
-  result.object.name = lesson.name;
-  refuse(result, check_name(arguments, library));
-  if (result.error != LearnError::kSuccess) return result;
+  const auto known = load_reporting(library);
+  check_name(arguments, *known);
   result = learn_object(lesson, settings.lesson(), settings.search(), stages.observer());
-  result.object.name = lesson.name;
-  if (may_store(result, arguments)) store(library, arguments, lesson, settings.search(), result);
+  if (!may_store(result, arguments)) return;
+  note_resemblance(result.object, lesson.before, known->objects, settings.search());
+  result.object = store(library, arguments, result.object, lesson.before, settings.search());
+  result.error = LearnError::kSuccess;
+}
+
+LearnResult result_of(const Arguments& arguments, Settings& settings) {
+  LearnResult result;
+  try {
+    learn_and_store(arguments, settings, result);
+  } catch (const Refused& refused) {
+    result.error = refused.error;
+    result.message = refused.message;
+    result.hint = hint_of(refused.error);
+  }
+  result.object.name = arguments.get("--name");
   return result;
 }
 
 ExitCode run(const Arguments& arguments) {
   check_lesson_arguments(arguments);
   Settings settings = settings_from(arguments);
-  const LearnResult result = learn_and_store(arguments, settings);
+  if (arguments.has("--method"))
+    assign_field(field_rows(settings.lesson()), "method", arguments.get("--method"));
+  const LearnResult result = result_of(arguments, settings);
   if (arguments.has("--json")) write_lesson(std::cout, result);
   if (result.error == LearnError::kSuccess) {
     if (!arguments.has("--json")) print_lesson(std::cout, result);

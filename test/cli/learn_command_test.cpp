@@ -101,6 +101,26 @@ TEST(LearnCommand, AViewOfAnotherObjectIsNotAdded) {
   EXPECT_EQ(ObjectLibrary(folder.library()).load()->find("part")->views.size(), 1u);
 }
 
+TEST(LearnCommand, AnObjectLikeAKnownOneIsStoredWithAWarning) {
+  const LessonFolder folder;
+  ASSERT_EQ(run_tool(folder.lesson("part")).code, 0);
+  const ToolRun run = run_tool(folder.lesson("twin") + Words{"--json"});
+  ASSERT_EQ(run.code, 0) << run.err;
+  const YAML::Node report = YAML::Load(run.out);
+  EXPECT_EQ(report["verdict"].as<std::string>(), "MARGINAL");
+  EXPECT_EQ(report["quality"]["confusable_with"].as<std::string>(), "part");
+}
+
+TEST(LearnCommand, RefusalsAreReportedInJsonToo) {
+  const LessonFolder folder;
+  const ToolRun run = run_tool({"learn", "--library", folder.library(), "--name", "part",
+                                "--before", folder / "none.png", "--roi", "1,1,50,50", "--json"});
+  EXPECT_EQ(run.code, 1);
+  const YAML::Node report = YAML::Load(run.out);
+  EXPECT_EQ(report["error"].as<std::string>(), "NO_IMAGE");
+  EXPECT_FALSE(report["stored"].as<bool>());
+}
+
 TEST(LearnCommand, UnusablePicturesAndRegionsStoreNothing) {
   const LessonFolder folder;
   folder.write("small.png", cv::Mat(100, 100, CV_8UC3, cv::Scalar::all(90)));

@@ -1,0 +1,76 @@
+#include "mbncc/learning/resemblance.hpp"
+
+#include <gtest/gtest.h>
+
+#include "mbncc/sim/scene.hpp"
+
+namespace mbncc::test {
+namespace {
+
+sim::Placed placed(std::uint64_t seed, const Pose2D& pose) {
+  sim::SceneObject object;
+  object.seed = seed;
+  return {object, pose};
+}
+
+const sim::Scene& scene() {
+  static const sim::Scene drawn;
+  return drawn;
+}
+
+ObjectModel learned(const std::string& name, const sim::Placed& object, const cv::Mat& picture) {
+  ObjectModel model;
+  model.name = model.label = name;
+  model.views = {crop_view(picture, scene().true_map(object),
+                           {object.pose.x, object.pose.y, object.pose.theta})};
+  return model;
+}
+
+TEST(Resemblance, ViewsOfOneObjectGetOneFrame) {
+  const auto first = placed(5, {200, 200, 0}), second = placed(5, {420, 260, 2});
+  const cv::Mat before = scene().render({first}, 1), later = scene().render({second}, 2);
+  const ObjectModel stored = learned("part", first, before);
+  View view = learned("part", second, later).views[0];
+  view.reference = {};
+  const auto reference = shared_reference(stored, view, later);
+  ASSERT_TRUE(reference);
+  EXPECT_NEAR(reference->x, 420, 1);
+  EXPECT_NEAR(reference->y, 260, 1);
+  EXPECT_NEAR(angle_distance(reference->theta, 2), 0, to_radians(1.5));
+}
+
+TEST(Resemblance, AnotherObjectInTheMapIsNoView) {
+  const auto first = placed(5, {200, 200, 0}), other = placed(77, {200, 200, 0});
+  const cv::Mat before = scene().render({first}, 1);
+  // The stored object lies there too, but elsewhere.
+  const cv::Mat later = scene().render({other, placed(5, {450, 300, 1})}, 2);
+  const ObjectModel stored = learned("part", first, before);
+  EXPECT_FALSE(shared_reference(stored, learned("part", other, later).views[0], later));
+}
+
+TEST(Resemblance, TheMostSimilarKnownObjectIsNoted) {
+  const auto first = placed(5, {200, 200, 0}), other = placed(77, {430, 250, 0});
+  const cv::Mat picture = scene().render({first, other}, 1);
+  const auto known = [](const ObjectModel& model) {
+    return std::make_shared<const ObjectModel>(model);
+  };
+  const std::vector<std::shared_ptr<const ObjectModel>> library = {
+      known(learned("other", other, picture)), known(learned("part", first, picture))};
+
+  const auto again = placed(5, {300, 320, 1.3});
+  const cv::Mat later = scene().render({again}, 3);
+  ObjectModel twin = learned("twin", again, later);
+  note_resemblance(twin, later, library);
+  EXPECT_EQ(twin.quality.confusable_with, "part");
+  EXPECT_EQ(twin.quality.verdict, Verdict::kMarginal);
+  ASSERT_EQ(twin.quality.reasons, std::vector<std::string>{"resembles_known"});
+  EXPECT_NE(twin.quality.advice[0].find("'part'"), std::string::npos);
+
+  ObjectModel same_name = learned("part", again, later);
+  note_resemblance(same_name, later, {library[1]});
+  EXPECT_EQ(same_name.quality.confusable_with, "");
+  EXPECT_EQ(same_name.quality.verdict, Verdict::kGood);
+}
+
+}  // namespace
+}  // namespace mbncc::test
