@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "mbncc/drawing.hpp"
+#include "mbncc/learning/resemblance.hpp"
 #include "nodelets/images.hpp"
 #include "nodelets/lesson_goal.hpp"
 #include "nodelets/lesson_stages.hpp"
@@ -64,6 +65,8 @@ LessonRun::Draft LessonRun::learn(const Lesson& lesson) {
     return !client_.interruption();
   };
   Draft draft{lesson, learn_object(lesson, tools_.config, {}, observer)};
+  if (draft.learned.has_model)
+    note_resemblance(draft.learned.object, lesson.before, tools_.library.snapshot()->objects);
   leave_if_interrupted();
   if (draft.learned.has_model) tools_.show_preview(preview(draft.learned.object));
   return draft;
@@ -107,8 +110,17 @@ ObjectModel LessonRun::save(const ObjectModel& model) const {
   return tools_.library.change([&](ObjectLibrary& library) {
     if (!goal_.add_view)
       return library.save(model, goal_.overwrite ? Existing::kReplace : Existing::kRefuse);
-    return library.edit(name_, [&model](ObjectModel& stored) {
-      stored.views.push_back(model.views.front());
+    return library.edit(name_, [&](ObjectModel& stored) {
+      View view = model.views.front();
+      const auto reference = shared_reference(stored, view, before_.picture);
+      if (!reference)
+        throw LessonEnded{outcome(
+            LearnError::kNotDistinct,
+            "The stored object was not found in the new picture, so the new view cannot share its "
+            "frame.",
+            "Show it more like the stored views, or use overwrite.")};
+      view.reference = *reference;
+      stored.views.push_back(view);
       stored.quality = model.quality;
     });
   });
