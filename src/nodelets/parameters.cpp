@@ -46,6 +46,17 @@ std::string text_of(XmlRpcValue value) {
   }
 }
 
+/// What the row accepts, in words.
+std::string wanted(const FieldRow& row) {
+  if (row.type == "bool") return "true or false";
+  const std::string kind = row.type == "int"      ? "a whole number"
+                           : row.type == "double" ? "a number"
+                                                  : "a text";
+  const std::string unit = row.info.unit.empty() ? "" : " [" + row.info.unit + "]";
+  const std::string range = row.info.allowed.to_string();
+  return range == "any" ? kind + unit : kind + " " + range + unit;
+}
+
 bool type_fits(const std::string& wanted, const std::string& given) {
   return wanted == given || (given == "int" && (wanted == "double" || wanted == "string"));
 }
@@ -56,9 +67,8 @@ void check_type(const std::vector<FieldRow>& rows, const std::string& key,
   for (const auto& row : rows) {
     if (row.info.name != key || type_fits(row.type, given)) continue;
     const std::string shown = text_of(value).empty() ? "" : " '" + text_of(value) + "'";
-    throw ConfigError("parameter '" + key + "': the " + given + shown + " is not allowed; give a " +
-                      row.type + ", " + row.info.allowed.to_string() +
-                      (row.info.unit.empty() ? "" : " [" + row.info.unit + "]"));
+    throw ConfigError("parameter '" + key + "': the " + given + shown + " is not allowed; give " +
+                      wanted(row));
   }
 }
 

@@ -96,7 +96,7 @@ TEST(Parameters, OutOfRangeNamesKeyValueAndRange) {
 }
 
 TEST(Parameters, MistypedIsRefused) {
-  EXPECT_TRUE(has(refusal(one("rate", std::string("5"))), "give a double, 0 .. 100 [Hz]"));
+  EXPECT_TRUE(has(refusal(one("rate", std::string("5"))), "give a number 0 .. 100 [Hz]"));
   EXPECT_NE(refusal(one("count", 2.0)), "");
   EXPECT_NE(refusal(one("count", std::string("2"))), "");
   EXPECT_NE(refusal(one("loop", 1)), "");

@@ -91,5 +91,7 @@ TEST_F(SimulatedCamera, TellsTheStoryOnRequest) {
 int main(int argc, char** argv) {
   testing::InitGoogleTest(&argc, argv);
   ros::init(argc, argv, "simulated_camera_rostest");
+  // Between tests no other handle is alive, and the node would shut down.
+  const ros::NodeHandle keeps_the_node_running;
   return RUN_ALL_TESTS();
 }

@@ -1,0 +1,63 @@
+// Settings of the camera nodelet: where pictures come from and what is published with them.
+#pragma once
+
+#include <string>
+
+#include "mbncc/config/field.hpp"
+
+namespace mbncc {
+
+struct CameraConfig {
+  std::string source;                  ///< device index or path, stream URL, folder, or video file
+  double frame_rate = 0;               ///< [Hz]; 0: the source's own, 10 for a folder
+  bool loop = false;                   ///< begin a folder or video again at its end
+  int width = 0;                       ///< [px] asked of a device; 0: its default
+  int height = 0;                      ///< [px]
+  double exposure = -1;                ///< in the driver's unit; -1: left alone
+  double gain = -1;                    ///< in the driver's unit; -1: left alone
+  double white_balance = -1;           ///< [K]; -1: left alone
+  bool detect_frozen = false;          ///< withhold pictures that repeat exactly
+  std::string camera_name = "camera";  ///< of the calibration
+  std::string camera_info_url;         ///< of the calibration; "": the manager's default
+  std::string frame_id = "camera_optical_frame";  ///< of the pictures
+
+  template <class Self, class Visitor>
+  static void fields(Self& self, Visitor&& visit) {
+    visit(FieldInfo{"source", Allowed::anything(), "",
+                    "device index or path, stream URL, folder of pictures, or video file"},
+          self.source);
+    visit(FieldInfo{"frame_rate", Allowed::range(0, 1000), "Hz",
+                    "pictures per second, asked of a device; 0: the source's own, 10 for a folder"},
+          self.frame_rate);
+    visit(FieldInfo{"loop", Allowed::anything(), "", "begin a folder or video again at its end"},
+          self.loop);
+    visit(FieldInfo{"width", Allowed::range(0, 16384), "px",
+                    "picture width asked of a device; 0: its default"},
+          self.width);
+    visit(FieldInfo{"height", Allowed::range(0, 16384), "px",
+                    "picture height asked of a device; 0: its default"},
+          self.height);
+    visit(FieldInfo{"exposure", Allowed::at_least(-1), "",
+                    "exposure of a device in its driver's unit; -1: left alone"},
+          self.exposure);
+    visit(FieldInfo{"gain", Allowed::at_least(-1), "",
+                    "gain of a device in its driver's unit; -1: left alone"},
+          self.gain);
+    visit(FieldInfo{"white_balance", Allowed::range(-1, 20000), "K",
+                    "white balance of a device; -1: left alone"},
+          self.white_balance);
+    visit(FieldInfo{"detect_frozen", Allowed::anything(), "",
+                    "withhold pictures that repeat exactly, and open a device again"},
+          self.detect_frozen);
+    visit(FieldInfo{"camera_name", Allowed::anything(), "",
+                    "name in the calibration: letters, digits, underscores"},
+          self.camera_name);
+    visit(FieldInfo{"camera_info_url", Allowed::anything(), "",
+                    "where the calibration is kept; empty: ~/.ros/camera_info/<camera_name>.yaml"},
+          self.camera_info_url);
+    visit(FieldInfo{"frame_id", Allowed::anything(), "", "optical frame of the pictures"},
+          self.frame_id);
+  }
+};
+
+}  // namespace mbncc

@@ -1,0 +1,301 @@
+// Publishes the pictures of a device, stream, folder or video with their calibration.
+#include <camera_info_manager/camera_info_manager.h>
+#include <cv_bridge/cv_bridge.h>
+#include <diagnostic_updater/diagnostic_updater.h>
+#include <image_transport/image_transport.h>
+#include <nodelet/nodelet.h>
+#include <ros/ros.h>
+#include <pluginlib/class_list_macros.hpp>
+
+#include <algorithm>
+#include <chrono>
+#include <condition_variable>
+#include <memory>
+#include <mutex>
+#include <thread>
+
+#include "mbncc/cell/frozen_picture.hpp"
+#include "mbncc/config/camera_config.hpp"
+#include "mbncc/error.hpp"
+#include "nodelets/parameters.hpp"
+#include "nodelets/picture_source.hpp"
+
+namespace mbncc::nodelets {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+using Seconds = std::chrono::duration<double>;
+
+constexpr Seconds kFirstRetry{0.5}, kLongestRetry{8};  // doubling between
+constexpr Seconds kGlance{0.05};    // between two looks for a listener or a clock
+constexpr double kFolderRate = 10;  // [Hz]
+
+Clock::duration ticks(Seconds seconds) {
+  return std::chrono::duration_cast<Clock::duration>(seconds);
+}
+
+/// What diagnostics tell; guarded by the nodelet's mutex.
+struct Health {
+  std::uint8_t level = diagnostic_msgs::DiagnosticStatus::WARN;
+  std::string state = "not opened yet";
+  std::uint64_t published = 0;
+  std::uint64_t unreadable = 0;
+  std::uint64_t frozen = 0;
+  std::uint64_t unstamped = 0;  // grabbed while the clock stood still
+  std::uint64_t failures = 0;   // of the source
+};
+
+}  // namespace
+
+class CameraNodelet : public nodelet::Nodelet {
+ public:
+  ~CameraNodelet() override;
+
+ private:
+  void onInit() override;
+  void start();
+  void start_calibration();
+
+  void work();
+  void step();
+  void open();
+  void close(const std::string& reason);
+  bool has_new_stamp() const;
+  void play();
+  cv::Mat retrieve();
+  bool is_frozen(const cv::Mat& picture);
+  void publish(const cv::Mat& picture, const ros::Time& stamp);
+  void wait_until_due();
+  void pause(Seconds time);
+  void set_state(std::uint8_t level, const std::string& state);
+  void count(std::uint64_t Health::*what);
+  void diagnose(diagnostic_updater::DiagnosticStatusWrapper& status);
+
+  CameraConfig config_;
+  image_transport::CameraPublisher camera_;
+  std::unique_ptr<camera_info_manager::CameraInfoManager> calibration_;
+  std::unique_ptr<diagnostic_updater::Updater> updater_;
+  ros::WallTimer diagnostics_timer_;
+
+  // Of the worker thread alone.
+  std::unique_ptr<PictureSource> source_;
+  FrozenPicture frozen_;
+  Seconds retry_ = kFirstRetry;
+  Clock::time_point due_;
+  ros::Time last_stamp_;
+  bool at_end_ = false;
+
+  std::mutex mutex_;  // guards health_, stopping_ and the figures of the last report
+  std::condition_variable stop_;
+  bool stopping_ = false;
+  Health health_;
+  std::uint64_t published_before_ = 0;
+  Clock::time_point reported_at_ = Clock::now();
+  std::thread worker_;
+};
+
+CameraNodelet::~CameraNodelet() {
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    stopping_ = true;
+  }
+  stop_.notify_all();
+  diagnostics_timer_.stop();
+  if (worker_.joinable()) worker_.join();
+}
+
+void CameraNodelet::onInit() {
+  try {
+    start();
+  } catch (const std::exception& error) {
+    NODELET_FATAL("%s", error.what());
+    throw;
+  }
+}
+
+void CameraNodelet::start() {
+  read_parameters(getPrivateNodeHandle(), field_rows(config_));
+  if (config_.source.empty())
+    throw ConfigError(getPrivateNodeHandle().getNamespace() +
+                      ": parameter 'source' is empty; give a device index or path, a stream URL, a "
+                      "folder of pictures or a video file");
+  start_calibration();
+  image_transport::ImageTransport transport(getNodeHandle());
+  camera_ = transport.advertiseCamera("image_raw", 5);
+  updater_ = std::make_unique<diagnostic_updater::Updater>(getNodeHandle(), getPrivateNodeHandle(),
+                                                           getName());
+  updater_->setHardwareID(config_.source);
+  updater_->add("pictures", this, &CameraNodelet::diagnose);
+  diagnostics_timer_ = getNodeHandle().createWallTimer(
+      ros::WallDuration(1), [this](const ros::WallTimerEvent&) { updater_->force_update(); });
+  worker_ = std::thread(&CameraNodelet::work, this);
+}
+
+void CameraNodelet::start_calibration() {
+  const std::string where = getPrivateNodeHandle().getNamespace() + ": parameter '";
+  // Local until it is accepted: the loader takes a refused nodelet's callback queue away before the
+  // nodelet, and a service left in a member would then crash.
+  auto calibration = std::make_unique<camera_info_manager::CameraInfoManager>(getNodeHandle());
+  if (!calibration->setCameraName(config_.camera_name))
+    throw ConfigError(where + "camera_name': value '" + config_.camera_name +
+                      "' is not allowed; give letters, digits and underscores");
+  if (!calibration->validateURL(config_.camera_info_url))
+    throw ConfigError(where + "camera_info_url': value '" + config_.camera_info_url +
+                      "' is not allowed; give file:///... or package://... or leave it empty");
+  calibration->loadCameraInfo(config_.camera_info_url);
+  if (!calibration->isCalibrated())
+    NODELET_WARN("No calibration of camera '%s': poses will be in pixels only",
+                 config_.camera_name.c_str());
+  calibration_ = std::move(calibration);
+}
+
+void CameraNodelet::work() {
+  for (;;) {
+    {
+      const std::lock_guard<std::mutex> lock(mutex_);
+      if (stopping_) return;
+    }
+    try {
+      step();
+    } catch (const std::exception& error) {
+      close(error.what());
+    }
+  }
+}
+
+void CameraNodelet::step() {
+  if (at_end_) return pause(kLongestRetry);
+  if (!source_) open();
+  // A folder or video waits for a listener and for the clock, so that none of its pictures is lost.
+  if (!source_->is_live() && (camera_.getNumSubscribers() == 0 || !has_new_stamp()))
+    return pause(kGlance);
+  play();
+}
+
+void CameraNodelet::open() {
+  std::vector<std::string> refused;
+  source_ = open_picture_source(config_, refused);
+  for (const auto& sentence : refused) NODELET_WARN("%s", sentence.c_str());
+  NODELET_INFO("Opened %s", config_.source.c_str());
+  set_state(diagnostic_msgs::DiagnosticStatus::OK, "open");
+  frozen_.reset();
+  due_ = Clock::now();
+}
+
+void CameraNodelet::close(const std::string& reason) {
+  source_.reset();
+  count(&Health::failures);
+  set_state(diagnostic_msgs::DiagnosticStatus::ERROR, reason);
+  NODELET_WARN("%s; trying again in %.1f s", reason.c_str(), retry_.count());
+  pause(retry_);
+  retry_ = std::min(2 * retry_, kLongestRetry);
+}
+
+bool CameraNodelet::has_new_stamp() const {
+  const ros::Time now = ros::Time::now();
+  return !now.isZero() && now != last_stamp_;
+}
+
+void CameraNodelet::play() {
+  if (!source_->is_live()) wait_until_due();
+  if (!source_->grab()) {
+    at_end_ = true;
+    set_state(diagnostic_msgs::DiagnosticStatus::WARN, "at its end");
+    NODELET_INFO("%s is at its end", config_.source.c_str());
+    return;
+  }
+  const ros::Time stamp = ros::Time::now();
+  retry_ = kFirstRetry;
+  if (stamp.isZero() || stamp == last_stamp_) return count(&Health::unstamped);
+  if (camera_.getNumSubscribers() == 0) return;
+  const cv::Mat picture = retrieve();
+  if (picture.empty() || is_frozen(picture)) return;
+  last_stamp_ = stamp;
+  publish(picture, stamp);
+}
+
+/// Empty, with a warning, when the picture cannot be read.
+cv::Mat CameraNodelet::retrieve() {
+  try {
+    return source_->retrieve();
+  } catch (const FileError& error) {
+    count(&Health::unreadable);
+    NODELET_WARN("%s", error.what());
+    return {};
+  }
+}
+
+bool CameraNodelet::is_frozen(const cv::Mat& picture) {
+  if (!config_.detect_frozen) return false;
+  if (!frozen_.update(picture)) {
+    set_state(diagnostic_msgs::DiagnosticStatus::OK, "open");
+    return false;
+  }
+  count(&Health::frozen);
+  const std::string sentence = config_.source + ": the picture is frozen; withheld";
+  if (source_->is_live()) throw FileError(config_.source, "the picture is frozen");
+  set_state(diagnostic_msgs::DiagnosticStatus::ERROR, sentence);
+  NODELET_WARN_THROTTLE(10, "%s", sentence.c_str());
+  return true;
+}
+
+void CameraNodelet::publish(const cv::Mat& picture, const ros::Time& stamp) {
+  std_msgs::Header header;
+  header.stamp = stamp;
+  header.frame_id = config_.frame_id;
+  const auto info = boost::make_shared<sensor_msgs::CameraInfo>(calibration_->getCameraInfo());
+  info->header = header;
+  if (!calibration_->isCalibrated()) {
+    info->width = static_cast<std::uint32_t>(picture.cols);
+    info->height = static_cast<std::uint32_t>(picture.rows);
+  }
+  const char* encoding = picture.channels() == 1 ? "mono8" : "bgr8";
+  camera_.publish(cv_bridge::CvImage(header, encoding, picture).toImageMsg(), info);
+  count(&Health::published);
+}
+
+void CameraNodelet::wait_until_due() {
+  const double wanted = config_.frame_rate > 0 ? config_.frame_rate : source_->rate();
+  const Clock::time_point now = Clock::now();
+  if (due_ > now) pause(due_ - now);
+  // A late picture does not make the next ones hurry.
+  due_ = std::max(due_, now) + ticks(Seconds(1 / (wanted > 0 ? wanted : kFolderRate)));
+}
+
+void CameraNodelet::pause(Seconds time) {
+  std::unique_lock<std::mutex> lock(mutex_);
+  stop_.wait_for(lock, time, [this] { return stopping_; });
+}
+
+void CameraNodelet::set_state(std::uint8_t level, const std::string& state) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  health_.level = level;
+  health_.state = state;
+}
+
+void CameraNodelet::count(std::uint64_t Health::*what) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  ++(health_.*what);
+}
+
+void CameraNodelet::diagnose(diagnostic_updater::DiagnosticStatusWrapper& status) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  const Clock::time_point now = Clock::now();
+  const double elapsed = Seconds(now - reported_at_).count();
+  const double rate = static_cast<double>(health_.published - published_before_) / elapsed;
+  reported_at_ = now;
+  published_before_ = health_.published;
+  status.summary(health_.level, health_.state);
+  status.addf("rate [Hz]", "%.2f", rate);
+  status.add("published", health_.published);
+  status.add("unreadable pictures", health_.unreadable);
+  status.add("frozen pictures", health_.frozen);
+  status.add("pictures without a new stamp", health_.unstamped);
+  status.add("failures of the source", health_.failures);
+  status.add("listeners", camera_.getNumSubscribers());
+  status.add("calibrated", calibration_->isCalibrated() ? "yes" : "no");
+}
+
+}  // namespace mbncc::nodelets
+
+PLUGINLIB_EXPORT_CLASS(mbncc::nodelets::CameraNodelet, nodelet::Nodelet)
