@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "learning/pictures.hpp"
+#include "mbncc/learning/change.hpp"
 
 namespace mbncc {
 namespace {
@@ -57,9 +58,9 @@ TEST(Quality, OfAGoodMap) {
 
 TEST(Quality, ChangeAgreesWithTheTrueMap) {
   const DrawnLesson drawn = draw_lesson();
-  const Quality quality =
-      assess_quality(model_of(drawn.lesson.before, drawn.truth), drawn.lesson.before,
-                     drawn.lesson.after, std::nullopt, {}, {});
+  const Quality quality = assess_quality(
+      model_of(drawn.lesson.before, drawn.truth), drawn.lesson.before,
+      survey_change(drawn.lesson.before, drawn.lesson.after).changed, std::nullopt, {}, {});
   EXPECT_GT(quality.change_agreement, 0.7);
 }
 

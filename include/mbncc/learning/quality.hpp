@@ -22,9 +22,10 @@ struct CutEvidence {
   double ambiguous = 0;        ///< [0..1] region pixels that neither side claims
 };
 
-/// Judges `object` (one view, no quality yet) against the learning pictures. `after` may be empty.
-/// Searches the object in `before` to learn how distinct it is. Reasons are ordered worst first.
-Quality assess_quality(const ObjectModel& object, const cv::Mat& before, const cv::Mat& after,
+/// Judges `object` (one view, no quality yet) against its learning picture `before`, in which it is
+/// searched to learn how distinct it is. `changed` (CV_8UC1 of the same size, as by
+/// survey_change()) is empty where there was no picture after. Reasons are ordered worst first.
+Quality assess_quality(const ObjectModel& object, const cv::Mat& before, const cv::Mat& changed,
                        const std::optional<CutEvidence>& evidence, const LearningConfig& config,
                        const SearchConfig& search);
 

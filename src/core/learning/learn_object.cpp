@@ -85,7 +85,7 @@ class LessonRun {
   void survey(SegmentationTask& task) {
     const ChangeSurvey survey = survey_change(task.before, task.after);
     check_survey(survey, config_);
-    task.changed = survey.changed;
+    task.changed = changed_ = survey.changed;
     task.region = region_of_change(survey, task.region);
   }
 
@@ -124,7 +124,7 @@ class LessonRun {
     const StepTimer timer(result_.timings_ms, "quality");
     progress_.report(Stage::kQuality, 0.85, "Judging the lesson.");
     Quality& quality = result_.object.quality;
-    quality = assess_quality(result_.object, lesson_.before, lesson_.after, segmentation.evidence,
+    quality = assess_quality(result_.object, lesson_.before, changed_, segmentation.evidence,
                              config_, search_);
     // A ready map is never refused for quality: the verdict warns, no more.
     if (!lesson_.map.empty() && quality.verdict == Verdict::kBad)
@@ -147,6 +147,7 @@ class LessonRun {
   const LearningConfig& config_;
   const SearchConfig& search_;
   LessonProgress progress_;
+  cv::Mat changed_;  // the survey's; empty until there was one
   LearnResult& result_;
 };
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <opencv2/imgproc.hpp>
 
-#include "mbncc/learning/change.hpp"
+#include "learning/rectangles.hpp"
 
 namespace mbncc {
 namespace {
@@ -48,9 +48,7 @@ double edge_agreement(const cv::Mat& picture, const cv::Mat& map) {
 }
 
 cv::Rect surroundings(const cv::Mat& map) {
-  const cv::Rect box = cv::boundingRect(map);
-  return cv::Rect(box.x - kReach, box.y - kReach, box.width + 2 * kReach, box.height + 2 * kReach) &
-         cv::Rect({0, 0}, map.size());
+  return grown(cv::boundingRect(map), kReach) & cv::Rect({0, 0}, map.size());
 }
 
 }  // namespace
@@ -72,11 +70,11 @@ void measure_map(const cv::Mat& picture, const cv::Mat& map, Quality& quality) {
   quality.edge_agreement = edge_agreement(picture(box), part);
 }
 
-double change_agreement(const cv::Mat& before, const cv::Mat& after, const cv::Mat& map) {
+double change_agreement(const cv::Mat& changed, const cv::Mat& map) {
   const cv::Rect box = surroundings(map);
-  const cv::Mat changed = survey_change(before, after).changed(box), part = map(box);
-  const int either = cv::countNonZero(changed | part);
-  return either == 0 ? 0 : cv::countNonZero(changed & part) / double(either);
+  const cv::Mat change = changed(box), part = map(box);
+  const int either = cv::countNonZero(change | part);
+  return either == 0 ? 0 : cv::countNonZero(change & part) / double(either);
 }
 
 bool touches_border(const cv::Mat& map) {

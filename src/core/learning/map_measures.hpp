@@ -10,8 +10,8 @@ namespace mbncc {
 /// Fills in area, fill, contrast and edge_agreement. `map` has the picture's size.
 void measure_map(const cv::Mat& picture, const cv::Mat& map, Quality& quality);
 
-/// IoU of the map with the changed pixels around it.
-double change_agreement(const cv::Mat& before, const cv::Mat& after, const cv::Mat& map);
+/// IoU of the map with the changed pixels around it (CV_8UC1).
+double change_agreement(const cv::Mat& changed, const cv::Mat& map);
 
 /// Does a map pixel lie on the picture's border?
 bool touches_border(const cv::Mat& map);

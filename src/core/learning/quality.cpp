@@ -7,14 +7,14 @@
 
 namespace mbncc {
 
-Quality assess_quality(const ObjectModel& object, const cv::Mat& before, const cv::Mat& after,
+Quality assess_quality(const ObjectModel& object, const cv::Mat& before, const cv::Mat& changed,
                        const std::optional<CutEvidence>& evidence, const LearningConfig& config,
                        const SearchConfig& search) {
   const View& view = object.views.front();
   const cv::Mat map = full_size_map(view);
   Quality quality;
   measure_map(before, map, quality);
-  if (!after.empty()) quality.change_agreement = change_agreement(before, after, map);
+  if (!changed.empty()) quality.change_agreement = change_agreement(changed, map);
   search_itself(object, before, search, quality);
   const RotationProfile profile(view, before);
   quality.angle_halfwidth = profile.fall_to((quality.self_score + quality.runner_up) / 2);

@@ -15,6 +15,18 @@ std::vector<cv::Point> map_pixels(const cv::Mat& map) {
   return pixels;
 }
 
+// The corners of the pixels' convex hull: all that a circle around them depends on.
+std::vector<cv::Point> hull_corners(const cv::Mat& map) {
+  std::vector<cv::Point> row_ends, corners;
+  const auto pixels = map_pixels(map);  // row by row
+  for (std::size_t i = 0; i < pixels.size(); ++i)
+    if (i == 0 || i + 1 == pixels.size() || pixels[i].y != pixels[i - 1].y ||
+        pixels[i].y != pixels[i + 1].y)
+      row_ends.push_back(pixels[i]);
+  cv::convexHull(row_ends, corners);
+  return corners;
+}
+
 }  // namespace
 
 double wrap_angle(double radians) {
@@ -56,7 +68,7 @@ cv::Point2d centroid(const cv::Mat& map) {
 Circle excircle(const cv::Mat& map) {
   cv::Point2f centre;
   float radius = 0;
-  cv::minEnclosingCircle(map_pixels(map), centre, radius);
+  cv::minEnclosingCircle(hull_corners(map), centre, radius);
   return {cv::Point2d(centre), static_cast<double>(radius)};
 }
 
