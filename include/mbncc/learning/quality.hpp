@@ -11,15 +11,15 @@
 
 namespace mbncc {
 
-/// What a graph cut between two pictures knows about its own reliability.
+/// What a cut knows about its own reliability.
 struct CutEvidence {
   double region_touch = 0;    ///< [0..1] part of the outline that lies on the region's edge
   double change_outside = 0;  ///< [0..1] changed part of the strip around the region
   double stability = 1;       ///< [0..1] least IoU with cuts whose balance was shifted
   double boundary_contrast =
-      1;                       ///< [0..1] how strong the picture edges are that the outline follows
-  double shadow_fraction = 0;  ///< [0..1] map pixels that look like shadowed platform
-  double ambiguous = 0;        ///< [0..1] region pixels that neither side claims
+      1;  ///< [0..1] how strong the picture edges are that the outline follows
+  bool verified =
+      true;  ///< false: cut from one picture's colours, and nothing speaks for or against
 };
 
 /// Judges `object` (one view, no quality yet) against its learning picture `before`, in which it is

@@ -93,8 +93,8 @@ BackgroundLikelihood background_likelihood(const cv::Mat& before, const cv::Mat&
   static const float log_shadow = std::log(kShadowWeight);
   const float uniform = std::exp(-log_uniform_colour());
   BackgroundLikelihood result;
-  for (cv::Mat* picture : {&result.log_ratio, &result.changed, &result.shadow})
-    picture->create(before.size(), CV_32FC1);
+  result.log_ratio.create(before.size(), CV_32FC1);
+  result.changed.create(before.size(), CV_32FC1);
   for (int y = 0; y < before.rows; ++y)
     for (int x = 0; x < before.cols; ++x) {
       const float plain = student(unchanged.at<float>(y, x), variance.ptr<float>(y, x), noise.tail);
@@ -107,7 +107,6 @@ BackgroundLikelihood background_likelihood(const cv::Mat& before, const cv::Mat&
           surface + kPlatformWeight * uniform * platform.density(before.at<cv::Vec3f>(y, x));
       result.log_ratio.at<float>(y, x) = std::min(kHighestRatio, std::log(sum));
       result.changed.at<float>(y, x) = 1 / (1 + sum / 2);
-      result.shadow.at<float>(y, x) = shadow / surface;
     }
   return result;
 }

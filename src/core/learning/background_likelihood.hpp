@@ -12,7 +12,6 @@ namespace mbncc {
 struct BackgroundLikelihood {
   cv::Mat log_ratio;  ///< CV_32FC1: log of p(before | background) / uniform
   cv::Mat changed;    ///< CV_32FC1 [0..1] probability that the pixel shows something else
-  cv::Mat shadow;     ///< CV_32FC1 [0..1] part of the likelihood owed to the shadow term
 };
 
 /// log of the uniform density over 8-bit colours.

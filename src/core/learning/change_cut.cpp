@@ -64,8 +64,7 @@ class Cutter {
   const cv::Mat& map() const { return map_; }
 
   CutEvidence evidence() const {
-    return cut_evidence({map_, inside_, unary_, background_.changed, background_.shadow},
-                        smoothness_);
+    return cut_evidence({map_, inside_, unary_, background_.changed}, smoothness_);
   }
 
  private:

@@ -14,18 +14,11 @@ namespace {
 
 constexpr float kBalanceShift = 2;        // log-odds per pixel by which the re-cuts are tilted
 constexpr float kForcedBackground = -50;  // unary outside the region
-constexpr float kUndecided = 1.5F;        // log-odds below which a pixel is claimed by no side
 constexpr float kSurelyChanged = 0.7F;
 
 double part(const cv::Mat& of, const cv::Mat& among) {
   const int all = cv::countNonZero(among);
   return all == 0 ? 0 : cv::countNonZero(of & among) / static_cast<double>(all);
-}
-
-double region_touch(const cv::Mat& map, const cv::Mat& inside) {
-  cv::Mat core;
-  cv::erode(inside, core, cv::Mat(), {-1, -1}, 2, cv::BORDER_CONSTANT, cv::Scalar(0));
-  return part(~core, outline_pixels(map));
 }
 
 // Mean strength of the edges that the outline follows, 1: it costs nothing there.
@@ -64,14 +57,18 @@ double stability(const FinishedCut& cut, const Smoothness& smoothness) {
 
 }  // namespace
 
+double region_touch(const cv::Mat& map, const cv::Mat& inside) {
+  cv::Mat core;
+  cv::erode(inside, core, cv::Mat(), {-1, -1}, 2, cv::BORDER_CONSTANT, cv::Scalar(0));
+  return part(~core, outline_pixels(map));
+}
+
 CutEvidence cut_evidence(const FinishedCut& cut, const Smoothness& smoothness) {
   CutEvidence evidence;
   evidence.region_touch = region_touch(cut.map, cut.inside);
   evidence.change_outside = part(cut.changed > kSurelyChanged, ~cut.inside);
   evidence.stability = stability(cut, smoothness);
   evidence.boundary_contrast = boundary_contrast(cut.map, smoothness);
-  evidence.shadow_fraction = part(cut.shadow > 0.5, cut.map);
-  evidence.ambiguous = part(cv::abs(cut.unary) < kUndecided, cut.inside);
   return evidence;
 }
 

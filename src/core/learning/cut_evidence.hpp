@@ -14,8 +14,10 @@ struct FinishedCut {
   cv::Mat inside;   ///< CV_8UC1, 255 in the region
   cv::Mat unary;    ///< CV_32FC1, what the last cut minimised
   cv::Mat changed;  ///< CV_32FC1, as in BackgroundLikelihood
-  cv::Mat shadow;   ///< CV_32FC1, likewise
 };
+
+/// Part [0..1] of the map's outline within two pixels of the region's edge, or beyond.
+double region_touch(const cv::Mat& map, const cv::Mat& inside);
 
 CutEvidence cut_evidence(const FinishedCut& cut, const Smoothness& smoothness);
 

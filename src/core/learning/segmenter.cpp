@@ -3,6 +3,7 @@
 #include <stdexcept>
 
 #include "learning/clean_map.hpp"
+#include "learning/cut_evidence.hpp"
 #include "mbncc/learning/change_cut.hpp"
 #include "mbncc/learning/sb_grabcut.hpp"
 
@@ -22,25 +23,36 @@ BeforeCut report_cuts(const LearningConfig& config, LessonProgress& progress) {
   };
 }
 
+// Colours alone tell nothing about how good a cut is.
+Segmentation unverified(const cv::Mat& raw, const SegmentationTask& task) {
+  const cv::Mat map = clean_map(raw);
+  cv::Mat inside = cv::Mat::zeros(map.size(), CV_8UC1);
+  inside(task.region).setTo(255);
+  CutEvidence evidence;
+  evidence.verified = false;
+  evidence.region_touch = region_touch(map, inside);
+  return {map, evidence};
+}
+
 Segmentation by_sb_grabcut(const SegmentationTask& task, const LearningConfig& config,
                            LessonProgress& progress) {
-  return {clean_map(sb_grabcut(task.before, task.region, task.approximate, config.superpixels,
-                               config.iterations, report_cuts(config, progress))),
-          std::nullopt};
+  return unverified(sb_grabcut(task.before, task.region, task.approximate, config.superpixels,
+                               config.iterations, report_cuts(config, progress)),
+                    task);
 }
 
 Segmentation by_grabcut_rect(const SegmentationTask& task, const LearningConfig& config,
                              LessonProgress& progress) {
-  return {clean_map(grabcut_rect(task.before, task.region, config.iterations,
-                                 report_cuts(config, progress))),
-          std::nullopt};
+  return unverified(
+      grabcut_rect(task.before, task.region, config.iterations, report_cuts(config, progress)),
+      task);
 }
 
 Segmentation by_grabcut_mask(const SegmentationTask& task, const LearningConfig& config,
                              LessonProgress& progress) {
-  return {clean_map(grabcut_mask(task.before, task.region, task.approximate, config.iterations,
-                                 report_cuts(config, progress))),
-          std::nullopt};
+  return unverified(grabcut_mask(task.before, task.region, task.approximate, config.iterations,
+                                 report_cuts(config, progress)),
+                    task);
 }
 
 Segmentation by_change_cut(const SegmentationTask& task, const LearningConfig& config,

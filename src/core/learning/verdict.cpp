@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstring>
 #include <string>
 
@@ -34,10 +35,10 @@ constexpr std::array<Reason, 14> kReasons{{
      "Put the object on a background of another colour, or check the map's outline."},
     {"weak_boundary", LearnError::kQualityBad,
      "Put the object on a background that contrasts with it."},
-    {"looks_like_shadow", LearnError::kQualityBad,
-     "Use softer light, or check that no shadow was taken into the map."},
-    {"ambiguous_pixels", LearnError::kQualityBad,
-     "Put the object on a background of another colour."},
+    {"small_object", LearnError::kQualityBad,
+     "Bring the camera nearer: an outline of so few pixels is easily wrong."},
+    {"unverified_cut", LearnError::kQualityBad,
+     "Check the outline: from one picture alone, nothing confirms it. Better teach by change."},
     {"round", LearnError::kQualityBad, "Nothing shows the angle: any angle may be reported."},
     {"symmetric", LearnError::kQualityBad,
      "The object looks the same after part of a turn: the angle is known up to that."},
@@ -64,13 +65,13 @@ class Charges {
     else if (value > marginal)
       add(key, Verdict::kMarginal);
   }
+  void below(const char* key, double value, double marginal, double bad) {
+    above(key, -value, -marginal, -bad);
+  }
   // Worth knowing, but no fault.
   void note(const std::string& key) {
     quality_.reasons.push_back(key);
     quality_.advice.push_back(reason_of(key).advice);
-  }
-  void below(const char* key, double value, double marginal, double bad) {
-    above(key, -value, -marginal, -bad);
   }
 
  private:
@@ -86,12 +87,35 @@ class Charges {
   Quality& quality_;
 };
 
-void weigh_evidence(const CutEvidence& evidence, Charges& charges) {
+// Risk that a cut misses the object by more than an IoU of .85: a logistic regression on 184 drawn
+// lessons, of which it calls half good (7 % of them wrongly, none below .70) and an eighth bad.
+struct CutRisk {
+  double instability, weakness, smallness;  // log-odds
+
+  explicit CutRisk(const CutEvidence& evidence, double area)
+      : instability(9.49 * (1 - evidence.stability)),
+        weakness(1.65 * (1 - evidence.boundary_contrast)),
+        smallness(-0.775 * std::log(area + 50)) {}
+
+  double probability() const {
+    return 1 / (1 + std::exp(-(3.86 + instability + weakness + smallness)));
+  }
+
+  // What stands out most against a usual good lesson.
+  const char* main_reason() const {
+    const double unstable = instability - 0.5, weak = weakness - 0.5, small = smallness + 6;
+    if (unstable >= weak && unstable >= small) return "unstable_cut";
+    return weak >= small ? "weak_boundary" : "small_object";
+  }
+};
+
+void weigh_evidence(const CutEvidence& evidence, double area, Charges& charges) {
   charges.above("touches_region_edge", evidence.region_touch, 0.04, 0.25);
   charges.above("change_outside_region", evidence.change_outside, 0.1, 0.5);
-  charges.below("unstable_cut", evidence.stability, 0.6, 0.3);
-  charges.below("weak_boundary", evidence.boundary_contrast, 0.35, 0.1);
-  charges.above("looks_like_shadow", evidence.shadow_fraction, 0.5, 1);
+  charges.above("unverified_cut", evidence.verified ? 0 : 1, 0.5, 1);
+  if (!evidence.verified) return;
+  const CutRisk risk(evidence, area);
+  charges.above(risk.main_reason(), risk.probability(), 0.18, 0.6);
 }
 
 void weigh_search(const Quality& quality, const SearchConfig& search, Charges& charges) {
@@ -115,7 +139,7 @@ void decide(Quality& quality, bool touches_border, const std::optional<CutEviden
   charges.below("too_small", quality.area, 2 * config.min_area, config.min_area);
   charges.below("low_texture", quality.contrast, 6, 2);
   weigh_search(quality, search, charges);
-  if (evidence) weigh_evidence(*evidence, charges);
+  if (evidence) weigh_evidence(*evidence, quality.area, charges);
   note_symmetry(quality.symmetry, charges);
 }
 
