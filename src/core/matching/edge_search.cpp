@@ -19,6 +19,7 @@ constexpr int kTopLevel = 4;
 constexpr double kArcStep = 1.5;       // [px] that the rim moves per rotation step
 constexpr double kMinResponse = 0.05;  // [-1..1] mean of a candidate
 constexpr int kUnit = 32;              // response 1 in the maps
+constexpr int kUnseen = 14;            // taken beyond the border, so that objects may hang over it
 
 int orientation_of(float normal_x, float normal_y) {
   const double turns = std::atan2(normal_y, normal_x) / kPi;  // of half a turn
@@ -38,7 +39,7 @@ class ResponseMaps {
       response.convertTo(response, CV_16S);
       cv::dilate(response, spread, cv::Mat());
       cv::copyMakeBorder(spread, maps_[k], margin, margin, margin, margin, cv::BORDER_CONSTANT,
-                         cv::Scalar(0));
+                         cv::Scalar(kUnseen));
     }
   }
 

@@ -51,7 +51,7 @@ PreparedView::PreparedView(const Source& source, Engine engine)
       reference_in_anchor(reference_in_crop(source.view, anchor)),
       shape(source.view.map, anchor),
       geometry(source.view.map),
-      kernels(rotated_kernels(source.grey, source.inner, anchor)),
+      kernels(rotated_kernels(source.grey, source.view.map, anchor)),
       edges(geometry, anchor),
       points(masked_template(source.grey, source.view.map, anchor)) {
   const int top = std::max(kernels.level, edges.level());

@@ -10,7 +10,7 @@
 namespace mbncc {
 namespace {
 
-constexpr int kEdgePlaces = 100;        // places that the edge search proposes
+constexpr int kEdgePlaces = 300;        // places that the edge search proposes
 constexpr std::size_t kEntering = 150;  // candidates that enter at a level
 constexpr std::size_t kFinal = 4;       // places whose other angles are tried and that are polished
 
