@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <opencv2/imgproc.hpp>
 
+#include "matching/symmetry.hpp"
 #include "mbncc/matching/pyramid.hpp"
 
 namespace mbncc {
@@ -69,6 +70,8 @@ PreparedView::PreparedView(const Source& source, Engine engine)
     fine = prepare(640, 200);
     dense = prepare(4000, 200);
   }
+  symmetry = measure_symmetry(fine, shape, SceneLevel(source.view.template_image, 0),
+                              {anchor.x, anchor.y, 0});
   if (engine == Engine::kPolar) polar.emplace(source.view);
   const auto all = outlines(source.view);
   if (!all.empty()) outline = all.front();

@@ -36,6 +36,7 @@ class PreparedView {
   PoseTemplate dense;                   ///< at full resolution: settles the pose of the last few
   MaskedTemplate points;                ///< all map pixels at full resolution
   std::optional<PolarSearch> polar;     ///< with Engine::kPolar
+  int symmetry = 1;                     ///< see measure_symmetry()
   std::vector<cv::Point2f> outline;     ///< [px] largest outline in the object frame
 
  private:

@@ -68,7 +68,8 @@ class Margins {
   double angle(const Detection& detection) const {
     return margin_to(detection, all_, [&](const Detection& other) {
       return other.object == detection.object &&
-             angle_distance(other.pose.theta, detection.pose.theta) > kOtherAngle &&
+             angle_distance(other.pose.theta, detection.pose.theta, detection.view->symmetry) >
+                 kOtherAngle &&
              overlapping(detection, other, max_overlap_);
     });
   }
@@ -106,6 +107,7 @@ Match to_match(const Detection& detection, const Margins& margins, const SearchC
   match.margin_place = margins.place(detection);
   match.margin_angle = margins.angle(detection);
   match.visible = detection.visible;
+  match.symmetry = view.symmetry;
   const bool sure = match.margin_place >= config.min_margin_place &&
                     match.margin_angle >= config.min_margin_angle;
   const bool enough = match.score >= config.confirm_score;

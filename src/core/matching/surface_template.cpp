@@ -189,6 +189,24 @@ double SurfaceTemplate::projected_correlation(const SurfaceSample& sample,
   return common / std::sqrt((std::max(0.0, energy) + noise) * (projected_energy + noise));
 }
 
+double SurfaceTemplate::projected_difference(const SurfaceSample& sample) const {
+  double energy = 0;
+  for (int c = 0; c < kChannels; ++c) {
+    std::vector<float> difference = sample.planes[c];
+    subtract(difference, 1, planes[c].data());
+    energy += product(difference, difference.data());
+    float products[kMaxBasis];
+    kernels::dots(basis.data(), padded(), basis_size, difference.data(), static_cast<int>(padded()),
+                  products);
+    for (int k = 0; k < basis_size; ++k) energy -= products[k] * products[k];
+  }
+  return energy / (kChannels * static_cast<double>(size()));
+}
+
+double SurfaceTemplate::mean_projected_energy() const {
+  return projected_energy / (kChannels * static_cast<double>(size()));
+}
+
 void SurfaceTemplate::read_gradients(const SceneLevel& picture) {
   constexpr float kNoise = 2.5f;  // [grey levels per pixel]
   for (const auto& site : sites_) {

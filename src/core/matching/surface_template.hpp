@@ -43,6 +43,11 @@ class SurfaceTemplate {
   /// Correlation [-1..1] of the colours after the basis has been projected out of both.
   double projected_correlation(const SurfaceSample& sample, double noise_variance) const;
 
+  /// Mean square [grey^2] of the difference between template and picture without the basis.
+  double projected_difference(const SurfaceSample& sample) const;
+  /// Mean square [grey^2] of the template without the basis.
+  double mean_projected_energy() const;
+
   double radius() const { return radius_; }  ///< [px at level] of the farthest point
 
   std::vector<float> x, y;                   ///< [px at level] relative to the anchor
