@@ -10,15 +10,23 @@
 
 namespace mbncc {
 
+/// What a colour says.
+enum class Standing { kGood, kDoubtful, kBad, kUnsure };
+
+/// bgr: blue, orange, vermilion, grey; of Okabe and Ito's palette, which colour-blind people tell
+/// apart.
+cv::Scalar colour_of(Standing standing);
+
 /// One thing to point out in a picture.
 struct Marking {
   std::vector<std::vector<cv::Point2f>> outlines;  ///< [px] in the picture
-  Pose2D pose;                                     ///< [px],[rad] its axes: x red, y green
-  cv::Scalar colour{80, 220, 80};                  ///< bgr of outlines and caption
+  Pose2D pose;                                     ///< [px],[rad] its axes: x red arrow, y green
+  cv::Scalar colour = colour_of(Standing::kGood);  ///< bgr of outlines and the caption's plate
   std::string caption;                             ///< plain ASCII
 };
 
-/// CV_8UC3 copy of `picture` (CV_8UC3 or CV_8UC1) with the markings drawn in.
+/// CV_8UC3 copy of `picture` (CV_8UC3 or CV_8UC1) with the markings drawn in, readable when it is
+/// shown at a third of its size.
 cv::Mat draw_markings(const cv::Mat& picture, const std::vector<Marking>& markings);
 
 /// Outline and axes of a learned view in its learning picture, coloured by the verdict.

@@ -10,9 +10,9 @@ namespace {
 
 using mbncc_vision::DetectedObject;
 
-cv::Scalar colour_of(std::uint8_t state) {
-  if (state == DetectedObject::CONFIRMED) return {80, 220, 80};
-  return state == DetectedObject::AMBIGUOUS ? cv::Scalar(60, 190, 250) : cv::Scalar(190, 190, 190);
+Standing standing_of(std::uint8_t state) {
+  if (state == DetectedObject::CONFIRMED) return Standing::kGood;
+  return state == DetectedObject::AMBIGUOUS ? Standing::kDoubtful : Standing::kUnsure;
 }
 
 Marking marking_of(const DetectedObject& object) {
@@ -22,7 +22,7 @@ Marking marking_of(const DetectedObject& object) {
   auto& outline = marking.outlines.emplace_back();
   for (const auto& point : object.outline.points) outline.emplace_back(point.x, point.y);
   marking.pose = {object.image_pose.x, object.image_pose.y, object.image_pose.theta};
-  marking.colour = colour_of(object.state);
+  marking.colour = colour_of(standing_of(object.state));
   marking.caption = object.name + tail;
   return marking;
 }

@@ -9,7 +9,8 @@
 
 namespace mbncc {
 
-/// Outline, axes and "name score"; green when graspable, amber when ambiguous, grey otherwise.
+/// Outline, axes and "name score": blue when graspable, orange and "ambiguous", or grey and
+/// "unsure".
 Marking marking_of(const Match& match);
 
 /// CV_8UC3 copy of `picture` with every match marked.

@@ -12,10 +12,13 @@ Marking marking_of(const Match& match) {
   marking.outlines = {match.outline};
   marking.pose = match.pose;
   marking.caption = match.name + score;
-  if (match.ambiguous)
-    marking.colour = {60, 190, 250};
-  else if (!match.graspable)
-    marking.colour = {190, 190, 190};
+  if (match.ambiguous) {
+    marking.colour = colour_of(Standing::kDoubtful);
+    marking.caption += " ambiguous";
+  } else if (!match.graspable) {
+    marking.colour = colour_of(Standing::kUnsure);
+    marking.caption += " unsure";
+  }
   return marking;
 }
 

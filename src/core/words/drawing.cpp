@@ -7,10 +7,21 @@
 namespace mbncc {
 namespace {
 
-constexpr double kAxisLength = 30;  // [px]
-constexpr int kShift = 4;           // OpenCV's sub-pixel bits
+constexpr int kShift = 4;  // OpenCV's sub-pixel bits
 constexpr int kFont = cv::FONT_HERSHEY_SIMPLEX;
-const cv::Scalar kXColour(60, 60, 230), kYColour(60, 200, 60), kShade(0, 0, 0);
+const cv::Scalar kXColour(40, 40, 230), kYColour(60, 190, 60), kShade(0, 0, 0);
+
+// Strokes and letters that can still be read when the picture is shown at a third of its size.
+struct Pen {
+  explicit Pen(const cv::Mat& picture)
+      : stroke(std::max(1, cvRound(picture.cols / 320.0))),
+        axis(std::max(30.0, picture.cols / 16.0)),
+        letters(std::clamp(picture.cols / 700.0, 0.4, 4.0)) {}
+
+  int stroke;      // [px]
+  double axis;     // [px]
+  double letters;  // OpenCV's font scale
+};
 
 // OpenCV draws with fixed-point coordinates; far-off points are kept from overflowing them.
 cv::Point fixed_point(cv::Point2d point) {
@@ -18,49 +29,97 @@ cv::Point fixed_point(cv::Point2d point) {
   return {cvRound(bounded(point.x)), cvRound(bounded(point.y))};
 }
 
+// Dark below, coloured above: visible on any background.
 void draw_outline(cv::Mat& picture, const std::vector<cv::Point2f>& outline,
-                  const cv::Scalar& colour) {
+                  const cv::Scalar& colour, const Pen& pen) {
   std::vector<cv::Point> corners;
   for (const auto& corner : outline) corners.push_back(fixed_point(corner));
-  if (!corners.empty()) cv::polylines(picture, corners, true, colour, 1, cv::LINE_AA, kShift);
+  if (corners.empty()) return;
+  cv::polylines(picture, corners, true, kShade, pen.stroke + 2, cv::LINE_AA, kShift);
+  cv::polylines(picture, corners, true, colour, pen.stroke, cv::LINE_AA, kShift);
 }
 
-void draw_axis(cv::Mat& picture, const Pose2D& pose, cv::Point2d tip, const cv::Scalar& colour) {
-  cv::line(picture, fixed_point(pose.position()), fixed_point(transform(pose, tip)), colour, 2,
-           cv::LINE_AA, kShift);
+void draw_line(cv::Mat& picture, const Pose2D& pose, cv::Point2d from, cv::Point2d to,
+               const cv::Scalar& colour, const Pen& pen) {
+  cv::line(picture, fixed_point(transform(pose, from)), fixed_point(transform(pose, to)), colour,
+           pen.stroke + 1, cv::LINE_AA, kShift);
 }
 
-void draw_caption(cv::Mat& picture, const Marking& marking) {
-  const double scale = std::max(0.4, picture.cols / 1600.0);
-  int baseline = 0;
-  const cv::Size size = cv::getTextSize(marking.caption, kFont, scale, 1, &baseline);
-  const auto within = [](double v, int low, int high) {
-    return static_cast<int>(std::clamp(v, double(low), double(std::max(low, high))));
+// The x axis has an arrow's head, so that the axes differ by more than their colour.
+void draw_axes(cv::Mat& picture, const Pose2D& pose, const Pen& pen) {
+  const double head = pen.axis / 4;
+  draw_line(picture, pose, {0, 0}, {0, pen.axis}, kYColour, pen);
+  draw_line(picture, pose, {0, 0}, {pen.axis, 0}, kXColour, pen);
+  draw_line(picture, pose, {pen.axis - head, -head}, {pen.axis, 0}, kXColour, pen);
+  draw_line(picture, pose, {pen.axis - head, head}, {pen.axis, 0}, kXColour, pen);
+}
+
+cv::Rect2d extent_of(const Marking& marking) {
+  cv::Rect2d extent(marking.pose.position(), cv::Size2d(1, 1));
+  for (const auto& outline : marking.outlines)
+    if (!outline.empty()) extent |= cv::Rect2d(cv::boundingRect(outline));
+  return extent;
+}
+
+// A plate above the outline, or below it where there is no room.
+cv::Rect plate_of(const Marking& marking, const cv::Size& text, const cv::Size& picture) {
+  const cv::Rect2d extent = extent_of(marking);
+  const int gap = text.height / 2;
+  const double above = extent.y - gap - text.height;
+  const double wanted = above >= 0 ? above : extent.br().y + gap;
+  const auto within = [](double v, int high) {
+    return static_cast<int>(std::clamp(v, 0.0, static_cast<double>(std::max(0, high))));
   };
-  const cv::Point corner(within(marking.pose.x + 8, 0, picture.cols - size.width),
-                         within(marking.pose.y - 8, size.height, picture.rows - baseline));
-  cv::putText(picture, marking.caption, corner, kFont, scale, kShade, 3, cv::LINE_AA);
-  cv::putText(picture, marking.caption, corner, kFont, scale, marking.colour, 1, cv::LINE_AA);
+  return {within(extent.x + extent.width / 2 - text.width / 2.0, picture.width - text.width),
+          within(wanted, picture.height - text.height), text.width, text.height};
 }
 
-cv::Scalar colour_of(Verdict verdict) {
-  if (verdict == Verdict::kGood) return {80, 220, 80};
-  return verdict == Verdict::kMarginal ? cv::Scalar(60, 190, 250) : cv::Scalar(60, 60, 240);
+void draw_caption(cv::Mat& picture, const Marking& marking, const Pen& pen) {
+  if (marking.caption.empty()) return;
+  int baseline = 0;
+  const cv::Size letters =
+      cv::getTextSize(marking.caption, kFont, pen.letters, pen.stroke, &baseline);
+  const int border = 2 * pen.stroke;
+  const cv::Size text(letters.width + 2 * border, letters.height + baseline + border);
+  const cv::Rect plate = plate_of(marking, text, picture.size());
+  cv::rectangle(picture, plate, marking.colour, cv::FILLED);
+  cv::putText(picture, marking.caption, plate.tl() + cv::Point(border, border + letters.height),
+              kFont, pen.letters, kShade, pen.stroke, cv::LINE_AA);
+}
+
+Standing standing_of(Verdict verdict) {
+  if (verdict == Verdict::kGood) return Standing::kGood;
+  return verdict == Verdict::kMarginal ? Standing::kDoubtful : Standing::kBad;
 }
 
 }  // namespace
+
+cv::Scalar colour_of(Standing standing) {
+  switch (standing) {
+    case Standing::kGood:
+      return {233, 180, 86};
+    case Standing::kDoubtful:
+      return {0, 159, 230};
+    case Standing::kBad:
+      return {0, 94, 213};
+    case Standing::kUnsure:
+      return {200, 200, 200};
+  }
+  return {200, 200, 200};
+}
 
 cv::Mat draw_markings(const cv::Mat& picture, const std::vector<Marking>& markings) {
   if (picture.empty() || (picture.type() != CV_8UC1 && picture.type() != CV_8UC3))
     throw std::invalid_argument("markings are drawn on 8-bit grey or colour pictures");
   cv::Mat drawn = picture.clone();
   if (picture.type() == CV_8UC1) cv::cvtColor(picture, drawn, cv::COLOR_GRAY2BGR);
+  const Pen pen(drawn);
   for (const auto& marking : markings) {
-    for (const auto& outline : marking.outlines) draw_outline(drawn, outline, marking.colour);
-    draw_axis(drawn, marking.pose, {kAxisLength, 0}, kXColour);
-    draw_axis(drawn, marking.pose, {0, kAxisLength}, kYColour);
-    draw_caption(drawn, marking);
+    for (const auto& outline : marking.outlines) draw_outline(drawn, outline, marking.colour, pen);
+    draw_axes(drawn, marking.pose, pen);
   }
+  // Captions come last, so that no outline crosses them.
+  for (const auto& marking : markings) draw_caption(drawn, marking, pen);
   return drawn;
 }
 
@@ -71,7 +130,7 @@ Marking marking_of(const View& view, const Quality& quality, const std::string& 
     for (const auto& point : outline) placed.emplace_back(transform(view.reference, point));
   }
   marking.pose = view.reference;
-  marking.colour = colour_of(quality.verdict);
+  marking.colour = colour_of(standing_of(quality.verdict));
   marking.caption = caption;
   return marking;
 }
