@@ -27,11 +27,12 @@ namespace mbncc::nodelets {
 
 class LearningNodelet : public nodelet::Nodelet {
  public:
-  ~LearningNodelet() override;
+  ~LearningNodelet() override { stop(); }
 
  private:
   void onInit() override;
   void start();
+  void stop();
   void open_library(ros::NodeHandle& node);
   void start_pictures(ros::NodeHandle& node);
   void start_lessons(ros::NodeHandle& node);
@@ -68,6 +69,7 @@ void LearningNodelet::onInit() {
     start();
   } catch (const std::exception& error) {
     NODELET_FATAL("%s", error.what());
+    stop();
     throw;
   }
 }
@@ -81,12 +83,21 @@ void LearningNodelet::start() {
   start_diagnostics();
 }
 
-LearningNodelet::~LearningNodelet() {
+// Leaves nothing that uses the nodelet's callback queue: the loader takes that away before it
+// deletes a nodelet which failed to start.
+void LearningNodelet::stop() {
   library_timer_.stop();
   diagnostics_timer_.stop();
   if (camera_) camera_->set_active(false);
   lessons_.reset();  // ends a running lesson, which releases a waiting confirm_learning
   confirm_spinner_.stop();
+  confirm_server_.shutdown();
+  library_services_.reset();
+  library_publisher_.reset();
+  preview_publisher_.shutdown();
+  stage_publisher_.shutdown();
+  camera_.reset();
+  diagnostics_.reset();
   tf_listener_.reset();  // before its buffer
 }
 

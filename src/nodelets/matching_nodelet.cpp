@@ -34,11 +34,12 @@ namespace mbncc::nodelets {
 
 class MatchingNodelet : public nodelet::Nodelet {
  public:
-  ~MatchingNodelet() override;
+  ~MatchingNodelet() override { stop(); }
 
  private:
   void onInit() override;
   void start();
+  void stop();
   void open_library();
   void start_search();
   void start_services();
@@ -88,6 +89,7 @@ void MatchingNodelet::onInit() {
     start();
   } catch (const std::exception& error) {
     NODELET_FATAL("%s", error.what());
+    stop();
     throw;
   }
 }
@@ -103,14 +105,23 @@ void MatchingNodelet::start() {
   listen_as_wanted();
 }
 
-MatchingNodelet::~MatchingNodelet() {
+// Leaves nothing that uses the nodelet's callback queue: the loader takes that away before it
+// deletes a nodelet which failed to start.
+void MatchingNodelet::stop() {
+  library_timer_.stop();
   silence_timer_.stop();
   diagnostics_timer_.stop();
   picture_wait_.close();
   side_spinner_.stop();
+  find_service_.reset();
+  enable_server_.shutdown();
+  library_subscriber_.shutdown();
   if (camera_) camera_->set_active(false);
   mailbox_.close();
   if (worker_.joinable()) worker_.join();
+  publisher_.reset();
+  camera_.reset();
+  diagnostics_.reset();
   tf_listener_.reset();  // before its buffer
 }
 

@@ -1,0 +1,93 @@
+// A nodelet that cannot start says why and leaves its manager, this process, alive.
+#include <gtest/gtest.h>
+#include <nodelet/loader.h>
+#include <ros/ros.h>
+#include <rosgraph_msgs/Log.h>
+
+#include <string>
+
+#include "nodelets/spin_until.hpp"
+#include "support/temporary_folder.hpp"
+
+namespace mbncc::nodelets {
+namespace {
+
+class RefusedStart : public testing::Test {
+ protected:
+  RefusedStart() {
+    log_ = node_.subscribe<rosgraph_msgs::Log>("/rosout", 200,
+                                               [this](const rosgraph_msgs::Log::ConstPtr& entry) {
+                                                 if (entry->level == rosgraph_msgs::Log::FATAL)
+                                                   sentence_ += entry->msg;
+                                               });
+  }
+
+  ~RefusedStart() override { ros::param::del("/part"); }
+
+  bool load(const std::string& type) {
+    return loader_.load("/part", "mbncc_vision/" + type, {}, {});
+  }
+
+  template <class Value>
+  void expect_refusal(const std::string& type, const std::string& key, const Value& value,
+                      const std::string& named) {
+    sentence_.clear();
+    ros::param::del("/part");
+    ros::param::set("/part/library_path", folder_ / "library");
+    if (type.find("Camera") != std::string::npos) ros::param::del("/part/library_path");
+    ros::param::set("/part/" + key, value);
+    EXPECT_FALSE(load(type)) << type << " " << key;
+    EXPECT_TRUE(spin_until([this] { return !sentence_.empty(); })) << type << " " << key;
+    EXPECT_NE(sentence_.find(named), std::string::npos) << sentence_;
+  }
+
+  test::TemporaryFolder folder_;
+  ros::NodeHandle node_;
+  ros::Subscriber log_;
+  std::string sentence_;
+  nodelet::Loader loader_{false};
+};
+
+TEST_F(RefusedStart, UnknownParameter) {
+  for (const char* type :
+       {"CameraNodelet", "SimulatedCameraNodelet", "LearningNodelet", "MatchingNodelet"})
+    expect_refusal(type, "no_such_parameter", 1, "'no_such_parameter'");
+}
+
+TEST_F(RefusedStart, ValueOutOfRange) {
+  expect_refusal("SimulatedCameraNodelet", "gain", 1000.0, "0.05 .. 4");
+  expect_refusal("LearningNodelet", "still_time", -1.0, "'still_time'");
+  expect_refusal("MatchingNodelet", "min_score", 7, "0 .. 1");
+}
+
+TEST_F(RefusedStart, SceneThatCannotBeDrawn) {
+  expect_refusal("SimulatedCameraNodelet", "object_diameter", 600.0, "do not fit");
+}
+
+TEST_F(RefusedStart, LibraryThatCannotBeOpened) {
+  for (const char* type : {"LearningNodelet", "MatchingNodelet"})
+    expect_refusal(type, "library_path", std::string("/proc/nowhere"), "/proc/nowhere");
+}
+
+TEST_F(RefusedStart, UnknownImageTransport) {
+  for (const char* type : {"LearningNodelet", "MatchingNodelet"})
+    expect_refusal(type, "image_transport", std::string("pigeon"), "pigeon");
+}
+
+TEST_F(RefusedStart, RightedParametersStartItAfterAll) {
+  expect_refusal("LearningNodelet", "still_time", -1.0, "'still_time'");
+  ros::param::set("/part/still_time", 0.5);
+  EXPECT_TRUE(load("LearningNodelet"));
+  EXPECT_TRUE(loader_.unload("/part"));
+}
+
+}  // namespace
+}  // namespace mbncc::nodelets
+
+int main(int argc, char** argv) {
+  testing::InitGoogleTest(&argc, argv);
+  ros::init(argc, argv, "refused_start_rostest");
+  // Between tests no other handle is alive, and the node would shut down.
+  const ros::NodeHandle keeps_the_node_running;
+  return RUN_ALL_TESTS();
+}
