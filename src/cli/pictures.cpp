@@ -40,6 +40,20 @@ std::vector<std::uint8_t> read_bytes(const std::string& path) {
   return bytes;
 }
 
+void write_bytes(const std::string& file, const std::vector<std::uint8_t>& bytes,
+                 const std::string& path) {
+  errno = 0;
+  std::ofstream stream(file, std::ios::binary);
+  stream.write(reinterpret_cast<const char*>(bytes.data()),
+               static_cast<std::streamsize>(bytes.size()));
+  stream.close();
+  if (stream) return;
+  const std::string reason = "cannot be written: " + errno_text(errno);
+  std::error_code ignored;
+  if (file != path) std::filesystem::remove(file, ignored);
+  throw FileError(path, reason);
+}
+
 void check_header(const std::vector<std::uint8_t>& bytes, const std::string& path) {
   const PictureHeader header = read_picture_header(bytes);
   if (std::uint64_t{header.width} * header.height > kMaxPixels)
@@ -77,14 +91,17 @@ cv::Mat read_map(const std::string& path) {
 }
 
 void write_picture(const std::string& path, const cv::Mat& picture) {
+  namespace fs = std::filesystem;
   std::vector<std::uint8_t> bytes;
   cv::imencode(".png", picture, bytes);
-  errno = 0;
-  std::ofstream file(path, std::ios::binary);
-  file.write(reinterpret_cast<const char*>(bytes.data()),
-             static_cast<std::streamsize>(bytes.size()));
-  file.close();
-  if (!file) throw FileError(path, "cannot be written: " + errno_text(errno));
+  std::error_code error;
+  const bool device = fs::exists(path, error) && !fs::is_regular_file(path, error);
+  // A file takes its place when it is whole; what was there before stays until then.
+  const std::string unfinished = device ? path : path + ".part";
+  write_bytes(unfinished, bytes, path);
+  if (device) return;
+  fs::rename(unfinished, path, error);
+  if (error) throw FileError(path, "cannot be written: " + error.message());
 }
 
 void make_output_folder(const std::string& folder) {

@@ -33,6 +33,10 @@ TEST_F(LibraryCommands, MapComesBackAtFullSize) {
   const ToolRun nowhere = on_library("map", {"--name", "part", "--out", folder_ / "no/out.png"});
   EXPECT_EQ(nowhere.code, 1);
   EXPECT_TRUE(nowhere.says("cannot be written: No such file or directory")) << nowhere.err;
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "out.png.part"));
+  const ToolRun full = on_library("map", {"--name", "part", "--out", "/dev/full"});
+  EXPECT_EQ(full.code, 1);
+  EXPECT_TRUE(full.says("No space left on device")) << full.err;
 }
 
 TEST_F(LibraryCommands, ListAndShowDescribeObjects) {
