@@ -28,6 +28,7 @@ Command forget_command();
 Command restore_command();
 Command check_command();
 Command params_command();
+Command simulate_command();
 
 /// Options that several commands share.
 Option library_option();

@@ -1,0 +1,105 @@
+#include <cstdio>
+#include <fstream>
+
+#include "cli/command.hpp"
+#include "cli/numbers.hpp"
+#include "cli/pictures.hpp"
+#include "cli/settings.hpp"
+#include "mbncc/error.hpp"
+#include "mbncc/sim/cell_script.hpp"
+
+namespace mbncc::cli {
+namespace {
+
+/// Plays the story until the arm is out of the picture.
+void play_to_rest(sim::CellScript& script) {
+  while (!script.at_rest()) script.step();
+}
+
+std::string picture_name(int index) {
+  char name[32];
+  std::snprintf(name, sizeof name, "target_%03d.png", index);
+  return name;
+}
+
+/// A simulated cell that writes what its camera sees.
+class RecordedCell {
+ public:
+  RecordedCell(std::string folder, std::uint64_t seed)
+      : folder_(std::move(folder)), scene_(scene_config(seed)), script_(script_config(seed)) {}
+
+  sim::CellScript& script() { return script_; }
+
+  void write(const std::string& name) {
+    play_to_rest(script_);
+    write_picture(folder_ + "/" + name, scene_.render(script_.frame().placed, pictures_++));
+  }
+
+ private:
+  static sim::SceneConfig scene_config(std::uint64_t seed) {
+    sim::SceneConfig config;
+    config.seed = seed;
+    return config;
+  }
+
+  static sim::CellScriptConfig script_config(std::uint64_t seed) {
+    sim::CellScriptConfig config;
+    config.seed = config.object.seed = seed;
+    config.auto_play = false;
+    return config;
+  }
+
+  std::string folder_;
+  sim::Scene scene_;
+  sim::CellScript script_;
+  std::uint64_t pictures_ = 0;
+};
+
+void write_lesson(RecordedCell& cell) {
+  cell.write("before.png");
+  cell.script().take_away();
+  cell.write("after.png");
+}
+
+void write_targets(RecordedCell& cell, int count, std::ostream& truth) {
+  truth << "image,x,y,theta_deg\n";
+  for (int i = 0; i < count; ++i) {
+    cell.script().put_next();
+    cell.write(picture_name(i));
+    const Pose2D pose = *cell.script().frame().truth;
+    truth << picture_name(i) << ',' << pose.x << ',' << pose.y << ',' << to_degrees(pose.theta)
+          << '\n';
+  }
+}
+
+ExitCode run(const Arguments& arguments) {
+  settings_from(arguments);
+  const std::string folder = arguments.get("--out");
+  const int seed = parse_whole("--seed", arguments.get("--seed", "1"), 1);
+  const int count = parse_whole("--count", arguments.get("--count", "5"), 1);
+  make_output_folder(folder);
+  RecordedCell cell(folder, static_cast<std::uint64_t>(seed));
+  write_lesson(cell);
+  const std::string truth_path = folder + "/truth.csv";
+  std::ofstream truth(truth_path);
+  write_targets(cell, count, truth);
+  if (!truth.flush()) throw FileError(truth_path, "cannot be written; check space and permissions");
+  return kDone;
+}
+
+}  // namespace
+
+Command simulate_command() {
+  return {
+      "simulate",
+      "write pictures of the simulated cell, to try the tool without a camera",
+      {{"--out", "DIR", "folder for the pictures", true},
+       {"--seed", "N", "draws platform, object and poses (1)"},
+       {"--count", "N", "pictures to search (5)"}},
+      "",
+      "before.png and after.png teach the object, target_*.png show it elsewhere, truth.csv tells "
+      "where: the centroid of its outline and its angle against before.png.\n",
+      run};
+}
+
+}  // namespace mbncc::cli
