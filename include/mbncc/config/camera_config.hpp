@@ -8,7 +8,7 @@
 namespace mbncc {
 
 struct CameraConfig {
-  std::string source;                  ///< device index or path, stream URL, folder, or video file
+  std::string source = "0";            ///< device index or path, stream URL, folder, or video file
   double frame_rate = 0;               ///< [Hz]; 0: the source's own, 10 for a folder
   bool loop = false;                   ///< begin a folder or video again at its end
   int width = 0;                       ///< [px] asked of a device; 0: its default

@@ -1,0 +1,70 @@
+// Every YAML file in config/ names every field of its struct with its default, and nothing else.
+#include <gtest/gtest.h>
+#include <yaml-cpp/yaml.h>
+
+#include <set>
+#include <string>
+
+#include "mbncc/config/camera_config.hpp"
+#include "mbncc/config/field.hpp"
+#include "mbncc/config/learning_node_config.hpp"
+#include "mbncc/config/matching_node_config.hpp"
+#include "mbncc/config/simulated_camera_config.hpp"
+
+namespace mbncc {
+namespace {
+
+std::string path_of(const std::string& file) {
+  return std::string(MBNCC_CONFIG_FOLDER) + "/" + file;
+}
+
+template <class Config>
+void expect_complete(const std::string& file) {
+  std::set<std::string> keys;
+  for (const auto& entry : YAML::LoadFile(path_of(file)))
+    EXPECT_TRUE(keys.insert(entry.first.as<std::string>()).second) << "twice: " << entry.first;
+  Config shipped, defaults;
+  load_yaml_file(field_rows(shipped), path_of(file));
+  const auto shipped_rows = field_rows(shipped), default_rows = field_rows(defaults);
+  for (std::size_t i = 0; i < default_rows.size(); ++i) {
+    const std::string& name = default_rows[i].info.name;
+    EXPECT_EQ(keys.erase(name), 1u) << file << " lacks " << name;
+    EXPECT_EQ(shipped_rows[i].value, default_rows[i].value) << name;
+  }
+  EXPECT_TRUE(keys.empty()) << file << " names " << *keys.begin();
+}
+
+TEST(ShippedConfig, Camera) {
+  expect_complete<CameraConfig>("camera.yaml");
+}
+TEST(ShippedConfig, SimulatedCamera) {
+  expect_complete<SimulatedCameraConfig>("simulated_camera.yaml");
+}
+TEST(ShippedConfig, Learning) {
+  expect_complete<LearningNodeConfig>("learning.yaml");
+}
+TEST(ShippedConfig, Matching) {
+  expect_complete<MatchingNodeConfig>("matching.yaml");
+}
+
+/// Defaults must satisfy what is demanded of others, and every field must be explained.
+template <class Config>
+void expect_sound() {
+  Config config;
+  std::set<std::string> names;
+  for (const auto& row : field_rows(config)) {
+    EXPECT_TRUE(names.insert(row.info.name).second) << row.info.name;
+    EXPECT_FALSE(row.info.meaning.empty()) << row.info.name;
+    EXPECT_NO_THROW(row.assign(row.value)) << row.info.name;
+  }
+}
+
+TEST(ShippedConfig, DefaultsAreAllowedAndFieldsExplained) {
+  expect_sound<CameraConfig>();
+  expect_sound<SimulatedCameraConfig>();
+  expect_sound<LearningNodeConfig>();
+  expect_sound<MatchingNodeConfig>();
+}
+
+}  // namespace
+}  // namespace mbncc
