@@ -74,18 +74,16 @@ double mean_difference(const cv::Mat& before, const cv::Mat& after) {
   return cv::mean(cv::min(difference, kLeastDifference))[0];
 }
 
-// By phase correlation at half the survey's width, believed only when it explains the pictures.
+// By phase correlation, believed only when it explains the pictures.
 cv::Point2d coarse_shift(const cv::Mat& before, const cv::Mat& after) {
-  cv::Mat b, a, window;
-  cv::resize(before, b, {}, 0.5, 0.5, cv::INTER_AREA);
-  cv::resize(after, a, {}, 0.5, 0.5, cv::INTER_AREA);
-  cv::createHanningWindow(window, b.size(), CV_32F);
-  const cv::Point2d shift = cv::phaseCorrelate(b, a, window);
-  const cv::Rect inner(b.cols / 4, b.rows / 4, b.cols / 2, b.rows / 2);
-  const cv::Mat moved = undo_shift(a, shift, cv::INTER_LINEAR);
-  const bool explains =
-      mean_difference(b(inner), moved(inner)) < kClearGain * mean_difference(b(inner), a(inner));
-  return explains ? 2 * shift : cv::Point2d();
+  cv::Mat window;
+  cv::createHanningWindow(window, before.size(), CV_32F);
+  const cv::Point2d shift = cv::phaseCorrelate(before, after, window);
+  const cv::Rect inner(before.cols / 4, before.rows / 4, before.cols / 2, before.rows / 2);
+  const cv::Mat moved = undo_shift(after, shift, cv::INTER_LINEAR);
+  const bool explains = mean_difference(before(inner), moved(inner)) <
+                        kClearGain * mean_difference(before(inner), after(inner));
+  return explains ? shift : cv::Point2d();
 }
 
 // Difference of the pictures, summed over channels, averaged over 3 x 3.
