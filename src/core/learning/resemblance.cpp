@@ -8,8 +8,9 @@
 namespace mbncc {
 namespace {
 
-constexpr double kLeastAgreement = 0.5;  // IoU of a found outline and the new map
-constexpr double kLeastScore = 0.05;     // of a view: agreement with the map decides, not the score
+constexpr double kLeastAgreement = 0.5;    // IoU of a found outline and the new map
+constexpr double kLeastExtentRatio = 0.8;  // of the excircles' radii
+constexpr double kLeastScore = 0.05;  // of a view: agreement with the map decides, not the score
 constexpr int kPlacesTried = 5;
 
 double agreement(const Match& match, const cv::Mat& map) {
@@ -28,12 +29,26 @@ std::vector<Match> matches_of(std::vector<std::shared_ptr<const ObjectModel>> ob
   return matcher.find(picture, request).matches;
 }
 
-std::vector<std::shared_ptr<const ObjectModel>> others(
-    const std::string& name, const std::vector<std::shared_ptr<const ObjectModel>>& known) {
-  std::vector<std::shared_ptr<const ObjectModel>> result;
-  std::copy_if(known.begin(), known.end(), std::back_inserter(result),
-               [&name](const auto& object) { return object->enabled && object->name != name; });
-  return result;
+// Maps that agree as far as asked cannot differ more in area, nor much more in extent; what differs
+// need not be searched for.
+bool may_agree(const cv::Mat& a, const cv::Mat& b) {
+  const auto alike = [](double first, double second, double ratio) {
+    return first >= ratio * second && second >= ratio * first;
+  };
+  return alike(cv::countNonZero(a), cv::countNonZero(b), kLeastAgreement) &&
+         alike(excircle(a).radius, excircle(b).radius, kLeastExtentRatio);
+}
+
+std::vector<std::shared_ptr<const ObjectModel>> rivals_of(
+    const ObjectModel& object, const std::vector<std::shared_ptr<const ObjectModel>>& known) {
+  const cv::Mat& map = object.views.back().map;
+  std::vector<std::shared_ptr<const ObjectModel>> rivals;
+  std::copy_if(known.begin(), known.end(), std::back_inserter(rivals), [&](const auto& other) {
+    return other->enabled && other->name != object.name &&
+           std::any_of(other->views.begin(), other->views.end(),
+                       [&map](const View& view) { return may_agree(view.map, map); });
+  });
+  return rivals;
 }
 
 void warn(Quality& quality) {
@@ -70,14 +85,14 @@ std::optional<Pose2D> shared_reference(const ObjectModel& stored, const View& vi
 void note_resemblance(ObjectModel& object, const cv::Mat& picture,
                       const std::vector<std::shared_ptr<const ObjectModel>>& known,
                       const SearchConfig& search) {
-  const auto searched = others(object.name, known);
-  if (searched.empty()) return;
+  const auto rivals = rivals_of(object, known);
+  if (rivals.empty()) return;
   const View& view = object.views.back();
   const cv::Mat map = full_size_map(view);
   SearchRequest request;
   request.roi = cv::Rect(view.origin, view.map.size());
   Quality& quality = object.quality;
-  for (const auto& match : matches_of(searched, picture, request, search)) {
+  for (const auto& match : matches_of(rivals, picture, request, search)) {
     if (match.score <= quality.confusable_score || agreement(match, map) < kLeastAgreement)
       continue;
     quality.confusable_with = match.name;
