@@ -115,6 +115,31 @@ TEST_P(Kernels, DotsEqualReference) {
   EXPECT_EQ(expected, actual);
 }
 
+TEST_P(Kernels, NormaliseEqualsReference) {
+  const auto numerators = random_values<std::int32_t>(count(), -300000, 300000);
+  const auto sums = random_values<std::int32_t>(count(), -4000, 4000);
+  const auto squares = random_values<std::int32_t>(count(), 400000, 900000);
+  const Normalisation terms{0.004f, 60.f, 960.f, 0.3f};
+  std::vector<float> best_expected(count(), -1), gates_expected(count(), 0);
+  auto best_actual = best_expected, gates_actual = gates_expected;
+  reference().normalise_row(numerators.data(), sums.data(), squares.data(), terms,
+                            best_expected.data(), gates_expected.data(), count());
+  vectorised().normalise_row(numerators.data(), sums.data(), squares.data(), terms,
+                             best_actual.data(), gates_actual.data(), count());
+  EXPECT_EQ(best_expected, best_actual);
+  EXPECT_EQ(gates_expected, gates_actual);
+}
+
+TEST_P(Kernels, AnyAboveEqualsReference) {
+  auto values = random_values<std::int32_t>(count(), -1000, 0);
+  const std::vector<float> gates(count(), 10);
+  EXPECT_FALSE(reference().any_above_row(values.data(), 0.5f, gates.data(), count()));
+  EXPECT_FALSE(vectorised().any_above_row(values.data(), 0.5f, gates.data(), count()));
+  values.back() = 21;
+  EXPECT_TRUE(reference().any_above_row(values.data(), 0.5f, gates.data(), count()));
+  EXPECT_TRUE(vectorised().any_above_row(values.data(), 0.5f, gates.data(), count()));
+}
+
 INSTANTIATE_TEST_SUITE_P(OddSizesAndMisalignments, Kernels,
                          ::testing::Combine(::testing::Values(1, 3, 7, 16, 31, 64, 97, 160, 333),
                                             ::testing::Values(0, 1, 3, 7)));

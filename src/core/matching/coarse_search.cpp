@@ -1,7 +1,9 @@
 #include "matching/coarse_search.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <opencv2/imgproc.hpp>
 
 #include "mbncc/matching/similarity.hpp"
 #include "polar/kernels.hpp"
@@ -76,59 +78,56 @@ class CoarseSearch {
     for (const auto& kernel : bank.kernels) offsets_.emplace_back(kernel, picture_.stride);
     best_.create(roi_.size(), CV_32FC1);
     best_.setTo(-1);
-    numerators_.resize(roi_.width);
-    sums_.resize(roi_.width);
-    squares_.resize(roi_.width);
   }
 
   std::vector<Candidate> run(const CoarseSettings& settings) {
     for (int y = 0; y < roi_.height; ++y)
-      for (const auto& kernel : offsets_) correlate_row(kernel, y, settings.min_similarity);
+      for (int x = 0; x < roi_.width; x += kBlock)
+        correlate_block(x, y, std::min(kBlock, roi_.width - x), settings.min_similarity);
     return rotations_at(best_places(settings), settings);
   }
 
  private:
-  /// Similarities of one rotation along one row, into `best_`. Only values that would reach
-  /// `threshold` or the best so far are worked out in full.
-  void correlate_row(const KernelOffsets& kernel, int y, double threshold) {
-    if (kernel.norm <= 0) return;
-    const std::size_t start = picture_.index(roi_.x, roi_.y + y);
-    kernels::correlate(&picture_.pixels[start], kernel.offsets.data(), kernel.weights.data(),
-                       static_cast<int>(kernel.offsets.size()), numerators_.data(), roi_.width);
-    if (!promising(kernel, threshold)) return;
-    sum_row(kernel, start);
-    const float count = static_cast<float>(kernel.pixels);
-    const float floor = static_cast<float>(kNoiseVariance) * count;
-    const float scale = 1 / static_cast<float>(kernel.norm);
-    float* best = best_.ptr<float>(y);
-    for (int x = 0; x < roi_.width; ++x) {
-      const float sum = static_cast<float>(sums_[x]);
-      const float variance = static_cast<float>(squares_[x]) - sum * sum / count + floor;
-      const float value = scale * static_cast<float>(numerators_[x]) / std::sqrt(variance);
-      best[x] = std::max(best[x], value);
+  static constexpr int kBlock = 64;  // positions of a row whose working data stay in registers
+
+  /// All rotations at `count` positions of a row, into `best_`. A rotation is worked out in full
+  /// only where its numerator would reach the threshold or the best so far, were the picture's
+  /// variance under it not much smaller than under the rotation worked out last.
+  void correlate_block(int x, int y, int count, double threshold) {
+    float* best = best_.ptr<float>(y) + x;
+    const std::size_t start = picture_.index(roi_.x + x, roi_.y + y);
+    std::fill(gates_.begin(), gates_.end(), 0.f);
+    for (const auto& kernel : offsets_) {
+      if (kernel.norm <= 0) continue;
+      kernels::correlate(&picture_.pixels[start], kernel.offsets.data(), kernel.weights.data(),
+                         static_cast<int>(kernel.offsets.size()), numerators_.data(), count);
+      const float scale = 1 / static_cast<float>(kernel.norm);
+      if (!kernels::any_above(numerators_.data(), scale, gates_.data(), count)) continue;
+      sum_block(kernel, start, count);
+      const kernels::Normalisation terms{scale, static_cast<float>(kernel.pixels),
+                                         static_cast<float>(kNoiseVariance * kernel.pixels),
+                                         static_cast<float>(threshold)};
+      kernels::normalise(numerators_.data(), sums_.data(), squares_.data(), terms, best,
+                         gates_.data(), count);
     }
   }
 
-  /// False when no numerator of the row reaches the threshold even over a picture that is flat but
-  /// for its noise.
-  bool promising(const KernelOffsets& kernel, double threshold) const {
-    const double least = threshold * kernel.norm * std::sqrt(kNoiseVariance * kernel.pixels);
-    return *std::max_element(numerators_.begin(), numerators_.end()) >= least;
-  }
-
-  void sum_row(const KernelOffsets& kernel, std::size_t start) {
+  void sum_block(const KernelOffsets& kernel, std::size_t start, int count) {
     const int runs = static_cast<int>(kernel.begins.size());
     kernels::sum_runs(&picture_.sums[start], kernel.begins.data(), kernel.ends.data(), runs,
-                      sums_.data(), roi_.width);
+                      sums_.data(), count);
     kernels::sum_runs(&picture_.squares[start], kernel.begins.data(), kernel.ends.data(), runs,
-                      squares_.data(), roi_.width);
+                      squares_.data(), count);
   }
 
   std::vector<Candidate> best_places(const CoarseSettings& settings) const {
     std::vector<Candidate> places;
+    cv::Mat highest;
+    cv::dilate(best_, highest, cv::Mat());
     for (int y = 0; y < best_.rows; ++y)
       for (int x = 0; x < best_.cols; ++x)
-        if (best_.at<float>(y, x) >= settings.min_similarity && is_peak(x, y))
+        if (best_.at<float>(y, x) >= settings.min_similarity &&
+            best_.at<float>(y, x) >= highest.at<float>(y, x))
           places.push_back({{static_cast<double>(x + roi_.x), static_cast<double>(y + roi_.y), 0},
                             bank_.level,
                             best_.at<float>(y, x)});
@@ -136,13 +135,6 @@ class CoarseSearch {
     if (places.size() > static_cast<std::size_t>(settings.max_places))
       places.resize(settings.max_places);
     return places;
-  }
-
-  bool is_peak(int x, int y) const {
-    const cv::Rect around = cv::Rect(x - 1, y - 1, 3, 3) & cv::Rect({0, 0}, best_.size());
-    double highest = 0;
-    cv::minMaxLoc(best_(around), nullptr, &highest);
-    return best_.at<float>(y, x) >= highest;
   }
 
   std::vector<Candidate> rotations_at(const std::vector<Candidate>& places,
@@ -185,7 +177,8 @@ class CoarseSearch {
   PaddedPicture picture_;
   std::vector<KernelOffsets> offsets_;
   cv::Mat best_;  // CV_32FC1, roi's size: largest similarity over the rotations
-  std::vector<std::int32_t> numerators_, sums_, squares_;
+  std::array<std::int32_t, kBlock> numerators_{}, sums_{}, squares_{};
+  std::array<float, kBlock> gates_{};
 };
 
 }  // namespace

@@ -48,6 +48,28 @@ void sum_runs_vectorised(const std::int32_t* __restrict prefix,
 }
 
 MBNCC_CLONES
+bool any_above_vectorised(const std::int32_t* values, float scale, const float* gates, int count) {
+  int above = 0;
+  for (int x = 0; x < count; ++x) above |= scale * static_cast<float>(values[x]) > gates[x];
+  return above != 0;
+}
+
+MBNCC_CLONES
+void normalise_vectorised(const std::int32_t* __restrict numerators,
+                          const std::int32_t* __restrict sums,
+                          const std::int32_t* __restrict squares, const Normalisation& terms,
+                          float* __restrict best, float* __restrict gates, int count) {
+  const float scale = terms.scale, pixels = terms.pixels, noise = terms.noise, floor = terms.floor;
+  for (int x = 0; x < count; ++x) {
+    const float sum = static_cast<float>(sums[x]);
+    const float energy = static_cast<float>(squares[x]) - sum * sum / pixels + noise;
+    const float value = scale * static_cast<float>(numerators[x]) / __builtin_sqrtf(energy);
+    best[x] = value > best[x] ? value : best[x];
+    gates[x] = (best[x] > floor ? best[x] : floor) * __builtin_sqrtf(0.7f * energy);
+  }
+}
+
+MBNCC_CLONES
 void sum_rows_max_vectorised(const std::int16_t* const* rows, int row_count,
                              std::int16_t* __restrict sums, std::int16_t* __restrict best,
                              int count) {
@@ -121,6 +143,7 @@ bool reference_wanted() {
 
 const Table& vectorised() {
   static const Table table{correlate_vectorised,    sum_runs_vectorised,
+                           any_above_vectorised,    normalise_vectorised,
                            sum_rows_max_vectorised, strongest_of_three_vectorised,
                            edge_vectors_vectorised, dots_vectorised};
   return table;
@@ -139,6 +162,16 @@ void correlate(const std::int16_t* picture, const std::int32_t* offsets,
 void sum_runs(const std::int32_t* prefix, const std::int32_t* begins, const std::int32_t* ends,
               int runs, std::int32_t* sums, int count) {
   active().sum_runs_row(prefix, begins, ends, runs, sums, count);
+}
+
+bool any_above(const std::int32_t* values, float scale, const float* gates, int count) {
+  return active().any_above_row(values, scale, gates, count);
+}
+
+void normalise(const std::int32_t* numerators, const std::int32_t* sums,
+               const std::int32_t* squares, const Normalisation& terms, float* best, float* gates,
+               int count) {
+  active().normalise_row(numerators, sums, squares, terms, best, gates, count);
 }
 
 void sum_rows_max(const std::int16_t* const* rows, int row_count, std::int16_t* sums,

@@ -26,6 +26,24 @@ void correlate(const std::int16_t* picture, const std::int32_t* offsets,
 void sum_runs(const std::int32_t* prefix, const std::int32_t* begins, const std::int32_t* ends,
               int runs, std::int32_t* sums, int count);
 
+/// True when scale * values[x] > gates[x] for any x in [0, count).
+bool any_above(const std::int32_t* values, float scale, const float* gates, int count);
+
+/// Constants of normalise().
+struct Normalisation {
+  float scale;   ///< 1 / norm of the kernel's weights
+  float pixels;  ///< of the kernel
+  float noise;   ///< [grey^2] added to the energy under the kernel
+  float floor;   ///< correlation that is of interest
+};
+
+/// With energy = squares[x] - sums[x]^2 / pixels + noise:
+/// best[x] = max(best[x], scale numerators[x] / sqrt(energy)),
+/// gates[x] = max(best[x], floor) sqrt(0.7 energy): what the next kernel must exceed.
+void normalise(const std::int32_t* numerators, const std::int32_t* sums,
+               const std::int32_t* squares, const Normalisation& terms, float* best, float* gates,
+               int count);
+
 /// sums[x] = sum_k rows[k][x] and best[x] = max(best[x], sums[x]) for x in [0, count). The sums
 /// must fit into 16 bits.
 void sum_rows_max(const std::int16_t* const* rows, int row_count, std::int16_t* sums,
@@ -49,6 +67,8 @@ void dots(const float* rows, std::size_t stride, int row_count, const float* vec
 
 using Correlate = decltype(&correlate);
 using SumRuns = decltype(&sum_runs);
+using AnyAbove = decltype(&any_above);
+using Normalise = decltype(&normalise);
 using SumRowsMax = decltype(&sum_rows_max);
 using StrongestOfThree = decltype(&strongest_of_three);
 using EdgeVectors = decltype(&edge_vectors);
@@ -58,6 +78,8 @@ using Dots = decltype(&dots);
 struct Table {
   Correlate correlate_row;
   SumRuns sum_runs_row;
+  AnyAbove any_above_row;
+  Normalise normalise_row;
   SumRowsMax sum_rows_max_row;
   StrongestOfThree strongest_of_three_row;
   EdgeVectors edge_vectors_row;

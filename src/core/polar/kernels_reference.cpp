@@ -22,6 +22,25 @@ void sum_runs_reference(const std::int32_t* prefix, const std::int32_t* begins,
   }
 }
 
+bool any_above_reference(const std::int32_t* values, float scale, const float* gates, int count) {
+  for (int x = 0; x < count; ++x)
+    if (scale * static_cast<float>(values[x]) > gates[x]) return true;
+  return false;
+}
+
+void normalise_reference(const std::int32_t* numerators, const std::int32_t* sums,
+                         const std::int32_t* squares, const Normalisation& terms, float* best,
+                         float* gates, int count) {
+  const float scale = terms.scale, pixels = terms.pixels, noise = terms.noise, floor = terms.floor;
+  for (int x = 0; x < count; ++x) {
+    const float sum = static_cast<float>(sums[x]);
+    const float energy = static_cast<float>(squares[x]) - sum * sum / pixels + noise;
+    const float value = scale * static_cast<float>(numerators[x]) / std::sqrt(energy);
+    best[x] = value > best[x] ? value : best[x];
+    gates[x] = (best[x] > floor ? best[x] : floor) * std::sqrt(0.7f * energy);
+  }
+}
+
 void sum_rows_max_reference(const std::int16_t* const* rows, int row_count, std::int16_t* sums,
                             std::int16_t* best, int count) {
   for (int x = 0; x < count; ++x) {
@@ -72,6 +91,7 @@ void dots_reference(const float* rows, std::size_t stride, int row_count, const 
 
 const Table& reference() {
   static const Table table{correlate_reference,    sum_runs_reference,
+                           any_above_reference,    normalise_reference,
                            sum_rows_max_reference, strongest_of_three_reference,
                            edge_vectors_reference, dots_reference};
   return table;
