@@ -103,7 +103,7 @@ ContourPull contour_pull(const ContourTemplate& contour, const cv::Mat& edges, c
     const cv::Vec3d row(nx, ny, ny * contour.x[k] - nx * contour.y[k]);
     const double weight = 2 * kCurvature * strongest / static_cast<double>(contour.size());
     pull.hessian += weight * (row * row.t());
-    pull.gradient += weight * (moments / weights) * row;
+    pull.gradient -= weight * (moments / weights) * row;
   }
   return pull;
 }

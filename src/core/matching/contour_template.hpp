@@ -29,7 +29,8 @@ double contour_agreement(const ContourTemplate& contour, const cv::Mat& edges, c
 
 /// Normal equations of the small motion (dx, dy, dtheta) of the contour that brings it onto the
 /// edges found within `reach` [px] along the normals. Motion and equations are in the template's
-/// frame; the sign is that of a motion of the template within the picture.
+/// frame: where the template would have to be moved from to fit (the inverse of what the pose
+/// needs).
 struct ContourPull {
   cv::Matx33d hessian;  ///< curvature of contour_agreement()
   cv::Vec3d gradient;   ///< hessian * motion

@@ -12,6 +12,7 @@ namespace {
 
 constexpr int kEdgePlaces = 300;        // places that the edge search proposes
 constexpr std::size_t kEntering = 150;  // candidates that enter at a level
+constexpr double kSettlingCost = 1;     // log-odds that settling on the surface may cost
 constexpr std::size_t kFinal = 4;       // places whose other angles are tried and that are polished
 
 std::size_t most_at(int level) {
@@ -200,12 +201,16 @@ class ViewSearch {
     Detection detection;
     detection.object = &object_;
     detection.view = &view_;
-    detection.log_odds = fine_odds(pose);
-    const Climbed settled = settle(view_.dense, scene_.levels[0], pose, thoroughly ? 8 : 0);
+    const double odds = fine_odds(pose);
+    Climbed settled = settle(view_.dense, scene_.levels[0], pose, thoroughly ? 8 : 0);
+    const double settled_odds = fine_odds(settled.pose);
+    // A plain surface may drift along its shading: then the contour had it right.
+    if (settled_odds < odds - kSettlingCost)
+      settled = settle(view_.dense, scene_.levels[0], pose, 0);
+    detection.log_odds = std::max(odds, settled_odds);
     detection.pose = settled.pose;
     detection.pose.theta = wrap_angle(settled.pose.theta);
     detection.covariance = settled.covariance;
-    detection.log_odds = std::max(detection.log_odds, fine_odds(detection.pose));
     const Similarity similar = similarity(view_.points, scene_.grey[0], detection.pose);
     detection.similarity = similar.value;
     detection.visible = similar.visible;
