@@ -160,7 +160,8 @@ mbncc_vision::LearnObjectResult LearningNodelet::teach(LessonClient& client) {
       [this](const sensor_msgs::CameraInfo& given, const std_msgs::Header& header,
              const ObjectModel& model) { return metres_per_pixel(given, header, model); }};
   const auto result = LessonRun(client, tools).run();
-  NODELET_INFO("lesson: %s %s", result.message.c_str(), result.hint.c_str());
+  const bool learned = result.error_code == mbncc_vision::LearnObjectResult::SUCCESS;
+  NODELET_INFO("%s %s", result.message.c_str(), learned ? "" : result.hint.c_str());
   return result;
 }
 

@@ -93,8 +93,8 @@ LessonRun::Result LessonRun::store() {
   try {
     const ObjectModel stored = save(model);
     const std::string verdict = to_string(stored.quality.verdict);
-    return describe(outcome(LearnError::kSuccess, "Learned '" + name_ + "', verdict " + verdict),
-                    stored);
+    return describe(
+        outcome(LearnError::kSuccess, "Learned '" + name_ + "', verdict " + verdict + "."), stored);
   } catch (const FileError& error) {
     return describe(outcome(LearnError::kStorage, error.what()), model);
   } catch (const std::invalid_argument& error) {

@@ -10,8 +10,8 @@ class StaleWatch {
  public:
   using Clock = std::chrono::steady_clock;
 
-  /// `stale_after` [s] of silence are reported, and again every second.
-  explicit StaleWatch(double stale_after) : stale_after_(stale_after) {}
+  /// `stale_after` [s] of silence are reported, and again every second; it counts from now.
+  explicit StaleWatch(double stale_after) : stale_after_(stale_after) { restart(); }
 
   /// A picture was searched, or searching begins: silence counts from now.
   void restart(Clock::time_point now = Clock::now()) {
@@ -30,7 +30,7 @@ class StaleWatch {
  private:
   const std::chrono::duration<double> stale_after_;
   std::mutex mutex_;
-  Clock::time_point next_report_ = Clock::time_point::max();
+  Clock::time_point next_report_;
 };
 
 }  // namespace mbncc::nodelets

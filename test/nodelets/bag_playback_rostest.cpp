@@ -1,0 +1,197 @@
+// A bag of the simulated cell is recorded, played with --clock and compared with its truth.
+#include <gtest/gtest.h>
+#include <mbncc_vision/DetectedObjectArray.h>
+#include <mbncc_vision/FindObjects.h>
+#include <ros/ros.h>
+#include <rosbag/bag.h>
+#include <sensor_msgs/CameraInfo.h>
+#include <sensor_msgs/Image.h>
+#include <tf2_msgs/TFMessage.h>
+
+#include <cmath>
+#include <cstdlib>
+#include <future>
+#include <map>
+#include <random>
+#include <set>
+#include <vector>
+
+#include "mbncc/sim/scene.hpp"
+#include "nodelets/images.hpp"
+#include "nodelets/spin_until.hpp"
+#include "nodelets/teacher.hpp"
+#include "support/temporary_folder.hpp"
+
+namespace mbncc::nodelets {
+namespace {
+
+using mbncc_vision::DetectedObject;
+using mbncc_vision::DetectedObjectArray;
+
+constexpr int kPlaces = 12, kPicturesPerPlace = 8;
+constexpr double kInterval = 0.2;                      // [s] between pictures
+constexpr double kFocalLength = 500, kDistance = 0.5;  // [px], [m]
+const ros::Time kStart(1000);
+
+sim::SceneConfig scene_config() {
+  sim::SceneConfig config;
+  config.size = {400, 300};
+  config.seed = 5;
+  return config;
+}
+
+sim::Placed placed_at(const Pose2D& pose) {
+  return {{11, 80, 1.6}, pose};
+}
+
+class BagPlayback : public testing::Test {
+ protected:
+  BagPlayback() {
+    detections_ = node_.subscribe<DetectedObjectArray>(
+        "detected_objects", 1000, [this](const DetectedObjectArray::ConstPtr& array) {
+          if (array->status != DetectedObjectArray::STALE) arrays_.push_back(array);
+        });
+    transforms_ = node_.subscribe<tf2_msgs::TFMessage>(
+        "/tf", 1000, [this](const tf2_msgs::TFMessage::ConstPtr& message) {
+          for (const auto& transform : message->transforms) sent_.push_back(transform);
+        });
+  }
+
+  // Random sub-pixel places and angles, well inside the picture.
+  static std::vector<Pose2D> places() {
+    std::mt19937 random(3);
+    std::uniform_real_distribution<double> x(70, 330), y(70, 230), theta(-kPi, kPi);
+    std::vector<Pose2D> poses;
+    for (int i = 0; i < kPlaces; ++i) poses.push_back({x(random), y(random), theta(random)});
+    return poses;
+  }
+
+  sensor_msgs::CameraInfo camera_info(const std_msgs::Header& header) const {
+    sensor_msgs::CameraInfo info;
+    info.header = header;
+    info.width = 400;
+    info.height = 300;
+    info.distortion_model = "plumb_bob";
+    info.D.assign(5, 0);
+    info.K = {kFocalLength, 0, 199.5, 0, kFocalLength, 149.5, 0, 0, 1};
+    info.R = {1, 0, 0, 0, 1, 0, 0, 0, 1};
+    info.P = {kFocalLength, 0, 199.5, 0, 0, kFocalLength, 149.5, 0, 0, 0, 1, 0};
+    return info;
+  }
+
+  void record(const std::string& path) {
+    rosbag::Bag bag(path, rosbag::bagmode::Write);
+    bag.setCompression(rosbag::compression::LZ4);
+    std::uint64_t frame = 100;
+    for (const auto& place : places()) {
+      for (int i = 0; i < kPicturesPerPlace; ++i, ++frame) {
+        std_msgs::Header header;
+        header.stamp = kStart + ros::Duration(kInterval * static_cast<double>(frame - 100));
+        header.frame_id = "camera";
+        truth_[header.stamp] = place;
+        bag.write("camera_info", header.stamp, camera_info(header));
+        bag.write("image_raw", header.stamp,
+                  encode_picture(scene_.render({placed_at(place)}, frame), header));
+      }
+    }
+  }
+
+  Teacher::Result teach() {
+    Teacher teacher;
+    EXPECT_TRUE(teacher.connect());
+    Teacher::Goal goal;
+    goal.name = "part";
+    goal.before = encode_picture(scene_.render({placed_at(learned_at_)}, 1));
+    goal.after = encode_picture(scene_.render({}, 2));
+    return teacher.teach(goal);
+  }
+
+  bool matching_knows_the_part() {
+    mbncc_vision::FindObjects find;
+    find.request.image = encode_picture(scene_.render({placed_at(learned_at_)}, 3));
+    return ros::service::call("find_objects", find) && find.response.success &&
+           find.response.detections.searched == std::vector<std::string>{"part"};
+  }
+
+  // Where the taught reference point lies in the picture of this stamp.
+  Pose2D expected(const ros::Time& stamp, const Pose2D& reference) const {
+    return compose(compose(truth_.at(stamp), inverse(learned_at_)), reference);
+  }
+
+  ros::NodeHandle node_;
+  ros::Subscriber detections_, transforms_;
+  std::vector<DetectedObjectArray::ConstPtr> arrays_;
+  std::vector<geometry_msgs::TransformStamped> sent_;
+  const sim::Scene scene_{scene_config()};
+  const Pose2D learned_at_{200.3, 150.6, 0.4};
+  std::map<ros::Time, Pose2D> truth_;
+};
+
+TEST_F(BagPlayback, FindsEveryPoseAndSendsTfOnceAtThePicturesStamp) {
+  const test::TemporaryFolder folder;
+  const std::string bag = folder / "cell.bag";
+  record(bag);
+  const auto lesson = teach();
+  ASSERT_EQ(lesson.error_code, Teacher::Result::SUCCESS) << lesson.message;
+  const Pose2D reference{lesson.object.reference.x, lesson.object.reference.y,
+                         lesson.object.reference.theta};
+  ASSERT_TRUE(ros::service::waitForService("find_objects", 30000));
+  ASSERT_TRUE(spin_until([this] { return matching_knows_the_part(); }));
+
+  const std::string command = "rosbag play --clock --quiet --delay 1 " + bag + " > /dev/null";
+  auto playing = std::async(std::launch::async, [&] { return std::system(command.c_str()); });
+  const ros::Time last = truth_.rbegin()->first;
+  EXPECT_TRUE(spin_until([&] { return !arrays_.empty() && arrays_.back()->header.stamp == last; },
+                         std::chrono::seconds(120)));
+  EXPECT_EQ(playing.get(), 0);
+
+  std::set<ros::Time> stamps;
+  std::set<double> places_found;
+  std::map<ros::Time, const DetectedObject*> confirmed;
+  for (const auto& array : arrays_) {
+    ASSERT_EQ(truth_.count(array->header.stamp), 1u) << "a stamp that no picture has";
+    EXPECT_TRUE(stamps.insert(array->header.stamp).second) << "two arrays for a picture";
+    EXPECT_EQ(array->status, DetectedObjectArray::OK) << array->message;
+    EXPECT_EQ(array->header.frame_id, "camera");
+    const Pose2D pose = expected(array->header.stamp, reference);
+    for (const auto& object : array->objects) {
+      EXPECT_LE(std::hypot(object.image_pose.x - pose.x, object.image_pose.y - pose.y), 1.0);
+      EXPECT_LE(to_degrees(angle_distance(object.image_pose.theta, pose.theta)), 1.0);
+      EXPECT_TRUE(object.pose_valid);
+      places_found.insert(truth_[array->header.stamp].x);
+      if (object.state == DetectedObject::CONFIRMED) confirmed[array->header.stamp] = &object;
+      EXPECT_EQ(object.child_frame_id.empty(), object.state != DetectedObject::CONFIRMED);
+    }
+  }
+  EXPECT_EQ(places_found.size(), static_cast<std::size_t>(kPlaces));
+
+  std::set<ros::Time> sent;
+  for (const auto& transform : sent_) {
+    const ros::Time& stamp = transform.header.stamp;
+    EXPECT_TRUE(sent.insert(stamp).second) << "tf twice for a stamp";
+    ASSERT_EQ(confirmed.count(stamp), 1u) << "tf without a confirmed detection";
+    EXPECT_EQ(transform.header.frame_id, "camera");
+    EXPECT_EQ(transform.child_frame_id, confirmed[stamp]->child_frame_id);
+    EXPECT_EQ(transform.child_frame_id.rfind("object_part_", 0), 0u);
+    const Pose2D pose = expected(stamp, reference);
+    const auto& t = transform.transform.translation;
+    EXPECT_NEAR(t.z, kDistance, 1e-6);
+    EXPECT_NEAR(t.x * kFocalLength / t.z + 199.5, pose.x, 1.0);
+    EXPECT_NEAR(t.y * kFocalLength / t.z + 149.5, pose.y, 1.0);
+    const auto& q = transform.transform.rotation;
+    EXPECT_LE(to_degrees(angle_distance(2 * std::atan2(q.z, q.w), pose.theta)), 1.0);
+  }
+  EXPECT_EQ(sent.size(), confirmed.size());
+  EXPECT_GE(confirmed.size(), static_cast<std::size_t>(kPlaces));
+}
+
+}  // namespace
+}  // namespace mbncc::nodelets
+
+int main(int argc, char** argv) {
+  testing::InitGoogleTest(&argc, argv);
+  ros::init(argc, argv, "bag_playback_rostest");
+  const int failed = RUN_ALL_TESTS();
+  mbncc::nodelets::remove_library();
+  return failed;
+}
