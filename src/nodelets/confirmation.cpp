@@ -29,9 +29,13 @@ Confirmation::Response Confirmation::ask(const Request& request) {
   return *std::exchange(response_, std::nullopt);
 }
 
+void Confirmation::open() {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  open_ = true;
+}
+
 std::optional<Confirmation::Request> Confirmation::next(const std::function<bool()>& interrupted) {
   std::unique_lock<std::mutex> lock(mutex_);
-  open_ = true;
   while (!interrupted())
     if (changed_.wait_for(lock, kGlance, [this] { return request_ && !response_; }))
       return request_;

@@ -20,7 +20,10 @@ class Confirmation {
   /// sentence when no lesson waits.
   Response ask(const Request& request);
 
-  /// Lesson side: opens the desk and waits for a command; none once `interrupted` says so.
+  /// Lesson side: commands are taken from now on; before the operator is told to give one.
+  void open();
+
+  /// Lesson side: waits for a command; none once `interrupted` says so.
   std::optional<Request> next(const std::function<bool()>& interrupted);
 
   /// Lesson side: answers the command that next() gave.

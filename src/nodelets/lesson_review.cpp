@@ -13,10 +13,14 @@ using Feedback = mbncc_vision::LearnObjectFeedback;
 using Request = Confirmation::Request;
 using Response = Confirmation::Response;
 
-/// Whoever still asks when the lesson leaves is told so.
-struct DeskGuard {
-  Confirmation& desk;
-  ~DeskGuard() { desk.close(); }
+/// Takes commands as long as the review lasts; whoever still asks when it ends is told so.
+class Review {
+ public:
+  explicit Review(Confirmation& desk) : desk_(desk) { desk_.open(); }
+  ~Review() { desk_.close(); }
+
+ private:
+  Confirmation& desk_;
 };
 
 std::string fault_of(const Request& edit, const Lesson& lesson) {
@@ -32,7 +36,7 @@ std::string fault_of(const Request& edit, const Lesson& lesson) {
 }  // namespace
 
 LessonRun::Result LessonRun::review() {
-  const DeskGuard guard{tools_.confirmation};
+  const Review review(tools_.confirmation);
   for (;;) {
     tell(Feedback::WAIT_CONFIRM, kLearned,
          "Verdict " + std::string(to_string(draft_.learned.object.quality.verdict)) +

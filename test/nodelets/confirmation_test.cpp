@@ -21,14 +21,6 @@ Request command(std::uint8_t code) {
   return request;
 }
 
-// Asks again until a lesson has opened the desk.
-Response ask_patiently(Confirmation& desk, std::uint8_t code) {
-  Response response = desk.ask(command(code));
-  while (!response.success && response.message.rfind("no lesson", 0) == 0)
-    response = desk.ask(command(code));
-  return response;
-}
-
 TEST(Confirmation, RefusesWhileNoLessonWaits) {
   Confirmation desk;
   const Response response = desk.ask(command(Request::ACCEPT));
@@ -38,9 +30,10 @@ TEST(Confirmation, RefusesWhileNoLessonWaits) {
 
 TEST(Confirmation, CarriesCommandsAndAnswersAcross) {
   Confirmation desk;
+  desk.open();
   auto operator_side = std::async(std::launch::async, [&desk] {
-    const Response first = ask_patiently(desk, Request::UNDO);
-    return std::make_pair(first, ask_patiently(desk, Request::ACCEPT));
+    const Response first = desk.ask(command(Request::UNDO));
+    return std::make_pair(first, desk.ask(command(Request::ACCEPT)));
   });
   for (const auto expected : {Request::UNDO, Request::ACCEPT}) {
     const auto request = desk.next(never);
@@ -58,13 +51,15 @@ TEST(Confirmation, CarriesCommandsAndAnswersAcross) {
 
 TEST(Confirmation, EndsWhenInterrupted) {
   Confirmation desk;
+  desk.open();
   EXPECT_FALSE(desk.next([] { return true; }));
 }
 
 TEST(Confirmation, ReleasesTheOperatorWhenTheLessonEnds) {
   Confirmation desk;
+  desk.open();
   auto operator_side =
-      std::async(std::launch::async, [&desk] { return ask_patiently(desk, Request::ACCEPT); });
+      std::async(std::launch::async, [&desk] { return desk.ask(command(Request::ACCEPT)); });
   ASSERT_TRUE(desk.next(never));
   desk.close();
   EXPECT_FALSE(operator_side.get().success);
@@ -72,8 +67,9 @@ TEST(Confirmation, ReleasesTheOperatorWhenTheLessonEnds) {
 
 TEST(Confirmation, AnAnswerGivenJustBeforeTheEndArrives) {
   Confirmation desk;
+  desk.open();
   auto operator_side =
-      std::async(std::launch::async, [&desk] { return ask_patiently(desk, Request::ACCEPT); });
+      std::async(std::launch::async, [&desk] { return desk.ask(command(Request::ACCEPT)); });
   ASSERT_TRUE(desk.next(never));
   Response response;
   response.success = true;

@@ -1,0 +1,114 @@
+#!/usr/bin/python3
+"""Every nodelet of the package loads from the install space.
+
+usage: install_space_test.py CMAKE BUILD_FOLDER
+
+Installs into a temporary prefix, starts a master on a port of its own and loads each nodelet of
+the installed nodelet_plugins.xml with an environment that knows only the system and that prefix.
+"""
+import os
+import signal
+import socket
+import subprocess
+import sys
+import tempfile
+import time
+import xml.etree.ElementTree
+import xmlrpc.client
+
+PACKAGE = "mbncc_vision"
+ARGUMENTS = {PACKAGE + "/CameraNodelet": ["_source:=/nowhere"]}  # what cannot be left at its default
+DEADLINE = 60  # [s] generous; nothing waits for it when all is well
+
+
+def free_port():
+    with socket.socket() as probe:
+        probe.bind(("localhost", 0))
+        return probe.getsockname()[1]
+
+
+def environment(prefix, home, port):
+    """The environment a user has after sourcing the install space, and nothing of the build."""
+    build_free = {key: value for key, value in os.environ.items()
+                  if key not in ("CMAKE_PREFIX_PATH", "LD_LIBRARY_PATH", "PYTHONPATH",
+                                 "ROS_PACKAGE_PATH")}
+    roots = [path for path in ("/opt/ros/noetic", "/usr") if os.path.isdir(path)]
+    build_free.update(
+        PATH="/usr/bin:" + os.environ.get("PATH", ""), HOME=home, ROS_HOSTNAME="localhost",
+        ROS_MASTER_URI="http://localhost:%d" % port, ROS_LOG_DIR=os.path.join(home, "log"),
+        CMAKE_PREFIX_PATH=":".join([prefix] + roots),
+        LD_LIBRARY_PATH=":".join(os.path.join(root, "lib") for root in [prefix] + roots),
+        ROS_PACKAGE_PATH=":".join(os.path.join(root, "share") for root in [prefix] + roots))
+    if os.path.isdir("/opt/ros/noetic"):
+        build_free["PYTHONPATH"] = "/opt/ros/noetic/lib/python3/dist-packages"
+    return build_free
+
+
+def wait_for(predicate, process, what):
+    deadline = time.monotonic() + DEADLINE
+    while time.monotonic() < deadline:
+        if process.poll() is not None:
+            sys.exit("%s: the process ended with code %d" % (what, process.returncode))
+        if predicate():
+            return
+        time.sleep(0.1)
+    sys.exit("%s: not within %d s" % (what, DEADLINE))
+
+
+def stop(process):
+    process.send_signal(signal.SIGINT)
+    try:
+        process.wait(DEADLINE)
+    except subprocess.TimeoutExpired:
+        process.kill()
+        sys.exit("%s did not end on SIGINT" % process.args)
+
+
+def published(master):
+    """Topics that somebody publishes, as name -> publishers; {} while there is no master."""
+    try:
+        return dict(master.getSystemState("/install_space_test")[2][0])
+    except OSError:
+        return {}
+
+
+def load(name, env, master):
+    """Loads one nodelet; it must come up, stay and end by itself on SIGINT."""
+    binary = next(path for path in ("/usr/lib/nodelet/nodelet", "/opt/ros/noetic/lib/nodelet/nodelet")
+                  if os.path.exists(path))
+    node = "probe_" + name.split("/")[1]  # parameters stay on the server under this name
+    command = [binary, "standalone", name, "__name:=" + node] + ARGUMENTS.get(name, [])
+    process = subprocess.Popen(command, env=env)
+    # Each nodelet publishes diagnostics or pictures once it has been initialised.
+    wait_for(lambda: any("/" + node in nodes and topic in ("/diagnostics", "/image_raw")
+                         for topic, nodes in published(master).items()), process, name)
+    stop(process)
+    print("%s: loaded" % name, flush=True)
+
+
+def main():
+    cmake, build = sys.argv[1:3]
+    with tempfile.TemporaryDirectory() as prefix, tempfile.TemporaryDirectory() as home:
+        os.mkdir(os.path.join(home, ".ros"))
+        subprocess.run([cmake, "--install", build, "--prefix", prefix], check=True,
+                       stdout=subprocess.DEVNULL)
+        share = os.path.join(prefix, "share", PACKAGE)
+        for wanted in ("package.xml", "launch/demo.launch", "config/matching.yaml"):
+            assert os.path.exists(os.path.join(share, wanted)), wanted + " is not installed"
+        env = environment(prefix, home, free_port())
+        master = xmlrpc.client.ServerProxy(env["ROS_MASTER_URI"])
+        core = subprocess.Popen(["roscore", "-p", env["ROS_MASTER_URI"].rsplit(":", 1)[1]],
+                                env=env, stdout=subprocess.DEVNULL)
+        try:
+            wait_for(lambda: "/rosout_agg" in published(master), core, "roscore")
+            plugins = xml.etree.ElementTree.parse(os.path.join(share, "nodelet_plugins.xml"))
+            names = [plugin.get("name") for plugin in plugins.iter("class")]
+            assert len(names) >= 3, "the plugin description names too few nodelets"
+            for name in names:
+                load(name, env, master)
+        finally:
+            stop(core)
+
+
+if __name__ == "__main__":
+    main()
