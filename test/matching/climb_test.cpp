@@ -1,0 +1,87 @@
+// Refinement: the pose is pulled onto the surface and onto the contour.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "matching/pictures.hpp"
+#include "matching/prepared_object.hpp"
+#include "mbncc/matching/pyramid.hpp"
+
+namespace mbncc {
+namespace {
+
+class ClimbTest : public ::testing::Test {
+ protected:
+  /// An object with texture, or of one colour on a background of another.
+  static test::LearningPicture lesson(bool textured) {
+    test::LearningPicture source(41);
+    if (textured) return source;
+    source.surface.setTo(cv::Scalar(60, 90, 170));
+    source.picture.setTo(cv::Scalar(150, 150, 150));
+    source.surface.copyTo(source.picture, source.map);
+    return source;
+  }
+
+  static cv::Mat scene_with(const test::LearningPicture& source, bool textured,
+                            const Pose2D& truth) {
+    cv::Mat scene = textured ? test::texture({200, 160}, 42, 4)
+                             : cv::Mat(160, 200, CV_8UC3, cv::Scalar(140, 140, 140));
+    test::place(scene, source, kReference, truth);
+    return scene;
+  }
+
+  static constexpr double kDegree = kPi / 180;
+  static const cv::Point2d kReference;
+};
+
+const cv::Point2d ClimbTest::kReference{58, 60};
+
+TEST_F(ClimbTest, FindsBackFromNearby) {
+  for (const bool textured : {true, false}) {
+    const test::LearningPicture source = lesson(textured);
+    const auto object = test::object_from(source, {kReference.x, kReference.y, 0});
+    const PreparedView view(object->views.front(), Engine::kFast);
+    const Pose2D truth{101.4, 77.3, 0.7};
+    const SceneLevel scene(scene_with(source, textured, truth), 0);
+    const Pose2D anchor = compose(truth, inverse(view.reference_in_anchor));
+    for (int k = 0; k < 8; ++k) {
+      const double direction = k * kPi / 4;
+      const Pose2D start{anchor.x + 1.5 * std::cos(direction), anchor.y + 1.5 * std::sin(direction),
+                         anchor.theta + (k % 2 ? 2 : -2) * kDegree};
+      const Climbed climbed = climb(view.fine, scene, start, 12);
+      EXPECT_LT(cv::norm(climbed.pose.position() - anchor.position()), 0.5)
+          << (textured ? "textured" : "plain") << ", direction " << k;
+      EXPECT_LT(angle_distance(climbed.pose.theta, anchor.theta), 0.8 * kDegree);
+    }
+  }
+}
+
+TEST_F(ClimbTest, NeverGetsWorse) {
+  const test::LearningPicture source = lesson(true);
+  const auto object = test::object_from(source, {kReference.x, kReference.y, 0});
+  const PreparedView view(object->views.front(), Engine::kFast);
+  const SceneLevel scene(test::texture({200, 160}, 43), 0);
+  for (int k = 0; k < 20; ++k) {
+    const Pose2D start{40.0 + 6 * k, 50.0 + 3 * k, 0.3 * k};
+    EXPECT_GE(climb(view.fine, scene, start, 6).value, climb(view.fine, scene, start, 0).value);
+  }
+}
+
+TEST_F(ClimbTest, SettlesOnASurfaceToAFractionOfAPixelAndSaysSo) {
+  const test::LearningPicture source = lesson(true);
+  const auto object = test::object_from(source, {kReference.x, kReference.y, 0});
+  const PreparedView view(object->views.front(), Engine::kFast);
+  const Pose2D truth{93.7, 82.6, -1.9};
+  const SceneLevel scene(scene_with(source, true, truth), 0);
+  const Pose2D anchor = compose(truth, inverse(view.reference_in_anchor));
+  const Climbed settled =
+      settle(view.dense, scene, {anchor.x + 0.6, anchor.y - 0.5, anchor.theta + 0.01}, 10);
+  EXPECT_LT(cv::norm(settled.pose.position() - anchor.position()), 0.1);
+  EXPECT_LT(angle_distance(settled.pose.theta, anchor.theta), 0.1 * kDegree);
+  EXPECT_GT(settled.covariance(0, 0), 0);
+  EXPECT_LT(std::sqrt(settled.covariance(0, 0)), 0.3);
+  EXPECT_LT(std::sqrt(settled.covariance(2, 2)), 0.5 * kDegree);
+}
+
+}  // namespace
+}  // namespace mbncc
