@@ -12,6 +12,7 @@ std::vector<FieldRow> all_rows(Settings& settings) {
   };
   append(field_rows(settings.matching));
   append(field_rows(settings.learning));
+  append(field_rows(settings.camera));
   append(field_rows(settings.simulated_camera));
   return rows;
 }
@@ -36,6 +37,7 @@ std::vector<SettingsSection> sections_of(Settings& settings) {
           {"platform (matching and learning nodelet)", platform},
           {"matching nodelet", without(platform, without(search, field_rows(settings.matching)))},
           {"learning nodelet", without(platform, without(lesson, field_rows(settings.learning)))},
+          {"camera nodelet", field_rows(settings.camera)},
           {"simulated camera nodelet", field_rows(settings.simulated_camera)}};
 }
 

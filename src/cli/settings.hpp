@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "cli/arguments.hpp"
+#include "mbncc/config/camera_config.hpp"
 #include "mbncc/config/learning_node_config.hpp"
 #include "mbncc/config/matching_node_config.hpp"
 #include "mbncc/config/simulated_camera_config.hpp"
@@ -15,6 +16,7 @@ namespace mbncc::cli {
 struct Settings {
   MatchingNodeConfig matching;
   LearningNodeConfig learning;
+  CameraConfig camera;
   SimulatedCameraConfig simulated_camera;
 
   SearchConfig& search() { return matching.search; }

@@ -5,6 +5,7 @@
 #include <filesystem>
 
 #include "cli/tool.hpp"
+#include "mbncc/config/camera_config.hpp"
 #include "mbncc/config/learning_node_config.hpp"
 #include "mbncc/config/matching_node_config.hpp"
 #include "mbncc/config/simulated_camera_config.hpp"
@@ -94,6 +95,7 @@ TEST(ParamsCommand, ListsEveryFieldOfEveryStruct) {
   };
   expect_all(MatchingNodeConfig{});
   expect_all(LearningNodeConfig{});
+  expect_all(CameraConfig{});
   expect_all(SimulatedCameraConfig{});
   EXPECT_TRUE(run_tool({"params", "--set", "min_score=0.125"}).prints("0.125"));
 }

@@ -6,6 +6,7 @@
 #include <fstream>
 #include <set>
 
+#include "mbncc/config/camera_config.hpp"
 #include "mbncc/config/learning_node_config.hpp"
 #include "mbncc/config/matching_node_config.hpp"
 #include "mbncc/config/simulated_camera_config.hpp"
@@ -126,6 +127,7 @@ void expect_sound_fields() {
 TEST(Configs, DefaultsAreAllowedAndNamesUnique) {
   expect_sound_fields<MatchingNodeConfig>();
   expect_sound_fields<LearningNodeConfig>();
+  expect_sound_fields<CameraConfig>();
   expect_sound_fields<SimulatedCameraConfig>();
 }
 
