@@ -42,7 +42,7 @@ struct SceneConfig {
   double blur_sigma = 0.6;      ///< [px] of the optics
 };
 
-class DrawingCache;
+class SceneCache;
 
 /// Renders pictures of the cell. The const functions may run in several threads.
 class Scene {
@@ -60,10 +60,12 @@ class Scene {
   cv::Mat true_map(const Placed& placed) const;
 
  private:
+  cv::Mat compose_at_rest(const std::vector<Placed>& placed) const;
+
   SceneConfig config_;
-  cv::Mat platform_;  // CV_32FC3 [grey levels]
-  cv::Mat light_;     // CV_32FC3 [1]
-  std::shared_ptr<DrawingCache> drawings_;
+  cv::Mat platform_;                   // CV_32FC3 [grey levels]
+  cv::Mat light_;                      // CV_32FC3 [1]
+  std::shared_ptr<SceneCache> cache_;  // of drawings; the same for all copies
 };
 
 }  // namespace mbncc::sim

@@ -109,18 +109,4 @@ void composite(const Drawing& drawing, const Pose2D& pose, double shadow_sigma, 
   cv::Mat(part.mul(three_channels(kept)) + colour).copyTo(part);
 }
 
-std::shared_ptr<const Drawing> DrawingCache::get(const SceneObject& object) {
-  constexpr std::size_t kCapacity = 64;
-  const std::lock_guard<std::mutex> lock(mutex_);
-  for (const auto& entry : entries_) {
-    const SceneObject& known = entry.object;
-    if (known.seed == object.seed && known.diameter == object.diameter &&
-        known.elongation == object.elongation)
-      return entry.drawing;
-  }
-  if (entries_.size() == kCapacity) entries_.erase(entries_.begin());
-  entries_.push_back({object, std::make_shared<const Drawing>(draw_object(object))});
-  return entries_.back().drawing;
-}
-
 }  // namespace mbncc::sim

@@ -1,10 +1,7 @@
 // A thing drawn once, finer than the picture, and put into pictures at sub-pixel poses.
 #pragma once
 
-#include <memory>
-#include <mutex>
 #include <opencv2/core.hpp>
-#include <vector>
 
 #include "mbncc/sim/scene.hpp"
 
@@ -35,19 +32,5 @@ cv::Mat coverage(const Drawing& drawing, const Pose2D& pose, cv::Size picture, c
 
 /// Puts the drawing over `picture` (CV_32FC3) with a soft shadow beside it.
 void composite(const Drawing& drawing, const Pose2D& pose, double shadow_sigma, cv::Mat& picture);
-
-/// Drawings of the objects seen last; the same object is drawn once. Safe to share by threads.
-class DrawingCache {
- public:
-  std::shared_ptr<const Drawing> get(const SceneObject& object);
-
- private:
-  struct Entry {
-    SceneObject object;
-    std::shared_ptr<const Drawing> drawing;
-  };
-  std::mutex mutex_;
-  std::vector<Entry> entries_;  // oldest first
-};
 
 }  // namespace mbncc::sim

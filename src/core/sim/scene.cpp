@@ -1,11 +1,13 @@
 #include "mbncc/sim/scene.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <opencv2/imgproc.hpp>
 #include <stdexcept>
 
 #include "sim/drawing.hpp"
 #include "sim/random.hpp"
+#include "sim/scene_cache.hpp"
 #include "sim/texture.hpp"
 
 namespace mbncc::sim {
@@ -30,14 +32,21 @@ cv::Mat light_field(const SceneConfig& config) {
   return light;
 }
 
-/// Sensor noise: a constant part and a part whose variance grows with the signal.
-void add_sensor_noise(cv::Mat& picture, double sigma, cv::RNG random) {
-  if (sigma <= 0) return;
-  cv::Mat noise(picture.size(), CV_32FC3), level;
-  random.fill(noise, cv::RNG::NORMAL, 0, sigma);
-  cv::max(picture, 0, level);
-  cv::sqrt(level * (0.5 / 128) + cv::Scalar::all(0.5), level);
-  picture += noise.mul(level);
+/// Eight bit values of `picture` with sensor noise: a constant part and one whose variance grows
+/// with the signal.
+cv::Mat sense(const cv::Mat& picture, double sigma, cv::RNG random) {
+  cv::Mat result(picture.size(), CV_8UC3), noise(1, picture.cols, CV_32FC3);
+  for (int y = 0; y < picture.rows; ++y) {
+    random.fill(noise, cv::RNG::NORMAL, 0, sigma);
+    const float* signal = picture.ptr<float>(y);
+    const float* deviate = noise.ptr<float>();
+    uchar* value = result.ptr(y);
+    for (int i = 0; i < 3 * picture.cols; ++i) {
+      const float share = std::sqrt(0.5f + std::max(signal[i], 0.0f) * (0.5f / 128));
+      value[i] = cv::saturate_cast<uchar>(signal[i] + deviate[i] * share);
+    }
+  }
+  return result;
 }
 
 void draw_over(const Arm& arm, cv::Mat& picture) {
@@ -50,31 +59,38 @@ void draw_over(const Arm& arm, cv::Mat& picture) {
 
 }  // namespace
 
-Scene::Scene(SceneConfig config) : config_(config), drawings_(std::make_shared<DrawingCache>()) {
+Scene::Scene(SceneConfig config) : config_(config), cache_(std::make_shared<SceneCache>()) {
   if (config_.size.width < 16 || config_.size.height < 16)
     throw std::invalid_argument("a scene needs at least 16 x 16 pixels");
   platform_ = platform_texture(config_.size, config_.seed);
   light_ = light_field(config_);
 }
 
+cv::Mat Scene::compose_at_rest(const std::vector<Placed>& placed) const {
+  return cache_->composition(placed, [&] {
+    cv::Mat picture = platform_.clone();
+    for (const auto& thing : placed)
+      composite(*cache_->drawing(thing.object), thing.pose, kContactShadow, picture);
+    return picture;
+  });
+}
+
 cv::Mat Scene::render(const std::vector<Placed>& placed, std::uint64_t frame,
                       const std::optional<Arm>& arm) const {
-  cv::Mat picture = platform_.clone();
-  for (const auto& thing : placed)
-    composite(*drawings_->get(thing.object), thing.pose, kContactShadow, picture);
-  if (arm) draw_over(*arm, picture);
-  picture = picture.mul(light_);
-  if (config_.blur_sigma > 0) cv::GaussianBlur(picture, picture, {}, config_.blur_sigma);
-  add_sensor_noise(picture, config_.noise_sigma, generator(mix(config_.seed, 6), frame));
-  cv::Mat result;
-  picture.convertTo(result, CV_8UC3);
-  return result;
+  cv::Mat picture = compose_at_rest(placed);
+  if (arm) {
+    picture = picture.clone();
+    draw_over(*arm, picture);
+  }
+  cv::Mat lit = picture.mul(light_);
+  if (config_.blur_sigma > 0) cv::GaussianBlur(lit, lit, {}, config_.blur_sigma);
+  return sense(lit, config_.noise_sigma, generator(mix(config_.seed, 6), frame));
 }
 
 cv::Mat Scene::true_map(const Placed& placed) const {
   cv::Mat map = cv::Mat::zeros(config_.size, CV_8UC1);
   cv::Rect where;
-  const cv::Mat cover = coverage(*drawings_->get(placed.object), placed.pose, config_.size, where);
+  const cv::Mat cover = coverage(*cache_->drawing(placed.object), placed.pose, config_.size, where);
   if (!where.empty()) cv::Mat(cover >= 0.5).copyTo(map(where));
   return map;
 }
