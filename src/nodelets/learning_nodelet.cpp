@@ -14,6 +14,7 @@
 #include "nodelets/calibration.hpp"
 #include "nodelets/camera_input.hpp"
 #include "nodelets/confirmation.hpp"
+#include "nodelets/grasp_mark.hpp"
 #include "nodelets/images.hpp"
 #include "nodelets/lesson.hpp"
 #include "nodelets/lesson_goal.hpp"
@@ -38,8 +39,9 @@ class LearningNodelet : public nodelet::Nodelet {
   void start_lessons(ros::NodeHandle& node);
   void start_diagnostics();
   mbncc_vision::LearnObjectResult teach(LessonClient& client);
-  double metres_per_pixel(const sensor_msgs::CameraInfo& given, const std_msgs::Header& header,
-                          const ObjectModel& model) const;
+  void measure(const sensor_msgs::CameraInfo& given, const std_msgs::Header& header,
+               ObjectModel& model) const;
+  bool mark_grasp(std_srvs::Trigger::Request& request, std_srvs::Trigger::Response& response);
   bool confirm(mbncc_vision::ConfirmLearning::Request& request,
                mbncc_vision::ConfirmLearning::Response& response);
   void look_for_changes();
@@ -54,11 +56,12 @@ class LearningNodelet : public nodelet::Nodelet {
   std::unique_ptr<CameraInput> camera_;
   tf2_ros::Buffer tf_buffer_;
   std::unique_ptr<tf2_ros::TransformListener> tf_listener_;
+  std::unique_ptr<GraspMark> grasp_mark_;
   Confirmation confirmation_;
   // confirm_learning waits for the lesson's answer, so it has a callback thread of its own.
   ros::CallbackQueue confirm_queue_;
   ros::AsyncSpinner confirm_spinner_{1, &confirm_queue_};
-  ros::ServiceServer confirm_server_;
+  ros::ServiceServer confirm_server_, mark_server_;
   std::unique_ptr<LessonServer> lessons_;
   std::unique_ptr<diagnostic_updater::Updater> diagnostics_;
   ros::WallTimer library_timer_, diagnostics_timer_;
@@ -125,6 +128,7 @@ void LearningNodelet::look_for_changes() {
 
 void LearningNodelet::start_pictures(ros::NodeHandle& node) {
   tf_listener_ = std::make_unique<tf2_ros::TransformListener>(tf_buffer_);
+  grasp_mark_ = std::make_unique<GraspMark>(tf_buffer_, config_.gripper_frame);
   pictures_ = std::make_unique<PictureFeed>(config_.still_time);
   camera_ = std::make_unique<CameraInput>(
       node, config_.image_transport,
@@ -141,6 +145,7 @@ void LearningNodelet::start_lessons(ros::NodeHandle& node) {
   confirm_server_ =
       confirm_node.advertiseService("confirm_learning", &LearningNodelet::confirm, this);
   confirm_spinner_.start();
+  mark_server_ = node.advertiseService("mark_grasp", &LearningNodelet::mark_grasp, this);
   lessons_ = std::make_unique<LessonServer>(
       node, "learn_object", config_.learn_timeout,
       [this](const mbncc_vision::LearnObjectGoal& goal) {
@@ -150,6 +155,7 @@ void LearningNodelet::start_lessons(ros::NodeHandle& node) {
 }
 
 mbncc_vision::LearnObjectResult LearningNodelet::teach(LessonClient& client) {
+  grasp_mark_->clear();
   const LessonTools tools{
       *pictures_,
       *library_,
@@ -158,24 +164,43 @@ mbncc_vision::LearnObjectResult LearningNodelet::teach(LessonClient& client) {
       [this](const cv::Mat& picture) { stage_publisher_.publish(encode_picture(picture)); },
       [this](const cv::Mat& picture) { preview_publisher_.publish(encode_picture(picture)); },
       [this](const sensor_msgs::CameraInfo& given, const std_msgs::Header& header,
-             const ObjectModel& model) { return metres_per_pixel(given, header, model); }};
+             ObjectModel& model) { measure(given, header, model); }};
   const auto result = LessonRun(client, tools).run();
   const bool learned = result.error_code == mbncc_vision::LearnObjectResult::SUCCESS;
   NODELET_INFO("%s %s", result.message.c_str(), learned ? "" : result.hint.c_str());
   return result;
 }
 
-double LearningNodelet::metres_per_pixel(const sensor_msgs::CameraInfo& given,
-                                         const std_msgs::Header& header,
-                                         const ObjectModel& model) const {
+void LearningNodelet::measure(const sensor_msgs::CameraInfo& given, const std_msgs::Header& header,
+                              ObjectModel& model) const {
   const View& view = model.views.front();
   const auto live = camera_->camera_info();
   const auto* info = given.width != 0 ? &given : live.get();
   const Calibration calibration =
       calibrate(config_.platform, info, header, view.picture_size, tf_buffer_);
-  if (!calibration.platform) return Quality::kUnknown;
-  return calibration.platform->metres_per_pixel(view.reference.position(), model.object_height)
-      .value_or(Quality::kUnknown);
+  if (!calibration.platform) return;
+  const auto scale =
+      calibration.platform->metres_per_pixel(view.reference.position(), model.object_height);
+  model.metres_per_pixel = scale.value_or(Quality::kUnknown);
+  const auto pose = calibration.platform->lift(view.reference, {}, model.object_height);
+  if (pose) model.grasp = grasp_mark_->relative_to(*pose);
+}
+
+bool LearningNodelet::mark_grasp(std_srvs::Trigger::Request&,
+                                 std_srvs::Trigger::Response& response) {
+  try {
+    if (!lessons_->busy())
+      throw std::runtime_error("no lesson is running; start one, then mark its grasp");
+    std_msgs::Header header;
+    header.frame_id = pictures_->look().frame_id;
+    grasp_mark_->record(camera_frame_of(config_.platform, header));
+    response.success = true;
+    response.message = "marked; stored with the lesson when the camera is calibrated";
+  } catch (const std::exception& error) {
+    response.success = false;
+    response.message = error.what();
+  }
+  return true;
 }
 
 bool LearningNodelet::confirm(mbncc_vision::ConfirmLearning::Request& request,

@@ -89,7 +89,7 @@ LessonRun::Result LessonRun::store() {
   tell(Feedback::STORE, kChecked, "Storing '" + name_ + "'.");
   ObjectModel model = draft_.learned.object;
   model.learned_at = ros::Time::now().toSec();
-  model.metres_per_pixel = tools_.metres_per_pixel(goal_.camera_info, before_.header, model);
+  tools_.measure(goal_.camera_info, before_.header, model);
   try {
     const ObjectModel stored = save(model);
     const std::string verdict = to_string(stored.quality.verdict);

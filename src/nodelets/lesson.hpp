@@ -28,10 +28,10 @@ struct LessonTools {
   LearningConfig config;
   std::function<void(const cv::Mat&)> show_stage;
   std::function<void(const cv::Mat&)> show_preview;
-  /// [m] per pixel on the object's top face; NaN when unknown. The camera_info is the goal's, empty
+  /// Fills in what calibration and tf tell: scale and grasp. The camera_info is the goal's, empty
   /// when it gave none; the header is that of the picture before.
-  std::function<double(const sensor_msgs::CameraInfo&, const std_msgs::Header&, const ObjectModel&)>
-      metres_per_pixel;
+  std::function<void(const sensor_msgs::CameraInfo&, const std_msgs::Header&, ObjectModel&)>
+      measure;
 };
 
 /// A picture to learn from, CV_8UC3.

@@ -206,6 +206,7 @@ TEST_F(Protocol, KeepsTheRunningLessonWhenASecondGoalComes) {
   const std::string first = teacher_.send(live);
   ASSERT_TRUE(spin_until([&] { return teacher_.heard(first, Teacher::Feedback::WAIT_REMOVAL); }));
   for (int i = 0; i < 3; ++i) expect_refused(given("second"), Result::BUSY);
+  EXPECT_FALSE(call<std_srvs::Trigger>("mark_grasp", {}).success) << "no gripper_frame is set";
   EXPECT_FALSE(teacher_.ended(first));
   teacher_.cancel(first);
   const auto end = teacher_.await(first);

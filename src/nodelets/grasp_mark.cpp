@@ -1,0 +1,54 @@
+#include "nodelets/grasp_mark.hpp"
+
+#include <tf2_eigen/tf2_eigen.h>
+
+#include <stdexcept>
+#include <utility>
+
+namespace mbncc::nodelets {
+namespace {
+
+Eigen::Isometry3d to_eigen(const PlatformPose& pose) {
+  Eigen::Isometry3d result = Eigen::Isometry3d::Identity();
+  for (int row = 0; row < 3; ++row) {
+    result.translation()(row) = pose.position[row];
+    for (int column = 0; column < 3; ++column)
+      result.linear()(row, column) = pose.rotation(row, column);
+  }
+  return result;
+}
+
+}  // namespace
+
+GraspMark::GraspMark(const tf2_ros::Buffer& tf, std::string gripper_frame)
+    : tf_(tf), gripper_frame_(std::move(gripper_frame)) {}
+
+void GraspMark::record(const std::string& camera_frame) {
+  if (gripper_frame_.empty())
+    throw std::runtime_error("no grasp can be marked: set the parameter gripper_frame");
+  if (camera_frame.empty())
+    throw std::runtime_error("no grasp can be marked: pictures name no frame_id, set camera_frame");
+  try {
+    const auto pose = tf_.lookupTransform(camera_frame, gripper_frame_, ros::Time(0));
+    const std::lock_guard<std::mutex> lock(mutex_);
+    T_camera_gripper_ = tf2::transformToEigen(pose);
+  } catch (const tf2::TransformException& error) {
+    throw std::runtime_error(std::string("no grasp can be marked: ") + error.what());
+  }
+}
+
+void GraspMark::clear() {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  T_camera_gripper_.reset();
+}
+
+std::optional<Grasp> GraspMark::relative_to(const PlatformPose& object) const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  if (!T_camera_gripper_) return {};
+  const Eigen::Isometry3d T_object_gripper = to_eigen(object).inverse() * *T_camera_gripper_;
+  const Eigen::Vector3d t = T_object_gripper.translation();
+  const Eigen::Quaterniond q(T_object_gripper.linear());
+  return Grasp{{{t.x(), t.y(), t.z()}}, {{q.x(), q.y(), q.z(), q.w()}}};
+}
+
+}  // namespace mbncc::nodelets

@@ -1,0 +1,37 @@
+// The gripper's pose at the demonstration, which becomes the object's grasp.
+#pragma once
+
+#include <tf2_ros/buffer.h>
+
+#include <Eigen/Geometry>
+#include <mutex>
+#include <optional>
+#include <string>
+
+#include "mbncc/cell/platform.hpp"
+#include "mbncc/object_model.hpp"
+
+namespace mbncc::nodelets {
+
+class GraspMark {
+ public:
+  /// `tf` outlives the mark; `gripper_frame` "" refuses every mark.
+  GraspMark(const tf2_ros::Buffer& tf, std::string gripper_frame);
+
+  /// Keeps where the gripper is now, seen from `camera_frame`. Throws std::runtime_error with a
+  /// sentence when that is not known.
+  void record(const std::string& camera_frame);
+
+  void clear();
+
+  /// The marked gripper pose relative to an object's; none when nothing is marked.
+  std::optional<Grasp> relative_to(const PlatformPose& object) const;
+
+ private:
+  const tf2_ros::Buffer& tf_;
+  const std::string gripper_frame_;
+  mutable std::mutex mutex_;
+  std::optional<Eigen::Isometry3d> T_camera_gripper_;
+};
+
+}  // namespace mbncc::nodelets
