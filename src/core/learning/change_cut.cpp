@@ -18,6 +18,7 @@ namespace {
 
 constexpr float kAnyColour = 0.02F;    // part of the object's pixels in colours not seen yet
 constexpr float kUnaryWeight = 1.15F;  // against the smoothness
+constexpr double kSureness = 4;  // power of the change's probability that colours are weighted by
 constexpr float kHighestUnary = 60;
 constexpr float kArrivalUnary = 12;  // log-likelihood ratio given to arrivals
 constexpr int kFewestPixels = 30;    // of a seed worth cutting
@@ -52,7 +53,10 @@ class Cutter {
   void weigh_edges() { smoothness_ = smoothness(before_, after_, noise_); }
 
   void cut() {
-    unary_ = unary_of(ColourMixture::fit(before_, map_, background_.changed));
+    // Surely changed pixels teach the object's colours, doubtful ones (its shadow's rim) hardly.
+    cv::Mat sureness;
+    cv::pow(background_.changed, kSureness, sureness);
+    unary_ = unary_of(ColourMixture::fit(before_, map_, sureness));
     cv::Mat next = minimum_cut(unary_, smoothness_);
     if (cv::countNonZero(next) < kFewestPixels) return;
     keep_main_groups(next, unary_);

@@ -9,10 +9,10 @@ namespace {
 constexpr int kMostComponents = 5;
 constexpr int kMostSamples = 3000;
 constexpr int kFewestSamples = 20;
-constexpr int kRounds = 2;          // of reassignment
-constexpr double kLeastSpread = 4;  // [grey levels^2] narrower clusters are not split
-constexpr double kRegularity = 36;  // [grey levels^2] added to each covariance's diagonal
-constexpr float kLeastWeight = 0.05F;
+constexpr int kRounds = 2;             // of reassignment
+constexpr double kLeastSpread = 4;     // [grey levels^2] narrower clusters are not split
+constexpr double kRegularity = 16;     // [grey levels^2] added to each covariance's diagonal
+constexpr float kLeastWeight = 0.01F;  // of a sample: few sure pixels must not stand alone
 const double kLog2Pi = std::log(2 * CV_PI);
 
 struct Sample {

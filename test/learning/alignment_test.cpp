@@ -1,0 +1,128 @@
+// Light, camera shift and noise between two pictures of one scene.
+#include "learning/align_pictures.hpp"
+
+#include <gtest/gtest.h>
+
+#include "learning/camera_shift.hpp"
+#include "learning/noise_model.hpp"
+#include "learning/photometric_fit.hpp"
+#include "learning/pictures.hpp"
+
+namespace mbncc {
+namespace {
+
+const cv::Size kSize(240, 200);
+const cv::Scalar kTable(105, 115, 120);
+
+cv::Mat all_of(cv::Size size) {
+  return cv::Mat(size, CV_8UC1, cv::Scalar(255));
+}
+
+cv::Mat floats(const cv::Mat& picture) {
+  cv::Mat values;
+  picture.convertTo(values, CV_32F);
+  return values;
+}
+
+double mean_error(const cv::Mat& a, const cv::Mat& b) {
+  return cv::norm(a, b, cv::NORM_L1) / static_cast<double>(a.total() * 3);
+}
+
+TEST(PhotometricFit, RecoversGainOffsetAndPlane) {
+  const cv::Mat after = test::texture(kSize, kTable, 20, 1);
+  const ChannelLight made{0.12, 0.06, -0.04, 5};
+  const cv::Mat before = apply_light(after, {made, made, made});
+  const Light found = fit_light(before, after, all_of(kSize), true);
+  EXPECT_LT(mean_error(apply_light(after, found), before), 0.3);
+}
+
+TEST(PhotometricFit, IgnoresAForeignQuarter) {
+  const cv::Mat after = test::texture(kSize, kTable, 20, 1);
+  cv::Mat before = after * 1.1;
+  before(cv::Rect(0, 0, 120, 100)).setTo(cv::Scalar(250, 10, 10));
+  const Light found = fit_light(before, after, all_of(kSize), false);
+  const cv::Rect rest(120, 100, 120, 100);
+  EXPECT_LT(mean_error(apply_light(after, found)(rest), before(rest)), 0.5);
+}
+
+TEST(PhotometricFit, TooFewPixelsGiveTheIdentity) {
+  const cv::Mat after = test::texture(kSize, kTable, 20, 1);
+  const Light found = fit_light(after * 2, after, cv::Mat::zeros(kSize, CV_8UC1), true);
+  EXPECT_EQ(mean_error(apply_light(after, found), after), 0);
+}
+
+class Shift : public testing::TestWithParam<cv::Point2d> {};
+
+TEST_P(Shift, IsFoundToATwentiethOfAPixel) {
+  const cv::Mat wide = test::texture({300, 260}, kTable, 20, 3);
+  const cv::Rect inner(30, 30, 240, 200);
+  // undo_shift(after, s)(x) = after(x + s) = before(x).
+  const cv::Mat after = undo_shift(wide, -GetParam(), cv::INTER_CUBIC)(inner);
+  const cv::Mat b = floats(test::exposed(wide(inner), 5)), a = floats(test::exposed(after, 6));
+  const cv::Point2d found =
+      estimate_shift(smooth_luminance(b), smooth_luminance(a), all_of(kSize), 8);
+  EXPECT_NEAR(found.x, GetParam().x, 0.05);
+  EXPECT_NEAR(found.y, GetParam().y, 0.05);
+}
+
+INSTANTIATE_TEST_SUITE_P(Camera, Shift,
+                         testing::Values(cv::Point2d(0.4, -0.3), cv::Point2d(-1.5, 0.8),
+                                         cv::Point2d(2.2, 2.6)));
+
+TEST(CameraShift, IsZeroWhereNothingMoved) {
+  const cv::Mat scene = test::texture(kSize, kTable, 20, 3);
+  const cv::Mat b = floats(test::exposed(scene, 5)), a = floats(test::exposed(scene, 6));
+  EXPECT_EQ(estimate_shift(smooth_luminance(b), smooth_luminance(a), all_of(kSize), 8),
+            cv::Point2d());
+}
+
+TEST(CameraShift, LongerThanAllowedIsLeftAlone) {
+  const cv::Mat wide = test::texture({300, 260}, kTable, 20, 3, 8);
+  const cv::Mat b = wide(cv::Rect(30, 30, 240, 200)), a = wide(cv::Rect(26, 30, 240, 200));
+  EXPECT_EQ(estimate_shift(smooth_luminance(b), smooth_luminance(a), all_of(kSize), 2),
+            cv::Point2d());
+}
+
+TEST(AlignPictures, RingNeverCountsTheRegionOrAMovedNeighbour) {
+  const test::DrawnLesson drawn = test::draw_lesson({120, 100}, {320, 240});
+  cv::Mat before = drawn.lesson.before.clone();
+  const cv::Rect neighbour(200, 110, 20, 20);
+  before(neighbour).setTo(cv::Scalar(20, 20, 20));
+  const AlignedPair pair = align_pictures(before, drawn.lesson.after, drawn.lesson.region,
+                                          cv::Mat::zeros(before.size(), CV_8UC1), 8);
+  const auto trusted_in = [&](const cv::Rect& rect) {
+    const cv::Rect inside = (rect - pair.window.tl()) & cv::Rect({0, 0}, pair.window.size());
+    return cv::countNonZero(pair.trusted(inside));
+  };
+  EXPECT_EQ(trusted_in(drawn.lesson.region), 0);
+  EXPECT_EQ(trusted_in(neighbour & pair.window), 0);
+  EXPECT_GT(cv::countNonZero(pair.trusted), 0.3 * pair.window.area());
+}
+
+TEST(NoiseModel, LearnsTheNoiseOfBothPictures) {
+  for (const double sigma : {1.5, 4.0}) {
+    const cv::Mat scene(kSize, CV_32FC3, kTable);
+    AlignedPair pair;
+    pair.before = floats(test::exposed(scene, 1, 1, sigma));
+    pair.after = floats(test::exposed(scene, 2, 1, sigma));
+    pair.trusted = all_of(kSize);
+    const NoiseModel noise = learn_noise(pair);
+    const double both = std::sqrt(2.0) * sigma;
+    EXPECT_NEAR(noise.variance[1][115 / 16], both * both, 0.25 * both * both);
+    EXPECT_LT(noise.tail, 1.6);
+  }
+}
+
+TEST(NoiseModel, EdgesMayDifferMore) {
+  AlignedPair pair;
+  pair.after = test::texture(kSize, kTable, 40, 3, 1.5);
+  pair.before = undo_shift(pair.after, {0.25, 0.1}, cv::INTER_CUBIC);
+  pair.trusted = all_of(kSize);
+  const cv::Mat variance = learn_noise(pair).variance_picture(pair.after);
+  double low = 0, high = 0;
+  cv::minMaxLoc(variance.reshape(1), &low, &high);
+  EXPECT_GT(high, 3 * low);
+}
+
+}  // namespace
+}  // namespace mbncc

@@ -1,0 +1,92 @@
+#include "mbncc/learning/change_cut.hpp"
+
+#include <gtest/gtest.h>
+
+#include "learning/pictures.hpp"
+#include "mbncc/learning/change.hpp"
+
+namespace mbncc {
+namespace {
+
+using test::draw_lesson;
+using test::DrawnLesson;
+
+ChangeCut cut(const Lesson& lesson) {
+  return change_cut(lesson.before, lesson.after, lesson.region,
+                    survey_change(lesson.before, lesson.after).changed, 2, 8);
+}
+
+TEST(ChangeCut, CutsTheObjectOut) {
+  const DrawnLesson drawn = draw_lesson();
+  const ChangeCut result = cut(drawn.lesson);
+  EXPECT_GT(test::iou(result.map, drawn.truth), 0.93);
+  EXPECT_EQ(result.evidence.region_touch, 0);
+  EXPECT_LT(result.evidence.change_outside, 0.05);
+  EXPECT_GT(result.evidence.stability, 0.9);
+}
+
+TEST(ChangeCut, NothingChangedGivesAnEmptyMap) {
+  DrawnLesson drawn = draw_lesson();
+  drawn.lesson.after = test::exposed(drawn.scene, 99);
+  EXPECT_EQ(cv::countNonZero(cut(drawn.lesson).map), 0);
+}
+
+TEST(ChangeCut, ExposureIsNoChange) {
+  DrawnLesson drawn = draw_lesson();
+  const cv::Mat plain = cut(drawn.lesson).map;
+  drawn.lesson.after = test::exposed(drawn.platform, 12, 1.2);
+  EXPECT_GT(test::iou(cut(drawn.lesson).map, plain), 0.95);
+}
+
+TEST(ChangeCut, AShadowIsNotTheObject) {
+  DrawnLesson drawn = draw_lesson();
+  cv::Mat shadow, softened;
+  const cv::Mat shift = (cv::Mat_<double>(2, 3) << 1, 0, 12, 0, 1, 10);
+  cv::warpAffine(drawn.truth, shadow, shift, shadow.size());
+  shadow.convertTo(softened, CV_32FC1, -0.4 / 255, 1);
+  cv::GaussianBlur(softened, softened, {}, 2);
+  cv::Mat light, lit;
+  cv::merge(std::vector<cv::Mat>(3, softened), light);
+  cv::multiply(drawn.platform, light, lit);
+  drawn.scene.copyTo(lit, drawn.truth);
+  drawn.lesson.before = test::exposed(lit, 11);
+  EXPECT_GT(test::iou(cut(drawn.lesson).map, drawn.truth), 0.85);
+}
+
+TEST(ChangeCut, HolesShowThePlatform) {
+  DrawnLesson drawn = draw_lesson();
+  const cv::Rect hole(104, 84, 18, 16);
+  cv::Mat scene = drawn.scene.clone();
+  drawn.platform(hole).copyTo(scene(hole));
+  drawn.lesson.before = test::exposed(scene, 11);
+  const cv::Mat map = cut(drawn.lesson).map;
+  EXPECT_LT(cv::countNonZero(map(hole)), 0.2 * hole.area());
+}
+
+// Putting the object aside inside the region must not add the new place to the map.
+TEST(ChangeCut, TheNewPlaceIsNotTheObject) {
+  DrawnLesson drawn = draw_lesson({80, 100}, {320, 240});
+  const cv::Mat elsewhere = test::wedge_map({320, 240}, {220, 120});
+  cv::Mat scene = drawn.platform.clone();
+  test::texture({320, 240}, cv::Scalar(60, 90, 190), 22, 2).copyTo(scene, elsewhere);
+  drawn.lesson.after = test::exposed(scene, 12);
+  drawn.lesson.region = cv::Rect(20, 40, 270, 140);
+  const ChangeCut result = cut(drawn.lesson);
+  EXPECT_GT(test::iou(result.map, drawn.truth), 0.9);
+}
+
+// What lies beyond the region's surroundings has no say.
+TEST(ChangeCut, FarPixelsDoNotMatter) {
+  DrawnLesson drawn = draw_lesson({70, 70}, {360, 280});
+  const cv::Mat nothing = cv::Mat::zeros(drawn.truth.size(), CV_8UC1);
+  const auto map_of = [&] {
+    return change_cut(drawn.lesson.before, drawn.lesson.after, drawn.lesson.region, nothing, 2, 8)
+        .map;
+  };
+  const cv::Mat first = map_of();
+  drawn.lesson.after(cv::Rect(300, 220, 60, 60)).setTo(cv::Scalar(0, 0, 255));
+  EXPECT_EQ(cv::countNonZero(first != map_of()), 0);
+}
+
+}  // namespace
+}  // namespace mbncc

@@ -1,0 +1,141 @@
+// Colour mixture, arrival test, graph cut and clean-up.
+#include <gtest/gtest.h>
+
+#include "learning/arrival_test.hpp"
+#include "learning/clean_map.hpp"
+#include "learning/colour_mixture.hpp"
+#include "learning/graph_cut.hpp"
+#include "learning/half_smoothness.hpp"
+#include "learning/pictures.hpp"
+
+namespace mbncc {
+namespace {
+
+Smoothness random_smoothness(cv::Size size, cv::RNG& random) {
+  Smoothness smoothness;
+  smoothness.strength = 3;
+  for (std::size_t k = 0; k < smoothness.weights.size(); ++k) {
+    const int dx = Smoothness::kDx[k], dy = Smoothness::kDy[k];
+    smoothness.weights[k] = cv::Mat::zeros(size, CV_32FC1);
+    for (int y = -dy; y < size.height; ++y)
+      for (int x = std::max(0, -dx); x < size.width - std::max(0, dx); ++x)
+        smoothness.weights[k].at<float>(y, x) = random.uniform(0.F, 3.F);
+  }
+  return smoothness;
+}
+
+double energy(const cv::Mat& map, const cv::Mat& unary, const Smoothness& smoothness) {
+  double sum = 0;
+  for (int y = 0; y < map.rows; ++y)
+    for (int x = 0; x < map.cols; ++x) {
+      if (map.at<uchar>(y, x)) sum -= unary.at<float>(y, x);
+      for (std::size_t k = 0; k < smoothness.weights.size(); ++k) {
+        const float weight = smoothness.weights[k].at<float>(y, x);
+        if (weight > 0 &&
+            map.at<uchar>(y, x) != map.at<uchar>(y + Smoothness::kDy[k], x + Smoothness::kDx[k]))
+          sum += weight;
+      }
+    }
+  return sum;
+}
+
+// The oracle tries every map.
+double least_energy(const cv::Mat& unary, const Smoothness& smoothness) {
+  const int pixels = static_cast<int>(unary.total());
+  double least = 1e9;
+  cv::Mat map(unary.size(), CV_8UC1);
+  for (int code = 0; code < 1 << pixels; ++code) {
+    for (int i = 0; i < pixels; ++i) map.data[i] = code >> i & 1 ? 255 : 0;
+    least = std::min(least, energy(map, unary, smoothness));
+  }
+  return least;
+}
+
+TEST(GraphCut, FindsTheLeastEnergyOfAllMaps) {
+  cv::RNG random(7);
+  for (const cv::Size size : {cv::Size(4, 3), cv::Size(1, 5), cv::Size(5, 1), cv::Size(3, 4)})
+    for (int trial = 0; trial < 20; ++trial) {
+      cv::Mat unary(size, CV_32FC1);
+      random.fill(unary, cv::RNG::NORMAL, 0, 4);
+      const Smoothness smoothness = random_smoothness(size, random);
+      const cv::Mat map = minimum_cut(unary, smoothness);
+      EXPECT_NEAR(energy(map, unary, smoothness), least_energy(unary, smoothness), 1e-3);
+    }
+}
+
+// A map of 2 x 2 blocks costs the same at both resolutions.
+TEST(GraphCut, HalfResolutionKeepsTheEnergyOfBlocks) {
+  cv::RNG random(8);
+  for (const cv::Size size : {cv::Size(8, 6), cv::Size(7, 5)}) {
+    cv::Mat unary(size, CV_32FC1), blocks((size.height + 1) / 2, (size.width + 1) / 2, CV_8UC1);
+    random.fill(unary, cv::RNG::NORMAL, 0, 4);
+    const Smoothness smoothness = random_smoothness(size, random);
+    for (int trial = 0; trial < 10; ++trial) {
+      random.fill(blocks, cv::RNG::UNIFORM, 0, 2);
+      blocks *= 255;
+      cv::Mat map;
+      cv::resize(blocks, map, blocks.size() * 2, 0, 0, cv::INTER_NEAREST);
+      EXPECT_NEAR(energy(map(cv::Rect({0, 0}, size)).clone(), unary, smoothness),
+                  energy(blocks, half_resolution(unary), half_resolution(smoothness)), 1e-3);
+    }
+  }
+}
+
+TEST(ColourMixture, PrefersItsOwnColours) {
+  const cv::Size size(60, 60);
+  cv::Mat picture = test::texture(size, cv::Scalar(40, 60, 200), 5, 1);
+  test::texture(size, cv::Scalar(200, 60, 40), 5, 2)(cv::Rect(0, 0, 30, 60))
+      .copyTo(picture(cv::Rect(0, 0, 30, 60)));
+  const ColourMixture mixture =
+      ColourMixture::fit(picture, cv::Mat(size, CV_8UC1, cv::Scalar(255)));
+  const float between = mixture.density({120, 60, 120});
+  EXPECT_GT(mixture.density({40, 60, 200}), 100 * between);
+  EXPECT_GT(mixture.density({200, 60, 40}), 100 * between);
+}
+
+TEST(ColourMixture, OfTooFewPixelsIsEmpty) {
+  const cv::Mat picture(10, 10, CV_32FC3, cv::Scalar(1, 2, 3));
+  const ColourMixture mixture = ColourMixture::fit(picture, cv::Mat::zeros(10, 10, CV_8UC1));
+  EXPECT_TRUE(mixture.empty());
+  EXPECT_EQ(mixture.density({1, 2, 3}), 0);
+}
+
+TEST(ArrivalTest, TellsTheNewPlaceFromTheOldOne) {
+  const cv::Size size(200, 120);
+  const cv::Mat platform = test::texture(size, cv::Scalar(105, 115, 120), 12, 1);
+  const cv::Rect left(30, 40, 40, 40), right(130, 40, 40, 40);
+  cv::Mat before = platform.clone(), after = platform.clone(), changed;
+  before(left).setTo(cv::Scalar(30, 40, 200));
+  after(right).setTo(cv::Scalar(30, 40, 200));
+  changed = cv::Mat::zeros(size, CV_8UC1);
+  changed(left).setTo(255);
+  changed(right).setTo(255);
+  const ColourMixture colours = ColourMixture::fit(platform, ~changed);
+  const cv::Mat arrivals = find_arrivals(before, after, changed, colours);
+  EXPECT_EQ(cv::countNonZero(arrivals(right)), right.area());
+  EXPECT_EQ(cv::countNonZero(arrivals), right.area());
+}
+
+TEST(CleanMap, KeepsNearAndLargePiecesOnly) {
+  cv::Mat map = cv::Mat::zeros(100, 100, CV_8UC1);
+  const cv::Rect body(10, 10, 30, 30), near(42, 10, 8, 30), far(80, 80, 8, 8);
+  for (const cv::Rect& rect : {body, near, far}) map(rect).setTo(255);
+  keep_main_groups(map, {});
+  EXPECT_EQ(cv::countNonZero(map(body)), body.area());
+  EXPECT_EQ(cv::countNonZero(map(near)), near.area()) << "a gap of two pixels does not part them";
+  EXPECT_EQ(cv::countNonZero(map(far)), 0);
+}
+
+TEST(CleanMap, FillsSpecksButNotHoles) {
+  cv::Mat map = cv::Mat::zeros(100, 100, CV_8UC1);
+  map(cv::Rect(10, 10, 60, 60)).setTo(255);
+  const cv::Rect speck(20, 20, 3, 3), hole(40, 40, 12, 12), bay(10, 60, 5, 2);
+  for (const cv::Rect& rect : {speck, hole, bay}) map(rect).setTo(0);
+  fill_holes(map, 12);
+  EXPECT_EQ(cv::countNonZero(map(speck)), speck.area());
+  EXPECT_EQ(cv::countNonZero(map(hole)), 0);
+  EXPECT_EQ(cv::countNonZero(map(bay)), 0) << "open to the outside";
+}
+
+}  // namespace
+}  // namespace mbncc

@@ -1,0 +1,78 @@
+#include "mbncc/learning/superpixels.hpp"
+
+#include <gtest/gtest.h>
+
+#include <set>
+
+#include "learning/pictures.hpp"
+#include "mbncc/learning/sb_grabcut.hpp"
+
+namespace mbncc {
+namespace {
+
+class AnySize : public testing::TestWithParam<cv::Size> {};
+
+TEST_P(AnySize, LabelsRunFromZeroToCount) {
+  const cv::Mat picture =
+      test::exposed(test::texture(GetParam(), cv::Scalar(100, 110, 120), 20, 1), 2);
+  for (const int wanted : {1, 50, 100000}) {
+    const Superpixels superpixels = seeds_superpixels(picture, wanted);
+    ASSERT_EQ(superpixels.labels.size(), picture.size());
+    double low = 0, high = 0;
+    cv::minMaxLoc(superpixels.labels, &low, &high);
+    EXPECT_GE(low, 0);
+    EXPECT_LT(high, superpixels.count);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Superpixels, AnySize,
+                         testing::Values(cv::Size(8, 8), cv::Size(9, 31), cv::Size(33, 17),
+                                         cv::Size(160, 121)));
+
+TEST(Superpixels, RefuseWhatIsTooSmall) {
+  EXPECT_THROW(seeds_superpixels(cv::Mat(7, 20, CV_8UC3), 10), std::invalid_argument);
+  EXPECT_THROW(seeds_superpixels(cv::Mat(20, 20, CV_8UC1), 10), std::invalid_argument);
+}
+
+TEST(Superpixels, SimplifyingEvensOutTextureAndKeepsTheMean) {
+  const cv::Mat picture =
+      test::exposed(test::texture({120, 90}, cv::Scalar(100, 110, 120), 20, 1, 1), 2);
+  const cv::Mat simple = simplify_superpixels(picture, seeds_superpixels(picture, 100));
+  cv::Scalar mean_before, deviation_before, mean_after, deviation_after;
+  cv::meanStdDev(picture, mean_before, deviation_before);
+  cv::meanStdDev(simple, mean_after, deviation_after);
+  EXPECT_LT(deviation_after[0], deviation_before[0]);
+  EXPECT_NEAR(mean_after[0], mean_before[0], 1);
+}
+
+TEST(Superpixels, InsideIsTheMajority) {
+  Superpixels halves;
+  halves.labels = cv::Mat::zeros(10, 20, CV_32SC1);
+  halves.labels.colRange(10, 20).setTo(1);
+  halves.count = 2;
+  cv::Mat region = cv::Mat::zeros(10, 20, CV_8UC1);
+  region.colRange(4, 14).setTo(255);
+  const cv::Mat inside = superpixels_inside(halves, region);
+  EXPECT_EQ(cv::countNonZero(inside.colRange(0, 10)), 100);
+  EXPECT_EQ(cv::countNonZero(inside.colRange(10, 20)), 0);
+}
+
+TEST(Grabcut, TakesMasksThatLackASide) {
+  const cv::Mat picture =
+      test::exposed(test::texture({40, 40}, cv::Scalar(100, 110, 120), 20, 1), 2);
+  const cv::Mat background(40, 40, CV_8UC1, cv::Scalar(cv::GC_BGD));
+  const cv::Mat foreground(40, 40, CV_8UC1, cv::Scalar(cv::GC_PR_FGD));
+  EXPECT_EQ(cv::countNonZero(repeatable_grabcut(picture, background, 2)), 0);
+  EXPECT_EQ(cv::countNonZero(repeatable_grabcut(picture, foreground, 2)), 1600);
+}
+
+TEST(Grabcut, LeavesTheRandomStateAlone) {
+  const test::DrawnLesson drawn = test::draw_lesson();
+  cv::setRNGSeed(42);
+  const std::uint64_t state = cv::theRNG().state;
+  grabcut_rect(drawn.lesson.before, drawn.lesson.region, 1);
+  EXPECT_EQ(cv::theRNG().state, state);
+}
+
+}  // namespace
+}  // namespace mbncc
