@@ -27,7 +27,7 @@ TEST_P(AnySize, LabelsRunFromZeroToCount) {
 
 INSTANTIATE_TEST_SUITE_P(Superpixels, AnySize,
                          testing::Values(cv::Size(8, 8), cv::Size(9, 31), cv::Size(33, 17),
-                                         cv::Size(160, 121)));
+                                         cv::Size(400, 8), cv::Size(70, 500), cv::Size(160, 121)));
 
 TEST(Superpixels, RefuseWhatIsTooSmall) {
   EXPECT_THROW(seeds_superpixels(cv::Mat(7, 20, CV_8UC3), 10), std::invalid_argument);

@@ -7,7 +7,7 @@ namespace mbncc {
 
 struct Superpixels {
   cv::Mat labels;  ///< CV_32SC1, 0 .. count-1
-  int count = 0;   ///< how many there really are; SEEDS makes fewer than asked for
+  int count = 0;   ///< labels are below; SEEDS makes fewer superpixels than asked for
 };
 
 /// SEEDS superpixels (Van den Bergh et al.) of a CV_8UC3 picture of at least 8 x 8 pixels.

@@ -16,22 +16,38 @@ constexpr int kPrior = 2;
 constexpr int kHistogramBins = 5;
 constexpr int kPasses = 4;
 constexpr int kSmallestCell = 16;  // [px]
+constexpr int kSmallestSide = 64;  // [px] SEEDS reads beyond its blocks on smaller pictures
+constexpr int kFewestAcross = 4;   // cells along the shorter side, for the same reason
+
+cv::Mat padded_for_seeds(const cv::Mat& picture) {
+  cv::Mat padded;
+  cv::copyMakeBorder(picture, padded, 0, std::max(0, kSmallestSide - picture.rows), 0,
+                     std::max(0, kSmallestSide - picture.cols), cv::BORDER_REPLICATE);
+  return padded;
+}
+
+int seeds_count(const cv::Size& size, int wanted) {
+  const double aspect =
+      std::max(size.width, size.height) / static_cast<double>(std::min(size.width, size.height));
+  const int fewest = static_cast<int>(kFewestAcross * kFewestAcross * aspect) + 1;
+  return std::clamp(wanted, fewest, std::max(fewest, size.area() / kSmallestCell));
+}
 
 }  // namespace
 
 Superpixels seeds_superpixels(const cv::Mat& picture, int wanted) {
   if (picture.type() != CV_8UC3 || picture.rows < 8 || picture.cols < 8)
     throw std::invalid_argument("seeds_superpixels needs a colour picture of at least 8 x 8");
-  const int most = static_cast<int>(picture.total()) / kSmallestCell;
+  const cv::Mat padded = padded_for_seeds(picture);
   cv::Mat lab;
-  cv::cvtColor(picture, lab, cv::COLOR_BGR2Lab);
-  const auto seeds = cv::ximgproc::createSuperpixelSEEDS(
-      picture.cols, picture.rows, picture.channels(), std::clamp(wanted, 4, most), kLevels, kPrior,
-      kHistogramBins);
+  cv::cvtColor(padded, lab, cv::COLOR_BGR2Lab);
+  const auto seeds = cv::ximgproc::createSuperpixelSEEDS(padded.cols, padded.rows, 3,
+                                                         seeds_count(padded.size(), wanted),
+                                                         kLevels, kPrior, kHistogramBins);
   seeds->iterate(lab, kPasses);
   Superpixels result;
   seeds->getLabels(result.labels);
-  result.labels = result.labels.clone();
+  result.labels = result.labels(cv::Rect({0, 0}, picture.size())).clone();
   result.count = seeds->getNumberOfSuperpixels();
   return result;
 }
