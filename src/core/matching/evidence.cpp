@@ -115,9 +115,9 @@ Evidence gather_evidence(const PoseTemplate& object, const SceneLevel& scene, co
 double log_odds(const Evidence& evidence, double area) {
   // Fitted by logistic regression to true and false poses in drawn scenes and photographs.
   constexpr double kLargeArea = 1800;  // [px] beyond it size no longer guards against chance
-  return 20 * evidence.contour + 5.9 * evidence.gradient - 6.5 * evidence.best_blocks +
-         4.4 * evidence.histogram + 6.8 * evidence.projected +
-         2.1 * std::log(std::min(area, kLargeArea)) - 7.9 * (1 - evidence.visible) - 13.8;
+  return 19 * evidence.contour + 5.5 * evidence.gradient - 6.7 * evidence.best_blocks +
+         3.2 * evidence.histogram + 7.4 * evidence.projected +
+         1.95 * std::log(std::min(area, kLargeArea)) - 9.3 * (1 - evidence.visible) - 11.8;
 }
 
 }  // namespace mbncc

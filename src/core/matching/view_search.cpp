@@ -51,6 +51,7 @@ class ViewSearch {
  private:
   void correlate() {
     const int level = view_.kernels.level;
+    if (level == 0) return;  // too fine to search everywhere; the edges have to do
     entering_[level] = coarse_search(view_.kernels, scene_.grey[level], at_level(roi_, level));
   }
 
