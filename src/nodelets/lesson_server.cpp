@@ -129,7 +129,9 @@ void LessonServer::work() {
 
 Result LessonServer::teach_safely(LessonClient& client) {
   try {
-    return teach_(client);
+    const Result result = teach_(client);
+    if (!client.stopped_ || result.error_code != Result::CANCELLED) return result;
+    return outcome(LearnError::kCancelled, "The learning nodelet is shutting down.");
   } catch (const std::exception& error) {
     return outcome(LearnError::kInternal, error.what());
   }

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 #include <mbncc_vision/DetectedObjectArray.h>
 #include <mbncc_vision/EditObject.h>
+#include <nodelet/NodeletUnload.h>
 #include <ros/ros.h>
 #include <std_srvs/Trigger.h>
 
@@ -124,6 +125,23 @@ TEST_F(LiveLesson, TeachesAnObjectThatHasBeenTakenAwayAlready) {
   order("camera/put_next");
   expect_found("gone", reference_in_drawing(lay, lesson));
   forget("gone");
+}
+
+// Last: the learning nodelet is gone afterwards.
+TEST_F(LiveLesson, TellsItsClientWhenTheNodeletIsUnloaded) {
+  Teacher teacher;
+  ASSERT_TRUE(teacher.connect());
+  Teacher::Goal goal;
+  goal.name = "interrupted";
+  const std::string id = teacher.send(goal);
+  ASSERT_TRUE(spin_until([&] { return teacher.heard(id, Teacher::Feedback::WAIT_REMOVAL); }));
+  nodelet::NodeletUnload unload;
+  unload.request.name = ros::names::resolve("learning");
+  ASSERT_TRUE(ros::service::call("manager/unload_nodelet", unload));
+  EXPECT_TRUE(unload.response.success);
+  const auto end = teacher.await(id);
+  EXPECT_EQ(end.status.status, actionlib_msgs::GoalStatus::ABORTED);
+  EXPECT_EQ(end.result.error_code, Teacher::Result::CANCELLED);
 }
 
 }  // namespace
