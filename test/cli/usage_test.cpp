@@ -67,8 +67,8 @@ TEST(Usage, WrongUsageGetsASentenceAndExitCode2) {
 TEST(Usage, EveryCommandExplainsItself) {
   const ToolRun all = run_tool({"--help"});
   EXPECT_EQ(all.code, 0);
-  for (const char* command :
-       {"learn", "find", "map", "list", "show", "forget", "restore", "check", "params"}) {
+  for (const char* command : {"learn", "find", "map", "list", "show", "forget", "restore", "check",
+                              "params", "simulate"}) {
     EXPECT_TRUE(all.prints(command));
     const ToolRun one = run_tool({command, "--help"});
     EXPECT_EQ(one.code, 0);
