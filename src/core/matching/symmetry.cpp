@@ -5,9 +5,9 @@
 namespace mbncc {
 namespace {
 
-constexpr double kMinOverlap = 0.94;    // of the map with itself turned
+constexpr double kMinOverlap = 0.955;   // of the map with itself turned
 constexpr double kMaxDifference = 0.3;  // of the texture's energy
-constexpr double kNoise = 6;            // [grey^2] of the difference of two pictures
+constexpr double kNoise = 5;            // [grey^2] of the difference of two pictures
 
 bool repeats(const PoseTemplate& object, const MapShape& shape, const SceneLevel& own,
              const Pose2D& home, double angle) {
