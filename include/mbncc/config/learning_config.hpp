@@ -13,10 +13,12 @@ struct LearningConfig {
   int superpixels = 1600;       ///< sb_grabcut: superpixels asked of SEEDS for the region's crop
   double min_area = 80;         ///< [px] smaller maps are refused
   double max_change =
-      0.5;  ///< [0..1] changed part of the picture above which the light or camera moved
-  double max_exposure_change = 1.45;  ///< factor between the pictures above which light was switched
-  double max_light_change = 1.15;  ///< exposure factor between the quarters of the picture, likewise
-  int max_shift = 8;              ///< [px] camera shift between before and after that is undone
+      0.4;  ///< [0..1] changed part of the picture above which the light or camera moved
+  double max_exposure_change =
+      1.45;  ///< factor between the pictures above which light was switched
+  double max_light_change =
+      1.15;           ///< exposure factor between the quarters of the picture, likewise
+  int max_shift = 8;  ///< [px] camera shift between before and after that is undone
 
   template <class Self, class Visitor>
   static void fields(Self& self, Visitor&& visit) {

@@ -116,7 +116,7 @@ void weigh_evidence(const CutEvidence& evidence, double area, Charges& charges) 
   charges.above("unverified_cut", evidence.verified ? 0 : 1, 0.5, 1);
   if (!evidence.verified) return;
   const CutRisk risk(evidence, area);
-  charges.above(risk.main_reason(), risk.probability(), 0.18, 0.7);
+  charges.above(risk.main_reason(), risk.probability(), 0.18, 0.75);
 }
 
 void weigh_search(const Quality& quality, const SearchConfig& search, Charges& charges) {
