@@ -98,7 +98,8 @@ class Climber {
 /// ones, and an error that does not average out.
 cv::Matx33d Climber::covariance(const Pose2D& pose) {
   constexpr double kCorrelatedPixels = 12;
-  constexpr double kSystematic = 0.05;  // [px]
+  constexpr double kDisplaced = 0.1;  // [px] by shading, in place
+  constexpr double kTurned = 0.05;    // [px] by shading, at the rim
   const SurfaceTemplate& surface = object_.surface;
   const double r = look_at(pose) ? std::clamp(correlation_, 0.1, 0.999) : 0.1;
   const double residual = kCorrelatedPixels * (1 - r * r) / (r * r) * surface.projected_energy /
@@ -106,9 +107,9 @@ cv::Matx33d Climber::covariance(const Pose2D& pose) {
   const cv::Matx33d slopes =
       damped(surface.slope_product * (1 / std::max(residual, 1e-9)), radius());
   cv::Matx33d in_template = slopes.inv();
-  in_template(0, 0) += kSystematic * kSystematic;
-  in_template(1, 1) += kSystematic * kSystematic;
-  in_template(2, 2) += kSystematic * kSystematic / (radius() * radius());
+  in_template(0, 0) += kDisplaced * kDisplaced;
+  in_template(1, 1) += kDisplaced * kDisplaced;
+  in_template(2, 2) += kTurned * kTurned / (radius() * radius());
   const double c = std::cos(pose.theta), s = std::sin(pose.theta);
   const cv::Matx33d turn(c, -s, 0, s, c, 0, 0, 0, 1);
   return turn * in_template * turn.t();
