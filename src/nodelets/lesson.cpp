@@ -41,8 +41,10 @@ LessonRun::Result LessonRun::run() {
 LessonRun::Result LessonRun::teach_and_store() {
   take_pictures();
   draft_ = learn(lesson_of(after_.picture));
-  // The coarse look saw a change where the close one sees none: the object still lies there.
+  // Nothing has left: the coarse look was mistaken, or something was put down, which belongs to the
+  // scene before from now on.
   while (draft_.learned.error == LearnError::kNoChange && waits_for_change()) {
+    if (!is_given(goal_.before)) before_ = after_;
     after_ = wait_for_change(after_.number);
     draft_ = learn(lesson_of(after_.picture));
   }

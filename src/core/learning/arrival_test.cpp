@@ -8,12 +8,31 @@
 namespace mbncc {
 namespace {
 
-constexpr float kLogCap = 4;            // of one pixel's evidence
-constexpr float kEdgeWeight = 4;        // of the border's evidence
-constexpr float kEdgeFloor = 8;         // [grey levels] edges below this say little
-constexpr double kArrivalScore = -1.5;  // an arrival scores less
-constexpr double kClearance = 2;        // and this much less than the best patch
-constexpr int kSmallestPatch = 20;      // [px]
+constexpr float kLogCap = 4;                // of one pixel's evidence
+constexpr float kEdgeWeight = 4;            // of the border's evidence
+constexpr float kEdgeFloor = 8;             // [grey levels] edges below this say little
+constexpr double kArrivalScore = -1.5;      // an arrival scores less
+constexpr double kClearance = 2;            // and this much less than the best patch
+constexpr double kLoneArrivalScore = -0.5;  // likewise, without another patch to compare with
+constexpr int kSurveyWidth = 320;           // [px] that whole pictures are judged at
+constexpr int kSmallestPatch = 20;          // [px]
+
+cv::Mat reduced(const cv::Mat& picture, double scale) {
+  cv::Mat small, values;
+  cv::resize(picture, small, {}, scale, scale, cv::INTER_AREA);
+  small.convertTo(values, CV_32F);
+  return values;
+}
+
+// `after` with the exposure of `before`, as their means over the unchanged pixels tell.
+cv::Mat exposed_as(const cv::Mat& before, const cv::Mat& after, const cv::Mat& unchanged) {
+  const cv::Scalar wanted = cv::mean(before, unchanged), given = cv::mean(after, unchanged);
+  cv::Mat channels[3], result;
+  cv::split(after, channels);
+  for (int c = 0; c < 3; ++c) channels[c] *= wanted[c] / std::max(1.0, given[c]);
+  cv::merge(channels, 3, result);
+  return result;
+}
 
 // Grey edges, the strongest within a pixel.
 cv::Mat edge_strength(const cv::Mat& picture) {
@@ -94,6 +113,23 @@ cv::Mat find_arrivals(const cv::Mat& before, const cv::Mat& after, const cv::Mat
         best > scores[i] + kClearance)
       arrivals.setTo(255, labels == i);
   return arrivals;
+}
+
+cv::Mat without_arrivals(const cv::Mat& before, const cv::Mat& after, const cv::Mat& changed) {
+  const double scale = std::min(1.0, static_cast<double>(kSurveyWidth) / before.cols);
+  const cv::Mat b = reduced(before, scale), a = reduced(after, scale);
+  cv::Mat patches, near, labels, kept;
+  cv::resize(changed, patches, b.size(), 0, 0, cv::INTER_NEAREST);
+  cv::dilate(patches, near, cv::Mat(), {-1, -1}, 3);
+  const cv::Mat unchanged = near == 0;
+  const ColourMixture platform = ColourMixture::fit(b, unchanged);
+  if (platform.empty()) return changed;
+  const int count = cv::connectedComponents(patches, labels, 8, CV_32S);
+  const auto scores = departure_scores(b, exposed_as(b, a, unchanged), labels, count, platform);
+  for (int i = 1; i < count; ++i)
+    if (scores[i] < kLoneArrivalScore) patches.setTo(0, labels == i);
+  cv::resize(patches, kept, changed.size(), 0, 0, cv::INTER_NEAREST);
+  return kept;
 }
 
 }  // namespace mbncc

@@ -4,6 +4,7 @@
 #include <opencv2/imgproc.hpp>
 #include <stdexcept>
 
+#include "learning/arrival_test.hpp"
 #include "learning/lesson_checks.hpp"
 #include "learning/lesson_progress.hpp"
 #include "learning/segmenter.hpp"
@@ -83,10 +84,20 @@ class LessonRun {
   }
 
   void survey(SegmentationTask& task) {
-    const ChangeSurvey survey = survey_change(task.before, task.after);
+    ChangeSurvey survey = survey_change(task.before, task.after);
     check_survey(survey, config_);
+    // Where nobody says which change is meant, it is the one that something left.
+    if (lesson_.region == cv::Rect()) drop_arrivals(survey);
     task.changed = changed_ = survey.changed;
     task.region = region_of_change(survey, task.region);
+  }
+
+  void drop_arrivals(ChangeSurvey& survey) const {
+    const bool changed = cv::countNonZero(survey.changed) > 0;
+    survey.changed = without_arrivals(lesson_.before, lesson_.after, survey.changed);
+    if (changed && cv::countNonZero(survey.changed) == 0)
+      throw LessonEnded(LearnError::kNoChange,
+                        "Something was put down, but nothing was taken away.");
   }
 
   // Without a region, the largest change is the object. A region that is far larger than all change
