@@ -99,6 +99,38 @@ TEST_F(MatcherTest, NamesWhatItSkips) {
   EXPECT_EQ(result.skipped, (std::vector<std::string>{"off: disabled", "nowhere: unknown"}));
 }
 
+TEST_F(MatcherTest, FindsObjectsThatHangOverTheBorder) {
+  cv::Mat scene = texture({320, 240}, 68, 4);
+  const Pose2D truth{300, 120, 0};  // a sixth of the map is beyond the right border
+  place(scene, source_, reference_.position(), truth);
+  const SearchResult result = matcher().find(scene);
+  ASSERT_FALSE(result.matches.empty());
+  expect_at(result.matches[0], truth);
+  EXPECT_LT(result.matches[0].visible, 0.95);
+  EXPECT_GT(result.matches[0].visible, 0.6);
+}
+
+TEST_F(MatcherTest, BearsAnotherExposure) {
+  const Pose2D truth{150.3, 110.6, 2.4};
+  cv::Mat scene = texture({320, 240}, 69, 4), darker;
+  place(scene, source_, reference_.position(), truth);
+  scene.convertTo(darker, CV_8U, 0.75, 12);
+  const SearchResult result = matcher().find(darker);
+  ASSERT_FALSE(result.matches.empty());
+  expect_at(result.matches[0], truth);
+}
+
+TEST_F(MatcherTest, AnIsolatedObjectMayBeGrasped) {
+  cv::Mat scene = texture({320, 240}, 70, 4);
+  place(scene, source_, reference_.position(), {160, 120, 0.9});
+  const SearchResult result = matcher().find(scene);
+  ASSERT_FALSE(result.matches.empty());
+  EXPECT_TRUE(result.matches[0].graspable);
+  EXPECT_FALSE(result.matches[0].ambiguous);
+  EXPECT_EQ(result.matches[0].symmetry, 1);
+  EXPECT_FALSE(result.matches[0].outline.empty());
+}
+
 TEST_F(MatcherTest, LooksForReferencePointsInTheRegionOnly) {
   cv::Mat scene = texture({320, 240}, 64, 4);
   const Pose2D truth{100, 100, 0.3};

@@ -32,4 +32,33 @@ class GreySampler {
   float right_, bottom_;
 };
 
+/// Colour between pixels; false outside the picture.
+class ColourSampler {
+ public:
+  explicit ColourSampler(const cv::Mat& picture)
+      : data_(picture.data),
+        step_(picture.step),
+        right_(static_cast<float>(picture.cols) - 1.01f),
+        bottom_(static_cast<float>(picture.rows) - 1.01f) {}
+
+  bool operator()(float x, float y, float* colour) const {
+    if (!(x >= 0 && y >= 0 && x < right_ && y < bottom_)) return false;
+    const int column = static_cast<int>(x), row = static_cast<int>(y);
+    const float fx = x - static_cast<float>(column), fy = y - static_cast<float>(row);
+    const uchar* above = data_ + row * step_ + 3 * column;
+    const uchar* below = above + step_;
+    for (int c = 0; c < 3; ++c) {
+      const float top = above[c] + fx * (above[c + 3] - above[c]);
+      const float bottom = below[c] + fx * (below[c + 3] - below[c]);
+      colour[c] = top + fy * (bottom - top);
+    }
+    return true;
+  }
+
+ private:
+  const uchar* data_;
+  std::size_t step_;
+  float right_, bottom_;
+};
+
 }  // namespace mbncc

@@ -5,57 +5,19 @@
 #include <numeric>
 #include <random>
 
+#include "matching/padded_vectors.hpp"
+#include "matching/sampling.hpp"
 #include "mbncc/matching/pyramid.hpp"
 #include "polar/kernels.hpp"
 
 namespace mbncc {
 namespace {
 
-constexpr int kMaxBasis = 12;
 constexpr float kDark = 12;  // [grey levels] added before logarithms
 
 std::size_t whole_lanes(std::size_t count) {
   return (count + kernels::kLanes - 1) / kernels::kLanes * kernels::kLanes;
 }
-
-double product(const std::vector<float>& a, const float* b) {
-  float sum = 0;
-  kernels::dots(a.data(), a.size(), 1, b, static_cast<int>(a.size()), &sum);
-  return sum;
-}
-
-void subtract(std::vector<float>& from, double factor, const float* what) {
-  for (std::size_t i = 0; i < from.size(); ++i) from[i] -= static_cast<float>(factor) * what[i];
-}
-
-/// Colour between pixels; false outside the picture.
-class ColourSampler {
- public:
-  explicit ColourSampler(const cv::Mat& picture)
-      : data_(picture.data),
-        step_(picture.step),
-        right_(static_cast<float>(picture.cols) - 1.01f),
-        bottom_(static_cast<float>(picture.rows) - 1.01f) {}
-
-  bool operator()(float x, float y, float* colour) const {
-    if (!(x >= 0 && y >= 0 && x < right_ && y < bottom_)) return false;
-    const int column = static_cast<int>(x), row = static_cast<int>(y);
-    const float fx = x - static_cast<float>(column), fy = y - static_cast<float>(row);
-    const uchar* above = data_ + row * step_ + 3 * column;
-    const uchar* below = above + step_;
-    for (int c = 0; c < 3; ++c) {
-      const float top = above[c] + fx * (above[c + 3] - above[c]);
-      const float bottom = below[c] + fx * (below[c + 3] - below[c]);
-      colour[c] = top + fy * (bottom - top);
-    }
-    return true;
-  }
-
- private:
-  const uchar* data_;
-  std::size_t step_;
-  float right_, bottom_;
-};
 
 /// Halves a set of points along its longer side, `depth` times.
 void split(std::vector<int>& order, int begin, int end, const std::vector<float>& x,
@@ -145,66 +107,6 @@ void SurfaceTemplate::choose_points(const MapGeometry& map, cv::Size map_size, c
     y.push_back(static_cast<float>(site.at.y - origin.y));
     radius_ = std::max<double>(radius_, std::hypot(x.back(), y.back()));
   }
-}
-
-void SurfaceTemplate::sample(const SceneLevel& scene, const Pose2D& pose,
-                             SurfaceSample& sample) const {
-  const ColourSampler colour_at(scene.colour);
-  const auto c = static_cast<float>(std::cos(pose.theta));
-  const auto s = static_cast<float>(std::sin(pose.theta));
-  const auto x0 = static_cast<float>(pose.x), y0 = static_cast<float>(pose.y);
-  for (auto& plane : sample.planes) plane.assign(padded(), 0.f);
-  sample.inside.assign(size(), 0);
-  sample.visible = 0;
-  std::array<float, 3> sums{};
-  for (std::size_t i = 0; i < size(); ++i) {
-    float colour[3];
-    if (!colour_at(c * x[i] - s * y[i] + x0, s * x[i] + c * y[i] + y0, colour)) continue;
-    sample.inside[i] = 1;
-    ++sample.visible;
-    for (int k = 0; k < kChannels; ++k) {
-      sample.planes[k][i] = colour[k];
-      sums[k] += colour[k];
-    }
-  }
-  if (sample.visible == size() || sample.visible == 0) return;
-  for (int k = 0; k < kChannels; ++k)
-    for (std::size_t i = 0; i < size(); ++i)
-      if (!sample.inside[i]) sample.planes[k][i] = sums[k] / static_cast<float>(sample.visible);
-}
-
-double SurfaceTemplate::projected_correlation(const SurfaceSample& sample,
-                                              double noise_variance) const {
-  const int count = static_cast<int>(padded());
-  float products[kMaxBasis];
-  double common = 0, energy = 0;
-  for (int c = 0; c < kChannels; ++c) {
-    const float* values = sample.planes[c].data();
-    energy += product(sample.planes[c], values);
-    common += product(projected[c], values);
-    kernels::dots(basis.data(), padded(), basis_size, values, count, products);
-    for (int k = 0; k < basis_size; ++k) energy -= products[k] * products[k];
-  }
-  const double noise = kChannels * noise_variance * static_cast<double>(size());
-  return common / std::sqrt((std::max(0.0, energy) + noise) * (projected_energy + noise));
-}
-
-double SurfaceTemplate::projected_difference(const SurfaceSample& sample) const {
-  double energy = 0;
-  for (int c = 0; c < kChannels; ++c) {
-    std::vector<float> difference = sample.planes[c];
-    subtract(difference, 1, planes[c].data());
-    energy += product(difference, difference.data());
-    float products[kMaxBasis];
-    kernels::dots(basis.data(), padded(), basis_size, difference.data(), static_cast<int>(padded()),
-                  products);
-    for (int k = 0; k < basis_size; ++k) energy -= products[k] * products[k];
-  }
-  return energy / (kChannels * static_cast<double>(size()));
-}
-
-double SurfaceTemplate::mean_projected_energy() const {
-  return projected_energy / (kChannels * static_cast<double>(size()));
 }
 
 void SurfaceTemplate::read_gradients(const SceneLevel& picture) {

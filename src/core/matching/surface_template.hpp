@@ -24,7 +24,7 @@ struct SurfaceSample {
 class SurfaceTemplate {
  public:
   static constexpr int kChannels = 3;
-  static constexpr int kBlocks = 8;
+  static constexpr int kMaxBasis = 12;
   static constexpr int kHistogramSide = 8;
 
   SurfaceTemplate() = default;
