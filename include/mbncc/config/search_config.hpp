@@ -13,8 +13,8 @@ struct SearchConfig {
   std::string accept_by = "score";  ///< score: fused evidence; similarity: the paper's plain rule
   double min_score = 0.3;           ///< [0..1] a detection is reported from here on
   double confirm_score = 0.7;       ///< [0..1] it may be grasped from here on
-  double min_margin_place = 4;      ///< log-odds to the best competitor elsewhere
-  double min_margin_angle = 4;      ///< log-odds to the best other angle at the place
+  double min_margin_place = 6;      ///< log-odds to the best competitor elsewhere
+  double min_margin_angle = 6;      ///< log-odds to the best other angle at the place
   double min_visible = 0.6;         ///< [0..1] part of the map inside the picture
   int max_instances = 10;           ///< per name
   double max_overlap = 0.25;  ///< [0..1] of the smaller map, above which the weaker detection goes
