@@ -12,7 +12,6 @@ namespace {
 
 constexpr int kEdgePlaces = 300;        // places that the edge search proposes
 constexpr std::size_t kEntering = 150;  // candidates that enter at a level
-constexpr double kSettlingCost = 1;     // log-odds that settling on the surface may cost
 constexpr std::size_t kFinal = 4;       // places whose other angles are tried and that are polished
 
 std::size_t most_at(int level) {
@@ -157,14 +156,15 @@ class ViewSearch {
     std::vector<Detection> detections;
     if (view_.polar->top_level() > scene_.top_level()) return detections;
     for (const auto& found : view_.polar->find(scene_.grey, roi_))
-      detections.push_back(judged(found.pose, false));
+      detections.push_back(judge_pose(object_, view_, scene_, found.pose));
     return best_first(detections);
   }
 
   std::vector<Detection> judge(const std::vector<Candidate>& candidates) const {
     std::vector<Detection> detections;
     for (std::size_t i = 0; i < candidates.size(); ++i)
-      detections.push_back(judged(candidates[i].pose, i < kFinal));
+      detections.push_back(i < kFinal ? polish_and_judge(object_, view_, scene_, candidates[i].pose)
+                                      : judge_pose(object_, view_, scene_, candidates[i].pose));
     return best_first(detections);
   }
 
@@ -175,49 +175,6 @@ class ViewSearch {
     return detections;
   }
 
-  /// The best of several climbs from slightly turned starts: narrow objects have side maxima.
-  Pose2D polished(const Pose2D& pose) const {
-    constexpr double kArc = 2.5;  // [px] between the starts at the rim
-    Pose2D best = pose;
-    double best_odds = -1e9;
-    for (int k = -2; k <= 2; ++k) {
-      Pose2D start = pose;
-      start.theta += k * kArc / std::max(4.0, 0.75 * view_.shape.radius());
-      const Pose2D reached = climb(view_.fine, scene_.levels[0], start, 6).pose;
-      const double reached_odds = fine_odds(reached);
-      if (reached_odds > best_odds) {
-        best = reached;
-        best_odds = reached_odds;
-      }
-    }
-    return best;
-  }
-
-  double fine_odds(const Pose2D& pose) const {
-    return log_odds(gather_evidence(view_.fine, scene_.levels[0], pose), view_.shape.area());
-  }
-
-  Detection judged(const Pose2D& candidate, bool thoroughly) const {
-    const Pose2D pose = thoroughly ? polished(candidate) : candidate;
-    Detection detection;
-    detection.object = &object_;
-    detection.view = &view_;
-    const double odds = fine_odds(pose);
-    Climbed settled = settle(view_.dense, scene_.levels[0], pose, thoroughly ? 8 : 0);
-    const double settled_odds = fine_odds(settled.pose);
-    // A plain surface may drift along its shading: then the contour had it right.
-    if (settled_odds < odds - kSettlingCost)
-      settled = settle(view_.dense, scene_.levels[0], pose, 0);
-    detection.log_odds = std::max(odds, settled_odds);
-    detection.pose = settled.pose;
-    detection.pose.theta = wrap_angle(settled.pose.theta);
-    detection.covariance = settled.covariance;
-    const Similarity similar = similarity(view_.points, scene_.grey[0], detection.pose);
-    detection.similarity = similar.value;
-    detection.visible = similar.visible;
-    return detection;
-  }
-
   const PreparedObject& object_;
   const PreparedView& view_;
   const ScenePicture& scene_;
@@ -226,10 +183,6 @@ class ViewSearch {
 };
 
 }  // namespace
-
-double Detection::score() const {
-  return 1 / (1 + std::exp(-log_odds));
-}
 
 std::vector<Detection> search_view(const PreparedObject& object, const PreparedView& view,
                                    const ScenePicture& scene, const cv::Rect& roi) {

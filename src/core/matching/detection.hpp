@@ -1,0 +1,34 @@
+// A pose at full resolution, and the judgement of it.
+#pragma once
+
+#include <opencv2/core.hpp>
+
+#include "matching/prepared_object.hpp"
+#include "matching/scene_picture.hpp"
+#include "mbncc/geometry.hpp"
+
+namespace mbncc {
+
+/// A refined pose at full resolution with what speaks for it.
+struct Detection {
+  const PreparedObject* object = nullptr;
+  const PreparedView* view = nullptr;
+  Pose2D pose;             ///< of the anchor [px]
+  cv::Matx33d covariance;  ///< of pose
+  double log_odds = 0;     ///< that the object lies here
+  double similarity = 0;   ///< [-1..1]
+  double visible = 1;      ///< [0..1]
+
+  double score() const;  ///< [0..1]
+};
+
+/// The evidence for a pose as it is.
+Detection judge_pose(const PreparedObject& object, const PreparedView& view,
+                     const ScenePicture& scene, const Pose2D& pose);
+
+/// Climbs from the pose and slightly turned ones, settles on the surface, and judges what was
+/// reached.
+Detection polish_and_judge(const PreparedObject& object, const PreparedView& view,
+                           const ScenePicture& scene, const Pose2D& pose);
+
+}  // namespace mbncc
