@@ -4,12 +4,12 @@
 #include <filesystem>
 #include <iostream>
 #include <map>
-#include <opencv2/core/utility.hpp>
 #include <opencv2/imgcodecs.hpp>
 
 #include "common/case_folder.hpp"
 #include "common/clock.hpp"
 #include "common/csv.hpp"
+#include "common/program.hpp"
 #include "common/statistics.hpp"
 #include "common/table.hpp"
 #include "common/yardstick.hpp"
@@ -139,18 +139,6 @@ void benchmark(const cv::CommandLineParser& options) {
 }  // namespace mbncc::bench
 
 int main(int argc, char** argv) {
-  cv::CommandLineParser options(argc, argv, mbncc::bench::kOptions);
-  if (options.has("help") || !options.has("@set")) {
-    options.printMessage();
-    return options.has("help") ? 0 : 2;
-  }
-  cv::setNumThreads(1);
-  cv::setRNGSeed(1);
-  try {
-    mbncc::bench::benchmark(options);
-  } catch (const std::exception& error) {
-    std::cerr << "learning_bench: " << error.what() << '\n';
-    return 1;
-  }
-  return 0;
+  return mbncc::bench::run_program(argc, argv, "learning_bench", mbncc::bench::kOptions, "@set",
+                                   mbncc::bench::benchmark);
 }

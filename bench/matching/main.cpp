@@ -1,12 +1,12 @@
 // Matching engines on the same pictures in the same run, one thread, true maps given.
 #include <filesystem>
 #include <iostream>
-#include <opencv2/core/utility.hpp>
 #include <opencv2/imgproc.hpp>
 
 #include "common/case_folder.hpp"
 #include "common/clock.hpp"
 #include "common/csv.hpp"
+#include "common/program.hpp"
 #include "common/statistics.hpp"
 #include "common/table.hpp"
 #include "common/yardstick.hpp"
@@ -188,18 +188,6 @@ void benchmark(const cv::CommandLineParser& options) {
 }  // namespace mbncc::bench
 
 int main(int argc, char** argv) {
-  cv::CommandLineParser options(argc, argv, mbncc::bench::kOptions);
-  if (options.has("help") || !options.has("@set")) {
-    options.printMessage();
-    return options.has("help") ? 0 : 2;
-  }
-  cv::setNumThreads(1);
-  cv::setRNGSeed(1);
-  try {
-    mbncc::bench::benchmark(options);
-  } catch (const std::exception& error) {
-    std::cerr << "matching_bench: " << error.what() << '\n';
-    return 1;
-  }
-  return 0;
+  return mbncc::bench::run_program(argc, argv, "matching_bench", mbncc::bench::kOptions, "@set",
+                                   mbncc::bench::benchmark);
 }

@@ -2,9 +2,9 @@
 // cell: MB-NCC against PP-NCC with incircle and excircle, at the true place of the object.
 #include <filesystem>
 #include <iostream>
-#include <opencv2/core/utility.hpp>
 #include <opencv2/imgproc.hpp>
 
+#include "common/program.hpp"
 #include "common/table.hpp"
 #include "mbncc/geometry.hpp"
 #include "mbncc/polar.hpp"
@@ -95,27 +95,20 @@ void compare(double elongation, Results& results) {
   }
 }
 
+void benchmark(const cv::CommandLineParser& options) {
+  const fs::path out = options.get<std::string>("@out");
+  Results results;
+  for (const double elongation : kElongations) compare(elongation, results);
+  fs::create_directories(out);
+  save_csv((out / "rotation.csv").string(), results.rotation);
+  save_csv((out / "backgrounds.csv").string(), results.backgrounds);
+  write_markdown(std::cout, results.backgrounds);
+}
+
 }  // namespace
 }  // namespace mbncc::bench
 
 int main(int argc, char** argv) {
-  using namespace mbncc::bench;
-  cv::CommandLineParser options(argc, argv, kOptions);
-  if (options.has("help") || !options.has("@out")) {
-    options.printMessage();
-    return options.has("help") ? 0 : 2;
-  }
-  const fs::path out = options.get<std::string>("@out");
-  try {
-    Results results;
-    for (const double elongation : kElongations) compare(elongation, results);
-    fs::create_directories(out);
-    save_csv((out / "rotation.csv").string(), results.rotation);
-    save_csv((out / "backgrounds.csv").string(), results.backgrounds);
-    write_markdown(std::cout, results.backgrounds);
-  } catch (const std::exception& error) {
-    std::cerr << "paper_bench: " << error.what() << '\n';
-    return 1;
-  }
-  return 0;
+  return mbncc::bench::run_program(argc, argv, "paper_bench", mbncc::bench::kOptions, "@out",
+                                   mbncc::bench::benchmark);
 }

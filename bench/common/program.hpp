@@ -1,0 +1,16 @@
+#pragma once
+
+#include <functional>
+#include <opencv2/core/utility.hpp>
+#include <string>
+
+namespace mbncc::bench {
+
+/// What main() of a benchmark does: reads the options, runs `benchmark` in one thread with a fixed
+/// seed, and turns an exception into a sentence. `required` names the argument that must be there.
+/// Returns the exit code: 0 done, 1 failed, 2 wrong usage.
+int run_program(int argc, char** argv, const std::string& name, const std::string& options,
+                const std::string& required,
+                const std::function<void(const cv::CommandLineParser&)>& benchmark);
+
+}  // namespace mbncc::bench
