@@ -33,15 +33,18 @@ std::string fault_of(const Request& edit, const Lesson& lesson) {
   return "";
 }
 
+std::string question_about(const Quality& quality) {
+  std::string question = std::string("Verdict ") + to_string(quality.verdict) + ".";
+  for (const auto& advice : quality.advice) question += " " + advice;
+  return question + " Accept, edit or reject the outline.";
+}
+
 }  // namespace
 
 LessonRun::Result LessonRun::review() {
   const Review review(tools_.confirmation);
   for (;;) {
-    tell(Feedback::WAIT_CONFIRM, kLearned,
-         "Verdict " + std::string(to_string(draft_.learned.object.quality.verdict)) +
-             ": accept, edit or reject the outline.",
-         true);
+    tell(Feedback::WAIT_CONFIRM, kLearned, question_about(draft_.learned.object.quality), true);
     const auto command =
         tools_.confirmation.next([this] { return client_.interruption().has_value(); });
     leave_if_interrupted();

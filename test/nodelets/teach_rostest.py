@@ -1,0 +1,80 @@
+#!/usr/bin/python3
+"""scripts/teach as an operator uses it, in the simulated cell."""
+import os
+import subprocess
+import sys
+import tempfile
+import unittest
+
+import rospy
+import rostest
+from std_srvs.srv import Trigger
+
+from mbncc_vision.srv import ListObjects
+
+TEACH = os.path.join(os.path.dirname(os.path.realpath(__file__)), "..", "..", "scripts", "teach")
+PATIENCE = 60  # [s]
+
+
+def known_names():
+    rospy.wait_for_service("list_objects", PATIENCE)
+    return [known.name for known in rospy.ServiceProxy("list_objects", ListObjects)().objects]
+
+
+def order(command):
+    """Repeats until the arm of the simulated cell is free to follow."""
+    rospy.wait_for_service("camera/" + command, PATIENCE)
+    deadline = rospy.Time.now() + rospy.Duration(PATIENCE)
+    while not rospy.ServiceProxy("camera/" + command, Trigger)().success:
+        if rospy.Time.now() > deadline:
+            raise AssertionError("the arm does not " + command)
+        rospy.sleep(0.1)
+
+
+class Teach(unittest.TestCase):
+    def start(self, *arguments):
+        return subprocess.Popen([sys.executable, TEACH] + list(arguments), stdin=subprocess.PIPE,
+                                stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
+                                universal_newlines=True)
+
+    def lesson(self, answer, *arguments):
+        """Takes the object away when the program asks for it; returns its exit code and output."""
+        program = self.start(*arguments)
+        said = ""
+        for line in program.stdout:
+            said += line
+            if "ake the object away" in line:
+                break
+        order("take_away")
+        rest, _ = program.communicate(answer)
+        order("put_next")
+        return program.returncode, said + rest
+
+    def test_an_agreed_lesson_is_stored_and_a_declined_one_is_not(self):
+        with tempfile.TemporaryDirectory() as folder:
+            preview = os.path.join(folder, "outline.png")
+            code, said = self.lesson("y\n", "agreed", "--preview", preview)
+            self.assertEqual(code, 0, said)
+            self.assertGreater(os.path.getsize(preview), 0)
+        code, said = self.lesson("perhaps\nn\n", "declined")
+        self.assertEqual(code, 1, said)
+        self.assertIn("y/n", said)
+        self.assertEqual(known_names(), ["agreed"])
+
+    def test_a_bad_name_ends_at_once_with_a_sentence(self):
+        known_names()
+        program = self.start("7up")
+        said, _ = program.communicate()
+        self.assertEqual(program.returncode, 1)
+        self.assertIn("letter", said)
+
+    def test_without_a_name_the_usage_is_shown(self):
+        program = self.start()
+        said, _ = program.communicate()
+        self.assertEqual(program.returncode, 2)
+        self.assertIn("usage", said)
+
+
+if __name__ == "__main__":
+    rospy.init_node("teach_rostest")
+    rostest.rosrun("mbncc_vision", "teach", Teach)
