@@ -43,11 +43,17 @@ double length_of(const cv::Vec3d& step, double radius) {
   return std::max(std::hypot(step[0], step[1]), std::abs(step[2]) * radius);
 }
 
+/// What is read at a pose; kept from climb to climb, since it takes memory.
+struct Samples {
+  SurfaceSample surface;
+  ContourSample contour;
+};
+
 /// The climb of one template in one picture.
 class Climber {
  public:
   Climber(const PoseTemplate& object, const SceneLevel& scene, double contour_weight)
-      : object_(object), scene_(scene), contour_weight_(contour_weight) {}
+      : object_(object), scene_(scene), contour_weight_(contour_weight), samples_(samples()) {}
 
   Climbed run(const Pose2D& start, int iterations) {
     Climbed best{start, -2, {}};
@@ -55,7 +61,7 @@ class Climber {
     for (int k = 0; look_at(pose); ++k) {
       if (value_ > best.value) best = {pose, value_, {}};
       if (k == iterations) break;
-      const cv::Vec3d step = next_step(pose);
+      const cv::Vec3d step = next_step();
       if (length_of(step, radius()) < kSmallStep) break;
       pose = compose(pose, inverse(Pose2D{step[0], step[1], step[2]}));
     }
@@ -65,23 +71,28 @@ class Climber {
   cv::Matx33d covariance(const Pose2D& pose);
 
  private:
+  static Samples& samples() {
+    thread_local Samples samples;
+    return samples;
+  }
+
   double radius() const { return object_.surface.radius(); }
 
   /// Samples at `pose`; false when too little is visible.
   bool look_at(const Pose2D& pose) {
-    object_.surface.sample(scene_, pose, sample_);
-    if (!sample_.suffices()) return false;
-    correlation_ = object_.surface.projected_correlation(sample_, kNoise);
-    value_ =
-        contour_weight_ * contour_agreement(object_.contour, scene_.edges, pose) + correlation_;
+    object_.surface.sample(scene_, pose, samples_.surface);
+    if (!samples_.surface.suffices()) return false;
+    read_contour(object_.contour, scene_.edges, pose, kReach, samples_.contour);
+    correlation_ = object_.surface.projected_correlation(samples_.surface, kNoise);
+    value_ = contour_weight_ * contour_agreement(object_.contour, samples_.contour) + correlation_;
     return true;
   }
 
-  cv::Vec3d next_step(const Pose2D& pose) {
-    ContourPull pull = contour_pull(object_.contour, scene_.edges, pose, kReach);
+  cv::Vec3d next_step() {
+    ContourPull pull = contour_pull(object_.contour, samples_.contour);
     pull.hessian *= contour_weight_;
     pull.gradient *= contour_weight_;
-    add_surface_pull(object_.surface, sample_, correlation_, pull);
+    add_surface_pull(object_.surface, samples_.surface, correlation_, pull);
     const cv::Vec3d step = damped(pull.hessian, radius()).inv() * pull.gradient;
     return step * std::min(1.0, kMaxStep / (length_of(step, radius()) + 1e-9));
   }
@@ -89,7 +100,7 @@ class Climber {
   const PoseTemplate& object_;
   const SceneLevel& scene_;
   double contour_weight_;
-  SurfaceSample sample_;
+  Samples& samples_;
   double correlation_ = 0, value_ = -2;  // at the pose looked at last
 };
 

@@ -16,26 +16,41 @@ struct ContourTemplate {
   /// level 0].
   ContourTemplate(const MapGeometry& map, cv::Point2d anchor, int level, std::size_t most);
 
-  std::size_t size() const { return x.size(); }
+  std::size_t size() const { return count_; }
 
+  // All padded to whole lanes with points that lie nowhere.
   std::vector<float> x, y;                ///< [px at level] relative to the anchor
   std::vector<float> normal_x, normal_y;  ///< unit, outwards
+  std::vector<float> ones;                ///< 1 at points, 0 in the padding
+
+  /// How the distance of each point from its edge depends on the motion (dx, dy, dtheta): 3 rows,
+  /// and their products in pairs (xx, xy, yy, xt, yt, tt): 6 rows.
+  std::vector<float> motion, products;
+
+ private:
+  std::size_t count_ = 0;
 };
 
-/// Mean edge response [-1..1] along the contour at `pose`, each point taking the best within one
-/// pixel along its normal; -1 where less than a quarter of the contour is visible. `edges` is an
-/// edge_picture().
-double contour_agreement(const ContourTemplate& contour, const cv::Mat& edges, const Pose2D& pose);
+/// What the edges near a contour say; see kernels::NormalReadings.
+struct ContourSample {
+  std::vector<float> response, seen, pull, moment;  ///< as long as the contour's vectors
+};
+
+/// Reads `edges`, an edge_picture(), at `pose`, up to `reach` [px] along the normals.
+void read_contour(const ContourTemplate& contour, const cv::Mat& edges, const Pose2D& pose,
+                  int reach, ContourSample& sample);
+
+/// Mean edge response [-1..1] along the contour, each point taking the best within one pixel along
+/// its normal; -1 where less than a quarter of the contour is visible.
+double contour_agreement(const ContourTemplate& contour, const ContourSample& sample);
 
 /// Normal equations of the small motion (dx, dy, dtheta) of the contour that brings it onto the
-/// edges found within `reach` [px] along the normals. Motion and equations are in the template's
-/// frame: where the template would have to be moved from to fit (the inverse of what the pose
-/// needs).
+/// edges found. Motion and equations are in the template's frame: where the template would have to
+/// be moved from to fit (the inverse of what the pose needs).
 struct ContourPull {
   cv::Matx33d hessian;  ///< curvature of contour_agreement()
   cv::Vec3d gradient;   ///< hessian * motion
 };
-ContourPull contour_pull(const ContourTemplate& contour, const cv::Mat& edges, const Pose2D& pose,
-                         int reach);
+ContourPull contour_pull(const ContourTemplate& contour, const ContourSample& sample);
 
 }  // namespace mbncc

@@ -7,6 +7,11 @@
 
 namespace mbncc {
 
+/// `count` rounded up to whole lanes.
+inline std::size_t whole_lanes(std::size_t count) {
+  return (count + kernels::kLanes - 1) / kernels::kLanes * kernels::kLanes;
+}
+
 /// Scalar product with `b`, which has as many values.
 inline double product(const std::vector<float>& a, const float* b) {
   float sum = 0;

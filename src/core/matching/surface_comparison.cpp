@@ -2,35 +2,29 @@
 #include <cmath>
 
 #include "matching/padded_vectors.hpp"
-#include "matching/sampling.hpp"
+#include "matching/picture_view.hpp"
 #include "matching/surface_template.hpp"
 
 namespace mbncc {
 
 void SurfaceTemplate::sample(const SceneLevel& scene, const Pose2D& pose,
                              SurfaceSample& sample) const {
-  const ColourSampler colour_at(scene.colour);
-  const auto c = static_cast<float>(std::cos(pose.theta));
-  const auto s = static_cast<float>(std::sin(pose.theta));
-  const auto x0 = static_cast<float>(pose.x), y0 = static_cast<float>(pose.y);
-  for (auto& plane : sample.planes) plane.assign(padded(), 0.f);
-  sample.inside.assign(size(), 0);
-  sample.visible = 0;
-  std::array<float, 3> sums{};
-  for (std::size_t i = 0; i < size(); ++i) {
-    float colour[3];
-    if (!colour_at(c * x[i] - s * y[i] + x0, s * x[i] + c * y[i] + y0, colour)) continue;
-    sample.inside[i] = 1;
-    ++sample.visible;
-    for (int k = 0; k < kChannels; ++k) {
-      sample.planes[k][i] = colour[k];
-      sums[k] += colour[k];
-    }
-  }
-  if (sample.visible == size() || sample.visible == 0) return;
-  for (int k = 0; k < kChannels; ++k)
+  for (auto* values : {&sample.planes[0], &sample.planes[1], &sample.planes[2], &sample.inside})
+    values->resize(padded());
+  kernels::sample_colours(view_of(scene.colour), {x.data(), y.data(), static_cast<int>(padded())},
+                          placement_of(pose),
+                          {sample.planes[0].data(), sample.planes[1].data(),
+                           sample.planes[2].data(), sample.inside.data()});
+  sample.points = size();
+  sample.visible = static_cast<std::size_t>(product(sample.inside, sample.inside.data()) + 0.5);
+  if (sample.visible == 0) return;
+  for (int c = 0; c < kChannels; ++c) {
+    sample.means[c] =
+        product(sample.inside, sample.planes[c].data()) / static_cast<double>(sample.visible);
+    if (sample.visible == size()) continue;
     for (std::size_t i = 0; i < size(); ++i)
-      if (!sample.inside[i]) sample.planes[k][i] = sums[k] / static_cast<float>(sample.visible);
+      if (sample.inside[i] == 0) sample.planes[c][i] = static_cast<float>(sample.means[c]);
+  }
 }
 
 double SurfaceTemplate::projected_correlation(const SurfaceSample& sample,

@@ -2,84 +2,35 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <random>
 
 #include "matching/padded_vectors.hpp"
 #include "matching/sampling.hpp"
 #include "mbncc/matching/pyramid.hpp"
-#include "polar/kernels.hpp"
 
 namespace mbncc {
 namespace {
 
-constexpr float kDark = 12;  // [grey levels] added before logarithms
-
-std::size_t whole_lanes(std::size_t count) {
-  return (count + kernels::kLanes - 1) / kernels::kLanes * kernels::kLanes;
-}
-
-/// Halves a set of points along its longer side, `depth` times.
-void split(std::vector<int>& order, int begin, int end, const std::vector<float>& x,
-           const std::vector<float>& y, int depth, std::vector<int>& block, int& blocks) {
-  if (depth == 0) {
-    for (int i = begin; i < end; ++i) block[order[i]] = blocks;
-    ++blocks;
-    return;
-  }
-  const auto extent = [&](const std::vector<float>& values) {
-    const auto less = [&](int a, int b) { return values[a] < values[b]; };
-    const auto ends = std::minmax_element(order.begin() + begin, order.begin() + end, less);
-    return values[*ends.second] - values[*ends.first];
-  };
-  const std::vector<float>& along = extent(x) > extent(y) ? x : y;
-  const int middle = (begin + end) / 2;
-  std::nth_element(order.begin() + begin, order.begin() + middle, order.begin() + end,
-                   [&](int a, int b) { return along[a] < along[b]; });
-  split(order, begin, middle, x, y, depth - 1, block, blocks);
-  split(order, middle, end, x, y, depth - 1, block, blocks);
-}
+constexpr float kNowhere = -1e6f;  // lies outside of every picture
 
 }  // namespace
-
-cv::Point2f chroma(float blue, float green, float red) {
-  const float reference = std::log(green + kDark);
-  return {std::log(red + kDark) - reference, std::log(blue + kDark) - reference};
-}
-
-int chroma_cell(cv::Point2f chroma) {
-  constexpr float kReach = 0.6f;
-  const auto cell = [](float value) {
-    const float scaled = (value + kReach) * SurfaceTemplate::kHistogramSide / (2 * kReach);
-    return std::clamp(static_cast<int>(std::floor(scaled)), 0, SurfaceTemplate::kHistogramSide - 1);
-  };
-  return cell(chroma.x) * SurfaceTemplate::kHistogramSide + cell(chroma.y);
-}
 
 SurfaceTemplate::SurfaceTemplate(const SceneLevel& picture, const MapGeometry& map,
                                  cv::Size map_size, cv::Point2d anchor, int level,
                                  std::size_t most) {
-  choose_points(map, map_size, anchor, level, most);
-  for (auto& plane : planes) plane.assign(whole_lanes(size()), 0.f);
-  const ColourSampler colour_at(picture.colour);
-  for (std::size_t i = 0; i < size(); ++i) {
-    float colour[3] = {};
-    const auto right = static_cast<float>(picture.size().width) - 1.02f;
-    const auto bottom = static_cast<float>(picture.size().height) - 1.02f;
-    colour_at(std::clamp(sites_[i].at.x, 0.f, right), std::clamp(sites_[i].at.y, 0.f, bottom),
-              colour);
-    for (int c = 0; c < kChannels; ++c) planes[c][i] = colour[c];
-  }
+  choose_points(map, map_size, level, most);
+  const int depth = size() >= 240 ? 3 : size() >= 100 ? 2 : size() >= 50 ? 1 : 0;
+  split_blocks(sites_.begin(), sites_.end(), depth);
+  place_points(to_level(anchor, level));
+  read_colours(picture);
   read_gradients(picture);
-  count_chroma();
   build_basis();
   project();
   read_slopes(picture);
-  split_blocks();
 }
 
-void SurfaceTemplate::choose_points(const MapGeometry& map, cv::Size map_size, cv::Point2d anchor,
-                                    int level, std::size_t most) {
+void SurfaceTemplate::choose_points(const MapGeometry& map, cv::Size map_size, int level,
+                                    std::size_t most) {
   const int side = 1 << level;
   const std::size_t enough = level == 0 ? 100 : 40;
   // Away from the edge, where picture pixels mix with the background; thin maps come nearer.
@@ -101,34 +52,73 @@ void SurfaceTemplate::choose_points(const MapGeometry& map, cv::Size map_size, c
   for (std::size_t i = 0; i + 1 < sites_.size() && i < most; ++i)
     std::swap(sites_[i], sites_[i + random() % (sites_.size() - i)]);
   if (sites_.size() > most) sites_.resize(most);
-  const cv::Point2d origin = to_level(anchor, level);
-  for (const auto& site : sites_) {
-    x.push_back(static_cast<float>(site.at.x - origin.x));
-    y.push_back(static_cast<float>(site.at.y - origin.y));
-    radius_ = std::max<double>(radius_, std::hypot(x.back(), y.back()));
+}
+
+/// Halves the points along their longer side, `depth` times.
+void SurfaceTemplate::split_blocks(Sites::iterator first, Sites::iterator last, int depth) {
+  if (depth == 0) {
+    block_ends.push_back(static_cast<int>(last - sites_.begin()));
+    return;
   }
+  const auto left = [](const Site& a, const Site& b) { return a.at.x < b.at.x; };
+  const auto above = [](const Site& a, const Site& b) { return a.at.y < b.at.y; };
+  const auto [west, east] = std::minmax_element(first, last, left);
+  const auto [north, south] = std::minmax_element(first, last, above);
+  const auto middle = first + (last - first) / 2;
+  if (east->at.x - west->at.x > south->at.y - north->at.y)
+    std::nth_element(first, middle, last, left);
+  else
+    std::nth_element(first, middle, last, above);
+  split_blocks(first, middle, depth - 1);
+  split_blocks(middle, last, depth - 1);
+}
+
+void SurfaceTemplate::place_points(cv::Point2d origin) {
+  x.assign(whole_lanes(size()), kNowhere);
+  y = x;
+  for (std::size_t i = 0; i < size(); ++i) {
+    x[i] = static_cast<float>(sites_[i].at.x - origin.x);
+    y[i] = static_cast<float>(sites_[i].at.y - origin.y);
+    radius_ = std::max<double>(radius_, std::hypot(x[i], y[i]));
+  }
+}
+
+void SurfaceTemplate::read_colours(const SceneLevel& picture) {
+  const ColourSampler colour_at(picture.colour);
+  const auto right = static_cast<float>(picture.size().width) - 1.02f;
+  const auto bottom = static_cast<float>(picture.size().height) - 1.02f;
+  for (auto* values : {&planes[0], &planes[1], &planes[2], &energy}) values->assign(padded(), 0.f);
+  std::vector<float> ones(padded(), 0.f);
+  for (std::size_t i = 0; i < size(); ++i) {
+    float colour[kChannels] = {};
+    colour_at(std::clamp(sites_[i].at.x, 0.f, right), std::clamp(sites_[i].at.y, 0.f, bottom),
+              colour);
+    for (int c = 0; c < kChannels; ++c) {
+      planes[c][i] = colour[c];
+      energy[i] += colour[c] * colour[c];
+    }
+    ones[i] = 1;
+  }
+  histogram = chroma_histogram(planes, ones);
 }
 
 void SurfaceTemplate::read_gradients(const SceneLevel& picture) {
   constexpr float kNoise = 2.5f;  // [grey levels per pixel]
-  for (const auto& site : sites_) {
+  gradient_x.assign(padded(), 0.f);
+  gradient_y.assign(padded(), 0.f);
+  for (std::size_t i = 0; i < size(); ++i) {
+    const Site& site = sites_[i];
+    if (site.depth <= 2.5f) continue;
     const int column = std::clamp(cvRound(site.at.x), 0, picture.size().width - 1);
     const int row = std::clamp(cvRound(site.at.y), 0, picture.size().height - 1);
     const auto gradient = picture.gradient.at<cv::Vec2s>(row, column);
     const float gx = gradient[0] / 8.f, gy = gradient[1] / 8.f;
     const float square = gx * gx + gy * gy + 1e-6f;
-    const bool interior = site.depth > 2.5f;
-    gradient_weight.push_back(interior ? std::max(0.f, std::sqrt(square) - kNoise) : 0.f);
-    gradient_x.push_back((gx * gx - gy * gy) / square);
-    gradient_y.push_back(2 * gx * gy / square);
-    gradient_total += gradient_weight.back();
+    const float weight = std::max(0.f, std::sqrt(square) - kNoise);
+    gradient_x[i] = weight * (gx * gx - gy * gy) / square;
+    gradient_y[i] = weight * 2 * gx * gy / square;
+    gradient_total += weight;
   }
-}
-
-void SurfaceTemplate::count_chroma() {
-  const float share = 1 / static_cast<float>(std::max<std::size_t>(1, size()));
-  for (std::size_t i = 0; i < size(); ++i)
-    histogram[chroma_cell(chroma(planes[0][i], planes[1][i], planes[2][i]))] += share;
 }
 
 void SurfaceTemplate::build_basis() {
@@ -214,15 +204,6 @@ void SurfaceTemplate::read_slopes(const SceneLevel& picture) {
     for (int j = 0; j < 3; ++j)
       for (int k = 0; k < 3; ++k) slope_product(j, k) += product(rows[c][j], rows[c][k].data());
   }
-}
-
-void SurfaceTemplate::split_blocks() {
-  block.assign(size(), 0);
-  const int depth = size() >= 240 ? 3 : size() >= 100 ? 2 : size() >= 50 ? 1 : 0;
-  std::vector<int> order(size());
-  std::iota(order.begin(), order.end(), 0);
-  blocks = 0;
-  split(order, 0, static_cast<int>(size()), x, y, depth, block, blocks);
 }
 
 }  // namespace mbncc

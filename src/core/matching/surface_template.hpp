@@ -5,6 +5,7 @@
 #include <opencv2/core.hpp>
 #include <vector>
 
+#include "matching/chroma_histogram.hpp"
 #include "matching/map_geometry.hpp"
 #include "matching/scene_picture.hpp"
 #include "mbncc/geometry.hpp"
@@ -14,18 +15,18 @@ namespace mbncc {
 /// Colours of a picture at the points of a surface: one plane per channel (b, g, r).
 struct SurfaceSample {
   std::array<std::vector<float>, 3> planes;  ///< padded with zeros to whole lanes
-  std::vector<char> inside;                  ///< 1: the point is inside the picture
-  std::size_t visible = 0;
+  std::vector<float> inside;                 ///< 1: in the picture; 0: outside, or padding
+  std::array<double, 3> means{};             ///< of the planes inside
+  std::size_t visible = 0, points = 0;       ///< inside, and in all
 
   /// Enough is visible for a judgement.
-  bool suffices() const { return visible >= 10 && 4 * visible >= inside.size(); }
+  bool suffices() const { return visible >= 10 && 4 * visible >= points; }
 };
 
 class SurfaceTemplate {
  public:
   static constexpr int kChannels = 3;
   static constexpr int kMaxBasis = 12;
-  static constexpr int kHistogramSide = 8;
 
   SurfaceTemplate() = default;
 
@@ -34,8 +35,8 @@ class SurfaceTemplate {
   SurfaceTemplate(const SceneLevel& picture, const MapGeometry& map, cv::Size map_size,
                   cv::Point2d anchor, int level, std::size_t most);
 
-  std::size_t size() const { return x.size(); }
-  std::size_t padded() const { return planes[0].size(); }
+  std::size_t size() const { return sites_.size(); }
+  std::size_t padded() const { return x.size(); }  ///< size() in whole lanes
 
   /// Reads the colours at `pose`. Points outside the picture take the mean of those inside.
   void sample(const SceneLevel& scene, const Pose2D& pose, SurfaceSample& sample) const;
@@ -50,10 +51,11 @@ class SurfaceTemplate {
 
   double radius() const { return radius_; }  ///< [px at level] of the farthest point
 
+  // All vectors are padded to whole lanes: places with points that lie nowhere, values with zeros.
   std::vector<float> x, y;                   ///< [px at level] relative to the anchor
-  std::array<std::vector<float>, 3> planes;  ///< colours, padded with zeros
-  std::vector<int> block;                    ///< [0..blocks) compact parts of equal size
-  int blocks = 1;
+  std::array<std::vector<float>, 3> planes;  ///< colours
+  std::vector<float> energy;                 ///< sum over channels of squared colours
+  std::vector<int> block_ends;  ///< points in order belong to compact parts of equal size
 
   // Shading and gloss near the edge follow the light, not the object: smooth functions of the place
   // and of the distance to the edge are projected out of template and picture.
@@ -67,34 +69,31 @@ class SurfaceTemplate {
   std::array<std::vector<float>, 3> slopes;
   cv::Matx33d slope_product;  ///< slopes times slopes, summed over channels
 
-  // Texture gradients: weight and doubled direction.
-  std::vector<float> gradient_weight, gradient_x, gradient_y;
+  // Texture gradients: doubled direction times weight.
+  std::vector<float> gradient_x, gradient_y;
   double gradient_total = 0;
 
-  std::array<float, kHistogramSide * kHistogramSide> histogram{};  ///< of chroma
+  ChromaHistogram histogram{};
 
  private:
-  void choose_points(const MapGeometry& map, cv::Size map_size, cv::Point2d anchor, int level,
-                     std::size_t most);
+  void choose_points(const MapGeometry& map, cv::Size map_size, int level, std::size_t most);
+  void place_points(cv::Point2d origin);
+  void read_colours(const SceneLevel& picture);
   void read_gradients(const SceneLevel& picture);
-  void count_chroma();
   void build_basis();
   void project();
   void read_slopes(const SceneLevel& picture);
-  void split_blocks();
 
   struct Site {
     cv::Point2f at;      // [px at level] in the template picture
     float depth;         // [px at level 0] to the map's edge
     cv::Point2f inward;  // unit
   };
-  std::vector<Site> sites_;
+  using Sites = std::vector<Site>;
+  void split_blocks(Sites::iterator first, Sites::iterator last, int depth);
+
+  Sites sites_;
   double radius_ = 1;
 };
-
-/// (ln R/G, ln B/G) of a colour, tamed where it is dark.
-cv::Point2f chroma(float blue, float green, float red);
-/// Histogram cell of a chroma.
-int chroma_cell(cv::Point2f chroma);
 
 }  // namespace mbncc

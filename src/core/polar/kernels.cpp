@@ -4,12 +4,7 @@
 #include <cstdlib>
 #include <cstring>
 
-// One function, compiled once per instruction set; the loader picks the version the machine has.
-#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__)
-#define MBNCC_CLONES __attribute__((target_clones("default", "avx2", "arch=skylake-avx512")))
-#else
-#define MBNCC_CLONES
-#endif
+#include "polar/clones.hpp"
 
 namespace mbncc::kernels {
 namespace {
@@ -123,13 +118,34 @@ void edge_vectors_vectorised(const std::int16_t* __restrict gradients,
 MBNCC_CLONES
 void dots_vectorised(const float* __restrict rows, std::size_t stride, int row_count,
                      const float* __restrict vector, int count, float* __restrict products) {
-  for (int k = 0; k < row_count; ++k) {
+  int k = 0;
+  // Several rows at a time, so that additions need not wait for each other.
+  for (; k + 4 <= row_count; k += 4) {
+    const float* __restrict a = rows + k * stride;
+    const float* __restrict b = a + stride;
+    const float* __restrict c = b + stride;
+    const float* __restrict d = c + stride;
+    float partial[4][kLanes] = {};
+    for (int i = 0; i < count; i += kLanes)
+      for (int lane = 0; lane < kLanes; ++lane) {
+        partial[0][lane] += a[i + lane] * vector[i + lane];
+        partial[1][lane] += b[i + lane] * vector[i + lane];
+        partial[2][lane] += c[i + lane] * vector[i + lane];
+        partial[3][lane] += d[i + lane] * vector[i + lane];
+      }
+    for (int row = 0; row < 4; ++row) {
+      float sum = 0;
+      for (float part : partial[row]) sum += part;
+      products[k + row] = sum;
+    }
+  }
+  for (; k < row_count; ++k) {
     const float* __restrict row = rows + k * stride;
     float partial[kLanes] = {};
     for (int i = 0; i < count; i += kLanes)
       for (int lane = 0; lane < kLanes; ++lane) partial[lane] += row[i + lane] * vector[i + lane];
     float sum = 0;
-    for (int lane = 0; lane < kLanes; ++lane) sum += partial[lane];
+    for (float part : partial) sum += part;
     products[k] = sum;
   }
 }

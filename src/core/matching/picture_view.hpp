@@ -1,0 +1,22 @@
+// Pictures and poses as the point kernels take them.
+#pragma once
+
+#include <cmath>
+#include <opencv2/core.hpp>
+
+#include "mbncc/geometry.hpp"
+#include "polar/point_kernels.hpp"
+
+namespace mbncc {
+
+/// `picture` has 8-bit channels and outlives the view.
+inline kernels::Picture8 view_of(const cv::Mat& picture) {
+  return {picture.data, static_cast<int>(picture.step), picture.cols, picture.rows};
+}
+
+inline kernels::Placement placement_of(const Pose2D& pose) {
+  return {static_cast<float>(std::cos(pose.theta)), static_cast<float>(std::sin(pose.theta)),
+          static_cast<float>(pose.x), static_cast<float>(pose.y)};
+}
+
+}  // namespace mbncc

@@ -1,0 +1,87 @@
+// The innermost loops over the points of an object at a pose, as kernels.hpp has those over the
+// rows of a picture. Every version gives the same bits.
+#pragma once
+
+#include <cstdint>
+
+namespace mbncc::kernels {
+
+/// A point (px, py) of the object lies at (cosine px - sine py + x, sine px + cosine py + y).
+struct Placement {
+  float cosine, sine, x, y;
+};
+
+/// An 8-bit picture with interleaved channels.
+struct Picture8 {
+  const std::uint8_t* data;
+  int step;  ///< [bytes] of a row
+  int columns, rows;
+};
+
+/// Points of an object.
+struct Points {
+  const float *x, *y;
+  int count;
+};
+
+struct Colours {
+  float *blue, *green, *red;  ///< 0 outside the picture
+  float* inside;              ///< 1 inside, 0 outside the picture
+};
+
+/// Colours of a three-channel picture between its pixels, at least 2 x 2 of them.
+void sample_colours(const Picture8& picture, const Points& points, const Placement& placement,
+                    const Colours& colours);
+
+/// What the edges near one contour point say; all 0 where the picture ends.
+struct NormalReadings {
+  float* response;  ///< [-1..1] largest within one pixel along the normal
+  float* seen;      ///< 1 where `response` was read
+  float* pull;      ///< [0..1] largest response within reach
+  float* moment;    ///< `pull` times the mean distance [px] along the normal of the responses
+};
+
+/// Responses of an edge picture (edge_picture.hpp) to edges across the unit normals, at whole
+/// pixels up to `reach` along them. `picture` has at least 3 x 3 pixels.
+void read_along_normals(const Picture8& picture, const Points& points, const float* normal_x,
+                        const float* normal_y, const Placement& placement, int reach,
+                        const NormalReadings& readings);
+
+/// agreements[i] = scalar product [edge scale] of direction i, turned by twice the placement's
+/// angle, with the edge vector nearest to point i; points outside the picture are moved to its rim.
+void edge_agreements(const Picture8& picture, const Points& points, const float* direction_x,
+                     const float* direction_y, const Placement& placement, float* agreements);
+
+/// cells[i] = side * cell(log[r] - log[g]) + cell(log[b] - log[g]) with
+/// cell(v) = clamp(floor((v + reach) side / (2 reach)), 0, side - 1) and colours rounded to whole
+/// numbers [0..255]. `logarithms` holds 256 values.
+struct ChromaCells {
+  const float* logarithms;
+  float reach;
+  int side;
+};
+void chroma_cells(const ChromaCells& cells, const float* blue, const float* green, const float* red,
+                  int count, std::int32_t* found);
+
+/// squares[i] += inside[i] min((sample[i] - factor model[i] - offset)^2, most).
+struct Gain {
+  float factor, offset;
+};
+void add_capped_squares(const float* model, const float* sample, const float* inside,
+                        const Gain& gain, float most, int count, float* squares);
+
+/// One set of point kernels.
+struct PointTable {
+  decltype(&sample_colours) sample_colours_at;
+  decltype(&read_along_normals) read_along_normals_at;
+  decltype(&edge_agreements) edge_agreements_at;
+  decltype(&chroma_cells) chroma_cells_of;
+  decltype(&add_capped_squares) add_capped_squares_of;
+};
+
+/// The formulas, written down plainly.
+const PointTable& point_reference();
+/// The vectorised loops.
+const PointTable& vectorised_points();
+
+}  // namespace mbncc::kernels
