@@ -4,6 +4,7 @@
 #include <ros/ros.h>
 #include <rosgraph_msgs/Log.h>
 
+#include <fstream>
 #include <string>
 
 #include "nodelets/spin_until.hpp"
@@ -65,8 +66,10 @@ TEST_F(RefusedStart, SceneThatCannotBeDrawn) {
 }
 
 TEST_F(RefusedStart, LibraryThatCannotBeOpened) {
+  const std::string file = folder_ / "file";
+  std::ofstream(file) << "no folder";
   for (const char* type : {"LearningNodelet", "MatchingNodelet"})
-    expect_refusal(type, "library_path", std::string("/proc/nowhere"), "/proc/nowhere");
+    expect_refusal(type, "library_path", file + "/library", file);
 }
 
 TEST_F(RefusedStart, UnknownImageTransport) {
