@@ -87,8 +87,9 @@ cv::Mat full_size_map(const View& view);
 std::vector<std::vector<cv::Point2f>> outlines(const View& view);
 
 /// Moves the object frame: `reference` is its new place in the first learning picture, the frames
-/// of further views move along. Throws std::invalid_argument when it is not finite or a grasp is
-/// set, which would silently point elsewhere.
+/// of further views move along, and a grasp is expressed in the new frame, as seen straight from
+/// above. Throws std::invalid_argument when it is not finite, or when a grasp is set but the scale
+/// is not known: it would silently point elsewhere.
 void move_reference(ObjectModel& model, const Pose2D& reference);
 
 /// Throws std::invalid_argument naming the fault when the model breaks a rule stated above.

@@ -13,6 +13,7 @@ std::vector<FieldRow> all_rows(Settings& settings) {
   append(field_rows(settings.matching));
   append(field_rows(settings.learning));
   append(field_rows(settings.camera));
+  append(field_rows(settings.rectify));
   append(field_rows(settings.simulated_camera));
   return rows;
 }
@@ -38,6 +39,7 @@ std::vector<SettingsSection> sections_of(Settings& settings) {
           {"matching nodelet", without(platform, without(search, field_rows(settings.matching)))},
           {"learning nodelet", without(platform, without(lesson, field_rows(settings.learning)))},
           {"camera nodelet", field_rows(settings.camera)},
+          {"rectify nodelet", field_rows(settings.rectify)},
           {"simulated camera nodelet", field_rows(settings.simulated_camera)}};
 }
 

@@ -8,6 +8,7 @@
 #include "mbncc/config/camera_config.hpp"
 #include "mbncc/config/learning_node_config.hpp"
 #include "mbncc/config/matching_node_config.hpp"
+#include "mbncc/config/rectify_config.hpp"
 #include "mbncc/config/simulated_camera_config.hpp"
 
 namespace mbncc::cli {
@@ -17,6 +18,7 @@ struct Settings {
   MatchingNodeConfig matching;
   LearningNodeConfig learning;
   CameraConfig camera;
+  RectifyConfig rectify;
   SimulatedCameraConfig simulated_camera;
 
   SearchConfig& search() { return matching.search; }

@@ -1,9 +1,7 @@
 // Publishes the pictures of a device, stream, folder or video with their calibration.
 #include <camera_info_manager/camera_info_manager.h>
 #include <cv_bridge/cv_bridge.h>
-#include <diagnostic_updater/diagnostic_updater.h>
 #include <image_transport/image_transport.h>
-#include <nodelet/nodelet.h>
 #include <ros/ros.h>
 #include <pluginlib/class_list_macros.hpp>
 
@@ -17,6 +15,9 @@
 #include "mbncc/cell/frozen_picture.hpp"
 #include "mbncc/config/camera_config.hpp"
 #include "mbncc/error.hpp"
+#include "nodelets/camera_health.hpp"
+#include "nodelets/guarded_nodelet.hpp"
+#include "nodelets/health_report.hpp"
 #include "nodelets/parameters.hpp"
 #include "nodelets/picture_source.hpp"
 
@@ -34,26 +35,17 @@ Clock::duration ticks(Seconds seconds) {
   return std::chrono::duration_cast<Clock::duration>(seconds);
 }
 
-/// What diagnostics tell; guarded by the nodelet's mutex.
-struct Health {
-  std::uint8_t level = diagnostic_msgs::DiagnosticStatus::WARN;
-  std::string state = "not opened yet";
-  std::uint64_t published = 0;
-  std::uint64_t unreadable = 0;
-  std::uint64_t frozen = 0;
-  std::uint64_t unstamped = 0;  // grabbed while the clock stood still
-  std::uint64_t failures = 0;   // of the source
-};
-
 }  // namespace
 
-class CameraNodelet : public nodelet::Nodelet {
+class CameraNodelet : public GuardedNodelet {
  public:
-  ~CameraNodelet() override;
+  ~CameraNodelet() override { stop(); }
 
  private:
-  void onInit() override;
-  void start();
+  using Counts = CameraHealth::Counts;
+
+  void start() override;
+  void stop() override;
   void start_calibration();
 
   void work();
@@ -67,15 +59,13 @@ class CameraNodelet : public nodelet::Nodelet {
   void publish(const cv::Mat& picture, const ros::Time& stamp);
   void wait_until_due();
   void pause(Seconds time);
-  void set_state(std::uint8_t level, const std::string& state);
-  void count(std::uint64_t Health::*what);
   void diagnose(diagnostic_updater::DiagnosticStatusWrapper& status);
 
   CameraConfig config_;
   image_transport::CameraPublisher camera_;
   std::unique_ptr<camera_info_manager::CameraInfoManager> calibration_;
-  std::unique_ptr<diagnostic_updater::Updater> updater_;
-  ros::WallTimer diagnostics_timer_;
+  CameraHealth health_;
+  std::unique_ptr<HealthReport> report_;
 
   // Of the worker thread alone.
   std::unique_ptr<PictureSource> source_;
@@ -85,32 +75,20 @@ class CameraNodelet : public nodelet::Nodelet {
   ros::Time last_stamp_;
   bool at_end_ = false;
 
-  std::mutex mutex_;  // guards health_, stopping_ and the figures of the last report
-  std::condition_variable stop_;
+  std::mutex mutex_;  // guards stopping_
+  std::condition_variable stopped_;
   bool stopping_ = false;
-  Health health_;
-  std::uint64_t published_before_ = 0;
-  Clock::time_point reported_at_ = Clock::now();
   std::thread worker_;
 };
 
-CameraNodelet::~CameraNodelet() {
+void CameraNodelet::stop() {
   {
     const std::lock_guard<std::mutex> lock(mutex_);
     stopping_ = true;
   }
-  stop_.notify_all();
-  diagnostics_timer_.stop();
+  stopped_.notify_all();
+  report_.reset();
   if (worker_.joinable()) worker_.join();
-}
-
-void CameraNodelet::onInit() {
-  try {
-    start();
-  } catch (const std::exception& error) {
-    NODELET_FATAL("%s", error.what());
-    throw;
-  }
 }
 
 void CameraNodelet::start() {
@@ -122,12 +100,9 @@ void CameraNodelet::start() {
   start_calibration();
   image_transport::ImageTransport transport(getNodeHandle());
   camera_ = transport.advertiseCamera("image_raw", 5);
-  updater_ = std::make_unique<diagnostic_updater::Updater>(getNodeHandle(), getPrivateNodeHandle(),
-                                                           getName());
-  updater_->setHardwareID(config_.source);
-  updater_->add("pictures", this, &CameraNodelet::diagnose);
-  diagnostics_timer_ = getNodeHandle().createWallTimer(
-      ros::WallDuration(1), [this](const ros::WallTimerEvent&) { updater_->force_update(); });
+  report_ = std::make_unique<HealthReport>(getNodeHandle(), getPrivateNodeHandle(), getName(),
+                                           config_.source, "pictures",
+                                           [this](auto& status) { diagnose(status); });
   worker_ = std::thread(&CameraNodelet::work, this);
 }
 
@@ -177,15 +152,15 @@ void CameraNodelet::open() {
   source_ = open_picture_source(config_, refused);
   for (const auto& sentence : refused) NODELET_WARN("%s", sentence.c_str());
   NODELET_INFO("Opened %s", config_.source.c_str());
-  set_state(diagnostic_msgs::DiagnosticStatus::OK, "open");
+  health_.set_state(diagnostic_msgs::DiagnosticStatus::OK, "open");
   frozen_.reset();
   due_ = Clock::now();
 }
 
 void CameraNodelet::close(const std::string& reason) {
   source_.reset();
-  count(&Health::failures);
-  set_state(diagnostic_msgs::DiagnosticStatus::ERROR, reason);
+  health_.count(&Counts::failures);
+  health_.set_state(diagnostic_msgs::DiagnosticStatus::ERROR, reason);
   NODELET_WARN("%s; trying again in %.1f s", reason.c_str(), retry_.count());
   pause(retry_);
   retry_ = std::min(2 * retry_, kLongestRetry);
@@ -200,13 +175,13 @@ void CameraNodelet::play() {
   if (!source_->is_live()) wait_until_due();
   if (!source_->grab()) {
     at_end_ = true;
-    set_state(diagnostic_msgs::DiagnosticStatus::WARN, "at its end");
+    health_.set_state(diagnostic_msgs::DiagnosticStatus::WARN, "at its end");
     NODELET_INFO("%s is at its end", config_.source.c_str());
     return;
   }
   const ros::Time stamp = ros::Time::now();
   retry_ = kFirstRetry;
-  if (stamp.isZero() || stamp == last_stamp_) return count(&Health::unstamped);
+  if (stamp.isZero() || stamp == last_stamp_) return health_.count(&Counts::unstamped);
   if (camera_.getNumSubscribers() == 0) return;
   const cv::Mat picture = retrieve();
   if (picture.empty() || is_frozen(picture)) return;
@@ -219,7 +194,7 @@ cv::Mat CameraNodelet::retrieve() {
   try {
     return source_->retrieve();
   } catch (const FileError& error) {
-    count(&Health::unreadable);
+    health_.count(&Counts::unreadable);
     NODELET_WARN("%s", error.what());
     return {};
   }
@@ -228,13 +203,13 @@ cv::Mat CameraNodelet::retrieve() {
 bool CameraNodelet::is_frozen(const cv::Mat& picture) {
   if (!config_.detect_frozen) return false;
   if (!frozen_.update(picture)) {
-    set_state(diagnostic_msgs::DiagnosticStatus::OK, "open");
+    health_.set_state(diagnostic_msgs::DiagnosticStatus::OK, "open");
     return false;
   }
-  count(&Health::frozen);
+  health_.count(&Counts::frozen);
   const std::string sentence = config_.source + ": the picture is frozen; withheld";
   if (source_->is_live()) throw FileError(config_.source, "the picture is frozen");
-  set_state(diagnostic_msgs::DiagnosticStatus::ERROR, sentence);
+  health_.set_state(diagnostic_msgs::DiagnosticStatus::ERROR, sentence);
   NODELET_WARN_THROTTLE(10, "%s", sentence.c_str());
   return true;
 }
@@ -251,7 +226,7 @@ void CameraNodelet::publish(const cv::Mat& picture, const ros::Time& stamp) {
   }
   const char* encoding = picture.channels() == 1 ? "mono8" : "bgr8";
   camera_.publish(cv_bridge::CvImage(header, encoding, picture).toImageMsg(), info);
-  count(&Health::published);
+  health_.count(&Counts::published);
 }
 
 void CameraNodelet::wait_until_due() {
@@ -264,34 +239,11 @@ void CameraNodelet::wait_until_due() {
 
 void CameraNodelet::pause(Seconds time) {
   std::unique_lock<std::mutex> lock(mutex_);
-  stop_.wait_for(lock, time, [this] { return stopping_; });
-}
-
-void CameraNodelet::set_state(std::uint8_t level, const std::string& state) {
-  const std::lock_guard<std::mutex> lock(mutex_);
-  health_.level = level;
-  health_.state = state;
-}
-
-void CameraNodelet::count(std::uint64_t Health::*what) {
-  const std::lock_guard<std::mutex> lock(mutex_);
-  ++(health_.*what);
+  stopped_.wait_for(lock, time, [this] { return stopping_; });
 }
 
 void CameraNodelet::diagnose(diagnostic_updater::DiagnosticStatusWrapper& status) {
-  const std::lock_guard<std::mutex> lock(mutex_);
-  const Clock::time_point now = Clock::now();
-  const double elapsed = Seconds(now - reported_at_).count();
-  const double rate = static_cast<double>(health_.published - published_before_) / elapsed;
-  reported_at_ = now;
-  published_before_ = health_.published;
-  status.summary(health_.level, health_.state);
-  status.addf("rate [Hz]", "%.2f", rate);
-  status.add("published", health_.published);
-  status.add("unreadable pictures", health_.unreadable);
-  status.add("frozen pictures", health_.frozen);
-  status.add("pictures without a new stamp", health_.unstamped);
-  status.add("failures of the source", health_.failures);
+  health_.describe(status);
   status.add("listeners", camera_.getNumSubscribers());
   status.add("calibrated", calibration_->isCalibrated() ? "yes" : "no");
 }

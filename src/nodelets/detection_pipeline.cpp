@@ -70,17 +70,27 @@ void set_status(DetectedObjectArray& array, const LibrarySnapshot& library,
 
 DetectionPipeline::DetectionPipeline(const MatchingNodeConfig& config, const LiveMatcher& matcher,
                                      const tf2_ros::Buffer& tf)
-    : config_(config), matcher_(matcher), tf_(tf), tracker_(tracker_config(config)) {}
+    : config_(config),
+      matcher_(matcher),
+      tf_(tf),
+      tracker_(tracker_config(config)),
+      average_(config.average_frames) {}
 
 Detections DetectionPipeline::process(const ReceivedPicture& received,
                                       const SearchRequest& request) {
   return describe(received, track(received, request));
 }
 
+void DetectionPipeline::reset() {
+  tracker_.reset();
+  average_.reset();
+}
+
 TrackedPicture DetectionPipeline::track(const ReceivedPicture& received,
                                         const SearchRequest& request) {
   TrackedPicture tracked{matcher_.find(received.picture, request), {}};
   tracked.matches = tracker_.update(received.header.stamp.toSec(), tracked.found.result.matches);
+  average_.apply(tracked.matches);
   return tracked;
 }
 

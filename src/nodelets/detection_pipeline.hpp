@@ -8,6 +8,7 @@
 #include <opencv2/core.hpp>
 #include <vector>
 
+#include "mbncc/cell/pose_average.hpp"
 #include "mbncc/cell/tracker.hpp"
 #include "mbncc/config/matching_node_config.hpp"
 #include "nodelets/calibration.hpp"
@@ -47,7 +48,7 @@ class DetectionPipeline {
   Detections describe(const ReceivedPicture& received, const TrackedPicture& tracked) const;
 
   /// Forgets the instances.
-  void reset() { tracker_.reset(); }
+  void reset();
 
  private:
   mbncc_vision::DetectedObject describe(const TrackedMatch& tracked, const ObjectModel* model,
@@ -58,6 +59,7 @@ class DetectionPipeline {
   const LiveMatcher& matcher_;
   const tf2_ros::Buffer& tf_;
   InstanceTracker tracker_;
+  PoseAverage average_;
 };
 
 }  // namespace mbncc::nodelets

@@ -6,7 +6,6 @@
 #include <stdexcept>
 #include <utility>
 
-#include "mbncc/cell/pose_average.hpp"
 #include "nodelets/images.hpp"
 #include "nodelets/messages.hpp"
 #include "nodelets/search_roi.hpp"
@@ -78,7 +77,9 @@ bool FindService::on_call(Request& request, Response& response) {
 }
 
 Detections FindService::find(const Request& request) const {
-  DetectionPipeline pipeline(tools_.config, tools_.matcher, tools_.tf);
+  MatchingNodeConfig config = tools_.config;
+  config.average_frames = static_cast<int>(std::clamp(request.frames, 1u, kMostFrames));
+  DetectionPipeline pipeline(config, tools_.matcher, tools_.tf);
   if (!is_given(request.image)) return find_live(request, pipeline);
   const Decoded decoded = decode_picture(request.image);
   if (!decoded) refuse("image: " + decoded.fault);
@@ -96,7 +97,6 @@ Detections FindService::find_live(const Request& request, DetectionPipeline& pip
   const double timeout = timeout_of(request);
   const Listening listening(tools_);
   ros::Time after = ros::Time::now();
-  PoseAverage average;
   ReceivedPicture received;
   TrackedPicture tracked;
   for (std::uint32_t i = 0; i < std::max(1u, request.frames); ++i) {
@@ -105,9 +105,7 @@ Detections FindService::find_live(const Request& request, DetectionPipeline& pip
     after = received.header.stamp;
     tracked =
         pipeline.track(received, search_request(request, tools_.config, received.picture.size()));
-    average.add(tracked.matches);
   }
-  average.apply(tracked.matches);
   return pipeline.describe(received, tracked);
 }
 

@@ -1,6 +1,7 @@
 // The gripper's pose at the demonstration, which becomes the object's grasp.
 #pragma once
 
+#include <ros/time.h>
 #include <tf2_ros/buffer.h>
 
 #include <Eigen/Geometry>
@@ -18,11 +19,14 @@ class GraspMark {
   /// `tf` outlives the mark; `gripper_frame` "" refuses every mark.
   GraspMark(const tf2_ros::Buffer& tf, std::string gripper_frame);
 
-  /// Keeps where the gripper is now, seen from `camera_frame`. Throws std::runtime_error with a
+  /// Keeps where the gripper is `now`, seen from `camera_frame`. Throws std::runtime_error with a
   /// sentence when that is not known.
-  void record(const std::string& camera_frame);
+  void record(const std::string& camera_frame, const ros::Time& now);
 
   void clear();
+
+  /// A mark has been recorded at `time` or later: what is older belongs to another demonstration.
+  bool is_marked_since(const ros::Time& time) const;
 
   /// The marked gripper pose relative to an object's; none when nothing is marked.
   std::optional<Grasp> relative_to(const PlatformPose& object) const;
@@ -32,6 +36,7 @@ class GraspMark {
   const std::string gripper_frame_;
   mutable std::mutex mutex_;
   std::optional<Eigen::Isometry3d> T_camera_gripper_;
+  ros::Time recorded_at_;
 };
 
 }  // namespace mbncc::nodelets

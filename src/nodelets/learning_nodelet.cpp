@@ -1,6 +1,4 @@
 // Teaches objects: the LearnObject action and the services of the library. Wiring only.
-#include <diagnostic_updater/diagnostic_updater.h>
-#include <nodelet/nodelet.h>
 #include <ros/callback_queue.h>
 #include <ros/ros.h>
 #include <std_srvs/Trigger.h>
@@ -11,12 +9,13 @@
 #include <memory>
 
 #include "mbncc/config/learning_node_config.hpp"
-#include "nodelets/calibration.hpp"
 #include "nodelets/camera_input.hpp"
 #include "nodelets/confirmation.hpp"
-#include "nodelets/grasp_mark.hpp"
+#include "nodelets/guarded_nodelet.hpp"
+#include "nodelets/health_report.hpp"
 #include "nodelets/images.hpp"
 #include "nodelets/lesson.hpp"
+#include "nodelets/lesson_gauge.hpp"
 #include "nodelets/lesson_goal.hpp"
 #include "nodelets/lesson_server.hpp"
 #include "nodelets/library_services.hpp"
@@ -26,21 +25,17 @@
 
 namespace mbncc::nodelets {
 
-class LearningNodelet : public nodelet::Nodelet {
+class LearningNodelet : public GuardedNodelet {
  public:
   ~LearningNodelet() override { stop(); }
 
  private:
-  void onInit() override;
-  void start();
-  void stop();
+  void start() override;
+  void stop() override;
   void open_library(ros::NodeHandle& node);
   void start_pictures(ros::NodeHandle& node);
   void start_lessons(ros::NodeHandle& node);
-  void start_diagnostics();
   mbncc_vision::LearnObjectResult teach(LessonClient& client);
-  void measure(const sensor_msgs::CameraInfo& given, const std_msgs::Header& header,
-               ObjectModel& model) const;
   bool mark_grasp(std_srvs::Trigger::Request& request, std_srvs::Trigger::Response& response);
   bool confirm(mbncc_vision::ConfirmLearning::Request& request,
                mbncc_vision::ConfirmLearning::Response& response);
@@ -56,26 +51,16 @@ class LearningNodelet : public nodelet::Nodelet {
   std::unique_ptr<CameraInput> camera_;
   tf2_ros::Buffer tf_buffer_;
   std::unique_ptr<tf2_ros::TransformListener> tf_listener_;
-  std::unique_ptr<GraspMark> grasp_mark_;
+  std::unique_ptr<LessonGauge> gauge_;
   Confirmation confirmation_;
   // confirm_learning waits for the lesson's answer, so it has a callback thread of its own.
   ros::CallbackQueue confirm_queue_;
   ros::AsyncSpinner confirm_spinner_{1, &confirm_queue_};
   ros::ServiceServer confirm_server_, mark_server_;
   std::unique_ptr<LessonServer> lessons_;
-  std::unique_ptr<diagnostic_updater::Updater> diagnostics_;
-  ros::WallTimer library_timer_, diagnostics_timer_;
+  std::unique_ptr<HealthReport> report_;
+  ros::WallTimer library_timer_;
 };
-
-void LearningNodelet::onInit() {
-  try {
-    start();
-  } catch (const std::exception& error) {
-    NODELET_FATAL("%s", error.what());
-    stop();
-    throw;
-  }
-}
 
 void LearningNodelet::start() {
   ros::NodeHandle node = getNodeHandle();
@@ -83,14 +68,13 @@ void LearningNodelet::start() {
   open_library(node);
   start_pictures(node);
   start_lessons(node);
-  start_diagnostics();
+  report_ = std::make_unique<HealthReport>(node, getPrivateNodeHandle(), getName(), "none",
+                                           "learning", [this](auto& status) { diagnose(status); });
 }
 
-// Leaves nothing that uses the nodelet's callback queue: the loader takes that away before it
-// deletes a nodelet which failed to start.
 void LearningNodelet::stop() {
   library_timer_.stop();
-  diagnostics_timer_.stop();
+  report_.reset();
   if (camera_) camera_->set_active(false);
   lessons_.reset();  // ends a running lesson, which releases a waiting confirm_learning
   confirm_spinner_.stop();
@@ -100,7 +84,6 @@ void LearningNodelet::stop() {
   preview_publisher_.shutdown();
   stage_publisher_.shutdown();
   camera_.reset();
-  diagnostics_.reset();
   tf_listener_.reset();  // before its buffer
 }
 
@@ -128,11 +111,12 @@ void LearningNodelet::look_for_changes() {
 
 void LearningNodelet::start_pictures(ros::NodeHandle& node) {
   tf_listener_ = std::make_unique<tf2_ros::TransformListener>(tf_buffer_);
-  grasp_mark_ = std::make_unique<GraspMark>(tf_buffer_, config_.gripper_frame);
   pictures_ = std::make_unique<PictureFeed>(config_.still_time);
   camera_ = std::make_unique<CameraInput>(
       node, config_.image_transport,
       [this](const sensor_msgs::ImageConstPtr& image) { pictures_->put(image); });
+  gauge_ =
+      std::make_unique<LessonGauge>(config_.platform, config_.gripper_frame, *camera_, tf_buffer_);
   // Always listening: already_moved asks for pictures from before the goal.
   camera_->set_active(true);
 }
@@ -155,7 +139,6 @@ void LearningNodelet::start_lessons(ros::NodeHandle& node) {
 }
 
 mbncc_vision::LearnObjectResult LearningNodelet::teach(LessonClient& client) {
-  grasp_mark_->clear();
   const LessonTools tools{
       *pictures_,
       *library_,
@@ -163,39 +146,22 @@ mbncc_vision::LearnObjectResult LearningNodelet::teach(LessonClient& client) {
       config_.learning,
       [this](const cv::Mat& picture) { stage_publisher_.publish(encode_picture(picture)); },
       [this](const cv::Mat& picture) { preview_publisher_.publish(encode_picture(picture)); },
-      [this](const sensor_msgs::CameraInfo& given, const std_msgs::Header& header,
-             ObjectModel& model) { measure(given, header, model); }};
+      *gauge_};
   const auto result = LessonRun(client, tools).run();
   const bool learned = result.error_code == mbncc_vision::LearnObjectResult::SUCCESS;
+  if (learned) gauge_->clear();
   NODELET_INFO("%s %s", result.message.c_str(), learned ? "" : result.hint.c_str());
   return result;
-}
-
-void LearningNodelet::measure(const sensor_msgs::CameraInfo& given, const std_msgs::Header& header,
-                              ObjectModel& model) const {
-  const View& view = model.views.front();
-  const auto live = camera_->camera_info();
-  const auto* info = given.width != 0 ? &given : live.get();
-  const Calibration calibration =
-      calibrate(config_.platform, info, header, view.picture_size, tf_buffer_);
-  if (!calibration.platform) return;
-  const auto scale =
-      calibration.platform->metres_per_pixel(view.reference.position(), model.object_height);
-  model.metres_per_pixel = scale.value_or(Quality::kUnknown);
-  const auto pose = calibration.platform->lift(view.reference, {}, model.object_height);
-  if (pose) model.grasp = grasp_mark_->relative_to(*pose);
 }
 
 bool LearningNodelet::mark_grasp(std_srvs::Trigger::Request&,
                                  std_srvs::Trigger::Response& response) {
   try {
-    if (!lessons_->busy())
-      throw std::runtime_error("no lesson is running; start one, then mark its grasp");
-    std_msgs::Header header;
-    header.frame_id = pictures_->look().frame_id;
-    grasp_mark_->record(camera_frame_of(config_.platform, header));
+    gauge_->mark(pictures_->look().header);
     response.success = true;
-    response.message = "marked; stored with the lesson when the camera is calibrated";
+    response.message = lessons_->busy() ? "marked; stored with the running lesson"
+                                        : "marked; stored with the next lesson, if that is "
+                                          "taught from this demonstration (already_moved)";
   } catch (const std::exception& error) {
     response.success = false;
     response.message = error.what();
@@ -207,16 +173,6 @@ bool LearningNodelet::confirm(mbncc_vision::ConfirmLearning::Request& request,
                               mbncc_vision::ConfirmLearning::Response& response) {
   response = confirmation_.ask(request);
   return true;
-}
-
-void LearningNodelet::start_diagnostics() {
-  diagnostics_ = std::make_unique<diagnostic_updater::Updater>(getNodeHandle(),
-                                                               getPrivateNodeHandle(), getName());
-  diagnostics_->setHardwareID("none");
-  diagnostics_->add("learning", this, &LearningNodelet::diagnose);
-  // The steady clock: a simulated one may stand still.
-  diagnostics_timer_ = getNodeHandle().createWallTimer(
-      ros::WallDuration(1), [this](const auto&) { diagnostics_->force_update(); });
 }
 
 void LearningNodelet::diagnose(diagnostic_updater::DiagnosticStatusWrapper& status) {

@@ -28,7 +28,8 @@ LessonRun::LessonRun(LessonClient& client, const LessonTools& tools)
     : client_(client),
       tools_(tools),
       goal_(client.goal()),
-      name_(name_for(goal_, *tools.library.snapshot())) {}
+      name_(name_for(goal_, *tools.library.snapshot())),
+      started_(ros::Time::now()) {}
 
 LessonRun::Result LessonRun::run() {
   try {
@@ -91,12 +92,13 @@ LessonRun::Result LessonRun::store() {
   tell(Feedback::STORE, kChecked, "Storing '" + name_ + "'.");
   ObjectModel model = draft_.learned.object;
   model.learned_at = ros::Time::now().toSec();
-  tools_.measure(goal_.camera_info, before_.header, model);
+  const std::string left_out = measure(model);
   try {
     const ObjectModel stored = save(model);
-    const std::string verdict = to_string(stored.quality.verdict);
-    return describe(
-        outcome(LearnError::kSuccess, "Learned '" + name_ + "', verdict " + verdict + "."), stored);
+    std::string message =
+        "Learned '" + name_ + "', verdict " + to_string(stored.quality.verdict) + ".";
+    if (!left_out.empty()) message += " The marked grasp was not stored: " + left_out + ".";
+    return describe(outcome(LearnError::kSuccess, message), stored);
   } catch (const FileError& error) {
     return describe(outcome(LearnError::kStorage, error.what()), model);
   } catch (const std::invalid_argument& error) {
@@ -105,6 +107,12 @@ LessonRun::Result LessonRun::store() {
     return describe(
         outcome(taken ? LearnError::kNameTaken : LearnError::kNameUnknown, error.what()), model);
   }
+}
+
+std::string LessonRun::measure(ObjectModel& model) const {
+  const bool live = before_.number > 0;
+  return tools_.gauge.measure(
+      {goal_.camera_info, before_.header, live ? before_.header.stamp : started_}, model);
 }
 
 ObjectModel LessonRun::save(const ObjectModel& model) const {
@@ -122,6 +130,11 @@ ObjectModel LessonRun::save(const ObjectModel& model) const {
             "frame.",
             "Show it more like the stored views, or use overwrite.")};
       view.reference = *reference;
+      ObjectModel shown = model;
+      shown.views = {view};
+      shown.grasp.reset();
+      measure(shown);
+      if (shown.grasp) stored.grasp = shown.grasp;
       stored.views.push_back(view);
       stored.quality = model.quality;
     });

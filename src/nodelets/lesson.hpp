@@ -2,7 +2,6 @@
 #pragma once
 
 #include <mbncc_vision/LearnObjectResult.h>
-#include <sensor_msgs/CameraInfo.h>
 #include <sensor_msgs/Image.h>
 
 #include <cstdint>
@@ -14,6 +13,7 @@
 #include "mbncc/config/learning_config.hpp"
 #include "mbncc/learning/learn_object.hpp"
 #include "nodelets/confirmation.hpp"
+#include "nodelets/lesson_gauge.hpp"
 #include "nodelets/lesson_server.hpp"
 #include "nodelets/picture_feed.hpp"
 #include "nodelets/shared_library.hpp"
@@ -28,10 +28,7 @@ struct LessonTools {
   LearningConfig config;
   std::function<void(const cv::Mat&)> show_stage;
   std::function<void(const cv::Mat&)> show_preview;
-  /// Fills in what calibration and tf tell: scale and grasp. The camera_info is the goal's, empty
-  /// when it gave none; the header is that of the picture before.
-  std::function<void(const sensor_msgs::CameraInfo&, const std_msgs::Header&, ObjectModel&)>
-      measure;
+  const LessonGauge& gauge;
 };
 
 /// A picture to learn from, CV_8UC3.
@@ -85,6 +82,7 @@ class LessonRun {
   // The end.
   bool may_be_stored() const;
   Result store();
+  std::string measure(ObjectModel& model) const;
   ObjectModel save(const ObjectModel& model) const;
   Result describe(Result result, const ObjectModel& model) const;
   cv::Mat preview(const ObjectModel& model) const;
@@ -99,6 +97,7 @@ class LessonRun {
   const LessonTools& tools_;
   const Goal& goal_;
   const std::string name_;
+  const ros::Time started_;
   LessonPicture before_, after_;
   Draft draft_;
   std::vector<Draft> earlier_;

@@ -61,7 +61,7 @@ LessonPicture LessonRun::wait_until(const Ready& ready, const Say& say) {
   for (int glance = 0;; ++glance) {
     const PictureFeed::View view = tools_.pictures.look();
     if (const auto why = client_.interruption()) fail_waiting(*why, view);
-    if (view.still && ready(*view.still)) return picture_of(*view.still, view.frame_id);
+    if (view.still && ready(*view.still)) return picture_of(*view.still, view.header.frame_id);
     if (glance % kGlancesPerWord == 0) {
       if (view.any_picture)
         say(view);

@@ -53,6 +53,11 @@ Found LiveMatcher::find(const cv::Mat& picture, SearchRequest request) const {
   return found;
 }
 
+void LiveMatcher::set_limits(double min_score, int max_instances) {
+  const std::unique_lock<std::shared_mutex> lock(mutex_);
+  matcher_.set_limits(min_score, max_instances);
+}
+
 void LiveMatcher::refresh(bool always) {
   library_.refresh(always);
 }

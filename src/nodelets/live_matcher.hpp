@@ -22,7 +22,8 @@ class LiveMatcher {
   /// Throws FileError when the library folder cannot be used.
   LiveMatcher(const SearchConfig& config, const std::string& library_path);
 
-  const SearchConfig& config() const { return matcher_.config(); }
+  /// For every search from now on; [0..1], and per name.
+  void set_limits(double min_score, int max_instances);
 
   /// Searches for objects learned in pictures of this size; the others are listed as skipped. Safe
   /// from several threads.

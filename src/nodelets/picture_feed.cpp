@@ -44,7 +44,7 @@ void PictureFeed::watch(const sensor_msgs::Image& image) {
   watch_.update(image.header.stamp.toSec(), decoded.picture);
   view_.any_picture = true;
   view_.still = watch_.still();
-  view_.frame_id = image.header.frame_id;
+  view_.header = image.header;
 }
 
 }  // namespace mbncc::nodelets

@@ -28,7 +28,7 @@ class PictureFeed {
   struct View {
     bool any_picture = false;        ///< a usable one has arrived
     std::optional<StillShot> still;  ///< see SceneWatch::still()
-    std::string frame_id;            ///< of the newest picture
+    std_msgs::Header header;         ///< of the newest picture
     std::uint64_t refused = 0;       ///< pictures that could not be decoded
     std::string fault;               ///< why, for the last of them
   };

@@ -1,6 +1,8 @@
 // What diagnostics tell about the stream of pictures.
 #pragma once
 
+#include <diagnostic_updater/DiagnosticStatusWrapper.h>
+
 #include <cstdint>
 #include <mutex>
 #include <string>
@@ -20,6 +22,18 @@ struct SearchStatistics {
   double latency = 0;      ///< [s] from the last picture's stamp to its publication
   std::string message;     ///< of the last array; empty: all is well
 };
+
+inline void add_to(diagnostic_updater::DiagnosticStatusWrapper& status,
+                   const SearchStatistics& statistics) {
+  status.add("pictures arrived", statistics.arrived);
+  status.add("pictures searched", statistics.searched);
+  status.add("pictures overtaken by newer ones", statistics.overtaken);
+  status.add("pictures refused", statistics.refused);
+  status.add("pictures badly stamped", statistics.badly_stamped);
+  status.add("last fault", statistics.last_fault);
+  status.add("search time [s]", statistics.search_time);
+  status.add("latency [s]", statistics.latency);
+}
 
 /// Statistics that several threads write to.
 class SharedStatistics {

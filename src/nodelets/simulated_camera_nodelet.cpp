@@ -2,7 +2,6 @@
 #include <cv_bridge/cv_bridge.h>
 #include <image_transport/image_transport.h>
 #include <mbncc_vision/DetectedObjectArray.h>
-#include <nodelet/nodelet.h>
 #include <ros/ros.h>
 #include <std_srvs/Trigger.h>
 #include <pluginlib/class_list_macros.hpp>
@@ -17,8 +16,10 @@
 #include "mbncc/config/simulated_camera_config.hpp"
 #include "mbncc/sim/cell_script.hpp"
 #include "mbncc/sim/scene.hpp"
+#include "nodelets/guarded_nodelet.hpp"
 #include "nodelets/messages.hpp"
 #include "nodelets/parameters.hpp"
+#include "nodelets/simulated_optics.hpp"
 
 namespace mbncc::nodelets {
 namespace {
@@ -46,46 +47,20 @@ sim::CellScriptConfig script_config(const SimulatedCameraConfig& config) {
   return script;
 }
 
-PinholeCamera pinhole(const SimulatedCameraConfig& config) {
-  return {config.focal_length, config.focal_length, (config.width - 1) / 2.0,
-          (config.height - 1) / 2.0};
-}
-
-sensor_msgs::CameraInfo camera_info(const SimulatedCameraConfig& config) {
-  sensor_msgs::CameraInfo info;
-  info.width = static_cast<std::uint32_t>(config.width);
-  info.height = static_cast<std::uint32_t>(config.height);
-  if (config.focal_length == 0) return info;
-  const PinholeCamera camera = pinhole(config);
-  info.distortion_model = "plumb_bob";
-  info.D.assign(5, 0);
-  info.K = {camera.fx, 0, camera.cx, 0, camera.fy, camera.cy, 0, 0, 1};
-  info.R = {1, 0, 0, 0, 1, 0, 0, 0, 1};
-  info.P = {camera.fx, 0, camera.cx, 0, 0, camera.fy, camera.cy, 0, 0, 0, 1, 0};
-  return info;
-}
-
 }  // namespace
 
-class SimulatedCameraNodelet : public nodelet::Nodelet {
+class SimulatedCameraNodelet : public GuardedNodelet {
  public:
-  ~SimulatedCameraNodelet() override { timer_.stop(); }
+  ~SimulatedCameraNodelet() override { stop(); }
 
  private:
-  void onInit() override {
-    try {
-      start();
-    } catch (const std::exception& error) {
-      NODELET_FATAL("%s", error.what());
-      throw;
-    }
-  }
+  void stop() override { timer_.stop(); }
 
-  void start() {
+  void start() override {
     read_parameters(getPrivateNodeHandle(), field_rows(config_));
     scene_ = std::make_unique<sim::Scene>(scene_config(config_));
     script_ = std::make_unique<sim::CellScript>(script_config(config_));
-    info_ = camera_info(config_);
+    optics_ = std::make_unique<SimulatedOptics>(config_);
     image_transport::ImageTransport transport(getNodeHandle());
     camera_ = transport.advertiseCamera("image_raw", 1);
     ros::NodeHandle& handle = getMTPrivateNodeHandle();
@@ -114,8 +89,8 @@ class SimulatedCameraNodelet : public nodelet::Nodelet {
   void publish_picture(const sim::CellFrame& frame, const std_msgs::Header& header) {
     ++frames_;
     if (camera_.getNumSubscribers() == 0) return;
-    const cv::Mat picture = scene_->render(frame.placed, frames_, frame.arm);
-    const auto info = boost::make_shared<sensor_msgs::CameraInfo>(info_);
+    const cv::Mat picture = optics_->distort(scene_->render(frame.placed, frames_, frame.arm));
+    const auto info = boost::make_shared<sensor_msgs::CameraInfo>(optics_->camera_info());
     info->header = header;
     camera_.publish(cv_bridge::CvImage(header, "bgr8", picture).toImageMsg(), info);
   }
@@ -126,8 +101,8 @@ class SimulatedCameraNodelet : public nodelet::Nodelet {
     truth.header = header;
     truth.message = sim::to_string(frame.phase);
     truth.searched = {config_.object_name};
-    truth.image_width = info_.width;
-    truth.image_height = info_.height;
+    truth.image_width = optics_->camera_info().width;
+    truth.image_height = optics_->camera_info().height;
     if (!frame.truth) return truth;
     Match match;
     match.name = config_.object_name;
@@ -144,8 +119,8 @@ class SimulatedCameraNodelet : public nodelet::Nodelet {
 
   void add_metric_pose(const Pose2D& pose, mbncc_vision::DetectedObject& object) const {
     if (config_.focal_length == 0) return;
-    const Platform platform(rays_of(pinhole(config_)), plane_at(config_.platform_distance));
-    const auto lifted = platform.lift(pose, cv::Matx33d::zeros(), 0);
+    const Platform platform(rays_of(optics_->pinhole()), plane_at(config_.platform_distance));
+    const auto lifted = platform.lift(pose, cv::Matx33d::zeros(), config_.object_height);
     if (!lifted) return;
     object.pose_valid = true;
     object.pose.pose.position.x = lifted->position[0];
@@ -175,7 +150,7 @@ class SimulatedCameraNodelet : public nodelet::Nodelet {
   }
 
   SimulatedCameraConfig config_;
-  sensor_msgs::CameraInfo info_;
+  std::unique_ptr<const SimulatedOptics> optics_;
   std::unique_ptr<const sim::Scene> scene_;
   std::mutex mutex_;  // guards script_
   std::unique_ptr<sim::CellScript> script_;

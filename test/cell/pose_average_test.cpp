@@ -5,66 +5,107 @@
 namespace mbncc {
 namespace {
 
-TrackedMatch seen(std::uint32_t id, const Pose2D& pose, int symmetry = 1) {
+constexpr double kSigma = 0.2;         // [px]
+constexpr double kSigmaAngle = 0.002;  // [rad]
+
+TrackedMatch seen(std::uint32_t id, const Pose2D& pose) {
   TrackedMatch tracked;
   tracked.instance_id = id;
+  tracked.state = TrackState::kConfirmed;
   tracked.match.pose = pose;
-  tracked.match.symmetry = symmetry;
-  tracked.match.covariance = cv::Matx33d::eye();
+  tracked.match.outline = {cv::Point2f(transform(pose, {30, 0}))};
+  tracked.match.covariance =
+      cv::Matx33d::diag({kSigma * kSigma, kSigma * kSigma, kSigmaAngle * kSigmaAngle});
   return tracked;
 }
 
-TEST(PoseAverage, TakesTheMeanOfEachInstance) {
-  PoseAverage average;
-  average.add({seen(1, {10, 20, 0.1}), seen(2, {50, 60, 1})});
-  average.add({seen(1, {12, 22, 0.2})});
-  std::vector<TrackedMatch> matches{seen(1, {12, 22, 0.2}), seen(2, {50, 60, 1})};
+Pose2D noisy(const Pose2D& pose, cv::RNG& random) {
+  return {pose.x + random.gaussian(kSigma), pose.y + random.gaussian(kSigma),
+          wrap_angle(pose.theta + random.gaussian(kSigmaAngle))};
+}
+
+/// What comes of the pose in one more picture.
+Match averaged(PoseAverage& average, const Pose2D& pose, std::uint32_t id = 1) {
+  std::vector<TrackedMatch> matches{seen(id, pose)};
   average.apply(matches);
-  EXPECT_DOUBLE_EQ(matches[0].match.pose.x, 11);
-  EXPECT_DOUBLE_EQ(matches[0].match.pose.y, 21);
-  EXPECT_NEAR(matches[0].match.pose.theta, 0.15, 1e-12);
-  EXPECT_DOUBLE_EQ(matches[0].match.covariance(0, 0), 0.5);
-  EXPECT_DOUBLE_EQ(matches[1].match.pose.x, 50);
+  return matches[0].match;
+}
+
+TEST(PoseAverage, NormalisedErrorOfStillInstancesIsAboutOne) {
+  cv::RNG random(7);
+  double sum = 0, error = 0;
+  constexpr int kTrials = 400, kPictures = 10;
+  for (int trial = 0; trial < kTrials; ++trial) {
+    PoseAverage average(kPictures);
+    const Pose2D truth{100, 50, kPi - 0.001};
+    Match last;
+    for (int i = 0; i < kPictures; ++i) last = averaged(average, noisy(truth, random));
+    sum += std::pow(last.pose.x - truth.x, 2) / last.covariance(0, 0);
+    error += std::pow(last.pose.x - truth.x, 2);
+    EXPECT_LT(angle_distance(last.pose.theta, truth.theta), 5 * kSigmaAngle);
+  }
+  EXPECT_NEAR(std::sqrt(sum / kTrials), 1, 0.3);
+  EXPECT_LT(std::sqrt(error / kTrials), 0.6 * kSigma);
+}
+
+TEST(PoseAverage, WhatAllPicturesShareStaysInTheCovariance) {
+  PoseAverage average(10);
+  Match last;
+  for (int i = 0; i < 10; ++i) last = averaged(average, {100, 50, 1});
+  EXPECT_NEAR(last.covariance(0, 0), kSigma * kSigma, 1e-9);
+}
+
+TEST(PoseAverage, AMovingInstanceDoesNotLagBehind) {
+  for (const double speed : {0.05, 0.2, 1.0, 5.0}) {
+    cv::RNG random(3);
+    PoseAverage average(10);
+    double worst = 0;
+    for (int i = 0; i < 200; ++i) {
+      const Pose2D truth{100 + speed * i, 50, 0};
+      worst = std::max(worst, std::abs(averaged(average, noisy(truth, random)).pose.x - truth.x));
+    }
+    EXPECT_LT(worst, 5 * kSigma) << speed;
+  }
+}
+
+TEST(PoseAverage, ASuddenMoveAndATurnBeginAnew) {
+  PoseAverage average(10);
+  for (int i = 0; i < 10; ++i) averaged(average, {100, 50, 0});
+  EXPECT_DOUBLE_EQ(averaged(average, {104, 50, 0}).pose.x, 104);
+  EXPECT_NEAR(averaged(average, {104, 50, 1}).pose.theta, 1, 1e-12);
 }
 
 TEST(PoseAverage, BearsTheTurnFromPiToMinusPi) {
-  PoseAverage average;
-  average.add({seen(1, {0, 0, kPi - 0.01})});
-  average.add({seen(1, {0, 0, -kPi + 0.01})});
-  std::vector<TrackedMatch> matches{seen(1, {0, 0, -kPi + 0.01})};
-  average.apply(matches);
-  EXPECT_NEAR(angle_distance(matches[0].match.pose.theta, kPi), 0, 1e-12);
+  PoseAverage average(10);
+  averaged(average, {0, 0, kPi - 0.001});
+  EXPECT_NEAR(angle_distance(averaged(average, {0, 0, -kPi + 0.001}).pose.theta, kPi), 0, 1e-9);
 }
 
-TEST(PoseAverage, LeavesOutAPoseOfAnotherAngle) {
-  PoseAverage average;
-  average.add({seen(1, {0, 0, 1})});
-  average.add({seen(1, {4, 4, 0})});
-  std::vector<TrackedMatch> matches{seen(1, {4, 4, 0})};
-  average.apply(matches);
-  EXPECT_DOUBLE_EQ(matches[0].match.pose.x, 4);
-  EXPECT_DOUBLE_EQ(matches[0].match.covariance(0, 0), 1);
+TEST(PoseAverage, OutlineMovesWithThePose) {
+  PoseAverage average(10);
+  averaged(average, {10, 20, 0.001});
+  const Match match = averaged(average, {10.2, 20, 0.002});
+  EXPECT_NEAR(match.pose.x, 10.1, 1e-9);
+  EXPECT_LT(cv::norm(cv::Point2d(match.outline[0]) - transform(match.pose, {30, 0})), 1e-4);
 }
 
-TEST(PoseAverage, CountsEqualPositionsOfASymmetricObjectAsOne) {
-  PoseAverage average;
-  average.add({seen(1, {0, 0, 0.1 + kPi}, 2)});
-  average.add({seen(1, {2, 0, 0.1}, 2)});
-  std::vector<TrackedMatch> matches{seen(1, {2, 0, 0.1}, 2)};
+TEST(PoseAverage, HeldInstancesKeepTheirMeanAndMissingOnesAreForgotten) {
+  PoseAverage average(10);
+  averaged(average, {10, 20, 0});
+  averaged(average, {10.2, 20, 0});
+  std::vector<TrackedMatch> matches{seen(1, {10.2, 20, 0})};
+  matches[0].state = TrackState::kHeld;
   average.apply(matches);
-  EXPECT_DOUBLE_EQ(matches[0].match.pose.x, 1);
-  EXPECT_NEAR(matches[0].match.pose.theta, 0.1, 1e-12);
+  EXPECT_NEAR(matches[0].match.pose.x, 10.1, 1e-9);
+  averaged(average, {0, 0, 0}, 2);
+  EXPECT_DOUBLE_EQ(averaged(average, {10.2, 20, 0}).pose.x, 10.2);
 }
 
-TEST(PoseAverage, IgnoresHeldInstancesAndUnknownOnes) {
-  PoseAverage average;
-  TrackedMatch held = seen(1, {9, 9, 0});
-  held.state = TrackState::kHeld;
-  average.add({held});
-  std::vector<TrackedMatch> matches{seen(1, {1, 2, 0}), seen(7, {3, 4, 0})};
-  average.apply(matches);
-  EXPECT_DOUBLE_EQ(matches[0].match.pose.x, 1);
-  EXPECT_DOUBLE_EQ(matches[1].match.pose.x, 3);
+TEST(PoseAverage, OnePictureIsItself) {
+  PoseAverage average(1);
+  averaged(average, {10, 20, 0});
+  EXPECT_DOUBLE_EQ(averaged(average, {10.1, 20, 0}).pose.x, 10.1);
+  EXPECT_THROW(PoseAverage(0), std::invalid_argument);
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <map>
 #include <set>
 
 namespace mbncc {
@@ -150,6 +151,80 @@ TEST(InstanceTracker, AngleJumpByTheSymmetryIsNone) {
     match.symmetry = 2;
     EXPECT_EQ(tracker.update(i, {match})[0].state == TrackState::kConfirmed, i >= 2);
   }
+}
+
+TEST(InstanceTracker, EqualAnglesOfASymmetricObjectStayNearTheLast) {
+  InstanceTracker tracker;
+  cv::RNG random(4);
+  double last = 0.1;
+  for (int i = 0; i < 50; ++i) {
+    Match match = match_at(100, 100, 0.1 + 0.1 * i + random.uniform(0, 3) * 2 * kPi / 3);
+    match.symmetry = 3;
+    const double theta = tracker.update(i, {match})[0].match.pose.theta;
+    if (i == 0) last = theta - 0.1;
+    EXPECT_NEAR(std::remainder(theta - last, 2 * kPi), 0.1, 1e-9) << i;
+    last = theta;
+  }
+}
+
+TEST(InstanceTracker, RoundObjectsDoNotTurn) {
+  InstanceTracker tracker;
+  for (int i = 0; i < 5; ++i) {
+    Match match = match_at(100, 100, 0.3 + i);
+    match.symmetry = 0;
+    EXPECT_NEAR(tracker.update(i, {match})[0].match.pose.theta, 0.3, 1e-12);
+  }
+}
+
+/// Two equal objects that pass each other again and again, one's width apart, at 5 px a picture.
+class Passing {
+ public:
+  explicit Passing(std::uint64_t seed) : random_(seed) {}
+
+  /// Pictures are dropped as a whole, or one object is missed, in a fifth of the cases.
+  void run(int pictures, bool whole) {
+    for (int i = 0; i < pictures; ++i) {
+      const double way = 5 * std::abs((i % 120) - 60);  // there and back
+      std::vector<Match> matches;
+      std::vector<int> objects;
+      const bool dropped = random_.uniform(0., 1.) < 0.2;
+      for (const int object : {0, 1}) {
+        if (!whole && random_.uniform(0., 1.) < 0.2) continue;
+        matches.push_back(seen_at(object == 0 ? 100 + way : 400 - way, 100 + 80 * object));
+        objects.push_back(object);
+      }
+      if (!(whole && dropped)) check(tracker_.update(i / 30.0, matches), objects);
+    }
+  }
+
+  int swaps = 0, renewals = 0;
+
+ private:
+  Match seen_at(double x, double y) {
+    return match_at(x + random_.gaussian(0.3), y + random_.gaussian(0.3));
+  }
+
+  void check(const std::vector<TrackedMatch>& tracked, const std::vector<int>& objects) {
+    for (std::size_t i = 0; i < objects.size(); ++i) {
+      const auto [owner, is_new] = owners_.emplace(tracked[i].instance_id, objects[i]);
+      renewals += is_new ? 1 : 0;
+      swaps += owner->second != objects[i] ? 1 : 0;
+    }
+  }
+
+  cv::RNG random_;
+  InstanceTracker tracker_;
+  std::map<std::uint32_t, int> owners_;
+};
+
+TEST(InstanceTracker, NeverSwapsEqualObjectsThatPassEachOther) {
+  for (std::uint64_t seed = 1; seed <= 50; ++seed)
+    for (const bool whole : {true, false}) {
+      Passing passing(seed);
+      passing.run(300, whole);
+      EXPECT_EQ(passing.swaps, 0) << seed;
+      EXPECT_LE(passing.renewals, 5) << "two objects, two identities";
+    }
 }
 
 TEST(InstanceTracker, HoldsALostInstanceForTheHoldTime) {

@@ -8,6 +8,7 @@
 #include "mbncc/config/camera_config.hpp"
 #include "mbncc/config/learning_node_config.hpp"
 #include "mbncc/config/matching_node_config.hpp"
+#include "mbncc/config/rectify_config.hpp"
 #include "mbncc/config/simulated_camera_config.hpp"
 
 namespace mbncc::test {
@@ -96,6 +97,7 @@ TEST(ParamsCommand, ListsEveryFieldOfEveryStruct) {
   expect_all(MatchingNodeConfig{});
   expect_all(LearningNodeConfig{});
   expect_all(CameraConfig{});
+  expect_all(RectifyConfig{});
   expect_all(SimulatedCameraConfig{});
   EXPECT_TRUE(run_tool({"params", "--set", "min_score=0.125"}).prints("0.125"));
 }

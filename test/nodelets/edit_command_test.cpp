@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <limits>
 
 #include "library/models.hpp"
@@ -68,11 +69,17 @@ TEST_F(EditObject, MovesTheReference) {
   EXPECT_GT(stored().revision, before);
 }
 
-TEST_F(EditObject, KeepsTheReferenceOfAGraspedObject) {
+TEST_F(EditObject, TheGraspStaysWhereItIsWhenTheReferenceMoves) {
   auto grasp = request(Request::SET_GRASP);
   grasp.grasp.orientation.w = 1;
   edit_object(library_, grasp);
-  EXPECT_THROW(edit_object(library_, request(Request::SET_REFERENCE)), std::invalid_argument);
+  auto move = request(Request::SET_REFERENCE);
+  move.reference.x = stored().views.front().reference.x + 10;
+  move.reference.y = stored().views.front().reference.y;
+  move.reference.theta = stored().views.front().reference.theta;
+  const ObjectModel moved = edit_object(library_, move);
+  const auto& place = moved.grasp->position;
+  EXPECT_NEAR(std::hypot(place[0], place[1]), 10 * moved.metres_per_pixel, 1e-9);
   grasp.clear = true;
   edit_object(library_, grasp);
   EXPECT_FALSE(stored().grasp);

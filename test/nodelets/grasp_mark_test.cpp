@@ -31,7 +31,9 @@ TEST(GraspMark, IsTheGrippersPoseInTheObjectsFrame) {
   tf.setTransform(gripper_in_camera(), "test", true);
   GraspMark mark(tf, "gripper");
   EXPECT_FALSE(mark.relative_to(object_in_camera()));
-  mark.record("camera");
+  mark.record("camera", ros::Time(10.1));
+  EXPECT_TRUE(mark.is_marked_since(ros::Time(10)));
+  EXPECT_FALSE(mark.is_marked_since(ros::Time(10.2)));
   const auto grasp = mark.relative_to(object_in_camera());
   ASSERT_TRUE(grasp);
   EXPECT_NEAR(grasp->position[0], -0.1, 1e-12);
@@ -44,9 +46,16 @@ TEST(GraspMark, IsTheGrippersPoseInTheObjectsFrame) {
 
 TEST(GraspMark, RefusesWithASentence) {
   tf2_ros::Buffer tf;
-  EXPECT_THROW(GraspMark(tf, "").record("camera"), std::runtime_error);
-  EXPECT_THROW(GraspMark(tf, "gripper").record(""), std::runtime_error);
-  EXPECT_THROW(GraspMark(tf, "gripper").record("camera"), std::runtime_error);
+  EXPECT_THROW(GraspMark(tf, "").record("camera", ros::Time(10)), std::runtime_error);
+  EXPECT_THROW(GraspMark(tf, "gripper").record("", ros::Time(10)), std::runtime_error);
+  EXPECT_THROW(GraspMark(tf, "gripper").record("camera", ros::Time(10)), std::runtime_error);
+}
+
+TEST(GraspMark, RefusesAGripperPoseOfTheDistantPast) {
+  tf2_ros::Buffer tf;
+  tf.setTransform(gripper_in_camera(), "test", false);
+  EXPECT_NO_THROW(GraspMark(tf, "gripper").record("camera", ros::Time(10.3)));
+  EXPECT_THROW(GraspMark(tf, "gripper").record("camera", ros::Time(20)), std::runtime_error);
 }
 
 }  // namespace

@@ -9,6 +9,7 @@
 #include "mbncc/config/camera_config.hpp"
 #include "mbncc/config/learning_node_config.hpp"
 #include "mbncc/config/matching_node_config.hpp"
+#include "mbncc/config/rectify_config.hpp"
 #include "mbncc/config/simulated_camera_config.hpp"
 #include "mbncc/error.hpp"
 #include "mbncc/nearest_word.hpp"
@@ -128,6 +129,7 @@ TEST(Configs, DefaultsAreAllowedAndNamesUnique) {
   expect_sound_fields<MatchingNodeConfig>();
   expect_sound_fields<LearningNodeConfig>();
   expect_sound_fields<CameraConfig>();
+  expect_sound_fields<RectifyConfig>();
   expect_sound_fields<SimulatedCameraConfig>();
 }
 

@@ -69,6 +69,48 @@ TEST(Outlines, LieInTheObjectFrame) {
   EXPECT_NEAR(mean.y, -100, 2);
 }
 
+/// Gripper pose in the picture: position [px] and angle about z [rad].
+Pose2D gripper_in_picture(const ObjectModel& model) {
+  const auto& p = model.grasp->position;
+  const auto& q = model.grasp->orientation;
+  return compose(
+      model.views.front().reference,
+      {p[0] / model.metres_per_pixel, p[1] / model.metres_per_pixel, 2 * std::atan2(q[2], q[3])});
+}
+
+TEST(MoveReference, TheGraspStaysWhereItIs) {
+  ObjectModel model = sound_model();
+  model.metres_per_pixel = 0.002;
+  model.grasp = Grasp{{{0.01, -0.03, -0.1}}, {{0, 0, std::sin(0.2), std::cos(0.2)}}};
+  const Pose2D before = gripper_in_picture(model);
+  move_reference(model, {33, 44, 1.1});
+  const Pose2D after = gripper_in_picture(model);
+  EXPECT_NEAR(after.x, before.x, 1e-9);
+  EXPECT_NEAR(after.y, before.y, 1e-9);
+  EXPECT_NEAR(angle_distance(after.theta, before.theta), 0, 1e-9);
+  EXPECT_EQ(model.grasp->position[2], -0.1);
+}
+
+TEST(MoveReference, ATiltedGraspTurnsAboutTheOpticalAxis) {
+  ObjectModel model = sound_model();
+  model.metres_per_pixel = 0.001;
+  model.grasp = Grasp{{{0, 0, 0}}, {{std::sin(0.3), 0, 0, std::cos(0.3)}}};
+  Pose2D turned = model.views.front().reference;
+  turned.theta += kPi / 2;
+  move_reference(model, turned);
+  // The gripper's tilt was about the old x axis, which is -y of the new frame.
+  const auto& q = model.grasp->orientation;
+  EXPECT_NEAR(q[1], -std::sin(0.3) * std::sin(kPi / 4), 1e-9);
+  EXPECT_NEAR(q[0], std::sin(0.3) * std::cos(kPi / 4), 1e-9);
+  EXPECT_NEAR(q[2], -std::cos(0.3) * std::sin(kPi / 4), 1e-9);
+}
+
+TEST(MoveReference, RefusesToMoveAGraspWithoutScale) {
+  ObjectModel model = sound_model();
+  model.grasp = Grasp{};
+  EXPECT_THROW(move_reference(model, {33, 44, 0}), std::invalid_argument);
+}
+
 TEST(Validate, NamesEachBrokenRule) {
   EXPECT_NO_THROW(validate(sound_model()));
   const std::vector<std::function<void(ObjectModel&)>> faults = {

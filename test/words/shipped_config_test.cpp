@@ -9,6 +9,7 @@
 #include "mbncc/config/field.hpp"
 #include "mbncc/config/learning_node_config.hpp"
 #include "mbncc/config/matching_node_config.hpp"
+#include "mbncc/config/rectify_config.hpp"
 #include "mbncc/config/simulated_camera_config.hpp"
 
 namespace mbncc {
@@ -37,6 +38,9 @@ void expect_complete(const std::string& file) {
 TEST(ShippedConfig, Camera) {
   expect_complete<CameraConfig>("camera.yaml");
 }
+TEST(ShippedConfig, Rectify) {
+  expect_complete<RectifyConfig>("rectify.yaml");
+}
 TEST(ShippedConfig, SimulatedCamera) {
   expect_complete<SimulatedCameraConfig>("simulated_camera.yaml");
 }
@@ -61,6 +65,7 @@ void expect_sound() {
 
 TEST(ShippedConfig, DefaultsAreAllowedAndFieldsExplained) {
   expect_sound<CameraConfig>();
+  expect_sound<RectifyConfig>();
   expect_sound<SimulatedCameraConfig>();
   expect_sound<LearningNodeConfig>();
   expect_sound<MatchingNodeConfig>();

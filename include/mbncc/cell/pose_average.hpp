@@ -1,7 +1,8 @@
-// Averages the poses of tracked instances over several pictures of a scene at rest.
+// Averages the poses of instances that lie still, over the last pictures.
 #pragma once
 
 #include <cstdint>
+#include <deque>
 #include <map>
 #include <vector>
 
@@ -9,18 +10,27 @@
 
 namespace mbncc {
 
+/// An instance is averaged anew when it has moved: when its last poses show a trend beyond their
+/// own scatter, or its angle jumps. The covariance loses the part of it that the pictures are seen
+/// to scatter by, divided among them; what all pictures may share stays.
 class PoseAverage {
  public:
-  /// Takes the instances of one more picture; held ones do not count.
-  void add(const std::vector<TrackedMatch>& matches);
+  /// Takes at most this many pictures. Throws std::invalid_argument below 1.
+  explicit PoseAverage(int most);
 
-  /// Puts the mean pose of each instance into `matches` and divides its covariance by the number of
-  /// pictures. Poses whose angle lies more than 15 degrees from the one in `matches`, symmetry
-  /// aside, are left out.
-  void apply(std::vector<TrackedMatch>& matches) const;
+  /// Takes the instances of the next picture and puts each one's mean pose in its place. Held ones
+  /// get their last mean; those not listed are forgotten.
+  void apply(std::vector<TrackedMatch>& matches);
+
+  void reset() { still_.clear(); }
 
  private:
-  std::map<std::uint32_t, std::vector<Pose2D>> poses_;  // by instance
+  using Poses = std::deque<Pose2D>;  // angles unwrapped about the first one
+
+  void add(Poses& poses, const Match& match) const;
+
+  std::size_t most_;
+  std::map<std::uint32_t, Poses> still_;  // by instance
 };
 
 }  // namespace mbncc

@@ -35,8 +35,10 @@ struct TrackedMatch {
 };
 
 /// A match continues the nearest instance of its name and revision, if that is near enough for the
-/// object to be the same: half of its outline's radius. When the angle jumps by more than 15
-/// degrees, symmetry aside, the instance stays and has to be confirmed anew.
+/// object to be the same: within half of its outline's radius of where the instance was seen last,
+/// or of where it would be had it gone on moving. When the angle jumps by more than 15 degrees,
+/// symmetry aside, the instance stays and has to be confirmed anew. Among the equal angles of a
+/// symmetric object the one nearest to the last is taken; a round one keeps its first.
 class InstanceTracker {
  public:
   /// Throws std::invalid_argument when confirm_frames is not in 1 .. confirm_window or a time is
@@ -54,9 +56,12 @@ class InstanceTracker {
   struct Track {
     TrackedMatch last;
     double seen_at = 0;          // [s]
+    cv::Point2d velocity;        // [px/s] between the last two sightings
     std::deque<bool> graspable;  // of the last pictures, newest last
     int missed = 0;              // pictures in a row
     bool seen = false;           // in the present picture
+
+    double distance_to(const Match& match, double stamp) const;
   };
   struct ReleasedFrame {
     std::string name;
@@ -64,8 +69,8 @@ class InstanceTracker {
     double at;  // [s]
   };
 
-  std::vector<Track*> associate(const std::vector<Match>& matches);
-  Track& begin_track(const Match& match);
+  std::vector<Track*> associate(double stamp, const std::vector<Match>& matches);
+  Track& begin_track(double stamp, const Match& match);
   void see(Track& track, const Match& match, double stamp);
   void note_missed();
   bool is_held(const Track& track, double stamp) const;

@@ -19,6 +19,7 @@ struct MatchingNodeConfig {
   int confirm_frames = 3;    ///< graspable pictures needed ...
   int confirm_window = 5;    ///< ... among this many of the last ones
   double hold_time = 0;      ///< [s] a lost instance is repeated as HELD; 0: not at all
+  int average_frames = 10;   ///< pictures that the pose of a still instance is averaged over
   double max_age = 0.5;      ///< [s] older pictures are dropped, older poses not confirmed
   double max_ahead = 0.1;    ///< [s] pictures stamped further in the future are dropped
   double stale_after = 1;    ///< [s] without a picture before STALE is published
@@ -47,6 +48,9 @@ struct MatchingNodeConfig {
     visit(FieldInfo{"hold_time", Allowed::range(0, 60), "s",
                     "a lost instance is repeated as HELD for this long; 0: not at all"},
           self.hold_time);
+    visit(FieldInfo{"average_frames", Allowed::range(1, 100), "",
+                    "the pose of an instance at rest is averaged over this many pictures at most"},
+          self.average_frames);
     visit(FieldInfo{"max_age", Allowed::range(0.01, 3600), "s",
                     "pictures older than this are dropped, and no older pose is confirmed"},
           self.max_age);

@@ -25,7 +25,11 @@ struct SimulatedCameraConfig {
   std::string object_name = "object";  ///< name of the object in ~truth
   std::string frame_id = "camera_optical_frame";  ///< of pictures and truth
   double focal_length = 600;                      ///< [px]; 0: publish no calibration
-  double platform_distance = 0.6;                 ///< [m] for the truth in metres
+  double distortion = 0;                          ///< k1 of the lens
+  double principal_x = 0;          ///< [px] principal point from the picture's middle
+  double principal_y = 0;          ///< [px]
+  double platform_distance = 0.6;  ///< [m] for the truth in metres
+  double object_height = 0;        ///< [m] of the object's top face, likewise
 
   template <class Self, class Visitor>
   static void fields(Self& self, Visitor&& visit) {
@@ -71,9 +75,21 @@ struct SimulatedCameraConfig {
     visit(FieldInfo{"focal_length", Allowed::range(0, 100000), "px",
                     "focal length in camera_info; 0: publish no calibration"},
           self.focal_length);
+    visit(FieldInfo{"distortion", Allowed::range(-1, 1), "",
+                    "radial distortion k1 of the lens; below 0: barrel"},
+          self.distortion);
+    visit(FieldInfo{"principal_x", Allowed::range(-8192, 8192), "px",
+                    "principal point from the picture's middle"},
+          self.principal_x);
+    visit(FieldInfo{"principal_y", Allowed::range(-8192, 8192), "px",
+                    "principal point from the picture's middle"},
+          self.principal_y);
     visit(FieldInfo{"platform_distance", Allowed::range(0.01, 100), "m",
                     "distance of the platform, for the truth in metres"},
           self.platform_distance);
+    visit(FieldInfo{"object_height", Allowed::range(0, 10), "m",
+                    "height of the object's top face, for the truth in metres"},
+          self.object_height);
   }
 };
 

@@ -49,7 +49,7 @@ struct SearchResult {
 
 /// Searches pictures for a set of objects. A learned point p appears at
 /// (x, y) + R(theta - reference.theta) scale (p - reference).
-/// find() is const and may run in several threads; set_objects() must not run beside it.
+/// find() is const and may run in several threads; the setters must not run beside it.
 class Matcher {
  public:
   explicit Matcher(SearchConfig config = {});
@@ -63,6 +63,9 @@ class Matcher {
   /// are prepared here, which takes some milliseconds each. Throws std::invalid_argument when a
   /// model breaks the rules of object_model.hpp.
   void set_objects(std::vector<std::shared_ptr<const ObjectModel>> objects);
+
+  /// Changes config().min_score [0..1] and config().max_instances (>= 1).
+  void set_limits(double min_score, int max_instances);
 
   /// `picture` is CV_8UC3 (bgr) or CV_8UC1, at least 16 x 16; else std::invalid_argument.
   /// A requested name that is unknown or disabled is listed in `skipped`.

@@ -1,47 +1,121 @@
 #include "mbncc/cell/pose_average.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <stdexcept>
 
 namespace mbncc {
 namespace {
 
-constexpr double kSameAngle = 15 * kPi / 180;  // [rad]
+constexpr double kSameAngle = to_radians(15);
+constexpr double kTrendFactor = 3;  // standard deviations that a trend stands out by
+constexpr double kClaims = 2;  // pictures' worth of scatter that the claimed variance counts for
+constexpr double kJumpFactor = 4;   // standard deviations that a jump stands out by
+constexpr double kMostSurplus = 2;  // scatter by variance, of one coordinate
+// Motions below these do not matter, and perfect pictures do not scatter.
+const cv::Vec3d kLeastTrend(0.05, 0.05, to_radians(0.05));
 
-/// Difference of two angles, wrapped into half a symmetry step about zero.
-double turn(double from, double to, int symmetry) {
-  if (symmetry == 0) return 0;
-  return std::remainder(to - from, 2 * kPi / symmetry);
+cv::Vec3d values_of(const Pose2D& pose) {
+  return {pose.x, pose.y, pose.theta};
 }
 
-void average(Match& match, const std::vector<Pose2D>& poses) {
-  Pose2D mean = {0, 0, 0};
-  int count = 0;
-  for (const auto& pose : poses) {
-    const double angle = turn(match.pose.theta, pose.theta, match.symmetry);
-    if (std::abs(angle) > kSameAngle) continue;
-    ++count;
-    mean.x += pose.x;
-    mean.y += pose.y;
-    mean.theta += angle;
+cv::Vec3d mean_of(const std::deque<Pose2D>& poses, std::size_t from, std::size_t to) {
+  cv::Vec3d sum;
+  for (std::size_t i = from; i < to; ++i) sum += values_of(poses[i]);
+  return sum / static_cast<double>(to - from);
+}
+
+/// Sum of squared second differences, which a steady motion does not add to; six times the variance
+/// of a single pose for each of them.
+cv::Vec3d bends_of(const std::deque<Pose2D>& poses) {
+  cv::Vec3d sum;
+  for (std::size_t i = 2; i < poses.size(); ++i) {
+    const cv::Vec3d bend =
+        values_of(poses[i]) - 2 * values_of(poses[i - 1]) + values_of(poses[i - 2]);
+    sum += bend.mul(bend);
   }
-  if (count == 0) return;
-  match.pose = {mean.x / count, mean.y / count, wrap_angle(match.pose.theta + mean.theta / count)};
-  match.covariance *= 1.0 / count;
+  return sum;
+}
+
+/// Variance of a single pose as the pictures show it.
+cv::Vec3d scatter_of(const std::deque<Pose2D>& poses) {
+  if (poses.size() > 2) return bends_of(poses) / (6.0 * static_cast<double>(poses.size() - 2));
+  const cv::Vec3d step = values_of(poses.back()) - values_of(poses.front());
+  return step.mul(step) / 2;
+}
+
+/// The later half lies elsewhere than the earlier one, for the scatter and the variance claimed.
+bool has_trend(const std::deque<Pose2D>& poses, const cv::Matx33d& covariance) {
+  const std::size_t count = poses.size(), half = count / 2;
+  if (half == 0) return false;
+  const cv::Vec3d trend = mean_of(poses, count - half, count) - mean_of(poses, 0, half);
+  const cv::Vec3d bends = bends_of(poses);
+  for (int i = 0; i < 3; ++i) {
+    const double variance =
+        (kClaims * covariance(i, i) + bends[i] / 6) / (kClaims + static_cast<double>(count) - 2);
+    const double deviation = std::sqrt(2 * variance / static_cast<double>(half));
+    if (std::abs(trend[i]) > kLeastTrend[i] + kTrendFactor * deviation) return true;
+  }
+  return false;
+}
+
+/// The newest pose lies farther from the mean of the others than it may by its covariance.
+bool has_jumped(const std::deque<Pose2D>& poses, const cv::Matx33d& covariance) {
+  if (poses.size() < 2) return false;
+  const cv::Vec3d step = values_of(poses.back()) - mean_of(poses, 0, poses.size() - 1);
+  for (int i = 0; i < 3; ++i)
+    if (std::abs(step[i]) > kLeastTrend[i] + kJumpFactor * std::sqrt(covariance(i, i))) return true;
+  return false;
+}
+
+/// Part of the covariance that is left when `count` pictures share the scatter, which all three
+/// coordinates together tell best.
+double remaining_share(const cv::Matx33d& covariance, const cv::Vec3d& scatter, double count) {
+  double random = 0;
+  for (int i = 0; i < 3; ++i)
+    if (covariance(i, i) > 0) random += std::min(kMostSurplus, scatter[i] / covariance(i, i)) / 3;
+  return std::max(1 / count, 1 - random * (1 - 1 / count));
+}
+
+/// The match at another pose nearby, outline and all.
+void move_to(const Pose2D& pose, Match& match) {
+  const Pose2D move = compose(pose, inverse(match.pose));
+  for (auto& point : match.outline) point = transform(move, cv::Point2d(point));
+  match.pose = pose;
 }
 
 }  // namespace
 
-void PoseAverage::add(const std::vector<TrackedMatch>& matches) {
-  for (const auto& tracked : matches)
-    if (tracked.state != TrackState::kHeld)
-      poses_[tracked.instance_id].push_back(tracked.match.pose);
+PoseAverage::PoseAverage(int most) : most_(static_cast<std::size_t>(most)) {
+  if (most < 1) throw std::invalid_argument("an average needs at least one picture");
 }
 
-void PoseAverage::apply(std::vector<TrackedMatch>& matches) const {
+void PoseAverage::apply(std::vector<TrackedMatch>& matches) {
+  std::map<std::uint32_t, Poses> still;
   for (auto& tracked : matches) {
-    const auto poses = poses_.find(tracked.instance_id);
-    if (poses != poses_.end()) average(tracked.match, poses->second);
+    Match& match = tracked.match;
+    Poses& poses = still[tracked.instance_id] = std::move(still_[tracked.instance_id]);
+    if (tracked.state != TrackState::kHeld) add(poses, match);
+    if (poses.empty()) continue;
+    const cv::Vec3d mean = mean_of(poses, 0, poses.size());
+    move_to({mean[0], mean[1], wrap_angle(mean[2])}, match);
+    match.covariance *=
+        remaining_share(match.covariance, scatter_of(poses), static_cast<double>(poses.size()));
   }
+  still_ = std::move(still);
+}
+
+void PoseAverage::add(Poses& poses, const Match& match) const {
+  Pose2D pose = match.pose;
+  if (!poses.empty()) {
+    const double turn = std::remainder(pose.theta - poses.back().theta, 2 * kPi);
+    if (std::abs(turn) > kSameAngle) poses.clear();
+    if (!poses.empty()) pose.theta = poses.back().theta + turn;
+  }
+  poses.push_back(pose);
+  if (poses.size() > most_) poses.pop_front();
+  if (has_jumped(poses, match.covariance) || has_trend(poses, match.covariance))
+    poses = {match.pose};
 }
 
 }  // namespace mbncc

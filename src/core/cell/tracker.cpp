@@ -1,6 +1,8 @@
 #include "mbncc/cell/tracker.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <stdexcept>
 
 namespace mbncc {
@@ -8,6 +10,7 @@ namespace {
 
 constexpr double kGateShare = 0.5;             // of the outline's radius
 constexpr double kLeastGate = 5;               // [px]
+constexpr double kLongestGuess = 0.5;          // [s] that a motion is taken to go on unseen
 constexpr double kAngleJump = to_radians(15);  // [rad]
 
 /// Distance [px] within which a match continues an instance.
@@ -18,9 +21,10 @@ double gate_of(const Match& match) {
   return std::max(kLeastGate, kGateShare * radius);
 }
 
-bool may_be_same(const Match& a, const Match& b) {
-  return a.name == b.name && a.revision == b.revision &&
-         cv::norm(a.pose.position() - b.pose.position()) <= gate_of(b);
+/// The equal angle of `match` that lies nearest to the last one.
+double nearest_angle(double last, const Match& match) {
+  if (match.symmetry == 0) return last;
+  return wrap_angle(last + std::remainder(match.pose.theta - last, 2 * kPi / match.symmetry));
 }
 
 bool angle_jumped(const Match& a, const Match& b) {
@@ -59,10 +63,10 @@ std::vector<TrackedMatch> InstanceTracker::update(double stamp, const std::vecto
   if (stamp < last_stamp_) reset();
   last_stamp_ = stamp;
   drop_lost(stamp);
-  const std::vector<Track*> continued = associate(matches);
+  const std::vector<Track*> continued = associate(stamp, matches);
   std::vector<TrackedMatch> result;
   for (std::size_t i = 0; i < matches.size(); ++i) {
-    Track& track = continued[i] ? *continued[i] : begin_track(matches[i]);
+    Track& track = continued[i] ? *continued[i] : begin_track(stamp, matches[i]);
     see(track, matches[i], stamp);
     result.push_back(track.last);
   }
@@ -75,8 +79,21 @@ std::vector<TrackedMatch> InstanceTracker::update(double stamp, const std::vecto
   return result;
 }
 
+/// From where the instance was seen last, or would be had it gone on moving; objects that turn back
+/// are near the first. Infinite for another object.
+double InstanceTracker::Track::distance_to(const Match& match, double stamp) const {
+  const Match& before = last.match;
+  if (before.name != match.name || before.revision != match.revision)
+    return std::numeric_limits<double>::infinity();
+  const cv::Point2d way = match.pose.position() - before.pose.position();
+  const double passed = stamp - seen_at;
+  if (passed > kLongestGuess) return cv::norm(way);
+  return std::min(cv::norm(way), cv::norm(way - velocity * passed));
+}
+
 /// Nearest pairs first; nullptr where a match begins a new instance.
-std::vector<InstanceTracker::Track*> InstanceTracker::associate(const std::vector<Match>& matches) {
+std::vector<InstanceTracker::Track*> InstanceTracker::associate(double stamp,
+                                                                const std::vector<Match>& matches) {
   struct Pair {
     double distance;
     std::size_t match;
@@ -86,9 +103,8 @@ std::vector<InstanceTracker::Track*> InstanceTracker::associate(const std::vecto
   for (auto& track : tracks_) {
     track.seen = false;
     for (std::size_t i = 0; i < matches.size(); ++i) {
-      const Match& before = track.last.match;
-      if (may_be_same(before, matches[i]))
-        pairs.push_back({cv::norm(before.pose.position() - matches[i].pose.position()), i, &track});
+      const double distance = track.distance_to(matches[i], stamp);
+      if (distance <= gate_of(matches[i])) pairs.push_back({distance, i, &track});
     }
   }
   std::stable_sort(pairs.begin(), pairs.end(),
@@ -102,21 +118,28 @@ std::vector<InstanceTracker::Track*> InstanceTracker::associate(const std::vecto
   return result;
 }
 
-InstanceTracker::Track& InstanceTracker::begin_track(const Match& match) {
+InstanceTracker::Track& InstanceTracker::begin_track(double stamp, const Match& match) {
   const int index = free_frame_index(match.name);
   Track& track = tracks_.emplace_back();
   track.last.match = match;
+  track.seen_at = stamp;
   track.last.instance_id = next_id_++;
   track.last.frame_index = index;
   return track;
 }
 
 void InstanceTracker::see(Track& track, const Match& match, double stamp) {
-  if (angle_jumped(track.last.match, match)) track.graspable.clear();
+  const Match& before = track.last.match;
+  if (angle_jumped(before, match)) track.graspable.clear();
+  const double theta = nearest_angle(before.pose.theta, match);
+  if (stamp > track.seen_at)
+    track.velocity =
+        (match.pose.position() - before.pose.position()) * (1 / (stamp - track.seen_at));
   track.graspable.push_back(match.graspable);
   if (static_cast<int>(track.graspable.size()) > config_.confirm_window)
     track.graspable.pop_front();
   track.last.match = match;
+  track.last.match.pose.theta = theta;
   track.last.valid_until = stamp + config_.max_age;
   track.seen_at = stamp;
   track.seen = true;

@@ -124,6 +124,11 @@ void Matcher::set_objects(std::vector<std::shared_ptr<const ObjectModel>> object
   implementation_->objects = std::move(prepared);
 }
 
+void Matcher::set_limits(double min_score, int max_instances) {
+  implementation_->config.min_score = min_score;
+  implementation_->config.max_instances = max_instances;
+}
+
 SearchResult Matcher::find(const cv::Mat& picture, const SearchRequest& request) const {
   const auto start = Clock::now();
   const SearchConfig& config = implementation_->config;

@@ -46,6 +46,17 @@ bool is_sound(const Grasp& grasp) {
   return finite && std::abs(norm - 1) < 1e-3;
 }
 
+/// The grasp in a frame that lies at `frame` [px], turned about z, in the old one.
+Grasp seen_from(const Grasp& grasp, const Pose2D& frame, double metres_per_pixel) {
+  const cv::Point2d way(grasp.position[0] - metres_per_pixel * frame.x,
+                        grasp.position[1] - metres_per_pixel * frame.y);
+  const cv::Point2d place = rotate(way, -frame.theta);
+  const double c = std::cos(frame.theta / 2), s = -std::sin(frame.theta / 2);
+  const auto& q = grasp.orientation;
+  return {{{place.x, place.y, grasp.position[2]}},
+          {{c * q[0] - s * q[1], c * q[1] + s * q[0], c * q[2] + s * q[3], c * q[3] - s * q[2]}}};
+}
+
 void validate_view(const View& view) {
   require(view.template_image.type() == CV_8UC3 && !view.template_image.empty(),
           "a view's template must be a non-empty 8-bit colour picture");
@@ -114,11 +125,12 @@ std::vector<std::vector<cv::Point2f>> outlines(const View& view) {
 
 void move_reference(ObjectModel& model, const Pose2D& reference) {
   require(is_finite(reference), "the new reference must be finite");
-  require(!model.grasp,
-          "the object has a grasp, which belongs to the old reference; clear it first");
+  require(!model.grasp || model.metres_per_pixel > 0,
+          "the object has a grasp but no scale to move it by; clear the grasp first");
   require(!model.views.empty(), "an object needs at least one view");
   const Pose2D move = compose(inverse(model.views.front().reference), reference);
   for (auto& view : model.views) view.reference = compose(view.reference, move);
+  if (model.grasp) model.grasp = seen_from(*model.grasp, move, model.metres_per_pixel);
 }
 
 void validate(const ObjectModel& model) {

@@ -1,0 +1,42 @@
+// What the camera's diagnostics tell: counters that the worker thread writes.
+#pragma once
+
+#include <diagnostic_updater/DiagnosticStatusWrapper.h>
+
+#include <chrono>
+#include <cstdint>
+#include <mutex>
+#include <string>
+
+namespace mbncc::nodelets {
+
+class CameraHealth {
+ public:
+  struct Counts {
+    std::uint64_t published = 0;
+    std::uint64_t unreadable = 0;
+    std::uint64_t frozen = 0;
+    std::uint64_t unstamped = 0;  ///< grabbed while the clock stood still
+    std::uint64_t failures = 0;   ///< of the source
+  };
+
+  /// `level` as in diagnostic_msgs/DiagnosticStatus.
+  void set_state(std::uint8_t level, const std::string& state);
+
+  void count(std::uint64_t Counts::*what);
+
+  /// Fills in state, counts and the rate since the last call.
+  void describe(diagnostic_updater::DiagnosticStatusWrapper& status);
+
+ private:
+  using Clock = std::chrono::steady_clock;
+
+  std::mutex mutex_;
+  std::uint8_t level_ = diagnostic_msgs::DiagnosticStatus::WARN;
+  std::string state_ = "not opened yet";
+  Counts counts_;
+  std::uint64_t published_before_ = 0;
+  Clock::time_point described_at_ = Clock::now();
+};
+
+}  // namespace mbncc::nodelets

@@ -1,0 +1,36 @@
+// The matching nodelet's settings, a handful of which may change while it runs.
+#pragma once
+
+#include <mutex>
+#include <utility>
+
+#include "mbncc/config/matching_node_config.hpp"
+
+namespace mbncc::nodelets {
+
+class LiveSettings {
+ public:
+  explicit LiveSettings(const MatchingNodeConfig& config) : initial_(config), current_(config) {}
+
+  /// As the nodelet was started.
+  const MatchingNodeConfig& initial() const { return initial_; }
+
+  MatchingNodeConfig get() const {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    return current_;
+  }
+
+  /// Calls `change` with the settings, which nobody else reads meanwhile.
+  template <class Change>
+  auto change(const Change& change) {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    return change(current_);
+  }
+
+ private:
+  const MatchingNodeConfig initial_;
+  mutable std::mutex mutex_;
+  MatchingNodeConfig current_;
+};
+
+}  // namespace mbncc::nodelets

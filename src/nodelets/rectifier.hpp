@@ -1,0 +1,29 @@
+// Undoes lens distortion: a raw picture becomes one whose rays P of camera_info tells.
+#pragma once
+
+#include <image_geometry/pinhole_camera_model.h>
+#include <sensor_msgs/CameraInfo.h>
+
+#include <opencv2/core.hpp>
+#include <string>
+
+namespace mbncc::nodelets {
+
+/// A rectified picture, or why there is none.
+struct Rectified {
+  cv::Mat picture;    ///< CV_8UC3
+  std::string fault;  ///< one sentence with the remedy
+
+  explicit operator bool() const { return fault.empty(); }
+};
+
+class Rectifier {
+ public:
+  /// `picture` is CV_8UC3. The first picture of a calibration takes longer.
+  Rectified rectify(const cv::Mat& picture, const sensor_msgs::CameraInfo& info);
+
+ private:
+  image_geometry::PinholeCameraModel model_;
+};
+
+}  // namespace mbncc::nodelets

@@ -1,0 +1,108 @@
+#include "nodelets/search_worker.hpp"
+
+#include <ros/console.h>
+
+#include <utility>
+
+#include "nodelets/images.hpp"
+#include "nodelets/search_roi.hpp"
+
+namespace mbncc::nodelets {
+
+SearchWorker::SearchWorker(const SearchTools& tools)
+    : tools_(tools),
+      silence_(tools.settings.initial().stale_after),
+      pipeline_(tools.settings.initial(), tools.matcher, tools.tf),
+      gate_(tools.settings.initial().max_age, tools.settings.initial().max_ahead) {
+  request_.roi = parse_roi(tools.settings.initial().search_roi);
+  worker_ = std::thread([this] { work(); });
+}
+
+SearchWorker::~SearchWorker() {
+  mailbox_.close();
+  worker_.join();
+}
+
+void SearchWorker::put(const sensor_msgs::ImageConstPtr& image) {
+  const bool overtaken = mailbox_.put(image);
+  statistics_.change([overtaken](SearchStatistics& statistics) {
+    ++statistics.arrived;
+    statistics.overtaken += overtaken ? 1 : 0;
+  });
+}
+
+void SearchWorker::work() {
+  while (const auto image = mailbox_.take()) {
+    try {
+      search(**image);
+    } catch (const std::exception& error) {
+      refuse(error.what());
+    }
+  }
+}
+
+void SearchWorker::search(const sensor_msgs::Image& image) {
+  if (!admit(image.header)) return;
+  const Decoded decoded = decode_picture(image);
+  if (!decoded) return refuse(decoded.fault);
+  const ReceivedPicture received{decoded.picture, image.header,
+                                 tools_.camera.camera_info_for(image)};
+  const Detections detections = pipeline_.process(received, request_);
+  const double latency =
+      tools_.publisher.publish(detections, decoded.picture, tools_.settings.get().publish_tf);
+  silence_.restart();
+  statistics_.change([&](SearchStatistics& statistics) {
+    ++statistics.searched;
+    statistics.search_time = detections.array.search_time;
+    statistics.latency = latency;
+    statistics.message = detections.array.message;
+  });
+}
+
+bool SearchWorker::admit(const std_msgs::Header& header) {
+  using Verdict = StampGate::Verdict;
+  const Verdict verdict = gate_.judge(header.stamp.toSec(), ros::Time::now().toSec());
+  if (verdict == Verdict::kRestarted) {
+    start_over();
+  } else if (verdict != Verdict::kFresh) {
+    statistics_.change([verdict](SearchStatistics& statistics) {
+      ++statistics.badly_stamped;
+      statistics.last_fault = std::string("stamp: ") + to_string(verdict);
+    });
+    return false;
+  }
+  if (is_too_soon(header.stamp)) return false;
+  last_searched_ = header.stamp;
+  return true;
+}
+
+bool SearchWorker::is_too_soon(const ros::Time& stamp) {
+  const double max_rate = tools_.settings.get().max_rate;
+  return max_rate > 0 && (stamp - last_searched_).toSec() < 1 / max_rate;
+}
+
+void SearchWorker::start_over() {
+  ROS_INFO("the clock has jumped back; starting anew");
+  pipeline_.reset();
+  tools_.publisher.reset();
+  last_searched_ = ros::Time();
+}
+
+void SearchWorker::refuse(const std::string& fault) {
+  const bool news = statistics_.change([&fault](SearchStatistics& statistics) {
+    ++statistics.refused;
+    return std::exchange(statistics.last_fault, fault) != fault;
+  });
+  if (news) ROS_WARN("picture refused: %s", fault.c_str());
+}
+
+void SearchWorker::look_for_silence(bool expected) {
+  if (!expected) return silence_.restart();
+  if (!silence_.due()) return;
+  const std::string fault = statistics_.get().last_fault;
+  tools_.publisher.publish_stale(tools_.camera.publishers() == 0 ? "nobody publishes pictures"
+                                 : fault.empty()                 ? "pictures have stopped"
+                                                 : "no usable picture; last " + fault);
+}
+
+}  // namespace mbncc::nodelets

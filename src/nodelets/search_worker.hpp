@@ -1,0 +1,66 @@
+// Searches the stream of pictures on a thread of its own: newest first, each once, none too old.
+#pragma once
+
+#include <ros/time.h>
+#include <sensor_msgs/Image.h>
+
+#include <string>
+#include <thread>
+
+#include "mbncc/cell/stamp_gate.hpp"
+#include "nodelets/camera_input.hpp"
+#include "nodelets/detection_pipeline.hpp"
+#include "nodelets/detection_publisher.hpp"
+#include "nodelets/live_settings.hpp"
+#include "nodelets/mailbox.hpp"
+#include "nodelets/search_statistics.hpp"
+#include "nodelets/stale_watch.hpp"
+
+namespace mbncc::nodelets {
+
+/// What a search works with; all of it outlives the worker.
+struct SearchTools {
+  const LiveSettings& settings;
+  const LiveMatcher& matcher;
+  const tf2_ros::Buffer& tf;
+  const CameraInput& camera;
+  DetectionPublisher& publisher;
+};
+
+class SearchWorker {
+ public:
+  explicit SearchWorker(const SearchTools& tools);
+  ~SearchWorker();
+
+  /// Hands over a picture; never blocks, the newest wins.
+  void put(const sensor_msgs::ImageConstPtr& image);
+
+  /// Called now and then: publishes STALE when pictures are expected but fail to come.
+  void look_for_silence(bool expected);
+
+  /// Silence counts from now.
+  void begin_anew() { silence_.restart(); }
+
+  SearchStatistics statistics() const { return statistics_.get(); }
+
+ private:
+  void work();
+  void search(const sensor_msgs::Image& image);
+  bool admit(const std_msgs::Header& header);
+  bool is_too_soon(const ros::Time& stamp);
+  void start_over();
+  void refuse(const std::string& fault);
+
+  const SearchTools tools_;
+  SharedStatistics statistics_;
+  StaleWatch silence_;
+  Mailbox<sensor_msgs::ImageConstPtr> mailbox_;
+  // Of the worker thread alone.
+  DetectionPipeline pipeline_;
+  SearchRequest request_;
+  StampGate gate_;
+  ros::Time last_searched_;
+  std::thread worker_;
+};
+
+}  // namespace mbncc::nodelets

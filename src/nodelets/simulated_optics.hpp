@@ -1,0 +1,32 @@
+// The simulated camera's lens: its calibration, and what it makes of an undistorted picture.
+#pragma once
+
+#include <sensor_msgs/CameraInfo.h>
+
+#include <opencv2/core.hpp>
+
+#include "mbncc/cell/platform.hpp"
+#include "mbncc/config/simulated_camera_config.hpp"
+
+namespace mbncc::nodelets {
+
+class SimulatedOptics {
+ public:
+  explicit SimulatedOptics(const SimulatedCameraConfig& config);
+
+  /// Header left empty; without a focal length nothing but the picture's size.
+  const sensor_msgs::CameraInfo& camera_info() const { return info_; }
+
+  /// The camera of the undistorted picture.
+  const PinholeCamera& pinhole() const { return camera_; }
+
+  /// The raw picture of what an undistorted one shows; beyond its edges it is mirrored.
+  cv::Mat distort(const cv::Mat& undistorted) const;
+
+ private:
+  PinholeCamera camera_;
+  sensor_msgs::CameraInfo info_;
+  cv::Mat where_;  // CV_32FC2 place of each raw pixel in the undistorted picture; empty: the same
+};
+
+}  // namespace mbncc::nodelets
