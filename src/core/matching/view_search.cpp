@@ -10,12 +10,13 @@
 namespace mbncc {
 namespace {
 
-constexpr int kEdgePlaces = 300;        // places that the edge search proposes
-constexpr std::size_t kEntering = 150;  // candidates that enter at a level
-constexpr std::size_t kFinal = 4;       // places whose other angles are tried and that are polished
+constexpr int kEdgePlaces = 300;       // places that the edge search proposes
+constexpr std::size_t kEntering = 40;  // candidates that enter at a level
+constexpr std::size_t kFinal = 4;      // places whose other angles are tried and that are polished
+constexpr double kHopeless = 14;       // log-odds behind the best that no climb makes up for
 
 std::size_t most_at(int level) {
-  return level == 0 ? 32 : level == 1 ? 64 : 120;
+  return level == 0 ? 12 : level == 1 ? 16 : 24;
 }
 
 cv::Rect at_level(const cv::Rect& roi, int level) {
@@ -94,9 +95,17 @@ class ViewSearch {
   void admit(int level, std::vector<Candidate>& candidates) {
     auto& entering = entering_[level];
     for (auto& candidate : entering) candidate.value = odds(level, candidate.pose);
-    sort_by_value(entering);
-    if (entering.size() > kEntering) entering.resize(kEntering);
+    keep_hopeful(entering, kEntering);
     candidates.insert(candidates.end(), entering.begin(), entering.end());
+  }
+
+  /// The best `most` that are not hopelessly behind the best.
+  static void keep_hopeful(std::vector<Candidate>& candidates, std::size_t most) {
+    sort_by_value(candidates);
+    if (candidates.size() > most) candidates.resize(most);
+    while (candidates.size() > 1 &&
+           candidates.back().value < candidates.front().value - kHopeless)
+      candidates.pop_back();
   }
 
   double odds(int level, const Pose2D& pose) const {
@@ -112,6 +121,7 @@ class ViewSearch {
     }
     drop_duplicates(candidates, level == 0 ? 1.5 : 1.0, view_.shape.radius() / (1 << level),
                     most_at(level));
+    keep_hopeful(candidates, most_at(level));
   }
 
   static void step_down(std::vector<Candidate>& candidates) {
