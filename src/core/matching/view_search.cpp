@@ -10,13 +10,14 @@
 namespace mbncc {
 namespace {
 
-constexpr int kEdgePlaces = 300;       // places that the edge search proposes
-constexpr std::size_t kEntering = 40;  // candidates that enter at a level
-constexpr std::size_t kFinal = 4;      // places whose other angles are tried and that are polished
-constexpr double kHopeless = 14;       // log-odds behind the best that no climb makes up for
+constexpr int kEdgePlaces = 300;          // places that the edge search proposes
+constexpr std::size_t kRoundPlaces = 24;  // of those whose contour does not tell the rotation
+constexpr std::size_t kEntering = 80;     // candidates that enter at a level
+constexpr std::size_t kFinal = 4;  // places whose other angles are tried and that are polished
+constexpr double kHopeless = 18;   // log-odds behind the best that no climb makes up for
 
 std::size_t most_at(int level) {
-  return level == 0 ? 12 : level == 1 ? 16 : 24;
+  return level == 0 ? 16 : level == 1 ? 24 : 48;
 }
 
 cv::Rect at_level(const cv::Rect& roi, int level) {
@@ -57,10 +58,12 @@ class ViewSearch {
 
   void follow_edges() {
     const int level = view_.edges.level();
-    const EdgeCandidates found =
+    EdgeCandidates found =
         edge_search(view_.edges, scene_.levels[level].edges, at_level(roi_, level), kEdgePlaces);
     auto& entering = entering_[level];
     entering.insert(entering.end(), found.poses.begin(), found.poses.end());
+    for (auto& place : found.round_places) place.value = odds(level, place.pose);
+    keep_hopeful(found.round_places, kRoundPlaces);
     for (const auto& place : found.round_places) add_rotations_by_surface(place, entering);
   }
 
@@ -103,8 +106,7 @@ class ViewSearch {
   static void keep_hopeful(std::vector<Candidate>& candidates, std::size_t most) {
     sort_by_value(candidates);
     if (candidates.size() > most) candidates.resize(most);
-    while (candidates.size() > 1 &&
-           candidates.back().value < candidates.front().value - kHopeless)
+    while (candidates.size() > 1 && candidates.back().value < candidates.front().value - kHopeless)
       candidates.pop_back();
   }
 
