@@ -45,8 +45,7 @@ LessonRun::Result LessonRun::teach_and_store() {
   // Nothing has left: the coarse look was mistaken, or something was put down, which belongs to the
   // scene before from now on.
   while (draft_.learned.error == LearnError::kNoChange && waits_for_change()) {
-    if (!is_given(goal_.before)) before_ = after_;
-    after_ = wait_for_change(after_.number);
+    wait_on();
     draft_ = learn(lesson_of(after_.picture));
   }
   if (goal_.confirm && draft_.learned.has_model) return review();

@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "mbncc/cell/demonstration.hpp"
 #include "mbncc/config/learning_config.hpp"
 #include "mbncc/learning/learn_object.hpp"
 #include "nodelets/confirmation.hpp"
@@ -48,6 +49,7 @@ class LessonRun {
  private:
   using Goal = mbncc_vision::LearnObjectGoal;
   using Result = mbncc_vision::LearnObjectResult;
+  using Step = Demonstration::Step;
 
   /// What an EDIT starts from and an UNDO returns to.
   struct Draft {
@@ -62,10 +64,11 @@ class LessonRun {
   void take_already_moved();
   bool waits_for_change() const;
   LessonPicture given(const sensor_msgs::Image& image, const std::string& what) const;
-  template <class Ready, class Say>
-  LessonPicture wait_until(const Ready& ready, const Say& say);
-  LessonPicture wait_for_still();
-  LessonPicture wait_for_change(std::uint64_t seen);
+  void wait_for_before();
+  void wait_for_change();
+  void wait_on();
+  void watch(const std::function<Step(const PictureFeed::View&)>& look);
+  void say(Step step);
   [[noreturn]] void fail_waiting(LearnError interruption, const PictureFeed::View& view) const;
 
   // Learning.
@@ -98,6 +101,7 @@ class LessonRun {
   const Goal& goal_;
   const std::string name_;
   const ros::Time started_;
+  Demonstration demonstration_;
   LessonPicture before_, after_;
   Draft draft_;
   std::vector<Draft> earlier_;

@@ -27,14 +27,14 @@ LessonPicture picture_of(const StillShot& shot, const std::string& frame_id) {
 
 void LessonRun::take_pictures() {
   const bool change = goal_.mode == Goal::CHANGE;
-  if (is_given(goal_.before))
+  if (is_given(goal_.before)) {
     before_ = given(goal_.before, "before");
-  else if (change && goal_.already_moved)
-    take_already_moved();
-  else
-    before_ = wait_for_still();
+    demonstration_ = Demonstration(before_.picture);
+  }
   if (change && is_given(goal_.after)) after_ = given(goal_.after, "after");
-  if (change && after_.picture.empty()) after_ = wait_for_change(before_.number);
+  if (change && goal_.already_moved && before_.picture.empty()) return take_already_moved();
+  if (before_.picture.empty()) wait_for_before();
+  if (change && after_.picture.empty()) wait_for_change();
 }
 
 bool LessonRun::waits_for_change() const {
@@ -48,7 +48,12 @@ LessonPicture LessonRun::given(const sensor_msgs::Image& image, const std::strin
 }
 
 void LessonRun::take_already_moved() {
-  after_ = wait_for_still();
+  if (after_.picture.empty())
+    watch([this](const PictureFeed::View& view) {
+      if (!view.still) return Step::kWaitStill;
+      after_ = picture_of(*view.still, view.header.frame_id);
+      return Step::kReady;
+    });
   const auto before = tools_.pictures.before_change();
   if (!before)
     fail(LearnError::kNoChange, "Nothing in the camera's view has changed lately.",
@@ -56,47 +61,61 @@ void LessonRun::take_already_moved() {
   before_ = picture_of(*before, after_.header.frame_id);
 }
 
-template <class Ready, class Say>
-LessonPicture LessonRun::wait_until(const Ready& ready, const Say& say) {
+void LessonRun::wait_for_before() {
+  watch([this](const PictureFeed::View& view) {
+    if (demonstration_.look(view.still) == Step::kWaitStill) return Step::kWaitStill;
+    before_ = picture_of(demonstration_.before(), view.header.frame_id);
+    return Step::kReady;
+  });
+}
+
+void LessonRun::wait_for_change() {
+  watch([this](const PictureFeed::View& view) {
+    if (view.still && view.still->picture.size() != before_.picture.size())
+      fail(LearnError::kImageMismatch);
+    const Step step = demonstration_.look(view.still);
+    if (step == Step::kReady) after_ = picture_of(demonstration_.after(), view.header.frame_id);
+    return step;
+  });
+}
+
+void LessonRun::wait_on() {
+  demonstration_.go_on();
+  if (!is_given(goal_.before))
+    before_ = picture_of(demonstration_.before(), after_.header.frame_id);
+  wait_for_change();
+}
+
+void LessonRun::watch(const std::function<Step(const PictureFeed::View&)>& look) {
   for (int glance = 0;; ++glance) {
     const PictureFeed::View view = tools_.pictures.look();
     if (const auto why = client_.interruption()) fail_waiting(*why, view);
-    if (view.still && ready(*view.still)) return picture_of(*view.still, view.header.frame_id);
-    if (glance % kGlancesPerWord == 0) {
-      if (view.any_picture)
-        say(view);
-      else
-        tell(Feedback::WAIT_IMAGE, 0, "Waiting for a picture from the camera.");
+    const bool word_due = glance % kGlancesPerWord == 0;
+    if (view.any_picture) {
+      const Step step = look(view);
+      if (step == Step::kReady) return;
+      if (word_due) say(step);
+    } else if (word_due) {
+      tell(Feedback::WAIT_IMAGE, 0, "Waiting for a picture from the camera.");
     }
     std::this_thread::sleep_for(kGlance);
   }
 }
 
-LessonPicture LessonRun::wait_for_still() {
-  return wait_until([](const StillShot&) { return true; },
-                    [this](const PictureFeed::View&) {
-                      tell(Feedback::WAIT_IMAGE, 0.02,
-                           "Waiting for a still scene: move arm and hands out.", true);
-                    });
-}
-
-LessonPicture LessonRun::wait_for_change(std::uint64_t seen) {
-  SceneChange change = SceneChange::kNone;
-  const auto ready = [&](const StillShot& shot) {
-    if (shot.number <= seen) return false;
-    if (shot.picture.size() != before_.picture.size()) fail(LearnError::kImageMismatch);
-    seen = shot.number;
-    change = scene_change(before_.picture, shot.picture);
-    return change == SceneChange::kInside;
-  };
-  return wait_until(ready, [&](const PictureFeed::View& view) {
-    if (!view.still)
-      tell(Feedback::WAIT_STILL, 0.2, "Something moves: leave the picture and keep still.", true);
-    else if (change == SceneChange::kAtBorder)
-      tell(Feedback::WAIT_STILL, 0.2, "Something reaches into the picture: move it out.", true);
-    else
-      tell(Feedback::WAIT_REMOVAL, 0.1, "Take the object away now.", true);
-  });
+void LessonRun::say(Step step) {
+  switch (step) {
+    case Step::kWaitStill:
+      return tell(Feedback::WAIT_IMAGE, 0.02, "Waiting for a still scene: move arm and hands out.",
+                  true);
+    case Step::kMoving:
+      return tell(Feedback::WAIT_STILL, 0.2, "Something moves: leave the picture and keep still.",
+                  true);
+    case Step::kAtBorder:
+      return tell(Feedback::WAIT_STILL, 0.2, "Something reaches into the picture: move it out.",
+                  true);
+    default:
+      return tell(Feedback::WAIT_REMOVAL, 0.1, "Take the object away now.", true);
+  }
 }
 
 void LessonRun::fail_waiting(LearnError interruption, const PictureFeed::View& view) const {

@@ -74,7 +74,8 @@ class DistortedRays {
 
 std::optional<PixelToRay> distorted_rays(const sensor_msgs::CameraInfo& info) {
   image_geometry::PinholeCameraModel model;
-  if (!all_finite(info.D) || !is_known_lens(info) || !model.fromCameraInfo(without_turn(info))) return {};
+  if (!all_finite(info.D) || !is_known_lens(info) || !model.fromCameraInfo(without_turn(info)))
+    return {};
   return DistortedRays(model);
 }
 

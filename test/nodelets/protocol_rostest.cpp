@@ -1,5 +1,6 @@
 // What clients may rely on when something is not as it should be: names, a busy server, cancelling,
 // timeouts, no calibration, no pictures, malformed pictures, an empty library.
+#include <dynamic_reconfigure/Reconfigure.h>
 #include <gtest/gtest.h>
 #include <mbncc_vision/ConfirmLearning.h>
 #include <mbncc_vision/DetectedObjectArray.h>
@@ -14,6 +15,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include "mbncc/sim/scene.hpp"
 #include "nodelets/images.hpp"
@@ -328,6 +330,26 @@ TEST_F(Protocol, IsIdleWhileDisabled) {
   EXPECT_TRUE(call<std_srvs::SetBool>("matching/enable", request).success);
   const int before = arrays_;
   EXPECT_TRUE(spin_until([&] { return arrays_ > before; }));
+}
+
+TEST_F(Protocol, TakesSettingsAtRunTimeAndRefusesNonsense) {
+  dynamic_reconfigure::Reconfigure::Request request;
+  request.config.doubles.resize(2);
+  request.config.doubles[0].name = "min_score";
+  request.config.doubles[0].value = 0.45;
+  request.config.doubles[1].name = "max_rate";
+  request.config.doubles[1].value = -3;
+  const auto response = call<dynamic_reconfigure::Reconfigure>("matching/set_parameters", request);
+  std::map<std::string, double> effective;
+  for (const auto& number : response.config.doubles) effective[number.name] = number.value;
+  EXPECT_EQ(effective["min_score"], 0.45);
+  EXPECT_EQ(effective["max_rate"], 0) << "refused; the old value is kept";
+  double stored = 0;
+  EXPECT_TRUE(ros::param::get("matching/min_score", stored));
+  EXPECT_EQ(stored, 0.45);
+  request.config.doubles[0].value = 0.3;
+  request.config.doubles.pop_back();
+  call<dynamic_reconfigure::Reconfigure>("matching/set_parameters", request);
 }
 
 TEST_F(Protocol, BearsMalformedPictures) {

@@ -29,7 +29,8 @@ class Teacher {
   using Result = mbncc_vision::LearnObjectResult;
   using Feedback = mbncc_vision::LearnObjectFeedback;
 
-  Teacher() {
+  /// `cell`: namespace of the learning nodelet.
+  explicit Teacher(const std::string& cell = "") : node_(cell) {
     goals_ = node_.advertise<mbncc_vision::LearnObjectActionGoal>("learn_object/goal", 10);
     cancels_ = node_.advertise<actionlib_msgs::GoalID>("learn_object/cancel", 10);
     results_ = node_.subscribe<mbncc_vision::LearnObjectActionResult>(

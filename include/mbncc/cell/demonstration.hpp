@@ -1,0 +1,48 @@
+// Picks the two pictures of a live lesson out of what a SceneWatch sees: the still scene before,
+// and the still scene in which something has changed inside the picture.
+#pragma once
+
+#include <cstdint>
+#include <opencv2/core.hpp>
+#include <optional>
+
+#include "mbncc/cell/scene_watch.hpp"
+
+namespace mbncc {
+
+class Demonstration {
+ public:
+  /// What the operator has to do, or that both pictures are there.
+  enum class Step {
+    kWaitStill,    ///< keep out of the picture: the scene before is not still yet
+    kWaitRemoval,  ///< take the object away
+    kMoving,       ///< something moves
+    kAtBorder,     ///< something reaches into the picture
+    kReady
+  };
+
+  Demonstration() = default;
+
+  /// With a picture before that is given; only the scene after is waited for.
+  explicit Demonstration(const cv::Mat& before) { before_.picture = before; }
+
+  /// Takes another look at the scene; `still` as SceneWatch tells it. Pictures of another size
+  /// than the one before are as good as none.
+  Step look(const std::optional<StillShot>& still);
+
+  /// Nothing had left: the operator is at it yet, or something was put down, which belongs to the
+  /// scene before from now on; a given picture stays. More looks are needed.
+  void go_on();
+
+  const StillShot& before() const { return before_; }  ///< once look() has asked for the removal
+  const StillShot& after() const { return after_; }    ///< once look() has said kReady
+
+ private:
+  Step judge(const StillShot& still);
+
+  StillShot before_, after_;
+  std::uint64_t seen_ = 0;  // still period judged last
+  SceneChange change_ = SceneChange::kNone;
+};
+
+}  // namespace mbncc

@@ -1,0 +1,79 @@
+#include "mbncc/cell/demonstration.hpp"
+
+#include <gtest/gtest.h>
+
+#include "mbncc/sim/scene.hpp"
+
+namespace mbncc {
+namespace {
+
+using Step = Demonstration::Step;
+
+/// Still pictures of a small cell.
+class DemonstrationTest : public testing::Test {
+ protected:
+  static sim::SceneConfig scene_config() {
+    sim::SceneConfig config;
+    config.size = {320, 240};
+    return config;
+  }
+
+  StillShot shot(const std::vector<sim::Placed>& placed,
+                 const std::optional<sim::Arm>& arm = std::nullopt) {
+    ++number_;
+    return {scene_.render(placed, number_, arm), 0.1 * static_cast<double>(number_), number_};
+  }
+
+  const sim::Placed part_{{11, 60, 1.6}, {150, 120, 0.3}};
+  const sim::Scene scene_{scene_config()};
+  std::uint64_t number_ = 0;
+};
+
+TEST_F(DemonstrationTest, TakesTheStillScenesBeforeAndAfter) {
+  Demonstration demonstration;
+  EXPECT_EQ(demonstration.look({}), Step::kWaitStill);
+  EXPECT_EQ(demonstration.look(shot({part_})), Step::kWaitRemoval);
+  EXPECT_EQ(demonstration.look({}), Step::kMoving);
+  EXPECT_EQ(demonstration.look(shot({})), Step::kReady);
+  EXPECT_EQ(demonstration.before().number, 1u);
+  EXPECT_EQ(demonstration.after().number, 2u);
+}
+
+TEST_F(DemonstrationTest, AnArmThatComesAndGoesIsNoObject) {
+  Demonstration demonstration;
+  demonstration.look(shot({part_}));
+  const sim::Arm arm{{160, 120, -kPi / 2}};
+  EXPECT_EQ(demonstration.look(shot({part_}, arm)), Step::kAtBorder) << "it pauses";
+  EXPECT_EQ(demonstration.look(shot({part_})), Step::kWaitRemoval);
+  EXPECT_EQ(demonstration.look(shot({})), Step::kReady);
+}
+
+TEST_F(DemonstrationTest, WhatWasPutDownBelongsToTheSceneBefore) {
+  Demonstration demonstration;
+  demonstration.look(shot({}));
+  EXPECT_EQ(demonstration.look(shot({part_})), Step::kReady);
+  demonstration.go_on();
+  EXPECT_EQ(demonstration.before().number, 2u);
+  const StillShot empty = shot({});
+  EXPECT_EQ(demonstration.look(empty), Step::kReady);
+  EXPECT_EQ(demonstration.after().number, 3u);
+}
+
+TEST_F(DemonstrationTest, AGivenPictureBeforeStays) {
+  Demonstration demonstration(scene_.render({part_}, 77));
+  EXPECT_EQ(demonstration.look(shot({part_})), Step::kWaitRemoval);
+  EXPECT_EQ(demonstration.look(shot({})), Step::kReady);
+  demonstration.go_on();
+  EXPECT_EQ(demonstration.before().number, 0u);
+}
+
+TEST_F(DemonstrationTest, PicturesOfAnotherSizeDoNotCount) {
+  Demonstration demonstration;
+  demonstration.look(shot({part_}));
+  StillShot other = shot({});
+  other.picture = other.picture(cv::Rect(0, 0, 100, 100));
+  EXPECT_EQ(demonstration.look(other), Step::kWaitRemoval);
+}
+
+}  // namespace
+}  // namespace mbncc

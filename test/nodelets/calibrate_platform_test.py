@@ -1,0 +1,118 @@
+#!/usr/bin/python3
+"""calibrate_platform finds the pose of a drawn chessboard and of measured points.
+
+usage: calibrate_platform_test.py PATH/TO/calibrate_platform
+"""
+import os
+import re
+import subprocess
+import sys
+import tempfile
+import unittest
+
+import cv2
+import numpy as np
+import yaml
+
+SCRIPT = sys.argv.pop(1)
+MATRIX = np.array([[600.0, 0, 310], [0, 605, 245], [0, 0, 1]])
+DISTORTION = np.array([-0.2, 0.05, 0.001, -0.001, 0])
+COLUMNS, ROWS, SQUARE = 7, 5, 0.03
+# Camera's z looks down, the platform's z up; tilted a little.
+TURN = cv2.Rodrigues(cv2.Rodrigues(np.array([np.pi, 0, 0]))[0] @ cv2.Rodrigues(np.array([0.12, -0.08, 0.3]))[0])[0]
+PLACE = np.array([-0.10, -0.07, 0.62])
+
+
+def project(points):
+    return cv2.projectPoints(np.asarray(points, float), TURN, PLACE, MATRIX, DISTORTION)[0].reshape(-1, 2)
+
+
+def chessboard():
+    """Drawn three times finer, square by square with curved edges, then reduced."""
+    fine = 3
+    picture = np.full((480 * fine, 640 * fine), 200, np.uint8)
+    for row in range(-1, ROWS):
+        for column in range(-1, COLUMNS):
+            if (row + column) % 2:
+                continue
+            side = np.linspace(0, 1, 20)
+            outline = ([(column + t, row) for t in side] + [(column + 1, row + t) for t in side] +
+                       [(column + 1 - t, row + 1) for t in side] + [(column, row + 1 - t) for t in side])
+            pixels = project([(SQUARE * x, -SQUARE * y, 0) for x, y in outline])
+            fixed = np.round(((pixels + 0.5) * fine - 0.5) * 256).astype(np.int32)
+            cv2.fillPoly(picture, [fixed], 30, cv2.LINE_AA, 8)
+    reduced = cv2.resize(picture, (640, 480), interpolation=cv2.INTER_AREA)
+    noise = np.random.default_rng(1).normal(0, 2, reduced.shape)
+    return np.clip(reduced + noise, 0, 255).astype(np.uint8)
+
+
+class CalibratePlatformTest(unittest.TestCase):
+    def setUp(self):
+        self.folder = tempfile.TemporaryDirectory()
+        self.addCleanup(self.folder.cleanup)
+        projection = np.hstack([MATRIX, np.zeros((3, 1))])
+        info = {"image_width": 640, "image_height": 480,
+                "camera_matrix": {"rows": 3, "cols": 3, "data": MATRIX.ravel().tolist()},
+                "distortion_coefficients": {"rows": 1, "cols": 5, "data": DISTORTION.tolist()},
+                "projection_matrix": {"rows": 3, "cols": 4, "data": projection.ravel().tolist()}}
+        self.write("camera.yaml", yaml.safe_dump(info))
+
+    def path(self, name):
+        return os.path.join(self.folder.name, name)
+
+    def write(self, name, text):
+        with open(self.path(name), "w", encoding="utf-8") as file:
+            file.write(text)
+
+    def call(self, *arguments):
+        return subprocess.run(["/usr/bin/python3", SCRIPT, "--out", self.path("out"), "--camera-info",
+                               self.path("camera.yaml"), *arguments], capture_output=True, text=True, check=False)
+
+    def transform(self):
+        with open(self.path("out/platform.launch"), encoding="utf-8") as file:
+            arguments = re.search('args="([^"]*)"', file.read()).group(1).split()
+        numbers = np.array([float(text) for text in arguments[:7]])
+        angle = 2 * np.arccos(np.clip(numbers[6], -1, 1))
+        turn = numbers[3:6] / max(np.sin(angle / 2), 1e-9) * angle
+        return numbers[:3], cv2.Rodrigues(turn)[0], arguments[7:]
+
+    def expect_true_pose(self, place_within, turn_within):
+        place, rotation, frames = self.transform()
+        self.assertEqual(frames, ["camera_optical_frame", "platform"])
+        self.assertLess(np.linalg.norm(place - PLACE), place_within)
+        off = cv2.Rodrigues(rotation.T @ cv2.Rodrigues(TURN)[0])[0]
+        self.assertLess(np.degrees(np.linalg.norm(off)), turn_within)
+
+    def test_chessboard(self):
+        cv2.imwrite(self.path("board.png"), chessboard())
+        done = self.call("--chessboard", "%dx%d" % (COLUMNS, ROWS), "--square", str(SQUARE), "--image",
+                         self.path("board.png"))
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.expect_true_pose(0.001, 0.3)
+        with open(self.path("out/platform.yaml"), encoding="utf-8") as file:
+            self.assertEqual(yaml.safe_load(file), {"platform_frame": "platform", "rectified": False})
+
+    def test_measured_points(self):
+        points = [(0, 0, 0), (0.2, 0, 0), (0.2, -0.15, 0), (0, -0.15, 0), (0.1, -0.07, 0.02)]
+        lines = ["%f,%f,%f,%f,%f" % (*pixel, *point) for pixel, point in zip(project(points), points)]
+        self.write("points.csv", "# u,v,x,y,z\n" + "\n".join(lines))
+        done = self.call("--points", self.path("points.csv"))
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.expect_true_pose(1e-4, 0.01)
+
+    def test_faults_are_sentences(self):
+        cv2.imwrite(self.path("empty.png"), np.full((480, 640), 128, np.uint8))
+        self.write("few.csv", "1,2,0,0\n3,4,0.1,0\n")
+        self.write("bad.csv", "1,2,x,0\n")
+        self.write("misfit.csv", "0,0,0,0\n600,0,0.1,0\n0,400,0.1,0.1\n600,400,0,0.3\n300,10,0.2,0.2\n")
+        board = ("--chessboard", "7x5", "--square", "0.03", "--image")
+        for arguments in ((*board, self.path("empty.png")), (*board, self.path("none.png")),
+                          ("--points", self.path("few.csv")), ("--points", self.path("bad.csv")),
+                          ("--points", self.path("misfit.csv")), ("--points", self.path("none.csv"))):
+            done = self.call(*arguments)
+            self.assertEqual(done.returncode, 1, arguments)
+            self.assertTrue(done.stderr.startswith("calibrate_platform: "), done.stderr)
+            self.assertEqual(len(done.stderr.strip().splitlines()), 1, done.stderr)
+
+
+unittest.main()

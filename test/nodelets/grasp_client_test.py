@@ -1,0 +1,58 @@
+#!/usr/bin/python3
+"""What the example consumer takes for graspable, and what it refuses.
+
+usage: grasp_client_test.py PATH/TO/grasp_client.py
+"""
+import importlib.util
+import sys
+import unittest
+
+import genpy
+
+from mbncc_vision.msg import DetectedObject, DetectedObjectArray
+
+spec = importlib.util.spec_from_file_location("grasp_client", sys.argv.pop(1))
+grasp_client = importlib.util.module_from_spec(spec)
+spec.loader.exec_module(grasp_client)
+
+NOW = genpy.Time(100)
+
+
+def confirmed(**changes):
+    found = DetectedObject(name="part", instance_id=1, state=DetectedObject.CONFIRMED, pose_valid=True,
+                           valid_until=genpy.Time(100, 400000000))
+    for key, value in changes.items():
+        setattr(found, key, value)
+    return found
+
+
+def choice(objects, name="", status=DetectedObjectArray.OK, now=NOW):
+    return grasp_client.choose(DetectedObjectArray(objects=objects, status=status), name, now)
+
+
+class GraspClientTest(unittest.TestCase):
+    def test_takes_a_confirmed_valid_object(self):
+        self.assertEqual(choice([confirmed()])[0].instance_id, 1)
+        self.assertEqual(choice([confirmed()], name="part")[0].instance_id, 1)
+
+    def test_refuses_with_a_reason(self):
+        for found in (confirmed(state=DetectedObject.NEW), confirmed(state=DetectedObject.AMBIGUOUS),
+                      confirmed(state=DetectedObject.HELD), confirmed(pose_valid=False),
+                      confirmed(valid_until=genpy.Time(99))):
+            chosen, reasons = choice([found])
+            self.assertIsNone(chosen)
+            self.assertEqual(len(reasons), 1)
+
+    def test_refuses_arrays_that_are_no_ground_to_move_on(self):
+        for status in (DetectedObjectArray.STALE, DetectedObjectArray.UNCALIBRATED,
+                       DetectedObjectArray.TF_UNAVAILABLE):
+            self.assertIsNone(choice([confirmed()], status=status)[0])
+
+    def test_other_objects_and_none(self):
+        self.assertIsNone(choice([confirmed()], name="other")[0])
+        self.assertIsNone(choice([])[0])
+        self.assertEqual(choice([confirmed(state=DetectedObject.NEW), confirmed(instance_id=2)])[0]
+                         .instance_id, 2)
+
+
+unittest.main()

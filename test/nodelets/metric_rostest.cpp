@@ -1,0 +1,113 @@
+// In metres: a strongly distorted simulated camera, the platform by tf, a grasp marked in a lesson.
+#include <gtest/gtest.h>
+#include <mbncc_vision/DetectedObjectArray.h>
+#include <ros/ros.h>
+#include <std_srvs/Trigger.h>
+#include <tf2_ros/transform_listener.h>
+
+#include <cmath>
+
+#include "mbncc/geometry.hpp"
+#include "nodelets/spin_until.hpp"
+#include "nodelets/teacher.hpp"
+
+namespace mbncc::nodelets {
+namespace {
+
+using mbncc_vision::DetectedObject;
+using mbncc_vision::DetectedObjectArray;
+
+constexpr int kPlaces = 3;
+// The gripper's place at the demonstration, as the launch file has it.
+const Pose2D kGripper{0.02, 0.03, kPi / 4};  // [m], [rad] in the camera's x and y
+
+Pose2D planar(const geometry_msgs::Pose& pose) {
+  return {pose.position.x, pose.position.y, 2 * std::atan2(pose.orientation.z, pose.orientation.w)};
+}
+
+class Metric : public testing::Test {
+ protected:
+  Metric() {
+    truths_ = node_.subscribe<DetectedObjectArray>(
+        "camera/truth", 10, [this](const DetectedObjectArray::ConstPtr& truth) { truth_ = truth; });
+    detections_ = node_.subscribe<DetectedObjectArray>(
+        "detected_objects", 10,
+        [this](const DetectedObjectArray::ConstPtr& found) { found_ = found; });
+  }
+
+  void order(const std::string& service) {
+    ASSERT_TRUE(ros::service::waitForService(service, 30000));
+    ASSERT_TRUE(spin_until([&] {
+      std_srvs::Trigger trigger;
+      return ros::service::call(service, trigger) && trigger.response.success;
+    })) << service;
+    ASSERT_TRUE(spin_until([this] { return truth_ && truth_->message != "rest"; }));
+  }
+
+  bool rests() const { return truth_ && truth_->message == "rest" && !truth_->objects.empty(); }
+
+  /// The confirmed object in a picture taken since it came to rest.
+  const DetectedObject* confirmed_since(const ros::Time& stamp) const {
+    if (!found_ || found_->header.stamp <= stamp) return nullptr;
+    for (const auto& object : found_->objects)
+      if (object.state == DetectedObject::CONFIRMED) return &object;
+    return nullptr;
+  }
+
+  ros::NodeHandle node_;
+  ros::Subscriber truths_, detections_;
+  tf2_ros::Buffer tf_;
+  tf2_ros::TransformListener listener_{tf_};
+  DetectedObjectArray::ConstPtr truth_, found_;
+};
+
+TEST_F(Metric, ObjectAndGraspAreWhereTheyAreInTheWorld) {
+  Teacher teacher;
+  ASSERT_TRUE(teacher.connect());
+  ASSERT_TRUE(spin_until([this] { return rests(); }));
+  const Pose2D shown = planar(truth_->objects[0].pose.pose);
+  Teacher::Goal goal;
+  goal.name = "part";
+  const std::string id = teacher.send(goal);
+  ASSERT_TRUE(spin_until([&] { return teacher.heard(id, Teacher::Feedback::WAIT_REMOVAL); }));
+  std_srvs::Trigger mark;
+  ASSERT_TRUE(ros::service::call("mark_grasp", mark));
+  ASSERT_TRUE(mark.response.success) << mark.response.message;
+  order("camera/take_away");
+  const auto lesson = teacher.await(id).result;
+  ASSERT_EQ(lesson.error_code, Teacher::Result::SUCCESS) << lesson.message;
+  EXPECT_NEAR(lesson.object.metres_per_pixel, 0.7 / 340, 1e-6);
+  ASSERT_TRUE(lesson.object.has_grasp) << lesson.message;
+  const Pose2D gripper_in_drawing = compose(inverse(shown), kGripper);
+
+  for (int place = 0; place < kPlaces; ++place) {
+    order("camera/put_next");
+    ASSERT_TRUE(spin_until([this] { return rests(); }));
+    const ros::Time since = truth_->header.stamp;
+    const DetectedObject* object = nullptr;
+    ASSERT_TRUE(spin_until([&] { return (object = confirmed_since(since)) != nullptr; }));
+    ASSERT_TRUE(object->pose_valid);
+    EXPECT_NEAR(object->pose.pose.position.z, 0.7, 1e-6);
+    EXPECT_GT(object->pose.covariance[0], 0);
+    const std::string frame = object->child_frame_id + "_grasp";
+    const ros::Time stamp = found_->header.stamp;
+    ASSERT_TRUE(spin_until([&] { return tf_.canTransform("camera_optical_frame", frame, stamp); }));
+    const auto t = tf_.lookupTransform("camera_optical_frame", frame, stamp).transform;
+    const Pose2D expected = compose(planar(truth_->objects[0].pose.pose), gripper_in_drawing);
+    EXPECT_LE(std::hypot(t.translation.x - expected.x, t.translation.y - expected.y), 0.002);
+    EXPECT_NEAR(t.translation.z, 0.6, 1e-6);
+    const double theta = 2 * std::atan2(t.rotation.z, t.rotation.w);
+    EXPECT_LE(to_degrees(angle_distance(theta, expected.theta)), 1);
+  }
+}
+
+}  // namespace
+}  // namespace mbncc::nodelets
+
+int main(int argc, char** argv) {
+  testing::InitGoogleTest(&argc, argv);
+  ros::init(argc, argv, "metric_rostest");
+  const int failed = RUN_ALL_TESTS();
+  mbncc::nodelets::remove_library();
+  return failed;
+}
