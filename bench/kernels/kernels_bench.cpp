@@ -11,6 +11,7 @@ namespace {
 
 constexpr int kStride = 160;  // a row of a 640 x 480 picture at a quarter of the resolution
 constexpr int kRows = 120;
+constexpr int kCount = 2 * kernels::kPositions;  // positions of a row worked on at a time
 
 template <class Number>
 std::vector<Number> numbers(std::size_t count, int low, int high) {
@@ -31,22 +32,35 @@ std::vector<std::int32_t> square_offsets(int terms) {
 }
 
 void correlate(benchmark::State& state, const kernels::Table& table) {
-  const int terms = static_cast<int>(state.range(0)), count = kStride / 2;
+  const int pairs = static_cast<int>(state.range(0)), count = kCount;
   const auto picture =
       numbers<std::int16_t>(kStride * kRows, -kernels::kMaxPicture, kernels::kMaxPicture);
-  const auto weights = numbers<std::int16_t>(static_cast<std::size_t>(terms), -kernels::kMaxWeight,
-                                             kernels::kMaxWeight);
-  const auto offsets = square_offsets(terms);
+  const auto weights = numbers<std::int16_t>(2 * static_cast<std::size_t>(pairs),
+                                             -kernels::kMaxWeight, kernels::kMaxWeight);
+  const auto offsets = square_offsets(pairs);
   std::vector<std::int32_t> sums(static_cast<std::size_t>(count));
   for (auto _ : state) {
-    table.correlate_row(picture.data(), offsets.data(), weights.data(), terms, sums.data(), count);
+    table.correlate_row(picture.data(), offsets.data(), weights.data(), pairs, sums.data(), count);
     benchmark::DoNotOptimize(sums.data());
   }
-  state.SetItemsProcessed(state.iterations() * terms * count);  // multiply-adds
+  state.SetItemsProcessed(state.iterations() * 2 * pairs * count);  // multiply-adds
+}
+
+void sum_responses_max(benchmark::State& state, const kernels::Table& table) {
+  const int terms = static_cast<int>(state.range(0)), count = kCount;
+  const auto maps =
+      numbers<std::int8_t>(kStride * kRows, -kernels::kMaxResponse, kernels::kMaxResponse);
+  const auto offsets = square_offsets(terms);
+  std::vector<std::int16_t> best(static_cast<std::size_t>(count));
+  for (auto _ : state) {
+    table.sum_responses_max_row(maps.data(), offsets.data(), terms, best.data(), count);
+    benchmark::DoNotOptimize(best.data());
+  }
+  state.SetItemsProcessed(state.iterations() * terms * count);  // additions
 }
 
 void sum_runs(benchmark::State& state, const kernels::Table& table) {
-  const int runs = static_cast<int>(state.range(0)), count = kStride / 2;
+  const int runs = static_cast<int>(state.range(0)), count = kCount;
   const auto prefix = numbers<std::int32_t>(kStride * kRows, 0, 1 << 20);
   std::vector<std::int32_t> begins, ends, sums(static_cast<std::size_t>(count));
   for (int run = 0; run < runs; ++run) {
@@ -83,14 +97,22 @@ void edge_vectors(benchmark::State& state, const kernels::Table& table) {
   state.SetItemsProcessed(state.iterations() * count);
 }
 
-BENCHMARK_CAPTURE(correlate, reference, kernels::reference())->Arg(64)->Arg(400);
-BENCHMARK_CAPTURE(correlate, vectorised, kernels::vectorised())->Arg(64)->Arg(400);
-BENCHMARK_CAPTURE(sum_runs, reference, kernels::reference())->Arg(8)->Arg(40);
-BENCHMARK_CAPTURE(sum_runs, vectorised, kernels::vectorised())->Arg(8)->Arg(40);
-BENCHMARK_CAPTURE(strongest_of_three, reference, kernels::reference())->Arg(640);
-BENCHMARK_CAPTURE(strongest_of_three, vectorised, kernels::vectorised())->Arg(640);
-BENCHMARK_CAPTURE(edge_vectors, reference, kernels::reference())->Arg(640);
-BENCHMARK_CAPTURE(edge_vectors, vectorised, kernels::vectorised())->Arg(640);
+using KernelBenchmark = void (*)(benchmark::State&, const kernels::Table&);
+
+/// One benchmark per target of this machine and per size.
+bool register_all(const std::string& name, KernelBenchmark run, const std::vector<int>& sizes) {
+  for (const auto& target : kernels::targets())
+    for (const int size : sizes)
+      benchmark::RegisterBenchmark((name + "/" + target.name).c_str(), run, *target.table)
+          ->Arg(size);
+  return true;
+}
+
+const bool kRegistered = register_all("correlate", correlate, {32, 200}) &&
+                         register_all("sum_responses_max", sum_responses_max, {64}) &&
+                         register_all("sum_runs", sum_runs, {8, 40}) &&
+                         register_all("strongest_of_three", strongest_of_three, {640}) &&
+                         register_all("edge_vectors", edge_vectors, {640});
 
 }  // namespace
 }  // namespace mbncc::bench

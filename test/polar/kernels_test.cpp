@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <numeric>
 #include <random>
 #include <vector>
@@ -15,6 +16,8 @@ class Kernels : public ::testing::TestWithParam<std::tuple<int, int>> {
   int count() const { return std::get<0>(GetParam()); }
   int misalignment() const { return std::get<1>(GetParam()); }
 
+  int whole_groups() const { return (count() + kPositions - 1) / kPositions * kPositions; }
+
   template <class T>
   std::vector<T> random_values(std::size_t size, int low, int high) {
     std::uniform_int_distribution<int> value(low, high);
@@ -27,29 +30,35 @@ class Kernels : public ::testing::TestWithParam<std::tuple<int, int>> {
 };
 
 TEST_P(Kernels, CorrelateEqualsReference) {
-  constexpr int kTerms = 5 * kTermGroup, kReach = 40;
+  constexpr int kPairs = 21, kReach = 40;
+  const int groups = whole_groups();
   const auto picture =
-      random_values<std::int16_t>(count() + kReach + misalignment(), -kMaxPicture, kMaxPicture);
-  const auto offsets = random_values<std::int32_t>(kTerms, 0, kReach - 1);
-  const auto weights = random_values<std::int16_t>(kTerms, -kMaxWeight, kMaxWeight);
-  std::vector<std::int32_t> expected(count()), actual(count());
-  const auto run = [&](const Table& table, std::vector<std::int32_t>& sums) {
-    table.correlate_row(picture.data() + misalignment(), offsets.data(), weights.data(), kTerms,
-                        sums.data(), count());
+      random_values<std::int16_t>(groups + kReach + misalignment() + 1, -kMaxPicture, kMaxPicture);
+  const auto offsets = random_values<std::int32_t>(kPairs, 0, kReach - 1);
+  const auto weights = random_values<std::int16_t>(2 * kPairs, -kMaxWeight, kMaxWeight);
+  const auto run = [&](const Table& table) {
+    std::vector<std::int32_t> sums(groups);
+    table.correlate_row(picture.data() + misalignment(), offsets.data(), weights.data(), kPairs,
+                        sums.data(), groups);
+    return sums;
   };
-  run(reference(), expected);
-  run(vectorised(), actual);
-  EXPECT_EQ(expected, actual);
+  for (const auto& target : targets())
+    EXPECT_EQ(run(*target.table), run(reference())) << target.name;
 }
 
 TEST_P(Kernels, CorrelateBearsItsBounds) {
-  const std::vector<std::int16_t> picture(count() + misalignment(), -kMaxPicture);
-  const std::vector<std::int32_t> offsets(kTermGroup, misalignment());
-  const std::vector<std::int16_t> weights(kTermGroup, kMaxWeight);
-  std::vector<std::int32_t> sums(count());
-  vectorised().correlate_row(picture.data(), offsets.data(), weights.data(), kTermGroup,
-                             sums.data(), count());
-  EXPECT_EQ(sums, std::vector<std::int32_t>(count(), -kTermGroup * kMaxPicture * kMaxWeight));
+  constexpr int kPairs = 4;
+  const std::vector<std::int16_t> picture(whole_groups() + 1, -kMaxPicture);
+  const std::vector<std::int32_t> offsets(kPairs, 0);
+  const std::vector<std::int16_t> weights(2 * kPairs, kMaxWeight);
+  for (const auto& target : targets()) {
+    std::vector<std::int32_t> sums(whole_groups());
+    target.table->correlate_row(picture.data(), offsets.data(), weights.data(), kPairs, sums.data(),
+                                whole_groups());
+    EXPECT_EQ(sums,
+              std::vector<std::int32_t>(whole_groups(), -2 * kPairs * kMaxPicture * kMaxWeight))
+        << target.name;
+  }
 }
 
 TEST_P(Kernels, SumRunsEqualsReference) {
@@ -64,22 +73,83 @@ TEST_P(Kernels, SumRunsEqualsReference) {
                        sums.data(), count());
   };
   run(reference(), expected);
-  run(vectorised(), actual);
-  EXPECT_EQ(expected, actual);
+  for (const auto& target : targets()) {
+    run(*target.table, actual);
+    EXPECT_EQ(expected, actual) << target.name;
+  }
 }
 
-TEST_P(Kernels, SumRowsMaxEqualsReference) {
-  constexpr int kRows = 10;
-  const auto maps = random_values<std::int16_t>(count() + kRows * 3 + misalignment(), -1000, 1000);
-  std::vector<const std::int16_t*> rows;
-  for (int k = 0; k < kRows; ++k) rows.push_back(maps.data() + misalignment() + 3 * k);
-  const auto best = random_values<std::int16_t>(count(), -2000, 2000);
-  auto best_expected = best, best_actual = best;
-  std::vector<std::int16_t> expected(count()), actual(count());
-  reference().sum_rows_max_row(rows.data(), kRows, expected.data(), best_expected.data(), count());
-  vectorised().sum_rows_max_row(rows.data(), kRows, actual.data(), best_actual.data(), count());
-  EXPECT_EQ(expected, actual);
-  EXPECT_EQ(best_expected, best_actual);
+TEST_P(Kernels, SumResponsesMaxEqualsReference) {
+  constexpr int kReach = 50;
+  const int groups = whole_groups();
+  const auto maps =
+      random_values<std::int8_t>(groups + kReach + misalignment(), -kMaxResponse, kMaxResponse);
+  const auto before = random_values<std::int16_t>(groups, -200, 200);
+  for (const int terms : {1, 8, 13, 64}) {
+    const auto offsets = random_values<std::int32_t>(terms, 0, kReach - 1);
+    const auto run = [&](const Table& table) {
+      auto best = before;
+      table.sum_responses_max_row(maps.data() + misalignment(), offsets.data(), terms, best.data(),
+                                  groups);
+      return best;
+    };
+    for (const auto& target : targets())
+      EXPECT_EQ(run(*target.table), run(reference())) << target.name << ", " << terms << " terms";
+  }
+}
+
+TEST_P(Kernels, SumResponsesMaxBearsItsBounds) {
+  constexpr int kTerms = 2000;
+  const std::vector<std::int8_t> maps(whole_groups(), kMaxResponse);
+  const std::vector<std::int32_t> offsets(kTerms, 0);
+  for (const auto& target : targets()) {
+    std::vector<std::int16_t> best(whole_groups(), -1);
+    target.table->sum_responses_max_row(maps.data(), offsets.data(), kTerms, best.data(),
+                                        whole_groups());
+    EXPECT_EQ(best, std::vector<std::int16_t>(whole_groups(), kTerms * kMaxResponse))
+        << target.name;
+  }
+}
+
+TEST_P(Kernels, EdgeResponsesEqualReference) {
+  const auto edges = random_values<std::int8_t>(2 * count() + misalignment(), -127, 127);
+  const auto run = [&](const Table& table) {
+    std::vector<std::vector<std::int8_t>> responses(4, std::vector<std::int8_t>(count()));
+    std::int8_t* rows[4];
+    for (int k = 0; k < 4; ++k) rows[k] = responses[k].data();
+    table.edge_responses_row(edges.data() + misalignment(), rows, count());
+    return responses;
+  };
+  for (const auto& target : targets())
+    EXPECT_EQ(run(*target.table), run(reference())) << target.name;
+}
+
+TEST(EdgeResponses, StayWithinTheirBoundForAllEdgeVectors) {
+  for (int degrees = 0; degrees < 360; ++degrees) {
+    const std::int8_t edge[] = {
+        static_cast<std::int8_t>(std::lround(127 * std::cos(degrees * 0.0174532925))),
+        static_cast<std::int8_t>(std::lround(127 * std::sin(degrees * 0.0174532925)))};
+    std::int8_t responses[4];
+    std::int8_t* rows[] = {responses, responses + 1, responses + 2, responses + 3};
+    reference().edge_responses_row(edge, rows, 1);
+    for (int k = 0; k < 4; ++k) {
+      EXPECT_LE(std::abs(responses[k]), kMaxResponse);
+      EXPECT_NEAR(responses[k], kMaxResponse * std::cos((degrees - 45 * k) * 0.0174532925), 0.7);
+    }
+  }
+}
+
+TEST_P(Kernels, SpreadRowsEqualsReference) {
+  const auto picture = random_values<std::int8_t>(3 * (2 * count() + 3) + misalignment(), -15, 15);
+  const std::int8_t* rows[3];
+  for (int k = 0; k < 3; ++k) rows[k] = picture.data() + misalignment() + k * (2 * count() + 3) + 1;
+  const auto run = [&](const Table& table) {
+    std::vector<std::int8_t> even(count()), odd(count());
+    table.spread_rows_row(rows, even.data(), odd.data(), count());
+    return std::make_pair(even, odd);
+  };
+  for (const auto& target : targets())
+    EXPECT_EQ(run(*target.table), run(reference())) << target.name;
 }
 
 TEST_P(Kernels, StrongestOfThreeEqualsReference) {
@@ -88,17 +158,21 @@ TEST_P(Kernels, StrongestOfThreeEqualsReference) {
   std::vector<std::int16_t> expected(2 * count()), actual(2 * count());
   reference().strongest_of_three_row(x.data() + misalignment(), y.data() + misalignment(),
                                      expected.data(), count());
-  vectorised().strongest_of_three_row(x.data() + misalignment(), y.data() + misalignment(),
-                                      actual.data(), count());
-  EXPECT_EQ(expected, actual);
+  for (const auto& target : targets()) {
+    target.table->strongest_of_three_row(x.data() + misalignment(), y.data() + misalignment(),
+                                         actual.data(), count());
+    EXPECT_EQ(expected, actual) << target.name;
+  }
 }
 
 TEST_P(Kernels, EdgeVectorsEqualReference) {
   const auto gradients = random_values<std::int16_t>(2 * count() + misalignment(), -1024, 1024);
   std::vector<std::int8_t> expected(2 * count()), actual(2 * count());
   reference().edge_vectors_row(gradients.data() + misalignment(), expected.data(), count());
-  vectorised().edge_vectors_row(gradients.data() + misalignment(), actual.data(), count());
-  EXPECT_EQ(expected, actual);
+  for (const auto& target : targets()) {
+    target.table->edge_vectors_row(gradients.data() + misalignment(), actual.data(), count());
+    EXPECT_EQ(expected, actual) << target.name;
+  }
 }
 
 TEST_P(Kernels, DotsEqualReference) {
@@ -111,8 +185,10 @@ TEST_P(Kernels, DotsEqualReference) {
   const float* vector = values.data() + kRows * padded;
   std::vector<float> expected(kRows), actual(kRows);
   reference().dots_rows(rows, padded, kRows, vector, padded, expected.data());
-  vectorised().dots_rows(rows, padded, kRows, vector, padded, actual.data());
-  EXPECT_EQ(expected, actual);
+  for (const auto& target : targets()) {
+    target.table->dots_rows(rows, padded, kRows, vector, padded, actual.data());
+    EXPECT_EQ(expected, actual) << target.name;
+  }
 }
 
 TEST_P(Kernels, NormaliseEqualsReference) {
@@ -121,23 +197,29 @@ TEST_P(Kernels, NormaliseEqualsReference) {
   const auto squares = random_values<std::int32_t>(count(), 400000, 900000);
   const Normalisation terms{0.004f, 60.f, 960.f, 0.3f};
   std::vector<float> best_expected(count(), -1), gates_expected(count(), 0);
-  auto best_actual = best_expected, gates_actual = gates_expected;
+  const auto best_before = best_expected, gates_before = gates_expected;
   reference().normalise_row(numerators.data(), sums.data(), squares.data(), terms,
                             best_expected.data(), gates_expected.data(), count());
-  vectorised().normalise_row(numerators.data(), sums.data(), squares.data(), terms,
-                             best_actual.data(), gates_actual.data(), count());
-  EXPECT_EQ(best_expected, best_actual);
-  EXPECT_EQ(gates_expected, gates_actual);
+  for (const auto& target : targets()) {
+    auto best_actual = best_before, gates_actual = gates_before;
+    target.table->normalise_row(numerators.data(), sums.data(), squares.data(), terms,
+                                best_actual.data(), gates_actual.data(), count());
+    EXPECT_EQ(best_expected, best_actual) << target.name;
+    EXPECT_EQ(gates_expected, gates_actual) << target.name;
+  }
 }
 
-TEST_P(Kernels, AnyAboveEqualsReference) {
+TEST_P(Kernels, AnyAboveFindsTheLastValue) {
   auto values = random_values<std::int32_t>(count(), -1000, 0);
   const std::vector<float> gates(count(), 10);
-  EXPECT_FALSE(reference().any_above_row(values.data(), 0.5f, gates.data(), count()));
-  EXPECT_FALSE(vectorised().any_above_row(values.data(), 0.5f, gates.data(), count()));
-  values.back() = 21;
-  EXPECT_TRUE(reference().any_above_row(values.data(), 0.5f, gates.data(), count()));
-  EXPECT_TRUE(vectorised().any_above_row(values.data(), 0.5f, gates.data(), count()));
+  for (const auto& target : targets()) {
+    values.back() = 20;
+    EXPECT_FALSE(target.table->any_above_row(values.data(), 0.5f, gates.data(), count()))
+        << target.name;
+    values.back() = 21;
+    EXPECT_TRUE(target.table->any_above_row(values.data(), 0.5f, gates.data(), count()))
+        << target.name;
+  }
 }
 
 INSTANTIATE_TEST_SUITE_P(OddSizesAndMisalignments, Kernels,

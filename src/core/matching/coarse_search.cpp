@@ -20,7 +20,7 @@ struct PaddedPicture {
     cv::Mat bordered;
     cv::copyMakeBorder(grey, bordered, margin, margin, margin, margin + 1, cv::BORDER_REPLICATE);
     const auto size = static_cast<std::size_t>(bordered.rows) * stride;
-    pixels.resize(size);
+    pixels.resize(size + kernels::kPositions);  // whole groups are read
     sums.resize(size);
     squares.resize(size);
     for (int y = 0; y < bordered.rows; ++y) fill_row(bordered.ptr(y), y);
@@ -49,25 +49,27 @@ struct PaddedPicture {
   }
 };
 
-/// A rotated kernel as offsets into a padded picture.
+/// A rotated kernel as offsets into a padded picture: pairs of adjacent pixels, and runs.
 struct KernelOffsets {
   KernelOffsets(const RotatedKernel& kernel, int stride)
-      : weights(kernel.weights),
-        pixels(static_cast<double>(kernel.pixels.size())),
-        norm(kernel.norm) {
-    for (const auto& pixel : kernel.pixels) offsets.push_back(pixel.y * stride + pixel.x);
-    while (offsets.size() % kernels::kTermGroup != 0) {
-      offsets.push_back(0);
-      weights.push_back(0);
-    }
+      : pixels(static_cast<double>(kernel.pixels.size())), norm(kernel.norm) {
+    std::size_t next = 0;
     for (const auto& run : kernel.runs) {
       begins.push_back(run.y * stride + run.begin);
       ends.push_back(run.y * stride + run.end);
+      for (int x = run.begin; x < run.end; x += 2) {
+        offsets.push_back(run.y * stride + x);
+        weights.push_back(kernel.weights[next++]);
+        weights.push_back(x + 1 < run.end ? kernel.weights[next++] : std::int16_t{0});
+      }
     }
   }
 
+  int pairs() const { return static_cast<int>(offsets.size()); }
+  int runs() const { return static_cast<int>(begins.size()); }
+
   std::vector<std::int32_t> offsets, begins, ends;
-  std::vector<std::int16_t> weights;
+  std::vector<std::int16_t> weights;  // two per offset
   double pixels, norm;
 };
 
@@ -88,7 +90,7 @@ class CoarseSearch {
   }
 
  private:
-  static constexpr int kBlock = 64;  // positions of a row whose working data stay in registers
+  static constexpr int kBlock = 2 * kernels::kPositions;  // of a row, worked on at a time
 
   /// All rotations at `count` positions of a row, into `best_`. A rotation is worked out in full
   /// only where its numerator would reach the threshold or the best so far, were the picture's
@@ -100,7 +102,7 @@ class CoarseSearch {
     for (const auto& kernel : offsets_) {
       if (kernel.norm <= 0) continue;
       kernels::correlate(&picture_.pixels[start], kernel.offsets.data(), kernel.weights.data(),
-                         static_cast<int>(kernel.offsets.size()), numerators_.data(), count);
+                         kernel.pairs(), numerators_.data(), whole_groups(count));
       const float scale = 1 / static_cast<float>(kernel.norm);
       if (!kernels::any_above(numerators_.data(), scale, gates_.data(), count)) continue;
       sum_block(kernel, start, count);
@@ -112,12 +114,15 @@ class CoarseSearch {
     }
   }
 
+  static int whole_groups(int count) {
+    return (count + kernels::kPositions - 1) / kernels::kPositions * kernels::kPositions;
+  }
+
   void sum_block(const KernelOffsets& kernel, std::size_t start, int count) {
-    const int runs = static_cast<int>(kernel.begins.size());
-    kernels::sum_runs(&picture_.sums[start], kernel.begins.data(), kernel.ends.data(), runs,
-                      sums_.data(), count);
-    kernels::sum_runs(&picture_.squares[start], kernel.begins.data(), kernel.ends.data(), runs,
-                      squares_.data(), count);
+    kernels::sum_runs(&picture_.sums[start], kernel.begins.data(), kernel.ends.data(),
+                      kernel.runs(), sums_.data(), count);
+    kernels::sum_runs(&picture_.squares[start], kernel.begins.data(), kernel.ends.data(),
+                      kernel.runs(), squares_.data(), count);
   }
 
   std::vector<Candidate> best_places(const CoarseSettings& settings) const {
@@ -161,10 +166,13 @@ class CoarseSearch {
 
   double value_at(const KernelOffsets& kernel, std::size_t at) const {
     if (kernel.norm <= 0) return -1;
-    double numerator = 0, sum = 0, square = 0;
-    for (std::size_t k = 0; k < kernel.offsets.size(); ++k)
-      numerator += kernel.weights[k] * picture_.pixels[at + kernel.offsets[k]];
-    for (std::size_t r = 0; r < kernel.begins.size(); ++r) {
+    int numerator = 0;
+    double sum = 0, square = 0;
+    for (int k = 0; k < kernel.pairs(); ++k) {
+      const std::int16_t* from = &picture_.pixels[at + kernel.offsets[k]];
+      numerator += kernel.weights[2 * k] * from[0] + kernel.weights[2 * k + 1] * from[1];
+    }
+    for (int r = 0; r < kernel.runs(); ++r) {
       sum += picture_.sums[at + kernel.ends[r]] - picture_.sums[at + kernel.begins[r]];
       square += picture_.squares[at + kernel.ends[r]] - picture_.squares[at + kernel.begins[r]];
     }

@@ -16,10 +16,11 @@ constexpr std::size_t kPoints = 64;  // of the contour
 constexpr double kSmallest = 20;     // [px] diameter at the coarse level
 constexpr double kThinnest = 2;      // [px] mean width there
 constexpr int kTopLevel = 4;
-constexpr double kArcStep = 1.5;       // [px] that the rim moves per rotation step
-constexpr double kMinResponse = 0.05;  // [-1..1] mean of a candidate
-constexpr int kUnit = 32;              // response 1 in the maps
-constexpr int kUnseen = 14;            // taken beyond the border, so that objects may hang over it
+constexpr double kArcStep = 1.5;              // [px] that the rim moves per rotation step
+constexpr double kMinResponse = 0.05;         // [-1..1] mean of a candidate
+constexpr int kUnit = kernels::kMaxResponse;  // response 1 in the maps
+constexpr std::int8_t kUnseen = 7;  // taken beyond the border, so that objects may hang over it
+constexpr int kStep = 2;            // [px] between positions: responses are spread by one pixel
 
 int orientation_of(float normal_x, float normal_y) {
   const double turns = std::atan2(normal_y, normal_x) / kPi;  // of half a turn
@@ -27,68 +28,119 @@ int orientation_of(float normal_x, float normal_y) {
   return ((bin % kOrientations) + kOrientations) % kOrientations;
 }
 
-/// Response maps per orientation, spread to the neighbouring pixels, with room around them.
+/// Response maps per orientation, spread to the neighbouring pixels, with room around them. Each is
+/// stored as four maps of every second pixel, so that adjacent positions of the search lie side by
+/// side.
 class ResponseMaps {
  public:
-  ResponseMaps(const cv::Mat& edges, int margin) : margin_(margin) {
-    for (int k = 0; k < kOrientations; ++k) {
-      const double angle = 2 * kPi * k / kOrientations;
-      const double scale = static_cast<double>(kUnit) / kEdgeScale;
-      cv::Mat response, spread;
-      cv::transform(edges, response, cv::Matx12d(std::cos(angle), std::sin(angle)) * scale);
-      response.convertTo(response, CV_16S);
-      cv::dilate(response, spread, cv::Mat());
-      cv::copyMakeBorder(spread, maps_[k], margin, margin, margin, margin, cv::BORDER_CONSTANT,
-                         cv::Scalar(kUnseen));
-    }
+  /// `margin` [px] is even.
+  ResponseMaps(const cv::Mat& edges, int margin)
+      : margin_(margin),
+        stride_((edges.cols + 1) / kStep + margin + 1),
+        plane_(stride_ * ((edges.rows + 1) / kStep + margin + 1)),
+        values_(static_cast<std::size_t>(plane_) * kPhases * kOrientations + kernels::kPositions,
+                kUnseen) {
+    const Responses responses(edges);
+    for (int k = 0; k < kOrientations; ++k)
+      for (int y = 0; y < edges.rows; ++y) {
+        std::int8_t* even = &values_[offset(k, 0, y)];
+        std::int8_t* odd = &values_[offset(k, 1, y)];
+        kernels::spread_rows(responses.around(k, y).data(), even, odd, edges.cols / kStep);
+        if (edges.cols % kStep != 0) even[edges.cols / kStep] = even[edges.cols / kStep - 1];
+      }
   }
 
-  int stride() const { return maps_[0].cols; }
+  const std::int8_t* data() const { return values_.data(); }
 
-  const std::int16_t* at(int orientation, int x, int y) const {
-    return maps_[orientation].ptr<std::int16_t>(y + margin_) + x + margin_;
+  /// Where the response at a pixel lies. Relative to an even pixel it is offset() at the
+  /// difference, less offset() at 0.
+  std::int32_t offset(int orientation, int x, int y) const {
+    const int column = x + margin_, row = y + margin_;
+    const int phase = kStep * (row % kStep) + column % kStep;
+    return (orientation * kPhases + phase) * plane_ + row / kStep * stride_ + column / kStep;
   }
 
  private:
-  int margin_;
-  std::array<cv::Mat, kOrientations> maps_;  // CV_16SC1
+  static constexpr int kPhases = kStep * kStep;
+
+  /// Responses before they are spread, continued by a pixel and more beyond the border.
+  class Responses {
+   public:
+    explicit Responses(const cv::Mat& edges) {
+      for (auto& map : maps_) map.create(edges.rows, edges.cols + 4, CV_8SC1);
+      for (int y = 0; y < edges.rows; ++y) {
+        std::int8_t* rows[kOrientations / 2];
+        for (int k = 0; k < kOrientations / 2; ++k) rows[k] = maps_[k].ptr<std::int8_t>(y) + 1;
+        kernels::edge_responses(edges.ptr<std::int8_t>(y), rows, edges.cols);
+        for (auto* row : rows) {
+          row[-1] = row[0];
+          for (int x = 0; x < 3; ++x) row[edges.cols + x] = row[edges.cols - 1];
+        }
+      }
+      // Turned by a quarter, an edge responds the other way round.
+      for (int k = 0; k < kOrientations / 2; ++k)
+        cv::subtract(cv::Scalar(0), maps_[k], maps_[k + kOrientations / 2]);
+    }
+
+    std::array<const std::int8_t*, 3> around(int orientation, int y) const {
+      const cv::Mat& map = maps_[orientation];
+      return {map.ptr<std::int8_t>(std::max(0, y - 1)) + 1, map.ptr<std::int8_t>(y) + 1,
+              map.ptr<std::int8_t>(std::min(map.rows - 1, y + 1)) + 1};
+    }
+
+   private:
+    std::array<cv::Mat, kOrientations> maps_;  // CV_8SC1
+  };
+
+  int margin_, stride_, plane_;
+  std::vector<std::int8_t> values_;
 };
 
 class EdgeSearch {
  public:
   EdgeSearch(const EdgeBank& bank, const cv::Mat& edges, const cv::Rect& roi)
       : bank_(bank),
-        roi_(roi & cv::Rect({0, 0}, edges.size())),
-        maps_(edges, bank.radius() + 1),
-        best_(roi_.size(), CV_16SC1, cv::Scalar(0)),
-        sums_(roi_.width) {}
+        first_(roi.x / kStep * kStep, roi.y / kStep * kStep),
+        size_((roi.br().x - first_.x + kStep - 1) / kStep,
+              (roi.br().y - first_.y + kStep - 1) / kStep),
+        maps_(edges, (bank.radius() + kStep) / kStep * kStep) {
+    const int whole =
+        (size_.width + kernels::kPositions - 1) / kernels::kPositions * kernels::kPositions;
+    best_.create(size_.height, whole, CV_16SC1);
+    best_.setTo(0);
+    for (const auto& rotation : bank.rotations()) {
+      offsets_.emplace_back();
+      for (const auto& point : rotation.points)
+        offsets_.back().push_back(maps_.offset(point.orientation, point.x, point.y) -
+                                  maps_.offset(0, 0, 0));
+    }
+  }
 
   EdgeCandidates run(int most_places) {
-    for (int y = 0; y < roi_.height; ++y)
-      for (const auto& rotation : bank_.rotations()) add_rotation(rotation, y);
+    for (int y = 0; y < size_.height; ++y)
+      for (const auto& offsets : offsets_)
+        kernels::sum_responses_max(at(first_.x, first_.y + kStep * y), offsets.data(),
+                                   static_cast<int>(offsets.size()), best_.ptr<std::int16_t>(y),
+                                   best_.cols);
     EdgeCandidates found;
     for (const auto& place : best_places(most_places)) add_rotations_at(place, found);
     return found;
   }
 
  private:
-  void add_rotation(const EdgeBank::Rotation& rotation, int y) {
-    rows_.clear();
-    for (const auto& point : rotation.points)
-      rows_.push_back(maps_.at(point.orientation, roi_.x + point.x, roi_.y + y + point.y));
-    kernels::sum_rows_max(rows_.data(), static_cast<int>(rows_.size()), sums_.data(),
-                          best_.ptr<std::int16_t>(y), roi_.width);
-  }
+  const std::int8_t* at(int x, int y) const { return maps_.data() + maps_.offset(0, x, y); }
 
   std::vector<Candidate> best_places(int most) const {
+    const cv::Mat best = best_.colRange(0, size_.width);
     cv::Mat highest;
-    cv::dilate(best_, highest, cv::Mat());
+    cv::dilate(best, highest, cv::Mat());
     std::vector<Candidate> places;
-    for (int y = 0; y < best_.rows; ++y)
-      for (int x = 0; x < best_.cols; ++x) {
-        const int sum = best_.at<std::int16_t>(y, x);
+    for (int y = 0; y < best.rows; ++y)
+      for (int x = 0; x < best.cols; ++x) {
+        const int sum = best.at<std::int16_t>(y, x);
         if (sum < highest.at<std::int16_t>(y, x) || mean(sum) < kMinResponse) continue;
-        places.push_back({{double(x + roi_.x), double(y + roi_.y), 0}, bank_.level(), mean(sum)});
+        const Pose2D pose{double(first_.x + kStep * x), double(first_.y + kStep * y), 0};
+        places.push_back({pose, bank_.level(), mean(sum)});
       }
     sort_by_value(places);
     if (places.size() > static_cast<std::size_t>(most)) places.resize(most);
@@ -96,14 +148,12 @@ class EdgeSearch {
   }
 
   double mean(int sum) const {
-    return sum / (static_cast<double>(kUnit) * bank_.rotations().front().points.size());
+    return sum / (static_cast<double>(kUnit) * offsets_.front().size());
   }
 
-  double response(const EdgeBank::Rotation& rotation, const Pose2D& place) const {
+  double response(const std::vector<std::int32_t>& offsets, const std::int8_t* here) const {
     int sum = 0;
-    for (const auto& point : rotation.points)
-      sum += *maps_.at(point.orientation, static_cast<int>(place.x) + point.x,
-                       static_cast<int>(place.y) + point.y);
+    for (const std::int32_t offset : offsets) sum += here[offset];
     return mean(sum);
   }
 
@@ -111,8 +161,9 @@ class EdgeSearch {
     constexpr std::size_t kMost = 3;
     const auto& rotations = bank_.rotations();
     const std::size_t count = rotations.size();
+    const std::int8_t* here = at(static_cast<int>(place.pose.x), static_cast<int>(place.pose.y));
     std::vector<double> values;
-    for (const auto& rotation : rotations) values.push_back(response(rotation, place.pose));
+    for (const auto& offsets : offsets_) values.push_back(response(offsets, here));
     std::vector<Candidate> peaks;
     for (std::size_t k = 0; k < count; ++k) {
       const double before = values[(k + count - 1) % count], after = values[(k + 1) % count];
@@ -130,11 +181,11 @@ class EdgeSearch {
   }
 
   const EdgeBank& bank_;
-  cv::Rect roi_;
+  cv::Point first_;  // [px] position of best_'s first value, even
+  cv::Size size_;    // of the positions
   ResponseMaps maps_;
-  cv::Mat best_;  // CV_16SC1, roi's size: largest sum over the rotations
-  std::vector<std::int16_t> sums_;
-  std::vector<const std::int16_t*> rows_;
+  std::vector<std::vector<std::int32_t>> offsets_;  // per rotation
+  cv::Mat best_;  // CV_16SC1: largest sum over the rotations, rows of whole groups
 };
 
 int coarse_level(double diameter, double width) {
@@ -169,8 +220,9 @@ EdgeBank::EdgeBank(const MapGeometry& map, cv::Point2d anchor) {
 
 EdgeCandidates edge_search(const EdgeBank& bank, const cv::Mat& edges, const cv::Rect& roi,
                            int most_places) {
-  if ((roi & cv::Rect({0, 0}, edges.size())).empty()) return {};
-  return EdgeSearch(bank, edges, roi).run(most_places);
+  const cv::Rect region = roi & cv::Rect({0, 0}, edges.size());
+  if (region.empty()) return {};
+  return EdgeSearch(bank, edges, region).run(most_places);
 }
 
 }  // namespace mbncc

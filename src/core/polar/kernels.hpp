@@ -1,25 +1,27 @@
 // The innermost loops of the search, on plain pointers. Every version of a kernel gives the same
 // bits: integers, or floats added in a fixed order without fused multiply-add.
-// MBNCC_KERNELS=reference in the environment selects the formulas of kernels_reference.cpp instead
-// of the vectorised loops.
+// MBNCC_KERNELS in the environment selects a target by name: reference (the formulas of
+// kernels_reference.cpp), baseline, avx2 or avx512; without it the last one the machine has is
+// used.
 #pragma once
 
 #include <cstddef>
 #include <cstdint>
+#include <vector>
 
 namespace mbncc::kernels {
 
-/// correlate() takes its terms in groups of this many; pad with weight 0 and offset 0.
-constexpr int kTermGroup = 4;
-/// Bounds of correlate(): a group's sum of products then fits into 16 bits.
+/// correlate() and sum_responses_max() work on whole groups of this many positions.
+constexpr int kPositions = 32;
+/// Bounds of correlate().
 constexpr int kMaxPicture = 128;
 constexpr int kMaxWeight = 63;
 
-/// sums[x] = sum_k weights[k] picture[offsets[k] + x] for x in [0, count).
-/// `terms` is a multiple of kTermGroup and at most 2^17; |picture| <= kMaxPicture,
-/// |weight| <= kMaxWeight.
+/// sums[x] = sum_k weights[2 k] picture[offsets[k] + x] + weights[2 k + 1] picture[offsets[k] + x +
+/// 1] for x in [0, count), `count` a multiple of kPositions. `pairs` is at most 2^16; |picture| <=
+/// kMaxPicture, |weight| <= kMaxWeight.
 void correlate(const std::int16_t* picture, const std::int32_t* offsets,
-               const std::int16_t* weights, int terms, std::int32_t* sums, int count);
+               const std::int16_t* weights, int pairs, std::int32_t* sums, int count);
 
 /// sums[x] = sum_r prefix[ends[r] + x] - prefix[begins[r] + x] for x in [0, count): totals over
 /// runs of pixels from running sums along the rows. The totals must fit into 31 bits.
@@ -44,10 +46,22 @@ void normalise(const std::int32_t* numerators, const std::int32_t* sums,
                const std::int32_t* squares, const Normalisation& terms, float* best, float* gates,
                int count);
 
-/// sums[x] = sum_k rows[k][x] and best[x] = max(best[x], sums[x]) for x in [0, count). The sums
-/// must fit into 16 bits.
-void sum_rows_max(const std::int16_t* const* rows, int row_count, std::int16_t* sums,
-                  std::int16_t* best, int count);
+/// Largest magnitude of a response map, so that a group of this many responses fits into 8 bits.
+constexpr int kMaxResponse = 15;
+constexpr int kTermGroup = 8;
+
+/// best[x] = max(best[x], sum_k maps[offsets[k] + x]) for x in [0, count), `count` a multiple of
+/// kPositions; |maps| <= kMaxResponse. `terms` is at most 2000.
+void sum_responses_max(const std::int8_t* maps, const std::int32_t* offsets, int terms,
+                       std::int16_t* best, int count);
+
+/// Responses of `count` edge vectors (see edge_picture.hpp) to edges whose normals have directions
+/// of 0, 1, 2 and 3 eighths of a half turn, scaled to kMaxResponse.
+void edge_responses(const std::int8_t* edges, std::int8_t* const* responses, int count);
+
+/// Largest values within one pixel in three adjacent rows: even[i] about pixel 2 i, odd[i] about
+/// pixel 2 i + 1, for i in [0, count). The rows are read from -1 to 2 count.
+void spread_rows(const std::int8_t* const* rows, std::int8_t* even, std::int8_t* odd, int count);
 
 /// For interleaved triples of gradients along x and y: out[2 i], out[2 i + 1] are those of the
 /// channel with the largest magnitude (the first of equals). |gradient| <= 1024.
@@ -65,32 +79,31 @@ constexpr int kLanes = 16;
 void dots(const float* rows, std::size_t stride, int row_count, const float* vector, int count,
           float* products);
 
-using Correlate = decltype(&correlate);
-using SumRuns = decltype(&sum_runs);
-using AnyAbove = decltype(&any_above);
-using Normalise = decltype(&normalise);
-using SumRowsMax = decltype(&sum_rows_max);
-using StrongestOfThree = decltype(&strongest_of_three);
-using EdgeVectors = decltype(&edge_vectors);
-using Dots = decltype(&dots);
-
 /// One set of kernels.
 struct Table {
-  Correlate correlate_row;
-  SumRuns sum_runs_row;
-  AnyAbove any_above_row;
-  Normalise normalise_row;
-  SumRowsMax sum_rows_max_row;
-  StrongestOfThree strongest_of_three_row;
-  EdgeVectors edge_vectors_row;
-  Dots dots_rows;
+  decltype(&correlate) correlate_row;
+  decltype(&sum_runs) sum_runs_row;
+  decltype(&any_above) any_above_row;
+  decltype(&normalise) normalise_row;
+  decltype(&sum_responses_max) sum_responses_max_row;
+  decltype(&edge_responses) edge_responses_row;
+  decltype(&spread_rows) spread_rows_row;
+  decltype(&strongest_of_three) strongest_of_three_row;
+  decltype(&edge_vectors) edge_vectors_row;
+  decltype(&dots) dots_rows;
+};
+
+struct Target {
+  const char* name;
+  const Table* table;
 };
 
 /// The formulas, written down plainly.
 const Table& reference();
-/// The vectorised loops.
-const Table& vectorised();
-/// vectorised(), or reference() when the environment asks for it.
-const Table& active();
+/// What this machine can run, the reference first, the fastest last.
+const std::vector<Target>& targets();
+/// The fastest, or the one that the environment names. Throws std::invalid_argument when it names
+/// one that is not among targets().
+const Target& active();
 
 }  // namespace mbncc::kernels

@@ -7,10 +7,12 @@ namespace mbncc::kernels {
 namespace {
 
 void correlate_reference(const std::int16_t* picture, const std::int32_t* offsets,
-                         const std::int16_t* weights, int terms, std::int32_t* sums, int count) {
+                         const std::int16_t* weights, int pairs, std::int32_t* sums, int count) {
   for (int x = 0; x < count; ++x) {
     sums[x] = 0;
-    for (int k = 0; k < terms; ++k) sums[x] += weights[k] * picture[offsets[k] + x];
+    for (int k = 0; k < pairs; ++k)
+      sums[x] += weights[2 * k] * picture[offsets[k] + x] +
+                 weights[2 * k + 1] * picture[offsets[k] + x + 1];
   }
 }
 
@@ -41,13 +43,38 @@ void normalise_reference(const std::int32_t* numerators, const std::int32_t* sum
   }
 }
 
-void sum_rows_max_reference(const std::int16_t* const* rows, int row_count, std::int16_t* sums,
-                            std::int16_t* best, int count) {
+void sum_responses_max_reference(const std::int8_t* maps, const std::int32_t* offsets, int terms,
+                                 std::int16_t* best, int count) {
   for (int x = 0; x < count; ++x) {
     int sum = 0;
-    for (int k = 0; k < row_count; ++k) sum += rows[k][x];
-    sums[x] = static_cast<std::int16_t>(sum);
-    best[x] = std::max(best[x], sums[x]);
+    for (int k = 0; k < terms; ++k) sum += maps[offsets[k] + x];
+    best[x] = std::max(best[x], static_cast<std::int16_t>(sum));
+  }
+}
+
+/// Scale from edge vectors to responses in 1024ths: kMaxResponse / kEdgeScale, and that times
+/// sqrt(1/2), rounded so that no response exceeds kMaxResponse.
+constexpr int kAlong = 121, kDiagonal = 86;
+
+void edge_responses_reference(const std::int8_t* edges, std::int8_t* const* responses, int count) {
+  for (int x = 0; x < count; ++x) {
+    const int c = edges[2 * x], s = edges[2 * x + 1];
+    const int scaled[] = {c * kAlong, (c + s) * kDiagonal, s * kAlong, (s - c) * kDiagonal};
+    for (int k = 0; k < 4; ++k) responses[k][x] = static_cast<std::int8_t>((scaled[k] + 512) >> 10);
+  }
+}
+
+void spread_rows_reference(const std::int8_t* const* rows, std::int8_t* even, std::int8_t* odd,
+                           int count) {
+  const auto highest_about = [&](int x) {
+    std::int8_t highest = -128;
+    for (int row = 0; row < 3; ++row)
+      for (int dx = -1; dx <= 1; ++dx) highest = std::max(highest, rows[row][x + dx]);
+    return highest;
+  };
+  for (int i = 0; i < count; ++i) {
+    even[i] = highest_about(2 * i);
+    odd[i] = highest_about(2 * i + 1);
   }
 }
 
@@ -90,10 +117,11 @@ void dots_reference(const float* rows, std::size_t stride, int row_count, const 
 }  // namespace
 
 const Table& reference() {
-  static const Table table{correlate_reference,    sum_runs_reference,
-                           any_above_reference,    normalise_reference,
-                           sum_rows_max_reference, strongest_of_three_reference,
-                           edge_vectors_reference, dots_reference};
+  static const Table table{correlate_reference,         sum_runs_reference,
+                           any_above_reference,         normalise_reference,
+                           sum_responses_max_reference, edge_responses_reference,
+                           spread_rows_reference,       strongest_of_three_reference,
+                           edge_vectors_reference,      dots_reference};
   return table;
 }
 

@@ -234,7 +234,7 @@ void add_capped_squares_vectorised(const float* __restrict model, const float* _
 
 const PointTable& active_points() {
   static const PointTable& table =
-      &active() == &reference() ? point_reference() : vectorised_points();
+      active().table == &reference() ? point_reference() : vectorised_points();
   return table;
 }
 
