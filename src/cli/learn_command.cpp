@@ -7,7 +7,7 @@
 #include "cli/settings.hpp"
 #include "cli/stage_writer.hpp"
 #include "mbncc/error.hpp"
-#include "mbncc/learning/learn_object.hpp"
+#include "mbncc/learning/interactive_lesson.hpp"
 #include "mbncc/learning/resemblance.hpp"
 
 namespace mbncc::cli {
@@ -69,13 +69,22 @@ ObjectModel store(ObjectLibrary& library, const Arguments& arguments, const Obje
   }
 }
 
+// A corrected lesson is as good as its correction: without one there is nothing to be stored.
+LearnResult learn(const Lesson& lesson, const std::optional<LessonEdit>& edit, Settings& settings,
+                  const StageObserver& observer) {
+  InteractiveLesson learned(lesson, settings.lesson(), settings.search(), observer);
+  if (!edit || !learned.result().has_model) return learned.result();
+  return learned.edit(*edit, observer);
+}
+
 void learn_and_store(const Arguments& arguments, Settings& settings, LearnResult& result) {
+  const auto edit = edit_from(arguments);
   const Lesson lesson = read_lesson(arguments);
   StageWriter stages(arguments.get("--stages"));
   ObjectLibrary library(arguments.get("--library"));
   const auto known = load_reporting(library);
   check_name(arguments, *known);
-  result = learn_object(lesson, settings.lesson(), settings.search(), stages.observer());
+  result = learn(lesson, edit, settings, stages.observer());
   if (!may_store(result, arguments)) return;
   note_resemblance(result.object, lesson.before, known->objects, settings.search());
   result.object = store(library, arguments, result.object, lesson.before, settings.search());
@@ -119,7 +128,8 @@ Command learn_command() {
       "learn an object from pictures and store it",
       lesson_options(),
       "",
-      "Where the object is, is said by --after (a second picture without it), --roi, or --map.\n"
+      "Where the object is, is said by --after (a second picture without it), --roi, --click,\n"
+      "or --map. Strokes by --include and --exclude correct the outline that was found.\n"
       "A verdict GOOD or MARGINAL is stored, BAD only with --allow-bad; --map is never refused\n"
       "for quality. Stored revisions that are replaced go to DIR/.trash.\n",
       run};

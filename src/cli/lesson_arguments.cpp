@@ -12,8 +12,12 @@ std::vector<Option> lesson_options() {
           {"--before", "B.png", "picture with the object, PNG or JPEG", true},
           {"--after", "A.png", "the same scene without the object"},
           {"--roi", "x,y,w,h", "approximate region of the object in pixels"},
+          {"--click", "x,y", "a point on the object in pixels"},
           {"--map", "M.png", "ready map of the picture's size: white on the object"},
           {"--method", "M", "change_cut (with --after), sb_grabcut, grabcut_rect, grabcut_mask"},
+          {"--include", "x,y[,x,y...]", "a stroke on the object; repeatable", false, true},
+          {"--exclude", "x,y[,x,y...]", "a stroke beside the object; repeatable", false, true},
+          {"--stroke-width", "PIXELS", "of the strokes; 0: closed areas; default: 5"},
           {"--label", "TEXT", "shown to people; default: the name"},
           {"--height", "METRES", "of the object's top face above the platform; default: 0"},
           {"--overwrite", "", "replace the object of this name, if there is one"},
@@ -24,12 +28,15 @@ std::vector<Option> lesson_options() {
 }
 
 void check_lesson_arguments(const Arguments& arguments) {
-  arguments.at_most_one_of({"--roi", "--map"});
+  arguments.at_most_one_of({"--roi", "--map", "--click"});
   arguments.at_most_one_of({"--map", "--method"});
   arguments.at_most_one_of({"--overwrite", "--add-view"});
-  if (!arguments.has("--after") && !arguments.has("--roi") && !arguments.has("--map"))
+  if (!arguments.has("--after") && !arguments.has("--roi") && !arguments.has("--map") &&
+      !arguments.has("--click"))
     throw UsageError(
-        "--before alone does not say where the object is; add --after, --roi or --map");
+        "--before alone does not say where the object is; add --after, --roi, --click or --map");
+  if (arguments.has("--stroke-width") && !arguments.has("--include") && !arguments.has("--exclude"))
+    throw UsageError("--stroke-width needs --include or --exclude");
   if (arguments.get("--method") == "change_cut" && !arguments.has("--after"))
     throw UsageError("--method change_cut needs --after, a picture without the object");
 }
@@ -40,10 +47,22 @@ Lesson lesson_from(const Arguments& arguments) {
   lesson.label = arguments.get("--label");
   lesson.object_height = parse_number("--height", arguments.get("--height", "0"), 0, 10);
   if (arguments.has("--roi")) lesson.region = parse_rectangle("--roi", arguments.get("--roi"));
+  if (arguments.has("--click")) lesson.click = parse_point("--click", arguments.get("--click"));
   lesson.before = read_picture(arguments.get("--before"));
   if (arguments.has("--after")) lesson.after = read_picture(arguments.get("--after"));
   if (arguments.has("--map")) lesson.map = read_map(arguments.get("--map"));
   return lesson;
+}
+
+std::optional<LessonEdit> edit_from(const Arguments& arguments) {
+  LessonEdit edit;
+  for (const auto& text : arguments.all("--include"))
+    edit.include.push_back(parse_points("--include", text));
+  for (const auto& text : arguments.all("--exclude"))
+    edit.exclude.push_back(parse_points("--exclude", text));
+  edit.stroke_width = parse_number("--stroke-width", arguments.get("--stroke-width", "5"), 0, 1000);
+  if (edit.include.empty() && edit.exclude.empty()) return std::nullopt;
+  return edit;
 }
 
 }  // namespace mbncc::cli

@@ -1,10 +1,11 @@
 // The options of `mbncc learn`.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "cli/arguments.hpp"
-#include "mbncc/learning/learn_object.hpp"
+#include "mbncc/learning/interactive_lesson.hpp"
 
 namespace mbncc::cli {
 
@@ -15,5 +16,8 @@ void check_lesson_arguments(const Arguments& arguments);
 
 /// Reads the pictures. Throws UsageError, FileError.
 Lesson lesson_from(const Arguments& arguments);
+
+/// The strokes; none without any. Throws UsageError.
+std::optional<LessonEdit> edit_from(const Arguments& arguments);
 
 }  // namespace mbncc::cli

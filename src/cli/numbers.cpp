@@ -33,6 +33,27 @@ cv::Rect parse_rectangle(const std::string& option, const std::string& text) {
   return {numbers[0], numbers[1], numbers[2], numbers[3]};
 }
 
+std::vector<cv::Point2f> parse_points(const std::string& option, const std::string& text) {
+  constexpr double kFarthest = 1e6;  // [px]
+  std::vector<double> numbers;
+  std::istringstream stream(text);
+  for (std::string part; std::getline(stream, part, ',');)
+    numbers.push_back(parse_number(option, part, -kFarthest, kFarthest));
+  if (numbers.empty() || numbers.size() % 2 != 0 || text.back() == ',')
+    throw UsageError(option + " needs pairs of numbers x,y in pixels, not '" + text + "'");
+  std::vector<cv::Point2f> points;
+  for (std::size_t i = 0; i < numbers.size(); i += 2)
+    points.emplace_back(static_cast<float>(numbers[i]), static_cast<float>(numbers[i + 1]));
+  return points;
+}
+
+cv::Point2f parse_point(const std::string& option, const std::string& text) {
+  const auto points = parse_points(option, text);
+  if (points.size() != 1)
+    throw UsageError(option + " needs one point x,y in pixels, not '" + text + "'");
+  return points.front();
+}
+
 int parse_whole(const std::string& option, const std::string& text, int lowest) {
   int value = 0;
   if (!read_whole(text, value) || value < lowest)

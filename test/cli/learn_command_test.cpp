@@ -42,6 +42,40 @@ TEST(LearnCommand, LearnsFromTheDifferenceOfTwoPictures) {
   EXPECT_FALSE(std::filesystem::is_empty(folder / "stages"));
 }
 
+TEST(LearnCommand, StrokesCorrectTheMap) {
+  const LessonFolder folder;
+  const Words strokes{"--include", "20,20,40,20", "--exclude", "130,110", "--stroke-width", "7"};
+  const ToolRun run = run_tool(folder.lesson("part") + strokes);
+  ASSERT_EQ(run.code, 0) << run.err;
+  const auto object = ObjectLibrary(folder.library()).load()->find("part");
+  const cv::Mat learned = full_size_map(object->views.front());
+  EXPECT_EQ(learned.at<uchar>(20, 30), 255);
+  EXPECT_EQ(learned.at<uchar>(110, 130), 0);
+}
+
+TEST(LearnCommand, AClickShowsTheObject) {
+  const LessonFolder folder;
+  const ToolRun run =
+      run_tool({"learn", "--library", folder.library(), "--name", "part", "--before",
+                folder / "before.png", "--after", folder / "after.png", "--click", "130,110"});
+  ASSERT_EQ(run.code, 0) << run.err;
+  const auto object = ObjectLibrary(folder.library()).load()->find("part");
+  const cv::Mat truth = cv::imread(folder / "map.png", cv::IMREAD_GRAYSCALE);
+  const cv::Mat learned = full_size_map(object->views.front());
+  EXPECT_GT(cv::countNonZero(truth & learned), 0.8 * cv::countNonZero(truth | learned));
+}
+
+TEST(LearnCommand, StrokesAndClicksAreCheckedBeforeAnythingIsRead) {
+  const LessonFolder folder;
+  for (const Words& wrong :
+       {Words{"--include", "1,2,3"}, Words{"--include", "1,x"}, Words{"--exclude", "1,2,"},
+        Words{"--stroke-width", "5"}, Words{"--include", "1,2", "--stroke-width", "-1"},
+        Words{"--click", "1,2"}}) {
+    const ToolRun run = run_tool(folder.lesson("part") + wrong);
+    EXPECT_EQ(run.code, 2) << wrong.front() << ' ' << wrong.back();
+  }
+}
+
 TEST(LearnCommand, NamesAreGuarded) {
   const LessonFolder folder;
   ASSERT_EQ(run_tool(folder.lesson("part")).code, 0);

@@ -40,7 +40,7 @@ TEST(Usage, WrongUsageGetsASentenceAndExitCode2) {
       {find + std::vector<std::string>{"--set", "min_score", "i.png"}, "key=value"},
       {find + std::vector<std::string>{"--set", "min_scor=.5", "i.png"}, "'min_score'"},
       {find + std::vector<std::string>{"--set", "min_score=high", "i.png"}, "'high'"},
-      {learn, "add --after, --roi or --map"},
+      {learn, "add --after, --roi, --click or --map"},
       {learn + std::vector<std::string>{"--roi", "1,2,3,4", "--map", "m.png"}, "exclude"},
       {learn + std::vector<std::string>{"--map", "m.png", "--method", "sb_grabcut"}, "exclude"},
       {learn + std::vector<std::string>{"--roi", "1,2,3,4", "--overwrite", "--add-view"},

@@ -2,6 +2,7 @@
 // cannot explain in the picture before, cut out along the edges that vanished with it.
 #pragma once
 
+#include <functional>
 #include <opencv2/core.hpp>
 
 #include "mbncc/learning/quality.hpp"
@@ -12,6 +13,10 @@ namespace mbncc {
 struct ChangeCut {
   cv::Mat map;  ///< CV_8UC1 of the pictures' size, 0/255; all 0 when nothing in the region changed
   CutEvidence evidence;
+  /// One more cut that holds to what the operator painted (CV_8UC1 of the pictures' size, 255
+  /// there): colours learn from it, too. Repeatable, and each time from where this cut ended. None
+  /// when nothing had changed.
+  std::function<ChangeCut(const cv::Mat& include, const cv::Mat& exclude)> cut_again;
 };
 
 /// `before` and `after` are CV_8UC3 of one size; `region` holds the object, inside the pictures.

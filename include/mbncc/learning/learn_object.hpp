@@ -17,12 +17,13 @@
 namespace mbncc {
 
 /// What the operator shows. Exactly one way of saying where the object is must be usable:
-/// a ready `map`, an `outline`, a `region`, or an `after` picture.
+/// a ready `map`, an `outline`, a `click`, a `region`, or an `after` picture.
 struct Lesson {
   cv::Mat before;   ///< CV_8UC3, the object lies on the platform
   cv::Mat after;    ///< CV_8UC3 of the same size, the object is gone; may be empty
   cv::Rect region;  ///< [px] approximate region; empty: whole picture (needs `after`)
   std::vector<cv::Point2f> outline;  ///< [px] polygon on `before`
+  std::optional<cv::Point2f> click;  ///< [px] a point on the object
   cv::Mat map;                       ///< CV_8UC1 of before's size, taken as it is
   std::optional<Pose2D> reference;   ///< [px],[rad] object frame; none: centroid of the map, 0
   std::string name;

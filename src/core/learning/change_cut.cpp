@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <opencv2/imgproc.hpp>
 
 #include "learning/align_pictures.hpp"
@@ -20,23 +21,26 @@ constexpr float kAnyColour = 0.02F;    // part of the object's pixels in colours
 constexpr float kUnaryWeight = 1.15F;  // against the smoothness
 constexpr double kSureness = 4;  // power of the change's probability that colours are weighted by
 constexpr float kHighestUnary = 60;
-constexpr float kArrivalUnary = 12;  // log-likelihood ratio given to arrivals
-constexpr int kFewestPixels = 30;    // of a seed worth cutting
+constexpr float kForced = 1000;          // unary of painted pixels
+constexpr float kPaintedSureness = 2;    // they teach more than changed ones
+constexpr float kExcludedWeight = 0.1F;  // prior of a pixel showing what was excluded
+constexpr float kArrivalUnary = 12;      // log-likelihood ratio given to arrivals
+constexpr int kFewestPixels = 30;        // of a seed worth cutting
 
 // What one round of cutting works on; all pictures have the crop's size.
 class Cutter {
  public:
   Cutter(const AlignedPair& pair, const cv::Rect& crop, const cv::Rect& region)
-      : pair_(pair),
+      : crop_(crop),
         before_(pair.before(crop - pair.window.tl())),
         after_(pair.after(crop - pair.window.tl())),
         inside_(cv::Mat::zeros(crop.size(), CV_8UC1)) {
     inside_(region - crop.tl()).setTo(255);
   }
 
-  void explain_background() {
-    noise_ = learn_noise(pair_);
-    platform_ = ColourMixture::fit(pair_.before, pair_.trusted);
+  void explain_background(const AlignedPair& pair) {
+    noise_ = learn_noise(pair);
+    platform_ = ColourMixture::fit(pair.before, pair.trusted);
     background_ = background_likelihood(before_, after_, noise_, platform_);
   }
 
@@ -56,16 +60,36 @@ class Cutter {
     // Surely changed pixels teach the object's colours, doubtful ones (its shadow's rim) hardly.
     cv::Mat sureness;
     cv::pow(background_.changed, kSureness, sureness);
+    if (!include_.empty()) sureness.setTo(kPaintedSureness, include_);
     unary_ = unary_of(ColourMixture::fit(before_, map_, sureness));
     cv::Mat next = minimum_cut(unary_, smoothness_);
     if (cv::countNonZero(next) < kFewestPixels) return;
-    keep_main_groups(next, unary_);
+    keep_main_groups(next, cv::min(unary_, kHighestUnary));
     map_ = next;
   }
 
-  void clean() { map_ = clean_map(map_, unary_); }
+  void clean() {
+    map_ = clean_map(map_, cv::min(unary_, kHighestUnary));
+    if (!include_.empty()) map_ = (map_ | include_) & ~exclude_;
+  }
 
-  const cv::Mat& map() const { return map_; }
+  // This cut's successor that holds to painted pixels.
+  Cutter painted(const cv::Mat& include, const cv::Mat& exclude) const {
+    Cutter next = *this;
+    next.include_ = include(crop_);
+    next.exclude_ = exclude(crop_);
+    next.inside_ = inside_ | next.include_;
+    next.map_ = (map_ | next.include_) & ~next.exclude_;
+    next.background_.log_ratio = background_.log_ratio.clone();
+    next.shun(ColourMixture::fit(before_, next.exclude_));
+    return next;
+  }
+
+  cv::Mat full_size_map(const cv::Size& size) const {
+    cv::Mat map = cv::Mat::zeros(size, CV_8UC1);
+    map_.copyTo(map(crop_));
+    return map;
+  }
 
   CutEvidence evidence() const {
     return cut_evidence({map_, inside_, unary_, background_.changed}, smoothness_);
@@ -82,6 +106,18 @@ class Cutter {
     background_.log_ratio.setTo(kArrivalUnary, arrivals);
   }
 
+  // Colours that the operator excluded are background wherever they occur.
+  void shun(const ColourMixture& excluded) {
+    if (excluded.empty()) return;
+    const float uniform = std::exp(-log_uniform_colour());
+    for (int y = 0; y < before_.rows; ++y)
+      for (int x = 0; x < before_.cols; ++x) {
+        float& ratio = background_.log_ratio.at<float>(y, x);
+        const float density = excluded.density(before_.at<cv::Vec3f>(y, x)) * uniform;
+        ratio = std::log(std::exp(ratio) + kExcludedWeight * density);
+      }
+  }
+
   // Positive where the object explains a pixel better than the platform.
   cv::Mat unary_of(const ColourMixture& object) const {
     const float uniform = std::exp(-log_uniform_colour());
@@ -94,17 +130,32 @@ class Cutter {
                             background_.log_ratio.at<float>(y, x);
         unary.at<float>(y, x) = std::clamp(kUnaryWeight * ratio, -kHighestUnary, kHighestUnary);
       }
+    if (!include_.empty()) {
+      unary.setTo(kForced, include_);
+      unary.setTo(-kForced, exclude_);
+    }
     return unary;
   }
 
-  const AlignedPair& pair_;
+  cv::Rect crop_;
   cv::Mat before_, after_, inside_;
   NoiseModel noise_;
   ColourMixture platform_;
   BackgroundLikelihood background_;
   Smoothness smoothness_;
   cv::Mat unary_, map_;
+  cv::Mat include_, exclude_;  // both empty, or both of the crop's size
 };
+
+ChangeCut result_of(const std::shared_ptr<const Cutter>& cutter, const cv::Size& size) {
+  return {cutter->full_size_map(size), cutter->evidence(),
+          [cutter, size](const cv::Mat& include, const cv::Mat& exclude) {
+            const auto next = std::make_shared<Cutter>(cutter->painted(include, exclude));
+            next->cut();
+            next->clean();
+            return result_of(next, size);
+          }};
+}
 
 }  // namespace
 
@@ -114,19 +165,16 @@ ChangeCut change_cut(const cv::Mat& before, const cv::Mat& after, const cv::Rect
   const int margin = std::max(6, std::max(region.width, region.height) / 20);
   const cv::Rect crop = grown(region, margin) & cv::Rect({0, 0}, before.size());
   const AlignedPair pair = align_pictures(before, after, region, changed, max_shift);
-  Cutter cutter(pair, crop, region);
-  cutter.explain_background();
-  ChangeCut result{cv::Mat::zeros(before.size(), CV_8UC1), {}};
-  if (!cutter.seed()) return result;
-  cutter.weigh_edges();
+  const auto cutter = std::make_shared<Cutter>(pair, crop, region);
+  cutter->explain_background(pair);
+  if (!cutter->seed()) return {cv::Mat::zeros(before.size(), CV_8UC1), {}, {}};
+  cutter->weigh_edges();
   for (int i = 0; i < iterations; ++i) {
     if (before_cut) before_cut(i);
-    cutter.cut();
+    cutter->cut();
   }
-  cutter.clean();
-  cutter.map().copyTo(result.map(crop));
-  result.evidence = cutter.evidence();
-  return result;
+  cutter->clean();
+  return result_of(cutter, before.size());
 }
 
 }  // namespace mbncc

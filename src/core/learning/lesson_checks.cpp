@@ -82,10 +82,17 @@ void check_lesson(const Lesson& lesson) {
           "The reference point is not a number.");
   require(std::isfinite(lesson.object_height) && lesson.object_height >= 0,
           LearnError::kRegionInvalid, "The object's height must be 0 or more metres.");
-  require(!lesson.map.empty() || !lesson.outline.empty() || !lesson.after.empty() ||
+  require(
+      !lesson.click || cv::Rect2d({0, 0}, cv::Size2d(lesson.before.size())).contains(*lesson.click),
+      LearnError::kRegionInvalid, "The click does not lie in the picture.");
+  require(!lesson.map.empty() || !lesson.outline.empty() || lesson.click || !lesson.after.empty() ||
               lesson.region != cv::Rect(),
           LearnError::kRegionInvalid,
-          "Nothing says where the object is: no map, outline, region or picture after.");
+          "Nothing says where the object is: no map, outline, click, region or picture after.");
+}
+
+bool is_near_picture(const cv::Point2d& point) {
+  return std::abs(point.x) <= kLargestPicture && std::abs(point.y) <= kLargestPicture;
 }
 
 cv::Rect usable_region(const Lesson& lesson) {
@@ -111,8 +118,8 @@ cv::Mat outline_map(const Lesson& lesson) {
           "The outline has fewer than three corners.");
   std::vector<cv::Point> corners;
   for (const auto& corner : lesson.outline) {
-    require(std::abs(corner.x) <= kLargestPicture && std::abs(corner.y) <= kLargestPicture,
-            LearnError::kRegionInvalid, "The outline does not lie in the picture.");
+    require(is_near_picture(corner), LearnError::kRegionInvalid,
+            "The outline does not lie in the picture.");
     corners.emplace_back(cvRound(corner.x * (1 << kFractionBits)),
                          cvRound(corner.y * (1 << kFractionBits)));
   }

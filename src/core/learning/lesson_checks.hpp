@@ -16,6 +16,9 @@ void check_lesson(const Lesson& lesson);
 /// LessonEnded(kRegionInvalid) when less than 8 x 8 pixels remain.
 cv::Rect usable_region(const Lesson& lesson);
 
+/// False for what is no number or lies farther from a picture's corner than any picture is large.
+bool is_near_picture(const cv::Point2d& point);
+
 /// The outline filled. Throws LessonEnded(kRegionInvalid) when it crosses itself, has fewer than
 /// three corners or lies outside.
 cv::Mat outline_map(const Lesson& lesson);

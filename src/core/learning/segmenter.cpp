@@ -1,5 +1,6 @@
 #include "learning/segmenter.hpp"
 
+#include <opencv2/imgproc.hpp>
 #include <stdexcept>
 
 #include "learning/clean_map.hpp"
@@ -23,6 +24,20 @@ BeforeCut report_cuts(const LearningConfig& config, LessonProgress& progress) {
   };
 }
 
+// Colours around the map and the marks, one GrabCut round.
+cv::Mat grabcut_again(const cv::Mat& map, const Marks& marks, const SegmentationTask& task) {
+  const cv::Rect room = task.region | cv::boundingRect(marks.include);
+  const cv::Rect crop = grabcut_crop(room, map.size());
+  cv::Mat labels(map.size(), CV_8UC1, cv::Scalar(cv::GC_BGD));
+  labels(room).setTo(cv::GC_PR_BGD);
+  labels.setTo(cv::GC_PR_FGD, map);
+  labels.setTo(cv::GC_FGD, marks.include);
+  labels.setTo(cv::GC_BGD, marks.exclude);
+  cv::Mat result = cv::Mat::zeros(map.size(), CV_8UC1);
+  repeatable_grabcut(task.before(crop), labels(crop), 1).copyTo(result(crop));
+  return overpainted(clean_map(result), marks);
+}
+
 // Colours alone tell nothing about how good a cut is.
 Segmentation unverified(const cv::Mat& raw, const SegmentationTask& task) {
   const cv::Mat map = clean_map(raw);
@@ -31,7 +46,9 @@ Segmentation unverified(const cv::Mat& raw, const SegmentationTask& task) {
   CutEvidence evidence;
   evidence.verified = false;
   evidence.region_touch = region_touch(map, inside);
-  return {map, evidence};
+  return {map, evidence, [map, evidence, task](const Marks& marks) -> Segmentation {
+            return {grabcut_again(map, marks, task), evidence, {}};
+          }};
 }
 
 Segmentation by_sb_grabcut(const SegmentationTask& task, const LearningConfig& config,
@@ -62,7 +79,11 @@ Segmentation by_change_cut(const SegmentationTask& task, const LearningConfig& c
   const ChangeCut cut =
       change_cut(task.before, task.after, task.region, task.changed, config.iterations,
                  config.max_shift, report_cuts(config, progress));
-  return {cut.map, cut.evidence};
+  if (!cut.cut_again) return {cut.map, cut.evidence, {}};
+  return {cut.map, cut.evidence, [cut](const Marks& marks) -> Segmentation {
+            const ChangeCut again = cut.cut_again(marks.include, marks.exclude);
+            return {overpainted(again.map, marks), again.evidence, {}};
+          }};
 }
 
 }  // namespace

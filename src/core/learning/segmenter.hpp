@@ -7,6 +7,7 @@
 #include <string>
 
 #include "learning/lesson_progress.hpp"
+#include "learning/marks.hpp"
 #include "mbncc/config/learning_config.hpp"
 #include "mbncc/learning/quality.hpp"
 
@@ -24,6 +25,9 @@ struct SegmentationTask {
 struct Segmentation {
   cv::Mat map;                          ///< CV_8UC1 of the picture's size, 0/255; may be all 0
   std::optional<CutEvidence> evidence;  ///< how sure the cut is of itself, where it can tell
+  /// Cuts again from where it stood, holding to marks of the picture's size; none: a map that was
+  /// given ready.
+  std::function<Segmentation(const Marks& marks)> cut_again;
 };
 
 using Segmenter =

@@ -1,0 +1,257 @@
+#include "learning/lesson_run.hpp"
+
+#include <chrono>
+#include <opencv2/imgproc.hpp>
+#include <stdexcept>
+
+#include "learning/arrival_test.hpp"
+#include "learning/click_region.hpp"
+#include "learning/lesson_checks.hpp"
+#include "learning/stage_pictures.hpp"
+#include "mbncc/learning/change.hpp"
+#include "mbncc/learning/quality.hpp"
+
+namespace mbncc {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double milliseconds_since(Clock::time_point start) {
+  return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
+}
+
+// Runs one named step and notes its time, also when the step ends the lesson.
+class StepTimer {
+ public:
+  StepTimer(std::map<std::string, double>& timings, std::string step)
+      : timings_(timings), step_(std::move(step)) {}
+  ~StepTimer() { timings_[step_] += milliseconds_since(start_); }
+  StepTimer(const StepTimer&) = delete;
+  StepTimer& operator=(const StepTimer&) = delete;
+
+ private:
+  std::map<std::string, double>& timings_;
+  std::string step_;
+  Clock::time_point start_ = Clock::now();
+};
+
+class LessonRun {
+ public:
+  LessonRun(LessonState& state, const LearningConfig& config, const SearchConfig& search,
+            const StageObserver& observer)
+      : state_(state),
+        lesson_(state.lesson),
+        config_(config),
+        search_(search),
+        progress_(observer),
+        result_(state.result) {}
+
+  void learn() {
+    check_lesson(lesson_);
+    state_.cut = acquire_map();
+    finish(*state_.cut);
+  }
+
+  void edit(const LessonEdit& edit) {
+    state_.marks = painted(state_.marks, edit, lesson_.before.size());
+    if (edit.reference) lesson_.reference = edit.reference;
+    check_lesson(lesson_);
+    if (edit.region != cv::Rect()) {
+      point_at(edit.region);
+      state_.cut = acquire_map();
+    }
+    finish(cut_again());
+  }
+
+ private:
+  void finish(const Segmentation& segmentation) {
+    make_model(segmentation.map);
+    judge(segmentation);
+  }
+
+  // From here on, the lesson is taught by this region.
+  void point_at(const cv::Rect& region) {
+    lesson_.region = region;
+    lesson_.map = cv::Mat();
+    lesson_.outline.clear();
+    lesson_.click.reset();
+    if (lesson_.after.empty() && config_.method == "change_cut")
+      throw LessonEnded(LearnError::kNoImage, "The method change_cut needs a picture after.");
+  }
+
+  Segmentation cut_again() {
+    if (state_.marks.empty()) return *state_.cut;
+    const StepTimer timer(result_.timings_ms, "segment");
+    progress_.report(Stage::kSegment, 0.2, "Cutting the object out again.");
+    Segmentation segmentation =
+        state_.cut->cut_again
+            ? state_.cut->cut_again(state_.marks)
+            : Segmentation{overpainted(state_.cut->map, state_.marks), state_.cut->evidence, {}};
+    check_map(segmentation.map, {{0, 0}, segmentation.map.size()});
+    progress_.report(Stage::kSegment, 0.8, "The object is cut out.",
+                     [&] { return outlined(lesson_.before, segmentation.map); });
+    return segmentation;
+  }
+
+  // A ready map is the teacher's word, and so is an outline unless a method is asked to refine it.
+  Segmentation acquire_map() {
+    if (!lesson_.map.empty()) return accept(lesson_.map > 127);
+    if (!lesson_.outline.empty() && config_.method == "auto") return accept(outline_map(lesson_));
+    const SegmentationTask task = mark_region();
+    return segment(task);
+  }
+
+  Segmentation accept(const cv::Mat& map) {
+    check_map(map, {{0, 0}, map.size()});
+    progress_.report(Stage::kRegion, 0.1, "Taking the map as it is.",
+                     [&] { return outlined(lesson_.before, map); });
+    return {map, std::nullopt, {}};
+  }
+
+  SegmentationTask mark_region() {
+    const StepTimer timer(result_.timings_ms, "region");
+    SegmentationTask task{lesson_.before, lesson_.after, usable_region(lesson_), {}, {}};
+    if (!task.after.empty()) survey(task);
+    if (!lesson_.outline.empty()) {
+      task.approximate = outline_map(lesson_);
+      task.region = cv::boundingRect(task.approximate);
+    } else {
+      approximate(task);
+    }
+    progress_.report(Stage::kRegion, 0.1, "Marking the approximate region.",
+                     [&] { return tinted(task.before, task.approximate, task.region); });
+    return task;
+  }
+
+  void approximate(SegmentationTask& task) const {
+    task.approximate = cv::Mat::zeros(task.before.size(), CV_8UC1);
+    task.approximate(task.region).setTo(255);
+    if (!task.after.empty()) task.approximate &= task.changed;
+    if (lesson_.click) narrow_to_click(task);
+    if (cv::countNonZero(task.approximate) == 0) throw LessonEnded(LearnError::kNoChange);
+  }
+
+  // The change there, or else what has the colour there.
+  void narrow_to_click(SegmentationTask& task) const {
+    task.approximate = task.after.empty() ? grow_from_click(task.before, *lesson_.click)
+                                          : change_at_click(task.approximate, *lesson_.click);
+    ChangeSurvey clicked;
+    clicked.changed = task.approximate;
+    const cv::Rect room = changed_region(clicked, {{0, 0}, task.before.size()}, 0);
+    if (!room.empty()) task.region = room;
+  }
+
+  void survey(SegmentationTask& task) {
+    ChangeSurvey survey = survey_change(task.before, task.after);
+    check_survey(survey, config_);
+    // Where nobody says which change is meant, it is the one that something left.
+    if (lesson_.region == cv::Rect() && !lesson_.click) drop_arrivals(survey);
+    task.changed = state_.changed = survey.changed;
+    task.region = region_of_change(survey, task.region);
+  }
+
+  void drop_arrivals(ChangeSurvey& survey) const {
+    const bool changed = cv::countNonZero(survey.changed) > 0;
+    survey.changed = without_arrivals(lesson_.before, lesson_.after, survey.changed);
+    if (changed && cv::countNonZero(survey.changed) == 0)
+      throw LessonEnded(LearnError::kNoChange,
+                        "Something was put down, but nothing was taken away.");
+  }
+
+  // Without a region, the largest change is the object. A region that is far larger than all change
+  // inside it is narrowed: the work grows with it.
+  cv::Rect region_of_change(const ChangeSurvey& survey, const cv::Rect& region) const {
+    constexpr int kFarLarger = 4;
+    if (lesson_.click) return region;
+    if (lesson_.region == cv::Rect()) return changed_region(survey, region, 1);
+    const cv::Rect narrow = changed_region(survey, region, 0.1);
+    return !narrow.empty() && region.area() > kFarLarger * narrow.area() ? narrow : region;
+  }
+
+  Segmentation segment(const SegmentationTask& task) {
+    const StepTimer timer(result_.timings_ms, "segment");
+    Segmentation segmentation =
+        segmenter_of(config_.method, !task.after.empty())(task, config_, progress_);
+    check_map(segmentation.map, task.region);
+    progress_.report(Stage::kSegment, 0.8, "The object is cut out.",
+                     [&] { return outlined(task.before, segmentation.map); });
+    return segmentation;
+  }
+
+  void make_model(const cv::Mat& map) {
+    const cv::Point2d centre = centroid(map);
+    const Pose2D reference = lesson_.reference.value_or(Pose2D{centre.x, centre.y, 0});
+    ObjectModel& object = result_.object;
+    object.name = lesson_.name;
+    object.label = lesson_.label.empty() ? lesson_.name : lesson_.label;
+    object.object_height = lesson_.object_height;
+    object.learned_at =
+        std::chrono::duration<double>(std::chrono::system_clock::now().time_since_epoch()).count();
+    object.views = {crop_view(lesson_.before, map, reference)};
+  }
+
+  void judge(const Segmentation& segmentation) {
+    const StepTimer timer(result_.timings_ms, "quality");
+    progress_.report(Stage::kQuality, 0.85, "Judging the lesson.");
+    Quality& quality = result_.object.quality;
+    quality = assess_quality(result_.object, lesson_.before, state_.changed, segmentation.evidence,
+                             config_, search_);
+    // A ready map is never refused for quality: the verdict warns, no more.
+    if (!lesson_.map.empty() && quality.verdict == Verdict::kBad)
+      quality.verdict = Verdict::kMarginal;
+    result_.has_model = true;
+    progress_.report(Stage::kQuality, 1,
+                     std::string("Verdict: ") + to_string(quality.verdict) + ".",
+                     [&] { return outlined(lesson_.before, segmentation.map); });
+    conclude(error_of(quality));
+  }
+
+  void conclude(LearnError error) {
+    result_.error = error;
+    result_.message = message_of(error);
+    result_.hint = hint_of(error);
+    if (error != LearnError::kSuccess) result_.hint = result_.object.quality.advice.front();
+  }
+
+  LessonState& state_;
+  Lesson& lesson_;
+  const LearningConfig& config_;
+  const SearchConfig& search_;
+  LessonProgress progress_;
+  LearnResult& result_;
+};
+
+// Runs `steps` and turns the end of a lesson into values.
+template <class Steps>
+void conclude(LearnResult& result, Steps&& steps) {
+  const auto start = Clock::now();
+  result = LearnResult();
+  try {
+    steps();
+  } catch (const LessonEnded& ended) {
+    result.error = ended.error();
+    result.message = ended.what();
+    result.hint = hint_of(ended.error());
+    result.has_model = false;
+  }
+  result.timings_ms["total"] = milliseconds_since(start);
+}
+
+}  // namespace
+
+void run_lesson(LessonState& state, const LearningConfig& config, const SearchConfig& search,
+                const StageObserver& observer) {
+  conclude(state.result, [&] { LessonRun(state, config, search, observer).learn(); });
+}
+
+void run_edit(LessonState& state, const LessonEdit& edit, const LearningConfig& config,
+              const SearchConfig& search, const StageObserver& observer) {
+  const bool has_map = state.result.has_model;
+  conclude(state.result, [&] {
+    if (!has_map)
+      throw LessonEnded(LearnError::kRegionInvalid, "There is no map to be edited yet.");
+    LessonRun(state, config, search, observer).edit(edit);
+  });
+}
+
+}  // namespace mbncc

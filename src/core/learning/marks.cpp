@@ -1,0 +1,74 @@
+#include "learning/marks.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <opencv2/imgproc.hpp>
+
+#include "learning/lesson_checks.hpp"
+#include "learning/lesson_progress.hpp"
+
+namespace mbncc {
+namespace {
+
+constexpr double kWidestStroke = 1000;  // [px]
+constexpr int kFractionBits = 4;
+
+std::vector<cv::Point> fixed_point(const LessonEdit::Line& line) {
+  std::vector<cv::Point> points;
+  for (const auto& point : line) {
+    if (!is_near_picture(point))
+      throw LessonEnded(LearnError::kRegionInvalid, "A stroke does not lie in the picture.");
+    points.emplace_back(cvRound(point.x * (1 << kFractionBits)),
+                        cvRound(point.y * (1 << kFractionBits)));
+  }
+  return points;
+}
+
+void paint_line(const LessonEdit::Line& line, int width, cv::Mat& canvas) {
+  const auto points = fixed_point(line);
+  // A line of one point is a dot, as wide as the stroke.
+  for (std::size_t i = 0; i < points.size(); ++i)
+    cv::line(canvas, points[i == 0 ? 0 : i - 1], points[i], cv::Scalar(255), width, cv::LINE_8,
+             kFractionBits);
+}
+
+void paint_area(const LessonEdit::Line& line, cv::Mat& canvas) {
+  const auto points = fixed_point(line);
+  if (points.size() < 3)
+    throw LessonEnded(LearnError::kRegionInvalid, "A painted area has fewer than three corners.");
+  cv::fillPoly(canvas, std::vector<std::vector<cv::Point>>{points}, cv::Scalar(255), cv::LINE_8,
+               kFractionBits);
+}
+
+cv::Mat canvas_of(const std::vector<LessonEdit::Line>& lines, double width, const cv::Size& size) {
+  cv::Mat canvas = cv::Mat::zeros(size, CV_8UC1);
+  for (const auto& line : lines) {
+    if (width == 0)
+      paint_area(line, canvas);
+    else
+      paint_line(line, std::max(1, cvRound(width)), canvas);
+  }
+  return canvas;
+}
+
+}  // namespace
+
+Marks painted(const Marks& marks, const LessonEdit& edit, const cv::Size& picture) {
+  if (edit.include.empty() && edit.exclude.empty()) return marks;
+  if (!(edit.stroke_width >= 0 && edit.stroke_width <= kWidestStroke))
+    throw LessonEnded(LearnError::kRegionInvalid,
+                      "The stroke width must be 0 (closed areas) to 1000 pixels.");
+  Marks result;
+  result.exclude = canvas_of(edit.exclude, edit.stroke_width, picture);
+  result.include = canvas_of(edit.include, edit.stroke_width, picture) & ~result.exclude;
+  if (marks.empty()) return result;
+  const cv::Mat older = ~(result.include | result.exclude);
+  return {result.include | (marks.include & older), result.exclude | (marks.exclude & older)};
+}
+
+cv::Mat overpainted(const cv::Mat& map, const Marks& marks) {
+  if (marks.empty()) return map;
+  return (map | marks.include) & ~marks.exclude;
+}
+
+}  // namespace mbncc

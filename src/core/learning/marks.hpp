@@ -1,0 +1,25 @@
+// What the operator has painted on the learning picture.
+#pragma once
+
+#include <opencv2/core.hpp>
+
+#include "mbncc/learning/interactive_lesson.hpp"
+
+namespace mbncc {
+
+/// CV_8UC1 of the picture's size, 255 where painted; they do not overlap. Both empty: no marks.
+struct Marks {
+  cv::Mat include;
+  cv::Mat exclude;
+
+  bool empty() const { return include.empty(); }
+};
+
+/// `marks` with the strokes of `edit` painted over them; `marks` itself is left alone. Throws
+/// LessonEnded(kRegionInvalid) for strokes that are no numbers, or far outside the picture.
+Marks painted(const Marks& marks, const LessonEdit& edit, const cv::Size& picture);
+
+/// `map` with the marks taken as they are.
+cv::Mat overpainted(const cv::Mat& map, const Marks& marks);
+
+}  // namespace mbncc
