@@ -1,15 +1,17 @@
 #!/usr/bin/python3
 """What the example consumer takes for graspable, and what it refuses.
 
-usage: grasp_client_test.py PATH/TO/grasp_client.py
+usage: grasp_client_test.py PATH/TO/grasp_client.py FOLDER/OF/PYTHON/MESSAGES
 """
 import importlib.util
 import sys
 import unittest
 
-import genpy
+sys.path.insert(0, sys.argv.pop(2))
 
-from mbncc_vision.msg import DetectedObject, DetectedObjectArray
+import genpy  # noqa: E402
+
+from mbncc_vision.msg import DetectedObject, DetectedObjectArray  # noqa: E402
 
 spec = importlib.util.spec_from_file_location("grasp_client", sys.argv.pop(1))
 grasp_client = importlib.util.module_from_spec(spec)
