@@ -41,14 +41,14 @@ LessonRun::Result LessonRun::run() {
 
 LessonRun::Result LessonRun::teach_and_store() {
   take_pictures();
-  draft_ = learn(lesson_of(after_.picture));
+  learn();
   // Nothing has left: the coarse look was mistaken, or something was put down, which belongs to the
   // scene before from now on.
-  while (draft_.learned.error == LearnError::kNoChange && waits_for_change()) {
+  while (learned_.error == LearnError::kNoChange && waits_for_change()) {
     wait_on();
-    draft_ = learn(lesson_of(after_.picture));
+    learn();
   }
-  if (goal_.confirm && draft_.learned.has_model) return review();
+  if (goal_.confirm && learned_.has_model) return review();
   judge();
   return store();
 }
@@ -59,37 +59,43 @@ Lesson LessonRun::lesson_of(const cv::Mat& after) const {
   return made.lesson;
 }
 
-LessonRun::Draft LessonRun::learn(const Lesson& lesson) {
-  const auto observer = [this](Stage stage, double progress, const std::string& message,
-                               const cv::Mat& picture) {
+void LessonRun::learn() {
+  draft_.emplace(lesson_of(after_.picture), tools_.config, SearchConfig(), observer());
+  take_draft();
+}
+
+StageObserver LessonRun::observer() {
+  return [this](Stage stage, double progress, const std::string& message, const cv::Mat& picture) {
     tell(feedback_stage(stage), kTaken + (kLearned - kTaken) * progress, message);
     if (!picture.empty()) tools_.show_stage(picture);
     return !client_.interruption();
   };
-  Draft draft{lesson, learn_object(lesson, tools_.config, {}, observer)};
-  if (draft.learned.has_model)
-    note_resemblance(draft.learned.object, lesson.before, tools_.library.snapshot()->objects);
+}
+
+/// What the draft has become, and what the known objects look like beside it.
+void LessonRun::take_draft() {
   leave_if_interrupted();
-  if (draft.learned.has_model) tools_.show_preview(preview(draft.learned.object));
-  return draft;
+  learned_ = draft_->result();
+  if (!learned_.has_model) return;
+  note_resemblance(learned_.object, before_.picture, tools_.library.snapshot()->objects);
+  leave_if_interrupted();
+  tools_.show_preview(preview(learned_.object));
 }
 
 void LessonRun::judge() const {
-  const LearnResult& learned = draft_.learned;
   if (may_be_stored()) return;
-  const Result failed = outcome(learned.error, learned.message, learned.hint);
-  throw LessonEnded{learned.has_model ? describe(failed, learned.object) : failed};
+  const Result failed = outcome(learned_.error, learned_.message, learned_.hint);
+  throw LessonEnded{learned_.has_model ? describe(failed, learned_.object) : failed};
 }
 
 bool LessonRun::may_be_stored() const {
-  const LearnResult& learned = draft_.learned;
-  return learned.error == LearnError::kSuccess || (learned.has_model && goal_.allow_bad);
+  return learned_.error == LearnError::kSuccess || (learned_.has_model && goal_.allow_bad);
 }
 
 LessonRun::Result LessonRun::store() {
   leave_if_interrupted();
   tell(Feedback::STORE, kChecked, "Storing '" + name_ + "'.");
-  ObjectModel model = draft_.learned.object;
+  ObjectModel model = learned_.object;
   model.learned_at = ros::Time::now().toSec();
   const std::string left_out = measure(model);
   try {

@@ -7,12 +7,12 @@
 #include <cstdint>
 #include <functional>
 #include <opencv2/core.hpp>
+#include <optional>
 #include <string>
-#include <vector>
 
 #include "mbncc/cell/demonstration.hpp"
 #include "mbncc/config/learning_config.hpp"
-#include "mbncc/learning/learn_object.hpp"
+#include "mbncc/learning/interactive_lesson.hpp"
 #include "nodelets/confirmation.hpp"
 #include "nodelets/lesson_gauge.hpp"
 #include "nodelets/lesson_server.hpp"
@@ -51,12 +51,6 @@ class LessonRun {
   using Result = mbncc_vision::LearnObjectResult;
   using Step = Demonstration::Step;
 
-  /// What an EDIT starts from and an UNDO returns to.
-  struct Draft {
-    Lesson lesson;
-    LearnResult learned;
-  };
-
   Result teach_and_store();
 
   // Pictures.
@@ -73,7 +67,9 @@ class LessonRun {
 
   // Learning.
   Lesson lesson_of(const cv::Mat& after) const;
-  Draft learn(const Lesson& lesson);
+  void learn();
+  void take_draft();
+  StageObserver observer();
   void judge() const;
 
   // The operator's check.
@@ -103,8 +99,8 @@ class LessonRun {
   const ros::Time started_;
   Demonstration demonstration_;
   LessonPicture before_, after_;
-  Draft draft_;
-  std::vector<Draft> earlier_;
+  std::optional<InteractiveLesson> draft_;
+  LearnResult learned_;  // the draft's, with what the library makes of it
 };
 
 }  // namespace mbncc::nodelets

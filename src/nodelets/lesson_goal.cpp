@@ -53,12 +53,12 @@ Fault check_mode(const Goal& goal) {
       if (is_given(goal.mask)) return {};
       return outcome(LearnError::kRegionInvalid, "Mode MASK needs a mask, but it is empty.");
     case Goal::CLICK:
-      return outcome(LearnError::kRegionInvalid, "Mode CLICK is not available yet.",
-                     "Teach by CHANGE, or mark the object by ROI, OUTLINE or MASK.");
+      if (std::isfinite(goal.point.x) && std::isfinite(goal.point.y)) return {};
+      return outcome(LearnError::kRegionInvalid, "Mode CLICK needs a point, but it is not finite.");
     default:
       return outcome(LearnError::kRegionInvalid,
                      "Mode " + std::to_string(goal.mode) + " does not exist.",
-                     "Give CHANGE, ROI, OUTLINE or MASK.");
+                     "Give CHANGE, ROI, OUTLINE, MASK or CLICK.");
   }
 }
 
@@ -108,6 +108,8 @@ GoalLesson to_lesson(const Goal& goal, const std::string& name, const cv::Mat& b
   }
   if (goal.mode == Goal::CHANGE) lesson.after = after;
   if (goal.mode == Goal::OUTLINE) lesson.outline = *from_msg(goal.outline);
+  if (goal.mode == Goal::CLICK)
+    lesson.click = cv::Point2f(static_cast<float>(goal.point.x), static_cast<float>(goal.point.y));
   if (goal.mode == Goal::MASK) {
     const Decoded mask = decode_map(goal.mask);
     if (!mask) made.fault = outcome(LearnError::kEncoding, "Mask: " + mask.fault + ".");

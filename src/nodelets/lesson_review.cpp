@@ -1,5 +1,6 @@
 // The operator's check of a lesson before it is stored: accept, reject, edit, undo.
-#include <utility>
+#include <stdexcept>
+#include <vector>
 
 #include "nodelets/lesson.hpp"
 #include "nodelets/lesson_stages.hpp"
@@ -23,20 +24,38 @@ class Review {
   Confirmation& desk_;
 };
 
-std::string fault_of(const Request& edit, const Lesson& lesson) {
-  if (!edit.include.empty() || !edit.exclude.empty())
-    return "strokes are not available yet; give a new roi or reference, or REJECT";
-  if (edit.roi.width == 0 && edit.roi.height == 0 && !edit.set_reference)
-    return "nothing to edit; give a new roi or reference";
-  if (!from_msg(edit.roi, lesson.before.size())) return "the new roi does not lie in the picture";
-  if (edit.set_reference && !from_msg(edit.reference)) return "the new reference is not finite";
-  return "";
-}
-
 std::string question_about(const Quality& quality) {
   std::string question = std::string("Verdict ") + to_string(quality.verdict) + ".";
   for (const auto& advice : quality.advice) question += " " + advice;
   return question + " Accept, edit or reject the outline.";
+}
+
+std::vector<LessonEdit::Line> lines_of(const std::vector<geometry_msgs::Polygon>& strokes) {
+  std::vector<LessonEdit::Line> lines;
+  for (const auto& stroke : strokes) {
+    const auto line = from_msg(stroke);
+    if (!line) throw std::invalid_argument("a point of a stroke is not finite");
+    lines.push_back(*line);
+  }
+  return lines;
+}
+
+/// Throws std::invalid_argument with a sentence.
+LessonEdit edit_of(const Request& request, cv::Size size) {
+  LessonEdit edit;
+  edit.include = lines_of(request.include);
+  edit.exclude = lines_of(request.exclude);
+  edit.stroke_width = request.stroke_width;
+  const auto region = from_msg(request.roi, size);
+  if (!region) throw std::invalid_argument("the new roi does not lie in the picture");
+  edit.region = *region;
+  if (request.set_reference) {
+    edit.reference = from_msg(request.reference);
+    if (!edit.reference) throw std::invalid_argument("the new reference is not finite");
+  }
+  if (edit.include.empty() && edit.exclude.empty() && edit.region.empty() && !edit.reference)
+    throw std::invalid_argument("nothing to edit; give strokes, a new roi or a new reference");
+  return edit;
 }
 
 }  // namespace
@@ -44,7 +63,7 @@ std::string question_about(const Quality& quality) {
 LessonRun::Result LessonRun::review() {
   const Review review(tools_.confirmation);
   for (;;) {
-    tell(Feedback::WAIT_CONFIRM, kLearned, question_about(draft_.learned.object.quality), true);
+    tell(Feedback::WAIT_CONFIRM, kLearned, question_about(learned_.object.quality), true);
     const auto command =
         tools_.confirmation.next([this] { return client_.interruption().has_value(); });
     leave_if_interrupted();
@@ -53,15 +72,15 @@ LessonRun::Result LessonRun::review() {
       const Result result = store();
       response.success = result.error_code == Result::SUCCESS;
       response.message = result.message;
-      response.quality = to_msg(draft_.learned.object.quality);
+      response.quality = to_msg(learned_.object.quality);
       tools_.confirmation.answer(response);
       return result;
     }
     carry_out(*command, response);
-    response.quality = to_msg(draft_.learned.object.quality);
+    response.quality = to_msg(learned_.object.quality);
     tools_.confirmation.answer(response);
     if (command->command == Request::REJECT)
-      return describe(outcome(LearnError::kRejectedByOperator), draft_.learned.object);
+      return describe(outcome(LearnError::kRejectedByOperator), learned_.object);
   }
 }
 
@@ -85,28 +104,22 @@ void LessonRun::carry_out(const Request& command, Response& response) {
   }
 }
 
-void LessonRun::edit(const Request& command, Response& response) {
+void LessonRun::edit(const Confirmation::Request& command, Response& response) {
   response.success = false;
-  response.message = fault_of(command, draft_.lesson);
-  if (!response.message.empty()) return;
-  Lesson lesson = draft_.lesson;
-  const cv::Rect region = *from_msg(command.roi, lesson.before.size());
-  if (!region.empty()) lesson.region = region;
-  if (command.set_reference) lesson.reference = from_msg(command.reference);
-  Draft edited = learn(lesson);
-  response.message = edited.learned.message;
-  if (!edited.learned.has_model) return;
-  earlier_.push_back(std::exchange(draft_, std::move(edited)));
-  response.success = true;
+  try {
+    const LearnResult edited = draft_->edit(edit_of(command, before_.picture.size()), observer());
+    response.message = edited.message;
+    response.success = edited.has_model;
+  } catch (const std::invalid_argument& fault) {
+    response.message = fault.what();
+  }
+  take_draft();
 }
 
 void LessonRun::undo(Response& response) {
-  response.success = !earlier_.empty();
+  response.success = draft_->undo();
   response.message = response.success ? "the last edit is taken back" : "there is no edit to undo";
-  if (!response.success) return;
-  draft_ = std::move(earlier_.back());
-  earlier_.pop_back();
-  tools_.show_preview(preview(draft_.learned.object));
+  take_draft();
 }
 
 }  // namespace mbncc::nodelets

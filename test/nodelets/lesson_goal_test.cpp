@@ -82,6 +82,7 @@ TEST(CheckGoal, KeepsTheLibraryWithinItsLimit) {
 
 TEST(CheckGoal, NeedsWhatTheModeWorksOn) {
   Goal goal = goal_named("cup");
+  goal.point.y = std::numeric_limits<double>::quiet_NaN();
   for (const int mode :
        {int(Goal::ROI), int(Goal::OUTLINE), int(Goal::MASK), int(Goal::CLICK), 77}) {
     goal.mode = static_cast<std::uint8_t>(mode);
@@ -89,6 +90,9 @@ TEST(CheckGoal, NeedsWhatTheModeWorksOn) {
   }
   goal.mode = Goal::ROI;
   goal.roi = to_msg(cv::Rect(10, 10, 50, 50));
+  EXPECT_EQ(code(goal, {}), Result::SUCCESS);
+  goal.mode = Goal::CLICK;
+  goal.point.y = 10;
   EXPECT_EQ(code(goal, {}), Result::SUCCESS);
   goal.mode = Goal::OUTLINE;
   goal.outline = to_msg(std::vector<cv::Point2f>{{1, 1}, {30, 1}, {1, 30}});

@@ -151,6 +151,7 @@ TEST_F(Protocol, RejectsBadGoalsBeforeAnythingMoves) {
   expect_refused(goal, Result::NAME_UNKNOWN);
   goal = given("clicked");
   goal.mode = Goal::CLICK;
+  goal.point.x = std::nan("");
   expect_refused(goal, Result::REGION_INVALID);
   EXPECT_TRUE(names().empty());
 }
@@ -181,7 +182,12 @@ TEST_F(Protocol, TeachesByRegionOutlineAndMask) {
   goal.mode = Goal::OUTLINE;
   goal.outline = to_msg(std::vector<cv::Point2f>{{130, 100}, {190, 105}, {185, 145}, {135, 140}});
   EXPECT_EQ(teacher_.teach(goal).error_code, Result::SUCCESS);
-  EXPECT_EQ(names(), (std::vector<std::string>{"by_mask", "by_outline", "by_region"}));
+  goal = given("by_click");
+  goal.mode = Goal::CLICK;
+  goal.point.x = part_.pose.x;
+  goal.point.y = part_.pose.y;
+  EXPECT_EQ(teacher_.teach(goal).error_code, Result::SUCCESS);
+  EXPECT_EQ(names(), (std::vector<std::string>{"by_click", "by_mask", "by_outline", "by_region"}));
   for (const auto& name : names()) EXPECT_TRUE(edit(name, EditObject::Request::DELETE).success);
 }
 
@@ -253,6 +259,18 @@ TEST_F(Protocol, AsksTheOperatorBeforeStoring) {
   edit_reference.reference.y = 110;
   EXPECT_TRUE(call<ConfirmLearning>("confirm_learning", edit_reference).success);
   EXPECT_TRUE(confirm(ConfirmLearning::Request::UNDO).success);
+  ConfirmLearning::Request stroke;
+  stroke.command = ConfirmLearning::Request::EDIT;
+  stroke.stroke_width = 9;
+  stroke.exclude.push_back(to_msg(std::vector<cv::Point2f>{{160, 80}, {160, 160}}));
+  const auto area = [&] { return confirm(ConfirmLearning::Request::UNDO).quality.area; };
+  const double whole = area();
+  const auto cut = call<ConfirmLearning>("confirm_learning", stroke);
+  EXPECT_TRUE(cut.success) << cut.message;
+  EXPECT_LT(cut.quality.area, whole - 100);
+  EXPECT_EQ(area(), whole) << "taken back";
+  stroke.exclude[0].points[0].x = std::nanf("");
+  EXPECT_FALSE(call<ConfirmLearning>("confirm_learning", stroke).success);
   EXPECT_TRUE(call<ConfirmLearning>("confirm_learning", edit_reference).success);
   EXPECT_TRUE(confirm(ConfirmLearning::Request::ACCEPT).success);
   const Result accepted = teacher_.await(id).result;
