@@ -8,6 +8,7 @@
 #include "common/table.hpp"
 #include "mbncc/cell/demonstration.hpp"
 #include "mbncc/cell/scene_watch.hpp"
+#include "mbncc/cell/second_look.hpp"
 #include "mbncc/learning/learn_object.hpp"
 #include "mbncc/matching/matcher.hpp"
 #include "mbncc/sim/cell_script.hpp"
@@ -128,7 +129,8 @@ class Demo {
       const auto step = demonstration.look(cell_.watch.still());
       if (step == Demonstration::Step::kReady) {
         Outcome outcome = learn(demonstration.before().picture, demonstration.after().picture);
-        if (outcome.learned.error != LearnError::kNoChange) return outcome;
+        if (outcome.learned.error != LearnError::kNoChange && has_left(outcome, demonstration))
+          return outcome;
         demonstration.go_on();
       } else if (step == Demonstration::Step::kWaitRemoval) {
         act();
@@ -141,6 +143,13 @@ class Demo {
   }
 
  private:
+  static bool has_left(const Outcome& outcome, const Demonstration& demonstration) {
+    const LearnResult& learned = outcome.learned;
+    return !learned.has_model || part_put_down(full_size_map(learned.object.views.front()),
+                                               demonstration.before().picture,
+                                               demonstration.after().picture) < kMostPutDown;
+  }
+
   /// What the operator does when told to take the object away; after some hesitation.
   void act() {
     if (!cell_.script().at_rest() || hesitation_-- > 0) return;

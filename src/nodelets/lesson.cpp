@@ -2,8 +2,10 @@
 
 #include <ros/time.h>
 
+#include <cstdio>
 #include <utility>
 
+#include "mbncc/cell/second_look.hpp"
 #include "mbncc/drawing.hpp"
 #include "mbncc/learning/resemblance.hpp"
 #include "nodelets/images.hpp"
@@ -44,10 +46,13 @@ LessonRun::Result LessonRun::teach_and_store() {
   learn();
   // Nothing has left: the coarse look was mistaken, or something was put down, which belongs to the
   // scene before from now on.
-  while (learned_.error == LearnError::kNoChange && waits_for_change()) {
+  while ((learned_.error == LearnError::kNoChange || lies_there_yet()) && waits_for_change()) {
     wait_on();
     learn();
   }
+  if (lies_there_yet())
+    fail(LearnError::kNoChange, "The object was put down where it covers its old place.",
+         "Put it farther away, or take it out of the picture.");
   if (goal_.confirm && learned_.has_model) return review();
   judge();
   return store();
@@ -57,6 +62,13 @@ Lesson LessonRun::lesson_of(const cv::Mat& after) const {
   GoalLesson made = to_lesson(goal_, name_, before_.picture, after);
   if (made.fault) throw LessonEnded{*made.fault};
   return made.lesson;
+}
+
+/// The map then holds the old place and the new one.
+bool LessonRun::lies_there_yet() const {
+  if (!learned_.has_model || goal_.mode != Goal::CHANGE) return false;
+  const cv::Mat map = full_size_map(learned_.object.views.front());
+  return part_put_down(map, before_.picture, after_.picture) >= kMostPutDown;
 }
 
 void LessonRun::learn() {
@@ -102,6 +114,7 @@ LessonRun::Result LessonRun::store() {
     const ObjectModel stored = save(model);
     std::string message =
         "Learned '" + name_ + "', verdict " + to_string(stored.quality.verdict) + ".";
+    message += second_look(stored);
     if (!left_out.empty()) message += " The marked grasp was not stored: " + left_out + ".";
     return describe(outcome(LearnError::kSuccess, message), stored);
   } catch (const FileError& error) {
@@ -112,6 +125,21 @@ LessonRun::Result LessonRun::store() {
     return describe(
         outcome(taken ? LearnError::kNameTaken : LearnError::kNameUnknown, error.what()), model);
   }
+}
+
+/// Tells where the object was put aside; "" when it is not seen again.
+std::string LessonRun::second_look(const ObjectModel& model) const {
+  if (goal_.mode != Goal::CHANGE) return "";
+  const auto seen = find_put_aside(model, after_.picture);
+  if (!seen) return "";
+  char text[160];
+  std::snprintf(text, sizeof text,
+                " Found again where it was put aside: x %.1f, y %.1f, turned by %.1f degrees, "
+                "score %.2f.",
+                seen->pose.x, seen->pose.y,
+                to_degrees(wrap_angle(seen->pose.theta - model.views.back().reference.theta)),
+                seen->score);
+  return text;
 }
 
 std::string LessonRun::measure(ObjectModel& model) const {

@@ -70,6 +70,7 @@ class LessonRun {
   void learn();
   void take_draft();
   StageObserver observer();
+  bool lies_there_yet() const;
   void judge() const;
 
   // The operator's check.
@@ -82,6 +83,7 @@ class LessonRun {
   bool may_be_stored() const;
   Result store();
   std::string measure(ObjectModel& model) const;
+  std::string second_look(const ObjectModel& model) const;
   ObjectModel save(const ObjectModel& model) const;
   Result describe(Result result, const ObjectModel& model) const;
   cv::Mat preview(const ObjectModel& model) const;

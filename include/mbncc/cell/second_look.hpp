@@ -1,0 +1,25 @@
+// What the scene after a live lesson tells about the object just learned: has it really left its
+// place, and where was it put?
+#pragma once
+
+#include <opencv2/core.hpp>
+#include <optional>
+
+#include "mbncc/matching/matcher.hpp"
+#include "mbncc/object_model.hpp"
+
+namespace mbncc {
+
+/// [0..1] Part of the map's changed pixels that looked like the platform around the map before and
+/// no longer do. Near 0 when the object has left; about a half when it was put down again so near
+/// that its old place and the new one were taken for one object. Pictures are CV_8UC3 of one size.
+double part_put_down(const cv::Mat& map, const cv::Mat& before, const cv::Mat& after);
+
+/// From here on of part_put_down() the map holds more than the object.
+constexpr double kMostPutDown = 0.25;
+
+/// Where the object lies in the scene after, if it is found there surely enough to be grasped. None
+/// when it was taken out of the picture.
+std::optional<Match> find_put_aside(const ObjectModel& object, const cv::Mat& after);
+
+}  // namespace mbncc

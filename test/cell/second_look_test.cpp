@@ -1,0 +1,62 @@
+#include "mbncc/cell/second_look.hpp"
+
+#include <gtest/gtest.h>
+
+#include "mbncc/learning/learn_object.hpp"
+#include "mbncc/sim/scene.hpp"
+
+namespace mbncc {
+namespace {
+
+class SecondLook : public testing::Test {
+ protected:
+  sim::Placed at(double x, double y, double theta) const { return {{17, 80, 1.6}, {x, y, theta}}; }
+
+  /// The part lies at its place before and at others, or none, after.
+  double put_down(const std::vector<sim::Placed>& after) const {
+    cv::Mat map = scene_.true_map(shown_);
+    for (const auto& placed : after) map |= scene_.true_map(placed);
+    return part_put_down(map, before_, scene_.render(after, 2));
+  }
+
+  const sim::Scene scene_;
+  const sim::Placed shown_ = at(320, 240, 0.3);
+  const cv::Mat before_ = scene_.render({shown_}, 1);
+};
+
+TEST_F(SecondLook, AnObjectThatLeftPutNothingDown) {
+  EXPECT_LT(part_put_down(scene_.true_map(shown_), before_, scene_.render({}, 2)), 0.15);
+  EXPECT_LT(part_put_down(scene_.true_map(shown_), before_, scene_.render({at(500, 300, 1)}, 2)),
+            0.15);
+}
+
+TEST_F(SecondLook, AMapOfBothPlacesIsTold) {
+  for (const double way : {25.0, 40.0, 60.0, 75.0})
+    EXPECT_GT(put_down({at(320 + way, 240, 0.3 + way / 30)}), kMostPutDown + 0.1) << way;
+}
+
+TEST_F(SecondLook, LightThatDriftsMakesNoDifference) {
+  const cv::Mat darker = scene_.render({}, 2) * 0.94;
+  EXPECT_LT(part_put_down(scene_.true_map(shown_), before_, darker), 0.15);
+}
+
+TEST_F(SecondLook, FindsTheObjectWhereItWasPutAside) {
+  Lesson lesson;
+  lesson.name = "part";
+  lesson.before = before_;
+  lesson.after = scene_.render({at(500, 300, 1.2)}, 2);
+  const LearnResult learned = learn_object(lesson);
+  ASSERT_EQ(learned.error, LearnError::kSuccess) << learned.message;
+  const auto seen = find_put_aside(learned.object, lesson.after);
+  ASSERT_TRUE(seen);
+  EXPECT_NEAR(angle_distance(seen->pose.theta, 0.9), 0, 0.02);
+  EXPECT_LT(cv::norm(seen->pose.position() - cv::Point2d(500, 300)), 5);
+  EXPECT_FALSE(find_put_aside(learned.object, scene_.render({}, 3)));
+}
+
+TEST_F(SecondLook, RefusesPicturesOfOtherKinds) {
+  EXPECT_THROW(part_put_down(scene_.true_map(shown_), before_, cv::Mat()), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace mbncc
