@@ -9,14 +9,15 @@ namespace {
 
 constexpr float kStudentFreedom = 30;      // tails of the unchanged term
 constexpr float kShadowWeight = 0.15F;     // prior of a pixel lying in a shadow
-constexpr float kOutlierWeight = 0.01F;    // prior of any colour at all (glints, dust)
+constexpr float kOutlierWeight = 0.03F;    // prior of any colour at all (glints, dust)
 constexpr float kPlatformWeight = 0.001F;  // prior of platform from elsewhere (something shifted)
 constexpr float kDarkestShadow = 0.3F;     // of the light that is left
 constexpr float kShadowScale = 0.25F;      // log-prior: a shadow is the likelier the lighter it is
 constexpr float kBrightScale = 0.06F;      // likewise for the light that an object's flank throws
-constexpr float kShadowTint = 0.1F;        // colour change of a shadow, part of what it takes away
+constexpr float kShadowTint = 0.1F;        // deviation of one channel, part of the light taken away
+constexpr float kShadowSlope = 0.1F;       // deviation of all channels alike, likewise
 constexpr float kShadowNoise = 1.2F;       // variance of a shadowed pixel, relative
-constexpr int kShadowBox = 5;              // [px] a shadow's depth is averaged over this square
+constexpr int kShadowBox = 7;              // [px] a shadow's depth is averaged over this square
 constexpr float kHighestRatio = 60;        // cap of the logarithms
 constexpr float kHardlyPossible = 20;      // log-prior against shadows darker than the darkest
 
@@ -26,9 +27,11 @@ cv::Mat remaining_light(const cv::Mat& before, const cv::Mat& after) {
   for (int y = 0; y < before.rows; ++y) {
     const auto* b = before.ptr<cv::Vec3f>(y);
     const auto* a = after.ptr<cv::Vec3f>(y);
+    auto* product = both.ptr<float>(y);
+    auto* square = squares.ptr<float>(y);
     for (int x = 0; x < before.cols; ++x) {
-      both.at<float>(y, x) = a[x].dot(b[x]);
-      squares.at<float>(y, x) = a[x].dot(a[x]);
+      product[x] = a[x].dot(b[x]);
+      square[x] = a[x].dot(a[x]);
     }
   }
   cv::boxFilter(both, both, -1, {kShadowBox, kShadowBox});
@@ -38,38 +41,100 @@ cv::Mat remaining_light(const cv::Mat& before, const cv::Mat& after) {
   return light;
 }
 
-// Picture and variance that a shadow of this depth would give.
-void shadowed(const cv::Mat& after, const cv::Mat& light, const cv::Mat& variance,
-              cv::Mat& predicted, cv::Mat& shadow_variance) {
-  predicted.create(after.size(), CV_32FC3);
-  shadow_variance.create(after.size(), CV_32FC3);
-  for (int y = 0; y < after.rows; ++y) {
-    const auto* a = after.ptr<float>(y);
-    const auto* v = variance.ptr<float>(y);
-    auto* p = predicted.ptr<float>(y);
-    auto* w = shadow_variance.ptr<float>(y);
-    for (int x = 0; x < after.cols; ++x) {
-      const float k = light.at<float>(y, x);
-      for (int i = 3 * x; i < 3 * x + 3; ++i) {
-        const float tint = kShadowTint * a[i] * (1 - k);
-        p[i] = k * a[i];
-        w[i] = kShadowNoise * v[i] + tint * tint;
-      }
-    }
+// How a Gaussian about a predicted picture fits.
+struct Fit {
+  cv::Mat distance;     // CV_32FC1, squared Mahalanobis
+  cv::Mat determinant;  // CV_32FC1, of the covariance
+};
+
+Fit fit_unchanged(const cv::Mat& before, const cv::Mat& after, const cv::Mat& variance,
+                  const cv::Matx33f& correlation) {
+  Fit fit{normalized_difference(before, after, variance, correlation),
+          cv::Mat(before.size(), CV_32FC1)};
+  const auto determinant = static_cast<float>(cv::determinant(correlation));
+  for (int y = 0; y < before.rows; ++y) {
+    const auto* v = variance.ptr<cv::Vec3f>(y);
+    auto* out = fit.determinant.ptr<float>(y);
+    for (int x = 0; x < before.cols; ++x) out[x] = v[x][0] * v[x][1] * v[x][2] * determinant;
   }
+  return fit;
 }
 
-// Log-density of Student's distribution about the platform's colour, relative to uniform.
-float student(float difference, const float* variance, float tail) {
+// Symmetric 3 x 3 matrix by its upper half.
+struct Covariance {
+  float c00, c01, c02, c11, c12, c22;
+
+  // Sets the determinant and returns the squared Mahalanobis distance.
+  float distance(const cv::Vec3f& e, float& determinant) const {
+    const float a00 = c11 * c22 - c12 * c12, a01 = c02 * c12 - c01 * c22,
+                a02 = c01 * c12 - c02 * c11, a11 = c00 * c22 - c02 * c02,
+                a12 = c01 * c02 - c00 * c12, a22 = c00 * c11 - c01 * c01;
+    determinant = c00 * a00 + c01 * a01 + c02 * a02;
+    return (e[0] * e[0] * a00 + e[1] * e[1] * a11 + e[2] * e[2] * a22 +
+            2 * (e[0] * e[1] * a01 + e[0] * e[2] * a02 + e[1] * e[2] * a12)) /
+           determinant;
+  }
+};
+
+// Of a shadowed pixel: noise, a depth that changes within the box, and a tint.
+Covariance shadow_covariance(const cv::Vec3f& after, const cv::Vec3f& variance, float light,
+                             const cv::Matx33f& correlation) {
+  const float lost = 1 - light;
+  const cv::Vec3f noise(std::sqrt(kShadowNoise * variance[0]),
+                        std::sqrt(kShadowNoise * variance[1]),
+                        std::sqrt(kShadowNoise * variance[2]));
+  const cv::Vec3f slope = kShadowSlope * lost * after, tint = kShadowTint * lost * after;
+  const auto entry = [&](int i, int j) {
+    return correlation(i, j) * noise[i] * noise[j] + slope[i] * slope[j];
+  };
+  return {entry(0, 0) + tint[0] * tint[0], entry(0, 1), entry(0, 2),
+          entry(1, 1) + tint[1] * tint[1], entry(1, 2), entry(2, 2) + tint[2] * tint[2]};
+}
+
+Fit fit_shadow(const cv::Mat& before, const cv::Mat& after, const cv::Mat& light,
+               const cv::Mat& variance, const cv::Matx33f& correlation) {
+  Fit fit{cv::Mat(before.size(), CV_32FC1), cv::Mat(before.size(), CV_32FC1)};
+  for (int y = 0; y < before.rows; ++y) {
+    const auto* b = before.ptr<cv::Vec3f>(y);
+    const auto* a = after.ptr<cv::Vec3f>(y);
+    const auto* v = variance.ptr<cv::Vec3f>(y);
+    const auto* k = light.ptr<float>(y);
+    auto* distance = fit.distance.ptr<float>(y);
+    auto* determinant = fit.determinant.ptr<float>(y);
+    for (int x = 0; x < before.cols; ++x)
+      distance[x] = shadow_covariance(a[x], v[x], k[x], correlation)
+                        .distance(b[x] - k[x] * a[x], determinant[x]);
+  }
+  return fit;
+}
+
+// Log-density of Student's distribution, relative to uniform.
+cv::Mat log_student(Fit& fit, float tail) {
   constexpr float kLogConstant = 2.7568F;  // 1.5 log(2 pi)
-  const float determinant = variance[0] * variance[1] * variance[2] * tail * tail * tail;
-  return -0.5F * std::log(determinant) - kLogConstant - log_uniform_colour() -
-         0.5F * (kStudentFreedom + 3) * std::log1p(difference / (tail * kStudentFreedom));
+  const float constant = -kLogConstant - log_uniform_colour() - 1.5F * std::log(tail);
+  pool(fit.distance);
+  cv::Mat tails, determinant;
+  cv::log(1 + fit.distance / (tail * kStudentFreedom), tails);
+  cv::log(fit.determinant, determinant);
+  return constant - 0.5F * determinant - 0.5F * (kStudentFreedom + 3) * tails;
 }
 
-float shadow_prior(float light) {
-  const float prior = light < 1 ? (light - 1) / kShadowScale : (1 - light) / kBrightScale;
-  return light < kDarkestShadow ? prior - kHardlyPossible : prior;
+cv::Mat log_shadow_prior(const cv::Mat& light) {
+  cv::Mat prior(light.size(), CV_32FC1);
+  for (int y = 0; y < light.rows; ++y) {
+    const auto* k = light.ptr<float>(y);
+    auto* out = prior.ptr<float>(y);
+    for (int x = 0; x < light.cols; ++x)
+      out[x] = (k[x] < 1 ? (k[x] - 1) / kShadowScale : (1 - k[x]) / kBrightScale) -
+               (k[x] < kDarkestShadow ? kHardlyPossible : 0);
+  }
+  return prior;
+}
+
+cv::Mat exponential(const cv::Mat& logarithm) {
+  cv::Mat values;
+  cv::exp(cv::min(logarithm, kHighestRatio), values);
+  return values;
 }
 
 }  // namespace
@@ -82,32 +147,18 @@ float log_uniform_colour() {
 BackgroundLikelihood background_likelihood(const cv::Mat& before, const cv::Mat& after,
                                            const NoiseModel& noise, const ColourMixture& platform) {
   const cv::Mat variance = noise.variance_picture(after), light = remaining_light(before, after);
-  cv::Mat shadow_picture, shadow_variance;
-  shadowed(after, light, variance, shadow_picture, shadow_variance);
-  cv::Mat unchanged = normalized_difference(before, after, variance);
-  cv::Mat shaded = normalized_difference(before, shadow_picture, shadow_variance);
-  pool(unchanged);
-  pool(shaded);
-
-  static const float log_unchanged = std::log(1 - kOutlierWeight - kShadowWeight);
-  static const float log_shadow = std::log(kShadowWeight);
-  const float uniform = std::exp(-log_uniform_colour());
+  Fit unchanged = fit_unchanged(before, after, variance, noise.correlation);
+  Fit shaded = fit_shadow(before, after, light, variance, noise.correlation);
+  const cv::Mat plain = exponential(log_student(unchanged, noise.tail) +
+                                    std::log(1 - kOutlierWeight - kShadowWeight));
+  const cv::Mat shadow = exponential(log_student(shaded, noise.tail) + log_shadow_prior(light) +
+                                     std::log(kShadowWeight));
+  const cv::Mat elsewhere = platform.density(before) * std::exp(-log_uniform_colour());
+  const cv::Mat sum = plain + shadow + kPlatformWeight * elsewhere + kOutlierWeight;
   BackgroundLikelihood result;
-  result.log_ratio.create(before.size(), CV_32FC1);
-  result.changed.create(before.size(), CV_32FC1);
-  for (int y = 0; y < before.rows; ++y)
-    for (int x = 0; x < before.cols; ++x) {
-      const float plain = student(unchanged.at<float>(y, x), variance.ptr<float>(y, x), noise.tail);
-      const float shade =
-          student(shaded.at<float>(y, x), shadow_variance.ptr<float>(y, x), noise.tail) +
-          shadow_prior(light.at<float>(y, x));
-      const float shadow = std::exp(std::min(kHighestRatio, shade + log_shadow));
-      const float surface = std::exp(plain + log_unchanged) + shadow + kOutlierWeight;
-      const float sum =
-          surface + kPlatformWeight * uniform * platform.density(before.at<cv::Vec3f>(y, x));
-      result.log_ratio.at<float>(y, x) = std::min(kHighestRatio, std::log(sum));
-      result.changed.at<float>(y, x) = 1 / (1 + sum / 2);
-    }
+  cv::log(sum, result.log_ratio);
+  result.log_ratio = cv::min(result.log_ratio, kHighestRatio);
+  result.changed = 1 / (1 + sum / 2);
   return result;
 }
 

@@ -17,7 +17,7 @@
 namespace mbncc {
 namespace {
 
-constexpr float kAnyColour = 0.02F;    // part of the object's pixels in colours not seen yet
+constexpr float kAnyColour = 0.05F;    // part of the object's pixels in colours not seen yet
 constexpr float kUnaryWeight = 1.15F;  // against the smoothness
 constexpr double kSureness = 4;  // power of the change's probability that colours are weighted by
 constexpr float kHighestUnary = 60;
@@ -109,27 +109,24 @@ class Cutter {
   // Colours that the operator excluded are background wherever they occur.
   void shun(const ColourMixture& excluded) {
     if (excluded.empty()) return;
-    const float uniform = std::exp(-log_uniform_colour());
-    for (int y = 0; y < before_.rows; ++y)
-      for (int x = 0; x < before_.cols; ++x) {
-        float& ratio = background_.log_ratio.at<float>(y, x);
-        const float density = excluded.density(before_.at<cv::Vec3f>(y, x)) * uniform;
-        ratio = std::log(std::exp(ratio) + kExcludedWeight * density);
-      }
+    cv::Mat ratio;
+    cv::exp(background_.log_ratio, ratio);
+    ratio += kExcludedWeight * relative_density(excluded);
+    cv::log(ratio, background_.log_ratio);
+  }
+
+  // Relative to uniform, as in BackgroundLikelihood.
+  cv::Mat relative_density(const ColourMixture& mixture) const {
+    return mixture.density(before_) * std::exp(-log_uniform_colour());
   }
 
   // Positive where the object explains a pixel better than the platform.
   cv::Mat unary_of(const ColourMixture& object) const {
-    const float uniform = std::exp(-log_uniform_colour());
-    cv::Mat unary(before_.size(), CV_32FC1, cv::Scalar(-kHighestUnary));
-    for (int y = 0; y < before_.rows; ++y)
-      for (int x = 0; x < before_.cols; ++x) {
-        if (!inside_.at<uchar>(y, x)) continue;
-        const float density = object.density(before_.at<cv::Vec3f>(y, x)) * uniform;
-        const float ratio = std::log((1 - kAnyColour) * density + kAnyColour) -
-                            background_.log_ratio.at<float>(y, x);
-        unary.at<float>(y, x) = std::clamp(kUnaryWeight * ratio, -kHighestUnary, kHighestUnary);
-      }
+    cv::Mat unary;
+    cv::log((1 - kAnyColour) * relative_density(object) + kAnyColour, unary);
+    unary = kUnaryWeight * (unary - background_.log_ratio);
+    unary = cv::max(cv::min(unary, kHighestUnary), -kHighestUnary);
+    unary.setTo(-kHighestUnary, ~inside_);
     if (!include_.empty()) {
       unary.setTo(kForced, include_);
       unary.setTo(-kForced, exclude_);

@@ -159,6 +159,20 @@ float ColourMixture::Component::log_density(const cv::Vec3f& colour) const {
   return log_weight - 0.5F * distance;
 }
 
+cv::Mat ColourMixture::density(const cv::Mat& picture) const {
+  cv::Mat sum = cv::Mat::zeros(picture.size(), CV_32FC1), part(picture.size(), CV_32FC1);
+  for (const auto& component : components_) {
+    for (int y = 0; y < picture.rows; ++y) {
+      const auto* colour = picture.ptr<cv::Vec3f>(y);
+      auto* out = part.ptr<float>(y);
+      for (int x = 0; x < picture.cols; ++x) out[x] = component.log_density(colour[x]);
+    }
+    cv::exp(part, part);
+    sum += part;
+  }
+  return sum;
+}
+
 float ColourMixture::density(const cv::Vec3f& colour) const {
   float sum = 0;
   for (const auto& component : components_) sum += std::exp(component.log_density(colour));

@@ -18,6 +18,9 @@ class ColourMixture {
   /// Density of a colour. [1 / grey level^3]
   float density(const cv::Vec3f& colour) const;
 
+  /// Likewise of each pixel of a CV_32FC3 picture, CV_32FC1.
+  cv::Mat density(const cv::Mat& picture) const;
+
  private:
   struct Component {
     cv::Vec3f mean;

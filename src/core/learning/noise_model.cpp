@@ -111,10 +111,34 @@ float gradient_part(const std::vector<cv::Vec2f>& sloped, float sigma) {
   return static_cast<float>(std::clamp(numerator / denominator, 0.0016, 0.09));
 }
 
+// Correlation of the channels' differences. Differences that stand out are left aside; a tenth of
+// independent noise keeps the matrix well conditioned.
+cv::Matx33f channel_correlation(const AlignedPair& pair, const NoiseModel& noise) {
+  constexpr double kFarthest = 18.75;   // squared deviations, over the three channels
+  constexpr double kPriorSamples = 50;  // of independent channels
+  constexpr double kCorrelatedPart = 0.9;
+  const cv::Mat variance = noise.variance_picture(pair.after);
+  cv::Matx33d sum = cv::Matx33d::eye() * kPriorSamples;
+  for (int y = 1; y < pair.after.rows - 1; y += 2)
+    for (int x = 1 + y / 2 % 2; x < pair.after.cols - 1; x += 2) {
+      if (!pair.trusted.at<uchar>(y, x)) continue;
+      cv::Vec3d deviation = pair.before.at<cv::Vec3f>(y, x) - pair.after.at<cv::Vec3f>(y, x);
+      for (int c = 0; c < 3; ++c) deviation[c] /= std::sqrt(variance.at<cv::Vec3f>(y, x)[c]);
+      if (deviation.dot(deviation) < kFarthest) sum += deviation * deviation.t();
+    }
+  cv::Matx33f result = cv::Matx33f::eye();
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j < 3; ++j)
+      if (i != j)
+        result(i, j) =
+            static_cast<float>(kCorrelatedPart * sum(i, j) / std::sqrt(sum(i, i) * sum(j, j)));
+  return result;
+}
+
 // JPEG and demosaicing leave tails heavier than a normal distribution's.
 float tail_factor(const AlignedPair& pair, const NoiseModel& noise) {
-  cv::Mat difference =
-      normalized_difference(pair.before, pair.after, noise.variance_picture(pair.after));
+  cv::Mat difference = normalized_difference(pair.before, pair.after,
+                                             noise.variance_picture(pair.after), noise.correlation);
   pool(difference);
   std::vector<float> values;
   for (int y = 1; y < difference.rows - 1; y += 2)
@@ -156,22 +180,27 @@ NoiseModel learn_noise(const AlignedPair& pair) {
   for (int c = 0; c < 3; ++c)
     noise.variance[c] = channel_variance(differences.flat[c], differences.flat_by_brightness[c]);
   noise.gradient_part = gradient_part(differences.sloped, noise.sigma(1));
+  noise.correlation = channel_correlation(pair, noise);
   noise.tail = tail_factor(pair, noise);
   return noise;
 }
 
 cv::Mat normalized_difference(const cv::Mat& before, const cv::Mat& predicted,
-                              const cv::Mat& variance) {
+                              const cv::Mat& variance, const cv::Matx33f& correlation) {
   cv::Mat result(before.size(), CV_32FC1);
+  const cv::Matx33f p = correlation.inv(cv::DECOMP_CHOLESKY);
   for (int y = 0; y < before.rows; ++y) {
     const auto* b = before.ptr<float>(y);
-    const auto* p = predicted.ptr<float>(y);
+    const auto* q = predicted.ptr<float>(y);
     const auto* v = variance.ptr<float>(y);
     auto* out = result.ptr<float>(y);
     for (int x = 0; x < before.cols; ++x) {
       const int i = 3 * x;
-      const float d0 = b[i] - p[i], d1 = b[i + 1] - p[i + 1], d2 = b[i + 2] - p[i + 2];
-      out[x] = d0 * d0 / v[i] + d1 * d1 / v[i + 1] + d2 * d2 / v[i + 2];
+      const float d0 = (b[i] - q[i]) / std::sqrt(v[i]),
+                  d1 = (b[i + 1] - q[i + 1]) / std::sqrt(v[i + 1]),
+                  d2 = (b[i + 2] - q[i + 2]) / std::sqrt(v[i + 2]);
+      out[x] = d0 * d0 * p(0, 0) + d1 * d1 * p(1, 1) + d2 * d2 * p(2, 2) +
+               2 * (d0 * d1 * p(0, 1) + d0 * d2 * p(0, 2) + d1 * d2 * p(1, 2));
     }
   }
   return result;

@@ -11,13 +11,16 @@ namespace mbncc {
 /// Variance of before - after on unchanged platform:
 ///   sigma(channel, brightness)^2 + gradient_part |gradient|^2,
 /// where the second term stands for what a shift of a fraction of a pixel leaves behind.
+/// Compression and demosaicing make the channels err together: a change of colour stands out more
+/// than one of brightness.
 struct NoiseModel {
   static constexpr int kBins = 16;  ///< of brightness, 16 grey levels each
   using Channel = std::array<float, kBins>;
 
-  std::array<Channel, 3> variance{};  ///< [grey levels^2]
-  float gradient_part = 0.01F;        ///< [px^2]
-  float tail = 1;                     ///< [1..4] factor on the variance: tails heavier than normal
+  std::array<Channel, 3> variance{};             ///< [grey levels^2]
+  float gradient_part = 0.01F;                   ///< [px^2]
+  cv::Matx33f correlation = cv::Matx33f::eye();  ///< of the channels' differences
+  float tail = 1;  ///< [1..4] factor on the variance: tails heavier than normal
 
   /// Variance per pixel and channel, CV_32FC3, where `after` (CV_32FC3) is the unchanged surface.
   cv::Mat variance_picture(const cv::Mat& after) const;
@@ -29,9 +32,9 @@ struct NoiseModel {
 /// Learns the model from the trusted pixels of the pair.
 NoiseModel learn_noise(const AlignedPair& pair);
 
-/// sum over channels of (before - predicted)^2 / variance, CV_32FC1.
+/// Squared Mahalanobis distance between the pictures (CV_32FC3) per pixel, CV_32FC1.
 cv::Mat normalized_difference(const cv::Mat& before, const cv::Mat& predicted,
-                              const cv::Mat& variance);
+                              const cv::Mat& variance, const cv::Matx33f& correlation);
 
 /// Mixes `values` with their 3 x 3 mean, which evens out single noisy pixels.
 void pool(cv::Mat& values);
