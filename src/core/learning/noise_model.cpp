@@ -50,11 +50,22 @@ void collect_pixel(const AlignedPair& pair, int y, int x, Differences& differenc
   }
 }
 
+// Visits about `enough` trusted pixels, none on the window's border.
+template <class Visit>
+void for_each_trusted(const AlignedPair& pair, int enough, Visit&& visit) {
+  const int step =
+      std::max(2, static_cast<int>(cv::countNonZero(pair.trusted) / static_cast<double>(enough)));
+  int seen = 0;
+  for (int y = 1; y < pair.trusted.rows - 1; ++y) {
+    const auto* trusted = pair.trusted.ptr<uchar>(y);
+    for (int x = 1; x < pair.trusted.cols - 1; ++x)
+      if (trusted[x] && ++seen % step == 0) visit(y, x);
+  }
+}
+
 Differences collect(const AlignedPair& pair) {
   Differences differences;
-  for (int y = 1; y < pair.after.rows - 1; ++y)
-    for (int x = 1 + y % 2; x < pair.after.cols - 1; x += 2)
-      if (pair.trusted.at<uchar>(y, x)) collect_pixel(pair, y, x, differences);
+  for_each_trusted(pair, 20000, [&](int y, int x) { collect_pixel(pair, y, x, differences); });
   return differences;
 }
 
@@ -111,21 +122,25 @@ float gradient_part(const std::vector<cv::Vec2f>& sloped, float sigma) {
   return static_cast<float>(std::clamp(numerator / denominator, 0.0016, 0.09));
 }
 
+// Differences in units of their deviations.
+cv::Vec3f deviations_at(const AlignedPair& pair, const NoiseModel& noise, int y, int x) {
+  cv::Vec3f result = pair.before.at<cv::Vec3f>(y, x) - pair.after.at<cv::Vec3f>(y, x);
+  const cv::Vec3f variance = noise.variance_at(pair.after, y, x);
+  for (int c = 0; c < 3; ++c) result[c] /= std::sqrt(variance[c]);
+  return result;
+}
+
 // Correlation of the channels' differences. Differences that stand out are left aside; a tenth of
 // independent noise keeps the matrix well conditioned.
 cv::Matx33f channel_correlation(const AlignedPair& pair, const NoiseModel& noise) {
-  constexpr double kFarthest = 18.75;   // squared deviations, over the three channels
+  constexpr float kFarthest = 18.75F;   // squared deviations, over the three channels
   constexpr double kPriorSamples = 50;  // of independent channels
   constexpr double kCorrelatedPart = 0.9;
-  const cv::Mat variance = noise.variance_picture(pair.after);
   cv::Matx33d sum = cv::Matx33d::eye() * kPriorSamples;
-  for (int y = 1; y < pair.after.rows - 1; y += 2)
-    for (int x = 1 + y / 2 % 2; x < pair.after.cols - 1; x += 2) {
-      if (!pair.trusted.at<uchar>(y, x)) continue;
-      cv::Vec3d deviation = pair.before.at<cv::Vec3f>(y, x) - pair.after.at<cv::Vec3f>(y, x);
-      for (int c = 0; c < 3; ++c) deviation[c] /= std::sqrt(variance.at<cv::Vec3f>(y, x)[c]);
-      if (deviation.dot(deviation) < kFarthest) sum += deviation * deviation.t();
-    }
+  for_each_trusted(pair, 8000, [&](int y, int x) {
+    const cv::Vec3f deviation = deviations_at(pair, noise, y, x);
+    if (deviation.dot(deviation) < kFarthest) sum += cv::Matx33d(deviation * deviation.t());
+  });
   cv::Matx33f result = cv::Matx33f::eye();
   for (int i = 0; i < 3; ++i)
     for (int j = 0; j < 3; ++j)
@@ -137,34 +152,42 @@ cv::Matx33f channel_correlation(const AlignedPair& pair, const NoiseModel& noise
 
 // JPEG and demosaicing leave tails heavier than a normal distribution's.
 float tail_factor(const AlignedPair& pair, const NoiseModel& noise) {
-  cv::Mat difference = normalized_difference(pair.before, pair.after,
-                                             noise.variance_picture(pair.after), noise.correlation);
-  pool(difference);
+  const cv::Matx33f precision = noise.correlation.inv(cv::DECOMP_CHOLESKY);
   std::vector<float> values;
-  for (int y = 1; y < difference.rows - 1; y += 2)
-    for (int x = 1; x < difference.cols - 1; x += 2)
-      if (pair.trusted.at<uchar>(y, x)) values.push_back(difference.at<float>(y, x));
+  for_each_trusted(pair, 4000, [&](int y, int x) {
+    float mean = 0, here = 0;
+    for (int dy = -1; dy <= 1; ++dy)
+      for (int dx = -1; dx <= 1; ++dx) {
+        const cv::Vec3f deviation = deviations_at(pair, noise, y + dy, x + dx);
+        const float distance = deviation.dot(precision * deviation);
+        mean += distance / 9;
+        if (dx == 0 && dy == 0) here = distance;
+      }
+    values.push_back((1 - kPooledPart) * here + kPooledPart * mean);
+  });
   if (values.size() <= 50) return 1;
   return std::clamp(quantile(values, 0.9) / kPooledQuantile, 1.F, 4.F);
 }
 
 }  // namespace
 
+cv::Vec3f NoiseModel::variance_at(const cv::Mat& after, int y, int x) const {
+  const auto* row = after.ptr<cv::Vec3f>(y);
+  const cv::Vec3f gx = row[std::min(x + 1, after.cols - 1)] - row[std::max(x - 1, 0)];
+  const cv::Vec3f gy = after.ptr<cv::Vec3f>(std::min(y + 1, after.rows - 1))[x] -
+                       after.ptr<cv::Vec3f>(std::max(y - 1, 0))[x];
+  cv::Vec3f result;
+  for (int c = 0; c < 3; ++c)
+    result[c] = variance[c][brightness_bin(row[x][c])] +
+                gradient_part * (gx[c] * gx[c] + gy[c] * gy[c]) / 4;
+  return result;
+}
+
 cv::Mat NoiseModel::variance_picture(const cv::Mat& after) const {
   cv::Mat result(after.size(), CV_32FC3);
   for (int y = 0; y < after.rows; ++y) {
-    const auto* row = after.ptr<float>(y);
-    const auto* up = after.ptr<float>(std::max(y - 1, 0));
-    const auto* down = after.ptr<float>(std::min(y + 1, after.rows - 1));
-    auto* out = result.ptr<float>(y);
-    for (int x = 0; x < after.cols; ++x) {
-      const int left = 3 * std::max(x - 1, 0), right = 3 * std::min(x + 1, after.cols - 1);
-      for (int c = 0; c < 3; ++c) {
-        const int i = 3 * x + c;
-        const float gx = (row[right + c] - row[left + c]) / 2, gy = (down[i] - up[i]) / 2;
-        out[i] = variance[c][brightness_bin(row[i])] + gradient_part * (gx * gx + gy * gy);
-      }
-    }
+    auto* out = result.ptr<cv::Vec3f>(y);
+    for (int x = 0; x < after.cols; ++x) out[x] = variance_at(after, y, x);
   }
   return result;
 }

@@ -22,7 +22,10 @@ struct NoiseModel {
   cv::Matx33f correlation = cv::Matx33f::eye();  ///< of the channels' differences
   float tail = 1;  ///< [1..4] factor on the variance: tails heavier than normal
 
-  /// Variance per pixel and channel, CV_32FC3, where `after` (CV_32FC3) is the unchanged surface.
+  /// Variance per channel where `after` (CV_32FC3) is the unchanged surface.
+  cv::Vec3f variance_at(const cv::Mat& after, int y, int x) const;
+
+  /// Likewise for all pixels, CV_32FC3.
   cv::Mat variance_picture(const cv::Mat& after) const;
 
   /// Standard deviation of a channel, averaged over brightness. [grey levels]

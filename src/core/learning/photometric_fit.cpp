@@ -9,7 +9,8 @@
 namespace mbncc {
 namespace {
 
-constexpr int kStep = 3;              // [px] sampling of the pictures
+constexpr int kFinestStep = 3;        // [px] sampling of the pictures
+constexpr double kEnough = 4000;      // samples
 constexpr std::size_t kFewest = 200;  // samples
 constexpr int kRounds = 5;            // of reweighting
 constexpr double kLeastSpread = 0.5;  // [grey levels] rounding alone
@@ -25,9 +26,11 @@ struct Sample {
 
 std::vector<Sample> samples_of(const cv::Mat& before, const cv::Mat& after, const cv::Mat& trusted,
                                int channel) {
+  const int step =
+      std::max(kFinestStep, cvRound(std::sqrt(cv::countNonZero(trusted) / kEnough)));
   std::vector<Sample> samples;
-  for (int y = 0; y < after.rows; y += kStep)
-    for (int x = (y / kStep) % 2; x < after.cols; x += kStep) {
+  for (int y = 0; y < after.rows; y += step)
+    for (int x = (y / step) % 2; x < after.cols; x += step) {
       if (!trusted.at<uchar>(y, x)) continue;
       const double u = (x - after.cols / 2) / double(after.cols);
       const double v = (y - after.rows / 2) / double(after.rows);
