@@ -124,5 +124,40 @@ TEST(NoiseModel, EdgesMayDifferMore) {
   EXPECT_GT(high, 3 * low);
 }
 
+// Noise of brightness alone, as compression leaves it: a change of colour then stands out more than
+// one of brightness that is as large.
+TEST(NoiseModel, KnowsWhichWayTheNoiseGoes) {
+  cv::Mat common(kSize, CV_32FC1), own(kSize, CV_32FC3);
+  cv::RNG random(7);
+  random.fill(common, cv::RNG::NORMAL, 0, 4);
+  random.fill(own, cv::RNG::NORMAL, 0, 0.7);
+  cv::Mat grey;
+  cv::merge(std::vector<cv::Mat>(3, common), grey);
+  AlignedPair pair;
+  pair.after = cv::Mat(kSize, CV_32FC3, kTable);
+  pair.before = pair.after + grey + own;
+  pair.trusted = all_of(kSize);
+  const NoiseModel noise = learn_noise(pair);
+  EXPECT_GT(noise.correlation(0, 1), 0.7);
+  const cv::Mat variance = noise.variance_picture(pair.after);
+  const auto distance = [&](const cv::Scalar& change) {
+    const cv::Mat changed = pair.after + change;
+    return cv::mean(normalized_difference(changed, pair.after, variance, noise.correlation))[0];
+  };
+  EXPECT_GT(distance({10, 0, -10}), 3 * distance({8, 8, 8}));
+  EXPECT_NEAR(distance({8, 8, 8}), distance({-8, -8, -8}), 1e-3 * distance({8, 8, 8}));
+}
+
+TEST(NoiseModel, IndependentChannelsStayIndependent) {
+  const cv::Mat scene(kSize, CV_32FC3, kTable);
+  AlignedPair pair;
+  pair.before = floats(test::exposed(scene, 1, 1, 3));
+  pair.after = floats(test::exposed(scene, 2, 1, 3));
+  pair.trusted = all_of(kSize);
+  const NoiseModel noise = learn_noise(pair);
+  for (const auto& [i, j] : {std::pair(0, 1), std::pair(0, 2), std::pair(1, 2)})
+    EXPECT_NEAR(noise.correlation(i, j), 0, 0.1);
+}
+
 }  // namespace
 }  // namespace mbncc

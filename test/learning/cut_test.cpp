@@ -93,6 +93,18 @@ TEST(ColourMixture, PrefersItsOwnColours) {
   EXPECT_GT(mixture.density({200, 60, 40}), 100 * between);
 }
 
+TEST(ColourMixture, GivesPicturesTheDensitiesOfTheirPixels) {
+  const cv::Size size(40, 30);
+  const cv::Mat picture = test::texture(size, cv::Scalar(40, 60, 200), 30, 1);
+  const ColourMixture mixture =
+      ColourMixture::fit(picture, cv::Mat(size, CV_8UC1, cv::Scalar(255)));
+  const cv::Mat densities = mixture.densities(picture);
+  for (const cv::Point at : {cv::Point(0, 0), cv::Point(39, 29), cv::Point(17, 4)}) {
+    const float density = mixture.density(picture.at<cv::Vec3f>(at));
+    EXPECT_NEAR(densities.at<float>(at), density, 1e-4 * density);
+  }
+}
+
 TEST(ColourMixture, OfTooFewPixelsIsEmpty) {
   const cv::Mat picture(10, 10, CV_32FC3, cv::Scalar(1, 2, 3));
   const ColourMixture mixture = ColourMixture::fit(picture, cv::Mat::zeros(10, 10, CV_8UC1));

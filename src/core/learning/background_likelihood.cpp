@@ -153,7 +153,7 @@ BackgroundLikelihood background_likelihood(const cv::Mat& before, const cv::Mat&
                                     std::log(1 - kOutlierWeight - kShadowWeight));
   const cv::Mat shadow = exponential(log_student(shaded, noise.tail) + log_shadow_prior(light) +
                                      std::log(kShadowWeight));
-  const cv::Mat elsewhere = platform.density(before) * std::exp(-log_uniform_colour());
+  const cv::Mat elsewhere = platform.densities(before) * std::exp(-log_uniform_colour());
   const cv::Mat sum = plain + shadow + kPlatformWeight * elsewhere + kOutlierWeight;
   BackgroundLikelihood result;
   cv::log(sum, result.log_ratio);

@@ -117,7 +117,7 @@ class Cutter {
 
   // Relative to uniform, as in BackgroundLikelihood.
   cv::Mat relative_density(const ColourMixture& mixture) const {
-    return mixture.density(before_) * std::exp(-log_uniform_colour());
+    return mixture.densities(before_) * std::exp(-log_uniform_colour());
   }
 
   // Positive where the object explains a pixel better than the platform.

@@ -159,7 +159,7 @@ float ColourMixture::Component::log_density(const cv::Vec3f& colour) const {
   return log_weight - 0.5F * distance;
 }
 
-cv::Mat ColourMixture::density(const cv::Mat& picture) const {
+cv::Mat ColourMixture::densities(const cv::Mat& picture) const {
   cv::Mat sum = cv::Mat::zeros(picture.size(), CV_32FC1), part(picture.size(), CV_32FC1);
   for (const auto& component : components_) {
     for (int y = 0; y < picture.rows; ++y) {

@@ -19,7 +19,7 @@ class ColourMixture {
   float density(const cv::Vec3f& colour) const;
 
   /// Likewise of each pixel of a CV_32FC3 picture, CV_32FC1.
-  cv::Mat density(const cv::Mat& picture) const;
+  cv::Mat densities(const cv::Mat& picture) const;
 
  private:
   struct Component {

@@ -26,8 +26,7 @@ struct Sample {
 
 std::vector<Sample> samples_of(const cv::Mat& before, const cv::Mat& after, const cv::Mat& trusted,
                                int channel) {
-  const int step =
-      std::max(kFinestStep, cvRound(std::sqrt(cv::countNonZero(trusted) / kEnough)));
+  const int step = std::max(kFinestStep, cvRound(std::sqrt(cv::countNonZero(trusted) / kEnough)));
   std::vector<Sample> samples;
   for (int y = 0; y < after.rows; y += step)
     for (int x = (y / step) % 2; x < after.cols; x += step) {
