@@ -106,18 +106,22 @@ class Climber {
 
 /// Least squares says (1 - r^2) / r^2 times the inverse of the slopes' products, for independent
 /// residuals. Smoothing, shading and the basis make neighbours' residuals alike: fewer independent
-/// ones, and an error that does not average out.
+/// ones. The contour says as much as its points scatter. Shading displaces both, and that error
+/// does not average out.
 cv::Matx33d Climber::covariance(const Pose2D& pose) {
   constexpr double kCorrelatedPixels = 12;
-  constexpr double kDisplaced = 0.1;  // [px] by shading, in place
-  constexpr double kTurned = 0.05;    // [px] by shading, at the rim
+  constexpr double kScatter = 0.7;         // [px] of one contour point
+  constexpr double kCorrelatedPoints = 8;  // neighbours on the contour that scatter alike
+  constexpr double kDisplaced = 0.12;      // [px] by shading, in place
+  constexpr double kTurned = 0.04;         // [px] by shading, at the rim
   const SurfaceTemplate& surface = object_.surface;
   const double r = look_at(pose) ? std::clamp(correlation_, 0.1, 0.999) : 0.1;
   const double residual = kCorrelatedPixels * (1 - r * r) / (r * r) * surface.projected_energy /
                           (SurfaceTemplate::kChannels * static_cast<double>(surface.size()));
-  const cv::Matx33d slopes =
-      damped(surface.slope_product * (1 / std::max(residual, 1e-9)), radius());
-  cv::Matx33d in_template = slopes.inv();
+  const cv::Matx33d known = surface.slope_product * (1 / std::max(residual, 1e-9)) +
+                            contour_products(object_.contour, samples_.contour) *
+                                (1 / (kScatter * kScatter * kCorrelatedPoints));
+  cv::Matx33d in_template = damped(known, radius()).inv();
   in_template(0, 0) += kDisplaced * kDisplaced;
   in_template(1, 1) += kDisplaced * kDisplaced;
   in_template(2, 2) += kTurned * kTurned / (radius() * radius());

@@ -59,19 +59,31 @@ double contour_agreement(const ContourTemplate& contour, const ContourSample& sa
   return product(contour.ones, sample.response.data()) / visible;
 }
 
+double contour_found(const ContourTemplate& contour, const ContourSample& sample) {
+  constexpr float kClear = 0.4f;
+  const double visible = product(contour.ones, sample.seen.data());
+  const auto found = std::count_if(sample.response.begin(), sample.response.end(),
+                                   [](float response) { return response > kClear; });
+  return static_cast<double>(found) / std::max(1.0, visible);
+}
+
+cv::Matx33d contour_products(const ContourTemplate& contour, const ContourSample& sample) {
+  float p[kProducts];
+  kernels::dots(contour.products.data(), contour.x.size(), kProducts, sample.pull.data(),
+                static_cast<int>(contour.x.size()), p);
+  return {p[0], p[1], p[3], p[1], p[2], p[4], p[3], p[4], p[5]};
+}
+
 ContourPull contour_pull(const ContourTemplate& contour, const ContourSample& sample) {
   // How fast a response falls with the square of the distance from its edge: the edge's blur of
   // about one pixel.
   constexpr double kCurvature = 0.15;
-  const std::size_t lanes = contour.x.size();
-  const int count = static_cast<int>(lanes);
-  float pairs[kProducts], along[kMotions];
-  kernels::dots(contour.products.data(), lanes, kProducts, sample.pull.data(), count, pairs);
-  kernels::dots(contour.motion.data(), lanes, kMotions, sample.moment.data(), count, along);
+  float along[kMotions];
+  kernels::dots(contour.motion.data(), contour.x.size(), kMotions, sample.moment.data(),
+                static_cast<int>(contour.x.size()), along);
   const double weight = 2 * kCurvature / static_cast<double>(contour.size());
   ContourPull pull;
-  pull.hessian = weight * cv::Matx33d(pairs[0], pairs[1], pairs[3], pairs[1], pairs[2], pairs[4],
-                                      pairs[3], pairs[4], pairs[5]);
+  pull.hessian = weight * contour_products(contour, sample);
   pull.gradient = -weight * cv::Vec3d(along[0], along[1], along[2]);
   return pull;
 }

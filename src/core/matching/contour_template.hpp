@@ -44,6 +44,13 @@ void read_contour(const ContourTemplate& contour, const cv::Mat& edges, const Po
 /// its normal; -1 where less than a quarter of the contour is visible.
 double contour_agreement(const ContourTemplate& contour, const ContourSample& sample);
 
+/// Part [0..1] of the visible contour where there is a clear edge along it.
+double contour_found(const ContourTemplate& contour, const ContourSample& sample);
+
+/// Products of how the distances from the edges found depend on (dx, dy, dtheta), summed over the
+/// points with their responses as weights.
+cv::Matx33d contour_products(const ContourTemplate& contour, const ContourSample& sample);
+
 /// Normal equations of the small motion (dx, dy, dtheta) of the contour that brings it onto the
 /// edges found. Motion and equations are in the template's frame: where the template would have to
 /// be moved from to fit (the inverse of what the pose needs).

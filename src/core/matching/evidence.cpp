@@ -85,6 +85,8 @@ Evidence gather_evidence(const PoseTemplate& object, const SceneLevel& scene, co
   Evidence evidence;
   read_contour(object.contour, scene.edges, pose, 1, contour);
   evidence.contour = contour_agreement(object.contour, contour);
+  evidence.found = contour_found(object.contour, contour);
+  evidence.texture = surface.texture();
   evidence.visible = static_cast<double>(sample.visible) /
                      static_cast<double>(std::max<std::size_t>(1, surface.size()));
   if (!sample.suffices()) return evidence;
@@ -96,11 +98,12 @@ Evidence gather_evidence(const PoseTemplate& object, const SceneLevel& scene, co
 }
 
 double log_odds(const Evidence& evidence, double area) {
-  // Fitted by logistic regression to true and false poses in drawn scenes and photographs.
+  // Fitted by logistic regression to true and false poses in drawn scenes and photographs, the
+  // discount for clutter (clutter.hpp) among the terms.
   constexpr double kLargeArea = 1800;  // [px] beyond it size no longer guards against chance
-  return 19 * evidence.contour + 5.5 * evidence.gradient - 6.7 * evidence.best_blocks +
-         3.2 * evidence.histogram + 7.4 * evidence.projected +
-         1.95 * std::log(std::min(area, kLargeArea)) - 9.3 * (1 - evidence.visible) - 11.8;
+  return 17.8 * evidence.found + 9.1 * evidence.gradient - 4.7 * evidence.best_blocks +
+         5.4 * evidence.histogram + 9.3 * evidence.projected - 7.4 * evidence.texture +
+         1.32 * std::log(std::min(area, kLargeArea)) - 8.6 * (1 - evidence.visible) - 12.2;
 }
 
 }  // namespace mbncc

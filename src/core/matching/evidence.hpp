@@ -12,11 +12,13 @@ constexpr double kNoFit = 5;
 
 struct Evidence {
   double contour = -1;          ///< [-1..1] edges along the map's edge, see contour_agreement()
+  double found = 0;             ///< [0..1] part of the contour with a clear edge along it
   double gradient = 0;          ///< [-1..1] direction of texture gradients inside
   double best_blocks = kNoFit;  ///< ln(rms colour difference [grey levels] + 3) after gain and
                                 ///< offset, over the best 5 of 8 blocks: bears occlusion and gloss
   double histogram = 0;         ///< [0..1] intersection of the chroma histograms
   double projected = 0;         ///< [-1..1] correlation of colour without shading and gloss
+  double texture = 0;           ///< [0..1] of the object: a plain one has little to agree with
   double visible = 0;           ///< [0..1] part of the surface points inside the picture
 };
 

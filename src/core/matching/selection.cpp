@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "matching/clutter.hpp"
+
 namespace mbncc {
 namespace {
 
@@ -125,6 +127,7 @@ double acceptance_score(const Detection& detection, const SearchConfig& config) 
 }
 
 std::vector<Match> select_matches(std::vector<Detection> detections, const Acceptance& acceptance) {
+  discount_clutter(detections);
   std::stable_sort(
       detections.begin(), detections.end(), [&](const Detection& a, const Detection& b) {
         return acceptance_score(a, acceptance.config) > acceptance_score(b, acceptance.config);

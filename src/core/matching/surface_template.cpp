@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <random>
 
 #include "matching/padded_vectors.hpp"
@@ -23,6 +24,7 @@ SurfaceTemplate::SurfaceTemplate(const SceneLevel& picture, const MapGeometry& m
   split_blocks(sites_.begin(), sites_.end(), depth);
   place_points(to_level(anchor, level));
   read_colours(picture);
+  measure_texture();
   read_gradients(picture);
   build_basis();
   project();
@@ -100,6 +102,17 @@ void SurfaceTemplate::read_colours(const SceneLevel& picture) {
     ones[i] = 1;
   }
   histogram = chroma_histogram(planes, ones);
+}
+
+void SurfaceTemplate::measure_texture() {
+  constexpr double kPlain = 200;  // [grey^2] variance that noise and shading alone bring about
+  const auto count = static_cast<double>(std::max<std::size_t>(1, size()));
+  double variance = 0;
+  for (const auto& plane : planes) {
+    const double mean = std::accumulate(plane.begin(), plane.end(), 0.0) / count;
+    variance += (product(plane, plane.data()) / count - mean * mean) / kChannels;
+  }
+  texture_ = variance / (variance + kPlain);
 }
 
 void SurfaceTemplate::read_gradients(const SceneLevel& picture) {

@@ -49,6 +49,9 @@ class SurfaceTemplate {
   /// Mean square [grey^2] of the template without the basis.
   double mean_projected_energy() const;
 
+  /// [0..1] How much the colours vary: 0 not at all, near 1 far beyond noise and shading.
+  double texture() const { return texture_; }
+
   double radius() const { return radius_; }  ///< [px at level] of the farthest point
 
   // All vectors are padded to whole lanes: places with points that lie nowhere, values with zeros.
@@ -79,6 +82,7 @@ class SurfaceTemplate {
   void choose_points(const MapGeometry& map, cv::Size map_size, int level, std::size_t most);
   void place_points(cv::Point2d origin);
   void read_colours(const SceneLevel& picture);
+  void measure_texture();
   void read_gradients(const SceneLevel& picture);
   void build_basis();
   void project();
@@ -93,7 +97,7 @@ class SurfaceTemplate {
   void split_blocks(Sites::iterator first, Sites::iterator last, int depth);
 
   Sites sites_;
-  double radius_ = 1;
+  double radius_ = 1, texture_ = 0;
 };
 
 }  // namespace mbncc

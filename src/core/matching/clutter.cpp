@@ -1,0 +1,57 @@
+#include "matching/clutter.hpp"
+
+#include <algorithm>
+#include <functional>
+#include <map>
+
+namespace mbncc {
+namespace {
+
+// Fitted together with the weights of log_odds().
+constexpr std::size_t kPlaces = 3;  // next best ones that tell about the picture
+constexpr double kWeight = 0.735;
+constexpr double kNothing = -6, kObvious = 5;  // log-odds: bounds of what a place says
+
+bool same_place(const Detection& a, const Detection& b) {
+  return cv::norm(a.pose.position() - b.pose.position()) <
+         0.7 * std::min(a.view->shape.radius(), b.view->shape.radius());
+}
+
+/// Log-odds of the best detections of different places, best first.
+std::vector<double> odds_of_places(std::vector<const Detection*> detections, std::size_t most) {
+  std::stable_sort(
+      detections.begin(), detections.end(),
+      [](const Detection* a, const Detection* b) { return a->log_odds > b->log_odds; });
+  std::vector<const Detection*> places;
+  for (const Detection* detection : detections) {
+    const bool known = std::any_of(places.begin(), places.end(), [&](const Detection* other) {
+      return same_place(*detection, *other);
+    });
+    if (!known) places.push_back(detection);
+    if (places.size() == most) break;
+  }
+  std::vector<double> odds;
+  for (const Detection* place : places) odds.push_back(place->log_odds);
+  return odds;
+}
+
+double discount(const std::vector<const Detection*>& detections) {
+  std::vector<double> odds = odds_of_places(detections, kPlaces + 1);
+  odds.resize(kPlaces + 1, kNothing);
+  double sum = 0;
+  for (std::size_t k = 1; k <= kPlaces; ++k)
+    sum += std::clamp(odds[k], kNothing, kObvious) - kNothing;
+  return kWeight * sum / kPlaces;
+}
+
+}  // namespace
+
+void discount_clutter(std::vector<Detection>& detections) {
+  std::map<const PreparedObject*, std::vector<const Detection*>> of_object;
+  for (const auto& detection : detections) of_object[detection.object].push_back(&detection);
+  std::map<const PreparedObject*, double> discounts;
+  for (const auto& [object, own] : of_object) discounts[object] = discount(own);
+  for (auto& detection : detections) detection.log_odds -= discounts[detection.object];
+}
+
+}  // namespace mbncc

@@ -1,0 +1,60 @@
+#include "matching/clutter.hpp"
+
+#include <gtest/gtest.h>
+
+#include "matching/pictures.hpp"
+
+namespace mbncc {
+namespace {
+
+class ClutterTest : public ::testing::Test {
+ protected:
+  const test::LearningPicture source_{1};
+  const PreparedObject object_{test::object_from(source_, {58, 60, 0}), Engine::kFast};
+  const PreparedObject other_{test::object_from(source_, {58, 60, 0}, "other"), Engine::kFast};
+
+  static Detection at(const PreparedObject& object, double x, double log_odds) {
+    Detection detection;
+    detection.object = &object;
+    detection.view = &object.views.front();
+    detection.pose = {x, 100, 0};
+    detection.log_odds = log_odds;
+    return detection;
+  }
+};
+
+TEST_F(ClutterTest, OnePlaceAloneLosesNothing) {
+  std::vector<Detection> detections{at(object_, 100, 4), at(object_, 101, 3)};
+  discount_clutter(detections);
+  EXPECT_DOUBLE_EQ(detections[0].log_odds, 4);
+  EXPECT_DOUBLE_EQ(detections[1].log_odds, 3);
+}
+
+TEST_F(ClutterTest, HopelessPlacesCostNothing) {
+  std::vector<Detection> detections{at(object_, 100, 4), at(object_, 400, -30)};
+  discount_clutter(detections);
+  EXPECT_DOUBLE_EQ(detections[0].log_odds, 4);
+}
+
+TEST_F(ClutterTest, LikesElsewhereCostEachMore) {
+  std::vector<Detection> detections{at(object_, 100, 4)};
+  double before = 4;
+  for (int k = 1; k <= 3; ++k) {
+    detections.push_back(at(object_, 100 + 200 * k, 1));
+    auto discounted = detections;
+    discount_clutter(discounted);
+    EXPECT_LT(discounted[0].log_odds, before);
+    EXPECT_DOUBLE_EQ(discounted[0].log_odds - discounted[1].log_odds, 3) << "margins stay";
+    before = discounted[0].log_odds;
+  }
+}
+
+TEST_F(ClutterTest, OtherObjectsAreNoLikes) {
+  std::vector<Detection> detections{at(object_, 100, 4), at(other_, 300, 4)};
+  discount_clutter(detections);
+  EXPECT_DOUBLE_EQ(detections[0].log_odds, 4);
+  EXPECT_DOUBLE_EQ(detections[1].log_odds, 4);
+}
+
+}  // namespace
+}  // namespace mbncc
