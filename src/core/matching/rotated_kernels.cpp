@@ -14,9 +14,11 @@ namespace mbncc {
 namespace {
 
 constexpr int kTopLevel = 5;
-constexpr int kMinPixels = 36;     // fewer are matched by chance everywhere
+constexpr int kMinPixels = 36;     // fewer are matched by chance everywhere ...
+constexpr int kFewPixels = 20;     // ... but levels as fine as kFineLevel cost too much without need
+constexpr int kFineLevel = 2;
 constexpr float kCoverage = 0.6f;  // [0..1] of a pixel in the map
-constexpr double kArcStep = 2.0;   // [px] that the rim moves per rotation step
+constexpr double kArcStep = 2.2;   // [px] that the rim moves per rotation step
 constexpr int kOversampling = 4;   // samples per pixel side when turning
 
 /// Template and map at a level somewhat finer than the coarse one, ready to be turned.
@@ -128,7 +130,8 @@ KernelBank rotated_kernels(const cv::Mat& grey, const cv::Mat& map, cv::Point2d 
   for (bank.level = kTopLevel; bank.level >= 0; --bank.level) {
     bank.radius = static_cast<int>(std::ceil(farthest / (1 << bank.level))) + 1;
     source = turning_source(grey, map, anchor, bank.level);
-    if (bank.level == 0 || fewest_pixels(source, bank.radius) >= kMinPixels) break;
+    const std::size_t enough = bank.level > kFineLevel ? kMinPixels : kFewPixels;
+    if (bank.level == 0 || fewest_pixels(source, bank.radius) >= enough) break;
   }
   const double rim = 2 * kPi * farthest / (1 << bank.level);
   const int rotations = std::max(12, static_cast<int>(std::ceil(rim / kArcStep)));
