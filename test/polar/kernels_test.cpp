@@ -152,6 +152,51 @@ TEST_P(Kernels, SpreadRowsEqualsReference) {
     EXPECT_EQ(run(*target.table), run(reference())) << target.name;
 }
 
+TEST_P(Kernels, SmoothingEqualsReference) {
+  constexpr int kWeights[] = {114, 61, 10};
+  const int width = count() + 12;
+  const auto picture = random_values<std::uint8_t>(5 * width + misalignment(), 0, 255);
+  const std::uint8_t* rows[5];
+  for (int k = 0; k < 5; ++k) rows[k] = picture.data() + misalignment() + k * width;
+  const auto run = [&](const Table& table) {
+    std::vector<std::uint16_t> sums(width);
+    std::vector<std::uint8_t> smooth(count());
+    table.smooth_columns_row(rows, kWeights, sums.data(), width);
+    table.smooth_along_row_row(sums.data() + 6, kWeights, smooth.data(), count());
+    return std::make_pair(sums, smooth);
+  };
+  for (const auto& target : targets())
+    EXPECT_EQ(run(*target.table), run(reference())) << target.name;
+}
+
+TEST_P(Kernels, SmoothingKeepsWhite) {
+  constexpr int kWeights[] = {170, 42, 1};
+  const std::vector<std::uint8_t> white(count() + 12, 255);
+  const std::uint8_t* rows[] = {white.data(), white.data(), white.data(), white.data(),
+                                white.data()};
+  for (const auto& target : targets()) {
+    std::vector<std::uint16_t> sums(white.size());
+    std::vector<std::uint8_t> smooth(count());
+    target.table->smooth_columns_row(rows, kWeights, sums.data(), static_cast<int>(white.size()));
+    target.table->smooth_along_row_row(sums.data() + 6, kWeights, smooth.data(), count());
+    EXPECT_EQ(smooth, std::vector<std::uint8_t>(count(), 255)) << target.name;
+  }
+}
+
+TEST_P(Kernels, SlopesEqualReference) {
+  const int width = count() + 6;
+  const auto picture = random_values<std::uint8_t>(3 * width + misalignment(), 0, 255);
+  const std::uint8_t* rows[3];
+  for (int k = 0; k < 3; ++k) rows[k] = picture.data() + misalignment() + k * width + 3;
+  const auto run = [&](const Table& table) {
+    std::vector<std::int16_t> along_x(count()), along_y(count());
+    table.slopes_row(rows, along_x.data(), along_y.data(), count());
+    return std::make_pair(along_x, along_y);
+  };
+  for (const auto& target : targets())
+    EXPECT_EQ(run(*target.table), run(reference())) << target.name;
+}
+
 TEST_P(Kernels, StrongestOfThreeEqualsReference) {
   const auto x = random_values<std::int16_t>(3 * count() + misalignment(), -1024, 1024);
   const auto y = random_values<std::int16_t>(3 * count() + misalignment(), -1024, 1024);

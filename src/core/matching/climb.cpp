@@ -80,6 +80,7 @@ class Climber {
 
   /// Samples at `pose`; false when too little is visible.
   bool look_at(const Pose2D& pose) {
+    scene_.prepare_around(pose, object_.reach());
     object_.surface.sample(scene_, pose, samples_.surface);
     if (!samples_.surface.suffices()) return false;
     read_contour(object_.contour, scene_.edges, pose, kReach, samples_.contour);

@@ -32,6 +32,7 @@ ContourTemplate::ContourTemplate(const MapGeometry& map, cv::Point2d anchor, int
     x[i] = static_cast<float>((point.position.x - anchor.x) / side);
     y[i] = static_cast<float>((point.position.y - anchor.y) / side);
     ones[i] = 1;
+    radius_ = std::max<double>(radius_, std::hypot(x[i], y[i]));
     const float nx = normal_x[i] = point.normal.x, ny = normal_y[i] = point.normal.y;
     const float turn = ny * x[i] - nx * y[i];
     const std::array<float, kMotions> distance{nx, ny, turn};

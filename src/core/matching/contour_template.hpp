@@ -17,6 +17,7 @@ struct ContourTemplate {
   ContourTemplate(const MapGeometry& map, cv::Point2d anchor, int level, std::size_t most);
 
   std::size_t size() const { return count_; }
+  double radius() const { return radius_; }  ///< [px at level] of the farthest point
 
   // All padded to whole lanes with points that lie nowhere.
   std::vector<float> x, y;                ///< [px at level] relative to the anchor
@@ -29,6 +30,7 @@ struct ContourTemplate {
 
  private:
   std::size_t count_ = 0;
+  double radius_ = 0;
 };
 
 /// What the edges near a contour say; see kernels::NormalReadings.

@@ -13,10 +13,14 @@ constexpr int kEdgeScale = 127;
 /// `picture` is CV_8UC3.
 cv::Mat strongest_gradient(const cv::Mat& picture);
 
-/// CV_8SC2: for a gradient of magnitude m [grey levels per pixel] and direction a the vector
-/// kEdgeScale m / (m + 6) (cos 2a, sin 2a). Its scalar product with (cos 2b, sin 2b) is the
-/// response to an edge whose normal has direction b: positive when aligned, negative when crossing,
-/// near zero where there is little gradient. Clutter averages to zero.
-cv::Mat edge_picture(const cv::Mat& gradient);
+/// Writes the `region` of two pictures of the size of `picture` (CV_8UC3):
+/// `smooth` (CV_8UC3) is `picture` under a Gaussian of `sigma` [px] over 5 x 5 pixels;
+/// `edges` (CV_8SC2) has for a strongest gradient of `smooth` of magnitude m [grey levels per
+/// pixel] and direction a the vector kEdgeScale m / (m + 6) (cos 2a, sin 2a). Its scalar product
+/// with (cos 2b, sin 2b) is the response to an edge whose normal has direction b: positive when
+/// aligned, negative when crossing, near zero where there is little gradient. Clutter averages to
+/// zero. The picture is continued by its edge values; the result does not depend on the region.
+void smooth_and_find_edges(const cv::Mat& picture, const cv::Rect& region, double sigma,
+                           cv::Mat smooth, cv::Mat edges);
 
 }  // namespace mbncc

@@ -81,6 +81,7 @@ Evidence gather_evidence(const PoseTemplate& object, const SceneLevel& scene, co
   thread_local SurfaceSample sample;
   thread_local ContourSample contour;
   const SurfaceTemplate& surface = object.surface;
+  scene.prepare_around(pose, object.reach());
   surface.sample(scene, pose, sample);
   Evidence evidence;
   read_contour(object.contour, scene.edges, pose, 1, contour);

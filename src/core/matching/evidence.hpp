@@ -2,6 +2,8 @@
 // cannot tell: under a lamp, shading and gloss do not turn with the object.
 #pragma once
 
+#include <algorithm>
+
 #include "matching/contour_template.hpp"
 #include "matching/surface_template.hpp"
 
@@ -26,6 +28,9 @@ struct Evidence {
 struct PoseTemplate {
   SurfaceTemplate surface;
   ContourTemplate contour;
+
+  /// [px at level] no point lies farther from the anchor.
+  double reach() const { return std::max(surface.radius(), contour.radius()); }
 };
 
 Evidence gather_evidence(const PoseTemplate& object, const SceneLevel& scene, const Pose2D& pose);

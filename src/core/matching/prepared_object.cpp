@@ -60,6 +60,7 @@ PreparedView::PreparedView(const Source& source, Engine engine)
   const auto pyramid = build_pyramid(surface, top);
   for (int level = 0; level < static_cast<int>(pyramid.size()); ++level) {
     const SceneLevel picture(pyramid[level], level);
+    picture.prepare();
     const auto prepare = [&](std::size_t surface_points, std::size_t contour_points) {
       return PoseTemplate{
           SurfaceTemplate(picture, geometry, source.view.map.size(), anchor, level, surface_points),

@@ -3,7 +3,6 @@
 #include <opencv2/imgproc.hpp>
 #include <stdexcept>
 
-#include "matching/edge_picture.hpp"
 #include "mbncc/matching/pyramid.hpp"
 
 namespace mbncc {
@@ -28,13 +27,6 @@ cv::Mat grey_picture(const cv::Mat& picture) {
   cv::Mat grey;
   cv::cvtColor(picture, grey, cv::COLOR_BGR2GRAY);
   return grey;
-}
-
-SceneLevel::SceneLevel(const cv::Mat& picture, int level) {
-  const double sigma = level == 0 ? 0.9 : 0.6;
-  cv::GaussianBlur(picture, colour, {5, 5}, sigma);
-  gradient = strongest_gradient(colour);
-  edges = edge_picture(gradient);
 }
 
 ScenePicture::ScenePicture(const cv::Mat& picture, int top_level) {

@@ -5,6 +5,7 @@
 #include <numeric>
 #include <random>
 
+#include "matching/edge_picture.hpp"
 #include "matching/padded_vectors.hpp"
 #include "matching/sampling.hpp"
 #include "mbncc/matching/pyramid.hpp"
@@ -119,12 +120,13 @@ void SurfaceTemplate::read_gradients(const SceneLevel& picture) {
   constexpr float kNoise = 2.5f;  // [grey levels per pixel]
   gradient_x.assign(padded(), 0.f);
   gradient_y.assign(padded(), 0.f);
+  const cv::Mat gradients = strongest_gradient(picture.colour);
   for (std::size_t i = 0; i < size(); ++i) {
     const Site& site = sites_[i];
     if (site.depth <= 2.5f) continue;
     const int column = std::clamp(cvRound(site.at.x), 0, picture.size().width - 1);
     const int row = std::clamp(cvRound(site.at.y), 0, picture.size().height - 1);
-    const auto gradient = picture.gradient.at<cv::Vec2s>(row, column);
+    const auto gradient = gradients.at<cv::Vec2s>(row, column);
     const float gx = gradient[0] / 8.f, gy = gradient[1] / 8.f;
     const float square = gx * gx + gy * gy + 1e-6f;
     const float weight = std::max(0.f, std::sqrt(square) - kNoise);

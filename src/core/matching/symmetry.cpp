@@ -17,6 +17,7 @@ bool repeats(const PoseTemplate& object, const MapShape& shape, const SceneLevel
   const Pose2D pose = climb(object, own, start, kIterations).pose;
   if (overlap(shape, home, shape, pose) < kMinOverlap) return false;
   SurfaceSample sample;
+  own.prepare_around(pose, object.reach());
   object.surface.sample(own, pose, sample);
   const double energy = object.surface.mean_projected_energy();
   return object.surface.projected_difference(sample) < kMaxDifference * energy + kNoise;

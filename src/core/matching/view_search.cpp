@@ -58,6 +58,7 @@ class ViewSearch {
 
   void follow_edges() {
     const int level = view_.edges.level();
+    scene_.levels[level].prepare();
     EdgeCandidates found =
         edge_search(view_.edges, scene_.levels[level].edges, at_level(roi_, level), kEdgePlaces);
     auto& entering = entering_[level];

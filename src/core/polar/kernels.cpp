@@ -129,6 +129,21 @@ void spread_rows(const std::int8_t* const* rows, std::int8_t* even, std::int8_t*
   active().table->spread_rows_row(rows, even, odd, count);
 }
 
+void smooth_columns(const std::uint8_t* const* rows, const int* weights, std::uint16_t* sums,
+                    int count) {
+  active().table->smooth_columns_row(rows, weights, sums, count);
+}
+
+void smooth_along_row(const std::uint16_t* sums, const int* weights, std::uint8_t* smooth,
+                      int count) {
+  active().table->smooth_along_row_row(sums, weights, smooth, count);
+}
+
+void slopes(const std::uint8_t* const* rows, std::int16_t* along_x, std::int16_t* along_y,
+            int count) {
+  active().table->slopes_row(rows, along_x, along_y, count);
+}
+
 void strongest_of_three(const std::int16_t* along_x, const std::int16_t* along_y, std::int16_t* out,
                         int count) {
   active().table->strongest_of_three_row(along_x, along_y, out, count);

@@ -63,6 +63,21 @@ void edge_responses(const std::int8_t* edges, std::int8_t* const* responses, int
 /// pixel 2 i + 1, for i in [0, count). The rows are read from -1 to 2 count.
 void spread_rows(const std::int8_t* const* rows, std::int8_t* even, std::int8_t* odd, int count);
 
+/// Symmetric smoothing in 256ths, weights[0] for the middle, [1] and [2] for the neighbours one and
+/// two away; weights[0] + 2 weights[1] + 2 weights[2] = 256, none negative. Down the columns of
+/// five rows, without rounding ...
+void smooth_columns(const std::uint8_t* const* rows, const int* weights, std::uint16_t* sums,
+                    int count);
+/// ... then along the row, whose neighbours are 3 values apart (interleaved channels), rounded.
+/// `sums` is read from -6 to count + 6.
+void smooth_along_row(const std::uint16_t* sums, const int* weights, std::uint8_t* smooth,
+                      int count);
+
+/// Sobel slopes of three adjacent rows of interleaved triples, read from -3 to count + 3, in
+/// eighths of a level per pixel.
+void slopes(const std::uint8_t* const* rows, std::int16_t* along_x, std::int16_t* along_y,
+            int count);
+
 /// For interleaved triples of gradients along x and y: out[2 i], out[2 i + 1] are those of the
 /// channel with the largest magnitude (the first of equals). |gradient| <= 1024.
 void strongest_of_three(const std::int16_t* along_x, const std::int16_t* along_y, std::int16_t* out,
@@ -88,6 +103,9 @@ struct Table {
   decltype(&sum_responses_max) sum_responses_max_row;
   decltype(&edge_responses) edge_responses_row;
   decltype(&spread_rows) spread_rows_row;
+  decltype(&smooth_columns) smooth_columns_row;
+  decltype(&smooth_along_row) smooth_along_row_row;
+  decltype(&slopes) slopes_row;
   decltype(&strongest_of_three) strongest_of_three_row;
   decltype(&edge_vectors) edge_vectors_row;
   decltype(&dots) dots_rows;

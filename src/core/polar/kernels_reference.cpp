@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 
 namespace mbncc::kernels {
 namespace {
@@ -78,6 +79,37 @@ void spread_rows_reference(const std::int8_t* const* rows, std::int8_t* even, st
   }
 }
 
+void smooth_columns_reference(const std::uint8_t* const* rows, const int* weights,
+                              std::uint16_t* sums, int count) {
+  for (int x = 0; x < count; ++x) {
+    int sum = 0;
+    for (int k = -2; k <= 2; ++k) sum += weights[std::abs(k)] * rows[k + 2][x];
+    sums[x] = static_cast<std::uint16_t>(sum);
+  }
+}
+
+void smooth_along_row_reference(const std::uint16_t* sums, const int* weights, std::uint8_t* smooth,
+                                int count) {
+  for (int x = 0; x < count; ++x) {
+    std::int64_t sum = 0;
+    for (int k = -2; k <= 2; ++k) sum += weights[std::abs(k)] * std::int64_t{sums[x + 3 * k]};
+    smooth[x] = static_cast<std::uint8_t>((sum + 32768) / 65536);
+  }
+}
+
+void slopes_reference(const std::uint8_t* const* rows, std::int16_t* along_x, std::int16_t* along_y,
+                      int count) {
+  const int weights[] = {1, 2, 1};
+  for (int x = 0; x < count; ++x) {
+    along_x[x] = along_y[x] = 0;
+    for (int k = 0; k < 3; ++k) {
+      along_x[x] += static_cast<std::int16_t>(weights[k] * (rows[k][x + 3] - rows[k][x - 3]));
+      along_y[x] += static_cast<std::int16_t>(
+          weights[k] * (rows[2][x + 3 * (k - 1)] - rows[0][x + 3 * (k - 1)]));
+    }
+  }
+}
+
 void strongest_of_three_reference(const std::int16_t* along_x, const std::int16_t* along_y,
                                   std::int16_t* out, int count) {
   for (int i = 0; i < count; ++i) {
@@ -117,11 +149,12 @@ void dots_reference(const float* rows, std::size_t stride, int row_count, const 
 }  // namespace
 
 const Table& reference() {
-  static const Table table{correlate_reference,         sum_runs_reference,
-                           any_above_reference,         normalise_reference,
-                           sum_responses_max_reference, edge_responses_reference,
-                           spread_rows_reference,       strongest_of_three_reference,
-                           edge_vectors_reference,      dots_reference};
+  static const Table table{
+      correlate_reference,   sum_runs_reference,           any_above_reference,
+      normalise_reference,   sum_responses_max_reference,  edge_responses_reference,
+      spread_rows_reference, smooth_columns_reference,     smooth_along_row_reference,
+      slopes_reference,      strongest_of_three_reference, edge_vectors_reference,
+      dots_reference};
   return table;
 }
 
