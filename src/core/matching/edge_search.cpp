@@ -175,6 +175,7 @@ class EdgeSearch {
     sort_by_value(peaks);
     if (peaks.size() > kMost) peaks.resize(kMost);
     found.poses.insert(found.poses.end(), peaks.begin(), peaks.end());
+    if (!bank_.round()) return;
     const auto high = std::count_if(values.begin(), values.end(),
                                     [&](double value) { return value > 0.85 * place.value; });
     if (2 * static_cast<std::size_t>(high) > count) found.round_places.push_back(place);
@@ -187,6 +188,31 @@ class EdgeSearch {
   std::vector<std::vector<std::int32_t>> offsets_;  // per rotation
   cv::Mat best_;  // CV_16SC1: largest sum over the rotations, rows of whole groups
 };
+
+/// Part of one rotation's points that another rotation has as well, up to the spread.
+double common_part(const EdgeBank::Rotation& one, const EdgeBank::Rotation& other) {
+  const auto alike = [](const EdgeBank::Point& a, const EdgeBank::Point& b) {
+    const int turned = std::abs(a.orientation - b.orientation);
+    return std::abs(a.x - b.x) <= 1 && std::abs(a.y - b.y) <= 1 &&
+           std::min(turned, kOrientations - turned) <= 1;
+  };
+  const auto found =
+      std::count_if(one.points.begin(), one.points.end(), [&](const EdgeBank::Point& point) {
+        return std::any_of(other.points.begin(), other.points.end(),
+                           [&](const EdgeBank::Point& match) { return alike(point, match); });
+      });
+  return static_cast<double>(found) / static_cast<double>(one.points.size());
+}
+
+/// True when the contour looks much the same at most of the rotations.
+bool looks_round(const std::vector<EdgeBank::Rotation>& rotations) {
+  constexpr double kAlike = 0.7;
+  const auto alike =
+      std::count_if(rotations.begin(), rotations.end(), [&](const EdgeBank::Rotation& rotation) {
+        return common_part(rotation, rotations.front()) >= kAlike;
+      });
+  return 2 * static_cast<std::size_t>(alike) > rotations.size();
+}
 
 int coarse_level(double diameter, double width) {
   const double halvings = std::min(std::log2(diameter / kSmallest), std::log2(width / kThinnest));
@@ -216,6 +242,7 @@ EdgeBank::EdgeBank(const MapGeometry& map, cv::Point2d anchor) {
     }
     rotations_.push_back(rotation);
   }
+  round_ = looks_round(rotations_);
 }
 
 EdgeCandidates edge_search(const EdgeBank& bank, const cv::Mat& edges, const cv::Rect& roi,

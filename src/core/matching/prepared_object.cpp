@@ -66,6 +66,7 @@ PreparedView::PreparedView(const Source& source, Engine engine)
           SurfaceTemplate(picture, geometry, source.view.map.size(), anchor, level, surface_points),
           ContourTemplate(geometry, anchor, level, contour_points)};
     };
+    rough.push_back(prepare(48, 32));
     templates.push_back(prepare(160, 64));
     if (level > 0) continue;
     fine = prepare(640, 200);

@@ -31,7 +31,8 @@ class PreparedView {
   MapGeometry geometry;
   KernelBank kernels;
   EdgeBank edges;
-  std::vector<PoseTemplate> templates;  ///< per level, small: they judge hundreds of candidates
+  std::vector<PoseTemplate> rough;      ///< per level: thin out the coarse searches' candidates
+  std::vector<PoseTemplate> templates;  ///< per level, small: they judge dozens of candidates
   PoseTemplate fine;                    ///< at full resolution: judges the last few
   PoseTemplate dense;                   ///< at full resolution: settles the pose of the last few
   MaskedTemplate points;                ///< all map pixels at full resolution

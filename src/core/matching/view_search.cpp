@@ -13,8 +13,11 @@ namespace {
 constexpr int kEdgePlaces = 300;          // places that the edge search proposes
 constexpr std::size_t kRoundPlaces = 24;  // of those whose contour does not tell the rotation
 constexpr std::size_t kEntering = 80;     // candidates that enter at a level
-constexpr std::size_t kFinal = 4;  // places whose other angles are tried and that are polished
+constexpr std::size_t kFinal = 4;         // places whose other angles are tried
+constexpr std::size_t kPolished = 8;
 constexpr double kHopeless = 18;   // log-odds behind the best that no climb makes up for
+constexpr double kNoRival = 12;    // log-odds behind the best at full resolution, of no interest
+constexpr double kPromising = -8;  // log-odds that polishing may bring to acceptance
 
 std::size_t most_at(int level) {
   return level == 0 ? 16 : level == 1 ? 24 : 48;
@@ -45,6 +48,7 @@ class ViewSearch {
       refine_at(level, fresh ? 4 : 2, candidates);
       if (level > 0) step_down(candidates);
     }
+    keep_hopeful(candidates, most_at(0), kNoRival);
     try_other_angles(candidates);
     return judge(candidates);
   }
@@ -71,7 +75,7 @@ class ViewSearch {
   /// The best rotations at a place by what the surface looks like.
   void add_rotations_by_surface(const Candidate& place, std::vector<Candidate>& found) const {
     constexpr std::size_t kMost = 4;
-    auto peaks = rotation_peaks(view_.templates[place.level], place, 1.5);
+    auto peaks = rotation_peaks(view_.rough[place.level], place, 1.5);
     if (peaks.size() > kMost) peaks.resize(kMost);
     found.insert(found.end(), peaks.begin(), peaks.end());
   }
@@ -98,22 +102,30 @@ class ViewSearch {
 
   void admit(int level, std::vector<Candidate>& candidates) {
     auto& entering = entering_[level];
+    for (auto& candidate : entering)
+      candidate.value = odds(view_.rough[level], level, candidate.pose);
+    sort_by_value(entering);
+    if (entering.size() > 2 * kEntering) entering.resize(2 * kEntering);
     for (auto& candidate : entering) candidate.value = odds(level, candidate.pose);
     keep_hopeful(entering, kEntering);
     candidates.insert(candidates.end(), entering.begin(), entering.end());
   }
 
   /// The best `most` that are not hopelessly behind the best.
-  static void keep_hopeful(std::vector<Candidate>& candidates, std::size_t most) {
+  static void keep_hopeful(std::vector<Candidate>& candidates, std::size_t most,
+                           double behind = kHopeless) {
     sort_by_value(candidates);
     if (candidates.size() > most) candidates.resize(most);
-    while (candidates.size() > 1 && candidates.back().value < candidates.front().value - kHopeless)
+    while (candidates.size() > 1 && candidates.back().value < candidates.front().value - behind)
       candidates.pop_back();
   }
 
+  double odds(const PoseTemplate& object, int level, const Pose2D& pose) const {
+    return log_odds(gather_evidence(object, scene_.levels[level], pose), view_.shape.area());
+  }
+
   double odds(int level, const Pose2D& pose) const {
-    return log_odds(gather_evidence(view_.templates[level], scene_.levels[level], pose),
-                    view_.shape.area());
+    return odds(view_.templates[level], level, pose);
   }
 
   void refine_at(int level, int iterations, std::vector<Candidate>& candidates) const {
@@ -153,7 +165,7 @@ class ViewSearch {
   void try_other_angles(std::vector<Candidate>& candidates) const {
     constexpr std::size_t kMost = 3;
     for (const auto& place : best_places(candidates)) {
-      auto peaks = rotation_peaks(view_.templates[0], place, 2);
+      auto peaks = rotation_peaks(view_.rough[0], place, 2);
       if (peaks.size() > kMost) peaks.resize(kMost);
       for (auto& peak : peaks) {
         peak.pose = climb(view_.templates[0], scene_.levels[0], peak.pose, 5).pose;
@@ -162,6 +174,7 @@ class ViewSearch {
       }
     }
     drop_duplicates(candidates, 1.5, view_.shape.radius(), most_at(0));
+    keep_hopeful(candidates, most_at(0), kNoRival);
   }
 
   /// The paper's poses as they are, with the evidence for them.
@@ -175,9 +188,11 @@ class ViewSearch {
 
   std::vector<Detection> judge(const std::vector<Candidate>& candidates) const {
     std::vector<Detection> detections;
-    for (std::size_t i = 0; i < candidates.size(); ++i)
-      detections.push_back(i < kFinal ? polish_and_judge(object_, view_, scene_, candidates[i].pose)
-                                      : judge_pose(object_, view_, scene_, candidates[i].pose));
+    for (const auto& candidate : candidates) {
+      const bool polish = detections.size() < kPolished && candidate.value > kPromising;
+      detections.push_back(polish ? polish_and_judge(object_, view_, scene_, candidate.pose)
+                                  : judge_pose(object_, view_, scene_, candidate.pose));
+    }
     return best_first(detections);
   }
 
