@@ -51,9 +51,10 @@ void sum_responses_max(benchmark::State& state, const kernels::Table& table) {
   const auto maps =
       numbers<std::int8_t>(kStride * kRows, -kernels::kMaxResponse, kernels::kMaxResponse);
   const auto offsets = square_offsets(terms);
-  std::vector<std::int16_t> best(static_cast<std::size_t>(count));
+  std::vector<std::int16_t> best(static_cast<std::size_t>(count)), labels = best;
   for (auto _ : state) {
-    table.sum_responses_max_row(maps.data(), offsets.data(), terms, best.data(), count);
+    table.sum_responses_max_row(maps.data(), offsets.data(), terms, 1, best.data(), labels.data(),
+                                count);
     benchmark::DoNotOptimize(best.data());
   }
   state.SetItemsProcessed(state.iterations() * terms * count);  // additions

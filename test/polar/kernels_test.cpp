@@ -89,9 +89,10 @@ TEST_P(Kernels, SumResponsesMaxEqualsReference) {
     const auto offsets = random_values<std::int32_t>(terms, 0, kReach - 1);
     const auto run = [&](const Table& table) {
       auto best = before;
-      table.sum_responses_max_row(maps.data() + misalignment(), offsets.data(), terms, best.data(),
-                                  groups);
-      return best;
+      std::vector<std::int16_t> labels(groups, -1);
+      table.sum_responses_max_row(maps.data() + misalignment(), offsets.data(), terms, 7,
+                                  best.data(), labels.data(), groups);
+      return std::make_pair(best, labels);
     };
     for (const auto& target : targets())
       EXPECT_EQ(run(*target.table), run(reference())) << target.name << ", " << terms << " terms";
@@ -103,9 +104,10 @@ TEST_P(Kernels, SumResponsesMaxBearsItsBounds) {
   const std::vector<std::int8_t> maps(whole_groups(), kMaxResponse);
   const std::vector<std::int32_t> offsets(kTerms, 0);
   for (const auto& target : targets()) {
-    std::vector<std::int16_t> best(whole_groups(), -1);
-    target.table->sum_responses_max_row(maps.data(), offsets.data(), kTerms, best.data(),
-                                        whole_groups());
+    std::vector<std::int16_t> best(whole_groups(), -1), labels(whole_groups(), 0);
+    target.table->sum_responses_max_row(maps.data(), offsets.data(), kTerms, 3, best.data(),
+                                        labels.data(), whole_groups());
+    EXPECT_EQ(labels, std::vector<std::int16_t>(whole_groups(), 3)) << target.name;
     EXPECT_EQ(best, std::vector<std::int16_t>(whole_groups(), kTerms * kMaxResponse))
         << target.name;
   }

@@ -17,7 +17,7 @@ constexpr double kSmallest = 20;     // [px] diameter at the coarse level
 constexpr double kThinnest = 2;      // [px] mean width there
 constexpr int kTopLevel = 4;
 constexpr double kArcStep = 1.5;              // [px] that the rim moves per rotation step
-constexpr double kMinResponse = 0.05;         // [-1..1] mean of a candidate
+constexpr double kMinResponse = 0.1;          // [-1..1] mean of a candidate
 constexpr int kUnit = kernels::kMaxResponse;  // response 1 in the maps
 constexpr std::int8_t kUnseen = 7;  // taken beyond the border, so that objects may hang over it
 constexpr int kStep = 2;            // [px] between positions: responses are spread by one pixel
@@ -106,8 +106,11 @@ class EdgeSearch {
         maps_(edges, (bank.radius() + kStep) / kStep * kStep) {
     const int whole =
         (size_.width + kernels::kPositions - 1) / kernels::kPositions * kernels::kPositions;
-    best_.create(size_.height, whole, CV_16SC1);
-    best_.setTo(0);
+    for (auto& quarter : quarters_) {
+      quarter.best.create(size_.height, whole, CV_16SC1);
+      quarter.best.setTo(0);
+      quarter.rotation.create(size_.height, whole, CV_16SC1);
+    }
     for (const auto& rotation : bank.rotations()) {
       offsets_.emplace_back();
       for (const auto& point : rotation.points)
@@ -116,34 +119,64 @@ class EdgeSearch {
     }
   }
 
-  EdgeCandidates run(int most_places) {
+  EdgeCandidates run(int most) {
     for (int y = 0; y < size_.height; ++y)
-      for (const auto& offsets : offsets_)
-        kernels::sum_responses_max(at(first_.x, first_.y + kStep * y), offsets.data(),
-                                   static_cast<int>(offsets.size()), best_.ptr<std::int16_t>(y),
-                                   best_.cols);
+      for (std::size_t k = 0; k < offsets_.size(); ++k) add_rotation(k, y);
     EdgeCandidates found;
-    for (const auto& place : best_places(most_places)) add_rotations_at(place, found);
+    for (const auto& quarter : quarters_) add_peaks(quarter, found.poses);
+    sort_by_value(found.poses);
+    if (found.poses.size() > static_cast<std::size_t>(most)) found.poses.resize(most);
+    if (bank_.round()) found.round_places = different_places(found.poses);
     return found;
   }
 
  private:
+  /// The best of a quarter turn's rotations at each position: outlines often fit again after half a
+  /// turn or a quarter, and only the surface tells which.
+  struct Quarter {
+    cv::Mat best, rotation;  // CV_16SC1: sum and index of the rotation; rows of whole groups
+  };
+
   const std::int8_t* at(int x, int y) const { return maps_.data() + maps_.offset(0, x, y); }
 
-  std::vector<Candidate> best_places(int most) const {
-    const cv::Mat best = best_.colRange(0, size_.width);
-    cv::Mat highest;
-    cv::dilate(best, highest, cv::Mat());
-    std::vector<Candidate> places;
-    for (int y = 0; y < best.rows; ++y)
-      for (int x = 0; x < best.cols; ++x) {
-        const int sum = best.at<std::int16_t>(y, x);
-        if (sum < highest.at<std::int16_t>(y, x) || mean(sum) < kMinResponse) continue;
-        const Pose2D pose{double(first_.x + kStep * x), double(first_.y + kStep * y), 0};
-        places.push_back({pose, bank_.level(), mean(sum)});
+  void add_rotation(std::size_t k, int y) {
+    Quarter& quarter = quarters_[k * quarters_.size() / offsets_.size()];
+    kernels::sum_responses_max(at(first_.x, first_.y + kStep * y), offsets_[k].data(),
+                               static_cast<int>(offsets_[k].size()), static_cast<std::int16_t>(k),
+                               quarter.best.ptr<std::int16_t>(y),
+                               quarter.rotation.ptr<std::int16_t>(y), quarter.best.cols);
+  }
+
+  void add_peaks(const Quarter& quarter, std::vector<Candidate>& found) const {
+    const int least = std::max(1, static_cast<int>(kMinResponse * kUnit * offsets_.front().size()));
+    for (int y = 0; y < size_.height; ++y) {
+      const auto* row = quarter.best.ptr<std::int16_t>(y);
+      for (int x = 0; x < size_.width; ++x) {
+        if (row[x] < least || !is_peak(quarter.best, x, y)) continue;
+        const int k = quarter.rotation.at<std::int16_t>(y, x);
+        const Pose2D pose{double(first_.x + kStep * x), double(first_.y + kStep * y),
+                          wrap_angle(bank_.rotations()[k].angle)};
+        found.push_back({pose, bank_.level(), mean(row[x])});
       }
-    sort_by_value(places);
-    if (places.size() > static_cast<std::size_t>(most)) places.resize(most);
+    }
+  }
+
+  bool is_peak(const cv::Mat& best, int x, int y) const {
+    const int value = best.at<std::int16_t>(y, x);
+    for (int v = std::max(0, y - 1); v <= std::min(size_.height - 1, y + 1); ++v)
+      for (int u = std::max(0, x - 1); u <= std::min(size_.width - 1, x + 1); ++u)
+        if (best.at<std::int16_t>(v, u) > value) return false;
+    return true;
+  }
+
+  static std::vector<Candidate> different_places(const std::vector<Candidate>& found) {
+    std::vector<Candidate> places;
+    for (const auto& candidate : found) {
+      const bool known = std::any_of(places.begin(), places.end(), [&](const Candidate& place) {
+        return place.pose.x == candidate.pose.x && place.pose.y == candidate.pose.y;
+      });
+      if (!known) places.push_back(candidate);
+    }
     return places;
   }
 
@@ -151,42 +184,12 @@ class EdgeSearch {
     return sum / (static_cast<double>(kUnit) * offsets_.front().size());
   }
 
-  double response(const std::vector<std::int32_t>& offsets, const std::int8_t* here) const {
-    int sum = 0;
-    for (const std::int32_t offset : offsets) sum += here[offset];
-    return mean(sum);
-  }
-
-  void add_rotations_at(const Candidate& place, EdgeCandidates& found) const {
-    constexpr std::size_t kMost = 3;
-    const auto& rotations = bank_.rotations();
-    const std::size_t count = rotations.size();
-    const std::int8_t* here = at(static_cast<int>(place.pose.x), static_cast<int>(place.pose.y));
-    std::vector<double> values;
-    for (const auto& offsets : offsets_) values.push_back(response(offsets, here));
-    std::vector<Candidate> peaks;
-    for (std::size_t k = 0; k < count; ++k) {
-      const double before = values[(k + count - 1) % count], after = values[(k + 1) % count];
-      if (values[k] < before || values[k] <= after || values[k] < 0.8 * place.value) continue;
-      peaks.push_back(place);
-      peaks.back().pose.theta = wrap_angle(rotations[k].angle);
-      peaks.back().value = values[k];
-    }
-    sort_by_value(peaks);
-    if (peaks.size() > kMost) peaks.resize(kMost);
-    found.poses.insert(found.poses.end(), peaks.begin(), peaks.end());
-    if (!bank_.round()) return;
-    const auto high = std::count_if(values.begin(), values.end(),
-                                    [&](double value) { return value > 0.85 * place.value; });
-    if (2 * static_cast<std::size_t>(high) > count) found.round_places.push_back(place);
-  }
-
   const EdgeBank& bank_;
   cv::Point first_;  // [px] position of best_'s first value, even
   cv::Size size_;    // of the positions
   ResponseMaps maps_;
   std::vector<std::vector<std::int32_t>> offsets_;  // per rotation
-  cv::Mat best_;  // CV_16SC1: largest sum over the rotations, rows of whole groups
+  std::array<Quarter, 4> quarters_;
 };
 
 /// Part of one rotation's points that another rotation has as well, up to the spread.
@@ -246,10 +249,10 @@ EdgeBank::EdgeBank(const MapGeometry& map, cv::Point2d anchor) {
 }
 
 EdgeCandidates edge_search(const EdgeBank& bank, const cv::Mat& edges, const cv::Rect& roi,
-                           int most_places) {
+                           int most) {
   const cv::Rect region = roi & cv::Rect({0, 0}, edges.size());
   if (region.empty()) return {};
-  return EdgeSearch(bank, edges, region).run(most_places);
+  return EdgeSearch(bank, edges, region).run(most);
 }
 
 }  // namespace mbncc

@@ -42,9 +42,9 @@ struct EdgeCandidates {
   std::vector<Candidate> round_places;  ///< places where the contour does not tell the rotation
 };
 
-/// Best places in `roi` [px at the bank's level] and their best rotations. `edges` is the
+/// The best `most` poses in `roi` [px at the bank's level]. `edges` is the
 /// edge_picture() of that level.
 EdgeCandidates edge_search(const EdgeBank& bank, const cv::Mat& edges, const cv::Rect& roi,
-                           int most_places);
+                           int most);
 
 }  // namespace mbncc

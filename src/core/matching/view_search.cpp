@@ -10,7 +10,7 @@
 namespace mbncc {
 namespace {
 
-constexpr int kEdgePlaces = 300;          // places that the edge search proposes
+constexpr int kEdgePoses = 400;           // that the edge search proposes
 constexpr std::size_t kRoundPlaces = 24;  // of those whose contour does not tell the rotation
 constexpr std::size_t kEntering = 80;     // candidates that enter at a level
 constexpr std::size_t kFinal = 4;         // places whose other angles are tried
@@ -64,7 +64,7 @@ class ViewSearch {
     const int level = view_.edges.level();
     scene_.levels[level].prepare();
     EdgeCandidates found =
-        edge_search(view_.edges, scene_.levels[level].edges, at_level(roi_, level), kEdgePlaces);
+        edge_search(view_.edges, scene_.levels[level].edges, at_level(roi_, level), kEdgePoses);
     auto& entering = entering_[level];
     entering.insert(entering.end(), found.poses.begin(), found.poses.end());
     for (auto& place : found.round_places) place.value = odds(level, place.pose);

@@ -117,8 +117,8 @@ void normalise(const std::int32_t* numerators, const std::int32_t* sums,
 }
 
 void sum_responses_max(const std::int8_t* maps, const std::int32_t* offsets, int terms,
-                       std::int16_t* best, int count) {
-  active().table->sum_responses_max_row(maps, offsets, terms, best, count);
+                       std::int16_t label, std::int16_t* best, std::int16_t* labels, int count) {
+  active().table->sum_responses_max_row(maps, offsets, terms, label, best, labels, count);
 }
 
 void edge_responses(const std::int8_t* edges, std::int8_t* const* responses, int count) {

@@ -50,10 +50,11 @@ void normalise(const std::int32_t* numerators, const std::int32_t* sums,
 constexpr int kMaxResponse = 15;
 constexpr int kTermGroup = 8;
 
-/// best[x] = max(best[x], sum_k maps[offsets[k] + x]) for x in [0, count), `count` a multiple of
-/// kPositions; |maps| <= kMaxResponse. `terms` is at most 2000.
+/// Where sum_k maps[offsets[k] + x] > best[x], best[x] becomes that sum and labels[x] `label`, for
+/// x in [0, count), `count` a multiple of kPositions; |maps| <= kMaxResponse. `terms` is at most
+/// 2000.
 void sum_responses_max(const std::int8_t* maps, const std::int32_t* offsets, int terms,
-                       std::int16_t* best, int count);
+                       std::int16_t label, std::int16_t* best, std::int16_t* labels, int count);
 
 /// Responses of `count` edge vectors (see edge_picture.hpp) to edges whose normals have directions
 /// of 0, 1, 2 and 3 eighths of a half turn, scaled to kMaxResponse.

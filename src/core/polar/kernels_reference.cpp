@@ -45,11 +45,14 @@ void normalise_reference(const std::int32_t* numerators, const std::int32_t* sum
 }
 
 void sum_responses_max_reference(const std::int8_t* maps, const std::int32_t* offsets, int terms,
-                                 std::int16_t* best, int count) {
+                                 std::int16_t label, std::int16_t* best, std::int16_t* labels,
+                                 int count) {
   for (int x = 0; x < count; ++x) {
     int sum = 0;
     for (int k = 0; k < terms; ++k) sum += maps[offsets[k] + x];
-    best[x] = std::max(best[x], static_cast<std::int16_t>(sum));
+    if (sum <= best[x]) continue;
+    best[x] = static_cast<std::int16_t>(sum);
+    labels[x] = label;
   }
 }
 
