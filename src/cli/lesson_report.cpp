@@ -17,6 +17,13 @@ void write_view(JsonWriter& json, const View& view) {
   json.member("area", cv::countNonZero(view.map));
 }
 
+void write_put_aside(JsonWriter& json, const PutAside& put_aside) {
+  json.key("put_aside").begin_object();
+  json.member("x", put_aside.pose.x).member("y", put_aside.pose.y);
+  json.member("theta_deg", to_degrees(put_aside.pose.theta));
+  json.member("agreement", put_aside.agreement).member("refined", put_aside.refined).end_object();
+}
+
 }  // namespace
 
 void write_lesson(std::ostream& out, const LearnResult& result) {
@@ -27,6 +34,7 @@ void write_lesson(std::ostream& out, const LearnResult& result) {
     json.member("verdict", to_string(object.quality.verdict));
     json.member("reasons", object.quality.reasons).member("advice", object.quality.advice);
     write_view(json, object.views.back());
+    if (result.put_aside) write_put_aside(json, *result.put_aside);
     json.member("revision", object.revision);
     write_quality(json.key("quality"), object.quality);
   }
@@ -47,6 +55,9 @@ void print_lesson(std::ostream& out, const LearnResult& result) {
       << "\n  reference (" << view.reference.x << ", " << view.reference.y << "), excircle radius "
       << excircle(view.map).radius << " px, area " << cv::countNonZero(view.map) << " px, "
       << result.timings_ms.at("total") << " ms\n";
+  if (result.put_aside)
+    out << "  put aside to (" << result.put_aside->pose.x << ", " << result.put_aside->pose.y
+        << "), " << to_degrees(result.put_aside->pose.theta) << " deg\n";
   for (const auto& advice : object.quality.advice) out << "  " << advice << '\n';
 }
 

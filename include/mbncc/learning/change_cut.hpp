@@ -13,10 +13,15 @@ namespace mbncc {
 struct ChangeCut {
   cv::Mat map;  ///< CV_8UC1 of the pictures' size, 0/255; all 0 when nothing in the region changed
   CutEvidence evidence;
-  /// One more cut that holds to what the operator painted (CV_8UC1 of the pictures' size, 255
-  /// there): colours learn from it, too. Repeatable, and each time from where this cut ended. None
-  /// when nothing had changed.
+  cv::Mat preference;  ///< CV_32FC1 of the pictures' size, log-odds of object against platform that
+                       ///< was cut, within +-8; -8 outside the region. Empty when nothing changed
+
+  // Each makes one more cut from where this one ended, repeatably; none when nothing had changed.
+  /// Holds to what the operator painted (CV_8UC1 of the pictures' size, 255 there) and learns
+  /// colours from it.
   std::function<ChangeCut(const cv::Mat& include, const cv::Mat& exclude)> cut_again;
+  /// Adds another view's `preference`, warped onto this one.
+  std::function<ChangeCut(const cv::Mat& preference)> cut_with;
 };
 
 /// `before` and `after` are CV_8UC3 of one size; `region` holds the object, inside the pictures.

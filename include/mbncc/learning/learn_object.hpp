@@ -39,12 +39,20 @@ enum class Stage { kRegion, kSegment, kQuality };
 using StageObserver = std::function<bool(Stage stage, double progress, const std::string& message,
                                          const cv::Mat& picture)>;
 
+/// The object, put aside within the view of the picture after.
+struct PutAside {
+  Pose2D pose;           ///< [px],[rad] of the object frame there
+  double agreement = 0;  ///< [0..1] IoU of the map learned before with the one cut out there
+  bool refined = false;  ///< both views made the map
+};
+
 struct LearnResult {
   LearnError error = LearnError::kInternal;
   std::string message;                       ///< what happened, one sentence
   std::string hint;                          ///< what to do about it, one sentence
   ObjectModel object;                        ///< as far as it got; complete when `has_model`
   bool has_model = false;                    ///< map, template, reference and quality are filled in
+  std::optional<PutAside> put_aside;         ///< none: out of view, or not recognised
   std::map<std::string, double> timings_ms;  ///< per step, and "total"
 };
 

@@ -21,6 +21,7 @@ constexpr float kAnyColour = 0.05F;    // part of the object's pixels in colours
 constexpr float kUnaryWeight = 1.15F;  // against the smoothness
 constexpr double kSureness = 4;  // power of the change's probability that colours are weighted by
 constexpr float kHighestUnary = 60;
+constexpr float kVoice = 8;              // highest unary of one of two views
 constexpr float kForced = 1000;          // unary of painted pixels
 constexpr float kPaintedSureness = 2;    // they teach more than changed ones
 constexpr float kExcludedWeight = 0.1F;  // prior of a pixel showing what was excluded
@@ -85,10 +86,23 @@ class Cutter {
     return next;
   }
 
+  // This cut's successor that another view has a say in.
+  Cutter informed(const cv::Mat& preference) const {
+    Cutter next = *this;
+    next.other_view_ = preference(crop_);
+    return next;
+  }
+
   cv::Mat full_size_map(const cv::Size& size) const {
     cv::Mat map = cv::Mat::zeros(size, CV_8UC1);
     map_.copyTo(map(crop_));
     return map;
+  }
+
+  cv::Mat full_size_preference(const cv::Size& size) const {
+    cv::Mat preference(size, CV_32FC1, cv::Scalar(-kVoice));
+    voice_of(unary_).copyTo(preference(crop_));
+    return preference;
   }
 
   CutEvidence evidence() const {
@@ -115,6 +129,9 @@ class Cutter {
     cv::log(ratio, background_.log_ratio);
   }
 
+  // A view's say in a cut of both: no pixel may outvote the other view by far.
+  static cv::Mat voice_of(const cv::Mat& unary) { return cv::max(cv::min(unary, kVoice), -kVoice); }
+
   // Relative to uniform, as in BackgroundLikelihood.
   cv::Mat relative_density(const ColourMixture& mixture) const {
     return mixture.densities(before_) * std::exp(-log_uniform_colour());
@@ -126,6 +143,7 @@ class Cutter {
     cv::log((1 - kAnyColour) * relative_density(object) + kAnyColour, unary);
     unary = kUnaryWeight * (unary - background_.log_ratio);
     unary = cv::max(cv::min(unary, kHighestUnary), -kHighestUnary);
+    if (!other_view_.empty()) unary = voice_of(unary) + other_view_;
     unary.setTo(-kHighestUnary, ~inside_);
     if (!include_.empty()) {
       unary.setTo(kForced, include_);
@@ -141,16 +159,26 @@ class Cutter {
   BackgroundLikelihood background_;
   Smoothness smoothness_;
   cv::Mat unary_, map_;
+  cv::Mat other_view_;         // empty, or of the crop's size
   cv::Mat include_, exclude_;  // both empty, or both of the crop's size
 };
 
+ChangeCut result_of(const std::shared_ptr<const Cutter>& cutter, const cv::Size& size);
+
+ChangeCut cut_once_more(Cutter&& cutter, const cv::Size& size) {
+  const auto next = std::make_shared<Cutter>(std::move(cutter));
+  next->cut();
+  next->clean();
+  return result_of(next, size);
+}
+
 ChangeCut result_of(const std::shared_ptr<const Cutter>& cutter, const cv::Size& size) {
-  return {cutter->full_size_map(size), cutter->evidence(),
+  return {cutter->full_size_map(size), cutter->evidence(), cutter->full_size_preference(size),
           [cutter, size](const cv::Mat& include, const cv::Mat& exclude) {
-            const auto next = std::make_shared<Cutter>(cutter->painted(include, exclude));
-            next->cut();
-            next->clean();
-            return result_of(next, size);
+            return cut_once_more(cutter->painted(include, exclude), size);
+          },
+          [cutter, size](const cv::Mat& preference) {
+            return cut_once_more(cutter->informed(preference), size);
           }};
 }
 
@@ -164,7 +192,7 @@ ChangeCut change_cut(const cv::Mat& before, const cv::Mat& after, const cv::Rect
   const AlignedPair pair = align_pictures(before, after, region, changed, max_shift);
   const auto cutter = std::make_shared<Cutter>(pair, crop, region);
   cutter->explain_background(pair);
-  if (!cutter->seed()) return {cv::Mat::zeros(before.size(), CV_8UC1), {}, {}};
+  if (!cutter->seed()) return {cv::Mat::zeros(before.size(), CV_8UC1), {}, {}, {}, {}};
   cutter->weigh_edges();
   for (int i = 0; i < iterations; ++i) {
     if (before_cut) before_cut(i);

@@ -7,12 +7,15 @@
 #include "learning/arrival_test.hpp"
 #include "learning/click_region.hpp"
 #include "learning/lesson_checks.hpp"
+#include "learning/put_aside.hpp"
 #include "learning/stage_pictures.hpp"
 #include "mbncc/learning/change.hpp"
 #include "mbncc/learning/quality.hpp"
 
 namespace mbncc {
 namespace {
+
+constexpr double kRefines = 0.75;  // agreement of two views, above which both make the map
 
 using Clock = std::chrono::steady_clock;
 
@@ -35,6 +38,10 @@ class StepTimer {
   Clock::time_point start_ = Clock::now();
 };
 
+bool refines(const NewPlace& place) {
+  return place.agreement >= kRefines;
+}
+
 class LessonRun {
  public:
   LessonRun(LessonState& state, const LearningConfig& config, const SearchConfig& search,
@@ -49,6 +56,7 @@ class LessonRun {
   void learn() {
     check_lesson(lesson_);
     state_.cut = acquire_map();
+    look_for_put_aside();
     finish(*state_.cut);
   }
 
@@ -59,6 +67,7 @@ class LessonRun {
     if (edit.region != cv::Rect()) {
       point_at(edit.region);
       state_.cut = acquire_map();
+      look_for_put_aside();
     }
     finish(cut_again());
   }
@@ -66,7 +75,21 @@ class LessonRun {
  private:
   void finish(const Segmentation& segmentation) {
     make_model(segmentation.map);
+    if (const auto& place = state_.new_place)
+      result_.put_aside = PutAside{compose(place->motion, result_.object.views.front().reference),
+                                   place->agreement, refines(*place)};
     judge(segmentation);
+  }
+
+  // What was put aside within the view shows the object once more: a second opinion on the map.
+  void look_for_put_aside() {
+    state_.new_place.reset();
+    if (!state_.cut->cut_with) return;
+    const StepTimer timer(result_.timings_ms, "put_aside");
+    make_model(state_.cut->map);
+    state_.new_place = find_put_aside(result_.object, task_, surveyed_, config_, search_);
+    if (!state_.new_place || !refines(*state_.new_place)) return;
+    state_.cut = state_.cut->cut_with(state_.new_place->preference);
   }
 
   // From here on, the lesson is taught by this region.
@@ -86,7 +109,8 @@ class LessonRun {
     Segmentation segmentation =
         state_.cut->cut_again
             ? state_.cut->cut_again(state_.marks)
-            : Segmentation{overpainted(state_.cut->map, state_.marks), state_.cut->evidence, {}};
+            : Segmentation{
+                  overpainted(state_.cut->map, state_.marks), state_.cut->evidence, {}, {}, {}};
     check_map(segmentation.map, {{0, 0}, segmentation.map.size()});
     progress_.report(Stage::kSegment, 0.8, "The object is cut out.",
                      [&] { return outlined(lesson_.before, segmentation.map); });
@@ -97,15 +121,15 @@ class LessonRun {
   Segmentation acquire_map() {
     if (!lesson_.map.empty()) return accept(lesson_.map > 127);
     if (!lesson_.outline.empty() && config_.method == "auto") return accept(outline_map(lesson_));
-    const SegmentationTask task = mark_region();
-    return segment(task);
+    task_ = mark_region();
+    return segment(task_);
   }
 
   Segmentation accept(const cv::Mat& map) {
     check_map(map, {{0, 0}, map.size()});
     progress_.report(Stage::kRegion, 0.1, "Taking the map as it is.",
                      [&] { return outlined(lesson_.before, map); });
-    return {map, std::nullopt, {}};
+    return {map, std::nullopt, {}, {}, {}};
   }
 
   SegmentationTask mark_region() {
@@ -144,6 +168,7 @@ class LessonRun {
   void survey(SegmentationTask& task) {
     ChangeSurvey survey = survey_change(task.before, task.after);
     check_survey(survey, config_);
+    surveyed_ = survey.changed;
     // Where nobody says which change is meant, it is the one that something left.
     if (lesson_.region == cv::Rect() && !lesson_.click) drop_arrivals(survey);
     task.changed = state_.changed = survey.changed;
@@ -219,6 +244,8 @@ class LessonRun {
   const SearchConfig& search_;
   LessonProgress progress_;
   LearnResult& result_;
+  SegmentationTask task_;
+  cv::Mat surveyed_;  // all changes, arrivals included
 };
 
 // Runs `steps` and turns the end of a lesson into values.

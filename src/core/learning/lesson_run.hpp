@@ -5,6 +5,7 @@
 
 #include "learning/lesson_progress.hpp"
 #include "learning/marks.hpp"
+#include "learning/put_aside.hpp"
 #include "learning/segmenter.hpp"
 #include "mbncc/learning/interactive_lesson.hpp"
 
@@ -14,8 +15,9 @@ namespace mbncc {
 struct LessonState {
   Lesson lesson;
   Marks marks;
-  cv::Mat changed;                  ///< the survey's; empty until there was one
-  std::optional<Segmentation> cut;  ///< before any marks; none until there was one
+  cv::Mat changed;                    ///< the survey's; empty until there was one
+  std::optional<Segmentation> cut;    ///< before any marks; none until there was one
+  std::optional<NewPlace> new_place;  ///< of an object put aside within the view
   LearnResult result;
 };
 

@@ -46,9 +46,10 @@ Segmentation unverified(const cv::Mat& raw, const SegmentationTask& task) {
   CutEvidence evidence;
   evidence.verified = false;
   evidence.region_touch = region_touch(map, inside);
-  return {map, evidence, [map, evidence, task](const Marks& marks) -> Segmentation {
-            return {grabcut_again(map, marks, task), evidence, {}};
-          }};
+  const auto cut_again = [map, evidence, task](const Marks& marks) -> Segmentation {
+    return {grabcut_again(map, marks, task), evidence, {}, {}, {}};
+  };
+  return {map, evidence, cut_again, {}, {}};
 }
 
 Segmentation by_sb_grabcut(const SegmentationTask& task, const LearningConfig& config,
@@ -72,6 +73,20 @@ Segmentation by_grabcut_mask(const SegmentationTask& task, const LearningConfig&
                     task);
 }
 
+Segmentation segmentation_of(const ChangeCut& cut) {
+  Segmentation result{cut.map, cut.evidence, {}, cut.preference, {}};
+  if (!cut.cut_again) return result;
+  result.cut_again = [cut](const Marks& marks) {
+    Segmentation again = segmentation_of(cut.cut_again(marks.include, marks.exclude));
+    again.map = overpainted(again.map, marks);
+    return again;
+  };
+  result.cut_with = [cut](const cv::Mat& preference) {
+    return segmentation_of(cut.cut_with(preference));
+  };
+  return result;
+}
+
 Segmentation by_change_cut(const SegmentationTask& task, const LearningConfig& config,
                            LessonProgress& progress) {
   if (task.after.empty())
@@ -79,11 +94,7 @@ Segmentation by_change_cut(const SegmentationTask& task, const LearningConfig& c
   const ChangeCut cut =
       change_cut(task.before, task.after, task.region, task.changed, config.iterations,
                  config.max_shift, report_cuts(config, progress));
-  if (!cut.cut_again) return {cut.map, cut.evidence, {}};
-  return {cut.map, cut.evidence, [cut](const Marks& marks) -> Segmentation {
-            const ChangeCut again = cut.cut_again(marks.include, marks.exclude);
-            return {overpainted(again.map, marks), again.evidence, {}};
-          }};
+  return segmentation_of(cut);
 }
 
 }  // namespace

@@ -1,0 +1,147 @@
+// Lessons in which the object is put aside within the view: its place before and its place after
+// are told apart, it is found again, and both views make the map.
+#include <iostream>
+#include <opencv2/imgproc.hpp>
+#include <optional>
+
+#include "common/case_folder.hpp"
+#include "common/statistics.hpp"
+#include "common/table.hpp"
+#include "learning/map_score.hpp"
+#include "mbncc/learning/learn_object.hpp"
+
+namespace mbncc::bench {
+namespace {
+
+constexpr int kTries = 200;          // places asked for before a case is left out
+constexpr int kClearance = 12;       // [px] between both places, and to the picture's edge
+constexpr double kNearEnough = 3;    // [px]
+constexpr double kTurnedEnough = 3;  // [degrees]
+
+cv::Matx23d matrix_of(const Pose2D& motion) {
+  const double c = std::cos(motion.theta), s = std::sin(motion.theta);
+  return {c, -s, motion.x, s, c, motion.y};
+}
+
+// A motion that takes the object to a free place of the picture.
+std::optional<Pose2D> free_motion(const CaseFolder& one, cv::RNG& random) {
+  const cv::Size size = one.map.size();
+  const double reach = one.diameter / 2 + kClearance;
+  for (int i = 0; i < kTries && 2 * reach < std::min(size.width, size.height); ++i) {
+    const Pose2D place{random.uniform(reach, size.width - reach),
+                       random.uniform(reach, size.height - reach), random.uniform(-kPi, kPi)};
+    const Pose2D old_place{one.reference.x, one.reference.y, 0};
+    if (cv::norm(place.position() - old_place.position()) < one.diameter + kClearance) continue;
+    return compose(place, inverse(old_place));
+  }
+  return std::nullopt;
+}
+
+// The picture after, with the object pasted in where `motion` takes it.
+cv::Mat pasted(const CaseFolder& one, const Pose2D& motion, cv::RNG& random) {
+  const cv::Matx23d matrix = matrix_of(motion);
+  cv::Mat object, cover, after, noise(one.after.size(), CV_32FC3);
+  cv::warpAffine(one.before, object, matrix, one.after.size(), cv::INTER_CUBIC);
+  cv::warpAffine(one.map, cover, matrix, one.after.size(), cv::INTER_LINEAR);
+  cv::GaussianBlur(cover, cover, {}, 0.7);
+  cv::cvtColor(cover, cover, cv::COLOR_GRAY2BGR);
+  cover.convertTo(cover, CV_32F, 1 / 255.0);
+  object.convertTo(object, CV_32F);
+  random.fill(noise, cv::RNG::NORMAL, 0, 2);
+  object += noise;
+  one.after.convertTo(after, CV_32F);
+  cv::Mat mixed = after + cover.mul(object - after), result;
+  mixed.convertTo(result, CV_8U);
+  return result;
+}
+
+struct Tally {
+  int cases = 0, right_place = 0, found = 0, registered = 0, refined = 0;
+  std::vector<double> iou, iou_without, position_error, angle_error;
+};
+
+double part(int some, int all) {
+  return all == 0 ? 0 : static_cast<double>(some) / all;
+}
+
+double score_lesson(const LearnResult& result, const CaseFolder& one) {
+  return result.has_model ? score_map(full_size_map(result.object.views.front()), one.map).iou : 0;
+}
+
+void note_pose(const LearnResult& result, const CaseFolder& one, const Pose2D& motion,
+               Tally& tally) {
+  if (!result.put_aside) return;
+  ++tally.found;
+  tally.refined += result.put_aside->refined;
+  const Pose2D frame = result.object.views.front().reference, truth = compose(motion, frame);
+  const double position = cv::norm(result.put_aside->pose.position() - truth.position());
+  const double angle =
+      to_degrees(angle_distance(result.put_aside->pose.theta, truth.theta, symmetry_of(one.tags)));
+  if (position > kNearEnough || angle > kTurnedEnough) return;
+  ++tally.registered;
+  tally.position_error.push_back(position);
+  tally.angle_error.push_back(angle);
+}
+
+void run_case(const CaseFolder& one, bool with_region, cv::RNG& random, Tally& tally) {
+  const auto motion = free_motion(one, random);
+  if (!motion) return;
+  ++tally.cases;
+  Lesson lesson;
+  lesson.name = "object";
+  lesson.before = one.before;
+  lesson.after = one.after;
+  lesson.region = one.region;
+  tally.iou_without.push_back(score_lesson(learn_object(lesson), one));
+  lesson.after = pasted(one, *motion, random);
+  if (!with_region) lesson.region = {};
+  const LearnResult result = learn_object(lesson);
+  tally.iou.push_back(score_lesson(result, one));
+  if (result.has_model) {
+    const cv::Point2d centre = centroid(full_size_map(result.object.views.front()));
+    tally.right_place += cv::norm(centre - one.reference) < one.diameter / 4;
+  }
+  note_pose(result, one, *motion, tally);
+}
+
+void add_row(const std::string& name, const Tally& tally, Table& table) {
+  table.rows.push_back(
+      {name, std::to_string(tally.cases), to_text(part(tally.right_place, tally.cases), 3),
+       to_text(part(tally.found, tally.cases), 3), to_text(part(tally.registered, tally.cases), 3),
+       std::to_string(tally.refined), to_text(median(tally.position_error), 2),
+       to_text(median(tally.angle_error), 2), to_text(mean(tally.iou), 3),
+       to_text(mean(tally.iou_without), 3)});
+}
+
+void benchmark(const std::vector<std::string>& sets) {
+  Table table{{"set", "cases", "right place", "found", "registered", "refined", "px", "degrees",
+               "IoU", "IoU gone"},
+              {}};
+  for (const auto& set : sets)
+    for (const bool with_region : {true, false}) {
+      cv::RNG random(1);
+      Tally tally;
+      for (const auto& name : list_cases(set))
+        run_case(read_case(set + "/" + name), with_region, random, tally);
+      add_row(set + (with_region ? "" : ", no region"), tally, table);
+    }
+  write_markdown(std::cout, table);
+}
+
+}  // namespace
+}  // namespace mbncc::bench
+
+int main(int argc, char** argv) {
+  if (argc < 2) {
+    std::cerr << "usage: put_aside_bench SET...\n";
+    return 2;
+  }
+  cv::setNumThreads(1);
+  try {
+    mbncc::bench::benchmark({argv + 1, argv + argc});
+  } catch (const std::exception& error) {
+    std::cerr << "put_aside_bench: " << error.what() << '\n';
+    return 1;
+  }
+  return 0;
+}

@@ -1,0 +1,131 @@
+#include "learning/put_aside.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <opencv2/imgproc.hpp>
+#include <vector>
+
+#include "learning/arrival_test.hpp"
+#include "learning/rectangles.hpp"
+#include "mbncc/learning/change_cut.hpp"
+#include "mbncc/matching/matcher.hpp"
+
+namespace mbncc {
+namespace {
+
+constexpr int kGap = 9;                 // [px] pieces nearer than this belong together
+constexpr double kSmallestPart = 0.25;  // of the object's area that a place shows
+constexpr double kLargestPart = 4;      // likewise, its shadow included
+constexpr std::size_t kPlacesTried = 2;
+constexpr double kLeastAgreement = 0.5;  // IoU that makes it the object
+constexpr float kOutside = -4;           // log-odds of what the other view does not show
+
+struct Place {
+  cv::Rect box;
+  double unlikeness = 0;  // of its area and the object's
+};
+
+// Where something arrived, the most likely places first.
+std::vector<Place> places_of(const cv::Mat& arrivals, double area) {
+  cv::Mat joined, labels, stats, centres;
+  cv::morphologyEx(arrivals, joined, cv::MORPH_CLOSE,
+                   cv::getStructuringElement(cv::MORPH_ELLIPSE, {kGap, kGap}));
+  const int count = cv::connectedComponentsWithStats(joined, labels, stats, centres, 8, CV_32S);
+  std::vector<Place> places;
+  for (int i = 1; i < count; ++i) {
+    const double part = stats.at<int>(i, cv::CC_STAT_AREA) / area;
+    if (part < kSmallestPart || part > kLargestPart) continue;
+    const cv::Rect box(stats.at<int>(i, cv::CC_STAT_LEFT), stats.at<int>(i, cv::CC_STAT_TOP),
+                       stats.at<int>(i, cv::CC_STAT_WIDTH), stats.at<int>(i, cv::CC_STAT_HEIGHT));
+    const int margin = std::max(8, std::max(box.width, box.height) * 15 / 100);
+    places.push_back(
+        {grown(box, margin) & cv::Rect({0, 0}, arrivals.size()), std::abs(std::log(part))});
+  }
+  std::sort(places.begin(), places.end(),
+            [](const Place& a, const Place& b) { return a.unlikeness < b.unlikeness; });
+  places.resize(std::min(places.size(), kPlacesTried));
+  return places;
+}
+
+cv::Matx23d matrix_of(const Pose2D& motion) {
+  const double c = std::cos(motion.theta), s = std::sin(motion.theta);
+  return {c, -s, motion.x, s, c, motion.y};
+}
+
+double agreement(const cv::Mat& a, const cv::Mat& b) {
+  const int either = cv::countNonZero(a | b);
+  return either == 0 ? 0 : cv::countNonZero(a & b) / static_cast<double>(either);
+}
+
+class PutAsideSearch {
+ public:
+  PutAsideSearch(const ObjectModel& object, const SearchConfig& search)
+      : map_(full_size_map(object.views.front())), matcher_(unhurried(search)) {
+    // Searched by its centre: the object frame may lie far from the object.
+    auto centred = std::make_shared<ObjectModel>(object);
+    const cv::Point2d centre = centroid(map_);
+    centre_ = {centre.x, centre.y, 0};
+    centred->views.front().reference = centre_;
+    matcher_.set_objects({centred});
+  }
+
+  std::optional<NewPlace> look(const cv::Mat& after, const cv::Rect& place, const ChangeCut& cut) {
+    SearchRequest request;
+    request.roi = place;
+    request.max_instances = 3;
+    std::optional<NewPlace> best;
+    for (const Match& match : matcher_.find(after, request).matches) {
+      const Pose2D motion = compose(match.pose, inverse(centre_));
+      cv::Mat moved;
+      cv::warpAffine(map_, moved, matrix_of(motion), map_.size(), cv::INTER_NEAREST);
+      const double agreed = agreement(moved, cut.map);
+      if (agreed < (best ? best->agreement : kLeastAgreement)) continue;
+      best = NewPlace{motion, agreed, seen_from_before(cut.preference, matrix_of(motion))};
+    }
+    return best;
+  }
+
+ private:
+  static SearchConfig unhurried(SearchConfig search) {
+    search.time_budget = 0;
+    return search;
+  }
+
+  static cv::Mat seen_from_before(const cv::Mat& preference, const cv::Matx23d& motion) {
+    cv::Mat warped;
+    cv::warpAffine(preference, warped, motion, preference.size(),
+                   cv::INTER_LINEAR | cv::WARP_INVERSE_MAP, cv::BORDER_CONSTANT,
+                   cv::Scalar(kOutside));
+    return cv::max(warped, kOutside);
+  }
+
+  cv::Mat map_;
+  Pose2D centre_;
+  Matcher matcher_;
+};
+
+}  // namespace
+
+std::optional<NewPlace> find_put_aside(const ObjectModel& object, const SegmentationTask& task,
+                                       const cv::Mat& changed, const LearningConfig& config,
+                                       const SearchConfig& search) {
+  const cv::Mat map = full_size_map(object.views.front());
+  cv::Mat vacated;
+  cv::dilate(map, vacated, cv::getStructuringElement(cv::MORPH_ELLIPSE, {kGap, kGap}));
+  cv::Mat elsewhere = changed.clone();
+  elsewhere.setTo(0, vacated);
+  const cv::Mat arrivals = elsewhere & ~without_arrivals(task.before, task.after, elsewhere);
+  const auto places = places_of(arrivals, cv::countNonZero(map));
+  if (places.empty()) return std::nullopt;
+  PutAsideSearch put_aside(object, search);
+  for (const Place& place : places) {
+    const ChangeCut cut = change_cut(task.after, task.before, place.box, changed, config.iterations,
+                                     config.max_shift);
+    if (!cut.cut_with) continue;
+    if (auto found = put_aside.look(task.after, place.box, cut)) return found;
+  }
+  return std::nullopt;
+}
+
+}  // namespace mbncc

@@ -1,0 +1,25 @@
+// The object put aside within the view: where it lies in the picture after.
+#pragma once
+
+#include <opencv2/core.hpp>
+#include <optional>
+
+#include "learning/segmenter.hpp"
+#include "mbncc/config/search_config.hpp"
+#include "mbncc/object_model.hpp"
+
+namespace mbncc {
+
+struct NewPlace {
+  Pose2D motion;         ///< [px],[rad] takes points of the object from before to after
+  double agreement = 0;  ///< [0..1] IoU of the learned map there with a map cut out there
+  cv::Mat preference;    ///< CV_32FC1, that cut's, warped onto the picture before
+};
+
+/// Looks where something arrived for the object just learned (one view). `changed` is the survey's,
+/// arrivals included. None when nothing that arrived is the object.
+std::optional<NewPlace> find_put_aside(const ObjectModel& object, const SegmentationTask& task,
+                                       const cv::Mat& changed, const LearningConfig& config,
+                                       const SearchConfig& search);
+
+}  // namespace mbncc

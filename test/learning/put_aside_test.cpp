@@ -1,0 +1,91 @@
+// Lessons whose object is put aside within the view.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <opencv2/imgproc.hpp>
+
+#include "learning/pictures.hpp"
+#include "mbncc/learning/interactive_lesson.hpp"
+
+namespace mbncc {
+namespace {
+
+const cv::Size kSize(340, 240);
+const cv::Point kOldPlace(80, 110);
+
+class PutAside : public testing::TestWithParam<double> {
+ protected:
+  PutAside() : drawn_(test::draw_lesson(kOldPlace, kSize)) {
+    const double theta = to_radians(GetParam());
+    motion_ = compose(Pose2D{250.3, 120.6, theta}, Pose2D{-80, -110, 0});
+    const double c = std::cos(theta), s = std::sin(theta);
+    const cv::Matx23d matrix(c, -s, motion_.x, s, c, motion_.y);
+    cv::Mat scene = drawn_.platform.clone(), object, cover;
+    cv::warpAffine(drawn_.scene, object, matrix, kSize, cv::INTER_CUBIC);
+    cv::warpAffine(drawn_.truth, cover, matrix, kSize, cv::INTER_LINEAR);
+    object.copyTo(scene, cover > 127);
+    cv::GaussianBlur(scene, scene, {}, 0.7);
+    drawn_.lesson.after = test::exposed(scene, 12);
+  }
+
+  void expect_at_new_place(const LearnResult& result) const {
+    ASSERT_TRUE(result.put_aside) << result.message;
+    const Pose2D truth = compose(motion_, result.object.views.front().reference);
+    EXPECT_NEAR(result.put_aside->pose.x, truth.x, 1);
+    EXPECT_NEAR(result.put_aside->pose.y, truth.y, 1);
+    EXPECT_LT(angle_distance(result.put_aside->pose.theta, truth.theta), to_radians(1));
+    EXPECT_GT(result.put_aside->agreement, 0.75);
+    EXPECT_TRUE(result.put_aside->refined);
+  }
+
+  double quality(const LearnResult& result) const {
+    return test::iou(full_size_map(result.object.views.front()), drawn_.truth);
+  }
+
+  test::DrawnLesson drawn_;
+  Pose2D motion_;  // of the object, from before to after
+};
+
+TEST_P(PutAside, IsFoundAtItsNewPlace) {
+  const LearnResult result = learn_object(drawn_.lesson);
+  expect_at_new_place(result);
+  EXPECT_GT(quality(result), 0.93);
+}
+
+TEST_P(PutAside, IsFoundWithoutARegion) {
+  drawn_.lesson.region = {};
+  const LearnResult result = learn_object(drawn_.lesson);
+  expect_at_new_place(result);
+  EXPECT_GT(quality(result), 0.93);
+}
+
+TEST_P(PutAside, ThePoseIsThatOfTheObjectFrame) {
+  drawn_.lesson.reference = Pose2D{20, 30, 0.4};
+  expect_at_new_place(learn_object(drawn_.lesson));
+}
+
+TEST_P(PutAside, StaysKnownThroughEdits) {
+  InteractiveLesson edited(drawn_.lesson);
+  LessonEdit edit;
+  edit.include = {{{80, 110}, {90, 110}}};
+  edit.stroke_width = 4;
+  edit.reference = Pose2D{70, 100, -1};
+  expect_at_new_place(edited.edit(edit));
+}
+
+INSTANTIATE_TEST_SUITE_P(Angles, PutAside, testing::Values(0, 40, 175));
+
+TEST(PutAsideLesson, AnObjectThatLeftIsNowhere) {
+  EXPECT_FALSE(learn_object(test::draw_lesson(kOldPlace, kSize).lesson).put_aside);
+}
+
+TEST(PutAsideLesson, AnotherThingThatArrivedIsNotTheObject) {
+  auto drawn = test::draw_lesson(kOldPlace, kSize);
+  cv::Mat scene = drawn.platform.clone();
+  cv::circle(scene, {250, 120}, 26, cv::Scalar(190, 90, 40), cv::FILLED);
+  drawn.lesson.after = test::exposed(scene, 12);
+  EXPECT_FALSE(learn_object(drawn.lesson).put_aside);
+}
+
+}  // namespace
+}  // namespace mbncc
