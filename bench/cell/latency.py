@@ -1,0 +1,149 @@
+#!/usr/bin/python3
+"""Latency and CPU time of a running cell: 30 pictures a second of 640 x 480, five objects, one manager.
+
+usage: latency.py PATH/TO/mbncc [--seconds S]     (in a shell that has sourced the build; starts its own master)
+
+Teaches five drawn objects, plays the simulated cell, and prints what detected_objects says of itself, the lag of
+tf behind the pictures' stamps, and the CPU time of the nodelets: searching, with ~enable false, and with the learning
+nodelet alone watching the still scene. The simulated camera runs in a process of its own and is not counted.
+"""
+import argparse
+import os
+import signal
+import socket
+import subprocess
+import sys
+import tempfile
+import time
+
+import numpy as np
+
+LAUNCH = """<launch>
+  <node pkg="nodelet" type="nodelet" name="camera" args="standalone mbncc_vision/SimulatedCameraNodelet">
+    <param name="frame_rate" value="30.0"/>
+    <param name="auto_play" value="false"/>
+    <param name="object_seed" value="1"/>
+    <param name="seed" value="1"/>
+  </node>
+  <include file="$(find mbncc_vision)/launch/cell.launch">
+    <arg name="camera" value="false"/>
+    <arg name="library" value="{library}"/>
+    <arg name="learning" value="{learning}"/>
+    <arg name="platform_distance" value="0.6"/>
+  </include>
+</launch>
+"""
+
+
+def teach(tool, folder):
+    library = os.path.join(folder, "library")
+    for seed in range(1, 6):
+        pictures = os.path.join(folder, "cell%d" % seed)
+        subprocess.run([tool, "simulate", "--out", pictures, "--seed", str(seed), "--count", "1"], check=True,
+                       stdout=subprocess.DEVNULL)
+        subprocess.run([tool, "learn", "--library", library, "--name", "part%d" % seed, "--allow-bad", "--before",
+                        pictures + "/before.png", "--after", pictures + "/after.png"], check=True,
+                       stdout=subprocess.DEVNULL)
+    return library
+
+
+def cpu_seconds(pid):
+    with open("/proc/%d/stat" % pid, encoding="ascii") as file:
+        fields = file.read().rsplit(")", 1)[1].split()
+    return (int(fields[11]) + int(fields[12])) / os.sysconf("SC_CLK_TCK")
+
+
+def manager_pid():
+    listed = subprocess.run(["rosnode", "info", "/mbncc_manager"], capture_output=True, text=True, check=True)
+    return int(next(line.split()[1] for line in listed.stdout.splitlines() if line.startswith("Pid")))
+
+
+def share_of_core(pid, seconds):
+    begin = cpu_seconds(pid)
+    time.sleep(seconds)
+    return (cpu_seconds(pid) - begin) / seconds
+
+
+def line(name, values):
+    values = 1e3 * np.asarray(values)
+    print("| %s | %d | %.1f | %.1f | %.1f |" % (name, len(values), *np.percentile(values, [50, 99]), values.max()))
+
+
+def measure(seconds):
+    import rospy
+    from std_srvs.srv import SetBool
+    from tf2_msgs.msg import TFMessage
+    from mbncc_vision.msg import DetectedObjectArray
+    rospy.init_node("latency")
+    arrays, lags = [], []
+    heard = rospy.Subscriber("detected_objects", DetectedObjectArray, arrays.append, queue_size=100)
+    rospy.Subscriber("/tf", TFMessage, lambda message: lags.extend(
+        (rospy.Time.now() - t.header.stamp).to_sec() for t in message.transforms), queue_size=100)
+    rospy.wait_for_service("matching/enable", 60)
+    deadline = time.monotonic() + 60
+    while not lags and time.monotonic() < deadline:
+        time.sleep(0.1)
+    pid = manager_pid()
+    del arrays[:], lags[:]
+    searching = share_of_core(pid, seconds)
+    print("| of | pictures | p50 ms | p99 ms | worst ms |\n|---|---:|---:|---:|---:|")
+    line("search time", [array.search_time for array in arrays])
+    line("latency, stamp to publishing", [array.latency for array in arrays])
+    line("tf lag, stamp to arrival here", lags or [np.nan])
+    print("\npictures searched per second: %.1f" % (len(arrays) / seconds))
+    heard.unregister()
+    enable = rospy.ServiceProxy("matching/enable", SetBool)
+    enable(False)
+    time.sleep(1)
+    watching = share_of_core(pid, seconds)
+    print("CPU of the manager, searching: %.0f %%; ~enable false, learning watches the scene: %.1f %%" %
+          (100 * searching, 100 * watching))
+
+
+def measure_idle(seconds):
+    import rospy
+    from std_srvs.srv import SetBool
+    rospy.wait_for_service("matching/enable", 60)
+    rospy.ServiceProxy("matching/enable", SetBool)(False)
+    time.sleep(2)
+    print("~enable false, no learning nodelet: %.2f %%" % (100 * share_of_core(manager_pid(), seconds)))
+
+
+def run_cell(port, folder, library, learning, measurement):
+    launch = os.path.join(folder, "latency.launch")
+    with open(launch, "w", encoding="utf-8") as file:
+        file.write(LAUNCH.format(library=library, learning=learning))
+    cell = subprocess.Popen(["roslaunch", "-p", str(port), launch], stdout=subprocess.DEVNULL)
+    try:
+        time.sleep(5)
+        measurement()
+    finally:
+        cell.send_signal(signal.SIGINT)
+        cell.wait(30)
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("tool", help="the built mbncc")
+    parser.add_argument("--seconds", type=float, default=20, help="of each measurement (20)")
+    arguments = parser.parse_args()
+    with socket.socket() as probe:
+        probe.bind(("localhost", 0))
+        port = probe.getsockname()[1]
+    os.environ["ROS_MASTER_URI"] = "http://localhost:%d" % port
+    with tempfile.TemporaryDirectory() as folder:
+        library = teach(arguments.tool, folder)
+        master = subprocess.Popen(["roscore", "-p", str(port)], stdout=subprocess.DEVNULL)
+        try:
+            import rosgraph
+            while not rosgraph.is_master_online():
+                time.sleep(0.2)
+            run_cell(port, folder, library, "true", lambda: measure(arguments.seconds))
+            run_cell(port, folder, library, "false", lambda: measure_idle(arguments.seconds))
+        finally:
+            master.send_signal(signal.SIGINT)
+            master.wait(30)
+
+
+if __name__ == "__main__":
+    sys.exit(main())
