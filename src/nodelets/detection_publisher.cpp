@@ -1,5 +1,6 @@
 #include "nodelets/detection_publisher.hpp"
 
+#include <sensor_msgs/CompressedImage.h>
 #include <sensor_msgs/Image.h>
 #include <visualization_msgs/MarkerArray.h>
 
@@ -32,29 +33,49 @@ DetectionPublisher::DetectionPublisher(ros::NodeHandle node, ros::NodeHandle pri
       [listeners_changed](const ros::SingleSubscriberPublisher&) { listeners_changed(); };
   detections_ = node.advertise<DetectedObjectArray>("detected_objects", 1, changed, changed);
   overlay_ = private_node.advertise<sensor_msgs::Image>("overlay", 1, changed, changed);
+  overlay_jpeg_ =
+      private_node.advertise<sensor_msgs::CompressedImage>("overlay_jpeg", 1, changed, changed);
+  score_map_ = private_node.advertise<sensor_msgs::Image>("score_map", 1, changed, changed);
   markers_ =
       private_node.advertise<visualization_msgs::MarkerArray>("markers", 1, changed, changed);
 }
 
 bool DetectionPublisher::has_listeners() const {
-  return detections_.getNumSubscribers() + overlay_.getNumSubscribers() +
-             markers_.getNumSubscribers() >
-         0;
+  for (const auto* publisher : {&detections_, &overlay_, &overlay_jpeg_, &score_map_, &markers_})
+    if (publisher->getNumSubscribers() > 0) return true;
+  return false;
 }
 
-double DetectionPublisher::publish(Detections detections, const cv::Mat& picture, bool tf) {
+double DetectionPublisher::publish(Detections detections, const cv::Mat& picture,
+                                   const ScoreMap& score_map, const Extras& extras) {
   DetectedObjectArray& array = detections.array;
   const ros::Time now = ros::Time::now();
   array.latency = static_cast<float>((now - array.header.stamp).toSec());
   withdraw_outdated(array, now);
-  if (!tf)
+  if (!extras.tf)
     for (auto& object : array.objects) object.child_frame_id.clear();
   detections_.publish(array);
-  if (tf) tf_.send(array, *detections.library);
+  if (extras.tf) tf_.send(array, *detections.library);
   if (markers_.getNumSubscribers() > 0) markers_.publish(to_markers(array));
-  if (overlay_.getNumSubscribers() > 0)
-    overlay_.publish(encode_picture(draw_detections(picture, array), array.header));
+  publish_pictures(array, picture, score_map, extras.scores_under_overlay);
   return array.latency;
+}
+
+void DetectionPublisher::publish_pictures(const DetectedObjectArray& array, const cv::Mat& picture,
+                                          const ScoreMap& score_map, bool scores_under_overlay) {
+  const bool overlay = overlay_.getNumSubscribers() > 0;
+  const bool jpeg = overlay_jpeg_.getNumSubscribers() > 0;
+  const bool scores = score_map_.getNumSubscribers() > 0;
+  if (!overlay && !jpeg && !scores) return;
+  cv::Mat coloured;
+  if (scores || scores_under_overlay) coloured = colour_score_map(score_map());
+  if (scores) score_map_.publish(encode_picture(coloured, array.header));
+  if (!overlay && !jpeg) return;
+  cv::Mat ground = picture;
+  if (scores_under_overlay) cv::addWeighted(picture, 0.5, coloured, 0.5, 0, ground);
+  const cv::Mat drawn = draw_detections(ground, array);
+  if (overlay) overlay_.publish(encode_picture(drawn, array.header));
+  if (jpeg) overlay_jpeg_.publish(encode_jpeg(drawn, array.header));
 }
 
 void DetectionPublisher::publish_stale(const std::string& message) {

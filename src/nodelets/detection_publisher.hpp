@@ -19,12 +19,20 @@ class DetectionPublisher {
   DetectionPublisher(ros::NodeHandle node, ros::NodeHandle private_node,
                      const std::function<void()>& listeners_changed);
 
-  /// Somebody hears detections, overlay or markers.
+  /// Somebody hears detections, markers or one of the pictures.
   bool has_listeners() const;
 
-  /// `tf`: send the frames of confirmed instances, too. What has become too old during the search
-  /// is no longer confirmed. Returns the latency [s].
-  double publish(Detections detections, const cv::Mat& picture, bool tf);
+  /// Largest similarity at each place of a picture, CV_32FC1; worked out when somebody looks.
+  using ScoreMap = std::function<cv::Mat()>;
+
+  struct Extras {
+    bool tf;                    ///< send the frames of confirmed instances, too
+    bool scores_under_overlay;  ///< draw the overlay over the score map
+  };
+
+  /// What has become too old during the search is no longer confirmed. Returns the latency [s].
+  double publish(Detections detections, const cv::Mat& picture, const ScoreMap& score_map,
+                 const Extras& extras);
 
   /// An empty array of status STALE, stamped now.
   void publish_stale(const std::string& message);
@@ -33,7 +41,10 @@ class DetectionPublisher {
   void reset() { tf_.reset(); }
 
  private:
-  ros::Publisher detections_, overlay_, markers_;
+  void publish_pictures(const mbncc_vision::DetectedObjectArray& array, const cv::Mat& picture,
+                        const ScoreMap& score_map, bool scores_under_overlay);
+
+  ros::Publisher detections_, overlay_, overlay_jpeg_, score_map_, markers_;
   TfSender tf_;
 };
 

@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdint>
 #include <cstring>
+#include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 
 namespace mbncc::nodelets {
@@ -146,6 +147,14 @@ sensor_msgs::Image encode_picture(const cv::Mat& picture, const std_msgs::Header
   message.data.resize(row * picture.rows);
   for (int y = 0; y < picture.rows; ++y)
     std::memcpy(message.data.data() + row * y, picture.ptr(y), row);
+  return message;
+}
+
+sensor_msgs::CompressedImage encode_jpeg(const cv::Mat& picture, const std_msgs::Header& header) {
+  sensor_msgs::CompressedImage message;
+  message.header = header;
+  message.format = "bgr8; jpeg compressed bgr8";
+  cv::imencode(".jpg", picture, message.data, {cv::IMWRITE_JPEG_QUALITY, 80});
   return message;
 }
 

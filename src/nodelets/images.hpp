@@ -2,6 +2,7 @@
 // length are checked before a byte is read, and nothing throws because of a message.
 #pragma once
 
+#include <sensor_msgs/CompressedImage.h>
 #include <sensor_msgs/Image.h>
 #include <std_msgs/Header.h>
 
@@ -31,5 +32,8 @@ bool is_given(const sensor_msgs::Image& message);
 
 /// Message of a CV_8UC3 (bgr8) or CV_8UC1 (mono8) picture; an empty picture gives an empty message.
 sensor_msgs::Image encode_picture(const cv::Mat& picture, const std_msgs::Header& header = {});
+
+/// The same as JPEG, for consoles at the end of a thin line.
+sensor_msgs::CompressedImage encode_jpeg(const cv::Mat& picture, const std_msgs::Header& header);
 
 }  // namespace mbncc::nodelets

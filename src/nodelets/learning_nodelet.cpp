@@ -9,6 +9,7 @@
 #include <memory>
 
 #include "mbncc/config/learning_node_config.hpp"
+#include "mbncc/matching/matcher.hpp"
 #include "nodelets/camera_input.hpp"
 #include "nodelets/confirmation.hpp"
 #include "nodelets/guarded_nodelet.hpp"
@@ -19,6 +20,7 @@
 #include "nodelets/lesson_goal.hpp"
 #include "nodelets/lesson_server.hpp"
 #include "nodelets/library_services.hpp"
+#include "nodelets/overlay.hpp"
 #include "nodelets/parameters.hpp"
 #include "nodelets/picture_feed.hpp"
 #include "nodelets/shared_library.hpp"
@@ -36,6 +38,7 @@ class LearningNodelet : public GuardedNodelet {
   void start_pictures(ros::NodeHandle& node);
   void start_lessons(ros::NodeHandle& node);
   mbncc_vision::LearnObjectResult teach(LessonClient& client);
+  void show_scores(const ObjectModel& model, const cv::Mat& picture);
   bool mark_grasp(std_srvs::Trigger::Request& request, std_srvs::Trigger::Response& response);
   bool confirm(mbncc_vision::ConfirmLearning::Request& request,
                mbncc_vision::ConfirmLearning::Response& response);
@@ -43,7 +46,7 @@ class LearningNodelet : public GuardedNodelet {
   void diagnose(diagnostic_updater::DiagnosticStatusWrapper& status);
 
   LearningNodeConfig config_;
-  ros::Publisher preview_publisher_, stage_publisher_;
+  ros::Publisher preview_publisher_, stage_publisher_, score_publisher_;
   std::unique_ptr<LibraryPublisher> library_publisher_;
   std::shared_ptr<SharedLibrary> library_;
   std::unique_ptr<LibraryServices> library_services_;
@@ -83,6 +86,7 @@ void LearningNodelet::stop() {
   library_publisher_.reset();
   preview_publisher_.shutdown();
   stage_publisher_.shutdown();
+  score_publisher_.shutdown();
   camera_.reset();
   tf_listener_.reset();  // before its buffer
 }
@@ -123,6 +127,7 @@ void LearningNodelet::start_pictures(ros::NodeHandle& node) {
 
 void LearningNodelet::start_lessons(ros::NodeHandle& node) {
   preview_publisher_ = node.advertise<sensor_msgs::Image>("learn_object/preview", 1, true);
+  score_publisher_ = node.advertise<sensor_msgs::Image>("learn_object/score_map", 1);
   stage_publisher_ = node.advertise<sensor_msgs::Image>("learn_object/stage_image", 1);
   ros::NodeHandle confirm_node = node;
   confirm_node.setCallbackQueue(&confirm_queue_);
@@ -146,12 +151,21 @@ mbncc_vision::LearnObjectResult LearningNodelet::teach(LessonClient& client) {
       config_.learning,
       [this](const cv::Mat& picture) { stage_publisher_.publish(encode_picture(picture)); },
       [this](const cv::Mat& picture) { preview_publisher_.publish(encode_picture(picture)); },
+      [this](const ObjectModel& model, const cv::Mat& picture) { show_scores(model, picture); },
       *gauge_};
   const auto result = LessonRun(client, tools).run();
   const bool learned = result.error_code == mbncc_vision::LearnObjectResult::SUCCESS;
   if (learned) gauge_->clear();
   NODELET_INFO("%s %s", result.message.c_str(), learned ? "" : result.hint.c_str());
   return result;
+}
+
+/// How distinct the new object is in its own picture; only when somebody looks.
+void LearningNodelet::show_scores(const ObjectModel& model, const cv::Mat& picture) {
+  if (score_publisher_.getNumSubscribers() == 0) return;
+  Matcher matcher;
+  matcher.set_objects({std::make_shared<const ObjectModel>(model)});
+  score_publisher_.publish(encode_picture(colour_score_map(matcher.score_map(picture))));
 }
 
 bool LearningNodelet::mark_grasp(std_srvs::Trigger::Request&,

@@ -48,9 +48,32 @@ Found LiveMatcher::find(const cv::Mat& picture, SearchRequest request) const {
   found.library = searched_;
   const auto dropped = drop_other_sizes(*searched_, picture.size(), request.names);
   // An empty list would mean all objects.
+  sort_by_turn(request.names);
   if (!request.names.empty()) found.result = matcher_.find(picture, request);
+  note_searched(found.result.searched);
   found.result.skipped.insert(found.result.skipped.end(), dropped.begin(), dropped.end());
   return found;
+}
+
+void LiveMatcher::sort_by_turn(std::vector<std::string>& names) const {
+  const std::lock_guard<std::mutex> lock(turns_mutex_);
+  const auto turn = [this](const std::string& name) {
+    const auto last = last_turn_.find(name);
+    return last == last_turn_.end() ? 0 : last->second;
+  };
+  std::stable_sort(names.begin(), names.end(),
+                   [&](const std::string& a, const std::string& b) { return turn(a) < turn(b); });
+}
+
+void LiveMatcher::note_searched(const std::vector<std::string>& names) const {
+  const std::lock_guard<std::mutex> lock(turns_mutex_);
+  ++turns_;
+  for (const auto& name : names) last_turn_[name] = turns_;
+}
+
+cv::Mat LiveMatcher::score_map(const cv::Mat& picture) const {
+  const std::shared_lock<std::shared_mutex> lock(mutex_);
+  return matcher_.score_map(picture);
 }
 
 void LiveMatcher::set_limits(double min_score, int max_instances) {

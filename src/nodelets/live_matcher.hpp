@@ -1,10 +1,14 @@
 // Matcher and library together: searches with the newest library while that may change.
 #pragma once
 
+#include <cstdint>
+#include <map>
 #include <memory>
+#include <mutex>
 #include <opencv2/core.hpp>
 #include <shared_mutex>
 #include <string>
+#include <vector>
 
 #include "mbncc/matching/matcher.hpp"
 #include "nodelets/shared_library.hpp"
@@ -25,9 +29,13 @@ class LiveMatcher {
   /// For every search from now on; [0..1], and per name.
   void set_limits(double min_score, int max_instances);
 
-  /// Searches for objects learned in pictures of this size; the others are listed as skipped. Safe
-  /// from several threads.
+  /// Searches for objects learned in pictures of this size; the others are listed as skipped. The
+  /// least recently searched come first, so that with a time budget each has its turn. Safe from
+  /// several threads.
   Found find(const cv::Mat& picture, SearchRequest request) const;
+
+  /// See Matcher::score_map(), for all enabled objects. Safe from several threads.
+  cv::Mat score_map(const cv::Mat& picture) const;
 
   /// Looks for changes in the library folder; `always`: reads it in any case. Throws FileError.
   void refresh(bool always);
@@ -38,6 +46,12 @@ class LiveMatcher {
  private:
   void take_over(const SharedLibrary::Snapshot& snapshot);
 
+  void sort_by_turn(std::vector<std::string>& names) const;
+  void note_searched(const std::vector<std::string>& names) const;
+
+  mutable std::mutex turns_mutex_;
+  mutable std::map<std::string, std::uint64_t> last_turn_;  // by name
+  mutable std::uint64_t turns_ = 0;
   mutable std::shared_mutex mutex_;
   Matcher matcher_;
   SharedLibrary::Snapshot searched_;  // what matcher_ holds

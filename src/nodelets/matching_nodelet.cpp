@@ -135,7 +135,8 @@ void MatchingNodelet::start_services() {
       private_node,
       [this](const auto& use) {
         settings_->change([&use](MatchingNodeConfig& config) {
-          use(chosen(field_rows(config), {"min_score", "max_instances", "max_rate", "publish_tf"}));
+          use(chosen(field_rows(config),
+                     {"min_score", "max_instances", "max_rate", "publish_tf", "show_score_map"}));
         });
       },
       [this] { take_settings(); });

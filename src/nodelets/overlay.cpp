@@ -1,6 +1,7 @@
 #include "nodelets/overlay.hpp"
 
 #include <cstdio>
+#include <opencv2/imgproc.hpp>
 #include <vector>
 
 #include "mbncc/drawing.hpp"
@@ -34,6 +35,13 @@ cv::Mat draw_detections(const cv::Mat& picture,
   std::vector<Marking> markings;
   for (const auto& object : detections.objects) markings.push_back(marking_of(object));
   return draw_markings(picture, markings);
+}
+
+cv::Mat colour_score_map(const cv::Mat& scores) {
+  cv::Mat levels, coloured;
+  scores.convertTo(levels, CV_8UC1, 255);
+  cv::applyColorMap(levels, coloured, cv::COLORMAP_JET);
+  return coloured;
 }
 
 }  // namespace mbncc::nodelets

@@ -12,4 +12,7 @@ namespace mbncc::nodelets {
 cv::Mat draw_detections(const cv::Mat& picture,
                         const mbncc_vision::DetectedObjectArray& detections);
 
+/// CV_8UC3 of a score map (CV_32FC1, 0 .. 1): blue is 0, red is 1.
+cv::Mat colour_score_map(const cv::Mat& scores);
+
 }  // namespace mbncc::nodelets

@@ -48,8 +48,10 @@ void SearchWorker::search(const sensor_msgs::Image& image) {
   const ReceivedPicture received{decoded.picture, image.header,
                                  tools_.camera.camera_info_for(image)};
   const Detections detections = pipeline_.process(received, request_);
-  const double latency =
-      tools_.publisher.publish(detections, decoded.picture, tools_.settings.get().publish_tf);
+  const MatchingNodeConfig settings = tools_.settings.get();
+  const double latency = tools_.publisher.publish(
+      detections, decoded.picture, [&] { return tools_.matcher.score_map(decoded.picture); },
+      {settings.publish_tf, settings.show_score_map});
   silence_.restart();
   statistics_.change([&](SearchStatistics& statistics) {
     ++statistics.searched;

@@ -52,6 +52,20 @@ TEST_F(MatcherTest, FindsTheObjectAtAnyRotation) {
   }
 }
 
+TEST_F(MatcherTest, ScoreMapIsHighestWhereTheObjectLies) {
+  cv::Mat scene = texture({320, 240}, 52, 4);
+  place(scene, source_, reference_.position(), {190.3, 100.7, 0.8});
+  const cv::Mat scores = matcher().score_map(scene);
+  ASSERT_EQ(scores.type(), CV_32FC1);
+  ASSERT_EQ(scores.size(), scene.size());
+  cv::Point highest;
+  double value = 0;
+  cv::minMaxLoc(scores, nullptr, &value, nullptr, &highest);
+  EXPECT_LT(cv::norm(highest - cv::Point(190, 101)), 12);
+  EXPECT_GT(value, 0.8);
+  EXPECT_LE(value, 1.001);
+}
+
 TEST_F(MatcherTest, HonoursReferencePointAndDirection) {
   Pose2D reference{40, 70, 0.7};
   const Matcher matcher = matcher_of({object_from(source_, reference)});

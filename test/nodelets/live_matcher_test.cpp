@@ -71,6 +71,22 @@ TEST_F(LiveMatcherTest, TakesOverChangesOfTheFolder) {
   EXPECT_EQ(matcher.find(picture_, {}).library, matcher.library());
 }
 
+TEST_F(LiveMatcherTest, EveryObjectHasItsTurnWhenTimeIsShort) {
+  for (const char* name : {"a", "b", "c"}) store(plate(name, {160, 120}));
+  SearchConfig config;
+  config.time_budget = 1e-9;
+  const LiveMatcher matcher(config, folder_.path());
+  std::vector<std::string> order;
+  for (int i = 0; i < 6; ++i) {
+    const auto found = matcher.find(picture_, {}).result;
+    ASSERT_EQ(found.searched.size(), 1u);
+    EXPECT_EQ(found.skipped.size(), 2u);
+    EXPECT_TRUE(found.budget_exceeded);
+    order.push_back(found.searched[0]);
+  }
+  EXPECT_EQ(order, (std::vector<std::string>{"a", "b", "c", "a", "b", "c"}));
+}
+
 TEST_F(LiveMatcherTest, LeavesDisabledObjectsAlone) {
   ObjectModel model = plate("here", {160, 120});
   model.enabled = false;

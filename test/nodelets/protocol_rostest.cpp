@@ -8,6 +8,7 @@
 #include <mbncc_vision/FindObjects.h>
 #include <mbncc_vision/ListObjects.h>
 #include <ros/ros.h>
+#include <sensor_msgs/CompressedImage.h>
 #include <sensor_msgs/Image.h>
 #include <std_srvs/SetBool.h>
 #include <std_srvs/Trigger.h>
@@ -368,6 +369,22 @@ TEST_F(Protocol, TakesSettingsAtRunTimeAndRefusesNonsense) {
   request.config.doubles[0].value = 0.3;
   request.config.doubles.pop_back();
   call<dynamic_reconfigure::Reconfigure>("matching/set_parameters", request);
+}
+
+TEST_F(Protocol, DrawsPicturesForWhoLooks) {
+  ASSERT_EQ(teacher_.teach(given("part")).error_code, Result::SUCCESS);
+  const ros::WallTimer playing = play();
+  sensor_msgs::Image::ConstPtr scores;
+  sensor_msgs::CompressedImage::ConstPtr jpeg;
+  const auto score_subscriber = node_.subscribe<sensor_msgs::Image>(
+      "matching/score_map", 1, [&](const auto& heard) { scores = heard; });
+  const auto jpeg_subscriber = node_.subscribe<sensor_msgs::CompressedImage>(
+      "matching/overlay_jpeg", 1, [&](const auto& heard) { jpeg = heard; });
+  ASSERT_TRUE(spin_until([&] { return scores && jpeg; }));
+  EXPECT_EQ(scores->encoding, "bgr8");
+  EXPECT_EQ(scores->width, 320u);
+  EXPECT_GT(jpeg->data.size(), 1000u);
+  EXPECT_TRUE(edit("part", EditObject::Request::DELETE).success);
 }
 
 TEST_F(Protocol, BearsMalformedPictures) {

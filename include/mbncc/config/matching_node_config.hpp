@@ -14,18 +14,19 @@ struct MatchingNodeConfig {
   PlatformConfig platform;
   std::string library_path = "~/.ros/mbncc_library";  ///< folder of the learned objects
   std::string image_transport = "raw";                ///< how pictures travel: raw, compressed, ...
-  std::string search_roi;    ///< "x,y,width,height" [px] of reference points; "": whole picture
-  double max_rate = 0;       ///< [Hz] pictures searched at most; 0: every one that arrives
-  int confirm_frames = 3;    ///< graspable pictures needed ...
-  int confirm_window = 5;    ///< ... among this many of the last ones
-  double hold_time = 0;      ///< [s] a lost instance is repeated as HELD; 0: not at all
-  int average_frames = 10;   ///< pictures that the pose of a still instance is averaged over
-  double max_age = 0.5;      ///< [s] older pictures are dropped, older poses not confirmed
-  double max_ahead = 0.1;    ///< [s] pictures stamped further in the future are dropped
-  double stale_after = 1;    ///< [s] without a picture before STALE is published
-  bool publish_tf = true;    ///< send tf frames of confirmed instances; counts as listening
-  std::string tf_prefix;     ///< put before every child frame
-  std::string target_frame;  ///< frame of the published poses; "": the camera's
+  std::string search_roi;       ///< "x,y,width,height" [px] of reference points; "": whole picture
+  double max_rate = 0;          ///< [Hz] pictures searched at most; 0: every one that arrives
+  int confirm_frames = 3;       ///< graspable pictures needed ...
+  int confirm_window = 5;       ///< ... among this many of the last ones
+  double hold_time = 0;         ///< [s] a lost instance is repeated as HELD; 0: not at all
+  int average_frames = 10;      ///< pictures that the pose of a still instance is averaged over
+  double max_age = 0.5;         ///< [s] older pictures are dropped, older poses not confirmed
+  double max_ahead = 0.1;       ///< [s] pictures stamped further in the future are dropped
+  double stale_after = 1;       ///< [s] without a picture before STALE is published
+  bool publish_tf = true;       ///< send tf frames of confirmed instances; counts as listening
+  bool show_score_map = false;  ///< lay the score map under the overlay
+  std::string tf_prefix;        ///< put before every child frame
+  std::string target_frame;     ///< frame of the published poses; "": the camera's
 
   template <class Self, class Visitor>
   static void fields(Self& self, Visitor&& visit) {
@@ -63,6 +64,9 @@ struct MatchingNodeConfig {
     visit(FieldInfo{"publish_tf", Allowed::anything(), "",
                     "send a tf frame for every confirmed instance; counts as listening"},
           self.publish_tf);
+    visit(FieldInfo{"show_score_map", Allowed::anything(), "",
+                    "lay the coarse search's similarities under the overlay; costs another search"},
+          self.show_score_map);
     visit(FieldInfo{"tf_prefix", Allowed::anything(), "", "put before every object's tf frame"},
           self.tf_prefix);
     visit(FieldInfo{"target_frame", Allowed::anything(), "",

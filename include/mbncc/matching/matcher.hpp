@@ -71,6 +71,11 @@ class Matcher {
   /// A requested name that is unknown or disabled is listed in `skipped`.
   SearchResult find(const cv::Mat& picture, const SearchRequest& request = {}) const;
 
+  /// CV_32FC1 of the picture's size, 0 .. 1: at each place the largest similarity of any requested
+  /// object over all rotations, as the coarse search sees it. For people to look at. Objects that
+  /// are searched by their edges alone have none.
+  cv::Mat score_map(const cv::Mat& picture, const SearchRequest& request = {}) const;
+
  private:
   struct Implementation;
   std::unique_ptr<Implementation> implementation_;

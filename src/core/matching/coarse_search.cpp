@@ -83,10 +83,16 @@ class CoarseSearch {
   }
 
   std::vector<Candidate> run(const CoarseSettings& settings) {
+    correlate(settings.min_similarity);
+    return rotations_at(best_places(settings), settings);
+  }
+
+  /// The largest similarities over the rotations, in full from `threshold` on.
+  const cv::Mat& correlate(double threshold) {
     for (int y = 0; y < roi_.height; ++y)
       for (int x = 0; x < roi_.width; x += kBlock)
-        correlate_block(x, y, std::min(kBlock, roi_.width - x), settings.min_similarity);
-    return rotations_at(best_places(settings), settings);
+        correlate_block(x, y, std::min(kBlock, roi_.width - x), threshold);
+    return best_;
   }
 
  private:
@@ -195,6 +201,10 @@ std::vector<Candidate> coarse_search(const KernelBank& bank, const cv::Mat& grey
                                      const cv::Rect& roi, const CoarseSettings& settings) {
   if ((roi & cv::Rect({0, 0}, grey.size())).empty()) return {};
   return CoarseSearch(bank, grey, roi).run(settings);
+}
+
+cv::Mat coarse_similarity(const KernelBank& bank, const cv::Mat& grey) {
+  return CoarseSearch(bank, grey, {{0, 0}, grey.size()}).correlate(0).clone();
 }
 
 }  // namespace mbncc

@@ -21,4 +21,8 @@ struct CoarseSettings {
 std::vector<Candidate> coarse_search(const KernelBank& bank, const cv::Mat& grey,
                                      const cv::Rect& roi, const CoarseSettings& settings = {});
 
+/// CV_32FC1 of grey's size: the largest similarity over all rotations at each position; where it is
+/// below 0 it is not worked out.
+cv::Mat coarse_similarity(const KernelBank& bank, const cv::Mat& grey);
+
 }  // namespace mbncc

@@ -4,9 +4,11 @@
 #include <atomic>
 #include <chrono>
 #include <cmath>
+#include <opencv2/imgproc.hpp>
 #include <optional>
 #include <thread>
 
+#include "matching/coarse_search.hpp"
 #include "matching/prepared_object.hpp"
 #include "matching/scene_picture.hpp"
 #include "matching/selection.hpp"
@@ -129,6 +131,22 @@ void Matcher::set_limits(double min_score, int max_instances) {
   implementation_->config.max_instances = max_instances;
 }
 
+cv::Mat Matcher::score_map(const cv::Mat& picture, const SearchRequest& request) const {
+  SearchResult ignored;
+  const ObjectList objects = implementation_->wanted(request, ignored);
+  const ScenePicture scene(picture, top_level(objects));
+  cv::Mat best = cv::Mat::zeros(scene.size(), CV_32FC1);
+  for (const auto& object : objects)
+    for (const auto& view : object->views) {
+      if (view.kernels.kernels.empty() || view.kernels.level == 0) continue;
+      const cv::Mat coarse = coarse_similarity(view.kernels, scene.grey[view.kernels.level]);
+      cv::Mat full;
+      cv::resize(coarse, full, best.size(), 0, 0, cv::INTER_LINEAR);
+      best = cv::max(best, full);
+    }
+  return best;
+}
+
 SearchResult Matcher::find(const cv::Mat& picture, const SearchRequest& request) const {
   const auto start = Clock::now();
   const SearchConfig& config = implementation_->config;
@@ -139,7 +157,8 @@ SearchResult Matcher::find(const cv::Mat& picture, const SearchRequest& request)
   std::vector<std::vector<Detection>> found(objects.size());
   std::vector<char> searched(objects.size(), 0);
   in_parallel(objects.size(), config.threads, [&](std::size_t i) {
-    if (config.time_budget > 0 && seconds_since(start) > config.time_budget) return;
+    const bool first = i == 0;  // without it, a short budget would find nothing for ever
+    if (!first && config.time_budget > 0 && seconds_since(start) > config.time_budget) return;
     found[i] = search_object(*objects[i], scene, request.roi);
     searched[i] = 1;
   });
