@@ -115,7 +115,7 @@ LessonRun::Result LessonRun::store() {
     const ObjectModel stored = save(model);
     std::string message =
         "Learned '" + name_ + "', verdict " + to_string(stored.quality.verdict) + ".";
-    message += second_look(stored);
+    message += second_view();
     if (!left_out.empty()) message += " The marked grasp was not stored: " + left_out + ".";
     return describe(outcome(LearnError::kSuccess, message), stored);
   } catch (const FileError& error) {
@@ -128,18 +128,17 @@ LessonRun::Result LessonRun::store() {
   }
 }
 
-/// Tells where the object was put aside; "" when it is not seen again.
-std::string LessonRun::second_look(const ObjectModel& model) const {
-  if (goal_.mode != Goal::CHANGE) return "";
-  const auto seen = find_put_aside(model, after_.picture);
+/// Tells where the object was put aside; "" when it was not seen again.
+std::string LessonRun::second_view() const {
+  const auto& seen = learned_.put_aside;
   if (!seen) return "";
+  const double turn = seen->pose.theta - learned_.object.views.back().reference.theta;
   char text[160];
   std::snprintf(text, sizeof text,
-                " Found again where it was put aside: x %.1f, y %.1f, turned by %.1f degrees, "
-                "score %.2f.",
-                seen->pose.x, seen->pose.y,
-                to_degrees(wrap_angle(seen->pose.theta - model.views.back().reference.theta)),
-                seen->score);
+                " Found again where it was put aside: x %.1f, y %.1f, turned by %.1f degrees; both "
+                "views agree by %.2f%s.",
+                seen->pose.x, seen->pose.y, to_degrees(wrap_angle(turn)), seen->agreement,
+                seen->refined ? " and make the map" : "");
   return text;
 }
 

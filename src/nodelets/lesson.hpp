@@ -84,7 +84,7 @@ class LessonRun {
   bool may_be_stored() const;
   Result store();
   std::string measure(ObjectModel& model) const;
-  std::string second_look(const ObjectModel& model) const;
+  std::string second_view() const;
   ObjectModel save(const ObjectModel& model) const;
   Result describe(Result result, const ObjectModel& model) const;
   cv::Mat preview(const ObjectModel& model) const;

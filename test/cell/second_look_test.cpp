@@ -2,7 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include "mbncc/learning/learn_object.hpp"
 #include "mbncc/sim/scene.hpp"
 
 namespace mbncc {
@@ -38,20 +37,6 @@ TEST_F(SecondLook, AMapOfBothPlacesIsTold) {
 TEST_F(SecondLook, LightThatDriftsMakesNoDifference) {
   const cv::Mat darker = scene_.render({}, 2) * 0.94;
   EXPECT_LT(part_put_down(scene_.true_map(shown_), before_, darker), 0.15);
-}
-
-TEST_F(SecondLook, FindsTheObjectWhereItWasPutAside) {
-  Lesson lesson;
-  lesson.name = "part";
-  lesson.before = before_;
-  lesson.after = scene_.render({at(500, 300, 1.2)}, 2);
-  const LearnResult learned = learn_object(lesson);
-  ASSERT_EQ(learned.error, LearnError::kSuccess) << learned.message;
-  const auto seen = find_put_aside(learned.object, lesson.after);
-  ASSERT_TRUE(seen);
-  EXPECT_NEAR(angle_distance(seen->pose.theta, 0.9), 0, 0.02);
-  EXPECT_LT(cv::norm(seen->pose.position() - cv::Point2d(500, 300)), 5);
-  EXPECT_FALSE(find_put_aside(learned.object, scene_.render({}, 3)));
 }
 
 TEST_F(SecondLook, RefusesPicturesOfOtherKinds) {

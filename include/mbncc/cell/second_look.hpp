@@ -1,12 +1,7 @@
-// What the scene after a live lesson tells about the object just learned: has it really left its
-// place, and where was it put?
+// Has an object just learned really left its place in the scene after?
 #pragma once
 
 #include <opencv2/core.hpp>
-#include <optional>
-
-#include "mbncc/matching/matcher.hpp"
-#include "mbncc/object_model.hpp"
 
 namespace mbncc {
 
@@ -17,9 +12,5 @@ double part_put_down(const cv::Mat& map, const cv::Mat& before, const cv::Mat& a
 
 /// From here on of part_put_down() the map holds more than the object.
 constexpr double kMostPutDown = 0.25;
-
-/// Where the object lies in the scene after, if it is found there surely enough to be grasped. None
-/// when it was taken out of the picture.
-std::optional<Match> find_put_aside(const ObjectModel& object, const cv::Mat& after);
 
 }  // namespace mbncc

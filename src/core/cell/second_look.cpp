@@ -1,7 +1,6 @@
 #include "mbncc/cell/second_look.hpp"
 
 #include <array>
-#include <memory>
 #include <opencv2/imgproc.hpp>
 #include <stdexcept>
 
@@ -64,14 +63,6 @@ double part_put_down(const cv::Mat& map, const cv::Mat& before, const cv::Mat& a
       left += ratio > kClearRatio ? 1 : 0;
     }
   return came == 0 ? 0 : static_cast<double>(came) / (came + left);
-}
-
-std::optional<Match> find_put_aside(const ObjectModel& object, const cv::Mat& after) {
-  Matcher matcher;
-  matcher.set_objects({std::make_shared<const ObjectModel>(object)});
-  const auto matches = matcher.find(after).matches;
-  if (matches.empty() || !matches.front().graspable) return {};
-  return matches.front();
 }
 
 }  // namespace mbncc
