@@ -96,7 +96,8 @@ class CoarseSearch {
   }
 
  private:
-  static constexpr int kBlock = 2 * kernels::kPositions;  // of a row, worked on at a time
+  static constexpr int kBlock = 2 * kernels::kPositions;  // of a row, correlated at a time
+  static constexpr int kPart = 16;                        // of a block, worked out in full or not
 
   /// All rotations at `count` positions of a row, into `best_`. A rotation is worked out in full
   /// only where its numerator would reach the threshold or the best so far, were the picture's
@@ -110,13 +111,16 @@ class CoarseSearch {
       kernels::correlate(&picture_.pixels[start], kernel.offsets.data(), kernel.weights.data(),
                          kernel.pairs(), numerators_.data(), whole_groups(count));
       const float scale = 1 / static_cast<float>(kernel.norm);
-      if (!kernels::any_above(numerators_.data(), scale, gates_.data(), count)) continue;
-      sum_block(kernel, start, count);
       const kernels::Normalisation terms{scale, static_cast<float>(kernel.pixels),
                                          static_cast<float>(kNoiseVariance * kernel.pixels),
                                          static_cast<float>(threshold)};
-      kernels::normalise(numerators_.data(), sums_.data(), squares_.data(), terms, best,
-                         gates_.data(), count);
+      for (int part = 0; part < count; part += kPart) {
+        const int positions = std::min(kPart, count - part);
+        if (!kernels::any_above(&numerators_[part], scale, &gates_[part], positions)) continue;
+        sum_block(kernel, start + part, positions);
+        kernels::normalise(&numerators_[part], sums_.data(), squares_.data(), terms, best + part,
+                           &gates_[part], positions);
+      }
     }
   }
 
@@ -191,7 +195,8 @@ class CoarseSearch {
   PaddedPicture picture_;
   std::vector<KernelOffsets> offsets_;
   cv::Mat best_;  // CV_32FC1, roi's size: largest similarity over the rotations
-  std::array<std::int32_t, kBlock> numerators_{}, sums_{}, squares_{};
+  std::array<std::int32_t, kBlock> numerators_{};
+  std::array<std::int32_t, kPart> sums_{}, squares_{};
   std::array<float, kBlock> gates_{};
 };
 
