@@ -12,15 +12,15 @@ namespace {
 
 constexpr int kEdgePoses = 400;           // that the edge search proposes
 constexpr std::size_t kRoundPlaces = 24;  // of those whose contour does not tell the rotation
-constexpr std::size_t kEntering = 80;     // candidates that enter at a level
+constexpr std::size_t kEntering = 48;     // candidates that enter at a level
 constexpr std::size_t kFinal = 4;         // places whose other angles are tried
 constexpr std::size_t kPolished = 8;
-constexpr double kHopeless = 18;   // log-odds behind the best that no climb makes up for
+constexpr double kHopeless = 15;   // log-odds behind the best that no climb makes up for
 constexpr double kNoRival = 12;    // log-odds behind the best at full resolution, of no interest
 constexpr double kPromising = -8;  // log-odds that polishing may bring to acceptance
 
 std::size_t most_at(int level) {
-  return level == 0 ? 16 : level == 1 ? 24 : 48;
+  return level == 0 ? 12 : level == 1 ? 16 : 24;
 }
 
 cv::Rect at_level(const cv::Rect& roi, int level) {
