@@ -73,9 +73,14 @@ class Region {
     if (first >= 0 && first + pixels <= picture_.cols) return from + kChannels * first;
     auto& continued = continued_[slot];
     continued.resize(static_cast<std::size_t>(pixels) * kChannels);
-    for (int x = 0; x < pixels; ++x)
-      std::memcpy(&continued[kChannels * x],
-                  from + kChannels * std::clamp(first + x, 0, picture_.cols - 1), kChannels);
+    const int left = std::max(0, -first), right = std::max(0, first + pixels - picture_.cols);
+    const auto copy = [&](int to, int column, int count) {
+      std::memcpy(&continued[static_cast<std::size_t>(kChannels) * to], from + kChannels * column,
+                  static_cast<std::size_t>(kChannels) * count);
+    };
+    for (int x = 0; x < left; ++x) copy(x, 0, 1);
+    copy(left, first + left, pixels - left - right);
+    for (int x = pixels - right; x < pixels; ++x) copy(x, picture_.cols - 1, 1);
     return continued.data();
   }
 
