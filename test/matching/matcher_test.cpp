@@ -145,6 +145,32 @@ TEST_F(MatcherTest, AnIsolatedObjectMayBeGrasped) {
   EXPECT_FALSE(result.matches[0].outline.empty());
 }
 
+TEST_F(MatcherTest, APoseThatIsNotKnownWellEnoughIsNotGrasped) {
+  cv::Mat scene = texture({320, 240}, 70, 4);
+  place(scene, source_, reference_.position(), {160, 120, 0.9});
+  for (const bool of_angle : {false, true}) {
+    SearchConfig strict;
+    (of_angle ? strict.max_angle_deviation : strict.max_place_deviation) = 0;
+    const SearchResult result = matcher_of({object_from(source_, reference_)}, strict).find(scene);
+    ASSERT_FALSE(result.matches.empty());
+    EXPECT_FALSE(result.matches[0].graspable);
+    EXPECT_FALSE(result.matches[0].ambiguous) << "uncertain, not mistaken";
+  }
+}
+
+TEST_F(MatcherTest, APartOfAnotherColourIsNotGrasped) {
+  cv::Mat scene = texture({320, 240}, 70, 4);
+  place(scene, source_, reference_.position(), {160, 120, 0.9});
+  cv::Mat part = scene(cv::Rect(160, 80, 60, 80));
+  for (int y = 0; y < part.rows; ++y)
+    for (int x = 0; x < part.cols; ++x) {
+      auto& pixel = part.at<cv::Vec3b>(y, x);
+      std::swap(pixel[0], pixel[2]);
+      pixel[0] = cv::saturate_cast<uchar>(pixel[0] / 2);
+    }
+  for (const auto& match : matcher().find(scene).matches) EXPECT_FALSE(match.graspable);
+}
+
 TEST_F(MatcherTest, LooksForReferencePointsInTheRegionOnly) {
   cv::Mat scene = texture({320, 240}, 64, 4);
   const Pose2D truth{100, 100, 0.3};

@@ -10,13 +10,15 @@ namespace mbncc {
 struct SearchConfig {
   std::string engine =
       "fast";  ///< fast: pyramid and rotated templates; polar: the paper's, step by step
-  std::string accept_by = "score";  ///< score: fused evidence; similarity: the paper's plain rule
-  double min_score = 0.3;           ///< [0..1] a detection is reported from here on
-  double confirm_score = 0.7;       ///< [0..1] it may be grasped from here on
-  double min_margin_place = 6;      ///< log-odds to the best competitor elsewhere
-  double min_margin_angle = 6;      ///< log-odds to the best other angle at the place
-  double min_visible = 0.6;         ///< [0..1] part of the map inside the picture
-  int max_instances = 10;           ///< per name
+  std::string accept_by = "score";   ///< score: fused evidence; similarity: the paper's plain rule
+  double min_score = 0.3;            ///< [0..1] a detection is reported from here on
+  double confirm_score = 0.7;        ///< [0..1] it may be grasped from here on
+  double min_margin_place = 6;       ///< log-odds to the best competitor elsewhere
+  double min_margin_angle = 6;       ///< log-odds to the best other angle at the place
+  double max_place_deviation = 1.5;  ///< [px] claimed standard deviation of the position
+  double max_angle_deviation = 1.2;  ///< [deg] claimed standard deviation of the angle
+  double min_visible = 0.6;          ///< [0..1] part of the map inside the picture
+  int max_instances = 10;            ///< per name
   double max_overlap = 0.25;  ///< [0..1] of the smaller map, above which the weaker detection goes
   double time_budget = 0;     ///< [s] per picture; 0: none
   int threads = 1;            ///< worker threads of a search
@@ -40,6 +42,12 @@ struct SearchConfig {
     visit(FieldInfo{"min_margin_angle", Allowed::range(0, 100), "log-odds",
                     "graspable only with this margin to the best other angle at the place"},
           self.min_margin_angle);
+    visit(FieldInfo{"max_place_deviation", Allowed::range(0, 100), "px",
+                    "graspable only when the position is known this well (standard deviation)"},
+          self.max_place_deviation);
+    visit(FieldInfo{"max_angle_deviation", Allowed::range(0, 180), "deg",
+                    "graspable only when the angle is known this well (standard deviation)"},
+          self.max_angle_deviation);
     visit(FieldInfo{"min_visible", Allowed::range(0.1, 1), "",
                     "graspable only with this part of the map inside the picture"},
           self.min_visible);

@@ -44,6 +44,7 @@ Detection judged(const PreparedObject& object, const PreparedView& view, const S
   detection.pose = settled.pose;
   detection.pose.theta = wrap_angle(settled.pose.theta);
   detection.covariance = settled.covariance;
+  detection.strange = strangest_colour(view.fine, scene.levels[0], detection.pose);
   const Similarity similar = similarity(view.points, scene.grey[0], detection.pose);
   detection.similarity = similar.value;
   detection.visible = similar.visible;

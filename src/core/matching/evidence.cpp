@@ -98,6 +98,13 @@ Evidence gather_evidence(const PoseTemplate& object, const SceneLevel& scene, co
   return evidence;
 }
 
+double strangest_colour(const PoseTemplate& object, const SceneLevel& scene, const Pose2D& pose) {
+  SurfaceSample sample;
+  object.surface.sample(scene, pose, sample);
+  return worst_chroma_difference(object.surface.planes, sample.planes, sample.inside,
+                                 object.surface.block_ends);
+}
+
 double log_odds(const Evidence& evidence, double area) {
   // Fitted by logistic regression to true and false poses in drawn scenes and photographs, the
   // discount for clutter (clutter.hpp) among the terms.

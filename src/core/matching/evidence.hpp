@@ -35,6 +35,9 @@ struct PoseTemplate {
 
 Evidence gather_evidence(const PoseTemplate& object, const SceneLevel& scene, const Pose2D& pose);
 
+/// How strangely coloured a part of the object is at the pose; see worst_chroma_difference().
+double strangest_colour(const PoseTemplate& object, const SceneLevel& scene, const Pose2D& pose);
+
 /// Fused log-odds that the object of `area` [px] lies at the pose: a logistic model of the
 /// evidence. Small objects are matched by chance more often and need more.
 double log_odds(const Evidence& evidence, double area);

@@ -9,6 +9,7 @@ namespace mbncc {
 namespace {
 
 constexpr double kNoCompetitor = 20;  // log-odds: margin where nothing else was found
+constexpr double kStrange = 0.33;     // chroma: a part of another colour is no part of the object
 constexpr double kOtherAngle = to_radians(10);
 
 bool overlapping(const Detection& a, const Detection& b, double most) {
@@ -95,6 +96,14 @@ cv::Matx33d moved_to_reference(const cv::Matx33d& covariance, cv::Point2d lever)
   return jacobian * covariance * jacobian.t();
 }
 
+/// The pose is known well enough to reach for; the angle of a round object does not matter.
+bool within_deviations(const Match& match, const SearchConfig& config) {
+  const cv::Matx33d& c = match.covariance;
+  const double angle = match.symmetry == 0 ? 0 : to_degrees(std::sqrt(c(2, 2)));
+  return std::sqrt(std::max(c(0, 0), c(1, 1))) <= config.max_place_deviation &&
+         angle <= config.max_angle_deviation;
+}
+
 Match to_match(const Detection& detection, const Margins& margins, const SearchConfig& config) {
   const ObjectModel& model = *detection.object->model;
   const PreparedView& view = *detection.view;
@@ -110,10 +119,12 @@ Match to_match(const Detection& detection, const Margins& margins, const SearchC
   match.margin_angle = margins.angle(detection);
   match.visible = detection.visible;
   match.symmetry = view.symmetry;
-  const bool sure = match.margin_place >= config.min_margin_place &&
+  const bool located = within_deviations(match, config);
+  const bool sure = detection.strange <= kStrange &&
+                    match.margin_place >= config.min_margin_place &&
                     match.margin_angle >= config.min_margin_angle;
   const bool enough = match.score >= config.confirm_score;
-  match.graspable = enough && sure && match.visible >= config.min_visible;
+  match.graspable = enough && sure && located && match.visible >= config.min_visible;
   match.ambiguous = enough && !sure;
   for (const auto& point : view.outline)
     match.outline.emplace_back(transform(match.pose, cv::Point2d(point)));

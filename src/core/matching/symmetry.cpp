@@ -6,7 +6,8 @@ namespace mbncc {
 namespace {
 
 constexpr double kMinOverlap = 0.955;   // of the map with itself turned
-constexpr double kMaxDifference = 0.3;  // of the texture's energy
+constexpr double kMaxDifference = 0.3;  // of the texture's energy, ...
+constexpr double kVisible = 15;         // [grey^2] ... but no more than this
 constexpr double kNoise = 5;            // [grey^2] of the difference of two pictures
 
 bool repeats(const PoseTemplate& object, const MapShape& shape, const SceneLevel& own,
@@ -20,7 +21,8 @@ bool repeats(const PoseTemplate& object, const MapShape& shape, const SceneLevel
   own.prepare_around(pose, object.reach());
   object.surface.sample(own, pose, sample);
   const double energy = object.surface.mean_projected_energy();
-  return object.surface.projected_difference(sample) < kMaxDifference * energy + kNoise;
+  return object.surface.projected_difference(sample) <
+         std::min(kMaxDifference * energy, kVisible) + kNoise;
 }
 
 /// Gloss may spoil a few of the rotations of a round object.
