@@ -39,7 +39,7 @@ Clock::duration ticks(Seconds seconds) {
 
 class CameraNodelet : public GuardedNodelet {
  public:
-  ~CameraNodelet() override { stop(); }
+  ~CameraNodelet() override { finish(); }
 
  private:
   using Counts = CameraHealth::Counts;
@@ -92,36 +92,32 @@ void CameraNodelet::stop() {
 }
 
 void CameraNodelet::start() {
-  read_parameters(getPrivateNodeHandle(), field_rows(config_));
+  read_parameters(private_node(), field_rows(config_));
   if (config_.source.empty())
-    throw ConfigError(getPrivateNodeHandle().getNamespace() +
+    throw ConfigError(private_node().getNamespace() +
                       ": parameter 'source' is empty; give a device index or path, a stream URL, a "
                       "folder of pictures or a video file");
   start_calibration();
-  image_transport::ImageTransport transport(getNodeHandle());
+  image_transport::ImageTransport transport(node());
   camera_ = transport.advertiseCamera("image_raw", 5);
-  report_ = std::make_unique<HealthReport>(getNodeHandle(), getPrivateNodeHandle(), getName(),
-                                           config_.source, "pictures",
-                                           [this](auto& status) { diagnose(status); });
+  report_ = std::make_unique<HealthReport>(node(), private_node(), getName(), config_.source,
+                                           "pictures", [this](auto& status) { diagnose(status); });
   worker_ = std::thread(&CameraNodelet::work, this);
 }
 
 void CameraNodelet::start_calibration() {
-  const std::string where = getPrivateNodeHandle().getNamespace() + ": parameter '";
-  // Local until it is accepted: the loader takes a refused nodelet's callback queue away before the
-  // nodelet, and a service left in a member would then crash.
-  auto calibration = std::make_unique<camera_info_manager::CameraInfoManager>(getNodeHandle());
-  if (!calibration->setCameraName(config_.camera_name))
+  const std::string where = private_node().getNamespace() + ": parameter '";
+  calibration_ = std::make_unique<camera_info_manager::CameraInfoManager>(node());
+  if (!calibration_->setCameraName(config_.camera_name))
     throw ConfigError(where + "camera_name': value '" + config_.camera_name +
                       "' is not allowed; give letters, digits and underscores");
-  if (!calibration->validateURL(config_.camera_info_url))
+  if (!calibration_->validateURL(config_.camera_info_url))
     throw ConfigError(where + "camera_info_url': value '" + config_.camera_info_url +
                       "' is not allowed; give file:///... or package://... or leave it empty");
-  calibration->loadCameraInfo(config_.camera_info_url);
-  if (!calibration->isCalibrated())
+  calibration_->loadCameraInfo(config_.camera_info_url);
+  if (!calibration_->isCalibrated())
     NODELET_WARN("No calibration of camera '%s': poses will be in pixels only",
                  config_.camera_name.c_str());
-  calibration_ = std::move(calibration);
 }
 
 void CameraNodelet::work() {

@@ -1,32 +1,57 @@
-// What the nodelets share: a start that may fail with a sentence.
+// What the nodelets share: a start that may fail with a sentence, and an end that waits for
+// callbacks.
 #pragma once
 
 #include <nodelet/nodelet.h>
+#include <ros/callback_queue.h>
 #include <ros/console.h>
+#include <ros/spinner.h>
 
 #include <exception>
 
 namespace mbncc::nodelets {
 
+/// Its callbacks come one at a time, on a thread of its own. On the manager's threads a nodelet
+/// that is unloaded amid a callback would be deleted later than its callback queue, which its
+/// publishers still use.
 class GuardedNodelet : public nodelet::Nodelet {
  protected:
-  /// Reads the parameters and begins to work; throws with a sentence when that cannot be.
+  /// Reads the parameters and begins to work; throws with a sentence when that cannot be. No
+  /// callback comes before it has returned.
   virtual void start() = 0;
 
-  /// Leaves nothing that uses the nodelet's callback queue: the loader takes that away before it
-  /// deletes a nodelet which failed to start. Called then, and by the destructor of the nodelet.
+  /// Ends the threads and whatever else calls the nodelet.
   virtual void stop() = 0;
+
+  /// The nodelet's namespace, and its private one; callbacks come through its own queue.
+  ros::NodeHandle node() { return with_own_queue(getNodeHandle()); }
+  ros::NodeHandle private_node() { return with_own_queue(getPrivateNodeHandle()); }
+
+  /// To be called by the destructor of the nodelet, whose members the callbacks use.
+  void finish() {
+    spinner_.stop();
+    stop();
+  }
 
  private:
   void onInit() final {
     try {
       start();
+      spinner_.start();
     } catch (const std::exception& error) {
       NODELET_FATAL("%s", error.what());
-      stop();
+      finish();
       throw;
     }
   }
+
+  ros::NodeHandle with_own_queue(ros::NodeHandle handle) {
+    handle.setCallbackQueue(&queue_);
+    return handle;
+  }
+
+  ros::CallbackQueue queue_;
+  ros::AsyncSpinner spinner_{1, &queue_};
 };
 
 }  // namespace mbncc::nodelets

@@ -29,7 +29,7 @@ namespace mbncc::nodelets {
 
 class LearningNodelet : public GuardedNodelet {
  public:
-  ~LearningNodelet() override { stop(); }
+  ~LearningNodelet() override { finish(); }
 
  private:
   void start() override;
@@ -66,13 +66,13 @@ class LearningNodelet : public GuardedNodelet {
 };
 
 void LearningNodelet::start() {
-  ros::NodeHandle node = getNodeHandle();
-  read_parameters(getPrivateNodeHandle(), field_rows(config_));
-  open_library(node);
-  start_pictures(node);
-  start_lessons(node);
-  report_ = std::make_unique<HealthReport>(node, getPrivateNodeHandle(), getName(), "none",
-                                           "learning", [this](auto& status) { diagnose(status); });
+  ros::NodeHandle own_node = node();
+  read_parameters(private_node(), field_rows(config_));
+  open_library(own_node);
+  start_pictures(own_node);
+  start_lessons(own_node);
+  report_ = std::make_unique<HealthReport>(own_node, private_node(), getName(), "none", "learning",
+                                           [this](auto& status) { diagnose(status); });
 }
 
 void LearningNodelet::stop() {

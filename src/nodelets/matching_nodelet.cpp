@@ -28,7 +28,7 @@ namespace mbncc::nodelets {
 
 class MatchingNodelet : public GuardedNodelet {
  public:
-  ~MatchingNodelet() override { stop(); }
+  ~MatchingNodelet() override { finish(); }
 
  private:
   void start() override;
@@ -69,7 +69,7 @@ class MatchingNodelet : public GuardedNodelet {
 
 void MatchingNodelet::start() {
   MatchingNodeConfig config;
-  read_parameters(getPrivateNodeHandle(), field_rows(config));
+  read_parameters(private_node(), field_rows(config));
   settings_ = std::make_unique<LiveSettings>(config);
   open_library();
   start_search();
@@ -97,42 +97,40 @@ void MatchingNodelet::stop() {
 }
 
 void MatchingNodelet::open_library() {
-  ros::NodeHandle node = getNodeHandle();
-  node.setCallbackQueue(&side_queue_);
+  ros::NodeHandle side_node = node();
+  side_node.setCallbackQueue(&side_queue_);
   matcher_ =
       std::make_unique<LiveMatcher>(settings_->initial().search, settings_->initial().library_path);
   // Who publishes a change tells of it sooner than the watch on the folder does.
-  library_subscriber_ = node.subscribe<mbncc_vision::LearnedObjectArray>(
+  library_subscriber_ = side_node.subscribe<mbncc_vision::LearnedObjectArray>(
       "object_library", 1,
       [this](const mbncc_vision::LearnedObjectArrayConstPtr&) { look_for_changes(); });
   library_timer_ =
-      node.createWallTimer(ros::WallDuration(1), [this](const auto&) { look_for_changes(); });
+      side_node.createWallTimer(ros::WallDuration(1), [this](const auto&) { look_for_changes(); });
 }
 
 void MatchingNodelet::start_search() {
-  ros::NodeHandle node = getNodeHandle();
   tf_listener_ = std::make_unique<tf2_ros::TransformListener>(tf_buffer_);
   camera_ = std::make_unique<CameraInput>(
-      node, settings_->initial().image_transport,
+      node(), settings_->initial().image_transport,
       [this](const sensor_msgs::ImageConstPtr& image) { on_image(image); });
-  publisher_ = std::make_unique<DetectionPublisher>(node, getPrivateNodeHandle(),
-                                                    [this] { listen_as_wanted(); });
+  publisher_ =
+      std::make_unique<DetectionPublisher>(node(), private_node(), [this] { listen_as_wanted(); });
   worker_ = std::make_unique<SearchWorker>(
       SearchTools{*settings_, *matcher_, tf_buffer_, *camera_, *publisher_});
 }
 
 void MatchingNodelet::start_services() {
-  ros::NodeHandle node = getNodeHandle();
-  ros::NodeHandle private_node = getPrivateNodeHandle();
-  node.setCallbackQueue(&side_queue_);
+  ros::NodeHandle side_node = node(), side_private_node = private_node();
+  side_node.setCallbackQueue(&side_queue_);
+  side_private_node.setCallbackQueue(&side_queue_);
   const FindTools tools{settings_->initial(), *matcher_,
                         tf_buffer_,           *camera_,
                         picture_wait_,        [this] { listen_as_wanted(); }};
-  find_service_ = std::make_unique<FindService>(node, tools);
-  enable_server_ = private_node.advertiseService("enable", &MatchingNodelet::enable, this);
-  private_node.setCallbackQueue(&side_queue_);
+  find_service_ = std::make_unique<FindService>(side_node, tools);
+  enable_server_ = private_node().advertiseService("enable", &MatchingNodelet::enable, this);
   reconfigure_ = std::make_unique<Reconfigure>(
-      private_node,
+      side_private_node,
       [this](const auto& use) {
         settings_->change([&use](MatchingNodeConfig& config) {
           use(chosen(field_rows(config),
@@ -144,11 +142,10 @@ void MatchingNodelet::start_services() {
 
 void MatchingNodelet::start_watching() {
   // A wall timer: a simulated clock may stand still, which is one way for pictures to stop.
-  silence_timer_ = getNodeHandle().createWallTimer(
+  silence_timer_ = node().createWallTimer(
       ros::WallDuration(0.1), [this](const auto&) { worker_->look_for_silence(wanted()); });
-  report_ =
-      std::make_unique<HealthReport>(getNodeHandle(), getPrivateNodeHandle(), getName(), "none",
-                                     "matching", [this](auto& status) { diagnose(status); });
+  report_ = std::make_unique<HealthReport>(node(), private_node(), getName(), "none", "matching",
+                                           [this](auto& status) { diagnose(status); });
 }
 
 bool MatchingNodelet::wanted() const {

@@ -22,16 +22,16 @@ namespace mbncc::nodelets {
 
 class RectifyNodelet : public GuardedNodelet {
  public:
-  ~RectifyNodelet() override { stop(); }
+  ~RectifyNodelet() override { finish(); }
 
  private:
   void start() override {
-    read_parameters(getPrivateNodeHandle(), field_rows(config_));
+    read_parameters(private_node(), field_rows(config_));
     camera_ = std::make_unique<CameraInput>(
-        getNodeHandle(), config_.image_transport,
+        node(), config_.image_transport,
         [this](const sensor_msgs::ImageConstPtr& image) { mailbox_.put(image); });
     worker_ = std::thread([this] { work(); });
-    image_transport::ImageTransport transport(getNodeHandle());
+    image_transport::ImageTransport transport(node());
     const image_transport::SubscriberStatusCallback changed = [this](const auto&) {
       listen_as_wanted();
     };
@@ -39,8 +39,8 @@ class RectifyNodelet : public GuardedNodelet {
     const std::lock_guard<std::mutex> lock(mutex_);
     publisher_ = transport.advertise("image_rect", 1, changed, changed);
     report_ =
-        std::make_unique<HealthReport>(getNodeHandle(), getPrivateNodeHandle(), getName(), "none",
-                                       "rectifying", [this](auto& status) { diagnose(status); });
+        std::make_unique<HealthReport>(node(), private_node(), getName(), "none", "rectifying",
+                                       [this](auto& status) { diagnose(status); });
   }
 
   void stop() override {

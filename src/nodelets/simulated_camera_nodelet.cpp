@@ -10,7 +10,6 @@
 #include <cmath>
 #include <limits>
 #include <memory>
-#include <mutex>
 
 #include "mbncc/cell/platform.hpp"
 #include "mbncc/config/simulated_camera_config.hpp"
@@ -51,19 +50,19 @@ sim::CellScriptConfig script_config(const SimulatedCameraConfig& config) {
 
 class SimulatedCameraNodelet : public GuardedNodelet {
  public:
-  ~SimulatedCameraNodelet() override { stop(); }
+  ~SimulatedCameraNodelet() override { finish(); }
 
  private:
   void stop() override { timer_.stop(); }
 
   void start() override {
-    read_parameters(getPrivateNodeHandle(), field_rows(config_));
+    read_parameters(private_node(), field_rows(config_));
     scene_ = std::make_unique<sim::Scene>(scene_config(config_));
     script_ = std::make_unique<sim::CellScript>(script_config(config_));
     optics_ = std::make_unique<SimulatedOptics>(config_);
-    image_transport::ImageTransport transport(getNodeHandle());
+    image_transport::ImageTransport transport(node());
     camera_ = transport.advertiseCamera("image_raw", 1);
-    ros::NodeHandle& handle = getMTPrivateNodeHandle();
+    ros::NodeHandle handle = private_node();
     truth_ = handle.advertise<mbncc_vision::DetectedObjectArray>("truth", 10, true);
     take_away_ = handle.advertiseService("take_away", &SimulatedCameraNodelet::on_take_away, this);
     put_next_ = handle.advertiseService("put_next", &SimulatedCameraNodelet::on_put_next, this);
@@ -72,10 +71,8 @@ class SimulatedCameraNodelet : public GuardedNodelet {
   }
 
   void on_timer(const ros::WallTimerEvent&) {
-    std::unique_lock<std::mutex> lock(mutex_);
     script_->step();
     const sim::CellFrame frame = script_->frame();
-    lock.unlock();
     std_msgs::Header header;
     header.stamp = ros::Time::now();
     header.frame_id = config_.frame_id;
@@ -132,7 +129,6 @@ class SimulatedCameraNodelet : public GuardedNodelet {
   }
 
   bool on_take_away(std_srvs::Trigger::Request&, std_srvs::Trigger::Response& response) {
-    const std::lock_guard<std::mutex> lock(mutex_);
     const bool at_rest = script_->at_rest();
     response.success = script_->take_away();
     response.message = response.success ? "The arm takes the object away."
@@ -142,7 +138,6 @@ class SimulatedCameraNodelet : public GuardedNodelet {
   }
 
   bool on_put_next(std_srvs::Trigger::Request&, std_srvs::Trigger::Response& response) {
-    const std::lock_guard<std::mutex> lock(mutex_);
     response.success = script_->put_next();
     response.message = response.success ? "The arm puts the object down at the next place."
                                         : "The arm is under way; call again when it has gone.";
@@ -152,7 +147,6 @@ class SimulatedCameraNodelet : public GuardedNodelet {
   SimulatedCameraConfig config_;
   std::unique_ptr<const SimulatedOptics> optics_;
   std::unique_ptr<const sim::Scene> scene_;
-  std::mutex mutex_;  // guards script_
   std::unique_ptr<sim::CellScript> script_;
   std::uint64_t frames_ = 0;
   ros::Time last_stamp_;

@@ -51,6 +51,19 @@ TEST(OneProcess, PicturesAreNotCopied) {
   }
 }
 
+// Rectifying follows the camera out, whose timer is hardly ever idle.
+TEST(OneProcess, UnloadingAmidCallbacksLeavesNothingBehind) {
+  for (int round = 0; round < 20; ++round) {
+    int heard = 0;
+    const ros::Subscriber listener = ros::NodeHandle().subscribe<sensor_msgs::Image>(
+        "/image_rect", 1, [&heard](const sensor_msgs::ImageConstPtr&) { ++heard; });
+    nodelet::Loader loader(false);
+    ASSERT_TRUE(loader.load("/camera", "mbncc_vision/SimulatedCameraNodelet", {}, {}));
+    ASSERT_TRUE(loader.load("/rectify", "mbncc_vision/RectifyNodelet", {}, {}));
+    ASSERT_TRUE(spin_until([&heard] { return heard > 0; })) << round;
+  }
+}
+
 }  // namespace
 }  // namespace mbncc::nodelets
 
