@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <opencv2/imgproc.hpp>
+#include <tuple>
 
 #include "matching/edge_picture.hpp"
 #include "polar/kernels.hpp"
@@ -122,10 +123,11 @@ class EdgeSearch {
   EdgeCandidates run(int most) {
     for (int y = 0; y < size_.height; ++y)
       for (std::size_t k = 0; k < offsets_.size(); ++k) add_rotation(k, y);
+    std::vector<Peak> peaks;
+    for (const auto& quarter : quarters_) add_peaks(quarter, peaks);
+    keep_best(peaks, static_cast<std::size_t>(most));
     EdgeCandidates found;
-    for (const auto& quarter : quarters_) add_peaks(quarter, found.poses);
-    sort_by_value(found.poses);
-    if (found.poses.size() > static_cast<std::size_t>(most)) found.poses.resize(most);
+    for (const auto& peak : peaks) found.poses.push_back(candidate(peak));
     if (bank_.round()) found.round_places = different_places(found.poses);
     return found;
   }
@@ -147,26 +149,40 @@ class EdgeSearch {
                                quarter.rotation.ptr<std::int16_t>(y), quarter.best.cols);
   }
 
-  void add_peaks(const Quarter& quarter, std::vector<Candidate>& found) const {
+  struct Peak {
+    int sum, rotation, x, y;
+  };
+
+  /// Positions whose sums no neighbour exceeds.
+  void add_peaks(const Quarter& quarter, std::vector<Peak>& peaks) const {
     const int least = std::max(1, static_cast<int>(kMinResponse * kUnit * offsets_.front().size()));
+    const cv::Mat best = quarter.best.colRange(0, size_.width);
+    cv::Mat highest;
+    cv::dilate(best, highest, cv::Mat(), {-1, -1}, 1, cv::BORDER_CONSTANT | cv::BORDER_ISOLATED);
     for (int y = 0; y < size_.height; ++y) {
-      const auto* row = quarter.best.ptr<std::int16_t>(y);
-      for (int x = 0; x < size_.width; ++x) {
-        if (row[x] < least || !is_peak(quarter.best, x, y)) continue;
-        const int k = quarter.rotation.at<std::int16_t>(y, x);
-        const Pose2D pose{double(first_.x + kStep * x), double(first_.y + kStep * y),
-                          wrap_angle(bank_.rotations()[k].angle)};
-        found.push_back({pose, bank_.level(), mean(row[x])});
-      }
+      const auto* row = best.ptr<std::int16_t>(y);
+      const auto* around = highest.ptr<std::int16_t>(y);
+      for (int x = 0; x < size_.width; ++x)
+        if (row[x] >= least && row[x] == around[x])
+          peaks.push_back({row[x], quarter.rotation.at<std::int16_t>(y, x), x, y});
     }
   }
 
-  bool is_peak(const cv::Mat& best, int x, int y) const {
-    const int value = best.at<std::int16_t>(y, x);
-    for (int v = std::max(0, y - 1); v <= std::min(size_.height - 1, y + 1); ++v)
-      for (int u = std::max(0, x - 1); u <= std::min(size_.width - 1, x + 1); ++u)
-        if (best.at<std::int16_t>(v, u) > value) return false;
-    return true;
+  /// The best `most`, best first; in the order of rotations and places where equal.
+  static void keep_best(std::vector<Peak>& peaks, std::size_t most) {
+    const auto better = [](const Peak& a, const Peak& b) {
+      return std::make_tuple(-a.sum, a.rotation, a.y, a.x) <
+             std::make_tuple(-b.sum, b.rotation, b.y, b.x);
+    };
+    const auto end = peaks.begin() + static_cast<std::ptrdiff_t>(std::min(most, peaks.size()));
+    std::partial_sort(peaks.begin(), end, peaks.end(), better);
+    peaks.erase(end, peaks.end());
+  }
+
+  Candidate candidate(const Peak& peak) const {
+    const Pose2D pose{double(first_.x + kStep * peak.x), double(first_.y + kStep * peak.y),
+                      wrap_angle(bank_.rotations()[peak.rotation].angle)};
+    return {pose, bank_.level(), mean(peak.sum)};
   }
 
   static std::vector<Candidate> different_places(const std::vector<Candidate>& found) {
