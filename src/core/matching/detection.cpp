@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 
 namespace mbncc {
 namespace {
@@ -12,15 +13,31 @@ double fine_odds(const PreparedView& view, const ScenePicture& scene, const Pose
   return log_odds(gather_evidence(view.fine, scene.levels[0], pose), view.shape.area());
 }
 
-/// The best of several climbs from slightly turned starts: narrow objects have side maxima.
+bool same_pose(const Pose2D& a, const Pose2D& b, double radius) {
+  constexpr double kSame = 0.25;  // [px]
+  return std::hypot(a.x - b.x, a.y - b.y) < kSame &&
+         angle_distance(a.theta, b.theta) * radius < kSame;
+}
+
+/// The best of several climbs from slightly turned starts: narrow objects have side maxima. Starts
+/// farther off are tried only where the near ones led elsewhere.
 Pose2D polished(const PreparedView& view, const ScenePicture& scene, const Pose2D& pose) {
   constexpr double kArc = 2.5;  // [px] between the starts at the rim
-  Pose2D best = pose;
-  double best_odds = -1e9;
-  for (int k = -2; k <= 2; ++k) {
+  const double radius = view.shape.radius();
+  const auto reached_from = [&](int turn) {
     Pose2D start = pose;
-    start.theta += k * kArc / std::max(4.0, 0.75 * view.shape.radius());
-    const Pose2D reached = climb(view.fine, scene.levels[0], start, 6).pose;
+    start.theta += turn * kArc / std::max(4.0, 0.75 * radius);
+    return climb(view.fine, scene.levels[0], start, 6).pose;
+  };
+  const Pose2D first = reached_from(0);
+  Pose2D best = first;
+  double best_odds = fine_odds(view, scene, best);
+  bool elsewhere = false;
+  for (const int turn : {-1, 1, -2, 2}) {
+    if (std::abs(turn) > 1 && !elsewhere) break;
+    const Pose2D reached = reached_from(turn);
+    if (same_pose(reached, first, radius)) continue;
+    elsewhere = true;
     const double reached_odds = fine_odds(view, scene, reached);
     if (reached_odds > best_odds) {
       best = reached;

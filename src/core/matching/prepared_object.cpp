@@ -67,7 +67,7 @@ PreparedView::PreparedView(const Source& source, Engine engine)
           ContourTemplate(geometry, anchor, level, contour_points)};
     };
     rough.push_back(prepare(48, 32));
-    templates.push_back(prepare(160, 64));
+    templates.push_back(prepare(112, 64));
     if (level > 0) continue;
     fine = prepare(640, 200);
     dense = prepare(4000, 200);

@@ -14,11 +14,11 @@ namespace mbncc {
 namespace {
 
 constexpr int kTopLevel = 5;
-constexpr int kMinPixels = 36;     // fewer are matched by chance everywhere ...
-constexpr int kFewPixels = 20;     // ... but levels as fine as kFineLevel cost too much without need
+constexpr int kMinPixels = 36;  // fewer are matched by chance everywhere ...
+constexpr int kFewPixels = 20;  // ... but levels as fine as kFineLevel cost too much without need
 constexpr int kFineLevel = 2;
 constexpr float kCoverage = 0.6f;  // [0..1] of a pixel in the map
-constexpr double kArcStep = 2.2;   // [px] that the rim moves per rotation step
+constexpr double kArcStep = 2.6;   // [px] that the rim moves per rotation step
 constexpr int kOversampling = 4;   // samples per pixel side when turning
 
 /// Template and map at a level somewhat finer than the coarse one, ready to be turned.
