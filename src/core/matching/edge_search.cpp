@@ -186,8 +186,10 @@ class EdgeSearch {
   }
 
   static std::vector<Candidate> different_places(const std::vector<Candidate>& found) {
+    constexpr std::size_t kEnough = 250;
     std::vector<Candidate> places;
     for (const auto& candidate : found) {
+      if (places.size() == kEnough) break;
       const bool known = std::any_of(places.begin(), places.end(), [&](const Candidate& place) {
         return place.pose.x == candidate.pose.x && place.pose.y == candidate.pose.y;
       });

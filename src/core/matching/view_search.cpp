@@ -10,14 +10,23 @@
 namespace mbncc {
 namespace {
 
-constexpr int kEdgePoses = 400;           // that the edge search proposes
-constexpr std::size_t kRoundPlaces = 24;  // of those whose contour does not tell the rotation
+constexpr std::size_t kRoundPlaces = 24;  // places whose contour does not tell the rotation
 constexpr std::size_t kEntering = 48;     // candidates that enter at a level
 constexpr std::size_t kFinal = 4;         // places whose other angles are tried
 constexpr std::size_t kPolished = 8;
 constexpr double kHopeless = 15;   // log-odds behind the best that no climb makes up for
 constexpr double kNoRival = 12;    // log-odds behind the best at full resolution, of no interest
 constexpr double kPromising = -8;  // log-odds that polishing may bring to acceptance
+
+/// How hard the candidates are looked at.
+struct Effort {
+  std::size_t edge_poses;  ///< of the edge search, at most
+  int turns;               ///< further starts, turned each way, of a candidate that enters
+  double width;            ///< [px at level] objects narrower enter one level finer
+};
+constexpr Effort kQuick{400, 0, 0};
+constexpr Effort kThorough{1600, 2, 2.3};
+constexpr double kFound = 3;  // log-odds of a candidate that make a thorough look needless
 
 std::size_t most_at(int level) {
   return level == 0 ? 12 : level == 1 ? 16 : 24;
@@ -34,42 +43,65 @@ class ViewSearch {
  public:
   ViewSearch(const PreparedObject& object, const PreparedView& view, const ScenePicture& scene,
              const cv::Rect& roi)
-      : object_(object), view_(view), scene_(scene), roi_(roi), entering_(view.templates.size()) {}
+      : object_(object), view_(view), scene_(scene), roi_(roi) {}
 
   std::vector<Detection> run() {
     if (view_.polar) return judge_polar();
     if (view_.top_level() > scene_.top_level()) return {};
     correlate();
     follow_edges();
-    std::vector<Candidate> candidates;
-    for (int level = view_.top_level(); level >= 0; --level) {
-      const bool fresh = !entering_[level].empty();
-      admit(level, candidates);
-      refine_at(level, fresh ? 4 : 2, candidates);
-      if (level > 0) step_down(candidates);
-    }
+    std::vector<Candidate> candidates = descend(kQuick);
+    if (candidates.empty() || candidates.front().value < kFound) candidates = descend(kThorough);
     keep_hopeful(candidates, most_at(0), kNoRival);
     try_other_angles(candidates);
     return judge(candidates);
   }
 
  private:
+  using PerLevel = std::vector<std::vector<Candidate>>;
+
+  /// From what the coarse searches proposed to the best candidates at full resolution.
+  std::vector<Candidate> descend(const Effort& effort) const {
+    PerLevel entering = proposals(effort);
+    std::vector<Candidate> candidates;
+    for (int level = view_.top_level(); level >= 0; --level) {
+      const bool fresh = !entering[level].empty();
+      if (fresh && level > 0 && view_.geometry.mean_width() < effort.width * (1 << level))
+        enter_finer(level, entering);
+      else
+        admit(level, effort.turns, entering[level], candidates);
+      refine_at(level, fresh ? 4 : 2, candidates);
+      if (level > 0) step_down(candidates);
+    }
+    return candidates;
+  }
+
+  PerLevel proposals(const Effort& effort) const {
+    PerLevel entering(view_.templates.size());
+    entering[view_.kernels.level] = correlated_;
+    auto& by_edges = entering[view_.edges.level()];
+    const std::size_t count = std::min(effort.edge_poses, edges_.size());
+    by_edges.insert(by_edges.end(), edges_.begin(),
+                    edges_.begin() + static_cast<std::ptrdiff_t>(count));
+    by_edges.insert(by_edges.end(), round_.begin(), round_.end());
+    return entering;
+  }
+
   void correlate() {
     const int level = view_.kernels.level;
     if (level == 0) return;  // too fine to search everywhere; the edges have to do
-    entering_[level] = coarse_search(view_.kernels, scene_.grey[level], at_level(roi_, level));
+    correlated_ = coarse_search(view_.kernels, scene_.grey[level], at_level(roi_, level));
   }
 
   void follow_edges() {
     const int level = view_.edges.level();
     scene_.levels[level].prepare();
-    EdgeCandidates found =
-        edge_search(view_.edges, scene_.levels[level].edges, at_level(roi_, level), kEdgePoses);
-    auto& entering = entering_[level];
-    entering.insert(entering.end(), found.poses.begin(), found.poses.end());
+    EdgeCandidates found = edge_search(view_.edges, scene_.levels[level].edges,
+                                       at_level(roi_, level), kThorough.edge_poses);
+    edges_ = std::move(found.poses);
     for (auto& place : found.round_places) place.value = odds(level, place.pose);
     keep_hopeful(found.round_places, kRoundPlaces);
-    for (const auto& place : found.round_places) add_rotations_by_surface(place, entering);
+    for (const auto& place : found.round_places) add_rotations_by_surface(place, round_);
   }
 
   /// The best rotations at a place by what the surface looks like.
@@ -100,15 +132,42 @@ class ViewSearch {
     return peaks;
   }
 
-  void admit(int level, std::vector<Candidate>& candidates) {
-    auto& entering = entering_[level];
+  /// Lets proposals in one level finer: what is hardly two pixels wide cannot be judged.
+  void enter_finer(int level, PerLevel& entering) const {
+    auto coarse = std::move(entering[level]);
+    step_down(coarse);
+    for (auto& candidate : coarse) {
+      candidate.pose =
+          climb(view_.rough[level - 1], scene_.levels[level - 1], candidate.pose, 2).pose;
+      entering[level - 1].push_back(candidate);
+    }
+    entering[level].clear();
+  }
+
+  void admit(int level, int turns, std::vector<Candidate>& entering,
+             std::vector<Candidate>& candidates) const {
     for (auto& candidate : entering)
       candidate.value = odds(view_.rough[level], level, candidate.pose);
     sort_by_value(entering);
     if (entering.size() > 2 * kEntering) entering.resize(2 * kEntering);
     for (auto& candidate : entering) candidate.value = odds(level, candidate.pose);
     keep_hopeful(entering, kEntering);
+    add_turned(turns, entering);
     candidates.insert(candidates.end(), entering.begin(), entering.end());
+  }
+
+  /// Starts beside the candidates: where the coarse steps were too wide, a climb misses the top.
+  void add_turned(int turns, std::vector<Candidate>& candidates) const {
+    constexpr double kArc = 1.5;  // [px] between the starts near the rim
+    const std::size_t count = candidates.size();
+    for (std::size_t i = 0; i < count; ++i)
+      for (int k = -turns; k <= turns; ++k) {
+        if (k == 0) continue;
+        Candidate turned = candidates[i];
+        const double radius = view_.shape.radius() / (1 << turned.level);
+        turned.pose.theta += k * kArc / std::max(3.0, 0.75 * radius);
+        candidates.push_back(turned);
+      }
   }
 
   /// The best `most` that are not hopelessly behind the best.
@@ -207,7 +266,8 @@ class ViewSearch {
   const PreparedView& view_;
   const ScenePicture& scene_;
   cv::Rect roi_;
-  std::vector<std::vector<Candidate>> entering_;  // per level
+  // What the coarse searches proposed, each best first.
+  std::vector<Candidate> correlated_, edges_, round_;
 };
 
 }  // namespace
