@@ -12,11 +12,12 @@ namespace {
 
 constexpr std::size_t kRoundPlaces = 24;  // places whose contour does not tell the rotation
 constexpr std::size_t kEntering = 48;     // candidates that enter at a level
-constexpr std::size_t kFinal = 4;         // places whose other angles are tried
+constexpr std::size_t kFinal = 3;         // places whose other angles are tried
 constexpr std::size_t kPolished = 8;
 constexpr double kHopeless = 15;   // log-odds behind the best that no climb makes up for
 constexpr double kNoRival = 12;    // log-odds behind the best at full resolution, of no interest
-constexpr double kPromising = -8;  // log-odds that polishing may bring to acceptance
+constexpr double kPromising = -8;  // log-odds that polishing may bring to acceptance ...
+constexpr double kOutclassed = 8;  // ... unless so far behind the best
 
 /// How hard the candidates are looked at.
 struct Effort {
@@ -29,7 +30,7 @@ constexpr Effort kThorough{1600, 2, 2.3};
 constexpr double kFound = 3;  // log-odds of a candidate that make a thorough look needless
 
 std::size_t most_at(int level) {
-  return level == 0 ? 12 : level == 1 ? 16 : 24;
+  return level == 0 ? 8 : level == 1 ? 12 : 20;
 }
 
 cv::Rect at_level(const cv::Rect& roi, int level) {
@@ -248,7 +249,8 @@ class ViewSearch {
   std::vector<Detection> judge(const std::vector<Candidate>& candidates) const {
     std::vector<Detection> detections;
     for (const auto& candidate : candidates) {
-      const bool polish = detections.size() < kPolished && candidate.value > kPromising;
+      const bool polish = detections.size() < kPolished && candidate.value > kPromising &&
+                          candidate.value > candidates.front().value - kOutclassed;
       detections.push_back(polish ? polish_and_judge(object_, view_, scene_, candidate.pose)
                                   : judge_pose(object_, view_, scene_, candidate.pose));
     }
