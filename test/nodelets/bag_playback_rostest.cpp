@@ -144,6 +144,9 @@ TEST_F(BagPlayback, FindsEveryPoseAndSendsTfOnceAtThePicturesStamp) {
   EXPECT_TRUE(spin_until([&] { return !arrays_.empty() && arrays_.back()->header.stamp == last; },
                          std::chrono::seconds(120)));
   EXPECT_EQ(playing.get(), 0);
+  // The first pictures may overtake the first calibration.
+  while (!arrays_.empty() && arrays_.front()->status == DetectedObjectArray::UNCALIBRATED)
+    arrays_.erase(arrays_.begin());
 
   std::set<ros::Time> stamps;
   std::set<double> places_found;
