@@ -9,8 +9,18 @@ namespace {
 
 constexpr double kSettlingCost = 1;  // log-odds that settling on the surface may cost
 
+Evidence fine_evidence(const PreparedView& view, const ScenePicture& scene, const Pose2D& pose) {
+  return gather_evidence(view.fine, scene.levels[0], pose);
+}
+
 double fine_odds(const PreparedView& view, const ScenePicture& scene, const Pose2D& pose) {
-  return log_odds(gather_evidence(view.fine, scene.levels[0], pose), view.shape.area());
+  return log_odds(fine_evidence(view, scene, pose), view.shape.area());
+}
+
+/// Log-odds that a part of another colour takes away: occluded, or of something much alike.
+double doubt(const ColourEvidence& colours) {
+  constexpr double kUsual = 0.28, kSteepness = 20;
+  return kSteepness * std::max(0.0, colours.strange - kUsual);
 }
 
 bool same_pose(const Pose2D& a, const Pose2D& b, double radius) {
@@ -52,16 +62,23 @@ Detection judged(const PreparedObject& object, const PreparedView& view, const S
   Detection detection;
   detection.object = &object;
   detection.view = &view;
-  const double odds = fine_odds(view, scene, pose);
+  Evidence evidence = fine_evidence(view, scene, pose);
+  const double odds = log_odds(evidence, view.shape.area());
   Climbed settled = settle(view.dense, scene.levels[0], pose, iterations);
-  const double settled_odds = fine_odds(view, scene, settled.pose);
+  const Evidence settled_evidence = fine_evidence(view, scene, settled.pose);
+  const double settled_odds = log_odds(settled_evidence, view.shape.area());
   // A plain surface may drift along its shading: then the contour had it right.
-  if (settled_odds < odds - kSettlingCost) settled = settle(view.dense, scene.levels[0], pose, 0);
-  detection.log_odds = std::max(odds, settled_odds);
+  if (settled_odds < odds - kSettlingCost)
+    settled = settle(view.dense, scene.levels[0], pose, 0);
+  else
+    evidence = settled_evidence;
   detection.pose = settled.pose;
   detection.pose.theta = wrap_angle(settled.pose.theta);
   detection.covariance = settled.covariance;
-  detection.strange = strangest_colour(view.fine, scene.levels[0], detection.pose);
+  const ColourEvidence colours = gather_colours(view.fine, scene.levels[0], detection.pose);
+  detection.strange = colours.strange;
+  detection.log_odds = std::max(odds, settled_odds) - doubt(colours);
+  detection.rotation_odds = rotation_odds(evidence, colours);
   const Similarity similar = similarity(view.points, scene.grey[0], detection.pose);
   detection.similarity = similar.value;
   detection.visible = similar.visible;
@@ -82,6 +99,35 @@ Detection judge_pose(const PreparedObject& object, const PreparedView& view,
 Detection polish_and_judge(const PreparedObject& object, const PreparedView& view,
                            const ScenePicture& scene, const Pose2D& pose) {
   return judged(object, view, scene, polished(view, scene, pose), 8);
+}
+
+std::vector<Detection> compare_rotations(std::vector<Detection> detections) {
+  constexpr double kComparable = 8;  // log-odds behind the best of the group
+  constexpr double kApart = 0.4;     // of the radius
+  const auto better = [](const Detection& a, const Detection& b) {
+    return a.log_odds > b.log_odds;
+  };
+  std::stable_sort(detections.begin(), detections.end(), better);
+  std::vector<Detection> compared;
+  while (!detections.empty()) {
+    const Detection best = detections.front();
+    const auto others =
+        std::stable_partition(detections.begin(), detections.end(), [&](const Detection& one) {
+          return one.log_odds >= best.log_odds - kComparable &&
+                 cv::norm(one.pose.position() - best.pose.position()) <=
+                     kApart * best.view->shape.radius();
+        });
+    double most = best.rotation_odds;
+    for (auto one = detections.begin(); one != others; ++one)
+      most = std::max(most, one->rotation_odds);
+    for (auto one = detections.begin(); one != others; ++one) {
+      one->log_odds = best.log_odds - (most - one->rotation_odds);
+      compared.push_back(*one);
+    }
+    detections.erase(detections.begin(), others);
+  }
+  std::stable_sort(compared.begin(), compared.end(), better);
+  return compared;
 }
 
 }  // namespace mbncc

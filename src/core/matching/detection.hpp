@@ -2,6 +2,7 @@
 #pragma once
 
 #include <opencv2/core.hpp>
+#include <vector>
 
 #include "matching/prepared_object.hpp"
 #include "matching/scene_picture.hpp"
@@ -13,12 +14,13 @@ namespace mbncc {
 struct Detection {
   const PreparedObject* object = nullptr;
   const PreparedView* view = nullptr;
-  Pose2D pose;             ///< of the anchor [px]
-  cv::Matx33d covariance;  ///< of pose
-  double log_odds = 0;     ///< that the object lies here
-  double similarity = 0;   ///< [-1..1]
-  double visible = 1;      ///< [0..1]
-  double strange = 0;      ///< [0..0.6] see strangest_colour()
+  Pose2D pose;               ///< of the anchor [px]
+  cv::Matx33d covariance;    ///< of pose
+  double log_odds = 0;       ///< that the object lies here
+  double similarity = 0;     ///< [-1..1]
+  double visible = 1;        ///< [0..1]
+  double strange = 0;        ///< [0..0.6] see ColourEvidence
+  double rotation_odds = 0;  ///< against other rotations here, see rotation_odds()
 
   double score() const;  ///< [0..1]
 };
@@ -31,5 +33,9 @@ Detection judge_pose(const PreparedObject& object, const PreparedView& view,
 /// reached.
 Detection polish_and_judge(const PreparedObject& object, const PreparedView& view,
                            const ScenePicture& scene, const Pose2D& pose);
+
+/// Lets detections at the same place compete by their rotation_odds: the best of them takes the
+/// group's log-odds, and the others follow by as much as they are behind. Returns best first.
+std::vector<Detection> compare_rotations(std::vector<Detection> detections);
 
 }  // namespace mbncc

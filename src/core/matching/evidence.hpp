@@ -35,12 +35,22 @@ struct PoseTemplate {
 
 Evidence gather_evidence(const PoseTemplate& object, const SceneLevel& scene, const Pose2D& pose);
 
-/// How strangely coloured a part of the object is at the pose; see worst_chroma_difference().
-double strangest_colour(const PoseTemplate& object, const SceneLevel& scene, const Pose2D& pose);
+/// How the colours agree, apart from brightness.
+struct ColourEvidence {
+  double strange = 0;      ///< [0..0.6] of a part of the object, see worst_chroma_difference()
+  double correlation = 0;  ///< [-1..1] of the chroma, see chroma_correlation()
+};
+
+ColourEvidence gather_colours(const PoseTemplate& object, const SceneLevel& scene,
+                              const Pose2D& pose);
 
 /// Fused log-odds that the object of `area` [px] lies at the pose: a logistic model of the
 /// evidence. Small objects are matched by chance more often and need more.
 double log_odds(const Evidence& evidence, double area);
+
+/// Log-odds, up to a constant, of one rotation against others at the same place. Shading and gloss
+/// do not turn with the object, so only what they leave alone counts.
+double rotation_odds(const Evidence& evidence, const ColourEvidence& colours);
 
 /// A pose reached by climbing.
 struct Climbed {

@@ -243,7 +243,7 @@ class ViewSearch {
     if (view_.polar->top_level() > scene_.top_level()) return detections;
     for (const auto& found : view_.polar->find(scene_.grey, roi_))
       detections.push_back(judge_pose(object_, view_, scene_, found.pose));
-    return best_first(detections);
+    return compare_rotations(std::move(detections));
   }
 
   std::vector<Detection> judge(const std::vector<Candidate>& candidates) const {
@@ -254,14 +254,7 @@ class ViewSearch {
       detections.push_back(polish ? polish_and_judge(object_, view_, scene_, candidate.pose)
                                   : judge_pose(object_, view_, scene_, candidate.pose));
     }
-    return best_first(detections);
-  }
-
-  static std::vector<Detection> best_first(std::vector<Detection> detections) {
-    std::stable_sort(
-        detections.begin(), detections.end(),
-        [](const Detection& a, const Detection& b) { return a.log_odds > b.log_odds; });
-    return detections;
+    return compare_rotations(std::move(detections));
   }
 
   const PreparedObject& object_;
