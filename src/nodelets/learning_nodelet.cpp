@@ -15,6 +15,7 @@
 #include "nodelets/guarded_nodelet.hpp"
 #include "nodelets/health_report.hpp"
 #include "nodelets/images.hpp"
+#include "nodelets/interrupt_watch.hpp"
 #include "nodelets/lesson.hpp"
 #include "nodelets/lesson_gauge.hpp"
 #include "nodelets/lesson_goal.hpp"
@@ -61,6 +62,7 @@ class LearningNodelet : public GuardedNodelet {
   ros::AsyncSpinner confirm_spinner_{1, &confirm_queue_};
   ros::ServiceServer confirm_server_, mark_server_;
   std::unique_ptr<LessonServer> lessons_;
+  std::unique_ptr<InterruptWatch> interrupt_watch_;
   std::unique_ptr<HealthReport> report_;
   ros::WallTimer library_timer_;
 };
@@ -79,6 +81,7 @@ void LearningNodelet::stop() {
   library_timer_.stop();
   report_.reset();
   if (camera_) camera_->set_active(false);
+  interrupt_watch_.reset();
   lessons_.reset();  // ends a running lesson, which releases a waiting confirm_learning
   confirm_spinner_.stop();
   confirm_server_.shutdown();
@@ -141,6 +144,7 @@ void LearningNodelet::start_lessons(ros::NodeHandle& node) {
         return check_goal(goal, *library_->snapshot(), config_.max_objects);
       },
       [this](LessonClient& client) { return teach(client); });
+  interrupt_watch_ = std::make_unique<InterruptWatch>([this] { lessons_->end(); });
 }
 
 mbncc_vision::LearnObjectResult LearningNodelet::teach(LessonClient& client) {

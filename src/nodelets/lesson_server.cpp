@@ -53,6 +53,11 @@ LessonServer::LessonServer(ros::NodeHandle node, const std::string& name, double
 }
 
 LessonServer::~LessonServer() {
+  end();
+}
+
+void LessonServer::end() {
+  if (!worker_.joinable()) return;
   bool interrupted = false;
   {
     const std::lock_guard<std::mutex> lock(mutex_);

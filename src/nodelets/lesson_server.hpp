@@ -57,10 +57,13 @@ class LessonServer {
 
   LessonServer(ros::NodeHandle node, const std::string& name, double default_timeout, Admit admit,
                Teach teach);
-  /// Ends a running lesson; its client is told ABORTED.
+  /// As end().
   ~LessonServer();
 
   bool busy() const;
+
+  /// Ends a running lesson, its client is told ABORTED, and takes no more goals.
+  void end();
 
  private:
   using Server = actionlib::ActionServer<mbncc_vision::LearnObjectAction>;
