@@ -40,6 +40,20 @@ std::vector<std::string> pictures_in(const std::string& folder) {
   return paths;
 }
 
+/// "there is /dev/video0, /dev/video2", for whoever mistyped a device.
+std::string devices_here() {
+  std::vector<std::string> devices;
+  std::error_code error;
+  for (fs::directory_iterator entry("/dev", error), end; !error && entry != end;
+       entry.increment(error))
+    if (entry->path().filename().string().rfind("video", 0) == 0)
+      devices.push_back(entry->path().string());
+  std::sort(devices.begin(), devices.end());
+  std::string sentence = devices.empty() ? "there is no /dev/video*" : "there is ";
+  for (const auto& device : devices) sentence += (&device == &devices[0] ? "" : ", ") + device;
+  return sentence;
+}
+
 /// The pictures of a folder in the order of their names; read anew for every round of a loop.
 class FolderSource : public PictureSource {
  public:
@@ -117,7 +131,8 @@ class CaptureSource : public PictureSource {
   void open() {
     const bool opened = is_index(name_) ? capture_.open(std::stoi(name_)) : capture_.open(name_);
     if (!opened)
-      throw FileError(name_, is_video_ ? "not a readable video" : "the camera does not answer");
+      throw FileError(name_, is_video_ ? "not a readable video"
+                                       : "the camera does not answer; " + devices_here());
     capture_.set(cv::CAP_PROP_BUFFERSIZE, 1);
   }
 
@@ -155,7 +170,7 @@ std::unique_ptr<PictureSource> open_picture_source(const CameraConfig& config,
   if (fs::is_regular_file(status)) return std::make_unique<CaptureSource>(config, true);
   const bool is_stream = source.find("://") != std::string::npos;
   if (!is_index(source) && !is_stream && !fs::is_character_file(status))
-    throw FileError(source, "no such folder, video, device or stream");
+    throw FileError(source, "no such folder, video, device or stream; " + devices_here());
   auto device = std::make_unique<CaptureSource>(config, false);
   ask_settings(config, *device, refused);
   return device;

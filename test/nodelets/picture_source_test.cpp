@@ -104,6 +104,7 @@ TEST_F(FolderOfPictures, FileThatIsNoVideoIsRefused) {
 TEST(PictureSource, MissingOnesAreRefused) {
   EXPECT_NE(refusal("/no/such/folder").find("no such folder"), std::string::npos);
   EXPECT_NE(refusal("/dev/no_such_video").find("no such folder"), std::string::npos);
+  EXPECT_NE(refusal("/dev/no_such_video").find("there is "), std::string::npos);
   EXPECT_NE(refusal("99999").find("does not answer"), std::string::npos);
 }
 
