@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <memory>
 #include <opencv2/core.hpp>
 #include <string>
@@ -20,6 +21,7 @@ struct Match {
   double scale = 1;         ///< relative to the learning picture
   cv::Matx33d covariance;   ///< of pose: x, y, theta [px^2, px rad, rad^2]
   double score = 0;         ///< [0..1] acceptance score
+  double log_odds = 0;      ///< that the object lies here; the fused score is its logistic
   double similarity = 0;    ///< [-1..1] normalized cross correlation weighted by the map
   double margin_place = 0;  ///< log-odds to the best competitor elsewhere or of another object here
   double margin_angle =
@@ -28,7 +30,15 @@ struct Match {
   int symmetry = 1;        ///< 1: none, 2: 180 deg ..., 0: round
   bool graspable = false;  ///< score, margins and visibility suffice in this picture
   bool ambiguous = false;  ///< score would suffice, but a margin does not
+  bool fresh = true;       ///< found in this picture; else in an earlier one that looked the same
   std::vector<cv::Point2f> outline;  ///< [px] largest outline of the map in this picture
+};
+
+/// What was considered and not reported.
+struct Rival {
+  std::string name;
+  double log_odds = 0;
+  std::vector<cv::Point2f> outline;  ///< [px] as of Match
 };
 
 /// What to search for. Zero, empty or negative values mean: as configured.
@@ -37,12 +47,18 @@ struct SearchRequest {
   cv::Rect roi;  ///< [px] reference points are looked for in here; empty: whole picture
   double min_score = -1;
   int max_instances = 0;
+  /// For a search of part of a picture: by name, the log-odds that scores are lowered by at least,
+  /// as SearchResult::clutter told of the whole.
+  std::map<std::string, double> clutter;
 };
 
 struct SearchResult {
-  std::vector<Match> matches;         ///< best score first
-  std::vector<std::string> searched;  ///< names really searched
-  std::vector<std::string> skipped;   ///< "name: reason"
+  std::vector<Match> matches;             ///< best score first
+  std::vector<std::string> searched;      ///< names really searched
+  std::vector<std::string> skipped;       ///< "name: reason"
+  std::vector<Rival> rivals;              ///< that no reported one of the same object covers
+  std::map<std::string, double> clutter;  ///< by name: log-odds that scores were lowered by, for
+                                          ///< what looks alike elsewhere
   bool budget_exceeded = false;
   double search_time = 0;  ///< [s] wall time, preparation of objects not included
 };
@@ -63,6 +79,8 @@ class Matcher {
   /// are prepared here, which takes some milliseconds each. Throws std::invalid_argument when a
   /// model breaks the rules of object_model.hpp.
   void set_objects(std::vector<std::shared_ptr<const ObjectModel>> objects);
+
+  std::vector<std::shared_ptr<const ObjectModel>> objects() const;
 
   /// Changes config().min_score [0..1] and config().max_instances (>= 1).
   void set_limits(double min_score, int max_instances);

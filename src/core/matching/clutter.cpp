@@ -46,12 +46,16 @@ double discount(const std::vector<const Detection*>& detections) {
 
 }  // namespace
 
-void discount_clutter(std::vector<Detection>& detections) {
-  std::map<const PreparedObject*, std::vector<const Detection*>> of_object;
-  for (const auto& detection : detections) of_object[detection.object].push_back(&detection);
-  std::map<const PreparedObject*, double> discounts;
-  for (const auto& [object, own] : of_object) discounts[object] = discount(own);
-  for (auto& detection : detections) detection.log_odds -= discounts[detection.object];
+std::map<std::string, double> discount_clutter(std::vector<Detection>& detections,
+                                               const std::map<std::string, double>& least) {
+  std::map<std::string, std::vector<const Detection*>> of_object;
+  for (const auto& detection : detections)
+    of_object[detection.object->model->name].push_back(&detection);
+  std::map<std::string, double> discounts = least;
+  for (const auto& [name, own] : of_object)
+    discounts[name] = std::max(discounts[name], discount(own));
+  for (auto& detection : detections) detection.log_odds -= discounts[detection.object->model->name];
+  return discounts;
 }
 
 }  // namespace mbncc

@@ -126,6 +126,12 @@ void Matcher::set_objects(std::vector<std::shared_ptr<const ObjectModel>> object
   implementation_->objects = std::move(prepared);
 }
 
+std::vector<std::shared_ptr<const ObjectModel>> Matcher::objects() const {
+  std::vector<std::shared_ptr<const ObjectModel>> models;
+  for (const auto& object : implementation_->objects) models.push_back(object->model);
+  return models;
+}
+
 void Matcher::set_limits(double min_score, int max_instances) {
   implementation_->config.min_score = min_score;
   implementation_->config.max_instances = max_instances;
@@ -173,10 +179,13 @@ SearchResult Matcher::find(const cv::Mat& picture, const SearchRequest& request)
     detections.insert(detections.end(), found[i].begin(), found[i].end());
   }
   result.budget_exceeded = result.searched.size() < objects.size();
-  result.matches = select_matches(
+  Selection selection = select_matches(
       std::move(detections),
       {config, request.min_score >= 0 ? std::make_optional(request.min_score) : std::nullopt,
-       request.max_instances > 0 ? request.max_instances : config.max_instances});
+       request.max_instances > 0 ? request.max_instances : config.max_instances, request.clutter});
+  result.matches = std::move(selection.matches);
+  result.rivals = std::move(selection.rivals);
+  result.clutter = std::move(selection.clutter);
   result.search_time = seconds_since(start);
   return result;
 }

@@ -104,6 +104,12 @@ bool within_deviations(const Match& match, const SearchConfig& config) {
          angle <= config.max_angle_deviation;
 }
 
+std::vector<cv::Point2f> outline_at(const PreparedView& view, const Pose2D& pose) {
+  std::vector<cv::Point2f> outline;
+  for (const auto& point : view.outline) outline.emplace_back(transform(pose, cv::Point2d(point)));
+  return outline;
+}
+
 Match to_match(const Detection& detection, const Margins& margins, const SearchConfig& config) {
   const ObjectModel& model = *detection.object->model;
   const PreparedView& view = *detection.view;
@@ -114,6 +120,7 @@ Match to_match(const Detection& detection, const Margins& margins, const SearchC
   match.covariance = moved_to_reference(
       detection.covariance, rotate(view.reference_in_anchor.position(), detection.pose.theta));
   match.score = acceptance_score(detection, config);
+  match.log_odds = detection.log_odds;
   match.similarity = detection.similarity;
   match.margin_place = margins.place(detection);
   match.margin_angle = margins.angle(detection);
@@ -126,9 +133,25 @@ Match to_match(const Detection& detection, const Margins& margins, const SearchC
   const bool enough = match.score >= config.confirm_score;
   match.graspable = enough && sure && located && match.visible >= config.min_visible;
   match.ambiguous = enough && !sure;
-  for (const auto& point : view.outline)
-    match.outline.emplace_back(transform(match.pose, cv::Point2d(point)));
+  match.outline = outline_at(view, match.pose);
   return match;
+}
+
+/// What no accepted detection of the same object covers.
+std::vector<Rival> rivals_of(const std::vector<const Detection*>& accepted,
+                             const std::vector<Detection>& detections, double max_overlap) {
+  std::vector<Rival> rivals;
+  for (const auto& detection : detections) {
+    const bool explained = std::any_of(accepted.begin(), accepted.end(), [&](const auto* one) {
+      return one == &detection ||
+             (one->object == detection.object && overlapping(detection, *one, max_overlap));
+    });
+    if (explained) continue;
+    const Pose2D pose = compose(detection.pose, detection.view->reference_in_anchor);
+    rivals.push_back(
+        {detection.object->model->name, detection.log_odds, outline_at(*detection.view, pose)});
+  }
+  return rivals;
 }
 
 }  // namespace
@@ -137,18 +160,20 @@ double acceptance_score(const Detection& detection, const SearchConfig& config) 
   return config.accept_by == "similarity" ? std::max(0.0, detection.similarity) : detection.score();
 }
 
-std::vector<Match> select_matches(std::vector<Detection> detections, const Acceptance& acceptance) {
-  discount_clutter(detections);
+Selection select_matches(std::vector<Detection> detections, const Acceptance& acceptance) {
+  Selection selection;
+  selection.clutter = discount_clutter(detections, acceptance.clutter);
   std::stable_sort(
       detections.begin(), detections.end(), [&](const Detection& a, const Detection& b) {
         return acceptance_score(a, acceptance.config) > acceptance_score(b, acceptance.config);
       });
   const auto accepted = accept(detections, acceptance);
-  const Margins margins(detections, accepted, acceptance.config.max_overlap);
-  std::vector<Match> matches;
+  const double max_overlap = acceptance.config.max_overlap;
+  const Margins margins(detections, accepted, max_overlap);
   for (const Detection* detection : accepted)
-    matches.push_back(to_match(*detection, margins, acceptance.config));
-  return matches;
+    selection.matches.push_back(to_match(*detection, margins, acceptance.config));
+  selection.rivals = rivals_of(accepted, detections, max_overlap);
+  return selection;
 }
 
 }  // namespace mbncc
