@@ -95,7 +95,7 @@ void PoseAverage::apply(std::vector<TrackedMatch>& matches) {
   for (auto& tracked : matches) {
     Match& match = tracked.match;
     Poses& poses = still[tracked.instance_id] = std::move(still_[tracked.instance_id]);
-    if (tracked.state != TrackState::kHeld) add(poses, match);
+    if (tracked.state != TrackState::kHeld && match.fresh) add(poses, match);
     if (poses.empty()) continue;
     const cv::Vec3d mean = mean_of(poses, 0, poses.size());
     move_to({mean[0], mean[1], wrap_angle(mean[2])}, match);

@@ -1,0 +1,265 @@
+#include "mbncc/cell/video_search.hpp"
+
+#include <gtest/gtest.h>
+
+#include <opencv2/imgproc.hpp>
+
+#include "mbncc/sim/scene.hpp"
+
+namespace mbncc {
+namespace {
+
+constexpr double kFrameTime = 1. / 30;  // [s]
+const cv::Size kSize(400, 300);
+
+std::shared_ptr<const ObjectModel> learned(const sim::SceneObject& drawing,
+                                           const std::string& name) {
+  sim::SceneConfig config;
+  config.size = kSize;
+  const sim::Scene scene(config);
+  const sim::Placed placed{drawing, {200, 150, 0}};
+  auto model = std::make_shared<ObjectModel>();
+  model->name = name;
+  model->views = {crop_view(scene.render({placed}, 1), scene.true_map(placed), placed.pose)};
+  return model;
+}
+
+sim::SceneConfig scene_config() {
+  sim::SceneConfig config;
+  config.size = kSize;
+  return config;
+}
+
+/// Three taught objects of which some lie in the picture.
+class VideoSearchTest : public ::testing::Test {
+ protected:
+  VideoSearchTest() {
+    for (int i = 0; i < 3; ++i) models_.push_back(learned(drawing(i), name(i)));
+    matcher_.set_objects(models_);
+  }
+
+  static std::string name(int i) { return "part" + std::to_string(i); }
+  static sim::SceneObject drawing(int i) {
+    return {static_cast<std::uint64_t>(11 + i), 60.0 + 5 * i, 1.5};
+  }
+
+  void put(int i, const Pose2D& pose) { placed_.push_back({drawing(i), pose}); }
+
+  SearchResult show(const std::optional<sim::Arm>& arm = {}, double gain = 1) {
+    picture_ = scene_.render(placed_, frames_, arm) * gain;
+    return video_.find(matcher_, kFrameTime * frames_++, picture_);
+  }
+
+  SearchResult show_many(int count) {
+    for (int i = 1; i < count; ++i) show();
+    return show();
+  }
+
+  static const Match* of(const SearchResult& result, int i) {
+    for (const auto& match : result.matches)
+      if (match.name == name(i)) return &match;
+    return nullptr;
+  }
+
+  static bool is_at(const Match* match, const Pose2D& pose) {
+    return match && cv::norm(match->pose.position() - pose.position()) < 1.5 &&
+           angle_distance(match->pose.theta, pose.theta) < to_radians(3);
+  }
+
+  std::vector<std::shared_ptr<const ObjectModel>> models_;
+  Matcher matcher_;
+  VideoSearch video_;
+  sim::Scene scene_{scene_config()};
+  std::vector<sim::Placed> placed_;
+  cv::Mat picture_;
+  int frames_ = 0;
+};
+
+const Pose2D kLeft{100.3, 90.2, 0.4}, kRight{300.6, 200.7, -1.2};
+
+TEST_F(VideoSearchTest, FirstPictureIsSearchedAsAnyOther) {
+  put(0, kLeft);
+  put(1, kRight);
+  const SearchResult result = show();
+  const SearchResult plain = matcher_.find(picture_);
+  ASSERT_EQ(result.matches.size(), plain.matches.size());
+  for (std::size_t i = 0; i < plain.matches.size(); ++i) {
+    EXPECT_EQ(result.matches[i].name, plain.matches[i].name);
+    EXPECT_EQ(result.matches[i].pose.x, plain.matches[i].pose.x);
+    EXPECT_EQ(result.matches[i].graspable, plain.matches[i].graspable);
+  }
+}
+
+TEST_F(VideoSearchTest, StillSceneIsSeenAFewTimesAndThenKnown) {
+  put(0, kLeft);
+  put(1, kRight);
+  show_many(40);
+  int fresh = 0;
+  for (int i = 0; i < 30; ++i) {
+    const SearchResult result = show();
+    ASSERT_EQ(result.matches.size(), 2u);
+    for (const auto& match : result.matches) {
+      fresh += match.fresh;
+      EXPECT_TRUE(match.graspable);
+    }
+    EXPECT_EQ(result.searched.size(), 3u);
+  }
+  EXPECT_LE(fresh, 2) << "the sweep alone looks again";
+}
+
+TEST_F(VideoSearchTest, EveryObjectIsSweptInTime) {
+  video_ = VideoSearch({2.0, 2.0});
+  put(0, kLeft);
+  put(1, kRight);
+  show_many(40);
+  int fresh[2] = {0, 0};
+  for (int i = 0; i < 66; ++i) {
+    const SearchResult result = show();
+    for (int k : {0, 1}) fresh[k] += of(result, k)->fresh;
+  }
+  EXPECT_GE(fresh[0], 1);
+  EXPECT_GE(fresh[1], 1);
+}
+
+TEST_F(VideoSearchTest, MovingObjectIsFoundInEveryPicture) {
+  put(0, kLeft);
+  put(1, kRight);
+  show_many(5);
+  for (int i = 0; i < 25; ++i) {
+    placed_[0].pose.x += 5;
+    placed_[0].pose.theta += 0.05;
+    const SearchResult result = show();
+    EXPECT_TRUE(is_at(of(result, 0), placed_[0].pose)) << i;
+    EXPECT_TRUE(of(result, 0)->fresh);
+    EXPECT_TRUE(is_at(of(result, 1), kRight)) << i;
+  }
+}
+
+TEST_F(VideoSearchTest, JumpIsFollowedAndTheOldPlaceLeftAtOnce) {
+  put(0, kLeft);
+  put(1, kRight);
+  show_many(5);
+  placed_[0].pose = {250, 80, 2.5};
+  EXPECT_EQ(of(show(), 0), nullptr) << "neither here nor there";
+  EXPECT_TRUE(is_at(of(show_many(4), 0), placed_[0].pose));
+  const SearchResult result = show_many(10);
+  EXPECT_TRUE(of(result, 0)->graspable);
+  EXPECT_EQ(result.matches.size(), 2u);
+}
+
+TEST_F(VideoSearchTest, NewObjectIsGraspableOnlyAfterAllWereSearchedThere) {
+  put(1, kRight);
+  show_many(5);
+  put(0, kLeft);
+  bool found = false, graspable = false;
+  for (int i = 0; i < 15; ++i) {
+    const SearchResult result = show();
+    const Match* match = of(result, 0);
+    found |= is_at(match, kLeft);
+    graspable |= match && match->graspable;
+    EXPECT_FALSE(match && match->graspable && !result.skipped.empty());
+  }
+  EXPECT_TRUE(found);
+  EXPECT_TRUE(graspable);
+}
+
+TEST_F(VideoSearchTest, ObjectTakenAwayIsGoneInTheSamePicture) {
+  put(0, kLeft);
+  put(1, kRight);
+  show_many(5);
+  placed_.erase(placed_.begin());
+  const SearchResult result = show();
+  EXPECT_EQ(of(result, 0), nullptr);
+  EXPECT_NE(of(result, 1), nullptr);
+}
+
+TEST_F(VideoSearchTest, HiddenObjectIsFoundAgain) {
+  put(0, kLeft);
+  put(1, kRight);
+  show_many(5);
+  const sim::Arm arm{{100, 90, -kPi / 2}};
+  for (int i = 0; i < 5; ++i) show(arm);
+  EXPECT_TRUE(is_at(of(show_many(4), 0), kLeft));
+}
+
+TEST_F(VideoSearchTest, FlickerCostsNothing) {
+  put(0, kLeft);
+  show_many(25);
+  for (int i = 0; i < 20; ++i) {
+    const SearchResult result = show({}, 1 + 0.03 * std::sin(2.1 * i));
+    ASSERT_EQ(result.matches.size(), 1u);
+    EXPECT_FALSE(result.matches[0].fresh);
+  }
+}
+
+TEST_F(VideoSearchTest, PushedCameraIsSearchedAnew) {
+  put(0, kLeft);
+  put(1, kRight);
+  show_many(5);
+  const cv::Mat still = picture_;
+  cv::Mat pushed;
+  cv::warpAffine(still, pushed, cv::Matx23d(1, 0, 13, 0, 1, 8), kSize, cv::INTER_LINEAR,
+                 cv::BORDER_REPLICATE);
+  for (int i = 0; i < 3; ++i) video_.find(matcher_, kFrameTime * frames_++, pushed);
+  const auto result = video_.find(matcher_, kFrameTime * frames_++, pushed);
+  EXPECT_TRUE(is_at(of(result, 0), {kLeft.x + 13, kLeft.y + 8, kLeft.theta}));
+  EXPECT_TRUE(is_at(of(result, 1), {kRight.x + 13, kRight.y + 8, kRight.theta}));
+  EXPECT_TRUE(of(result, 0)->fresh);
+}
+
+TEST_F(VideoSearchTest, ObjectsComeAndGoWithTheLibrary) {
+  matcher_.set_objects({models_[1]});
+  put(0, kLeft);
+  put(1, kRight);
+  EXPECT_EQ(show_many(3).matches.size(), 1u);
+  matcher_.set_objects({models_[0], models_[1]});
+  EXPECT_TRUE(is_at(of(show_many(2), 0), kLeft));
+  matcher_.set_objects({models_[0]});
+  const SearchResult result = show();
+  EXPECT_EQ(of(result, 1), nullptr);
+  EXPECT_NE(of(result, 0), nullptr);
+}
+
+TEST_F(VideoSearchTest, OneOfTwoThatLookAlikeIsNeverGraspable) {
+  matcher_.set_objects({learned(drawing(0), "one"), learned(drawing(0), "other")});
+  show_many(3);
+  put(0, kLeft);
+  bool found = false;
+  for (int i = 0; i < 20; ++i)
+    for (const auto& match : show().matches) {
+      found = true;
+      EXPECT_FALSE(match.graspable) << i;
+    }
+  EXPECT_TRUE(found);
+}
+
+TEST_F(VideoSearchTest, WithoutSweepsEveryPictureIsSearchedWhole) {
+  video_ = VideoSearch({0, 2.0});
+  put(0, kLeft);
+  for (int i = 0; i < 3; ++i) EXPECT_TRUE(show().matches.at(0).fresh);
+}
+
+TEST_F(VideoSearchTest, AnotherRequestBeginsAnew) {
+  put(0, kLeft);
+  put(1, kRight);
+  show_many(2);
+  SearchRequest request;
+  request.names = {name(1)};
+  const auto result = video_.find(matcher_, kFrameTime * frames_, picture_, request);
+  ASSERT_EQ(result.matches.size(), 1u);
+  EXPECT_EQ(result.matches[0].name, name(1));
+  EXPECT_EQ(result.searched, request.names);
+}
+
+TEST_F(VideoSearchTest, UnknownNamesAreSkippedAloud) {
+  SearchRequest request;
+  request.names = {"nobody"};
+  put(0, kLeft);
+  show();
+  const auto result = video_.find(matcher_, kFrameTime * frames_, picture_, request);
+  ASSERT_EQ(result.skipped.size(), 1u);
+  EXPECT_NE(result.skipped[0].find("nobody"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace mbncc
