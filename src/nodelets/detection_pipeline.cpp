@@ -73,6 +73,7 @@ DetectionPipeline::DetectionPipeline(const MatchingNodeConfig& config, const Liv
     : config_(config),
       matcher_(matcher),
       tf_(tf),
+      video_(config.video),
       tracker_(tracker_config(config)),
       average_(config.average_frames) {}
 
@@ -82,14 +83,19 @@ Detections DetectionPipeline::process(const ReceivedPicture& received,
 }
 
 void DetectionPipeline::reset() {
+  video_.reset();
   tracker_.reset();
   average_.reset();
 }
 
 TrackedPicture DetectionPipeline::track(const ReceivedPicture& received,
                                         const SearchRequest& request) {
-  TrackedPicture tracked{matcher_.find(received.picture, request), {}};
-  tracked.matches = tracker_.update(received.header.stamp.toSec(), tracked.found.result.matches);
+  const double stamp = received.header.stamp.toSec();
+  TrackedPicture tracked{config_.video.sweep_time > 0
+                             ? matcher_.watch(video_, stamp, received.picture, request)
+                             : matcher_.find(received.picture, request),
+                         {}};
+  tracked.matches = tracker_.update(stamp, tracked.found.result.matches);
   average_.apply(tracked.matches);
   return tracked;
 }

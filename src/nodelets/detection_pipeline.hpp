@@ -10,6 +10,7 @@
 
 #include "mbncc/cell/pose_average.hpp"
 #include "mbncc/cell/tracker.hpp"
+#include "mbncc/cell/video_search.hpp"
 #include "mbncc/config/matching_node_config.hpp"
 #include "nodelets/calibration.hpp"
 #include "nodelets/live_matcher.hpp"
@@ -58,6 +59,7 @@ class DetectionPipeline {
   const MatchingNodeConfig config_;
   const LiveMatcher& matcher_;
   const tf2_ros::Buffer& tf_;
+  VideoSearch video_;
   InstanceTracker tracker_;
   PoseAverage average_;
 };

@@ -78,6 +78,7 @@ bool FindService::on_call(Request& request, Response& response) {
 
 Detections FindService::find(const Request& request) const {
   MatchingNodeConfig config = tools_.config;
+  config.video.sweep_time = 0;  // asked once, everything is looked at
   config.average_frames = static_cast<int>(std::clamp(request.frames, 1u, kMostFrames));
   DetectionPipeline pipeline(config, tools_.matcher, tools_.tf);
   if (!is_given(request.image)) return find_live(request, pipeline);

@@ -55,6 +55,17 @@ Found LiveMatcher::find(const cv::Mat& picture, SearchRequest request) const {
   return found;
 }
 
+Found LiveMatcher::watch(VideoSearch& video, double stamp, const cv::Mat& picture,
+                         SearchRequest request) const {
+  const std::shared_lock<std::shared_mutex> lock(mutex_);
+  Found found;
+  found.library = searched_;
+  const auto dropped = drop_other_sizes(*searched_, picture.size(), request.names);
+  if (!request.names.empty()) found.result = video.find(matcher_, stamp, picture, request);
+  found.result.skipped.insert(found.result.skipped.end(), dropped.begin(), dropped.end());
+  return found;
+}
+
 void LiveMatcher::sort_by_turn(std::vector<std::string>& names) const {
   const std::lock_guard<std::mutex> lock(turns_mutex_);
   const auto turn = [this](const std::string& name) {

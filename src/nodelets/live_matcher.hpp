@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "mbncc/cell/video_search.hpp"
 #include "mbncc/matching/matcher.hpp"
 #include "nodelets/shared_library.hpp"
 
@@ -33,6 +34,10 @@ class LiveMatcher {
   /// least recently searched come first, so that with a time budget each has its turn. Safe from
   /// several threads.
   Found find(const cv::Mat& picture, SearchRequest request) const;
+
+  /// As find(), with the next picture, stamped `stamp` [s], of the video that `video` watches.
+  Found watch(VideoSearch& video, double stamp, const cv::Mat& picture,
+              SearchRequest request) const;
 
   /// See Matcher::score_map(), for all enabled objects. Safe from several threads.
   cv::Mat score_map(const cv::Mat& picture) const;

@@ -6,11 +6,13 @@
 #include "mbncc/config/field.hpp"
 #include "mbncc/config/platform_config.hpp"
 #include "mbncc/config/search_config.hpp"
+#include "mbncc/config/video_config.hpp"
 
 namespace mbncc {
 
 struct MatchingNodeConfig {
   SearchConfig search;
+  VideoConfig video;
   PlatformConfig platform;
   std::string library_path = "~/.ros/mbncc_library";  ///< folder of the learned objects
   std::string image_transport = "raw";                ///< how pictures travel: raw, compressed, ...
@@ -34,6 +36,7 @@ struct MatchingNodeConfig {
                     "folder of the learned objects; ~ is the home folder"},
           self.library_path);
     SearchConfig::fields(self.search, visit);
+    VideoConfig::fields(self.video, visit);
     visit(FieldInfo{"search_roi", Allowed::anything(), "px",
                     "x,y,width,height in which reference points are looked for; empty: everywhere"},
           self.search_roi);
