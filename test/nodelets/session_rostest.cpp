@@ -1,0 +1,248 @@
+// A session whose clock and pictures the test makes: which instance is which, which stamps count,
+// and what the example consumer takes.
+#include <gtest/gtest.h>
+#include <mbncc_vision/DetectedObjectArray.h>
+#include <mbncc_vision/FindObjects.h>
+#include <ros/ros.h>
+#include <rosgraph_msgs/Clock.h>
+#include <sensor_msgs/CameraInfo.h>
+#include <sensor_msgs/Image.h>
+
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <future>
+#include <map>
+#include <vector>
+
+#include "mbncc/sim/scene.hpp"
+#include "nodelets/images.hpp"
+#include "nodelets/spin_until.hpp"
+#include "nodelets/teacher.hpp"
+
+namespace mbncc::nodelets {
+namespace {
+
+using mbncc_vision::DetectedObject;
+using mbncc_vision::DetectedObjectArray;
+
+const ros::Duration kInterval(1. / 30);
+constexpr double kFocalLength = 500;  // [px]
+
+sim::SceneConfig scene_config() {
+  sim::SceneConfig config;
+  config.size = {400, 300};
+  config.seed = 5;
+  return config;
+}
+
+sim::Placed placed_at(const Pose2D& pose) {
+  return {{11, 60, 1.6}, pose};
+}
+
+class Session : public testing::Test {
+ protected:
+  Session() {
+    clock_ = node_.advertise<rosgraph_msgs::Clock>("/clock", 1);
+    pictures_ = node_.advertise<sensor_msgs::Image>("image_raw", 5);
+    infos_ = node_.advertise<sensor_msgs::CameraInfo>("camera_info", 5);
+    detections_ = node_.subscribe<DetectedObjectArray>(
+        "detected_objects", 100,
+        [this](const DetectedObjectArray::ConstPtr& array) { arrays_.push_back(array); });
+  }
+
+  void SetUp() override {
+    ASSERT_TRUE(ros::service::waitForService("find_objects", ros::Duration(-1)));
+    set_clock(ros::Time(start_ += 1000));
+    ASSERT_TRUE(spin_until([this] {
+      set_clock(now_);
+      return ros::Time::now() == now_ && pictures_.getNumSubscribers() > 0 &&
+             detections_.getNumPublishers() > 0;
+    }));
+    teach();
+  }
+
+  void set_clock(const ros::Time& now) {
+    now_ = now;
+    rosgraph_msgs::Clock clock;
+    clock.clock = now;
+    clock_.publish(clock);
+  }
+
+  void teach() {
+    if (taught_) return;
+    Teacher teacher;
+    ASSERT_TRUE(teacher.connect());
+    Teacher::Goal goal;
+    goal.name = "part";
+    goal.before = encode_picture(scene_.render({placed_at({200.3, 150.6, 0})}, 1));
+    goal.after = encode_picture(scene_.render({}, 2));
+    const auto lesson = teacher.teach(goal);
+    ASSERT_EQ(lesson.error_code, Teacher::Result::SUCCESS) << lesson.message;
+    ASSERT_TRUE(spin_until([] {
+      mbncc_vision::FindObjects find;
+      find.request.image = encode_picture(cv::Mat(300, 400, CV_8UC3, cv::Scalar::all(90)));
+      return ros::service::call("find_objects", find) && find.response.success &&
+             !find.response.detections.searched.empty();
+    }));
+    taught_ = true;
+  }
+
+  void publish(const std::vector<Pose2D>& poses, const ros::Time& stamp) {
+    std::vector<sim::Placed> placed;
+    for (const auto& pose : poses) placed.push_back(placed_at(pose));
+    std_msgs::Header header;
+    header.stamp = stamp;
+    header.frame_id = "camera";
+    sensor_msgs::CameraInfo info;
+    info.header = header;
+    info.width = 400;
+    info.height = 300;
+    info.distortion_model = "plumb_bob";
+    info.D.assign(5, 0);
+    info.K = {kFocalLength, 0, 199.5, 0, kFocalLength, 149.5, 0, 0, 1};
+    info.R = {1, 0, 0, 0, 1, 0, 0, 0, 1};
+    info.P = {kFocalLength, 0, 199.5, 0, 0, kFocalLength, 149.5, 0, 0, 0, 1, 0};
+    infos_.publish(info);
+    pictures_.publish(encode_picture(scene_.render(placed, frames_++), header));
+  }
+
+  DetectedObjectArray::ConstPtr array_of(const ros::Time& stamp) const {
+    for (const auto& array : arrays_)
+      if (array->header.stamp == stamp && array->status != DetectedObjectArray::STALE) return array;
+    return nullptr;
+  }
+
+  /// The next picture and what is found in it. On a busy machine one may be lost; then the next.
+  DetectedObjectArray::ConstPtr show(const std::vector<Pose2D>& poses) {
+    for (int attempt = 0; attempt < 10; ++attempt) {
+      set_clock(now_ + kInterval);
+      publish(poses, now_);
+      const auto answered = [this] {
+        set_clock(now_);
+        return array_of(now_) != nullptr;
+      };
+      if (spin_until(answered, std::chrono::seconds(5))) return array_of(now_);
+    }
+    ADD_FAILURE() << "no picture is answered";
+    return boost::make_shared<DetectedObjectArray>();
+  }
+
+  static const DetectedObject* nearest(const DetectedObjectArray& array, const Pose2D& pose) {
+    const DetectedObject* best = nullptr;
+    double least = 10;
+    for (const auto& object : array.objects) {
+      const double distance =
+          std::hypot(object.image_pose.x - pose.x, object.image_pose.y - pose.y);
+      if (distance < least) best = &object;
+      least = std::min(least, distance);
+    }
+    return best;
+  }
+
+  ros::NodeHandle node_;
+  ros::Publisher clock_, pictures_, infos_;
+  ros::Subscriber detections_;
+  std::vector<DetectedObjectArray::ConstPtr> arrays_;
+  const sim::Scene scene_{scene_config()};
+  ros::Time now_;
+  std::uint64_t frames_ = 10;
+  static double start_;  // [s] each test has a later one
+  static bool taught_;
+};
+
+double Session::start_ = 0;
+bool Session::taught_ = false;
+
+TEST_F(Session, EqualObjectsThatPassEachOtherKeepTheirIdentity) {
+  const auto left = [](int i) { return Pose2D{60. + 5 * i, 110, 0.3}; };
+  const auto right = [](int i) { return Pose2D{340. - 5 * i, 185, -0.8}; };
+  for (int i = 0; i < 4; ++i) show({left(0), right(0)});
+  auto array = show({left(0), right(0)});
+  ASSERT_EQ(array->objects.size(), 2u);
+  const std::uint32_t ids[] = {nearest(*array, left(0))->instance_id,
+                               nearest(*array, right(0))->instance_id};
+  EXPECT_NE(ids[0], ids[1]);
+  const std::string frames[] = {nearest(*array, left(0))->child_frame_id,
+                                nearest(*array, right(0))->child_frame_id};
+  EXPECT_NE(frames[0], "");
+  EXPECT_NE(frames[0], frames[1]);
+  for (int i = 1; i < 50; ++i) {
+    array = show({left(i), right(i)});
+    const DetectedObject* found[] = {nearest(*array, left(i)), nearest(*array, right(i))};
+    for (int k : {0, 1}) EXPECT_TRUE(!found[k] || found[k]->instance_id == ids[k]) << i;
+  }
+  for (int i = 0; i < 5; ++i) array = show({left(50), right(50)});
+  ASSERT_EQ(array->objects.size(), 2u);
+  EXPECT_EQ(nearest(*array, left(50))->child_frame_id, frames[0]);
+  EXPECT_EQ(nearest(*array, right(50))->child_frame_id, frames[1]);
+}
+
+TEST_F(Session, LateDuplicateAndFuturePicturesAreNotSearched) {
+  const Pose2D pose{150, 120, 0.5};
+  show({pose});
+  const ros::Time duplicate = now_;
+  set_clock(now_ + ros::Duration(5));
+  const ros::Time late = now_ - ros::Duration(2), future = now_ + ros::Duration(2);
+  arrays_.clear();
+  for (const auto& stamp : {duplicate, late, future}) publish({pose}, stamp);
+  show({pose});
+  for (const auto& stamp : {duplicate, late, future}) EXPECT_FALSE(array_of(stamp)) << stamp;
+}
+
+TEST_F(Session, FrozenClockIsNoticed) {
+  const Pose2D pose{150, 120, 0.5};
+  show({pose});
+  EXPECT_TRUE(spin_until([this] { return arrays_.back()->status == DetectedObjectArray::STALE; }));
+  EXPECT_TRUE(arrays_.back()->objects.empty());
+  EXPECT_EQ(show({pose})->status, DetectedObjectArray::OK) << "it recovers alone";
+}
+
+TEST_F(Session, GoesOnAfterTheClockJumpedBack) {
+  const Pose2D pose{150, 120, 0.5};
+  for (int i = 0; i < 5; ++i) show({pose});
+  const ros::Time before = now_;
+  set_clock(now_ - ros::Duration(100));
+  ASSERT_TRUE(spin_until([&] {
+    set_clock(now_);
+    return ros::Time::now() < before;
+  }));
+  arrays_.clear();
+  for (int i = 0; i < 4; ++i) show({pose});
+  const auto array = show({pose});
+  ASSERT_EQ(array->objects.size(), 1u);
+  EXPECT_EQ(array->objects[0].state, DetectedObject::CONFIRMED);
+}
+
+TEST_F(Session, ExampleConsumerTakesWhatIsConfirmedAndNothingElse) {
+  const Pose2D pose{150, 120, 0.5};
+  const auto consume = [&](const std::string& arguments) {
+    auto ended = std::async(std::launch::async, [arguments] {
+      const std::string command = "rosrun mbncc_vision grasp_client.py " + arguments + " 2>&1";
+      std::string output;
+      FILE* pipe = popen(command.c_str(), "r");
+      std::array<char, 256> part;
+      while (fgets(part.data(), part.size(), pipe)) output += part.data();
+      return std::make_pair(pclose(pipe), output);
+    });
+    while (ended.wait_for(std::chrono::seconds(0)) != std::future_status::ready) show({pose});
+    return ended.get();
+  };
+  const auto taken = consume("--name part --timeout 20");
+  EXPECT_EQ(taken.first, 0) << taken.second;
+  EXPECT_NE(taken.second.find("position"), std::string::npos) << taken.second;
+  const auto refused = consume("--name nobody --timeout 2");
+  EXPECT_NE(refused.first, 0);
+  EXPECT_NE(refused.second.find("nothing to grasp"), std::string::npos) << refused.second;
+}
+
+}  // namespace
+}  // namespace mbncc::nodelets
+
+int main(int argc, char** argv) {
+  testing::InitGoogleTest(&argc, argv);
+  ros::init(argc, argv, "session_rostest");
+  const int failed = RUN_ALL_TESTS();
+  mbncc::nodelets::remove_library();
+  return failed;
+}
