@@ -20,9 +20,9 @@ cv::Scalar colour_of(Standing standing);
 /// One thing to point out in a picture.
 struct Marking {
   std::vector<std::vector<cv::Point2f>> outlines;  ///< [px] in the picture
-  Pose2D pose;                                     ///< [px],[rad] its axes: x red arrow, y green
+  Pose2D pose;                                     ///< [px],[rad] its axes: x vermilion arrow, y green
   cv::Scalar colour = colour_of(Standing::kGood);  ///< bgr of outlines and the caption's plate
-  std::string caption;                             ///< plain ASCII
+  std::string caption;                             ///< plain ASCII, lines apart by \n
 };
 
 /// CV_8UC3 copy of `picture` (CV_8UC3 or CV_8UC1) with the markings drawn in, readable when it is

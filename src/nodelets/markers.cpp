@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <vector>
 
 namespace mbncc::nodelets {
 namespace {
@@ -16,13 +17,21 @@ double length_or(double length, double fallback) {
   return std::isfinite(length) && length > 0 ? length : fallback;
 }
 
+std_msgs::ColorRGBA colour(double r, double g, double b, double a = 1) {
+  std_msgs::ColorRGBA result;
+  result.r = static_cast<float>(r);
+  result.g = static_cast<float>(g);
+  result.b = static_cast<float>(b);
+  result.a = static_cast<float>(a);
+  return result;
+}
+
+// Okabe and Ito's palette, as in the overlay.
 std_msgs::ColorRGBA colour_of(const DetectedObject& object) {
-  std_msgs::ColorRGBA colour;
-  colour.r = object.state == DetectedObject::CONFIRMED ? 0.2f : 0.9f;
-  colour.g = object.state == DetectedObject::AMBIGUOUS ? 0.5f : 0.8f;
-  colour.b = 0.2f;
-  colour.a = object.state == DetectedObject::HELD ? 0.3f : 0.7f;
-  return colour;
+  const double alpha = object.state == DetectedObject::HELD ? 0.4 : 1;
+  if (object.state == DetectedObject::CONFIRMED) return colour(0.34, 0.71, 0.91, alpha);
+  if (object.state == DetectedObject::AMBIGUOUS) return colour(0.90, 0.62, 0, alpha);
+  return colour(0.78, 0.78, 0.78, alpha);
 }
 
 Marker marker_of(const std_msgs::Header& header, const DetectedObject& object, const char* part,
@@ -37,19 +46,52 @@ Marker marker_of(const std_msgs::Header& header, const DetectedObject& object, c
   return marker;
 }
 
-Marker box_of(const std_msgs::Header& header, const DetectedObject& object) {
-  Marker box = marker_of(header, object, "extents", Marker::CUBE);
-  box.scale.x = length_or(object.size.x, kFallbackLength);
-  box.scale.y = length_or(object.size.y, kFallbackLength);
-  box.scale.z = length_or(object.size.z, 0.002);
-  return box;
+geometry_msgs::Point point(double x, double y) {
+  geometry_msgs::Point result;
+  result.x = x;
+  result.y = y;
+  return result;
 }
 
-Marker arrow_of(const std_msgs::Header& header, const DetectedObject& object) {
-  Marker arrow = marker_of(header, object, "x_axis", Marker::ARROW);
-  arrow.scale.x = length_or(object.size.x, kFallbackLength);
-  arrow.scale.y = arrow.scale.z = 0.1 * arrow.scale.x;
-  return arrow;
+/// The outline in the object's frame [px].
+std::vector<geometry_msgs::Point> outline_of(const DetectedObject& object) {
+  const auto& pose = object.image_pose;
+  const double c = std::cos(pose.theta), s = std::sin(pose.theta);
+  std::vector<geometry_msgs::Point> points;
+  for (const auto& corner : object.outline.points) {
+    const double x = corner.x - pose.x, y = corner.y - pose.y;
+    points.push_back(point(c * x + s * y, -s * x + c * y));
+  }
+  return points;
+}
+
+/// [m/px] on the top face, from the known extent along x; 0: unknown.
+double metres_per_pixel(const DetectedObject& object,
+                        const std::vector<geometry_msgs::Point>& outline) {
+  const auto [left, right] = std::minmax_element(
+      outline.begin(), outline.end(), [](const auto& a, const auto& b) { return a.x < b.x; });
+  if (left == outline.end() || !(right->x > left->x)) return 0;
+  return length_or(object.size.x, 0) / (right->x - left->x);
+}
+
+Marker outline_marker(const std_msgs::Header& header, const DetectedObject& object) {
+  Marker line = marker_of(header, object, "outline", Marker::LINE_STRIP);
+  line.points = outline_of(object);
+  const double factor = metres_per_pixel(object, line.points);
+  for (auto& corner : line.points) corner = point(factor * corner.x, factor * corner.y);
+  if (!line.points.empty()) line.points.push_back(line.points.front());
+  line.scale.x = 0.03 * length_or(object.size.x, kFallbackLength);
+  return line;
+}
+
+Marker axes_of(const std_msgs::Header& header, const DetectedObject& object) {
+  Marker axes = marker_of(header, object, "axes", Marker::LINE_LIST);
+  const double length = 0.6 * length_or(object.size.x, kFallbackLength);
+  axes.scale.x = 0.08 * length;
+  axes.points = {point(0, 0), point(length, 0), point(0, 0), point(0, length)};
+  const auto x = colour(0.84, 0.37, 0), y = colour(0, 0.62, 0.45);
+  axes.colors = {x, x, y, y};
+  return axes;
 }
 
 Marker caption_of(const std_msgs::Header& header, const DetectedObject& object) {
@@ -59,6 +101,8 @@ Marker caption_of(const std_msgs::Header& header, const DetectedObject& object) 
   caption.text = object.name + score;
   caption.scale.z = 0.4 * length_or(object.size.x, kFallbackLength);
   caption.color.a = 1;
+  // Towards the camera, beside the outline.
+  caption.pose.position.y -= 0.8 * length_or(object.size.x, kFallbackLength);
   return caption;
 }
 
@@ -72,8 +116,8 @@ visualization_msgs::MarkerArray to_markers(const mbncc_vision::DetectedObjectArr
   markers.markers.push_back(clear);
   for (const auto& object : detections.objects) {
     if (!object.pose_valid) continue;
-    markers.markers.push_back(box_of(detections.header, object));
-    markers.markers.push_back(arrow_of(detections.header, object));
+    markers.markers.push_back(outline_marker(detections.header, object));
+    markers.markers.push_back(axes_of(detections.header, object));
     markers.markers.push_back(caption_of(detections.header, object));
   }
   return markers;

@@ -6,7 +6,7 @@
 
 namespace mbncc::nodelets {
 
-/// An arrow along x, the outline's extents as a flat box and a caption for every object with a
+/// The outline in metres, the axes (x vermilion, y green) and a caption for every object with a
 /// metric pose; first of all a DELETEALL, so that lost objects vanish.
 visualization_msgs::MarkerArray to_markers(const mbncc_vision::DetectedObjectArray& detections);
 

@@ -7,12 +7,17 @@
 
 namespace mbncc::nodelets {
 
-/// CV_8UC3 copy of `picture` with outline, axes, instance and score of every object: green when
-/// confirmed, amber when ambiguous, grey otherwise.
+/// CV_8UC3: a copy of `picture` with outline, axes, name, instance, score and state of every object
+/// (blue confirmed, orange ambiguous, grey otherwise), and a legend with the picture's age below
+/// it.
 cv::Mat draw_detections(const cv::Mat& picture,
                         const mbncc_vision::DetectedObjectArray& detections);
 
-/// CV_8UC3 of a score map (CV_32FC1, 0 .. 1): blue is 0, red is 1.
+/// CV_8UC3 of a score map (CV_32FC1, 0 .. 1): dark blue is 0, yellow is 1.
 cv::Mat colour_score_map(const cv::Mat& scores);
+
+/// colour_score_map() with a ring around the best place and a square around the best one farther
+/// than `radius` [px] from it, and both scores.
+cv::Mat draw_score_map(const cv::Mat& scores, double radius);
 
 }  // namespace mbncc::nodelets

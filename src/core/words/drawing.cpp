@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <opencv2/imgproc.hpp>
+#include <sstream>
 #include <stdexcept>
 
 namespace mbncc {
@@ -9,7 +10,8 @@ namespace {
 
 constexpr int kShift = 4;  // OpenCV's sub-pixel bits
 constexpr int kFont = cv::FONT_HERSHEY_SIMPLEX;
-const cv::Scalar kXColour(40, 40, 230), kYColour(60, 190, 60), kShade(0, 0, 0);
+// Vermilion and bluish green of Okabe and Ito's palette.
+const cv::Scalar kXColour(0, 94, 213), kYColour(115, 158, 0), kShade(0, 0, 0);
 
 // Strokes and letters that can still be read when the picture is shown at a third of its size.
 struct Pen {
@@ -74,17 +76,32 @@ cv::Rect plate_of(const Marking& marking, const cv::Size& text, const cv::Size& 
           within(wanted, picture.height - text.height), text.width, text.height};
 }
 
+std::vector<std::string> lines_of(const std::string& caption) {
+  std::vector<std::string> lines;
+  std::istringstream text(caption);
+  for (std::string line; std::getline(text, line);) lines.push_back(line);
+  return lines;
+}
+
 void draw_caption(cv::Mat& picture, const Marking& marking, const Pen& pen) {
-  if (marking.caption.empty()) return;
-  int baseline = 0;
-  const cv::Size letters =
-      cv::getTextSize(marking.caption, kFont, pen.letters, pen.stroke, &baseline);
+  const std::vector<std::string> lines = lines_of(marking.caption);
+  if (lines.empty()) return;
   const int border = 2 * pen.stroke;
-  const cv::Size text(letters.width + 2 * border, letters.height + baseline + border);
+  int baseline = 0, width = 0, height = 0;
+  for (const auto& line : lines) {
+    const cv::Size letters = cv::getTextSize(line, kFont, pen.letters, pen.stroke, &baseline);
+    width = std::max(width, letters.width);
+    height = std::max(height, letters.height);
+  }
+  const int line_height = height + baseline;
+  const cv::Size text(width + 2 * border, line_height * static_cast<int>(lines.size()) + border);
   const cv::Rect plate = plate_of(marking, text, picture.size());
   cv::rectangle(picture, plate, marking.colour, cv::FILLED);
-  cv::putText(picture, marking.caption, plate.tl() + cv::Point(border, border + letters.height),
-              kFont, pen.letters, kShade, pen.stroke, cv::LINE_AA);
+  cv::Point at = plate.tl() + cv::Point(border, border + height);
+  for (const auto& line : lines) {
+    cv::putText(picture, line, at, kFont, pen.letters, kShade, pen.stroke, cv::LINE_AA);
+    at.y += line_height;
+  }
 }
 
 Standing standing_of(Verdict verdict) {

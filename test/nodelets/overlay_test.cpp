@@ -1,0 +1,95 @@
+#include "nodelets/overlay.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include <opencv2/imgproc.hpp>
+
+#include "mbncc/drawing.hpp"
+#include "nodelets/markers.hpp"
+
+namespace mbncc::nodelets {
+namespace {
+
+using mbncc_vision::DetectedObject;
+
+/// A square of 40 px, 80 mm wide, turned by 90 degrees.
+mbncc_vision::DetectedObjectArray one(std::uint8_t state) {
+  mbncc_vision::DetectedObjectArray array;
+  DetectedObject object;
+  object.name = "bracket";
+  object.state = state;
+  object.image_pose.x = object.image_pose.y = 100;
+  object.image_pose.theta = CV_PI / 2;
+  object.size.x = object.size.y = 0.08;
+  object.pose_valid = true;
+  object.pose.pose.orientation.w = 1;
+  for (const auto& corner : {cv::Point(80, 80), {120, 80}, {120, 120}, {80, 120}}) {
+    auto& point = object.outline.points.emplace_back();
+    point.x = static_cast<float>(corner.x);
+    point.y = static_cast<float>(corner.y);
+  }
+  array.objects.push_back(object);
+  return array;
+}
+
+int count_of(const cv::Mat& picture, const cv::Scalar& colour) {
+  cv::Mat same;
+  cv::inRange(picture, colour, colour, same);
+  return cv::countNonZero(same);
+}
+
+TEST(Overlay, TheLegendLiesBelowThePicture) {
+  const cv::Mat picture(240, 320, CV_8UC3, cv::Scalar::all(120));
+  const cv::Mat drawn = draw_detections(picture, {});
+  EXPECT_EQ(drawn.cols, picture.cols);
+  EXPECT_GT(drawn.rows, picture.rows);
+  EXPECT_EQ(cv::norm(drawn.rowRange(0, picture.rows), picture, cv::NORM_INF), 0);
+}
+
+TEST(Overlay, TheStateGivesTheColour) {
+  const cv::Mat picture(240, 320, CV_8UC3, cv::Scalar::all(120));
+  const auto blue = colour_of(Standing::kGood), orange = colour_of(Standing::kDoubtful);
+  const cv::Mat confirmed =
+      draw_detections(picture, one(DetectedObject::CONFIRMED)).rowRange(0, 240);
+  const cv::Mat ambiguous =
+      draw_detections(picture, one(DetectedObject::AMBIGUOUS)).rowRange(0, 240);
+  EXPECT_GT(count_of(confirmed, blue), 100);
+  EXPECT_EQ(count_of(confirmed, orange), 0);
+  EXPECT_GT(count_of(ambiguous, orange), 100);
+}
+
+TEST(ScoreMap, MarksTheBestPlaceAndTheNextElsewhere) {
+  cv::Mat scores(200, 300, CV_32FC1, cv::Scalar(0.1));
+  scores.at<float>(100, 80) = 0.9f;
+  scores.at<float>(100, 85) = 0.8f;
+  scores.at<float>(60, 220) = 0.5f;
+  const cv::Mat plain = colour_score_map(scores), drawn = draw_score_map(scores, 30);
+  cv::Mat changed;
+  cv::absdiff(plain, drawn, changed);
+  const auto differs = [&](cv::Rect where) { return cv::sum(changed(where))[0] > 0; };
+  EXPECT_TRUE(differs({60, 80, 40, 40}));
+  EXPECT_TRUE(differs({205, 45, 30, 30}));
+  EXPECT_FALSE(differs({150, 150, 100, 50}));
+}
+
+TEST(Markers, TheOutlineIsInMetresInTheObjectsFrame) {
+  const auto markers = to_markers(one(DetectedObject::CONFIRMED)).markers;
+  const auto outline = std::find_if(markers.begin(), markers.end(),
+                                    [](const auto& marker) { return marker.ns == "outline"; });
+  ASSERT_NE(outline, markers.end());
+  ASSERT_EQ(outline->points.size(), 5u);  // closed
+  // The picture's (-20, -20) px seen from a frame turned by 90 degrees.
+  EXPECT_NEAR(outline->points[0].x, -0.04, 1e-6);
+  EXPECT_NEAR(outline->points[0].y, 0.04, 1e-6);
+}
+
+TEST(Markers, NothingWithoutAMetricPose) {
+  auto array = one(DetectedObject::CONFIRMED);
+  array.objects[0].pose_valid = false;
+  EXPECT_EQ(to_markers(array).markers.size(), 1u);
+}
+
+}  // namespace
+}  // namespace mbncc::nodelets
