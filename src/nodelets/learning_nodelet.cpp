@@ -47,7 +47,7 @@ class LearningNodelet : public GuardedNodelet {
   void diagnose(diagnostic_updater::DiagnosticStatusWrapper& status);
 
   LearningNodeConfig config_;
-  ros::Publisher preview_publisher_, stage_publisher_, score_publisher_;
+  ros::Publisher preview_publisher_, draft_publisher_, stage_publisher_, score_publisher_;
   std::unique_ptr<LibraryPublisher> library_publisher_;
   std::shared_ptr<SharedLibrary> library_;
   std::unique_ptr<LibraryServices> library_services_;
@@ -88,6 +88,7 @@ void LearningNodelet::stop() {
   library_services_.reset();
   library_publisher_.reset();
   preview_publisher_.shutdown();
+  draft_publisher_.shutdown();
   stage_publisher_.shutdown();
   score_publisher_.shutdown();
   camera_.reset();
@@ -130,6 +131,8 @@ void LearningNodelet::start_pictures(ros::NodeHandle& node) {
 
 void LearningNodelet::start_lessons(ros::NodeHandle& node) {
   preview_publisher_ = node.advertise<sensor_msgs::Image>("learn_object/preview", 1, true);
+  draft_publisher_ =
+      node.advertise<mbncc_vision::LearnObjectResult>("learn_object/draft", 1, true);
   score_publisher_ = node.advertise<sensor_msgs::Image>("learn_object/score_map", 1);
   stage_publisher_ = node.advertise<sensor_msgs::Image>("learn_object/stage_image", 1);
   ros::NodeHandle confirm_node = node;
@@ -155,6 +158,7 @@ mbncc_vision::LearnObjectResult LearningNodelet::teach(LessonClient& client) {
       config_.learning,
       [this](const cv::Mat& picture) { stage_publisher_.publish(encode_picture(picture)); },
       [this](const cv::Mat& picture) { preview_publisher_.publish(encode_picture(picture)); },
+      [this](const mbncc_vision::LearnObjectResult& draft) { draft_publisher_.publish(draft); },
       [this](const ObjectModel& model, const cv::Mat& picture) { show_scores(model, picture); },
       *gauge_};
   const auto result = LessonRun(client, tools).run();
@@ -169,7 +173,8 @@ void LearningNodelet::show_scores(const ObjectModel& model, const cv::Mat& pictu
   if (score_publisher_.getNumSubscribers() == 0) return;
   Matcher matcher;
   matcher.set_objects({std::make_shared<const ObjectModel>(model)});
-  score_publisher_.publish(encode_picture(colour_score_map(matcher.score_map(picture))));
+  const double radius = model.views.back().template_image.cols / 2.0;
+  score_publisher_.publish(encode_picture(draw_score_map(matcher.score_map(picture), radius)));
 }
 
 bool LearningNodelet::mark_grasp(std_srvs::Trigger::Request&,

@@ -92,6 +92,8 @@ void LessonRun::take_draft() {
   note_resemblance(learned_.object, before_.picture, tools_.library.snapshot()->objects);
   leave_if_interrupted();
   tools_.show_preview(preview(learned_.object));
+  tools_.show_draft(
+      describe(outcome(learned_.error, learned_.message, learned_.hint), learned_.object));
   tools_.show_score_map(learned_.object, before_.picture);
 }
 

@@ -29,6 +29,7 @@ struct LessonTools {
   LearningConfig config;
   std::function<void(const cv::Mat&)> show_stage;
   std::function<void(const cv::Mat&)> show_preview;
+  std::function<void(const mbncc_vision::LearnObjectResult&)> show_draft;
   std::function<void(const ObjectModel&, const cv::Mat& picture)> show_score_map;
   const LessonGauge& gauge;
 };
