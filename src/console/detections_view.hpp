@@ -1,0 +1,23 @@
+// What is found now.
+#pragma once
+
+#ifndef Q_MOC_RUN
+#include <mbncc_vision/DetectedObjectArray.h>
+#endif
+
+#include <QTableWidget>
+
+namespace mbncc::console {
+
+class DetectionsView : public QTableWidget {
+  Q_OBJECT
+
+ public:
+  explicit DetectionsView(QWidget* parent = nullptr);
+
+  void show_detections(const mbncc_vision::DetectedObjectArray& detections, double age);
+  /// Nothing is known any more.
+  void clear_rows() { setRowCount(0); }
+};
+
+}  // namespace mbncc::console

@@ -1,0 +1,57 @@
+// Lamps of the cell: camera, calibration, library, matcher; each with the reason when not blue.
+#pragma once
+
+#include <diagnostic_msgs/DiagnosticArray.h>
+#include <mbncc_vision/DetectedObjectArray.h>
+
+#include <array>
+#include <map>
+#include <optional>
+#include <string>
+
+#include "console/words.hpp"
+
+namespace mbncc::console {
+
+struct Lamp {
+  const char* name = "";
+  Level level = Level::kUnknown;
+  std::string reason;  ///< "": all is well
+};
+
+/// All times are seconds of one steady clock.
+class Lamps {
+ public:
+  /// What has not been heard for so long is gone.
+  static constexpr double kSilence = 2.0;
+
+  void take_picture(double now) { picture_at_ = now; }
+  void take_detections(const mbncc_vision::DetectedObjectArray& detections, double now);
+  void take_library(std::size_t objects, std::size_t enabled);
+  void take_diagnostics(const diagnostic_msgs::DiagnosticArray& diagnostics, double now);
+
+  std::array<Lamp, 4> look(double now) const;
+
+ private:
+  struct Health {
+    std::uint8_t level = 0;
+    std::string message;
+    double at = -1e9;
+  };
+
+  Lamp camera(double now) const;
+  Lamp calibration(double now) const;
+  Lamp library() const;
+  Lamp matcher(double now) const;
+  /// What the part says that is wrong with it; "" when nothing, or when it is silent.
+  std::string complaint(const std::string& task, double now) const;
+
+  double picture_at_ = -1e9, detections_at_ = -1e9;
+  std::uint8_t status_ = 0;
+  std::string status_message_;
+  std::optional<std::size_t> objects_, enabled_;
+  std::string quarantined_;
+  std::map<std::string, Health> health_;  // by task: camera, learning, matching
+};
+
+}  // namespace mbncc::console

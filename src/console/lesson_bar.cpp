@@ -1,0 +1,99 @@
+#include "console/lesson_bar.hpp"
+
+#include <QHBoxLayout>
+#include <QRegularExpressionValidator>
+#include <QVBoxLayout>
+
+#include "console/widgets.hpp"
+
+namespace mbncc::console {
+namespace {
+
+constexpr int kWholeBar = 100;
+
+QLabel* make_label(const QString& text, int points, bool bold) {
+  auto* label = new QLabel(text);
+  QFont font = label->font();
+  font.setPointSize(points);
+  font.setBold(bold);
+  label->setFont(font);
+  return label;
+}
+
+}  // namespace
+
+LessonBar::LessonBar(QWidget* parent)
+    : QWidget(parent),
+      name_(new QLineEdit),
+      height_(new QDoubleSpinBox),
+      teach_(make_button("&Teach", "Begin a lesson: then take the object away", this)),
+      cancel_(make_button("&Cancel", "End the lesson; nothing is stored", this)),
+      mark_(make_button("&Mark grasp", "Keep where the gripper holds the object", this)),
+      headline_(make_label("", 17, true)),
+      detail_(make_label("", 10, false)),
+      time_left_(make_label("", 11, false)),
+      progress_(new QProgressBar) {
+  name_->setPlaceholderText("name (or leave empty)");
+  name_->setValidator(
+      new QRegularExpressionValidator(QRegularExpression("[A-Za-z][A-Za-z0-9_]{0,63}"), this));
+  name_window(name_, "name");
+  height_->setRange(0, 1000);
+  height_->setSuffix(" mm high");
+  height_->setDecimals(1);
+  detail_->setWordWrap(true);
+  detail_->setMinimumHeight(2 * detail_->fontMetrics().lineSpacing());
+  detail_->setAlignment(Qt::AlignTop | Qt::AlignLeft);
+  progress_->setRange(0, kWholeBar);
+  progress_->setTextVisible(false);
+  progress_->setMaximumHeight(10);
+  QFont bold = teach_->font();
+  bold.setBold(true);
+  teach_->setFont(bold);
+
+  auto* row = new QHBoxLayout;
+  row->addWidget(name_, 2);
+  row->addWidget(height_);
+  for (auto* button : {teach_, cancel_, mark_}) row->addWidget(button);
+  auto* headline_row = new QHBoxLayout;
+  headline_row->addWidget(headline_, 1);
+  headline_row->addWidget(time_left_);
+  auto* all = new QVBoxLayout(this);
+  all->setContentsMargins(0, 0, 0, 0);
+  all->addLayout(row);
+  all->addLayout(headline_row);
+  all->addWidget(progress_);
+  all->addWidget(detail_);
+
+  connect(name_, &QLineEdit::returnPressed, teach_, &QPushButton::click);
+  connect(teach_, &QPushButton::clicked, this, &LessonBar::teach_wanted);
+  connect(cancel_, &QPushButton::clicked, this, &LessonBar::cancel_wanted);
+  connect(mark_, &QPushButton::clicked, this, &LessonBar::mark_wanted);
+}
+
+void LessonBar::show_lesson(const LessonModel& lesson, double now) {
+  teach_->setEnabled(lesson.may_teach());
+  cancel_->setEnabled(lesson.may_cancel());
+  mark_->setEnabled(lesson.phase() != LessonModel::Phase::kNoServer);
+  headline_->setText(QString::fromStdString(lesson.headline()));
+  say(lesson.level(), QString::fromStdString(lesson.detail()));
+  time_left_->setText(QString::fromStdString(lesson.time_left(now)));
+  progress_->setValue(static_cast<int>(kWholeBar * lesson.progress()));
+}
+
+void LessonBar::say(Level level, const QString& text) {
+  detail_->setText(text);
+  const bool alarming = level == Level::kBad || level == Level::kDoubtful;
+  detail_->setStyleSheet(alarming ? QString("color: %1; font-weight: bold").arg(colour_of(level))
+                                  : "");
+}
+
+mbncc_vision::LearnObjectGoal LessonBar::goal() const {
+  mbncc_vision::LearnObjectGoal goal;
+  goal.name = name_->text().toStdString();
+  goal.object_height = height_->value() / 1000;
+  goal.confirm = true;
+  goal.allow_bad = true;  // after a question of its own
+  return goal;
+}
+
+}  // namespace mbncc::console

@@ -1,0 +1,45 @@
+// Name, height, Teach; what to do now, how far the lesson is and how long it may still take.
+#pragma once
+
+#ifndef Q_MOC_RUN
+#include <mbncc_vision/LearnObjectGoal.h>
+
+#include "console/lesson_model.hpp"
+#endif
+
+#include <QDoubleSpinBox>
+#include <QLabel>
+#include <QLineEdit>
+#include <QProgressBar>
+#include <QPushButton>
+#include <QWidget>
+
+namespace mbncc::console {
+
+class LessonBar : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit LessonBar(QWidget* parent = nullptr);
+
+  void show_lesson(const LessonModel& lesson, double now);
+  mbncc_vision::LearnObjectGoal goal() const;
+  /// The name has been used up.
+  void clear_name() { name_->clear(); }
+  /// Below the headline, until the lesson says something else.
+  void say(Level level, const QString& text);
+
+ Q_SIGNALS:
+  void teach_wanted();
+  void cancel_wanted();
+  void mark_wanted();
+
+ private:
+  QLineEdit* name_;
+  QDoubleSpinBox* height_;
+  QPushButton *teach_, *cancel_, *mark_;
+  QLabel *headline_, *detail_, *time_left_;
+  QProgressBar* progress_;
+};
+
+}  // namespace mbncc::console

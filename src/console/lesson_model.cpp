@@ -1,0 +1,147 @@
+#include "console/lesson_model.hpp"
+
+#include <mbncc_vision/LearnObjectFeedback.h>
+
+#include <algorithm>
+
+namespace mbncc::console {
+namespace {
+
+using actionlib_msgs::GoalStatus;
+using Feedback = mbncc_vision::LearnObjectFeedback;
+using Result = mbncc_vision::LearnObjectResult;
+
+bool is_alive(const GoalStatus& goal) {
+  switch (goal.status) {
+    case GoalStatus::PENDING:
+    case GoalStatus::ACTIVE:
+    case GoalStatus::PREEMPTING:
+    case GoalStatus::RECALLING:
+      return true;
+    default:
+      return false;
+  }
+}
+
+Level level_of_end(const Result& result) {
+  if (result.error_code == Result::SUCCESS) return level_of_verdict(result.object.quality.verdict);
+  const bool wanted =
+      result.error_code == Result::REJECTED_BY_OPERATOR || result.error_code == Result::CANCELLED;
+  return wanted ? Level::kUnknown : Level::kBad;
+}
+
+}  // namespace
+
+bool LessonModel::under_way() const {
+  return phase_ == Phase::kRunning || phase_ == Phase::kReview || phase_ == Phase::kDeciding;
+}
+
+void LessonModel::take_status(const actionlib_msgs::GoalStatusArray& status, double now) {
+  heard_ = now;
+  if (phase_ == Phase::kNoServer)
+    end("Ready", "Put the object on the platform, keep still, press Teach.", Level::kGood);
+  const auto alive = std::find_if(status.status_list.begin(), status.status_list.end(), is_alive);
+  if (alive != status.status_list.end()) {
+    // A lesson that somebody else began, or this window before it was closed.
+    if (!under_way()) {
+      begin(alive->goal_id.id, now);
+      detail_ = "A lesson is running.";
+    }
+    goal_seen_ = now;
+  } else if (under_way() && now - goal_seen_ > kSilence) {
+    end("The lesson was lost", "The learning nodelet was started anew. Press Teach again.",
+        Level::kBad);
+  }
+}
+
+void LessonModel::take_feedback(const mbncc_vision::LearnObjectActionFeedback& feedback,
+                                double now) {
+  if (!under_way()) begin(feedback.status.goal_id.id, now);
+  heard_ = goal_seen_ = now;
+  stage_ = feedback.feedback.stage;
+  progress_ = feedback.feedback.progress;
+  deadline_ = now + feedback.feedback.remaining.toSec();
+  detail_ = feedback.feedback.message;
+  level_ = Level::kUnknown;
+  const bool asked = stage_ == Feedback::WAIT_CONFIRM;
+  phase_ = asked ? Phase::kReview : Phase::kRunning;
+  if (asked) draft_ = newest_draft_;
+}
+
+void LessonModel::take_draft(const Result& draft) {
+  newest_draft_ = draft;
+  acceptable_ = draft.error_code == Result::SUCCESS;
+  insisted_ = false;
+  if (phase_ == Phase::kReview || phase_ == Phase::kDeciding) draft_ = newest_draft_;
+}
+
+void LessonModel::take_result(const mbncc_vision::LearnObjectActionResult& result, double now) {
+  heard_ = now;
+  if (under_way() && result.status.goal_id.id != goal_) return;
+  const Result& outcome = result.result;
+  const bool stored = outcome.error_code == Result::SUCCESS;
+  end(stored ? "Learned '" + outcome.object.name + "'" : "Nothing was stored",
+      stored || outcome.hint.empty() ? outcome.message : outcome.message + " " + outcome.hint,
+      level_of_end(outcome));
+}
+
+void LessonModel::begin(const std::string& goal, double now) {
+  phase_ = Phase::kRunning;
+  goal_ = goal;
+  stage_ = Feedback::WAIT_IMAGE;
+  progress_ = 0;
+  deadline_ = -1;
+  goal_seen_ = now;
+  detail_ = "Asking for a lesson.";
+  level_ = Level::kUnknown;
+  draft_.reset();
+}
+
+void LessonModel::decide() {
+  if (phase_ != Phase::kReview) return;
+  phase_ = Phase::kDeciding;
+  detail_ = "Working on it.";
+}
+
+void LessonModel::take_answer(bool success, const std::string& message) {
+  if (phase_ != Phase::kDeciding && phase_ != Phase::kReview) return;
+  phase_ = Phase::kReview;
+  level_ = success ? Level::kUnknown : Level::kBad;
+  if (!success) detail_ = message;
+}
+
+void LessonModel::look_at_clock(double now) {
+  if (phase_ == Phase::kNoServer || now - heard_ <= kSilence) return;
+  const bool lost = under_way();
+  end("The learning nodelet is gone",
+      lost ? "The lesson is lost. This window goes on by itself once the nodelet is back."
+           : "This window goes on by itself once the nodelet is back.",
+      Level::kBad);
+  phase_ = Phase::kNoServer;
+}
+
+bool LessonModel::waits_for_scene() const {
+  return phase_ == Phase::kRunning &&
+         (stage_ == Feedback::WAIT_REMOVAL || stage_ == Feedback::WAIT_STILL);
+}
+
+std::string LessonModel::headline() const {
+  return under_way() ? headline_of(stage_) : headline_;
+}
+
+std::string LessonModel::time_left(double now) const {
+  return under_way() && deadline_ >= 0 ? console::time_left(std::max(0.0, deadline_ - now)) : "";
+}
+
+void LessonModel::end(const std::string& headline, const std::string& detail, Level level) {
+  phase_ = Phase::kReady;
+  headline_ = headline;
+  detail_ = detail;
+  level_ = level;
+  progress_ = 0;
+  deadline_ = -1;
+  draft_.reset();
+  acceptable_ = insisted_ = false;
+}
+
+}  // namespace mbncc::console

@@ -1,0 +1,84 @@
+// What the console knows of the lesson and its server, and what the operator may do now.
+#pragma once
+
+#include <actionlib_msgs/GoalStatusArray.h>
+#include <mbncc_vision/LearnObjectActionFeedback.h>
+#include <mbncc_vision/LearnObjectActionResult.h>
+#include <mbncc_vision/LearnQuality.h>
+
+#include <optional>
+#include <string>
+
+#include "console/words.hpp"
+
+namespace mbncc::console {
+
+/// All times are seconds of one steady clock.
+class LessonModel {
+ public:
+  enum class Phase {
+    kNoServer,  ///< the learning nodelet is not heard
+    kReady,     ///< a lesson may begin
+    kRunning,   ///< a lesson waits for the scene, or computes
+    kReview,    ///< the operator is asked
+    kDeciding   ///< his word is on its way
+  };
+
+  /// Silence of the server after which it counts as gone.
+  static constexpr double kSilence = 2.0;
+
+  void take_status(const actionlib_msgs::GoalStatusArray& status, double now);
+  void take_feedback(const mbncc_vision::LearnObjectActionFeedback& feedback, double now);
+  void take_draft(const mbncc_vision::LearnObjectResult& draft);
+  void take_result(const mbncc_vision::LearnObjectActionResult& result, double now);
+
+  /// The operator pressed Teach; `goal` is the id of the goal that is sent.
+  void begin(const std::string& goal, double now);
+  /// The operator's word is sent.
+  void decide();
+  /// The operator takes the draft although it is BAD; holds until the next draft.
+  void insist(bool insisted) { insisted_ = insisted; }
+  /// The server's answer to it.
+  void take_answer(bool success, const std::string& message);
+  /// To be called a few times a second.
+  void look_at_clock(double now);
+
+  Phase phase() const { return phase_; }
+  bool may_teach() const { return phase_ == Phase::kReady; }
+  bool may_cancel() const { return phase_ == Phase::kRunning; }
+  bool may_decide() const { return phase_ == Phase::kReview; }
+  /// A BAD draft needs the operator's word that he has looked at it.
+  bool may_accept() const { return may_decide() && (acceptable_ || insisted_); }
+  bool must_insist() const { return draft_.has_value() && !acceptable_; }
+  /// The scene is awaited: what changes in it is worth showing.
+  bool waits_for_scene() const;
+
+  const std::string& goal() const { return goal_; }
+  std::string headline() const;
+  const std::string& detail() const { return detail_; }
+  /// How the last lesson ended, or the answer to the last word.
+  Level level() const { return level_; }
+  double progress() const { return progress_; }
+  std::string time_left(double now) const;
+  /// Of the lesson that is reviewed; none otherwise.
+  const std::optional<mbncc_vision::LearnObjectResult>& draft() const { return draft_; }
+
+ private:
+  void end(const std::string& headline, const std::string& detail, Level level);
+  bool under_way() const;
+
+  Phase phase_ = Phase::kNoServer;
+  std::string goal_;
+  std::string headline_ = "Waiting for the learning nodelet";
+  std::string detail_ = "Start it with cell.launch; this window goes on by itself.";
+  Level level_ = Level::kUnknown;
+  std::uint8_t stage_ = 0;
+  double progress_ = 0;
+  double deadline_ = -1;
+  double heard_ = -1e9;
+  double goal_seen_ = 0;
+  bool acceptable_ = false, insisted_ = false;
+  std::optional<mbncc_vision::LearnObjectResult> draft_, newest_draft_;
+};
+
+}  // namespace mbncc::console

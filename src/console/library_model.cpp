@@ -1,0 +1,76 @@
+#include "console/library_model.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace mbncc::console {
+
+void LibraryModel::set_objects(std::vector<mbncc_vision::LearnedObject> objects) {
+  objects_ = std::move(objects);
+}
+
+const mbncc_vision::LearnedObject* LibraryModel::find(const std::string& name) const {
+  const auto found = std::find_if(objects_.begin(), objects_.end(),
+                                  [&name](const auto& object) { return object.name == name; });
+  return found == objects_.end() ? nullptr : &*found;
+}
+
+LibraryModel::Request LibraryModel::enable(const std::string& name, bool enabled) {
+  Request request;
+  request.name = name;
+  request.command = enabled ? Request::ENABLE : Request::DISABLE;
+  return request;
+}
+
+LibraryModel::Request LibraryModel::rename(const std::string& name, const std::string& new_name) {
+  Request request;
+  request.name = name;
+  request.command = Request::RENAME;
+  request.new_name = new_name;
+  return request;
+}
+
+LibraryModel::Request LibraryModel::remove(const std::string& name) {
+  Request request;
+  request.name = name;
+  request.command = Request::DELETE;
+  return request;
+}
+
+void LibraryModel::done(const Request& request) {
+  Request inverse = request;
+  switch (request.command) {
+    case Request::ENABLE:
+      inverse.command = Request::DISABLE;
+      break;
+    case Request::DISABLE:
+      inverse.command = Request::ENABLE;
+      break;
+    case Request::RENAME:
+      std::swap(inverse.name, inverse.new_name);
+      break;
+    case Request::DELETE:
+      inverse.command = Request::RESTORE;
+      break;
+    default:
+      return;
+  }
+  undo_.push_back(inverse);
+}
+
+std::string LibraryModel::undo_text() const {
+  if (undo_.empty()) return "Undo";
+  const Request& last = undo_.back();
+  switch (last.command) {
+    case Request::DISABLE:
+      return "Undo: disable '" + last.name + "'";
+    case Request::ENABLE:
+      return "Undo: enable '" + last.name + "'";
+    case Request::RENAME:
+      return "Undo: rename to '" + last.new_name + "'";
+    default:
+      return "Undo: bring '" + last.name + "' back";
+  }
+}
+
+}  // namespace mbncc::console

@@ -1,0 +1,38 @@
+// The library strip: what is known, and edits that can be taken back.
+#pragma once
+
+#include <mbncc_vision/EditObject.h>
+#include <mbncc_vision/LearnedObject.h>
+
+#include <string>
+#include <vector>
+
+namespace mbncc::console {
+
+class LibraryModel {
+ public:
+  using Request = mbncc_vision::EditObject::Request;
+
+  void set_objects(std::vector<mbncc_vision::LearnedObject> objects);
+  const std::vector<mbncc_vision::LearnedObject>& objects() const { return objects_; }
+  const mbncc_vision::LearnedObject* find(const std::string& name) const;
+
+  static Request enable(const std::string& name, bool enabled);
+  static Request rename(const std::string& name, const std::string& new_name);
+  static Request remove(const std::string& name);
+
+  /// An edit was carried out: it can be taken back from now on.
+  void done(const Request& request);
+  bool can_undo() const { return !undo_.empty(); }
+  /// The edit that takes the last one back; only when can_undo().
+  Request undo() const { return undo_.back(); }
+  std::string undo_text() const;
+  /// The last one was taken back, or cannot be.
+  void undone() { undo_.pop_back(); }
+
+ private:
+  std::vector<mbncc_vision::LearnedObject> objects_;
+  std::vector<Request> undo_;
+};
+
+}  // namespace mbncc::console

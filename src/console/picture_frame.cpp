@@ -1,0 +1,44 @@
+#include "console/picture_frame.hpp"
+
+#include <algorithm>
+
+namespace mbncc::console {
+namespace {
+
+constexpr double kLargestZoom = 12;
+
+}  // namespace
+
+void PictureFrame::set_sizes(cv::Size picture, cv::Size widget) {
+  if (picture.empty() || widget.empty()) return;
+  if (picture != picture_) zoom_ = 1;
+  picture_ = picture;
+  widget_ = widget;
+  fit_ = std::min(static_cast<double>(widget.width) / picture.width,
+                  static_cast<double>(widget.height) / picture.height);
+}
+
+cv::Point2d PictureFrame::corner() const {
+  const cv::Point2d centre =
+      zoom_ > 1 ? centre_ : cv::Point2d(picture_.width / 2.0, picture_.height / 2.0);
+  return cv::Point2d(widget_.width / 2.0, widget_.height / 2.0) - centre * scale();
+}
+
+// Pixel centres are at integers, so the picture's corner is at -0.5.
+cv::Point2d PictureFrame::to_picture(cv::Point2d widget) const {
+  return (widget - corner()) / scale() - cv::Point2d(0.5, 0.5);
+}
+
+cv::Point2d PictureFrame::to_widget(cv::Point2d picture) const {
+  return (picture + cv::Point2d(0.5, 0.5)) * scale() + corner();
+}
+
+void PictureFrame::zoom(double factor, cv::Point2d about) {
+  const cv::Point2d kept = to_picture(about);
+  zoom_ = std::clamp(zoom_ * factor, 1.0, kLargestZoom);
+  // The point under the mouse stays there.
+  const cv::Point2d middle(widget_.width / 2.0, widget_.height / 2.0);
+  centre_ = kept + cv::Point2d(0.5, 0.5) - (about - middle) / scale();
+}
+
+}  // namespace mbncc::console

@@ -1,0 +1,29 @@
+// Where a picture lies in a widget: the whole of it fitted in, or a part of it enlarged.
+#pragma once
+
+#include <opencv2/core.hpp>
+
+namespace mbncc::console {
+
+class PictureFrame {
+ public:
+  void set_sizes(cv::Size picture, cv::Size widget);
+  /// Enlarges by `factor` (> 1) or shrinks about the point of the widget, at most to the whole.
+  void zoom(double factor, cv::Point2d about);
+  void show_all() { zoom_ = 1; }
+
+  cv::Point2d to_picture(cv::Point2d widget) const;
+  cv::Point2d to_widget(cv::Point2d picture) const;
+  /// Widget pixels per picture pixel.
+  double scale() const { return fit_ * zoom_; }
+
+ private:
+  cv::Point2d corner() const;
+
+  cv::Size picture_{1, 1}, widget_{1, 1};
+  double fit_ = 1;
+  double zoom_ = 1;
+  cv::Point2d centre_{0.5, 0.5};  // [px] of the picture, in the middle of the widget
+};
+
+}  // namespace mbncc::console

@@ -1,0 +1,48 @@
+// The operator's look before anything is stored: verdict, reasons, template, score map; accept,
+// reject, correct.
+#pragma once
+
+#ifndef Q_MOC_RUN
+#include "console/lesson_model.hpp"
+#include "console/marking_tool.hpp"
+#endif
+
+#include <QButtonGroup>
+#include <QCheckBox>
+#include <QLabel>
+#include <QPushButton>
+#include <QSlider>
+#include <QWidget>
+
+namespace mbncc::console {
+
+class ReviewPane : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit ReviewPane(QWidget* parent = nullptr);
+
+  void show_lesson(const LessonModel& lesson);
+  void show_score_map(const QImage& map);
+
+ Q_SIGNALS:
+  /// ACCEPT, REJECT or UNDO of ConfirmLearning.
+  void decided(int command);
+  void insisted(bool insisted);
+  void tool_chosen(int tool);
+  void stroke_width_chosen(int width);
+
+ private:
+  QWidget* make_tools();
+  void show_draft(const mbncc_vision::LearnObjectResult& draft);
+  void clear();
+
+  QLabel *verdict_, *numbers_, *reasons_, *template_, *score_map_;
+  QCheckBox* insist_;
+  QPushButton *accept_, *reject_, *undo_;
+  QButtonGroup* tools_;
+  QSlider* width_;
+  bool was_asked_ = false;
+};
+
+}  // namespace mbncc::console

@@ -1,0 +1,191 @@
+#include "console/ros_link.hpp"
+
+#include <mbncc_vision/LearnObjectActionGoal.h>
+#include <mbncc_vision/LearnedObjectArray.h>
+#include <mbncc_vision/ListObjects.h>
+#include <std_srvs/Trigger.h>
+
+#include <utility>
+
+namespace mbncc::console {
+namespace {
+
+const char* const kUnreachable = "the learning nodelet does not answer";
+
+void announce_types() {
+  qRegisterMetaType<actionlib_msgs::GoalStatusArray>("actionlib_msgs::GoalStatusArray");
+  qRegisterMetaType<mbncc_vision::LearnObjectActionFeedback>(
+      "mbncc_vision::LearnObjectActionFeedback");
+  qRegisterMetaType<mbncc_vision::LearnObjectActionResult>("mbncc_vision::LearnObjectActionResult");
+  qRegisterMetaType<mbncc_vision::LearnObjectResult>("mbncc_vision::LearnObjectResult");
+  qRegisterMetaType<mbncc_vision::DetectedObjectArray>("mbncc_vision::DetectedObjectArray");
+  qRegisterMetaType<diagnostic_msgs::DiagnosticArray>("diagnostic_msgs::DiagnosticArray");
+  qRegisterMetaType<std::vector<mbncc_vision::LearnedObject>>(
+      "std::vector<mbncc_vision::LearnedObject>");
+  qRegisterMetaType<mbncc_vision::EditObject::Request>("mbncc_vision::EditObject::Request");
+}
+
+}  // namespace
+
+QImage to_qimage(const cv::Mat& picture) {
+  if (picture.empty()) return {};
+  return QImage(picture.data, picture.cols, picture.rows, static_cast<int>(picture.step),
+                QImage::Format_RGB888)
+      .copy();
+}
+
+RosLink::RosLink() : worker_([this] { work(); }) {
+  announce_types();
+}
+
+RosLink::~RosLink() {
+  spinner_.stop();
+  subscribers_.clear();
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    stopping_ = true;
+  }
+  changed_.notify_all();
+  worker_.join();
+}
+
+void RosLink::connect_to(const Names& names) {
+  ros::NodeHandle node(names.cell);
+  node.setCallbackQueue(&queue_);
+  goal_publisher_ = node.advertise<mbncc_vision::LearnObjectActionGoal>("learn_object/goal", 5);
+  cancel_publisher_ = node.advertise<actionlib_msgs::GoalID>("learn_object/cancel", 5);
+  confirm_ = node.serviceClient<mbncc_vision::ConfirmLearning>("confirm_learning");
+  edit_ = node.serviceClient<mbncc_vision::EditObject>("edit_object");
+  mark_ = node.serviceClient<std_srvs::Trigger>("mark_grasp");
+  list_ = node.serviceClient<mbncc_vision::ListObjects>("list_objects");
+  subscribe(node, names);
+  spinner_.start();
+}
+
+void RosLink::subscribe(ros::NodeHandle& node, const Names& names) {
+  const auto hear = [&](const auto& subscriber) { subscribers_.push_back(subscriber); };
+  hear(node.subscribe<actionlib_msgs::GoalStatusArray>(
+      "learn_object/status", 5,
+      [this](const actionlib_msgs::GoalStatusArrayConstPtr& m) { Q_EMIT status_heard(*m); }));
+  hear(node.subscribe<mbncc_vision::LearnObjectActionFeedback>(
+      "learn_object/feedback", 50,
+      [this](const mbncc_vision::LearnObjectActionFeedbackConstPtr& m) {
+        Q_EMIT feedback_heard(*m);
+      }));
+  hear(node.subscribe<mbncc_vision::LearnObjectActionResult>(
+      "learn_object/result", 5, [this](const mbncc_vision::LearnObjectActionResultConstPtr& m) {
+        Q_EMIT result_heard(*m);
+        list_objects();
+      }));
+  hear(node.subscribe<mbncc_vision::LearnObjectResult>(
+      "learn_object/draft", 5,
+      [this](const mbncc_vision::LearnObjectResultConstPtr& m) { Q_EMIT draft_heard(*m); }));
+  hear(node.subscribe<mbncc_vision::DetectedObjectArray>(
+      "detected_objects", 1, [this](const mbncc_vision::DetectedObjectArrayConstPtr& m) {
+        Q_EMIT detections_heard(*m, (ros::Time::now() - m->header.stamp).toSec());
+      }));
+  hear(node.subscribe<mbncc_vision::LearnedObjectArray>(
+      "object_library", 1,
+      [this](const mbncc_vision::LearnedObjectArrayConstPtr&) { list_objects(); }));
+  hear(node.subscribe<diagnostic_msgs::DiagnosticArray>(
+      "/diagnostics", 20,
+      [this](const diagnostic_msgs::DiagnosticArrayConstPtr& m) { Q_EMIT diagnostics_heard(*m); }));
+  hear(node.subscribe<sensor_msgs::Image>(
+      "image_raw", 1, [this](const sensor_msgs::ImageConstPtr& m) { take_picture(*m); }));
+  hear(node.subscribe<sensor_msgs::Image>(names.matching + "/overlay", 1,
+                                          [this](const sensor_msgs::ImageConstPtr& m) {
+                                            Q_EMIT overlay_heard(to_qimage(small(to_rgb(*m))));
+                                          }));
+  hear(node.subscribe<sensor_msgs::Image>("learn_object/score_map", 1,
+                                          [this](const sensor_msgs::ImageConstPtr& m) {
+                                            Q_EMIT score_map_heard(to_qimage(to_rgb(*m)));
+                                          }));
+}
+
+void RosLink::take_picture(const sensor_msgs::Image& message) {
+  cv::Mat picture = small(to_rgb(message));
+  if (picture.empty()) return;
+  if (changes_wanted_)
+    picture = tint_.tint(picture);
+  else
+    tint_.reset();
+  Q_EMIT picture_heard(to_qimage(picture));
+}
+
+std::string RosLink::teach(const mbncc_vision::LearnObjectGoal& goal) {
+  mbncc_vision::LearnObjectActionGoal message;
+  message.header.stamp = message.goal_id.stamp = ros::Time::now();
+  message.goal_id.id = ros::this_node::getName() + "-" + std::to_string(++goals_) + "-" +
+                       std::to_string(message.header.stamp.toNSec());
+  message.goal = goal;
+  goal_publisher_.publish(message);
+  return message.goal_id.id;
+}
+
+void RosLink::cancel(const std::string& goal) {
+  actionlib_msgs::GoalID message;
+  message.id = goal;
+  cancel_publisher_.publish(message);
+}
+
+void RosLink::confirm(const mbncc_vision::ConfirmLearning::Request& request) {
+  later([this, request] {
+    mbncc_vision::ConfirmLearning call;
+    call.request = request;
+    const bool answered = confirm_.call(call);
+    Q_EMIT confirmed(answered && call.response.success,
+                     answered ? QString::fromStdString(call.response.message) : kUnreachable);
+  });
+}
+
+void RosLink::edit(const mbncc_vision::EditObject::Request& request) {
+  later([this, request] {
+    mbncc_vision::EditObject call;
+    call.request = request;
+    const bool answered = edit_.call(call);
+    Q_EMIT edited(request, answered && call.response.success,
+                  answered ? QString::fromStdString(call.response.message) : kUnreachable);
+  });
+  list_objects();
+}
+
+void RosLink::mark_grasp() {
+  later([this] {
+    std_srvs::Trigger call;
+    const bool answered = mark_.call(call);
+    Q_EMIT grasp_marked(answered && call.response.success,
+                        answered ? QString::fromStdString(call.response.message) : kUnreachable);
+  });
+}
+
+void RosLink::list_objects() {
+  later([this] {
+    mbncc_vision::ListObjects call;
+    call.request.with_thumbnails = true;
+    if (list_.call(call)) Q_EMIT objects_listed(call.response.objects);
+  });
+}
+
+void RosLink::later(std::function<void()> call) {
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    calls_.push(std::move(call));
+  }
+  changed_.notify_all();
+}
+
+void RosLink::work() {
+  for (;;) {
+    std::function<void()> call;
+    {
+      std::unique_lock<std::mutex> lock(mutex_);
+      changed_.wait(lock, [this] { return stopping_ || !calls_.empty(); });
+      if (stopping_) return;
+      call = std::move(calls_.front());
+      calls_.pop();
+    }
+    call();
+  }
+}
+
+}  // namespace mbncc::console

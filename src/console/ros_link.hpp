@@ -1,0 +1,104 @@
+// The console's side of ROS: hears topics and calls services on threads of its own, and hands
+// everything to the window's thread as queued signals.
+#pragma once
+
+#ifndef Q_MOC_RUN
+#include <actionlib_msgs/GoalStatusArray.h>
+#include <diagnostic_msgs/DiagnosticArray.h>
+#include <mbncc_vision/ConfirmLearning.h>
+#include <mbncc_vision/DetectedObjectArray.h>
+#include <mbncc_vision/EditObject.h>
+#include <mbncc_vision/LearnObjectActionFeedback.h>
+#include <mbncc_vision/LearnObjectActionResult.h>
+#include <mbncc_vision/LearnObjectGoal.h>
+#include <mbncc_vision/LearnedObject.h>
+#include <ros/callback_queue.h>
+#include <ros/ros.h>
+#include <sensor_msgs/Image.h>
+
+#include "console/pictures.hpp"
+#endif
+
+#include <QImage>
+#include <QObject>
+#include <QString>
+#include <atomic>
+#include <condition_variable>
+#include <functional>
+#include <mutex>
+#include <queue>
+#include <string>
+#include <thread>
+#include <vector>
+
+namespace mbncc::console {
+
+/// Where the console finds its cell; relative names resolve in the namespace of RViz.
+struct Names {
+  std::string cell;                   ///< namespace of the cell; "": that of the console
+  std::string matching = "matching";  ///< private names of the matching nodelet
+};
+
+class RosLink : public QObject {
+  Q_OBJECT
+
+ public:
+  RosLink();
+  ~RosLink() override;
+
+  void connect_to(const Names& names);
+
+  /// Returns the id of the goal that was sent.
+  std::string teach(const mbncc_vision::LearnObjectGoal& goal);
+  void cancel(const std::string& goal);
+
+  // These return at once; a signal brings the answer.
+  void confirm(const mbncc_vision::ConfirmLearning::Request& request);
+  void edit(const mbncc_vision::EditObject::Request& request);
+  void mark_grasp();
+  void list_objects();
+
+  /// Live pictures are tinted where they differ from the first one after this.
+  void show_changes(bool wanted) { changes_wanted_ = wanted; }
+
+ Q_SIGNALS:
+  void status_heard(actionlib_msgs::GoalStatusArray status);
+  void feedback_heard(mbncc_vision::LearnObjectActionFeedback feedback);
+  void result_heard(mbncc_vision::LearnObjectActionResult result);
+  void draft_heard(mbncc_vision::LearnObjectResult draft);
+  void detections_heard(mbncc_vision::DetectedObjectArray detections, double age);
+  void diagnostics_heard(diagnostic_msgs::DiagnosticArray diagnostics);
+  void picture_heard(QImage picture);
+  void overlay_heard(QImage picture);
+  void score_map_heard(QImage picture);
+  void objects_listed(std::vector<mbncc_vision::LearnedObject> objects);
+  void confirmed(bool success, QString message);
+  void edited(mbncc_vision::EditObject::Request request, bool success, QString message);
+  void grasp_marked(bool success, QString message);
+
+ private:
+  void subscribe(ros::NodeHandle& node, const Names& names);
+  void take_picture(const sensor_msgs::Image& message);
+  void later(std::function<void()> call);
+  void work();
+
+  ros::CallbackQueue queue_;
+  ros::AsyncSpinner spinner_{1, &queue_};
+  std::vector<ros::Subscriber> subscribers_;
+  ros::Publisher goal_publisher_, cancel_publisher_;
+  ros::ServiceClient confirm_, edit_, mark_, list_;
+  int goals_ = 0;
+  std::atomic<bool> changes_wanted_{false};
+  ChangeTint tint_;  // of the spinner's thread
+
+  std::mutex mutex_;
+  std::condition_variable changed_;
+  std::queue<std::function<void()>> calls_;
+  bool stopping_ = false;
+  std::thread worker_;
+};
+
+/// A copy of `picture`, CV_8UC3 rgb; null when that is empty.
+QImage to_qimage(const cv::Mat& picture);
+
+}  // namespace mbncc::console

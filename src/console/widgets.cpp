@@ -1,0 +1,51 @@
+#include "console/widgets.hpp"
+
+#include <QEvent>
+#include <QWindow>
+#include <utility>
+
+namespace mbncc::console {
+
+namespace {
+
+/// Names a widget's window as soon as there is one; Qt itself names top-level windows only.
+class WindowNamer : public QObject {
+ public:
+  WindowNamer(QWidget* widget, QString title) : QObject(widget), title_(std::move(title)) {
+    widget->installEventFilter(this);
+  }
+
+  bool eventFilter(QObject* widget, QEvent* event) override {
+    if (event->type() == QEvent::Show || event->type() == QEvent::WinIdChange)
+      if (auto* window = static_cast<QWidget*>(widget)->windowHandle()) window->setTitle(title_);
+    return false;
+  }
+
+ private:
+  const QString title_;
+};
+
+}  // namespace
+
+void name_window(QWidget* widget, const QString& title) {
+  if (!qEnvironmentVariableIsSet("MBNCC_CONSOLE_NATIVE")) return;
+  widget->setAttribute(Qt::WA_DontCreateNativeAncestors);
+  widget->setAttribute(Qt::WA_NativeWindow);
+  new WindowNamer(widget, "mbncc:" + title);
+}
+
+QPushButton* make_button(const QString& text, const QString& tip, QWidget* parent) {
+  auto* button = new QPushButton(text, parent);
+  button->setToolTip(tip);
+  name_window(button, QString(text).remove('&'));
+  return button;
+}
+
+void show_level(QLabel* label, Level level, const QString& text) {
+  label->setText(QString::fromUtf8(symbol_of(level)) + " " + text);
+  label->setStyleSheet(QString("QLabel { background: %1; color: white; font-weight: bold; "
+                               "border-radius: 4px; padding: 3px 8px; }")
+                           .arg(colour_of(level)));
+}
+
+}  // namespace mbncc::console

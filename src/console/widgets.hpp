@@ -1,0 +1,22 @@
+// Small things that the console's widgets have in common.
+#pragma once
+
+#include <QLabel>
+#include <QPushButton>
+#include <QString>
+#include <QWidget>
+
+#include "console/words.hpp"
+
+namespace mbncc::console {
+
+/// With MBNCC_CONSOLE_NATIVE set, gives `widget` a window of its own named `title`, so that
+/// programs that drive windows (xdotool) find it.
+void name_window(QWidget* widget, const QString& title);
+
+QPushButton* make_button(const QString& text, const QString& tip, QWidget* parent);
+
+/// Symbol and `text`, in the level's colour.
+void show_level(QLabel* label, Level level, const QString& text);
+
+}  // namespace mbncc::console

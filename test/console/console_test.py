@@ -1,0 +1,99 @@
+#!/usr/bin/python3
+"""Clicks through lessons in the simulated cell: taught, found, rejected, corrected, deleted and brought back.
+
+usage: console_test.py SCRIPTS_FOLDER
+"""
+import subprocess
+import sys
+import unittest
+
+sys.path.insert(0, sys.argv.pop(1))
+from console_session import PATIENCE, Session, Teacher  # noqa: E402
+
+CAMERA = {"width": 400, "height": 300, "object_diameter": 70.0, "neighbours": 1, "leg_time": 0.5}
+
+
+class ConsoleTest(unittest.TestCase):
+    """One session for all: starting RViz takes longer than teaching."""
+
+    @classmethod
+    def setUpClass(cls):
+        cls.session = Session(camera=CAMERA)
+        cls.session.__enter__()
+        cls.addClassCleanup(cls.session.__exit__)
+        cls.teacher = Teacher()
+
+    def setUp(self):
+        if not self.lies():
+            self.teacher.order("put_next", lies=True)
+
+    def lies(self):
+        return bool(self.teacher.truth.get().objects)
+
+    def teach(self, name):
+        self.teacher.begin(name)
+        self.teacher.take_away()
+        return self.teacher.wait_for_question()
+
+    def test_1_three_actions_teach_an_object_that_is_then_found(self):
+        from mbncc_vision.msg import DetectedObject, LearnObjectResult
+        self.teacher.mouse.actions = 0
+        self.teach("bracket")
+        result = self.teacher.press("Accept")
+        self.assertEqual(result.error_code, LearnObjectResult.SUCCESS, result.message)
+        # The name was written as well.
+        self.assertEqual(self.teacher.mouse.actions, 4)
+        self.teacher.order("put_next", lies=True)
+        self.teacher.found.wait(
+            lambda m: any(o.name == "bracket" and o.state == DetectedObject.CONFIRMED for o in m.objects),
+            "the object is found and confirmed")
+
+    def test_2_a_rejected_lesson_stores_nothing(self):
+        from mbncc_vision.msg import LearnObjectResult
+        known = self.teacher.names()
+        self.teach("unwanted")
+        result = self.teacher.press("Reject")
+        self.assertEqual(result.error_code, LearnObjectResult.REJECTED_BY_OPERATOR)
+        self.assertEqual(self.teacher.names(), known)
+
+    def test_3_a_stroke_corrects_the_outline_and_undo_takes_it_back(self):
+        first = self.teach("corrected")
+        reference = first.object.reference
+        picture = (first.preview.width, first.preview.height)
+        self.teacher.mouse.click("Cut")
+        stroke = [(reference.x - 12 + 2 * i, reference.y - 30 + 5 * i) for i in range(13)]
+        cut = self.teacher.correct(lambda: self.teacher.mouse.drag(stroke, picture))
+        self.assertLess(cut.object.quality.area, first.object.quality.area - 50)
+        back = self.teacher.correct(lambda: self.teacher.mouse.click("Undo mark"))
+        self.assertEqual(back.map.data, first.map.data)
+        self.teacher.press("Reject")
+
+    def test_4_delete_and_undo(self):
+        self.assertIn("bracket", self.teacher.names())
+        self.teacher.mouse.click("library", at=(40, 40))
+        self.teacher.mouse.click_until("Delete", lambda: "bracket" not in self.teacher.names(), "it is deleted")
+        self.teacher.mouse.click_until("Undo edit", lambda: "bracket" in self.teacher.names(), "it is back")
+
+    def test_5_goes_on_when_the_nodelets_were_away(self):
+        subprocess.run(["rosnode", "kill", "/mbncc_manager"], stdout=subprocess.DEVNULL, check=True)
+        silent = self.teacher.feedback.count()
+        # roslaunch starts them anew; the button works again once the console has heard of it.
+        self.teacher.mouse.click_until("Teach", lambda: self.teacher.feedback.count() > silent,
+                                       "a lesson begins", patience=2 * PATIENCE)
+        self.assertIsNone(self.session.console.poll())
+        count = self.teacher.result.count()
+        self.teacher.mouse.click_until("Cancel", lambda: self.teacher.result.count() > count, "it is cancelled")
+
+
+class Report(unittest.TextTestResult):
+    def addFailure(self, test, error):
+        super().addFailure(test, error)
+        print(ConsoleTest.session.logs())
+
+    def addError(self, test, error):
+        super().addError(test, error)
+        if hasattr(ConsoleTest, "session"):
+            print(ConsoleTest.session.logs())
+
+
+unittest.main(testRunner=unittest.TextTestRunner(resultclass=Report, verbosity=2))

@@ -1,0 +1,84 @@
+#include "console/lamps.hpp"
+
+#include <gtest/gtest.h>
+
+namespace mbncc::console {
+namespace {
+
+using mbncc_vision::DetectedObjectArray;
+
+enum Which { kCamera, kCalibration, kLibrary, kMatcher };
+
+DetectedObjectArray array(std::uint8_t status, const std::string& message = "") {
+  DetectedObjectArray detections;
+  detections.status = status;
+  detections.message = message;
+  return detections;
+}
+
+Lamps well(double now) {
+  Lamps lamps;
+  lamps.take_picture(now);
+  lamps.take_detections(array(DetectedObjectArray::OK), now);
+  lamps.take_library(2, 1);
+  return lamps;
+}
+
+TEST(Lamps, AllIsWell) {
+  for (const auto& lamp : well(10).look(11)) {
+    EXPECT_EQ(lamp.level, Level::kGood) << lamp.name;
+    EXPECT_EQ(lamp.reason, "");
+  }
+}
+
+TEST(Lamps, WhatIsNotWellSaysWhy) {
+  const auto lamps = Lamps().look(10);
+  for (const auto& lamp : lamps) {
+    EXPECT_NE(lamp.level, Level::kGood) << lamp.name;
+    EXPECT_NE(lamp.reason, "") << lamp.name;
+  }
+}
+
+TEST(Lamps, SilenceIsNoticedWithinThreeSeconds) {
+  const auto lamps = well(10).look(12.5);
+  EXPECT_EQ(lamps[kCamera].level, Level::kBad);
+  EXPECT_EQ(lamps[kMatcher].level, Level::kBad);
+}
+
+TEST(Lamps, TheCameraSaysItselfWhatIsWrong) {
+  Lamps lamps = well(10);
+  diagnostic_msgs::DiagnosticArray diagnostics;
+  auto& status = diagnostics.status.emplace_back();
+  status.name = "/camera: camera";
+  status.level = diagnostic_msgs::DiagnosticStatus::ERROR;
+  status.message = "/dev/video0 is gone";
+  lamps.take_diagnostics(diagnostics, 13);
+  EXPECT_EQ(lamps.look(13)[kCamera].reason, "/dev/video0 is gone");
+}
+
+TEST(Lamps, StatusOfTheSearchShows) {
+  Lamps lamps = well(10);
+  lamps.take_detections(array(DetectedObjectArray::UNCALIBRATED, "no camera_info"), 10);
+  EXPECT_EQ(lamps.look(10)[kCalibration].level, Level::kDoubtful);
+  EXPECT_EQ(lamps.look(10)[kCalibration].reason, "no camera_info");
+  lamps.take_detections(array(DetectedObjectArray::STALE), 10);
+  EXPECT_EQ(lamps.look(10)[kMatcher].level, Level::kBad);
+}
+
+TEST(Lamps, AnEmptyOrDisabledOrDamagedLibraryShows) {
+  Lamps lamps = well(10);
+  lamps.take_library(0, 0);
+  EXPECT_EQ(lamps.look(10)[kLibrary].level, Level::kDoubtful);
+  lamps.take_library(2, 0);
+  EXPECT_EQ(lamps.look(10)[kLibrary].level, Level::kDoubtful);
+  lamps.take_library(2, 2);
+  diagnostic_msgs::DiagnosticArray diagnostics;
+  auto& value = diagnostics.status.emplace_back().values.emplace_back();
+  value.key = "files quarantined";
+  value.value = "1";
+  lamps.take_diagnostics(diagnostics, 10);
+  EXPECT_EQ(lamps.look(10)[kLibrary].level, Level::kDoubtful);
+}
+
+}  // namespace
+}  // namespace mbncc::console
