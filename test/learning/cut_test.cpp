@@ -81,6 +81,38 @@ TEST(GraphCut, HalfResolutionKeepsTheEnergyOfBlocks) {
   }
 }
 
+TEST(GraphCut, RefiningACoarseCutComesCloseToTheLeastEnergy) {
+  cv::RNG random(9);
+  for (const cv::Size size : {cv::Size(40, 31), cv::Size(33, 40)}) {
+    cv::Mat unary(size, CV_32FC1);
+    random.fill(unary, cv::RNG::NORMAL, 0, 6);
+    cv::GaussianBlur(unary, unary, {}, 2);
+    const Smoothness smoothness = random_smoothness(size, random);
+    cv::Mat map = coarse_cut(unary, half_resolution(smoothness));
+    const double coarse = energy(map, unary, smoothness);
+    refine_cut(unary, smoothness, map);
+    const double refined = energy(map, unary, smoothness);
+    const double least = energy(minimum_cut(unary, smoothness), unary, smoothness);
+    EXPECT_LE(refined, coarse + 1e-3);
+    EXPECT_GE(refined, least - 1e-3);
+    EXPECT_LE(refined - least, 0.1 * (coarse - least) + 1e-3);
+  }
+}
+
+TEST(GraphCut, ATiltedCutIsTheCutOfTheTiltedPreferences) {
+  cv::RNG random(10);
+  for (const cv::Size size : {cv::Size(40, 30), cv::Size(31, 17)})
+    for (const float tilt : {-2.F, 2.F}) {
+      cv::Mat unary(size, CV_32FC1);
+      random.fill(unary, cv::RNG::NORMAL, 0, 4);
+      const Smoothness smoothness = random_smoothness(size, random);
+      const Smoothness half = half_resolution(smoothness);
+      const cv::Mat tilted = tilted_coarse_cut(coarse_cut(unary, half), unary, tilt, half);
+      EXPECT_NEAR(energy(tilted, unary + tilt, smoothness),
+                  energy(coarse_cut(unary + tilt, half), unary + tilt, smoothness), 1e-2);
+    }
+}
+
 TEST(ColourMixture, PrefersItsOwnColours) {
   const cv::Size size(60, 60);
   cv::Mat picture = test::texture(size, cv::Scalar(40, 60, 200), 5, 1);
@@ -136,6 +168,16 @@ TEST(CleanMap, KeepsNearAndLargePiecesOnly) {
   EXPECT_EQ(cv::countNonZero(map(body)), body.area());
   EXPECT_EQ(cv::countNonZero(map(near)), near.area()) << "a gap of two pixels does not part them";
   EXPECT_EQ(cv::countNonZero(map(far)), 0);
+}
+
+TEST(CleanMap, KeepsASmallGroupThatIsWanted) {
+  cv::Mat map = cv::Mat::zeros(60, 60, CV_8UC1), wanted = map.clone();
+  map(cv::Rect(5, 5, 30, 30)).setTo(255);
+  map(cv::Rect(50, 50, 5, 5)).setTo(255);
+  wanted.at<uchar>(52, 52) = 255;
+  const cv::Mat all = map.clone();
+  keep_main_groups(map, {}, wanted);
+  EXPECT_EQ(cv::norm(map, all, cv::NORM_INF), 0);
 }
 
 TEST(CleanMap, FillsSpecksButNotHoles) {

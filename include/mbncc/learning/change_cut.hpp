@@ -17,8 +17,7 @@ struct ChangeCut {
                        ///< was cut, within +-8; -8 outside the region. Empty when nothing changed
 
   // Each makes one more cut from where this one ended, repeatably; none when nothing had changed.
-  /// Holds to what the operator painted (CV_8UC1 of the pictures' size, 255 there) and learns
-  /// colours from it.
+  /// Holds to what the operator painted (CV_8UC1 of the pictures' size, 255 there).
   std::function<ChangeCut(const cv::Mat& include, const cv::Mat& exclude)> cut_again;
   /// Adds another view's `preference`, warped onto this one.
   std::function<ChangeCut(const cv::Mat& preference)> cut_with;

@@ -11,8 +11,10 @@
 #include "learning/clean_map.hpp"
 #include "learning/cut_evidence.hpp"
 #include "learning/graph_cut.hpp"
+#include "learning/half_smoothness.hpp"
 #include "learning/rectangles.hpp"
 #include "learning/smoothness.hpp"
+#include "learning/stroke_voice.hpp"
 
 namespace mbncc {
 namespace {
@@ -21,12 +23,10 @@ constexpr float kAnyColour = 0.05F;    // part of the object's pixels in colours
 constexpr float kUnaryWeight = 1.15F;  // against the smoothness
 constexpr double kSureness = 4;  // power of the change's probability that colours are weighted by
 constexpr float kHighestUnary = 60;
-constexpr float kVoice = 8;              // highest unary of one of two views
-constexpr float kForced = 1000;          // unary of painted pixels
-constexpr float kPaintedSureness = 2;    // they teach more than changed ones
-constexpr float kExcludedWeight = 0.1F;  // prior of a pixel showing what was excluded
-constexpr float kArrivalUnary = 12;      // log-likelihood ratio given to arrivals
-constexpr int kFewestPixels = 30;        // of a seed worth cutting
+constexpr float kVoice = 8;          // highest unary of one of two views
+constexpr float kForced = 1000;      // unary of painted pixels
+constexpr float kArrivalUnary = 12;  // log-likelihood ratio given to arrivals
+constexpr int kFewestPixels = 30;    // of a seed worth cutting
 
 // What one round of cutting works on; all pictures have the crop's size.
 class Cutter {
@@ -55,34 +55,46 @@ class Cutter {
     return cv::countNonZero(map_) >= kFewestPixels;
   }
 
-  void weigh_edges() { smoothness_ = smoothness(before_, after_, noise_); }
+  void weigh_edges() {
+    smoothness_ = smoothness(before_, after_, noise_);
+    half_ = half_resolution(smoothness_);
+  }
 
   void cut() {
     // Surely changed pixels teach the object's colours, doubtful ones (its shadow's rim) hardly.
     cv::Mat sureness;
     cv::pow(background_.changed, kSureness, sureness);
-    if (!include_.empty()) sureness.setTo(kPaintedSureness, include_);
     unary_ = unary_of(ColourMixture::fit(before_, map_, sureness));
-    cv::Mat next = minimum_cut(unary_, smoothness_);
+    cut_by_unary();
+  }
+
+  void cut_by_unary() {
+    coarse_ = coarse_cut(unary_, half_);
+    cv::Mat next = coarse_.clone();
+    refine_cut(unary_, smoothness_, next);
     if (cv::countNonZero(next) < kFewestPixels) return;
-    keep_main_groups(next, cv::min(unary_, kHighestUnary));
+    keep_main_groups(next, cv::min(unary_, kHighestUnary), include_);
     map_ = next;
   }
 
   void clean() {
-    map_ = clean_map(map_, cv::min(unary_, kHighestUnary));
+    map_ = clean_map(map_, cv::min(unary_, kHighestUnary), include_);
     if (!include_.empty()) map_ = (map_ | include_) & ~exclude_;
   }
 
-  // This cut's successor that holds to painted pixels.
+  // This cut's successor that holds to painted pixels. They speak for what is alike around them,
+  // but teach no colours: what the first cut got wrong has the other side's colours.
   Cutter painted(const cv::Mat& include, const cv::Mat& exclude) const {
     Cutter next = *this;
     next.include_ = include(crop_);
     next.exclude_ = exclude(crop_);
     next.inside_ = inside_ | next.include_;
-    next.map_ = (map_ | next.include_) & ~next.exclude_;
-    next.background_.log_ratio = background_.log_ratio.clone();
-    next.shun(ColourMixture::fit(before_, next.exclude_));
+    next.unary_ = unary_.clone();
+    next.unary_ += stroke_voice(before_, next.include_) - stroke_voice(before_, next.exclude_);
+    next.unary_.setTo(kForced, next.include_);
+    next.unary_.setTo(-kForced, next.exclude_);
+    next.cut_by_unary();
+    next.clean();
     return next;
   }
 
@@ -90,6 +102,8 @@ class Cutter {
   Cutter informed(const cv::Mat& preference) const {
     Cutter next = *this;
     next.other_view_ = preference(crop_);
+    next.cut();
+    next.clean();
     return next;
   }
 
@@ -106,7 +120,7 @@ class Cutter {
   }
 
   CutEvidence evidence() const {
-    return cut_evidence({map_, inside_, unary_, background_.changed}, smoothness_);
+    return cut_evidence({map_, coarse_, inside_, unary_, background_.changed}, smoothness_, half_);
   }
 
  private:
@@ -118,15 +132,6 @@ class Cutter {
     arrivals.setTo(0, map_);
     background_.changed.setTo(0, arrivals);
     background_.log_ratio.setTo(kArrivalUnary, arrivals);
-  }
-
-  // Colours that the operator excluded are background wherever they occur.
-  void shun(const ColourMixture& excluded) {
-    if (excluded.empty()) return;
-    cv::Mat ratio;
-    cv::exp(background_.log_ratio, ratio);
-    ratio += kExcludedWeight * relative_density(excluded);
-    cv::log(ratio, background_.log_ratio);
   }
 
   // A view's say in a cut of both: no pixel may outvote the other view by far.
@@ -145,10 +150,6 @@ class Cutter {
     unary = cv::max(cv::min(unary, kHighestUnary), -kHighestUnary);
     if (!other_view_.empty()) unary = voice_of(unary) + other_view_;
     unary.setTo(-kHighestUnary, ~inside_);
-    if (!include_.empty()) {
-      unary.setTo(kForced, include_);
-      unary.setTo(-kForced, exclude_);
-    }
     return unary;
   }
 
@@ -157,28 +158,19 @@ class Cutter {
   NoiseModel noise_;
   ColourMixture platform_;
   BackgroundLikelihood background_;
-  Smoothness smoothness_;
-  cv::Mat unary_, map_;
+  Smoothness smoothness_, half_;  // half_: at half resolution
+  cv::Mat unary_, coarse_, map_;
   cv::Mat other_view_;         // empty, or of the crop's size
   cv::Mat include_, exclude_;  // both empty, or both of the crop's size
 };
 
-ChangeCut result_of(const std::shared_ptr<const Cutter>& cutter, const cv::Size& size);
-
-ChangeCut cut_once_more(Cutter&& cutter, const cv::Size& size) {
-  const auto next = std::make_shared<Cutter>(std::move(cutter));
-  next->cut();
-  next->clean();
-  return result_of(next, size);
-}
-
 ChangeCut result_of(const std::shared_ptr<const Cutter>& cutter, const cv::Size& size) {
   return {cutter->full_size_map(size), cutter->evidence(), cutter->full_size_preference(size),
           [cutter, size](const cv::Mat& include, const cv::Mat& exclude) {
-            return cut_once_more(cutter->painted(include, exclude), size);
+            return result_of(std::make_shared<Cutter>(cutter->painted(include, exclude)), size);
           },
           [cutter, size](const cv::Mat& preference) {
-            return cut_once_more(cutter->informed(preference), size);
+            return result_of(std::make_shared<Cutter>(cutter->informed(preference)), size);
           }};
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <opencv2/imgproc.hpp>
+#include <set>
 #include <vector>
 
 namespace mbncc {
@@ -33,14 +34,24 @@ std::vector<double> group_weights(const cv::Mat& map, const cv::Mat& labels, int
   return weights;
 }
 
+std::set<int> labels_under(const cv::Mat& mask, const cv::Mat& labels) {
+  std::set<int> result;
+  for (int y = 0; y < mask.rows; ++y)
+    for (int x = 0; x < mask.cols; ++x)
+      if (mask.at<uchar>(y, x)) result.insert(labels.at<int>(y, x));
+  return result;
+}
+
 }  // namespace
 
-void keep_main_groups(cv::Mat& map, const cv::Mat& weight, int gap) {
+void keep_main_groups(cv::Mat& map, const cv::Mat& weight, const cv::Mat& wanted, int gap) {
   int count = 0;
   const cv::Mat labels = group_labels(map, gap, count);
   if (count <= 2) return;
-  const auto weights = group_weights(map, labels, count, weight);
+  auto weights = group_weights(map, labels, count, weight);
   const double least = kKeptWeight * *std::max_element(weights.begin(), weights.end());
+  for (const int label : labels_under(wanted, labels))
+    weights[label] = std::max(weights[label], least);
   for (int y = 0; y < map.rows; ++y)
     for (int x = 0; x < map.cols; ++x)
       if (weights[labels.at<int>(y, x)] < least) map.at<uchar>(y, x) = 0;
@@ -59,9 +70,9 @@ void fill_holes(cv::Mat& map, int area) {
     }
 }
 
-cv::Mat clean_map(const cv::Mat& raw, const cv::Mat& weight) {
+cv::Mat clean_map(const cv::Mat& raw, const cv::Mat& weight, const cv::Mat& wanted) {
   cv::Mat map = raw.clone();
-  keep_main_groups(map, weight);
+  keep_main_groups(map, weight, wanted);
   fill_holes(map, std::max(kSmallestHole, static_cast<int>(kFilledPart * cv::countNonZero(map))));
   cv::Mat smooth;
   cv::medianBlur(map, smooth, 3);

@@ -6,13 +6,14 @@
 namespace mbncc {
 
 /// Removes the groups of pieces (pieces nearer than `gap` pixels form a group) that weigh less than
-/// a quarter of the heaviest one. `weight` is CV_32FC1 (negative counts as 0); empty: each pixel 1.
-void keep_main_groups(cv::Mat& map, const cv::Mat& weight, int gap = 3);
+/// a quarter of the heaviest one and hold no `wanted` pixel. `weight` is CV_32FC1 (negative counts
+/// as 0); empty: each pixel 1.
+void keep_main_groups(cv::Mat& map, const cv::Mat& weight, const cv::Mat& wanted = {}, int gap = 3);
 
 /// Fills enclosed holes of at most `area` pixels.
 void fill_holes(cv::Mat& map, int area);
 
 /// Both of the above, and a 3 x 3 median against ragged outlines. Holes go up to .2 % of the map.
-cv::Mat clean_map(const cv::Mat& raw, const cv::Mat& weight = {});
+cv::Mat clean_map(const cv::Mat& raw, const cv::Mat& weight = {}, const cv::Mat& wanted = {});
 
 }  // namespace mbncc

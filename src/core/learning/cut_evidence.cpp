@@ -6,14 +6,12 @@
 
 #include "learning/clean_map.hpp"
 #include "learning/graph_cut.hpp"
-#include "learning/half_smoothness.hpp"
 #include "learning/map_measures.hpp"
 
 namespace mbncc {
 namespace {
 
-constexpr float kBalanceShift = 2;        // log-odds per pixel by which the re-cuts are tilted
-constexpr float kForcedBackground = -50;  // unary outside the region
+constexpr float kBalanceShift = 2;  // log-odds per pixel by which the re-cuts are tilted
 constexpr float kSurelyChanged = 0.7F;
 
 double part(const cv::Mat& of, const cv::Mat& among) {
@@ -40,16 +38,11 @@ double agreement(const cv::Mat& a, const cv::Mat& b) {
 }
 
 // Least agreement of the map with two cuts at half resolution whose balance is tilted either way.
-double stability(const FinishedCut& cut, const Smoothness& smoothness) {
-  const Smoothness half = half_resolution(smoothness);
+double stability(const FinishedCut& cut, const Smoothness& half) {
   double least = 1;
   for (const float tilt : {-kBalanceShift, kBalanceShift}) {
-    cv::Mat unary = cut.unary + tilt;
-    unary.setTo(kForcedBackground, ~cut.inside);
-    cv::Mat coarse = minimum_cut(half_resolution(unary), half), tilted;
-    cv::resize(coarse, tilted, coarse.size() * 2, 0, 0, cv::INTER_NEAREST);
-    tilted = tilted(cv::Rect({0, 0}, cut.map.size())).clone();
-    keep_main_groups(tilted, unary);
+    cv::Mat tilted = tilted_coarse_cut(cut.coarse, cut.unary, tilt, half);
+    keep_main_groups(tilted, cut.unary + tilt);
     least = std::min(least, agreement(tilted, cut.map));
   }
   return least;
@@ -63,11 +56,12 @@ double region_touch(const cv::Mat& map, const cv::Mat& inside) {
   return part(~core, outline_pixels(map));
 }
 
-CutEvidence cut_evidence(const FinishedCut& cut, const Smoothness& smoothness) {
+CutEvidence cut_evidence(const FinishedCut& cut, const Smoothness& smoothness,
+                         const Smoothness& half) {
   CutEvidence evidence;
   evidence.region_touch = region_touch(cut.map, cut.inside);
   evidence.change_outside = part(cut.changed > kSurelyChanged, ~cut.inside);
-  evidence.stability = stability(cut, smoothness);
+  evidence.stability = stability(cut, half);
   evidence.boundary_contrast = boundary_contrast(cut.map, smoothness);
   return evidence;
 }

@@ -11,6 +11,7 @@ namespace mbncc {
 /// Pictures of one crop.
 struct FinishedCut {
   cv::Mat map;      ///< CV_8UC1
+  cv::Mat coarse;   ///< CV_8UC1, the cut of `unary` at half resolution
   cv::Mat inside;   ///< CV_8UC1, 255 in the region
   cv::Mat unary;    ///< CV_32FC1, what the last cut minimised
   cv::Mat changed;  ///< CV_32FC1, as in BackgroundLikelihood
@@ -19,6 +20,7 @@ struct FinishedCut {
 /// Part [0..1] of the map's outline within two pixels of the region's edge, or beyond.
 double region_touch(const cv::Mat& map, const cv::Mat& inside);
 
-CutEvidence cut_evidence(const FinishedCut& cut, const Smoothness& smoothness);
+CutEvidence cut_evidence(const FinishedCut& cut, const Smoothness& smoothness,
+                         const Smoothness& half);
 
 }  // namespace mbncc

@@ -10,18 +10,22 @@ namespace mbncc {
 namespace {
 
 constexpr int kFinestStep = 3;        // [px] sampling of the pictures
-constexpr double kEnough = 4000;      // samples
+constexpr double kEnough = 2000;      // samples
 constexpr std::size_t kFewest = 200;  // samples
-constexpr int kRounds = 5;            // of reweighting
+constexpr int kRounds = 5;            // of reweighting, at most
+constexpr double kSettled = 0.05;     // [grey levels]
 constexpr double kLeastSpread = 0.5;  // [grey levels] rounding alone
 constexpr double kFrozen = 1e12;      // prior that keeps a term at 0
 
 // One equation: difference = a g + a u gx + a v gy + offset.
 struct Sample {
-  cv::Vec4d terms;
-  double difference;
+  cv::Vec4f terms;
+  float difference;
 
-  double residual(const cv::Vec4d& light) const { return difference - terms.dot(light); }
+  float residual(const cv::Vec4f& light) const {
+    return difference -
+           (terms[0] * light[0] + terms[1] * light[1] + terms[2] * light[2] + terms[3] * light[3]);
+  }
 };
 
 std::vector<Sample> samples_of(const cv::Mat& before, const cv::Mat& after, const cv::Mat& trusted,
@@ -31,10 +35,10 @@ std::vector<Sample> samples_of(const cv::Mat& before, const cv::Mat& after, cons
   for (int y = 0; y < after.rows; y += step)
     for (int x = (y / step) % 2; x < after.cols; x += step) {
       if (!trusted.at<uchar>(y, x)) continue;
-      const double u = (x - after.cols / 2) / double(after.cols);
-      const double v = (y - after.rows / 2) / double(after.rows);
-      const double a = after.at<cv::Vec3f>(y, x)[channel];
-      const double b = before.at<cv::Vec3f>(y, x)[channel];
+      const float u = (x - after.cols / 2) / float(after.cols);
+      const float v = (y - after.rows / 2) / float(after.rows);
+      const float a = after.at<cv::Vec3f>(y, x)[channel];
+      const float b = before.at<cv::Vec3f>(y, x)[channel];
       samples.push_back({{a, a * u, a * v, 1}, b - a});
     }
   return samples;
@@ -65,9 +69,11 @@ cv::Vec4d reweighted(const std::vector<Sample>& samples, const cv::Vec4d& light,
     const double weight = (1 - r * r) * (1 - r * r);
     for (int i = 0; i < 4; ++i) {
       right[i] += weight * sample.terms[i] * sample.difference;
-      for (int j = 0; j < 4; ++j) normal(i, j) += weight * sample.terms[i] * sample.terms[j];
+      for (int j = 0; j <= i; ++j) normal(i, j) += weight * sample.terms[i] * sample.terms[j];
     }
   }
+  for (int i = 0; i < 4; ++i)
+    for (int j = i + 1; j < 4; ++j) normal(i, j) = normal(j, i);
   return normal.solve(right, cv::DECOMP_CHOLESKY);
 }
 
@@ -78,12 +84,21 @@ float median_difference(const std::vector<Sample>& samples) {
   return median(differences);
 }
 
+// Largest difference of two lights on a pixel of medium brightness. [grey levels]
+double difference_of(const cv::Vec4d& a, const cv::Vec4d& b) {
+  const cv::Vec4d d = a - b;
+  return 128 * (std::abs(d[0]) + std::abs(d[1]) / 2 + std::abs(d[2]) / 2) + std::abs(d[3]);
+}
+
 ChannelLight fit_channel(const std::vector<Sample>& samples, bool planar) {
   if (samples.size() < kFewest) return {};
   cv::Vec4d light(0, 0, 0, median_difference(samples));
   for (int round = 0; round < kRounds; ++round) {
     const double cut = (round == 0 ? 4 : 3) * spread_of(samples, light);
-    light = reweighted(samples, light, cut, planar);
+    const cv::Vec4d next = reweighted(samples, light, cut, planar);
+    const bool settled = difference_of(next, light) < kSettled;
+    light = next;
+    if (settled) break;
   }
   return {light[0], light[1], light[2], light[3]};
 }

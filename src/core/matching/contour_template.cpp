@@ -14,10 +14,13 @@ constexpr int kMotions = 3, kProducts = 6;
 
 }  // namespace
 
-ContourTemplate::ContourTemplate(const MapGeometry& map, cv::Point2d anchor, int level,
+std::vector<EdgePoint> ContourTemplate::edge_of(const MapGeometry& map, int level) {
+  return map.edge(std::max(1.5, 0.8 * (1 << level)));
+}
+
+ContourTemplate::ContourTemplate(const std::vector<EdgePoint>& edge, cv::Point2d anchor, int level,
                                  std::size_t most) {
   const double side = 1 << level;
-  const auto edge = map.edge(std::max(1.5, 0.8 * side));
   const auto wanted = static_cast<std::size_t>(static_cast<double>(edge.size()) / side);
   count_ = std::min({most, std::max<std::size_t>(8, wanted), edge.size()});
   const std::size_t lanes = whole_lanes(count_);

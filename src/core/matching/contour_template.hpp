@@ -12,9 +12,13 @@ namespace mbncc {
 struct ContourTemplate {
   ContourTemplate() = default;
 
-  /// At most `most` points evenly along the edge at pyramid level `level`, about `anchor` [px,
-  /// level 0].
-  ContourTemplate(const MapGeometry& map, cv::Point2d anchor, int level, std::size_t most);
+  /// At most `most` points evenly along the map's `edge` at pyramid level `level`, about `anchor`
+  /// [px, level 0].
+  ContourTemplate(const std::vector<EdgePoint>& edge, cv::Point2d anchor, int level,
+                  std::size_t most);
+
+  /// The edge whose normals are as smooth as a level's pixels.
+  static std::vector<EdgePoint> edge_of(const MapGeometry& map, int level);
 
   std::size_t size() const { return count_; }
   double radius() const { return radius_; }  ///< [px at level] of the farthest point

@@ -243,12 +243,12 @@ int coarse_level(double diameter, double width) {
 }  // namespace
 
 EdgeBank::EdgeBank(const MapGeometry& map, cv::Point2d anchor) {
-  const ContourTemplate whole(map, anchor, 0, 4000);
+  const ContourTemplate whole(ContourTemplate::edge_of(map, 0), anchor, 0, 4000);
   double reach = 1;
   for (std::size_t i = 0; i < whole.size(); ++i)
     reach = std::max<double>(reach, std::hypot(whole.x[i], whole.y[i]));
   level_ = coarse_level(2 * reach, map.mean_width());
-  const ContourTemplate contour(map, anchor, level_, kPoints);
+  const ContourTemplate contour(ContourTemplate::edge_of(map, level_), anchor, level_, kPoints);
   radius_ = static_cast<int>(std::ceil(reach / (1 << level_))) + 1;
   const double rim = 2 * kPi * reach / (1 << level_);
   const int count = std::max(12, static_cast<int>(std::ceil(rim / kArcStep)));

@@ -21,6 +21,38 @@ cv::Point2f unit(float x, float y) {
   return {x / length, y / length};
 }
 
+struct Spread {
+  cv::Mat colour;  // CV_8UC3
+  cv::Mat weight;  // CV_32FC1
+};
+
+cv::Mat blurred(const cv::Mat& values, double reach) {
+  cv::Mat result;
+  cv::GaussianBlur(values, result, {}, reach);
+  return result;
+}
+
+// Mean colour of the surface about each pixel. What reaches far is smooth and worked out on fewer
+// pixels.
+Spread spread_out(const cv::Mat& surface, const cv::Mat& weight, double reach) {
+  if (reach > 4) {
+    cv::Mat small_surface, small_weight;
+    const cv::Size half((surface.cols + 1) / 2, (surface.rows + 1) / 2);
+    cv::resize(surface, small_surface, half, 0, 0, cv::INTER_AREA);
+    cv::resize(weight, small_weight, half, 0, 0, cv::INTER_AREA);
+    Spread spread = spread_out(small_surface, small_weight, reach / 2);
+    cv::resize(spread.colour, spread.colour, surface.size(), 0, 0, cv::INTER_LINEAR);
+    cv::resize(spread.weight, spread.weight, surface.size(), 0, 0, cv::INTER_LINEAR);
+    return spread;
+  }
+  Spread spread{{}, blurred(weight, reach)};
+  cv::Mat total;
+  cv::cvtColor(cv::max(spread.weight, kTiny), total, cv::COLOR_GRAY2BGR);
+  const cv::Mat colour = blurred(surface, reach) / total;
+  colour.convertTo(spread.colour, CV_8U);
+  return spread;
+}
+
 }  // namespace
 
 MapGeometry::MapGeometry(const cv::Mat& map) : map_(bordered(map)) {
@@ -68,22 +100,15 @@ std::vector<EdgePoint> MapGeometry::edge(double smoothing) const {
 }
 
 cv::Mat continued_outwards(const cv::Mat& picture, const cv::Mat& map) {
-  cv::Mat weight, known, result = picture.clone();
+  cv::Mat weight, surface, result = picture.clone();
   map.convertTo(weight, CV_32F, 1.0 / 255);
-  cv::Mat weights, surface;
-  cv::merge(std::vector<cv::Mat>{weight, weight, weight}, weights);
-  picture.convertTo(surface, CV_32F);
-  surface = surface.mul(weights);
+  picture.copyTo(surface, map);
+  surface.convertTo(surface, CV_32F);
   result.setTo(cv::mean(picture, map), map == 0);
   // From far to near, so that the nearest surface has the last word.
   for (const double reach : {12.0, 5.0, 2.0}) {
-    cv::Mat spread, total;
-    cv::GaussianBlur(surface, spread, {}, reach);
-    cv::GaussianBlur(weights, total, {}, reach);
-    cv::Mat continued = spread / cv::max(total, kTiny), rounded, near;
-    continued.convertTo(rounded, CV_8U);
-    cv::extractChannel(total, near, 0);
-    rounded.copyTo(result, (near > 0.02) & (map == 0));
+    const Spread spread = spread_out(surface, weight, reach);
+    spread.colour.copyTo(result, (spread.weight > 0.02) & (map == 0));
   }
   return result;
 }

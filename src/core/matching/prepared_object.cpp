@@ -61,10 +61,11 @@ PreparedView::PreparedView(const Source& source, Engine engine)
   for (int level = 0; level < static_cast<int>(pyramid.size()); ++level) {
     const SceneLevel picture(pyramid[level], level);
     picture.prepare();
+    const auto edge = ContourTemplate::edge_of(geometry, level);
     const auto prepare = [&](std::size_t surface_points, std::size_t contour_points) {
       return PoseTemplate{
           SurfaceTemplate(picture, geometry, source.view.map.size(), anchor, level, surface_points),
-          ContourTemplate(geometry, anchor, level, contour_points)};
+          ContourTemplate(edge, anchor, level, contour_points)};
     };
     rough.push_back(prepare(48, 32));
     templates.push_back(prepare(112, 64));
