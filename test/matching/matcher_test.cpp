@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <opencv2/imgproc.hpp>
 
 #include "matching/pictures.hpp"
 
@@ -100,6 +101,24 @@ TEST_F(MatcherTest, TellsObjectsApart) {
   ASSERT_EQ(result.matches.size(), 1u);
   EXPECT_EQ(result.matches[0].name, "second");
   EXPECT_EQ(result.searched, (std::vector<std::string>{"first", "second"}));
+}
+
+TEST_F(MatcherTest, FindsLargerAndSmallerObjectsOnRequest) {
+  SearchConfig config;
+  config.scale_range = 0.15;
+  const Matcher matcher = matcher_of({object_from(source_, reference_)}, config);
+  for (const double scale : {0.88, 1.0, 1.12}) {
+    cv::Mat scene = texture({320, 240}, 61, 4), seen;
+    place(scene, source_, reference_.position(), {150.3, 110.7, 0.7});
+    cv::resize(scene, seen, {}, scale, scale, scale < 1 ? cv::INTER_AREA : cv::INTER_CUBIC);
+    const SearchResult result = matcher.find(seen);
+    ASSERT_FALSE(result.matches.empty()) << "scale " << scale;
+    const Match& match = result.matches[0];
+    EXPECT_NEAR(match.scale, scale, 0.04);
+    EXPECT_NEAR(match.pose.x, (150.3 + 0.5) * scale - 0.5, 1);
+    EXPECT_NEAR(match.pose.y, (110.7 + 0.5) * scale - 0.5, 1);
+    EXPECT_LT(angle_distance(match.pose.theta, 0.7), to_radians(1));
+  }
 }
 
 TEST_F(MatcherTest, NamesWhatItSkips) {

@@ -10,16 +10,17 @@ namespace mbncc {
 struct SearchConfig {
   std::string engine =
       "fast";  ///< fast: pyramid and rotated templates; polar: the paper's, step by step
-  std::string accept_by = "score";   ///< score: fused evidence; similarity: the paper's plain rule
-  double min_score = 0.3;            ///< [0..1] a detection is reported from here on
-  double confirm_score = 0.7;        ///< [0..1] it may be grasped from here on
-  double min_margin_place = 6;       ///< log-odds to the best competitor elsewhere
-  double min_margin_angle = 6;       ///< log-odds to the best other angle at the place
-  double max_place_deviation = 1.5;  ///< [px] claimed standard deviation of the position
-  double max_angle_deviation = 1.2;  ///< [deg] claimed standard deviation of the angle
-  double min_visible = 0.6;          ///< [0..1] part of the map inside the picture
-  int max_instances = 10;            ///< per name
+  std::string accept_by = "score";    ///< score: fused evidence; similarity: the paper's plain rule
+  double min_score = 0.3;             ///< [0..1] a detection is reported from here on
+  double confirm_score = 0.7;         ///< [0..1] it may be grasped from here on
+  double min_margin_place = 6;        ///< log-odds to the best competitor elsewhere
+  double min_margin_angle = 6;        ///< log-odds to the best other angle at the place
+  double max_place_deviation = 1.25;  ///< [px] claimed standard deviation of the position
+  double max_angle_deviation = 1;     ///< [deg] claimed standard deviation of the angle
+  double min_visible = 0.6;           ///< [0..1] part of the map inside the picture
+  int max_instances = 10;             ///< per name
   double max_overlap = 0.25;  ///< [0..1] of the smaller map, above which the weaker detection goes
+  double scale_range = 0;     ///< [0..0.5] objects may be larger or smaller by this part
   double time_budget = 0;     ///< [s] per picture; 0: none
   int threads = 1;            ///< worker threads of a search
 
@@ -59,6 +60,10 @@ struct SearchConfig {
             "max_overlap", Allowed::range(0, 1), "",
             "overlap of two maps, as part of the smaller, above which the weaker detection goes"},
         self.max_overlap);
+    visit(FieldInfo{"scale_range", Allowed::range(0, 0.5), "",
+                    "objects may be larger or smaller by this part; 3 % are borne without; each "
+                    "further 6 % cost a search"},
+          self.scale_range);
     visit(
         FieldInfo{
             "time_budget", Allowed::range(0, 3600), "s",

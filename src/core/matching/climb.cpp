@@ -110,11 +110,11 @@ class Climber {
 /// ones. The contour says as much as its points scatter. Shading displaces both, and that error
 /// does not average out.
 cv::Matx33d Climber::covariance(const Pose2D& pose) {
-  constexpr double kCorrelatedPixels = 12;
+  constexpr double kCorrelatedPixels = 8.5;
   constexpr double kScatter = 0.7;         // [px] of one contour point
-  constexpr double kCorrelatedPoints = 8;  // neighbours on the contour that scatter alike
-  constexpr double kDisplaced = 0.12;      // [px] by shading, in place
-  constexpr double kTurned = 0.04;         // [px] by shading, at the rim
+  constexpr double kCorrelatedPoints = 6;  // neighbours on the contour that scatter alike
+  constexpr double kDisplaced = 0.1;       // [px] by shading, in place
+  constexpr double kTurned = 0.034;        // [px] by shading, at the rim
   const SurfaceTemplate& surface = object_.surface;
   const double r = look_at(pose) ? std::clamp(correlation_, 0.1, 0.999) : 0.1;
   const double residual = kCorrelatedPixels * (1 - r * r) / (r * r) * surface.projected_energy /

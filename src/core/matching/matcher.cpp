@@ -120,8 +120,10 @@ void Matcher::set_objects(std::vector<std::shared_ptr<const ObjectModel>> object
     const auto& old = implementation_->objects;
     const auto known = std::find_if(old.begin(), old.end(),
                                     [&](const auto& other) { return other->model == object; });
-    prepared.push_back(known != old.end() ? *known
-                                          : std::make_shared<const PreparedObject>(object, engine));
+    prepared.push_back(known != old.end()
+                           ? *known
+                           : std::make_shared<const PreparedObject>(
+                                 object, engine, implementation_->config.scale_range));
   }
   implementation_->objects = std::move(prepared);
 }

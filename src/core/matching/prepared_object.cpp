@@ -30,6 +30,32 @@ Pose2D reference_in_crop(const View& view, cv::Point2d anchor) {
           view.reference.theta};
 }
 
+/// The view as a camera would see it from nearer or farther.
+View rescaled(const View& view, double scale) {
+  if (scale == 1) return view;
+  View result = view;
+  const int method = scale < 1 ? cv::INTER_AREA : cv::INTER_CUBIC;
+  cv::resize(view.template_image, result.template_image, {}, scale, scale, method);
+  cv::resize(view.map, result.map, result.template_image.size(), 0, 0, cv::INTER_LINEAR);
+  result.map = result.map > 127;
+  const cv::Point2d in_crop = view.reference.position() - cv::Point2d(view.origin);
+  result.origin = {0, 0};
+  result.reference.x = (in_crop.x + 0.5) * scale - 0.5;
+  result.reference.y = (in_crop.y + 0.5) * scale - 0.5;
+  return result;
+}
+
+/// The searches bear 3 % either way. The learned scale comes first.
+std::vector<double> scales_within(double range) {
+  constexpr double kStep = 0.06, kBorne = 0.03;
+  std::vector<double> scales{1};
+  for (double off = kStep; off - kBorne < range; off += kStep) {
+    scales.push_back(1 - std::min(off, range));
+    scales.push_back(1 + std::min(off, range));
+  }
+  return scales;
+}
+
 }  // namespace
 
 /// Pictures that all parts are made from.
@@ -45,7 +71,10 @@ struct PreparedView::Source {
   cv::Point2d anchor;
 };
 
-PreparedView::PreparedView(const View& view, Engine engine) : PreparedView(Source(view), engine) {}
+PreparedView::PreparedView(const View& view, Engine engine, double scale)
+    : PreparedView(Source(rescaled(view, scale)), engine) {
+  this->scale = scale;
+}
 
 PreparedView::PreparedView(const Source& source, Engine engine)
     : anchor(source.anchor),
@@ -80,10 +109,12 @@ PreparedView::PreparedView(const Source& source, Engine engine)
   if (!all.empty()) outline = all.front();
 }
 
-PreparedObject::PreparedObject(std::shared_ptr<const ObjectModel> object, Engine engine)
+PreparedObject::PreparedObject(std::shared_ptr<const ObjectModel> object, Engine engine,
+                               double scale_range)
     : model(std::move(object)) {
   validate(*model);
-  for (const auto& view : model->views) views.emplace_back(view, engine);
+  for (const double scale : scales_within(scale_range))
+    for (const auto& view : model->views) views.emplace_back(view, engine, scale);
 }
 
 int PreparedObject::top_level() const {

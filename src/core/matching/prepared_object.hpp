@@ -21,10 +21,12 @@ enum class Engine { kFast, kPolar };
 /// One view, in the frame of its anchor: the centre of the map's excircle.
 class PreparedView {
  public:
-  PreparedView(const View& view, Engine engine);
+  /// Of an object seen `scale` times as large as it was learned.
+  PreparedView(const View& view, Engine engine, double scale = 1);
 
   int top_level() const { return static_cast<int>(templates.size()) - 1; }
 
+  double scale = 1;
   cv::Point2d anchor;          ///< [px] in the view's crop
   Pose2D reference_in_anchor;  ///< [px],[rad] object frame as seen from the anchor
   MapShape shape;
@@ -46,7 +48,8 @@ class PreparedView {
 };
 
 struct PreparedObject {
-  PreparedObject(std::shared_ptr<const ObjectModel> object, Engine engine);
+  /// Every view at every scale in [1 - scale_range, 1 + scale_range] that has to be searched.
+  PreparedObject(std::shared_ptr<const ObjectModel> object, Engine engine, double scale_range = 0);
 
   int top_level() const;
 

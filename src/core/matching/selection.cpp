@@ -119,6 +119,7 @@ Match to_match(const Detection& detection, const Margins& margins, const SearchC
   match.pose = compose(detection.pose, view.reference_in_anchor);
   match.covariance = moved_to_reference(
       detection.covariance, rotate(view.reference_in_anchor.position(), detection.pose.theta));
+  match.scale = view.scale;
   match.score = acceptance_score(detection, config);
   match.log_odds = detection.log_odds;
   match.similarity = detection.similarity;
