@@ -258,15 +258,16 @@ class Look {
       if (!find_again(one, touched)) state_.hidden.push_back(one);
   }
 
-  /// What was hidden is looked for once at its place when that has come to rest or looks as before.
+  /// What was hidden is looked for at its place when something comes to rest about there, for the
+  /// last time when the place is on record again, as before or otherwise.
   void look_for_hidden() {
-    auto& hidden = state_.hidden;
-    const auto begin = std::stable_partition(hidden.begin(), hidden.end(), [&](const Known& one) {
-      return state_.changes.touches(one.box()) && !is_settled(one.box());
-    });
-    const std::vector<Known> revealed(begin, hidden.end());
-    hidden.erase(begin, hidden.end());
-    for (const auto& one : revealed) find_again(one, revealed);
+    const std::vector<Known> before = std::move(state_.hidden);
+    state_.hidden.clear();
+    for (const auto& one : before) {
+      const bool changing = state_.changes.touches(one.box());
+      const bool found = (!changing || is_settled(one.box())) && find_again(one, before);
+      if (changing && !found) state_.hidden.push_back(one);
+    }
   }
 
   bool is_settled(const cv::Rect& box) const {
