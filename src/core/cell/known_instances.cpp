@@ -1,7 +1,8 @@
 #include "cell/known_instances.hpp"
 
-#include <algorithm>
+#include <cmath>
 #include <opencv2/imgproc.hpp>
+#include <utility>
 
 namespace mbncc {
 namespace {
@@ -15,10 +16,28 @@ cv::Mat filled(const std::vector<cv::Point2f>& outline, const cv::Rect& box) {
   return area;
 }
 
+double distance(const Match& a, const Match& b) {
+  return cv::norm(a.pose.position() - b.pose.position());
+}
+
 }  // namespace
 
 cv::Rect Known::box() const {
   return cv::boundingRect(match.outline);
+}
+
+bool Known::is_compared() const {
+  return std::isfinite(margin_elsewhere);
+}
+
+Match Known::judged(const SearchConfig& config) const {
+  Match result = match;
+  result.margin_place = std::min(result.margin_place, margin_to_others);
+  if (is_compared()) result.margin_place = std::min(result.margin_place, margin_elsewhere);
+  const bool sure = result.margin_place >= config.min_margin_place;
+  result.graspable = result.graspable && is_compared() && sure;
+  result.ambiguous = result.ambiguous || (result.score >= config.confirm_score && !sure);
+  return result;
 }
 
 double outline_overlap(const std::vector<cv::Point2f>& a, const std::vector<cv::Point2f>& b) {
@@ -31,19 +50,51 @@ double outline_overlap(const std::vector<cv::Point2f>& a, const std::vector<cv::
 }
 
 bool is_continued(const Match& before, const Match& now, double reach) {
-  return before.name == now.name && cv::norm(before.pose.position() - now.pose.position()) <= reach;
+  return before.name == now.name && distance(before, now) <= reach;
 }
 
 const Known* predecessor(const std::vector<Known>& before, const Match& now, double reach) {
   const Known* nearest = nullptr;
   for (const auto& known : before) {
-    const double distance = cv::norm(known.match.pose.position() - now.pose.position());
     if (!is_continued(known.match, now, reach)) continue;
-    if (nearest && cv::norm(nearest->match.pose.position() - now.pose.position()) <= distance)
-      continue;
-    nearest = &known;
+    if (!nearest || distance(known.match, now) < distance(nearest->match, now)) nearest = &known;
   }
   return nearest;
+}
+
+bool KnownInstances::shows(const std::string& name) const {
+  return std::any_of(known_.begin(), known_.end(),
+                     [&](const Known& one) { return one.match.name == name; });
+}
+
+Known* KnownInstances::admit(Known found, double reach) {
+  const Match& match = found.match;
+  const auto covers = [&](const Known& one) {
+    return outline_overlap(one.match.outline, match.outline) > max_overlap_;
+  };
+  const auto beats = [&](const Known& one) {
+    return covers(one) && !is_continued(one.match, match, reach) && one.match.score >= match.score;
+  };
+  note_rival({match.name, match.log_odds, match.outline});
+  if (std::any_of(known_.begin(), known_.end(), beats)) return nullptr;
+  for (const auto& one : take(covers))
+    if (one.match.name != match.name)
+      found.margin_to_others =
+          std::min(found.margin_to_others, match.log_odds - one.match.log_odds);
+  known_.push_back(std::move(found));
+  return &known_.back();
+}
+
+void KnownInstances::note_rivals(const std::vector<Rival>& rivals) {
+  for (const auto& rival : rivals) note_rival(rival);
+}
+
+void KnownInstances::note_rival(const Rival& rival) {
+  for (auto& known : known_)
+    if (known.match.name != rival.name &&
+        outline_overlap(known.match.outline, rival.outline) > max_overlap_)
+      known.margin_to_others =
+          std::min(known.margin_to_others, known.match.log_odds - rival.log_odds);
 }
 
 }  // namespace mbncc
