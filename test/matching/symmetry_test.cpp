@@ -32,7 +32,7 @@ cv::Mat polygon(int corners, double radius) {
 }
 
 TEST(Symmetry, PlainPolygonsRepeatPerCorner) {
-  for (const int corners : {3, 4, 5}) EXPECT_EQ(symmetry_of(polygon(corners, 40), false), corners);
+  for (const int corners : {3, 4, 5}) EXPECT_EQ(symmetry_of(polygon(corners, 55), false), corners);
 }
 
 TEST(Symmetry, APlainBarRepeatsTwice) {

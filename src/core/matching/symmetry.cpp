@@ -5,7 +5,7 @@
 namespace mbncc {
 namespace {
 
-constexpr double kMinOverlap = 0.955;   // of the map with itself turned
+constexpr double kMinOverlap = 0.97;    // of the map with itself turned
 constexpr double kMaxDifference = 0.3;  // of the texture's energy, ...
 constexpr double kVisible = 15;         // [grey^2] ... but no more than this
 constexpr double kNoise = 5;            // [grey^2] of the difference of two pictures
