@@ -173,7 +173,7 @@ TEST(InteractiveLesson, ANewRegionIsCutAnew) {
   EXPECT_EQ(cv::norm(map_of(result), map_of(learn_object(drawn.lesson)), cv::NORM_INF), 0);
 }
 
-TEST(InteractiveLesson, AnExcludedShadowLeavesTheMap) {
+TEST(InteractiveLesson, AForeignThingThatIsPaintedOverLeavesTheMap) {
   auto drawn = draw_lesson();
   cv::Mat scene = drawn.scene.clone();
   cv::rectangle(scene, {130, 104, 30, 24}, cv::Scalar(40, 60, 45), cv::FILLED);  // a foreign thing
@@ -181,9 +181,11 @@ TEST(InteractiveLesson, AnExcludedShadowLeavesTheMap) {
   drawn.lesson.before = test::exposed(scene, 11);
   InteractiveLesson edited(drawn.lesson);
   const double before = iou(map_of(edited.result()), drawn.truth);
-  const double after = iou(map_of(edited.edit(excluding({{148, 116}, {156, 124}}))), drawn.truth);
+  const double after = iou(
+      map_of(edited.edit(excluding({{147, 110}, {157, 110}, {157, 125}, {140, 125}, {152, 118}}))),
+      drawn.truth);
   EXPECT_LT(before, 0.85);
-  EXPECT_GT(after, 0.93);
+  EXPECT_GT(after, 0.9);
 }
 
 TEST(InteractiveLesson, AFailedLessonCannotBeEdited) {

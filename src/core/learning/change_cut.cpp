@@ -14,7 +14,6 @@
 #include "learning/half_smoothness.hpp"
 #include "learning/rectangles.hpp"
 #include "learning/smoothness.hpp"
-#include "learning/stroke_voice.hpp"
 
 namespace mbncc {
 namespace {
@@ -82,15 +81,14 @@ class Cutter {
     if (!include_.empty()) map_ = (map_ | include_) & ~exclude_;
   }
 
-  // This cut's successor that holds to painted pixels. They speak for what is alike around them,
-  // but teach no colours: what the first cut got wrong has the other side's colours.
+  // This cut's successor that holds to painted pixels. They teach no colours: what the first cut
+  // got wrong has the other side's colours.
   Cutter painted(const cv::Mat& include, const cv::Mat& exclude) const {
     Cutter next = *this;
     next.include_ = include(crop_);
     next.exclude_ = exclude(crop_);
     next.inside_ = inside_ | next.include_;
     next.unary_ = unary_.clone();
-    next.unary_ += stroke_voice(before_, next.include_) - stroke_voice(before_, next.exclude_);
     next.unary_.setTo(kForced, next.include_);
     next.unary_.setTo(-kForced, next.exclude_);
     next.cut_by_unary();
