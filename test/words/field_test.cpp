@@ -109,6 +109,7 @@ TEST(Field, YamlFilesAreReadStrictly) {
   EXPECT_THROW(load("cuont: 7\n"), ConfigError);
   EXPECT_THROW(load("count: seven\n"), ConfigError);
   EXPECT_THROW(load("count: [7]\n"), ConfigError);
+  EXPECT_THROW(load("? [count]\n: 7\n"), ConfigError);
   EXPECT_THROW(load("- count\n"), FileError);
   EXPECT_THROW(load("count: [7\n"), FileError);
   EXPECT_THROW(load_yaml_file({}, folder / "none.yaml"), FileError);

@@ -1,7 +1,9 @@
 // Functions compiled once per instruction set; the loader picks the version the machine has.
 #pragma once
 
-#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__)
+// The loader's choice comes before a sanitizer is ready.
+#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && \
+    !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
 #define MBNCC_CLONES __attribute__((target_clones("default", "avx2", "avx512f")))
 #else
 #define MBNCC_CLONES

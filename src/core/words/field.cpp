@@ -139,7 +139,9 @@ void load_yaml_file(const std::vector<FieldRow>& rows, const std::string& path) 
   }
   if (!root.IsMap()) throw FileError(path, "expected lines of the form `key: value`");
   for (const auto& entry : root) {
-    const auto key = entry.first.as<std::string>();
+    if (!entry.first.IsScalar())
+      throw ConfigError("'" + path + "' has a parameter whose name is not a single word");
+    const std::string key = entry.first.Scalar();
     if (!entry.second.IsScalar())
       throw ConfigError("parameter '" + key + "' must be a single value");
     assign_field(rows, key, entry.second.Scalar());
