@@ -239,6 +239,24 @@ TEST_F(MatcherTest, ThreadsDoNotChangeTheResult) {
   }
 }
 
+TEST_F(MatcherTest, AnObjectAmongManyIsFoundWhereItIsFoundAlone) {
+  std::vector<std::shared_ptr<const ObjectModel>> objects;
+  for (int k = 0; k < 6; ++k)
+    objects.push_back(object_from(LearningPicture(k), reference_, "object" + std::to_string(k)));
+  for (int k = 0; k < 6; ++k) {
+    const Pose2D truth{120, 100, 0.9 * k};
+    cv::Mat scene = texture({320, 240}, 71 + static_cast<unsigned>(k), 4);
+    place(scene, LearningPicture(k), reference_.position(), truth);
+    const SearchResult all = matcher_of(objects).find(scene);
+    const SearchResult alone = matcher_of({objects[static_cast<std::size_t>(k)]}).find(scene);
+    ASSERT_EQ(alone.matches.size(), 1u);
+    ASSERT_EQ(all.matches.size(), 1u);
+    EXPECT_EQ(all.matches[0].name, alone.matches[0].name);
+    expect_at(all.matches[0], truth);
+    expect_at(alone.matches[0], truth);
+  }
+}
+
 TEST_F(MatcherTest, RefusesBrokenModels) {
   Matcher matcher;
   auto model = object_from(source_, reference_);

@@ -175,8 +175,9 @@ class EdgeSearch {
              std::make_tuple(-b.sum, b.rotation, b.y, b.x);
     };
     const auto end = peaks.begin() + static_cast<std::ptrdiff_t>(std::min(most, peaks.size()));
-    std::partial_sort(peaks.begin(), end, peaks.end(), better);
+    std::nth_element(peaks.begin(), end, peaks.end(), better);
     peaks.erase(end, peaks.end());
+    std::sort(peaks.begin(), peaks.end(), better);
   }
 
   Candidate candidate(const Peak& peak) const {

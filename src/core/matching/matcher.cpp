@@ -17,6 +17,8 @@
 namespace mbncc {
 namespace {
 
+constexpr std::size_t kFewObjects = 4;  // each is worth a second look
+
 using Clock = std::chrono::steady_clock;
 using ObjectList = std::vector<std::shared_ptr<const PreparedObject>>;
 
@@ -40,11 +42,11 @@ bool reference_within(const Detection& detection, const cv::Rect& roi) {
 }
 
 std::vector<Detection> search_object(const PreparedObject& object, const ScenePicture& scene,
-                                     const cv::Rect& roi) {
+                                     const cv::Rect& roi, Look look) {
   std::vector<Detection> found;
   for (const auto& view : object.views) {
     const auto detections =
-        search_view(object, view, scene, anchor_region(roi, view, scene.size()));
+        search_view(object, view, scene, anchor_region(roi, view, scene.size()), look);
     std::copy_if(detections.begin(), detections.end(), std::back_inserter(found),
                  [&](const Detection& detection) { return reference_within(detection, roi); });
   }
@@ -162,12 +164,13 @@ SearchResult Matcher::find(const cv::Mat& picture, const SearchRequest& request)
   const ObjectList objects = implementation_->wanted(request, result);
   const ScenePicture scene(picture, top_level(objects));
 
+  const Look look = objects.size() <= kFewObjects ? Look::kTwice : Look::kOnce;
   std::vector<std::vector<Detection>> found(objects.size());
   std::vector<char> searched(objects.size(), 0);
   in_parallel(objects.size(), config.threads, [&](std::size_t i) {
     const bool first = i == 0;  // without it, a short budget would find nothing for ever
     if (!first && config.time_budget > 0 && seconds_since(start) > config.time_budget) return;
-    found[i] = search_object(*objects[i], scene, request.roi);
+    found[i] = search_object(*objects[i], scene, request.roi, look);
     searched[i] = 1;
   });
 

@@ -11,7 +11,6 @@ namespace mbncc {
 namespace {
 
 constexpr std::size_t kRoundPlaces = 24;  // places whose contour does not tell the rotation
-constexpr std::size_t kEntering = 48;     // candidates that enter at a level
 constexpr std::size_t kFinal = 3;         // places whose other angles are tried
 constexpr std::size_t kPolished = 8;
 constexpr double kHopeless = 15;   // log-odds behind the best that no climb makes up for
@@ -22,12 +21,21 @@ constexpr double kOutclassed = 8;  // ... unless so far behind the best
 /// How hard the candidates are looked at.
 struct Effort {
   std::size_t edge_poses;  ///< of the edge search, at most
+  std::size_t entering;    ///< candidates that enter at a level, at most
   int turns;               ///< further starts, turned each way, of a candidate that enters
   double width;            ///< [px at level] objects narrower enter one level finer
+  double demand;           ///< log-odds by which a candidate's floors are raised on the way
 };
-constexpr Effort kQuick{400, 0, 0};
-constexpr Effort kThorough{1600, 2, 2.3};
+constexpr Effort kSparing{250, 24, 0, 0, 2};
+constexpr Effort kQuick{400, 48, 0, 0, 0};
+constexpr Effort kThorough{1600, 48, 2, 2.3, 0};
 constexpr double kFound = 3;  // log-odds of a candidate that make a thorough look needless
+
+/// Log-odds below which a candidate has never become a detection, nor a rival that matters.
+struct Floors {
+  double roughly, entering, climbed, finally;
+};
+constexpr Floors kFloors{-20, -12, -8, -6};
 
 std::size_t most_at(int level) {
   return level == 0 ? 8 : level == 1 ? 12 : 20;
@@ -43,16 +51,17 @@ cv::Rect at_level(const cv::Rect& roi, int level) {
 class ViewSearch {
  public:
   ViewSearch(const PreparedObject& object, const PreparedView& view, const ScenePicture& scene,
-             const cv::Rect& roi)
-      : object_(object), view_(view), scene_(scene), roi_(roi) {}
+             const cv::Rect& roi, Look look)
+      : object_(object), view_(view), scene_(scene), roi_(roi), look_(look) {}
 
   std::vector<Detection> run() {
     if (view_.polar) return judge_polar();
     if (view_.top_level() > scene_.top_level()) return {};
     correlate();
     follow_edges();
-    std::vector<Candidate> candidates = descend(kQuick);
-    if (candidates.empty() || candidates.front().value < kFound) candidates = descend(kThorough);
+    std::vector<Candidate> candidates = descend(look_ == Look::kTwice ? kQuick : kSparing);
+    const bool found = !candidates.empty() && candidates.front().value >= kFound;
+    if (!found && look_ == Look::kTwice) candidates = descend(kThorough);
     keep_hopeful(candidates, most_at(0), kNoRival);
     try_other_angles(candidates);
     return judge(candidates);
@@ -70,8 +79,9 @@ class ViewSearch {
       if (fresh && level > 0 && view_.geometry.mean_width() < effort.width * (1 << level))
         enter_finer(level, entering);
       else
-        admit(level, effort.turns, entering[level], candidates);
+        admit(level, effort, entering[level], candidates);
       refine_at(level, fresh ? 4 : 2, candidates);
+      drop_below(level > 0 ? kFloors.climbed + effort.demand : kFloors.finally, candidates);
       if (level > 0) step_down(candidates);
     }
     return candidates;
@@ -97,8 +107,9 @@ class ViewSearch {
   void follow_edges() {
     const int level = view_.edges.level();
     scene_.levels[level].prepare();
-    EdgeCandidates found = edge_search(view_.edges, scene_.levels[level].edges,
-                                       at_level(roi_, level), kThorough.edge_poses);
+    EdgeCandidates found =
+        edge_search(view_.edges, scene_.levels[level].edges, at_level(roi_, level),
+                    (look_ == Look::kTwice ? kThorough : kSparing).edge_poses);
     edges_ = std::move(found.poses);
     for (auto& place : found.round_places) place.value = odds(level, place.pose);
     keep_hopeful(found.round_places, kRoundPlaces);
@@ -145,15 +156,17 @@ class ViewSearch {
     entering[level].clear();
   }
 
-  void admit(int level, int turns, std::vector<Candidate>& entering,
+  void admit(int level, const Effort& effort, std::vector<Candidate>& entering,
              std::vector<Candidate>& candidates) const {
     for (auto& candidate : entering)
       candidate.value = odds(view_.rough[level], level, candidate.pose);
     sort_by_value(entering);
-    if (entering.size() > 2 * kEntering) entering.resize(2 * kEntering);
+    if (entering.size() > 2 * effort.entering) entering.resize(2 * effort.entering);
+    drop_below(kFloors.roughly + effort.demand, entering);
     for (auto& candidate : entering) candidate.value = odds(level, candidate.pose);
-    keep_hopeful(entering, kEntering);
-    add_turned(turns, entering);
+    keep_hopeful(entering, effort.entering);
+    drop_below(kFloors.entering + effort.demand, entering);
+    add_turned(effort.turns, entering);
     candidates.insert(candidates.end(), entering.begin(), entering.end());
   }
 
@@ -178,6 +191,11 @@ class ViewSearch {
     if (candidates.size() > most) candidates.resize(most);
     while (candidates.size() > 1 && candidates.back().value < candidates.front().value - behind)
       candidates.pop_back();
+  }
+
+  /// `candidates` are sorted.
+  static void drop_below(double floor, std::vector<Candidate>& candidates) {
+    while (!candidates.empty() && candidates.back().value < floor) candidates.pop_back();
   }
 
   double odds(const PoseTemplate& object, int level, const Pose2D& pose) const {
@@ -261,6 +279,7 @@ class ViewSearch {
   const PreparedView& view_;
   const ScenePicture& scene_;
   cv::Rect roi_;
+  Look look_;
   // What the coarse searches proposed, each best first.
   std::vector<Candidate> correlated_, edges_, round_;
 };
@@ -268,8 +287,8 @@ class ViewSearch {
 }  // namespace
 
 std::vector<Detection> search_view(const PreparedObject& object, const PreparedView& view,
-                                   const ScenePicture& scene, const cv::Rect& roi) {
-  return ViewSearch(object, view, scene, roi).run();
+                                   const ScenePicture& scene, const cv::Rect& roi, Look look) {
+  return ViewSearch(object, view, scene, roi, look).run();
 }
 
 }  // namespace mbncc

@@ -8,9 +8,15 @@
 
 namespace mbncc {
 
+/// How much a view that is not found at once is worth.
+enum class Look {
+  kOnce,  ///< where many objects are searched, most are not in the picture
+  kTwice  ///< again with more candidates and starts where nothing is found
+};
+
 /// Candidates of `view` whose anchors lie in `roi` [px], refined to full resolution, best first.
 /// Several may describe one place: other angles are needed to judge the margin.
 std::vector<Detection> search_view(const PreparedObject& object, const PreparedView& view,
-                                   const ScenePicture& scene, const cv::Rect& roi);
+                                   const ScenePicture& scene, const cv::Rect& roi, Look look);
 
 }  // namespace mbncc
