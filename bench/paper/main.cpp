@@ -1,7 +1,10 @@
-// The paper's matching experiments (doi 10.1177/1687814017728839, Figs. 12 to 15) in the simulated
-// cell: MB-NCC against PP-NCC with incircle and excircle, at the true place of the object.
+// The paper's matching experiments (doi 10.1177/1687814017728839, Figs. 12 to 16) in the simulated
+// cell: MB-NCC against PP-NCC with incircle and excircle, at the true place of the object, and at
+// every place of a picture that also shows a piece of wastepaper.
+#include <algorithm>
 #include <filesystem>
 #include <iostream>
+#include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 
 #include "common/program.hpp"
@@ -9,6 +12,7 @@
 #include "mbncc/geometry.hpp"
 #include "mbncc/polar.hpp"
 #include "mbncc/sim/scene.hpp"
+#include "paper/wastepaper.hpp"
 
 namespace mbncc::bench {
 namespace {
@@ -16,12 +20,15 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* kOptions =
-    "{@out   |   | folder for rotation.csv and backgrounds.csv }"
+    "{@out   |   | folder for the figures' CSV files and pictures }"
     "{help h |   | this text }";
 
 constexpr double kDiameter = 110;             // [px]
 constexpr double kElongations[] = {1, 2, 4};  // the paper: square, irregular, elongated
 constexpr int kBackgrounds = 6;
+constexpr const char* kVariants[] = {"mbncc", "incircle", "excircle"};
+constexpr int kStep = 2;  // [px] of the half-size picture
+const cv::Point2d kWastepaper{450, 230};
 const Pose2D kPlace{320, 240, 0};
 
 /// A template in polar form, and where its centre lies in the learning picture.
@@ -95,11 +102,74 @@ void compare(double elongation, Results& results) {
   }
 }
 
+/// Best similarity over all rotations at every kStep-th pixel of a half-size picture.
+cv::Mat best_by_place(const Variant& variant, const cv::Mat& grey) {
+  cv::Mat scores(grey.rows / kStep, grey.cols / kStep, CV_32FC1);
+  for (int row = 0; row < scores.rows; ++row)
+    for (int column = 0; column < scores.cols; ++column) {
+      const cv::Point2d place(column * kStep, row * kStep);
+      const auto curve =
+          variant.object.similarities(polar_image(grey, place, variant.object.grid()));
+      scores.at<float>(row, column) =
+          static_cast<float>(*std::max_element(curve.begin(), curve.end()));
+    }
+  return scores;
+}
+
+/// Largest score within `radius` cells of a place; NaN-free, since the place lies in the picture.
+double peak_near(const cv::Mat& scores, cv::Point2d place, double radius, bool inside) {
+  cv::Mat mask(scores.size(), CV_8UC1, cv::Scalar(inside ? 0 : 255));
+  cv::circle(mask, place, cvRound(radius), cv::Scalar(inside ? 255 : 0), cv::FILLED);
+  double best = 0;
+  cv::minMaxLoc(scores, nullptr, &best, nullptr, nullptr, mask);
+  return best;
+}
+
+cv::Mat half_grey(const cv::Mat& picture) {
+  cv::Mat grey, half;
+  cv::cvtColor(picture, grey, cv::COLOR_BGR2GRAY);
+  cv::pyrDown(grey, half);
+  return half;
+}
+
+/// Figs. 14c and 16: the turned object and the wastepaper, on another platform than the learned.
+void compare_places(const fs::path& out) {
+  sim::Placed placed;
+  placed.object = {7, kDiameter, kElongations[2]};
+  placed.pose = kPlace;
+  const sim::Scene learned;
+  cv::Mat half_map;
+  cv::resize(learned.true_map(placed), half_map, {}, 0.5, 0.5, cv::INTER_AREA);
+  const auto templates = variants(half_grey(learned.render({placed}, 1)), half_map > 127);
+  sim::SceneConfig config;
+  config.seed = 2;
+  placed.pose = {190, 250, 0.7};
+  cv::Mat picture = sim::Scene(config).render({placed}, 2);
+  draw_wastepaper(picture, kWastepaper, kDiameter, 3);
+  cv::imwrite((out / "wastepaper.png").string(), picture);
+  const double cells = 1 / (2.0 * kStep), radius = kDiameter / 2 * cells;
+  Table table{{"variant", "object", "wastepaper", "elsewhere"}, {}};
+  for (std::size_t i = 0; i < templates.size(); ++i) {
+    const cv::Mat scores = best_by_place(templates[i], half_grey(picture));
+    cv::Mat levels;
+    scores.convertTo(levels, CV_8UC1, 255);
+    cv::imwrite((out / ("scores_" + std::string(kVariants[i]) + ".png")).string(), levels);
+    const cv::Point2d object = placed.pose.position() * cells;
+    table.rows.push_back({kVariants[i], to_text(peak_near(scores, object, radius, true), 4),
+                          to_text(peak_near(scores, kWastepaper * cells, radius, true), 4),
+                          to_text(peak_near(scores, object, radius, false), 4)});
+  }
+  save_csv((out / "wastepaper.csv").string(), table);
+  write_markdown(std::cout, table);
+  std::cout << '\n';
+}
+
 void benchmark(const cv::CommandLineParser& options) {
   const fs::path out = options.get<std::string>("@out");
   Results results;
   for (const double elongation : kElongations) compare(elongation, results);
   fs::create_directories(out);
+  compare_places(out);
   save_csv((out / "rotation.csv").string(), results.rotation);
   save_csv((out / "backgrounds.csv").string(), results.backgrounds);
   write_markdown(std::cout, results.backgrounds);

@@ -1,0 +1,12 @@
+// A crumpled sheet of paper beside the object, as in Figs. 14c and 16 of the paper.
+#pragma once
+
+#include <cstdint>
+#include <opencv2/core.hpp>
+
+namespace mbncc::bench {
+
+/// Draws the sheet, `diameter` [px] across, into `picture` (CV_8UC3). The same seed draws the same.
+void draw_wastepaper(cv::Mat& picture, cv::Point2d centre, double diameter, std::uint64_t seed);
+
+}  // namespace mbncc::bench
