@@ -196,9 +196,14 @@ void ConsoleWidget::show_lesson() {
   lesson_bar_->show_lesson(lesson_, now());
   review_->show_lesson(lesson_);
   ros_.show_changes(lesson_.waits_for_scene());
-  if (!lesson_.draft()) return;
-  const QImage preview = to_qimage(to_rgb(lesson_.draft()->preview));
-  picture_->tool().set_axes(lesson_.draft()->object.reference, axes_length(preview));
+  if (lesson_.draft_number() == draft_shown_) return;
+  draft_shown_ = lesson_.draft_number();
+  if (lesson_.draft()) show_draft(*lesson_.draft());
+}
+
+void ConsoleWidget::show_draft(const mbncc_vision::LearnObjectResult& draft) {
+  const QImage preview = to_qimage(to_rgb(draft.preview));
+  picture_->tool().set_axes(draft.object.reference, axes_length(preview));
   picture_->show_picture(preview, "The lesson's outline: accept it, or draw to correct it");
 }
 

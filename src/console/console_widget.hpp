@@ -42,6 +42,7 @@ class ConsoleWidget : public QWidget {
   void undo_edit();
   void look_at_clock();
   void show_lesson();
+  void show_draft(const mbncc_vision::LearnObjectResult& draft);
   void show_live(const QImage& picture, bool searched);
 
   QElapsedTimer clock_;
@@ -49,6 +50,7 @@ class ConsoleWidget : public QWidget {
   LibraryModel library_;
   Lamps lamps_;
   bool undoing_ = false;
+  int draft_shown_ = 0;
   double live_at_ = 0, overlay_at_ = -1e9, detections_at_ = -1e9;
 
   LampRow* lamp_row_;

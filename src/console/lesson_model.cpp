@@ -44,7 +44,7 @@ void LessonModel::take_status(const actionlib_msgs::GoalStatusArray& status, dou
   if (alive != status.status_list.end()) {
     // A lesson that somebody else began, or this window before it was closed.
     if (!under_way()) {
-      begin(alive->goal_id.id, now);
+      join(alive->goal_id.id, now);
       detail_ = "A lesson is running.";
     }
     goal_seen_ = now;
@@ -56,7 +56,7 @@ void LessonModel::take_status(const actionlib_msgs::GoalStatusArray& status, dou
 
 void LessonModel::take_feedback(const mbncc_vision::LearnObjectActionFeedback& feedback,
                                 double now) {
-  if (!under_way()) begin(feedback.status.goal_id.id, now);
+  if (!under_way()) join(feedback.status.goal_id.id, now);
   heard_ = goal_seen_ = now;
   stage_ = feedback.feedback.stage;
   progress_ = feedback.feedback.progress;
@@ -65,14 +65,15 @@ void LessonModel::take_feedback(const mbncc_vision::LearnObjectActionFeedback& f
   level_ = Level::kUnknown;
   const bool asked = stage_ == Feedback::WAIT_CONFIRM;
   phase_ = asked ? Phase::kReview : Phase::kRunning;
-  if (asked) draft_ = newest_draft_;
+  if (asked && !draft_) show_draft(newest_draft_);
 }
 
 void LessonModel::take_draft(const Result& draft) {
   newest_draft_ = draft;
   acceptable_ = draft.error_code == Result::SUCCESS;
   insisted_ = false;
-  if (phase_ == Phase::kReview || phase_ == Phase::kDeciding) draft_ = newest_draft_;
+  // A correction passes through the stages again before the operator is asked anew.
+  if (draft_ || phase_ == Phase::kReview) show_draft(newest_draft_);
 }
 
 void LessonModel::take_result(const mbncc_vision::LearnObjectActionResult& result, double now) {
@@ -86,6 +87,11 @@ void LessonModel::take_result(const mbncc_vision::LearnObjectActionResult& resul
 }
 
 void LessonModel::begin(const std::string& goal, double now) {
+  newest_draft_.reset();  // of another lesson
+  join(goal, now);
+}
+
+void LessonModel::join(const std::string& goal, double now) {
   phase_ = Phase::kRunning;
   goal_ = goal;
   stage_ = Feedback::WAIT_IMAGE;
@@ -94,7 +100,12 @@ void LessonModel::begin(const std::string& goal, double now) {
   goal_seen_ = now;
   detail_ = "Asking for a lesson.";
   level_ = Level::kUnknown;
-  draft_.reset();
+  show_draft({});
+}
+
+void LessonModel::show_draft(const std::optional<Result>& draft) {
+  draft_ = draft;
+  ++draft_number_;
 }
 
 void LessonModel::decide() {
@@ -140,7 +151,8 @@ void LessonModel::end(const std::string& headline, const std::string& detail, Le
   level_ = level;
   progress_ = 0;
   deadline_ = -1;
-  draft_.reset();
+  show_draft({});
+  newest_draft_.reset();
   acceptable_ = insisted_ = false;
 }
 

@@ -62,8 +62,12 @@ class LessonModel {
   std::string time_left(double now) const;
   /// Of the lesson that is reviewed; none otherwise.
   const std::optional<mbncc_vision::LearnObjectResult>& draft() const { return draft_; }
+  /// Changes whenever draft() does.
+  int draft_number() const { return draft_number_; }
 
  private:
+  void join(const std::string& goal, double now);
+  void show_draft(const std::optional<mbncc_vision::LearnObjectResult>& draft);
   void end(const std::string& headline, const std::string& detail, Level level);
   bool under_way() const;
 
@@ -79,6 +83,7 @@ class LessonModel {
   double goal_seen_ = 0;
   bool acceptable_ = false, insisted_ = false;
   std::optional<mbncc_vision::LearnObjectResult> draft_, newest_draft_;
+  int draft_number_ = 0;
 };
 
 }  // namespace mbncc::console

@@ -1,18 +1,11 @@
 #include "console/library_model.hpp"
 
-#include <algorithm>
 #include <utility>
 
 namespace mbncc::console {
 
 void LibraryModel::set_objects(std::vector<mbncc_vision::LearnedObject> objects) {
   objects_ = std::move(objects);
-}
-
-const mbncc_vision::LearnedObject* LibraryModel::find(const std::string& name) const {
-  const auto found = std::find_if(objects_.begin(), objects_.end(),
-                                  [&name](const auto& object) { return object.name == name; });
-  return found == objects_.end() ? nullptr : &*found;
 }
 
 LibraryModel::Request LibraryModel::enable(const std::string& name, bool enabled) {

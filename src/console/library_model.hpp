@@ -15,7 +15,6 @@ class LibraryModel {
 
   void set_objects(std::vector<mbncc_vision::LearnedObject> objects);
   const std::vector<mbncc_vision::LearnedObject>& objects() const { return objects_; }
-  const mbncc_vision::LearnedObject* find(const std::string& name) const;
 
   static Request enable(const std::string& name, bool enabled);
   static Request rename(const std::string& name, const std::string& new_name);

@@ -142,7 +142,8 @@ void ReviewPane::show_lesson(const LessonModel& lesson) {
   insist_->setEnabled(lesson.may_decide());
   insist_->setChecked(lesson.may_accept());
   const bool asked = lesson.draft().has_value();
-  if (asked) show_draft(*lesson.draft());
+  if (asked && lesson.draft_number() != draft_shown_) show_draft(*lesson.draft());
+  draft_shown_ = lesson.draft_number();
   if (!asked && was_asked_) clear();
   // A good verdict needs no mouse: the space bar accepts.
   if (asked && !was_asked_ && lesson.may_accept() &&

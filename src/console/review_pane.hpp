@@ -43,6 +43,7 @@ class ReviewPane : public QWidget {
   QButtonGroup* tools_;
   QSlider* width_;
   bool was_asked_ = false;
+  int draft_shown_ = 0;
 };
 
 }  // namespace mbncc::console

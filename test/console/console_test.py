@@ -3,6 +3,7 @@
 
 usage: console_test.py SCRIPTS_FOLDER
 """
+import math
 import subprocess
 import sys
 import unittest
@@ -11,6 +12,7 @@ sys.path.insert(0, sys.argv.pop(1))
 from console_session import PATIENCE, Session, Teacher  # noqa: E402
 
 CAMERA = {"width": 400, "height": 300, "object_diameter": 70.0, "neighbours": 1, "leg_time": 0.5}
+PLACE = 5  # [px] learned and true reference point may be apart
 
 
 class ConsoleTest(unittest.TestCase):
@@ -36,7 +38,7 @@ class ConsoleTest(unittest.TestCase):
         return self.teacher.wait_for_question()
 
     def test_1_three_actions_teach_an_object_that_is_then_found(self):
-        from mbncc_vision.msg import DetectedObject, LearnObjectResult
+        from mbncc_vision.msg import LearnObjectResult
         self.teacher.mouse.actions = 0
         self.teach("bracket")
         result = self.teacher.press("Accept")
@@ -44,9 +46,15 @@ class ConsoleTest(unittest.TestCase):
         # The name was written as well.
         self.assertEqual(self.teacher.mouse.actions, 4)
         self.teacher.order("put_next", lies=True)
-        self.teacher.found.wait(
-            lambda m: any(o.name == "bracket" and o.state == DetectedObject.CONFIRMED for o in m.objects),
-            "the object is found and confirmed")
+        self.teacher.found.wait(self.is_at_its_true_place, "the object is found")
+
+    def is_at_its_true_place(self, detections):
+        # Whether it is also confirmed depends on the machine's load: old pictures confirm nothing.
+        true = self.teacher.truth.get().objects
+        return bool(true) and any(
+            o.name == "bracket" and math.hypot(o.image_pose.x - true[0].image_pose.x,
+                                               o.image_pose.y - true[0].image_pose.y) < PLACE
+            for o in detections.objects)
 
     def test_2_a_rejected_lesson_stores_nothing(self):
         from mbncc_vision.msg import LearnObjectResult

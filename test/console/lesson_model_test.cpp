@@ -151,6 +151,33 @@ TEST(LessonModel, TheDraftOfAnEarlierLessonIsNotShown) {
   EXPECT_FALSE(lesson.draft());
 }
 
+TEST(LessonModel, TheDraftsNumberChangesWithTheDraftAlone) {
+  LessonModel lesson = in_review();
+  const int shown = lesson.draft_number();
+  lesson.take_feedback(feedback(Feedback::WAIT_CONFIRM), 2);
+  lesson.look_at_clock(2);
+  EXPECT_EQ(lesson.draft_number(), shown);
+  lesson.take_draft(draft(Result::SUCCESS));
+  EXPECT_NE(lesson.draft_number(), shown);
+}
+
+TEST(LessonModel, ACorrectionBringsItsDraftInAnyOrder) {
+  for (const bool draft_first : {true, false}) {
+    LessonModel lesson = in_review();
+    lesson.decide();
+    lesson.take_feedback(feedback(Feedback::SEGMENT), 2);
+    EXPECT_TRUE(lesson.draft());
+    Result corrected = draft(Result::SUCCESS);
+    corrected.object.name = "corrected";
+    if (draft_first) lesson.take_draft(corrected);
+    lesson.take_feedback(feedback(Feedback::WAIT_CONFIRM), 3);
+    if (!draft_first) lesson.take_draft(corrected);
+    ASSERT_TRUE(lesson.draft());
+    EXPECT_EQ(lesson.draft()->object.name, "corrected");
+    EXPECT_TRUE(lesson.may_accept());
+  }
+}
+
 TEST(LessonModel, OneWordAtATime) {
   LessonModel lesson = in_review();
   lesson.decide();

@@ -31,15 +31,5 @@ TEST(LibraryModel, UndoGoesBackStepByStep) {
   EXPECT_FALSE(library.can_undo());
 }
 
-TEST(LibraryModel, FindsByName) {
-  LibraryModel library;
-  std::vector<mbncc_vision::LearnedObject> objects(2);
-  objects[0].name = "a";
-  objects[1].name = "b";
-  library.set_objects(objects);
-  ASSERT_NE(library.find("b"), nullptr);
-  EXPECT_EQ(library.find("c"), nullptr);
-}
-
 }  // namespace
 }  // namespace mbncc::console
