@@ -20,7 +20,7 @@ cv::Scalar colour_of(Standing standing);
 /// One thing to point out in a picture.
 struct Marking {
   std::vector<std::vector<cv::Point2f>> outlines;  ///< [px] in the picture
-  Pose2D pose;                                     ///< [px],[rad] its axes: x vermilion arrow, y green
+  Pose2D pose;  ///< [px],[rad] its axes: x vermilion arrow, y green
   cv::Scalar colour = colour_of(Standing::kGood);  ///< bgr of outlines and the caption's plate
   std::string caption;                             ///< plain ASCII, lines apart by \n
 };

@@ -131,8 +131,7 @@ void LearningNodelet::start_pictures(ros::NodeHandle& node) {
 
 void LearningNodelet::start_lessons(ros::NodeHandle& node) {
   preview_publisher_ = node.advertise<sensor_msgs::Image>("learn_object/preview", 1, true);
-  draft_publisher_ =
-      node.advertise<mbncc_vision::LearnObjectResult>("learn_object/draft", 1, true);
+  draft_publisher_ = node.advertise<mbncc_vision::LearnObjectResult>("learn_object/draft", 1, true);
   score_publisher_ = node.advertise<sensor_msgs::Image>("learn_object/score_map", 1);
   stage_publisher_ = node.advertise<sensor_msgs::Image>("learn_object/stage_image", 1);
   ros::NodeHandle confirm_node = node;
