@@ -34,9 +34,11 @@ void Confirmation::open() {
   open_ = true;
 }
 
-std::optional<Confirmation::Request> Confirmation::next(const std::function<bool()>& interrupted) {
+std::optional<Confirmation::Request> Confirmation::next(const std::function<bool()>& interrupted,
+                                                        std::chrono::milliseconds patience) {
+  const auto end = std::chrono::steady_clock::now() + patience;
   std::unique_lock<std::mutex> lock(mutex_);
-  while (!interrupted())
+  while (!interrupted() && std::chrono::steady_clock::now() < end)
     if (changed_.wait_for(lock, kGlance, [this] { return request_ && !response_; }))
       return request_;
   return {};

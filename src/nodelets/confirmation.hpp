@@ -23,8 +23,9 @@ class Confirmation {
   /// Lesson side: commands are taken from now on; before the operator is told to give one.
   void open();
 
-  /// Lesson side: waits for a command; none once `interrupted` says so.
-  std::optional<Request> next(const std::function<bool()>& interrupted);
+  /// Lesson side: waits for a command; none once `interrupted` says so, or after `patience`.
+  std::optional<Request> next(const std::function<bool()>& interrupted,
+                              std::chrono::milliseconds patience);
 
   /// Lesson side: answers the command that next() gave.
   void answer(const Response& response);

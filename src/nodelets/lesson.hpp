@@ -77,6 +77,7 @@ class LessonRun {
 
   // The operator's check.
   Result review();
+  Confirmation::Request ask_operator();
   void carry_out(const Confirmation::Request& command, Confirmation::Response& response);
   void edit(const Confirmation::Request& command, Confirmation::Response& response);
   void undo(Confirmation::Response& response);

@@ -14,6 +14,9 @@ using Feedback = mbncc_vision::LearnObjectFeedback;
 using Request = Confirmation::Request;
 using Response = Confirmation::Response;
 
+// The question is repeated this often, for consoles that join late and for the time that is left.
+constexpr std::chrono::milliseconds kReminder{1000};
+
 /// Takes commands as long as the review lasts; whoever still asks when it ends is told so.
 class Review {
  public:
@@ -63,12 +66,9 @@ LessonEdit edit_of(const Request& request, cv::Size size) {
 LessonRun::Result LessonRun::review() {
   const Review review(tools_.confirmation);
   for (;;) {
-    tell(Feedback::WAIT_CONFIRM, kLearned, question_about(learned_.object.quality), true);
-    const auto command =
-        tools_.confirmation.next([this] { return client_.interruption().has_value(); });
-    leave_if_interrupted();
+    const Request command = ask_operator();
     Response response;
-    if (command->command == Request::ACCEPT && may_be_stored()) {
+    if (command.command == Request::ACCEPT && may_be_stored()) {
       const Result result = store();
       response.success = result.error_code == Result::SUCCESS;
       response.message = result.message;
@@ -76,11 +76,21 @@ LessonRun::Result LessonRun::review() {
       tools_.confirmation.answer(response);
       return result;
     }
-    carry_out(*command, response);
+    carry_out(command, response);
     response.quality = to_msg(learned_.object.quality);
     tools_.confirmation.answer(response);
-    if (command->command == Request::REJECT)
+    if (command.command == Request::REJECT)
       return describe(outcome(LearnError::kRejectedByOperator), learned_.object);
+  }
+}
+
+Request LessonRun::ask_operator() {
+  for (;;) {
+    tell(Feedback::WAIT_CONFIRM, kLearned, question_about(learned_.object.quality), true);
+    const auto command =
+        tools_.confirmation.next([this] { return client_.interruption().has_value(); }, kReminder);
+    leave_if_interrupted();
+    if (command) return *command;
   }
 }
 

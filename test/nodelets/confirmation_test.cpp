@@ -11,6 +11,8 @@ namespace {
 using Request = Confirmation::Request;
 using Response = Confirmation::Response;
 
+constexpr std::chrono::minutes kPatience{1};
+
 bool never() {
   return false;
 }
@@ -36,7 +38,7 @@ TEST(Confirmation, CarriesCommandsAndAnswersAcross) {
     return std::make_pair(first, desk.ask(command(Request::ACCEPT)));
   });
   for (const auto expected : {Request::UNDO, Request::ACCEPT}) {
-    const auto request = desk.next(never);
+    const auto request = desk.next(never, kPatience);
     ASSERT_TRUE(request);
     EXPECT_EQ(request->command, expected);
     Response response;
@@ -52,7 +54,13 @@ TEST(Confirmation, CarriesCommandsAndAnswersAcross) {
 TEST(Confirmation, EndsWhenInterrupted) {
   Confirmation desk;
   desk.open();
-  EXPECT_FALSE(desk.next([] { return true; }));
+  EXPECT_FALSE(desk.next([] { return true; }, kPatience));
+}
+
+TEST(Confirmation, LosesPatience) {
+  Confirmation desk;
+  desk.open();
+  EXPECT_FALSE(desk.next(never, std::chrono::milliseconds(1)));
 }
 
 TEST(Confirmation, ReleasesTheOperatorWhenTheLessonEnds) {
@@ -60,7 +68,7 @@ TEST(Confirmation, ReleasesTheOperatorWhenTheLessonEnds) {
   desk.open();
   auto operator_side =
       std::async(std::launch::async, [&desk] { return desk.ask(command(Request::ACCEPT)); });
-  ASSERT_TRUE(desk.next(never));
+  ASSERT_TRUE(desk.next(never, kPatience));
   desk.close();
   EXPECT_FALSE(operator_side.get().success);
 }
@@ -70,7 +78,7 @@ TEST(Confirmation, AnAnswerGivenJustBeforeTheEndArrives) {
   desk.open();
   auto operator_side =
       std::async(std::launch::async, [&desk] { return desk.ask(command(Request::ACCEPT)); });
-  ASSERT_TRUE(desk.next(never));
+  ASSERT_TRUE(desk.next(never, kPatience));
   Response response;
   response.success = true;
   desk.answer(response);
