@@ -84,7 +84,14 @@ class Session:
         self.cell = self.start(["roslaunch", "mbncc_vision", "cell.launch", "simulated:=true",
                                 "simulated_camera_config:=%s" % self._camera_config(),
                                 "library:=%s" % (self.folder / "library"), "platform_distance:=0.6"])
-        self.console = self.start(["roslaunch", "mbncc_vision", "console.launch"])
+        self.console = self._open_console()
+
+    def _open_console(self):
+        return self.start(["roslaunch", "mbncc_vision", "console.launch"])
+
+    def reopen_console(self):
+        end(self.console)
+        self.console = self._open_console()
 
     def _camera_config(self):
         """The shipped settings with this session's, the arm moving on request only."""

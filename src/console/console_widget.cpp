@@ -71,7 +71,10 @@ void ConsoleWidget::lay_out() {
 
 void ConsoleWidget::connect_lesson() {
   connect(&ros_, &RosLink::status_heard, this, [this](const auto& status) {
+    const bool was_gone = lesson_.phase() == LessonModel::Phase::kNoServer;
     lesson_.take_status(status, now());
+    // A nodelet that came back may hold other objects.
+    if (was_gone) ros_.list_objects();
     show_lesson();
   });
   connect(&ros_, &RosLink::feedback_heard, this, [this](const auto& feedback) {
@@ -181,14 +184,14 @@ void ConsoleWidget::undo_edit() {
 void ConsoleWidget::look_at_clock() {
   const auto before = lesson_.phase();
   lesson_.look_at_clock(now());
+  // A server that hangs must not hold up the calls to the one that follows.
+  if (lesson_.phase() == LessonModel::Phase::kNoServer && lesson_.phase() != before) ros_.give_up();
   lamp_row_->show_lamps(lamps_.look(now()));
   if (now() - detections_at_ > Lamps::kSilence) detections_->clear_rows();
   // A picture that stands still must not pass for the live one.
   if (!lesson_.draft() && now() - live_at_ > Lamps::kSilence)
     picture_->show_age(QString("OLD PICTURE: nothing has arrived for %1 s")
                            .arg(static_cast<int>(now() - live_at_)));
-  // A nodelet that came back may hold other objects.
-  if (before == LessonModel::Phase::kNoServer && lesson_.phase() != before) ros_.list_objects();
   show_lesson();
 }
 

@@ -3,6 +3,7 @@
 #include <mbncc_vision/LearnObjectFeedback.h>
 
 #include <algorithm>
+#include <utility>
 
 namespace mbncc::console {
 namespace {
@@ -59,11 +60,17 @@ void LessonModel::take_feedback(const mbncc_vision::LearnObjectActionFeedback& f
   if (!under_way()) join(feedback.status.goal_id.id, now);
   heard_ = goal_seen_ = now;
   stage_ = feedback.feedback.stage;
-  progress_ = feedback.feedback.progress;
   deadline_ = now + feedback.feedback.remaining.toSec();
+  const bool asked = stage_ == Feedback::WAIT_CONFIRM;
+  const bool again = asked && (phase_ == Phase::kReview || phase_ == Phase::kDeciding) &&
+                     feedback.feedback.message == question_;
+  if (again) return;
+  question_ = asked ? feedback.feedback.message : "";
+  // What was heard before is the draft of a lesson before, unless this one was joined in review.
+  if (std::exchange(unheard_, false) && !asked) newest_draft_.reset();
+  progress_ = feedback.feedback.progress;
   detail_ = feedback.feedback.message;
   level_ = Level::kUnknown;
-  const bool asked = stage_ == Feedback::WAIT_CONFIRM;
   phase_ = asked ? Phase::kReview : Phase::kRunning;
   if (asked && !draft_) show_draft(newest_draft_);
 }
@@ -93,11 +100,13 @@ void LessonModel::begin(const std::string& goal, double now) {
 
 void LessonModel::join(const std::string& goal, double now) {
   phase_ = Phase::kRunning;
+  question_.clear();
   goal_ = goal;
   stage_ = Feedback::WAIT_IMAGE;
   progress_ = 0;
   deadline_ = -1;
   goal_seen_ = now;
+  unheard_ = true;
   detail_ = "Asking for a lesson.";
   level_ = Level::kUnknown;
   show_draft({});
@@ -152,8 +161,7 @@ void LessonModel::end(const std::string& headline, const std::string& detail, Le
   progress_ = 0;
   deadline_ = -1;
   show_draft({});
-  newest_draft_.reset();
-  acceptable_ = insisted_ = false;
+  insisted_ = false;
 }
 
 }  // namespace mbncc::console

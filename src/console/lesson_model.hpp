@@ -48,7 +48,7 @@ class LessonModel {
   bool may_cancel() const { return phase_ == Phase::kRunning; }
   bool may_decide() const { return phase_ == Phase::kReview; }
   /// A BAD draft needs the operator's word that he has looked at it.
-  bool may_accept() const { return may_decide() && (acceptable_ || insisted_); }
+  bool may_accept() const { return may_decide() && draft_ && (acceptable_ || insisted_); }
   bool must_insist() const { return draft_.has_value() && !acceptable_; }
   /// The scene is awaited: what changes in it is worth showing.
   bool waits_for_scene() const;
@@ -74,6 +74,7 @@ class LessonModel {
   Phase phase_ = Phase::kNoServer;
   std::string goal_;
   std::string headline_ = "Waiting for the learning nodelet";
+  std::string question_;  // that the operator is asked
   std::string detail_ = "Start it with cell.launch; this window goes on by itself.";
   Level level_ = Level::kUnknown;
   std::uint8_t stage_ = 0;
@@ -81,6 +82,7 @@ class LessonModel {
   double deadline_ = -1;
   double heard_ = -1e9;
   double goal_seen_ = 0;
+  bool unheard_ = false;  // no feedback yet since the lesson was joined
   bool acceptable_ = false, insisted_ = false;
   std::optional<mbncc_vision::LearnObjectResult> draft_, newest_draft_;
   int draft_number_ = 0;

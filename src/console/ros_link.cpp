@@ -44,21 +44,18 @@ RosLink::~RosLink() {
   {
     const std::lock_guard<std::mutex> lock(mutex_);
     stopping_ = true;
+    under_way_.shutdown();
   }
   changed_.notify_all();
   worker_.join();
 }
 
 void RosLink::connect_to(const Names& names) {
-  ros::NodeHandle node(names.cell);
-  node.setCallbackQueue(&queue_);
-  goal_publisher_ = node.advertise<mbncc_vision::LearnObjectActionGoal>("learn_object/goal", 5);
-  cancel_publisher_ = node.advertise<actionlib_msgs::GoalID>("learn_object/cancel", 5);
-  confirm_ = node.serviceClient<mbncc_vision::ConfirmLearning>("confirm_learning");
-  edit_ = node.serviceClient<mbncc_vision::EditObject>("edit_object");
-  mark_ = node.serviceClient<std_srvs::Trigger>("mark_grasp");
-  list_ = node.serviceClient<mbncc_vision::ListObjects>("list_objects");
-  subscribe(node, names);
+  node_ = ros::NodeHandle(names.cell);
+  node_.setCallbackQueue(&queue_);
+  goal_publisher_ = node_.advertise<mbncc_vision::LearnObjectActionGoal>("learn_object/goal", 5);
+  cancel_publisher_ = node_.advertise<actionlib_msgs::GoalID>("learn_object/cancel", 5);
+  subscribe(node_, names);
   spinner_.start();
 }
 
@@ -132,7 +129,7 @@ void RosLink::confirm(const mbncc_vision::ConfirmLearning::Request& request) {
   later([this, request] {
     mbncc_vision::ConfirmLearning call;
     call.request = request;
-    const bool answered = confirm_.call(call);
+    const bool answered = this->call("confirm_learning", call);
     Q_EMIT confirmed(answered && call.response.success,
                      answered ? QString::fromStdString(call.response.message) : kUnreachable);
   });
@@ -142,7 +139,7 @@ void RosLink::edit(const mbncc_vision::EditObject::Request& request) {
   later([this, request] {
     mbncc_vision::EditObject call;
     call.request = request;
-    const bool answered = edit_.call(call);
+    const bool answered = this->call("edit_object", call);
     Q_EMIT edited(request, answered && call.response.success,
                   answered ? QString::fromStdString(call.response.message) : kUnreachable);
   });
@@ -152,7 +149,7 @@ void RosLink::edit(const mbncc_vision::EditObject::Request& request) {
 void RosLink::mark_grasp() {
   later([this] {
     std_srvs::Trigger call;
-    const bool answered = mark_.call(call);
+    const bool answered = this->call("mark_grasp", call);
     Q_EMIT grasp_marked(answered && call.response.success,
                         answered ? QString::fromStdString(call.response.message) : kUnreachable);
   });
@@ -162,8 +159,25 @@ void RosLink::list_objects() {
   later([this] {
     mbncc_vision::ListObjects call;
     call.request.with_thumbnails = true;
-    if (list_.call(call)) Q_EMIT objects_listed(call.response.objects);
+    if (this->call("list_objects", call)) Q_EMIT objects_listed(call.response.objects);
   });
+}
+
+template <class Service>
+bool RosLink::call(const std::string& name, Service& service) {
+  // A connection of its own: only that can be cut from outside while an answer is awaited.
+  auto client = node_.serviceClient<Service>(name, true);
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    if (stopping_) return false;
+    under_way_ = client;
+  }
+  return client.isValid() && client.call(service);
+}
+
+void RosLink::give_up() {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  under_way_.shutdown();
 }
 
 void RosLink::later(std::function<void()> call) {

@@ -57,6 +57,8 @@ class RosLink : public QObject {
   void edit(const mbncc_vision::EditObject::Request& request);
   void mark_grasp();
   void list_objects();
+  /// Ends a call that waits for an answer; it counts as not answered.
+  void give_up();
 
   /// Live pictures are tinted where they differ from the first one after this.
   void show_changes(bool wanted) { changes_wanted_ = wanted; }
@@ -80,13 +82,15 @@ class RosLink : public QObject {
   void subscribe(ros::NodeHandle& node, const Names& names);
   void take_picture(const sensor_msgs::Image& message);
   void later(std::function<void()> call);
+  template <class Service>
+  bool call(const std::string& name, Service& service);
   void work();
 
   ros::CallbackQueue queue_;
   ros::AsyncSpinner spinner_{1, &queue_};
   std::vector<ros::Subscriber> subscribers_;
   ros::Publisher goal_publisher_, cancel_publisher_;
-  ros::ServiceClient confirm_, edit_, mark_, list_;
+  ros::NodeHandle node_;
   int goals_ = 0;
   std::atomic<bool> changes_wanted_{false};
   ChangeTint tint_;  // of the spinner's thread
@@ -95,6 +99,7 @@ class RosLink : public QObject {
   std::condition_variable changed_;
   std::queue<std::function<void()>> calls_;
   bool stopping_ = false;
+  ros::ServiceClient under_way_;
   std::thread worker_;
 };
 

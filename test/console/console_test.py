@@ -9,7 +9,7 @@ import sys
 import unittest
 
 sys.path.insert(0, sys.argv.pop(1))
-from console_session import PATIENCE, Session, Teacher  # noqa: E402
+from console_session import PATIENCE, Session, Teacher, wait_for  # noqa: E402
 
 CAMERA = {"width": 400, "height": 300, "object_diameter": 70.0, "neighbours": 1, "leg_time": 0.5}
 PLACE = 5  # [px] learned and true reference point may be apart
@@ -82,7 +82,15 @@ class ConsoleTest(unittest.TestCase):
         self.teacher.mouse.click_until("Delete", lambda: "bracket" not in self.teacher.names(), "it is deleted")
         self.teacher.mouse.click_until("Undo edit", lambda: "bracket" in self.teacher.names(), "it is back")
 
-    def test_5_goes_on_when_the_nodelets_were_away(self):
+    def test_5_a_console_opened_amid_a_review_takes_the_decision(self):
+        from mbncc_vision.msg import LearnObjectResult
+        self.teach("handed_over")
+        self.session.reopen_console()
+        result = self.teacher.press("Accept")
+        self.assertEqual(result.error_code, LearnObjectResult.SUCCESS, result.message)
+        wait_for(lambda: "handed_over" in self.teacher.names(), "it is known")
+
+    def test_6_goes_on_when_the_nodelets_were_away(self):
         subprocess.run(["rosnode", "kill", "/mbncc_manager"], stdout=subprocess.DEVNULL, check=True)
         silent = self.teacher.feedback.count()
         # roslaunch starts them anew; the button works again once the console has heard of it.

@@ -103,6 +103,39 @@ TEST(LessonModel, JoinsALessonThatIsUnderWay) {
   EXPECT_EQ(lesson.goal(), "theirs");
 }
 
+TEST(LessonModel, JoinsALessonInReview) {
+  LessonModel lesson;
+  lesson.take_draft(draft(Result::SUCCESS));  // kept by the server for those who come late
+  lesson.take_status(status("goal"), 0);
+  EXPECT_FALSE(lesson.may_accept());
+  lesson.take_feedback(feedback(Feedback::WAIT_CONFIRM), 1);
+  EXPECT_TRUE(lesson.draft());
+  EXPECT_TRUE(lesson.may_accept());
+}
+
+TEST(LessonModel, TheDraftOfTheLessonBeforeIsNeverAccepted) {
+  LessonModel lesson = in_review();
+  lesson.take_result(result(Result::SUCCESS), 2);
+  lesson.take_status(status("next"), 3);
+  lesson.take_feedback(feedback(Feedback::WAIT_REMOVAL), 4);
+  lesson.take_feedback(feedback(Feedback::WAIT_CONFIRM), 5);
+  EXPECT_FALSE(lesson.may_accept());
+  lesson.take_draft(draft(Result::SUCCESS));
+  EXPECT_TRUE(lesson.may_accept());
+}
+
+TEST(LessonModel, ARepeatedQuestionOnlyTellsTheTime) {
+  LessonModel lesson = in_review();
+  lesson.decide();
+  lesson.take_feedback(feedback(Feedback::WAIT_CONFIRM, 50), 2);
+  EXPECT_EQ(lesson.phase(), Phase::kDeciding);
+  EXPECT_EQ(lesson.time_left(2), "0:50 left");
+  lesson.take_answer(false, "Not now.");
+  lesson.take_feedback(feedback(Feedback::WAIT_CONFIRM, 49), 3);
+  EXPECT_EQ(lesson.detail(), "Not now.");
+  EXPECT_EQ(lesson.level(), Level::kBad);
+}
+
 TEST(LessonModel, FeedbackTellsWhatToDoAndHowLongIsLeft) {
   LessonModel lesson = ready();
   lesson.begin("goal", 0);
