@@ -99,7 +99,7 @@ class Alignment {
   void undo_camera_shift(double max_shift) {
     shift_ = estimate_shift(smooth_luminance(before_), smooth_luminance(lit_), trusted_, max_shift);
     if (shift_ == cv::Point2d()) return;
-    moved_ = undo_shift(source_, shift_, cv::INTER_CUBIC)(window_ - source_window_.tl());
+    moved_ = undo_shift(source_, shift_)(window_ - source_window_.tl());
     fit_light_to_ring();
   }
 

@@ -5,7 +5,7 @@
 
 namespace mbncc {
 
-/// Luminance of a CV_32FC3 picture, lightly smoothed (sigma 1): what the shift is measured on.
+/// Luminance of a CV_32FC3 picture, lightly smoothed (sigma 1.5): what the shift is measured on.
 cv::Mat smooth_luminance(const cv::Mat& picture);
 
 /// Displacement d [px] such that before(x) = after(x + d) on the `trusted` pixels (CV_8UC1), by
@@ -14,7 +14,7 @@ cv::Mat smooth_luminance(const cv::Mat& picture);
 cv::Point2d estimate_shift(const cv::Mat& before, const cv::Mat& after, const cv::Mat& trusted,
                            double max_shift);
 
-/// `picture` moved so that it shows at x what it showed at x + shift.
-cv::Mat undo_shift(const cv::Mat& picture, const cv::Point2d& shift, int interpolation);
+/// `picture` (floats) moved so that it shows at x what it showed at x + shift.
+cv::Mat undo_shift(const cv::Mat& picture, const cv::Point2d& shift);
 
 }  // namespace mbncc

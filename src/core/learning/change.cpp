@@ -18,6 +18,7 @@ constexpr float kLeastDifference = 18;  // [grey levels, summed over channels] a
 constexpr float kNoiseFactor = 5;       // a change stands out from the median difference this much
 constexpr float kSureDifference = 45;   // [likewise] a change, however much else differs
 constexpr double kClearGain = 0.8;      // a shift must lower the difference to this part
+constexpr int kSampling = 3;            // [px] of the survey, for medians
 constexpr int kTextureBox = 15;         // [px] of the survey: texture is compared in such squares
 constexpr double kTextured = 9;         // [grey levels^2] variance above which a square has texture
 constexpr double kSameTexture = 0.5;    // correlation of squares that show the same
@@ -35,18 +36,26 @@ cv::Mat grey_of(const cv::Mat& picture) {
   return grey;
 }
 
-// Median ratio of the two pictures per channel; dark and saturated pixels say nothing.
-cv::Vec3f exposure_ratio(const cv::Mat& before, const cv::Mat& after) {
-  std::array<std::vector<float>, 3> ratios;
-  for (int y = 0; y < before.rows; y += 2)
-    for (int x = 0; x < before.cols; x += 2)
-      for (int c = 0; c < 3; ++c) {
-        const float b = before.at<cv::Vec3f>(y, x)[c], a = after.at<cv::Vec3f>(y, x)[c];
-        if (a > 10 && a < 245 && b < 245) ratios[c].push_back(b / a);
-      }
+using Ratios = std::array<std::vector<float>, 3>;  // of brightness, per channel
+
+// Dark and saturated pixels say nothing.
+Ratios brightness_ratios(const cv::Mat& before, const cv::Mat& after) {
+  Ratios ratios;
+  for (int y = 0; y < before.rows; y += kSampling) {
+    const auto* b = before.ptr<cv::Vec3f>(y);
+    const auto* a = after.ptr<cv::Vec3f>(y);
+    for (int x = 0; x < before.cols; x += kSampling)
+      for (int c = 0; c < 3; ++c)
+        if (a[x][c] > 10 && a[x][c] < 245 && b[x][c] < 245) ratios[c].push_back(b[x][c] / a[x][c]);
+  }
+  return ratios;
+}
+
+cv::Vec3f exposure_ratio(Ratios& ratios) {
+  constexpr std::size_t kFewest = 50;
   cv::Vec3f gain(1, 1, 1);
   for (int c = 0; c < 3; ++c)
-    if (ratios[c].size() > 100) gain[c] = median(ratios[c]);
+    if (ratios[c].size() > kFewest) gain[c] = median(ratios[c]);
   return gain;
 }
 
@@ -54,17 +63,25 @@ double mean_of(const cv::Vec3f& values) {
   return (values[0] + values[1] + values[2]) / 3;
 }
 
-double unevenness(const cv::Mat& before, const cv::Mat& after) {
+struct Exposure {
+  cv::Vec3f gain;         // that makes the picture after as bright as the one before
+  double unevenness = 1;  // largest over smallest gain of the picture's quarters
+};
+
+Exposure exposure_of(const cv::Mat& before, const cv::Mat& after) {
   const cv::Size half(before.cols / 2, before.rows / 2);
   double low = 1e9, high = 0;
+  Ratios all;
   for (const int x : {0, before.cols - half.width})
     for (const int y : {0, before.rows - half.height}) {
       const cv::Rect quarter({x, y}, half);
-      const double gain = mean_of(exposure_ratio(before(quarter), after(quarter)));
+      Ratios ratios = brightness_ratios(before(quarter), after(quarter));
+      for (int c = 0; c < 3; ++c) all[c].insert(all[c].end(), ratios[c].begin(), ratios[c].end());
+      const double gain = mean_of(exposure_ratio(ratios));
       low = std::min(low, gain);
       high = std::max(high, gain);
     }
-  return high / std::max(low, 1e-3);
+  return {exposure_ratio(all), high / std::max(low, 1e-3)};
 }
 
 // Mean difference of two grey pictures; large ones count no more than kLeastDifference.
@@ -74,16 +91,23 @@ double mean_difference(const cv::Mat& before, const cv::Mat& after) {
   return cv::mean(cv::min(difference, kLeastDifference))[0];
 }
 
-// By phase correlation, believed only when it explains the pictures.
-cv::Point2d coarse_shift(const cv::Mat& before, const cv::Mat& after) {
+cv::Mat half_size(const cv::Mat& picture) {
+  cv::Mat half;
+  cv::resize(picture, half, {}, 0.5, 0.5, cv::INTER_AREA);
+  return half;
+}
+
+// By phase correlation at half the survey's size, believed only when it explains the pictures.
+cv::Point2d coarse_shift(const cv::Mat& survey_before, const cv::Mat& survey_after) {
+  const cv::Mat before = half_size(survey_before), after = half_size(survey_after);
   cv::Mat window;
   cv::createHanningWindow(window, before.size(), CV_32F);
   const cv::Point2d shift = cv::phaseCorrelate(before, after, window);
   const cv::Rect inner(before.cols / 4, before.rows / 4, before.cols / 2, before.rows / 2);
-  const cv::Mat moved = undo_shift(after, shift, cv::INTER_LINEAR);
+  const cv::Mat moved = undo_shift(after, shift);
   const bool explains = mean_difference(before(inner), moved(inner)) <
                         kClearGain * mean_difference(before(inner), after(inner));
-  return explains ? shift : cv::Point2d();
+  return explains ? 2 * shift : cv::Point2d();
 }
 
 // Difference of the pictures, summed over channels, averaged over 3 x 3.
@@ -96,7 +120,10 @@ cv::Mat difference_of(const cv::Mat& before, const cv::Mat& after) {
 }
 
 float change_threshold(const cv::Mat& difference) {
-  std::vector<float> values(difference.begin<float>(), difference.end<float>());
+  std::vector<float> values;
+  for (int y = 0; y < difference.rows; y += kSampling)
+    for (int x = 0; x < difference.cols; x += kSampling)
+      values.push_back(difference.at<float>(y, x));
   return std::clamp(kNoiseFactor * median(values), kLeastDifference, kSureDifference);
 }
 
@@ -138,15 +165,16 @@ ChangeSurvey survey_change(const cv::Mat& before, const cv::Mat& after) {
   const cv::Mat b = reduced(before, scale);
   cv::Mat a = reduced(after, scale);
   ChangeSurvey survey;
-  const cv::Vec3f gain = exposure_ratio(b, a);
+  const auto [gain, unevenness] = exposure_of(b, a);
   const double exposure = mean_of(gain);
   survey.exposure = std::max(exposure, 1 / std::max(exposure, 1e-3));
-  survey.unevenness = unevenness(b, a);
+  survey.unevenness = unevenness;
   cv::multiply(a, cv::Scalar(gain[0], gain[1], gain[2]), a);
-  const cv::Point2d shift = coarse_shift(grey_of(b), grey_of(a));
+  const cv::Mat grey_before = grey_of(b);
+  const cv::Point2d shift = coarse_shift(grey_before, grey_of(a));
   survey.shift = shift / scale;
-  a = undo_shift(a, shift, cv::INTER_LINEAR);
-  survey.displaced = displaced_part(grey_of(b), grey_of(a));
+  if (shift != cv::Point2d()) a = undo_shift(a, shift);
+  survey.displaced = displaced_part(grey_before, grey_of(a));
 
   const cv::Mat difference = difference_of(b, a);
   cv::Mat changed = difference > change_threshold(difference);

@@ -137,7 +137,7 @@ cv::Matx33f channel_correlation(const AlignedPair& pair, const NoiseModel& noise
   constexpr double kPriorSamples = 50;  // of independent channels
   constexpr double kCorrelatedPart = 0.9;
   cv::Matx33d sum = cv::Matx33d::eye() * kPriorSamples;
-  for_each_trusted(pair, 5000, [&](int y, int x) {
+  for_each_trusted(pair, 2500, [&](int y, int x) {
     const cv::Vec3f deviation = deviations_at(pair, noise, y, x);
     if (deviation.dot(deviation) < kFarthest) sum += cv::Matx33d(deviation * deviation.t());
   });
@@ -154,7 +154,7 @@ cv::Matx33f channel_correlation(const AlignedPair& pair, const NoiseModel& noise
 float tail_factor(const AlignedPair& pair, const NoiseModel& noise) {
   const cv::Matx33f precision = noise.correlation.inv(cv::DECOMP_CHOLESKY);
   std::vector<float> values;
-  for_each_trusted(pair, 2500, [&](int y, int x) {
+  for_each_trusted(pair, 1200, [&](int y, int x) {
     float mean = 0, here = 0;
     for (int dy = -1; dy <= 1; ++dy)
       for (int dx = -1; dx <= 1; ++dx) {

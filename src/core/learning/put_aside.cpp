@@ -15,11 +15,36 @@ namespace mbncc {
 namespace {
 
 constexpr int kGap = 9;                 // [px] pieces nearer than this belong together
+constexpr int kSurveyWidth = 320;       // [px] that changes are known at
 constexpr double kSmallestPart = 0.25;  // of the object's area that a place shows
 constexpr double kLargestPart = 4;      // likewise, its shadow included
 constexpr std::size_t kPlacesTried = 2;
 constexpr double kLeastAgreement = 0.5;  // IoU that makes it the object
 constexpr float kOutside = -4;           // log-odds of what the other view does not show
+
+// Patches of `changed` that do not touch the map and are large enough to be the object, pieces
+// nearby included.
+cv::Mat patches_elsewhere(const cv::Mat& changed, const cv::Mat& map) {
+  const double scale = std::min(1.0, static_cast<double>(kSurveyWidth) / changed.cols);
+  const int gap = cvRound(kGap * scale / 2) * 2 + 1;
+  const cv::Mat disc = cv::getStructuringElement(cv::MORPH_ELLIPSE, {gap, gap});
+  cv::Mat patches, vacated, labels, stats, centres, elsewhere;
+  cv::resize(changed, patches, {}, scale, scale, cv::INTER_NEAREST);
+  cv::resize(map, vacated, patches.size(), 0, 0, cv::INTER_NEAREST);
+  const double least = kSmallestPart * cv::countNonZero(vacated);
+  cv::dilate(vacated, vacated, disc);
+  cv::morphologyEx(patches | vacated, patches, cv::MORPH_CLOSE, disc);
+  const int count = cv::connectedComponentsWithStats(patches, labels, stats, centres, 8, CV_32S);
+  std::vector<bool> touching(count, false);
+  std::vector<cv::Point> pixels;
+  cv::findNonZero(vacated, pixels);
+  for (const auto& pixel : pixels) touching[labels.at<int>(pixel)] = true;
+  for (int i = 1; i < count; ++i)
+    if (touching[i] || stats.at<int>(i, cv::CC_STAT_AREA) < least) patches.setTo(0, labels == i);
+  if (cv::countNonZero(patches) == 0) return {};
+  cv::resize(patches, elsewhere, changed.size(), 0, 0, cv::INTER_NEAREST);
+  return elsewhere & changed;
+}
 
 struct Place {
   cv::Rect box;
@@ -111,10 +136,8 @@ std::optional<NewPlace> find_put_aside(const ObjectModel& object, const Segmenta
                                        const cv::Mat& changed, const LearningConfig& config,
                                        const SearchConfig& search) {
   const cv::Mat map = full_size_map(object.views.front());
-  cv::Mat vacated;
-  cv::dilate(map, vacated, cv::getStructuringElement(cv::MORPH_ELLIPSE, {kGap, kGap}));
-  cv::Mat elsewhere = changed.clone();
-  elsewhere.setTo(0, vacated);
+  const cv::Mat elsewhere = patches_elsewhere(changed, map);
+  if (elsewhere.empty()) return std::nullopt;
   const cv::Mat arrivals = elsewhere & ~without_arrivals(task.before, task.after, elsewhere);
   const auto places = places_of(arrivals, cv::countNonZero(map));
   if (places.empty()) return std::nullopt;

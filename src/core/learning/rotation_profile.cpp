@@ -14,7 +14,7 @@ namespace {
 
 constexpr double kSamePattern = 0.85;  // similarity that counts as the same
 constexpr double kSameOutline = 0.9;   // IoU that counts as the same
-constexpr int kEnoughPoints = 600;     // the profile needs no more
+constexpr int kEnoughPoints = 300;     // the profile needs no more
 
 int level_for(double area) {
   int level = 0;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <memory>
+#include <opencv2/imgproc.hpp>
 
 #include "mbncc/matching/matcher.hpp"
 
@@ -10,6 +11,7 @@ namespace {
 
 constexpr double kSamePlace = 0.25;    // of the excircle's radius: nearer is the object itself
 constexpr double kLeastSamePlace = 4;  // [px]
+constexpr double kEnoughRadius = 32;   // [px] what is larger by far is searched at half the size
 
 // The search is asked for whatever is best, however bad.
 SearchRequest anything() {
@@ -25,22 +27,51 @@ SearchConfig unhurried(SearchConfig search) {
   return search;
 }
 
+// The one view of an object and the picture it was learned from, as large as needed.
+struct Reduced {
+  cv::Mat picture;
+  View view;
+  double scale = 1;  // of the learned view
+};
+
+cv::Mat half_size(const cv::Mat& picture, int interpolation) {
+  cv::Mat half;
+  cv::resize(picture, half, {}, 0.5, 0.5, interpolation);
+  return half;
+}
+
+Reduced reduced(const View& view, const cv::Mat& picture) {
+  Reduced result{picture, view, 1};
+  while (excircle(result.view.map).radius >= 2 * kEnoughRadius) {
+    const cv::Mat map = half_size(full_size_map(result.view), cv::INTER_AREA) > 127;
+    if (cv::countNonZero(map) == 0) break;
+    result.scale /= 2;
+    result.picture = half_size(result.picture, cv::INTER_AREA);
+    const Pose2D& reference = result.view.reference;
+    result.view = crop_view(result.picture, map,
+                            {(reference.x - 0.5) / 2, (reference.y - 0.5) / 2, reference.theta});
+  }
+  return result;
+}
+
 }  // namespace
 
 void search_itself(const ObjectModel& object, const cv::Mat& picture, const SearchConfig& search,
                    Quality& quality) {
+  const Reduced small = reduced(object.views.front(), picture);
+  auto searched = std::make_shared<ObjectModel>(object);
+  searched->views = {small.view};
   Matcher matcher(unhurried(search));
-  matcher.set_objects({std::make_shared<const ObjectModel>(object)});
-  const SearchResult found = matcher.find(picture, anything());
-  const View& view = object.views.front();
-  const double near = std::max(kLeastSamePlace, kSamePlace * excircle(view.map).radius);
+  matcher.set_objects({searched});
+  const SearchResult found = matcher.find(small.picture, anything());
+  const double near = std::max(kLeastSamePlace, kSamePlace * excircle(small.view.map).radius);
   for (const Match& match : found.matches) {
-    const double distance = cv::norm(match.pose.position() - view.reference.position());
+    const double distance = cv::norm(match.pose.position() - small.view.reference.position());
     if (distance > near) {
       quality.runner_up = std::max(quality.runner_up, match.score);
     } else if (match.score > quality.self_score) {
       quality.self_score = match.score;
-      quality.self_error = distance;
+      quality.self_error = distance / small.scale;
     }
   }
   quality.search_time = found.search_time;

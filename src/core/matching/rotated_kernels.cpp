@@ -23,16 +23,18 @@ constexpr int kOversampling = 4;   // samples per pixel side when turning
 
 /// Template and map at a level somewhat finer than the coarse one, ready to be turned.
 struct Source {
-  cv::Mat weighted, coverage;  // CV_32FC1
+  cv::Mat coverage;  // CV_32FC1, of the map
+  cv::Mat both;      // CV_32FC2, coverage and the template's values weighted by it
   cv::Point2d anchor;
   int samples;  // per coarse pixel side
 };
 
 Source turning_source(const cv::Mat& grey, const cv::Mat& map, cv::Point2d anchor, int level) {
   const int finer = std::min(level, static_cast<int>(std::log2(kOversampling)));
-  MapLevel source = map_level(grey, map, level - finer);
-  return {source.values.mul(source.coverage), source.coverage, to_level(anchor, level - finer),
-          1 << finer};
+  const MapLevel source = map_level(grey, map, level - finer);
+  cv::Mat both;
+  cv::merge(std::vector<cv::Mat>{source.coverage, source.values.mul(source.coverage)}, both);
+  return {source.coverage, both, to_level(anchor, level - finer), 1 << finer};
 }
 
 /// `picture` turned about its anchor and averaged down to (2 radius + 1)^2 coarse pixels.
@@ -81,17 +83,16 @@ void add_pixel(RotatedKernel& kernel, int x, int y) {
 }
 
 RotatedKernel rotated_kernel(const Source& source, double angle, int radius) {
-  const cv::Mat coverage = turned(source.coverage, source, angle, radius);
-  const cv::Mat weighted = turned(source.weighted, source, angle, radius);
+  const cv::Mat both = turned(source.both, source, angle, radius);
   RotatedKernel kernel;
   kernel.angle = angle;
   std::vector<float> values;
-  for (int y = 0; y < coverage.rows; ++y) {
-    for (int x = 0; x < coverage.cols; ++x) {
-      const float covered = coverage.at<float>(y, x);
+  for (int y = 0; y < both.rows; ++y) {
+    for (int x = 0; x < both.cols; ++x) {
+      const auto& [covered, weighted] = both.at<cv::Vec2f>(y, x).val;
       if (covered < kCoverage) continue;
       add_pixel(kernel, x - radius, y - radius);
-      values.push_back(weighted.at<float>(y, x) / covered);
+      values.push_back(weighted / covered);
     }
   }
   if (values.empty()) return kernel;
@@ -111,12 +112,12 @@ double reach(const cv::Mat& map, cv::Point2d anchor) {
   return farthest;
 }
 
-std::size_t fewest_pixels(const Source& source, int radius) {
+int fewest_pixels(const Source& source, int radius) {
   constexpr int kTrials = 6;
-  std::size_t fewest = std::numeric_limits<std::size_t>::max();
+  int fewest = std::numeric_limits<int>::max();
   for (int k = 0; k < kTrials; ++k) {
-    const RotatedKernel kernel = rotated_kernel(source, k * kPi / kTrials, radius);
-    fewest = std::min(fewest, kernel.pixels.size());
+    const cv::Mat coverage = turned(source.coverage, source, k * kPi / kTrials, radius);
+    fewest = std::min(fewest, cv::countNonZero(coverage >= kCoverage));
   }
   return fewest;
 }
@@ -130,7 +131,7 @@ KernelBank rotated_kernels(const cv::Mat& grey, const cv::Mat& map, cv::Point2d 
   for (bank.level = kTopLevel; bank.level >= 0; --bank.level) {
     bank.radius = static_cast<int>(std::ceil(farthest / (1 << bank.level))) + 1;
     source = turning_source(grey, map, anchor, bank.level);
-    const std::size_t enough = bank.level > kFineLevel ? kMinPixels : kFewPixels;
+    const int enough = bank.level > kFineLevel ? kMinPixels : kFewPixels;
     if (bank.level == 0 || fewest_pixels(source, bank.radius) >= enough) break;
   }
   const double rim = 2 * kPi * farthest / (1 << bank.level);
