@@ -18,7 +18,7 @@ namespace {
 constexpr double kBad = 0.85;  // IoU below which an operator would correct
 constexpr double kMiddle =
     0.4;  // of the error's greatest half-width: the stroke keeps to its middle
-constexpr double kStrokeWidth = 3;  // [px]
+constexpr int kStrokeWidth = 3;  // [px]
 
 cv::Mat largest_part(const cv::Mat& mask) {
   cv::Mat labels, stats, centres;
@@ -29,15 +29,17 @@ cv::Mat largest_part(const cv::Mat& mask) {
   return labels == largest;
 }
 
-// Dots along the middle line of `part`.
+// Dots of a pixel that make a stroke along the middle line of `part`, and no wider than it.
 std::vector<LessonEdit::Line> stroke_on(const cv::Mat& part) {
-  cv::Mat line, depth;
+  cv::Mat line, depth, stroke;
   cv::ximgproc::thinning(part, line);
   cv::distanceTransform(part, depth, cv::DIST_L2, 5);
   double deepest = 0;
   cv::minMaxLoc(depth, nullptr, &deepest);
+  cv::dilate(line & (depth >= std::max(1.0, kMiddle * deepest)), stroke,
+             cv::Mat::ones(kStrokeWidth, kStrokeWidth, CV_8U));
   std::vector<cv::Point> pixels;
-  cv::findNonZero(line & (depth >= std::max(1.0, kMiddle * deepest)), pixels);
+  cv::findNonZero(stroke & part, pixels);
   std::vector<LessonEdit::Line> dots;
   for (const auto& pixel : pixels) dots.push_back({cv::Point2f(pixel)});
   return dots;
@@ -47,7 +49,7 @@ LessonEdit correction(const cv::Mat& map, const cv::Mat& truth) {
   const cv::Mat missing = truth & ~map, wrong = map & ~truth;
   const cv::Mat part = largest_part(missing | wrong);
   LessonEdit edit;
-  edit.stroke_width = kStrokeWidth;
+  edit.stroke_width = 1;
   const bool include = cv::countNonZero(part & missing) > cv::countNonZero(part & wrong);
   (include ? edit.include : edit.exclude) = stroke_on(part);
   return edit;
@@ -75,10 +77,11 @@ void run_case(const CaseFolder& one, Tally& tally) {
   if (before >= kBad) return;
   CutYardstick yardstick;
   tally.yardstick_ms.push_back(cpu_ms_of([&] { yardstick.run(); }));
+  const LessonEdit edit = correction(first, one.map);
   const double start = thread_cpu_ms();
   double again_ms = 0;
-  const LearnResult result = learned.edit(
-      correction(first, one.map), [&](Stage stage, double, const std::string&, const cv::Mat&) {
+  const LearnResult result =
+      learned.edit(edit, [&](Stage stage, double, const std::string&, const cv::Mat&) {
         if (stage == Stage::kQuality && again_ms == 0) again_ms = thread_cpu_ms() - start;
         return true;
       });

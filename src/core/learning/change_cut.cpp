@@ -72,12 +72,12 @@ class Cutter {
     cv::Mat next = coarse_.clone();
     refine_cut(unary_, smoothness_, next);
     if (cv::countNonZero(next) < kFewestPixels) return;
-    keep_main_groups(next, cv::min(unary_, kHighestUnary), include_);
+    keep_main_groups(next, cv::min(unary_, kHighestUnary), kept_);
     map_ = next;
   }
 
   void clean() {
-    map_ = clean_map(map_, cv::min(unary_, kHighestUnary), include_);
+    map_ = clean_map(map_, cv::min(unary_, kHighestUnary), kept_);
     if (!include_.empty()) map_ = (map_ | include_) & ~exclude_;
   }
 
@@ -88,6 +88,8 @@ class Cutter {
     next.include_ = include(crop_);
     next.exclude_ = exclude(crop_);
     next.inside_ = inside_ | next.include_;
+    // A part that a stroke cuts off stays the object's.
+    next.kept_ = next.include_ | (map_ & ~next.exclude_);
     next.unary_ = unary_.clone();
     next.unary_.setTo(kForced, next.include_);
     next.unary_.setTo(-kForced, next.exclude_);
@@ -160,6 +162,7 @@ class Cutter {
   cv::Mat unary_, coarse_, map_;
   cv::Mat other_view_;         // empty, or of the crop's size
   cv::Mat include_, exclude_;  // both empty, or both of the crop's size
+  cv::Mat kept_;               // likewise: groups that lie there are the object's
 };
 
 ChangeCut result_of(const std::shared_ptr<const Cutter>& cutter, const cv::Size& size) {
