@@ -12,6 +12,7 @@
 #include "learning/cut_evidence.hpp"
 #include "learning/graph_cut.hpp"
 #include "learning/half_smoothness.hpp"
+#include "learning/moved_neighbour.hpp"
 #include "learning/rectangles.hpp"
 #include "learning/smoothness.hpp"
 
@@ -49,6 +50,7 @@ class Cutter {
     map_ = (background_.changed > 0.5) & inside_;
     cv::morphologyEx(map_, map_, cv::MORPH_OPEN,
                      cv::getStructuringElement(cv::MORPH_ELLIPSE, {3, 3}));
+    exclude_moved_neighbours();
     exclude(find_arrivals(before_, after_, map_, platform_));
     keep_main_groups(map_, background_.changed);
     return cv::countNonZero(map_) >= kFewestPixels;
@@ -132,6 +134,16 @@ class Cutter {
     arrivals.setTo(0, map_);
     background_.changed.setTo(0, arrivals);
     background_.log_ratio.setTo(kArrivalUnary, arrivals);
+  }
+
+  // Looked for only where the change goes on beyond the region: the object lies inside.
+  void exclude_moved_neighbours() {
+    const cv::Mat changed = background_.changed > 0.5;
+    if (cv::countNonZero(changed & ~inside_) < kFewestPixels) return;
+    const cv::Mat moved = moved_neighbours(before_, after_, changed, noise_.sigma(1));
+    map_.setTo(0, moved);
+    background_.changed.setTo(0, moved);
+    background_.log_ratio.setTo(kArrivalUnary, moved);
   }
 
   // A view's say in a cut of both: no pixel may outvote the other view by far.
