@@ -43,18 +43,26 @@ double SurfaceTemplate::projected_correlation(const SurfaceSample& sample,
   return common / std::sqrt((std::max(0.0, energy) + noise) * (projected_energy + noise));
 }
 
-double SurfaceTemplate::projected_difference(const SurfaceSample& sample) const {
-  double energy = 0;
+SurfaceDifference SurfaceTemplate::difference(const SurfaceSample& sample, double gain) const {
+  double rest = 0, shading = 0;
   for (int c = 0; c < kChannels; ++c) {
     std::vector<float> difference = sample.planes[c];
-    subtract(difference, 1, planes[c].data());
-    energy += product(difference, difference.data());
+    subtract(difference, gain, planes[c].data());
+    rest += product(difference, difference.data());
     float products[SurfaceTemplate::kMaxBasis];
     kernels::dots(basis.data(), padded(), basis_size, difference.data(), static_cast<int>(padded()),
                   products);
-    for (int k = 0; k < basis_size; ++k) energy -= products[k] * products[k];
+    for (int k = 0; k < basis_size; ++k) rest -= products[k] * products[k];
+    for (int k = 1; k < basis_size; ++k) shading += products[k] * products[k];
   }
-  return energy / (kChannels * static_cast<double>(size()));
+  const double values = kChannels * static_cast<double>(size());
+  return {rest / values, shading / values};
+}
+
+double SurfaceTemplate::contrast(const SurfaceSample& sample) const {
+  double common = 0;
+  for (int c = 0; c < kChannels; ++c) common += product(projected[c], sample.planes[c].data());
+  return common / std::max(projected_energy, 1e-6);
 }
 
 double SurfaceTemplate::mean_projected_energy() const {

@@ -23,6 +23,12 @@ struct SurfaceSample {
   bool suffices() const { return visible >= 10 && 4 * visible >= points; }
 };
 
+/// What a picture shows beside the template: mean squares [grey^2].
+struct SurfaceDifference {
+  double rest = 0;     ///< neither template nor basis
+  double shading = 0;  ///< the basis, but for its constant
+};
+
 class SurfaceTemplate {
  public:
   static constexpr int kChannels = 3;
@@ -44,8 +50,10 @@ class SurfaceTemplate {
   /// Correlation [-1..1] of the colours after the basis has been projected out of both.
   double projected_correlation(const SurfaceSample& sample, double noise_variance) const;
 
-  /// Mean square [grey^2] of the difference between template and picture without the basis.
-  double projected_difference(const SurfaceSample& sample) const;
+  /// Of the picture against `gain` times the template.
+  SurfaceDifference difference(const SurfaceSample& sample, double gain = 1) const;
+  /// Of the picture by that of the template, as far as both agree; the basis aside.
+  double contrast(const SurfaceSample& sample) const;
   /// Mean square [grey^2] of the template without the basis.
   double mean_projected_energy() const;
 

@@ -21,7 +21,7 @@ bool repeats(const PoseTemplate& object, const MapShape& shape, const SceneLevel
   own.prepare_around(pose, object.reach());
   object.surface.sample(own, pose, sample);
   const double energy = object.surface.mean_projected_energy();
-  return object.surface.projected_difference(sample) <
+  return object.surface.difference(sample).rest <
          std::min(kMaxDifference * energy, kVisible) + kNoise;
 }
 
