@@ -41,12 +41,18 @@ struct Rival {
   std::vector<cv::Point2f> outline;  ///< [px] as of Match
 };
 
+/// Up to so many objects asked for at once are looked for thoroughly where a first look finds none.
+constexpr std::size_t kFewObjects = 4;
+
 /// What to search for. Zero, empty or negative values mean: as configured.
 struct SearchRequest {
   std::vector<std::string> names;  ///< empty: all enabled objects
   cv::Rect roi;  ///< [px] reference points are looked for in here; empty: whole picture
   double min_score = -1;
   int max_instances = 0;
+  /// Absent objects get no second, thorough look, however few are asked for: the request is part of
+  /// a search for more than kFewObjects.
+  bool sparing = false;
   /// For a search of part of a picture: by name, the log-odds that scores are lowered by at least,
   /// as SearchResult::clutter told of the whole.
   std::map<std::string, double> clutter;

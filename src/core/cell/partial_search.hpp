@@ -4,6 +4,7 @@
 #include <map>
 #include <opencv2/core.hpp>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "mbncc/matching/matcher.hpp"
@@ -13,9 +14,9 @@ namespace mbncc {
 /// Searches of one picture, which `matcher` and `picture` outlive.
 class PartialSearch {
  public:
-  /// `request` limits all searches; its names do not count.
-  PartialSearch(const Matcher& matcher, const cv::Mat& picture, const SearchRequest& request)
-      : matcher_(matcher), picture_(picture), request_(request) {}
+  /// `request` limits all searches and says how hard to look; its names do not count.
+  PartialSearch(const Matcher& matcher, const cv::Mat& picture, SearchRequest request)
+      : matcher_(matcher), picture_(picture), request_(std::move(request)) {}
 
   cv::Rect whole() const { return cv::Rect({0, 0}, picture_.size()); }
 
@@ -35,7 +36,7 @@ class PartialSearch {
 
   const Matcher& matcher_;
   const cv::Mat& picture_;
-  const SearchRequest& request_;
+  const SearchRequest request_;
   double spent_ = 0;
   bool budget_exceeded_ = false;
 };

@@ -16,6 +16,13 @@ cv::Rect square_about(const cv::Point2d& middle, double reach) {
   return {cvRound(middle.x) - side / 2, cvRound(middle.y) - side / 2, side, side};
 }
 
+/// Objects are searched one by one, but none harder than if all were searched at once.
+SearchRequest one_by_one(const Matcher& matcher, SearchRequest request) {
+  const auto objects = request.names.empty() ? matcher.objects().size() : request.names.size();
+  request.sparing |= objects > kFewObjects;
+  return request;
+}
+
 }  // namespace
 
 VideoLook::VideoLook(VideoMemory& memory, const VideoConfig& config, const Matcher& matcher,
@@ -24,7 +31,7 @@ VideoLook::VideoLook(VideoMemory& memory, const VideoConfig& config, const Match
       config_(config),
       matcher_(matcher),
       stamp_(stamp),
-      search_(matcher, picture, memory.request) {
+      search_(matcher, picture, one_by_one(matcher, memory.request)) {
   for (const auto& name : memory_.sought.update(matcher.objects())) forget(name);
   for (const auto& [name, sought] : memory_.sought.all())
     if (sought.swept_at == Sought::kNever) memory_.debts.owe(name, search_.whole());

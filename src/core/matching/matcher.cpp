@@ -17,8 +17,6 @@
 namespace mbncc {
 namespace {
 
-constexpr std::size_t kFewObjects = 4;  // each is worth a second look
-
 using Clock = std::chrono::steady_clock;
 using ObjectList = std::vector<std::shared_ptr<const PreparedObject>>;
 
@@ -164,7 +162,8 @@ SearchResult Matcher::find(const cv::Mat& picture, const SearchRequest& request)
   const ObjectList objects = implementation_->wanted(request, result);
   const ScenePicture scene(picture, top_level(objects));
 
-  const Look look = objects.size() <= kFewObjects ? Look::kTwice : Look::kOnce;
+  const bool thorough = objects.size() <= kFewObjects && !request.sparing;
+  const Look look = thorough ? Look::kTwice : Look::kOnce;
   std::vector<std::vector<Detection>> found(objects.size());
   std::vector<char> searched(objects.size(), 0);
   in_parallel(objects.size(), config.threads, [&](std::size_t i) {
