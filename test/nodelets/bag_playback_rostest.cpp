@@ -4,7 +4,6 @@
 #include <mbncc_vision/FindObjects.h>
 #include <ros/ros.h>
 #include <rosbag/bag.h>
-#include <sensor_msgs/CameraInfo.h>
 #include <sensor_msgs/Image.h>
 #include <tf2_msgs/TFMessage.h>
 
@@ -16,7 +15,7 @@
 #include <set>
 #include <vector>
 
-#include "mbncc/sim/scene.hpp"
+#include "nodelets/drawn_pictures.hpp"
 #include "nodelets/images.hpp"
 #include "nodelets/spin_until.hpp"
 #include "nodelets/teacher.hpp"
@@ -29,19 +28,12 @@ using mbncc_vision::DetectedObject;
 using mbncc_vision::DetectedObjectArray;
 
 constexpr int kPlaces = 12, kPicturesPerPlace = 8;
-constexpr double kInterval = 0.2;                      // [s] between pictures
-constexpr double kFocalLength = 500, kDistance = 0.5;  // [px], [m]
+constexpr double kInterval = 0.2;  // [s] between pictures
+constexpr double kDistance = 0.5;  // [m]
 const ros::Time kStart(1000);
 
-sim::SceneConfig scene_config() {
-  sim::SceneConfig config;
-  config.size = {400, 300};
-  config.seed = 5;
-  return config;
-}
-
 sim::Placed placed_at(const Pose2D& pose) {
-  return {{11, 80, 1.6}, pose};
+  return drawn_part(80, pose);
 }
 
 class BagPlayback : public testing::Test {
@@ -66,19 +58,6 @@ class BagPlayback : public testing::Test {
     return poses;
   }
 
-  sensor_msgs::CameraInfo camera_info(const std_msgs::Header& header) const {
-    sensor_msgs::CameraInfo info;
-    info.header = header;
-    info.width = 400;
-    info.height = 300;
-    info.distortion_model = "plumb_bob";
-    info.D.assign(5, 0);
-    info.K = {kFocalLength, 0, 199.5, 0, kFocalLength, 149.5, 0, 0, 1};
-    info.R = {1, 0, 0, 0, 1, 0, 0, 0, 1};
-    info.P = {kFocalLength, 0, 199.5, 0, 0, kFocalLength, 149.5, 0, 0, 0, 1, 0};
-    return info;
-  }
-
   void record(const std::string& path) {
     rosbag::Bag bag(path, rosbag::bagmode::Write);
     bag.setCompression(rosbag::compression::LZ4);
@@ -89,7 +68,7 @@ class BagPlayback : public testing::Test {
         header.stamp = kStart + ros::Duration(kInterval * static_cast<double>(frame - 100));
         header.frame_id = "camera";
         truth_[header.stamp] = place;
-        bag.write("camera_info", header.stamp, camera_info(header));
+        bag.write("camera_info", header.stamp, drawn_camera_info(header));
         bag.write("image_raw", header.stamp,
                   encode_picture(scene_.render({placed_at(place)}, frame), header));
       }
@@ -122,7 +101,7 @@ class BagPlayback : public testing::Test {
   ros::Subscriber detections_, transforms_;
   std::vector<DetectedObjectArray::ConstPtr> arrays_;
   std::vector<geometry_msgs::TransformStamped> sent_;
-  const sim::Scene scene_{scene_config()};
+  const sim::Scene scene_{drawn_scene()};
   const Pose2D learned_at_{200.3, 150.6, 0.4};
   std::map<ros::Time, Pose2D> truth_;
 };
@@ -181,8 +160,8 @@ TEST_F(BagPlayback, FindsEveryPoseAndSendsTfOnceAtThePicturesStamp) {
     const Pose2D pose = expected(stamp, reference);
     const auto& t = transform.transform.translation;
     EXPECT_NEAR(t.z, kDistance, 1e-6);
-    EXPECT_NEAR(t.x * kFocalLength / t.z + 199.5, pose.x, 1.0);
-    EXPECT_NEAR(t.y * kFocalLength / t.z + 149.5, pose.y, 1.0);
+    EXPECT_NEAR(t.x * kFocalLength / t.z + kCentreX, pose.x, 1.0);
+    EXPECT_NEAR(t.y * kFocalLength / t.z + kCentreY, pose.y, 1.0);
     const auto& q = transform.transform.rotation;
     EXPECT_LE(to_degrees(angle_distance(2 * std::atan2(q.z, q.w), pose.theta)), 1.0);
   }

@@ -1,33 +1,20 @@
 // Live CHANGE lessons in the simulated cell, and what is found afterwards.
 #include <gtest/gtest.h>
-#include <mbncc_vision/DetectedObjectArray.h>
 #include <mbncc_vision/EditObject.h>
 #include <nodelet/NodeletUnload.h>
 #include <ros/ros.h>
-#include <std_srvs/Trigger.h>
 
 #include <cmath>
 
 #include "mbncc/geometry.hpp"
-#include "nodelets/spin_until.hpp"
+#include "nodelets/simulated_cell.hpp"
 #include "nodelets/teacher.hpp"
 
 namespace mbncc::nodelets {
 namespace {
 
-using mbncc_vision::DetectedObject;
-using mbncc_vision::DetectedObjectArray;
-
-class LiveLesson : public testing::Test {
+class LiveLesson : public SimulatedCell {
  protected:
-  LiveLesson() {
-    truths_ = node_.subscribe<DetectedObjectArray>(
-        "camera/truth", 10, [this](const DetectedObjectArray::ConstPtr& truth) { truth_ = truth; });
-    detections_ = node_.subscribe<DetectedObjectArray>(
-        "detected_objects", 10,
-        [this](const DetectedObjectArray::ConstPtr& found) { found_ = found; });
-  }
-
   // The next lesson is about the same object; two names for it would make each other ambiguous.
   void forget(const std::string& name) {
     mbncc_vision::EditObject edit;
@@ -36,31 +23,12 @@ class LiveLesson : public testing::Test {
     EXPECT_TRUE(ros::service::call("edit_object", edit) && edit.response.success);
   }
 
-  void order(const std::string& service) {
-    ASSERT_TRUE(ros::service::waitForService(service, 30000));
-    ASSERT_TRUE(spin_until([&] {
-      std_srvs::Trigger trigger;
-      return ros::service::call(service, trigger) && trigger.response.success;
-    })) << service;
-    ASSERT_TRUE(spin_until([this] { return truth_ && truth_->message != "rest"; }));
-  }
-
-  bool rests(bool present) const {
-    return truth_ && truth_->message == "rest" && truth_->objects.empty() != present;
-  }
-
   void expect_found(const std::string& name, const Pose2D& reference_in_drawing) {
     ASSERT_TRUE(spin_until([this] { return rests(true); }));
     const ros::Time since = truth_->header.stamp;
     const DetectedObject* object = nullptr;
-    ASSERT_TRUE(spin_until([&] {
-      object = nullptr;
-      if (!found_ || found_->header.stamp <= since) return false;
-      for (const auto& candidate : found_->objects)
-        if (candidate.name == name && candidate.state == DetectedObject::CONFIRMED)
-          object = &candidate;
-      return object != nullptr;
-    })) << "never confirmed";
+    ASSERT_TRUE(spin_until([&] { return (object = confirmed_since(since, name)) != nullptr; }))
+        << "never confirmed";
     const auto& true_pose = truth_->objects[0].image_pose;
     const Pose2D expected =
         compose({true_pose.x, true_pose.y, true_pose.theta}, reference_in_drawing);
@@ -70,10 +38,6 @@ class LiveLesson : public testing::Test {
     EXPECT_NEAR(object->pose.pose.position.z, 0.6, 1e-6);
     EXPECT_NE(object->child_frame_id, "");
   }
-
-  ros::NodeHandle node_;
-  ros::Subscriber truths_, detections_;
-  DetectedObjectArray::ConstPtr truth_, found_;
 };
 
 Pose2D reference_in_drawing(const DetectedObject& lay, const Teacher::Result& lesson) {

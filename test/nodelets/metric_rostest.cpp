@@ -1,6 +1,5 @@
 // In metres: a strongly distorted simulated camera, the platform by tf, a grasp marked in a lesson.
 #include <gtest/gtest.h>
-#include <mbncc_vision/DetectedObjectArray.h>
 #include <ros/ros.h>
 #include <std_srvs/Trigger.h>
 #include <tf2_ros/transform_listener.h>
@@ -8,14 +7,11 @@
 #include <cmath>
 
 #include "mbncc/geometry.hpp"
-#include "nodelets/spin_until.hpp"
+#include "nodelets/simulated_cell.hpp"
 #include "nodelets/teacher.hpp"
 
 namespace mbncc::nodelets {
 namespace {
-
-using mbncc_vision::DetectedObject;
-using mbncc_vision::DetectedObjectArray;
 
 constexpr int kPlaces = 3;
 // The gripper's place at the demonstration, as the launch file has it.
@@ -25,46 +21,16 @@ Pose2D planar(const geometry_msgs::Pose& pose) {
   return {pose.position.x, pose.position.y, 2 * std::atan2(pose.orientation.z, pose.orientation.w)};
 }
 
-class Metric : public testing::Test {
+class Metric : public SimulatedCell {
  protected:
-  Metric() {
-    truths_ = node_.subscribe<DetectedObjectArray>(
-        "camera/truth", 10, [this](const DetectedObjectArray::ConstPtr& truth) { truth_ = truth; });
-    detections_ = node_.subscribe<DetectedObjectArray>(
-        "detected_objects", 10,
-        [this](const DetectedObjectArray::ConstPtr& found) { found_ = found; });
-  }
-
-  void order(const std::string& service) {
-    ASSERT_TRUE(ros::service::waitForService(service, 30000));
-    ASSERT_TRUE(spin_until([&] {
-      std_srvs::Trigger trigger;
-      return ros::service::call(service, trigger) && trigger.response.success;
-    })) << service;
-    ASSERT_TRUE(spin_until([this] { return truth_ && truth_->message != "rest"; }));
-  }
-
-  bool rests() const { return truth_ && truth_->message == "rest" && !truth_->objects.empty(); }
-
-  /// The confirmed object in a picture taken since it came to rest.
-  const DetectedObject* confirmed_since(const ros::Time& stamp) const {
-    if (!found_ || found_->header.stamp <= stamp) return nullptr;
-    for (const auto& object : found_->objects)
-      if (object.state == DetectedObject::CONFIRMED) return &object;
-    return nullptr;
-  }
-
-  ros::NodeHandle node_;
-  ros::Subscriber truths_, detections_;
   tf2_ros::Buffer tf_;
   tf2_ros::TransformListener listener_{tf_};
-  DetectedObjectArray::ConstPtr truth_, found_;
 };
 
 TEST_F(Metric, ObjectAndGraspAreWhereTheyAreInTheWorld) {
   Teacher teacher;
   ASSERT_TRUE(teacher.connect());
-  ASSERT_TRUE(spin_until([this] { return rests(); }));
+  ASSERT_TRUE(spin_until([this] { return rests(true); }));
   const Pose2D shown = planar(truth_->objects[0].pose.pose);
   Teacher::Goal goal;
   goal.name = "part";
@@ -82,7 +48,7 @@ TEST_F(Metric, ObjectAndGraspAreWhereTheyAreInTheWorld) {
 
   for (int place = 0; place < kPlaces; ++place) {
     order("camera/put_next");
-    ASSERT_TRUE(spin_until([this] { return rests(); }));
+    ASSERT_TRUE(spin_until([this] { return rests(true); }));
     const ros::Time since = truth_->header.stamp;
     const DetectedObject* object = nullptr;
     ASSERT_TRUE(spin_until([&] { return (object = confirmed_since(since)) != nullptr; }));

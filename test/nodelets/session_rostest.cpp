@@ -12,10 +12,9 @@
 #include <cmath>
 #include <cstdio>
 #include <future>
-#include <map>
 #include <vector>
 
-#include "mbncc/sim/scene.hpp"
+#include "nodelets/drawn_pictures.hpp"
 #include "nodelets/images.hpp"
 #include "nodelets/spin_until.hpp"
 #include "nodelets/teacher.hpp"
@@ -27,17 +26,9 @@ using mbncc_vision::DetectedObject;
 using mbncc_vision::DetectedObjectArray;
 
 const ros::Duration kInterval(1. / 30);
-constexpr double kFocalLength = 500;  // [px]
-
-sim::SceneConfig scene_config() {
-  sim::SceneConfig config;
-  config.size = {400, 300};
-  config.seed = 5;
-  return config;
-}
 
 sim::Placed placed_at(const Pose2D& pose) {
-  return {{11, 60, 1.6}, pose};
+  return drawn_part(60, pose);
 }
 
 class Session : public testing::Test {
@@ -94,16 +85,7 @@ class Session : public testing::Test {
     std_msgs::Header header;
     header.stamp = stamp;
     header.frame_id = "camera";
-    sensor_msgs::CameraInfo info;
-    info.header = header;
-    info.width = 400;
-    info.height = 300;
-    info.distortion_model = "plumb_bob";
-    info.D.assign(5, 0);
-    info.K = {kFocalLength, 0, 199.5, 0, kFocalLength, 149.5, 0, 0, 1};
-    info.R = {1, 0, 0, 0, 1, 0, 0, 0, 1};
-    info.P = {kFocalLength, 0, 199.5, 0, 0, kFocalLength, 149.5, 0, 0, 0, 1, 0};
-    infos_.publish(info);
+    infos_.publish(drawn_camera_info(header));
     pictures_.publish(encode_picture(scene_.render(placed, frames_++), header));
   }
 
@@ -144,7 +126,7 @@ class Session : public testing::Test {
   ros::Publisher clock_, pictures_, infos_;
   ros::Subscriber detections_;
   std::vector<DetectedObjectArray::ConstPtr> arrays_;
-  const sim::Scene scene_{scene_config()};
+  const sim::Scene scene_{drawn_scene()};
   ros::Time now_;
   std::uint64_t frames_ = 10;
   static double start_;  // [s] each test has a later one

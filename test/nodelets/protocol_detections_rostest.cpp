@@ -1,0 +1,145 @@
+// Detections without pictures, without calibration, with malformed pictures, on request and
+// disabled; settings at run time.
+#include <dynamic_reconfigure/Reconfigure.h>
+#include <mbncc_vision/FindObjects.h>
+#include <sensor_msgs/CompressedImage.h>
+#include <std_srvs/SetBool.h>
+
+#include <cmath>
+#include <map>
+
+#include "nodelets/protocol.hpp"
+
+namespace mbncc::nodelets {
+namespace {
+
+TEST_F(Protocol, SaysStaleWithoutPicturesAndLibraryEmptyWithThem) {
+  ASSERT_TRUE(spin_until([this] { return status_is(DetectedObjectArray::STALE); }));
+  EXPECT_TRUE(array_->objects.empty());
+  {
+    const ros::WallTimer playing = play();
+    ASSERT_TRUE(spin_until([this] { return status_is(DetectedObjectArray::LIBRARY_EMPTY); }));
+    EXPECT_EQ(array_->image_width, 320u);
+  }
+  EXPECT_TRUE(spin_until([this] { return status_is(DetectedObjectArray::STALE); }));
+}
+
+TEST_F(Protocol, FindsWithoutCalibrationInPixelsOnlyAndSendsNoTf) {
+  const Result lesson = teacher_.teach(given("part"));
+  ASSERT_EQ(lesson.error_code, Result::SUCCESS) << lesson.message;
+  const ros::WallTimer playing = play();
+  ASSERT_TRUE(spin_until([this] {
+    return status_is(DetectedObjectArray::UNCALIBRATED) && array_->objects.size() == 1 &&
+           array_->objects[0].state == DetectedObject::CONFIRMED;
+  }));
+  const DetectedObject& object = array_->objects[0];
+  EXPECT_FALSE(array_->message.empty());
+  EXPECT_NEAR(object.image_pose.x, lesson.object.reference.x, 1);
+  EXPECT_NEAR(object.image_pose.y, lesson.object.reference.y, 1);
+  EXPECT_FALSE(object.pose_valid);
+  EXPECT_TRUE(std::isnan(object.pose.pose.position.x));
+  EXPECT_EQ(object.child_frame_id, "");
+  EXPECT_EQ(transforms_heard_, 0);
+
+  EXPECT_TRUE(edit("part", EditObject::Request::DISABLE).success);
+  EXPECT_TRUE(spin_until([this] { return status_is(DetectedObjectArray::LIBRARY_EMPTY); }));
+  EXPECT_TRUE(edit("part", EditObject::Request::ENABLE).success);
+  EXPECT_TRUE(edit("part", EditObject::Request::RENAME, "piece").success);
+  EXPECT_TRUE(spin_until(
+      [this] { return array_->objects.size() == 1 && array_->objects[0].name == "piece"; }));
+  EXPECT_TRUE(edit("piece", EditObject::Request::DELETE).success);
+  EXPECT_TRUE(edit("piece", EditObject::Request::RESTORE).success);
+  EXPECT_FALSE(edit("nothing", EditObject::Request::DELETE).success);
+  EXPECT_TRUE(edit("piece", EditObject::Request::DELETE).success);
+}
+
+TEST_F(Protocol, FindsOnceOnRequest) {
+  ASSERT_EQ(teacher_.teach(given("part")).error_code, Result::SUCCESS);
+  mbncc_vision::FindObjects::Request request;
+  request.image = before_;
+  const auto find = [&] { return call<mbncc_vision::FindObjects>("find_objects", request); };
+  ASSERT_TRUE(spin_until([&] { return find().detections.objects.size() == 1; }));
+  EXPECT_TRUE(find().success);
+  request.image = after_;
+  EXPECT_TRUE(find().success);
+  EXPECT_TRUE(find().detections.objects.empty());
+  request.image.data.pop_back();
+  EXPECT_FALSE(find().success);
+  request.image = before_;
+  request.roi.width = 1000;
+  EXPECT_FALSE(find().success);
+  request = {};
+  request.timeout = ros::Duration(0.2);
+  EXPECT_FALSE(find().success) << "no live pictures";
+  EXPECT_TRUE(edit("part", EditObject::Request::DELETE).success);
+}
+
+TEST_F(Protocol, IsIdleWhileDisabled) {
+  const ros::WallTimer playing = play();
+  ASSERT_TRUE(spin_until([this] { return arrays_ > 0 && !status_is(DetectedObjectArray::STALE); }));
+  std_srvs::SetBool::Request request;
+  request.data = false;
+  EXPECT_TRUE(call<std_srvs::SetBool>("matching/enable", request).success);
+  EXPECT_TRUE(spin_until([this] { return images_.getNumSubscribers() == 1; }))
+      << "the matching nodelet still listens, besides the learning nodelet";
+  request.data = true;
+  EXPECT_TRUE(call<std_srvs::SetBool>("matching/enable", request).success);
+  const int before = arrays_;
+  EXPECT_TRUE(spin_until([&] { return arrays_ > before; }));
+}
+
+TEST_F(Protocol, TakesSettingsAtRunTimeAndRefusesNonsense) {
+  dynamic_reconfigure::Reconfigure::Request request;
+  request.config.doubles.resize(2);
+  request.config.doubles[0].name = "min_score";
+  request.config.doubles[0].value = 0.45;
+  request.config.doubles[1].name = "max_rate";
+  request.config.doubles[1].value = -3;
+  const auto response = call<dynamic_reconfigure::Reconfigure>("matching/set_parameters", request);
+  std::map<std::string, double> effective;
+  for (const auto& number : response.config.doubles) effective[number.name] = number.value;
+  EXPECT_EQ(effective["min_score"], 0.45);
+  EXPECT_EQ(effective["max_rate"], 0) << "refused; the old value is kept";
+  double stored = 0;
+  EXPECT_TRUE(ros::param::get("matching/min_score", stored));
+  EXPECT_EQ(stored, 0.45);
+  request.config.doubles[0].value = 0.3;
+  request.config.doubles.pop_back();
+  call<dynamic_reconfigure::Reconfigure>("matching/set_parameters", request);
+}
+
+TEST_F(Protocol, DrawsPicturesForWhoLooks) {
+  ASSERT_EQ(teacher_.teach(given("part")).error_code, Result::SUCCESS);
+  const ros::WallTimer playing = play();
+  sensor_msgs::Image::ConstPtr scores;
+  sensor_msgs::CompressedImage::ConstPtr jpeg;
+  const auto score_subscriber = node_.subscribe<sensor_msgs::Image>(
+      "matching/score_map", 1, [&](const auto& heard) { scores = heard; });
+  const auto jpeg_subscriber = node_.subscribe<sensor_msgs::CompressedImage>(
+      "matching/overlay_jpeg", 1, [&](const auto& heard) { jpeg = heard; });
+  ASSERT_TRUE(spin_until([&] { return scores && jpeg; }));
+  EXPECT_EQ(scores->encoding, "bgr8");
+  EXPECT_EQ(scores->width, 320u);
+  EXPECT_GT(jpeg->data.size(), 1000u);
+  EXPECT_TRUE(edit("part", EditObject::Request::DELETE).success);
+}
+
+TEST_F(Protocol, BearsMalformedPictures) {
+  const ros::WallTimer playing = play();
+  ASSERT_TRUE(spin_until([this] { return images_.getNumSubscribers() > 0; }));
+  for (const auto& spoil : std::vector<void (*)(sensor_msgs::Image&)>{
+           [](auto& m) { m.width = m.height = 0xffffffffu; }, [](auto& m) { m.step = 0; },
+           [](auto& m) { m.data.clear(); }, [](auto& m) { m.encoding = "nonsense"; },
+           [](auto& m) { m.width = 0; }}) {
+    sensor_msgs::Image image = before_;
+    image.header.stamp = ros::Time::now();
+    spoil(image);
+    images_.publish(image);
+  }
+  const int before = arrays_;
+  EXPECT_TRUE(spin_until(
+      [&] { return arrays_ > before + 2 && status_is(DetectedObjectArray::LIBRARY_EMPTY); }));
+}
+
+}  // namespace
+}  // namespace mbncc::nodelets

@@ -1,0 +1,58 @@
+// A client of the simulated cell: its truth, what is detected, and orders to its arm.
+#pragma once
+
+#include <gtest/gtest.h>
+#include <mbncc_vision/DetectedObjectArray.h>
+#include <ros/ros.h>
+#include <std_srvs/Trigger.h>
+
+#include <string>
+
+#include "nodelets/spin_until.hpp"
+
+namespace mbncc::nodelets {
+
+using mbncc_vision::DetectedObject;
+using mbncc_vision::DetectedObjectArray;
+
+class SimulatedCell : public testing::Test {
+ protected:
+  SimulatedCell() {
+    truths_ = node_.subscribe<DetectedObjectArray>(
+        "camera/truth", 10, [this](const DetectedObjectArray::ConstPtr& truth) { truth_ = truth; });
+    detections_ = node_.subscribe<DetectedObjectArray>(
+        "detected_objects", 10,
+        [this](const DetectedObjectArray::ConstPtr& found) { found_ = found; });
+  }
+
+  /// Calls a service of the arm until it obeys, and sees it move.
+  void order(const std::string& service) {
+    ASSERT_TRUE(ros::service::waitForService(service, 30000));
+    ASSERT_TRUE(spin_until([&] {
+      std_srvs::Trigger trigger;
+      return ros::service::call(service, trigger) && trigger.response.success;
+    })) << service;
+    ASSERT_TRUE(spin_until([this] { return truth_ && truth_->message != "rest"; }));
+  }
+
+  /// The arm is away, and the object lies there or does not.
+  bool rests(bool present) const {
+    return truth_ && truth_->message == "rest" && truth_->objects.empty() != present;
+  }
+
+  /// The confirmed instance of `name` in a picture taken after `stamp`; any when `name` is empty.
+  const DetectedObject* confirmed_since(const ros::Time& stamp,
+                                        const std::string& name = "") const {
+    if (!found_ || found_->header.stamp <= stamp) return nullptr;
+    for (const auto& object : found_->objects)
+      if ((name.empty() || object.name == name) && object.state == DetectedObject::CONFIRMED)
+        return &object;
+    return nullptr;
+  }
+
+  ros::NodeHandle node_;
+  ros::Subscriber truths_, detections_;
+  DetectedObjectArray::ConstPtr truth_, found_;
+};
+
+}  // namespace mbncc::nodelets
