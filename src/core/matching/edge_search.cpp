@@ -6,22 +6,22 @@
 #include <opencv2/imgproc.hpp>
 #include <tuple>
 
-#include "matching/edge_picture.hpp"
+#include "matching/response_maps.hpp"
 #include "polar/kernels.hpp"
 
 namespace mbncc {
 namespace {
 
-constexpr int kOrientations = 8;     // of a half turn
+constexpr int kOrientations = ResponseMaps::kOrientations;
+constexpr int kStep = ResponseMaps::kStep;
+constexpr int kUnit = kernels::kMaxResponse;  // response 1 in the maps
+
 constexpr std::size_t kPoints = 64;  // of the contour
 constexpr double kSmallest = 20;     // [px] diameter at the coarse level
 constexpr double kThinnest = 2;      // [px] mean width there
 constexpr int kTopLevel = 4;
-constexpr double kArcStep = 2;                // [px] that the rim moves per rotation step
-constexpr double kMinResponse = 0.2;          // [-1..1] mean of a candidate
-constexpr int kUnit = kernels::kMaxResponse;  // response 1 in the maps
-constexpr std::int8_t kUnseen = 7;  // taken beyond the border, so that objects may hang over it
-constexpr int kStep = 2;            // [px] between positions: responses are spread by one pixel
+constexpr double kArcStep = 2;        // [px] that the rim moves per rotation step
+constexpr double kMinResponse = 0.2;  // [-1..1] mean of a candidate
 
 int orientation_of(float normal_x, float normal_y) {
   const double turns = std::atan2(normal_y, normal_x) / kPi;  // of half a turn
@@ -29,82 +29,14 @@ int orientation_of(float normal_x, float normal_y) {
   return ((bin % kOrientations) + kOrientations) % kOrientations;
 }
 
-/// Response maps per orientation, spread to the neighbouring pixels, with room around them. Each is
-/// stored as four maps of every second pixel, so that adjacent positions of the search lie side by
-/// side.
-class ResponseMaps {
- public:
-  /// `margin` [px] is even.
-  ResponseMaps(const cv::Mat& edges, int margin)
-      : margin_(margin),
-        stride_((edges.cols + 1) / kStep + margin + 1),
-        plane_(stride_ * ((edges.rows + 1) / kStep + margin + 1)),
-        values_(static_cast<std::size_t>(plane_) * kPhases * kOrientations + kernels::kPositions,
-                kUnseen) {
-    const Responses responses(edges);
-    for (int k = 0; k < kOrientations; ++k)
-      for (int y = 0; y < edges.rows; ++y) {
-        std::int8_t* even = &values_[offset(k, 0, y)];
-        std::int8_t* odd = &values_[offset(k, 1, y)];
-        kernels::spread_rows(responses.around(k, y).data(), even, odd, edges.cols / kStep);
-        if (edges.cols % kStep != 0) even[edges.cols / kStep] = even[edges.cols / kStep - 1];
-      }
-  }
-
-  const std::int8_t* data() const { return values_.data(); }
-
-  /// Where the response at a pixel lies. Relative to an even pixel it is offset() at the
-  /// difference, less offset() at 0.
-  std::int32_t offset(int orientation, int x, int y) const {
-    const int column = x + margin_, row = y + margin_;
-    const int phase = kStep * (row % kStep) + column % kStep;
-    return (orientation * kPhases + phase) * plane_ + row / kStep * stride_ + column / kStep;
-  }
-
- private:
-  static constexpr int kPhases = kStep * kStep;
-
-  /// Responses before they are spread, continued by a pixel and more beyond the border.
-  class Responses {
-   public:
-    explicit Responses(const cv::Mat& edges) {
-      for (auto& map : maps_) map.create(edges.rows, edges.cols + 4, CV_8SC1);
-      for (int y = 0; y < edges.rows; ++y) {
-        std::int8_t* rows[kOrientations / 2];
-        for (int k = 0; k < kOrientations / 2; ++k) rows[k] = maps_[k].ptr<std::int8_t>(y) + 1;
-        kernels::edge_responses(edges.ptr<std::int8_t>(y), rows, edges.cols);
-        for (auto* row : rows) {
-          row[-1] = row[0];
-          for (int x = 0; x < 3; ++x) row[edges.cols + x] = row[edges.cols - 1];
-        }
-      }
-      // Turned by a quarter, an edge responds the other way round.
-      for (int k = 0; k < kOrientations / 2; ++k)
-        cv::subtract(cv::Scalar(0), maps_[k], maps_[k + kOrientations / 2]);
-    }
-
-    std::array<const std::int8_t*, 3> around(int orientation, int y) const {
-      const cv::Mat& map = maps_[orientation];
-      return {map.ptr<std::int8_t>(std::max(0, y - 1)) + 1, map.ptr<std::int8_t>(y) + 1,
-              map.ptr<std::int8_t>(std::min(map.rows - 1, y + 1)) + 1};
-    }
-
-   private:
-    std::array<cv::Mat, kOrientations> maps_;  // CV_8SC1
-  };
-
-  int margin_, stride_, plane_;
-  std::vector<std::int8_t> values_;
-};
-
 class EdgeSearch {
  public:
-  EdgeSearch(const EdgeBank& bank, const cv::Mat& edges, const cv::Rect& roi)
+  EdgeSearch(const EdgeBank& bank, const SceneLevel& scene, const cv::Rect& roi)
       : bank_(bank),
         first_(roi.x / kStep * kStep, roi.y / kStep * kStep),
         size_((roi.br().x - first_.x + kStep - 1) / kStep,
               (roi.br().y - first_.y + kStep - 1) / kStep),
-        maps_(edges, (bank.radius() + kStep) / kStep * kStep) {
+        maps_(scene.responses(bank.radius() + 1)) {
     const int whole =
         (size_.width + kernels::kPositions - 1) / kernels::kPositions * kernels::kPositions;
     for (auto& quarter : quarters_) {
@@ -115,8 +47,8 @@ class EdgeSearch {
     for (const auto& rotation : bank.rotations()) {
       offsets_.emplace_back();
       for (const auto& point : rotation.points)
-        offsets_.back().push_back(maps_.offset(point.orientation, point.x, point.y) -
-                                  maps_.offset(0, 0, 0));
+        offsets_.back().push_back(maps_->offset(point.orientation, point.x, point.y) -
+                                  maps_->offset(0, 0, 0));
     }
   }
 
@@ -139,7 +71,7 @@ class EdgeSearch {
     cv::Mat best, rotation;  // CV_16SC1: sum and index of the rotation; rows of whole groups
   };
 
-  const std::int8_t* at(int x, int y) const { return maps_.data() + maps_.offset(0, x, y); }
+  const std::int8_t* at(int x, int y) const { return maps_->data() + maps_->offset(0, x, y); }
 
   void add_rotation(std::size_t k, int y) {
     Quarter& quarter = quarters_[k * quarters_.size() / offsets_.size()];
@@ -206,7 +138,7 @@ class EdgeSearch {
   const EdgeBank& bank_;
   cv::Point first_;  // [px] position of best_'s first value, even
   cv::Size size_;    // of the positions
-  ResponseMaps maps_;
+  std::shared_ptr<const ResponseMaps> maps_;
   std::vector<std::vector<std::int32_t>> offsets_;  // per rotation
   std::array<Quarter, 4> quarters_;
 };
@@ -267,11 +199,11 @@ EdgeBank::EdgeBank(const MapGeometry& map, cv::Point2d anchor) {
   round_ = looks_round(rotations_);
 }
 
-EdgeCandidates edge_search(const EdgeBank& bank, const cv::Mat& edges, const cv::Rect& roi,
+EdgeCandidates edge_search(const EdgeBank& bank, const SceneLevel& scene, const cv::Rect& roi,
                            int most) {
-  const cv::Rect region = roi & cv::Rect({0, 0}, edges.size());
+  const cv::Rect region = roi & cv::Rect({0, 0}, scene.size());
   if (region.empty()) return {};
-  return EdgeSearch(bank, edges, region).run(most);
+  return EdgeSearch(bank, scene, region).run(most);
 }
 
 }  // namespace mbncc

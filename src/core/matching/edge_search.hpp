@@ -8,6 +8,7 @@
 
 #include "matching/candidate.hpp"
 #include "matching/contour_template.hpp"
+#include "matching/scene_level.hpp"
 
 namespace mbncc {
 
@@ -42,9 +43,8 @@ struct EdgeCandidates {
   std::vector<Candidate> round_places;  ///< places where the contour does not tell the rotation
 };
 
-/// The best `most` poses in `roi` [px at the bank's level]. `edges` is the
-/// edge_picture() of that level.
-EdgeCandidates edge_search(const EdgeBank& bank, const cv::Mat& edges, const cv::Rect& roi,
+/// The best `most` poses in `roi` [px at the bank's level]. `scene` is that level.
+EdgeCandidates edge_search(const EdgeBank& bank, const SceneLevel& scene, const cv::Rect& roi,
                            int most);
 
 }  // namespace mbncc

@@ -22,7 +22,18 @@ SceneLevel::SceneLevel(const cv::Mat& picture, int level)
       level_(level),
       tile_columns_(tiles_along(picture.cols)),
       tiles_(std::make_unique<Tiles>(static_cast<std::size_t>(tile_columns_) *
-                                     tiles_along(picture.rows))) {}
+                                     tiles_along(picture.rows))),
+      responses_(std::make_unique<SharedResponses>()) {}
+
+std::shared_ptr<const ResponseMaps> SceneLevel::responses(int margin) const {
+  constexpr int kGrain = 16;  // few different margins, so that larger objects seldom ask for more
+  const int wanted = (margin + kGrain - 1) / kGrain * kGrain;
+  prepare();
+  const std::lock_guard<std::mutex> lock(responses_->preparing);
+  auto& maps = responses_->maps;
+  if (!maps || maps->margin() < wanted) maps = std::make_shared<ResponseMaps>(edges, wanted);
+  return maps;
+}
 
 void SceneLevel::prepare_around(const Pose2D& pose, double reach) const {
   constexpr int kSlack = 8;

@@ -7,6 +7,7 @@
 #include <opencv2/core.hpp>
 #include <vector>
 
+#include "matching/response_maps.hpp"
 #include "mbncc/geometry.hpp"
 
 namespace mbncc {
@@ -26,6 +27,9 @@ class SceneLevel {
   /// Prepares what lies within `reach` [px] and some slack about `pose`.
   void prepare_around(const Pose2D& pose, double reach) const;
 
+  /// Of all of its edges, with a margin of at least `margin` [px]; kept for whoever asks next.
+  std::shared_ptr<const ResponseMaps> responses(int margin) const;
+
   // Valid only where prepared.
   cv::Mat colour;  ///< CV_8UC3, smoothed
   cv::Mat edges;   ///< CV_8SC2, see edge_picture.hpp
@@ -38,12 +42,18 @@ class SceneLevel {
     std::mutex preparing;
   };
 
+  struct SharedResponses {
+    std::mutex preparing;
+    std::shared_ptr<const ResponseMaps> maps;
+  };
+
   void prepare(const cv::Rect& region) const;
   void prepare_tile(int column, int row) const;
 
   cv::Mat picture_;
   int level_, tile_columns_;
   std::unique_ptr<Tiles> tiles_;
+  std::unique_ptr<SharedResponses> responses_;
 };
 
 }  // namespace mbncc

@@ -15,20 +15,21 @@ constexpr std::size_t kFinal = 3;         // places whose other angles are tried
 constexpr std::size_t kPolished = 8;
 constexpr double kHopeless = 15;   // log-odds behind the best that no climb makes up for
 constexpr double kNoRival = 12;    // log-odds behind the best at full resolution, of no interest
-constexpr double kPromising = -8;  // log-odds that polishing may bring to acceptance ...
-constexpr double kOutclassed = 8;  // ... unless so far behind the best
+constexpr double kOutclassed = 8;  // log-odds behind the best that polishing does not make up for
 
 /// How hard the candidates are looked at.
 struct Effort {
+  int correlated_places;   ///< of the correlation, at most
   std::size_t edge_poses;  ///< of the edge search, at most
   std::size_t entering;    ///< candidates that enter at a level, at most
   int turns;               ///< further starts, turned each way, of a candidate that enters
   double width;            ///< [px at level] objects narrower enter one level finer
   double demand;           ///< log-odds by which a candidate's floors are raised on the way
+  double promising;        ///< log-odds that polishing may bring to acceptance
 };
-constexpr Effort kSparing{250, 24, 0, 0, 2};
-constexpr Effort kQuick{400, 48, 0, 0, 0};
-constexpr Effort kThorough{1600, 48, 2, 2.3, 0};
+constexpr Effort kSparing{100, 250, 24, 0, 0, 2, -5};
+constexpr Effort kQuick{100, 400, 48, 0, 0, 0, -8};
+constexpr Effort kThorough{100, 1600, 48, 2, 2.3, 0, -8};
 constexpr double kFound = 3;  // log-odds of a candidate that make a thorough look needless
 
 /// Log-odds below which a candidate has never become a detection, nor a rival that matters.
@@ -52,14 +53,19 @@ class ViewSearch {
  public:
   ViewSearch(const PreparedObject& object, const PreparedView& view, const ScenePicture& scene,
              const cv::Rect& roi, Look look)
-      : object_(object), view_(view), scene_(scene), roi_(roi), look_(look) {}
+      : object_(object),
+        view_(view),
+        scene_(scene),
+        roi_(roi),
+        look_(look),
+        first_(look == Look::kTwice ? kQuick : kSparing) {}
 
   std::vector<Detection> run() {
     if (view_.polar) return judge_polar();
     if (view_.top_level() > scene_.top_level()) return {};
     correlate();
     follow_edges();
-    std::vector<Candidate> candidates = descend(look_ == Look::kTwice ? kQuick : kSparing);
+    std::vector<Candidate> candidates = descend(first_);
     const bool found = !candidates.empty() && candidates.front().value >= kFound;
     if (!found && look_ == Look::kTwice) candidates = descend(kThorough);
     keep_hopeful(candidates, most_at(0), kNoRival);
@@ -101,15 +107,15 @@ class ViewSearch {
   void correlate() {
     const int level = view_.kernels.level;
     if (level == 0) return;  // too fine to search everywhere; the edges have to do
-    correlated_ = coarse_search(view_.kernels, scene_.grey[level], at_level(roi_, level));
+    CoarseSettings settings;
+    settings.max_places = first_.correlated_places;
+    correlated_ = coarse_search(view_.kernels, scene_.grey[level], at_level(roi_, level), settings);
   }
 
   void follow_edges() {
     const int level = view_.edges.level();
-    scene_.levels[level].prepare();
-    EdgeCandidates found =
-        edge_search(view_.edges, scene_.levels[level].edges, at_level(roi_, level),
-                    (look_ == Look::kTwice ? kThorough : kSparing).edge_poses);
+    EdgeCandidates found = edge_search(view_.edges, scene_.levels[level], at_level(roi_, level),
+                                       (look_ == Look::kTwice ? kThorough : kSparing).edge_poses);
     edges_ = std::move(found.poses);
     for (auto& place : found.round_places) place.value = odds(level, place.pose);
     keep_hopeful(found.round_places, kRoundPlaces);
@@ -267,7 +273,7 @@ class ViewSearch {
   std::vector<Detection> judge(const std::vector<Candidate>& candidates) const {
     std::vector<Detection> detections;
     for (const auto& candidate : candidates) {
-      const bool polish = detections.size() < kPolished && candidate.value > kPromising &&
+      const bool polish = detections.size() < kPolished && candidate.value > first_.promising &&
                           candidate.value > candidates.front().value - kOutclassed;
       detections.push_back(polish ? polish_and_judge(object_, view_, scene_, candidate.pose)
                                   : judge_pose(object_, view_, scene_, candidate.pose));
@@ -280,6 +286,7 @@ class ViewSearch {
   const ScenePicture& scene_;
   cv::Rect roi_;
   Look look_;
+  Effort first_;
   // What the coarse searches proposed, each best first.
   std::vector<Candidate> correlated_, edges_, round_;
 };

@@ -1,0 +1,39 @@
+// How strongly a picture's edges agree with each orientation, for the coarse search by edges.
+#pragma once
+
+#include <cstdint>
+#include <opencv2/core.hpp>
+#include <vector>
+
+namespace mbncc {
+
+/// Response maps per orientation, spread to the neighbouring pixels, with room around them. Each is
+/// stored as four maps of every second pixel, so that adjacent positions of the search lie side by
+/// side.
+class ResponseMaps {
+ public:
+  static constexpr int kOrientations = 8;  ///< of a half turn
+  static constexpr int kStep = 2;  ///< [px] between positions: responses are spread by one pixel
+
+  /// `edges` is an edge_picture(); `margin` [px] is even.
+  ResponseMaps(const cv::Mat& edges, int margin);
+
+  int margin() const { return margin_; }
+  const std::int8_t* data() const { return values_.data(); }
+
+  /// Where the response at a pixel lies. Relative to an even pixel it is offset() at the
+  /// difference, less offset() at 0.
+  std::int32_t offset(int orientation, int x, int y) const {
+    const int column = x + margin_, row = y + margin_;
+    const int phase = kStep * (row % kStep) + column % kStep;
+    return (orientation * kPhases + phase) * plane_ + row / kStep * stride_ + column / kStep;
+  }
+
+ private:
+  static constexpr int kPhases = kStep * kStep;
+
+  int margin_, stride_, plane_;
+  std::vector<std::int8_t> values_;
+};
+
+}  // namespace mbncc
