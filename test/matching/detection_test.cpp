@@ -2,7 +2,8 @@
 
 #include <gtest/gtest.h>
 
-#include "matching/chroma_histogram.hpp"
+#include <algorithm>
+
 #include "matching/pictures.hpp"
 
 namespace mbncc {
@@ -41,22 +42,42 @@ TEST_F(RotationTest, OtherPlacesAndHopelessPosesStayAsTheyAre) {
   EXPECT_DOUBLE_EQ(compared[2].log_odds, -9);
 }
 
-TEST(ChromaCorrelation, KnowsColoursAndNotBrightness) {
-  std::array<std::vector<float>, 3> colours, brighter, swapped;
-  for (int i = 0; i < 40; ++i) {
-    const float red = i % 2 == 0 ? 150.f : 60.f;
-    const float values[3] = {100, 80, red}, exchanged[3] = {100, 80, 210 - red};
-    for (std::size_t c = 0; c < 3; ++c) {
-      colours[c].push_back(values[c]);
-      brighter[c].push_back(1.3f * values[c]);
-      swapped[c].push_back(exchanged[c]);
+TEST(RotationOdds, UnexplainedColoursTellEqualCorrelationsApart) {
+  Evidence right, wrong;
+  right.contour = wrong.contour = 0.7;
+  right.projected = wrong.projected = 0.97;
+  right.unexplained = 1.6;
+  wrong.unexplained = 2.1;
+  EXPECT_GT(rotation_odds(right), rotation_odds(wrong) + 4);
+}
+
+class SurfaceTest : public ::testing::Test {
+ protected:
+  const test::LearningPicture source_{1};
+  const PreparedObject object_{test::object_from(source_, {58, 60, 0}), Engine::kFast};
+  const SurfaceTemplate& surface_ = object_.views.front().fine.surface;
+
+  /// Of the template's own colours times `gain`, `slope` [grey levels / px] brighter to the right.
+  SurfaceTemplate::Remainder remainder_of(float gain, float slope) const {
+    SurfaceSample sample;
+    sample.inside.assign(surface_.padded(), 0.f);
+    std::fill_n(sample.inside.begin(), surface_.size(), 1.f);
+    for (std::size_t c = 0; c < sample.planes.size(); ++c) {
+      sample.planes[c].assign(surface_.padded(), 0.f);
+      for (std::size_t i = 0; i < surface_.size(); ++i)
+        sample.planes[c][i] = gain * surface_.planes[c][i] + slope * surface_.x[i];
     }
+    sample.points = sample.visible = surface_.size();
+    return surface_.remainder(sample);
   }
-  const std::vector<float> inside(40, 1.f);
-  EXPECT_GT(chroma_correlation(colours, brighter, inside), 0.9);
-  EXPECT_LT(chroma_correlation(colours, swapped, inside), -0.9);
-  for (auto& plane : swapped) plane.assign(40, 90.f);
-  EXPECT_NEAR(chroma_correlation(colours, swapped, inside), 0, 1e-3) << "grey has no chroma";
+};
+
+TEST_F(SurfaceTest, NothingIsUnexplainedUnderAnotherGainAndShading) {
+  const SurfaceTemplate::Remainder same = remainder_of(1, 0);
+  EXPECT_LT(surface_.unexplained(same), 1);
+  EXPECT_LT(surface_.unexplained(remainder_of(0.8, 0.3)), 2) << "gain and slope are no object";
+  EXPECT_GT(surface_.unexplained(remainder_of(-1, 0)), 20 * surface_.unexplained(same) + 100);
+  EXPECT_NEAR(surface_.correlation(same, 0), 1, 1e-3);
 }
 
 }  // namespace

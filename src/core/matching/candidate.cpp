@@ -27,4 +27,28 @@ void drop_duplicates(std::vector<Candidate>& candidates, double distance, double
   candidates = std::move(kept);
 }
 
+void keep_hopeful(std::vector<Candidate>& candidates, std::size_t most, double behind) {
+  sort_by_value(candidates);
+  if (candidates.size() > most) candidates.resize(most);
+  while (candidates.size() > 1 && candidates.back().value < candidates.front().value - behind)
+    candidates.pop_back();
+}
+
+void drop_below(double floor, std::vector<Candidate>& candidates) {
+  while (!candidates.empty() && candidates.back().value < floor) candidates.pop_back();
+}
+
+std::vector<Candidate> best_places(const std::vector<Candidate>& candidates, double apart,
+                                   std::size_t most) {
+  std::vector<Candidate> places;
+  for (const auto& candidate : candidates) {
+    const bool near = std::any_of(places.begin(), places.end(), [&](const Candidate& other) {
+      return cv::norm(candidate.pose.position() - other.pose.position()) < apart;
+    });
+    if (!near) places.push_back(candidate);
+    if (places.size() == most) break;
+  }
+  return places;
+}
+
 }  // namespace mbncc

@@ -21,4 +21,15 @@ void sort_by_value(std::vector<Candidate>& candidates);
 void drop_duplicates(std::vector<Candidate>& candidates, double distance, double rim,
                      std::size_t most);
 
+/// Sorts and keeps the best `most`, less those that are more than `behind` the best.
+void keep_hopeful(std::vector<Candidate>& candidates, std::size_t most, double behind);
+
+/// Drops those below `floor` from sorted candidates.
+void drop_below(double floor, std::vector<Candidate>& candidates);
+
+/// The best of different places, of sorted candidates of one level: at most `most`, and at least
+/// `apart` [px at level] from each other.
+std::vector<Candidate> best_places(const std::vector<Candidate>& candidates, double apart,
+                                   std::size_t most);
+
 }  // namespace mbncc

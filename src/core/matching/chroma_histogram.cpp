@@ -77,29 +77,6 @@ double worst_chroma_difference(const std::array<std::vector<float>, 3>& expected
   return std::sqrt(std::accumulate(means.begin(), last, 0.0) / static_cast<double>(worst));
 }
 
-double chroma_correlation(const std::array<std::vector<float>, 3>& expected,
-                          const std::array<std::vector<float>, 3>& seen,
-                          const std::vector<float>& inside) {
-  constexpr double kNoise = 0.004;  // variance of the chroma of a plain surface
-  cv::Point2d a, b;
-  double aa = 0, bb = 0, ab = 0, count = 1e-9;
-  for (std::size_t i = 0; i < inside.size(); ++i) {
-    if (inside[i] == 0) continue;
-    const cv::Point2d one = chroma_at(expected, i), other = chroma_at(seen, i);
-    a += one;
-    b += other;
-    aa += one.dot(one);
-    bb += other.dot(other);
-    ab += one.dot(other);
-    ++count;
-  }
-  const double variance_a = aa / count - a.dot(a) / (count * count);
-  const double variance_b = bb / count - b.dot(b) / (count * count);
-  const double covariance = ab / count - a.dot(b) / (count * count);
-  return covariance /
-         std::sqrt((std::max(0.0, variance_a) + kNoise) * (std::max(0.0, variance_b) + kNoise));
-}
-
 double overlap(const ChromaHistogram& a, const ChromaHistogram& b) {
   float common = 0;
   for (std::size_t k = 0; k < a.size(); ++k) common += std::min(a[k], b[k]);

@@ -23,11 +23,6 @@ double worst_chroma_difference(const std::array<std::vector<float>, 3>& expected
                                const std::vector<float>& inside,
                                const std::vector<int>& block_ends);
 
-/// Correlation [-1..1] of chroma over the points where `inside` is 1; near 0 for plain colours.
-double chroma_correlation(const std::array<std::vector<float>, 3>& expected,
-                          const std::array<std::vector<float>, 3>& seen,
-                          const std::vector<float>& inside);
-
 /// Common part [0..1].
 double overlap(const ChromaHistogram& a, const ChromaHistogram& b);
 

@@ -84,7 +84,7 @@ class Climber {
     object_.surface.sample(scene_, pose, samples_.surface);
     if (!samples_.surface.suffices()) return false;
     read_contour(object_.contour, scene_.edges, pose, kReach, samples_.contour);
-    correlation_ = object_.surface.projected_correlation(samples_.surface, kNoise);
+    correlation_ = object_.surface.correlation(object_.surface.remainder(samples_.surface), kNoise);
     value_ = contour_weight_ * contour_agreement(object_.contour, samples_.contour) + correlation_;
     return true;
   }

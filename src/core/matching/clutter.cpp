@@ -8,13 +8,13 @@ namespace mbncc {
 namespace {
 
 // Fitted together with the weights of log_odds().
-constexpr std::size_t kPlaces = 3;  // next best ones that tell about the picture
-constexpr double kWeight = 0.735;
+constexpr std::size_t kPlaces = kCluttered - 1;  // next best ones that tell about the picture
+constexpr double kWeight = 0.85;
 constexpr double kNothing = -6, kObvious = 5;  // log-odds: bounds of what a place says
 
 bool same_place(const Detection& a, const Detection& b) {
   return cv::norm(a.pose.position() - b.pose.position()) <
-         0.7 * std::min(a.view->shape.radius(), b.view->shape.radius());
+         kSamePlace * std::min(a.view->shape.radius(), b.view->shape.radius());
 }
 
 /// Log-odds of the best detections of different places, best first.
@@ -35,16 +35,15 @@ std::vector<double> odds_of_places(std::vector<const Detection*> detections, std
   return odds;
 }
 
-double discount(const std::vector<const Detection*>& detections) {
-  std::vector<double> odds = odds_of_places(detections, kPlaces + 1);
+}  // namespace
+
+double clutter_discount(std::vector<double> odds) {
   odds.resize(kPlaces + 1, kNothing);
   double sum = 0;
   for (std::size_t k = 1; k <= kPlaces; ++k)
     sum += std::clamp(odds[k], kNothing, kObvious) - kNothing;
   return kWeight * sum / kPlaces;
 }
-
-}  // namespace
 
 std::map<std::string, double> discount_clutter(std::vector<Detection>& detections,
                                                const std::map<std::string, double>& least) {
@@ -53,7 +52,7 @@ std::map<std::string, double> discount_clutter(std::vector<Detection>& detection
     of_object[detection.object->model->name].push_back(&detection);
   std::map<std::string, double> discounts = least;
   for (const auto& [name, own] : of_object)
-    discounts[name] = std::max(discounts[name], discount(own));
+    discounts[name] = std::max(discounts[name], clutter_discount(odds_of_places(own, kCluttered)));
   for (auto& detection : detections) detection.log_odds -= discounts[detection.object->model->name];
   return discounts;
 }

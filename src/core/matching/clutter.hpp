@@ -9,6 +9,15 @@
 
 namespace mbncc {
 
+/// The best place and those that tell how well the picture passes for the object.
+constexpr std::size_t kCluttered = 4;
+/// [radii] Nearer detections are of one place.
+constexpr double kSamePlace = 0.7;
+
+/// Log-odds that what looks alike elsewhere takes away. `odds` are those of the best detections of
+/// up to kCluttered different places, best first.
+double clutter_discount(std::vector<double> odds);
+
 /// Lowers the log-odds of every object's detections by what is found of it elsewhere: where several
 /// places nearly pass for the object, the picture is full of its likes, and each of them is less
 /// likely to be it. One place alone loses nothing, and order and margins stay as they are. `least`:

@@ -18,9 +18,9 @@ double fine_odds(const PreparedView& view, const ScenePicture& scene, const Pose
 }
 
 /// Log-odds that a part of another colour takes away: occluded, or of something much alike.
-double doubt(const ColourEvidence& colours) {
-  constexpr double kUsual = 0.28, kSteepness = 20;
-  return kSteepness * std::max(0.0, colours.strange - kUsual);
+double doubt(double strange) {
+  constexpr double kUsual = 0.28, kSteepness = 8;
+  return kSteepness * std::max(0.0, strange - kUsual);
 }
 
 bool same_pose(const Pose2D& a, const Pose2D& b, double radius) {
@@ -75,10 +75,9 @@ Detection judged(const PreparedObject& object, const PreparedView& view, const S
   detection.pose = settled.pose;
   detection.pose.theta = wrap_angle(settled.pose.theta);
   detection.covariance = settled.covariance;
-  const ColourEvidence colours = gather_colours(view.fine, scene.levels[0], detection.pose);
-  detection.strange = colours.strange;
-  detection.log_odds = std::max(odds, settled_odds) - doubt(colours);
-  detection.rotation_odds = rotation_odds(evidence, colours);
+  detection.strange = strange_part(view.fine, scene.levels[0], detection.pose);
+  detection.log_odds = std::max(odds, settled_odds) - doubt(detection.strange);
+  detection.rotation_odds = rotation_odds(evidence);
   const Similarity similar = similarity(view.points, scene.grey[0], detection.pose);
   detection.similarity = similar.value;
   detection.visible = similar.visible;

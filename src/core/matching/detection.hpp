@@ -19,7 +19,7 @@ struct Detection {
   double log_odds = 0;       ///< that the object lies here
   double similarity = 0;     ///< [-1..1]
   double visible = 1;        ///< [0..1]
-  double strange = 0;        ///< [0..0.6] see ColourEvidence
+  double strange = 0;        ///< [0..0.6] see strange_part()
   double rotation_odds = 0;  ///< against other rotations here, see rotation_odds()
 
   double score() const;  ///< [0..1]

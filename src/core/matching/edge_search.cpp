@@ -20,8 +20,10 @@ constexpr std::size_t kPoints = 64;  // of the contour
 constexpr double kSmallest = 20;     // [px] diameter at the coarse level
 constexpr double kThinnest = 2;      // [px] mean width there
 constexpr int kTopLevel = 4;
-constexpr double kArcStep = 2;        // [px] that the rim moves per rotation step
-constexpr double kMinResponse = 0.2;  // [-1..1] mean of a candidate
+constexpr double kArcStep = 2;          // [px] that the rim moves per rotation step, ...
+constexpr double kNarrowArcStep = 1.3;  // ... of objects that a step would bring beside
+constexpr double kNarrow = 3.5;         // [px] mean width there below which they are narrow
+constexpr double kMinResponse = 0.2;    // [-1..1] mean of a candidate
 
 int orientation_of(float normal_x, float normal_y) {
   const double turns = std::atan2(normal_y, normal_x) / kPi;  // of half a turn
@@ -184,7 +186,8 @@ EdgeBank::EdgeBank(const MapGeometry& map, cv::Point2d anchor) {
   const ContourTemplate contour(ContourTemplate::edge_of(map, level_), anchor, level_, kPoints);
   radius_ = static_cast<int>(std::ceil(reach / (1 << level_))) + 1;
   const double rim = 2 * kPi * reach / (1 << level_);
-  const int count = std::max(12, static_cast<int>(std::ceil(rim / kArcStep)));
+  const double step = map.mean_width() < kNarrow * (1 << level_) ? kNarrowArcStep : kArcStep;
+  const int count = std::max(12, static_cast<int>(std::ceil(rim / step)));
   for (int k = 0; k < count; ++k) {
     Rotation rotation{2 * kPi * k / count, {}};
     for (std::size_t i = 0; i < contour.size(); ++i) {

@@ -94,34 +94,39 @@ Evidence gather_evidence(const PoseTemplate& object, const SceneLevel& scene, co
   evidence.gradient = gradient_agreement(surface, sample, scene.edges, pose);
   evidence.best_blocks = best_blocks_residual(surface, sample);
   evidence.histogram = overlap(surface.histogram, chroma_histogram(sample.planes, sample.inside));
-  evidence.projected = surface.projected_correlation(sample, kNoise);
+  const SurfaceTemplate::Remainder remainder = surface.remainder(sample);
+  evidence.projected = surface.correlation(remainder, kNoise);
+  evidence.unexplained = std::log(std::sqrt(surface.unexplained(remainder)) + 2);
   return evidence;
 }
 
-ColourEvidence gather_colours(const PoseTemplate& object, const SceneLevel& scene,
-                              const Pose2D& pose) {
+double strange_part(const PoseTemplate& object, const SceneLevel& scene, const Pose2D& pose) {
   const SurfaceTemplate& surface = object.surface;
   SurfaceSample sample;
   scene.prepare_around(pose, object.reach());
   surface.sample(scene, pose, sample);
-  return {worst_chroma_difference(surface.planes, sample.planes, sample.inside, surface.block_ends),
-          chroma_correlation(surface.planes, sample.planes, sample.inside)};
+  return worst_chroma_difference(surface.planes, sample.planes, sample.inside, surface.block_ends);
 }
 
 double log_odds(const Evidence& evidence, double area) {
-  // Fitted by logistic regression to true and false poses in drawn scenes and photographs, the
-  // discount for clutter (clutter.hpp) among the terms.
+  // Fitted by logistic regression to true and false poses in drawn scenes, the discount for clutter
+  // (clutter.hpp) among the terms. Of what is hardly larger than its edge, the edge must be found
+  // the more, and the gradients inside are those of the background.
   constexpr double kLargeArea = 1800;  // [px] beyond it size no longer guards against chance
-  return 17.8 * evidence.found + 9.1 * evidence.gradient - 4.7 * evidence.best_blocks +
-         5.4 * evidence.histogram + 9.3 * evidence.projected - 7.4 * evidence.texture +
-         1.32 * std::log(std::min(area, kLargeArea)) - 8.6 * (1 - evidence.visible) - 12.2;
+  constexpr double kSmallArea = 700;   // [px] below it other weights hold
+  const double small = std::max(0.0, std::log(kSmallArea / area));
+  return 18.9 * evidence.found + 17.3 * evidence.gradient - 4.28 * evidence.best_blocks +
+         6.68 * evidence.histogram + 9.35 * evidence.projected - 8.29 * evidence.texture +
+         0.99 * std::log(std::min(area, kLargeArea)) - 16.5 * (1 - evidence.visible) - 12.4 +
+         small *
+             (1.17 + 12.35 * evidence.found - 23.8 * evidence.gradient -
+              4.32 * evidence.best_blocks - 4.09 * evidence.histogram + 6.23 * evidence.projected);
 }
 
-double rotation_odds(const Evidence& evidence, const ColourEvidence& colours) {
-  // Fitted by logistic regression to right and wrong rotations at the same place. The colour
-  // residual did not help: it takes shading for surface.
-  return 44 * evidence.contour + 11.4 * evidence.projected + 9.3 * evidence.gradient +
-         9 * colours.correlation;
+double rotation_odds(const Evidence& evidence) {
+  // Fitted by logistic regression to right and wrong rotations at the same place.
+  return 39 * evidence.contour + 5 * evidence.projected + 7 * evidence.gradient -
+         17 * evidence.unexplained;
 }
 
 }  // namespace mbncc

@@ -20,6 +20,8 @@ struct Evidence {
                                 ///< offset, over the best 5 of 8 blocks: bears occlusion and gloss
   double histogram = 0;         ///< [0..1] intersection of the chroma histograms
   double projected = 0;         ///< [-1..1] correlation of colour without shading and gloss
+  double unexplained = kNoFit;  ///< ln(rms colour difference [grey levels] + 2) after a gain and
+                                ///< without shading and gloss
   double texture = 0;           ///< [0..1] of the object: a plain one has little to agree with
   double visible = 0;           ///< [0..1] part of the surface points inside the picture
 };
@@ -35,14 +37,8 @@ struct PoseTemplate {
 
 Evidence gather_evidence(const PoseTemplate& object, const SceneLevel& scene, const Pose2D& pose);
 
-/// How the colours agree, apart from brightness.
-struct ColourEvidence {
-  double strange = 0;      ///< [0..0.6] of a part of the object, see worst_chroma_difference()
-  double correlation = 0;  ///< [-1..1] of the chroma, see chroma_correlation()
-};
-
-ColourEvidence gather_colours(const PoseTemplate& object, const SceneLevel& scene,
-                              const Pose2D& pose);
+/// [0..0.6] How far the colours of a part of the object are off, see worst_chroma_difference().
+double strange_part(const PoseTemplate& object, const SceneLevel& scene, const Pose2D& pose);
 
 /// Fused log-odds that the object of `area` [px] lies at the pose: a logistic model of the
 /// evidence. Small objects are matched by chance more often and need more.
@@ -50,7 +46,7 @@ double log_odds(const Evidence& evidence, double area);
 
 /// Log-odds, up to a constant, of one rotation against others at the same place. Shading and gloss
 /// do not turn with the object, so only what they leave alone counts.
-double rotation_odds(const Evidence& evidence, const ColourEvidence& colours);
+double rotation_odds(const Evidence& evidence);
 
 /// A pose reached by climbing.
 struct Climbed {

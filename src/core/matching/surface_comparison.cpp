@@ -27,20 +27,35 @@ void SurfaceTemplate::sample(const SceneLevel& scene, const Pose2D& pose,
   }
 }
 
-double SurfaceTemplate::projected_correlation(const SurfaceSample& sample,
-                                              double noise_variance) const {
+SurfaceTemplate::Remainder SurfaceTemplate::remainder(const SurfaceSample& sample) const {
   const int count = static_cast<int>(padded());
   float products[SurfaceTemplate::kMaxBasis];
-  double common = 0, energy = 0;
+  Remainder remainder;
   for (int c = 0; c < kChannels; ++c) {
     const float* values = sample.planes[c].data();
-    energy += product(sample.planes[c], values);
-    common += product(projected[c], values);
+    remainder.energy += product(sample.planes[c], values);
+    remainder.common += product(projected[c], values);
     kernels::dots(basis.data(), padded(), basis_size, values, count, products);
-    for (int k = 0; k < basis_size; ++k) energy -= products[k] * products[k];
+    for (int k = 0; k < basis_size; ++k) remainder.energy -= products[k] * products[k];
   }
+  remainder.energy = std::max(0.0, remainder.energy);
+  return remainder;
+}
+
+double SurfaceTemplate::correlation(const Remainder& remainder, double noise_variance) const {
   const double noise = kChannels * noise_variance * static_cast<double>(size());
-  return common / std::sqrt((std::max(0.0, energy) + noise) * (projected_energy + noise));
+  return remainder.common / std::sqrt((remainder.energy + noise) * (projected_energy + noise));
+}
+
+double SurfaceTemplate::unexplained(const Remainder& remainder) const {
+  constexpr double kPrior = 20;  // [grey^2] pulls the gain of plain surfaces to 1
+  const double count = kChannels * static_cast<double>(std::max<std::size_t>(1, size()));
+  const double prior = kPrior * count;
+  const double gain =
+      std::clamp((remainder.common + prior) / (projected_energy + prior), 0.65, 1.5);
+  const double left =
+      remainder.energy - 2 * gain * remainder.common + gain * gain * projected_energy;
+  return std::max(0.0, left) / count;
 }
 
 SurfaceDifference SurfaceTemplate::difference(const SurfaceSample& sample, double gain) const {

@@ -47,8 +47,18 @@ class SurfaceTemplate {
   /// Reads the colours at `pose`. Points outside the picture take the mean of those inside.
   void sample(const SceneLevel& scene, const Pose2D& pose, SurfaceSample& sample) const;
 
-  /// Correlation [-1..1] of the colours after the basis has been projected out of both.
-  double projected_correlation(const SurfaceSample& sample, double noise_variance) const;
+  /// What is left of the colours after the basis has been projected out of template and picture.
+  struct Remainder {
+    double common = 0;  ///< product of both, summed over points and channels [grey^2]
+    double energy = 0;  ///< of the picture's, likewise
+  };
+  Remainder remainder(const SurfaceSample& sample) const;
+
+  /// Correlation [-1..1] of both remainders.
+  double correlation(const Remainder& remainder, double noise_variance) const;
+
+  /// Mean square [grey^2] of what the template, with a gain within bounds, leaves unexplained.
+  double unexplained(const Remainder& remainder) const;
 
   /// Of the picture against `gain` times the template.
   SurfaceDifference difference(const SurfaceSample& sample, double gain = 1) const;

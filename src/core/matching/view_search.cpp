@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "matching/clutter.hpp"
 #include "matching/coarse_search.hpp"
 #include "matching/edge_search.hpp"
+#include "matching/effort.hpp"
 #include "mbncc/matching/pyramid.hpp"
 
 namespace mbncc {
@@ -16,21 +18,6 @@ constexpr std::size_t kPolished = 8;
 constexpr double kHopeless = 15;   // log-odds behind the best that no climb makes up for
 constexpr double kNoRival = 12;    // log-odds behind the best at full resolution, of no interest
 constexpr double kOutclassed = 8;  // log-odds behind the best that polishing does not make up for
-
-/// How hard the candidates are looked at.
-struct Effort {
-  int correlated_places;   ///< of the correlation, at most
-  std::size_t edge_poses;  ///< of the edge search, at most
-  std::size_t entering;    ///< candidates that enter at a level, at most
-  int turns;               ///< further starts, turned each way, of a candidate that enters
-  double width;            ///< [px at level] objects narrower enter one level finer
-  double demand;           ///< log-odds by which a candidate's floors are raised on the way
-  double promising;        ///< log-odds that polishing may bring to acceptance
-};
-constexpr Effort kSparing{100, 250, 24, 0, 0, 2, -5};
-constexpr Effort kQuick{100, 400, 48, 0, 0, 0, -8};
-constexpr Effort kThorough{100, 1600, 48, 2, 2.3, 0, -8};
-constexpr double kFound = 3;  // log-odds of a candidate that make a thorough look needless
 
 /// Log-odds below which a candidate has never become a detection, nor a rival that matters.
 struct Floors {
@@ -63,11 +50,18 @@ class ViewSearch {
   std::vector<Detection> run() {
     if (view_.polar) return judge_polar();
     if (view_.top_level() > scene_.top_level()) return {};
-    correlate();
     follow_edges();
-    std::vector<Candidate> candidates = descend(first_);
-    const bool found = !candidates.empty() && candidates.front().value >= kFound;
-    if (!found && look_ == Look::kTwice) candidates = descend(kThorough);
+    std::vector<Candidate> candidates = descend(first_, by_edges(first_));
+    if (look_ == Look::kOnce || !sure(candidates)) {
+      correlate();
+      merge(descend(first_, by_correlation()), candidates);
+    }
+    if (look_ == Look::kTwice && !found(candidates)) {
+      PerLevel all = by_edges(kThorough);
+      auto& same_level = all[view_.kernels.level];
+      same_level.insert(same_level.end(), correlated_.begin(), correlated_.end());
+      candidates = descend(kThorough, std::move(all));
+    }
     keep_hopeful(candidates, most_at(0), kNoRival);
     try_other_angles(candidates);
     return judge(candidates);
@@ -77,8 +71,7 @@ class ViewSearch {
   using PerLevel = std::vector<std::vector<Candidate>>;
 
   /// From what the coarse searches proposed to the best candidates at full resolution.
-  std::vector<Candidate> descend(const Effort& effort) const {
-    PerLevel entering = proposals(effort);
+  std::vector<Candidate> descend(const Effort& effort, PerLevel entering) const {
     std::vector<Candidate> candidates;
     for (int level = view_.top_level(); level >= 0; --level) {
       const bool fresh = !entering[level].empty();
@@ -93,15 +86,24 @@ class ViewSearch {
     return candidates;
   }
 
-  PerLevel proposals(const Effort& effort) const {
+  PerLevel by_edges(const Effort& effort) const {
+    PerLevel entering(view_.templates.size());
+    auto& proposed = entering[view_.edges.level()];
+    const std::size_t count = std::min(effort.edge_poses, edges_.size());
+    proposed.assign(edges_.begin(), edges_.begin() + static_cast<std::ptrdiff_t>(count));
+    proposed.insert(proposed.end(), round_.begin(), round_.end());
+    return entering;
+  }
+
+  PerLevel by_correlation() const {
     PerLevel entering(view_.templates.size());
     entering[view_.kernels.level] = correlated_;
-    auto& by_edges = entering[view_.edges.level()];
-    const std::size_t count = std::min(effort.edge_poses, edges_.size());
-    by_edges.insert(by_edges.end(), edges_.begin(),
-                    edges_.begin() + static_cast<std::ptrdiff_t>(count));
-    by_edges.insert(by_edges.end(), round_.begin(), round_.end());
     return entering;
+  }
+
+  void merge(const std::vector<Candidate>& more, std::vector<Candidate>& candidates) const {
+    candidates.insert(candidates.end(), more.begin(), more.end());
+    drop_duplicates(candidates, 1.5, view_.shape.radius(), 2 * most_at(0));
   }
 
   void correlate() {
@@ -118,7 +120,7 @@ class ViewSearch {
                                        (look_ == Look::kTwice ? kThorough : kSparing).edge_poses);
     edges_ = std::move(found.poses);
     for (auto& place : found.round_places) place.value = odds(level, place.pose);
-    keep_hopeful(found.round_places, kRoundPlaces);
+    keep_hopeful(found.round_places, kRoundPlaces, kHopeless);
     for (const auto& place : found.round_places) add_rotations_by_surface(place, round_);
   }
 
@@ -167,10 +169,10 @@ class ViewSearch {
     for (auto& candidate : entering)
       candidate.value = odds(view_.rough[level], level, candidate.pose);
     sort_by_value(entering);
-    if (entering.size() > 2 * effort.entering) entering.resize(2 * effort.entering);
+    if (entering.size() > effort.judged) entering.resize(effort.judged);
     drop_below(kFloors.roughly + effort.demand, entering);
     for (auto& candidate : entering) candidate.value = odds(level, candidate.pose);
-    keep_hopeful(entering, effort.entering);
+    keep_hopeful(entering, effort.entering, kHopeless);
     drop_below(kFloors.entering + effort.demand, entering);
     add_turned(effort.turns, entering);
     candidates.insert(candidates.end(), entering.begin(), entering.end());
@@ -190,20 +192,6 @@ class ViewSearch {
       }
   }
 
-  /// The best `most` that are not hopelessly behind the best.
-  static void keep_hopeful(std::vector<Candidate>& candidates, std::size_t most,
-                           double behind = kHopeless) {
-    sort_by_value(candidates);
-    if (candidates.size() > most) candidates.resize(most);
-    while (candidates.size() > 1 && candidates.back().value < candidates.front().value - behind)
-      candidates.pop_back();
-  }
-
-  /// `candidates` are sorted.
-  static void drop_below(double floor, std::vector<Candidate>& candidates) {
-    while (!candidates.empty() && candidates.back().value < floor) candidates.pop_back();
-  }
-
   double odds(const PoseTemplate& object, int level, const Pose2D& pose) const {
     return log_odds(gather_evidence(object, scene_.levels[level], pose), view_.shape.area());
   }
@@ -220,7 +208,7 @@ class ViewSearch {
     }
     drop_duplicates(candidates, level == 0 ? 1.5 : 1.0, view_.shape.radius() / (1 << level),
                     most_at(level));
-    keep_hopeful(candidates, most_at(level));
+    keep_hopeful(candidates, most_at(level), kHopeless);
   }
 
   static void step_down(std::vector<Candidate>& candidates) {
@@ -230,25 +218,38 @@ class ViewSearch {
     }
   }
 
-  /// The best candidates of different places.
-  std::vector<Candidate> best_places(const std::vector<Candidate>& candidates) const {
-    std::vector<Candidate> places;
-    for (const auto& candidate : candidates) {
-      const bool near = std::any_of(places.begin(), places.end(), [&](const Candidate& other) {
-        return cv::norm(candidate.pose.position() - other.pose.position()) <
-               0.5 * view_.shape.radius();
-      });
-      if (!near) places.push_back(candidate);
-      if (places.size() == kFinal) break;
-    }
-    return places;
+  /// One of the sorted candidates is likely and no other place is, and edges proposed it among the
+  /// first: so they would have a further instance.
+  bool sure(const std::vector<Candidate>& candidates) const {
+    const auto places = best_places(candidates, kSamePlace * view_.shape.radius(), 2);
+    if (places.empty() || places[0].value < kSure) return false;
+    if (places.size() > 1 && places[1].value >= kSecond) return false;
+    return foremost_by_edges(places[0].pose);
+  }
+
+  bool foremost_by_edges(const Pose2D& pose) const {
+    constexpr double kNear = 2.5;  // [px at the edges' level]
+    const cv::Point2d place = to_level(pose.position(), view_.edges.level());
+    const std::size_t count = std::min(kForemost, edges_.size());
+    return std::any_of(edges_.begin(), edges_.begin() + static_cast<std::ptrdiff_t>(count),
+                       [&](const Candidate& proposed) {
+                         return cv::norm(proposed.pose.position() - place) < kNear;
+                       });
+  }
+
+  /// One of the sorted candidates is likely, among others of its like, too.
+  bool found(const std::vector<Candidate>& candidates) const {
+    std::vector<double> odds;
+    for (const auto& place : best_places(candidates, kSamePlace * view_.shape.radius(), kCluttered))
+      odds.push_back(place.value);
+    return !odds.empty() && odds.front() - clutter_discount(odds) >= kFound;
   }
 
   /// Adds the best other rotations at the best places: rivals that the margin is measured against,
   /// and sometimes the truth.
   void try_other_angles(std::vector<Candidate>& candidates) const {
     constexpr std::size_t kMost = 3;
-    for (const auto& place : best_places(candidates)) {
+    for (const auto& place : best_places(candidates, 0.5 * view_.shape.radius(), kFinal)) {
       auto peaks = rotation_peaks(view_.rough[0], place, 2);
       if (peaks.size() > kMost) peaks.resize(kMost);
       for (auto& peak : peaks) {
