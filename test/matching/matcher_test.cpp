@@ -103,6 +103,17 @@ TEST_F(MatcherTest, TellsObjectsApart) {
   EXPECT_EQ(result.searched, (std::vector<std::string>{"first", "second"}));
 }
 
+TEST_F(MatcherTest, ALargerOrSmallerLikenessIsNeverGraspable) {
+  for (const double scale : {0.75, 0.85, 1.15, 1.3}) {
+    cv::Mat scene = texture({320, 240}, 64, 4);
+    place(scene, source_, reference_.position(), {160, 120, 0.4});
+    cv::Mat rescaled;
+    cv::resize(scene, rescaled, {}, scale, scale, cv::INTER_AREA);
+    for (const auto& match : matcher().find(rescaled).matches)
+      EXPECT_FALSE(match.graspable) << "scale " << scale << ", score " << match.score;
+  }
+}
+
 TEST_F(MatcherTest, FindsLargerAndSmallerObjectsOnRequest) {
   SearchConfig config;
   config.scale_range = 0.15;

@@ -46,6 +46,12 @@ ContourTemplate::ContourTemplate(const std::vector<EdgePoint>& edge, cv::Point2d
   }
 }
 
+void ContourTemplate::resize(double factor) {
+  for (auto* places : {&x, &y})
+    for (auto& place : *places) place *= static_cast<float>(factor);
+  radius_ *= factor;
+}
+
 void read_contour(const ContourTemplate& contour, const cv::Mat& edges, const Pose2D& pose,
                   int reach, ContourSample& sample) {
   const std::size_t lanes = contour.x.size();

@@ -17,6 +17,9 @@ struct ContourTemplate {
   ContourTemplate(const std::vector<EdgePoint>& edge, cv::Point2d anchor, int level,
                   std::size_t most);
 
+  /// Moves the points apart: the same contour `factor` times as large.
+  void resize(double factor);
+
   /// The edge whose normals are as smooth as a level's pixels.
   static std::vector<EdgePoint> edge_of(const MapGeometry& map, int level);
 

@@ -57,6 +57,17 @@ Pose2D polished(const PreparedView& view, const ScenePicture& scene, const Pose2
   return best;
 }
 
+/// A smaller or larger object of the same kind lies here: it fits better.
+bool fits_another_size(const PreparedView& view, const ScenePicture& scene, const Pose2D& pose,
+                       double odds) {
+  constexpr int kIterations = 3;
+  const SceneLevel& picture = scene.levels[0];
+  return std::any_of(view.resized.begin(), view.resized.end(), [&](const PoseTemplate& resized) {
+    const Pose2D reached = climb(resized, picture, pose, kIterations).pose;
+    return log_odds(gather_evidence(resized, picture, reached), view.shape.area()) > odds;
+  });
+}
+
 Detection judged(const PreparedObject& object, const PreparedView& view, const ScenePicture& scene,
                  const Pose2D& pose, int iterations) {
   Detection detection;
@@ -77,6 +88,9 @@ Detection judged(const PreparedObject& object, const PreparedView& view, const S
   detection.covariance = settled.covariance;
   detection.strange = strange_part(view.fine, scene.levels[0], detection.pose);
   detection.log_odds = std::max(odds, settled_odds) - doubt(detection.strange);
+  detection.another_size =
+      detection.log_odds > 0 &&
+      fits_another_size(view, scene, detection.pose, std::max(odds, settled_odds));
   detection.rotation_odds = rotation_odds(evidence);
   const Similarity similar = similarity(view.points, scene.grey[0], detection.pose);
   detection.similarity = similar.value;

@@ -9,6 +9,8 @@
 namespace mbncc {
 namespace {
 
+constexpr double kOtherSize = 0.1;  // beyond what heights and tilts bring
+
 cv::Mat grey_of(const View& view) {
   cv::Mat grey;
   cv::cvtColor(view.template_image, grey, cv::COLOR_BGR2GRAY);
@@ -43,6 +45,12 @@ View rescaled(const View& view, double scale) {
   result.reference.x = (in_crop.x + 0.5) * scale - 0.5;
   result.reference.y = (in_crop.y + 0.5) * scale - 0.5;
   return result;
+}
+
+PoseTemplate resized_by(double factor, PoseTemplate object) {
+  object.surface.resize(factor);
+  object.contour.resize(factor);
+  return object;
 }
 
 /// The searches bear 3 % either way. The learned scale comes first.
@@ -102,6 +110,7 @@ PreparedView::PreparedView(const Source& source, Engine engine)
     fine = prepare(640, 200);
     dense = prepare(4000, 200);
   }
+  resized = {resized_by(1 - kOtherSize, fine), resized_by(1 + kOtherSize, fine)};
   symmetry = measure_symmetry(fine, shape, SceneLevel(source.view.template_image, 0),
                               {anchor.x, anchor.y, 0});
   if (engine == Engine::kPolar) polar.emplace(source.view);

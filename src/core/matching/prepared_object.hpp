@@ -1,6 +1,7 @@
 // Everything about an object that does not depend on the picture searched.
 #pragma once
 
+#include <array>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -36,6 +37,7 @@ class PreparedView {
   std::vector<PoseTemplate> rough;      ///< per level: thin out the coarse searches' candidates
   std::vector<PoseTemplate> templates;  ///< per level, small: they judge dozens of candidates
   PoseTemplate fine;                    ///< at full resolution: judges the last few
+  std::array<PoseTemplate, 2> resized;  ///< `fine`, smaller and larger: what else it might be
   PoseTemplate dense;                   ///< at full resolution: settles the pose of the last few
   MaskedTemplate points;                ///< all map pixels at full resolution
   std::optional<PolarSearch> polar;     ///< with Engine::kPolar

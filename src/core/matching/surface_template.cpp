@@ -86,6 +86,12 @@ void SurfaceTemplate::place_points(cv::Point2d origin) {
   }
 }
 
+void SurfaceTemplate::resize(double factor) {
+  for (auto* places : {&x, &y})
+    for (auto& place : *places) place *= static_cast<float>(factor);
+  radius_ *= factor;
+}
+
 void SurfaceTemplate::read_colours(const SceneLevel& picture) {
   const ColourSampler colour_at(picture.colour);
   const auto right = static_cast<float>(picture.size().width) - 1.02f;

@@ -41,6 +41,9 @@ class SurfaceTemplate {
   SurfaceTemplate(const SceneLevel& picture, const MapGeometry& map, cv::Size map_size,
                   cv::Point2d anchor, int level, std::size_t most);
 
+  /// Moves the points apart: the same surface `factor` times as large.
+  void resize(double factor);
+
   std::size_t size() const { return sites_.size(); }
   std::size_t padded() const { return x.size(); }  ///< size() in whole lanes
 
