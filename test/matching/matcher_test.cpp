@@ -268,6 +268,30 @@ TEST_F(MatcherTest, AnObjectAmongManyIsFoundWhereItIsFoundAlone) {
   }
 }
 
+TEST_F(MatcherTest, SeveralViewsGiveOnePoseWithoutRivalsAtEveryRotation) {
+  const auto view_at = [&](const Pose2D& pose, unsigned seed) {
+    cv::Mat scene = texture({240, 240}, seed, 4), map = cv::Mat::zeros(240, 240, CV_8UC1);
+    place(scene, source_, reference_.position(), pose);
+    LearningPicture white = source_;
+    white.surface = cv::Mat(white.map.size(), CV_8UC1, cv::Scalar(255));
+    place(map, white, reference_.position(), pose);
+    return crop_view(scene, map, pose);
+  };
+  auto object = object_from(source_, reference_);
+  for (const double theta : {1.7, 3.0, -1.4})
+    object->views.push_back(view_at({120.4, 118.7, theta}, 90));
+  const Matcher matcher = matcher_of({object});
+  for (int k = 0; k < 12; ++k) {
+    const Pose2D truth{150.3 + 3 * k, 110.7 - 2 * k, wrap_angle(0.25 + k * kPi / 6)};
+    cv::Mat scene = texture({320, 240}, 150 + static_cast<unsigned>(k), 4);
+    place(scene, source_, reference_.position(), truth);
+    const SearchResult result = matcher.find(scene);
+    ASSERT_EQ(result.matches.size(), 1u) << "rotation " << k;
+    expect_at(result.matches[0], truth);
+    EXPECT_TRUE(result.matches[0].graspable) << "rotation " << k;
+  }
+}
+
 TEST_F(MatcherTest, RefusesBrokenModels) {
   Matcher matcher;
   auto model = object_from(source_, reference_);

@@ -70,14 +70,18 @@ struct KernelOffsets {
 
   std::vector<std::int32_t> offsets, begins, ends;
   std::vector<std::int16_t> weights;  // two per offset
-  double pixels, norm;
+  double pixels, norm;                // norm 0: not searched
 };
 
 class CoarseSearch {
  public:
-  CoarseSearch(const KernelBank& bank, const cv::Mat& grey, const cv::Rect& roi)
+  CoarseSearch(const KernelBank& bank, const cv::Mat& grey, const cv::Rect& roi,
+               const RotationSector& sector = {})
       : bank_(bank), roi_(roi & cv::Rect({0, 0}, grey.size())), picture_(grey, bank.radius + 1) {
-    for (const auto& kernel : bank.kernels) offsets_.emplace_back(kernel, picture_.stride);
+    for (const auto& kernel : bank.kernels) {
+      offsets_.emplace_back(kernel, picture_.stride);
+      if (!sector.contains(kernel.angle)) offsets_.back().norm = 0;
+    }
     best_.create(roi_.size(), CV_32FC1);
     best_.setTo(-1);
   }
@@ -203,9 +207,10 @@ class CoarseSearch {
 }  // namespace
 
 std::vector<Candidate> coarse_search(const KernelBank& bank, const cv::Mat& grey,
-                                     const cv::Rect& roi, const CoarseSettings& settings) {
+                                     const cv::Rect& roi, const CoarseSettings& settings,
+                                     const RotationSector& sector) {
   if ((roi & cv::Rect({0, 0}, grey.size())).empty()) return {};
-  return CoarseSearch(bank, grey, roi).run(settings);
+  return CoarseSearch(bank, grey, roi, sector).run(settings);
 }
 
 cv::Mat coarse_similarity(const KernelBank& bank, const cv::Mat& grey) {

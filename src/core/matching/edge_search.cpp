@@ -33,8 +33,10 @@ int orientation_of(float normal_x, float normal_y) {
 
 class EdgeSearch {
  public:
-  EdgeSearch(const EdgeBank& bank, const SceneLevel& scene, const cv::Rect& roi)
+  EdgeSearch(const EdgeBank& bank, const SceneLevel& scene, const cv::Rect& roi,
+             const RotationSector& sector)
       : bank_(bank),
+        sector_(sector),
         first_(roi.x / kStep * kStep, roi.y / kStep * kStep),
         size_((roi.br().x - first_.x + kStep - 1) / kStep,
               (roi.br().y - first_.y + kStep - 1) / kStep),
@@ -56,7 +58,8 @@ class EdgeSearch {
 
   EdgeCandidates run(int most) {
     for (int y = 0; y < size_.height; ++y)
-      for (std::size_t k = 0; k < offsets_.size(); ++k) add_rotation(k, y);
+      for (std::size_t k = 0; k < offsets_.size(); ++k)
+        if (sector_.contains(bank_.rotations()[k].angle)) add_rotation(k, y);
     std::vector<Peak> peaks;
     for (const auto& quarter : quarters_) add_peaks(quarter, peaks);
     keep_best(peaks, static_cast<std::size_t>(most));
@@ -138,6 +141,7 @@ class EdgeSearch {
   }
 
   const EdgeBank& bank_;
+  RotationSector sector_;
   cv::Point first_;  // [px] position of best_'s first value, even
   cv::Size size_;    // of the positions
   std::shared_ptr<const ResponseMaps> maps_;
@@ -203,10 +207,10 @@ EdgeBank::EdgeBank(const MapGeometry& map, cv::Point2d anchor) {
 }
 
 EdgeCandidates edge_search(const EdgeBank& bank, const SceneLevel& scene, const cv::Rect& roi,
-                           int most) {
+                           int most, const RotationSector& sector) {
   const cv::Rect region = roi & cv::Rect({0, 0}, scene.size());
   if (region.empty()) return {};
-  return EdgeSearch(bank, scene, region).run(most);
+  return EdgeSearch(bank, scene, region, sector).run(most);
 }
 
 }  // namespace mbncc

@@ -9,6 +9,7 @@
 #include <thread>
 
 #include "matching/coarse_search.hpp"
+#include "matching/effort.hpp"
 #include "matching/prepared_object.hpp"
 #include "matching/scene_picture.hpp"
 #include "matching/selection.hpp"
@@ -39,8 +40,8 @@ bool reference_within(const Detection& detection, const cv::Rect& roi) {
   return pose.x >= roi.x && pose.y >= roi.y && pose.x <= roi.br().x - 1 && pose.y <= roi.br().y - 1;
 }
 
-std::vector<Detection> search_object(const PreparedObject& object, const ScenePicture& scene,
-                                     const cv::Rect& roi, Look look) {
+std::vector<Detection> search_views(const PreparedObject& object, const ScenePicture& scene,
+                                    const cv::Rect& roi, Look look) {
   std::vector<Detection> found;
   for (const auto& view : object.views) {
     const auto detections =
@@ -48,7 +49,19 @@ std::vector<Detection> search_object(const PreparedObject& object, const ScenePi
     std::copy_if(detections.begin(), detections.end(), std::back_inserter(found),
                  [&](const Detection& detection) { return reference_within(detection, roi); });
   }
-  return found;
+  return object.views.size() > 1 ? compare_rotations(std::move(found)) : found;
+}
+
+/// An instance fits one of several views best: a thorough look is worth it only when none finds it.
+std::vector<Detection> search_object(const PreparedObject& object, const ScenePicture& scene,
+                                     const cv::Rect& roi, Look look) {
+  if (look == Look::kSparing || object.views.size() == 1)
+    return search_views(object, scene, roi, look);
+  const auto found = search_views(object, scene, roi, Look::kQuick);
+  const bool enough = std::any_of(found.begin(), found.end(), [](const Detection& detection) {
+    return detection.log_odds >= kFound;
+  });
+  return enough ? found : search_views(object, scene, roi, look);
 }
 
 /// Calls work(i) for i in [0, count) on up to `threads` threads.
@@ -163,7 +176,7 @@ SearchResult Matcher::find(const cv::Mat& picture, const SearchRequest& request)
   const ScenePicture scene(picture, top_level(objects));
 
   const bool thorough = objects.size() <= kFewObjects && !request.sparing;
-  const Look look = thorough ? Look::kTwice : Look::kOnce;
+  const Look look = thorough ? Look::kTwice : Look::kSparing;
   std::vector<std::vector<Detection>> found(objects.size());
   std::vector<char> searched(objects.size(), 0);
   in_parallel(objects.size(), config.threads, [&](std::size_t i) {

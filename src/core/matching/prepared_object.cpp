@@ -64,6 +64,37 @@ std::vector<double> scales_within(double range) {
   return scales;
 }
 
+/// Both views show the same outline in the object's frame, turned by any angle.
+bool same_outline(const View& a, const View& b) {
+  constexpr double kSame = 0.8;  // intersection over union
+  const cv::Mat whole = full_size_map(a);
+  const Pose2D a_in_b = compose(b.reference, inverse(a.reference));
+  const double c = std::cos(a_in_b.theta), s = std::sin(a_in_b.theta);
+  const cv::Matx23d motion(c, -s, a_in_b.x - b.origin.x, s, c, a_in_b.y - b.origin.y);
+  cv::Mat moved;
+  cv::warpAffine(whole, moved, motion, b.map.size());
+  moved = moved > 127;
+  const double common = cv::countNonZero(moved & b.map);
+  return common >= kSame * (cv::countNonZero(a.map) + cv::countNonZero(b.map) - common);
+}
+
+/// Light does not turn with the object, so it looks most like the view learned at the nearest
+/// rotation. Views of the same outline share the turn: each is searched half-way to its neighbours
+/// and a little beyond.
+RotationSector sector_of(const View& view, const std::vector<View>& all) {
+  constexpr double kBeyond = to_radians(12.), kAlike = to_radians(20.);
+  RotationSector sector;
+  for (const auto& other : all) {
+    if (&other == &view || !same_outline(other, view)) continue;
+    const double apart = wrap_angle(other.reference.theta - view.reference.theta);
+    const double left = apart < 0 ? apart : apart - 2 * kPi, right = left + 2 * kPi;
+    if (std::abs(apart) < kAlike) continue;
+    sector.low = std::max(sector.low, left / 2 - kBeyond);
+    sector.high = std::min(sector.high, right / 2 + kBeyond);
+  }
+  return sector;
+}
+
 }  // namespace
 
 /// Pictures that all parts are made from.
@@ -123,7 +154,10 @@ PreparedObject::PreparedObject(std::shared_ptr<const ObjectModel> object, Engine
     : model(std::move(object)) {
   validate(*model);
   for (const double scale : scales_within(scale_range))
-    for (const auto& view : model->views) views.emplace_back(view, engine, scale);
+    for (const auto& view : model->views) {
+      views.emplace_back(view, engine, scale);
+      if (engine == Engine::kFast) views.back().sector = sector_of(view, model->views);
+    }
 }
 
 int PreparedObject::top_level() const {

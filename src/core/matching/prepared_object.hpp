@@ -10,6 +10,7 @@
 #include "matching/evidence.hpp"
 #include "matching/map_shape.hpp"
 #include "matching/rotated_kernels.hpp"
+#include "matching/rotation_sector.hpp"
 #include "mbncc/matching/polar_search.hpp"
 #include "mbncc/matching/similarity.hpp"
 #include "mbncc/object_model.hpp"
@@ -28,6 +29,7 @@ class PreparedView {
   int top_level() const { return static_cast<int>(templates.size()) - 1; }
 
   double scale = 1;
+  RotationSector sector;       ///< rotations, against its lesson, that are left to this view
   cv::Point2d anchor;          ///< [px] in the view's crop
   Pose2D reference_in_anchor;  ///< [px],[rad] object frame as seen from the anchor
   MapShape shape;

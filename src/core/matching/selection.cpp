@@ -16,6 +16,11 @@ bool overlapping(const Detection& a, const Detection& b, double most) {
   return overlap(a.view->shape, a.pose, b.view->shape, b.pose) > most;
 }
 
+/// Of the object's frame, which its views share.
+double object_angle(const Detection& detection) {
+  return detection.pose.theta + detection.view->reference_in_anchor.theta;
+}
+
 int count_of(const std::vector<const Detection*>& accepted, const PreparedObject* object) {
   return static_cast<int>(
       std::count_if(accepted.begin(), accepted.end(),
@@ -71,8 +76,8 @@ class Margins {
   double angle(const Detection& detection) const {
     return margin_to(detection, all_, [&](const Detection& other) {
       return other.object == detection.object &&
-             angle_distance(other.pose.theta, detection.pose.theta, detection.view->symmetry) >
-                 kOtherAngle &&
+             angle_distance(object_angle(other), object_angle(detection),
+                            detection.view->symmetry) > kOtherAngle &&
              overlapping(detection, other, max_overlap_);
     });
   }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <type_traits>
 
 #include "matching/clutter.hpp"
 #include "matching/coarse_search.hpp"
@@ -18,6 +19,19 @@ constexpr std::size_t kPolished = 8;
 constexpr double kHopeless = 15;   // log-odds behind the best that no climb makes up for
 constexpr double kNoRival = 12;    // log-odds behind the best at full resolution, of no interest
 constexpr double kOutclassed = 8;  // log-odds behind the best that polishing does not make up for
+
+/// For a view that is left a part of the rotations, so many fewer candidates.
+Effort for_sector(Effort effort, const RotationSector& sector) {
+  const double share = std::min(1.0, (sector.high - sector.low) / (2 * kPi));
+  const auto part = [share](auto& count) {
+    count = static_cast<std::remove_reference_t<decltype(count)>>(std::ceil(share * count));
+  };
+  part(effort.correlated_places);
+  part(effort.edge_poses);
+  part(effort.judged);
+  part(effort.entering);
+  return effort;
+}
 
 /// Log-odds below which a candidate has never become a detection, nor a rival that matters.
 struct Floors {
@@ -45,22 +59,23 @@ class ViewSearch {
         scene_(scene),
         roi_(roi),
         look_(look),
-        first_(look == Look::kTwice ? kQuick : kSparing) {}
+        first_(for_sector(look == Look::kSparing ? kSparing : kQuick, view.sector)),
+        thorough_(for_sector(kThorough, view.sector)) {}
 
   std::vector<Detection> run() {
     if (view_.polar) return judge_polar();
     if (view_.top_level() > scene_.top_level()) return {};
     follow_edges();
     std::vector<Candidate> candidates = descend(first_, by_edges(first_));
-    if (look_ == Look::kOnce || !sure(candidates)) {
+    if (look_ == Look::kSparing || !sure(candidates)) {
       correlate();
       merge(descend(first_, by_correlation()), candidates);
     }
     if (look_ == Look::kTwice && !found(candidates)) {
-      PerLevel all = by_edges(kThorough);
+      PerLevel all = by_edges(thorough_);
       auto& same_level = all[view_.kernels.level];
       same_level.insert(same_level.end(), correlated_.begin(), correlated_.end());
-      candidates = descend(kThorough, std::move(all));
+      candidates = descend(thorough_, std::move(all));
     }
     keep_hopeful(candidates, most_at(0), kNoRival);
     try_other_angles(candidates);
@@ -111,13 +126,15 @@ class ViewSearch {
     if (level == 0) return;  // too fine to search everywhere; the edges have to do
     CoarseSettings settings;
     settings.max_places = first_.correlated_places;
-    correlated_ = coarse_search(view_.kernels, scene_.grey[level], at_level(roi_, level), settings);
+    correlated_ = coarse_search(view_.kernels, scene_.grey[level], at_level(roi_, level), settings,
+                                view_.sector);
   }
 
   void follow_edges() {
     const int level = view_.edges.level();
-    EdgeCandidates found = edge_search(view_.edges, scene_.levels[level], at_level(roi_, level),
-                                       (look_ == Look::kTwice ? kThorough : kSparing).edge_poses);
+    EdgeCandidates found =
+        edge_search(view_.edges, scene_.levels[level], at_level(roi_, level),
+                    (look_ == Look::kTwice ? thorough_ : first_).edge_poses, view_.sector);
     edges_ = std::move(found.poses);
     for (auto& place : found.round_places) place.value = odds(level, place.pose);
     keep_hopeful(found.round_places, kRoundPlaces, kHopeless);
@@ -128,6 +145,11 @@ class ViewSearch {
   void add_rotations_by_surface(const Candidate& place, std::vector<Candidate>& found) const {
     constexpr std::size_t kMost = 4;
     auto peaks = rotation_peaks(view_.rough[place.level], place, 1.5);
+    peaks.erase(std::remove_if(peaks.begin(), peaks.end(),
+                               [this](const Candidate& peak) {
+                                 return !view_.sector.contains(peak.pose.theta);
+                               }),
+                peaks.end());
     if (peaks.size() > kMost) peaks.resize(kMost);
     found.insert(found.end(), peaks.begin(), peaks.end());
   }
@@ -287,7 +309,7 @@ class ViewSearch {
   const ScenePicture& scene_;
   cv::Rect roi_;
   Look look_;
-  Effort first_;
+  Effort first_, thorough_;
   // What the coarse searches proposed, each best first.
   std::vector<Candidate> correlated_, edges_, round_;
 };

@@ -10,8 +10,9 @@ namespace mbncc {
 
 /// How much a view that is not found at once is worth.
 enum class Look {
-  kOnce,  ///< where many objects are searched, most are not in the picture
-  kTwice  ///< again with more candidates and starts where nothing is found
+  kSparing,  ///< where many objects are searched, most are not in the picture
+  kQuick,    ///< where another view may find the object
+  kTwice     ///< again with more candidates and starts where nothing is found
 };
 
 /// Candidates of `view` whose anchors lie in `roi` [px], refined to full resolution, best first.

@@ -1,0 +1,19 @@
+// Rotations that one of an object's views is searched at; its other views have the rest.
+#pragma once
+
+#include <cmath>
+
+#include "mbncc/geometry.hpp"
+
+namespace mbncc {
+
+struct RotationSector {
+  double low = -2 * kPi, high = 2 * kPi;  ///< [rad] about 0; all by default
+
+  bool contains(double angle) const {
+    const double wrapped = wrap_angle(angle);
+    return wrapped >= low && wrapped <= high;
+  }
+};
+
+}  // namespace mbncc
