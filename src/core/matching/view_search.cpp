@@ -71,12 +71,8 @@ class ViewSearch {
       correlate();
       merge(descend(first_, by_correlation()), candidates);
     }
-    if (look_ == Look::kTwice && !found(candidates)) {
-      PerLevel all = by_edges(thorough_);
-      auto& same_level = all[view_.kernels.level];
-      same_level.insert(same_level.end(), correlated_.begin(), correlated_.end());
-      candidates = descend(thorough_, std::move(all));
-    }
+    if (look_ == Look::kTwice && !found(candidates))
+      merge(descend(thorough_, by_edges(thorough_)), candidates);
     keep_hopeful(candidates, most_at(0), kNoRival);
     try_other_angles(candidates);
     return judge(candidates);
