@@ -67,7 +67,7 @@ class ViewSearch {
     if (view_.top_level() > scene_.top_level()) return {};
     follow_edges();
     std::vector<Candidate> candidates = descend(first_, by_edges(first_));
-    if (look_ == Look::kSparing || !sure(candidates)) {
+    if (!sure(candidates)) {
       correlate();
       merge(descend(first_, by_correlation()), candidates);
     }
