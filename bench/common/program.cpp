@@ -4,6 +4,23 @@
 
 namespace mbncc::bench {
 
+namespace {
+
+/// Runs the work on one thread, repeatably; a failure becomes a sentence.
+int run(const std::string& name, const std::function<void()>& work) {
+  cv::setNumThreads(1);
+  cv::setRNGSeed(1);
+  try {
+    work();
+  } catch (const std::exception& error) {
+    std::cerr << name << ": " << error.what() << '\n';
+    return 1;
+  }
+  return 0;
+}
+
+}  // namespace
+
 int run_program(int argc, char** argv, const std::string& name, const std::string& options,
                 const std::string& required,
                 const std::function<void(const cv::CommandLineParser&)>& benchmark) {
@@ -12,15 +29,16 @@ int run_program(int argc, char** argv, const std::string& name, const std::strin
     given.printMessage();
     return given.has("help") ? 0 : 2;
   }
-  cv::setNumThreads(1);
-  cv::setRNGSeed(1);
-  try {
-    benchmark(given);
-  } catch (const std::exception& error) {
-    std::cerr << name << ": " << error.what() << '\n';
-    return 1;
+  return run(name, [&] { benchmark(given); });
+}
+
+int run_on_sets(int argc, char** argv, const std::string& name,
+                const std::function<void(const std::vector<std::string>&)>& benchmark) {
+  if (argc < 2 || argv[1][0] == '-') {
+    std::cerr << "usage: " << name << " SET...\n";
+    return 2;
   }
-  return 0;
+  return run(name, [&] { benchmark({argv + 1, argv + argc}); });
 }
 
 }  // namespace mbncc::bench

@@ -3,6 +3,7 @@
 #include <functional>
 #include <opencv2/core/utility.hpp>
 #include <string>
+#include <vector>
 
 namespace mbncc::bench {
 
@@ -12,5 +13,9 @@ namespace mbncc::bench {
 int run_program(int argc, char** argv, const std::string& name, const std::string& options,
                 const std::string& required,
                 const std::function<void(const cv::CommandLineParser&)>& benchmark);
+
+/// The same for programs whose arguments are the folders of one or more evaluation sets.
+int run_on_sets(int argc, char** argv, const std::string& name,
+                const std::function<void(const std::vector<std::string>&)>& benchmark);
 
 }  // namespace mbncc::bench

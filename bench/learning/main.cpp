@@ -24,7 +24,7 @@ namespace fs = std::filesystem;
 constexpr const char* kOptions =
     "{@set       |   | folder with the cases to learn }"
     "{out        |   | folder for cases.csv, figures.csv and the maps }"
-    "{methods    |   | comma separated; all when empty }"
+    "{methods    |   | comma separated, sb_grabcut_slic_4000 and the like too; empty: the usual }"
     "{iterations | 5 | graph cuts: 1, 2, ... so many }"
     "{cases      | 0 | the first so many cases only; 0: all }"
     "{help h     |   | this text }";
@@ -46,14 +46,9 @@ struct Run {
 };
 
 std::vector<Method> chosen(const std::string& names) {
-  if (names.empty()) return methods();
   std::vector<Method> result;
-  for (const auto& name : split(names, ',')) {
-    const auto at = std::find_if(methods().begin(), methods().end(),
-                                 [&](const Method& method) { return method.name == name; });
-    if (at == methods().end()) throw std::invalid_argument("there is no method '" + name + "'");
-    result.push_back(*at);
-  }
+  for (const auto& name : names.empty() ? usual_methods() : split(names, ','))
+    result.push_back(method_named(name));
   return result;
 }
 
@@ -115,6 +110,7 @@ Table table_of(const Run& run) {
 
 void benchmark(const cv::CommandLineParser& options) {
   const fs::path set = options.get<std::string>("@set"), out = options.get<std::string>("out");
+  if (!out.empty()) fs::create_directories(out);
   auto cases = list_cases(set);
   if (cases.empty()) throw std::runtime_error("'" + set.string() + "' holds no case");
   const auto wanted = options.get<std::size_t>("cases");

@@ -22,7 +22,12 @@ struct Method {
   std::function<Cut(const CaseFolder& one, int iterations)> cut;
 };
 
-/// The package's methods, and GrabCut with scribbles as the paper's operator draws them.
-const std::vector<Method>& methods();
+/// The package's methods (sb_grabcut by the superpixels that suit it best) and GrabCut with
+/// scribbles as the paper's operator draws them.
+std::vector<std::string> usual_methods();
+
+/// One of those, another method of LearningConfig, or sb_grabcut with other superpixels, as
+/// "sb_grabcut_slic_4000".
+Method method_named(const std::string& name);
 
 }  // namespace mbncc::bench

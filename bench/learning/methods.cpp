@@ -1,6 +1,7 @@
 #include <limits>
 
 #include "common/clock.hpp"
+#include "common/csv.hpp"
 #include "learning/method.hpp"
 #include "learning/scribbles.hpp"
 #include "mbncc/learning/learn_object.hpp"
@@ -19,9 +20,7 @@ Lesson lesson_of(const CaseFolder& one) {
 }
 
 /// A whole lesson by one of the package's methods; the map is ready when the verdict begins.
-Cut lesson(const CaseFolder& one, const std::string& method, int iterations) {
-  LearningConfig config;
-  config.method = method;
+Cut lesson(const CaseFolder& one, LearningConfig config, int iterations) {
   config.iterations = iterations;
   Cut cut;
   const double start = thread_cpu_ms();
@@ -51,22 +50,39 @@ Cut scribble_grabcut(const CaseFolder& one, int iterations) {
   return cut;
 }
 
+Method lesson_method(const std::string& name, const LearningConfig& config) {
+  return {name, [config](const CaseFolder& one, int iterations) {
+            return lesson(one, config, iterations);
+          }};
+}
+
 Method package_method(const std::string& name) {
-  return {name,
-          [name](const CaseFolder& one, int iterations) { return lesson(one, name, iterations); }};
+  LearningConfig config;
+  config.method = name;
+  return lesson_method(name, config);
+}
+
+/// "sb_grabcut_slic_4000": superpixels by SLIC, 4000 asked for.
+Method superpixel_method(const std::string& name) {
+  const auto parts = split(name, '_');
+  LearningConfig config;
+  config.method = "sb_grabcut";
+  config.superpixel_method = parts.at(2);
+  config.superpixels = std::stoi(parts.at(3));
+  return lesson_method(name, config);
 }
 
 }  // namespace
 
-const std::vector<Method>& methods() {
-  static const std::vector<Method> list = {
-      package_method("change_cut"),
-      package_method("sb_grabcut"),
-      package_method("grabcut_mask"),
-      package_method("grabcut_rect"),
-      {"grabcut_scribbles", scribble_grabcut},
-  };
-  return list;
+std::vector<std::string> usual_methods() {
+  return {"change_cut",   "sb_grabcut_seeds_1600", "sb_grabcut_slic_1000", "sb_grabcut_slic_4000",
+          "grabcut_mask", "grabcut_rect",          "grabcut_scribbles"};
+}
+
+Method method_named(const std::string& name) {
+  if (name == "grabcut_scribbles") return {name, scribble_grabcut};
+  if (name.rfind("sb_grabcut_", 0) == 0) return superpixel_method(name);
+  return package_method(name);
 }
 
 }  // namespace mbncc::bench

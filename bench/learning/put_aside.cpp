@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "common/case_folder.hpp"
+#include "common/program.hpp"
 #include "common/statistics.hpp"
 #include "common/table.hpp"
 #include "learning/map_score.hpp"
@@ -132,16 +133,5 @@ void benchmark(const std::vector<std::string>& sets) {
 }  // namespace mbncc::bench
 
 int main(int argc, char** argv) {
-  if (argc < 2) {
-    std::cerr << "usage: put_aside_bench SET...\n";
-    return 2;
-  }
-  cv::setNumThreads(1);
-  try {
-    mbncc::bench::benchmark({argv + 1, argv + argc});
-  } catch (const std::exception& error) {
-    std::cerr << "put_aside_bench: " << error.what() << '\n';
-    return 1;
-  }
-  return 0;
+  return mbncc::bench::run_on_sets(argc, argv, "put_aside_bench", mbncc::bench::benchmark);
 }

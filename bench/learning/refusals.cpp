@@ -7,6 +7,7 @@
 #include <opencv2/imgproc.hpp>
 
 #include "common/case_folder.hpp"
+#include "common/program.hpp"
 #include "common/table.hpp"
 #include "mbncc/learning/learn_object.hpp"
 
@@ -52,31 +53,34 @@ cv::Mat camera_pushed(const CaseFolder& one, cv::RNG& random) {
   return with_noise(moved, 1, random);
 }
 
+constexpr int kTries = 100;  // of each disturbance
+
 using Disturb = std::function<cv::Mat(const CaseFolder&, cv::RNG&)>;
 
 // Exposure that changed anyway could undo the switching of the light.
-std::vector<CaseFolder> evenly_exposed_cases(const std::string& set) {
+std::vector<CaseFolder> evenly_exposed_cases(const std::vector<std::string>& sets) {
   std::vector<CaseFolder> cases;
-  for (const auto& name : list_cases(set)) {
-    CaseFolder one = read_case(set + "/" + name);
-    if (std::count(one.tags.begin(), one.tags.end(), "exposure") == 0) cases.push_back(one);
-  }
+  for (const auto& set : sets)
+    for (const auto& name : list_cases(set)) {
+      CaseFolder one = read_case(set + "/" + name);
+      if (std::count(one.tags.begin(), one.tags.end(), "exposure") == 0) cases.push_back(one);
+    }
   return cases;
 }
 
-void benchmark(const std::string& set, int tries) {
+void benchmark(const std::vector<std::string>& sets) {
   const std::vector<std::pair<std::string, Disturb>> ways{{"nothing changed", nothing_changed},
                                                           {"light switched", light_switched},
                                                           {"camera pushed", camera_pushed}};
-  const auto cases = evenly_exposed_cases(set);
-  if (cases.empty()) throw std::runtime_error("'" + set + "' holds no case");
+  const auto cases = evenly_exposed_cases(sets);
+  if (cases.empty()) throw std::runtime_error("the sets hold no case");
   Table table{{"disturbance", "region", "tries", "stored", "refused as"}, {}};
   for (const auto& [name, disturb] : ways)
     for (const bool with_region : {true, false}) {
       cv::RNG random(1);
       int stored = 0;
       std::map<std::string, int> errors;
-      for (int i = 0; i < tries; ++i) {
+      for (int i = 0; i < kTries; ++i) {
         const CaseFolder& one = cases[i % cases.size()];
         Lesson lesson;
         lesson.name = "object";
@@ -90,7 +94,7 @@ void benchmark(const std::string& set, int tries) {
       std::string refused;
       for (const auto& [error, count] : errors)
         refused += error + " " + std::to_string(count) + " ";
-      table.rows.push_back({name, with_region ? "yes" : "no", std::to_string(tries),
+      table.rows.push_back({name, with_region ? "yes" : "no", std::to_string(kTries),
                             std::to_string(stored), refused});
     }
   write_markdown(std::cout, table);
@@ -100,16 +104,5 @@ void benchmark(const std::string& set, int tries) {
 }  // namespace mbncc::bench
 
 int main(int argc, char** argv) {
-  if (argc != 2) {
-    std::cerr << "usage: refusals_bench SET\n";
-    return 2;
-  }
-  cv::setNumThreads(1);
-  try {
-    mbncc::bench::benchmark(argv[1], 100);
-  } catch (const std::exception& error) {
-    std::cerr << "refusals_bench: " << error.what() << '\n';
-    return 1;
-  }
-  return 0;
+  return mbncc::bench::run_on_sets(argc, argv, "refusals_bench", mbncc::bench::benchmark);
 }

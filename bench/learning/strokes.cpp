@@ -6,6 +6,7 @@
 
 #include "common/case_folder.hpp"
 #include "common/clock.hpp"
+#include "common/program.hpp"
 #include "common/statistics.hpp"
 #include "common/table.hpp"
 #include "common/yardstick.hpp"
@@ -113,16 +114,5 @@ void benchmark(const std::vector<std::string>& sets) {
 }  // namespace mbncc::bench
 
 int main(int argc, char** argv) {
-  if (argc < 2) {
-    std::cerr << "usage: strokes_bench SET...\n";
-    return 2;
-  }
-  cv::setNumThreads(1);
-  try {
-    mbncc::bench::benchmark({argv + 1, argv + argc});
-  } catch (const std::exception& error) {
-    std::cerr << "strokes_bench: " << error.what() << '\n';
-    return 1;
-  }
-  return 0;
+  return mbncc::bench::run_on_sets(argc, argv, "strokes_bench", mbncc::bench::benchmark);
 }

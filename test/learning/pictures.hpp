@@ -1,6 +1,8 @@
 // Small seeded pictures for the tests of learning: a textured platform, a textured object, noise.
 #pragma once
 
+#include <gtest/gtest.h>
+
 #include <opencv2/core.hpp>
 #include <opencv2/imgproc.hpp>
 #include <vector>
@@ -62,6 +64,14 @@ inline DrawnLesson draw_lesson(cv::Point at = {120, 100}, cv::Size size = {240, 
   drawn.lesson.region = cv::Rect(at.x - 48, at.y - 40, 100, 84) & cv::Rect({0, 0}, size);
   drawn.lesson.name = "wedge";
   return drawn;
+}
+
+/// How a lesson ends that must say why and what to do.
+inline LearnError error_for(const Lesson& lesson) {
+  const LearnResult result = learn_object(lesson);
+  EXPECT_FALSE(result.message.empty());
+  EXPECT_FALSE(result.hint.empty());
+  return result.error;
 }
 
 inline double iou(const cv::Mat& a, const cv::Mat& b) {

@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <set>
+#include <string>
+#include <tuple>
 
 #include "learning/pictures.hpp"
 #include "mbncc/learning/sb_grabcut.hpp"
@@ -10,13 +12,13 @@
 namespace mbncc {
 namespace {
 
-class AnySize : public testing::TestWithParam<cv::Size> {};
+class AnySize : public testing::TestWithParam<std::tuple<std::string, cv::Size>> {};
 
 TEST_P(AnySize, LabelsRunFromZeroToCount) {
-  const cv::Mat picture =
-      test::exposed(test::texture(GetParam(), cv::Scalar(100, 110, 120), 20, 1), 2);
+  const auto& [method, size] = GetParam();
+  const cv::Mat picture = test::exposed(test::texture(size, cv::Scalar(100, 110, 120), 20, 1), 2);
   for (const int wanted : {1, 50, 100000}) {
-    const Superpixels superpixels = seeds_superpixels(picture, wanted);
+    const Superpixels superpixels = superpixels_of(picture, method, wanted);
     ASSERT_EQ(superpixels.labels.size(), picture.size());
     double low = 0, high = 0;
     cv::minMaxLoc(superpixels.labels, &low, &high);
@@ -26,12 +28,20 @@ TEST_P(AnySize, LabelsRunFromZeroToCount) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Superpixels, AnySize,
-                         testing::Values(cv::Size(8, 8), cv::Size(9, 31), cv::Size(33, 17),
-                                         cv::Size(400, 8), cv::Size(70, 500), cv::Size(160, 121)));
+                         testing::Combine(testing::Values("seeds", "slic"),
+                                          testing::Values(cv::Size(8, 8), cv::Size(9, 31),
+                                                          cv::Size(33, 17), cv::Size(400, 8),
+                                                          cv::Size(70, 500), cv::Size(160, 121))));
 
 TEST(Superpixels, RefuseWhatIsTooSmall) {
-  EXPECT_THROW(seeds_superpixels(cv::Mat(7, 20, CV_8UC3), 10), std::invalid_argument);
-  EXPECT_THROW(seeds_superpixels(cv::Mat(20, 20, CV_8UC1), 10), std::invalid_argument);
+  for (const char* method : {"seeds", "slic"}) {
+    EXPECT_THROW(superpixels_of(cv::Mat(7, 20, CV_8UC3), method, 10), std::invalid_argument);
+    EXPECT_THROW(superpixels_of(cv::Mat(20, 20, CV_8UC1), method, 10), std::invalid_argument);
+  }
+}
+
+TEST(Superpixels, RefuseAnUnknownMethod) {
+  EXPECT_THROW(superpixels_of(cv::Mat(20, 20, CV_8UC3), "voronoi", 10), std::invalid_argument);
 }
 
 TEST(Superpixels, SimplifyingEvensOutTextureAndKeepsTheMean) {

@@ -10,8 +10,9 @@ namespace mbncc {
 struct LearningConfig {
   std::string method = "auto";  ///< auto: change_cut with an after picture, else sb_grabcut
   int iterations = 2;           ///< graph cuts of every method
-  int superpixels = 1600;       ///< sb_grabcut: superpixels asked of SEEDS for the region's crop
-  double min_area = 80;         ///< [px] smaller maps are refused
+  std::string superpixel_method = "seeds";  ///< of sb_grabcut: seeds or slic
+  int superpixels = 1600;  ///< sb_grabcut: superpixels asked for in the region's crop
+  double min_area = 80;    ///< [px] smaller maps are refused
   double max_change =
       0.4;  ///< [0..1] changed part of the picture above which the light or camera moved
   double max_exposure_change =
@@ -30,8 +31,11 @@ struct LearningConfig {
         self.method);
     visit(FieldInfo{"iterations", Allowed::range(1, 20), "", "graph cuts of every method"},
           self.iterations);
+    visit(FieldInfo{"superpixel_method", Allowed::one_of({"seeds", "slic"}), "",
+                    "superpixels of sb_grabcut"},
+          self.superpixel_method);
     visit(FieldInfo{"superpixels", Allowed::range(16, 100000), "",
-                    "superpixels asked of SEEDS by sb_grabcut for the region's crop"},
+                    "superpixels asked for by sb_grabcut in the region's crop"},
           self.superpixels);
     visit(FieldInfo{"min_area", Allowed::range(1, 1e6), "px", "smaller maps are refused"},
           self.min_area);

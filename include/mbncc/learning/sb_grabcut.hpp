@@ -4,6 +4,7 @@
 
 #include <functional>
 #include <opencv2/core.hpp>
+#include <string>
 
 namespace mbncc {
 
@@ -17,12 +18,13 @@ using BeforeCut = std::function<void(int iteration)>;
 cv::Mat repeatable_grabcut(const cv::Mat& picture, const cv::Mat& mask, int iterations,
                            const BeforeCut& before_cut = {});
 
-/// SB-GrabCut: superpixels, their mean colours, and GrabCut on that simplified picture from the
-/// superpixels that lie mostly inside `approximate` (CV_8UC1, 255 inside). `region` bounds the
-/// object. The work is done on a crop that leaves background on every side of the region.
-/// Returns a map of the picture's size.
+/// SB-GrabCut: about `superpixels` superpixels by `method` ("seeds" or "slic"), their mean colours,
+/// and GrabCut on that simplified picture from the superpixels that lie mostly inside `approximate`
+/// (CV_8UC1, 255 inside). `region` bounds the object. The work is done on a crop that leaves
+/// background on every side of the region. Returns a map of the picture's size.
 cv::Mat sb_grabcut(const cv::Mat& picture, const cv::Rect& region, const cv::Mat& approximate,
-                   int superpixels, int iterations, const BeforeCut& before_cut = {});
+                   const std::string& method, int superpixels, int iterations,
+                   const BeforeCut& before_cut = {});
 
 /// Traditional GrabCut from the rectangle alone.
 cv::Mat grabcut_rect(const cv::Mat& picture, const cv::Rect& region, int iterations,

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <opencv2/core.hpp>
+#include <string>
 
 namespace mbncc {
 
@@ -13,6 +14,12 @@ struct Superpixels {
 /// SEEDS superpixels (Van den Bergh et al.) of a CV_8UC3 picture of at least 8 x 8 pixels.
 /// `wanted` is brought into what the picture can hold: cells of 4 x 4 pixels or more.
 Superpixels seeds_superpixels(const cv::Mat& picture, int wanted);
+
+/// SLIC superpixels (Achanta et al.) likewise; about `wanted` of them.
+Superpixels slic_superpixels(const cv::Mat& picture, int wanted);
+
+/// By "seeds" or "slic"; std::invalid_argument for another method.
+Superpixels superpixels_of(const cv::Mat& picture, const std::string& method, int wanted);
 
 /// Each superpixel painted in its mean colour: texture goes, the object's boundary stays.
 cv::Mat simplify_superpixels(const cv::Mat& picture, const Superpixels& superpixels);

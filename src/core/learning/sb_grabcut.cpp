@@ -68,9 +68,10 @@ cv::Mat repeatable_grabcut(const cv::Mat& picture, const cv::Mat& mask, int iter
 }
 
 cv::Mat sb_grabcut(const cv::Mat& picture, const cv::Rect& region, const cv::Mat& approximate,
-                   int superpixels, int iterations, const BeforeCut& before_cut) {
+                   const std::string& method, int superpixels, int iterations,
+                   const BeforeCut& before_cut) {
   const cv::Rect crop = grabcut_crop(region, picture.size());
-  const Superpixels cells = seeds_superpixels(picture(crop), superpixels);
+  const Superpixels cells = superpixels_of(picture(crop), method, superpixels);
   const cv::Mat probable = superpixels_inside(cells, approximate(crop));
   const cv::Mat simplified = simplify_superpixels(picture(crop), cells);
   const cv::Mat classes = initial_classes(probable, region - crop.tl());

@@ -54,9 +54,10 @@ Segmentation unverified(const cv::Mat& raw, const SegmentationTask& task) {
 
 Segmentation by_sb_grabcut(const SegmentationTask& task, const LearningConfig& config,
                            LessonProgress& progress) {
-  return unverified(sb_grabcut(task.before, task.region, task.approximate, config.superpixels,
-                               config.iterations, report_cuts(config, progress)),
-                    task);
+  return unverified(
+      sb_grabcut(task.before, task.region, task.approximate, config.superpixel_method,
+                 config.superpixels, config.iterations, report_cuts(config, progress)),
+      task);
 }
 
 Segmentation by_grabcut_rect(const SegmentationTask& task, const LearningConfig& config,

@@ -1,8 +1,10 @@
 #include "mbncc/learning/superpixels.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <opencv2/imgproc.hpp>
 #include <opencv2/ximgproc/seeds.hpp>
+#include <opencv2/ximgproc/slic.hpp>
 #include <stdexcept>
 #include <vector>
 
@@ -18,6 +20,16 @@ constexpr int kPasses = 4;
 constexpr int kSmallestCell = 16;  // [px]
 constexpr int kSmallestSide = 64;  // [px] SEEDS reads beyond its blocks on smaller pictures
 constexpr int kFewestAcross = 4;   // cells along the shorter side, for the same reason
+
+// SLIC: its authors' compactness, ten passes as they recommend, no fewer than 4 pixels a side.
+constexpr float kCompactness = 10;
+constexpr int kSlicPasses = 10;
+constexpr int kSmallestSlicSide = 4;  // [px]
+
+void require_usable(const cv::Mat& picture) {
+  if (picture.type() != CV_8UC3 || picture.rows < 8 || picture.cols < 8)
+    throw std::invalid_argument("superpixels need a colour picture of at least 8 x 8");
+}
 
 cv::Mat padded_for_seeds(const cv::Mat& picture) {
   cv::Mat padded;
@@ -36,8 +48,7 @@ int seeds_count(const cv::Size& size, int wanted) {
 }  // namespace
 
 Superpixels seeds_superpixels(const cv::Mat& picture, int wanted) {
-  if (picture.type() != CV_8UC3 || picture.rows < 8 || picture.cols < 8)
-    throw std::invalid_argument("seeds_superpixels needs a colour picture of at least 8 x 8");
+  require_usable(picture);
   const cv::Mat padded = padded_for_seeds(picture);
   cv::Mat lab;
   cv::cvtColor(padded, lab, cv::COLOR_BGR2Lab);
@@ -50,6 +61,28 @@ Superpixels seeds_superpixels(const cv::Mat& picture, int wanted) {
   result.labels = result.labels(cv::Rect({0, 0}, picture.size())).clone();
   result.count = seeds->getNumberOfSuperpixels();
   return result;
+}
+
+Superpixels slic_superpixels(const cv::Mat& picture, int wanted) {
+  require_usable(picture);
+  cv::Mat lab;
+  cv::cvtColor(picture, lab, cv::COLOR_BGR2Lab);
+  const int side =
+      static_cast<int>(std::lround(std::sqrt(picture.total() / std::max(1., 1. * wanted))));
+  const auto slic = cv::ximgproc::createSuperpixelSLIC(
+      lab, cv::ximgproc::SLIC,
+      std::clamp(side, kSmallestSlicSide, std::min(picture.rows, picture.cols) / 2), kCompactness);
+  slic->iterate(kSlicPasses);
+  Superpixels result;
+  slic->getLabels(result.labels);
+  result.count = slic->getNumberOfSuperpixels();
+  return result;
+}
+
+Superpixels superpixels_of(const cv::Mat& picture, const std::string& method, int wanted) {
+  if (method == "seeds") return seeds_superpixels(picture, wanted);
+  if (method == "slic") return slic_superpixels(picture, wanted);
+  throw std::invalid_argument("unknown superpixels '" + method + "'");
 }
 
 cv::Mat simplify_superpixels(const cv::Mat& picture, const Superpixels& superpixels) {

@@ -1,0 +1,77 @@
+// Which pairs of pictures a lesson compares, and which it refuses.
+#include "mbncc/learning/learn_object.hpp"
+
+#include <gtest/gtest.h>
+
+#include "learning/pictures.hpp"
+
+namespace mbncc {
+namespace {
+
+using test::draw_lesson;
+using test::DrawnLesson;
+
+using test::error_for;
+
+TEST(ComparedPictures, NoChange) {
+  DrawnLesson drawn = draw_lesson();
+  drawn.lesson.after = test::exposed(drawn.scene, 77);
+  EXPECT_EQ(error_for(drawn.lesson), LearnError::kNoChange);
+  drawn.lesson.region = {};
+  EXPECT_EQ(error_for(drawn.lesson), LearnError::kNoChange);
+}
+
+TEST(ComparedPictures, ChangeTooLarge) {
+  DrawnLesson drawn = draw_lesson();
+  drawn.lesson.after =
+      test::exposed(test::texture(drawn.truth.size(), cv::Scalar(105, 115, 120), 14, 99), 12);
+  EXPECT_EQ(error_for(drawn.lesson), LearnError::kChangeTooLarge);
+}
+
+// What the survey refuses: the same scene under another light, or seen by a moved camera.
+LearnError error_for_after(const cv::Mat& radiance) {
+  DrawnLesson drawn = draw_lesson({160, 120}, {320, 240});
+  drawn.lesson.after = test::exposed(radiance, 12);
+  return error_for(drawn.lesson);
+}
+
+TEST(ComparedPictures, LightSwitched) {
+  const cv::Mat platform = draw_lesson({160, 120}, {320, 240}).platform;
+  for (const double gain : {0.5, 1.7})
+    EXPECT_EQ(error_for_after(platform * gain), LearnError::kChangeTooLarge) << gain;
+}
+
+TEST(ComparedPictures, LightFromElsewhere) {
+  cv::Mat platform = draw_lesson({160, 120}, {320, 240}).platform;
+  for (int x = 0; x < platform.cols; ++x) platform.col(x) *= 0.75 + 0.5 * x / platform.cols;
+  EXPECT_EQ(error_for_after(platform), LearnError::kChangeTooLarge);
+}
+
+TEST(ComparedPictures, CameraPushed) {
+  const cv::Mat wide = test::texture({420, 340}, cv::Scalar(105, 115, 120), 14, 1);
+  DrawnLesson drawn = draw_lesson({160, 120}, {320, 240});
+  cv::Mat scene = wide(cv::Rect(40, 40, 320, 240)).clone();
+  drawn.scene.copyTo(scene, drawn.truth);
+  drawn.lesson.before = test::exposed(scene, 11);
+  drawn.lesson.after = test::exposed(wide(cv::Rect(65, 30, 320, 240)), 12);
+  EXPECT_EQ(error_for(drawn.lesson), LearnError::kChangeTooLarge);
+  cv::Mat turned;
+  cv::warpAffine(wide, turned, cv::getRotationMatrix2D({200, 160}, 4, 1), wide.size());
+  drawn.lesson.after = test::exposed(turned(cv::Rect(40, 40, 320, 240)), 12);
+  EXPECT_EQ(error_for(drawn.lesson), LearnError::kChangeTooLarge);
+}
+
+TEST(ComparedPictures, ForgiveExposureAndASmallShift) {
+  const cv::Mat wide = test::texture({420, 340}, cv::Scalar(105, 115, 120), 14, 1);
+  DrawnLesson drawn = draw_lesson({160, 120}, {320, 240});
+  cv::Mat scene = wide(cv::Rect(40, 40, 320, 240)).clone();
+  drawn.scene.copyTo(scene, drawn.truth);
+  drawn.lesson.before = test::exposed(scene, 11);
+  drawn.lesson.after = test::exposed(wide(cv::Rect(43, 38, 320, 240)), 12, 1.15);
+  const LearnResult result = learn_object(drawn.lesson);
+  ASSERT_EQ(result.error, LearnError::kSuccess) << result.message;
+  EXPECT_GT(test::iou(full_size_map(result.object.views.at(0)), drawn.truth), 0.85);
+}
+
+}  // namespace
+}  // namespace mbncc

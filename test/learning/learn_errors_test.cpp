@@ -1,0 +1,125 @@
+// Lessons that are refused for what they bring, or for what came of it.
+#include "mbncc/learning/learn_object.hpp"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+#include "learning/pictures.hpp"
+
+namespace mbncc {
+namespace {
+
+using test::draw_lesson;
+using test::DrawnLesson;
+
+using test::error_for;
+
+TEST(LearnErrors, BadName) {
+  DrawnLesson drawn = draw_lesson();
+  drawn.lesson.name = "../x";
+  EXPECT_EQ(error_for(drawn.lesson), LearnError::kNameInvalid);
+}
+
+TEST(LearnErrors, NoImage) {
+  DrawnLesson drawn = draw_lesson();
+  for (const cv::Mat& useless : {cv::Mat(), cv::Mat(20, 20, CV_8UC3), cv::Mat(100, 100, CV_8UC1),
+                                 cv::Mat(100, 100, CV_16UC3)}) {
+    drawn.lesson.before = useless;
+    EXPECT_EQ(error_for(drawn.lesson), LearnError::kNoImage);
+  }
+}
+
+TEST(LearnErrors, ImageMismatch) {
+  DrawnLesson drawn = draw_lesson();
+  Lesson lesson = drawn.lesson;
+  lesson.after = drawn.lesson.after(cv::Rect(0, 0, 100, 100));
+  EXPECT_EQ(error_for(lesson), LearnError::kImageMismatch);
+  lesson = drawn.lesson;
+  lesson.map = cv::Mat(100, 100, CV_8UC1, cv::Scalar(255));
+  EXPECT_EQ(error_for(lesson), LearnError::kImageMismatch);
+  lesson.map = cv::Mat(drawn.truth.size(), CV_8UC3);
+  EXPECT_EQ(error_for(lesson), LearnError::kImageMismatch);
+}
+
+TEST(LearnErrors, ChangeCutNeedsAPictureAfter) {
+  DrawnLesson drawn = draw_lesson();
+  drawn.lesson.after = cv::Mat();
+  LearningConfig config;
+  config.method = "change_cut";
+  EXPECT_EQ(learn_object(drawn.lesson, config).error, LearnError::kNoImage);
+}
+
+TEST(LearnErrors, NothingSaysWhereTheObjectIs) {
+  DrawnLesson drawn = draw_lesson();
+  drawn.lesson.after = cv::Mat();
+  drawn.lesson.region = {};
+  EXPECT_EQ(error_for(drawn.lesson), LearnError::kRegionInvalid);
+}
+
+TEST(LearnErrors, RegionInvalid) {
+  DrawnLesson drawn = draw_lesson();
+  const int huge = std::numeric_limits<int>::max();
+  for (const cv::Rect& region :
+       {cv::Rect(10, 10, 0, 20), cv::Rect(10, 10, -5, 20), cv::Rect(300, 10, 50, 50),
+        cv::Rect(-60, 0, 50, 50), cv::Rect(0, 0, 7, 7), cv::Rect(huge, huge, huge, huge),
+        cv::Rect(-huge, -huge, huge, huge)}) {
+    drawn.lesson.region = region;
+    EXPECT_EQ(error_for(drawn.lesson), LearnError::kRegionInvalid) << region;
+  }
+}
+
+TEST(LearnErrors, RegionReachingOverTheBorderIsClipped) {
+  DrawnLesson drawn = draw_lesson();
+  drawn.lesson.region.width = std::numeric_limits<int>::max();
+  EXPECT_EQ(error_for(drawn.lesson), LearnError::kSuccess);
+}
+
+TEST(LearnErrors, OutlineInvalid) {
+  DrawnLesson drawn = draw_lesson();
+  const float none = std::numeric_limits<float>::quiet_NaN();
+  const std::vector<std::vector<cv::Point2f>> outlines{{{10, 10}, {50, 10}},
+                                                       {{10, 10}, {50, none}, {20, 60}},
+                                                       {{10, 10}, {60, 60}, {60, 10}, {10, 60}},
+                                                       {{1000, 1000}, {1100, 1000}, {1050, 1100}},
+                                                       {{10, 10}, {1e9F, 10}, {20, 60}}};
+  for (const auto& outline : outlines) {
+    drawn.lesson.outline = outline;
+    EXPECT_EQ(error_for(drawn.lesson), LearnError::kRegionInvalid);
+  }
+}
+
+TEST(LearnErrors, MapEmptyOrFull) {
+  DrawnLesson drawn = draw_lesson();
+  drawn.lesson.map = cv::Mat::zeros(drawn.truth.size(), CV_8UC1);
+  EXPECT_EQ(error_for(drawn.lesson), LearnError::kSegmentationEmpty);
+  drawn.lesson.map.setTo(255);
+  EXPECT_EQ(error_for(drawn.lesson), LearnError::kSegmentationFull);
+}
+
+TEST(LearnErrors, TouchesBorder) {
+  const DrawnLesson drawn = draw_lesson({30, 100});
+  const LearnResult result = learn_object(drawn.lesson);
+  EXPECT_EQ(result.error, LearnError::kTouchesBorder);
+  EXPECT_TRUE(result.has_model) << "the caller may store it all the same";
+  EXPECT_EQ(result.object.quality.verdict, Verdict::kBad);
+  EXPECT_EQ(result.object.quality.reasons.front(), "touches_image_border");
+}
+
+TEST(LearnErrors, TooSmall) {
+  DrawnLesson drawn = draw_lesson();
+  drawn.lesson.after = cv::Mat();
+  drawn.lesson.outline = {{100, 100}, {107, 100}, {107, 107}, {100, 107}};
+  EXPECT_EQ(error_for(drawn.lesson), LearnError::kTooSmall);
+}
+
+TEST(LearnErrors, LowTexture) {
+  DrawnLesson drawn = draw_lesson();
+  drawn.lesson.after = cv::Mat();
+  drawn.lesson.before = cv::Mat(drawn.truth.size(), CV_8UC3, cv::Scalar(100, 100, 100));
+  drawn.lesson.outline = {{80, 70}, {160, 70}, {160, 130}, {80, 130}};
+  EXPECT_EQ(error_for(drawn.lesson), LearnError::kLowTexture);
+}
+
+}  // namespace
+}  // namespace mbncc
