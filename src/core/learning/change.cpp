@@ -18,7 +18,7 @@ constexpr float kLeastDifference = 18;  // [grey levels, summed over channels] a
 constexpr float kNoiseFactor = 5;       // a change stands out from the median difference this much
 constexpr float kSureDifference = 45;   // [likewise] a change, however much else differs
 constexpr double kClearGain = 0.8;      // a shift must lower the difference to this part
-constexpr int kSampling = 3;            // [px] of the survey, for medians
+constexpr int kSampling = 2;            // [px] of the survey, for medians
 constexpr int kTextureBox = 15;         // [px] of the survey: texture is compared in such squares
 constexpr double kTextured = 9;         // [grey levels^2] variance above which a square has texture
 constexpr double kSameTexture = 0.5;    // correlation of squares that show the same
@@ -52,7 +52,7 @@ Ratios brightness_ratios(const cv::Mat& before, const cv::Mat& after) {
 }
 
 cv::Vec3f exposure_ratio(Ratios& ratios) {
-  constexpr std::size_t kFewest = 50;
+  constexpr std::size_t kFewest = 100;
   cv::Vec3f gain(1, 1, 1);
   for (int c = 0; c < 3; ++c)
     if (ratios[c].size() > kFewest) gain[c] = median(ratios[c]);
@@ -91,15 +91,8 @@ double mean_difference(const cv::Mat& before, const cv::Mat& after) {
   return cv::mean(cv::min(difference, kLeastDifference))[0];
 }
 
-cv::Mat half_size(const cv::Mat& picture) {
-  cv::Mat half;
-  cv::resize(picture, half, {}, 0.5, 0.5, cv::INTER_AREA);
-  return half;
-}
-
-// By phase correlation at half the survey's size, believed only when it explains the pictures.
-cv::Point2d coarse_shift(const cv::Mat& survey_before, const cv::Mat& survey_after) {
-  const cv::Mat before = half_size(survey_before), after = half_size(survey_after);
+// By phase correlation, believed only when it explains the pictures.
+cv::Point2d coarse_shift(const cv::Mat& before, const cv::Mat& after) {
   cv::Mat window;
   cv::createHanningWindow(window, before.size(), CV_32F);
   const cv::Point2d shift = cv::phaseCorrelate(before, after, window);
@@ -107,7 +100,7 @@ cv::Point2d coarse_shift(const cv::Mat& survey_before, const cv::Mat& survey_aft
   const cv::Mat moved = undo_shift(after, shift);
   const bool explains = mean_difference(before(inner), moved(inner)) <
                         kClearGain * mean_difference(before(inner), after(inner));
-  return explains ? 2 * shift : cv::Point2d();
+  return explains ? shift : cv::Point2d();
 }
 
 // Difference of the pictures, summed over channels, averaged over 3 x 3.
@@ -170,11 +163,11 @@ ChangeSurvey survey_change(const cv::Mat& before, const cv::Mat& after) {
   survey.exposure = std::max(exposure, 1 / std::max(exposure, 1e-3));
   survey.unevenness = unevenness;
   cv::multiply(a, cv::Scalar(gain[0], gain[1], gain[2]), a);
-  const cv::Mat grey_before = grey_of(b);
-  const cv::Point2d shift = coarse_shift(grey_before, grey_of(a));
+  // Pictures of its own: cv::phaseCorrelate may write its window into what it is given.
+  const cv::Point2d shift = coarse_shift(grey_of(b), grey_of(a));
   survey.shift = shift / scale;
   if (shift != cv::Point2d()) a = undo_shift(a, shift);
-  survey.displaced = displaced_part(grey_before, grey_of(a));
+  survey.displaced = displaced_part(grey_of(b), grey_of(a));
 
   const cv::Mat difference = difference_of(b, a);
   cv::Mat changed = difference > change_threshold(difference);
