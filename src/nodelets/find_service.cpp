@@ -18,6 +18,7 @@ using Request = FindService::Request;
 constexpr double kDefaultTimeout = 5;   // [s]
 constexpr double kLongestTimeout = 60;  // [s]
 constexpr std::uint32_t kMostFrames = 100;
+constexpr std::size_t kMostNames = 1000;
 
 [[noreturn]] void refuse(const std::string& sentence) {
   throw std::invalid_argument(sentence);
@@ -26,6 +27,9 @@ constexpr std::uint32_t kMostFrames = 100;
 SearchRequest search_request(const Request& request, const MatchingNodeConfig& config,
                              cv::Size size) {
   SearchRequest search;
+  if (request.names.size() > kMostNames) refuse("more than 1000 names");
+  for (const auto& name : request.names)
+    if (!is_valid_name(name)) refuse("a name is none of an object");
   search.names = request.names;
   const auto roi = from_msg(request.roi, size);
   if (!roi) refuse("roi does not lie in the picture");

@@ -10,9 +10,11 @@
 namespace mbncc::nodelets {
 namespace {
 
-constexpr std::uint32_t kLargestSide = 16384;  // [px]
-constexpr int kCopy = -1;                      // no colour conversion
-constexpr int kHighByte = -2;                  // 16 bits to 8
+constexpr std::uint32_t kLargestSide = 16384;      // [px]
+constexpr std::uint64_t kMostPixels = 64'000'000;  // 192 MB once decoded
+constexpr std::size_t kLongestFrame = 255;         // [bytes] of the frame's name
+constexpr int kCopy = -1;                          // no colour conversion
+constexpr int kHighByte = -2;                      // 16 bits to 8
 
 struct Encoding {
   const char* name;
@@ -62,6 +64,11 @@ std::string layout_fault(const sensor_msgs::Image& message, const Encoding& enco
   if (message.width < 2 || message.height < 2 || message.width > kLargestSide ||
       message.height > kLargestSide)
     return "a picture of " + size + " pixels is not usable; send 2 .. 16384 a side";
+  if (std::uint64_t{message.width} * message.height > kMostPixels)
+    return "a picture of " + size + " pixels is not usable; send 64 million at most";
+  if (message.header.frame_id.size() > kLongestFrame)
+    return "a frame_id of " + std::to_string(message.header.frame_id.size()) +
+           " bytes is not usable; send 255 at most";
   if (is_yuv(encoding) && message.width % 2 != 0)
     return "a " + message.encoding + " picture of odd width " + std::to_string(message.width) +
            " is not usable; send an even width";

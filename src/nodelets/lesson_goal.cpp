@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "mbncc/label.hpp"
 #include "nodelets/images.hpp"
 #include "nodelets/messages.hpp"
 #include "nodelets/outcome.hpp"
@@ -12,7 +13,7 @@ namespace {
 using Goal = mbncc_vision::LearnObjectGoal;
 using Fault = std::optional<mbncc_vision::LearnObjectResult>;
 
-constexpr std::size_t kLongestLabel = 256;  // [bytes]
+constexpr double kLongestLesson = 86400;  // [s] whoever waits longer has forgotten it
 
 bool is_empty(const sensor_msgs::RegionOfInterest& roi) {
   return roi.width == 0 && roi.height == 0;
@@ -33,9 +34,9 @@ Fault check_name(const Goal& goal, const LibrarySnapshot& library, int max_objec
     return outcome(LearnError::kStorage,
                    "The library holds " + std::to_string(max_objects) + " objects, its limit.",
                    "Delete objects, or raise max_objects.");
-  if (goal.label.size() > kLongestLabel)
-    return outcome(LearnError::kNameInvalid, "The label is longer than 256 bytes.",
-                   "Give a shorter label.");
+  if (!is_valid_label(goal.label))
+    return outcome(LearnError::kNameInvalid, "The label is not usable.",
+                   "Give printable UTF-8 of at most 200 bytes.");
   return {};
 }
 
@@ -71,9 +72,9 @@ Fault check_numbers(const Goal& goal) {
                    "Give reference x, y [px] and theta [rad], or leave set_reference false.");
   if (!from_msg(goal.outline))
     return outcome(LearnError::kRegionInvalid, "A corner of the outline is not finite.");
-  if (goal.timeout.toSec() < 0)
-    return outcome(LearnError::kTimeout, "The timeout is negative.",
-                   "Give a positive timeout, or 0 for the configured one.");
+  if (goal.timeout.toSec() < 0 || goal.timeout.toSec() > kLongestLesson)
+    return outcome(LearnError::kTimeout, "The timeout is not in 0 .. 86400 s.",
+                   "Give a timeout of a day at most, or 0 for the configured one.");
   return {};
 }
 

@@ -123,6 +123,11 @@ TEST_P(EditedLesson, FailedEditChangesNothing) {
   EXPECT_EQ(edited.edit(including({{nan, 3}})).error, LearnError::kRegionInvalid);
   EXPECT_EQ(edited.edit(including(kInside, -1)).error, LearnError::kRegionInvalid);
   EXPECT_EQ(edited.edit(including({{5, 5}, {9, 9}}, 0)).error, LearnError::kRegionInvalid);
+  EXPECT_EQ(edited.edit(including(LessonEdit::Line(5000, {9, 9}))).error,
+            LearnError::kRegionInvalid);
+  LessonEdit many_lines;
+  many_lines.include.resize(5000);
+  EXPECT_EQ(edited.edit(many_lines).error, LearnError::kRegionInvalid);
   LessonEdit nothing_left;
   nothing_left.exclude = {{{-1, -1}, {300, -1}, {300, 300}, {-1, 300}}};
   EXPECT_FALSE(edited.edit(nothing_left).has_model);
@@ -149,6 +154,21 @@ TEST(InteractiveLesson, StrokesPaintOnAGivenMap) {
   cv::Mat wanted = drawn.truth.clone();
   wanted(cv::Rect(10, 10, 21, 11)).setTo(255);
   EXPECT_EQ(cv::norm(map, wanted, cv::NORM_INF), 0);
+}
+
+TEST(InteractiveLesson, KeepsSixtyFourEditsToUndo) {
+  auto drawn = draw_lesson();
+  drawn.lesson.map = drawn.truth;
+  InteractiveLesson edited(drawn.lesson);
+  for (int i = 0; i < 70; ++i) {
+    LessonEdit edit;
+    edit.reference = Pose2D{double(i), 0, 0};
+    ASSERT_TRUE(edited.edit(edit).has_model);
+  }
+  int undone = 0;
+  while (edited.undo()) ++undone;
+  EXPECT_EQ(undone, 64);
+  EXPECT_EQ(edited.result().object.views[0].reference.x, 5);
 }
 
 TEST(InteractiveLesson, ReferenceAloneMovesTheFrameOnly) {

@@ -82,7 +82,8 @@ TEST(LearnErrors, OutlineInvalid) {
                                                        {{10, 10}, {50, none}, {20, 60}},
                                                        {{10, 10}, {60, 60}, {60, 10}, {10, 60}},
                                                        {{1000, 1000}, {1100, 1000}, {1050, 1100}},
-                                                       {{10, 10}, {1e9F, 10}, {20, 60}}};
+                                                       {{10, 10}, {1e9F, 10}, {20, 60}},
+                                                       std::vector<cv::Point2f>(5000, {10, 10})};
   for (const auto& outline : outlines) {
     drawn.lesson.outline = outline;
     EXPECT_EQ(error_for(drawn.lesson), LearnError::kRegionInvalid);

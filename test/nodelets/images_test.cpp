@@ -140,7 +140,38 @@ TEST(DecodePicture, RefusesALyingLayout) {
        [](auto& m) { m.width = 1, m.height = 16384, m.step = 1u << 30; }},
       {"encoding of more bytes", [](auto& m) { m.encoding = "bgra8"; }},
       {"odd yuv", [](auto& m) { m.encoding = "yuv422", m.width = 9; }},
+      {"odd yuy2", [](auto& m) { m.encoding = "yuv422_yuy2", m.width = 9; }},
+      {"one column", [](auto& m) { m.width = 1; }},
+      {"one row", [](auto& m) { m.height = 1; }},
+      {"a side beyond the bound", [](auto& m) { m.width = 16385; }},
+      {"more pixels than bearable",
+       [](auto& m) {
+         m.encoding = "mono8", m.width = m.step = 16384, m.height = 4096;
+         m.data.resize(std::size_t{m.step} * m.height);
+       }},
+      {"width of 2^31 pixels that step hides", [](auto& m) { m.width = 1u << 31, m.step = 0; }},
+      {"step and height that overflow to the data's length",
+       [](auto& m) { m.step = 1u << 31, m.height = 2, m.data.clear(); }},
+      {"all zero", [](auto& m) { m.width = m.height = m.step = 0, m.data.clear(); }},
+      {"negative width", [](auto& m) { m.width = static_cast<std::uint32_t>(-10); }},
+      {"a byte of data", [](auto& m) { m.data.resize(1); }},
+      {"twice the data", [](auto& m) { m.data.resize(2 * m.data.size()); }},
+      {"a row less", [](auto& m) { m.data.resize(m.data.size() - m.step); }},
+      {"16 bits in 8", [](auto& m) { m.encoding = "mono16", m.step = 10; }},
+      {"encoding with a null in it", [](auto& m) { m.encoding = std::string("bgr8\0", 5); }},
+      {"encoding of blanks", [](auto& m) { m.encoding = "  "; }},
+      {"encoding of a megabyte", [](auto& m) { m.encoding.assign(1 << 20, 'b'); }},
+      {"floats", [](auto& m) { m.encoding = "32FC3"; }},
+      {"doubles", [](auto& m) { m.encoding = "64FC1"; }},
+      {"16-bit colour", [](auto& m) { m.encoding = "bgr16"; }},
+      {"signed", [](auto& m) { m.encoding = "8SC3"; }},
+      {"two channels", [](auto& m) { m.encoding = "8UC2"; }},
+      {"16-bit Bayer", [](auto& m) { m.encoding = "bayer_bggr16"; }},
+      {"planar yuv", [](auto& m) { m.encoding = "nv21"; }},
+      {"jpeg", [](auto& m) { m.encoding = "jpeg"; }},
+      {"a frame's name of a megabyte", [](auto& m) { m.header.frame_id.assign(1 << 20, 'f'); }},
   };
+  static_assert(std::size(lies) >= 41);
   for (const auto& lie : lies) {
     auto message = message_of(cv::Mat(8, 10, CV_8UC3, cv::Scalar::all(9)), "bgr8");
     lie.tell(message);

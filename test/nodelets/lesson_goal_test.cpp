@@ -115,8 +115,13 @@ TEST(CheckGoal, RefusesNumbersWithoutSense) {
   goal.timeout = ros::Duration(-1);
   EXPECT_EQ(code(goal, {}), Result::TIMEOUT);
   goal = goal_named("cup");
-  goal.label = std::string(10000, 'x');
-  EXPECT_EQ(code(goal, {}), Result::NAME_INVALID);
+  goal.timeout = ros::Duration(1e6);
+  EXPECT_EQ(code(goal, {}), Result::TIMEOUT);
+  for (const std::string label :
+       {std::string(201, 'x'), std::string("a\nb"), std::string("\xff")}) {
+    goal.label = label;
+    EXPECT_EQ(code(goal, {}), Result::NAME_INVALID);
+  }
 }
 
 TEST(NameFor, TakesTheFirstFreeNumber) {

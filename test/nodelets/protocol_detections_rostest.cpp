@@ -68,6 +68,11 @@ TEST_F(Protocol, FindsOnceOnRequest) {
   request.image = before_;
   request.roi.width = 1000;
   EXPECT_FALSE(find().success);
+  request.roi.width = 0;
+  request.names.assign(1001, "part");
+  EXPECT_FALSE(find().success) << "more names than objects can have";
+  request.names = {"../part"};
+  EXPECT_FALSE(find().success);
   request = {};
   request.timeout = ros::Duration(0.2);
   EXPECT_FALSE(find().success) << "no live pictures";

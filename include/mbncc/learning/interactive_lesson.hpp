@@ -41,7 +41,7 @@ class InteractiveLesson {
   /// the object, cancelled, a first lesson without a map) changes nothing: its result tells why.
   LearnResult edit(const LessonEdit& edit, const StageObserver& observer = {});
 
-  /// Takes the last edit back, bit for bit. False when there is none.
+  /// Takes the last edit back, bit for bit. False when there is none; 64 are kept.
   bool undo();
 
  private:

@@ -5,6 +5,11 @@
 #include "learning/lesson_run.hpp"
 
 namespace mbncc {
+namespace {
+
+constexpr std::size_t kMostStates = 65;  // each holds the lesson's pictures' maps
+
+}  // namespace
 
 struct InteractiveLesson::Implementation {
   LearningConfig config;
@@ -35,7 +40,9 @@ LearnResult InteractiveLesson::edit(const LessonEdit& edit, const StageObserver&
   LessonState state = implementation_->states.back();
   run_edit(state, edit, implementation_->config, implementation_->search, observer);
   if (!state.result.has_model) return state.result;
-  implementation_->states.push_back(std::move(state));
+  auto& states = implementation_->states;
+  states.push_back(std::move(state));
+  if (states.size() > kMostStates) states.erase(states.begin());
   return result();
 }
 

@@ -116,6 +116,8 @@ cv::Mat outline_map(const Lesson& lesson) {
   constexpr int kFractionBits = 4;
   require(lesson.outline.size() >= 3, LearnError::kRegionInvalid,
           "The outline has fewer than three corners.");
+  require(lesson.outline.size() <= kMostPoints, LearnError::kRegionInvalid,
+          "The outline has more than 4096 corners.");
   std::vector<cv::Point> corners;
   for (const auto& corner : lesson.outline) {
     require(is_near_picture(corner), LearnError::kRegionInvalid,

@@ -8,6 +8,10 @@
 
 namespace mbncc {
 
+/// Corners of an outline, and points of all strokes of one edit together. An outline is compared
+/// with itself edge by edge.
+constexpr std::size_t kMostPoints = 4096;
+
 /// Throws LessonEnded with the code of the first fault: NAME_INVALID, NO_IMAGE, IMAGE_MISMATCH or
 /// REGION_INVALID.
 void check_lesson(const Lesson& lesson);
@@ -20,7 +24,7 @@ cv::Rect usable_region(const Lesson& lesson);
 bool is_near_picture(const cv::Point2d& point);
 
 /// The outline filled. Throws LessonEnded(kRegionInvalid) when it crosses itself, has fewer than
-/// three corners or lies outside.
+/// three or more than kMostPoints corners, or lies outside.
 cv::Mat outline_map(const Lesson& lesson);
 
 /// Throws LessonEnded(kChangeTooLarge) when the pictures cannot be compared: light switched, camera

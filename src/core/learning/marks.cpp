@@ -40,6 +40,12 @@ void paint_area(const LessonEdit::Line& line, cv::Mat& canvas) {
                kFractionBits);
 }
 
+std::size_t points_of(const std::vector<LessonEdit::Line>& lines) {
+  std::size_t points = lines.size();
+  for (const auto& line : lines) points += line.size();
+  return points;
+}
+
 cv::Mat canvas_of(const std::vector<LessonEdit::Line>& lines, double width, const cv::Size& size) {
   cv::Mat canvas = cv::Mat::zeros(size, CV_8UC1);
   for (const auto& line : lines) {
@@ -58,6 +64,8 @@ Marks painted(const Marks& marks, const LessonEdit& edit, const cv::Size& pictur
   if (!(edit.stroke_width >= 0 && edit.stroke_width <= kWidestStroke))
     throw LessonEnded(LearnError::kRegionInvalid,
                       "The stroke width must be 0 (closed areas) to 1000 pixels.");
+  if (points_of(edit.include) + points_of(edit.exclude) > kMostPoints)
+    throw LessonEnded(LearnError::kRegionInvalid, "The strokes have more than 4096 points.");
   Marks result;
   result.exclude = canvas_of(edit.exclude, edit.stroke_width, picture);
   result.include = canvas_of(edit.include, edit.stroke_width, picture) & ~result.exclude;

@@ -5,6 +5,8 @@
 #include <opencv2/imgproc.hpp>
 #include <stdexcept>
 
+#include "mbncc/label.hpp"
+
 namespace mbncc {
 namespace {
 
@@ -21,21 +23,6 @@ void require(bool condition, const char* fault) {
 
 bool is_finite(const Pose2D& pose) {
   return std::isfinite(pose.x) && std::isfinite(pose.y) && std::isfinite(pose.theta);
-}
-
-// Printable text: no control characters, and every byte part of a well-formed UTF-8 sequence.
-bool is_printable_utf8(const std::string& text) {
-  int continuing = 0;
-  for (const unsigned char c : text) {
-    if ((c >= 0x80 && c < 0xc0) != (continuing > 0)) return false;
-    if (continuing > 0) {
-      --continuing;
-      continue;
-    }
-    if (c < 0x20 || c == 0x7f || c == 0xc0 || c == 0xc1 || c > 0xf4) return false;
-    continuing = c < 0x80 ? 0 : c < 0xe0 ? 1 : c < 0xf0 ? 2 : 3;
-  }
-  return continuing == 0;
 }
 
 bool is_sound(const Grasp& grasp) {
@@ -135,7 +122,7 @@ void move_reference(ObjectModel& model, const Pose2D& reference) {
 
 void validate(const ObjectModel& model) {
   require(is_valid_name(model.name), "an object's name must match [A-Za-z][A-Za-z0-9_]{0,63}");
-  require(model.label.size() <= 200 && is_printable_utf8(model.label),
+  require(is_valid_label(model.label),
           "an object's label must be printable UTF-8 of at most 200 bytes");
   require(!model.views.empty(), "an object needs at least one view");
   require(std::isfinite(model.object_height) && model.object_height >= 0,
