@@ -16,11 +16,35 @@ std::vector<QuarantinedFile> faulty_files(const ObjectLibrary& library,
   return faulty;
 }
 
+// "bracket" of "bracket.png" and of "bracket.png.2", a second one of that name in the quarantine.
+std::string object_of(const QuarantinedFile& file) {
+  return file.file.substr(0, file.file.find('.'));
+}
+
+// Of every object whose file is unreadable and that the library lacks: its newest stored revision.
+void bring_back(const std::vector<QuarantinedFile>& faulty, ObjectLibrary& library) {
+  for (const auto& file : faulty) {
+    const std::string name = object_of(file);
+    if (!file.moved || library.load()->find(name) != nullptr) continue;
+    try {
+      const ObjectModel object = library.restore(name);
+      std::cout << "brought '" << name << "' back from the trash as revision " << object.revision
+                << "; what was taught after that revision was stored is lost\n";
+    } catch (const std::exception& error) {
+      std::cerr << "'" << name << "' cannot be brought back: " << error.what() << '\n';
+    }
+  }
+}
+
 ExitCode run(const Arguments& arguments) {
   settings_from(arguments);
   ObjectLibrary library = existing_library(arguments);
-  const auto snapshot = library.load();
+  auto snapshot = library.load();
   const auto faulty = faulty_files(library, *snapshot);
+  if (arguments.has("--repair")) {
+    bring_back(faulty, library);
+    snapshot = library.load();
+  }
   std::cout << snapshot->objects.size() << " readable, " << faulty.size() << " unreadable\n";
   for (const auto& file : faulty)
     std::cerr << (file.moved ? ".quarantine/" : "") << file.file << ": " << file.reason << '\n';
@@ -35,7 +59,8 @@ ExitCode run(const Arguments& arguments) {
 Command check_command() {
   return {"check",
           "read every file of the library and report what is unreadable",
-          {library_option()},
+          {library_option(),
+           {"--repair", "", "bring the newest revision of unreadable objects back from the trash"}},
           "",
           "Unreadable files are moved to DIR/.quarantine, their reasons beside them. Exit code 1\n"
           "as long as there are any.\n",

@@ -7,6 +7,7 @@
 
 #include "library/models.hpp"
 #include "mbncc/error.hpp"
+#include "mbncc/library/object_file.hpp"
 #include "support/temporary_folder.hpp"
 
 namespace mbncc::test {
@@ -180,6 +181,30 @@ TEST(ObjectLibrary, ReplacingAnUnreadableFileQuarantinesIt) {
   library.save(random_model(1), Existing::kReplace);
   expect_equal(*library.load()->find("wrench"), random_model(1));
   EXPECT_EQ(library.quarantine().size(), 1u);
+}
+
+// The tested size of a library; config's max_objects keeps the nodelet's at half of it.
+TEST(ObjectLibrary, TwoThousandObjectsLoadAndReloadUnchanged) {
+  constexpr unsigned kObjects = 2000;
+  TemporaryFolder folder;
+  const auto name_of = [](unsigned i) { return "part_" + std::to_string(i); };
+  for (unsigned i = 0; i < kObjects; ++i) {
+    const auto bytes = encode_object(random_model(i, name_of(i), 40));
+    std::ofstream(folder / (name_of(i) + ".png"), std::ios::binary)
+        .write(reinterpret_cast<const char*>(bytes.data()),
+               static_cast<std::streamsize>(bytes.size()));
+  }
+  ObjectLibrary library(folder.path());
+  const auto first = library.load();
+  ASSERT_EQ(first->objects.size(), kObjects);
+  EXPECT_TRUE(first->quarantined.empty());
+  expect_equal(*first->find(name_of(1234)), random_model(1234, name_of(1234), 40));
+  library.save(random_model(1, "another"), ObjectLibrary::Existing::kRefuse);
+  EXPECT_TRUE(library.changed_on_disk());
+  const auto second = library.load();
+  ASSERT_EQ(second->objects.size(), kObjects + 1);
+  for (unsigned i = 0; i < kObjects; ++i)
+    EXPECT_EQ(second->find(name_of(i)), first->find(name_of(i))) << "read again without need";
 }
 
 }  // namespace
