@@ -1,0 +1,82 @@
+// A picture message as a peer may send it: any bytes, or fields that nearly fit each other. It is
+// refused with a sentence, or its picture has the size that it names.
+#include <ros/serialization.h>
+
+#include <cstdlib>
+#include <cstring>
+
+#include "fuzz/fuzzer.hpp"
+#include "nodelets/images.hpp"
+
+using namespace mbncc;
+
+namespace {
+
+constexpr const char* kEncodings[] = {"mono8",       "8UC1",        "mono16",      "bgr8",
+                                      "8UC3",        "rgb8",        "bgra8",       "rgba8",
+                                      "bayer_rggb8", "bayer_bggr8", "bayer_gbrg8", "bayer_grbg8",
+                                      "yuv422",      "yuv422_yuy2", "32FC1",       ""};
+
+// As roscpp reads it from the wire.
+sensor_msgs::Image image_from_bytes(const std::string& bytes) {
+  sensor_msgs::Image image;
+  std::string copy = bytes;
+  ros::serialization::IStream stream(reinterpret_cast<std::uint8_t*>(copy.data()),
+                                     static_cast<std::uint32_t>(copy.size()));
+  ros::serialization::deserialize(stream, image);
+  return image;
+}
+
+// Mostly a few pixels, sometimes anything.
+std::uint32_t length_from(fuzz::Pieces& pieces) {
+  const std::uint8_t kind = pieces.byte();
+  if (kind < 240) return kind % 40;
+  std::uint32_t length = 0;
+  const std::string bytes = pieces.text(sizeof length);
+  std::memcpy(&length, bytes.data(), bytes.size());
+  return length;
+}
+
+sensor_msgs::Image image_from_fields(fuzz::Pieces& pieces) {
+  sensor_msgs::Image image;
+  const std::uint8_t encoding = pieces.byte();
+  image.encoding = encoding < 250 ? kEncodings[encoding % 16] : pieces.text(pieces.byte());
+  image.width = length_from(pieces);
+  image.height = length_from(pieces);
+  image.step = length_from(pieces) * (1 + pieces.byte() % 4);
+  image.is_bigendian = pieces.byte();
+  // Data of the length that the fields ask for, now and then a little more or less.
+  const std::uint8_t error = pieces.byte();
+  const std::uint64_t wanted = std::uint64_t{image.step} * image.height;
+  const std::uint64_t length = wanted + (error > 250 ? error - 250 : 0) - (error == 250 ? 1 : 0);
+  const std::string bytes = pieces.rest();
+  image.data.assign(bytes.begin(), bytes.end());
+  if (length < 1 << 16) image.data.resize(length);
+  return image;
+}
+
+void decode(const sensor_msgs::Image& image) {
+  const nodelets::Decoded picture = nodelets::decode_picture(image);
+  const nodelets::Decoded map = nodelets::decode_map(image);
+  for (const auto* decoded : {&picture, &map}) {
+    if (static_cast<bool>(*decoded) != decoded->fault.empty()) std::abort();
+    if (*decoded && decoded->picture.size() != cv::Size(image.width, image.height)) std::abort();
+  }
+  if (picture && image.encoding == "yuv422") fuzz::planted_bug(image.width);
+}
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  fuzz::Pieces pieces(data, size);
+  if (pieces.byte() % 4 != 0) {
+    decode(image_from_fields(pieces));
+    return 0;
+  }
+  try {
+    decode(image_from_bytes(pieces.rest()));
+  } catch (const ros::serialization::StreamOverrunException&) {
+    // roscpp drops such a message.
+  }
+  return 0;
+}
