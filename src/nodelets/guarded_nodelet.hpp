@@ -8,6 +8,9 @@
 #include <ros/spinner.h>
 
 #include <exception>
+#include <memory>
+
+#include "nodelets/master_watch.hpp"
 
 namespace mbncc::nodelets {
 
@@ -52,6 +55,7 @@ class GuardedNodelet : public nodelet::Nodelet {
 
   ros::CallbackQueue queue_;
   ros::AsyncSpinner spinner_{1, &queue_};
+  const std::shared_ptr<MasterWatch> master_watch_ = MasterWatch::shared();
 };
 
 }  // namespace mbncc::nodelets

@@ -7,24 +7,16 @@ Installs into a temporary prefix, starts a master on a port of its own and loads
 the installed nodelet_plugins.xml with an environment that knows only the system and that prefix.
 """
 import os
-import signal
-import socket
 import subprocess
 import sys
 import tempfile
-import time
 import xml.etree.ElementTree
 import xmlrpc.client
 
+from own_master import free_port, nodelet_program, published, stop, wait_for
+
 PACKAGE = "mbncc_vision"
 ARGUMENTS = {PACKAGE + "/CameraNodelet": ["_source:=/nowhere"]}  # what cannot be left at its default
-DEADLINE = 60  # [s] generous; nothing waits for it when all is well
-
-
-def free_port():
-    with socket.socket() as probe:
-        probe.bind(("localhost", 0))
-        return probe.getsockname()[1]
 
 
 def environment(prefix, home, port):
@@ -44,40 +36,10 @@ def environment(prefix, home, port):
     return build_free
 
 
-def wait_for(predicate, process, what):
-    deadline = time.monotonic() + DEADLINE
-    while time.monotonic() < deadline:
-        if process.poll() is not None:
-            sys.exit("%s: the process ended with code %d" % (what, process.returncode))
-        if predicate():
-            return
-        time.sleep(0.1)
-    sys.exit("%s: not within %d s" % (what, DEADLINE))
-
-
-def stop(process):
-    process.send_signal(signal.SIGINT)
-    try:
-        process.wait(DEADLINE)
-    except subprocess.TimeoutExpired:
-        process.kill()
-        sys.exit("%s did not end on SIGINT" % process.args)
-
-
-def published(master):
-    """Topics that somebody publishes, as name -> publishers; {} while there is no master."""
-    try:
-        return dict(master.getSystemState("/install_space_test")[2][0])
-    except OSError:
-        return {}
-
-
 def load(name, env, master):
     """Loads one nodelet; it must come up, stay and end by itself on SIGINT."""
-    binary = next(path for path in ("/usr/lib/nodelet/nodelet", "/opt/ros/noetic/lib/nodelet/nodelet")
-                  if os.path.exists(path))
     node = "probe_" + name.split("/")[1]  # parameters stay on the server under this name
-    command = [binary, "standalone", name, "__name:=" + node] + ARGUMENTS.get(name, [])
+    command = [nodelet_program(), "standalone", name, "__name:=" + node] + ARGUMENTS.get(name, [])
     process = subprocess.Popen(command, env=env)
     # Each nodelet publishes diagnostics or pictures once it has been initialised.
     wait_for(lambda: any("/" + node in nodes and topic in ("/diagnostics", "/image_raw")
