@@ -1,0 +1,38 @@
+#!/usr/bin/python3
+"""Memory, open files and threads over the pictures of long runs.
+
+usage: soak.py OUT.png TITLE=FILE.csv ...   (files written by `soak` and by MBNCC_SOAK_CSV)
+"""
+import csv
+import sys
+
+import matplotlib
+matplotlib.use("Agg")
+from matplotlib import pyplot  # noqa: E402
+
+
+def read(path):
+    with open(path) as lines:
+        rows = list(csv.DictReader(lines))
+    return {key: [float(row[key]) for row in rows] for key in rows[0]}
+
+
+def main():
+    out, runs = sys.argv[1], [argument.split("=", 1) for argument in sys.argv[2:]]
+    figure, axes = pyplot.subplots(1, len(runs), figsize=(4.2 * len(runs), 2.6), squeeze=False)
+    for axis, (title, path) in zip(axes[0], runs):
+        run = read(path)
+        thousands = [frame / 1000 for frame in run["frame"]]
+        axis.plot(thousands, run["resident_mb"], label="resident memory [MB]")
+        axis.plot(thousands, run["files"], label="open files")
+        axis.plot(thousands, run["threads"], label="threads")
+        axis.set_ylim(0)
+        axis.set_xlabel("pictures [1000]")
+        axis.set_title(title, fontsize=9)
+        axis.legend(fontsize=7)
+    figure.tight_layout()
+    figure.savefig(out, dpi=90)
+
+
+if __name__ == "__main__":
+    main()
