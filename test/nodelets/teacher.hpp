@@ -11,6 +11,7 @@
 
 #include <filesystem>
 #include <map>
+#include <set>
 #include <string>
 
 #include "nodelets/spin_until.hpp"
@@ -37,8 +38,10 @@ class Teacher {
         "learn_object/result", 10,
         [this](const auto& result) { ended_[result->status.goal_id.id] = *result; });
     feedbacks_ = node_.subscribe<mbncc_vision::LearnObjectActionFeedback>(
-        "learn_object/feedback", 100,
-        [this](const auto& feedback) { heard_[feedback->status.goal_id.id] = feedback->feedback; });
+        "learn_object/feedback", 100, [this](const auto& feedback) {
+          heard_[feedback->status.goal_id.id] = feedback->feedback;
+          passed_[feedback->status.goal_id.id].insert(feedback->feedback.stage);
+        });
   }
 
   bool connect() {
@@ -69,10 +72,23 @@ class Teacher {
     return feedback != heard_.end() && feedback->second.stage == stage;
   }
 
+  /// The lesson is in this stage or has been.
+  bool has_been_in(const std::string& id, std::uint8_t stage) const {
+    const auto stages = passed_.find(id);
+    return stages != passed_.end() && stages->second.count(stage) > 0;
+  }
+
   /// The end of a goal; waits for it. `status` as in actionlib_msgs/GoalStatus.
   mbncc_vision::LearnObjectActionResult await(const std::string& id) {
     EXPECT_TRUE(spin_until([&] { return ended(id); }, std::chrono::seconds(90))) << id;
     return ended_[id];
+  }
+
+  /// Of a long row of lessons: their results hold pictures.
+  void forget(const std::string& id) {
+    ended_.erase(id);
+    heard_.erase(id);
+    passed_.erase(id);
   }
 
   Result teach(const Goal& goal) { return await(send(goal)).result; }
@@ -89,6 +105,7 @@ class Teacher {
   ros::Subscriber results_, feedbacks_;
   std::map<std::string, mbncc_vision::LearnObjectActionResult> ended_;
   std::map<std::string, Feedback> heard_;
+  std::map<std::string, std::set<std::uint8_t>> passed_;
 };
 
 }  // namespace mbncc::nodelets

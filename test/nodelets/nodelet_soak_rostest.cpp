@@ -1,0 +1,204 @@
+// All nodelets in one process, fed at full rate: teaching beside matching, more pictures than can
+// be searched, a long run. MBNCC_SOAK_FRAMES: searched pictures of the long run; MBNCC_SOAK_CSV: a
+// file for memory, open files and threads over them.
+#include <gtest/gtest.h>
+#include <mbncc_vision/DetectedObjectArray.h>
+#include <nodelet/loader.h>
+#include <ros/ros.h>
+#include <sensor_msgs/Image.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <vector>
+
+#include "mbncc/sim/scene.hpp"
+#include "nodelets/images.hpp"
+#include "nodelets/spin_until.hpp"
+#include "nodelets/teacher.hpp"
+#include "support/process_state.hpp"
+#include "support/temporary_folder.hpp"
+
+namespace mbncc::nodelets {
+namespace {
+
+using mbncc_vision::DetectedObjectArray;
+using test::StateHistory;
+
+constexpr double kMostGrowth = 20;  // [MB] goals of the last seconds, with their pictures, included
+constexpr std::chrono::hours kPatience{24};
+
+long soak_frames() {
+  const char* text = std::getenv("MBNCC_SOAK_FRAMES");
+  return text == nullptr ? 2000 : std::atol(text);
+}
+
+std::string soak_csv() {
+  const char* text = std::getenv("MBNCC_SOAK_CSV");
+  return text == nullptr ? "" : text;
+}
+
+double percentile(std::vector<double> values, double part) {
+  if (values.empty()) return 0;
+  std::sort(values.begin(), values.end());
+  return values[static_cast<std::size_t>(part * static_cast<double>(values.size() - 1))];
+}
+
+class Soak : public testing::Test {
+ protected:
+  Soak() {
+    set("/learning/library_path", folder_ / "library");
+    set("/matching/library_path", folder_ / "library");
+    set("/matching/platform_distance", 0.5);
+    set("/matching/max_age", 10.0);  // a busy machine may search late
+    use_size({160, 120});
+    set("/camera/object_diameter", 40.0);
+    set("/camera/neighbours", 0);
+    set("/camera/frame_rate", 120.0);
+    set("/camera/rest_time", 1.0);
+    set("/camera/leg_time", 0.3);
+    detections_ = node_.subscribe<DetectedObjectArray>(
+        "detected_objects", 1000, [this](const DetectedObjectArray::ConstPtr& array) {
+          if (array->status == DetectedObjectArray::STALE) return;
+          EXPECT_GT(array->header.stamp, last_stamp_) << "an older picture after a newer one";
+          last_stamp_ = array->header.stamp;
+          latencies_.push_back(array->latency);
+          costs_.push_back(array->search_time);
+          ++searched_;
+        });
+  }
+
+  ~Soak() override {
+    for (const char* name : {"/camera", "/learning", "/matching"}) ros::param::del(name);
+  }
+
+  template <class Value>
+  void set(const std::string& key, const Value& value) {
+    ros::param::set(key, value);
+  }
+
+  void load(const std::string& name, const std::string& type) {
+    ASSERT_TRUE(loader_.load(name, "mbncc_vision/" + type, {}, {})) << name;
+  }
+
+  /// Lessons with given pictures follow each other; the nodelet's edits and reloads with them.
+  void keep_teaching(Teacher& teacher) {
+    if (!lesson_.empty() && !teacher.ended(lesson_)) return;
+    if (!lesson_.empty()) {
+      teacher.forget(lesson_);
+      ++lessons_;
+    }
+    Teacher::Goal goal;
+    goal.name = "part";
+    goal.overwrite = true;
+    goal.before = before_;
+    goal.after = after_;
+    lesson_ = teacher.send(goal);
+  }
+
+  /// Pictures of this size are taught and shown.
+  void use_size(const cv::Size& size) {
+    set("/camera/width", size.width);
+    set("/camera/height", size.height);
+    sim::SceneConfig config;
+    config.size = size;
+    const sim::Scene scene(config);
+    const sim::Placed part{{11, size.height / 2.0, 1.6},
+                           {size.width / 2.0, size.height / 2.0, 0.2}};
+    before_ = encode_picture(scene.render({part}, 1));
+    after_ = encode_picture(scene.render({}, 2));
+  }
+
+  void record(const std::string& what) {
+    for (const double part : {0.5, 0.95, 0.99})
+      RecordProperty(what + "_latency_p" + std::to_string(static_cast<int>(100 * part)) + "_ms",
+                     std::to_string(1000 * percentile(latencies_, part)));
+    RecordProperty(what + "_search_p50_ms", std::to_string(1000 * percentile(costs_, 0.5)));
+    RecordProperty(what + "_search_p99_ms", std::to_string(1000 * percentile(costs_, 0.99)));
+    latencies_.clear();
+    costs_.clear();
+  }
+
+  const test::TemporaryFolder folder_;
+  ros::NodeHandle node_;
+  ros::Subscriber detections_;
+  sensor_msgs::Image before_, after_;
+  ros::Time last_stamp_;
+  std::vector<double> latencies_, costs_;  // [s]
+  long searched_ = 0, lessons_ = 0;
+  std::string lesson_;
+  nodelet::Loader loader_{false};
+};
+
+TEST_F(Soak, TeachingBesideMatchingStaysFlat) {
+  load("/camera", "SimulatedCameraNodelet");
+  load("/rectify", "RectifyNodelet");
+  load("/matching", "MatchingNodelet");
+  load("/learning", "LearningNodelet");
+  Teacher teacher;
+  ASSERT_TRUE(teacher.connect());
+  int looked = 0;
+  const auto look = [&looked](const sensor_msgs::ImageConstPtr&) { ++looked; };
+  const ros::Subscriber rectified = node_.subscribe<sensor_msgs::Image>("image_rect", 1, look);
+  const ros::Subscriber overlay = node_.subscribe<sensor_msgs::Image>("matching/overlay", 1, look);
+  const long frames = soak_frames(), every = std::max(1L, frames / 400);
+  StateHistory history(soak_csv());
+  long sampled = 0;
+  ASSERT_TRUE(spin_until(
+      [&] {
+        keep_teaching(teacher);
+        for (; searched_ >= sampled; sampled += every) history.add(sampled);
+        // The figures of a long run would only fill memory.
+        if (latencies_.size() > 20000) record("full_rate");
+        return searched_ >= frames;
+      },
+      kPatience));
+  if (!latencies_.empty()) record("full_rate");
+  RecordProperty("lessons", std::to_string(lessons_));
+  RecordProperty("growth_mb", std::to_string(history.growth()));
+  EXPECT_GT(lessons_, 0);
+  EXPECT_GT(looked, 0);
+  EXPECT_LT(history.growth(), kMostGrowth);
+  EXPECT_EQ(history.new_files(), 0);
+  EXPECT_EQ(history.new_threads(), 0);
+}
+
+// 60 pictures a second of which each takes about a fifth of a second to search whole.
+TEST_F(Soak, OverloadSearchesTheNewestAndKeepsNothing) {
+  constexpr int kSearched = 40;
+  use_size({1280, 960});
+  set("/camera/frame_rate", 60.0);
+  set("/matching/sweep_time", 0.0);
+  set("/matching/scale_range", 0.5);
+  load("/learning", "LearningNodelet");
+  Teacher teacher;
+  ASSERT_TRUE(teacher.connect());
+  keep_teaching(teacher);
+  ASSERT_EQ(teacher.await(lesson_).result.error_code, Teacher::Result::SUCCESS);
+  load("/camera", "SimulatedCameraNodelet");
+  load("/matching", "MatchingNodelet");
+  int published = 0;
+  const ros::Subscriber pictures = node_.subscribe<sensor_msgs::Image>(
+      "image_raw", 1000, [&](const sensor_msgs::ImageConstPtr&) { ++published; });
+  StateHistory history;
+  ASSERT_TRUE(spin_until(
+      [&] {
+        history.add(searched_);
+        return searched_ >= kSearched;
+      },
+      std::chrono::minutes(3)));
+  record("overload");
+  RecordProperty("published", published);
+  RecordProperty("searched", static_cast<int>(searched_));
+  EXPECT_GE(published, searched_);
+  EXPECT_EQ(history.new_threads(), 0);
+}
+
+}  // namespace
+}  // namespace mbncc::nodelets
+
+int main(int argc, char** argv) {
+  testing::InitGoogleTest(&argc, argv);
+  ros::init(argc, argv, "soak_rostest");
+  const ros::NodeHandle keeps_the_node_running;
+  return RUN_ALL_TESTS();
+}

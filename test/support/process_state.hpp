@@ -1,0 +1,80 @@
+// What this process holds of the machine: memory, open files, threads.
+#pragma once
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <string>
+#include <vector>
+
+namespace mbncc::test {
+
+struct ProcessState {
+  double resident = 0;  ///< [MB]
+  int files = 0;        ///< open descriptors
+  int threads = 0;
+};
+
+inline ProcessState process_state() {
+  using std::filesystem::directory_iterator;
+  ProcessState state;
+  std::size_t pages = 0;
+  std::ifstream("/proc/self/statm") >> pages >> pages;
+  state.resident = static_cast<double>(pages) * static_cast<double>(::sysconf(_SC_PAGESIZE)) / 1e6;
+  state.files = static_cast<int>(std::distance(directory_iterator("/proc/self/fd"), {})) - 1;
+  state.threads = static_cast<int>(std::distance(directory_iterator("/proc/self/task"), {}));
+  return state;
+}
+
+/// States over the pictures of a long run; the first fifth is taken as the time to settle.
+class StateHistory {
+ public:
+  /// Samples are written to `csv` as they come, unless it is "".
+  explicit StateHistory(const std::string& csv = "") {
+    if (csv.empty()) return;
+    csv_.open(csv);
+    csv_ << "frame,resident_mb,files,threads" << std::endl;
+  }
+
+  void add(long frame) {
+    samples_.push_back({frame, process_state()});
+    const ProcessState& state = samples_.back().state;
+    if (csv_.is_open())
+      csv_ << frame << ',' << state.resident << ',' << state.files << ',' << state.threads
+           << std::endl;
+  }
+
+  /// [MB] of the last tenth over the third tenth, each by its median.
+  double growth() const { return resident(0.9) - resident(0.2); }
+  int new_files() const { return last().files - settled().files; }
+  int new_threads() const { return last().threads - settled().threads; }
+
+ private:
+  struct Sample {
+    long frame;
+    ProcessState state;
+  };
+
+  std::size_t index(double part) const {
+    return static_cast<std::size_t>(part * static_cast<double>(samples_.size()));
+  }
+  const ProcessState& settled() const { return samples_[index(0.2)].state; }
+  const ProcessState& last() const { return samples_.back().state; }
+
+  double resident(double part) const {
+    std::vector<double> values;
+    for (std::size_t i = index(part); i <= index(part + 0.1) && i < samples_.size(); ++i)
+      values.push_back(samples_[i].state.resident);
+    std::sort(values.begin(), values.end());
+    return values[values.size() / 2];
+  }
+
+  std::vector<Sample> samples_;
+  std::ofstream csv_;
+};
+
+}  // namespace mbncc::test
