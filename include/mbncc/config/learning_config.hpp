@@ -16,7 +16,7 @@ struct LearningConfig {
   double max_change =
       0.4;  ///< [0..1] changed part of the picture above which the light or camera moved
   double max_exposure_change =
-      1.45;  ///< factor between the pictures above which light was switched
+      1.41;  ///< factor between the pictures above which light was switched
   double max_light_change =
       1.15;           ///< exposure factor between the quarters of the picture, likewise
   int max_shift = 8;  ///< [px] camera shift between before and after that is undone
