@@ -117,7 +117,7 @@ TEST(CheckGoal, RefusesNumbersWithoutSense) {
   goal = goal_named("cup");
   goal.timeout = ros::Duration(1e6);
   EXPECT_EQ(code(goal, {}), Result::TIMEOUT);
-  for (const std::string label :
+  for (const std::string& label :
        {std::string(201, 'x'), std::string("a\nb"), std::string("\xff")}) {
     goal.label = label;
     EXPECT_EQ(code(goal, {}), Result::NAME_INVALID);
