@@ -8,7 +8,6 @@ library and ROS's log folder created, written, renamed or removed.
 """
 import os
 import re
-import signal
 import subprocess
 import sys
 import tempfile
@@ -16,6 +15,7 @@ import xmlrpc.client
 
 from own_master import free_port, nodelet_program, published, stop, wait_for
 
+NODELETS = ("LearningNodelet", "MatchingNodelet")
 NAMES = ["../../x", "/etc/x", "a/b", "x\n", "part"]
 WRITING = re.compile(r"O_(WRONLY|RDWR|CREAT|TRUNC|APPEND)")
 CHANGING = re.compile(r"^(rename|unlink|mkdir|rmdir|link|symlink|truncate|mknod|chmod|chown|creat)")
@@ -91,16 +91,21 @@ def main():
         server = xmlrpc.client.ServerProxy(env["ROS_MASTER_URI"])
         core = subprocess.Popen(["roscore", "-p", env["ROS_MASTER_URI"].rsplit(":", 1)[1]], env=env,
                                 stdout=subprocess.DEVNULL)
+        traced = []
         try:
             wait_for(lambda: "/rosout_agg" in published(server), core, "roscore")
-            traced = [start(name, home, env) for name in ("LearningNodelet", "MatchingNodelet")]
+            traced.extend(start(name, home, env) for name in NODELETS)
             clients(home)
+            for name in NODELETS:
+                # strace hands no signal on.
+                node = server.lookupNode("/test", "/" + name.lower())[2]
+                xmlrpc.client.ServerProxy(node).shutdown("/test", "the test is over")
             for process, _ in traced:
-                # strace hands no signal on; the nodelet is its child.
-                with open("/proc/%d/task/%d/children" % (process.pid, process.pid)) as children:
-                    os.kill(int(children.read().split()[0]), signal.SIGINT)
                 process.wait(60)
         finally:
+            for process, _ in traced:
+                if process.poll() is None:
+                    process.kill()
             stop(core)
         allowed = (os.path.join(home, "library"), os.path.join(home, "log"), "/dev/null", "/dev/shm/")
         found = []

@@ -19,6 +19,11 @@ struct ProcessState {
   int threads = 0;
 };
 
+/// False where /proc is not mounted, as in a bare chroot: there nothing can be said.
+inline bool process_is_visible() {
+  return std::filesystem::exists("/proc/self/statm");
+}
+
 inline ProcessState process_state() {
   using std::filesystem::directory_iterator;
   ProcessState state;
