@@ -5,6 +5,7 @@
 #include <opencv2/imgproc.hpp>
 #include <vector>
 
+#include "learning/half_size.hpp"
 #include "learning/statistics.hpp"
 
 namespace mbncc {
@@ -26,12 +27,9 @@ struct Level {
   cv::Mat trusted;        // CV_8UC1
 };
 
-Level half_size(const Level& level) {
-  Level half;
-  cv::resize(level.before, half.before, {}, 0.5, 0.5, cv::INTER_AREA);
-  cv::resize(level.after, half.after, {}, 0.5, 0.5, cv::INTER_AREA);
-  cv::resize(level.trusted, half.trusted, {}, 0.5, 0.5, cv::INTER_NEAREST);
-  return half;
+Level coarser(const Level& level) {
+  return {half_size(level.before, cv::INTER_AREA), half_size(level.after, cv::INTER_AREA),
+          half_size(level.trusted, cv::INTER_NEAREST)};
 }
 
 // Interpolates between pixels that all lie the same way from where they are asked for.
@@ -135,7 +133,7 @@ cv::Mat cubic_kernel(double part) {
 // From coarse to fine: in fine texture, Gauss-Newton would end at the nearest likeness.
 cv::Point2d shift_of(const Level& level) {
   cv::Point2d start;
-  if (level.before.total() > kSmallPicture) start = 2 * shift_of(half_size(level));
+  if (level.before.total() > kSmallPicture) start = 2 * shift_of(coarser(level));
   const ShiftFit fit(level);
   return fit.usable() ? fit.refined(start) : start;
 }

@@ -5,6 +5,8 @@
 #include <opencv2/imgproc.hpp>
 #include <vector>
 
+#include "learning/half_size.hpp"
+
 namespace mbncc {
 namespace {
 
@@ -85,12 +87,6 @@ bool in_company(const Motion& motion, const std::vector<Motion>& all) {
     alike += std::max(std::abs(by.x), std::abs(by.y)) <= 1 && other.by != cv::Point();
   }
   return alike >= kFewestAlike && alike >= kPartAlike * near;
-}
-
-cv::Mat half_size(const cv::Mat& picture, int interpolation) {
-  cv::Mat half;
-  cv::resize(picture, half, {}, 0.5, 0.5, interpolation);
-  return half;
 }
 
 }  // namespace

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <memory>
-#include <opencv2/imgproc.hpp>
 
+#include "learning/half_size.hpp"
 #include "mbncc/matching/matcher.hpp"
 
 namespace mbncc {
@@ -33,12 +33,6 @@ struct Reduced {
   View view;
   double scale = 1;  // of the learned view
 };
-
-cv::Mat half_size(const cv::Mat& picture, int interpolation) {
-  cv::Mat half;
-  cv::resize(picture, half, {}, 0.5, 0.5, interpolation);
-  return half;
-}
 
 Reduced reduced(const View& view, const cv::Mat& picture) {
   Reduced result{picture, view, 1};

@@ -1,0 +1,15 @@
+// Pictures at half their size.
+#pragma once
+
+#include <opencv2/imgproc.hpp>
+
+namespace mbncc {
+
+/// Rounded sizes; `interpolation` is one of cv::InterpolationFlags.
+inline cv::Mat half_size(const cv::Mat& picture, int interpolation) {
+  cv::Mat half;
+  cv::resize(picture, half, {}, 0.5, 0.5, interpolation);
+  return half;
+}
+
+}  // namespace mbncc
