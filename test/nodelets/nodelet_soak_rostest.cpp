@@ -159,8 +159,8 @@ TEST_F(Soak, TeachingBesideMatchingStaysFlat) {
   EXPECT_GT(lessons_, 0);
   EXPECT_GT(looked, 0);
   EXPECT_LT(history.growth(), kMostGrowth);
-  EXPECT_EQ(history.new_files(), 0);
-  EXPECT_EQ(history.new_threads(), 0);
+  EXPECT_LE(history.new_files(), 0);
+  EXPECT_LE(history.new_threads(), 0);
 }
 
 // 60 pictures a second of which each takes about a fifth of a second to search whole.
@@ -192,7 +192,7 @@ TEST_F(Soak, OverloadSearchesTheNewestAndKeepsNothing) {
   RecordProperty("published", published);
   RecordProperty("searched", static_cast<int>(searched_));
   EXPECT_GE(published, searched_);
-  EXPECT_EQ(history.new_threads(), 0);
+  EXPECT_LE(history.new_threads(), 0);
 }
 
 }  // namespace

@@ -141,7 +141,7 @@ int run(long frames, const std::string& csv) {
             << " MB, " << history.new_files() << " open files and " << history.new_threads()
             << " threads more\n";
   const bool flat =
-      history.growth() < kMostGrowth && history.new_files() == 0 && history.new_threads() == 0;
+      history.growth() < kMostGrowth && history.new_files() <= 0 && history.new_threads() <= 0;
   return flat && cell.confirmed() > frames / 10 ? 0 : 1;
 }
 

@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -55,8 +56,14 @@ class StateHistory {
 
   /// [MB] of the last tenth over the third tenth, each by its median.
   double growth() const { return resident(0.9) - resident(0.2); }
-  int new_files() const { return last().files - settled().files; }
-  int new_threads() const { return last().threads - settled().threads; }
+  /// Fewest open at once in the last tenth over those in the third tenth: files and connections
+  /// that come and go beside the sampling are nothing lost, what is never closed is.
+  int new_files() const {
+    return fewest(0.9, &ProcessState::files) - fewest(0.2, &ProcessState::files);
+  }
+  int new_threads() const {
+    return fewest(0.9, &ProcessState::threads) - fewest(0.2, &ProcessState::threads);
+  }
 
  private:
   struct Sample {
@@ -67,13 +74,24 @@ class StateHistory {
   std::size_t index(double part) const {
     return static_cast<std::size_t>(part * static_cast<double>(samples_.size()));
   }
-  const ProcessState& settled() const { return samples_[index(0.2)].state; }
-  const ProcessState& last() const { return samples_.back().state; }
+
+  /// Over the tenth of the run that begins at `part`.
+  std::vector<ProcessState> tenth(double part) const {
+    std::vector<ProcessState> states;
+    for (std::size_t i = index(part); i <= index(part + 0.1) && i < samples_.size(); ++i)
+      states.push_back(samples_[i].state);
+    return states;
+  }
+
+  int fewest(double part, int ProcessState::*count) const {
+    int fewest = std::numeric_limits<int>::max();
+    for (const ProcessState& state : tenth(part)) fewest = std::min(fewest, state.*count);
+    return fewest;
+  }
 
   double resident(double part) const {
     std::vector<double> values;
-    for (std::size_t i = index(part); i <= index(part + 0.1) && i < samples_.size(); ++i)
-      values.push_back(samples_[i].state.resident);
+    for (const ProcessState& state : tenth(part)) values.push_back(state.resident);
     std::sort(values.begin(), values.end());
     return values[values.size() / 2];
   }
