@@ -40,6 +40,12 @@ void LessonClient::tell(mbncc_vision::LearnObjectFeedback feedback) {
   handle_.publishFeedback(feedback);
 }
 
+void LessonActionServer::forget_pictures() {
+  const boost::recursive_mutex::scoped_lock lock(lock_);
+  for (auto& tracked : status_list_)
+    if (!tracked.handle_destruction_time_.isZero()) tracked.goal_ = without_pictures_;
+}
+
 LessonServer::LessonServer(ros::NodeHandle node, const std::string& name, double default_timeout,
                            Admit admit, Teach teach)
     : default_timeout_(default_timeout),
@@ -93,6 +99,7 @@ bool LessonServer::reserve(const std::shared_ptr<LessonClient>& client) {
 }
 
 void LessonServer::on_goal(LessonClient::Handle handle) {
+  server_.forget_pictures();
   const auto goal = handle.getGoal();
   if (const auto refused = refusal(*goal)) return handle.setRejected(*refused, refused->message);
   const double wanted = goal->timeout.toSec();
@@ -115,6 +122,7 @@ void LessonServer::on_cancel(LessonClient::Handle handle) {
 
 void LessonServer::work() {
   for (;;) {
+    server_.forget_pictures();
     std::shared_ptr<LessonClient> client;
     {
       std::unique_lock<std::mutex> lock(mutex_);

@@ -47,6 +47,19 @@ class LessonClient {
   float progress_ = 0;
 };
 
+/// actionlib remembers goals for seconds after their end, so that late clients hear of them. Goals
+/// hold pictures, and may be sent by the hundred.
+class LessonActionServer : public actionlib::ActionServer<mbncc_vision::LearnObjectAction> {
+ public:
+  using actionlib::ActionServer<mbncc_vision::LearnObjectAction>::ActionServer;
+
+  /// Of goals that nobody holds any more only id and status stay.
+  void forget_pictures();
+
+ private:
+  const boost::shared_ptr<const ActionGoal> without_pictures_ = boost::make_shared<ActionGoal>();
+};
+
 class LessonServer {
  public:
   /// Result to reject a goal with, or none to accept it. Called on the callback thread.
@@ -66,8 +79,6 @@ class LessonServer {
   void end();
 
  private:
-  using Server = actionlib::ActionServer<mbncc_vision::LearnObjectAction>;
-
   void on_goal(LessonClient::Handle handle);
   void on_cancel(LessonClient::Handle handle);
   std::optional<mbncc_vision::LearnObjectResult> refusal(const mbncc_vision::LearnObjectGoal& goal);
@@ -84,7 +95,7 @@ class LessonServer {
   std::shared_ptr<LessonClient> running_;
   bool accepted_ = false;
   bool stopping_ = false;
-  Server server_;
+  LessonActionServer server_;
   std::thread worker_;
 };
 

@@ -1,6 +1,7 @@
 // What this process holds of the machine: memory, open files, threads.
 #pragma once
 
+#include <malloc.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -16,6 +17,7 @@ namespace mbncc::test {
 
 struct ProcessState {
   double resident = 0;  ///< [MB]
+  double in_use = 0;    ///< [MB] allocated and not freed; 0 with sanitizers
   int files = 0;        ///< open descriptors
   int threads = 0;
 };
@@ -25,12 +27,23 @@ inline bool process_is_visible() {
   return std::filesystem::exists("/proc/self/statm");
 }
 
+/// [MB] allocated and not freed, in all of malloc's arenas.
+inline double allocated() {
+#if __GLIBC_PREREQ(2, 33)
+  const struct mallinfo2 info = ::mallinfo2();
+#else
+  const struct mallinfo info = ::mallinfo();
+#endif
+  return static_cast<double>(info.uordblks + info.hblkhd) / 1e6;
+}
+
 inline ProcessState process_state() {
   using std::filesystem::directory_iterator;
   ProcessState state;
   std::size_t pages = 0;
   std::ifstream("/proc/self/statm") >> pages >> pages;
   state.resident = static_cast<double>(pages) * static_cast<double>(::sysconf(_SC_PAGESIZE)) / 1e6;
+  state.in_use = allocated();
   state.files = static_cast<int>(std::distance(directory_iterator("/proc/self/fd"), {})) - 1;
   state.threads = static_cast<int>(std::distance(directory_iterator("/proc/self/task"), {}));
   return state;
@@ -43,19 +56,21 @@ class StateHistory {
   explicit StateHistory(const std::string& csv = "") {
     if (csv.empty()) return;
     csv_.open(csv);
-    csv_ << "frame,resident_mb,files,threads" << std::endl;
+    csv_ << "frame,resident_mb,in_use_mb,files,threads" << std::endl;
   }
 
   void add(long frame) {
     samples_.push_back({frame, process_state()});
     const ProcessState& state = samples_.back().state;
     if (csv_.is_open())
-      csv_ << frame << ',' << state.resident << ',' << state.files << ',' << state.threads
-           << std::endl;
+      csv_ << frame << ',' << state.resident << ',' << state.in_use << ',' << state.files << ','
+           << state.threads << std::endl;
   }
 
-  /// [MB] of the last tenth over the third tenth, each by its median.
-  double growth() const { return resident(0.9) - resident(0.2); }
+  /// [MB] resident in the last tenth over the third tenth, each by its median.
+  double growth() const { return growth_of(&ProcessState::resident); }
+  /// [MB] likewise of what is allocated and not freed.
+  double growth_in_use() const { return growth_of(&ProcessState::in_use); }
   /// Fewest open at once in the last tenth over those in the third tenth: files and connections
   /// that come and go beside the sampling are nothing lost, what is never closed is.
   int new_files() const {
@@ -89,9 +104,13 @@ class StateHistory {
     return fewest;
   }
 
-  double resident(double part) const {
+  double growth_of(double ProcessState::*size) const {
+    return median(0.9, size) - median(0.2, size);
+  }
+
+  double median(double part, double ProcessState::*size) const {
     std::vector<double> values;
-    for (const ProcessState& state : tenth(part)) values.push_back(state.resident);
+    for (const ProcessState& state : tenth(part)) values.push_back(state.*size);
     std::sort(values.begin(), values.end());
     return values[values.size() / 2];
   }
