@@ -175,6 +175,28 @@ TEST(SceneWatch, ClockJumpAndNewSizeStartAnew) {
   EXPECT_FALSE(cell.watch.still());
 }
 
+TEST(SceneWatch, LargePicturesAreWatchedAsSmallOnes) {
+  const cv::Size size(2592, 1944);
+  cv::Mat before(size, CV_8UC3), after;
+  cv::theRNG().state = 3;
+  cv::randu(before, 90, 110);
+  before.copyTo(after);
+  after(cv::Rect(1200, 900, 300, 300)).setTo(cv::Scalar(40, 160, 200));
+  SceneWatch watch(0.3);
+  double now = 1000;
+  const auto show = [&](const cv::Mat& picture) {
+    for (int i = 0; i < 6; ++i) watch.update(now += kFrameTime, picture);
+  };
+  show(before);
+  ASSERT_TRUE(watch.still());
+  EXPECT_EQ(watch.still()->picture.size(), size);
+  show(after);
+  ASSERT_TRUE(watch.still());
+  EXPECT_EQ(watch.still()->number, 2u) << "the change was seen";
+  ASSERT_TRUE(watch.before_change());
+  EXPECT_EQ(cv::norm(watch.before_change()->picture, before, cv::NORM_INF), 0);
+}
+
 TEST(SceneWatch, RefusesUnusablePictures) {
   SceneWatch watch;
   EXPECT_THROW(watch.update(1, cv::Mat()), std::invalid_argument);

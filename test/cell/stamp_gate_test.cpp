@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <set>
+#include <string>
+
 namespace mbncc {
 namespace {
 
@@ -47,6 +50,14 @@ TEST(StampGate, BearsAClockThatIsSlewed) {
   StampGate gate(0.5, 0.1);
   EXPECT_EQ(gate.judge(100, 100), Verdict::kFresh);
   EXPECT_EQ(gate.judge(100.01, 99.99), Verdict::kFresh);
+}
+
+TEST(StampGate, EveryVerdictHasAWordOfItsOwn) {
+  std::set<std::string> words;
+  for (const auto verdict :
+       {Verdict::kFresh, Verdict::kRepeated, Verdict::kLate, Verdict::kAhead, Verdict::kRestarted})
+    words.insert(to_string(verdict));
+  EXPECT_EQ(words.size(), 5u);
 }
 
 TEST(StampGate, DropsAnUnstampedPicture) {

@@ -251,6 +251,17 @@ TEST_F(VideoSearchTest, AnotherRequestBeginsAnew) {
   EXPECT_EQ(result.searched, request.names);
 }
 
+TEST_F(VideoSearchTest, AfterAResetNothingIsTakenAsKnown) {
+  put(0, kLeft);
+  show_many(40);
+  ASSERT_FALSE(of(show(), 0)->fresh);
+  video_.reset();
+  const SearchResult result = show();
+  ASSERT_TRUE(of(result, 0));
+  EXPECT_TRUE(of(result, 0)->fresh);
+  EXPECT_EQ(result.searched.size(), models_.size());
+}
+
 TEST_F(VideoSearchTest, UnknownNamesAreSkippedAloud) {
   SearchRequest request;
   request.names = {"nobody"};
