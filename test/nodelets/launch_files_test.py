@@ -1,0 +1,53 @@
+#!/usr/bin/python3
+"""What the launch files set, without a master: pictures are lifted by the calibration that is theirs."""
+import os
+import unittest
+
+import rospkg
+from roslaunch.config import ROSLaunchConfig
+from roslaunch.xmlloader import XmlLoader
+
+LAUNCH = os.path.join(rospkg.RosPack().get_path("mbncc_vision"), "launch")
+
+
+def parameters(name, *arguments):
+    config = ROSLaunchConfig()
+    XmlLoader().load(os.path.join(LAUNCH, name), config, argv=list(arguments), verbose=False)
+    return {key: parameter.value for key, parameter in config.params.items()}
+
+
+class Rectified(unittest.TestCase):
+    def expect(self, expected, name, *arguments, cell="/"):
+        loaded = parameters(name, *arguments)
+        for nodelet in ("learning", "matching"):
+            self.assertIs(loaded[cell + nodelet + "/rectified"], expected, (nodelet, name, arguments))
+
+    def test_a_camera_gives_raw_pictures(self):
+        self.expect(False, "cell.launch")
+        self.expect(False, "cell.launch", "simulated:=true")
+        self.expect(False, "demo.launch")
+        self.expect(False, "vision.launch")
+
+    def test_the_rectify_nodelet_gives_rectified_ones(self):
+        self.expect(True, "cell.launch", "rectify:=true")
+        self.expect(True, "cell.launch", "camera:=false", "rectify:=true", "image:=/front/image_raw")
+
+    def test_other_pictures_are_told_by_their_topic(self):
+        self.expect(False, "cell.launch", "camera:=false", "image:=/front/image_color")
+        self.expect(True, "cell.launch", "camera:=false", "image:=/front/image_rect")
+        self.expect(True, "cell.launch", "camera:=false", "image:=/front/image_rect_color")
+        self.expect(False, "replay.launch", "bag:=x.bag")
+        self.expect(True, "replay.launch", "bag:=x.bag", "image:=/image_rect")
+
+    def test_the_operator_has_the_last_word(self):
+        self.expect(True, "cell.launch", "camera:=false", "image:=/straight", "rectified:=true")
+        self.expect(True, "replay.launch", "bag:=x.bag", "image:=/straight", "rectified:=true")
+        self.expect(False, "cell.launch", "camera:=false", "image:=/image_rect", "rectified:=false")
+
+    def test_both_of_two_cells(self):
+        loaded = parameters("cells.launch")
+        for key in ("/left/learning", "/left/matching", "/right/matching"):
+            self.assertIs(loaded[key + "/rectified"], False, key)
+
+
+unittest.main()
