@@ -1,6 +1,7 @@
 #!/usr/bin/python3
 """What the launch files set, without a master: pictures are lifted by the calibration that is theirs."""
 import os
+import tempfile
 import unittest
 
 import rospkg
@@ -48,6 +49,30 @@ class Rectified(unittest.TestCase):
         loaded = parameters("cells.launch")
         for key in ("/left/learning", "/left/matching", "/right/matching"):
             self.assertIs(loaded[key + "/rectified"], False, key)
+
+
+class Platform(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = folder.name
+        for name, text in (("platform.launch", "<launch><param name='published' value='1'/></launch>"),
+                           ("platform.yaml", "{platform_frame: table}")):
+            with open(os.path.join(self.folder, name), "w", encoding="utf-8") as file:
+                file.write(text)
+
+    def test_of_a_cell_comes_from_the_calibrations_folder(self):
+        for arguments in (["cell.launch"], ["replay.launch", "bag:=x.bag"]):
+            loaded = parameters(*arguments, "platform:=" + self.folder)
+            self.assertEqual(loaded["/published"], 1)
+            for nodelet in ("learning", "matching"):
+                self.assertEqual(loaded["/" + nodelet + "/platform_frame"], "table")
+
+    def test_of_each_of_two_cells(self):
+        loaded = parameters("cells.launch", "left_platform:=" + self.folder)
+        self.assertEqual(loaded["/left/published"], 1)
+        self.assertEqual(loaded["/left/matching/platform_frame"], "table")
+        self.assertEqual(loaded["/right/matching/platform_frame"], "")
 
 
 unittest.main()
