@@ -51,6 +51,13 @@ class Rectified(unittest.TestCase):
             self.assertIs(loaded[key + "/rectified"], False, key)
 
 
+class Calibration(unittest.TestCase):
+    def test_of_two_cameras_does_not_go_to_one_file(self):
+        loaded = parameters("cells.launch")
+        self.assertEqual(loaded["/left/camera/camera_name"], "left_camera")
+        self.assertEqual(loaded["/right/camera/camera_name"], "right_camera")
+
+
 class Platform(unittest.TestCase):
     def setUp(self):
         folder = tempfile.TemporaryDirectory()
