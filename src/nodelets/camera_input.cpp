@@ -10,16 +10,29 @@ CameraInput::CameraInput(ros::NodeHandle node, const std::string& transport, Cal
       transport_name_(transport),
       callback_(std::move(callback)) {}
 
-void CameraInput::set_active(bool active) {
-  const std::lock_guard<std::mutex> lock(mutex_);
-  if (active == static_cast<bool>(images_)) return;
-  if (!active) {
-    images_.shutdown();
-    images_ = image_transport::Subscriber();
-    infos_.shutdown();
+void CameraInput::set_active(const std::function<bool()>& wanted) {
+  const std::lock_guard<std::mutex> switching(switching_);
+  const bool active = wanted();
+  if (active == this->active()) return;
+  active ? subscribe() : unsubscribe();
+}
+
+void CameraInput::unsubscribe() {
+  image_transport::Subscriber images;
+  ros::Subscriber infos;
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    std::swap(images, images_);
+    std::swap(infos, infos_);
     info_.reset();
-    return;
   }
+  // Waits for a callback that is running, which may be waiting for the mutex.
+  images.shutdown();
+  infos.shutdown();
+}
+
+void CameraInput::subscribe() {
+  const std::lock_guard<std::mutex> lock(mutex_);
   infos_ = node_.subscribe<sensor_msgs::CameraInfo>(
       "camera_info", 1, [this](const sensor_msgs::CameraInfoConstPtr& info) {
         const std::lock_guard<std::mutex> info_lock(mutex_);

@@ -19,8 +19,12 @@ class CameraInput {
   /// `transport`: raw, compressed ... Pictures reach `callback` on the node's callback thread.
   CameraInput(ros::NodeHandle node, const std::string& transport, Callback callback);
 
-  /// Subscribes or unsubscribes; does nothing when that is so already.
-  void set_active(bool active);
+  /// Subscribes or unsubscribes as `wanted` says; does nothing when that is so already. Of calls
+  /// from several threads the last one's word holds.
+  void set_active(const std::function<bool()>& wanted);
+  void set_active(bool active) {
+    set_active([active] { return active; });
+  }
   bool active() const;
 
   /// Number of publishers of the picture topic.
@@ -33,11 +37,15 @@ class CameraInput {
   sensor_msgs::CameraInfoConstPtr camera_info_for(const sensor_msgs::Image& image) const;
 
  private:
+  void subscribe();
+  void unsubscribe();
+
   ros::NodeHandle node_;
   image_transport::ImageTransport transport_;
   const std::string transport_name_;
   const Callback callback_;
-  mutable std::mutex mutex_;
+  std::mutex switching_;      // taken before mutex_, and by no picture's callback
+  mutable std::mutex mutex_;  // of what follows
   image_transport::Subscriber images_;
   ros::Subscriber infos_;
   sensor_msgs::CameraInfoConstPtr info_;

@@ -46,27 +46,37 @@ bool any_enabled(const LibrarySnapshot& library) {
                      [](const auto& object) { return object->enabled; });
 }
 
-/// The first thing that matters to whoever acts on the array.
+/// What matters most to whoever acts on the array: a pose without metres or in another frame than
+/// asked for would move an arm wrongly, objects not searched are only missed.
 void set_status(DetectedObjectArray& array, const LibrarySnapshot& library,
                 const Calibration& calibration, bool budget_exceeded, bool target_reached) {
   if (!any_enabled(library)) {
     array.status = DetectedObjectArray::LIBRARY_EMPTY;
     array.message = "no enabled object in the library; teach one";
-  } else if (budget_exceeded) {
-    array.status = DetectedObjectArray::BUDGET_EXCEEDED;
-    array.message = "time_budget exceeded; some objects were not searched";
   } else if (!calibration.platform) {
     array.status = DetectedObjectArray::UNCALIBRATED;
     array.message = calibration.fault;
   } else if (!target_reached) {
     array.status = DetectedObjectArray::TF_UNAVAILABLE;
     array.message = "target_frame cannot be reached at the picture's stamp";
+  } else if (budget_exceeded) {
+    array.status = DetectedObjectArray::BUDGET_EXCEEDED;
+    array.message = "time_budget exceeded; some objects were not searched";
   } else {
     array.status = DetectedObjectArray::OK;
   }
 }
 
 }  // namespace
+
+void note_age(DetectedObjectArray& array, const ros::Time& now) {
+  array.latency = static_cast<float>((now - array.header.stamp).toSec());
+  for (auto& object : array.objects) {
+    if (object.state != DetectedObject::CONFIRMED || now <= object.valid_until) continue;
+    object.state = DetectedObject::NEW;
+    object.child_frame_id.clear();
+  }
+}
 
 DetectionPipeline::DetectionPipeline(const MatchingNodeConfig& config, const LiveMatcher& matcher,
                                      const tf2_ros::Buffer& tf)

@@ -36,6 +36,10 @@ struct ReceivedPicture {
   sensor_msgs::CameraInfoConstPtr camera_info;  ///< null: none fits
 };
 
+/// Fills in the latency of what goes out `now`; what has become too old meanwhile is no longer
+/// confirmed.
+void note_age(mbncc_vision::DetectedObjectArray& array, const ros::Time& now);
+
 class DetectionPipeline {
  public:
   /// `matcher` and `tf` outlive the pipeline.

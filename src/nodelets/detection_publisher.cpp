@@ -4,28 +4,13 @@
 #include <sensor_msgs/Image.h>
 #include <visualization_msgs/MarkerArray.h>
 
-#include <algorithm>
-
 #include "nodelets/images.hpp"
 #include "nodelets/markers.hpp"
 #include "nodelets/overlay.hpp"
 
 namespace mbncc::nodelets {
 
-using mbncc_vision::DetectedObject;
 using mbncc_vision::DetectedObjectArray;
-
-namespace {
-
-void withdraw_outdated(DetectedObjectArray& array, const ros::Time& now) {
-  for (auto& object : array.objects) {
-    if (object.state != DetectedObject::CONFIRMED || now <= object.valid_until) continue;
-    object.state = DetectedObject::NEW;
-    object.child_frame_id.clear();
-  }
-}
-
-}  // namespace
 
 DetectionPublisher::DetectionPublisher(ros::NodeHandle node, ros::NodeHandle private_node,
                                        const std::function<void()>& listeners_changed) {
@@ -49,9 +34,7 @@ bool DetectionPublisher::has_listeners() const {
 double DetectionPublisher::publish(Detections detections, const cv::Mat& picture,
                                    const ScoreMap& score_map, const Extras& extras) {
   DetectedObjectArray& array = detections.array;
-  const ros::Time now = ros::Time::now();
-  array.latency = static_cast<float>((now - array.header.stamp).toSec());
-  withdraw_outdated(array, now);
+  note_age(array, ros::Time::now());
   if (!extras.tf)
     for (auto& object : array.objects) object.child_frame_id.clear();
   detections_.publish(array);

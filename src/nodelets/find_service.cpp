@@ -6,6 +6,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "mbncc/cell/stamp_gate.hpp"
 #include "nodelets/images.hpp"
 #include "nodelets/messages.hpp"
 #include "nodelets/search_roi.hpp"
@@ -13,6 +14,7 @@
 namespace mbncc::nodelets {
 namespace {
 
+using mbncc_vision::DetectedObjectArray;
 using Request = FindService::Request;
 
 constexpr double kDefaultTimeout = 5;   // [s]
@@ -24,21 +26,55 @@ constexpr std::size_t kMostNames = 1000;
   throw std::invalid_argument(sentence);
 }
 
+[[noreturn]] void refuse_future() {
+  refuse("the picture is stamped in the future; compare the clocks");
+}
+
 SearchRequest search_request(const Request& request, const MatchingNodeConfig& config,
                              cv::Size size) {
   SearchRequest search;
   if (request.names.size() > kMostNames) refuse("more than 1000 names");
   for (const auto& name : request.names)
     if (!is_valid_name(name)) refuse("a name is none of an object");
-  search.names = request.names;
   const auto roi = from_msg(request.roi, size);
   if (!roi) refuse("roi does not lie in the picture");
-  search.roi = roi->empty() ? parse_roi(config.search_roi) : *roi;
+  search.roi = roi->empty() ? roi_in(parse_roi(config.search_roi), size) : *roi;
   if (request.min_score > 1) refuse("min_score lies above 1");
   if (request.min_score > 0) search.min_score = request.min_score;
   if (request.max_instances > 1000) refuse("max_instances lies above 1000");
   search.max_instances = static_cast<int>(request.max_instances);
   return search;
+}
+
+/// Everything that is known is searched, so that look-alikes have their say; what was not asked for
+/// is left out of the answer.
+void keep_named(DetectedObjectArray& array, const std::vector<std::string>& names,
+                const LibrarySnapshot& library) {
+  if (names.empty()) return;
+  const auto is_other = [&names](const std::string& name) {
+    return std::find(names.begin(), names.end(), name) == names.end();
+  };
+  const auto drop = [](auto& items, const auto& is_dropped) {
+    items.erase(std::remove_if(items.begin(), items.end(), is_dropped), items.end());
+  };
+  drop(array.objects, [&](const auto& object) { return is_other(object.name); });
+  drop(array.searched, is_other);
+  drop(array.skipped,
+       [&](const std::string& reason) { return is_other(reason.substr(0, reason.find(':'))); });
+  for (const auto& name : names) {
+    const auto known = library.find(name);
+    if (!known) array.skipped.push_back(name + ": unknown");
+    if (known && !known->enabled) array.skipped.push_back(name + ": disabled");
+  }
+}
+
+/// Every call follows instances of its own: their numbers and frames would be taken for those of
+/// the stream.
+void leave_unnumbered(DetectedObjectArray& array) {
+  for (auto& object : array.objects) {
+    object.instance_id = 0;
+    object.child_frame_id.clear();
+  }
 }
 
 /// Keeps live pictures coming.
@@ -70,7 +106,11 @@ FindService::FindService(ros::NodeHandle node, const FindTools& tools)
 
 bool FindService::on_call(Request& request, Response& response) {
   try {
-    response.detections = find(request).array;
+    Detections detections = find(request);
+    keep_named(detections.array, request.names, *detections.library);
+    leave_unnumbered(detections.array);
+    note_age(detections.array, ros::Time::now());
+    response.detections = detections.array;
     response.success = true;
     response.message = response.detections.message;
   } catch (const std::exception& error) {
@@ -81,14 +121,17 @@ bool FindService::on_call(Request& request, Response& response) {
 }
 
 Detections FindService::find(const Request& request) const {
+  if (request.frames > kMostFrames) refuse("frames lies above 100");
   MatchingNodeConfig config = tools_.config;
   config.video.sweep_time = 0;  // asked once, everything is looked at
-  config.average_frames = static_cast<int>(std::clamp(request.frames, 1u, kMostFrames));
+  config.average_frames = static_cast<int>(std::max(1u, request.frames));
   DetectionPipeline pipeline(config, tools_.matcher, tools_.tf);
   if (!is_given(request.image)) return find_live(request, pipeline);
   const Decoded decoded = decode_picture(request.image);
   if (!decoded) refuse("image: " + decoded.fault);
   const bool has_info = request.camera_info.width != 0;
+  const double ahead = (request.image.header.stamp - ros::Time::now()).toSec();
+  if (ahead > config.max_ahead) refuse_future();
   const ReceivedPicture received{
       decoded.picture, request.image.header,
       has_info ? boost::make_shared<sensor_msgs::CameraInfo>(request.camera_info) : nullptr};
@@ -96,18 +139,23 @@ Detections FindService::find(const Request& request) const {
 }
 
 Detections FindService::find_live(const Request& request, DetectionPipeline& pipeline) const {
-  if (request.frames > kMostFrames) refuse("frames lies above 100");
   using Clock = std::chrono::steady_clock;
   const auto start = Clock::now();
   const double timeout = timeout_of(request);
   const Listening listening(tools_);
   ros::Time after = ros::Time::now();
+  StampGate gate(tools_.config.max_age, tools_.config.max_ahead);
   ReceivedPicture received;
   TrackedPicture tracked;
   for (std::uint32_t i = 0; i < std::max(1u, request.frames); ++i) {
-    const double waited = std::chrono::duration<double>(Clock::now() - start).count();
-    received = next_picture(after, timeout - waited);
-    after = received.header.stamp;
+    StampGate::Verdict verdict;
+    do {
+      const double waited = std::chrono::duration<double>(Clock::now() - start).count();
+      received = next_picture(after, timeout - waited);
+      after = received.header.stamp;
+      verdict = gate.judge(after.toSec(), ros::Time::now().toSec());
+      if (verdict == StampGate::Verdict::kAhead) refuse_future();
+    } while (verdict != StampGate::Verdict::kFresh);
     tracked =
         pipeline.track(received, search_request(request, tools_.config, received.picture.size()));
   }

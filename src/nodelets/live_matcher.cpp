@@ -60,8 +60,12 @@ Found LiveMatcher::watch(VideoSearch& video, double stamp, const cv::Mat& pictur
   const std::shared_lock<std::shared_mutex> lock(mutex_);
   Found found;
   found.library = searched_;
+  const std::vector<std::string> asked = request.names;
   const auto dropped = drop_other_sizes(*searched_, picture.size(), request.names);
-  if (!request.names.empty()) found.result = video.find(matcher_, stamp, picture, request);
+  const bool any = !request.names.empty();
+  // Another request would begin anew; what is taught or deleted meanwhile is no other request.
+  if (dropped.empty()) request.names = asked;
+  if (any) found.result = video.find(matcher_, stamp, picture, request);
   found.result.skipped.insert(found.result.skipped.end(), dropped.begin(), dropped.end());
   return found;
 }

@@ -153,7 +153,8 @@ bool MatchingNodelet::wanted() const {
 }
 
 void MatchingNodelet::listen_as_wanted() {
-  if (publisher_ && camera_) camera_->set_active(wanted() || picture_wait_.wanted());
+  if (publisher_ && camera_)
+    camera_->set_active([this] { return wanted() || picture_wait_.wanted(); });
 }
 
 void MatchingNodelet::on_image(const sensor_msgs::ImageConstPtr& image) {
@@ -169,9 +170,8 @@ void MatchingNodelet::take_settings() {
 
 bool MatchingNodelet::enable(std_srvs::SetBool::Request& request,
                              std_srvs::SetBool::Response& response) {
-  enabled_ = request.data;
+  if (enabled_.exchange(request.data) != static_cast<bool>(request.data)) worker_->begin_anew();
   listen_as_wanted();
-  worker_->begin_anew();
   response.success = true;
   response.message = request.data ? "searching" : "idle: disabled";
   return true;

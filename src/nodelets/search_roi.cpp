@@ -19,4 +19,14 @@ cv::Rect parse_roi(const std::string& text) {
   return roi;
 }
 
+cv::Rect roi_in(const cv::Rect& roi, cv::Size picture) {
+  if (roi.empty()) return roi;
+  const cv::Rect inside = roi & cv::Rect({}, picture);
+  if (inside.empty())
+    throw ConfigError("parameter 'search_roi' lies outside the picture of " +
+                      std::to_string(picture.width) + " x " + std::to_string(picture.height) +
+                      "; give one that overlaps it, or nothing");
+  return inside;
+}
+
 }  // namespace mbncc::nodelets

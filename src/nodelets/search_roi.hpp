@@ -10,4 +10,8 @@ namespace mbncc::nodelets {
 /// naming the text and what is allowed.
 cv::Rect parse_roi(const std::string& text);
 
+/// The part of `roi` that lies in a picture of this size. Throws ConfigError when none does:
+/// nothing would ever be found.
+cv::Rect roi_in(const cv::Rect& roi, cv::Size picture);
+
 }  // namespace mbncc::nodelets

@@ -13,8 +13,8 @@ SearchWorker::SearchWorker(const SearchTools& tools)
     : tools_(tools),
       silence_(tools.settings.initial().stale_after),
       pipeline_(tools.settings.initial(), tools.matcher, tools.tf),
+      roi_(parse_roi(tools.settings.initial().search_roi)),
       gate_(tools.settings.initial().max_age, tools.settings.initial().max_ahead) {
-  request_.roi = parse_roi(tools.settings.initial().search_roi);
   worker_ = std::thread([this] { work(); });
 }
 
@@ -31,33 +31,50 @@ void SearchWorker::put(const sensor_msgs::ImageConstPtr& image) {
   });
 }
 
+void SearchWorker::begin_anew() {
+  ++era_;
+  mailbox_.clear();
+  silence_.restart();
+}
+
 void SearchWorker::work() {
   while (const auto image = mailbox_.take()) {
+    searching_ = true;
     try {
       search(**image);
     } catch (const std::exception& error) {
       refuse(error.what());
     }
+    searching_ = false;
   }
 }
 
 void SearchWorker::search(const sensor_msgs::Image& image) {
+  const unsigned era = era_;
+  if (std::exchange(pipeline_era_, era) != era) pipeline_.reset();
   if (!admit(image.header)) return;
   const Decoded decoded = decode_picture(image);
   if (!decoded) return refuse(decoded.fault);
+  request_.roi = roi_in(roi_, decoded.picture.size());
+  silence_.restart();
   const ReceivedPicture received{decoded.picture, image.header,
                                  tools_.camera.camera_info_for(image)};
   const Detections detections = pipeline_.process(received, request_);
+  if (era == era_) publish(detections, decoded.picture);
+}
+
+void SearchWorker::publish(const Detections& detections, const cv::Mat& picture) {
   const MatchingNodeConfig settings = tools_.settings.get();
-  const double latency = tools_.publisher.publish(
-      detections, decoded.picture, [&] { return tools_.matcher.score_map(decoded.picture); },
-      {settings.publish_tf, settings.show_score_map});
+  const double latency = tools_.publisher.publish(detections, picture,
+                                                  [&] { return tools_.matcher.score_map(picture); },
+                                                  {settings.publish_tf, settings.show_score_map});
   silence_.restart();
   statistics_.change([&](SearchStatistics& statistics) {
     ++statistics.searched;
     statistics.search_time = detections.array.search_time;
     statistics.latency = latency;
     statistics.message = detections.array.message;
+    statistics.last_fault.clear();
   });
 }
 
@@ -69,11 +86,15 @@ bool SearchWorker::admit(const std_msgs::Header& header) {
   } else if (verdict != Verdict::kFresh) {
     statistics_.change([verdict](SearchStatistics& statistics) {
       ++statistics.badly_stamped;
-      statistics.last_fault = std::string("stamp: ") + to_string(verdict);
+      statistics.last_fault = std::string("a picture's stamp is ") + to_string(verdict) +
+                              "; compare the clocks, and check use_sim_time, max_age and max_ahead";
     });
     return false;
   }
-  if (is_too_soon(header.stamp)) return false;
+  if (is_too_soon(header.stamp)) {
+    silence_.restart();
+    return false;
+  }
   last_searched_ = header.stamp;
   return true;
 }
@@ -99,12 +120,19 @@ void SearchWorker::refuse(const std::string& fault) {
 }
 
 void SearchWorker::look_for_silence(bool expected) {
-  if (!expected) return silence_.restart();
+  if (!expected) return begin_anew();
   if (!silence_.due()) return;
+  tools_.publisher.publish_stale(reason_of_silence());
+  // Whatever was confirmed may have been moved meanwhile, unless it is the search that takes long.
+  if (!searching_) ++era_;
+}
+
+std::string SearchWorker::reason_of_silence() const {
+  if (searching_)
+    return "a search takes longer than stale_after; search fewer objects, or raise stale_after";
+  if (tools_.camera.publishers() == 0) return "nobody publishes pictures";
   const std::string fault = statistics_.get().last_fault;
-  tools_.publisher.publish_stale(tools_.camera.publishers() == 0 ? "nobody publishes pictures"
-                                 : fault.empty()                 ? "pictures have stopped"
-                                                 : "no usable picture; last " + fault);
+  return fault.empty() ? "pictures have stopped" : "no usable picture: " + fault;
 }
 
 }  // namespace mbncc::nodelets

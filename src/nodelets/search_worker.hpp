@@ -4,6 +4,7 @@
 #include <ros/time.h>
 #include <sensor_msgs/Image.h>
 
+#include <atomic>
 #include <string>
 #include <thread>
 
@@ -38,25 +39,32 @@ class SearchWorker {
   /// Called now and then: publishes STALE when pictures are expected but fail to come.
   void look_for_silence(bool expected);
 
+  /// What was seen before no longer counts, nor does a picture that has not been published yet.
   /// Silence counts from now.
-  void begin_anew() { silence_.restart(); }
+  void begin_anew();
 
   SearchStatistics statistics() const { return statistics_.get(); }
 
  private:
   void work();
   void search(const sensor_msgs::Image& image);
+  void publish(const Detections& detections, const cv::Mat& picture);
   bool admit(const std_msgs::Header& header);
   bool is_too_soon(const ros::Time& stamp);
   void start_over();
   void refuse(const std::string& fault);
+  std::string reason_of_silence() const;
 
   const SearchTools tools_;
   SharedStatistics statistics_;
   StaleWatch silence_;
   Mailbox<sensor_msgs::ImageConstPtr> mailbox_;
+  std::atomic<unsigned> era_{0};  // begins anew with every begin_anew()
+  std::atomic<bool> searching_{false};
   // Of the worker thread alone.
+  unsigned pipeline_era_ = 0;
   DetectionPipeline pipeline_;
+  const cv::Rect roi_;
   SearchRequest request_;
   StampGate gate_;
   ros::Time last_searched_;

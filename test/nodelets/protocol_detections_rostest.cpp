@@ -59,7 +59,21 @@ TEST_F(Protocol, FindsOnceOnRequest) {
   request.image = before_;
   const auto find = [&] { return call<mbncc_vision::FindObjects>("find_objects", request); };
   ASSERT_TRUE(spin_until([&] { return find().detections.objects.size() == 1; }));
-  EXPECT_TRUE(find().success);
+  const auto found = find();
+  EXPECT_TRUE(found.success);
+  ASSERT_EQ(found.detections.objects.size(), 1u);
+  EXPECT_EQ(found.detections.objects[0].instance_id, 0u) << "of no stream";
+  request.names = {"nobody"};
+  const auto other = find();
+  EXPECT_TRUE(other.success);
+  EXPECT_TRUE(other.detections.objects.empty());
+  EXPECT_TRUE(other.detections.searched.empty());
+  EXPECT_EQ(other.detections.skipped, std::vector<std::string>{"nobody: unknown"});
+  request.names = {"part"};
+  EXPECT_EQ(find().detections.objects.size(), 1u);
+  request.names.clear();
+  request.image.header.stamp = ros::Time::now() + ros::Duration(3600);
+  EXPECT_FALSE(find().success) << "stamped in the future";
   request.image = after_;
   EXPECT_TRUE(find().success);
   EXPECT_TRUE(find().detections.objects.empty());
@@ -87,6 +101,7 @@ TEST_F(Protocol, IsIdleWhileDisabled) {
   EXPECT_TRUE(call<std_srvs::SetBool>("matching/enable", request).success);
   EXPECT_TRUE(spin_until([this] { return images_.getNumSubscribers() == 1; }))
       << "the matching nodelet still listens, besides the learning nodelet";
+  EXPECT_EQ(call<std_srvs::SetBool>("matching/enable", request).message, "idle: disabled");
   request.data = true;
   EXPECT_TRUE(call<std_srvs::SetBool>("matching/enable", request).success);
   const int before = arrays_;

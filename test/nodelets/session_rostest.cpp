@@ -174,10 +174,13 @@ TEST_F(Session, LateDuplicateAndFuturePicturesAreNotSearched) {
 
 TEST_F(Session, FrozenClockIsNoticed) {
   const Pose2D pose{150, 120, 0.5};
-  show({pose});
+  for (int i = 0; i < 5; ++i) show({pose});
   EXPECT_TRUE(spin_until([this] { return arrays_.back()->status == DetectedObjectArray::STALE; }));
   EXPECT_TRUE(arrays_.back()->objects.empty());
-  EXPECT_EQ(show({pose})->status, DetectedObjectArray::OK) << "it recovers alone";
+  const auto array = show({pose});
+  EXPECT_EQ(array->status, DetectedObjectArray::OK) << "it recovers alone";
+  ASSERT_EQ(array->objects.size(), 1u);
+  EXPECT_NE(array->objects[0].state, DetectedObject::CONFIRMED) << "sightings before the silence";
 }
 
 TEST_F(Session, GoesOnAfterTheClockJumpedBack) {

@@ -4,9 +4,9 @@
 #include <atomic>
 #include <chrono>
 #include <cmath>
+#include <future>
 #include <opencv2/imgproc.hpp>
 #include <optional>
-#include <thread>
 
 #include "matching/coarse_search.hpp"
 #include "matching/effort.hpp"
@@ -88,18 +88,20 @@ std::vector<Detection> search_object(const PreparedObject& object, const ScenePi
   return enough ? found : search_views(object, scene, roi, look);
 }
 
-/// Calls work(i) for i in [0, count) on up to `threads` threads.
+/// Calls work(i) for i in [0, count) on up to `threads` threads; what one throws reaches the
+/// caller.
 template <class Work>
 void in_parallel(std::size_t count, int threads, const Work& work) {
   std::atomic<std::size_t> next{0};
   const auto worker = [&] {
     for (std::size_t i = next++; i < count; i = next++) work(i);
   };
-  std::vector<std::thread> helpers;
+  std::vector<std::future<void>> helpers;
   const std::size_t wanted = std::min<std::size_t>(static_cast<std::size_t>(threads), count);
-  for (std::size_t k = 1; k < wanted; ++k) helpers.emplace_back(worker);
+  for (std::size_t k = 1; k < wanted; ++k)
+    helpers.push_back(std::async(std::launch::async, worker));
   worker();
-  for (auto& helper : helpers) helper.join();
+  for (auto& helper : helpers) helper.get();
 }
 
 int top_level(const ObjectList& objects) {
