@@ -4,20 +4,25 @@
 #include <cmath>
 #include <opencv2/imgproc.hpp>
 
+#include "learning/texture_loss.hpp"
+
 namespace mbncc {
 namespace {
 
 constexpr float kStudentFreedom = 30;      // tails of the unchanged term
-constexpr float kShadowWeight = 0.15F;     // prior of a pixel lying in a shadow
+constexpr float kShadowWeight = 0.12F;     // prior of a pixel lying in a shadow
 constexpr float kOutlierWeight = 0.03F;    // prior of any colour at all (glints, dust)
 constexpr float kPlatformWeight = 0.001F;  // prior of platform from elsewhere (something shifted)
 constexpr float kDarkestShadow = 0.3F;     // of the light that is left
+constexpr float kBrightestFlank = 1.1F;    // likewise
 constexpr float kShadowScale = 0.25F;      // log-prior: a shadow is the likelier the lighter it is
 constexpr float kBrightScale = 0.06F;      // likewise for the light that an object's flank throws
 constexpr float kShadowTint = 0.1F;        // deviation of one channel, part of the light taken away
 constexpr float kShadowSlope = 0.1F;       // deviation of all channels alike, likewise
 constexpr float kShadowNoise = 1.2F;       // variance of a shadowed pixel, relative
 constexpr int kShadowBox = 7;              // [px] a shadow's depth is averaged over this square
+constexpr float kTextureLost = 6;          // most that covered texture says against a shadow
+constexpr float kTextureKept = 4;          // most that visible texture says for it
 constexpr float kHighestRatio = 60;        // cap of the logarithms
 constexpr float kHardlyPossible = 20;      // log-prior against shadows darker than the darkest
 
@@ -39,6 +44,11 @@ cv::Mat remaining_light(const cv::Mat& before, const cv::Mat& after) {
   cv::Mat light;
   cv::divide(both + 1, squares + 1, light);
   return light;
+}
+
+// The light that a shadow or a bright flank may leave.
+cv::Mat plausible(const cv::Mat& light) {
+  return cv::max(cv::min(light, kBrightestFlank), kDarkestShadow);
 }
 
 // How a Gaussian about a predicted picture fits.
@@ -119,14 +129,17 @@ cv::Mat log_student(Fit& fit, float tail) {
   return constant - 0.5F * determinant - 0.5F * (kStudentFreedom + 3) * tails;
 }
 
-cv::Mat log_shadow_prior(const cv::Mat& light) {
+// A shadow is the likelier the lighter it is, and leaves the platform's texture visible.
+cv::Mat log_shadow_prior(const cv::Mat& light, const cv::Mat& lost) {
   cv::Mat prior(light.size(), CV_32FC1);
   for (int y = 0; y < light.rows; ++y) {
     const auto* k = light.ptr<float>(y);
+    const auto* loss = lost.ptr<float>(y);
     auto* out = prior.ptr<float>(y);
     for (int x = 0; x < light.cols; ++x)
       out[x] = (k[x] < 1 ? (k[x] - 1) / kShadowScale : (1 - k[x]) / kBrightScale) -
-               (k[x] < kDarkestShadow ? kHardlyPossible : 0);
+               (k[x] < kDarkestShadow ? kHardlyPossible : 0) -
+               std::clamp(loss[x], -kTextureKept, kTextureLost);
   }
   return prior;
 }
@@ -147,12 +160,13 @@ float log_uniform_colour() {
 BackgroundLikelihood background_likelihood(const cv::Mat& before, const cv::Mat& after,
                                            const NoiseModel& noise, const ColourMixture& platform) {
   const cv::Mat variance = noise.variance_picture(after), light = remaining_light(before, after);
+  const cv::Mat lost = texture_loss(before, after, plausible(light), variance);
   Fit unchanged = fit_unchanged(before, after, variance, noise.correlation);
   Fit shaded = fit_shadow(before, after, light, variance, noise.correlation);
   const cv::Mat plain = exponential(log_student(unchanged, noise.tail) +
                                     std::log(1 - kOutlierWeight - kShadowWeight));
-  const cv::Mat shadow = exponential(log_student(shaded, noise.tail) + log_shadow_prior(light) +
-                                     std::log(kShadowWeight));
+  const cv::Mat shadow = exponential(log_student(shaded, noise.tail) +
+                                     log_shadow_prior(light, lost) + std::log(kShadowWeight));
   const cv::Mat elsewhere = platform.densities(before) * std::exp(-log_uniform_colour());
   const cv::Mat sum = plain + shadow + kPlatformWeight * elsewhere + kOutlierWeight;
   BackgroundLikelihood result;

@@ -22,6 +22,7 @@ namespace {
 constexpr float kAnyColour = 0.05F;    // part of the object's pixels in colours not seen yet
 constexpr float kUnaryWeight = 1.15F;  // against the smoothness
 constexpr double kSureness = 4;  // power of the change's probability that colours are weighted by
+constexpr double kRimWeight = 0.3;  // of the outermost pixels' colours
 constexpr float kHighestUnary = 60;
 constexpr float kVoice = 8;          // highest unary of one of two views
 constexpr float kForced = 1000;      // unary of painted pixels
@@ -62,10 +63,7 @@ class Cutter {
   }
 
   void cut() {
-    // Surely changed pixels teach the object's colours, doubtful ones (its shadow's rim) hardly.
-    cv::Mat sureness;
-    cv::pow(background_.changed, kSureness, sureness);
-    unary_ = unary_of(ColourMixture::fit(before_, map_, sureness));
+    unary_ = unary_of(ColourMixture::fit(before_, map_, sureness()));
     cut_by_unary();
   }
 
@@ -152,6 +150,17 @@ class Cutter {
   // Relative to uniform, as in BackgroundLikelihood.
   cv::Mat relative_density(const ColourMixture& mixture) const {
     return mixture.densities(before_) * std::exp(-log_uniform_colour());
+  }
+
+  // Surely changed pixels teach the object's colours. Doubtful ones (its shadow's rim) hardly do,
+  // and the outermost less, since platform shines through.
+  cv::Mat sureness() const {
+    cv::Mat sureness, core;
+    cv::pow(background_.changed, kSureness, sureness);
+    cv::erode(map_, core, cv::getStructuringElement(cv::MORPH_CROSS, {3, 3}));
+    cv::Mat weight = sureness * kRimWeight;
+    sureness.copyTo(weight, core);
+    return weight;
   }
 
   // Positive where the object explains a pixel better than the platform.

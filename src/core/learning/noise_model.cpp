@@ -16,6 +16,8 @@ constexpr float kUnknownSigma = 4;       // [grey levels] where the ring is too 
 constexpr float kFlatGradient = 64;      // squared [grey levels / px]: below, no edge disturbs
 constexpr float kClipped = 252;          // [grey levels]
 constexpr float kPooledPart = 0.7F;      // of the 3 x 3 mean in pool()
+constexpr float kFarNeighbour = 6;       // a neighbour's distance counts no more than this
+constexpr float kFarFactor = 2;          // and so much of the pixel's own
 constexpr float kPooledQuantile = 4.9F;  // 90 % of a pooled chi^2 of three degrees lie below
 
 // Differences on trusted pixels: by brightness where it is flat, by gradient elsewhere.
@@ -230,9 +232,21 @@ cv::Mat normalized_difference(const cv::Mat& before, const cv::Mat& predicted,
 }
 
 void pool(cv::Mat& values) {
-  cv::Mat mean;
-  cv::blur(values, mean, {3, 3});
-  cv::addWeighted(values, 1 - kPooledPart, mean, kPooledPart, 0, values);
+  cv::Mat framed;
+  cv::copyMakeBorder(values, framed, 1, 1, 1, 1, cv::BORDER_REFLECT_101);
+  std::vector<float> most(values.cols), sum(values.cols);
+  for (int y = 0; y < values.rows; ++y) {
+    auto* own = values.ptr<float>(y);
+    for (int x = 0; x < values.cols; ++x) most[x] = kFarNeighbour + kFarFactor * own[x];
+    std::fill(sum.begin(), sum.end(), 0.F);
+    for (int dy = 0; dy < 3; ++dy)
+      for (int dx = 0; dx < 3; ++dx) {
+        const auto* neighbour = framed.ptr<float>(y + dy) + dx;
+        for (int x = 0; x < values.cols; ++x) sum[x] += std::min(neighbour[x], most[x]);
+      }
+    for (int x = 0; x < values.cols; ++x)
+      own[x] = (1 - kPooledPart) * own[x] + kPooledPart / 9 * sum[x];
+  }
 }
 
 }  // namespace mbncc

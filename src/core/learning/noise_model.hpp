@@ -39,7 +39,8 @@ NoiseModel learn_noise(const AlignedPair& pair);
 cv::Mat normalized_difference(const cv::Mat& before, const cv::Mat& predicted,
                               const cv::Mat& variance, const cv::Matx33f& correlation);
 
-/// Mixes `values` with their 3 x 3 mean, which evens out single noisy pixels.
+/// Mixes such distances with their 3 x 3 mean, which evens out single noisy pixels. Neighbours that
+/// are far beyond the pixel itself hardly count, so that a change does not spread over its border.
 void pool(cv::Mat& values);
 
 }  // namespace mbncc

@@ -1,0 +1,14 @@
+// Whether the platform's fine texture is still visible: a shadow darkens it, an object covers it.
+#pragma once
+
+#include <opencv2/core.hpp>
+
+namespace mbncc {
+
+/// Log-odds, per pixel, that the texture which `after` shows around it is covered in `before`
+/// rather than dimmed to the part `light` (CV_32FC1); about 0 where there is no texture.
+/// `before`, `after` and `variance`, that of their difference, are CV_32FC3.
+cv::Mat texture_loss(const cv::Mat& before, const cv::Mat& after, const cv::Mat& light,
+                     const cv::Mat& variance);
+
+}  // namespace mbncc
