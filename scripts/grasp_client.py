@@ -99,7 +99,7 @@ def describe(found, header, grasp):
                                                 found.valid_until.to_sec()),
              "position %.5f %.5f %.5f m" % (p.x, p.y, p.z),
              "orientation %.5f %.5f %.5f %.5f" % (q.x, q.y, q.z, q.w)]
-    if grasp:
+    if grasp and found.child_frame_id:  # without tf there is no frame to name
         lines.append("grasp frame %s_grasp" % found.child_frame_id)
     return "\n".join(lines)
 

@@ -19,7 +19,7 @@ std::vector<cv::Point2f> parse_points(const std::string& option, const std::stri
 /// A whole number of at least `lowest`. Throws UsageError naming the option.
 int parse_whole(const std::string& option, const std::string& text, int lowest);
 
-/// A number in [low, high]. Throws UsageError naming the option.
+/// A number in [low, high]. Throws ConfigError naming the option.
 double parse_number(const std::string& option, const std::string& text, double low, double high);
 
 }  // namespace mbncc::cli

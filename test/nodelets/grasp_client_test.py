@@ -56,5 +56,12 @@ class GraspClientTest(unittest.TestCase):
         self.assertEqual(choice([confirmed(state=DetectedObject.NEW), confirmed(instance_id=2)])[0]
                          .instance_id, 2)
 
+    def test_names_the_grasp_frame_where_there_is_one(self):
+        header = DetectedObjectArray().header
+        sent = confirmed(child_frame_id="object_part_0")
+        self.assertIn("grasp frame object_part_0_grasp", grasp_client.describe(sent, header, grasp=True))
+        self.assertNotIn("grasp frame", grasp_client.describe(sent, header, grasp=False))
+        self.assertNotIn("grasp frame", grasp_client.describe(confirmed(), header, grasp=True))
+
 
 unittest.main()

@@ -15,9 +15,8 @@ namespace mbncc {
 /// - A place that changed and has come to rest is searched for every object, those missing first,
 ///   with a bounded effort per picture. Until all have been searched there, nothing found at the
 ///   place is graspable: another object may fit better.
-/// - Every object is searched for in the whole picture once in sweep_time, in turn: the longest
-/// that
-///   anything can be overlooked.
+/// - Every object is searched for in the whole picture once in sweep_time, in turn: nothing can be
+///   overlooked for longer.
 /// - When the camera is pushed or the light switched, all instances are verified and the whole
 ///   picture is searched.
 class VideoSearch {
@@ -28,9 +27,8 @@ class VideoSearch {
   VideoSearch& operator=(VideoSearch&&) noexcept;
 
   /// The next picture, stamped `stamp` [s], not before the last one. `matcher` may have got other
-  /// objects since; another request, picture size or limit
-  /// starts anew. Objects with places still to be
-  /// searched are listed in SearchResult::skipped. Throws as Matcher::find().
+  /// objects since; another request, picture size or limit starts anew. Objects with places still
+  /// to be searched are listed in SearchResult::skipped. Throws as Matcher::find().
   SearchResult find(const Matcher& matcher, double stamp, const cv::Mat& picture,
                     const SearchRequest& request = {});
 

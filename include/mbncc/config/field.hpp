@@ -1,7 +1,7 @@
 // One list of fields per config struct serves every reader: YAML, tool flags, ROS parameters, the
 // table of parameters and the tests. Each config struct has a static member template
 //   template <class Self, class Visitor> static void fields(Self& self, Visitor&& visit);
-// which calls visit(name, value, Range/Choices/..., unit, meaning) for every field.
+// which calls visit(FieldInfo, value) for every field.
 #pragma once
 
 #include <functional>
