@@ -76,8 +76,11 @@ struct KernelOffsets {
 class CoarseSearch {
  public:
   CoarseSearch(const KernelBank& bank, const cv::Mat& grey, const cv::Rect& roi,
-               const RotationSector& sector = {})
-      : bank_(bank), roi_(roi & cv::Rect({0, 0}, grey.size())), picture_(grey, bank.radius + 1) {
+               const RotationSector& sector = {}, const Places& places = {})
+      : bank_(bank),
+        roi_(roi & cv::Rect({0, 0}, grey.size())),
+        wanted_(places.of_positions(bank.level, roi_.tl(), 1, roi_.size())),
+        picture_(grey, bank.radius + 1) {
     for (const auto& kernel : bank.kernels) {
       offsets_.emplace_back(kernel, picture_.stride);
       if (!sector.contains(kernel.angle)) offsets_.back().norm = 0;
@@ -94,8 +97,10 @@ class CoarseSearch {
   /// The largest similarities over the rotations, in full from `threshold` on.
   const cv::Mat& correlate(double threshold) {
     for (int y = 0; y < roi_.height; ++y)
-      for (int x = 0; x < roi_.width; x += kBlock)
-        correlate_block(x, y, std::min(kBlock, roi_.width - x), threshold);
+      for (const auto& span : covering_spans(wanted_.ptr(y), roi_.width, kernels::kPositions))
+        for (int x = span.begin; x < std::min(span.end, roi_.width); x += kBlock)
+          correlate_block(x, y, std::min({kBlock, span.end - x, roi_.width - x}), threshold);
+    best_.setTo(-1, wanted_ == 0);
     return best_;
   }
 
@@ -196,6 +201,7 @@ class CoarseSearch {
 
   const KernelBank& bank_;
   cv::Rect roi_;
+  cv::Mat wanted_;  // CV_8UC1, roi's size: positions searched
   PaddedPicture picture_;
   std::vector<KernelOffsets> offsets_;
   cv::Mat best_;  // CV_32FC1, roi's size: largest similarity over the rotations
@@ -208,9 +214,9 @@ class CoarseSearch {
 
 std::vector<Candidate> coarse_search(const KernelBank& bank, const cv::Mat& grey,
                                      const cv::Rect& roi, const CoarseSettings& settings,
-                                     const RotationSector& sector) {
+                                     const RotationSector& sector, const Places& places) {
   if ((roi & cv::Rect({0, 0}, grey.size())).empty()) return {};
-  return CoarseSearch(bank, grey, roi, sector).run(settings);
+  return CoarseSearch(bank, grey, roi, sector, places).run(settings);
 }
 
 cv::Mat coarse_similarity(const KernelBank& bank, const cv::Mat& grey) {

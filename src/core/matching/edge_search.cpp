@@ -34,7 +34,7 @@ int orientation_of(float normal_x, float normal_y) {
 class EdgeSearch {
  public:
   EdgeSearch(const EdgeBank& bank, const SceneLevel& scene, const cv::Rect& roi,
-             const RotationSector& sector)
+             const RotationSector& sector, const Places& places)
       : bank_(bank),
         sector_(sector),
         first_(roi.x / kStep * kStep, roi.y / kStep * kStep),
@@ -43,6 +43,8 @@ class EdgeSearch {
         maps_(scene.responses(bank.radius() + 1)) {
     const int whole =
         (size_.width + kernels::kPositions - 1) / kernels::kPositions * kernels::kPositions;
+    wanted_ = places.of_positions(bank.level(), first_, kStep, size_);
+    cv::copyMakeBorder(wanted_, wanted_, 0, 0, 0, whole - size_.width, cv::BORDER_CONSTANT, {0});
     for (auto& quarter : quarters_) {
       quarter.best.create(size_.height, whole, CV_16SC1);
       quarter.best.setTo(0);
@@ -58,8 +60,10 @@ class EdgeSearch {
 
   EdgeCandidates run(int most) {
     for (int y = 0; y < size_.height; ++y)
-      for (std::size_t k = 0; k < offsets_.size(); ++k)
-        if (sector_.contains(bank_.rotations()[k].angle)) add_rotation(k, y);
+      for (const auto& span : covering_spans(wanted_.ptr(y), wanted_.cols, kernels::kPositions))
+        for (std::size_t k = 0; k < offsets_.size(); ++k)
+          if (sector_.contains(bank_.rotations()[k].angle)) add_rotation(k, y, span);
+    for (auto& quarter : quarters_) quarter.best.setTo(0, wanted_ == 0);
     std::vector<Peak> peaks;
     for (const auto& quarter : quarters_) add_peaks(quarter, peaks);
     keep_best(peaks, static_cast<std::size_t>(most));
@@ -78,12 +82,13 @@ class EdgeSearch {
 
   const std::int8_t* at(int x, int y) const { return maps_->data() + maps_->offset(0, x, y); }
 
-  void add_rotation(std::size_t k, int y) {
+  void add_rotation(std::size_t k, int y, const Span& span) {
     Quarter& quarter = quarters_[k * quarters_.size() / offsets_.size()];
-    kernels::sum_responses_max(at(first_.x, first_.y + kStep * y), offsets_[k].data(),
-                               static_cast<int>(offsets_[k].size()), static_cast<std::int16_t>(k),
-                               quarter.best.ptr<std::int16_t>(y),
-                               quarter.rotation.ptr<std::int16_t>(y), quarter.best.cols);
+    kernels::sum_responses_max(
+        at(first_.x + kStep * span.begin, first_.y + kStep * y), offsets_[k].data(),
+        static_cast<int>(offsets_[k].size()), static_cast<std::int16_t>(k),
+        quarter.best.ptr<std::int16_t>(y) + span.begin,
+        quarter.rotation.ptr<std::int16_t>(y) + span.begin, span.end - span.begin);
   }
 
   struct Peak {
@@ -144,6 +149,7 @@ class EdgeSearch {
   RotationSector sector_;
   cv::Point first_;  // [px] position of best_'s first value, even
   cv::Size size_;    // of the positions
+  cv::Mat wanted_;   // CV_8UC1, the positions searched; rows of whole groups
   std::shared_ptr<const ResponseMaps> maps_;
   std::vector<std::vector<std::int32_t>> offsets_;  // per rotation
   std::array<Quarter, 4> quarters_;
@@ -207,10 +213,10 @@ EdgeBank::EdgeBank(const MapGeometry& map, cv::Point2d anchor) {
 }
 
 EdgeCandidates edge_search(const EdgeBank& bank, const SceneLevel& scene, const cv::Rect& roi,
-                           int most, const RotationSector& sector) {
+                           int most, const RotationSector& sector, const Places& places) {
   const cv::Rect region = roi & cv::Rect({0, 0}, scene.size());
   if (region.empty()) return {};
-  return EdgeSearch(bank, scene, region, sector).run(most);
+  return EdgeSearch(bank, scene, region, sector, places).run(most);
 }
 
 }  // namespace mbncc

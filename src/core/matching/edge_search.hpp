@@ -8,6 +8,7 @@
 
 #include "matching/candidate.hpp"
 #include "matching/contour_template.hpp"
+#include "matching/places.hpp"
 #include "matching/rotation_sector.hpp"
 #include "matching/scene_level.hpp"
 
@@ -44,8 +45,9 @@ struct EdgeCandidates {
   std::vector<Candidate> round_places;  ///< places where the contour does not tell the rotation
 };
 
-/// The best `most` poses in `roi` [px at the bank's level] and `sector`. `scene` is that level.
+/// The best `most` poses in `roi` [px at the bank's level], `sector` and `places`. `scene` is that
+/// level.
 EdgeCandidates edge_search(const EdgeBank& bank, const SceneLevel& scene, const cv::Rect& roi,
-                           int most, const RotationSector& sector = {});
+                           int most, const RotationSector& sector = {}, const Places& places = {});
 
 }  // namespace mbncc

@@ -42,10 +42,11 @@ bool reference_within(const Detection& detection, const cv::Rect& roi) {
 
 std::vector<Detection> search_views(const PreparedObject& object, const ScenePicture& scene,
                                     const cv::Rect& roi, Look look) {
+  const bool gated = scene.classes && look == Look::kSparing;
   std::vector<Detection> found;
   for (const auto& view : object.views) {
-    const auto detections =
-        search_view(object, view, scene, anchor_region(roi, view, scene.size()), look);
+    const auto detections = search_view(object, view, scene, anchor_region(roi, view, scene.size()),
+                                        look, gated ? view.gate.places(*scene.classes) : Places{});
     std::copy_if(detections.begin(), detections.end(), std::back_inserter(found),
                  [&](const Detection& detection) { return reference_within(detection, roi); });
   }
@@ -199,7 +200,8 @@ SearchResult Matcher::find(const cv::Mat& picture, const SearchRequest& request)
   const SearchConfig& config = implementation_->config;
   SearchResult result;
   const ObjectList objects = implementation_->wanted(request, result);
-  const ScenePicture scene(picture, top_level(objects));
+  const bool many = objects.size() > kFewObjects && request.roi.empty();
+  const ScenePicture scene(picture, top_level(objects), many);
 
   const bool thorough = objects.size() <= kFewObjects && !request.sparing;
   const Look look = thorough ? Look::kTwice : Look::kSparing;

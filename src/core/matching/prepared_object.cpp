@@ -103,11 +103,13 @@ struct PreparedView::Source {
       : view(learned),
         grey(grey_of(learned)),
         inner(without_rim(learned.map)),
-        anchor(excircle(learned.map).centre) {}
+        anchor(excircle(learned.map).centre),
+        surface(continued_outwards(learned.template_image, learned.map)) {}
 
   const View& view;
   cv::Mat grey, inner;
   cv::Point2d anchor;
+  cv::Mat surface;  // CV_8UC3, without the background
 };
 
 PreparedView::PreparedView(const View& view, Engine engine, double scale)
@@ -120,12 +122,12 @@ PreparedView::PreparedView(const Source& source, Engine engine)
       reference_in_anchor(reference_in_crop(source.view, anchor)),
       shape(source.view.map, anchor),
       geometry(source.view.map),
+      gate(source.surface, source.view.map, anchor, geometry.mean_width()),
       kernels(rotated_kernels(source.grey, source.view.map, anchor)),
       edges(geometry, anchor),
       points(masked_template(source.grey, source.view.map, anchor)) {
   const int top = std::max(kernels.level, edges.level());
-  const cv::Mat surface = continued_outwards(source.view.template_image, source.view.map);
-  const auto pyramid = build_pyramid(surface, top);
+  const auto pyramid = build_pyramid(source.surface, top);
   for (int level = 0; level < static_cast<int>(pyramid.size()); ++level) {
     const SceneLevel picture(pyramid[level], level);
     picture.prepare();

@@ -6,6 +6,7 @@
 #include <optional>
 #include <vector>
 
+#include "matching/colour_gate.hpp"
 #include "matching/edge_search.hpp"
 #include "matching/evidence.hpp"
 #include "matching/map_shape.hpp"
@@ -34,6 +35,7 @@ class PreparedView {
   Pose2D reference_in_anchor;  ///< [px],[rad] object frame as seen from the anchor
   MapShape shape;
   MapGeometry geometry;
+  ColourGate gate;
   KernelBank kernels;
   EdgeBank edges;
   std::vector<PoseTemplate> rough;      ///< per level: thin out the coarse searches' candidates

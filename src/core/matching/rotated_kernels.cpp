@@ -122,6 +122,19 @@ int fewest_pixels(const Source& source, int radius) {
   return fewest;
 }
 
+RotatedKernel turned_map(const Source& source, double angle, int radius) {
+  constexpr float kHalf = 0.5f, kQuarter = 0.25f;
+  const cv::Mat coverage = turned(source.coverage, source, angle, radius);
+  const bool narrow = cv::countNonZero(coverage >= kHalf) < kHalf * cv::sum(coverage)[0];
+  RotatedKernel kernel;
+  kernel.angle = angle;
+  for (int y = 0; y < coverage.rows; ++y)
+    for (int x = 0; x < coverage.cols; ++x)
+      if (coverage.at<float>(y, x) >= (narrow ? kQuarter : kHalf))
+        add_pixel(kernel, x - radius, y - radius);
+  return kernel;
+}
+
 }  // namespace
 
 KernelBank rotated_kernels(const cv::Mat& grey, const cv::Mat& map, cv::Point2d anchor) {
@@ -138,6 +151,16 @@ KernelBank rotated_kernels(const cv::Mat& grey, const cv::Mat& map, cv::Point2d 
   const int rotations = std::max(12, static_cast<int>(std::ceil(rim / kArcStep)));
   for (int k = 0; k < rotations; ++k)
     bank.kernels.push_back(rotated_kernel(source, 2 * kPi * k / rotations, bank.radius));
+  return bank;
+}
+
+KernelBank turned_maps(const cv::Mat& map, cv::Point2d anchor, int level, int count) {
+  KernelBank bank;
+  bank.level = level;
+  bank.radius = static_cast<int>(std::ceil(reach(map, anchor) / (1 << level))) + 1;
+  const Source source = turning_source(map, map, anchor, level);
+  for (int k = 0; k < count; ++k)
+    bank.kernels.push_back(turned_map(source, 2 * kPi * k / count, bank.radius));
   return bank;
 }
 

@@ -31,4 +31,8 @@ struct KernelBank {
 /// rotation step by the arc that the rim moves. `anchor` [px] is the centre of rotation.
 KernelBank rotated_kernels(const cv::Mat& grey, const cv::Mat& map, cv::Point2d anchor);
 
+/// The map alone at `level`, turned to `count` rotations: pixels at least half covered, or fewer
+/// parts of them where the map is narrower than a pixel. Without weights.
+KernelBank turned_maps(const cv::Mat& map, cv::Point2d anchor, int level, int count);
+
 }  // namespace mbncc

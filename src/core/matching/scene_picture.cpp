@@ -29,11 +29,12 @@ cv::Mat grey_picture(const cv::Mat& picture) {
   return grey;
 }
 
-ScenePicture::ScenePicture(const cv::Mat& picture, int top_level) {
+ScenePicture::ScenePicture(const cv::Mat& picture, int top_level, bool with_classes) {
   grey = build_pyramid(grey_picture(picture), top_level);
   const auto colours = build_pyramid(to_colour(picture), top_level);
   for (std::size_t level = 0; level < colours.size(); ++level)
     levels.emplace_back(colours[level], static_cast<int>(level));
+  if (with_classes) classes.emplace(colours);
 }
 
 }  // namespace mbncc

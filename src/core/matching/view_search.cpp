@@ -53,11 +53,12 @@ cv::Rect at_level(const cv::Rect& roi, int level) {
 class ViewSearch {
  public:
   ViewSearch(const PreparedObject& object, const PreparedView& view, const ScenePicture& scene,
-             const cv::Rect& roi, Look look)
+             const cv::Rect& roi, Look look, const Places& places)
       : object_(object),
         view_(view),
         scene_(scene),
         roi_(roi),
+        places_(places),
         look_(look),
         first_(for_sector(look == Look::kSparing ? kSparing : kQuick, view.sector)),
         thorough_(for_sector(kThorough, view.sector)) {}
@@ -123,14 +124,14 @@ class ViewSearch {
     CoarseSettings settings;
     settings.max_places = first_.correlated_places;
     correlated_ = coarse_search(view_.kernels, scene_.grey[level], at_level(roi_, level), settings,
-                                view_.sector);
+                                view_.sector, places_);
   }
 
   void follow_edges() {
     const int level = view_.edges.level();
     EdgeCandidates found =
         edge_search(view_.edges, scene_.levels[level], at_level(roi_, level),
-                    (look_ == Look::kTwice ? thorough_ : first_).edge_poses, view_.sector);
+                    (look_ == Look::kTwice ? thorough_ : first_).edge_poses, view_.sector, places_);
     edges_ = std::move(found.poses);
     for (auto& place : found.round_places) place.value = odds(level, place.pose);
     keep_hopeful(found.round_places, kRoundPlaces, kHopeless);
@@ -304,6 +305,7 @@ class ViewSearch {
   const PreparedView& view_;
   const ScenePicture& scene_;
   cv::Rect roi_;
+  const Places& places_;
   Look look_;
   Effort first_, thorough_;
   // What the coarse searches proposed, each best first.
@@ -313,8 +315,9 @@ class ViewSearch {
 }  // namespace
 
 std::vector<Detection> search_view(const PreparedObject& object, const PreparedView& view,
-                                   const ScenePicture& scene, const cv::Rect& roi, Look look) {
-  return ViewSearch(object, view, scene, roi, look).run();
+                                   const ScenePicture& scene, const cv::Rect& roi, Look look,
+                                   const Places& places) {
+  return ViewSearch(object, view, scene, roi, look, places).run();
 }
 
 }  // namespace mbncc

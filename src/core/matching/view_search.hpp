@@ -15,9 +15,10 @@ enum class Look {
   kTwice     ///< again with more candidates and starts where nothing is found
 };
 
-/// Candidates of `view` whose anchors lie in `roi` [px], refined to full resolution, best first.
-/// Several may describe one place: other angles are needed to judge the margin.
+/// Candidates of `view` whose anchors lie in `roi` [px] and `places`, refined to full resolution,
+/// best first. Several may describe one place: other angles are needed to judge the margin.
 std::vector<Detection> search_view(const PreparedObject& object, const PreparedView& view,
-                                   const ScenePicture& scene, const cv::Rect& roi, Look look);
+                                   const ScenePicture& scene, const cv::Rect& roi, Look look,
+                                   const Places& places = {});
 
 }  // namespace mbncc

@@ -1,0 +1,40 @@
+// Colours sorted into classes of chroma and brightness, for asking which of them belong to whom.
+#pragma once
+
+#include <cstdint>
+#include <opencv2/core.hpp>
+#include <vector>
+
+namespace mbncc {
+
+constexpr int kChromaClasses = 16;     ///< of ln R/G, and of ln B/G
+constexpr int kBrightnessClasses = 8;  ///< of the mean logarithm of the channels
+constexpr int kColourClasses = kChromaClasses * kChromaClasses * kBrightnessClasses;
+
+/// One share per class, in all 1.
+using ColourShares = std::vector<float>;
+
+/// Class of each pixel, CV_16UC1, of a picture, CV_8UC3 (bgr).
+cv::Mat colour_classes(const cv::Mat& picture);
+
+/// Of the pixels where `mask` is not 0; blurred by about a class, since light changes colours.
+ColourShares colour_shares(const cv::Mat& classes, const cv::Mat& mask = {});
+
+/// A picture's classes at some levels of its pyramid.
+class ClassPictures {
+ public:
+  static constexpr int kFirst = 1, kLast = 3;  ///< levels, where there are as many
+
+  /// `pyramid` from level 0 on, each CV_8UC3.
+  explicit ClassPictures(const std::vector<cv::Mat>& pyramid);
+
+  int last_level() const { return kFirst + static_cast<int>(levels_.size()) - 1; }
+  const cv::Mat& at(int level) const { return levels_[level - kFirst]; }
+  const ColourShares& shares() const { return shares_; }
+
+ private:
+  std::vector<cv::Mat> levels_;
+  ColourShares shares_;
+};
+
+}  // namespace mbncc

@@ -1,0 +1,35 @@
+// Where an object may lie in a picture by its colours alone, whatever its rotation: the gate before
+// any search, for libraries.
+#pragma once
+
+#include <cstdint>
+#include <opencv2/core.hpp>
+#include <vector>
+
+#include "matching/colour_classes.hpp"
+#include "matching/places.hpp"
+#include "matching/rotated_kernels.hpp"
+
+namespace mbncc {
+
+class ColourGate {
+ public:
+  /// `surface` is the picture under `map`, continued outwards; `anchor` [px] as of the view.
+  ColourGate(const cv::Mat& surface, const cv::Mat& map, cv::Point2d anchor, double mean_width);
+
+  /// Where the colours under the map speak for the object rather than for the picture as a whole.
+  /// Everywhere, when the picture has the object's colours all over.
+  Places places(const ClassPictures& scene) const;
+
+ private:
+  using Speaking = std::vector<std::int8_t>;  // per class, for the object
+
+  cv::Mat best_of_rotations(const cv::Mat& classes, const Speaking& speaking) const;
+
+  int class_level_, cell_level_;
+  ColourShares shares_;
+  std::vector<RotatedKernel> rotations_;  // at cell_level_
+  int radius_ = 0;                        // [cells]
+};
+
+}  // namespace mbncc
