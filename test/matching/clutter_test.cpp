@@ -56,5 +56,16 @@ TEST_F(ClutterTest, OtherObjectsAreNoLikes) {
   EXPECT_DOUBLE_EQ(detections[1].log_odds, 4);
 }
 
+TEST_F(ClutterTest, ManyObjectsAreEachLessLikely) {
+  EXPECT_DOUBLE_EQ(rarity_among(1), 0);
+  EXPECT_DOUBLE_EQ(rarity_among(kFewObjects), 0);
+  EXPECT_LT(rarity_among(10), rarity_among(40));
+  std::vector<Detection> detections{at(object_, 100, 4), at(object_, 101, 3)};
+  const auto taken = discount_clutter(detections, {}, 1.5);
+  EXPECT_DOUBLE_EQ(detections[0].log_odds, 2.5);
+  EXPECT_DOUBLE_EQ(detections[1].log_odds, 1.5);
+  EXPECT_DOUBLE_EQ(taken.at("object"), 1.5);
+}
+
 }  // namespace
 }  // namespace mbncc

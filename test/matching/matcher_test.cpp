@@ -268,6 +268,42 @@ TEST_F(MatcherTest, AnObjectAmongManyIsFoundWhereItIsFoundAlone) {
   }
 }
 
+TEST_F(MatcherTest, ManyObjectsAreFoundInLightOfAnotherColour) {
+  std::vector<std::shared_ptr<const ObjectModel>> objects;
+  for (int k = 0; k < 6; ++k)
+    objects.push_back(object_from(LearningPicture(k), reference_, "object" + std::to_string(k)));
+  cv::Mat scene = texture({480, 240}, 72, 4);
+  for (int k = 0; k < 3; ++k)
+    place(scene, LearningPicture(k), reference_.position(), {90.0 + 150 * k, 120, 1.1 * k});
+  cv::multiply(scene, cv::Scalar(0.85, 1, 1.15), scene);
+  EXPECT_EQ(matcher_of(objects).find(scene).matches.size(), 3u);
+}
+
+TEST_F(MatcherTest, LookAlikesAreAmbiguousAmongMany) {
+  std::vector<std::shared_ptr<const ObjectModel>> objects{
+      object_from(source_, reference_, "twin"), object_from(source_, reference_, "other")};
+  for (int k = 2; k < 6; ++k)
+    objects.push_back(object_from(LearningPicture(k), reference_, "object" + std::to_string(k)));
+  cv::Mat scene = texture({320, 240}, 73, 4);
+  place(scene, source_, reference_.position(), {160, 120, 0.9});
+  const SearchResult result = matcher_of(objects).find(scene);
+  ASSERT_EQ(result.matches.size(), 1u) << "one thing is not two";
+  EXPECT_TRUE(result.matches[0].ambiguous);
+  EXPECT_FALSE(result.matches[0].graspable);
+}
+
+TEST_F(MatcherTest, AShortTimeBudgetSkipsObjectsByName) {
+  SearchConfig config;
+  config.time_budget = 1e-9;
+  std::vector<std::shared_ptr<const ObjectModel>> objects;
+  for (int k = 0; k < 6; ++k)
+    objects.push_back(object_from(LearningPicture(k), reference_, "object" + std::to_string(k)));
+  const SearchResult result = matcher_of(objects, config).find(texture({320, 240}, 74, 4));
+  EXPECT_TRUE(result.budget_exceeded);
+  EXPECT_EQ(result.searched, std::vector<std::string>{"object0"});
+  EXPECT_EQ(result.skipped.size(), 5u);
+}
+
 TEST_F(MatcherTest, SeveralViewsGiveOnePoseWithoutRivalsAtEveryRotation) {
   const auto view_at = [&](const Pose2D& pose, unsigned seed) {
     cv::Mat scene = texture({240, 240}, seed, 4), map = cv::Mat::zeros(240, 240, CV_8UC1);

@@ -1,8 +1,11 @@
 #include "matching/clutter.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <functional>
 #include <map>
+
+#include "mbncc/matching/matcher.hpp"
 
 namespace mbncc {
 namespace {
@@ -46,15 +49,21 @@ double clutter_discount(std::vector<double> odds) {
 }
 
 std::map<std::string, double> discount_clutter(std::vector<Detection>& detections,
-                                               const std::map<std::string, double>& least) {
+                                               const std::map<std::string, double>& least,
+                                               double rarity) {
   std::map<std::string, std::vector<const Detection*>> of_object;
   for (const auto& detection : detections)
     of_object[detection.object->model->name].push_back(&detection);
   std::map<std::string, double> discounts = least;
   for (const auto& [name, own] : of_object)
-    discounts[name] = std::max(discounts[name], clutter_discount(odds_of_places(own, kCluttered)));
+    discounts[name] =
+        std::max(discounts[name], rarity + clutter_discount(odds_of_places(own, kCluttered)));
   for (auto& detection : detections) detection.log_odds -= discounts[detection.object->model->name];
   return discounts;
+}
+
+double rarity_among(std::size_t count) {
+  return std::log(std::max(1.0, static_cast<double>(count) / kFewObjects));
 }
 
 }  // namespace mbncc

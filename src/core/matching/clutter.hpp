@@ -21,8 +21,14 @@ double clutter_discount(std::vector<double> odds);
 /// Lowers the log-odds of every object's detections by what is found of it elsewhere: where several
 /// places nearly pass for the object, the picture is full of its likes, and each of them is less
 /// likely to be it. One place alone loses nothing, and order and margins stay as they are. `least`:
-/// log-odds by name that are taken off at least. Returns what was taken off.
+/// log-odds by name that are taken off at least. `rarity`: log-odds taken off all in addition, see
+/// rarity_among(). Returns what was taken off.
 std::map<std::string, double> discount_clutter(std::vector<Detection>& detections,
-                                               const std::map<std::string, double>& least = {});
+                                               const std::map<std::string, double>& least = {},
+                                               double rarity = 0);
+
+/// Log-odds that an object loses beforehand when `count` are looked for in one picture: chance has
+/// as many tries, and few of the objects will be there.
+double rarity_among(std::size_t count);
 
 }  // namespace mbncc

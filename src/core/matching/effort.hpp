@@ -16,7 +16,7 @@ struct Effort {
   double demand;           ///< log-odds by which a candidate's floors are raised on the way
   double promising;        ///< log-odds that polishing may bring to acceptance
 };
-constexpr Effort kSparing{100, 250, 48, 24, 0, 0, 2, -5};
+constexpr Effort kSparing{100, 150, 24, 12, 0, 0, 2, -5};
 constexpr Effort kQuick{100, 400, 96, 48, 0, 0, 0, -8};
 constexpr Effort kThorough{100, 1600, 96, 48, 2, 3, 0, -8};
 

@@ -8,7 +8,9 @@
 #include <opencv2/imgproc.hpp>
 #include <optional>
 
+#include "matching/clutter.hpp"
 #include "matching/coarse_search.hpp"
+#include "matching/colour_cast.hpp"
 #include "matching/effort.hpp"
 #include "matching/prepared_object.hpp"
 #include "matching/scene_picture.hpp"
@@ -200,19 +202,25 @@ SearchResult Matcher::find(const cv::Mat& picture, const SearchRequest& request)
   const SearchConfig& config = implementation_->config;
   SearchResult result;
   const ObjectList objects = implementation_->wanted(request, result);
-  const bool many = objects.size() > kFewObjects && request.roi.empty();
+  const bool many = objects.size() > kFewObjects && config.engine != "polar";
   const ScenePicture scene(picture, top_level(objects), many);
 
   const bool thorough = objects.size() <= kFewObjects && !request.sparing;
   const Look look = thorough ? Look::kTwice : Look::kSparing;
   std::vector<std::vector<Detection>> found(objects.size());
   std::vector<char> searched(objects.size(), 0);
-  in_parallel(objects.size(), config.threads, [&](std::size_t i) {
-    const bool first = i == 0;  // without it, a short budget would find nothing for ever
-    if (!first && config.time_budget > 0 && seconds_since(start) > config.time_budget) return;
-    found[i] = search_object(*objects[i], scene, request.roi, look);
-    searched[i] = 1;
-  });
+  const auto search_all = [&](const ScenePicture& seen) {
+    in_parallel(objects.size(), config.threads, [&](std::size_t i) {
+      const bool first = i == 0;  // without it, a short budget would find nothing for ever
+      if (!first && config.time_budget > 0 && seconds_since(start) > config.time_budget) return;
+      found[i] = search_object(*objects[i], seen, request.roi, look);
+      searched[i] = 1;
+    });
+  };
+  search_all(scene);
+  if (many && picture.type() == CV_8UC3)
+    if (const auto cast = colour_cast(found, scene))
+      search_all(ScenePicture(without_cast(picture, *cast), top_level(objects), many));
 
   std::vector<Detection> detections;
   for (std::size_t i = 0; i < objects.size(); ++i) {
@@ -227,7 +235,8 @@ SearchResult Matcher::find(const cv::Mat& picture, const SearchRequest& request)
   Selection selection = select_matches(
       std::move(detections),
       {config, request.min_score >= 0 ? std::make_optional(request.min_score) : std::nullopt,
-       request.max_instances > 0 ? request.max_instances : config.max_instances, request.clutter});
+       request.max_instances > 0 ? request.max_instances : config.max_instances, request.clutter,
+       rarity_among(objects.size())});
   result.matches = std::move(selection.matches);
   result.rivals = std::move(selection.rivals);
   result.clutter = std::move(selection.clutter);

@@ -13,7 +13,7 @@ class Places {
   /// Where `mask`, CV_8UC1 at pyramid level `level`, is not 0.
   Places(cv::Mat mask, int level) : mask_(std::move(mask)), level_(level) {}
 
-  bool nowhere() const { return !mask_.empty() && cv::countNonZero(mask_) == 0; }
+  bool everywhere() const { return mask_.empty(); }
 
   /// CV_8UC1 of size `count`: 255 at the positions `first` + `step` (column, row) [px at `level`]
   /// that belong to the places, else 0.

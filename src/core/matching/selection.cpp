@@ -168,7 +168,7 @@ double acceptance_score(const Detection& detection, const SearchConfig& config) 
 
 Selection select_matches(std::vector<Detection> detections, const Acceptance& acceptance) {
   Selection selection;
-  selection.clutter = discount_clutter(detections, acceptance.clutter);
+  selection.clutter = discount_clutter(detections, acceptance.clutter, acceptance.rarity);
   std::stable_sort(
       detections.begin(), detections.end(), [&](const Detection& a, const Detection& b) {
         return acceptance_score(a, acceptance.config) > acceptance_score(b, acceptance.config);

@@ -18,6 +18,7 @@ struct Acceptance {
   std::optional<double> min_score;  ///< for all objects; none: the object's own or the configured
   int max_instances;                ///< per name
   std::map<std::string, double> clutter;  ///< see SearchRequest
+  double rarity = 0;                      ///< see rarity_among()
 };
 
 struct Selection {

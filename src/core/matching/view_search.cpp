@@ -68,7 +68,7 @@ class ViewSearch {
     if (view_.top_level() > scene_.top_level()) return {};
     follow_edges();
     std::vector<Candidate> candidates = descend(first_, by_edges(first_));
-    if (!sure(candidates)) {
+    if (places_.everywhere() && !sure(candidates)) {
       correlate();
       merge(descend(first_, by_correlation()), candidates);
     }
@@ -92,7 +92,7 @@ class ViewSearch {
       else
         admit(level, effort, entering[level], candidates);
       refine_at(level, fresh ? 4 : 2, candidates);
-      drop_below(level > 0 ? kFloors.climbed + effort.demand : kFloors.finally, candidates);
+      drop_below((level > 0 ? kFloors.climbed : kFloors.finally) + effort.demand, candidates);
       if (level > 0) step_down(candidates);
     }
     return candidates;

@@ -1,0 +1,25 @@
+// Light of another colour than in the lessons, told by the objects that are found in spite of it.
+#pragma once
+
+#include <opencv2/core.hpp>
+#include <optional>
+#include <vector>
+
+#include "matching/detection.hpp"
+
+namespace mbncc {
+
+/// Gains of a picture's blue and red against its green.
+struct ColourCast {
+  double blue = 1, red = 1;
+};
+
+/// What the best detection of each object tells, `found` being one object's each, best first; none
+/// when the light is as it was, or when fewer than two likely ones agree.
+std::optional<ColourCast> colour_cast(const std::vector<std::vector<Detection>>& found,
+                                      const ScenePicture& scene);
+
+/// `picture`, CV_8UC3 (bgr), as without the cast.
+cv::Mat without_cast(const cv::Mat& picture, const ColourCast& cast);
+
+}  // namespace mbncc
