@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "matching/pictures.hpp"
+#include "mbncc/matching/matcher.hpp"
 
 namespace mbncc {
 namespace {
