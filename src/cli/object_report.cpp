@@ -36,11 +36,12 @@ void write_grasp(JsonWriter& json, const Grasp& grasp) {
   json.end_array().end_object();
 }
 
-void print_view(std::ostream& out, const View& view) {
-  out << "  view: picture " << view.picture_size.width << " x " << view.picture_size.height
-      << " px, reference (" << std::fixed << std::setprecision(2) << view.reference.x << ", "
-      << view.reference.y << ") at " << to_degrees(view.reference.theta) << " deg, excircle radius "
-      << excircle(view.map).radius << " px, area " << cv::countNonZero(view.map) << " px\n"
+void print_view(std::ostream& out, std::size_t number, const View& view) {
+  out << "  view " << number << ": picture " << view.picture_size.width << " x "
+      << view.picture_size.height << " px, reference (" << std::fixed << std::setprecision(2)
+      << view.reference.x << ", " << view.reference.y << ") at " << to_degrees(view.reference.theta)
+      << " deg, excircle radius " << excircle(view.map).radius << " px, area "
+      << cv::countNonZero(view.map) << " px\n"
       << std::defaultfloat;
 }
 
@@ -92,7 +93,7 @@ void print_object(std::ostream& out, const ObjectModel& object) {
   out << object.name << " (" << object.label << ")\n"
       << "  revision " << object.revision << ", learned " << time_text(object.learned_at) << ", "
       << (object.enabled ? "enabled" : "disabled: not searched for") << '\n';
-  for (const auto& view : object.views) print_view(out, view);
+  for (std::size_t i = 0; i < object.views.size(); ++i) print_view(out, i + 1, object.views[i]);
   out << "  scale " << number_or_unknown(object.metres_per_pixel, "m/px") << ", height "
       << field_text(object.object_height) << " m, grasp " << (object.grasp ? "set" : "not set")
       << ", own threshold " << (object.min_score ? field_text(*object.min_score) : "none") << '\n'

@@ -2,6 +2,7 @@
 
 #include <stdexcept>
 
+#include "mbncc/object_views.hpp"
 #include "nodelets/messages.hpp"
 
 namespace mbncc::nodelets {
@@ -46,6 +47,10 @@ ObjectModel set_enabled(ObjectLibrary& library, const std::string& name, bool en
   return library.edit(name, [enabled](ObjectModel& model) { model.enabled = enabled; });
 }
 
+ObjectModel remove_one_view(ObjectLibrary& library, const Request& request) {
+  return library.edit(request.name, [&](ObjectModel& model) { remove_view(model, request.view); });
+}
+
 }  // namespace
 
 ObjectModel edit_object(ObjectLibrary& library, const Request& request) {
@@ -66,6 +71,8 @@ ObjectModel edit_object(ObjectLibrary& library, const Request& request) {
       return set_grasp(library, request);
     case Request::SET_THRESHOLD:
       return set_threshold(library, request);
+    case Request::REMOVE_VIEW:
+      return remove_one_view(library, request);
     default:
       refuse("command " + std::to_string(request.command) +
              " does not exist; see srv/EditObject.srv");

@@ -116,6 +116,14 @@ TEST(LearnCommand, AddedViewsShareOneObjectFrame) {
   EXPECT_NEAR(object->views[1].reference.x, 195, 1.5);
   EXPECT_NEAR(object->views[1].reference.y, 125, 1.5);
   EXPECT_NEAR(to_degrees(object->views[1].reference.theta), 70, 2);
+  const Words forget{"forget", "--library", folder.library(), "--name", "part", "--view"};
+  EXPECT_TRUE(run_tool(forget + Words{"3"}).says("no view 3"));
+  EXPECT_EQ(run_tool(forget + Words{"0"}).code, 2);
+  EXPECT_TRUE(run_tool(forget + Words{"1"}).prints("1 left"));
+  const auto left = ObjectLibrary(folder.library()).load()->find("part");
+  ASSERT_EQ(left->views.size(), 1u);
+  EXPECT_NEAR(left->views[0].reference.x, 195, 1.5);
+  EXPECT_TRUE(run_tool(forget + Words{"1"}).says("only view"));
 }
 
 TEST(LearnCommand, AViewOfAnotherObjectIsNotAdded) {
