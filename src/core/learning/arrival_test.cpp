@@ -15,6 +15,7 @@ constexpr double kArrivalScore = -1.5;      // an arrival scores less
 constexpr double kClearance = 2;            // and this much less than the best patch
 constexpr double kLoneArrivalScore = -0.5;  // likewise, without another patch to compare with
 constexpr int kSurveyWidth = 320;           // [px] that whole pictures are judged at
+constexpr int kSeam = 7;                    // [px]
 constexpr int kSmallestPatch = 20;          // [px]
 
 cv::Mat reduced(const cv::Mat& picture, double scale) {
@@ -70,6 +71,24 @@ float log_density(const ColourMixture& mixture, const cv::Vec3f& colour) {
   return std::log(mixture.density(colour) + 1e-11F);
 }
 
+std::vector<int> areas_of(const cv::Mat& labels, int count) {
+  std::vector<int> areas(count, 0);
+  for (const int label : cv::Mat_<int>(labels))
+    if (label != 0) ++areas[label];
+  return areas;
+}
+
+// Patches with less than kSeam between them belong together: what lies across an edge of the
+// platform may be parted there. The result is 0 off `changed`.
+int patches_of(const cv::Mat& changed, cv::Mat& labels) {
+  cv::Mat joined;
+  cv::morphologyEx(changed, joined, cv::MORPH_CLOSE,
+                   cv::getStructuringElement(cv::MORPH_ELLIPSE, {kSeam, kSeam}));
+  const int count = cv::connectedComponents(joined, labels, 8, CV_32S);
+  labels.setTo(0, ~changed);
+  return count;
+}
+
 }  // namespace
 
 std::vector<double> departure_scores(const cv::Mat& before, const cv::Mat& after,
@@ -99,18 +118,17 @@ std::vector<double> departure_scores(const cv::Mat& before, const cv::Mat& after
 cv::Mat find_arrivals(const cv::Mat& before, const cv::Mat& after, const cv::Mat& changed,
                       const ColourMixture& platform) {
   cv::Mat arrivals = cv::Mat::zeros(changed.size(), CV_8UC1);
-  cv::Mat labels, stats, centres;
-  const int count = cv::connectedComponentsWithStats(changed, labels, stats, centres, 8, CV_32S);
+  cv::Mat labels;
+  const int count = patches_of(changed, labels);
   if (platform.empty() || count <= 2) return arrivals;
   const auto scores = departure_scores(before, after, labels, count, platform);
-  int largest = 0;
-  for (int i = 1; i < count; ++i) largest = std::max(largest, stats.at<int>(i, cv::CC_STAT_AREA));
+  const auto areas = areas_of(labels, count);
+  const int largest = *std::max_element(areas.begin(), areas.end());
   double best = -std::numeric_limits<double>::infinity();
   for (int i = 1; i < count; ++i)
-    if (stats.at<int>(i, cv::CC_STAT_AREA) > largest / 10) best = std::max(best, scores[i]);
+    if (areas[i] > largest / 10) best = std::max(best, scores[i]);
   for (int i = 1; i < count; ++i)
-    if (stats.at<int>(i, cv::CC_STAT_AREA) >= kSmallestPatch && scores[i] < kArrivalScore &&
-        best > scores[i] + kClearance)
+    if (areas[i] >= kSmallestPatch && scores[i] < kArrivalScore && best > scores[i] + kClearance)
       arrivals.setTo(255, labels == i);
   return arrivals;
 }
