@@ -9,22 +9,22 @@
 namespace mbncc {
 namespace {
 
-constexpr float kStudentFreedom = 30;      // tails of the unchanged term
-constexpr float kShadowWeight = 0.12F;     // prior of a pixel lying in a shadow
-constexpr float kOutlierWeight = 0.03F;    // prior of any colour at all (glints, dust)
-constexpr float kPlatformWeight = 0.001F;  // prior of platform from elsewhere (something shifted)
-constexpr float kDarkestShadow = 0.3F;     // of the light that is left
-constexpr float kBrightestFlank = 1.1F;    // likewise
-constexpr float kShadowScale = 0.25F;      // log-prior: a shadow is the likelier the lighter it is
-constexpr float kBrightScale = 0.06F;      // likewise for the light that an object's flank throws
-constexpr float kShadowTint = 0.1F;        // deviation of one channel, part of the light taken away
-constexpr float kShadowSlope = 0.1F;       // deviation of all channels alike, likewise
-constexpr float kShadowNoise = 1.2F;       // variance of a shadowed pixel, relative
-constexpr int kShadowBox = 7;              // [px] a shadow's depth is averaged over this square
-constexpr float kTextureLost = 6;          // most that covered texture says against a shadow
-constexpr float kTextureKept = 4;          // most that visible texture says for it
-constexpr float kHighestRatio = 60;        // cap of the logarithms
-constexpr float kHardlyPossible = 20;      // log-prior against shadows darker than the darkest
+constexpr float kStudentFreedom = 30;       // tails of the unchanged term
+constexpr float kShadowWeight = 0.12F;      // prior of a pixel lying in a shadow
+constexpr float kOutlierWeight = 0.03F;     // prior of any colour at all (glints, dust)
+constexpr float kPlatformWeight = 0.0001F;  // prior of platform from elsewhere (something shifted)
+constexpr float kDarkestShadow = 0.3F;      // of the light that is left
+constexpr float kBrightestFlank = 1.1F;     // likewise
+constexpr float kShadowScale = 0.25F;       // log-prior: a shadow is the likelier the lighter it is
+constexpr float kBrightScale = 0.06F;       // likewise for the light that an object's flank throws
+constexpr float kShadowTint = 0.1F;    // deviation of one channel, part of the light taken away
+constexpr float kShadowSlope = 0.1F;   // deviation of all channels alike, likewise
+constexpr float kShadowNoise = 1.2F;   // variance of a shadowed pixel, relative
+constexpr int kShadowBox = 7;          // [px] a shadow's depth is averaged over this square
+constexpr float kTextureLost = 6;      // most that covered texture says against a shadow
+constexpr float kTextureKept = 4;      // most that visible texture says for it
+constexpr float kHighestRatio = 60;    // cap of the logarithms
+constexpr float kHardlyPossible = 20;  // log-prior against shadows darker than the darkest
 
 // Light that is left: least squares factor of before over after in a small square.
 cv::Mat remaining_light(const cv::Mat& before, const cv::Mat& after) {

@@ -6,7 +6,7 @@
 namespace mbncc {
 namespace {
 
-constexpr float kStrength = 14;         // gamma
+constexpr float kStrength = 13;         // gamma
 constexpr float kPlatformEdge = 0.02F;  // weight of the after picture's contrast [1 / grey level^2]
 constexpr float kMissing = -1;
 
