@@ -2,7 +2,6 @@
 
 #include <stdexcept>
 
-#include "mbncc/object_views.hpp"
 #include "nodelets/messages.hpp"
 
 namespace mbncc::nodelets {
@@ -47,10 +46,6 @@ ObjectModel set_enabled(ObjectLibrary& library, const std::string& name, bool en
   return library.edit(name, [enabled](ObjectModel& model) { model.enabled = enabled; });
 }
 
-ObjectModel remove_one_view(ObjectLibrary& library, const Request& request) {
-  return library.edit(request.name, [&](ObjectModel& model) { remove_view(model, request.view); });
-}
-
 }  // namespace
 
 ObjectModel edit_object(ObjectLibrary& library, const Request& request) {
@@ -71,8 +66,6 @@ ObjectModel edit_object(ObjectLibrary& library, const Request& request) {
       return set_grasp(library, request);
     case Request::SET_THRESHOLD:
       return set_threshold(library, request);
-    case Request::REMOVE_VIEW:
-      return remove_one_view(library, request);
     default:
       refuse("command " + std::to_string(request.command) +
              " does not exist; see srv/EditObject.srv");

@@ -94,22 +94,6 @@ TEST_F(EditObject, SetsAndClearsTheThreshold) {
   EXPECT_FALSE(edit_object(library_, threshold).min_score);
 }
 
-TEST_F(EditObject, TakesAViewAway) {
-  ObjectModel model = stored();
-  model.views.resize(1);
-  library_.save(model, ObjectLibrary::Existing::kReplace);
-  auto remove = request(Request::REMOVE_VIEW);
-  remove.view = 1;
-  EXPECT_THROW(edit_object(library_, remove), std::invalid_argument) << "the only one";
-  model.views.push_back(model.views.front());
-  library_.save(model, ObjectLibrary::Existing::kReplace);
-  const auto before = stored().revision;
-  EXPECT_EQ(edit_object(library_, remove).views.size(), 1u);
-  EXPECT_GT(stored().revision, before);
-  remove.view = 0;
-  EXPECT_THROW(edit_object(library_, remove), std::invalid_argument);
-}
-
 TEST_F(EditObject, RefusesNonsenseAndChangesNothing) {
   const ObjectModel before = stored();
   auto threshold = request(Request::SET_THRESHOLD);
