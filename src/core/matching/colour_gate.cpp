@@ -18,7 +18,7 @@ constexpr float kOther = 0.03f;  // share of any other colours on an object
 
 constexpr double kTelling = 0.5;  // mean log-odds of its own colours for objects that are gated
 constexpr double kEnough = -0.4;  // mean log-odds of a place
-constexpr double kFewest = 0.03, kMostPlaces = 0.3;  // parts of the picture that are left
+constexpr double kFewest = 0.02, kMostPlaces = 0.2;  // parts of the picture that are left
 
 /// Log-odds per class that a colour is the object's rather than the picture's.
 std::vector<std::int8_t> compare(const ColourShares& object, const ColourShares& scene) {
