@@ -92,8 +92,7 @@ TEST(Places, SpansCoverWhatIsWantedInWholeGroups) {
       ASSERT_LE(span.end, count);
       for (int x = span.begin; x < span.end; ++x) covered[static_cast<std::size_t>(x)] = 1;
     }
-    for (std::size_t x = 0; x < row.size(); ++x)
-      EXPECT_TRUE(row[x] == 0 || covered[x] == 1);
+    for (std::size_t x = 0; x < row.size(); ++x) EXPECT_TRUE(row[x] == 0 || covered[x] == 1);
   }
   const std::vector<uchar> all(64, 255), none(64, 0);
   ASSERT_EQ(covering_spans(all.data(), 64, 8).size(), 1u);

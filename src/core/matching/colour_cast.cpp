@@ -7,8 +7,8 @@
 namespace mbncc {
 namespace {
 
-constexpr double kLikely = 3;         // log-odds of a detection that is asked
-constexpr double kAlike = 0.06;       // ln gain between those that agree
+constexpr double kLikely = 3;          // log-odds of a detection that is asked
+constexpr double kAlike = 0.06;        // ln gain between those that agree
 constexpr double kNoticeable = 0.055;  // ln gain from which on a picture is balanced
 
 /// ln gains of blue and red against green at a detection's surface, where no channel is dark or
