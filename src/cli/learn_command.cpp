@@ -8,64 +8,41 @@
 #include "cli/stage_writer.hpp"
 #include "mbncc/error.hpp"
 #include "mbncc/learning/interactive_lesson.hpp"
+#include "mbncc/learning/lesson_storage.hpp"
 #include "mbncc/learning/resemblance.hpp"
 
 namespace mbncc::cli {
 namespace {
 
-// Ends a lesson that cannot be stored.
-struct Refused {
-  LearnError error;
-  std::string message;
-};
-
 Lesson read_lesson(const Arguments& arguments) {
   try {
     return lesson_from(arguments);
   } catch (const FileError& error) {
-    throw Refused{LearnError::kNoImage, std::string(error.what()) + "."};
+    throw Refusal(LearnError::kNoImage, std::string(error.what()) + ".");
   }
 }
 
-// Before the lesson, so that nobody waits for what cannot be stored.
-void check_name(const Arguments& arguments, const LibrarySnapshot& known) {
-  const auto refuse = [](LearnError error) { throw Refused{error, message_of(error)}; };
-  const std::string name = arguments.get("--name");
-  if (!is_valid_name(name)) refuse(LearnError::kNameInvalid);
-  const bool taken = known.find(name) != nullptr;
-  if (taken && !arguments.has("--overwrite") && !arguments.has("--add-view"))
-    refuse(LearnError::kNameTaken);
-  if (!taken && arguments.has("--add-view")) refuse(LearnError::kNameUnknown);
+Storing storing_of(const Arguments& arguments) {
+  if (arguments.has("--add-view")) return Storing::kAddView;
+  return arguments.has("--overwrite") ? Storing::kReplace : Storing::kNew;
 }
 
 bool may_store(const LearnResult& result, const Arguments& arguments) {
   return result.has_model && (result.error == LearnError::kSuccess || arguments.has("--allow-bad"));
 }
 
-ObjectModel add_view(ObjectLibrary& library, const ObjectModel& learned, const cv::Mat& picture,
-                     const SearchConfig& search) {
-  return library.edit(learned.name, [&](ObjectModel& stored) {
-    View view = learned.views.front();
-    const auto reference = shared_reference(stored, view, picture, search);
-    if (!reference)
-      throw Refused{LearnError::kNotDistinct,
-                    "The stored object was not found in the new picture, so the new view cannot "
-                    "share its frame: show it more like the stored views, or use --overwrite."};
-    view.reference = *reference;
-    stored.views.push_back(view);
-    stored.quality = learned.quality;
-  });
-}
-
-ObjectModel store(ObjectLibrary& library, const Arguments& arguments, const ObjectModel& learned,
+ObjectModel store(ObjectLibrary& library, Storing storing, const ObjectModel& learned,
                   const cv::Mat& picture, const SearchConfig& search) {
   using Existing = ObjectLibrary::Existing;
   try {
-    if (arguments.has("--add-view")) return add_view(library, learned, picture, search);
-    return library.save(learned,
-                        arguments.has("--overwrite") ? Existing::kReplace : Existing::kRefuse);
+    if (storing != Storing::kAddView)
+      return library.save(learned,
+                          storing == Storing::kReplace ? Existing::kReplace : Existing::kRefuse);
+    return library.edit(learned.name, [&](ObjectModel& stored) {
+      if (const auto refusal = add_view(stored, learned, picture, search)) throw *refusal;
+    });
   } catch (const FileError& error) {
-    throw Refused{LearnError::kStorage, std::string(error.what()) + "."};
+    throw Refusal(LearnError::kStorage, std::string(error.what()) + ".");
   }
 }
 
@@ -83,11 +60,13 @@ void learn_and_store(const Arguments& arguments, Settings& settings, LearnResult
   StageWriter stages(arguments.get("--stages"));
   ObjectLibrary library(arguments.get("--library"));
   const auto known = load_reporting(library);
-  check_name(arguments, *known);
+  const Storing storing = storing_of(arguments);
+  // Before the lesson, so that nobody waits for what cannot be stored.
+  if (const auto refusal = check_storing(lesson.name, storing, *known)) throw *refusal;
   result = learn(lesson, edit, settings, stages.observer());
   if (!may_store(result, arguments)) return;
   note_resemblance(result.object, lesson.before, known->objects, settings.search());
-  result.object = store(library, arguments, result.object, lesson.before, settings.search());
+  result.object = store(library, storing, result.object, lesson.before, settings.search());
   result.error = LearnError::kSuccess;
 }
 
@@ -95,10 +74,10 @@ LearnResult result_of(const Arguments& arguments, Settings& settings) {
   LearnResult result;
   try {
     learn_and_store(arguments, settings, result);
-  } catch (const Refused& refused) {
-    result.error = refused.error;
-    result.message = refused.message;
-    result.hint = hint_of(refused.error);
+  } catch (const Refusal& refusal) {
+    result.error = refusal.error;
+    result.message = refusal.message;
+    result.hint = refusal.hint;
   }
   result.object.name = arguments.get("--name");
   return result;

@@ -152,26 +152,19 @@ std::string LessonRun::measure(ObjectModel& model) const {
 
 ObjectModel LessonRun::save(const ObjectModel& model) const {
   using Existing = ObjectLibrary::Existing;
+  const Storing storing = storing_of(goal_);
   return tools_.library.change([&](ObjectLibrary& library) {
-    if (!goal_.add_view)
-      return library.save(model, goal_.overwrite ? Existing::kReplace : Existing::kRefuse);
+    if (storing != Storing::kAddView)
+      return library.save(model,
+                          storing == Storing::kReplace ? Existing::kReplace : Existing::kRefuse);
     return library.edit(name_, [&](ObjectModel& stored) {
-      View view = model.views.front();
-      const auto reference = shared_reference(stored, view, before_.picture);
-      if (!reference)
-        throw LessonEnded{outcome(
-            LearnError::kNotDistinct,
-            "The stored object was not found in the new picture, so the new view cannot share its "
-            "frame.",
-            "Show it more like the stored views, or use overwrite.")};
-      view.reference = *reference;
+      if (const auto refusal = add_view(stored, model, before_.picture))
+        throw LessonEnded{outcome(*refusal)};
       ObjectModel shown = model;
-      shown.views = {view};
+      shown.views = {stored.views.back()};
       shown.grasp.reset();
       measure(shown);
       if (shown.grasp) stored.grasp = shown.grasp;
-      stored.views.push_back(view);
-      stored.quality = model.quality;
     });
   });
 }

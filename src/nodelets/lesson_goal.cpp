@@ -23,14 +23,9 @@ Fault check_name(const Goal& goal, const LibrarySnapshot& library, int max_objec
   if (goal.overwrite && goal.add_view)
     return outcome(LearnError::kNameTaken, "Both overwrite and add_view are set.",
                    "Set one of them: overwrite replaces the object, add_view adds a picture.");
-  const bool known = library.find(goal.name) != nullptr;
-  if (goal.name.empty() ? goal.add_view : !is_valid_name(goal.name))
-    return outcome(LearnError::kNameInvalid);
-  if (known && !goal.overwrite && !goal.add_view)
-    return outcome(LearnError::kNameTaken, "The library already holds '" + goal.name + "'.");
-  if (!known && goal.add_view)
-    return outcome(LearnError::kNameUnknown, "The library does not hold '" + goal.name + "'.");
-  if (!known && library.objects.size() >= static_cast<std::size_t>(max_objects))
+  const std::string name = goal.add_view ? goal.name : name_for(goal, library);
+  if (const auto refusal = check_storing(name, storing_of(goal), library)) return outcome(*refusal);
+  if (!library.find(name) && library.objects.size() >= static_cast<std::size_t>(max_objects))
     return outcome(LearnError::kStorage,
                    "The library holds " + std::to_string(max_objects) + " objects, its limit.",
                    "Delete objects, or raise max_objects.");
@@ -84,6 +79,11 @@ Fault check_goal(const Goal& goal, const LibrarySnapshot& library, int max_objec
   if (auto fault = check_name(goal, library, max_objects)) return fault;
   if (auto fault = check_mode(goal)) return fault;
   return check_numbers(goal);
+}
+
+Storing storing_of(const Goal& goal) {
+  if (goal.add_view) return Storing::kAddView;
+  return goal.overwrite ? Storing::kReplace : Storing::kNew;
 }
 
 std::string name_for(const Goal& goal, const LibrarySnapshot& library) {

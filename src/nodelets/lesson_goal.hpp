@@ -10,7 +10,7 @@
 #include <string>
 
 #include "mbncc/learning/learn_object.hpp"
-#include "mbncc/library/object_library.hpp"
+#include "mbncc/learning/lesson_storage.hpp"
 
 namespace mbncc::nodelets {
 
@@ -18,6 +18,9 @@ namespace mbncc::nodelets {
 std::optional<mbncc_vision::LearnObjectResult> check_goal(const mbncc_vision::LearnObjectGoal& goal,
                                                           const LibrarySnapshot& library,
                                                           int max_objects);
+
+/// What a goal that check_goal() let pass does about a stored object of its name.
+Storing storing_of(const mbncc_vision::LearnObjectGoal& goal);
 
 /// The goal's name, or the first free object_<n> for "".
 std::string name_for(const mbncc_vision::LearnObjectGoal& goal, const LibrarySnapshot& library);

@@ -5,12 +5,14 @@
 
 #include <string>
 
-#include "mbncc/error.hpp"
+#include "mbncc/learning/lesson_storage.hpp"
 
 namespace mbncc::nodelets {
 
 /// Result with code, message and hint of `error`; texts given here replace the usual ones.
 mbncc_vision::LearnObjectResult outcome(LearnError error, const std::string& message = "",
                                         const std::string& hint = "");
+
+mbncc_vision::LearnObjectResult outcome(const Refusal& refusal);
 
 }  // namespace mbncc::nodelets

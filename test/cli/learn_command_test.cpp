@@ -84,7 +84,7 @@ TEST(LearnCommand, NamesAreGuarded) {
   EXPECT_EQ(YAML::Load(taken.out)["error"].as<std::string>(), "NAME_TAKEN");
   const ToolRun unknown = run_tool(folder.lesson("other") + Words{"--add-view"});
   EXPECT_EQ(unknown.code, 1);
-  EXPECT_TRUE(unknown.says("does not know this name"));
+  EXPECT_TRUE(unknown.says("does not hold 'other'"));
   for (const char* name : {"../x", "1st", "with space", "\xc3\xa4", "x.png"}) {
     const ToolRun bad = run_tool(folder.lesson(name));
     EXPECT_EQ(bad.code, 1) << name;

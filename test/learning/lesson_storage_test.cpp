@@ -1,0 +1,92 @@
+#include "mbncc/learning/lesson_storage.hpp"
+
+#include <gtest/gtest.h>
+
+#include "mbncc/sim/scene.hpp"
+
+namespace mbncc::test {
+namespace {
+
+LibrarySnapshot library_of(const std::vector<ObjectModel>& models) {
+  LibrarySnapshot library;
+  for (const auto& model : models)
+    library.objects.push_back(std::make_shared<const ObjectModel>(model));
+  return library;
+}
+
+ObjectModel named(const std::string& name) {
+  ObjectModel model;
+  model.name = model.label = name;
+  return model;
+}
+
+LearnError error_of(const std::string& name, Storing storing, const LibrarySnapshot& library) {
+  const auto refusal = check_storing(name, storing, library);
+  if (!refusal) return LearnError::kSuccess;
+  EXPECT_FALSE(refusal->message.empty());
+  EXPECT_FALSE(refusal->hint.empty());
+  return refusal->error;
+}
+
+TEST(CheckStoring, NamesMustFitWhatIsAskedFor) {
+  const LibrarySnapshot library = library_of({named("cup")});
+  EXPECT_EQ(error_of("box", Storing::kNew, library), LearnError::kSuccess);
+  EXPECT_EQ(error_of("cup", Storing::kNew, library), LearnError::kNameTaken);
+  EXPECT_EQ(error_of("box", Storing::kReplace, library), LearnError::kSuccess);
+  EXPECT_EQ(error_of("cup", Storing::kReplace, library), LearnError::kSuccess);
+  EXPECT_EQ(error_of("box", Storing::kAddView, library), LearnError::kNameUnknown);
+  EXPECT_EQ(error_of("cup", Storing::kAddView, library), LearnError::kSuccess);
+  for (const Storing storing : {Storing::kNew, Storing::kReplace, Storing::kAddView})
+    for (const char* name : {"", "../cup", "1cup", "a b"})
+      EXPECT_EQ(error_of(name, storing, library), LearnError::kNameInvalid) << name;
+}
+
+class AddView : public testing::Test {
+ protected:
+  sim::Placed placed(std::uint64_t seed, const Pose2D& pose) const {
+    sim::SceneObject object;
+    object.seed = seed;
+    return {object, pose};
+  }
+
+  ObjectModel learned(const sim::Placed& object, const cv::Mat& picture) const {
+    ObjectModel model = named("part");
+    model.views = {crop_view(picture, scene_.true_map(object), {1, 2, 3})};
+    return model;
+  }
+
+  const sim::Scene scene_;
+};
+
+TEST_F(AddView, TakesFrameAndHeightOfTheStoredObject) {
+  const auto first = placed(5, {200, 200, 0}), second = placed(5, {420, 260, 2});
+  ObjectModel stored = learned(first, scene_.render({first}, 1));
+  stored.views[0].reference = first.pose;
+  stored.object_height = 0.05;
+  stored.grasp = Grasp{{0.1, 0.2, 0.3}, {0, 0, 0, 1}};
+  const cv::Mat picture = scene_.render({second}, 2);
+  ObjectModel lesson = learned(second, picture);
+  lesson.quality.verdict = Verdict::kMarginal;
+  ASSERT_FALSE(add_view(stored, lesson, picture));
+  ASSERT_EQ(stored.views.size(), 2u);
+  EXPECT_NEAR(stored.views[1].reference.x, 420, 1);
+  EXPECT_NEAR(stored.views[1].reference.y, 260, 1);
+  EXPECT_NEAR(angle_distance(stored.views[1].reference.theta, 2), 0, to_radians(1.5));
+  EXPECT_EQ(stored.object_height, 0.05);
+  EXPECT_EQ(stored.quality.verdict, Verdict::kMarginal);
+  ASSERT_TRUE(stored.grasp);
+  EXPECT_EQ(stored.grasp->position[0], 0.1);
+}
+
+TEST_F(AddView, RefusesAnotherObjectAndChangesNothing) {
+  const auto first = placed(5, {200, 200, 0}), other = placed(77, {420, 260, 0});
+  ObjectModel stored = learned(first, scene_.render({first}, 1));
+  const cv::Mat picture = scene_.render({other}, 2);
+  const auto refusal = add_view(stored, learned(other, picture), picture);
+  ASSERT_TRUE(refusal);
+  EXPECT_EQ(refusal->error, LearnError::kNotDistinct);
+  EXPECT_EQ(stored.views.size(), 1u);
+}
+
+}  // namespace
+}  // namespace mbncc::test
