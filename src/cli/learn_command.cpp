@@ -62,7 +62,7 @@ void learn_and_store(const Arguments& arguments, Settings& settings, LearnResult
   const auto known = load_reporting(library);
   const Storing storing = storing_of(arguments);
   // Before the lesson, so that nobody waits for what cannot be stored.
-  if (const auto refusal = check_storing(lesson.name, storing, *known)) throw *refusal;
+  if (const auto refusal = check_storing(lesson, storing, *known)) throw *refusal;
   result = learn(lesson, edit, settings, stages.observer());
   if (!may_store(result, arguments)) return;
   note_resemblance(result.object, lesson.before, known->objects, settings.search());

@@ -160,7 +160,7 @@ ObjectModel LessonRun::save(const ObjectModel& model) const {
     return library.edit(name_, [&](ObjectModel& stored) {
       if (const auto refusal = add_view(stored, model, before_.picture))
         throw LessonEnded{outcome(*refusal)};
-      ObjectModel shown = model;
+      ObjectModel shown = stored;
       shown.views = {stored.views.back()};
       shown.grasp.reset();
       measure(shown);

@@ -19,13 +19,24 @@ bool is_empty(const sensor_msgs::RegionOfInterest& roi) {
   return roi.width == 0 && roi.height == 0;
 }
 
-Fault check_name(const Goal& goal, const LibrarySnapshot& library, int max_objects) {
+// Without pictures.
+Lesson described(const Goal& goal, const std::string& name) {
+  Lesson lesson;
+  lesson.name = name;
+  lesson.label = goal.label;
+  lesson.object_height = goal.object_height;
+  if (goal.set_reference) lesson.reference = from_msg(goal.reference);
+  return lesson;
+}
+
+Fault check_storable(const Goal& goal, const LibrarySnapshot& library, int max_objects) {
   if (goal.overwrite && goal.add_view)
     return outcome(LearnError::kNameTaken, "Both overwrite and add_view are set.",
                    "Set one of them: overwrite replaces the object, add_view adds a picture.");
-  const std::string name = goal.add_view ? goal.name : name_for(goal, library);
-  if (const auto refusal = check_storing(name, storing_of(goal), library)) return outcome(*refusal);
-  if (!library.find(name) && library.objects.size() >= static_cast<std::size_t>(max_objects))
+  const Lesson lesson = described(goal, goal.add_view ? goal.name : name_for(goal, library));
+  if (const auto refusal = check_storing(lesson, storing_of(goal), library))
+    return outcome(*refusal);
+  if (!library.find(lesson.name) && library.objects.size() >= static_cast<std::size_t>(max_objects))
     return outcome(LearnError::kStorage,
                    "The library holds " + std::to_string(max_objects) + " objects, its limit.",
                    "Delete objects, or raise max_objects.");
@@ -76,7 +87,7 @@ Fault check_numbers(const Goal& goal) {
 }  // namespace
 
 Fault check_goal(const Goal& goal, const LibrarySnapshot& library, int max_objects) {
-  if (auto fault = check_name(goal, library, max_objects)) return fault;
+  if (auto fault = check_storable(goal, library, max_objects)) return fault;
   if (auto fault = check_mode(goal)) return fault;
   return check_numbers(goal);
 }
@@ -95,13 +106,9 @@ std::string name_for(const Goal& goal, const LibrarySnapshot& library) {
 
 GoalLesson to_lesson(const Goal& goal, const std::string& name, const cv::Mat& before,
                      const cv::Mat& after) {
-  GoalLesson made;
+  GoalLesson made{described(goal, name), {}};
   Lesson& lesson = made.lesson;
   lesson.before = before;
-  lesson.name = name;
-  lesson.label = goal.label;
-  lesson.object_height = goal.object_height;
-  if (goal.set_reference) lesson.reference = from_msg(goal.reference);
   if (goal.mode == Goal::CHANGE || goal.mode == Goal::ROI) {
     const auto region = from_msg(goal.roi, before.size());
     if (!region) made.fault = outcome(LearnError::kRegionInvalid);

@@ -44,7 +44,7 @@ std::vector<LessonEdit::Line> lines_of(const std::vector<geometry_msgs::Polygon>
 }
 
 /// Throws std::invalid_argument with a sentence.
-LessonEdit edit_of(const Request& request, cv::Size size) {
+LessonEdit edit_of(const Request& request, cv::Size size, bool further_view) {
   LessonEdit edit;
   edit.include = lines_of(request.include);
   edit.exclude = lines_of(request.exclude);
@@ -56,6 +56,8 @@ LessonEdit edit_of(const Request& request, cv::Size size) {
     edit.reference = from_msg(request.reference);
     if (!edit.reference) throw std::invalid_argument("the new reference is not finite");
   }
+  if (edit.reference && further_view)
+    throw std::invalid_argument("a further view takes the frame of the stored object");
   if (edit.include.empty() && edit.exclude.empty() && edit.region.empty() && !edit.reference)
     throw std::invalid_argument("nothing to edit; give strokes, a new roi or a new reference");
   return edit;
@@ -117,7 +119,8 @@ void LessonRun::carry_out(const Request& command, Response& response) {
 void LessonRun::edit(const Confirmation::Request& command, Response& response) {
   response.success = false;
   try {
-    const LearnResult edited = draft_->edit(edit_of(command, before_.picture.size()), observer());
+    const LessonEdit edit = edit_of(command, before_.picture.size(), goal_.add_view);
+    const LearnResult edited = draft_->edit(edit, observer());
     response.message = edited.message;
     response.success = edited.has_model;
   } catch (const std::invalid_argument& fault) {

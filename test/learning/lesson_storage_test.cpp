@@ -20,12 +20,18 @@ ObjectModel named(const std::string& name) {
   return model;
 }
 
-LearnError error_of(const std::string& name, Storing storing, const LibrarySnapshot& library) {
-  const auto refusal = check_storing(name, storing, library);
+LearnError error_of(const Lesson& lesson, Storing storing, const LibrarySnapshot& library) {
+  const auto refusal = check_storing(lesson, storing, library);
   if (!refusal) return LearnError::kSuccess;
   EXPECT_FALSE(refusal->message.empty());
   EXPECT_FALSE(refusal->hint.empty());
   return refusal->error;
+}
+
+LearnError error_of(const std::string& name, Storing storing, const LibrarySnapshot& library) {
+  Lesson lesson;
+  lesson.name = name;
+  return error_of(lesson, storing, library);
 }
 
 TEST(CheckStoring, NamesMustFitWhatIsAskedFor) {
@@ -39,6 +45,25 @@ TEST(CheckStoring, NamesMustFitWhatIsAskedFor) {
   for (const Storing storing : {Storing::kNew, Storing::kReplace, Storing::kAddView})
     for (const char* name : {"", "../cup", "1cup", "a b"})
       EXPECT_EQ(error_of(name, storing, library), LearnError::kNameInvalid) << name;
+}
+
+TEST(CheckStoring, AFurtherViewBringsNothingThatContradictsTheObject) {
+  ObjectModel cup = named("cup");
+  cup.object_height = 0.05;
+  const LibrarySnapshot library = library_of({cup});
+  Lesson lesson;
+  lesson.name = lesson.label = "cup";
+  lesson.object_height = 0.05;
+  EXPECT_EQ(error_of(lesson, Storing::kAddView, library), LearnError::kSuccess);
+  lesson.object_height = 0.04;
+  EXPECT_EQ(error_of(lesson, Storing::kAddView, library), LearnError::kRegionInvalid);
+  EXPECT_EQ(error_of(lesson, Storing::kReplace, library), LearnError::kSuccess);
+  lesson.object_height = 0;
+  lesson.label = "Cup";
+  EXPECT_EQ(error_of(lesson, Storing::kAddView, library), LearnError::kNameInvalid);
+  lesson.label = "";
+  lesson.reference = Pose2D{};
+  EXPECT_EQ(error_of(lesson, Storing::kAddView, library), LearnError::kRegionInvalid);
 }
 
 class AddView : public testing::Test {

@@ -8,6 +8,7 @@
 
 #include "mbncc/config/search_config.hpp"
 #include "mbncc/error.hpp"
+#include "mbncc/learning/learn_object.hpp"
 #include "mbncc/library/object_library.hpp"
 #include "mbncc/object_model.hpp"
 
@@ -30,12 +31,13 @@ enum class Storing {
   kAddView   ///< there must be one; the lesson's picture becomes a further view of it
 };
 
-/// Why a lesson of this name cannot be stored; none: it may start.
-std::optional<Refusal> check_storing(const std::string& name, Storing storing,
+/// Why a lesson of this name, label, height and reference cannot be stored; none: it may start.
+/// A further view brings nothing of its own but the picture: the rest is the stored object's.
+std::optional<Refusal> check_storing(const Lesson& lesson, Storing storing,
                                      const LibrarySnapshot& library);
 
-/// Makes the view of `learned`, taught by `picture`, a further one of `stored`, in the frame of
-/// `stored`; the verdict is that of the newest view. Refuses, and leaves `stored` as
+/// Makes the view of `learned`, taught by `picture`, a further one of `stored`, in its frame and at
+/// its height; the verdict is that of the newest view. Refuses, and leaves `stored` as
 /// it was, when the stored object is not found in the picture.
 std::optional<Refusal> add_view(ObjectModel& stored, const ObjectModel& learned,
                                 const cv::Mat& picture, const SearchConfig& search = {});
