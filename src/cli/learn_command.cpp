@@ -41,8 +41,8 @@ ObjectModel store(ObjectLibrary& library, Storing storing, const ObjectModel& le
     return library.edit(learned.name, [&](ObjectModel& stored) {
       if (const auto refusal = add_view(stored, learned, picture, search)) throw *refusal;
     });
-  } catch (const FileError& error) {
-    throw Refusal(LearnError::kStorage, std::string(error.what()) + ".");
+  } catch (const std::exception& failure) {
+    throw Refusal(failure);
   }
 }
 

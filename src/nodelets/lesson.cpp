@@ -120,13 +120,8 @@ LessonRun::Result LessonRun::store() {
     message += second_view();
     if (!left_out.empty()) message += " The marked grasp was not stored: " + left_out + ".";
     return describe(outcome(LearnError::kSuccess, message), stored);
-  } catch (const FileError& error) {
-    return describe(outcome(LearnError::kStorage, error.what()), model);
-  } catch (const std::invalid_argument& error) {
-    // The library changed during the lesson.
-    const bool taken = tools_.library.snapshot()->find(name_) != nullptr;
-    return describe(
-        outcome(taken ? LearnError::kNameTaken : LearnError::kNameUnknown, error.what()), model);
+  } catch (const std::exception& failure) {
+    return describe(outcome(Refusal(failure)), model);
   }
 }
 

@@ -2,7 +2,6 @@
 
 #include <cmath>
 
-#include "mbncc/label.hpp"
 #include "nodelets/images.hpp"
 #include "nodelets/messages.hpp"
 #include "nodelets/outcome.hpp"
@@ -40,9 +39,6 @@ Fault check_storable(const Goal& goal, const LibrarySnapshot& library, int max_o
     return outcome(LearnError::kStorage,
                    "The library holds " + std::to_string(max_objects) + " objects, its limit.",
                    "Delete objects, or raise max_objects.");
-  if (!is_valid_label(goal.label))
-    return outcome(LearnError::kNameInvalid, "The label is not usable.",
-                   "Give printable UTF-8 of at most 200 bytes.");
   return {};
 }
 

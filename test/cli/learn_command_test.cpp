@@ -163,6 +163,13 @@ TEST(LearnCommand, RefusalsAreReportedInJsonToo) {
   EXPECT_FALSE(report["stored"].as<bool>());
 }
 
+TEST(LearnCommand, WhatCannotBeStoredIsReportedInJsonToo) {
+  const LessonFolder folder;
+  const ToolRun run = run_tool(folder.lesson("part") + Words{"--json", "--label", "two\nlines"});
+  EXPECT_EQ(run.code, 1);
+  EXPECT_EQ(YAML::Load(run.out)["error"].as<std::string>(), "NAME_INVALID");
+}
+
 TEST(LearnCommand, UnusablePicturesAndRegionsStoreNothing) {
   const LessonFolder folder;
   folder.write("small.png", cv::Mat(100, 100, CV_8UC3, cv::Scalar::all(90)));

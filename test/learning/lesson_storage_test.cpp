@@ -2,7 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include "library/models.hpp"
 #include "mbncc/sim/scene.hpp"
+#include "support/temporary_folder.hpp"
 
 namespace mbncc::test {
 namespace {
@@ -64,6 +66,54 @@ TEST(CheckStoring, AFurtherViewBringsNothingThatContradictsTheObject) {
   lesson.label = "";
   lesson.reference = Pose2D{};
   EXPECT_EQ(error_of(lesson, Storing::kAddView, library), LearnError::kRegionInvalid);
+}
+
+TEST(CheckStoring, LabelsAreChecked) {
+  Lesson lesson;
+  lesson.name = "cup";
+  lesson.label = std::string(200, 'x');
+  EXPECT_EQ(error_of(lesson, Storing::kNew, {}), LearnError::kSuccess);
+  lesson.label += "x";
+  EXPECT_EQ(error_of(lesson, Storing::kNew, {}), LearnError::kNameInvalid);
+}
+
+// What the library throws at `change`.
+template <class Change>
+Refusal refusal_by(Change&& change) {
+  try {
+    change();
+  } catch (const std::exception& failure) {
+    return Refusal(failure);
+  }
+  return Refusal(LearnError::kSuccess);
+}
+
+TEST(RefusalByTheLibrary, OnlyNamesAreToBlameForNames) {
+  using Existing = ObjectLibrary::Existing;
+  TemporaryFolder folder;
+  ObjectLibrary library(folder.path());
+  ObjectModel cup = random_model(1, "cup");
+  library.save(cup, Existing::kRefuse);
+  EXPECT_EQ(refusal_by([&] { library.save(cup, Existing::kRefuse); }).error,
+            LearnError::kNameTaken);
+  EXPECT_EQ(refusal_by([&] { library.edit("box", [](ObjectModel&) {}); }).error,
+            LearnError::kNameUnknown);
+
+  const Refusal crowded = refusal_by([&] {
+    library.edit("cup", [](ObjectModel& model) { model.views.resize(65, model.views[0]); });
+  });
+  EXPECT_EQ(crowded.error, LearnError::kStorage) << crowded.message;
+  EXPECT_NE(crowded.hint.find("fewer"), std::string::npos);
+  cup.views[0].template_image = cv::Mat::zeros(4000, 4000, CV_8UC3);
+  cup.views[0].map = cv::Mat(4000, 4000, CV_8UC1, cv::Scalar(255));
+  cup.views[0].picture_size = {5000, 5000};
+  const Refusal large = refusal_by([&] { library.save(cup, Existing::kReplace); });
+  EXPECT_EQ(large.error, LearnError::kStorage) << large.message;
+
+  const Refusal broken = refusal_by([] { throw FileError("cup.png", "No space left on device"); });
+  EXPECT_EQ(broken.error, LearnError::kStorage);
+  EXPECT_NE(broken.hint.find("disk space"), std::string::npos);
+  EXPECT_EQ(refusal_by([] { throw std::logic_error("a bug"); }).error, LearnError::kInternal);
 }
 
 class AddView : public testing::Test {

@@ -73,7 +73,7 @@ TEST(ObjectLibrary, RefusesATakenNameUnlessReplacing) {
   TemporaryFolder folder;
   ObjectLibrary library(folder.path());
   library.save(random_model(1), Existing::kRefuse);
-  EXPECT_THROW(library.save(random_model(2), Existing::kRefuse), std::invalid_argument);
+  EXPECT_THROW(library.save(random_model(2), Existing::kRefuse), NameError);
   expect_equal(*library.load()->find("wrench"), random_model(1));
   EXPECT_EQ(library.save(random_model(2), Existing::kReplace).revision, 2u);
   expect_equal(*library.load()->find("wrench"), random_model(2));
@@ -116,7 +116,7 @@ TEST(ObjectLibrary, EditThatMovesPosesIsANewRevision) {
                 .revision,
             3u);
   EXPECT_EQ(library.load()->find("wrench")->label, "w");
-  EXPECT_THROW(library.edit("nut", [](ObjectModel&) {}), std::invalid_argument);
+  EXPECT_THROW(library.edit("nut", [](ObjectModel&) {}), NameError);
 }
 
 TEST(ObjectLibrary, ThrowingEditChangesNothing) {

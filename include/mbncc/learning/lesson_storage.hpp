@@ -2,6 +2,7 @@
 // view of a known object made part of it.
 #pragma once
 
+#include <exception>
 #include <opencv2/core.hpp>
 #include <optional>
 #include <string>
@@ -22,6 +23,9 @@ struct Refusal {
 
   /// Texts left out are the usual ones of `error`.
   explicit Refusal(LearnError error, const std::string& message = "", const std::string& hint = "");
+
+  /// What an exception of the library says to whoever taught.
+  explicit Refusal(const std::exception& failure);
 };
 
 /// What a lesson does about a stored object of its name.

@@ -8,11 +8,25 @@
 #include <string>
 #include <vector>
 
+#include "mbncc/error.hpp"
 #include "mbncc/object_model.hpp"
 
 namespace mbncc {
 
 class LibraryCache;
+
+/// A name that is taken, unknown or not allowed; `what()` says which.
+class NameError : public std::invalid_argument {
+ public:
+  NameError(LearnError code, const std::string& sentence)
+      : std::invalid_argument(sentence), code_(code) {}
+
+  /// kNameTaken, kNameUnknown or kNameInvalid.
+  LearnError code() const { return code_; }
+
+ private:
+  LearnError code_;
+};
 
 /// A file that could not be read.
 struct QuarantinedFile {
@@ -62,25 +76,26 @@ class ObjectLibrary {
 
   /// Stores `model` durably: temporary file, fsync, rename, fsync of the folder. Replacing moves
   /// the old revision to `.trash/`. Returns the model as stored, with its new revision. Throws
-  /// std::invalid_argument for a name that is taken (kRefuse) or a model that breaks the rules.
+  /// NameError for a name that is taken (kRefuse), std::invalid_argument for a model that breaks
+  /// the rules or does not fit into a file.
   ObjectModel save(ObjectModel model, Existing existing);
 
   /// Applies `change` to the stored object under the lock and stores the result; as the next
   /// revision, with the old one in the trash, when it moves poses (views, references, scale,
   /// height, grasp). An exception from `change` leaves everything as it was. Throws
-  /// std::invalid_argument when the name is unknown.
+  /// NameError when the name is unknown, std::invalid_argument like save().
   ObjectModel edit(const std::string& name, const std::function<void(ObjectModel&)>& change);
 
-  /// New key and/or label; an empty argument keeps the old one. Throws std::invalid_argument when
-  /// the name is unknown or the new one invalid or taken.
+  /// New key and/or label; an empty argument keeps the old one. Throws NameError when the name is
+  /// unknown or the new one invalid or taken.
   ObjectModel rename(const std::string& name, const std::string& new_name,
                      const std::string& label);
 
-  /// Moves the object to `.trash/`. Throws std::invalid_argument when the name is unknown.
+  /// Moves the object to `.trash/`. Throws NameError when the name is unknown.
   void remove(const std::string& name);
 
   /// Brings a revision back from the trash (0: the newest there) as the next revision of that name;
-  /// what it replaces goes to the trash. Throws std::invalid_argument when there is none.
+  /// what it replaces goes to the trash. Throws NameError when there is none.
   ObjectModel restore(const std::string& name, std::uint32_t revision = 0);
 
  private:

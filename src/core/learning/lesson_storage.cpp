@@ -1,5 +1,8 @@
 #include "mbncc/learning/lesson_storage.hpp"
 
+#include <stdexcept>
+
+#include "mbncc/label.hpp"
 #include "mbncc/learning/resemblance.hpp"
 
 namespace mbncc {
@@ -20,6 +23,22 @@ std::optional<Refusal> check_view_fields(const Lesson& lesson, const ObjectModel
   return {};
 }
 
+LearnError code_of(const std::exception& failure) {
+  if (const auto* name = dynamic_cast<const NameError*>(&failure)) return name->code();
+  const bool expected = dynamic_cast<const FileError*>(&failure) != nullptr ||
+                        dynamic_cast<const std::invalid_argument*>(&failure) != nullptr;
+  return expected ? LearnError::kStorage : LearnError::kInternal;
+}
+
+// The usual hint of kStorage speaks of the folder, not of an object that fits into no file.
+std::string hint_for(const std::exception& failure) {
+  const LearnError code = code_of(failure);
+  if (code != LearnError::kStorage || dynamic_cast<const FileError*>(&failure) != nullptr)
+    return hint_of(code);
+  return "Teach fewer or smaller views, or replace the object by overwrite; the library itself is "
+         "unchanged.";
+}
+
 }  // namespace
 
 Refusal::Refusal(LearnError error, const std::string& message, const std::string& hint)
@@ -27,9 +46,15 @@ Refusal::Refusal(LearnError error, const std::string& message, const std::string
       message(message.empty() ? message_of(error) : message),
       hint(hint.empty() ? hint_of(error) : hint) {}
 
+Refusal::Refusal(const std::exception& failure)
+    : Refusal(code_of(failure), std::string(failure.what()) + ".", hint_for(failure)) {}
+
 std::optional<Refusal> check_storing(const Lesson& lesson, Storing storing,
                                      const LibrarySnapshot& library) {
   if (!is_valid_name(lesson.name)) return Refusal(LearnError::kNameInvalid);
+  if (!is_valid_label(lesson.label))
+    return Refusal(LearnError::kNameInvalid, "The label is not usable.",
+                   "Give printable UTF-8 of at most 200 bytes.");
   const auto stored = library.find(lesson.name);
   if (stored && storing == Storing::kNew)
     return Refusal(LearnError::kNameTaken, "The library already holds '" + lesson.name + "'.");

@@ -12,12 +12,12 @@ namespace mbncc {
 namespace {
 
 [[noreturn]] void refuse_unknown(const std::string& name) {
-  throw std::invalid_argument("the library has no object '" + name + "'");
+  throw NameError(LearnError::kNameUnknown, "the library has no object '" + name + "'");
 }
 
 void refuse_taken(const LibraryFolder& folder, const std::string& name) {
   if (path_exists(folder.object_file(name)))
-    throw std::invalid_argument("the library has an object '" + name + "' already");
+    throw NameError(LearnError::kNameTaken, "the library has an object '" + name + "' already");
 }
 
 std::unique_ptr<ObjectModel> read_known(LockedFolder& locked, const std::string& name) {
@@ -86,8 +86,8 @@ ObjectModel ObjectLibrary::rename(const std::string& name, const std::string& ne
   ObjectModel model = *read_known(locked, name);
   const bool moves = !new_name.empty() && new_name != name;
   if (moves && !is_valid_name(new_name))
-    throw std::invalid_argument("the name '" + new_name +
-                                "' must match [A-Za-z][A-Za-z0-9_]{0,63}");
+    throw NameError(LearnError::kNameInvalid,
+                    "the name '" + new_name + "' must match [A-Za-z][A-Za-z0-9_]{0,63}");
   if (moves) {
     refuse_taken({folder_}, new_name);
     model.revision = std::max(model.revision, locked.next_revision(new_name, nullptr));
@@ -113,8 +113,9 @@ ObjectModel ObjectLibrary::restore(const std::string& name, std::uint32_t revisi
                       : revisions.empty() ? revisions.end()
                                           : std::prev(revisions.end());
   if (chosen == revisions.end())
-    throw std::invalid_argument("the trash has no object '" + name + "'" +
-                                (revision == 0 ? "" : " of revision " + std::to_string(revision)));
+    throw NameError(LearnError::kNameUnknown,
+                    "the trash has no object '" + name + "'" +
+                        (revision == 0 ? "" : " of revision " + std::to_string(revision)));
   ObjectModel model = read_object_file(chosen->second);
   const auto old = locked.read(name);
   model.revision = locked.next_revision(name, old.get());
