@@ -114,6 +114,7 @@ TEST(HostileFiles, DescriptionsAreChecked) {
       replaced("revision: 1", "revision: 0"),
       replaced("revision: 1", "revision: 1e99"),
       replaced("revision: 1", "revision: [1]"),
+      replaced("learned_at: 0", "learned_at: 5e9"),
       replaced("enabled: true", "enabled: perhaps"),
       replaced("object_height: 0", "object_height: -1"),
       replaced("object_height: 0", "object_height: nan"),

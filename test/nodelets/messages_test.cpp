@@ -48,6 +48,12 @@ TEST(LearnedObjectMessage, CarriesTheModel) {
   EXPECT_EQ(message.thumbnail.height, 48u);
 }
 
+TEST(LearnedObjectMessage, CarriesEveryTimeThatAFileMayHold) {
+  ObjectModel model = plate();
+  model.learned_at = 4e9;
+  EXPECT_EQ(to_msg(model, false).learned_at.sec, 4000000000u);
+}
+
 TEST(LearnedObjectMessage, LeavesTheThumbnailOut) {
   EXPECT_TRUE(to_msg(plate(), false).thumbnail.data.empty());
 }

@@ -12,7 +12,8 @@
 namespace mbncc {
 namespace {
 
-constexpr double kLargest = 1e9;  // bound of every number but times; far beyond any picture
+constexpr double kLargest = 1e9;     // bound of every number but times; far beyond any picture
+constexpr double kLatestTime = 4e9;  // [s] since 1970; messages count seconds in 32 bits
 
 // The parser recurses; text of this kind never nests deeply, whatever a damaged file holds.
 void refuse_deep_nesting(const std::string& text) {
@@ -115,7 +116,7 @@ ObjectDescription read_root(const YAML::Node& root) {
   model.label = root["label"].as<std::string>();
   model.enabled = root["enabled"].as<bool>();
   model.revision = static_cast<std::uint32_t>(whole(root["revision"], "revision", 1, 2e9));
-  model.learned_at = number(root, "learned_at", 0, 1e12);
+  model.learned_at = number(root, "learned_at", 0, kLatestTime);
   model.object_height = number(root, "object_height", 0, kLargest);
   model.metres_per_pixel = number_or_unknown(root, "metres_per_pixel", 0, kLargest);
   if (root["min_score"]) model.min_score = number(root, "min_score", 0, 1);
