@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <iostream>
 
 #include "cli/command.hpp"
@@ -49,8 +50,11 @@ ExitCode run(const Arguments& arguments) {
   for (const auto& file : faulty)
     std::cerr << (file.moved ? ".quarantine/" : "") << file.file << ": " << file.reason << '\n';
   if (faulty.empty()) return kDone;
-  std::cerr << "Teach these objects again or restore them from the trash, then delete "
-            << library.folder() << "/.quarantine.\n";
+  const bool moved =
+      std::any_of(faulty.begin(), faulty.end(), [](auto& file) { return file.moved; });
+  if (moved)
+    std::cerr << "Teach these objects again or restore them from the trash, then delete "
+              << library.folder() << "/.quarantine.\n";
   return kFailed;
 }
 

@@ -36,6 +36,7 @@ class LearningNodelet : public GuardedNodelet {
   void start() override;
   void stop() override;
   void open_library(ros::NodeHandle& node);
+  void tell_library(const std::string& folder, const LibrarySnapshot& snapshot);
   void start_pictures(ros::NodeHandle& node);
   void start_lessons(ros::NodeHandle& node);
   mbncc_vision::LearnObjectResult teach(LessonClient& client);
@@ -99,14 +100,17 @@ void LearningNodelet::open_library(ros::NodeHandle& node) {
   library_publisher_ = std::make_unique<LibraryPublisher>(node);
   const std::string folder = expand_home(config_.library_path);
   library_ = std::make_shared<SharedLibrary>(
-      folder, [this, folder](const SharedLibrary::Snapshot& snapshot) {
-        for (const auto& file : snapshot->quarantined)
-          NODELET_WARN("%s was moved to .quarantine: %s", file.file.c_str(), file.reason.c_str());
-        library_publisher_->publish(folder, *snapshot);
-      });
+      folder, [this, folder](const auto& snapshot) { tell_library(folder, *snapshot); });
   library_services_ = std::make_unique<LibraryServices>(node, library_);
   library_timer_ =
       node.createWallTimer(ros::WallDuration(1), [this](const auto&) { look_for_changes(); });
+}
+
+void LearningNodelet::tell_library(const std::string& folder, const LibrarySnapshot& snapshot) {
+  for (const auto& file : snapshot.quarantined)
+    NODELET_WARN("%s %s: %s", file.file.c_str(),
+                 file.moved ? "was moved to .quarantine" : "cannot be read", file.reason.c_str());
+  library_publisher_->publish(folder, snapshot);
 }
 
 void LearningNodelet::look_for_changes() {

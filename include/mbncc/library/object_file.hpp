@@ -11,7 +11,8 @@
 
 namespace mbncc {
 
-/// Format written by this version; newer ones are refused with a sentence.
+/// Format written by this version; newer ones are refused with a sentence and
+/// left alone.
 constexpr int kObjectFileVersion = 1;
 
 /// Bytes of the file. Throws std::invalid_argument when the model breaks the rules of

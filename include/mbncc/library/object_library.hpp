@@ -32,8 +32,8 @@ class NameError : public std::invalid_argument {
 struct QuarantinedFile {
   std::string file;    ///< name within the library folder
   std::string reason;  ///< one sentence
-  bool moved = true;   ///< to `.quarantine/`; false: left in place (no permission, or no fault of
-                       ///< the file's content)
+  bool moved = true;   ///< to `.quarantine/`; false: left in place (no permission, a newer format,
+                       ///< or no fault of the file's content)
 };
 
 /// Immutable state of a library at one moment; share it freely between threads.

@@ -119,6 +119,8 @@ ObjectModel decode_object(const std::vector<std::uint8_t>& bytes, const std::str
     throw FileError(path, "not enough memory to read it");
   } catch (const cv::Exception& error) {
     throw FileError(path, error.what());
+  } catch (const NewerFormat& error) {
+    throw FileError(path, error.what());
   } catch (const std::exception& error) {
     throw ContentError(path, error.what());
   }

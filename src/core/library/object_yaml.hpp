@@ -2,6 +2,7 @@
 #pragma once
 
 #include <opencv2/core.hpp>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -20,8 +21,14 @@ struct ObjectDescription {
 /// YAML text of the model; `rectangles` has one entry per view.
 std::string write_description(const ObjectModel& model, const std::vector<cv::Rect>& rectangles);
 
+/// A description in a format of the future: nothing is wrong with it, only with this program.
+class NewerFormat : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
 /// Throws std::runtime_error with one clear sentence when the text is not what
-/// write_description() writes.
+/// write_description() writes, NewerFormat when a later version may have written it.
 ObjectDescription read_description(const std::string& text);
 
 }  // namespace mbncc

@@ -105,8 +105,8 @@ void read_view(const YAML::Node& node, ObjectDescription& description) {
 void check_version(const YAML::Node& root) {
   const int version = whole(root["format"], "format", 1, 1e6);
   if (version > kObjectFileVersion)
-    throw std::runtime_error("it has format " + std::to_string(version) + ", this program reads " +
-                             std::to_string(kObjectFileVersion) + "; update mbncc_vision");
+    throw NewerFormat("it has format " + std::to_string(version) + ", this program reads " +
+                      std::to_string(kObjectFileVersion) + "; update mbncc_vision");
 }
 
 ObjectDescription read_root(const YAML::Node& root) {
