@@ -7,15 +7,24 @@
 namespace mbncc::nodelets {
 namespace {
 
-Plane platform_plane(const PlatformConfig& config, const std_msgs::Header& header,
-                     const tf2_ros::Buffer& tf) {
-  if (config.platform_frame.empty()) return plane_at(config.platform_distance);
-  const Eigen::Isometry3d pose = tf2::transformToEigen(
-      tf.lookupTransform(camera_frame_of(config, header), config.platform_frame, header.stamp));
+Plane plane_through(const Eigen::Isometry3d& T_camera_platform) {
   cv::Matx44d matrix;
   for (int row = 0; row < 4; ++row)
-    for (int column = 0; column < 4; ++column) matrix(row, column) = pose(row, column);
+    for (int column = 0; column < 4; ++column) matrix(row, column) = T_camera_platform(row, column);
   return plane_of(matrix);
+}
+
+Calibration over_platform(const PixelToRay& ray, const PlatformConfig& config,
+                          const std_msgs::Header& header, const tf2_ros::Buffer& tf) {
+  if (config.platform_frame.empty())
+    return {Platform(ray, plane_at(config.platform_distance)), "", {}};
+  const Eigen::Isometry3d pose = tf2::transformToEigen(
+      tf.lookupTransform(camera_frame_of(config, header), config.platform_frame, header.stamp));
+  return {Platform(ray, plane_through(pose)), "", pose};
+}
+
+Calibration uncalibrated(const std::string& fault) {
+  return {{}, fault, {}};
 }
 
 }  // namespace
@@ -24,22 +33,25 @@ std::string camera_frame_of(const PlatformConfig& config, const std_msgs::Header
   return config.camera_frame.empty() ? header.frame_id : config.camera_frame;
 }
 
+bool has_platform(const PlatformConfig& config) {
+  return !config.platform_frame.empty() || config.platform_distance > 0;
+}
+
 Calibration calibrate(const PlatformConfig& config, const sensor_msgs::CameraInfo* info,
                       const std_msgs::Header& header, cv::Size size, const tf2_ros::Buffer& tf) {
-  if (config.platform_frame.empty() && config.platform_distance <= 0)
-    return {{}, "set platform_frame or platform_distance to get poses in metres"};
+  if (!has_platform(config))
+    return uncalibrated("set platform_frame or platform_distance to get poses in metres");
   if (camera_frame_of(config, header).empty())
-    return {{}, "pictures name no frame_id; let the camera set one, or set camera_frame"};
-  if (info == nullptr) return {{}, "no camera_info of this picture's size and frame"};
+    return uncalibrated("pictures name no frame_id; let the camera set one, or set camera_frame");
+  if (info == nullptr) return uncalibrated("no camera_info of this picture's size and frame");
   try {
     const auto ray = rays_of(*info, config.rectified, size);
     if (!ray)
-      return {{},
-              std::string("camera_info is not usable; calibrate the camera (") +
-                  (config.rectified ? "P" : "K and D") + " counts)"};
-    return {Platform(*ray, platform_plane(config, header, tf)), ""};
+      return uncalibrated(std::string("camera_info is not usable; calibrate the camera (") +
+                          (config.rectified ? "P" : "K and D") + " counts)");
+    return over_platform(*ray, config, header, tf);
   } catch (const std::exception& error) {
-    return {{}, std::string("platform: ") + error.what()};
+    return uncalibrated(std::string("platform: ") + error.what());
   }
 }
 

@@ -5,6 +5,7 @@
 #include <std_msgs/Header.h>
 #include <tf2_ros/buffer.h>
 
+#include <Eigen/Geometry>
 #include <opencv2/core.hpp>
 #include <optional>
 #include <string>
@@ -15,9 +16,13 @@
 namespace mbncc::nodelets {
 
 struct Calibration {
-  std::optional<Platform> platform;  ///< none: poses in pixels only
-  std::string fault;                 ///< why there is none, with the remedy
+  std::optional<Platform> platform;                    ///< none: poses in pixels only
+  std::string fault;                                   ///< why there is none, with the remedy
+  std::optional<Eigen::Isometry3d> T_camera_platform;  ///< of platform_frame, where that is set
 };
+
+/// Poses in metres are wanted.
+bool has_platform(const PlatformConfig& config);
 
 /// Optical frame of a picture: the configured one, else the picture's own.
 std::string camera_frame_of(const PlatformConfig& config, const std_msgs::Header& header);

@@ -9,7 +9,6 @@
 #include <optional>
 #include <string>
 
-#include "mbncc/cell/platform.hpp"
 #include "mbncc/object_model.hpp"
 
 namespace mbncc::nodelets {
@@ -19,23 +18,24 @@ class GraspMark {
   /// `tf` outlives the mark; `gripper_frame` "" refuses every mark.
   GraspMark(const tf2_ros::Buffer& tf, std::string gripper_frame);
 
-  /// Keeps where the gripper is `now`, seen from `camera_frame`. Throws std::runtime_error with a
-  /// sentence when that is not known.
-  void record(const std::string& camera_frame, const ros::Time& now);
+  /// Keeps where the gripper is `now` in `base_frame`, which must not move against the platform
+  /// until the object is known. Throws std::runtime_error with a sentence when that is not known.
+  void record(const std::string& base_frame, const ros::Time& now);
 
   void clear();
 
   /// A mark has been recorded at `time` or later: what is older belongs to another demonstration.
   bool is_marked_since(const ros::Time& time) const;
 
-  /// The marked gripper pose relative to an object's; none when nothing is marked.
-  std::optional<Grasp> relative_to(const PlatformPose& object) const;
+  /// The marked gripper pose relative to an object's in the base frame; none when nothing is
+  /// marked.
+  std::optional<Grasp> relative_to(const Eigen::Isometry3d& T_base_object) const;
 
  private:
   const tf2_ros::Buffer& tf_;
   const std::string gripper_frame_;
   mutable std::mutex mutex_;
-  std::optional<Eigen::Isometry3d> T_camera_gripper_;
+  std::optional<Eigen::Isometry3d> T_base_gripper_;
   ros::Time recorded_at_;
 };
 

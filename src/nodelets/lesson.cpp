@@ -112,14 +112,14 @@ LessonRun::Result LessonRun::store() {
   tell(Feedback::STORE, kChecked, "Storing '" + name_ + "'.");
   ObjectModel model = learned_.object;
   model.learned_at = ros::Time::now().toSec();
-  const std::string left_out = measure(model);
+  // tf or camera_info may have come a little later than the picture.
+  if (!calibration_.platform) calibrate_before();
   try {
-    const ObjectModel stored = save(model);
+    std::string lacking;
+    const ObjectModel stored = save(model, lacking);
     std::string message =
         "Learned '" + name_ + "', verdict " + to_string(stored.quality.verdict) + ".";
-    message += second_view();
-    if (!left_out.empty()) message += " The marked grasp was not stored: " + left_out + ".";
-    return describe(outcome(LearnError::kSuccess, message), stored);
+    return describe(outcome(LearnError::kSuccess, message + second_view() + lacking), stored);
   } catch (const std::exception& failure) {
     return describe(outcome(Refusal(failure)), model);
   }
@@ -139,28 +139,39 @@ std::string LessonRun::second_view() const {
   return text;
 }
 
+/// By the model's newest view, the one of this lesson; a known object keeps its scale. Returns what
+/// is lacking, as a sentence.
 std::string LessonRun::measure(ObjectModel& model) const {
   const bool live = before_.number > 0;
-  return tools_.gauge.measure(
-      {goal_.camera_info, before_.header, live ? before_.header.stamp : started_}, model);
+  const LessonMeasures measures =
+      tools_.gauge.measure(calibration_, live ? before_.header.stamp : started_,
+                           model.views.back().reference, model.object_height);
+  if (!goal_.add_view) model.metres_per_pixel = measures.metres_per_pixel;
+  if (measures.grasp) model.grasp = measures.grasp;
+  return lack(measures);
 }
 
-ObjectModel LessonRun::save(const ObjectModel& model) const {
+std::string LessonRun::lack(const LessonMeasures& measures) const {
+  if (measures.fault.empty() || (goal_.add_view && !measures.marked)) return "";
+  const std::string what = goal_.add_view    ? "The marked grasp was not stored"
+                           : measures.marked ? "Learned without scale and marked grasp"
+                                             : "Learned without scale";
+  return " " + what + ": " + measures.fault + ".";
+}
+
+ObjectModel LessonRun::save(ObjectModel model, std::string& lacking) const {
   using Existing = ObjectLibrary::Existing;
   const Storing storing = storing_of(goal_);
   return tools_.library.change([&](ObjectLibrary& library) {
-    if (storing != Storing::kAddView)
-      return library.save(model,
-                          storing == Storing::kReplace ? Existing::kReplace : Existing::kRefuse);
-    return library.edit(name_, [&](ObjectModel& stored) {
-      if (const auto refusal = add_view(stored, model, before_.picture))
-        throw LessonEnded{outcome(*refusal)};
-      ObjectModel shown = stored;
-      shown.views = {stored.views.back()};
-      shown.grasp.reset();
-      measure(shown);
-      if (shown.grasp) stored.grasp = shown.grasp;
-    });
+    if (storing == Storing::kAddView)
+      return library.edit(name_, [&](ObjectModel& stored) {
+        if (const auto refusal = add_view(stored, model, before_.picture))
+          throw LessonEnded{outcome(*refusal)};
+        lacking = measure(stored);
+      });
+    lacking = measure(model);
+    return library.save(model,
+                        storing == Storing::kReplace ? Existing::kReplace : Existing::kRefuse);
   });
 }
 

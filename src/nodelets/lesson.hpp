@@ -59,6 +59,8 @@ class LessonRun {
   void take_pictures();
   void take_already_moved();
   bool waits_for_change() const;
+  void take_before(const LessonPicture& picture);
+  void calibrate_before();
   LessonPicture given(const sensor_msgs::Image& image, const std::string& what) const;
   void wait_for_before();
   void wait_for_change();
@@ -86,8 +88,9 @@ class LessonRun {
   bool may_be_stored() const;
   Result store();
   std::string measure(ObjectModel& model) const;
+  std::string lack(const LessonMeasures& measures) const;
   std::string second_view() const;
-  ObjectModel save(const ObjectModel& model) const;
+  ObjectModel save(ObjectModel model, std::string& lacking) const;
   Result describe(Result result, const ObjectModel& model) const;
   cv::Mat preview(const ObjectModel& model) const;
 
@@ -104,6 +107,7 @@ class LessonRun {
   const ros::Time started_;
   Demonstration demonstration_;
   LessonPicture before_, after_;
+  Calibration calibration_;  // of the picture before
   std::optional<InteractiveLesson> draft_;
   LearnResult learned_;  // the draft's, with what the library makes of it
 };

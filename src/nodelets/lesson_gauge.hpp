@@ -6,6 +6,8 @@
 #include <std_msgs/Header.h>
 #include <tf2_ros/buffer.h>
 
+#include <opencv2/core.hpp>
+#include <optional>
 #include <string>
 
 #include "mbncc/object_model.hpp"
@@ -15,11 +17,12 @@
 
 namespace mbncc::nodelets {
 
-/// The picture an object was learned from.
-struct LessonShot {
-  const sensor_msgs::CameraInfo& given;  ///< with the goal; empty: the live one counts
-  const std_msgs::Header& header;
-  ros::Time since;  ///< grasps marked earlier belong to another demonstration
+/// What is known of an object in metres.
+struct LessonMeasures {
+  double metres_per_pixel = Quality::kUnknown;
+  std::optional<Grasp> grasp;
+  bool marked = false;  ///< a grasp was marked in this demonstration
+  std::string fault;    ///< why scale, or a marked grasp, is missing although they are wanted
 };
 
 class LessonGauge {
@@ -32,9 +35,16 @@ class LessonGauge {
   /// sentence when it could not become a grasp.
   void mark(const std_msgs::Header& newest_picture);
 
-  /// Fills in scale and grasp of the model's first view. Returns why a marked grasp had to be left
-  /// out; "" otherwise.
-  std::string measure(const LessonShot& shot, ObjectModel& model) const;
+  /// The platform under a lesson's picture. To be asked when the picture is taken: tf remembers
+  /// seconds, a lesson lasts minutes. `given`: came with the goal; empty: the live one counts.
+  Calibration calibrate_picture(const sensor_msgs::CameraInfo& given,
+                                const std_msgs::Header& header, cv::Size size) const;
+
+  /// Of an object that lies at `reference` in the picture that was calibrated, its top face
+  /// `object_height` [m] above the platform. Grasps marked before `since` belong to another
+  /// demonstration.
+  LessonMeasures measure(const Calibration& calibration, const ros::Time& since,
+                         const Pose2D& reference, double object_height) const;
 
   /// The lesson is stored, and the mark with it.
   void clear() { mark_.clear(); }

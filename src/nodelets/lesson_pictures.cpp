@@ -28,13 +28,23 @@ LessonPicture picture_of(const StillShot& shot, const std::string& frame_id) {
 void LessonRun::take_pictures() {
   const bool change = goal_.mode == Goal::CHANGE;
   if (is_given(goal_.before)) {
-    before_ = given(goal_.before, "before");
+    take_before(given(goal_.before, "before"));
     demonstration_ = Demonstration(before_.picture);
   }
   if (change && is_given(goal_.after)) after_ = given(goal_.after, "after");
   if (change && goal_.already_moved && before_.picture.empty()) return take_already_moved();
   if (before_.picture.empty()) wait_for_before();
   if (change && after_.picture.empty()) wait_for_change();
+}
+
+void LessonRun::take_before(const LessonPicture& picture) {
+  before_ = picture;
+  calibrate_before();
+}
+
+void LessonRun::calibrate_before() {
+  calibration_ =
+      tools_.gauge.calibrate_picture(goal_.camera_info, before_.header, before_.picture.size());
 }
 
 bool LessonRun::waits_for_change() const {
@@ -58,13 +68,13 @@ void LessonRun::take_already_moved() {
   if (!before)
     fail(LearnError::kNoChange, "Nothing in the camera's view has changed lately.",
          "Teach without already_moved, and take the object away when told to.");
-  before_ = picture_of(*before, after_.header.frame_id);
+  take_before(picture_of(*before, after_.header.frame_id));
 }
 
 void LessonRun::wait_for_before() {
   watch([this](const PictureFeed::View& view) {
     if (demonstration_.look(view.still) == Step::kWaitStill) return Step::kWaitStill;
-    before_ = picture_of(demonstration_.before(), view.header.frame_id);
+    take_before(picture_of(demonstration_.before(), view.header.frame_id));
     return Step::kReady;
   });
 }
@@ -82,7 +92,7 @@ void LessonRun::wait_for_change() {
 void LessonRun::wait_on() {
   demonstration_.go_on();
   if (!is_given(goal_.before))
-    before_ = picture_of(demonstration_.before(), after_.header.frame_id);
+    take_before(picture_of(demonstration_.before(), after_.header.frame_id));
   wait_for_change();
 }
 

@@ -19,10 +19,10 @@ geometry_msgs::TransformStamped gripper_in_camera() {
   return transform;
 }
 
-PlatformPose object_in_camera() {
-  PlatformPose pose;
-  pose.position = {0.2, 0.1, 0.6};
-  pose.rotation = {0, -1, 0, 1, 0, 0, 0, 0, 1};  // a quarter about z as well
+Eigen::Isometry3d object_in_camera() {
+  Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
+  pose.translation() = Eigen::Vector3d(0.2, 0.1, 0.6);
+  pose.linear() << 0, -1, 0, 1, 0, 0, 0, 0, 1;  // a quarter about z as well
   return pose;
 }
 

@@ -6,6 +6,7 @@
 #include <std_srvs/Trigger.h>
 #include <tf2_msgs/TFMessage.h>
 
+#include <cmath>
 #include <string>
 
 #include "nodelets/drawn_pictures.hpp"
@@ -134,6 +135,31 @@ TEST_F(LessonScale, AFurtherViewsGraspIsMeasuredAtTheStoredHeight) {
   EXPECT_EQ(second.object.object_height, 0.05);
   const cv::Point2d learned(first.object.reference.x, first.object.reference.y);
   expect_grasp(second, learned + cv::Point2d(moved.x - pose_.x, moved.y - pose_.y), 0.05);
+}
+
+TEST_F(LessonScale, AGraspMayBeMarkedAfterTheCameraHasMoved) {
+  const std::string id = begin(goal("moved", pose_));
+  place(ros::Time::now(), kCameraMotion);
+  const Result lesson = accept(id);
+  expect_grasp(lesson, {lesson.object.reference.x, lesson.object.reference.y}, 0);
+}
+
+TEST_F(LessonScale, WhatIsLearnedWithoutScaleSaysSo) {
+  Goal early = goal("early", pose_);
+  early.before.header.stamp -= ros::Duration(100);
+  const Result lesson = teacher_.teach(early);
+  EXPECT_EQ(lesson.error_code, Result::SUCCESS) << lesson.message;
+  EXPECT_TRUE(std::isnan(lesson.object.metres_per_pixel));
+  EXPECT_NE(lesson.message.find("without scale"), std::string::npos) << lesson.message;
+}
+
+// The last one: what follows is too old for tf.
+TEST_F(LessonScale, ScaleAndGraspOutlastWhatTfRemembers) {
+  const std::string id = begin(goal("long", pose_));
+  place(ros::Time::now() + ros::Duration(60));
+  const Result lesson = accept(id);
+  EXPECT_NEAR(lesson.object.metres_per_pixel, kDistance / kFocalLength, 1e-6) << lesson.message;
+  expect_grasp(lesson, {lesson.object.reference.x, lesson.object.reference.y}, 0);
 }
 
 }  // namespace
