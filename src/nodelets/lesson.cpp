@@ -3,6 +3,7 @@
 #include <ros/time.h>
 
 #include <cstdio>
+#include <opencv2/imgproc.hpp>
 #include <utility>
 
 #include "mbncc/cell/second_look.hpp"
@@ -22,6 +23,11 @@ using Feedback = mbncc_vision::LearnObjectFeedback;
 std::uint8_t feedback_stage(Stage stage) {
   if (stage == Stage::kRegion) return Feedback::REGION;
   return stage == Stage::kSegment ? Feedback::SEGMENT : Feedback::QUALITY;
+}
+
+// Box around the map in the learning picture. [px]
+cv::Rect place_of(const View& view) {
+  return cv::boundingRect(view.map) + view.origin;
 }
 
 }  // namespace
@@ -196,7 +202,7 @@ void LessonRun::tell(std::uint8_t stage, double progress, const std::string& mes
   feedback.progress = static_cast<float>(progress);
   feedback.message = message;
   feedback.operator_action = operator_action;
-  feedback.roi = goal_.roi;
+  feedback.roi = learned_.has_model ? to_msg(place_of(learned_.object.views.front())) : goal_.roi;
   client_.tell(feedback);
 }
 

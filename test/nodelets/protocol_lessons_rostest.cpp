@@ -54,6 +54,10 @@ TEST_F(Protocol, AsksTheOperatorBeforeStoring) {
   const auto waits = [&] { return teacher_.heard(id, Teacher::Feedback::WAIT_CONFIRM); };
   ASSERT_TRUE(spin_until(waits));
   EXPECT_TRUE(names().empty());
+  const auto roi = teacher_.last_feedback(id).roi;
+  EXPECT_NEAR(roi.x_offset + roi.width / 2.0, part_.pose.x, 10);
+  EXPECT_NEAR(roi.y_offset + roi.height / 2.0, part_.pose.y, 10);
+  EXPECT_NEAR(std::hypot(roi.width, roi.height), part_.object.diameter, 25);
   EXPECT_FALSE(confirm(ConfirmLearning::Request::UNDO).success) << "no edit yet";
   EXPECT_FALSE(confirm(ConfirmLearning::Request::EDIT).success) << "nothing to edit";
   ConfirmLearning::Request edit_reference;

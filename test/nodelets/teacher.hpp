@@ -72,6 +72,9 @@ class Teacher {
     return feedback != heard_.end() && feedback->second.stage == stage;
   }
 
+  /// What a running lesson said last.
+  const Feedback& last_feedback(const std::string& id) { return heard_[id]; }
+
   /// The lesson is in this stage or has been.
   bool has_been_in(const std::string& id, std::uint8_t stage) const {
     const auto stages = passed_.find(id);
