@@ -41,8 +41,8 @@ std::optional<Refusal> check_storing(const Lesson& lesson, Storing storing,
                                      const LibrarySnapshot& library);
 
 /// Makes the view of `learned`, taught by `picture`, a further one of `stored`, in its frame and at
-/// its height; the verdict is that of the newest view. Refuses, and leaves `stored` as
-/// it was, when the stored object is not found in the picture.
+/// its height; the verdict is that of the newest view. Refuses, and leaves `stored` as it was, when
+/// the stored object is not found in the picture.
 std::optional<Refusal> add_view(ObjectModel& stored, const ObjectModel& learned,
                                 const cv::Mat& picture, const SearchConfig& search = {});
 

@@ -11,8 +11,7 @@
 
 namespace mbncc {
 
-/// Format written by this version; newer ones are refused with a sentence and
-/// left alone.
+/// Format written by this version; newer ones are refused with a sentence and left alone.
 constexpr int kObjectFileVersion = 1;
 
 /// Bytes of the file. Throws std::invalid_argument when the model breaks the rules of
