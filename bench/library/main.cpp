@@ -28,6 +28,8 @@ constexpr const char* kOptions =
     "{targets  | 0           | the first so many targets only; 0: all }"
     "{red      | 1           | the targets' red channel is multiplied by this }"
     "{blue     | 1           | and their blue channel by this }"
+    "{repeat   | 1           | larger pictures for their time: each target so many times across and"
+    " down; the copies count as false }"
     "{help h   |             | this text }";
 
 /// What is searched, and the truth: instances of each target by object.
@@ -44,6 +46,13 @@ struct Totals {
   std::vector<std::vector<Match>> matches;  // per picture
 };
 
+cv::Mat target_picture(const fs::path& file, const cv::CommandLineParser& options) {
+  const int times = options.get<int>("repeat");
+  return cv::repeat(
+      tinted(read_picture(file), options.get<double>("red"), options.get<double>("blue")), times,
+      times);
+}
+
 Scene read_scene(const cv::CommandLineParser& options) {
   const fs::path set = options.get<std::string>("@set");
   const auto most = options.get<std::size_t>("targets");
@@ -55,8 +64,7 @@ Scene read_scene(const cv::CommandLineParser& options) {
     scene.truth.resize(std::max(scene.truth.size(), one.targets.size()));
     for (std::size_t i = 0; i < one.targets.size(); ++i) {
       if (scene.pictures.size() == i && (most == 0 || i < most))
-        scene.pictures.push_back(tinted(read_picture(one.targets[i].picture),
-                                        options.get<double>("red"), options.get<double>("blue")));
+        scene.pictures.push_back(target_picture(one.targets[i].picture, options));
       scene.truth[i][name] = one.targets[i].instances;
     }
   }
