@@ -1,4 +1,6 @@
 // mbncc: teaches, finds and manages objects without a ROS graph.
+#include <malloc.h>
+
 #include <cstdio>
 #include <exception>
 #include <iostream>
@@ -82,9 +84,21 @@ ExitCode run_guarded(const std::vector<std::string>& words) {
   return kFailed;
 }
 
+// The tool lives for one lesson or search, which allocates pictures of the same sizes over and
+// over. Handing each back to the system costs a page fault per 4 KiB when the next one is written.
+void keep_freed_memory() {
+#ifdef M_MMAP_THRESHOLD
+  constexpr int kLargestKept = 32 << 20;   // [bytes] of one picture, the most that glibc allows
+  constexpr int kLargestTail = 256 << 20;  // [bytes] at the end of the heap
+  mallopt(M_MMAP_THRESHOLD, kLargestKept);
+  mallopt(M_TRIM_THRESHOLD, kLargestTail);
+#endif
+}
+
 }  // namespace
 }  // namespace mbncc::cli
 
 int main(int count, char** words) {
+  mbncc::cli::keep_freed_memory();
   return mbncc::cli::run_guarded({words + 1, words + count});
 }
