@@ -26,7 +26,7 @@ struct Spread {
   cv::Mat weight;  // CV_32FC1
 };
 
-cv::Mat blurred(const cv::Mat& values, double reach) {
+cv::Mat smoothed(const cv::Mat& values, double reach) {
   cv::Mat result;
   cv::GaussianBlur(values, result, {}, reach);
   return result;
@@ -45,10 +45,10 @@ Spread spread_out(const cv::Mat& surface, const cv::Mat& weight, double reach) {
     cv::resize(spread.weight, spread.weight, surface.size(), 0, 0, cv::INTER_LINEAR);
     return spread;
   }
-  Spread spread{{}, blurred(weight, reach)};
+  Spread spread{{}, smoothed(weight, reach)};
   cv::Mat total;
   cv::cvtColor(cv::max(spread.weight, kTiny), total, cv::COLOR_GRAY2BGR);
-  const cv::Mat colour = blurred(surface, reach) / total;
+  const cv::Mat colour = smoothed(surface, reach) / total;
   colour.convertTo(spread.colour, CV_8U);
   return spread;
 }
@@ -70,6 +70,16 @@ MapGeometry::MapGeometry(const cv::Mat& map) : map_(bordered(map)) {
 
 cv::Point2f MapGeometry::inward(cv::Point pixel) const {
   return unit(slope_x_.at<float>(pixel), slope_y_.at<float>(pixel));
+}
+
+cv::Mat MapGeometry::blurred(double sigma, int room) const {
+  const cv::Mat map = map_(cv::Rect({kBorder, kBorder}, depth_.size()));
+  cv::Mat soft;
+  cv::copyMakeBorder(map, soft, room, room, room, room, cv::BORDER_CONSTANT | cv::BORDER_ISOLATED,
+                     cv::Scalar(0));
+  soft.convertTo(soft, CV_32F, 1.0 / 255);
+  cv::GaussianBlur(soft, soft, {}, sigma);
+  return soft;
 }
 
 double MapGeometry::mean_width() const {

@@ -127,15 +127,16 @@ PreparedView::PreparedView(const Source& source, Engine engine)
       edges(geometry, anchor),
       points(masked_template(source.grey, source.view.map, anchor)) {
   const int top = std::max(kernels.level, edges.level());
-  const auto pyramid = build_pyramid(source.surface, top);
-  for (int level = 0; level < static_cast<int>(pyramid.size()); ++level) {
-    const SceneLevel picture(pyramid[level], level);
-    picture.prepare();
+  const auto surfaces = build_pyramid(source.surface, top);
+  const auto pictures = build_pyramid(source.view.template_image, top);
+  for (int level = 0; level < static_cast<int>(surfaces.size()); ++level) {
+    const SceneLevel continued(surfaces[level], level), picture(pictures[level], level);
+    continued.prepare();
+    const SurfaceTemplate::Source from{continued, picture, geometry, source.view.map.size(), level};
     const auto edge = ContourTemplate::edge_of(geometry, level);
     const auto prepare = [&](std::size_t surface_points, std::size_t contour_points) {
-      return PoseTemplate{
-          SurfaceTemplate(picture, geometry, source.view.map.size(), anchor, level, surface_points),
-          ContourTemplate(edge, anchor, level, contour_points)};
+      return PoseTemplate{SurfaceTemplate(from, anchor, surface_points),
+                          ContourTemplate(edge, anchor, level, contour_points)};
     };
     rough.push_back(prepare(48, 32));
     templates.push_back(prepare(112, 64));

@@ -15,6 +15,7 @@ void SurfaceTemplate::sample(const SceneLevel& scene, const Pose2D& pose,
                           placement_of(pose),
                           {sample.planes[0].data(), sample.planes[1].data(),
                            sample.planes[2].data(), sample.inside.data()});
+  if (!unmixing_.empty()) unmixing_.apply(scene, pose, sample.inside, sample.planes);
   sample.points = size();
   sample.visible = static_cast<std::size_t>(product(sample.inside, sample.inside.data()) + 0.5);
   if (sample.visible == 0) return;

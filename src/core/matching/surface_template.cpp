@@ -17,44 +17,64 @@ constexpr float kNowhere = -1e6f;  // lies outside of every picture
 
 }  // namespace
 
-SurfaceTemplate::SurfaceTemplate(const SceneLevel& picture, const MapGeometry& map,
-                                 cv::Size map_size, cv::Point2d anchor, int level,
-                                 std::size_t most) {
-  choose_points(map, map_size, level, most);
+SurfaceTemplate::SurfaceTemplate(const Source& source, cv::Point2d anchor, std::size_t most) {
+  const cv::Point2d origin = to_level(anchor, source.level);
+  choose_points(source, most);
   const int depth = size() >= 240 ? 3 : size() >= 100 ? 2 : size() >= 50 ? 1 : 0;
   split_blocks(sites_.begin(), sites_.end(), depth);
-  place_points(to_level(anchor, level));
-  read_colours(picture);
+  place_points(origin);
+  if (mixed_)
+    read_unmixed_colours(source.picture, origin);
+  else
+    read_colours(source.surface);
   measure_texture();
-  read_gradients(picture);
+  read_gradients(source.surface);
   build_basis();
   project();
-  read_slopes(picture);
+  read_slopes(source.surface);
 }
 
-void SurfaceTemplate::choose_points(const MapGeometry& map, cv::Size map_size, int level,
-                                    std::size_t most) {
-  const int side = 1 << level;
-  const std::size_t enough = level == 0 ? 100 : 40;
-  // Away from the edge, where picture pixels mix with the background; thin maps come nearer.
-  double need = level == 0 ? 1.9 : 0.5 + 0.75 * side;
-  for (int attempt = 0; attempt < 4; ++attempt) {
-    sites_.clear();
-    for (int y = side / 2; y < map_size.height; y += side) {
-      for (int x = side / 2; x < map_size.width; x += side) {
-        const float depth = map.depth({x, y});
-        if (depth <= 0 || depth <= need) continue;
-        sites_.push_back(
-            {cv::Point2f(to_level(cv::Point2d(x, y), level)), depth, map.inward({x, y})});
-      }
+/// Away from the edge, where picture pixels mix with the background; all of a narrow map.
+void SurfaceTemplate::choose_points(const Source& source, std::size_t most) {
+  const int side = 1 << source.level;
+  const std::size_t enough = source.level == 0 ? 100 : 40;
+  const double need = source.level == 0 ? 1.9 : 0.5 + 0.75 * side;
+  for (int y = side / 2; y < source.map_size.height; y += side)
+    for (int x = side / 2; x < source.map_size.width; x += side) {
+      const float depth = source.map.depth({x, y});
+      if (depth <= need) continue;
+      const cv::Point2f at(to_level(cv::Point2d(x, y), source.level));
+      sites_.push_back({at, depth, source.map.inward({x, y}), {}});
     }
-    if (sites_.size() >= enough) break;
-    need = attempt == 2 ? 0 : 0.65 * need;
-  }
+  if (sites_.size() < enough) choose_mixed_points(source);
   std::mt19937 random(5);
   for (std::size_t i = 0; i + 1 < sites_.size() && i < most; ++i)
     std::swap(sites_[i], sites_[i + random() % (sites_.size() - i)]);
   if (sites_.size() > most) sites_.resize(most);
+}
+
+void SurfaceTemplate::choose_mixed_points(const Source& source) {
+  constexpr float kShown = 0.4f;       // least share of the object, ...
+  constexpr std::ptrdiff_t kFew = 12;  // ... where that leaves more points
+  const int side = 1 << source.level;
+  const Coverage coverage(source.map, source.level);
+  const auto at_level = [&](cv::Point2f place) {
+    return cv::Point2f(to_level(cv::Point2d(place), source.level));
+  };
+  mixed_ = true;
+  sites_.clear();
+  for (int y = side / 2; y < source.map_size.height; y += side)
+    for (int x = side / 2; x < source.map_size.width; x += side) {
+      const cv::Point pixel(x, y);
+      const float depth = source.map.depth(pixel);
+      if (depth <= 0) continue;
+      Mixture mixture = coverage.at(pixel);
+      for (auto& place : mixture.beyond) place = at_level(place);
+      sites_.push_back({at_level(cv::Point2f(pixel)), depth, source.map.inward(pixel), mixture});
+    }
+  const auto shown = std::stable_partition(
+      sites_.begin(), sites_.end(), [](const Site& site) { return site.mixture.share >= kShown; });
+  if (shown - sites_.begin() >= kFew) sites_.erase(shown, sites_.end());
 }
 
 /// Halves the points along their longer side, `depth` times.
@@ -84,12 +104,17 @@ void SurfaceTemplate::place_points(cv::Point2d origin) {
     y[i] = static_cast<float>(sites_[i].at.y - origin.y);
     radius_ = std::max<double>(radius_, std::hypot(x[i], y[i]));
   }
+  if (!mixed_) return;
+  std::vector<Mixture> mixtures;
+  for (const auto& site : sites_) mixtures.push_back(site.mixture);
+  unmixing_ = Unmixing(mixtures, origin, padded());
 }
 
 void SurfaceTemplate::resize(double factor) {
   for (auto* places : {&x, &y})
     for (auto& place : *places) place *= static_cast<float>(factor);
   radius_ *= factor;
+  unmixing_.resize(factor);
 }
 
 void SurfaceTemplate::read_colours(const SceneLevel& picture) {
@@ -109,6 +134,18 @@ void SurfaceTemplate::read_colours(const SceneLevel& picture) {
     ones[i] = 1;
   }
   histogram = chroma_histogram(planes, ones);
+}
+
+void SurfaceTemplate::read_unmixed_colours(const SceneLevel& picture, cv::Point2d origin) {
+  SurfaceSample own;
+  const Pose2D home{origin.x, origin.y, 0};
+  picture.prepare_around(home, radius_);
+  sample(picture, home, own);
+  planes = own.planes;
+  energy.assign(padded(), 0.f);
+  for (const auto& plane : planes)
+    for (std::size_t i = 0; i < padded(); ++i) energy[i] += plane[i] * plane[i];
+  histogram = chroma_histogram(planes, own.inside);
 }
 
 void SurfaceTemplate::measure_texture() {

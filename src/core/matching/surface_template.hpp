@@ -7,6 +7,7 @@
 
 #include "matching/chroma_histogram.hpp"
 #include "matching/map_geometry.hpp"
+#include "matching/mixture.hpp"
 #include "matching/scene_picture.hpp"
 #include "mbncc/geometry.hpp"
 
@@ -36,10 +37,18 @@ class SurfaceTemplate {
 
   SurfaceTemplate() = default;
 
-  /// At most `most` points inside the map, spread evenly, of `picture` at pyramid level `level`.
-  /// `anchor` [px, level 0] is their origin.
-  SurfaceTemplate(const SceneLevel& picture, const MapGeometry& map, cv::Size map_size,
-                  cv::Point2d anchor, int level, std::size_t most);
+  /// What a template is made from, at one pyramid level.
+  struct Source {
+    const SceneLevel& surface;  ///< the learning picture with the object continued outwards
+    const SceneLevel& picture;  ///< the learning picture as it is, which is read where a narrow
+                                ///< object mixes with its background
+    const MapGeometry& map;
+    cv::Size map_size;
+    int level;
+  };
+
+  /// At most `most` points inside the map, spread evenly. `anchor` [px, level 0] is their origin.
+  SurfaceTemplate(const Source& source, cv::Point2d anchor, std::size_t most);
 
   /// Moves the points apart: the same surface `factor` times as large.
   void resize(double factor);
@@ -100,9 +109,11 @@ class SurfaceTemplate {
   ChromaHistogram histogram{};
 
  private:
-  void choose_points(const MapGeometry& map, cv::Size map_size, int level, std::size_t most);
+  void choose_points(const Source& source, std::size_t most);
+  void choose_mixed_points(const Source& source);
   void place_points(cv::Point2d origin);
   void read_colours(const SceneLevel& picture);
+  void read_unmixed_colours(const SceneLevel& picture, cv::Point2d origin);
   void measure_texture();
   void read_gradients(const SceneLevel& picture);
   void build_basis();
@@ -113,11 +124,14 @@ class SurfaceTemplate {
     cv::Point2f at;      // [px at level] in the template picture
     float depth;         // [px at level 0] to the map's edge
     cv::Point2f inward;  // unit
+    Mixture mixture;     // [px at level], as `at`
   };
   using Sites = std::vector<Site>;
   void split_blocks(Sites::iterator first, Sites::iterator last, int depth);
 
   Sites sites_;
+  bool mixed_ = false;  // the points are too near the edge to show the object alone
+  Unmixing unmixing_;
   double radius_ = 1, texture_ = 0;
 };
 
