@@ -45,6 +45,7 @@ ConsoleWidget::ConsoleWidget(const Names& names, QWidget* parent)
   timer_.start(kTick);
   look_at_clock();
   ros_.connect_to(names);
+  lamps_ = Lamps(ros_.cell());
   ros_.list_objects();
 }
 

@@ -1,13 +1,23 @@
 #include "console/lamps.hpp"
 
+#include "mbncc/health_tasks.hpp"
+
 namespace mbncc::console {
 namespace {
 
 using mbncc_vision::DetectedObjectArray;
 
-std::string task_of(const std::string& status_name) {
+/// Who reports: "left/camera: pictures" is the task "pictures" of a node in "/left".
+struct Reporter {
+  std::string space, task;
+};
+
+Reporter reporter_of(const std::string& status_name) {
   const auto colon = status_name.rfind(": ");
-  return colon == std::string::npos ? status_name : status_name.substr(colon + 2);
+  if (colon == std::string::npos) return {};
+  const auto slash = status_name.substr(0, colon).rfind('/');
+  const std::string space = slash == std::string::npos ? "" : status_name.substr(0, slash);
+  return {"/" + space, status_name.substr(colon + 2)};
 }
 
 }  // namespace
@@ -25,9 +35,11 @@ void Lamps::take_library(std::size_t objects, std::size_t enabled) {
 
 void Lamps::take_diagnostics(const diagnostic_msgs::DiagnosticArray& diagnostics, double now) {
   for (const auto& status : diagnostics.status) {
-    health_[task_of(status.name)] = {static_cast<std::uint8_t>(status.level), status.message, now};
+    const Reporter reporter = reporter_of(status.name);
+    if (reporter.space != cell_) continue;
+    health_[reporter.task] = {static_cast<std::uint8_t>(status.level), status.message, now};
     for (const auto& value : status.values)
-      if (value.key == "files quarantined") quarantined_ = value.value;
+      if (value.key == kQuarantinedKey) quarantined_ = value.value;
   }
 }
 
@@ -39,7 +51,7 @@ std::string Lamps::complaint(const std::string& task, double now) const {
 
 Lamp Lamps::camera(double now) const {
   if (now - picture_at_ <= kSilence) return {"Camera", Level::kGood, ""};
-  const std::string said = complaint("camera", now);
+  const std::string said = complaint(kPicturesTask, now);
   return {"Camera", Level::kBad,
           said.empty() ? "no picture arrives; check cable, driver and topic" : said};
 }
@@ -66,7 +78,7 @@ Lamp Lamps::library() const {
 
 Lamp Lamps::matcher(double now) const {
   if (now - detections_at_ > kSilence) {
-    const std::string said = complaint("matching", now);
+    const std::string said = complaint(kMatchingTask, now);
     return {"Matcher", Level::kBad, said.empty() ? "the matching nodelet is not heard" : said};
   }
   switch (status_) {

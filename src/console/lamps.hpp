@@ -8,6 +8,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <utility>
 
 #include "console/words.hpp"
 
@@ -24,6 +25,10 @@ class Lamps {
  public:
   /// What has not been heard for so long is gone.
   static constexpr double kSilence = 2.0;
+
+  /// `cell`: namespace of the cell's nodelets, "/" or "/left"; what those of others say does not
+  /// count.
+  explicit Lamps(std::string cell = "/") : cell_(std::move(cell)) {}
 
   void take_picture(double now) { picture_at_ = now; }
   void take_detections(const mbncc_vision::DetectedObjectArray& detections, double now);
@@ -46,12 +51,13 @@ class Lamps {
   /// What the part says that is wrong with it; "" when nothing, or when it is silent.
   std::string complaint(const std::string& task, double now) const;
 
+  std::string cell_;
   double picture_at_ = -1e9, detections_at_ = -1e9;
   std::uint8_t status_ = 0;
   std::string status_message_;
   std::optional<std::size_t> objects_, enabled_;
   std::string quarantined_;
-  std::map<std::string, Health> health_;  // by task: camera, learning, matching
+  std::map<std::string, Health> health_;  // of this cell, by task
 };
 
 }  // namespace mbncc::console

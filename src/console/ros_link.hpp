@@ -48,6 +48,9 @@ class RosLink : public QObject {
 
   void connect_to(const Names& names);
 
+  /// Namespace of the cell, as ROS resolves it.
+  std::string cell() const { return node_.getNamespace(); }
+
   /// Returns the id of the goal that was sent.
   std::string teach(const mbncc_vision::LearnObjectGoal& goal);
   void cancel(const std::string& goal);

@@ -15,6 +15,7 @@
 #include "mbncc/cell/frozen_picture.hpp"
 #include "mbncc/config/camera_config.hpp"
 #include "mbncc/error.hpp"
+#include "mbncc/health_tasks.hpp"
 #include "nodelets/camera_health.hpp"
 #include "nodelets/guarded_nodelet.hpp"
 #include "nodelets/health_report.hpp"
@@ -100,8 +101,9 @@ void CameraNodelet::start() {
   start_calibration();
   image_transport::ImageTransport transport(node());
   camera_ = transport.advertiseCamera("image_raw", 5);
-  report_ = std::make_unique<HealthReport>(node(), private_node(), getName(), config_.source,
-                                           "pictures", [this](auto& status) { diagnose(status); });
+  report_ =
+      std::make_unique<HealthReport>(node(), private_node(), getName(), config_.source,
+                                     kPicturesTask, [this](auto& status) { diagnose(status); });
   worker_ = std::thread(&CameraNodelet::work, this);
 }
 

@@ -9,6 +9,7 @@
 #include <memory>
 
 #include "mbncc/config/learning_node_config.hpp"
+#include "mbncc/health_tasks.hpp"
 #include "mbncc/matching/matcher.hpp"
 #include "nodelets/camera_input.hpp"
 #include "nodelets/confirmation.hpp"
@@ -74,8 +75,9 @@ void LearningNodelet::start() {
   open_library(own_node);
   start_pictures(own_node);
   start_lessons(own_node);
-  report_ = std::make_unique<HealthReport>(own_node, private_node(), getName(), "none", "learning",
-                                           [this](auto& status) { diagnose(status); });
+  report_ =
+      std::make_unique<HealthReport>(own_node, private_node(), getName(), "none", kLearningTask,
+                                     [this](auto& status) { diagnose(status); });
 }
 
 void LearningNodelet::stop() {
@@ -216,7 +218,7 @@ void LearningNodelet::diagnose(diagnostic_updater::DiagnosticStatusWrapper& stat
   status.add("last fault", view.fault);
   status.add("library", library_->folder());
   status.add("objects", library->objects.size());
-  status.add("files quarantined", library->quarantined.size());
+  status.add(kQuarantinedKey, library->quarantined.size());
 }
 
 }  // namespace mbncc::nodelets

@@ -12,6 +12,7 @@
 #include <string>
 
 #include "mbncc/config/matching_node_config.hpp"
+#include "mbncc/health_tasks.hpp"
 #include "nodelets/camera_input.hpp"
 #include "nodelets/detection_publisher.hpp"
 #include "nodelets/find_service.hpp"
@@ -144,7 +145,7 @@ void MatchingNodelet::start_watching() {
   // A wall timer: a simulated clock may stand still, which is one way for pictures to stop.
   silence_timer_ = node().createWallTimer(
       ros::WallDuration(0.1), [this](const auto&) { worker_->look_for_silence(wanted()); });
-  report_ = std::make_unique<HealthReport>(node(), private_node(), getName(), "none", "matching",
+  report_ = std::make_unique<HealthReport>(node(), private_node(), getName(), "none", kMatchingTask,
                                            [this](auto& status) { diagnose(status); });
 }
 
@@ -202,7 +203,7 @@ void MatchingNodelet::diagnose(diagnostic_updater::DiagnosticStatusWrapper& stat
   add_to(status, statistics);
   status.add("library", matcher_->folder());
   status.add("objects", library->objects.size());
-  status.add("files quarantined", library->quarantined.size());
+  status.add(kQuarantinedKey, library->quarantined.size());
 }
 
 }  // namespace mbncc::nodelets

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "mbncc/health_tasks.hpp"
+
 namespace mbncc::console {
 namespace {
 
@@ -22,6 +24,17 @@ Lamps well(double now) {
   lamps.take_detections(array(DetectedObjectArray::OK), now);
   lamps.take_library(2, 1);
   return lamps;
+}
+
+/// What a matching nodelet at its node says about its library.
+diagnostic_msgs::DiagnosticArray quarantine_of(const std::string& node, const std::string& files) {
+  diagnostic_msgs::DiagnosticArray diagnostics;
+  auto& status = diagnostics.status.emplace_back();
+  status.name = node + ": " + kMatchingTask;
+  auto& value = status.values.emplace_back();
+  value.key = kQuarantinedKey;
+  value.value = files;
+  return diagnostics;
 }
 
 TEST(Lamps, AllIsWell) {
@@ -45,15 +58,35 @@ TEST(Lamps, SilenceIsNoticedWithinThreeSeconds) {
   EXPECT_EQ(lamps[kMatcher].level, Level::kBad);
 }
 
-TEST(Lamps, TheCameraSaysItselfWhatIsWrong) {
-  Lamps lamps = well(10);
+/// What a camera nodelet at its node says, named as diagnostic_updater does.
+diagnostic_msgs::DiagnosticArray complaint_of(const std::string& node, const std::string& message) {
   diagnostic_msgs::DiagnosticArray diagnostics;
   auto& status = diagnostics.status.emplace_back();
-  status.name = "/camera: camera";
+  status.name = node + ": " + kPicturesTask;
   status.level = diagnostic_msgs::DiagnosticStatus::ERROR;
-  status.message = "/dev/video0 is gone";
-  lamps.take_diagnostics(diagnostics, 13);
+  status.message = message;
+  return diagnostics;
+}
+
+TEST(Lamps, TheCameraSaysItselfWhatIsWrong) {
+  Lamps lamps = well(10);
+  lamps.take_diagnostics(complaint_of("camera", "/dev/video0 is gone"), 13);
   EXPECT_EQ(lamps.look(13)[kCamera].reason, "/dev/video0 is gone");
+}
+
+TEST(Lamps, OnlyTheOwnCellsComplaintsShow) {
+  Lamps left("/left"), right("/right"), alone;
+  for (Lamps* lamps : {&left, &right, &alone}) {
+    lamps->take_diagnostics(complaint_of("left/camera", "/dev/video0 is gone"), 13);
+    lamps->take_diagnostics(quarantine_of("right/matching", "3"), 13);
+    lamps->take_library(2, 2);
+  }
+  EXPECT_EQ(left.look(13)[kCamera].reason, "/dev/video0 is gone");
+  EXPECT_EQ(left.look(13)[kLibrary].level, Level::kGood);
+  EXPECT_NE(right.look(13)[kCamera].reason, "/dev/video0 is gone");
+  EXPECT_EQ(right.look(13)[kLibrary].level, Level::kDoubtful);
+  EXPECT_NE(alone.look(13)[kCamera].reason, "/dev/video0 is gone");
+  EXPECT_EQ(alone.look(13)[kLibrary].level, Level::kGood);
 }
 
 TEST(Lamps, StatusOfTheSearchShows) {
@@ -72,11 +105,7 @@ TEST(Lamps, AnEmptyOrDisabledOrDamagedLibraryShows) {
   lamps.take_library(2, 0);
   EXPECT_EQ(lamps.look(10)[kLibrary].level, Level::kDoubtful);
   lamps.take_library(2, 2);
-  diagnostic_msgs::DiagnosticArray diagnostics;
-  auto& value = diagnostics.status.emplace_back().values.emplace_back();
-  value.key = "files quarantined";
-  value.value = "1";
-  lamps.take_diagnostics(diagnostics, 10);
+  lamps.take_diagnostics(quarantine_of("matching", "1"), 10);
   EXPECT_EQ(lamps.look(10)[kLibrary].level, Level::kDoubtful);
 }
 

@@ -52,7 +52,7 @@ TEST(Cells, ShareALibraryAndNothingElse) {
   CellClient left("left"), right("right");
   mbncc_vision::LearnedObjectArray::ConstPtr library;
   const auto library_subscriber = node.subscribe<mbncc_vision::LearnedObjectArray>(
-      "/object_library", 1, [&](const auto& heard) { library = heard; });
+      "left/object_library", 1, [&](const auto& heard) { library = heard; });
   Teacher teacher("left");
   ASSERT_TRUE(teacher.connect());
   const auto picture =

@@ -1,0 +1,14 @@
+// What the nodelets' reports on /diagnostics are called: they are named by whoever writes them and
+// looked for by the console.
+#pragma once
+
+namespace mbncc {
+
+constexpr char kPicturesTask[] = "pictures";  ///< of the camera
+constexpr char kLearningTask[] = "learning";
+constexpr char kMatchingTask[] = "matching";
+
+/// Key of a number in the reports of learning and matching.
+constexpr char kQuarantinedKey[] = "files quarantined";
+
+}  // namespace mbncc
