@@ -13,8 +13,7 @@
 namespace mbncc {
 namespace {
 
-constexpr std::size_t kRoundPlaces = 24;  // places whose contour does not tell the rotation
-constexpr std::size_t kFinal = 3;         // places whose other angles are tried
+constexpr std::size_t kFinal = 3;  // places whose other angles are tried
 constexpr std::size_t kPolished = 8;
 constexpr double kHopeless = 15;   // log-odds behind the best that no climb makes up for
 constexpr double kNoRival = 12;    // log-odds behind the best at full resolution, of no interest
@@ -134,7 +133,7 @@ class ViewSearch {
                     (look_ == Look::kTwice ? thorough_ : first_).edge_poses, view_.sector, places_);
     edges_ = std::move(found.poses);
     for (auto& place : found.round_places) place.value = odds(level, place.pose);
-    keep_hopeful(found.round_places, kRoundPlaces, kHopeless);
+    keep_hopeful(found.round_places, first_.round_places, kHopeless);
     for (const auto& place : found.round_places) add_rotations_by_surface(place, round_);
   }
 
