@@ -10,6 +10,9 @@ import matplotlib
 matplotlib.use("Agg")
 from matplotlib import pyplot  # noqa: E402
 
+COLUMNS = {"resident_mb": "resident memory [MB]", "in_use_mb": "allocated [MB]", "files": "open files",
+           "threads": "threads"}
+
 
 def read(path):
     with open(path) as lines:
@@ -23,9 +26,9 @@ def main():
     for axis, (title, path) in zip(axes[0], runs):
         run = read(path)
         thousands = [frame / 1000 for frame in run["frame"]]
-        axis.plot(thousands, run["resident_mb"], label="resident memory [MB]")
-        axis.plot(thousands, run["files"], label="open files")
-        axis.plot(thousands, run["threads"], label="threads")
+        for (column, label), colour in zip(COLUMNS.items(), ("C0", "C3", "C1", "C2")):
+            if column in run:
+                axis.plot(thousands, run[column], colour, label=label, linewidth=1)
         axis.set_ylim(0)
         axis.set_xlabel("pictures [1000]")
         axis.set_title(title, fontsize=9)

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <chrono>
 #include <filesystem>
 #include <fstream>
 
@@ -234,13 +235,21 @@ TEST(ObjectLibrary, TwoThousandObjectsLoadAndReloadUnchanged) {
                static_cast<std::streamsize>(bytes.size()));
   }
   ObjectLibrary library(folder.path());
-  const auto first = library.load();
+  const auto timed_load = [&library](const char* what) {
+    const auto start = std::chrono::steady_clock::now();
+    auto snapshot = library.load();
+    const std::chrono::duration<double, std::milli> passed =
+        std::chrono::steady_clock::now() - start;
+    testing::Test::RecordProperty(what, static_cast<int>(passed.count()));
+    return snapshot;
+  };
+  const auto first = timed_load("load_ms");
   ASSERT_EQ(first->objects.size(), kObjects);
   EXPECT_TRUE(first->quarantined.empty());
   expect_equal(*first->find(name_of(1234)), random_model(1234, name_of(1234), 40));
   library.save(random_model(1, "another"), ObjectLibrary::Existing::kRefuse);
   EXPECT_TRUE(library.changed_on_disk());
-  const auto second = library.load();
+  const auto second = timed_load("reload_ms");
   ASSERT_EQ(second->objects.size(), kObjects + 1);
   for (unsigned i = 0; i < kObjects; ++i)
     EXPECT_EQ(second->find(name_of(i)), first->find(name_of(i))) << "read again without need";

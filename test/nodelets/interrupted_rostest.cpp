@@ -4,6 +4,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <chrono>
 #include <csignal>
 
 #include "nodelets/spin_until.hpp"
@@ -32,12 +33,15 @@ TEST(Interrupted, TheClientIsToldAndTheProcessEndsInOrder) {
   goal.name = "unfinished";
   const std::string id = teacher.send(goal);
   ASSERT_TRUE(spin_until([&] { return teacher.heard(id, Teacher::Feedback::WAIT_IMAGE); }));
+  const auto start = std::chrono::steady_clock::now();
   ASSERT_EQ(kill(pid, SIGINT), 0);
   const auto end = teacher.await(id);
   EXPECT_EQ(end.status.status, actionlib_msgs::GoalStatus::ABORTED);
   EXPECT_EQ(end.result.error_code, Teacher::Result::CANCELLED);
   int status = -1;
   EXPECT_EQ(waitpid(pid, &status, 0), pid);
+  const std::chrono::duration<double, std::milli> ended = std::chrono::steady_clock::now() - start;
+  RecordProperty("ended_ms", static_cast<int>(ended.count()));
   EXPECT_TRUE(WIFEXITED(status));
   EXPECT_EQ(WEXITSTATUS(status), 0);
 }

@@ -35,10 +35,13 @@ class Teacher {
     goals_ = node_.advertise<mbncc_vision::LearnObjectActionGoal>("learn_object/goal", 10);
     cancels_ = node_.advertise<actionlib_msgs::GoalID>("learn_object/cancel", 10);
     results_ = node_.subscribe<mbncc_vision::LearnObjectActionResult>(
-        "learn_object/result", 10,
-        [this](const auto& result) { ended_[result->status.goal_id.id] = *result; });
+        "learn_object/result", 10, [this](const auto& result) {
+          if (sent_.count(result->status.goal_id.id) > 0)
+            ended_[result->status.goal_id.id] = *result;
+        });
     feedbacks_ = node_.subscribe<mbncc_vision::LearnObjectActionFeedback>(
         "learn_object/feedback", 100, [this](const auto& feedback) {
+          if (sent_.count(feedback->status.goal_id.id) == 0) return;
           heard_[feedback->status.goal_id.id] = feedback->feedback;
           passed_[feedback->status.goal_id.id].insert(feedback->feedback.stage);
         });
@@ -56,6 +59,7 @@ class Teacher {
     mbncc_vision::LearnObjectActionGoal message;
     message.goal = goal;
     message.goal_id.id = fresh_id();
+    sent_.insert(message.goal_id.id);
     goals_.publish(message);
     return message.goal_id.id;
   }
@@ -87,8 +91,9 @@ class Teacher {
     return ended_[id];
   }
 
-  /// Of a long row of lessons: their results hold pictures.
+  /// Of a long row of lessons: their results hold pictures. What comes late is not heard.
   void forget(const std::string& id) {
+    sent_.erase(id);
     ended_.erase(id);
     heard_.erase(id);
     passed_.erase(id);
@@ -106,6 +111,7 @@ class Teacher {
   ros::NodeHandle node_;
   ros::Publisher goals_, cancels_;
   ros::Subscriber results_, feedbacks_;
+  std::set<std::string> sent_;
   std::map<std::string, mbncc_vision::LearnObjectActionResult> ended_;
   std::map<std::string, Feedback> heard_;
   std::map<std::string, std::set<std::uint8_t>> passed_;
