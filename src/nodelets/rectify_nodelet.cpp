@@ -35,9 +35,11 @@ class RectifyNodelet : public GuardedNodelet {
     const image_transport::SubscriberStatusCallback changed = [this](const auto&) {
       listen_as_wanted();
     };
-    // A first listener may come before the publisher has been kept.
-    const std::lock_guard<std::mutex> lock(mutex_);
-    publisher_ = transport.advertise("image_rect", 1, changed, changed);
+    {
+      // A first listener may come before the publisher has been kept.
+      const std::lock_guard<std::mutex> lock(mutex_);
+      publisher_ = transport.advertise("image_rect", 1, changed, changed);
+    }
     report_ =
         std::make_unique<HealthReport>(node(), private_node(), getName(), "none", "rectifying",
                                        [this](auto& status) { diagnose(status); });
