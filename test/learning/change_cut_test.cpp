@@ -53,6 +53,17 @@ TEST(ChangeCut, AShadowIsNotTheObject) {
   EXPECT_GT(test::iou(cut(drawn.lesson).map, drawn.truth), 0.85);
 }
 
+// As dark everywhere as a shadow would be: only the platform's texture is gone.
+TEST(ChangeCut, AnObjectOfAShadowsColourIsNoShadow) {
+  DrawnLesson drawn = draw_lesson();
+  drawn.platform = test::texture(drawn.platform.size(), cv::Scalar(125, 125, 125), 3, 5, 1);
+  cv::Mat scene = drawn.platform.clone();
+  scene.setTo(cv::Scalar::all(0.85 * 125), drawn.truth);
+  drawn.lesson.before = test::exposed(scene, 11);
+  drawn.lesson.after = test::exposed(drawn.platform, 12);
+  EXPECT_GT(test::iou(cut(drawn.lesson).map, drawn.truth), 0.9);
+}
+
 TEST(ChangeCut, HolesShowThePlatform) {
   DrawnLesson drawn = draw_lesson();
   const cv::Rect hole(104, 84, 18, 16);
