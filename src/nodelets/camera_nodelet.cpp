@@ -1,6 +1,5 @@
 // Publishes the pictures of a device, stream, folder or video with their calibration.
 #include <camera_info_manager/camera_info_manager.h>
-#include <cv_bridge/cv_bridge.h>
 #include <image_transport/image_transport.h>
 #include <ros/ros.h>
 #include <pluginlib/class_list_macros.hpp>
@@ -19,6 +18,7 @@
 #include "nodelets/camera_health.hpp"
 #include "nodelets/guarded_nodelet.hpp"
 #include "nodelets/health_report.hpp"
+#include "nodelets/images.hpp"
 #include "nodelets/parameters.hpp"
 #include "nodelets/picture_source.hpp"
 
@@ -222,8 +222,7 @@ void CameraNodelet::publish(const cv::Mat& picture, const ros::Time& stamp) {
     info->width = static_cast<std::uint32_t>(picture.cols);
     info->height = static_cast<std::uint32_t>(picture.rows);
   }
-  const char* encoding = picture.channels() == 1 ? "mono8" : "bgr8";
-  camera_.publish(cv_bridge::CvImage(header, encoding, picture).toImageMsg(), info);
+  camera_.publish(boost::make_shared<sensor_msgs::Image>(encode_picture(picture, header)), info);
   health_.count(&Counts::published);
 }
 

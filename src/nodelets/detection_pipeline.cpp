@@ -1,7 +1,5 @@
 #include "nodelets/detection_pipeline.hpp"
 
-#include <tf2/LinearMath/Matrix3x3.h>
-#include <tf2/LinearMath/Quaternion.h>
 #include <tf2_geometry_msgs/tf2_geometry_msgs.h>
 
 #include <algorithm>
@@ -22,23 +20,6 @@ TrackerConfig tracker_config(const MatchingNodeConfig& config) {
   tracker.hold_time = config.hold_time;
   tracker.max_age = config.max_age;
   return tracker;
-}
-
-geometry_msgs::Quaternion quaternion_of(const cv::Matx33d& r) {
-  tf2::Quaternion q;
-  tf2::Matrix3x3(r(0, 0), r(0, 1), r(0, 2), r(1, 0), r(1, 1), r(1, 2), r(2, 0), r(2, 1), r(2, 2))
-      .getRotation(q);
-  return tf2::toMsg(q);
-}
-
-geometry_msgs::PoseWithCovariance to_msg(const PlatformPose& pose) {
-  geometry_msgs::PoseWithCovariance message;
-  message.pose.position.x = pose.position[0];
-  message.pose.position.y = pose.position[1];
-  message.pose.position.z = pose.position[2];
-  message.pose.orientation = quaternion_of(pose.rotation);
-  std::copy(pose.covariance.val, pose.covariance.val + 36, message.covariance.begin());
-  return message;
 }
 
 bool any_enabled(const LibrarySnapshot& library) {
@@ -135,7 +116,7 @@ Detections DetectionPipeline::describe(const ReceivedPicture& received,
 DetectedObject DetectionPipeline::describe(const TrackedMatch& tracked, const ObjectModel* model,
                                            const Calibration& calibration) const {
   const Match& match = tracked.match;
-  DetectedObject object = nodelets::to_msg(match, model);
+  DetectedObject object = to_msg(match, model);
   object.instance_id = tracked.instance_id;
   object.state = static_cast<std::uint8_t>(tracked.state);
   object.valid_until.fromSec(tracked.valid_until);

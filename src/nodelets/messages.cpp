@@ -1,5 +1,9 @@
 #include "nodelets/messages.hpp"
 
+#include <tf2/LinearMath/Matrix3x3.h>
+#include <tf2/LinearMath/Quaternion.h>
+#include <tf2_geometry_msgs/tf2_geometry_msgs.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -29,6 +33,13 @@ geometry_msgs::Pose unknown_pose() {
   pose.position.x = pose.position.y = pose.position.z = kNaN;
   pose.orientation.x = pose.orientation.y = pose.orientation.z = pose.orientation.w = kNaN;
   return pose;
+}
+
+geometry_msgs::Quaternion quaternion_of(const cv::Matx33d& r) {
+  tf2::Quaternion q;
+  tf2::Matrix3x3(r(0, 0), r(0, 1), r(0, 2), r(1, 0), r(1, 1), r(1, 2), r(2, 0), r(2, 1), r(2, 2))
+      .getRotation(q);
+  return tf2::toMsg(q);
 }
 
 geometry_msgs::Polygon largest_outline(const View& view) {
@@ -67,6 +78,16 @@ geometry_msgs::Pose to_msg(const Grasp& grasp) {
   message.orientation.y = grasp.orientation[1];
   message.orientation.z = grasp.orientation[2];
   message.orientation.w = grasp.orientation[3];
+  return message;
+}
+
+geometry_msgs::PoseWithCovariance to_msg(const PlatformPose& pose) {
+  geometry_msgs::PoseWithCovariance message;
+  message.pose.position.x = pose.position[0];
+  message.pose.position.y = pose.position[1];
+  message.pose.position.z = pose.position[2];
+  message.pose.orientation = quaternion_of(pose.rotation);
+  std::copy(pose.covariance.val, pose.covariance.val + 36, message.covariance.begin());
   return message;
 }
 

@@ -3,6 +3,7 @@
 
 #include <geometry_msgs/Polygon.h>
 #include <geometry_msgs/Pose2D.h>
+#include <geometry_msgs/PoseWithCovariance.h>
 #include <mbncc_vision/DetectedObject.h>
 #include <mbncc_vision/LearnQuality.h>
 #include <mbncc_vision/LearnedObject.h>
@@ -12,6 +13,7 @@
 #include <optional>
 #include <vector>
 
+#include "mbncc/cell/platform.hpp"
 #include "mbncc/matching/matcher.hpp"
 #include "mbncc/object_model.hpp"
 
@@ -20,6 +22,7 @@ namespace mbncc::nodelets {
 geometry_msgs::Pose2D to_msg(const Pose2D& pose);
 geometry_msgs::Polygon to_msg(const std::vector<cv::Point2f>& polygon);
 geometry_msgs::Pose to_msg(const Grasp& grasp);
+geometry_msgs::PoseWithCovariance to_msg(const PlatformPose& pose);
 sensor_msgs::RegionOfInterest to_msg(const cv::Rect& region);
 mbncc_vision::LearnQuality to_msg(const Quality& quality);
 

@@ -1,5 +1,4 @@
 // Plays the simulated cell as a camera: image_raw, camera_info, and the truth for demo and tests.
-#include <cv_bridge/cv_bridge.h>
 #include <image_transport/image_transport.h>
 #include <mbncc_vision/DetectedObjectArray.h>
 #include <ros/ros.h>
@@ -7,8 +6,6 @@
 #include <pluginlib/class_list_macros.hpp>
 
 #include <algorithm>
-#include <cmath>
-#include <limits>
 #include <memory>
 
 #include "mbncc/cell/platform.hpp"
@@ -16,6 +13,7 @@
 #include "mbncc/sim/cell_script.hpp"
 #include "mbncc/sim/scene.hpp"
 #include "nodelets/guarded_nodelet.hpp"
+#include "nodelets/images.hpp"
 #include "nodelets/messages.hpp"
 #include "nodelets/parameters.hpp"
 #include "nodelets/simulated_optics.hpp"
@@ -89,7 +87,7 @@ class SimulatedCameraNodelet : public GuardedNodelet {
     const cv::Mat picture = optics_->distort(scene_->render(frame.placed, frames_, frame.arm));
     const auto info = boost::make_shared<sensor_msgs::CameraInfo>(optics_->camera_info());
     info->header = header;
-    camera_.publish(cv_bridge::CvImage(header, "bgr8", picture).toImageMsg(), info);
+    camera_.publish(boost::make_shared<sensor_msgs::Image>(encode_picture(picture, header)), info);
   }
 
   mbncc_vision::DetectedObjectArray truth_of(const sim::CellFrame& frame,
@@ -120,12 +118,7 @@ class SimulatedCameraNodelet : public GuardedNodelet {
     const auto lifted = platform.lift(pose, cv::Matx33d::zeros(), config_.object_height);
     if (!lifted) return;
     object.pose_valid = true;
-    object.pose.pose.position.x = lifted->position[0];
-    object.pose.pose.position.y = lifted->position[1];
-    object.pose.pose.position.z = lifted->position[2];
-    object.pose.pose.orientation.x = object.pose.pose.orientation.y = 0;
-    object.pose.pose.orientation.z = std::sin(pose.theta / 2);
-    object.pose.pose.orientation.w = std::cos(pose.theta / 2);
+    object.pose.pose = to_msg(*lifted).pose;
   }
 
   bool on_take_away(std_srvs::Trigger::Request&, std_srvs::Trigger::Response& response) {
