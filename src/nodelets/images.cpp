@@ -108,7 +108,6 @@ Decoded unknown_encoding(const std::string& name) {
   for (const auto& encoding : kEncodings) known += std::string(" ") + encoding.name;
   Decoded refused;
   refused.fault = "encoding '" + printable(name) + "' is not supported; send one of" + known;
-  refused.encoding_unknown = true;
   return refused;
 }
 

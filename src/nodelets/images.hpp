@@ -15,7 +15,6 @@ namespace mbncc::nodelets {
 struct Decoded {
   cv::Mat picture;    ///< its own memory; empty when refused
   std::string fault;  ///< "" when decoded
-  bool encoding_unknown = false;
 
   explicit operator bool() const { return !picture.empty(); }
 };

@@ -79,8 +79,8 @@ TEST(SceneWatch, BecomesStillAfterTheStillTime) {
 TEST(SceneWatch, StaysStillUnderNoiseAndFlicker) {
   Cell cell(9);
   for (int i = 0; i < 40; ++i) cell.show(1, 1 + 0.04 * (i % 3 - 1));
-  EXPECT_TRUE(cell.watch.still());
-  EXPECT_EQ(cell.watch.periods(), 1u);
+  ASSERT_TRUE(cell.watch.still());
+  EXPECT_EQ(cell.watch.still()->number, 1u);
 }
 
 TEST(SceneWatch, HandsOverBeforeAndAfter) {
@@ -156,8 +156,8 @@ TEST(SceneWatch, BeforeChangeSkipsThePausingArm) {
 TEST(SceneWatch, SlowMotionAddsUp) {
   Cell cell(1);
   cell.show(10);
+  ASSERT_TRUE(cell.watch.still());
   for (int i = 0; i < 60; ++i) cell.show_arm(1, {160.0, 330.0 - 2 * i});
-  EXPECT_GE(cell.watch.periods(), 1u);
   EXPECT_FALSE(cell.watch.still());
 }
 

@@ -45,9 +45,6 @@ class SceneWatch {
   /// motion about to be noticed; none while something moves.
   std::optional<StillShot> still() const;
 
-  /// Number of still periods so far, the present one included.
-  std::uint64_t periods() const { return periods_; }
-
   /// The picture to teach from when the object has been taken away already: of the latest earlier
   /// still period that differs from the present one inside the picture. None while something moves
   /// or when nothing has changed.

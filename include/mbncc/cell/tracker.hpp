@@ -22,9 +22,6 @@ struct TrackerConfig {
 /// The numbers are those of msg/DetectedObject.msg.
 enum class TrackState : std::uint8_t { kNew = 0, kConfirmed = 1, kAmbiguous = 2, kHeld = 3 };
 
-/// "NEW", "CONFIRMED", "AMBIGUOUS" or "HELD".
-const char* to_string(TrackState state);
-
 /// An instance in the present picture.
 struct TrackedMatch {
   Match match;

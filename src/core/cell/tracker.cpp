@@ -33,20 +33,6 @@ bool angle_jumped(const Match& a, const Match& b) {
 
 }  // namespace
 
-const char* to_string(TrackState state) {
-  switch (state) {
-    case TrackState::kNew:
-      return "NEW";
-    case TrackState::kConfirmed:
-      return "CONFIRMED";
-    case TrackState::kAmbiguous:
-      return "AMBIGUOUS";
-    case TrackState::kHeld:
-      return "HELD";
-  }
-  return "NEW";
-}
-
 InstanceTracker::InstanceTracker(TrackerConfig config) : config_(config) {
   if (config_.confirm_frames < 1 || config_.confirm_frames > config_.confirm_window)
     throw std::invalid_argument("confirm_frames must lie in 1 .. confirm_window");
