@@ -67,7 +67,9 @@ def main():
         prepare(home)
         env = dict(os.environ, HOME=home, ROS_HOME=home + "/ros", ROS_LOG_DIR=home + "/log",
                    ROS_MASTER_URI="http://localhost:%d" % free_port(), ROS_HOSTNAME="localhost")
-        run(env, "rosrun", "mbncc_vision", "mbncc", "learn", "--library", "library", "--name", "corner", "--before",
+        # rosrun finds no programs in a build folder inside the package.
+        tool = os.path.join(env["CMAKE_PREFIX_PATH"].split(":")[0], "lib", "mbncc_vision", "mbncc")
+        run(env, tool, "learn", "--library", "library", "--name", "corner", "--before",
             "pictures/board.png", "--roi", "280,200,90,90", "--allow-bad")
         cell = start_cell(env)
         try:
