@@ -5,39 +5,16 @@
 #include <cmath>
 #include <opencv2/imgproc.hpp>
 
-#include "matching/pictures.hpp"
+#include "matching/matcher_fixture.hpp"
 
 namespace mbncc {
 namespace {
 
 using test::LearningPicture;
+using test::MatcherTest;
 using test::object_from;
 using test::place;
 using test::texture;
-
-constexpr double kPlaceTolerance = 0.5;              // [px]
-constexpr double kAngleTolerance = to_radians(0.5);  // [rad]
-
-class MatcherTest : public ::testing::Test {
- protected:
-  const LearningPicture source_{1};
-  const Pose2D reference_{58, 60, 0};
-
-  Matcher matcher_of(std::vector<std::shared_ptr<const ObjectModel>> objects,
-                     const SearchConfig& config = {}) const {
-    Matcher matcher(config);
-    matcher.set_objects(std::move(objects));
-    return matcher;
-  }
-
-  Matcher matcher() const { return matcher_of({object_from(source_, reference_)}); }
-
-  static void expect_at(const Match& match, const Pose2D& truth) {
-    EXPECT_NEAR(match.pose.x, truth.x, kPlaceTolerance);
-    EXPECT_NEAR(match.pose.y, truth.y, kPlaceTolerance);
-    EXPECT_LT(angle_distance(match.pose.theta, truth.theta), kAngleTolerance);
-  }
-};
 
 TEST_F(MatcherTest, FindsTheObjectAtAnyRotation) {
   const Matcher matcher = this->matcher();
@@ -230,78 +207,6 @@ TEST_F(MatcherTest, RefusesPicturesItCannotSearch) {
   EXPECT_THROW(matcher.find(cv::Mat()), std::invalid_argument);
   EXPECT_THROW(matcher.find(cv::Mat::zeros(15, 64, CV_8UC3)), std::invalid_argument);
   EXPECT_THROW(matcher.find(cv::Mat::zeros(64, 64, CV_16UC1)), std::invalid_argument);
-}
-
-TEST_F(MatcherTest, ThreadsDoNotChangeTheResult) {
-  std::vector<std::shared_ptr<const ObjectModel>> objects;
-  for (int k = 0; k < 5; ++k)
-    objects.push_back(object_from(LearningPicture(k), reference_, "object" + std::to_string(k)));
-  cv::Mat scene = texture({320, 240}, 67, 4);
-  place(scene, LearningPicture(3), reference_.position(), {120, 100, 2});
-  SearchConfig config;
-  const SearchResult alone = matcher_of(objects, config).find(scene);
-  config.threads = 3;
-  const SearchResult together = matcher_of(objects, config).find(scene);
-  ASSERT_EQ(alone.matches.size(), together.matches.size());
-  for (std::size_t i = 0; i < alone.matches.size(); ++i) {
-    EXPECT_EQ(alone.matches[i].name, together.matches[i].name);
-    EXPECT_EQ(alone.matches[i].pose.x, together.matches[i].pose.x);
-    EXPECT_EQ(alone.matches[i].score, together.matches[i].score);
-  }
-}
-
-TEST_F(MatcherTest, AnObjectAmongManyIsFoundWhereItIsFoundAlone) {
-  std::vector<std::shared_ptr<const ObjectModel>> objects;
-  for (int k = 0; k < 6; ++k)
-    objects.push_back(object_from(LearningPicture(k), reference_, "object" + std::to_string(k)));
-  for (int k = 0; k < 6; ++k) {
-    const Pose2D truth{120, 100, 0.9 * k};
-    cv::Mat scene = texture({320, 240}, 71 + static_cast<unsigned>(k), 4);
-    place(scene, LearningPicture(k), reference_.position(), truth);
-    const SearchResult all = matcher_of(objects).find(scene);
-    const SearchResult alone = matcher_of({objects[static_cast<std::size_t>(k)]}).find(scene);
-    ASSERT_EQ(alone.matches.size(), 1u);
-    ASSERT_EQ(all.matches.size(), 1u);
-    EXPECT_EQ(all.matches[0].name, alone.matches[0].name);
-    expect_at(all.matches[0], truth);
-    expect_at(alone.matches[0], truth);
-  }
-}
-
-TEST_F(MatcherTest, ManyObjectsAreFoundInLightOfAnotherColour) {
-  std::vector<std::shared_ptr<const ObjectModel>> objects;
-  for (int k = 0; k < 6; ++k)
-    objects.push_back(object_from(LearningPicture(k), reference_, "object" + std::to_string(k)));
-  cv::Mat scene = texture({480, 240}, 72, 4);
-  for (int k = 0; k < 3; ++k)
-    place(scene, LearningPicture(k), reference_.position(), {90.0 + 150 * k, 120, 1.1 * k});
-  cv::multiply(scene, cv::Scalar(0.85, 1, 1.15), scene);
-  EXPECT_EQ(matcher_of(objects).find(scene).matches.size(), 3u);
-}
-
-TEST_F(MatcherTest, LookAlikesAreAmbiguousAmongMany) {
-  std::vector<std::shared_ptr<const ObjectModel>> objects{
-      object_from(source_, reference_, "twin"), object_from(source_, reference_, "other")};
-  for (int k = 2; k < 6; ++k)
-    objects.push_back(object_from(LearningPicture(k), reference_, "object" + std::to_string(k)));
-  cv::Mat scene = texture({320, 240}, 73, 4);
-  place(scene, source_, reference_.position(), {160, 120, 0.9});
-  const SearchResult result = matcher_of(objects).find(scene);
-  ASSERT_EQ(result.matches.size(), 1u) << "one thing is not two";
-  EXPECT_TRUE(result.matches[0].ambiguous);
-  EXPECT_FALSE(result.matches[0].graspable);
-}
-
-TEST_F(MatcherTest, AShortTimeBudgetSkipsObjectsByName) {
-  SearchConfig config;
-  config.time_budget = 1e-9;
-  std::vector<std::shared_ptr<const ObjectModel>> objects;
-  for (int k = 0; k < 6; ++k)
-    objects.push_back(object_from(LearningPicture(k), reference_, "object" + std::to_string(k)));
-  const SearchResult result = matcher_of(objects, config).find(texture({320, 240}, 74, 4));
-  EXPECT_TRUE(result.budget_exceeded);
-  EXPECT_EQ(result.searched, std::vector<std::string>{"object0"});
-  EXPECT_EQ(result.skipped.size(), 5u);
 }
 
 TEST_F(MatcherTest, SeveralViewsGiveOnePoseWithoutRivalsAtEveryRotation) {
