@@ -11,14 +11,15 @@ export LC_ALL="${LC_ALL:-C.UTF-8}"
 export ROS_HOSTNAME="${ROS_HOSTNAME:-localhost}"
 export ROSCONSOLE_STDOUT_LINE_BUFFERED=1
 
-# Some ROS set-up files read variables that are not set.
+# Some ROS set-up files read variables that are not set. The caller's options hold again afterwards; a
+# subshell that asks for them (set +o) would be told that errexit is off.
 source_leniently() {
-  local restore
-  restore="$(set +o)"
+  local options="$-"
   set +eu
   # shellcheck disable=SC1090
   . "$1"
-  eval "$restore"
+  case "$options" in *e*) set -e ;; esac
+  case "$options" in *u*) set -u ;; esac
 }
 
 if [ -f /opt/ros/noetic/setup.bash ]; then
