@@ -25,7 +25,6 @@ class CameraInput {
   void set_active(bool active) {
     set_active([active] { return active; });
   }
-  bool active() const;
 
   /// Number of publishers of the picture topic.
   std::uint32_t publishers() const;
@@ -37,6 +36,7 @@ class CameraInput {
   sensor_msgs::CameraInfoConstPtr camera_info_for(const sensor_msgs::Image& image) const;
 
  private:
+  bool active() const;
   void subscribe();
   void unsubscribe();
 
