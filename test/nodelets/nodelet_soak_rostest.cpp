@@ -163,7 +163,9 @@ TEST_F(Soak, TeachingBesideMatchingStaysFlat) {
   EXPECT_GT(lessons_, 0);
   EXPECT_GT(looked, 0);
   EXPECT_LT(history.growth_in_use(), kMostGrowthInUse);
-  if (!test::kSanitized) EXPECT_LT(history.growth(), kMostGrowth);
+  if (!test::kSanitized) {
+    EXPECT_LT(history.growth(), kMostGrowth);
+  }
   EXPECT_LE(history.new_files(), 0);
   EXPECT_LE(history.new_threads(), 0);
 }
