@@ -29,15 +29,14 @@ void SurfaceTemplate::sample(const SceneLevel& scene, const Pose2D& pose,
 }
 
 SurfaceTemplate::Remainder SurfaceTemplate::remainder(const SurfaceSample& sample) const {
-  const int count = static_cast<int>(padded());
-  float products[SurfaceTemplate::kMaxBasis];
+  float products[ShadingBasis::kMostRows];
   Remainder remainder;
   for (int c = 0; c < kChannels; ++c) {
     const float* values = sample.planes[c].data();
     remainder.energy += product(sample.planes[c], values);
     remainder.common += product(projected[c], values);
-    kernels::dots(basis.data(), padded(), basis_size, values, count, products);
-    for (int k = 0; k < basis_size; ++k) remainder.energy -= products[k] * products[k];
+    basis.products(values, products);
+    for (int k = 0; k < basis.size(); ++k) remainder.energy -= products[k] * products[k];
   }
   remainder.energy = std::max(0.0, remainder.energy);
   return remainder;
@@ -65,11 +64,10 @@ SurfaceDifference SurfaceTemplate::difference(const SurfaceSample& sample, doubl
     std::vector<float> difference = sample.planes[c];
     subtract(difference, gain, planes[c].data());
     rest += product(difference, difference.data());
-    float products[SurfaceTemplate::kMaxBasis];
-    kernels::dots(basis.data(), padded(), basis_size, difference.data(), static_cast<int>(padded()),
-                  products);
-    for (int k = 0; k < basis_size; ++k) rest -= products[k] * products[k];
-    for (int k = 1; k < basis_size; ++k) shading += products[k] * products[k];
+    float products[ShadingBasis::kMostRows];
+    basis.products(difference.data(), products);
+    for (int k = 0; k < basis.size(); ++k) rest -= products[k] * products[k];
+    for (int k = 1; k < basis.size(); ++k) shading += products[k] * products[k];
   }
   const double values = kChannels * static_cast<double>(size());
   return {rest / values, shading / values};

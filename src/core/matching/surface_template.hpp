@@ -9,6 +9,8 @@
 #include "matching/map_geometry.hpp"
 #include "matching/mixture.hpp"
 #include "matching/scene_picture.hpp"
+#include "matching/shading_basis.hpp"
+#include "matching/surface_points.hpp"
 #include "mbncc/geometry.hpp"
 
 namespace mbncc {
@@ -33,7 +35,6 @@ struct SurfaceDifference {
 class SurfaceTemplate {
  public:
   static constexpr int kChannels = 3;
-  static constexpr int kMaxBasis = 12;
 
   SurfaceTemplate() = default;
 
@@ -53,7 +54,7 @@ class SurfaceTemplate {
   /// Moves the points apart: the same surface `factor` times as large.
   void resize(double factor);
 
-  std::size_t size() const { return sites_.size(); }
+  std::size_t size() const { return points_.size(); }
   std::size_t padded() const { return x.size(); }  ///< size() in whole lanes
 
   /// Reads the colours at `pose`. Points outside the picture take the mean of those inside.
@@ -90,10 +91,7 @@ class SurfaceTemplate {
   std::vector<float> energy;                 ///< sum over channels of squared colours
   std::vector<int> block_ends;  ///< points in order belong to compact parts of equal size
 
-  // Shading and gloss near the edge follow the light, not the object: smooth functions of the place
-  // and of the distance to the edge are projected out of template and picture.
-  int basis_size = 0;
-  std::vector<float> basis;                     ///< basis_size orthonormal rows of padded() values
+  ShadingBasis basis;                           ///< projected out of template and picture
   std::array<std::vector<float>, 3> projected;  ///< planes without the basis
   double projected_energy = 0;                  ///< sum of squares of `projected`
 
@@ -109,28 +107,19 @@ class SurfaceTemplate {
   ChromaHistogram histogram{};
 
  private:
-  void choose_points(const Source& source, std::size_t most);
-  void choose_mixed_points(const Source& source);
+  static constexpr int kMotions = 3;  // x, y, theta
+  using Slopes = std::array<std::array<std::vector<float>, kMotions>, kChannels>;
+
   void place_points(cv::Point2d origin);
   void read_colours(const SceneLevel& picture);
   void read_unmixed_colours(const SceneLevel& picture, cv::Point2d origin);
   void measure_texture();
   void read_gradients(const SceneLevel& picture);
-  void build_basis();
   void project();
   void read_slopes(const SceneLevel& picture);
+  Slopes picture_slopes(const SceneLevel& picture) const;
 
-  struct Site {
-    cv::Point2f at;      // [px at level] in the template picture
-    float depth;         // [px at level 0] to the map's edge
-    cv::Point2f inward;  // unit
-    Mixture mixture;     // [px at level], as `at`
-  };
-  using Sites = std::vector<Site>;
-  void split_blocks(Sites::iterator first, Sites::iterator last, int depth);
-
-  Sites sites_;
-  bool mixed_ = false;  // the points are too near the edge to show the object alone
+  std::vector<SurfacePoint> points_;
   Unmixing unmixing_;
   double radius_ = 1, texture_ = 0;
 };

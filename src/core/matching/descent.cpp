@@ -1,0 +1,116 @@
+#include "matching/descent.hpp"
+
+#include <algorithm>
+
+#include "matching/candidate_odds.hpp"
+#include "mbncc/matching/pyramid.hpp"
+
+namespace mbncc {
+namespace {
+
+/// Log-odds below which a candidate has never become a detection, nor a rival that matters.
+struct Floors {
+  double roughly, entering, climbed, finally;
+};
+constexpr Floors kFloors{-20, -12, -8, -6};
+
+void step_down(std::vector<Candidate>& candidates) {
+  for (auto& candidate : candidates) {
+    candidate.pose = from_level(candidate.pose, 1);
+    --candidate.level;
+  }
+}
+
+class Descent {
+ public:
+  Descent(const PreparedView& view, const ScenePicture& scene, const Effort& effort)
+      : view_(view), scene_(scene), effort_(effort) {}
+
+  std::vector<Candidate> run(CandidatesPerLevel entering) const {
+    std::vector<Candidate> candidates;
+    for (int level = view_.top_level(); level >= 0; --level) {
+      const bool fresh = !entering[level].empty();
+      if (fresh && level > 0 && view_.geometry.mean_width() < effort_.width * (1 << level))
+        enter_finer(level, entering);
+      else
+        admit(level, entering[level], candidates);
+      refine_at(level, fresh ? 4 : 2, candidates);
+      drop_below((level > 0 ? kFloors.climbed : kFloors.finally) + effort_.demand, candidates);
+      if (level > 0) step_down(candidates);
+    }
+    return candidates;
+  }
+
+ private:
+  /// Lets proposals in one level finer: what is hardly two pixels wide cannot be judged.
+  void enter_finer(int level, CandidatesPerLevel& entering) const {
+    auto coarse = std::move(entering[level]);
+    step_down(coarse);
+    for (auto& candidate : coarse) {
+      candidate.pose =
+          climb(view_.rough[level - 1], scene_.levels[level - 1], candidate.pose, 2).pose;
+      entering[level - 1].push_back(candidate);
+    }
+    entering[level].clear();
+  }
+
+  void admit(int level, std::vector<Candidate>& entering,
+             std::vector<Candidate>& candidates) const {
+    for (auto& candidate : entering)
+      candidate.value = rough_odds(view_, scene_, level, candidate.pose);
+    sort_by_value(entering);
+    if (entering.size() > effort_.judged) entering.resize(effort_.judged);
+    drop_below(kFloors.roughly + effort_.demand, entering);
+    for (auto& candidate : entering) candidate.value = odds(level, candidate.pose);
+    keep_hopeful(entering, effort_.entering, kHopeless);
+    drop_below(kFloors.entering + effort_.demand, entering);
+    add_turned(entering);
+    candidates.insert(candidates.end(), entering.begin(), entering.end());
+  }
+
+  /// Starts beside the candidates: where the coarse steps were too wide, a climb misses the top.
+  void add_turned(std::vector<Candidate>& candidates) const {
+    constexpr double kArc = 1.5;  // [px] between the starts near the rim
+    const std::size_t count = candidates.size();
+    for (std::size_t i = 0; i < count; ++i)
+      for (int k = -effort_.turns; k <= effort_.turns; ++k) {
+        if (k == 0) continue;
+        Candidate turned = candidates[i];
+        const double radius = view_.shape.radius() / (1 << turned.level);
+        turned.pose.theta += k * kArc / std::max(3.0, 0.75 * radius);
+        candidates.push_back(turned);
+      }
+  }
+
+  double odds(int level, const Pose2D& pose) const {
+    return candidate_odds(view_, scene_, level, pose);
+  }
+
+  void refine_at(int level, int iterations, std::vector<Candidate>& candidates) const {
+    const SceneLevel& scene = scene_.levels[level];
+    for (auto& candidate : candidates) {
+      candidate.pose = climb(view_.templates[level], scene, candidate.pose, iterations).pose;
+      candidate.value = odds(level, candidate.pose);
+    }
+    drop_duplicates(candidates, level == 0 ? 1.5 : 1.0, view_.shape.radius() / (1 << level),
+                    most_at(level));
+    keep_hopeful(candidates, most_at(level), kHopeless);
+  }
+
+  const PreparedView& view_;
+  const ScenePicture& scene_;
+  const Effort& effort_;
+};
+
+}  // namespace
+
+std::size_t most_at(int level) {
+  return level == 0 ? 8 : level == 1 ? 12 : 20;
+}
+
+std::vector<Candidate> descend(const PreparedView& view, const ScenePicture& scene,
+                               const Effort& effort, CandidatesPerLevel proposed) {
+  return Descent(view, scene, effort).run(std::move(proposed));
+}
+
+}  // namespace mbncc

@@ -1,0 +1,79 @@
+#include "matching/proposals.hpp"
+
+#include <algorithm>
+
+#include "matching/candidate_odds.hpp"
+#include "matching/coarse_search.hpp"
+#include "matching/edge_search.hpp"
+#include "mbncc/matching/pyramid.hpp"
+
+namespace mbncc {
+namespace {
+
+cv::Rect at_level(const cv::Rect& roi, int level) {
+  const int side = 1 << level;
+  const cv::Point low(roi.x / side, roi.y / side);
+  const cv::Point high((roi.br().x + side - 1) / side, (roi.br().y + side - 1) / side);
+  return {low, high};
+}
+
+}  // namespace
+
+void Proposals::follow_edges(std::size_t most, std::size_t round_places) {
+  const int level = view_.edges.level();
+  EdgeCandidates found = edge_search(view_.edges, scene_.levels[level], at_level(roi_, level),
+                                     static_cast<int>(most), view_.sector, places_);
+  edges_ = std::move(found.poses);
+  for (auto& place : found.round_places)
+    place.value = candidate_odds(view_, scene_, level, place.pose);
+  keep_hopeful(found.round_places, round_places, kHopeless);
+  for (const auto& place : found.round_places) add_rotations_by_surface(place);
+}
+
+/// The best rotations at a place by what the surface looks like.
+void Proposals::add_rotations_by_surface(const Candidate& place) {
+  constexpr std::size_t kMost = 4;
+  auto peaks = rotation_peaks(view_.rough[place.level], scene_.levels[place.level], place, 1.5);
+  peaks.erase(std::remove_if(peaks.begin(), peaks.end(),
+                             [this](const Candidate& peak) {
+                               return !view_.sector.contains(peak.pose.theta);
+                             }),
+              peaks.end());
+  if (peaks.size() > kMost) peaks.resize(kMost);
+  round_.insert(round_.end(), peaks.begin(), peaks.end());
+}
+
+void Proposals::correlate(int most) {
+  const int level = view_.kernels.level;
+  if (level == 0) return;  // too fine to search everywhere; the edges have to do
+  CoarseSettings settings;
+  settings.max_places = most;
+  correlated_ = coarse_search(view_.kernels, scene_.grey[level], at_level(roi_, level), settings,
+                              view_.sector, places_);
+}
+
+CandidatesPerLevel Proposals::by_edges(std::size_t most) const {
+  CandidatesPerLevel proposed(view_.templates.size());
+  auto& at_level = proposed[view_.edges.level()];
+  const std::size_t count = std::min(most, edges_.size());
+  at_level.assign(edges_.begin(), edges_.begin() + static_cast<std::ptrdiff_t>(count));
+  at_level.insert(at_level.end(), round_.begin(), round_.end());
+  return proposed;
+}
+
+CandidatesPerLevel Proposals::by_correlation() const {
+  CandidatesPerLevel proposed(view_.templates.size());
+  proposed[view_.kernels.level] = correlated_;
+  return proposed;
+}
+
+bool Proposals::foremost_by_edges(const Pose2D& pose, std::size_t count) const {
+  constexpr double kNear = 2.5;  // [px at the edges' level]
+  const cv::Point2d place = to_level(pose.position(), view_.edges.level());
+  const auto end = edges_.begin() + static_cast<std::ptrdiff_t>(std::min(count, edges_.size()));
+  return std::any_of(edges_.begin(), end, [&](const Candidate& proposed) {
+    return cv::norm(proposed.pose.position() - place) < kNear;
+  });
+}
+
+}  // namespace mbncc

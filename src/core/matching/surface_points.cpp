@@ -1,0 +1,95 @@
+#include "matching/surface_points.hpp"
+
+#include <algorithm>
+#include <random>
+
+#include "mbncc/matching/pyramid.hpp"
+
+namespace mbncc {
+namespace {
+
+using Points = std::vector<SurfacePoint>;
+
+cv::Point2f at_level(cv::Point2f place, int level) {
+  return cv::Point2f(to_level(cv::Point2d(place), level));
+}
+
+/// Middles of the level's pixels that lie deeper than `depth` [px at level 0] in the map.
+std::vector<cv::Point> pixels_deeper_than(double depth, const MapGeometry& map, cv::Size size,
+                                          int level) {
+  const int side = 1 << level;
+  std::vector<cv::Point> pixels;
+  for (int y = side / 2; y < size.height; y += side)
+    for (int x = side / 2; x < size.width; x += side)
+      if (map.depth({x, y}) > depth) pixels.emplace_back(x, y);
+  return pixels;
+}
+
+Points pure_points(const MapGeometry& map, cv::Size size, int level) {
+  const double need = level == 0 ? 1.9 : 0.5 + 0.75 * (1 << level);
+  Points points;
+  for (const auto& pixel : pixels_deeper_than(need, map, size, level))
+    points.push_back(
+        {at_level(cv::Point2f(pixel), level), map.depth(pixel), map.inward(pixel), {}});
+  return points;
+}
+
+Points mixed_points(const MapGeometry& map, cv::Size size, int level) {
+  constexpr float kShown = 0.4f;       // least share of the object, ...
+  constexpr std::ptrdiff_t kFew = 12;  // ... where that leaves more points
+  const Coverage coverage(map, level);
+  Points points;
+  for (const auto& pixel : pixels_deeper_than(0, map, size, level)) {
+    Mixture mixture = coverage.at(pixel);
+    for (auto& place : mixture.beyond) place = at_level(place, level);
+    points.push_back(
+        {at_level(cv::Point2f(pixel), level), map.depth(pixel), map.inward(pixel), mixture});
+  }
+  const auto shown = std::stable_partition(
+      points.begin(), points.end(),
+      [](const SurfacePoint& point) { return point.mixture.share >= kShown; });
+  if (shown - points.begin() >= kFew) points.erase(shown, points.end());
+  return points;
+}
+
+void thin_out(Points& points, std::size_t most) {
+  std::mt19937 random(5);
+  for (std::size_t i = 0; i + 1 < points.size() && i < most; ++i)
+    std::swap(points[i], points[i + random() % (points.size() - i)]);
+  if (points.size() > most) points.resize(most);
+}
+
+/// Halves the points along their longer side, `depth` times.
+void split_blocks(SurfacePoints& all, Points::iterator first, Points::iterator last, int depth) {
+  if (depth == 0) {
+    all.block_ends.push_back(static_cast<int>(last - all.points.begin()));
+    return;
+  }
+  const auto left = [](const SurfacePoint& a, const SurfacePoint& b) { return a.at.x < b.at.x; };
+  const auto above = [](const SurfacePoint& a, const SurfacePoint& b) { return a.at.y < b.at.y; };
+  const auto [west, east] = std::minmax_element(first, last, left);
+  const auto [north, south] = std::minmax_element(first, last, above);
+  const auto middle = first + (last - first) / 2;
+  if (east->at.x - west->at.x > south->at.y - north->at.y)
+    std::nth_element(first, middle, last, left);
+  else
+    std::nth_element(first, middle, last, above);
+  split_blocks(all, first, middle, depth - 1);
+  split_blocks(all, middle, last, depth - 1);
+}
+
+}  // namespace
+
+SurfacePoints choose_surface_points(const MapGeometry& map, cv::Size size, int level,
+                                    std::size_t most) {
+  const std::size_t enough = level == 0 ? 100 : 40;
+  SurfacePoints chosen{pure_points(map, size, level), {}, false};
+  if (chosen.points.size() < enough) chosen = {mixed_points(map, size, level), {}, true};
+  thin_out(chosen.points, most);
+  const std::size_t count = chosen.points.size();
+  const int depth = count >= 240 ? 3 : count >= 100 ? 2 : count >= 50 ? 1 : 0;
+  split_blocks(chosen, chosen.points.begin(), chosen.points.end(), depth);
+  return chosen;
+}
+
+}  // namespace mbncc
