@@ -46,18 +46,22 @@ void correlate(benchmark::State& state, const kernels::Table& table) {
   state.SetItemsProcessed(state.iterations() * 2 * pairs * count);  // multiply-adds
 }
 
-void sum_responses_max(benchmark::State& state, const kernels::Table& table) {
-  const int terms = static_cast<int>(state.range(0)), count = kCount;
+void best_responses(benchmark::State& state, const kernels::Table& table) {
+  constexpr int kRotations = 16, kBlock = kernels::kPositions * kernels::kResponseRows;
+  const int terms = static_cast<int>(state.range(0));
   const auto maps =
       numbers<std::int8_t>(kStride * kRows, -kernels::kMaxResponse, kernels::kMaxResponse);
-  const auto offsets = square_offsets(terms);
-  std::vector<std::int16_t> best(static_cast<std::size_t>(count)), labels = best;
+  const auto offsets = numbers<std::int32_t>(static_cast<std::size_t>(kRotations) * terms, 0,
+                                             kStride * (kRows - kernels::kResponseRows - 1));
+  const auto labels = numbers<std::int16_t>(kRotations, 0, 99);
+  std::vector<std::int16_t> best(kBlock), labelled = best;
   for (auto _ : state) {
-    table.sum_responses_max_row(maps.data(), offsets.data(), terms, 1, best.data(), labels.data(),
-                                count);
+    table.best_responses_rows(maps.data(), kStride,
+                              {offsets.data(), terms, labels.data(), kRotations}, best.data(),
+                              labelled.data(), kernels::kPositions);
     benchmark::DoNotOptimize(best.data());
   }
-  state.SetItemsProcessed(state.iterations() * terms * count);  // additions
+  state.SetItemsProcessed(state.iterations() * kRotations * terms * kBlock);  // additions
 }
 
 void sum_runs(benchmark::State& state, const kernels::Table& table) {
@@ -110,7 +114,7 @@ bool register_all(const std::string& name, KernelBenchmark run, const std::vecto
 }
 
 const bool kRegistered = register_all("correlate", correlate, {32, 200}) &&
-                         register_all("sum_responses_max", sum_responses_max, {64}) &&
+                         register_all("best_responses", best_responses, {64}) &&
                          register_all("sum_runs", sum_runs, {8, 40}) &&
                          register_all("strongest_of_three", strongest_of_three, {640}) &&
                          register_all("edge_vectors", edge_vectors, {640});

@@ -79,37 +79,66 @@ TEST_P(Kernels, SumRunsEqualsReference) {
   }
 }
 
-TEST_P(Kernels, SumResponsesMaxEqualsReference) {
-  constexpr int kReach = 50;
-  const int groups = whole_groups();
-  const auto maps =
-      random_values<std::int8_t>(groups + kReach + misalignment(), -kMaxResponse, kMaxResponse);
-  const auto before = random_values<std::int16_t>(groups, -200, 200);
+/// Largest sums of a block and the labels of their rotations.
+std::pair<std::vector<std::int16_t>, std::vector<std::int16_t>> best_responses_of(
+    const Table& table, const std::int8_t* maps, int stride, const ResponseTerms& terms) {
+  constexpr int kStep = kPositions + 3;
+  std::vector<std::int16_t> best(kResponseRows * kStep, -9), labels = best;
+  table.best_responses_rows(maps, stride, terms, best.data(), labels.data(), kStep);
+  return {best, labels};
+}
+
+TEST_P(Kernels, BestResponsesEqualReference) {
+  constexpr int kReach = 50, kRotations = 5;
+  const int stride = count();
+  const auto maps = random_values<std::int8_t>(
+      kResponseRows * stride + kPositions + kReach + misalignment(), -kMaxResponse, kMaxResponse);
+  const std::vector<std::int16_t> labels{3, 4, 7, 100, 32000};
   for (const int terms : {1, 8, 13, 64}) {
-    const auto offsets = random_values<std::int32_t>(terms, 0, kReach - 1);
+    const auto offsets = random_values<std::int32_t>(kRotations * terms, 0, kReach - 1);
     const auto run = [&](const Table& table) {
-      auto best = before;
-      std::vector<std::int16_t> labels(groups, -1);
-      table.sum_responses_max_row(maps.data() + misalignment(), offsets.data(), terms, 7,
-                                  best.data(), labels.data(), groups);
-      return std::make_pair(best, labels);
+      return best_responses_of(table, maps.data() + misalignment(), stride,
+                               {offsets.data(), terms, labels.data(), kRotations});
     };
     for (const auto& target : targets())
       EXPECT_EQ(run(*target.table), run(reference())) << target.name << ", " << terms << " terms";
   }
 }
 
-TEST_P(Kernels, SumResponsesMaxBearsItsBounds) {
-  constexpr int kTerms = 2000;
-  const std::vector<std::int8_t> maps(whole_groups(), kMaxResponse);
-  const std::vector<std::int32_t> offsets(kTerms, 0);
+TEST(BestResponses, AreThoseOfTheFirstOfEqualRotations) {
+  const std::vector<std::int8_t> maps(kResponseRows * kPositions, 1);
+  const std::vector<std::int32_t> offsets{0, 0, 0};
+  const std::vector<std::int16_t> labels{5, 6, 7};
   for (const auto& target : targets()) {
-    std::vector<std::int16_t> best(whole_groups(), -1), labels(whole_groups(), 0);
-    target.table->sum_responses_max_row(maps.data(), offsets.data(), kTerms, 3, best.data(),
-                                        labels.data(), whole_groups());
-    EXPECT_EQ(labels, std::vector<std::int16_t>(whole_groups(), 3)) << target.name;
-    EXPECT_EQ(best, std::vector<std::int16_t>(whole_groups(), kTerms * kMaxResponse))
-        << target.name;
+    const auto found = best_responses_of(*target.table, maps.data(), kPositions,
+                                         {offsets.data(), 1, labels.data(), 3});
+    EXPECT_EQ(found.first.front(), 1) << target.name;
+    EXPECT_EQ(found.second.front(), 5) << target.name;
+  }
+}
+
+TEST(BestResponses, AreNotNegative) {
+  const std::vector<std::int8_t> maps(kResponseRows * kPositions, -1);
+  const std::vector<std::int32_t> offsets{0};
+  const std::vector<std::int16_t> labels{5};
+  for (const auto& target : targets()) {
+    const auto found = best_responses_of(*target.table, maps.data(), kPositions,
+                                         {offsets.data(), 1, labels.data(), 1});
+    EXPECT_EQ(found.first.front(), 0) << target.name;
+    EXPECT_EQ(found.second.front(), 0) << target.name;
+  }
+}
+
+TEST(BestResponses, BearTheirBounds) {
+  constexpr int kTerms = 2000;
+  const std::vector<std::int8_t> maps(kResponseRows * kPositions, kMaxResponse);
+  const std::vector<std::int32_t> offsets(kTerms, 0);
+  const std::vector<std::int16_t> labels{3};
+  for (const auto& target : targets()) {
+    const auto found = best_responses_of(*target.table, maps.data(), kPositions,
+                                         {offsets.data(), kTerms, labels.data(), 1});
+    EXPECT_EQ(found.first.front(), kTerms * kMaxResponse) << target.name;
+    EXPECT_EQ(found.second.front(), 3) << target.name;
   }
 }
 

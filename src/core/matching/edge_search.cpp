@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
-#include <opencv2/imgproc.hpp>
-#include <tuple>
+#include <cstdint>
+#include <cstring>
+#include <opencv2/core.hpp>
 
 #include "matching/response_maps.hpp"
 #include "polar/kernels.hpp"
@@ -12,120 +12,184 @@
 namespace mbncc {
 namespace {
 
-constexpr int kOrientations = ResponseMaps::kOrientations;
 constexpr int kStep = ResponseMaps::kStep;
 constexpr int kUnit = kernels::kMaxResponse;  // response 1 in the maps
+constexpr int kBand = kernels::kResponseRows;
 
-constexpr std::size_t kPoints = 64;  // of the contour
-constexpr double kSmallest = 20;     // [px] diameter at the coarse level
-constexpr double kThinnest = 2;      // [px] mean width there
-constexpr int kTopLevel = 4;
-constexpr double kArcStep = 2;          // [px] that the rim moves per rotation step, ...
-constexpr double kNarrowArcStep = 1.3;  // ... of objects that a step would bring beside
-constexpr double kNarrow = 3.5;         // [px] mean width there below which they are narrow
-constexpr double kMinResponse = 0.2;    // [-1..1] mean of a candidate
+constexpr double kMinResponse = 0.2;  // [-1..1] mean of a candidate
 
-int orientation_of(float normal_x, float normal_y) {
-  const double turns = std::atan2(normal_y, normal_x) / kPi;  // of half a turn
-  const int bin = static_cast<int>(std::lround(turns * kOrientations));
-  return ((bin % kOrientations) + kOrientations) % kOrientations;
+/// `count` rounded up to whole groups.
+int whole(int count, int group) {
+  return (count + group - 1) / group * group;
 }
+
+/// A position and rotation found, packed so that peaks in order are the best first; where sums are
+/// equal, in the order of rotations and places.
+class Peak {
+ public:
+  Peak(int sum, int rotation, int x, int y)
+      : packed_(std::uint64_t(kMost - sum) << 48 | std::uint64_t(rotation) << 32 |
+                std::uint64_t(y) << 16 | std::uint64_t(x)) {}
+
+  int sum() const { return kMost - static_cast<int>(packed_ >> 48); }
+  int rotation() const { return static_cast<int>(packed_ >> 32 & kMost); }
+  int y() const { return static_cast<int>(packed_ >> 16 & kMost); }
+  int x() const { return static_cast<int>(packed_ & kMost); }
+
+  bool operator<(const Peak& other) const { return packed_ < other.packed_; }
+
+ private:
+  static constexpr int kMost = 0xffff;
+
+  std::uint64_t packed_;
+};
+
+/// The best of a quarter turn's rotations at the positions of a few rows: outlines often fit again
+/// after half a turn or a quarter, and only the surface tells which.
+class Quarter {
+ public:
+  /// Of `groups` positions per row.
+  void set_width(int groups) {
+    width_ = groups;
+    best_.assign(static_cast<std::size_t>(kRows) * width_, 0);
+    labels_.assign(best_.size(), 0);
+    column_.assign(width_ + 2, 0);
+    marked_.resize(width_);
+  }
+
+  void add_rotation(const EdgeBank::Rotation& rotation, std::size_t label,
+                    const ResponseMaps& maps) {
+    for (const auto& point : rotation.points)
+      offsets_.push_back(maps.offset(point.orientation, point.x, point.y) - maps.offset(0, 0, 0));
+    labels_of_rotations_.push_back(static_cast<std::int16_t>(label));
+    terms_ = static_cast<int>(rotation.points.size());
+  }
+
+  /// Goes on to the next band: the last rows of this one stay, as its neighbours.
+  void next_band() {
+    std::copy(best_.end() - kKept * width_, best_.end(), best_.begin());
+    std::copy(labels_.end() - kKept * width_, labels_.end(), labels_.begin());
+    std::fill(best_.begin() + kKept * width_, best_.end(), std::int16_t{0});
+  }
+
+  /// Sums at a group of positions from `x` on in the rows of the band; `maps` points at the first.
+  void sum_responses(const std::int8_t* maps, int stride, int x) {
+    const int at = kKept * width_ + x;
+    kernels::best_responses(maps, stride,
+                            {offsets_.data(), terms_, labels_of_rotations_.data(),
+                             static_cast<int>(labels_of_rotations_.size())},
+                            &best_[at], &labels_[at], width_);
+  }
+
+  /// Forgets what does not belong to the search: row `row` of the band where `wanted` is 0.
+  void keep_wanted(int row, const uchar* wanted) {
+    std::int16_t* best = &best_[(kKept + row) * width_];
+    for (int x = 0; x < width_; ++x) best[x] = wanted[x] != 0 ? best[x] : std::int16_t{0};
+  }
+
+  /// Adds positions of at least `least` that no neighbour exceeds, in the rows whose neighbours are
+  /// known: from one above the band, whose first row is `y`, to its last but one.
+  void add_peaks(std::int16_t least, int y, std::vector<Peak>& peaks) {
+    for (int row = 1; row <= kBand; ++row) {
+      mark_peaks(row, least);
+      const std::uint8_t* const end = marked_.data() + width_;
+      for (const std::uint8_t* at = marked_.data();
+           (at = static_cast<const std::uint8_t*>(
+                std::memchr(at, 1, static_cast<std::size_t>(end - at)))) != nullptr;
+           ++at) {
+        const auto x = static_cast<int>(at - marked_.data());
+        const int i = row * width_ + x;
+        peaks.emplace_back(best_[i], labels_[i], x, y - kKept + row);
+      }
+    }
+  }
+
+ private:
+  static constexpr int kKept = 2;
+  static constexpr int kRows = kKept + kBand;
+
+  void mark_peaks(int row, std::int16_t least) {
+    const std::int16_t* best = &best_[row * width_];
+    for (int x = 0; x < width_; ++x)
+      column_[x + 1] = std::max(std::max(best[x - width_], best[x]), best[x + width_]);
+    for (int x = 0; x < width_; ++x) {
+      const std::int16_t around = std::max(std::max(column_[x], column_[x + 1]), column_[x + 2]);
+      marked_[x] = best[x] >= std::max(around, least) ? 1 : 0;
+    }
+  }
+
+  std::vector<std::int32_t> offsets_;              // of all points of the rotations
+  std::vector<std::int16_t> labels_of_rotations_;  // their indices
+  int terms_ = 0, width_ = 0;
+  std::vector<std::int16_t> best_, labels_;  // kRows rows: largest sums, and whose they are
+  std::vector<std::int16_t> column_;         // largest of three rows, with one more on each side
+  std::vector<std::uint8_t> marked_;         // 1: peaks of a row
+};
 
 class EdgeSearch {
  public:
   EdgeSearch(const EdgeBank& bank, const SceneLevel& scene, const cv::Rect& roi,
              const RotationSector& sector, const Places& places)
       : bank_(bank),
-        sector_(sector),
+        scale_(kUnit * static_cast<double>(bank.rotations().front().points.size())),
         first_(roi.x / kStep * kStep, roi.y / kStep * kStep),
         size_((roi.br().x - first_.x + kStep - 1) / kStep,
               (roi.br().y - first_.y + kStep - 1) / kStep),
         maps_(scene.responses(bank.radius() + 1)) {
-    const int whole =
-        (size_.width + kernels::kPositions - 1) / kernels::kPositions * kernels::kPositions;
-    wanted_ = places.of_positions(bank.level(), first_, kStep, size_);
-    cv::copyMakeBorder(wanted_, wanted_, 0, 0, 0, whole - size_.width, cv::BORDER_CONSTANT, {0});
-    for (auto& quarter : quarters_) {
-      quarter.best.create(size_.height, whole, CV_16SC1);
-      quarter.best.setTo(0);
-      quarter.rotation.create(size_.height, whole, CV_16SC1);
-    }
-    for (const auto& rotation : bank.rotations()) {
-      offsets_.emplace_back();
-      for (const auto& point : rotation.points)
-        offsets_.back().push_back(maps_->offset(point.orientation, point.x, point.y) -
-                                  maps_->offset(0, 0, 0));
-    }
+    // Nothing is wanted of the last row: the rows above it are complete with their neighbours.
+    cv::copyMakeBorder(places.of_positions(bank.level(), first_, kStep, size_), wanted_, 0,
+                       whole(size_.height + 1, kBand) - size_.height, 0,
+                       whole(size_.width, kernels::kPositions) - size_.width, cv::BORDER_CONSTANT,
+                       {0});
+    for (auto& quarter : quarters_) quarter.set_width(wanted_.cols);
+    const auto& rotations = bank.rotations();
+    for (std::size_t k = 0; k < rotations.size(); ++k)
+      if (sector.contains(rotations[k].angle))
+        quarters_[k * quarters_.size() / rotations.size()].add_rotation(rotations[k], k, *maps_);
   }
 
   EdgeCandidates run(int most) {
-    for (int y = 0; y < size_.height; ++y)
-      for (const auto& span : covering_spans(wanted_.ptr(y), wanted_.cols, kernels::kPositions))
-        for (std::size_t k = 0; k < offsets_.size(); ++k)
-          if (sector_.contains(bank_.rotations()[k].angle)) add_rotation(k, y, span);
-    for (auto& quarter : quarters_) quarter.best.setTo(0, wanted_ == 0);
+    const auto least = static_cast<std::int16_t>(std::max(1.0, kMinResponse * scale_));
     std::vector<Peak> peaks;
-    for (const auto& quarter : quarters_) add_peaks(quarter, peaks);
+    for (int y = 0; y < wanted_.rows; y += kBand) {
+      sum_band(y);
+      for (auto& quarter : quarters_) quarter.add_peaks(least, y, peaks);
+    }
     keep_best(peaks, static_cast<std::size_t>(most));
     EdgeCandidates found;
+    found.poses.reserve(peaks.size());
     for (const auto& peak : peaks) found.poses.push_back(candidate(peak));
     if (bank_.round()) found.round_places = different_places(found.poses);
     return found;
   }
 
  private:
-  /// The best of a quarter turn's rotations at each position: outlines often fit again after half a
-  /// turn or a quarter, and only the surface tells which.
-  struct Quarter {
-    cv::Mat best, rotation;  // CV_16SC1: sum and index of the rotation; rows of whole groups
-  };
-
-  const std::int8_t* at(int x, int y) const { return maps_->data() + maps_->offset(0, x, y); }
-
-  void add_rotation(std::size_t k, int y, const Span& span) {
-    Quarter& quarter = quarters_[k * quarters_.size() / offsets_.size()];
-    kernels::sum_responses_max(
-        at(first_.x + kStep * span.begin, first_.y + kStep * y), offsets_[k].data(),
-        static_cast<int>(offsets_[k].size()), static_cast<std::int16_t>(k),
-        quarter.best.ptr<std::int16_t>(y) + span.begin,
-        quarter.rotation.ptr<std::int16_t>(y) + span.begin, span.end - span.begin);
+  void sum_band(int y) {
+    for (auto& quarter : quarters_) quarter.next_band();
+    cv::Mat any;
+    cv::reduce(wanted_.rowRange(y, y + kBand), any, 0, cv::REDUCE_MAX);
+    for (const auto& span : covering_spans(any.ptr(), any.cols, kernels::kPositions))
+      for (int x = span.begin; x < span.end; x += kernels::kPositions) {
+        const std::int8_t* maps =
+            maps_->data() + maps_->offset(0, first_.x + kStep * x, first_.y + kStep * y);
+        for (auto& quarter : quarters_) quarter.sum_responses(maps, maps_->stride(), x);
+      }
+    for (int row = 0; row < kBand; ++row)
+      for (auto& quarter : quarters_) quarter.keep_wanted(row, wanted_.ptr(y + row));
   }
 
-  struct Peak {
-    int sum, rotation, x, y;
-  };
-
-  /// Positions whose sums no neighbour exceeds.
-  void add_peaks(const Quarter& quarter, std::vector<Peak>& peaks) const {
-    const int least = std::max(1, static_cast<int>(kMinResponse * kUnit * offsets_.front().size()));
-    const cv::Mat best = quarter.best.colRange(0, size_.width);
-    cv::Mat highest;
-    cv::dilate(best, highest, cv::Mat(), {-1, -1}, 1, cv::BORDER_CONSTANT | cv::BORDER_ISOLATED);
-    for (int y = 0; y < size_.height; ++y) {
-      const auto* row = best.ptr<std::int16_t>(y);
-      const auto* around = highest.ptr<std::int16_t>(y);
-      for (int x = 0; x < size_.width; ++x)
-        if (row[x] >= least && row[x] == around[x])
-          peaks.push_back({row[x], quarter.rotation.at<std::int16_t>(y, x), x, y});
-    }
-  }
-
-  /// The best `most`, best first; in the order of rotations and places where equal.
+  /// The best `most`, best first.
   static void keep_best(std::vector<Peak>& peaks, std::size_t most) {
-    const auto better = [](const Peak& a, const Peak& b) {
-      return std::make_tuple(-a.sum, a.rotation, a.y, a.x) <
-             std::make_tuple(-b.sum, b.rotation, b.y, b.x);
-    };
     const auto end = peaks.begin() + static_cast<std::ptrdiff_t>(std::min(most, peaks.size()));
-    std::nth_element(peaks.begin(), end, peaks.end(), better);
+    std::nth_element(peaks.begin(), end, peaks.end());
     peaks.erase(end, peaks.end());
-    std::sort(peaks.begin(), peaks.end(), better);
+    std::sort(peaks.begin(), peaks.end());
   }
 
   Candidate candidate(const Peak& peak) const {
-    const Pose2D pose{double(first_.x + kStep * peak.x), double(first_.y + kStep * peak.y),
-                      wrap_angle(bank_.rotations()[peak.rotation].angle)};
-    return {pose, bank_.level(), mean(peak.sum)};
+    const Pose2D pose{double(first_.x + kStep * peak.x()), double(first_.y + kStep * peak.y()),
+                      bank_.rotations()[peak.rotation()].angle};
+    return {pose, bank_.level(), peak.sum() / scale_};
   }
 
   static std::vector<Candidate> different_places(const std::vector<Candidate>& found) {
@@ -141,76 +205,16 @@ class EdgeSearch {
     return places;
   }
 
-  double mean(int sum) const {
-    return sum / (static_cast<double>(kUnit) * offsets_.front().size());
-  }
-
   const EdgeBank& bank_;
-  RotationSector sector_;
-  cv::Point first_;  // [px] position of best_'s first value, even
+  double scale_;     // sum of responses that are 1
+  cv::Point first_;  // [px] first position, even
   cv::Size size_;    // of the positions
-  cv::Mat wanted_;   // CV_8UC1, the positions searched; rows of whole groups
+  cv::Mat wanted_;   // CV_8UC1, the positions searched; whole groups and bands
   std::shared_ptr<const ResponseMaps> maps_;
-  std::vector<std::vector<std::int32_t>> offsets_;  // per rotation
   std::array<Quarter, 4> quarters_;
 };
 
-/// Part of one rotation's points that another rotation has as well, up to the spread.
-double common_part(const EdgeBank::Rotation& one, const EdgeBank::Rotation& other) {
-  const auto alike = [](const EdgeBank::Point& a, const EdgeBank::Point& b) {
-    const int turned = std::abs(a.orientation - b.orientation);
-    return std::abs(a.x - b.x) <= 1 && std::abs(a.y - b.y) <= 1 &&
-           std::min(turned, kOrientations - turned) <= 1;
-  };
-  const auto found =
-      std::count_if(one.points.begin(), one.points.end(), [&](const EdgeBank::Point& point) {
-        return std::any_of(other.points.begin(), other.points.end(),
-                           [&](const EdgeBank::Point& match) { return alike(point, match); });
-      });
-  return static_cast<double>(found) / static_cast<double>(one.points.size());
-}
-
-/// True when the contour looks much the same at most of the rotations.
-bool looks_round(const std::vector<EdgeBank::Rotation>& rotations) {
-  constexpr double kAlike = 0.7;
-  const auto alike =
-      std::count_if(rotations.begin(), rotations.end(), [&](const EdgeBank::Rotation& rotation) {
-        return common_part(rotation, rotations.front()) >= kAlike;
-      });
-  return 2 * static_cast<std::size_t>(alike) > rotations.size();
-}
-
-int coarse_level(double diameter, double width) {
-  const double halvings = std::min(std::log2(diameter / kSmallest), std::log2(width / kThinnest));
-  return std::clamp(static_cast<int>(std::floor(halvings)), 0, kTopLevel);
-}
-
 }  // namespace
-
-EdgeBank::EdgeBank(const MapGeometry& map, cv::Point2d anchor) {
-  const ContourTemplate whole(ContourTemplate::edge_of(map, 0), anchor, 0, 4000);
-  double reach = 1;
-  for (std::size_t i = 0; i < whole.size(); ++i)
-    reach = std::max<double>(reach, std::hypot(whole.x[i], whole.y[i]));
-  level_ = coarse_level(2 * reach, map.mean_width());
-  const ContourTemplate contour(ContourTemplate::edge_of(map, level_), anchor, level_, kPoints);
-  radius_ = static_cast<int>(std::ceil(reach / (1 << level_))) + 1;
-  const double rim = 2 * kPi * reach / (1 << level_);
-  const double step = map.mean_width() < kNarrow * (1 << level_) ? kNarrowArcStep : kArcStep;
-  const int count = std::max(12, static_cast<int>(std::ceil(rim / step)));
-  for (int k = 0; k < count; ++k) {
-    Rotation rotation{2 * kPi * k / count, {}};
-    for (std::size_t i = 0; i < contour.size(); ++i) {
-      const cv::Point2d at = rotate({contour.x[i], contour.y[i]}, rotation.angle);
-      const cv::Point2d normal = rotate({contour.normal_x[i], contour.normal_y[i]}, rotation.angle);
-      rotation.points.push_back(
-          {cvRound(at.x), cvRound(at.y),
-           orientation_of(static_cast<float>(normal.x), static_cast<float>(normal.y))});
-    }
-    rotations_.push_back(rotation);
-  }
-  round_ = looks_round(rotations_);
-}
 
 EdgeCandidates edge_search(const EdgeBank& bank, const SceneLevel& scene, const cv::Rect& roi,
                            int most, const RotationSector& sector, const Places& places) {

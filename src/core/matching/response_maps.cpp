@@ -45,7 +45,7 @@ class Responses {
 ResponseMaps::ResponseMaps(const cv::Mat& edges, int margin)
     : margin_(margin),
       stride_((edges.cols + 1) / kStep + margin + 1),
-      plane_(stride_ * ((edges.rows + 1) / kStep + margin + 1)),
+      plane_(stride_ * ((edges.rows + 1) / kStep + margin + kernels::kResponseRows)),
       values_(static_cast<std::size_t>(plane_) * kPhases * kOrientations + kernels::kPositions,
               kUnseen) {
   const Responses responses(edges);

@@ -19,6 +19,7 @@ class ResponseMaps {
   ResponseMaps(const cv::Mat& edges, int margin);
 
   int margin() const { return margin_; }
+  int stride() const { return stride_; }  ///< from a position of the search to the one below
   const std::int8_t* data() const { return values_.data(); }
 
   /// Where the response at a pixel lies. Relative to an even pixel it is offset() at the

@@ -116,9 +116,9 @@ void normalise(const std::int32_t* numerators, const std::int32_t* sums,
   active().table->normalise_row(numerators, sums, squares, terms, best, gates, count);
 }
 
-void sum_responses_max(const std::int8_t* maps, const std::int32_t* offsets, int terms,
-                       std::int16_t label, std::int16_t* best, std::int16_t* labels, int count) {
-  active().table->sum_responses_max_row(maps, offsets, terms, label, best, labels, count);
+void best_responses(const std::int8_t* maps, int stride, const ResponseTerms& terms,
+                    std::int16_t* best, std::int16_t* labels, int row_step) {
+  active().table->best_responses_rows(maps, stride, terms, best, labels, row_step);
 }
 
 void edge_responses(const std::int8_t* edges, std::int8_t* const* responses, int count) {

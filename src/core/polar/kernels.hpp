@@ -11,8 +11,10 @@
 
 namespace mbncc::kernels {
 
-/// correlate() and sum_responses_max() work on whole groups of this many positions.
+/// correlate() and best_responses() work on whole groups of this many positions ...
 constexpr int kPositions = 32;
+/// ... and best_responses() on this many rows of them.
+constexpr int kResponseRows = 4;
 /// Bounds of correlate().
 constexpr int kMaxPicture = 128;
 constexpr int kMaxWeight = 63;
@@ -50,11 +52,19 @@ void normalise(const std::int32_t* numerators, const std::int32_t* sums,
 constexpr int kMaxResponse = 15;
 constexpr int kTermGroup = 8;
 
-/// Where sum_k maps[offsets[k] + x] > best[x], best[x] becomes that sum and labels[x] `label`, for
-/// x in [0, count), `count` a multiple of kPositions; |maps| <= kMaxResponse. `terms` is at most
-/// 2000.
-void sum_responses_max(const std::int8_t* maps, const std::int32_t* offsets, int terms,
-                       std::int16_t label, std::int16_t* best, std::int16_t* labels, int count);
+/// Where the responses to an outline at several rotations lie.
+struct ResponseTerms {
+  const std::int32_t* offsets;  ///< rotations x count, relative to a position
+  int count;                    ///< per rotation, at most 2000
+  const std::int16_t* labels;   ///< of the rotations
+  int rotations;
+};
+
+/// best[y row_step + x] = max(0, sum_k maps[y stride + x + offsets[r count + k]] over the rotations
+/// r), and the same of labels is that of the first rotation that reaches it (0 where none exceeds
+/// 0), for x in [0, kPositions), y in [0, kResponseRows); |maps| <= kMaxResponse.
+void best_responses(const std::int8_t* maps, int stride, const ResponseTerms& terms,
+                    std::int16_t* best, std::int16_t* labels, int row_step);
 
 /// Responses of `count` edge vectors (see edge_picture.hpp) to edges whose normals have directions
 /// of 0, 1, 2 and 3 eighths of a half turn, scaled to kMaxResponse.
@@ -101,7 +111,7 @@ struct Table {
   decltype(&sum_runs) sum_runs_row;
   decltype(&any_above) any_above_row;
   decltype(&normalise) normalise_row;
-  decltype(&sum_responses_max) sum_responses_max_row;
+  decltype(&best_responses) best_responses_rows;
   decltype(&edge_responses) edge_responses_row;
   decltype(&spread_rows) spread_rows_row;
   decltype(&smooth_columns) smooth_columns_row;

@@ -44,16 +44,22 @@ void normalise_reference(const std::int32_t* numerators, const std::int32_t* sum
   }
 }
 
-void sum_responses_max_reference(const std::int8_t* maps, const std::int32_t* offsets, int terms,
-                                 std::int16_t label, std::int16_t* best, std::int16_t* labels,
-                                 int count) {
-  for (int x = 0; x < count; ++x) {
-    int sum = 0;
-    for (int k = 0; k < terms; ++k) sum += maps[offsets[k] + x];
-    if (sum <= best[x]) continue;
-    best[x] = static_cast<std::int16_t>(sum);
-    labels[x] = label;
-  }
+void best_responses_reference(const std::int8_t* maps, int stride, const ResponseTerms& terms,
+                              std::int16_t* best, std::int16_t* labels, int row_step) {
+  for (int y = 0; y < kResponseRows; ++y)
+    for (int x = 0; x < kPositions; ++x) {
+      int highest = 0, label = 0;
+      for (int r = 0; r < terms.rotations; ++r) {
+        int sum = 0;
+        for (int k = 0; k < terms.count; ++k)
+          sum += maps[y * stride + x + terms.offsets[r * terms.count + k]];
+        if (sum <= highest) continue;
+        highest = sum;
+        label = terms.labels[r];
+      }
+      best[y * row_step + x] = static_cast<std::int16_t>(highest);
+      labels[y * row_step + x] = static_cast<std::int16_t>(label);
+    }
 }
 
 /// Scale from edge vectors to responses in 1024ths: kMaxResponse / kEdgeScale, and that times
@@ -154,7 +160,7 @@ void dots_reference(const float* rows, std::size_t stride, int row_count, const 
 const Table& reference() {
   static const Table table{
       correlate_reference,   sum_runs_reference,           any_above_reference,
-      normalise_reference,   sum_responses_max_reference,  edge_responses_reference,
+      normalise_reference,   best_responses_reference,     edge_responses_reference,
       spread_rows_reference, smooth_columns_reference,     smooth_along_row_reference,
       slopes_reference,      strongest_of_three_reference, edge_vectors_reference,
       dots_reference};

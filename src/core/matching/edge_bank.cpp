@@ -1,0 +1,87 @@
+#include "matching/edge_bank.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "matching/contour_template.hpp"
+#include "matching/response_maps.hpp"
+#include "mbncc/geometry.hpp"
+
+namespace mbncc {
+namespace {
+
+constexpr int kOrientations = ResponseMaps::kOrientations;
+
+constexpr std::size_t kPoints = 64;  // of the contour
+constexpr double kSmallest = 20;     // [px] diameter at the coarse level
+constexpr double kThinnest = 2;      // [px] mean width there
+constexpr int kTopLevel = 4;
+constexpr double kArcStep = 2;          // [px] that the rim moves per rotation step, ...
+constexpr double kNarrowArcStep = 1.3;  // ... of objects that a step would bring beside
+constexpr double kNarrow = 3.5;         // [px] mean width there below which they are narrow
+
+int orientation_of(float normal_x, float normal_y) {
+  const double turns = std::atan2(normal_y, normal_x) / kPi;  // of half a turn
+  const int bin = static_cast<int>(std::lround(turns * kOrientations));
+  return ((bin % kOrientations) + kOrientations) % kOrientations;
+}
+
+/// Part of one rotation's points that another rotation has as well, up to the spread.
+double common_part(const EdgeBank::Rotation& one, const EdgeBank::Rotation& other) {
+  const auto alike = [](const EdgeBank::Point& a, const EdgeBank::Point& b) {
+    const int turned = std::abs(a.orientation - b.orientation);
+    return std::abs(a.x - b.x) <= 1 && std::abs(a.y - b.y) <= 1 &&
+           std::min(turned, kOrientations - turned) <= 1;
+  };
+  const auto found =
+      std::count_if(one.points.begin(), one.points.end(), [&](const EdgeBank::Point& point) {
+        return std::any_of(other.points.begin(), other.points.end(),
+                           [&](const EdgeBank::Point& match) { return alike(point, match); });
+      });
+  return static_cast<double>(found) / static_cast<double>(one.points.size());
+}
+
+/// True when the contour looks much the same at most of the rotations.
+bool looks_round(const std::vector<EdgeBank::Rotation>& rotations) {
+  constexpr double kAlike = 0.7;
+  const auto alike =
+      std::count_if(rotations.begin(), rotations.end(), [&](const EdgeBank::Rotation& rotation) {
+        return common_part(rotation, rotations.front()) >= kAlike;
+      });
+  return 2 * static_cast<std::size_t>(alike) > rotations.size();
+}
+
+int coarse_level(double diameter, double width) {
+  const double halvings = std::min(std::log2(diameter / kSmallest), std::log2(width / kThinnest));
+  return std::clamp(static_cast<int>(std::floor(halvings)), 0, kTopLevel);
+}
+
+}  // namespace
+
+EdgeBank::EdgeBank(const MapGeometry& map, cv::Point2d anchor) {
+  const ContourTemplate whole(ContourTemplate::edge_of(map, 0), anchor, 0, 4000);
+  double reach = 1;
+  for (std::size_t i = 0; i < whole.size(); ++i)
+    reach = std::max<double>(reach, std::hypot(whole.x[i], whole.y[i]));
+  level_ = coarse_level(2 * reach, map.mean_width());
+  const ContourTemplate contour(ContourTemplate::edge_of(map, level_), anchor, level_, kPoints);
+  radius_ = static_cast<int>(std::ceil(reach / (1 << level_))) + 1;
+  const double rim = 2 * kPi * reach / (1 << level_);
+  const double step = map.mean_width() < kNarrow * (1 << level_) ? kNarrowArcStep : kArcStep;
+  const int count = std::max(12, static_cast<int>(std::ceil(rim / step)));
+  for (int k = 0; k < count; ++k) {
+    const double angle = 2 * kPi * k / count;
+    Rotation rotation{wrap_angle(angle), {}};
+    for (std::size_t i = 0; i < contour.size(); ++i) {
+      const cv::Point2d at = rotate({contour.x[i], contour.y[i]}, angle);
+      const cv::Point2d normal = rotate({contour.normal_x[i], contour.normal_y[i]}, angle);
+      rotation.points.push_back(
+          {cvRound(at.x), cvRound(at.y),
+           orientation_of(static_cast<float>(normal.x), static_cast<float>(normal.y))});
+    }
+    rotations_.push_back(rotation);
+  }
+  round_ = looks_round(rotations_);
+}
+
+}  // namespace mbncc
