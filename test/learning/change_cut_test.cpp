@@ -64,6 +64,33 @@ TEST(ChangeCut, AnObjectOfAShadowsColourIsNoShadow) {
   EXPECT_GT(test::iou(cut(drawn.lesson).map, drawn.truth), 0.9);
 }
 
+// Four pixels wide and hardly brighter than the platform: much outline, little area.
+TEST(ChangeCut, AThinFaintHookIsKept) {
+  DrawnLesson drawn = draw_lesson();
+  drawn.truth.setTo(0);
+  cv::ellipse(drawn.truth, {100, 90}, {22, 22}, 0, 90, 360, cv::Scalar(255), 4);
+  cv::ellipse(drawn.truth, {144, 90}, {22, 22}, 0, -90, 180, cv::Scalar(255), 4);
+  drawn.platform = test::texture(drawn.platform.size(), cv::Scalar(110, 115, 120), 6, 1);
+  drawn.scene = drawn.platform.clone();
+  drawn.scene.setTo(cv::Scalar(119, 124, 129), drawn.truth);
+  cv::GaussianBlur(drawn.scene, drawn.scene, {}, 0.7);
+  drawn.lesson.before = test::exposed(drawn.scene, 11, 1, 3);
+  drawn.lesson.after = test::exposed(drawn.platform, 12, 1, 3);
+  drawn.lesson.region = cv::Rect(60, 50, 125, 80);
+  EXPECT_GT(test::iou(cut(drawn.lesson).map, drawn.truth), 0.8);
+}
+
+// Pixels just outside are taken in about as often as those just inside are left out.
+TEST(ChangeCut, TheOutlineIsNeitherInsideNorOutside) {
+  const DrawnLesson drawn = draw_lesson();
+  const cv::Mat map = cut(drawn.lesson).map;
+  const int added = cv::countNonZero(map & ~drawn.truth);
+  const int missed = cv::countNonZero(drawn.truth & ~map);
+  std::vector<std::vector<cv::Point>> outlines;
+  cv::findContours(drawn.truth, outlines, cv::RETR_EXTERNAL, cv::CHAIN_APPROX_NONE);
+  EXPECT_LT(std::abs(added - missed), 0.25 * static_cast<double>(outlines[0].size()));
+}
+
 TEST(ChangeCut, HolesShowThePlatform) {
   DrawnLesson drawn = draw_lesson();
   const cv::Rect hole(104, 84, 18, 16);

@@ -23,6 +23,7 @@ constexpr float kAnyColour = 0.05F;    // part of the object's pixels in colours
 constexpr float kUnaryWeight = 1.15F;  // against the smoothness
 constexpr double kSureness = 4;  // power of the change's probability that colours are weighted by
 constexpr double kRimWeight = 0.3;  // of the outermost pixels' colours
+constexpr float kRimDoubt = 3.5F;   // unary taken from the pixels on both sides of the last outline
 constexpr float kHighestUnary = 60;
 constexpr float kVoice = 8;          // highest unary of one of two views
 constexpr float kForced = 1000;      // unary of painted pixels
@@ -163,11 +164,22 @@ class Cutter {
     return weight;
   }
 
-  // Positive where the object explains a pixel better than the platform.
+  // The pixels on both sides of an outline.
+  static cv::Mat rim_of(const cv::Mat& map) {
+    const cv::Mat cross = cv::getStructuringElement(cv::MORPH_CROSS, {3, 3});
+    cv::Mat grown, core;
+    cv::dilate(map, grown, cross);
+    cv::erode(map, core, cross);
+    return grown & ~core;
+  }
+
+  // Positive where the object explains a pixel better than the platform. Blur and pooling carry
+  // change over the outline: once there is one, its pixels have to be the likelier object's.
   cv::Mat unary_of(const ColourMixture& object) const {
     cv::Mat unary;
     cv::log((1 - kAnyColour) * relative_density(object) + kAnyColour, unary);
     unary = kUnaryWeight * (unary - background_.log_ratio);
+    if (!coarse_.empty()) cv::subtract(unary, kRimDoubt, unary, rim_of(map_));
     unary = cv::max(cv::min(unary, kHighestUnary), -kHighestUnary);
     if (!other_view_.empty()) unary = voice_of(unary) + other_view_;
     unary.setTo(-kHighestUnary, ~inside_);

@@ -6,7 +6,8 @@
 namespace mbncc {
 namespace {
 
-constexpr float kStrength = 13;         // gamma
+constexpr float kStrength = 16;         // gamma
+constexpr float kSharpness = 2.5F;      // beta, for contrasts relative to their mean
 constexpr float kPlatformEdge = 0.02F;  // weight of the after picture's contrast [1 / grey level^2]
 constexpr float kMissing = -1;
 
@@ -56,7 +57,7 @@ cv::Vec3f edge_precision(const NoiseModel& noise) {
 
 Smoothness smoothness(const cv::Mat& before, const cv::Mat& after, const NoiseModel& noise) {
   Contrasts contrasts = measure(before, after, edge_precision(noise));
-  const float beta = static_cast<float>(1 / (2 * std::max(1e-3, contrasts.mean)));
+  const float beta = static_cast<float>(kSharpness / std::max(1e-3, contrasts.mean));
   Smoothness result;
   result.strength = kStrength;
   for (std::size_t k = 0; k < result.weights.size(); ++k) {
