@@ -7,7 +7,8 @@
 namespace mbncc {
 namespace {
 
-constexpr double kSettlingCost = 1;  // log-odds that settling on the surface may cost
+constexpr double kWorthFitting = -4;  // log-odds
+constexpr double kSettlingCost = 1;   // log-odds that settling on the surface may cost
 
 Evidence fine_evidence(const PreparedView& view, const ScenePicture& scene, const Pose2D& pose) {
   return gather_evidence(view.fine, scene.levels[0], pose);
@@ -83,14 +84,20 @@ Detection judged(const PreparedObject& object, const PreparedView& view, const S
     settled = settle(view.dense, scene.levels[0], pose, 0);
   else
     evidence = settled_evidence;
+  double most_odds = std::max(odds, settled_odds);
+  if (iterations > 0 && most_odds > kWorthFitting && view.rendering.padded() > 0) {
+    const Pose2D fitted = fit(view.rendering, scene.levels[0], settled.pose);
+    settled = settle(view.dense, scene.levels[0], fitted, 0);
+    evidence = fine_evidence(view, scene, fitted);
+    most_odds = std::max(most_odds, log_odds(evidence, view.shape.area()));
+  }
   detection.pose = settled.pose;
   detection.pose.theta = wrap_angle(settled.pose.theta);
   detection.covariance = settled.covariance;
   detection.strange = strange_part(view.fine, scene.levels[0], detection.pose);
-  detection.log_odds = std::max(odds, settled_odds) - doubt(detection.strange);
+  detection.log_odds = most_odds - doubt(detection.strange);
   detection.another_size =
-      detection.log_odds > 0 &&
-      fits_another_size(view, scene, detection.pose, std::max(odds, settled_odds));
+      detection.log_odds > 0 && fits_another_size(view, scene, detection.pose, most_odds);
   detection.rotation_odds = rotation_odds(evidence);
   const Similarity similar = similarity(view.points, scene.grey[0], detection.pose);
   detection.similarity = similar.value;

@@ -48,7 +48,7 @@ Mixture Coverage::at(cv::Point pixel) const {
       }
   if (nearest[0] > reach * 2) return mixture;
   if (nearest[1] > nearest[0] + 2 * side_) offsets[1] = offsets[0];
-  mixture.share = std::clamp(share_.at<float>(middle), kLeast, 1.f);
+  mixture.share = std::min(share_.at<float>(middle), 1.f);
   for (int k = 0; k < 2; ++k) mixture.beyond[k] = cv::Point2f(pixel + offsets[k]);
   return mixture;
 }
@@ -60,7 +60,7 @@ Unmixing::Unmixing(const std::vector<Mixture>& mixtures, cv::Point2d origin, std
     y_[k].assign(padded, kNowhere);
   }
   for (std::size_t i = 0; i < mixtures.size(); ++i) {
-    share_[i] = mixtures[i].share;
+    share_[i] = std::max(kLeast, mixtures[i].share);
     for (int k = 0; k < 2; ++k) {
       x_[k][i] = static_cast<float>(mixtures[i].beyond[k].x - origin.x);
       y_[k][i] = static_cast<float>(mixtures[i].beyond[k].y - origin.y);

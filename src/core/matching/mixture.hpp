@@ -24,8 +24,11 @@ class Coverage {
  public:
   Coverage(const MapGeometry& map, int level);
 
-  /// `pixel` [px, level 0] lies on the map. Without background near, the share is 1.
+  /// `pixel` [px, level 0] lies on the map or in the room around it. Without background near, the
+  /// share is 1.
   Mixture at(cv::Point pixel) const;
+
+  int room() const { return room_; }  ///< [px, level 0] the blur reaches beyond the map
 
  private:
   int side_, room_;

@@ -9,6 +9,7 @@
 namespace mbncc {
 namespace {
 
+constexpr double kRendered = 700;   // [px] area below which the edge has to settle the pose
 constexpr double kOtherSize = 0.1;  // beyond what heights and tilts bring
 
 cv::Mat grey_of(const View& view) {
@@ -143,6 +144,7 @@ PreparedView::PreparedView(const Source& source, Engine engine)
     if (level > 0) continue;
     fine = prepare(640, 200);
     dense = prepare(4000, 200);
+    if (shape.area() < kRendered) rendering = Rendering(from, anchor);
   }
   resized = {resized_by(1 - kOtherSize, fine), resized_by(1 + kOtherSize, fine)};
   symmetry = measure_symmetry(fine, shape, SceneLevel(source.view.template_image, 0),

@@ -1,0 +1,116 @@
+#include "matching/rendering.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "matching/padded_vectors.hpp"
+
+namespace mbncc {
+namespace {
+
+constexpr float kNowhere = -1e6f;     // lies outside of every picture
+constexpr float kLeastShare = 0.12f;  // of the object, from which on a point tells something
+constexpr float kPure = 0.98f;        // ... and from which on no background shows
+
+/// Of the learning picture at a place, or the nearest in it.
+cv::Vec3f colour_near(const cv::Mat& picture, cv::Point at) {
+  const int x = std::clamp(at.x, 0, picture.cols - 1), y = std::clamp(at.y, 0, picture.rows - 1);
+  return picture.at<cv::Vec3b>(y, x);
+}
+
+/// Of the object alone, at a pixel of the learning picture.
+cv::Vec3f unmixed_colour(const SurfaceTemplate::Source& source, cv::Point pixel,
+                         const Mixture& mixture) {
+  constexpr float kTold = 0.35f;  // share from which on it can be told from the background
+  if (mixture.share < kTold) return colour_near(source.surface.colour, pixel);
+  cv::Vec3f background;
+  for (const auto& place : mixture.beyond)
+    background += colour_near(source.picture.colour, place) / 2;
+  const cv::Vec3f seen = colour_near(source.picture.colour, pixel);
+  cv::Vec3f colour = (seen - (1 - mixture.share) * background) / mixture.share;
+  for (int c = 0; c < Rendering::kChannels; ++c) colour[c] = std::clamp(colour[c], 0.f, 255.f);
+  return colour;
+}
+
+/// Inwards, the longer the nearer the edge: what tilts a bevel to the light.
+cv::Point2f bevel_at(const SurfaceTemplate::Source& source, cv::Point pixel,
+                     const Mixture& mixture) {
+  constexpr float kDepth = 2.5f;  // [px]
+  const bool on_map = cv::Rect({0, 0}, source.map_size).contains(pixel);
+  const float depth = on_map ? source.map.depth(pixel) : 0;
+  if (depth > 0) return source.map.inward(pixel) * std::exp(-depth / kDepth);
+  const cv::Point2f inward = cv::Point2f(pixel) - mixture.beyond[0];
+  return inward / std::max(1e-6, cv::norm(inward));
+}
+
+}  // namespace
+
+/// A pixel of the learning picture that shows some of the object.
+struct Rendering::Site {
+  cv::Point2f at;  // [px] relative to the anchor, as `beyond`
+  std::array<cv::Point2f, 2> beyond;
+  float share;
+  cv::Vec3f colour;
+  cv::Point2f bevel;
+};
+
+Rendering::Rendering(const SurfaceTemplate::Source& source, cv::Point2d anchor) {
+  source.picture.prepare();
+  const auto sites = sites_of(source, anchor);
+  place(sites);
+  lay_out_light(sites);
+}
+
+std::vector<Rendering::Site> Rendering::sites_of(const SurfaceTemplate::Source& source,
+                                                 cv::Point2d anchor) {
+  const Coverage coverage(source.map, source.level);
+  const cv::Point2f origin(anchor);
+  std::vector<Site> sites;
+  for (int y = -coverage.room(); y < source.map_size.height + coverage.room(); ++y)
+    for (int x = -coverage.room(); x < source.map_size.width + coverage.room(); ++x) {
+      const cv::Point pixel(x, y);
+      const Mixture mixture = coverage.at(pixel);
+      if (mixture.share < kLeastShare) continue;
+      sites.push_back({cv::Point2f(pixel) - origin,
+                       {mixture.beyond[0] - origin, mixture.beyond[1] - origin},
+                       mixture.share,
+                       unmixed_colour(source, pixel, mixture),
+                       bevel_at(source, pixel, mixture)});
+    }
+  return sites;
+}
+
+void Rendering::place(const std::vector<Site>& sites) {
+  size = static_cast<double>(sites.size());
+  background.assign(whole_lanes(sites.size()), 0.f);
+  for (auto* places : {&points, &beyond[0], &beyond[1]})
+    for (auto& coordinate : *places) coordinate.assign(padded(), kNowhere);
+  const auto put = [this](Places& places, std::size_t i, cv::Point2f at) {
+    places[0][i] = at.x;
+    places[1][i] = at.y;
+    reach = std::max(reach, cv::norm(at));
+  };
+  for (std::size_t i = 0; i < sites.size(); ++i) {
+    put(points, i, sites[i].at);
+    radius = std::max(radius, cv::norm(sites[i].at));
+    if (sites[i].share > kPure) continue;
+    background[i] = 1 - sites[i].share;
+    for (int k = 0; k < 2; ++k) put(beyond[k], i, sites[i].beyond[k]);
+  }
+}
+
+void Rendering::lay_out_light(const std::vector<Site>& sites) {
+  light.assign(kLight * kChannels * padded(), 0.f);
+  for (int c = 0; c < kChannels; ++c)
+    for (std::size_t i = 0; i < sites.size(); ++i) {
+      const Site& site = sites[i];
+      const cv::Point2f across = site.at / radius;
+      std::array<float, kLight> terms{site.colour[c], 0,           0, 0, across.x, across.y,
+                                      site.bevel.x,   site.bevel.y};
+      terms[1 + c] = 1;
+      for (int k = 0; k < kLight; ++k)
+        light[(k * kChannels + c) * padded() + i] = (1 - background[i]) * terms[k];
+    }
+}
+
+}  // namespace mbncc

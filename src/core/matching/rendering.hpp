@@ -1,0 +1,49 @@
+// A small object as a camera shows it: its surface under smooth shading, mixed along its edge with
+// whatever background the picture has beside it. So few of its pixels lie off the edge that the
+// mixed ones have to tell where it lies and which way it is turned.
+#pragma once
+
+#include <array>
+#include <opencv2/core.hpp>
+#include <vector>
+
+#include "matching/surface_template.hpp"
+
+namespace mbncc {
+
+struct Rendering {
+  static constexpr int kChannels = SurfaceTemplate::kChannels;
+  /// Gain of the colours, an offset per channel, two of shading across the object, two of its rim.
+  static constexpr int kLight = 8;
+
+  /// Nothing to compare.
+  Rendering() = default;
+
+  /// The object at full resolution, about `anchor` [px].
+  Rendering(const SurfaceTemplate::Source& source, cv::Point2d anchor);
+
+  std::size_t padded() const { return background.size(); }  ///< points, in whole lanes
+
+  using Places = std::array<std::vector<float>, 2>;  ///< x and y [px] relative to the anchor
+
+  // All vectors are padded to whole lanes: places with such that lie nowhere, values with zeros.
+  Places points;
+  std::array<Places, 2> beyond;   ///< where each point's background shows alone
+  std::vector<float> background;  ///< [0..1] its share at each point
+  std::vector<float> light;       ///< kLight rows: per channel, what each term adds to each point
+  double size = 0;                ///< points
+  double radius = 1;              ///< [px] of the farthest point
+  double reach = 1;               ///< [px] of the farthest place of all
+
+ private:
+  struct Site;
+  static std::vector<Site> sites_of(const SurfaceTemplate::Source& source, cv::Point2d anchor);
+  void place(const std::vector<Site>& sites);
+  void lay_out_light(const std::vector<Site>& sites);
+};
+
+/// The pose near `start` [px] at which the rendering comes nearest to a picture at full resolution;
+/// `start` itself where nothing is nearer.
+Pose2D fit(const Rendering& object, const SceneLevel& scene, const Pose2D& start);
+
+}  // namespace mbncc
