@@ -12,6 +12,8 @@ namespace mbncc {
 /// it, an odd last row or column is left out. Stops early rather than make a level smaller than
 /// 4 x 4. `picture` has 8-bit or float channels.
 std::vector<cv::Mat> build_pyramid(const cv::Mat& picture, int top);
+/// The same into `levels`, using the memory of those above level 0 again.
+void build_pyramid(const cv::Mat& picture, int top, std::vector<cv::Mat>& levels);
 
 /// Where a point of level 0 lies in level `level`: pixel centres are at integers in both.
 inline cv::Point2d to_level(cv::Point2d point, int level) {

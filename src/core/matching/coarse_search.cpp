@@ -11,44 +11,6 @@
 namespace mbncc {
 namespace {
 
-constexpr int kMiddleGrey = 128;  // subtracted so that pixels fit the kernels' bounds
-
-/// The picture with room for the kernels around it, and running sums along its rows.
-struct PaddedPicture {
-  PaddedPicture(const cv::Mat& grey, int margin_pixels)
-      : margin(margin_pixels), stride(grey.cols + 2 * margin + 1) {
-    cv::Mat bordered;
-    cv::copyMakeBorder(grey, bordered, margin, margin, margin, margin + 1, cv::BORDER_REPLICATE);
-    const auto size = static_cast<std::size_t>(bordered.rows) * stride;
-    pixels.resize(size + kernels::kPositions);  // whole groups are read
-    sums.resize(size);
-    squares.resize(size);
-    for (int y = 0; y < bordered.rows; ++y) fill_row(bordered.ptr(y), y);
-  }
-
-  std::size_t index(int x, int y) const {
-    return static_cast<std::size_t>(y + margin) * stride + x + margin;
-  }
-
-  int margin, stride;
-  std::vector<std::int16_t> pixels;         // minus kMiddleGrey
-  std::vector<std::int32_t> sums, squares;  // of the pixels left of each
-
- private:
-  void fill_row(const uchar* row, int y) {
-    const std::size_t start = static_cast<std::size_t>(y) * stride;
-    std::int32_t sum = 0, square = 0;
-    for (int x = 0; x < stride; ++x) {
-      const int value = row[x] - kMiddleGrey;
-      pixels[start + x] = static_cast<std::int16_t>(value);
-      sums[start + x] = sum;
-      squares[start + x] = square;
-      sum += value;
-      square += value * value;
-    }
-  }
-};
-
 /// A rotated kernel as offsets into a padded picture: pairs of adjacent pixels, and runs.
 struct KernelOffsets {
   KernelOffsets(const RotatedKernel& kernel, int stride)
@@ -75,14 +37,15 @@ struct KernelOffsets {
 
 class CoarseSearch {
  public:
-  CoarseSearch(const KernelBank& bank, const cv::Mat& grey, const cv::Rect& roi,
+  /// `picture` has a margin of more than the bank's radius; `roi` lies in it.
+  CoarseSearch(const KernelBank& bank, const PaddedPicture& picture, const cv::Rect& roi,
                const RotationSector& sector = {}, const Places& places = {})
       : bank_(bank),
-        roi_(roi & cv::Rect({0, 0}, grey.size())),
+        roi_(roi),
         wanted_(places.of_positions(bank.level, roi_.tl(), 1, roi_.size())),
-        picture_(grey, bank.radius + 1) {
+        picture_(picture) {
     for (const auto& kernel : bank.kernels) {
-      offsets_.emplace_back(kernel, picture_.stride);
+      offsets_.emplace_back(kernel, picture_.stride());
       if (!sector.contains(kernel.angle)) offsets_.back().norm = 0;
     }
     best_.create(roi_.size(), CV_32FC1);
@@ -202,7 +165,7 @@ class CoarseSearch {
   const KernelBank& bank_;
   cv::Rect roi_;
   cv::Mat wanted_;  // CV_8UC1, roi's size: positions searched
-  PaddedPicture picture_;
+  const PaddedPicture& picture_;
   std::vector<KernelOffsets> offsets_;
   cv::Mat best_;  // CV_32FC1, roi's size: largest similarity over the rotations
   std::array<std::int32_t, kBlock> numerators_{};
@@ -212,15 +175,17 @@ class CoarseSearch {
 
 }  // namespace
 
-std::vector<Candidate> coarse_search(const KernelBank& bank, const cv::Mat& grey,
+std::vector<Candidate> coarse_search(const KernelBank& bank, const PaddedPicture& picture,
                                      const cv::Rect& roi, const CoarseSettings& settings,
                                      const RotationSector& sector, const Places& places) {
-  if ((roi & cv::Rect({0, 0}, grey.size())).empty()) return {};
-  return CoarseSearch(bank, grey, roi, sector, places).run(settings);
+  if (roi.empty()) return {};
+  return CoarseSearch(bank, picture, roi, sector, places).run(settings);
 }
 
 cv::Mat coarse_similarity(const KernelBank& bank, const cv::Mat& grey) {
-  return CoarseSearch(bank, grey, {{0, 0}, grey.size()}).correlate(0).clone();
+  PaddedPicture picture;
+  picture.fill(grey, bank.radius + 1);
+  return CoarseSearch(bank, picture, {{0, 0}, grey.size()}).correlate(0).clone();
 }
 
 }  // namespace mbncc

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "matching/candidate.hpp"
+#include "matching/padded_picture.hpp"
 #include "matching/places.hpp"
 #include "matching/rotated_kernels.hpp"
 #include "matching/rotation_sector.hpp"
@@ -19,15 +20,14 @@ struct CoarseSettings {
 };
 
 /// Local maxima over positions in `roi` [px at the bank's level] and `places` and over rotations in
-/// `sector`.
-/// `grey` is the pyramid's level of the bank, CV_8UC1; beyond its border it is continued by its
-/// edge values.
-std::vector<Candidate> coarse_search(const KernelBank& bank, const cv::Mat& grey,
+/// `sector`. `picture` is that level, with a margin of more than the bank's radius; `roi` lies in
+/// it.
+std::vector<Candidate> coarse_search(const KernelBank& bank, const PaddedPicture& picture,
                                      const cv::Rect& roi, const CoarseSettings& settings = {},
                                      const RotationSector& sector = {}, const Places& places = {});
 
 /// CV_32FC1 of grey's size: the largest similarity over all rotations at each position; where it is
-/// below 0 it is not worked out.
+/// below 0 it is not worked out. `grey` is the bank's level, CV_8UC1.
 cv::Mat coarse_similarity(const KernelBank& bank, const cv::Mat& grey);
 
 }  // namespace mbncc

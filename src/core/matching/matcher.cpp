@@ -13,7 +13,7 @@
 #include "matching/colour_cast.hpp"
 #include "matching/effort.hpp"
 #include "matching/prepared_object.hpp"
-#include "matching/scene_picture.hpp"
+#include "matching/scene_pool.hpp"
 #include "matching/selection.hpp"
 #include "matching/view_search.hpp"
 
@@ -118,6 +118,7 @@ int top_level(const ObjectList& objects) {
 struct Matcher::Implementation {
   SearchConfig config;
   ObjectList objects;
+  mutable ScenePool scenes;
 
   /// The objects a request asks for; the others' reasons go to `result.skipped`.
   ObjectList wanted(const SearchRequest& request, SearchResult& result) const;
@@ -184,12 +185,12 @@ void Matcher::set_limits(double min_score, int max_instances) {
 cv::Mat Matcher::score_map(const cv::Mat& picture, const SearchRequest& request) const {
   SearchResult ignored;
   const ObjectList objects = implementation_->wanted(request, ignored);
-  const ScenePicture scene(picture, top_level(objects));
-  cv::Mat best = cv::Mat::zeros(scene.size(), CV_32FC1);
+  const auto scene = implementation_->scenes.show(picture, top_level(objects));
+  cv::Mat best = cv::Mat::zeros(scene->size(), CV_32FC1);
   for (const auto& object : objects)
     for (const auto& view : object->views) {
       if (view.kernels.kernels.empty() || view.kernels.level == 0) continue;
-      const cv::Mat coarse = coarse_similarity(view.kernels, scene.grey[view.kernels.level]);
+      const cv::Mat coarse = coarse_similarity(view.kernels, scene->grey[view.kernels.level]);
       cv::Mat full;
       cv::resize(coarse, full, best.size(), 0, 0, cv::INTER_LINEAR);
       best = cv::max(best, full);
@@ -203,7 +204,8 @@ SearchResult Matcher::find(const cv::Mat& picture, const SearchRequest& request)
   SearchResult result;
   const ObjectList objects = implementation_->wanted(request, result);
   const bool many = objects.size() > kFewObjects && config.engine != "polar";
-  const ScenePicture scene(picture, top_level(objects), many);
+  ScenePool& scenes = implementation_->scenes;
+  const auto scene = scenes.show(picture, top_level(objects), many);
 
   const bool thorough = objects.size() <= kFewObjects && !request.sparing;
   const Look look = thorough ? Look::kTwice : Look::kSparing;
@@ -217,10 +219,10 @@ SearchResult Matcher::find(const cv::Mat& picture, const SearchRequest& request)
       searched[i] = 1;
     });
   };
-  search_all(scene);
+  search_all(*scene);
   if (many && picture.type() == CV_8UC3)
-    if (const auto cast = colour_cast(found, scene))
-      search_all(ScenePicture(without_cast(picture, *cast), top_level(objects), many));
+    if (const auto cast = colour_cast(found, *scene))
+      search_all(*scenes.show(without_cast(picture, *cast), top_level(objects), many));
 
   std::vector<Detection> detections;
   for (std::size_t i = 0; i < objects.size(); ++i) {

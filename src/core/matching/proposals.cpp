@@ -48,8 +48,9 @@ void Proposals::correlate(int most) {
   if (level == 0) return;  // too fine to search everywhere; the edges have to do
   CoarseSettings settings;
   settings.max_places = most;
-  correlated_ = coarse_search(view_.kernels, scene_.grey[level], at_level(roi_, level), settings,
-                              view_.sector, places_);
+  const cv::Rect inside = at_level(roi_, level) & cv::Rect({0, 0}, scene_.grey[level].size());
+  correlated_ = coarse_search(view_.kernels, *scene_.padded(level, view_.kernels.radius + 1),
+                              inside, settings, view_.sector, places_);
 }
 
 CandidatesPerLevel Proposals::by_edges(std::size_t most) const {

@@ -15,8 +15,9 @@ class ResponseMaps {
   static constexpr int kOrientations = 8;  ///< of a half turn
   static constexpr int kStep = 2;  ///< [px] between positions: responses are spread by one pixel
 
-  /// `edges` is an edge_picture(); `margin` [px] is even.
-  ResponseMaps(const cv::Mat& edges, int margin);
+  /// `edges` is an edge_picture(); `margin` [px] is even. Uses the memory of the last ones again,
+  /// and keeps their margin if that was larger.
+  void fill(const cv::Mat& edges, int margin);
 
   int margin() const { return margin_; }
   int stride() const { return stride_; }  ///< from a position of the search to the one below
@@ -33,7 +34,10 @@ class ResponseMaps {
  private:
   static constexpr int kPhases = kStep * kStep;
 
-  int margin_, stride_, plane_;
+  void make_room(cv::Size size, int margin);
+
+  cv::Size size_;
+  int margin_ = 0, stride_ = 0, plane_ = 0;
   std::vector<std::int8_t> values_;
 };
 

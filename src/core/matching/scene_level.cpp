@@ -15,24 +15,26 @@ int tiles_along(int pixels) {
 
 }  // namespace
 
-SceneLevel::SceneLevel(const cv::Mat& picture, int level)
-    : colour(picture.size(), CV_8UC3),
-      edges(picture.size(), CV_8SC2),
-      picture_(picture),
-      level_(level),
-      tile_columns_(tiles_along(picture.cols)),
-      tiles_(std::make_unique<Tiles>(static_cast<std::size_t>(tile_columns_) *
-                                     tiles_along(picture.rows))),
-      responses_(std::make_unique<SharedResponses>()) {}
+SceneLevel::SceneLevel() : responses_(std::make_unique<SharedByMargin<ResponseMaps>>()) {}
+
+SceneLevel::SceneLevel(const cv::Mat& picture, int level) : SceneLevel() {
+  show(picture, level);
+}
+
+void SceneLevel::show(const cv::Mat& picture, int level) {
+  colour.create(picture.size(), CV_8UC3);
+  edges.create(picture.size(), CV_8SC2);
+  picture_ = picture;
+  level_ = level;
+  tile_columns_ = tiles_along(picture.cols);
+  tiles_ =
+      std::make_unique<Tiles>(static_cast<std::size_t>(tile_columns_) * tiles_along(picture.rows));
+  responses_->forget();
+}
 
 std::shared_ptr<const ResponseMaps> SceneLevel::responses(int margin) const {
-  constexpr int kGrain = 16;  // few different margins, so that larger objects seldom ask for more
-  const int wanted = (margin + kGrain - 1) / kGrain * kGrain;
   prepare();
-  const std::lock_guard<std::mutex> lock(responses_->preparing);
-  auto& maps = responses_->maps;
-  if (!maps || maps->margin() < wanted) maps = std::make_shared<ResponseMaps>(edges, wanted);
-  return maps;
+  return responses_->get(edges, margin);
 }
 
 void SceneLevel::prepare_around(const Pose2D& pose, double reach) const {

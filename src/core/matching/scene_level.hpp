@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "matching/response_maps.hpp"
+#include "matching/shared_by_margin.hpp"
 #include "mbncc/geometry.hpp"
 
 namespace mbncc {
@@ -17,8 +18,14 @@ namespace mbncc {
 /// threads may ask at a time.
 class SceneLevel {
  public:
-  /// `picture` is CV_8UC3; it is smoothed a little against noise, more at level 0.
+  SceneLevel();
   SceneLevel(const cv::Mat& picture, int level);
+
+  /// Takes `picture`, CV_8UC3, in the memory of the last one; it is smoothed a little against
+  /// noise, more at level 0.
+  void show(const cv::Mat& picture, int level);
+  /// Lets the picture go, and keeps the memory.
+  void forget() { picture_.release(); }
 
   cv::Size size() const { return colour.size(); }
 
@@ -27,7 +34,7 @@ class SceneLevel {
   /// Prepares what lies within `reach` [px] and some slack about `pose`.
   void prepare_around(const Pose2D& pose, double reach) const;
 
-  /// Of all of its edges, with a margin of at least `margin` [px]; kept for whoever asks next.
+  /// Of all of its edges, with a margin of at least `margin` [px].
   std::shared_ptr<const ResponseMaps> responses(int margin) const;
 
   // Valid only where prepared.
@@ -42,18 +49,13 @@ class SceneLevel {
     std::mutex preparing;
   };
 
-  struct SharedResponses {
-    std::mutex preparing;
-    std::shared_ptr<const ResponseMaps> maps;
-  };
-
   void prepare(const cv::Rect& region) const;
   void prepare_tile(int column, int row) const;
 
   cv::Mat picture_;
-  int level_, tile_columns_;
+  int level_ = 0, tile_columns_ = 0;
   std::unique_ptr<Tiles> tiles_;
-  std::unique_ptr<SharedResponses> responses_;
+  std::unique_ptr<SharedByMargin<ResponseMaps>> responses_;
 };
 
 }  // namespace mbncc

@@ -8,21 +8,18 @@
 namespace mbncc {
 namespace {
 
-cv::Mat to_colour(const cv::Mat& picture) {
-  if (picture.type() == CV_8UC3) return picture;
-  cv::Mat colour;
-  cv::cvtColor(picture, colour, cv::COLOR_GRAY2BGR);
-  return colour;
-}
-
-}  // namespace
-
-cv::Mat grey_picture(const cv::Mat& picture) {
+void check(const cv::Mat& picture) {
   constexpr int kSmallest = 16;
   if (picture.type() != CV_8UC3 && picture.type() != CV_8UC1)
     throw std::invalid_argument("a picture to search must be 8-bit colour or grey");
   if (picture.cols < kSmallest || picture.rows < kSmallest)
     throw std::invalid_argument("a picture to search must have at least 16 x 16 pixels");
+}
+
+}  // namespace
+
+cv::Mat grey_picture(const cv::Mat& picture) {
+  check(picture);
   if (picture.type() == CV_8UC1) return picture;
   cv::Mat grey;
   cv::cvtColor(picture, grey, cv::COLOR_BGR2GRAY);
@@ -30,11 +27,30 @@ cv::Mat grey_picture(const cv::Mat& picture) {
 }
 
 ScenePicture::ScenePicture(const cv::Mat& picture, int top_level, bool with_classes) {
-  grey = build_pyramid(grey_picture(picture), top_level);
-  const auto colours = build_pyramid(to_colour(picture), top_level);
-  for (std::size_t level = 0; level < colours.size(); ++level)
-    levels.emplace_back(colours[level], static_cast<int>(level));
-  if (with_classes) classes.emplace(colours);
+  show(picture, top_level, with_classes);
+}
+
+void ScenePicture::show(const cv::Mat& picture, int top_level, bool with_classes) {
+  check(picture);
+  const bool in_colour = picture.type() == CV_8UC3;
+  cv::cvtColor(picture, converted_, in_colour ? cv::COLOR_BGR2GRAY : cv::COLOR_GRAY2BGR);
+  build_pyramid(in_colour ? converted_ : picture, top_level, grey);
+  build_pyramid(in_colour ? picture : converted_, top_level, colours_);
+  levels.resize(colours_.size());
+  padded_.resize(grey.size());
+  for (std::size_t level = 0; level < levels.size(); ++level) {
+    levels[level].show(colours_[level], static_cast<int>(level));
+    if (!padded_[level]) padded_[level] = std::make_unique<SharedByMargin<PaddedPicture>>();
+    padded_[level]->forget();
+  }
+  classes.reset();
+  if (with_classes) classes.emplace(colours_);
+}
+
+void ScenePicture::forget() {
+  for (auto* pyramid : {&grey, &colours_})
+    if (!pyramid->empty()) pyramid->front().release();
+  if (!levels.empty()) levels.front().forget();
 }
 
 }  // namespace mbncc

@@ -1,12 +1,15 @@
 // What is computed once per picture and shared by all objects.
 #pragma once
 
+#include <memory>
 #include <opencv2/core.hpp>
 #include <optional>
 #include <vector>
 
 #include "matching/colour_classes.hpp"
+#include "matching/padded_picture.hpp"
 #include "matching/scene_level.hpp"
+#include "matching/shared_by_margin.hpp"
 
 namespace mbncc {
 
@@ -14,15 +17,31 @@ namespace mbncc {
 cv::Mat grey_picture(const cv::Mat& picture);
 
 struct ScenePicture {
-  /// `picture` as for grey_picture(). `with_classes`: what the colour gates need, too.
+  ScenePicture() = default;
   ScenePicture(const cv::Mat& picture, int top_level, bool with_classes = false);
+
+  /// Takes `picture`, as for grey_picture(), in the memory of the last one. `with_classes`: what
+  /// the colour gates need, too.
+  void show(const cv::Mat& picture, int top_level, bool with_classes = false);
+  /// Lets the caller's picture go, and keeps the memory.
+  void forget();
 
   int top_level() const { return static_cast<int>(grey.size()) - 1; }
   cv::Size size() const { return grey.front().size(); }
 
+  /// Of grey[level], with a margin of at least `margin` [px].
+  std::shared_ptr<const PaddedPicture> padded(int level, int margin) const {
+    return padded_[level]->get(grey[level], margin);
+  }
+
   std::vector<cv::Mat> grey;       ///< CV_8UC1 pyramid
   std::vector<SceneLevel> levels;  ///< as many
   std::optional<ClassPictures> classes;
+
+ private:
+  cv::Mat converted_;  // from colour to grey or back
+  std::vector<cv::Mat> colours_;
+  std::vector<std::unique_ptr<SharedByMargin<PaddedPicture>>> padded_;
 };
 
 }  // namespace mbncc

@@ -1,0 +1,33 @@
+// A grey picture as the coarse search by correlation reads it.
+#pragma once
+
+#include <cstdint>
+#include <opencv2/core.hpp>
+#include <vector>
+
+namespace mbncc {
+
+/// The picture with room for kernels around it, where its edge values go on, and running sums along
+/// its rows.
+class PaddedPicture {
+ public:
+  /// `grey` is CV_8UC1. Uses the memory of the last one again.
+  void fill(const cv::Mat& grey, int margin);
+
+  int margin() const { return margin_; }
+  int stride() const { return stride_; }
+
+  std::size_t index(int x, int y) const {
+    return static_cast<std::size_t>(y + margin_) * stride_ + x + margin_;
+  }
+
+  std::vector<std::int16_t> pixels;         ///< less a middle grey, so that they fit the kernels
+  std::vector<std::int32_t> sums, squares;  ///< of the pixels left of each
+
+ private:
+  void fill_row(const uchar* row, std::size_t start);
+
+  int margin_ = 0, stride_ = 0;
+};
+
+}  // namespace mbncc
