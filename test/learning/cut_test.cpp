@@ -180,6 +180,15 @@ TEST(CleanMap, KeepsASmallGroupThatIsWanted) {
   EXPECT_EQ(cv::norm(map, all, cv::NORM_INF), 0);
 }
 
+TEST(CleanMap, SpecksGoAndThinPartsStay) {
+  cv::Mat map = cv::Mat::zeros(30, 40, CV_8UC1);
+  cv::line(map, {5, 5}, {14, 14}, cv::Scalar(255));
+  const cv::Mat thin = map.clone();
+  map(cv::Rect(25, 20, 3, 2)).setTo(255);
+  remove_specks(map, 8);
+  EXPECT_EQ(cv::countNonZero(map != thin), 0);
+}
+
 TEST(CleanMap, FillsSpecksButNotHoles) {
   cv::Mat map = cv::Mat::zeros(100, 100, CV_8UC1);
   map(cv::Rect(10, 10, 60, 60)).setTo(255);

@@ -12,6 +12,7 @@
 #include "learning/cut_evidence.hpp"
 #include "learning/graph_cut.hpp"
 #include "learning/half_smoothness.hpp"
+#include "learning/line_evidence.hpp"
 #include "learning/moved_neighbour.hpp"
 #include "learning/rectangles.hpp"
 #include "learning/smoothness.hpp"
@@ -24,11 +25,14 @@ constexpr float kUnaryWeight = 1.15F;  // against the smoothness
 constexpr double kSureness = 4;  // power of the change's probability that colours are weighted by
 constexpr double kRimWeight = 0.3;  // of the outermost pixels' colours
 constexpr float kRimDoubt = 3.5F;   // unary taken from the pixels on both sides of the last outline
+constexpr float kLineWeight = 3;    // of what speaks for a thin part
+constexpr float kLineLeast = 0.3F;  // mean unary along a line from which on it does
 constexpr float kHighestUnary = 60;
 constexpr float kVoice = 8;          // highest unary of one of two views
 constexpr float kForced = 1000;      // unary of painted pixels
 constexpr float kArrivalUnary = 12;  // log-likelihood ratio given to arrivals
 constexpr int kFewestPixels = 30;    // of a seed worth cutting
+constexpr int kSpeck = 8;            // [px] smaller changed patches are noise
 
 // What one round of cutting works on; all pictures have the crop's size.
 class Cutter {
@@ -50,8 +54,7 @@ class Cutter {
   // The changed pixels that the foreground's colours are first learned from.
   bool seed() {
     map_ = (background_.changed > 0.5) & inside_;
-    cv::morphologyEx(map_, map_, cv::MORPH_OPEN,
-                     cv::getStructuringElement(cv::MORPH_ELLIPSE, {3, 3}));
+    remove_specks(map_, kSpeck);
     exclude_moved_neighbours();
     exclude(find_arrivals(before_, after_, map_, platform_));
     keep_main_groups(map_, background_.changed);
@@ -179,6 +182,7 @@ class Cutter {
     cv::Mat unary;
     cv::log((1 - kAnyColour) * relative_density(object) + kAnyColour, unary);
     unary = kUnaryWeight * (unary - background_.log_ratio);
+    unary += kLineWeight * cv::max(line_evidence(unary) - kLineLeast, 0);
     if (!coarse_.empty()) cv::subtract(unary, kRimDoubt, unary, rim_of(map_));
     unary = cv::max(cv::min(unary, kHighestUnary), -kHighestUnary);
     if (!other_view_.empty()) unary = voice_of(unary) + other_view_;

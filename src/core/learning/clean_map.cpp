@@ -57,6 +57,14 @@ void keep_main_groups(cv::Mat& map, const cv::Mat& weight, const cv::Mat& wanted
       if (weights[labels.at<int>(y, x)] < least) map.at<uchar>(y, x) = 0;
 }
 
+void remove_specks(cv::Mat& map, int area) {
+  cv::Mat labels, stats, centres;
+  cv::connectedComponentsWithStats(map, labels, stats, centres, 8, CV_32S);
+  for (int y = 0; y < map.rows; ++y)
+    for (int x = 0; x < map.cols; ++x)
+      if (stats.at<int>(labels.at<int>(y, x), cv::CC_STAT_AREA) < area) map.at<uchar>(y, x) = 0;
+}
+
 void fill_holes(cv::Mat& map, int area) {
   cv::Mat background, labels, stats, centres;
   cv::copyMakeBorder(255 - map, background, 1, 1, 1, 1, cv::BORDER_CONSTANT, cv::Scalar(255));

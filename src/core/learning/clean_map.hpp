@@ -10,10 +10,14 @@ namespace mbncc {
 /// as 0); empty: each pixel 1.
 void keep_main_groups(cv::Mat& map, const cv::Mat& weight, const cv::Mat& wanted = {}, int gap = 3);
 
+/// Removes connected pieces of fewer than `area` pixels.
+void remove_specks(cv::Mat& map, int area);
+
 /// Fills enclosed holes of at most `area` pixels.
 void fill_holes(cv::Mat& map, int area);
 
-/// Both of the above, and a 3 x 3 median against ragged outlines. Holes go up to .2 % of the map.
+/// Main groups with holes filled, and a 3 x 3 median against ragged outlines. Holes go up to .2 %
+/// of the map.
 cv::Mat clean_map(const cv::Mat& raw, const cv::Mat& weight = {}, const cv::Mat& wanted = {});
 
 }  // namespace mbncc
