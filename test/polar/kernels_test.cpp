@@ -267,6 +267,25 @@ TEST_P(Kernels, DotsEqualReference) {
   }
 }
 
+TEST_P(Kernels, DotPairsEqualReference) {
+  constexpr int kPairs = 6;
+  const int padded = (count() + kLanes - 1) / kLanes * kLanes;
+  std::vector<float> values((kPairs + 1) * padded + misalignment());
+  std::normal_distribution<float> value(0, 30);
+  for (auto& v : values) v = value(random_);
+  const float *a[kPairs], *b[kPairs];
+  for (int k = 0; k < kPairs; ++k) {
+    a[k] = values.data() + misalignment() + k * padded;
+    b[k] = a[k / 2] + padded;
+  }
+  std::vector<float> expected(kPairs), actual(kPairs);
+  reference().dot_pairs_rows(a, b, kPairs, padded, expected.data());
+  for (const auto& target : targets()) {
+    target.table->dot_pairs_rows(a, b, kPairs, padded, actual.data());
+    EXPECT_EQ(expected, actual) << target.name;
+  }
+}
+
 TEST_P(Kernels, NormaliseEqualsReference) {
   const auto numerators = random_values<std::int32_t>(count(), -300000, 300000);
   const auto sums = random_values<std::int32_t>(count(), -4000, 4000);

@@ -16,17 +16,25 @@ constexpr int kChannels = SurfaceTemplate::kChannels;
 /// Gain within bounds and offset that fit the template's colours to the picture's.
 kernels::Gain fit_gain(const SurfaceTemplate& surface, const SurfaceSample& sample) {
   constexpr double kPrior = 100;  // [grey^2] pulls the gain of plain surfaces to 1
+  const auto& planes = surface.planes;
+  const float* inside = sample.inside.data();
+  const auto visible =
+      products<4>({planes[0].data(), planes[1].data(), planes[2].data(), surface.energy.data()},
+                  {inside, inside, inside, inside}, surface.padded());
+  const auto common =
+      products<3>({planes[0].data(), planes[1].data(), planes[2].data()},
+                  {sample.planes[0].data(), sample.planes[1].data(), sample.planes[2].data()},
+                  surface.padded());
   double t = 0, s = 0, ts = 0;
-  const double tt = product(surface.energy, sample.inside.data());
+  const double tt = visible[kChannels];
   for (int c = 0; c < kChannels; ++c) {
-    const std::vector<float>& plane = surface.planes[c];
-    const double inside = product(plane, sample.inside.data());
-    t += inside;
+    t += visible[c];
     s += sample.means[c] * static_cast<double>(sample.visible);
-    ts += product(plane, sample.planes[c].data());
+    ts += common[c];
     // Outside, the sample holds its mean.
     if (sample.visible < sample.points)
-      ts -= sample.means[c] * (std::accumulate(plane.begin(), plane.end(), 0.0) - inside);
+      ts -=
+          sample.means[c] * (std::accumulate(planes[c].begin(), planes[c].end(), 0.0) - visible[c]);
   }
   const double count = kChannels * static_cast<double>(sample.visible);
   const double variance = tt / count - t / count * (t / count);

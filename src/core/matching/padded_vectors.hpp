@@ -1,6 +1,7 @@
 // Arithmetic on vectors padded with zeros to whole lanes (see polar/kernels.hpp).
 #pragma once
 
+#include <array>
 #include <vector>
 
 #include "polar/kernels.hpp"
@@ -17,6 +18,16 @@ inline double product(const std::vector<float>& a, const float* b) {
   float sum = 0;
   kernels::dots(a.data(), a.size(), 1, b, static_cast<int>(a.size()), &sum);
   return sum;
+}
+
+/// Scalar products of pairs of vectors of `count` values, several at a time.
+template <std::size_t kPairs>
+std::array<float, kPairs> products(const std::array<const float*, kPairs>& a,
+                                   const std::array<const float*, kPairs>& b, std::size_t count) {
+  std::array<float, kPairs> found;
+  kernels::dot_pairs(a.data(), b.data(), static_cast<int>(kPairs), static_cast<int>(count),
+                     found.data());
+  return found;
 }
 
 /// from -= factor * what.

@@ -17,11 +17,16 @@ void SurfaceTemplate::sample(const SceneLevel& scene, const Pose2D& pose,
                            sample.planes[2].data(), sample.inside.data()});
   if (!unmixing_.empty()) unmixing_.apply(scene, pose, sample.inside, sample.planes);
   sample.points = size();
-  sample.visible = static_cast<std::size_t>(product(sample.inside, sample.inside.data()) + 0.5);
+  const float* inside = sample.inside.data();
+  const auto [count, blue, green, red] = products<4>(
+      {inside, inside, inside, inside},
+      {inside, sample.planes[0].data(), sample.planes[1].data(), sample.planes[2].data()},
+      padded());
+  sample.visible = static_cast<std::size_t>(count + 0.5);
   if (sample.visible == 0) return;
+  const double sums[] = {blue, green, red};
   for (int c = 0; c < kChannels; ++c) {
-    sample.means[c] =
-        product(sample.inside, sample.planes[c].data()) / static_cast<double>(sample.visible);
+    sample.means[c] = sums[c] / static_cast<double>(sample.visible);
     if (sample.visible == size()) continue;
     for (std::size_t i = 0; i < size(); ++i)
       if (sample.inside[i] == 0) sample.planes[c][i] = static_cast<float>(sample.means[c]);
@@ -29,14 +34,18 @@ void SurfaceTemplate::sample(const SceneLevel& scene, const Pose2D& pose,
 }
 
 SurfaceTemplate::Remainder SurfaceTemplate::remainder(const SurfaceSample& sample) const {
-  float products[ShadingBasis::kMostRows];
+  const float *blue = sample.planes[0].data(), *green = sample.planes[1].data(),
+              *red = sample.planes[2].data();
+  const auto common = products<3>({projected[0].data(), projected[1].data(), projected[2].data()},
+                                  {blue, green, red}, padded());
+  const auto energy = products<3>({blue, green, red}, {blue, green, red}, padded());
+  float in_basis[ShadingBasis::kMostRows];
   Remainder remainder;
   for (int c = 0; c < kChannels; ++c) {
-    const float* values = sample.planes[c].data();
-    remainder.energy += product(sample.planes[c], values);
-    remainder.common += product(projected[c], values);
-    basis.products(values, products);
-    for (int k = 0; k < basis.size(); ++k) remainder.energy -= products[k] * products[k];
+    remainder.energy += energy[c];
+    remainder.common += common[c];
+    basis.products(sample.planes[c].data(), in_basis);
+    for (int k = 0; k < basis.size(); ++k) remainder.energy -= in_basis[k] * in_basis[k];
   }
   remainder.energy = std::max(0.0, remainder.energy);
   return remainder;

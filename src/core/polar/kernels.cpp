@@ -158,4 +158,9 @@ void dots(const float* rows, std::size_t stride, int row_count, const float* vec
   active().table->dots_rows(rows, stride, row_count, vector, count, products);
 }
 
+void dot_pairs(const float* const* a, const float* const* b, int pairs, int count,
+               float* products) {
+  active().table->dot_pairs_rows(a, b, pairs, count, products);
+}
+
 }  // namespace mbncc::kernels

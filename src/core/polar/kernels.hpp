@@ -97,13 +97,17 @@ void strongest_of_three(const std::int16_t* along_x, const std::int16_t* along_y
 /// Edge vectors (see edge_picture.hpp) of `count` gradient pairs in eighths of a grey level.
 void edge_vectors(const std::int16_t* gradients, std::int8_t* edges, int count);
 
-/// Lanes in which dots() adds up; vectors are padded with zeros to a multiple of it.
+/// Lanes in which dots() and dot_pairs() add up, and then in halves: the first eight plus the last
+/// eight, and so on. Vectors are padded with zeros to a multiple of it.
 constexpr int kLanes = 16;
 
-/// products[k] = sum_i rows[k stride + i] vector[i] for i in [0, count), k in [0, row_count), added
-/// up in kLanes partial sums. `count` is a multiple of kLanes; rows may overlap.
+/// products[k] = sum_i rows[k stride + i] vector[i] for i in [0, count), k in [0, row_count).
+/// `count` is a multiple of kLanes; rows may overlap.
 void dots(const float* rows, std::size_t stride, int row_count, const float* vector, int count,
           float* products);
+
+/// products[k] = sum_i a[k][i] b[k][i] for k in [0, pairs), i as above.
+void dot_pairs(const float* const* a, const float* const* b, int pairs, int count, float* products);
 
 /// One set of kernels.
 struct Table {
@@ -120,6 +124,7 @@ struct Table {
   decltype(&strongest_of_three) strongest_of_three_row;
   decltype(&edge_vectors) edge_vectors_row;
   decltype(&dots) dots_rows;
+  decltype(&dot_pairs) dot_pairs_rows;
 };
 
 struct Target {

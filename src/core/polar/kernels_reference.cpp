@@ -145,14 +145,22 @@ void edge_vectors_reference(const std::int16_t* gradients, std::int8_t* edges, i
   }
 }
 
+float dot(const float* a, const float* b, int count) {
+  float partial[kLanes] = {};
+  for (int i = 0; i < count; ++i) partial[i % kLanes] += a[i] * b[i];
+  for (int lanes = kLanes / 2; lanes > 0; lanes /= 2)
+    for (int lane = 0; lane < lanes; ++lane) partial[lane] += partial[lane + lanes];
+  return partial[0];
+}
+
 void dots_reference(const float* rows, std::size_t stride, int row_count, const float* vector,
                     int count, float* products) {
-  for (int k = 0; k < row_count; ++k) {
-    float partial[kLanes] = {};
-    for (int i = 0; i < count; ++i) partial[i % kLanes] += rows[k * stride + i] * vector[i];
-    products[k] = 0;
-    for (float sum : partial) products[k] += sum;
-  }
+  for (int k = 0; k < row_count; ++k) products[k] = dot(rows + k * stride, vector, count);
+}
+
+void dot_pairs_reference(const float* const* a, const float* const* b, int pairs, int count,
+                         float* products) {
+  for (int k = 0; k < pairs; ++k) products[k] = dot(a[k], b[k], count);
 }
 
 }  // namespace
@@ -163,7 +171,7 @@ const Table& reference() {
       normalise_reference,   best_responses_reference,     edge_responses_reference,
       spread_rows_reference, smooth_columns_reference,     smooth_along_row_reference,
       slopes_reference,      strongest_of_three_reference, edge_vectors_reference,
-      dots_reference};
+      dots_reference,        dot_pairs_reference};
   return table;
 }
 
