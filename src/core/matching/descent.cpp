@@ -46,12 +46,29 @@ class Descent {
   void enter_finer(int level, CandidatesPerLevel& entering) const {
     auto coarse = std::move(entering[level]);
     step_down(coarse);
+    keep_those_on_edges(level - 1, coarse);
     for (auto& candidate : coarse) {
       candidate.pose =
           climb(view_.rough[level - 1], scene_.levels[level - 1], candidate.pose, 2).pose;
       entering[level - 1].push_back(candidate);
     }
     entering[level].clear();
+  }
+
+  /// Climbing is dear, and most proposals of a narrow outline lie on nothing.
+  void keep_those_on_edges(int level, std::vector<Candidate>& candidates) const {
+    constexpr std::size_t kMost = 600;
+    constexpr int kReach = 1;  // [px]
+    const PoseTemplate& object = view_.rough[level];
+    const SceneLevel& scene = scene_.levels[level];
+    ContourSample sample;
+    for (auto& candidate : candidates) {
+      scene.prepare_around(candidate.pose, object.reach());
+      read_contour(object.contour, scene.edges, candidate.pose, kReach, sample);
+      candidate.value = contour_agreement(object.contour, sample);
+    }
+    sort_by_value(candidates);
+    if (candidates.size() > kMost) candidates.resize(kMost);
   }
 
   void admit(int level, std::vector<Candidate>& entering,

@@ -10,6 +10,10 @@
 namespace mbncc {
 namespace {
 
+/// Thin objects would be correlated at finer levels: for up to a yardstick, and where edges left
+/// anything open in drawn pictures, that found nothing.
+constexpr int kFinest = 2;
+
 cv::Rect at_level(const cv::Rect& roi, int level) {
   const int side = 1 << level;
   const cv::Point low(roi.x / side, roi.y / side);
@@ -45,7 +49,7 @@ void Proposals::add_rotations_by_surface(const Candidate& place) {
 
 void Proposals::correlate(int most) {
   const int level = view_.kernels.level;
-  if (level == 0) return;  // too fine to search everywhere; the edges have to do
+  if (level < kFinest) return;  // the edges have to do
   CoarseSettings settings;
   settings.max_places = most;
   const cv::Rect inside = at_level(roi_, level) & cv::Rect({0, 0}, scene_.grey[level].size());
