@@ -26,6 +26,7 @@ class RenderingFit {
     std::copy(object.light.begin(), object.light.end(), rows_.begin());
     weights_.assign(count, 1.f);
     residual_.resize(count);
+    inside_.resize(count);
   }
 
   Pose2D run(const Pose2D& start) {
@@ -55,6 +56,9 @@ class RenderingFit {
   bool look_at(const Pose2D& pose) {
     read(pose, seen_);
     std::copy(seen_.values.begin(), seen_.values.end(), row(kSeen));
+    for (int c = 0; c < Rendering::kChannels; ++c)
+      std::copy(seen_.inside.begin(), seen_.inside.end(),
+                inside_.begin() + static_cast<std::ptrdiff_t>(c * object_.padded()));
     return 2 * product(seen_.inside, seen_.inside.data()) >= object_.size;
   }
 
@@ -69,14 +73,12 @@ class RenderingFit {
     update_residual();
     std::vector<float> sizes;
     for (std::size_t i = 0; i < count(); ++i)
-      if (inside(i) > 0) sizes.push_back(std::abs(residual_[i]));
+      if (inside_[i] > 0) sizes.push_back(std::abs(residual_[i]));
     const auto middle = sizes.begin() + static_cast<std::ptrdiff_t>(sizes.size() / 2);
     std::nth_element(sizes.begin(), middle, sizes.end());
     scale_ = std::max(kQuantised, 2 * *middle);
     return weigh();
   }
-
-  float inside(std::size_t i) const { return seen_.inside[i % object_.padded()]; }
 
   /// What the best light leaves unexplained.
   void update_residual() {
@@ -97,6 +99,7 @@ class RenderingFit {
   const SceneLevel& scene_;
   std::vector<float> rows_;  // light, less the slopes of what is seen [per px], what is seen
   std::vector<float> weights_, residual_;
+  std::vector<float> inside_;  // that of what is seen, for each channel
   Reading seen_;
   float scale_ = 1;  // [grey levels] of residuals that count half
 };
@@ -142,11 +145,13 @@ void RenderingFit::differentiate(const Pose2D& pose) {
     read(before, low);
     read(after, high);
     float* const slopes = row(kLight + k);
-    for (std::size_t i = 0; i < count(); ++i) {
-      const std::size_t point = i % object_.padded();
-      const bool known = low.inside[point] > 0 && high.inside[point] > 0;
-      slopes[i] = known ? (low.values[i] - high.values[i]) / static_cast<float>(2 * kStep) : 0.f;
-    }
+    const std::size_t padded = object_.padded();
+    for (std::size_t first = 0; first < count(); first += padded)
+      for (std::size_t point = 0; point < padded; ++point) {
+        const std::size_t i = first + point;
+        const bool known = low.inside[point] > 0 && high.inside[point] > 0;
+        slopes[i] = known ? (low.values[i] - high.values[i]) / static_cast<float>(2 * kStep) : 0.f;
+      }
   }
 }
 
@@ -157,7 +162,8 @@ cv::Mat1d RenderingFit::solve(int unknowns) {
   weighted.resize(count());
   cv::Mat1d products(unknowns, unknowns), sums(unknowns, 1);
   for (int k = 0; k < unknowns; ++k) {
-    for (std::size_t i = 0; i < count(); ++i) weighted[i] = weights_[i] * inside(i) * row(k)[i];
+    const float* const values = row(k);
+    for (std::size_t i = 0; i < count(); ++i) weighted[i] = weights_[i] * inside_[i] * values[i];
     float found[kRows];
     kernels::dots(rows_.data(), count(), kRows, weighted.data(), static_cast<int>(count()), found);
     for (int j = 0; j < unknowns; ++j) products(k, j) = found[j];
@@ -181,8 +187,8 @@ double RenderingFit::weigh() {
   for (std::size_t i = 0; i < count(); ++i) {
     const float square = residual_[i] * residual_[i] / (scale_ * scale_);
     weights_[i] = 1 / ((1 + square) * (1 + square));
-    misfit += inside(i) * square / (1 + square);
-    inside_count += inside(i);
+    misfit += inside_[i] * square / (1 + square);
+    inside_count += inside_[i];
   }
   return misfit / inside_count;
 }
