@@ -67,7 +67,7 @@ TEST_F(ClimbTest, NeverGetsWorse) {
   }
 }
 
-TEST_F(ClimbTest, SettlesOnASurfaceToAFractionOfAPixelAndSaysSo) {
+TEST_F(ClimbTest, SettlesOnASurfaceToAFractionOfAPixel) {
   const test::LearningPicture source = lesson(true);
   const auto object = test::object_from(source, {kReference.x, kReference.y, 0});
   const PreparedView view(object->views.front(), Engine::kFast);
@@ -75,12 +75,9 @@ TEST_F(ClimbTest, SettlesOnASurfaceToAFractionOfAPixelAndSaysSo) {
   const SceneLevel scene(scene_with(source, true, truth), 0);
   const Pose2D anchor = compose(truth, inverse(view.reference_in_anchor));
   const Climbed settled =
-      settle(view.dense, scene, {anchor.x + 0.6, anchor.y - 0.5, anchor.theta + 0.01}, 10);
+      settle(view.fine, scene, {anchor.x + 0.6, anchor.y - 0.5, anchor.theta + 0.01}, 10);
   EXPECT_LT(cv::norm(settled.pose.position() - anchor.position()), 0.1);
   EXPECT_LT(angle_distance(settled.pose.theta, anchor.theta), 0.1 * kDegree);
-  EXPECT_GT(settled.covariance(0, 0), 0);
-  EXPECT_LT(std::sqrt(settled.covariance(0, 0)), 0.3);
-  EXPECT_LT(std::sqrt(settled.covariance(2, 2)), 0.5 * kDegree);
 }
 
 }  // namespace

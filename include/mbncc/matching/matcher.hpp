@@ -17,8 +17,8 @@ namespace mbncc {
 struct Match {
   std::string name;
   std::uint32_t revision = 0;
-  Pose2D pose;              ///< [px],[rad] object frame: reference point and direction
-  double scale = 1;         ///< relative to the learning picture, of those searched the likeliest
+  Pose2D pose;       ///< [px],[rad] object frame: reference point and direction
+  double scale = 1;  ///< relative to the learning picture; that searched unless another is clear
   cv::Matx33d covariance;   ///< of pose: x, y, theta [px^2, px rad, rad^2]
   double score = 0;         ///< [0..1] acceptance score
   double log_odds = 0;      ///< that the object lies here; the fused score is its logistic

@@ -53,13 +53,13 @@ void ContourTemplate::resize(double factor) {
 }
 
 void read_contour(const ContourTemplate& contour, const cv::Mat& edges, const Pose2D& pose,
-                  int reach, ContourSample& sample) {
+                  int reach, ContourSample& sample, double scale) {
   const std::size_t lanes = contour.x.size();
   for (auto* values : {&sample.response, &sample.seen, &sample.pull, &sample.moment})
     values->resize(lanes);
   kernels::read_along_normals(
       view_of(edges), {contour.x.data(), contour.y.data(), static_cast<int>(lanes)},
-      contour.normal_x.data(), contour.normal_y.data(), placement_of(pose), reach,
+      contour.normal_x.data(), contour.normal_y.data(), placement_of(pose, scale), reach,
       {sample.response.data(), sample.seen.data(), sample.pull.data(), sample.moment.data()});
 }
 

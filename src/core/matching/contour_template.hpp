@@ -45,9 +45,10 @@ struct ContourSample {
   std::vector<float> response, seen, pull, moment;  ///< as long as the contour's vectors
 };
 
-/// Reads `edges`, an edge_picture(), at `pose`, up to `reach` [px] along the normals.
+/// Reads `edges`, an edge_picture(), at `pose`, up to `reach` [px] along the normals, the contour
+/// `scale` times (near 1) as large as the template.
 void read_contour(const ContourTemplate& contour, const cv::Mat& edges, const Pose2D& pose,
-                  int reach, ContourSample& sample);
+                  int reach, ContourSample& sample, double scale = 1);
 
 /// Mean edge response [-1..1] along the contour, each point taking the best within one pixel along
 /// its normal; -1 where less than a quarter of the contour is visible.

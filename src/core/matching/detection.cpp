@@ -3,12 +3,14 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <limits>
 
 namespace mbncc {
 namespace {
 
-constexpr double kWorthFitting = -4;  // log-odds
-constexpr double kSettlingCost = 1;   // log-odds that settling on the surface may cost
+constexpr double kWorthRefining = -4;  // log-odds
+constexpr double kSettlingCost = 1;    // log-odds that settling on the surface may cost
+constexpr double kAnyCost = std::numeric_limits<double>::infinity();
 
 Evidence fine_evidence(const PreparedView& view, const ScenePicture& scene, const Pose2D& pose) {
   return gather_evidence(view.fine, scene.levels[0], pose);
@@ -69,36 +71,55 @@ bool fits_another_size(const PreparedView& view, const ScenePicture& scene, cons
   });
 }
 
+/// A pose with the evidence for it.
+struct Believed {
+  Pose2D pose;
+  Evidence evidence;
+  double odds;  ///< the most that spoke for it on the way
+};
+
+/// Lets the surface decide, and for small objects all of their pixels.
+Believed settled(const PreparedView& view, const ScenePicture& scene, const Pose2D& pose,
+                 int iterations) {
+  Believed best{pose, fine_evidence(view, scene, pose), 0};
+  best.odds = log_odds(best.evidence, view.shape.area());
+  const auto adopt = [&](const Pose2D& other, double cost) {
+    const Evidence evidence = fine_evidence(view, scene, other);
+    const double odds = log_odds(evidence, view.shape.area());
+    if (odds >= best.odds - cost) best = {other, evidence, std::max(odds, best.odds)};
+  };
+  if (iterations == 0) return best;
+  // A plain surface may drift along its shading: then the contour had it right.
+  adopt(settle(view.fine, scene.levels[0], pose, iterations).pose, kSettlingCost);
+  if (view.rendering.padded() > 0 && best.odds > kWorthRefining)
+    adopt(fit(view.rendering, scene.levels[0], best.pose), kAnyCost);
+  return best;
+}
+
+/// At most `iterations` steps are made where the pose is likely; the pixels of a small object have
+/// told its pose better than its surface could.
+Refined refined(const PreparedView& view, const ScenePicture& scene, const Believed& settled,
+                int iterations) {
+  const bool worth = settled.odds > kWorthRefining && view.rendering.padded() == 0;
+  return refine(view.dense, scene.levels[0], settled.pose, worth ? iterations : 0);
+}
+
 Detection judged(const PreparedObject& object, const PreparedView& view, const ScenePicture& scene,
-                 const Pose2D& pose, int iterations) {
+                 const Pose2D& pose, int settling, int refining) {
+  const Believed believed = settled(view, scene, pose, settling);
+  const Refined found = refined(view, scene, believed, refining);
   Detection detection;
   detection.object = &object;
   detection.view = &view;
-  Evidence evidence = fine_evidence(view, scene, pose);
-  const double odds = log_odds(evidence, view.shape.area());
-  Climbed settled = settle(view.dense, scene.levels[0], pose, iterations);
-  const Evidence settled_evidence = fine_evidence(view, scene, settled.pose);
-  const double settled_odds = log_odds(settled_evidence, view.shape.area());
-  // A plain surface may drift along its shading: then the contour had it right.
-  if (settled_odds < odds - kSettlingCost)
-    settled = settle(view.dense, scene.levels[0], pose, 0);
-  else
-    evidence = settled_evidence;
-  double most_odds = std::max(odds, settled_odds);
-  if (iterations > 0 && most_odds > kWorthFitting && view.rendering.padded() > 0) {
-    const Pose2D fitted = fit(view.rendering, scene.levels[0], settled.pose);
-    settled = settle(view.dense, scene.levels[0], fitted, 0);
-    evidence = fine_evidence(view, scene, fitted);
-    most_odds = std::max(most_odds, log_odds(evidence, view.shape.area()));
-  }
-  detection.pose = settled.pose;
-  detection.pose.theta = wrap_angle(settled.pose.theta);
-  detection.covariance = settled.covariance;
+  detection.pose = found.pose;
+  detection.pose.theta = wrap_angle(found.pose.theta);
+  detection.size = found.scale;
+  detection.covariance = found.covariance;
   detection.strange = strange_part(view.fine, scene.levels[0], detection.pose);
-  detection.log_odds = most_odds - doubt(detection.strange);
+  detection.log_odds = believed.odds - doubt(detection.strange);
   detection.another_size =
-      detection.log_odds > 0 && fits_another_size(view, scene, detection.pose, most_odds);
-  detection.rotation_odds = rotation_odds(evidence);
+      detection.log_odds > 0 && fits_another_size(view, scene, detection.pose, believed.odds);
+  detection.rotation_odds = rotation_odds(believed.evidence);
   const Similarity similar = similarity(view.points, scene.grey[0], detection.pose);
   detection.similarity = similar.value;
   detection.visible = similar.visible;
@@ -113,12 +134,12 @@ double Detection::score() const {
 
 Detection judge_pose(const PreparedObject& object, const PreparedView& view,
                      const ScenePicture& scene, const Pose2D& pose) {
-  return judged(object, view, scene, pose, 0);
+  return judged(object, view, scene, pose, 0, 0);
 }
 
 Detection polish_and_judge(const PreparedObject& object, const PreparedView& view,
                            const ScenePicture& scene, const Pose2D& pose) {
-  return judged(object, view, scene, polished(view, scene, pose), 8);
+  return judged(object, view, scene, polished(view, scene, pose), 8, 4);
 }
 
 std::vector<Detection> compare_rotations(std::vector<Detection> detections) {

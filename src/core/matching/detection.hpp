@@ -15,6 +15,7 @@ struct Detection {
   const PreparedObject* object = nullptr;
   const PreparedView* view = nullptr;
   Pose2D pose;                ///< of the anchor [px]
+  double size = 1;            ///< of what was found, against the view
   cv::Matx33d covariance;     ///< of pose
   double log_odds = 0;        ///< that the object lies here
   double similarity = 0;      ///< [-1..1]

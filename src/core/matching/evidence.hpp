@@ -51,8 +51,7 @@ double rotation_odds(const Evidence& evidence);
 /// A pose reached by climbing.
 struct Climbed {
   Pose2D pose;
-  double value = 0;        ///< [-2..2] contour agreement plus correlation without shading
-  cv::Matx33d covariance;  ///< of x, y, theta [px^2, px rad, rad^2], from settle() alone
+  double value = 0;  ///< [-2..2] contour agreement plus correlation without shading
 };
 
 /// Gauss-Newton ascent of contour agreement plus correlation without shading, from `start` [px at
@@ -62,8 +61,7 @@ Climbed climb(const PoseTemplate& object, const SceneLevel& scene, const Pose2D&
               int iterations);
 
 /// The same with the contour counting little: a learned map may be a pixel off, and shadows
-/// displace edges, so the surface knows the last fraction of a pixel better. Gives the covariance
-/// too.
+/// displace edges, so the surface knows better.
 Climbed settle(const PoseTemplate& object, const SceneLevel& scene, const Pose2D& start,
                int iterations);
 

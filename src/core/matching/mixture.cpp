@@ -73,7 +73,8 @@ void Unmixing::resize(double factor) {
     for (auto& place : *places) place *= static_cast<float>(factor);
 }
 
-void Unmixing::apply(const SceneLevel& scene, const Pose2D& pose, const std::vector<float>& inside,
+void Unmixing::apply(const SceneLevel& scene, const Pose2D& pose, double scale,
+                     const std::vector<float>& inside,
                      std::array<std::vector<float>, 3>& planes) const {
   constexpr int kSeen = 3;  // after the three channels
   using Colours = std::array<std::vector<float>, 4>;
@@ -81,9 +82,10 @@ void Unmixing::apply(const SceneLevel& scene, const Pose2D& pose, const std::vec
   for (int k = 0; k < 2; ++k) {
     Colours& read = beyond[k];
     for (auto& values : read) values.resize(share_.size());
-    kernels::sample_colours(
-        view_of(scene.colour), {x_[k].data(), y_[k].data(), static_cast<int>(share_.size())},
-        placement_of(pose), {read[0].data(), read[1].data(), read[2].data(), read[kSeen].data()});
+    kernels::sample_colours(view_of(scene.colour),
+                            {x_[k].data(), y_[k].data(), static_cast<int>(share_.size())},
+                            placement_of(pose, scale),
+                            {read[0].data(), read[1].data(), read[2].data(), read[kSeen].data()});
   }
   for (std::size_t i = 0; i < share_.size(); ++i) {
     const float seen = beyond[0][kSeen][i] + beyond[1][kSeen][i];

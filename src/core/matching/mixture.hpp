@@ -51,9 +51,9 @@ class Unmixing {
   void resize(double factor);
 
   /// Takes the background, read beside the object at `pose`, out of the colours of the points that
-  /// are `inside` (1, else 0).
-  void apply(const SceneLevel& scene, const Pose2D& pose, const std::vector<float>& inside,
-             std::array<std::vector<float>, 3>& planes) const;
+  /// are `inside` (1, else 0). The object is `scale` times as large as the template.
+  void apply(const SceneLevel& scene, const Pose2D& pose, double scale,
+             const std::vector<float>& inside, std::array<std::vector<float>, 3>& planes) const;
 
  private:
   std::vector<float> share_;

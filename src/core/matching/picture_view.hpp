@@ -14,9 +14,11 @@ inline kernels::Picture8 view_of(const cv::Mat& picture) {
   return {picture.data, static_cast<int>(picture.step), picture.cols, picture.rows};
 }
 
-inline kernels::Placement placement_of(const Pose2D& pose) {
-  return {static_cast<float>(std::cos(pose.theta)), static_cast<float>(std::sin(pose.theta)),
-          static_cast<float>(pose.x), static_cast<float>(pose.y)};
+/// Of an object `scale` times as large as its points say.
+inline kernels::Placement placement_of(const Pose2D& pose, double scale = 1) {
+  return {static_cast<float>(scale * std::cos(pose.theta)),
+          static_cast<float>(scale * std::sin(pose.theta)), static_cast<float>(pose.x),
+          static_cast<float>(pose.y)};
 }
 
 }  // namespace mbncc

@@ -143,7 +143,7 @@ PreparedView::PreparedView(const Source& source, Engine engine)
     templates.push_back(prepare(112, 64));
     if (level > 0) continue;
     fine = prepare(640, 200);
-    dense = prepare(4000, 200);
+    dense = RefinementTemplate(prepare(2500, 200), continued);
     if (shape.area() < kRendered) rendering = Rendering(from, anchor);
   }
   resized = {resized_by(1 - kOtherSize, fine), resized_by(1 + kOtherSize, fine)};

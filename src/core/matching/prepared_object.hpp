@@ -10,6 +10,7 @@
 #include "matching/edge_search.hpp"
 #include "matching/evidence.hpp"
 #include "matching/map_shape.hpp"
+#include "matching/refinement.hpp"
 #include "matching/rendering.hpp"
 #include "matching/rotated_kernels.hpp"
 #include "matching/rotation_sector.hpp"
@@ -43,7 +44,7 @@ class PreparedView {
   std::vector<PoseTemplate> templates;  ///< per level, small: they judge dozens of candidates
   PoseTemplate fine;                    ///< at full resolution: judges the last few
   std::array<PoseTemplate, 2> resized;  ///< `fine`, smaller and larger: what else it might be
-  PoseTemplate dense;                   ///< at full resolution: settles the pose of the last few
+  RefinementTemplate dense;             ///< at full resolution: for the last fraction of a pixel
   Rendering rendering;                  ///< of a small object: settles its pose
   MaskedTemplate points;                ///< all map pixels at full resolution
   std::optional<PolarSearch> polar;     ///< with Engine::kPolar

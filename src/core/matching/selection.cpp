@@ -109,9 +109,22 @@ bool within_deviations(const Match& match, const SearchConfig& config) {
          angle <= config.max_angle_deviation;
 }
 
-std::vector<cv::Point2f> outline_at(const PreparedView& view, const Pose2D& pose) {
+/// [px] the reference point as seen from the anchor of what was found.
+cv::Point2d lever_of(const Detection& detection) {
+  return detection.size * detection.view->reference_in_anchor.position();
+}
+
+/// Of the object's frame.
+Pose2D object_pose(const Detection& detection) {
+  const cv::Point2d lever = lever_of(detection);
+  return compose(detection.pose, {lever.x, lever.y, detection.view->reference_in_anchor.theta});
+}
+
+std::vector<cv::Point2f> outline_at(const Detection& detection) {
+  const Pose2D pose = object_pose(detection);
   std::vector<cv::Point2f> outline;
-  for (const auto& point : view.outline) outline.emplace_back(transform(pose, cv::Point2d(point)));
+  for (const auto& point : detection.view->outline)
+    outline.emplace_back(transform(pose, detection.size * cv::Point2d(point)));
   return outline;
 }
 
@@ -121,10 +134,10 @@ Match to_match(const Detection& detection, const Margins& margins, const SearchC
   Match match;
   match.name = model.name;
   match.revision = model.revision;
-  match.pose = compose(detection.pose, view.reference_in_anchor);
-  match.covariance = moved_to_reference(
-      detection.covariance, rotate(view.reference_in_anchor.position(), detection.pose.theta));
-  match.scale = view.scale;
+  match.pose = object_pose(detection);
+  match.covariance =
+      moved_to_reference(detection.covariance, rotate(lever_of(detection), detection.pose.theta));
+  match.scale = view.scale * detection.size;
   match.score = acceptance_score(detection, config);
   match.log_odds = detection.log_odds;
   match.similarity = detection.similarity;
@@ -139,7 +152,7 @@ Match to_match(const Detection& detection, const Margins& margins, const SearchC
   const bool enough = match.score >= config.confirm_score;
   match.graspable = enough && sure && located && match.visible >= config.min_visible;
   match.ambiguous = enough && !sure;
-  match.outline = outline_at(view, match.pose);
+  match.outline = outline_at(detection);
   return match;
 }
 
@@ -153,9 +166,7 @@ std::vector<Rival> rivals_of(const std::vector<const Detection*>& accepted,
              (one->object == detection.object && overlapping(detection, *one, max_overlap));
     });
     if (explained) continue;
-    const Pose2D pose = compose(detection.pose, detection.view->reference_in_anchor);
-    rivals.push_back(
-        {detection.object->model->name, detection.log_odds, outline_at(*detection.view, pose)});
+    rivals.push_back({detection.object->model->name, detection.log_odds, outline_at(detection)});
   }
   return rivals;
 }

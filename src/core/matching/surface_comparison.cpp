@@ -7,15 +7,15 @@
 
 namespace mbncc {
 
-void SurfaceTemplate::sample(const SceneLevel& scene, const Pose2D& pose,
-                             SurfaceSample& sample) const {
+void SurfaceTemplate::sample(const SceneLevel& scene, const Pose2D& pose, SurfaceSample& sample,
+                             double scale) const {
   for (auto* values : {&sample.planes[0], &sample.planes[1], &sample.planes[2], &sample.inside})
     values->resize(padded());
   kernels::sample_colours(view_of(scene.colour), {x.data(), y.data(), static_cast<int>(padded())},
-                          placement_of(pose),
+                          placement_of(pose, scale),
                           {sample.planes[0].data(), sample.planes[1].data(),
                            sample.planes[2].data(), sample.inside.data()});
-  if (!unmixing_.empty()) unmixing_.apply(scene, pose, sample.inside, sample.planes);
+  if (!unmixing_.empty()) unmixing_.apply(scene, pose, scale, sample.inside, sample.planes);
   sample.points = size();
   const float* inside = sample.inside.data();
   const auto [count, blue, green, red] = products<4>(

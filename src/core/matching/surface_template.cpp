@@ -124,7 +124,7 @@ void SurfaceTemplate::project() {
 }
 
 void SurfaceTemplate::read_slopes(const SceneLevel& picture) {
-  auto slopes_of = picture_slopes(picture);
+  auto slopes_of = slopes_in(picture);
   for (auto& channel : slopes_of)
     for (auto& row : channel) basis.project_out(row);
   for (int k = 0; k < kMotions; ++k) {
@@ -142,8 +142,7 @@ void SurfaceTemplate::read_slopes(const SceneLevel& picture) {
   }
 }
 
-/// Per channel how the colours change with x, y and theta; 0 at the picture's border.
-SurfaceTemplate::Slopes SurfaceTemplate::picture_slopes(const SceneLevel& picture) const {
+SurfaceTemplate::Slopes SurfaceTemplate::slopes_in(const SceneLevel& picture) const {
   const ColourSampler colour_at(picture.colour);
   Slopes slopes_of;
   for (auto& channel : slopes_of)

@@ -54,11 +54,19 @@ class SurfaceTemplate {
   /// Moves the points apart: the same surface `factor` times as large.
   void resize(double factor);
 
+  /// Per channel how the colours change with x, y and theta at the points.
+  static constexpr int kMotions = 3;
+  using Slopes = std::array<std::array<std::vector<float>, kMotions>, kChannels>;
+  /// In the picture that the template was made from; 0 at its border.
+  Slopes slopes_in(const SceneLevel& picture) const;
+
   std::size_t size() const { return points_.size(); }
   std::size_t padded() const { return x.size(); }  ///< size() in whole lanes
 
-  /// Reads the colours at `pose`. Points outside the picture take the mean of those inside.
-  void sample(const SceneLevel& scene, const Pose2D& pose, SurfaceSample& sample) const;
+  /// Reads the colours at `pose`, the surface `scale` times as large as the template. Points
+  /// outside the picture take the mean of those inside.
+  void sample(const SceneLevel& scene, const Pose2D& pose, SurfaceSample& sample,
+              double scale = 1) const;
 
   /// What is left of the colours after the basis has been projected out of template and picture.
   struct Remainder {
@@ -107,9 +115,6 @@ class SurfaceTemplate {
   ChromaHistogram histogram{};
 
  private:
-  static constexpr int kMotions = 3;  // x, y, theta
-  using Slopes = std::array<std::array<std::vector<float>, kMotions>, kChannels>;
-
   void place_points(cv::Point2d origin);
   void read_colours(const SceneLevel& picture);
   void read_unmixed_colours(const SceneLevel& picture, cv::Point2d origin);
@@ -117,7 +122,6 @@ class SurfaceTemplate {
   void read_gradients(const SceneLevel& picture);
   void project();
   void read_slopes(const SceneLevel& picture);
-  Slopes picture_slopes(const SceneLevel& picture) const;
 
   std::vector<SurfacePoint> points_;
   Unmixing unmixing_;

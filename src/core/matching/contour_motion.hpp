@@ -1,0 +1,27 @@
+// How a contour's distance from the edges of a picture depends on a small motion.
+#pragma once
+
+#include <vector>
+
+#include "matching/contour_template.hpp"
+#include "matching/motion_pull.hpp"
+
+namespace mbncc {
+
+class ContourMotion {
+ public:
+  ContourMotion() = default;
+  explicit ContourMotion(const ContourTemplate& contour);
+
+  /// Pull of the edges found, for points that scatter by 1 px each, independently. Shadows and maps
+  /// cut too large move all edges outwards alike: that is not counted.
+  MotionPull pull(const ContourSample& sample) const;
+
+ private:
+  static constexpr int kRows = kMotionParts + 1;  // the last: outwards
+
+  std::size_t padded_ = 0;
+  std::vector<float> rows_;  // kRows of padded_ values
+};
+
+}  // namespace mbncc

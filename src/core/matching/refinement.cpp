@@ -1,0 +1,237 @@
+#include "matching/refinement.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "matching/padded_vectors.hpp"
+
+namespace mbncc {
+namespace {
+
+constexpr double kSmallStep = 0.003;    // [px] ends the refinement
+constexpr double kFarthest = 1.5;       // [px] from the start, and at the rim by turning
+constexpr double kScalePrior = 0.02;    // deviation that heights and tilts bring about
+constexpr double kLeastScale = 0.006;   // deviation from 1 that is worth telling, ...
+constexpr double kScaleDeviations = 3;  // ... and it must be so many deviations
+constexpr double kMostScale = 0.05;     // beyond it another object is seen
+constexpr double kFixedScale = 1e-6;    // deviation that leaves the scale as it is
+
+class Refiner {
+ public:
+  Refiner(const RefinementTemplate& object, const SceneLevel& scene, const Pose2D& start)
+      : object_(object), scene_(scene), start_(start), pose_(start) {}
+
+  Refined run(int iterations) {
+    bool seen = approach(iterations, kFixedScale);
+    if (seen && iterations > 0 && scale_differs()) {
+      approach(iterations, kScalePrior);
+      seen = look();
+    }
+    if (!strayed()) return {pose_, scale_, seen ? covariance() : unknown()};
+    pose_ = start_;
+    scale_ = 1;
+    return {pose_, scale_, look() ? covariance() : unknown()};
+  }
+
+ private:
+  struct Samples {
+    SurfaceSample surface;
+    ContourSample contour;
+    std::array<std::vector<float>, ColourAxes::kAxes> remainders;
+    std::vector<float> weights;
+  };
+
+  static Samples& samples() {
+    thread_local Samples samples;
+    return samples;
+  }
+
+  double radius() const { return object_.object.surface.radius(); }
+
+  /// Steps until they become small. False where too little is visible.
+  bool approach(int iterations, double scale_deviation) {
+    scale_deviation_ = scale_deviation;
+    for (int k = 0; look(); ++k) {
+      if (k == iterations) return true;
+      Motion step = solution(scale_deviation_);
+      if (scale_deviation_ == kFixedScale) step[3] = 0;
+      move(step);
+      if (length_of(step) < kSmallStep) return look();
+    }
+    return false;
+  }
+
+  bool look();
+  double gain() const;
+  std::array<double, ColourAxes::kAxes> weigh();
+  std::array<double, ColourAxes::kAxes> variances() const;
+
+  cv::Matx44d information(double scale_deviation) const {
+    cv::Matx44d prior = cv::Matx44d::diag({kLeast, kLeast, kLeast * radius() * radius(), 0});
+    prior(3, 3) = 1 / (scale_deviation * scale_deviation);
+    return pull_.information + prior;
+  }
+
+  Motion solution(double scale_deviation) const {
+    Motion towards = pull_.vector;
+    towards[3] += (scale_ - 1) / (scale_deviation * scale_deviation);
+    return information(scale_deviation).inv() * towards;
+  }
+
+  bool scale_differs() const {
+    const double off = std::abs(solution(kScalePrior)[3]);
+    const double deviation = std::sqrt(information(kScalePrior).inv()(3, 3));
+    return off > std::max(kLeastScale, kScaleDeviations * deviation);
+  }
+
+  void move(const Motion& step) {
+    const double bound = std::min(1.0, kFarthest / (length_of(step) + 1e-9));
+    const Motion bounded = step * bound;
+    scale_ /= 1 + bounded[3];
+    pose_.theta -= bounded[2];
+    pose_ = compose(pose_, {-scale_ * bounded[0], -scale_ * bounded[1], 0});
+  }
+
+  double length_of(const Motion& step) const {
+    return std::max(std::hypot(step[0], step[1]), std::hypot(step[2], step[3]) * radius());
+  }
+
+  bool strayed() const {
+    return std::hypot(pose_.x - start_.x, pose_.y - start_.y) > kFarthest ||
+           angle_distance(pose_.theta, start_.theta) * radius() > kFarthest ||
+           std::abs(scale_ - 1) > kMostScale;
+  }
+
+  cv::Matx33d covariance() const;
+  cv::Matx33d displacement() const;
+
+  cv::Matx33d unknown() const {
+    return cv::Matx33d::diag({1 / kLeast, 1 / kLeast, 1 / (kLeast * radius() * radius())});
+  }
+
+  static constexpr double kLeast = 1e-4;  // [1/px^2] information that is always there
+
+  const RefinementTemplate& object_;
+  const SceneLevel& scene_;
+  Pose2D start_, pose_;
+  double scale_ = 1, scale_deviation_ = kFixedScale;
+  Samples& samples_ = samples();
+  MotionPull pull_;  // at the pose looked at last
+};
+
+/// Collects what surface and contour say at the pose. False where too little is visible.
+bool Refiner::look() {
+  constexpr int kReach = 2;                  // [px] along the normals in which edges are looked for
+  constexpr double kLooseBrightness = 0.25;  // [px]
+  constexpr double kLooseContour = 0.5;      // [px]
+  constexpr double kCorrelatedValues = 12;   // neighbours' noise is alike, by smoothing
+  constexpr double kScatter = 0.8;           // [px] of one contour point
+  constexpr double kCorrelatedPoints = 6;    // neighbours on the contour that scatter alike
+  const PoseTemplate& object = object_.object;
+  scene_.prepare_around(pose_, object.reach() * scale_);
+  object.surface.sample(scene_, pose_, samples_.surface, scale_);
+  if (!samples_.surface.suffices()) return false;
+  const double contrast = gain();
+  const auto variances = weigh();
+  const double lesson_noise = object_.axes.noise(samples_.remainders, samples_.weights, contrast);
+  pull_ = {};
+  for (int axis = 0; axis < ColourAxes::kAxes; ++axis) {
+    MotionPull pull = object_.axes.pull(axis, samples_.remainders[axis], samples_.weights);
+    const double noise = kCorrelatedValues * variances[axis];
+    const double share = contrast * object_.axes.reliability(axis, lesson_noise);
+    pull.information *= share * share / noise;
+    pull.vector *= share / noise;
+    pull_ += axis == ColourAxes::kBrightness ? loosened(pull, kLooseBrightness) : pull;
+  }
+  read_contour(object.contour, scene_.edges, pose_, kReach, samples_.contour, scale_);
+  MotionPull edges = object_.contour_motion.pull(samples_.contour);
+  const double scatter = kScatter * kScatter * kCorrelatedPoints;
+  edges.information *= 1 / scatter;
+  edges.vector *= 1 / scatter;
+  pull_ += loosened(edges, kLooseContour);
+  return true;
+}
+
+/// Of the picture's contrast by the template's.
+double Refiner::gain() const {
+  constexpr double kPrior = 20;  // [grey^2] pulls that of plain surfaces to 1
+  const SurfaceTemplate& surface = object_.object.surface;
+  const double energy = surface.mean_projected_energy();
+  const double common = surface.contrast(samples_.surface) * energy;
+  return std::clamp((common + kPrior) / (energy + kPrior), 0.3, 2.0);
+}
+
+/// Reads the remainders and weighs the points: what is covered or in gloss counts little. Returns
+/// the variances [grey^2] along the axes, the same across brightness.
+std::array<double, ColourAxes::kAxes> Refiner::weigh() {
+  constexpr float kUsual = 4;  // mean squares, in variances, that halve the weight
+  for (int axis = 0; axis < ColourAxes::kAxes; ++axis)
+    object_.axes.remainder(axis, object_.object.surface.basis, samples_.surface,
+                           samples_.remainders[axis]);
+  samples_.weights = samples_.surface.inside;
+  for (int pass = 0; pass < 2; ++pass) {
+    const auto scale = variances();
+    for (std::size_t i = 0; i < samples_.weights.size(); ++i) {
+      float square = 0;
+      for (int axis = 0; axis < ColourAxes::kAxes; ++axis)
+        square += samples_.remainders[axis][i] * samples_.remainders[axis][i] /
+                  static_cast<float>(scale[axis]);
+      samples_.weights[i] =
+          samples_.surface.inside[i] / (1 + square / (ColourAxes::kAxes * kUsual));
+    }
+  }
+  return variances();
+}
+
+std::array<double, ColourAxes::kAxes> Refiner::variances() const {
+  constexpr double kQuantised = 0.3;  // [grey^2] of the least noise
+  std::array<double, ColourAxes::kAxes> found{};
+  double total = 0;
+  for (const float weight : samples_.weights) total += weight;
+  for (int axis = 0; axis < ColourAxes::kAxes; ++axis) {
+    const auto& values = samples_.remainders[axis];
+    for (std::size_t i = 0; i < values.size(); ++i)
+      found[axis] += samples_.weights[i] * values[i] * values[i];
+    found[axis] = found[axis] / std::max(total, 1e-6) + kQuantised;
+  }
+  found[1] = found[2] = (found[1] + found[2]) / 2;
+  return found;
+}
+
+/// Light that does not turn with the object displaces surface and contour by a part of what it is
+/// seen to change, and that error does not average out. Fitted to drawn scenes under a lamp, in
+/// diffuse light and in even light.
+cv::Matx33d Refiner::displacement() const {
+  constexpr double kPlace = 0.018, kRim = 0.028;          // [px] in even light
+  constexpr double kPlaceShare = 0.08, kRimShare = 0.03;  // of the displacement by shading
+  constexpr double kPlain = 1;  // [grey^2 / px^2] bounds that of plain surfaces
+  const SurfaceTemplate& surface = object_.object.surface;
+  const double contrast = gain();
+  const SurfaceDifference seen = surface.difference(samples_.surface, contrast);
+  const double slope = (surface.slope_product(0, 0) + surface.slope_product(1, 1)) /
+                       (2 * SurfaceTemplate::kChannels * static_cast<double>(surface.size()));
+  const double shading = seen.shading / (contrast * contrast) / (slope + kPlain);  // [px^2]
+  const double place = kPlace * kPlace + kPlaceShare * kPlaceShare * shading;
+  const double rim = kRim * kRim + kRimShare * kRimShare * shading;
+  return cv::Matx33d::diag({place, place, rim / (radius() * radius())});
+}
+
+cv::Matx33d Refiner::covariance() const {
+  const cv::Matx33d in_template =
+      information(scale_deviation_).inv().get_minor<3, 3>(0, 0) + displacement();
+  const double c = std::cos(pose_.theta), s = std::sin(pose_.theta);
+  const cv::Matx33d turn(c, -s, 0, s, c, 0, 0, 0, 1);
+  return turn * in_template * turn.t();
+}
+
+}  // namespace
+
+RefinementTemplate::RefinementTemplate(PoseTemplate made, const SceneLevel& picture)
+    : object(std::move(made)), axes(object.surface, picture), contour_motion(object.contour) {}
+
+Refined refine(const RefinementTemplate& object, const SceneLevel& scene, const Pose2D& start,
+               int iterations) {
+  return Refiner(object, scene, start).run(iterations);
+}
+
+}  // namespace mbncc
