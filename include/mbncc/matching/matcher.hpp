@@ -19,7 +19,8 @@ struct Match {
   std::uint32_t revision = 0;
   Pose2D pose;       ///< [px],[rad] object frame: reference point and direction
   double scale = 1;  ///< relative to the learning picture; that searched unless another is clear
-  cv::Matx33d covariance;   ///< of pose: x, y, theta [px^2, px rad, rad^2]
+  cv::Matx33d covariance;   ///< of pose: x, y, theta [px^2, px rad, rad^2]; 100 px, a turn
+                            ///< where it is too unlikely to be worth measuring
   double score = 0;         ///< [0..1] acceptance score
   double log_odds = 0;      ///< that the object lies here; the fused score is its logistic
   double similarity = 0;    ///< [-1..1] normalized cross correlation weighted by the map

@@ -8,7 +8,7 @@
 namespace mbncc {
 namespace {
 
-constexpr double kWorthRefining = -4;  // log-odds
+constexpr double kWorthRefining = -4;  // log-odds: less has never become a detection
 constexpr double kSettlingCost = 1;    // log-odds that settling on the surface may cost
 constexpr double kAnyCost = std::numeric_limits<double>::infinity();
 
@@ -96,12 +96,13 @@ Believed settled(const PreparedView& view, const ScenePicture& scene, const Pose
   return best;
 }
 
-/// At most `iterations` steps are made where the pose is likely; the pixels of a small object have
-/// told its pose better than its surface could.
+/// In at most `iterations` steps, none where the pixels of a small object have told its pose better
+/// than its surface could.
 Refined refined(const PreparedView& view, const ScenePicture& scene, const Believed& settled,
                 int iterations) {
-  const bool worth = settled.odds > kWorthRefining && view.rendering.padded() == 0;
-  return refine(view.dense, scene.levels[0], settled.pose, worth ? iterations : 0);
+  if (settled.odds <= kWorthRefining) return unknown_accuracy(settled.pose);
+  const bool small = view.rendering.padded() > 0;
+  return refine(view.dense, scene.levels[0], settled.pose, small ? 0 : iterations);
 }
 
 Detection judged(const PreparedObject& object, const PreparedView& view, const ScenePicture& scene,

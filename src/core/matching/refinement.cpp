@@ -12,7 +12,7 @@ constexpr double kSmallStep = 0.003;    // [px] ends the refinement
 constexpr double kFarthest = 1.5;       // [px] from the start, and at the rim by turning
 constexpr double kScalePrior = 0.02;    // deviation that heights and tilts bring about
 constexpr double kLeastScale = 0.006;   // deviation from 1 that is worth telling, ...
-constexpr double kScaleDeviations = 3;  // ... and it must be so many deviations
+constexpr double kScaleDeviations = 5;  // ... and it must be so many deviations
 constexpr double kMostScale = 0.05;     // beyond it another object is seen
 constexpr double kFixedScale = 1e-6;    // deviation that leaves the scale as it is
 
@@ -27,10 +27,12 @@ class Refiner {
       approach(iterations, kScalePrior);
       seen = look();
     }
-    if (!strayed()) return {pose_, scale_, seen ? covariance() : unknown()};
-    pose_ = start_;
-    scale_ = 1;
-    return {pose_, scale_, look() ? covariance() : unknown()};
+    if (strayed()) {
+      pose_ = start_;
+      scale_ = 1;
+      seen = look();
+    }
+    return seen ? Refined{pose_, scale_, covariance()} : unknown_accuracy(pose_);
   }
 
  private:
@@ -103,11 +105,18 @@ class Refiner {
   }
 
   cv::Matx33d covariance() const;
-  cv::Matx33d displacement() const;
+  double shading() const;
 
-  cv::Matx33d unknown() const {
-    return cv::Matx33d::diag({1 / kLeast, 1 / kLeast, 1 / (kLeast * radius() * radius())});
+  /// By how much light may displace something: [px] in even light, and a share of shading's.
+  struct Looseness {
+    double even, share;
+  };
+  static constexpr Looseness kBrightness{0.005, 0.075}, kContour{0.03, 0.17};
+  double loose(const Looseness& what) const {
+    return std::hypot(what.even, what.share * std::sqrt(shading_));
   }
+
+  cv::Matx33d displacement() const;
 
   static constexpr double kLeast = 1e-4;  // [1/px^2] information that is always there
 
@@ -116,17 +125,16 @@ class Refiner {
   Pose2D start_, pose_;
   double scale_ = 1, scale_deviation_ = kFixedScale;
   Samples& samples_ = samples();
-  MotionPull pull_;  // at the pose looked at last
+  MotionPull pull_;     // at the pose looked at last
+  double shading_ = 0;  // [px^2] there
 };
 
 /// Collects what surface and contour say at the pose. False where too little is visible.
 bool Refiner::look() {
-  constexpr int kReach = 2;                  // [px] along the normals in which edges are looked for
-  constexpr double kLooseBrightness = 0.25;  // [px]
-  constexpr double kLooseContour = 0.5;      // [px]
-  constexpr double kCorrelatedValues = 12;   // neighbours' noise is alike, by smoothing
-  constexpr double kScatter = 0.8;           // [px] of one contour point
-  constexpr double kCorrelatedPoints = 6;    // neighbours on the contour that scatter alike
+  constexpr int kReach = 2;                // [px] along the normals in which edges are looked for
+  constexpr double kCorrelatedValues = 4;  // neighbours' noise is alike, by smoothing
+  constexpr double kScatter = 0.8;         // [px] of one contour point
+  constexpr double kCorrelatedPoints = 2;  // neighbours on the contour that scatter alike
   const PoseTemplate& object = object_.object;
   scene_.prepare_around(pose_, object.reach() * scale_);
   object.surface.sample(scene_, pose_, samples_.surface, scale_);
@@ -134,6 +142,7 @@ bool Refiner::look() {
   const double contrast = gain();
   const auto variances = weigh();
   const double lesson_noise = object_.axes.noise(samples_.remainders, samples_.weights, contrast);
+  shading_ = shading();
   pull_ = {};
   for (int axis = 0; axis < ColourAxes::kAxes; ++axis) {
     MotionPull pull = object_.axes.pull(axis, samples_.remainders[axis], samples_.weights);
@@ -141,14 +150,14 @@ bool Refiner::look() {
     const double share = contrast * object_.axes.reliability(axis, lesson_noise);
     pull.information *= share * share / noise;
     pull.vector *= share / noise;
-    pull_ += axis == ColourAxes::kBrightness ? loosened(pull, kLooseBrightness) : pull;
+    pull_ += axis == ColourAxes::kBrightness ? loosened(pull, loose(kBrightness)) : pull;
   }
   read_contour(object.contour, scene_.edges, pose_, kReach, samples_.contour, scale_);
   MotionPull edges = object_.contour_motion.pull(samples_.contour);
   const double scatter = kScatter * kScatter * kCorrelatedPoints;
   edges.information *= 1 / scatter;
   edges.vector *= 1 / scatter;
-  pull_ += loosened(edges, kLooseContour);
+  pull_ += loosened(edges, loose(kContour));
   return true;
 }
 
@@ -184,7 +193,7 @@ std::array<double, ColourAxes::kAxes> Refiner::weigh() {
 }
 
 std::array<double, ColourAxes::kAxes> Refiner::variances() const {
-  constexpr double kQuantised = 0.3;  // [grey^2] of the least noise
+  constexpr double kQuantised = 0.05;  // [grey^2] of the least noise
   std::array<double, ColourAxes::kAxes> found{};
   double total = 0;
   for (const float weight : samples_.weights) total += weight;
@@ -198,21 +207,26 @@ std::array<double, ColourAxes::kAxes> Refiner::variances() const {
   return found;
 }
 
-/// Light that does not turn with the object displaces surface and contour by a part of what it is
-/// seen to change, and that error does not average out. Fitted to drawn scenes under a lamp, in
-/// diffuse light and in even light.
-cv::Matx33d Refiner::displacement() const {
-  constexpr double kPlace = 0.018, kRim = 0.028;          // [px] in even light
-  constexpr double kPlaceShare = 0.08, kRimShare = 0.03;  // of the displacement by shading
+/// Variance [px^2] of what smooth shading, as far as it differs from the lesson's, would displace.
+double Refiner::shading() const {
   constexpr double kPlain = 1;  // [grey^2 / px^2] bounds that of plain surfaces
   const SurfaceTemplate& surface = object_.object.surface;
   const double contrast = gain();
   const SurfaceDifference seen = surface.difference(samples_.surface, contrast);
   const double slope = (surface.slope_product(0, 0) + surface.slope_product(1, 1)) /
                        (2 * SurfaceTemplate::kChannels * static_cast<double>(surface.size()));
-  const double shading = seen.shading / (contrast * contrast) / (slope + kPlain);  // [px^2]
-  const double place = kPlace * kPlace + kPlaceShare * kPlaceShare * shading;
-  const double rim = kRim * kRim + kRimShare * kRimShare * shading;
+  constexpr double kEven = 0.03;  // [px^2] gradients of even light displace nothing
+  return std::max(0.0, seen.shading / (contrast * contrast) / (slope + kPlain) - kEven);
+}
+
+/// Light that does not turn with the object displaces what is seen by a part of what it is seen to
+/// change, and that error does not average out. Fitted to drawn scenes under a lamp, in diffuse
+/// light and in even light.
+cv::Matx33d Refiner::displacement() const {
+  constexpr double kPlace = 0.002, kRim = 0.003;          // [px] in even light
+  constexpr double kPlaceShare = 0.12, kRimShare = 0.05;  // of the displacement by shading
+  const double place = kPlace * kPlace + kPlaceShare * kPlaceShare * shading_;
+  const double rim = kRim * kRim + kRimShare * kRimShare * shading_;
   return cv::Matx33d::diag({place, place, rim / (radius() * radius())});
 }
 
@@ -228,6 +242,11 @@ cv::Matx33d Refiner::covariance() const {
 
 RefinementTemplate::RefinementTemplate(PoseTemplate made, const SceneLevel& picture)
     : object(std::move(made)), axes(object.surface, picture), contour_motion(object.contour) {}
+
+Refined unknown_accuracy(const Pose2D& pose) {
+  constexpr double kPlace = 100;  // [px]
+  return {pose, 1, cv::Matx33d::diag({kPlace * kPlace, kPlace * kPlace, 4 * kPi * kPi})};
+}
 
 Refined refine(const RefinementTemplate& object, const SceneLevel& scene, const Pose2D& start,
                int iterations) {

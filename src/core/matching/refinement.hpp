@@ -27,6 +27,9 @@ struct Refined {
   cv::Matx33d covariance;  ///< of x, y, theta [px^2, px rad, rad^2]
 };
 
+/// The pose as it is, of which nothing is known: 100 px, a turn.
+Refined unknown_accuracy(const Pose2D& pose);
+
 /// Least squares from `start` [px, level 0], a pixel off at most, in up to `iterations` steps (0:
 /// the covariance alone) over what the surface shows along its colour axes and over its contour.
 /// Light displaces them, each by an amount of its own, and relief its brightness: they count as
