@@ -13,7 +13,10 @@
 namespace mbncc {
 namespace {
 
-constexpr std::size_t kFinal = 3;  // places whose other angles are tried
+constexpr std::size_t kFinal = 3;        // places whose other angles are tried, ...
+constexpr std::size_t kMostPlaces = 10;  // ... and so many ...
+constexpr double kLikely = 0;            // ... that have these log-odds
+constexpr double kOtherAngle = to_radians(10.);
 constexpr std::size_t kPolished = 8;
 constexpr double kOutclassed = 8;  // log-odds behind the best that polishing does not make up for
 
@@ -87,22 +90,45 @@ class ViewSearch {
     return !odds.empty() && odds.front() - clutter_discount(odds) >= kFound;
   }
 
-  /// Adds the best other rotations at the best places: rivals that the margin is measured against,
-  /// and sometimes the truth.
+  /// Adds the best other rotations at the best places and wherever an instance is likely: rivals
+  /// that the margin is measured against, and sometimes the truth. Each place stays with its best
+  /// rival, however far it is behind another place.
   void try_other_angles(std::vector<Candidate>& candidates) const {
-    constexpr std::size_t kMost = 3;
-    const SceneLevel& scene = scene_.levels[0];
-    for (const auto& place : best_places(candidates, 0.5 * view_.shape.radius(), kFinal)) {
-      auto peaks = rotation_peaks(view_.rough[0], scene, place, 2);
-      if (peaks.size() > kMost) peaks.resize(kMost);
-      for (auto& peak : peaks) {
-        peak.pose = climb(view_.templates[0], scene, peak.pose, 5).pose;
-        peak.value = candidate_odds(view_, scene_, 0, peak.pose);
-        candidates.push_back(peak);
-      }
+    std::vector<Candidate> needed;
+    const auto places = best_places(candidates, 0.5 * view_.shape.radius(), kMostPlaces);
+    for (std::size_t i = 0; i < places.size(); ++i) {
+      if (i >= kFinal && places[i].value < kLikely) break;
+      const auto turned = turned_at(places[i]);
+      candidates.insert(candidates.end(), turned.begin(), turned.end());
+      const auto rival = std::find_if(turned.begin(), turned.end(), [&](const Candidate& other) {
+        return angle_distance(other.pose.theta, places[i].pose.theta, view_.symmetry) > kOtherAngle;
+      });
+      needed.push_back(places[i]);
+      if (rival != turned.end()) needed.push_back(*rival);
     }
     drop_duplicates(candidates, 1.5, view_.shape.radius(), most_at(0));
     keep_hopeful(candidates, most_at(0), kNoRival);
+    for (const auto& candidate : needed)
+      if (std::none_of(candidates.begin(), candidates.end(), [&](const Candidate& kept) {
+            return kept.pose.position() == candidate.pose.position() &&
+                   kept.pose.theta == candidate.pose.theta;
+          }))
+        candidates.push_back(candidate);
+    sort_by_value(candidates);
+  }
+
+  /// The best other rotations at a place, best first.
+  std::vector<Candidate> turned_at(const Candidate& place) const {
+    constexpr std::size_t kMost = 3;
+    const SceneLevel& scene = scene_.levels[0];
+    auto peaks = rotation_peaks(view_.rough[0], scene, place, 2);
+    if (peaks.size() > kMost) peaks.resize(kMost);
+    for (auto& peak : peaks) {
+      peak.pose = climb(view_.templates[0], scene, peak.pose, 5).pose;
+      peak.value = candidate_odds(view_, scene_, 0, peak.pose);
+    }
+    sort_by_value(peaks);
+    return peaks;
   }
 
   /// The paper's poses as they are, with the evidence for them.

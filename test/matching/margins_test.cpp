@@ -1,0 +1,32 @@
+// Whoever may be gripped has met its rivals.
+#include <gtest/gtest.h>
+
+#include <opencv2/imgproc.hpp>
+
+#include "matching/pictures.hpp"
+#include "mbncc/matching/matcher.hpp"
+
+namespace mbncc {
+namespace {
+
+TEST(Margins, EveryInstanceMeetsItsOwnOtherAngles) {
+  cv::Mat map = cv::Mat::zeros(60, 60, CV_8UC1);
+  cv::circle(map, {30, 30}, 22, 255, cv::FILLED);
+  test::LearningPicture source(3, map);
+  // Little texture: any angle would nearly do.
+  source.surface.convertTo(source.surface, -1, 0.15, 120);
+  source.surface.copyTo(source.picture, map);
+  const Pose2D reference{30, 30, 0};
+  Matcher matcher;
+  matcher.set_objects({test::object_from(source, reference)});
+  cv::Mat scene = test::texture({400, 300}, 50, 4);
+  for (int k = 0; k < 6; ++k)
+    test::place(scene, source, reference.position(),
+                {60.3 + 130 * (k % 3), 80.7 + 140 * (k / 3), 1.1 * k - 3});
+  const auto matches = matcher.find(scene).matches;
+  ASSERT_EQ(matches.size(), 6u);
+  for (const auto& match : matches) EXPECT_LT(match.margin_angle, 20) << match.pose.x;
+}
+
+}  // namespace
+}  // namespace mbncc
