@@ -56,6 +56,26 @@ TEST_F(ClimbTest, FindsBackFromNearby) {
   }
 }
 
+TEST_F(ClimbTest, ContoursAreFollowedWithoutTheSurface) {
+  const test::LearningPicture source = lesson(false);
+  const auto object = test::object_from(source, {kReference.x, kReference.y, 0});
+  const PreparedView view(object->views.front(), Engine::kFast);
+  const Pose2D truth{98.2, 80.6, -1.2};
+  const SceneLevel scene(scene_with(source, false, truth), 0);
+  const Pose2D anchor = compose(truth, inverse(view.reference_in_anchor));
+  for (int k = 0; k < 8; ++k) {
+    const double direction = k * kPi / 4;
+    const Pose2D start{anchor.x + 1.5 * std::cos(direction), anchor.y + 1.5 * std::sin(direction),
+                       anchor.theta + (k % 2 ? 2 : -2) * kDegree};
+    const Climbed there = follow_contour(view.rough[0], scene, start, 3);
+    EXPECT_LT(cv::norm(there.pose.position() - anchor.position()), 0.8) << "direction " << k;
+    EXPECT_LT(angle_distance(there.pose.theta, anchor.theta), 1.5 * kDegree);
+    const Climbed unmoved = follow_contour(view.rough[0], scene, start, 0);
+    EXPECT_EQ(unmoved.pose.x, start.x);
+    EXPECT_GE(there.value, unmoved.value);
+  }
+}
+
 TEST_F(ClimbTest, NeverGetsWorse) {
   const test::LearningPicture source = lesson(true);
   const auto object = test::object_from(source, {kReference.x, kReference.y, 0});

@@ -43,6 +43,10 @@ double length_of(const cv::Vec3d& step, double radius) {
   return std::max(std::hypot(step[0], step[1]), std::abs(step[2]) * radius);
 }
 
+cv::Vec3d bounded(const cv::Vec3d& step, double radius) {
+  return step * std::min(1.0, kMaxStep / (length_of(step, radius) + 1e-9));
+}
+
 /// What is read at a pose; kept from climb to climb, since it takes memory.
 struct Samples {
   SurfaceSample surface;
@@ -92,8 +96,7 @@ class Climber {
     pull.hessian *= contour_weight_;
     pull.gradient *= contour_weight_;
     add_surface_pull(object_.surface, samples_.surface, correlation_, pull);
-    const cv::Vec3d step = damped(pull.hessian, radius()).inv() * pull.gradient;
-    return step * std::min(1.0, kMaxStep / (length_of(step, radius()) + 1e-9));
+    return bounded(damped(pull.hessian, radius()).inv() * pull.gradient, radius());
   }
 
   const PoseTemplate& object_;
@@ -108,6 +111,24 @@ class Climber {
 Climbed climb(const PoseTemplate& object, const SceneLevel& scene, const Pose2D& start,
               int iterations) {
   return Climber(object, scene, 1).run(start, iterations);
+}
+
+Climbed follow_contour(const PoseTemplate& object, const SceneLevel& scene, const Pose2D& start,
+                       int iterations) {
+  thread_local ContourSample sample;
+  const double radius = object.contour.radius();
+  Climbed best{start, -2};
+  Pose2D pose = start;
+  for (int k = 0;; ++k) {
+    scene.prepare_around(pose, object.reach());
+    read_contour(object.contour, scene.edges, pose, kReach, sample);
+    const double value = contour_agreement(object.contour, sample);
+    if (value > best.value) best = {pose, value};
+    if (k == iterations) return best;
+    const ContourPull pull = contour_pull(object.contour, sample);
+    const cv::Vec3d step = bounded(damped(pull.hessian, radius).inv() * pull.gradient, radius);
+    pose = compose(pose, inverse(Pose2D{step[0], step[1], step[2]}));
+  }
 }
 
 Climbed settle(const PoseTemplate& object, const SceneLevel& scene, const Pose2D& start,

@@ -14,6 +14,8 @@ struct Floors {
 };
 constexpr Floors kFloors{-20, -12, -8, -6};
 
+constexpr std::size_t kOnEdges = 600;  // thin proposals that are climbed, at most
+
 void step_down(std::vector<Candidate>& candidates) {
   for (auto& candidate : candidates) {
     candidate.pose = from_level(candidate.pose, 1);
@@ -46,33 +48,50 @@ class Descent {
   void enter_finer(int level, CandidatesPerLevel& entering) const {
     auto coarse = std::move(entering[level]);
     step_down(coarse);
-    keep_those_on_edges(level - 1, coarse);
-    for (auto& candidate : coarse) {
-      candidate.pose =
-          climb(view_.rough[level - 1], scene_.levels[level - 1], candidate.pose, 2).pose;
-      entering[level - 1].push_back(candidate);
-    }
+    if (is_narrow(view_, effort_))
+      follow_contours(level - 1, coarse);
+    else
+      keep_those_on_edges(level - 1, coarse);
+    climb_roughly(level - 1, 2, coarse);
+    auto& finer = entering[level - 1];
+    finer.insert(finer.end(), coarse.begin(), coarse.end());
     entering[level].clear();
   }
 
-  /// Climbing is dear, and most proposals of a narrow outline lie on nothing.
+  /// Climbing is dear, and most proposals of a thin outline lie on nothing.
   void keep_those_on_edges(int level, std::vector<Candidate>& candidates) const {
-    constexpr std::size_t kMost = 600;
-    constexpr int kReach = 1;  // [px]
-    const PoseTemplate& object = view_.rough[level];
-    const SceneLevel& scene = scene_.levels[level];
-    ContourSample sample;
-    for (auto& candidate : candidates) {
-      scene.prepare_around(candidate.pose, object.reach());
-      read_contour(object.contour, scene.edges, candidate.pose, kReach, sample);
-      candidate.value = contour_agreement(object.contour, sample);
-    }
+    for (auto& candidate : candidates)
+      candidate.value =
+          follow_contour(view_.rough[level], scene_.levels[level], candidate.pose, 0).value;
     sort_by_value(candidates);
-    if (candidates.size() > kMost) candidates.resize(kMost);
+    if (candidates.size() > kOnEdges) candidates.resize(kOnEdges);
+  }
+
+  /// Moves proposals of a narrow outline onto the edges beside them: where steps are as wide as the
+  /// object, nothing else can be judged. Climbing is dear, so the best on edges stay.
+  void follow_contours(int level, std::vector<Candidate>& candidates) const {
+    constexpr int kSteps = 3;
+    for (auto& candidate : candidates) {
+      const Climbed on_edges =
+          follow_contour(view_.rough[level], scene_.levels[level], candidate.pose, kSteps);
+      candidate.pose = on_edges.pose;
+      candidate.value = on_edges.value;
+    }
+    drop_duplicates(candidates, 1, view_.shape.radius() / (1 << level), kOnEdges);
+  }
+
+  void climb_roughly(int level, int iterations, std::vector<Candidate>& candidates) const {
+    for (auto& candidate : candidates)
+      candidate.pose =
+          climb(view_.rough[level], scene_.levels[level], candidate.pose, iterations).pose;
   }
 
   void admit(int level, std::vector<Candidate>& entering,
              std::vector<Candidate>& candidates) const {
+    if (level == view_.edges.level() && is_narrow(view_, effort_)) {
+      follow_contours(level, entering);
+      climb_roughly(level, 1, entering);
+    }
     for (auto& candidate : entering)
       candidate.value = rough_odds(view_, scene_, level, candidate.pose);
     sort_by_value(entering);
@@ -123,6 +142,12 @@ class Descent {
 
 std::size_t most_at(int level) {
   return level == 0 ? 8 : level == 1 ? 12 : 20;
+}
+
+bool is_narrow(const PreparedView& view, const Effort& effort) {
+  constexpr double kSteps = 2;  // of the edge search's places
+  const double step = 2 * (1 << view.edges.level());
+  return view.geometry.mean_width() < std::min(effort.narrow, kSteps * step);
 }
 
 std::vector<Candidate> descend(const PreparedView& view, const ScenePicture& scene,

@@ -19,6 +19,9 @@ constexpr double kNoRival = 12;   ///< at full resolution, since nothing is aske
 /// Candidates at `level` that are kept, at most.
 std::size_t most_at(int level);
 
+/// The view is so narrow that a step of the edge search brings its outline beside itself.
+bool is_narrow(const PreparedView& view, const Effort& effort);
+
 /// Judges and climbs what was proposed, level by level. Thin proposals enter one level finer, as
 /// `effort` says. Returns the candidates at full resolution, best first.
 std::vector<Candidate> descend(const PreparedView& view, const ScenePicture& scene,

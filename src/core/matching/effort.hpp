@@ -14,12 +14,13 @@ struct Effort {
   std::size_t entering;      ///< candidates that enter at a level, at most
   int turns;                 ///< further starts, turned each way, of a candidate that enters
   double width;              ///< [px at level] objects narrower enter one level finer
+  double narrow;             ///< [px] contours of objects narrower are followed first
   double demand;             ///< log-odds by which a candidate's floors are raised on the way
   double promising;          ///< log-odds that polishing may bring to acceptance
 };
-constexpr Effort kSparing{100, 100, 10, 24, 12, 0, 0, 2, -5};
-constexpr Effort kQuick{100, 400, 24, 96, 48, 0, 0, 0, -8};
-constexpr Effort kThorough{100, 1600, 24, 96, 48, 2, 3, 0, -8};
+constexpr Effort kSparing{100, 100, 10, 24, 12, 0, 0, 0, 2, -5};
+constexpr Effort kQuick{100, 400, 24, 96, 48, 0, 0, 0, 0, -8};
+constexpr Effort kThorough{100, 1600, 24, 96, 48, 2, 3, 5, 0, -8};
 
 /// Correlation is spared where of the candidates by edges
 constexpr double kSure = 5;            ///< the best has at least these log-odds, ...

@@ -60,7 +60,11 @@ struct Climbed {
 Climbed climb(const PoseTemplate& object, const SceneLevel& scene, const Pose2D& start,
               int iterations);
 
-/// The same with the contour counting little: a learned map may be a pixel off, and shadows
+/// Ascent of the contour agreement alone, `iterations` steps; `value` is that agreement.
+Climbed follow_contour(const PoseTemplate& object, const SceneLevel& scene, const Pose2D& start,
+                       int iterations);
+
+/// Like climb() with the contour counting little: a learned map may be a pixel off, and shadows
 /// displace edges, so the surface knows better.
 Climbed settle(const PoseTemplate& object, const SceneLevel& scene, const Pose2D& start,
                int iterations);

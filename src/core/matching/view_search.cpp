@@ -33,6 +33,13 @@ Effort for_sector(Effort effort, const RotationSector& sector) {
   return effort;
 }
 
+/// Busy ground has more edges along a narrow outline than along any other, in twice as many poses.
+Effort thorough_for(const PreparedView& view) {
+  Effort effort = kThorough;
+  if (is_narrow(view, effort)) effort.edge_poses *= 2;
+  return for_sector(effort, view.sector);
+}
+
 class ViewSearch {
  public:
   ViewSearch(const PreparedObject& object, const PreparedView& view, const ScenePicture& scene,
@@ -44,7 +51,7 @@ class ViewSearch {
         everywhere_(places.everywhere()),
         look_(look),
         first_(for_sector(look == Look::kSparing ? kSparing : kQuick, view.sector)),
-        thorough_(for_sector(kThorough, view.sector)),
+        thorough_(thorough_for(view)),
         proposals_(view, scene, roi, places) {}
 
   std::vector<Detection> run() {
