@@ -23,8 +23,8 @@ namespace {
 constexpr float kAnyColour = 0.05F;    // part of the object's pixels in colours not seen yet
 constexpr float kUnaryWeight = 1.15F;  // against the smoothness
 constexpr double kSureness = 4;  // power of the change's probability that colours are weighted by
-constexpr double kRimWeight = 0.1;  // of the outermost pixels' colours
-constexpr float kRimDoubt = 4;      // unary taken from the pixels on both sides of the last outline
+constexpr double kRimWeight = 0.3;  // of the outermost pixels' colours
+constexpr float kRimDoubt = 3;      // unary taken from the pixels on both sides of the last outline
 constexpr float kLineWeight = 3;    // of what speaks for a thin part
 constexpr float kLineLeast = 0.3F;  // mean unary along a line from which on it does
 constexpr float kHighestUnary = 60;
