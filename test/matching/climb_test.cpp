@@ -30,6 +30,13 @@ class ClimbTest : public ::testing::Test {
     return scene;
   }
 
+  /// 1.5 px and 2 degrees off, in the kth of eight directions.
+  static Pose2D beside(const Pose2D& pose, int k) {
+    const double direction = k * kPi / 4;
+    return {pose.x + 1.5 * std::cos(direction), pose.y + 1.5 * std::sin(direction),
+            pose.theta + (k % 2 ? 2 : -2) * kDegree};
+  }
+
   static constexpr double kDegree = kPi / 180;
   static const cv::Point2d kReference;
 };
@@ -45,9 +52,7 @@ TEST_F(ClimbTest, FindsBackFromNearby) {
     const SceneLevel scene(scene_with(source, textured, truth), 0);
     const Pose2D anchor = compose(truth, inverse(view.reference_in_anchor));
     for (int k = 0; k < 8; ++k) {
-      const double direction = k * kPi / 4;
-      const Pose2D start{anchor.x + 1.5 * std::cos(direction), anchor.y + 1.5 * std::sin(direction),
-                         anchor.theta + (k % 2 ? 2 : -2) * kDegree};
+      const Pose2D start = beside(anchor, k);
       const Climbed climbed = climb(view.fine, scene, start, 12);
       EXPECT_LT(cv::norm(climbed.pose.position() - anchor.position()), 0.5)
           << (textured ? "textured" : "plain") << ", direction " << k;
@@ -64,9 +69,7 @@ TEST_F(ClimbTest, ContoursAreFollowedWithoutTheSurface) {
   const SceneLevel scene(scene_with(source, false, truth), 0);
   const Pose2D anchor = compose(truth, inverse(view.reference_in_anchor));
   for (int k = 0; k < 8; ++k) {
-    const double direction = k * kPi / 4;
-    const Pose2D start{anchor.x + 1.5 * std::cos(direction), anchor.y + 1.5 * std::sin(direction),
-                       anchor.theta + (k % 2 ? 2 : -2) * kDegree};
+    const Pose2D start = beside(anchor, k);
     const Climbed there = follow_contour(view.rough[0], scene, start, 3);
     EXPECT_LT(cv::norm(there.pose.position() - anchor.position()), 0.8) << "direction " << k;
     EXPECT_LT(angle_distance(there.pose.theta, anchor.theta), 1.5 * kDegree);

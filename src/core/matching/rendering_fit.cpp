@@ -165,9 +165,9 @@ cv::Mat1d RenderingFit::solve(int unknowns) {
     const float* const values = row(k);
     for (std::size_t i = 0; i < count(); ++i) weighted[i] = weights_[i] * inside_[i] * values[i];
     float found[kRows];
-    kernels::dots(rows_.data(), count(), kRows, weighted.data(), static_cast<int>(count()), found);
-    for (int j = 0; j < unknowns; ++j) products(k, j) = found[j];
-    sums(k) = found[kSeen];
+    kernels::dots(row(k), count(), kRows - k, weighted.data(), static_cast<int>(count()), found);
+    for (int j = k; j < unknowns; ++j) products(k, j) = products(j, k) = found[j - k];
+    sums(k) = found[kSeen - k];
   }
   for (int k = 0; k < unknowns; ++k)
     products(k, k) += object_.size * (k == 0                      ? kGain
