@@ -121,7 +121,8 @@ Climbed follow_contour(const PoseTemplate& object, const SceneLevel& scene, cons
   Pose2D pose = start;
   for (int k = 0;; ++k) {
     scene.prepare_around(pose, object.reach());
-    read_contour(object.contour, scene.edges, pose, kReach, sample);
+    // The last reading is for its value alone, to which what lies farther adds nothing.
+    read_contour(object.contour, scene.edges, pose, k == iterations ? 1 : kReach, sample);
     const double value = contour_agreement(object.contour, sample);
     if (value > best.value) best = {pose, value};
     if (k == iterations) return best;

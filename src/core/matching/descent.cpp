@@ -51,20 +51,22 @@ class Descent {
     if (is_narrow(view_, effort_))
       follow_contours(level - 1, coarse);
     else
-      keep_those_on_edges(level - 1, coarse);
+      keep_those_on_edges(level - 1, kOnEdges, coarse);
     climb_roughly(level - 1, 2, coarse);
     auto& finer = entering[level - 1];
     finer.insert(finer.end(), coarse.begin(), coarse.end());
     entering[level].clear();
   }
 
-  /// Climbing is dear, and most proposals of a thin outline lie on nothing.
-  void keep_those_on_edges(int level, std::vector<Candidate>& candidates) const {
+  /// Reading the surface is dear, and most proposals lie on nothing: keeps the best `most` by their
+  /// contour alone.
+  void keep_those_on_edges(int level, std::size_t most, std::vector<Candidate>& candidates) const {
+    if (candidates.size() <= most) return;
     for (auto& candidate : candidates)
       candidate.value =
           follow_contour(view_.rough[level], scene_.levels[level], candidate.pose, 0).value;
     sort_by_value(candidates);
-    if (candidates.size() > kOnEdges) candidates.resize(kOnEdges);
+    candidates.resize(most);
   }
 
   /// Moves proposals of a narrow outline onto the edges beside them: where steps are as wide as the
@@ -92,6 +94,7 @@ class Descent {
       follow_contours(level, entering);
       climb_roughly(level, 1, entering);
     }
+    keep_those_on_edges(level, effort_.on_edges, entering);
     for (auto& candidate : entering)
       candidate.value = rough_odds(view_, scene_, level, candidate.pose);
     sort_by_value(entering);

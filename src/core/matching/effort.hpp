@@ -10,6 +10,7 @@ struct Effort {
   int correlated_places;     ///< of the correlation, at most
   std::size_t edge_poses;    ///< of the edge search, at most
   std::size_t round_places;  ///< whose contour does not tell the rotation, at most
+  std::size_t on_edges;      ///< of them those that lie best on edges, at most
   std::size_t judged;        ///< of them and others at a level by all evidence, at most
   std::size_t entering;      ///< candidates that enter at a level, at most
   int turns;                 ///< further starts, turned each way, of a candidate that enters
@@ -18,9 +19,9 @@ struct Effort {
   double demand;             ///< log-odds by which a candidate's floors are raised on the way
   double promising;          ///< log-odds that polishing may bring to acceptance
 };
-constexpr Effort kSparing{100, 100, 10, 24, 12, 0, 0, 0, 2, -5};
-constexpr Effort kQuick{100, 400, 24, 96, 48, 0, 0, 0, 0, -8};
-constexpr Effort kThorough{100, 1600, 24, 96, 48, 2, 3, 5, 0, -8};
+constexpr Effort kSparing{100, 100, 10, 100, 24, 12, 0, 0, 0, 2, -5};
+constexpr Effort kQuick{100, 400, 24, 200, 96, 48, 0, 0, 0, 0, -8};
+constexpr Effort kThorough{100, 1600, 24, 1600, 96, 48, 2, 3, 5, 0, -8};
 
 /// Correlation is spared where of the candidates by edges
 constexpr double kSure = 5;            ///< the best has at least these log-odds, ...

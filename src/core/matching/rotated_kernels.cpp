@@ -15,7 +15,7 @@ namespace {
 
 constexpr int kTopLevel = 5;
 constexpr int kMinPixels = 36;  // fewer are matched by chance everywhere ...
-constexpr int kFewPixels = 20;  // ... but levels as fine as kFineLevel cost too much without need
+constexpr int kFewPixels = 14;  // ... but levels as fine as kFineLevel cost too much without need
 constexpr int kFineLevel = 2;
 constexpr float kCoverage = 0.6f;  // [0..1] of a pixel in the map
 constexpr double kArcStep = 2.6;   // [px] that the rim moves per rotation step

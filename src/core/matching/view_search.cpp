@@ -28,6 +28,7 @@ Effort for_sector(Effort effort, const RotationSector& sector) {
   };
   part(effort.correlated_places);
   part(effort.edge_poses);
+  part(effort.on_edges);
   part(effort.judged);
   part(effort.entering);
   return effort;
