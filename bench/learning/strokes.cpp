@@ -37,6 +37,8 @@ std::vector<LessonEdit::Line> stroke_on(const cv::Mat& part) {
   cv::distanceTransform(part, depth, cv::DIST_L2, 5);
   double deepest = 0;
   cv::minMaxLoc(depth, nullptr, &deepest);
+  // Of a patch as wide as long, thinning may leave nothing: a dot in its middle.
+  if (cv::countNonZero(line) == 0) line = depth >= deepest;
   cv::dilate(line & (depth >= std::max(1.0, kMiddle * deepest)), stroke,
              cv::Mat::ones(kStrokeWidth, kStrokeWidth, CV_8U));
   std::vector<cv::Point> pixels;
