@@ -51,6 +51,20 @@ double least_energy(const cv::Mat& unary, const Smoothness& smoothness) {
   return least;
 }
 
+TEST(Smoothness, ARimIsFreeAndTheRestAsBefore) {
+  cv::RNG random(3);
+  const cv::Size size(9, 8);
+  const cv::Mat nothing = cv::Mat::zeros(size, CV_8UC1), even = cv::Mat::zeros(size, CV_32FC1);
+  cv::Mat mask = nothing.clone(), apart = nothing.clone();
+  mask(cv::Rect(2, 1, 4, 5)).setTo(255);
+  apart(cv::Rect(7, 1, 2, 6)).setTo(255);
+  const Smoothness before = random_smoothness(size, random), after = with_free_rim(before, mask);
+  EXPECT_GT(energy(mask, even, before), 0);
+  EXPECT_EQ(energy(mask, even, after), 0);
+  EXPECT_EQ(energy(apart, even, after), energy(apart, even, before));
+  EXPECT_EQ(energy(mask, even, with_free_rim(before, nothing)), energy(mask, even, before));
+}
+
 TEST(GraphCut, FindsTheLeastEnergyOfAllMaps) {
   cv::RNG random(7);
   for (const cv::Size size : {cv::Size(4, 3), cv::Size(1, 5), cv::Size(5, 1), cv::Size(3, 4)})

@@ -200,12 +200,22 @@ TEST(InteractiveLesson, AForeignThingThatIsPaintedOverLeavesTheMap) {
   drawn.scene.copyTo(scene, drawn.truth);
   drawn.lesson.before = test::exposed(scene, 11);
   InteractiveLesson edited(drawn.lesson);
+  LessonEdit edit;
+  edit.exclude = {{{131, 113}, {153, 107}, {159, 107}, {159, 127}, {131, 127}}};
   const double before = iou(map_of(edited.result()), drawn.truth);
-  const double after = iou(
-      map_of(edited.edit(excluding({{147, 110}, {157, 110}, {157, 125}, {140, 125}, {152, 118}}))),
-      drawn.truth);
+  const double after = iou(map_of(edited.edit(edit)), drawn.truth);
   EXPECT_LT(before, 0.85);
   EXPECT_GT(after, 0.9);
+}
+
+TEST(InteractiveLesson, AnEditLeavesTheFirstCutAlone) {
+  const auto drawn = draw_lesson();
+  InteractiveLesson one(drawn.lesson), other(drawn.lesson);
+  one.edit(including({{60, 50}, {66, 50}}));
+  one.undo();
+  one.edit(excluding(kOutside));
+  other.edit(excluding(kOutside));
+  expect_equal(one.result(), other.result());
 }
 
 TEST(InteractiveLesson, AFailedLessonCannotBeEdited) {

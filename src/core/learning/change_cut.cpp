@@ -10,6 +10,7 @@
 #include "learning/background_likelihood.hpp"
 #include "learning/clean_map.hpp"
 #include "learning/cut_evidence.hpp"
+#include "learning/exclusion_votes.hpp"
 #include "learning/graph_cut.hpp"
 #include "learning/half_smoothness.hpp"
 #include "learning/line_evidence.hpp"
@@ -68,13 +69,14 @@ class Cutter {
 
   void cut() {
     unary_ = unary_of(ColourMixture::fit(before_, map_, sureness()));
-    cut_by_unary();
+    cut_by_unary(smoothness_);
   }
 
-  void cut_by_unary() {
+  // Of `smoothness`, half_ is the one at half resolution.
+  void cut_by_unary(const Smoothness& smoothness) {
     coarse_ = coarse_cut(unary_, half_);
     cv::Mat next = coarse_.clone();
-    refine_cut(unary_, smoothness_, next);
+    refine_cut(unary_, smoothness, next);
     if (cv::countNonZero(next) < kFewestPixels) return;
     keep_main_groups(next, cv::min(unary_, kHighestUnary), kept_);
     map_ = next;
@@ -85,19 +87,21 @@ class Cutter {
     if (!include_.empty()) map_ = (map_ | include_) & ~exclude_;
   }
 
-  // This cut's successor that holds to painted pixels. They teach no colours: what the first cut
-  // got wrong has the other side's colours.
+  // This cut's successor that holds to painted pixels; what looks like excluded ones leaves, too.
+  // Smoothness does not draw a stroke's neighbours along: beside a gap there may be a thin part.
   Cutter painted(const cv::Mat& include, const cv::Mat& exclude) const {
     Cutter next = *this;
     next.include_ = include(crop_);
     next.exclude_ = exclude(crop_);
-    next.inside_ = inside_ | next.include_;
+    next.inside_ = cv::Mat(inside_ | next.include_);
     // A part that a stroke cuts off stays the object's.
     next.kept_ = next.include_ | (map_ & ~next.exclude_);
-    next.unary_ = unary_.clone();
+    next.unary_ = cv::Mat(unary_ - exclusion_votes({before_, after_, unary_, map_}, next.exclude_));
     next.unary_.setTo(kForced, next.include_);
     next.unary_.setTo(-kForced, next.exclude_);
-    next.cut_by_unary();
+    const Smoothness free = with_free_rim(with_free_rim(smoothness_, next.include_), next.exclude_);
+    next.half_ = half_resolution(free);
+    next.cut_by_unary(free);
     next.clean();
     return next;
   }

@@ -70,4 +70,20 @@ Smoothness smoothness(const cv::Mat& before, const cv::Mat& after, const NoiseMo
   return result;
 }
 
+Smoothness with_free_rim(const Smoothness& smoothness, const cv::Mat& mask) {
+  Smoothness result;
+  result.strength = smoothness.strength;
+  for (std::size_t k = 0; k < result.weights.size(); ++k) {
+    const cv::Point step(Smoothness::kDx[k], Smoothness::kDy[k]);
+    cv::Mat& weights = result.weights[k] = smoothness.weights[k].clone();
+    for (int y = 0; y < weights.rows; ++y)
+      for (int x = 0; x < weights.cols; ++x) {
+        float& weight = weights.at<float>(y, x);
+        if (weight > 0 && mask.at<uchar>(y, x) != mask.at<uchar>(cv::Point(x, y) + step))
+          weight = 0;
+      }
+  }
+  return result;
+}
+
 }  // namespace mbncc

@@ -22,4 +22,7 @@ struct Smoothness {
 /// where `after` shows the same edge: that one belongs to the platform. Both CV_32FC3, aligned.
 Smoothness smoothness(const cv::Mat& before, const cv::Mat& after, const NoiseModel& noise);
 
+/// A copy whose outline costs nothing along the rim of `mask` (CV_8UC1 of the pictures' size).
+Smoothness with_free_rim(const Smoothness& smoothness, const cv::Mat& mask);
+
 }  // namespace mbncc
