@@ -23,10 +23,7 @@ class Refiner {
 
   Refined run(int iterations) {
     bool seen = approach(iterations, kFixedScale);
-    if (seen && iterations > 0 && scale_differs()) {
-      approach(iterations, kScalePrior);
-      seen = look();
-    }
+    if (seen && iterations > 0 && scale_differs()) seen = approach(iterations, kScalePrior);
     if (strayed()) {
       pose_ = start_;
       scale_ = 1;
