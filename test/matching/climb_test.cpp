@@ -30,6 +30,22 @@ class ClimbTest : public ::testing::Test {
     return scene;
   }
 
+  /// The object laid into a scene, and where its template's anchor lies then.
+  struct Laid {
+    Laid(bool textured, const Pose2D& truth)
+        : source(lesson(textured)),
+          object(test::object_from(source, {kReference.x, kReference.y, 0})),
+          view(object->views.front(), Engine::kFast),
+          scene(scene_with(source, textured, truth), 0),
+          anchor(compose(truth, inverse(view.reference_in_anchor))) {}
+
+    test::LearningPicture source;
+    std::shared_ptr<const ObjectModel> object;
+    PreparedView view;
+    SceneLevel scene;
+    Pose2D anchor;
+  };
+
   /// 1.5 px and 2 degrees off, in the kth of eight directions.
   static Pose2D beside(const Pose2D& pose, int k) {
     const double direction = k * kPi / 4;
@@ -45,35 +61,25 @@ const cv::Point2d ClimbTest::kReference{58, 60};
 
 TEST_F(ClimbTest, FindsBackFromNearby) {
   for (const bool textured : {true, false}) {
-    const test::LearningPicture source = lesson(textured);
-    const auto object = test::object_from(source, {kReference.x, kReference.y, 0});
-    const PreparedView view(object->views.front(), Engine::kFast);
-    const Pose2D truth{101.4, 77.3, 0.7};
-    const SceneLevel scene(scene_with(source, textured, truth), 0);
-    const Pose2D anchor = compose(truth, inverse(view.reference_in_anchor));
+    const Laid laid(textured, {101.4, 77.3, 0.7});
     for (int k = 0; k < 8; ++k) {
-      const Pose2D start = beside(anchor, k);
-      const Climbed climbed = climb(view.fine, scene, start, 12);
-      EXPECT_LT(cv::norm(climbed.pose.position() - anchor.position()), 0.5)
+      const Pose2D start = beside(laid.anchor, k);
+      const Climbed climbed = climb(laid.view.fine, laid.scene, start, 12);
+      EXPECT_LT(cv::norm(climbed.pose.position() - laid.anchor.position()), 0.5)
           << (textured ? "textured" : "plain") << ", direction " << k;
-      EXPECT_LT(angle_distance(climbed.pose.theta, anchor.theta), 0.8 * kDegree);
+      EXPECT_LT(angle_distance(climbed.pose.theta, laid.anchor.theta), 0.8 * kDegree);
     }
   }
 }
 
 TEST_F(ClimbTest, ContoursAreFollowedWithoutTheSurface) {
-  const test::LearningPicture source = lesson(false);
-  const auto object = test::object_from(source, {kReference.x, kReference.y, 0});
-  const PreparedView view(object->views.front(), Engine::kFast);
-  const Pose2D truth{98.2, 80.6, -1.2};
-  const SceneLevel scene(scene_with(source, false, truth), 0);
-  const Pose2D anchor = compose(truth, inverse(view.reference_in_anchor));
+  const Laid laid(false, {98.2, 80.6, -1.2});
   for (int k = 0; k < 8; ++k) {
-    const Pose2D start = beside(anchor, k);
-    const Climbed there = follow_contour(view.rough[0], scene, start, 3);
-    EXPECT_LT(cv::norm(there.pose.position() - anchor.position()), 0.8) << "direction " << k;
-    EXPECT_LT(angle_distance(there.pose.theta, anchor.theta), 1.5 * kDegree);
-    const Climbed unmoved = follow_contour(view.rough[0], scene, start, 0);
+    const Pose2D start = beside(laid.anchor, k);
+    const Climbed there = follow_contour(laid.view.rough[0], laid.scene, start, 3);
+    EXPECT_LT(cv::norm(there.pose.position() - laid.anchor.position()), 0.8) << "direction " << k;
+    EXPECT_LT(angle_distance(there.pose.theta, laid.anchor.theta), 1.5 * kDegree);
+    const Climbed unmoved = follow_contour(laid.view.rough[0], laid.scene, start, 0);
     EXPECT_EQ(unmoved.pose.x, start.x);
     EXPECT_GE(there.value, unmoved.value);
   }
@@ -91,16 +97,12 @@ TEST_F(ClimbTest, NeverGetsWorse) {
 }
 
 TEST_F(ClimbTest, SettlesOnASurfaceToAFractionOfAPixel) {
-  const test::LearningPicture source = lesson(true);
-  const auto object = test::object_from(source, {kReference.x, kReference.y, 0});
-  const PreparedView view(object->views.front(), Engine::kFast);
-  const Pose2D truth{93.7, 82.6, -1.9};
-  const SceneLevel scene(scene_with(source, true, truth), 0);
-  const Pose2D anchor = compose(truth, inverse(view.reference_in_anchor));
+  const Laid laid(true, {93.7, 82.6, -1.9});
   const Climbed settled =
-      settle(view.fine, scene, {anchor.x + 0.6, anchor.y - 0.5, anchor.theta + 0.01}, 10);
-  EXPECT_LT(cv::norm(settled.pose.position() - anchor.position()), 0.1);
-  EXPECT_LT(angle_distance(settled.pose.theta, anchor.theta), 0.1 * kDegree);
+      settle(laid.view.fine, laid.scene,
+             {laid.anchor.x + 0.6, laid.anchor.y - 0.5, laid.anchor.theta + 0.01}, 10);
+  EXPECT_LT(cv::norm(settled.pose.position() - laid.anchor.position()), 0.1);
+  EXPECT_LT(angle_distance(settled.pose.theta, laid.anchor.theta), 0.1 * kDegree);
 }
 
 }  // namespace

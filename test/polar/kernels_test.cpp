@@ -105,41 +105,31 @@ TEST_P(Kernels, BestResponsesEqualReference) {
   }
 }
 
-TEST(BestResponses, AreThoseOfTheFirstOfEqualRotations) {
-  const std::vector<std::int8_t> maps(kResponseRows * kPositions, 1);
-  const std::vector<std::int32_t> offsets{0, 0, 0};
-  const std::vector<std::int16_t> labels{5, 6, 7};
+/// In maps of one value, each rotation having `terms` of them.
+void expect_best_response(std::int8_t value, int terms, const std::vector<std::int16_t>& labels,
+                          int best, int label) {
+  const std::vector<std::int8_t> maps(kResponseRows * kPositions, value);
+  const std::vector<std::int32_t> offsets(terms * labels.size(), 0);
   for (const auto& target : targets()) {
-    const auto found = best_responses_of(*target.table, maps.data(), kPositions,
-                                         {offsets.data(), 1, labels.data(), 3});
-    EXPECT_EQ(found.first.front(), 1) << target.name;
-    EXPECT_EQ(found.second.front(), 5) << target.name;
+    const auto found =
+        best_responses_of(*target.table, maps.data(), kPositions,
+                          {offsets.data(), terms, labels.data(), static_cast<int>(labels.size())});
+    EXPECT_EQ(found.first.front(), best) << target.name;
+    EXPECT_EQ(found.second.front(), label) << target.name;
   }
 }
 
+TEST(BestResponses, AreThoseOfTheFirstOfEqualRotations) {
+  expect_best_response(1, 1, {5, 6, 7}, 1, 5);
+}
+
 TEST(BestResponses, AreNotNegative) {
-  const std::vector<std::int8_t> maps(kResponseRows * kPositions, -1);
-  const std::vector<std::int32_t> offsets{0};
-  const std::vector<std::int16_t> labels{5};
-  for (const auto& target : targets()) {
-    const auto found = best_responses_of(*target.table, maps.data(), kPositions,
-                                         {offsets.data(), 1, labels.data(), 1});
-    EXPECT_EQ(found.first.front(), 0) << target.name;
-    EXPECT_EQ(found.second.front(), 0) << target.name;
-  }
+  expect_best_response(-1, 1, {5}, 0, 0);
 }
 
 TEST(BestResponses, BearTheirBounds) {
   constexpr int kTerms = 2000;
-  const std::vector<std::int8_t> maps(kResponseRows * kPositions, kMaxResponse);
-  const std::vector<std::int32_t> offsets(kTerms, 0);
-  const std::vector<std::int16_t> labels{3};
-  for (const auto& target : targets()) {
-    const auto found = best_responses_of(*target.table, maps.data(), kPositions,
-                                         {offsets.data(), kTerms, labels.data(), 1});
-    EXPECT_EQ(found.first.front(), kTerms * kMaxResponse) << target.name;
-    EXPECT_EQ(found.second.front(), 3) << target.name;
-  }
+  expect_best_response(kMaxResponse, kTerms, {3}, kTerms * kMaxResponse, 3);
 }
 
 TEST_P(Kernels, EdgeResponsesEqualReference) {
