@@ -10,9 +10,12 @@
 
 #include "mbncc/cell/platform.hpp"
 #include "mbncc/config/simulated_camera_config.hpp"
+#include "mbncc/health_tasks.hpp"
 #include "mbncc/sim/cell_script.hpp"
 #include "mbncc/sim/scene.hpp"
+#include "nodelets/camera_health.hpp"
 #include "nodelets/guarded_nodelet.hpp"
+#include "nodelets/health_report.hpp"
 #include "nodelets/images.hpp"
 #include "nodelets/messages.hpp"
 #include "nodelets/parameters.hpp"
@@ -51,7 +54,12 @@ class SimulatedCameraNodelet : public GuardedNodelet {
   ~SimulatedCameraNodelet() override { finish(); }
 
  private:
-  void stop() override { timer_.stop(); }
+  using Counts = CameraHealth::Counts;
+
+  void stop() override {
+    report_.reset();
+    timer_.stop();
+  }
 
   void start() override {
     read_parameters(private_node(), field_rows(config_));
@@ -64,6 +72,10 @@ class SimulatedCameraNodelet : public GuardedNodelet {
     truth_ = handle.advertise<mbncc_vision::DetectedObjectArray>("truth", 10, true);
     take_away_ = handle.advertiseService("take_away", &SimulatedCameraNodelet::on_take_away, this);
     put_next_ = handle.advertiseService("put_next", &SimulatedCameraNodelet::on_put_next, this);
+    health_.set_state(diagnostic_msgs::DiagnosticStatus::OK, "open");
+    report_ =
+        std::make_unique<HealthReport>(node(), private_node(), getName(), "simulated cell",
+                                       kPicturesTask, [this](auto& status) { diagnose(status); });
     timer_ = handle.createWallTimer(ros::WallDuration(1 / config_.frame_rate),
                                     &SimulatedCameraNodelet::on_timer, this);
   }
@@ -75,7 +87,7 @@ class SimulatedCameraNodelet : public GuardedNodelet {
     header.stamp = ros::Time::now();
     header.frame_id = config_.frame_id;
     // A simulated clock that stands still gives no new stamp.
-    if (header.stamp == last_stamp_) return;
+    if (header.stamp == last_stamp_) return health_.count(&Counts::unstamped);
     last_stamp_ = header.stamp;
     publish_picture(frame, header);
     truth_.publish(truth_of(frame, header));
@@ -88,6 +100,13 @@ class SimulatedCameraNodelet : public GuardedNodelet {
     const auto info = boost::make_shared<sensor_msgs::CameraInfo>(optics_->camera_info());
     info->header = header;
     camera_.publish(boost::make_shared<sensor_msgs::Image>(encode_picture(picture, header)), info);
+    health_.count(&Counts::published);
+  }
+
+  void diagnose(diagnostic_updater::DiagnosticStatusWrapper& status) {
+    health_.describe(status);
+    status.add("listeners", camera_.getNumSubscribers());
+    status.add("calibrated", config_.focal_length > 0 ? "yes" : "no");
   }
 
   mbncc_vision::DetectedObjectArray truth_of(const sim::CellFrame& frame,
@@ -146,6 +165,8 @@ class SimulatedCameraNodelet : public GuardedNodelet {
   image_transport::CameraPublisher camera_;
   ros::Publisher truth_;
   ros::ServiceServer take_away_, put_next_;
+  CameraHealth health_;
+  std::unique_ptr<HealthReport> report_;
   ros::WallTimer timer_;
 };
 

@@ -1,3 +1,4 @@
+#include <diagnostic_msgs/DiagnosticArray.h>
 #include <gtest/gtest.h>
 #include <mbncc_vision/DetectedObjectArray.h>
 #include <ros/callback_queue.h>
@@ -7,6 +8,7 @@
 #include <std_srvs/Trigger.h>
 
 #include <map>
+#include <string>
 
 #include "nodelets/spin_until.hpp"
 
@@ -83,6 +85,20 @@ TEST_F(SimulatedCamera, TellsTheStoryOnRequest) {
                 std::abs(second.image_pose.y - first.image_pose.y),
             1);
   EXPECT_NE(second.image_pose.theta, first.image_pose.theta);
+}
+
+TEST_F(SimulatedCamera, ReportsLikeACamera) {
+  std::map<std::string, std::string> values;
+  const auto reports = node_.subscribe<diagnostic_msgs::DiagnosticArray>(
+      "/diagnostics", 20, [&](const diagnostic_msgs::DiagnosticArray::ConstPtr& report) {
+        const auto& status = report->status.at(0);
+        EXPECT_EQ(status.name, "camera: pictures");
+        EXPECT_EQ(status.message, "open");
+        for (const auto& value : status.values) values[value.key] = value.value;
+      });
+  ASSERT_TRUE(spin_until([&] { return values["published"] > "0" && values["listeners"] == "1"; }));
+  EXPECT_EQ(values["calibrated"], "yes");
+  EXPECT_EQ(values["failures of the source"], "0");
 }
 
 }  // namespace
