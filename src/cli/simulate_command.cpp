@@ -6,7 +6,7 @@
 #include "cli/pictures.hpp"
 #include "cli/settings.hpp"
 #include "mbncc/error.hpp"
-#include "mbncc/sim/cell_script.hpp"
+#include "mbncc/sim/cell_config.hpp"
 
 namespace mbncc::cli {
 namespace {
@@ -25,8 +25,10 @@ std::string picture_name(int index) {
 /// A simulated cell that writes what its camera sees.
 class RecordedCell {
  public:
-  RecordedCell(std::string folder, std::uint64_t seed)
-      : folder_(std::move(folder)), scene_(scene_config(seed)), script_(script_config(seed)) {}
+  RecordedCell(std::string folder, const SimulatedCameraConfig& config)
+      : folder_(std::move(folder)),
+        scene_(sim::scene_config(config)),
+        script_(sim::script_config(config)) {}
 
   sim::CellScript& script() { return script_; }
 
@@ -36,19 +38,6 @@ class RecordedCell {
   }
 
  private:
-  static sim::SceneConfig scene_config(std::uint64_t seed) {
-    sim::SceneConfig config;
-    config.seed = seed;
-    return config;
-  }
-
-  static sim::CellScriptConfig script_config(std::uint64_t seed) {
-    sim::CellScriptConfig config;
-    config.seed = config.object.seed = seed;
-    config.auto_play = false;
-    return config;
-  }
-
   std::string folder_;
   sim::Scene scene_;
   sim::CellScript script_;
@@ -72,13 +61,21 @@ void write_targets(RecordedCell& cell, int count, std::ostream& truth) {
   }
 }
 
+/// The story moves only when told to, and one seed draws all of it.
+SimulatedCameraConfig cell_of(const Arguments& arguments) {
+  SimulatedCameraConfig config = settings_from(arguments).simulated_camera;
+  config.auto_play = false;
+  if (arguments.has("--seed"))
+    config.seed = config.object_seed = parse_whole("--seed", arguments.get("--seed"), 1);
+  return config;
+}
+
 ExitCode run(const Arguments& arguments) {
-  settings_from(arguments);
   const std::string folder = arguments.get("--out");
-  const int seed = parse_whole("--seed", arguments.get("--seed", "1"), 1);
   const int count = parse_whole("--count", arguments.get("--count", "5"), 1);
+  const SimulatedCameraConfig config = cell_of(arguments);
   make_output_folder(folder);
-  RecordedCell cell(folder, static_cast<std::uint64_t>(seed));
+  RecordedCell cell(folder, config);
   write_lesson(cell);
   const std::string truth_path = folder + "/truth.csv";
   std::ofstream truth(truth_path);
@@ -98,7 +95,8 @@ Command simulate_command() {
        {"--count", "N", "pictures to search (5)"}},
       "",
       "before.png and after.png teach the object, target_*.png show it elsewhere, truth.csv tells "
-      "where: the centroid of its outline and its angle against before.png.\n",
+      "where: the centroid of its outline and its angle against before.png. Of the simulated "
+      "camera's parameters, those of picture, object, neighbours, noise and light count.\n",
       run};
 }
 

@@ -5,14 +5,11 @@
 #include <std_srvs/Trigger.h>
 #include <pluginlib/class_list_macros.hpp>
 
-#include <algorithm>
 #include <memory>
 
 #include "mbncc/cell/platform.hpp"
-#include "mbncc/config/simulated_camera_config.hpp"
 #include "mbncc/health_tasks.hpp"
-#include "mbncc/sim/cell_script.hpp"
-#include "mbncc/sim/scene.hpp"
+#include "mbncc/sim/cell_config.hpp"
 #include "nodelets/camera_health.hpp"
 #include "nodelets/guarded_nodelet.hpp"
 #include "nodelets/health_report.hpp"
@@ -22,32 +19,6 @@
 #include "nodelets/simulated_optics.hpp"
 
 namespace mbncc::nodelets {
-namespace {
-
-sim::SceneConfig scene_config(const SimulatedCameraConfig& config) {
-  sim::SceneConfig scene;
-  scene.size = {config.width, config.height};
-  scene.seed = static_cast<std::uint64_t>(config.seed);
-  scene.noise_sigma = config.noise_sigma;
-  scene.light_gradient = config.light_gradient;
-  scene.gain = config.gain;
-  return scene;
-}
-
-sim::CellScriptConfig script_config(const SimulatedCameraConfig& config) {
-  sim::CellScriptConfig script;
-  script.size = {config.width, config.height};
-  script.seed = static_cast<std::uint64_t>(config.seed);
-  script.object = {static_cast<std::uint64_t>(config.object_seed), config.object_diameter,
-                   config.object_elongation};
-  script.neighbours = config.neighbours;
-  script.auto_play = config.auto_play;
-  script.rest_frames = std::max(1, cvRound(config.rest_time * config.frame_rate));
-  script.leg_frames = std::max(1, cvRound(config.leg_time * config.frame_rate));
-  return script;
-}
-
-}  // namespace
 
 class SimulatedCameraNodelet : public GuardedNodelet {
  public:
@@ -63,8 +34,8 @@ class SimulatedCameraNodelet : public GuardedNodelet {
 
   void start() override {
     read_parameters(private_node(), field_rows(config_));
-    scene_ = std::make_unique<sim::Scene>(scene_config(config_));
-    script_ = std::make_unique<sim::CellScript>(script_config(config_));
+    scene_ = std::make_unique<sim::Scene>(sim::scene_config(config_));
+    script_ = std::make_unique<sim::CellScript>(sim::script_config(config_));
     optics_ = std::make_unique<SimulatedOptics>(config_);
     image_transport::ImageTransport transport(node());
     camera_ = transport.advertiseCamera("image_raw", 1);

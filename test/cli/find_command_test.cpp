@@ -1,9 +1,6 @@
 #include <gtest/gtest.h>
 #include <yaml-cpp/yaml.h>
 
-#include <cmath>
-#include <sstream>
-
 #include "cli/tool.hpp"
 
 namespace mbncc::test {
@@ -13,13 +10,6 @@ using Words = std::vector<std::string>;
 
 constexpr const char* kHeader =
     "image,name,instance,x,y,theta_deg,score,similarity,margin_place,margin_angle,graspable,ms";
-
-std::vector<std::string> split(const std::string& text, char separator) {
-  std::vector<std::string> parts;
-  std::istringstream stream(text);
-  for (std::string part; std::getline(stream, part, separator);) parts.push_back(part);
-  return parts;
-}
 
 class FindCommand : public testing::Test {
  protected:
@@ -156,30 +146,6 @@ TEST_F(FindCommand, AnyPictureSizeIsSearched) {
   const ToolRun run = find({"--csv", folder_ / "part_of_it.png"});
   EXPECT_EQ(run.code, 0);
   EXPECT_TRUE(run.prints("part_of_it.png,part,0,")) << run.out;
-}
-
-// The guide's first example, as a newcomer types it.
-TEST(SimulateCommand, DrawsPicturesThatTeachAndAreFound) {
-  TemporaryFolder folder;
-  const std::string pictures = folder / "pictures/", library = folder / "library";
-  ASSERT_EQ(run_tool({"simulate", "--out", pictures, "--count", "2"}).code, 0);
-  ASSERT_EQ(run_tool({"learn", "--library", library, "--name", "wrench", "--before",
-                      pictures + "before.png", "--after", pictures + "after.png"})
-                .code,
-            0);
-  const ToolRun run = run_tool({"find", "--library", library, "--csv", pictures + "target_000.png",
-                                pictures + "target_001.png"});
-  ASSERT_EQ(run.code, 0) << run.err;
-  const auto found = split(run.out, '\n'),
-             truth = split(content_of_file(pictures + "truth.csv"), '\n');
-  ASSERT_EQ(found.size(), 3u) << run.out;
-  ASSERT_EQ(truth.size(), 3u);
-  for (std::size_t i = 1; i < found.size(); ++i) {
-    const auto pose = split(found[i], ','), true_pose = split(truth[i], ',');
-    EXPECT_NEAR(std::stod(pose[3]), std::stod(true_pose[1]), 1);
-    EXPECT_NEAR(std::stod(pose[4]), std::stod(true_pose[2]), 1);
-    EXPECT_NEAR(std::remainder(std::stod(pose[5]) - std::stod(true_pose[3]), 360), 0, 1);
-  }
 }
 
 }  // namespace

@@ -47,7 +47,8 @@ Pose2D free_pose(cv::Size size, double reach, const std::vector<Placed>& others,
     if (clear_of(pose, reach, others)) return pose;
   }
   throw std::invalid_argument(
-      "the objects do not fit into the picture; make them smaller or fewer");
+      "the objects do not fit into the picture; lower object_diameter or neighbours, or enlarge "
+      "width and height");
 }
 
 }  // namespace
