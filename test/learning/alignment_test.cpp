@@ -5,6 +5,7 @@
 
 #include "learning/camera_shift.hpp"
 #include "learning/noise_model.hpp"
+#include "learning/normalized_difference.hpp"
 #include "learning/photometric_fit.hpp"
 #include "learning/pictures.hpp"
 

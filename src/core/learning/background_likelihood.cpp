@@ -4,6 +4,7 @@
 #include <cmath>
 #include <opencv2/imgproc.hpp>
 
+#include "learning/normalized_difference.hpp"
 #include "learning/texture_loss.hpp"
 
 namespace mbncc {

@@ -1,42 +1,18 @@
 #include "learning/lesson_run.hpp"
 
 #include <chrono>
-#include <opencv2/imgproc.hpp>
-#include <stdexcept>
 
-#include "learning/arrival_test.hpp"
-#include "learning/click_region.hpp"
 #include "learning/lesson_checks.hpp"
+#include "learning/lesson_region.hpp"
 #include "learning/put_aside.hpp"
 #include "learning/stage_pictures.hpp"
-#include "mbncc/learning/change.hpp"
+#include "learning/step_timer.hpp"
 #include "mbncc/learning/quality.hpp"
 
 namespace mbncc {
 namespace {
 
 constexpr double kRefines = 0.75;  // agreement of two views, above which both make the map
-
-using Clock = std::chrono::steady_clock;
-
-double milliseconds_since(Clock::time_point start) {
-  return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
-}
-
-// Runs one named step and notes its time, also when the step ends the lesson.
-class StepTimer {
- public:
-  StepTimer(std::map<std::string, double>& timings, std::string step)
-      : timings_(timings), step_(std::move(step)) {}
-  ~StepTimer() { timings_[step_] += milliseconds_since(start_); }
-  StepTimer(const StepTimer&) = delete;
-  StepTimer& operator=(const StepTimer&) = delete;
-
- private:
-  std::map<std::string, double>& timings_;
-  std::string step_;
-  Clock::time_point start_ = Clock::now();
-};
 
 bool refines(const NewPlace& place) {
   return place.agreement >= kRefines;
@@ -134,63 +110,14 @@ class LessonRun {
 
   SegmentationTask mark_region() {
     const StepTimer timer(result_.timings_ms, "region");
-    SegmentationTask task{lesson_.before, lesson_.after, usable_region(lesson_), {}, {}};
-    if (!task.after.empty()) survey(task);
-    if (!lesson_.outline.empty()) {
-      task.approximate = outline_map(lesson_);
-      task.region = cv::boundingRect(task.approximate);
-    } else {
-      approximate(task);
-    }
+    const RegionOfLesson region = region_of(lesson_, config_);
+    SegmentationTask task{lesson_.before, lesson_.after, region.room, region.approximate,
+                          region.changed};
+    surveyed_ = region.surveyed;
+    if (!task.changed.empty()) state_.changed = task.changed;
     progress_.report(Stage::kRegion, 0.1, "Marking the approximate region.",
                      [&] { return tinted(task.before, task.approximate, task.region); });
     return task;
-  }
-
-  void approximate(SegmentationTask& task) const {
-    task.approximate = cv::Mat::zeros(task.before.size(), CV_8UC1);
-    task.approximate(task.region).setTo(255);
-    if (!task.after.empty()) task.approximate &= task.changed;
-    if (lesson_.click) narrow_to_click(task);
-    if (cv::countNonZero(task.approximate) == 0) throw LessonEnded(LearnError::kNoChange);
-  }
-
-  // The change there, or else what has the colour there.
-  void narrow_to_click(SegmentationTask& task) const {
-    task.approximate = task.after.empty() ? grow_from_click(task.before, *lesson_.click)
-                                          : change_at_click(task.approximate, *lesson_.click);
-    ChangeSurvey clicked;
-    clicked.changed = task.approximate;
-    const cv::Rect room = changed_region(clicked, {{0, 0}, task.before.size()}, 0);
-    if (!room.empty()) task.region = room;
-  }
-
-  void survey(SegmentationTask& task) {
-    ChangeSurvey survey = survey_change(task.before, task.after);
-    check_survey(survey, config_);
-    surveyed_ = survey.changed;
-    // Where nobody says which change is meant, it is the one that something left.
-    if (lesson_.region == cv::Rect() && !lesson_.click) drop_arrivals(survey);
-    task.changed = state_.changed = survey.changed;
-    task.region = region_of_change(survey, task.region);
-  }
-
-  void drop_arrivals(ChangeSurvey& survey) const {
-    const bool changed = cv::countNonZero(survey.changed) > 0;
-    survey.changed = without_arrivals(lesson_.before, lesson_.after, survey.changed);
-    if (changed && cv::countNonZero(survey.changed) == 0)
-      throw LessonEnded(LearnError::kNoChange,
-                        "Something was put down, but nothing was taken away.");
-  }
-
-  // Without a region, the largest change is the object. A region that is far larger than all change
-  // inside it is narrowed: the work grows with it.
-  cv::Rect region_of_change(const ChangeSurvey& survey, const cv::Rect& region) const {
-    constexpr int kFarLarger = 4;
-    if (lesson_.click) return region;
-    if (lesson_.region == cv::Rect()) return changed_region(survey, region, 1);
-    const cv::Rect narrow = changed_region(survey, region, 0.1);
-    return !narrow.empty() && region.area() > kFarLarger * narrow.area() ? narrow : region;
   }
 
   Segmentation segment(const SegmentationTask& task) {
@@ -251,8 +178,8 @@ class LessonRun {
 // Runs `steps` and turns the end of a lesson into values.
 template <class Steps>
 void conclude(LearnResult& result, Steps&& steps) {
-  const auto start = Clock::now();
   result = LearnResult();
+  const StepTimer timer(result.timings_ms, "total");
   try {
     steps();
   } catch (const LessonEnded& ended) {
@@ -261,7 +188,6 @@ void conclude(LearnResult& result, Steps&& steps) {
     result.hint = hint_of(ended.error());
     result.has_model = false;
   }
-  result.timings_ms["total"] = milliseconds_since(start);
 }
 
 }  // namespace

@@ -35,12 +35,4 @@ struct NoiseModel {
 /// Learns the model from the trusted pixels of the pair.
 NoiseModel learn_noise(const AlignedPair& pair);
 
-/// Squared Mahalanobis distance between the pictures (CV_32FC3) per pixel, CV_32FC1.
-cv::Mat normalized_difference(const cv::Mat& before, const cv::Mat& predicted,
-                              const cv::Mat& variance, const cv::Matx33f& correlation);
-
-/// Mixes such distances with their 3 x 3 mean, which evens out single noisy pixels. Neighbours that
-/// are far beyond the pixel itself hardly count, so that a change does not spread over its border.
-void pool(cv::Mat& values);
-
 }  // namespace mbncc

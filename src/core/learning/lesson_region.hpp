@@ -1,0 +1,22 @@
+// Where a lesson's object is, from what the lesson says and what its pictures tell.
+#pragma once
+
+#include <opencv2/core.hpp>
+
+#include "mbncc/learning/learn_object.hpp"
+
+namespace mbncc {
+
+/// All maps are CV_8UC1 of the picture's size, 0/255.
+struct RegionOfLesson {
+  cv::Rect room;        ///< [px] the object lies in here
+  cv::Mat approximate;  ///< the paper's approximate region
+  cv::Mat changed;      ///< where something may have left; empty without a picture after
+  cv::Mat surveyed;     ///< all changes, arrivals included; likewise
+};
+
+/// For a lesson that passed check_lesson(). Throws LessonEnded: kRegionInvalid, kChangeTooLarge for
+/// pictures that cannot be compared, kNoChange when nothing was taken away there.
+RegionOfLesson region_of(const Lesson& lesson, const LearningConfig& config);
+
+}  // namespace mbncc

@@ -1,0 +1,19 @@
+// How far two pictures differ, in units of their noise.
+#pragma once
+
+#include <opencv2/core.hpp>
+
+namespace mbncc {
+
+/// Squared Mahalanobis distance between the pictures (CV_32FC3) per pixel, CV_32FC1.
+cv::Mat normalized_difference(const cv::Mat& before, const cv::Mat& predicted,
+                              const cv::Mat& variance, const cv::Matx33f& correlation);
+
+/// Part of the 3 x 3 mean in pool().
+constexpr float kPooledPart = 0.7F;
+
+/// Mixes such distances with their 3 x 3 mean, which evens out single noisy pixels. Neighbours that
+/// are far beyond the pixel itself hardly count, so that a change does not spread over its border.
+void pool(cv::Mat& values);
+
+}  // namespace mbncc
