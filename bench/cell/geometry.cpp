@@ -1,5 +1,6 @@
 // Accuracy in metres in the simulated cell with a strong lens: taught at one place, found at
 // others, in raw, rectified and undistorted-by-us pictures, for objects of several heights.
+#include <filesystem>
 #include <iostream>
 #include <opencv2/imgproc.hpp>
 
@@ -188,6 +189,7 @@ std::vector<std::string> row_of(const std::string& way, double height, const Tal
 }
 
 void benchmark(const cv::CommandLineParser& options) {
+  const std::filesystem::path out = output_folder(options.get<std::string>("@out"));
   const int poses = options.get<int>("poses");
   const SimulatedCameraConfig config = camera_config(options.get<double>("distortion"));
   constexpr int kKinds = sizeof kHeights / sizeof *kHeights;
@@ -211,7 +213,7 @@ void benchmark(const cv::CommandLineParser& options) {
     table.rows.push_back(row_of(way.name + ", all", 0, all));
     table.rows.back()[1] = "0 .. 60";
   }
-  save_csv(options.get<std::string>("@out") + "/geometry.csv", table);
+  save_csv((out / "geometry.csv").string(), table);
   write_markdown(std::cout, table);
 }
 

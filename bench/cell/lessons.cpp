@@ -1,5 +1,6 @@
 // Live lessons in the simulated cell: an operator who hesitates, reaches in, pauses, puts things
 // down first or aside, under flickering and drifting light. How many are stored, and how well?
+#include <filesystem>
 #include <iostream>
 #include <optional>
 
@@ -257,6 +258,7 @@ std::vector<std::string> row_of(const std::string& way, const Tally& tally) {
 }
 
 void benchmark(const cv::CommandLineParser& options) {
+  const std::filesystem::path out = output_folder(options.get<std::string>("@out"));
   const int lessons = options.get<int>("lessons"), seed = options.get<int>("seed");
   Table cases{{"lesson", "way", "outcome", "iou", "next pose"}, {}};
   Tally of_way[4];
@@ -283,7 +285,7 @@ void benchmark(const cv::CommandLineParser& options) {
     all.ious.insert(all.ious.end(), of_way[k].ious.begin(), of_way[k].ious.end());
   }
   table.rows.push_back(row_of("all", all));
-  save_csv(options.get<std::string>("@out") + "/lessons.csv", cases);
+  save_csv((out / "lessons.csv").string(), cases);
   write_markdown(std::cout, table);
 }
 

@@ -1,5 +1,6 @@
 // Identity of two equal objects that pass each other again and again, one's width apart, with
 // dropped pictures: how often are they swapped, lost, confirmed?
+#include <filesystem>
 #include <iostream>
 #include <map>
 
@@ -70,6 +71,7 @@ void run(const Condition& condition, int pictures, std::uint64_t seed, Tally& ta
 }
 
 void benchmark(const cv::CommandLineParser& options) {
+  const std::filesystem::path out = output_folder(options.get<std::string>("@out"));
   const int runs = options.get<int>("runs"), pictures = options.get<int>("pictures");
   Table table{
       {"px a picture", "missed", "of these", "runs", "swaps", "identities a run", "confirmed"}, {}};
@@ -86,7 +88,7 @@ void benchmark(const cv::CommandLineParser& options) {
                               to_text(static_cast<double>(tally.identities) / runs, 2),
                               to_text(static_cast<double>(tally.confirmed) / tally.seen, 3)});
       }
-  save_csv(options.get<std::string>("@out") + "/tracking.csv", table);
+  save_csv((out / "tracking.csv").string(), table);
   write_markdown(std::cout, table);
 }
 

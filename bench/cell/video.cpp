@@ -1,5 +1,6 @@
 // Watching a workshop: what a still scene, single changes and a long video cost, and what is found
 // in it, with a library of taught objects of which some lie in the picture.
+#include <filesystem>
 #include <iostream>
 #include <optional>
 
@@ -144,6 +145,7 @@ void measure_video(Workshop& workshop, int frames, double yardstick, Table& tabl
 }
 
 void benchmark(const cv::CommandLineParser& options) {
+  const std::filesystem::path out = output_folder(options.get<std::string>("@out"));
   const int lying = options.get<int>("lying"), objects = options.get<int>("objects");
   Workshop workshop(objects, lying, options.get<int>("seed"));
   const double yardstick = yardstick_ms();
@@ -174,7 +176,7 @@ void benchmark(const cv::CommandLineParser& options) {
   });
   write_markdown(std::cout, delays);
   measure_video(workshop, options.get<int>("frames"), yardstick, costs);
-  save_csv(options.get<std::string>("@out") + "/video.csv", costs);
+  save_csv((out / "video.csv").string(), costs);
   write_markdown(std::cout, costs);
 }
 

@@ -1,6 +1,10 @@
 #include "common/program.hpp"
 
+#include <unistd.h>
+
 #include <iostream>
+#include <stdexcept>
+#include <system_error>
 
 namespace mbncc::bench {
 
@@ -39,6 +43,14 @@ int run_on_sets(int argc, char** argv, const std::string& name,
     return 2;
   }
   return run(name, [&] { benchmark({argv + 1, argv + argc}); });
+}
+
+std::filesystem::path output_folder(const std::string& path) {
+  std::error_code failure;
+  if (!path.empty()) std::filesystem::create_directories(path, failure);
+  if (!path.empty() && (failure || ::access(path.c_str(), W_OK) != 0))
+    throw std::runtime_error("cannot write into '" + path + "'; give a folder that can be made");
+  return path;
 }
 
 }  // namespace mbncc::bench

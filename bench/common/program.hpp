@@ -1,5 +1,6 @@
 #pragma once
 
+#include <filesystem>
 #include <functional>
 #include <opencv2/core/utility.hpp>
 #include <string>
@@ -17,5 +18,9 @@ int run_program(int argc, char** argv, const std::string& name, const std::strin
 /// The same for programs whose arguments are the folders of one or more evaluation sets.
 int run_on_sets(int argc, char** argv, const std::string& name,
                 const std::function<void(const std::vector<std::string>&)>& benchmark);
+
+/// The folder at `path`, made if need be; to be called before the work, which may take hours. An
+/// empty path stays empty. Throws std::runtime_error when nothing can be written there.
+std::filesystem::path output_folder(const std::string& path);
 
 }  // namespace mbncc::bench

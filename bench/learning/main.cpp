@@ -109,8 +109,8 @@ Table table_of(const Run& run) {
 }
 
 void benchmark(const cv::CommandLineParser& options) {
-  const fs::path set = options.get<std::string>("@set"), out = options.get<std::string>("out");
-  if (!out.empty()) fs::create_directories(out);
+  const fs::path set = options.get<std::string>("@set");
+  const fs::path out = output_folder(options.get<std::string>("out"));
   auto cases = list_cases(set);
   if (cases.empty()) throw std::runtime_error("'" + set.string() + "' holds no case");
   const auto wanted = options.get<std::size_t>("cases");

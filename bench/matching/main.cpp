@@ -162,7 +162,8 @@ Table table_of_curves(const Run& run) {
 }
 
 void benchmark(const cv::CommandLineParser& options) {
-  const fs::path set = options.get<std::string>("@set"), out = options.get<std::string>("out");
+  const fs::path set = options.get<std::string>("@set");
+  const fs::path out = output_folder(options.get<std::string>("out"));
   const Tolerance tolerance{options.get<double>("position_tol"),
                             options.get<double>("position_of_diameter"),
                             to_radians(options.get<double>("angle_tol"))};

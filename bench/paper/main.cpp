@@ -165,10 +165,9 @@ void compare_places(const fs::path& out) {
 }
 
 void benchmark(const cv::CommandLineParser& options) {
-  const fs::path out = options.get<std::string>("@out");
+  const fs::path out = output_folder(options.get<std::string>("@out"));
   Results results;
   for (const double elongation : kElongations) compare(elongation, results);
-  fs::create_directories(out);
   compare_places(out);
   save_csv((out / "rotation.csv").string(), results.rotation);
   save_csv((out / "backgrounds.csv").string(), results.backgrounds);

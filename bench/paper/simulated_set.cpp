@@ -112,7 +112,7 @@ void write_targets(const fs::path& folder, int count, Cell& cell) {
 }
 
 void write_set(const cv::CommandLineParser& options) {
-  const fs::path out = options.get<std::string>("@out");
+  const fs::path out = output_folder(options.get<std::string>("@out"));
   for (int i = 0; i < options.get<int>("cases"); ++i) {
     const fs::path folder = out / ("case_" + std::string(i < 10 ? "0" : "") + std::to_string(i));
     fs::create_directories(folder);

@@ -39,7 +39,7 @@ struct Count {
 
 class Trials {
  public:
-  explicit Trials(fs::path out) : out_(std::move(out)) { fs::create_directories(out_); }
+  explicit Trials(fs::path out) : out_(std::move(out)) {}
 
   void search(const std::string& kind, const cv::Mat& picture, const std::vector<Object>& objects) {
     Count& count = counts_[kind];
@@ -171,7 +171,7 @@ void benchmark(const cv::CommandLineParser& options) {
   cv::RNG random(static_cast<std::uint64_t>(seed) + 1);
   const std::vector<Taught> taught = teach(options.get<int>("objects"), seed);
   if (taught.empty()) throw std::runtime_error("no object could be taught");
-  Trials trials(options.get<std::string>("@out"));
+  Trials trials(output_folder(options.get<std::string>("@out")));
   Turns turns(taught);
   for (int i = 0; i < options.get<int>("empty"); ++i)
     trials.search("nothing", empty_picture(random), turns.next());

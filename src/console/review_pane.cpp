@@ -4,6 +4,7 @@
 
 #include <QGridLayout>
 #include <QHBoxLayout>
+#include <QScrollArea>
 #include <QVBoxLayout>
 
 #include "console/pictures.hpp"
@@ -48,6 +49,16 @@ QString numbers_of(const mbncc_vision::LearnQuality& quality) {
       .arg(static_cast<int>(quality.area));
 }
 
+/// Much advice scrolls: labels that get too little height paint over their neighbours.
+QScrollArea* make_scrollable(QLabel* text) {
+  auto* area = new QScrollArea;
+  area->setFrameShape(QFrame::NoFrame);
+  area->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  area->setWidgetResizable(true);
+  area->setWidget(text);
+  return area;
+}
+
 }  // namespace
 
 ReviewPane::ReviewPane(QWidget* parent)
@@ -76,7 +87,17 @@ ReviewPane::ReviewPane(QWidget* parent)
     button->setFont(bold);
     button->setMinimumHeight(38);
   }
+  lay_out();
 
+  name_window(insist_, "insist");
+  connect(insist_, &QCheckBox::clicked, this, &ReviewPane::insisted);
+  connect(accept_, &QPushButton::clicked, [this] { Q_EMIT decided(Request::ACCEPT); });
+  connect(reject_, &QPushButton::clicked, [this] { Q_EMIT decided(Request::REJECT); });
+  connect(undo_, &QPushButton::clicked, [this] { Q_EMIT decided(Request::UNDO); });
+  clear();
+}
+
+void ReviewPane::lay_out() {
   auto* pictures = new QHBoxLayout;
   pictures->addWidget(template_);
   pictures->addWidget(numbers_, 1);
@@ -88,17 +109,10 @@ ReviewPane::ReviewPane(QWidget* parent)
   all->addWidget(verdict_);
   all->addLayout(pictures);
   all->addWidget(score_map_);
-  all->addWidget(reasons_, 1);
+  all->addWidget(make_scrollable(reasons_), 1);
   all->addWidget(make_tools());
   all->addWidget(insist_);
   all->addLayout(word);
-
-  name_window(insist_, "insist");
-  connect(insist_, &QCheckBox::clicked, this, &ReviewPane::insisted);
-  connect(accept_, &QPushButton::clicked, [this] { Q_EMIT decided(Request::ACCEPT); });
-  connect(reject_, &QPushButton::clicked, [this] { Q_EMIT decided(Request::REJECT); });
-  connect(undo_, &QPushButton::clicked, [this] { Q_EMIT decided(Request::UNDO); });
-  clear();
 }
 
 QWidget* ReviewPane::make_tools() {

@@ -33,6 +33,7 @@ class ReviewPane : public QWidget {
   void stroke_width_chosen(int width);
 
  private:
+  void lay_out();
   QWidget* make_tools();
   void show_draft(const mbncc_vision::LearnObjectResult& draft);
   void clear();
