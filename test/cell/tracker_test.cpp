@@ -5,27 +5,10 @@
 #include <map>
 #include <set>
 
+#include "cell/tracked_matches.hpp"
+
 namespace mbncc {
 namespace {
-
-/// A graspable match whose outline has a radius of 40 px.
-Match match_at(double x, double y, double theta = 0, const std::string& name = "key") {
-  Match match;
-  match.name = name;
-  match.revision = 1;
-  match.pose = {x, y, theta};
-  match.graspable = true;
-  for (const double angle : {0.0, 2.0, 4.0})
-    match.outline.emplace_back(match.pose.position() + rotate({40, 0}, angle));
-  return match;
-}
-
-Match ambiguous_at(double x, double y) {
-  Match match = match_at(x, y);
-  match.graspable = false;
-  match.ambiguous = true;
-  return match;
-}
 
 TEST(InstanceTracker, KeepsTheIdentityOfASlowlyMovingInstance) {
   InstanceTracker tracker;
@@ -105,74 +88,6 @@ TEST(InstanceTracker, IdsAreNeverUsedAgain) {
       open.insert(now.begin(), now.end());
     }
     for (const auto id : now) EXPECT_TRUE(i % 50 == 49 || closed.count(id) == 0);
-  }
-}
-
-TEST(InstanceTracker, ConfirmsByKOfN) {
-  InstanceTracker tracker;
-  const bool graspable[] = {true, false, true, false, true, true, false, false, false, true};
-  const bool confirmed[] = {false, false, false, false, true, true, false, false, false, false};
-  for (int i = 0; i < 10; ++i) {
-    Match match = match_at(100, 100);
-    match.graspable = graspable[i];
-    const auto tracked = tracker.update(i, {match});
-    EXPECT_EQ(tracked[0].state == TrackState::kConfirmed, confirmed[i]) << i;
-  }
-}
-
-TEST(InstanceTracker, MissedPicturesCountAgainstConfirmation) {
-  InstanceTracker tracker;
-  for (int i = 0; i < 4; ++i) tracker.update(i, {match_at(100, 100)});
-  for (int i = 4; i < 7; ++i) EXPECT_TRUE(tracker.update(i, {}).empty());
-  EXPECT_EQ(tracker.update(7, {match_at(100, 100)})[0].state, TrackState::kNew);
-  EXPECT_EQ(tracker.update(8, {match_at(100, 100)})[0].instance_id, 1u);
-}
-
-TEST(InstanceTracker, AmbiguousIsNeverConfirmed) {
-  InstanceTracker tracker;
-  for (int i = 0; i < 4; ++i) tracker.update(i, {match_at(100, 100)});
-  EXPECT_EQ(tracker.update(4, {ambiguous_at(100, 100)})[0].state, TrackState::kAmbiguous);
-}
-
-TEST(InstanceTracker, AngleJumpHasToBeConfirmedAnew) {
-  InstanceTracker tracker;
-  for (int i = 0; i < 5; ++i) tracker.update(i, {match_at(100, 100, 0)});
-  const auto flipped = tracker.update(5, {match_at(100, 100, kPi)});
-  EXPECT_EQ(flipped[0].instance_id, 1u);
-  EXPECT_EQ(flipped[0].state, TrackState::kNew);
-  tracker.update(6, {match_at(100, 100, -kPi)});
-  EXPECT_EQ(tracker.update(7, {match_at(100, 100, kPi)})[0].state, TrackState::kConfirmed);
-}
-
-TEST(InstanceTracker, AngleJumpByTheSymmetryIsNone) {
-  InstanceTracker tracker;
-  for (int i = 0; i < 6; ++i) {
-    Match match = match_at(100, 100, i % 2 == 0 ? 0 : kPi);
-    match.symmetry = 2;
-    EXPECT_EQ(tracker.update(i, {match})[0].state == TrackState::kConfirmed, i >= 2);
-  }
-}
-
-TEST(InstanceTracker, EqualAnglesOfASymmetricObjectStayNearTheLast) {
-  InstanceTracker tracker;
-  cv::RNG random(4);
-  double last = 0.1;
-  for (int i = 0; i < 50; ++i) {
-    Match match = match_at(100, 100, 0.1 + 0.1 * i + random.uniform(0, 3) * 2 * kPi / 3);
-    match.symmetry = 3;
-    const double theta = tracker.update(i, {match})[0].match.pose.theta;
-    if (i == 0) last = theta - 0.1;
-    EXPECT_NEAR(std::remainder(theta - last, 2 * kPi), 0.1, 1e-9) << i;
-    last = theta;
-  }
-}
-
-TEST(InstanceTracker, RoundObjectsDoNotTurn) {
-  InstanceTracker tracker;
-  for (int i = 0; i < 5; ++i) {
-    Match match = match_at(100, 100, 0.3 + i);
-    match.symmetry = 0;
-    EXPECT_NEAR(tracker.update(i, {match})[0].match.pose.theta, 0.3, 1e-12);
   }
 }
 

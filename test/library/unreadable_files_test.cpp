@@ -1,0 +1,89 @@
+// What a library does with files that it cannot read.
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <string>
+#include <vector>
+
+#include "library/file_io.hpp"
+#include "library/models.hpp"
+#include "library/object_yaml.hpp"
+#include "library/png_codec.hpp"
+#include "mbncc/error.hpp"
+#include "mbncc/library/object_file.hpp"
+#include "mbncc/library/object_library.hpp"
+#include "support/temporary_folder.hpp"
+
+namespace mbncc::test {
+namespace {
+
+using Existing = ObjectLibrary::Existing;
+
+TEST(ObjectLibrary, UnreadableFilesAreQuarantinedAndTheRestLoads) {
+  TemporaryFolder folder;
+  ObjectLibrary library(folder.path());
+  library.save(random_model(1), Existing::kRefuse);
+  std::ofstream(folder / "broken.png") << "not a picture";
+  std::ofstream(folder / "notes.txt") << "not the library's concern";
+  const auto snapshot = library.load();
+  ASSERT_EQ(snapshot->objects.size(), 1u);
+  EXPECT_EQ(snapshot->objects[0]->name, "wrench");
+  ASSERT_EQ(snapshot->quarantined.size(), 1u);
+  EXPECT_EQ(snapshot->quarantined[0].file, "broken.png");
+  EXPECT_TRUE(snapshot->quarantined[0].moved);
+  EXPECT_FALSE(std::filesystem::exists(folder / "broken.png"));
+  EXPECT_TRUE(std::filesystem::exists(folder / "notes.txt"));
+  EXPECT_TRUE(library.load()->quarantined.empty());
+  ASSERT_EQ(library.quarantine().size(), 1u);
+  EXPECT_EQ(library.quarantine()[0].file, "broken.png");
+  EXPECT_EQ(library.quarantine()[0].reason, snapshot->quarantined[0].reason);
+}
+
+// The file of an object as a later version of this package may write it.
+std::vector<std::uint8_t> newer_format(const ObjectModel& model) {
+  std::vector<cv::Rect> rectangles;
+  const cv::Size size = model.views.front().map.size();
+  rectangles.emplace_back(cv::Point(), size);
+  std::string text = write_description(model, rectangles);
+  const std::string format = "format: " + std::to_string(kObjectFileVersion);
+  text.replace(text.find(format), format.size(), "format: 77");
+  return encode_png(cv::Mat(size, CV_8UC4, cv::Scalar::all(255)), "mbncc", text);
+}
+
+TEST(ObjectLibrary, FilesOfANewerFormatAreReportedAndLeftAlone) {
+  TemporaryFolder folder;
+  ObjectLibrary library(folder.path());
+  library.save(random_model(1, "nut"), Existing::kRefuse);
+  ObjectModel wrench = random_model(2);
+  wrench.views.resize(1);
+  const auto bytes = newer_format(wrench);
+  std::ofstream(folder / "wrench.png", std::ios::binary)
+      .write(reinterpret_cast<const char*>(bytes.data()),
+             static_cast<std::streamsize>(bytes.size()));
+  const auto snapshot = library.load();
+  EXPECT_EQ(snapshot->objects.size(), 1u);
+  ASSERT_EQ(snapshot->quarantined.size(), 1u);
+  EXPECT_FALSE(snapshot->quarantined[0].moved);
+  EXPECT_NE(snapshot->quarantined[0].reason.find("update"), std::string::npos);
+  EXPECT_FALSE(library.changed_on_disk());
+
+  EXPECT_THROW(library.save(wrench, Existing::kRefuse), NameError);
+  EXPECT_THROW(library.save(wrench, Existing::kReplace), FileError);
+  EXPECT_THROW(library.edit("wrench", [](ObjectModel&) {}), FileError);
+  EXPECT_THROW(library.remove("wrench"), FileError);
+  EXPECT_EQ(read_regular_file(folder / "wrench.png", bytes.size()).bytes, bytes);
+  EXPECT_TRUE(library.quarantine().empty());
+}
+
+TEST(ObjectLibrary, ReplacingAnUnreadableFileQuarantinesIt) {
+  TemporaryFolder folder;
+  ObjectLibrary library(folder.path());
+  std::ofstream(folder / "wrench.png") << "not a picture";
+  library.save(random_model(1), Existing::kReplace);
+  expect_equal(*library.load()->find("wrench"), random_model(1));
+  EXPECT_EQ(library.quarantine().size(), 1u);
+}
+
+}  // namespace
+}  // namespace mbncc::test
