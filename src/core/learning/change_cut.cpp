@@ -13,6 +13,7 @@
 #include "learning/exclusion_votes.hpp"
 #include "learning/graph_cut.hpp"
 #include "learning/half_smoothness.hpp"
+#include "learning/intruders.hpp"
 #include "learning/line_evidence.hpp"
 #include "learning/moved_neighbour.hpp"
 #include "learning/rectangles.hpp"
@@ -33,7 +34,8 @@ constexpr float kVoice = 8;          // highest unary of one of two views
 constexpr float kForced = 1000;      // unary of painted pixels
 constexpr float kArrivalUnary = 12;  // log-likelihood ratio given to arrivals
 constexpr int kFewestPixels = 30;    // of a seed worth cutting
-constexpr int kSpeck = 8;            // [px] smaller changed patches are noise
+constexpr float kCovered = 2;  // log-likelihood ratio given to what an intruder covers afterwards
+constexpr int kSpeck = 8;      // [px] smaller changed patches are noise
 
 // What one round of cutting works on; all pictures have the crop's size.
 class Cutter {
@@ -53,10 +55,14 @@ class Cutter {
   }
 
   // The changed pixels that the foreground's colours are first learned from.
-  bool seed() {
+  // `surveyed` is the survey's change in the pair's window.
+  bool seed(const AlignedPair& pair, const cv::Mat& surveyed) {
     map_ = (background_.changed > 0.5) & inside_;
     remove_specks(map_, kSpeck);
-    exclude_moved_neighbours();
+    if (cv::countNonZero((background_.changed > 0.5) & ~inside_) >= kFewestPixels) {
+      exclude_moved_neighbours();
+      exclude_intruders(reaching_border(surveyed)(crop_ - pair.window.tl()));
+    }
     exclude(find_arrivals(before_, after_, map_, platform_));
     keep_main_groups(map_, background_.changed);
     return cv::countNonZero(map_) >= kFewestPixels;
@@ -128,7 +134,8 @@ class Cutter {
   }
 
   CutEvidence evidence() const {
-    return cut_evidence({map_, coarse_, inside_, unary_, background_.changed}, smoothness_, half_);
+    const cv::Mat room = intruders_.empty() ? inside_ : cv::Mat(inside_ & ~intruders_);
+    return cut_evidence({map_, coarse_, room, unary_, background_.changed}, smoothness_, half_);
   }
 
  private:
@@ -142,14 +149,32 @@ class Cutter {
     background_.log_ratio.setTo(kArrivalUnary, arrivals);
   }
 
-  // Looked for only where the change goes on beyond the region: the object lies inside.
+  // The object lies inside the region: this and the next are looked for only where the change goes
+  // on beyond it.
   void exclude_moved_neighbours() {
     const cv::Mat changed = background_.changed > 0.5;
-    if (cv::countNonZero(changed & ~inside_) < kFewestPixels) return;
     const cv::Mat moved = moved_neighbours(before_, after_, changed, noise_.sigma(1));
     map_.setTo(0, moved);
     background_.changed.setTo(0, moved);
     background_.log_ratio.setTo(kArrivalUnary, moved);
+  }
+
+  // What an intruder covers afterwards can be told by colour alone, platform or object.
+  void exclude_intruders(const cv::Mat& from_afar) {
+    const cv::Mat changed = background_.changed > 0.5;
+    intruders_ =
+        find_intruders(before_, after_, changed, changed & ~inside_ & from_afar, platform_, noise_);
+    if (cv::countNonZero(intruders_) == 0) return;
+    map_.setTo(0, intruders_);
+    remove_specks(map_, kSpeck);
+    cv::Mat rim;
+    cv::dilate(intruders_, rim, cv::getStructuringElement(cv::MORPH_ELLIPSE, {5, 5}));
+    intruders_ |= rim & ~map_;
+    background_.changed.setTo(0, intruders_);
+    cv::Mat platform;
+    cv::log(relative_density(platform_) + 1e-3, platform);
+    platform = cv::min(platform + kCovered, kArrivalUnary);
+    platform.copyTo(background_.log_ratio, intruders_);
   }
 
   // A view's say in a cut of both: no pixel may outvote the other view by far.
@@ -201,6 +226,7 @@ class Cutter {
   BackgroundLikelihood background_;
   Smoothness smoothness_, half_;  // half_: at half resolution
   cv::Mat unary_, coarse_, map_;
+  cv::Mat intruders_;          // empty, or of the crop's size
   cv::Mat other_view_;         // empty, or of the crop's size
   cv::Mat include_, exclude_;  // both empty, or both of the crop's size
   cv::Mat kept_;               // likewise: groups that lie there are the object's
@@ -226,7 +252,8 @@ ChangeCut change_cut(const cv::Mat& before, const cv::Mat& after, const cv::Rect
   const AlignedPair pair = align_pictures(before, after, region, changed, max_shift);
   const auto cutter = std::make_shared<Cutter>(pair, crop, region);
   cutter->explain_background(pair);
-  if (!cutter->seed()) return {cv::Mat::zeros(before.size(), CV_8UC1), {}, {}, {}, {}};
+  if (!cutter->seed(pair, changed(pair.window)))
+    return {cv::Mat::zeros(before.size(), CV_8UC1), {}, {}, {}, {}};
   cutter->weigh_edges();
   for (int i = 0; i < iterations; ++i) {
     if (before_cut) before_cut(i);
