@@ -15,7 +15,7 @@ void print_help(std::ostream& out, const std::vector<Command>& commands) {
   out << "mbncc: teach, find and manage objects seen by a camera that looks down on them\n\n"
          "usage: mbncc COMMAND [OPTIONS]\n\n";
   for (const auto& command : commands)
-    out << "  " << std::left << std::setw(9) << command.name << command.summary << '\n';
+    out << "  " << std::left << std::setw(10) << command.name << command.summary << '\n';
   out << "\n'mbncc COMMAND --help' explains a command, 'mbncc --version' prints the version.\n"
          "Exit codes: 0 done, 1 refused or failed (reason on stderr), 2 wrong usage.\n";
 }
