@@ -62,8 +62,9 @@ class Session:
 
     def _open_display(self):
         reader, writer = os.pipe()
+        # Without -noreset the display begins anew after its last window and refuses whoever comes meanwhile.
         self.start(["Xvfb", "-displayfd", str(writer), "-screen", "0", self._size + "x24",
-                     "+extension", "GLX", "-nolisten", "tcp"], pass_fds=[writer])
+                     "+extension", "GLX", "-nolisten", "tcp", "-noreset"], pass_fds=[writer])
         os.close(writer)
         with os.fdopen(reader) as numbers:
             number = numbers.readline().strip()
