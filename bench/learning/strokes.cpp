@@ -1,11 +1,14 @@
-// One stroke of the operator on each map that misses the object (IoU below .85), drawn with the
-// true map along the middle of the largest error.
+// Strokes of the operator, one after the other, on each map that misses the object (IoU below .85),
+// drawn with the true map along the middle of the largest error.
+#include <algorithm>
+#include <filesystem>
 #include <iostream>
 #include <opencv2/imgproc.hpp>
 #include <opencv2/ximgproc.hpp>
 
 #include "common/case_folder.hpp"
 #include "common/clock.hpp"
+#include "common/csv.hpp"
 #include "common/program.hpp"
 #include "common/statistics.hpp"
 #include "common/table.hpp"
@@ -15,6 +18,12 @@
 
 namespace mbncc::bench {
 namespace {
+
+constexpr const char* kOptions =
+    "{@sets    |       | comma separated: folders with the cases }"
+    "{strokes  | 1     | on each map, one after the other }"
+    "{out      |       | folder for strokes.csv: the IoU of each map after each stroke }"
+    "{help h   |       | this text }";
 
 constexpr double kBad = 0.85;  // IoU below which an operator would correct
 constexpr double kMiddle =
@@ -63,11 +72,37 @@ cv::Mat map_of(const LearnResult& result) {
 }
 
 struct Tally {
-  std::vector<double> before, after, again_ms, yardstick_ms;
-  int worse = 0, restored = 0;
+  std::vector<std::vector<double>> ious;  // of each map: before, and after each stroke
+  std::vector<double> again_ms, yardstick_ms;
+  int restored = 0;
 };
 
-void run_case(const CaseFolder& one, Tally& tally) {
+/// Carries the edit out; thread CPU ms until the new map is there.
+double cpu_ms_of_edit(InteractiveLesson& lesson, const LessonEdit& edit) {
+  const double start = thread_cpu_ms();
+  double ms = 0;
+  lesson.edit(edit, [&](Stage stage, double, const std::string&, const cv::Mat&) {
+    if (stage == Stage::kQuality && ms == 0) ms = thread_cpu_ms() - start;
+    return true;
+  });
+  return ms;
+}
+
+/// The IoU after each stroke; a lesson that fails keeps the last one.
+std::vector<double> correct(InteractiveLesson& lesson, const cv::Mat& truth, int strokes,
+                            std::vector<double>& again_ms) {
+  std::vector<double> ious{score_map(map_of(lesson.result()), truth).iou};
+  for (int i = 0; i < strokes; ++i) {
+    if (!lesson.result().has_model) return ious;
+    const LessonEdit edit = correction(map_of(lesson.result()), truth);
+    again_ms.push_back(cpu_ms_of_edit(lesson, edit));
+    ious.push_back(lesson.result().has_model ? score_map(map_of(lesson.result()), truth).iou
+                                             : ious.back());
+  }
+  return ious;
+}
+
+void run_case(const CaseFolder& one, int strokes, Tally& tally) {
   Lesson lesson;
   lesson.name = "object";
   lesson.before = one.before;
@@ -76,45 +111,62 @@ void run_case(const CaseFolder& one, Tally& tally) {
   InteractiveLesson learned(lesson);
   if (!learned.result().has_model) return;
   const cv::Mat first = map_of(learned.result());
-  const double before = score_map(first, one.map).iou;
-  if (before >= kBad) return;
+  if (score_map(first, one.map).iou >= kBad) return;
   CutYardstick yardstick;
   tally.yardstick_ms.push_back(cpu_ms_of([&] { yardstick.run(); }));
-  const LessonEdit edit = correction(first, one.map);
-  const double start = thread_cpu_ms();
-  double again_ms = 0;
-  const LearnResult result =
-      learned.edit(edit, [&](Stage stage, double, const std::string&, const cv::Mat&) {
-        if (stage == Stage::kQuality && again_ms == 0) again_ms = thread_cpu_ms() - start;
-        return true;
-      });
-  const double after = result.has_model ? score_map(map_of(result), one.map).iou : before;
-  tally.again_ms.push_back(again_ms);
-  tally.before.push_back(before);
-  tally.after.push_back(after);
-  tally.worse += after < before;
-  learned.undo();
+  tally.ious.push_back(correct(learned, one.map, strokes, tally.again_ms));
+  for (std::size_t i = 1; i < tally.ious.back().size(); ++i) learned.undo();
   tally.restored += cv::norm(map_of(learned.result()), first, cv::NORM_INF) == 0;
 }
 
-void benchmark(const std::vector<std::string>& sets) {
-  Table table{{"set", "maps below .85", "IoU", "after a stroke", "worse", "restored by undo",
-               "again ms", "ratio"},
-              {}};
-  for (const auto& set : sets) {
+/// IoUs of all maps after `stroke` strokes; those that ended earlier count with their last.
+std::vector<double> after(const Tally& tally, std::size_t stroke) {
+  std::vector<double> values;
+  for (const auto& ious : tally.ious) values.push_back(ious[std::min(stroke, ious.size() - 1)]);
+  return values;
+}
+
+std::vector<std::string> row_of(const std::string& set, std::size_t strokes, const Tally& tally) {
+  const std::vector<double> before = after(tally, 0), first = after(tally, 1);
+  int worse = 0;
+  for (std::size_t i = 0; i < before.size(); ++i) worse += first[i] < before[i];
+  std::vector<std::string> row{set, std::to_string(tally.ious.size()), to_text(mean(before), 3)};
+  for (std::size_t i = 1; i <= strokes; ++i) row.push_back(to_text(mean(after(tally, i)), 3));
+  row.insert(row.end(), {std::to_string(worse), std::to_string(tally.restored),
+                         to_text(median(tally.again_ms), 1),
+                         to_text(median(tally.again_ms) / median(tally.yardstick_ms), 2)});
+  return row;
+}
+
+void add_rows(const std::string& set, const Tally& tally, Table& maps) {
+  for (std::size_t map = 0; map < tally.ious.size(); ++map)
+    for (std::size_t stroke = 0; stroke < tally.ious[map].size(); ++stroke)
+      maps.rows.push_back(
+          {set, std::to_string(map), std::to_string(stroke), to_text(tally.ious[map][stroke], 6)});
+}
+
+void benchmark(const cv::CommandLineParser& options) {
+  const std::filesystem::path out = output_folder(options.get<std::string>("out"));
+  const int strokes = std::max(1, options.get<int>("strokes"));
+  Table table{{"set", "maps below .85", "IoU"}, {}}, maps{{"set", "map", "stroke", "IoU"}, {}};
+  for (int i = 1; i <= strokes; ++i)
+    table.columns.push_back("after " + std::to_string(i) + (i == 1 ? " stroke" : " strokes"));
+  table.columns.insert(table.columns.end(), {"worse", "restored by undo", "again ms", "ratio"});
+  for (const auto& set : split(options.get<std::string>("@sets"), ',')) {
     Tally tally;
-    for (const auto& name : list_cases(set)) run_case(read_case(set + "/" + name), tally);
-    table.rows.push_back({set, std::to_string(tally.before.size()), to_text(mean(tally.before), 3),
-                          to_text(mean(tally.after), 3), std::to_string(tally.worse),
-                          std::to_string(tally.restored), to_text(median(tally.again_ms), 1),
-                          to_text(median(tally.again_ms) / median(tally.yardstick_ms), 2)});
+    for (const auto& name : list_cases(set))
+      run_case(read_case(std::filesystem::path(set) / name), strokes, tally);
+    table.rows.push_back(row_of(set, static_cast<std::size_t>(strokes), tally));
+    add_rows(set, tally, maps);
   }
   write_markdown(std::cout, table);
+  if (!out.empty()) save_csv((out / "strokes.csv").string(), maps);
 }
 
 }  // namespace
 }  // namespace mbncc::bench
 
 int main(int argc, char** argv) {
-  return mbncc::bench::run_on_sets(argc, argv, "strokes_bench", mbncc::bench::benchmark);
+  return mbncc::bench::run_program(argc, argv, "strokes_bench", mbncc::bench::kOptions, "@sets",
+                                   mbncc::bench::benchmark);
 }
