@@ -19,20 +19,31 @@ constexpr float kNoiseFactor = 5;       // a change stands out from the median d
 constexpr float kSureDifference = 45;   // [likewise] a change, however much else differs
 constexpr double kClearGain = 0.8;      // a shift must lower the difference to this part
 constexpr int kSampling = 2;            // [px] of the survey, for medians
+constexpr int kStrip = 16;              // [px] of the survey: rows that are worked on at a time
 constexpr int kTextureBox = 15;         // [px] of the survey: texture is compared in such squares
 constexpr double kTextured = 9;         // [grey levels^2] variance above which a square has texture
 constexpr double kSameTexture = 0.5;    // correlation of squares that show the same
 
-cv::Mat reduced(const cv::Mat& picture, double scale) {
-  cv::Mat small, values;
-  cv::resize(picture, small, {}, scale, scale, cv::INTER_AREA);
-  small.convertTo(values, CV_32F);
-  return values;
+// Whole pictures of floats would cost more to write to memory than to compute.
+template <class Use>
+void for_each_strip(int height, Use&& use) {
+  for (int y = 0; y < height; y += kStrip) use(cv::Range(y, std::min(y + kStrip, height)));
 }
 
-cv::Mat grey_of(const cv::Mat& picture) {
-  cv::Mat grey;
-  cv::cvtColor(picture, grey, cv::COLOR_BGR2GRAY);
+cv::Mat reduced(const cv::Mat& picture, double scale) {
+  cv::Mat small;
+  cv::resize(picture, small, {}, scale, scale, cv::INTER_AREA);
+  return small;
+}
+
+// CV_32FC1 of a CV_8UC3 picture times `gain` per channel.
+cv::Mat grey_of(const cv::Mat& picture, const cv::Scalar& gain) {
+  cv::Mat grey(picture.size(), CV_32FC1), strip;
+  for_each_strip(picture.rows, [&](const cv::Range& rows) {
+    cv::multiply(picture.rowRange(rows), gain, strip, 1, CV_32F);
+    cv::Mat part = grey.rowRange(rows);
+    cv::cvtColor(strip, part, cv::COLOR_BGR2GRAY);
+  });
   return grey;
 }
 
@@ -42,11 +53,12 @@ using Ratios = std::array<std::vector<float>, 3>;  // of brightness, per channel
 Ratios brightness_ratios(const cv::Mat& before, const cv::Mat& after) {
   Ratios ratios;
   for (int y = 0; y < before.rows; y += kSampling) {
-    const auto* b = before.ptr<cv::Vec3f>(y);
-    const auto* a = after.ptr<cv::Vec3f>(y);
+    const auto* b = before.ptr<cv::Vec3b>(y);
+    const auto* a = after.ptr<cv::Vec3b>(y);
     for (int x = 0; x < before.cols; x += kSampling)
       for (int c = 0; c < 3; ++c)
-        if (a[x][c] > 10 && a[x][c] < 245 && b[x][c] < 245) ratios[c].push_back(b[x][c] / a[x][c]);
+        if (a[x][c] > 10 && a[x][c] < 245 && b[x][c] < 245)
+          ratios[c].push_back(static_cast<float>(b[x][c]) / a[x][c]);
   }
   return ratios;
 }
@@ -103,11 +115,17 @@ cv::Point2d coarse_shift(const cv::Mat& before, const cv::Mat& after) {
   return explains ? shift : cv::Point2d();
 }
 
-// Difference of the pictures, summed over channels, averaged over 3 x 3.
-cv::Mat difference_of(const cv::Mat& before, const cv::Mat& after) {
-  cv::Mat distance, difference;
-  cv::absdiff(before, after, distance);
-  cv::transform(distance, difference, cv::Matx13f(1, 1, 1));
+// Difference of the pictures, the one after times `gain`, summed over channels, averaged over
+// 3 x 3.
+cv::Mat difference_of(const cv::Mat& before, const cv::Mat& after, const cv::Scalar& gain) {
+  cv::Mat difference(before.size(), CV_32FC1), b, a;
+  for_each_strip(before.rows, [&](const cv::Range& rows) {
+    before.rowRange(rows).convertTo(b, CV_32F);
+    cv::multiply(after.rowRange(rows), gain, a, 1, CV_32F);
+    cv::absdiff(b, a, a);
+    cv::Mat part = difference.rowRange(rows);
+    cv::transform(a, part, cv::Matx13f(1, 1, 1));
+  });
   cv::blur(difference, difference, {3, 3});
   return difference;
 }
@@ -120,9 +138,12 @@ float change_threshold(const cv::Mat& difference) {
   return std::clamp(kNoiseFactor * median(values), kLeastDifference, kSureDifference);
 }
 
-struct LocalMoments {
-  cv::Mat mean, variance;
-};
+// Means over small squares of a product of two pictures.
+cv::Mat mean_product(const cv::Mat& a, const cv::Mat& b) {
+  cv::Mat mean = a.mul(b);
+  cv::boxFilter(mean, mean, CV_32F, {kTextureBox, kTextureBox});
+  return mean;
+}
 
 cv::Mat box_mean(const cv::Mat& values) {
   cv::Mat mean;
@@ -130,24 +151,23 @@ cv::Mat box_mean(const cv::Mat& values) {
   return mean;
 }
 
-LocalMoments moments_of(const cv::Mat& grey) {
-  const cv::Mat mean = box_mean(grey);
-  return {mean, box_mean(grey.mul(grey)) - mean.mul(mean)};
-}
-
 // Light and exposure leave the correlation of small squares alone; a moved camera does not.
 double displaced_part(const cv::Mat& before, const cv::Mat& after) {
-  const LocalMoments b = moments_of(before), a = moments_of(after);
-  const cv::Mat covariance = box_mean(before.mul(after)) - b.mean.mul(a.mean);
+  const cv::Mat mean_b = box_mean(before), mean_a = box_mean(after);
+  const cv::Mat bb = mean_product(before, before), aa = mean_product(after, after),
+                ba = mean_product(before, after);
   int textured = 0, displaced = 0;
-  for (int y = 0; y < before.rows; ++y)
+  for (int y = 0; y < before.rows; ++y) {
+    const auto *b = mean_b.ptr<float>(y), *a = mean_a.ptr<float>(y);
     for (int x = 0; x < before.cols; ++x) {
-      const double variance = b.variance.at<float>(y, x);
+      const double variance = bb.at<float>(y, x) - b[x] * b[x];
       if (variance < kTextured) continue;
       ++textured;
-      const double other = std::max(kTextured, double(a.variance.at<float>(y, x)));
-      if (covariance.at<float>(y, x) < kSameTexture * std::sqrt(variance * other)) ++displaced;
+      const double other = std::max<double>(kTextured, aa.at<float>(y, x) - a[x] * a[x]);
+      const float covariance = ba.at<float>(y, x) - b[x] * a[x];
+      if (covariance < kSameTexture * std::sqrt(variance * other)) ++displaced;
     }
+  }
   return textured == 0 ? 0 : displaced / static_cast<double>(textured);
 }
 
@@ -162,14 +182,22 @@ ChangeSurvey survey_change(const cv::Mat& before, const cv::Mat& after) {
   const double exposure = mean_of(gain);
   survey.exposure = std::max(exposure, 1 / std::max(exposure, 1e-3));
   survey.unevenness = unevenness;
-  cv::multiply(a, cv::Scalar(gain[0], gain[1], gain[2]), a);
+  cv::Scalar light(gain[0], gain[1], gain[2]);
+  const cv::Mat grey_before = grey_of(b, cv::Scalar::all(1));
+  cv::Mat grey_after = grey_of(a, light);
   // Pictures of its own: cv::phaseCorrelate may write its window into what it is given.
-  const cv::Point2d shift = coarse_shift(grey_of(b), grey_of(a));
+  const cv::Point2d shift = coarse_shift(grey_before.clone(), grey_after.clone());
   survey.shift = shift / scale;
-  if (shift != cv::Point2d()) a = undo_shift(a, shift);
-  survey.displaced = displaced_part(grey_of(b), grey_of(a));
+  if (shift != cv::Point2d()) {
+    cv::Mat lit;
+    cv::multiply(a, light, lit, 1, CV_32F);
+    a = undo_shift(lit, shift);
+    light = cv::Scalar::all(1);
+    grey_after = grey_of(a, light);
+  }
+  survey.displaced = displaced_part(grey_before, grey_after);
 
-  const cv::Mat difference = difference_of(b, a);
+  const cv::Mat difference = difference_of(b, a, light);
   cv::Mat changed = difference > change_threshold(difference);
   cv::morphologyEx(changed, changed, cv::MORPH_OPEN,
                    cv::getStructuringElement(cv::MORPH_ELLIPSE, {3, 3}));

@@ -94,6 +94,19 @@ bool split_widest(std::vector<Sample>& samples, int count) {
 
 }  // namespace
 
+// Inline, so that loops over rows are worked on several pixels at a time.
+inline float ColourMixture::Component::log_density(float blue, float green, float red) const {
+  const float a = blue - mean[0], b = green - mean[1], c = red - mean[2];
+  const auto& p = precision.val;
+  const float distance =
+      a * a * p[0] + b * b * p[4] + c * c * p[8] + 2 * (a * b * p[1] + a * c * p[2] + b * c * p[5]);
+  return log_weight - 0.5F * distance;
+}
+
+inline float ColourMixture::Component::log_density(const cv::Vec3f& colour) const {
+  return log_density(colour[0], colour[1], colour[2]);
+}
+
 class MixtureFit {
  public:
   explicit MixtureFit(std::vector<Sample> samples) : samples_(std::move(samples)) {}
@@ -151,24 +164,26 @@ ColourMixture ColourMixture::fit(const cv::Mat& picture, const cv::Mat& mask,
   return MixtureFit(std::move(samples)).run();
 }
 
-float ColourMixture::Component::log_density(const cv::Vec3f& colour) const {
-  const float a = colour[0] - mean[0], b = colour[1] - mean[1], c = colour[2] - mean[2];
-  const auto& p = precision;
-  const float distance = a * a * p(0, 0) + b * b * p(1, 1) + c * c * p(2, 2) +
-                         2 * (a * b * p(0, 1) + a * c * p(0, 2) + b * c * p(1, 2));
-  return log_weight - 0.5F * distance;
-}
-
 cv::Mat ColourMixture::densities(const cv::Mat& picture) const {
-  cv::Mat sum = cv::Mat::zeros(picture.size(), CV_32FC1), part(picture.size(), CV_32FC1);
-  for (const auto& component : components_) {
-    for (int y = 0; y < picture.rows; ++y) {
-      const auto* colour = picture.ptr<cv::Vec3f>(y);
-      auto* out = part.ptr<float>(y);
-      for (int x = 0; x < picture.cols; ++x) out[x] = component.log_density(colour[x]);
+  cv::Mat sum = cv::Mat::zeros(picture.size(), CV_32FC1);
+  cv::Mat planes(3, picture.cols, CV_32FC1), part(1, picture.cols, CV_32FC1);
+  for (int y = 0; y < picture.rows; ++y) {
+    const auto* colours = picture.ptr<cv::Vec3f>(y);
+    auto *blue = planes.ptr<float>(0), *green = planes.ptr<float>(1), *red = planes.ptr<float>(2);
+    for (int x = 0; x < picture.cols; ++x) {
+      blue[x] = colours[x][0];
+      green[x] = colours[x][1];
+      red[x] = colours[x][2];
     }
-    cv::exp(part, part);
-    sum += part;
+    auto* logs = part.ptr<float>();
+    auto* out = sum.ptr<float>(y);
+    for (const auto& component : components_) {
+      const Component gaussian = component;  // of its own: the loop's results cannot change it
+      for (int x = 0; x < picture.cols; ++x)
+        logs[x] = gaussian.log_density(blue[x], green[x], red[x]);
+      cv::exp(part, part);
+      for (int x = 0; x < picture.cols; ++x) out[x] += logs[x];
+    }
   }
   return sum;
 }

@@ -27,6 +27,7 @@ class ColourMixture {
     cv::Matx33f precision;
     float log_weight = 0;  // of the component, including the Gaussian's constant
 
+    float log_density(float blue, float green, float red) const;
     float log_density(const cv::Vec3f& colour) const;
   };
 

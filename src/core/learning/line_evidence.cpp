@@ -1,6 +1,7 @@
 #include "learning/line_evidence.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace mbncc {
@@ -18,19 +19,20 @@ cv::Point rounded(double length, double angle) {
 }
 
 // Means along lines of one direction; as far from the frame as lines reach.
-cv::Mat line_means(const cv::Mat& framed, double angle) {
-  cv::Mat means(framed.size(), CV_32FC1, cv::Scalar(-kMost));
+void line_means(const cv::Mat& framed, double angle, cv::Mat& means) {
+  std::array<cv::Point, 2 * kReach + 1> steps;
+  for (int i = -kReach; i <= kReach; ++i) steps[i + kReach] = rounded(i, angle);
   for (int y = kReach; y < framed.rows - kReach; ++y) {
     auto* mean = means.ptr<float>(y);
-    std::fill(mean + kReach, mean + framed.cols - kReach, 0.F);
-    for (int i = -kReach; i <= kReach; ++i) {
-      const cv::Point step = rounded(i, angle);
-      const auto* values = framed.ptr<float>(y + step.y) + step.x;
-      for (int x = kReach; x < framed.cols - kReach; ++x) mean[x] += values[x];
+    std::array<const float*, 2 * kReach + 1> lines{};
+    for (std::size_t i = 0; i < lines.size(); ++i)
+      lines[i] = framed.ptr<float>(y + steps[i].y) + steps[i].x;
+    for (int x = kReach; x < framed.cols - kReach; ++x) {
+      float sum = 0;
+      for (const float* line : lines) sum += line[x];
+      mean[x] = sum / (2 * kReach + 1);
     }
-    for (int x = kReach; x < framed.cols - kReach; ++x) mean[x] /= 2 * kReach + 1;
   }
-  return means;
 }
 
 // Raises `best` to the means of lines with platform on both sides.
@@ -53,9 +55,11 @@ cv::Mat line_evidence(const cv::Mat& preference) {
   const cv::Mat clipped = cv::max(cv::min(preference, kMost), -kMost);
   cv::copyMakeBorder(clipped, framed, kFrame, kFrame, kFrame, kFrame, cv::BORDER_CONSTANT,
                      cv::Scalar(-kMost));
+  cv::Mat means(framed.size(), CV_32FC1, cv::Scalar(-kMost));
   for (int i = 0; i < kDirections; ++i) {
     const double angle = i * CV_PI / kDirections;
-    take_thin_lines(line_means(framed, angle), angle, best);
+    line_means(framed, angle, means);
+    take_thin_lines(means, angle, best);
   }
   return best;
 }

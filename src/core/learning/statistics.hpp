@@ -1,21 +1,13 @@
 // Order statistics.
 #pragma once
 
-#include <algorithm>
-#include <cmath>
-#include <cstddef>
 #include <vector>
 
 namespace mbncc {
 
-/// Value below which the part `q` [0..1] of `values` lies; 0 for none. Reorders `values`.
-inline float quantile(std::vector<float>& values, double q) {
-  if (values.empty()) return 0;
-  const auto rank = std::min(values.size() - 1, static_cast<std::size_t>(q * values.size()));
-  const auto at = values.begin() + static_cast<std::ptrdiff_t>(rank);
-  std::nth_element(values.begin(), at, values.end());
-  return *at;
-}
+/// Value below which the part `q` [0..1] of `values` lies; 0 for none. No value may be NaN.
+/// Reorders `values`.
+float quantile(std::vector<float>& values, double q);
 
 inline float median(std::vector<float>& values) {
   return quantile(values, 0.5);
