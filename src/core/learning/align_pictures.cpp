@@ -8,6 +8,7 @@
 #include "learning/photometric_fit.hpp"
 #include "learning/rectangles.hpp"
 #include "learning/statistics.hpp"
+#include "learning/strips.hpp"
 
 namespace mbncc {
 namespace {
@@ -22,14 +23,10 @@ cv::Mat floats(const cv::Mat& picture) {
   return values;
 }
 
-cv::Mat brightest_channel(const cv::Mat& picture) {
-  cv::Mat channels[3];
-  cv::split(picture, channels);
-  return cv::max(cv::max(channels[0], channels[1]), channels[2]);
-}
-
 cv::Mat glare_of(const cv::Mat& before, const cv::Mat& after) {
-  return (brightest_channel(before) > kGlare) | (brightest_channel(after) > kGlare);
+  cv::Mat channels[3];
+  cv::split(cv::max(before, after), channels);
+  return cv::max(cv::max(channels[0], channels[1]), channels[2]) > kGlare;
 }
 
 // Where the platform should look the same in both pictures.
@@ -43,13 +40,21 @@ cv::Mat ring_of(const cv::Rect& window, const cv::Rect& region, const cv::Mat& c
   return ~near_change;
 }
 
+// What `light` leaves of the pictures' difference, summed over channels, averaged over 7 x 7.
+cv::Mat remaining_difference(const cv::Mat& before, const cv::Mat& after, const Light& light) {
+  cv::Mat difference(before.size(), CV_32FC1);
+  for_each_strip(before.rows, [&](const cv::Range& rows) {
+    cv::Mat lit = apply_light(after, light, rows), part = difference.rowRange(rows);
+    cv::absdiff(floats(before.rowRange(rows)), lit, lit);
+    cv::transform(lit, part, cv::Matx13f(1, 1, 1));
+  });
+  cv::blur(difference, difference, {7, 7});
+  return difference;
+}
+
 // Ring pixels in patches that still differ (a moved neighbour, the gripper) are no platform.
 // Unless hardly anything would be left: then the fit itself was wrong.
-cv::Mat without_changed_blobs(const cv::Mat& before, const cv::Mat& lit, const cv::Mat& ring) {
-  cv::Mat distance, difference;
-  cv::absdiff(before, lit, distance);
-  cv::transform(distance, difference, cv::Matx13f(1, 1, 1));
-  cv::blur(difference, difference, {7, 7});
+cv::Mat without_changed_blobs(const cv::Mat& difference, const cv::Mat& ring) {
   std::vector<float> values;
   for (int y = 0; y < ring.rows; y += 3)
     for (int x = 0; x < ring.cols; x += 3)
@@ -63,9 +68,11 @@ cv::Mat without_changed_blobs(const cv::Mat& before, const cv::Mat& lit, const c
 // A clipped pixel says only "at least so bright": where the other picture is bright as well, take
 // its value.
 void censor_glare(const cv::Mat& before, const cv::Mat& after, cv::Mat& lit) {
+  cv::Mat row;
   for (int y = 0; y < lit.rows; ++y) {
+    after.row(y).convertTo(row, CV_32F);
     const auto* b = before.ptr<float>(y);
-    const auto* a = after.ptr<float>(y);
+    const auto* a = row.ptr<float>();
     auto* value = lit.ptr<float>(y);
     for (int i = 0; i < 3 * lit.cols; ++i) {
       value[i] = std::clamp(value[i], 0.F, 255.F);
@@ -80,17 +87,17 @@ class Alignment {
  public:
   Alignment(const cv::Mat& before, const cv::Mat& after, const cv::Rect& window,
             const cv::Mat& ring)
-      : before_(before), window_(window), ring_(ring) {
+      : before_(before(window)), window_(window), ring_(ring) {
     // A margin keeps the border's replication out of the window when a shift is undone.
     source_window_ = grown(window, 10) & cv::Rect({0, 0}, after.size());
-    source_ = floats(after(source_window_));
+    source_ = after(source_window_);
     moved_ = source_(window_ - source_window_.tl());
     trusted_ = ring_;
   }
 
   void fit_light_to_ring() {
-    trusted_ = without_changed_blobs(
-        before_, apply_light(moved_, fit_light(before_, moved_, ring_, false)), ring_);
+    const Light constant = fit_light(before_, moved_, ring_, false);
+    trusted_ = without_changed_blobs(remaining_difference(before_, moved_, constant), ring_);
     light_ = fit_light(before_, moved_, trusted_, true);
     lit_ = apply_light(moved_, light_);
   }
@@ -99,19 +106,21 @@ class Alignment {
   void undo_camera_shift(double max_shift) {
     shift_ = estimate_shift(smooth_luminance(before_), smooth_luminance(lit_), trusted_, max_shift);
     if (shift_ == cv::Point2d()) return;
-    moved_ = undo_shift(source_, shift_)(window_ - source_window_.tl());
+    moved_ = undo_shift(floats(source_), shift_)(window_ - source_window_.tl());
     fit_light_to_ring();
   }
 
   AlignedPair result() {
-    censor_glare(before_, moved_, lit_);
-    return {window_, before_, lit_, trusted_, shift_};
+    const cv::Mat before = floats(before_);
+    censor_glare(before, moved_, lit_);
+    return {window_, before, lit_, trusted_, shift_};
   }
 
  private:
   cv::Mat before_;
   cv::Rect window_, source_window_;
-  cv::Mat ring_, source_, moved_, trusted_, lit_;
+  cv::Mat ring_, source_, trusted_, lit_;
+  cv::Mat moved_;  // CV_8UC3, or CV_32FC3 once a shift was undone
   Light light_;
   cv::Point2d shift_;
 };
@@ -123,7 +132,7 @@ AlignedPair align_pictures(const cv::Mat& before, const cv::Mat& after, const cv
   const int ring_width = std::max(kLeastRing, std::max(region.width, region.height) / 2);
   const cv::Rect window = grown(region, ring_width) & cv::Rect({0, 0}, before.size());
   const cv::Mat ring = ring_of(window, region, changed) & ~glare_of(before(window), after(window));
-  Alignment alignment(floats(before(window)), after, window, ring);
+  Alignment alignment(before, after, window, ring);
   alignment.fit_light_to_ring();
   alignment.undo_camera_shift(max_shift);
   return alignment.result();

@@ -7,6 +7,7 @@
 
 #include "learning/half_size.hpp"
 #include "learning/statistics.hpp"
+#include "learning/strips.hpp"
 
 namespace mbncc {
 namespace {
@@ -141,8 +142,12 @@ cv::Point2d shift_of(const Level& level) {
 }  // namespace
 
 cv::Mat smooth_luminance(const cv::Mat& picture) {
-  cv::Mat luminance;
-  cv::cvtColor(picture, luminance, cv::COLOR_BGR2GRAY);
+  cv::Mat luminance(picture.size(), CV_32FC1), strip;
+  for_each_strip(picture.rows, [&](const cv::Range& rows) {
+    picture.rowRange(rows).convertTo(strip, CV_32F);
+    cv::Mat part = luminance.rowRange(rows);
+    cv::cvtColor(strip, part, cv::COLOR_BGR2GRAY);
+  });
   cv::GaussianBlur(luminance, luminance, {}, 1.5);
   return luminance;
 }

@@ -9,6 +9,7 @@
 #include "learning/camera_shift.hpp"
 #include "learning/rectangles.hpp"
 #include "learning/statistics.hpp"
+#include "learning/strips.hpp"
 
 namespace mbncc {
 namespace {
@@ -19,16 +20,9 @@ constexpr float kNoiseFactor = 5;       // a change stands out from the median d
 constexpr float kSureDifference = 45;   // [likewise] a change, however much else differs
 constexpr double kClearGain = 0.8;      // a shift must lower the difference to this part
 constexpr int kSampling = 2;            // [px] of the survey, for medians
-constexpr int kStrip = 16;              // [px] of the survey: rows that are worked on at a time
 constexpr int kTextureBox = 15;         // [px] of the survey: texture is compared in such squares
 constexpr double kTextured = 9;         // [grey levels^2] variance above which a square has texture
 constexpr double kSameTexture = 0.5;    // correlation of squares that show the same
-
-// Whole pictures of floats would cost more to write to memory than to compute.
-template <class Use>
-void for_each_strip(int height, Use&& use) {
-  for (int y = 0; y < height; y += kStrip) use(cv::Range(y, std::min(y + kStrip, height)));
-}
 
 cv::Mat reduced(const cv::Mat& picture, double scale) {
   cv::Mat small;

@@ -37,31 +37,33 @@ constexpr int kFewestPixels = 30;    // of a seed worth cutting
 constexpr float kCovered = 2;  // log-likelihood ratio given to what an intruder covers afterwards
 constexpr int kSpeck = 8;      // [px] smaller changed patches are noise
 
-// What one round of cutting works on; all pictures have the crop's size.
+// What one round of cutting works on; all pictures have the crop's size, and their own memory: the
+// pair's are much larger, and a cut lives as long as its lesson.
 class Cutter {
  public:
   Cutter(const AlignedPair& pair, const cv::Rect& crop, const cv::Rect& region)
-      : crop_(crop),
-        before_(pair.before(crop - pair.window.tl())),
-        after_(pair.after(crop - pair.window.tl())),
-        inside_(cv::Mat::zeros(crop.size(), CV_8UC1)) {
+      : window_(pair.window),
+        crop_(crop),
+        before_(pair.before(crop - pair.window.tl()).clone()),
+        after_(pair.after(crop - pair.window.tl()).clone()),
+        inside_(cv::Mat::zeros(crop.size(), CV_8UC1)),
+        noise_(learn_noise(pair)),
+        platform_(ColourMixture::fit(pair.before, pair.trusted)) {
     inside_(region - crop.tl()).setTo(255);
   }
 
-  void explain_background(const AlignedPair& pair) {
-    noise_ = learn_noise(pair);
-    platform_ = ColourMixture::fit(pair.before, pair.trusted);
+  void explain_background() {
     background_ = background_likelihood(before_, after_, noise_, platform_);
   }
 
   // The changed pixels that the foreground's colours are first learned from.
-  // `surveyed` is the survey's change in the pair's window.
-  bool seed(const AlignedPair& pair, const cv::Mat& surveyed) {
+  // `surveyed` is the survey's change, of the whole picture.
+  bool seed(const cv::Mat& surveyed) {
     map_ = (background_.changed > 0.5) & inside_;
     remove_specks(map_, kSpeck);
     if (cv::countNonZero((background_.changed > 0.5) & ~inside_) >= kFewestPixels) {
       exclude_moved_neighbours();
-      exclude_intruders(reaching_border(surveyed)(crop_ - pair.window.tl()));
+      exclude_intruders(reaching_border(surveyed(window_))(crop_ - window_.tl()));
     }
     exclude(find_arrivals(before_, after_, map_, platform_));
     keep_main_groups(map_, background_.changed);
@@ -219,6 +221,7 @@ class Cutter {
     return unary;
   }
 
+  cv::Rect window_;  // of the aligned pair
   cv::Rect crop_;
   cv::Mat before_, after_, inside_;
   NoiseModel noise_;
@@ -249,11 +252,10 @@ ChangeCut change_cut(const cv::Mat& before, const cv::Mat& after, const cv::Rect
                      const BeforeCut& before_cut) {
   const int margin = std::max(6, std::max(region.width, region.height) / 20);
   const cv::Rect crop = grown(region, margin) & cv::Rect({0, 0}, before.size());
-  const AlignedPair pair = align_pictures(before, after, region, changed, max_shift);
-  const auto cutter = std::make_shared<Cutter>(pair, crop, region);
-  cutter->explain_background(pair);
-  if (!cutter->seed(pair, changed(pair.window)))
-    return {cv::Mat::zeros(before.size(), CV_8UC1), {}, {}, {}, {}};
+  const auto cutter = std::make_shared<Cutter>(
+      align_pictures(before, after, region, changed, max_shift), crop, region);
+  cutter->explain_background();
+  if (!cutter->seed(changed)) return {cv::Mat::zeros(before.size(), CV_8UC1), {}, {}, {}, {}};
   cutter->weigh_edges();
   for (int i = 0; i < iterations; ++i) {
     if (before_cut) before_cut(i);

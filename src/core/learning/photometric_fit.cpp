@@ -28,19 +28,24 @@ struct Sample {
   }
 };
 
-std::vector<Sample> samples_of(const cv::Mat& before, const cv::Mat& after, const cv::Mat& trusted,
-                               int channel) {
+using Samples = std::array<std::vector<Sample>, 3>;  // per channel
+
+Samples samples_of(const cv::Mat& before, const cv::Mat& after, const cv::Mat& trusted) {
   const int step = std::max(kFinestStep, cvRound(std::sqrt(cv::countNonZero(trusted) / kEnough)));
-  std::vector<Sample> samples;
-  for (int y = 0; y < after.rows; y += step)
+  Samples samples;
+  cv::Mat row_before, row_after;
+  for (int y = 0; y < after.rows; y += step) {
+    before.row(y).convertTo(row_before, CV_32F);
+    after.row(y).convertTo(row_after, CV_32F);
+    const float v = (y - after.rows / 2) / float(after.rows);
     for (int x = (y / step) % 2; x < after.cols; x += step) {
       if (!trusted.at<uchar>(y, x)) continue;
       const float u = (x - after.cols / 2) / float(after.cols);
-      const float v = (y - after.rows / 2) / float(after.rows);
-      const float a = after.at<cv::Vec3f>(y, x)[channel];
-      const float b = before.at<cv::Vec3f>(y, x)[channel];
-      samples.push_back({{a, a * u, a * v, 1}, b - a});
+      const auto &b = row_before.at<cv::Vec3f>(x), &a = row_after.at<cv::Vec3f>(x);
+      for (int c = 0; c < 3; ++c)
+        samples[c].push_back({{a[c], a[c] * u, a[c] * v, 1}, b[c] - a[c]});
     }
+  }
   return samples;
 }
 
@@ -106,24 +111,28 @@ ChannelLight fit_channel(const std::vector<Sample>& samples, bool planar) {
 }  // namespace
 
 Light fit_light(const cv::Mat& before, const cv::Mat& after, const cv::Mat& trusted, bool planar) {
+  const Samples samples = samples_of(before, after, trusted);
   Light light;
-  for (int c = 0; c < 3; ++c) light[c] = fit_channel(samples_of(before, after, trusted, c), planar);
+  for (int c = 0; c < 3; ++c) light[c] = fit_channel(samples[c], planar);
   return light;
 }
 
-cv::Mat apply_light(const cv::Mat& after, const Light& light) {
-  cv::Mat lit(after.size(), CV_32FC3);
-  for (int y = 0; y < after.rows; ++y) {
-    const auto* from = after.ptr<float>(y);
-    auto* to = lit.ptr<float>(y);
+cv::Mat apply_light(const cv::Mat& after, const Light& light, const cv::Range& rows) {
+  const cv::Range range = rows == cv::Range::all() ? cv::Range(0, after.rows) : rows;
+  cv::Mat lit;
+  after.rowRange(range).convertTo(lit, CV_32F);
+  for (int y = range.start; y < range.end; ++y) {
+    auto* values = lit.ptr<float>(y - range.start);
     const double v = (y - after.rows / 2) / double(after.rows);
     for (int c = 0; c < 3; ++c) {
       const auto& l = light[c];
       const auto slope = static_cast<float>(l.gain_x / after.cols);
       const auto start = static_cast<float>(1 + l.gain + l.gain_y * v - slope * (after.cols / 2));
       const auto offset = static_cast<float>(l.offset);
-      for (int x = 0; x < after.cols; ++x)
-        to[3 * x + c] = from[3 * x + c] * (start + slope * static_cast<float>(x)) + offset;
+      for (int x = 0; x < after.cols; ++x) {
+        float& value = values[3 * x + c];
+        value = value * (start + slope * static_cast<float>(x)) + offset;
+      }
     }
   }
   return lit;

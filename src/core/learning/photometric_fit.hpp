@@ -18,11 +18,12 @@ struct ChannelLight {
 
 using Light = std::array<ChannelLight, 3>;
 
-/// Robust fit (Tukey weights) over the pixels of `trusted` (CV_8UC1); pictures are CV_32FC3.
-/// Without `planar` the gain is constant. Fewer than 200 samples give the identity.
+/// Robust fit (Tukey weights) over the pixels of `trusted` (CV_8UC1); pictures are CV_8UC3 or
+/// CV_32FC3. Without `planar` the gain is constant. Fewer than 200 samples give the identity.
 Light fit_light(const cv::Mat& before, const cv::Mat& after, const cv::Mat& trusted, bool planar);
 
-/// `after` (CV_32FC3) as `before` would show it.
-cv::Mat apply_light(const cv::Mat& after, const Light& light);
+/// These rows of `after` (CV_8UC3 or CV_32FC3) as `before` would show them, CV_32FC3.
+cv::Mat apply_light(const cv::Mat& after, const Light& light,
+                    const cv::Range& rows = cv::Range::all());
 
 }  // namespace mbncc

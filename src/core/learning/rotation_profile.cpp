@@ -22,6 +22,15 @@ int level_for(double area) {
   return level;
 }
 
+// Of the map's box, which starts where the whole picture's squares at that level do.
+MaskedTemplate points_of(const cv::Mat& grey, const cv::Mat& map, const cv::Point2d& anchor,
+                         int level) {
+  const cv::Rect tight = cv::boundingRect(map);
+  const cv::Point start(tight.x >> level << level, tight.y >> level << level);
+  const cv::Rect box(start, tight.br());
+  return masked_template(grey(box), map(box), anchor - cv::Point2d(start), level);
+}
+
 double overlap_with_itself(const MaskedTemplate& points, const cv::Mat& map, const Pose2D& pose) {
   const double c = std::cos(pose.theta), s = std::sin(pose.theta);
   int common = 0;
@@ -39,16 +48,15 @@ double overlap_with_itself(const MaskedTemplate& points, const cv::Mat& map, con
 RotationProfile::RotationProfile(const View& view, const cv::Mat& picture) {
   const cv::Point2d centre = centroid(view.map);
   const int reach = static_cast<int>(2 * excircle(view.map).radius) + 4;
-  cv::Mat grey, part, map;
-  cv::cvtColor(picture, grey, cv::COLOR_BGR2GRAY);
+  cv::Mat part;
   const cv::Rect around = grown(cv::Rect(cv::Point(centre) + view.origin, cv::Size(1, 1)), reach) &
-                          cv::Rect({0, 0}, grey.size());
-  full_size_map(view)(around).copyTo(map);
-  grey(around).copyTo(part);
+                          cv::Rect({0, 0}, picture.size());
+  const cv::Mat map = full_size_map(view)(around).clone();
+  cv::cvtColor(picture(around), part, cv::COLOR_BGR2GRAY);
   const cv::Point2d anchor = centre + cv::Point2d(view.origin - around.tl());
 
   const int level = level_for(cv::countNonZero(map));
-  const MaskedTemplate points = masked_template(part, map, anchor, level);
+  const MaskedTemplate points = points_of(part, map, anchor, level);
   const cv::Mat at_level = build_pyramid(part, level).back();
   const cv::Mat map_at_level = build_pyramid(map, level).back();
   const cv::Point2d pivot = to_level(anchor, level);
