@@ -8,7 +8,8 @@ namespace mbncc {
 namespace {
 
 constexpr int kDirections = 8;
-constexpr int kReach = 6;   // [px] of a line to either side of its middle
+constexpr int kReach = 6;  // [px] of a line to either side of its middle
+constexpr int kLength = 2 * kReach + 1;
 constexpr int kBeside = 5;  // [px] so far beside a thin line there is platform
 constexpr float kMost = 3;  // any pixel's say
 constexpr int kFrame = kReach + kBeside;
@@ -18,20 +19,24 @@ cv::Point rounded(double length, double angle) {
           static_cast<int>(std::lround(length * std::sin(angle)))};
 }
 
+using Lines = std::array<const float*, kLength>;
+
+// Spelled out, so that several pixels are worked on at a time.
+template <std::size_t... kPixel>
+void add_up(const Lines& lines, int begin, int end, float* mean, std::index_sequence<kPixel...>) {
+  for (int x = begin; x < end; ++x) mean[x] = (0.F + ... + lines[kPixel][x]) / kLength;
+}
+
 // Means along lines of one direction; as far from the frame as lines reach.
 void line_means(const cv::Mat& framed, double angle, cv::Mat& means) {
-  std::array<cv::Point, 2 * kReach + 1> steps;
-  for (int i = -kReach; i <= kReach; ++i) steps[i + kReach] = rounded(i, angle);
   for (int y = kReach; y < framed.rows - kReach; ++y) {
-    auto* mean = means.ptr<float>(y);
-    std::array<const float*, 2 * kReach + 1> lines{};
-    for (std::size_t i = 0; i < lines.size(); ++i)
-      lines[i] = framed.ptr<float>(y + steps[i].y) + steps[i].x;
-    for (int x = kReach; x < framed.cols - kReach; ++x) {
-      float sum = 0;
-      for (const float* line : lines) sum += line[x];
-      mean[x] = sum / (2 * kReach + 1);
+    Lines lines{};
+    for (int i = -kReach; i <= kReach; ++i) {
+      const cv::Point step = rounded(i, angle);
+      lines[i + kReach] = framed.ptr<float>(y + step.y) + step.x;
     }
+    add_up(lines, kReach, framed.cols - kReach, means.ptr<float>(y),
+           std::make_index_sequence<kLength>());
   }
 }
 

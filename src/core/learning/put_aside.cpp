@@ -56,12 +56,16 @@ std::vector<Place> places_of(const cv::Mat& arrivals, double area) {
   cv::Mat joined, labels, stats, centres;
   cv::morphologyEx(arrivals, joined, cv::MORPH_CLOSE,
                    cv::getStructuringElement(cv::MORPH_ELLIPSE, {kGap, kGap}));
-  const int count = cv::connectedComponentsWithStats(joined, labels, stats, centres, 8, CV_32S);
+  const cv::Rect all = cv::boundingRect(joined);
+  if (all.empty()) return {};
+  const int count =
+      cv::connectedComponentsWithStats(joined(all), labels, stats, centres, 8, CV_32S);
   std::vector<Place> places;
   for (int i = 1; i < count; ++i) {
     const double part = stats.at<int>(i, cv::CC_STAT_AREA) / area;
     if (part < kSmallestPart || part > kLargestPart) continue;
-    const cv::Rect box(stats.at<int>(i, cv::CC_STAT_LEFT), stats.at<int>(i, cv::CC_STAT_TOP),
+    const cv::Rect box(all.x + stats.at<int>(i, cv::CC_STAT_LEFT),
+                       all.y + stats.at<int>(i, cv::CC_STAT_TOP),
                        stats.at<int>(i, cv::CC_STAT_WIDTH), stats.at<int>(i, cv::CC_STAT_HEIGHT));
     const int margin = std::max(8, std::max(box.width, box.height) * 15 / 100);
     places.push_back(

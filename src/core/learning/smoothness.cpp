@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
+#include <numeric>
 
 namespace mbncc {
 namespace {
@@ -11,36 +13,57 @@ constexpr float kSharpness = 2.5F;      // beta, for contrasts relative to their
 constexpr float kPlatformEdge = 0.02F;  // weight of the after picture's contrast [1 / grey level^2]
 constexpr float kMissing = -1;
 
-// Squared contrast of `before` across one edge, less what `after` shows as well.
-float object_contrast(const cv::Vec3f& before, const cv::Vec3f& after, const cv::Vec3f& precision) {
-  const cv::Vec3f gone = before - after;
-  float mismatch = 0;
-  for (int c = 0; c < 3; ++c) mismatch += gone[c] * gone[c] * precision[c];
-  const float shared = kPlatformEdge * after.dot(after) * std::exp(-std::min(20.F, mismatch));
-  return before.dot(before) / (1 + shared);
-}
-
 struct Contrasts {
   std::array<cv::Mat, 4> squares;
   double mean = 0;
 };
 
+// Squared contrasts of `before` across edges of one row, less what `after` shows as well.
+class RowContrast {
+ public:
+  RowContrast(int width, const cv::Vec3f& precision)
+      : precision_(precision), other_(1, width, CV_32FC1), alike_(1, width, CV_32FC1) {}
+
+  // Of `count` edges between pixels and their neighbours, in both pictures.
+  void measure(const std::array<const cv::Vec3f*, 2>& before,
+               const std::array<const cv::Vec3f*, 2>& after, int count, float* squares) {
+    cv::Mat alike_row = alike_.colRange(0, count);
+    auto *other = other_.ptr<float>(), *alike = alike_.ptr<float>();
+    for (int x = 0; x < count; ++x) {
+      const cv::Vec3f b = before[0][x] - before[1][x], a = after[0][x] - after[1][x], gone = b - a;
+      float mismatch = 0;
+      for (int c = 0; c < 3; ++c) mismatch += gone[c] * gone[c] * precision_[c];
+      alike[x] = -std::min(20.F, mismatch);
+      other[x] = a.dot(a);
+      squares[x] = b.dot(b);
+    }
+    cv::exp(alike_row, alike_row);
+    for (int x = 0; x < count; ++x) squares[x] /= 1 + kPlatformEdge * other[x] * alike[x];
+  }
+
+ private:
+  cv::Vec3f precision_;
+  cv::Mat other_, alike_;  // what `after` shows there, and how much it looks the same
+};
+
 Contrasts measure(const cv::Mat& before, const cv::Mat& after, const cv::Vec3f& precision) {
   Contrasts contrasts;
+  RowContrast row(before.cols, precision);
   double sum = 0, count = 0;
   for (std::size_t k = 0; k < contrasts.squares.size(); ++k) {
     cv::Mat& squares = contrasts.squares[k];
     squares = cv::Mat(before.size(), CV_32FC1, cv::Scalar(kMissing));
     const int dx = Smoothness::kDx[k], dy = Smoothness::kDy[k];
-    for (int y = -dy; y < before.rows; ++y)
-      for (int x = std::max(0, -dx); x < before.cols - std::max(0, dx); ++x) {
-        const float square = object_contrast(
-            before.at<cv::Vec3f>(y, x) - before.at<cv::Vec3f>(y + dy, x + dx),
-            after.at<cv::Vec3f>(y, x) - after.at<cv::Vec3f>(y + dy, x + dx), precision);
-        squares.at<float>(y, x) = square;
-        sum += square;
-        ++count;
-      }
+    const int begin = std::max(0, -dx), edges = before.cols - std::abs(dx);
+    for (int y = -dy; y < before.rows; ++y) {
+      const auto ends = [&](const cv::Mat& picture) -> std::array<const cv::Vec3f*, 2> {
+        return {picture.ptr<cv::Vec3f>(y) + begin, picture.ptr<cv::Vec3f>(y + dy) + begin + dx};
+      };
+      auto* out = squares.ptr<float>(y) + begin;
+      row.measure(ends(before), ends(after), edges, out);
+      sum = std::accumulate(out, out + edges, sum);
+      count += edges;
+    }
   }
   contrasts.mean = sum / std::max(1.0, count);
   return contrasts;
@@ -63,9 +86,10 @@ Smoothness smoothness(const cv::Mat& before, const cv::Mat& after, const NoiseMo
   for (std::size_t k = 0; k < result.weights.size(); ++k) {
     const bool diagonal = Smoothness::kDx[k] != 0 && Smoothness::kDy[k] != 0;
     const float scale = diagonal ? kStrength / std::sqrt(2.F) : kStrength;
-    cv::Mat& weights = result.weights[k] = contrasts.squares[k];
-    for (float& w : cv::Mat_<float>(weights))
-      w = w == kMissing ? 0 : scale * std::exp(-std::min(30.F, beta * w));
+    cv::Mat& weights = result.weights[k];
+    cv::exp(cv::max(contrasts.squares[k] * -beta, -30), weights);
+    weights *= scale;
+    weights.setTo(0, contrasts.squares[k] == kMissing);
   }
   return result;
 }
