@@ -73,5 +73,22 @@ TEST(ComparedPictures, ForgiveExposureAndASmallShift) {
   EXPECT_GT(test::iou(full_size_map(result.object.views.at(0)), drawn.truth), 0.85);
 }
 
+// Most of what has texture leaves, but what stays stays where it was.
+TEST(ComparedPictures, ForgiveAClearedTable) {
+  const cv::Size size(320, 240);
+  DrawnLesson drawn = draw_lesson({60, 60}, size);
+  cv::Mat table = test::texture(size, cv::Scalar(105, 115, 120), 1, 1);
+  const cv::Mat edge(table, cv::Rect(0, 200, 320, 40));
+  test::texture(edge.size(), cv::Scalar(90, 90, 90), 14, 5).copyTo(edge);
+  cv::Mat scene = table.clone();
+  for (const cv::Point& at : {cv::Point(60, 60), {160, 50}, {260, 60}, {160, 140}, {260, 140}})
+    test::texture(size, cv::Scalar(60, 90, 190), 22, 2).copyTo(scene, test::wedge_map(size, at));
+  drawn.lesson.before = test::exposed(scene, 11);
+  drawn.lesson.after = test::exposed(table, 12);
+  const LearnResult result = learn_object(drawn.lesson);
+  ASSERT_EQ(result.error, LearnError::kSuccess) << result.message;
+  EXPECT_GT(test::iou(full_size_map(result.object.views.at(0)), drawn.truth), 0.9);
+}
+
 }  // namespace
 }  // namespace mbncc

@@ -145,24 +145,38 @@ cv::Mat box_mean(const cv::Mat& values) {
   return mean;
 }
 
-// Light and exposure leave the correlation of small squares alone; a moved camera does not.
+struct Texture {
+  int squares = 0, displaced = 0;
+
+  void count(bool is_displaced) {
+    ++squares;
+    displaced += is_displaced;
+  }
+  double displaced_part() const {
+    return squares == 0 ? 0 : displaced / static_cast<double>(squares);
+  }
+};
+
+// Light and exposure leave the correlation of small squares alone; a moved camera does not. It
+// displaces the texture of both pictures; of a scene that many things left, the rest stays.
 double displaced_part(const cv::Mat& before, const cv::Mat& after) {
   const cv::Mat mean_b = box_mean(before), mean_a = box_mean(after);
   const cv::Mat bb = mean_product(before, before), aa = mean_product(after, after),
                 ba = mean_product(before, after);
-  int textured = 0, displaced = 0;
+  Texture textured_before, textured_after;
   for (int y = 0; y < before.rows; ++y) {
     const auto *b = mean_b.ptr<float>(y), *a = mean_a.ptr<float>(y);
     for (int x = 0; x < before.cols; ++x) {
-      const double variance = bb.at<float>(y, x) - b[x] * b[x];
-      if (variance < kTextured) continue;
-      ++textured;
-      const double other = std::max<double>(kTextured, aa.at<float>(y, x) - a[x] * a[x]);
+      const double vb = bb.at<float>(y, x) - b[x] * b[x], va = aa.at<float>(y, x) - a[x] * a[x];
+      if (std::max(vb, va) < kTextured) continue;
       const float covariance = ba.at<float>(y, x) - b[x] * a[x];
-      if (covariance < kSameTexture * std::sqrt(variance * other)) ++displaced;
+      const bool displaced =
+          covariance < kSameTexture * std::sqrt(std::max(kTextured, vb) * std::max(kTextured, va));
+      if (vb >= kTextured) textured_before.count(displaced);
+      if (va >= kTextured) textured_after.count(displaced);
     }
   }
-  return textured == 0 ? 0 : displaced / static_cast<double>(textured);
+  return std::min(textured_before.displaced_part(), textured_after.displaced_part());
 }
 
 }  // namespace

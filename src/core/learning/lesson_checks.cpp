@@ -16,7 +16,7 @@ constexpr int kLargestPicture = 1 << 15;  // [px] a side beyond this is no camer
 constexpr double kFullPart = 0.98;        // of the room, from which on a map is everything
 // Of max_change: an object that leaves displaces less texture than it changes pixels, a camera
 // more.
-constexpr double kDisplaced = 0.7;
+constexpr double kDisplaced = 0.75;
 
 void require(bool condition, LearnError error, const std::string& message) {
   if (!condition) throw LessonEnded(error, message);
