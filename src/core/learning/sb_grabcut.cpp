@@ -3,22 +3,11 @@
 #include <algorithm>
 #include <opencv2/imgproc.hpp>
 
+#include "matching/fixed_random_state.hpp"
 #include "mbncc/learning/superpixels.hpp"
 
 namespace mbncc {
 namespace {
-
-// cv::grabCut draws its first clusters from the thread's random state.
-class FixedRandomState {
- public:
-  FixedRandomState() : saved_(cv::theRNG()) { cv::setRNGSeed(1); }
-  ~FixedRandomState() { cv::theRNG() = saved_; }
-  FixedRandomState(const FixedRandomState&) = delete;
-  FixedRandomState& operator=(const FixedRandomState&) = delete;
-
- private:
-  cv::RNG saved_;
-};
 
 cv::Mat foreground_of(const cv::Mat& classes) {
   return (classes == cv::GC_FGD) | (classes == cv::GC_PR_FGD);

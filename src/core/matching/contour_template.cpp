@@ -70,10 +70,8 @@ double contour_agreement(const ContourTemplate& contour, const ContourSample& sa
 }
 
 double contour_found(const ContourTemplate& contour, const ContourSample& sample) {
-  constexpr float kClear = 0.4f;
   const double visible = product(contour.ones, sample.seen.data());
-  const auto found = std::count_if(sample.response.begin(), sample.response.end(),
-                                   [](float response) { return response > kClear; });
+  const auto found = std::count_if(sample.response.begin(), sample.response.end(), is_clear);
   return static_cast<double>(found) / std::max(1.0, visible);
 }
 

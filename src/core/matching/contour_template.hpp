@@ -54,6 +54,12 @@ void read_contour(const ContourTemplate& contour, const cv::Mat& edges, const Po
 /// its normal; -1 where less than a quarter of the contour is visible.
 double contour_agreement(const ContourTemplate& contour, const ContourSample& sample);
 
+/// There is an edge along the contour.
+inline bool is_clear(float response) {
+  constexpr float kClear = 0.4f;
+  return response > kClear;
+}
+
 /// Part [0..1] of the visible contour where there is a clear edge along it.
 double contour_found(const ContourTemplate& contour, const ContourSample& sample);
 

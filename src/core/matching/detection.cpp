@@ -20,10 +20,38 @@ double fine_odds(const PreparedView& view, const ScenePicture& scene, const Pose
   return log_odds(fine_evidence(view, scene, pose), view.shape.area());
 }
 
-/// Log-odds that a part of another colour takes away: occluded, or of something much alike.
-double doubt(double strange) {
-  constexpr double kUsual = 0.28, kSteepness = 8;
-  return kSteepness * std::max(0.0, strange - kUsual);
+/// How far colours are off where an object is believed to lie.
+struct OddColours {
+  double block = 0;  ///< see worst_chroma_difference()
+  double part = 0;   ///< see ColourParts
+};
+
+OddColours odd_colours(const PreparedView& view, const SceneLevel& scene, const Refined& found) {
+  thread_local SurfaceSample sample;
+  thread_local ContourSample contour;
+  const SurfaceTemplate& surface = view.fine.surface;
+  scene.prepare_around(found.pose, view.fine.reach() * found.scale);
+  surface.sample(scene, found.pose, sample, found.scale);
+  OddColours odd;
+  odd.block =
+      worst_chroma_difference(surface.planes, sample.planes, sample.inside, surface.block_ends);
+  if (view.parts.empty()) return odd;
+  read_contour(view.fine.contour, scene.edges, found.pose, 1, contour, found.scale);
+  odd.part = view.parts.worst_difference(surface, sample, contour);
+  return odd;
+}
+
+/// Log-odds that a part of another colour takes away: of something much alike or, where parts
+/// cannot be told from what covers them, occluded. Fitted to drawn scenes and to photographs of
+/// tools.
+double doubt(const PreparedView& view, const OddColours& odd) {
+  struct Rule {
+    double usual, steepness;
+  };
+  constexpr Rule kPart{0.15, 60}, kBlock{0.28, 8};
+  const Rule& rule = view.parts.empty() ? kBlock : kPart;
+  const double seen = view.parts.empty() ? odd.block : odd.part;
+  return rule.steepness * std::max(0.0, seen - rule.usual);
 }
 
 bool same_pose(const Pose2D& a, const Pose2D& b, double radius) {
@@ -116,8 +144,10 @@ Detection judged(const PreparedObject& object, const PreparedView& view, const S
   detection.pose.theta = wrap_angle(found.pose.theta);
   detection.size = found.scale;
   detection.covariance = found.covariance;
-  detection.strange = strange_part(view.fine, scene.levels[0], detection.pose);
-  detection.log_odds = believed.odds - doubt(detection.strange);
+  const OddColours odd = odd_colours(view, scene.levels[0], found);
+  detection.strange = odd.block;
+  detection.part = odd.part;
+  detection.log_odds = believed.odds - doubt(view, odd);
   detection.another_size =
       detection.log_odds > 0 && fits_another_size(view, scene, detection.pose, believed.odds);
   detection.rotation_odds = rotation_odds(believed.evidence);

@@ -108,14 +108,6 @@ Evidence gather_evidence(const PoseTemplate& object, const SceneLevel& scene, co
   return evidence;
 }
 
-double strange_part(const PoseTemplate& object, const SceneLevel& scene, const Pose2D& pose) {
-  const SurfaceTemplate& surface = object.surface;
-  SurfaceSample sample;
-  scene.prepare_around(pose, object.reach());
-  surface.sample(scene, pose, sample);
-  return worst_chroma_difference(surface.planes, sample.planes, sample.inside, surface.block_ends);
-}
-
 double log_odds(const Evidence& evidence, double area) {
   // Fitted by logistic regression to true and false poses in drawn scenes, the discount for clutter
   // (clutter.hpp) among the terms. Of what is hardly larger than its edge, the edge must be found

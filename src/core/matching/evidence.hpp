@@ -37,9 +37,6 @@ struct PoseTemplate {
 
 Evidence gather_evidence(const PoseTemplate& object, const SceneLevel& scene, const Pose2D& pose);
 
-/// [0..0.6] How far the colours of a part of the object are off, see worst_chroma_difference().
-double strange_part(const PoseTemplate& object, const SceneLevel& scene, const Pose2D& pose);
-
 /// Fused log-odds that the object of `area` [px] lies at the pose: a logistic model of the
 /// evidence. Small objects are matched by chance more often and need more.
 double log_odds(const Evidence& evidence, double area);

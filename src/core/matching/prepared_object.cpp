@@ -143,6 +143,7 @@ PreparedView::PreparedView(const Source& source, Engine engine)
     templates.push_back(prepare(112, 64));
     if (level > 0) continue;
     fine = prepare(640, 200);
+    parts = ColourParts(fine.surface, fine.contour);
     dense = RefinementTemplate(prepare(2500, 200), continued);
     if (shape.area() < kRendered) rendering = Rendering(from, anchor);
   }

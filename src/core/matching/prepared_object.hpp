@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "matching/colour_gate.hpp"
+#include "matching/colour_parts.hpp"
 #include "matching/edge_search.hpp"
 #include "matching/evidence.hpp"
 #include "matching/map_shape.hpp"
@@ -43,6 +44,7 @@ class PreparedView {
   std::vector<PoseTemplate> rough;      ///< per level: thin out the coarse searches' candidates
   std::vector<PoseTemplate> templates;  ///< per level, small: they judge dozens of candidates
   PoseTemplate fine;                    ///< at full resolution: judges the last few
+  ColourParts parts;                    ///< of `fine`
   std::array<PoseTemplate, 2> resized;  ///< `fine`, smaller and larger: what else it might be
   RefinementTemplate dense;             ///< at full resolution: for the last fraction of a pixel
   Rendering rendering;                  ///< of a small object: settles its pose

@@ -91,6 +91,9 @@ class SurfaceTemplate {
   /// [0..1] How much the colours vary: 0 not at all, near 1 far beyond noise and shading.
   double texture() const { return texture_; }
 
+  /// The points are too near the edge to show the object alone.
+  bool mixed() const { return !unmixing_.empty(); }
+
   double radius() const { return radius_; }  ///< [px at level] of the farthest point
 
   // All vectors are padded to whole lanes: places with points that lie nowhere, values with zeros.

@@ -1,0 +1,182 @@
+#include "matching/colour_parts.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <opencv2/core.hpp>
+#include <utility>
+
+#include "matching/fixed_random_state.hpp"
+
+namespace mbncc {
+namespace {
+
+constexpr int kChannels = SurfaceTemplate::kChannels;
+constexpr int kParts = 7;
+using Planes = std::array<std::vector<float>, kChannels>;
+
+float brightness(const Planes& planes, std::size_t i) {
+  return (planes[0][i] + planes[1][i] + planes[2][i]) / kChannels;
+}
+
+/// (ln R/G, ln B/G), tamed by `dark` [grey levels].
+cv::Point2f chroma(float blue, float green, float red, float dark) {
+  const float by = std::log(green + dark);
+  return {std::log(red + dark) - by, std::log(blue + dark) - by};
+}
+
+/// For each point the part that its colour belongs to; brightness, which light changes, says less.
+std::vector<int> parts_of(const SurfaceTemplate& surface) {
+  constexpr float kDark = 20, kChroma = 2, kBrightness = 0.3f;
+  const int count = static_cast<int>(surface.size());
+  const auto& planes = surface.planes;
+  cv::Mat colours(count, 3, CV_32F), labels;
+  for (int i = 0; i < count; ++i) {
+    const cv::Point2f c = kChroma * chroma(planes[0][i], planes[1][i], planes[2][i], kDark);
+    auto* row = colours.ptr<float>(i);
+    row[0] = c.x;
+    row[1] = c.y;
+    row[2] = kBrightness * std::log(brightness(planes, i) + kDark);
+  }
+  const FixedRandomState fixed;
+  cv::kmeans(colours, std::min(kParts, count), labels,
+             {cv::TermCriteria::COUNT | cv::TermCriteria::EPS, 20, 1e-3}, 2, cv::KMEANS_PP_CENTERS);
+  return {labels.begin<int>(), labels.end<int>()};
+}
+
+/// The light of a picture, as if it were the same all over the object.
+struct Light {
+  double factor = 1, offset = 0;
+
+  float of(float learned) const {
+    return static_cast<float>(std::clamp(factor * learned + offset, 0.0, 255.0));
+  }
+};
+
+/// Least squares over the weighted points; those that do not fit, as parts of another colour, count
+/// little.
+Light fit_light(const Planes& learned, const Planes& seen, const std::vector<float>& weights) {
+  constexpr int kPasses = 4;
+  constexpr double kPrior = 300;  // [grey^2] pulls the factor of plain surfaces to 1
+  constexpr double kUsual = 400;  // [grey^2] that halves a point's weight
+  constexpr double kLeast = 0.55, kMost = 1.5;
+  Light light;
+  for (int pass = 0; pass < kPasses; ++pass) {
+    double total = 0, t = 0, s = 0, tt = 0, ts = 0;
+    for (std::size_t i = 0; i < weights.size(); ++i) {
+      if (weights[i] == 0) continue;
+      double square = 0;
+      for (int c = 0; c < kChannels && pass > 0; ++c) {
+        const double off = seen[c][i] - light.factor * learned[c][i] - light.offset;
+        square += off * off / kChannels;
+      }
+      const double weight = weights[i] / (1 + square / kUsual);
+      for (int c = 0; c < kChannels; ++c) {
+        total += weight;
+        t += weight * learned[c][i];
+        s += weight * seen[c][i];
+        tt += weight * learned[c][i] * learned[c][i];
+        ts += weight * learned[c][i] * seen[c][i];
+      }
+    }
+    const double prior = kPrior * total;
+    const double factor = (ts - t * s / total + prior) / (tt - t * t / total + prior);
+    light.factor = std::clamp(factor, kLeast, kMost);
+    light.offset = (s - light.factor * t) / total;
+  }
+  return light;
+}
+
+using Weighted = std::pair<float, float>;  // value, weight
+
+float median(std::vector<Weighted>& values) {
+  std::sort(values.begin(), values.end());
+  float total = 0, sum = 0;
+  for (const auto& [value, weight] : values) total += weight;
+  for (const auto& [value, weight] : values)
+    if ((sum += weight) >= total / 2) return value;
+  return 0;
+}
+
+/// What is seen of one part: how far its chroma is off, and how much of it counts.
+struct PartSeen {
+  std::vector<Weighted> red, blue;
+  double points = 0, weight = 0;
+};
+
+}  // namespace
+
+ColourParts::ColourParts(const SurfaceTemplate& surface, const ContourTemplate& contour) {
+  constexpr float kBeside = 1.5f;    // distances to the nearest contour point, ...
+  constexpr float kSlack = 3;        // [px] ... and a little
+  constexpr std::size_t kMost = 24;  // witnesses of a point
+  if (surface.mixed() || surface.size() < kParts || contour.size() == 0) return;
+  part_ = parts_of(surface);
+  std::vector<float> distances(contour.size());
+  for (std::size_t i = 0; i < surface.size(); ++i) {
+    for (std::size_t k = 0; k < contour.size(); ++k)
+      distances[k] = std::hypot(contour.x[k] - surface.x[i], contour.y[k] - surface.y[i]);
+    const float reach = kBeside * *std::min_element(distances.begin(), distances.end()) + kSlack;
+    std::vector<int> beside;
+    for (std::size_t k = 0; k < contour.size(); ++k)
+      if (distances[k] <= reach) beside.push_back(static_cast<int>(k));
+    const std::size_t count = std::min(kMost, beside.size());
+    for (std::size_t k = 0; k < count; ++k) witnesses_.push_back(beside[k * beside.size() / count]);
+    witnesses_end_.push_back(static_cast<int>(witnesses_.size()));
+  }
+}
+
+/// Weights [0..1] of the points by the part of their witnesses that is found.
+std::vector<float> ColourParts::witnessed(const SurfaceSample& sample,
+                                          const ContourSample& contour) const {
+  constexpr float kNone = 0.45f, kFull = 0.8f;
+  std::vector<float> weights(sample.inside.size(), 0.f);
+  int k = 0;
+  for (std::size_t i = 0; i < part_.size(); ++i) {
+    float found = 0, seen = 0;
+    for (; k < witnesses_end_[i]; ++k) {
+      const int at = witnesses_[k];
+      seen += contour.seen[at];
+      found += is_clear(contour.response[at]) ? contour.seen[at] : 0;
+    }
+    if (seen == 0) continue;
+    weights[i] = sample.inside[i] * std::clamp((found / seen - kNone) / (kFull - kNone), 0.f, 1.f);
+  }
+  return weights;
+}
+
+double ColourParts::worst_difference(const SurfaceTemplate& surface, const SurfaceSample& sample,
+                                     const ContourSample& contour) const {
+  constexpr float kDark = 30;       // [grey levels]
+  constexpr double kShare = 0.045;  // of the points that make a part
+  constexpr double kEnough = 0.3;   // of a part's points that have to count
+  constexpr float kUnseen = 0.02f;  // weight that points without witnesses have for the light
+  if (empty() || !sample.suffices()) return 0;
+  const std::vector<float> weights = witnessed(sample, contour);
+  std::vector<float> lit = sample.inside;
+  for (std::size_t i = 0; i < lit.size(); ++i) lit[i] *= weights[i] + kUnseen;
+  const Light light = fit_light(surface.planes, sample.planes, lit);
+  std::array<PartSeen, kParts> parts;
+  for (std::size_t i = 0; i < part_.size(); ++i) {
+    PartSeen& part = parts[part_[i]];
+    ++part.points;
+    if (weights[i] == 0) continue;
+    const auto& learned = surface.planes;
+    const auto& seen = sample.planes;
+    const cv::Point2f off =
+        chroma(light.of(learned[0][i]), light.of(learned[1][i]), light.of(learned[2][i]), kDark) -
+        chroma(seen[0][i], seen[1][i], seen[2][i], kDark);
+    part.weight += weights[i];
+    part.red.emplace_back(off.x, weights[i]);
+    part.blue.emplace_back(off.y, weights[i]);
+  }
+  double worst = 0;
+  for (auto& part : parts) {
+    if (part.points < kShare * static_cast<double>(part_.size())) continue;
+    if (part.weight < kEnough * part.points) continue;
+    worst = std::max(worst, static_cast<double>(std::hypot(median(part.red), median(part.blue))));
+  }
+  return worst;
+}
+
+}  // namespace mbncc

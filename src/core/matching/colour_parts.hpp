@@ -1,0 +1,35 @@
+// The parts of an object that have one colour each, and whether a picture shows them in it. Among
+// tools, what tells look-alikes apart is the colour of one part, while all else agrees.
+#pragma once
+
+#include <vector>
+
+#include "matching/contour_template.hpp"
+#include "matching/surface_template.hpp"
+
+namespace mbncc {
+
+class ColourParts {
+ public:
+  ColourParts() = default;
+
+  /// Of points away from the edge, which show the object alone: of a narrow object, nothing.
+  ColourParts(const SurfaceTemplate& surface, const ContourTemplate& contour);
+
+  bool empty() const { return part_.empty(); }
+
+  /// [0..2] By how much the chroma (ln R/G, ln B/G) of the part that differs most is off from what
+  /// its lesson, in the light of the picture, would be. Only points count beside which the contour
+  /// is found: what covers the object covers its contour as well.
+  double worst_difference(const SurfaceTemplate& surface, const SurfaceSample& sample,
+                          const ContourSample& contour) const;
+
+ private:
+  std::vector<float> witnessed(const SurfaceSample& sample, const ContourSample& contour) const;
+
+  std::vector<int> part_;           ///< of each point
+  std::vector<int> witnesses_;      ///< contour points beside the points, point after point
+  std::vector<int> witnesses_end_;  ///< of each point, in `witnesses_`
+};
+
+}  // namespace mbncc

@@ -1,0 +1,115 @@
+#include "matching/colour_parts.hpp"
+
+#include <gtest/gtest.h>
+
+#include <opencv2/imgproc.hpp>
+
+#include "matching/pictures.hpp"
+#include "matching/prepared_object.hpp"
+#include "matching/scene_picture.hpp"
+#include "mbncc/matching/matcher.hpp"
+
+namespace mbncc {
+namespace {
+
+const cv::Scalar kSteel(150, 150, 150), kRed(40, 40, 170), kBlack(30, 30, 30),
+    kTable(225, 225, 230);
+
+/// A tool on a white table: steel, with a handle.
+class ColourPartsTest : public ::testing::Test {
+ protected:
+  static constexpr int kHandle = 60, kLength = 150, kWidth = 24;
+  const cv::Rect tool_{75, 60, kLength, kWidth};
+
+  static void add_noise(cv::Mat& picture, std::uint64_t seed) {
+    cv::Mat noise(picture.size(), CV_16SC3), sum;
+    cv::RNG(seed).fill(noise, cv::RNG::NORMAL, 0, 3);
+    picture.convertTo(sum, CV_16S);
+    sum += noise;
+    sum.convertTo(picture, CV_8U);
+  }
+
+  /// Its head marked, so that it looks different the other way round.
+  cv::Mat picture_with(const cv::Scalar& handle, std::uint64_t seed) const {
+    cv::Mat picture(150, 300, CV_8UC3, kTable);
+    picture(tool_) = kSteel;
+    picture(cv::Rect(tool_.tl(), cv::Size(kHandle, kWidth))) = handle;
+    cv::circle(picture, {tool_.br().x - 14, tool_.y + kWidth / 2}, 6, kBlack, cv::FILLED);
+    add_noise(picture, seed);
+    return picture;
+  }
+
+  std::shared_ptr<ObjectModel> tool() const {
+    cv::Mat map = cv::Mat::zeros(150, 300, CV_8UC1);
+    map(tool_) = 255;
+    auto model = std::make_shared<ObjectModel>();
+    model->name = "tool";
+    model->views.push_back(crop_view(picture_with(kRed, 1), map, {150, 72, 0}));
+    return model;
+  }
+
+  /// Where it was learned.
+  double difference_in(const cv::Mat& picture) const {
+    const PreparedObject object(tool(), Engine::kFast);
+    const PreparedView& view = object.views.front();
+    const ScenePicture scene(picture, 0);
+    const SceneLevel& level = scene.levels[0];
+    const Pose2D at = compose({150, 72, 0}, inverse(view.reference_in_anchor));
+    SurfaceSample sample;
+    ContourSample contour;
+    level.prepare();
+    view.fine.surface.sample(level, at, sample);
+    read_contour(view.fine.contour, level.edges, at, 1, contour);
+    return view.parts.worst_difference(view.fine.surface, sample, contour);
+  }
+};
+
+TEST_F(ColourPartsTest, TheObjectItselfDiffersLittleInAnyLight) {
+  EXPECT_LT(difference_in(picture_with(kRed, 2)), 0.04);
+  for (const auto& [factor, offset] :
+       {std::pair(0.6, 40), std::pair(0.8, -10), std::pair(1.1, 0)}) {
+    cv::Mat picture;
+    picture_with(kRed, 3).convertTo(picture, -1, factor, offset);
+    EXPECT_LT(difference_in(picture), 0.1) << factor << ' ' << offset;
+  }
+}
+
+TEST_F(ColourPartsTest, APartOfAnotherColourDiffers) {
+  EXPECT_GT(difference_in(picture_with(kBlack, 2)), 0.3);
+  EXPECT_GT(difference_in(picture_with({40, 150, 40}, 2)), 0.3);
+}
+
+TEST_F(ColourPartsTest, WhatLiesAcrossCoversTheContourAndDoesNotCount) {
+  cv::Mat picture = picture_with(kRed, 2);
+  cv::rectangle(picture, cv::Rect(tool_.x + 5, 20, 45, 110), cv::Scalar(60, 140, 60), cv::FILLED);
+  EXPECT_LT(difference_in(picture), 0.1);
+}
+
+TEST_F(ColourPartsTest, NarrowObjectsHaveNone) {
+  cv::Mat map = cv::Mat::zeros(60, 120, CV_8UC1);
+  map(cv::Rect(20, 28, 80, 3)) = 255;
+  const test::LearningPicture source(1, map);
+  const PreparedObject object(test::object_from(source, {60, 30, 0}), Engine::kFast);
+  EXPECT_TRUE(object.views.front().parts.empty());
+}
+
+TEST_F(ColourPartsTest, TheThreadsRandomStateNeitherMattersNorChanges) {
+  const cv::Mat picture = picture_with(kRed, 2);
+  cv::theRNG().state = 77;
+  const double first = difference_in(picture);
+  EXPECT_EQ(cv::theRNG().state, 77u);
+  cv::theRNG().state = 12345;
+  EXPECT_EQ(difference_in(picture), first);
+}
+
+TEST_F(ColourPartsTest, ALookAlikeIsNoDetection) {
+  Matcher matcher;
+  matcher.set_objects({tool()});
+  const auto found = matcher.find(picture_with(kRed, 2)).matches;
+  ASSERT_EQ(found.size(), 1u);
+  EXPECT_NEAR(found[0].pose.x, 150, 0.5);
+  EXPECT_TRUE(matcher.find(picture_with(kBlack, 2)).matches.empty());
+}
+
+}  // namespace
+}  // namespace mbncc
