@@ -12,6 +12,10 @@
 
 namespace mbncc::nodelets {
 
+/// Said when publishers() is 0.
+constexpr char kNobodyPublishes[] =
+    "nobody publishes pictures; start the camera, or check the image topic";
+
 class CameraInput {
  public:
   using Callback = std::function<void(const sensor_msgs::ImageConstPtr&)>;

@@ -33,15 +33,19 @@ constexpr std::size_t kMostNames = 1000;
 SearchRequest search_request(const Request& request, const MatchingNodeConfig& config,
                              cv::Size size) {
   SearchRequest search;
-  if (request.names.size() > kMostNames) refuse("more than 1000 names");
+  if (request.names.size() > kMostNames)
+    refuse("more than 1000 names; leave names empty to search for all");
   for (const auto& name : request.names)
-    if (!is_valid_name(name)) refuse("a name is none of an object");
+    if (!is_valid_name(name))
+      refuse("a name is no object's: a letter, then letters, digits or underscores");
   const auto roi = from_msg(request.roi, size);
-  if (!roi) refuse("roi does not lie in the picture");
+  if (!roi) refuse("roi does not lie in the picture; give a region inside it, or none");
   search.roi = roi->empty() ? roi_in(parse_roi(config.search_roi), size) : *roi;
-  if (request.min_score > 1) refuse("min_score lies above 1");
+  if (request.min_score > 1)
+    refuse("min_score lies above 1; give 0 .. 1, or 0 for the configured one");
   if (request.min_score > 0) search.min_score = request.min_score;
-  if (request.max_instances > 1000) refuse("max_instances lies above 1000");
+  if (request.max_instances > 1000)
+    refuse("max_instances lies above 1000; give fewer, or 0 for the configured number");
   search.max_instances = static_cast<int>(request.max_instances);
   return search;
 }
@@ -121,7 +125,7 @@ bool FindService::on_call(Request& request, Response& response) {
 }
 
 Detections FindService::find(const Request& request) const {
-  if (request.frames > kMostFrames) refuse("frames lies above 100");
+  if (request.frames > kMostFrames) refuse("frames lies above 100; ask for fewer");
   MatchingNodeConfig config = tools_.config;
   config.video.sweep_time = 0;  // asked once, everything is looked at
   config.average_frames = static_cast<int>(std::max(1u, request.frames));

@@ -208,7 +208,7 @@ void LearningNodelet::diagnose(diagnostic_updater::DiagnosticStatusWrapper& stat
   const PictureFeed::View view = pictures_->look();
   const auto library = library_->snapshot();
   if (camera_->publishers() == 0)
-    status.summary(DiagnosticStatus::WARN, "nobody publishes pictures");
+    status.summary(DiagnosticStatus::WARN, kNobodyPublishes);
   else if (!view.any_picture)
     status.summary(DiagnosticStatus::WARN, "no usable picture yet");
   else

@@ -37,7 +37,7 @@ std::vector<LessonEdit::Line> lines_of(const std::vector<geometry_msgs::Polygon>
   std::vector<LessonEdit::Line> lines;
   for (const auto& stroke : strokes) {
     const auto line = from_msg(stroke);
-    if (!line) throw std::invalid_argument("a point of a stroke is not finite");
+    if (!line) throw std::invalid_argument("a point of a stroke is not finite; draw it again");
     lines.push_back(*line);
   }
   return lines;
@@ -50,14 +50,17 @@ LessonEdit edit_of(const Request& request, cv::Size size, bool further_view) {
   edit.exclude = lines_of(request.exclude);
   edit.stroke_width = request.stroke_width;
   const auto region = from_msg(request.roi, size);
-  if (!region) throw std::invalid_argument("the new roi does not lie in the picture");
+  if (!region)
+    throw std::invalid_argument("the new roi does not lie in the picture; draw it inside");
   edit.region = *region;
   if (request.set_reference) {
     edit.reference = from_msg(request.reference);
-    if (!edit.reference) throw std::invalid_argument("the new reference is not finite");
+    if (!edit.reference)
+      throw std::invalid_argument("the new reference is not finite; give numbers");
   }
   if (edit.reference && further_view)
-    throw std::invalid_argument("a further view takes the frame of the stored object");
+    throw std::invalid_argument(
+        "a further view takes the frame of the stored object; move it with edit_object");
   if (edit.include.empty() && edit.exclude.empty() && edit.region.empty() && !edit.reference)
     throw std::invalid_argument("nothing to edit; give strokes, a new roi or a new reference");
   return edit;

@@ -195,7 +195,7 @@ void MatchingNodelet::diagnose(diagnostic_updater::DiagnosticStatusWrapper& stat
   else if (!wanted())
     status.summary(DiagnosticStatus::OK, "idle: nobody listens and publish_tf is false");
   else if (camera_->publishers() == 0)
-    status.summary(DiagnosticStatus::WARN, "nobody publishes pictures");
+    status.summary(DiagnosticStatus::WARN, kNobodyPublishes);
   else if (!statistics.message.empty())
     status.summary(DiagnosticStatus::WARN, statistics.message);
   else

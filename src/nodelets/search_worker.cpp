@@ -130,9 +130,10 @@ void SearchWorker::look_for_silence(bool expected) {
 std::string SearchWorker::reason_of_silence() const {
   if (searching_)
     return "a search takes longer than stale_after; search fewer objects, or raise stale_after";
-  if (tools_.camera.publishers() == 0) return "nobody publishes pictures";
+  if (tools_.camera.publishers() == 0) return kNobodyPublishes;
   const std::string fault = statistics_.get().last_fault;
-  return fault.empty() ? "pictures have stopped" : "no usable picture: " + fault;
+  return fault.empty() ? "pictures have stopped; check the camera and its cable"
+                       : "no usable picture: " + fault;
 }
 
 }  // namespace mbncc::nodelets

@@ -42,7 +42,9 @@ void lock(const FileDescriptor& file, const LibraryFolder& folder) {
     if (errno != EWOULDBLOCK && errno != EINTR)
       throw FileError(folder.path, "cannot be locked: " + errno_text(errno));
     if (std::chrono::steady_clock::now() > deadline)
-      throw FileError(folder.path, "another program has been writing to this library for 10 s");
+      throw FileError(
+          folder.path,
+          "another program has been writing to this library for 10 s; try again, or end it");
     std::this_thread::sleep_for(kLockPoll);
   }
 }
