@@ -7,6 +7,7 @@
 #include <map>
 #include <opencv2/imgcodecs.hpp>
 #include <stdexcept>
+#include <system_error>
 
 #include "common/csv.hpp"
 
@@ -86,12 +87,16 @@ std::vector<std::string> tags_in_json(const std::string& text) {
 
 }  // namespace
 
-std::vector<std::string> list_cases(const fs::path& set) {
+std::vector<std::string> list_cases(const fs::path& set, std::size_t most) {
   std::vector<std::string> names;
-  for (const auto& entry : fs::directory_iterator(set))
+  std::error_code unreadable;
+  for (const auto& entry : fs::directory_iterator(set, unreadable))
     if (fs::exists(entry.path() / "gt_mask.png") && fs::exists(entry.path() / "learn_before.png"))
       names.push_back(entry.path().filename().string());
+  if (names.empty())
+    throw std::runtime_error("'" + set.string() + "' holds no case; see bench/README.md, Data");
   std::sort(names.begin(), names.end());
+  if (most > 0 && most < names.size()) names.resize(most);
   return names;
 }
 

@@ -39,8 +39,9 @@ struct CaseFolder {
   std::vector<Target> targets;
 };
 
-/// Names of the cases in a set, sorted.
-std::vector<std::string> list_cases(const std::filesystem::path& set);
+/// Names of the cases in a set, sorted, the first `most` (0: all). Throws std::runtime_error when
+/// there are none.
+std::vector<std::string> list_cases(const std::filesystem::path& set, std::size_t most = 0);
 
 /// Throws std::runtime_error naming the file that is missing or wrong.
 CaseFolder read_case(const std::filesystem::path& folder);

@@ -111,10 +111,7 @@ Table table_of(const Run& run) {
 void benchmark(const cv::CommandLineParser& options) {
   const fs::path set = options.get<std::string>("@set");
   const fs::path out = output_folder(options.get<std::string>("out"));
-  auto cases = list_cases(set);
-  if (cases.empty()) throw std::runtime_error("'" + set.string() + "' holds no case");
-  const auto wanted = options.get<std::size_t>("cases");
-  if (wanted > 0 && wanted < cases.size()) cases.resize(wanted);
+  const auto cases = list_cases(set, options.get<std::size_t>("cases"));
   Run run;
   run.methods = chosen(options.get<std::string>("methods"));
   run.iterations = options.get<int>("iterations");

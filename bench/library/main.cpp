@@ -68,7 +68,6 @@ Scene read_scene(const cv::CommandLineParser& options) {
       scene.truth[i][name] = one.targets[i].instances;
     }
   }
-  if (scene.objects.empty()) throw std::runtime_error("'" + set.string() + "' holds no case");
   return scene;
 }
 

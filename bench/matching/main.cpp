@@ -167,10 +167,7 @@ void benchmark(const cv::CommandLineParser& options) {
   const Tolerance tolerance{options.get<double>("position_tol"),
                             options.get<double>("position_of_diameter"),
                             to_radians(options.get<double>("angle_tol"))};
-  auto cases = list_cases(set);
-  if (cases.empty()) throw std::runtime_error("'" + set.string() + "' holds no case");
-  const auto wanted = options.get<std::size_t>("cases");
-  if (wanted > 0 && wanted < cases.size()) cases.resize(wanted);
+  const auto cases = list_cases(set, options.get<std::size_t>("cases"));
   Run run = contestants_for(options.get<std::string>("engines"));
   for (const auto& name : cases) {
     std::cerr << name << '\n';
