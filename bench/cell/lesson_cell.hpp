@@ -1,0 +1,47 @@
+// The simulated cell as a lesson sees it: light that flickers and drifts, arms that reach in.
+#pragma once
+
+#include <cstdint>
+#include <opencv2/core.hpp>
+#include <optional>
+
+#include "mbncc/cell/scene_watch.hpp"
+#include "mbncc/sim/cell_script.hpp"
+#include "mbncc/sim/scene.hpp"
+
+namespace mbncc::bench {
+
+constexpr int kPatience = 400;  ///< pictures until a lesson times out
+
+/// The cell and its camera, one picture at a time. `random` must outlive it.
+class LessonCell {
+ public:
+  LessonCell(std::uint64_t seed, cv::RNG& random);
+
+  /// The next picture goes to `watch`; `intruder` hides the story's own arm.
+  void show(const std::optional<sim::Arm>& intruder = {});
+
+  void rest(int pictures);
+  void finish_motion();
+
+  /// An arm reaches in from below, pauses, and leaves again.
+  void reach_in();
+
+  cv::Mat map_of(const Pose2D& pose) const { return scene_.true_map({object_, pose}); }
+  cv::Mat picture() { return scene_.render(script_.frame().placed, 77777 + frames_++); }
+  sim::CellScript& script() { return script_; }
+
+  SceneWatch watch{0.5};
+
+ private:
+  sim::CellScriptConfig script_config(std::uint64_t seed, cv::RNG& random);
+
+  cv::RNG& random_;
+  sim::SceneObject object_;
+  sim::Scene scene_;
+  sim::CellScript script_;
+  std::uint64_t frames_ = 0;
+  double drift_ = 0, phase_ = 0;
+};
+
+}  // namespace mbncc::bench
