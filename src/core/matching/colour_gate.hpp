@@ -17,6 +17,9 @@ class ColourGate {
   /// `surface` is the picture under `map`, continued outwards; `anchor` [px] as of the view.
   ColourGate(const cv::Mat& surface, const cv::Mat& map, cv::Point2d anchor, double mean_width);
 
+  /// Of the pyramid, the coarsest that is looked at.
+  int level() const { return class_level_; }
+
   /// Where the colours under the map speak for the object rather than for the picture as a whole.
   /// Everywhere, when the picture has the object's colours all over.
   Places places(const ClassPictures& scene) const;

@@ -125,6 +125,10 @@ class Descent {
     return candidate_odds(view_, scene_, level, pose);
   }
 
+  std::size_t kept_at(int level) const {
+    return static_cast<std::size_t>(effort_.kept * static_cast<double>(most_at(level)));
+  }
+
   void refine_at(int level, int iterations, std::vector<Candidate>& candidates) const {
     const SceneLevel& scene = scene_.levels[level];
     for (auto& candidate : candidates) {
@@ -132,8 +136,8 @@ class Descent {
       candidate.value = odds(level, candidate.pose);
     }
     drop_duplicates(candidates, level == 0 ? 1.5 : 1.0, view_.shape.radius() / (1 << level),
-                    most_at(level));
-    keep_hopeful(candidates, most_at(level), kHopeless);
+                    kept_at(level));
+    keep_hopeful(candidates, kept_at(level), kHopeless);
   }
 
   const PreparedView& view_;

@@ -18,10 +18,12 @@ struct Effort {
   double narrow;             ///< [px] contours of objects narrower are followed first
   double demand;             ///< log-odds by which a candidate's floors are raised on the way
   double promising;          ///< log-odds that polishing may bring to acceptance
+  double kept;               ///< candidates at each level, times most_at()
 };
-constexpr Effort kSparing{100, 100, 10, 100, 24, 12, 0, 0, 0, 2, -5};
-constexpr Effort kQuick{100, 400, 24, 200, 96, 48, 0, 0, 0, 0, -8};
-constexpr Effort kThorough{100, 1600, 24, 1600, 96, 48, 2, 3, 5, 0, -8};
+constexpr Effort kSparing{100, 100, 10, 100, 24, 12, 0, 0, 0, 2, -5, 1};
+constexpr Effort kQuick{100, 400, 24, 200, 96, 48, 0, 0, 0, 0, -8, 1};
+constexpr Effort kColoured{100, 400, 24, 1600, 200, 64, 2, 3, 5, 0, -8, 2};
+constexpr Effort kThorough{100, 800, 24, 1600, 96, 48, 2, 3, 5, 0, -8, 1};
 
 /// Correlation is spared where of the candidates by edges
 constexpr double kSure = 5;            ///< the best has at least these log-odds, ...

@@ -44,11 +44,11 @@ bool reference_within(const Detection& detection, const cv::Rect& roi) {
 
 std::vector<Detection> search_views(const PreparedObject& object, const ScenePicture& scene,
                                     const cv::Rect& roi, Look look) {
-  const bool gated = scene.classes && look == Look::kSparing;
+  const bool gated = look == Look::kGated;
   std::vector<Detection> found;
   for (const auto& view : object.views) {
     const auto detections = search_view(object, view, scene, anchor_region(roi, view, scene.size()),
-                                        look, gated ? view.gate.places(*scene.classes) : Places{});
+                                        look, gated ? view.gate.places(scene.classes()) : Places{});
     std::copy_if(detections.begin(), detections.end(), std::back_inserter(found),
                  [&](const Detection& detection) { return reference_within(detection, roi); });
   }
@@ -69,8 +69,8 @@ cv::Rect place_of_best(const std::vector<Detection>& found) {
 /// One look at the picture, a quick one more where the object was found: the sparing look may have
 /// passed over the right angle there, or a rival of it.
 std::vector<Detection> search_sparingly(const PreparedObject& object, const ScenePicture& scene,
-                                        const cv::Rect& roi) {
-  auto found = search_views(object, scene, roi, Look::kSparing);
+                                        const cv::Rect& roi, Look look) {
+  auto found = search_views(object, scene, roi, look);
   const cv::Rect place =
       place_of_best(found) & (roi.empty() ? cv::Rect({0, 0}, scene.size()) : roi);
   if (place.empty()) return found;
@@ -82,7 +82,8 @@ std::vector<Detection> search_sparingly(const PreparedObject& object, const Scen
 /// An instance fits one of several views best: a thorough look is worth it only when none finds it.
 std::vector<Detection> search_object(const PreparedObject& object, const ScenePicture& scene,
                                      const cv::Rect& roi, Look look) {
-  if (look == Look::kSparing) return search_sparingly(object, scene, roi);
+  if (look == Look::kSparing || look == Look::kGated)
+    return search_sparingly(object, scene, roi, look);
   if (object.views.size() == 1) return search_views(object, scene, roi, look);
   const auto found = search_views(object, scene, roi, Look::kQuick);
   const bool enough = std::any_of(found.begin(), found.end(), [](const Detection& detection) {
@@ -205,10 +206,10 @@ SearchResult Matcher::find(const cv::Mat& picture, const SearchRequest& request)
   const ObjectList objects = implementation_->wanted(request, result);
   const bool many = objects.size() > kFewObjects && config.engine != "polar";
   ScenePool& scenes = implementation_->scenes;
-  const auto scene = scenes.show(picture, top_level(objects), many);
+  const auto scene = scenes.show(picture, top_level(objects));
 
   const bool thorough = objects.size() <= kFewObjects && !request.sparing;
-  const Look look = thorough ? Look::kTwice : Look::kSparing;
+  const Look look = many ? Look::kGated : thorough ? Look::kTwice : Look::kSparing;
   std::vector<std::vector<Detection>> found(objects.size());
   std::vector<char> searched(objects.size(), 0);
   const auto search_all = [&](const ScenePicture& seen) {
@@ -222,7 +223,7 @@ SearchResult Matcher::find(const cv::Mat& picture, const SearchRequest& request)
   search_all(*scene);
   if (many && picture.type() == CV_8UC3)
     if (const auto cast = colour_cast(found, *scene))
-      search_all(*scenes.show(without_cast(picture, *cast), top_level(objects), many));
+      search_all(*scenes.show(without_cast(picture, *cast), top_level(objects)));
 
   std::vector<Detection> detections;
   for (std::size_t i = 0; i < objects.size(); ++i) {

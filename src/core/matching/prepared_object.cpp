@@ -169,7 +169,8 @@ PreparedObject::PreparedObject(std::shared_ptr<const ObjectModel> object, Engine
 int PreparedObject::top_level() const {
   int top = 0;
   for (const auto& view : views)
-    top = std::max({top, view.top_level(), view.polar ? view.polar->top_level() : 0});
+    top = std::max(
+        {top, view.top_level(), view.gate.level(), view.polar ? view.polar->top_level() : 0});
   return top;
 }
 

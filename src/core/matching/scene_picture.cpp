@@ -26,11 +26,11 @@ cv::Mat grey_picture(const cv::Mat& picture) {
   return grey;
 }
 
-ScenePicture::ScenePicture(const cv::Mat& picture, int top_level, bool with_classes) {
-  show(picture, top_level, with_classes);
+ScenePicture::ScenePicture(const cv::Mat& picture, int top_level) {
+  show(picture, top_level);
 }
 
-void ScenePicture::show(const cv::Mat& picture, int top_level, bool with_classes) {
+void ScenePicture::show(const cv::Mat& picture, int top_level) {
   check(picture);
   const bool in_colour = picture.type() == CV_8UC3;
   cv::cvtColor(picture, converted_, in_colour ? cv::COLOR_BGR2GRAY : cv::COLOR_GRAY2BGR);
@@ -43,8 +43,13 @@ void ScenePicture::show(const cv::Mat& picture, int top_level, bool with_classes
     if (!padded_[level]) padded_[level] = std::make_unique<SharedByMargin<PaddedPicture>>();
     padded_[level]->forget();
   }
-  classes.reset();
-  if (with_classes) classes.emplace(colours_);
+  classes_.reset();
+}
+
+const ClassPictures& ScenePicture::classes() const {
+  const std::lock_guard<std::mutex> lock(sorting_);
+  if (!classes_) classes_.emplace(colours_);
+  return *classes_;
 }
 
 void ScenePicture::forget() {

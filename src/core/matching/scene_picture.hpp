@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <mutex>
 #include <opencv2/core.hpp>
 #include <optional>
 #include <vector>
@@ -18,11 +19,10 @@ cv::Mat grey_picture(const cv::Mat& picture);
 
 struct ScenePicture {
   ScenePicture() = default;
-  ScenePicture(const cv::Mat& picture, int top_level, bool with_classes = false);
+  ScenePicture(const cv::Mat& picture, int top_level);
 
-  /// Takes `picture`, as for grey_picture(), in the memory of the last one. `with_classes`: what
-  /// the colour gates need, too.
-  void show(const cv::Mat& picture, int top_level, bool with_classes = false);
+  /// Takes `picture`, as for grey_picture(), in the memory of the last one.
+  void show(const cv::Mat& picture, int top_level);
   /// Lets the caller's picture go, and keeps the memory.
   void forget();
 
@@ -34,14 +34,18 @@ struct ScenePicture {
     return padded_[level]->get(grey[level], margin);
   }
 
+  /// What the colour gates need. Several threads may ask at a time.
+  const ClassPictures& classes() const;
+
   std::vector<cv::Mat> grey;       ///< CV_8UC1 pyramid
   std::vector<SceneLevel> levels;  ///< as many
-  std::optional<ClassPictures> classes;
 
  private:
   cv::Mat converted_;  // from colour to grey or back
   std::vector<cv::Mat> colours_;
   std::vector<std::unique_ptr<SharedByMargin<PaddedPicture>>> padded_;
+  mutable std::mutex sorting_;
+  mutable std::optional<ClassPictures> classes_;
 };
 
 }  // namespace mbncc

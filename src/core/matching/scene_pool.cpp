@@ -2,15 +2,14 @@
 
 namespace mbncc {
 
-std::shared_ptr<const ScenePicture> ScenePool::show(const cv::Mat& picture, int top_level,
-                                                    bool with_classes) {
+std::shared_ptr<const ScenePicture> ScenePool::show(const cv::Mat& picture, int top_level) {
   const auto place = lend();
   const std::shared_ptr<ScenePicture> scene(&*place, [this, place](ScenePicture* shown) {
     shown->forget();
     const std::lock_guard<std::mutex> lock(changing_);
     idle_.splice(idle_.begin(), lent_, place);
   });
-  scene->show(picture, top_level, with_classes);
+  scene->show(picture, top_level);
   return scene;
 }
 

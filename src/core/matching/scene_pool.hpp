@@ -15,8 +15,7 @@ class ScenePool {
  public:
   /// `picture` in memory of one that nobody looks at any more, if there is any. See
   /// ScenePicture::show().
-  std::shared_ptr<const ScenePicture> show(const cv::Mat& picture, int top_level,
-                                           bool with_classes = false);
+  std::shared_ptr<const ScenePicture> show(const cv::Mat& picture, int top_level);
 
  private:
   std::list<ScenePicture>::iterator lend();

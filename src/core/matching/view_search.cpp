@@ -34,9 +34,12 @@ Effort for_sector(Effort effort, const RotationSector& sector) {
   return effort;
 }
 
+bool is_sparing(Look look) {
+  return look == Look::kSparing || look == Look::kGated;
+}
+
 /// Busy ground has more edges along a narrow outline than along any other, in twice as many poses.
-Effort thorough_for(const PreparedView& view) {
-  Effort effort = kThorough;
+Effort thorough_for(const PreparedView& view, Effort effort) {
   if (is_narrow(view, effort)) effort.edge_poses *= 2;
   return for_sector(effort, view.sector);
 }
@@ -51,8 +54,9 @@ class ViewSearch {
         roi_(roi),
         everywhere_(places.everywhere()),
         look_(look),
-        first_(for_sector(look == Look::kSparing ? kSparing : kQuick, view.sector)),
-        thorough_(thorough_for(view)),
+        first_(for_sector(is_sparing(look) ? kSparing : kQuick, view.sector)),
+        coloured_(thorough_for(view, kColoured)),
+        thorough_(thorough_for(view, kThorough)),
         proposals_(view, scene, roi, places) {}
 
   std::vector<Detection> run() {
@@ -65,6 +69,7 @@ class ViewSearch {
       proposals_.correlate(first_.correlated_places);
       merge(descend(view_, scene_, first_, proposals_.by_correlation()), candidates);
     }
+    if (look_ == Look::kTwice && !found(candidates)) merge(best_by_colours(), candidates);
     if (look_ == Look::kTwice && !found(candidates)) merge(best_by_edges(thorough_), candidates);
     keep_hopeful(candidates, most_at(0), kNoRival);
     try_other_angles(candidates);
@@ -74,6 +79,15 @@ class ViewSearch {
  private:
   std::vector<Candidate> best_by_edges(const Effort& effort) const {
     return descend(view_, scene_, effort, proposals_.by_edges(effort.edge_poses));
+  }
+
+  /// Edges where the object's colours are, too: they are few enough to follow each further.
+  std::vector<Candidate> best_by_colours() const {
+    const Places places = view_.gate.places(scene_.classes());
+    if (places.everywhere()) return {};
+    Proposals proposals(view_, scene_, roi_, places);
+    proposals.follow_edges(coloured_.edge_poses, coloured_.round_places);
+    return descend(view_, scene_, coloured_, proposals.by_edges(coloured_.edge_poses));
   }
 
   void merge(const std::vector<Candidate>& more, std::vector<Candidate>& candidates) const {
@@ -165,7 +179,7 @@ class ViewSearch {
   cv::Rect roi_;
   bool everywhere_;
   Look look_;
-  Effort first_, thorough_;
+  Effort first_, coloured_, thorough_;
   Proposals proposals_;
 };
 

@@ -10,7 +10,8 @@ namespace mbncc {
 
 /// How much a view that is not found at once is worth.
 enum class Look {
-  kSparing,  ///< where many objects are searched, most are not in the picture
+  kSparing,  ///< where many objects are searched, most are not in the picture ...
+  kGated,    ///< ... and only where its colours are
   kQuick,    ///< where another view may find the object
   kTwice     ///< again with more candidates and starts where nothing is found
 };

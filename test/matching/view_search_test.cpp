@@ -1,0 +1,67 @@
+// A view is looked for again, and harder, where the first look does not find it.
+#include "matching/view_search.hpp"
+
+#include <gtest/gtest.h>
+
+#include "matching/pictures.hpp"
+
+namespace mbncc {
+namespace {
+
+const cv::Point2d kReference{52, 60};
+const cv::Scalar kOrange{70, 112, 175};
+
+/// A hook, two pixels wide, of one colour that busy grey ground has nowhere.
+test::LearningPicture hook() {
+  cv::Mat map = cv::Mat::zeros(120, 120, CV_8UC1);
+  map(cv::Rect(45, 48, 2, 24)) = 255;
+  map(cv::Rect(45, 70, 14, 2)) = 255;
+  test::LearningPicture source(1, map);
+  source.surface.setTo(kOrange);
+  source.surface.copyTo(source.picture, source.map);
+  return source;
+}
+
+/// Grey ground with edges everywhere.
+cv::Mat busy_ground(std::uint64_t seed) {
+  cv::Mat grey, ground;
+  cv::cvtColor(test::texture({320, 240}, seed, 1.0), grey, cv::COLOR_BGR2GRAY);
+  cv::cvtColor(grey, ground, cv::COLOR_GRAY2BGR);
+  return (ground - cv::Scalar::all(120)) * 2 + cv::Scalar::all(120);
+}
+
+class ViewSearchTest : public ::testing::Test {
+ protected:
+  ViewSearchTest()
+      : source_(hook()), object_(test::object_from(source_, {52, 60, 0}), Engine::kFast) {}
+
+  /// Pictures, of twelve, whose best detection lies where the object was laid.
+  int found_by(Look look) const {
+    int found = 0;
+    for (unsigned k = 0; k < 12; ++k) {
+      cv::Mat picture = busy_ground(20 + k);
+      const Pose2D truth{90.0 + 11 * k, 80.0 + 7 * k, 0.5 * k};
+      test::place(picture, source_, kReference, truth);
+      const PreparedView& view = object_.views.front();
+      const auto detections = search_view(object_, view, ScenePicture(picture, object_.top_level()),
+                                          {{0, 0}, picture.size()}, look);
+      if (detections.empty()) continue;
+      const Pose2D pose = compose(detections.front().pose, view.reference_in_anchor);
+      found += cv::norm(pose.position() - truth.position()) < 2 &&
+               angle_distance(pose.theta, truth.theta) < to_radians(4.);
+    }
+    return found;
+  }
+
+  test::LearningPicture source_;
+  PreparedObject object_;
+};
+
+TEST_F(ViewSearchTest, ASecondLookFindsColoursThatEdgesHide) {
+  const int at_once = found_by(Look::kQuick), in_the_end = found_by(Look::kTwice);
+  EXPECT_LT(at_once, 9);
+  EXPECT_GT(in_the_end, at_once);
+}
+
+}  // namespace
+}  // namespace mbncc
