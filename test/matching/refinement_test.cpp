@@ -6,6 +6,7 @@
 
 #include <cmath>
 
+#include "matching/disagreement.hpp"
 #include "matching/pictures.hpp"
 #include "matching/prepared_object.hpp"
 
@@ -36,6 +37,22 @@ class RefinementTest : public ::testing::Test {
     random.fill(noise, cv::RNG::NORMAL, 0, deviation);
     cv::add(picture, noise, noisy, {}, CV_8U);
     return noisy;
+  }
+
+  /// As relief does that follows the texture: brightness as if it lay `aside` [px], colours as they
+  /// are.
+  cv::Mat scene_with_brightness_aside(const Pose2D& truth, double aside) const {
+    cv::Mat scene = scene_with(truth, 42, 0);
+    const cv::Mat moved = scene_with({truth.x + aside, truth.y, truth.theta}, 42, 0);
+    for (int y = 0; y < scene.rows; ++y)
+      for (int x = 0; x < scene.cols; ++x) {
+        auto& own = scene.at<cv::Vec3b>(y, x);
+        const cv::Vec3b other = moved.at<cv::Vec3b>(y, x);
+        const double factor =
+            (90.0 + other[0] + other[1] + other[2]) / (90 + own[0] + own[1] + own[2]);
+        for (int c = 0; c < 3; ++c) own[c] = cv::saturate_cast<uchar>((own[c] + 30) * factor - 30);
+      }
+    return scene;
   }
 
   /// The anchor when the reference point lies at `truth`, the object `scale` times as large.
@@ -96,24 +113,22 @@ TEST_F(RefinementTest, NoiseIsSeenInTheClaim) {
 TEST_F(RefinementTest, DisplacedBrightnessHardlyDisplacesThePose) {
   const Pose2D truth{103.7, 82.6, 0.5};
   const Pose2D anchor = anchor_at(truth);
-  // As relief does that follows the texture: brightness as if it lay elsewhere, colours as they
-  // are.
-  const cv::Mat straight = scene_with(truth, 42, 0);
-  const cv::Mat aside = scene_with({truth.x + 0.5, truth.y, truth.theta}, 42, 0);
-  cv::Mat scene = straight.clone();
-  for (int y = 0; y < scene.rows; ++y)
-    for (int x = 0; x < scene.cols; ++x) {
-      const cv::Vec3b own = straight.at<cv::Vec3b>(y, x), other = aside.at<cv::Vec3b>(y, x);
-      const double factor =
-          (90.0 + other[0] + other[1] + other[2]) / (90 + own[0] + own[1] + own[2]);
-      for (int c = 0; c < 3; ++c)
-        scene.at<cv::Vec3b>(y, x)[c] = cv::saturate_cast<uchar>((own[c] + 30) * factor - 30);
-    }
+  const cv::Mat scene = scene_with_brightness_aside(truth, 0.5);
   const double settled = cv::norm(
       settle(view_.fine, SceneLevel(scene, 0), anchor, 8).pose.position() - anchor.position());
   const double found = cv::norm(refined(scene, anchor).pose.position() - anchor.position());
   EXPECT_LT(found, 0.6 * settled);
   EXPECT_LT(found, 0.15);
+}
+
+TEST_F(RefinementTest, DisagreementIsSeenInTheClaim) {
+  const Pose2D truth{103.7, 82.6, 0.5};
+  const auto claim = [&](double aside) {
+    const cv::Mat scene = with_noise(scene_with_brightness_aside(truth, aside), 5, 3);
+    return refined(scene, anchor_at(truth)).covariance;
+  };
+  const cv::Matx33d agreed = claim(0), disagreed = claim(1);
+  for (int k = 0; k < 3; ++k) EXPECT_GT(disagreed(k, k), 2 * agreed(k, k)) << k;
 }
 
 TEST_F(RefinementTest, BearsAPartThatIsCovered) {
@@ -156,6 +171,27 @@ TEST_F(RefinementTest, KnowsNothingOutsideThePicture) {
   const Refined found = refined(scene_with({103.7, 82.6, 0.7}), {-500, 40, 0});
   EXPECT_GT(found.covariance(0, 0), 1000);
   EXPECT_GT(found.covariance(2, 2), 1);
+}
+
+TEST(DisagreementTest, WidensClaimsByWhatTheyDoNotExplain) {
+  const auto pull_to = [](const Motion& motion, double information) {
+    MotionPull pull;
+    pull.information = information * cv::Matx44d::diag({1, 1, 400, 400});
+    pull.vector = pull.information * motion;
+    return pull;
+  };
+  const Motion there(0.3, -0.2, 0.01, 0);
+  Disagreement agreed(20), apart(20), ignorant(20);
+  for (const double information : {100.0, 400.0, 900.0}) {
+    agreed.add(pull_to(there, information));
+    apart.add(pull_to(there + Motion(0.5, 0, 0, 0) * (information == 900), information));
+    ignorant.add(pull_to(there + Motion(0.5, 0, 0, 0) * (information == 900),
+                         information == 900 ? information : 1e-6));
+  }
+  EXPECT_DOUBLE_EQ(agreed.factor(), 1);
+  // Half a pixel between information 500 and 900, over six degrees of freedom.
+  EXPECT_NEAR(apart.factor(), 0.25 / (1 / 500.0 + 1 / 900.0) / 6, 0.1);
+  EXPECT_DOUBLE_EQ(ignorant.factor(), 1) << "who knows nothing cannot disagree";
 }
 
 TEST(MotionPullTest, WhatIsLooseTellsLessOfThePlaceAndAsMuchOfNothing) {

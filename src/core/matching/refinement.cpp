@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "matching/disagreement.hpp"
 #include "matching/padded_vectors.hpp"
 
 namespace mbncc {
@@ -65,6 +66,11 @@ class Refiner {
   std::array<double, ColourAxes::kAxes> weigh();
   std::array<double, ColourAxes::kAxes> variances() const;
 
+  void add(const MotionPull& pull) {
+    pull_ += pull;
+    disagreement_.add(pull);
+  }
+
   cv::Matx44d information(double scale_deviation) const {
     cv::Matx44d prior = cv::Matx44d::diag({kLeast, kLeast, kLeast * radius() * radius(), 0});
     prior(3, 3) = 1 / (scale_deviation * scale_deviation);
@@ -122,8 +128,9 @@ class Refiner {
   Pose2D start_, pose_;
   double scale_ = 1, scale_deviation_ = kFixedScale;
   Samples& samples_ = samples();
-  MotionPull pull_;     // at the pose looked at last
-  double shading_ = 0;  // [px^2] there
+  MotionPull pull_;               // at the pose looked at last
+  Disagreement disagreement_{1};  // there
+  double shading_ = 0;            // [px^2] there
 };
 
 /// Collects what surface and contour say at the pose. False where too little is visible.
@@ -141,20 +148,21 @@ bool Refiner::look() {
   const double lesson_noise = object_.axes.noise(samples_.remainders, samples_.weights, contrast);
   shading_ = shading();
   pull_ = {};
+  disagreement_ = Disagreement(radius());
   for (int axis = 0; axis < ColourAxes::kAxes; ++axis) {
     MotionPull pull = object_.axes.pull(axis, samples_.remainders[axis], samples_.weights);
     const double noise = kCorrelatedValues * variances[axis];
     const double share = contrast * object_.axes.reliability(axis, lesson_noise);
     pull.information *= share * share / noise;
     pull.vector *= share / noise;
-    pull_ += axis == ColourAxes::kBrightness ? loosened(pull, loose(kBrightness)) : pull;
+    add(axis == ColourAxes::kBrightness ? loosened(pull, loose(kBrightness)) : pull);
   }
   read_contour(object.contour, scene_.edges, pose_, kReach, samples_.contour, scale_);
   MotionPull edges = object_.contour_motion.pull(samples_.contour);
   const double scatter = kScatter * kScatter * kCorrelatedPoints;
   edges.information *= 1 / scatter;
   edges.vector *= 1 / scatter;
-  pull_ += loosened(edges, loose(kContour));
+  add(loosened(edges, loose(kContour)));
   return true;
 }
 
@@ -229,7 +237,8 @@ cv::Matx33d Refiner::displacement() const {
 
 cv::Matx33d Refiner::covariance() const {
   const cv::Matx33d in_template =
-      information(scale_deviation_).inv().get_minor<3, 3>(0, 0) + displacement();
+      disagreement_.factor() *
+      (information(scale_deviation_).inv().get_minor<3, 3>(0, 0) + displacement());
   const double c = std::cos(pose_.theta), s = std::sin(pose_.theta);
   const cv::Matx33d turn(c, -s, 0, s, c, 0, 0, 0, 1);
   return turn * in_template * turn.t();
