@@ -1,7 +1,7 @@
 // mbncc: teaches, finds and manages objects without a ROS graph.
 #include <malloc.h>
 
-#include <cstdio>
+#include <algorithm>
 #include <exception>
 #include <iostream>
 
@@ -61,9 +61,12 @@ ExitCode run(const std::vector<std::string>& words) {
   return command.run(Arguments(command.options, command.operand, rest));
 }
 
-ExitCode wrong_usage(const std::string& sentence, const std::string& command) {
-  const bool known = !command.empty() && command[0] != '-';
-  std::cerr << "mbncc: " << sentence << "\nTry 'mbncc " << (known ? command + " " : "")
+ExitCode wrong_usage(const std::string& sentence, const std::vector<std::string>& words) {
+  const auto commands = all_commands();
+  const bool known = !words.empty() &&
+                     std::any_of(commands.begin(), commands.end(),
+                                 [&](const Command& command) { return command.name == words[0]; });
+  std::cerr << "mbncc: " << sentence << "\nTry 'mbncc " << (known ? words[0] + " " : "")
             << "--help'.\n";
   return kWrongUsage;
 }
@@ -75,9 +78,9 @@ ExitCode run_guarded(const std::vector<std::string>& words) {
     if (std::cout) return code;
     std::cerr << "mbncc: the output could not be written; check the disk's space\n";
   } catch (const UsageError& error) {
-    return wrong_usage(error.what(), words.empty() ? "" : words[0]);
+    return wrong_usage(error.what(), words);
   } catch (const ConfigError& error) {
-    return wrong_usage(error.what(), words.empty() ? "" : words[0]);
+    return wrong_usage(error.what(), words);
   } catch (const std::exception& error) {
     std::cerr << "mbncc: " << error.what() << '\n';
   }

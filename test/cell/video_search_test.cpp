@@ -4,78 +4,10 @@
 
 #include <opencv2/imgproc.hpp>
 
-#include "mbncc/sim/scene.hpp"
+#include "cell/watched_scene.hpp"
 
 namespace mbncc {
 namespace {
-
-constexpr double kFrameTime = 1. / 30;  // [s]
-const cv::Size kSize(400, 300);
-
-std::shared_ptr<const ObjectModel> learned(const sim::SceneObject& drawing,
-                                           const std::string& name) {
-  sim::SceneConfig config;
-  config.size = kSize;
-  const sim::Scene scene(config);
-  const sim::Placed placed{drawing, {200, 150, 0}};
-  auto model = std::make_shared<ObjectModel>();
-  model->name = name;
-  model->views = {crop_view(scene.render({placed}, 1), scene.true_map(placed), placed.pose)};
-  return model;
-}
-
-sim::SceneConfig scene_config() {
-  sim::SceneConfig config;
-  config.size = kSize;
-  return config;
-}
-
-/// Three taught objects of which some lie in the picture.
-class VideoSearchTest : public ::testing::Test {
- protected:
-  VideoSearchTest() {
-    for (int i = 0; i < 3; ++i) models_.push_back(learned(drawing(i), name(i)));
-    matcher_.set_objects(models_);
-  }
-
-  static std::string name(int i) { return "part" + std::to_string(i); }
-  static sim::SceneObject drawing(int i) {
-    return {static_cast<std::uint64_t>(11 + i), 60.0 + 5 * i, 1.5};
-  }
-
-  void put(int i, const Pose2D& pose) { placed_.push_back({drawing(i), pose}); }
-
-  SearchResult show(const std::optional<sim::Arm>& arm = {}, double gain = 1) {
-    picture_ = scene_.render(placed_, frames_, arm) * gain;
-    return video_.find(matcher_, kFrameTime * frames_++, picture_);
-  }
-
-  SearchResult show_many(int count) {
-    for (int i = 1; i < count; ++i) show();
-    return show();
-  }
-
-  static const Match* of(const SearchResult& result, int i) {
-    for (const auto& match : result.matches)
-      if (match.name == name(i)) return &match;
-    return nullptr;
-  }
-
-  static bool is_at(const Match* match, const Pose2D& pose) {
-    return match && cv::norm(match->pose.position() - pose.position()) < 1.5 &&
-           angle_distance(match->pose.theta, pose.theta) < to_radians(3);
-  }
-
-  std::vector<std::shared_ptr<const ObjectModel>> models_;
-  Matcher matcher_;
-  VideoSearch video_;
-  sim::Scene scene_{scene_config()};
-  std::vector<sim::Placed> placed_;
-  cv::Mat picture_;
-  int frames_ = 0;
-};
-
-const Pose2D kLeft{100.3, 90.2, 0.4}, kRight{300.6, 200.7, -1.2};
 
 TEST_F(VideoSearchTest, FirstPictureIsSearchedAsAnyOther) {
   put(0, kLeft);
@@ -205,71 +137,6 @@ TEST_F(VideoSearchTest, PushedCameraIsSearchedAnew) {
   EXPECT_TRUE(is_at(of(result, 0), {kLeft.x + 13, kLeft.y + 8, kLeft.theta}));
   EXPECT_TRUE(is_at(of(result, 1), {kRight.x + 13, kRight.y + 8, kRight.theta}));
   EXPECT_TRUE(of(result, 0)->fresh);
-}
-
-TEST_F(VideoSearchTest, ObjectsComeAndGoWithTheLibrary) {
-  matcher_.set_objects({models_[1]});
-  put(0, kLeft);
-  put(1, kRight);
-  EXPECT_EQ(show_many(3).matches.size(), 1u);
-  matcher_.set_objects({models_[0], models_[1]});
-  EXPECT_TRUE(is_at(of(show_many(2), 0), kLeft));
-  matcher_.set_objects({models_[0]});
-  const SearchResult result = show();
-  EXPECT_EQ(of(result, 1), nullptr);
-  EXPECT_NE(of(result, 0), nullptr);
-}
-
-TEST_F(VideoSearchTest, OneOfTwoThatLookAlikeIsNeverGraspable) {
-  matcher_.set_objects({learned(drawing(0), "one"), learned(drawing(0), "other")});
-  show_many(3);
-  put(0, kLeft);
-  bool found = false;
-  for (int i = 0; i < 20; ++i)
-    for (const auto& match : show().matches) {
-      found = true;
-      EXPECT_FALSE(match.graspable) << i;
-    }
-  EXPECT_TRUE(found);
-}
-
-TEST_F(VideoSearchTest, WithoutSweepsEveryPictureIsSearchedWhole) {
-  video_ = VideoSearch({0, 2.0});
-  put(0, kLeft);
-  for (int i = 0; i < 3; ++i) EXPECT_TRUE(show().matches.at(0).fresh);
-}
-
-TEST_F(VideoSearchTest, AnotherRequestBeginsAnew) {
-  put(0, kLeft);
-  put(1, kRight);
-  show_many(2);
-  SearchRequest request;
-  request.names = {name(1)};
-  const auto result = video_.find(matcher_, kFrameTime * frames_, picture_, request);
-  ASSERT_EQ(result.matches.size(), 1u);
-  EXPECT_EQ(result.matches[0].name, name(1));
-  EXPECT_EQ(result.searched, request.names);
-}
-
-TEST_F(VideoSearchTest, AfterAResetNothingIsTakenAsKnown) {
-  put(0, kLeft);
-  show_many(40);
-  ASSERT_FALSE(of(show(), 0)->fresh);
-  video_.reset();
-  const SearchResult result = show();
-  ASSERT_TRUE(of(result, 0));
-  EXPECT_TRUE(of(result, 0)->fresh);
-  EXPECT_EQ(result.searched.size(), models_.size());
-}
-
-TEST_F(VideoSearchTest, UnknownNamesAreSkippedAloud) {
-  SearchRequest request;
-  request.names = {"nobody"};
-  put(0, kLeft);
-  show();
-  const auto result = video_.find(matcher_, kFrameTime * frames_, picture_, request);
-  ASSERT_EQ(result.skipped.size(), 1u);
-  EXPECT_NE(result.skipped[0].find("nobody"), std::string::npos);
 }
 
 }  // namespace

@@ -17,7 +17,7 @@ TEST(Usage, WrongUsageGetsASentenceAndExitCode2) {
   const std::vector<std::string> find = {"find", "--library", "L"};
   const std::vector<Wrong> table = {
       {{}, "no command"},
-      {{"lern"}, "did you mean 'learn'?"},
+      {{"lern"}, "did you mean 'learn'?\nTry 'mbncc --help'"},
       {{"--versoin"}, "unknown command"},
       {{"list"}, "--library DIR is missing"},
       {{"list", "--libary", "L"}, "did you mean '--library'?"},

@@ -1,0 +1,76 @@
+// Watching while library and request change.
+#include <gtest/gtest.h>
+
+#include "cell/watched_scene.hpp"
+#include "mbncc/cell/video_search.hpp"
+
+namespace mbncc {
+namespace {
+
+TEST_F(VideoSearchTest, ObjectsComeAndGoWithTheLibrary) {
+  matcher_.set_objects({models_[1]});
+  put(0, kLeft);
+  put(1, kRight);
+  EXPECT_EQ(show_many(3).matches.size(), 1u);
+  matcher_.set_objects({models_[0], models_[1]});
+  EXPECT_TRUE(is_at(of(show_many(2), 0), kLeft));
+  matcher_.set_objects({models_[0]});
+  const SearchResult result = show();
+  EXPECT_EQ(of(result, 1), nullptr);
+  EXPECT_NE(of(result, 0), nullptr);
+}
+
+TEST_F(VideoSearchTest, OneOfTwoThatLookAlikeIsNeverGraspable) {
+  matcher_.set_objects({learned(drawing(0), "one"), learned(drawing(0), "other")});
+  show_many(3);
+  put(0, kLeft);
+  bool found = false;
+  for (int i = 0; i < 20; ++i)
+    for (const auto& match : show().matches) {
+      found = true;
+      EXPECT_FALSE(match.graspable) << i;
+    }
+  EXPECT_TRUE(found);
+}
+
+TEST_F(VideoSearchTest, WithoutSweepsEveryPictureIsSearchedWhole) {
+  video_ = VideoSearch({0, 2.0});
+  put(0, kLeft);
+  for (int i = 0; i < 3; ++i) EXPECT_TRUE(show().matches.at(0).fresh);
+}
+
+TEST_F(VideoSearchTest, AnotherRequestBeginsAnew) {
+  put(0, kLeft);
+  put(1, kRight);
+  show_many(2);
+  SearchRequest request;
+  request.names = {name(1)};
+  const auto result = video_.find(matcher_, kFrameTime * frames_, picture_, request);
+  ASSERT_EQ(result.matches.size(), 1u);
+  EXPECT_EQ(result.matches[0].name, name(1));
+  EXPECT_EQ(result.searched, request.names);
+}
+
+TEST_F(VideoSearchTest, AfterAResetNothingIsTakenAsKnown) {
+  put(0, kLeft);
+  show_many(40);
+  ASSERT_FALSE(of(show(), 0)->fresh);
+  video_.reset();
+  const SearchResult result = show();
+  ASSERT_TRUE(of(result, 0));
+  EXPECT_TRUE(of(result, 0)->fresh);
+  EXPECT_EQ(result.searched.size(), models_.size());
+}
+
+TEST_F(VideoSearchTest, UnknownNamesAreSkippedAloud) {
+  SearchRequest request;
+  request.names = {"nobody"};
+  put(0, kLeft);
+  show();
+  const auto result = video_.find(matcher_, kFrameTime * frames_, picture_, request);
+  ASSERT_EQ(result.skipped.size(), 1u);
+  EXPECT_NE(result.skipped[0].find("nobody"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace mbncc
