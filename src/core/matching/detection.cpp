@@ -146,10 +146,10 @@ Detection judged(const PreparedObject& object, const PreparedView& view, const S
   detection.covariance = found.covariance;
   const OddColours odd = odd_colours(view, scene.levels[0], found);
   detection.strange = odd.block;
-  detection.part = odd.part;
   detection.log_odds = believed.odds - doubt(view, odd);
   detection.another_size =
       detection.log_odds > 0 && fits_another_size(view, scene, detection.pose, believed.odds);
+  detection.projected = believed.evidence.projected;
   detection.rotation_odds = rotation_odds(believed.evidence);
   const Similarity similar = similarity(view.points, scene.grey[0], detection.pose);
   detection.similarity = similar.value;

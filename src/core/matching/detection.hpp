@@ -14,15 +14,15 @@ namespace mbncc {
 struct Detection {
   const PreparedObject* object = nullptr;
   const PreparedView* view = nullptr;
-  Pose2D pose;             ///< of the anchor [px]
-  double size = 1;         ///< of what was found, against the view
-  cv::Matx33d covariance;  ///< of pose
-  double log_odds = 0;     ///< that the object lies here
-  double similarity = 0;   ///< [-1..1]
-  double visible = 1;      ///< [0..1]
-  double strange = 0;      ///< [0..0.6] see worst_chroma_difference()
-  double part = 0;
+  Pose2D pose;                ///< of the anchor [px]
+  double size = 1;            ///< of what was found, against the view
+  cv::Matx33d covariance;     ///< of pose
+  double log_odds = 0;        ///< that the object lies here
+  double similarity = 0;      ///< [-1..1]
+  double visible = 1;         ///< [0..1]
+  double strange = 0;         ///< [0..0.6] see worst_chroma_difference()
   bool another_size = false;  ///< would fit better were it smaller or larger
+  double projected = 0;       ///< [-1..1] see Evidence
   double rotation_odds = 0;   ///< against other rotations here, see rotation_odds()
 
   double score() const;  ///< [0..1]

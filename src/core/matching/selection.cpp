@@ -109,6 +109,15 @@ bool within_deviations(const Match& match, const SearchConfig& config) {
          angle <= config.max_angle_deviation;
 }
 
+/// Nearly certain, or likely and its texture is seen: mirror images and keys of another cut share
+/// outline and material.
+bool convincing(const Detection& detection) {
+  constexpr double kCertain = 5, kLikely = 2;  // log-odds
+  constexpr double kTexture = 0.6;             // correlation without shading
+  return detection.log_odds >= kCertain ||
+         (detection.log_odds >= kLikely && detection.projected >= kTexture);
+}
+
 /// [px] the reference point as seen from the anchor of what was found.
 cv::Point2d lever_of(const Detection& detection) {
   return detection.size * detection.view->reference_in_anchor.position();
@@ -150,7 +159,8 @@ Match to_match(const Detection& detection, const Margins& margins, const SearchC
                     match.margin_place >= config.min_margin_place &&
                     match.margin_angle >= config.min_margin_angle;
   const bool enough = match.score >= config.confirm_score;
-  match.graspable = enough && sure && located && match.visible >= config.min_visible;
+  match.graspable =
+      enough && sure && convincing(detection) && located && match.visible >= config.min_visible;
   match.ambiguous = enough && !sure;
   match.outline = outline_at(detection);
   return match;
