@@ -76,7 +76,7 @@ class RenderingTest : public ::testing::Test {
       const double direction = k * kPi / 4;
       const Pose2D start{wanted.x + std::cos(direction), wanted.y + std::sin(direction),
                          wanted.theta + to_radians(k % 2 ? 6. : -6.)};
-      const Pose2D found = fit(view_->rendering, scene, start);
+      const Pose2D found = fit(view_->rendering, scene, start).pose;
       EXPECT_LT(cv::norm(found.position() - wanted.position()), 0.25) << "direction " << k;
       EXPECT_LT(to_degrees(angle_distance(found.theta, wanted.theta)), 1.5) << "direction " << k;
     }
@@ -113,10 +113,31 @@ TEST_F(RenderingTest, LightDoesNotMoveIt) {
   }
 }
 
+TEST_F(RenderingTest, ExplainsTheObjectInAnyLightAndNothingElse) {
+  const cv::Mat ground = test::texture(kSize, 5, 5);
+  const Pose2D truth{40.2, 35.7, -1.1};
+  for (const Light& light : {Light{}, Light{1.3, 0, 0}, Light{0.8, 15, 0}, Light{1, 0, 25}}) {
+    const SceneLevel scene(seen(ground, truth, light), 0);
+    const Rendered here = fit(view_->rendering, scene, anchor_at(truth));
+    EXPECT_LT(here.misfit, std::log(9.));
+    const Rendered elsewhere = fit(view_->rendering, scene, anchor_at({18, 18, 2}));
+    EXPECT_GT(elsewhere.misfit, here.misfit + 0.3);
+  }
+}
+
+TEST_F(RenderingTest, TellsBrightness) {
+  const cv::Mat ground(kSize, CV_8UC3, cv::Scalar::all(190));
+  const Pose2D truth{39.5, 36.2, 1.7};
+  for (const double gain : {0.7, 1.0, 1.35}) {
+    const SceneLevel scene(seen(ground, truth, {gain, 0, 0}), 0);
+    EXPECT_NEAR(fit(view_->rendering, scene, anchor_at(truth)).brightness, std::log(gain), 0.1);
+  }
+}
+
 TEST_F(RenderingTest, StaysWhereNothingIsSeen) {
   const SceneLevel scene(cv::Mat(kSize, CV_8UC3, kSand), 0);
   for (const Pose2D& start : {Pose2D{-60, 30, 1}, Pose2D{79, 69, 0}, Pose2D{1e9, 0, 0}}) {
-    const Pose2D found = fit(view_->rendering, scene, start);
+    const Pose2D found = fit(view_->rendering, scene, start).pose;
     EXPECT_EQ(found.x, start.x);
     EXPECT_EQ(found.theta, start.theta);
   }
@@ -127,7 +148,7 @@ TEST_F(RenderingTest, LargeObjectsHaveNone) {
   const PreparedView large(crop_view(source.picture, source.map, {60, 60, 0}), Engine::kFast);
   EXPECT_EQ(large.rendering.padded(), 0u);
   const SceneLevel scene(source.picture, 0);
-  EXPECT_EQ(fit(large.rendering, scene, {3, 4, 5}).y, 4);
+  EXPECT_EQ(fit(large.rendering, scene, {3, 4, 5}).pose.y, 4);
 }
 
 }  // namespace

@@ -103,7 +103,8 @@ bool fits_another_size(const PreparedView& view, const ScenePicture& scene, cons
 struct Believed {
   Pose2D pose;
   Evidence evidence;
-  double odds;  ///< the most that spoke for it on the way
+  double odds;        ///< the most that spoke for it on the way
+  double pixels = 0;  ///< log-odds that all pixels of a small object add
 };
 
 /// Lets the surface decide, and for small objects all of their pixels.
@@ -116,11 +117,13 @@ Believed settled(const PreparedView& view, const ScenePicture& scene, const Pose
     const double odds = log_odds(evidence, view.shape.area());
     if (odds >= best.odds - cost) best = {other, evidence, std::max(odds, best.odds)};
   };
-  if (iterations == 0) return best;
   // A plain surface may drift along its shading: then the contour had it right.
-  adopt(settle(view.fine, scene.levels[0], pose, iterations).pose, kSettlingCost);
-  if (view.rendering.padded() > 0 && best.odds > kWorthRefining)
-    adopt(fit(view.rendering, scene.levels[0], best.pose), kAnyCost);
+  if (iterations > 0)
+    adopt(settle(view.fine, scene.levels[0], pose, iterations).pose, kSettlingCost);
+  if (view.rendering.padded() == 0 || best.odds <= kWorthRefining) return best;
+  const Rendered rendered = fit(view.rendering, scene.levels[0], best.pose);
+  if (iterations > 0) adopt(rendered.pose, kAnyCost);
+  best.pixels = rendering_odds(best.evidence, rendered, view.shape.area());
   return best;
 }
 
@@ -146,7 +149,7 @@ Detection judged(const PreparedObject& object, const PreparedView& view, const S
   detection.covariance = found.covariance;
   const OddColours odd = odd_colours(view, scene.levels[0], found);
   detection.strange = odd.block;
-  detection.log_odds = believed.odds - doubt(view, odd);
+  detection.log_odds = believed.odds + believed.pixels - doubt(view, odd);
   detection.another_size =
       detection.log_odds > 0 && fits_another_size(view, scene, detection.pose, believed.odds);
   detection.projected = believed.evidence.projected;

@@ -42,8 +42,15 @@ struct Rendering {
   void lay_out_light(const std::vector<Site>& sites);
 };
 
-/// The pose near `start` [px] at which the rendering comes nearest to a picture at full resolution;
-/// `start` itself where nothing is nearer.
-Pose2D fit(const Rendering& object, const SceneLevel& scene, const Pose2D& start);
+/// What a picture shows of an object, in the light that explains it best.
+struct Rendered {
+  Pose2D pose;
+  double misfit = 0;      ///< ln(rms colour difference [grey levels], large ones capped, + 3)
+  double brightness = 0;  ///< ln of the object's own, against the lesson's
+};
+
+/// At the pose near `start` [px] where the rendering comes nearest to a picture at full resolution;
+/// at `start` itself, without anything to tell, where too little is visible.
+Rendered fit(const Rendering& object, const SceneLevel& scene, const Pose2D& start);
 
 }  // namespace mbncc

@@ -29,10 +29,19 @@ class RenderingFit {
     inside_.resize(count);
   }
 
-  Pose2D run(const Pose2D& start) {
-    constexpr int kIterations = 8;
-    constexpr double kFar = 4;  // [px] from the start
+  Rendered run(const Pose2D& start) {
     scene_.prepare_around(start, object_.reach + kFar);
+    return described(settled(start));
+  }
+
+ private:
+  static constexpr double kFar = 4;  // [px] from the start
+
+  std::size_t count() const { return residual_.size(); }
+  float* row(int k) { return &rows_[k * count()]; }
+
+  Pose2D settled(const Pose2D& start) {
+    constexpr int kIterations = 8;
     Pose2D pose = start, best = start;
     double least = 0;
     for (int k = 0; k <= kIterations && look_at(pose); ++k) {
@@ -48,9 +57,21 @@ class RenderingFit {
     return best;
   }
 
- private:
-  std::size_t count() const { return residual_.size(); }
-  float* row(int k) { return &rows_[k * count()]; }
+  /// What is seen at a pose.
+  Rendered described(const Pose2D& pose) {
+    constexpr int kSettling = 2;  // times that the weights and the light adapt to each other
+    Rendered rendered{pose};
+    if (!look_at(pose)) return rendered;
+    weights_.assign(count(), 1.f);
+    first_cost();
+    for (int k = 0; k < kSettling; ++k) weigh();
+    rendered.misfit = misfit();
+    rendered.brightness = brightness();
+    return rendered;
+  }
+
+  double misfit() const;
+  double brightness();
 
   /// False when too little is visible.
   bool look_at(const Pose2D& pose) {
@@ -193,10 +214,36 @@ double RenderingFit::weigh() {
   return misfit / inside_count;
 }
 
+/// Of the residuals.
+double RenderingFit::misfit() const {
+  constexpr float kWorst = 60 * 60;  // [grey^2] of one value
+  double sum = 0, seen = 0;
+  for (std::size_t i = 0; i < count(); ++i) {
+    sum += inside_[i] * std::min(residual_[i] * residual_[i], kWorst);
+    seen += inside_[i];
+  }
+  return std::log(std::sqrt(sum / seen) + 3);
+}
+
+/// Of what is explained, against what was taught.
+double RenderingFit::brightness() {
+  constexpr double kDark = 8;  // [grey levels] added before taking the logarithm
+  const float* const seen = row(kSeen);
+  const float* const taught = row(0);
+  double explained = 0, learned = 0, size = 0;
+  for (std::size_t i = 0; i < count(); ++i) {
+    explained += inside_[i] * (seen[i] - residual_[i]);
+    learned += inside_[i] * taught[i];
+    size += inside_[i] * (1 - object_.background[i % object_.padded()]);
+  }
+  return std::log((std::max(0.0, explained / size) + kDark) /
+                  (std::max(0.0, learned / size) + kDark));
+}
+
 }  // namespace
 
-Pose2D fit(const Rendering& object, const SceneLevel& scene, const Pose2D& start) {
-  return object.padded() == 0 ? start : RenderingFit(object, scene).run(start);
+Rendered fit(const Rendering& object, const SceneLevel& scene, const Pose2D& start) {
+  return object.padded() == 0 ? Rendered{start} : RenderingFit(object, scene).run(start);
 }
 
 }  // namespace mbncc
