@@ -14,9 +14,10 @@ namespace {
 const cv::Size kSize{80, 70};
 const cv::Scalar kBlue{170, 90, 50}, kSand{120, 150, 165};
 
-/// Light on the object: a gain, an offset, and how much brighter its left is than its right.
+/// Light on the object: a gain, an offset, how much brighter its left is than its right, and how
+/// much its relief makes brighter or darker.
 struct Light {
-  double gain = 1, offset = 0, slope = 0;
+  double gain = 1, offset = 0, slope = 0, relief = 0;
 };
 
 /// Share of each pixel that a bent strip, 18 px long and 5 px wide, covers at `pose`.
@@ -40,7 +41,8 @@ cv::Mat seen(const cv::Mat& background, const Pose2D& pose, const Light& light =
   for (int y = 0; y < kSize.height; ++y)
     for (int x = 0; x < kSize.width; ++x) {
       const float part = share.at<float>(y, x);
-      const double own = light.offset + light.slope * (pose.x - x) / 9;
+      const double own = light.offset + light.slope * (pose.x - x) / 9 +
+                         light.relief * std::sin(1.1 * x + 0.7 * y);
       auto& pixel = picture.at<cv::Vec3f>(y, x);
       for (int c = 0; c < 3; ++c)
         pixel[c] = static_cast<float>(part * (light.gain * kBlue[c] + own) + (1 - part) * pixel[c]);
@@ -132,6 +134,25 @@ TEST_F(RenderingTest, TellsBrightness) {
     const SceneLevel scene(seen(ground, truth, {gain, 0, 0}), 0);
     EXPECT_NEAR(fit(view_->rendering, scene, anchor_at(truth)).brightness, std::log(gain), 0.1);
   }
+}
+
+TEST_F(RenderingTest, ReliefDoesNotMoveIt) {
+  const cv::Mat background(kSize, CV_8UC3, cv::Scalar::all(150));
+  for (const double turn : {-2.1, 0.2, 1.7}) {
+    SCOPED_TRACE(::testing::Message() << "turned by " << turn);
+    const Pose2D truth{39.5, 36.2, turn};
+    expect_found(seen(background, truth, {1, 0, 0, 40}), truth);
+  }
+}
+
+TEST_F(RenderingTest, AxesOfColourKeepLengthsAndGreyIsBrightness) {
+  const std::vector<float> colours{120, 10, 70, 120, 200, 60, 120, 30, 90};  // blue, green, red
+  std::vector<float> turned = colours;
+  Rendering::turn_to_axes(turned.data(), 3);
+  EXPECT_NEAR(cv::norm(turned), cv::norm(colours), 1e-3);
+  EXPECT_NEAR(turned[0], std::sqrt(3.) * 120, 1e-3);
+  EXPECT_NEAR(turned[3], 0, 1e-3);
+  EXPECT_NEAR(turned[6], 0, 1e-3);
 }
 
 TEST_F(RenderingTest, StaysWhereNothingIsSeen) {

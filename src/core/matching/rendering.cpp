@@ -111,6 +111,18 @@ void Rendering::lay_out_light(const std::vector<Site>& sites) {
       for (int k = 0; k < kLight; ++k)
         light[(k * kChannels + c) * padded() + i] = (1 - background[i]) * terms[k];
     }
+  for (int k = 0; k < kLight; ++k) turn_to_axes(&light[k * kChannels * padded()], padded());
+}
+
+void Rendering::turn_to_axes(float* colours, std::size_t count) {
+  const float two = std::sqrt(1 / 2.f), three = std::sqrt(1 / 3.f), six = std::sqrt(1 / 6.f);
+  float *const blue = colours, *const green = blue + count, *const red = green + count;
+  for (std::size_t i = 0; i < count; ++i) {
+    const float b = blue[i], g = green[i], r = red[i];
+    blue[i] = three * (b + g + r);
+    green[i] = two * (r - b);
+    red[i] = six * (b + r - 2 * g);
+  }
 }
 
 }  // namespace mbncc

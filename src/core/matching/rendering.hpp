@@ -24,13 +24,18 @@ struct Rendering {
 
   std::size_t padded() const { return background.size(); }  ///< points, in whole lanes
 
+  /// Turns colours, `count` of each channel, to axes in place: brightness (the channels' sum over
+  /// its root), which relief displaces as the light comes, and two across it, which it leaves
+  /// alone.
+  static void turn_to_axes(float* colours, std::size_t count);
+
   using Places = std::array<std::vector<float>, 2>;  ///< x and y [px] relative to the anchor
 
   // All vectors are padded to whole lanes: places with such that lie nowhere, values with zeros.
   Places points;
   std::array<Places, 2> beyond;   ///< where each point's background shows alone
   std::vector<float> background;  ///< [0..1] its share at each point
-  std::vector<float> light;       ///< kLight rows: per channel, what each term adds to each point
+  std::vector<float> light;       ///< kLight rows: per axis, what each term adds to each point
   double size = 0;                ///< points
   double radius = 1;              ///< [px] of the farthest point
   double reach = 1;               ///< [px] of the farthest place of all

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "matching/padded_vectors.hpp"
@@ -13,11 +14,12 @@ constexpr int kSeen = kUnknowns, kRows = kUnknowns + 1;
 
 /// What is seen at a pose.
 struct Reading {
-  std::vector<float> values;  // per channel and point, without the background's share
+  std::vector<float> values;  // per axis of colour and point, without the background's share
   std::vector<float> inside;  // per point
 };
 
-/// Gauss-Newton in light and motion together; values that fit badly count less.
+/// Gauss-Newton in light and motion together; values that fit badly count less, and those along an
+/// axis of colour where the others fit badly, too.
 class RenderingFit {
  public:
   RenderingFit(const Rendering& object, const SceneLevel& scene) : object_(object), scene_(scene) {
@@ -88,16 +90,20 @@ class RenderingFit {
   cv::Mat1d solve(int unknowns);
   double weigh();
 
-  /// The scale of what fits badly is that of the residuals at the start.
+  /// The scales of what fits badly are those of the residuals at the start.
   double first_cost() {
-    constexpr float kQuantised = 6;  // [grey levels] noise explains
+    constexpr std::array<float, Rendering::kChannels> kQuantised{6, 4, 4};  // noise explains
     update_residual();
+    const std::size_t padded = object_.padded();
     std::vector<float> sizes;
-    for (std::size_t i = 0; i < count(); ++i)
-      if (inside_[i] > 0) sizes.push_back(std::abs(residual_[i]));
-    const auto middle = sizes.begin() + static_cast<std::ptrdiff_t>(sizes.size() / 2);
-    std::nth_element(sizes.begin(), middle, sizes.end());
-    scale_ = std::max(kQuantised, 2 * *middle);
+    for (std::size_t axis = 0; axis < scales_.size(); ++axis) {
+      sizes.clear();
+      for (std::size_t i = axis * padded; i < (axis + 1) * padded; ++i)
+        if (inside_[i] > 0) sizes.push_back(std::abs(residual_[i]));
+      const auto middle = sizes.begin() + static_cast<std::ptrdiff_t>(sizes.size() / 2);
+      std::nth_element(sizes.begin(), middle, sizes.end());
+      scales_[axis] = std::max(kQuantised[axis], 2 * *middle);
+    }
     return weigh();
   }
 
@@ -122,7 +128,7 @@ class RenderingFit {
   std::vector<float> weights_, residual_;
   std::vector<float> inside_;  // that of what is seen, for each channel
   Reading seen_;
-  float scale_ = 1;  // [grey levels] of residuals that count half
+  std::array<float, Rendering::kChannels> scales_{};  // [grey levels] of bad residuals, per axis
 };
 
 void RenderingFit::read(const Pose2D& pose, Reading& reading) {
@@ -151,6 +157,7 @@ void RenderingFit::read(const Pose2D& pose, Reading& reading) {
     for (int c = 0; c < Rendering::kChannels; ++c)
       reading.values[c * padded + i] = own[c][i] - part * (beyond[0][c][i] + beyond[1][c][i]);
   }
+  Rendering::turn_to_axes(reading.values.data(), padded);
 }
 
 /// Central differences along x, y and the rim.
@@ -206,8 +213,10 @@ double RenderingFit::weigh() {
   update_residual();
   double misfit = 0, inside_count = 0;
   for (std::size_t i = 0; i < count(); ++i) {
-    const float square = residual_[i] * residual_[i] / (scale_ * scale_);
-    weights_[i] = 1 / ((1 + square) * (1 + square));
+    const float scale = scales_[i / object_.padded()];
+    const float square = residual_[i] * residual_[i] / (scale * scale);
+    const float telling = scales_[0] / (scale * (1 + square));
+    weights_[i] = telling * telling;
     misfit += inside_[i] * square / (1 + square);
     inside_count += inside_[i];
   }
@@ -231,10 +240,10 @@ double RenderingFit::brightness() {
   const float* const seen = row(kSeen);
   const float* const taught = row(0);
   double explained = 0, learned = 0, size = 0;
-  for (std::size_t i = 0; i < count(); ++i) {
+  for (std::size_t i = 0; i < object_.padded(); ++i) {
     explained += inside_[i] * (seen[i] - residual_[i]);
     learned += inside_[i] * taught[i];
-    size += inside_[i] * (1 - object_.background[i % object_.padded()]);
+    size += std::sqrt(3.) * inside_[i] * (1 - object_.background[i]);
   }
   return std::log((std::max(0.0, explained / size) + kDark) /
                   (std::max(0.0, learned / size) + kDark));
