@@ -66,6 +66,7 @@ MapGeometry::MapGeometry(const cv::Mat& map) : map_(bordered(map)) {
   cv::Sobel(smooth, slope_y, CV_32F, 0, 1);
   slope_x_ = slope_x(inner).clone();
   slope_y_ = slope_y(inner).clone();
+  mean_width_ = 2 * cv::countNonZero(map_) / std::max(1.0, static_cast<double>(edge(1.5).size()));
 }
 
 cv::Point2f MapGeometry::inward(cv::Point pixel) const {
@@ -80,11 +81,6 @@ cv::Mat MapGeometry::blurred(double sigma, int room) const {
   soft.convertTo(soft, CV_32F, 1.0 / 255);
   cv::GaussianBlur(soft, soft, {}, sigma);
   return soft;
-}
-
-double MapGeometry::mean_width() const {
-  const double length = static_cast<double>(edge(1.5).size());
-  return 2 * cv::countNonZero(map_) / std::max(1.0, length);
 }
 
 std::vector<EdgePoint> MapGeometry::edge(double smoothing) const {

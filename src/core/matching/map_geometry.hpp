@@ -26,7 +26,7 @@ class MapGeometry {
   cv::Mat blurred(double sigma, int room) const;
 
   /// Mean width [px]: that of a long strip with this area and edge length.
-  double mean_width() const;
+  double mean_width() const { return mean_width_; }
 
   /// All points of the edge, holes included, in order along each contour. `smoothing` [px] is that
   /// of the normals.
@@ -34,6 +34,7 @@ class MapGeometry {
 
  private:
   cv::Mat map_, depth_, slope_x_, slope_y_;
+  double mean_width_ = 0;
 };
 
 /// `picture` (CV_8UC3) with the surface under `map` continued outwards, so that nothing of the
