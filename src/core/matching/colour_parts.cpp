@@ -130,14 +130,16 @@ ColourParts::ColourParts(const SurfaceTemplate& surface, const ContourTemplate& 
 std::vector<float> ColourParts::witnessed(const SurfaceSample& sample,
                                           const ContourSample& contour) const {
   constexpr float kNone = 0.45f, kFull = 0.8f;
-  std::vector<float> weights(sample.inside.size(), 0.f);
+  std::vector<float> weights(sample.inside.size(), 0.f), clear(contour.seen);
+  for (std::size_t i = 0; i < clear.size(); ++i)
+    if (!is_clear(contour.response[i])) clear[i] = 0;
   int k = 0;
   for (std::size_t i = 0; i < part_.size(); ++i) {
     float found = 0, seen = 0;
     for (; k < witnesses_end_[i]; ++k) {
       const int at = witnesses_[k];
       seen += contour.seen[at];
-      found += is_clear(contour.response[at]) ? contour.seen[at] : 0;
+      found += clear[at];
     }
     if (seen == 0) continue;
     weights[i] = sample.inside[i] * std::clamp((found / seen - kNone) / (kFull - kNone), 0.f, 1.f);

@@ -60,34 +60,6 @@ bool same_pose(const Pose2D& a, const Pose2D& b, double radius) {
          angle_distance(a.theta, b.theta) * radius < kSame;
 }
 
-/// The best of several climbs from slightly turned starts: narrow objects have side maxima. Starts
-/// farther off are tried only where the near ones led elsewhere.
-Pose2D polished(const PreparedView& view, const ScenePicture& scene, const Pose2D& pose) {
-  constexpr double kArc = 2.5;  // [px] between the starts at the rim
-  const double radius = view.shape.radius();
-  const auto reached_from = [&](int turn) {
-    Pose2D start = pose;
-    start.theta += turn * kArc / std::max(4.0, 0.75 * radius);
-    return climb(view.fine, scene.levels[0], start, 6).pose;
-  };
-  const Pose2D first = reached_from(0);
-  Pose2D best = first;
-  double best_odds = fine_odds(view, scene, best);
-  bool elsewhere = false;
-  for (const int turn : {-1, 1, -2, 2}) {
-    if (std::abs(turn) > 1 && !elsewhere) break;
-    const Pose2D reached = reached_from(turn);
-    if (same_pose(reached, first, radius)) continue;
-    elsewhere = true;
-    const double reached_odds = fine_odds(view, scene, reached);
-    if (reached_odds > best_odds) {
-      best = reached;
-      best_odds = reached_odds;
-    }
-  }
-  return best;
-}
-
 /// A smaller or larger object of the same kind lies here: it fits better.
 bool fits_another_size(const PreparedView& view, const ScenePicture& scene, const Pose2D& pose,
                        double odds) {
@@ -171,9 +143,37 @@ Detection judge_pose(const PreparedObject& object, const PreparedView& view,
   return judged(object, view, scene, pose, 0, 0);
 }
 
-Detection polish_and_judge(const PreparedObject& object, const PreparedView& view,
+// Narrow objects have side maxima. Starts farther off are tried only where the near ones led
+// elsewhere.
+Pose2D polished(const PreparedView& view, const ScenePicture& scene, const Pose2D& pose) {
+  constexpr double kArc = 2.5;  // [px] between the starts at the rim
+  const double radius = view.shape.radius();
+  const auto reached_from = [&](int turn) {
+    Pose2D start = pose;
+    start.theta += turn * kArc / std::max(4.0, 0.75 * radius);
+    return climb(view.fine, scene.levels[0], start, 6).pose;
+  };
+  const Pose2D first = reached_from(0);
+  Pose2D best = first;
+  double best_odds = fine_odds(view, scene, best);
+  bool elsewhere = false;
+  for (const int turn : {-1, 1, -2, 2}) {
+    if (std::abs(turn) > 1 && !elsewhere) break;
+    const Pose2D reached = reached_from(turn);
+    if (same_pose(reached, first, radius)) continue;
+    elsewhere = true;
+    const double reached_odds = fine_odds(view, scene, reached);
+    if (reached_odds > best_odds) {
+      best = reached;
+      best_odds = reached_odds;
+    }
+  }
+  return best;
+}
+
+Detection settle_and_judge(const PreparedObject& object, const PreparedView& view,
                            const ScenePicture& scene, const Pose2D& pose) {
-  return judged(object, view, scene, polished(view, scene, pose), 8, 4);
+  return judged(object, view, scene, pose, 8, 4);
 }
 
 std::vector<Detection> compare_rotations(std::vector<Detection> detections) {

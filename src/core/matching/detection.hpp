@@ -32,9 +32,11 @@ struct Detection {
 Detection judge_pose(const PreparedObject& object, const PreparedView& view,
                      const ScenePicture& scene, const Pose2D& pose);
 
-/// Climbs from the pose and slightly turned ones, settles on the surface, and judges what was
-/// reached.
-Detection polish_and_judge(const PreparedObject& object, const PreparedView& view,
+/// The best pose that climbs from this one and slightly turned ones reach.
+Pose2D polished(const PreparedView& view, const ScenePicture& scene, const Pose2D& pose);
+
+/// Settles a polished pose on the surface, refines it, and judges what was reached.
+Detection settle_and_judge(const PreparedObject& object, const PreparedView& view,
                            const ScenePicture& scene, const Pose2D& pose);
 
 /// Lets detections at the same place compete by their rotation_odds: the best of them takes the

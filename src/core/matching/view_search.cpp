@@ -164,13 +164,29 @@ class ViewSearch {
 
   std::vector<Detection> judge(const std::vector<Candidate>& candidates) const {
     std::vector<Detection> detections;
-    for (const auto& candidate : candidates) {
-      const bool polish = detections.size() < kPolished && candidate.value > first_.promising &&
-                          candidate.value > candidates.front().value - kOutclassed;
-      detections.push_back(polish ? polish_and_judge(object_, view_, scene_, candidate.pose)
-                                  : judge_pose(object_, view_, scene_, candidate.pose));
+    std::vector<Pose2D> reached;
+    for (std::size_t i = 0; i < candidates.size(); ++i) {
+      const Candidate& candidate = candidates[i];
+      if (i >= kPolished || candidate.value <= first_.promising ||
+          candidate.value <= candidates.front().value - kOutclassed) {
+        detections.push_back(judge_pose(object_, view_, scene_, candidate.pose));
+        continue;
+      }
+      const Pose2D pose = polished(view_, scene_, candidate.pose);
+      if (is_one_of(reached, pose)) continue;
+      reached.push_back(pose);
+      detections.push_back(settle_and_judge(object_, view_, scene_, pose));
     }
     return compare_rotations(std::move(detections));
+  }
+
+  /// Poses so near each other settle alike.
+  bool is_one_of(const std::vector<Pose2D>& poses, const Pose2D& pose) const {
+    constexpr double kAlike = 0.25;  // [px]
+    return std::any_of(poses.begin(), poses.end(), [&](const Pose2D& other) {
+      return cv::norm(other.position() - pose.position()) < kAlike &&
+             angle_distance(other.theta, pose.theta) * view_.shape.radius() < kAlike;
+    });
   }
 
   const PreparedObject& object_;
