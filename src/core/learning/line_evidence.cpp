@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <opencv2/core/hal/intrin.hpp>
+#include <opencv2/imgproc.hpp>
 
 namespace mbncc {
 namespace {
@@ -21,22 +23,25 @@ cv::Point rounded(double length, double angle) {
 
 using Lines = std::array<const float*, kLength>;
 
-// Spelled out, so that several pixels are worked on at a time.
-template <std::size_t... kPixel>
-void add_up(const Lines& lines, int begin, int end, float* mean, std::index_sequence<kPixel...>) {
-  for (int x = begin; x < end; ++x) mean[x] = (0.F + ... + lines[kPixel][x]) / kLength;
+// At least kAtOnce means; the last ones overlap with those before them.
+void average(const Lines& lines, int begin, int end, float* means) {
+  constexpr int kAtOnce = cv::v_float32x4::nlanes;
+  for (int x = begin; x < end; x += kAtOnce) {
+    const int first = std::min(x, end - kAtOnce);
+    cv::v_float32x4 sum = cv::v_setzero_f32();
+    for (const float* line : lines) sum += cv::v_load(line + first);
+    cv::v_store(means + first, sum / cv::v_setall_f32(kLength));
+  }
 }
 
 // Means along lines of one direction; as far from the frame as lines reach.
 void line_means(const cv::Mat& framed, double angle, cv::Mat& means) {
+  std::array<cv::Point, kLength> steps;
+  for (int i = 0; i < kLength; ++i) steps[i] = rounded(i - kReach, angle);
   for (int y = kReach; y < framed.rows - kReach; ++y) {
     Lines lines{};
-    for (int i = -kReach; i <= kReach; ++i) {
-      const cv::Point step = rounded(i, angle);
-      lines[i + kReach] = framed.ptr<float>(y + step.y) + step.x;
-    }
-    add_up(lines, kReach, framed.cols - kReach, means.ptr<float>(y),
-           std::make_index_sequence<kLength>());
+    for (int i = 0; i < kLength; ++i) lines[i] = framed.ptr<float>(y + steps[i].y) + steps[i].x;
+    average(lines, kReach, framed.cols - kReach, means.ptr<float>(y));
   }
 }
 
@@ -49,7 +54,7 @@ void take_thin_lines(const cv::Mat& means, double angle, cv::Mat& best) {
     const auto* right = means.ptr<float>(y + kFrame + across.y) + kFrame + across.x;
     auto* out = best.ptr<float>(y);
     for (int x = 0; x < best.cols; ++x)
-      if (left[x] <= 0 && right[x] <= 0) out[x] = std::max(out[x], here[x]);
+      out[x] = std::max(left[x], right[x]) <= 0 ? std::max(out[x], here[x]) : out[x];
   }
 }
 
