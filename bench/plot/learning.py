@@ -39,8 +39,9 @@ def draw(series, measure, out):
     by_time.set_xlim(left=0)
     for axes in (by_cuts, by_time):
         axes.grid(alpha=0.3)
-    figure.legend(*by_cuts.get_legend_handles_labels(), loc="upper center", ncol=len(series))
-    figure.tight_layout(rect=(0, 0, 1, 0.93))
+    rows = -(-len(series) // 4)
+    figure.legend(*by_cuts.get_legend_handles_labels(), loc="upper center", ncol=-(-len(series) // rows))
+    figure.tight_layout(rect=(0, 0, 1, 1 - 0.07 * rows))
     figure.savefig(out, dpi=120)
 
 
