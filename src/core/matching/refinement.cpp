@@ -4,7 +4,8 @@
 #include <cmath>
 
 #include "matching/disagreement.hpp"
-#include "matching/padded_vectors.hpp"
+#include "matching/light_displacement.hpp"
+#include "matching/surface_remainders.hpp"
 
 namespace mbncc {
 namespace {
@@ -37,8 +38,7 @@ class Refiner {
   struct Samples {
     SurfaceSample surface;
     ContourSample contour;
-    std::array<std::vector<float>, ColourAxes::kAxes> remainders;
-    std::vector<float> weights;
+    SurfaceRemainders remainders;
   };
 
   static Samples& samples() {
@@ -63,8 +63,6 @@ class Refiner {
 
   bool look();
   double gain() const;
-  std::array<double, ColourAxes::kAxes> weigh();
-  std::array<double, ColourAxes::kAxes> variances() const;
 
   void add(const MotionPull& pull) {
     pull_ += pull;
@@ -108,19 +106,6 @@ class Refiner {
   }
 
   cv::Matx33d covariance() const;
-  double shading() const;
-
-  /// By how much light may displace something: [px] in even light, and a share of shading's.
-  struct Looseness {
-    double even, share;
-  };
-  static constexpr Looseness kBrightness{0.005, 0.075}, kContour{0.03, 0.17};
-  double loose(const Looseness& what) const {
-    return std::hypot(what.even, what.share * std::sqrt(shading_));
-  }
-
-  cv::Matx33d displacement() const;
-
   static constexpr double kLeast = 1e-4;  // [1/px^2] information that is always there
 
   const RefinementTemplate& object_;
@@ -128,9 +113,9 @@ class Refiner {
   Pose2D start_, pose_;
   double scale_ = 1, scale_deviation_ = kFixedScale;
   Samples& samples_ = samples();
-  MotionPull pull_;               // at the pose looked at last
-  Disagreement disagreement_{1};  // there
-  double shading_ = 0;            // [px^2] there
+  MotionPull pull_;                 // at the pose looked at last
+  Disagreement disagreement_{1};    // there
+  LightDisplacement displacement_;  // there
 };
 
 /// Collects what surface and contour say at the pose. False where too little is visible.
@@ -144,25 +129,27 @@ bool Refiner::look() {
   object.surface.sample(scene_, pose_, samples_.surface, scale_);
   if (!samples_.surface.suffices()) return false;
   const double contrast = gain();
-  const auto variances = weigh();
-  const double lesson_noise = object_.axes.noise(samples_.remainders, samples_.weights, contrast);
-  shading_ = shading();
+  SurfaceRemainders& remainders = samples_.remainders;
+  remainders.read(object_.axes, object.surface, samples_.surface);
+  const auto variances = remainders.variances();
+  const double lesson_noise = object_.axes.noise(remainders.values, remainders.weights, contrast);
+  displacement_ = LightDisplacement(object.surface, samples_.surface, contrast);
   pull_ = {};
   disagreement_ = Disagreement(radius());
   for (int axis = 0; axis < ColourAxes::kAxes; ++axis) {
-    MotionPull pull = object_.axes.pull(axis, samples_.remainders[axis], samples_.weights);
+    MotionPull pull = object_.axes.pull(axis, remainders.values[axis], remainders.weights);
     const double noise = kCorrelatedValues * variances[axis];
     const double share = contrast * object_.axes.reliability(axis, lesson_noise);
     pull.information *= share * share / noise;
     pull.vector *= share / noise;
-    add(axis == ColourAxes::kBrightness ? loosened(pull, loose(kBrightness)) : pull);
+    add(axis == ColourAxes::kBrightness ? loosened(pull, displacement_.of_brightness()) : pull);
   }
   read_contour(object.contour, scene_.edges, pose_, kReach, samples_.contour, scale_);
   MotionPull edges = object_.contour_motion.pull(samples_.contour);
   const double scatter = kScatter * kScatter * kCorrelatedPoints;
   edges.information *= 1 / scatter;
   edges.vector *= 1 / scatter;
-  add(loosened(edges, loose(kContour)));
+  add(loosened(edges, displacement_.of_contour()));
   return true;
 }
 
@@ -175,70 +162,10 @@ double Refiner::gain() const {
   return std::clamp((common + kPrior) / (energy + kPrior), 0.3, 2.0);
 }
 
-/// Reads the remainders and weighs the points: what is covered or in gloss counts little. Returns
-/// the variances [grey^2] along the axes, the same across brightness.
-std::array<double, ColourAxes::kAxes> Refiner::weigh() {
-  constexpr float kUsual = 4;  // mean squares, in variances, that halve the weight
-  for (int axis = 0; axis < ColourAxes::kAxes; ++axis)
-    object_.axes.remainder(axis, object_.object.surface.basis, samples_.surface,
-                           samples_.remainders[axis]);
-  samples_.weights = samples_.surface.inside;
-  for (int pass = 0; pass < 2; ++pass) {
-    const auto scale = variances();
-    for (std::size_t i = 0; i < samples_.weights.size(); ++i) {
-      float square = 0;
-      for (int axis = 0; axis < ColourAxes::kAxes; ++axis)
-        square += samples_.remainders[axis][i] * samples_.remainders[axis][i] /
-                  static_cast<float>(scale[axis]);
-      samples_.weights[i] =
-          samples_.surface.inside[i] / (1 + square / (ColourAxes::kAxes * kUsual));
-    }
-  }
-  return variances();
-}
-
-std::array<double, ColourAxes::kAxes> Refiner::variances() const {
-  constexpr double kQuantised = 0.05;  // [grey^2] of the least noise
-  std::array<double, ColourAxes::kAxes> found{};
-  double total = 0;
-  for (const float weight : samples_.weights) total += weight;
-  for (int axis = 0; axis < ColourAxes::kAxes; ++axis) {
-    const auto& values = samples_.remainders[axis];
-    for (std::size_t i = 0; i < values.size(); ++i)
-      found[axis] += samples_.weights[i] * values[i] * values[i];
-    found[axis] = found[axis] / std::max(total, 1e-6) + kQuantised;
-  }
-  found[1] = found[2] = (found[1] + found[2]) / 2;
-  return found;
-}
-
-/// Variance [px^2] of what smooth shading, as far as it differs from the lesson's, would displace.
-double Refiner::shading() const {
-  constexpr double kPlain = 1;  // [grey^2 / px^2] bounds that of plain surfaces
-  const SurfaceTemplate& surface = object_.object.surface;
-  const double contrast = gain();
-  const SurfaceDifference seen = surface.difference(samples_.surface, contrast);
-  const double slope = (surface.slope_product(0, 0) + surface.slope_product(1, 1)) /
-                       (2 * SurfaceTemplate::kChannels * static_cast<double>(surface.size()));
-  constexpr double kEven = 0.03;  // [px^2] gradients of even light displace nothing
-  return std::max(0.0, seen.shading / (contrast * contrast) / (slope + kPlain) - kEven);
-}
-
-/// Light that does not turn with the object displaces what is seen by a part of what it is seen to
-/// change, and that error does not average out. Fitted to drawn scenes under a lamp, in diffuse
-/// light and in even light.
-cv::Matx33d Refiner::displacement() const {
-  constexpr double kPlace = 0.002, kRim = 0.003;          // [px] in even light
-  constexpr double kPlaceShare = 0.12, kRimShare = 0.05;  // of the displacement by shading
-  const double place = kPlace * kPlace + kPlaceShare * kPlaceShare * shading_;
-  const double rim = kRim * kRim + kRimShare * kRimShare * shading_;
-  return cv::Matx33d::diag({place, place, rim / (radius() * radius())});
-}
-
 cv::Matx33d Refiner::covariance() const {
   const cv::Matx33d in_template =
       disagreement_.factor() *
-      (information(scale_deviation_).inv().get_minor<3, 3>(0, 0) + displacement());
+      (information(scale_deviation_).inv().get_minor<3, 3>(0, 0) + displacement_.of_pose(radius()));
   const double c = std::cos(pose_.theta), s = std::sin(pose_.theta);
   const cv::Matx33d turn(c, -s, 0, s, c, 0, 0, 0, 1);
   return turn * in_template * turn.t();
