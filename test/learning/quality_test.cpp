@@ -133,6 +133,9 @@ TEST(Quality, EvidenceAgainstTheCutIsNamed) {
   weak.boundary_contrast = 0.05;
   EXPECT_NE(verdict_with(touch, "touches_region_edge"), Verdict::kGood);
   EXPECT_NE(verdict_with(outside, "change_outside_region"), Verdict::kGood);
+  CutEvidence beside;
+  beside.change_beside = 0.15;
+  EXPECT_EQ(verdict_with(beside, "change_left_out"), Verdict::kMarginal);
   EXPECT_NE(verdict_with(unstable, "unstable_cut"), Verdict::kGood);
   EXPECT_NE(verdict_with(weak, "weak_boundary"), Verdict::kGood);
 }

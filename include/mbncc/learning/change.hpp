@@ -12,6 +12,7 @@ struct ChangeSurvey {
   double displaced = 0;   ///< [0..1] part of the textured area whose texture is not where it was
   double exposure = 1;    ///< factor between the pictures, >= 1
   double unevenness = 1;  ///< largest over smallest exposure factor of the picture's quarters, >= 1
+  bool noisy = false;     ///< noise may hide much of what changed
   cv::Point2d shift;      ///< [px] of the camera, to about a pixel
 };
 
@@ -19,8 +20,9 @@ struct ChangeSurvey {
 /// channel and a camera shift undone before they are compared.
 ChangeSurvey survey_change(const cv::Mat& before, const cv::Mat& after);
 
-/// Bounding box, with a margin, of the groups of changed pixels inside `within` that are at least
-/// `least_part` of the largest one; empty when nothing changed there.
+/// Bounding box, with a margin (a wide one where the survey is noisy), of the groups of changed
+/// pixels inside `within` that are at least `least_part` of the largest one; empty when nothing
+/// changed there.
 cv::Rect changed_region(const ChangeSurvey& survey, const cv::Rect& within, double least_part);
 
 }  // namespace mbncc

@@ -15,6 +15,7 @@ namespace mbncc {
 struct CutEvidence {
   double region_touch = 0;    ///< [0..1] part of the outline that lies on the region's edge
   double change_outside = 0;  ///< [0..1] changed part of the strip around the region
+  double change_beside = 0;   ///< [map's area] sure change in the region that is not the map's
   double stability = 1;       ///< [0..1] least IoU with cuts whose balance was shifted
   double boundary_contrast =
       1;  ///< [0..1] how strong the picture edges are that the outline follows

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <opencv2/imgproc.hpp>
 
+#include "learning/faint_change.hpp"
 #include "learning/normalized_difference.hpp"
 #include "learning/texture_loss.hpp"
 
@@ -18,14 +19,15 @@ constexpr float kDarkestShadow = 0.3F;      // of the light that is left
 constexpr float kBrightestFlank = 1.1F;     // likewise
 constexpr float kShadowScale = 0.25F;       // log-prior: a shadow is the likelier the lighter it is
 constexpr float kBrightScale = 0.06F;       // likewise for the light that an object's flank throws
-constexpr float kShadowTint = 0.1F;    // deviation of one channel, part of the light taken away
-constexpr float kShadowSlope = 0.1F;   // deviation of all channels alike, likewise
-constexpr float kShadowNoise = 1.2F;   // variance of a shadowed pixel, relative
-constexpr int kShadowBox = 7;          // [px] a shadow's depth is averaged over this square
-constexpr float kTextureLost = 6;      // most that covered texture says against a shadow
-constexpr float kTextureKept = 4;      // most that visible texture says for it
-constexpr float kHighestRatio = 60;    // cap of the logarithms
-constexpr float kHardlyPossible = 20;  // log-prior against shadows darker than the darkest
+constexpr float kShadowTint = 0.1F;      // deviation of one channel, part of the light taken away
+constexpr float kShadowSlope = 0.1F;     // deviation of all channels alike, likewise
+constexpr float kShadowNoise = 1.2F;     // variance of a shadowed pixel, relative
+constexpr int kShadowBox = 7;            // [px] a shadow's depth is averaged over this square
+constexpr float kTextureLost = 6;        // most that covered texture says against a shadow
+constexpr float kTextureKept = 4;        // most that visible texture says for it
+constexpr float kFaintlyChanged = 0.9F;  // probability given to change that only windows show
+constexpr float kHighestRatio = 60;      // cap of the logarithms
+constexpr float kHardlyPossible = 20;    // log-prior against shadows darker than the darkest
 
 // Light that is left: least squares factor of before over after in a small square.
 cv::Mat remaining_light(const cv::Mat& before, const cv::Mat& after) {
@@ -164,6 +166,8 @@ BackgroundLikelihood background_likelihood(const cv::Mat& before, const cv::Mat&
   const cv::Mat lost = texture_loss(before, after, plausible(light), variance);
   Fit unchanged = fit_unchanged(before, after, variance, noise.correlation);
   Fit shaded = fit_shadow(before, after, light, variance, noise.correlation);
+  // Before pooling.
+  const Misfit misfit{unchanged.distance.clone(), shaded.distance.clone()};
   const cv::Mat plain = exponential(log_student(unchanged, noise.tail) +
                                     std::log(1 - kOutlierWeight - kShadowWeight));
   const cv::Mat shadow = exponential(log_student(shaded, noise.tail) +
@@ -174,6 +178,8 @@ BackgroundLikelihood background_likelihood(const cv::Mat& before, const cv::Mat&
   cv::log(sum, result.log_ratio);
   result.log_ratio = cv::min(result.log_ratio, kHighestRatio);
   result.changed = 1 / (1 + sum / 2);
+  const cv::Mat faint = faint_change(misfit, after, variance, noise.tail, result.changed > 0.5);
+  result.changed.setTo(kFaintlyChanged, faint & (result.changed < kFaintlyChanged));
   return result;
 }
 

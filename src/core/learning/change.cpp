@@ -18,6 +18,8 @@ constexpr int kSurveyWidth = 320;       // [px]
 constexpr float kLeastDifference = 18;  // [grey levels, summed over channels] above usual noise
 constexpr float kNoiseFactor = 5;       // a change stands out from the median difference this much
 constexpr float kSureDifference = 45;   // [likewise] a change, however much else differs
+constexpr double kMargin = 0.15;        // of a changed region's longer side
+constexpr double kNoisyMargin = 0.6;    // likewise, where noise hides part of the change
 constexpr double kClearGain = 0.8;      // a shift must lower the difference to this part
 constexpr int kSampling = 2;            // [px] of the survey, for medians
 constexpr int kTextureBox = 15;         // [px] of the survey: texture is compared in such squares
@@ -124,6 +126,7 @@ cv::Mat difference_of(const cv::Mat& before, const cv::Mat& after, const cv::Sca
   return difference;
 }
 
+// Difference from which on a pixel changed, as the usual one tells.
 float change_threshold(const cv::Mat& difference) {
   std::vector<float> values;
   for (int y = 0; y < difference.rows; y += kSampling)
@@ -206,7 +209,9 @@ ChangeSurvey survey_change(const cv::Mat& before, const cv::Mat& after) {
   survey.displaced = displaced_part(grey_before, grey_after);
 
   const cv::Mat difference = difference_of(b, a, light);
-  cv::Mat changed = difference > change_threshold(difference);
+  const float threshold = change_threshold(difference);
+  survey.noisy = threshold >= kSureDifference;
+  cv::Mat changed = difference > threshold;
   cv::morphologyEx(changed, changed, cv::MORPH_OPEN,
                    cv::getStructuringElement(cv::MORPH_ELLIPSE, {3, 3}));
   survey.fraction = cv::countNonZero(changed) / static_cast<double>(changed.total());
@@ -229,7 +234,8 @@ cv::Rect changed_region(const ChangeSurvey& survey, const cv::Rect& within, doub
       box |= cv::Rect(stats.at<int>(i, cv::CC_STAT_LEFT), stats.at<int>(i, cv::CC_STAT_TOP),
                       stats.at<int>(i, cv::CC_STAT_WIDTH), stats.at<int>(i, cv::CC_STAT_HEIGHT));
   if (box.empty()) return {};
-  const int margin = std::max(8, std::max(box.width, box.height) * 15 / 100);
+  const double part = survey.noisy ? kNoisyMargin : kMargin;
+  const int margin = std::max(8, static_cast<int>(part * std::max(box.width, box.height)));
   return grown(box + within.tl(), margin) & within;
 }
 

@@ -13,6 +13,7 @@ namespace {
 
 constexpr float kBalanceShift = 2;  // log-odds per pixel by which the re-cuts are tilted
 constexpr float kSurelyChanged = 0.7F;
+constexpr int kBeside = 7;  // [px] square about a pixel of the map: its rim is no change beside it
 
 double part(const cv::Mat& of, const cv::Mat& among) {
   const int all = cv::countNonZero(among);
@@ -30,6 +31,14 @@ double boundary_contrast(const cv::Mat& map, const Smoothness& smoothness) {
           ++length;
         }
   return 1 - cost / std::max(1.0, length);
+}
+
+// What changed as surely as the object and yet is not its: an arrival, or a part that is missing.
+double change_beside(const FinishedCut& cut) {
+  cv::Mat grown;
+  cv::dilate(cut.map, grown, cv::Mat::ones(kBeside, kBeside, CV_8U));
+  const cv::Mat beside = (cut.changed > kSurelyChanged) & cut.inside & ~grown;
+  return cv::countNonZero(beside) / std::max(1.0, static_cast<double>(cv::countNonZero(cut.map)));
 }
 
 double agreement(const cv::Mat& a, const cv::Mat& b) {
@@ -61,6 +70,7 @@ CutEvidence cut_evidence(const FinishedCut& cut, const Smoothness& smoothness,
   CutEvidence evidence;
   evidence.region_touch = region_touch(cut.map, cut.inside);
   evidence.change_outside = part(cut.changed > kSurelyChanged, ~cut.inside);
+  evidence.change_beside = change_beside(cut);
   evidence.stability = stability(cut, half);
   evidence.boundary_contrast = boundary_contrast(cut.map, smoothness);
   return evidence;

@@ -4,10 +4,13 @@
 #include <array>
 #include <cmath>
 #include <cstring>
+#include <limits>
 #include <string>
 
 namespace mbncc {
 namespace {
+
+constexpr double kNever = std::numeric_limits<double>::infinity();  // as a limit
 
 // What can be said against a lesson. A key may have a code of its own for the action's result.
 struct Reason {
@@ -17,7 +20,7 @@ struct Reason {
 };
 
 // Worst first.
-constexpr std::array<Reason, 14> kReasons{{
+constexpr std::array<Reason, 15> kReasons{{
     {"touches_image_border", LearnError::kTouchesBorder,
      "Put the object wholly into the picture and teach again."},
     {"too_small", LearnError::kTooSmall, "Bring the camera nearer or use a higher resolution."},
@@ -31,6 +34,9 @@ constexpr std::array<Reason, 14> kReasons{{
      "Draw the region larger, with platform on every side of the object."},
     {"change_outside_region", LearnError::kQualityBad,
      "Move only this object between the pictures, and keep arm and hands out of both."},
+    {"change_left_out", LearnError::kQualityBad,
+     "Check whether a part of the object is missing in the map, or something else moved beside "
+     "it."},
     {"unstable_cut", LearnError::kQualityBad,
      "Put the object on a background of another colour, or check the map's outline."},
     {"weak_boundary", LearnError::kQualityBad,
@@ -113,6 +119,7 @@ struct CutRisk {
 void weigh_evidence(const CutEvidence& evidence, double area, Charges& charges) {
   charges.above("touches_region_edge", evidence.region_touch, 0.04, 0.25);
   charges.above("change_outside_region", evidence.change_outside, 0.1, 0.5);
+  charges.above("change_left_out", evidence.change_beside, 0.08, kNever);
   charges.above("unverified_cut", evidence.verified ? 0 : 1, 0.5, 1);
   if (!evidence.verified) return;
   const CutRisk risk(evidence, area);

@@ -1,0 +1,19 @@
+// Change that no single pixel shows, in noisy pictures of little light.
+#pragma once
+
+#include <opencv2/core.hpp>
+
+namespace mbncc {
+
+/// Squared distances of the picture before from what would explain it [variances], CV_32FC1.
+struct Misfit {
+  cv::Mat unchanged, shaded;
+};
+
+/// 255 where neither the unchanged platform nor a shadow on it explains wide patches, although
+/// noise may hide that in every pixel. `variance` (CV_32FC3) is that of a pixel of `after`
+/// (CV_32FC3), `tail` a factor on it; `sure` (CV_8UC1) marks pixels that show their change alone.
+cv::Mat faint_change(const Misfit& misfit, const cv::Mat& after, const cv::Mat& variance,
+                     float tail, const cv::Mat& sure);
+
+}  // namespace mbncc
