@@ -45,6 +45,19 @@ cv::Point2d rotate(cv::Point2d point, double theta);
 /// Point given in the frame of `pose`, expressed in the picture: R(theta) point + (x, y).
 cv::Point2d transform(const Pose2D& pose, cv::Point2d point);
 
+/// Does transform() with many points and one pose.
+class Transform {
+ public:
+  explicit Transform(const Pose2D& pose);
+
+  cv::Point2d operator()(cv::Point2d point) const {
+    return {cos_ * point.x - sin_ * point.y + x_, sin_ * point.x + cos_ * point.y + y_};
+  }
+
+ private:
+  double cos_, sin_, x_, y_;
+};
+
 /// Pose of the inner frame in the outer one's parent: transform(compose(a, b), p) = transform(a,
 /// transform(b, p)).
 Pose2D compose(const Pose2D& outer, const Pose2D& inner);

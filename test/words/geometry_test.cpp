@@ -66,6 +66,7 @@ TEST(Poses, InverseUndoes) {
     const Pose2D pose = random.pose();
     const cv::Point2d point = random.point();
     expect_near(transform(inverse(pose), transform(pose, point)), point);
+    EXPECT_EQ(Transform(pose)(point), transform(pose, point));
   }
 }
 

@@ -84,6 +84,8 @@ void ColourAxes::add_slopes(int axis, const SurfaceTemplate& surface,
     subtract(row, product(row, own.even.data()), own.even.data());
     own.slopes.insert(own.slopes.end(), row.begin(), row.end());
   }
+  const auto end = own.slopes.begin() + static_cast<std::ptrdiff_t>(2 * surface.padded());
+  own.energy = std::inner_product(own.slopes.begin(), end, own.slopes.begin(), 0.0);
 }
 
 void ColourAxes::remainder(int axis, const ShadingBasis& shading, const SurfaceSample& sample,
@@ -112,11 +114,7 @@ double ColourAxes::noise(const std::array<std::vector<float>, kAxes>& remainders
 double ColourAxes::reliability(int axis, double noise) const {
   constexpr double kSlopeNoise = 0.355;  // of the noise, in slopes over two pixels after smoothing
   constexpr double kLeast = 0.05;
-  const auto& slopes = axes_[axis].slopes;
-  const std::size_t both = slopes.size() / kMotionParts * 2;
-  const double energy =
-      std::inner_product(slopes.begin(), slopes.begin() + both, slopes.begin(), 0.0);
-  return std::max(kLeast, 1 - 2 * count_ * kSlopeNoise * noise / (energy + 1e-9));
+  return std::max(kLeast, 1 - 2 * count_ * kSlopeNoise * noise / (axes_[axis].energy + 1e-9));
 }
 
 MotionPull ColourAxes::pull(int axis, const std::vector<float>& remainder,

@@ -44,6 +44,7 @@ class ColourAxes {
     std::vector<float> even;    // unit row: the template along brightness, white light across it
     std::vector<float> shown;   // by the template; nothing along brightness
     std::vector<float> slopes;  // kMotionParts rows, orthogonal to shading and `even`
+    double energy = 0;          // of the slopes along x and y
   };
 
   void choose_directions(const SurfaceTemplate& surface);

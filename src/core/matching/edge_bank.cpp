@@ -71,10 +71,11 @@ EdgeBank::EdgeBank(const MapGeometry& map, cv::Point2d anchor) {
   const int count = std::max(12, static_cast<int>(std::ceil(rim / step)));
   for (int k = 0; k < count; ++k) {
     const double angle = 2 * kPi * k / count;
+    const Transform turned({0, 0, angle});
     Rotation rotation{wrap_angle(angle), {}};
     for (std::size_t i = 0; i < contour.size(); ++i) {
-      const cv::Point2d at = rotate({contour.x[i], contour.y[i]}, angle);
-      const cv::Point2d normal = rotate({contour.normal_x[i], contour.normal_y[i]}, angle);
+      const cv::Point2d at = turned({contour.x[i], contour.y[i]});
+      const cv::Point2d normal = turned({contour.normal_x[i], contour.normal_y[i]});
       rotation.points.push_back(
           {cvRound(at.x), cvRound(at.y),
            orientation_of(static_cast<float>(normal.x), static_cast<float>(normal.y))});

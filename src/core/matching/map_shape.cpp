@@ -25,8 +25,9 @@ bool MapShape::covers(cv::Point2d point) const {
 }
 
 double MapShape::visible(const Pose2D& pose, cv::Size size) const {
+  const Transform placed(pose);
   const auto inside = std::count_if(sample_.begin(), sample_.end(), [&](cv::Point2d point) {
-    const cv::Point2d at = transform(pose, point);
+    const cv::Point2d at = placed(point);
     return at.x >= 0 && at.y >= 0 && at.x <= size.width - 1 && at.y <= size.height - 1;
   });
   return static_cast<double>(inside) / static_cast<double>(sample_.size());
@@ -35,10 +36,9 @@ double MapShape::visible(const Pose2D& pose, cv::Size size) const {
 double overlap(const MapShape& a, const Pose2D& pose_a, const MapShape& b, const Pose2D& pose_b) {
   if (a.area() > b.area()) return overlap(b, pose_b, a, pose_a);
   if (cv::norm(pose_a.position() - pose_b.position()) > a.radius() + b.radius()) return 0;
-  const Pose2D a_in_b = compose(inverse(pose_b), pose_a);
-  const auto common = std::count_if(a.sample_.begin(), a.sample_.end(), [&](cv::Point2d point) {
-    return b.covers(transform(a_in_b, point));
-  });
+  const Transform a_in_b(compose(inverse(pose_b), pose_a));
+  const auto common = std::count_if(a.sample_.begin(), a.sample_.end(),
+                                    [&](cv::Point2d point) { return b.covers(a_in_b(point)); });
   return static_cast<double>(common) / static_cast<double>(a.sample_.size());
 }
 

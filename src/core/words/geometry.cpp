@@ -48,6 +48,9 @@ cv::Point2d transform(const Pose2D& pose, cv::Point2d point) {
   return rotate(point, pose.theta) + pose.position();
 }
 
+Transform::Transform(const Pose2D& pose)
+    : cos_(std::cos(pose.theta)), sin_(std::sin(pose.theta)), x_(pose.x), y_(pose.y) {}
+
 Pose2D compose(const Pose2D& outer, const Pose2D& inner) {
   const cv::Point2d position = transform(outer, inner.position());
   return {position.x, position.y, wrap_angle(outer.theta + inner.theta)};
