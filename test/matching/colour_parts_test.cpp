@@ -39,18 +39,24 @@ class ColourPartsTest : public ::testing::Test {
     return picture;
   }
 
-  std::shared_ptr<ObjectModel> tool() const {
-    cv::Mat map = cv::Mat::zeros(150, 300, CV_8UC1);
-    map(tool_) = 255;
+  static std::shared_ptr<ObjectModel> object_of(const cv::Mat& picture, const cv::Mat& map) {
     auto model = std::make_shared<ObjectModel>();
     model->name = "tool";
-    model->views.push_back(crop_view(picture_with(kRed, 1), map, {150, 72, 0}));
+    model->views.push_back(crop_view(picture, map, {150, 72, 0}));
     return model;
   }
 
+  std::shared_ptr<ObjectModel> tool() const {
+    cv::Mat map = cv::Mat::zeros(150, 300, CV_8UC1);
+    map(tool_) = 255;
+    return object_of(picture_with(kRed, 1), map);
+  }
+
+  double difference_in(const cv::Mat& picture) const { return difference_in(picture, tool()); }
+
   /// Where it was learned.
-  double difference_in(const cv::Mat& picture) const {
-    const PreparedObject object(tool(), Engine::kFast);
+  static double difference_in(const cv::Mat& picture, std::shared_ptr<ObjectModel> model) {
+    const PreparedObject object(std::move(model), Engine::kFast);
     const PreparedView& view = object.views.front();
     const ScenePicture scene(picture, 0);
     const SceneLevel& level = scene.levels[0];
@@ -60,7 +66,8 @@ class ColourPartsTest : public ::testing::Test {
     level.prepare();
     view.fine.surface.sample(level, at, sample);
     read_contour(view.fine.contour, level.edges, at, 1, contour);
-    return view.parts.worst_difference(view.fine.surface, sample, contour);
+    return view.parts.worst_difference(view.fine.surface, sample, contour,
+                                       ground_beside(view.fine.contour, level, at));
   }
 };
 
@@ -83,6 +90,21 @@ TEST_F(ColourPartsTest, WhatLiesAcrossCoversTheContourAndDoesNotCount) {
   cv::Mat picture = picture_with(kRed, 2);
   cv::rectangle(picture, cv::Rect(tool_.x + 5, 20, 45, 110), cv::Scalar(60, 140, 60), cv::FILLED);
   EXPECT_LT(difference_in(picture), 0.1);
+}
+
+TEST_F(ColourPartsTest, GroundThatTheMapHoldsMayChange) {
+  // A learned map with a strip of green platform along the tool, found on a red one.
+  const cv::Scalar green(60, 150, 60), red(60, 60, 150);
+  const auto on_ground = [&](const cv::Scalar& ground, std::uint64_t seed) {
+    cv::Mat picture(150, 300, CV_8UC3, ground);
+    picture(tool_) = kSteel;
+    add_noise(picture, seed);
+    return picture;
+  };
+  const cv::Rect strip(tool_.x, tool_.br().y, tool_.width, 8);
+  cv::Mat map = cv::Mat::zeros(150, 300, CV_8UC1);
+  map(tool_ | strip) = 255;
+  EXPECT_LT(difference_in(on_ground(red, 2), object_of(on_ground(green, 1), map)), 0.1);
 }
 
 TEST_F(ColourPartsTest, NarrowObjectsHaveNone) {

@@ -104,9 +104,40 @@ struct PartSeen {
   double points = 0, weight = 0;
 };
 
+/// `off` without what the ground adds that shines through, by an unknown share.
+cv::Point2f unexplained(const cv::Point2f& off, const cv::Point2f& ground_off) {
+  constexpr float kSame = 0.01f;  // chroma: grounds nearer to each other explain nothing
+  const float square = ground_off.dot(ground_off);
+  if (square < kSame * kSame) return off;
+  return off - std::clamp(off.dot(ground_off) / square, 0.f, 1.f) * ground_off;
+}
+
 }  // namespace
 
-ColourParts::ColourParts(const SurfaceTemplate& surface, const ContourTemplate& contour) {
+cv::Vec3f ground_beside(const ContourTemplate& contour, const SceneLevel& scene, const Pose2D& pose,
+                        double scale) {
+  constexpr float kBeside = 4;  // [px]
+  scene.prepare_around(pose, scale * contour.radius());
+  Planes colours;
+  for (std::size_t k = 0; k < contour.size(); ++k) {
+    const cv::Point2d at = transform(pose, {scale * contour.x[k] + kBeside * contour.normal_x[k],
+                                            scale * contour.y[k] + kBeside * contour.normal_y[k]});
+    const cv::Point pixel(cvRound(at.x), cvRound(at.y));
+    if (!pixel.inside(cv::Rect({0, 0}, scene.size()))) continue;
+    for (int c = 0; c < kChannels; ++c) colours[c].push_back(scene.colour.at<cv::Vec3b>(pixel)[c]);
+  }
+  cv::Vec3f ground = cv::Vec3f::all(0);
+  for (int c = 0; c < kChannels && !colours[c].empty(); ++c) {
+    const auto middle = colours[c].begin() + static_cast<std::ptrdiff_t>(colours[c].size() / 2);
+    std::nth_element(colours[c].begin(), middle, colours[c].end());
+    ground[c] = *middle;
+  }
+  return ground;
+}
+
+ColourParts::ColourParts(const SurfaceTemplate& surface, const ContourTemplate& contour,
+                         const cv::Vec3f& ground)
+    : ground_(ground) {
   constexpr float kBeside = 1.5f;    // distances to the nearest contour point, ...
   constexpr float kSlack = 3;        // [px] ... and a little
   constexpr std::size_t kMost = 24;  // witnesses of a point
@@ -148,7 +179,7 @@ std::vector<float> ColourParts::witnessed(const SurfaceSample& sample,
 }
 
 double ColourParts::worst_difference(const SurfaceTemplate& surface, const SurfaceSample& sample,
-                                     const ContourSample& contour) const {
+                                     const ContourSample& contour, const cv::Vec3f& ground) const {
   constexpr float kDark = 30;       // [grey levels]
   constexpr double kShare = 0.045;  // of the points that make a part
   constexpr double kEnough = 0.3;   // of a part's points that have to count
@@ -158,16 +189,20 @@ double ColourParts::worst_difference(const SurfaceTemplate& surface, const Surfa
   std::vector<float> lit = sample.inside;
   for (std::size_t i = 0; i < lit.size(); ++i) lit[i] *= weights[i] + kUnseen;
   const Light light = fit_light(surface.planes, sample.planes, lit);
+  const auto chroma_off = [&](const cv::Vec3f& learned, const cv::Vec3f& seen) {
+    return chroma(light.of(learned[0]), light.of(learned[1]), light.of(learned[2]), kDark) -
+           chroma(seen[0], seen[1], seen[2], kDark);
+  };
+  const cv::Point2f ground_off = chroma_off(ground_, ground);
   std::array<PartSeen, kParts> parts;
   for (std::size_t i = 0; i < part_.size(); ++i) {
     PartSeen& part = parts[part_[i]];
     ++part.points;
     if (weights[i] == 0) continue;
-    const auto& learned = surface.planes;
-    const auto& seen = sample.planes;
-    const cv::Point2f off =
-        chroma(light.of(learned[0][i]), light.of(learned[1][i]), light.of(learned[2][i]), kDark) -
-        chroma(seen[0][i], seen[1][i], seen[2][i], kDark);
+    const auto colour = [i](const Planes& planes) {
+      return cv::Vec3f(planes[0][i], planes[1][i], planes[2][i]);
+    };
+    const cv::Point2f off = chroma_off(colour(surface.planes), colour(sample.planes));
     part.weight += weights[i];
     part.red.emplace_back(off.x, weights[i]);
     part.blue.emplace_back(off.y, weights[i]);
@@ -176,7 +211,8 @@ double ColourParts::worst_difference(const SurfaceTemplate& surface, const Surfa
   for (auto& part : parts) {
     if (part.points < kShare * static_cast<double>(part_.size())) continue;
     if (part.weight < kEnough * part.points) continue;
-    worst = std::max(worst, static_cast<double>(std::hypot(median(part.red), median(part.blue))));
+    const cv::Point2f off = unexplained({median(part.red), median(part.blue)}, ground_off);
+    worst = std::max(worst, cv::norm(off));
   }
   return worst;
 }

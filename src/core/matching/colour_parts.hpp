@@ -2,31 +2,41 @@
 // tools, what tells look-alikes apart is the colour of one part, while all else agrees.
 #pragma once
 
+#include <opencv2/core.hpp>
 #include <vector>
 
 #include "matching/contour_template.hpp"
+#include "matching/scene_level.hpp"
 #include "matching/surface_template.hpp"
 
 namespace mbncc {
+
+/// Median colour (b, g, r) a little outside of the contour [scale times as large] at `pose`.
+cv::Vec3f ground_beside(const ContourTemplate& contour, const SceneLevel& scene, const Pose2D& pose,
+                        double scale = 1);
 
 class ColourParts {
  public:
   ColourParts() = default;
 
   /// Of points away from the edge, which show the object alone: of a narrow object, nothing.
-  ColourParts(const SurfaceTemplate& surface, const ContourTemplate& contour);
+  /// `ground` is the lesson's.
+  ColourParts(const SurfaceTemplate& surface, const ContourTemplate& contour,
+              const cv::Vec3f& ground);
 
   bool empty() const { return part_.empty(); }
 
   /// [0..2] By how much the chroma (ln R/G, ln B/G) of the part that differs most is off from what
   /// its lesson, in the light of the picture, would be. Only points count beside which the contour
-  /// is found: what covers the object covers its contour as well.
+  /// is found: what covers the object covers its contour as well. What another `ground` explains by
+  /// shining through does not count either: learned maps hold some of it.
   double worst_difference(const SurfaceTemplate& surface, const SurfaceSample& sample,
-                          const ContourSample& contour) const;
+                          const ContourSample& contour, const cv::Vec3f& ground) const;
 
  private:
   std::vector<float> witnessed(const SurfaceSample& sample, const ContourSample& contour) const;
 
+  cv::Vec3f ground_;                ///< of the lesson
   std::vector<int> part_;           ///< of each point
   std::vector<int> witnesses_;      ///< contour points beside the points, point after point
   std::vector<int> witnesses_end_;  ///< of each point, in `witnesses_`

@@ -37,7 +37,8 @@ OddColours odd_colours(const PreparedView& view, const SceneLevel& scene, const 
       worst_chroma_difference(surface.planes, sample.planes, sample.inside, surface.block_ends);
   if (view.parts.empty()) return odd;
   read_contour(view.fine.contour, scene.edges, found.pose, 1, contour, found.scale);
-  odd.part = view.parts.worst_difference(surface, sample, contour);
+  odd.part = view.parts.worst_difference(
+      surface, sample, contour, ground_beside(view.fine.contour, scene, found.pose, found.scale));
   return odd;
 }
 

@@ -143,7 +143,8 @@ PreparedView::PreparedView(const Source& source, Engine engine)
     templates.push_back(prepare(112, 64));
     if (level > 0) continue;
     fine = prepare(640, 200);
-    parts = ColourParts(fine.surface, fine.contour);
+    parts = ColourParts(fine.surface, fine.contour,
+                        ground_beside(fine.contour, picture, {anchor.x, anchor.y, 0}));
     dense = RefinementTemplate(prepare(2500, 200), continued);
     if (shape.area() < kRendered) rendering = Rendering(from, anchor);
   }
