@@ -34,11 +34,14 @@ XmlRpcValue arguments(const std::vector<std::string>& texts) {
   return values;
 }
 
-/// None when the master does not answer.
+/// None when the master does not answer, and in a process that ends: it takes itself off the
+/// master's lists, and must not be put back.
 std::optional<XmlRpcValue> ask_master(const std::string& method,
                                       const std::vector<std::string>& texts) {
   XmlRpcValue response, payload;
-  if (!ros::master::execute(method, arguments(texts), response, payload, false)) return {};
+  if (ros::isShuttingDown() ||
+      !ros::master::execute(method, arguments(texts), response, payload, false))
+    return {};
   return payload;
 }
 
@@ -89,9 +92,13 @@ void register_topics() {
   }
 }
 
-void register_services(const std::vector<std::string>& services) {
-  const std::string uri = "rosrpc://" + ros::network::getHost() + ":" +
-                          std::to_string(ros::ConnectionManager::instance()->getTCPPort());
+/// Where services are called. Only while roscpp runs: it has no port before and afterwards.
+std::string service_uri() {
+  return "rosrpc://" + ros::network::getHost() + ":" +
+         std::to_string(ros::ConnectionManager::instance()->getTCPPort());
+}
+
+void register_services(const std::vector<std::string>& services, const std::string& uri) {
   for (const auto& service : services)
     ask_master("registerService", {ros::this_node::getName(), service, uri,
                                    ros::XMLRPCManager::instance()->getServerURI()});
@@ -126,17 +133,18 @@ bool MasterWatch::wait() {
 }
 
 void MasterWatch::watch() {
-  while (wait() && ros::ok()) {
+  while (wait() && !ros::isShuttingDown()) {
     const auto now = standing();
-    if (!now) continue;
+    if (!now || ros::isShuttingDown()) continue;
     if (now->known) {
       services_ = now->services;
+      if (service_uri_.empty()) service_uri_ = service_uri();
       continue;
     }
     ROS_WARN(
         "the ROS master has been restarted; registering anew. Parameters are as they were read");
     register_topics();
-    register_services(services_);
+    register_services(services_, service_uri_);
   }
 }
 

@@ -25,7 +25,8 @@ class MasterWatch {
   bool wait();
 
   std::vector<std::string> services_;  // of this process, as the master knew them
-  std::mutex mutex_;                   // guards stopped_
+  std::string service_uri_;
+  std::mutex mutex_;  // guards stopped_
   std::condition_variable changed_;
   bool stopped_ = false;
   std::thread watcher_;

@@ -89,10 +89,11 @@ class Cell:
         self.result, self.ended = result, time.monotonic()
 
     def is_stale(self):
-        return self.array.status == self._stale
+        return self.array is not None and self.array.status == self._stale
 
     def sees_the_part(self):
-        return not self.is_stale() and any(found.child_frame_id for found in self.array.objects)
+        return (self.array is not None and not self.is_stale() and
+                any(found.child_frame_id for found in self.array.objects))
 
     def wait(self, predicate, what):
         wait_for(predicate, self.matching, what)
