@@ -1,6 +1,10 @@
 #include "cli/settings.hpp"
 
 #include <algorithm>
+#include <exception>
+#include <map>
+
+#include "mbncc/error.hpp"
 
 namespace mbncc::cli {
 namespace {
@@ -16,6 +20,46 @@ std::vector<FieldRow> all_rows(Settings& settings) {
   append(field_rows(settings.rectify));
   append(field_rows(settings.simulated_camera));
   return rows;
+}
+
+bool taken(const FieldRow& row, const std::string& text, std::exception_ptr& refusal) {
+  try {
+    row.assign(text);
+    return true;
+  } catch (const ConfigError&) {
+    if (!refusal) refusal = std::current_exception();
+    return false;
+  }
+}
+
+// Sets every row that takes the text; the first one's refusal when none does.
+void assign_any(const std::vector<FieldRow>& rows, const std::string& text) {
+  std::exception_ptr refusal;
+  bool any = false;
+  for (const auto& row : rows) any = taken(row, text, refusal) || any;
+  if (!any) std::rethrow_exception(refusal);
+}
+
+// One row for every name.
+std::vector<FieldRow> merged(const std::vector<FieldRow>& rows) {
+  std::map<std::string, std::vector<FieldRow>> by_name;
+  for (const auto& row : rows) by_name[row.info.name].push_back(row);
+  std::vector<FieldRow> result;
+  for (const auto& [name, same] : by_name) {
+    result.push_back(same.front());
+    result.back().assign = [same = same](const std::string& text) { assign_any(same, text); };
+  }
+  return result;
+}
+
+// --config and --set, into these rows.
+void assign_given(const Arguments& arguments, const std::vector<FieldRow>& rows) {
+  if (arguments.has("--config")) load_yaml_file(rows, arguments.get("--config"));
+  for (const auto& pair : arguments.all("--set")) {
+    const auto equals = pair.find('=');
+    if (equals == std::string::npos) throw UsageError("--set needs key=value, not '" + pair + "'");
+    assign_field(rows, pair.substr(0, equals), pair.substr(equals + 1));
+  }
 }
 
 // The rows whose names are not among the listed ones: a nodelet's list repeats those of the core.
@@ -43,24 +87,6 @@ std::vector<SettingsSection> sections_of(Settings& settings) {
           {"simulated camera nodelet", field_rows(settings.simulated_camera)}};
 }
 
-std::vector<FieldRow> rows_of(Settings& settings) {
-  std::vector<FieldRow> merged;
-  for (const auto& row : all_rows(settings)) {
-    const auto same = std::find_if(merged.begin(), merged.end(), [&row](const FieldRow& other) {
-      return other.info.name == row.info.name;
-    });
-    if (same == merged.end()) {
-      merged.push_back(row);
-      continue;
-    }
-    same->assign = [first = same->assign, second = row.assign](const std::string& text) {
-      first(text);
-      second(text);
-    };
-  }
-  return merged;
-}
-
 std::vector<Option> settings_options() {
   return {{"--config", "FILE.yaml", "parameters as lines `key: value`, see 'mbncc params'"},
           {"--set", "key=value", "one parameter, over those of --config", false, true}};
@@ -68,14 +94,18 @@ std::vector<Option> settings_options() {
 
 Settings settings_from(const Arguments& arguments) {
   Settings settings;
-  const auto rows = rows_of(settings);
-  if (arguments.has("--config")) load_yaml_file(rows, arguments.get("--config"));
-  for (const auto& pair : arguments.all("--set")) {
-    const auto equals = pair.find('=');
-    if (equals == std::string::npos) throw UsageError("--set needs key=value, not '" + pair + "'");
-    assign_field(rows, pair.substr(0, equals), pair.substr(equals + 1));
-  }
+  assign_given(arguments, merged(all_rows(settings)));
   return settings;
+}
+
+SimulatedCameraConfig simulated_camera_from(const Arguments& arguments) {
+  Settings others;
+  SimulatedCameraConfig config;
+  const auto own = field_rows(config);
+  auto rows = without(own, all_rows(others));
+  rows.insert(rows.end(), own.begin(), own.end());
+  assign_given(arguments, merged(rows));
+  return config;
 }
 
 }  // namespace mbncc::cli

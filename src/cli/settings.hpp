@@ -34,15 +34,15 @@ struct SettingsSection {
 /// All parameters by part. `settings` must outlive the rows.
 std::vector<SettingsSection> sections_of(Settings& settings);
 
-/// All parameters; setting one that several parts share sets it in each. `settings` must outlive
-/// the rows.
-std::vector<FieldRow> rows_of(Settings& settings);
-
 /// --config and --set.
 std::vector<Option> settings_options();
 
-/// Defaults, changed by --config FILE and then by --set key=value. Throws UsageError, ConfigError,
-/// FileError.
+/// Defaults, changed by --config FILE and then by --set key=value. One that several parts have,
+/// each with a range of its own, is set in every part that takes it. Throws UsageError, ConfigError
+/// (no part takes it), FileError.
 Settings settings_from(const Arguments& arguments);
+
+/// The simulated camera's alone of those: what it does not take is refused whatever other parts do.
+SimulatedCameraConfig simulated_camera_from(const Arguments& arguments);
 
 }  // namespace mbncc::cli

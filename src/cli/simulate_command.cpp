@@ -63,7 +63,7 @@ void write_targets(RecordedCell& cell, int count, std::ostream& truth) {
 
 /// The story moves only when told to, and one seed draws all of it.
 SimulatedCameraConfig cell_of(const Arguments& arguments) {
-  SimulatedCameraConfig config = settings_from(arguments).simulated_camera;
+  SimulatedCameraConfig config = simulated_camera_from(arguments);
   config.auto_play = false;
   if (arguments.has("--seed"))
     config.seed = config.object_seed = parse_whole("--seed", arguments.get("--seed"), 1);

@@ -79,6 +79,21 @@ TEST(Usage, EveryCommandExplainsItself) {
   EXPECT_EQ(run_tool({"--version"}).out.rfind("mbncc ", 0), 0u);
 }
 
+TEST(Usage, TheNodeletsOwnFilesAreTaken) {
+  for (const char* file : {"camera", "learning", "matching", "rectify", "simulated_camera"}) {
+    const ToolRun run =
+        run_tool({"params", "--config", std::string(MBNCC_CONFIG_FOLDER) + "/" + file + ".yaml"});
+    EXPECT_EQ(run.code, 0) << file << ": " << run.err;
+  }
+}
+
+TEST(Usage, AParameterOfSeveralPartsNeedsOneThatTakesIt) {
+  EXPECT_EQ(run_tool({"params", "--set", "width=1"}).code,
+            0);  // the camera's, not the simulated one's
+  EXPECT_EQ(run_tool({"params", "--set", "width=-1"}).code, 2);
+  EXPECT_EQ(run_tool({"simulate", "--out", "/nowhere", "--set", "width=1"}).code, 2);
+}
+
 TEST(Usage, OutputThatCannotBeWrittenIsAFailure) {
   int status = 0;
   ::waitpid(start_tool({"params"}, "/dev/full", "/dev/null"), &status, 0);
