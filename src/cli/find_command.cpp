@@ -46,6 +46,15 @@ Matcher prepared_matcher(const Arguments& arguments, const SearchConfig& search)
   return matcher;
 }
 
+SearchResult searched(const Matcher& matcher, const std::string& image, const cv::Mat& picture,
+                      const SearchRequest& request) {
+  try {
+    return matcher.find(picture, request);
+  } catch (const std::invalid_argument& error) {
+    throw FileError(image, error.what());
+  }
+}
+
 void warn_of_skipped(const std::string& image, const SearchResult& result) {
   for (const auto& reason : result.skipped)
     std::cerr << "mbncc: warning: " << image << ": not searched for " << reason << '\n';
@@ -63,7 +72,7 @@ ExitCode run(const Arguments& arguments) {
   for (const auto& image : arguments.operands()) {
     try {
       const cv::Mat picture = read_picture(image);
-      const SearchResult result = matcher.find(picture, request);
+      const SearchResult result = searched(matcher, image, picture, request);
       warn_of_skipped(image, result);
       report->add(image, picture.size(), result);
       overlay.write(image, picture, result.matches);

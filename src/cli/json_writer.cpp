@@ -1,26 +1,36 @@
 #include "cli/json_writer.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <string_view>
 
 #include "mbncc/config/field.hpp"
+#include "mbncc/utf8.hpp"
 
 namespace mbncc::cli {
 namespace {
 
-std::string quoted(const std::string& text) {
+std::string escaped(char c) {
+  if (c == '"' || c == '\\') return {'\\', c};
+  if (static_cast<unsigned char>(c) >= 0x20) return {c};
+  char escape[8];
+  std::snprintf(escape, sizeof escape, "\\u%04x", static_cast<unsigned>(c));
+  return escape;
+}
+
+// JSON is UTF-8, names of files are any bytes: what is none becomes the replacement character.
+std::string quoted(std::string_view text) {
   std::string result = "\"";
-  for (const char c : text) {
-    if (c == '"' || c == '\\') {
-      result += '\\';
-      result += c;
-    } else if (static_cast<unsigned char>(c) < 0x20) {
-      char escape[8];
-      std::snprintf(escape, sizeof escape, "\\u%04x", static_cast<unsigned>(c));
-      result += escape;
-    } else {
-      result += c;
-    }
+  while (!text.empty()) {
+    const std::size_t length = utf8_length(text);
+    if (length == 0)
+      result += "\\ufffd";
+    else if (length == 1)
+      result += escaped(text[0]);
+    else
+      result += text.substr(0, length);
+    text.remove_prefix(std::max<std::size_t>(length, 1));
   }
   return result + '"';
 }

@@ -24,6 +24,7 @@ class JsonWriter {
   JsonWriter& value(int number) { return raw(std::to_string(number)); }
   JsonWriter& value(std::uint32_t number) { return raw(std::to_string(number)); }
   JsonWriter& value(bool truth) { return raw(truth ? "true" : "false"); }
+  /// Bytes that are no UTF-8 become U+FFFD.
   JsonWriter& value(const std::string& text);
   JsonWriter& value(const char* text) { return value(std::string(text)); }
   JsonWriter& value(const std::vector<std::string>& texts);

@@ -18,7 +18,8 @@ Lesson read_lesson(const Arguments& arguments) {
   try {
     return lesson_from(arguments);
   } catch (const FileError& error) {
-    throw Refusal(LearnError::kNoImage, std::string(error.what()) + ".");
+    throw Refusal(LearnError::kNoImage, std::string(error.what()) + ".",
+                  "Give PNG or JPEG pictures of 8 bits and at least 32 x 32 pixels.");
   }
 }
 

@@ -27,9 +27,12 @@ std::vector<std::uint8_t> read_bytes(const std::string& path) {
   std::error_code error;
   const auto status = std::filesystem::status(path, error);
   if (!std::filesystem::exists(status)) throw FileError(path, "there is no such file");
+  if (std::filesystem::is_directory(status))
+    throw FileError(path, "a folder; give the pictures in it");
   if (!std::filesystem::is_regular_file(status)) throw FileError(path, "not a regular file");
   const auto size = std::filesystem::file_size(path, error);
   if (error) throw FileError(path, error.message());
+  if (size == 0) throw FileError(path, "the file is empty");
   if (size > kMaxFileBytes) throw FileError(path, "larger than 256 MB");
   errno = 0;
   std::ifstream file(path, std::ios::binary);
@@ -101,7 +104,10 @@ void write_picture(const std::string& path, const cv::Mat& picture) {
   write_bytes(unfinished, bytes, path);
   if (device) return;
   fs::rename(unfinished, path, error);
-  if (error) throw FileError(path, "cannot be written: " + error.message());
+  if (!error) return;
+  const std::string reason = "cannot be written: " + error.message();
+  fs::remove(unfinished, error);
+  throw FileError(path, reason);
 }
 
 void make_output_folder(const std::string& folder) {

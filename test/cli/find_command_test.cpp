@@ -60,6 +60,14 @@ TEST_F(FindCommand, JsonHoldsWhatADetectionHolds) {
   EXPECT_EQ(pictures[1]["objects"].size(), 0u);
 }
 
+TEST_F(FindCommand, JsonIsUtf8WhateverTheNameOfTheFile) {
+  const std::string name = "caf\xc3\xa9_\xff\xc3.png";
+  folder_.write(name, cv::imread(folder_ / "empty.png"));
+  const ToolRun run = find({"--json", folder_ / name});
+  ASSERT_EQ(run.code, 0) << run.err;
+  EXPECT_TRUE(run.prints("caf\xc3\xa9_\\ufffd\\ufffd.png\"")) << run.out;
+}
+
 TEST_F(FindCommand, UnreadablePicturesDoNotStopTheOthers) {
   const cv::Mat picture = cv::imread(folder_ / "target.png");
   cv::Mat deep;
@@ -71,16 +79,21 @@ TEST_F(FindCommand, UnreadablePicturesDoNotStopTheOthers) {
     std::ofstream(folder_ / ("cut_" + std::string(name)), std::ios::binary)
         << bytes.substr(0, bytes.size() / 2);
   }
+  folder_.write("one.png", picture(cv::Rect(0, 0, 1, 1)));
   std::ofstream(folder_ / "text.png") << "no picture";
-  const ToolRun run = find({"--csv", folder_ / "none.png", folder_ / "deep.png",
-                            folder_ / "cut_target.png", folder_ / "cut_whole.jpg",
-                            folder_ / "text.png", folder_.path(), folder_ / "whole.jpg"});
+  std::ofstream(folder_ / "nothing.png");
+  const ToolRun run =
+      find({"--csv", folder_ / "none.png", folder_ / "deep.png", folder_ / "cut_target.png",
+            folder_ / "cut_whole.jpg", folder_ / "text.png", folder_ / "nothing.png",
+            folder_ / "one.png", folder_.path(), "/dev/null", folder_ / "whole.jpg"});
   EXPECT_EQ(run.code, 1);
   EXPECT_EQ(split(run.out, '\n').size(), 2u) << run.out;
   for (const char* sentence :
        {"none.png: there is no such file", "deep.png: 16 bits per channel",
         "cut_target.png: the file is cut short", "cut_whole.jpg: the file is cut short",
-        "text.png: neither a PNG nor a JPEG", ": not a regular file"})
+        "text.png: neither a PNG nor a JPEG", "nothing.png: the file is empty",
+        "one.png: a picture to search must have at least 16 x 16 pixels", ": a folder; give",
+        "/dev/null: not a regular file"})
     EXPECT_TRUE(run.says(sentence)) << sentence << "\n" << run.err;
 }
 

@@ -1,29 +1,27 @@
 #include "mbncc/label.hpp"
 
+#include "mbncc/utf8.hpp"
+
 namespace mbncc {
 namespace {
 
 constexpr std::size_t kLongest = 200;  // [bytes]
 
-// Printable text: no control characters, and every byte part of a well-formed UTF-8 sequence.
-bool is_printable_utf8(const std::string& text) {
-  int continuing = 0;
-  for (const unsigned char c : text) {
-    if ((c >= 0x80 && c < 0xc0) != (continuing > 0)) return false;
-    if (continuing > 0) {
-      --continuing;
-      continue;
-    }
-    if (c < 0x20 || c == 0x7f || c == 0xc0 || c == 0xc1 || c > 0xf4) return false;
-    continuing = c < 0x80 ? 0 : c < 0xe0 ? 1 : c < 0xf0 ? 2 : 3;
-  }
-  return continuing == 0;
+bool is_control(char c) {
+  return static_cast<unsigned char>(c) < 0x20 || c == 0x7f;
 }
 
 }  // namespace
 
 bool is_valid_label(const std::string& label) {
-  return label.size() <= kLongest && is_printable_utf8(label);
+  if (label.size() > kLongest) return false;
+  std::string_view rest = label;
+  while (!rest.empty()) {
+    const std::size_t length = utf8_length(rest);
+    if (length == 0 || is_control(rest[0])) return false;
+    rest.remove_prefix(length);
+  }
+  return true;
 }
 
 }  // namespace mbncc

@@ -1,0 +1,13 @@
+// Text from outside: names of files, labels.
+#pragma once
+
+#include <cstddef>
+#include <string_view>
+
+namespace mbncc {
+
+/// Bytes of the character that `text` begins with, 1 to 4; 0 where it begins with no well-formed
+/// UTF-8 (RFC 3629: no overlong forms, no surrogates), or is empty.
+std::size_t utf8_length(std::string_view text);
+
+}  // namespace mbncc
