@@ -32,25 +32,16 @@ VideoLook::VideoLook(VideoMemory& memory, const VideoConfig& config, const Match
       matcher_(matcher),
       stamp_(stamp),
       search_(matcher, picture, one_by_one(matcher, memory.request)) {
-  for (const auto& name : memory_.sought.update(matcher.objects())) forget(name);
+  for (const auto& name : memory_.sought.update(matcher.objects())) memory_.forget(name);
   for (const auto& [name, sought] : memory_.sought.all())
     if (sought.swept_at == Sought::kNever) memory_.debts.owe(name, search_.whole());
   memory_.changes.update(stamp, picture);
 }
 
-void VideoLook::forget(const std::string& name) {
-  memory_.debts.forget(name);
-  memory_.clutter.erase(name);
-  const auto is_it = [&](const Known& one) { return one.match.name == name; };
-  memory_.known.take(is_it);
-  auto& hidden = memory_.hidden;
-  hidden.erase(std::remove_if(hidden.begin(), hidden.end(), is_it), hidden.end());
-}
-
 SearchResult VideoLook::look_everywhere() {
   memory_.last_sweep = stamp_;
   search_everywhere();
-  return report();
+  return report_of(memory_, matcher_.config(), search_.budget_exceeded());
 }
 
 SearchResult VideoLook::look_at_changes() {
@@ -64,7 +55,7 @@ SearchResult VideoLook::look_at_changes() {
   sweep();
   pay_debts(kSeen);
   look_again();
-  return report();
+  return report_of(memory_, matcher_.config(), search_.budget_exceeded());
 }
 
 SearchResult VideoLook::search(const cv::Rect& region, const std::vector<std::string>& names) {
@@ -220,38 +211,6 @@ void VideoLook::announce(const Match& match) {
   for (const auto& [name, sought] : memory_.sought.all())
     if (name != match.name)
       memory_.debts.owe(name, cv::boundingRect(match.outline) & search_.whole());
-}
-
-SearchResult VideoLook::report() const {
-  SearchResult result;
-  for (const auto& [name, sought] : memory_.sought.all())
-    if (memory_.debts.owes(name))
-      result.skipped.push_back(name + ": not yet searched where the picture changed");
-    else
-      result.searched.push_back(name);
-  for (const auto& name : memory_.sought.unavailable())
-    result.skipped.push_back(name + ": unknown or disabled");
-  result.matches = matches();
-  result.budget_exceeded = search_.budget_exceeded();
-  return result;
-}
-
-std::vector<Match> VideoLook::matches() const {
-  const SearchConfig& config = matcher_.config();
-  std::vector<Match> found;
-  for (const auto& known : memory_.known.all()) {
-    found.push_back(known.judged(config));
-    if (memory_.debts.is_open(known.box())) found.back().graspable = false;
-  }
-  std::stable_sort(found.begin(), found.end(),
-                   [](const Match& a, const Match& b) { return a.score > b.score; });
-  const int most =
-      memory_.request.max_instances > 0 ? memory_.request.max_instances : config.max_instances;
-  std::map<std::string, int> count;
-  found.erase(std::remove_if(found.begin(), found.end(),
-                             [&](const Match& match) { return ++count[match.name] > most; }),
-              found.end());
-  return found;
 }
 
 }  // namespace mbncc

@@ -1,34 +1,15 @@
 // One picture of a video being searched where that is needed.
 #pragma once
 
-#include <map>
 #include <opencv2/core.hpp>
 #include <string>
 #include <vector>
 
-#include "cell/known_instances.hpp"
 #include "cell/partial_search.hpp"
-#include "cell/search_debts.hpp"
-#include "cell/sought_objects.hpp"
-#include "mbncc/cell/change_map.hpp"
+#include "cell/video_memory.hpp"
 #include "mbncc/config/video_config.hpp"
 
 namespace mbncc {
-
-/// What is remembered between pictures.
-struct VideoMemory {
-  VideoMemory(const SearchRequest& asked, const SearchConfig& config)
-      : request(asked), sought(asked.names), known(config.max_overlap) {}
-
-  SearchRequest request;
-  ChangeMap changes;
-  SoughtObjects sought;
-  KnownInstances known;
-  std::vector<Known> hidden;  ///< gone from where they were while that was still changing
-  SearchDebts debts;
-  std::map<std::string, double> clutter;  ///< by name, of the whole picture
-  double last_sweep = 0;                  ///< [s]
-};
 
 class VideoLook {
  public:
@@ -44,7 +25,6 @@ class VideoLook {
   /// How urgently an object is searched for; the most urgent first.
   enum Urgency { kLost, kUnseen, kSeen };
 
-  void forget(const std::string& name);
   void search_everywhere();
   SearchResult search(const cv::Rect& region, const std::vector<std::string>& names);
   void note_swept(const std::string& name, const SearchResult& result);
@@ -60,8 +40,6 @@ class VideoLook {
   void look_again();
   Known* admit(const Match& match, const std::vector<Known>& before);
   void announce(const Match& match);
-  SearchResult report() const;
-  std::vector<Match> matches() const;
 
   VideoMemory& memory_;
   const VideoConfig& config_;

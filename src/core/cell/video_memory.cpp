@@ -1,0 +1,47 @@
+#include "cell/video_memory.hpp"
+
+#include <algorithm>
+
+namespace mbncc {
+namespace {
+
+void keep_best(int most, std::vector<Match>& matches) {
+  std::stable_sort(matches.begin(), matches.end(),
+                   [](const Match& a, const Match& b) { return a.score > b.score; });
+  std::map<std::string, int> count;
+  matches.erase(std::remove_if(matches.begin(), matches.end(),
+                               [&](const Match& match) { return ++count[match.name] > most; }),
+                matches.end());
+}
+
+}  // namespace
+
+void VideoMemory::forget(const std::string& name) {
+  debts.forget(name);
+  clutter.erase(name);
+  const auto is_it = [&](const Known& one) { return one.match.name == name; };
+  known.take(is_it);
+  hidden.erase(std::remove_if(hidden.begin(), hidden.end(), is_it), hidden.end());
+}
+
+SearchResult report_of(const VideoMemory& memory, const SearchConfig& config,
+                       bool budget_exceeded) {
+  SearchResult result;
+  for (const auto& [name, sought] : memory.sought.all())
+    if (memory.debts.owes(name))
+      result.skipped.push_back(name + ": not yet searched where the picture changed");
+    else
+      result.searched.push_back(name);
+  for (const auto& name : memory.sought.unavailable())
+    result.skipped.push_back(name + ": unknown or disabled");
+  for (const auto& known : memory.known.all()) {
+    result.matches.push_back(known.judged(config));
+    if (memory.debts.is_open(known.box())) result.matches.back().graspable = false;
+  }
+  const int asked = memory.request.max_instances;
+  keep_best(asked > 0 ? asked : config.max_instances, result.matches);
+  result.budget_exceeded = budget_exceeded;
+  return result;
+}
+
+}  // namespace mbncc

@@ -1,0 +1,36 @@
+// What a watched scene is known to show and what is still owed to it, between pictures.
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "cell/known_instances.hpp"
+#include "cell/search_debts.hpp"
+#include "cell/sought_objects.hpp"
+#include "mbncc/cell/change_map.hpp"
+
+namespace mbncc {
+
+struct VideoMemory {
+  VideoMemory(const SearchRequest& asked, const SearchConfig& config)
+      : request(asked), sought(asked.names), known(config.max_overlap) {}
+
+  /// All of one object but that it is sought.
+  void forget(const std::string& name);
+
+  SearchRequest request;
+  ChangeMap changes;
+  SoughtObjects sought;
+  KnownInstances known;
+  std::vector<Known> hidden;  ///< gone from where they were while that was still changing
+  SearchDebts debts;
+  std::map<std::string, double> clutter;  ///< by name, of the whole picture
+  double last_sweep = 0;                  ///< [s]
+};
+
+/// What a picture shows by all that is known: at most request.max_instances (0: config's) per name,
+/// best first; none is graspable where a search is owed.
+SearchResult report_of(const VideoMemory& memory, const SearchConfig& config, bool budget_exceeded);
+
+}  // namespace mbncc
