@@ -39,6 +39,7 @@ ConsoleWidget::ConsoleWidget(const Names& names, QWidget* parent)
   live_at_ = now();
   lay_out();
   connect_lesson();
+  connect_operator();
   connect_library();
   connect_cell();
   connect(&timer_, &QTimer::timeout, this, &ConsoleWidget::look_at_clock);
@@ -100,6 +101,9 @@ void ConsoleWidget::connect_lesson() {
     lesson_bar_->say(success ? Level::kGood : Level::kBad, "Grasp: " + message);
   });
   connect(&ros_, &RosLink::score_map_heard, review_, &ReviewPane::show_score_map);
+}
+
+void ConsoleWidget::connect_operator() {
   connect(lesson_bar_, &LessonBar::teach_wanted, this, &ConsoleWidget::teach);
   connect(lesson_bar_, &LessonBar::cancel_wanted, this, [this] { ros_.cancel(lesson_.goal()); });
   connect(lesson_bar_, &LessonBar::mark_wanted, this, [this] { ros_.mark_grasp(); });

@@ -31,6 +31,7 @@ class ConsoleWidget : public QWidget {
  private:
   void lay_out();
   void connect_lesson();
+  void connect_operator();
   void connect_library();
   void connect_cell();
 

@@ -1,0 +1,64 @@
+// What the learning nodelet says in a lesson, and a console in the midst of one.
+#pragma once
+
+#include <mbncc_vision/LearnObjectFeedback.h>
+
+#include "console/lesson_model.hpp"
+
+namespace mbncc::console {
+
+using Phase = LessonModel::Phase;
+using Feedback = mbncc_vision::LearnObjectFeedback;
+using Result = mbncc_vision::LearnObjectResult;
+
+inline actionlib_msgs::GoalStatusArray status(const std::string& alive = "") {
+  actionlib_msgs::GoalStatusArray array;
+  if (alive.empty()) return array;
+  auto& goal = array.status_list.emplace_back();
+  goal.goal_id.id = alive;
+  goal.status = actionlib_msgs::GoalStatus::ACTIVE;
+  return array;
+}
+
+inline mbncc_vision::LearnObjectActionFeedback feedback(std::uint8_t stage,
+                                                        double remaining = 100) {
+  mbncc_vision::LearnObjectActionFeedback message;
+  message.status.goal_id.id = "goal";
+  message.feedback.stage = stage;
+  message.feedback.progress = 0.5f;
+  message.feedback.remaining = ros::Duration(remaining);
+  message.feedback.message = "Do something.";
+  return message;
+}
+
+inline mbncc_vision::LearnObjectActionResult result(std::int16_t code,
+                                                    const std::string& goal = "goal") {
+  mbncc_vision::LearnObjectActionResult message;
+  message.status.goal_id.id = goal;
+  message.result.error_code = code;
+  message.result.message = "What happened.";
+  message.result.hint = "What to do.";
+  return message;
+}
+
+inline Result draft(std::int16_t code) {
+  Result draft;
+  draft.error_code = code;
+  return draft;
+}
+
+inline LessonModel ready() {
+  LessonModel lesson;
+  lesson.take_status(status(), 0);
+  return lesson;
+}
+
+inline LessonModel in_review(std::int16_t code = Result::SUCCESS) {
+  LessonModel lesson = ready();
+  lesson.begin("goal", 0);
+  lesson.take_draft(draft(code));
+  lesson.take_feedback(feedback(Feedback::WAIT_CONFIRM), 1);
+  return lesson;
+}
+
+}  // namespace mbncc::console

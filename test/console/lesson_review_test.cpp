@@ -1,0 +1,108 @@
+// From the draft to the operator's word.
+#include <gtest/gtest.h>
+
+#include "console/lesson_messages.hpp"
+
+namespace mbncc::console {
+namespace {
+
+TEST(LessonReview, JoinsALessonInReview) {
+  LessonModel lesson;
+  lesson.take_draft(draft(Result::SUCCESS));  // kept by the server for those who come late
+  lesson.take_status(status("goal"), 0);
+  EXPECT_FALSE(lesson.may_accept());
+  lesson.take_feedback(feedback(Feedback::WAIT_CONFIRM), 1);
+  EXPECT_TRUE(lesson.draft());
+  EXPECT_TRUE(lesson.may_accept());
+}
+
+TEST(LessonReview, TheDraftOfTheLessonBeforeIsNeverAccepted) {
+  LessonModel lesson = in_review();
+  lesson.take_result(result(Result::SUCCESS), 2);
+  lesson.take_status(status("next"), 3);
+  lesson.take_feedback(feedback(Feedback::WAIT_REMOVAL), 4);
+  lesson.take_feedback(feedback(Feedback::WAIT_CONFIRM), 5);
+  EXPECT_FALSE(lesson.may_accept());
+  lesson.take_draft(draft(Result::SUCCESS));
+  EXPECT_TRUE(lesson.may_accept());
+}
+
+TEST(LessonReview, ARepeatedQuestionOnlyTellsTheTime) {
+  LessonModel lesson = in_review();
+  lesson.decide();
+  lesson.take_feedback(feedback(Feedback::WAIT_CONFIRM, 50), 2);
+  EXPECT_EQ(lesson.phase(), Phase::kDeciding);
+  EXPECT_EQ(lesson.time_left(2), "0:50 left");
+  lesson.take_answer(false, "Not now.");
+  lesson.take_feedback(feedback(Feedback::WAIT_CONFIRM, 49), 3);
+  EXPECT_EQ(lesson.detail(), "Not now.");
+  EXPECT_EQ(lesson.level(), Level::kBad);
+}
+
+TEST(LessonReview, AsksWithTheDraft) {
+  const LessonModel lesson = in_review();
+  EXPECT_TRUE(lesson.may_accept());
+  EXPECT_TRUE(lesson.may_decide());
+  ASSERT_TRUE(lesson.draft());
+}
+
+TEST(LessonReview, ABadDraftIsAcceptedOnlyOnTheOperatorsWord) {
+  LessonModel lesson = in_review(Result::QUALITY_BAD);
+  EXPECT_FALSE(lesson.may_accept());
+  EXPECT_TRUE(lesson.may_decide());
+  EXPECT_TRUE(lesson.must_insist());
+  lesson.insist(true);
+  EXPECT_TRUE(lesson.may_accept());
+  lesson.take_draft(draft(Result::QUALITY_BAD));
+  EXPECT_FALSE(lesson.may_accept());
+}
+
+TEST(LessonReview, TheDraftOfAnEarlierLessonIsNotShown) {
+  LessonModel lesson = ready();
+  lesson.take_draft(draft(Result::SUCCESS));
+  EXPECT_FALSE(lesson.draft());
+  lesson.begin("goal", 0);
+  lesson.take_feedback(feedback(Feedback::WAIT_REMOVAL), 1);
+  EXPECT_FALSE(lesson.draft());
+}
+
+TEST(LessonReview, TheDraftsNumberChangesWithTheDraftAlone) {
+  LessonModel lesson = in_review();
+  const int shown = lesson.draft_number();
+  lesson.take_feedback(feedback(Feedback::WAIT_CONFIRM), 2);
+  lesson.look_at_clock(2);
+  EXPECT_EQ(lesson.draft_number(), shown);
+  lesson.take_draft(draft(Result::SUCCESS));
+  EXPECT_NE(lesson.draft_number(), shown);
+}
+
+TEST(LessonReview, ACorrectionBringsItsDraftInAnyOrder) {
+  for (const bool draft_first : {true, false}) {
+    LessonModel lesson = in_review();
+    lesson.decide();
+    lesson.take_feedback(feedback(Feedback::SEGMENT), 2);
+    EXPECT_TRUE(lesson.draft());
+    Result corrected = draft(Result::SUCCESS);
+    corrected.object.name = "corrected";
+    if (draft_first) lesson.take_draft(corrected);
+    lesson.take_feedback(feedback(Feedback::WAIT_CONFIRM), 3);
+    if (!draft_first) lesson.take_draft(corrected);
+    ASSERT_TRUE(lesson.draft());
+    EXPECT_EQ(lesson.draft()->object.name, "corrected");
+    EXPECT_TRUE(lesson.may_accept());
+  }
+}
+
+TEST(LessonReview, OneWordAtATime) {
+  LessonModel lesson = in_review();
+  lesson.decide();
+  EXPECT_EQ(lesson.phase(), Phase::kDeciding);
+  EXPECT_FALSE(lesson.may_decide());
+  lesson.take_answer(false, "There is no edit to undo.");
+  EXPECT_TRUE(lesson.may_decide());
+  EXPECT_EQ(lesson.detail(), "There is no edit to undo.");
+  EXPECT_EQ(lesson.level(), Level::kBad);
+}
+
+}  // namespace
+}  // namespace mbncc::console
