@@ -13,10 +13,7 @@ namespace {
 
 using test::draw_lesson;
 using test::iou;
-
-cv::Mat map_of(const LearnResult& result) {
-  return full_size_map(result.object.views.front());
-}
+using test::map_of;
 
 void expect_equal(const LearnResult& a, const LearnResult& b) {
   EXPECT_EQ(cv::norm(map_of(a), map_of(b), cv::NORM_INF), 0);
@@ -224,37 +221,6 @@ TEST(InteractiveLesson, AFailedLessonCannotBeEdited) {
   InteractiveLesson edited(drawn.lesson);
   ASSERT_FALSE(edited.result().has_model);
   EXPECT_EQ(edited.edit(including(kInside)).error, LearnError::kRegionInvalid);
-}
-
-TEST(Click, PicksTheChangeUnderIt) {
-  auto drawn = draw_lesson({70, 100}, {320, 200});
-  const cv::Mat other = test::wedge_map({320, 200}, {240, 100});
-  test::texture({320, 200}, cv::Scalar(160, 90, 60), 22, 3).copyTo(drawn.scene, other);
-  drawn.lesson.before = test::exposed(drawn.scene, 11);
-  drawn.lesson.region = {};
-  drawn.lesson.click = cv::Point2d(70, 100);
-  EXPECT_GT(iou(map_of(learn_object(drawn.lesson)), drawn.truth), 0.9);
-  drawn.lesson.click = cv::Point2d(240, 100);
-  EXPECT_GT(iou(map_of(learn_object(drawn.lesson)), other), 0.9);
-}
-
-TEST(Click, FindsAPlainlyVisibleObjectInOnePicture) {
-  auto drawn = draw_lesson();
-  drawn.lesson.after = cv::Mat();
-  drawn.lesson.region = {};
-  drawn.lesson.click = cv::Point2d(115, 100);
-  const LearnResult result = learn_object(drawn.lesson);
-  ASSERT_TRUE(result.has_model);
-  EXPECT_GT(iou(map_of(result), drawn.truth), 0.8);
-  EXPECT_NE(result.object.quality.verdict, Verdict::kGood);
-}
-
-TEST(Click, OutsideThePictureIsRefused) {
-  auto drawn = draw_lesson();
-  drawn.lesson.click = cv::Point2d(-1, 20);
-  EXPECT_EQ(learn_object(drawn.lesson).error, LearnError::kRegionInvalid);
-  drawn.lesson.click = cv::Point2d(std::numeric_limits<double>::quiet_NaN(), 20);
-  EXPECT_EQ(learn_object(drawn.lesson).error, LearnError::kRegionInvalid);
 }
 
 }  // namespace

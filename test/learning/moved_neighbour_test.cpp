@@ -64,7 +64,7 @@ TEST(MovedNeighbour, IsNoPartOfTheObject) {
   drawn.lesson.region |= cv::Rect(170, 96, 10, 30);
   const LearnResult result = learn_object(drawn.lesson);
   ASSERT_TRUE(result.has_model) << result.message;
-  EXPECT_GT(test::iou(full_size_map(result.object.views.front()), drawn.truth), 0.9);
+  EXPECT_GT(test::iou(test::map_of(result), drawn.truth), 0.9);
 }
 
 }  // namespace

@@ -74,6 +74,10 @@ inline LearnError error_for(const Lesson& lesson) {
   return result.error;
 }
 
+inline cv::Mat map_of(const LearnResult& result) {
+  return full_size_map(result.object.views.front());
+}
+
 inline double iou(const cv::Mat& a, const cv::Mat& b) {
   return cv::countNonZero(a & b) / static_cast<double>(cv::countNonZero(a | b));
 }

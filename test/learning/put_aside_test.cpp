@@ -39,7 +39,7 @@ class PutAside : public testing::TestWithParam<double> {
   }
 
   double quality(const LearnResult& result) const {
-    return test::iou(full_size_map(result.object.views.front()), drawn_.truth);
+    return test::iou(test::map_of(result), drawn_.truth);
   }
 
   test::DrawnLesson drawn_;

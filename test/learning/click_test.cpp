@@ -1,0 +1,48 @@
+// The object is shown by a click on it.
+#include <gtest/gtest.h>
+
+#include <limits>
+
+#include "learning/pictures.hpp"
+#include "mbncc/learning/learn_object.hpp"
+
+namespace mbncc {
+namespace {
+
+using test::draw_lesson;
+using test::iou;
+using test::map_of;
+
+TEST(Click, PicksTheChangeUnderIt) {
+  auto drawn = draw_lesson({70, 100}, {320, 200});
+  const cv::Mat other = test::wedge_map({320, 200}, {240, 100});
+  test::texture({320, 200}, cv::Scalar(160, 90, 60), 22, 3).copyTo(drawn.scene, other);
+  drawn.lesson.before = test::exposed(drawn.scene, 11);
+  drawn.lesson.region = {};
+  drawn.lesson.click = cv::Point2d(70, 100);
+  EXPECT_GT(iou(map_of(learn_object(drawn.lesson)), drawn.truth), 0.9);
+  drawn.lesson.click = cv::Point2d(240, 100);
+  EXPECT_GT(iou(map_of(learn_object(drawn.lesson)), other), 0.9);
+}
+
+TEST(Click, FindsAPlainlyVisibleObjectInOnePicture) {
+  auto drawn = draw_lesson();
+  drawn.lesson.after = cv::Mat();
+  drawn.lesson.region = {};
+  drawn.lesson.click = cv::Point2d(115, 100);
+  const LearnResult result = learn_object(drawn.lesson);
+  ASSERT_TRUE(result.has_model);
+  EXPECT_GT(iou(map_of(result), drawn.truth), 0.8);
+  EXPECT_NE(result.object.quality.verdict, Verdict::kGood);
+}
+
+TEST(Click, OutsideThePictureIsRefused) {
+  auto drawn = draw_lesson();
+  drawn.lesson.click = cv::Point2d(-1, 20);
+  EXPECT_EQ(learn_object(drawn.lesson).error, LearnError::kRegionInvalid);
+  drawn.lesson.click = cv::Point2d(std::numeric_limits<double>::quiet_NaN(), 20);
+  EXPECT_EQ(learn_object(drawn.lesson).error, LearnError::kRegionInvalid);
+}
+
+}  // namespace
+}  // namespace mbncc
