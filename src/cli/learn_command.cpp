@@ -71,14 +71,20 @@ void learn_and_store(const Arguments& arguments, Settings& settings, LearnResult
   result.error = LearnError::kSuccess;
 }
 
+void refuse(const Refusal& refusal, LearnResult& result) {
+  result.error = refusal.error;
+  result.message = refusal.message;
+  result.hint = refusal.hint;
+}
+
 LearnResult result_of(const Arguments& arguments, Settings& settings) {
   LearnResult result;
   try {
     learn_and_store(arguments, settings, result);
   } catch (const Refusal& refusal) {
-    result.error = refusal.error;
-    result.message = refusal.message;
-    result.hint = refusal.hint;
+    refuse(refusal, result);
+  } catch (const FileError& failure) {
+    refuse(Refusal(failure), result);
   }
   result.object.name = arguments.get("--name");
   return result;

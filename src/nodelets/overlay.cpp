@@ -30,7 +30,7 @@ const char* word_of(std::uint8_t state) {
     case DetectedObject::HELD:
       return "held";
     default:
-      return "not sure";
+      return "not sure yet";
   }
 }
 
