@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 #include <yaml-cpp/yaml.h>
 
+#include <algorithm>
 #include <filesystem>
 
 #include "cli/tool.hpp"
@@ -168,6 +169,18 @@ TEST(LearnCommand, WhatCannotBeStoredIsReportedInJsonToo) {
   const ToolRun run = run_tool(folder.lesson("part") + Words{"--json", "--label", "two\nlines"});
   EXPECT_EQ(run.code, 1);
   EXPECT_EQ(YAML::Load(run.out)["error"].as<std::string>(), "NAME_INVALID");
+}
+
+TEST(LearnCommand, FoldersThatCannotBeMadeAreReportedInJsonToo) {
+  const LessonFolder folder;
+  Words elsewhere = folder.lesson("part");
+  *(std::find(elsewhere.begin(), elsewhere.end(), "--library") + 1) = "/proc/none";
+  for (const Words& words : {elsewhere, folder.lesson("part") + Words{"--stages", "/proc/none"}}) {
+    const ToolRun run = run_tool(words + Words{"--json"});
+    EXPECT_EQ(run.code, 1);
+    EXPECT_EQ(YAML::Load(run.out)["error"].as<std::string>(), "STORAGE");
+    EXPECT_TRUE(run.says("'part' was not stored: /proc/none: ")) << run.err;
+  }
 }
 
 TEST(LearnCommand, UnusablePicturesAndRegionsStoreNothing) {
