@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "matching/climb.hpp"
 #include "matching/pictures.hpp"
 #include "matching/prepared_object.hpp"
 #include "mbncc/matching/pyramid.hpp"
@@ -98,7 +99,7 @@ TEST_F(ClimbTest, NeverGetsWorse) {
 
 TEST_F(ClimbTest, SettlesOnASurfaceToAFractionOfAPixel) {
   const Laid laid(true, {93.7, 82.6, -1.9});
-  const Climbed settled =
+  const Supported settled =
       settle(laid.view.fine, laid.scene,
              {laid.anchor.x + 0.6, laid.anchor.y - 0.5, laid.anchor.theta + 0.01}, 10);
   EXPECT_LT(cv::norm(settled.pose.position() - laid.anchor.position()), 0.1);

@@ -6,6 +6,7 @@
 
 #include <cmath>
 
+#include "matching/climb.hpp"
 #include "matching/disagreement.hpp"
 #include "matching/pictures.hpp"
 #include "matching/prepared_object.hpp"

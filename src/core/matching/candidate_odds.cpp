@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "matching/climb.hpp"
+
 namespace mbncc {
 namespace {
 

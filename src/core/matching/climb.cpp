@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "matching/evidence.hpp"
+#include "matching/climb.hpp"
 #include "polar/kernels.hpp"
 
 namespace mbncc {
@@ -47,23 +47,19 @@ cv::Vec3d bounded(const cv::Vec3d& step, double radius) {
   return step * std::min(1.0, kMaxStep / (length_of(step, radius) + 1e-9));
 }
 
-/// What is read at a pose; kept from climb to climb, since it takes memory.
-struct Samples {
-  SurfaceSample surface;
-  ContourSample contour;
-};
-
 /// The climb of one template in one picture.
 class Climber {
  public:
   Climber(const PoseTemplate& object, const SceneLevel& scene, double contour_weight)
-      : object_(object), scene_(scene), contour_weight_(contour_weight), samples_(samples()) {}
+      : object_(object), scene_(scene), contour_weight_(contour_weight), sample_(shared_sample()) {}
 
   Climbed run(const Pose2D& start, int iterations) {
     Climbed best{start, -2};
     Pose2D pose = start;
-    for (int k = 0; look_at(pose); ++k) {
-      if (value_ > best.value) best = {pose, value_};
+    // The last reading is for its value alone, to which edges farther off add nothing.
+    for (int k = 0; look_at(pose, k == iterations ? 1 : kReach); ++k) {
+      at_best_ = value_ > best.value;
+      if (at_best_) best = {pose, value_};
       if (k == iterations) break;
       const cv::Vec3d step = next_step();
       if (length_of(step, radius()) < kSmallStep) break;
@@ -72,38 +68,45 @@ class Climber {
     return best;
   }
 
+  Supported run_to_evidence(const Pose2D& start, int iterations) {
+    const Pose2D best = run(start, iterations).pose;
+    if (!at_best_) sample_.read(object_, scene_, best, 1);
+    return {best, gather_evidence(object_, scene_, best, sample_)};
+  }
+
  private:
-  static Samples& samples() {
-    thread_local Samples samples;
-    return samples;
+  /// Kept from climb to climb, since it takes memory.
+  static PoseSample& shared_sample() {
+    thread_local PoseSample sample;
+    return sample;
   }
 
   double radius() const { return object_.surface.radius(); }
 
-  /// Samples at `pose`; false when too little is visible.
-  bool look_at(const Pose2D& pose) {
-    scene_.prepare_around(pose, object_.reach());
-    object_.surface.sample(scene_, pose, samples_.surface);
-    if (!samples_.surface.suffices()) return false;
-    read_contour(object_.contour, scene_.edges, pose, kReach, samples_.contour);
-    correlation_ = object_.surface.correlation(object_.surface.remainder(samples_.surface), kNoise);
-    value_ = contour_weight_ * contour_agreement(object_.contour, samples_.contour) + correlation_;
+  /// Reads what lies at `pose`; false when too little is visible.
+  bool look_at(const Pose2D& pose, int reach) {
+    at_best_ = false;
+    sample_.read(object_, scene_, pose, reach);
+    if (!sample_.surface.suffices()) return false;
+    correlation_ = object_.surface.correlation(sample_.remainder, kNoise);
+    value_ = contour_weight_ * contour_agreement(object_.contour, sample_.contour) + correlation_;
     return true;
   }
 
   cv::Vec3d next_step() {
-    ContourPull pull = contour_pull(object_.contour, samples_.contour);
+    ContourPull pull = contour_pull(object_.contour, sample_.contour);
     pull.hessian *= contour_weight_;
     pull.gradient *= contour_weight_;
-    add_surface_pull(object_.surface, samples_.surface, correlation_, pull);
+    add_surface_pull(object_.surface, sample_.surface, correlation_, pull);
     return bounded(damped(pull.hessian, radius()).inv() * pull.gradient, radius());
   }
 
   const PoseTemplate& object_;
   const SceneLevel& scene_;
   double contour_weight_;
-  Samples& samples_;
-  double correlation_ = 0, value_ = -2;  // at the pose looked at last
+  PoseSample& sample_;                   // at the pose looked at last
+  double correlation_ = 0, value_ = -2;  // there
+  bool at_best_ = false;                 // it is the best one
 };
 
 }  // namespace
@@ -132,10 +135,15 @@ Climbed follow_contour(const PoseTemplate& object, const SceneLevel& scene, cons
   }
 }
 
-Climbed settle(const PoseTemplate& object, const SceneLevel& scene, const Pose2D& start,
-               int iterations) {
+Supported climb_to_evidence(const PoseTemplate& object, const SceneLevel& scene,
+                            const Pose2D& start, int iterations) {
+  return Climber(object, scene, 1).run_to_evidence(start, iterations);
+}
+
+Supported settle(const PoseTemplate& object, const SceneLevel& scene, const Pose2D& start,
+                 int iterations) {
   constexpr double kContourWeight = 0.1;
-  return Climber(object, scene, kContourWeight).run(start, iterations);
+  return Climber(object, scene, kContourWeight).run_to_evidence(start, iterations);
 }
 
 }  // namespace mbncc

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "matching/candidate_odds.hpp"
+#include "matching/climb.hpp"
 #include "mbncc/matching/pyramid.hpp"
 
 namespace mbncc {
@@ -100,7 +101,8 @@ class Descent {
     sort_by_value(entering);
     if (entering.size() > effort_.judged) entering.resize(effort_.judged);
     drop_below(kFloors.roughly + effort_.demand, entering);
-    for (auto& candidate : entering) candidate.value = odds(level, candidate.pose);
+    for (auto& candidate : entering)
+      candidate.value = candidate_odds(view_, scene_, level, candidate.pose);
     keep_hopeful(entering, effort_.entering, kHopeless);
     drop_below(kFloors.entering + effort_.demand, entering);
     add_turned(entering);
@@ -121,10 +123,6 @@ class Descent {
       }
   }
 
-  double odds(int level, const Pose2D& pose) const {
-    return candidate_odds(view_, scene_, level, pose);
-  }
-
   std::size_t kept_at(int level) const {
     return static_cast<std::size_t>(effort_.kept * static_cast<double>(most_at(level)));
   }
@@ -132,8 +130,10 @@ class Descent {
   void refine_at(int level, int iterations, std::vector<Candidate>& candidates) const {
     const SceneLevel& scene = scene_.levels[level];
     for (auto& candidate : candidates) {
-      candidate.pose = climb(view_.templates[level], scene, candidate.pose, iterations).pose;
-      candidate.value = odds(level, candidate.pose);
+      const Supported reached =
+          climb_to_evidence(view_.templates[level], scene, candidate.pose, iterations);
+      candidate.pose = reached.pose;
+      candidate.value = log_odds(reached.evidence, view_.shape.area());
     }
     drop_duplicates(candidates, level == 0 ? 1.5 : 1.0, view_.shape.radius() / (1 << level),
                     kept_at(level));

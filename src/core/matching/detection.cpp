@@ -12,12 +12,8 @@ constexpr double kWorthRefining = -4;  // log-odds: less has never become a dete
 constexpr double kSettlingCost = 1;    // log-odds that settling on the surface may cost
 constexpr double kAnyCost = std::numeric_limits<double>::infinity();
 
-Evidence fine_evidence(const PreparedView& view, const ScenePicture& scene, const Pose2D& pose) {
-  return gather_evidence(view.fine, scene.levels[0], pose);
-}
-
-double fine_odds(const PreparedView& view, const ScenePicture& scene, const Pose2D& pose) {
-  return log_odds(fine_evidence(view, scene, pose), view.shape.area());
+Supported supported(const PreparedView& view, const ScenePicture& scene, const Pose2D& pose) {
+  return {pose, gather_evidence(view.fine, scene.levels[0], pose)};
 }
 
 /// How far colours are off where an object is believed to lie.
@@ -67,8 +63,8 @@ bool fits_another_size(const PreparedView& view, const ScenePicture& scene, cons
   constexpr int kIterations = 3;
   const SceneLevel& picture = scene.levels[0];
   return std::any_of(view.resized.begin(), view.resized.end(), [&](const PoseTemplate& resized) {
-    const Pose2D reached = climb(resized, picture, pose, kIterations).pose;
-    return log_odds(gather_evidence(resized, picture, reached), view.shape.area()) > odds;
+    const Supported reached = climb_to_evidence(resized, picture, pose, kIterations);
+    return log_odds(reached.evidence, view.shape.area()) > odds;
   });
 }
 
@@ -81,21 +77,19 @@ struct Believed {
 };
 
 /// Lets the surface decide, and for small objects all of their pixels.
-Believed settled(const PreparedView& view, const ScenePicture& scene, const Pose2D& pose,
+Believed settled(const PreparedView& view, const ScenePicture& scene, const Supported& start,
                  int iterations) {
-  Believed best{pose, fine_evidence(view, scene, pose), 0};
-  best.odds = log_odds(best.evidence, view.shape.area());
-  const auto adopt = [&](const Pose2D& other, double cost) {
-    const Evidence evidence = fine_evidence(view, scene, other);
-    const double odds = log_odds(evidence, view.shape.area());
-    if (odds >= best.odds - cost) best = {other, evidence, std::max(odds, best.odds)};
+  Believed best{start.pose, start.evidence, log_odds(start.evidence, view.shape.area())};
+  const auto adopt = [&](const Supported& other, double cost) {
+    const double odds = log_odds(other.evidence, view.shape.area());
+    if (odds >= best.odds - cost) best = {other.pose, other.evidence, std::max(odds, best.odds)};
   };
   // A plain surface may drift along its shading: then the contour had it right.
   if (iterations > 0)
-    adopt(settle(view.fine, scene.levels[0], pose, iterations).pose, kSettlingCost);
+    adopt(settle(view.fine, scene.levels[0], start.pose, iterations), kSettlingCost);
   if (view.rendering.padded() == 0 || best.odds <= kWorthRefining) return best;
   const Rendered rendered = fit(view.rendering, scene.levels[0], best.pose);
-  if (iterations > 0) adopt(rendered.pose, kAnyCost);
+  if (iterations > 0) adopt(supported(view, scene, rendered.pose), kAnyCost);
   best.pixels = rendering_odds(best.evidence, rendered, view.shape.area());
   return best;
 }
@@ -110,8 +104,8 @@ Refined refined(const PreparedView& view, const ScenePicture& scene, const Belie
 }
 
 Detection judged(const PreparedObject& object, const PreparedView& view, const ScenePicture& scene,
-                 const Pose2D& pose, int settling, int refining) {
-  const Believed believed = settled(view, scene, pose, settling);
+                 const Supported& start, int settling, int refining) {
+  const Believed believed = settled(view, scene, start, settling);
   const Refined found = refined(view, scene, believed, refining);
   Detection detection;
   detection.object = &object;
@@ -141,40 +135,39 @@ double Detection::score() const {
 
 Detection judge_pose(const PreparedObject& object, const PreparedView& view,
                      const ScenePicture& scene, const Pose2D& pose) {
-  return judged(object, view, scene, pose, 0, 0);
+  return judged(object, view, scene, supported(view, scene, pose), 0, 0);
 }
 
 // Narrow objects have side maxima. Starts farther off are tried only where the near ones led
 // elsewhere.
-Pose2D polished(const PreparedView& view, const ScenePicture& scene, const Pose2D& pose) {
+Supported polished(const PreparedView& view, const ScenePicture& scene, const Pose2D& pose) {
   constexpr double kArc = 2.5;  // [px] between the starts at the rim
+  constexpr int kIterations = 6;
   const double radius = view.shape.radius();
-  const auto reached_from = [&](int turn) {
-    Pose2D start = pose;
-    start.theta += turn * kArc / std::max(4.0, 0.75 * radius);
-    return climb(view.fine, scene.levels[0], start, 6).pose;
-  };
-  const Pose2D first = reached_from(0);
-  Pose2D best = first;
-  double best_odds = fine_odds(view, scene, best);
+  const Supported first = climb_to_evidence(view.fine, scene.levels[0], pose, kIterations);
+  Supported best = first;
+  double best_odds = log_odds(best.evidence, view.shape.area());
   bool elsewhere = false;
   for (const int turn : {-1, 1, -2, 2}) {
     if (std::abs(turn) > 1 && !elsewhere) break;
-    const Pose2D reached = reached_from(turn);
-    if (same_pose(reached, first, radius)) continue;
+    Pose2D start = pose;
+    start.theta += turn * kArc / std::max(4.0, 0.75 * radius);
+    const Pose2D reached = climb(view.fine, scene.levels[0], start, kIterations).pose;
+    if (same_pose(reached, first.pose, radius)) continue;
     elsewhere = true;
-    const double reached_odds = fine_odds(view, scene, reached);
-    if (reached_odds > best_odds) {
-      best = reached;
-      best_odds = reached_odds;
+    const Supported other = supported(view, scene, reached);
+    const double odds = log_odds(other.evidence, view.shape.area());
+    if (odds > best_odds) {
+      best = other;
+      best_odds = odds;
     }
   }
   return best;
 }
 
 Detection settle_and_judge(const PreparedObject& object, const PreparedView& view,
-                           const ScenePicture& scene, const Pose2D& pose) {
-  return judged(object, view, scene, pose, 8, 4);
+                           const ScenePicture& scene, const Supported& start) {
+  return judged(object, view, scene, start, 8, 4);
 }
 
 std::vector<Detection> compare_rotations(std::vector<Detection> detections) {

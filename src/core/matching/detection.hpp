@@ -4,6 +4,7 @@
 #include <opencv2/core.hpp>
 #include <vector>
 
+#include "matching/climb.hpp"
 #include "matching/prepared_object.hpp"
 #include "matching/scene_picture.hpp"
 #include "mbncc/geometry.hpp"
@@ -33,11 +34,11 @@ Detection judge_pose(const PreparedObject& object, const PreparedView& view,
                      const ScenePicture& scene, const Pose2D& pose);
 
 /// The best pose that climbs from this one and slightly turned ones reach.
-Pose2D polished(const PreparedView& view, const ScenePicture& scene, const Pose2D& pose);
+Supported polished(const PreparedView& view, const ScenePicture& scene, const Pose2D& pose);
 
 /// Settles a polished pose on the surface, refines it, and judges what was reached.
 Detection settle_and_judge(const PreparedObject& object, const PreparedView& view,
-                           const ScenePicture& scene, const Pose2D& pose);
+                           const ScenePicture& scene, const Supported& start);
 
 /// Lets detections at the same place compete by their rotation_odds: the best of them takes the
 /// group's log-odds, and the others follow by as much as they are behind. Returns best first.

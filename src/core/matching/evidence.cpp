@@ -85,26 +85,28 @@ double gradient_agreement(const SurfaceTemplate& surface, const SurfaceSample& s
 }  // namespace
 
 Evidence gather_evidence(const PoseTemplate& object, const SceneLevel& scene, const Pose2D& pose) {
+  thread_local PoseSample sample;
+  sample.read(object, scene, pose, 1);
+  return gather_evidence(object, scene, pose, sample);
+}
+
+Evidence gather_evidence(const PoseTemplate& object, const SceneLevel& scene, const Pose2D& pose,
+                         const PoseSample& sample) {
   constexpr double kNoise = 9;  // [grey^2]
-  thread_local SurfaceSample sample;
-  thread_local ContourSample contour;
   const SurfaceTemplate& surface = object.surface;
-  scene.prepare_around(pose, object.reach());
-  surface.sample(scene, pose, sample);
+  const SurfaceSample& seen = sample.surface;
   Evidence evidence;
-  read_contour(object.contour, scene.edges, pose, 1, contour);
-  evidence.contour = contour_agreement(object.contour, contour);
-  evidence.found = contour_found(object.contour, contour);
+  evidence.contour = contour_agreement(object.contour, sample.contour);
+  evidence.found = contour_found(object.contour, sample.contour);
   evidence.texture = surface.texture();
-  evidence.visible = static_cast<double>(sample.visible) /
+  evidence.visible = static_cast<double>(seen.visible) /
                      static_cast<double>(std::max<std::size_t>(1, surface.size()));
-  if (!sample.suffices()) return evidence;
-  evidence.gradient = gradient_agreement(surface, sample, scene.edges, pose);
-  evidence.best_blocks = best_blocks_residual(surface, sample);
-  evidence.histogram = overlap(surface.histogram, chroma_histogram(sample.planes, sample.inside));
-  const SurfaceTemplate::Remainder remainder = surface.remainder(sample);
-  evidence.projected = surface.correlation(remainder, kNoise);
-  evidence.unexplained = std::log(std::sqrt(surface.unexplained(remainder)) + 2);
+  if (!seen.suffices()) return evidence;
+  evidence.gradient = gradient_agreement(surface, seen, scene.edges, pose);
+  evidence.best_blocks = best_blocks_residual(surface, seen);
+  evidence.histogram = overlap(surface.histogram, chroma_histogram(seen.planes, seen.inside));
+  evidence.projected = surface.correlation(sample.remainder, kNoise);
+  evidence.unexplained = std::log(std::sqrt(surface.unexplained(sample.remainder)) + 2);
   return evidence;
 }
 

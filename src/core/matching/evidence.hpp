@@ -2,11 +2,8 @@
 // cannot tell: under a lamp, shading and gloss do not turn with the object.
 #pragma once
 
-#include <algorithm>
-
-#include "matching/contour_template.hpp"
+#include "matching/pose_sample.hpp"
 #include "matching/rendering.hpp"
-#include "matching/surface_template.hpp"
 
 namespace mbncc {
 
@@ -27,16 +24,11 @@ struct Evidence {
   double visible = 0;           ///< [0..1] part of the surface points inside the picture
 };
 
-/// Surface and contour of one view at one pyramid level.
-struct PoseTemplate {
-  SurfaceTemplate surface;
-  ContourTemplate contour;
-
-  /// [px at level] no point lies farther from the anchor.
-  double reach() const { return std::max(surface.radius(), contour.radius()); }
-};
-
 Evidence gather_evidence(const PoseTemplate& object, const SceneLevel& scene, const Pose2D& pose);
+
+/// From what has been read at the pose.
+Evidence gather_evidence(const PoseTemplate& object, const SceneLevel& scene, const Pose2D& pose,
+                         const PoseSample& sample);
 
 /// Fused log-odds that the object of `area` [px] lies at the pose: a logistic model of the
 /// evidence. Small objects are matched by chance more often and need more.
@@ -49,26 +41,5 @@ double rendering_odds(const Evidence& evidence, const Rendered& rendered, double
 /// Log-odds, up to a constant, of one rotation against others at the same place. Shading and gloss
 /// do not turn with the object, so only what they leave alone counts.
 double rotation_odds(const Evidence& evidence);
-
-/// A pose reached by climbing.
-struct Climbed {
-  Pose2D pose;
-  double value = 0;  ///< [-2..2] contour agreement plus correlation without shading
-};
-
-/// Gauss-Newton ascent of contour agreement plus correlation without shading, from `start` [px at
-/// the templates' level], at most `iterations` steps. Returns the best pose met, `start` itself
-/// where nothing is better.
-Climbed climb(const PoseTemplate& object, const SceneLevel& scene, const Pose2D& start,
-              int iterations);
-
-/// Ascent of the contour agreement alone, `iterations` steps; `value` is that agreement.
-Climbed follow_contour(const PoseTemplate& object, const SceneLevel& scene, const Pose2D& start,
-                       int iterations);
-
-/// Like climb() with the contour counting little: a learned map may be a pixel off, and shadows
-/// displace edges, so the surface knows better.
-Climbed settle(const PoseTemplate& object, const SceneLevel& scene, const Pose2D& start,
-               int iterations);
 
 }  // namespace mbncc

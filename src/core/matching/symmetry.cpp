@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "matching/climb.hpp"
+
 namespace mbncc {
 namespace {
 

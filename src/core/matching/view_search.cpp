@@ -5,6 +5,7 @@
 #include <type_traits>
 
 #include "matching/candidate_odds.hpp"
+#include "matching/climb.hpp"
 #include "matching/clutter.hpp"
 #include "matching/descent.hpp"
 #include "matching/effort.hpp"
@@ -146,8 +147,9 @@ class ViewSearch {
     auto peaks = rotation_peaks(view_.rough[0], scene, place, 2);
     if (peaks.size() > kMost) peaks.resize(kMost);
     for (auto& peak : peaks) {
-      peak.pose = climb(view_.templates[0], scene, peak.pose, 5).pose;
-      peak.value = candidate_odds(view_, scene_, 0, peak.pose);
+      const Supported reached = climb_to_evidence(view_.templates[0], scene, peak.pose, 5);
+      peak.pose = reached.pose;
+      peak.value = log_odds(reached.evidence, view_.shape.area());
     }
     sort_by_value(peaks);
     return peaks;
@@ -172,10 +174,10 @@ class ViewSearch {
         detections.push_back(judge_pose(object_, view_, scene_, candidate.pose));
         continue;
       }
-      const Pose2D pose = polished(view_, scene_, candidate.pose);
-      if (is_one_of(reached, pose)) continue;
-      reached.push_back(pose);
-      detections.push_back(settle_and_judge(object_, view_, scene_, pose));
+      const Supported top = polished(view_, scene_, candidate.pose);
+      if (is_one_of(reached, top.pose)) continue;
+      reached.push_back(top.pose);
+      detections.push_back(settle_and_judge(object_, view_, scene_, top));
     }
     return compare_rotations(std::move(detections));
   }
