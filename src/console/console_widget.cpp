@@ -89,7 +89,7 @@ void ConsoleWidget::connect_lesson() {
   });
   connect(&ros_, &RosLink::result_heard, this, [this](const auto& result) {
     lesson_.take_result(result, now());
-    if (result.result.error_code == mbncc_vision::LearnObjectResult::SUCCESS)
+    if (outcome_of(result).error_code == mbncc_vision::LearnObjectResult::SUCCESS)
       lesson_bar_->clear_name();
     show_lesson();
   });

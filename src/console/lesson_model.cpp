@@ -33,6 +33,17 @@ Level level_of_end(const Result& result) {
 
 }  // namespace
 
+Result outcome_of(const mbncc_vision::LearnObjectActionResult& result) {
+  Result outcome = result.result;
+  if (outcome.error_code != Result::SUCCESS ||
+      result.status.status == actionlib_msgs::GoalStatus::SUCCEEDED)
+    return outcome;
+  outcome.error_code = Result::CANCELLED;
+  outcome.message = "The lesson was called off before it began.";
+  outcome.hint = "Teach again; when this goes on, compare the machines' clocks.";
+  return outcome;
+}
+
 bool LessonModel::under_way() const {
   return phase_ == Phase::kRunning || phase_ == Phase::kReview || phase_ == Phase::kDeciding;
 }
@@ -86,7 +97,7 @@ void LessonModel::take_draft(const Result& draft) {
 void LessonModel::take_result(const mbncc_vision::LearnObjectActionResult& result, double now) {
   heard_ = now;
   if (under_way() && result.status.goal_id.id != goal_) return;
-  const Result& outcome = result.result;
+  const Result outcome = outcome_of(result);
   const bool stored = outcome.error_code == Result::SUCCESS;
   end(stored ? "Learned '" + outcome.object.name + "'" : "Nothing was stored",
       stored || outcome.hint.empty() ? outcome.message : outcome.message + " " + outcome.hint,

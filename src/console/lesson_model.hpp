@@ -13,6 +13,10 @@
 
 namespace mbncc::console {
 
+/// How a goal ended. actionlib itself recalls a goal stamped before the last cancel request, with
+/// an empty result, whose error code would say SUCCESS: it becomes CANCELLED.
+mbncc_vision::LearnObjectResult outcome_of(const mbncc_vision::LearnObjectActionResult& result);
+
 /// All times are seconds of one steady clock.
 class LessonModel {
  public:

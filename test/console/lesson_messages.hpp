@@ -35,6 +35,8 @@ inline mbncc_vision::LearnObjectActionResult result(std::int16_t code,
                                                     const std::string& goal = "goal") {
   mbncc_vision::LearnObjectActionResult message;
   message.status.goal_id.id = goal;
+  message.status.status = code == Result::SUCCESS ? actionlib_msgs::GoalStatus::SUCCEEDED
+                                                  : actionlib_msgs::GoalStatus::ABORTED;
   message.result.error_code = code;
   message.result.message = "What happened.";
   message.result.hint = "What to do.";

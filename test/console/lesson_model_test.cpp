@@ -86,6 +86,16 @@ TEST(LessonModel, ARejectedLessonIsNoAlarm) {
   EXPECT_EQ(lesson.level(), Level::kUnknown);
 }
 
+TEST(LessonModel, ARecalledGoalHasTaughtNothing) {
+  LessonModel lesson = in_review();
+  mbncc_vision::LearnObjectActionResult recalled;
+  recalled.status.goal_id.id = "goal";
+  recalled.status.status = actionlib_msgs::GoalStatus::RECALLED;
+  lesson.take_result(recalled, 5);
+  EXPECT_EQ(lesson.headline(), "Nothing was stored");
+  EXPECT_EQ(outcome_of(recalled).error_code, Result::CANCELLED);
+}
+
 TEST(LessonModel, TheResultOfAnotherGoalDoesNotEndThisOne) {
   LessonModel lesson = in_review();
   lesson.take_result(result(Result::BUSY, "theirs"), 5);
