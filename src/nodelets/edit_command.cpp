@@ -21,14 +21,15 @@ ObjectModel remove(ObjectLibrary& library, const std::string& name) {
 
 ObjectModel set_reference(ObjectLibrary& library, const Request& request) {
   const auto reference = from_msg(request.reference);
-  if (!reference) refuse("the reference is not finite; give x, y [px] and theta [rad]");
+  if (!reference)
+    refuse("the reference is no place about the picture; give x, y [px] and theta [rad]");
   return library.edit(request.name, [&](ObjectModel& model) { move_reference(model, *reference); });
 }
 
 ObjectModel set_grasp(ObjectLibrary& library, const Request& request) {
   const auto grasp = from_msg(request.grasp);
   if (!request.clear && !grasp)
-    refuse("the grasp needs a finite position [m] and a quaternion of unit length");
+    refuse("the grasp needs a position within 10 m and a quaternion of unit length");
   return library.edit(request.name, [&](ObjectModel& model) {
     model.grasp = request.clear ? std::nullopt : grasp;
   });
@@ -40,6 +41,12 @@ ObjectModel set_threshold(ObjectLibrary& library, const Request& request) {
   return library.edit(request.name, [&](ObjectModel& model) {
     model.min_score = request.clear ? std::nullopt : std::optional<double>(request.min_score);
   });
+}
+
+ObjectModel rename(ObjectLibrary& library, const Request& request) {
+  if (request.new_name.empty() && request.label.empty())
+    refuse("nothing to rename; give new_name, label or both");
+  return library.rename(request.name, request.new_name, request.label);
 }
 
 ObjectModel set_enabled(ObjectLibrary& library, const std::string& name, bool enabled) {
@@ -55,7 +62,7 @@ ObjectModel edit_object(ObjectLibrary& library, const Request& request) {
     case Request::DISABLE:
       return set_enabled(library, request.name, false);
     case Request::RENAME:
-      return library.rename(request.name, request.new_name, request.label);
+      return rename(library, request);
     case Request::DELETE:
       return remove(library, request.name);
     case Request::RESTORE:

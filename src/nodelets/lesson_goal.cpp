@@ -66,11 +66,11 @@ Fault check_mode(const Goal& goal) {
 }
 
 Fault check_numbers(const Goal& goal) {
-  if (!std::isfinite(goal.object_height) || goal.object_height < 0)
-    return outcome(LearnError::kRegionInvalid, "The object's height is not a length.",
+  if (!(goal.object_height >= 0 && goal.object_height <= kLongestLength))
+    return outcome(LearnError::kRegionInvalid, "The object's height is not in 0 .. 10 m.",
                    "Give object_height in metres, 0 for a flat object.");
   if (goal.set_reference && !from_msg(goal.reference))
-    return outcome(LearnError::kRegionInvalid, "The reference is not finite.",
+    return outcome(LearnError::kRegionInvalid, "The reference is no place about the picture.",
                    "Give reference x, y [px] and theta [rad], or leave set_reference false.");
   if (!from_msg(goal.outline))
     return outcome(LearnError::kRegionInvalid, "A corner of the outline is not finite.");
@@ -116,7 +116,9 @@ GoalLesson to_lesson(const Goal& goal, const std::string& name, const cv::Mat& b
     lesson.click = cv::Point2f(static_cast<float>(goal.point.x), static_cast<float>(goal.point.y));
   if (goal.mode == Goal::MASK) {
     const Decoded mask = decode_map(goal.mask);
-    if (!mask) made.fault = outcome(LearnError::kEncoding, "Mask: " + mask.fault + ".");
+    if (!mask)
+      made.fault = outcome(LearnError::kEncoding, "Mask: " + mask.fault + ".",
+                           "Send mono8 of the picture's size, with 255 on the object.");
     lesson.map = mask.picture;
   }
   const bool mismatch = (!lesson.after.empty() && lesson.after.size() != before.size()) ||

@@ -56,7 +56,8 @@ LessonEdit edit_of(const Request& request, cv::Size size, bool further_view) {
   if (request.set_reference) {
     edit.reference = from_msg(request.reference);
     if (!edit.reference)
-      throw std::invalid_argument("the new reference is not finite; give numbers");
+      throw std::invalid_argument(
+          "the new reference is no place about the picture; give x, y [px] and theta [rad]");
   }
   if (edit.reference && further_view)
     throw std::invalid_argument(

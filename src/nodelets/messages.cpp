@@ -16,6 +16,7 @@ namespace {
 
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 constexpr int kThumbnailSide = 160;  // [px]
+constexpr double kFarthestPixel = 1 << 15;
 
 cv::Mat thumbnail_of(const View& view) {
   const int side = std::max(view.template_image.cols, view.template_image.rows);
@@ -169,7 +170,8 @@ mbncc_vision::DetectedObject to_msg(const Match& match, const ObjectModel* model
 }
 
 std::optional<Pose2D> from_msg(const geometry_msgs::Pose2D& pose) {
-  if (!std::isfinite(pose.x) || !std::isfinite(pose.y) || !std::isfinite(pose.theta)) return {};
+  const auto is_near = [](double pixels) { return std::abs(pixels) <= kFarthestPixel; };  // no NaN
+  if (!is_near(pose.x) || !is_near(pose.y) || !std::isfinite(pose.theta)) return {};
   return Pose2D{pose.x, pose.y, pose.theta};
 }
 
@@ -177,7 +179,9 @@ std::optional<Grasp> from_msg(const geometry_msgs::Pose& grasp) {
   const auto& p = grasp.position;
   const auto& q = grasp.orientation;
   const double norm = std::sqrt(q.x * q.x + q.y * q.y + q.z * q.z + q.w * q.w);
-  if (!std::isfinite(p.x + p.y + p.z) || !(std::abs(norm - 1) < 0.01)) return {};
+  const double reach = std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)});
+  if (!std::isfinite(p.x + p.y + p.z) || reach > kLongestLength || !(std::abs(norm - 1) < 0.01))
+    return {};
   return Grasp{{{p.x, p.y, p.z}}, {{q.x / norm, q.y / norm, q.z / norm, q.w / norm}}};
 }
 

@@ -33,10 +33,15 @@ mbncc_vision::LearnedObject to_msg(const ObjectModel& model, bool with_thumbnail
 /// instance. `size` is filled in from `model` (may be null: NaN).
 mbncc_vision::DetectedObject to_msg(const Match& match, const ObjectModel* model);
 
-/// None when a number is not finite.
+/// Lengths of objects and grasps beyond this are mistakes. [m]
+constexpr double kLongestLength = 10;
+
+/// None when a number is not finite, or x or y lies farther off than a picture may be large
+/// (32768 px).
 std::optional<Pose2D> from_msg(const geometry_msgs::Pose2D& pose);
 
-/// None when a number is not finite or the quaternion is far from unit length.
+/// None when a coordinate is not finite or beyond kLongestLength, or the quaternion is far from
+/// unit length.
 std::optional<Grasp> from_msg(const geometry_msgs::Pose& grasp);
 
 /// None when a corner is not finite.

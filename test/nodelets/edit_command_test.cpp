@@ -102,11 +102,18 @@ TEST_F(EditObject, RefusesNonsenseAndChangesNothing) {
     EXPECT_THROW(edit_object(library_, threshold), std::invalid_argument) << score;
   }
   auto reference = request(Request::SET_REFERENCE);
-  reference.reference.y = std::numeric_limits<double>::infinity();
-  EXPECT_THROW(edit_object(library_, reference), std::invalid_argument);
+  for (const double y : {std::numeric_limits<double>::infinity(), 1e9, -1e9}) {
+    reference.reference.y = y;
+    EXPECT_THROW(edit_object(library_, reference), std::invalid_argument) << y;
+  }
   EXPECT_THROW(edit_object(library_, request(Request::SET_GRASP)), std::invalid_argument);
   EXPECT_THROW(edit_object(library_, request(99)), std::invalid_argument);
+  auto grasp = request(Request::SET_GRASP);
+  grasp.grasp.orientation.w = 1;
+  grasp.grasp.position.z = -1000;
+  EXPECT_THROW(edit_object(library_, grasp), std::invalid_argument);
   auto rename = request(Request::RENAME);
+  EXPECT_THROW(edit_object(library_, rename), std::invalid_argument);
   rename.new_name = "../mug";
   EXPECT_THROW(edit_object(library_, rename), std::invalid_argument);
   test::expect_equal(stored(), before);

@@ -103,13 +103,16 @@ TEST(CheckGoal, NeedsWhatTheModeWorksOn) {
 
 TEST(CheckGoal, RefusesNumbersWithoutSense) {
   Goal goal = goal_named("cup");
-  goal.object_height = kNaN;
-  EXPECT_EQ(code(goal, {}), Result::REGION_INVALID);
-  goal.object_height = -0.1;
-  EXPECT_EQ(code(goal, {}), Result::REGION_INVALID);
+  for (const double height : {kNaN, -0.1, 1000.0}) {
+    goal.object_height = height;
+    EXPECT_EQ(code(goal, {}), Result::REGION_INVALID) << height;
+  }
   goal = goal_named("cup");
   goal.set_reference = true;
   goal.reference.theta = kNaN;
+  EXPECT_EQ(code(goal, {}), Result::REGION_INVALID);
+  goal.reference.theta = 0;
+  goal.reference.x = 1e9;
   EXPECT_EQ(code(goal, {}), Result::REGION_INVALID);
   goal = goal_named("cup");
   goal.timeout = ros::Duration(-1);
