@@ -52,10 +52,13 @@ class ColourPartsTest : public ::testing::Test {
     return object_of(picture_with(kRed, 1), map);
   }
 
-  double difference_in(const cv::Mat& picture) const { return difference_in(picture, tool()); }
+  double difference_in(const cv::Mat& picture) const {
+    return difference_in(picture, tool()).colour;
+  }
 
   /// Where it was learned.
-  static double difference_in(const cv::Mat& picture, std::shared_ptr<ObjectModel> model) {
+  static ColourDifference difference_in(const cv::Mat& picture,
+                                        std::shared_ptr<ObjectModel> model) {
     const PreparedObject object(std::move(model), Engine::kFast);
     const PreparedView& view = object.views.front();
     const ScenePicture scene(picture, 0);
@@ -66,8 +69,8 @@ class ColourPartsTest : public ::testing::Test {
     level.prepare();
     view.fine.surface.sample(level, at, sample);
     read_contour(view.fine.contour, level.edges, at, 1, contour);
-    return view.parts.worst_difference(view.fine.surface, sample, contour,
-                                       ground_beside(view.fine.contour, level, at));
+    return view.parts.worst_differences(view.fine.surface, sample, contour,
+                                        ground_beside(view.fine.contour, level, at));
   }
 };
 
@@ -84,6 +87,23 @@ TEST_F(ColourPartsTest, TheObjectItselfDiffersLittleInAnyLight) {
 TEST_F(ColourPartsTest, APartOfAnotherColourDiffers) {
   EXPECT_GT(difference_in(picture_with(kBlack, 2)), 0.3);
   EXPECT_GT(difference_in(picture_with({40, 150, 40}, 2)), 0.3);
+}
+
+TEST_F(ColourPartsTest, ACompactPartOfAnotherColourDiffersWhateverItsColoursWere) {
+  cv::Mat map = cv::Mat::zeros(150, 300, CV_8UC1);
+  map(tool_) = 255;
+  cv::Mat chequered = picture_with(kRed, 1);
+  for (int y = tool_.y; y < tool_.br().y; y += 6)
+    for (int x = tool_.x + (y / 6 % 2) * 6; x + 6 <= tool_.br().x; x += 12)
+      chequered(cv::Rect(x, y, 6, 6)) = kRed;
+  const auto model = object_of(chequered, map);
+  EXPECT_LT(difference_in(chequered, model).block, 0.04);
+  cv::Mat tinted = chequered.clone();
+  cv::Mat third = tinted(cv::Rect(tool_.tl(), cv::Size(kLength / 3, kWidth)));
+  cv::multiply(third, cv::Scalar(0.6, 1, 0.7), third);
+  const ColourDifference difference = difference_in(tinted, model);
+  EXPECT_GT(difference.block, 0.2);
+  EXPECT_LT(difference.colour, difference.block);
 }
 
 TEST_F(ColourPartsTest, WhatLiesAcrossCoversTheContourAndDoesNotCount) {
@@ -104,15 +124,26 @@ TEST_F(ColourPartsTest, GroundThatTheMapHoldsMayChange) {
   const cv::Rect strip(tool_.x, tool_.br().y, tool_.width, 8);
   cv::Mat map = cv::Mat::zeros(150, 300, CV_8UC1);
   map(tool_ | strip) = 255;
-  EXPECT_LT(difference_in(on_ground(red, 2), object_of(on_ground(green, 1), map)), 0.1);
+  EXPECT_LT(difference_in(on_ground(red, 2), object_of(on_ground(green, 1), map)).colour, 0.1);
 }
 
-TEST_F(ColourPartsTest, NarrowObjectsHaveNone) {
-  cv::Mat map = cv::Mat::zeros(60, 120, CV_8UC1);
-  map(cv::Rect(20, 28, 80, 3)) = 255;
-  const test::LearningPicture source(1, map);
-  const PreparedObject object(test::object_from(source, {60, 30, 0}), Engine::kFast);
-  EXPECT_TRUE(object.views.front().parts.empty());
+TEST_F(ColourPartsTest, OfNarrowObjectsTheGroundIsTakenOut) {
+  const cv::Rect rod(75, 70, kLength, 2);
+  const auto rod_on = [&](const cv::Scalar& ground, const cv::Scalar& colour, std::uint64_t seed) {
+    cv::Mat picture(150, 300, CV_8UC3, ground);
+    picture(rod) = kSteel;
+    picture(cv::Rect(rod.tl(), cv::Size(kHandle, rod.height))) = colour;
+    cv::GaussianBlur(picture, picture, {}, 0.8);
+    add_noise(picture, seed);
+    return picture;
+  };
+  cv::Mat map = cv::Mat::zeros(150, 300, CV_8UC1);
+  map(rod) = 255;
+  const auto object = object_of(rod_on(kTable, kRed, 1), map);
+  ASSERT_TRUE(PreparedObject(object, Engine::kFast).views.front().fine.surface.mixed());
+  const cv::Scalar wood(90, 130, 170);
+  EXPECT_LT(difference_in(rod_on(wood, kRed, 2), object).colour, 0.1);
+  EXPECT_GT(difference_in(rod_on(wood, {60, 150, 60}, 2), object).colour, 0.2);
 }
 
 TEST_F(ColourPartsTest, TheThreadsRandomStateNeitherMattersNorChanges) {

@@ -2,8 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
-#include <opencv2/core.hpp>
 
 #include "polar/point_kernels.hpp"
 
@@ -21,14 +19,6 @@ const Logarithms& logarithms() {
     return values;
   }();
   return table;
-}
-
-/// (ln R/G, ln B/G) of a point.
-cv::Point2f chroma_at(const std::array<std::vector<float>, 3>& planes, std::size_t i) {
-  const auto logarithm = [&](std::size_t channel) {
-    return logarithms()[static_cast<std::size_t>(planes[channel][i] + 0.5f)];
-  };
-  return {logarithm(2) - logarithm(1), logarithm(0) - logarithm(1)};
 }
 
 }  // namespace
@@ -53,32 +43,6 @@ ChromaHistogram chroma_histogram(const std::array<std::vector<float>, 3>& planes
   }
   for (auto& share : histogram) share /= std::max(1.f, total);
   return histogram;
-}
-
-double worst_chroma_difference(const std::array<std::vector<float>, 3>& expected,
-                               const std::array<std::vector<float>, 3>& seen,
-                               const std::vector<float>& inside,
-                               const std::vector<int>& block_ends) {
-  constexpr float kMost = 0.36f;  // of one squared difference
-  std::vector<double> means;
-  std::size_t begin = 0;
-  for (const int block_end : block_ends) {
-    const auto end = static_cast<std::size_t>(block_end);
-    double sum = 0, count = 0;
-    for (std::size_t i = begin; i < end; ++i) {
-      if (inside[i] == 0) continue;
-      const cv::Point2f difference = chroma_at(expected, i) - chroma_at(seen, i);
-      sum += std::min(kMost, difference.dot(difference));
-      ++count;
-    }
-    if (count >= 4) means.push_back(sum / count);
-    begin = end;
-  }
-  if (means.empty()) return 0;
-  std::sort(means.rbegin(), means.rend());
-  const std::size_t worst = std::max<std::size_t>(1, means.size() * 3 / 8);
-  const auto last = means.begin() + static_cast<std::ptrdiff_t>(worst);
-  return std::sqrt(std::accumulate(means.begin(), last, 0.0) / static_cast<double>(worst));
 }
 
 double overlap(const ChromaHistogram& a, const ChromaHistogram& b) {

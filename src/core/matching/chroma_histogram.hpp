@@ -15,14 +15,6 @@ using ChromaHistogram = std::array<float, kChromaSide * kChromaSide>;
 ChromaHistogram chroma_histogram(const std::array<std::vector<float>, 3>& planes,
                                  const std::vector<float>& inside);
 
-/// Root mean square difference of chroma over the worst 3 of 8 blocks of points: large where a part
-/// of the object has another colour, however well the rest agrees. `block_ends` as in
-/// SurfaceTemplate.
-double worst_chroma_difference(const std::array<std::vector<float>, 3>& expected,
-                               const std::array<std::vector<float>, 3>& seen,
-                               const std::vector<float>& inside,
-                               const std::vector<int>& block_ends);
-
 /// Common part [0..1].
 double overlap(const ChromaHistogram& a, const ChromaHistogram& b);
 

@@ -102,7 +102,37 @@ float median(std::vector<Weighted>& values) {
 struct PartSeen {
   std::vector<Weighted> red, blue;
   double points = 0, weight = 0;
+
+  /// Enough of the part, which is large enough among `all` points, counts.
+  bool tells(std::size_t all) const {
+    constexpr double kShare = 0.045;  // of the points that make a part
+    constexpr double kEnough = 0.3;   // of a part's points that have to count
+    return points >= kShare * static_cast<double>(all) && weight >= kEnough * points;
+  }
 };
+
+/// `off` of the points [chroma] by the parts that they belong to.
+std::vector<PartSeen> by_part(const std::vector<int>& part_of, const std::vector<cv::Point2f>& off,
+                              const std::vector<float>& weights) {
+  std::vector<PartSeen> parts(1 + *std::max_element(part_of.begin(), part_of.end()));
+  for (std::size_t i = 0; i < part_of.size(); ++i) {
+    PartSeen& part = parts[part_of[i]];
+    ++part.points;
+    if (weights[i] == 0) continue;
+    part.weight += weights[i];
+    part.red.emplace_back(off[i].x, weights[i]);
+    part.blue.emplace_back(off[i].y, weights[i]);
+  }
+  return parts;
+}
+
+/// For each point the compact part that it belongs to.
+std::vector<int> blocks_of(const SurfaceTemplate& surface) {
+  std::vector<int> blocks;
+  for (std::size_t k = 0; k < surface.block_ends.size(); ++k)
+    blocks.resize(surface.block_ends[k], static_cast<int>(k));
+  return blocks;
+}
 
 /// `off` without what the ground adds that shines through, by an unknown share.
 cv::Point2f unexplained(const cv::Point2f& off, const cv::Point2f& ground_off) {
@@ -141,8 +171,9 @@ ColourParts::ColourParts(const SurfaceTemplate& surface, const ContourTemplate& 
   constexpr float kBeside = 1.5f;    // distances to the nearest contour point, ...
   constexpr float kSlack = 3;        // [px] ... and a little
   constexpr std::size_t kMost = 24;  // witnesses of a point
-  if (surface.mixed() || surface.size() < kParts || contour.size() == 0) return;
-  part_ = parts_of(surface);
+  if (surface.size() < kParts || contour.size() == 0) return;
+  colour_ = parts_of(surface);
+  block_ = blocks_of(surface);
   std::vector<float> distances(contour.size());
   for (std::size_t i = 0; i < surface.size(); ++i) {
     for (std::size_t k = 0; k < contour.size(); ++k)
@@ -165,7 +196,7 @@ std::vector<float> ColourParts::witnessed(const SurfaceSample& sample,
   for (std::size_t i = 0; i < clear.size(); ++i)
     if (!is_clear(contour.response[i])) clear[i] = 0;
   int k = 0;
-  for (std::size_t i = 0; i < part_.size(); ++i) {
+  for (std::size_t i = 0; i < colour_.size(); ++i) {
     float found = 0, seen = 0;
     for (; k < witnesses_end_[i]; ++k) {
       const int at = witnesses_[k];
@@ -178,13 +209,13 @@ std::vector<float> ColourParts::witnessed(const SurfaceSample& sample,
   return weights;
 }
 
-double ColourParts::worst_difference(const SurfaceTemplate& surface, const SurfaceSample& sample,
-                                     const ContourSample& contour, const cv::Vec3f& ground) const {
+ColourDifference ColourParts::worst_differences(const SurfaceTemplate& surface,
+                                                const SurfaceSample& sample,
+                                                const ContourSample& contour,
+                                                const cv::Vec3f& ground) const {
   constexpr float kDark = 30;       // [grey levels]
-  constexpr double kShare = 0.045;  // of the points that make a part
-  constexpr double kEnough = 0.3;   // of a part's points that have to count
   constexpr float kUnseen = 0.02f;  // weight that points without witnesses have for the light
-  if (empty() || !sample.suffices()) return 0;
+  if (empty() || !sample.suffices()) return {};
   const std::vector<float> weights = witnessed(sample, contour);
   std::vector<float> lit = sample.inside;
   for (std::size_t i = 0; i < lit.size(); ++i) lit[i] *= weights[i] + kUnseen;
@@ -193,28 +224,25 @@ double ColourParts::worst_difference(const SurfaceTemplate& surface, const Surfa
     return chroma(light.of(learned[0]), light.of(learned[1]), light.of(learned[2]), kDark) -
            chroma(seen[0], seen[1], seen[2], kDark);
   };
-  const cv::Point2f ground_off = chroma_off(ground_, ground);
-  std::array<PartSeen, kParts> parts;
-  for (std::size_t i = 0; i < part_.size(); ++i) {
-    PartSeen& part = parts[part_[i]];
-    ++part.points;
+  std::vector<cv::Point2f> off(surface.size());
+  for (std::size_t i = 0; i < off.size(); ++i) {
     if (weights[i] == 0) continue;
     const auto colour = [i](const Planes& planes) {
       return cv::Vec3f(planes[0][i], planes[1][i], planes[2][i]);
     };
-    const cv::Point2f off = chroma_off(colour(surface.planes), colour(sample.planes));
-    part.weight += weights[i];
-    part.red.emplace_back(off.x, weights[i]);
-    part.blue.emplace_back(off.y, weights[i]);
+    off[i] = chroma_off(colour(surface.planes), colour(sample.planes));
   }
-  double worst = 0;
-  for (auto& part : parts) {
-    if (part.points < kShare * static_cast<double>(part_.size())) continue;
-    if (part.weight < kEnough * part.points) continue;
-    const cv::Point2f off = unexplained({median(part.red), median(part.blue)}, ground_off);
-    worst = std::max(worst, cv::norm(off));
-  }
-  return worst;
+  const cv::Point2f ground_off = chroma_off(ground_, ground);
+  const auto worst_of = [&](const std::vector<int>& part_of) {
+    double worst = 0;
+    for (auto& part : by_part(part_of, off, weights)) {
+      if (!part.tells(surface.size())) continue;
+      const cv::Point2f typical(median(part.red), median(part.blue));
+      worst = std::max(worst, cv::norm(unexplained(typical, ground_off)));
+    }
+    return worst;
+  };
+  return {worst_of(colour_), worst_of(block_)};
 }
 
 }  // namespace mbncc

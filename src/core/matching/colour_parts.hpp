@@ -15,29 +15,35 @@ namespace mbncc {
 cv::Vec3f ground_beside(const ContourTemplate& contour, const SceneLevel& scene, const Pose2D& pose,
                         double scale = 1);
 
+/// [0..2] By how much the chroma (ln R/G, ln B/G) of the part that differs most is off from what
+/// its lesson, in the light of the picture, would be.
+struct ColourDifference {
+  double colour = 0;  ///< of the parts of one colour each: little of what covers the object
+  double block = 0;   ///< of compact parts: what covers one without hiding its outline as well
+};
+
 class ColourParts {
  public:
   ColourParts() = default;
 
-  /// Of points away from the edge, which show the object alone: of a narrow object, nothing.
   /// `ground` is the lesson's.
   ColourParts(const SurfaceTemplate& surface, const ContourTemplate& contour,
               const cv::Vec3f& ground);
 
-  bool empty() const { return part_.empty(); }
+  bool empty() const { return colour_.empty(); }
 
-  /// [0..2] By how much the chroma (ln R/G, ln B/G) of the part that differs most is off from what
-  /// its lesson, in the light of the picture, would be. Only points count beside which the contour
-  /// is found: what covers the object covers its contour as well. What another `ground` explains by
-  /// shining through does not count either: learned maps hold some of it.
-  double worst_difference(const SurfaceTemplate& surface, const SurfaceSample& sample,
-                          const ContourSample& contour, const cv::Vec3f& ground) const;
+  /// Only points count beside which the contour is found: what covers the object covers its contour
+  /// as well. What another `ground` explains by shining through does not count either: learned maps
+  /// hold some of it.
+  ColourDifference worst_differences(const SurfaceTemplate& surface, const SurfaceSample& sample,
+                                     const ContourSample& contour, const cv::Vec3f& ground) const;
 
  private:
   std::vector<float> witnessed(const SurfaceSample& sample, const ContourSample& contour) const;
 
   cv::Vec3f ground_;                ///< of the lesson
-  std::vector<int> part_;           ///< of each point
+  std::vector<int> colour_;         ///< of each point: the parts of one colour each
+  std::vector<int> block_;          ///< of each point: compact parts
   std::vector<int> witnesses_;      ///< contour points beside the points, point after point
   std::vector<int> witnesses_end_;  ///< of each point, in `witnesses_`
 };

@@ -16,39 +16,25 @@ Supported supported(const PreparedView& view, const ScenePicture& scene, const P
   return {pose, gather_evidence(view.fine, scene.levels[0], pose)};
 }
 
-/// How far colours are off where an object is believed to lie.
-struct OddColours {
-  double block = 0;  ///< see worst_chroma_difference()
-  double part = 0;   ///< see ColourParts
-};
-
-OddColours odd_colours(const PreparedView& view, const SceneLevel& scene, const Refined& found) {
+/// How far colours are off where an object of log-odds `odds` is believed to lie.
+ColourDifference strangeness(const PreparedView& view, const SceneLevel& scene,
+                             const Refined& found, double odds) {
+  if (odds <= kWorthRefining) return {};
   thread_local SurfaceSample sample;
   thread_local ContourSample contour;
   const SurfaceTemplate& surface = view.fine.surface;
   scene.prepare_around(found.pose, view.fine.reach() * found.scale);
   surface.sample(scene, found.pose, sample, found.scale);
-  OddColours odd;
-  odd.block =
-      worst_chroma_difference(surface.planes, sample.planes, sample.inside, surface.block_ends);
-  if (view.parts.empty()) return odd;
   read_contour(view.fine.contour, scene.edges, found.pose, 1, contour, found.scale);
-  odd.part = view.parts.worst_difference(
+  return view.parts.worst_differences(
       surface, sample, contour, ground_beside(view.fine.contour, scene, found.pose, found.scale));
-  return odd;
 }
 
-/// Log-odds that a part of another colour takes away: of something much alike or, where parts
-/// cannot be told from what covers them, occluded. Fitted to drawn scenes and to photographs of
+/// Log-odds that a part of another colour takes away. Fitted to drawn scenes and to photographs of
 /// tools.
-double doubt(const PreparedView& view, const OddColours& odd) {
-  struct Rule {
-    double usual, steepness;
-  };
-  constexpr Rule kPart{0.15, 60}, kBlock{0.28, 8};
-  const Rule& rule = view.parts.empty() ? kBlock : kPart;
-  const double seen = view.parts.empty() ? odd.block : odd.part;
-  return rule.steepness * std::max(0.0, seen - rule.usual);
+double doubt(double strange) {
+  constexpr double kUsual = 0.15, kSteepness = 60;
+  return kSteepness * std::max(0.0, strange - kUsual);
 }
 
 bool same_pose(const Pose2D& a, const Pose2D& b, double radius) {
@@ -114,9 +100,9 @@ Detection judged(const PreparedObject& object, const PreparedView& view, const S
   detection.pose.theta = wrap_angle(found.pose.theta);
   detection.size = found.scale;
   detection.covariance = found.covariance;
-  const OddColours odd = odd_colours(view, scene.levels[0], found);
-  detection.strange = odd.block;
-  detection.log_odds = believed.odds + believed.pixels - doubt(view, odd);
+  const ColourDifference strange = strangeness(view, scene.levels[0], found, believed.odds);
+  detection.strange = std::max(strange.colour, strange.block);
+  detection.log_odds = believed.odds + believed.pixels - doubt(strange.colour);
   detection.another_size =
       detection.log_odds > 0 && fits_another_size(view, scene, detection.pose, believed.odds);
   detection.projected = believed.evidence.projected;

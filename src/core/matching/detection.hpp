@@ -21,7 +21,7 @@ struct Detection {
   double log_odds = 0;        ///< that the object lies here
   double similarity = 0;      ///< [-1..1]
   double visible = 1;         ///< [0..1]
-  double strange = 0;         ///< [0..0.6] see worst_chroma_difference()
+  double strange = 0;         ///< [0..2] see ColourDifference, the larger one
   bool another_size = false;  ///< would fit better were it smaller or larger
   double projected = 0;       ///< [-1..1] see Evidence
   double rotation_odds = 0;   ///< against other rotations here, see rotation_odds()

@@ -9,7 +9,7 @@ namespace mbncc {
 namespace {
 
 constexpr double kNoCompetitor = 20;  // log-odds: margin where nothing else was found
-constexpr double kStrange = 0.29;     // chroma: a part of another colour is no part of the object
+constexpr double kStrange = 0.2;      // chroma: a part of another colour is no part of the object
 constexpr double kOtherAngle = to_radians(10);
 
 bool overlapping(const Detection& a, const Detection& b, double most) {
