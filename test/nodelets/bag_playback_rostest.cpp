@@ -75,14 +75,17 @@ class BagPlayback : public testing::Test {
     }
   }
 
-  Teacher::Result teach() {
+  void teach() {
     Teacher teacher;
     EXPECT_TRUE(teacher.connect());
     Teacher::Goal goal;
     goal.name = "part";
     goal.before = encode_picture(scene_.render({placed_at(learned_at_)}, 1));
     goal.after = encode_picture(scene_.render({}, 2));
-    return teacher.teach(goal);
+    const auto lesson = teacher.teach(goal);
+    ASSERT_EQ(lesson.error_code, Teacher::Result::SUCCESS) << lesson.message;
+    const auto& reference = lesson.object.reference;
+    reference_ = {reference.x, reference.y, reference.theta};
   }
 
   bool matching_knows_the_part() {
@@ -92,9 +95,49 @@ class BagPlayback : public testing::Test {
            find.response.detections.searched == std::vector<std::string>{"part"};
   }
 
+  // All of the bag, until what it ends with has been searched.
+  void play(const std::string& path) {
+    const std::string command = "rosbag play --clock --quiet --delay 1 " + path + " > /dev/null";
+    auto playing = std::async(std::launch::async, [&] { return std::system(command.c_str()); });
+    const ros::Time last = truth_.rbegin()->first;
+    EXPECT_TRUE(spin_until([&] { return !arrays_.empty() && arrays_.back()->header.stamp == last; },
+                           std::chrono::seconds(120)));
+    EXPECT_EQ(playing.get(), 0);
+    // The first pictures may overtake the first calibration.
+    while (!arrays_.empty() && arrays_.front()->status == DetectedObjectArray::UNCALIBRATED)
+      arrays_.erase(arrays_.begin());
+  }
+
   // Where the taught reference point lies in the picture of this stamp.
-  Pose2D expected(const ros::Time& stamp, const Pose2D& reference) const {
-    return compose(compose(truth_.at(stamp), inverse(learned_at_)), reference);
+  Pose2D expected(const ros::Time& stamp) const {
+    return compose(compose(truth_.at(stamp), inverse(learned_at_)), reference_);
+  }
+
+  void expect_true(const DetectedObjectArray& array) {
+    EXPECT_EQ(array.status, DetectedObjectArray::OK) << array.message;
+    EXPECT_EQ(array.header.frame_id, "camera");
+    const Pose2D pose = expected(array.header.stamp);
+    for (const auto& object : array.objects) {
+      EXPECT_LE(std::hypot(object.image_pose.x - pose.x, object.image_pose.y - pose.y), 1.0);
+      EXPECT_LE(to_degrees(angle_distance(object.image_pose.theta, pose.theta)), 1.0);
+      EXPECT_TRUE(object.pose_valid);
+      if (object.state == DetectedObject::CONFIRMED) confirmed_[array.header.stamp] = &object;
+      EXPECT_EQ(object.child_frame_id.empty(), object.state != DetectedObject::CONFIRMED);
+    }
+  }
+
+  void expect_true(const geometry_msgs::TransformStamped& transform) {
+    const std::string& frame = transform.child_frame_id;
+    EXPECT_EQ(transform.header.frame_id, "camera");
+    EXPECT_EQ(frame, confirmed_[transform.header.stamp]->child_frame_id);
+    EXPECT_EQ(frame.rfind("object_part_", 0), 0u);
+    const Pose2D pose = expected(transform.header.stamp);
+    const auto& t = transform.transform.translation;
+    EXPECT_NEAR(t.z, kDistance, 1e-6);
+    EXPECT_NEAR(t.x * kFocalLength / t.z + kCentreX, pose.x, 1.0);
+    EXPECT_NEAR(t.y * kFocalLength / t.z + kCentreY, pose.y, 1.0);
+    const auto& q = transform.transform.rotation;
+    EXPECT_LE(to_degrees(angle_distance(2 * std::atan2(q.z, q.w), pose.theta)), 1.0);
   }
 
   ros::NodeHandle node_;
@@ -103,70 +146,39 @@ class BagPlayback : public testing::Test {
   std::vector<geometry_msgs::TransformStamped> sent_;
   const sim::Scene scene_{drawn_scene()};
   const Pose2D learned_at_{200.3, 150.6, 0.4};
+  Pose2D reference_;
   std::map<ros::Time, Pose2D> truth_;
+  std::map<ros::Time, const DetectedObject*> confirmed_;
 };
 
 TEST_F(BagPlayback, FindsEveryPoseAndSendsTfOnceAtThePicturesStamp) {
   const test::TemporaryFolder folder;
-  const std::string bag = folder / "cell.bag";
-  record(bag);
-  const auto lesson = teach();
-  ASSERT_EQ(lesson.error_code, Teacher::Result::SUCCESS) << lesson.message;
-  const Pose2D reference{lesson.object.reference.x, lesson.object.reference.y,
-                         lesson.object.reference.theta};
+  record(folder / "cell.bag");
+  teach();
   ASSERT_TRUE(ros::service::waitForService("find_objects", 30000));
   ASSERT_TRUE(spin_until([this] { return matching_knows_the_part(); }));
-
-  const std::string command = "rosbag play --clock --quiet --delay 1 " + bag + " > /dev/null";
-  auto playing = std::async(std::launch::async, [&] { return std::system(command.c_str()); });
-  const ros::Time last = truth_.rbegin()->first;
-  EXPECT_TRUE(spin_until([&] { return !arrays_.empty() && arrays_.back()->header.stamp == last; },
-                         std::chrono::seconds(120)));
-  EXPECT_EQ(playing.get(), 0);
-  // The first pictures may overtake the first calibration.
-  while (!arrays_.empty() && arrays_.front()->status == DetectedObjectArray::UNCALIBRATED)
-    arrays_.erase(arrays_.begin());
+  play(folder / "cell.bag");
 
   std::set<ros::Time> stamps;
   std::set<double> places_found;
-  std::map<ros::Time, const DetectedObject*> confirmed;
   for (const auto& array : arrays_) {
     ASSERT_EQ(truth_.count(array->header.stamp), 1u) << "a stamp that no picture has";
     EXPECT_TRUE(stamps.insert(array->header.stamp).second) << "two arrays for a picture";
-    EXPECT_EQ(array->status, DetectedObjectArray::OK) << array->message;
-    EXPECT_EQ(array->header.frame_id, "camera");
-    const Pose2D pose = expected(array->header.stamp, reference);
-    for (const auto& object : array->objects) {
-      EXPECT_LE(std::hypot(object.image_pose.x - pose.x, object.image_pose.y - pose.y), 1.0);
-      EXPECT_LE(to_degrees(angle_distance(object.image_pose.theta, pose.theta)), 1.0);
-      EXPECT_TRUE(object.pose_valid);
-      places_found.insert(truth_[array->header.stamp].x);
-      if (object.state == DetectedObject::CONFIRMED) confirmed[array->header.stamp] = &object;
-      EXPECT_EQ(object.child_frame_id.empty(), object.state != DetectedObject::CONFIRMED);
-    }
+    expect_true(*array);
+    if (!array->objects.empty()) places_found.insert(truth_[array->header.stamp].x);
   }
   EXPECT_EQ(places_found.size(), static_cast<std::size_t>(kPlaces));
 
   // The last transforms may be under way still.
-  EXPECT_TRUE(spin_until([&] { return sent_.size() >= confirmed.size(); }));
+  EXPECT_TRUE(spin_until([&] { return sent_.size() >= confirmed_.size(); }));
   std::set<ros::Time> sent;
   for (const auto& transform : sent_) {
-    const ros::Time& stamp = transform.header.stamp;
-    EXPECT_TRUE(sent.insert(stamp).second) << "tf twice for a stamp";
-    ASSERT_EQ(confirmed.count(stamp), 1u) << "tf without a confirmed detection";
-    EXPECT_EQ(transform.header.frame_id, "camera");
-    EXPECT_EQ(transform.child_frame_id, confirmed[stamp]->child_frame_id);
-    EXPECT_EQ(transform.child_frame_id.rfind("object_part_", 0), 0u);
-    const Pose2D pose = expected(stamp, reference);
-    const auto& t = transform.transform.translation;
-    EXPECT_NEAR(t.z, kDistance, 1e-6);
-    EXPECT_NEAR(t.x * kFocalLength / t.z + kCentreX, pose.x, 1.0);
-    EXPECT_NEAR(t.y * kFocalLength / t.z + kCentreY, pose.y, 1.0);
-    const auto& q = transform.transform.rotation;
-    EXPECT_LE(to_degrees(angle_distance(2 * std::atan2(q.z, q.w), pose.theta)), 1.0);
+    EXPECT_TRUE(sent.insert(transform.header.stamp).second) << "tf twice for a stamp";
+    ASSERT_EQ(confirmed_.count(transform.header.stamp), 1u) << "tf without a confirmed detection";
+    expect_true(transform);
   }
-  EXPECT_EQ(sent.size(), confirmed.size());
-  EXPECT_GE(confirmed.size(), static_cast<std::size_t>(kPlaces));
+  EXPECT_EQ(sent.size(), confirmed_.size());
+  EXPECT_GE(confirmed_.size(), static_cast<std::size_t>(kPlaces));
 }
 
 }  // namespace

@@ -46,52 +46,77 @@ TEST_F(Protocol, EndsALessonAtItsTimeLimit) {
   EXPECT_TRUE(edit("next", EditObject::Request::DELETE).success);
 }
 
-TEST_F(Protocol, AsksTheOperatorBeforeStoring) {
+// A lesson that waits for the operator's word.
+class Review : public Protocol {
+ protected:
+  std::string begin(const std::string& name) {
+    Goal goal = given(name);
+    goal.confirm = true;
+    const std::string id = teacher_.send(goal);
+    EXPECT_TRUE(spin_until([&] { return teacher_.heard(id, Teacher::Feedback::WAIT_CONFIRM); }));
+    return id;
+  }
+
+  ConfirmLearning::Response change(const ConfirmLearning::Request& request) {
+    return call<ConfirmLearning>("confirm_learning", request);
+  }
+
+  static ConfirmLearning::Request new_reference(double x, double y) {
+    ConfirmLearning::Request request;
+    request.command = ConfirmLearning::Request::EDIT;
+    request.set_reference = true;
+    request.reference.x = x;
+    request.reference.y = y;
+    return request;
+  }
+
+  static ConfirmLearning::Request stroke_beside(const std::vector<cv::Point2f>& line) {
+    ConfirmLearning::Request request;
+    request.command = ConfirmLearning::Request::EDIT;
+    request.stroke_width = 9;
+    request.exclude.push_back(to_msg(line));
+    return request;
+  }
+};
+
+TEST_F(Review, AsksTheOperatorBeforeStoring) {
   EXPECT_FALSE(confirm(ConfirmLearning::Request::ACCEPT).success) << "no lesson waits";
-  Goal goal = given("checked");
-  goal.confirm = true;
-  std::string id = teacher_.send(goal);
-  const auto waits = [&] { return teacher_.heard(id, Teacher::Feedback::WAIT_CONFIRM); };
-  ASSERT_TRUE(spin_until(waits));
+  std::string id = begin("checked");
   EXPECT_TRUE(names().empty());
   const auto roi = teacher_.last_feedback(id).roi;
   EXPECT_NEAR(roi.x_offset + roi.width / 2.0, part_.pose.x, 10);
   EXPECT_NEAR(roi.y_offset + roi.height / 2.0, part_.pose.y, 10);
   EXPECT_NEAR(std::hypot(roi.width, roi.height), part_.object.diameter, 25);
-  EXPECT_FALSE(confirm(ConfirmLearning::Request::UNDO).success) << "no edit yet";
-  EXPECT_FALSE(confirm(ConfirmLearning::Request::EDIT).success) << "nothing to edit";
-  ConfirmLearning::Request edit_reference;
-  edit_reference.command = ConfirmLearning::Request::EDIT;
-  edit_reference.set_reference = true;
-  edit_reference.reference.x = 150;
-  edit_reference.reference.y = 110;
-  EXPECT_TRUE(call<ConfirmLearning>("confirm_learning", edit_reference).success);
-  EXPECT_TRUE(confirm(ConfirmLearning::Request::UNDO).success);
-  ConfirmLearning::Request stroke;
-  stroke.command = ConfirmLearning::Request::EDIT;
-  stroke.stroke_width = 9;
-  stroke.exclude.push_back(to_msg(std::vector<cv::Point2f>{{160, 80}, {160, 160}}));
-  const auto area = [&] { return confirm(ConfirmLearning::Request::UNDO).quality.area; };
-  const double whole = area();
-  const auto cut = call<ConfirmLearning>("confirm_learning", stroke);
-  EXPECT_TRUE(cut.success) << cut.message;
-  EXPECT_LT(cut.quality.area, whole - 100);
-  EXPECT_EQ(area(), whole) << "taken back";
-  stroke.exclude[0].points[0].x = std::nanf("");
-  EXPECT_FALSE(call<ConfirmLearning>("confirm_learning", stroke).success);
-  EXPECT_TRUE(call<ConfirmLearning>("confirm_learning", edit_reference).success);
   EXPECT_TRUE(confirm(ConfirmLearning::Request::ACCEPT).success);
-  const Result accepted = teacher_.await(id).result;
-  EXPECT_EQ(accepted.error_code, Result::SUCCESS);
-  EXPECT_DOUBLE_EQ(accepted.object.reference.x, 150);
+  EXPECT_EQ(teacher_.await(id).result.error_code, Result::SUCCESS);
 
-  goal.name = "rejected";
-  id = teacher_.send(goal);
-  ASSERT_TRUE(spin_until(waits));
+  id = begin("rejected");
   EXPECT_TRUE(confirm(ConfirmLearning::Request::REJECT).success);
   EXPECT_EQ(teacher_.await(id).result.error_code, Result::REJECTED_BY_OPERATOR);
   EXPECT_EQ(names(), std::vector<std::string>{"checked"});
   EXPECT_TRUE(edit("checked", EditObject::Request::DELETE).success);
+}
+
+TEST_F(Review, EditsAreTakenBackAndTheLastOnesStored) {
+  const std::string id = begin("edited");
+  EXPECT_FALSE(confirm(ConfirmLearning::Request::UNDO).success) << "no edit yet";
+  EXPECT_FALSE(confirm(ConfirmLearning::Request::EDIT).success) << "nothing to edit";
+  EXPECT_TRUE(change(new_reference(150, 110)).success);
+  EXPECT_TRUE(confirm(ConfirmLearning::Request::UNDO).success);
+  const auto area = [&] { return confirm(ConfirmLearning::Request::UNDO).quality.area; };
+  const double whole = area();
+  const auto cut = change(stroke_beside({{160, 80}, {160, 160}}));
+  EXPECT_TRUE(cut.success) << cut.message;
+  EXPECT_LT(cut.quality.area, whole - 100);
+  EXPECT_EQ(area(), whole) << "taken back";
+  EXPECT_FALSE(change(stroke_beside({{std::nanf(""), 80}, {160, 160}})).success);
+  EXPECT_FALSE(change(new_reference(1e9, 110)).success);
+  EXPECT_TRUE(change(new_reference(150, 110)).success);
+  EXPECT_TRUE(confirm(ConfirmLearning::Request::ACCEPT).success);
+  const Result accepted = teacher_.await(id).result;
+  EXPECT_EQ(accepted.error_code, Result::SUCCESS);
+  EXPECT_DOUBLE_EQ(accepted.object.reference.x, 150);
+  EXPECT_TRUE(edit("edited", EditObject::Request::DELETE).success);
 }
 
 }  // namespace
