@@ -10,8 +10,10 @@ namespace {
 
 constexpr int kChannels = SurfaceTemplate::kChannels;
 
-std::vector<float> multiplied(const std::vector<float>& a, const float* b) {
-  std::vector<float> products(a.size());
+/// Valid until the next call.
+const std::vector<float>& multiplied(const std::vector<float>& a, const float* b) {
+  thread_local std::vector<float> products;
+  products.resize(a.size());
   for (std::size_t i = 0; i < a.size(); ++i) products[i] = a[i] * b[i];
   return products;
 }
@@ -103,7 +105,7 @@ double ColourAxes::noise(const std::array<std::vector<float>, kAxes>& remainders
                          const std::vector<float>& weights, double gain) const {
   double noise = 0;
   for (int axis = kBrightness + 1; axis < kAxes; ++axis) {
-    const auto seen = multiplied(weights, axes_[axis].shown.data());
+    const auto& seen = multiplied(weights, axes_[axis].shown.data());
     const double energy = product(seen, axes_[axis].shown.data());
     noise += energy - product(seen, remainders[axis].data()) / gain;
   }

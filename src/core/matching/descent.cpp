@@ -1,6 +1,7 @@
 #include "matching/descent.hpp"
 
 #include <algorithm>
+#include <cstdlib>
 
 #include "matching/candidate_odds.hpp"
 #include "matching/climb.hpp"
@@ -37,7 +38,11 @@ class Descent {
         enter_finer(level, entering);
       else
         admit(level, entering[level], candidates);
-      refine_at(level, fresh ? 4 : 2, candidates);
+      if (fresh)
+        climb_from_around(level, candidates);
+      else
+        climb_on(level, candidates);
+      keep_different(level, candidates);
       drop_below((level > 0 ? kFloors.climbed : kFloors.finally) + effort_.demand, candidates);
       if (level > 0) step_down(candidates);
     }
@@ -80,7 +85,7 @@ class Descent {
       candidate.pose = on_edges.pose;
       candidate.value = on_edges.value;
     }
-    drop_duplicates(candidates, 1, view_.shape.radius() / (1 << level), kOnEdges);
+    drop_duplicates(candidates, 1, radius_at(level), kOnEdges);
   }
 
   void climb_roughly(int level, int iterations, std::vector<Candidate>& candidates) const {
@@ -105,38 +110,57 @@ class Descent {
       candidate.value = candidate_odds(view_, scene_, level, candidate.pose);
     keep_hopeful(entering, effort_.entering, kHopeless);
     drop_below(kFloors.entering + effort_.demand, entering);
-    add_turned(entering);
     candidates.insert(candidates.end(), entering.begin(), entering.end());
   }
 
-  /// Starts beside the candidates: where the coarse steps were too wide, a climb misses the top.
-  void add_turned(std::vector<Candidate>& candidates) const {
+  Candidate climbed(int level, const Candidate& start, int iterations) const {
+    const Supported reached =
+        climb_to_evidence(view_.templates[level], scene_.levels[level], start.pose, iterations);
+    return {reached.pose, level, log_odds(reached.evidence, view_.shape.area())};
+  }
+
+  /// Climbs from candidates of another level.
+  void climb_on(int level, std::vector<Candidate>& candidates) const {
+    constexpr int kIterations = 2;
+    for (auto& candidate : candidates) candidate = climbed(level, candidate, kIterations);
+  }
+
+  /// Climbs from new candidates, and from beside them: where the coarse steps were too wide, a
+  /// climb misses the top. Starts farther off are tried only where the near ones led elsewhere.
+  void climb_from_around(int level, std::vector<Candidate>& candidates) const {
+    constexpr int kIterations = 3;
     constexpr double kArc = 1.5;  // [px] between the starts near the rim
-    const std::size_t count = candidates.size();
-    for (std::size_t i = 0; i < count; ++i)
-      for (int k = -effort_.turns; k <= effort_.turns; ++k) {
-        if (k == 0) continue;
-        Candidate turned = candidates[i];
-        const double radius = view_.shape.radius() / (1 << turned.level);
-        turned.pose.theta += k * kArc / std::max(3.0, 0.75 * radius);
+    const double radius = radius_at(level);
+    for (std::size_t i = 0, count = candidates.size(); i < count; ++i) {
+      const Candidate start = candidates[i];
+      const Candidate first = candidates[i] = climbed(level, start, kIterations);
+      bool elsewhere = false;
+      for (const int turn : {-1, 1, -2, 2}) {
+        if (std::abs(turn) > effort_.turns || (std::abs(turn) > 1 && !elsewhere)) break;
+        Candidate turned = start;
+        turned.pose.theta += turn * kArc / std::max(3.0, 0.75 * radius);
+        turned = climbed(level, turned, kIterations);
+        if (same_top(turned.pose, first.pose, radius)) continue;
+        elsewhere = true;
         candidates.push_back(turned);
       }
+    }
   }
+
+  static bool same_top(const Pose2D& a, const Pose2D& b, double radius) {
+    constexpr double kSame = 0.5;  // [px]
+    return std::abs(a.x - b.x) < kSame && std::abs(a.y - b.y) < kSame &&
+           angle_distance(a.theta, b.theta) * radius < kSame;
+  }
+
+  double radius_at(int level) const { return view_.shape.radius() / (1 << level); }
 
   std::size_t kept_at(int level) const {
     return static_cast<std::size_t>(effort_.kept * static_cast<double>(most_at(level)));
   }
 
-  void refine_at(int level, int iterations, std::vector<Candidate>& candidates) const {
-    const SceneLevel& scene = scene_.levels[level];
-    for (auto& candidate : candidates) {
-      const Supported reached =
-          climb_to_evidence(view_.templates[level], scene, candidate.pose, iterations);
-      candidate.pose = reached.pose;
-      candidate.value = log_odds(reached.evidence, view_.shape.area());
-    }
-    drop_duplicates(candidates, level == 0 ? 1.5 : 1.0, view_.shape.radius() / (1 << level),
-                    kept_at(level));
+  void keep_different(int level, std::vector<Candidate>& candidates) const {
+    drop_duplicates(candidates, level == 0 ? 1.5 : 1.0, radius_at(level), kept_at(level));
     keep_hopeful(candidates, kept_at(level), kHopeless);
   }
 

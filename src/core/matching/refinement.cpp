@@ -10,7 +10,7 @@
 namespace mbncc {
 namespace {
 
-constexpr double kSmallStep = 0.003;    // [px] ends the refinement
+constexpr double kSmallStep = 0.01;     // [px] ends the refinement
 constexpr double kFarthest = 1.5;       // [px] from the start, and at the rim by turning
 constexpr double kScalePrior = 0.02;    // deviation that heights and tilts bring about
 constexpr double kLeastScale = 0.006;   // deviation from 1 that is worth telling, ...
@@ -56,7 +56,7 @@ class Refiner {
       Motion step = solution(scale_deviation_);
       if (scale_deviation_ == kFixedScale) step[3] = 0;
       move(step);
-      if (length_of(step) < kSmallStep) return look();
+      if (length_of(step) < kSmallStep) return true;  // nothing else would be seen there
     }
     return false;
   }
