@@ -9,6 +9,7 @@ namespace mbncc {
 namespace {
 
 constexpr double kWorthRefining = -4;  // log-odds: less has never become a detection
+constexpr double kReportable = -2.2;   // log-odds: a score of .1
 constexpr double kSettlingCost = 1;    // log-odds that settling on the surface may cost
 constexpr double kAnyCost = std::numeric_limits<double>::infinity();
 
@@ -54,17 +55,10 @@ bool fits_another_size(const PreparedView& view, const ScenePicture& scene, cons
   });
 }
 
-/// A pose with the evidence for it.
-struct Believed {
-  Pose2D pose;
-  Evidence evidence;
-  double odds;        ///< the most that spoke for it on the way
-  double pixels = 0;  ///< log-odds that all pixels of a small object add
-};
-
-/// Lets the surface decide, and for small objects all of their pixels.
-Believed settled(const PreparedView& view, const ScenePicture& scene, const Supported& start,
-                 int iterations) {
+/// Lets the surface decide in at most `iterations` steps, and for small objects all of their
+/// pixels.
+Believed believed(const PreparedView& view, const ScenePicture& scene, const Supported& start,
+                  int iterations) {
   Believed best{start.pose, start.evidence, log_odds(start.evidence, view.shape.area())};
   const auto adopt = [&](const Supported& other, double cost) {
     const double odds = log_odds(other.evidence, view.shape.area());
@@ -82,35 +76,47 @@ Believed settled(const PreparedView& view, const ScenePicture& scene, const Supp
 
 /// In at most `iterations` steps, none where the pixels of a small object have told its pose better
 /// than its surface could.
-Refined refined(const PreparedView& view, const ScenePicture& scene, const Believed& settled,
+Refined refined(const PreparedView& view, const ScenePicture& scene, const Believed& found,
                 int iterations) {
-  if (settled.odds <= kWorthRefining) return unknown_accuracy(settled.pose);
+  if (found.odds <= kWorthRefining) return unknown_accuracy(found.pose);
   const bool small = view.rendering.padded() > 0;
-  return refine(view.dense, scene.levels[0], settled.pose, small ? 0 : iterations);
+  return refine(view.dense, scene.levels[0], found.pose, small ? 0 : iterations);
 }
 
-Detection judged(const PreparedObject& object, const PreparedView& view, const ScenePicture& scene,
-                 const Supported& start, int settling, int refining) {
-  const Believed believed = settled(view, scene, start, settling);
-  const Refined found = refined(view, scene, believed, refining);
+/// What is known before the pose is refined.
+Detection unrefined(const PreparedObject& object, const PreparedView& view,
+                    const ScenePicture& scene, const Believed& found) {
   Detection detection;
   detection.object = &object;
   detection.view = &view;
   detection.pose = found.pose;
   detection.pose.theta = wrap_angle(found.pose.theta);
-  detection.size = found.scale;
-  detection.covariance = found.covariance;
-  const ColourDifference strange = strangeness(view, scene.levels[0], found, believed.odds);
-  detection.strange = std::max(strange.colour, strange.block);
-  detection.log_odds = believed.odds + believed.pixels - doubt(strange.colour);
-  detection.another_size =
-      detection.log_odds > 0 && fits_another_size(view, scene, detection.pose, believed.odds);
-  detection.projected = believed.evidence.projected;
-  detection.rotation_odds = rotation_odds(believed.evidence);
+  detection.covariance = unknown_accuracy(found.pose).covariance;
+  detection.log_odds = found.odds + found.pixels;
+  detection.projected = found.evidence.projected;
+  detection.rotation_odds = rotation_odds(found.evidence);
   const Similarity similar = similarity(view.points, scene.grey[0], detection.pose);
   detection.similarity = similar.value;
   detection.visible = similar.visible;
   return detection;
+}
+
+/// Refines the pose, and looks for what speaks against it there.
+void refine(Detection& detection, const ScenePicture& scene, const Believed& found) {
+  const PreparedView& view = *detection.view;
+  const Refined place = refined(view, scene, found, found.refining);
+  detection.pose = place.pose;
+  detection.pose.theta = wrap_angle(place.pose.theta);
+  detection.size = place.scale;
+  detection.covariance = place.covariance;
+  const ColourDifference strange = strangeness(view, scene.levels[0], place, found.odds);
+  detection.strange = std::max(strange.colour, strange.block);
+  detection.log_odds = found.odds + found.pixels - doubt(strange.colour);
+  detection.another_size =
+      detection.log_odds > 0 && fits_another_size(view, scene, detection.pose, found.odds);
+  const Similarity similar = similarity(view.points, scene.grey[0], detection.pose);
+  detection.similarity = similar.value;
+  detection.visible = similar.visible;
 }
 
 }  // namespace
@@ -119,9 +125,8 @@ double Detection::score() const {
   return 1 / (1 + std::exp(-log_odds));
 }
 
-Detection judge_pose(const PreparedObject& object, const PreparedView& view,
-                     const ScenePicture& scene, const Pose2D& pose) {
-  return judged(object, view, scene, supported(view, scene, pose), 0, 0);
+Believed believed_as_is(const PreparedView& view, const ScenePicture& scene, const Pose2D& pose) {
+  return believed(view, scene, supported(view, scene, pose), 0);
 }
 
 // Narrow objects have side maxima. Starts farther off are tried only where the near ones led
@@ -151,9 +156,32 @@ Supported polished(const PreparedView& view, const ScenePicture& scene, const Po
   return best;
 }
 
-Detection settle_and_judge(const PreparedObject& object, const PreparedView& view,
-                           const ScenePicture& scene, const Supported& start) {
-  return judged(object, view, scene, start, 8, 4);
+Believed settled(const PreparedView& view, const ScenePicture& scene, const Supported& start) {
+  constexpr int kSettling = 8, kRefining = 4;
+  Believed found = believed(view, scene, start, kSettling);
+  found.refining = kRefining;
+  return found;
+}
+
+// What may be reported is not known before rotations have been compared, and what speaks against
+// one lets another be the best: so they are refined one after the other.
+std::vector<Detection> judge(const PreparedObject& object, const PreparedView& view,
+                             const ScenePicture& scene, const std::vector<Believed>& found) {
+  std::vector<Detection> detections;
+  for (const auto& one : found) {
+    detections.push_back(unrefined(object, view, scene, one));
+    detections.back().number = detections.size() - 1;
+  }
+  std::vector<bool> done(found.size(), false);
+  for (;;) {
+    auto compared = compare_rotations(detections);
+    const auto next = std::find_if(compared.begin(), compared.end(), [&](const Detection& one) {
+      return !done[one.number] && one.log_odds > kReportable;
+    });
+    if (next == compared.end()) return compared;
+    done[next->number] = true;
+    refine(detections[next->number], scene, found[next->number]);
+  }
 }
 
 std::vector<Detection> compare_rotations(std::vector<Detection> detections) {

@@ -11,7 +11,16 @@
 
 namespace mbncc {
 
-/// A refined pose at full resolution with what speaks for it.
+/// A pose at full resolution with the evidence for it.
+struct Believed {
+  Pose2D pose;
+  Evidence evidence;
+  double odds = 0;    ///< the most that spoke for it on the way
+  double pixels = 0;  ///< log-odds that all pixels of a small object add
+  int refining = 0;   ///< steps that its refinement may take
+};
+
+/// A pose with what speaks for it, refined where it may be reported.
 struct Detection {
   const PreparedObject* object = nullptr;
   const PreparedView* view = nullptr;
@@ -25,20 +34,23 @@ struct Detection {
   bool another_size = false;  ///< would fit better were it smaller or larger
   double projected = 0;       ///< [-1..1] see Evidence
   double rotation_odds = 0;   ///< against other rotations here, see rotation_odds()
+  std::size_t number = 0;     ///< among the poses that were judged together
 
   double score() const;  ///< [0..1]
 };
 
 /// The evidence for a pose as it is.
-Detection judge_pose(const PreparedObject& object, const PreparedView& view,
-                     const ScenePicture& scene, const Pose2D& pose);
+Believed believed_as_is(const PreparedView& view, const ScenePicture& scene, const Pose2D& pose);
 
 /// The best pose that climbs from this one and slightly turned ones reach.
 Supported polished(const PreparedView& view, const ScenePicture& scene, const Pose2D& pose);
 
-/// Settles a polished pose on the surface, refines it, and judges what was reached.
-Detection settle_and_judge(const PreparedObject& object, const PreparedView& view,
-                           const ScenePicture& scene, const Supported& start);
+/// A polished pose, settled on the surface.
+Believed settled(const PreparedView& view, const ScenePicture& scene, const Supported& start);
+
+/// Judges poses of a view against each other, best first. Only what may be reported is refined.
+std::vector<Detection> judge(const PreparedObject& object, const PreparedView& view,
+                             const ScenePicture& scene, const std::vector<Believed>& found);
 
 /// Lets detections at the same place compete by their rotation_odds: the best of them takes the
 /// group's log-odds, and the others follow by as much as they are behind. Returns best first.

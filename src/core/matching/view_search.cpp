@@ -74,7 +74,7 @@ class ViewSearch {
     if (look_ == Look::kTwice && !found(candidates)) merge(best_by_edges(thorough_), candidates);
     keep_hopeful(candidates, most_at(0), kNoRival);
     try_other_angles(candidates);
-    return judge(candidates);
+    return judge_all(candidates);
   }
 
  private:
@@ -157,29 +157,29 @@ class ViewSearch {
 
   /// The paper's poses as they are, with the evidence for them.
   std::vector<Detection> judge_polar() const {
-    std::vector<Detection> detections;
-    if (view_.polar->top_level() > scene_.top_level()) return detections;
-    for (const auto& found : view_.polar->find(scene_.grey, roi_))
-      detections.push_back(judge_pose(object_, view_, scene_, found.pose));
-    return compare_rotations(std::move(detections));
+    std::vector<Believed> found;
+    if (view_.polar->top_level() <= scene_.top_level())
+      for (const auto& one : view_.polar->find(scene_.grey, roi_))
+        found.push_back(believed_as_is(view_, scene_, one.pose));
+    return judge(object_, view_, scene_, found);
   }
 
-  std::vector<Detection> judge(const std::vector<Candidate>& candidates) const {
-    std::vector<Detection> detections;
+  std::vector<Detection> judge_all(const std::vector<Candidate>& candidates) const {
+    std::vector<Believed> found;
     std::vector<Pose2D> reached;
     for (std::size_t i = 0; i < candidates.size(); ++i) {
       const Candidate& candidate = candidates[i];
       if (i >= kPolished || candidate.value <= first_.promising ||
           candidate.value <= candidates.front().value - kOutclassed) {
-        detections.push_back(judge_pose(object_, view_, scene_, candidate.pose));
+        found.push_back(believed_as_is(view_, scene_, candidate.pose));
         continue;
       }
       const Supported top = polished(view_, scene_, candidate.pose);
       if (is_one_of(reached, top.pose)) continue;
       reached.push_back(top.pose);
-      detections.push_back(settle_and_judge(object_, view_, scene_, top));
+      found.push_back(settled(view_, scene_, top));
     }
-    return compare_rotations(std::move(detections));
+    return judge(object_, view_, scene_, found);
   }
 
   /// Poses so near each other settle alike.
