@@ -47,14 +47,14 @@ void Proposals::add_rotations_by_surface(const Candidate& place) {
   round_.insert(round_.end(), peaks.begin(), peaks.end());
 }
 
-void Proposals::correlate(int most) {
+void Proposals::correlate(int most, const Places& places) {
   const int level = view_.kernels.level;
   if (level < kFinest) return;  // the edges have to do
   CoarseSettings settings;
   settings.max_places = most;
   const cv::Rect inside = at_level(roi_, level) & cv::Rect({0, 0}, scene_.grey[level].size());
   correlated_ = coarse_search(view_.kernels, *scene_.padded(level, view_.kernels.radius + 1),
-                              inside, settings, view_.sector, places_);
+                              inside, settings, view_.sector, places);
 }
 
 CandidatesPerLevel Proposals::by_edges(std::size_t most) const {

@@ -19,9 +19,9 @@ class Proposals {
   /// Searches by edges: at most `most` poses, and `round_places` places whose rotation the surface
   /// has to tell.
   void follow_edges(std::size_t most, std::size_t round_places);
-  /// Searches by rotated correlation, unless that would be at one of the finest levels: at most
-  /// `most` places.
-  void correlate(int most);
+  /// Searches by rotated correlation within `places`, unless that would be at one of the finest
+  /// levels: at most `most` places.
+  void correlate(int most, const Places& places);
 
   /// Of those by edges the first `most`, and those at round places.
   CandidatesPerLevel by_edges(std::size_t most) const;

@@ -67,7 +67,7 @@ class ViewSearch {
                             first_.round_places);
     std::vector<Candidate> candidates = best_by_edges(first_);
     if (everywhere_ && !sure(candidates)) {
-      proposals_.correlate(first_.correlated_places);
+      proposals_.correlate(first_.correlated_places, view_.gate.places(scene_.classes()));
       merge(descend(view_, scene_, first_, proposals_.by_correlation()), candidates);
     }
     if (look_ == Look::kTwice && !found(candidates)) merge(best_by_colours(), candidates);
