@@ -12,7 +12,7 @@
 namespace mbncc {
 namespace {
 
-constexpr int kUnit = 16;        // log-odds 1
+constexpr int kUnit = ColourGate::kUnit;
 constexpr float kMost = 2.5f;    // log-odds that one colour can speak for or against
 constexpr float kOther = 0.03f;  // share of any other colours on an object
 
@@ -134,9 +134,13 @@ cv::Mat ColourGate::best_of_rotations(const cv::Mat& classes, const Speaking& sp
   return best;
 }
 
+ColourGate::Speaking ColourGate::speaking(const ClassPictures& scene) const {
+  return compare(shares_, scene.shares());
+}
+
 Places ColourGate::places(const ClassPictures& scene) const {
   if (scene.last_level() < class_level_) return {};
-  const Speaking speaking = compare(shares_, scene.shares());
+  const Speaking speaking = this->speaking(scene);
   const double telling =
       std::inner_product(shares_.begin(), shares_.end(), speaking.begin(), 0.0) / kUnit;
   if (telling < kTelling) return {};

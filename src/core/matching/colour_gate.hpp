@@ -24,9 +24,12 @@ class ColourGate {
   /// Everywhere, when the picture has the object's colours all over.
   Places places(const ClassPictures& scene) const;
 
- private:
-  using Speaking = std::vector<std::int8_t>;  // per class, for the object
+  /// Per class of colour, log-odds [1/kUnit] that it is the object's rather than the picture's.
+  using Speaking = std::vector<std::int8_t>;
+  static constexpr int kUnit = 16;
+  Speaking speaking(const ClassPictures& scene) const;
 
+ private:
   cv::Mat best_of_rotations(const cv::Mat& classes, const Speaking& speaking) const;
 
   int class_level_, cell_level_;

@@ -44,9 +44,9 @@ class Peak {
   std::uint64_t packed_;
 };
 
-/// The best of a quarter turn's rotations at the positions of a few rows: outlines often fit again
-/// after half a turn or a quarter, and only the surface tells which.
-class Quarter {
+/// The best of a part of a turn's rotations at the positions of a few rows: outlines often fit
+/// again at another rotation, along edges of busy ground at many, and only the surface tells which.
+class Sector {
  public:
   /// Of `groups` positions per row.
   void set_width(int groups) {
@@ -141,49 +141,81 @@ class EdgeSearch {
                        whole(size_.height + 1, kBand) - size_.height, 0,
                        whole(size_.width, kernels::kPositions) - size_.width, cv::BORDER_CONSTANT,
                        {0});
-    for (auto& quarter : quarters_) quarter.set_width(wanted_.cols);
+    for (auto& part : sectors_) part.set_width(wanted_.cols);
     const auto& rotations = bank.rotations();
     for (std::size_t k = 0; k < rotations.size(); ++k)
       if (sector.contains(rotations[k].angle))
-        quarters_[k * quarters_.size() / rotations.size()].add_rotation(rotations[k], k, *maps_);
+        sectors_[k * sectors_.size() / rotations.size()].add_rotation(rotations[k], k, *maps_);
   }
 
-  EdgeCandidates run(int most) {
-    const auto least = static_cast<std::int16_t>(std::max(1.0, kMinResponse * scale_));
-    std::vector<Peak> peaks;
+  EdgeCandidates run(std::size_t foremost, std::size_t most) {
+    auto least = static_cast<std::int16_t>(std::max(1.0, kMinResponse * scale_));
+    thread_local std::vector<Peak> peaks;
+    peaks.clear();
     for (int y = 0; y < wanted_.rows; y += kBand) {
       sum_band(y);
-      for (auto& quarter : quarters_) quarter.add_peaks(least, y, peaks);
+      for (auto& part : sectors_) part.add_peaks(least, y, peaks);
+      if (peaks.size() > 2 * most) least = keep_best(peaks, most);
     }
-    keep_best(peaks, static_cast<std::size_t>(most));
+    keep_best(peaks, most);
+    put_foremost_first(peaks, foremost);
     EdgeCandidates found;
     found.poses.reserve(peaks.size());
     for (const auto& peak : peaks) found.poses.push_back(candidate(peak));
-    if (bank_.round()) found.round_places = different_places(found.poses);
+    if (bank_.round()) found.round_places = different_places(found.poses, foremost);
     return found;
   }
 
  private:
   void sum_band(int y) {
-    for (auto& quarter : quarters_) quarter.next_band();
+    for (auto& part : sectors_) part.next_band();
     cv::Mat any;
     cv::reduce(wanted_.rowRange(y, y + kBand), any, 0, cv::REDUCE_MAX);
     for (const auto& span : covering_spans(any.ptr(), any.cols, kernels::kPositions))
       for (int x = span.begin; x < span.end; x += kernels::kPositions) {
         const std::int8_t* maps =
             maps_->data() + maps_->offset(0, first_.x + kStep * x, first_.y + kStep * y);
-        for (auto& quarter : quarters_) quarter.sum_responses(maps, maps_->stride(), x);
+        for (auto& part : sectors_) part.sum_responses(maps, maps_->stride(), x);
       }
     for (int row = 0; row < kBand; ++row)
-      for (auto& quarter : quarters_) quarter.keep_wanted(row, wanted_.ptr(y + row));
+      for (auto& part : sectors_) part.keep_wanted(row, wanted_.ptr(y + row));
   }
 
-  /// The best `most`, best first.
-  static void keep_best(std::vector<Peak>& peaks, std::size_t most) {
-    const auto end = peaks.begin() + static_cast<std::ptrdiff_t>(std::min(most, peaks.size()));
-    std::nth_element(peaks.begin(), end, peaks.end());
-    peaks.erase(end, peaks.end());
-    std::sort(peaks.begin(), peaks.end());
+  static auto end_of(std::vector<Peak>& peaks, std::size_t count) {
+    return peaks.begin() + static_cast<std::ptrdiff_t>(std::min(count, peaks.size()));
+  }
+
+  /// Drops all but the best `most`. Returns the sum that no other needs to fall below.
+  static std::int16_t keep_best(std::vector<Peak>& peaks, std::size_t most) {
+    if (peaks.size() <= most) return 1;
+    const auto last = end_of(peaks, most) - 1;
+    std::nth_element(peaks.begin(), last, peaks.end());
+    const auto least = static_cast<std::int16_t>(last->sum());
+    peaks.erase(last + 1, peaks.end());
+    return least;
+  }
+
+  /// In order, the best that nothing better lies beside in the same quarter turn, `foremost` of
+  /// them if there are as many: so that no place has them all.
+  void put_foremost_first(std::vector<Peak>& peaks, std::size_t foremost) const {
+    constexpr std::size_t kPerPlace = 4;
+    const auto looked_at = end_of(peaks, kPerPlace * foremost);
+    std::nth_element(peaks.begin(), looked_at, peaks.end());
+    std::sort(peaks.begin(), looked_at);
+    cv::Mat quarters = cv::Mat::zeros(wanted_.rows + 2, wanted_.cols + 2, CV_8UC1);
+    std::stable_partition(peaks.begin(), looked_at,
+                          [&](const Peak& peak) { return is_foremost(peak, quarters); });
+  }
+
+  /// Nothing better, which was asked for before, lies beside in its quarter turn: `quarters` has
+  /// the bits of those that do.
+  bool is_foremost(const Peak& peak, cv::Mat& quarters) const {
+    const auto quarter =
+        static_cast<uchar>(1 << 4 * peak.rotation() / static_cast<int>(bank_.rotations().size()));
+    const bool foremost = (quarters.at<uchar>(peak.y() + 1, peak.x() + 1) & quarter) == 0;
+    for (int y = peak.y(); y <= peak.y() + 2; ++y)
+      for (int x = peak.x(); x <= peak.x() + 2; ++x) quarters.at<uchar>(y, x) |= quarter;
+    return foremost;
   }
 
   Candidate candidate(const Peak& peak) const {
@@ -192,11 +224,13 @@ class EdgeSearch {
     return {pose, bank_.level(), peak.sum() / scale_};
   }
 
-  static std::vector<Candidate> different_places(const std::vector<Candidate>& found) {
+  /// Of the first `most` poses.
+  static std::vector<Candidate> different_places(const std::vector<Candidate>& found,
+                                                 std::size_t most) {
     constexpr std::size_t kEnough = 250;
     std::vector<Candidate> places;
-    for (const auto& candidate : found) {
-      if (places.size() == kEnough) break;
+    for (std::size_t i = 0; i < std::min(most, found.size()) && places.size() < kEnough; ++i) {
+      const Candidate& candidate = found[i];
       const bool known = std::any_of(places.begin(), places.end(), [&](const Candidate& place) {
         return place.pose.x == candidate.pose.x && place.pose.y == candidate.pose.y;
       });
@@ -211,16 +245,17 @@ class EdgeSearch {
   cv::Size size_;    // of the positions
   cv::Mat wanted_;   // CV_8UC1, the positions searched; whole groups and bands
   std::shared_ptr<const ResponseMaps> maps_;
-  std::array<Quarter, 4> quarters_;
+  std::array<Sector, 16> sectors_;
 };
 
 }  // namespace
 
 EdgeCandidates edge_search(const EdgeBank& bank, const SceneLevel& scene, const cv::Rect& roi,
-                           int most, const RotationSector& sector, const Places& places) {
+                           std::size_t foremost, std::size_t most, const RotationSector& sector,
+                           const Places& places) {
   const cv::Rect region = roi & cv::Rect({0, 0}, scene.size());
   if (region.empty()) return {};
-  return EdgeSearch(bank, scene, region, sector, places).run(most);
+  return EdgeSearch(bank, scene, region, sector, places).run(foremost, most);
 }
 
 }  // namespace mbncc

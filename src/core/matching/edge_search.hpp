@@ -18,9 +18,10 @@ struct EdgeCandidates {
   std::vector<Candidate> round_places;  ///< places where the contour does not tell the rotation
 };
 
-/// The best `most` poses in `roi` [px at the bank's level], `sector` and `places`. `scene` is that
-/// level.
+/// The best `most` poses in `roi` [px at the bank's level], `sector` and `places`, the best
+/// `foremost` of them first and in order. `scene` is that level.
 EdgeCandidates edge_search(const EdgeBank& bank, const SceneLevel& scene, const cv::Rect& roi,
-                           int most, const RotationSector& sector = {}, const Places& places = {});
+                           std::size_t foremost, std::size_t most,
+                           const RotationSector& sector = {}, const Places& places = {});
 
 }  // namespace mbncc

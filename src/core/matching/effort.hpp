@@ -22,8 +22,7 @@ struct Effort {
 };
 constexpr Effort kSparing{100, 100, 10, 100, 24, 12, 0, 0, 0, 2, -5, 1};
 constexpr Effort kQuick{100, 400, 24, 200, 96, 48, 0, 0, 0, 0, -8, 1};
-constexpr Effort kColoured{100, 400, 24, 1600, 200, 64, 2, 3, 5, 0, -8, 2};
-constexpr Effort kThorough{100, 800, 24, 1600, 96, 48, 2, 3, 5, 0, -8, 1};
+constexpr Effort kThorough{100, 400, 24, 1600, 200, 64, 2, 3, 5, 0, -8, 2};
 
 /// Correlation is spared where of the candidates by edges
 constexpr double kSure = 3;            ///< the best has at least these log-odds, ...

@@ -4,6 +4,7 @@
 
 #include "matching/candidate_odds.hpp"
 #include "matching/coarse_search.hpp"
+#include "matching/colour_ranking.hpp"
 #include "matching/edge_search.hpp"
 #include "mbncc/matching/pyramid.hpp"
 
@@ -13,6 +14,8 @@ namespace {
 /// Thin objects would be correlated at finer levels: for up to a yardstick, and where edges left
 /// anything open in drawn pictures, that found nothing.
 constexpr int kFinest = 2;
+
+constexpr std::size_t kAnywhere = 8000;  // poses by edges that colours choose from
 
 cv::Rect at_level(const cv::Rect& roi, int level) {
   const int side = 1 << level;
@@ -24,9 +27,17 @@ cv::Rect at_level(const cv::Rect& roi, int level) {
 }  // namespace
 
 void Proposals::follow_edges(std::size_t most, std::size_t round_places) {
+  search_edges(most, most, round_places);
+}
+
+void Proposals::follow_edges_anywhere(std::size_t most, std::size_t round_places) {
+  search_edges(most, kAnywhere, round_places);
+}
+
+void Proposals::search_edges(std::size_t foremost, std::size_t most, std::size_t round_places) {
   const int level = view_.edges.level();
   EdgeCandidates found = edge_search(view_.edges, scene_.levels[level], at_level(roi_, level),
-                                     static_cast<int>(most), view_.sector, places_);
+                                     foremost, most, view_.sector, places_);
   edges_ = std::move(found.poses);
   for (auto& place : found.round_places)
     place.value = candidate_odds(view_, scene_, level, place.pose);
@@ -63,6 +74,12 @@ CandidatesPerLevel Proposals::by_edges(std::size_t most) const {
   const std::size_t count = std::min(most, edges_.size());
   at_level.assign(edges_.begin(), edges_.begin() + static_cast<std::ptrdiff_t>(count));
   at_level.insert(at_level.end(), round_.begin(), round_.end());
+  return proposed;
+}
+
+CandidatesPerLevel Proposals::by_colours(std::size_t most) const {
+  CandidatesPerLevel proposed(view_.templates.size());
+  proposed[view_.edges.level()] = best_by_colours(view_, scene_, edges_, most);
   return proposed;
 }
 

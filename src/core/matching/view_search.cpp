@@ -56,39 +56,35 @@ class ViewSearch {
         everywhere_(places.everywhere()),
         look_(look),
         first_(for_sector(is_sparing(look) ? kSparing : kQuick, view.sector)),
-        coloured_(thorough_for(view, kColoured)),
         thorough_(thorough_for(view, kThorough)),
         proposals_(view, scene, roi, places) {}
 
   std::vector<Detection> run() {
     if (view_.polar) return judge_polar();
     if (view_.top_level() > scene_.top_level()) return {};
-    proposals_.follow_edges((look_ == Look::kTwice ? thorough_ : first_).edge_poses,
-                            first_.round_places);
-    std::vector<Candidate> candidates = best_by_edges(first_);
+    if (look_ == Look::kTwice)
+      proposals_.follow_edges_anywhere(first_.edge_poses, first_.round_places);
+    else
+      proposals_.follow_edges(first_.edge_poses, first_.round_places);
+    std::vector<Candidate> candidates = best_by_edges();
     if (everywhere_ && !sure(candidates)) {
       proposals_.correlate(first_.correlated_places, view_.gate.places(scene_.classes()));
       merge(descend(view_, scene_, first_, proposals_.by_correlation()), candidates);
     }
     if (look_ == Look::kTwice && !found(candidates)) merge(best_by_colours(), candidates);
-    if (look_ == Look::kTwice && !found(candidates)) merge(best_by_edges(thorough_), candidates);
     keep_hopeful(candidates, most_at(0), kNoRival);
     try_other_angles(candidates);
     return judge_all(candidates);
   }
 
  private:
-  std::vector<Candidate> best_by_edges(const Effort& effort) const {
-    return descend(view_, scene_, effort, proposals_.by_edges(effort.edge_poses));
+  std::vector<Candidate> best_by_edges() const {
+    return descend(view_, scene_, first_, proposals_.by_edges(first_.edge_poses));
   }
 
-  /// Edges where the object's colours are, too: they are few enough to follow each further.
+  /// Edges where the object's colours are, too.
   std::vector<Candidate> best_by_colours() const {
-    const Places places = view_.gate.places(scene_.classes());
-    if (places.everywhere()) return {};
-    Proposals proposals(view_, scene_, roi_, places);
-    proposals.follow_edges(coloured_.edge_poses, coloured_.round_places);
-    return descend(view_, scene_, coloured_, proposals.by_edges(coloured_.edge_poses));
+    return descend(view_, scene_, thorough_, proposals_.by_colours(thorough_.edge_poses));
   }
 
   void merge(const std::vector<Candidate>& more, std::vector<Candidate>& candidates) const {
@@ -197,7 +193,7 @@ class ViewSearch {
   cv::Rect roi_;
   bool everywhere_;
   Look look_;
-  Effort first_, coloured_, thorough_;
+  Effort first_, thorough_;
   Proposals proposals_;
 };
 
