@@ -9,7 +9,8 @@ import sys
 import unittest
 
 sys.path.insert(0, sys.argv.pop(1))
-from console_session import PATIENCE, Session, Teacher, wait_for  # noqa: E402
+from console_operator import Teacher  # noqa: E402
+from console_session import PATIENCE, Session, wait_for  # noqa: E402
 
 CAMERA = {"width": 400, "height": 300, "object_diameter": 70.0, "neighbours": 1, "leg_time": 0.5}
 PLACE = 5  # [px] learned and true reference point may be apart

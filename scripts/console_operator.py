@@ -1,0 +1,176 @@
+"""An operator who works the console by xdotool alone, as fast as the lesson lets him; needs xdotool."""
+import subprocess
+import threading
+import time
+
+from console_session import PATIENCE, SessionFailed, wait_for
+
+
+def xdotool(*arguments):
+    done = subprocess.run(["xdotool", *map(str, arguments)], stdout=subprocess.PIPE,
+                          stderr=subprocess.DEVNULL, text=True)
+    return done.stdout.split() if done.returncode == 0 else []
+
+
+class Mouse:
+    """Finds the console's parts by the names that MBNCC_CONSOLE_NATIVE gives their windows."""
+
+    def __init__(self):
+        self.actions = 0
+
+    @staticmethod
+    def window(name):
+        found = wait_for(lambda: xdotool("search", "--onlyvisible", "--name", "^mbncc:%s$" % name),
+                         "the console shows '%s'" % name)
+        return found[-1]
+
+    @staticmethod
+    def size(window):
+        words = xdotool("getwindowgeometry", "--shell", window)
+        values = dict(word.split("=") for word in words if "=" in word)
+        return int(values["WIDTH"]), int(values["HEIGHT"])
+
+    def click(self, name, at=None, button=1):
+        window = self.window(name)
+        width, height = self.size(window)
+        x, y = at or (width // 2, height // 2)
+        xdotool("mousemove", "--window", window, x, y, "click", button)
+        self.actions += 1
+
+    def click_until(self, name, predicate, what, patience=PATIENCE):
+        """Clicks again where the console was not ready for the click; counts as one action."""
+        before, value = self.actions, None
+        deadline = time.monotonic() + patience
+        while not value and time.monotonic() < deadline:
+            self.click(name)
+            try:
+                value = wait_for(predicate, what, 3)
+            except SessionFailed:
+                pass
+        self.actions = before + 1
+        if not value:
+            raise SessionFailed("clicked '%s' in vain until %s" % (name, what))
+        return value
+
+    def write(self, name, text):
+        """Into a field; without a window manager nothing else gives it the keyboard."""
+        self.click(name)
+        top = xdotool("search", "--onlyvisible", "--name", "RViz")
+        if top:
+            xdotool("windowfocus", "--sync", top[0])
+        self.click(name)
+        xdotool("key", "ctrl+a")
+        xdotool("type", "--delay", "20", text)
+        self.actions -= 1
+
+    def drag(self, points, picture):
+        """A stroke over `points` [px] of a picture of size `picture` in the picture view."""
+        window = self.window("picture")
+        width, height = self.size(window)
+        scale = min(width / picture[0], height / picture[1])
+        left, top = (width - scale * picture[0]) / 2, (height - scale * picture[1]) / 2
+        spots = [(round(left + scale * (x + 0.5)), round(top + scale * (y + 0.5))) for x, y in points]
+        xdotool("mousemove", "--window", window, *spots[0], "mousedown", 1)
+        for spot in spots[1:]:
+            xdotool("mousemove", "--window", window, *spot)
+            time.sleep(0.02)
+        xdotool("mouseup", 1)
+        self.actions += 1
+
+
+class Newest:
+    """Keeps the last message of a topic."""
+
+    def __init__(self, topic, kind):
+        import rospy
+        self._lock = threading.Lock()
+        self._message, self._count = None, 0
+        rospy.Subscriber(topic, kind, self._take, queue_size=10)
+
+    def _take(self, message):
+        with self._lock:
+            self._message, self._count = message, self._count + 1
+
+    def get(self):
+        with self._lock:
+            return self._message
+
+    def count(self):
+        with self._lock:
+            return self._count
+
+    def wait(self, fits, what, patience=PATIENCE):
+        return wait_for(lambda: self.get() if self.get() is not None and fits(self.get()) else None, what,
+                        patience)
+
+
+class Teacher:
+    """An ideal operator: does at once what the lesson asks for, by the mouse and the arm."""
+
+    def __init__(self):
+        import rospy
+        from mbncc_vision.msg import (DetectedObjectArray, LearnObjectActionFeedback, LearnObjectActionResult,
+                                      LearnObjectResult, LearnedObjectArray)
+        from std_srvs.srv import Trigger
+        self.mouse = Mouse()
+        self.feedback = Newest("/learn_object/feedback", LearnObjectActionFeedback)
+        self.result = Newest("/learn_object/result", LearnObjectActionResult)
+        self.draft = Newest("/learn_object/draft", LearnObjectResult)
+        self.library = Newest("/object_library", LearnedObjectArray)
+        self.found = Newest("/detected_objects", DetectedObjectArray)
+        self.truth = Newest("/camera/truth", DetectedObjectArray)
+        self._arm = {name: rospy.ServiceProxy("/camera/" + name, Trigger) for name in ("take_away", "put_next")}
+        for arm in self._arm.values():
+            arm.wait_for_service(PATIENCE)
+        self._drafts = 0
+        # The console, not this program, must have the server's ear.
+        self.mouse.window("Teach")
+        self.truth.wait(lambda m: bool(m.objects), "the simulated camera works")
+
+    def stage(self):
+        feedback = self.feedback.get()
+        return feedback.feedback.stage if feedback else None
+
+    def wait_for_stage(self, *stages):
+        wait_for(lambda: self.stage() in stages, "the lesson reaches a stage of %s" % (stages,))
+
+    def order(self, name, lies, halfway=lambda: None):
+        """Sends the arm, and waits until it is out of the picture again."""
+        wait_for(lambda: self._arm[name]().success, "the arm obeys")
+        self.truth.wait(lambda m: m.message == "carry", "the arm has the object")
+        halfway()
+        self.truth.wait(lambda m: m.message == "rest" and bool(m.objects) == lies, "the arm has gone")
+
+    def begin(self, name=""):
+        if name:
+            self.mouse.write("name", name)
+        count = self.feedback.count()
+        self.mouse.click_until("Teach", lambda: self.feedback.count() > count, "a lesson begins")
+
+    def take_away(self):
+        from mbncc_vision.msg import LearnObjectFeedback
+        self.wait_for_stage(LearnObjectFeedback.WAIT_REMOVAL)
+        self.order("take_away", lies=False)
+        self.mouse.actions += 1
+
+    def wait_for_question(self):
+        from mbncc_vision.msg import LearnObjectFeedback
+        self.wait_for_stage(LearnObjectFeedback.WAIT_CONFIRM)
+        return self.draft.get()
+
+    def press(self, name):
+        """Accept or Reject; the result of the lesson."""
+        count = self.result.count()
+        self.mouse.click_until(name, lambda: self.result.count() > count, "the lesson ends")
+        return self.result.get().result
+
+    def correct(self, act):
+        """Carries out a correction and returns the new draft."""
+        count = self.draft.count()
+        act()
+        wait_for(lambda: self.draft.count() > count, "the lesson has taken the correction")
+        return self.draft.get()
+
+    def names(self):
+        library = self.library.get()
+        return {known.name: known.enabled for known in library.objects} if library else {}
