@@ -1,7 +1,11 @@
-// Every YAML file in config/ names every field of its struct with its default, and nothing else.
+// Every YAML file in config/ names every field of its struct with its default and its range, and
+// nothing else.
 #include <gtest/gtest.h>
 #include <yaml-cpp/yaml.h>
 
+#include <cmath>
+#include <fstream>
+#include <map>
 #include <set>
 #include <string>
 
@@ -19,6 +23,29 @@ std::string path_of(const std::string& file) {
   return std::string(MBNCC_CONFIG_FOLDER) + "/" + file;
 }
 
+// What stands on a key's line and on the lines of comment below it.
+std::map<std::string, std::string> lines_by_key(const std::string& file) {
+  std::ifstream stream(path_of(file));
+  std::map<std::string, std::string> lines;
+  std::string key;
+  for (std::string line; std::getline(stream, line);) {
+    if (line.find_first_of(" #") != 0) key = line.substr(0, line.find(':'));
+    lines[key] += line;
+  }
+  return lines;
+}
+
+template <class Config>
+void expect_ranges(const std::string& file) {
+  Config config;
+  const auto lines = lines_by_key(file);
+  for (const auto& row : field_rows(config)) {
+    const std::string range = row.info.allowed.to_string();
+    const bool is_told = lines.at(row.info.name).find(range) != std::string::npos;
+    EXPECT_TRUE(is_told || !std::isfinite(row.info.allowed.low)) << row.info.name << ": " << range;
+  }
+}
+
 template <class Config>
 void expect_complete(const std::string& file) {
   std::set<std::string> keys;
@@ -33,6 +60,7 @@ void expect_complete(const std::string& file) {
     EXPECT_EQ(shipped_rows[i].value, default_rows[i].value) << name;
   }
   EXPECT_TRUE(keys.empty()) << file << " names " << *keys.begin();
+  expect_ranges<Config>(file);
 }
 
 TEST(ShippedConfig, Camera) {
