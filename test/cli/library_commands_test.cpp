@@ -59,7 +59,9 @@ TEST_F(LibraryCommands, ForgottenObjectsCanBeRestored) {
   const ToolRun again = on_library("forget", {"--name", "part"});
   EXPECT_EQ(again.code, 1);
   EXPECT_TRUE(again.says("no object 'part'")) << again.err;
-  EXPECT_EQ(on_library("restore", {"--name", "part", "--revision", "9"}).code, 1);
+  const ToolRun missing = on_library("restore", {"--name", "part", "--revision", "9"});
+  EXPECT_EQ(missing.code, 1);
+  EXPECT_TRUE(missing.says("no revision 9 of 'part'; it has 1")) << missing.err;
   EXPECT_TRUE(on_library("restore", {"--name", "part"}).prints("as revision 2"));
   EXPECT_TRUE(on_library("list").prints("part"));
 }

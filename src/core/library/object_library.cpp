@@ -15,6 +15,17 @@ namespace {
   throw NameError(LearnError::kNameUnknown, "the library has no object '" + name + "'");
 }
 
+[[noreturn]] void refuse_missing(const std::string& name, std::uint32_t revision,
+                                 const std::map<std::uint32_t, std::string>& revisions) {
+  std::string known;
+  for (const auto& [number, path] : revisions)
+    known += (known.empty() ? "" : ", ") + std::to_string(number);
+  throw NameError(LearnError::kNameUnknown,
+                  revisions.empty() ? "the trash has no object '" + name + "'"
+                                    : "the trash has no revision " + std::to_string(revision) +
+                                          " of '" + name + "'; it has " + known);
+}
+
 void refuse_taken(const LibraryFolder& folder, const std::string& name) {
   if (path_exists(folder.object_file(name)))
     throw NameError(LearnError::kNameTaken, "the library has an object '" + name + "' already");
@@ -112,10 +123,7 @@ ObjectModel ObjectLibrary::restore(const std::string& name, std::uint32_t revisi
   const auto chosen = revision != 0       ? revisions.find(revision)
                       : revisions.empty() ? revisions.end()
                                           : std::prev(revisions.end());
-  if (chosen == revisions.end())
-    throw NameError(LearnError::kNameUnknown,
-                    "the trash has no object '" + name + "'" +
-                        (revision == 0 ? "" : " of revision " + std::to_string(revision)));
+  if (chosen == revisions.end()) refuse_missing(name, revision, revisions);
   ObjectModel model = read_object_file(chosen->second);
   const auto old = locked.read(name);
   model.revision = locked.next_revision(name, old.get());
