@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <ostream>
+
 #include "matching/pictures.hpp"
 #include "mbncc/matching/polar_search.hpp"
 #include "mbncc/matching/pyramid.hpp"
@@ -22,6 +24,10 @@ struct Case {
   std::uint64_t seed;
   Pose2D truth;
 };
+
+void PrintTo(const Case& one, std::ostream* out) {
+  *out << "seed " << one.seed;
+}
 
 class AgainstExhaustive : public ::testing::TestWithParam<Case> {
  protected:

@@ -14,7 +14,6 @@
 #include "nodelets/images.hpp"
 #include "nodelets/spin_until.hpp"
 #include "nodelets/teacher.hpp"
-#include "support/sanitizers.hpp"
 #include "support/temporary_folder.hpp"
 
 namespace mbncc::nodelets {
@@ -178,7 +177,6 @@ INSTANTIATE_TEST_SUITE_P(All, LessonStages, testing::ValuesIn(kWays),
 
 int main(int argc, char** argv) {
   testing::InitGoogleTest(&argc, argv);
-  mbncc::test::do_without_uninstrumented_threads();
   ros::init(argc, argv, "lesson_stages_rostest");
   const ros::NodeHandle keeps_the_node_running;
   return RUN_ALL_TESTS();

@@ -207,7 +207,6 @@ TEST_F(Soak, OverloadSearchesTheNewestAndKeepsNothing) {
 
 int main(int argc, char** argv) {
   testing::InitGoogleTest(&argc, argv);
-  mbncc::test::do_without_uninstrumented_threads();
   ros::init(argc, argv, "soak_rostest");
   const ros::NodeHandle keeps_the_node_running;
   return RUN_ALL_TESTS();

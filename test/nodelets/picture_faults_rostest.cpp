@@ -21,7 +21,6 @@
 #include "mbncc/sim/scene.hpp"
 #include "nodelets/images.hpp"
 #include "nodelets/spin_until.hpp"
-#include "support/sanitizers.hpp"
 #include "support/temporary_folder.hpp"
 
 namespace mbncc::nodelets {
@@ -211,7 +210,6 @@ TEST_F(PictureFaults, MissingTransformsDelayNothing) {
 
 int main(int argc, char** argv) {
   testing::InitGoogleTest(&argc, argv);
-  mbncc::test::do_without_uninstrumented_threads();
   ros::init(argc, argv, "picture_faults_rostest");
   const ros::NodeHandle keeps_the_node_running;
   return RUN_ALL_TESTS();
