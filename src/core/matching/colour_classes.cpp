@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numeric>
 
 namespace mbncc {
 namespace {
@@ -26,16 +27,20 @@ struct Tables {
   }
 };
 
-int class_of(const Tables& tables, const cv::Vec3b& colour) {
+/// `value` / kFine, held within [0, count).
+int held(int value, int count) {
+  return static_cast<int>(static_cast<unsigned>(std::clamp(value, 0, kFine * count - 1)) / kFine);
+}
+
+int class_of(const Tables& tables, const uchar* colour) {
   constexpr int kMiddle = kFine * kChromaClasses / 2;
-  const int green = tables.chroma[colour[1]];
-  const auto chroma = [&](uchar value) {
-    return std::clamp((tables.chroma[value] - green + kMiddle) / kFine, 0, kChromaClasses - 1);
-  };
-  const int brightness =
-      tables.brightness[colour[0]] + tables.brightness[colour[1]] + tables.brightness[colour[2]];
-  return (chroma(colour[2]) * kChromaClasses + chroma(colour[0])) * kBrightnessClasses +
-         std::min(brightness / kFine, kBrightnessClasses - 1);
+  const int reference = tables.chroma[colour[1]] - kMiddle;
+  const int red = held(tables.chroma[colour[2]] - reference, kChromaClasses);
+  const int blue = held(tables.chroma[colour[0]] - reference, kChromaClasses);
+  const int brightness = held(
+      tables.brightness[colour[0]] + tables.brightness[colour[1]] + tables.brightness[colour[2]],
+      kBrightnessClasses);
+  return (red * kChromaClasses + blue) * kBrightnessClasses + brightness;
 }
 
 /// Smooths shares along one of their directions: `count` classes, `stride` apart. What would leave
@@ -66,24 +71,30 @@ cv::Mat colour_classes(const cv::Mat& picture) {
   static const Tables tables;
   cv::Mat classes(picture.size(), CV_16UC1);
   for (int y = 0; y < picture.rows; ++y) {
-    const auto* colours = picture.ptr<cv::Vec3b>(y);
+    const uchar* colours = picture.ptr(y);
     auto* row = classes.ptr<std::uint16_t>(y);
     for (int x = 0; x < picture.cols; ++x)
-      row[x] = static_cast<std::uint16_t>(class_of(tables, colours[x]));
+      row[x] = static_cast<std::uint16_t>(class_of(tables, colours + 3 * x));
   }
   return classes;
 }
 
 ColourShares colour_shares(const cv::Mat& classes, const cv::Mat& mask) {
   constexpr double kChromaBlur = 1.2, kBrightnessBlur = 0.8;  // [classes]
+  // Neighbours are often of one class: apart, their additions need not wait for each other.
+  std::array<std::vector<int>, 4> counts;
+  for (auto& part : counts) part.assign(kColourClasses, 0);
+  for (int y = 0; y < classes.rows; ++y) {
+    const auto* row = classes.ptr<std::uint16_t>(y);
+    const uchar* wanted = mask.empty() ? nullptr : mask.ptr(y);
+    for (int x = 0; x < classes.cols; ++x)
+      if (wanted == nullptr || wanted[x] != 0) ++counts[x % counts.size()][row[x]];
+  }
   ColourShares shares(kColourClasses, 0.f);
-  float total = 0;
-  for (int y = 0; y < classes.rows; ++y)
-    for (int x = 0; x < classes.cols; ++x) {
-      if (!mask.empty() && mask.at<uchar>(y, x) == 0) continue;
-      ++shares[classes.at<std::uint16_t>(y, x)];
-      ++total;
-    }
+  for (const auto& part : counts)
+    std::transform(part.begin(), part.end(), shares.begin(), shares.begin(),
+                   [](int count, float share) { return share + static_cast<float>(count); });
+  const float total = std::accumulate(shares.begin(), shares.end(), 0.f);
   for (auto& share : shares) share /= std::max(1.f, total);
   blur(shares, kChromaClasses, kChromaClasses * kBrightnessClasses, kChromaBlur);
   blur(shares, kChromaClasses, kBrightnessClasses, kChromaBlur);
