@@ -5,8 +5,10 @@
 #include <cstdint>
 #include <cstring>
 #include <opencv2/core.hpp>
+#include <utility>
 
 #include "matching/response_maps.hpp"
+#include "polar/clones.hpp"
 #include "polar/kernels.hpp"
 
 namespace mbncc {
@@ -43,6 +45,29 @@ class Peak {
 
   std::uint64_t packed_;
 };
+
+/// 1 in `marked` where a value of `row` is at least `least` and no neighbour exceeds it, of
+/// `count`. `columns` has room for two more.
+MBNCC_CLONES
+void mark_peaks(const std::int16_t* __restrict above, const std::int16_t* __restrict row,
+                const std::int16_t* __restrict below, int count, std::int16_t least,
+                std::int16_t* __restrict columns, std::uint8_t* __restrict marked) {
+  for (int x = 0; x < count; ++x) {
+    const std::int16_t vertical = above[x] > below[x] ? above[x] : below[x];
+    columns[x + 1] = vertical > row[x] ? vertical : row[x];
+  }
+  for (int x = 0; x < count; ++x) {
+    const std::int16_t beside = columns[x] > columns[x + 2] ? columns[x] : columns[x + 2];
+    const std::int16_t around = beside > columns[x + 1] ? beside : columns[x + 1];
+    marked[x] = row[x] >= (around > least ? around : least) ? 1 : 0;
+  }
+}
+
+/// Sets those of `count` values to 0 that are not wanted.
+MBNCC_CLONES
+void keep_wanted(const std::uint8_t* __restrict wanted, int count, std::int16_t* __restrict row) {
+  for (int x = 0; x < count; ++x) row[x] = wanted[x] != 0 ? row[x] : std::int16_t{0};
+}
 
 /// The best of a part of a turn's rotations at the positions of a few rows: outlines often fit
 /// again at another rotation, along edges of busy ground at many, and only the surface tells which.
@@ -82,16 +107,16 @@ class Sector {
   }
 
   /// Forgets what does not belong to the search: row `row` of the band where `wanted` is 0.
-  void keep_wanted(int row, const uchar* wanted) {
-    std::int16_t* best = &best_[(kKept + row) * width_];
-    for (int x = 0; x < width_; ++x) best[x] = wanted[x] != 0 ? best[x] : std::int16_t{0};
+  void keep(int row, const uchar* wanted) {
+    keep_wanted(wanted, width_, &best_[(kKept + row) * width_]);
   }
 
   /// Adds positions of at least `least` that no neighbour exceeds, in the rows whose neighbours are
   /// known: from one above the band, whose first row is `y`, to its last but one.
   void add_peaks(std::int16_t least, int y, std::vector<Peak>& peaks) {
     for (int row = 1; row <= kBand; ++row) {
-      mark_peaks(row, least);
+      const std::int16_t* best = &best_[row * width_];
+      mark_peaks(best - width_, best, best + width_, width_, least, column_.data(), marked_.data());
       const std::uint8_t* const end = marked_.data() + width_;
       for (const std::uint8_t* at = marked_.data();
            (at = static_cast<const std::uint8_t*>(
@@ -107,16 +132,6 @@ class Sector {
  private:
   static constexpr int kKept = 2;
   static constexpr int kRows = kKept + kBand;
-
-  void mark_peaks(int row, std::int16_t least) {
-    const std::int16_t* best = &best_[row * width_];
-    for (int x = 0; x < width_; ++x)
-      column_[x + 1] = std::max(std::max(best[x - width_], best[x]), best[x + width_]);
-    for (int x = 0; x < width_; ++x) {
-      const std::int16_t around = std::max(std::max(column_[x], column_[x + 1]), column_[x + 2]);
-      marked_[x] = best[x] >= std::max(around, least) ? 1 : 0;
-    }
-  }
 
   std::vector<std::int32_t> offsets_;              // of all points of the rotations
   std::vector<std::int16_t> labels_of_rotations_;  // their indices
@@ -152,7 +167,10 @@ class EdgeSearch {
     auto least = static_cast<std::int16_t>(std::max(1.0, kMinResponse * scale_));
     thread_local std::vector<Peak> peaks;
     peaks.clear();
+    bool before = false;
     for (int y = 0; y < wanted_.rows; y += kBand) {
+      const bool wanted = cv::countNonZero(wanted_.rowRange(y, y + kBand)) > 0;
+      if (!std::exchange(before, wanted) && !wanted) continue;  // nothing, nor in what is kept
       sum_band(y);
       for (auto& part : sectors_) part.add_peaks(least, y, peaks);
       if (peaks.size() > 2 * most) least = keep_best(peaks, most);
@@ -178,7 +196,7 @@ class EdgeSearch {
         for (auto& part : sectors_) part.sum_responses(maps, maps_->stride(), x);
       }
     for (int row = 0; row < kBand; ++row)
-      for (auto& part : sectors_) part.keep_wanted(row, wanted_.ptr(y + row));
+      for (auto& part : sectors_) part.keep(row, wanted_.ptr(y + row));
   }
 
   static auto end_of(std::vector<Peak>& peaks, std::size_t count) {
