@@ -2,6 +2,7 @@
 
 #include <ros/init.h>
 
+#include <atomic>
 #include <chrono>
 #include <csignal>
 #include <mutex>
@@ -12,10 +13,12 @@ namespace {
 
 constexpr std::chrono::milliseconds kGlance{50};
 
-volatile std::sig_atomic_t interrupted = 0;
+// Written in whatever thread the signal meets, read in the watches': std::sig_atomic_t serves one.
+std::atomic<bool> interrupted{false};
+static_assert(std::atomic<bool>::is_always_lock_free, "a signal handler must not wait");
 
 void note_interrupt(int) {
-  interrupted = 1;
+  interrupted = true;
 }
 
 /// The handler is the process's, the watches may be several.
