@@ -11,6 +11,7 @@ import sys
 import threading
 import time
 
+import rosgraph
 import rospy
 
 from mbncc_vision.msg import DetectedObject, DetectedObjectArray, LearnedObjectArray
@@ -109,6 +110,8 @@ def main():
     parser.add_argument("--name", default="", help="object to wait for; default: any")
     parser.add_argument("--timeout", type=float, default=10, help="[s] to wait")
     arguments = parser.parse_args(rospy.myargv()[1:])
+    if not rosgraph.is_master_online():
+        sys.exit("no ROS master at %s; start cell.launch or set ROS_MASTER_URI" % rosgraph.get_master_uri())
     rospy.init_node("grasp_client", anonymous=True)
     client = GraspClient()
     found, rest = client.wait(arguments.name, arguments.timeout)
