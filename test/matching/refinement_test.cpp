@@ -122,6 +122,16 @@ TEST_F(RefinementTest, DisplacedBrightnessHardlyDisplacesThePose) {
   EXPECT_LT(found, 0.15);
 }
 
+TEST_F(RefinementTest, DisplacedColourHardlyDisplacesThePose) {
+  constexpr double kAside = 2.5;
+  const Pose2D truth{103.7, 82.6, 0.5}, colour{truth.x - kAside, truth.y, truth.theta};
+  const cv::Mat scene = with_noise(scene_with_brightness_aside(colour, kAside), 5, 3);
+  const Pose2D anchor = anchor_at(truth);
+  const Refined found = refined(scene, anchor);
+  EXPECT_LT(cv::norm(found.pose.position() - anchor.position()), 0.1 * kAside);
+  EXPECT_GT(std::sqrt(found.covariance(0, 0)), 0.1 * kAside);
+}
+
 TEST_F(RefinementTest, DisagreementIsSeenInTheClaim) {
   const Pose2D truth{103.7, 82.6, 0.5};
   const auto claim = [&](double aside) {
@@ -174,7 +184,7 @@ TEST_F(RefinementTest, KnowsNothingOutsideThePicture) {
   EXPECT_GT(found.covariance(2, 2), 1);
 }
 
-TEST(DisagreementTest, WidensClaimsByWhatTheyDoNotExplain) {
+TEST(DisagreementTest, TellsHowFarApartBeyondTheClaims) {
   const auto pull_to = [](const Motion& motion, double information) {
     MotionPull pull;
     pull.information = information * cv::Matx44d::diag({1, 1, 400, 400});
@@ -189,10 +199,10 @@ TEST(DisagreementTest, WidensClaimsByWhatTheyDoNotExplain) {
     ignorant.add(pull_to(there + Motion(0.5, 0, 0, 0) * (information == 900),
                          information == 900 ? information : 1e-6));
   }
-  EXPECT_DOUBLE_EQ(agreed.factor(), 1);
-  // Half a pixel between information 500 and 900, over six degrees of freedom.
-  EXPECT_NEAR(apart.factor(), 0.25 / (1 / 500.0 + 1 / 900.0) / 6, 0.1);
-  EXPECT_DOUBLE_EQ(ignorant.factor(), 1) << "who knows nothing cannot disagree";
+  EXPECT_DOUBLE_EQ(agreed.variance(), 0);
+  EXPECT_DOUBLE_EQ(ignorant.variance(), 0) << "who knows nothing cannot disagree";
+  // Half a pixel along one of three directions.
+  EXPECT_NEAR(apart.variance(), 0.25 / 2 / 3, 0.02);
 }
 
 TEST(MotionPullTest, WhatIsLooseTellsLessOfThePlaceAndAsMuchOfNothing) {
@@ -207,6 +217,17 @@ TEST(MotionPullTest, WhatIsLooseTellsLessOfThePlaceAndAsMuchOfNothing) {
   // The turn it tells of is known only less the shift that it is mistaken for.
   EXPECT_LT(loose.information(2, 2), pull.information(2, 2));
   EXPECT_GT(loose.information(2, 2), 0.9 * pull.information(2, 2));
+  EXPECT_LT(cv::norm(loose.information * motion - loose.vector), 1e-9);
+}
+
+TEST(MotionPullTest, WhatIsLooseThroughoutTellsLessOfEverything) {
+  MotionPull pull;
+  pull.information = cv::Matx44d(50, 3, 8, 2, 3, 40, -5, 1, 8, -5, 90000, 4, 2, 1, 4, 70000);
+  const Motion motion(0.2, -0.1, 0.01, 0.02);
+  pull.vector = pull.information * motion;
+  const MotionPull loose = loosened_throughout(pull, 0.5, 20);
+  for (int k = 0; k < 4; ++k)
+    EXPECT_LT(loose.information(k, k), (k < 2 ? 1.0 : 20.0 * 20.0) / (0.5 * 0.5)) << k;
   EXPECT_LT(cv::norm(loose.information * motion - loose.vector), 1e-9);
 }
 

@@ -5,35 +5,44 @@
 namespace mbncc {
 namespace {
 
-cv::Matx33d information_of(const MotionPull& pull) {
-  return pull.information.get_minor<3, 3>(0, 0);
-}
+/// Shift and turn of a pull, the turn as an arc [px] at the rim.
+struct Pull3 {
+  cv::Matx33d information;
+  cv::Vec3d vector;
 
-cv::Vec3d vector_of(const MotionPull& pull) {
-  return {pull.vector[0], pull.vector[1], pull.vector[2]};
-}
+  Pull3() = default;
+  Pull3(const MotionPull& pull, double radius) {
+    const cv::Matx33d arc = cv::Matx33d::diag({1, 1, 1 / radius});
+    information = arc * pull.information.get_minor<3, 3>(0, 0) * arc;
+    vector = arc * cv::Vec3d(pull.vector[0], pull.vector[1], pull.vector[2]);
+  }
+
+  /// What a pull knows nothing about cannot disagree.
+  cv::Matx33d inverse() const {
+    constexpr double kLeast = 0.01;  // [1/px^2]
+    return (information + kLeast * cv::Matx33d::eye()).inv();
+  }
+  double squares() const { return vector.dot(inverse() * vector); }
+  double freedom() const { return cv::trace(information * inverse()); }
+};
 
 }  // namespace
 
-/// What a pull knows nothing about cannot disagree.
-cv::Matx33d Disagreement::inverse_of(const MotionPull& pull) const {
-  constexpr double kLeast = 0.01;  // [1/px^2]
-  return (information_of(pull) + cv::Matx33d::diag({kLeast, kLeast, kLeast * radius_ * radius_}))
-      .inv();
-}
-
-void Disagreement::add(const MotionPull& pull) {
-  const cv::Matx33d inverse = inverse_of(pull);
-  squares_ += vector_of(pull).dot(inverse * vector_of(pull));
-  freedom_ += cv::trace(information_of(pull) * inverse);
-  sum_ += pull;
-}
-
-double Disagreement::factor() const {
-  const cv::Matx33d inverse = inverse_of(sum_);
-  const double squares = squares_ - vector_of(sum_).dot(inverse * vector_of(sum_));
-  const double freedom = freedom_ - cv::trace(information_of(sum_) * inverse);
-  return std::max(1.0, squares / std::max(1.0, freedom));
+double Disagreement::variance() const {
+  Pull3 sum;
+  cv::Matx33d products;
+  double squares = 0, freedom = 0;
+  for (const auto& one : pulls_) {
+    const Pull3 pull(one, radius_);
+    sum.information += pull.information;
+    sum.vector += pull.vector;
+    products += pull.information * pull.information;
+    squares += pull.squares();
+    freedom += pull.freedom();
+  }
+  const double unclaimed = squares - sum.squares() - (freedom - sum.freedom());
+  const double weight = cv::trace(sum.information) - cv::trace(sum.inverse() * products);
+  return weight > 0 ? std::max(0.0, unclaimed / weight) : 0;
 }
 
 }  // namespace mbncc

@@ -1,5 +1,7 @@
-// Whether comparisons of the same pose agree on it as well as they claim.
+// Comparisons of the same pose, none of which knows what displaces the others.
 #pragma once
+
+#include <vector>
 
 #include "matching/motion_pull.hpp"
 
@@ -10,18 +12,15 @@ class Disagreement {
   /// `radius` [px] of what moves: makes a turn comparable with a shift.
   explicit Disagreement(double radius) : radius_(radius) {}
 
-  void add(const MotionPull& pull);
+  void add(const MotionPull& pull) { pulls_.push_back(pull); }
 
-  /// Of the squared deviations claimed, what they had to be multiplied by to explain how far the
-  /// pulls' shifts and turns are apart from each other; at least 1.
-  double factor() const;
+  /// [px^2] How far the comparisons' shifts and turns are apart beyond what they claim: the
+  /// variance that each has to be given to explain it (DerSimonian and Laird's random effects).
+  double variance() const;
 
  private:
-  cv::Matx33d inverse_of(const MotionPull& pull) const;
-
   double radius_;
-  MotionPull sum_;
-  double squares_ = 0, freedom_ = 0;
+  std::vector<MotionPull> pulls_;
 };
 
 }  // namespace mbncc

@@ -19,4 +19,12 @@ MotionPull loosened(const MotionPull& pull, double deviation) {
   return loose;
 }
 
+MotionPull loosened_throughout(const MotionPull& pull, double deviation, double radius) {
+  const double place = deviation * deviation, turn = place / (radius * radius);
+  const cv::Matx44d share =
+      (cv::Matx44d::eye() + pull.information * cv::Matx44d::diag({place, place, turn, turn})).inv();
+  const cv::Matx44d information = share * pull.information;
+  return {0.5 * (information + information.t()), share * pull.vector};
+}
+
 }  // namespace mbncc

@@ -21,4 +21,7 @@ struct MotionPull {
 /// [px] along x and y.
 MotionPull loosened(const MotionPull& pull, double deviation);
 
+/// The same where it may also be turned and stretched, by as much at `radius` [px].
+MotionPull loosened_throughout(const MotionPull& pull, double deviation, double radius);
+
 }  // namespace mbncc

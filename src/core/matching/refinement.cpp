@@ -1,6 +1,7 @@
 #include "matching/refinement.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "matching/disagreement.hpp"
@@ -63,11 +64,9 @@ class Refiner {
 
   bool look();
   double gain() const;
-
-  void add(const MotionPull& pull) {
-    pull_ += pull;
-    disagreement_.add(pull);
-  }
+  MotionPull edges_pull();
+  std::array<MotionPull, ColourAxes::kAxes> axis_pulls(double contrast);
+  MotionPull as_far_as_it_agrees(const MotionPull& colour, const MotionPull& edges) const;
 
   cv::Matx44d information(double scale_deviation) const {
     cv::Matx44d prior = cv::Matx44d::diag({kLeast, kLeast, kLeast * radius() * radius(), 0});
@@ -114,43 +113,71 @@ class Refiner {
   double scale_ = 1, scale_deviation_ = kFixedScale;
   Samples& samples_ = samples();
   MotionPull pull_;                 // at the pose looked at last
-  Disagreement disagreement_{1};    // there
+  double unclaimed_ = 0;            // [px^2] by how much they are apart, there
   LightDisplacement displacement_;  // there
 };
 
 /// Collects what surface and contour say at the pose. False where too little is visible.
 bool Refiner::look() {
-  constexpr int kReach = 2;                // [px] along the normals in which edges are looked for
-  constexpr double kCorrelatedValues = 4;  // neighbours' noise is alike, by smoothing
-  constexpr double kScatter = 0.8;         // [px] of one contour point
-  constexpr double kCorrelatedPoints = 2;  // neighbours on the contour that scatter alike
   const PoseTemplate& object = object_.object;
   scene_.prepare_around(pose_, object.reach() * scale_);
   object.surface.sample(scene_, pose_, samples_.surface, scale_);
   if (!samples_.surface.suffices()) return false;
   const double contrast = gain();
-  SurfaceRemainders& remainders = samples_.remainders;
-  remainders.read(object_.axes, object.surface, samples_.surface);
-  const auto variances = remainders.variances();
-  const double lesson_noise = object_.axes.noise(remainders.values, remainders.weights, contrast);
   displacement_ = LightDisplacement(object.surface, samples_.surface, contrast);
-  pull_ = {};
-  disagreement_ = Disagreement(radius());
-  for (int axis = 0; axis < ColourAxes::kAxes; ++axis) {
-    MotionPull pull = object_.axes.pull(axis, remainders.values[axis], remainders.weights);
-    const double noise = kCorrelatedValues * variances[axis];
-    const double share = contrast * object_.axes.reliability(axis, lesson_noise);
-    pull.information *= share * share / noise;
-    pull.vector *= share / noise;
-    add(axis == ColourAxes::kBrightness ? loosened(pull, displacement_.of_brightness()) : pull);
-  }
-  read_contour(object.contour, scene_.edges, pose_, kReach, samples_.contour, scale_);
-  MotionPull edges = object_.contour_motion.pull(samples_.contour);
+  const MotionPull edges = edges_pull();
+  const auto axes = axis_pulls(contrast);
+  Disagreement all(radius());
+  all.add(edges);
+  for (const auto& axis : axes) all.add(axis);
+  unclaimed_ = all.variance();
+  MotionPull colour = axes[1];
+  colour += axes[2];
+  pull_ = edges;
+  pull_ += axes[ColourAxes::kBrightness];
+  pull_ += as_far_as_it_agrees(colour, edges);
+  return true;
+}
+
+MotionPull Refiner::edges_pull() {
+  constexpr int kReach = 2;                // [px] along the normals in which edges are looked for
+  constexpr double kScatter = 0.8;         // [px] of one contour point
+  constexpr double kCorrelatedPoints = 2;  // neighbours on the contour that scatter alike
   const double scatter = kScatter * kScatter * kCorrelatedPoints;
+  read_contour(object_.object.contour, scene_.edges, pose_, kReach, samples_.contour, scale_);
+  MotionPull edges = object_.contour_motion.pull(samples_.contour);
   edges.information *= 1 / scatter;
   edges.vector *= 1 / scatter;
-  add(loosened(edges, displacement_.of_contour()));
-  return true;
+  return loosened(edges, displacement_.of_contour());
+}
+
+std::array<MotionPull, ColourAxes::kAxes> Refiner::axis_pulls(double contrast) {
+  constexpr double kCorrelatedValues = 4;  // neighbours' noise is alike, by smoothing
+  SurfaceRemainders& remainders = samples_.remainders;
+  remainders.read(object_.axes, object_.object.surface, samples_.surface);
+  const auto variances = remainders.variances();
+  const double lesson_noise = object_.axes.noise(remainders.values, remainders.weights, contrast);
+  std::array<MotionPull, ColourAxes::kAxes> pulls;
+  for (int axis = 0; axis < ColourAxes::kAxes; ++axis) {
+    pulls[axis] = object_.axes.pull(axis, remainders.values[axis], remainders.weights);
+    const double noise = kCorrelatedValues * variances[axis];
+    const double share = contrast * object_.axes.reliability(axis, lesson_noise);
+    pulls[axis].information *= share * share / noise;
+    pulls[axis].vector *= share / noise;
+  }
+  MotionPull& brightness = pulls[ColourAxes::kBrightness];
+  brightness = loosened(brightness, displacement_.of_brightness());
+  return pulls;
+}
+
+/// Cameras blur and displace colour, some by pixels: how far it is apart from the contour tells.
+MotionPull Refiner::as_far_as_it_agrees(const MotionPull& colour, const MotionPull& edges) const {
+  constexpr double kUsual = 0.3;  // [px] apart
+  Disagreement two(radius());
+  two.add(colour);
+  two.add(edges);
+  const double apart = std::sqrt(2 * two.variance());
+  return apart > kUsual ? loosened_throughout(colour, apart, radius()) : colour;
 }
 
 /// Of the picture's contrast by the template's.
@@ -163,9 +190,12 @@ double Refiner::gain() const {
 }
 
 cv::Matx33d Refiner::covariance() const {
-  const cv::Matx33d in_template =
-      disagreement_.factor() *
-      (information(scale_deviation_).inv().get_minor<3, 3>(0, 0) + displacement_.of_pose(radius()));
+  constexpr double kAlike =
+      3;  // what displaces them apart displaces all of them, too: so much more
+  const double rim = radius() * radius();
+  const cv::Matx33d in_template = information(scale_deviation_).inv().get_minor<3, 3>(0, 0) +
+                                  displacement_.of_pose(radius()) +
+                                  kAlike * unclaimed_ * cv::Matx33d::diag({1, 1, 1 / rim});
   const double c = std::cos(pose_.theta), s = std::sin(pose_.theta);
   const cv::Matx33d turn(c, -s, 0, s, c, 0, 0, 0, 1);
   return turn * in_template * turn.t();
