@@ -84,8 +84,7 @@ Refined refined(const PreparedView& view, const ScenePicture& scene, const Belie
 }
 
 /// What is known before the pose is refined.
-Detection unrefined(const PreparedObject& object, const PreparedView& view,
-                    const ScenePicture& scene, const Believed& found) {
+Detection unrefined(const PreparedObject& object, const PreparedView& view, const Believed& found) {
   Detection detection;
   detection.object = &object;
   detection.view = &view;
@@ -95,10 +94,13 @@ Detection unrefined(const PreparedObject& object, const PreparedView& view,
   detection.log_odds = found.odds + found.pixels;
   detection.projected = found.evidence.projected;
   detection.rotation_odds = rotation_odds(found.evidence);
-  const Similarity similar = similarity(view.points, scene.grey[0], detection.pose);
-  detection.similarity = similar.value;
-  detection.visible = similar.visible;
   return detection;
+}
+
+void read_similarity(Detection& detection, const ScenePicture& scene) {
+  const Similarity read = similarity(detection.view->points, scene.grey[0], detection.pose);
+  detection.similarity = read.value;
+  detection.visible = read.visible;
 }
 
 /// Refines the pose, and looks for what speaks against it there.
@@ -114,9 +116,6 @@ void refine(Detection& detection, const ScenePicture& scene, const Believed& fou
   detection.log_odds = found.odds + found.pixels - doubt(strange.colour);
   detection.another_size =
       detection.log_odds > 0 && fits_another_size(view, scene, detection.pose, found.odds);
-  const Similarity similar = similarity(view.points, scene.grey[0], detection.pose);
-  detection.similarity = similar.value;
-  detection.visible = similar.visible;
 }
 
 }  // namespace
@@ -169,7 +168,7 @@ std::vector<Detection> judge(const PreparedObject& object, const PreparedView& v
                              const ScenePicture& scene, const std::vector<Believed>& found) {
   std::vector<Detection> detections;
   for (const auto& one : found) {
-    detections.push_back(unrefined(object, view, scene, one));
+    detections.push_back(unrefined(object, view, one));
     detections.back().number = detections.size() - 1;
   }
   std::vector<bool> done(found.size(), false);
@@ -178,7 +177,10 @@ std::vector<Detection> judge(const PreparedObject& object, const PreparedView& v
     const auto next = std::find_if(compared.begin(), compared.end(), [&](const Detection& one) {
       return !done[one.number] && one.log_odds > kReportable;
     });
-    if (next == compared.end()) return compared;
+    if (next == compared.end()) {
+      for (auto& one : compared) read_similarity(one, scene);
+      return compared;
+    }
     done[next->number] = true;
     refine(detections[next->number], scene, found[next->number]);
   }
