@@ -6,6 +6,7 @@
 
 #include "learning/faint_change.hpp"
 #include "learning/normalized_difference.hpp"
+#include "learning/soft_light.hpp"
 #include "learning/texture_loss.hpp"
 
 namespace mbncc {
@@ -26,6 +27,7 @@ constexpr int kShadowBox = 7;            // [px] a shadow's depth is averaged ov
 constexpr float kTextureLost = 6;        // most that covered texture says against a shadow
 constexpr float kTextureKept = 4;        // most that visible texture says for it
 constexpr float kFaintlyChanged = 0.9F;  // probability given to change that only windows show
+constexpr float kSoftShadow = 3;         // log-odds of platform that gradual light adds
 constexpr float kHighestRatio = 60;      // cap of the logarithms
 constexpr float kHardlyPossible = 20;    // log-prior against shadows darker than the darkest
 
@@ -153,6 +155,13 @@ cv::Mat exponential(const cv::Mat& logarithm) {
   return values;
 }
 
+// Adds log-odds of platform where `mask` is set.
+void favour_platform(const cv::Mat& mask, float log_odds, BackgroundLikelihood& likelihood) {
+  cv::add(likelihood.log_ratio, log_odds, likelihood.log_ratio, mask);
+  const cv::Mat odds = likelihood.changed / (1 - likelihood.changed) * std::exp(-log_odds);
+  cv::Mat(odds / (1 + odds)).copyTo(likelihood.changed, mask);
+}
+
 }  // namespace
 
 float log_uniform_colour() {
@@ -180,6 +189,7 @@ BackgroundLikelihood background_likelihood(const cv::Mat& before, const cv::Mat&
   result.changed = 1 / (1 + sum / 2);
   const cv::Mat faint = faint_change(misfit, after, variance, noise.tail, result.changed > 0.5);
   result.changed.setTo(kFaintlyChanged, faint & (result.changed < kFaintlyChanged));
+  favour_platform(soft_shadow(before, after, result.changed, noise.sigma(1)), kSoftShadow, result);
   return result;
 }
 

@@ -8,7 +8,7 @@
 namespace mbncc {
 namespace {
 
-constexpr double kKeptWeight = 0.25;   // of the heaviest group
+constexpr double kKeptWeight = 0.18;   // of the heaviest group
 constexpr int kSmallestHole = 12;      // [px] always filled
 constexpr double kFilledPart = 0.002;  // of the map
 
