@@ -65,7 +65,7 @@ TEST(ChangeCut, AnObjectOfAShadowsColourIsNoShadow) {
 }
 
 // Four pixels wide and hardly brighter than the platform: much outline, little area.
-TEST(ChangeCut, AThinFaintHookIsKept) {
+DrawnLesson draw_faint_hook() {
   DrawnLesson drawn = draw_lesson();
   drawn.truth.setTo(0);
   cv::ellipse(drawn.truth, {100, 90}, {22, 22}, 0, 90, 360, cv::Scalar(255), 4);
@@ -77,7 +77,25 @@ TEST(ChangeCut, AThinFaintHookIsKept) {
   drawn.lesson.before = test::exposed(drawn.scene, 11, 1, 3);
   drawn.lesson.after = test::exposed(drawn.platform, 12, 1, 3);
   drawn.lesson.region = cv::Rect(60, 50, 125, 80);
+  return drawn;
+}
+
+TEST(ChangeCut, AThinFaintHookIsKept) {
+  const DrawnLesson drawn = draw_faint_hook();
   EXPECT_GT(test::iou(cut(drawn.lesson).map, drawn.truth), 0.8);
+}
+
+// An operator who mends a map must not be told that it got worse.
+TEST(ChangeCut, StrokesAreEvidence) {
+  const DrawnLesson drawn = draw_faint_hook();
+  const ChangeCut first = cut(drawn.lesson);
+  cv::Mat beside, include = drawn.truth.clone();
+  cv::dilate(drawn.truth, beside, cv::Mat::ones(15, 15, CV_8U));
+  include.colRange(120, include.cols).setTo(0);
+  const ChangeCut mended = first.cut_again(include, beside & ~drawn.truth);
+  EXPECT_GT(test::iou(mended.map, drawn.truth), test::iou(first.map, drawn.truth));
+  EXPECT_GT(mended.evidence.stability, first.evidence.stability);
+  EXPECT_GT(mended.evidence.boundary_contrast, first.evidence.boundary_contrast);
 }
 
 // Pixels just outside are taken in about as often as those just inside are left out.

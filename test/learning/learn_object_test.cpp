@@ -58,6 +58,23 @@ TEST(LearnObject, FindsTheRegionFromTheChange) {
   EXPECT_GT(iou(learned_map(result), drawn.truth), 0.75);
 }
 
+// The survey sees the wedge alone, the cut the whole object.
+TEST(LearnObject, WidensARegionThatNobodyDrew) {
+  DrawnLesson drawn = draw_lesson();
+  const cv::Rect faint(150, 84, 60, 16);
+  drawn.scene(faint) = cv::Scalar(110, 110, 115);
+  drawn.truth(faint).setTo(255);
+  drawn.platform = test::texture(drawn.platform.size(), cv::Scalar(105, 115, 120), 2, 1);
+  drawn.platform.copyTo(drawn.scene, ~drawn.truth);
+  drawn.lesson.before = test::exposed(drawn.scene, 11, 1, 1);
+  drawn.lesson.after = test::exposed(drawn.platform, 12, 1, 1);
+  drawn.lesson.region = {};
+  const LearnResult result = learn_object(drawn.lesson);
+  ASSERT_TRUE(result.has_model);
+  EXPECT_GT(iou(learned_map(result), drawn.truth), 0.8);
+  for (const auto& reason : result.object.quality.reasons) EXPECT_NE(reason, "touches_region_edge");
+}
+
 TEST(LearnObject, TakesAReadyMapAsItIs) {
   DrawnLesson drawn = draw_lesson();
   drawn.lesson.map = drawn.truth;

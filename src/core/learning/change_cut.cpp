@@ -29,12 +29,15 @@ constexpr double kRimWeight = 0.3;  // of the outermost pixels' colours
 constexpr float kRimDoubt = 3;      // unary taken from the pixels on both sides of the last outline
 constexpr float kLineWeight = 3;    // of what speaks for a thin part
 constexpr float kLineLeast = 0.3F;  // mean unary along a line from which on it does
+constexpr float kGapWeight = 2;     // of what speaks for a narrow gap
+constexpr float kGapLeast = 1;      // mean unary against the object from which on it does
 constexpr float kHighestUnary = 60;
 constexpr float kVoice = 8;          // highest unary of one of two views
 constexpr float kForced = 1000;      // unary of painted pixels
 constexpr float kArrivalUnary = 12;  // log-likelihood ratio given to arrivals
 constexpr int kFewestPixels = 30;    // of a seed worth cutting
 constexpr float kCovered = 2;  // log-likelihood ratio given to what an intruder covers afterwards
+constexpr int kLookedAt = 7;   // [px] square about a painted pixel
 constexpr int kSpeck = 8;      // [px] smaller changed patches are noise
 
 // What one round of cutting works on; all pictures have the crop's size, and their own memory: the
@@ -137,7 +140,8 @@ class Cutter {
 
   CutEvidence evidence() const {
     const cv::Mat room = intruders_.empty() ? inside_ : cv::Mat(inside_ & ~intruders_);
-    return cut_evidence({map_, coarse_, room, unary_, background_.changed}, smoothness_, half_);
+    return cut_evidence({map_, coarse_, room, unary_, background_.changed, kept_, vouched()},
+                        smoothness_, half_);
   }
 
  private:
@@ -182,6 +186,14 @@ class Cutter {
   // A view's say in a cut of both: no pixel may outvote the other view by far.
   static cv::Mat voice_of(const cv::Mat& unary) { return cv::max(cv::min(unary, kVoice), -kVoice); }
 
+  // What lies about the strokes, too, was looked at.
+  cv::Mat vouched() const {
+    if (include_.empty()) return {};
+    cv::Mat vouched;
+    cv::dilate(include_ | exclude_, vouched, cv::Mat::ones(kLookedAt, kLookedAt, CV_8U));
+    return vouched;
+  }
+
   // Relative to uniform, as in BackgroundLikelihood.
   cv::Mat relative_density(const ColourMixture& mixture) const {
     return mixture.densities(before_) * std::exp(-log_uniform_colour());
@@ -213,7 +225,9 @@ class Cutter {
     cv::Mat unary;
     cv::log((1 - kAnyColour) * relative_density(object) + kAnyColour, unary);
     unary = kUnaryWeight * (unary - background_.log_ratio);
-    unary += kLineWeight * cv::max(line_evidence(unary) - kLineLeast, 0);
+    const LineEvidence lines = line_evidence(unary);
+    unary += kLineWeight * cv::max(lines.parts - kLineLeast, 0);
+    unary -= kGapWeight * cv::max(lines.gaps - kGapLeast, 0);
     if (!coarse_.empty()) cv::subtract(unary, kRimDoubt, unary, rim_of(map_));
     unary = cv::max(cv::min(unary, kHighestUnary), -kHighestUnary);
     if (!other_view_.empty()) unary = voice_of(unary) + other_view_;

@@ -20,14 +20,20 @@ double part(const cv::Mat& of, const cv::Mat& among) {
   return all == 0 ? 0 : cv::countNonZero(of & among) / static_cast<double>(all);
 }
 
-// Mean strength of the edges that the outline follows, 1: it costs nothing there.
-double boundary_contrast(const cv::Mat& map, const Smoothness& smoothness) {
+// Mean strength of the edges that the outline follows, 1: it costs nothing there. What the operator
+// has drawn himself needs no edge.
+double boundary_contrast(const FinishedCut& cut, const Smoothness& smoothness) {
+  const cv::Mat& map = cut.map;
+  const auto is_vouched = [&cut](int y, int x) {
+    return !cut.vouched.empty() && cut.vouched.at<uchar>(y, x);
+  };
   double cost = 0, length = 0;
   for (const int k : {0, 2})  // left and upper neighbour
     for (int y = 1; y < map.rows; ++y)
       for (int x = 1; x < map.cols; ++x)
         if (map.at<uchar>(y, x) != map.at<uchar>(y + Smoothness::kDy[k], x + Smoothness::kDx[k])) {
-          cost += smoothness.weights[k].at<float>(y, x) / smoothness.strength;
+          if (!is_vouched(y, x))
+            cost += smoothness.weights[k].at<float>(y, x) / smoothness.strength;
           ++length;
         }
   return 1 - cost / std::max(1.0, length);
@@ -41,9 +47,12 @@ double change_beside(const FinishedCut& cut) {
   return cv::countNonZero(beside) / std::max(1.0, static_cast<double>(cv::countNonZero(cut.map)));
 }
 
-double agreement(const cv::Mat& a, const cv::Mat& b) {
-  const int either = cv::countNonZero(a | b);
-  return either == 0 ? 0 : cv::countNonZero(a & b) / static_cast<double>(either);
+// Nobody doubts what the operator has painted.
+double agreement(const FinishedCut& cut, const cv::Mat& other) {
+  cv::Mat same = cut.map & other, either = cut.map | other;
+  if (!cut.vouched.empty()) same |= either & cut.vouched;
+  const int all = cv::countNonZero(either);
+  return all == 0 ? 0 : cv::countNonZero(same) / static_cast<double>(all);
 }
 
 // Least agreement of the map with two cuts at half resolution whose balance is tilted either way.
@@ -51,8 +60,8 @@ double stability(const FinishedCut& cut, const Smoothness& half) {
   double least = 1;
   for (const float tilt : {-kBalanceShift, kBalanceShift}) {
     cv::Mat tilted = tilted_coarse_cut(cut.coarse, cut.unary, tilt, half);
-    keep_main_groups(tilted, cut.unary + tilt);
-    least = std::min(least, agreement(tilted, cut.map));
+    keep_main_groups(tilted, cut.unary + tilt, cut.kept);
+    least = std::min(least, agreement(cut, tilted));
   }
   return least;
 }
@@ -72,7 +81,7 @@ CutEvidence cut_evidence(const FinishedCut& cut, const Smoothness& smoothness,
   evidence.change_outside = part(cut.changed > kSurelyChanged, ~cut.inside);
   evidence.change_beside = change_beside(cut);
   evidence.stability = stability(cut, half);
-  evidence.boundary_contrast = boundary_contrast(cut.map, smoothness);
+  evidence.boundary_contrast = boundary_contrast(cut, smoothness);
   return evidence;
 }
 

@@ -1,10 +1,12 @@
 #include "learning/lesson_run.hpp"
 
+#include <algorithm>
 #include <chrono>
 
 #include "learning/lesson_checks.hpp"
 #include "learning/lesson_region.hpp"
 #include "learning/put_aside.hpp"
+#include "learning/rectangles.hpp"
 #include "learning/stage_pictures.hpp"
 #include "learning/step_timer.hpp"
 #include "mbncc/learning/quality.hpp"
@@ -12,7 +14,8 @@
 namespace mbncc {
 namespace {
 
-constexpr double kRefines = 0.75;  // agreement of two views, above which both make the map
+constexpr double kRefines = 0.75;   // agreement of two views, above which both make the map
+constexpr double kTouching = 0.04;  // part of the outline on the region's edge that asks for more
 
 bool refines(const NewPlace& place) {
   return place.agreement >= kRefines;
@@ -98,7 +101,19 @@ class LessonRun {
     if (!lesson_.map.empty()) return accept(lesson_.map > 127);
     if (!lesson_.outline.empty() && config_.method == "auto") return accept(outline_map(lesson_));
     task_ = mark_region();
-    return segment(task_);
+    const Segmentation found = segment(task_);
+    return widen(task_, found) ? segment(task_) : found;
+  }
+
+  // A region that nobody drew may have been found too small. False: there is nothing to widen.
+  bool widen(SegmentationTask& task, const Segmentation& found) const {
+    if (!lesson_.outline.empty() || !found.evidence) return false;
+    if (found.evidence->region_touch <= kTouching) return false;
+    const int margin = std::max(task.region.width, task.region.height) / 2;
+    const cv::Rect wider = grown(task.region, margin) & usable_region(lesson_);
+    if (wider == task.region) return false;
+    task.region = wider;
+    return true;
   }
 
   Segmentation accept(const cv::Mat& map) {

@@ -12,7 +12,7 @@ namespace {
 constexpr int kDirections = 8;
 constexpr int kReach = 6;  // [px] of a line to either side of its middle
 constexpr int kLength = 2 * kReach + 1;
-constexpr int kBeside = 5;  // [px] so far beside a thin line there is platform
+constexpr int kBeside = 5;  // [px] so far beside a line there is something else
 constexpr float kMost = 3;  // any pixel's say
 constexpr int kFrame = kReach + kBeside;
 
@@ -45,23 +45,28 @@ void line_means(const cv::Mat& framed, double angle, cv::Mat& means) {
   }
 }
 
-// Raises `best` to the means of lines with platform on both sides.
-void take_thin_lines(const cv::Mat& means, double angle, cv::Mat& best) {
+// Raises the evidence to the means of lines that differ from what lies on both of their sides.
+void take_lines(const cv::Mat& means, double angle, LineEvidence& best) {
   const cv::Point across = rounded(kBeside, angle + CV_PI / 2);
-  for (int y = 0; y < best.rows; ++y) {
+  for (int y = 0; y < best.parts.rows; ++y) {
     const auto* here = means.ptr<float>(y + kFrame) + kFrame;
     const auto* left = means.ptr<float>(y + kFrame - across.y) + kFrame - across.x;
     const auto* right = means.ptr<float>(y + kFrame + across.y) + kFrame + across.x;
-    auto* out = best.ptr<float>(y);
-    for (int x = 0; x < best.cols; ++x)
-      out[x] = std::max(left[x], right[x]) <= 0 ? std::max(out[x], here[x]) : out[x];
+    auto* part = best.parts.ptr<float>(y);
+    auto* gap = best.gaps.ptr<float>(y);
+    for (int x = 0; x < best.parts.cols; ++x) {
+      part[x] = std::max(left[x], right[x]) <= 0 ? std::max(part[x], here[x]) : part[x];
+      gap[x] = std::min(left[x], right[x]) >= 0 ? std::max(gap[x], -here[x]) : gap[x];
+    }
   }
 }
 
 }  // namespace
 
-cv::Mat line_evidence(const cv::Mat& preference) {
-  cv::Mat framed, best(preference.size(), CV_32FC1, cv::Scalar(-kMost));
+LineEvidence line_evidence(const cv::Mat& preference) {
+  cv::Mat framed;
+  LineEvidence best{cv::Mat(preference.size(), CV_32FC1, cv::Scalar(-kMost)),
+                    cv::Mat(preference.size(), CV_32FC1, cv::Scalar(-kMost))};
   const cv::Mat clipped = cv::max(cv::min(preference, kMost), -kMost);
   cv::copyMakeBorder(clipped, framed, kFrame, kFrame, kFrame, kFrame, cv::BORDER_CONSTANT,
                      cv::Scalar(-kMost));
@@ -69,7 +74,7 @@ cv::Mat line_evidence(const cv::Mat& preference) {
   for (int i = 0; i < kDirections; ++i) {
     const double angle = i * CV_PI / kDirections;
     line_means(framed, angle, means);
-    take_thin_lines(means, angle, best);
+    take_lines(means, angle, best);
   }
   return best;
 }

@@ -1,13 +1,18 @@
-// What speaks for thin parts: preferences that add up along a line.
+// What speaks for thin parts and narrow gaps: preferences that add up along a line.
 #pragma once
 
 #include <opencv2/core.hpp>
 
 namespace mbncc {
 
-/// Mean preference (CV_32FC1, log-odds) over 13 px of the best line through each pixel, no pixel
-/// counting more than 3; CV_32FC1. Lines that are no thinner than 9 px give none (-3): what is
-/// wide needs no help.
-cv::Mat line_evidence(const cv::Mat& preference);
+/// Of every pixel, CV_32FC1; -3 where there is none.
+struct LineEvidence {
+  cv::Mat parts;  ///< mean preference along the best line with platform on both sides
+  cv::Mat gaps;   ///< likewise against the object, along lines with object on both sides
+};
+
+/// `preference` is CV_32FC1, log-odds of the object. Lines are 13 px long, and no pixel counts more
+/// than 3. What is 9 px or more wide is no line: it needs no help.
+LineEvidence line_evidence(const cv::Mat& preference);
 
 }  // namespace mbncc

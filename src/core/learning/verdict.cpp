@@ -31,7 +31,7 @@ constexpr std::array<Reason, 15> kReasons{{
     {"not_distinct", LearnError::kNotDistinct,
      "Take other things that look alike out of the picture, or teach on a plainer background."},
     {"touches_region_edge", LearnError::kQualityBad,
-     "Draw the region larger, with platform on every side of the object."},
+     "Draw a larger region, with platform on every side of the object."},
     {"change_outside_region", LearnError::kQualityBad,
      "Move only this object between the pictures, and keep arm and hands out of both."},
     {"change_left_out", LearnError::kQualityBad,
