@@ -14,24 +14,14 @@
 #include "learning/graph_cut.hpp"
 #include "learning/half_smoothness.hpp"
 #include "learning/intruders.hpp"
-#include "learning/line_evidence.hpp"
 #include "learning/moved_neighbour.hpp"
+#include "learning/object_preference.hpp"
 #include "learning/rectangles.hpp"
 #include "learning/smoothness.hpp"
 
 namespace mbncc {
 namespace {
 
-constexpr float kAnyColour = 0.05F;    // part of the object's pixels in colours not seen yet
-constexpr float kUnaryWeight = 1.15F;  // against the smoothness
-constexpr double kSureness = 4;  // power of the change's probability that colours are weighted by
-constexpr double kRimWeight = 0.3;  // of the outermost pixels' colours
-constexpr float kRimDoubt = 3;      // unary taken from the pixels on both sides of the last outline
-constexpr float kLineWeight = 3;    // of what speaks for a thin part
-constexpr float kLineLeast = 0.3F;  // mean unary along a line from which on it does
-constexpr float kGapWeight = 2;     // of what speaks for a narrow gap
-constexpr float kGapLeast = 1;      // mean unary against the object from which on it does
-constexpr float kHighestUnary = 60;
 constexpr float kVoice = 8;          // highest unary of one of two views
 constexpr float kForced = 1000;      // unary of painted pixels
 constexpr float kArrivalUnary = 12;  // log-likelihood ratio given to arrivals
@@ -79,7 +69,7 @@ class Cutter {
   }
 
   void cut() {
-    unary_ = unary_of(ColourMixture::fit(before_, map_, sureness()));
+    unary_ = next_unary();
     cut_by_unary(smoothness_);
   }
 
@@ -89,12 +79,12 @@ class Cutter {
     cv::Mat next = coarse_.clone();
     refine_cut(unary_, smoothness, next);
     if (cv::countNonZero(next) < kFewestPixels) return;
-    keep_main_groups(next, cv::min(unary_, kHighestUnary), kept_);
+    keep_main_groups(next, cv::min(unary_, kHighestPreference), kept_);
     map_ = next;
   }
 
   void clean() {
-    map_ = clean_map(map_, cv::min(unary_, kHighestUnary), kept_);
+    map_ = clean_map(map_, cv::min(unary_, kHighestPreference), kept_);
     if (!include_.empty()) map_ = (map_ | include_) & ~exclude_;
   }
 
@@ -178,7 +168,7 @@ class Cutter {
     intruders_ |= rim & ~map_;
     background_.changed.setTo(0, intruders_);
     cv::Mat platform;
-    cv::log(relative_density(platform_) + 1e-3, platform);
+    cv::log(relative_density(platform_, before_) + 1e-3, platform);
     platform = cv::min(platform + kCovered, kArrivalUnary);
     platform.copyTo(background_.log_ratio, intruders_);
   }
@@ -194,44 +184,14 @@ class Cutter {
     return vouched;
   }
 
-  // Relative to uniform, as in BackgroundLikelihood.
-  cv::Mat relative_density(const ColourMixture& mixture) const {
-    return mixture.densities(before_) * std::exp(-log_uniform_colour());
-  }
-
-  // Surely changed pixels teach the object's colours. Doubtful ones (its shadow's rim) hardly do,
-  // and the outermost less, since platform shines through.
-  cv::Mat sureness() const {
-    cv::Mat sureness, core;
-    cv::pow(background_.changed, kSureness, sureness);
-    cv::erode(map_, core, cv::getStructuringElement(cv::MORPH_CROSS, {3, 3}));
-    cv::Mat weight = sureness * kRimWeight;
-    sureness.copyTo(weight, core);
-    return weight;
-  }
-
-  // The pixels on both sides of an outline.
-  static cv::Mat rim_of(const cv::Mat& map) {
-    const cv::Mat cross = cv::getStructuringElement(cv::MORPH_CROSS, {3, 3});
-    cv::Mat grown, core;
-    cv::dilate(map, grown, cross);
-    cv::erode(map, core, cross);
-    return grown & ~core;
-  }
-
-  // Positive where the object explains a pixel better than the platform. Blur and pooling carry
-  // change over the outline: once there is one, its pixels have to be the likelier object's.
-  cv::Mat unary_of(const ColourMixture& object) const {
-    cv::Mat unary;
-    cv::log((1 - kAnyColour) * relative_density(object) + kAnyColour, unary);
-    unary = kUnaryWeight * (unary - background_.log_ratio);
-    const LineEvidence lines = line_evidence(unary);
-    unary += kLineWeight * cv::max(lines.parts - kLineLeast, 0);
-    unary -= kGapWeight * cv::max(lines.gaps - kGapLeast, 0);
-    if (!coarse_.empty()) cv::subtract(unary, kRimDoubt, unary, rim_of(map_));
-    unary = cv::max(cv::min(unary, kHighestUnary), -kHighestUnary);
+  // Of the object's colours that the map shows now.
+  cv::Mat next_unary() const {
+    const ColourMixture object =
+        ColourMixture::fit(before_, map_, colour_weights(background_.changed, map_));
+    cv::Mat unary = object_preference(before_, object, background_.log_ratio,
+                                      coarse_.empty() ? cv::Mat() : map_);
     if (!other_view_.empty()) unary = voice_of(unary) + other_view_;
-    unary.setTo(-kHighestUnary, ~inside_);
+    unary.setTo(-kHighestPreference, ~inside_);
     return unary;
   }
 
