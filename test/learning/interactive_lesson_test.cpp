@@ -120,6 +120,8 @@ TEST_P(EditedLesson, FailedEditChangesNothing) {
   EXPECT_EQ(edited.edit(including({{nan, 3}})).error, LearnError::kRegionInvalid);
   EXPECT_EQ(edited.edit(including(kInside, -1)).error, LearnError::kRegionInvalid);
   EXPECT_EQ(edited.edit(including({{5, 5}, {9, 9}}, 0)).error, LearnError::kRegionInvalid);
+  EXPECT_EQ(edited.edit(including({{-40, 5}, {-9, 90}})).error, LearnError::kRegionInvalid);
+  EXPECT_EQ(edited.edit(excluding({{5, 700}, {90, 900}})).error, LearnError::kRegionInvalid);
   EXPECT_EQ(edited.edit(including(LessonEdit::Line(5000, {9, 9}))).error,
             LearnError::kRegionInvalid);
   LessonEdit many_lines;

@@ -12,12 +12,13 @@ namespace {
 
 constexpr double kWidestStroke = 1000;  // [px]
 constexpr int kFractionBits = 4;
+constexpr const char* kOutside =
+    "A stroke does not lie in the picture: points are pixels of the learning picture.";
 
 std::vector<cv::Point> fixed_point(const LessonEdit::Line& line) {
   std::vector<cv::Point> points;
   for (const auto& point : line) {
-    if (!is_near_picture(point))
-      throw LessonEnded(LearnError::kRegionInvalid, "A stroke does not lie in the picture.");
+    if (!is_near_picture(point)) throw LessonEnded(LearnError::kRegionInvalid, kOutside);
     points.emplace_back(cvRound(point.x * (1 << kFractionBits)),
                         cvRound(point.y * (1 << kFractionBits)));
   }
@@ -46,9 +47,23 @@ std::size_t points_of(const std::vector<LessonEdit::Line>& lines) {
   return points;
 }
 
+// A stroke that paints nothing would let the operator believe that the map obeyed him.
+void require_within(const LessonEdit::Line& line, double width, const cv::Size& picture) {
+  if (line.empty()) return;
+  const auto [left, right] = std::minmax_element(
+      line.begin(), line.end(), [](const auto& a, const auto& b) { return a.x < b.x; });
+  const auto [top, bottom] = std::minmax_element(
+      line.begin(), line.end(), [](const auto& a, const auto& b) { return a.y < b.y; });
+  const double reach = std::max(0.5, width / 2);
+  if (right->x < -reach || left->x > picture.width - 1 + reach || bottom->y < -reach ||
+      top->y > picture.height - 1 + reach)
+    throw LessonEnded(LearnError::kRegionInvalid, kOutside);
+}
+
 cv::Mat canvas_of(const std::vector<LessonEdit::Line>& lines, double width, const cv::Size& size) {
   cv::Mat canvas = cv::Mat::zeros(size, CV_8UC1);
   for (const auto& line : lines) {
+    require_within(line, width, size);
     if (width == 0)
       paint_area(line, canvas);
     else
