@@ -11,7 +11,7 @@ struct SearchConfig {
   std::string engine =
       "fast";  ///< fast: pyramid and rotated templates; polar: the paper's, step by step
   std::string accept_by = "score";    ///< score: fused evidence; similarity: the paper's plain rule
-  double min_score = 0.3;             ///< [0..1] a detection is reported from here on
+  double min_score = 0.5;             ///< [0..1] a detection is reported from here on
   double confirm_score = 0.7;         ///< [0..1] it may be grasped from here on
   double min_margin_place = 6;        ///< log-odds to the best competitor elsewhere
   double min_margin_angle = 6;        ///< log-odds to the best other angle at the place
