@@ -5,6 +5,8 @@
 #include <cstdlib>
 #include <limits>
 
+#include "matching/outline_elsewhere.hpp"
+
 namespace mbncc {
 namespace {
 
@@ -53,6 +55,13 @@ bool fits_another_size(const PreparedView& view, const ScenePicture& scene, cons
     const Supported reached = climb_to_evidence(resized, picture, pose, kIterations);
     return log_odds(reached.evidence, view.shape.area()) > odds;
   });
+}
+
+/// The surface led to another pose than the outline would: shading displaces a plain one by pixels.
+bool lies_better_elsewhere(const Detection& detection, const ScenePicture& scene) {
+  constexpr double kBetter = 0.06;  // agreement of the contour
+  return better_elsewhere(detection.view->fine.contour, scene.levels[0], detection.pose,
+                          detection.size) > kBetter;
 }
 
 /// Lets the surface decide in at most `iterations` steps, and for small objects all of their
@@ -178,7 +187,10 @@ std::vector<Detection> judge(const PreparedObject& object, const PreparedView& v
       return !done[one.number] && one.log_odds > kReportable;
     });
     if (next == compared.end()) {
-      for (auto& one : compared) read_similarity(one, scene);
+      for (auto& one : compared) {
+        read_similarity(one, scene);
+        one.displaced = one.log_odds > kReportable && lies_better_elsewhere(one, scene);
+      }
       return compared;
     }
     done[next->number] = true;

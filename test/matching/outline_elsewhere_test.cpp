@@ -1,0 +1,56 @@
+#include "matching/outline_elsewhere.hpp"
+
+#include "matching/matcher_fixture.hpp"
+#include "matching/prepared_object.hpp"
+
+namespace mbncc {
+namespace {
+
+class OutlineElsewhere : public test::MatcherTest {
+ protected:
+  cv::Mat scene_ = test::texture({320, 240}, 77, 5);
+  const Pose2D truth_{170, 120, 0.8};
+
+  double better_than(const Pose2D& reference) const {
+    const PreparedObject object(test::object_from(source_, reference_), Engine::kFast);
+    const PreparedView& view = object.views.front();
+    return better_elsewhere(view.fine.contour, SceneLevel(scene_, 0),
+                            compose(reference, inverse(view.reference_in_anchor)), 1);
+  }
+
+  /// The same outline over a surface that lies `off` [px] elsewhere.
+  test::LearningPicture with_surface_moved(cv::Point2d off) const {
+    test::LearningPicture moved = source_;
+    cv::warpAffine(source_.surface, moved.surface, cv::Matx23d(1, 0, off.x, 0, 1, off.y),
+                   source_.surface.size(), cv::INTER_LINEAR, cv::BORDER_REFLECT);
+    return moved;
+  }
+};
+
+TEST_F(OutlineElsewhere, NothingIsBetterThanTheTruth) {
+  test::place(scene_, source_, reference_.position(), truth_);
+  EXPECT_LT(better_than(truth_), -0.1);
+  EXPECT_LT(better_than({truth_.x + 0.7, truth_.y - 0.7, truth_.theta}), -0.05);
+}
+
+TEST_F(OutlineElsewhere, TheTruthIsBetterThanAPlaceNearIt) {
+  test::place(scene_, source_, reference_.position(), truth_);
+  for (const cv::Point2d off : {cv::Point2d(5, 0), {-5, 0}, {0, 5}, {3, -3}})
+    EXPECT_GT(better_than({truth_.x + off.x, truth_.y + off.y, truth_.theta}), 0.1) << off;
+}
+
+TEST_F(OutlineElsewhere, ASurfaceThatItsOutlineContradictsIsNeverGraspable) {
+  int found = 0;
+  for (const cv::Point2d off : {cv::Point2d(0, 0), {4, 0}, {0, 4}, {4, 4}, {-4, 4}}) {
+    cv::Mat scene = scene_.clone();
+    test::place(scene, with_surface_moved(off), reference_.position(), truth_);
+    const auto matches = matcher().find(scene).matches;
+    if (matches.empty()) continue;
+    found += off != cv::Point2d();
+    EXPECT_EQ(matches[0].graspable, off == cv::Point2d()) << off;
+  }
+  EXPECT_GT(found, 0) << "the surface convinces";
+}
+
+}  // namespace
+}  // namespace mbncc
