@@ -47,7 +47,8 @@ void correlate(benchmark::State& state, const kernels::Table& table) {
 }
 
 void best_responses(benchmark::State& state, const kernels::Table& table) {
-  constexpr int kRotations = 16, kBlock = kernels::kPositions * kernels::kResponseRows;
+  constexpr int kRotations = 4, kPositions = 3 * kernels::kPositions;
+  constexpr int kBlock = kPositions * kernels::kResponseRows;
   const int terms = static_cast<int>(state.range(0));
   const auto maps =
       numbers<std::int8_t>(kStride * kRows, -kernels::kMaxResponse, kernels::kMaxResponse);
@@ -58,7 +59,7 @@ void best_responses(benchmark::State& state, const kernels::Table& table) {
   for (auto _ : state) {
     table.best_responses_rows(maps.data(), kStride,
                               {offsets.data(), terms, labels.data(), kRotations}, best.data(),
-                              labelled.data(), kernels::kPositions);
+                              labelled.data(), kPositions, kPositions);
     benchmark::DoNotOptimize(best.data());
   }
   state.SetItemsProcessed(state.iterations() * kRotations * terms * kBlock);  // additions

@@ -7,26 +7,27 @@
 namespace mbncc::kernels {
 namespace {
 
-/// Largest sums of a block and the labels of their rotations.
+/// Largest sums at `count` positions of each row and the labels of their rotations.
 std::pair<std::vector<std::int16_t>, std::vector<std::int16_t>> best_responses_of(
-    const Table& table, const std::int8_t* maps, int stride, const ResponseTerms& terms) {
-  constexpr int kStep = kPositions + 3;
-  std::vector<std::int16_t> best(kResponseRows * kStep, -9), labels = best;
-  table.best_responses_rows(maps, stride, terms, best.data(), labels.data(), kStep);
+    const Table& table, const std::int8_t* maps, int stride, const ResponseTerms& terms,
+    int count = kPositions) {
+  const int step = count + 3;
+  std::vector<std::int16_t> best(kResponseRows * step, -9), labels = best;
+  table.best_responses_rows(maps, stride, terms, best.data(), labels.data(), step, count);
   return {best, labels};
 }
 
 TEST_P(Kernels, BestResponsesEqualReference) {
   constexpr int kReach = 50, kRotations = 5;
-  const int stride = count();
+  const int stride = count(), positions = 3 * kPositions;
   const auto maps = random_values<std::int8_t>(
-      kResponseRows * stride + kPositions + kReach + misalignment(), -kMaxResponse, kMaxResponse);
+      kResponseRows * stride + positions + kReach + misalignment(), -kMaxResponse, kMaxResponse);
   const std::vector<std::int16_t> labels{3, 4, 7, 100, 32000};
   for (const int terms : {1, 8, 13, 64}) {
     const auto offsets = random_values<std::int32_t>(kRotations * terms, 0, kReach - 1);
     const auto run = [&](const Table& table) {
       return best_responses_of(table, maps.data() + misalignment(), stride,
-                               {offsets.data(), terms, labels.data(), kRotations});
+                               {offsets.data(), terms, labels.data(), kRotations}, positions);
     };
     for (const auto& target : targets())
       EXPECT_EQ(run(*target.table), run(reference())) << target.name << ", " << terms << " terms";

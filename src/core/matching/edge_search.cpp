@@ -72,12 +72,12 @@ class EdgeSearch {
     for (auto& part : sectors_) part.next_band();
     cv::Mat any;
     cv::reduce(wanted_.rowRange(y, y + kBand), any, 0, cv::REDUCE_MAX);
-    for (const auto& span : covering_spans(any.ptr(), any.cols, kernels::kPositions))
-      for (int x = span.begin; x < span.end; x += kernels::kPositions) {
-        const std::int8_t* maps =
-            maps_->data() + maps_->offset(0, first_.x + kStep * x, first_.y + kStep * y);
-        for (auto& part : sectors_) part.sum_responses(maps, maps_->stride(), x);
-      }
+    for (const auto& span : covering_spans(any.ptr(), any.cols, kernels::kPositions)) {
+      const std::int8_t* maps =
+          maps_->data() + maps_->offset(0, first_.x + kStep * span.begin, first_.y + kStep * y);
+      for (auto& part : sectors_)
+        part.sum_responses(maps, maps_->stride(), span.begin, span.end - span.begin);
+    }
     for (int row = 0; row < kBand; ++row)
       for (auto& part : sectors_) part.keep(row, wanted_.ptr(y + row));
   }

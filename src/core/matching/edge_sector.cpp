@@ -55,12 +55,12 @@ void EdgeSector::next_band() {
   std::fill(best_.begin() + kKept * width_, best_.end(), std::int16_t{0});
 }
 
-void EdgeSector::sum_responses(const std::int8_t* maps, int stride, int x) {
+void EdgeSector::sum_responses(const std::int8_t* maps, int stride, int x, int count) {
   const int at = kKept * width_ + x;
   kernels::best_responses(maps, stride,
                           {offsets_.data(), terms_, labels_of_rotations_.data(),
                            static_cast<int>(labels_of_rotations_.size())},
-                          &best_[at], &labels_[at], width_);
+                          &best_[at], &labels_[at], width_, count);
 }
 
 void EdgeSector::keep(int row, const std::uint8_t* wanted) {

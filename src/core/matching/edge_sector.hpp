@@ -46,8 +46,9 @@ class EdgeSector {
   /// Goes on to the next band: the last rows of this one stay, as its neighbours.
   void next_band();
 
-  /// Sums at a group of positions from `x` on in the rows of the band; `maps` points at the first.
-  void sum_responses(const std::int8_t* maps, int stride, int x);
+  /// Sums at `count` positions, whole groups, from `x` on in the rows of the band; `maps` points at
+  /// the first.
+  void sum_responses(const std::int8_t* maps, int stride, int x, int count);
 
   /// Forgets what does not belong to the search: row `row` of the band where `wanted` is 0.
   void keep(int row, const std::uint8_t* wanted);

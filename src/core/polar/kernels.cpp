@@ -117,8 +117,8 @@ void normalise(const std::int32_t* numerators, const std::int32_t* sums,
 }
 
 void best_responses(const std::int8_t* maps, int stride, const ResponseTerms& terms,
-                    std::int16_t* best, std::int16_t* labels, int row_step) {
-  active().table->best_responses_rows(maps, stride, terms, best, labels, row_step);
+                    std::int16_t* best, std::int16_t* labels, int row_step, int count) {
+  active().table->best_responses_rows(maps, stride, terms, best, labels, row_step, count);
 }
 
 void edge_responses(const std::int8_t* edges, std::int8_t* const* responses, int count) {

@@ -62,9 +62,10 @@ struct ResponseTerms {
 
 /// best[y row_step + x] = max(0, sum_k maps[y stride + x + offsets[r count + k]] over the rotations
 /// r), and the same of labels is that of the first rotation that reaches it (0 where none exceeds
-/// 0), for x in [0, kPositions), y in [0, kResponseRows); |maps| <= kMaxResponse.
+/// 0), for x in [0, count), `count` a multiple of kPositions, y in [0, kResponseRows); |maps| <=
+/// kMaxResponse.
 void best_responses(const std::int8_t* maps, int stride, const ResponseTerms& terms,
-                    std::int16_t* best, std::int16_t* labels, int row_step);
+                    std::int16_t* best, std::int16_t* labels, int row_step, int count);
 
 /// Responses of `count` edge vectors (see edge_picture.hpp) to edges whose normals have directions
 /// of 0, 1, 2 and 3 eighths of a half turn, scaled to kMaxResponse.

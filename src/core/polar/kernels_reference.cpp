@@ -45,9 +45,9 @@ void normalise_reference(const std::int32_t* numerators, const std::int32_t* sum
 }
 
 void best_responses_reference(const std::int8_t* maps, int stride, const ResponseTerms& terms,
-                              std::int16_t* best, std::int16_t* labels, int row_step) {
+                              std::int16_t* best, std::int16_t* labels, int row_step, int count) {
   for (int y = 0; y < kResponseRows; ++y)
-    for (int x = 0; x < kPositions; ++x) {
+    for (int x = 0; x < count; ++x) {
       int highest = 0, label = 0;
       for (int r = 0; r < terms.rotations; ++r) {
         int sum = 0;
