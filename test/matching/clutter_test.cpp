@@ -50,6 +50,22 @@ TEST_F(ClutterTest, LikesElsewhereCostEachMore) {
   }
 }
 
+TEST_F(ClutterTest, InstancesBeyondDoubtAreNoLikes) {
+  std::vector<Detection> detections{at(object_, 100, 15), at(object_, 300, 12), at(object_, 500, 9),
+                                    at(object_, 700, 10), at(object_, 900, 4)};
+  discount_clutter(detections);
+  EXPECT_GT(detections[4].log_odds, 0) << "covered, it is still one more of them";
+  EXPECT_LT(detections[4].log_odds, 4) << "and it might be a like";
+}
+
+TEST_F(ClutterTest, LikesBesideInstancesStayUnlikely) {
+  std::vector<Detection> detections{at(object_, 100, 15), at(object_, 300, 3), at(object_, 500, 3),
+                                    at(object_, 700, 3)};
+  discount_clutter(detections);
+  EXPECT_GT(detections[0].log_odds, 5);
+  EXPECT_LT(detections[1].log_odds, 0);
+}
+
 TEST_F(ClutterTest, OtherObjectsAreNoLikes) {
   std::vector<Detection> detections{at(object_, 100, 4), at(other_, 300, 4)};
   discount_clutter(detections);

@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <iterator>
 #include <map>
+#include <numeric>
 
 #include "mbncc/matching/matcher.hpp"
 
@@ -11,9 +13,10 @@ namespace mbncc {
 namespace {
 
 // Fitted together with the weights of log_odds().
-constexpr std::size_t kPlaces = kCluttered - 1;  // next best ones that tell about the picture
+constexpr std::size_t kPlaces = 3;  // those that tell most about the picture
 constexpr double kWeight = 0.85;
 constexpr double kNothing = -6, kObvious = 5;  // log-odds: bounds of what a place says
+constexpr double kInstance = 8;                // log-odds: what passes so well is no mere like
 
 bool same_place(const Detection& a, const Detection& b) {
   return cv::norm(a.pose.position() - b.pose.position()) <
@@ -38,14 +41,22 @@ std::vector<double> odds_of_places(std::vector<const Detection*> detections, std
   return odds;
 }
 
+/// What a place of log-odds `odds` tells about the picture: the less, the surer it is another
+/// instance.
+double likeness(double odds) {
+  const double doubt = std::clamp((kInstance - odds) / (kInstance - kObvious), 0., 1.);
+  return doubt * (std::clamp(odds, kNothing, kObvious) - kNothing);
+}
+
 }  // namespace
 
-double clutter_discount(std::vector<double> odds) {
-  odds.resize(kPlaces + 1, kNothing);
-  double sum = 0;
-  for (std::size_t k = 1; k <= kPlaces; ++k)
-    sum += std::clamp(odds[k], kNothing, kObvious) - kNothing;
-  return kWeight * sum / kPlaces;
+double clutter_discount(const std::vector<double>& odds) {
+  if (odds.empty()) return 0;
+  std::vector<double> likes;
+  std::transform(odds.begin() + 1, odds.end(), std::back_inserter(likes), likeness);
+  std::sort(likes.begin(), likes.end(), std::greater<>());
+  likes.resize(kPlaces, 0);
+  return kWeight * std::accumulate(likes.begin(), likes.end(), 0.) / kPlaces;
 }
 
 std::map<std::string, double> discount_clutter(std::vector<Detection>& detections,

@@ -9,20 +9,20 @@
 
 namespace mbncc {
 
-/// The best place and those that tell how well the picture passes for the object.
-constexpr std::size_t kCluttered = 4;
+/// Places that are asked how well the picture passes for the object, with the best one.
+constexpr std::size_t kCluttered = 10;
 /// [radii] Nearer detections are of one place.
 constexpr double kSamePlace = 0.7;
 
-/// Log-odds that what looks alike elsewhere takes away. `odds` are those of the best detections of
-/// up to kCluttered different places, best first.
-double clutter_discount(std::vector<double> odds);
+/// Log-odds that what looks alike elsewhere takes away, other instances apart. `odds` are those of
+/// the best detections of up to kCluttered different places, best first.
+double clutter_discount(const std::vector<double>& odds);
 
 /// Lowers the log-odds of every object's detections by what is found of it elsewhere: where several
 /// places nearly pass for the object, the picture is full of its likes, and each of them is less
-/// likely to be it. One place alone loses nothing, and order and margins stay as they are. `least`:
-/// log-odds by name that are taken off at least. `rarity`: log-odds taken off all in addition, see
-/// rarity_among(). Returns what was taken off.
+/// likely to be it. One place alone loses nothing, nor do several beyond doubt, and order and
+/// margins stay as they are. `least`: log-odds by name that are taken off at least. `rarity`:
+/// log-odds taken off all in addition, see rarity_among(). Returns what was taken off.
 std::map<std::string, double> discount_clutter(std::vector<Detection>& detections,
                                                const std::map<std::string, double>& least = {},
                                                double rarity = 0);
