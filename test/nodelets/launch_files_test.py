@@ -11,10 +11,19 @@ from roslaunch.xmlloader import XmlLoader
 LAUNCH = os.path.join(rospkg.RosPack().get_path("mbncc_vision"), "launch")
 
 
-def parameters(name, *arguments):
+def load(name, *arguments):
     config = ROSLaunchConfig()
     XmlLoader().load(os.path.join(LAUNCH, name), config, argv=list(arguments), verbose=False)
-    return {key: parameter.value for key, parameter in config.params.items()}
+    return config
+
+
+def parameters(name, *arguments):
+    return {key: parameter.value for key, parameter in load(name, *arguments).params.items()}
+
+
+def calibrations(name, *arguments):
+    """What the topic camera_info of each node of the package is called."""
+    return {dict(node.remap_args)["camera_info"] for node in load(name, *arguments).nodes if node.type == "nodelet"}
 
 
 class Rectified(unittest.TestCase):
@@ -56,6 +65,28 @@ class Calibration(unittest.TestCase):
         loaded = parameters("cells.launch")
         self.assertEqual(loaded["/left/camera/camera_name"], "left_camera")
         self.assertEqual(loaded["/right/camera/camera_name"], "right_camera")
+
+
+    def test_lies_beside_the_pictures(self):
+        self.assertEqual(calibrations("cell.launch"), {"camera_info"})
+        self.assertEqual(calibrations("cell.launch", "camera:=false", "image:=/usb_cam/image_raw"),
+                         {"/usb_cam/camera_info"})
+        self.assertEqual(calibrations("replay.launch", "bag:=x.bag", "image:=/front/image_raw"),
+                         {"/front/camera_info"})
+
+    def test_may_lie_elsewhere(self):
+        self.assertEqual(calibrations("cell.launch", "image:=/a/image_raw", "camera_info:=/b/info"), {"/b/info"})
+
+
+class Frames(unittest.TestCase):
+    def test_are_those_asked_for(self):
+        loaded = parameters("cell.launch", "target_frame:=base_link", "gripper_frame:=tool0")
+        self.assertEqual(loaded["/matching/target_frame"], "base_link")
+        self.assertEqual(loaded["/learning/gripper_frame"], "tool0")
+
+    def test_are_those_of_the_files_otherwise(self):
+        loaded = parameters("cell.launch")
+        self.assertEqual((loaded["/matching/target_frame"], loaded["/learning/gripper_frame"]), ("", ""))
 
 
 class Platform(unittest.TestCase):
