@@ -30,3 +30,11 @@ fail() {
   echo "error: $*" >&2
   exit 1
 }
+
+# Whoever asks a script for help gets the comment at its head, and nothing is done.
+case " $* " in
+  *" -h "* | *" --help "*)
+    sed -n '2,/^[^#]/s/^# \{0,1\}//p' "$0"
+    exit 0
+    ;;
+esac
