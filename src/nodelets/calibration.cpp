@@ -3,6 +3,7 @@
 #include <tf2_eigen/tf2_eigen.h>
 
 #include "nodelets/rays.hpp"
+#include "nodelets/tf_wait.hpp"
 
 namespace mbncc::nodelets {
 namespace {
@@ -50,6 +51,8 @@ Calibration calibrate(const PlatformConfig& config, const sensor_msgs::CameraInf
       return uncalibrated(std::string("camera_info is not usable; calibrate the camera (") +
                           (config.rectified ? "P" : "K and D") + " counts)");
     return over_platform(*ray, config, header, tf);
+  } catch (const tf2::TransformException& error) {
+    return uncalibrated("platform: " + tf_fault(error));
   } catch (const std::exception& error) {
     return uncalibrated(std::string("platform: ") + error.what());
   }

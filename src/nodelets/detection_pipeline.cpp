@@ -6,6 +6,7 @@
 #include <string>
 
 #include "nodelets/messages.hpp"
+#include "nodelets/tf_wait.hpp"
 
 namespace mbncc::nodelets {
 namespace {
@@ -30,16 +31,17 @@ bool any_enabled(const LibrarySnapshot& library) {
 /// What matters most to whoever acts on the array: a pose without metres or in another frame than
 /// asked for would move an arm wrongly, objects not searched are only missed.
 void set_status(DetectedObjectArray& array, const LibrarySnapshot& library,
-                const Calibration& calibration, bool budget_exceeded, bool target_reached) {
+                const Calibration& calibration, bool budget_exceeded,
+                const std::string& target_fault) {
   if (!any_enabled(library)) {
     array.status = DetectedObjectArray::LIBRARY_EMPTY;
     array.message = "no enabled object in the library; teach one";
   } else if (!calibration.platform) {
     array.status = DetectedObjectArray::UNCALIBRATED;
     array.message = calibration.fault;
-  } else if (!target_reached) {
+  } else if (!target_fault.empty()) {
     array.status = DetectedObjectArray::TF_UNAVAILABLE;
-    array.message = "target_frame cannot be reached at the picture's stamp";
+    array.message = target_fault;
   } else if (budget_exceeded) {
     array.status = DetectedObjectArray::BUDGET_EXCEEDED;
     array.message = "time_budget exceeded; some objects were not searched";
@@ -94,6 +96,7 @@ TrackedPicture DetectionPipeline::track(const ReceivedPicture& received,
 Detections DetectionPipeline::describe(const ReceivedPicture& received,
                                        const TrackedPicture& tracked) const {
   const SearchResult& result = tracked.found.result;
+  wait_for_tf(received.header);
   const Calibration calibration = calibrate(config_.platform, received.camera_info.get(),
                                             received.header, received.picture.size(), tf_);
   Detections detections{{}, tracked.found.library};
@@ -108,8 +111,8 @@ Detections DetectionPipeline::describe(const ReceivedPicture& received,
   for (const auto& match : tracked.matches)
     array.objects.push_back(
         describe(match, detections.library->find(match.match.name).get(), calibration));
-  const bool reached = to_target_frame(array);
-  set_status(array, *detections.library, calibration, result.budget_exceeded, reached);
+  const std::string target_fault = to_target_frame(array);
+  set_status(array, *detections.library, calibration, result.budget_exceeded, target_fault);
   return detections;
 }
 
@@ -131,8 +134,14 @@ DetectedObject DetectionPipeline::describe(const TrackedMatch& tracked, const Ob
   return object;
 }
 
-bool DetectionPipeline::to_target_frame(DetectedObjectArray& array) const {
-  if (config_.target_frame.empty() || config_.target_frame == array.header.frame_id) return true;
+void DetectionPipeline::wait_for_tf(const std_msgs::Header& header) const {
+  const std::string camera = camera_frame_of(config_.platform, header);
+  for (const auto* frame : {&config_.platform.platform_frame, &config_.target_frame})
+    if (!frame->empty()) wait_for_transform(tf_, *frame, camera, header.stamp, config_.tf_wait);
+}
+
+std::string DetectionPipeline::to_target_frame(DetectedObjectArray& array) const {
+  if (config_.target_frame.empty() || config_.target_frame == array.header.frame_id) return "";
   try {
     const auto transform =
         tf_.lookupTransform(config_.target_frame, array.header.frame_id, array.header.stamp);
@@ -143,12 +152,12 @@ bool DetectionPipeline::to_target_frame(DetectedObjectArray& array) const {
       object.pose = pose.pose;
     }
     array.header.frame_id = config_.target_frame;
-    return true;
-  } catch (const tf2::TransformException&) {
+    return "";
+  } catch (const tf2::TransformException& error) {
     // A frame that hangs under the camera once and under target_frame the next time would tear the
     // tf tree, so none is sent.
     for (auto& object : array.objects) object.child_frame_id.clear();
-    return false;
+    return "target_frame: " + tf_fault(error);
   }
 }
 

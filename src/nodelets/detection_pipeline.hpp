@@ -6,6 +6,7 @@
 #include <tf2_ros/buffer.h>
 
 #include <opencv2/core.hpp>
+#include <string>
 #include <vector>
 
 #include "mbncc/cell/pose_average.hpp"
@@ -58,7 +59,9 @@ class DetectionPipeline {
  private:
   mbncc_vision::DetectedObject describe(const TrackedMatch& tracked, const ObjectModel* model,
                                         const Calibration& calibration) const;
-  bool to_target_frame(mbncc_vision::DetectedObjectArray& array) const;
+  void wait_for_tf(const std_msgs::Header& header) const;
+  /// What stands in the way, "" when the poses are in target_frame.
+  std::string to_target_frame(mbncc_vision::DetectedObjectArray& array) const;
 
   const MatchingNodeConfig config_;
   const LiveMatcher& matcher_;

@@ -29,6 +29,7 @@ struct MatchingNodeConfig {
   bool show_score_map = false;  ///< lay the score map under the overlay
   std::string tf_prefix;        ///< put before every child frame
   std::string target_frame;     ///< frame of the published poses; "": the camera's
+  double tf_wait = 0;           ///< [s] a picture waits for the tf of its stamp; 0: not at all
 
   template <class Self, class Visitor>
   static void fields(Self& self, Visitor&& visit) {
@@ -75,6 +76,9 @@ struct MatchingNodeConfig {
     visit(FieldInfo{"target_frame", Allowed::anything(), "",
                     "frame that poses are published in; empty: the camera's"},
           self.target_frame);
+    visit(FieldInfo{"tf_wait", Allowed::range(0, 1), "s",
+                    "time a picture waits for a robot's tf that lags behind it; 0: not at all"},
+          self.tf_wait);
     PlatformConfig::fields(self.platform, visit);
     visit(FieldInfo{"image_transport", Allowed::anything(), "",
                     "how pictures travel: raw, compressed, ..."},
