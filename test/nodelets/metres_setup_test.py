@@ -6,11 +6,13 @@ usage: metres_setup_test.py
 The camera plays a picture of a chessboard. In place of camera_calibration's window, its service call is made.
 """
 import os
+import re
 import subprocess
 import tempfile
 import xmlrpc.client
 
 import cv2
+import numpy as np
 import yaml
 
 from drawn_chessboard import COLUMNS, ROWS, SQUARE, camera_yaml, chessboard
@@ -55,6 +57,37 @@ def set_camera_info(env):
     run(env, "rosservice", "call", "/set_camera_info", yaml.safe_dump({"camera_info": info}, default_flow_style=True))
 
 
+def calibrate(env, *arguments):
+    run(env, "rosrun", "mbncc_vision", "calibrate_platform", "--chessboard", "%dx%d" % (COLUMNS, ROWS), "--square",
+        str(SQUARE), "--count", "2", *arguments)
+
+
+def published_pose(folder):
+    """Rotation and position that a platform.launch publishes, and the frames."""
+    with open(os.path.join(folder, "platform.launch"), encoding="utf-8") as file:
+        words = re.search('args="([^"]*)"', file.read()).group(1).split()
+    numbers = [float(word) for word in words[:7]]
+    turn = 2 * np.arctan2(np.linalg.norm(numbers[3:6]), numbers[6])
+    axis = np.array(numbers[3:6]) / np.linalg.norm(numbers[3:6])
+    return cv2.Rodrigues(axis * turn)[0], np.array(numbers[:3]), words[7:]
+
+
+def check_fixed_frame(env):
+    """The camera hangs from a robot: turned by a quarter about its axis, 1 m beside the base and 2 m above."""
+    robot = subprocess.Popen(["rosrun", "tf2_ros", "static_transform_publisher", "1", "0", "2", "0", "0",
+                              "0.70710678", "0.70710678", "base_link", "camera_optical_frame"], env=env)
+    try:
+        calibrate(env, "--out", "arm", "--fixed-frame", "base_link")
+    finally:
+        stop(robot)
+    rotation, place, _ = published_pose(env["HOME"] + "/cell")
+    turned, moved, frames = published_pose(env["HOME"] + "/arm")
+    quarter = cv2.Rodrigues(np.array([0, 0, np.pi / 2]))[0]
+    assert frames == ["base_link", "platform"], frames
+    assert np.allclose(turned, quarter @ rotation, atol=0.01), turned
+    assert np.allclose(moved, quarter @ place + [1, 0, 2], atol=0.002), moved
+
+
 def prepare(home):
     os.mkdir(os.path.join(home, "pictures"))
     cv2.imwrite(os.path.join(home, "pictures", "board.png"), chessboard())
@@ -76,8 +109,8 @@ def main():
             wait_for(lambda: answers(env), cell, "the camera")
             assert status(env) == UNCALIBRATED
             set_camera_info(env)
-            run(env, "rosrun", "mbncc_vision", "calibrate_platform", "--chessboard", "%dx%d" % (COLUMNS, ROWS),
-                "--square", str(SQUARE), "--count", "2", "--out", "cell")
+            calibrate(env, "--out", "cell")
+            check_fixed_frame(env)
         finally:
             stop(cell)
         cell = start_cell(env, "platform:=cell")
