@@ -94,8 +94,8 @@ Command simulate_command() {
        {"--seed", "N", "draws platform, object and poses (1)"},
        {"--count", "N", "pictures to search (5)"}},
       "",
-      "before.png and after.png teach the object, target_*.png show it elsewhere, truth.csv tells "
-      "where: the centroid of its outline and its angle against before.png. Of the simulated "
+      "before.png and after.png teach the object, target_*.png show it elsewhere, truth.csv tells\n"
+      "where: the centroid of its outline and its angle against before.png. Of the simulated\n"
       "camera's parameters, those of picture, object, neighbours, noise and light count.\n",
       run};
 }
