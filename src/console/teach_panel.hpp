@@ -5,8 +5,6 @@
 #include <rviz/panel.h>
 #endif
 
-#include <memory>
-
 #include "console/console_widget.hpp"
 
 namespace mbncc::console {

@@ -4,7 +4,6 @@
 #include <boost/make_shared.hpp>
 #include <chrono>
 #include <stdexcept>
-#include <utility>
 
 #include "mbncc/cell/stamp_gate.hpp"
 #include "nodelets/images.hpp"

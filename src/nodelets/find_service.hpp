@@ -6,9 +6,6 @@
 #include <tf2_ros/buffer.h>
 
 #include <functional>
-#include <optional>
-#include <string>
-#include <vector>
 
 #include "mbncc/config/matching_node_config.hpp"
 #include "nodelets/camera_input.hpp"

@@ -4,7 +4,6 @@
 
 #include <cstdio>
 #include <opencv2/imgproc.hpp>
-#include <utility>
 
 #include "mbncc/cell/second_look.hpp"
 #include "mbncc/drawing.hpp"

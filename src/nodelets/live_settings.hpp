@@ -2,7 +2,6 @@
 #pragma once
 
 #include <mutex>
-#include <utility>
 
 #include "mbncc/config/matching_node_config.hpp"
 

@@ -9,7 +9,6 @@
 
 #include <atomic>
 #include <memory>
-#include <string>
 
 #include "mbncc/config/matching_node_config.hpp"
 #include "mbncc/health_tasks.hpp"

@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <memory>
 #include <opencv2/calib3d.hpp>
 #include <vector>
 

@@ -7,8 +7,6 @@
 #include <mutex>
 #include <string>
 
-#include "mbncc/cell/stamp_gate.hpp"
-
 namespace mbncc::nodelets {
 
 struct SearchStatistics {

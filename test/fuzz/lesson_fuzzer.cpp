@@ -1,6 +1,5 @@
 // What a client may ask of a lesson: name, region, outline, click, strokes and reference of any
 // numbers, on a small picture. A lesson ends with a model or a reason, never otherwise.
-#include <cstdlib>
 #include <cstring>
 
 #include "fuzz/fuzzer.hpp"

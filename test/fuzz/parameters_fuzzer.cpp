@@ -1,5 +1,4 @@
 // YAML files of parameters: whatever they say, a value is either refused or allowed.
-#include <cstdlib>
 #include <fstream>
 
 #include "fuzz/fuzzer.hpp"

@@ -3,7 +3,6 @@
 #include <fstream>
 #include <iostream>
 #include <iterator>
-#include <vector>
 
 #include "fuzz/fuzzer.hpp"
 

@@ -1,7 +1,6 @@
 // What is still to be searched: places that changed, for each object.
 #pragma once
 
-#include <cstdint>
 #include <functional>
 #include <opencv2/core.hpp>
 #include <optional>

@@ -1,7 +1,6 @@
 #include "mbncc/library/object_library.hpp"
 
 #include <algorithm>
-#include <stdexcept>
 
 #include "library/library_cache.hpp"
 #include "library/library_folder.hpp"
