@@ -1,5 +1,8 @@
 #include "matching/outline_elsewhere.hpp"
 
+#include <cmath>
+
+#include "matching/candidate_odds.hpp"
 #include "matching/matcher_fixture.hpp"
 #include "matching/prepared_object.hpp"
 
@@ -37,6 +40,20 @@ TEST_F(OutlineElsewhere, TheTruthIsBetterThanAPlaceNearIt) {
   test::place(scene_, source_, reference_.position(), truth_);
   for (const cv::Point2d off : {cv::Point2d(5, 0), {-5, 0}, {0, 5}, {3, -3}})
     EXPECT_GT(better_than({truth_.x + off.x, truth_.y + off.y, truth_.theta}), 0.1) << off;
+}
+
+TEST_F(OutlineElsewhere, ACandidateIsShiftedOntoTheEdges) {
+  test::place(scene_, source_, reference_.position(), truth_);
+  const PreparedObject object(test::object_from(source_, reference_), Engine::kFast);
+  const PreparedView& view = object.views.front();
+  const Pose2D anchor = compose(truth_, inverse(view.reference_in_anchor));
+  const Candidate start{{anchor.x + 5, anchor.y - 4, anchor.theta}, 0, 0};
+  const Candidate shifted =
+      shifted_onto_edges(view.templates[0].contour, SceneLevel(scene_, 0), start);
+  EXPECT_LE(std::abs(shifted.pose.x - anchor.x), 1.01);
+  EXPECT_LE(std::abs(shifted.pose.y - anchor.y), 1.01);
+  EXPECT_EQ(shifted.pose.theta, anchor.theta);
+  EXPECT_GT(shifted.value, 0.4) << "the agreement of the contour";
 }
 
 TEST_F(OutlineElsewhere, ASurfaceThatItsOutlineContradictsIsNeverGraspable) {

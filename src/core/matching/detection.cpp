@@ -12,6 +12,7 @@ namespace {
 
 constexpr double kWorthRefining = -4;  // log-odds: less has never become a detection
 constexpr double kReportable = -2.2;   // log-odds: a score of .1
+constexpr double kGraspable = 2;       // log-odds: less is not graspable whatever else is known
 constexpr double kSettlingCost = 1;    // log-odds that settling on the surface may cost
 constexpr double kAnyCost = std::numeric_limits<double>::infinity();
 
@@ -31,6 +32,15 @@ ColourDifference strangeness(const PreparedView& view, const SceneLevel& scene,
   read_contour(view.fine.contour, scene.edges, found.pose, 1, contour, found.scale);
   return view.parts.worst_differences(
       surface, sample, contour, ground_beside(view.fine.contour, scene, found.pose, found.scale));
+}
+
+/// Agreement by which the mirrored outline is no better by chance.
+constexpr double kMirrored = 0.04;
+
+/// Log-odds that a mirrored outline takes away, which is better by so much.
+double mirror_doubt(double better) {
+  constexpr double kSteepness = 100;
+  return kSteepness * std::max(0.0, better - kMirrored);
 }
 
 /// Log-odds that a part of another colour takes away. Fitted to drawn scenes and to photographs of
@@ -62,6 +72,12 @@ bool lies_better_elsewhere(const Detection& detection, const ScenePicture& scene
   constexpr double kBetter = 0.06;  // agreement of the contour
   return better_elsewhere(detection.view->fine.contour, scene.levels[0], detection.pose,
                           detection.size) > kBetter;
+}
+
+/// By how much the mirrored outline agrees better at a pose: the object lies on its other side, or
+/// something else is its mirror image.
+double turned_over(const PreparedView& view, const ScenePicture& scene, const Refined& place) {
+  return view.turned_over.better(view.fine.contour, scene.levels[0], place.pose, place.scale);
 }
 
 /// Lets the surface decide in at most `iterations` steps, and for small objects all of their
@@ -122,7 +138,9 @@ void refine(Detection& detection, const ScenePicture& scene, const Believed& fou
   detection.covariance = place.covariance;
   const ColourDifference strange = strangeness(view, scene.levels[0], place, found.odds);
   detection.strange = std::max(strange.colour, strange.block);
-  detection.log_odds = found.odds + found.pixels - doubt(strange.colour);
+  const double mirrored = found.odds > kWorthRefining ? turned_over(view, scene, place) : 0;
+  detection.turned_over = mirrored > kMirrored;
+  detection.log_odds = found.odds + found.pixels - doubt(strange.colour) - mirror_doubt(mirrored);
   detection.another_size =
       detection.log_odds > 0 && fits_another_size(view, scene, detection.pose, found.odds);
 }
@@ -189,7 +207,7 @@ std::vector<Detection> judge(const PreparedObject& object, const PreparedView& v
     if (next == compared.end()) {
       for (auto& one : compared) {
         read_similarity(one, scene);
-        one.displaced = one.log_odds > kReportable && lies_better_elsewhere(one, scene);
+        one.displaced = one.log_odds < kGraspable || lies_better_elsewhere(one, scene);
       }
       return compared;
     }

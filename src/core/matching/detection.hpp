@@ -32,7 +32,8 @@ struct Detection {
   double visible = 1;         ///< [0..1]
   double strange = 0;         ///< [0..2] see ColourDifference, the larger one
   bool another_size = false;  ///< would fit better were it smaller or larger
-  bool displaced = false;     ///< its outline would lie better a few pixels off
+  bool displaced = false;     ///< its outline may lie better a few pixels off
+  bool turned_over = false;   ///< its mirrored outline would lie better
   double projected = 0;       ///< [-1..1] see Evidence
   double rotation_odds = 0;   ///< against other rotations here, see rotation_odds()
   std::size_t number = 0;     ///< among the poses that were judged together

@@ -15,6 +15,7 @@
 #include "matching/rendering.hpp"
 #include "matching/rotated_kernels.hpp"
 #include "matching/rotation_sector.hpp"
+#include "matching/turned_over.hpp"
 #include "mbncc/matching/polar_search.hpp"
 #include "mbncc/matching/similarity.hpp"
 #include "mbncc/object_model.hpp"
@@ -46,6 +47,7 @@ class PreparedView {
   PoseTemplate fine;                    ///< at full resolution: judges the last few
   ColourParts parts;                    ///< of `fine`
   std::array<PoseTemplate, 2> resized;  ///< `fine`, smaller and larger: what else it might be
+  TurnedOver turned_over;               ///< its outline, mirrored
   RefinementTemplate dense;             ///< at full resolution: for the last fraction of a pixel
   Rendering rendering;                  ///< of a small object: settles its pose
   MaskedTemplate points;                ///< all map pixels at full resolution

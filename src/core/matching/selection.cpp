@@ -156,7 +156,7 @@ Match to_match(const Detection& detection, const Margins& margins, const SearchC
   match.symmetry = view.symmetry;
   const bool located = within_deviations(match, config) && !detection.displaced;
   const bool sure = detection.strange <= kStrange && !detection.another_size &&
-                    match.margin_place >= config.min_margin_place &&
+                    !detection.turned_over && match.margin_place >= config.min_margin_place &&
                     match.margin_angle >= config.min_margin_angle;
   const bool enough = match.score >= config.confirm_score;
   match.graspable =

@@ -139,16 +139,36 @@ class ViewSearch {
   /// The best other rotations at a place, best first.
   std::vector<Candidate> turned_at(const Candidate& place) const {
     constexpr std::size_t kMost = 3;
-    const SceneLevel& scene = scene_.levels[0];
-    auto peaks = rotation_peaks(view_.rough[0], scene, place, 2);
+    const auto peaks = rotation_peaks(view_.rough[0], scene_.levels[0], place, 2);
+    std::vector<Candidate> turned = reached_from(peaks, kMost);
+    const auto shifted = reached_from(shifted_onto_edges(peaks), kMost);
+    turned.insert(turned.end(), shifted.begin(), shifted.end());
+    drop_duplicates(turned, 1.5, view_.shape.radius(), kMost);
+    return turned;
+  }
+
+  /// The first of these, moved to where their outlines lie best, best first: where shading has
+  /// displaced one rotation by pixels, another one lies as far off to the other side.
+  std::vector<Candidate> shifted_onto_edges(std::vector<Candidate> peaks) const {
+    constexpr std::size_t kMost = 8;
     if (peaks.size() > kMost) peaks.resize(kMost);
-    for (auto& peak : peaks) {
-      const Supported reached = climb_to_evidence(view_.templates[0], scene, peak.pose, 5);
-      peak.pose = reached.pose;
-      peak.value = log_odds(reached.evidence, view_.shape.area());
-    }
+    for (auto& peak : peaks)
+      peak = mbncc::shifted_onto_edges(view_.templates[0].contour, scene_.levels[0], peak);
     sort_by_value(peaks);
     return peaks;
+  }
+
+  /// What the first `most` of them climb to, by its log-odds.
+  std::vector<Candidate> reached_from(std::vector<Candidate> starts, std::size_t most) const {
+    constexpr int kIterations = 5;
+    if (starts.size() > most) starts.resize(most);
+    for (auto& start : starts) {
+      const Supported reached =
+          climb_to_evidence(view_.templates[0], scene_.levels[0], start.pose, kIterations);
+      start.pose = reached.pose;
+      start.value = log_odds(reached.evidence, view_.shape.area());
+    }
+    return starts;
   }
 
   /// The paper's poses as they are, with the evidence for them.

@@ -1,0 +1,60 @@
+// How well an outline alone lies on the edges of a picture, and the best pose near another.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+
+#include "matching/contour_template.hpp"
+#include "matching/scene_level.hpp"
+
+namespace mbncc {
+
+class OutlineAgreement {
+ public:
+  /// Of a contour `scale` times as large, at poses whose surroundings the picture has prepared.
+  OutlineAgreement(const ContourTemplate& contour, const SceneLevel& scene, double scale = 1)
+      : contour_(contour), scene_(scene), scale_(scale) {}
+
+  /// See contour_agreement().
+  double at(const Pose2D& pose) {
+    read_contour(contour_, scene_.edges, pose, 1, sample_, scale_);
+    return contour_agreement(contour_, sample_);
+  }
+
+  /// The most that up to `steps` steps of a pixel along x, y, or the rim reach from `start`, over
+  /// poses that are `allowed`.
+  template <class Allowed>
+  double climbed(const Pose2D& start, int steps, const Allowed& allowed) {
+    double most = at(start);
+    Pose2D best = start;
+    for (int k = 0; k < steps; ++k) {
+      const Pose2D from = best;
+      const double before = most;
+      for (const double step : {-1., 1.}) {
+        const double turn = step / std::max(1.0, scale_ * contour_.radius());
+        for (const Pose2D& next :
+             {Pose2D{from.x + step, from.y, from.theta}, Pose2D{from.x, from.y + step, from.theta},
+              Pose2D{from.x, from.y, from.theta + turn}}) {
+          const double agreement = allowed(next) ? at(next) : -1;
+          if (agreement <= most) continue;
+          most = agreement;
+          best = next;
+        }
+      }
+      if (most == before) break;
+    }
+    return most;
+  }
+
+  double climbed(const Pose2D& start, int steps) {
+    return climbed(start, steps, [](const Pose2D&) { return true; });
+  }
+
+ private:
+  const ContourTemplate& contour_;
+  const SceneLevel& scene_;
+  double scale_;
+  ContourSample sample_;
+};
+
+}  // namespace mbncc

@@ -1,0 +1,57 @@
+#include "matching/turned_over.hpp"
+
+#include "matching/matcher_fixture.hpp"
+#include "matching/prepared_object.hpp"
+
+namespace mbncc {
+namespace {
+
+/// An angle with legs of 70 and 52 px, 24 px wide, as in test::angle_map(), and its mirror images.
+class TurnedOverTest : public test::MatcherTest {
+ protected:
+  const Pose2D truth_{170, 120, 0.8};
+
+  static test::LearningPicture mirrored(const test::LearningPicture& source) {
+    test::LearningPicture other = source;
+    for (auto* picture : {&other.map, &other.surface, &other.picture})
+      cv::flip(*picture, *picture, 1);
+    return other;
+  }
+
+  static cv::Mat scene_with(const test::LearningPicture& source, const Pose2D& pose) {
+    cv::Mat scene = test::texture({320, 240}, 77, 5);
+    test::place(scene, source, {60, 60}, pose);
+    return scene;
+  }
+
+  double better_at(const Pose2D& pose, const test::LearningPicture& taught,
+                   const cv::Mat& scene) const {
+    const PreparedObject object(test::object_from(taught, {60, 60, 0}), Engine::kFast);
+    const PreparedView& view = object.views.front();
+    return view.turned_over.better(view.fine.contour, SceneLevel(scene, 0),
+                                   compose(pose, inverse(view.reference_in_anchor)), 1);
+  }
+};
+
+TEST_F(TurnedOverTest, TheObjectLiesBetterThanItsMirrorImage) {
+  EXPECT_LT(better_at(truth_, source_, scene_with(source_, truth_)), -0.1);
+}
+
+TEST_F(TurnedOverTest, ItsMirrorImageLiesBetterWhereItIsTurnedOver) {
+  // The pose at which an angle covers most of its mirror image: turned by a quarter.
+  const cv::Mat scene = scene_with(mirrored(source_), truth_);
+  double most = -1;
+  for (int k = 0; k < 36; ++k)
+    most = std::max(most, better_at({truth_.x, truth_.y, 2 * kPi * k / 36}, source_, scene));
+  EXPECT_GT(most, 0.1);
+}
+
+TEST_F(TurnedOverTest, AnOutlineThatIsItsOwnMirrorImageAgreesAsWell) {
+  cv::Mat map = cv::Mat::zeros(120, 120, CV_8UC1);
+  map(cv::Rect(30, 40, 60, 40)) = 255;
+  const test::LearningPicture plate(3, map);
+  EXPECT_NEAR(better_at(truth_, plate, scene_with(plate, truth_)), 0, 0.04);
+}
+
+}  // namespace
+}  // namespace mbncc
