@@ -49,8 +49,8 @@ Marking marking_of(const DetectedObject& object) {
 
 // Letters of the legend and of the score map.
 struct Letters {
-  explicit Letters(int width)
-      : size(std::clamp(width / 850.0, 0.35, 3.0)), stroke(width / 640 + 1) {
+  explicit Letters(double width)
+      : size(std::clamp(width / 850, 0.25, 3.0)), stroke(static_cast<int>(width) / 640 + 1) {
     height = cv::getTextSize("X", kFont, size, stroke, &baseline).height;
   }
   int width_of(const std::string& text) const {
@@ -71,22 +71,33 @@ std::string age_of(const mbncc_vision::DetectedObjectArray& detections) {
   return text;
 }
 
+constexpr std::uint8_t kExplained[] = {DetectedObject::CONFIRMED, DetectedObject::AMBIGUOUS,
+                                       DetectedObject::NEW};
+
+/// As large as the picture's width allows.
+Letters letters_of_legend(int width, const std::string& age) {
+  const Letters letters(width);
+  int needed = letters.width_of(age) + letters.height;
+  for (const std::uint8_t state : kExplained)
+    needed += letters.width_of(word_of(state)) + 5 * letters.height / 2;
+  return needed <= width ? letters : Letters(double(width) * width / needed);
+}
+
 cv::Mat with_legend(const cv::Mat& picture, const mbncc_vision::DetectedObjectArray& detections) {
-  const Letters letters(picture.cols);
+  const std::string age = age_of(detections);
+  const Letters letters = letters_of_legend(picture.cols, age);
   const int line = 2 * letters.height;
   cv::Mat shown;
   cv::copyMakeBorder(picture, shown, 0, line, 0, 0, cv::BORDER_CONSTANT, cv::Scalar::all(30));
   const int foot = shown.rows - line / 4;
   int x = letters.height / 2;
-  for (const std::uint8_t state :
-       {DetectedObject::CONFIRMED, DetectedObject::AMBIGUOUS, DetectedObject::NEW}) {
+  for (const std::uint8_t state : kExplained) {
     const cv::Rect swatch(x, foot - letters.height, letters.height, letters.height);
     cv::rectangle(shown, swatch, colour_of(standing_of(state)), cv::FILLED);
     x += 3 * letters.height / 2;
     letters.write(shown, word_of(state), {x, foot}, kInk);
     x += letters.width_of(word_of(state)) + letters.height;
   }
-  const std::string age = age_of(detections);
   const int right = shown.cols - letters.width_of(age) - letters.height / 2;
   letters.write(shown, age, {right, foot}, kInk);
   return shown;

@@ -48,6 +48,33 @@ TEST(Overlay, TheLegendLiesBelowThePicture) {
   EXPECT_EQ(cv::norm(drawn.rowRange(0, picture.rows), picture, cv::NORM_INF), 0);
 }
 
+/// The legend's columns in which something is drawn.
+cv::Mat written_columns(const cv::Mat& legend) {
+  cv::Mat columns, brightest;
+  cv::inRange(legend, cv::Scalar::all(30), cv::Scalar::all(30), columns);
+  cv::reduce(columns, brightest, 0, cv::REDUCE_MIN);
+  return brightest == 0;
+}
+
+TEST(Overlay, TheAgeStandsApartFromTheLegend) {
+  for (const int width : {320, 640, 800, 1280, 2448}) {
+    const cv::Mat picture(240, width, CV_8UC3, cv::Scalar::all(120));
+    const auto legend = [&](float latency) {
+      mbncc_vision::DetectedObjectArray array;
+      array.latency = latency;
+      const cv::Mat drawn = draw_detections(picture, array);
+      return cv::Mat(drawn.rowRange(picture.rows, drawn.rows));
+    };
+    // The two differ in their first digit, the age's leftmost letter.
+    const cv::Mat young = legend(0.01f), old = legend(8.01f);
+    cv::Mat differing;
+    cv::reduce(cv::Mat(young != old).reshape(1, young.rows), differing, 0, cv::REDUCE_MAX);
+    const int letter = cv::boundingRect(differing).x / 3, gap = width / 160, serif = width / 80;
+    const cv::Mat before = written_columns(young).colRange(letter - serif - gap, letter);
+    EXPECT_GE(cv::countNonZero(before == 0), gap) << width;
+  }
+}
+
 TEST(Overlay, TheStateGivesTheColour) {
   const cv::Mat picture(240, 320, CV_8UC3, cv::Scalar::all(120));
   const auto blue = colour_of(Standing::kGood), orange = colour_of(Standing::kDoubtful);
