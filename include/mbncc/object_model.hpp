@@ -82,6 +82,9 @@ View crop_view(const cv::Mat& picture, const cv::Mat& map, const Pose2D& referen
 /// The view's map at full size, in learning picture coordinates.
 cv::Mat full_size_map(const View& view);
 
+/// `part` [px] of that.
+cv::Mat map_within(const View& view, const cv::Rect& part);
+
 /// Outlines of the map (outer contours, largest first) relative to the reference point, in the
 /// object frame's directions. [px]
 std::vector<std::vector<cv::Point2f>> outlines(const View& view);

@@ -13,8 +13,9 @@ namespace mbncc {
 struct ChangeCut {
   cv::Mat map;  ///< CV_8UC1 of the pictures' size, 0/255; all 0 when nothing in the region changed
   CutEvidence evidence;
-  cv::Mat preference;  ///< CV_32FC1 of the pictures' size, log-odds of object against platform that
-                       ///< was cut, within +-8; -8 outside the region. Empty when nothing changed
+  /// Log-odds of object against platform that were cut: CV_32FC1 of the pictures' size, within +-8,
+  /// -8 outside the region. None when nothing had changed.
+  std::function<cv::Mat()> preference;
 
   // Each makes one more cut from where this one ended, repeatably; none when nothing had changed.
   /// Holds to what the operator painted (CV_8UC1 of the pictures' size, 255 there).

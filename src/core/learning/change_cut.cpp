@@ -210,7 +210,8 @@ class Cutter {
 };
 
 ChangeCut result_of(const std::shared_ptr<const Cutter>& cutter, const cv::Size& size) {
-  return {cutter->full_size_map(size), cutter->evidence(), cutter->full_size_preference(size),
+  return {cutter->full_size_map(size), cutter->evidence(),
+          [cutter, size] { return cutter->full_size_preference(size); },
           [cutter, size](const cv::Mat& include, const cv::Mat& exclude) {
             return result_of(std::make_shared<Cutter>(cutter->painted(include, exclude)), size);
           },

@@ -66,7 +66,8 @@ class LessonRun {
     if (!state_.cut->cut_with) return;
     const StepTimer timer(result_.timings_ms, "put_aside");
     make_model(state_.cut->map);
-    state_.new_place = find_put_aside(result_.object, task_, surveyed_, config_, search_);
+    state_.new_place =
+        find_put_aside(result_.object, state_.cut->map, task_, surveyed_, config_, search_);
     if (!state_.new_place || !refines(*state_.new_place)) return;
     state_.cut = state_.cut->cut_with(state_.new_place->preference);
   }
@@ -89,7 +90,7 @@ class LessonRun {
         state_.cut->cut_again
             ? state_.cut->cut_again(state_.marks)
             : Segmentation{
-                  overpainted(state_.cut->map, state_.marks), state_.cut->evidence, {}, {}, {}};
+                  overpainted(state_.cut->map, state_.marks), state_.cut->evidence, {}, {}};
     check_map(segmentation.map, {{0, 0}, segmentation.map.size()});
     progress_.report(Stage::kSegment, 0.8, "The object is cut out.",
                      [&] { return outlined(lesson_.before, segmentation.map); });
@@ -120,7 +121,7 @@ class LessonRun {
     check_map(map, {{0, 0}, map.size()});
     progress_.report(Stage::kRegion, 0.1, "Taking the map as it is.",
                      [&] { return outlined(lesson_.before, map); });
-    return {map, std::nullopt, {}, {}, {}};
+    return {map, std::nullopt, {}, {}};
   }
 
   SegmentationTask mark_region() {
@@ -146,6 +147,8 @@ class LessonRun {
   }
 
   void make_model(const cv::Mat& map) {
+    if (map.data == modelled_.data) return;
+    modelled_ = map;
     const cv::Point2d centre = centroid(map);
     const Pose2D reference = lesson_.reference.value_or(Pose2D{centre.x, centre.y, 0});
     ObjectModel& object = result_.object;
@@ -188,6 +191,7 @@ class LessonRun {
   LearnResult& result_;
   SegmentationTask task_;
   cv::Mat surveyed_;  // all changes, arrivals included
+  cv::Mat modelled_;  // the map that the result's object was made from
 };
 
 // Runs `steps` and turns the end of a lesson into values.

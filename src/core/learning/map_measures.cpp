@@ -53,6 +53,10 @@ cv::Rect surroundings(const cv::Mat& map) {
 
 }  // namespace
 
+cv::Rect surroundings(const View& view) {
+  return grown({view.origin, view.map.size()}, kReach) & cv::Rect({0, 0}, view.picture_size);
+}
+
 cv::Mat outline_pixels(const cv::Mat& map) {
   cv::Mat inner;
   cv::erode(map, inner, cv::getStructuringElement(cv::MORPH_CROSS, {3, 3}), {-1, -1}, 1,

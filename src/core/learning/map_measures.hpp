@@ -7,6 +7,10 @@
 
 namespace mbncc {
 
+/// [px] Part of the learning picture that is enough for what follows. A map pixel that lies on this
+/// part's border lies on the picture's.
+cv::Rect surroundings(const View& view);
+
 /// Fills in area, fill, contrast and edge_agreement. `map` has the picture's size.
 void measure_map(const cv::Mat& picture, const cv::Mat& map, Quality& quality);
 

@@ -89,8 +89,8 @@ double agreement(const cv::Mat& a, const cv::Mat& b) {
 
 class PutAsideSearch {
  public:
-  PutAsideSearch(const ObjectModel& object, const SearchConfig& search)
-      : map_(full_size_map(object.views.front())), matcher_(unhurried(search)) {
+  PutAsideSearch(const ObjectModel& object, const cv::Mat& map, const SearchConfig& search)
+      : map_(map), matcher_(unhurried(search)) {
     // Searched by its centre: the object frame may lie far from the object.
     auto centred = std::make_shared<ObjectModel>(object);
     const cv::Point2d centre = centroid(map_);
@@ -110,7 +110,7 @@ class PutAsideSearch {
       cv::warpAffine(map_, moved, matrix_of(motion), map_.size(), cv::INTER_NEAREST);
       const double agreed = agreement(moved, cut.map);
       if (agreed < (best ? best->agreement : kLeastAgreement)) continue;
-      best = NewPlace{motion, agreed, seen_from_before(cut.preference, matrix_of(motion))};
+      best = NewPlace{motion, agreed, seen_from_before(cut.preference(), matrix_of(motion))};
     }
     return best;
   }
@@ -136,16 +136,15 @@ class PutAsideSearch {
 
 }  // namespace
 
-std::optional<NewPlace> find_put_aside(const ObjectModel& object, const SegmentationTask& task,
-                                       const cv::Mat& changed, const LearningConfig& config,
-                                       const SearchConfig& search) {
-  const cv::Mat map = full_size_map(object.views.front());
+std::optional<NewPlace> find_put_aside(const ObjectModel& object, const cv::Mat& map,
+                                       const SegmentationTask& task, const cv::Mat& changed,
+                                       const LearningConfig& config, const SearchConfig& search) {
   const cv::Mat elsewhere = patches_elsewhere(changed, map);
   if (elsewhere.empty()) return std::nullopt;
   const cv::Mat arrivals = elsewhere & ~without_arrivals(task.before, task.after, elsewhere);
   const auto places = places_of(arrivals, cv::countNonZero(map));
   if (places.empty()) return std::nullopt;
-  PutAsideSearch put_aside(object, search);
+  PutAsideSearch put_aside(object, map, search);
   for (const Place& place : places) {
     const ChangeCut cut = change_cut(task.after, task.before, place.box, changed, config.iterations,
                                      config.max_shift);

@@ -16,10 +16,11 @@ struct NewPlace {
   cv::Mat preference;    ///< CV_32FC1, that cut's, warped onto the picture before
 };
 
-/// Looks where something arrived for the object just learned (one view). `changed` is the survey's,
-/// arrivals included. None when nothing that arrived is the object.
-std::optional<NewPlace> find_put_aside(const ObjectModel& object, const SegmentationTask& task,
-                                       const cv::Mat& changed, const LearningConfig& config,
-                                       const SearchConfig& search);
+/// Looks where something arrived for the object just learned (one view) and its `map` of the
+/// picture's size. `changed` is the survey's, arrivals included. None when nothing that arrived is
+/// the object.
+std::optional<NewPlace> find_put_aside(const ObjectModel& object, const cv::Mat& map,
+                                       const SegmentationTask& task, const cv::Mat& changed,
+                                       const LearningConfig& config, const SearchConfig& search);
 
 }  // namespace mbncc

@@ -11,10 +11,11 @@ Quality assess_quality(const ObjectModel& object, const cv::Mat& before, const c
                        const std::optional<CutEvidence>& evidence, const LearningConfig& config,
                        const SearchConfig& search) {
   const View& view = object.views.front();
-  const cv::Mat map = full_size_map(view);
+  const cv::Rect around = surroundings(view);
+  const cv::Mat map = map_within(view, around);
   Quality quality;
-  measure_map(before, map, quality);
-  if (!changed.empty()) quality.change_agreement = change_agreement(changed, map);
+  measure_map(before(around), map, quality);
+  if (!changed.empty()) quality.change_agreement = change_agreement(changed(around), map);
   search_itself(object, before, search, quality);
   const RotationProfile profile(view, before);
   quality.angle_halfwidth = profile.fall_to((quality.self_score + quality.runner_up) / 2);

@@ -51,7 +51,7 @@ RotationProfile::RotationProfile(const View& view, const cv::Mat& picture) {
   cv::Mat part;
   const cv::Rect around = grown(cv::Rect(cv::Point(centre) + view.origin, cv::Size(1, 1)), reach) &
                           cv::Rect({0, 0}, picture.size());
-  const cv::Mat map = full_size_map(view)(around).clone();
+  const cv::Mat map = map_within(view, around);
   cv::cvtColor(picture(around), part, cv::COLOR_BGR2GRAY);
   const cv::Point2d anchor = centre + cv::Point2d(view.origin - around.tl());
 

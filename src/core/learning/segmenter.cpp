@@ -47,9 +47,9 @@ Segmentation unverified(const cv::Mat& raw, const SegmentationTask& task) {
   evidence.verified = false;
   evidence.region_touch = region_touch(map, inside);
   const auto cut_again = [map, evidence, task](const Marks& marks) -> Segmentation {
-    return {grabcut_again(map, marks, task), evidence, {}, {}, {}};
+    return {grabcut_again(map, marks, task), evidence, {}, {}};
   };
-  return {map, evidence, cut_again, {}, {}};
+  return {map, evidence, cut_again, {}};
 }
 
 Segmentation by_sb_grabcut(const SegmentationTask& task, const LearningConfig& config,
@@ -75,7 +75,7 @@ Segmentation by_grabcut_mask(const SegmentationTask& task, const LearningConfig&
 }
 
 Segmentation segmentation_of(const ChangeCut& cut) {
-  Segmentation result{cut.map, cut.evidence, {}, cut.preference, {}};
+  Segmentation result{cut.map, cut.evidence, {}, {}};
   if (!cut.cut_again) return result;
   result.cut_again = [cut](const Marks& marks) {
     Segmentation again = segmentation_of(cut.cut_again(marks.include, marks.exclude));

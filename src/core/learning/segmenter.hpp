@@ -28,9 +28,8 @@ struct Segmentation {
   /// Cuts again from where it stood, holding to marks of the picture's size; none: a map that was
   /// given ready.
   std::function<Segmentation(const Marks& marks)> cut_again;
-  /// Log-odds per pixel and a further cut that adds another view's, as in ChangeCut; empty and none
-  /// for other methods.
-  cv::Mat preference;
+  /// A further cut that adds another view's log-odds per pixel, as in ChangeCut; none for other
+  /// methods.
   std::function<Segmentation(const cv::Mat& preference)> cut_with;
 };
 

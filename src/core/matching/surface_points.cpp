@@ -25,10 +25,15 @@ std::vector<cv::Point> pixels_deeper_than(double depth, const MapGeometry& map, 
   return pixels;
 }
 
-Points pure_points(const MapGeometry& map, cv::Size size, int level) {
-  const double need = level == 0 ? 1.9 : 0.5 + 0.75 * (1 << level);
+/// Away from the edge: these show the object alone.
+std::vector<cv::Point> pure_pixels(const MapGeometry& map, cv::Size size, int level) {
+  return pixels_deeper_than(level == 0 ? 1.9 : 0.5 + 0.75 * (1 << level), map, size, level);
+}
+
+Points pure_points(const MapGeometry& map, const std::vector<cv::Point>& pixels, int level) {
   Points points;
-  for (const auto& pixel : pixels_deeper_than(need, map, size, level))
+  points.reserve(pixels.size());
+  for (const auto& pixel : pixels)
     points.push_back(
         {at_level(cv::Point2f(pixel), level), map.depth(pixel), map.inward(pixel), {}});
   return points;
@@ -52,11 +57,14 @@ Points mixed_points(const MapGeometry& map, cv::Size size, int level) {
   return points;
 }
 
-void thin_out(Points& points, std::size_t most) {
+/// Leaves at most `most`, in memory of no more.
+template <class Point>
+void thin_out(std::vector<Point>& points, std::size_t most) {
   std::mt19937 random(5);
   for (std::size_t i = 0; i + 1 < points.size() && i < most; ++i)
     std::swap(points[i], points[i + random() % (points.size() - i)]);
-  if (points.size() > most) points.resize(most);
+  if (points.size() > most)
+    points = {points.begin(), points.begin() + static_cast<std::ptrdiff_t>(most)};
 }
 
 /// Halves the points along their longer side, `depth` times.
@@ -83,9 +91,16 @@ void split_blocks(SurfacePoints& all, Points::iterator first, Points::iterator l
 SurfacePoints choose_surface_points(const MapGeometry& map, cv::Size size, int level,
                                     std::size_t most) {
   const std::size_t enough = level == 0 ? 100 : 40;
-  SurfacePoints chosen{pure_points(map, size, level), {}, false};
-  if (chosen.points.size() < enough) chosen = {mixed_points(map, size, level), {}, true};
-  thin_out(chosen.points, most);
+  auto pixels = pure_pixels(map, size, level);
+  SurfacePoints chosen;
+  chosen.mixed = pixels.size() < enough;
+  if (chosen.mixed) {
+    chosen.points = mixed_points(map, size, level);
+    thin_out(chosen.points, most);
+  } else {
+    thin_out(pixels, most);
+    chosen.points = pure_points(map, pixels, level);
+  }
   const std::size_t count = chosen.points.size();
   const int depth = count >= 240 ? 3 : count >= 100 ? 2 : count >= 50 ? 1 : 0;
   split_blocks(chosen, chosen.points.begin(), chosen.points.end(), depth);

@@ -8,21 +8,26 @@
 namespace mbncc {
 namespace {
 
-std::vector<cv::Point> map_pixels(const cv::Mat& map) {
-  std::vector<cv::Point> pixels;
-  if (!map.empty()) cv::findNonZero(map, pixels);
-  if (pixels.empty()) throw std::invalid_argument("the map has no pixel");
-  return pixels;
+// Where the map's pixels lie: a small part of most pictures.
+cv::Rect box_of(const cv::Mat& map) {
+  const cv::Rect box = map.empty() ? cv::Rect() : cv::boundingRect(map);
+  if (box.empty()) throw std::invalid_argument("the map has no pixel");
+  return box;
 }
 
 // The corners of the pixels' convex hull: all that a circle around them depends on.
 std::vector<cv::Point> hull_corners(const cv::Mat& map) {
+  const cv::Rect box = box_of(map);
   std::vector<cv::Point> row_ends, corners;
-  const auto pixels = map_pixels(map);  // row by row
-  for (std::size_t i = 0; i < pixels.size(); ++i)
-    if (i == 0 || i + 1 == pixels.size() || pixels[i].y != pixels[i - 1].y ||
-        pixels[i].y != pixels[i + 1].y)
-      row_ends.push_back(pixels[i]);
+  for (int y = box.y; y < box.br().y; ++y) {
+    const auto* row = map.ptr(y);
+    int first = box.x, last = box.br().x - 1;
+    while (first <= last && row[first] == 0) ++first;
+    if (first > last) continue;
+    while (row[last] == 0) --last;
+    row_ends.emplace_back(first, y);
+    if (last != first) row_ends.emplace_back(last, y);
+  }
   cv::convexHull(row_ends, corners);
   return corners;
 }
@@ -62,10 +67,16 @@ Pose2D inverse(const Pose2D& pose) {
 }
 
 cv::Point2d centroid(const cv::Mat& map) {
+  const cv::Rect box = box_of(map);
   cv::Point2d sum;
-  const auto pixels = map_pixels(map);
-  for (const auto& pixel : pixels) sum += cv::Point2d(pixel);
-  return sum / static_cast<double>(pixels.size());
+  double count = 0;
+  for (int y = box.y; y < box.br().y; ++y)
+    for (int x = box.x; x < box.br().x; ++x) {
+      if (map.at<uchar>(y, x) == 0) continue;
+      sum += cv::Point2d(x, y);
+      ++count;
+    }
+  return sum / count;
 }
 
 Circle excircle(const cv::Mat& map) {
@@ -76,7 +87,7 @@ Circle excircle(const cv::Mat& map) {
 }
 
 Circle incircle(const cv::Mat& map) {
-  map_pixels(map);
+  box_of(map);
   cv::Mat padded, distance;
   cv::copyMakeBorder(map, padded, 1, 1, 1, 1, cv::BORDER_CONSTANT, cv::Scalar(0));
   cv::distanceTransform(padded, distance, cv::DIST_L2, cv::DIST_MASK_PRECISE);
@@ -90,7 +101,12 @@ Circle incircle(const cv::Mat& map) {
 
 bool is_binary_map(const cv::Mat& map) {
   if (map.empty() || map.type() != CV_8UC1) return false;
-  return cv::countNonZero(map) == cv::countNonZero(map == 255);
+  uchar others = 0;
+  for (int y = 0; y < map.rows; ++y) {
+    const auto* row = map.ptr(y);
+    for (int x = 0; x < map.cols; ++x) others |= static_cast<uchar>(row[x] + 1) & 0xfe;
+  }
+  return others == 0;
 }
 
 }  // namespace mbncc

@@ -89,9 +89,14 @@ View crop_view(const cv::Mat& picture, const cv::Mat& map, const Pose2D& referen
 }
 
 cv::Mat full_size_map(const View& view) {
-  cv::Mat full = cv::Mat::zeros(view.picture_size, CV_8UC1);
-  view.map.copyTo(full(cv::Rect(view.origin, view.map.size())));
-  return full;
+  return map_within(view, {{0, 0}, view.picture_size});
+}
+
+cv::Mat map_within(const View& view, const cv::Rect& part) {
+  cv::Mat map = cv::Mat::zeros(part.size(), CV_8UC1);
+  const cv::Rect common = part & cv::Rect(view.origin, view.map.size());
+  if (!common.empty()) view.map(common - view.origin).copyTo(map(common - part.tl()));
+  return map;
 }
 
 std::vector<std::vector<cv::Point2f>> outlines(const View& view) {
