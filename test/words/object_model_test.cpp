@@ -48,6 +48,8 @@ TEST(CropView, KeepsPicturePlaceAndMap) {
     const cv::Rect crop(view.origin, view.map.size());
     EXPECT_EQ(cv::norm(view.template_image, picture()(crop), cv::NORM_INF), 0);
     EXPECT_EQ(cv::norm(full_size_map(view), map, cv::NORM_INF), 0);
+    for (const cv::Rect part : {cv::Rect(0, 0, 40, 30), cv::Rect(25, 20, 60, 50)})
+      EXPECT_EQ(cv::norm(map_within(view, part), map(part), cv::NORM_INF), 0);
     EXPECT_EQ(view.picture_size, kSize);
   }
   EXPECT_THROW(crop_view(picture(), cv::Mat::zeros(5, 5, CV_8UC1), {}), std::invalid_argument);

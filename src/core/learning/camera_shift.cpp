@@ -43,6 +43,19 @@ class Shifted {
   }
 
   float operator()(int y, int x) const {
+    const int row = y + top_, column = x + left_;
+    if (row >= 0 && row + 1 < picture_.rows && column >= 0 && column + 1 < picture_.cols)
+      return interpolated(picture_.ptr<float>(row) + column, picture_.ptr<float>(row + 1) + column);
+    return at_border(y, x);
+  }
+
+ private:
+  float interpolated(const float* upper, const float* lower) const {
+    return weights_[0] * upper[0] + weights_[1] * upper[1] + weights_[2] * lower[0] +
+           weights_[3] * lower[1];
+  }
+
+  float at_border(int y, int x) const {
     const float* upper = picture_.ptr<float>(std::clamp(y + top_, 0, picture_.rows - 1));
     const float* lower = picture_.ptr<float>(std::clamp(y + top_ + 1, 0, picture_.rows - 1));
     const int near = std::clamp(x + left_, 0, picture_.cols - 1);
@@ -51,7 +64,6 @@ class Shifted {
            weights_[3] * lower[far];
   }
 
- private:
   const cv::Mat& picture_;
   int left_, top_;
   cv::Vec4f weights_;

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "learning/camera_shift.hpp"
+#include "learning/phase_shift.hpp"
 #include "learning/rectangles.hpp"
 #include "learning/statistics.hpp"
 #include "learning/strips.hpp"
@@ -101,9 +102,7 @@ double mean_difference(const cv::Mat& before, const cv::Mat& after) {
 
 // By phase correlation, believed only when it explains the pictures.
 cv::Point2d coarse_shift(const cv::Mat& before, const cv::Mat& after) {
-  cv::Mat window;
-  cv::createHanningWindow(window, before.size(), CV_32F);
-  const cv::Point2d shift = cv::phaseCorrelate(before, after, window);
+  const cv::Point2d shift = phase_shift(before, after);
   const cv::Rect inner(before.cols / 4, before.rows / 4, before.cols / 2, before.rows / 2);
   const cv::Mat moved = undo_shift(after, shift);
   const bool explains = mean_difference(before(inner), moved(inner)) <
@@ -196,8 +195,7 @@ ChangeSurvey survey_change(const cv::Mat& before, const cv::Mat& after) {
   cv::Scalar light(gain[0], gain[1], gain[2]);
   const cv::Mat grey_before = grey_of(b, cv::Scalar::all(1));
   cv::Mat grey_after = grey_of(a, light);
-  // Pictures of its own: cv::phaseCorrelate may write its window into what it is given.
-  const cv::Point2d shift = coarse_shift(grey_before.clone(), grey_after.clone());
+  const cv::Point2d shift = coarse_shift(grey_before, grey_after);
   survey.shift = shift / scale;
   if (shift != cv::Point2d()) {
     cv::Mat lit;

@@ -25,6 +25,23 @@ struct Moments {
   double weight = 0;
   cv::Vec3d mean;
   cv::Matx33d covariance;
+
+  void add(const Sample& sample) {
+    const cv::Vec3d colour = sample.colour;
+    weight += sample.weight;
+    mean += sample.weight * colour;
+    for (int i = 0; i < 3; ++i)
+      for (int j = i; j < 3; ++j) covariance(i, j) += sample.weight * (colour[i] * colour[j]);
+  }
+
+  // Makes sums into means.
+  void finish() {
+    if (weight <= 0) return;
+    mean *= 1 / weight;
+    for (int i = 0; i < 3; ++i)
+      for (int j = i; j < 3; ++j)
+        covariance(j, i) = covariance(i, j) = covariance(i, j) * (1 / weight) - mean[i] * mean[j];
+  }
 };
 
 std::vector<Sample> draw_samples(const cv::Mat& picture, const cv::Mat& mask,
@@ -40,20 +57,12 @@ std::vector<Sample> draw_samples(const cv::Mat& picture, const cv::Mat& mask,
   return samples;
 }
 
-Moments moments_of(const std::vector<Sample>& samples, int component) {
-  Moments m;
-  cv::Matx33d squares = cv::Matx33d::zeros();
-  for (const auto& sample : samples) {
-    if (sample.component != component) continue;
-    const cv::Vec3d colour = sample.colour;
-    m.weight += sample.weight;
-    m.mean += sample.weight * colour;
-    squares += sample.weight * (colour * colour.t());
-  }
-  if (m.weight <= 0) return m;
-  m.mean *= 1 / m.weight;
-  m.covariance = squares * (1 / m.weight) - m.mean * m.mean.t();
-  return m;
+// Of the first `count` components.
+std::vector<Moments> moments_of(const std::vector<Sample>& samples, int count) {
+  std::vector<Moments> moments(count);
+  for (const auto& sample : samples) moments[sample.component].add(sample);
+  for (auto& component : moments) component.finish();
+  return moments;
 }
 
 // Main axis by power iteration; a fixed start keeps it repeatable.
@@ -74,8 +83,9 @@ bool split_widest(std::vector<Sample>& samples, int count) {
   double widest = 0;
   int chosen = -1;
   cv::Vec3d axis, mean;
+  const auto moments = moments_of(samples, count);
   for (int k = 0; k < count; ++k) {
-    const Moments m = moments_of(samples, k);
+    const Moments& m = moments[k];
     if (m.weight <= 0) continue;
     const cv::Vec3d a = main_axis(m.covariance);
     const double spread = a.dot(m.covariance * a) * m.weight;
@@ -126,8 +136,7 @@ class MixtureFit {
     mixture_.components_.clear();
     double total = 0;
     for (const auto& sample : samples_) total += sample.weight;
-    for (int k = 0; k < count_; ++k) {
-      const Moments m = moments_of(samples_, k);
+    for (const Moments& m : moments_of(samples_, count_)) {
       if (m.weight <= 0) continue;
       const cv::Matx33d covariance = m.covariance + cv::Matx33d::eye() * kRegularity;
       ColourMixture::Component component;

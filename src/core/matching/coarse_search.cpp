@@ -44,7 +44,7 @@ class CoarseSearch {
         roi_(roi),
         wanted_(places.of_positions(bank.level, roi_.tl(), 1, roi_.size())),
         picture_(picture) {
-    for (const auto& kernel : bank.kernels) {
+    for (const auto& kernel : *bank.kernels) {
       offsets_.emplace_back(kernel, picture_.stride());
       if (!sector.contains(kernel.angle)) offsets_.back().norm = 0;
     }
@@ -139,7 +139,7 @@ class CoarseSearch {
             values[k] < place.value - settings.rotation_slack)
           continue;
         candidates.push_back(place);
-        candidates.back().pose.theta = wrap_angle(bank_.kernels[k].angle);
+        candidates.back().pose.theta = wrap_angle((*bank_.kernels)[k].angle);
         candidates.back().value = values[k];
       }
     }

@@ -114,7 +114,7 @@ cv::Mat ColourGate::best_of_rotations(const cv::Mat& classes, const Speaking& sp
   const int stride = sums.cols;
   cv::Mat best(cells.size(), CV_16SC1, cv::Scalar(-kUnit * kMost));
   std::vector<std::int32_t> begins, ends, totals(cells.cols);
-  for (const auto& rotation : rotations_) {
+  for (const auto& rotation : *rotations_) {
     if (rotation.pixels.empty()) continue;
     begins.clear();
     ends.clear();

@@ -34,8 +34,8 @@ class ColourGate {
 
   int class_level_, cell_level_;
   ColourShares shares_;
-  std::vector<RotatedKernel> rotations_;  // at cell_level_
-  int radius_ = 0;                        // [cells]
+  Lazy<std::vector<RotatedKernel>> rotations_;  // at cell_level_
+  int radius_ = 0;                              // [cells]
 };
 
 }  // namespace mbncc

@@ -190,7 +190,7 @@ cv::Mat Matcher::score_map(const cv::Mat& picture, const SearchRequest& request)
   cv::Mat best = cv::Mat::zeros(scene->size(), CV_32FC1);
   for (const auto& object : objects)
     for (const auto& view : object->views) {
-      if (view.kernels.kernels.empty() || view.kernels.level == 0) continue;
+      if (view.kernels.kernels->empty() || view.kernels.level == 0) continue;
       const cv::Mat coarse = coarse_similarity(view.kernels, scene->grey[view.kernels.level]);
       cv::Mat full;
       cv::resize(coarse, full, best.size(), 0, 0, cv::INTER_LINEAR);

@@ -135,6 +135,16 @@ RotatedKernel turned_map(const Source& source, double angle, int radius) {
   return kernel;
 }
 
+/// `count` rotations, evenly over a turn.
+Lazy<std::vector<RotatedKernel>> turned_by(RotatedKernel (*turn)(const Source&, double, int),
+                                           const Source& source, int radius, int count) {
+  return Lazy<std::vector<RotatedKernel>>([=] {
+    std::vector<RotatedKernel> kernels;
+    for (int k = 0; k < count; ++k) kernels.push_back(turn(source, 2 * kPi * k / count, radius));
+    return kernels;
+  });
+}
+
 }  // namespace
 
 KernelBank rotated_kernels(const cv::Mat& grey, const cv::Mat& map, cv::Point2d anchor) {
@@ -149,8 +159,7 @@ KernelBank rotated_kernels(const cv::Mat& grey, const cv::Mat& map, cv::Point2d 
   }
   const double rim = 2 * kPi * farthest / (1 << bank.level);
   const int rotations = std::max(12, static_cast<int>(std::ceil(rim / kArcStep)));
-  for (int k = 0; k < rotations; ++k)
-    bank.kernels.push_back(rotated_kernel(source, 2 * kPi * k / rotations, bank.radius));
+  bank.kernels = turned_by(rotated_kernel, source, bank.radius, rotations);
   return bank;
 }
 
@@ -159,8 +168,7 @@ KernelBank turned_maps(const cv::Mat& map, cv::Point2d anchor, int level, int co
   bank.level = level;
   bank.radius = static_cast<int>(std::ceil(reach(map, anchor) / (1 << level))) + 1;
   const Source source = turning_source(map, map, anchor, level);
-  for (int k = 0; k < count; ++k)
-    bank.kernels.push_back(turned_map(source, 2 * kPi * k / count, bank.radius));
+  bank.kernels = turned_by(turned_map, source, bank.radius, count);
   return bank;
 }
 

@@ -5,6 +5,8 @@
 #include <opencv2/core.hpp>
 #include <vector>
 
+#include "matching/lazy.hpp"
+
 namespace mbncc {
 
 /// One rotation of the template; only pixels well inside the map.
@@ -24,7 +26,7 @@ struct RotatedKernel {
 struct KernelBank {
   int level = 0;   ///< of the pyramid
   int radius = 0;  ///< [px at level] no pixel lies farther from the anchor in x or y
-  std::vector<RotatedKernel> kernels;  ///< evenly over a turn
+  Lazy<std::vector<RotatedKernel>> kernels;  ///< evenly over a turn
 };
 
 /// Chooses the coarsest level at which the map keeps enough pixels at every rotation, and the

@@ -1,0 +1,39 @@
+// Values that most searches never ask for.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <mutex>
+#include <utility>
+
+namespace mbncc {
+
+/// Made when it is first asked for, by whichever thread; copies share it.
+template <class Value>
+class Lazy {
+ public:
+  Lazy() : Lazy([] { return Value(); }) {}
+  explicit Lazy(std::function<Value()> make) : shared_(std::make_shared<Shared>()) {
+    shared_->make = std::move(make);
+  }
+
+  const Value& operator*() const {
+    std::call_once(shared_->once, [this] {
+      shared_->value = shared_->make();
+      shared_->make = nullptr;
+    });
+    return shared_->value;
+  }
+  const Value* operator->() const { return &**this; }
+
+ private:
+  struct Shared {
+    std::once_flag once;
+    std::function<Value()> make;
+    Value value;
+  };
+
+  std::shared_ptr<Shared> shared_;
+};
+
+}  // namespace mbncc
