@@ -84,8 +84,10 @@ class Matcher {
 
   /// Replaces the objects. Unchanged ones (same pointer) keep their prepared templates; the others
   /// are prepared here, which takes some milliseconds each. Throws std::invalid_argument when a
-  /// model breaks the rules of object_model.hpp.
-  void set_objects(std::vector<std::shared_ptr<const ObjectModel>> objects);
+  /// model breaks the rules of object_model.hpp. `for_one_search`: what only some searches need is
+  /// left to find().
+  void set_objects(std::vector<std::shared_ptr<const ObjectModel>> objects,
+                   bool for_one_search = false);
 
   std::vector<std::shared_ptr<const ObjectModel>> objects() const;
 

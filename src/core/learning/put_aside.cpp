@@ -96,7 +96,7 @@ class PutAsideSearch {
     const cv::Point2d centre = centroid(map_);
     centre_ = {centre.x, centre.y, 0};
     centred->views.front().reference = centre_;
-    matcher_.set_objects({centred});
+    matcher_.set_objects({centred}, true);
   }
 
   std::optional<NewPlace> look(const cv::Mat& after, const cv::Rect& place, const ChangeCut& cut) {

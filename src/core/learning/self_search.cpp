@@ -56,7 +56,7 @@ void search_itself(const ObjectModel& object, const cv::Mat& picture, const Sear
   auto searched = std::make_shared<ObjectModel>(object);
   searched->views = {small.view};
   Matcher matcher(unhurried(search));
-  matcher.set_objects({searched});
+  matcher.set_objects({searched}, true);
   const SearchResult found = matcher.find(small.picture, anything());
   const double near = std::max(kLeastSamePlace, kSamePlace * excircle(small.view.map).radius);
   for (const Match& match : found.matches) {

@@ -17,6 +17,9 @@ class ColourGate {
   /// `surface` is the picture under `map`, continued outwards; `anchor` [px] as of the view.
   ColourGate(const cv::Mat& surface, const cv::Mat& map, cv::Point2d anchor, double mean_width);
 
+  /// Turns the map now rather than when places() first asks for it.
+  void make_rotations() const { rotations_.make(); }
+
   /// Of the pyramid, the coarsest that is looked at.
   int level() const { return class_level_; }
 

@@ -8,7 +8,7 @@
 
 namespace mbncc {
 
-/// Made when it is first asked for, by whichever thread; copies share it.
+/// Made when it is first asked for, by whichever thread, or by make(); copies share it.
 template <class Value>
 class Lazy {
  public:
@@ -17,11 +17,15 @@ class Lazy {
     shared_->make = std::move(make);
   }
 
-  const Value& operator*() const {
+  void make() const {
     std::call_once(shared_->once, [this] {
       shared_->value = shared_->make();
       shared_->make = nullptr;
     });
+  }
+
+  const Value& operator*() const {
+    make();
     return shared_->value;
   }
   const Value* operator->() const { return &**this; }

@@ -157,7 +157,8 @@ const SearchConfig& Matcher::config() const {
   return implementation_->config;
 }
 
-void Matcher::set_objects(std::vector<std::shared_ptr<const ObjectModel>> objects) {
+void Matcher::set_objects(std::vector<std::shared_ptr<const ObjectModel>> objects,
+                          bool for_one_search) {
   const Engine engine = implementation_->config.engine == "polar" ? Engine::kPolar : Engine::kFast;
   ObjectList prepared;
   for (auto& object : objects) {
@@ -168,6 +169,7 @@ void Matcher::set_objects(std::vector<std::shared_ptr<const ObjectModel>> object
                            ? *known
                            : std::make_shared<const PreparedObject>(
                                  object, engine, implementation_->config.scale_range));
+    if (!for_one_search) prepared.back()->make_rotations();
   }
   implementation_->objects = std::move(prepared);
 }

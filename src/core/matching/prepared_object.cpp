@@ -176,4 +176,11 @@ int PreparedObject::top_level() const {
   return top;
 }
 
+void PreparedObject::make_rotations() const {
+  for (const auto& view : views) {
+    view.kernels.kernels.make();
+    view.gate.make_rotations();
+  }
+}
+
 }  // namespace mbncc

@@ -66,6 +66,9 @@ struct PreparedObject {
 
   int top_level() const;
 
+  /// Turns all templates now rather than in the first search that asks for them.
+  void make_rotations() const;
+
   std::shared_ptr<const ObjectModel> model;
   std::vector<PreparedView> views;
 };
