@@ -4,21 +4,31 @@
 #include <cmath>
 
 namespace mbncc {
+namespace {
+
+/// One of `others` is.
+bool is_near(const Candidate& candidate, const std::vector<Candidate>& others, double distance) {
+  return std::any_of(others.begin(), others.end(), [&](const Candidate& other) {
+    return cv::norm(candidate.pose.position() - other.pose.position()) < distance;
+  });
+}
+
+}  // namespace
 
 void sort_by_value(std::vector<Candidate>& candidates) {
   std::stable_sort(candidates.begin(), candidates.end(),
                    [](const Candidate& a, const Candidate& b) { return a.value > b.value; });
 }
 
-void drop_duplicates(std::vector<Candidate>& candidates, double distance, double rim,
-                     std::size_t most) {
+void drop_duplicates(std::vector<Candidate>& candidates, const Alikeness& alike, std::size_t most) {
   sort_by_value(candidates);
   std::vector<Candidate> kept;
   for (const auto& candidate : candidates) {
     const auto same = [&](const Candidate& other) {
-      return std::abs(candidate.pose.x - other.pose.x) < distance &&
-             std::abs(candidate.pose.y - other.pose.y) < distance &&
-             angle_distance(candidate.pose.theta, other.pose.theta) * rim < 1.5 * distance;
+      return std::abs(candidate.pose.x - other.pose.x) < alike.distance &&
+             std::abs(candidate.pose.y - other.pose.y) < alike.distance &&
+             angle_distance(candidate.pose.theta, other.pose.theta, alike.symmetry) * alike.rim <
+                 1.5 * alike.distance;
     };
     if (std::any_of(kept.begin(), kept.end(), same)) continue;
     kept.push_back(candidate);
@@ -34,6 +44,20 @@ void keep_hopeful(std::vector<Candidate>& candidates, std::size_t most, double b
     candidates.pop_back();
 }
 
+void keep_hopeful_places(std::vector<Candidate>& candidates, std::size_t most, double behind,
+                         double apart) {
+  constexpr double kLikely = 0;  // log-odds
+  sort_by_value(candidates);
+  if (candidates.size() > most) candidates.resize(most);
+  std::vector<Candidate> kept;
+  for (const auto& candidate : candidates) {
+    const bool hopeful = candidate.value >= candidates.front().value - behind;
+    if (!hopeful && candidate.value < kLikely) break;
+    if (hopeful || !is_near(candidate, kept, apart)) kept.push_back(candidate);
+  }
+  candidates = std::move(kept);
+}
+
 void drop_below(double floor, std::vector<Candidate>& candidates) {
   while (!candidates.empty() && candidates.back().value < floor) candidates.pop_back();
 }
@@ -42,10 +66,7 @@ std::vector<Candidate> best_places(const std::vector<Candidate>& candidates, dou
                                    std::size_t most) {
   std::vector<Candidate> places;
   for (const auto& candidate : candidates) {
-    const bool near = std::any_of(places.begin(), places.end(), [&](const Candidate& other) {
-      return cv::norm(candidate.pose.position() - other.pose.position()) < apart;
-    });
-    if (!near) places.push_back(candidate);
+    if (!is_near(candidate, places, apart)) places.push_back(candidate);
     if (places.size() == most) break;
   }
   return places;

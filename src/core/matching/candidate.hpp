@@ -16,13 +16,24 @@ struct Candidate {
 /// Sorts by value, best first.
 void sort_by_value(std::vector<Candidate>& candidates);
 
-/// Sorts, drops what lies within `distance` [px at level] of a better one in place and, by the arc
-/// at `rim` [px], in rotation, and keeps the best `most`.
-void drop_duplicates(std::vector<Candidate>& candidates, double distance, double rim,
-                     std::size_t most);
+/// When candidates show the same pose.
+struct Alikeness {
+  double distance;   ///< [px at level] less than this apart in place, and by the arc at `rim`
+  double rim;        ///< [px at level] from the anchor
+  int symmetry = 1;  ///< of the object, see measure_symmetry()
+};
+
+/// Sorts, drops what is alike to a better one, and keeps the best `most`.
+void drop_duplicates(std::vector<Candidate>& candidates, const Alikeness& alike, std::size_t most);
 
 /// Sorts and keeps the best `most`, less those that are more than `behind` the best.
 void keep_hopeful(std::vector<Candidate>& candidates, std::size_t most, double behind);
+
+/// The same, but the best of a place stays where it is likely by itself: it may be a covered
+/// instance, and another one lies in full view. Places are at least `apart` [px at level] from each
+/// other.
+void keep_hopeful_places(std::vector<Candidate>& candidates, std::size_t most, double behind,
+                         double apart);
 
 /// Drops those below `floor` from sorted candidates.
 void drop_below(double floor, std::vector<Candidate>& candidates);

@@ -5,6 +5,7 @@
 
 #include "matching/candidate_odds.hpp"
 #include "matching/climb.hpp"
+#include "matching/clutter.hpp"
 #include "mbncc/matching/pyramid.hpp"
 
 namespace mbncc {
@@ -85,7 +86,7 @@ class Descent {
       candidate.pose = on_edges.pose;
       candidate.value = on_edges.value;
     }
-    drop_duplicates(candidates, 1, radius_at(level), kOnEdges);
+    drop_duplicates(candidates, {1, radius_at(level), view_.symmetry}, kOnEdges);
   }
 
   void climb_roughly(int level, int iterations, std::vector<Candidate>& candidates) const {
@@ -108,7 +109,7 @@ class Descent {
     drop_below(kFloors.roughly + effort_.demand, entering);
     for (auto& candidate : entering)
       candidate.value = candidate_odds(view_, scene_, level, candidate.pose);
-    keep_hopeful(entering, effort_.entering, kHopeless);
+    keep_hopeful_places(entering, effort_.entering, kHopeless, apart_at(level));
     drop_below(kFloors.entering + effort_.demand, entering);
     candidates.insert(candidates.end(), entering.begin(), entering.end());
   }
@@ -155,13 +156,16 @@ class Descent {
 
   double radius_at(int level) const { return view_.shape.radius() / (1 << level); }
 
+  double apart_at(int level) const { return kSamePlace * radius_at(level); }
+
   std::size_t kept_at(int level) const {
     return static_cast<std::size_t>(effort_.kept * static_cast<double>(most_at(level)));
   }
 
   void keep_different(int level, std::vector<Candidate>& candidates) const {
-    drop_duplicates(candidates, level == 0 ? 1.5 : 1.0, radius_at(level), kept_at(level));
-    keep_hopeful(candidates, kept_at(level), kHopeless);
+    drop_duplicates(candidates, {level == 0 ? 1.5 : 1.0, radius_at(level), view_.symmetry},
+                    kept_at(level));
+    keep_hopeful_places(candidates, kept_at(level), kHopeless, apart_at(level));
   }
 
   const PreparedView& view_;

@@ -89,7 +89,7 @@ class ViewSearch {
 
   void merge(const std::vector<Candidate>& more, std::vector<Candidate>& candidates) const {
     candidates.insert(candidates.end(), more.begin(), more.end());
-    drop_duplicates(candidates, 1.5, view_.shape.radius(), 2 * most_at(0));
+    drop_duplicates(candidates, {1.5, view_.shape.radius(), view_.symmetry}, 2 * most_at(0));
   }
 
   /// One of the sorted candidates is likely and no other place is, and edges proposed it among the
@@ -125,7 +125,7 @@ class ViewSearch {
       needed.push_back(places[i]);
       if (rival != turned.end()) needed.push_back(*rival);
     }
-    drop_duplicates(candidates, 1.5, view_.shape.radius(), most_at(0));
+    drop_duplicates(candidates, {1.5, view_.shape.radius(), view_.symmetry}, most_at(0));
     keep_hopeful(candidates, most_at(0), kNoRival);
     for (const auto& candidate : needed)
       if (std::none_of(candidates.begin(), candidates.end(), [&](const Candidate& kept) {
@@ -143,7 +143,7 @@ class ViewSearch {
     std::vector<Candidate> turned = reached_from(peaks, kMost);
     const auto shifted = reached_from(shifted_onto_edges(peaks), kMost);
     turned.insert(turned.end(), shifted.begin(), shifted.end());
-    drop_duplicates(turned, 1.5, view_.shape.radius(), kMost);
+    drop_duplicates(turned, {1.5, view_.shape.radius(), view_.symmetry}, kMost);
     return turned;
   }
 
