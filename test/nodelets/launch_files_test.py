@@ -84,6 +84,12 @@ class Frames(unittest.TestCase):
         self.assertEqual(loaded["/matching/target_frame"], "base_link")
         self.assertEqual(loaded["/learning/gripper_frame"], "tool0")
 
+    def test_of_poses_are_the_same_wherever_pictures_come_from(self):
+        for arguments, matching in ((["cells.launch"], "/left/matching"), (["cells.launch"], "/right/matching"),
+                                    (["replay.launch", "bag:=x.bag"], "/matching")):
+            loaded = parameters(*arguments, "target_frame:=base_link")
+            self.assertEqual(loaded[matching + "/target_frame"], "base_link", arguments)
+
     def test_are_those_of_the_files_otherwise(self):
         loaded = parameters("cell.launch")
         self.assertEqual((loaded["/matching/target_frame"], loaded["/learning/gripper_frame"]), ("", ""))
