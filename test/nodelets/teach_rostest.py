@@ -1,11 +1,14 @@
 #!/usr/bin/python3
 """scripts/teach as an operator uses it, in the simulated cell."""
 import os
+import signal
 import subprocess
 import sys
 import tempfile
 import unittest
+import xmlrpc.client
 
+import rosgraph
 import rospy
 import rostest
 from std_srvs.srv import Trigger
@@ -31,11 +34,16 @@ def order(command):
         rospy.sleep(0.1)
 
 
+def kill_learning(namespace):
+    uri = rosgraph.Master("/teach_rostest").lookupNode(namespace + "/learning")
+    os.kill(xmlrpc.client.ServerProxy(uri).getPid("/teach_rostest")[2], signal.SIGKILL)
+
+
 class Teach(unittest.TestCase):
-    def start(self, *arguments):
+    def start(self, *arguments, namespace="/"):
         return subprocess.Popen([sys.executable, TEACH] + list(arguments), stdin=subprocess.PIPE,
                                 stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
-                                universal_newlines=True)
+                                universal_newlines=True, env=dict(os.environ, ROS_NAMESPACE=namespace))
 
     def lesson(self, answer, *arguments):
         """Takes the object away when the program asks for it; returns its exit code and output."""
@@ -60,6 +68,23 @@ class Teach(unittest.TestCase):
         self.assertEqual(code, 1, said)
         self.assertIn("y/n", said)
         self.assertEqual(known_names(), ["agreed"])
+
+    def lost_lesson(self, namespace):
+        """Kills the nodelet amid a lesson; what the program says then."""
+        rospy.wait_for_service(namespace + "/list_objects", PATIENCE)
+        program = self.start("lost", namespace=namespace)
+        program.stdout.readline()
+        kill_learning(namespace)
+        said, _ = program.communicate()
+        self.assertEqual(program.returncode, 1, said)
+        self.assertNotIn("Traceback", said)
+        return said
+
+    def test_a_server_that_dies_is_missed(self):
+        self.assertIn("the learning nodelet is gone", self.lost_lesson("/doomed"))
+
+    def test_a_server_that_was_started_anew_has_lost_the_lesson(self):
+        self.assertIn("teach again", self.lost_lesson("/reborn"))
 
     def test_a_bad_name_ends_at_once_with_a_sentence(self):
         known_names()
