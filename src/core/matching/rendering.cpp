@@ -111,7 +111,7 @@ void Rendering::lay_out_light(const std::vector<Site>& sites) {
       for (int k = 0; k < kLight; ++k)
         light[(k * kChannels + c) * padded() + i] = (1 - background[i]) * terms[k];
     }
-  for (int k = 0; k < kLight; ++k) turn_to_axes(&light[k * kChannels * padded()], padded());
+  for (int k = 0; k < kLight; ++k) turn_to_axes(light.data() + k * kChannels * padded(), padded());
 }
 
 void Rendering::turn_to_axes(float* colours, std::size_t count) {
