@@ -9,8 +9,9 @@
 namespace mbncc {
 namespace {
 
-constexpr int kClimbing = 6;  // steps of a pixel that the mirrored outline may take, ...
-constexpr int kSettling = 2;  // ... and the object's own
+constexpr int kClimbing = 6;    // steps of a pixel that the mirrored outline may take, ...
+constexpr int kSettling = 2;    // ... and the object's own
+constexpr double kWorse = 0.2;  // agreement that these do not make up for
 
 ContourTemplate mirrored(ContourTemplate contour) {
   for (std::size_t i = 0; i < contour.size(); ++i) {
@@ -53,11 +54,15 @@ double TurnedOver::better(const ContourTemplate& contour, const SceneLevel& scen
                           const Pose2D& pose, double scale) const {
   constexpr double kSlack = 24;  // [px] more than the way of any outline
   scene.prepare_around(pose, scale * contour.radius() + kSlack);
-  OutlineAgreement over(mirrored_, scene, scale), own(contour, scene, scale);
+  const double own = OutlineAgreement(contour, scene, scale).climbed(pose, kSettling);
+  OutlineAgreement over(mirrored_, scene, scale);
   double most = -1;
-  for (const auto& there : poses_)
-    most = std::max(most, over.climbed(compose(pose, there), kClimbing));
-  return most - own.climbed(pose, kSettling) - usual_;
+  for (const auto& there : poses_) {
+    const Pose2D start = compose(pose, there);
+    const double agreement = over.at(start);
+    most = std::max(most, agreement > own - kWorse ? over.climbed(start, kClimbing) : agreement);
+  }
+  return most - own - usual_;
 }
 
 }  // namespace mbncc

@@ -23,7 +23,7 @@ class TurnedOver {
 
  private:
   ContourTemplate mirrored_;
-  std::vector<Pose2D> poses_;  ///< of the mirrored outline that come nearest to the object's
+  std::vector<Pose2D> poses_;  ///< of the mirrored outline, where it comes nearest to the object's
   double usual_ = 0;           ///< surplus in the lesson
 };
 

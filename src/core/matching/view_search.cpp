@@ -153,7 +153,7 @@ class ViewSearch {
     constexpr std::size_t kMost = 8;
     if (peaks.size() > kMost) peaks.resize(kMost);
     for (auto& peak : peaks)
-      peak = mbncc::shifted_onto_edges(view_.templates[0].contour, scene_.levels[0], peak);
+      peak = mbncc::shifted_onto_edges(view_.rough[0].contour, scene_.levels[0], peak);
     sort_by_value(peaks);
     return peaks;
   }
