@@ -54,6 +54,10 @@ struct Rendering::Site {
   cv::Point2f bevel;
 };
 
+bool Rendering::is_mixed(const Site& site) {
+  return site.share <= kPure;
+}
+
 Rendering::Rendering(const SurfaceTemplate::Source& source, cv::Point2d anchor) {
   source.picture.prepare();
   const auto sites = sites_of(source, anchor);
@@ -77,6 +81,7 @@ std::vector<Rendering::Site> Rendering::sites_of(const SurfaceTemplate::Source& 
                        unmixed_colour(source, pixel, mixture),
                        bevel_at(source, pixel, mixture)});
     }
+  std::stable_partition(sites.begin(), sites.end(), is_mixed);
   return sites;
 }
 
@@ -90,28 +95,39 @@ void Rendering::place(const std::vector<Site>& sites) {
     places[1][i] = at.y;
     reach = std::max(reach, cv::norm(at));
   };
+  mixed =
+      whole_lanes(static_cast<std::size_t>(std::count_if(sites.begin(), sites.end(), is_mixed)));
   for (std::size_t i = 0; i < sites.size(); ++i) {
     put(points, i, sites[i].at);
     radius = std::max(radius, cv::norm(sites[i].at));
-    if (sites[i].share > kPure) continue;
+    if (!is_mixed(sites[i])) continue;
     background[i] = 1 - sites[i].share;
     for (int k = 0; k < 2; ++k) put(beyond[k], i, sites[i].beyond[k]);
   }
 }
 
+const std::vector<int>& Rendering::terms_along(int axis) {
+  static const std::array<std::vector<int>, kChannels> terms{{{0, 1, 4, 5, 6, 7}, {0, 2}, {0, 3}}};
+  return terms[axis];
+}
+
 void Rendering::lay_out_light(const std::vector<Site>& sites) {
-  light.assign(kLight * kChannels * padded(), 0.f);
-  for (int c = 0; c < kChannels; ++c)
+  const float grey = std::sqrt(3.f);  // brightness of a grey level in all channels
+  std::vector<float> colours(kChannels * padded(), 0.f);
+  for (std::size_t i = 0; i < sites.size(); ++i)
+    for (int c = 0; c < kChannels; ++c) colours[c * padded() + i] = sites[i].colour[c];
+  turn_to_axes(colours.data(), padded());
+  for (int axis = 0; axis < kChannels; ++axis) {
+    const auto& terms = terms_along(axis);
+    light[axis].assign(terms.size() * padded(), 0.f);
     for (std::size_t i = 0; i < sites.size(); ++i) {
-      const Site& site = sites[i];
-      const cv::Point2f across = site.at / radius;
-      std::array<float, kLight> terms{site.colour[c], 0,           0, 0, across.x, across.y,
-                                      site.bevel.x,   site.bevel.y};
-      terms[1 + c] = 1;
-      for (int k = 0; k < kLight; ++k)
-        light[(k * kChannels + c) * padded() + i] = (1 - background[i]) * terms[k];
+      const cv::Point2f across = grey * sites[i].at / radius, bevel = grey * sites[i].bevel;
+      const std::array<float, kLight> all{
+          colours[axis * padded() + i], 1, 1, 1, across.x, across.y, bevel.x, bevel.y};
+      for (std::size_t k = 0; k < terms.size(); ++k)
+        light[axis][k * padded() + i] = (1 - background[i]) * all[terms[k]];
     }
-  for (int k = 0; k < kLight; ++k) turn_to_axes(light.data() + k * kChannels * padded(), padded());
+  }
 }
 
 void Rendering::turn_to_axes(float* colours, std::size_t count) {

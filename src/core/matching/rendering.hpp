@@ -13,8 +13,10 @@ namespace mbncc {
 
 struct Rendering {
   static constexpr int kChannels = SurfaceTemplate::kChannels;
-  /// Gain of the colours, an offset per channel, two of shading across the object, two of its rim.
+  /// Gain of the colours, an offset per axis, two of shading across the object, two of its rim.
   static constexpr int kLight = 8;
+  /// Those of them that show along an axis of colour: shading is brightness alone.
+  static const std::vector<int>& terms_along(int axis);
 
   /// Nothing to compare.
   Rendering() = default;
@@ -35,13 +37,16 @@ struct Rendering {
   Places points;
   std::array<Places, 2> beyond;   ///< where each point's background shows alone
   std::vector<float> background;  ///< [0..1] its share at each point
-  std::vector<float> light;       ///< kLight rows: per axis, what each term adds to each point
-  double size = 0;                ///< points
-  double radius = 1;              ///< [px] of the farthest point
-  double reach = 1;               ///< [px] of the farthest place of all
+  /// Per axis, a row for each term along it: what it adds to each point.
+  std::array<std::vector<float>, kChannels> light;
+  double size = 0;        ///< points
+  std::size_t mixed = 0;  ///< of them the first that show some background, in whole lanes
+  double radius = 1;      ///< [px] of the farthest point
+  double reach = 1;       ///< [px] of the farthest place of all
 
  private:
   struct Site;
+  static bool is_mixed(const Site& site);
   static std::vector<Site> sites_of(const SurfaceTemplate::Source& source, cv::Point2d anchor);
   void place(const std::vector<Site>& sites);
   void lay_out_light(const std::vector<Site>& sites);
