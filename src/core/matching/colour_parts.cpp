@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numeric>
 #include <opencv2/core.hpp>
 #include <utility>
 
@@ -89,13 +90,32 @@ Light fit_light(const Planes& learned, const Planes& seen, const std::vector<flo
 
 using Weighted = std::pair<float, float>;  // value, weight
 
+double weight_of(std::vector<Weighted>::const_iterator first,
+                 std::vector<Weighted>::const_iterator last) {
+  return std::accumulate(first, last, 0.0,
+                         [](double sum, const Weighted& one) { return sum + one.second; });
+}
+
+/// The least value that half of the weight does not exceed.
 float median(std::vector<Weighted>& values) {
-  std::sort(values.begin(), values.end());
-  float total = 0, sum = 0;
-  for (const auto& [value, weight] : values) total += weight;
-  for (const auto& [value, weight] : values)
-    if ((sum += weight) >= total / 2) return value;
-  return 0;
+  if (values.empty()) return 0;
+  double left = weight_of(values.begin(), values.end()) / 2;
+  auto first = values.begin(), last = values.end();
+  while (last - first > 1) {
+    const auto middle = first + (last - first) / 2;
+    std::nth_element(first, middle, last);
+    const double below = weight_of(first, middle);
+    if (below >= left) {
+      last = middle;
+    } else {
+      left -= below;
+      first = middle;
+      if (middle->second >= left || middle + 1 == last) break;
+      left -= middle->second;
+      ++first;
+    }
+  }
+  return first->first;
 }
 
 /// What is seen of one part: how far its chroma is off, and how much of it counts.

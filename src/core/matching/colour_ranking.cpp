@@ -1,6 +1,7 @@
 #include "matching/colour_ranking.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 
 namespace mbncc {
@@ -14,28 +15,35 @@ class ColourVoice {
   ColourVoice(const PreparedView& view, const ScenePicture& scene, int level)
       : classes_(scene.classes().at(view.gate.level())),
         speaking_(view.gate.speaking(scene.classes())),
-        points_(view.rough[level].surface),
-        to_class_(static_cast<float>(1 << level) / static_cast<float>(1 << view.gate.level())) {}
+        to_class_(static_cast<float>(1 << level) / static_cast<float>(1 << view.gate.level())) {
+    constexpr std::size_t kStep = 3;  // every third point tells enough
+    const SurfaceTemplate& surface = view.rough[level].surface;
+    for (std::size_t i = 0; i < surface.size(); i += kStep)
+      points_.push_back(to_class_ * cv::Point2f(surface.x[i], surface.y[i]));
+  }
 
   /// Mean log-odds of the colours under `pose` [px at the poses' level].
   double mean(const Pose2D& pose) const {
-    constexpr std::size_t kStep = 3;  // every third point tells enough
-    const Transform moved(pose);
-    int sum = 0, count = 0;
-    for (std::size_t i = 0; i < points_.size(); i += kStep, ++count) {
-      const cv::Point2d at = moved({points_.x[i], points_.y[i]}) * to_class_;
-      const int x = std::clamp(static_cast<int>(at.x), 0, classes_.cols - 1);
-      const int y = std::clamp(static_cast<int>(at.y), 0, classes_.rows - 1);
-      sum += speaking_[classes_.at<std::uint16_t>(y, x)];
+    if (points_.empty()) return 0;
+    const auto theta = static_cast<float>(pose.theta);
+    const float cosine = std::cos(theta), sine = std::sin(theta);
+    const cv::Point2f middle = to_class_ * cv::Point2f(pose.position());
+    int sum = 0;
+    for (const auto& point : points_) {
+      const float x = cosine * point.x - sine * point.y + middle.x;
+      const float y = sine * point.x + cosine * point.y + middle.y;
+      const int column = std::clamp(static_cast<int>(x), 0, classes_.cols - 1);
+      const int row = std::clamp(static_cast<int>(y), 0, classes_.rows - 1);
+      sum += speaking_[classes_.at<std::uint16_t>(row, column)];
     }
-    return count == 0 ? 0 : static_cast<double>(sum) / (count * ColourGate::kUnit);
+    return static_cast<double>(sum) / (static_cast<double>(points_.size()) * ColourGate::kUnit);
   }
 
  private:
   const cv::Mat& classes_;
   ColourGate::Speaking speaking_;
-  const SurfaceTemplate& points_;
-  float to_class_;
+  float to_class_;                   // from the poses' level
+  std::vector<cv::Point2f> points_;  // [px at the classes' level]
 };
 
 }  // namespace

@@ -82,26 +82,22 @@ class EdgeSearch {
       for (auto& part : sectors_) part.keep(row, wanted_.ptr(y + row));
   }
 
-  static auto end_of(std::vector<EdgePeak>& peaks, std::size_t count) {
-    return peaks.begin() + static_cast<std::ptrdiff_t>(std::min(count, peaks.size()));
-  }
-
   /// Drops all but the best `most`. Returns the sum that no other needs to fall below.
   static std::int16_t keep_best(std::vector<EdgePeak>& peaks, std::size_t most) {
     if (peaks.size() <= most) return 1;
-    const auto last = end_of(peaks, most) - 1;
-    std::nth_element(peaks.begin(), last, peaks.end());
-    const auto least = static_cast<std::int16_t>(last->sum());
-    peaks.erase(last + 1, peaks.end());
-    return least;
+    const auto end = put_best_first(peaks, most);
+    const auto least = std::min_element(
+        peaks.begin(), end, [](const EdgePeak& a, const EdgePeak& b) { return a.sum() < b.sum(); });
+    const auto sum = static_cast<std::int16_t>(least->sum());
+    peaks.erase(end, peaks.end());
+    return sum;
   }
 
   /// In order, the best that nothing better lies beside in the same quarter turn, `foremost` of
   /// them if there are as many: so that no place has them all.
   void put_foremost_first(std::vector<EdgePeak>& peaks, std::size_t foremost) const {
     constexpr std::size_t kPerPlace = 4;
-    const auto looked_at = end_of(peaks, kPerPlace * foremost);
-    std::nth_element(peaks.begin(), looked_at, peaks.end());
+    const auto looked_at = put_best_first(peaks, kPerPlace * foremost);
     std::sort(peaks.begin(), looked_at);
     cv::Mat quarters = cv::Mat::zeros(wanted_.rows + 2, wanted_.cols + 2, CV_8UC1);
     std::stable_partition(peaks.begin(), looked_at,

@@ -31,7 +31,35 @@ void keep_wanted(const std::uint8_t* __restrict wanted, int count, std::int16_t*
   for (int x = 0; x < count; ++x) row[x] = wanted[x] != 0 ? row[x] : std::int16_t{0};
 }
 
+/// The sum that the best `count` reach, and no more than `count` exceed.
+int sum_of_last(const std::vector<EdgePeak>& peaks, std::size_t count) {
+  thread_local std::vector<std::size_t> of_sum;
+  of_sum.clear();
+  for (const auto& peak : peaks) {
+    const auto sum = static_cast<std::size_t>(peak.sum());
+    if (sum >= of_sum.size()) of_sum.resize(sum + 1);
+    ++of_sum[sum];
+  }
+  std::size_t sum = of_sum.size();
+  for (std::size_t found = 0; found < count; found += of_sum[sum]) --sum;
+  return static_cast<int>(sum);
+}
+
 }  // namespace
+
+// Many have equal sums, which are small numbers: counting them takes one pass.
+std::vector<EdgePeak>::iterator put_best_first(std::vector<EdgePeak>& peaks, std::size_t count) {
+  if (count >= peaks.size()) return peaks.end();
+  if (count == 0) return peaks.begin();
+  const int last = sum_of_last(peaks, count);
+  const auto equal = std::partition(peaks.begin(), peaks.end(),
+                                    [&](const EdgePeak& peak) { return peak.sum() > last; });
+  const auto end =
+      std::partition(equal, peaks.end(), [&](const EdgePeak& peak) { return peak.sum() == last; });
+  const auto wanted = peaks.begin() + static_cast<std::ptrdiff_t>(count);
+  if (wanted < end) std::nth_element(equal, wanted, end);
+  return wanted;
+}
 
 void EdgeSector::set_width(int width) {
   width_ = width;

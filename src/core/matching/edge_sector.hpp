@@ -31,6 +31,9 @@ class EdgePeak {
   std::uint64_t packed_;
 };
 
+/// Puts the best `count` of all first, in no order, and returns their end.
+std::vector<EdgePeak>::iterator put_best_first(std::vector<EdgePeak>& peaks, std::size_t count);
+
 /// The best of a part of a turn's rotations at the positions of a few rows: outlines often fit
 /// again at another rotation, along edges of busy ground at many, and only the surface tells which.
 class EdgeSector {

@@ -16,8 +16,8 @@ inline kernels::Picture8 view_of(const cv::Mat& picture) {
 
 /// Of an object `scale` times as large as its points say.
 inline kernels::Placement placement_of(const Pose2D& pose, double scale = 1) {
-  return {static_cast<float>(scale * std::cos(pose.theta)),
-          static_cast<float>(scale * std::sin(pose.theta)), static_cast<float>(pose.x),
+  const auto theta = static_cast<float>(pose.theta), factor = static_cast<float>(scale);
+  return {factor * std::cos(theta), factor * std::sin(theta), static_cast<float>(pose.x),
           static_cast<float>(pose.y)};
 }
 
