@@ -7,22 +7,27 @@ namespace mbncc {
 
 /// How hard the candidates are looked at.
 struct Effort {
-  int correlated_places;     ///< of the correlation, at most
-  std::size_t edge_poses;    ///< of the edge search, at most
-  std::size_t round_places;  ///< whose contour does not tell the rotation, at most
-  std::size_t on_edges;      ///< of them those that lie best on edges, at most
-  std::size_t judged;        ///< of them and others at a level by all evidence, at most
-  std::size_t entering;      ///< candidates that enter at a level, at most
-  int turns;                 ///< further starts, turned each way, of a candidate that enters
-  double width;              ///< [px at level] objects narrower enter one level finer
-  double narrow;             ///< [px] contours of objects narrower are followed first
-  double demand;             ///< log-odds by which a candidate's floors are raised on the way
-  double promising;          ///< log-odds that polishing may bring to acceptance
-  double kept;               ///< candidates at each level, times most_at()
+  std::size_t edge_poses;  ///< of the edge search, at most
+  std::size_t on_edges;    ///< of them those that lie best on edges, at most
+  std::size_t judged;      ///< of them and others at a level by all evidence, at most
+  std::size_t entering;    ///< candidates that enter at a level, at most
+  int turns;               ///< further starts, turned each way, of a candidate that enters
+  double width;            ///< [px at level] objects narrower enter one level finer
+  double narrow;           ///< [px] contours of objects narrower are followed first
+  double demand;           ///< log-odds by which a candidate's floors are raised on the way
+  double kept;             ///< candidates at each level, times most_at()
 };
-constexpr Effort kSparing{100, 100, 10, 100, 24, 12, 0, 0, 0, 2, -5, 1};
-constexpr Effort kQuick{100, 400, 24, 200, 96, 48, 0, 0, 0, 0, -8, 1};
-constexpr Effort kThorough{100, 400, 24, 1600, 200, 64, 2, 3, 5, 0, -8, 2};
+constexpr Effort kThorough{400, 1600, 200, 64, 2, 3, 5, 0, 2};
+
+/// How hard the first look is, which proposes by other means, too.
+struct FirstLook {
+  Effort effort;
+  std::size_t round_places;  ///< whose contour does not tell the rotation, at most
+  int correlated_places;     ///< of the correlation, at most
+  double promising;          ///< log-odds that polishing may bring to acceptance
+};
+constexpr FirstLook kSparing{{100, 100, 24, 12, 0, 0, 0, 2, 1}, 10, 100, -5};
+constexpr FirstLook kQuick{{400, 200, 96, 48, 0, 0, 0, 0, 1}, 24, 100, -8};
 
 /// Correlation is spared where of the candidates by edges
 constexpr double kSure = 3;            ///< the best has at least these log-odds, ...

@@ -82,8 +82,7 @@ std::vector<Detection> search_sparingly(const PreparedObject& object, const Scen
 /// An instance fits one of several views best: a thorough look is worth it only when none finds it.
 std::vector<Detection> search_object(const PreparedObject& object, const ScenePicture& scene,
                                      const cv::Rect& roi, Look look) {
-  if (look == Look::kSparing || look == Look::kGated)
-    return search_sparingly(object, scene, roi, look);
+  if (is_sparing(look)) return search_sparingly(object, scene, roi, look);
   if (object.views.size() == 1) return search_views(object, scene, roi, look);
   const auto found = search_views(object, scene, roi, Look::kQuick);
   const bool enough = std::any_of(found.begin(), found.end(), [](const Detection& detection) {

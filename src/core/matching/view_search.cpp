@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <type_traits>
 
 #include "matching/candidate_odds.hpp"
 #include "matching/climb.hpp"
@@ -21,22 +20,23 @@ constexpr double kOtherAngle = to_radians(10.);
 constexpr std::size_t kPolished = 8;
 constexpr double kOutclassed = 8;  // log-odds behind the best that polishing does not make up for
 
-/// For a view that is left a part of the rotations, so many fewer candidates.
-Effort for_sector(Effort effort, const RotationSector& sector) {
+/// Of a view that is left a part of the rotations, so many fewer candidates.
+template <class Count>
+Count part_of(Count count, const RotationSector& sector) {
   const double share = std::min(1.0, (sector.high - sector.low) / (2 * kPi));
-  const auto part = [share](auto& count) {
-    count = static_cast<std::remove_reference_t<decltype(count)>>(std::ceil(share * count));
-  };
-  part(effort.correlated_places);
-  part(effort.edge_poses);
-  part(effort.on_edges);
-  part(effort.judged);
-  part(effort.entering);
+  return static_cast<Count>(std::ceil(share * count));
+}
+
+Effort for_sector(Effort effort, const RotationSector& sector) {
+  for (auto* count : {&effort.edge_poses, &effort.on_edges, &effort.judged, &effort.entering})
+    *count = part_of(*count, sector);
   return effort;
 }
 
-bool is_sparing(Look look) {
-  return look == Look::kSparing || look == Look::kGated;
+FirstLook for_sector(FirstLook look, const RotationSector& sector) {
+  look.effort = for_sector(look.effort, sector);
+  look.correlated_places = part_of(look.correlated_places, sector);
+  return look;
 }
 
 /// Busy ground has more edges along a narrow outline than along any other, in twice as many poses.
@@ -63,13 +63,13 @@ class ViewSearch {
     if (view_.polar) return judge_polar();
     if (view_.top_level() > scene_.top_level()) return {};
     if (look_ == Look::kTwice)
-      proposals_.follow_edges_anywhere(first_.edge_poses, first_.round_places);
+      proposals_.follow_edges_anywhere(first_.effort.edge_poses, first_.round_places);
     else
-      proposals_.follow_edges(first_.edge_poses, first_.round_places);
+      proposals_.follow_edges(first_.effort.edge_poses, first_.round_places);
     std::vector<Candidate> candidates = best_by_edges();
     if (everywhere_ && !sure(candidates)) {
       proposals_.correlate(first_.correlated_places, view_.gate.places(scene_.classes()));
-      merge(descend(view_, scene_, first_, proposals_.by_correlation()), candidates);
+      merge(descend(view_, scene_, first_.effort, proposals_.by_correlation()), candidates);
     }
     if (look_ == Look::kTwice && !found(candidates)) merge(best_by_colours(), candidates);
     keep_hopeful(candidates, most_at(0), kNoRival);
@@ -79,7 +79,7 @@ class ViewSearch {
 
  private:
   std::vector<Candidate> best_by_edges() const {
-    return descend(view_, scene_, first_, proposals_.by_edges(first_.edge_poses));
+    return descend(view_, scene_, first_.effort, proposals_.by_edges(first_.effort.edge_poses));
   }
 
   /// Edges where the object's colours are, too.
@@ -213,7 +213,8 @@ class ViewSearch {
   cv::Rect roi_;
   bool everywhere_;
   Look look_;
-  Effort first_, thorough_;
+  FirstLook first_;
+  Effort thorough_;
   Proposals proposals_;
 };
 

@@ -16,6 +16,11 @@ enum class Look {
   kTwice     ///< again with more candidates and starts where nothing is found
 };
 
+/// Most of what is searched so will not be found.
+inline bool is_sparing(Look look) {
+  return look == Look::kSparing || look == Look::kGated;
+}
+
 /// Candidates of `view` whose anchors lie in `roi` [px] and `places`, refined to full resolution,
 /// best first. Several may describe one place: other angles are needed to judge the margin.
 std::vector<Detection> search_view(const PreparedObject& object, const PreparedView& view,
