@@ -33,12 +33,17 @@ class Descent {
 
   std::vector<Candidate> run(CandidatesPerLevel entering) const {
     std::vector<Candidate> candidates;
+    bool judged = false;  // what enters
     for (int level = view_.top_level(); level >= 0; --level) {
       const bool fresh = !entering[level].empty();
-      if (fresh && level > 0 && view_.geometry.mean_width() < effort_.width * (1 << level))
+      if (fresh && level > 0 && view_.geometry.mean_width() < effort_.width * (1 << level)) {
         enter_finer(level, entering);
-      else
+        judged = true;
+      } else {
+        if (!judged) judge_roughly(level, entering[level]);
         admit(level, entering[level], candidates);
+        judged = false;
+      }
       if (fresh)
         climb_from_around(level, candidates);
       else
@@ -90,20 +95,29 @@ class Descent {
   }
 
   void climb_roughly(int level, int iterations, std::vector<Candidate>& candidates) const {
-    for (auto& candidate : candidates)
-      candidate.pose =
-          climb(view_.rough[level], scene_.levels[level], candidate.pose, iterations).pose;
+    for (auto& candidate : candidates) {
+      const Supported reached =
+          climb_to_evidence(view_.rough[level], scene_.levels[level], candidate.pose, iterations);
+      candidate.pose = reached.pose;
+      candidate.value = log_odds(reached.evidence, view_.shape.area());
+    }
   }
 
+  /// Gives those proposed at a level their rough odds, of too many those that lie on edges.
+  void judge_roughly(int level, std::vector<Candidate>& candidates) const {
+    if (level == view_.edges.level() && is_narrow(view_, effort_)) {
+      follow_contours(level, candidates);
+      climb_roughly(level, 1, candidates);
+      return;
+    }
+    keep_those_on_edges(level, effort_.on_edges, candidates);
+    for (auto& candidate : candidates)
+      candidate.value = rough_odds(view_, scene_, level, candidate.pose);
+  }
+
+  /// Takes in the best by all evidence of those that have rough odds.
   void admit(int level, std::vector<Candidate>& entering,
              std::vector<Candidate>& candidates) const {
-    if (level == view_.edges.level() && is_narrow(view_, effort_)) {
-      follow_contours(level, entering);
-      climb_roughly(level, 1, entering);
-    }
-    keep_those_on_edges(level, effort_.on_edges, entering);
-    for (auto& candidate : entering)
-      candidate.value = rough_odds(view_, scene_, level, candidate.pose);
     sort_by_value(entering);
     if (entering.size() > effort_.judged) entering.resize(effort_.judged);
     drop_below(kFloors.roughly + effort_.demand, entering);
