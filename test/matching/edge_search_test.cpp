@@ -4,7 +4,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <iterator>
 
+#include "matching/edge_sector.hpp"
 #include "matching/map_geometry.hpp"
 #include "matching/pictures.hpp"
 
@@ -32,6 +34,25 @@ class EdgeSearchTest : public ::testing::Test {
   const EdgeBank bank_{MapGeometry(source_.map), kAnchor};
   const cv::Mat ground_ = test::texture({320, 240}, 5);
 };
+
+TEST(EdgePeaks, TheBestComeFirstWhateverSumsAreEqual) {
+  std::vector<EdgePeak> peaks;
+  for (int i = 0; i < 500; ++i) peaks.emplace_back(1 + i * 37 % 23, i * 11 % 64, i, i % 7);
+  auto sorted = peaks;
+  std::sort(sorted.begin(), sorted.end());
+  const auto places = [](auto first, auto last) {
+    std::vector<int> found;
+    std::transform(first, last, std::back_inserter(found),
+                   [](const EdgePeak& one) { return one.x(); });
+    return found;
+  };
+  for (const std::size_t count : {0, 1, 100, 499, 500, 600}) {
+    const auto end = put_best_first(peaks, count);
+    std::sort(peaks.begin(), end);
+    const auto wanted = std::min(count, sorted.size());
+    EXPECT_EQ(places(peaks.begin(), end), places(sorted.begin(), sorted.begin() + wanted)) << count;
+  }
+}
 
 TEST_F(EdgeSearchTest, TheForemostComeFirstAndInOrder) {
   auto all = values(search(ground_, 400, 400).poses);
