@@ -19,6 +19,9 @@ constexpr int kBand = EdgeSector::kBand;
 
 constexpr double kMinResponse = 0.2;  // [-1..1] mean of a candidate
 
+/// Positions of a row, whose responses at all rotations stay in the nearest cache.
+constexpr int kAtATime = 2 * kernels::kPositions;
+
 /// `count` rounded up to whole groups.
 int whole(int count, int group) {
   return (count + group - 1) / group * group;
@@ -72,12 +75,13 @@ class EdgeSearch {
     for (auto& part : sectors_) part.next_band();
     cv::Mat any;
     cv::reduce(wanted_.rowRange(y, y + kBand), any, 0, cv::REDUCE_MAX);
-    for (const auto& span : covering_spans(any.ptr(), any.cols, kernels::kPositions)) {
-      const std::int8_t* maps =
-          maps_->data() + maps_->offset(0, first_.x + kStep * span.begin, first_.y + kStep * y);
-      for (auto& part : sectors_)
-        part.sum_responses(maps, maps_->stride(), span.begin, span.end - span.begin);
-    }
+    for (const auto& span : covering_spans(any.ptr(), any.cols, kernels::kPositions))
+      for (int x = span.begin; x < span.end; x += kAtATime) {
+        const std::int8_t* maps =
+            maps_->data() + maps_->offset(0, first_.x + kStep * x, first_.y + kStep * y);
+        for (auto& part : sectors_)
+          part.sum_responses(maps, maps_->stride(), x, std::min(kAtATime, span.end - x));
+      }
     for (int row = 0; row < kBand; ++row)
       for (auto& part : sectors_) part.keep(row, wanted_.ptr(y + row));
   }
