@@ -53,9 +53,7 @@ void read_step(const Picture8& picture, int count, float step, bool near, Normal
   for (int i = 0; i < count; ++i) {
     const float x = group.x[i] + step * group.normal_x[i] + 0.5f;
     const float y = group.y[i] + step * group.normal_y[i] + 0.5f;
-    const float above_x = x > 1 ? x : 1, above_y = y > 1 ? y : 1;
-    const float held_x = above_x < right ? above_x : right;
-    const float held_y = above_y < bottom ? above_y : bottom;
+    const float held_x = held(x, 1, right), held_y = held(y, 1, bottom);
     const float in_x = held_x == x ? 1.f : 0.f, in_y = held_y == y ? 1.f : 0.f;
     const int column = static_cast<int>(held_x), row = static_cast<int>(held_y);
     inside[i] = in_x * in_y;
@@ -106,9 +104,8 @@ void edge_agreements_group(const Picture8& picture, const float* __restrict px,
   for (int i = 0; i < count; ++i) {
     const float x = cosine * px[i] - sine * py[i] + x0 + 0.5f;
     const float y = sine * px[i] + cosine * py[i] + y0 + 0.5f;
-    const float above_x = x > 0 ? x : 0, above_y = y > 0 ? y : 0;
-    const int column = static_cast<int>(above_x < right ? above_x : right);
-    const int row = static_cast<int>(above_y < bottom ? above_y : bottom);
+    const int column = static_cast<int>(held(x, 0, right));
+    const int row = static_cast<int>(held(y, 0, bottom));
     at[i] = row * stride + 2 * column;
   }
   for (int i = 0; i < count; ++i)

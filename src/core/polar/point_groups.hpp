@@ -9,6 +9,12 @@ namespace mbncc::kernels {
 /// the arithmetic before and after the reading of pixels is what the compiler can vectorise.
 constexpr int kGroup = 64;
 
+/// `value`, or the bound that it lies beyond.
+inline float held(float value, float least, float most) {
+  const float above = value > least ? value : least;
+  return above < most ? above : most;
+}
+
 void sample_colours_vectorised(const Picture8& picture, const Points& points,
                                const Placement& placement, const Colours& colours);
 

@@ -21,9 +21,7 @@ void sample_group(const Picture8& picture, const float* __restrict px, const flo
   std::int32_t at[kGroup];
   for (int i = 0; i < count; ++i) {
     const float x = cosine * px[i] - sine * py[i] + x0, y = sine * px[i] + cosine * py[i] + y0;
-    const float above_x = x > 0 ? x : 0, above_y = y > 0 ? y : 0;
-    const float held_x = above_x < right ? above_x : right;
-    const float held_y = above_y < bottom ? above_y : bottom;
+    const float held_x = held(x, 0, right), held_y = held(y, 0, bottom);
     const float in_x = held_x == x ? 1.f : 0.f, in_y = held_y == y ? 1.f : 0.f;
     const int column = static_cast<int>(held_x), row = static_cast<int>(held_y);
     inside[i] = in_x * in_y;
