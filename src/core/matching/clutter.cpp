@@ -16,7 +16,6 @@ namespace {
 constexpr std::size_t kPlaces = 3;  // those that tell most about the picture
 constexpr double kWeight = 0.85;
 constexpr double kNothing = -6, kObvious = 5;  // log-odds: bounds of what a place says
-constexpr double kInstance = 8;                // log-odds: what passes so well is no mere like
 
 bool same_place(const Detection& a, const Detection& b) {
   return cv::norm(a.pose.position() - b.pose.position()) <

@@ -11,6 +11,8 @@ namespace mbncc {
 
 /// Places that are asked how well the picture passes for the object, with the best one.
 constexpr std::size_t kCluttered = 10;
+/// Log-odds: what passes so well for the object is no mere like of it.
+constexpr double kInstance = 8;
 /// [radii] Nearer detections are of one place.
 constexpr double kSamePlace = 0.7;
 

@@ -18,6 +18,7 @@ struct Effort {
   double kept;             ///< candidates at each level, times most_at()
 };
 constexpr Effort kThorough{400, 1600, 200, 64, 2, 3, 5, 0, 2};
+constexpr Effort kFurther{100, 100, 64, 24, 2, 3, 5, 0, 2};
 
 /// How hard the first look is, which proposes by other means, too.
 struct FirstLook {
@@ -33,6 +34,9 @@ constexpr FirstLook kQuick{{400, 200, 96, 48, 0, 0, 0, 0, 1}, 24, 100, -8};
 constexpr double kSure = 3;            ///< the best has at least these log-odds, ...
 constexpr double kSecond = -1;         ///< any other place less than these, ...
 constexpr std::size_t kForemost = 60;  ///< and the best was among so many first proposals.
+
+/// Further instances are looked for where so many are beyond doubt.
+constexpr std::size_t kSeveral = 2;
 
 /// The thorough look is spared where the best candidate has these log-odds, less the clutter.
 constexpr double kFound = 3;

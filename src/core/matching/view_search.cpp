@@ -71,7 +71,7 @@ class ViewSearch {
       proposals_.correlate(first_.correlated_places, view_.gate.places(scene_.classes()));
       merge(descend(view_, scene_, first_.effort, proposals_.by_correlation()), candidates);
     }
-    if (look_ == Look::kTwice && !found(candidates)) merge(best_by_colours(), candidates);
+    if (look_ == Look::kTwice) look_again(candidates);
     keep_hopeful(candidates, most_at(0), kNoRival);
     try_other_angles(candidates);
     return judge_all(candidates);
@@ -83,8 +83,16 @@ class ViewSearch {
   }
 
   /// Edges where the object's colours are, too.
-  std::vector<Candidate> best_by_colours() const {
-    return descend(view_, scene_, thorough_, proposals_.by_colours(thorough_.edge_poses));
+  std::vector<Candidate> best_by_colours(const Effort& effort) const {
+    return descend(view_, scene_, effort, proposals_.by_colours(effort.edge_poses));
+  }
+
+  /// Where nothing was found, or so much that there may be more.
+  void look_again(std::vector<Candidate>& candidates) const {
+    if (!found(candidates))
+      merge(best_by_colours(thorough_), candidates);
+    else if (several(candidates))
+      merge(best_by_colours(for_sector(kFurther, view_.sector)), candidates);
   }
 
   void merge(const std::vector<Candidate>& more, std::vector<Candidate>& candidates) const {
@@ -107,6 +115,12 @@ class ViewSearch {
     for (const auto& place : best_places(candidates, kSamePlace * view_.shape.radius(), kCluttered))
       odds.push_back(place.value);
     return !odds.empty() && odds.front() - clutter_discount(odds) >= kFound;
+  }
+
+  /// Several of the sorted candidates are instances beyond doubt: of more, some may be covered.
+  bool several(const std::vector<Candidate>& candidates) const {
+    const auto places = best_places(candidates, kSamePlace * view_.shape.radius(), kSeveral);
+    return places.size() == kSeveral && places.back().value >= kInstance;
   }
 
   /// Adds the best other rotations at the best places and wherever an instance is likely: rivals
