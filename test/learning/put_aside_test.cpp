@@ -75,6 +75,30 @@ TEST_P(PutAside, StaysKnownThroughEdits) {
 
 INSTANTIATE_TEST_SUITE_P(Angles, PutAside, testing::Values(0, 40, 175));
 
+// An object of the platform's usual colour, on a mark of another one and of its own shape: the mark
+// looks like an arrival, and the object's new place like the one that it left.
+TEST(PutAsideLesson, WhatLooksLikePlatformIsLearnedWhereItLay) {
+  const cv::Size size(460, 300);
+  const cv::Point old_place(110, 150), new_place(330, 150);
+  cv::Mat platform = test::texture(size, cv::Scalar(105, 115, 120), 16, 1, 1.2);
+  const cv::Mat truth = test::wedge_map(size, old_place), there = test::wedge_map(size, new_place);
+  test::texture(size, cv::Scalar(90, 150, 40), 16, 2, 1.2).copyTo(platform, truth);
+  const cv::Mat object = test::texture(size, cv::Scalar(105, 115, 120), 18, 3, 2);
+  cv::Mat moved;
+  cv::warpAffine(object, moved, cv::Matx23d(1, 0, 220, 0, 1, 0), size);
+  cv::Mat before = platform.clone(), after = platform.clone();
+  object.copyTo(before, truth);
+  moved.copyTo(after, there);
+  Lesson lesson;
+  lesson.name = "wedge";
+  lesson.before = test::exposed(before, 11);
+  lesson.after = test::exposed(after, 12);
+  const LearnResult result = learn_object(lesson);
+  ASSERT_TRUE(result.put_aside) << result.message;
+  EXPECT_GT(test::iou(test::map_of(result), truth), 0.8);
+  EXPECT_NEAR(result.put_aside->pose.x - result.object.views.front().reference.x, 220, 1);
+}
+
 TEST(PutAsideLesson, AnObjectThatLeftIsNowhere) {
   EXPECT_FALSE(learn_object(test::draw_lesson(kOldPlace, kSize).lesson).put_aside);
 }

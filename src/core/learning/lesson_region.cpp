@@ -11,10 +11,6 @@
 namespace mbncc {
 namespace {
 
-bool is_without_place(const Lesson& lesson) {
-  return lesson.region == cv::Rect() && !lesson.click;
-}
-
 // What changed without the object's having been taken away from there is none of it.
 void drop_arrivals(const Lesson& lesson, ChangeSurvey& survey) {
   const bool changed = cv::countNonZero(survey.changed) > 0;
@@ -62,6 +58,10 @@ void approximate(const Lesson& lesson, RegionOfLesson& region) {
 }
 
 }  // namespace
+
+bool is_without_place(const Lesson& lesson) {
+  return lesson.region == cv::Rect() && !lesson.click;
+}
 
 RegionOfLesson region_of(const Lesson& lesson, const LearningConfig& config) {
   RegionOfLesson region;

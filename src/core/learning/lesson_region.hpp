@@ -15,6 +15,9 @@ struct RegionOfLesson {
   cv::Mat surveyed;     ///< all changes, arrivals included; likewise
 };
 
+/// Nobody says where the object is: the largest change that something left is meant.
+bool is_without_place(const Lesson& lesson);
+
 /// For a lesson that passed check_lesson(). Throws LessonEnded: kRegionInvalid, kChangeTooLarge for
 /// pictures that cannot be compared, kNoChange when nothing was taken away there.
 RegionOfLesson region_of(const Lesson& lesson, const LearningConfig& config);

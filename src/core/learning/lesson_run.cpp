@@ -9,6 +9,7 @@
 #include "learning/rectangles.hpp"
 #include "learning/stage_pictures.hpp"
 #include "learning/step_timer.hpp"
+#include "mbncc/learning/change.hpp"
 #include "mbncc/learning/quality.hpp"
 
 namespace mbncc {
@@ -36,6 +37,7 @@ class LessonRun {
     check_lesson(lesson_);
     state_.cut = acquire_map();
     look_for_put_aside();
+    if (is_without_place(lesson_)) reconsider_place();
     finish(*state_.cut);
   }
 
@@ -70,6 +72,47 @@ class LessonRun {
         find_put_aside(result_.object, state_.cut->map, task_, surveyed_, config_, search_);
     if (!state_.new_place || !refines(*state_.new_place)) return;
     state_.cut = state_.cut->cut_with(state_.new_place->preference);
+  }
+
+  // Where nobody says which change is meant, an arrival may pass for what left. Then what left
+  // elsewhere lies there now.
+  void reconsider_place() {
+    if (!lesson_.outline.empty() || !state_.cut->cut_with || state_.new_place) return;
+    const SegmentationTask first = task_;
+    if (!turn_to_other_change()) return;
+    const StepTimer timer(result_.timings_ms, "put_aside");
+    const std::optional<Segmentation> other = segment_if_possible();
+    if (other) make_model(other->map);
+    const auto place = other ? find_put_aside_at(first.region, result_.object, other->map, task_,
+                                                 surveyed_, config_, search_)
+                             : std::nullopt;
+    if (!place) {
+      task_ = first;
+      return;
+    }
+    state_.changed = surveyed_;
+    state_.new_place = place;
+    state_.cut = refines(*place) ? other->cut_with(place->preference) : *other;
+  }
+
+  // Makes the largest change beside the map the task. False: there is none.
+  bool turn_to_other_change() {
+    ChangeSurvey others;
+    others.changed = patches_elsewhere(surveyed_, state_.cut->map);
+    if (others.changed.empty()) return false;
+    task_.region = changed_region(others, {{0, 0}, lesson_.before.size()}, 1);
+    task_.changed = surveyed_;
+    return true;
+  }
+
+  std::optional<Segmentation> segment_if_possible() {
+    try {
+      const Segmentation found = segment(task_);
+      return widen(task_, found) ? segment(task_) : found;
+    } catch (const LessonEnded& ended) {
+      if (ended.error() == LearnError::kCancelled) throw;
+      return std::nullopt;
+    }
   }
 
   // From here on, the lesson is taught by this region.

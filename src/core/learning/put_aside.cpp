@@ -22,30 +22,6 @@ constexpr std::size_t kPlacesTried = 2;
 constexpr double kLeastAgreement = 0.5;  // IoU that makes it the object
 constexpr float kOutside = -4;           // log-odds of what the other view does not show
 
-// Patches of `changed` that do not touch the map and are large enough to be the object, pieces
-// nearby included.
-cv::Mat patches_elsewhere(const cv::Mat& changed, const cv::Mat& map) {
-  const double scale = std::min(1.0, static_cast<double>(kSurveyWidth) / changed.cols);
-  const int gap = cvRound(kGap * scale / 2) * 2 + 1;
-  const cv::Mat disc = cv::getStructuringElement(cv::MORPH_ELLIPSE, {gap, gap});
-  cv::Mat patches, vacated, labels, stats, centres, elsewhere;
-  cv::resize(changed, patches, {}, scale, scale, cv::INTER_NEAREST);
-  cv::resize(map, vacated, patches.size(), 0, 0, cv::INTER_NEAREST);
-  const double least = kSmallestPart * cv::countNonZero(vacated);
-  cv::dilate(vacated, vacated, disc);
-  cv::morphologyEx(patches | vacated, patches, cv::MORPH_CLOSE, disc);
-  const int count = cv::connectedComponentsWithStats(patches, labels, stats, centres, 8, CV_32S);
-  std::vector<bool> touching(count, false);
-  std::vector<cv::Point> pixels;
-  cv::findNonZero(vacated, pixels);
-  for (const auto& pixel : pixels) touching[labels.at<int>(pixel)] = true;
-  for (int i = 1; i < count; ++i)
-    if (touching[i] || stats.at<int>(i, cv::CC_STAT_AREA) < least) patches.setTo(0, labels == i);
-  if (cv::countNonZero(patches) == 0) return {};
-  cv::resize(patches, elsewhere, changed.size(), 0, 0, cv::INTER_NEAREST);
-  return elsewhere & changed;
-}
-
 struct Place {
   cv::Rect box;
   double unlikeness = 0;  // of its area and the object's
@@ -134,7 +110,37 @@ class PutAsideSearch {
   Matcher matcher_;
 };
 
+std::optional<NewPlace> look_at(const cv::Rect& place, const SegmentationTask& task,
+                                const cv::Mat& changed, const LearningConfig& config,
+                                PutAsideSearch& put_aside) {
+  const ChangeCut cut =
+      change_cut(task.after, task.before, place, changed, config.iterations, config.max_shift);
+  return cut.cut_with ? put_aside.look(task.after, place, cut) : std::nullopt;
+}
+
 }  // namespace
+
+cv::Mat patches_elsewhere(const cv::Mat& changed, const cv::Mat& map) {
+  const double scale = std::min(1.0, static_cast<double>(kSurveyWidth) / changed.cols);
+  const int gap = cvRound(kGap * scale / 2) * 2 + 1;
+  const cv::Mat disc = cv::getStructuringElement(cv::MORPH_ELLIPSE, {gap, gap});
+  cv::Mat patches, vacated, labels, stats, centres, elsewhere;
+  cv::resize(changed, patches, {}, scale, scale, cv::INTER_NEAREST);
+  cv::resize(map, vacated, patches.size(), 0, 0, cv::INTER_NEAREST);
+  const double least = kSmallestPart * cv::countNonZero(vacated);
+  cv::dilate(vacated, vacated, disc);
+  cv::morphologyEx(patches | vacated, patches, cv::MORPH_CLOSE, disc);
+  const int count = cv::connectedComponentsWithStats(patches, labels, stats, centres, 8, CV_32S);
+  std::vector<bool> touching(count, false);
+  std::vector<cv::Point> pixels;
+  cv::findNonZero(vacated, pixels);
+  for (const auto& pixel : pixels) touching[labels.at<int>(pixel)] = true;
+  for (int i = 1; i < count; ++i)
+    if (touching[i] || stats.at<int>(i, cv::CC_STAT_AREA) < least) patches.setTo(0, labels == i);
+  if (cv::countNonZero(patches) == 0) return {};
+  cv::resize(patches, elsewhere, changed.size(), 0, 0, cv::INTER_NEAREST);
+  return elsewhere & changed;
+}
 
 std::optional<NewPlace> find_put_aside(const ObjectModel& object, const cv::Mat& map,
                                        const SegmentationTask& task, const cv::Mat& changed,
@@ -145,13 +151,17 @@ std::optional<NewPlace> find_put_aside(const ObjectModel& object, const cv::Mat&
   const auto places = places_of(arrivals, cv::countNonZero(map));
   if (places.empty()) return std::nullopt;
   PutAsideSearch put_aside(object, map, search);
-  for (const Place& place : places) {
-    const ChangeCut cut = change_cut(task.after, task.before, place.box, changed, config.iterations,
-                                     config.max_shift);
-    if (!cut.cut_with) continue;
-    if (auto found = put_aside.look(task.after, place.box, cut)) return found;
-  }
+  for (const Place& place : places)
+    if (auto found = look_at(place.box, task, changed, config, put_aside)) return found;
   return std::nullopt;
+}
+
+std::optional<NewPlace> find_put_aside_at(const cv::Rect& place, const ObjectModel& object,
+                                          const cv::Mat& map, const SegmentationTask& task,
+                                          const cv::Mat& changed, const LearningConfig& config,
+                                          const SearchConfig& search) {
+  PutAsideSearch put_aside(object, map, search);
+  return look_at(place, task, changed, config, put_aside);
 }
 
 }  // namespace mbncc

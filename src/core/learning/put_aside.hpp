@@ -23,4 +23,14 @@ std::optional<NewPlace> find_put_aside(const ObjectModel& object, const cv::Mat&
                                        const SegmentationTask& task, const cv::Mat& changed,
                                        const LearningConfig& config, const SearchConfig& search);
 
+/// Looks for it at one `place` [px] of the picture after, whatever changed there.
+std::optional<NewPlace> find_put_aside_at(const cv::Rect& place, const ObjectModel& object,
+                                          const cv::Mat& map, const SegmentationTask& task,
+                                          const cv::Mat& changed, const LearningConfig& config,
+                                          const SearchConfig& search);
+
+/// Patches of `changed` that do not touch the map and are large enough to be the object, pieces
+/// nearby included; empty when there are none.
+cv::Mat patches_elsewhere(const cv::Mat& changed, const cv::Mat& map);
+
 }  // namespace mbncc
