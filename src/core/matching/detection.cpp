@@ -69,7 +69,7 @@ bool fits_another_size(const PreparedView& view, const ScenePicture& scene, cons
 
 /// The surface led to another pose than the outline would: shading displaces a plain one by pixels.
 bool lies_better_elsewhere(const Detection& detection, const ScenePicture& scene) {
-  constexpr double kBetter = 0.06;  // agreement of the contour
+  constexpr double kBetter = 0.05;  // agreement of the contour
   return better_elsewhere(detection.view->fine.contour, scene.levels[0], detection.pose,
                           detection.size) > kBetter;
 }

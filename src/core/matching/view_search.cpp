@@ -164,10 +164,10 @@ class ViewSearch {
   /// The first of these, moved to where their outlines lie best, best first: where shading has
   /// displaced one rotation by pixels, another one lies as far off to the other side.
   std::vector<Candidate> shifted_onto_edges(std::vector<Candidate> peaks) const {
-    constexpr std::size_t kMost = 8;
+    constexpr std::size_t kMost = 6;
     if (peaks.size() > kMost) peaks.resize(kMost);
     for (auto& peak : peaks)
-      peak = mbncc::shifted_onto_edges(view_.rough[0].contour, scene_.levels[0], peak);
+      peak = mbncc::shifted_onto_edges(view_.templates[0].contour, scene_.levels[0], peak);
     sort_by_value(peaks);
     return peaks;
   }
