@@ -139,7 +139,7 @@ class ViewSearch {
       needed.push_back(places[i]);
       if (rival != turned.end()) needed.push_back(*rival);
     }
-    drop_duplicates(candidates, {1.5, view_.shape.radius(), view_.symmetry}, most_at(0));
+    drop_duplicates(candidates, {1.5, view_.shape.radius()}, most_at(0));
     keep_hopeful(candidates, most_at(0), kNoRival);
     for (const auto& candidate : needed)
       if (std::none_of(candidates.begin(), candidates.end(), [&](const Candidate& kept) {
@@ -157,7 +157,7 @@ class ViewSearch {
     std::vector<Candidate> turned = reached_from(peaks, kMost);
     const auto shifted = reached_from(shifted_onto_edges(peaks), kMost);
     turned.insert(turned.end(), shifted.begin(), shifted.end());
-    drop_duplicates(turned, {1.5, view_.shape.radius(), view_.symmetry}, kMost);
+    drop_duplicates(turned, {1.5, view_.shape.radius()}, kMost);
     return turned;
   }
 
