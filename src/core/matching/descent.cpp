@@ -91,7 +91,7 @@ class Descent {
       candidate.pose = on_edges.pose;
       candidate.value = on_edges.value;
     }
-    drop_duplicates(candidates, {1, radius_at(level), view_.symmetry}, kOnEdges);
+    drop_duplicates(candidates, {1, radius_at(level), alike_turns()}, kOnEdges);
   }
 
   void climb_roughly(int level, int iterations, std::vector<Candidate>& candidates) const {
@@ -170,6 +170,10 @@ class Descent {
 
   double radius_at(int level) const { return view_.shape.radius() / (1 << level); }
 
+  /// Rotations of what is round are one candidate. Other symmetries may be measured where a print
+  /// tells the rotation.
+  int alike_turns() const { return view_.symmetry == 0 ? 0 : 1; }
+
   double apart_at(int level) const { return kSamePlace * radius_at(level); }
 
   std::size_t kept_at(int level) const {
@@ -177,7 +181,7 @@ class Descent {
   }
 
   void keep_different(int level, std::vector<Candidate>& candidates) const {
-    drop_duplicates(candidates, {level == 0 ? 1.5 : 1.0, radius_at(level), view_.symmetry},
+    drop_duplicates(candidates, {level == 0 ? 1.5 : 1.0, radius_at(level), alike_turns()},
                     kept_at(level));
     keep_hopeful_places(candidates, kept_at(level), kHopeless, apart_at(level));
   }

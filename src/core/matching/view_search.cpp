@@ -97,7 +97,7 @@ class ViewSearch {
 
   void merge(const std::vector<Candidate>& more, std::vector<Candidate>& candidates) const {
     candidates.insert(candidates.end(), more.begin(), more.end());
-    drop_duplicates(candidates, {1.5, view_.shape.radius(), view_.symmetry}, 2 * most_at(0));
+    drop_duplicates(candidates, {1.5, view_.shape.radius()}, 2 * most_at(0));
   }
 
   /// One of the sorted candidates is likely and no other place is, and edges proposed it among the
