@@ -11,7 +11,7 @@ class SelectionTest : public ::testing::Test {
  protected:
   const test::LearningPicture source_{1};
   const PreparedObject object_{test::object_from(source_, {58, 60, 0}), Engine::kFast};
-  const SearchConfig config_;
+  const SearchConfig config_{};
 
   /// Of the only detection of a picture, known to a tenth of a pixel.
   Match match_of(double log_odds, double projected) const {
