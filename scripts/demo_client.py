@@ -127,7 +127,7 @@ class Demo:
         result = client.get_result()
         if client.get_state() != GoalStatus.SUCCEEDED:
             raise DemoFailed("%s %s" % (result.message, result.hint))
-        print("  %s, area %d px" % (result.message, result.object.quality.area))
+        print("  %s Area %d px." % (result.message, result.object.quality.area))
         # Where the reference point lies in the object's own drawing, whatever the map's centroid.
         return compose(inverse(as_tuple(start.objects[0].image_pose)),
                        as_tuple(result.object.reference))
