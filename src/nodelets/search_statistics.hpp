@@ -18,7 +18,7 @@ struct SearchStatistics {
   std::string last_fault;  ///< of a refused or badly stamped picture
   double search_time = 0;  ///< [s] of the last search
   double latency = 0;      ///< [s] from the last picture's stamp to its publication
-  std::string message;     ///< of the last array; empty: all is well
+  std::string message;     ///< of the last array, STALE ones too; empty: all is well
 };
 
 inline void add_to(diagnostic_updater::DiagnosticStatusWrapper& status,

@@ -35,6 +35,7 @@ void SearchWorker::begin_anew() {
   ++era_;
   mailbox_.clear();
   silence_.restart();
+  statistics_.change([](SearchStatistics& statistics) { statistics.message.clear(); });
 }
 
 void SearchWorker::work() {
@@ -122,7 +123,9 @@ void SearchWorker::refuse(const std::string& fault) {
 void SearchWorker::look_for_silence(bool expected) {
   if (!expected) return begin_anew();
   if (!silence_.due()) return;
-  tools_.publisher.publish_stale(reason_of_silence());
+  const std::string reason = reason_of_silence();
+  tools_.publisher.publish_stale(reason);
+  statistics_.change([&reason](SearchStatistics& statistics) { statistics.message = reason; });
   // Whatever was confirmed may have been moved meanwhile, unless it is the search that takes long.
   if (!searching_) ++era_;
 }

@@ -1,5 +1,6 @@
 // Detections without pictures, without calibration, with malformed pictures, on request and
 // disabled; settings at run time.
+#include <diagnostic_msgs/DiagnosticArray.h>
 #include <dynamic_reconfigure/Reconfigure.h>
 #include <mbncc_vision/FindObjects.h>
 #include <sensor_msgs/CompressedImage.h>
@@ -22,6 +23,21 @@ TEST_F(Protocol, SaysStaleWithoutPicturesAndLibraryEmptyWithThem) {
     EXPECT_EQ(array_->image_width, 320u);
   }
   EXPECT_TRUE(spin_until([this] { return status_is(DetectedObjectArray::STALE); }));
+}
+
+TEST_F(Protocol, DiagnosticsTellThatPicturesHaveStopped) {
+  std::string state;
+  const auto reports = node_.subscribe<diagnostic_msgs::DiagnosticArray>(
+      "/diagnostics", 20, [&](const diagnostic_msgs::DiagnosticArray::ConstPtr& report) {
+        for (const auto& status : report->status)
+          if (status.name.find("matching") != std::string::npos) state = status.message;
+      });
+  const std::string stopped = "pictures have stopped; check the camera and its cable";
+  {
+    const ros::WallTimer playing = play();
+    ASSERT_TRUE(spin_until([&] { return !state.empty() && state != stopped; }));
+  }
+  EXPECT_TRUE(spin_until([&] { return state == stopped; }));
 }
 
 TEST_F(Protocol, FindsWithoutCalibrationInPixelsOnlyAndSendsNoTf) {
