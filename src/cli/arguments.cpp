@@ -2,7 +2,7 @@
 
 #include <cctype>
 
-#include "mbncc/nearest_word.hpp"
+#include "mbncc/did_you_mean.hpp"
 
 namespace mbncc::cli {
 namespace {
@@ -13,8 +13,7 @@ const Option& known_option(const std::vector<Option>& options, const std::string
     if (option.name == name) return option;
     names.push_back(option.name);
   }
-  throw UsageError("unknown option '" + name + "'; did you mean '" + nearest_word(name, names) +
-                   "'?");
+  throw UsageError("unknown option '" + name + "'" + did_you_mean(name, names));
 }
 
 bool looks_like_option(const std::string& word) {

@@ -12,8 +12,8 @@
 #include "cli/command.hpp"
 #include "cli/help.hpp"
 #include "cli/settings.hpp"
+#include "mbncc/did_you_mean.hpp"
 #include "mbncc/error.hpp"
-#include "mbncc/nearest_word.hpp"
 
 namespace mbncc::cli {
 namespace {
@@ -33,8 +33,7 @@ const Command& command_called(const std::string& name, const std::vector<Command
     if (command.name == name) return command;
     names.push_back(command.name);
   }
-  throw UsageError("unknown command '" + name + "'; did you mean '" + nearest_word(name, names) +
-                   "'?");
+  throw UsageError("unknown command '" + name + "'" + did_you_mean(name, names));
 }
 
 bool asks_for_help(const std::vector<std::string>& words) {

@@ -10,8 +10,8 @@
 #include "mbncc/config/matching_node_config.hpp"
 #include "mbncc/config/rectify_config.hpp"
 #include "mbncc/config/simulated_camera_config.hpp"
+#include "mbncc/did_you_mean.hpp"
 #include "mbncc/error.hpp"
-#include "mbncc/nearest_word.hpp"
 #include "support/temporary_folder.hpp"
 
 namespace mbncc::test {
@@ -133,9 +133,15 @@ TEST(Configs, DefaultsAreAllowedAndNamesUnique) {
   expect_sound_fields<SimulatedCameraConfig>();
 }
 
-TEST(NearestWord, HasTheFewestEdits) {
-  EXPECT_EQ(nearest_word("lern", {"find", "learn", "list"}), "learn");
-  EXPECT_EQ(nearest_word("x", {}), "");
+TEST(DidYouMean, NamesTheWordWithTheFewestEdits) {
+  EXPECT_EQ(did_you_mean("lern", {"find", "learn", "list"}), "; did you mean 'learn'?");
+  EXPECT_EQ(did_you_mean("min_scor", {"min_area", "min_score"}), "; did you mean 'min_score'?");
+}
+
+TEST(DidYouMean, NamesNothingThatIsFarAway) {
+  EXPECT_EQ(did_you_mean("x", {}), "");
+  EXPECT_EQ(did_you_mean("frobnicate", {"find", "forget", "learn"}), "");
+  EXPECT_EQ(did_you_mean("--colour", {"--config", "--json", "--name"}), "");
 }
 
 }  // namespace

@@ -10,8 +10,8 @@
 #include <locale>
 #include <sstream>
 
+#include "mbncc/did_you_mean.hpp"
 #include "mbncc/error.hpp"
-#include "mbncc/nearest_word.hpp"
 
 namespace mbncc {
 namespace {
@@ -126,8 +126,9 @@ void assign_field(const std::vector<FieldRow>& rows, const std::string& key,
     if (row.info.name == key) return row.assign(text);
     known.push_back(row.info.name);
   }
-  throw ConfigError("parameter '" + key + "' is unknown; did you mean '" +
-                    nearest_word(key, known) + "'? `mbncc params` lists all of them");
+  const std::string guess = did_you_mean(key, known);
+  throw ConfigError("parameter '" + key + "' is unknown" + (guess.empty() ? ";" : guess) +
+                    " `mbncc params` lists all of them");
 }
 
 void load_yaml_file(const std::vector<FieldRow>& rows, const std::string& path) {

@@ -1,4 +1,4 @@
-#include "mbncc/nearest_word.hpp"
+#include "mbncc/did_you_mean.hpp"
 
 #include <algorithm>
 #include <numeric>
@@ -24,12 +24,16 @@ int edit_distance(const std::string& a, const std::string& b) {
 
 }  // namespace
 
-std::string nearest_word(const std::string& word, const std::vector<std::string>& known) {
-  const auto nearest = std::min_element(known.begin(), known.end(),
-                                        [&word](const std::string& a, const std::string& b) {
-                                          return edit_distance(a, word) < edit_distance(b, word);
-                                        });
-  return nearest == known.end() ? "" : *nearest;
+std::string did_you_mean(const std::string& word, const std::vector<std::string>& known) {
+  std::string nearest;
+  int fewest = 2 + static_cast<int>(word.size()) / 4;  // beyond what a typing error changes
+  for (const auto& candidate : known) {
+    const int edits = edit_distance(candidate, word);
+    if (edits >= fewest) continue;
+    fewest = edits;
+    nearest = candidate;
+  }
+  return nearest.empty() ? "" : "; did you mean '" + nearest + "'?";
 }
 
 }  // namespace mbncc
