@@ -36,6 +36,27 @@ TEST(CandidateTest, WhatIsLikelyAtAPlaceOfItsOwnIsHopeful) {
   EXPECT_DOUBLE_EQ(candidates[1].pose.x, 100);
 }
 
+TEST(CandidateTest, RotationsAtOnePlaceLeaveRoomForOtherPlaces) {
+  const std::vector<Candidate> several{at(0, 0, 20),   at(0, 30, 19),  at(0, 60, 18),
+                                       at(100, 0, 12), at(101, 0, 11), at(200, 0, -1)};
+  const auto expect_both_places = [](const std::vector<Candidate>& candidates) {
+    ASSERT_EQ(candidates.size(), 3U);
+    EXPECT_DOUBLE_EQ(candidates[2].pose.x, 100);
+  };
+  auto candidates = several;
+  drop_duplicates(candidates, {1, 20}, 2, 10);
+  expect_both_places(candidates);
+  candidates = several;
+  keep_hopeful(candidates, 2, 15, 10);
+  expect_both_places(candidates);
+}
+
+TEST(CandidateTest, APlaceFarBehindIsNotHopeful) {
+  std::vector<Candidate> candidates{at(0, 0, 20), at(0, 30, 19), at(100, 0, 4)};
+  keep_hopeful(candidates, 2, 15, 10);
+  EXPECT_EQ(candidates.size(), 2U);
+}
+
 TEST(CandidateTest, NoMoreAreKeptThanWanted) {
   std::vector<Candidate> candidates{at(0, 0, 20), at(100, 0, 19), at(200, 0, 18)};
   keep_hopeful_places(candidates, 2, 15, 10);

@@ -6,6 +6,8 @@
 namespace mbncc {
 namespace {
 
+constexpr double kLikely = 0;  // log-odds
+
 /// One of `others` is.
 bool is_near(const Candidate& candidate, const std::vector<Candidate>& others, double distance) {
   return std::any_of(others.begin(), others.end(), [&](const Candidate& other) {
@@ -20,10 +22,15 @@ void sort_by_value(std::vector<Candidate>& candidates) {
                    [](const Candidate& a, const Candidate& b) { return a.value > b.value; });
 }
 
-void drop_duplicates(std::vector<Candidate>& candidates, const Alikeness& alike, std::size_t most) {
+void drop_duplicates(std::vector<Candidate>& candidates, const Alikeness& alike, std::size_t most,
+                     double apart) {
   sort_by_value(candidates);
   std::vector<Candidate> kept;
   for (const auto& candidate : candidates) {
+    if (kept.size() >= most) {
+      if (candidate.value < kLikely) break;
+      if (is_near(candidate, kept, apart)) continue;
+    }
     const auto same = [&](const Candidate& other) {
       return std::abs(candidate.pose.x - other.pose.x) < alike.distance &&
              std::abs(candidate.pose.y - other.pose.y) < alike.distance &&
@@ -32,21 +39,25 @@ void drop_duplicates(std::vector<Candidate>& candidates, const Alikeness& alike,
     };
     if (std::any_of(kept.begin(), kept.end(), same)) continue;
     kept.push_back(candidate);
-    if (kept.size() == most) break;
   }
   candidates = std::move(kept);
 }
 
-void keep_hopeful(std::vector<Candidate>& candidates, std::size_t most, double behind) {
+void keep_hopeful(std::vector<Candidate>& candidates, std::size_t most, double behind,
+                  double apart) {
   sort_by_value(candidates);
-  if (candidates.size() > most) candidates.resize(most);
-  while (candidates.size() > 1 && candidates.back().value < candidates.front().value - behind)
-    candidates.pop_back();
+  std::vector<Candidate> kept;
+  for (const auto& candidate : candidates) {
+    if (candidate.value < candidates.front().value - behind) break;
+    const bool further = kept.size() >= most;
+    if (further && candidate.value < kLikely) break;
+    if (!further || !is_near(candidate, kept, apart)) kept.push_back(candidate);
+  }
+  candidates = std::move(kept);
 }
 
 void keep_hopeful_places(std::vector<Candidate>& candidates, std::size_t most, double behind,
                          double apart) {
-  constexpr double kLikely = 0;  // log-odds
   sort_by_value(candidates);
   if (candidates.size() > most) candidates.resize(most);
   std::vector<Candidate> kept;

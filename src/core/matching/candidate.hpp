@@ -1,6 +1,7 @@
 // A pose under examination.
 #pragma once
 
+#include <limits>
 #include <vector>
 
 #include "mbncc/geometry.hpp"
@@ -23,11 +24,17 @@ struct Alikeness {
   int symmetry = 1;  ///< of the object, see measure_symmetry()
 };
 
-/// Sorts, drops what is alike to a better one, and keeps the best `most`.
-void drop_duplicates(std::vector<Candidate>& candidates, const Alikeness& alike, std::size_t most);
+/// [px at level] No place is so far from others that it is kept for being one of its own.
+constexpr double kNoPlaces = std::numeric_limits<double>::infinity();
 
-/// Sorts and keeps the best `most`, less those that are more than `behind` the best.
-void keep_hopeful(std::vector<Candidate>& candidates, std::size_t most, double behind);
+/// Sorts, drops what is alike to a better one, and keeps the best `most` and, beyond them, the best
+/// of every further place that is likely by itself, `apart` from others.
+void drop_duplicates(std::vector<Candidate>& candidates, const Alikeness& alike, std::size_t most,
+                     double apart = kNoPlaces);
+
+/// Sorts and keeps as many, less those that are more than `behind` the best.
+void keep_hopeful(std::vector<Candidate>& candidates, std::size_t most, double behind,
+                  double apart = kNoPlaces);
 
 /// The same, but the best of a place stays where it is likely by itself: it may be a covered
 /// instance, and another one lies in full view. Places are at least `apart` [px at level] from each

@@ -182,8 +182,8 @@ class Descent {
 
   void keep_different(int level, std::vector<Candidate>& candidates) const {
     drop_duplicates(candidates, {level == 0 ? 1.5 : 1.0, radius_at(level), alike_turns()},
-                    kept_at(level));
-    keep_hopeful_places(candidates, kept_at(level), kHopeless, apart_at(level));
+                    kept_at(level), apart_at(level));
+    keep_hopeful_places(candidates, candidates.size(), kHopeless, apart_at(level));
   }
 
   const PreparedView& view_;

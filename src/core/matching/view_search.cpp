@@ -72,7 +72,7 @@ class ViewSearch {
       merge(descend(view_, scene_, first_.effort, proposals_.by_correlation()), candidates);
     }
     if (look_ == Look::kTwice) look_again(candidates);
-    keep_hopeful(candidates, most_at(0), kNoRival);
+    keep_hopeful(candidates, most_at(0), kNoRival, apart());
     try_other_angles(candidates);
     return judge_all(candidates);
   }
@@ -97,13 +97,15 @@ class ViewSearch {
 
   void merge(const std::vector<Candidate>& more, std::vector<Candidate>& candidates) const {
     candidates.insert(candidates.end(), more.begin(), more.end());
-    drop_duplicates(candidates, {1.5, view_.shape.radius()}, 2 * most_at(0));
+    drop_duplicates(candidates, {1.5, view_.shape.radius()}, 2 * most_at(0), apart());
   }
+
+  double apart() const { return kSamePlace * view_.shape.radius(); }
 
   /// One of the sorted candidates is likely and no other place is, and edges proposed it among the
   /// first: so they would have a further instance.
   bool sure(const std::vector<Candidate>& candidates) const {
-    const auto places = best_places(candidates, kSamePlace * view_.shape.radius(), 2);
+    const auto places = best_places(candidates, apart(), 2);
     if (places.empty() || places[0].value < kSure) return false;
     if (places.size() > 1 && places[1].value >= kSecond) return false;
     return proposals_.foremost_by_edges(places[0].pose, kForemost);
@@ -112,14 +114,14 @@ class ViewSearch {
   /// One of the sorted candidates is likely, among others of its like, too.
   bool found(const std::vector<Candidate>& candidates) const {
     std::vector<double> odds;
-    for (const auto& place : best_places(candidates, kSamePlace * view_.shape.radius(), kCluttered))
+    for (const auto& place : best_places(candidates, apart(), kCluttered))
       odds.push_back(place.value);
     return !odds.empty() && odds.front() - clutter_discount(odds) >= kFound;
   }
 
   /// Several of the sorted candidates are instances beyond doubt: of more, some may be covered.
   bool several(const std::vector<Candidate>& candidates) const {
-    const auto places = best_places(candidates, kSamePlace * view_.shape.radius(), kSeveral);
+    const auto places = best_places(candidates, apart(), kSeveral);
     return places.size() == kSeveral && places.back().value >= kInstance;
   }
 
@@ -139,8 +141,8 @@ class ViewSearch {
       needed.push_back(places[i]);
       if (rival != turned.end()) needed.push_back(*rival);
     }
-    drop_duplicates(candidates, {1.5, view_.shape.radius()}, most_at(0));
-    keep_hopeful(candidates, most_at(0), kNoRival);
+    drop_duplicates(candidates, {1.5, view_.shape.radius()}, most_at(0), apart());
+    keep_hopeful(candidates, most_at(0), kNoRival, apart());
     for (const auto& candidate : needed)
       if (std::none_of(candidates.begin(), candidates.end(), [&](const Candidate& kept) {
             return kept.pose.position() == candidate.pose.position() &&
