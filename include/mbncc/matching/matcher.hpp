@@ -19,17 +19,20 @@ struct Match {
   std::uint32_t revision = 0;
   Pose2D pose;       ///< [px],[rad] object frame: reference point and direction
   double scale = 1;  ///< relative to the learning picture; that searched unless another is clear
-  cv::Matx33d covariance;   ///< of pose: x, y, theta [px^2, px rad, rad^2]; 100 px, a turn
-                            ///< where it is too unlikely to be worth measuring
-  double score = 0;         ///< [0..1] acceptance score
-  double log_odds = 0;      ///< that the object lies here; the fused score is its logistic
-  double similarity = 0;    ///< [-1..1] normalized cross correlation weighted by the map
-  double margin_place = 0;  ///< log-odds to the best competitor elsewhere or of another object here
-  double margin_angle =
-      0;                   ///< log-odds to the best other angle (> 10 deg off, symmetry aside) here
-  double visible = 1;      ///< [0..1] part of the map inside the picture
-  int symmetry = 1;        ///< 1: none, 2: 180 deg ..., 0: round
-  bool graspable = false;  ///< score, margins and visibility suffice in this picture
+  cv::Matx33d covariance;  ///< of pose: x, y, theta [px^2, px rad, rad^2]; 100 px, a turn
+                           ///< where it is too unlikely to be worth measuring
+  double score = 0;        ///< [0..1] acceptance score
+  double log_odds = 0;     ///< that the object lies here; the fused score is its logistic
+  double similarity = 0;   ///< [-1..1] normalized cross correlation weighted by the map
+  /// Log-odds to the best competitor elsewhere or of another object here.
+  double margin_place = 0;
+  /// Log-odds to the best other angle here (more than 10 degrees off, symmetry aside).
+  double margin_angle = 0;
+  double visible = 1;  ///< [0..1] part of the map inside the picture
+  int symmetry = 1;    ///< 1: none, 2: 180 deg ..., 0: round
+  /// Nothing speaks against the pose in this picture: score, margins, visible part, deviations,
+  /// colours of parts, size, and where else or mirrored the outline would fit.
+  bool graspable = false;
   bool ambiguous = false;  ///< score would suffice, but a margin does not
   bool fresh = true;       ///< found in this picture; else in an earlier one that looked the same
   std::vector<cv::Point2f> outline;  ///< [px] largest outline of the map in this picture

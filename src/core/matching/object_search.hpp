@@ -1,0 +1,16 @@
+// From the views of one object to what is found of it in a picture.
+#pragma once
+
+#include <opencv2/core.hpp>
+#include <vector>
+
+#include "matching/view_search.hpp"
+
+namespace mbncc {
+
+/// Detections of `object` whose reference points lie in `roi` [px] (empty: the whole picture),
+/// those of all views compared with each other.
+std::vector<Detection> search_object(const PreparedObject& object, const ScenePicture& scene,
+                                     const cv::Rect& roi, Look look);
+
+}  // namespace mbncc
