@@ -2,7 +2,6 @@
 // others, in raw, rectified and undistorted-by-us pictures, for objects of several heights.
 #include <filesystem>
 #include <iostream>
-#include <opencv2/imgproc.hpp>
 
 #include "common/program.hpp"
 #include "common/statistics.hpp"

@@ -1,6 +1,5 @@
 // Learning methods on the same lessons in the same run, one thread: agreement with the true map and
 // time, for every number of graph cuts.
-#include <algorithm>
 #include <filesystem>
 #include <iostream>
 #include <map>

@@ -1,7 +1,6 @@
 // Many objects in one find: recall, precision and time against their number and that of threads.
 #include <sys/resource.h>
 
-#include <chrono>
 #include <filesystem>
 #include <iostream>
 #include <map>

@@ -1,6 +1,5 @@
 #include "cli/match_report.hpp"
 
-#include <algorithm>
 #include <iomanip>
 #include <map>
 

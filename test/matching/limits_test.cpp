@@ -1,8 +1,6 @@
 // What bounds a search: time, thresholds set at run time, and objects that are hardly wide enough.
 #include <gtest/gtest.h>
 
-#include <opencv2/imgproc.hpp>
-
 #include "matching/pictures.hpp"
 #include "mbncc/matching/matcher.hpp"
 

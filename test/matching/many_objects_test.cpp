@@ -1,7 +1,5 @@
 #include <gtest/gtest.h>
 
-#include <opencv2/imgproc.hpp>
-
 #include "matching/matcher_fixture.hpp"
 
 namespace mbncc {

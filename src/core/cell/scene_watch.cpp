@@ -1,7 +1,6 @@
 #include "mbncc/cell/scene_watch.hpp"
 
 #include <algorithm>
-#include <opencv2/imgproc.hpp>
 #include <stdexcept>
 
 #include "cell/motion.hpp"

@@ -3,7 +3,6 @@
 
 #include <map>
 #include <memory>
-#include <opencv2/core.hpp>
 #include <string>
 #include <vector>
 

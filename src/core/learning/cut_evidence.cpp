@@ -1,7 +1,6 @@
 #include "learning/cut_evidence.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <opencv2/imgproc.hpp>
 
 #include "learning/clean_map.hpp"

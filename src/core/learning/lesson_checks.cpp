@@ -1,5 +1,6 @@
 #include "learning/lesson_checks.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <opencv2/imgproc.hpp>

@@ -4,7 +4,6 @@
 #include <array>
 #include <cmath>
 #include <opencv2/core/hal/intrin.hpp>
-#include <opencv2/imgproc.hpp>
 
 namespace mbncc {
 namespace {

@@ -1,7 +1,6 @@
 #include "learning/marks.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <opencv2/imgproc.hpp>
 
 #include "learning/lesson_checks.hpp"

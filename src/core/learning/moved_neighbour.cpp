@@ -1,7 +1,7 @@
 #include "learning/moved_neighbour.hpp"
 
 #include <algorithm>
-#include <limits>
+#include <cstdlib>
 #include <opencv2/imgproc.hpp>
 #include <vector>
 

@@ -1,7 +1,5 @@
 #include "learning/texture_loss.hpp"
 
-#include <algorithm>
-#include <cmath>
 #include <opencv2/imgproc.hpp>
 
 namespace mbncc {

@@ -1,7 +1,6 @@
 // Correlation of all rotations at all positions of one pyramid level.
 #pragma once
 
-#include <cstdint>
 #include <opencv2/core.hpp>
 #include <vector>
 

@@ -1,5 +1,6 @@
 #include "matching/colour_axes.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numeric>
 

@@ -1,7 +1,6 @@
 #include "matching/colour_cast.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 namespace mbncc {

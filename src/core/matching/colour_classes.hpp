@@ -1,7 +1,6 @@
 // Colours sorted into classes of chroma and brightness, for asking which of them belong to whom.
 #pragma once
 
-#include <cstdint>
 #include <opencv2/core.hpp>
 #include <vector>
 

@@ -1,7 +1,6 @@
 #include "matching/edge_sector.hpp"
 
 #include <algorithm>
-#include <cstring>
 
 #include "polar/clones.hpp"
 

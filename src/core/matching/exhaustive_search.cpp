@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <opencv2/imgproc.hpp>
 
 #include "matching/candidate.hpp"
 #include "matching/map_shape.hpp"

@@ -1,5 +1,6 @@
 #include "matching/map_geometry.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <opencv2/imgproc.hpp>
 

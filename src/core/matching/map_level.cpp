@@ -1,5 +1,6 @@
 #include "matching/map_level.hpp"
 
+#include <algorithm>
 #include <stdexcept>
 
 #include "mbncc/geometry.hpp"

@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "matching/picture_view.hpp"
-#include "mbncc/matching/pyramid.hpp"
 
 namespace mbncc {
 namespace {

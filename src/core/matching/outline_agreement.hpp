@@ -2,7 +2,6 @@
 #pragma once
 
 #include <algorithm>
-#include <cmath>
 
 #include "matching/contour_template.hpp"
 #include "matching/scene_level.hpp"

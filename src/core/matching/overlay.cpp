@@ -1,6 +1,5 @@
 #include "mbncc/matching/overlay.hpp"
 
-#include <algorithm>
 #include <cstdio>
 
 namespace mbncc {

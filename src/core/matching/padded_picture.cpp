@@ -1,7 +1,5 @@
 #include "matching/padded_picture.hpp"
 
-#include <opencv2/imgproc.hpp>
-
 #include "polar/kernels.hpp"
 
 namespace mbncc {

@@ -1,6 +1,7 @@
 #include "matching/prepared_object.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <opencv2/imgproc.hpp>
 
 #include "matching/symmetry.hpp"

@@ -1,8 +1,6 @@
 // Rotations that one of an object's views is searched at; its other views have the rest.
 #pragma once
 
-#include <cmath>
-
 #include "mbncc/geometry.hpp"
 
 namespace mbncc {

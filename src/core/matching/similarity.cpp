@@ -1,5 +1,6 @@
 #include "mbncc/matching/similarity.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "matching/map_level.hpp"
