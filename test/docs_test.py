@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""What the documents name is there: linked files, tests, launch files and their arguments.
+"""What the documents name is there: linked files and headings, tests, launch files and their arguments.
 
 usage: docs_test.py SOURCE_DIR
 """
@@ -8,14 +8,43 @@ import re
 import sys
 import xml.etree.ElementTree
 
-LINK = re.compile(r'\]\((?!https?:)([^)#\s]+)')
-TEST = re.compile(r'`([A-Z]\w+)\.([A-Z]\w+)`')
+LINK = re.compile(r'\]\((?!https?:)([^)#\s]*)#?([^)\s]*)\)')
+HEADING = re.compile(r'^#+ (.*)$', re.MULTILINE)
+TEST = re.compile(r'`(?:All/)?([A-Z]\w*)?\.([A-Z]\w+|\*)`')  # also `.Case`, of the suite named before, and `Suite.*`
+PYTHON_TEST = re.compile(r'`(test_\w+)`')
 DEFINED = re.compile(r'\b(?:TEST|TEST_F|TEST_P)\(\s*(\w+)\s*,\s*(\w+)\s*\)')
 LAUNCH = re.compile(r'\b(?:roslaunch (?:mbncc_vision )?)(\w+\.launch)((?:[ \t]+\w+:=[^\s`]+)*)')
 
 
 def defined_tests(root):
-    return {names for path in (root / 'test').rglob('*.cpp') for names in DEFINED.findall(path.read_text())}
+    tests = {names for path in (root / 'test').rglob('*.cpp') for names in DEFINED.findall(path.read_text())}
+    return tests | {(suite, '*') for suite, _ in tests} | {('', case) for _, case in tests}
+
+
+def defined_python_tests(root):
+    return {name for path in (root / 'test').rglob('*.py') for name in re.findall(r'def (test_\w+)', path.read_text())}
+
+
+def anchors_of(text):
+    """Names that GitHub gives to headings."""
+    return {re.sub(r'[^\w\- ]', '', heading).lower().replace(' ', '-') for heading in HEADING.findall(text)}
+
+
+def link_faults(path, text):
+    for link, anchor in LINK.findall(text):
+        target = path.parent / link if link else path
+        if not target.exists():
+            yield f'links {link}, which is not there'
+        elif anchor and anchor not in anchors_of(target.read_text()):
+            yield f'links the heading {anchor} of {target.name}, which is not there'
+
+
+def test_faults(text, tests, python_tests):
+    for name in TEST.findall(text):
+        if name not in tests:
+            yield f'names the test {".".join(name)}, which is not there'
+    for name in set(PYTHON_TEST.findall(text)) - python_tests:
+        yield f'names the test {name}, which is not there'
 
 
 def arguments_of(root, launch):
@@ -36,22 +65,19 @@ def launch_faults(root, text):
             yield f'{launch} has no argument {name}'
 
 
-def faults_of(path, root, tests):
+def faults_of(path, root, tests, python_tests):
     text = path.read_text()
-    for link in LINK.findall(text):
-        if not (path.parent / link).exists():
-            yield f'links {link}, which is not there'
-    for name in TEST.findall(text):
-        if name not in tests:
-            yield f'names the test {".".join(name)}, which is not there'
+    yield from link_faults(path, text)
+    yield from test_faults(text, tests, python_tests)
     yield from launch_faults(root, text)
 
 
 def main():
     root = pathlib.Path(sys.argv[1]).resolve()
     documents = [root / 'README.md', root / 'bench' / 'README.md', *sorted((root / 'docs').rglob('*.md'))]
-    tests = defined_tests(root)
-    faults = [f'{path.relative_to(root)} {fault}' for path in documents for fault in faults_of(path, root, tests)]
+    tests, python_tests = defined_tests(root), defined_python_tests(root)
+    faults = [f'{path.relative_to(root)} {fault}'
+              for path in documents for fault in faults_of(path, root, tests, python_tests)]
     print('\n'.join(faults) or f'{len(documents)} documents name what is there')
     return 1 if faults or not tests else 0
 
