@@ -5,6 +5,8 @@
 #include <opencv2/imgproc.hpp>
 #include <stdexcept>
 
+#include "learning/statistics.hpp"
+
 namespace mbncc {
 namespace {
 
@@ -31,12 +33,6 @@ cv::Mat cell_means(const cv::Mat& picture) {
     cells = next;
   }
   return cells;
-}
-
-float median(std::vector<float>& values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
 }
 
 /// Median ratio per channel of `cells` (8 bits) to `base` (float or 8 bits).

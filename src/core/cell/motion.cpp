@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <opencv2/imgproc.hpp>
+#include <vector>
+
+#include "learning/statistics.hpp"
 
 namespace mbncc {
 namespace {
@@ -14,11 +17,9 @@ constexpr double kNoiseFactor = 6;      // times the standard deviation of the p
 constexpr double kMadToSigma = 1.4826;  // for normal noise
 constexpr int kLeastPatch = 3;          // [px] small pixels, after opening
 
-float median(cv::Mat values) {
-  values = values.reshape(1, 1).clone();
-  const auto middle = values.begin<float>() + static_cast<int>(values.total() / 2);
-  std::nth_element(values.begin<float>(), middle, values.end<float>());
-  return *middle;
+float median_of(const cv::Mat& values) {
+  std::vector<float> all = values.reshape(1, 1);
+  return median(all);
 }
 
 }  // namespace
@@ -41,9 +42,9 @@ cv::Mat motion_picture(const cv::Mat& picture) {
 
 bool has_moved(const cv::Mat& a, const cv::Mat& b) {
   const cv::Mat ratio = (b + 8) / (a + 8);
-  const float gain = median(ratio);
+  const float gain = median_of(ratio);
   const cv::Mat difference = cv::abs(b + 8 - gain * (a + 8));
-  const double noise = kMadToSigma * median(difference);
+  const double noise = kMadToSigma * median_of(difference);
   cv::Mat moved = difference > std::clamp(kNoiseFactor * noise, kLeastDifference, kSureDifference);
   cv::morphologyEx(moved, moved, cv::MORPH_OPEN, cv::getStructuringElement(cv::MORPH_RECT, {2, 2}));
   return cv::countNonZero(moved) >= kLeastPatch;

@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numeric>
 #include <opencv2/core.hpp>
-#include <utility>
 
 #include "matching/fixed_random_state.hpp"
+#include "matching/part_light.hpp"
+#include "matching/weighted_median.hpp"
 
 namespace mbncc {
 namespace {
@@ -43,79 +43,6 @@ std::vector<int> parts_of(const SurfaceTemplate& surface) {
   cv::kmeans(colours, std::min(kParts, count), labels,
              {cv::TermCriteria::COUNT | cv::TermCriteria::EPS, 20, 1e-3}, 2, cv::KMEANS_PP_CENTERS);
   return {labels.begin<int>(), labels.end<int>()};
-}
-
-/// The light of a picture, as if it were the same all over the object.
-struct Light {
-  double factor = 1, offset = 0;
-
-  float of(float learned) const {
-    return static_cast<float>(std::clamp(factor * learned + offset, 0.0, 255.0));
-  }
-};
-
-/// Least squares over the weighted points; those that do not fit, as parts of another colour, count
-/// little.
-Light fit_light(const Planes& learned, const Planes& seen, const std::vector<float>& weights) {
-  constexpr int kPasses = 4;
-  constexpr double kPrior = 300;  // [grey^2] pulls the factor of plain surfaces to 1
-  constexpr double kUsual = 400;  // [grey^2] that halves a point's weight
-  constexpr double kLeast = 0.55, kMost = 1.5;
-  Light light;
-  for (int pass = 0; pass < kPasses; ++pass) {
-    double total = 0, t = 0, s = 0, tt = 0, ts = 0;
-    for (std::size_t i = 0; i < weights.size(); ++i) {
-      if (weights[i] == 0) continue;
-      double square = 0;
-      for (int c = 0; c < kChannels && pass > 0; ++c) {
-        const double off = seen[c][i] - light.factor * learned[c][i] - light.offset;
-        square += off * off / kChannels;
-      }
-      const double weight = weights[i] / (1 + square / kUsual);
-      for (int c = 0; c < kChannels; ++c) {
-        total += weight;
-        t += weight * learned[c][i];
-        s += weight * seen[c][i];
-        tt += weight * learned[c][i] * learned[c][i];
-        ts += weight * learned[c][i] * seen[c][i];
-      }
-    }
-    const double prior = kPrior * total;
-    const double factor = (ts - t * s / total + prior) / (tt - t * t / total + prior);
-    light.factor = std::clamp(factor, kLeast, kMost);
-    light.offset = (s - light.factor * t) / total;
-  }
-  return light;
-}
-
-using Weighted = std::pair<float, float>;  // value, weight
-
-double weight_of(std::vector<Weighted>::const_iterator first,
-                 std::vector<Weighted>::const_iterator last) {
-  return std::accumulate(first, last, 0.0,
-                         [](double sum, const Weighted& one) { return sum + one.second; });
-}
-
-/// The least value that half of the weight does not exceed.
-float median(std::vector<Weighted>& values) {
-  if (values.empty()) return 0;
-  double left = weight_of(values.begin(), values.end()) / 2;
-  auto first = values.begin(), last = values.end();
-  while (last - first > 1) {
-    const auto middle = first + (last - first) / 2;
-    std::nth_element(first, middle, last);
-    const double below = weight_of(first, middle);
-    if (below >= left) {
-      last = middle;
-    } else {
-      left -= below;
-      first = middle;
-      if (middle->second >= left || middle + 1 == last) break;
-      left -= middle->second;
-      ++first;
-    }
-  }
-  return first->first;
 }
 
 /// What is seen of one part: how far its chroma is off, and how much of it counts.
@@ -257,7 +184,7 @@ ColourDifference ColourParts::worst_differences(const SurfaceTemplate& surface,
     double worst = 0;
     for (auto& part : by_part(part_of, off, weights)) {
       if (!part.tells(surface.size())) continue;
-      const cv::Point2f typical(median(part.red), median(part.blue));
+      const cv::Point2f typical(weighted_median(part.red), weighted_median(part.blue));
       worst = std::max(worst, cv::norm(unexplained(typical, ground_off)));
     }
     return worst;
