@@ -7,6 +7,7 @@
 #include "learning/graph_cut.hpp"
 #include "learning/half_smoothness.hpp"
 #include "learning/pictures.hpp"
+#include "mbncc/learning/change.hpp"
 
 namespace mbncc {
 namespace {
@@ -172,6 +173,24 @@ TEST(ArrivalTest, TellsTheNewPlaceFromTheOldOne) {
   const cv::Mat arrivals = find_arrivals(before, after, changed, colours);
   EXPECT_EQ(cv::countNonZero(arrivals(right)), right.area());
   EXPECT_EQ(cv::countNonZero(arrivals), right.area());
+}
+
+TEST(ArrivalTest, WhatLeftOutweighsWhatMayHaveArrived) {
+  const cv::Size size(320, 200);
+  const cv::Mat platform = test::texture(size, cv::Scalar(105, 115, 120), 16, 1, 1.2);
+  const cv::Rect left(30, 40, 40, 40), right(130, 40, 40, 40), gripper(220, 0, 100, 60);
+  cv::Mat before = platform.clone(), after = platform.clone();
+  before(left).setTo(cv::Scalar(30, 40, 200));
+  after(right).setTo(cv::Scalar(30, 40, 200));
+  test::texture(gripper.size(), cv::Scalar(97, 107, 112), 14, 2, 2).copyTo(after(gripper));
+  cv::Mat changed = cv::Mat::zeros(size, CV_8UC1);
+  for (const cv::Rect& rect : {left, right, gripper}) changed(rect).setTo(255);
+  const cv::Mat weights = departures(test::exposed(before, 3), test::exposed(after, 4), changed);
+  EXPECT_EQ(cv::countNonZero(weights(right)), 0);
+  EXPECT_EQ(cv::countNonZero(weights(gripper)), gripper.area());
+  const std::vector<cv::Rect> places = changed_places(weights, false);
+  ASSERT_EQ(places.size(), 2U);
+  EXPECT_EQ(places.front(), cv::Rect(22, 32, 56, 56));
 }
 
 TEST(CleanMap, KeepsNearAndLargePiecesOnly) {

@@ -77,26 +77,83 @@ INSTANTIATE_TEST_SUITE_P(Angles, PutAside, testing::Values(0, 40, 175));
 
 // An object of the platform's usual colour, on a mark of another one and of its own shape: the mark
 // looks like an arrival, and the object's new place like the one that it left.
-TEST(PutAsideLesson, WhatLooksLikePlatformIsLearnedWhereItLay) {
-  const cv::Size size(460, 300);
-  const cv::Point old_place(110, 150), new_place(330, 150);
-  cv::Mat platform = test::texture(size, cv::Scalar(105, 115, 120), 16, 1, 1.2);
-  const cv::Mat truth = test::wedge_map(size, old_place), there = test::wedge_map(size, new_place);
-  test::texture(size, cv::Scalar(90, 150, 40), 16, 2, 1.2).copyTo(platform, truth);
-  const cv::Mat object = test::texture(size, cv::Scalar(105, 115, 120), 18, 3, 2);
-  cv::Mat moved;
-  cv::warpAffine(object, moved, cv::Matx23d(1, 0, 220, 0, 1, 0), size);
-  cv::Mat before = platform.clone(), after = platform.clone();
-  object.copyTo(before, truth);
-  moved.copyTo(after, there);
-  Lesson lesson;
-  lesson.name = "wedge";
-  lesson.before = test::exposed(before, 11);
-  lesson.after = test::exposed(after, 12);
-  const LearnResult result = learn_object(lesson);
-  ASSERT_TRUE(result.put_aside) << result.message;
-  EXPECT_GT(test::iou(test::map_of(result), truth), 0.8);
-  EXPECT_NEAR(result.put_aside->pose.x - result.object.views.front().reference.x, 220, 1);
+class LooksLikePlatform : public testing::Test {
+ protected:
+  LooksLikePlatform() {
+    cv::Mat platform = test::texture(kSize, cv::Scalar(105, 115, 120), 16, 1, 1.2), moved;
+    test::texture(kSize, cv::Scalar(90, 150, 40), 16, 2, 1.2).copyTo(platform, truth_);
+    const cv::Mat object = test::texture(kSize, cv::Scalar(105, 115, 120), 18, 3, 2);
+    cv::warpAffine(object, moved, cv::Matx23d(1, 0, 220, 0, 1, 0), kSize);
+    cv::Mat before = platform.clone(), after = platform.clone();
+    object.copyTo(before, truth_);
+    moved.copyTo(after, test::wedge_map(kSize, {330, 150}));
+    lesson_.name = "wedge";
+    lesson_.before = test::exposed(before, 11);
+    lesson_.after = test::exposed(after, 12);
+  }
+
+  void expect_learned_and_found() const {
+    const LearnResult result = learn_object(lesson_);
+    ASSERT_TRUE(result.put_aside) << result.message;
+    EXPECT_GT(test::iou(test::map_of(result), truth_), 0.8);
+    EXPECT_NEAR(result.put_aside->pose.x - result.object.views.front().reference.x, 220, 1);
+  }
+
+  const cv::Size kSize{460, 300};
+  const cv::Mat truth_ = test::wedge_map(kSize, {110, 150});
+  Lesson lesson_;
+};
+
+TEST_F(LooksLikePlatform, IsLearnedWhereItLay) {
+  expect_learned_and_found();
+}
+
+TEST_F(LooksLikePlatform, IsFoundThoughNothingSeemsToHaveArrived) {
+  lesson_.region = {60, 105, 100, 90};
+  expect_learned_and_found();
+}
+
+// Something larger than the object changed as well, and the object lies elsewhere afterwards.
+class LargerChange : public testing::Test {
+ protected:
+  LargerChange() {
+    const cv::Matx23d matrix(1, 0, kMoved, 0, 1, 0);
+    cv::Mat object, cover;
+    cv::warpAffine(drawn_.scene, object, matrix, kSize);
+    cv::warpAffine(drawn_.truth, cover, matrix, kSize, cv::INTER_NEAREST);
+    before_ = drawn_.scene.clone();
+    after_ = drawn_.platform.clone();
+    object.copyTo(after_, cover);
+  }
+
+  void expect_object_learned() {
+    drawn_.lesson.before = test::exposed(before_, 11);
+    drawn_.lesson.after = test::exposed(after_, 12);
+    drawn_.lesson.region = {};
+    const LearnResult result = learn_object(drawn_.lesson);
+    ASSERT_TRUE(result.put_aside) << result.message;
+    EXPECT_GT(test::iou(test::map_of(result), drawn_.truth), 0.9);
+    EXPECT_NEAR(result.put_aside->pose.x - result.object.views.front().reference.x, kMoved, 1);
+  }
+
+  static constexpr int kMoved = 160;  // [px]
+  const cv::Size kSize{460, 300};
+  test::DrawnLesson drawn_ = test::draw_lesson({80, 90}, kSize);
+  cv::Mat before_, after_;
+};
+
+TEST_F(LargerChange, OfAGripperIsNotWhatLeft) {
+  const cv::Rect gripper(330, 60, 130, 110);
+  test::texture(gripper.size(), cv::Scalar(97, 107, 112), 14, 5, 2).copyTo(after_(gripper));
+  expect_object_learned();
+}
+
+TEST_F(LargerChange, OfANudgedThingIsNotTheObject) {
+  const cv::Rect thing(60, 180, 90, 80);
+  const cv::Mat looks = test::texture(thing.size(), cv::Scalar(40, 190, 60), 40, 5);
+  looks.copyTo(before_(thing));
+  looks.copyTo(after_(thing + cv::Point(45, 9)));
+  expect_object_learned();
 }
 
 TEST(PutAsideLesson, AnObjectThatLeftIsNowhere) {

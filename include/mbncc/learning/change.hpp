@@ -3,6 +3,7 @@
 #pragma once
 
 #include <opencv2/core.hpp>
+#include <vector>
 
 namespace mbncc {
 
@@ -24,5 +25,9 @@ ChangeSurvey survey_change(const cv::Mat& before, const cv::Mat& after);
 /// pixels inside `within` that are at least `least_part` of the largest one; empty when nothing
 /// changed there.
 cv::Rect changed_region(const ChangeSurvey& survey, const cv::Rect& within, double least_part);
+
+/// Bounding boxes, with a margin likewise, of all groups of pixels whose weight (CV_32FC1) is above
+/// 0, the heaviest group first.
+std::vector<cv::Rect> changed_places(const cv::Mat& weights, bool noisy);
 
 }  // namespace mbncc

@@ -133,21 +133,21 @@ cv::Mat find_arrivals(const cv::Mat& before, const cv::Mat& after, const cv::Mat
   return arrivals;
 }
 
-cv::Mat without_arrivals(const cv::Mat& before, const cv::Mat& after, const cv::Mat& changed) {
+cv::Mat departures(const cv::Mat& before, const cv::Mat& after, const cv::Mat& changed) {
   const double scale = std::min(1.0, static_cast<double>(kSurveyWidth) / before.cols);
   const cv::Mat b = reduced(before, scale), a = reduced(after, scale);
-  cv::Mat patches, near, labels, kept;
+  cv::Mat patches, near, labels, left = cv::Mat::zeros(b.size(), CV_32FC1), result;
   cv::resize(changed, patches, b.size(), 0, 0, cv::INTER_NEAREST);
   cv::dilate(patches, near, cv::Mat(), {-1, -1}, 3);
   const cv::Mat unchanged = near == 0;
   const ColourMixture platform = ColourMixture::fit(b, unchanged);
-  if (platform.empty()) return changed;
+  if (platform.empty()) return cv::Mat_<float>(changed / 255);
   const int count = cv::connectedComponents(patches, labels, 8, CV_32S);
   const auto scores = departure_scores(b, exposed_as(b, a, unchanged), labels, count, platform);
   for (int i = 1; i < count; ++i)
-    if (scores[i] < kLoneArrivalScore) patches.setTo(0, labels == i);
-  cv::resize(patches, kept, changed.size(), 0, 0, cv::INTER_NEAREST);
-  return kept;
+    left.setTo(std::max(0.0, scores[i] - kLoneArrivalScore), labels == i);
+  cv::resize(left, result, changed.size(), 0, 0, cv::INTER_NEAREST);
+  return result;
 }
 
 }  // namespace mbncc

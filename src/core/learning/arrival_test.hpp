@@ -21,9 +21,10 @@ std::vector<double> departure_scores(const cv::Mat& before, const cv::Mat& after
                                      const cv::Mat& labels, int count,
                                      const ColourMixture& platform);
 
-/// `changed` (CV_8UC1) without the patches where something arrived, for whole pictures (CV_8UC3)
-/// that nobody has marked a region in: what was put down there is not in the picture before, and a
-/// lesson on it would teach bare platform. Judged at about 320 pixels width.
-cv::Mat without_arrivals(const cv::Mat& before, const cv::Mat& after, const cv::Mat& changed);
+/// How surely something left, for whole pictures (CV_8UC3) that nobody has marked a region in:
+/// CV_32FC1 of their size, above 0 on the patches of `changed` (CV_8UC1) but those where something
+/// arrived. What was put down there is not in the picture before, and a lesson on it would teach
+/// bare platform. Judged at about 320 pixels width.
+cv::Mat departures(const cv::Mat& before, const cv::Mat& after, const cv::Mat& changed);
 
 }  // namespace mbncc

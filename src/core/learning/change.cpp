@@ -22,6 +22,7 @@ constexpr float kSureDifference = 45;   // [likewise] a change, however much els
 constexpr double kMargin = 0.15;        // of a changed region's longer side
 constexpr double kNoisyMargin = 0.6;    // likewise, where noise hides part of the change
 constexpr double kClearGain = 0.8;      // a shift must lower the difference to this part
+constexpr int kGap = 9;                 // [px] pieces nearer than this belong together
 constexpr int kSampling = 2;            // [px] of the survey, for medians
 constexpr int kTextureBox = 15;         // [px] of the survey: texture is compared in such squares
 constexpr double kTextured = 9;         // [grey levels^2] variance above which a square has texture
@@ -181,6 +182,32 @@ double displaced_part(const cv::Mat& before, const cv::Mat& after) {
   return std::min(textured_before.displaced_part(), textured_after.displaced_part());
 }
 
+struct Patch {
+  cv::Rect box;
+  int area = 0;       // [px]
+  double weight = 0;  // sum over its pixels
+};
+
+// Groups of changed pixels, pieces that are near each other joined. `labels` tells them apart: the
+// result's index, and one more.
+std::vector<Patch> joined_patches(const cv::Mat& changed, cv::Mat& labels) {
+  cv::Mat joined, stats, centres;
+  cv::morphologyEx(changed, joined, cv::MORPH_CLOSE,
+                   cv::getStructuringElement(cv::MORPH_ELLIPSE, {kGap, kGap}));
+  const int count = cv::connectedComponentsWithStats(joined, labels, stats, centres, 8, CV_32S);
+  std::vector<Patch> patches;
+  for (int i = 1; i < count; ++i)
+    patches.push_back({{stats.at<int>(i, cv::CC_STAT_LEFT), stats.at<int>(i, cv::CC_STAT_TOP),
+                        stats.at<int>(i, cv::CC_STAT_WIDTH), stats.at<int>(i, cv::CC_STAT_HEIGHT)},
+                       stats.at<int>(i, cv::CC_STAT_AREA)});
+  return patches;
+}
+
+cv::Rect with_margin(const cv::Rect& box, bool noisy) {
+  const double part = noisy ? kNoisyMargin : kMargin;
+  return grown(box, std::max(8, static_cast<int>(part * std::max(box.width, box.height))));
+}
+
 }  // namespace
 
 ChangeSurvey survey_change(const cv::Mat& before, const cv::Mat& after) {
@@ -218,23 +245,29 @@ ChangeSurvey survey_change(const cv::Mat& before, const cv::Mat& after) {
 }
 
 cv::Rect changed_region(const ChangeSurvey& survey, const cv::Rect& within, double least_part) {
-  constexpr int kGap = 9;  // [px] pieces nearer than this belong together
-  cv::Mat joined, labels, stats, centres;
-  cv::morphologyEx(survey.changed(within), joined, cv::MORPH_CLOSE,
-                   cv::getStructuringElement(cv::MORPH_ELLIPSE, {kGap, kGap}));
-  const int count = cv::connectedComponentsWithStats(joined, labels, stats, centres, 8, CV_32S);
-  const auto area = [&](int i) { return stats.at<int>(i, cv::CC_STAT_AREA); };
+  cv::Mat labels;
+  const std::vector<Patch> patches = joined_patches(survey.changed(within), labels);
   int largest = 0;
-  for (int i = 1; i < count; ++i) largest = std::max(largest, area(i));
+  for (const Patch& patch : patches) largest = std::max(largest, patch.area);
   cv::Rect box;
-  for (int i = 1; i < count; ++i)
-    if (area(i) >= least_part * largest)
-      box |= cv::Rect(stats.at<int>(i, cv::CC_STAT_LEFT), stats.at<int>(i, cv::CC_STAT_TOP),
-                      stats.at<int>(i, cv::CC_STAT_WIDTH), stats.at<int>(i, cv::CC_STAT_HEIGHT));
-  if (box.empty()) return {};
-  const double part = survey.noisy ? kNoisyMargin : kMargin;
-  const int margin = std::max(8, static_cast<int>(part * std::max(box.width, box.height)));
-  return grown(box + within.tl(), margin) & within;
+  for (const Patch& patch : patches)
+    if (patch.area >= least_part * largest) box |= patch.box;
+  return box.empty() ? cv::Rect() : with_margin(box + within.tl(), survey.noisy) & within;
+}
+
+std::vector<cv::Rect> changed_places(const cv::Mat& weights, bool noisy) {
+  cv::Mat labels;
+  std::vector<Patch> patches = joined_patches(weights > 0, labels);
+  for (int y = 0; y < labels.rows; ++y)
+    for (int x = 0; x < labels.cols; ++x)
+      if (const int label = labels.at<int>(y, x))
+        patches[label - 1].weight += weights.at<float>(y, x);
+  std::stable_sort(patches.begin(), patches.end(),
+                   [](const Patch& a, const Patch& b) { return a.weight > b.weight; });
+  std::vector<cv::Rect> places;
+  for (const Patch& patch : patches)
+    places.push_back(with_margin(patch.box, noisy) & cv::Rect({0, 0}, weights.size()));
+  return places;
 }
 
 }  // namespace mbncc

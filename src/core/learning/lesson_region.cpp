@@ -1,6 +1,7 @@
 #include "learning/lesson_region.hpp"
 
 #include <opencv2/imgproc.hpp>
+#include <vector>
 
 #include "learning/arrival_test.hpp"
 #include "learning/click_region.hpp"
@@ -11,20 +12,22 @@
 namespace mbncc {
 namespace {
 
-// What changed without the object's having been taken away from there is none of it.
-void drop_arrivals(const Lesson& lesson, ChangeSurvey& survey) {
+// Without a place told, the object is where most speaks for its having been taken away: a gripper
+// may have changed more.
+cv::Rect departed_from(const Lesson& lesson, ChangeSurvey& survey) {
   const bool changed = cv::countNonZero(survey.changed) > 0;
-  survey.changed = without_arrivals(lesson.before, lesson.after, survey.changed);
-  if (changed && cv::countNonZero(survey.changed) == 0)
+  const cv::Mat left = departures(lesson.before, lesson.after, survey.changed);
+  survey.changed = cv::Mat(left > 0);  // the one surveyed is kept
+  const std::vector<cv::Rect> places = changed_places(left, survey.noisy);
+  if (changed && places.empty())
     throw LessonEnded(LearnError::kNoChange, "Something was put down, but nothing was taken away.");
+  return places.empty() ? cv::Rect() : places.front();
 }
 
-// Without a region, the largest change is the object. A region that is far larger than all change
-// inside it is narrowed: the work grows with it.
+// A region that is far larger than all change inside it is narrowed: the work grows with it.
 cv::Rect region_of_change(const Lesson& lesson, const ChangeSurvey& survey, const cv::Rect& room) {
   constexpr int kFarLarger = 4;
   if (lesson.click) return room;
-  if (lesson.region == cv::Rect()) return changed_region(survey, room, 1);
   const cv::Rect narrow = changed_region(survey, room, 0.1);
   return !narrow.empty() && room.area() > kFarLarger * narrow.area() ? narrow : room;
 }
@@ -33,10 +36,9 @@ void survey(const Lesson& lesson, const LearningConfig& config, RegionOfLesson& 
   ChangeSurvey survey = survey_change(lesson.before, lesson.after);
   check_survey(survey, config);
   region.surveyed = survey.changed;
-  // Where nobody says which change is meant, it is the one that something left.
-  if (is_without_place(lesson)) drop_arrivals(lesson, survey);
+  region.room = is_without_place(lesson) ? departed_from(lesson, survey)
+                                         : region_of_change(lesson, survey, region.room);
   region.changed = survey.changed;
-  region.room = region_of_change(lesson, survey, region.room);
 }
 
 // The change there, or else what has the colour there.

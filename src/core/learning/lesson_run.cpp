@@ -35,9 +35,12 @@ class LessonRun {
 
   void learn() {
     check_lesson(lesson_);
-    state_.cut = acquire_map();
-    look_for_put_aside();
-    if (is_without_place(lesson_)) reconsider_place();
+    if (is_shown_by_change_alone()) {
+      find_place();
+    } else {
+      state_.cut = acquire_map();
+      look_for_put_aside();
+    }
     finish(*state_.cut);
   }
 
@@ -74,41 +77,50 @@ class LessonRun {
     state_.cut = state_.cut->cut_with(state_.new_place->preference);
   }
 
-  // Where nobody says which change is meant, an arrival may pass for what left. Then what left
-  // elsewhere lies there now.
-  void reconsider_place() {
-    if (!lesson_.outline.empty() || !state_.cut->cut_with || state_.new_place) return;
-    const SegmentationTask first = task_;
-    if (!turn_to_other_change()) return;
-    const StepTimer timer(result_.timings_ms, "put_aside");
-    const std::optional<Segmentation> other = segment_if_possible();
-    if (other) make_model(other->map);
-    const auto place = other ? find_put_aside_at(first.region, result_.object, other->map, task_,
-                                                 surveyed_, config_, search_)
-                             : std::nullopt;
-    if (!place) {
-      task_ = first;
-      return;
-    }
-    state_.changed = surveyed_;
-    state_.new_place = place;
-    state_.cut = refines(*place) ? other->cut_with(place->preference) : *other;
+  bool is_shown_by_change_alone() const {
+    return is_without_place(lesson_) && lesson_.map.empty() && lesson_.outline.empty();
   }
 
-  // Makes the largest change beside the map the task. False: there is none.
-  bool turn_to_other_change() {
-    ChangeSurvey others;
-    others.changed = patches_elsewhere(surveyed_, state_.cut->map);
-    if (others.changed.empty()) return false;
-    task_.region = changed_region(others, {{0, 0}, lesson_.before.size()}, 1);
+  // Where nobody says which change is meant, it is the one that most speaks for; unless another one
+  // is confirmed by its lying elsewhere now, and this one is not.
+  void find_place() {
+    task_ = mark_region();
+    state_.cut = segment_if_possible();
+    if (state_.cut && !state_.cut->cut_with) return;
+    if (state_.cut) look_for_put_aside();
+    if (state_.new_place || reconsider_place()) return;
+    if (!state_.cut) state_.cut = segment_widened();  // throws: tells why there is none
+  }
+
+  bool reconsider_place() {
+    const SegmentationTask first = task_;
+    const cv::Mat& tried = state_.cut ? state_.cut->map : task_.approximate;
+    const StepTimer timer(result_.timings_ms, "put_aside");
+    for (const cv::Rect& place : places_elsewhere(surveyed_, tried))
+      if (left_from(place)) return true;
+    task_ = first;
+    return false;
+  }
+
+  // Did the object leave from `place`, and lie elsewhere now? Then it is learned there.
+  bool left_from(const cv::Rect& place) {
+    task_.region = place;
     task_.changed = surveyed_;
+    const std::optional<Segmentation> other = segment_if_possible();
+    if (!other || !other->cut_with) return false;
+    make_model(other->map);
+    const auto found =
+        find_put_aside(result_.object, other->map, task_, surveyed_, config_, search_);
+    if (!found) return false;
+    state_.changed = surveyed_;
+    state_.new_place = found;
+    state_.cut = refines(*found) ? other->cut_with(found->preference) : *other;
     return true;
   }
 
   std::optional<Segmentation> segment_if_possible() {
     try {
-      const Segmentation found = segment(task_);
-      return widen(task_, found) ? segment(task_) : found;
+      return segment_widened();
     } catch (const LessonEnded& ended) {
       if (ended.error() == LearnError::kCancelled) throw;
       return std::nullopt;
@@ -145,6 +157,10 @@ class LessonRun {
     if (!lesson_.map.empty()) return accept(lesson_.map > 127);
     if (!lesson_.outline.empty() && config_.method == "auto") return accept(outline_map(lesson_));
     task_ = mark_region();
+    return segment_widened();
+  }
+
+  Segmentation segment_widened() {
     const Segmentation found = segment(task_);
     return widen(task_, found) ? segment(task_) : found;
   }

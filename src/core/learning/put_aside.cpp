@@ -8,6 +8,7 @@
 
 #include "learning/arrival_test.hpp"
 #include "learning/rectangles.hpp"
+#include "mbncc/learning/change.hpp"
 #include "mbncc/learning/change_cut.hpp"
 #include "mbncc/matching/matcher.hpp"
 
@@ -19,6 +20,8 @@ constexpr int kSurveyWidth = 320;       // [px] that changes are known at
 constexpr double kSmallestPart = 0.25;  // of the object's area that a place shows
 constexpr double kLargestPart = 4;      // likewise, its shadow included
 constexpr std::size_t kPlacesTried = 2;
+constexpr double kOtherPart = 0.05;  // of a map's area that another place left has: it may be wrong
+constexpr std::size_t kOthersTried = 3;
 constexpr double kLeastAgreement = 0.5;  // IoU that makes it the object
 constexpr float kOutside = -4;           // log-odds of what the other view does not show
 
@@ -27,10 +30,10 @@ struct Place {
   double unlikeness = 0;  // of its area and the object's
 };
 
-// Where something arrived, the most likely places first.
-std::vector<Place> places_of(const cv::Mat& arrivals, double area) {
+// Patches about as large as the object, the most likely ones first.
+std::vector<Place> places_of(const cv::Mat& patches, double area) {
   cv::Mat joined, labels, stats, centres;
-  cv::morphologyEx(arrivals, joined, cv::MORPH_CLOSE,
+  cv::morphologyEx(patches, joined, cv::MORPH_CLOSE,
                    cv::getStructuringElement(cv::MORPH_ELLIPSE, {kGap, kGap}));
   const cv::Rect all = cv::boundingRect(joined);
   if (all.empty()) return {};
@@ -45,11 +48,22 @@ std::vector<Place> places_of(const cv::Mat& arrivals, double area) {
                        stats.at<int>(i, cv::CC_STAT_WIDTH), stats.at<int>(i, cv::CC_STAT_HEIGHT));
     const int margin = std::max(8, std::max(box.width, box.height) * 15 / 100);
     places.push_back(
-        {grown(box, margin) & cv::Rect({0, 0}, arrivals.size()), std::abs(std::log(part))});
+        {grown(box, margin) & cv::Rect({0, 0}, patches.size()), std::abs(std::log(part))});
   }
   std::sort(places.begin(), places.end(),
             [](const Place& a, const Place& b) { return a.unlikeness < b.unlikeness; });
   places.resize(std::min(places.size(), kPlacesTried));
+  return places;
+}
+
+// Where something arrived; then the rest: on a platform of its colours, an arrival may pass for
+// what left.
+std::vector<Place> places_to_try(const cv::Mat& changed, const SegmentationTask& task,
+                                 double area) {
+  const cv::Mat left = departures(task.before, task.after, changed) > 0;
+  std::vector<Place> places = places_of(changed & ~left, area);
+  const std::vector<Place> doubtful = places_of(changed & left, area);
+  places.insert(places.end(), doubtful.begin(), doubtful.end());
   return places;
 }
 
@@ -118,16 +132,16 @@ std::optional<NewPlace> look_at(const cv::Rect& place, const SegmentationTask& t
   return cut.cut_with ? put_aside.look(task.after, place, cut) : std::nullopt;
 }
 
-}  // namespace
-
-cv::Mat patches_elsewhere(const cv::Mat& changed, const cv::Mat& map) {
+// Patches of `changed` that do not touch the map and have at least this part of its area, pieces
+// nearby included; empty when there are none.
+cv::Mat patches_elsewhere(const cv::Mat& changed, const cv::Mat& map, double least_part) {
   const double scale = std::min(1.0, static_cast<double>(kSurveyWidth) / changed.cols);
   const int gap = cvRound(kGap * scale / 2) * 2 + 1;
   const cv::Mat disc = cv::getStructuringElement(cv::MORPH_ELLIPSE, {gap, gap});
   cv::Mat patches, vacated, labels, stats, centres, elsewhere;
   cv::resize(changed, patches, {}, scale, scale, cv::INTER_NEAREST);
   cv::resize(map, vacated, patches.size(), 0, 0, cv::INTER_NEAREST);
-  const double least = kSmallestPart * cv::countNonZero(vacated);
+  const double least = least_part * cv::countNonZero(vacated);
   cv::dilate(vacated, vacated, disc);
   cv::morphologyEx(patches | vacated, patches, cv::MORPH_CLOSE, disc);
   const int count = cv::connectedComponentsWithStats(patches, labels, stats, centres, 8, CV_32S);
@@ -142,13 +156,14 @@ cv::Mat patches_elsewhere(const cv::Mat& changed, const cv::Mat& map) {
   return elsewhere & changed;
 }
 
+}  // namespace
+
 std::optional<NewPlace> find_put_aside(const ObjectModel& object, const cv::Mat& map,
                                        const SegmentationTask& task, const cv::Mat& changed,
                                        const LearningConfig& config, const SearchConfig& search) {
-  const cv::Mat elsewhere = patches_elsewhere(changed, map);
+  const cv::Mat elsewhere = patches_elsewhere(changed, map, kSmallestPart);
   if (elsewhere.empty()) return std::nullopt;
-  const cv::Mat arrivals = elsewhere & ~without_arrivals(task.before, task.after, elsewhere);
-  const auto places = places_of(arrivals, cv::countNonZero(map));
+  const std::vector<Place> places = places_to_try(elsewhere, task, cv::countNonZero(map));
   if (places.empty()) return std::nullopt;
   PutAsideSearch put_aside(object, map, search);
   for (const Place& place : places)
@@ -156,12 +171,12 @@ std::optional<NewPlace> find_put_aside(const ObjectModel& object, const cv::Mat&
   return std::nullopt;
 }
 
-std::optional<NewPlace> find_put_aside_at(const cv::Rect& place, const ObjectModel& object,
-                                          const cv::Mat& map, const SegmentationTask& task,
-                                          const cv::Mat& changed, const LearningConfig& config,
-                                          const SearchConfig& search) {
-  PutAsideSearch put_aside(object, map, search);
-  return look_at(place, task, changed, config, put_aside);
+std::vector<cv::Rect> places_elsewhere(const cv::Mat& changed, const cv::Mat& map) {
+  const cv::Mat elsewhere = patches_elsewhere(changed, map, kOtherPart);
+  if (elsewhere.empty()) return {};
+  std::vector<cv::Rect> places = changed_places(cv::Mat_<float>(elsewhere), false);
+  places.resize(std::min(places.size(), kOthersTried));
+  return places;
 }
 
 }  // namespace mbncc

@@ -3,6 +3,7 @@
 
 #include <opencv2/core.hpp>
 #include <optional>
+#include <vector>
 
 #include "learning/segmenter.hpp"
 #include "mbncc/config/search_config.hpp"
@@ -16,21 +17,15 @@ struct NewPlace {
   cv::Mat preference;    ///< CV_32FC1, that cut's, warped onto the picture before
 };
 
-/// Looks where something arrived for the object just learned (one view) and its `map` of the
-/// picture's size. `changed` is the survey's, arrivals included. None when nothing that arrived is
-/// the object.
+/// Looks where something changed elsewhere for the object just learned (one view) and its `map` of
+/// the picture's size. `changed` is the survey's, arrivals included. None when nothing that arrived
+/// is the object.
 std::optional<NewPlace> find_put_aside(const ObjectModel& object, const cv::Mat& map,
                                        const SegmentationTask& task, const cv::Mat& changed,
                                        const LearningConfig& config, const SearchConfig& search);
 
-/// Looks for it at one `place` [px] of the picture after, whatever changed there.
-std::optional<NewPlace> find_put_aside_at(const cv::Rect& place, const ObjectModel& object,
-                                          const cv::Mat& map, const SegmentationTask& task,
-                                          const cv::Mat& changed, const LearningConfig& config,
-                                          const SearchConfig& search);
-
-/// Patches of `changed` that do not touch the map and are large enough to be the object, pieces
-/// nearby included; empty when there are none.
-cv::Mat patches_elsewhere(const cv::Mat& changed, const cv::Mat& map);
+/// Other places [px] of `changed` that the object may have left, if it did not leave from `map`:
+/// the few largest, which do not touch it.
+std::vector<cv::Rect> places_elsewhere(const cv::Mat& changed, const cv::Mat& map);
 
 }  // namespace mbncc
