@@ -15,7 +15,7 @@ namespace mbncc::cli {
 namespace {
 
 constexpr std::uintmax_t kMaxFileBytes = std::uintmax_t{256} << 20;
-constexpr std::uint64_t kMaxPixels = std::uint64_t{64} << 20;
+constexpr std::uint64_t kMaxPixels = 64'000'000;  // as in messages to the nodelets
 
 std::string errno_text(int code) {
   return std::generic_category().message(code);

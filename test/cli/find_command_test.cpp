@@ -80,19 +80,24 @@ TEST_F(FindCommand, UnreadablePicturesDoNotStopTheOthers) {
         << bytes.substr(0, bytes.size() / 2);
   }
   folder_.write("one.png", picture(cv::Rect(0, 0, 1, 1)));
+  std::string huge = content_of_file(folder_ / "target.png");
+  huge.replace(16, 8, std::string("\0\0\x1f\x40\0\0\x1f\x41", 8));  // 8000 x 8001
+  std::ofstream(folder_ / "huge.png", std::ios::binary) << huge;
   std::ofstream(folder_ / "text.png") << "no picture";
   std::ofstream(folder_ / "nothing.png");
   const ToolRun run =
       find({"--csv", folder_ / "none.png", folder_ / "deep.png", folder_ / "cut_target.png",
             folder_ / "cut_whole.jpg", folder_ / "text.png", folder_ / "nothing.png",
-            folder_ / "one.png", folder_.path(), "/dev/null", folder_ / "whole.jpg"});
+            folder_ / "one.png", folder_ / "huge.png", folder_.path(), "/dev/null",
+            folder_ / "whole.jpg"});
   EXPECT_EQ(run.code, 1);
   EXPECT_EQ(split(run.out, '\n').size(), 2u) << run.out;
   for (const char* sentence :
        {"none.png: there is no such file", "deep.png: 16 bits per channel",
         "cut_target.png: the file is cut short", "cut_whole.jpg: the file is cut short",
         "text.png: neither a PNG nor a JPEG", "nothing.png: the file is empty",
-        "one.png: a picture to search must have at least 16 x 16 pixels", ": a folder; give",
+        "one.png: a picture to search must have at least 16 x 16 pixels",
+        "huge.png: the picture has more than 64 million pixels", ": a folder; give",
         "/dev/null: not a regular file"})
     EXPECT_TRUE(run.says(sentence)) << sentence << "\n" << run.err;
 }
