@@ -3,13 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <fstream>
-#include <set>
 
-#include "mbncc/config/camera_config.hpp"
-#include "mbncc/config/learning_node_config.hpp"
-#include "mbncc/config/matching_node_config.hpp"
-#include "mbncc/config/rectify_config.hpp"
-#include "mbncc/config/simulated_camera_config.hpp"
 #include "mbncc/did_you_mean.hpp"
 #include "mbncc/error.hpp"
 #include "support/temporary_folder.hpp"
@@ -112,25 +106,6 @@ TEST(Field, YamlFilesAreReadStrictly) {
   EXPECT_THROW(load("- count\n"), FileError);
   EXPECT_THROW(load("count: [7\n"), FileError);
   EXPECT_THROW(load_yaml_file({}, folder / "none.yaml"), FileError);
-}
-
-template <class Config>
-void expect_sound_fields() {
-  Config config;
-  std::set<std::string> names;
-  for (const auto& row : field_rows(config)) {
-    EXPECT_TRUE(names.insert(row.info.name).second) << row.info.name << " is listed twice";
-    EXPECT_FALSE(row.info.meaning.empty()) << row.info.name;
-    EXPECT_NO_THROW(row.assign(row.value)) << "default of " << row.info.name;
-  }
-}
-
-TEST(Configs, DefaultsAreAllowedAndNamesUnique) {
-  expect_sound_fields<MatchingNodeConfig>();
-  expect_sound_fields<LearningNodeConfig>();
-  expect_sound_fields<CameraConfig>();
-  expect_sound_fields<RectifyConfig>();
-  expect_sound_fields<SimulatedCameraConfig>();
 }
 
 TEST(DidYouMean, NamesTheWordWithTheFewestEdits) {
