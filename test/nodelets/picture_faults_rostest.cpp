@@ -26,7 +26,6 @@
 namespace mbncc::nodelets {
 namespace {
 
-using mbncc_vision::DetectedObject;
 using mbncc_vision::DetectedObjectArray;
 
 const cv::Size kSize{160, 120};  // of the lesson

@@ -9,6 +9,7 @@ namespace mbncc {
 /// Reorders `values`.
 float quantile(std::vector<float>& values, double q);
 
+/// Of an even number of values the upper one in the middle; 0 for none. Reorders `values`.
 inline float median(std::vector<float>& values) {
   return quantile(values, 0.5);
 }
