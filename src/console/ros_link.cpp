@@ -55,12 +55,13 @@ void RosLink::connect_to(const Names& names) {
   node_.setCallbackQueue(&queue_);
   goal_publisher_ = node_.advertise<mbncc_vision::LearnObjectActionGoal>("learn_object/goal", 5);
   cancel_publisher_ = node_.advertise<actionlib_msgs::GoalID>("learn_object/cancel", 5);
-  subscribe(node_, names);
+  subscribe_lesson(node_);
+  subscribe_cell(node_, names);
   spinner_.start();
 }
 
-void RosLink::subscribe(ros::NodeHandle& node, const Names& names) {
-  const auto hear = [&](const auto& subscriber) { subscribers_.push_back(subscriber); };
+void RosLink::subscribe_lesson(ros::NodeHandle& node) {
+  const auto hear = [this](const auto& subscriber) { subscribers_.push_back(subscriber); };
   hear(node.subscribe<actionlib_msgs::GoalStatusArray>(
       "learn_object/status", 5,
       [this](const actionlib_msgs::GoalStatusArrayConstPtr& m) { Q_EMIT status_heard(*m); }));
@@ -77,6 +78,14 @@ void RosLink::subscribe(ros::NodeHandle& node, const Names& names) {
   hear(node.subscribe<mbncc_vision::LearnObjectResult>(
       "learn_object/draft", 5,
       [this](const mbncc_vision::LearnObjectResultConstPtr& m) { Q_EMIT draft_heard(*m); }));
+  hear(node.subscribe<sensor_msgs::Image>("learn_object/score_map", 1,
+                                          [this](const sensor_msgs::ImageConstPtr& m) {
+                                            Q_EMIT score_map_heard(to_qimage(to_rgb(*m)));
+                                          }));
+}
+
+void RosLink::subscribe_cell(ros::NodeHandle& node, const Names& names) {
+  const auto hear = [this](const auto& subscriber) { subscribers_.push_back(subscriber); };
   hear(node.subscribe<mbncc_vision::DetectedObjectArray>(
       "detected_objects", 1, [this](const mbncc_vision::DetectedObjectArrayConstPtr& m) {
         Q_EMIT detections_heard(*m, (ros::Time::now() - m->header.stamp).toSec());
@@ -92,10 +101,6 @@ void RosLink::subscribe(ros::NodeHandle& node, const Names& names) {
   hear(node.subscribe<sensor_msgs::Image>(names.matching + "/overlay", 1,
                                           [this](const sensor_msgs::ImageConstPtr& m) {
                                             Q_EMIT overlay_heard(to_qimage(small(to_rgb(*m))));
-                                          }));
-  hear(node.subscribe<sensor_msgs::Image>("learn_object/score_map", 1,
-                                          [this](const sensor_msgs::ImageConstPtr& m) {
-                                            Q_EMIT score_map_heard(to_qimage(to_rgb(*m)));
                                           }));
 }
 

@@ -82,7 +82,8 @@ class RosLink : public QObject {
   void grasp_marked(bool success, QString message);
 
  private:
-  void subscribe(ros::NodeHandle& node, const Names& names);
+  void subscribe_lesson(ros::NodeHandle& node);
+  void subscribe_cell(ros::NodeHandle& node, const Names& names);
   void take_picture(const sensor_msgs::Image& message);
   void later(std::function<void()> call);
   template <class Service>
