@@ -6,7 +6,6 @@
 
 #include "nodelets/images.hpp"
 #include "nodelets/lesson.hpp"
-#include "nodelets/lesson_stages.hpp"
 
 namespace mbncc::nodelets {
 namespace {

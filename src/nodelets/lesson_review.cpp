@@ -1,4 +1,5 @@
 // The operator's check of a lesson before it is stored: accept, reject, edit, undo.
+#include <chrono>
 #include <stdexcept>
 #include <vector>
 

@@ -5,7 +5,6 @@
 
 #include <cstdint>
 #include <mutex>
-#include <opencv2/core.hpp>
 #include <optional>
 #include <string>
 #include <thread>

@@ -10,7 +10,6 @@
 #include <tf2_ros/transform_broadcaster.h>
 
 #include <algorithm>
-#include <cmath>
 #include <cstdlib>
 #include <memory>
 #include <opencv2/imgproc.hpp>

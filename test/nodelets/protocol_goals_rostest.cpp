@@ -1,5 +1,4 @@
 // What goals of a lesson are refused for, and what they teach.
-#include <cmath>
 
 #include "nodelets/messages.hpp"
 #include "nodelets/protocol.hpp"

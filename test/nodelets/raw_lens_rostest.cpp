@@ -2,7 +2,6 @@
 #include <gtest/gtest.h>
 #include <ros/ros.h>
 
-#include <algorithm>
 #include <cmath>
 
 #include "nodelets/simulated_cell.hpp"
