@@ -156,6 +156,40 @@ TEST_F(LargerChange, OfANudgedThingIsNotTheObject) {
   expect_object_learned();
 }
 
+// Near the old place, of the platform's colours, and seen with much noise: one cut takes both
+// places.
+TEST(PutAsideLesson, PlacesNearEachOtherAreToldApart) {
+  constexpr int kMoved = 90;  // [px]
+  const cv::Size size(460, 300);
+  const cv::Mat truth = test::wedge_map(size, {180, 150});
+  const cv::Mat platform = test::texture(size, cv::Scalar(105, 115, 120), 16, 1, 1.2);
+  const cv::Mat object = test::texture(size, cv::Scalar(115, 115, 110), 18, 3, 2);
+  cv::Mat moved, before = platform.clone(), after = platform.clone();
+  cv::warpAffine(object, moved, cv::Matx23d(1, 0, kMoved, 0, 1, 0), size);
+  object.copyTo(before, truth);
+  moved.copyTo(after, test::wedge_map(size, {180 + kMoved, 150}));
+  Lesson lesson;
+  lesson.name = "wedge";
+  lesson.before = test::exposed(before, 11, 1, 8);
+  lesson.after = test::exposed(after, 12, 1, 8);
+  const LearnResult result = learn_object(lesson);
+  ASSERT_TRUE(result.put_aside) << result.message;
+  EXPECT_GT(test::iou(test::map_of(result), truth), 0.9);
+  EXPECT_NEAR(result.put_aside->pose.x - result.object.views.front().reference.x, kMoved, 1);
+}
+
+// Nothing tells which of them is the object.
+TEST(PutAsideLesson, TwoThingsThatLeftAreNotGood) {
+  auto drawn = test::draw_lesson({100, 110}, kSize);
+  const cv::Mat beside = test::wedge_map(kSize, {180, 110});
+  test::texture(kSize, cv::Scalar(60, 90, 190), 22, 4).copyTo(drawn.scene, beside);
+  drawn.lesson.before = test::exposed(drawn.scene, 11);
+  drawn.lesson.region = {};
+  const LearnResult result = learn_object(drawn.lesson);
+  ASSERT_TRUE(result.has_model) << result.message;
+  EXPECT_NE(result.object.quality.verdict, Verdict::kGood);
+}
+
 TEST(PutAsideLesson, AnObjectThatLeftIsNowhere) {
   EXPECT_FALSE(learn_object(test::draw_lesson(kOldPlace, kSize).lesson).put_aside);
 }

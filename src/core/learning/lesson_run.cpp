@@ -16,7 +16,10 @@ namespace mbncc {
 namespace {
 
 constexpr double kRefines = 0.75;   // agreement of two views, above which both make the map
+constexpr double kDoubted = 0.2;    // change outside its region that forbids a map to be GOOD
 constexpr double kTouching = 0.04;  // part of the outline on the region's edge that asks for more
+
+enum class Room { kStays, kMayGrow };  // the region that is cut in
 
 bool refines(const NewPlace& place) {
   return place.agreement >= kRefines;
@@ -85,28 +88,37 @@ class LessonRun {
   // is confirmed by its lying elsewhere now, and this one is not.
   void find_place() {
     task_ = mark_region();
-    state_.cut = segment_if_possible();
+    state_.cut = segment_if_possible(Room::kMayGrow);
     if (state_.cut && !state_.cut->cut_with) return;
     if (state_.cut) look_for_put_aside();
     if (state_.new_place || reconsider_place()) return;
     if (!state_.cut) state_.cut = segment_widened();  // throws: tells why there is none
+    doubt_parts(*state_.cut);
+  }
+
+  // One of a map's parts may be where the object was put: a change outside the other one.
+  static void doubt_parts(Segmentation& cut) {
+    if (!cut.evidence || large_parts(cut.map).empty()) return;
+    cut.evidence->change_outside = std::max(cut.evidence->change_outside, kDoubted);
   }
 
   bool reconsider_place() {
     const SegmentationTask first = task_;
     const cv::Mat& tried = state_.cut ? state_.cut->map : task_.approximate;
     const StepTimer timer(result_.timings_ms, "put_aside");
+    for (const cv::Rect& place : large_parts(tried))
+      if (left_from(place, Room::kStays)) return true;
     for (const cv::Rect& place : places_elsewhere(surveyed_, tried))
-      if (left_from(place)) return true;
+      if (left_from(place, Room::kMayGrow)) return true;
     task_ = first;
     return false;
   }
 
   // Did the object leave from `place`, and lie elsewhere now? Then it is learned there.
-  bool left_from(const cv::Rect& place) {
+  bool left_from(const cv::Rect& place, Room room) {
     task_.region = place;
     task_.changed = surveyed_;
-    const std::optional<Segmentation> other = segment_if_possible();
+    const std::optional<Segmentation> other = segment_if_possible(room);
     if (!other || !other->cut_with) return false;
     make_model(other->map);
     const auto found =
@@ -118,9 +130,9 @@ class LessonRun {
     return true;
   }
 
-  std::optional<Segmentation> segment_if_possible() {
+  std::optional<Segmentation> segment_if_possible(Room room) {
     try {
-      return segment_widened();
+      return room == Room::kMayGrow ? segment_widened() : segment(task_);
     } catch (const LessonEnded& ended) {
       if (ended.error() == LearnError::kCancelled) throw;
       return std::nullopt;

@@ -22,6 +22,7 @@ constexpr double kLargestPart = 4;      // likewise, its shadow included
 constexpr std::size_t kPlacesTried = 2;
 constexpr double kOtherPart = 0.05;  // of a map's area that another place left has: it may be wrong
 constexpr std::size_t kOthersTried = 3;
+constexpr int kPartMargin = 4;           // [px] about a part of a map
 constexpr double kLeastAgreement = 0.5;  // IoU that makes it the object
 constexpr float kOutside = -4;           // log-odds of what the other view does not show
 
@@ -177,6 +178,23 @@ std::vector<cv::Rect> places_elsewhere(const cv::Mat& changed, const cv::Mat& ma
   std::vector<cv::Rect> places = changed_places(cv::Mat_<float>(elsewhere), false);
   places.resize(std::min(places.size(), kOthersTried));
   return places;
+}
+
+std::vector<cv::Rect> large_parts(const cv::Mat& map) {
+  cv::Mat labels, stats, centres;
+  const int count = cv::connectedComponentsWithStats(map, labels, stats, centres, 8, CV_32S);
+  int largest = 0;
+  for (int i = 1; i < count; ++i) largest = std::max(largest, stats.at<int>(i, cv::CC_STAT_AREA));
+  std::vector<cv::Rect> parts;
+  for (int i = 1; i < count; ++i) {
+    if (stats.at<int>(i, cv::CC_STAT_AREA) < kSmallestPart * largest) continue;
+    const cv::Rect box(stats.at<int>(i, cv::CC_STAT_LEFT), stats.at<int>(i, cv::CC_STAT_TOP),
+                       stats.at<int>(i, cv::CC_STAT_WIDTH), stats.at<int>(i, cv::CC_STAT_HEIGHT));
+    parts.push_back(grown(box, kPartMargin) & cv::Rect({0, 0}, map.size()));
+  }
+  if (parts.size() < 2) return {};
+  parts.resize(std::min(parts.size(), kOthersTried));
+  return parts;
 }
 
 }  // namespace mbncc

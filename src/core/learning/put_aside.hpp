@@ -28,4 +28,8 @@ std::optional<NewPlace> find_put_aside(const ObjectModel& object, const cv::Mat&
 /// the few largest, which do not touch it.
 std::vector<cv::Rect> places_elsewhere(const cv::Mat& changed, const cv::Mat& map);
 
+/// Boxes [px] of a few large connected parts of a map, with little margin; none when it is in one
+/// piece. Each may be a place of its own.
+std::vector<cv::Rect> large_parts(const cv::Mat& map);
+
 }  // namespace mbncc
