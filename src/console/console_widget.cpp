@@ -17,8 +17,7 @@ namespace {
 
 using Confirm = mbncc_vision::ConfirmLearning::Request;
 
-constexpr int kTick = 200;             // [ms]
-constexpr double kOverlayFresh = 1.0;  // [s] then the bare picture is shown instead
+constexpr int kTick = 200;  // [ms]
 
 // As the preview draws them.
 double axes_length(const QImage& picture) {
@@ -36,7 +35,7 @@ ConsoleWidget::ConsoleWidget(const Names& names, QWidget* parent)
       strip_(new LibraryStrip),
       detections_(new DetectionsView) {
   clock_.start();
-  live_at_ = now();
+  live_ = LivePicture(now());
   lay_out();
   connect_lesson();
   connect_operator();
@@ -194,9 +193,9 @@ void ConsoleWidget::look_at_clock() {
   lamp_row_->show_lamps(lamps_.look(now()));
   if (now() - detections_at_ > Lamps::kSilence) detections_->clear_rows();
   // A picture that stands still must not pass for the live one.
-  if (!lesson_.draft() && now() - live_at_ > Lamps::kSilence)
+  if (!lesson_.draft() && live_.age(now()) > Lamps::kSilence)
     picture_->show_age(QString("OLD PICTURE: nothing has arrived for %1 s")
-                           .arg(static_cast<int>(now() - live_at_)));
+                           .arg(static_cast<int>(live_.age(now()))));
   show_lesson();
 }
 
@@ -218,11 +217,7 @@ void ConsoleWidget::show_draft(const mbncc_vision::LearnObjectResult& draft) {
 void ConsoleWidget::show_live(const QImage& picture, bool searched) {
   if (lesson_.draft()) return;
   const bool teaching = lesson_.phase() == LessonModel::Phase::kRunning;
-  if (searched) overlay_at_ = now();
-  live_at_ = now();
-  // While a lesson waits, the bare picture with its changes; otherwise what is found.
-  if (searched == teaching) return;
-  if (!searched && !teaching && now() - overlay_at_ < kOverlayFresh) return;
+  if (!live_.take(searched, teaching, now())) return;
   picture_->show_picture(picture, searched                    ? "Live, with what is found"
                                   : lesson_.waits_for_scene() ? "Live, changes tinted orange"
                                                               : "Live");

@@ -5,6 +5,7 @@
 #include "console/lamps.hpp"
 #include "console/lesson_model.hpp"
 #include "console/library_model.hpp"
+#include "console/live_picture.hpp"
 #include "console/ros_link.hpp"
 #endif
 
@@ -52,7 +53,8 @@ class ConsoleWidget : public QWidget {
   Lamps lamps_;
   bool undoing_ = false;
   int draft_shown_ = 0;
-  double live_at_ = 0, overlay_at_ = -1e9, detections_at_ = -1e9;
+  LivePicture live_;
+  double detections_at_ = -1e9;
 
   LampRow* lamp_row_;
   LessonBar* lesson_bar_;
