@@ -43,6 +43,23 @@ TEST(ExclusionVotes, WhatLooksLikeTheStrokeLeaves) {
   EXPECT_LT(mean_on(votes, kRed), -3);
 }
 
+TEST(ExclusionVotes, ADotIsEnough) {
+  const cv::Mat votes = exclusion_votes(drawn_cut(), mask_of({20, 24, 1, 1}));
+  EXPECT_GT(mean_on(votes, kShaded), 3);
+  EXPECT_LT(mean_on(votes, kRed), -3);
+}
+
+// Where looks leave it open: a grey that is neither the stroke's nor the object's.
+TEST(ExclusionVotes, OutermostPixelsAreDoubtedMore) {
+  CutPictures cut = drawn_cut();
+  const cv::Rect grey(10, 32, 20, 8);  // beyond the map's edge at 15 as well
+  test::texture(grey.size(), cv::Scalar(30, 45, 100), 4, 5).copyTo(cut.before(grey));
+  const cv::Mat votes = exclusion_votes(cut, mask_of(kStroke));
+  const double outermost = cv::mean(votes(cv::Rect(15, 34, 1, 4)))[0];
+  const double inside = cv::mean(votes(cv::Rect(17, 34, 3, 4)))[0];
+  EXPECT_GT(outermost, inside + 1);
+}
+
 TEST(ExclusionVotes, ConcernTheMapAlone) {
   const CutPictures cut = drawn_cut();
   const cv::Mat votes = exclusion_votes(cut, mask_of(kStroke));

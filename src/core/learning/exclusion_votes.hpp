@@ -14,8 +14,9 @@ struct CutPictures {
 };
 
 /// Log-odds (CV_32FC1), within +-10, that a pixel of the map is no more the object's than the
-/// `excluded` ones (CV_8UC1 of the crop's size): positive where it looks more like them than like
-/// the rest of the map, in its colours and in how they changed. 0 on other pixels.
+/// `excluded` ones (CV_8UC1 of the crop's size): positive where it looks more like them, and like
+/// what likely belongs to them, than like the rest of the map, in its colours and in how they
+/// changed; less inside the map than along its outline. 0 on other pixels.
 cv::Mat exclusion_votes(const CutPictures& cut, const cv::Mat& excluded);
 
 }  // namespace mbncc
