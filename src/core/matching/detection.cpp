@@ -12,7 +12,6 @@ namespace {
 
 constexpr double kWorthRefining = -4;  // log-odds: less has never become a detection
 constexpr double kReportable = -2.2;   // log-odds: a score of .1
-constexpr double kGraspable = 2;       // log-odds: less is not graspable whatever else is known
 constexpr double kSettlingCost = 1;    // log-odds that settling on the surface may cost
 constexpr double kAnyCost = std::numeric_limits<double>::infinity();
 
@@ -67,11 +66,24 @@ bool fits_another_size(const PreparedView& view, const ScenePicture& scene, cons
   });
 }
 
-/// The surface led to another pose than the outline would: shading displaces a plain one by pixels.
-bool lies_better_elsewhere(const Detection& detection, const ScenePicture& scene) {
-  constexpr double kBetter = 0.05;  // agreement of the contour
-  return better_elsewhere(detection.view->fine.contour, scene.levels[0], detection.pose,
-                          detection.size) > kBetter;
+/// One of the places of two detections would do for both.
+bool at_one_place(const Detection& a, const Detection& b) {
+  constexpr double kApart = 0.4;  // of the radius
+  return cv::norm(a.pose.position() - b.pose.position()) <= kApart * b.view->shape.radius();
+}
+
+/// Tells of the best detection at each place, of sorted ones, by how much the outline alone would
+/// lie better elsewhere: shading displaces a plain surface by pixels.
+void look_elsewhere(std::vector<Detection>& detections, const ScenePicture& scene) {
+  for (auto one = detections.begin(); one != detections.end(); ++one) {
+    if (one->log_odds <= kReportable) return;
+    const bool best = std::none_of(detections.begin(), one, [&](const Detection& better) {
+      return at_one_place(*one, better);
+    });
+    if (best)
+      one->elsewhere =
+          better_elsewhere(one->view->fine.contour, scene.levels[0], one->pose, one->size);
+  }
 }
 
 /// By how much the mirrored outline agrees better at a pose: the object lies on its other side, or
@@ -148,7 +160,7 @@ void refine(Detection& detection, const ScenePicture& scene, const Believed& fou
 }  // namespace
 
 double Detection::score() const {
-  return 1 / (1 + std::exp(-log_odds));
+  return 1 / (1 + std::exp(-calibrated()));
 }
 
 Believed believed_as_is(const PreparedView& view, const ScenePicture& scene, const Pose2D& pose) {
@@ -205,10 +217,8 @@ std::vector<Detection> judge(const PreparedObject& object, const PreparedView& v
       return !done[one.number] && one.log_odds > kReportable;
     });
     if (next == compared.end()) {
-      for (auto& one : compared) {
-        read_similarity(one, scene);
-        one.displaced = one.log_odds < kGraspable || lies_better_elsewhere(one, scene);
-      }
+      for (auto& one : compared) read_similarity(one, scene);
+      look_elsewhere(compared, scene);
       return compared;
     }
     done[next->number] = true;
@@ -218,7 +228,6 @@ std::vector<Detection> judge(const PreparedObject& object, const PreparedView& v
 
 std::vector<Detection> compare_rotations(std::vector<Detection> detections) {
   constexpr double kComparable = 8;  // log-odds behind the best of the group
-  constexpr double kApart = 0.4;     // of the radius
   const auto better = [](const Detection& a, const Detection& b) {
     return a.log_odds > b.log_odds;
   };
@@ -228,9 +237,7 @@ std::vector<Detection> compare_rotations(std::vector<Detection> detections) {
     const Detection best = detections.front();
     const auto others =
         std::stable_partition(detections.begin(), detections.end(), [&](const Detection& one) {
-          return one.log_odds >= best.log_odds - kComparable &&
-                 cv::norm(one.pose.position() - best.pose.position()) <=
-                     kApart * best.view->shape.radius();
+          return one.log_odds >= best.log_odds - kComparable && at_one_place(one, best);
         });
     double most = best.rotation_odds;
     for (auto one = detections.begin(); one != others; ++one)

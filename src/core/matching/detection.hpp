@@ -20,24 +20,31 @@ struct Believed {
   int refining = 0;   ///< steps that its refinement may take
 };
 
+/// [agreement] Of a detection whose outline was not looked for elsewhere, since it is not likely,
+/// or not the best of its place: it may lie better there.
+constexpr double kNotExamined = 4;
+
 /// A pose with what speaks for it, refined where it may be reported.
 struct Detection {
   const PreparedObject* object = nullptr;
   const PreparedView* view = nullptr;
-  Pose2D pose;                ///< of the anchor [px]
-  double size = 1;            ///< of what was found, against the view
-  cv::Matx33d covariance;     ///< of pose
-  double log_odds = 0;        ///< that the object lies here
-  double similarity = 0;      ///< [-1..1]
-  double visible = 1;         ///< [0..1]
-  double strange = 0;         ///< [0..2] see ColourDifference, the larger one
-  bool another_size = false;  ///< would fit better were it smaller or larger
-  bool displaced = false;     ///< its outline may lie better a few pixels off
-  bool turned_over = false;   ///< its mirrored outline would lie better
-  double projected = 0;       ///< [-1..1] see Evidence
-  double rotation_odds = 0;   ///< against other rotations here, see rotation_odds()
-  std::size_t number = 0;     ///< among the poses that were judged together
+  Pose2D pose;                      ///< of the anchor [px]
+  double size = 1;                  ///< of what was found, against the view
+  cv::Matx33d covariance;           ///< of pose
+  double log_odds = 0;              ///< that the object lies here
+  double similarity = 0;            ///< [-1..1]
+  double visible = 1;               ///< [0..1]
+  double strange = 0;               ///< [0..2] see ColourDifference, the larger one
+  bool another_size = false;        ///< would fit better were it smaller or larger
+  bool turned_over = false;         ///< its mirrored outline would lie better
+  double elsewhere = kNotExamined;  ///< see better_elsewhere()
+  double calibration = 0;           ///< log-odds, see calibration()
+  double projected = 0;             ///< [-1..1] see Evidence
+  double rotation_odds = 0;         ///< against other rotations here, see rotation_odds()
+  std::size_t number = 0;           ///< among the poses that were judged together
 
+  /// Log-odds that the pose is right.
+  double calibrated() const { return log_odds + calibration; }
   double score() const;  ///< [0..1]
 };
 
