@@ -28,6 +28,7 @@ constexpr float kOutside = -4;           // log-odds of what the other view does
 
 struct Place {
   cv::Rect box;
+  bool within = true;     // it does not reach the picture's border
   double unlikeness = 0;  // of its area and the object's
 };
 
@@ -40,6 +41,8 @@ std::vector<Place> places_of(const cv::Mat& patches, double area) {
   if (all.empty()) return {};
   const int count =
       cv::connectedComponentsWithStats(joined(all), labels, stats, centres, 8, CV_32S);
+  const cv::Rect picture({0, 0}, patches.size());
+  const cv::Rect inner = grown(picture, -1 - patches.cols / kSurveyWidth);
   std::vector<Place> places;
   for (int i = 1; i < count; ++i) {
     const double part = stats.at<int>(i, cv::CC_STAT_AREA) / area;
@@ -49,7 +52,7 @@ std::vector<Place> places_of(const cv::Mat& patches, double area) {
                        stats.at<int>(i, cv::CC_STAT_WIDTH), stats.at<int>(i, cv::CC_STAT_HEIGHT));
     const int margin = std::max(8, std::max(box.width, box.height) * 15 / 100);
     places.push_back(
-        {grown(box, margin) & cv::Rect({0, 0}, patches.size()), std::abs(std::log(part))});
+        {grown(box, margin) & picture, (box & inner) == box, std::abs(std::log(part))});
   }
   std::sort(places.begin(), places.end(),
             [](const Place& a, const Place& b) { return a.unlikeness < b.unlikeness; });
@@ -58,13 +61,13 @@ std::vector<Place> places_of(const cv::Mat& patches, double area) {
 }
 
 // Where something arrived; then the rest: on a platform of its colours, an arrival may pass for
-// what left.
+// what left. But what reaches the border then is rather a gripper.
 std::vector<Place> places_to_try(const cv::Mat& changed, const SegmentationTask& task,
                                  double area) {
   const cv::Mat left = departures(task.before, task.after, changed) > 0;
   std::vector<Place> places = places_of(changed & ~left, area);
-  const std::vector<Place> doubtful = places_of(changed & left, area);
-  places.insert(places.end(), doubtful.begin(), doubtful.end());
+  for (const Place& doubtful : places_of(changed & left, area))
+    if (doubtful.within) places.push_back(doubtful);
   return places;
 }
 
