@@ -51,6 +51,13 @@ TEST(CandidateTest, RotationsAtOnePlaceLeaveRoomForOtherPlaces) {
   expect_both_places(candidates);
 }
 
+TEST(CandidateTest, AFurtherPlaceIsLikelyByItselfAndApart) {
+  const std::vector<Pose2D> known{{0, 0, 0}, {100, 0, 0}};
+  EXPECT_TRUE(is_further_place(at(50, 0, 1), known, 20));
+  EXPECT_FALSE(is_further_place(at(50, 0, -1), known, 20)) << "not likely";
+  EXPECT_FALSE(is_further_place(at(90, 45, 1), known, 20)) << "another rotation";
+}
+
 TEST(CandidateTest, APlaceFarBehindIsNotHopeful) {
   std::vector<Candidate> candidates{at(0, 0, 20), at(0, 30, 19), at(100, 0, 4)};
   keep_hopeful(candidates, 2, 15, 10);

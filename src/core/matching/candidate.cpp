@@ -17,6 +17,13 @@ bool is_near(const Candidate& candidate, const std::vector<Candidate>& others, d
 
 }  // namespace
 
+bool is_further_place(const Candidate& candidate, const std::vector<Pose2D>& known, double apart) {
+  return candidate.value >= kLikely &&
+         std::none_of(known.begin(), known.end(), [&](const Pose2D& other) {
+           return cv::norm(other.position() - candidate.pose.position()) < apart;
+         });
+}
+
 void sort_by_value(std::vector<Candidate>& candidates) {
   std::stable_sort(candidates.begin(), candidates.end(),
                    [](const Candidate& a, const Candidate& b) { return a.value > b.value; });

@@ -14,6 +14,9 @@ struct Candidate {
   double value = 0;  ///< what candidates are ranked by; larger is better
 };
 
+/// Likely by itself, and no known pose is nearer than `apart` [px at level].
+bool is_further_place(const Candidate& candidate, const std::vector<Pose2D>& known, double apart);
+
 /// Sorts by value, best first.
 void sort_by_value(std::vector<Candidate>& candidates);
 

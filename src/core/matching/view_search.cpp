@@ -201,8 +201,9 @@ class ViewSearch {
     std::vector<Pose2D> reached;
     for (std::size_t i = 0; i < candidates.size(); ++i) {
       const Candidate& candidate = candidates[i];
+      const bool behind = candidate.value <= candidates.front().value - kOutclassed;
       if (i >= kPolished || candidate.value <= first_.promising ||
-          candidate.value <= candidates.front().value - kOutclassed) {
+          (behind && !is_further_place(candidate, reached, apart()))) {
         found.push_back(believed_as_is(view_, scene_, candidate.pose));
         continue;
       }
