@@ -5,8 +5,8 @@
 
 #include "learning/lesson_checks.hpp"
 #include "learning/lesson_region.hpp"
+#include "learning/map_cutter.hpp"
 #include "learning/put_aside.hpp"
-#include "learning/rectangles.hpp"
 #include "learning/stage_pictures.hpp"
 #include "learning/step_timer.hpp"
 #include "mbncc/learning/change.hpp"
@@ -15,11 +15,8 @@
 namespace mbncc {
 namespace {
 
-constexpr double kRefines = 0.75;   // agreement of two views, above which both make the map
-constexpr double kDoubted = 0.2;    // change outside its region that forbids a map to be GOOD
-constexpr double kTouching = 0.04;  // part of the outline on the region's edge that asks for more
-
-enum class Room { kStays, kMayGrow };  // the region that is cut in
+constexpr double kRefines = 0.75;  // agreement of two views, above which both make the map
+constexpr double kDoubted = 0.2;   // change outside its region that forbids a map to be GOOD
 
 bool refines(const NewPlace& place) {
   return place.agreement >= kRefines;
@@ -34,15 +31,15 @@ class LessonRun {
         config_(config),
         search_(search),
         progress_(observer),
-        result_(state.result) {}
+        result_(state.result),
+        cutter_(lesson_, config_, progress_, result_.timings_ms) {}
 
   void learn() {
     check_lesson(lesson_);
     if (is_shown_by_change_alone()) {
       find_place();
     } else {
-      state_.cut = acquire_map();
-      look_for_put_aside();
+      acquire_map();
     }
     finish(*state_.cut);
   }
@@ -53,13 +50,22 @@ class LessonRun {
     check_lesson(lesson_);
     if (edit.region != cv::Rect()) {
       point_at(edit.region);
-      state_.cut = acquire_map();
-      look_for_put_aside();
+      acquire_map();
     }
-    finish(cut_again());
+    finish(cutter_.cut_again(*state_.cut, state_.marks));
   }
 
  private:
+  void acquire_map() {
+    state_.cut = cutter_.acquire_map();
+    keep_changed();
+    look_for_put_aside();
+  }
+
+  void keep_changed() {
+    if (!cutter_.task().changed.empty()) state_.changed = cutter_.task().changed;
+  }
+
   void finish(const Segmentation& segmentation) {
     make_model(segmentation.map);
     if (const auto& place = state_.new_place)
@@ -74,10 +80,15 @@ class LessonRun {
     if (!state_.cut->cut_with) return;
     const StepTimer timer(result_.timings_ms, "put_aside");
     make_model(state_.cut->map);
-    state_.new_place =
-        find_put_aside(result_.object, state_.cut->map, task_, surveyed_, config_, search_);
+    state_.new_place = place_put_aside(state_.cut->map);
     if (!state_.new_place || !refines(*state_.new_place)) return;
     state_.cut = state_.cut->cut_with(state_.new_place->preference);
+  }
+
+  // Of the object that was just modelled from `map`.
+  std::optional<NewPlace> place_put_aside(const cv::Mat& map) const {
+    return find_put_aside(result_.object, map, cutter_.task(), cutter_.surveyed(), config_,
+                          search_);
   }
 
   bool is_shown_by_change_alone() const {
@@ -87,12 +98,14 @@ class LessonRun {
   // Where nobody says which change is meant, it is the one that most speaks for; unless another one
   // is confirmed by its lying elsewhere now, and this one is not.
   void find_place() {
-    task_ = mark_region();
-    state_.cut = segment_if_possible(Room::kMayGrow);
+    cutter_.mark_region();
+    keep_changed();
+    state_.cut = cutter_.segment_if_possible(Room::kMayGrow);
     if (state_.cut && !state_.cut->cut_with) return;
     if (state_.cut) look_for_put_aside();
     if (state_.new_place || reconsider_place()) return;
-    if (!state_.cut) state_.cut = segment_widened();  // throws: tells why there is none
+    if (!state_.cut)
+      state_.cut = cutter_.segment(Room::kMayGrow);  // throws: tells why there is none
     doubt_parts(*state_.cut);
   }
 
@@ -103,40 +116,29 @@ class LessonRun {
   }
 
   bool reconsider_place() {
-    const SegmentationTask first = task_;
-    const cv::Mat& tried = state_.cut ? state_.cut->map : task_.approximate;
+    const SegmentationTask first = cutter_.task();
+    const cv::Mat& tried = state_.cut ? state_.cut->map : first.approximate;
     const StepTimer timer(result_.timings_ms, "put_aside");
     for (const cv::Rect& place : large_parts(tried))
       if (left_from(place, Room::kStays)) return true;
-    for (const cv::Rect& place : places_elsewhere(surveyed_, tried))
+    for (const cv::Rect& place : places_elsewhere(cutter_.surveyed(), tried))
       if (left_from(place, Room::kMayGrow)) return true;
-    task_ = first;
+    cutter_.set_task(first);
     return false;
   }
 
   // Did the object leave from `place`, and lie elsewhere now? Then it is learned there.
   bool left_from(const cv::Rect& place, Room room) {
-    task_.region = place;
-    task_.changed = surveyed_;
-    const std::optional<Segmentation> other = segment_if_possible(room);
+    cutter_.look_at(place);
+    const std::optional<Segmentation> other = cutter_.segment_if_possible(room);
     if (!other || !other->cut_with) return false;
     make_model(other->map);
-    const auto found =
-        find_put_aside(result_.object, other->map, task_, surveyed_, config_, search_);
+    const auto found = place_put_aside(other->map);
     if (!found) return false;
-    state_.changed = surveyed_;
+    state_.changed = cutter_.surveyed();
     state_.new_place = found;
     state_.cut = refines(*found) ? other->cut_with(found->preference) : *other;
     return true;
-  }
-
-  std::optional<Segmentation> segment_if_possible(Room room) {
-    try {
-      return room == Room::kMayGrow ? segment_widened() : segment(task_);
-    } catch (const LessonEnded& ended) {
-      if (ended.error() == LearnError::kCancelled) throw;
-      return std::nullopt;
-    }
   }
 
   // From here on, the lesson is taught by this region.
@@ -147,74 +149,6 @@ class LessonRun {
     lesson_.click.reset();
     if (lesson_.after.empty() && config_.method == "change_cut")
       throw LessonEnded(LearnError::kNoImage, "The method change_cut needs a picture after.");
-  }
-
-  Segmentation cut_again() {
-    if (state_.marks.empty()) return *state_.cut;
-    const StepTimer timer(result_.timings_ms, "segment");
-    progress_.report(Stage::kSegment, 0.2, "Cutting the object out again.");
-    Segmentation segmentation =
-        state_.cut->cut_again
-            ? state_.cut->cut_again(state_.marks)
-            : Segmentation{
-                  overpainted(state_.cut->map, state_.marks), state_.cut->evidence, {}, {}};
-    check_map(segmentation.map, {{0, 0}, segmentation.map.size()});
-    progress_.report(Stage::kSegment, 0.8, "The object is cut out.",
-                     [&] { return outlined(lesson_.before, segmentation.map); });
-    return segmentation;
-  }
-
-  // A ready map is the teacher's word, and so is an outline unless a method is asked to refine it.
-  Segmentation acquire_map() {
-    if (!lesson_.map.empty()) return accept(lesson_.map > 127);
-    if (!lesson_.outline.empty() && config_.method == "auto") return accept(outline_map(lesson_));
-    task_ = mark_region();
-    return segment_widened();
-  }
-
-  Segmentation segment_widened() {
-    const Segmentation found = segment(task_);
-    return widen(task_, found) ? segment(task_) : found;
-  }
-
-  // A region that nobody drew may have been found too small. False: there is nothing to widen.
-  bool widen(SegmentationTask& task, const Segmentation& found) const {
-    if (!lesson_.outline.empty() || !found.evidence) return false;
-    if (found.evidence->region_touch <= kTouching) return false;
-    const int margin = std::max(task.region.width, task.region.height) / 2;
-    const cv::Rect wider = grown(task.region, margin) & usable_region(lesson_);
-    if (wider == task.region) return false;
-    task.region = wider;
-    return true;
-  }
-
-  Segmentation accept(const cv::Mat& map) {
-    check_map(map, {{0, 0}, map.size()});
-    progress_.report(Stage::kRegion, 0.1, "Taking the map as it is.",
-                     [&] { return outlined(lesson_.before, map); });
-    return {map, std::nullopt, {}, {}};
-  }
-
-  SegmentationTask mark_region() {
-    const StepTimer timer(result_.timings_ms, "region");
-    const RegionOfLesson region = region_of(lesson_, config_);
-    SegmentationTask task{lesson_.before, lesson_.after, region.room, region.approximate,
-                          region.changed};
-    surveyed_ = region.surveyed;
-    if (!task.changed.empty()) state_.changed = task.changed;
-    progress_.report(Stage::kRegion, 0.1, "Marking the approximate region.",
-                     [&] { return tinted(task.before, task.approximate, task.region); });
-    return task;
-  }
-
-  Segmentation segment(const SegmentationTask& task) {
-    const StepTimer timer(result_.timings_ms, "segment");
-    Segmentation segmentation =
-        segmenter_of(config_.method, !task.after.empty())(task, config_, progress_);
-    check_map(segmentation.map, task.region);
-    progress_.report(Stage::kSegment, 0.8, "The object is cut out.",
-                     [&] { return outlined(task.before, segmentation.map); });
-    return segmentation;
   }
 
   void make_model(const cv::Mat& map) {
@@ -260,8 +194,7 @@ class LessonRun {
   const SearchConfig& search_;
   LessonProgress progress_;
   LearnResult& result_;
-  SegmentationTask task_;
-  cv::Mat surveyed_;  // all changes, arrivals included
+  MapCutter cutter_;
   cv::Mat modelled_;  // the map that the result's object was made from
 };
 
