@@ -1,12 +1,12 @@
 #include "mbncc/learning/change.hpp"
 
 #include <algorithm>
-#include <array>
-#include <cmath>
 #include <opencv2/imgproc.hpp>
 #include <vector>
 
 #include "learning/camera_shift.hpp"
+#include "learning/displaced_texture.hpp"
+#include "learning/exposure.hpp"
 #include "learning/phase_shift.hpp"
 #include "learning/rectangles.hpp"
 #include "learning/statistics.hpp"
@@ -24,9 +24,6 @@ constexpr double kNoisyMargin = 0.6;    // likewise, where noise hides part of t
 constexpr double kClearGain = 0.8;      // a shift must lower the difference to this part
 constexpr int kGap = 9;                 // [px] pieces nearer than this belong together
 constexpr int kSampling = 2;            // [px] of the survey, for medians
-constexpr int kTextureBox = 15;         // [px] of the survey: texture is compared in such squares
-constexpr double kTextured = 9;         // [grey levels^2] variance above which a square has texture
-constexpr double kSameTexture = 0.5;    // correlation of squares that show the same
 
 cv::Mat reduced(const cv::Mat& picture, double scale) {
   cv::Mat small;
@@ -43,55 +40,6 @@ cv::Mat grey_of(const cv::Mat& picture, const cv::Scalar& gain) {
     cv::cvtColor(strip, part, cv::COLOR_BGR2GRAY);
   });
   return grey;
-}
-
-using Ratios = std::array<std::vector<float>, 3>;  // of brightness, per channel
-
-// Dark and saturated pixels say nothing.
-Ratios brightness_ratios(const cv::Mat& before, const cv::Mat& after) {
-  Ratios ratios;
-  for (int y = 0; y < before.rows; y += kSampling) {
-    const auto* b = before.ptr<cv::Vec3b>(y);
-    const auto* a = after.ptr<cv::Vec3b>(y);
-    for (int x = 0; x < before.cols; x += kSampling)
-      for (int c = 0; c < 3; ++c)
-        if (a[x][c] > 10 && a[x][c] < 245 && b[x][c] < 245)
-          ratios[c].push_back(static_cast<float>(b[x][c]) / a[x][c]);
-  }
-  return ratios;
-}
-
-cv::Vec3f exposure_ratio(Ratios& ratios) {
-  constexpr std::size_t kFewest = 100;
-  cv::Vec3f gain(1, 1, 1);
-  for (int c = 0; c < 3; ++c)
-    if (ratios[c].size() > kFewest) gain[c] = median(ratios[c]);
-  return gain;
-}
-
-double mean_of(const cv::Vec3f& values) {
-  return (values[0] + values[1] + values[2]) / 3;
-}
-
-struct Exposure {
-  cv::Vec3f gain;         // that makes the picture after as bright as the one before
-  double unevenness = 1;  // largest over smallest gain of the picture's quarters
-};
-
-Exposure exposure_of(const cv::Mat& before, const cv::Mat& after) {
-  const cv::Size half(before.cols / 2, before.rows / 2);
-  double low = 1e9, high = 0;
-  Ratios all;
-  for (const int x : {0, before.cols - half.width})
-    for (const int y : {0, before.rows - half.height}) {
-      const cv::Rect quarter({x, y}, half);
-      Ratios ratios = brightness_ratios(before(quarter), after(quarter));
-      for (int c = 0; c < 3; ++c) all[c].insert(all[c].end(), ratios[c].begin(), ratios[c].end());
-      const double gain = mean_of(exposure_ratio(ratios));
-      low = std::min(low, gain);
-      high = std::max(high, gain);
-    }
-  return {exposure_ratio(all), high / std::max(low, 1e-3)};
 }
 
 // Mean difference of two grey pictures; large ones count no more than kLeastDifference.
@@ -135,53 +83,6 @@ float change_threshold(const cv::Mat& difference) {
   return std::clamp(kNoiseFactor * median(values), kLeastDifference, kSureDifference);
 }
 
-// Means over small squares of a product of two pictures.
-cv::Mat mean_product(const cv::Mat& a, const cv::Mat& b) {
-  cv::Mat mean = a.mul(b);
-  cv::boxFilter(mean, mean, CV_32F, {kTextureBox, kTextureBox});
-  return mean;
-}
-
-cv::Mat box_mean(const cv::Mat& values) {
-  cv::Mat mean;
-  cv::boxFilter(values, mean, CV_32F, {kTextureBox, kTextureBox});
-  return mean;
-}
-
-struct Texture {
-  int squares = 0, displaced = 0;
-
-  void count(bool is_displaced) {
-    ++squares;
-    displaced += is_displaced;
-  }
-  double displaced_part() const {
-    return squares == 0 ? 0 : displaced / static_cast<double>(squares);
-  }
-};
-
-// Light and exposure leave the correlation of small squares alone; a moved camera does not. It
-// displaces the texture of both pictures; of a scene that many things left, the rest stays.
-double displaced_part(const cv::Mat& before, const cv::Mat& after) {
-  const cv::Mat mean_b = box_mean(before), mean_a = box_mean(after);
-  const cv::Mat bb = mean_product(before, before), aa = mean_product(after, after),
-                ba = mean_product(before, after);
-  Texture textured_before, textured_after;
-  for (int y = 0; y < before.rows; ++y) {
-    const auto *b = mean_b.ptr<float>(y), *a = mean_a.ptr<float>(y);
-    for (int x = 0; x < before.cols; ++x) {
-      const double vb = bb.at<float>(y, x) - b[x] * b[x], va = aa.at<float>(y, x) - a[x] * a[x];
-      if (std::max(vb, va) < kTextured) continue;
-      const float covariance = ba.at<float>(y, x) - b[x] * a[x];
-      const bool displaced =
-          covariance < kSameTexture * std::sqrt(std::max(kTextured, vb) * std::max(kTextured, va));
-      if (vb >= kTextured) textured_before.count(displaced);
-      if (va >= kTextured) textured_after.count(displaced);
-    }
-  }
-  return std::min(textured_before.displaced_part(), textured_after.displaced_part());
-}
-
 struct Patch {
   cv::Rect box;
   int area = 0;       // [px]
@@ -215,11 +116,10 @@ ChangeSurvey survey_change(const cv::Mat& before, const cv::Mat& after) {
   const cv::Mat b = reduced(before, scale);
   cv::Mat a = reduced(after, scale);
   ChangeSurvey survey;
-  const auto [gain, unevenness] = exposure_of(b, a);
-  const double exposure = mean_of(gain);
-  survey.exposure = std::max(exposure, 1 / std::max(exposure, 1e-3));
-  survey.unevenness = unevenness;
-  cv::Scalar light(gain[0], gain[1], gain[2]);
+  const Exposure exposure = exposure_of(b, a);
+  survey.exposure = std::max(exposure.mean, 1 / std::max(exposure.mean, 1e-3));
+  survey.unevenness = exposure.unevenness;
+  cv::Scalar light(exposure.gain[0], exposure.gain[1], exposure.gain[2]);
   const cv::Mat grey_before = grey_of(b, cv::Scalar::all(1));
   cv::Mat grey_after = grey_of(a, light);
   const cv::Point2d shift = coarse_shift(grey_before, grey_after);

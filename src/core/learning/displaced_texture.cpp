@@ -1,0 +1,61 @@
+#include "learning/displaced_texture.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <opencv2/imgproc.hpp>
+
+namespace mbncc {
+namespace {
+
+constexpr int kTextureBox = 15;       // [px] texture is compared in such squares
+constexpr double kTextured = 9;       // [grey levels^2] variance above which a square has texture
+constexpr double kSameTexture = 0.5;  // correlation of squares that show the same
+
+// Means over small squares of a product of two pictures.
+cv::Mat mean_product(const cv::Mat& a, const cv::Mat& b) {
+  cv::Mat mean = a.mul(b);
+  cv::boxFilter(mean, mean, CV_32F, {kTextureBox, kTextureBox});
+  return mean;
+}
+
+cv::Mat box_mean(const cv::Mat& values) {
+  cv::Mat mean;
+  cv::boxFilter(values, mean, CV_32F, {kTextureBox, kTextureBox});
+  return mean;
+}
+
+struct Texture {
+  int squares = 0, displaced = 0;
+
+  void count(bool is_displaced) {
+    ++squares;
+    displaced += is_displaced;
+  }
+  double displaced_part() const {
+    return squares == 0 ? 0 : displaced / static_cast<double>(squares);
+  }
+};
+
+}  // namespace
+
+double displaced_part(const cv::Mat& before, const cv::Mat& after) {
+  const cv::Mat mean_b = box_mean(before), mean_a = box_mean(after);
+  const cv::Mat bb = mean_product(before, before), aa = mean_product(after, after),
+                ba = mean_product(before, after);
+  Texture textured_before, textured_after;
+  for (int y = 0; y < before.rows; ++y) {
+    const auto *b = mean_b.ptr<float>(y), *a = mean_a.ptr<float>(y);
+    for (int x = 0; x < before.cols; ++x) {
+      const double vb = bb.at<float>(y, x) - b[x] * b[x], va = aa.at<float>(y, x) - a[x] * a[x];
+      if (std::max(vb, va) < kTextured) continue;
+      const float covariance = ba.at<float>(y, x) - b[x] * a[x];
+      const bool displaced =
+          covariance < kSameTexture * std::sqrt(std::max(kTextured, vb) * std::max(kTextured, va));
+      if (vb >= kTextured) textured_before.count(displaced);
+      if (va >= kTextured) textured_after.count(displaced);
+    }
+  }
+  return std::min(textured_before.displaced_part(), textured_after.displaced_part());
+}
+
+}  // namespace mbncc
