@@ -1,24 +1,15 @@
-// A pose at full resolution, and the judgement of it.
+// The judgement of poses at full resolution.
 #pragma once
 
 #include <opencv2/core.hpp>
 #include <vector>
 
-#include "matching/climb.hpp"
+#include "matching/believed.hpp"
 #include "matching/prepared_object.hpp"
 #include "matching/scene_picture.hpp"
 #include "mbncc/geometry.hpp"
 
 namespace mbncc {
-
-/// A pose at full resolution with the evidence for it.
-struct Believed {
-  Pose2D pose;
-  Evidence evidence;
-  double odds = 0;    ///< the most that spoke for it on the way
-  double pixels = 0;  ///< log-odds that all pixels of a small object add
-  int refining = 0;   ///< steps that its refinement may take
-};
 
 /// [agreement] Of a detection whose outline was not looked for elsewhere, since it is not likely,
 /// or not the best of its place: it may lie better there.
@@ -47,15 +38,6 @@ struct Detection {
   double calibrated() const { return log_odds + calibration; }
   double score() const;  ///< [0..1]
 };
-
-/// The evidence for a pose as it is.
-Believed believed_as_is(const PreparedView& view, const ScenePicture& scene, const Pose2D& pose);
-
-/// The best pose that climbs from this one and slightly turned ones reach.
-Supported polished(const PreparedView& view, const ScenePicture& scene, const Pose2D& pose);
-
-/// A polished pose, settled on the surface.
-Believed settled(const PreparedView& view, const ScenePicture& scene, const Supported& start);
 
 /// Judges poses of a view against each other, best first. Only what may be reported is refined.
 std::vector<Detection> judge(const PreparedObject& object, const PreparedView& view,

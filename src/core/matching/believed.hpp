@@ -1,0 +1,32 @@
+// A pose at full resolution, climbed to on contour and surface.
+#pragma once
+
+#include "matching/climb.hpp"
+#include "matching/prepared_object.hpp"
+#include "matching/scene_picture.hpp"
+#include "mbncc/geometry.hpp"
+
+namespace mbncc {
+
+/// Log-odds: poses of less have never become a detection.
+constexpr double kWorthRefining = -4;
+
+/// A pose at full resolution with the evidence for it.
+struct Believed {
+  Pose2D pose;
+  Evidence evidence;
+  double odds = 0;    ///< the most that spoke for it on the way
+  double pixels = 0;  ///< log-odds that all pixels of a small object add
+  int refining = 0;   ///< steps that its refinement may take
+};
+
+/// The evidence for a pose as it is.
+Believed believed_as_is(const PreparedView& view, const ScenePicture& scene, const Pose2D& pose);
+
+/// The best pose that climbs from this one and slightly turned ones reach.
+Supported polished(const PreparedView& view, const ScenePicture& scene, const Pose2D& pose);
+
+/// A polished pose, settled on the surface.
+Believed settled(const PreparedView& view, const ScenePicture& scene, const Supported& start);
+
+}  // namespace mbncc
