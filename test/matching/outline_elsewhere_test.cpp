@@ -57,11 +57,14 @@ TEST_F(OutlineElsewhere, ACandidateIsShiftedOntoTheEdges) {
 }
 
 TEST_F(OutlineElsewhere, ASurfaceThatItsOutlineContradictsIsNeverGraspable) {
+  SearchConfig unlikely_too;
+  unlikely_too.min_score = 0.1;
+  const Matcher matcher = matcher_of({test::object_from(source_, reference_)}, unlikely_too);
   int found = 0;
   for (const cv::Point2d off : {cv::Point2d(0, 0), {4, 0}, {0, 4}, {4, 4}, {-4, 4}}) {
     cv::Mat scene = scene_.clone();
     test::place(scene, with_surface_moved(off), reference_.position(), truth_);
-    const auto matches = matcher().find(scene).matches;
+    const auto matches = matcher.find(scene).matches;
     if (matches.empty()) continue;
     found += off != cv::Point2d();
     EXPECT_EQ(matches[0].graspable, off == cv::Point2d()) << off;
