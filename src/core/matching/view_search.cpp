@@ -207,7 +207,7 @@ class ViewSearch {
         found.push_back(believed_as_is(view_, scene_, candidate.pose));
         continue;
       }
-      const Supported top = polished(view_, scene_, candidate.pose);
+      const Believed top = polished(view_, scene_, candidate.pose);
       if (is_one_of(reached, top.pose)) continue;
       reached.push_back(top.pose);
       found.push_back(settled(view_, scene_, top));
