@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "matching/candidate_odds.hpp"
+#include "matching/detection.hpp"
 #include "matching/matcher_fixture.hpp"
 #include "matching/prepared_object.hpp"
 
@@ -18,7 +19,8 @@ class OutlineElsewhere : public test::MatcherTest {
     const PreparedObject object(test::object_from(source_, reference_), Engine::kFast);
     const PreparedView& view = object.views.front();
     return better_elsewhere(view.fine.contour, SceneLevel(scene_, 0),
-                            compose(reference, inverse(view.reference_in_anchor)), 1);
+                            compose(reference, inverse(view.reference_in_anchor)), 1)
+        .better;
   }
 
   /// The same outline over a surface that lies `off` [px] elsewhere.
@@ -54,6 +56,21 @@ TEST_F(OutlineElsewhere, ACandidateIsShiftedOntoTheEdges) {
   EXPECT_LE(std::abs(shifted.pose.y - anchor.y), 1.01);
   EXPECT_EQ(shifted.pose.theta, anchor.theta);
   EXPECT_GT(shifted.value, 0.4) << "the agreement of the contour";
+}
+
+TEST_F(OutlineElsewhere, WhereTheOutlineLiesBetterIsJudgedToo) {
+  test::place(scene_, source_, reference_.position(), truth_);
+  const PreparedObject object(test::object_from(source_, reference_), Engine::kFast);
+  const PreparedView& view = object.views.front();
+  const ScenePicture scene(scene_, object.top_level());
+  const Pose2D anchor = compose(truth_, inverse(view.reference_in_anchor));
+  Believed beside = believed_as_is(view, scene, {anchor.x + 5, anchor.y - 3, anchor.theta});
+  beside.odds = 5;
+  const auto judged = judge(object, view, scene, {beside});
+  ASSERT_EQ(judged.size(), 2u);
+  EXPECT_NEAR(judged[0].pose.x, anchor.x, test::kPlaceTolerance);
+  EXPECT_NEAR(judged[0].pose.y, anchor.y, test::kPlaceTolerance);
+  EXPECT_LT(judged[0].elsewhere, kContradicts);
 }
 
 TEST_F(OutlineElsewhere, ASurfaceThatItsOutlineContradictsIsNeverGraspable) {

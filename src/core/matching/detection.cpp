@@ -57,20 +57,6 @@ bool at_one_place(const Detection& a, const Detection& b) {
   return cv::norm(a.pose.position() - b.pose.position()) <= kApart * b.view->shape.radius();
 }
 
-/// Tells of the best detection at each place, of sorted ones, by how much the outline alone would
-/// lie better elsewhere: shading displaces a plain surface by pixels.
-void look_elsewhere(std::vector<Detection>& detections, const ScenePicture& scene) {
-  for (auto one = detections.begin(); one != detections.end(); ++one) {
-    if (one->log_odds <= kReportable) return;
-    const bool best = std::none_of(detections.begin(), one, [&](const Detection& better) {
-      return at_one_place(*one, better);
-    });
-    if (best)
-      one->elsewhere =
-          better_elsewhere(one->view->fine.contour, scene.levels[0], one->pose, one->size);
-  }
-}
-
 /// By how much the mirrored outline agrees better at a pose: the object lies on its other side, or
 /// something else is its mirror image.
 double turned_over(const PreparedView& view, const ScenePicture& scene, const Refined& place) {
@@ -123,35 +109,90 @@ void refine(Detection& detection, const ScenePicture& scene, const Believed& fou
       detection.log_odds > 0 && fits_another_size(view, scene, detection.pose, found.odds);
 }
 
+/// The poses of one view in a picture, judged against each other.
+class Judgement {
+ public:
+  Judgement(const PreparedObject& object, const PreparedView& view, const ScenePicture& scene,
+            const std::vector<Believed>& found)
+      : object_(object), view_(view), scene_(scene) {
+    for (const auto& one : found) add(one);
+  }
+
+  std::vector<Detection> run() {
+    for (;;) {
+      auto compared = compare_rotations(detections_);
+      if (refine_next(compared) || look_elsewhere(compared)) continue;
+      for (auto& one : compared) read_similarity(one, scene_);
+      return compared;
+    }
+  }
+
+ private:
+  void add(const Believed& one) {
+    detections_.push_back(unrefined(object_, view_, one));
+    detections_.back().number = found_.size();
+    found_.push_back(one);
+    refined_.push_back(false);
+    contradicted_.push_back(false);
+  }
+
+  /// What may be reported is not known before rotations have been compared, and what speaks against
+  /// one lets another be the best: so they are refined one after the other. False when all are.
+  bool refine_next(const std::vector<Detection>& compared) {
+    const auto next = std::find_if(compared.begin(), compared.end(), [&](const Detection& one) {
+      return !refined_[one.number] && one.log_odds > kReportable;
+    });
+    if (next == compared.end()) return false;
+    refined_[next->number] = true;
+    refine(detections_[next->number], scene_, found_[next->number]);
+    return true;
+  }
+
+  /// Tells of the best detection at each place, of sorted ones, by how much the outline alone would
+  /// lie better elsewhere: shading displaces a plain surface by pixels. True where the outline's
+  /// own pose has joined those to be judged.
+  bool look_elsewhere(std::vector<Detection>& compared) {
+    bool joined = false;
+    for (auto one = compared.begin(); one != compared.end(); ++one) {
+      if (one->log_odds <= kReportable) break;
+      const bool best = std::none_of(compared.begin(), one, [&](const Detection& better) {
+        return at_one_place(*one, better);
+      });
+      if (best && outline_contradicts(*one)) joined = true;
+    }
+    return joined;
+  }
+
+  /// Notes how much better the outline lies elsewhere. Where that contradicts the pose, the
+  /// outline's joins, once: what it leads to is not asked for another one. The paper's poses stay.
+  bool outline_contradicts(Detection& one) {
+    const SceneLevel& picture = scene_.levels[0];
+    const auto there = better_elsewhere(view_.fine.contour, picture, one.pose, one.size);
+    one.elsewhere = there.better;
+    if (there.better <= kContradicts || view_.polar || contradicted_[one.number]) return false;
+    const std::size_t outlines = found_.size();
+    add(settled(view_, scene_, polished(view_, scene_, there.pose)));
+    contradicted_[one.number] = contradicted_[outlines] = true;
+    return true;
+  }
+
+  const PreparedObject& object_;
+  const PreparedView& view_;
+  const ScenePicture& scene_;
+  std::vector<Believed> found_;
+  std::vector<Detection> detections_;  ///< of them
+  std::vector<char> refined_, contradicted_;
+};
+
 }  // namespace
 
 double Detection::score() const {
   return 1 / (1 + std::exp(-calibrated()));
 }
 
-// What may be reported is not known before rotations have been compared, and what speaks against
-// one lets another be the best: so they are refined one after the other.
 std::vector<Detection> judge(const PreparedObject& object, const PreparedView& view,
                              const ScenePicture& scene, const std::vector<Believed>& found) {
-  std::vector<Detection> detections;
-  for (const auto& one : found) {
-    detections.push_back(unrefined(object, view, one));
-    detections.back().number = detections.size() - 1;
-  }
-  std::vector<bool> done(found.size(), false);
-  for (;;) {
-    auto compared = compare_rotations(detections);
-    const auto next = std::find_if(compared.begin(), compared.end(), [&](const Detection& one) {
-      return !done[one.number] && one.log_odds > kReportable;
-    });
-    if (next == compared.end()) {
-      for (auto& one : compared) read_similarity(one, scene);
-      look_elsewhere(compared, scene);
-      return compared;
-    }
-    done[next->number] = true;
-    refine(detections[next->number], scene, found[next->number]);
-  }
+  return Judgement(object, view, scene, found).run();
 }
 
 std::vector<Detection> compare_rotations(std::vector<Detection> detections) {

@@ -8,6 +8,11 @@
 
 namespace mbncc {
 
+struct AgreeingPose {
+  Pose2D pose;
+  double agreement;  ///< see contour_agreement()
+};
+
 class OutlineAgreement {
  public:
   /// Of a contour `scale` times as large, at poses whose surroundings the picture has prepared.
@@ -20,32 +25,28 @@ class OutlineAgreement {
     return contour_agreement(contour_, sample_);
   }
 
-  /// The most that up to `steps` steps of a pixel along x, y, or the rim reach from `start`, over
-  /// poses that are `allowed`.
+  /// The best pose that up to `steps` steps of a pixel along x, y, or the rim reach from `start`,
+  /// over poses that are `allowed`.
   template <class Allowed>
-  double climbed(const Pose2D& start, int steps, const Allowed& allowed) {
-    double most = at(start);
-    Pose2D best = start;
+  AgreeingPose climbed(const Pose2D& start, int steps, const Allowed& allowed) {
+    AgreeingPose best{start, at(start)};
     for (int k = 0; k < steps; ++k) {
-      const Pose2D from = best;
-      const double before = most;
+      const auto [from, before] = best;
       for (const double step : {-1., 1.}) {
         const double turn = step / std::max(1.0, scale_ * contour_.radius());
         for (const Pose2D& next :
              {Pose2D{from.x + step, from.y, from.theta}, Pose2D{from.x, from.y + step, from.theta},
               Pose2D{from.x, from.y, from.theta + turn}}) {
           const double agreement = allowed(next) ? at(next) : -1;
-          if (agreement <= most) continue;
-          most = agreement;
-          best = next;
+          if (agreement > best.agreement) best = {next, agreement};
         }
       }
-      if (most == before) break;
+      if (best.agreement == before) break;
     }
-    return most;
+    return best;
   }
 
-  double climbed(const Pose2D& start, int steps) {
+  AgreeingPose climbed(const Pose2D& start, int steps) {
     return climbed(start, steps, [](const Pose2D&) { return true; });
   }
 

@@ -6,12 +6,12 @@
 #include "matching/clutter.hpp"
 #include "matching/margins.hpp"
 #include "matching/odds_calibration.hpp"
+#include "matching/outline_elsewhere.hpp"
 
 namespace mbncc {
 namespace {
 
-constexpr double kStrange = 0.2;     // chroma: a part of another colour is no part of the object
-constexpr double kDisplaced = 0.05;  // agreement by which the outline alone lies better elsewhere
+constexpr double kStrange = 0.2;  // chroma: a part of another colour is no part of the object
 
 int count_of(const std::vector<const Detection*>& accepted, const PreparedObject* object) {
   return static_cast<int>(
@@ -98,7 +98,7 @@ Match to_match(const Detection& detection, const std::vector<Detection>& all,
   match.margin_angle = angle_margin(detection, all, config.max_overlap);
   match.visible = detection.visible;
   match.symmetry = view.symmetry;
-  const bool located = within_deviations(match, config) && detection.elsewhere <= kDisplaced;
+  const bool located = within_deviations(match, config) && detection.elsewhere <= kContradicts;
   const bool sure = detection.strange <= kStrange && !detection.another_size &&
                     !detection.turned_over && match.margin_place >= config.min_margin_place &&
                     match.margin_angle >= config.min_margin_angle;

@@ -54,13 +54,14 @@ double TurnedOver::better(const ContourTemplate& contour, const SceneLevel& scen
                           const Pose2D& pose, double scale) const {
   constexpr double kSlack = 24;  // [px] more than the way of any outline
   scene.prepare_around(pose, scale * contour.radius() + kSlack);
-  const double own = OutlineAgreement(contour, scene, scale).climbed(pose, kSettling);
+  const double own = OutlineAgreement(contour, scene, scale).climbed(pose, kSettling).agreement;
   OutlineAgreement over(mirrored_, scene, scale);
   double most = -1;
   for (const auto& there : poses_) {
     const Pose2D start = compose(pose, there);
     const double agreement = over.at(start);
-    most = std::max(most, agreement > own - kWorse ? over.climbed(start, kClimbing) : agreement);
+    most = std::max(
+        most, agreement > own - kWorse ? over.climbed(start, kClimbing).agreement : agreement);
   }
   return most - own - usual_;
 }
