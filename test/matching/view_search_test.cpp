@@ -99,5 +99,39 @@ TEST_F(WiderHookTest, BesideSeveralInstancesFurtherOnesAreLookedFor) {
   EXPECT_GT(in_the_end, at_once);
 }
 
+/// A plate that looks the same half turned, but for a whisker, which moves the middle of its
+/// excircle by 20 px and its centroid by two.
+test::LearningPicture whiskered_plate() {
+  cv::Mat map = cv::Mat::zeros(120, 140, CV_8UC1);
+  map(cv::Rect(15, 48, 70, 24)) = 255;
+  map(cv::Rect(85, 59, 40, 2)) = 255;
+  test::LearningPicture source(1, map);
+  source.surface.setTo(kOrange);
+  source.surface.copyTo(source.picture, source.map);
+  return source;
+}
+
+class WhiskeredPlateTest : public ViewSearchTest {
+ protected:
+  WhiskeredPlateTest() : ViewSearchTest(whiskered_plate()) {}
+};
+
+TEST_F(WhiskeredPlateTest, MeetsItsHalfTurnWhereThePlateCoversItself) {
+  const Pose2D truth{150, 120, 0.8};
+  cv::Mat picture = test::texture({320, 240}, 77, 5);
+  test::place(picture, source_, kReference, truth);
+  const PreparedView& view = object_.views.front();
+  const cv::Point anchor = compose(truth, inverse(view.reference_in_anchor)).position();
+  const auto found = search_view(object_, view, ScenePicture(picture, object_.top_level()),
+                                 {anchor - cv::Point(10, 10), cv::Size(21, 21)}, Look::kTwice);
+  const cv::Point2d middle = cv::Point2d(49.5, 59.5) - kReference;  // of the plate
+  const Pose2D half = compose(truth, {2 * middle.x, 2 * middle.y, kPi});
+  ASSERT_FALSE(found.empty());
+  EXPECT_TRUE(lies_at(found.front(), truth));
+  EXPECT_TRUE(std::any_of(found.begin(), found.end(), [&](const Detection& one) {
+    return lies_at(one, half);
+  })) << "the search proposes nothing there";
+}
+
 }  // namespace
 }  // namespace mbncc

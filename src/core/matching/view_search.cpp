@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "matching/candidate_odds.hpp"
 #include "matching/climb.hpp"
@@ -155,12 +156,24 @@ class ViewSearch {
   /// The best other rotations at a place, best first.
   std::vector<Candidate> turned_at(const Candidate& place) const {
     constexpr std::size_t kMost = 3;
-    const auto peaks = rotation_peaks(view_.rough[0], scene_.levels[0], place, 2);
+    auto peaks = rotation_peaks(view_.rough[0], scene_.levels[0], place, 2);
     std::vector<Candidate> turned = reached_from(peaks, kMost);
+    peaks.insert(peaks.begin(), half_turned(place));
     const auto shifted = reached_from(shifted_onto_edges(peaks), kMost);
     turned.insert(turned.end(), shifted.begin(), shifted.end());
     drop_duplicates(turned, {1.5, view_.shape.radius()}, kMost);
     return turned;
+  }
+
+  /// By half a turn about the map's centroid: so what is long covers itself best, but for its ends,
+  /// and that may be farther off than shifts reach.
+  Candidate half_turned(const Candidate& place) const {
+    const SurfaceTemplate& surface = view_.templates[0].surface;
+    const auto mean = [&](const std::vector<float>& values) {
+      return std::accumulate(values.begin(), values.begin() + surface.size(), 0.0) /
+             static_cast<double>(surface.size());
+    };
+    return {compose(place.pose, {2 * mean(surface.x), 2 * mean(surface.y), kPi}), place.level, 0};
   }
 
   /// The first of these, moved to where their outlines lie best, best first: where shading has
