@@ -96,9 +96,8 @@ void ConsoleWidget::connect_lesson() {
     lesson_.take_answer(success, message.toStdString());
     show_lesson();
   });
-  connect(&ros_, &RosLink::grasp_marked, this, [this](bool success, const QString& message) {
-    lesson_bar_->say(success ? Level::kGood : Level::kBad, "Grasp: " + message);
-  });
+  connect(&ros_, &RosLink::grasp_marked, this,
+          [this](bool success, const QString& message) { tell(success, "Grasp: " + message); });
   connect(&ros_, &RosLink::score_map_heard, review_, &ReviewPane::show_score_map);
 }
 
@@ -154,6 +153,10 @@ void ConsoleWidget::connect_cell() {
           [this](const QImage& picture) { show_live(picture, true); });
 }
 
+void ConsoleWidget::tell(bool success, const QString& sentence) {
+  lesson_bar_->say({success ? Level::kGood : Level::kBad, sentence.toStdString()}, now());
+}
+
 void ConsoleWidget::teach() {
   if (!lesson_.may_teach()) return;
   lesson_.begin(ros_.teach(lesson_bar_->goal()), now());
@@ -171,7 +174,7 @@ void ConsoleWidget::take_edit(const mbncc_vision::EditObject::Request& request, 
                               const QString& message) {
   const bool undone = undoing_;
   undoing_ = false;
-  if (!success) lesson_bar_->say(Level::kBad, "Library: " + message);
+  if (!success) tell(false, "Library: " + message);
   if (undone)
     library_.undone();
   else if (success)

@@ -37,6 +37,8 @@ class ConsoleWidget : public QWidget {
   void connect_cell();
 
   double now() const { return clock_.elapsed() / 1000.0; }
+  /// The answer to what the operator did beside the lesson.
+  void tell(bool success, const QString& sentence);
   void teach();
   void send(const mbncc_vision::ConfirmLearning::Request& request);
   void take_edit(const mbncc_vision::EditObject::Request& request, bool success,

@@ -5,6 +5,14 @@
 #include "console/detection_rows.hpp"
 
 namespace mbncc::console {
+namespace {
+
+void paint_state(QTableWidgetItem& cell, Level level) {
+  cell.setBackground(QColor(colour_of(level)));
+  cell.setForeground(QColor(ink_on(level)));
+}
+
+}  // namespace
 
 DetectionsView::DetectionsView(QWidget* parent) : QTableWidget(parent) {
   const auto& headings = detection_headings();
@@ -26,14 +34,13 @@ void DetectionsView::show_detections(const mbncc_vision::DetectedObjectArray& de
                                      double age) {
   const auto rows = detection_rows(detections, age);
   setRowCount(static_cast<int>(rows.size()));
-  for (int row = 0; row < rowCount(); ++row)
+  for (int row = 0; row < rowCount(); ++row) {
     for (int column = 0; column < columnCount(); ++column) {
       if (item(row, column) == nullptr) setItem(row, column, new QTableWidgetItem);
       item(row, column)->setText(QString::fromStdString(rows[row].cells[column]));
-      item(row, column)
-          ->setForeground(column == 1 ? QBrush(QColor(colour_of(rows[row].level)))
-                                      : QBrush(Qt::black));
     }
+    paint_state(*item(row, 1), rows[row].level);
+  }
 }
 
 }  // namespace mbncc::console

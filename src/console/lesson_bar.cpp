@@ -70,21 +70,28 @@ LessonBar::LessonBar(QWidget* parent)
   connect(mark_, &QPushButton::clicked, this, &LessonBar::mark_wanted);
 }
 
+void LessonBar::say(const Notice::Line& line, double now) {
+  notice_.post(line, now);
+  show_detail(line);
+}
+
 void LessonBar::show_lesson(const LessonModel& lesson, double now) {
   teach_->setEnabled(lesson.may_teach());
   cancel_->setEnabled(lesson.may_cancel());
   mark_->setEnabled(lesson.phase() != LessonModel::Phase::kNoServer);
   headline_->setText(QString::fromStdString(lesson.headline()));
-  say(lesson.level(), QString::fromStdString(lesson.detail()));
+  show_detail(notice_.over({lesson.level(), lesson.detail()}, now));
   time_left_->setText(QString::fromStdString(lesson.time_left(now)));
   progress_->setValue(static_cast<int>(kWholeBar * lesson.progress()));
 }
 
-void LessonBar::say(Level level, const QString& text) {
-  detail_->setText(text);
-  const bool alarming = level == Level::kBad || level == Level::kDoubtful;
-  detail_->setStyleSheet(alarming ? QString("color: %1; font-weight: bold").arg(colour_of(level))
-                                  : "");
+void LessonBar::show_detail(const Notice::Line& line) {
+  detail_->setText(QString::fromStdString(line.text));
+  const bool alarming = line.level == Level::kBad || line.level == Level::kDoubtful;
+  detail_->setStyleSheet(
+      alarming ? QString("background: %1; color: %2; font-weight: bold; padding: 2px 6px")
+                     .arg(colour_of(line.level), ink_on(line.level))
+               : "");
 }
 
 mbncc_vision::LearnObjectGoal LessonBar::goal() const {

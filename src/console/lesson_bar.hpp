@@ -5,6 +5,7 @@
 #include <mbncc_vision/LearnObjectGoal.h>
 
 #include "console/lesson_model.hpp"
+#include "console/notice.hpp"
 #endif
 
 #include <QDoubleSpinBox>
@@ -26,8 +27,9 @@ class LessonBar : public QWidget {
   mbncc_vision::LearnObjectGoal goal() const;
   /// The name has been used up.
   void clear_name() { name_->clear(); }
-  /// Below the headline, until the lesson says something else.
-  void say(Level level, const QString& text);
+  /// Something beside the lesson, such as the library's refusal; takes the place of the lesson's
+  /// own sentence for a while.
+  void say(const Notice::Line& line, double now);
 
  Q_SIGNALS:
   void teach_wanted();
@@ -35,6 +37,9 @@ class LessonBar : public QWidget {
   void mark_wanted();
 
  private:
+  void show_detail(const Notice::Line& line);
+
+  Notice notice_;
   QLineEdit* name_;
   QDoubleSpinBox* height_;
   QPushButton *teach_, *cancel_, *mark_;

@@ -29,8 +29,9 @@ QPixmap icon_of(const mbncc_vision::LearnedObject& object) {
   // The verdict's lamp in the corner.
   const Level level = level_of_verdict(object.quality.verdict);
   painter.fillRect(0, 0, 20, 20, QColor(colour_of(level)));
-  painter.setPen(Qt::white);
+  painter.setPen(QColor(ink_on(level)));
   painter.drawText(QRect(0, 0, 20, 20), Qt::AlignCenter, QString::fromUtf8(symbol_of(level)));
+  painter.setPen(Qt::white);
   if (!object.enabled)
     painter.drawText(icon.rect(), Qt::AlignBottom | Qt::AlignHCenter, "disabled");
   return icon;

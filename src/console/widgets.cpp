@@ -43,9 +43,9 @@ QPushButton* make_button(const QString& text, const QString& tip, QWidget* paren
 
 void show_level(QLabel* label, Level level, const QString& text) {
   label->setText(QString::fromUtf8(symbol_of(level)) + " " + text);
-  label->setStyleSheet(QString("QLabel { background: %1; color: white; font-weight: bold; "
+  label->setStyleSheet(QString("QLabel { background: %1; color: %2; font-weight: bold; "
                                "border-radius: 4px; padding: 3px 8px; }")
-                           .arg(colour_of(level)));
+                           .arg(colour_of(level), ink_on(level)));
 }
 
 }  // namespace mbncc::console

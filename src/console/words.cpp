@@ -34,11 +34,15 @@ const char* colour_of(Level level) {
     case Level::kDoubtful:
       return "#e69f00";
     case Level::kBad:
-      return "#d55e00";
+      return "#c25500";
     case Level::kUnknown:
-      return "#808080";
+      return "#6e6e6e";
   }
-  return "#808080";
+  return "#6e6e6e";
+}
+
+const char* ink_on(Level level) {
+  return level == Level::kDoubtful ? "#000000" : "#ffffff";
 }
 
 std::string headline_of(std::uint8_t stage) {

@@ -12,8 +12,11 @@ enum class Level { kGood, kDoubtful, kBad, kUnknown };
 /// UTF-8: a tick, an exclamation mark, a cross, a question mark.
 const char* symbol_of(Level level);
 
-/// "#rrggbb" of Okabe and Ito's palette: blue, orange, vermilion, grey.
+/// "#rrggbb" of a plate, after Okabe and Ito's palette: blue, orange, vermilion, grey.
 const char* colour_of(Level level);
+
+/// "#rrggbb" of what is written on that plate: at least 4.5 times as light or dark (WCAG 2, AA).
+const char* ink_on(Level level);
 
 /// What the operator has to do in a stage of LearnObjectFeedback, a few words.
 std::string headline_of(std::uint8_t stage);
