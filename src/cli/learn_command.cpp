@@ -1,4 +1,6 @@
 #include <iostream>
+#include <string>
+#include <utility>
 
 #include "cli/command.hpp"
 #include "cli/lesson_arguments.hpp"
@@ -77,6 +79,17 @@ void refuse(const Refusal& refusal, LearnResult& result) {
   result.hint = refusal.hint;
 }
 
+/// The core's hints name the fields of a goal; here these are options.
+std::string in_options(std::string hint) {
+  const std::pair<const char*, const char*> options[] = {
+      {"overwrite", "--overwrite"}, {"add_view", "--add-view"}, {"allow_bad", "--allow-bad"}};
+  for (const auto& [field, option] : options) {
+    const auto at = hint.find(field);
+    if (at != std::string::npos) hint.replace(at, std::string(field).size(), option);
+  }
+  return hint;
+}
+
 LearnResult result_of(const Arguments& arguments, Settings& settings) {
   LearnResult result;
   try {
@@ -87,6 +100,7 @@ LearnResult result_of(const Arguments& arguments, Settings& settings) {
     refuse(Refusal(failure), result);
   }
   result.object.name = arguments.get("--name");
+  result.hint = in_options(result.hint);
   return result;
 }
 

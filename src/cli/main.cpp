@@ -47,6 +47,10 @@ bool asks_for_help(const std::vector<std::string>& words) {
 ExitCode run(const std::vector<std::string>& words) {
   const auto commands = all_commands();
   if (words.empty()) throw UsageError("no command is given");
+  if (words[0] == "help" && words.size() > 1) {
+    print_help(std::cout, command_called(words[1], commands));
+    return kDone;
+  }
   if (words[0] == "--help" || words[0] == "-h" || words[0] == "help") {
     print_help(std::cout, commands);
     return kDone;

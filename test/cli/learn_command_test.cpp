@@ -83,9 +83,11 @@ TEST(LearnCommand, NamesAreGuarded) {
   const ToolRun taken = run_tool(folder.lesson("part") + Words{"--json"});
   EXPECT_EQ(taken.code, 1);
   EXPECT_EQ(YAML::Load(taken.out)["error"].as<std::string>(), "NAME_TAKEN");
+  EXPECT_TRUE(taken.says("or set --overwrite or --add-view")) << taken.err;
   const ToolRun unknown = run_tool(folder.lesson("other") + Words{"--add-view"});
   EXPECT_EQ(unknown.code, 1);
   EXPECT_TRUE(unknown.says("does not hold 'other'"));
+  EXPECT_TRUE(unknown.says("without --add-view")) << unknown.err;
   for (const char* name : {"../x", "1st", "with space", "\xc3\xa4", "x.png"}) {
     const ToolRun bad = run_tool(folder.lesson(name));
     EXPECT_EQ(bad.code, 1) << name;

@@ -19,6 +19,7 @@ TEST(Usage, WrongUsageGetsASentenceAndExitCode2) {
       {{}, "no command"},
       {{"lern"}, "did you mean 'learn'?\nTry 'mbncc --help'"},
       {{"--versoin"}, "unknown command"},
+      {{"help", "lern"}, "did you mean 'learn'?"},
       {{"frobnicate"}, "unknown command 'frobnicate'\nTry"},
       {{"list"}, "--library DIR is missing"},
       {{"list", "--libary", "L"}, "did you mean '--library'?"},
@@ -79,6 +80,8 @@ TEST(Usage, EveryCommandExplainsItself) {
     EXPECT_TRUE(one.prints("--config FILE.yaml"));
     EXPECT_TRUE(one.prints("--set key=value"));
   }
+  EXPECT_EQ(run_tool({"help", "learn"}).out, run_tool({"learn", "--help"}).out);
+  EXPECT_EQ(run_tool({"help"}).out, all.out);
   EXPECT_EQ(run_tool({"--version"}).out.rfind("mbncc ", 0), 0u);
 }
 

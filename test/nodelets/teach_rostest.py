@@ -68,6 +68,8 @@ class Teach(unittest.TestCase):
         self.assertEqual(code, 1, said)
         self.assertIn("y/n", said)
         self.assertEqual(known_names(), ["agreed"])
+        again, _ = self.start("agreed").communicate()
+        self.assertIn("--overwrite or --add-view", again)  # what to do, in this program's words
 
     def lost_lesson(self, namespace):
         """Kills the nodelet amid a lesson; what the program says then."""
