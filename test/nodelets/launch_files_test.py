@@ -78,6 +78,18 @@ class Calibration(unittest.TestCase):
         self.assertEqual(calibrations("cell.launch", "image:=/a/image_raw", "camera_info:=/b/info"), {"/b/info"})
 
 
+class Console(unittest.TestCase):
+    def of(self, *arguments):
+        return load("console.launch", *arguments).nodes[0]
+
+    def test_shows_the_pictures_and_the_frame_of_the_cell(self):
+        self.assertIn(("image_raw", "image_raw"), self.of().remap_args)
+        self.assertIn("-f camera_optical_frame", self.of().args)
+        other = self.of("image:=/usb_cam/image_raw", "frame:=usb_cam")
+        self.assertIn(("image_raw", "/usb_cam/image_raw"), other.remap_args)
+        self.assertIn("-f usb_cam", other.args)
+
+
 class Frames(unittest.TestCase):
     def test_are_those_asked_for(self):
         loaded = parameters("cell.launch", "target_frame:=base_link", "gripper_frame:=tool0")
