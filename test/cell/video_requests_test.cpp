@@ -33,6 +33,23 @@ TEST_F(VideoSearchTest, OneOfTwoThatLookAlikeIsNeverGraspable) {
   EXPECT_TRUE(found);
 }
 
+TEST_F(VideoSearchTest, WhereALookAlikeIsForgottenTheOtherIsFoundAndGraspable) {
+  const std::vector<std::shared_ptr<const ObjectModel>> both{learned(drawing(0), "one"),
+                                                             learned(drawing(0), "other")};
+  put(0, kLeft);
+  for (int kept = 0; kept < 2; ++kept) {  // the one that was shown, and the one that was not
+    matcher_.set_objects(both);
+    video_.reset();
+    ASSERT_FALSE(show_many(20).matches.at(0).graspable);
+    matcher_.set_objects({both[kept]});
+    const SearchResult result = show_many(10);
+    ASSERT_EQ(result.matches.size(), 1u) << kept;
+    EXPECT_EQ(result.matches[0].name, both[kept]->name);
+    EXPECT_TRUE(result.matches[0].graspable) << kept;
+    EXPECT_TRUE(is_at(&result.matches[0], kLeft));
+  }
+}
+
 TEST_F(VideoSearchTest, WithoutSweepsEveryPictureIsSearchedWhole) {
   video_ = VideoSearch({0, 2.0});
   put(0, kLeft);

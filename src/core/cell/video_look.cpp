@@ -33,10 +33,26 @@ VideoLook::VideoLook(VideoMemory& memory, const VideoConfig& config, const Match
       matcher_(matcher),
       stamp_(stamp),
       search_(matcher, picture, one_by_one(matcher, memory.request)) {
-  for (const auto& name : memory_.sought.update(matcher.objects())) memory_.forget(name);
+  give_up(memory_.sought.update(matcher.objects()));
   for (const auto& [name, sought] : memory_.sought.all())
     if (sought.swept_at == Sought::kNever) memory_.debts.owe(name, search_.whole());
   memory_.changes.update(stamp, picture);
+}
+
+/// What objects that are no longer sought kept away from their places, or contested, is judged
+/// anew.
+void VideoLook::give_up(const std::vector<std::string>& gone) {
+  for (const auto& name : gone) {
+    for (const auto& one : memory_.known.all())
+      if (one.match.name == name) owe_place(one.match);
+    memory_.forget(name);
+  }
+  if (gone.empty()) return;
+  for (auto& one : memory_.known.all()) {
+    if (one.margin_to_others >= matcher_.config().min_margin_place) continue;
+    one = Known{one.match};
+    announce(one.match);
+  }
 }
 
 SearchResult VideoLook::look_everywhere() {
@@ -209,6 +225,11 @@ void VideoLook::announce(const Match& match) {
   Sought& own = memory_.sought.at(match.name);
   own.lost = false;
   own.urgent = true;
+  owe_place(match);
+}
+
+/// The place of a match is owed to all other objects.
+void VideoLook::owe_place(const Match& match) {
   for (const auto& [name, sought] : memory_.sought.all())
     if (name != match.name)
       memory_.debts.owe(name, cv::boundingRect(match.outline) & search_.whole());

@@ -25,6 +25,7 @@ class VideoLook {
   /// How urgently an object is searched for; the most urgent first.
   enum Urgency { kLost, kUnseen, kSeen };
 
+  void give_up(const std::vector<std::string>& gone);
   void search_everywhere();
   SearchResult search(const cv::Rect& region, const std::vector<std::string>& names);
   void note_swept(const std::string& name, const SearchResult& result);
@@ -40,6 +41,7 @@ class VideoLook {
   void look_again();
   Known* admit(const Match& match, const std::vector<Known>& before);
   void announce(const Match& match);
+  void owe_place(const Match& match);
 
   VideoMemory& memory_;
   const VideoConfig& config_;
