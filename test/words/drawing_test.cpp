@@ -42,6 +42,16 @@ TEST(DrawMarkings, SurvivesMarksOutsideAndTinyPictures) {
     EXPECT_NO_THROW(draw_markings(cv::Mat::zeros(16, 16, CV_8UC3), {triangle(far, far)}));
 }
 
+TEST(DrawMarkings, TheEndOfALongCaptionIsSeen) {
+  const cv::Mat picture(200, 300, CV_8UC3, cv::Scalar::all(90));
+  Marking marking;
+  marking.pose = {150, 100, 0};
+  marking.caption = std::string(64, 'w') + " MARGINAL";
+  const cv::Mat bad = draw_markings(picture, {marking});
+  marking.caption = std::string(64, 'w') + " GOOD";
+  EXPECT_GT(cv::norm(bad, draw_markings(picture, {marking}), cv::NORM_INF), 0);
+}
+
 TEST(MarkingOfView, LiesAtTheLearningPose) {
   View view;
   view.map = cv::Mat::zeros(40, 40, CV_8UC1);

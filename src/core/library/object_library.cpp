@@ -96,8 +96,9 @@ ObjectModel ObjectLibrary::rename(const std::string& name, const std::string& ne
   ObjectModel model = *read_known(locked, name);
   const bool moves = !new_name.empty() && new_name != name;
   if (moves && !is_valid_name(new_name))
-    throw NameError(LearnError::kNameInvalid,
-                    "the name '" + new_name + "' must match [A-Za-z][A-Za-z0-9_]{0,63}");
+    throw NameError(LearnError::kNameInvalid, "the name '" + new_name +
+                                                  "' is not allowed; give a letter, then letters, "
+                                                  "digits or underscores, 64 characters at most");
   if (moves) {
     refuse_taken({folder_}, new_name);
     model.revision = std::max(model.revision, locked.next_revision(new_name, nullptr));

@@ -83,10 +83,24 @@ std::vector<std::string> lines_of(const std::string& caption) {
   return lines;
 }
 
+int width_of(const std::string& line, const Pen& pen) {
+  int baseline = 0;
+  return cv::getTextSize(line, kFont, pen.letters, pen.stroke, &baseline).width;
+}
+
+// Long names lose their middle: what follows them, such as a verdict, has to be seen.
+std::string shortened(const std::string& line, int width, const Pen& pen) {
+  std::string kept = line;
+  for (std::size_t letters = line.size(); letters > 2 && width_of(kept, pen) > width; --letters)
+    kept = line.substr(0, letters / 2) + ".." + line.substr(line.size() - (letters - letters / 2));
+  return kept;
+}
+
 void draw_caption(cv::Mat& picture, const Marking& marking, const Pen& pen) {
-  const std::vector<std::string> lines = lines_of(marking.caption);
+  std::vector<std::string> lines = lines_of(marking.caption);
   if (lines.empty()) return;
   const int border = 2 * pen.stroke;
+  for (auto& line : lines) line = shortened(line, picture.cols - 2 * border, pen);
   int baseline = 0, width = 0, height = 0;
   for (const auto& line : lines) {
     const cv::Size letters = cv::getTextSize(line, kFont, pen.letters, pen.stroke, &baseline);

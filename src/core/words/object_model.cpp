@@ -126,7 +126,9 @@ void move_reference(ObjectModel& model, const Pose2D& reference) {
 }
 
 void validate(const ObjectModel& model) {
-  require(is_valid_name(model.name), "an object's name must match [A-Za-z][A-Za-z0-9_]{0,63}");
+  require(
+      is_valid_name(model.name),
+      "an object's name is a letter, then letters, digits or underscores, 64 characters at most");
   require(is_valid_label(model.label),
           "an object's label must be printable UTF-8 of at most 200 bytes");
   require(!model.views.empty(), "an object needs at least one view");
