@@ -192,7 +192,10 @@ void ConsoleWidget::look_at_clock() {
   const auto before = lesson_.phase();
   lesson_.look_at_clock(now());
   // A server that hangs must not hold up the calls to the one that follows.
-  if (lesson_.phase() == LessonModel::Phase::kNoServer && lesson_.phase() != before) ros_.give_up();
+  if (lesson_.phase() == LessonModel::Phase::kNoServer && lesson_.phase() != before) {
+    ros_.give_up();
+    lamps_.forget_library();
+  }
   lamp_row_->show_lamps(lamps_.look(now()));
   if (now() - detections_at_ > Lamps::kSilence) detections_->clear_rows();
   // A picture that stands still must not pass for the live one.

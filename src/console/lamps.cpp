@@ -68,7 +68,7 @@ Lamp Lamps::calibration(double now) const {
 }
 
 Lamp Lamps::library() const {
-  if (!objects_) return {"Library", Level::kUnknown, "not heard of yet"};
+  if (!objects_) return {"Library", Level::kUnknown, "the learning nodelet is not heard"};
   if (!quarantined_.empty() && quarantined_ != "0")
     return {"Library", Level::kDoubtful, quarantined_ + " unreadable file(s) in .quarantine"};
   if (*objects_ == 0) return {"Library", Level::kDoubtful, "empty: teach an object"};

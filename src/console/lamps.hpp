@@ -33,6 +33,8 @@ class Lamps {
   void take_picture(double now) { picture_at_ = now; }
   void take_detections(const mbncc_vision::DetectedObjectArray& detections, double now);
   void take_library(std::size_t objects, std::size_t enabled);
+  /// Who keeps the library is gone.
+  void forget_library() { objects_.reset(); }
   void take_diagnostics(const diagnostic_msgs::DiagnosticArray& diagnostics, double now);
 
   std::array<Lamp, 4> look(double now) const;

@@ -41,7 +41,9 @@ LessonBar::LessonBar(QWidget* parent)
   height_->setSuffix(" mm high");
   height_->setDecimals(1);
   detail_->setWordWrap(true);
-  detail_->setMinimumHeight(2 * detail_->fontMetrics().lineSpacing());
+  detail_->setMinimumHeight(3 * detail_->fontMetrics().lineSpacing());
+  // A long name must not push the buttons beside it off the screen.
+  headline_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
   detail_->setAlignment(Qt::AlignTop | Qt::AlignLeft);
   progress_->setRange(0, kWholeBar);
   progress_->setTextVisible(false);
@@ -79,7 +81,10 @@ void LessonBar::show_lesson(const LessonModel& lesson, double now) {
   teach_->setEnabled(lesson.may_teach());
   cancel_->setEnabled(lesson.may_cancel());
   mark_->setEnabled(lesson.phase() != LessonModel::Phase::kNoServer);
-  headline_->setText(QString::fromStdString(lesson.headline()));
+  const QString headline = QString::fromStdString(lesson.headline());
+  headline_->setText(
+      headline_->fontMetrics().elidedText(headline, Qt::ElideMiddle, headline_->width()));
+  headline_->setToolTip(headline);
   show_detail(notice_.over({lesson.level(), lesson.detail()}, now));
   time_left_->setText(QString::fromStdString(lesson.time_left(now)));
   progress_->setValue(static_cast<int>(kWholeBar * lesson.progress()));

@@ -52,6 +52,7 @@ LibraryStrip::LibraryStrip(QWidget* parent)
   list_->setMovement(QListView::Static);
   list_->setIconSize(kIcon);
   list_->setFixedHeight(kIcon.height() + 44);
+  list_->setTextElideMode(Qt::ElideMiddle);
   list_->setEditTriggers(QAbstractItemView::EditKeyPressed);
   name_window(list_, "library");
 
@@ -83,12 +84,14 @@ QString LibraryStrip::chosen() const {
 
 QListWidgetItem* LibraryStrip::make_item(const mbncc_vision::LearnedObject& object) {
   const QString name = QString::fromStdString(object.name);
+  const QString label = QString::fromStdString(object.label);
   auto* item = new QListWidgetItem(QIcon(icon_of(object)), name);
   item->setData(kNameRole, name);
   item->setData(kEnabledRole, object.enabled);
   item->setFlags(item->flags() | Qt::ItemIsEditable);
+  item->setSizeHint({kIcon.width() + 28, kIcon.height() + 24});  // long names are cut
   item->setToolTip(QString("%1, revision %2, verdict %3%4")
-                       .arg(QString::fromStdString(object.label))
+                       .arg(name == label ? name : name + " (" + label + ")")
                        .arg(object.revision)
                        .arg(QString::fromStdString(word_of_verdict(object.quality.verdict)))
                        .arg(object.has_grasp ? ", with a grasp" : ""));

@@ -67,8 +67,10 @@ ReviewPane::ReviewPane(QWidget* parent)
       numbers_(new QLabel),
       reasons_(new QLabel),
       template_(make_picture(kTemplate, "What was learned; the checkerboard is not part of it")),
-      score_map_(make_picture(kScoreMap,
-                              "Where the object would be found: ring = best, square = next best")),
+      score_map_(make_picture(
+          kScoreMap,
+          "Similarities seen by the coarse search, the first step only:\nring = best place, "
+          "square = next best. The scores above judge more.")),
       insist_(new QCheckBox("I have checked it: store it although BAD")),
       accept_(make_button("&Accept", "Store the object", this)),
       reject_(make_button("&Reject", "End the lesson; nothing is stored", this)),

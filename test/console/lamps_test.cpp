@@ -109,5 +109,12 @@ TEST(Lamps, AnEmptyOrDisabledOrDamagedLibraryShows) {
   EXPECT_EQ(lamps.look(10)[kLibrary].level, Level::kDoubtful);
 }
 
+TEST(Lamps, ALibraryWhoseKeeperIsGoneIsNotWell) {
+  Lamps lamps = well(10);
+  ASSERT_EQ(lamps.look(10)[kLibrary].level, Level::kGood);
+  lamps.forget_library();
+  EXPECT_EQ(lamps.look(10)[kLibrary].level, Level::kUnknown);
+}
+
 }  // namespace
 }  // namespace mbncc::console
