@@ -83,10 +83,10 @@ class Console(unittest.TestCase):
         return load("console.launch", *arguments).nodes[0]
 
     def test_shows_the_pictures_and_the_frame_of_the_cell(self):
-        self.assertIn(("image_raw", "image_raw"), self.of().remap_args)
+        self.assertEqual(dict(self.of().remap_args), {"image_raw": "image_raw"})
         self.assertIn("-f camera_optical_frame", self.of().args)
         other = self.of("image:=/usb_cam/image_raw", "frame:=usb_cam")
-        self.assertIn(("image_raw", "/usb_cam/image_raw"), other.remap_args)
+        self.assertEqual(dict(other.remap_args), {"image_raw": "/usb_cam/image_raw"})
         self.assertIn("-f usb_cam", other.args)
 
 
