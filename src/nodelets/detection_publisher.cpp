@@ -67,6 +67,7 @@ void DetectionPublisher::publish_stale(const std::string& message) {
   stale.status = DetectedObjectArray::STALE;
   stale.message = message;
   detections_.publish(stale);
+  markers_.publish(to_markers(stale));  // none: what was marked may have been moved
 }
 
 }  // namespace mbncc::nodelets

@@ -5,6 +5,8 @@
 #include <cstdio>
 #include <vector>
 
+#include "nodelets/overlay.hpp"
+
 namespace mbncc::nodelets {
 namespace {
 
@@ -12,6 +14,7 @@ using mbncc_vision::DetectedObject;
 using visualization_msgs::Marker;
 
 constexpr double kFallbackLength = 0.05;  // [m] when the size is unknown
+constexpr double kLifetime = 10;          // [s] of marks whose nodelet is gone or disabled
 
 double length_or(double length, double fallback) {
   return std::isfinite(length) && length > 0 ? length : fallback;
@@ -43,6 +46,7 @@ Marker marker_of(const std_msgs::Header& header, const DetectedObject& object, c
   marker.type = type;
   marker.pose = object.pose.pose;
   marker.color = colour_of(object);
+  marker.lifetime = ros::Duration(kLifetime);
   return marker;
 }
 
@@ -98,7 +102,7 @@ Marker caption_of(const std_msgs::Header& header, const DetectedObject& object) 
   Marker caption = marker_of(header, object, "caption", Marker::TEXT_VIEW_FACING);
   char score[16];
   std::snprintf(score, sizeof score, " %.2f", object.score);
-  caption.text = object.name + score;
+  caption.text = object.name + score + "\n" + word_of(object.state);
   caption.scale.z = 0.4 * length_or(object.size.x, kFallbackLength);
   caption.color.a = 1;
   // Towards the camera, beside the outline.

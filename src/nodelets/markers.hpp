@@ -6,8 +6,9 @@
 
 namespace mbncc::nodelets {
 
-/// The outline in metres, the axes (x vermilion, y green) and a caption for every object with a
-/// metric pose; first of all a DELETEALL, so that lost objects vanish.
+/// The outline in metres, the axes (x vermilion, y green) and a caption with the state for every
+/// object with a metric pose; first of all a DELETEALL, so that lost objects vanish. They also
+/// vanish when nothing follows.
 visualization_msgs::MarkerArray to_markers(const mbncc_vision::DetectedObjectArray& detections);
 
 }  // namespace mbncc::nodelets

@@ -9,17 +9,8 @@
 #include "mbncc/drawing.hpp"
 
 namespace mbncc::nodelets {
-namespace {
 
 using mbncc_vision::DetectedObject;
-
-constexpr int kFont = cv::FONT_HERSHEY_SIMPLEX;
-const cv::Scalar kInk(255, 255, 255);
-
-Standing standing_of(std::uint8_t state) {
-  if (state == DetectedObject::CONFIRMED) return Standing::kGood;
-  return state == DetectedObject::AMBIGUOUS ? Standing::kDoubtful : Standing::kUnsure;
-}
 
 const char* word_of(std::uint8_t state) {
   switch (state) {
@@ -32,6 +23,16 @@ const char* word_of(std::uint8_t state) {
     default:
       return "not sure yet";
   }
+}
+
+namespace {
+
+constexpr int kFont = cv::FONT_HERSHEY_SIMPLEX;
+const cv::Scalar kInk(255, 255, 255);
+
+Standing standing_of(std::uint8_t state) {
+  if (state == DetectedObject::CONFIRMED) return Standing::kGood;
+  return state == DetectedObject::AMBIGUOUS ? Standing::kDoubtful : Standing::kUnsure;
 }
 
 Marking marking_of(const DetectedObject& object) {

@@ -3,9 +3,13 @@
 
 #include <mbncc_vision/DetectedObjectArray.h>
 
+#include <cstdint>
 #include <opencv2/core.hpp>
 
 namespace mbncc::nodelets {
+
+/// Of DetectedObject::state.
+const char* word_of(std::uint8_t state);
 
 /// CV_8UC3: a copy of `picture` with outline, axes, name, instance, score and state of every object
 /// (blue confirmed, orange ambiguous, grey otherwise), and a legend with the picture's age below

@@ -112,6 +112,17 @@ TEST(Markers, TheOutlineIsInMetresInTheObjectsFrame) {
   EXPECT_NEAR(outline->points[0].y, 0.04, 1e-6);
 }
 
+TEST(Markers, TheCaptionTellsTheStateInWords) {
+  const auto markers = to_markers(one(DetectedObject::AMBIGUOUS)).markers;
+  EXPECT_NE(markers.back().text.find("ambiguous"), std::string::npos);
+}
+
+TEST(Markers, VanishWhenNothingFollows) {
+  for (const auto& marker : to_markers(one(DetectedObject::CONFIRMED)).markers)
+    EXPECT_TRUE(marker.action == visualization_msgs::Marker::DELETEALL ||
+                marker.lifetime > ros::Duration(0));
+}
+
 TEST(Markers, NothingWithoutAMetricPose) {
   auto array = one(DetectedObject::CONFIRMED);
   array.objects[0].pose_valid = false;

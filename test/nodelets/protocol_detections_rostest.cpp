@@ -5,6 +5,7 @@
 #include <mbncc_vision/FindObjects.h>
 #include <sensor_msgs/CompressedImage.h>
 #include <std_srvs/SetBool.h>
+#include <visualization_msgs/MarkerArray.h>
 
 #include <cmath>
 #include <map>
@@ -17,6 +18,12 @@ namespace {
 TEST_F(Protocol, SaysStaleWithoutPicturesAndLibraryEmptyWithThem) {
   ASSERT_TRUE(spin_until([this] { return status_is(DetectedObjectArray::STALE); }));
   EXPECT_TRUE(array_->objects.empty());
+  std::size_t marks = 0;
+  const auto markers = node_.subscribe<visualization_msgs::MarkerArray>(
+      "matching/markers", 5, [&](const visualization_msgs::MarkerArray::ConstPtr& array) {
+        if (status_is(DetectedObjectArray::STALE)) marks = array->markers.size();
+      });
+  EXPECT_TRUE(spin_until([&] { return marks == 1; }));  // those of before are deleted
   {
     const ros::WallTimer playing = play();
     ASSERT_TRUE(spin_until([this] { return status_is(DetectedObjectArray::LIBRARY_EMPTY); }));
