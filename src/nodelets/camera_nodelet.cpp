@@ -64,9 +64,9 @@ void CameraNodelet::stop() {
 void CameraNodelet::start() {
   read_parameters(private_node(), field_rows(config_));
   if (config_.source.empty())
-    throw ConfigError(private_node().getNamespace() +
-                      ": parameter 'source' is empty; give a device index or path, a stream URL, a "
-                      "folder of pictures or a video file");
+    throw ConfigError(
+        "parameter 'source' is empty; give a device index or path, a stream URL, a "
+        "folder of pictures or a video file");
   start_calibration();
   image_transport::ImageTransport transport(node());
   camera_ = transport.advertiseCamera("image_raw", 5);
@@ -78,13 +78,12 @@ void CameraNodelet::start() {
 }
 
 void CameraNodelet::start_calibration() {
-  const std::string where = private_node().getNamespace() + ": parameter '";
   calibration_ = std::make_unique<camera_info_manager::CameraInfoManager>(node());
   if (!calibration_->setCameraName(config_.camera_name))
-    throw ConfigError(where + "camera_name': value '" + config_.camera_name +
+    throw ConfigError("parameter 'camera_name': value '" + config_.camera_name +
                       "' is not allowed; give letters, digits and underscores");
   if (!calibration_->validateURL(config_.camera_info_url))
-    throw ConfigError(where + "camera_info_url': value '" + config_.camera_info_url +
+    throw ConfigError("parameter 'camera_info_url': value '" + config_.camera_info_url +
                       "' is not allowed; give file:///... or package://... or leave it empty");
   calibration_->loadCameraInfo(config_.camera_info_url);
   if (!calibration_->isCalibrated())

@@ -42,7 +42,7 @@ class GuardedNodelet : public nodelet::Nodelet {
       start();
       spinner_.start();
     } catch (const std::exception& error) {
-      NODELET_FATAL("%s", error.what());
+      NODELET_FATAL("%s: %s", getName().c_str(), error.what());
       finish();
       throw;
     }

@@ -92,11 +92,7 @@ void read_parameters(const ros::NodeHandle& handle, const std::vector<FieldRow>&
   foreign.insert(kLibraryKeys.begin(), kLibraryKeys.end());
   XmlRpcValue values;
   if (!handle.getParam(handle.getNamespace(), values)) return;
-  try {
-    assign_parameters(rows, values, foreign);
-  } catch (const ConfigError& error) {
-    throw ConfigError(handle.getNamespace() + ": " + error.what());
-  }
+  assign_parameters(rows, values, foreign);
 }
 
 }  // namespace mbncc::nodelets

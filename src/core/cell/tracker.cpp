@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <stdexcept>
+#include <string>
 
 namespace mbncc {
 namespace {
@@ -35,7 +36,10 @@ bool angle_jumped(const Match& a, const Match& b) {
 
 InstanceTracker::InstanceTracker(TrackerConfig config) : config_(config) {
   if (config_.confirm_frames < 1 || config_.confirm_frames > config_.confirm_window)
-    throw std::invalid_argument("confirm_frames must lie in 1 .. confirm_window");
+    throw std::invalid_argument("parameter 'confirm_frames': value '" +
+                                std::to_string(config_.confirm_frames) +
+                                "' is not allowed; give 1 .. confirm_window, which is " +
+                                std::to_string(config_.confirm_window));
   if (!(config_.hold_time >= 0 && config_.max_age >= 0 && config_.reuse_after >= 0))
     throw std::invalid_argument("hold_time, max_age and reuse_after must not be negative");
 }
