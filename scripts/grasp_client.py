@@ -23,6 +23,8 @@ STATES = {DetectedObject.NEW: "new: not seen often enough yet",
 
 def array_fault(array):
     """Why nothing of the array may be grasped; None when something may."""
+    if array.status == DetectedObjectArray.LIBRARY_EMPTY:
+        return "nothing is searched for: " + array.message
     if array.status == DetectedObjectArray.STALE:
         return "stale: " + array.message
     if array.status == DetectedObjectArray.UNCALIBRATED:
@@ -59,6 +61,13 @@ def choose(array, name, now):
     return None, reasons or ["no %s in view" % (name or "object")]
 
 
+def unknown(name, library):
+    """A sentence for a name that the library lacks, else none; an unheard library tells nothing."""
+    if not name or not library or name in library:
+        return []
+    return ["the library has no '%s', it has %s" % (name, ", ".join(sorted(library)))]
+
+
 class GraspClient:
     """Hears the detections; the newest array is all that counts."""
 
@@ -81,7 +90,8 @@ class GraspClient:
         """(object, its array's header) that may be grasped now, or (None, reasons)."""
         # The steady clock: a simulated one may stand still.
         deadline = time.monotonic() + timeout
-        reasons = ["nobody publishes detected_objects"]
+        reasons = ["nothing comes on %s; is the cell running, and its matching enabled?"
+                   % rospy.resolve_name("detected_objects")]
         with self.condition:
             while time.monotonic() < deadline and not rospy.is_shutdown():
                 self.condition.wait(0.1)
@@ -91,7 +101,7 @@ class GraspClient:
                 found, reasons = choose(array, name, rospy.Time.now())
                 if found:
                     return found, array.header
-        return None, reasons
+        return None, reasons + unknown(name, self.library)
 
 
 def describe(found, header, grasp):

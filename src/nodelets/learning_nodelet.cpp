@@ -7,6 +7,7 @@
 #include <pluginlib/class_list_macros.hpp>
 
 #include <memory>
+#include <string>
 
 #include "mbncc/config/learning_node_config.hpp"
 #include "mbncc/health_tasks.hpp"
@@ -136,10 +137,11 @@ void LearningNodelet::start_pictures(ros::NodeHandle& node) {
 }
 
 void LearningNodelet::start_lessons(ros::NodeHandle& node) {
-  preview_publisher_ = node.advertise<sensor_msgs::Image>("learn_object/preview", 1, true);
-  draft_publisher_ = node.advertise<mbncc_vision::LearnObjectResult>("learn_object/draft", 1, true);
-  score_publisher_ = node.advertise<sensor_msgs::Image>("learn_object/score_map", 1);
-  stage_publisher_ = node.advertise<sensor_msgs::Image>("learn_object/stage_image", 1);
+  const std::string action = node.resolveName("learn_object");  // which may be remapped
+  preview_publisher_ = node.advertise<sensor_msgs::Image>(action + "/preview", 1, true);
+  draft_publisher_ = node.advertise<mbncc_vision::LearnObjectResult>(action + "/draft", 1, true);
+  score_publisher_ = node.advertise<sensor_msgs::Image>(action + "/score_map", 1);
+  stage_publisher_ = node.advertise<sensor_msgs::Image>(action + "/stage_image", 1);
   ros::NodeHandle confirm_node = node;
   confirm_node.setCallbackQueue(&confirm_queue_);
   confirm_server_ =

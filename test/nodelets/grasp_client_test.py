@@ -47,7 +47,7 @@ class GraspClientTest(unittest.TestCase):
 
     def test_refuses_arrays_that_are_no_ground_to_move_on(self):
         for status in (DetectedObjectArray.STALE, DetectedObjectArray.UNCALIBRATED,
-                       DetectedObjectArray.TF_UNAVAILABLE):
+                       DetectedObjectArray.TF_UNAVAILABLE, DetectedObjectArray.LIBRARY_EMPTY):
             self.assertIsNone(choice([confirmed()], status=status)[0])
 
     def test_other_objects_and_none(self):
@@ -55,6 +55,12 @@ class GraspClientTest(unittest.TestCase):
         self.assertIsNone(choice([])[0])
         self.assertEqual(choice([confirmed(state=DetectedObject.NEW), confirmed(instance_id=2)])[0]
                          .instance_id, 2)
+
+    def test_a_mistyped_name_is_told_beside_those_that_there_are(self):
+        self.assertIn("it has part, plate", grasp_client.unknown("prat", {"plate": 1, "part": 1})[0])
+        self.assertEqual(grasp_client.unknown("part", {"part": 1}), [])
+        self.assertEqual(grasp_client.unknown("", {"part": 1}), [])
+        self.assertEqual(grasp_client.unknown("part", {}), [])
 
     def test_names_the_grasp_frame_where_there_is_one(self):
         header = DetectedObjectArray().header
