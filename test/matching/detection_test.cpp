@@ -51,6 +51,10 @@ TEST(RotationOdds, UnexplainedColoursTellEqualCorrelationsApart) {
   EXPECT_GT(rotation_odds(right), rotation_odds(wrong) + 4);
 }
 
+TEST(RotationOdds, WhatLightLeavesUnexplainedOfBrightnessDecides) {
+  EXPECT_GT(rotation_odds(Evidence(), 1.5), rotation_odds(Evidence(), 2) + 5);
+}
+
 TEST(BetterTurned, IsWhatLightLeavesAloneAndAsLikelyAsEither) {
   Believed shaded, true_to_colour;
   shaded.pose.theta = 0.06;

@@ -9,6 +9,7 @@ namespace mbncc {
 namespace {
 
 constexpr double kReportable = -2.2;  // log-odds: a score of .1
+constexpr double kComparable = 8;     // log-odds behind the best rotation at a place
 
 /// How far colours are off where an object of log-odds `odds` is believed to lie.
 ColourDifference strangeness(const PreparedView& view, const SceneLevel& scene,
@@ -72,8 +73,19 @@ Refined refined(const PreparedView& view, const ScenePicture& scene, const Belie
   return refine(view.dense, scene.levels[0], found.pose, small ? 0 : iterations);
 }
 
+/// Against other rotations at the same place; the least where none of them can be reported.
+double odds_of_rotation(const PreparedView& view, const SceneLevel& scene, const Believed& found) {
+  constexpr double kNone = -1000;
+  thread_local SurfaceSample sample;
+  if (found.odds + found.pixels <= kReportable - kComparable) return kNone;
+  scene.prepare_around(found.pose, view.fine.reach());
+  view.fine.surface.sample(scene, found.pose, sample);
+  return rotation_odds(found.evidence, view.lit.misfit(sample));
+}
+
 /// What is known before the pose is refined.
-Detection unrefined(const PreparedObject& object, const PreparedView& view, const Believed& found) {
+Detection unrefined(const PreparedObject& object, const PreparedView& view,
+                    const ScenePicture& scene, const Believed& found) {
   Detection detection;
   detection.object = &object;
   detection.view = &view;
@@ -82,7 +94,7 @@ Detection unrefined(const PreparedObject& object, const PreparedView& view, cons
   detection.covariance = unknown_accuracy(found.pose).covariance;
   detection.log_odds = found.odds + found.pixels;
   detection.projected = found.evidence.projected;
-  detection.rotation_odds = rotation_odds(found.evidence);
+  detection.rotation_odds = odds_of_rotation(view, scene.levels[0], found);
   return detection;
 }
 
@@ -129,7 +141,7 @@ class Judgement {
 
  private:
   void add(const Believed& one) {
-    detections_.push_back(unrefined(object_, view_, one));
+    detections_.push_back(unrefined(object_, view_, scene_, one));
     detections_.back().number = found_.size();
     found_.push_back(one);
     refined_.push_back(false);
@@ -196,7 +208,6 @@ std::vector<Detection> judge(const PreparedObject& object, const PreparedView& v
 }
 
 std::vector<Detection> compare_rotations(std::vector<Detection> detections) {
-  constexpr double kComparable = 8;  // log-odds behind the best of the group
   const auto better = [](const Detection& a, const Detection& b) {
     return a.log_odds > b.log_odds;
   };

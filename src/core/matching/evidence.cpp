@@ -141,4 +141,9 @@ double rotation_odds(const Evidence& evidence) {
          17 * evidence.unexplained;
 }
 
+double rotation_odds(const Evidence& evidence, double misfit) {
+  // Fitted likewise.
+  return 57 * evidence.contour + 12 * evidence.gradient - 10.7 * misfit;
+}
+
 }  // namespace mbncc

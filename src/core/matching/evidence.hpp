@@ -42,4 +42,7 @@ double rendering_odds(const Evidence& evidence, const Rendered& rendered, double
 /// do not turn with the object, so only what they leave alone counts.
 double rotation_odds(const Evidence& evidence);
 
+/// The same, more surely, where the surface's `misfit` (LitSurface) has been read, too.
+double rotation_odds(const Evidence& evidence, double misfit);
+
 }  // namespace mbncc

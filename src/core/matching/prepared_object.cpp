@@ -146,6 +146,7 @@ PreparedView::PreparedView(const Source& source, Engine engine)
     fine = prepare(640, 200);
     parts = ColourParts(fine.surface, fine.contour,
                         ground_beside(fine.contour, picture, {anchor.x, anchor.y, 0}));
+    lit = LitSurface(fine.surface);
     turned_over = TurnedOver(fine.contour, picture, {anchor.x, anchor.y, 0});
     dense = RefinementTemplate(prepare(2500, 200), continued);
     if (shape.area() < kRendered) rendering = Rendering(from, anchor);

@@ -10,6 +10,7 @@
 #include "matching/colour_parts.hpp"
 #include "matching/edge_search.hpp"
 #include "matching/evidence.hpp"
+#include "matching/lit_surface.hpp"
 #include "matching/map_shape.hpp"
 #include "matching/refinement.hpp"
 #include "matching/rendering.hpp"
@@ -46,6 +47,7 @@ class PreparedView {
   std::vector<PoseTemplate> templates;  ///< per level, small: they judge dozens of candidates
   PoseTemplate fine;                    ///< at full resolution: judges the last few
   ColourParts parts;                    ///< of `fine`
+  LitSurface lit;                       ///< of `fine`
   std::array<PoseTemplate, 2> resized;  ///< `fine`, smaller and larger: what else it might be
   TurnedOver turned_over;               ///< its outline, mirrored
   RefinementTemplate dense;             ///< at full resolution: for the last fraction of a pixel

@@ -21,6 +21,9 @@ class ShadingBasis {
 
   int size() const { return size_; }
 
+  /// Function `k`, as many values as padded points; the functions are orthonormal.
+  const float* row(int k) const { return &rows_[static_cast<std::size_t>(k) * padded_]; }
+
   /// Takes the functions out of `values`, one per point and padded.
   void project_out(std::vector<float>& values) const;
 
@@ -29,7 +32,6 @@ class ShadingBasis {
 
  private:
   void add(std::vector<float> row);
-  const float* row(int k) const { return &rows_[static_cast<std::size_t>(k) * padded_]; }
 
   int size_ = 0;
   std::size_t padded_ = 0;
