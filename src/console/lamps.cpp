@@ -57,7 +57,8 @@ Lamp Lamps::camera(double now) const {
 }
 
 Lamp Lamps::calibration(double now) const {
-  if (now - detections_at_ > kSilence || status_ == DetectedObjectArray::LIBRARY_EMPTY)
+  if (now - detections_at_ > kSilence || status_ == DetectedObjectArray::LIBRARY_EMPTY ||
+      status_ == DetectedObjectArray::STALE)
     return {"Calibration", Level::kUnknown, "not known while nothing is searched"};
   if (status_ == DetectedObjectArray::UNCALIBRATED)
     return {"Calibration", Level::kDoubtful,

@@ -106,7 +106,7 @@ Marker caption_of(const std_msgs::Header& header, const DetectedObject& object) 
   caption.scale.z = 0.4 * length_or(object.size.x, kFallbackLength);
   caption.color.a = 1;
   // Towards the camera, beside the outline.
-  caption.pose.position.y -= 0.8 * length_or(object.size.x, kFallbackLength);
+  caption.pose.position.y -= 1.0 * length_or(object.size.x, kFallbackLength);
   return caption;
 }
 

@@ -96,6 +96,7 @@ TEST(Lamps, StatusOfTheSearchShows) {
   EXPECT_EQ(lamps.look(10)[kCalibration].reason, "no camera_info");
   lamps.take_detections(array(DetectedObjectArray::STALE), 10);
   EXPECT_EQ(lamps.look(10)[kMatcher].level, Level::kBad);
+  EXPECT_EQ(lamps.look(10)[kCalibration].level, Level::kUnknown);
 }
 
 TEST(Lamps, AnEmptyOrDisabledOrDamagedLibraryShows) {
