@@ -82,5 +82,14 @@ class CalibratePlatformTest(unittest.TestCase):
             self.assertTrue(done.stderr.startswith("calibrate_platform: "), done.stderr)
             self.assertEqual(len(done.stderr.strip().splitlines()), 1, done.stderr)
 
+    def test_a_calibration_that_is_none_is_told(self):
+        self.write("points.csv", "1,2,0,0\n3,4,0.1,0\n5,9,0,0.1\n9,9,0.1,0.1\n")
+        for text in ("", "image_width: 640\n", "- 1\n", "{a: [\n", "camera_matrix: {data: [1, 2]}\n"):
+            self.write("camera.yaml", text)
+            done = self.call("--points", self.path("points.csv"))
+            self.assertEqual(done.returncode, 1, text)
+            self.assertIn("is no calibration", done.stderr)
+            self.assertEqual(len(done.stderr.strip().splitlines()), 1, done.stderr)
+
 
 unittest.main()
