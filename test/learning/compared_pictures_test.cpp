@@ -41,6 +41,22 @@ TEST(ComparedPictures, LightSwitched) {
     EXPECT_EQ(error_for_after(platform * gain), LearnError::kChangeTooLarge) << gain;
 }
 
+// Dark pictures of which a camera takes a few grey levels away once look far darker than a little
+// less exposure makes them.
+TEST(ComparedPictures, ABlackLevelIsNoSwitchedLight) {
+  DrawnLesson drawn = draw_lesson({160, 120}, {320, 240});
+  const auto dark = [](const cv::Mat& radiance, double gain, double offset) {
+    return cv::Mat(radiance * (0.4 * gain) + cv::Scalar::all(offset));
+  };
+  drawn.lesson.before = test::exposed(dark(drawn.scene, 1, 0), 11);
+  drawn.lesson.after = test::exposed(dark(drawn.platform, 0.8, -6), 12);
+  const Lesson& lesson = drawn.lesson;
+  EXPECT_GT(cv::mean(lesson.before)[0], 1.41 * cv::mean(lesson.after)[0]) << "as if switched";
+  EXPECT_NO_THROW(learn_object(lesson));
+  drawn.lesson.after = test::exposed(dark(drawn.platform, 0.6, 0), 12);
+  EXPECT_EQ(error_for(drawn.lesson), LearnError::kChangeTooLarge);
+}
+
 TEST(ComparedPictures, LightFromElsewhere) {
   cv::Mat platform = draw_lesson({160, 120}, {320, 240}).platform;
   for (int x = 0; x < platform.cols; ++x) platform.col(x) *= 0.75 + 0.5 * x / platform.cols;

@@ -1,16 +1,17 @@
 #include "mbncc/learning/change.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <opencv2/imgproc.hpp>
 #include <vector>
 
 #include "learning/camera_shift.hpp"
-#include "learning/displaced_texture.hpp"
 #include "learning/exposure.hpp"
 #include "learning/phase_shift.hpp"
 #include "learning/rectangles.hpp"
 #include "learning/statistics.hpp"
 #include "learning/strips.hpp"
+#include "learning/texture_change.hpp"
 
 namespace mbncc {
 namespace {
@@ -24,6 +25,7 @@ constexpr double kNoisyMargin = 0.6;    // likewise, where noise hides part of t
 constexpr double kClearGain = 0.8;      // a shift must lower the difference to this part
 constexpr int kGap = 9;                 // [px] pieces nearer than this belong together
 constexpr int kSampling = 2;            // [px] of the survey, for medians
+constexpr double kBlackLevel = 10;      // [grey levels] that cameras may add or take away
 
 cv::Mat reduced(const cv::Mat& picture, double scale) {
   cv::Mat small;
@@ -104,6 +106,14 @@ std::vector<Patch> joined_patches(const cv::Mat& changed, cv::Mat& labels) {
   return patches;
 }
 
+// Factor >= 1 between pictures of a mean `brightness` once they are equally bright. In dark
+// pictures a black level passes for exposure, but not in their contrast.
+double exposure_change(double gain, double contrast, double brightness) {
+  const auto factor = [](double ratio) { return std::max(ratio, 1 / std::max(ratio, 1e-3)); };
+  const bool is_black_level = std::abs(1 - contrast) * brightness < kBlackLevel;
+  return is_black_level ? std::min(factor(gain), factor(gain * contrast)) : factor(gain);
+}
+
 cv::Rect with_margin(const cv::Rect& box, bool noisy) {
   const double part = noisy ? kNoisyMargin : kMargin;
   return grown(box, std::max(8, static_cast<int>(part * std::max(box.width, box.height))));
@@ -117,7 +127,6 @@ ChangeSurvey survey_change(const cv::Mat& before, const cv::Mat& after) {
   cv::Mat a = reduced(after, scale);
   ChangeSurvey survey;
   const Exposure exposure = exposure_of(b, a);
-  survey.exposure = std::max(exposure.mean, 1 / std::max(exposure.mean, 1e-3));
   survey.unevenness = exposure.unevenness;
   cv::Scalar light(exposure.gain[0], exposure.gain[1], exposure.gain[2]);
   const cv::Mat grey_before = grey_of(b, cv::Scalar::all(1));
@@ -131,7 +140,9 @@ ChangeSurvey survey_change(const cv::Mat& before, const cv::Mat& after) {
     light = cv::Scalar::all(1);
     grey_after = grey_of(a, light);
   }
-  survey.displaced = displaced_part(grey_before, grey_after);
+  const TextureChange texture = texture_change(grey_before, grey_after);
+  survey.displaced = texture.displaced;
+  survey.exposure = exposure_change(exposure.mean, texture.contrast, cv::mean(grey_after)[0]);
 
   const cv::Mat difference = difference_of(b, a, light);
   const float threshold = change_threshold(difference);

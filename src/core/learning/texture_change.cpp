@@ -1,8 +1,12 @@
-#include "learning/displaced_texture.hpp"
+#include "learning/texture_change.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <opencv2/imgproc.hpp>
+#include <vector>
+
+#include "learning/statistics.hpp"
 
 namespace mbncc {
 namespace {
@@ -10,6 +14,8 @@ namespace {
 constexpr int kTextureBox = 15;       // [px] texture is compared in such squares
 constexpr double kTextured = 9;       // [grey levels^2] variance above which a square has texture
 constexpr double kSameTexture = 0.5;  // correlation of squares that show the same
+constexpr int kSampling = 4;          // [px] for the median of contrast
+constexpr std::size_t kFewest = 200;  // samples of contrast that say something
 
 // Means over small squares of a product of two pictures.
 cv::Mat mean_product(const cv::Mat& a, const cv::Mat& b) {
@@ -24,7 +30,7 @@ cv::Mat box_mean(const cv::Mat& values) {
   return mean;
 }
 
-struct Texture {
+struct Squares {
   int squares = 0, displaced = 0;
 
   void count(bool is_displaced) {
@@ -38,11 +44,12 @@ struct Texture {
 
 }  // namespace
 
-double displaced_part(const cv::Mat& before, const cv::Mat& after) {
+TextureChange texture_change(const cv::Mat& before, const cv::Mat& after) {
   const cv::Mat mean_b = box_mean(before), mean_a = box_mean(after);
   const cv::Mat bb = mean_product(before, before), aa = mean_product(after, after),
                 ba = mean_product(before, after);
-  Texture textured_before, textured_after;
+  Squares textured_before, textured_after;
+  std::vector<float> contrasts;
   for (int y = 0; y < before.rows; ++y) {
     const auto *b = mean_b.ptr<float>(y), *a = mean_a.ptr<float>(y);
     for (int x = 0; x < before.cols; ++x) {
@@ -53,9 +60,12 @@ double displaced_part(const cv::Mat& before, const cv::Mat& after) {
           covariance < kSameTexture * std::sqrt(std::max(kTextured, vb) * std::max(kTextured, va));
       if (vb >= kTextured) textured_before.count(displaced);
       if (va >= kTextured) textured_after.count(displaced);
+      if (!displaced && x % kSampling == 0 && y % kSampling == 0)
+        contrasts.push_back(static_cast<float>(std::sqrt(vb / va)));
     }
   }
-  return std::min(textured_before.displaced_part(), textured_after.displaced_part());
+  return {std::min(textured_before.displaced_part(), textured_after.displaced_part()),
+          contrasts.size() < kFewest ? 1 : median(contrasts)};
 }
 
 }  // namespace mbncc
