@@ -140,7 +140,7 @@ ChangeSurvey survey_change(const cv::Mat& before, const cv::Mat& after) {
     light = cv::Scalar::all(1);
     grey_after = grey_of(a, light);
   }
-  const TextureChange texture = texture_change(grey_before, grey_after);
+  const TextureChange texture = texture_change(grey_before, grey_after, 255 * exposure.mean);
   survey.displaced = texture.displaced;
   survey.exposure = exposure_change(exposure.mean, texture.contrast, cv::mean(grey_after)[0]);
 

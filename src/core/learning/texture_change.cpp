@@ -14,6 +14,8 @@ namespace {
 constexpr int kTextureBox = 15;       // [px] texture is compared in such squares
 constexpr double kTextured = 9;       // [grey levels^2] variance above which a square has texture
 constexpr double kSameTexture = 0.5;  // correlation of squares that show the same
+constexpr double kContrasty = 36;  // [grey levels^2] variance beside which noise adds no contrast
+constexpr double kWhite = 255;
 constexpr int kSampling = 4;          // [px] for the median of contrast
 constexpr std::size_t kFewest = 200;  // samples of contrast that say something
 
@@ -30,6 +32,12 @@ cv::Mat box_mean(const cv::Mat& values) {
   return mean;
 }
 
+// Whether a square of this mean and variance has pixels near the brightest grey level: they lost
+// contrast.
+bool reaches(double white, double mean, double variance) {
+  return mean + 2 * std::sqrt(variance) > 0.95 * white;
+}
+
 struct Squares {
   int squares = 0, displaced = 0;
 
@@ -44,7 +52,7 @@ struct Squares {
 
 }  // namespace
 
-TextureChange texture_change(const cv::Mat& before, const cv::Mat& after) {
+TextureChange texture_change(const cv::Mat& before, const cv::Mat& after, double white) {
   const cv::Mat mean_b = box_mean(before), mean_a = box_mean(after);
   const cv::Mat bb = mean_product(before, before), aa = mean_product(after, after),
                 ba = mean_product(before, after);
@@ -60,8 +68,10 @@ TextureChange texture_change(const cv::Mat& before, const cv::Mat& after) {
           covariance < kSameTexture * std::sqrt(std::max(kTextured, vb) * std::max(kTextured, va));
       if (vb >= kTextured) textured_before.count(displaced);
       if (va >= kTextured) textured_after.count(displaced);
-      if (!displaced && x % kSampling == 0 && y % kSampling == 0)
-        contrasts.push_back(static_cast<float>(std::sqrt(vb / va)));
+      if (displaced || x % kSampling != 0 || y % kSampling != 0 || std::min(vb, va) < kContrasty)
+        continue;
+      if (reaches(kWhite, b[x], vb) || reaches(white, a[x], va)) continue;
+      contrasts.push_back(static_cast<float>(std::sqrt(vb / va)));
     }
   }
   return {std::min(textured_before.displaced_part(), textured_after.displaced_part()),
