@@ -2,9 +2,8 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
-
 #include "matching/pictures.hpp"
+#include "matching/surface_sample.hpp"
 
 namespace mbncc {
 namespace {
@@ -77,16 +76,8 @@ class SurfaceTest : public ::testing::Test {
 
   /// Of the template's own colours times `gain`, `slope` [grey levels / px] brighter to the right.
   SurfaceTemplate::Remainder remainder_of(float gain, float slope) const {
-    SurfaceSample sample;
-    sample.inside.assign(surface_.padded(), 0.f);
-    std::fill_n(sample.inside.begin(), surface_.size(), 1.f);
-    for (std::size_t c = 0; c < sample.planes.size(); ++c) {
-      sample.planes[c].assign(surface_.padded(), 0.f);
-      for (std::size_t i = 0; i < surface_.size(); ++i)
-        sample.planes[c][i] = gain * surface_.planes[c][i] + slope * surface_.x[i];
-    }
-    sample.points = sample.visible = surface_.size();
-    return surface_.remainder(sample);
+    return surface_.remainder(test::sample_of(
+        surface_, [&](float colour, float x, float) { return gain * colour + slope * x; }));
   }
 };
 

@@ -2,12 +2,12 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <cmath>
 #include <functional>
 
 #include "matching/pictures.hpp"
 #include "matching/prepared_object.hpp"
+#include "matching/surface_sample.hpp"
 
 namespace mbncc {
 namespace {
@@ -23,16 +23,7 @@ class LitSurfaceTest : public ::testing::Test {
 
   /// Of the template's own colours in that light.
   double misfit_in(const Light& light) const {
-    SurfaceSample sample;
-    sample.inside.assign(surface_.padded(), 0.f);
-    std::fill_n(sample.inside.begin(), surface_.size(), 1.f);
-    for (std::size_t c = 0; c < sample.planes.size(); ++c) {
-      sample.planes[c].assign(surface_.padded(), 0.f);
-      for (std::size_t i = 0; i < surface_.size(); ++i)
-        sample.planes[c][i] = light(surface_.planes[c][i], surface_.x[i], surface_.y[i]);
-    }
-    sample.points = sample.visible = surface_.size();
-    return view_.lit.misfit(sample);
+    return view_.lit.misfit(test::sample_of(surface_, light));
   }
 };
 

@@ -5,6 +5,7 @@
 #include <opencv2/imgproc.hpp>
 #include <stdexcept>
 
+#include "learning/rectangles.hpp"
 #include "learning/statistics.hpp"
 
 namespace mbncc {
@@ -137,11 +138,7 @@ struct Patches {
     count = cv::connectedComponentsWithStats(joined, labels, statistics, centroids);
   }
 
-  cv::Rect box(int label) const {
-    const int* values = statistics.ptr<int>(label);
-    return {values[cv::CC_STAT_LEFT], values[cv::CC_STAT_TOP], values[cv::CC_STAT_WIDTH],
-            values[cv::CC_STAT_HEIGHT]};
-  }
+  cv::Rect box(int label) const { return box_of_component(statistics, label); }
 
   cv::Mat labels, statistics;
   int count;  // label 0 is what is no patch

@@ -14,7 +14,6 @@ constexpr int kSampledWidth = 640;      // [px]
 constexpr double kLeastDifference = 5;  // [grey levels] of a small pixel
 constexpr double kSureDifference = 30;  // [grey levels] motion, however much else differs
 constexpr double kNoiseFactor = 6;      // times the standard deviation of the pair
-constexpr double kMadToSigma = 1.4826;  // for normal noise
 constexpr int kLeastPatch = 3;          // [px] small pixels, after opening
 
 float median_of(const cv::Mat& values) {
@@ -44,7 +43,7 @@ bool has_moved(const cv::Mat& a, const cv::Mat& b) {
   const cv::Mat ratio = (b + 8) / (a + 8);
   const float gain = median_of(ratio);
   const cv::Mat difference = cv::abs(b + 8 - gain * (a + 8));
-  const double noise = kMadToSigma * median_of(difference);
+  const double noise = deviation_of_mad(median_of(difference));
   cv::Mat moved = difference > std::clamp(kNoiseFactor * noise, kLeastDifference, kSureDifference);
   cv::morphologyEx(moved, moved, cv::MORPH_OPEN, cv::getStructuringElement(cv::MORPH_RECT, {2, 2}));
   return cv::countNonZero(moved) >= kLeastPatch;

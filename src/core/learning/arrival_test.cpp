@@ -5,6 +5,8 @@
 #include <limits>
 #include <opencv2/imgproc.hpp>
 
+#include "learning/survey_size.hpp"
+
 namespace mbncc {
 namespace {
 
@@ -14,14 +16,12 @@ constexpr float kEdgeFloor = 8;             // [grey levels] edges below this sa
 constexpr double kArrivalScore = -1.5;      // an arrival scores less
 constexpr double kClearance = 2;            // and this much less than the best patch
 constexpr double kLoneArrivalScore = -0.5;  // likewise, without another patch to compare with
-constexpr int kSurveyWidth = 320;           // [px] that whole pictures are judged at
 constexpr int kSeam = 7;                    // [px]
 constexpr int kSmallestPatch = 20;          // [px]
 
-cv::Mat reduced(const cv::Mat& picture, double scale) {
-  cv::Mat small, values;
-  cv::resize(picture, small, {}, scale, scale, cv::INTER_AREA);
-  small.convertTo(values, CV_32F);
+cv::Mat surveyed(const cv::Mat& picture) {
+  cv::Mat values;
+  survey_sized(picture).convertTo(values, CV_32F);
   return values;
 }
 
@@ -134,8 +134,7 @@ cv::Mat find_arrivals(const cv::Mat& before, const cv::Mat& after, const cv::Mat
 }
 
 cv::Mat departures(const cv::Mat& before, const cv::Mat& after, const cv::Mat& changed) {
-  const double scale = std::min(1.0, static_cast<double>(kSurveyWidth) / before.cols);
-  const cv::Mat b = reduced(before, scale), a = reduced(after, scale);
+  const cv::Mat b = surveyed(before), a = surveyed(after);
   cv::Mat patches, near, labels, left = cv::Mat::zeros(b.size(), CV_32FC1), result;
   cv::resize(changed, patches, b.size(), 0, 0, cv::INTER_NEAREST);
   cv::dilate(patches, near, cv::Mat(), {-1, -1}, 3);

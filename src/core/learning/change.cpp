@@ -11,12 +11,12 @@
 #include "learning/rectangles.hpp"
 #include "learning/statistics.hpp"
 #include "learning/strips.hpp"
+#include "learning/survey_size.hpp"
 #include "learning/texture_change.hpp"
 
 namespace mbncc {
 namespace {
 
-constexpr int kSurveyWidth = 320;       // [px]
 constexpr float kLeastDifference = 18;  // [grey levels, summed over channels] above usual noise
 constexpr float kNoiseFactor = 5;       // a change stands out from the median difference this much
 constexpr float kSureDifference = 45;   // [likewise] a change, however much else differs
@@ -26,12 +26,6 @@ constexpr double kClearGain = 0.8;      // a shift must lower the difference to 
 constexpr int kGap = 9;                 // [px] pieces nearer than this belong together
 constexpr int kSampling = 2;            // [px] of the survey, for medians
 constexpr double kBlackLevel = 10;      // [grey levels] that cameras may add or take away
-
-cv::Mat reduced(const cv::Mat& picture, double scale) {
-  cv::Mat small;
-  cv::resize(picture, small, {}, scale, scale, cv::INTER_AREA);
-  return small;
-}
 
 // CV_32FC1 of a CV_8UC3 picture times `gain` per channel.
 cv::Mat grey_of(const cv::Mat& picture, const cv::Scalar& gain) {
@@ -100,9 +94,7 @@ std::vector<Patch> joined_patches(const cv::Mat& changed, cv::Mat& labels) {
   const int count = cv::connectedComponentsWithStats(joined, labels, stats, centres, 8, CV_32S);
   std::vector<Patch> patches;
   for (int i = 1; i < count; ++i)
-    patches.push_back({{stats.at<int>(i, cv::CC_STAT_LEFT), stats.at<int>(i, cv::CC_STAT_TOP),
-                        stats.at<int>(i, cv::CC_STAT_WIDTH), stats.at<int>(i, cv::CC_STAT_HEIGHT)},
-                       stats.at<int>(i, cv::CC_STAT_AREA)});
+    patches.push_back({box_of_component(stats, i), stats.at<int>(i, cv::CC_STAT_AREA)});
   return patches;
 }
 
@@ -122,9 +114,8 @@ cv::Rect with_margin(const cv::Rect& box, bool noisy) {
 }  // namespace
 
 ChangeSurvey survey_change(const cv::Mat& before, const cv::Mat& after) {
-  const double scale = std::min(1.0, static_cast<double>(kSurveyWidth) / before.cols);
-  const cv::Mat b = reduced(before, scale);
-  cv::Mat a = reduced(after, scale);
+  const cv::Mat b = survey_sized(before);
+  cv::Mat a = survey_sized(after);
   ChangeSurvey survey;
   const Exposure exposure = exposure_of(b, a);
   survey.unevenness = exposure.unevenness;
@@ -132,7 +123,7 @@ ChangeSurvey survey_change(const cv::Mat& before, const cv::Mat& after) {
   const cv::Mat grey_before = grey_of(b, cv::Scalar::all(1));
   cv::Mat grey_after = grey_of(a, light);
   const cv::Point2d shift = coarse_shift(grey_before, grey_after);
-  survey.shift = shift / scale;
+  survey.shift = shift / survey_scale(before.cols);
   if (shift != cv::Point2d()) {
     cv::Mat lit;
     cv::multiply(a, light, lit, 1, CV_32F);

@@ -8,6 +8,7 @@
 
 #include "learning/arrival_test.hpp"
 #include "learning/rectangles.hpp"
+#include "learning/survey_size.hpp"
 #include "mbncc/learning/change.hpp"
 #include "mbncc/learning/change_cut.hpp"
 #include "mbncc/matching/matcher.hpp"
@@ -16,7 +17,6 @@ namespace mbncc {
 namespace {
 
 constexpr int kGap = 9;                 // [px] pieces nearer than this belong together
-constexpr int kSurveyWidth = 320;       // [px] that changes are known at
 constexpr double kSmallestPart = 0.25;  // of the object's area that a place shows
 constexpr double kLargestPart = 4;      // likewise, its shadow included
 constexpr std::size_t kPlacesTried = 2;
@@ -47,9 +47,7 @@ std::vector<Place> places_of(const cv::Mat& patches, double area) {
   for (int i = 1; i < count; ++i) {
     const double part = stats.at<int>(i, cv::CC_STAT_AREA) / area;
     if (part < kSmallestPart || part > kLargestPart) continue;
-    const cv::Rect box(all.x + stats.at<int>(i, cv::CC_STAT_LEFT),
-                       all.y + stats.at<int>(i, cv::CC_STAT_TOP),
-                       stats.at<int>(i, cv::CC_STAT_WIDTH), stats.at<int>(i, cv::CC_STAT_HEIGHT));
+    const cv::Rect box = box_of_component(stats, i) + all.tl();
     const int margin = std::max(8, std::max(box.width, box.height) * 15 / 100);
     places.push_back(
         {grown(box, margin) & picture, (box & inner) == box, std::abs(std::log(part))});
@@ -139,7 +137,7 @@ std::optional<NewPlace> look_at(const cv::Rect& place, const SegmentationTask& t
 // Patches of `changed` that do not touch the map and have at least this part of its area, pieces
 // nearby included; empty when there are none.
 cv::Mat patches_elsewhere(const cv::Mat& changed, const cv::Mat& map, double least_part) {
-  const double scale = std::min(1.0, static_cast<double>(kSurveyWidth) / changed.cols);
+  const double scale = survey_scale(changed.cols);
   const int gap = cvRound(kGap * scale / 2) * 2 + 1;
   const cv::Mat disc = cv::getStructuringElement(cv::MORPH_ELLIPSE, {gap, gap});
   cv::Mat patches, vacated, labels, stats, centres, elsewhere;
@@ -191,9 +189,7 @@ std::vector<cv::Rect> large_parts(const cv::Mat& map) {
   std::vector<cv::Rect> parts;
   for (int i = 1; i < count; ++i) {
     if (stats.at<int>(i, cv::CC_STAT_AREA) < kSmallestPart * largest) continue;
-    const cv::Rect box(stats.at<int>(i, cv::CC_STAT_LEFT), stats.at<int>(i, cv::CC_STAT_TOP),
-                       stats.at<int>(i, cv::CC_STAT_WIDTH), stats.at<int>(i, cv::CC_STAT_HEIGHT));
-    parts.push_back(grown(box, kPartMargin) & cv::Rect({0, 0}, map.size()));
+    parts.push_back(grown(box_of_component(stats, i), kPartMargin) & cv::Rect({0, 0}, map.size()));
   }
   if (parts.size() < 2) return {};
   parts.resize(std::min(parts.size(), kOthersTried));

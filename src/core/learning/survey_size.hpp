@@ -1,0 +1,24 @@
+// The size at which whole pictures of a lesson are judged.
+#pragma once
+
+#include <algorithm>
+#include <opencv2/imgproc.hpp>
+
+namespace mbncc {
+
+constexpr int kSurveyWidth = 320;  ///< [px]
+
+/// From a picture of this width [px] to the survey's, which is never larger.
+inline double survey_scale(int width) {
+  return std::min(1.0, static_cast<double>(kSurveyWidth) / width);
+}
+
+/// `picture` at the survey's size.
+inline cv::Mat survey_sized(const cv::Mat& picture) {
+  const double scale = survey_scale(picture.cols);
+  cv::Mat small;
+  cv::resize(picture, small, {}, scale, scale, cv::INTER_AREA);
+  return small;
+}
+
+}  // namespace mbncc

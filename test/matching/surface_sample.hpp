@@ -1,0 +1,26 @@
+// What a picture would show of a surface.
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+
+#include "matching/surface_template.hpp"
+
+namespace mbncc::test {
+
+/// All of it, where `light` turns the template's colour at x, y [px] into the picture's.
+template <class Light>
+SurfaceSample sample_of(const SurfaceTemplate& surface, const Light& light) {
+  SurfaceSample sample;
+  sample.inside.assign(surface.padded(), 0.f);
+  std::fill_n(sample.inside.begin(), surface.size(), 1.f);
+  for (std::size_t c = 0; c < sample.planes.size(); ++c) {
+    sample.planes[c].assign(surface.padded(), 0.f);
+    for (std::size_t i = 0; i < surface.size(); ++i)
+      sample.planes[c][i] = light(surface.planes[c][i], surface.x[i], surface.y[i]);
+  }
+  sample.points = sample.visible = surface.size();
+  return sample;
+}
+
+}  // namespace mbncc::test
