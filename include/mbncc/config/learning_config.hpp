@@ -8,7 +8,7 @@
 namespace mbncc {
 
 struct LearningConfig {
-  std::string method = "auto";  ///< auto: change_cut with an after picture, else sb_grabcut
+  std::string method = "auto";  ///< auto: change_cut with an after picture, else region_cut
   int iterations = 2;           ///< graph cuts of every method
   std::string superpixel_method = "seeds";  ///< of sb_grabcut: seeds or slic
   int superpixels = 1600;  ///< sb_grabcut: superpixels asked for in the region's crop
@@ -26,8 +26,9 @@ struct LearningConfig {
     visit(
         FieldInfo{
             "method",
-            Allowed::one_of({"auto", "change_cut", "sb_grabcut", "grabcut_rect", "grabcut_mask"}),
-            "", "segmentation; auto: change_cut where there is an after picture, else sb_grabcut"},
+            Allowed::one_of({"auto", "change_cut", "region_cut", "sb_grabcut", "grabcut_rect",
+                             "grabcut_mask"}),
+            "", "segmentation; auto: change_cut where there is an after picture, else region_cut"},
         self.method);
     visit(FieldInfo{"iterations", Allowed::range(1, 20), "", "graph cuts of every method"},
           self.iterations);

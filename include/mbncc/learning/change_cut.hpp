@@ -31,4 +31,9 @@ ChangeCut change_cut(const cv::Mat& before, const cv::Mat& after, const cv::Rect
                      const cv::Mat& changed, int iterations, int max_shift,
                      const BeforeCut& before_cut = {});
 
+/// The same from one picture: the platform under the object is predicted from the ring around
+/// `region`.
+ChangeCut region_cut(const cv::Mat& before, const cv::Rect& region, int iterations,
+                     const BeforeCut& before_cut = {});
+
 }  // namespace mbncc

@@ -12,6 +12,7 @@
 #include "mbncc/config/learning_config.hpp"
 #include "mbncc/config/search_config.hpp"
 #include "mbncc/error.hpp"
+#include "mbncc/learning/quality.hpp"
 #include "mbncc/object_model.hpp"
 
 namespace mbncc {
@@ -52,6 +53,7 @@ struct LearnResult {
   std::string hint;                          ///< what to do about it, one sentence
   ObjectModel object;                        ///< as far as it got; complete when `has_model`
   bool has_model = false;                    ///< map, template, reference and quality are filled in
+  std::optional<CutEvidence> evidence;       ///< none: the map was given ready
   std::optional<PutAside> put_aside;         ///< none: out of view, or not recognised
   std::map<std::string, double> timings_ms;  ///< per step, and "total"
 };

@@ -5,21 +5,20 @@
 #include <opencv2/imgproc.hpp>
 
 #include "learning/faint_change.hpp"
+#include "learning/gradual_light.hpp"
 #include "learning/normalized_difference.hpp"
-#include "learning/soft_light.hpp"
 #include "learning/texture_loss.hpp"
 
 namespace mbncc {
 namespace {
 
-constexpr float kStudentFreedom = 30;       // tails of the unchanged term
-constexpr float kShadowWeight = 0.12F;      // prior of a pixel lying in a shadow
-constexpr float kOutlierWeight = 0.03F;     // prior of any colour at all (glints, dust)
-constexpr float kPlatformWeight = 0.0001F;  // prior of platform from elsewhere (something shifted)
-constexpr float kDarkestShadow = 0.3F;      // of the light that is left
-constexpr float kBrightestFlank = 1.1F;     // likewise
-constexpr float kShadowScale = 0.25F;       // log-prior: a shadow is the likelier the lighter it is
-constexpr float kBrightScale = 0.06F;       // likewise for the light that an object's flank throws
+constexpr float kStudentFreedom = 30;    // tails of the unchanged term
+constexpr float kShadowWeight = 0.12F;   // prior of a pixel lying in a shadow
+constexpr float kOutlierWeight = 0.03F;  // prior of any colour at all (glints, dust)
+constexpr float kDarkestShadow = 0.3F;   // of the light that is left
+constexpr float kBrightestFlank = 1.1F;  // likewise
+constexpr float kShadowScale = 0.25F;    // log-prior: a shadow is the likelier the lighter it is
+constexpr float kBrightScale = 0.06F;    // likewise for the light that an object's flank throws
 constexpr float kShadowTint = 0.1F;      // deviation of one channel, part of the light taken away
 constexpr float kShadowSlope = 0.1F;     // deviation of all channels alike, likewise
 constexpr float kShadowNoise = 1.2F;     // variance of a shadowed pixel, relative
@@ -27,7 +26,7 @@ constexpr int kShadowBox = 7;            // [px] a shadow's depth is averaged ov
 constexpr float kTextureLost = 6;        // most that covered texture says against a shadow
 constexpr float kTextureKept = 4;        // most that visible texture says for it
 constexpr float kFaintlyChanged = 0.9F;  // probability given to change that only windows show
-constexpr float kSoftShadow = 3;         // log-odds of platform that gradual light adds
+constexpr float kGradualLight = 5;       // log-odds of platform that gradual light adds
 constexpr float kHighestRatio = 60;      // cap of the logarithms
 constexpr float kHardlyPossible = 20;    // log-prior against shadows darker than the darkest
 
@@ -170,7 +169,8 @@ float log_uniform_colour() {
 }
 
 BackgroundLikelihood background_likelihood(const cv::Mat& before, const cv::Mat& after,
-                                           const NoiseModel& noise, const ColourMixture& platform) {
+                                           const NoiseModel& noise, const ColourMixture& platform,
+                                           float platform_weight) {
   const cv::Mat variance = noise.variance_picture(after), light = remaining_light(before, after);
   const cv::Mat lost = texture_loss(before, after, plausible(light), variance);
   Fit unchanged = fit_unchanged(before, after, variance, noise.correlation);
@@ -182,14 +182,15 @@ BackgroundLikelihood background_likelihood(const cv::Mat& before, const cv::Mat&
   const cv::Mat shadow = exponential(log_student(shaded, noise.tail) +
                                      log_shadow_prior(light, lost) + std::log(kShadowWeight));
   const cv::Mat elsewhere = platform.densities(before) * std::exp(-log_uniform_colour());
-  const cv::Mat sum = plain + shadow + kPlatformWeight * elsewhere + kOutlierWeight;
+  const cv::Mat sum = plain + shadow + platform_weight * elsewhere + kOutlierWeight;
   BackgroundLikelihood result;
   cv::log(sum, result.log_ratio);
   result.log_ratio = cv::min(result.log_ratio, kHighestRatio);
   result.changed = 1 / (1 + sum / 2);
   const cv::Mat faint = faint_change(misfit, after, variance, noise.tail, result.changed > 0.5);
   result.changed.setTo(kFaintlyChanged, faint & (result.changed < kFaintlyChanged));
-  favour_platform(soft_shadow(before, after, result.changed, noise.sigma(1)), kSoftShadow, result);
+  favour_platform(gradual_light(before, after, result.changed, lost, noise.sigma(1)), kGradualLight,
+                  result);
   return result;
 }
 

@@ -16,12 +16,16 @@
 #include "learning/intruders.hpp"
 #include "learning/moved_neighbour.hpp"
 #include "learning/object_preference.hpp"
+#include "learning/predicted_platform.hpp"
 #include "learning/rectangles.hpp"
+#include "learning/rim_preference.hpp"
 #include "learning/smoothness.hpp"
 
 namespace mbncc {
 namespace {
 
+constexpr float kShifted = 0.0001F;  // prior of platform from elsewhere: something shifted
+constexpr float kPredicted = 0.3F;   // likewise, where the platform is only predicted
 constexpr float kVoice = 8;          // highest unary of one of two views
 constexpr float kForced = 1000;      // unary of painted pixels
 constexpr float kArrivalUnary = 12;  // log-likelihood ratio given to arrivals
@@ -34,8 +38,10 @@ constexpr int kSpeck = 8;      // [px] smaller changed patches are noise
 // pair's are much larger, and a cut lives as long as its lesson.
 class Cutter {
  public:
-  Cutter(const AlignedPair& pair, const cv::Rect& crop, const cv::Rect& region)
-      : window_(pair.window),
+  Cutter(const AlignedPair& pair, const cv::Rect& crop, const cv::Rect& region,
+         float platform_weight)
+      : platform_weight_(platform_weight),
+        window_(pair.window),
         crop_(crop),
         before_(pair.before(crop - pair.window.tl()).clone()),
         after_(pair.after(crop - pair.window.tl()).clone()),
@@ -46,7 +52,15 @@ class Cutter {
   }
 
   void explain_background() {
-    background_ = background_likelihood(before_, after_, noise_, platform_);
+    background_ = background_likelihood(before_, after_, noise_, platform_, platform_weight_);
+  }
+
+  // What the platform cannot explain, the first guess where there is no picture after.
+  bool seed() {
+    map_ = (background_.changed > 0.5) & inside_;
+    remove_specks(map_, kSpeck);
+    keep_main_groups(map_, background_.changed);
+    return cv::countNonZero(map_) >= kFewestPixels;
   }
 
   // The changed pixels that the foreground's colours are first learned from.
@@ -81,6 +95,14 @@ class Cutter {
     if (cv::countNonZero(next) < kFewestPixels) return;
     keep_main_groups(next, cv::min(unary_, kHighestPreference), kept_);
     map_ = next;
+  }
+
+  // Blur, demosaicing and compression carry the change over the outline.
+  void cut_rim() {
+    const RimPreference rim = rim_preference(before_, after_, map_, noise_.sigma(1));
+    unary_ = unary_ + rim.log_odds;
+    unary_.setTo(-kHighestPreference, ~inside_);
+    cut_by_unary(smoothness_);
   }
 
   void clean() {
@@ -195,6 +217,7 @@ class Cutter {
     return unary;
   }
 
+  float platform_weight_;
   cv::Rect window_;  // of the aligned pair
   cv::Rect crop_;
   cv::Mat before_, after_, inside_;
@@ -220,24 +243,47 @@ ChangeCut result_of(const std::shared_ptr<const Cutter>& cutter, const cv::Size&
           }};
 }
 
-}  // namespace
-
-ChangeCut change_cut(const cv::Mat& before, const cv::Mat& after, const cv::Rect& region,
-                     const cv::Mat& changed, int iterations, int max_shift,
-                     const BeforeCut& before_cut) {
+cv::Rect crop_of(const cv::Rect& region, const cv::Size& picture) {
   const int margin = std::max(6, std::max(region.width, region.height) / 20);
-  const cv::Rect crop = grown(region, margin) & cv::Rect({0, 0}, before.size());
-  const auto cutter = std::make_shared<Cutter>(
-      align_pictures(before, after, region, changed, max_shift), crop, region);
-  cutter->explain_background();
-  if (!cutter->seed(changed)) return {cv::Mat::zeros(before.size(), CV_8UC1), {}, {}, {}, {}};
+  return grown(region, margin) & cv::Rect({0, 0}, picture);
+}
+
+ChangeCut cut(const std::shared_ptr<Cutter>& cutter, const cv::Size& size, int iterations,
+              const BeforeCut& before_cut) {
   cutter->weigh_edges();
   for (int i = 0; i < iterations; ++i) {
     if (before_cut) before_cut(i);
     cutter->cut();
   }
+  cutter->cut_rim();
   cutter->clean();
-  return result_of(cutter, before.size());
+  return result_of(cutter, size);
+}
+
+ChangeCut nothing(const cv::Size& size) {
+  return {cv::Mat::zeros(size, CV_8UC1), {}, {}, {}, {}};
+}
+
+}  // namespace
+
+ChangeCut change_cut(const cv::Mat& before, const cv::Mat& after, const cv::Rect& region,
+                     const cv::Mat& changed, int iterations, int max_shift,
+                     const BeforeCut& before_cut) {
+  const auto cutter =
+      std::make_shared<Cutter>(align_pictures(before, after, region, changed, max_shift),
+                               crop_of(region, before.size()), region, kShifted);
+  cutter->explain_background();
+  if (!cutter->seed(changed)) return nothing(before.size());
+  return cut(cutter, before.size(), iterations, before_cut);
+}
+
+ChangeCut region_cut(const cv::Mat& before, const cv::Rect& region, int iterations,
+                     const BeforeCut& before_cut) {
+  const auto cutter = std::make_shared<Cutter>(predict_platform(before, region),
+                                               crop_of(region, before.size()), region, kPredicted);
+  cutter->explain_background();
+  if (!cutter->seed()) return nothing(before.size());
+  return cut(cutter, before.size(), iterations, before_cut);
 }
 
 }  // namespace mbncc

@@ -168,6 +168,7 @@ class LessonRun {
   void judge(const Segmentation& segmentation) {
     const StepTimer timer(result_.timings_ms, "quality");
     progress_.report(Stage::kQuality, 0.85, "Judging the lesson.");
+    result_.evidence = segmentation.evidence;
     Quality& quality = result_.object.quality;
     quality = assess_quality(result_.object, lesson_.before, state_.changed, segmentation.evidence,
                              config_, search_);

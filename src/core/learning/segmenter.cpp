@@ -98,11 +98,21 @@ Segmentation by_change_cut(const SegmentationTask& task, const LearningConfig& c
   return segmentation_of(cut);
 }
 
+Segmentation by_region_cut(const SegmentationTask& task, const LearningConfig& config,
+                           LessonProgress& progress) {
+  Segmentation result = segmentation_of(
+      region_cut(task.before, task.region, config.iterations, report_cuts(config, progress)));
+  if (result.evidence) result.evidence->verified = false;
+  result.cut_with = nullptr;
+  return result;
+}
+
 }  // namespace
 
 Segmenter segmenter_of(const std::string& method, bool has_after) {
-  if (method == "auto") return segmenter_of(has_after ? "change_cut" : "sb_grabcut", has_after);
+  if (method == "auto") return segmenter_of(has_after ? "change_cut" : "region_cut", has_after);
   if (method == "change_cut") return by_change_cut;
+  if (method == "region_cut") return by_region_cut;
   if (method == "sb_grabcut") return by_sb_grabcut;
   if (method == "grabcut_rect") return by_grabcut_rect;
   if (method == "grabcut_mask") return by_grabcut_mask;
