@@ -12,13 +12,14 @@
 namespace mbncc {
 namespace {
 
-constexpr float kStudentFreedom = 30;    // tails of the unchanged term
-constexpr float kShadowWeight = 0.12F;   // prior of a pixel lying in a shadow
-constexpr float kOutlierWeight = 0.03F;  // prior of any colour at all (glints, dust)
-constexpr float kDarkestShadow = 0.3F;   // of the light that is left
-constexpr float kBrightestFlank = 1.1F;  // likewise
-constexpr float kShadowScale = 0.25F;    // log-prior: a shadow is the likelier the lighter it is
-constexpr float kBrightScale = 0.06F;    // likewise for the light that an object's flank throws
+constexpr float kStudentFreedom = 30;       // tails of the unchanged term
+constexpr float kShadowWeight = 0.12F;      // prior of a pixel lying in a shadow
+constexpr float kOutlierWeight = 0.03F;     // prior of any colour at all (glints, dust)
+constexpr float kPlatformWeight = 0.0001F;  // prior of platform from elsewhere (something shifted)
+constexpr float kDarkestShadow = 0.3F;      // of the light that is left
+constexpr float kBrightestFlank = 1.1F;     // likewise
+constexpr float kShadowScale = 0.25F;       // log-prior: a shadow is the likelier the lighter it is
+constexpr float kBrightScale = 0.06F;       // likewise for the light that an object's flank throws
 constexpr float kShadowTint = 0.1F;      // deviation of one channel, part of the light taken away
 constexpr float kShadowSlope = 0.1F;     // deviation of all channels alike, likewise
 constexpr float kShadowNoise = 1.2F;     // variance of a shadowed pixel, relative
@@ -169,8 +170,7 @@ float log_uniform_colour() {
 }
 
 BackgroundLikelihood background_likelihood(const cv::Mat& before, const cv::Mat& after,
-                                           const NoiseModel& noise, const ColourMixture& platform,
-                                           float platform_weight) {
+                                           const NoiseModel& noise, const ColourMixture& platform) {
   const cv::Mat variance = noise.variance_picture(after), light = remaining_light(before, after);
   const cv::Mat lost = texture_loss(before, after, plausible(light), variance);
   Fit unchanged = fit_unchanged(before, after, variance, noise.correlation);
@@ -182,7 +182,7 @@ BackgroundLikelihood background_likelihood(const cv::Mat& before, const cv::Mat&
   const cv::Mat shadow = exponential(log_student(shaded, noise.tail) +
                                      log_shadow_prior(light, lost) + std::log(kShadowWeight));
   const cv::Mat elsewhere = platform.densities(before) * std::exp(-log_uniform_colour());
-  const cv::Mat sum = plain + shadow + platform_weight * elsewhere + kOutlierWeight;
+  const cv::Mat sum = plain + shadow + kPlatformWeight * elsewhere + kOutlierWeight;
   BackgroundLikelihood result;
   cv::log(sum, result.log_ratio);
   result.log_ratio = cv::min(result.log_ratio, kHighestRatio);

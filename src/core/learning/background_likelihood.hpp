@@ -18,10 +18,8 @@ struct BackgroundLikelihood {
 float log_uniform_colour();
 
 /// `before` and `after` are CV_32FC3, aligned. `platform` is the ring's colour mixture; it may be
-/// empty; `platform_weight` [0..1] is the prior that a pixel shows it without being what `after`
-/// shows there.
+/// empty.
 BackgroundLikelihood background_likelihood(const cv::Mat& before, const cv::Mat& after,
-                                           const NoiseModel& noise, const ColourMixture& platform,
-                                           float platform_weight);
+                                           const NoiseModel& noise, const ColourMixture& platform);
 
 }  // namespace mbncc

@@ -24,8 +24,6 @@
 namespace mbncc {
 namespace {
 
-constexpr float kShifted = 0.0001F;  // prior of platform from elsewhere: something shifted
-constexpr float kPredicted = 0.3F;   // likewise, where the platform is only predicted
 constexpr float kVoice = 8;          // highest unary of one of two views
 constexpr float kForced = 1000;      // unary of painted pixels
 constexpr float kArrivalUnary = 12;  // log-likelihood ratio given to arrivals
@@ -38,10 +36,8 @@ constexpr int kSpeck = 8;      // [px] smaller changed patches are noise
 // pair's are much larger, and a cut lives as long as its lesson.
 class Cutter {
  public:
-  Cutter(const AlignedPair& pair, const cv::Rect& crop, const cv::Rect& region,
-         float platform_weight)
-      : platform_weight_(platform_weight),
-        window_(pair.window),
+  Cutter(const AlignedPair& pair, const cv::Rect& crop, const cv::Rect& region)
+      : window_(pair.window),
         crop_(crop),
         before_(pair.before(crop - pair.window.tl()).clone()),
         after_(pair.after(crop - pair.window.tl()).clone()),
@@ -52,7 +48,7 @@ class Cutter {
   }
 
   void explain_background() {
-    background_ = background_likelihood(before_, after_, noise_, platform_, platform_weight_);
+    background_ = background_likelihood(before_, after_, noise_, platform_);
   }
 
   // What the platform cannot explain, the first guess where there is no picture after.
@@ -217,7 +213,6 @@ class Cutter {
     return unary;
   }
 
-  float platform_weight_;
   cv::Rect window_;  // of the aligned pair
   cv::Rect crop_;
   cv::Mat before_, after_, inside_;
@@ -271,7 +266,7 @@ ChangeCut change_cut(const cv::Mat& before, const cv::Mat& after, const cv::Rect
                      const BeforeCut& before_cut) {
   const auto cutter =
       std::make_shared<Cutter>(align_pictures(before, after, region, changed, max_shift),
-                               crop_of(region, before.size()), region, kShifted);
+                               crop_of(region, before.size()), region);
   cutter->explain_background();
   if (!cutter->seed(changed)) return nothing(before.size());
   return cut(cutter, before.size(), iterations, before_cut);
@@ -280,7 +275,7 @@ ChangeCut change_cut(const cv::Mat& before, const cv::Mat& after, const cv::Rect
 ChangeCut region_cut(const cv::Mat& before, const cv::Rect& region, int iterations,
                      const BeforeCut& before_cut) {
   const auto cutter = std::make_shared<Cutter>(predict_platform(before, region),
-                                               crop_of(region, before.size()), region, kPredicted);
+                                               crop_of(region, before.size()), region);
   cutter->explain_background();
   if (!cutter->seed()) return nothing(before.size());
   return cut(cutter, before.size(), iterations, before_cut);
