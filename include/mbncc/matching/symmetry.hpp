@@ -8,7 +8,7 @@ namespace mbncc {
 /// Both count the equal angles in a turn: 1 none, 2, 3, 4 ..., 0 round.
 struct MeasuredSymmetry {
   int certain = 1;   ///< outline and surface repeat within noise and shading
-  int possible = 1;  ///< they nearly repeat, as may be declared: an operator has to tell
+  int possible = 1;  ///< what an operator may declare: they nearly repeat, or the outline is round
 };
 
 /// Turns the view about its centroid, aligns it with itself and compares outline and surface.

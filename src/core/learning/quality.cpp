@@ -21,8 +21,7 @@ void propose(int symmetry, Quality& quality) {
   if (symmetry == 0) {
     quality.reasons.push_back("nearly_round");
     quality.advice.push_back(
-        "The object looks almost the same at every angle: declare symmetry round if any angle will "
-        "do.");
+        "The outline is nearly round: declare symmetry round if any angle will do.");
     return;
   }
   const std::string degrees = std::to_string(360 / symmetry);

@@ -13,9 +13,10 @@ namespace {
 // What repeats surely differs by less than these.
 constexpr double kSureOutline = 0.03;  // depth, of the radius, ...
 constexpr double kWobble = 2;          // [px] ... but this much a map's edge may err, ...
-constexpr double kSmallWobble = 0.1;   // of the radius ... of small objects less
+constexpr double kSmallWobble = 0.12;  // of the radius ... of small objects less
 constexpr double kSureRest = 1.8;      // [grey levels] beside noise
 constexpr double kSureMark = 5.5;      // [grey levels] beside noise
+constexpr double kDrawn = 0.06;        // of the texture: pixels render its edges no better
 
 // What nearly repeats.
 constexpr double kNearOverlap = 0.9;
@@ -38,10 +39,11 @@ class Measurement {
     return true;
   }
 
-  /// Outline and surface after those turns: the weakest counts.
-  Repeats with_order(int order) {
+  /// Outline and surface after those turns: the weakest counts. What is weaker than `least` is not
+  /// looked at any further.
+  Repeats with_order(int order, Repeats least = Repeats::kNearly) {
     Repeats weakest = Repeats::kSurely;
-    for (int k = 1; k <= order / 2 && weakest != Repeats::kNot; ++k)
+    for (int k = 1; k <= order / 2 && weakest >= least; ++k)
       weakest = std::min(weakest, after(angle(k, order)));
     return weakest;
   }
@@ -60,11 +62,12 @@ class Measurement {
     const double radius = map_.radius();
     // The edge of a map wavers by a fraction of a pixel, which is more of a small object.
     const double wavering = std::clamp(0.8 / radius, 0.03, 0.05);
+    const double drawn = kDrawn * surface_->texture();
     const double wobble = std::min(kWobble, kSmallWobble * radius);
     return difference.overlap >= 1 - wavering &&
            difference.outline <= std::max(wobble, kSureOutline * radius) &&
-           difference.rest <= std::hypot(kSureRest, surface_->noise_of_rest()) &&
-           difference.mark <= std::hypot(kSureMark, surface_->noise_of_mark());
+           difference.rest <= std::hypot(kSureRest, surface_->noise_of_rest(), drawn) &&
+           difference.mark <= std::hypot(kSureMark, surface_->noise_of_mark(), drawn);
   }
 
   bool is_near(const TurnDifference& difference) const {
@@ -85,9 +88,10 @@ MeasuredSymmetry measure_symmetry(const View& view) {
   constexpr double kRegained = 0.03;  // overlap, by the best shift
   Measurement measurement(view);
   if (measurement.covers_itself(kAnyOrder, kRoundOverlap)) {
-    // What tells one angle of a disc tells them all apart: there is no order between.
-    const Repeats round = measurement.with_order(kAnyOrder);
-    return {round == Repeats::kSurely ? 0 : 1, round == Repeats::kNot ? 1 : 0};
+    // Whether what the surface shows is a mark, a side seen aslant or gloss, only an operator
+    // knows.
+    const Repeats round = measurement.with_order(kAnyOrder, Repeats::kSurely);
+    return {round == Repeats::kSurely ? 0 : 1, 0};
   }
   MeasuredSymmetry symmetry;
   for (const int order : {12, 10, 9, 8, 7, 6, 5, 4, 3, 2}) {
