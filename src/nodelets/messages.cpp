@@ -213,7 +213,8 @@ std::optional<cv::Rect> from_msg(const sensor_msgs::RegionOfInterest& region, cv
 std::uint8_t symmetry_to_msg(std::optional<int> symmetry) {
   using Goal = mbncc_vision::LearnObjectGoal;
   if (!symmetry) return Goal::SYMMETRY_AUTO;
-  return *symmetry == 0 ? Goal::SYMMETRY_ROUND : static_cast<std::uint8_t>(*symmetry);
+  if (*symmetry == 0) return Goal::SYMMETRY_ROUND;
+  return static_cast<std::uint8_t>(*symmetry);
 }
 
 std::optional<int> symmetry_from_msg(std::uint8_t symmetry) {
