@@ -129,6 +129,39 @@ TEST(Symmetry, AnEndOfAnotherShadeLeavesItToTheOperator) {
   EXPECT_EQ(measured(photographed(picture), bar()).certain, 1);
 }
 
+// Its differences are too small for a mark, and no noise is that strong.
+TEST(Symmetry, FineGrainBreaksIt) {
+  cv::Mat grain(121, 121, CV_32FC3), picture;
+  cv::RNG(3).fill(grain, cv::RNG::NORMAL, 0, 12);
+  painted(bar()).convertTo(picture, CV_32F);
+  cv::add(picture, grain, picture, bar());
+  picture.convertTo(picture, CV_8U);
+  EXPECT_EQ(measured(picture, bar()).certain, 1);
+  EXPECT_EQ(measured(picture, bar()).possible, 2);
+}
+
+TEST(Symmetry, ATaperedOutlineLeavesItToTheOperator) {
+  cv::Mat map = cv::Mat::zeros(121, 121, CV_8UC1);
+  const std::vector<cv::Point> corners{{20, 44}, {100, 46}, {100, 74}, {20, 76}};
+  cv::fillPoly(map, std::vector<std::vector<cv::Point>>{corners}, cv::Scalar(255));
+  const MeasuredSymmetry symmetry = measured(photographed(painted(map)), map);
+  EXPECT_EQ(symmetry.certain, 1);
+  EXPECT_EQ(symmetry.possible, 2);
+}
+
+// The centroid of a map is no better than its edge: the surface tells where the centre is.
+TEST(Symmetry, ARoughlyCutMapHidesNone) {
+  cv::Mat picture = painted(bar());
+  for (int x = 27; x < 60; x += 8) {
+    picture(cv::Rect(x, 50, 4, 12)).setTo(cv::Scalar::all(230));
+    picture(cv::Rect(120 - x - 3, 120 - 50 - 11, 4, 12)).setTo(cv::Scalar::all(230));
+  }
+  cv::Mat map = bar();
+  EXPECT_EQ(measured(photographed(picture, 1), map).certain, 2);
+  map.colRange(0, 22) = 0;
+  EXPECT_EQ(measured(photographed(picture, 1), map).certain, 2);
+}
+
 TEST(Symmetry, GlossLeavesItToTheOperator) {
   cv::Mat gloss = cv::Mat::zeros(121, 121, CV_8UC1), picture = painted(disc());
   cv::circle(gloss, {50, 48}, 6, cv::Scalar(40), cv::FILLED);

@@ -15,7 +15,7 @@ constexpr double kSureOutline = 0.03;  // depth, of the radius, ...
 constexpr double kWobble = 2;          // [px] ... but this much a map's edge may err, ...
 constexpr double kSmallWobble = 0.12;  // of the radius ... of small objects less
 constexpr double kSureRest = 1.8;      // [grey levels] beside noise
-constexpr double kSureMark = 5.5;      // [grey levels] beside noise
+constexpr double kSureMark = 4.5;      // [grey levels] beside noise
 constexpr double kDrawn = 0.06;        // of the texture: pixels render its edges no better
 
 // What nearly repeats.
