@@ -8,15 +8,16 @@
 namespace mbncc {
 namespace {
 
-constexpr double kRadius = 48;       // [px] larger objects are compared at this size
-constexpr int kMargin = 4;           // [px] of the canvas around the object
-constexpr double kSmoothing = 0.6;   // [px of the canvas] before anything is compared
-constexpr double kEdgeHeight = 60;   // [grey levels] weight of the outline in the alignment
-constexpr double kRim = 0.08;        // of the radius: bevels and mixed pixels
-constexpr double kMisaligned = 0.5;  // [px of the canvas] left after the alignment
-constexpr double kMostNoise = 3;     // [grey levels] finer structure beyond is texture
-constexpr double kMarkWidth = 0.03;  // of the radius
-constexpr double kMarkArea = 0.005;  // of the map: what a mark covers at least
+constexpr double kRadius = 48;             // [px] larger objects are compared at this size
+constexpr int kMargin = 4;                 // [px] of the canvas around the object
+constexpr double kSmoothing = 0.6;         // [px of the canvas] before anything is compared
+constexpr double kEdgeHeight = 60;         // [grey levels] weight of the outline in the alignment
+constexpr double kRim = 0.08;              // of the radius: bevels and mixed pixels
+constexpr double kMisaligned = 0.5;        // [px of the canvas] left after the alignment
+constexpr double kSmallMisaligned = 0.02;  // of the radius: of small objects less
+constexpr double kMostNoise = 3;           // [grey levels] finer structure beyond is texture
+constexpr double kMarkWidth = 0.03;        // of the radius
+constexpr double kMarkArea = 0.005;        // of the map: what a mark covers at least
 
 /// The value that the upper `part` of the values under the mask exceeds.
 double upper_quantile(const cv::Mat& values, const cv::Mat& mask, double part) {
@@ -129,10 +130,12 @@ SelfComparison::SelfComparison(const View& view, const CentredMap& map)
   if (4 * cv::countNonZero(inner_) < map_.area()) inner_ = map_.map();
   make_basis();
   make_slopes();
+  const double misalignment =
+      std::min(kMisaligned, kSmallMisaligned * map_.scale() * map_.radius());
   double squares = 0;
   for (int plane = 1; plane < kPlanes; ++plane) {
     squares += mean_square(without_shading(own_[plane]), inner_);
-    misaligned_[plane] = change_by_displacement(own_[plane], kMisaligned);
+    misaligned_[plane] = change_by_displacement(own_[plane], misalignment);
   }
   texture_ = std::sqrt(squares / (kPlanes - 1));
 }
