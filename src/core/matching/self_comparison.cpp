@@ -247,10 +247,6 @@ void SelfComparison::compare_surfaces(const Planes& turned, const cv::Mat& turne
   difference.mark = upper_quantile(strongest, both, kMarkArea);
 }
 
-double SelfComparison::noise_of_rest() const {
-  return std::sqrt(2) * noise_ * passed_by(kSmoothing / map_.scale());
-}
-
 double SelfComparison::noise_of_mark() const {
   constexpr double kStrongest = 3;  // deviations, over the map and the colours
   const double width = std::max(1.0, kMarkWidth * map_.scale() * map_.radius());

@@ -52,7 +52,6 @@ class SelfComparison {
   TurnDifference difference(double angle) const;
 
   double texture() const { return texture_; }  ///< [grey levels] rms of the surface
-  double noise_of_rest() const;                ///< [grey levels] what noise adds to `rest`
   double noise_of_mark() const;                ///< [grey levels] what noise adds to `mark`
 
  private:

@@ -14,7 +14,6 @@ namespace {
 constexpr double kSureOutline = 0.03;  // depth, of the radius, ...
 constexpr double kWobble = 2;          // [px] ... but this much a map's edge may err, ...
 constexpr double kSmallWobble = 0.12;  // of the radius ... of small objects less
-constexpr double kSureRest = 1.8;      // [grey levels] beside noise
 constexpr double kSureMark = 4.5;      // [grey levels] beside noise
 constexpr double kDrawn = 0.06;        // of the texture: pixels render its edges no better
 
@@ -66,7 +65,6 @@ class Measurement {
     const double wobble = std::min(kWobble, kSmallWobble * radius);
     return difference.overlap >= 1 - wavering &&
            difference.outline <= std::max(wobble, kSureOutline * radius) &&
-           difference.rest <= std::hypot(kSureRest, surface_->noise_of_rest(), drawn) &&
            difference.mark <= std::hypot(kSureMark, surface_->noise_of_mark(), drawn);
   }
 
