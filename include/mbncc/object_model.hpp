@@ -66,6 +66,7 @@ struct ObjectModel {
   double object_height = 0;                     ///< [m] top face above the platform
   std::optional<Grasp> grasp;
   std::optional<double> min_score;  ///< (0..1] own threshold; none: the matcher's
+  std::optional<int> symmetry;      ///< declared, see is_declarable_symmetry(); none: measured
   Quality quality;
   std::vector<View> views;  ///< at least one; views.front() is the one learned first
 };

@@ -24,6 +24,7 @@ Command find_command();
 Command map_command();
 Command list_command();
 Command show_command();
+Command edit_command();
 Command forget_command();
 Command restore_command();
 Command check_command();

@@ -3,6 +3,7 @@
 #include "cli/command.hpp"
 #include "cli/numbers.hpp"
 #include "cli/pictures.hpp"
+#include "mbncc/symmetry.hpp"
 
 namespace mbncc::cli {
 
@@ -20,6 +21,7 @@ std::vector<Option> lesson_options() {
           {"--stroke-width", "PIXELS", "of the strokes; 0: closed areas; default: 5"},
           {"--label", "TEXT", "shown to people; default: the name"},
           {"--height", "METRES", "of the object's top face above the platform; default: 0"},
+          {"--symmetry", "S", "equal angles in a turn: auto, none, 2, 3, 4, 6 or round"},
           {"--overwrite", "", "replace the object of this name, if there is one"},
           {"--add-view", "", "add a picture to the object of this name"},
           {"--allow-bad", "", "store it even when the verdict is BAD"},
@@ -37,6 +39,7 @@ void check_lesson_arguments(const Arguments& arguments) {
         "--before alone does not say where the object is; add --after, --roi, --click or --map");
   if (arguments.has("--stroke-width") && !arguments.has("--include") && !arguments.has("--exclude"))
     throw UsageError("--stroke-width needs --include or --exclude");
+  symmetry_from(arguments);
   if (arguments.get("--method") == "change_cut" && !arguments.has("--after"))
     throw UsageError("--method change_cut needs --after, a picture without the object");
 }
@@ -46,12 +49,21 @@ Lesson lesson_from(const Arguments& arguments) {
   lesson.name = arguments.get("--name");
   lesson.label = arguments.get("--label");
   lesson.object_height = parse_number("--height", arguments.get("--height", "0"), 0, 10);
+  lesson.symmetry = symmetry_from(arguments);
   if (arguments.has("--roi")) lesson.region = parse_rectangle("--roi", arguments.get("--roi"));
   if (arguments.has("--click")) lesson.click = parse_point("--click", arguments.get("--click"));
   lesson.before = read_picture(arguments.get("--before"));
   if (arguments.has("--after")) lesson.after = read_picture(arguments.get("--after"));
   if (arguments.has("--map")) lesson.map = read_map(arguments.get("--map"));
   return lesson;
+}
+
+std::optional<int> symmetry_from(const Arguments& arguments) {
+  try {
+    return parse_symmetry(arguments.get("--symmetry", "auto"));
+  } catch (const std::invalid_argument& fault) {
+    throw UsageError(std::string("--symmetry: ") + fault.what());
+  }
 }
 
 std::optional<LessonEdit> edit_from(const Arguments& arguments) {

@@ -17,6 +17,9 @@ void check_lesson_arguments(const Arguments& arguments);
 /// Reads the pictures. Throws UsageError, FileError.
 Lesson lesson_from(const Arguments& arguments);
 
+/// The declared symmetry; none: auto. Throws UsageError.
+std::optional<int> symmetry_from(const Arguments& arguments);
+
 /// The strokes; none without any. Throws UsageError.
 std::optional<LessonEdit> edit_from(const Arguments& arguments);
 

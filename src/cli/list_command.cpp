@@ -6,6 +6,7 @@
 #include "cli/library_access.hpp"
 #include "cli/object_report.hpp"
 #include "cli/settings.hpp"
+#include "mbncc/symmetry.hpp"
 
 namespace mbncc::cli {
 namespace {
@@ -17,13 +18,13 @@ void print_table(const LibrarySnapshot& snapshot) {
     std::cout << std::left << std::setw(static_cast<int>(width)) << name;
   };
   column("name");
-  std::cout << "  revision  views  enabled  verdict   learned\n";
+  std::cout << "  revision  views  enabled  symmetry  verdict   learned\n";
   for (const auto& object : snapshot.objects) {
     column(object->name);
     std::cout << std::right << std::setw(10) << object->revision << std::setw(7)
               << object->views.size() << std::setw(9) << (object->enabled ? "yes" : "no") << "  "
-              << std::left << std::setw(10) << to_string(object->quality.verdict)
-              << time_text(object->learned_at) << '\n';
+              << std::left << std::setw(10) << symmetry_text(object->symmetry) << std::setw(10)
+              << to_string(object->quality.verdict) << time_text(object->learned_at) << '\n';
   }
 }
 

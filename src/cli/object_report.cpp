@@ -5,6 +5,7 @@
 #include <iomanip>
 
 #include "mbncc/config/field.hpp"
+#include "mbncc/symmetry.hpp"
 
 namespace mbncc::cli {
 namespace {
@@ -79,6 +80,7 @@ void write_object(JsonWriter& json, const ObjectModel& object) {
   json.member("learned_at", object.learned_at);
   json.member("metres_per_pixel", object.metres_per_pixel);
   json.member("object_height", object.object_height);
+  json.member("symmetry", symmetry_text(object.symmetry));
   if (object.min_score) json.member("min_score", *object.min_score);
   if (object.grasp) write_grasp(json.key("grasp"), *object.grasp);
   json.key("views").begin_array();
@@ -97,6 +99,8 @@ void print_object(std::ostream& out, const ObjectModel& object) {
   out << "  scale " << number_or_unknown(object.metres_per_pixel, "m/px") << ", height "
       << field_text(object.object_height) << " m, grasp " << (object.grasp ? "set" : "not set")
       << ", own threshold " << (object.min_score ? field_text(*object.min_score) : "none") << '\n'
+      << "  symmetry " << symmetry_text(object.symmetry.value_or(quality.symmetry))
+      << (object.symmetry ? ", declared" : ", as measured") << '\n'
       << "  verdict " << to_string(quality.verdict) << '\n';
   for (const auto& advice : quality.advice) out << "    " << advice << '\n';
 }

@@ -134,6 +134,10 @@ void ConsoleWidget::connect_library() {
   connect(&ros_, &RosLink::edited, this, &ConsoleWidget::take_edit);
   connect(strip_, &LibraryStrip::edit_wanted, this,
           [this](const auto& request) { ros_.edit(request); });
+  connect(strip_, &LibraryStrip::symmetry_wanted, this,
+          [this](const QString& name, std::uint8_t symmetry) {
+            ros_.edit(library_.declare(name.toStdString(), symmetry));
+          });
   connect(strip_, &LibraryStrip::undo_wanted, this, &ConsoleWidget::undo_edit);
 }
 

@@ -26,6 +26,7 @@ LessonBar::LessonBar(QWidget* parent)
     : QWidget(parent),
       name_(new QLineEdit),
       height_(new QDoubleSpinBox),
+      symmetry_(make_symmetry_box("At which angles the object counts as the same")),
       teach_(make_button("&Teach", "Begin a lesson: then take the object away", this)),
       cancel_(make_button("&Cancel", "End the lesson; nothing is stored", this)),
       mark_(make_button("&Mark grasp", "Keep where the gripper holds the object", this)),
@@ -55,6 +56,7 @@ LessonBar::LessonBar(QWidget* parent)
   auto* row = new QHBoxLayout;
   row->addWidget(name_, 2);
   row->addWidget(height_);
+  row->addWidget(symmetry_);
   for (auto* button : {teach_, cancel_, mark_}) row->addWidget(button);
   auto* headline_row = new QHBoxLayout;
   headline_row->addWidget(headline_, 1);
@@ -70,6 +72,11 @@ LessonBar::LessonBar(QWidget* parent)
   connect(teach_, &QPushButton::clicked, this, &LessonBar::teach_wanted);
   connect(cancel_, &QPushButton::clicked, this, &LessonBar::cancel_wanted);
   connect(mark_, &QPushButton::clicked, this, &LessonBar::mark_wanted);
+}
+
+void LessonBar::clear_name() {
+  name_->clear();
+  choose_symmetry(symmetry_, mbncc_vision::LearnObjectGoal::SYMMETRY_AUTO);
 }
 
 void LessonBar::say(const Notice::Line& line, double now) {
@@ -103,6 +110,7 @@ mbncc_vision::LearnObjectGoal LessonBar::goal() const {
   mbncc_vision::LearnObjectGoal goal;
   goal.name = name_->text().toStdString();
   goal.object_height = height_->value() / 1000;
+  goal.symmetry = chosen_symmetry(symmetry_);
   goal.confirm = true;
   goal.allow_bad = true;  // after a question of its own
   return goal;

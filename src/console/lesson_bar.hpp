@@ -8,6 +8,7 @@
 #include "console/notice.hpp"
 #endif
 
+#include <QComboBox>
 #include <QDoubleSpinBox>
 #include <QLabel>
 #include <QLineEdit>
@@ -25,8 +26,8 @@ class LessonBar : public QWidget {
 
   void show_lesson(const LessonModel& lesson, double now);
   mbncc_vision::LearnObjectGoal goal() const;
-  /// The name has been used up.
-  void clear_name() { name_->clear(); }
+  /// The name has been used up, and what was declared of its object.
+  void clear_name();
   /// Something beside the lesson, such as the library's refusal; takes the place of the lesson's
   /// own sentence for a while.
   void say(const Notice::Line& line, double now);
@@ -42,6 +43,7 @@ class LessonBar : public QWidget {
   Notice notice_;
   QLineEdit* name_;
   QDoubleSpinBox* height_;
+  QComboBox* symmetry_;
   QPushButton *teach_, *cancel_, *mark_;
   QLabel *headline_, *detail_, *time_left_;
   QProgressBar* progress_;

@@ -30,6 +30,16 @@ LibraryModel::Request LibraryModel::remove(const std::string& name) {
   return request;
 }
 
+LibraryModel::Request LibraryModel::declare(const std::string& name, std::uint8_t symmetry) {
+  for (const auto& object : objects_)
+    if (object.name == name) declared_before_[name] = object.symmetry;
+  Request request;
+  request.name = name;
+  request.command = Request::SET_SYMMETRY;
+  request.symmetry = symmetry;
+  return request;
+}
+
 void LibraryModel::done(const Request& request) {
   Request inverse = request;
   switch (request.command) {
@@ -44,6 +54,9 @@ void LibraryModel::done(const Request& request) {
       break;
     case Request::DELETE:
       inverse.command = Request::RESTORE;
+      break;
+    case Request::SET_SYMMETRY:
+      inverse.symmetry = declared_before_[request.name];
       break;
     default:
       return;
@@ -61,6 +74,8 @@ std::string LibraryModel::undo_text() const {
       return "Undo: enable '" + last.name + "'";
     case Request::RENAME:
       return "Undo: rename to '" + last.new_name + "'";
+    case Request::SET_SYMMETRY:
+      return "Undo: symmetry of '" + last.name + "'";
     default:
       return "Undo: bring '" + last.name + "' back";
   }

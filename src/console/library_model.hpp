@@ -4,6 +4,8 @@
 #include <mbncc_vision/EditObject.h>
 #include <mbncc_vision/LearnedObject.h>
 
+#include <cstdint>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -19,6 +21,8 @@ class LibraryModel {
   static Request enable(const std::string& name, bool enabled);
   static Request rename(const std::string& name, const std::string& new_name);
   static Request remove(const std::string& name);
+  /// `symmetry` is one of LearnObjectGoal's SYMMETRY_...; notes the present one, for undo().
+  Request declare(const std::string& name, std::uint8_t symmetry);
 
   /// An edit was carried out: it can be taken back from now on.
   void done(const Request& request);
@@ -31,6 +35,7 @@ class LibraryModel {
 
  private:
   std::vector<mbncc_vision::LearnedObject> objects_;
+  std::map<std::string, std::uint8_t> declared_before_;
   std::vector<Request> undo_;
 };
 

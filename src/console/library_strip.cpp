@@ -11,7 +11,8 @@
 namespace mbncc::console {
 namespace {
 
-constexpr int kNameRole = Qt::UserRole, kEnabledRole = Qt::UserRole + 1;
+constexpr int kNameRole = Qt::UserRole, kEnabledRole = Qt::UserRole + 1,
+              kSymmetryRole = Qt::UserRole + 2;
 constexpr QSize kIcon(72, 72);
 
 QPixmap icon_of(const mbncc_vision::LearnedObject& object) {
@@ -42,6 +43,7 @@ QPixmap icon_of(const mbncc_vision::LearnedObject& object) {
 LibraryStrip::LibraryStrip(QWidget* parent)
     : QWidget(parent),
       list_(new QListWidget),
+      symmetry_(make_symmetry_box("At which angles the chosen object counts as the same")),
       enable_(make_button("&Disable", "Search for the chosen object, or not", this)),
       rename_(make_button("Re&name", "Write a new name below its picture", this)),
       delete_(make_button("De&lete", "Take it out of the library; Undo brings it back", this)),
@@ -57,7 +59,9 @@ LibraryStrip::LibraryStrip(QWidget* parent)
   name_window(list_, "library");
 
   auto* row = new QHBoxLayout;
-  for (auto* button : {enable_, rename_, delete_, undo_}) row->addWidget(button);
+  for (auto* button : {enable_, rename_, delete_}) row->addWidget(button);
+  row->addWidget(symmetry_);
+  row->addWidget(undo_);
   auto* all = new QVBoxLayout(this);
   all->setContentsMargins(0, 0, 0, 0);
   all->addWidget(list_);
@@ -73,6 +77,12 @@ LibraryStrip::LibraryStrip(QWidget* parent)
   connect(delete_, &QPushButton::clicked,
           [this] { Q_EMIT edit_wanted(LibraryModel::remove(chosen().toStdString())); });
   connect(undo_, &QPushButton::clicked, this, &LibraryStrip::undo_wanted);
+  // Of the operator alone, not of show_choice().
+  connect(symmetry_, QOverload<int>::of(&QComboBox::activated), [this] {
+    const auto known = list_->currentItem()->data(kSymmetryRole).toUInt();
+    if (chosen_symmetry(symmetry_) != known)
+      Q_EMIT symmetry_wanted(chosen(), chosen_symmetry(symmetry_));
+  });
   show_choice();
   undo_->setEnabled(false);
 }
@@ -88,6 +98,7 @@ QListWidgetItem* LibraryStrip::make_item(const mbncc_vision::LearnedObject& obje
   auto* item = new QListWidgetItem(QIcon(icon_of(object)), name);
   item->setData(kNameRole, name);
   item->setData(kEnabledRole, object.enabled);
+  item->setData(kSymmetryRole, object.symmetry);
   item->setFlags(item->flags() | Qt::ItemIsEditable);
   item->setSizeHint({kIcon.width() + 28, kIcon.height() + 24});  // long names are cut
   item->setToolTip(QString("%1, revision %2, verdict %3%4")
@@ -116,6 +127,9 @@ void LibraryStrip::show_objects(const LibraryModel& library) {
 void LibraryStrip::show_choice() {
   const bool any = !chosen().isEmpty();
   for (auto* button : {enable_, rename_, delete_}) button->setEnabled(any);
+  symmetry_->setEnabled(any);
+  choose_symmetry(symmetry_, static_cast<std::uint8_t>(
+                                 any ? list_->currentItem()->data(kSymmetryRole).toUInt() : 0));
   const bool enabled = !any || list_->currentItem()->data(kEnabledRole).toBool();
   enable_->setText(enabled ? "&Disable" : "Ena&ble");
 }

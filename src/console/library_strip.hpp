@@ -1,13 +1,16 @@
-// The learned objects as thumbnails: enable, rename, delete, and undo instead of questions.
+// The learned objects as thumbnails: enable, rename, delete, declare the symmetry, and undo instead
+// of questions.
 #pragma once
 
 #ifndef Q_MOC_RUN
 #include "console/library_model.hpp"
 #endif
 
+#include <QComboBox>
 #include <QListWidget>
 #include <QPushButton>
 #include <QWidget>
+#include <cstdint>
 
 namespace mbncc::console {
 
@@ -21,6 +24,7 @@ class LibraryStrip : public QWidget {
 
  Q_SIGNALS:
   void edit_wanted(mbncc_vision::EditObject::Request request);
+  void symmetry_wanted(QString name, std::uint8_t symmetry);
   void undo_wanted();
 
  private:
@@ -30,6 +34,7 @@ class LibraryStrip : public QWidget {
   void take_new_name(QListWidgetItem* item);
 
   QListWidget* list_;
+  QComboBox* symmetry_;
   QPushButton *enable_, *rename_, *delete_, *undo_;
   bool filling_ = false;
 };

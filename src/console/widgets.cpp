@@ -41,6 +41,22 @@ QPushButton* make_button(const QString& text, const QString& tip, QWidget* paren
   return button;
 }
 
+QComboBox* make_symmetry_box(const QString& tip) {
+  auto* box = new QComboBox;
+  for (const auto& choice : symmetry_choices())
+    box->addItem(QString::fromUtf8(choice.text), choice.value);
+  box->setToolTip(tip);
+  return box;
+}
+
+std::uint8_t chosen_symmetry(const QComboBox* box) {
+  return static_cast<std::uint8_t>(box->currentData().toUInt());
+}
+
+void choose_symmetry(QComboBox* box, std::uint8_t value) {
+  box->setCurrentIndex(box->findData(value));
+}
+
 void show_level(QLabel* label, Level level, const QString& text) {
   label->setText(QString::fromUtf8(symbol_of(level)) + " " + text);
   label->setStyleSheet(QString("QLabel { background: %1; color: %2; font-weight: bold; "

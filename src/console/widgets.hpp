@@ -1,10 +1,12 @@
 // Small things that the console's widgets have in common.
 #pragma once
 
+#include <QComboBox>
 #include <QLabel>
 #include <QPushButton>
 #include <QString>
 #include <QWidget>
+#include <cstdint>
 
 #include "console/words.hpp"
 
@@ -15,6 +17,13 @@ namespace mbncc::console {
 void name_window(QWidget* widget, const QString& title);
 
 QPushButton* make_button(const QString& text, const QString& tip, QWidget* parent);
+
+/// The choices of symmetry_choices(), their values as data.
+QComboBox* make_symmetry_box(const QString& tip);
+
+/// The value chosen there, and its choice.
+std::uint8_t chosen_symmetry(const QComboBox* box);
+void choose_symmetry(QComboBox* box, std::uint8_t value);
 
 /// Symbol and `text`, in the level's colour.
 void show_level(QLabel* label, Level level, const QString& text);

@@ -2,6 +2,7 @@
 
 #include <mbncc_vision/DetectedObject.h>
 #include <mbncc_vision/LearnObjectFeedback.h>
+#include <mbncc_vision/LearnObjectGoal.h>
 #include <mbncc_vision/LearnQuality.h>
 
 #include <cmath>
@@ -96,6 +97,18 @@ std::string word_of_state(std::uint8_t state) {
     default:
       return "unknown";
   }
+}
+
+const std::vector<SymmetryChoice>& symmetry_choices() {
+  using Goal = mbncc_vision::LearnObjectGoal;
+  static const std::vector<SymmetryChoice> choices{{Goal::SYMMETRY_AUTO, "symmetry as measured"},
+                                                   {Goal::SYMMETRY_NONE, "no symmetry"},
+                                                   {Goal::SYMMETRY_2, "same after 180\u00b0"},
+                                                   {Goal::SYMMETRY_3, "same after 120\u00b0"},
+                                                   {Goal::SYMMETRY_4, "same after 90\u00b0"},
+                                                   {Goal::SYMMETRY_6, "same after 60\u00b0"},
+                                                   {Goal::SYMMETRY_ROUND, "round"}};
+  return choices;
 }
 
 std::string time_left(double seconds) {

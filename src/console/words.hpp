@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <string>
+#include <vector>
 
 namespace mbncc::console {
 
@@ -28,6 +29,13 @@ std::string word_of_verdict(std::uint8_t verdict);
 /// Of DetectedObject::state.
 Level level_of_state(std::uint8_t state);
 std::string word_of_state(std::uint8_t state);
+
+/// What an operator may declare: values of LearnObjectGoal::symmetry in words, auto first.
+struct SymmetryChoice {
+  std::uint8_t value;
+  const char* text;
+};
+const std::vector<SymmetryChoice>& symmetry_choices();
 
 /// "1:05 left", "" below 0.
 std::string time_left(double seconds);

@@ -2,6 +2,7 @@
 
 #include <stdexcept>
 
+#include "mbncc/symmetry.hpp"
 #include "nodelets/messages.hpp"
 
 namespace mbncc::nodelets {
@@ -43,6 +44,12 @@ ObjectModel set_threshold(ObjectLibrary& library, const Request& request) {
   });
 }
 
+ObjectModel set_symmetry(ObjectLibrary& library, const Request& request) {
+  const auto symmetry = symmetry_from_msg(request.symmetry);
+  return library.edit(request.name,
+                      [symmetry](ObjectModel& model) { declare_symmetry(model, symmetry); });
+}
+
 ObjectModel rename(ObjectLibrary& library, const Request& request) {
   if (request.new_name.empty() && request.label.empty())
     refuse("nothing to rename; give new_name, label or both");
@@ -73,6 +80,8 @@ ObjectModel edit_object(ObjectLibrary& library, const Request& request) {
       return set_grasp(library, request);
     case Request::SET_THRESHOLD:
       return set_threshold(library, request);
+    case Request::SET_SYMMETRY:
+      return set_symmetry(library, request);
     default:
       refuse("command " + std::to_string(request.command) +
              " does not exist; see srv/EditObject.srv");

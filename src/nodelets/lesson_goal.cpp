@@ -1,6 +1,7 @@
 #include "nodelets/lesson_goal.hpp"
 
 #include <cmath>
+#include <stdexcept>
 
 #include "nodelets/images.hpp"
 #include "nodelets/messages.hpp"
@@ -24,8 +25,20 @@ Lesson described(const Goal& goal, const std::string& name) {
   lesson.name = name;
   lesson.label = goal.label;
   lesson.object_height = goal.object_height;
+  lesson.symmetry = symmetry_from_msg(goal.symmetry);
   if (goal.set_reference) lesson.reference = from_msg(goal.reference);
   return lesson;
+}
+
+Fault check_symmetry(const Goal& goal) {
+  try {
+    symmetry_from_msg(goal.symmetry);
+  } catch (const std::invalid_argument&) {
+    return outcome(LearnError::kRegionInvalid,
+                   "The symmetry " + std::to_string(goal.symmetry) + " does not exist.",
+                   "Give SYMMETRY_AUTO, _NONE, _2, _3, _4, _6 or _ROUND.");
+  }
+  return {};
 }
 
 Fault check_storable(const Goal& goal, const LibrarySnapshot& library, int max_objects) {
@@ -83,6 +96,7 @@ Fault check_numbers(const Goal& goal) {
 }  // namespace
 
 Fault check_goal(const Goal& goal, const LibrarySnapshot& library, int max_objects) {
+  if (auto fault = check_symmetry(goal)) return fault;
   if (auto fault = check_storable(goal, library, max_objects)) return fault;
   if (auto fault = check_mode(goal)) return fault;
   return check_numbers(goal);

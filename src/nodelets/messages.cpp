@@ -1,5 +1,6 @@
 #include "nodelets/messages.hpp"
 
+#include <mbncc_vision/LearnObjectGoal.h>
 #include <tf2/LinearMath/Matrix3x3.h>
 #include <tf2/LinearMath/Quaternion.h>
 #include <tf2_geometry_msgs/tf2_geometry_msgs.h>
@@ -8,7 +9,10 @@
 #include <cmath>
 #include <limits>
 #include <opencv2/imgproc.hpp>
+#include <stdexcept>
+#include <string>
 
+#include "mbncc/symmetry.hpp"
 #include "nodelets/images.hpp"
 
 namespace mbncc::nodelets {
@@ -136,6 +140,7 @@ mbncc_vision::LearnedObject to_msg(const ObjectModel& model, bool with_thumbnail
   message.has_grasp = model.grasp.has_value();
   if (model.grasp) message.grasp = to_msg(*model.grasp);
   message.min_score = static_cast<float>(model.min_score.value_or(0));
+  message.symmetry = symmetry_to_msg(model.symmetry);
   message.quality = to_msg(model.quality);
   if (model.views.empty()) return message;
   const View& view = model.views.front();
@@ -203,6 +208,24 @@ std::optional<cv::Rect> from_msg(const sensor_msgs::RegionOfInterest& region, cv
     return {};
   return cv::Rect(static_cast<int>(region.x_offset), static_cast<int>(region.y_offset),
                   static_cast<int>(region.width), static_cast<int>(region.height));
+}
+
+std::uint8_t symmetry_to_msg(std::optional<int> symmetry) {
+  using Goal = mbncc_vision::LearnObjectGoal;
+  if (!symmetry) return Goal::SYMMETRY_AUTO;
+  if (*symmetry == 0) return Goal::SYMMETRY_ROUND;
+  return static_cast<std::uint8_t>(*symmetry);
+}
+
+std::optional<int> symmetry_from_msg(std::uint8_t symmetry) {
+  using Goal = mbncc_vision::LearnObjectGoal;
+  if (symmetry == Goal::SYMMETRY_AUTO) return {};
+  if (symmetry == Goal::SYMMETRY_ROUND) return 0;
+  if (!is_declarable_symmetry(symmetry))
+    throw std::invalid_argument("the symmetry " + std::to_string(symmetry) +
+                                " does not exist; give 0 (auto), 1 (none), 2, 3, 4, 6 or 255 "
+                                "(round)");
+  return symmetry;
 }
 
 geometry_msgs::Vector3 size_of(const ObjectModel& model) {

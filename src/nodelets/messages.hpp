@@ -50,6 +50,12 @@ std::optional<std::vector<cv::Point2f>> from_msg(const geometry_msgs::Polygon& p
 /// Empty for 0 x 0; none when it does not lie in a picture of `size`, or has one side of 0.
 std::optional<cv::Rect> from_msg(const sensor_msgs::RegionOfInterest& region, cv::Size size);
 
+/// A declared symmetry as LearnObject's constants SYMMETRY_... say it, none as SYMMETRY_AUTO.
+std::uint8_t symmetry_to_msg(std::optional<int> symmetry);
+
+/// The other way. Throws std::invalid_argument that names the constants for any other value.
+std::optional<int> symmetry_from_msg(std::uint8_t symmetry);
+
 /// Height and extents of the first view's map along the object's x and y. [m]; NaN when learned
 /// without scale.
 geometry_msgs::Vector3 size_of(const ObjectModel& model);

@@ -43,6 +43,22 @@ TEST(LearnCommand, LearnsFromTheDifferenceOfTwoPictures) {
   EXPECT_FALSE(std::filesystem::is_empty(folder / "stages"));
 }
 
+TEST(LearnCommand, KeepsADeclaredSymmetryUntilTheObjectIsReplaced) {
+  const LessonFolder folder;
+  const auto stored = [&] {
+    return ObjectLibrary(folder.library()).load()->find("part")->symmetry;
+  };
+  ASSERT_EQ(run_tool(folder.lesson("part") + Words{"--symmetry", "4"}).code, 0);
+  EXPECT_EQ(stored(), 4);
+  const ToolRun other = run_tool(folder.lesson("part") + Words{"--add-view", "--symmetry", "2"});
+  EXPECT_EQ(other.code, 1);
+  EXPECT_TRUE(other.says("cannot change its symmetry")) << other.err;
+  ASSERT_EQ(run_tool(folder.lesson("part") + Words{"--add-view"}).code, 0);
+  EXPECT_EQ(stored(), 4);
+  ASSERT_EQ(run_tool(folder.lesson("part") + Words{"--overwrite"}).code, 0);
+  EXPECT_EQ(stored(), std::nullopt);
+}
+
 TEST(LearnCommand, StrokesCorrectTheMap) {
   const LessonFolder folder;
   const Words strokes{"--include", "20,20,40,20", "--exclude", "130,110", "--stroke-width", "7"};

@@ -53,6 +53,21 @@ TEST_F(LibraryCommands, ListAndShowDescribeObjects) {
   EXPECT_EQ(on_library("show", {"--name", "nut"}).code, 1);
 }
 
+TEST_F(LibraryCommands, ASymmetryIsDeclaredAndShown) {
+  const auto shown = [this] { return on_library("show", {"--name", "part"}).out; };
+  EXPECT_NE(shown().find("symmetry none, as measured"), std::string::npos) << shown();
+  const ToolRun edit = on_library("edit", {"--name", "part", "--symmetry", "round"});
+  EXPECT_EQ(edit.code, 0) << edit.err;
+  EXPECT_TRUE(edit.prints("'part' has symmetry round, revision 2")) << edit.out;
+  EXPECT_NE(shown().find("symmetry round, declared"), std::string::npos) << shown();
+  EXPECT_TRUE(on_library("list").prints("round"));
+  const YAML::Node list = YAML::Load(on_library("list", {"--json"}).out);
+  EXPECT_EQ(list[0]["symmetry"].as<std::string>(), "round");
+  EXPECT_EQ(on_library("edit", {"--name", "nut", "--symmetry", "2"}).code, 1);
+  EXPECT_EQ(on_library("edit", {"--name", "part", "--symmetry", "auto"}).code, 0);
+  EXPECT_NE(shown().find("symmetry none, as measured"), std::string::npos) << shown();
+}
+
 TEST_F(LibraryCommands, ForgottenObjectsCanBeRestored) {
   EXPECT_EQ(on_library("forget", {"--name", "part"}).code, 0);
   EXPECT_FALSE(on_library("list").prints("part"));

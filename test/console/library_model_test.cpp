@@ -20,6 +20,25 @@ TEST(LibraryModel, EveryEditHasItsWayBack) {
   EXPECT_EQ(library.undo().name, "b");
 }
 
+TEST(LibraryModel, ADeclaredSymmetryGoesBackToTheOneBefore) {
+  LibraryModel library;
+  mbncc_vision::LearnedObject object;
+  object.name = "a";
+  object.symmetry = 2;
+  library.set_objects({object});
+  const auto request = library.declare("a", 255);
+  EXPECT_EQ(request.command, Request::SET_SYMMETRY);
+  EXPECT_EQ(request.name, "a");
+  EXPECT_EQ(request.symmetry, 255);
+  object.symmetry = 255;
+  library.set_objects({object});  // the library's news may come before the answer
+  library.done(request);
+  EXPECT_EQ(library.undo().command, Request::SET_SYMMETRY);
+  EXPECT_EQ(library.undo().name, "a");
+  EXPECT_EQ(library.undo().symmetry, 2);
+  EXPECT_EQ(library.undo_text(), "Undo: symmetry of 'a'");
+}
+
 TEST(LibraryModel, UndoGoesBackStepByStep) {
   LibraryModel library;
   library.done(LibraryModel::remove("a"));

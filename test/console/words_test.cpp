@@ -28,5 +28,12 @@ TEST(Words, EveryPlateIsLegible) {
   }
 }
 
+// Auto comes first: what nobody chooses declares nothing.
+TEST(Words, EverySymmetryThatAGoalMayDeclareHasItsChoice) {
+  std::vector<int> values;
+  for (const auto& choice : symmetry_choices()) values.push_back(choice.value);
+  EXPECT_EQ(values, (std::vector<int>{0, 1, 2, 3, 4, 6, 255}));
+}
+
 }  // namespace
 }  // namespace mbncc::console

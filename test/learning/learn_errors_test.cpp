@@ -57,6 +57,14 @@ TEST(LearnErrors, NothingSaysWhereTheObjectIs) {
   EXPECT_EQ(error_for(drawn.lesson), LearnError::kRegionInvalid);
 }
 
+TEST(LearnErrors, SymmetryThatCannotBeDeclared) {
+  DrawnLesson drawn = draw_lesson();
+  for (const int symmetry : {-1, 5, 8, 255}) {
+    drawn.lesson.symmetry = symmetry;
+    EXPECT_EQ(error_for(drawn.lesson), LearnError::kRegionInvalid) << symmetry;
+  }
+}
+
 TEST(LearnErrors, RegionInvalid) {
   DrawnLesson drawn = draw_lesson();
   const int huge = std::numeric_limits<int>::max();

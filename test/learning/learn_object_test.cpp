@@ -128,9 +128,12 @@ TEST(LearnObject, PutsTheReferenceAtTheCentroidUnlessToldOtherwise) {
 TEST(LearnObject, NotesNameLabelTimeAndTimings) {
   DrawnLesson drawn = draw_lesson();
   drawn.lesson.label = "Keil";
+  drawn.lesson.symmetry = 3;
   const LearnResult result = learn_object(drawn.lesson);
   EXPECT_EQ(result.object.name, "wedge");
   EXPECT_EQ(result.object.label, "Keil");
+  EXPECT_EQ(result.object.symmetry, 3);
+  EXPECT_EQ(result.object.quality.symmetry, 3);
   EXPECT_GT(result.object.learned_at, 0);
   for (const char* step : {"region", "segment", "quality", "total"})
     EXPECT_TRUE(result.timings_ms.count(step)) << step;

@@ -61,6 +61,13 @@ TEST(CheckStoring, AFurtherViewBringsNothingThatContradictsTheObject) {
   EXPECT_EQ(error_of(lesson, Storing::kAddView, library), LearnError::kRegionInvalid);
   EXPECT_EQ(error_of(lesson, Storing::kReplace, library), LearnError::kSuccess);
   lesson.object_height = 0;
+  lesson.symmetry = 2;
+  EXPECT_EQ(error_of(lesson, Storing::kAddView, library), LearnError::kRegionInvalid);
+  EXPECT_EQ(error_of(lesson, Storing::kReplace, library), LearnError::kSuccess);
+  cup.symmetry = 2;
+  EXPECT_EQ(error_of(lesson, Storing::kAddView, library_of({cup})), LearnError::kSuccess);
+  lesson.symmetry.reset();
+  EXPECT_EQ(error_of(lesson, Storing::kAddView, library_of({cup})), LearnError::kSuccess);
   lesson.label = "Cup";
   EXPECT_EQ(error_of(lesson, Storing::kAddView, library), LearnError::kNameInvalid);
   lesson.label = "";
@@ -133,22 +140,27 @@ class AddView : public testing::Test {
   const sim::Scene scene_;
 };
 
-TEST_F(AddView, TakesFrameAndHeightOfTheStoredObject) {
+TEST_F(AddView, TakesFrameHeightAndSymmetryOfTheStoredObject) {
   const auto first = placed(5, {200, 200, 0}), second = placed(5, {420, 260, 2});
   ObjectModel stored = learned(first, scene_.render({first}, 1));
   stored.views[0].reference = first.pose;
   stored.object_height = 0.05;
+  stored.symmetry = 2;
   stored.grasp = Grasp{{0.1, 0.2, 0.3}, {0, 0, 0, 1}};
   const cv::Mat picture = scene_.render({second}, 2);
   ObjectModel lesson = learned(second, picture);
   lesson.quality.verdict = Verdict::kMarginal;
+  lesson.quality.reasons = {"nearly_round"};
+  lesson.quality.advice = {"Declare it."};
   ASSERT_FALSE(add_view(stored, lesson, picture));
   ASSERT_EQ(stored.views.size(), 2u);
   EXPECT_NEAR(stored.views[1].reference.x, 420, 1);
   EXPECT_NEAR(stored.views[1].reference.y, 260, 1);
   EXPECT_NEAR(angle_distance(stored.views[1].reference.theta, 2), 0, to_radians(1.5));
   EXPECT_EQ(stored.object_height, 0.05);
+  EXPECT_EQ(stored.symmetry, 2);
   EXPECT_EQ(stored.quality.verdict, Verdict::kMarginal);
+  EXPECT_TRUE(stored.quality.reasons.empty()) << "the symmetry is declared already";
   ASSERT_TRUE(stored.grasp);
   EXPECT_EQ(stored.grasp->position[0], 0.1);
 }

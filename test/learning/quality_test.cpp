@@ -106,6 +106,31 @@ TEST(Quality, SymmetriesAreNotedButNoFault) {
   EXPECT_EQ(quality.verdict, Verdict::kGood);
 }
 
+// The disc's mark tells its angle: that is told, and not used.
+TEST(Quality, NearSymmetriesAreProposedUntilTheyAreDeclared) {
+  const cv::Size size(240, 200);
+  cv::Mat scene(size, CV_32FC3, cv::Scalar::all(110)), map = disc_map(size, {120, 100}, 40);
+  scene.setTo(cv::Scalar(60, 90, 190), map);
+  cv::circle(scene, {140, 100}, 4, cv::Scalar(90, 120, 220), cv::FILLED);
+  cv::GaussianBlur(scene, scene, {}, 0.7);
+  const cv::Mat picture = test::exposed(scene, 6);
+  const Quality quality = quality_of(picture, map);
+  EXPECT_EQ(quality.symmetry, 1);
+  ASSERT_TRUE(has_reason(quality, "nearly_round"));
+  EXPECT_EQ(quality.reasons.size(), quality.advice.size());
+  EXPECT_NE(quality.advice.back().find("declare symmetry round"), std::string::npos);
+  EXPECT_EQ(error_of(quality), LearnError::kSuccess);
+
+  ObjectModel object = model_of(picture, map);
+  for (const int declared : {1, 0}) {
+    object.symmetry = declared;
+    const Quality told = assess_quality(object, picture, cv::Mat(), std::nullopt, {}, {});
+    EXPECT_EQ(told.symmetry, declared);
+    EXPECT_FALSE(has_reason(told, "nearly_round"));
+    EXPECT_EQ(has_reason(told, "round"), declared == 0);
+  }
+}
+
 TEST(Quality, RoundObjectsHaveNoAngle) {
   const cv::Size size(240, 200);
   cv::Mat picture = test::exposed(test::texture(size, cv::Scalar(110, 110, 110), 10, 5), 6);

@@ -140,6 +140,34 @@ TEST(HostileFiles, DescriptionsAreChecked) {
     EXPECT_TRUE(is_refused(with_description(text))) << text.substr(0, 300);
 }
 
+// Files of earlier versions have no symmetry. "auto" is what no file says, but it is no fault.
+TEST(HostileFiles, ADeclaredSymmetryIsOptionalAndChecked) {
+  const std::string sound = sound_description();
+  ASSERT_EQ(sound.find("\nsymmetry:"), std::string::npos);
+  const auto read = [](const std::string& text) {
+    return decode_object(with_description(text), "/library/wrench.png").symmetry;
+  };
+  EXPECT_EQ(read(sound), std::nullopt);
+  EXPECT_EQ(read("symmetry: auto\n" + sound), std::nullopt);
+  EXPECT_EQ(read("symmetry: round\n" + sound), 0);
+  EXPECT_EQ(read("symmetry: \"2\"\n" + sound), 2);
+  for (const char* wrong : {"5", "0", "-2", "Round", "[2]", "{}", "\"\"", "~"}) {
+    try {
+      read("symmetry: " + std::string(wrong) + "\n" + sound);
+      ADD_FAILURE() << wrong << " was taken";
+    } catch (const FileError& error) {
+      EXPECT_FALSE(error.reason().empty());
+    }
+  }
+  try {
+    read("symmetry: 5\n" + sound);
+  } catch (const FileError& error) {
+    EXPECT_NE(error.reason().find("'5' is not known; give auto, none, 2, 3, 4, 6 or round"),
+              std::string::npos)
+        << error.reason();
+  }
+}
+
 TEST(HostileFiles, PicturesOfOtherKindsAreRefused) {
   const std::string text = sound_description();
   EXPECT_TRUE(is_refused(encode_png(cv::Mat(6, 5, CV_8UC4, cv::Scalar::all(255)), "other", text)));

@@ -55,6 +55,8 @@ inline ObjectModel random_model(unsigned seed, const std::string& name = "wrench
   model.quality.symmetry = static_cast<int>(random() % 5);
   if (unit(random) < 0.5) model.quality.change_agreement = unit(random);
   model.quality.search_time = unit(random);
+  constexpr int kDeclarable[] = {0, 1, 2, 3, 4, 6};
+  if (seed % 2 == 0) model.symmetry = kDeclarable[seed / 2 % 6];
   for (unsigned i = 0; i <= random() % 4; ++i)
     model.views.push_back(random_view(random, largest_side));
   return model;
@@ -104,6 +106,7 @@ inline void expect_equal(const ObjectModel& a, const ObjectModel& b) {
     EXPECT_EQ(a.grasp->orientation, b.grasp->orientation);
   }
   EXPECT_EQ(a.min_score, b.min_score);
+  EXPECT_EQ(a.symmetry, b.symmetry);
   expect_equal(a.quality, b.quality);
   ASSERT_EQ(a.views.size(), b.views.size());
   for (std::size_t i = 0; i < a.views.size(); ++i) expect_equal(a.views[i], b.views[i]);

@@ -115,6 +115,12 @@ TEST(ObjectLibrary, EditThatMovesPosesIsANewRevision) {
   EXPECT_EQ(library.edit("wrench", [](ObjectModel& model) { model.views.front().map.setTo(255); })
                 .revision,
             3u);
+  EXPECT_EQ(library.edit("wrench", [](ObjectModel& model) { model.symmetry = 2; }).revision, 4u);
+  EXPECT_EQ(library.edit("wrench", [](ObjectModel& model) { model.symmetry = 2; }).revision, 4u);
+  EXPECT_THROW(library.edit("wrench", [](ObjectModel& model) { model.symmetry = 5; }),
+               std::invalid_argument);
+  EXPECT_EQ(library.load()->find("wrench")->symmetry, 2);
+  EXPECT_EQ(library.restore("wrench", 3).symmetry, std::nullopt);
   EXPECT_EQ(library.load()->find("wrench")->label, "w");
   EXPECT_THROW(library.edit("nut", [](ObjectModel&) {}), NameError);
 }

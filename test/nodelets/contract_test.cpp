@@ -26,12 +26,12 @@ std::string service_checksum() {
 
 TEST(Contract, DefinitionsAreThoseThatOthersWereBuiltAgainst) {
   EXPECT_EQ(checksum<mbncc_vision::DetectedObjectArray>(), "e344a2d95b790e15e32ec14034e7eed9");
-  EXPECT_EQ(checksum<mbncc_vision::LearnedObjectArray>(), "ba725681f8bb0c05ed747103a7199ce3");
-  EXPECT_EQ(checksum<mbncc_vision::LearnObjectAction>(), "7713b482dbf9a4142679008d5ca50977");
+  EXPECT_EQ(checksum<mbncc_vision::LearnedObjectArray>(), "84304028cd17b6618c87a3952e320d7f");
+  EXPECT_EQ(checksum<mbncc_vision::LearnObjectAction>(), "6fa53828c6120280b4e095e82e699f18");
   EXPECT_EQ(service_checksum<mbncc_vision::ConfirmLearning>(), "70d0faf45158c03a25f54bd7d866c64d");
-  EXPECT_EQ(service_checksum<mbncc_vision::EditObject>(), "e1ba0f59c75d51597a66581ec17e77a2");
+  EXPECT_EQ(service_checksum<mbncc_vision::EditObject>(), "9f51f22819e2d886290b740983333a41");
   EXPECT_EQ(service_checksum<mbncc_vision::FindObjects>(), "3fcff887786f2a119c3f972e944b7ce5");
-  EXPECT_EQ(service_checksum<mbncc_vision::ListObjects>(), "f71bef1bcc8d4692078055c70ed009f5");
+  EXPECT_EQ(service_checksum<mbncc_vision::ListObjects>(), "00fe1dca5e2d23f4f4ac4399eae53cf0");
 }
 
 }  // namespace

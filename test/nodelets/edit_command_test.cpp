@@ -1,6 +1,7 @@
 #include "nodelets/edit_command.hpp"
 
 #include <gtest/gtest.h>
+#include <mbncc_vision/LearnObjectGoal.h>
 
 #include <cmath>
 #include <limits>
@@ -94,6 +95,24 @@ TEST_F(EditObject, SetsAndClearsTheThreshold) {
   EXPECT_FALSE(edit_object(library_, threshold).min_score);
 }
 
+TEST_F(EditObject, DeclaresTheSymmetry) {
+  auto declare = request(Request::SET_SYMMETRY);
+  declare.symmetry = mbncc_vision::LearnObjectGoal::SYMMETRY_ROUND;
+  const std::uint32_t before = stored().revision;
+  EXPECT_EQ(edit_object(library_, declare).symmetry, 0);
+  EXPECT_EQ(stored().symmetry, 0);
+  EXPECT_GT(stored().revision, before) << "the poses of a round object may turn";
+  declare.symmetry = mbncc_vision::LearnObjectGoal::SYMMETRY_2;
+  EXPECT_EQ(edit_object(library_, declare).symmetry, 2);
+  for (const int wrong : {5, 7, 8, 254}) {
+    declare.symmetry = static_cast<std::uint8_t>(wrong);
+    EXPECT_THROW(edit_object(library_, declare), std::invalid_argument) << wrong;
+  }
+  EXPECT_EQ(stored().symmetry, 2);
+  declare.symmetry = mbncc_vision::LearnObjectGoal::SYMMETRY_AUTO;
+  EXPECT_FALSE(edit_object(library_, declare).symmetry);
+}
+
 TEST_F(EditObject, RefusesNonsenseAndChangesNothing) {
   const ObjectModel before = stored();
   auto threshold = request(Request::SET_THRESHOLD);
@@ -120,7 +139,7 @@ TEST_F(EditObject, RefusesNonsenseAndChangesNothing) {
 }
 
 TEST_F(EditObject, NamesAnUnknownObject) {
-  for (std::uint8_t command = Request::ENABLE; command <= Request::SET_THRESHOLD; ++command) {
+  for (std::uint8_t command = Request::ENABLE; command <= Request::SET_SYMMETRY; ++command) {
     auto edit = request(command);
     edit.name = "wrench";
     edit.new_name = "pliers";

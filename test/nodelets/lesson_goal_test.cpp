@@ -108,6 +108,15 @@ TEST(CheckGoal, RefusesNumbersWithoutSense) {
     EXPECT_EQ(code(goal, {}), Result::REGION_INVALID) << height;
   }
   goal = goal_named("cup");
+  for (const int symmetry : {5, 7, 8, 254}) {
+    goal.symmetry = static_cast<std::uint8_t>(symmetry);
+    EXPECT_EQ(code(goal, {}), Result::REGION_INVALID) << symmetry;
+  }
+  for (const int symmetry : {0, 1, 2, 3, 4, 6, 255}) {
+    goal.symmetry = static_cast<std::uint8_t>(symmetry);
+    EXPECT_EQ(code(goal, {}), Result::SUCCESS) << symmetry;
+  }
+  goal = goal_named("cup");
   goal.set_reference = true;
   goal.reference.theta = kNaN;
   EXPECT_EQ(code(goal, {}), Result::REGION_INVALID);
@@ -148,7 +157,10 @@ TEST_F(ToLesson, OfAChangeHasBothPictures) {
   EXPECT_FALSE(made.lesson.after.empty());
   EXPECT_TRUE(made.lesson.region.empty());
   EXPECT_DOUBLE_EQ(made.lesson.object_height, 0.02);
+  EXPECT_FALSE(made.lesson.symmetry) << "goals of earlier clients declare nothing";
   EXPECT_FALSE(made.lesson.reference);
+  goal_.symmetry = Goal::SYMMETRY_ROUND;
+  EXPECT_EQ(this->made(picture_.clone()).lesson.symmetry, 0);
 }
 
 TEST_F(ToLesson, OfARegionHasNoAfterPicture) {

@@ -48,6 +48,20 @@ TEST(LearnedObjectMessage, CarriesTheModel) {
   EXPECT_EQ(message.thumbnail.height, 48u);
 }
 
+TEST(LearnedObjectMessage, CarriesTheDeclaredSymmetry) {
+  ObjectModel model = plate();
+  EXPECT_EQ(to_msg(model, false).symmetry, 0);
+  const std::pair<int, int> values[] = {{1, 1}, {2, 2}, {3, 3}, {4, 4}, {6, 6}, {0, 255}};
+  for (const auto& [symmetry, told] : values) {
+    model.symmetry = symmetry;
+    EXPECT_EQ(to_msg(model, false).symmetry, told);
+    EXPECT_EQ(symmetry_from_msg(static_cast<std::uint8_t>(told)), symmetry);
+  }
+  EXPECT_EQ(symmetry_from_msg(0), std::nullopt);
+  for (const int wrong : {5, 7, 12, 254})
+    EXPECT_THROW(symmetry_from_msg(static_cast<std::uint8_t>(wrong)), std::invalid_argument);
+}
+
 TEST(LearnedObjectMessage, CarriesEveryTimeThatAFileMayHold) {
   ObjectModel model = plate();
   model.learned_at = 4e9;

@@ -13,6 +13,7 @@ import rospy
 import rostest
 from std_srvs.srv import Trigger
 
+from mbncc_vision.msg import LearnObjectGoal
 from mbncc_vision.srv import ListObjects
 
 TEACH = os.path.join(os.path.dirname(os.path.realpath(__file__)), "..", "..", "scripts", "teach")
@@ -61,13 +62,15 @@ class Teach(unittest.TestCase):
     def test_an_agreed_lesson_is_stored_and_a_declined_one_is_not(self):
         with tempfile.TemporaryDirectory() as folder:
             preview = os.path.join(folder, "outline.png")
-            code, said = self.lesson("y\n", "agreed", "--preview", preview)
+            code, said = self.lesson("y\n", "agreed", "--preview", preview, "--symmetry", "round")
             self.assertEqual(code, 0, said)
             self.assertGreater(os.path.getsize(preview), 0)
         code, said = self.lesson("perhaps\nn\n", "declined")
         self.assertEqual(code, 1, said)
         self.assertIn("y/n", said)
         self.assertEqual(known_names(), ["agreed"])
+        self.assertEqual(rospy.ServiceProxy("list_objects", ListObjects)().objects[0].symmetry,
+                         LearnObjectGoal.SYMMETRY_ROUND)
         again, _ = self.start("agreed").communicate()
         self.assertIn("--overwrite or --add-view", again)  # what to do, in this program's words
 
@@ -94,6 +97,12 @@ class Teach(unittest.TestCase):
         said, _ = program.communicate()
         self.assertEqual(program.returncode, 1)
         self.assertIn("letter", said)
+
+    def test_a_symmetry_that_does_not_exist_is_wrong_usage(self):
+        program = self.start("part", "--symmetry", "5")
+        said, _ = program.communicate()
+        self.assertEqual(program.returncode, 2)
+        self.assertIn("round", said)
 
     def test_without_a_name_the_usage_is_shown(self):
         program = self.start()

@@ -126,6 +126,9 @@ TEST(Validate, NamesEachBrokenRule) {
       [](ObjectModel& model) { model.metres_per_pixel = -1; },
       [](ObjectModel& model) { model.min_score = 0; },
       [](ObjectModel& model) { model.min_score = 1.5; },
+      [](ObjectModel& model) { model.symmetry = -1; },
+      [](ObjectModel& model) { model.symmetry = 5; },
+      [](ObjectModel& model) { model.symmetry = 255; },
       [](ObjectModel& model) {
         model.grasp = Grasp{{0, 0, 0}, {0, 0, 0, 0}};
       },

@@ -28,8 +28,9 @@ struct Lesson {
   cv::Mat map;                       ///< CV_8UC1 of before's size, taken as it is
   std::optional<Pose2D> reference;   ///< [px],[rad] object frame; none: centroid of the map, 0
   std::string name;
-  std::string label;         ///< "" : same as name
-  double object_height = 0;  ///< [m]
+  std::string label;            ///< "" : same as name
+  double object_height = 0;     ///< [m]
+  std::optional<int> symmetry;  ///< declared, see is_declarable_symmetry(); none: measured
 };
 
 /// Steps that an observer hears of, in this order.

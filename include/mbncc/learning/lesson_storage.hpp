@@ -35,8 +35,9 @@ enum class Storing {
   kAddView   ///< there must be one; the lesson's picture becomes a further view of it
 };
 
-/// Why a lesson of this name, label, height and reference cannot be stored; none: it may start.
-/// A further view brings nothing of its own but the picture: the rest is the stored object's.
+/// Why a lesson of this name, label, height, symmetry and reference cannot be stored; none: it may
+/// start. A further view brings nothing of its own but the picture: the rest is the stored
+/// object's.
 std::optional<Refusal> check_storing(const Lesson& lesson, Storing storing,
                                      const LibrarySnapshot& library);
 

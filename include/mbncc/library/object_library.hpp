@@ -82,8 +82,8 @@ class ObjectLibrary {
 
   /// Applies `change` to the stored object under the lock and stores the result; as the next
   /// revision, with the old one in the trash, when it moves poses (views, references, scale,
-  /// height, grasp). An exception from `change` leaves everything as it was. Throws
-  /// NameError when the name is unknown, std::invalid_argument like save().
+  /// height, declared symmetry, grasp). An exception from `change` leaves everything as it was.
+  /// Throws NameError when the name is unknown, std::invalid_argument like save().
   ObjectModel edit(const std::string& name, const std::function<void(ObjectModel&)>& change);
 
   /// New key and/or label; an empty argument keeps the old one. Throws NameError when the name is

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "learning/lesson_progress.hpp"
+#include "mbncc/symmetry.hpp"
 
 namespace mbncc {
 namespace {
@@ -86,6 +87,8 @@ void check_lesson(const Lesson& lesson) {
           "The reference point is not a number.");
   require(std::isfinite(lesson.object_height) && lesson.object_height >= 0,
           LearnError::kRegionInvalid, "The object's height must be 0 or more metres.");
+  require(!lesson.symmetry || is_declarable_symmetry(*lesson.symmetry), LearnError::kRegionInvalid,
+          "The declared symmetry must be 1 (none), 2, 3, 4, 6 or 0 (round).");
   require(
       !lesson.click || cv::Rect2d({0, 0}, cv::Size2d(lesson.before.size())).contains(*lesson.click),
       LearnError::kRegionInvalid, "The click does not lie in the picture.");

@@ -160,6 +160,7 @@ class LessonRun {
     object.name = lesson_.name;
     object.label = lesson_.label.empty() ? lesson_.name : lesson_.label;
     object.object_height = lesson_.object_height;
+    object.symmetry = lesson_.symmetry;
     object.learned_at =
         std::chrono::duration<double>(std::chrono::system_clock::now().time_since_epoch()).count();
     object.views = {crop_view(lesson_.before, map, reference)};

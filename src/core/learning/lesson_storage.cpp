@@ -4,6 +4,7 @@
 
 #include "mbncc/label.hpp"
 #include "mbncc/learning/resemblance.hpp"
+#include "mbncc/symmetry.hpp"
 
 namespace mbncc {
 namespace {
@@ -20,6 +21,10 @@ std::optional<Refusal> check_view_fields(const Lesson& lesson, const ObjectModel
   if (!lesson.label.empty() && lesson.label != stored.label)
     return Refusal(LearnError::kNameInvalid,
                    "A further view of '" + stored.name + "' cannot change its label.", kLeaveOut);
+  if (lesson.symmetry && lesson.symmetry != stored.symmetry)
+    return Refusal(LearnError::kRegionInvalid,
+                   "A further view of '" + stored.name + "' cannot change its symmetry.",
+                   kLeaveOut);
   return {};
 }
 
@@ -76,6 +81,7 @@ std::optional<Refusal> add_view(ObjectModel& stored, const ObjectModel& learned,
   view.reference = *reference;
   stored.views.push_back(view);
   stored.quality = learned.quality;
+  declare_symmetry(stored, stored.symmetry);
   return {};
 }
 

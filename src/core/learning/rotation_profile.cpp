@@ -1,7 +1,6 @@
 #include "learning/rotation_profile.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <opencv2/imgproc.hpp>
 
@@ -12,9 +11,7 @@
 namespace mbncc {
 namespace {
 
-constexpr double kSamePattern = 0.85;  // similarity that counts as the same
-constexpr double kSameOutline = 0.9;   // IoU that counts as the same
-constexpr int kEnoughPoints = 300;     // the profile needs no more
+constexpr int kEnoughPoints = 300;  // the profile needs no more
 
 int level_for(double area) {
   int level = 0;
@@ -29,18 +26,6 @@ MaskedTemplate points_of(const cv::Mat& grey, const cv::Mat& map, const cv::Poin
   const cv::Point start(tight.x >> level << level, tight.y >> level << level);
   const cv::Rect box(start, tight.br());
   return masked_template(grey(box), map(box), anchor - cv::Point2d(start), level);
-}
-
-double overlap_with_itself(const MaskedTemplate& points, const cv::Mat& map, const Pose2D& pose) {
-  const double c = std::cos(pose.theta), s = std::sin(pose.theta);
-  int common = 0;
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    const cv::Point at(cvRound(pose.x + c * points.x[i] - s * points.y[i]),
-                       cvRound(pose.y + s * points.x[i] + c * points.y[i]));
-    if (cv::Rect({0, 0}, map.size()).contains(at) && map.at<uchar>(at) > 127) ++common;
-  }
-  const auto all = static_cast<double>(points.size());
-  return points.size() == 0 ? 0 : common / (2 * all - common);
 }
 
 }  // namespace
@@ -58,12 +43,10 @@ RotationProfile::RotationProfile(const View& view, const cv::Mat& picture) {
   const int level = level_for(cv::countNonZero(map));
   const MaskedTemplate points = points_of(part, map, anchor, level);
   const cv::Mat at_level = build_pyramid(part, level).back();
-  const cv::Mat map_at_level = build_pyramid(map, level).back();
   const cv::Point2d pivot = to_level(anchor, level);
   for (int step = 0; step < kSteps; ++step) {
     const Pose2D turned{pivot.x, pivot.y, 2 * kPi * step / kSteps};
     similarity_.push_back(mbncc::similarity(points, at_level, turned).value);
-    overlap_.push_back(overlap_with_itself(points, map_at_level, turned));
   }
 }
 
@@ -79,27 +62,6 @@ double RotationProfile::fall_to(double level) const {
     return step_size * (step - 1 + std::clamp(part, 0.0, 1.0));
   }
   return kPi;
-}
-
-bool RotationProfile::returns_at(int step) const {
-  double similarity = -1, overlap = 0;
-  for (int near = step - 1; near <= step + 1; ++near) {
-    similarity = std::max(similarity, similarity_[(near + kSteps) % kSteps]);
-    overlap = std::max(overlap, overlap_[(near + kSteps) % kSteps]);
-  }
-  return similarity > kSamePattern && overlap > kSameOutline;
-}
-
-int RotationProfile::symmetry() const {
-  const auto always = [this](int stride) {
-    for (int step = stride; step < kSteps; step += stride)
-      if (!returns_at(step)) return false;
-    return true;
-  };
-  if (always(3)) return 0;
-  for (const int folds : std::array<int, 4>{6, 4, 3, 2})
-    if (always(kSteps / folds)) return folds;
-  return 1;
 }
 
 }  // namespace mbncc

@@ -1,5 +1,4 @@
-// The object turned on the spot: how sharply does its likeness to itself fall, and where is it
-// back?
+// The object turned on the spot: how sharply does its likeness to itself fall?
 #pragma once
 
 #include <opencv2/core.hpp>
@@ -17,17 +16,10 @@ class RotationProfile {
   /// Rotation [rad] at which the similarity has fallen to `level`; pi when it never does.
   double fall_to(double level) const;
 
-  /// How often a turn brings outline and texture back: 1 never, 2 at 180 degrees, 3, 4, 6; 0:
-  /// round.
-  int symmetry() const;
-
  private:
   static constexpr int kSteps = 180;  ///< of 2 degrees
 
-  bool returns_at(int step) const;
-
   std::vector<double> similarity_;  ///< [-1..1] per step
-  std::vector<double> overlap_;     ///< [0..1] IoU of the turned map with itself, per step
 };
 
 }  // namespace mbncc

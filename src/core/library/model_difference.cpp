@@ -37,7 +37,8 @@ bool moves_poses(const ObjectModel& before, const ObjectModel& after) {
   return !std::equal(before.views.begin(), before.views.end(), after.views.begin(),
                      after.views.end(),
                      [](const View& a, const View& b) { return !differ(a, b); }) ||
-         differ(before.grasp, after.grasp) || differ(before.object_height, after.object_height) ||
+         before.symmetry != after.symmetry || differ(before.grasp, after.grasp) ||
+         differ(before.object_height, after.object_height) ||
          differ(before.metres_per_pixel, after.metres_per_pixel);
 }
 

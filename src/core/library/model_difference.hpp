@@ -8,7 +8,7 @@ namespace mbncc {
 /// A copy that shares no pixels.
 ObjectModel deep_copy(const ObjectModel& model);
 
-/// True when views, references, scale, height or grasp differ.
+/// True when views, references, scale, height, declared symmetry or grasp differ.
 bool moves_poses(const ObjectModel& before, const ObjectModel& after);
 
 }  // namespace mbncc

@@ -8,6 +8,7 @@
 #include "library/quality_numbers.hpp"
 #include "mbncc/config/field.hpp"
 #include "mbncc/library/object_file.hpp"
+#include "mbncc/symmetry.hpp"
 
 namespace mbncc {
 namespace {
@@ -120,6 +121,7 @@ ObjectDescription read_root(const YAML::Node& root) {
   model.object_height = number(root, "object_height", 0, kLargest);
   model.metres_per_pixel = number_or_unknown(root, "metres_per_pixel", 0, kLargest);
   if (root["min_score"]) model.min_score = number(root, "min_score", 0, 1);
+  if (root["symmetry"]) model.symmetry = parse_symmetry(root["symmetry"].as<std::string>());
   if (root["grasp"]) model.grasp = read_grasp(root["grasp"]);
   model.quality = read_quality(root["quality"]);
   if (!root["views"].IsSequence() || root["views"].size() > kMaxViews)

@@ -8,6 +8,7 @@
 #include "library/quality_numbers.hpp"
 #include "mbncc/config/field.hpp"
 #include "mbncc/library/object_file.hpp"
+#include "mbncc/symmetry.hpp"
 
 namespace mbncc {
 namespace {
@@ -81,6 +82,7 @@ std::string write_description(const ObjectModel& model, const std::vector<cv::Re
   put(out, "object_height", model.object_height);
   put(out, "metres_per_pixel", model.metres_per_pixel);
   if (model.min_score) put(out, "min_score", *model.min_score);
+  if (model.symmetry) put(out, "symmetry", symmetry_text(model.symmetry));
   if (model.grasp) put_grasp(out, *model.grasp);
   out << YAML::Key << "views" << YAML::Value << YAML::BeginSeq;
   for (std::size_t i = 0; i < model.views.size(); ++i) put_view(out, model.views[i], rectangles[i]);

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <opencv2/imgproc.hpp>
 
-#include "matching/symmetry.hpp"
 #include "mbncc/matching/pyramid.hpp"
+#include "mbncc/matching/symmetry.hpp"
 
 namespace mbncc {
 namespace {
@@ -97,6 +97,11 @@ RotationSector sector_of(const View& view, const std::vector<View>& all) {
   return sector;
 }
 
+/// What is declared counts, else what is measured for certain.
+int symmetry_of(const ObjectModel& model, const View& view) {
+  return model.symmetry ? *model.symmetry : measure_symmetry(view).certain;
+}
+
 }  // namespace
 
 /// Pictures that all parts are made from.
@@ -152,8 +157,6 @@ PreparedView::PreparedView(const Source& source, Engine engine)
     if (shape.area() < kRendered) rendering = Rendering(from, anchor);
   }
   resized = {resized_by(1 - kOtherSize, fine), resized_by(1 + kOtherSize, fine)};
-  symmetry = measure_symmetry(fine, shape, SceneLevel(source.view.template_image, 0),
-                              {anchor.x, anchor.y, 0});
   if (engine == Engine::kPolar) polar.emplace(source.view);
   const auto all = outlines(source.view);
   if (!all.empty()) outline = all.front();
@@ -163,10 +166,13 @@ PreparedObject::PreparedObject(std::shared_ptr<const ObjectModel> object, Engine
                                double scale_range)
     : model(std::move(object)) {
   validate(*model);
+  std::vector<int> symmetries;
+  for (const auto& view : model->views) symmetries.push_back(symmetry_of(*model, view));
   for (const double scale : scales_within(scale_range))
-    for (const auto& view : model->views) {
-      views.emplace_back(view, engine, scale);
-      if (engine == Engine::kFast) views.back().sector = sector_of(view, model->views);
+    for (std::size_t i = 0; i < model->views.size(); ++i) {
+      views.emplace_back(model->views[i], engine, scale);
+      views.back().symmetry = symmetries[i];
+      if (engine == Engine::kFast) views.back().sector = sector_of(model->views[i], model->views);
     }
 }
 

@@ -54,7 +54,7 @@ class PreparedView {
   Rendering rendering;                  ///< of a small object: settles its pose
   MaskedTemplate points;                ///< all map pixels at full resolution
   std::optional<PolarSearch> polar;     ///< with Engine::kPolar
-  int symmetry = 1;                     ///< see measure_symmetry()
+  int symmetry = 1;                     ///< declared, or measured where it is not
   std::vector<cv::Point2f> outline;     ///< [px] largest outline in the object frame
 
  private:

@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "mbncc/label.hpp"
+#include "mbncc/symmetry.hpp"
 
 namespace mbncc {
 namespace {
@@ -138,6 +139,8 @@ void validate(const ObjectModel& model) {
           "an object's scale must be above 0, or NaN for unknown");
   require(!model.min_score || (*model.min_score > 0 && *model.min_score <= 1),
           "an object's own threshold must lie in (0..1]");
+  require(!model.symmetry || is_declarable_symmetry(*model.symmetry),
+          "an object's declared symmetry must be 1 (none), 2, 3, 4, 6 or 0 (round)");
   require(!model.grasp || is_sound(*model.grasp),
           "a grasp needs a finite position and a unit quaternion");
   for (const auto& view : model.views) validate_view(view);

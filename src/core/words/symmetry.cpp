@@ -1,0 +1,48 @@
+#include "mbncc/symmetry.hpp"
+
+#include <algorithm>
+#include <array>
+#include <stdexcept>
+
+namespace mbncc {
+namespace {
+
+constexpr std::array<int, 6> kDeclarable{{1, 2, 3, 4, 6, 0}};
+constexpr const char* kProposal = "nearly_";  // how the keys of proposals begin
+
+}  // namespace
+
+bool is_declarable_symmetry(int symmetry) {
+  return std::find(kDeclarable.begin(), kDeclarable.end(), symmetry) != kDeclarable.end();
+}
+
+std::string symmetry_text(std::optional<int> symmetry) {
+  if (!symmetry) return "auto";
+  if (*symmetry == 0) return "round";
+  return *symmetry == 1 ? "none" : std::to_string(*symmetry);
+}
+
+std::optional<int> parse_symmetry(const std::string& text) {
+  if (text == symmetry_text({})) return {};
+  for (const int symmetry : kDeclarable)
+    if (text == symmetry_text(symmetry)) return symmetry;
+  throw std::invalid_argument("the symmetry '" + text +
+                              "' is not known; give auto, none, 2, 3, 4, 6 or round");
+}
+
+void declare_symmetry(ObjectModel& model, std::optional<int> symmetry) {
+  if (symmetry && !is_declarable_symmetry(*symmetry))
+    throw std::invalid_argument("a symmetry of " + std::to_string(*symmetry) +
+                                " cannot be declared; give 1 (none), 2, 3, 4, 6 or 0 (round)");
+  model.symmetry = symmetry;
+  if (!symmetry) return;
+  Quality& quality = model.quality;
+  for (std::size_t i = quality.reasons.size(); i-- > 0;) {
+    if (quality.reasons[i].rfind(kProposal, 0) != 0) continue;
+    const auto at = static_cast<std::ptrdiff_t>(i);
+    quality.reasons.erase(quality.reasons.begin() + at);
+    if (i < quality.advice.size()) quality.advice.erase(quality.advice.begin() + at);
+  }
+}
+
+}  // namespace mbncc
