@@ -17,9 +17,8 @@ constexpr float kShadowWeight = 0.12F;      // prior of a pixel lying in a shado
 constexpr float kOutlierWeight = 0.03F;     // prior of any colour at all (glints, dust)
 constexpr float kPlatformWeight = 0.0001F;  // prior of platform from elsewhere (something shifted)
 constexpr float kDarkestShadow = 0.3F;      // of the light that is left
-constexpr float kBrightestFlank = 1.1F;     // likewise
-constexpr float kShadowScale = 0.25F;       // log-prior: a shadow is the likelier the lighter it is
-constexpr float kBrightScale = 0.06F;       // likewise for the light that an object's flank throws
+constexpr float kBrightestLight = 3;        // likewise: a shadow in the picture after has gone
+constexpr float kShadowScale = 0.25F;       // log-prior: light is the likelier the less it changed
 constexpr float kShadowTint = 0.1F;      // deviation of one channel, part of the light taken away
 constexpr float kShadowSlope = 0.1F;     // deviation of all channels alike, likewise
 constexpr float kShadowNoise = 1.2F;     // variance of a shadowed pixel, relative
@@ -53,7 +52,7 @@ cv::Mat remaining_light(const cv::Mat& before, const cv::Mat& after) {
 
 // The light that a shadow or a bright flank may leave.
 cv::Mat plausible(const cv::Mat& light) {
-  return cv::max(cv::min(light, kBrightestFlank), kDarkestShadow);
+  return cv::max(cv::min(light, kBrightestLight), kDarkestShadow);
 }
 
 // How a Gaussian about a predicted picture fits.
@@ -142,8 +141,7 @@ cv::Mat log_shadow_prior(const cv::Mat& light, const cv::Mat& lost) {
     const auto* loss = lost.ptr<float>(y);
     auto* out = prior.ptr<float>(y);
     for (int x = 0; x < light.cols; ++x)
-      out[x] = (k[x] < 1 ? (k[x] - 1) / kShadowScale : (1 - k[x]) / kBrightScale) -
-               (k[x] < kDarkestShadow ? kHardlyPossible : 0) -
+      out[x] = -std::abs(k[x] - 1) / kShadowScale - (k[x] < kDarkestShadow ? kHardlyPossible : 0) -
                std::clamp(loss[x], -kTextureKept, kTextureLost);
   }
   return prior;

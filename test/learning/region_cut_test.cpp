@@ -1,0 +1,107 @@
+// Lessons from one image: the platform is predicted, the rim told by the colours on its sides.
+#include <gtest/gtest.h>
+
+#include <opencv2/imgproc.hpp>
+
+#include "learning/pictures.hpp"
+#include "learning/predicted_platform.hpp"
+#include "learning/rim_preference.hpp"
+#include "mbncc/learning/change_cut.hpp"
+
+namespace mbncc {
+namespace {
+
+const cv::Size kSize(200, 160);
+const cv::Rect kObject(70, 60, 50, 40), kRegion(55, 45, 85, 75);
+
+cv::Mat truth() {
+  cv::Mat mask = cv::Mat::zeros(kSize, CV_8UC1);
+  mask(kObject).setTo(255);
+  return mask;
+}
+
+// A table whose light falls off to the right and downwards.
+cv::Mat table() {
+  cv::Mat picture(kSize, CV_32FC3);
+  for (int y = 0; y < kSize.height; ++y)
+    for (int x = 0; x < kSize.width; ++x) {
+      const float light = 200 - x / 3.F - y * y / 400.F;
+      picture.at<cv::Vec3f>(y, x) = cv::Vec3f(light - 20, light, light + 20);
+    }
+  return picture;
+}
+
+cv::Mat scene(const cv::Scalar& colour) {
+  cv::Mat picture = table();
+  picture(kObject).setTo(colour);
+  cv::GaussianBlur(picture, picture, {}, 0.8);
+  return test::exposed(picture, 3);
+}
+
+TEST(PredictedPlatform, FollowsTheLightAndLeavesNeighboursOut) {
+  cv::Mat picture = scene({40, 40, 200});
+  picture(cv::Rect(48, 60, 6, 40)).setTo(cv::Scalar(10, 200, 10));
+  const AlignedPair pair = predict_platform(picture, kRegion);
+  cv::Mat wanted, difference;
+  table()(pair.window).convertTo(wanted, CV_32F);
+  cv::absdiff(pair.after, wanted, difference);
+  double most = 0;
+  cv::minMaxLoc(difference.reshape(1), nullptr, &most);
+  EXPECT_LT(most, 6);
+  const cv::Point neighbour = cv::Point(50, 80) - pair.window.tl(),
+                  platform = cv::Point(145, 80) - pair.window.tl();
+  EXPECT_EQ(pair.trusted.at<uchar>(neighbour), 0);
+  EXPECT_EQ(pair.trusted.at<uchar>(platform), 255);
+}
+
+TEST(RegionCut, CutsAPlainObjectOnAPlainTable) {
+  for (const cv::Scalar& colour : {cv::Scalar(40, 40, 200), cv::Scalar(30, 30, 30),
+                                   cv::Scalar(250, 250, 250), cv::Scalar(120, 160, 190)}) {
+    const ChangeCut cut = region_cut(scene(colour), kRegion, 2);
+    EXPECT_GT(test::iou(cut.map, truth()), 0.95) << colour;
+  }
+}
+
+TEST(RegionCut, IsNoLargerForALargerRegion) {
+  const ChangeCut cut = region_cut(scene({40, 40, 200}), {20, 20, 150, 125}, 2);
+  EXPECT_GT(test::iou(cut.map, truth()), 0.95);
+}
+
+TEST(RegionCut, OfAnEmptyTableIsEmpty) {
+  EXPECT_EQ(cv::countNonZero(region_cut(test::exposed(table(), 4), kRegion, 2).map), 0);
+}
+
+TEST(RegionCut, WithoutARingThereIsStillAnAnswer) {
+  const cv::Mat picture = scene({40, 40, 200});
+  const ChangeCut cut = region_cut(picture, {0, 0, kSize.width, kSize.height}, 2);
+  EXPECT_EQ(cut.map.size(), picture.size());
+}
+
+// A rim pixel belongs to the side whose colour makes up more of it.
+TEST(RimPreference, HalfOfEachSideDecides) {
+  cv::Mat before(kSize, CV_32FC3, cv::Scalar(180, 180, 180)), after = before.clone();
+  before(kObject).setTo(cv::Scalar(40, 40, 220));
+  const auto mixed = [&](int x, float object) {
+    before(cv::Rect(x, kObject.y, 1, kObject.height)) =
+        cv::Scalar(180, 180, 180) * (1 - object) + cv::Scalar(40, 40, 220) * object;
+  };
+  mixed(kObject.x - 1, 0.3F);
+  mixed(kObject.x, 0.7F);
+  const RimPreference rim = rim_preference(before, after, truth(), 1);
+  const int y = kObject.y + kObject.height / 2;
+  EXPECT_LT(rim.log_odds.at<float>(y, kObject.x - 1), -1);
+  EXPECT_GT(rim.log_odds.at<float>(y, kObject.x), 1);
+  EXPECT_EQ(rim.told.at<uchar>(y, kObject.x + 10), 0) << "far from the outline nothing is told";
+}
+
+TEST(RimPreference, TellsNothingBetweenEqualSidesOrOfAThirdColour) {
+  cv::Mat before(kSize, CV_32FC3, cv::Scalar(180, 180, 180)), after = before.clone();
+  EXPECT_EQ(cv::countNonZero(rim_preference(before, after, truth(), 1).told), 0);
+  before(kObject).setTo(cv::Scalar(40, 40, 220));
+  before(cv::Rect(kObject.x, kObject.y, 1, kObject.height)).setTo(cv::Scalar(20, 220, 20));
+  const RimPreference rim = rim_preference(before, after, truth(), 1);
+  EXPECT_EQ(rim.told.at<uchar>(kObject.y + 20, kObject.x), 0);
+}
+
+}  // namespace
+}  // namespace mbncc
