@@ -168,8 +168,8 @@ std::vector<std::string> row_of(const std::string& source, const CaseFolder& one
                                to_text(score.boundary_f, 4), verdict_of(outcome.result)};
   for (const double value :
        {evidence.region_touch, evidence.change_outside, evidence.change_beside, evidence.stability,
-        evidence.boundary_contrast, evidence.verified ? 1.0 : 0.0, quality.area,
-        quality.edge_agreement, quality.self_score, quality.runner_up})
+        evidence.boundary_contrast, evidence.verified ? 1.0 : 0.0, evidence.region_span,
+        quality.area, quality.edge_agreement, quality.self_score, quality.runner_up})
     row.push_back(to_text(value, 4));
   row.push_back(std::to_string(quality.symmetry));
   row.push_back(to_text(outcome.ms, 1));
@@ -228,7 +228,7 @@ void benchmark(const cv::CommandLineParser& options) {
   std::map<std::string, Figures> by_source;
   Figures all;
   Table cases{{"source", "case", "iou", "boundary_f", "verdict", "region_touch", "change_outside",
-               "change_beside", "stability", "boundary_contrast", "verified", "area",
+               "change_beside", "stability", "boundary_contrast", "verified", "region_span", "area",
                "edge_agreement", "self_score", "runner_up", "symmetry", "ms", "reasons"},
               {}};
   for (const fs::path& folder : chosen_cases(options)) {

@@ -30,7 +30,9 @@ struct Quality {
   double contrast = 0;        ///< [grey levels] standard deviation of the template under the map
   double edge_agreement = 0;  ///< [0..1] part of the outline that lies on an image edge
   double change_agreement =
-      kUnknown;                 ///< [0..1] IoU with the before/after difference; NaN: no after
+      kUnknown;  ///< [0..1] IoU with the before/after difference; NaN: no after
+  double outline_probability = kUnknown;  ///< [0..1] that the map's IoU with the object is .8 or
+                                          ///< more; NaN: the map was given
   double self_score = 0;        ///< [0..1] score of the object in the picture it was learned from
   double self_error = 0;        ///< [px] distance of that detection from the reference point
   double runner_up = 0;         ///< [0..1] best score elsewhere in that picture

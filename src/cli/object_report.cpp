@@ -65,6 +65,7 @@ void write_quality(JsonWriter& json, const Quality& quality) {
   json.member("area", quality.area).member("fill", quality.fill);
   json.member("contrast", quality.contrast).member("edge_agreement", quality.edge_agreement);
   json.member("change_agreement", quality.change_agreement);
+  json.member("outline_probability", quality.outline_probability);
   json.member("self_score", quality.self_score).member("self_error", quality.self_error);
   json.member("runner_up", quality.runner_up).member("angle_halfwidth", quality.angle_halfwidth);
   json.member("symmetry", quality.symmetry);

@@ -115,6 +115,7 @@ mbncc_vision::LearnQuality to_msg(const Quality& quality) {
   message.contrast = static_cast<float>(quality.contrast);
   message.edge_agreement = static_cast<float>(quality.edge_agreement);
   message.change_agreement = static_cast<float>(quality.change_agreement);
+  message.outline_probability = static_cast<float>(quality.outline_probability);
   message.self_score = static_cast<float>(quality.self_score);
   message.self_error = static_cast<float>(quality.self_error);
   message.runner_up = static_cast<float>(quality.runner_up);

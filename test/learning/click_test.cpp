@@ -25,6 +25,25 @@ TEST(Click, PicksTheChangeUnderIt) {
   EXPECT_GT(iou(map_of(learn_object(drawn.lesson)), other), 0.9);
 }
 
+// Two neighbours left together, nearly touching: the click means one of them.
+TEST(Click, OneOfTwoNeighboursThatLeft) {
+  const cv::Size size(320, 200);
+  auto drawn = draw_lesson({110, 100}, size);
+  const cv::Mat other = test::wedge_map(size, {186, 100}) & ~drawn.truth;
+  test::texture(size, cv::Scalar(60, 90, 190), 22, 2).copyTo(drawn.scene, other);
+  drawn.lesson.before = test::exposed(drawn.scene, 11);
+  drawn.lesson.region = {};
+  drawn.lesson.click = cv::Point2d(110, 100);
+  EXPECT_GT(iou(map_of(learn_object(drawn.lesson)), drawn.truth), 0.9);
+}
+
+TEST(Click, FarFromAllChangeIsRefused) {
+  auto drawn = draw_lesson();
+  drawn.lesson.region = {};
+  drawn.lesson.click = cv::Point2d(220, 20);
+  EXPECT_EQ(learn_object(drawn.lesson).error, LearnError::kNoChange);
+}
+
 TEST(Click, FindsAPlainlyVisibleObjectInOnePicture) {
   auto drawn = draw_lesson();
   drawn.lesson.after = cv::Mat();

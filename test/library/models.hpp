@@ -54,6 +54,7 @@ inline ObjectModel random_model(unsigned seed, const std::string& name = "wrench
   model.quality.self_score = unit(random);
   model.quality.symmetry = static_cast<int>(random() % 5);
   if (unit(random) < 0.5) model.quality.change_agreement = unit(random);
+  if (unit(random) < 0.5) model.quality.outline_probability = unit(random);
   model.quality.search_time = unit(random);
   constexpr int kDeclarable[] = {0, 1, 2, 3, 4, 6};
   if (seed % 2 == 0) model.symmetry = kDeclarable[seed / 2 % 6];
@@ -89,6 +90,7 @@ inline void expect_equal(const Quality& a, const Quality& b) {
   expect_same_number(a.area, b.area);
   expect_same_number(a.self_score, b.self_score);
   expect_same_number(a.change_agreement, b.change_agreement);
+  expect_same_number(a.outline_probability, b.outline_probability);
   expect_same_number(a.search_time, b.search_time);
 }
 

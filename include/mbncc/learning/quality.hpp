@@ -14,6 +14,7 @@ namespace mbncc {
 /// What a cut knows about its own reliability.
 struct CutEvidence {
   double region_touch = 0;    ///< [0..1] part of the outline that lies on the region's edge
+  double region_span = 1;     ///< [0..1] the map's box against the region's, in the worse direction
   double change_outside = 0;  ///< [0..1] changed part of the strip around the region
   double change_beside = 0;   ///< [map's area] sure change in the region that is not the map's
   double stability = 1;       ///< [0..1] least IoU with cuts whose balance was shifted

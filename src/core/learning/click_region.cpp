@@ -16,6 +16,8 @@ constexpr float kStepCost = 0.5F;  // [grey levels / px] of even colour
 constexpr int kTouch = 2;          // [px] radius of the click
 constexpr int kGap = 9;            // [px] pieces nearer than this belong together
 
+constexpr double kMissed = 15;  // [px] farther from a patch, a click does not mean it
+
 using Step = std::pair<float, int>;  // distance, pixel
 
 float colour_step(const cv::Vec3f& a, const cv::Vec3f& b) {
@@ -67,12 +69,10 @@ cv::Mat grow_from_click(const cv::Mat& picture, const cv::Point2d& click) {
   return near;
 }
 
-cv::Mat change_at_click(const cv::Mat& changed, const cv::Point2d& click) {
-  cv::Mat joined, labels;
-  cv::morphologyEx(changed, joined, cv::MORPH_CLOSE,
-                   cv::getStructuringElement(cv::MORPH_ELLIPSE, {kGap, kGap}));
-  cv::connectedComponents(joined, labels, 8, CV_32S);
-  double nearest = std::numeric_limits<double>::max();
+cv::Mat piece_at(const cv::Mat& mask, const cv::Point2d& click) {
+  cv::Mat labels;
+  cv::connectedComponents(mask, labels, 8, CV_32S);
+  double nearest = kMissed;
   int chosen = 0;
   for (int y = 0; y < labels.rows; ++y)
     for (int x = 0; x < labels.cols; ++x) {
@@ -81,8 +81,15 @@ cv::Mat change_at_click(const cv::Mat& changed, const cv::Point2d& click) {
       nearest = distance;
       chosen = labels.at<int>(y, x);
     }
-  if (chosen == 0) return cv::Mat::zeros(changed.size(), CV_8UC1);
-  return changed & (labels == chosen);
+  if (chosen == 0) return cv::Mat::zeros(mask.size(), CV_8UC1);
+  return labels == chosen;
+}
+
+cv::Mat change_at_click(const cv::Mat& changed, const cv::Point2d& click) {
+  cv::Mat joined;
+  cv::morphologyEx(changed, joined, cv::MORPH_CLOSE,
+                   cv::getStructuringElement(cv::MORPH_ELLIPSE, {kGap, kGap}));
+  return changed & piece_at(joined, click);
 }
 
 }  // namespace mbncc

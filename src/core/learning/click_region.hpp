@@ -10,8 +10,11 @@ namespace mbncc {
 /// to it.
 cv::Mat grow_from_click(const cv::Mat& picture, const cv::Point2d& click);
 
-/// 255 on the connected patch of `changed` (CV_8UC1) at the click, or else nearest to it, pieces
-/// less than 9 pixels apart taken as one; all 0 when nothing changed.
+/// 255 on the connected piece of `mask` (CV_8UC1) at the click, or else nearest to it; all 0 where
+/// none lies within 15 pixels.
+cv::Mat piece_at(const cv::Mat& mask, const cv::Point2d& click);
+
+/// The same of `changed`, pieces less than 9 pixels apart taken as one.
 cv::Mat change_at_click(const cv::Mat& changed, const cv::Point2d& click);
 
 }  // namespace mbncc

@@ -73,10 +73,17 @@ double region_touch(const cv::Mat& map, const cv::Mat& inside) {
   return part(~core, outline_pixels(map));
 }
 
+double region_span(const cv::Mat& map, const cv::Mat& inside) {
+  const cv::Rect box = cv::boundingRect(map), region = cv::boundingRect(inside);
+  if (region.empty()) return 1;
+  return std::min({1.0, box.width / double(region.width), box.height / double(region.height)});
+}
+
 CutEvidence cut_evidence(const FinishedCut& cut, const Smoothness& smoothness,
                          const Smoothness& half) {
   CutEvidence evidence;
   evidence.region_touch = region_touch(cut.map, cut.inside);
+  evidence.region_span = region_span(cut.map, cut.inside);
   evidence.change_outside = part(cut.changed > kSurelyChanged, ~cut.inside);
   evidence.change_beside = change_beside(cut);
   evidence.stability = stability(cut, half);

@@ -22,6 +22,9 @@ struct FinishedCut {
 /// Part [0..1] of the map's outline within two pixels of the region's edge, or beyond.
 double region_touch(const cv::Mat& map, const cv::Mat& inside);
 
+/// Width or height of the map's box as part [0..1] of the region's box, whichever is less.
+double region_span(const cv::Mat& map, const cv::Mat& inside);
+
 CutEvidence cut_evidence(const FinishedCut& cut, const Smoothness& smoothness,
                          const Smoothness& half);
 

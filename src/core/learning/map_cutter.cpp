@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "learning/click_region.hpp"
 #include "learning/lesson_checks.hpp"
 #include "learning/lesson_region.hpp"
 #include "learning/rectangles.hpp"
@@ -11,7 +12,9 @@
 namespace mbncc {
 namespace {
 
-constexpr double kTouching = 0.04;  // part of the outline on the region's edge that asks for more
+constexpr int kClickMargin = 6;      // [px] about the clicked piece
+constexpr double kClickPart = 0.15;  // likewise, of its longer side
+constexpr double kTouching = 0.04;   // part of the outline on the region's edge that asks for more
 
 }  // namespace
 
@@ -49,8 +52,22 @@ void MapCutter::look_at(const cv::Rect& place) {
 }
 
 Segmentation MapCutter::segment(Room room) {
-  const Segmentation found = segment_once();
-  return room == Room::kMayGrow && widen(found) ? segment_once() : found;
+  Segmentation found = segment_once();
+  if (room == Room::kMayGrow && widen(found)) found = segment_once();
+  return lesson_.click ? clicked(found) : found;
+}
+
+// A click means one connected thing: neighbours that left as well are cut off with the region.
+Segmentation MapCutter::clicked(const Segmentation& found) {
+  const cv::Mat piece = piece_at(found.map, *lesson_.click);
+  if (cv::countNonZero(piece) == cv::countNonZero(found.map)) return found;
+  const cv::Rect box = cv::boundingRect(piece);
+  const int margin =
+      std::max(kClickMargin, static_cast<int>(kClickPart * std::max(box.width, box.height)));
+  task_.region = grown(box, margin) & usable_region(lesson_);
+  Segmentation alone = segment_once();
+  alone.map = piece_at(alone.map, *lesson_.click);
+  return alone;
 }
 
 std::optional<Segmentation> MapCutter::segment_if_possible(Room room) {

@@ -50,6 +50,7 @@ class MapCutter {
  private:
   Segmentation accept(const cv::Mat& map);
   Segmentation segment_once();
+  Segmentation clicked(const Segmentation& found);
   bool widen(const Segmentation& found);
 
   const Lesson& lesson_;

@@ -46,6 +46,7 @@ Segmentation unverified(const cv::Mat& raw, const SegmentationTask& task) {
   CutEvidence evidence;
   evidence.verified = false;
   evidence.region_touch = region_touch(map, inside);
+  evidence.region_span = region_span(map, inside);
   const auto cut_again = [map, evidence, task](const Marks& marks) -> Segmentation {
     return {grabcut_again(map, marks, task), evidence, {}, {}};
   };

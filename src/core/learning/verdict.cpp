@@ -10,6 +10,7 @@
 namespace mbncc {
 namespace {
 
+constexpr double kAlike = 0.7;  // of its own score, from which on something else looks the same
 constexpr double kNever = std::numeric_limits<double>::infinity();  // as a limit
 
 // What can be said against a lesson. A key may have a code of its own for the action's result.
@@ -29,7 +30,9 @@ constexpr std::array<Reason, 15> kReasons{{
     {"not_found_again", LearnError::kNotDistinct,
      "Turn the object's marked side up, or teach it on a plainer background."},
     {"not_distinct", LearnError::kNotDistinct,
-     "Take other things that look alike out of the picture, or teach on a plainer background."},
+     "Something else in the picture looks the same and will be found as well: take it away if it "
+     "is "
+     "another object."},
     {"touches_region_edge", LearnError::kQualityBad,
      "Draw a larger region, with platform on every side of the object."},
     {"change_outside_region", LearnError::kQualityBad,
@@ -38,11 +41,12 @@ constexpr std::array<Reason, 15> kReasons{{
      "Check whether a part of the object is missing in the map, or something else moved beside "
      "it."},
     {"unstable_cut", LearnError::kQualityBad,
-     "Put the object on a background of another colour, or check the map's outline."},
+     "Check the outline and correct it by a stroke: a part of it is uncertain."},
     {"weak_boundary", LearnError::kQualityBad,
-     "Put the object on a background that contrasts with it."},
-    {"small_object", LearnError::kQualityBad,
-     "Bring the camera nearer: an outline of so few pixels is easily wrong."},
+     "Check the outline where the object looks like the background, and correct it by a stroke."},
+    {"little_of_region", LearnError::kQualityBad,
+     "The map fills little of the region: draw the region close around the object, or draw its "
+     "outline."},
     {"unverified_cut", LearnError::kQualityBad,
      "Check the outline: from one picture alone, nothing confirms it. Better teach by change."},
     {"round", LearnError::kQualityBad, "Nothing shows the angle: any angle may be reported."},
@@ -93,43 +97,49 @@ class Charges {
   Quality& quality_;
 };
 
-// Risk that a cut misses the object by more than an IoU of .85: a logistic regression on drawn
-// lessons, of which it calls half good (8 % of them wrongly, none below .70) and a tenth bad (all
-// rightly).
-struct CutRisk {
-  double instability, weakness, smallness;  // log-odds
+// Limits of the risk that the outline is wrong.
+constexpr double kGoodRisk = 0.2;
+constexpr double kBadRisk = 0.5;
 
-  explicit CutRisk(const CutEvidence& evidence, double area)
-      : instability(9.49 * (1 - evidence.stability)),
-        weakness(1.65 * (1 - evidence.boundary_contrast)),
-        smallness(-0.775 * std::log(area + 50)) {}
+// Risk that the map's IoU with the object's silhouette is below .8: a logistic regression on drawn
+// lessons, drawn lessons with the faults of real cameras, and lessons from photographs
+// (docs/design.md, "What a verdict means").
+struct OutlineRisk {
+  double instability, weakness, change, span;  // log-odds
+
+  OutlineRisk(const CutEvidence& evidence, double edge_agreement)
+      : instability(7.7 * (1 - evidence.stability)),
+        weakness(1.75 * (1 - evidence.boundary_contrast) + 2.4 * (1 - edge_agreement)),
+        change(1.6 * std::min(evidence.change_outside, 0.3) +
+               0.9 * std::min(evidence.change_beside, 0.5)),
+        span(evidence.verified ? 0 : 0.3 + 1.4 * (1 - evidence.region_span)) {}
 
   double probability() const {
-    return 1 / (1 + std::exp(-(3.86 + instability + weakness + smallness)));
+    return 1 / (1 + std::exp(2.5 - instability - weakness - change - span));
   }
 
   // What stands out most against a usual good lesson.
   const char* main_reason() const {
-    const double unstable = instability - 0.5, weak = weakness - 0.5, small = smallness + 6;
-    if (unstable >= weak && unstable >= small) return "unstable_cut";
-    return weak >= small ? "weak_boundary" : "small_object";
+    const double unstable = instability - 0.5, weak = weakness - 0.5, spanned = span - 0.7;
+    if (unstable >= weak && unstable >= spanned) return "unstable_cut";
+    return weak >= spanned ? "weak_boundary" : "little_of_region";
   }
 };
 
-void weigh_evidence(const CutEvidence& evidence, double area, Charges& charges) {
+void weigh_evidence(const CutEvidence& evidence, Quality& quality, Charges& charges) {
   charges.above("touches_region_edge", evidence.region_touch, 0.04, 0.25);
   charges.above("change_outside_region", evidence.change_outside, 0.1, 0.5);
   charges.above("change_left_out", evidence.change_beside, 0.08, kNever);
+  const OutlineRisk risk(evidence, quality.edge_agreement);
+  quality.outline_probability = 1 - risk.probability();
+  charges.above(risk.main_reason(), risk.probability(), kGoodRisk, kBadRisk);
   charges.above("unverified_cut", evidence.verified ? 0 : 1, 0.5, 1);
-  if (!evidence.verified) return;
-  const CutRisk risk(evidence, area);
-  charges.above(risk.main_reason(), risk.probability(), 0.18, 0.75);
 }
 
+// Whatever else looks the same in the picture will be found as well, and is no fault of the map.
 void weigh_search(const Quality& quality, const SearchConfig& search, Charges& charges) {
   charges.below("not_found_again", quality.self_score, search.confirm_score, search.min_score);
-  charges.above("not_distinct", quality.runner_up, 0.7 * quality.self_score,
-                0.9 * quality.self_score);
+  if (quality.runner_up > kAlike * quality.self_score) charges.note("not_distinct");
 }
 
 void note_symmetry(int symmetry, Charges& charges) {
@@ -147,7 +157,7 @@ void decide(Quality& quality, bool touches_border, const std::optional<CutEviden
   charges.below("too_small", quality.area, 2 * config.min_area, config.min_area);
   charges.below("low_texture", quality.contrast, 6, 2);
   weigh_search(quality, search, charges);
-  if (evidence) weigh_evidence(*evidence, quality.area, charges);
+  if (evidence) weigh_evidence(*evidence, quality, charges);
   note_symmetry(quality.symmetry, charges);
 }
 

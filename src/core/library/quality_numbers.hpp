@@ -13,6 +13,7 @@ void for_each_number(SomeQuality& quality, Visitor&& visit) {
   visit("contrast", quality.contrast, 0.0, 255.0);
   visit("edge_agreement", quality.edge_agreement, 0.0, 1.0);
   visit("change_agreement", quality.change_agreement, 0.0, 1.0);
+  visit("outline_probability", quality.outline_probability, 0.0, 1.0);
   visit("self_score", quality.self_score, 0.0, 1.0);
   visit("self_error", quality.self_error, 0.0, 1e9);
   visit("runner_up", quality.runner_up, 0.0, 1.0);
