@@ -94,6 +94,8 @@ TEST(GradualLight, BarrierIsTheLowestPass) {
   EXPECT_NEAR(barrier.at<float>(4, 4), 3, 0.02);
   EXPECT_NEAR(barrier.at<float>(2, 2), 8, 0.02);
   EXPECT_EQ(barrier.at<float>(0, 0), 0);
+  EXPECT_GT(barrier_from_frame(heights, cv::Mat(heights == heights)).at<float>(0, 0), 8)
+      << "no way in from a closed frame";
 }
 
 // Grey object on a plain grey platform, whose shadow has its colours.

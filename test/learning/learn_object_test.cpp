@@ -65,6 +65,8 @@ TEST(LearnObject, WidensARegionThatNobodyDrew) {
   drawn.scene(faint) = cv::Scalar(110, 110, 115);
   drawn.truth(faint).setTo(255);
   drawn.platform = test::texture(drawn.platform.size(), cv::Scalar(105, 115, 120), 2, 1);
+  test::texture(drawn.platform.size(), cv::Scalar(90, 105, 135), 5, 2)
+      .copyTo(drawn.scene, test::wedge_map(drawn.platform.size(), {120, 100}));
   drawn.platform.copyTo(drawn.scene, ~drawn.truth);
   drawn.lesson.before = test::exposed(drawn.scene, 11, 1, 1);
   drawn.lesson.after = test::exposed(drawn.platform, 12, 1, 1);

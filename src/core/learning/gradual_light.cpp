@@ -80,7 +80,7 @@ cv::Mat light_slope(const cv::Mat& before, const cv::Mat& after) {
   return slope;
 }
 
-cv::Mat barrier_from_frame(const cv::Mat& heights) {
+cv::Mat barrier_from_frame(const cv::Mat& heights, const cv::Mat& closed) {
   constexpr int kLevels = 512;
   double highest = 0;
   cv::minMaxLoc(heights, nullptr, &highest);
@@ -94,10 +94,13 @@ cv::Mat barrier_from_frame(const cv::Mat& heights) {
     there = std::max(from, level_of(heights.at<float>(at)));
     open[there].push_back(at);
   };
+  const auto enter = [&](const cv::Point& at) {
+    if (closed.empty() || !closed.at<uchar>(at)) reach(at, 0);
+  };
   for (int x = 0; x < heights.cols; ++x)
-    for (const int y : {0, heights.rows - 1}) reach({x, y}, 0);
+    for (const int y : {0, heights.rows - 1}) enter({x, y});
   for (int y = 0; y < heights.rows; ++y)
-    for (const int x : {0, heights.cols - 1}) reach({x, y}, 0);
+    for (const int x : {0, heights.cols - 1}) enter({x, y});
   const cv::Rect room({0, 0}, heights.size());
   for (int now = 0; now < kLevels; ++now)
     while (!open[now].empty()) {
@@ -107,6 +110,7 @@ cv::Mat barrier_from_frame(const cv::Mat& heights) {
            {cv::Point(1, 0), cv::Point(-1, 0), cv::Point(0, 1), cv::Point(0, -1)})
         if (room.contains(at + way)) reach(at + way, now);
     }
+  level.setTo(kLevels, level < 0);
   cv::Mat barrier;
   level.convertTo(barrier, CV_32F, step);
   return barrier;
@@ -118,7 +122,7 @@ cv::Mat gradual_light(const cv::Mat& before, const cv::Mat& after, const cv::Mat
   const cv::Mat slope = light_slope(before, after);
   cv::Mat closed;
   cv::dilate(slope, closed, disc);
-  const cv::Mat barrier = barrier_from_frame(closed);
+  const cv::Mat barrier = barrier_from_frame(closed, changed > 0.5);
   const float main = main_barrier(barrier, before, after, changed);
   const auto reached = [&](float limit) -> cv::Mat {
     if (limit < kNoiseSlope * sigma) return cv::Mat::zeros(before.size(), CV_8UC1);

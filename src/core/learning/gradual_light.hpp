@@ -11,8 +11,10 @@ namespace mbncc {
 cv::Mat light_slope(const cv::Mat& before, const cv::Mat& after);
 
 /// [as `heights`] The least height that a path from the frame to each pixel has to cross (minimax
-/// path, as in watersheds by flooding). `heights` is CV_32FC1, 0 or more.
-cv::Mat barrier_from_frame(const cv::Mat& heights);
+/// path, as in watersheds by flooding). `heights` is CV_32FC1, 0 or more; no path starts on the
+/// frame's pixels that `closed` (CV_8UC1, may be empty) marks. More than all heights where no path
+/// leads.
+cv::Mat barrier_from_frame(const cv::Mat& heights, const cv::Mat& closed = {});
 
 /// CV_8UC1, 255 where the change is reached from the frame over slopes far lower than those that
 /// surround most of the change; half as low are enough for a shadow that leaves the platform's
