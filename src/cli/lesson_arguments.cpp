@@ -15,7 +15,7 @@ std::vector<Option> lesson_options() {
           {"--roi", "x,y,w,h", "approximate region of the object in pixels"},
           {"--click", "x,y", "a point on the object in pixels"},
           {"--map", "M.png", "ready map of the picture's size: white on the object"},
-          {"--method", "M", "change_cut (with --after), sb_grabcut, grabcut_rect, grabcut_mask"},
+          {"--method", "M", "change_cut (with --after), region_cut, sb_grabcut, grabcut_rect, grabcut_mask"},
           {"--include", "x,y[,x,y...]", "a stroke on the object", false, true},
           {"--exclude", "x,y[,x,y...]", "a stroke beside the object", false, true},
           {"--stroke-width", "PIXELS", "of the strokes; 0: closed areas; default: 5"},

@@ -27,11 +27,11 @@ std::string service_checksum() {
 TEST(Contract, DefinitionsAreThoseThatOthersWereBuiltAgainst) {
   EXPECT_EQ(checksum<mbncc_vision::DetectedObjectArray>(), "e344a2d95b790e15e32ec14034e7eed9");
   EXPECT_EQ(checksum<mbncc_vision::LearnedObjectArray>(), "84304028cd17b6618c87a3952e320d7f");
-  EXPECT_EQ(checksum<mbncc_vision::LearnObjectAction>(), "6fa53828c6120280b4e095e82e699f18");
-  EXPECT_EQ(service_checksum<mbncc_vision::ConfirmLearning>(), "70d0faf45158c03a25f54bd7d866c64d");
-  EXPECT_EQ(service_checksum<mbncc_vision::EditObject>(), "9f51f22819e2d886290b740983333a41");
+  EXPECT_EQ(checksum<mbncc_vision::LearnObjectAction>(), "07356ec7c40abe2cbd53f38892bda867");
+  EXPECT_EQ(service_checksum<mbncc_vision::ConfirmLearning>(), "f372246e8d2c6fdac87fa13f44368d7c");
+  EXPECT_EQ(service_checksum<mbncc_vision::EditObject>(), "d89dc9d445273de885a2edcef3058c08");
   EXPECT_EQ(service_checksum<mbncc_vision::FindObjects>(), "3fcff887786f2a119c3f972e944b7ce5");
-  EXPECT_EQ(service_checksum<mbncc_vision::ListObjects>(), "00fe1dca5e2d23f4f4ac4399eae53cf0");
+  EXPECT_EQ(service_checksum<mbncc_vision::ListObjects>(), "bab6eecd3c8b1645a0b1ca9f2ba8f59d");
 }
 
 }  // namespace
