@@ -26,7 +26,7 @@ std::string service_checksum() {
 
 TEST(Contract, DefinitionsAreThoseThatOthersWereBuiltAgainst) {
   EXPECT_EQ(checksum<mbncc_vision::DetectedObjectArray>(), "e344a2d95b790e15e32ec14034e7eed9");
-  EXPECT_EQ(checksum<mbncc_vision::LearnedObjectArray>(), "84304028cd17b6618c87a3952e320d7f");
+  EXPECT_EQ(checksum<mbncc_vision::LearnedObjectArray>(), "f7c021c109a5e64e6f7f10fc19ad5479");
   EXPECT_EQ(checksum<mbncc_vision::LearnObjectAction>(), "07356ec7c40abe2cbd53f38892bda867");
   EXPECT_EQ(service_checksum<mbncc_vision::ConfirmLearning>(), "f372246e8d2c6fdac87fa13f44368d7c");
   EXPECT_EQ(service_checksum<mbncc_vision::EditObject>(), "d89dc9d445273de885a2edcef3058c08");

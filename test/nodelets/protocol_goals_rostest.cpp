@@ -34,9 +34,15 @@ TEST_F(Protocol, NamesAnObjectByItselfAndRefusesATakenName) {
 }
 
 TEST_F(Protocol, TeachesByRegionOutlineAndMask) {
+  cv::Mat plain_table = scene_.render({part_}, 1);
+  plain_table.setTo(cv::Scalar(150, 155, 160), ~scene_.true_map(part_));
   Goal goal = given("by_region");
   goal.mode = Goal::ROI;
   goal.roi = to_msg(cv::Rect(100, 60, 120, 120));
+  const Result doubtful = teacher_.teach(goal);
+  EXPECT_EQ(doubtful.error_code, Result::QUALITY_BAD) << "the table looks like the part";
+  EXPECT_FALSE(doubtful.hint.empty());
+  goal.before = encode_picture(plain_table);
   EXPECT_EQ(teacher_.teach(goal).error_code, Result::SUCCESS);
   goal = given("by_mask");
   goal.mode = Goal::MASK;
@@ -50,6 +56,7 @@ TEST_F(Protocol, TeachesByRegionOutlineAndMask) {
   goal.mode = Goal::CLICK;
   goal.point.x = part_.pose.x;
   goal.point.y = part_.pose.y;
+  goal.before = encode_picture(plain_table);
   EXPECT_EQ(teacher_.teach(goal).error_code, Result::SUCCESS);
   EXPECT_EQ(names(), (std::vector<std::string>{"by_click", "by_mask", "by_outline", "by_region"}));
   for (const auto& name : names()) EXPECT_TRUE(edit(name, EditObject::Request::DELETE).success);
