@@ -25,7 +25,7 @@ def case_folders(sets):
             for root in sets for path in pathlib.Path(root).rglob('learn_before.png')}
 
 
-def outlined(picture, masks_and_colours, scale):
+def outlined(picture, masks_and_colours):
     for mask, colour in masks_and_colours:
         large = cv2.resize(mask, (picture.shape[1], picture.shape[0]), interpolation=cv2.INTER_NEAREST)
         contours, _ = cv2.findContours(large, cv2.RETR_LIST, cv2.CHAIN_APPROX_NONE)
@@ -48,7 +48,7 @@ def strip(folder, learned):
     def enlarged(picture):
         return cv2.resize(picture[rows, columns], size, interpolation=cv2.INTER_CUBIC if scale > 1 else cv2.INTER_AREA)
 
-    shown = outlined(enlarged(before), [(truth[rows, columns], (0, 220, 0)), (learned[rows, columns], (0, 0, 255))], scale)
+    shown = outlined(enlarged(before), [(truth[rows, columns], (0, 220, 0)), (learned[rows, columns], (0, 0, 255))])
     parts = [enlarged(before), shown] + ([enlarged(after)] if after is not None else [])
     return np.hstack(parts)
 

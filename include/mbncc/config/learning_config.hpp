@@ -26,8 +26,8 @@ struct LearningConfig {
     visit(
         FieldInfo{
             "method",
-            Allowed::one_of({"auto", "change_cut", "region_cut", "sb_grabcut", "grabcut_rect",
-                             "grabcut_mask"}),
+            Allowed::one_of(
+                {"auto", "change_cut", "region_cut", "sb_grabcut", "grabcut_rect", "grabcut_mask"}),
             "", "segmentation; auto: change_cut where there is an after picture, else region_cut"},
         self.method);
     visit(FieldInfo{"iterations", Allowed::range(1, 20), "", "graph cuts of every method"},
