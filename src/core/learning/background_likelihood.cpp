@@ -50,7 +50,7 @@ cv::Mat remaining_light(const cv::Mat& before, const cv::Mat& after) {
   return light;
 }
 
-// The light that a shadow or a bright flank may leave.
+// The light that a shadow may leave, or may have taken from the picture after.
 cv::Mat plausible(const cv::Mat& light) {
   return cv::max(cv::min(light, kBrightestLight), kDarkestShadow);
 }

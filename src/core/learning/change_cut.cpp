@@ -51,24 +51,13 @@ class Cutter {
     background_ = background_likelihood(before_, after_, noise_, platform_);
   }
 
-  // What the platform cannot explain, the first guess where there is no picture after.
-  bool seed() {
-    map_ = (background_.changed > 0.5) & inside_;
-    remove_specks(map_, kSpeck);
-    keep_main_groups(map_, background_.changed);
-    return cv::countNonZero(map_) >= kFewestPixels;
-  }
-
   // The changed pixels that the foreground's colours are first learned from.
-  // `surveyed` is the survey's change, of the whole picture.
+  // `surveyed` is the survey's change, of the whole picture; empty without a picture after, where
+  // nothing can have moved or come.
   bool seed(const cv::Mat& surveyed) {
     map_ = (background_.changed > 0.5) & inside_;
     remove_specks(map_, kSpeck);
-    if (cv::countNonZero((background_.changed > 0.5) & ~inside_) >= kFewestPixels) {
-      exclude_moved_neighbours();
-      exclude_intruders(reaching_border(surveyed(window_))(crop_ - window_.tl()));
-    }
-    exclude(find_arrivals(before_, after_, map_, platform_));
+    if (!surveyed.empty()) exclude_others(surveyed);
     keep_main_groups(map_, background_.changed);
     return cv::countNonZero(map_) >= kFewestPixels;
   }
@@ -161,6 +150,14 @@ class Cutter {
     arrivals.setTo(0, map_);
     background_.changed.setTo(0, arrivals);
     background_.log_ratio.setTo(kArrivalUnary, arrivals);
+  }
+
+  void exclude_others(const cv::Mat& surveyed) {
+    if (cv::countNonZero((background_.changed > 0.5) & ~inside_) >= kFewestPixels) {
+      exclude_moved_neighbours();
+      exclude_intruders(reaching_border(surveyed(window_))(crop_ - window_.tl()));
+    }
+    exclude(find_arrivals(before_, after_, map_, platform_));
   }
 
   // The object lies inside the region: this and the next are looked for only where the change goes
@@ -277,7 +274,7 @@ ChangeCut region_cut(const cv::Mat& before, const cv::Rect& region, int iteratio
   const auto cutter = std::make_shared<Cutter>(predict_platform(before, region),
                                                crop_of(region, before.size()), region);
   cutter->explain_background();
-  if (!cutter->seed()) return nothing(before.size());
+  if (!cutter->seed(cv::Mat())) return nothing(before.size());
   return cut(cutter, before.size(), iterations, before_cut);
 }
 

@@ -60,6 +60,7 @@ Segmentation MapCutter::segment(Room room) {
 // A click means one connected thing: neighbours that left as well are cut off with the region.
 Segmentation MapCutter::clicked(const Segmentation& found) {
   const cv::Mat piece = piece_at(found.map, *lesson_.click);
+  check_map(piece, task_.region);
   if (cv::countNonZero(piece) == cv::countNonZero(found.map)) return found;
   const cv::Rect box = cv::boundingRect(piece);
   const int margin =
@@ -67,6 +68,7 @@ Segmentation MapCutter::clicked(const Segmentation& found) {
   task_.region = grown(box, margin) & usable_region(lesson_);
   Segmentation alone = segment_once();
   alone.map = piece_at(alone.map, *lesson_.click);
+  check_map(alone.map, task_.region);
   return alone;
 }
 
