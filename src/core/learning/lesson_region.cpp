@@ -1,6 +1,5 @@
 #include "learning/lesson_region.hpp"
 
-#include <algorithm>
 #include <opencv2/imgproc.hpp>
 #include <vector>
 
@@ -8,7 +7,6 @@
 #include "learning/click_region.hpp"
 #include "learning/lesson_checks.hpp"
 #include "learning/lesson_progress.hpp"
-#include "learning/rectangles.hpp"
 #include "mbncc/learning/change.hpp"
 
 namespace mbncc {
@@ -26,20 +24,12 @@ cv::Rect departed_from(const Lesson& lesson, ChangeSurvey& survey) {
   return places.empty() ? cv::Rect() : places.front();
 }
 
-// A rectangle drawn by hand may cut a rim off the object.
-cv::Rect with_slack(const cv::Rect& room) {
-  constexpr int kLeastSlack = 4;  // [px]
-  constexpr int kSlackPart = 20;  // of the longer side, its reciprocal
-  return grown(room, std::max(kLeastSlack, std::max(room.width, room.height) / kSlackPart));
-}
-
 // A region that is far larger than all change inside it is narrowed: the work grows with it.
 cv::Rect region_of_change(const Lesson& lesson, const ChangeSurvey& survey, const cv::Rect& room) {
   constexpr int kFarLarger = 4;
   if (lesson.click) return room;
   const cv::Rect narrow = changed_region(survey, room, 0.1);
-  if (!narrow.empty() && room.area() > kFarLarger * narrow.area()) return narrow;
-  return with_slack(room) & cv::Rect({0, 0}, lesson.before.size());
+  return !narrow.empty() && room.area() > kFarLarger * narrow.area() ? narrow : room;
 }
 
 void survey(const Lesson& lesson, const LearningConfig& config, RegionOfLesson& region) {
