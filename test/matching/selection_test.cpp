@@ -29,7 +29,7 @@ class SelectionTest : public ::testing::Test {
   /// Of the only detection of a picture.
   Match match_of(double log_odds, double projected, double elsewhere = 0) const {
     const auto selected = select_matches({detection_of(log_odds, projected, elsewhere)},
-                                         {config_, std::nullopt, 1, {}, 0});
+                                         {config_, std::nullopt, 1, {}, {}, 0});
     return selected.matches.at(0);
   }
 };
@@ -51,7 +51,7 @@ TEST_F(SelectionTest, ANearRotationLowersTheScoreAndLeavesTheMargin) {
   Detection one = detection_of(4, 0.4), turned = one;
   turned.pose.theta = 1;
   turned.log_odds = 3;
-  const auto selected = select_matches({one, turned}, {config_, std::nullopt, 1, {}, 0});
+  const auto selected = select_matches({one, turned}, {config_, std::nullopt, 1, {}, {}, 0});
   ASSERT_EQ(selected.matches.size(), 1U);
   EXPECT_LT(selected.matches[0].score, match_of(4, 0.4).score);
   EXPECT_DOUBLE_EQ(selected.matches[0].margin_angle, 1);

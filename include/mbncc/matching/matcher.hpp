@@ -13,6 +13,19 @@
 
 namespace mbncc {
 
+/// What might lie where a match is reported, or be meant instead of it.
+struct Competitor {
+  std::string name;
+  cv::Point2d position;  ///< [px] of its reference point
+  double log_odds = 0;   ///< on the scale of the match that it competes with
+};
+
+/// Something that speaks against grasping a match.
+struct Doubt {
+  bool ambiguous = false;  ///< another pose may be the right one; else this one is too uncertain
+  std::string text;
+};
+
 /// One instance of a learned object in one picture.
 struct Match {
   std::string name;
@@ -24,23 +37,29 @@ struct Match {
   double score = 0;        ///< [0..1] acceptance score
   double log_odds = 0;     ///< that the object lies here; the fused score is its logistic
   double similarity = 0;   ///< [-1..1] normalized cross correlation weighted by the map
-  /// Log-odds to the best competitor elsewhere or of another object here.
+  /// The best place of the same object that no reported instance explains, and the best other
+  /// object here.
+  std::vector<Competitor> competitors;
+  /// Log-odds to the best competitor; 20: none was found.
   double margin_place = 0;
   /// Log-odds to the best other angle here (more than 10 degrees off, symmetry aside).
   double margin_angle = 0;
-  double visible = 1;  ///< [0..1] part of the map inside the picture
-  int symmetry = 1;    ///< 1: none, 2: 180 deg ..., 0: round
+  double visible = 1;         ///< [0..1] part of the map inside the picture
+  int symmetry = 1;           ///< 1: none, 2: 180 deg ..., 0: round
+  std::vector<Doubt> doubts;  ///< about this pose, competitors aside
   /// Nothing speaks against the pose in this picture: score, margins, visible part, deviations,
   /// colours of parts, size, and where else or mirrored the outline would fit.
   bool graspable = false;
-  bool ambiguous = false;  ///< score would suffice, but a margin does not
-  bool fresh = true;       ///< found in this picture; else in an earlier one that looked the same
+  bool ambiguous = false;            ///< score would suffice, but another pose may be the right one
+  std::vector<std::string> reasons;  ///< why it is not graspable; empty when it is
+  bool fresh = true;  ///< found in this picture; else in an earlier one that looked the same
   std::vector<cv::Point2f> outline;  ///< [px] largest outline of the map in this picture
 };
 
 /// What was considered and not reported.
 struct Rival {
   std::string name;
+  cv::Point2d position;  ///< [px] of its reference point
   double log_odds = 0;
   std::vector<cv::Point2f> outline;  ///< [px] as of Match
 };
@@ -54,19 +73,19 @@ struct SearchRequest {
   cv::Rect roi;  ///< [px] reference points are looked for in here; empty: whole picture
   double min_score = -1;
   int max_instances = 0;
-  /// Absent objects get no second, thorough look, however few are asked for: the request is part of
-  /// a search for more than kFewObjects.
-  bool sparing = false;
+  /// The request is part of a search for so many objects, which are looked for one by one: none is
+  /// looked for harder, and none scores higher, than if all were looked for at once.
+  std::size_t among = 0;
   /// For a search of part of a picture: by name, the log-odds that scores are lowered by at least,
-  /// as SearchResult::clutter told of the whole.
-  std::map<std::string, double> clutter;
+  /// as SearchResult::clutter told of the whole, and those of the best instance outside the part.
+  std::map<std::string, double> clutter, elsewhere;
 };
 
 struct SearchResult {
   std::vector<Match> matches;             ///< best score first
   std::vector<std::string> searched;      ///< names really searched
   std::vector<std::string> skipped;       ///< "name: reason"
-  std::vector<Rival> rivals;              ///< that no reported one of the same object covers
+  std::vector<Rival> rivals;              ///< all that is not among the matches
   std::map<std::string, double> clutter;  ///< by name: log-odds that scores were lowered by, for
                                           ///< what looks alike elsewhere
   bool budget_exceeded = false;

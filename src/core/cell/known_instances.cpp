@@ -4,6 +4,8 @@
 #include <opencv2/imgproc.hpp>
 #include <utility>
 
+#include "matching/conclusion.hpp"
+
 namespace mbncc {
 namespace {
 
@@ -26,17 +28,31 @@ cv::Rect Known::box() const {
   return cv::boundingRect(match.outline);
 }
 
-bool Known::is_compared() const {
-  return std::isfinite(margin_elsewhere);
+void Known::take_comparisons(const Known& before) {
+  const double gain = before.looks > 0 ? match.log_odds - before.match.log_odds : 0;
+  compared_elsewhere = before.compared_elsewhere;
+  elsewhere = before.elsewhere;
+  others = before.others;
+  if (elsewhere) elsewhere->log_odds += gain;
+  for (auto& [name, best] : others)
+    if (best) best->log_odds += gain;
 }
 
-Match Known::judged(const SearchConfig& config) const {
+Match Known::judged(const std::vector<std::string>& names, const SearchConfig& config) const {
   Match result = match;
-  result.margin_place = std::min(result.margin_place, margin_to_others);
-  if (is_compared()) result.margin_place = std::min(result.margin_place, margin_elsewhere);
-  const bool sure = result.margin_place >= config.min_margin_place;
-  result.graspable = result.graspable && is_compared() && sure;
-  result.ambiguous = result.ambiguous || (result.score >= config.confirm_score && !sure);
+  if (elsewhere) result.competitors.push_back(*elsewhere);
+  for (const auto& [name, best] : others)
+    if (best) result.competitors.push_back(*best);
+  const auto is_open = [this](const std::string& name) {
+    return name != match.name && others.count(name) == 0;
+  };
+  const auto open = std::find_if(names.begin(), names.end(), is_open);
+  if (open != names.end()) result.doubts.push_back({false, "not yet compared with " + *open});
+  if (!compared_elsewhere) result.doubts.push_back({false, "not yet compared with other places"});
+  conclude(result, config);
+  // A margin to what has not been searched for is not known.
+  if (open != names.end() || !compared_elsewhere)
+    result.margin_place = std::min(0., result.margin_place);
   return result;
 }
 
@@ -75,26 +91,33 @@ Known* KnownInstances::admit(Known found, double reach) {
   const auto beats = [&](const Known& one) {
     return covers(one) && !is_continued(one.match, match, reach) && one.match.score >= match.score;
   };
-  note_rival({match.name, match.log_odds, match.outline});
   if (std::any_of(known_.begin(), known_.end(), beats)) return nullptr;
   for (const auto& one : take(covers))
     if (one.match.name != match.name)
-      found.margin_to_others =
-          std::min(found.margin_to_others, match.log_odds - one.match.log_odds);
+      found.others[one.match.name] =
+          Competitor{one.match.name, one.match.pose.position(), one.match.log_odds};
   known_.push_back(std::move(found));
   return &known_.back();
 }
 
-void KnownInstances::note_rivals(const std::vector<Rival>& rivals) {
-  for (const auto& rival : rivals) note_rival(rival);
+void KnownInstances::compare(Known& known, const Rival& rival) const {
+  const bool same = known.match.name == rival.name;
+  const bool here = outline_overlap(known.match.outline, rival.outline) > max_overlap_;
+  if (same ? here || is_explained(rival) : !here) return;
+  std::optional<Competitor>* best = &known.elsewhere;
+  if (!same) {
+    const auto compared = known.others.find(rival.name);
+    if (compared == known.others.end()) return;
+    best = &compared->second;
+  }
+  if (!*best || rival.log_odds > (*best)->log_odds)
+    *best = Competitor{rival.name, rival.position, rival.log_odds};
 }
 
-void KnownInstances::note_rival(const Rival& rival) {
-  for (auto& known : known_)
-    if (known.match.name != rival.name &&
-        outline_overlap(known.match.outline, rival.outline) > max_overlap_)
-      known.margin_to_others =
-          std::min(known.margin_to_others, known.match.log_odds - rival.log_odds);
+bool KnownInstances::is_explained(const Rival& rival) const {
+  return std::any_of(known_.begin(), known_.end(), [&](const Known& one) {
+    return outline_overlap(one.match.outline, rival.outline) > max_overlap_;
+  });
 }
 
 }  // namespace mbncc

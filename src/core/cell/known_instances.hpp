@@ -2,8 +2,9 @@
 #pragma once
 
 #include <algorithm>
-#include <limits>
+#include <map>
 #include <opencv2/core.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -12,21 +13,26 @@
 namespace mbncc {
 
 struct Known {
+  /// Of the last search at its place; its competitors are those of the same object about there.
   Match match;
-  /// Margins of the last search of the whole picture for this object, and of the searches for other
-  /// objects at this place; none yet: no margin at all, and no competitor.
-  double margin_elsewhere = -std::numeric_limits<double>::infinity();
-  double margin_to_others = std::numeric_limits<double>::infinity();
-  int looks = 1;  ///< searches since its pixels changed last
+  /// The last search of the whole picture for this object has compared it with other places.
+  bool compared_elsewhere = false;
+  std::optional<Competitor> elsewhere;  ///< the best of them
+  /// By name, the objects that were searched for at its place since its pixels changed, with the
+  /// best found there; none of a name: that is still to be done.
+  std::map<std::string, std::optional<Competitor>> others;
+  bool in_motion = false;  ///< its pixels differed from the records and were not at rest
+  int looks = 1;           ///< searches since its pixels changed last
 
   cv::Rect box() const;  ///< [px] about its outline
 
-  /// It has been compared with the whole picture.
-  bool is_compared() const;
+  /// It was searched for again on the same pixels, as `before` tells, whose comparisons hold: light
+  /// that changed since is no merit of this instance.
+  void take_comparisons(const Known& before);
 
-  /// The match with all that is known about its competitors; graspable and ambiguous for
-  /// `config`, as if no search were owed.
-  Match judged(const SearchConfig& config) const;
+  /// The match with all that is known about its competitors. Graspable only if it was compared with
+  /// all of `names`.
+  Match judged(const std::vector<std::string>& names, const SearchConfig& config) const;
 };
 
 /// Overlap of the outlines' areas as part of the smaller one [0..1].
@@ -58,15 +64,25 @@ class KnownInstances {
     return taken;
   }
 
-  /// Adds an instance in place of weaker ones there, or of itself within `reach` [px]. Null when a
-  /// better one lies there. Valid until the next change.
+  /// Adds an instance in place of weaker ones there, which become its competitors, or of itself
+  /// within `reach` [px]. Null when a better one lies there. Valid until the next change.
   Known* admit(Known found, double reach);
 
-  /// Instances of other objects lose margin to what was found at their places.
-  void note_rivals(const std::vector<Rival>& rivals);
+  /// Compares all instances with what a search of the object `name` found. `is_covered(box)`: all
+  /// of its poses that touch the box [px] were searched.
+  template <class Covered>
+  void compare(const std::string& name, const std::vector<Rival>& found,
+               const Covered& is_covered) {
+    for (auto& known : known_) {
+      if (known.match.name != name && is_covered(known.box())) known.others.try_emplace(name);
+      for (const auto& rival : found)
+        if (rival.name == name) compare(known, rival);
+    }
+  }
 
  private:
-  void note_rival(const Rival& rival);
+  void compare(Known& known, const Rival& rival) const;
+  bool is_explained(const Rival& rival) const;
 
   double max_overlap_;
   std::vector<Known> known_;

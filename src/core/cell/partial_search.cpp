@@ -15,9 +15,12 @@ void shift(SearchResult& result, cv::Point by) {
     match.pose.x += by.x;
     match.pose.y += by.y;
     for (auto& point : match.outline) point += cv::Point2f(by);
+    for (auto& competitor : match.competitors) competitor.position += cv::Point2d(by);
   }
-  for (auto& rival : result.rivals)
+  for (auto& rival : result.rivals) {
+    rival.position += cv::Point2d(by);
     for (auto& point : rival.outline) point += cv::Point2f(by);
+  }
 }
 
 }  // namespace
@@ -27,7 +30,8 @@ cv::Rect grown(const cv::Rect& rect, int by) {
 }
 
 SearchResult PartialSearch::find(const cv::Rect& region, const std::vector<std::string>& names,
-                                 double radius, const std::map<std::string, double>& clutter) {
+                                 double radius, const std::map<std::string, double>& clutter,
+                                 const std::map<std::string, double>& elsewhere) {
   cv::Rect roi = region & whole();
   if (!request_.roi.empty()) roi &= request_.roi;
   SearchResult result;
@@ -37,7 +41,10 @@ SearchResult PartialSearch::find(const cv::Rect& region, const std::vector<std::
   SearchRequest request = request_;
   request.names = names;
   request.roi = roi - crop.tl();
-  if (crop != whole()) request.clutter = clutter;
+  if (crop != whole()) {
+    request.clutter = clutter;
+    request.elsewhere = elsewhere;
+  }
   result = matcher_.find(picture_(crop), request);
   shift(result, crop.tl());
   const double share = static_cast<double>(crop.area()) / whole().area();

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <opencv2/imgproc.hpp>
 #include <utility>
 
@@ -17,11 +16,24 @@ cv::Rect square_about(const cv::Point2d& middle, double reach) {
   return {cvRound(middle.x) - side / 2, cvRound(middle.y) - side / 2, side, side};
 }
 
-/// Objects are searched one by one, but none harder than if all were searched at once.
+/// Objects are searched one by one, but as if all were searched at once.
 SearchRequest one_by_one(const Matcher& matcher, SearchRequest request) {
   const auto objects = request.names.empty() ? matcher.objects().size() : request.names.size();
-  request.sparing |= objects > kFewObjects;
+  request.among = std::max(request.among, objects);
   return request;
+}
+
+bool is_within(const cv::Rect& inner, const cv::Rect& outer) {
+  return (inner & outer) == inner;
+}
+
+/// What other objects may lie there is kept by Known::others.
+Match own_competitors_only(Match match) {
+  auto& all = match.competitors;
+  all.erase(std::remove_if(all.begin(), all.end(),
+                           [&](const auto& competitor) { return competitor.name != match.name; }),
+            all.end());
+  return match;
 }
 
 }  // namespace
@@ -39,19 +51,13 @@ VideoLook::VideoLook(VideoMemory& memory, const VideoConfig& config, const Match
   memory_.changes.update(stamp, picture);
 }
 
-/// What objects that are no longer sought kept away from their places, or contested, is judged
-/// anew.
+/// What objects that are no longer sought kept away from their places is judged anew.
 void VideoLook::give_up(const std::vector<std::string>& gone) {
   for (const auto& name : gone) {
     for (const auto& one : memory_.known.all())
-      if (one.match.name == name) owe_place(one.match);
+      if (one.match.name == name) owe_place(one);
     memory_.forget(name);
-  }
-  if (gone.empty()) return;
-  for (auto& one : memory_.known.all()) {
-    if (one.margin_to_others >= matcher_.config().min_margin_place) continue;
-    one = Known{one.match};
-    announce(one.match);
+    for (auto& one : memory_.known.all()) one.others.erase(name);
   }
 }
 
@@ -71,12 +77,37 @@ SearchResult VideoLook::look_at_changes() {
   pay_debts(kLost);
   sweep();
   pay_debts(kSeen);
+  compare_touched();
   look_again();
   return report_of(memory_, matcher_.config(), search_.budget_exceeded());
 }
 
 SearchResult VideoLook::search(const cv::Rect& region, const std::vector<std::string>& names) {
-  return search_.find(region, names, memory_.sought.radius(names), memory_.clutter);
+  return search_.find(region, names, memory_.sought.radius(names), memory_.clutter,
+                      best_outside(region, names));
+}
+
+/// Of the known instances of `names` about whose places nothing is searched.
+std::map<std::string, double> VideoLook::best_outside(const cv::Rect& region,
+                                                      const std::vector<std::string>& names) const {
+  std::map<std::string, double> best;
+  for (const auto& one : memory_.known.all()) {
+    const bool asked = std::find(names.begin(), names.end(), one.match.name) != names.end();
+    if (!asked || !(one.box() & region).empty()) continue;
+    const auto entry = best.try_emplace(one.match.name, one.match.log_odds).first;
+    entry->second = std::max(entry->second, one.match.log_odds);
+  }
+  return best;
+}
+
+/// Compares what is known with what a search of `region` found.
+void VideoLook::compare(const SearchResult& result, const cv::Rect& region) {
+  std::vector<Rival> found = result.rivals;
+  for (const auto& match : result.matches)
+    found.push_back({match.name, match.pose.position(), match.log_odds, match.outline});
+  for (const auto& name : result.searched)
+    memory_.known.compare(
+        name, found, [&](const cv::Rect& box) { return is_within(touching(box, name), region); });
 }
 
 void VideoLook::search_everywhere() {
@@ -84,8 +115,13 @@ void VideoLook::search_everywhere() {
   memory_.known.all().clear();
   memory_.hidden.clear();
   for (const auto& name : result.searched) note_swept(name, result);
-  for (const auto& match : result.matches)
-    memory_.known.all().push_back({match, match.margin_place, match.margin_place});
+  for (const auto& match : result.matches) {
+    Known found;
+    found.match = own_competitors_only(match);
+    found.compared_elsewhere = true;
+    memory_.known.all().push_back(std::move(found));
+  }
+  compare(result, search_.whole());
 }
 
 void VideoLook::note_swept(const std::string& name, const SearchResult& result) {
@@ -110,13 +146,20 @@ bool VideoLook::is_settled(const cv::Rect& box) const {
                      [&](const cv::Rect& place) { return !(place & box).empty(); });
 }
 
+bool VideoLook::is_in_motion(const cv::Rect& box) const {
+  return memory_.changes.touches(box) && !is_settled(box);
+}
+
 void VideoLook::verify_touched() {
   const ChangeMap& changes = memory_.changes;
-  std::vector<Known> touched = memory_.known.take(
-      [&](const Known& one) { return changes.is_upset() || changes.touches(one.box()); });
+  // What was judged in motion holds for that picture alone.
+  std::vector<Known> touched = memory_.known.take([&](const Known& one) {
+    return changes.is_upset() || one.in_motion || changes.touches(one.box());
+  });
   for (auto& one : touched) {
     one.looks = 0;
-    if (is_settled(one.box())) one.margin_to_others = std::numeric_limits<double>::infinity();
+    one.others.clear();
+    if (is_settled(one.box())) owe_place(one);
   }
   for (const auto& one : touched)
     if (!find_again(one, touched)) memory_.hidden.push_back(one);
@@ -143,7 +186,7 @@ bool VideoLook::find_again(const Known& one, const std::vector<Known>& before) {
     admit(match, before);
     found |= is_continued(one.match, match, sought.reach());
   }
-  memory_.known.note_rivals(result.rivals);
+  compare(result, region);
   sought.lost = !found;
   return found;
 }
@@ -167,9 +210,11 @@ void VideoLook::sweep_for(const std::string& name) {
   const auto before = memory_.known.take([&](const Known& one) { return one.match.name == name; });
   for (const auto& match : result.matches) {
     Known* admitted = admit(match, before);
-    if (admitted) admitted->margin_elsewhere = match.margin_place;
+    if (!admitted) continue;
+    admitted->compared_elsewhere = true;
+    admitted->elsewhere.reset();
   }
-  memory_.known.note_rivals(result.rivals);
+  compare(result, search_.whole());
 }
 
 /// Within the effort, for the objects that are at least as urgent.
@@ -178,18 +223,46 @@ void VideoLook::pay_debts(Urgency least) {
   while (search_.spent() < config_.effort) {
     const auto due = memory_.debts.next(urgency);
     if (!due || urgency_of(due->name) > least) return;
+    look_at_uncompared(due->name, due->region);
     const SearchResult result = search(due->region, {due->name});
     if (result.searched.empty()) return;
     const std::vector<Known> before = memory_.known.all();
     for (const auto& match : result.matches) admit(match, before);
-    memory_.known.note_rivals(result.rivals);
+    compare(result, due->region);
     memory_.debts.pay(due->name, due->region);
   }
+}
+
+/// Log-odds compare in one picture only: instances that a search of `region` for `name` is about to
+/// be compared with are searched for in this one, too.
+void VideoLook::look_at_uncompared(const std::string& name, const cv::Rect& region) {
+  const auto uncompared = memory_.known.take([&](const Known& one) {
+    return !one.match.fresh && one.match.name != name && one.others.count(name) == 0 &&
+           is_within(touching(one.box(), name), region);
+  });
+  for (const auto& one : uncompared) find_again(one, uncompared);
 }
 
 VideoLook::Urgency VideoLook::urgency_of(const std::string& name) const {
   if (memory_.sought.at(name).lost) return kLost;
   return memory_.known.shows(name) ? kSeen : kUnseen;
+}
+
+/// Within the effort, instances that something still moves about are compared with all objects,
+/// too.
+void VideoLook::compare_touched() {
+  for (const auto& name : memory_.sought.names())
+    for (std::size_t i = 0; i < memory_.known.all().size(); ++i) {
+      if (search_.spent() >= config_.effort) return;
+      const Known& one = memory_.known.all()[i];
+      if (one.match.name == name || one.others.count(name) > 0) continue;
+      const cv::Rect region = touching(one.box(), name);
+      look_at_uncompared(name, region);
+      const SearchResult result = search(region, {name});
+      const std::vector<Known> before = memory_.known.all();
+      for (const auto& match : result.matches) admit(match, before);
+      compare(result, region);
+    }
 }
 
 /// Instances at rest are searched a few times more, for those who average.
@@ -208,31 +281,36 @@ void VideoLook::look_again() {
 /// the same instance as it was known.
 Known* VideoLook::admit(const Match& match, const std::vector<Known>& before) {
   const double reach = memory_.sought.at(match.name).reach();
-  Known found{match};
+  Known found;
+  found.match = own_competitors_only(match);
   const Known* origin = predecessor(before, match, reach);
   if (origin) {
-    found.margin_elsewhere = origin->margin_elsewhere;
-    found.margin_to_others = origin->margin_to_others;
+    found.take_comparisons(*origin);
     found.looks = origin->looks + 1;
   }
+  found.in_motion = is_in_motion(found.box());
   Known* admitted = memory_.known.admit(found, reach);
-  if (admitted && !origin) announce(match);
+  if (admitted && !origin) announce(*admitted);
   return admitted;
 }
 
 /// An instance at a new place is compared with all objects there, and with all of the picture.
-void VideoLook::announce(const Match& match) {
-  Sought& own = memory_.sought.at(match.name);
+void VideoLook::announce(const Known& one) {
+  Sought& own = memory_.sought.at(one.match.name);
   own.lost = false;
   own.urgent = true;
-  owe_place(match);
+  owe_place(one);
 }
 
-/// The place of a match is owed to all other objects.
-void VideoLook::owe_place(const Match& match) {
+/// The place of an instance is owed to all other objects.
+void VideoLook::owe_place(const Known& one) {
   for (const auto& [name, sought] : memory_.sought.all())
-    if (name != match.name)
-      memory_.debts.owe(name, cv::boundingRect(match.outline) & search_.whole());
+    if (name != one.match.name) memory_.debts.owe(name, touching(one.box(), name));
+}
+
+/// [px] Reference points of all poses of an object that may touch a box.
+cv::Rect VideoLook::touching(const cv::Rect& box, const std::string& name) const {
+  return grown(box, cvCeil(memory_.sought.at(name).radius)) & search_.whole();
 }
 
 }  // namespace mbncc

@@ -1,6 +1,7 @@
 // One picture of a video being searched where that is needed.
 #pragma once
 
+#include <map>
 #include <opencv2/core.hpp>
 #include <string>
 #include <vector>
@@ -28,20 +29,27 @@ class VideoLook {
   void give_up(const std::vector<std::string>& gone);
   void search_everywhere();
   SearchResult search(const cv::Rect& region, const std::vector<std::string>& names);
+  std::map<std::string, double> best_outside(const cv::Rect& region,
+                                             const std::vector<std::string>& names) const;
+  void compare(const SearchResult& result, const cv::Rect& region);
   void note_swept(const std::string& name, const SearchResult& result);
   void note_settled();
   bool is_settled(const cv::Rect& box) const;
+  bool is_in_motion(const cv::Rect& box) const;
   void verify_touched();
   void look_for_hidden();
   bool find_again(const Known& one, const std::vector<Known>& before);
   void sweep();
   void sweep_for(const std::string& name);
   void pay_debts(Urgency least);
+  void look_at_uncompared(const std::string& name, const cv::Rect& region);
   Urgency urgency_of(const std::string& name) const;
+  void compare_touched();
   void look_again();
   Known* admit(const Match& match, const std::vector<Known>& before);
-  void announce(const Match& match);
-  void owe_place(const Match& match);
+  void announce(const Known& one);
+  void owe_place(const Known& one);
+  cv::Rect touching(const cv::Rect& box, const std::string& name) const;
 
   VideoMemory& memory_;
   const VideoConfig& config_;

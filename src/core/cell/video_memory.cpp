@@ -26,18 +26,17 @@ void VideoMemory::forget(const std::string& name) {
 
 SearchResult report_of(const VideoMemory& memory, const SearchConfig& config,
                        bool budget_exceeded) {
+  const std::vector<std::string> names = memory.sought.names();
   SearchResult result;
-  for (const auto& [name, sought] : memory.sought.all())
+  for (const auto& name : names)
     if (memory.debts.owes(name))
       result.skipped.push_back(name + ": not yet searched where the picture changed");
     else
       result.searched.push_back(name);
   for (const auto& name : memory.sought.unavailable())
     result.skipped.push_back(name + ": unknown or disabled");
-  for (const auto& known : memory.known.all()) {
-    result.matches.push_back(known.judged(config));
-    if (memory.debts.is_open(known.box())) result.matches.back().graspable = false;
-  }
+  for (const auto& known : memory.known.all())
+    result.matches.push_back(known.judged(names, config));
   const int asked = memory.request.max_instances;
   keep_best(asked > 0 ? asked : config.max_instances, result.matches);
   result.budget_exceeded = budget_exceeded;

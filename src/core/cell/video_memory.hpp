@@ -30,7 +30,7 @@ struct VideoMemory {
 };
 
 /// What a picture shows by all that is known: at most request.max_instances (0: config's) per name,
-/// best first; none is graspable where a search is owed.
+/// best first.
 SearchResult report_of(const VideoMemory& memory, const SearchConfig& config, bool budget_exceeded);
 
 }  // namespace mbncc

@@ -11,7 +11,7 @@ using Clock = std::chrono::steady_clock;
 
 bool same_request(const SearchRequest& a, const SearchRequest& b) {
   return a.names == b.names && a.roi == b.roi && a.min_score == b.min_score &&
-         a.max_instances == b.max_instances && a.sparing == b.sparing;
+         a.max_instances == b.max_instances && a.among == b.among;
 }
 
 bool same_limits(const SearchConfig& a, const SearchConfig& b) {

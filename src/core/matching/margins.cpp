@@ -16,16 +16,20 @@ bool same_object(const Detection& a, const Detection& b) {
   return a.object == b.object;
 }
 
-/// To the best detection for which `competes` holds; that is asked only of those that matter.
+/// The best detection but `detection` for which `competes` holds, which is asked only of those that
+/// matter; null: none.
 template <class Predicate>
-double margin_to(const Detection& detection, const std::vector<Detection>& all,
-                 Predicate&& competes) {
-  double margin = kNoCompetitor;
-  for (const auto& other : all) {
-    const double ahead = detection.log_odds - other.log_odds;
-    if (ahead < margin && &other != &detection && competes(other)) margin = ahead;
-  }
-  return margin;
+const Detection* best_competitor(const Detection& detection, const std::vector<Detection>& all,
+                                 Predicate&& competes) {
+  const Detection* best = nullptr;
+  for (const auto& other : all)
+    if (&other != &detection && (!best || other.log_odds > best->log_odds) && competes(other))
+      best = &other;
+  return best;
+}
+
+double margin_to(const Detection& detection, const Detection* other) {
+  return other ? std::min(kNoCompetitor, detection.log_odds - other->log_odds) : kNoCompetitor;
 }
 
 }  // namespace
@@ -36,31 +40,42 @@ bool overlapping(const Detection& a, const Detection& b, double most) {
 
 double angle_margin(const Detection& detection, const std::vector<Detection>& all,
                     double max_overlap) {
-  return margin_to(detection, all, [&](const Detection& other) {
-    return same_object(other, detection) &&
-           angle_distance(object_angle(other), object_angle(detection), detection.view->symmetry) >
-               kOtherAngle &&
-           overlapping(detection, other, max_overlap);
-  });
+  return margin_to(detection, best_competitor(detection, all, [&](const Detection& other) {
+                     return same_object(other, detection) &&
+                            angle_distance(object_angle(other), object_angle(detection),
+                                           detection.view->symmetry) > kOtherAngle &&
+                            overlapping(detection, other, max_overlap);
+                   }));
 }
 
 double instance_margin(const Detection& detection, const std::vector<Detection>& all,
-                       double max_overlap) {
-  return margin_to(detection, all, [&](const Detection& other) {
-    return same_object(other, detection) && !overlapping(detection, other, max_overlap);
-  });
+                       const std::map<std::string, double>& elsewhere, double max_overlap) {
+  const double margin = margin_to(
+      detection, best_competitor(detection, all, [&](const Detection& other) {
+        return same_object(other, detection) && !overlapping(detection, other, max_overlap);
+      }));
+  const auto best = elsewhere.find(detection.object->model->name);
+  return best == elsewhere.end() ? margin : std::min(margin, detection.log_odds - best->second);
 }
 
-double place_margin(const Detection& detection, const std::vector<Detection>& all,
-                    const std::vector<const Detection*>& accepted, double max_overlap) {
+const Detection* competing_place(const Detection& detection, const std::vector<Detection>& all,
+                                 const std::vector<const Detection*>& accepted,
+                                 double max_overlap) {
   const auto explained = [&](const Detection& other) {
     return std::any_of(accepted.begin(), accepted.end(), [&](const Detection* one) {
       return one == &other || overlapping(other, *one, max_overlap);
     });
   };
-  return margin_to(detection, all, [&](const Detection& other) {
-    const bool here = overlapping(detection, other, max_overlap);
-    return same_object(other, detection) ? !here && !explained(other) : here;
+  return best_competitor(detection, all, [&](const Detection& other) {
+    return same_object(other, detection) && !overlapping(detection, other, max_overlap) &&
+           !explained(other);
+  });
+}
+
+const Detection* competing_object(const Detection& detection, const std::vector<Detection>& all,
+                                  double max_overlap) {
+  return best_competitor(detection, all, [&](const Detection& other) {
+    return !same_object(other, detection) && overlapping(detection, other, max_overlap);
   });
 }
 

@@ -1,6 +1,8 @@
 // How far detections are ahead of what competes with them.
 #pragma once
 
+#include <map>
+#include <string>
 #include <vector>
 
 #include "matching/detection.hpp"
@@ -18,13 +20,17 @@ bool overlapping(const Detection& a, const Detection& b, double most);
 double angle_margin(const Detection& detection, const std::vector<Detection>& all,
                     double max_overlap);
 
-/// Margin to the best other place of the same object, accepted ones included.
+/// Margin to the best other place of the same object, accepted ones included. `elsewhere`: as of
+/// SearchRequest, of all objects.
 double instance_margin(const Detection& detection, const std::vector<Detection>& all,
-                       double max_overlap);
+                       const std::map<std::string, double>& elsewhere, double max_overlap);
 
-/// Margin to the best other place of the same object that is no part of an accepted instance, and
-/// to other objects at the detection's place.
-double place_margin(const Detection& detection, const std::vector<Detection>& all,
-                    const std::vector<const Detection*>& accepted, double max_overlap);
+/// The best other place of the same object that is no part of an accepted instance; null: none.
+const Detection* competing_place(const Detection& detection, const std::vector<Detection>& all,
+                                 const std::vector<const Detection*>& accepted, double max_overlap);
+
+/// The best of other objects at the detection's place; null: none.
+const Detection* competing_object(const Detection& detection, const std::vector<Detection>& all,
+                                  double max_overlap);
 
 }  // namespace mbncc

@@ -48,9 +48,8 @@ int top_level(const ObjectList& objects) {
 }
 
 Look look_for(std::size_t objects, const SearchRequest& request, const SearchConfig& config) {
-  const bool many = objects > kFewObjects;
-  if (many && config.engine != "polar") return Look::kGated;
-  return many || request.sparing ? Look::kSparing : Look::kTwice;
+  if (objects > kFewObjects && config.engine != "polar") return Look::kGated;
+  return std::max(objects, request.among) > kFewObjects ? Look::kSparing : Look::kTwice;
 }
 
 /// What a search found of each object.
@@ -141,9 +140,12 @@ Findings Matcher::Implementation::search(const ObjectList& wanted, const cv::Mat
 
 Acceptance Matcher::Implementation::acceptance(const SearchRequest& request,
                                                std::size_t objects) const {
-  return {config, request.min_score >= 0 ? std::make_optional(request.min_score) : std::nullopt,
-          request.max_instances > 0 ? request.max_instances : config.max_instances, request.clutter,
-          rarity_among(objects)};
+  return {config,
+          request.min_score >= 0 ? std::make_optional(request.min_score) : std::nullopt,
+          request.max_instances > 0 ? request.max_instances : config.max_instances,
+          request.clutter,
+          request.elsewhere,
+          rarity_among(std::max(objects, request.among))};
 }
 
 Matcher::Matcher(SearchConfig config) : implementation_(std::make_unique<Implementation>()) {

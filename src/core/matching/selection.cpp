@@ -4,14 +4,12 @@
 #include <cmath>
 
 #include "matching/clutter.hpp"
+#include "matching/conclusion.hpp"
 #include "matching/margins.hpp"
 #include "matching/odds_calibration.hpp"
-#include "matching/outline_elsewhere.hpp"
 
 namespace mbncc {
 namespace {
-
-constexpr double kStrange = 0.2;  // chroma: a part of another colour is no part of the object
 
 int count_of(const std::vector<const Detection*>& accepted, const PreparedObject* object) {
   return static_cast<int>(
@@ -47,18 +45,12 @@ cv::Matx33d moved_to_reference(const cv::Matx33d& covariance, cv::Point2d lever)
 }
 
 /// Once margins can be told, and before anything is accepted.
-void calibrate(std::vector<Detection>& detections, double max_overlap) {
+void calibrate(std::vector<Detection>& detections, const Acceptance& acceptance) {
+  const double max_overlap = acceptance.config.max_overlap;
   for (auto& detection : detections)
-    detection.calibration = calibration(detection, angle_margin(detection, detections, max_overlap),
-                                        instance_margin(detection, detections, max_overlap));
-}
-
-/// The pose is known well enough to reach for; the angle of a round object does not matter.
-bool within_deviations(const Match& match, const SearchConfig& config) {
-  const cv::Matx33d& c = match.covariance;
-  const double angle = match.symmetry == 0 ? 0 : to_degrees(std::sqrt(c(2, 2)));
-  return std::sqrt(std::max(c(0, 0), c(1, 1))) <= config.max_place_deviation &&
-         angle <= config.max_angle_deviation;
+    detection.calibration =
+        calibration(detection, angle_margin(detection, detections, max_overlap),
+                    instance_margin(detection, detections, acceptance.elsewhere, max_overlap));
 }
 
 /// [px] the reference point as seen from the anchor of what was found.
@@ -80,8 +72,15 @@ std::vector<cv::Point2f> outline_at(const Detection& detection) {
   return outline;
 }
 
+/// `other` on the scale of `match`, which is of `detection`.
+Competitor competitor_of(const Match& match, const Detection& detection, const Detection& other) {
+  return {other.object->model->name, object_pose(other).position(),
+          match.log_odds - (detection.log_odds - other.log_odds)};
+}
+
 Match to_match(const Detection& detection, const std::vector<Detection>& all,
-               const std::vector<const Detection*>& accepted, const SearchConfig& config) {
+               const std::vector<const Detection*>& accepted, const Acceptance& acceptance) {
+  const SearchConfig& config = acceptance.config;
   const ObjectModel& model = *detection.object->model;
   const PreparedView& view = *detection.view;
   Match match;
@@ -94,36 +93,27 @@ Match to_match(const Detection& detection, const std::vector<Detection>& all,
   match.score = acceptance_score(detection, config);
   match.log_odds = detection.calibrated();
   match.similarity = detection.similarity;
-  match.margin_place = place_margin(detection, all, accepted, config.max_overlap);
+  for (const Detection* other : {competing_place(detection, all, accepted, config.max_overlap),
+                                 competing_object(detection, all, config.max_overlap)})
+    if (other) match.competitors.push_back(competitor_of(match, detection, *other));
   match.margin_angle = angle_margin(detection, all, config.max_overlap);
   match.visible = detection.visible;
   match.symmetry = view.symmetry;
-  const bool located = within_deviations(match, config) && detection.elsewhere <= kContradicts;
-  const bool sure = detection.strange <= kStrange && !detection.another_size &&
-                    !detection.turned_over && match.margin_place >= config.min_margin_place &&
-                    match.margin_angle >= config.min_margin_angle;
-  const bool enough = match.score >= config.confirm_score;
-  match.graspable = enough && sure &&
-                    convincing(detection, instance_margin(detection, all, config.max_overlap)) &&
-                    located && match.visible >= config.min_visible;
-  match.ambiguous = enough && !sure;
   match.outline = outline_at(detection);
+  match.doubts = doubts_about(
+      match, detection, instance_margin(detection, all, acceptance.elsewhere, config.max_overlap),
+      config);
+  conclude(match, config);
   return match;
 }
 
-/// What no accepted detection of the same object covers.
 std::vector<Rival> rivals_of(const std::vector<const Detection*>& accepted,
-                             const std::vector<Detection>& detections, double max_overlap) {
+                             const std::vector<Detection>& detections) {
   std::vector<Rival> rivals;
-  for (const auto& detection : detections) {
-    const bool explained = std::any_of(accepted.begin(), accepted.end(), [&](const auto* one) {
-      return one == &detection ||
-             (one->object == detection.object && overlapping(detection, *one, max_overlap));
-    });
-    if (explained) continue;
-    rivals.push_back(
-        {detection.object->model->name, detection.calibrated(), outline_at(detection)});
-  }
+  for (const auto& detection : detections)
+    if (std::find(accepted.begin(), accepted.end(), &detection) == accepted.end())
+      rivals.push_back({detection.object->model->name, object_pose(detection).position(),
+                        detection.calibrated(), outline_at(detection)});
   return rivals;
 }
 
@@ -136,16 +126,15 @@ double acceptance_score(const Detection& detection, const SearchConfig& config) 
 Selection select_matches(std::vector<Detection> detections, const Acceptance& acceptance) {
   Selection selection;
   selection.clutter = discount_clutter(detections, acceptance.clutter, acceptance.rarity);
-  const double max_overlap = acceptance.config.max_overlap;
-  calibrate(detections, max_overlap);
+  calibrate(detections, acceptance);
   std::stable_sort(
       detections.begin(), detections.end(), [&](const Detection& a, const Detection& b) {
         return acceptance_score(a, acceptance.config) > acceptance_score(b, acceptance.config);
       });
   const auto accepted = accept(detections, acceptance);
   for (const Detection* detection : accepted)
-    selection.matches.push_back(to_match(*detection, detections, accepted, acceptance.config));
-  selection.rivals = rivals_of(accepted, detections, max_overlap);
+    selection.matches.push_back(to_match(*detection, detections, accepted, acceptance));
+  selection.rivals = rivals_of(accepted, detections);
   return selection;
 }
 

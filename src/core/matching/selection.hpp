@@ -17,8 +17,8 @@ struct Acceptance {
   const SearchConfig& config;
   std::optional<double> min_score;  ///< for all objects; none: the object's own or the configured
   int max_instances;                ///< per name
-  std::map<std::string, double> clutter;  ///< see SearchRequest
-  double rarity = 0;                      ///< see rarity_among()
+  std::map<std::string, double> clutter, elsewhere;  ///< see SearchRequest
+  double rarity = 0;                                 ///< see rarity_among()
 };
 
 struct Selection {

@@ -1,0 +1,229 @@
+// What a watched cell calls graspable, a search of the whole picture calls graspable, too: drawn
+// stories of objects that look alike, with pictures late and lost and little effort for each.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstdlib>
+
+#include "cell/watched_scene.hpp"
+#include "mbncc/cell/video_search.hpp"
+
+namespace mbncc {
+namespace {
+
+const cv::Size kSmall(208, 160);       // [px]
+constexpr int kPicturesOfAStory = 60;  // shown to one VideoSearch
+constexpr double kNear = 4;            // [px] the whole search has it there, too
+// Noise alone moves a margin by so much from picture to picture.
+constexpr double kNoise = 3;  // log-odds
+
+/// 400 by default; MBNCC_PICTURES asks for more.
+int wanted_pictures() {
+  const char* text = std::getenv("MBNCC_PICTURES");
+  return text ? std::atoi(text) : 400;
+}
+
+struct Kind {
+  sim::SceneObject drawing;
+  std::string name;
+};
+
+/// Two names of one object, one a little smaller, and one of its own.
+std::vector<Kind> kinds_of(std::uint64_t seed) {
+  const sim::SceneObject twin{seed, 44, 1.5};
+  return {
+      {twin, "one"}, {twin, "other"}, {{seed, 41, 1.5}, "smaller"}, {{seed + 1, 40, 1.3}, "own"}};
+}
+
+std::shared_ptr<const ObjectModel> taught(const Kind& kind) {
+  sim::SceneConfig config;
+  config.size = kSmall;
+  const sim::Scene scene(config);
+  const sim::Placed placed{kind.drawing, {104, 80, 0}};
+  auto model = std::make_shared<ObjectModel>();
+  model->name = kind.name;
+  model->views = {crop_view(scene.render({placed}, 1), scene.true_map(placed), placed.pose)};
+  return model;
+}
+
+class Story {
+ public:
+  explicit Story(std::uint64_t seed) : random_(seed), kinds_(kinds_of(100 + seed % 7)) {
+    sim::SceneConfig config;
+    config.size = kSmall;
+    config.seed = seed;
+    scene_ = std::make_unique<sim::Scene>(config);
+    for (const auto& kind : kinds_) models_.push_back(taught(kind));
+    matcher_.set_objects(models_);
+    const double efforts[] = {0.1, 0.4, 0.8, 2}, sweeps[] = {0.5, 5, 60};
+    video_ = VideoSearch({sweeps[random_.uniform(0, 3)], efforts[random_.uniform(0, 4)]});
+    for (int i = random_.uniform(1, 4); i > 0; --i) put();
+  }
+
+  /// Shows the next picture; true where the watch calls something graspable that the whole search
+  /// denies.
+  bool step() {
+    for (int unseen = random_.uniform(0, 10) == 0 ? random_.uniform(1, 6) : 1; unseen > 0; --unseen)
+      happen();
+    now_ += random_.uniform(0, 8) == 0 ? random_.uniform(0.1, 2.0) : 1. / 30;
+    picture_ = scene_->render(placed_, static_cast<std::uint64_t>(frames_++), arm_) * gain_;
+    result_ = video_.find(matcher_, now_, picture_);
+    whole_ = matcher_.find(picture_);
+    return std::any_of(result_.matches.begin(), result_.matches.end(), [this](const Match& match) {
+      return match.graspable && is_denied(match) && !is_overlooked(match);
+    });
+  }
+
+  int graspable() const { return count(result_); }
+  int graspable_whole() const { return count(whole_); }
+  std::string text() const {
+    std::string text;
+    for (const auto* result : {&result_, &whole_}) {
+      text += result == &result_ ? "watched:" : "\nwhole:";
+      for (const auto& match : result->matches)
+        text += ' ' + match.name + " at " + std::to_string(match.pose.x) + ", " +
+                std::to_string(match.pose.y) + " margin " + std::to_string(match.margin_place) +
+                (match.graspable ? " graspable" : "") + (match.fresh ? " fresh" : "");
+    }
+    for (const auto& reason : result_.skipped) text += "\nskipped: " + reason;
+    text += "\nlibrary:";
+    for (const auto& object : matcher_.objects()) text += ' ' + object->name;
+    for (const auto& placed : placed_)
+      text += "\nlies: " + std::to_string(placed.object.seed) + ' ' +
+              std::to_string(placed.object.diameter) + " at " + std::to_string(placed.pose.x) +
+              ", " + std::to_string(placed.pose.y);
+    return text;
+  }
+
+ private:
+  static int count(const SearchResult& result) {
+    return static_cast<int>(std::count_if(result.matches.begin(), result.matches.end(),
+                                          [](const auto& match) { return match.graspable; }));
+  }
+
+  void put() {
+    const Kind& kind = kinds_[static_cast<std::size_t>(random_.uniform(0, 4))];
+    placed_.push_back({kind.drawing, pose()});
+  }
+
+  Pose2D pose() {
+    return {random_.uniform(25., kSmall.width - 25.), random_.uniform(25., kSmall.height - 25.),
+            random_.uniform(-kPi, kPi)};
+  }
+
+  void happen() {
+    if (arm_) {
+      arm_->grip.x += random_.uniform(-15., 15.);
+      arm_->grip.y += random_.uniform(-15., 15.);
+      if (random_.uniform(0, 6) == 0) arm_.reset();
+    }
+    const auto chosen =
+        placed_.empty()
+            ? 0
+            : static_cast<std::size_t>(random_.uniform(0, static_cast<int>(placed_.size())));
+    switch (random_.uniform(0, 40)) {
+      case 0:
+        if (placed_.size() < 4) put();
+        break;
+      case 1:
+        if (!placed_.empty()) placed_.erase(placed_.begin() + static_cast<std::ptrdiff_t>(chosen));
+        break;
+      case 2:
+        if (!placed_.empty()) placed_[chosen].pose = pose();
+        break;
+      case 3:
+        if (!placed_.empty())
+          placed_[chosen].object = kinds_[static_cast<std::size_t>(random_.uniform(0, 4))].drawing;
+        break;
+      case 4:
+      case 5:
+        arm_ = sim::Arm{pose(), 40};
+        break;
+      case 6:
+        gain_ = random_.uniform(0.85, 1.1);
+        break;
+      case 7:
+        forget_or_recall(models_[static_cast<std::size_t>(random_.uniform(0, 4))]);
+        break;
+      default:
+        break;
+    }
+  }
+
+  void forget_or_recall(const std::shared_ptr<const ObjectModel>& model) {
+    auto objects = matcher_.objects();
+    const auto at = std::find(objects.begin(), objects.end(), model);
+    if (at == objects.end())
+      objects.push_back(model);
+    else
+      objects.erase(at);
+    matcher_.set_objects(objects);
+  }
+
+  /// The whole search finds nothing of that name there, or something else about as likely.
+  bool is_denied(const Match& match) const {
+    for (const auto& other : whole_.matches)
+      if (other.name == match.name &&
+          cv::norm(other.pose.position() - match.pose.position()) < kNear)
+        return other.ambiguous && other.margin_place < matcher_.config().min_margin_place - kNoise;
+    return true;
+  }
+
+  /// The object does lie there, no other in the library looks the same, and the whole search has
+  /// missed it: it was judged on these very pixels before.
+  bool is_overlooked(const Match& match) const {
+    const auto objects = matcher_.objects();
+    const auto drawn_as = [&](const std::string& name) {
+      return std::find_if(kinds_.begin(), kinds_.end(),
+                          [&](const auto& kind) { return kind.name == name; })
+          ->drawing;
+    };
+    const auto same = [](const sim::SceneObject& a, const sim::SceneObject& b) {
+      return a.seed == b.seed && a.diameter == b.diameter;
+    };
+    const sim::SceneObject drawing = drawn_as(match.name);
+    if (std::count_if(objects.begin(), objects.end(), [&](const auto& object) {
+          return same(drawn_as(object->name), drawing);
+        }) > 1)
+      return false;
+    return std::any_of(placed_.begin(), placed_.end(), [&](const sim::Placed& placed) {
+      return same(placed.object, drawing) &&
+             cv::norm(placed.pose.position() - match.pose.position()) < kNear;
+    });
+  }
+
+  cv::RNG random_;
+  std::vector<Kind> kinds_;
+  std::unique_ptr<sim::Scene> scene_;
+  std::vector<std::shared_ptr<const ObjectModel>> models_;
+  Matcher matcher_;
+  VideoSearch video_;
+  std::vector<sim::Placed> placed_;
+  std::optional<sim::Arm> arm_;
+  double gain_ = 1, now_ = 0;
+  int frames_ = 0;
+  cv::Mat picture_;
+  SearchResult result_, whole_;
+};
+
+TEST(WatchedRivals, NothingIsGraspableThatAWholeSearchDenies) {
+  int graspable = 0, graspable_whole = 0, denied = 0;
+  const int pictures = wanted_pictures();
+  for (int shown = 0, story = 1; shown < pictures; ++story) {
+    Story cell(static_cast<std::uint64_t>(story));
+    for (int i = 0; i < kPicturesOfAStory && shown < pictures; ++i, ++shown) {
+      if (cell.step()) {
+        ++denied;
+        ADD_FAILURE() << "story " << story << ", picture " << i << '\n' << cell.text();
+      }
+      graspable += cell.graspable();
+      graspable_whole += cell.graspable_whole();
+    }
+  }
+  std::cout << pictures << " pictures: " << graspable << " graspable, " << graspable_whole
+            << " by whole searches, " << denied << " pictures with one that those deny\n";
+  EXPECT_GT(graspable, 0);
+}
+
+}  // namespace
+}  // namespace mbncc
