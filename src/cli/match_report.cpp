@@ -24,6 +24,12 @@ std::string csv_text(const std::string& text) {
   return quoted + '"';
 }
 
+std::string joined(const std::vector<std::string>& reasons) {
+  std::string text;
+  for (const auto& reason : reasons) text += (text.empty() ? "" : "; ") + reason;
+  return text;
+}
+
 class CsvReport : public MatchReport {
  public:
   explicit CsvReport(std::ostream& out) : out_(out) {
@@ -79,6 +85,7 @@ class JsonReport : public MatchReport {
     json_.member("margin_place", match.margin_place).member("margin_angle", match.margin_angle);
     json_.member("visible", match.visible).member("symmetry", match.symmetry);
     json_.member("graspable", match.graspable).member("ambiguous", match.ambiguous);
+    json_.member("reasons", match.reasons);
     json_.key("covariance").begin_array();
     for (const double value : match.covariance.val) json_.value(value);
     json_.end_array().key("outline").begin_array();
@@ -101,9 +108,9 @@ class PlainReport : public MatchReport {
       out_ << "  " << match.name << " at (" << std::setprecision(2) << match.pose.x << ", "
            << match.pose.y << "), " << to_degrees(match.pose.theta) << " deg, score " << match.score
            << (match.graspable   ? ""
-               : match.ambiguous ? ", ambiguous: do not grasp"
-                                 : ", too unsure to grasp")
-           << '\n';
+               : match.ambiguous ? ", ambiguous, do not grasp: "
+                                 : ", too unsure to grasp: ")
+           << joined(match.reasons) << '\n';
     }
   }
 

@@ -57,8 +57,14 @@ void note_age(DetectedObjectArray& array, const ros::Time& now) {
   for (auto& object : array.objects) {
     if (object.state != DetectedObject::CONFIRMED || now <= object.valid_until) continue;
     object.state = DetectedObject::NEW;
-    object.child_frame_id.clear();
+    object.reasons = {"older than valid_until when it was published"};
+    withhold_frames(object);
   }
+}
+
+void withhold_frames(DetectedObject& object) {
+  object.child_frame_id.clear();
+  object.stable_frame_id.clear();
 }
 
 DetectionPipeline::DetectionPipeline(const MatchingNodeConfig& config, const LiveMatcher& matcher,
@@ -75,10 +81,15 @@ Detections DetectionPipeline::process(const ReceivedPicture& received,
   return describe(received, track(received, request));
 }
 
-void DetectionPipeline::reset() {
+void DetectionPipeline::interrupt() {
   video_.reset();
-  tracker_.reset();
+  tracker_.interrupt();
   average_.reset();
+}
+
+void DetectionPipeline::reset() {
+  interrupt();
+  tracker_.reset();
 }
 
 TrackedPicture DetectionPipeline::track(const ReceivedPicture& received,
@@ -122,15 +133,17 @@ DetectedObject DetectionPipeline::describe(const TrackedMatch& tracked, const Ob
   DetectedObject object = to_msg(match, model);
   object.instance_id = tracked.instance_id;
   object.state = static_cast<std::uint8_t>(tracked.state);
+  object.reasons = tracked.reasons;
   object.valid_until.fromSec(tracked.valid_until);
   if (!calibration.platform || model == nullptr) return object;
   const auto pose = calibration.platform->lift(match.pose, match.covariance, model->object_height);
   if (!pose) return object;
   object.pose_valid = true;
   object.pose = to_msg(*pose);
+  const std::string frame = config_.tf_prefix + "object_" + match.name;
   if (tracked.state == TrackState::kConfirmed)
-    object.child_frame_id =
-        config_.tf_prefix + "object_" + match.name + "_" + std::to_string(tracked.frame_index);
+    object.child_frame_id = frame + "_" + std::to_string(tracked.frame_index);
+  if (tracked.is_best) object.stable_frame_id = frame;
   return object;
 }
 
@@ -156,7 +169,7 @@ std::string DetectionPipeline::to_target_frame(DetectedObjectArray& array) const
   } catch (const tf2::TransformException& error) {
     // A frame that hangs under the camera once and under target_frame the next time would tear the
     // tf tree, so none is sent.
-    for (auto& object : array.objects) object.child_frame_id.clear();
+    for (auto& object : array.objects) withhold_frames(object);
     return "target_frame: " + tf_fault(error);
   }
 }

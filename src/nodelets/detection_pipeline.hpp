@@ -41,6 +41,9 @@ struct ReceivedPicture {
 /// confirmed.
 void note_age(mbncc_vision::DetectedObjectArray& array, const ros::Time& now);
 
+/// No tf frame is sent for the object.
+void withhold_frames(mbncc_vision::DetectedObject& object);
+
 class DetectionPipeline {
  public:
   /// `matcher` and `tf` outlive the pipeline.
@@ -52,6 +55,10 @@ class DetectionPipeline {
   /// The two halves of process().
   TrackedPicture track(const ReceivedPicture& received, const SearchRequest& request);
   Detections describe(const ReceivedPicture& received, const TrackedPicture& tracked) const;
+
+  /// What was seen before is no longer counted on: the next picture is searched whole, and every
+  /// instance has to be confirmed anew. One that has not moved keeps its id.
+  void interrupt();
 
   /// Forgets the instances.
   void reset();

@@ -36,9 +36,11 @@ double DetectionPublisher::publish(Detections detections, const cv::Mat& picture
   DetectedObjectArray& array = detections.array;
   note_age(array, ros::Time::now());
   if (!extras.tf)
-    for (auto& object : array.objects) object.child_frame_id.clear();
+    for (auto& object : array.objects) withhold_frames(object);
   detections_.publish(array);
-  if (extras.tf) tf_.send(array, *detections.library);
+  const auto transforms = extras.tf ? frames_.of(array, *detections.library)
+                                    : std::vector<geometry_msgs::TransformStamped>{};
+  if (!transforms.empty()) broadcaster_.sendTransform(transforms);
   if (markers_.getNumSubscribers() > 0) markers_.publish(to_markers(array));
   publish_pictures(array, picture, score_map, extras.scores_under_overlay);
   return array.latency;

@@ -3,13 +3,14 @@
 #pragma once
 
 #include <ros/node_handle.h>
+#include <tf2_ros/transform_broadcaster.h>
 
 #include <functional>
 #include <opencv2/core.hpp>
 #include <string>
 
 #include "nodelets/detection_pipeline.hpp"
-#include "nodelets/tf_sender.hpp"
+#include "nodelets/object_frames.hpp"
 
 namespace mbncc::nodelets {
 
@@ -38,14 +39,15 @@ class DetectionPublisher {
   void publish_stale(const std::string& message);
 
   /// The clock has jumped back.
-  void reset() { tf_.reset(); }
+  void reset() { frames_.reset(); }
 
  private:
   void publish_pictures(const mbncc_vision::DetectedObjectArray& array, const cv::Mat& picture,
                         const ScoreMap& score_map, bool scores_under_overlay);
 
   ros::Publisher detections_, overlay_, overlay_jpeg_, score_map_, markers_;
-  TfSender tf_;
+  tf2_ros::TransformBroadcaster broadcaster_;
+  ObjectFrames frames_;
 };
 
 }  // namespace mbncc::nodelets

@@ -172,6 +172,7 @@ mbncc_vision::DetectedObject to_msg(const Match& match, const ObjectModel* model
   message.size = size_of(model != nullptr ? *model : ObjectModel{});
   message.symmetry = static_cast<std::uint8_t>(match.symmetry);
   message.outline = to_msg(match.outline);
+  message.reasons = match.reasons;
   return message;
 }
 

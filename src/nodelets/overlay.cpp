@@ -45,6 +45,7 @@ Marking marking_of(const DetectedObject& object) {
   marking.pose = {object.image_pose.x, object.image_pose.y, object.image_pose.theta};
   marking.colour = colour_of(standing_of(object.state));
   marking.caption = object.name + number + score + word_of(object.state);
+  if (!object.reasons.empty()) marking.caption += "\n" + object.reasons.front();
   return marking;
 }
 

@@ -52,7 +52,7 @@ void SearchWorker::work() {
 
 void SearchWorker::search(const sensor_msgs::Image& image) {
   const unsigned era = era_;
-  if (std::exchange(pipeline_era_, era) != era) pipeline_.reset();
+  if (std::exchange(pipeline_era_, era) != era) pipeline_.interrupt();
   if (!admit(image.header)) return;
   const Decoded decoded = decode_picture(image);
   if (!decoded) return refuse(decoded.fault);

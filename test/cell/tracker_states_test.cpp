@@ -2,6 +2,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <string>
+#include <vector>
 
 #include "cell/tracked_matches.hpp"
 #include "mbncc/cell/tracker.hpp"
@@ -75,6 +77,68 @@ TEST(InstanceTracker, RoundObjectsDoNotTurn) {
     match.symmetry = 0;
     EXPECT_NEAR(tracker.update(i, {match})[0].match.pose.theta, 0.3, 1e-12);
   }
+}
+
+TEST(InstanceTracker, TellsWhyAnInstanceIsNotConfirmed) {
+  InstanceTracker tracker({3, 5, 10, 0.5, 10});
+  EXPECT_EQ(tracker.update(0, {match_at(100, 100)})[0].reasons,
+            std::vector<std::string>{"graspable in 1 of the last 5 pictures, 3 needed"});
+  tracker.update(1, {match_at(100, 100)});
+  EXPECT_TRUE(tracker.update(2, {match_at(100, 100)})[0].reasons.empty());
+  Match doubtful = ambiguous_at(100, 100);
+  doubtful.reasons = {"angle open"};
+  EXPECT_EQ(tracker.update(3, {doubtful})[0].reasons, doubtful.reasons);
+  const auto held = tracker.update(4, {});
+  ASSERT_EQ(held.size(), 1u);
+  EXPECT_EQ(held[0].reasons, std::vector<std::string>{"not seen in this picture"});
+}
+
+TEST(InstanceTracker, AfterAnInterruptionInstancesKeepTheirIdsAndAreConfirmedAnew) {
+  InstanceTracker tracker;
+  for (int i = 0; i < 5; ++i) tracker.update(i, {match_at(100, 100)});
+  tracker.interrupt();
+  for (int i = 5; i < 8; ++i) {
+    const auto tracked = tracker.update(i, {match_at(100, 100)});
+    EXPECT_EQ(tracked[0].instance_id, 1u);
+    EXPECT_EQ(tracked[0].frame_index, 0);
+    EXPECT_EQ(tracked[0].state == TrackState::kConfirmed, i == 7) << i;
+  }
+}
+
+class BestInstance : public ::testing::Test {
+ protected:
+  /// x of the one that the stable frame follows; 0: none.
+  double best_of(const std::vector<Match>& matches) {
+    double x = 0;
+    for (const auto& tracked : tracker_.update(now_++, matches)) {
+      if (!tracked.is_best) continue;
+      EXPECT_EQ(tracked.state, TrackState::kConfirmed);
+      EXPECT_EQ(x, 0) << "one of a name";
+      x = tracked.match.pose.x;
+    }
+    return x;
+  }
+
+  static Match scored(double x, double score) {
+    Match match = match_at(x, 100);
+    match.score = score;
+    return match;
+  }
+
+  InstanceTracker tracker_;
+  double now_ = 0;
+};
+
+TEST_F(BestInstance, IsTheOneWithTheBestScoreOnceConfirmed) {
+  for (int i = 0; i < 2; ++i) EXPECT_EQ(best_of({scored(100, 0.9), scored(300, 0.95)}), 0);
+  EXPECT_EQ(best_of({scored(100, 0.9), scored(300, 0.95)}), 300);
+}
+
+TEST_F(BestInstance, StaysWhileItIsConfirmed) {
+  for (int i = 0; i < 3; ++i) best_of({scored(100, 0.9), scored(300, 0.95)});
+  EXPECT_EQ(best_of({scored(300, 0.85), scored(100, 0.99)}), 300);
+  EXPECT_EQ(best_of({scored(100, 0.99), ambiguous_at(300, 100)}), 100);
+  EXPECT_EQ(best_of({scored(100, 0.9), scored(300, 0.99)}), 100) << "it does not go back";
 }
 
 }  // namespace

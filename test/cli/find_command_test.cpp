@@ -54,7 +54,7 @@ TEST_F(FindCommand, JsonHoldsWhatADetectionHolds) {
   const YAML::Node object = pictures[0]["objects"][0];
   for (const char* key : {"name", "revision", "instance", "x", "y", "theta_deg", "scale", "score",
                           "similarity", "margin_place", "margin_angle", "visible", "symmetry",
-                          "graspable", "covariance", "outline"})
+                          "graspable", "ambiguous", "reasons", "covariance", "outline"})
     EXPECT_TRUE(object[key]) << key;
   EXPECT_EQ(object["covariance"].size(), 9u);
   EXPECT_EQ(pictures[1]["objects"].size(), 0u);

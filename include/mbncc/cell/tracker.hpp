@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <deque>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -28,12 +29,16 @@ struct TrackedMatch {
   std::uint32_t instance_id = 0;  ///< from 1, never used again
   int frame_index = 0;            ///< k of the tf frame object_<name>_<k>
   TrackState state = TrackState::kNew;
-  double valid_until = 0;  ///< [s] stamp of the picture it was seen in plus max_age
+  /// The one confirmed instance of its name that the tf frame object_<name> follows: it stays the
+  /// same until it is confirmed no more, then it is the one with the best score.
+  bool is_best = false;
+  double valid_until = 0;            ///< [s] stamp of the picture it was seen in plus max_age
+  std::vector<std::string> reasons;  ///< why it is not confirmed; empty when it is
 };
 
 /// A match continues the nearest instance of its name and revision, if that is near enough for the
 /// object to be the same: within half of its outline's radius of where the instance was seen last,
-/// or of where it would be had it gone on moving. When the angle jumps by more than 15 degrees,
+/// or of where it would be had it gone on moving. When the angle jumps by more than 3 degrees,
 /// symmetry aside, the instance stays and has to be confirmed anew. Among the equal angles of a
 /// symmetric object the one nearest to the last is taken; a round one keeps its first.
 class InstanceTracker {
@@ -45,6 +50,9 @@ class InstanceTracker {
   /// Takes the matches of the picture stamped `stamp` [s], all names searched. Returns them in
   /// their order, then the held instances. A stamp before the last one resets first.
   std::vector<TrackedMatch> update(double stamp, const std::vector<Match>& matches);
+
+  /// Every instance has to be confirmed anew; one that has not moved keeps its id and frame.
+  void interrupt();
 
   /// Forgets all instances; ids are not used again all the same.
   void reset();
@@ -70,6 +78,8 @@ class InstanceTracker {
   Track& begin_track(double stamp, const Match& match);
   void see(Track& track, const Match& match, double stamp);
   void note_missed();
+  void choose_best(std::vector<TrackedMatch>& tracked);
+  std::vector<std::string> reasons_of(const Track& track) const;
   bool is_held(const Track& track, double stamp) const;
   void drop_lost(double stamp);
   int free_frame_index(const std::string& name) const;
@@ -78,6 +88,7 @@ class InstanceTracker {
   TrackerConfig config_;
   std::deque<Track> tracks_;  // begin_track() keeps references valid
   std::vector<ReleasedFrame> released_;
+  std::map<std::string, std::uint32_t> best_;  // instance by name
   std::uint32_t next_id_ = 1;
   double last_stamp_ = 0;
 };

@@ -9,10 +9,10 @@
 namespace mbncc {
 namespace {
 
-constexpr double kGateShare = 0.5;             // of the outline's radius
-constexpr double kLeastGate = 5;               // [px]
-constexpr double kLongestGuess = 0.5;          // [s] that a motion is taken to go on unseen
-constexpr double kAngleJump = to_radians(15);  // [rad]
+constexpr double kGateShare = 0.5;            // of the outline's radius
+constexpr double kLeastGate = 5;              // [px]
+constexpr double kLongestGuess = 0.5;         // [s] that a motion is taken to go on unseen
+constexpr double kAngleJump = to_radians(3);  // [rad] a torn picture turns what it shows by more
 
 /// Distance [px] within which a match continues an instance.
 double gate_of(const Match& match) {
@@ -44,9 +44,14 @@ InstanceTracker::InstanceTracker(TrackerConfig config) : config_(config) {
     throw std::invalid_argument("hold_time, max_age and reuse_after must not be negative");
 }
 
+void InstanceTracker::interrupt() {
+  for (auto& track : tracks_) track.graspable.clear();
+}
+
 void InstanceTracker::reset() {
   tracks_.clear();
   released_.clear();
+  best_.clear();
 }
 
 std::vector<TrackedMatch> InstanceTracker::update(double stamp, const std::vector<Match>& matches) {
@@ -65,8 +70,28 @@ std::vector<TrackedMatch> InstanceTracker::update(double stamp, const std::vecto
     if (track.seen || !is_held(track, stamp)) continue;
     result.push_back(track.last);
     result.back().state = TrackState::kHeld;
+    result.back().reasons = {"not seen in this picture"};
   }
+  choose_best(result);
   return result;
+}
+
+void InstanceTracker::choose_best(std::vector<TrackedMatch>& tracked) {
+  std::map<std::string, TrackedMatch*> best;
+  const auto rank = [this](const TrackedMatch& one) {
+    const auto before = best_.find(one.match.name);
+    return std::make_pair(before != best_.end() && before->second == one.instance_id,
+                          one.match.score);
+  };
+  for (auto& one : tracked) {
+    if (one.state != TrackState::kConfirmed) continue;
+    TrackedMatch*& chosen = best[one.match.name];
+    if (!chosen || rank(one) > rank(*chosen)) chosen = &one;
+  }
+  for (const auto& [name, chosen] : best) {
+    chosen->is_best = true;
+    best_[name] = chosen->instance_id;
+  }
 }
 
 /// From where the instance was seen last, or would be had it gone on moving; objects that turn back
@@ -141,6 +166,16 @@ void InstanceTracker::see(Track& track, const Match& match, double stamp) {
     track.last.state = TrackState::kConfirmed;
   else
     track.last.state = TrackState::kNew;
+  track.last.reasons = reasons_of(track);
+}
+
+std::vector<std::string> InstanceTracker::reasons_of(const Track& track) const {
+  if (track.last.state == TrackState::kConfirmed) return {};
+  if (!track.last.match.graspable) return track.last.match.reasons;
+  const auto times = std::count(track.graspable.begin(), track.graspable.end(), true);
+  return {"graspable in " + std::to_string(times) + " of the last " +
+          std::to_string(config_.confirm_window) + " pictures, " +
+          std::to_string(config_.confirm_frames) + " needed"};
 }
 
 void InstanceTracker::note_missed() {

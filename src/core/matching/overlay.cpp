@@ -18,6 +18,7 @@ Marking marking_of(const Match& match) {
     marking.colour = colour_of(Standing::kUnsure);
     marking.caption += " unsure";
   }
+  if (!match.reasons.empty()) marking.caption += "\n" + match.reasons.front();
   return marking;
 }
 

@@ -1,0 +1,41 @@
+// The tf frames of confirmed instances: all of a picture at once, at its stamp, never twice for a
+// stamp.
+#pragma once
+
+#include <geometry_msgs/TransformStamped.h>
+#include <mbncc_vision/DetectedObjectArray.h>
+#include <ros/time.h>
+
+#include <cstdint>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "mbncc/library/object_library.hpp"
+
+namespace mbncc::nodelets {
+
+class ObjectFrames {
+ public:
+  /// The frames child_frame_id and stable_frame_id of each object that has them, and ..._grasp
+  /// under them where `library` holds a grasp; none for a stamp that is not after the last one.
+  /// Objects without a finite metric pose are left out, whatever they claim. Where a stable frame
+  /// goes over to another instance it does so at once: no look-up between two stamps finds it on
+  /// its way.
+  std::vector<geometry_msgs::TransformStamped> of(
+      const mbncc_vision::DetectedObjectArray& detections, const LibrarySnapshot& library);
+
+  /// The clock has jumped back: older stamps are new again.
+  void reset();
+
+ private:
+  struct Followed {
+    std::uint32_t instance_id = 0;
+    ros::Time stamp;  // of its last transform
+  };
+
+  ros::Time last_;
+  std::map<std::string, Followed> followed_;  // by stable frame
+};
+
+}  // namespace mbncc::nodelets

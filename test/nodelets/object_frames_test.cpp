@@ -1,0 +1,96 @@
+#include "nodelets/object_frames.hpp"
+
+#include <gtest/gtest.h>
+#include <tf2/buffer_core.h>
+
+#include <limits>
+
+namespace mbncc::nodelets {
+namespace {
+
+mbncc_vision::DetectedObject confirmed(std::uint32_t id, double x) {
+  mbncc_vision::DetectedObject object;
+  object.name = "key";
+  object.instance_id = id;
+  object.pose_valid = true;
+  object.pose.pose.position.x = x;
+  object.pose.pose.orientation.w = 1;
+  object.child_frame_id = "object_key_" + std::to_string(id);
+  object.stable_frame_id = "object_key";
+  return object;
+}
+
+class ObjectFramesTest : public ::testing::Test {
+ protected:
+  /// Shows a picture stamped `stamp` [s].
+  void show(double stamp, const std::vector<mbncc_vision::DetectedObject>& objects) {
+    mbncc_vision::DetectedObjectArray array;
+    array.header.stamp.fromSec(stamp);
+    array.header.frame_id = "camera";
+    array.objects = objects;
+    for (const auto& transform : frames_.of(array, library_)) {
+      ++sent_;
+      ASSERT_TRUE(buffer_.setTransform(transform, "test"));
+    }
+  }
+
+  double x_at(const std::string& frame, double stamp) const {
+    return buffer_.lookupTransform("camera", frame, ros::Time(stamp)).transform.translation.x;
+  }
+
+  ObjectFrames frames_;
+  LibrarySnapshot library_;
+  tf2::BufferCore buffer_;
+  int sent_ = 0;
+};
+
+TEST_F(ObjectFramesTest, TheStableFrameFollowsOneInstanceBesideTheNumberedOnes) {
+  mbncc_vision::DetectedObject other = confirmed(2, 5);
+  other.stable_frame_id.clear();
+  show(1, {confirmed(1, 3), other});
+  EXPECT_EQ(x_at("object_key", 1), 3);
+  EXPECT_EQ(x_at("object_key_1", 1), 3);
+  EXPECT_EQ(x_at("object_key_2", 1), 5);
+}
+
+TEST_F(ObjectFramesTest, NoLookUpFindsTheStableFrameBetweenTwoInstances) {
+  show(1, {confirmed(1, 3)});
+  show(2, {confirmed(1, 3)});
+  show(4, {confirmed(2, 7)});
+  EXPECT_EQ(x_at("object_key", 1.5), 3);
+  for (const double stamp : {2.001, 2.5, 3., 3.999, 4.}) EXPECT_EQ(x_at("object_key", stamp), 7);
+}
+
+TEST_F(ObjectFramesTest, AnInstanceThatMovesIsInterpolated) {
+  show(1, {confirmed(1, 3)});
+  show(2, {confirmed(1, 4)});
+  EXPECT_NEAR(x_at("object_key", 1.5), 3.5, 1e-9);
+}
+
+TEST_F(ObjectFramesTest, NothingIsSentTwiceForAStampNorWithoutAFinitePose) {
+  show(1, {confirmed(1, 3)});
+  EXPECT_EQ(sent_, 2);
+  show(1, {confirmed(1, 3)});
+  show(0.5, {confirmed(1, 3)});
+  show(2, {confirmed(1, std::numeric_limits<double>::quiet_NaN())});
+  mbncc_vision::DetectedObject unknown = confirmed(1, 3);
+  unknown.pose_valid = false;
+  show(3, {unknown});
+  EXPECT_EQ(sent_, 2);
+  frames_.reset();
+  show(0.5, {confirmed(1, 3)});
+  EXPECT_EQ(sent_, 4);
+}
+
+TEST_F(ObjectFramesTest, AGraspHangsUnderBothFrames) {
+  ObjectModel model;
+  model.name = "key";
+  model.grasp = Grasp{{{0, 0, 1}}, {{0, 0, 0, 1}}};
+  library_.objects.push_back(std::make_shared<const ObjectModel>(model));
+  show(1, {confirmed(1, 3)});
+  EXPECT_EQ(x_at("object_key_grasp", 1), 3);
+  EXPECT_EQ(x_at("object_key_1_grasp", 1), 3);
+}
+
+}  // namespace
+}  // namespace mbncc::nodelets
