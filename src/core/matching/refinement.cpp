@@ -11,6 +11,8 @@
 namespace mbncc {
 namespace {
 
+constexpr int kReach = 2;               // [px] along the normals in which edges are looked for, ...
+constexpr int kFarReach = 5;            // ... and those that a half of the object may lie at
 constexpr double kSmallStep = 0.01;     // [px] ends the refinement
 constexpr double kFarthest = 1.5;       // [px] from the start, and at the rim by turning
 constexpr double kScalePrior = 0.02;    // deviation that heights and tilts bring about
@@ -32,7 +34,9 @@ class Refiner {
       scale_ = 1;
       seen = look();
     }
-    return seen ? Refined{pose_, scale_, covariance()} : unknown_accuracy(pose_);
+    if (!seen) return unknown_accuracy(pose_);
+    unclaimed_ = std::max(unclaimed_, halves_apart());
+    return {pose_, scale_, covariance()};
   }
 
  private:
@@ -63,9 +67,14 @@ class Refiner {
   }
 
   bool look();
+  double halves_apart();
+  MotionPull half_pull(double x, double y);
   double gain() const;
-  MotionPull edges_pull();
-  std::array<MotionPull, ColourAxes::kAxes> axis_pulls(double contrast);
+  MotionPull edges_pull(const ContourSample& sample) const;
+  void read_edges(int reach) {
+    read_contour(object_.object.contour, scene_.edges, pose_, reach, samples_.contour, scale_);
+  }
+  std::array<MotionPull, ColourAxes::kAxes> axis_pulls(const std::vector<float>& weights);
   MotionPull as_far_as_it_agrees(const MotionPull& colour, const MotionPull& edges) const;
 
   cv::Matx44d information(double scale_deviation) const {
@@ -112,8 +121,9 @@ class Refiner {
   Pose2D start_, pose_;
   double scale_ = 1, scale_deviation_ = kFixedScale;
   Samples& samples_ = samples();
-  MotionPull pull_;                 // at the pose looked at last
-  double unclaimed_ = 0;            // [px^2] by how much they are apart, there
+  MotionPull pull_, edges_;         // at the pose looked at last
+  double contrast_ = 1;             // there
+  double unclaimed_ = 0;            // [px^2] by how much cues or halves are apart, there
   LightDisplacement displacement_;  // there
 };
 
@@ -123,45 +133,78 @@ bool Refiner::look() {
   scene_.prepare_around(pose_, object.reach() * scale_);
   object.surface.sample(scene_, pose_, samples_.surface, scale_);
   if (!samples_.surface.suffices()) return false;
-  const double contrast = gain();
-  displacement_ = LightDisplacement(object.surface, samples_.surface, contrast);
-  const MotionPull edges = edges_pull();
-  const auto axes = axis_pulls(contrast);
+  contrast_ = gain();
+  displacement_ = LightDisplacement(object.surface, samples_.surface, contrast_);
+  read_edges(kReach);
+  edges_ = edges_pull(samples_.contour);
+  samples_.remainders.read(object_.axes, object.surface, samples_.surface);
+  const auto axes = axis_pulls(samples_.remainders.weights);
   Disagreement all(radius());
-  all.add(edges);
+  all.add(edges_);
   for (const auto& axis : axes) all.add(axis);
   unclaimed_ = all.variance();
   MotionPull colour = axes[1];
   colour += axes[2];
-  pull_ = edges;
+  pull_ = edges_;
   pull_ += axes[ColourAxes::kBrightness];
-  pull_ += as_far_as_it_agrees(colour, edges);
+  pull_ += as_far_as_it_agrees(colour, edges_);
   return true;
 }
 
-MotionPull Refiner::edges_pull() {
-  constexpr int kReach = 2;                // [px] along the normals in which edges are looked for
+/// What one half of the object says: that on the side of a direction in the template's frame.
+MotionPull Refiner::half_pull(double x, double y) {
+  const auto on_side = [&](double px, double py) { return px * x + py * y > 0; };
+  const PoseTemplate& object = object_.object;
+  ContourSample contour = samples_.contour;
+  for (std::size_t i = 0; i < object.contour.size(); ++i)
+    if (!on_side(object.contour.x[i], object.contour.y[i])) contour.pull[i] = contour.moment[i] = 0;
+  MotionPull pull = edges_pull(contour);
+  std::vector<float> weights = samples_.remainders.weights;
+  for (std::size_t i = 0; i < object.surface.size(); ++i)
+    if (!on_side(object.surface.x[i], object.surface.y[i])) weights[i] = 0;
+  const auto axes = axis_pulls(weights);
+  MotionPull colour = axes[1];
+  colour += axes[2];
+  pull += axes[ColourAxes::kBrightness];
+  pull += as_far_as_it_agrees(colour, edges_);
+  return pull;
+}
+
+/// [px^2] By how much halves of the object, split along the picture's rows and columns, are apart
+/// beyond what they claim: in a picture torn while the object moved, a half lies elsewhere.
+double Refiner::halves_apart() {
+  read_edges(kFarReach);
+  const double c = std::cos(pose_.theta), s = std::sin(pose_.theta);
+  double most = 0;
+  for (const auto& [x, y] : {std::make_pair(c, -s), std::make_pair(s, c)}) {
+    Disagreement halves(radius());
+    halves.add(half_pull(x, y));
+    halves.add(half_pull(-x, -y));
+    most = std::max(most, halves.variance());
+  }
+  return most;
+}
+
+MotionPull Refiner::edges_pull(const ContourSample& sample) const {
   constexpr double kScatter = 0.8;         // [px] of one contour point
   constexpr double kCorrelatedPoints = 2;  // neighbours on the contour that scatter alike
   const double scatter = kScatter * kScatter * kCorrelatedPoints;
-  read_contour(object_.object.contour, scene_.edges, pose_, kReach, samples_.contour, scale_);
-  MotionPull edges = object_.contour_motion.pull(samples_.contour);
+  MotionPull edges = object_.contour_motion.pull(sample);
   edges.information *= 1 / scatter;
   edges.vector *= 1 / scatter;
   return loosened(edges, displacement_.of_contour());
 }
 
-std::array<MotionPull, ColourAxes::kAxes> Refiner::axis_pulls(double contrast) {
+std::array<MotionPull, ColourAxes::kAxes> Refiner::axis_pulls(const std::vector<float>& weights) {
   constexpr double kCorrelatedValues = 4;  // neighbours' noise is alike, by smoothing
-  SurfaceRemainders& remainders = samples_.remainders;
-  remainders.read(object_.axes, object_.object.surface, samples_.surface);
+  const SurfaceRemainders& remainders = samples_.remainders;
   const auto variances = remainders.variances();
-  const double lesson_noise = object_.axes.noise(remainders.values, remainders.weights, contrast);
+  const double lesson_noise = object_.axes.noise(remainders.values, remainders.weights, contrast_);
   std::array<MotionPull, ColourAxes::kAxes> pulls;
   for (int axis = 0; axis < ColourAxes::kAxes; ++axis) {
-    pulls[axis] = object_.axes.pull(axis, remainders.values[axis], remainders.weights);
+    pulls[axis] = object_.axes.pull(axis, remainders.values[axis], weights);
     const double noise = kCorrelatedValues * variances[axis];
-    const double share = contrast * object_.axes.reliability(axis, lesson_noise);
+    const double share = contrast_ * object_.axes.reliability(axis, lesson_noise);
     pulls[axis].information *= share * share / noise;
     pulls[axis].vector *= share / noise;
   }

@@ -1,0 +1,288 @@
+// Pictures in which something is wrong with the object: torn between two moments, mirrored, another
+// surface, half covered, glossy, another object upon it. Whatever is called graspable in them has
+// to be right.
+#include <filesystem>
+#include <functional>
+#include <iostream>
+#include <map>
+#include <opencv2/imgcodecs.hpp>
+#include <opencv2/imgproc.hpp>
+#include <vector>
+
+#include "common/case_folder.hpp"
+#include "common/program.hpp"
+#include "common/table.hpp"
+#include "mbncc/matching/matcher.hpp"
+
+namespace mbncc::bench {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* kOptions =
+    "{@out   |   | folder for the pictures in which a wrong pose could be grasped }"
+    "{@sets  |   | folders of sets (bench/README.md), with commas between them }"
+    "{each   | 2 | pictures of each kind per instance }"
+    "{most   | 0 | cases per set; 0: all }"
+    "{seed   | 1 | draws what is done to the pictures }"
+    "{help h |   | this text }";
+
+/// A target with one instance of an object, and another object to spoil it with.
+struct Scene {
+  const CaseFolder& object;
+  const CaseFolder& other;
+  const Instance& instance;
+  cv::Mat picture;
+};
+
+/// What was done to a picture, and where the object may rightly be found in it.
+struct Spoiled {
+  cv::Mat picture;
+  std::vector<Pose2D> poses;  ///< any between two of them, too; empty: nowhere
+};
+
+/// [px] from the learning picture of a case to a target.
+cv::Matx23d placing(const CaseFolder& object, const Pose2D& pose) {
+  const double c = std::cos(pose.theta), s = std::sin(pose.theta);
+  const cv::Point2d r = object.reference;
+  return {c, -s, pose.x - c * r.x + s * r.y, s, c, pose.y - s * r.x - c * r.y};
+}
+
+cv::Mat placed_map(const CaseFolder& object, const Pose2D& pose, cv::Size size) {
+  cv::Mat map;
+  cv::warpAffine(object.map, map, placing(object, pose), size, cv::INTER_LINEAR);
+  return map > 127;
+}
+
+cv::Mat placed_picture(const CaseFolder& object, const Pose2D& pose, cv::Size size) {
+  cv::Mat picture;
+  cv::warpAffine(object.before, picture, placing(object, pose), size, cv::INTER_LINEAR,
+                 cv::BORDER_REFLECT);
+  return picture;
+}
+
+Spoiled untouched(const Scene& scene, cv::RNG&) {
+  return {scene.picture, {scene.instance.pose}};
+}
+
+/// Rows from somewhere within the object on show it 4 to 10 px farther on.
+Spoiled torn(const Scene& scene, cv::RNG& random) {
+  const cv::Rect box =
+      cv::boundingRect(placed_map(scene.object, scene.instance.pose, scene.picture.size()));
+  const double way = random.uniform(4., 10.) * (random.uniform(0, 2) == 0 ? 1 : -1);
+  const int from = box.y + cvRound(random.uniform(0.3, 0.7) * box.height);
+  Spoiled spoiled{scene.picture.clone(), {scene.instance.pose, scene.instance.pose}};
+  cv::Mat moved;
+  cv::warpAffine(scene.picture, moved, cv::Matx23d(1, 0, way, 0, 1, 0), scene.picture.size(),
+                 cv::INTER_LINEAR, cv::BORDER_REPLICATE);
+  moved.rowRange(from, moved.rows).copyTo(spoiled.picture.rowRange(from, moved.rows));
+  spoiled.poses.back().x += way;
+  return spoiled;
+}
+
+Spoiled mirrored(const Scene& scene, cv::RNG&) {
+  Spoiled spoiled;
+  cv::flip(scene.picture, spoiled.picture, 1);
+  return spoiled;
+}
+
+/// The other object's learning picture within the outline.
+Spoiled other_print(const Scene& scene, cv::RNG& random) {
+  Spoiled spoiled{scene.picture.clone(), {}};
+  Pose2D pose = scene.instance.pose;
+  pose.theta = random.uniform(-kPi, kPi);
+  placed_picture(scene.other, pose, scene.picture.size())
+      .copyTo(spoiled.picture, placed_map(scene.object, scene.instance.pose, scene.picture.size()));
+  return spoiled;
+}
+
+/// What lies elsewhere in the picture, over half of the object.
+Spoiled half_covered(const Scene& scene, cv::RNG& random) {
+  const cv::Size size = scene.picture.size();
+  const Pose2D& pose = scene.instance.pose;
+  const double angle = random.uniform(-kPi, kPi), far = 4.0 * (size.width + size.height);
+  const cv::Point2d along(std::cos(angle), std::sin(angle)), across(-along.y, along.x);
+  const cv::Point2d at = pose.position();
+  std::vector<cv::Point> half;
+  for (const cv::Point2d& corner :
+       {at - far * along, at + far * along, at + far * along + far * across,
+        at - far * along + far * across})
+    half.emplace_back(corner);
+  cv::Mat side = cv::Mat::zeros(size, CV_8UC1), cover;
+  cv::fillPoly(side, std::vector<std::vector<cv::Point>>{half}, cv::Scalar(255));
+  const cv::Matx23d shift(1, 0, random.uniform(-0.5, 0.5) * size.width, 0, 1,
+                          random.uniform(-0.5, 0.5) * size.height);
+  cv::warpAffine(scene.picture, cover, shift, size, cv::INTER_LINEAR, cv::BORDER_WRAP);
+  Spoiled spoiled{scene.picture.clone(), {pose}};
+  cv::Mat covered;
+  cv::dilate(placed_map(scene.object, pose, size), covered, cv::Mat::ones(9, 9, CV_8UC1));
+  cover.copyTo(spoiled.picture, covered & side);
+  return spoiled;
+}
+
+/// White spots over some 15 % of the object.
+Spoiled glossy(const Scene& scene, cv::RNG& random) {
+  constexpr int kSpots = 3;
+  const cv::Size size = scene.picture.size();
+  const cv::Mat map = placed_map(scene.object, scene.instance.pose, size);
+  std::vector<cv::Point> inside;
+  cv::findNonZero(map, inside);
+  if (inside.empty()) return untouched(scene, random);
+  const double radius = std::sqrt(0.15 * static_cast<double>(inside.size()) / kSpots / kPi);
+  cv::Mat light = cv::Mat::zeros(size, CV_8UC1);
+  for (int i = 0; i < kSpots; ++i)
+    cv::circle(light, inside[random.next() % inside.size()], cvRound(radius), cv::Scalar(255),
+               cv::FILLED);
+  cv::GaussianBlur(light, light, {}, std::max(0.5, 0.3 * radius));
+  light.setTo(0, ~map);
+  cv::cvtColor(light, light, cv::COLOR_GRAY2BGR);
+  return {scene.picture + light, {scene.instance.pose}};
+}
+
+/// The other object on top, off its middle.
+Spoiled stacked(const Scene& scene, cv::RNG& random) {
+  const double off = 0.3 * (scene.object.diameter + scene.other.diameter) * random.uniform(0.5, 1.);
+  const double angle = random.uniform(-kPi, kPi);
+  const Pose2D pose{scene.instance.pose.x + off * std::cos(angle),
+                    scene.instance.pose.y + off * std::sin(angle), random.uniform(-kPi, kPi)};
+  Spoiled spoiled{scene.picture.clone(), {scene.instance.pose}};
+  placed_picture(scene.other, pose, scene.picture.size())
+      .copyTo(spoiled.picture, placed_map(scene.other, pose, scene.picture.size()));
+  return spoiled;
+}
+
+/// Its outline tells it from its mirror image, at any rotation.
+bool is_one_sided(const CaseFolder& object) {
+  constexpr double kAlike = 0.85;  // of the area
+  cv::Mat flipped;
+  cv::flip(object.map, flipped, 1);
+  const double flipped_x = object.map.cols - 1 - object.reference.x;
+  for (int degrees = 0; degrees < 360; degrees += 3) {
+    CaseFolder mirror;
+    mirror.map = flipped;
+    mirror.reference = {flipped_x, object.reference.y};
+    const cv::Mat turned = placed_map(
+        mirror, {object.reference.x, object.reference.y, to_radians(degrees)}, object.map.size());
+    const double both = cv::countNonZero(turned & object.map);
+    const double any = cv::countNonZero(turned | object.map);
+    if (both > kAlike * any) return false;
+  }
+  return true;
+}
+
+double distance_to_way(cv::Point2d point, cv::Point2d from, cv::Point2d to) {
+  const cv::Point2d way = to - from;
+  const double length = way.dot(way);
+  const double part = length > 0 ? std::clamp((point - from).dot(way) / length, 0., 1.) : 0;
+  return cv::norm(point - from - part * way);
+}
+
+bool is_right(const Match& match, const Spoiled& spoiled, const Scene& scene) {
+  if (spoiled.poses.empty()) return false;
+  const double near = std::max(3.0, 0.03 * scene.object.diameter);
+  const Pose2D &a = spoiled.poses.front(), &b = spoiled.poses.back();
+  return distance_to_way(match.pose.position(), a.position(), b.position()) <= near &&
+         angle_distance(match.pose.theta, a.theta, scene.instance.symmetry) <= to_radians(3);
+}
+
+struct Count {
+  int pictures = 0, right = 0, wrong = 0, sure_wrong = 0;
+};
+
+class Trials {
+ public:
+  Trials(fs::path out, int seed)
+      : out_(std::move(out)), random_(static_cast<std::uint64_t>(seed)) {}
+
+  void spoil(const Scene& scene, const Matcher& matcher, bool one_sided, int each) {
+    run("untouched", scene, matcher, 1, untouched);
+    run("torn", scene, matcher, each, torn);
+    if (one_sided) run("mirrored", scene, matcher, 1, mirrored);
+    run("other print", scene, matcher, each, other_print);
+    run("half covered", scene, matcher, each, half_covered);
+    run("glossy", scene, matcher, each, glossy);
+    run("stacked", scene, matcher, each, stacked);
+  }
+
+  Table table() const {
+    Table table{{"what was done", "pictures", "graspable right", "wrong", "wrong above .99"}, {}};
+    for (const auto& [kind, count] : counts_)
+      table.rows.push_back({kind, std::to_string(count.pictures), std::to_string(count.right),
+                            std::to_string(count.wrong), std::to_string(count.sure_wrong)});
+    return table;
+  }
+
+ private:
+  using Spoil = std::function<Spoiled(const Scene&, cv::RNG&)>;
+
+  void run(const std::string& kind, const Scene& scene, const Matcher& matcher, int each,
+           const Spoil& spoil) {
+    for (int i = 0; i < each; ++i) {
+      const Spoiled spoiled = spoil(scene, random_);
+      Count& count = counts_[kind];
+      ++count.pictures;
+      for (const auto& match : matcher.find(spoiled.picture).matches) {
+        if (!match.graspable) continue;
+        const bool right = is_right(match, spoiled, scene);
+        count.right += right ? 1 : 0;
+        count.wrong += right ? 0 : 1;
+        count.sure_wrong += !right && match.score > 0.99 ? 1 : 0;
+        if (!right) keep(kind, scene, spoiled, match);
+      }
+    }
+  }
+
+  void keep(std::string kind, const Scene& scene, const Spoiled& spoiled, const Match& match) {
+    std::replace(kind.begin(), kind.end(), ' ', '_');
+    const std::string name = std::to_string(kept_++) + '_' + kind + '_' + scene.object.name;
+    std::cout << name << " at " << match.pose.x << ' ' << match.pose.y << ' '
+              << to_degrees(match.pose.theta) << " for " << scene.instance.pose.x << ' '
+              << scene.instance.pose.y << ' ' << to_degrees(scene.instance.pose.theta) << " score "
+              << match.score << std::endl;
+    cv::imwrite((out_ / (name + ".png")).string(), spoiled.picture);
+  }
+
+  fs::path out_;
+  cv::RNG random_;
+  std::map<std::string, Count> counts_;
+  int kept_ = 0;
+};
+
+void spoil_set(const fs::path& set, std::size_t most, int each, Trials& trials) {
+  std::vector<CaseFolder> cases;
+  for (const auto& name : list_cases(set, most)) cases.push_back(read_case(set / name));
+  for (std::size_t i = 0; i < cases.size(); ++i) {
+    const CaseFolder& object = cases[i];
+    auto model = std::make_shared<ObjectModel>();
+    model->name = object.name;
+    model->views.push_back(
+        crop_view(object.before, object.map, {object.reference.x, object.reference.y, 0}));
+    Matcher matcher;
+    matcher.set_objects({model});
+    const bool one_sided = is_one_sided(object);
+    for (const auto& target : object.targets)
+      if (target.instances.size() == 1)
+        trials.spoil({object, cases[(i + 1) % cases.size()], target.instances.front(),
+                      read_picture(target.picture)},
+                     matcher, one_sided, each);
+  }
+}
+
+void benchmark(const cv::CommandLineParser& options) {
+  const fs::path out = output_folder(options.get<std::string>("@out"));
+  Trials trials(out, options.get<int>("seed"));
+  std::stringstream sets(options.get<std::string>("@sets"));
+  for (std::string set; std::getline(sets, set, ',');)
+    spoil_set(set, static_cast<std::size_t>(options.get<int>("most")), options.get<int>("each"),
+              trials);
+  save_csv((out / "manipulated.csv").string(), trials.table());
+  write_markdown(std::cout, trials.table());
+}
+
+}  // namespace
+}  // namespace mbncc::bench
+
+int main(int argc, char** argv) {
+  return mbncc::bench::run_program(argc, argv, "manipulated_bench", mbncc::bench::kOptions, "@out",
+                                   mbncc::bench::benchmark);
+}
