@@ -15,16 +15,21 @@ bool wanted(const std::vector<std::string>& names, const std::string& name) {
   return names.empty() || std::find(names.begin(), names.end(), name) != names.end();
 }
 
-// Takes the objects that were learned in pictures of another size out of `names`.
-std::vector<std::string> drop_other_sizes(const LibrarySnapshot& library, cv::Size size,
-                                          std::vector<std::string>& names) {
+// Takes the objects that cannot be searched for, or were learned in pictures of another size, out
+// of `names`.
+std::vector<std::string> drop_unfit(const LibrarySnapshot& library,
+                                    const std::map<std::string, std::string>& unsearchable,
+                                    cv::Size size, std::vector<std::string>& names) {
   std::vector<std::string> fitting, dropped;
   for (const auto& name : names)
     if (!library.find(name)) fitting.push_back(name);  // the matcher says that it is unknown
   for (const auto& object : library.objects) {
     if (!wanted(names, object->name) || (names.empty() && !object->enabled)) continue;
     const cv::Size learned = object->views.front().picture_size;
-    if (learned == size)
+    const auto fault = unsearchable.find(object->name);
+    if (fault != unsearchable.end())
+      dropped.push_back(object->name + ": " + fault->second);
+    else if (learned == size)
       fitting.push_back(object->name);
     else
       dropped.push_back(object->name + ": learned in pictures of " + text(learned) +
@@ -43,9 +48,11 @@ LiveMatcher::LiveMatcher(const SearchConfig& config, const std::string& library_
 
 Found LiveMatcher::find(const cv::Mat& picture, SearchRequest request) const {
   const std::shared_lock<std::shared_mutex> lock(mutex_);
+  if (!unreadable_.empty()) return nothing_found(request.names);
   Found found;
   found.library = searched_;
-  const auto dropped = drop_other_sizes(*searched_, picture.size(), request.names);
+  const auto dropped =
+      drop_unfit(*searched_, matcher_.unsearchable(), picture.size(), request.names);
   // An empty list would mean all objects.
   sort_by_turn(request.names);
   if (!request.names.empty()) found.result = matcher_.find(picture, request);
@@ -57,15 +64,26 @@ Found LiveMatcher::find(const cv::Mat& picture, SearchRequest request) const {
 Found LiveMatcher::watch(VideoSearch& video, double stamp, const cv::Mat& picture,
                          SearchRequest request) const {
   const std::shared_lock<std::shared_mutex> lock(mutex_);
+  if (!unreadable_.empty()) return nothing_found(request.names);
   Found found;
   found.library = searched_;
   const std::vector<std::string> asked = request.names;
-  const auto dropped = drop_other_sizes(*searched_, picture.size(), request.names);
+  const auto dropped =
+      drop_unfit(*searched_, matcher_.unsearchable(), picture.size(), request.names);
   const bool any = !request.names.empty();
   // Another request would begin anew; what is taught or deleted meanwhile is no other request.
   if (dropped.empty()) request.names = asked;
   if (any) found.result = video.find(matcher_, stamp, picture, request);
   found.result.skipped.insert(found.result.skipped.end(), dropped.begin(), dropped.end());
+  return found;
+}
+
+Found LiveMatcher::nothing_found(const std::vector<std::string>& names) const {
+  Found found;
+  found.library = searched_;
+  for (const auto& object : searched_->objects)
+    if (wanted(names, object->name) && object->enabled)
+      found.result.skipped.push_back(object->name + ": " + unreadable_);
   return found;
 }
 
@@ -96,7 +114,27 @@ void LiveMatcher::set_limits(double min_score, int max_instances) {
 }
 
 void LiveMatcher::refresh(bool always) {
-  library_.refresh(always);
+  try {
+    library_.refresh(always);
+    note_unreadable("");
+  } catch (const std::exception& error) {
+    note_unreadable(std::string("the library cannot be read: ") + error.what());
+    throw;
+  }
+}
+
+void LiveMatcher::note_unreadable(const std::string& reason) {
+  const std::unique_lock<std::shared_mutex> lock(mutex_);
+  unreadable_ = reason;
+}
+
+std::string LiveMatcher::fault() const {
+  const std::shared_lock<std::shared_mutex> lock(mutex_);
+  const auto& unsearchable = matcher_.unsearchable();
+  if (!unreadable_.empty() || unsearchable.empty()) return unreadable_;
+  const auto& [name, reason] = *unsearchable.begin();
+  const std::size_t more = unsearchable.size() - 1;
+  return name + " " + reason + (more > 0 ? "; " + std::to_string(more) + " more" : "");
 }
 
 void LiveMatcher::take_over(const SharedLibrary::Snapshot& snapshot) {

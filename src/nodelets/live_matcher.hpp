@@ -29,9 +29,10 @@ class LiveMatcher {
   /// For every search from now on; [0..1], and per name.
   void set_limits(double min_score, int max_instances);
 
-  /// Searches for objects learned in pictures of this size; the others are listed as skipped. The
-  /// least recently searched come first, so that with a time budget each has its turn. Safe from
-  /// several threads.
+  /// Searches for objects learned in pictures of this size; the others, and those that cannot be
+  /// searched for, are listed as skipped. The least recently searched come first, so that with a
+  /// time budget each has its turn. Nothing is searched for while the library cannot be read: what
+  /// was deleted meanwhile must not be found. Safe from several threads.
   Found find(const cv::Mat& picture, SearchRequest request) const;
 
   /// As find(), with the next picture, stamped `stamp` [s], of the video that `video` watches.
@@ -41,14 +42,20 @@ class LiveMatcher {
   /// See Matcher::score_map(), for all enabled objects. Safe from several threads.
   cv::Mat score_map(const cv::Mat& picture) const;
 
-  /// Looks for changes in the library folder; `always`: reads it in any case. Throws FileError.
+  /// Looks for changes in the library folder; `always`: reads it in any case. Throws FileError;
+  /// then find() finds nothing until the folder can be read again.
   void refresh(bool always);
+
+  /// Why some objects, or all, are not searched for; "" when nothing is wrong.
+  std::string fault() const;
 
   SharedLibrary::Snapshot library() const { return library_.snapshot(); }
   const std::string& folder() const { return library_.folder(); }
 
  private:
   void take_over(const SharedLibrary::Snapshot& snapshot);
+  void note_unreadable(const std::string& reason);
+  Found nothing_found(const std::vector<std::string>& names) const;
 
   void sort_by_turn(std::vector<std::string>& names) const;
   void note_searched(const std::vector<std::string>& names) const;
@@ -59,6 +66,7 @@ class LiveMatcher {
   mutable std::shared_mutex mutex_;
   Matcher matcher_;
   SharedLibrary::Snapshot searched_;  // what matcher_ holds
+  std::string unreadable_;            // why the library cannot be read; "": it can
   SharedLibrary library_;
 };
 

@@ -195,6 +195,8 @@ void MatchingNodelet::diagnose(diagnostic_updater::DiagnosticStatusWrapper& stat
     status.summary(DiagnosticStatus::OK, "idle: nobody listens and publish_tf is false");
   else if (camera_->publishers() == 0)
     status.summary(DiagnosticStatus::WARN, kNobodyPublishes);
+  else if (const std::string fault = matcher_->fault(); !fault.empty())
+    status.summary(DiagnosticStatus::ERROR, fault);
   else if (!statistics.message.empty())
     status.summary(DiagnosticStatus::WARN, statistics.message);
   else

@@ -2,8 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <filesystem>
 #include <opencv2/imgproc.hpp>
 
+#include "mbncc/error.hpp"
 #include "support/temporary_folder.hpp"
 
 namespace mbncc::nodelets {
@@ -93,6 +95,61 @@ TEST_F(LiveMatcherTest, LeavesDisabledObjectsAlone) {
   store(model);
   const LiveMatcher matcher({}, folder_.path());
   EXPECT_TRUE(matcher.find(picture_, {}).result.searched.empty());
+}
+
+// A map that the paper's matching cannot take: the others are searched, and it can be deleted.
+TEST_F(LiveMatcherTest, AnObjectThatCannotBePreparedStopsNoOther) {
+  store(plate("first", {160, 120}));
+  store(plate("second", {160, 120}));
+  SearchConfig config;
+  config.engine = "polar";
+  LiveMatcher matcher(config, folder_.path());
+  EXPECT_EQ(matcher.fault(), "");
+  ObjectModel beam = plate("beam", {6000, 120});
+  beam.views.front().map = cv::Mat(2, 6000, CV_8UC1, cv::Scalar(255));
+  beam.views.front().template_image = cv::Mat(2, 6000, CV_8UC3, cv::Scalar::all(80));
+  beam.views.front().origin = {};
+  store(beam);
+  ObjectLibrary(folder_.path()).remove("first");
+  matcher.refresh(false);
+  EXPECT_EQ(matcher.fault().rfind("beam cannot be searched for: it is too large", 0), 0u)
+      << matcher.fault();
+  const auto names = [](const SearchResult& result) { return result.searched; };
+  const auto found = matcher.find(picture_, {}).result;
+  EXPECT_EQ(names(found), std::vector<std::string>{"second"});
+  ASSERT_EQ(found.skipped.size(), 1u);
+  EXPECT_EQ(found.skipped.front().rfind("beam: cannot be searched for: ", 0), 0u);
+  VideoSearch video(VideoConfig{});
+  SearchRequest request;
+  request.names = {"beam", "second"};
+  const auto watched = matcher.watch(video, 1, picture_, request).result;
+  EXPECT_EQ(names(watched), std::vector<std::string>{"second"});
+  EXPECT_EQ(watched.skipped, found.skipped);
+  ObjectLibrary(folder_.path()).edit("second", [](ObjectModel& model) { model.enabled = false; });
+  ObjectLibrary(folder_.path()).remove("beam");
+  matcher.refresh(false);
+  EXPECT_EQ(matcher.fault(), "");
+  EXPECT_TRUE(names(matcher.find(picture_, {}).result).empty());
+}
+
+TEST_F(LiveMatcherTest, FindsNothingWhileTheLibraryCannotBeRead) {
+  store(plate("here", {160, 120}));
+  LiveMatcher matcher({}, folder_.path());
+  ASSERT_EQ(matcher.find(picture_, {}).result.searched.size(), 1u);
+  const std::string away = folder_.path() + ".away";
+  std::filesystem::rename(folder_.path(), away);
+  EXPECT_THROW(matcher.refresh(false), FileError);
+  EXPECT_EQ(matcher.fault().rfind("the library cannot be read: ", 0), 0u) << matcher.fault();
+  VideoSearch video(VideoConfig{});
+  for (const Found& found : {matcher.find(picture_, {}), matcher.watch(video, 1, picture_, {})}) {
+    EXPECT_TRUE(found.result.searched.empty());
+    ASSERT_EQ(found.result.skipped.size(), 1u);
+    EXPECT_EQ(found.result.skipped.front(), "here: " + matcher.fault());
+  }
+  std::filesystem::rename(away, folder_.path());
+  matcher.refresh(false);
+  EXPECT_EQ(matcher.fault(), "");
+  EXPECT_EQ(matcher.find(picture_, {}).result.searched.size(), 1u);
 }
 
 }  // namespace

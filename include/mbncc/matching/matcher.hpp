@@ -105,19 +105,25 @@ class Matcher {
   const SearchConfig& config() const;
 
   /// Replaces the objects. Unchanged ones (same pointer) keep their prepared templates; the others
-  /// are prepared here, which takes some milliseconds each. Throws std::invalid_argument when a
-  /// model breaks the rules of object_model.hpp. `for_one_search`: what only some searches need is
-  /// left to find().
+  /// are prepared here, which takes some milliseconds each; where that fails, e.g. for want of
+  /// memory, the object is not searched for, see unsearchable(), and the others are. Throws
+  /// std::invalid_argument, with the objects as before, when a model breaks the rules of
+  /// object_model.hpp. `for_one_search`: what only some searches need is left to find().
   void set_objects(std::vector<std::shared_ptr<const ObjectModel>> objects,
                    bool for_one_search = false);
 
+  /// Objects that cannot be prepared, with the reason. find() lists them in `skipped`.
+  const std::map<std::string, std::string>& unsearchable() const;
+
+  /// Those that can be searched for.
   std::vector<std::shared_ptr<const ObjectModel>> objects() const;
 
   /// Changes config().min_score [0..1] and config().max_instances (>= 1).
   void set_limits(double min_score, int max_instances);
 
   /// `picture` is CV_8UC3 (bgr) or CV_8UC1, at least 16 x 16; else std::invalid_argument.
-  /// A requested name that is unknown or disabled is listed in `skipped`.
+  /// A requested name that is unknown or disabled is listed in `skipped`, and so is an object that
+  /// cannot be prepared.
   SearchResult find(const cv::Mat& picture, const SearchRequest& request = {}) const;
 
   /// CV_32FC1 of the picture's size, 0 .. 1: at each place the largest similarity of any requested

@@ -26,6 +26,7 @@ struct PolarPose {
 
 class PolarSearch {
  public:
+  /// Throws std::invalid_argument when the region's radius exceeds 2048 px.
   explicit PolarSearch(const View& view, PolarRegion region = PolarRegion::kMap);
 
   /// Centre of the region's circle [px] in the view's crop: the point that poses are given of.

@@ -8,9 +8,11 @@
 
 namespace mbncc {
 
+constexpr int kSmallestLevel = 4;  ///< [px] least width and height of a level above 0
+
 /// Levels 0 (the picture itself, not copied) to `top`; each pixel is the mean of 2 x 2 pixels below
 /// it, an odd last row or column is left out. Stops early rather than make a level smaller than
-/// 4 x 4. `picture` has 8-bit or float channels.
+/// kSmallestLevel. `picture` has 8-bit or float channels.
 std::vector<cv::Mat> build_pyramid(const cv::Mat& picture, int top);
 /// The same into `levels`, using the memory of those above level 0 again.
 void build_pyramid(const cv::Mat& picture, int top, std::vector<cv::Mat>& levels);

@@ -69,6 +69,12 @@ int level_for_area(double area) {
   return static_cast<int>(std::floor(0.5 * std::log2(std::max(1.0, area / kCells))));
 }
 
+/// Of cells that the object has not too many of, however thin it is.
+int level_for_reach(double reach) {
+  constexpr double kMostCells = 256;
+  return static_cast<int>(std::ceil(std::log2(std::max(1.0, reach / kMostCells))));
+}
+
 /// Value that `part` of all are above, of values within a range about 0.
 int upper_quantile(const cv::Mat& values, double part) {
   constexpr int kRange = 256;
@@ -91,8 +97,9 @@ int upper_quantile(const cv::Mat& values, double part) {
 ColourGate::ColourGate(const cv::Mat& surface, const cv::Mat& map, cv::Point2d anchor,
                        double mean_width)
     : class_level_(level_for_width(mean_width)),
-      cell_level_(
-          std::clamp(level_for_area(cv::countNonZero(map)), class_level_, class_level_ + 2)) {
+      cell_level_(std::max(
+          std::clamp(level_for_area(cv::countNonZero(map)), class_level_, class_level_ + 2),
+          level_for_reach(std::max(map.cols, map.rows) / 2.0))) {
   constexpr int kRotations = 16;
   const cv::Mat level = build_pyramid(surface, class_level_).back();
   cv::Mat inside;
@@ -140,11 +147,13 @@ ColourGate::Speaking ColourGate::speaking(const ClassPictures& scene) const {
 
 Places ColourGate::places(const ClassPictures& scene) const {
   if (scene.last_level() < class_level_) return {};
+  const cv::Mat& classes = scene.at(class_level_);
+  if (std::min(classes.cols, classes.rows) >> (cell_level_ - class_level_) == 0) return {};
   const Speaking speaking = this->speaking(scene);
   const double telling =
       std::inner_product(shares_.begin(), shares_.end(), speaking.begin(), 0.0) / kUnit;
   if (telling < kTelling) return {};
-  cv::Mat best = best_of_rotations(scene.at(class_level_), speaking);
+  cv::Mat best = best_of_rotations(classes, speaking);
   cv::dilate(best, best, cv::Mat());
   const int enough = std::clamp(cvRound(kUnit * kEnough), upper_quantile(best, kMostPlaces),
                                 upper_quantile(best, kFewest));

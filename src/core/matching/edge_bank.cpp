@@ -15,6 +15,7 @@ constexpr int kOrientations = ResponseMaps::kOrientations;
 constexpr std::size_t kPoints = 64;  // of the contour
 constexpr double kSmallest = 20;     // [px] diameter at the coarse level
 constexpr double kThinnest = 2;      // [px] mean width there
+constexpr double kLargest = 2048;  // [px] diameter there, however thin: rotations and margins grow
 constexpr int kTopLevel = 4;
 constexpr double kArcStep = 2;          // [px] that the rim moves per rotation step, ...
 constexpr double kNarrowArcStep = 1.3;  // ... of objects that a step would bring beside
@@ -53,7 +54,8 @@ bool looks_round(const std::vector<EdgeBank::Rotation>& rotations) {
 
 int coarse_level(double diameter, double width) {
   const double halvings = std::min(std::log2(diameter / kSmallest), std::log2(width / kThinnest));
-  return std::clamp(static_cast<int>(std::floor(halvings)), 0, kTopLevel);
+  const double bearable = std::ceil(std::log2(diameter / kLargest));
+  return std::clamp(static_cast<int>(std::max(std::floor(halvings), bearable)), 0, kTopLevel);
 }
 
 }  // namespace

@@ -22,6 +22,18 @@ cv::Point2f unit(float x, float y) {
   return {x / length, y / length};
 }
 
+/// Normal of a contour at its pixel `i`, by the way it runs, for maps so thin that they have no
+/// slope: findContours() keeps what lies outside to the same side of it, and turns back at the end
+/// of a line.
+cv::Point2f normal_of_course(const std::vector<cv::Point>& contour, std::size_t i) {
+  const std::size_t count = contour.size();
+  const cv::Point before = contour[(i + count - 1) % count], after = contour[(i + 1) % count];
+  const cv::Point along = after - before, ahead = contour[i] - before;
+  if (along != cv::Point()) return unit(static_cast<float>(-along.y), static_cast<float>(along.x));
+  if (ahead != cv::Point()) return unit(static_cast<float>(ahead.x), static_cast<float>(ahead.y));
+  return {0, 1};  // of a single pixel
+}
+
 struct Spread {
   cv::Mat colour;  // CV_8UC3
   cv::Mat weight;  // CV_32FC1
@@ -95,10 +107,11 @@ std::vector<EdgePoint> MapGeometry::edge(double smoothing) const {
   cv::findContours(map_.clone(), contours, cv::RETR_CCOMP, cv::CHAIN_APPROX_NONE);
   std::vector<EdgePoint> points;
   for (const auto& contour : contours) {
-    for (const auto& pixel : contour) {
+    for (std::size_t i = 0; i < contour.size(); ++i) {
+      const cv::Point pixel = contour[i];
       const float x = -slope_x.at<float>(pixel), y = -slope_y.at<float>(pixel);
-      if (std::hypot(x, y) < 1e-3f) continue;
-      const cv::Point2f normal = unit(x, y);
+      const cv::Point2f normal =
+          std::hypot(x, y) < 1e-3f ? normal_of_course(contour, i) : unit(x, y);
       const cv::Point2f corner(static_cast<float>(kBorder), static_cast<float>(kBorder));
       points.push_back({cv::Point2f(pixel) - corner + 0.5f * normal, normal});
     }

@@ -83,7 +83,15 @@ std::vector<Detection> all_of(const Findings& findings) {
 struct Matcher::Implementation {
   SearchConfig config;
   ObjectList objects;
+  std::map<std::string, std::string> unsearchable;  // reasons by name, of enabled objects
   mutable ScenePool scenes;
+
+  /// As it was prepared before; null: not yet.
+  std::shared_ptr<const PreparedObject> known(const ObjectModel* object) const;
+
+  /// Throws what preparing it throws.
+  std::shared_ptr<const PreparedObject> prepare(const std::shared_ptr<const ObjectModel>& object,
+                                                bool for_one_search) const;
 
   /// The objects a request asks for; the others' reasons go to `result.skipped`.
   ObjectList wanted(const SearchRequest& request, SearchResult& result) const;
@@ -95,18 +103,39 @@ struct Matcher::Implementation {
   Acceptance acceptance(const SearchRequest& request, std::size_t objects) const;
 };
 
+std::shared_ptr<const PreparedObject> Matcher::Implementation::known(
+    const ObjectModel* object) const {
+  const auto at = std::find_if(objects.begin(), objects.end(),
+                               [&](const auto& other) { return other->model.get() == object; });
+  return at == objects.end() ? nullptr : *at;
+}
+
+std::shared_ptr<const PreparedObject> Matcher::Implementation::prepare(
+    const std::shared_ptr<const ObjectModel>& object, bool for_one_search) const {
+  const Engine engine = config.engine == "polar" ? Engine::kPolar : Engine::kFast;
+  auto prepared = known(object.get());
+  if (!prepared)
+    prepared = std::make_shared<const PreparedObject>(object, engine, config.scale_range);
+  if (!for_one_search) prepared->make_rotations();
+  return prepared;
+}
+
 ObjectList Matcher::Implementation::wanted(const SearchRequest& request,
                                            SearchResult& result) const {
   ObjectList chosen;
   if (request.names.empty()) {
     std::copy_if(objects.begin(), objects.end(), std::back_inserter(chosen),
                  [](const auto& object) { return object->model->enabled; });
+    for (const auto& [name, reason] : unsearchable) result.skipped.push_back(name + ": " + reason);
     return chosen;
   }
   for (const auto& name : request.names) {
     const auto at = std::find_if(objects.begin(), objects.end(),
                                  [&](const auto& object) { return object->model->name == name; });
-    if (at == objects.end())
+    const auto fault = unsearchable.find(name);
+    if (fault != unsearchable.end())
+      result.skipped.push_back(name + ": " + fault->second);
+    else if (at == objects.end())
       result.skipped.push_back(name + ": unknown");
     else if (!(*at)->model->enabled)
       result.skipped.push_back(name + ": disabled");
@@ -161,19 +190,25 @@ const SearchConfig& Matcher::config() const {
 
 void Matcher::set_objects(std::vector<std::shared_ptr<const ObjectModel>> objects,
                           bool for_one_search) {
-  const Engine engine = implementation_->config.engine == "polar" ? Engine::kPolar : Engine::kFast;
+  for (const auto& object : objects)
+    if (!implementation_->known(object.get())) validate(*object);
   ObjectList prepared;
-  for (auto& object : objects) {
-    const auto& old = implementation_->objects;
-    const auto known = std::find_if(old.begin(), old.end(),
-                                    [&](const auto& other) { return other->model == object; });
-    prepared.push_back(known != old.end()
-                           ? *known
-                           : std::make_shared<const PreparedObject>(
-                                 object, engine, implementation_->config.scale_range));
-    if (!for_one_search) prepared.back()->make_rotations();
+  std::map<std::string, std::string> unsearchable;
+  for (const auto& object : objects) {
+    try {
+      prepared.push_back(implementation_->prepare(object, for_one_search));
+    } catch (const std::exception& error) {
+      if (object->enabled)
+        unsearchable[object->name] =
+            std::string("cannot be searched for: ") + error.what() + "; teach it again";
+    }
   }
   implementation_->objects = std::move(prepared);
+  implementation_->unsearchable = std::move(unsearchable);
+}
+
+const std::map<std::string, std::string>& Matcher::unsearchable() const {
+  return implementation_->unsearchable;
 }
 
 std::vector<std::shared_ptr<const ObjectModel>> Matcher::objects() const {
@@ -194,8 +229,9 @@ cv::Mat Matcher::score_map(const cv::Mat& picture, const SearchRequest& request)
   cv::Mat best = cv::Mat::zeros(scene->size(), CV_32FC1);
   for (const auto& object : objects)
     for (const auto& view : object->views) {
-      if (view.kernels.kernels->empty() || view.kernels.level == 0) continue;
-      const cv::Mat coarse = coarse_similarity(view.kernels, scene->grey[view.kernels.level]);
+      const int level = view.kernels.level;
+      if (level == 0 || level > scene->top_level() || view.kernels.kernels->empty()) continue;
+      const cv::Mat coarse = coarse_similarity(view.kernels, scene->grey[level]);
       cv::Mat full;
       cv::resize(coarse, full, best.size(), 0, 0, cv::INTER_LINEAR);
       best = cv::max(best, full);

@@ -11,6 +11,8 @@ namespace mbncc {
 namespace {
 
 constexpr double kSmallestRadius = 8;  // [px] at the coarsest level
+constexpr double kLargestRadius =
+    2048;  // [px] templates and their polar pictures grow with the square
 constexpr int kTopLevel = 5;
 constexpr double kMinSimilarity = 0.3;   // of a candidate
 constexpr std::size_t kCandidates = 40;  // taken on from the coarsest level
@@ -66,6 +68,8 @@ PolarSearch::PolarSearch(const View& view, PolarRegion region) {
   cv::Mat grey;
   cv::cvtColor(view.template_image, grey, cv::COLOR_BGR2GRAY);
   const Circle circle = circle_of(view.map, region);
+  if (circle.radius > kLargestRadius)
+    throw std::invalid_argument("it is too large for the paper's matching; use the fast engine");
   centre_ = circle.centre;
   const cv::Mat counted = region == PolarRegion::kMap ? view.map : disc(view.map.size(), circle);
   const auto pyramid = build_pyramid(grey, kTopLevel);

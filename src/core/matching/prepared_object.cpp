@@ -41,12 +41,23 @@ View rescaled(const View& view, double scale) {
   const int method = scale < 1 ? cv::INTER_AREA : cv::INTER_CUBIC;
   cv::resize(view.template_image, result.template_image, {}, scale, scale, method);
   cv::resize(view.map, result.map, result.template_image.size(), 0, 0, cv::INTER_LINEAR);
-  result.map = result.map > 127;
+  double most = 0;  // less than 255 where only a pixel is left of the map
+  cv::minMaxLoc(result.map, nullptr, &most);
+  result.map = result.map > std::min(127.0, most / 2);
   const cv::Point2d in_crop = view.reference.position() - cv::Point2d(view.origin);
   result.origin = {0, 0};
   result.reference.x = (in_crop.x + 0.5) * scale - 0.5;
   result.reference.y = (in_crop.y + 0.5) * scale - 0.5;
   return result;
+}
+
+/// All levels up to `top`: build_pyramid() has fewer of what is only a few pixels wide.
+std::vector<cv::Mat> whole_pyramid(const cv::Mat& picture, int top) {
+  const int least = kSmallestLevel << top;
+  cv::Mat wide;
+  cv::copyMakeBorder(picture, wide, 0, std::max(0, least - picture.rows), 0,
+                     std::max(0, least - picture.cols), cv::BORDER_REPLICATE);
+  return build_pyramid(wide, top);
 }
 
 PoseTemplate resized_by(double factor, PoseTemplate object) {
@@ -69,12 +80,12 @@ std::vector<double> scales_within(double range) {
 /// Both views show the same outline in the object's frame, turned by any angle.
 bool same_outline(const View& a, const View& b) {
   constexpr double kSame = 0.8;  // intersection over union
-  const cv::Mat whole = full_size_map(a);
   const Pose2D a_in_b = compose(b.reference, inverse(a.reference));
   const double c = std::cos(a_in_b.theta), s = std::sin(a_in_b.theta);
-  const cv::Matx23d motion(c, -s, a_in_b.x - b.origin.x, s, c, a_in_b.y - b.origin.y);
+  const cv::Point2d corner = transform(a_in_b, cv::Point2d(a.origin)) - cv::Point2d(b.origin);
+  const cv::Matx23d motion(c, -s, corner.x, s, c, corner.y);
   cv::Mat moved;
-  cv::warpAffine(whole, moved, motion, b.map.size());
+  cv::warpAffine(a.map, moved, motion, b.map.size());
   moved = moved > 127;
   const double common = cv::countNonZero(moved & b.map);
   return common >= kSame * (cv::countNonZero(a.map) + cv::countNonZero(b.map) - common);
@@ -134,8 +145,8 @@ PreparedView::PreparedView(const Source& source, Engine engine)
       edges(geometry, anchor),
       points(masked_template(source.grey, source.view.map, anchor)) {
   const int top = std::max(kernels.level, edges.level());
-  const auto surfaces = build_pyramid(source.surface, top);
-  const auto pictures = build_pyramid(source.view.template_image, top);
+  const auto surfaces = whole_pyramid(source.surface, top);
+  const auto pictures = whole_pyramid(source.view.template_image, top);
   for (int level = 0; level < static_cast<int>(surfaces.size()); ++level) {
     const SceneLevel continued(surfaces[level], level), picture(pictures[level], level);
     continued.prepare();

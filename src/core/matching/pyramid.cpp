@@ -12,14 +12,13 @@ std::vector<cv::Mat> build_pyramid(const cv::Mat& picture, int top) {
 }
 
 void build_pyramid(const cv::Mat& picture, int top, std::vector<cv::Mat>& levels) {
-  constexpr int kSmallest = 4;
   levels.resize(std::max<std::size_t>(levels.size(), top + 1));
   levels[0] = picture;
   std::size_t count = 1;
   for (; count <= static_cast<std::size_t>(top); ++count) {
     const cv::Mat& below = levels[count - 1];
     const cv::Size half(below.cols / 2, below.rows / 2);
-    if (half.width < kSmallest || half.height < kSmallest) break;
+    if (half.width < kSmallestLevel || half.height < kSmallestLevel) break;
     cv::resize(below(cv::Rect(0, 0, 2 * half.width, 2 * half.height)), levels[count], half, 0, 0,
                cv::INTER_AREA);
   }

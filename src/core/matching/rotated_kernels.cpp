@@ -17,6 +17,7 @@ constexpr int kTopLevel = 5;
 constexpr int kMinPixels = 36;  // fewer are matched by chance everywhere ...
 constexpr int kFewPixels = 14;  // ... but levels as fine as kFineLevel cost too much without need
 constexpr int kFineLevel = 2;
+constexpr int kMostRadius = 256;   // [px] of what is turned: its pictures grow with the square
 constexpr float kCoverage = 0.6f;  // [0..1] of a pixel in the map
 constexpr double kArcStep = 2.6;   // [px] that the rim moves per rotation step
 constexpr int kOversampling = 4;   // samples per pixel side when turning
@@ -153,6 +154,7 @@ KernelBank rotated_kernels(const cv::Mat& grey, const cv::Mat& map, cv::Point2d 
   Source source;
   for (bank.level = kTopLevel; bank.level >= 0; --bank.level) {
     bank.radius = static_cast<int>(std::ceil(farthest / (1 << bank.level))) + 1;
+    if (bank.radius > kMostRadius) return {};
     source = turning_source(grey, map, anchor, bank.level);
     const int enough = bank.level > kFineLevel ? kMinPixels : kFewPixels;
     if (bank.level == 0 || fewest_pixels(source, bank.radius) >= enough) break;

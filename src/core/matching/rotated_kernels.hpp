@@ -30,7 +30,8 @@ struct KernelBank {
 };
 
 /// Chooses the coarsest level at which the map keeps enough pixels at every rotation, and the
-/// rotation step by the arc that the rim moves. `anchor` [px] is the centre of rotation.
+/// rotation step by the arc that the rim moves. `anchor` [px] is the centre of rotation. No
+/// kernels, at level 0, of a map so long and thin that they would be too many and too large.
 KernelBank rotated_kernels(const cv::Mat& grey, const cv::Mat& map, cv::Point2d anchor);
 
 /// The map alone at `level`, turned to `count` rotations: pixels at least half covered, or fewer

@@ -19,8 +19,10 @@ std::vector<cv::Point> pixels_deeper_than(double depth, const MapGeometry& map, 
                                           int level) {
   const int side = 1 << level;
   std::vector<cv::Point> pixels;
-  for (int y = side / 2; y < size.height; y += side)
-    for (int x = side / 2; x < size.width; x += side)
+  // Of what is narrower than a pixel of the level, the middle.
+  const cv::Point first(std::min(side, size.width - 1) / 2, std::min(side, size.height - 1) / 2);
+  for (int y = first.y; y < size.height; y += side)
+    for (int x = first.x; x < size.width; x += side)
       if (map.depth({x, y}) > depth) pixels.emplace_back(x, y);
   return pixels;
 }

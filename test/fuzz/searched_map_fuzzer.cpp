@@ -1,0 +1,54 @@
+// Objects of any map, learned and looked for anywhere in small pictures: whatever a library's file
+// may hold is searched for.
+#include "fuzz/fuzzer.hpp"
+#include "support/searched_map.hpp"
+
+using namespace mbncc;
+
+namespace {
+
+int side_from(fuzz::Pieces& pieces) {
+  // Mostly small, sometimes as long as pictures are.
+  const int low = pieces.byte(), high = pieces.byte();
+  return high < 200 ? 1 + low % 48 : 1 + (low | (high - 200) << 8);
+}
+
+// A map drawn by the fuzzer, or one of those drawn here.
+cv::Mat map_from(fuzz::Pieces& pieces) {
+  const int kind = pieces.byte();
+  const int width = side_from(pieces);
+  cv::Size size(width, side_from(pieces));
+  if (size.area() > 20000) size.height = std::max(1, 20000 / size.width);
+  if (kind < 128)
+    return test::map_of(static_cast<test::MapShape>(kind % test::kMapShapes), size, 1);
+  cv::Mat map = cv::Mat::zeros(size, CV_8UC1);
+  for (int i = 0; i < size.area() && !pieces.empty(); i += 8) {
+    const int bits = pieces.byte();
+    for (int k = i; k < std::min(i + 8, size.area()); ++k)
+      if ((bits >> (k - i) & 1) != 0) map.at<uchar>(k / size.width, k % size.width) = 255;
+  }
+  if (cv::countNonZero(map) == 0) map.at<uchar>(0, 0) = 255;
+  return map;
+}
+
+test::Border border_from(fuzz::Pieces& pieces) {
+  return static_cast<test::Border>(pieces.byte() % test::kBorders);
+}
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  fuzz::Pieces pieces(data, size);
+  SearchConfig config;
+  const int settings = pieces.byte();
+  config.scale_range = settings % 8 == 1 ? 0.1 : 0;
+  config.engine = settings % 16 == 2 ? "polar" : "fast";
+  const test::Border learned = border_from(pieces), seen = border_from(pieces);
+  const int margin = pieces.byte() % 13, room = pieces.byte() % 40;
+  const int width = 16 + pieces.byte() % 96;
+  const cv::Size shown(width, 16 + pieces.byte() % 96);
+  const auto model = test::object_of(map_from(pieces), learned, margin, room, 1);
+  if (model->views.front().map.cols == 1) fuzz::planted_bug(size);
+  test::check_search(config, model, test::picture_of(model->views.front(), shown, seen, 1));
+  return 0;
+}
