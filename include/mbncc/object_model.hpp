@@ -23,8 +23,8 @@ struct Quality {
   static constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
 
   Verdict verdict = Verdict::kGood;
-  std::vector<std::string> reasons;  ///< machine keys, worst first
-  std::vector<std::string> advice;   ///< one plain sentence per reason
+  std::vector<std::string> reasons;  ///< machine keys, worst first; printable
+  std::vector<std::string> advice;   ///< one plain sentence per reason; printable
   double area = 0;                   ///< [px] number of map pixels
   double fill = 0;                   ///< [0..1] map pixels / pixels of the excircle
   double contrast = 0;        ///< [grey levels] standard deviation of the template under the map
@@ -43,29 +43,35 @@ struct Quality {
   double search_time = 0;       ///< [s] one full search with this object
 };
 
+/// Lengths of objects and grasps beyond this are mistakes. [m]
+constexpr double kLongestLength = 10;
+
+/// References farther from their picture's corner, in x or y, are mistakes. [px]
+constexpr double kFarthestReference = 1 << 17;
+
 /// One picture that the object was learned from, cropped to the excircle of its map and a margin.
 struct View {
   cv::Mat template_image;  ///< CV_8UC3 bgr, the learning picture around the object
   cv::Mat map;             ///< CV_8UC1, 255 on the object, 0 elsewhere; same size
   cv::Point origin;        ///< [px] top left corner of the crop in the learning picture
-  cv::Size picture_size;   ///< [px] of the learning picture
+  cv::Size picture_size;   ///< [px] of the learning picture, within PictureLimits
   Pose2D reference;        ///< [px],[rad] object frame in the learning picture
 };
 
 /// Gripper pose relative to the object frame.
 struct Grasp {
-  std::array<double, 3> position{};                 ///< [m]
+  std::array<double, 3> position{};                 ///< [m] within kLongestLength
   std::array<double, 4> orientation{{0, 0, 0, 1}};  ///< unit quaternion x, y, z, w
 };
 
 struct ObjectModel {
   std::string name;            ///< library key, see is_valid_name()
-  std::string label;           ///< shown to the operator, UTF-8, at most 200 bytes
+  std::string label;           ///< shown to the operator, see is_valid_label()
   bool enabled = true;         ///< searched for
   std::uint32_t revision = 1;  ///< +1 at every re-learning, added view or edit that moves poses
   double learned_at = 0;       ///< [s] since 1970-01-01 UTC
   double metres_per_pixel = Quality::kUnknown;  ///< on the top face; NaN: learned without scale
-  double object_height = 0;                     ///< [m] top face above the platform
+  double object_height = 0;  ///< [m] top face above the platform, 0 .. kLongestLength
   std::optional<Grasp> grasp;
   std::optional<double> min_score;  ///< (0..1] own threshold; none: the matcher's
   std::optional<int> symmetry;      ///< declared, see is_declarable_symmetry(); none: measured

@@ -7,14 +7,17 @@
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 
+#include "mbncc/label.hpp"
+#include "mbncc/picture_limits.hpp"
+
 namespace mbncc::nodelets {
 namespace {
 
-constexpr std::uint32_t kLargestSide = 16384;      // [px]
-constexpr std::uint64_t kMostPixels = 64'000'000;  // 192 MB once decoded
-constexpr std::size_t kLongestFrame = 255;         // [bytes] of the frame's name
-constexpr int kCopy = -1;                          // no colour conversion
-constexpr int kHighByte = -2;                      // 16 bits to 8
+constexpr std::uint32_t kLargestSide = PictureLimits::kMostSide;  // [px]
+constexpr std::uint64_t kMostPixels = PictureLimits::kMostPixels;
+constexpr std::size_t kLongestFrame = 255;  // [bytes] of the frame's name
+constexpr int kCopy = -1;                   // no colour conversion
+constexpr int kHighByte = -2;               // 16 bits to 8
 
 struct Encoding {
   const char* name;
@@ -69,6 +72,9 @@ std::string layout_fault(const sensor_msgs::Image& message, const Encoding& enco
   if (message.header.frame_id.size() > kLongestFrame)
     return "a frame_id of " + std::to_string(message.header.frame_id.size()) +
            " bytes is not usable; send 255 at most";
+  if (!is_printable(message.header.frame_id))
+    return "frame_id '" + printable(message.header.frame_id) +
+           "' holds characters that are not printable; correct the driver";
   if (is_yuv(encoding) && message.width % 2 != 0)
     return "a " + message.encoding + " picture of odd width " + std::to_string(message.width) +
            " is not usable; send an even width";

@@ -33,9 +33,6 @@ mbncc_vision::LearnedObject to_msg(const ObjectModel& model, bool with_thumbnail
 /// instance. `size` is filled in from `model` (may be null: NaN).
 mbncc_vision::DetectedObject to_msg(const Match& match, const ObjectModel* model);
 
-/// Lengths of objects and grasps beyond this are mistakes. [m]
-constexpr double kLongestLength = 10;
-
 /// None when a number is not finite, or x or y lies farther off than a picture may be large
 /// (32768 px).
 std::optional<Pose2D> from_msg(const geometry_msgs::Pose2D& pose);

@@ -129,6 +129,13 @@ TEST(HostileFiles, DescriptionsAreChecked) {
       replaced("[0, 0, 5, 6]", "[0, 0, 5, 99999999999]"),
       replaced("[640, 480]", "[4, 4]"),
       replaced("[640, 480]", "[0, 0]"),
+      replaced("[640, 480]", "[1000000, 1000000]"),
+      replaced("[640, 480]", "[16385, 480]"),
+      replaced("[640, 480]", "[16384, 16384]"),
+      replaced("object_height: 0", "object_height: 1000000000"),
+      replaced("label: \"wrench\"", "label: \"\\u202Ewrench\""),
+      replaced("label: \"wrench\"", "label: \"\\x9Bwrench\""),
+      replaced("label: \"wrench\"", "label: &w \"wrench\"\nsecond: *w"),
       replaced("GOOD", "EXCELLENT"),
       replaced("views:", "sights:"),
       "format: " + std::string(30000, '['),
@@ -222,6 +229,23 @@ bool is_refused_within_memory_bound(const Bytes& bytes) {
   int status = 0;
   ::waitpid(child, &status, 0);
   return WIFEXITED(status) && WEXITSTATUS(status) == 0;
+}
+
+// 64 kB of text that stand for 300 MB.
+TEST(HostileFiles, AliasesAreRefusedBeforeTheyAreExpanded) {
+  std::string text = sound_description();
+  const std::string advice = "advice:\n    []";
+  const auto at = text.find(advice);
+  ASSERT_NE(at, std::string::npos) << text;
+  std::string bomb = "advice: [&a " + std::string(32000, 'a');
+  while (text.size() + bomb.size() < PngLimits::kMaxText - 100) bomb += ",*a";
+  text.replace(at, advice.size(), bomb + "]");
+  EXPECT_TRUE(is_refused_within_memory_bound(with_description(text)));
+  try {
+    decode_object(with_description(text), "/library/wrench.png");
+  } catch (const FileError& error) {
+    EXPECT_NE(error.reason().find("aliases"), std::string::npos) << error.reason();
+  }
 }
 
 TEST(HostileFiles, BombsStayWithinTheMemoryBound) {

@@ -168,6 +168,12 @@ TEST(DecodePicture, RefusesALyingLayout) {
       {"16-bit Bayer", [](auto& m) { m.encoding = "bayer_bggr16"; }},
       {"planar yuv", [](auto& m) { m.encoding = "nv21"; }},
       {"jpeg", [](auto& m) { m.encoding = "jpeg"; }},
+      {"a frame's name with a line break", [](auto& m) { m.header.frame_id = "camera\n"; }},
+      {"a frame's name with an escape", [](auto& m) { m.header.frame_id = "camera\x1b[2J"; }},
+      {"a frame's name with a null", [](auto& m) { m.header.frame_id = std::string("c\0m", 3); }},
+      {"a frame's name that runs backwards",
+       [](auto& m) { m.header.frame_id = "camera\xe2\x80\xae"; }},
+      {"a frame's name that is no UTF-8", [](auto& m) { m.header.frame_id = "camera\xff"; }},
       {"a frame's name of a megabyte", [](auto& m) { m.header.frame_id.assign(1 << 20, 'f'); }},
   };
   static_assert(std::size(lies) >= 41);

@@ -120,6 +120,26 @@ TEST(Validate, NamesEachBrokenRule) {
       [](ObjectModel& model) { model.label = std::string(300, 'x'); },
       [](ObjectModel& model) { model.label = "line\nbreak"; },
       [](ObjectModel& model) { model.label = "\xff\xfe"; },
+      [](ObjectModel& model) {
+        model.label =
+            "abc\xe2\x80\xae"
+            "cba";
+      },
+      [](ObjectModel& model) { model.quality.reasons = {"line\nbreak"}; },
+      [](ObjectModel& model) { model.quality.advice = {"\x1b[2J"}; },
+      [](ObjectModel& model) { model.quality.confusable_with = "../x"; },
+      [](ObjectModel& model) { model.object_height = 11; },
+      [](ObjectModel& model) { model.metres_per_pixel = 1e9; },
+      [](ObjectModel& model) {
+        model.grasp = Grasp{{0, 1e9, 0}, {0, 0, 0, 1}};
+      },
+      [](ObjectModel& model) { model.views[0].reference.y = 1e9; },
+      [](ObjectModel& model) {
+        model.views[0].picture_size = {1000000, 480};
+      },
+      [](ObjectModel& model) {
+        model.views[0].picture_size = {16384, 16384};
+      },
       [](ObjectModel& model) { model.views.clear(); },
       [](ObjectModel& model) { model.object_height = -1; },
       [](ObjectModel& model) { model.object_height = Quality::kUnknown; },

@@ -55,7 +55,7 @@ struct CameraConfig {
     visit(FieldInfo{"camera_info_url", Allowed::anything(), "",
                     "where the calibration is kept; empty: ~/.ros/camera_info/<camera_name>.yaml"},
           self.camera_info_url);
-    visit(FieldInfo{"frame_id", Allowed::anything(), "", "optical frame of the pictures"},
+    visit(FieldInfo{"frame_id", Allowed::frame(), "", "optical frame of the pictures"},
           self.frame_id);
   }
 };

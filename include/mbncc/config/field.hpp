@@ -18,17 +18,27 @@ struct Allowed {
   double low = -std::numeric_limits<double>::infinity();
   double high = std::numeric_limits<double>::infinity();
   std::vector<std::string> choices;
+  bool printable = false;  ///< texts need to be, see label.hpp
 
   static Allowed anything() { return {}; }
-  static Allowed range(double low, double high) { return {low, high, {}}; }
-  static Allowed at_least(double low) { return {low, std::numeric_limits<double>::infinity(), {}}; }
+  static Allowed range(double low, double high) { return {low, high, {}, false}; }
+  static Allowed at_least(double low) {
+    return range(low, std::numeric_limits<double>::infinity());
+  }
   static Allowed one_of(std::vector<std::string> choices) {
     Allowed allowed;
     allowed.choices = std::move(choices);
     return allowed;
   }
 
-  /// "0 .. 1", ">= 0", "fast | polar" or "any".
+  /// Names of tf frames, "" included.
+  static Allowed frame() {
+    Allowed allowed;
+    allowed.printable = true;
+    return allowed;
+  }
+
+  /// "0 .. 1", ">= 0", "fast | polar", "printable" or "any".
   std::string to_string() const;
 };
 

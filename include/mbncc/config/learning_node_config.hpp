@@ -33,7 +33,7 @@ struct LearningNodeConfig {
           self.still_time);
     visit(FieldInfo{"max_objects", Allowed::range(1, 100000), "", "more objects are not learned"},
           self.max_objects);
-    visit(FieldInfo{"gripper_frame", Allowed::anything(), "",
+    visit(FieldInfo{"gripper_frame", Allowed::frame(), "",
                     "tf frame of the gripper that mark_grasp records; empty: mark_grasp refuses"},
           self.gripper_frame);
     PlatformConfig::fields(self.platform, visit);

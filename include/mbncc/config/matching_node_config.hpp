@@ -71,9 +71,9 @@ struct MatchingNodeConfig {
     visit(FieldInfo{"show_score_map", Allowed::anything(), "",
                     "lay the coarse search's similarities under the overlay; costs another search"},
           self.show_score_map);
-    visit(FieldInfo{"tf_prefix", Allowed::anything(), "", "put before every object's tf frame"},
+    visit(FieldInfo{"tf_prefix", Allowed::frame(), "", "put before every object's tf frame"},
           self.tf_prefix);
-    visit(FieldInfo{"target_frame", Allowed::anything(), "",
+    visit(FieldInfo{"target_frame", Allowed::frame(), "",
                     "frame that poses are published in; empty: the camera's"},
           self.target_frame);
     visit(FieldInfo{"tf_wait", Allowed::range(0, 1), "s",

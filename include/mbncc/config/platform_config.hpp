@@ -15,7 +15,7 @@ struct PlatformConfig {
 
   template <class Self, class Visitor>
   static void fields(Self& self, Visitor&& visit) {
-    visit(FieldInfo{"platform_frame", Allowed::anything(), "",
+    visit(FieldInfo{"platform_frame", Allowed::frame(), "",
                     "tf frame whose x-y plane is the platform; empty: platform_distance"},
           self.platform_frame);
     visit(FieldInfo{"platform_distance", Allowed::range(0, 100), "m",
@@ -24,7 +24,7 @@ struct PlatformConfig {
     visit(FieldInfo{"rectified", Allowed::anything(), "",
                     "pictures are rectified: P of camera_info counts, otherwise K and D"},
           self.rectified);
-    visit(FieldInfo{"camera_frame", Allowed::anything(), "",
+    visit(FieldInfo{"camera_frame", Allowed::frame(), "",
                     "optical frame of the camera; empty: the pictures' frame_id"},
           self.camera_frame);
   }

@@ -70,7 +70,7 @@ struct SimulatedCameraConfig {
           self.leg_time);
     visit(FieldInfo{"object_name", Allowed::anything(), "", "name of the object in ~truth"},
           self.object_name);
-    visit(FieldInfo{"frame_id", Allowed::anything(), "", "optical frame of pictures and truth"},
+    visit(FieldInfo{"frame_id", Allowed::frame(), "", "optical frame of pictures and truth"},
           self.frame_id);
     visit(FieldInfo{"focal_length", Allowed::range(0, 100000), "px",
                     "focal length in camera_info; 0: publish no calibration"},

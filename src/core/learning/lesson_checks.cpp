@@ -50,6 +50,10 @@ bool is_finite(const Pose2D& pose) {
   return std::isfinite(pose.x) && std::isfinite(pose.y) && std::isfinite(pose.theta);
 }
 
+bool is_near(const Pose2D& reference) {
+  return std::max(std::abs(reference.x), std::abs(reference.y)) <= kFarthestReference;
+}
+
 double cross(const cv::Point2d& a, const cv::Point2d& b) {
   return a.x * b.y - a.y * b.x;
 }
@@ -85,8 +89,10 @@ void check_lesson(const Lesson& lesson) {
   }
   require(!lesson.reference || is_finite(*lesson.reference), LearnError::kRegionInvalid,
           "The reference point is not a number.");
-  require(std::isfinite(lesson.object_height) && lesson.object_height >= 0,
-          LearnError::kRegionInvalid, "The object's height must be 0 or more metres.");
+  require(!lesson.reference || is_near(*lesson.reference), LearnError::kRegionInvalid,
+          "The reference point lies more than 131072 pixels off.");
+  require(lesson.object_height >= 0 && lesson.object_height <= kLongestLength,
+          LearnError::kRegionInvalid, "The object's height must be 0 to 10 metres.");
   require(!lesson.symmetry || is_declarable_symmetry(*lesson.symmetry), LearnError::kRegionInvalid,
           "The declared symmetry must be 1 (none), 2, 3, 4, 6 or 0 (round).");
   require(

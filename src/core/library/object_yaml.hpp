@@ -1,6 +1,7 @@
 // The description of an object file: everything of an ObjectModel but its name and its pixels.
 #pragma once
 
+#include <cstdint>
 #include <opencv2/core.hpp>
 #include <stdexcept>
 #include <string>
@@ -10,7 +11,8 @@
 
 namespace mbncc {
 
-constexpr int kMaxViews = 64;  ///< of one object
+constexpr int kMaxViews = 64;                          ///< of one object
+constexpr std::uint32_t kMaxRevision = 2'000'000'000;  ///< that a file may have
 
 /// A model whose views have no pixels yet, and where in the file these lie.
 struct ObjectDescription {

@@ -1,7 +1,9 @@
+#include <yaml-cpp/eventhandler.h>
 #include <yaml-cpp/yaml.h>
 
 #include <algorithm>
 #include <array>
+#include <sstream>
 #include <stdexcept>
 
 #include "library/object_yaml.hpp"
@@ -22,6 +24,32 @@ void refuse_deep_nesting(const std::string& text) {
     return c == '[' || c == '{' || c == '-' || c == '?';
   });
   if (structural > 2000) throw std::runtime_error("its description is nested too deeply");
+}
+
+// No description has aliases as it is written; read, each stands for its anchor's text once more.
+class AliasRefusal : public YAML::EventHandler {
+ public:
+  void OnAlias(const YAML::Mark&, YAML::anchor_t) override {
+    throw std::runtime_error("its description has aliases, which no lesson writes");
+  }
+  void OnDocumentStart(const YAML::Mark&) override {}
+  void OnDocumentEnd() override {}
+  void OnNull(const YAML::Mark&, YAML::anchor_t) override {}
+  void OnScalar(const YAML::Mark&, const std::string&, YAML::anchor_t,
+                const std::string&) override {}
+  void OnSequenceStart(const YAML::Mark&, const std::string&, YAML::anchor_t,
+                       YAML::EmitterStyle::value) override {}
+  void OnSequenceEnd() override {}
+  void OnMapStart(const YAML::Mark&, const std::string&, YAML::anchor_t,
+                  YAML::EmitterStyle::value) override {}
+  void OnMapEnd() override {}
+};
+
+void refuse_aliases(const std::string& text) {
+  std::istringstream stream(text);
+  YAML::Parser parser(stream);
+  AliasRefusal refusal;
+  parser.HandleNextDocument(refusal);
 }
 
 // Numbers pass through the field functions: exact, independent of the locale, checked for range.
@@ -111,12 +139,11 @@ void check_version(const YAML::Node& root) {
 }
 
 ObjectDescription read_root(const YAML::Node& root) {
-  check_version(root);
   ObjectDescription description;
   ObjectModel& model = description.model;
   model.label = root["label"].as<std::string>();
   model.enabled = root["enabled"].as<bool>();
-  model.revision = static_cast<std::uint32_t>(whole(root["revision"], "revision", 1, 2e9));
+  model.revision = static_cast<std::uint32_t>(whole(root["revision"], "revision", 1, kMaxRevision));
   model.learned_at = number(root, "learned_at", 0, kLatestTime);
   model.object_height = number(root, "object_height", 0, kLargest);
   model.metres_per_pixel = number_or_unknown(root, "metres_per_pixel", 0, kLargest);
@@ -135,7 +162,10 @@ ObjectDescription read_root(const YAML::Node& root) {
 ObjectDescription read_description(const std::string& text) {
   refuse_deep_nesting(text);
   try {
-    return read_root(YAML::Load(text));
+    const YAML::Node root = YAML::Load(text);
+    check_version(root);
+    refuse_aliases(text);
+    return read_root(root);
   } catch (const YAML::Exception& error) {
     throw std::runtime_error(std::string("its description is damaged: ") + error.what());
   }

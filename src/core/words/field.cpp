@@ -12,6 +12,7 @@
 
 #include "mbncc/did_you_mean.hpp"
 #include "mbncc/error.hpp"
+#include "mbncc/label.hpp"
 
 namespace mbncc {
 namespace {
@@ -52,6 +53,7 @@ std::string number_text(double value) {
 
 std::string Allowed::to_string() const {
   if (!choices.empty()) return joined(choices);
+  if (printable) return "printable";
   if (std::isinf(low) && std::isinf(high)) return "any";
   if (std::isinf(high)) return ">= " + number_text(low);
   return number_text(low) + " .. " + number_text(high);
@@ -73,6 +75,9 @@ void check_allowed(const FieldInfo& info, const std::string& value) {
   const auto& choices = info.allowed.choices;
   if (!choices.empty() && std::find(choices.begin(), choices.end(), value) == choices.end())
     refuse(info, value, "one of " + info.allowed.to_string());
+  if (info.allowed.printable && !is_printable(value))
+    throw ConfigError("parameter '" + info.name +
+                      "' holds characters that are not printable; type it anew");
 }
 
 void parse_field(const FieldInfo& info, const std::string& text, bool& value) {

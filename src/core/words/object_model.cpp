@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "mbncc/label.hpp"
+#include "mbncc/picture_limits.hpp"
 #include "mbncc/symmetry.hpp"
 
 namespace mbncc {
@@ -27,11 +28,22 @@ bool is_finite(const Pose2D& pose) {
 }
 
 bool is_sound(const Grasp& grasp) {
-  double norm = 0;
+  double square = 0, norm = 0;
+  for (const double value : grasp.position) square += value * value;
   for (const double value : grasp.orientation) norm += value * value;
-  const bool finite = std::all_of(grasp.position.begin(), grasp.position.end(),
-                                  [](double value) { return std::isfinite(value); });
-  return finite && std::abs(norm - 1) < 1e-3;
+  return std::sqrt(square) <= kLongestLength && std::abs(norm - 1) < 1e-3;  // no NaN
+}
+
+bool is_near(const Pose2D& reference) {
+  return std::max(std::abs(reference.x), std::abs(reference.y)) <= kFarthestReference;
+}
+
+bool is_printable(const Quality& quality) {
+  const auto all = [](const std::vector<std::string>& texts) {
+    return std::all_of(texts.begin(), texts.end(),
+                       [](const std::string& text) { return mbncc::is_printable(text); });
+  };
+  return all(quality.reasons) && all(quality.advice);
 }
 
 /// The grasp in a frame that lies at `frame` [px], turned about z, in the old one.
@@ -51,10 +63,13 @@ void validate_view(const View& view) {
   require(is_binary_map(view.map) && view.map.size() == view.template_image.size(),
           "a view's map must be binary and of its template's size");
   require(cv::countNonZero(view.map) > 0, "a view's map is empty");
+  require(PictureLimits::hold(view.picture_size),
+          "a view's learning picture has at most 16384 pixels a side, 64 million in all");
   const cv::Rect crop(view.origin, view.map.size());
   require((crop & cv::Rect({0, 0}, view.picture_size)) == crop,
           "a view's crop must lie in its learning picture");
-  require(is_finite(view.reference), "a view's reference must be finite");
+  require(is_finite(view.reference) && is_near(view.reference),
+          "a view's reference must be finite and within 131072 pixels");
 }
 
 }  // namespace
@@ -132,17 +147,21 @@ void validate(const ObjectModel& model) {
       "an object's name is a letter, then letters, digits or underscores, 64 characters at most");
   require(is_valid_label(model.label),
           "an object's label must be printable UTF-8 of at most 200 bytes");
+  require(is_printable(model.quality), "a lesson's reasons and advice must be printable UTF-8");
+  require(model.quality.confusable_with.empty() || is_valid_name(model.quality.confusable_with),
+          "what an object is confusable with must be an object's name");
   require(!model.views.empty(), "an object needs at least one view");
-  require(std::isfinite(model.object_height) && model.object_height >= 0,
-          "an object's height must be finite and not negative");
-  require(std::isnan(model.metres_per_pixel) || model.metres_per_pixel > 0,
-          "an object's scale must be above 0, or NaN for unknown");
+  require(model.object_height >= 0 && model.object_height <= kLongestLength,
+          "an object's height must lie in 0 .. 10 m");
+  require(std::isnan(model.metres_per_pixel) ||
+              (model.metres_per_pixel > 0 && model.metres_per_pixel <= kLongestLength),
+          "an object's scale must lie above 0 and within 10 m per pixel, or be NaN for unknown");
   require(!model.min_score || (*model.min_score > 0 && *model.min_score <= 1),
           "an object's own threshold must lie in (0..1]");
   require(!model.symmetry || is_declarable_symmetry(*model.symmetry),
           "an object's declared symmetry must be 1 (none), 2, 3, 4, 6 or 0 (round)");
   require(!model.grasp || is_sound(*model.grasp),
-          "a grasp needs a finite position and a unit quaternion");
+          "a grasp needs a position within 10 m and a unit quaternion");
   for (const auto& view : model.views) validate_view(view);
 }
 

@@ -1,0 +1,19 @@
+// How large pictures may be, wherever they come from: messages, files, the descriptions of objects.
+#pragma once
+
+#include <cstdint>
+#include <opencv2/core.hpp>
+
+namespace mbncc {
+
+struct PictureLimits {
+  static constexpr int kMostSide = 16384;                  ///< [px]
+  static constexpr std::int64_t kMostPixels = 64'000'000;  ///< 192 MB in colour
+
+  static bool hold(cv::Size size) {
+    return size.width > 0 && size.height > 0 && size.width <= kMostSide &&
+           size.height <= kMostSide && std::int64_t{size.width} * size.height <= kMostPixels;
+  }
+};
+
+}  // namespace mbncc
