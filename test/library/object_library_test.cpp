@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <chrono>
+#include <filesystem>
 #include <fstream>
 
 #include "library/models.hpp"
@@ -93,6 +94,90 @@ TEST(ObjectLibrary, ReplacedAndRemovedRevisionsCanBeRestored) {
   expect_equal(*library.load()->find("wrench"), random_model(3));
   EXPECT_THROW(library.restore("wrench", 77), std::invalid_argument);
   EXPECT_THROW(library.restore("gear"), std::invalid_argument);
+}
+
+// "wrench.1" is no object, though the trash has a "wrench.1.png".
+TEST(ObjectLibrary, OnlyNamesOfObjectsAreRestored) {
+  TemporaryFolder folder;
+  ObjectLibrary library(folder.path());
+  for (unsigned seed : {1, 2, 3}) library.save(random_model(seed), Existing::kReplace);
+  std::filesystem::copy(folder / ".trash/wrench.1.png", folder / ".trash/wrench.1.2.png");
+  for (const char* name : {"wrench.1", "wrench.", "", ".", "../wrench", "wrench.1.2"}) {
+    try {
+      library.restore(name);
+      ADD_FAILURE() << name;
+    } catch (const NameError& error) {
+      EXPECT_EQ(error.code(), LearnError::kNameInvalid) << name;
+    }
+    EXPECT_THROW(library.remove(name), NameError) << name;
+    EXPECT_THROW(library.rename(name, "gear", ""), NameError) << name;
+    EXPECT_THROW(library.edit(name, [](ObjectModel&) {}), NameError) << name;
+  }
+  const auto snapshot = library.load();
+  ASSERT_EQ(snapshot->objects.size(), 1u);
+  expect_equal(*snapshot->find("wrench"), random_model(3));
+  EXPECT_EQ(snapshot->find("wrench")->revision, 3u);
+}
+
+// Nobody could delete it: deleting the wrench leaves that file.
+TEST(ObjectLibrary, AFileWithARevisionInItsNameIsNoSecondObject) {
+  TemporaryFolder folder;
+  ObjectLibrary library(folder.path());
+  library.save(random_model(1), Existing::kRefuse);
+  for (const char* copy : {"wrench.1.png", "wrench..png", "wrench.png.png", "1wrench.png"})
+    std::filesystem::copy(folder / "wrench.png", folder / copy);
+  const auto snapshot = library.load();
+  EXPECT_EQ(snapshot->objects.size(), 1u);
+  ASSERT_EQ(snapshot->quarantined.size(), 4u);
+  for (const auto& file : snapshot->quarantined) {
+    EXPECT_TRUE(file.moved) << file.file;
+    EXPECT_EQ(file.reason, "the file's name is no valid object name") << file.file;
+    EXPECT_FALSE(std::filesystem::exists(folder / file.file)) << file.file;
+  }
+}
+
+TEST(ObjectLibrary, ForeignFilesInTheTrashBlockNoName) {
+  TemporaryFolder folder;
+  ObjectLibrary library(folder.path());
+  library.save(random_model(1), Existing::kRefuse);
+  // Of 32 bits the largest number, the largest that a file may have, and one beyond both.
+  std::filesystem::create_directory(folder / ".trash");
+  for (const char* revision : {"4294967295", "2000000000", "99999999999"})
+    std::ofstream(folder / (".trash/wrench." + std::string(revision) + ".png")) << "no picture";
+  EXPECT_EQ(library.save(random_model(2), Existing::kReplace).revision, 2u);
+  EXPECT_EQ(library.save(random_model(3), Existing::kReplace).revision, 3u);
+  EXPECT_EQ(library.load()->find("wrench")->revision, 3u);
+  library.remove("wrench");
+  EXPECT_THROW(library.restore("wrench", 2000000000), FileError);
+  EXPECT_EQ(library.restore("wrench").revision, 4u);  // the newest that can be read
+  expect_equal(*library.load()->find("wrench"), random_model(3));
+}
+
+TEST(ObjectLibrary, ALinkInThePlaceOfTheTrashIsNotFollowed) {
+  TemporaryFolder elsewhere;
+  TemporaryFolder folder;
+  ObjectLibrary library(folder.path());
+  library.save(random_model(1), Existing::kRefuse);
+  for (const char* inner : {".trash", ".quarantine"})
+    std::filesystem::create_directory_symlink(elsewhere.path(), folder / inner);
+  const auto refused = [](auto&& change) {
+    try {
+      change();
+      return false;
+    } catch (const FileError& error) {
+      return error.reason().find("not a folder of the library's own") != std::string::npos;
+    }
+  };
+  EXPECT_TRUE(refused([&] { library.save(random_model(2), Existing::kReplace); }));
+  EXPECT_TRUE(refused([&] { library.remove("wrench"); }));
+  EXPECT_TRUE(refused([&] { library.restore("wrench"); }));
+  EXPECT_TRUE(refused([&] { library.quarantine(); }));
+  std::ofstream(folder / "broken.png") << "no picture";
+  const auto snapshot = library.load();
+  expect_equal(*snapshot->find("wrench"), random_model(1));
+  ASSERT_EQ(snapshot->quarantined.size(), 1u);
+  EXPECT_FALSE(snapshot->quarantined[0].moved);
+  EXPECT_TRUE(std::filesystem::is_empty(elsewhere.path()));
 }
 
 TEST(ObjectLibrary, RevisionsAreNeverGivenTwice) {

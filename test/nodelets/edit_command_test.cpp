@@ -59,6 +59,14 @@ TEST_F(EditObject, DeletesAndRestores) {
   EXPECT_NE(library_.load()->find("cup"), nullptr);
 }
 
+TEST_F(EditObject, RestoresObjectsOnly) {
+  auto restore = request(Request::RESTORE);
+  edit_object(library_, request(Request::DELETE));
+  restore.name = "cup.1";
+  EXPECT_THROW(edit_object(library_, restore), NameError);
+  EXPECT_TRUE(library_.load()->objects.empty());
+}
+
 TEST_F(EditObject, MovesTheReference) {
   auto move = request(Request::SET_REFERENCE);
   move.reference.x = 5;

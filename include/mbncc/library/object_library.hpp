@@ -94,8 +94,9 @@ class ObjectLibrary {
   /// Moves the object to `.trash/`. Throws NameError when the name is unknown.
   void remove(const std::string& name);
 
-  /// Brings a revision back from the trash (0: the newest there) as the next revision of that name;
-  /// what it replaces goes to the trash. Throws NameError when there is none.
+  /// Brings a revision back from the trash (0: the newest there that can be read) as the next
+  /// revision of that name; what it replaces goes to the trash. Throws NameError when there is none
+  /// or the name is not allowed.
   ObjectModel restore(const std::string& name, std::uint32_t revision = 0);
 
  private:

@@ -175,6 +175,24 @@ void make_folder(const std::string& folder) {
   fail(folder, "cannot create the folder", code);
 }
 
+bool is_inner_folder(const std::string& folder) {
+  struct stat status {};
+  if (::lstat(folder.c_str(), &status) != 0) {
+    if (errno == ENOENT) return false;
+    fail(folder, "cannot open", errno);
+  }
+  if (!S_ISDIR(status.st_mode))
+    throw FileError(
+        folder,
+        "not a folder of the library's own, but a link or a file; move it away, and the "
+        "library makes a folder");
+  return true;
+}
+
+void make_inner_folder(const std::string& folder) {
+  if (!is_inner_folder(folder)) make_folder(folder);
+}
+
 void rename_path(const std::string& from, const std::string& to) {
   if (::rename(from.c_str(), to.c_str()) != 0) fail(to, "cannot put the file in place", errno);
 }

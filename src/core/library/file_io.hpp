@@ -86,6 +86,13 @@ class FolderSync {
 /// Creates the folder when it is missing.
 void make_folder(const std::string& folder);
 
+/// Likewise, of a folder within one of ours: a symbolic link is refused, since it may lead
+/// anywhere.
+void make_inner_folder(const std::string& folder);
+
+/// True when the folder exists; a symbolic link or anything else is refused by a FileError.
+bool is_inner_folder(const std::string& folder);
+
 /// rename(2), replacing `to`.
 void rename_path(const std::string& from, const std::string& to);
 

@@ -44,6 +44,7 @@ std::optional<LibraryCache::Entry> LibraryCache::load_file(const LibraryFolder& 
   const auto known = entries_.find(file);
   if (known != entries_.end() && known->second.stamp == *stamp) return known->second;
   try {
+    check_file_name(folder, file);
     const FileContent content = read_regular_file(path, PngLimits::kMaxBytes);
     return Entry{content.stamp,
                  std::make_shared<const ObjectModel>(decode_object(content.bytes, path)), ""};

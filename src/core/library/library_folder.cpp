@@ -10,6 +10,7 @@
 #include <chrono>
 #include <thread>
 
+#include "library/object_yaml.hpp"
 #include "library/png_codec.hpp"
 #include "mbncc/library/object_file.hpp"
 
@@ -56,14 +57,16 @@ std::string free_path(const std::string& stem, const std::string& ending) {
   return path;
 }
 
-// Revision of a file of the trash, `name.<revision>.png` or `name.<revision>.<n>.png`; 0: not one.
+// Revision of a file of the trash, `name.<revision>.png` or `name.<revision>.<n>.png`; 0: not one
+// that the library gave.
 std::uint32_t revision_in(const std::string& file, const std::string& name) {
   const std::string start = name + ".";
   if (file.rfind(start, 0) != 0 || !ends_with(file, kEnding)) return 0;
   std::uint32_t revision = 0;
   const char* digits = file.data() + start.size();
   const auto read = std::from_chars(digits, file.data() + file.size(), revision);
-  return read.ec == std::errc() && *read.ptr == '.' ? revision : 0;
+  const bool given = read.ec == std::errc() && *read.ptr == '.' && revision <= kMaxRevision;
+  return given ? revision : 0;
 }
 
 std::string reason_beside(const std::string& path) {
@@ -84,9 +87,14 @@ std::vector<std::string> object_files(const LibraryFolder& folder) {
   return files;
 }
 
+void check_file_name(const LibraryFolder& folder, const std::string& file) {
+  if (!is_valid_name(file.substr(0, file.rfind(kEnding))))
+    throw ContentError(folder.path + "/" + file, "the file's name is no valid object name");
+}
+
 std::vector<QuarantinedFile> quarantined_files(const LibraryFolder& folder) {
   std::vector<QuarantinedFile> files;
-  if (!path_exists(folder.quarantine())) return files;
+  if (!is_inner_folder(folder.quarantine())) return files;
   for (const auto& name : entries_of(folder.quarantine())) {
     if (name.front() == '.' || ends_with(name, kReasonEnding)) continue;
     files.push_back({name, reason_beside(folder.quarantine() + "/" + name)});
@@ -97,7 +105,7 @@ std::vector<QuarantinedFile> quarantined_files(const LibraryFolder& folder) {
 std::map<std::uint32_t, std::string> trashed_revisions(const LibraryFolder& folder,
                                                        const std::string& name) {
   std::map<std::uint32_t, std::string> revisions;
-  if (!path_exists(folder.trash())) return revisions;
+  if (!is_inner_folder(folder.trash())) return revisions;
   for (const auto& file : entries_of(folder.trash()))
     if (const auto revision = revision_in(file, name))
       revisions[revision] = folder.trash() + "/" + file;
@@ -123,8 +131,14 @@ std::unique_ptr<ObjectModel> LockedFolder::read(const std::string& name) {
 std::uint32_t LockedFolder::next_revision(const std::string& name,
                                           const ObjectModel* stored) const {
   const auto trashed = trashed_revisions(folder_, name);
-  return 1 + std::max(stored == nullptr ? 0 : stored->revision,
-                      trashed.empty() ? 0 : trashed.rbegin()->first);
+  const std::uint32_t last = stored == nullptr ? 0 : stored->revision;
+  const std::uint32_t largest = std::max(last, trashed.empty() ? 0 : trashed.rbegin()->first);
+  if (largest < kMaxRevision) return largest + 1;
+  // No library counts so far by itself. What a foreign file took must not block the name: the
+  // smallest number that is free.
+  std::uint32_t free = 1;
+  while (free == last || trashed.count(free) != 0) ++free;
+  return free;
 }
 
 void LockedFolder::write(const ObjectModel& model, const ObjectModel* keep_old) {
@@ -143,7 +157,7 @@ void LockedFolder::write(const ObjectModel& model, const ObjectModel* keep_old) 
 
 // The old file appears in the trash before the new one takes its place: at no moment is it nowhere.
 std::string LockedFolder::link_to_trash(const ObjectModel& model) {
-  make_folder(folder_.trash());
+  make_inner_folder(folder_.trash());
   FolderSync trash_sync(folder_.trash());
   const std::string from = folder_.object_file(model.name);
   const std::string to =
@@ -160,7 +174,7 @@ std::string LockedFolder::link_to_trash(const ObjectModel& model) {
 }
 
 void LockedFolder::discard(const ObjectModel& model) {
-  make_folder(folder_.trash());
+  make_inner_folder(folder_.trash());
   FolderSync trash_sync(folder_.trash()), folder_sync(folder_.path);
   rename_path(folder_.object_file(model.name),
               free_path(folder_.trash() + "/" + model.name + "." + std::to_string(model.revision),
@@ -177,6 +191,7 @@ void LockedFolder::rename(const std::string& name, const std::string& new_name) 
 
 void LockedFolder::quarantine_unreadable(const std::string& file) {
   try {
+    check_file_name(folder_, file);
     read_object_file(folder_.path + "/" + file);
   } catch (const ContentError& error) {
     quarantine(file, error.reason());
@@ -184,7 +199,7 @@ void LockedFolder::quarantine_unreadable(const std::string& file) {
 }
 
 void LockedFolder::quarantine(const std::string& file, const std::string& reason) {
-  make_folder(folder_.quarantine());
+  make_inner_folder(folder_.quarantine());
   const std::string to = free_path(folder_.quarantine() + "/" + file, "");
   // The reason comes first, so that no file lies there without one.
   const std::string text = reason + "\n";

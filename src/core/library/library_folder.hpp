@@ -32,7 +32,11 @@ std::vector<QuarantinedFile> quarantined_files(const LibraryFolder& folder);
 /// Names of the files that should be objects: *.png, hidden ones aside.
 std::vector<std::string> object_files(const LibraryFolder& folder);
 
-/// Revisions of `name` in the trash and their paths.
+/// Throws ContentError when such a file's name is not an object's name and ".png": "wrench.1.png"
+/// is no second wrench.
+void check_file_name(const LibraryFolder& folder, const std::string& file);
+
+/// Revisions of `name` in the trash and their paths. Throws FileError when the trash is no folder.
 std::map<std::uint32_t, std::string> trashed_revisions(const LibraryFolder& folder,
                                                        const std::string& name);
 
@@ -47,6 +51,7 @@ class LockedFolder {
   std::unique_ptr<ObjectModel> read(const std::string& name);
 
   /// One above every revision of `name`: that of `stored` (may be null) and those in the trash.
+  /// The smallest free one where that would be more than a file may have.
   std::uint32_t next_revision(const std::string& name, const ObjectModel* stored) const;
 
   /// Stores the model as it is. With `keep_old` the file that it replaces goes to the trash under

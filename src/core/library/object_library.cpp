@@ -30,6 +30,24 @@ void refuse_taken(const LibraryFolder& folder, const std::string& name) {
     throw NameError(LearnError::kNameTaken, "the library has an object '" + name + "' already");
 }
 
+void refuse_invalid(const std::string& name) {
+  if (!is_valid_name(name))
+    throw NameError(LearnError::kNameInvalid, "the name '" + name +
+                                                  "' is not allowed; give a letter, then letters, "
+                                                  "digits or underscores, 64 characters at most");
+}
+
+/// The newest of these that can be read.
+ObjectModel read_newest(const std::map<std::uint32_t, std::string>& revisions) {
+  for (auto revision = revisions.rbegin(); std::next(revision) != revisions.rend(); ++revision) {
+    try {
+      return read_object_file(revision->second);
+    } catch (const ContentError&) {  // an older one may do
+    }
+  }
+  return read_object_file(revisions.begin()->second);
+}
+
 std::unique_ptr<ObjectModel> read_known(LockedFolder& locked, const std::string& name) {
   auto stored = locked.read(name);
   if (!stored) refuse_unknown(name);
@@ -95,11 +113,8 @@ ObjectModel ObjectLibrary::rename(const std::string& name, const std::string& ne
   LockedFolder locked({folder_});
   ObjectModel model = *read_known(locked, name);
   const bool moves = !new_name.empty() && new_name != name;
-  if (moves && !is_valid_name(new_name))
-    throw NameError(LearnError::kNameInvalid, "the name '" + new_name +
-                                                  "' is not allowed; give a letter, then letters, "
-                                                  "digits or underscores, 64 characters at most");
   if (moves) {
+    refuse_invalid(new_name);
     refuse_taken({folder_}, new_name);
     model.revision = std::max(model.revision, locked.next_revision(new_name, nullptr));
   }
@@ -118,13 +133,13 @@ void ObjectLibrary::remove(const std::string& name) {
 }
 
 ObjectModel ObjectLibrary::restore(const std::string& name, std::uint32_t revision) {
+  refuse_invalid(name);
   LockedFolder locked({folder_});
   const auto revisions = trashed_revisions({folder_}, name);
-  const auto chosen = revision != 0       ? revisions.find(revision)
-                      : revisions.empty() ? revisions.end()
-                                          : std::prev(revisions.end());
-  if (chosen == revisions.end()) refuse_missing(name, revision, revisions);
-  ObjectModel model = read_object_file(chosen->second);
+  if (revision != 0 ? revisions.count(revision) == 0 : revisions.empty())
+    refuse_missing(name, revision, revisions);
+  ObjectModel model =
+      revision != 0 ? read_object_file(revisions.at(revision)) : read_newest(revisions);
   const auto old = locked.read(name);
   model.revision = locked.next_revision(name, old.get());
   locked.write(model, old.get());
