@@ -11,7 +11,7 @@ constexpr std::uint8_t kPngEnd[] = {'I', 'E', 'N', 'D', 0xae, 0x42, 0x60, 0x82};
 
 // JPEG markers (ITU-T T.81, table B.1).
 constexpr std::uint8_t kMarker = 0xff, kStartOfImage = 0xd8, kEndOfImage = 0xd9;
-constexpr std::uint8_t kFirstRestart = 0xd0, kTemporary = 0x01;
+constexpr std::uint8_t kFirstRestart = 0xd0, kTemporary = 0x01, kExif = 0xe1;
 
 class Reader {
  public:
@@ -36,6 +36,55 @@ class Reader {
   std::size_t position_ = 0;
 };
 
+// Orientation in the first directory of EXIF data (TIFF 6.0), [begin, end) of `bytes`; 1: none
+// there.
+int orientation_in(const std::vector<std::uint8_t>& bytes, std::size_t begin, std::size_t end) {
+  constexpr std::uint32_t kOrientation = 0x0112, kEntry = 12;
+  end = std::min(end, bytes.size());
+  if (begin + 8 > end) return 1;
+  const bool little = bytes[begin] == 'I';
+  const auto number = [&](std::size_t at, int count) {
+    std::uint32_t value = 0;
+    for (int i = 0; i < count && begin + at + i < end; ++i)
+      value |= std::uint32_t{bytes[begin + at + i]} << 8 * (little ? i : count - 1 - i);
+    return value;
+  };
+  const std::size_t directory = number(4, 4);
+  const std::size_t entries = number(directory, 2);
+  for (std::size_t i = 0; i < entries && begin + directory + kEntry * i < end; ++i) {
+    const std::size_t entry = directory + 2 + kEntry * i;
+    const std::uint32_t value = number(entry + 8, 2);
+    if (number(entry, 2) == kOrientation)
+      return value >= 1 && value <= 8 ? static_cast<int>(value) : 1;
+  }
+  return 1;
+}
+
+// Of the chunk eXIf, which stands before the pixels' end.
+int png_orientation(const std::vector<std::uint8_t>& bytes) {
+  constexpr std::uint8_t kName[] = {'e', 'X', 'I', 'f'};
+  constexpr std::size_t kFrame = 12;  // [bytes] of a chunk: length, name, checksum
+  Reader reader(bytes);
+  for (std::size_t chunk = sizeof kPngSignature; chunk + kFrame <= bytes.size();) {
+    reader.seek(chunk);
+    const std::size_t length = reader.number(4);
+    const auto name = bytes.begin() + static_cast<std::ptrdiff_t>(chunk + 4);
+    if (std::equal(std::begin(kName), std::end(kName), name))
+      return orientation_in(bytes, chunk + 8, chunk + 8 + length);
+    chunk += kFrame + length;
+  }
+  return 1;
+}
+
+// Of a segment APP1; 1: it holds none.
+int jpeg_orientation(const std::vector<std::uint8_t>& bytes, std::size_t begin, std::size_t end) {
+  constexpr std::uint8_t kName[] = {'E', 'x', 'i', 'f', 0, 0};
+  if (end > bytes.size() || begin + sizeof kName > end) return 1;
+  const auto name = bytes.begin() + static_cast<std::ptrdiff_t>(begin);
+  if (!std::equal(std::begin(kName), std::end(kName), name)) return 1;
+  return orientation_in(bytes, begin + sizeof kName, end);
+}
+
 PictureHeader png_header(const std::vector<std::uint8_t>& bytes) {
   Reader reader(bytes);
   reader.seek(16);  // signature, then length and name of the first chunk, IHDR
@@ -45,6 +94,7 @@ PictureHeader png_header(const std::vector<std::uint8_t>& bytes) {
   header.bits = static_cast<int>(reader.number(1));
   header.complete = std::search(bytes.begin(), bytes.end(), std::begin(kPngEnd),
                                 std::end(kPngEnd)) != bytes.end();
+  header.orientation = png_orientation(bytes);
   return header;
 }
 
@@ -83,6 +133,8 @@ PictureHeader jpeg_header(const std::vector<std::uint8_t>& bytes) {
       header.height = reader.number(2);
       header.width = reader.number(2);
     }
+    if (marker == kExif && header.orientation == 1)
+      header.orientation = jpeg_orientation(bytes, start + 2, start + length);
     reader.seek(start + length);
   }
   return header;

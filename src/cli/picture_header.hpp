@@ -10,6 +10,7 @@ struct PictureHeader {
   std::uint32_t width = 0;   ///< [px]
   std::uint32_t height = 0;  ///< [px]
   int bits = 0;              ///< per channel
+  int orientation = 1;       ///< EXIF's: 1 as the sensor saw it, 2 .. 8 to be mirrored or turned
   bool complete = false;     ///< the end of the picture is there
 };
 

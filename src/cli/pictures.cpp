@@ -1,21 +1,26 @@
 #include "cli/pictures.hpp"
 
+#include <algorithm>
+#include <array>
 #include <cerrno>
 #include <cstdint>
 #include <filesystem>
 #include <fstream>
+#include <iostream>
+#include <numeric>
 #include <opencv2/imgcodecs.hpp>
+#include <opencv2/imgproc.hpp>
 #include <system_error>
 #include <vector>
 
 #include "cli/picture_header.hpp"
 #include "mbncc/error.hpp"
+#include "mbncc/picture_limits.hpp"
 
 namespace mbncc::cli {
 namespace {
 
 constexpr std::uintmax_t kMaxFileBytes = std::uintmax_t{256} << 20;
-constexpr std::uint64_t kMaxPixels = 64'000'000;  // as in messages to the nodelets
 
 std::string errno_text(int code) {
   return std::generic_category().message(code);
@@ -55,10 +60,11 @@ void write_bytes(const std::string& file, const std::vector<std::uint8_t>& bytes
   throw FileError(path, reason);
 }
 
-void check_header(const std::vector<std::uint8_t>& bytes, const std::string& path) {
-  const PictureHeader header = read_picture_header(bytes);
-  if (std::uint64_t{header.width} * header.height > kMaxPixels)
+void check_header(const PictureHeader& header, const std::string& path) {
+  if (std::uint64_t{header.width} * header.height > std::uint64_t{PictureLimits::kMostPixels})
     throw FileError(path, "the picture has more than 64 million pixels; scale it down");
+  if (std::max(header.width, header.height) > std::uint32_t{PictureLimits::kMostSide})
+    throw FileError(path, "the picture has more than 16384 pixels a side; scale it down");
   if (header.bits > 8)
     throw FileError(path, std::to_string(header.bits) +
                               " bits per channel; convert it to 8 bits, with the scaling that "
@@ -66,12 +72,21 @@ void check_header(const std::vector<std::uint8_t>& bytes, const std::string& pat
   if (!header.complete) throw FileError(path, "the file is cut short");
 }
 
-cv::Mat decode(const std::string& path, int mode) {
+// A gripper is calibrated to the sensor's rows and columns, whichever way up the camera was held.
+void tell_of_orientation(const PictureHeader& header, const std::string& path) {
+  if (header.orientation != 1)
+    std::cerr << "mbncc: warning: " << path << ": its EXIF orientation (" << header.orientation
+              << ") is not applied; coordinates are those of the sensor's picture\n";
+}
+
+cv::Mat decode(const std::string& path) {
   const auto bytes = read_bytes(path);
   cv::Mat picture;
   try {
-    check_header(bytes, path);
-    picture = cv::imdecode(bytes, mode);
+    const PictureHeader header = read_picture_header(bytes);
+    check_header(header, path);
+    picture = cv::imdecode(bytes, cv::IMREAD_COLOR | cv::IMREAD_IGNORE_ORIENTATION);
+    tell_of_orientation(header, path);
   } catch (const FileError&) {
     throw;
   } catch (const std::exception& error) {
@@ -81,14 +96,49 @@ cv::Mat decode(const std::string& path, int mode) {
   return picture;
 }
 
+bool is_colourful(const cv::Mat& picture) {
+  constexpr int kSpread = 40;      // [grey levels] between the channels of a pixel
+  constexpr double kShare = 0.01;  // of the pixels
+  std::vector<cv::Mat> channels;
+  cv::split(picture, channels);
+  const cv::Mat most = cv::max(cv::max(channels[0], channels[1]), channels[2]);
+  const cv::Mat least = cv::min(cv::min(channels[0], channels[1]), channels[2]);
+  return cv::countNonZero(most - least > kSpread) > kShare * static_cast<double>(picture.total());
+}
+
+// Nearly all pixels have one of two grey values, or one that is near it.
+bool has_two_greys(const cv::Mat& grey) {
+  constexpr int kNear = 16;       // [grey levels]
+  constexpr double kShare = 0.8;  // the rest lies along edges that were smoothed
+  std::array<int, 256> counts{};
+  for (int y = 0; y < grey.rows; ++y)
+    for (int x = 0; x < grey.cols; ++x) ++counts[grey.at<uchar>(y, x)];
+  int left = static_cast<int>(grey.total());
+  for (int k = 0; k < 2; ++k) {
+    const auto peak = std::max_element(counts.begin(), counts.end());
+    const auto first = peak - std::min<std::ptrdiff_t>(kNear, peak - counts.begin());
+    const auto last = peak + std::min<std::ptrdiff_t>(kNear + 1, counts.end() - peak);
+    left -= std::accumulate(first, last, 0);
+    std::fill(first, last, 0);
+  }
+  return left <= (1 - kShare) * static_cast<double>(grey.total());
+}
+
 }  // namespace
 
 cv::Mat read_picture(const std::string& path) {
-  return decode(path, cv::IMREAD_COLOR);
+  return decode(path);
 }
 
 cv::Mat read_map(const std::string& path) {
-  return decode(path, cv::IMREAD_GRAYSCALE) > 127;
+  const cv::Mat picture = decode(path);
+  cv::Mat grey;
+  cv::cvtColor(picture, grey, cv::COLOR_BGR2GRAY);
+  if (is_colourful(picture) || !has_two_greys(grey))
+    throw FileError(path,
+                    "a photograph, not a map; give a picture that is white on the object and "
+                    "black elsewhere");
+  return grey > 127;
 }
 
 void write_picture(const std::string& path, const cv::Mat& picture) {

@@ -74,7 +74,7 @@ class FolderSource : public PictureSource {
   }
 
   cv::Mat retrieve() override {
-    const cv::Mat picture = cv::imread(current_, cv::IMREAD_COLOR);
+    const cv::Mat picture = cv::imread(current_, cv::IMREAD_COLOR | cv::IMREAD_IGNORE_ORIENTATION);
     if (picture.empty()) throw FileError(current_, "not a readable picture; skipped");
     return picture;
   }

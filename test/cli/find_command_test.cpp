@@ -166,5 +166,24 @@ TEST_F(FindCommand, AnyPictureSizeIsSearched) {
   EXPECT_TRUE(run.prints("part_of_it.png,part,0,")) << run.out;
 }
 
+// A JPEG that says it should be shown turned by a quarter: coordinates stay the sensor's.
+TEST_F(FindCommand, AnExifOrientationIsToldAndNotApplied) {
+  folder_.write("turned.jpg", cv::imread(folder_ / "target.png"));
+  std::string bytes = content_of_file(folder_ / "turned.jpg");
+  const std::string exif(
+      "\xff\xe1\x00\x22"
+      "Exif\0\0MM\0*\0\0\0\x08\0\x01\x01\x12\0\x03\0\0\0\x01\0\x06\0\0\0\0\0\0",
+      36);
+  bytes.insert(2, exif);
+  std::ofstream(folder_ / "turned.jpg", std::ios::binary) << bytes;
+  ASSERT_EQ(cv::imread(folder_ / "turned.jpg").cols, LessonFolder::kHeight) << "not read as EXIF";
+  const ToolRun run = find({"--csv", folder_ / "turned.jpg"});
+  ASSERT_EQ(run.code, 0) << run.err;
+  EXPECT_TRUE(run.says("its EXIF orientation (6) is not applied")) << run.err;
+  const auto found = split(split(run.out, '\n').at(1), ',');
+  EXPECT_NEAR(std::stod(found.at(3)), 195, 1);
+  EXPECT_NEAR(std::stod(found.at(4)), 125, 1);
+}
+
 }  // namespace
 }  // namespace mbncc::test

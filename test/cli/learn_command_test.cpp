@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <opencv2/imgproc.hpp>
 
 #include "cli/tool.hpp"
 #include "mbncc/library/object_library.hpp"
@@ -27,6 +28,28 @@ TEST(LearnCommand, StoresALessonByMapAndReportsIt) {
   EXPECT_GT(report["timings_ms"]["total"].as<double>(), 0);
   EXPECT_TRUE(report["reasons"].IsSequence());
   EXPECT_NE(ObjectLibrary(folder.library()).load()->find("part"), nullptr);
+}
+
+TEST(LearnCommand, APhotographIsNoMap) {
+  const LessonFolder folder;
+  const cv::Mat colour = cv::imread(folder / "before.png");
+  cv::Mat grey;
+  cv::cvtColor(colour, grey, cv::COLOR_BGR2GRAY);
+  folder.write("grey.png", grey);
+  for (const char* photograph : {"before.png", "grey.png"}) {
+    const ToolRun run = run_tool({"learn", "--library", folder.library(), "--name", "part",
+                                  "--before", folder / "before.png", "--map", folder / photograph});
+    EXPECT_EQ(run.code, 1);
+    EXPECT_TRUE(run.says("a photograph, not a map")) << run.err;
+  }
+  // Smoothed edges and the noise of JPEG are borne.
+  cv::Mat map = cv::imread(folder / "map.png", cv::IMREAD_GRAYSCALE);
+  cv::GaussianBlur(map, map, {}, 1.5);
+  folder.write("map.jpg", map);
+  EXPECT_EQ(run_tool({"learn", "--library", folder.library(), "--name", "part", "--before",
+                      folder / "before.png", "--map", folder / "map.jpg"})
+                .code,
+            0);
 }
 
 TEST(LearnCommand, LearnsFromTheDifferenceOfTwoPictures) {
