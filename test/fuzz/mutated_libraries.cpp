@@ -1,0 +1,298 @@
+// Mutated libraries through `mbncc check`, `mbncc find` and the live matcher, each in a process of
+// its own with bounded memory: none breaks it, what is accepted is searched for, and what is
+// deleted or disabled is not. usage: mutated_libraries COUNT [FIRST]
+#include <malloc.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+#include <yaml-cpp/yaml.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdio>
+#include <cstdlib>
+#include <fstream>
+#include <iostream>
+#include <map>
+#include <opencv2/core/utility.hpp>
+#include <sstream>
+
+#include "cli/command.hpp"
+#include "cli/pictures.hpp"
+#include "cli/settings.hpp"
+#include "fuzz/mutated_library.hpp"
+#include "nodelets/live_matcher.hpp"
+#include "support/sanitizers.hpp"
+#include "support/searched_map.hpp"
+#include "support/temporary_folder.hpp"
+
+using namespace mbncc;
+
+namespace {
+
+constexpr rlim_t kMostMemory = rlim_t{512} << 20;  // [bytes] that one library may take in all
+constexpr unsigned kPatience = 120;                // [s] of processor time that it may take
+using Names = std::vector<std::string>;
+
+/// What one library came to; the counts are added up over all.
+struct Outcome {
+  std::array<int, 5> counts{};
+  std::string fault;  // "": none
+
+  static constexpr const char* kCounts[] = {"accepted", "refused", "searched live",
+                                            "of another picture size", "disabled"};
+  int& accepted() { return counts[0]; }
+  int& refused() { return counts[1]; }
+  int& searched_live() { return counts[2]; }
+  int& other_size() { return counts[3]; }
+  int& disabled() { return counts[4]; }
+};
+
+[[noreturn]] void fail(const std::string& sentence) {
+  throw std::runtime_error(sentence);
+}
+
+bool holds(const Names& names, const std::string& name) {
+  return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+/// Runs a command of the tool and returns what it prints. The check may refuse: where the
+/// quarantine is no folder, nothing can be told of what lies in it.
+std::string printed_by(const cli::Command& command, const Names& words) {
+  std::ostringstream out, err;
+  auto* const out_before = std::cout.rdbuf(out.rdbuf());
+  auto* const err_before = std::cerr.rdbuf(err.rdbuf());
+  std::string fault;
+  int code = cli::kFailed;
+  try {
+    std::vector<cli::Option> options = command.options;
+    for (const auto& option : cli::settings_options()) options.push_back(option);
+    code = command.run(cli::Arguments(options, command.operand, words));
+  } catch (const std::exception& error) {
+    const bool refuses = dynamic_cast<const FileError*>(&error) != nullptr;
+    if (!refuses || command.name != "check") fault = error.what();
+  }
+  std::cout.rdbuf(out_before);
+  std::cerr.rdbuf(err_before);
+  if (!fault.empty()) fail("mbncc " + command.name + " ends with: " + fault);
+  if (code != cli::kDone && command.name == "find") fail("mbncc find fails: " + err.str());
+  return out.str();
+}
+
+/// Every enabled object of the library is searched for, whatever picture it was learned in.
+void check_find(const LibrarySnapshot& library, const std::string& folder,
+                const std::string& picture, const Names& settings) {
+  Names words{"--library", folder, "--json", picture};
+  words.insert(words.end(), settings.begin(), settings.end());
+  const YAML::Node report = YAML::Load(printed_by(cli::find_command(), words));
+  const auto searched = report[0]["searched"].as<Names>();
+  const auto skipped = report[0]["skipped"].as<Names>();
+  for (const auto& object : library.objects)
+    if (object->enabled && !holds(searched, object->name))
+      fail("find does not search for " + object->name + ": " +
+           (skipped.empty() ? "no reason" : skipped.front()));
+}
+
+/// What a picture is searched for and what is found: of a picture by itself, or of the next two of
+/// a video.
+struct Looks {
+  Names searched, found;
+
+  void add(const SearchResult& result) {
+    searched = result.searched;
+    for (const auto& match : result.matches) found.push_back(match.name);
+  }
+};
+
+class Watcher {
+ public:
+  Watcher(const nodelets::LiveMatcher& matcher, const cv::Mat& picture, bool as_video)
+      : matcher_(matcher), picture_(picture), as_video_(as_video) {}
+
+  Looks look() {
+    Looks looks;
+    if (!as_video_) looks.add(matcher_.find(picture_, {}).result);
+    for (int k = 0; as_video_ && k < 2; ++k)
+      looks.add(matcher_.watch(video_, stamp_ += 0.1, picture_, {}).result);
+    return looks;
+  }
+
+ private:
+  const nodelets::LiveMatcher& matcher_;
+  const cv::Mat& picture_;
+  bool as_video_;
+  VideoSearch video_{VideoConfig()};
+  double stamp_ = 1;
+};
+
+void check_searched(const LibrarySnapshot& library, const Looks& looks, cv::Size picture,
+                    Outcome& outcome) {
+  for (const auto& object : library.objects) {
+    const bool fits = object->views.front().picture_size == picture;
+    if (!object->enabled)
+      ++outcome.disabled();
+    else if (!fits)
+      ++outcome.other_size();
+    else if (!holds(looks.searched, object->name))
+      fail("the live matcher does not search for " + object->name);
+    else
+      ++outcome.searched_live();
+  }
+}
+
+/// Changes a library under a running matcher, as others do: by the library, and where that is
+/// refused, by the file.
+void take_away(const std::string& folder) {
+  const std::string victim = fuzz::kSound[1], keeper = fuzz::kSound[0];
+  try {
+    ObjectLibrary(folder).remove(victim);
+  } catch (const FileError&) {
+    ::unlink((folder + "/" + victim + ".png").c_str());
+  }
+  try {
+    ObjectLibrary(folder).edit(keeper, [](ObjectModel& model) { model.enabled = false; });
+  } catch (const FileError&) {
+    ::unlink((folder + "/" + keeper + ".png").c_str());
+  }
+}
+
+void check_live(const LibrarySnapshot& library, const std::string& folder, const cv::Mat& picture,
+                unsigned seed, Outcome& outcome) {
+  SearchConfig config;
+  config.threads = 1 + static_cast<int>(seed % 2);
+  nodelets::LiveMatcher matcher(config, folder);
+  Watcher watcher(matcher, picture, seed % 4 < 2);
+  check_searched(library, watcher.look(), picture.size(), outcome);
+  if (seed % 16 == 0) matcher.score_map(picture);
+  take_away(folder);
+  // A mutant more, too, that was not there when the search began.
+  fuzz::make_mutants(folder, seed + 1);
+  try {
+    matcher.refresh(false);
+  } catch (const FileError&) {  // then nothing at all may be found
+    if (matcher.fault().empty()) fail("the library cannot be read, and no fault is told");
+  }
+  const Looks after = watcher.look();
+  for (const char* name : fuzz::kSound)
+    if (holds(after.searched, name) || holds(after.found, name))
+      fail(std::string("stale: ") + name + " is searched for after it was taken away");
+}
+
+void bound_memory() {
+  if (test::kSanitized) return;
+  long pages = 0;
+  std::ifstream("/proc/self/statm") >> pages;
+  const rlim_t most =
+      static_cast<rlim_t>(pages) * static_cast<rlim_t>(::getpagesize()) + kMostMemory;
+  const rlimit memory{most, most}, time{kPatience, kPatience};
+  ::setrlimit(RLIMIT_AS, &memory);
+  ::setrlimit(RLIMIT_CPU, &time);
+}
+
+Outcome outcome_of(const std::string& folder, const std::string& picture_path, unsigned seed) {
+  Outcome outcome;
+  try {
+    fuzz::make_mutated_library(folder, seed);
+    bound_memory();
+    printed_by(cli::check_command(), {"--library", folder});
+    ObjectLibrary library(folder);
+    const auto snapshot = library.load();
+    outcome.accepted() = static_cast<int>(snapshot->objects.size());
+    outcome.refused() = static_cast<int>(snapshot->quarantined.size());
+    try {
+      outcome.refused() += static_cast<int>(library.quarantine().size());
+    } catch (const FileError&) {  // the quarantine is no folder
+    }
+    for (const char* name : fuzz::kSound)
+      if (snapshot->find(name) == nullptr) fail(std::string("the sound ") + name + " is lost");
+    check_find(*snapshot, folder, picture_path,
+               seed % 8 == 0 ? Names{"--set", "scale_range=0.05"} : Names{});
+    check_live(*snapshot, folder, cli::read_picture(picture_path), seed, outcome);
+  } catch (const std::exception& error) {
+    outcome.fault = error.what();
+  }
+  return outcome;
+}
+
+/// In a child, which leaves its outcome in a pipe: counts, then the fault.
+Outcome run(const std::string& picture_path, unsigned seed) {
+  const test::TemporaryFolder folder;
+  int ends[2];
+  if (::pipe(ends) != 0) fail("no pipe");
+  const pid_t child = ::fork();
+  if (child == 0) {
+    const Outcome outcome = outcome_of(folder.path(), picture_path, seed);
+    std::ostringstream text;
+    for (const int count : outcome.counts) text << count << ' ';
+    text << outcome.fault.substr(0, 2000);
+    const std::string bytes = text.str();
+    const bool told = ::write(ends[1], bytes.data(), bytes.size()) >= 0;
+    ::_exit(told ? 0 : 1);
+  }
+  ::close(ends[1]);
+  std::string told;
+  std::array<char, 4096> part;
+  for (ssize_t read = 0; (read = ::read(ends[0], part.data(), part.size())) > 0;)
+    told.append(part.data(), static_cast<std::size_t>(read));
+  ::close(ends[0]);
+  int status = 0;
+  ::waitpid(child, &status, 0);
+  Outcome outcome;
+  if (!WIFEXITED(status) || WEXITSTATUS(status) != 0) {
+    outcome.fault = "the process dies by " +
+                    (WIFSIGNALED(status) ? "signal " + std::to_string(WTERMSIG(status))
+                                         : "exit code " + std::to_string(WEXITSTATUS(status)));
+    return outcome;
+  }
+  std::istringstream text(told);
+  for (int& count : outcome.counts) text >> count;
+  text.get();
+  std::getline(text, outcome.fault, '\0');
+  return outcome;
+}
+
+/// Noise with the sound objects in it.
+cv::Mat picture_of_all(const std::string& folder) {
+  fuzz::make_mutated_library(folder, 0);
+  const auto snapshot = ObjectLibrary(folder).load();
+  cv::Mat picture(fuzz::kPictureHeight, fuzz::kPictureWidth, CV_8UC3);
+  cv::RNG(1).fill(picture, cv::RNG::UNIFORM, 60, 200);
+  cv::Point corner(4, 4);
+  for (const char* name : fuzz::kSound) {
+    const View& view = snapshot->find(name)->views.front();
+    view.template_image.copyTo(picture(cv::Rect(corner, view.map.size())), view.map);
+    corner += cv::Point(40, 26);
+  }
+  return picture;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  if (argc < 2 || argc > 3 || std::atoi(argv[1]) < 1) {
+    std::cerr << "usage: mutated_libraries COUNT [FIRST]\n";
+    return 2;
+  }
+  const int count = std::atoi(argv[1]), first = argc > 2 ? std::atoi(argv[2]) : 1;
+  // Threads' heaps reserve address space that nobody uses.
+  ::mallopt(M_ARENA_MAX, 1);
+  cv::setNumThreads(1);
+  const test::TemporaryFolder sound;
+  const test::TemporaryFolder pictures;
+  cli::write_picture(pictures / "picture.png", picture_of_all(sound.path()));
+  Outcome total;
+  std::map<std::string, int> faults;
+  for (int seed = first; seed < first + count; ++seed) {
+    const Outcome outcome = run(pictures / "picture.png", static_cast<unsigned>(seed));
+    for (std::size_t i = 0; i < total.counts.size(); ++i) total.counts[i] += outcome.counts[i];
+    if (outcome.fault.empty()) continue;
+    if (++faults[outcome.fault.substr(0, 60)] <= 5)
+      std::cout << "library " << seed << ": " << outcome.fault << std::endl;
+  }
+  std::cout << count << " libraries; files";
+  for (std::size_t i = 0; i < total.counts.size(); ++i)
+    std::cout << (i == 0 ? " " : ", ") << total.counts[i] << ' ' << Outcome::kCounts[i];
+  std::cout << "; " << faults.size() << " kinds of faults\n";
+  for (const auto& [fault, times] : faults) std::cout << times << " times: " << fault << '\n';
+  return faults.empty() ? 0 : 1;
+}

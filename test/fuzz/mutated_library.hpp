@@ -1,0 +1,21 @@
+// Libraries of objects that were changed in some way: fields, sizes, shapes, aliases, names, bytes.
+#pragma once
+
+#include <string>
+
+namespace mbncc::fuzz {
+
+/// Two objects of every such library are sound.
+constexpr const char* kSound[] = {"keeper", "victim"};
+
+/// [px] of the pictures that sound objects are learned in.
+constexpr int kPictureWidth = 80, kPictureHeight = 60;
+
+/// Fills the empty folder with sound objects and one or two mutated files or folders, all by the
+/// seed.
+void make_mutated_library(const std::string& folder, unsigned seed);
+
+/// Adds one or two more mutated ones.
+void make_mutants(const std::string& folder, unsigned seed);
+
+}  // namespace mbncc::fuzz
