@@ -97,7 +97,7 @@ cv::Mat decode(const std::string& path) {
 }
 
 bool is_colourful(const cv::Mat& picture) {
-  constexpr int kSpread = 40;      // [grey levels] between the channels of a pixel
+  constexpr int kSpread = 24;      // [grey levels] between the channels of a pixel
   constexpr double kShare = 0.01;  // of the pixels
   std::vector<cv::Mat> channels;
   cv::split(picture, channels);
@@ -106,22 +106,17 @@ bool is_colourful(const cv::Mat& picture) {
   return cv::countNonZero(most - least > kSpread) > kShare * static_cast<double>(picture.total());
 }
 
-// Nearly all pixels have one of two grey values, or one that is near it.
-bool has_two_greys(const cv::Mat& grey) {
-  constexpr int kNear = 16;       // [grey levels]
-  constexpr double kShare = 0.8;  // the rest lies along edges that were smoothed
+// Of a few values, as drawn, or black and white but for smooth edges and the noise of JPEG.
+bool is_drawn(const cv::Mat& grey) {
+  constexpr int kFew = 16;
+  constexpr int kBlack = 64, kWhite = 192;  // [grey levels] below, and from which on
+  constexpr double kShare = 0.8;            // of the pixels
   std::array<int, 256> counts{};
   for (int y = 0; y < grey.rows; ++y)
     for (int x = 0; x < grey.cols; ++x) ++counts[grey.at<uchar>(y, x)];
-  int left = static_cast<int>(grey.total());
-  for (int k = 0; k < 2; ++k) {
-    const auto peak = std::max_element(counts.begin(), counts.end());
-    const auto first = peak - std::min<std::ptrdiff_t>(kNear, peak - counts.begin());
-    const auto last = peak + std::min<std::ptrdiff_t>(kNear + 1, counts.end() - peak);
-    left -= std::accumulate(first, last, 0);
-    std::fill(first, last, 0);
-  }
-  return left <= (1 - kShare) * static_cast<double>(grey.total());
+  const auto unused = std::count(counts.begin(), counts.end(), 0);
+  const int between = std::accumulate(counts.begin() + kBlack, counts.begin() + kWhite, 0);
+  return unused >= 256 - kFew || between <= (1 - kShare) * static_cast<double>(grey.total());
 }
 
 }  // namespace
@@ -134,7 +129,7 @@ cv::Mat read_map(const std::string& path) {
   const cv::Mat picture = decode(path);
   cv::Mat grey;
   cv::cvtColor(picture, grey, cv::COLOR_BGR2GRAY);
-  if (is_colourful(picture) || !has_two_greys(grey))
+  if (is_colourful(picture) || !is_drawn(grey))
     throw FileError(path,
                     "a photograph, not a map; give a picture that is white on the object and "
                     "black elsewhere");

@@ -232,17 +232,17 @@ Bytes object_bytes(Mutator& mutator) {
   std::vector<cv::Rect> rectangles;
   cv::Mat rgba = drawn(model, rectangles);
   std::string text = write_description(model, rectangles);
-  const int kind = mutator.any(10);
-  if (kind < 5) text = mutator.text(text);
-  if (kind == 5) rgba.at<cv::Vec4b>(0, 0)[3] = static_cast<uchar>(mutator.any(256));
-  if (kind == 6) rgba = rgba.rowRange(0, 1 + mutator.any(rgba.rows)).clone();
+  const int kind = mutator.any(16);
+  if (kind < 6) text = mutator.text(text);
+  if (kind == 6) rgba.at<cv::Vec4b>(0, 0)[3] = static_cast<uchar>(mutator.any(256));
+  if (kind == 7) rgba = rgba.rowRange(0, 1 + mutator.any(rgba.rows)).clone();
   Bytes bytes;
   try {
     bytes = encode_png(rgba, "mbncc", text);
   } catch (const std::invalid_argument&) {  // text that no PNG takes
     bytes = {text.begin(), text.end()};
   }
-  return kind == 7 ? mutator.bytes(bytes) : bytes;
+  return kind == 8 ? mutator.bytes(bytes) : bytes;
 }
 
 void add_mutant(const std::string& folder, Mutator& mutator, int number) {
@@ -252,6 +252,7 @@ void add_mutant(const std::string& folder, Mutator& mutator, int number) {
   std::error_code ignored;
   const int kind = mutator.any(40);
   fs::create_directories(fs::path(path).parent_path(), ignored);
+  fs::remove_all(path, ignored);
   if (kind == 0)
     fs::create_directory(path, ignored);
   else if (kind == 1)
@@ -281,14 +282,15 @@ void disturb(const std::string& folder, Mutator& mutator) {
 
 void make_mutated_library(const std::string& folder, unsigned seed) {
   Mutator mutator(seed);
-  for (const char* name : kSound) {
-    auto sound = test::object_of(test::map_of(test::MapShape::kDisc, {20, 15}, 1),
-                                 test::Border::kNone, 5, 0, name[0]);
-    sound->name = sound->label = name;
-    sound->views.front().origin = {20, 20};
-    sound->views.front().picture_size = {kPictureWidth, kPictureHeight};
-    write(folder + "/" + name + ".png", encode_object(*sound));
-  }
+  auto sound = test::object_of(test::map_of(test::MapShape::kDisc, {19, 15}, 1),
+                               test::Border::kNone, 4, 20, 7);
+  sound->name = sound->label = kSound;
+  View& view = sound->views.front();
+  view.picture_size = {kPictureWidth, kPictureHeight};
+  cv::GaussianBlur(view.template_image, view.template_image, {}, 2);
+  view.template_image = 4 * (view.template_image - cv::Scalar::all(104));
+  view.template_image.setTo(cv::Scalar(90, 100, 110), view.map == 0);
+  write(folder + "/" + kSound + ".png", encode_object(*sound));
   make_mutants(folder, seed + 1000000);
   if (mutator.any(12) == 0) disturb(folder, mutator);
 }

@@ -5,13 +5,13 @@
 
 namespace mbncc::fuzz {
 
-/// Two objects of every such library are sound.
-constexpr const char* kSound[] = {"keeper", "victim"};
+/// One object of every such library is sound.
+constexpr const char* kSound = "victim";
 
-/// [px] of the pictures that sound objects are learned in.
+/// [px] of the picture that it is learned in.
 constexpr int kPictureWidth = 80, kPictureHeight = 60;
 
-/// Fills the empty folder with sound objects and one or two mutated files or folders, all by the
+/// Fills the empty folder with the sound object and one or two mutated files or folders, all by the
 /// seed.
 void make_mutated_library(const std::string& folder, unsigned seed);
 

@@ -5,6 +5,7 @@
 #include <cstdlib>
 #include <random>
 
+#include "support/sanitizers.hpp"
 #include "support/searched_map.hpp"
 
 namespace mbncc::test {
@@ -62,7 +63,7 @@ TEST(MapShapes, AnyShapeAtAnyBorder) {
   const auto side = [&] {
     return std::min(kLongest, static_cast<int>(std::exp2(any(1400) / 100.0)) + any(2));
   };
-  for (int tries = number_from("MBNCC_SHAPES", 60); tries > 0;) {
+  for (int tries = number_from("MBNCC_SHAPES", kSanitized ? 12 : 40); tries > 0;) {
     const Case one{static_cast<MapShape>(any(kMapShapes)),
                    {side(), side()},
                    static_cast<Border>(any(kBorders)),
