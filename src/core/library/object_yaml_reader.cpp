@@ -46,6 +46,7 @@ class AliasRefusal : public YAML::EventHandler {
 };
 
 void refuse_aliases(const std::string& text) {
+  if (text.find('*') == std::string::npos) return;
   std::istringstream stream(text);
   YAML::Parser parser(stream);
   AliasRefusal refusal;

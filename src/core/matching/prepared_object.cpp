@@ -197,7 +197,7 @@ int PreparedObject::top_level() const {
 
 void PreparedObject::make_rotations() const {
   for (const auto& view : views) {
-    view.kernels.kernels.make();
+    if (view.kernels.searched()) view.kernels.kernels.make();
     view.gate.make_rotations();
   }
 }

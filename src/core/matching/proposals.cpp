@@ -11,10 +11,6 @@
 namespace mbncc {
 namespace {
 
-/// Thin objects would be correlated at finer levels: for up to a yardstick, and where edges left
-/// anything open in drawn pictures, that found nothing.
-constexpr int kFinest = 2;
-
 constexpr std::size_t kAnywhere = 8000;  // poses by edges that colours choose from
 
 cv::Rect at_level(const cv::Rect& roi, int level) {
@@ -60,7 +56,7 @@ void Proposals::add_rotations_by_surface(const Candidate& place) {
 
 void Proposals::correlate(int most, const Places& places) {
   const int level = view_.kernels.level;
-  if (level < kFinest) return;  // the edges have to do
+  if (!view_.kernels.searched()) return;  // the edges have to do
   CoarseSettings settings;
   settings.max_places = most;
   const cv::Rect inside = at_level(roi_, level) & cv::Rect({0, 0}, scene_.grey[level].size());

@@ -27,6 +27,10 @@ struct KernelBank {
   int level = 0;   ///< of the pyramid
   int radius = 0;  ///< [px at level] no pixel lies farther from the anchor in x or y
   Lazy<std::vector<RotatedKernel>> kernels;  ///< evenly over a turn
+
+  /// Thin objects would be correlated at finer levels: for up to a yardstick, and where edges left
+  /// anything open in drawn pictures, that found nothing.
+  bool searched() const { return level >= 2; }
 };
 
 /// Chooses the coarsest level at which the map keeps enough pixels at every rotation, and the
