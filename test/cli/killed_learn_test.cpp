@@ -3,26 +3,21 @@
 
 #include <chrono>
 #include <csignal>
-#include <cstdlib>
 #include <random>
 #include <thread>
 
 #include "cli/tool.hpp"
 #include "mbncc/library/object_library.hpp"
+#include "support/kills.hpp"
 
 namespace mbncc::test {
 namespace {
 
 using Clock = std::chrono::steady_clock;
 
-// 30 by default; MBNCC_KILLS asks for more.
-int kills_wanted() {
-  const char* wanted = std::getenv("MBNCC_KILLS");
-  return wanted == nullptr ? 30 : std::atoi(wanted);
-}
-
 // The delay before each kill is the point of this test, not a way to wait for something.
 TEST(KilledLearn, LeavesTheOldObjectOrTheNewOne) {
+  const int kills = kills_wanted(30);
   const LessonFolder folder;
   const auto words = folder.lesson("part") + std::vector<std::string>{"--overwrite"};
   ASSERT_EQ(run_tool(words).code, 0);
@@ -36,7 +31,7 @@ TEST(KilledLearn, LeavesTheOldObjectOrTheNewOne) {
   ObjectLibrary library(folder.library());
   std::uint32_t revision = 1;
   int stored = 0, killed = 0;
-  for (int i = 0; i < kills_wanted(); ++i) {
+  for (int i = 0; i < kills; ++i) {
     const pid_t child = start_tool(words, "/dev/null", "/dev/null");
     std::this_thread::sleep_for(whole * (i % 2 == 0 ? anywhere(random) : near_end(random)));
     ::kill(child, SIGKILL);
@@ -53,7 +48,7 @@ TEST(KilledLearn, LeavesTheOldObjectOrTheNewOne) {
   }
   RecordProperty("killed", killed);
   RecordProperty("new_revision", stored);
-  std::printf("%d of %d runs killed, %d left a new revision\n", killed, kills_wanted(), stored);
+  std::printf("%d of %d runs killed, %d left a new revision\n", killed, kills, stored);
   ASSERT_EQ(run_tool(words).code, 0) << "and the library still takes lessons";
 }
 

@@ -31,6 +31,32 @@ bool goes_wrong(const char* call) {
   return true;
 }
 
+ino_t inode_of(const std::string& path) {
+  struct stat status {};
+  return ::stat(path.c_str(), &status) == 0 ? status.st_ino : 0;
+}
+
+ino_t inode_of(int file) {
+  struct stat status {};
+  return ::fstat(file, &status) == 0 ? status.st_ino : 0;
+}
+
+std::string folder_of(const std::string& path) {
+  return path.substr(0, path.find_last_of('/'));
+}
+
+// Notes that an entry of a folder was made or taken away.
+void note_entry(const std::string& path) {
+  if (fault_plan().armed) fault_plan().unsafe_names.insert(inode_of(folder_of(path)));
+}
+
+void note_name(const std::string& path) {
+  FaultPlan& plan = fault_plan();
+  if (!plan.armed) return;
+  note_entry(path);
+  if (plan.unsafe_data.count(inode_of(path)) > 0) plan.hasty.push_back(path);
+}
+
 template <class Function>
 Function* real(const char* name) {
   return reinterpret_cast<Function*>(::dlsym(RTLD_NEXT, name));
@@ -41,6 +67,9 @@ Function* real(const char* name) {
 
 using mbncc::test::fault_plan;
 using mbncc::test::goes_wrong;
+using mbncc::test::inode_of;
+using mbncc::test::note_entry;
+using mbncc::test::note_name;
 using mbncc::test::real;
 
 extern "C" {
@@ -61,6 +90,7 @@ int mkostemp(char* pattern, int flags) {
 ssize_t write(int file, const void* bytes, size_t count) {
   if (goes_wrong("write")) return -1;
   if (fault_plan().armed && fault_plan().short_write && count > 1) count = 1 + count / 3;
+  if (fault_plan().armed) fault_plan().unsafe_data.insert(inode_of(file));
   return real<ssize_t(int, const void*, size_t)>("write")(file, bytes, count);
 }
 
@@ -69,19 +99,32 @@ int fchmod(int file, mode_t mode) {
 }
 
 int fsync(int file) {
-  return goes_wrong("fsync") ? -1 : real<int(int)>("fsync")(file);
+  if (goes_wrong("fsync")) return -1;
+  fault_plan().unsafe_data.erase(inode_of(file));
+  fault_plan().unsafe_names.erase(inode_of(file));
+  return real<int(int)>("fsync")(file);
 }
 
 int rename(const char* from, const char* to) noexcept {
-  return goes_wrong("rename") ? -1 : real<int(const char*, const char*)>("rename")(from, to);
+  if (goes_wrong("rename")) return -1;
+  const int result = real<int(const char*, const char*)>("rename")(from, to);
+  if (result == 0) note_entry(from);
+  if (result == 0) note_name(to);
+  return result;
 }
 
 int link(const char* from, const char* to) noexcept {
-  return goes_wrong("link") ? -1 : real<int(const char*, const char*)>("link")(from, to);
+  if (goes_wrong("link")) return -1;
+  const int result = real<int(const char*, const char*)>("link")(from, to);
+  if (result == 0) note_name(to);
+  return result;
 }
 
 int mkdir(const char* path, mode_t mode) noexcept {
-  return goes_wrong("mkdir") ? -1 : real<int(const char*, mode_t)>("mkdir")(path, mode);
+  if (goes_wrong("mkdir")) return -1;
+  const int result = real<int(const char*, mode_t)>("mkdir")(path, mode);
+  if (result == 0) note_entry(path);
+  return result;
 }
 
 int flock(int file, int operation) noexcept {

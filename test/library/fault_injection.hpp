@@ -2,6 +2,8 @@
 // the test program take the place of libc's, so that the library needs no seam for its tests.
 #pragma once
 
+#include <sys/types.h>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -14,6 +16,11 @@ struct FaultPlan {
   bool die = false;                ///< the process ends before the call instead
   bool short_write = false;        ///< write() takes one byte only; no error
   std::vector<std::string> calls;  ///< names of the calls made while armed
+
+  // What a power cut now would lose, by inode, and what was done too early.
+  std::set<ino_t> unsafe_data;     ///< files with bytes that are not synced
+  std::set<ino_t> unsafe_names;    ///< folders with entries that are not synced
+  std::vector<std::string> hasty;  ///< names given to data that was not synced
 };
 
 FaultPlan& fault_plan();

@@ -46,11 +46,11 @@ TEST(HostileFiles, EveryTruncationIsRefused) {
 }
 
 TEST(HostileFiles, EveryFlippedBitIsNoticed) {
-  const Bytes bytes = small_object();
-  for (std::size_t i = 0; i < bytes.size(); ++i) {
+  const Bytes bytes = encode_object(random_model(1, "wrench", 6));
+  for (std::size_t bit = 0; bit < 8 * bytes.size(); ++bit) {
     Bytes mutant = bytes;
-    mutant[i] ^= static_cast<std::uint8_t>(1u << (i % 8));
-    EXPECT_TRUE(is_refused(mutant)) << "byte " << i;
+    mutant[bit / 8] ^= static_cast<std::uint8_t>(1u << (bit % 8));
+    EXPECT_TRUE(is_refused(mutant)) << "byte " << bit / 8 << ", bit " << bit % 8;
   }
 }
 

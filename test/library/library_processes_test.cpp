@@ -15,6 +15,7 @@
 #include "library/models.hpp"
 #include "mbncc/error.hpp"
 #include "mbncc/library/object_library.hpp"
+#include "support/kills.hpp"
 #include "support/temporary_folder.hpp"
 
 namespace mbncc::test {
@@ -71,12 +72,12 @@ TEST(LibraryProcesses, TwoWritersAndAReaderDoNotDisturbEachOther) {
 
 // The delay before each kill is the point of this test, not a way to wait for something.
 TEST(LibraryProcesses, KillsAtRandomMomentsLoseNothing) {
-  constexpr int kKills = 100;
+  const int kills = kills_wanted(100);
   TemporaryFolder folder;
   ObjectLibrary library(folder.path());
   library.save(random_model(0), Existing::kRefuse);
   std::mt19937 random(42);
-  for (int kill = 0; kill < kKills; ++kill) {
+  for (int kill = 0; kill < kills; ++kill) {
     const pid_t child = in_process([&folder] {
       ObjectLibrary writer(folder.path());
       while (true) writer.save(random_model(1), Existing::kReplace);

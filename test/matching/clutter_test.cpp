@@ -66,6 +66,15 @@ TEST_F(ClutterTest, LikesBesideInstancesStayUnlikely) {
   EXPECT_LT(detections[1].log_odds, 0);
 }
 
+TEST_F(ClutterTest, WhatTheWholePictureToldIsTakenOffAtLeast) {
+  std::vector<Detection> detections{at(object_, 100, 4), at(other_, 300, 4)};
+  const auto taken = discount_clutter(detections, {{"object", 2.5}, {"gone", 1}});
+  EXPECT_DOUBLE_EQ(detections[0].log_odds, 1.5);
+  EXPECT_DOUBLE_EQ(detections[1].log_odds, 4);
+  EXPECT_DOUBLE_EQ(taken.at("object"), 2.5);
+  EXPECT_DOUBLE_EQ(taken.at("gone"), 1) << "and is handed on";
+}
+
 TEST_F(ClutterTest, OtherObjectsAreNoLikes) {
   std::vector<Detection> detections{at(object_, 100, 4), at(other_, 300, 4)};
   discount_clutter(detections);

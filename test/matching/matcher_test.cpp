@@ -67,6 +67,29 @@ TEST_F(MatcherTest, FindsTwoInstances) {
   EXPECT_EQ(matcher().find(scene, one).matches.size(), 1u);
 }
 
+TEST_F(MatcherTest, DisabledObjectsAreNotFound) {
+  cv::Mat scene = texture({320, 240}, 62, 4);
+  place(scene, source_, reference_.position(), {160, 120, 0.9});
+  const auto model = object_from(source_, reference_);
+  model->enabled = false;
+  const SearchResult result = matcher_of({model}).find(scene);
+  EXPECT_TRUE(result.matches.empty());
+  EXPECT_TRUE(result.searched.empty());
+}
+
+TEST_F(MatcherTest, WhatWasNotReportedIsARival) {
+  cv::Mat scene = texture({320, 240}, 61, 4);
+  place(scene, source_, reference_.position(), {80, 70, 0.4});
+  place(scene, source_, reference_.position(), {220, 150, -2});
+  SearchRequest one;
+  one.max_instances = 1;
+  const SearchResult result = matcher().find(scene, one);
+  ASSERT_EQ(result.matches.size(), 1u);
+  ASSERT_FALSE(result.rivals.empty());
+  EXPECT_EQ(result.rivals[0].name, "object");
+  EXPECT_GT(result.rivals[0].log_odds, 0);
+}
+
 TEST_F(MatcherTest, TellsObjectsApart) {
   const LearningPicture other(2);
   const Matcher matcher = matcher_of(

@@ -48,6 +48,14 @@ TEST(Convincing, ALooseOutlineHasToBeTheMoreCertain) {
   EXPECT_TRUE(convincing(detection_of(8, kAsGoodElsewhere), kNoCompetitor));
 }
 
+TEST(Convincing, WithoutTextureItHasToBeNearlyCertain) {
+  EXPECT_FALSE(convincing(detection_of(5), kNoCompetitor));
+  EXPECT_TRUE(convincing(detection_of(5.5), kNoCompetitor));
+  EXPECT_TRUE(convincing(detection_of(3, kFirm, 0.6), kNoCompetitor));
+  EXPECT_FALSE(convincing(detection_of(5, kFirm, 0.5), kNoCompetitor));
+  EXPECT_FALSE(convincing(detection_of(2.9, kFirm, 0.9), kNoCompetitor));
+}
+
 TEST(Convincing, FarBehindAnotherInstanceItMayBeALike) {
   EXPECT_TRUE(convincing(detection_of(8, kFirm, 0.9), -2));
   EXPECT_FALSE(convincing(detection_of(8, kFirm, 0.9), -5));

@@ -44,6 +44,19 @@ TEST_F(OutlineElsewhere, TheTruthIsBetterThanAPlaceNearIt) {
     EXPECT_GT(better_than({truth_.x + off.x, truth_.y + off.y, truth_.theta}), 0.1) << off;
 }
 
+TEST_F(OutlineElsewhere, ItsPoseThereIsTold) {
+  test::place(scene_, source_, reference_.position(), truth_);
+  const PreparedObject object(test::object_from(source_, reference_), Engine::kFast);
+  const PreparedView& view = object.views.front();
+  const Pose2D anchor = compose(truth_, inverse(view.reference_in_anchor));
+  // Near, far, and between the places that are tried.
+  for (const cv::Point2d off : {cv::Point2d(3, 0), {0, -3.2}, {5, 5}, {-5, 3}, {3, -5}, {6, 6}}) {
+    const Pose2D beside{anchor.x + off.x, anchor.y + off.y, anchor.theta};
+    const Elsewhere there = better_elsewhere(view.fine.contour, SceneLevel(scene_, 0), beside, 1);
+    EXPECT_LT(cv::norm(there.pose.position() - anchor.position()), 1.1) << off;
+  }
+}
+
 TEST_F(OutlineElsewhere, ACandidateIsShiftedOntoTheEdges) {
   test::place(scene_, source_, reference_.position(), truth_);
   const PreparedObject object(test::object_from(source_, reference_), Engine::kFast);

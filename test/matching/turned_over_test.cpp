@@ -46,6 +46,26 @@ TEST_F(TurnedOverTest, ItsMirrorImageLiesBetterWhereItIsTurnedOver) {
   EXPECT_GT(most, 0.1);
 }
 
+TEST_F(TurnedOverTest, BothOutlinesAreMeasuredWhereTheyLieBest) {
+  const cv::Mat over = scene_with(mirrored(source_), truth_), own = scene_with(source_, truth_);
+  double best = 0;
+  Pose2D at;
+  for (int k = 0; k < 72; ++k) {
+    const Pose2D pose{truth_.x, truth_.y, 2 * kPi * k / 72};
+    const double better = better_at(pose, source_, over);
+    if (better > best) at = pose;
+    best = std::max(best, better);
+  }
+  for (int k = 0; k < 8; ++k) {
+    const cv::Point2d off = rotate({1, 0}, k * kPi / 4);
+    EXPECT_GT(better_at({at.x + 3 * off.x, at.y + 3 * off.y, at.theta}, source_, over), 0.1) << k;
+    EXPECT_LT(
+        better_at({truth_.x + 1.5 * off.x, truth_.y + 1.5 * off.y, truth_.theta}, source_, own),
+        -0.2)
+        << k;
+  }
+}
+
 TEST_F(TurnedOverTest, AnOutlineThatIsItsOwnMirrorImageAgreesAsWell) {
   cv::Mat map = cv::Mat::zeros(120, 120, CV_8UC1);
   map(cv::Rect(30, 40, 60, 40)) = 255;

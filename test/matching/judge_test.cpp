@@ -1,0 +1,111 @@
+// What is looked for that speaks against a pose.
+#include <cmath>
+
+#include "matching/detection.hpp"
+#include "matching/matcher_fixture.hpp"
+#include "matching/outline_elsewhere.hpp"
+#include "matching/prepared_object.hpp"
+#include "matching/refinement.hpp"
+
+namespace mbncc {
+namespace {
+
+class JudgeTest : public test::MatcherTest {
+ protected:
+  const PreparedObject object_{test::object_from(source_, reference_), Engine::kFast};
+  const PreparedView& view_ = object_.views.front();
+  const Pose2D truth_{170, 120, 0.8};
+
+  static cv::Mat scene_with(const test::LearningPicture& source, const Pose2D& pose) {
+    cv::Mat scene = test::texture({320, 240}, 77, 5);
+    test::place(scene, source, {58, 60}, pose);
+    return scene;
+  }
+
+  Pose2D anchor_at(const Pose2D& reference, double size = 1) const {
+    const cv::Point2d lever = size * view_.reference_in_anchor.position();
+    return compose(reference, inverse(Pose2D{lever.x, lever.y, view_.reference_in_anchor.theta}));
+  }
+
+  /// The best detection where the anchor is believed to lie.
+  Detection judged(const ScenePicture& scene, const Pose2D& anchor, double odds) const {
+    Believed believed = believed_as_is(view_, scene, anchor);
+    believed.odds = odds;
+    believed.refining = 4;
+    return judge(object_, view_, scene, {believed}).at(0);
+  }
+};
+
+TEST_F(JudgeTest, NothingSpeaksAgainstTheTruth) {
+  const ScenePicture scene(scene_with(source_, truth_), object_.top_level());
+  const Detection found = judged(scene, anchor_at(truth_), 12);
+  EXPECT_LT(found.strange, 0.1);
+  EXPECT_FALSE(found.another_size);
+  EXPECT_FALSE(found.turned_over);
+  EXPECT_DOUBLE_EQ(found.log_odds, 12);
+  EXPECT_DOUBLE_EQ(found.visible, 1);
+  EXPECT_LT(found.elsewhere, -0.1);
+  EXPECT_DOUBLE_EQ(
+      found.elsewhere,
+      better_elsewhere(view_.fine.contour, scene.levels[0], found.pose, found.size).better);
+  const Refined refined = refine(view_.dense, scene.levels[0], anchor_at(truth_), 4);
+  EXPECT_EQ(found.covariance, refined.covariance);
+  EXPECT_EQ(found.pose.position(), refined.pose.position());
+}
+
+TEST_F(JudgeTest, OfWhatIsUnlikelyNothingIsKnown) {
+  const ScenePicture scene(scene_with(source_, truth_), object_.top_level());
+  const Detection found = judged(scene, anchor_at(truth_), -3);
+  EXPECT_GE(found.covariance(0, 0), 1e4);
+  EXPECT_GE(found.covariance(1, 1), 1e4);
+  EXPECT_GT(found.covariance(2, 2), 4 * kPi);
+  EXPECT_DOUBLE_EQ(found.elsewhere, kNotExamined);
+}
+
+TEST_F(JudgeTest, AnotherSizeIsTold) {
+  for (const double size : {0.92, 1.08}) {
+    cv::Mat resized;
+    cv::resize(scene_with(source_, truth_), resized, {}, size, size, cv::INTER_AREA);
+    const ScenePicture scene(resized, object_.top_level());
+    const Pose2D there{(truth_.x + 0.5) * size - 0.5, (truth_.y + 0.5) * size - 0.5, truth_.theta};
+    const Detection found = judged(scene, anchor_at(there, size), 1);
+    EXPECT_TRUE(found.another_size) << size;
+  }
+}
+
+TEST_F(JudgeTest, TheMirrorImageIsToldAndCosts) {
+  test::LearningPicture mirrored = source_;
+  for (auto* picture : {&mirrored.map, &mirrored.surface, &mirrored.picture})
+    cv::flip(*picture, *picture, 1);
+  const ScenePicture scene(scene_with(mirrored, truth_), object_.top_level());
+  const Detection found = judged(scene, {truth_.x, truth_.y, 0}, 10);
+  EXPECT_TRUE(found.turned_over);
+  EXPECT_LT(found.strange, 0.15) << "no colour speaks against it";
+  EXPECT_LT(found.log_odds, 8);
+}
+
+// Its colours, each of which occurs all over it, are right but in one compact part.
+TEST_F(JudgeTest, APartOfAnotherColourIsTold) {
+  test::LearningPicture chequered = source_;
+  for (int y = 0; y < 120; y += 6)
+    for (int x = y / 6 % 2 * 6; x + 6 <= 120; x += 12)
+      chequered.surface(cv::Rect(x, y, 6, 6)) = cv::Scalar(40, 40, 170);
+  chequered.surface.copyTo(chequered.picture, chequered.map);
+  const PreparedObject object(test::object_from(chequered, reference_), Engine::kFast);
+  const PreparedView& view = object.views.front();
+  const auto strange_in = [&](const test::LearningPicture& shown) {
+    const ScenePicture scene(scene_with(shown, truth_), object.top_level());
+    Believed believed =
+        believed_as_is(view, scene, compose(truth_, inverse(view.reference_in_anchor)));
+    believed.odds = 12;
+    return judge(object, view, scene, {believed}).at(0).strange;
+  };
+  EXPECT_LT(strange_in(chequered), 0.1);
+  test::LearningPicture tinted = chequered;
+  cv::Mat part = tinted.surface(cv::Rect(35, 25, 24, 30));
+  cv::multiply(part, cv::Scalar(0.6, 1, 0.7), part);
+  EXPECT_GT(strange_in(tinted), 0.2);
+}
+
+}  // namespace
+}  // namespace mbncc
