@@ -68,6 +68,35 @@ TEST(PoseAverage, AMovingInstanceDoesNotLagBehind) {
   }
 }
 
+// So slow that no picture jumps: a mean of ten would lie half of their way behind.
+TEST(PoseAverage, ACreepingInstanceDoesNotLagBehind) {
+  PoseAverage average(10);
+  for (int i = 0; i < 40; ++i)
+    EXPECT_LT(std::abs(averaged(average, {100 + 0.1 * i, 50, 0}).pose.x - (100 + 0.1 * i)), 0.35);
+}
+
+TEST(PoseAverage, AnotherAngleBeginsAnewHoweverLittleIsClaimed) {
+  PoseAverage average(10);
+  Match last;
+  for (const double degrees : {0, 0, 20}) {
+    std::vector<TrackedMatch> matches{seen(1, {100, 50, to_radians(degrees)})};
+    matches[0].match.covariance(2, 2) = 0.01;
+    average.apply(matches);
+    last = matches[0].match;
+  }
+  EXPECT_NEAR(last.pose.theta, to_radians(20), 1e-12);
+}
+
+TEST(PoseAverage, WhatWasNotFoundInThisPictureAddsNothing) {
+  PoseAverage average(10);
+  averaged(average, {10, 20, 0});
+  averaged(average, {10.2, 20, 0});
+  std::vector<TrackedMatch> matches{seen(1, {10.2, 20, 0})};
+  matches[0].match.fresh = false;
+  average.apply(matches);
+  EXPECT_NEAR(matches[0].match.pose.x, 10.1, 1e-9);
+}
+
 TEST(PoseAverage, ASuddenMoveAndATurnBeginAnew) {
   PoseAverage average(10);
   for (int i = 0; i < 10; ++i) averaged(average, {100, 50, 0});

@@ -57,6 +57,16 @@ TEST(LearnErrors, NothingSaysWhereTheObjectIs) {
   EXPECT_EQ(error_for(drawn.lesson), LearnError::kRegionInvalid);
 }
 
+TEST(LearnErrors, ReferencesThatAreNoNumbers) {
+  constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  DrawnLesson drawn = draw_lesson();
+  for (const Pose2D& nonsense : {Pose2D{kNan, 100, 0}, {120, -kInfinity, 0}, {120, 100, kNan}}) {
+    drawn.lesson.reference = nonsense;
+    EXPECT_EQ(error_for(drawn.lesson), LearnError::kRegionInvalid);
+  }
+}
+
 TEST(LearnErrors, SymmetryThatCannotBeDeclared) {
   DrawnLesson drawn = draw_lesson();
   for (const int symmetry : {-1, 5, 8, 255}) {

@@ -73,6 +73,16 @@ TEST_P(PutAside, StaysKnownThroughEdits) {
   expect_at_new_place(edited.edit(edit));
 }
 
+// Where platform hides a part of it now, the map of the place that it left stays as it was.
+TEST_P(PutAside, RefinesNothingWhereTheMapsDisagree) {
+  const cv::Rect hidden(255, 60, 60, 110);
+  test::exposed(drawn_.platform, 14)(hidden).copyTo(drawn_.lesson.after(hidden));
+  const LearnResult result = learn_object(drawn_.lesson);
+  ASSERT_TRUE(result.put_aside) << result.message;
+  EXPECT_LT(result.put_aside->agreement, 0.75);
+  EXPECT_FALSE(result.put_aside->refined);
+}
+
 INSTANTIATE_TEST_SUITE_P(Angles, PutAside, testing::Values(0, 40, 175));
 
 // An object of the platform's usual colour, on a mark of another one and of its own shape: the mark

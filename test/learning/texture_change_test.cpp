@@ -35,7 +35,7 @@ TEST(TextureChange, NoiseAddsNoContrastWhereThereIsEnoughOfIt) {
   cv::Mat before = grey(100, 4), after = before * 0.5;
   grey(100, 20)(cv::Rect(0, 0, 60, 120)).copyTo(before(cv::Rect(0, 0, 60, 120)));
   cv::Mat(grey(50, 10)(cv::Rect(0, 0, 60, 120))).copyTo(after(cv::Rect(0, 0, 60, 120)));
-  EXPECT_NEAR(texture_change(noisy(before, 2.5, 3), noisy(after, 2.5, 4), kWhite).contrast, 2, 0.2);
+  EXPECT_NEAR(texture_change(noisy(before, 2, 3), noisy(after, 2, 4), kWhite).contrast, 2, 0.15);
 }
 
 TEST(TextureChange, ContrastIsNotReadNearWhite) {

@@ -112,6 +112,22 @@ TEST_F(ColourPartsTest, WhatLiesAcrossCoversTheContourAndDoesNotCount) {
   EXPECT_LT(difference_in(picture), 0.1);
 }
 
+TEST_F(ColourPartsTest, APartThatIsHalfCoveredIsToldToo) {
+  cv::Mat picture = picture_with(kBlack, 2);
+  cv::rectangle(picture, cv::Rect(tool_.x + 5, 20, 22, 110), cv::Scalar(60, 140, 60), cv::FILLED);
+  EXPECT_GT(difference_in(picture), 0.3);
+}
+
+TEST_F(ColourPartsTest, TheGroundExplainsNoMoreThanAShareOfItself) {
+  // Everything is more yellow: the table a little, the head by far more.
+  cv::Mat picture = picture_with(kRed, 2);
+  cv::Mat head = picture(cv::Rect(tool_.x + kHandle, tool_.y, kLength - kHandle, kWidth)).clone();
+  cv::multiply(picture, cv::Scalar(0.9, 1, 1), picture);
+  cv::multiply(head, cv::Scalar(0.55, 1, 1), head);
+  head.copyTo(picture(cv::Rect(tool_.x + kHandle, tool_.y, kLength - kHandle, kWidth)));
+  EXPECT_GT(difference_in(picture), 0.2);
+}
+
 TEST_F(ColourPartsTest, GroundThatTheMapHoldsMayChange) {
   // A learned map with a strip of green platform along the tool, found on a red one.
   const cv::Scalar green(60, 150, 60), red(60, 60, 150);

@@ -84,6 +84,29 @@ TEST_F(JudgeTest, TheMirrorImageIsToldAndCosts) {
   EXPECT_LT(found.log_odds, 8);
 }
 
+TEST_F(JudgeTest, APlainSurfaceDoesNotDriftAlongItsShading) {
+  const auto shaded = [&](cv::Point2d bright) {
+    test::LearningPicture plain = source_;
+    for (int y = 0; y < 120; ++y)
+      for (int x = 0; x < 120; ++x) {
+        const double off = cv::norm(cv::Point2d(x, y) - bright) / 25;
+        plain.surface.at<cv::Vec3b>(y, x) =
+            cv::Vec3b::all(cv::saturate_cast<uchar>(90 + 80 * std::exp(-off * off)));
+      }
+    plain.surface.copyTo(plain.picture, plain.map);
+    return plain;
+  };
+  const PreparedObject object(test::object_from(shaded({50, 75}), reference_), Engine::kFast);
+  const PreparedView& view = object.views.front();
+  for (const cv::Point2d off : {cv::Point2d(4, 0), {-4, 0}, {0, 4}, {0, -4}}) {
+    const ScenePicture scene(scene_with(shaded(cv::Point2d(50, 75) + off), truth_),
+                             object.top_level());
+    const Pose2D anchor = compose(truth_, inverse(view.reference_in_anchor));
+    const Believed found = settled(view, scene, believed_as_is(view, scene, anchor));
+    EXPECT_LT(cv::norm(found.pose.position() - anchor.position()), 1) << off;
+  }
+}
+
 // Its colours, each of which occurs all over it, are right but in one compact part.
 TEST_F(JudgeTest, APartOfAnotherColourIsTold) {
   test::LearningPicture chequered = source_;

@@ -8,6 +8,7 @@
 
 #include "matching/climb.hpp"
 #include "matching/disagreement.hpp"
+#include "matching/light_displacement.hpp"
 #include "matching/pictures.hpp"
 #include "matching/prepared_object.hpp"
 
@@ -140,6 +141,54 @@ TEST_F(RefinementTest, DisagreementIsSeenInTheClaim) {
   };
   const cv::Matx33d agreed = claim(0), disagreed = claim(1);
   for (int k = 0; k < 3; ++k) EXPECT_GT(disagreed(k, k), 2 * agreed(k, k)) << k;
+}
+
+TEST_F(RefinementTest, ShadingIsSeenInTheClaim) {
+  const Pose2D truth{103.7, 82.6, 0.5};
+  const cv::Mat even = scene_with(truth);
+  cv::Mat shaded = even.clone();
+  for (int x = 0; x < shaded.cols; ++x) shaded.col(x) *= 0.4 + 1.2 * x / shaded.cols;
+  const Refined found = refined(shaded, anchor_at(truth));
+  const SceneLevel scene(shaded, 0);
+  const SurfaceTemplate& surface = view_.dense.object.surface;
+  SurfaceSample sample;
+  scene.prepare();
+  surface.sample(scene, found.pose, sample);
+  const LightDisplacement light(surface, sample, 1);
+  const double place = light.of_pose(surface.radius())(0, 0);
+  EXPECT_GT(place, refined(even, anchor_at(truth)).covariance(0, 0));
+  EXPECT_GT(found.covariance(0, 0), place);
+  EXPECT_GT(found.covariance(1, 1), place);
+}
+
+TEST_F(RefinementTest, TheClaimTurnsWithTheObject) {
+  // Along a long strip the place is known less well than across.
+  cv::Mat map = cv::Mat::zeros(120, 120, CV_8UC1);
+  map(cv::Rect(15, 52, 90, 12)) = 255;
+  LearningPicture strip(5, map);
+  strip.surface.setTo(cv::Scalar(60, 80, 160));
+  strip.surface.copyTo(strip.picture, map);
+  const PreparedView view(test::object_from(strip, {60, 58, 0})->views.front(), Engine::kFast);
+  const auto claim = [&](double theta) {
+    cv::Mat scene = test::texture({220, 180}, 42, 4);
+    test::place(scene, strip, {60, 58}, {110, 90, theta});
+    const Pose2D anchor = compose({110, 90, theta}, inverse(view.reference_in_anchor));
+    return refine(view.dense, SceneLevel(with_noise(scene, 3, 3), 0), anchor, 5).covariance;
+  };
+  const cv::Matx33d along_x = claim(0), along_y = claim(kPi / 2);
+  EXPECT_GT(along_x(0, 0), 1.3 * along_x(1, 1));
+  EXPECT_GT(along_y(1, 1), 1.3 * along_y(0, 0));
+}
+
+TEST_F(RefinementTest, BeyondFivePercentAnotherObjectIsSeen) {
+  for (const double scale : {0.93, 1.07}) {
+    const Pose2D truth{103.7, 82.6, 0.7};
+    cv::Mat scene;
+    cv::resize(scene_with(truth, 42, 0), scene, {}, scale, scale, cv::INTER_AREA);
+    const Pose2D there{(truth.x + 0.5) * scale - 0.5, (truth.y + 0.5) * scale - 0.5, truth.theta};
+    const Refined found = refined(with_noise(scene, 9, 3), anchor_at(there, scale), 12);
+    EXPECT_EQ(found.scale, 1) << scale;
+  }
 }
 
 TEST_F(RefinementTest, BearsAPartThatIsCovered) {
