@@ -105,6 +105,12 @@ int fsync(int file) {
   return real<int(int)>("fsync")(file);
 }
 
+// The descriptor is gone, whatever is reported.
+int close(int file) {
+  const int result = real<int(int)>("close")(file);
+  return goes_wrong("close") ? -1 : result;
+}
+
 int rename(const char* from, const char* to) noexcept {
   if (goes_wrong("rename")) return -1;
   const int result = real<int(const char*, const char*)>("rename")(from, to);

@@ -1,9 +1,11 @@
 #include "mbncc/library/object_file.hpp"
 
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 
 #include "library/models.hpp"
 #include "mbncc/error.hpp"
+#include "support/temporary_folder.hpp"
 
 namespace mbncc::test {
 namespace {
@@ -52,6 +54,19 @@ TEST(ObjectFile, RefusesMorePixelsThanItWouldRead) {
   large.picture_size = {3000, 3000};
   model.views = {large};
   EXPECT_THROW(encode_object(model), std::invalid_argument);
+}
+
+TEST(ObjectFile, WhatIsNoRegularFileIsNotRead) {
+  const TemporaryFolder folder;
+  ASSERT_EQ(::mkfifo((folder / "wrench.png").c_str(), 0644), 0);
+  for (const std::string& path : {folder / "wrench.png", std::string("/dev/null")}) {
+    try {
+      read_object_file(path);
+      ADD_FAILURE() << path << " was read";
+    } catch (const FileError& error) {
+      EXPECT_EQ(error.reason(), "not a regular file");
+    }
+  }
 }
 
 TEST(ObjectFile, ErrorsNameThePath) {
