@@ -1,0 +1,274 @@
+// What makes a detection graspable, ambiguous, or a rival of another one.
+#include <gtest/gtest.h>
+
+#include <functional>
+
+#include "matching/margins.hpp"
+#include "matching/pictures.hpp"
+#include "matching/selection.hpp"
+
+namespace mbncc {
+namespace {
+
+class DecisionTest : public ::testing::Test {
+ protected:
+  const test::LearningPicture source_{1};
+  const PreparedObject object_{test::object_from(source_, {58, 60, 0}), Engine::kFast};
+  const PreparedObject other_{test::object_from(source_, {58, 60, 0}, "other"), Engine::kFast};
+  const SearchConfig config_{};
+
+  /// Beyond doubt, firm, and known to a tenth of a pixel.
+  Detection sound() const {
+    Detection detection;
+    detection.object = &object_;
+    detection.view = &object_.views.front();
+    detection.pose = {100, 100, 0};
+    detection.covariance = cv::Matx33d::diag({0.01, 0.01, 1e-6});
+    detection.log_odds = 20;
+    detection.projected = 0.9;
+    detection.elsewhere = -0.15;
+    return detection;
+  }
+
+  Detection changed(const std::function<void(Detection&)>& change) const {
+    Detection detection = sound();
+    change(detection);
+    return detection;
+  }
+
+  static Selection select(const std::vector<Detection>& detections, const SearchConfig& config,
+                          std::optional<double> min_score, int max_instances) {
+    return select_matches(detections, {config, min_score, max_instances, {}, 0});
+  }
+
+  Selection select(const std::vector<Detection>& detections,
+                   std::optional<double> min_score = std::nullopt, int max_instances = 10) const {
+    return select(detections, config_, min_score, max_instances);
+  }
+
+  /// Of the only detection of a picture.
+  Match match_of(const Detection& detection) const { return select({detection}).matches.at(0); }
+};
+
+TEST_F(DecisionTest, WhatIsBeyondDoubtIsGraspable) {
+  const Match match = match_of(sound());
+  EXPECT_TRUE(match.graspable);
+  EXPECT_FALSE(match.ambiguous);
+  EXPECT_NEAR(match.margin_place, kNoCompetitor, 1e-9);
+  EXPECT_NEAR(match.margin_angle, kNoCompetitor, 1e-9);
+}
+
+TEST_F(DecisionTest, WhatMayBeSomethingElseIsAmbiguous) {
+  const std::vector<std::function<void(Detection&)>> doubts{
+      [](Detection& d) { d.strange = 0.25; }, [](Detection& d) { d.another_size = true; },
+      [](Detection& d) { d.turned_over = true; }};
+  for (std::size_t i = 0; i < doubts.size(); ++i) {
+    const Match match = match_of(changed(doubts[i]));
+    EXPECT_FALSE(match.graspable) << i;
+    EXPECT_TRUE(match.ambiguous) << i;
+  }
+  EXPECT_TRUE(match_of(changed([](Detection& d) { d.strange = 0.19; })).graspable);
+}
+
+TEST_F(DecisionTest, WhatIsNotKnownWellIsNotGrasped) {
+  const double place = config_.max_place_deviation, angle = to_radians(config_.max_angle_deviation);
+  const auto with = [&](double x, double y, double theta) {
+    return match_of(changed([&](Detection& d) {
+      d.pose = {0, 0, 0};
+      d.covariance = cv::Matx33d::diag({x * x, y * y, theta * theta});
+    }));
+  };
+  // The reference point of this object lies off the anchor, so that turns displace it.
+  EXPECT_TRUE(with(0.9 * place, 0.9 * place, 0).graspable);
+  for (const Match& match :
+       {with(1.1 * place, 0, 0), with(0, 1.1 * place, 0), with(0, 0, 1.1 * angle)}) {
+    EXPECT_FALSE(match.graspable);
+    EXPECT_FALSE(match.ambiguous) << "uncertain, not mistaken";
+  }
+}
+
+TEST_F(DecisionTest, ARoundObjectsAngleDoesNotMatter) {
+  auto model = std::make_shared<ObjectModel>(*test::object_from(source_, {58, 60, 0}));
+  model->symmetry = 0;
+  const PreparedObject round(model, Engine::kFast);
+  const Match match = match_of(changed([&](Detection& d) {
+    d.object = &round;
+    d.view = &round.views.front();
+    d.covariance(2, 2) = 1e-3;
+  }));
+  EXPECT_EQ(match.symmetry, 0);
+  EXPECT_TRUE(match.graspable);
+}
+
+TEST_F(DecisionTest, AnOutlineThatLiesBetterElsewhereIsNotGrasped) {
+  const auto at = [&](double elsewhere) {
+    return match_of(changed([&](Detection& d) { d.elsewhere = elsewhere; }));
+  };
+  EXPECT_TRUE(at(0.04).graspable);
+  EXPECT_FALSE(at(0.06).graspable);
+}
+
+TEST_F(DecisionTest, MostOfTheObjectHasToBeInThePicture) {
+  const auto seen = [&](double part) {
+    return match_of(changed([&](Detection& d) { d.visible = part; })).graspable;
+  };
+  EXPECT_TRUE(seen(config_.min_visible));
+  EXPECT_FALSE(seen(config_.min_visible - 0.01));
+}
+
+TEST_F(DecisionTest, GraspableAsksForTheConfirmScore) {
+  SearchConfig strict;
+  strict.confirm_score = 0.9999;
+  const Detection likely = changed([](Detection& d) { d.log_odds = 6; });
+  const Selection selected = select({likely}, strict, std::nullopt, 1);
+  EXPECT_LT(selected.matches.at(0).score, strict.confirm_score);
+  EXPECT_FALSE(selected.matches[0].graspable);
+  EXPECT_FALSE(selected.matches[0].ambiguous);
+}
+
+TEST_F(DecisionTest, AnotherObjectAtThePlaceMakesAmbiguous) {
+  for (const double behind : {5.0, 7.0}) {
+    const Detection rival = changed([&](Detection& d) {
+      d.object = &other_;
+      d.view = &other_.views.front();
+      d.log_odds -= behind;
+    });
+    const Selection selected = select({sound(), rival});
+    ASSERT_EQ(selected.matches.size(), 1u) << "one place, one object";
+    EXPECT_NEAR(selected.matches[0].margin_place, behind, 1e-9);
+    EXPECT_EQ(selected.matches[0].graspable, behind > config_.min_margin_place);
+    EXPECT_EQ(selected.matches[0].ambiguous, behind < config_.min_margin_place);
+    ASSERT_EQ(selected.rivals.size(), 1u) << "it competes for the place";
+    EXPECT_EQ(selected.rivals[0].name, "other");
+  }
+}
+
+TEST_F(DecisionTest, ABetterObjectAtThePlaceMakesAmbiguousToo) {
+  // Its score is the lower one, for an outline that lies loose, and its odds are higher.
+  const Detection better = changed([&](Detection& d) {
+    d.object = &other_;
+    d.view = &other_.views.front();
+    d.log_odds += 0.5;
+    d.elsewhere = 0.08;
+  });
+  const Selection selected = select({sound(), better});
+  ASSERT_EQ(selected.matches.size(), 1u);
+  EXPECT_EQ(selected.matches[0].name, "object");
+  EXPECT_NEAR(selected.matches[0].margin_place, -0.5, 1e-9);
+  EXPECT_FALSE(selected.matches[0].graspable);
+}
+
+TEST_F(DecisionTest, AnotherAngleAtThePlaceMakesAmbiguous) {
+  for (const double degrees : {5.0, 15.0, 90.0}) {
+    const Detection turned = changed([&](Detection& d) {
+      d.pose.theta = to_radians(degrees);
+      d.log_odds -= 3;
+    });
+    const Match match = select({sound(), turned}).matches.at(0);
+    EXPECT_EQ(match.graspable, degrees < 10) << degrees;
+    EXPECT_EQ(match.ambiguous, degrees > 10) << degrees;
+    EXPECT_NEAR(match.margin_angle, degrees < 10 ? kNoCompetitor : 3, 1e-9);
+  }
+}
+
+TEST_F(DecisionTest, AnUnexplainedPlaceAsLikelyMakesAmbiguous) {
+  const Detection elsewhere = changed([](Detection& d) {
+    d.pose.x += 300;
+    d.log_odds -= 2;
+  });
+  const Match alone = select({sound(), elsewhere}, std::nullopt, 1).matches.at(0);
+  EXPECT_NEAR(alone.margin_place, 2, 1e-9);
+  EXPECT_TRUE(alone.ambiguous);
+  const Selection both = select({sound(), elsewhere});
+  ASSERT_EQ(both.matches.size(), 2u);
+  for (const Match& match : both.matches) EXPECT_TRUE(match.graspable) << "an instance each";
+  EXPECT_TRUE(both.rivals.empty());
+}
+
+TEST_F(DecisionTest, OfThePlacesClaimedTwiceTheBetterStays) {
+  const Detection shifted = changed([](Detection& d) {
+    d.pose.x += 3;
+    d.log_odds += 1;
+  });
+  const Selection selected = select({sound(), shifted});
+  ASSERT_EQ(selected.matches.size(), 1u);
+  EXPECT_NEAR(selected.matches[0].pose.x, match_of(shifted).pose.x, 1e-9);
+}
+
+TEST_F(DecisionTest, MapsThatShareMoreThanAQuarterClaimOnePlace) {
+  const MapShape& shape = object_.views.front().shape;
+  double apart = 0;
+  const auto common = [&] { return overlap(shape, {100, 100, 0}, shape, {100 + apart, 100, 0}); };
+  while (common() > 0.5) ++apart;
+  ASSERT_GT(common(), config_.max_overlap);
+  const Detection beside = changed([&](Detection& d) {
+    d.pose.x += apart;
+    d.log_odds -= 1;
+  });
+  EXPECT_EQ(select({sound(), beside}).matches.size(), 1u);
+}
+
+TEST_F(DecisionTest, NoMoreInstancesThanAskedFor) {
+  std::vector<Detection> row;
+  for (int k = 0; k < 4; ++k) row.push_back(changed([&](Detection& d) { d.pose.x += 300 * k; }));
+  EXPECT_EQ(select(row).matches.size(), 4u);
+  EXPECT_EQ(select(row, std::nullopt, 3).matches.size(), 3u);
+}
+
+TEST_F(DecisionTest, ARequestsScoreGoesBeforeTheObjectsOwnAndTheConfigs) {
+  auto model = std::make_shared<ObjectModel>(*test::object_from(source_, {58, 60, 0}));
+  model->min_score = 0.9;
+  const PreparedObject choosy(model, Engine::kFast);
+  Detection detection = changed([](Detection& d) { d.log_odds = 1; });
+  const double score = match_of(detection).score;
+  ASSERT_GT(score, config_.min_score);
+  ASSERT_LT(score, 0.98);
+  EXPECT_TRUE(select({detection}, 0.99).matches.empty());
+  model->min_score = score + 0.01;
+  detection.object = &choosy;
+  detection.view = &choosy.views.front();
+  EXPECT_TRUE(select({detection}).matches.empty());
+  EXPECT_EQ(select({detection}, 0.1).matches.size(), 1u);
+}
+
+TEST_F(DecisionTest, TheReferencePointMovesWithTheAnchorsAngleAndSize) {
+  const PreparedObject off(test::object_from(source_, {98, 60, 0.5}), Engine::kFast);
+  Detection detection = sound();
+  detection.object = &off;
+  detection.view = &off.views.front();
+  detection.covariance = cv::Matx33d::diag({0, 0, 1e-4});
+  const Match match = match_of(detection);
+  const cv::Point2d lever = match.pose.position() - detection.pose.position();
+  ASSERT_GT(cv::norm(lever), 20);
+  EXPECT_NEAR(match.covariance(0, 0), 1e-4 * lever.y * lever.y, 1e-9);
+  EXPECT_NEAR(match.covariance(1, 1), 1e-4 * lever.x * lever.x, 1e-9);
+  EXPECT_NEAR(match.covariance(1, 2), 1e-4 * lever.x, 1e-9);
+  EXPECT_NEAR(match.covariance(0, 2), -1e-4 * lever.y, 1e-9);
+  detection.size = 1.1;
+  const Match larger = match_of(detection);
+  EXPECT_NEAR(cv::norm(larger.pose.position() - detection.pose.position()), 1.1 * cv::norm(lever),
+              1e-9);
+  EXPECT_NEAR(larger.scale, 1.1, 1e-9);
+}
+
+// Each view has a frame of its own, and all of them show one object's.
+TEST_F(DecisionTest, AnglesOfTwoViewsAreComparedInTheObjectsFrame) {
+  auto model = std::make_shared<ObjectModel>(*test::object_from(source_, {58, 60, 0}));
+  model->views.push_back(test::object_from(source_, {58, 60, 1.2})->views.front());
+  const PreparedObject two(model, Engine::kFast);
+  ASSERT_EQ(two.views.size(), 2u);
+  const auto seen = [&](int view, double object_angle, double log_odds) {
+    Detection detection = sound();
+    detection.object = &two;
+    detection.view = &two.views[view];
+    detection.pose.theta = object_angle - two.views[view].reference_in_anchor.theta;
+    detection.log_odds = log_odds;
+    return detection;
+  };
+  EXPECT_NEAR(select({seen(0, 0.3, 20), seen(1, 0.3, 17)}).matches.at(0).margin_angle,
+              kNoCompetitor, 1e-9);
+  EXPECT_NEAR(select({seen(0, 0.3, 20), seen(1, 0.8, 17)}).matches.at(0).margin_angle, 3, 1e-9);
+}
+
+}  // namespace
+}  // namespace mbncc
