@@ -43,6 +43,24 @@ TEST(InstanceTracker, JumpBeyondTheGateIsAnotherInstanceWithAnotherFrame) {
   EXPECT_EQ(tracked[0].state, TrackState::kNew);
 }
 
+TEST(InstanceTracker, AMotionIsGuessedForHalfASecondOnly) {
+  for (const double pause : {0.4, 0.8}) {
+    InstanceTracker tracker;
+    tracker.update(0, {match_at(100, 100)});
+    tracker.update(0.1, {match_at(110, 100)});
+    const auto later = tracker.update(0.1 + pause, {match_at(110 + 100 * pause, 100)});
+    EXPECT_EQ(later[0].instance_id, pause < 0.5 ? 1u : 2u) << pause;
+  }
+}
+
+TEST(InstanceTracker, TheNearestBelongTogether) {
+  InstanceTracker tracker;
+  tracker.update(0, {match_at(100, 100), match_at(108, 100)});
+  const auto tracked = tracker.update(0.1, {match_at(107, 100), match_at(99, 100)});
+  EXPECT_EQ(tracked[0].instance_id, 2u);
+  EXPECT_EQ(tracked[1].instance_id, 1u);
+}
+
 TEST(InstanceTracker, NamesAndRevisionsAreKeptApart) {
   InstanceTracker tracker;
   tracker.update(0, {match_at(100, 100)});
@@ -51,6 +69,16 @@ TEST(InstanceTracker, NamesAndRevisionsAreKeptApart) {
   Match relearned = match_at(100, 100);
   relearned.revision = 2;
   EXPECT_EQ(tracker.update(3, {relearned})[0].instance_id, 3u);
+}
+
+TEST(InstanceTracker, AnInstanceMissedInAWholeWindowIsForgotten) {
+  const int window = TrackerConfig().confirm_window;
+  for (const int missed : {window - 1, window}) {
+    InstanceTracker tracker;
+    tracker.update(0, {match_at(100, 100)});
+    for (int i = 1; i <= missed; ++i) tracker.update(0.01 * i, {});
+    EXPECT_EQ(tracker.update(0.1, {match_at(100, 100)})[0].instance_id, missed < window ? 1u : 2u);
+  }
 }
 
 TEST(InstanceTracker, FrameIndexIsNotGivenToAnotherInstanceForTenSeconds) {

@@ -123,6 +123,7 @@ TEST(LearnErrors, TouchesBorder) {
   EXPECT_TRUE(result.has_model) << "the caller may store it all the same";
   EXPECT_EQ(result.object.quality.verdict, Verdict::kBad);
   EXPECT_EQ(result.object.quality.reasons.front(), "touches_image_border");
+  EXPECT_EQ(result.hint, result.object.quality.advice.front());
 }
 
 TEST(LearnErrors, TooSmall) {
@@ -138,6 +139,9 @@ TEST(LearnErrors, LowTexture) {
   drawn.lesson.before = cv::Mat(drawn.truth.size(), CV_8UC3, cv::Scalar(100, 100, 100));
   drawn.lesson.outline = {{80, 70}, {160, 70}, {160, 130}, {80, 130}};
   EXPECT_EQ(error_for(drawn.lesson), LearnError::kLowTexture);
+  const LearnResult result = learn_object(drawn.lesson);
+  EXPECT_EQ(result.hint, result.object.quality.advice.front());
+  EXPECT_NE(result.hint, hint_of(result.error)) << "the reason's own";
 }
 
 }  // namespace

@@ -11,9 +11,10 @@ constexpr double kWhite = 255;
 const cv::Size kSize(160, 120);
 
 /// CV_32FC1 of about the given brightness.
-cv::Mat grey(double brightness, double contrast, int seed = 1) {
+cv::Mat grey(double brightness, double contrast, int seed = 1, double grain = 3) {
   cv::Mat one;
-  cv::extractChannel(test::texture(kSize, cv::Scalar::all(brightness), contrast, seed), one, 0);
+  cv::extractChannel(test::texture(kSize, cv::Scalar::all(brightness), contrast, seed, grain), one,
+                     0);
   return one;
 }
 
@@ -32,10 +33,10 @@ TEST(TextureChange, ContrastKnowsAGainAndNoOffset) {
 
 TEST(TextureChange, NoiseAddsNoContrastWhereThereIsEnoughOfIt) {
   // Half has much texture under half the light, half has so little that noise passes for it.
-  cv::Mat before = grey(100, 4), after = before * 0.5;
+  cv::Mat before = grey(100, 5.5, 1, 1.5), after = before * 0.5;
   grey(100, 20)(cv::Rect(0, 0, 60, 120)).copyTo(before(cv::Rect(0, 0, 60, 120)));
   cv::Mat(grey(50, 10)(cv::Rect(0, 0, 60, 120))).copyTo(after(cv::Rect(0, 0, 60, 120)));
-  EXPECT_NEAR(texture_change(noisy(before, 2, 3), noisy(after, 2, 4), kWhite).contrast, 2, 0.15);
+  EXPECT_NEAR(texture_change(noisy(before, 3, 3), noisy(after, 3, 4), kWhite).contrast, 2, 0.15);
 }
 
 TEST(TextureChange, ContrastIsNotReadNearWhite) {

@@ -224,6 +224,26 @@ TEST(LibraryFaults, QuarantinedFilesAreSyncedLikewise) {
   EXPECT_TRUE(fault_plan().unsafe_names.empty());
 }
 
+// Network file systems tell at the end that what was written has no room.
+TEST(LibraryFaults, AnErrorAtClosingAWrittenFileIsTold) {
+  const auto calls = calls_of(changes()[1]);
+  const auto written = std::find(calls.begin(), calls.end(), "write");
+  const auto closed = std::find(std::find(written, calls.end(), "fsync"), calls.end(), "close");
+  ASSERT_NE(closed, calls.end());
+  TemporaryFolder folder;
+  fill(folder.path());
+  const std::string before = content_of(folder.path());
+  ObjectLibrary library(folder.path());
+  {
+    FaultPlan plan;
+    plan.at = static_cast<int>(closed - calls.begin());
+    plan.error = ENOSPC;
+    const ArmedFault fault(plan);
+    EXPECT_THROW(changes()[1].apply(library), FileError);
+  }
+  EXPECT_EQ(content_of(folder.path()), before);
+}
+
 TEST(LibraryFaults, FileSystemsWithoutLinksKeepOldRevisionsToo) {
   const auto calls = calls_of(changes()[1]);
   TemporaryFolder folder;
