@@ -47,12 +47,12 @@ TEST(InstanceTracker, AngleJumpHasToBeConfirmedAnew) {
   EXPECT_EQ(tracker.update(7, {match_at(100, 100, kPi)})[0].state, TrackState::kConfirmed);
 }
 
-TEST(InstanceTracker, ATurnOfFifteenDegreesIsAnotherAngle) {
-  for (const double degrees : {14, 16}) {
+TEST(InstanceTracker, ATurnOfThreeDegreesIsAnotherAngle) {
+  for (const double degrees : {2, 4}) {
     InstanceTracker tracker;
     for (int i = 0; i < 5; ++i) tracker.update(i, {match_at(100, 100, 0)});
     EXPECT_EQ(tracker.update(5, {match_at(100, 100, to_radians(degrees))})[0].state,
-              degrees < 15 ? TrackState::kConfirmed : TrackState::kNew);
+              degrees < 3 ? TrackState::kConfirmed : TrackState::kNew);
   }
 }
 

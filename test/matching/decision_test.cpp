@@ -38,7 +38,7 @@ class DecisionTest : public ::testing::Test {
 
   static Selection select(const std::vector<Detection>& detections, const SearchConfig& config,
                           std::optional<double> min_score, int max_instances) {
-    return select_matches(detections, {config, min_score, max_instances, {}, 0});
+    return select_matches(detections, {config, min_score, max_instances, {}, {}, 0});
   }
 
   Selection select(const std::vector<Detection>& detections,
