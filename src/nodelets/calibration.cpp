@@ -2,6 +2,8 @@
 
 #include <tf2_eigen/tf2_eigen.h>
 
+#include "nodelets/camera_input.hpp"
+#include "nodelets/camera_model.hpp"
 #include "nodelets/rays.hpp"
 #include "nodelets/tf_wait.hpp"
 
@@ -15,17 +17,26 @@ Plane plane_through(const Eigen::Isometry3d& T_camera_platform) {
   return plane_of(matrix);
 }
 
-Calibration over_platform(const PixelToRay& ray, const PlatformConfig& config,
-                          const std_msgs::Header& header, const tf2_ros::Buffer& tf) {
-  if (config.platform_frame.empty())
-    return {Platform(ray, plane_at(config.platform_distance)), "", {}};
-  const Eigen::Isometry3d pose = tf2::transformToEigen(
-      tf.lookupTransform(camera_frame_of(config, header), config.platform_frame, header.stamp));
-  return {Platform(ray, plane_through(pose)), "", pose};
-}
-
 Calibration uncalibrated(const std::string& fault) {
   return {{}, fault, {}};
+}
+
+Calibration over_platform(const PixelToRay& ray, const PlatformConfig& config,
+                          const std_msgs::Header& header, cv::Size size,
+                          const tf2_ros::Buffer& tf) {
+  Calibration calibration;
+  if (config.platform_frame.empty()) {
+    calibration.platform = Platform(ray, plane_at(config.platform_distance));
+  } else {
+    calibration.T_camera_platform = tf2::transformToEigen(
+        tf.lookupTransform(camera_frame_of(config, header), config.platform_frame, header.stamp));
+    calibration.platform = Platform(ray, plane_through(*calibration.T_camera_platform));
+  }
+  const cv::Point2d middle((size.width - 1) / 2.0, (size.height - 1) / 2.0);
+  if (calibration.platform->meet(middle, 0)) return calibration;
+  return uncalibrated(
+      "platform: the picture's middle shows no place of it 1 mm to 100 m before the camera; check "
+      "camera_info, platform_frame and the camera's frame");
 }
 
 }  // namespace
@@ -44,13 +55,11 @@ Calibration calibrate(const PlatformConfig& config, const sensor_msgs::CameraInf
     return uncalibrated("set platform_frame or platform_distance to get poses in metres");
   if (camera_frame_of(config, header).empty())
     return uncalibrated("pictures name no frame_id; let the camera set one, or set camera_frame");
-  if (info == nullptr) return uncalibrated("no camera_info of this picture's size and frame");
+  if (info == nullptr) return uncalibrated(kNoCameraInfo);
   try {
-    const auto ray = rays_of(*info, config.rectified, size);
-    if (!ray)
-      return uncalibrated(std::string("camera_info is not usable; calibrate the camera (") +
-                          (config.rectified ? "P" : "K and D") + " counts)");
-    return over_platform(*ray, config, header, tf);
+    const std::string fault = fault_of_calibration(*info, config.rectified, size);
+    if (!fault.empty()) return uncalibrated(fault);
+    return over_platform(*rays_of(*info, config.rectified, size), config, header, size, tf);
   } catch (const tf2::TransformException& error) {
     return uncalibrated("platform: " + tf_fault(error));
   } catch (const std::exception& error) {

@@ -2,12 +2,21 @@
 
 #include <utility>
 
-namespace mbncc::nodelets {
+#include "nodelets/camera_model.hpp"
 
-CameraInput::CameraInput(ros::NodeHandle node, const std::string& transport, Callback callback)
+namespace mbncc::nodelets {
+namespace {
+
+constexpr std::chrono::seconds kSilence{5};  // after which pictures have stopped
+
+}  // namespace
+
+CameraInput::CameraInput(ros::NodeHandle node, const std::string& transport, double max_info_age,
+                         Callback callback)
     : node_(std::move(node)),
       transport_(node_),
       transport_name_(transport),
+      max_info_age_(max_info_age),
       callback_(std::move(callback)) {}
 
 void CameraInput::set_active(const std::function<bool()>& wanted) {
@@ -37,9 +46,15 @@ void CameraInput::subscribe() {
       "camera_info", 1, [this](const sensor_msgs::CameraInfoConstPtr& info) {
         const std::lock_guard<std::mutex> info_lock(mutex_);
         info_ = info;
+        info_came_ = Clock::now();
       });
+  image_came_ = Clock::now();
   images_ = transport_.subscribe(
-      "image_raw", 1, [this](const sensor_msgs::ImageConstPtr& image) { callback_(image); },
+      "image_raw", 1,
+      [this](const sensor_msgs::ImageConstPtr& image) {
+        note_image();
+        callback_(image);
+      },
       ros::VoidPtr(), image_transport::TransportHints(transport_name_));
 }
 
@@ -53,17 +68,27 @@ std::uint32_t CameraInput::publishers() const {
   return images_ ? images_.getNumPublishers() : 0;
 }
 
-sensor_msgs::CameraInfoConstPtr CameraInput::camera_info() const {
+void CameraInput::note_image() {
   const std::lock_guard<std::mutex> lock(mutex_);
-  return info_;
+  image_came_ = Clock::now();
 }
 
-sensor_msgs::CameraInfoConstPtr CameraInput::camera_info_for(
-    const sensor_msgs::Image& image) const {
+std::string CameraInput::fault() const {
   const std::lock_guard<std::mutex> lock(mutex_);
-  const bool fits = info_ && info_->width == image.width && info_->height == image.height &&
-                    info_->header.frame_id == image.header.frame_id;
-  return fits ? info_ : nullptr;
+  if (!images_) return "";
+  if (images_.getNumPublishers() == 0) return kNobodyPublishes;
+  return Clock::now() - image_came_ > kSilence ? kPicturesStopped : "";
+}
+
+sensor_msgs::CameraInfoConstPtr CameraInput::camera_info() const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return Clock::now() - info_came_ <= max_info_age_ ? info_ : nullptr;
+}
+
+sensor_msgs::CameraInfoConstPtr CameraInput::camera_info_for(const std::string& frame_id,
+                                                             cv::Size size) const {
+  const auto info = camera_info();
+  return info && picture_size(*info) == size && info->header.frame_id == frame_id ? info : nullptr;
 }
 
 }  // namespace mbncc::nodelets

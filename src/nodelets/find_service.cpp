@@ -170,7 +170,8 @@ ReceivedPicture FindService::next_picture(const ros::Time& after, double timeout
   if (!image) refuse("no picture came in time; check the camera and the image topic");
   const Decoded decoded = decode_picture(*image);
   if (!decoded) refuse(decoded.fault);
-  return {decoded.picture, image->header, tools_.camera.camera_info_for(*image)};
+  return {decoded.picture, image->header,
+          tools_.camera.camera_info_for(image->header.frame_id, decoded.picture.size())};
 }
 
 }  // namespace mbncc::nodelets

@@ -128,7 +128,7 @@ void LearningNodelet::start_pictures(ros::NodeHandle& node) {
   tf_listener_ = std::make_unique<tf2_ros::TransformListener>(tf_buffer_);
   pictures_ = std::make_unique<PictureFeed>(config_.still_time);
   camera_ = std::make_unique<CameraInput>(
-      node, config_.image_transport,
+      node, config_.image_transport, config_.platform.max_info_age,
       [this](const sensor_msgs::ImageConstPtr& image) { pictures_->put(image); });
   gauge_ =
       std::make_unique<LessonGauge>(config_.platform, config_.gripper_frame, *camera_, tf_buffer_);

@@ -2,6 +2,8 @@
 
 #include <stdexcept>
 
+#include "nodelets/camera_model.hpp"
+
 namespace mbncc::nodelets {
 namespace {
 
@@ -28,8 +30,7 @@ void LessonGauge::mark(const std_msgs::Header& newest_picture) {
   std_msgs::Header header = newest_picture;
   // Is there a platform at all? The lesson takes it at its picture's stamp.
   header.stamp = ros::Time(0);
-  const cv::Size size =
-      info ? cv::Size(static_cast<int>(info->width), static_cast<int>(info->height)) : cv::Size();
+  const cv::Size size = info ? picture_size(*info) : cv::Size();
   const Calibration calibration = calibrate(config_, info.get(), header, size, tf_);
   if (!calibration.platform)
     throw std::runtime_error("no grasp can be marked without scale: " + calibration.fault);
@@ -41,7 +42,7 @@ void LessonGauge::mark(const std_msgs::Header& newest_picture) {
 
 Calibration LessonGauge::calibrate_picture(const sensor_msgs::CameraInfo& given,
                                            const std_msgs::Header& header, cv::Size size) const {
-  const auto live = camera_.camera_info();
+  const auto live = camera_.camera_info_for(header.frame_id, size);
   return calibrate(config_, given.width != 0 ? &given : live.get(), header, size, tf_);
 }
 

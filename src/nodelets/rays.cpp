@@ -1,91 +1,92 @@
 #include "nodelets/rays.hpp"
 
-#include <image_geometry/pinhole_camera_model.h>
-#include <sensor_msgs/distortion_models.h>
-
-#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <opencv2/calib3d.hpp>
+#include <utility>
 #include <vector>
+
+#include "nodelets/camera_model.hpp"
 
 namespace mbncc::nodelets {
 namespace {
 
-constexpr double kMostMisfit = 0.01;  // [px] of a ray projected back
-constexpr int kIterations = 100;      // OpenCV's default of 5 leaves a tenth of a pixel
-
-cv::Matx33d camera_matrix(const sensor_msgs::CameraInfo& info, bool rectified) {
-  if (!rectified) return cv::Matx33d(info.K.data());
-  const auto& p = info.P;
-  return {p[0], p[1], p[2], p[4], p[5], p[6], p[8], p[9], p[10]};
-}
-
-bool all_finite(const std::vector<double>& values) {
-  return std::all_of(values.begin(), values.end(), [](double v) { return std::isfinite(v); });
-}
-
-/// No distortion, or a model that can be undone.
-bool is_known_lens(const sensor_msgs::CameraInfo& info) {
-  namespace models = sensor_msgs::distortion_models;
-  const bool straight =
-      std::all_of(info.D.begin(), info.D.end(), [](double value) { return value == 0; });
-  return straight || info.distortion_model == models::PLUMB_BOB ||
-         info.distortion_model == models::RATIONAL_POLYNOMIAL;
-}
-
-/// The calibration with R = 1 and P = K: rectifying leaves nothing but the distortion to undo.
-sensor_msgs::CameraInfo without_turn(const sensor_msgs::CameraInfo& info) {
-  auto plain = info;
-  const auto& k = info.K;
-  plain.R = {1, 0, 0, 0, 1, 0, 0, 0, 1};
-  plain.P = {k[0], k[1], k[2], 0, k[3], k[4], k[5], 0, k[6], k[7], k[8], 0};
-  return plain;
-}
+constexpr double kMostMisfit = 0.01;   // [px] of a ray projected back
+constexpr double kMostSideways = 0.1;  // [rad] that a lens turns a direction about its axis
+constexpr int kIterations = 100;       // OpenCV's default of 5 leaves a tenth of a pixel
+constexpr int kSteps = 64;             // from the optical axis to a ray
 
 /// Rays through the pixels of a raw picture, directions in the optical frame.
 class DistortedRays {
  public:
-  explicit DistortedRays(const image_geometry::PinholeCameraModel& model) : model_(model) {}
+  explicit DistortedRays(Lens lens) : lens_(std::move(lens)), k_(matrix_of(lens_.camera)) {}
 
   cv::Vec3d operator()(cv::Point2d pixel) const {
     const cv::Point2d straight = undistorted(pixel);
-    const cv::Point2d back = model_.unrectifyPoint(straight);
-    // Far out a model may fold over, where no ray leads to the pixel.
-    if (!(cv::norm(back - pixel) < kMostMisfit))
+    if (is_bent_sideways(straight, pixel) || !leads_to(straight, pixel))
       return cv::Vec3d::all(std::numeric_limits<double>::quiet_NaN());
-    return cv::Vec3d(model_.projectPixelTo3dRay(straight));
+    return {straight.x, straight.y, 1};
   }
 
  private:
+  /// Of a ray's direction (x, y, 1).
   cv::Point2d undistorted(cv::Point2d pixel) const {
-    if (model_.distortionCoeffs().empty()) return pixel;
     const std::vector<cv::Point2d> raw{pixel};
     std::vector<cv::Point2d> straight;
-    const cv::Matx33d k = model_.intrinsicMatrix();
-    cv::undistortPoints(raw, straight, k, model_.distortionCoeffs(), cv::noArray(), k,
-                        {cv::TermCriteria::COUNT | cv::TermCriteria::EPS, kIterations, 1e-10});
+    if (lens_.is_fisheye)
+      cv::fisheye::undistortPoints(raw, straight, k_, lens_.distortion);
+    else
+      cv::undistortPoints(raw, straight, k_, lens_.distortion, cv::noArray(), cv::noArray(),
+                          {cv::TermCriteria::COUNT | cv::TermCriteria::EPS, kIterations, 1e-10});
     return straight.front();
   }
 
-  image_geometry::PinholeCameraModel model_;
-};
+  std::vector<cv::Point2d> distorted(const std::vector<cv::Point2d>& directions) const {
+    std::vector<cv::Point2d> pixels;
+    if (lens_.is_fisheye) {
+      cv::fisheye::distortPoints(directions, pixels, k_, lens_.distortion);
+      return pixels;
+    }
+    std::vector<cv::Point3d> points;
+    for (const auto& direction : directions) points.emplace_back(direction.x, direction.y, 1);
+    cv::projectPoints(points, cv::Vec3d(), cv::Vec3d(), k_, lens_.distortion, pixels);
+    return pixels;
+  }
 
-std::optional<PixelToRay> distorted_rays(const sensor_msgs::CameraInfo& info) {
-  image_geometry::PinholeCameraModel model;
-  if (!all_finite(info.D) || !is_known_lens(info) || !model.fromCameraInfo(without_turn(info)))
-    return {};
-  return DistortedRays(model);
-}
+  /// Lenses move pixels towards their axis or away from it; mounted askew, a little sideways.
+  bool is_bent_sideways(cv::Point2d direction, cv::Point2d pixel) const {
+    const auto& camera = lens_.camera;
+    const cv::Point2d seen((pixel.x - camera.cx) / camera.fx, (pixel.y - camera.cy) / camera.fy);
+    return std::abs(seen.cross(direction)) > kMostSideways * cv::norm(seen) * cv::norm(direction);
+  }
+
+  /// Far out a model may fold over: no ray leads to a pixel there, or one that the lens does not
+  /// have. From the axis to a ray that it has, the pixels go ever farther outwards.
+  bool leads_to(cv::Point2d direction, cv::Point2d pixel) const {
+    std::vector<cv::Point2d> directions;
+    // Closer together at the axis, where a fold may be narrow.
+    for (int i = 0; i <= kSteps; ++i)
+      directions.push_back(direction * (double(i * i) / (kSteps * kSteps)));
+    const auto pixels = distorted(directions);
+    if (!(cv::norm(pixels.back() - pixel) < kMostMisfit)) return false;
+    const cv::Point2d outwards = pixel - pixels.front();
+    for (int i = 1; i <= kSteps; ++i)
+      if (!((pixels[i] - pixels[i - 1]).dot(outwards) >= 0)) return false;
+    return true;
+  }
+
+  Lens lens_;
+  cv::Matx33d k_;
+};
 
 }  // namespace
 
 std::optional<PixelToRay> rays_of(const sensor_msgs::CameraInfo& info, bool rectified,
                                   cv::Size size) {
-  const cv::Size calibrated(static_cast<int>(info.width), static_cast<int>(info.height));
-  const auto camera = usable_camera(camera_matrix(info, rectified), calibrated, size);
-  if (!camera) return {};
-  return rectified ? mbncc::rays_of(*camera) : distorted_rays(info);
+  if (!fault_of_calibration(info, rectified, size).empty()) return {};
+  if (rectified) return mbncc::rays_of(rectified_camera_of(info));
+  const Lens lens = lens_of(info);
+  return lens.distortion.empty() ? mbncc::rays_of(lens.camera) : DistortedRays(lens);
 }
 
 }  // namespace mbncc::nodelets

@@ -11,8 +11,8 @@
 namespace mbncc::nodelets {
 
 /// Rays of a picture of `size`: by P when it is `rectified`, else by K with the distortion D
-/// undone. A raw pixel whose distortion cannot be undone has a ray that is not finite. None when
-/// the calibration is not usable or made for another size.
+/// undone. A raw pixel whose distortion cannot be undone has a ray that is not finite. None where
+/// fault_of_calibration() tells a fault.
 std::optional<PixelToRay> rays_of(const sensor_msgs::CameraInfo& info, bool rectified,
                                   cv::Size size);
 

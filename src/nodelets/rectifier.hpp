@@ -1,7 +1,6 @@
 // Undoes lens distortion: a raw picture becomes one whose rays P of camera_info tells.
 #pragma once
 
-#include <image_geometry/pinhole_camera_model.h>
 #include <sensor_msgs/CameraInfo.h>
 
 #include <opencv2/core.hpp>
@@ -23,7 +22,10 @@ class Rectifier {
   Rectified rectify(const cv::Mat& picture, const sensor_msgs::CameraInfo& info);
 
  private:
-  image_geometry::PinholeCameraModel model_;
+  void take_over(const sensor_msgs::CameraInfo& info, cv::Size size);
+
+  sensor_msgs::CameraInfo info_;  // that the places are of, without its header
+  cv::Mat places_, fractions_;    // in the raw picture, as cv::remap takes them
 };
 
 }  // namespace mbncc::nodelets

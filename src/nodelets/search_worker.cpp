@@ -57,10 +57,10 @@ void SearchWorker::search(const sensor_msgs::Image& image) {
   const Decoded decoded = decode_picture(image);
   if (!decoded) return refuse(decoded.fault);
   request_.roi = roi_in(roi_, decoded.picture.size());
-  silence_.restart();
-  const ReceivedPicture received{decoded.picture, image.header,
-                                 tools_.camera.camera_info_for(image)};
-  const Detections detections = pipeline_.process(received, request_);
+  const ReceivedPicture received{
+      decoded.picture, image.header,
+      tools_.camera.camera_info_for(image.header.frame_id, decoded.picture.size())};
+  const Detections detections = tools_.pipeline.process(received, request_);
   if (era == era_) publish(detections, decoded.picture);
 }
 

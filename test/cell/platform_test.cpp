@@ -172,6 +172,40 @@ TEST(Platform, UnusableCalibrationsAreTold) {
   }
 }
 
+TEST(Platform, WhatNoLensHasIsNamed) {
+  const cv::Size size(640, 480);
+  const auto fault = [&](int row, int column, double value) {
+    cv::Matx33d matrix(600, 0, 320, 0, 600, 240, 0, 0, 1);
+    matrix(row, column) = value;
+    return fault_of_camera(matrix, size);
+  };
+  EXPECT_EQ(fault(0, 0, 600), "");
+  EXPECT_EQ(fault(0, 0, 1000), "");
+  EXPECT_NE(fault(0, 0, 1300), "") << "twice the other";
+  EXPECT_NE(fault(1, 1, 63), "") << "a tenth of the picture";
+  EXPECT_NE(fault(1, 1, 64001), "") << "a hundred pictures";
+  EXPECT_EQ(fault(0, 2, -320), "");
+  EXPECT_EQ(fault(0, 2, 960), "");
+  for (const double beside : {-321., 961., 1e9}) EXPECT_NE(fault(0, 2, beside), "") << beside;
+  for (const double beside : {-241., 721., -1e9}) EXPECT_NE(fault(1, 2, beside), "") << beside;
+  EXPECT_NE(fault(0, 1, 0.01), "") << "skew";
+  EXPECT_NE(fault(1, 0, -0.01), "") << "skew";
+  for (const int column : {0, 1, 2}) EXPECT_NE(fault(2, column, 1.01), "") << "last row " << column;
+  EXPECT_NE(fault(2, 2, std::numeric_limits<double>::quiet_NaN()), "");
+  EXPECT_EQ(fault_of_camera({64, 0, 320, 0, 64, 240, 0, 0, 1}, size), "");
+  EXPECT_EQ(fault_of_camera({64000, 0, 320, 0, 64000, 240, 0, 0, 1}, size), "");
+  EXPECT_NE(fault_of_camera({63, 0, 320, 0, 63, 240, 0, 0, 1}, size), "");
+  EXPECT_NE(fault_of_camera({64001, 0, 320, 0, 64001, 240, 0, 0, 1}, size), "");
+}
+
+TEST(Platform, NoPoseIsTooNearOrTooFarToBeOne) {
+  EXPECT_TRUE(straight_down(99).lift({320, 240, 0}, kCovariance, 0));
+  EXPECT_FALSE(straight_down(101).lift({320, 240, 0}, kCovariance, 0));
+  EXPECT_FALSE(straight_down(99).lift({3200, 240, 0}, kCovariance, 0)) << "far beside";
+  EXPECT_FALSE(straight_down(0.8).lift({320, 240, 0}, kCovariance, 0.7995));
+  EXPECT_FALSE(straight_down(0.8).metres_per_pixel({320, 240}, 0.7995));
+}
+
 TEST(Platform, RefusesPlanesThatAreNone) {
   EXPECT_THROW(plane_at(0), std::invalid_argument);
   EXPECT_THROW(plane_at(std::numeric_limits<double>::quiet_NaN()), std::invalid_argument);

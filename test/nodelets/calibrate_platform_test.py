@@ -3,20 +3,27 @@
 
 usage: calibrate_platform_test.py PATH/TO/calibrate_platform
 """
+import importlib.util
 import os
 import re
 import subprocess
 import sys
 import tempfile
+import types
 import unittest
+from importlib.machinery import SourceFileLoader
 
 import cv2
 import numpy as np
 import yaml
 
-from drawn_chessboard import COLUMNS, PLACE, ROWS, SQUARE, TURN, camera_yaml, chessboard, project
+from drawn_chessboard import COLUMNS, MATRIX, PLACE, ROWS, SQUARE, TURN, camera_yaml, chessboard, project
 
 SCRIPT = sys.argv.pop(1)
+loader = SourceFileLoader("calibrate_platform", SCRIPT)
+calibrate_platform = importlib.util.module_from_spec(importlib.util.spec_from_loader(loader.name, loader))
+sys.dont_write_bytecode = True
+loader.exec_module(calibrate_platform)
 
 
 class CalibratePlatformTest(unittest.TestCase):
@@ -67,6 +74,37 @@ class CalibratePlatformTest(unittest.TestCase):
         done = self.call("--points", self.path("points.csv"))
         self.assertEqual(done.returncode, 0, done.stderr)
         self.expect_true_pose(1e-4, 0.01)
+
+    def test_measured_points_under_a_fisheye(self):
+        distortion = np.array([0.05, -0.02, 0.01, -0.004])
+        points = np.array([(0, 0, 0), (0.2, 0, 0), (0.2, -0.15, 0), (0, -0.15, 0), (0.1, -0.07, 0.02)])
+        turn = cv2.Rodrigues(cv2.Rodrigues(TURN)[0])[0]
+        pixels = cv2.fisheye.projectPoints(points.reshape(-1, 1, 3), turn, PLACE.reshape(3, 1), MATRIX,
+                                           distortion)[0].reshape(-1, 2)
+        self.write("points.csv", "\n".join("%f,%f,%f,%f,%f" % (*a, *b) for a, b in zip(pixels, points)))
+        camera = yaml.safe_load(camera_yaml())
+        camera.update(distortion_model="equidistant", distortion_coefficients={"data": distortion.tolist()})
+        self.write("camera.yaml", yaml.safe_dump(camera))
+        done = self.call("--points", self.path("points.csv"))
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.expect_true_pose(1e-4, 0.01)
+        for model, count in (("equidistant", 5), ("thin_prism", 4)):
+            camera.update(distortion_model=model, distortion_coefficients={"data": [0.1] * count})
+            self.write("camera.yaml", yaml.safe_dump(camera))
+            done = self.call("--points", self.path("points.csv"))
+            self.assertEqual(done.returncode, 1)
+            self.assertIn("distortion_model", done.stderr)
+
+    def test_region_and_binning_are_those_of_the_sensor(self):
+        camera = calibrate_platform.Camera(yaml.safe_load(camera_yaml()), False)
+        roi = types.SimpleNamespace(x_offset=100, y_offset=40, width=401, height=300)
+        camera.see_through(roi, np.array([2, 3]))
+        self.assertEqual(camera.size, (200, 100))
+        self.assertTrue(np.allclose(camera.matrix, [[300, 0, 104.75], [0, 605 / 3, 68], [0, 0, 1]]), camera.matrix)
+        camera = calibrate_platform.Camera(yaml.safe_load(camera_yaml()), False)
+        camera.see_through(types.SimpleNamespace(x_offset=0, y_offset=0, width=0, height=0), np.array([1, 1]))
+        self.assertEqual(camera.size, (640, 480))
+        self.assertTrue(np.array_equal(camera.matrix, MATRIX))
 
     def test_faults_are_sentences(self):
         cv2.imwrite(self.path("empty.png"), np.full((480, 640), 128, np.uint8))

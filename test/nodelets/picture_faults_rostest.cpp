@@ -94,12 +94,12 @@ class PictureFaults : public testing::Test {
   }
 
   /// Publishes a picture and waits for what is found in it.
-  const DetectedObjectArray& show(const cv::Mat& picture) {
+  const DetectedObjectArray& show(const cv::Mat& picture, bool with_camera_info = true) {
     std_msgs::Header header;
     header.stamp = std::max(ros::Time::now(), last_stamp_ + ros::Duration(0, 1));
     header.frame_id = kCameraFrame;
     last_stamp_ = header.stamp;
-    infos_.publish(camera_info(header, picture.size()));
+    if (with_camera_info) infos_.publish(camera_info(header, picture.size()));
     images_.publish(encode_picture(picture, header));
     EXPECT_TRUE(spin_until([&] { return array_ && array_->header.stamp == header.stamp; }))
         << "no picture is lost when one at a time is shown";
@@ -149,6 +149,20 @@ TEST_F(PictureFaults, EmptyPicturesShowNothing) {
   // A picture that is new all over may be searched in parts.
   EXPECT_TRUE(spin_until([this] { return show(part_there_).objects.size() == 1; }))
       << "and then the part is found";
+}
+
+TEST_F(PictureFaults, AnOldCameraInfoDoesNotCount) {
+  ros::param::set("/matching/max_info_age", 2.0);
+  load();
+  const auto is_posed = [this](bool with_camera_info) {
+    const DetectedObjectArray& array = show(part_there_, with_camera_info);
+    return !array.objects.empty() && array.objects[0].pose_valid;
+  };
+  ASSERT_TRUE(spin_until([&] { return is_posed(true); }));
+  EXPECT_TRUE(spin_until([&] { return !is_posed(false); }));
+  EXPECT_EQ(array_->status, DetectedObjectArray::UNCALIBRATED);
+  EXPECT_NE(array_->message.find("max_info_age"), std::string::npos) << array_->message;
+  EXPECT_TRUE(spin_until([&] { return is_posed(true); })) << "a new one counts";
 }
 
 /// Latencies of pictures, and what their arrays say.

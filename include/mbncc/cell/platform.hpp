@@ -5,6 +5,7 @@
 #include <functional>
 #include <opencv2/core.hpp>
 #include <optional>
+#include <string>
 
 #include "mbncc/geometry.hpp"
 
@@ -20,9 +21,14 @@ struct PinholeCamera {
   double cx = 0, cy = 0;  ///< [px] principal point
 };
 
-/// Camera from the left 3x3 part of a camera matrix (K or P). None when the matrix cannot be used:
-/// a focal length that is zero, negative or not finite, a principal point that is not finite, or a
-/// calibration made for another picture size.
+/// Why no lens has this camera matrix (K, or the left 3x3 part of P) in pictures of the
+/// `calibrated` size: a number that is not finite, a last row other than 0 0 1, skew, a focal
+/// length below a tenth or above a hundred times the longer side, pixels twice as long as wide, a
+/// principal point farther from the picture than half its size. "" when one may.
+std::string fault_of_camera(const cv::Matx33d& matrix, cv::Size calibrated);
+
+/// Camera of such a matrix. None where fault_of_camera() tells a fault, or when the calibration was
+/// made for another picture size.
 std::optional<PinholeCamera> usable_camera(const cv::Matx33d& matrix, cv::Size calibrated,
                                            cv::Size picture);
 
@@ -56,16 +62,17 @@ class Platform {
 
   /// Lifts a pose with its covariance (x, y, theta) out of the picture, for an object whose top
   /// face lies `object_height` [m] above the platform. None when the ray does not meet that plane
-  /// in front of the camera.
+  /// in front of the camera, 1 mm to 100 m away.
   std::optional<PlatformPose> lift(const Pose2D& pose, const cv::Matx33d& covariance,
                                    double object_height) const;
 
   /// Length [m] of a pixel's side on that plane, the geometric mean over directions. None as above.
   std::optional<double> metres_per_pixel(cv::Point2d pixel, double object_height) const;
 
- private:
+  /// Where the ray through the pixel meets that plane. [m] None as above.
   std::optional<cv::Vec3d> meet(cv::Point2d pixel, double object_height) const;
 
+ private:
   PixelToRay ray_;
   Plane plane_;
 };

@@ -12,6 +12,7 @@ struct PlatformConfig {
   double platform_distance = 0;  ///< [m] of the platform along the optical axis; 0: unknown
   bool rectified = true;         ///< pictures are rectified: P of camera_info, else K and D
   std::string camera_frame;      ///< optical frame; "": the pictures' frame_id
+  double max_info_age = 60;      ///< [s] since a camera_info came, after which it no longer counts
 
   template <class Self, class Visitor>
   static void fields(Self& self, Visitor&& visit) {
@@ -27,6 +28,9 @@ struct PlatformConfig {
     visit(FieldInfo{"camera_frame", Allowed::frame(), "",
                     "optical frame of the camera; empty: the pictures' frame_id"},
           self.camera_frame);
+    visit(FieldInfo{"max_info_age", Allowed::at_least(0.1), "s",
+                    "a camera_info that came longer ago does not count any more"},
+          self.max_info_age);
   }
 };
 

@@ -1,5 +1,6 @@
 #include "mbncc/cell/platform.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <stdexcept>
@@ -10,12 +11,26 @@ namespace {
 constexpr double kStep = 0.5;        // [px] of numerical derivatives
 constexpr double kAngleStep = 1e-3;  // [rad] likewise
 constexpr double kRigidTolerance = 1e-3;
+constexpr double kShortestFocus = 0.1, kLongestFocus = 100;  // of the picture's longer side
+constexpr double kMostAspect = 2;                            // of the two focal lengths
+constexpr double kMostBeside = 0.5;                  // of the picture's size, the principal point
+constexpr double kMatrixTolerance = 1e-6;            // of entries that are 0 or 1
+constexpr double kNearest = 0.001, kFarthest = 100;  // [m] of a pose from the camera
 
 template <int Rows, int Columns>
 bool all_finite(const cv::Matx<double, Rows, Columns>& matrix) {
   for (const double value : matrix.val)
     if (!std::isfinite(value)) return false;
   return true;
+}
+
+bool is_nearly(double value, double wanted) {
+  return std::abs(value - wanted) <= kMatrixTolerance;
+}
+
+/// The place lies beside the picture by no more than a part of its size.
+bool is_near(double place, int size) {
+  return place >= -kMostBeside * size && place <= (1 + kMostBeside) * size;
 }
 
 struct Frame {
@@ -41,12 +56,30 @@ cv::Matx<double, 6, 1> derivative(const Frame& low, const Frame& high, double wi
 
 }  // namespace
 
+std::string fault_of_camera(const cv::Matx33d& matrix, cv::Size calibrated) {
+  if (calibrated.empty()) return "the picture has no size";
+  if (!all_finite(matrix)) return "a number is not finite";
+  if (!is_nearly(matrix(2, 0), 0) || !is_nearly(matrix(2, 1), 0) || !is_nearly(matrix(2, 2), 1))
+    return "the last row is not 0 0 1";
+  if (!is_nearly(matrix(0, 1), 0) || !is_nearly(matrix(1, 0), 0)) return "the pixels are skewed";
+  const double fx = matrix(0, 0), fy = matrix(1, 1);
+  const double side = std::max(calibrated.width, calibrated.height);
+  for (const double focus : {fx, fy}) {
+    if (!(focus >= kShortestFocus * side))
+      return "the focal length is shorter than a tenth of the picture";
+    if (focus > kLongestFocus * side) return "the focal length is longer than a hundred pictures";
+  }
+  if (fx > kMostAspect * fy || fy > kMostAspect * fx)
+    return "one focal length is more than twice the other";
+  if (!is_near(matrix(0, 2), calibrated.width) || !is_near(matrix(1, 2), calibrated.height))
+    return "the principal point lies far outside the picture";
+  return "";
+}
+
 std::optional<PinholeCamera> usable_camera(const cv::Matx33d& matrix, cv::Size calibrated,
                                            cv::Size picture) {
-  const PinholeCamera camera{matrix(0, 0), matrix(1, 1), matrix(0, 2), matrix(1, 2)};
-  const bool usable = all_finite(matrix) && camera.fx > 0 && camera.fy > 0 &&
-                      calibrated == picture && picture.area() > 0;
-  return usable ? std::make_optional(camera) : std::nullopt;
+  if (calibrated != picture || !fault_of_camera(matrix, calibrated).empty()) return std::nullopt;
+  return PinholeCamera{matrix(0, 0), matrix(1, 1), matrix(0, 2), matrix(1, 2)};
 }
 
 PixelToRay rays_of(const PinholeCamera& camera) {
@@ -80,8 +113,11 @@ std::optional<cv::Vec3d> Platform::meet(cv::Point2d pixel, double object_height)
   const double height = plane_.normal.dot(plane_.point) + object_height;
   const double distance = height / slope;
   // The camera must be above the plane and look down on it.
-  if (!(height < 0 && slope < 0) || !std::isfinite(distance)) return std::nullopt;
-  return ray * distance;
+  if (!(height < 0 && slope < 0)) return std::nullopt;
+  const cv::Vec3d place = ray * distance;
+  const double away = cv::norm(place);
+  if (!(away >= kNearest && away <= kFarthest)) return std::nullopt;
+  return place;
 }
 
 std::optional<double> Platform::metres_per_pixel(cv::Point2d pixel, double object_height) const {

@@ -1,0 +1,43 @@
+// camera_info, judged before it is believed, in pixels of the picture as received: its region of
+// interest and its binning are taken into account as CameraInfo.msg defines them.
+#pragma once
+
+#include <sensor_msgs/CameraInfo.h>
+
+#include <opencv2/core.hpp>
+#include <string>
+#include <vector>
+
+#include "mbncc/cell/platform.hpp"
+
+namespace mbncc::nodelets {
+
+/// The camera of raw pictures.
+struct Lens {
+  PinholeCamera camera;
+  std::vector<double> distortion;  ///< as OpenCV takes it; empty: none
+  bool is_fisheye = false;         ///< of cv::fisheye, CameraInfo's "equidistant"
+};
+
+/// Size of the pictures that come with the calibration: the region of interest, binned. Empty where
+/// the message contradicts itself.
+cv::Size picture_size(const sensor_msgs::CameraInfo& info);
+
+/// Why the calibration tells no metres in pictures of `size`, by P when they are `rectified`, else
+/// by K and D: one sentence with what to do about it. "" when it does.
+std::string fault_of_calibration(const sensor_msgs::CameraInfo& info, bool rectified,
+                                 cv::Size size);
+
+/// Of a calibration without fault in raw pictures.
+Lens lens_of(const sensor_msgs::CameraInfo& info);
+
+/// Of a calibration without fault in rectified pictures.
+PinholeCamera rectified_camera_of(const sensor_msgs::CameraInfo& info);
+
+/// How the rectified camera is turned against the raw one; the identity where R is left empty.
+cv::Matx33d rectification_of(const sensor_msgs::CameraInfo& info);
+
+/// As OpenCV takes it.
+cv::Matx33d matrix_of(const PinholeCamera& camera);
+
+}  // namespace mbncc::nodelets
