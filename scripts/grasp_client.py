@@ -31,6 +31,9 @@ def array_fault(array):
         return "no poses in metres: " + array.message
     if array.status == DetectedObjectArray.TF_UNAVAILABLE:
         return "not in the wanted frame: " + array.message
+    # Also of a status that this program does not know yet.
+    if array.status not in (DetectedObjectArray.OK, DetectedObjectArray.BUDGET_EXCEEDED):
+        return "not to be relied upon: " + array.message
     return None
 
 

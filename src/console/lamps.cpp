@@ -58,7 +58,7 @@ Lamp Lamps::camera(double now) const {
 
 Lamp Lamps::calibration(double now) const {
   if (now - detections_at_ > kSilence || status_ == DetectedObjectArray::LIBRARY_EMPTY ||
-      status_ == DetectedObjectArray::STALE)
+      status_ == DetectedObjectArray::STALE || status_ == DetectedObjectArray::SEARCH_FAILED)
     return {"Calibration", Level::kUnknown, "not known while nothing is searched"};
   if (status_ == DetectedObjectArray::UNCALIBRATED)
     return {"Calibration", Level::kDoubtful,
@@ -86,6 +86,8 @@ Lamp Lamps::matcher(double now) const {
     case DetectedObjectArray::STALE:
       return {"Matcher", Level::kBad,
               status_message_.empty() ? "no new picture to search" : status_message_};
+    case DetectedObjectArray::SEARCH_FAILED:
+      return {"Matcher", Level::kBad, status_message_};
     case DetectedObjectArray::BUDGET_EXCEEDED:
       return {"Matcher", Level::kDoubtful, status_message_};
     case DetectedObjectArray::LIBRARY_EMPTY:

@@ -44,24 +44,37 @@ void note_age(mbncc_vision::DetectedObjectArray& array, const ros::Time& now);
 /// No tf frame is sent for the object.
 void withhold_frames(mbncc_vision::DetectedObject& object);
 
-class DetectionPipeline {
+/// Searches one picture after the other.
+class PictureSearch {
+ public:
+  virtual ~PictureSearch() = default;
+
+  virtual Detections process(const ReceivedPicture& received, const SearchRequest& request) = 0;
+
+  /// What was seen before is no longer counted on: every instance has to be confirmed anew. One
+  /// that has not moved keeps its id.
+  virtual void interrupt() = 0;
+
+  /// Forgets the instances.
+  virtual void reset() = 0;
+};
+
+class DetectionPipeline : public PictureSearch {
  public:
   /// `matcher` and `tf` outlive the pipeline.
   DetectionPipeline(const MatchingNodeConfig& config, const LiveMatcher& matcher,
                     const tf2_ros::Buffer& tf);
 
-  Detections process(const ReceivedPicture& received, const SearchRequest& request);
+  Detections process(const ReceivedPicture& received, const SearchRequest& request) override;
 
   /// The two halves of process().
   TrackedPicture track(const ReceivedPicture& received, const SearchRequest& request);
   Detections describe(const ReceivedPicture& received, const TrackedPicture& tracked) const;
 
-  /// What was seen before is no longer counted on: the next picture is searched whole, and every
-  /// instance has to be confirmed anew. One that has not moved keeps its id.
-  void interrupt();
+  /// The next picture is searched whole.
+  void interrupt() override;
 
-  /// Forgets the instances.
-  void reset();
+  void reset() override;
 
  private:
   mbncc_vision::DetectedObject describe(const TrackedMatch& tracked, const ObjectModel* model,

@@ -63,13 +63,14 @@ void DetectionPublisher::publish_pictures(const DetectedObjectArray& array, cons
   if (jpeg) overlay_jpeg_.publish(encode_jpeg(drawn, array.header));
 }
 
-void DetectionPublisher::publish_stale(const std::string& message) {
-  DetectedObjectArray stale;
-  stale.header.stamp = ros::Time::now();
-  stale.status = DetectedObjectArray::STALE;
-  stale.message = message;
-  detections_.publish(stale);
-  markers_.publish(to_markers(stale));  // none: what was marked may have been moved
+void DetectionPublisher::publish_fault(std::uint8_t status, const std_msgs::Header& header,
+                                       const std::string& message) {
+  DetectedObjectArray array;
+  array.header = header;
+  array.status = status;
+  array.message = message;
+  detections_.publish(array);
+  markers_.publish(to_markers(array));  // none: what was marked may have been moved
 }
 
 }  // namespace mbncc::nodelets

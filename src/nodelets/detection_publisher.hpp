@@ -1,10 +1,11 @@
 // Everything that goes out about a searched picture: detections, tf, overlay, markers, and the
-// STALE messages when pictures fail to come.
+// messages without objects when pictures fail to come or cannot be searched.
 #pragma once
 
 #include <ros/node_handle.h>
 #include <tf2_ros/transform_broadcaster.h>
 
+#include <cstdint>
 #include <functional>
 #include <opencv2/core.hpp>
 #include <string>
@@ -35,8 +36,10 @@ class DetectionPublisher {
   double publish(Detections detections, const cv::Mat& picture, const ScoreMap& score_map,
                  const Extras& extras);
 
-  /// An empty array of status STALE, stamped now.
-  void publish_stale(const std::string& message);
+  /// An array without objects, of status STALE or SEARCH_FAILED: nothing that was published before
+  /// counts any more.
+  void publish_fault(std::uint8_t status, const std_msgs::Header& header,
+                     const std::string& message);
 
   /// The clock has jumped back.
   void reset() { frames_.reset(); }

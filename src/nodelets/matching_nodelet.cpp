@@ -55,6 +55,7 @@ class MatchingNodelet : public GuardedNodelet {
   std::unique_ptr<DetectionPublisher> publisher_;
   PictureWait picture_wait_;
   std::unique_ptr<CameraInput> camera_;
+  std::unique_ptr<DetectionPipeline> pipeline_;
   std::unique_ptr<SearchWorker> worker_;
   // Calls that wait or read files have callback threads of their own.
   ros::CallbackQueue side_queue_;
@@ -116,8 +117,9 @@ void MatchingNodelet::start_search() {
       [this](const sensor_msgs::ImageConstPtr& image) { on_image(image); });
   publisher_ =
       std::make_unique<DetectionPublisher>(node(), private_node(), [this] { listen_as_wanted(); });
+  pipeline_ = std::make_unique<DetectionPipeline>(settings_->initial(), *matcher_, tf_buffer_);
   worker_ = std::make_unique<SearchWorker>(
-      SearchTools{*settings_, *matcher_, tf_buffer_, *camera_, *publisher_});
+      SearchTools{*settings_, *matcher_, *pipeline_, *camera_, *publisher_});
 }
 
 void MatchingNodelet::start_services() {

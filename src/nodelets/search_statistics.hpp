@@ -14,12 +14,31 @@ struct SearchStatistics {
   std::uint64_t overtaken = 0;  ///< replaced by newer ones before they were searched
   std::uint64_t searched = 0;
   std::uint64_t refused = 0;  ///< encoding or layout
+  std::uint64_t failed = 0;   ///< searches that ended in an exception
   std::uint64_t badly_stamped = 0;
-  std::string last_fault;  ///< of a refused or badly stamped picture
-  double search_time = 0;  ///< [s] of the last search
-  double latency = 0;      ///< [s] from the last picture's stamp to its publication
-  std::string message;     ///< of the last array, STALE ones too; empty: all is well
+  std::string last_fault;   ///< of a refused or badly stamped picture
+  double search_time = 0;   ///< [s] of the last search
+  double latency = 0;       ///< [s] from the last picture's stamp to its publication
+  std::string message;      ///< of the last array; empty: all is well
+  bool unreliable = false;  ///< the last array was STALE or SEARCH_FAILED
 };
+
+/// What comes first in the diagnostics of the search: an error where nothing can be relied upon.
+/// `fault`: what stands in the way of every search, "" when nothing does. `idle`: why nothing is to
+/// be searched, "" when something is.
+inline void summarize(diagnostic_updater::DiagnosticStatusWrapper& status, const std::string& fault,
+                      const std::string& idle, const SearchStatistics& statistics) {
+  using diagnostic_msgs::DiagnosticStatus;
+  if (!fault.empty())
+    status.summary(DiagnosticStatus::ERROR, fault);
+  else if (!idle.empty())
+    status.summary(DiagnosticStatus::OK, "idle: " + idle);
+  else if (!statistics.message.empty())
+    status.summary(statistics.unreliable ? DiagnosticStatus::ERROR : DiagnosticStatus::WARN,
+                   statistics.message);
+  else
+    status.summary(DiagnosticStatus::OK, "searching");
+}
 
 inline void add_to(diagnostic_updater::DiagnosticStatusWrapper& status,
                    const SearchStatistics& statistics) {
@@ -28,6 +47,7 @@ inline void add_to(diagnostic_updater::DiagnosticStatusWrapper& status,
   status.add("pictures overtaken by newer ones", statistics.overtaken);
   status.add("pictures refused", statistics.refused);
   status.add("pictures badly stamped", statistics.badly_stamped);
+  status.add("searches failed", statistics.failed);
   status.add("last fault", statistics.last_fault);
   status.add("search time [s]", statistics.search_time);
   status.add("latency [s]", statistics.latency);

@@ -9,10 +9,11 @@
 
 namespace mbncc::nodelets {
 
+using mbncc_vision::DetectedObjectArray;
+
 SearchWorker::SearchWorker(const SearchTools& tools)
     : tools_(tools),
       silence_(tools.settings.initial().stale_after),
-      pipeline_(tools.settings.initial(), tools.matcher, tools.tf),
       roi_(parse_roi(tools.settings.initial().search_roi)),
       gate_(tools.settings.initial().max_age, tools.settings.initial().max_ahead) {
   worker_ = std::thread([this] { work(); });
@@ -35,7 +36,10 @@ void SearchWorker::begin_anew() {
   ++era_;
   mailbox_.clear();
   silence_.restart();
-  statistics_.change([](SearchStatistics& statistics) { statistics.message.clear(); });
+  statistics_.change([](SearchStatistics& statistics) {
+    statistics.message.clear();
+    statistics.unreliable = false;
+  });
 }
 
 void SearchWorker::work() {
@@ -44,7 +48,7 @@ void SearchWorker::work() {
     try {
       search(**image);
     } catch (const std::exception& error) {
-      refuse(error.what());
+      fail(**image, error.what());
     }
     searching_ = false;
   }
@@ -52,7 +56,7 @@ void SearchWorker::work() {
 
 void SearchWorker::search(const sensor_msgs::Image& image) {
   const unsigned era = era_;
-  if (std::exchange(pipeline_era_, era) != era) pipeline_.interrupt();
+  if (std::exchange(pipeline_era_, era) != era) tools_.pipeline.interrupt();
   if (!admit(image.header)) return;
   const Decoded decoded = decode_picture(image);
   if (!decoded) return refuse(decoded.fault);
@@ -69,12 +73,13 @@ void SearchWorker::publish(const Detections& detections, const cv::Mat& picture)
   const double latency = tools_.publisher.publish(detections, picture,
                                                   [&] { return tools_.matcher.score_map(picture); },
                                                   {settings.publish_tf, settings.show_score_map});
-  silence_.restart();
+  note_answer(detections.array.header.stamp);
   statistics_.change([&](SearchStatistics& statistics) {
     ++statistics.searched;
     statistics.search_time = detections.array.search_time;
     statistics.latency = latency;
     statistics.message = detections.array.message;
+    statistics.unreliable = false;
     statistics.last_fault.clear();
   });
 }
@@ -92,24 +97,21 @@ bool SearchWorker::admit(const std_msgs::Header& header) {
     });
     return false;
   }
-  if (is_too_soon(header.stamp)) {
-    silence_.restart();
-    return false;
-  }
-  last_searched_ = header.stamp;
-  return true;
+  if (!is_too_soon(header.stamp)) return true;
+  silence_.restart();
+  return false;
 }
 
 bool SearchWorker::is_too_soon(const ros::Time& stamp) {
   const double max_rate = tools_.settings.get().max_rate;
-  return max_rate > 0 && (stamp - last_searched_).toSec() < 1 / max_rate;
+  return max_rate > 0 && (stamp - last_answered_).toSec() < 1 / max_rate;
 }
 
 void SearchWorker::start_over() {
   ROS_INFO("the clock has jumped back; starting anew");
-  pipeline_.reset();
+  tools_.pipeline.reset();
   tools_.publisher.reset();
-  last_searched_ = ros::Time();
+  last_answered_ = ros::Time();
 }
 
 void SearchWorker::refuse(const std::string& fault) {
@@ -120,23 +122,47 @@ void SearchWorker::refuse(const std::string& fault) {
   if (news) ROS_WARN("picture refused: %s", fault.c_str());
 }
 
+void SearchWorker::fail(const sensor_msgs::Image& image, const std::string& reason) {
+  tools_.pipeline.reset();  // it may have taken over half of the picture
+  const std::string sentence =
+      "the search failed: " + reason + "; if it goes on, report this with the log";
+  const bool news = statistics_.change([&sentence](SearchStatistics& statistics) {
+    ++statistics.failed;
+    statistics.unreliable = true;
+    return std::exchange(statistics.message, sentence) != sentence;
+  });
+  if (news) ROS_ERROR("%s", sentence.c_str());
+  if (pipeline_era_ != era_) return;
+  tools_.publisher.publish_fault(DetectedObjectArray::SEARCH_FAILED, image.header, sentence);
+  note_answer(image.header.stamp);
+}
+
+void SearchWorker::note_answer(const ros::Time& stamp) {
+  last_answered_ = stamp;
+  silence_.restart();
+}
+
 void SearchWorker::look_for_silence(bool expected) {
   if (!expected) return begin_anew();
   if (!silence_.due()) return;
   const std::string reason = reason_of_silence();
-  tools_.publisher.publish_stale(reason);
-  statistics_.change([&reason](SearchStatistics& statistics) { statistics.message = reason; });
+  std_msgs::Header header;
+  header.stamp = ros::Time::now();
+  tools_.publisher.publish_fault(DetectedObjectArray::STALE, header, reason);
+  statistics_.change([&reason](SearchStatistics& statistics) {
+    statistics.message = reason;
+    statistics.unreliable = true;
+  });
   // Whatever was confirmed may have been moved meanwhile, unless it is the search that takes long.
   if (!searching_) ++era_;
 }
 
 std::string SearchWorker::reason_of_silence() const {
   if (searching_)
-    return "a search takes longer than stale_after; search fewer objects, or raise stale_after";
+    return "no picture was searched within stale_after; search fewer objects, or raise stale_after";
   if (tools_.camera.publishers() == 0) return kNobodyPublishes;
   const std::string fault = statistics_.get().last_fault;
-  return fault.empty() ? "pictures have stopped; check the camera and its cable"
-                       : "no usable picture: " + fault;
+  return fault.empty() ? kPicturesStopped : "no usable picture: " + fault;
 }
 
 }  // namespace mbncc::nodelets

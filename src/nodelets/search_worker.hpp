@@ -23,7 +23,7 @@ namespace mbncc::nodelets {
 struct SearchTools {
   const LiveSettings& settings;
   const LiveMatcher& matcher;
-  const tf2_ros::Buffer& tf;
+  PictureSearch& pipeline;
   const CameraInput& camera;
   DetectionPublisher& publisher;
 };
@@ -53,6 +53,8 @@ class SearchWorker {
   bool is_too_soon(const ros::Time& stamp);
   void start_over();
   void refuse(const std::string& fault);
+  void note_answer(const ros::Time& stamp);
+  void fail(const sensor_msgs::Image& image, const std::string& reason);
   std::string reason_of_silence() const;
 
   const SearchTools tools_;
@@ -63,11 +65,10 @@ class SearchWorker {
   std::atomic<bool> searching_{false};
   // Of the worker thread alone.
   unsigned pipeline_era_ = 0;
-  DetectionPipeline pipeline_;
   const cv::Rect roi_;
   SearchRequest request_;
   StampGate gate_;
-  ros::Time last_searched_;
+  ros::Time last_answered_;  // stamp of the last picture that something was published about
   std::thread worker_;
 };
 

@@ -13,7 +13,7 @@ class StaleWatch {
   /// `stale_after` [s] of silence are reported, and again every second; it counts from now.
   explicit StaleWatch(double stale_after) : stale_after_(stale_after) { restart(); }
 
-  /// A picture was searched, or searching begins: silence counts from now.
+  /// Something was published, or nothing is expected before now: silence counts from now.
   void restart(Clock::time_point now = Clock::now()) {
     const std::lock_guard<std::mutex> lock(mutex_);
     next_report_ = now + std::chrono::duration_cast<Clock::duration>(stale_after_);

@@ -97,6 +97,10 @@ TEST(Lamps, StatusOfTheSearchShows) {
   lamps.take_detections(array(DetectedObjectArray::STALE), 10);
   EXPECT_EQ(lamps.look(10)[kMatcher].level, Level::kBad);
   EXPECT_EQ(lamps.look(10)[kCalibration].level, Level::kUnknown);
+  lamps.take_detections(array(DetectedObjectArray::SEARCH_FAILED, "out of memory"), 10);
+  EXPECT_EQ(lamps.look(10)[kMatcher].level, Level::kBad);
+  EXPECT_EQ(lamps.look(10)[kMatcher].reason, "out of memory");
+  EXPECT_EQ(lamps.look(10)[kCalibration].level, Level::kUnknown);
 }
 
 TEST(Lamps, AnEmptyOrDisabledOrDamagedLibraryShows) {

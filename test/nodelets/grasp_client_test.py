@@ -47,7 +47,8 @@ class GraspClientTest(unittest.TestCase):
 
     def test_refuses_arrays_that_are_no_ground_to_move_on(self):
         for status in (DetectedObjectArray.STALE, DetectedObjectArray.UNCALIBRATED,
-                       DetectedObjectArray.TF_UNAVAILABLE, DetectedObjectArray.LIBRARY_EMPTY):
+                       DetectedObjectArray.TF_UNAVAILABLE, DetectedObjectArray.LIBRARY_EMPTY,
+                       DetectedObjectArray.SEARCH_FAILED, 255):
             self.assertIsNone(choice([confirmed()], status=status)[0])
 
     def test_other_objects_and_none(self):
