@@ -151,7 +151,8 @@ void LearningNodelet::start_lessons(ros::NodeHandle& node) {
   lessons_ = std::make_unique<LessonServer>(
       node, "learn_object", config_.learn_timeout,
       [this](const mbncc_vision::LearnObjectGoal& goal) {
-        return check_goal(goal, *library_->snapshot(), config_.max_objects);
+        auto refused = check_goal(goal, *library_->snapshot(), config_.max_objects);
+        return refused ? refused : check_storage(*library_);
       },
       [this](LessonClient& client) { return teach(client); });
   interrupt_watch_ = std::make_unique<InterruptWatch>([this] { lessons_->end(); });

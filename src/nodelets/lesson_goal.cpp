@@ -102,6 +102,15 @@ Fault check_goal(const Goal& goal, const LibrarySnapshot& library, int max_objec
   return check_numbers(goal);
 }
 
+Fault check_storage(const SharedLibrary& library) {
+  try {
+    library.check_storage();
+    return {};
+  } catch (const FileError& failure) {
+    return outcome(Refusal(failure));
+  }
+}
+
 Storing storing_of(const Goal& goal) {
   if (goal.add_view) return Storing::kAddView;
   return goal.overwrite ? Storing::kReplace : Storing::kNew;

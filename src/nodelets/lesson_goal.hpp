@@ -11,6 +11,7 @@
 
 #include "mbncc/learning/learn_object.hpp"
 #include "mbncc/learning/lesson_storage.hpp"
+#include "nodelets/shared_library.hpp"
 
 namespace mbncc::nodelets {
 
@@ -18,6 +19,10 @@ namespace mbncc::nodelets {
 std::optional<mbncc_vision::LearnObjectResult> check_goal(const mbncc_vision::LearnObjectGoal& goal,
                                                           const LibrarySnapshot& library,
                                                           int max_objects);
+
+/// Why the goal must be rejected although it is sound: nothing can be stored now. None: it may
+/// start. Takes some milliseconds, as it writes.
+std::optional<mbncc_vision::LearnObjectResult> check_storage(const SharedLibrary& library);
 
 /// What a goal that check_goal() let pass does about a stored object of its name.
 Storing storing_of(const mbncc_vision::LearnObjectGoal& goal);

@@ -24,7 +24,28 @@ SharedLibrary::Snapshot SharedLibrary::snapshot() const {
 
 void SharedLibrary::refresh(bool always) {
   const std::lock_guard<std::mutex> lock(library_mutex_);
-  if (always || library_.changed_on_disk()) load();
+  try {
+    if (always || library_.changed_on_disk()) load();
+    note("");
+  } catch (const std::exception& error) {
+    note(std::string("the library cannot be read: ") + error.what());
+    throw;
+  }
+}
+
+void SharedLibrary::note(const std::string& fault) {
+  const std::lock_guard<std::mutex> lock(snapshot_mutex_);
+  fault_ = fault;
+}
+
+std::string SharedLibrary::fault() const {
+  const std::lock_guard<std::mutex> lock(snapshot_mutex_);
+  return fault_;
+}
+
+void SharedLibrary::check_storage() const {
+  const std::lock_guard<std::mutex> lock(library_mutex_);
+  library_.check_storage();
 }
 
 ObjectModel SharedLibrary::change(const std::function<ObjectModel(ObjectLibrary&)>& change) {

@@ -29,16 +29,24 @@ class SharedLibrary {
   /// Reads the folder again, when a file changed or `always`. Throws FileError.
   void refresh(bool always);
 
+  /// Why the folder could not be read when it was looked at last; "" when it could.
+  std::string fault() const;
+
+  /// See ObjectLibrary::check_storage().
+  void check_storage() const;
+
   /// Runs `change` on the library, then reads it again. Throws what `change` throws.
   ObjectModel change(const std::function<ObjectModel(ObjectLibrary&)>& change);
 
  private:
   void load();
+  void note(const std::string& fault);
 
   mutable std::mutex snapshot_mutex_;
-  std::mutex library_mutex_;  // taken first
+  mutable std::mutex library_mutex_;  // taken first
   ObjectLibrary library_;
   Snapshot snapshot_;
+  std::string fault_;  // guarded like snapshot_
   const Listener listener_;
 };
 

@@ -244,6 +244,34 @@ TEST(LibraryFaults, AnErrorAtClosingAWrittenFileIsTold) {
   EXPECT_EQ(content_of(folder.path()), before);
 }
 
+TEST(LibraryFaults, AStorageThatFailsIsToldBeforeALesson) {
+  const Change trial{"check", [](ObjectLibrary& library) { library.check_storage(); }};
+  const auto calls = calls_of(trial);
+  EXPECT_GE(std::count(calls.begin(), calls.end(), "fsync"), 1);
+  for (std::size_t at = 0; at < calls.size(); ++at) {
+    for (const int error : {ENOSPC, EIO, EROFS}) {
+      TemporaryFolder folder;
+      fill(folder.path());
+      const std::string before = content_of(folder.path());
+      ObjectLibrary library(folder.path());
+      FaultPlan plan;
+      plan.at = static_cast<int>(at);
+      plan.error = error;
+      std::string reason;
+      try {
+        const ArmedFault fault(plan);
+        trial.apply(library);
+      } catch (const FileError& failure) {
+        reason = failure.what();
+      }
+      EXPECT_NE(reason.find(std::generic_category().message(error)), std::string::npos)
+          << calls[at] << ": " << reason;
+      EXPECT_EQ(content_of(folder.path()), before);
+      EXPECT_EQ(temporary_files(folder.path()), 0);
+    }
+  }
+}
+
 TEST(LibraryFaults, FileSystemsWithoutLinksKeepOldRevisionsToo) {
   const auto calls = calls_of(changes()[1]);
   TemporaryFolder folder;

@@ -68,6 +68,10 @@ class ObjectLibrary {
   /// True when a file was added, changed or removed since the last load() of this instance.
   bool changed_on_disk() const;
 
+  /// Writes 1 MB durably and removes it again, to know before a lesson whether it could be stored.
+  /// Does not wait for other writers.
+  void check_storage() const;
+
   /// What lies in `.quarantine/`, by this and earlier loads, with its reasons.
   std::vector<QuarantinedFile> quarantine() const;
 

@@ -150,6 +150,10 @@ void write_file_atomically(const std::string& folder, const std::string& name,
   folder_sync.sync();
 }
 
+void try_to_write(const std::string& folder, std::size_t bytes) {
+  TemporaryFile(folder).write(std::vector<std::uint8_t>(bytes), folder);
+}
+
 void remove_temporaries(const std::string& folder) {
   for (const auto& name : entries_of(folder))
     if (name.rfind(kTemporaryPrefix, 0) == 0) ::unlink((folder + "/" + name).c_str());

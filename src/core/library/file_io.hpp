@@ -67,6 +67,10 @@ constexpr const char* kTemporaryPrefix = ".tmp-";
 void write_file_atomically(const std::string& folder, const std::string& name,
                            const std::vector<std::uint8_t>& bytes);
 
+/// Writes a temporary file of so many bytes durably, as write_file_atomically() does, and removes
+/// it.
+void try_to_write(const std::string& folder, std::size_t bytes);
+
 /// Removes leftovers of crashed writers; to be called under the folder's lock.
 void remove_temporaries(const std::string& folder);
 

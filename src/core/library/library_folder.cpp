@@ -21,6 +21,7 @@ using namespace std::chrono_literals;
 
 constexpr const char* kEnding = ".png";
 constexpr std::size_t kMaxReason = 4096;  // [bytes]
+constexpr std::size_t kTrial = 1 << 20;   // [bytes] more than most objects take
 constexpr auto kLockPatience = 10s;
 constexpr auto kLockPoll = 5ms;
 
@@ -110,6 +111,11 @@ std::map<std::uint32_t, std::string> trashed_revisions(const LibraryFolder& fold
     if (const auto revision = revision_in(file, name))
       revisions[revision] = folder.trash() + "/" + file;
   return revisions;
+}
+
+void check_storage(const LibraryFolder& folder) {
+  open_lock(folder);
+  try_to_write(folder.path, kTrial);
 }
 
 LockedFolder::LockedFolder(LibraryFolder folder)

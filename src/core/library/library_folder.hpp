@@ -40,6 +40,9 @@ void check_file_name(const LibraryFolder& folder, const std::string& file);
 std::map<std::uint32_t, std::string> trashed_revisions(const LibraryFolder& folder,
                                                        const std::string& name);
 
+/// See ObjectLibrary::check_storage().
+void check_storage(const LibraryFolder& folder);
+
 /// Exclusive access for one writer. Construction waits for the lock, 10 s at most, and clears away
 /// what a crashed writer left. Throws FileError.
 class LockedFolder {

@@ -80,6 +80,10 @@ bool ObjectLibrary::changed_on_disk() const {
   return cache_->is_stale({folder_});
 }
 
+void ObjectLibrary::check_storage() const {
+  mbncc::check_storage({folder_});
+}
+
 std::vector<QuarantinedFile> ObjectLibrary::quarantine() const {
   return quarantined_files({folder_});
 }
