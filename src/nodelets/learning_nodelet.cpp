@@ -210,8 +210,11 @@ void LearningNodelet::diagnose(diagnostic_updater::DiagnosticStatusWrapper& stat
   using diagnostic_msgs::DiagnosticStatus;
   const PictureFeed::View view = pictures_->look();
   const auto library = library_->snapshot();
-  if (camera_->publishers() == 0)
-    status.summary(DiagnosticStatus::WARN, kNobodyPublishes);
+  const std::string fault = library_->fault().empty() ? camera_->fault() : library_->fault();
+  if (!fault.empty())
+    status.summary(DiagnosticStatus::ERROR, fault);
+  else if (view.newest_refused)
+    status.summary(DiagnosticStatus::ERROR, "no usable picture: " + view.fault);
   else if (!view.any_picture)
     status.summary(DiagnosticStatus::WARN, "no usable picture yet");
   else

@@ -9,6 +9,7 @@
 
 #include <atomic>
 #include <memory>
+#include <string>
 
 #include "mbncc/config/matching_node_config.hpp"
 #include "mbncc/health_tasks.hpp"
@@ -191,18 +192,11 @@ void MatchingNodelet::diagnose(diagnostic_updater::DiagnosticStatusWrapper& stat
   using diagnostic_msgs::DiagnosticStatus;
   const SearchStatistics statistics = worker_->statistics();
   const auto library = matcher_->library();
-  if (!enabled_)
-    status.summary(DiagnosticStatus::OK, "idle: disabled by ~enable");
-  else if (!wanted())
-    status.summary(DiagnosticStatus::OK, "idle: nobody listens and publish_tf is false");
-  else if (camera_->publishers() == 0)
-    status.summary(DiagnosticStatus::WARN, kNobodyPublishes);
-  else if (const std::string fault = matcher_->fault(); !fault.empty())
-    status.summary(DiagnosticStatus::ERROR, fault);
-  else if (!statistics.message.empty())
-    status.summary(DiagnosticStatus::WARN, statistics.message);
-  else
-    status.summary(DiagnosticStatus::OK, "searching");
+  const std::string idle = !enabled_   ? "disabled by ~enable"
+                           : !wanted() ? "nobody listens and publish_tf is false"
+                                       : "";
+  const std::string fault = matcher_->fault();
+  summarize(status, fault.empty() && idle.empty() ? camera_->fault() : fault, idle, statistics);
   add_to(status, statistics);
   status.add("library", matcher_->folder());
   status.add("objects", library->objects.size());

@@ -29,20 +29,25 @@ void PictureFeed::work() {
       watch(**image);
     } catch (const std::exception& error) {
       ROS_ERROR_THROTTLE(10, "watching the cell failed: %s", error.what());
+      refuse(std::string("watching it failed: ") + error.what());
     }
   }
 }
 
+void PictureFeed::refuse(const std::string& fault) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  ++view_.refused;
+  view_.fault = fault;
+  view_.newest_refused = true;
+}
+
 void PictureFeed::watch(const sensor_msgs::Image& image) {
   const Decoded decoded = decode_picture(image);
+  if (!decoded) return refuse(decoded.fault);
   const std::lock_guard<std::mutex> lock(mutex_);
-  if (!decoded) {
-    ++view_.refused;
-    view_.fault = decoded.fault;
-    return;
-  }
   watch_.update(image.header.stamp.toSec(), decoded.picture);
   view_.any_picture = true;
+  view_.newest_refused = false;
   view_.still = watch_.still();
   view_.header = image.header;
 }

@@ -28,8 +28,9 @@ class PictureFeed {
     bool any_picture = false;        ///< a usable one has arrived
     std::optional<StillShot> still;  ///< see SceneWatch::still()
     std_msgs::Header header;         ///< of the newest picture
-    std::uint64_t refused = 0;       ///< pictures that could not be decoded
+    std::uint64_t refused = 0;       ///< pictures that could not be decoded or watched
     std::string fault;               ///< why, for the last of them
+    bool newest_refused = false;     ///< the newest picture is one of them
   };
   View look() const;
 
@@ -39,6 +40,7 @@ class PictureFeed {
  private:
   void work();
   void watch(const sensor_msgs::Image& image);
+  void refuse(const std::string& fault);
 
   Mailbox<sensor_msgs::ImageConstPtr> mailbox_;
   mutable std::mutex mutex_;

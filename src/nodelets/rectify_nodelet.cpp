@@ -94,6 +94,8 @@ class RectifyNodelet : public GuardedNodelet {
     const std::lock_guard<std::mutex> lock(mutex_);
     if (publisher_.getNumSubscribers() == 0)
       status.summary(DiagnosticStatus::OK, "idle: nobody listens");
+    else if (const auto fault = camera_->fault(); !fault.empty())
+      status.summary(DiagnosticStatus::ERROR, fault);
     else if (!fault_.empty())
       status.summary(DiagnosticStatus::ERROR, fault_);
     else

@@ -1,6 +1,7 @@
 // A client of one cell that has neither calibration nor pictures but those the test gives it.
 #pragma once
 
+#include <diagnostic_msgs/DiagnosticArray.h>
 #include <gtest/gtest.h>
 #include <mbncc_vision/ConfirmLearning.h>
 #include <mbncc_vision/DetectedObjectArray.h>
@@ -10,6 +11,7 @@
 #include <sensor_msgs/Image.h>
 #include <tf2_msgs/TFMessage.h>
 
+#include <map>
 #include <string>
 #include <vector>
 
@@ -38,6 +40,12 @@ class Protocol : public testing::Test {
         });
     transforms_ = node_.subscribe<tf2_msgs::TFMessage>(
         "/tf", 100, [this](const tf2_msgs::TFMessage::ConstPtr&) { ++transforms_heard_; });
+    reports_ = node_.subscribe<diagnostic_msgs::DiagnosticArray>(
+        "/diagnostics", 20, [this](const diagnostic_msgs::DiagnosticArray::ConstPtr& report) {
+          for (const auto& status : report->status)
+            for (const std::string nodelet : {"learning", "matching"})
+              if (status.name.find(nodelet) != std::string::npos) health_[nodelet] = status;
+        });
     images_ = node_.advertise<sensor_msgs::Image>("image_raw", 1);
     before_ = encode_picture(scene_.render({part_}, 1));
     after_ = encode_picture(scene_.render({}, 2));
@@ -82,6 +90,12 @@ class Protocol : public testing::Test {
 
   bool status_is(std::uint8_t status) const { return array_ && array_->status == status; }
 
+  /// What the diagnostics say of a nodelet.
+  bool health_is(const std::string& nodelet, int level, const std::string& start = "") {
+    const auto& status = health_[nodelet];
+    return !status.name.empty() && status.level == level && status.message.rfind(start, 0) == 0;
+  }
+
   template <class Service>
   typename Service::Response call(const std::string& name,
                                   const typename Service::Request& request) {
@@ -119,7 +133,8 @@ class Protocol : public testing::Test {
   std::uint64_t frame_ = 10;
   ros::NodeHandle node_;
   Teacher teacher_;
-  ros::Subscriber detections_, transforms_;
+  ros::Subscriber detections_, transforms_, reports_;
+  std::map<std::string, diagnostic_msgs::DiagnosticStatus> health_;
   ros::Publisher images_;
   DetectedObjectArray::ConstPtr array_;
   int arrays_ = 0, transforms_heard_ = 0;

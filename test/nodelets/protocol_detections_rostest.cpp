@@ -1,14 +1,16 @@
 // Detections without pictures, without calibration, with malformed pictures, on request and
 // disabled; settings at run time.
-#include <diagnostic_msgs/DiagnosticArray.h>
 #include <dynamic_reconfigure/Reconfigure.h>
 #include <mbncc_vision/FindObjects.h>
 #include <sensor_msgs/CompressedImage.h>
 #include <std_srvs/SetBool.h>
 #include <visualization_msgs/MarkerArray.h>
 
+#include <atomic>
 #include <cmath>
+#include <filesystem>
 #include <map>
+#include <thread>
 
 #include "nodelets/protocol.hpp"
 
@@ -33,18 +35,52 @@ TEST_F(Protocol, SaysStaleWithoutPicturesAndLibraryEmptyWithThem) {
 }
 
 TEST_F(Protocol, DiagnosticsTellThatPicturesHaveStopped) {
-  std::string state;
-  const auto reports = node_.subscribe<diagnostic_msgs::DiagnosticArray>(
-      "/diagnostics", 20, [&](const diagnostic_msgs::DiagnosticArray::ConstPtr& report) {
-        for (const auto& status : report->status)
-          if (status.name.find("matching") != std::string::npos) state = status.message;
-      });
   const std::string stopped = "pictures have stopped; check the camera and its cable";
+  const auto is_error = [&](const std::string& nodelet) {
+    return health_is(nodelet, diagnostic_msgs::DiagnosticStatus::ERROR, stopped);
+  };
   {
     const ros::WallTimer playing = play();
-    ASSERT_TRUE(spin_until([&] { return !state.empty() && state != stopped; }));
+    ASSERT_TRUE(spin_until([&] {
+      return health_is("matching", diagnostic_msgs::DiagnosticStatus::WARN) &&
+             health_is("learning", diagnostic_msgs::DiagnosticStatus::OK);
+    }));
   }
-  EXPECT_TRUE(spin_until([&] { return state == stopped; }));
+  EXPECT_TRUE(spin_until([&] { return is_error("matching") && is_error("learning"); }));
+}
+
+TEST_F(Protocol, DiagnosticsTellThatNoPictureIsUsable) {
+  const ros::WallTimer playing = node_.createWallTimer(ros::WallDuration(0.1), [this](const auto&) {
+    sensor_msgs::Image image = before_;
+    image.header.stamp = ros::Time::now();
+    image.encoding = "nonsense";
+    images_.publish(image);
+  });
+  EXPECT_TRUE(spin_until([this] {
+    const auto level = diagnostic_msgs::DiagnosticStatus::ERROR;
+    return health_is("matching", level, "no usable picture: ") &&
+           health_is("learning", level, "no usable picture: ");
+  }));
+}
+
+TEST_F(Protocol, AMissingLibraryFolderIsAnErrorAndRefusesGoals) {
+  std::string folder;
+  ASSERT_TRUE(ros::param::get("learning/library_path", folder));
+  const ros::WallTimer playing = play();
+  std::filesystem::rename(folder, folder + "_away");
+  EXPECT_TRUE(spin_until([this] {
+    const auto level = diagnostic_msgs::DiagnosticStatus::ERROR;
+    return health_is("matching", level, "the library cannot be read: ") &&
+           health_is("learning", level, "the library cannot be read: ");
+  }));
+  const auto end = teacher_.await(teacher_.send(given("homeless")));
+  std::filesystem::rename(folder + "_away", folder);
+  EXPECT_EQ(end.status.status, actionlib_msgs::GoalStatus::REJECTED);
+  EXPECT_EQ(end.result.error_code, Result::STORAGE) << end.result.message;
+  EXPECT_TRUE(spin_until([this] {
+    return health_is("matching", diagnostic_msgs::DiagnosticStatus::WARN) &&
+           health_is("learning", diagnostic_msgs::DiagnosticStatus::OK);
+  })) << "and goes on when the folder is back";
 }
 
 TEST_F(Protocol, FindsWithoutCalibrationInPixelsOnlyAndSendsNoTf) {
