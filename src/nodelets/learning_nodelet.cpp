@@ -10,6 +10,7 @@
 #include <string>
 
 #include "mbncc/config/learning_node_config.hpp"
+#include "mbncc/config/matching_node_config.hpp"
 #include "mbncc/health_tasks.hpp"
 #include "mbncc/matching/matcher.hpp"
 #include "nodelets/camera_input.hpp"
@@ -29,6 +30,13 @@
 #include "nodelets/shared_library.hpp"
 
 namespace mbncc::nodelets {
+namespace {
+
+/// Below the private namespace: the matching nodelet's parameters, since a lesson is judged by the
+/// search that will look for its object.
+constexpr char kSearchNamespace[] = "matching";
+
+}  // namespace
 
 class LearningNodelet : public GuardedNodelet {
  public:
@@ -50,6 +58,7 @@ class LearningNodelet : public GuardedNodelet {
   void diagnose(diagnostic_updater::DiagnosticStatusWrapper& status);
 
   LearningNodeConfig config_;
+  SearchConfig search_;
   ros::Publisher preview_publisher_, draft_publisher_, stage_publisher_, score_publisher_;
   std::unique_ptr<LibraryPublisher> library_publisher_;
   std::shared_ptr<SharedLibrary> library_;
@@ -72,7 +81,10 @@ class LearningNodelet : public GuardedNodelet {
 
 void LearningNodelet::start() {
   ros::NodeHandle own_node = node();
-  read_parameters(private_node(), field_rows(config_));
+  read_parameters(private_node(), field_rows(config_), {kSearchNamespace});
+  MatchingNodeConfig matching;
+  read_parameters(ros::NodeHandle(private_node(), kSearchNamespace), field_rows(matching));
+  search_ = matching.search;
   open_library(own_node);
   start_pictures(own_node);
   start_lessons(own_node);
@@ -164,6 +176,7 @@ mbncc_vision::LearnObjectResult LearningNodelet::teach(LessonClient& client) {
       *library_,
       confirmation_,
       config_.learning,
+      search_,
       [this](const cv::Mat& picture) { stage_publisher_.publish(encode_picture(picture)); },
       [this](const cv::Mat& picture) { preview_publisher_.publish(encode_picture(picture)); },
       [this](const mbncc_vision::LearnObjectResult& draft) { draft_publisher_.publish(draft); },
@@ -179,7 +192,7 @@ mbncc_vision::LearnObjectResult LearningNodelet::teach(LessonClient& client) {
 /// How distinct the new object is in its own picture; only when somebody looks.
 void LearningNodelet::show_scores(const ObjectModel& model, const cv::Mat& picture) {
   if (score_publisher_.getNumSubscribers() == 0) return;
-  Matcher matcher;
+  Matcher matcher(search_);
   matcher.set_objects({std::make_shared<const ObjectModel>(model)});
   const double radius = model.views.back().template_image.cols / 2.0;
   score_publisher_.publish(encode_picture(draw_score_map(matcher.score_map(picture), radius)));
@@ -216,7 +229,7 @@ void LearningNodelet::diagnose(diagnostic_updater::DiagnosticStatusWrapper& stat
   else if (view.newest_refused)
     status.summary(DiagnosticStatus::ERROR, "no usable picture: " + view.fault);
   else if (!view.any_picture)
-    status.summary(DiagnosticStatus::WARN, "no usable picture yet");
+    status.summary(DiagnosticStatus::ERROR, "no picture has come yet");
   else
     status.summary(DiagnosticStatus::OK, lessons_->busy() ? "teaching" : "idle");
   status.add("scene", view.still ? "still" : "moving");

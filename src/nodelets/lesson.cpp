@@ -77,7 +77,7 @@ bool LessonRun::lies_there_yet() const {
 }
 
 void LessonRun::learn() {
-  draft_.emplace(lesson_of(after_.picture), tools_.config, SearchConfig(), observer());
+  draft_.emplace(lesson_of(after_.picture), tools_.config, tools_.search, observer());
   take_draft();
 }
 
@@ -94,7 +94,8 @@ void LessonRun::take_draft() {
   leave_if_interrupted();
   learned_ = draft_->result();
   if (!learned_.has_model) return;
-  note_resemblance(learned_.object, before_.picture, tools_.library.snapshot()->objects);
+  note_resemblance(learned_.object, before_.picture, tools_.library.snapshot()->objects,
+                   tools_.search);
   leave_if_interrupted();
   tools_.show_preview(preview(learned_.object));
   tools_.show_draft(
@@ -170,7 +171,7 @@ ObjectModel LessonRun::save(ObjectModel model, std::string& lacking) const {
   return tools_.library.change([&](ObjectLibrary& library) {
     if (storing == Storing::kAddView)
       return library.edit(name_, [&](ObjectModel& stored) {
-        if (const auto refusal = add_view(stored, model, before_.picture))
+        if (const auto refusal = add_view(stored, model, before_.picture, tools_.search))
           throw LessonEnded{outcome(*refusal)};
         lacking = measure(stored);
       });

@@ -12,6 +12,7 @@
 
 #include "mbncc/cell/demonstration.hpp"
 #include "mbncc/config/learning_config.hpp"
+#include "mbncc/config/search_config.hpp"
 #include "mbncc/learning/interactive_lesson.hpp"
 #include "nodelets/confirmation.hpp"
 #include "nodelets/lesson_gauge.hpp"
@@ -27,6 +28,7 @@ struct LessonTools {
   SharedLibrary& library;
   Confirmation& confirmation;
   LearningConfig config;
+  SearchConfig search;  ///< that will look for the object
   std::function<void(const cv::Mat&)> show_stage;
   std::function<void(const cv::Mat&)> show_preview;
   std::function<void(const mbncc_vision::LearnObjectResult&)> show_draft;

@@ -169,6 +169,32 @@ TEST_P(LessonStages, UnloadingTellsTheClientAndLeavesTheLibraryAsItWas) {
   RecordProperty("slowest_ms", static_cast<int>(1000 * slowest_));
 }
 
+using LessonSearch = LessonStages;
+
+// Found again with a score below 1, the object would not be reported by such a search.
+TEST_P(LessonSearch, JudgesByTheConfiguredOne) {
+  const auto verdict = [this] {
+    load();
+    Teacher::Goal goal;
+    goal.name = "part";
+    goal.overwrite = true;
+    goal.before = encode_picture(before_);
+    goal.after = encode_picture(after_);
+    return teacher_->teach(goal).error_code;
+  };
+  EXPECT_EQ(verdict(), Result::SUCCESS);
+  ros::param::set("/learning/matching/min_score", 1.0);
+  ros::param::set("/learning/matching/confirm_score", 1.0);
+  EXPECT_EQ(verdict(), Result::NOT_DISTINCT);
+  ros::param::set("/learning/matching/min_score", 7.0);
+  loader_ = std::make_unique<nodelet::Loader>(false);
+  EXPECT_FALSE(loader_->load("/learning", "mbncc_vision/LearningNodelet", {}, {}))
+      << "nonsense is refused there, too";
+  ros::param::del("/learning/matching");
+}
+
+INSTANTIATE_TEST_SUITE_P(Any, LessonSearch, testing::Values(kWays[0]));
+
 INSTANTIATE_TEST_SUITE_P(All, LessonStages, testing::ValuesIn(kWays),
                          [](const auto& way) { return way.param.name; });
 
