@@ -1,8 +1,10 @@
 #!/usr/bin/python3
 """What the launch files set, without a master: pictures are lifted by the calibration that is theirs."""
+import glob
 import os
 import tempfile
 import unittest
+import xml.etree.ElementTree
 
 import rospkg
 from roslaunch.config import ROSLaunchConfig
@@ -129,6 +131,54 @@ class Platform(unittest.TestCase):
         self.assertEqual(loaded["/left/published"], 1)
         self.assertEqual(loaded["/left/matching/platform_frame"], "table")
         self.assertEqual(loaded["/right/matching/platform_frame"], "")
+
+
+class Searching(unittest.TestCase):
+    """A lesson is judged by the search that will look for its object."""
+
+    def of(self, nodelet, *arguments, file="cell.launch"):
+        start = nodelet + "/"
+        return {key[len(start):]: value for key, value in parameters(file, *arguments).items()
+                if key.startswith(start)}
+
+    def test_learning_reads_the_settings_of_matching(self):
+        with tempfile.NamedTemporaryFile("w", suffix=".yaml") as file:
+            file.write("{confirm_score: 0.9, scale_range: 0.1}")
+            file.flush()
+            own = "matching_config:=" + file.name
+            judged = self.of("/learning/matching", own)
+            self.assertEqual(judged, {"confirm_score": 0.9, "scale_range": 0.1})
+            self.assertLessEqual(judged.items(), self.of("/matching", own).items())
+
+    def test_also_those_that_are_shipped(self):
+        for file, cell in (("cell.launch", ""), ("cells.launch", "/left"), ("demo.launch", "")):
+            judged = self.of(cell + "/learning/matching", file=file)
+            self.assertIn("min_score", judged)
+            for key in ("min_score", "confirm_score", "engine", "threads"):
+                self.assertEqual(judged[key], self.of(cell + "/matching", file=file)[key], (file, key))
+
+
+class StaleParameters(unittest.TestCase):
+    """The master may outlive a launch; what that one set must not count in the next one."""
+
+    def test_every_node_of_every_file_begins_without(self):
+        files = glob.glob(os.path.join(LAUNCH, "*.launch"))
+        self.assertGreaterEqual(len(files), 6)
+        for path in files:
+            for node in xml.etree.ElementTree.parse(path).getroot().iter("node"):
+                self.assertEqual(node.get("clear_params"), "true", (path, node.get("name")))
+
+    def test_namespaces_are_cleared_that_nodes_read(self):
+        for arguments in (["cell.launch"], ["cell.launch", "simulated:=true", "rectify:=true", "one_manager:=false"],
+                          ["cells.launch"], ["demo.launch"], ["replay.launch", "bag:=x.bag"], ["console.launch"],
+                          ["vision.launch"]):
+            config = load(*arguments)
+            cleared = {namespace.rstrip("/") for namespace in config.clear_params}
+            for node in config.nodes:
+                self.assertIn(node.namespace + node.name, cleared, arguments)
+
+    def test_what_a_file_sets_for_a_node_of_another_one_is_set_after(self):
+        self.assertIs(parameters("demo.launch", "auto_play:=false")["/camera/auto_play"], False)
 
 
 unittest.main()
