@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <boost/make_shared.hpp>
-#include <chrono>
 #include <stdexcept>
+#include <utility>
 
 #include "mbncc/cell/stamp_gate.hpp"
 #include "nodelets/images.hpp"
@@ -20,6 +20,7 @@ constexpr double kDefaultTimeout = 5;   // [s]
 constexpr double kLongestTimeout = 60;  // [s]
 constexpr std::uint32_t kMostFrames = 100;
 constexpr std::size_t kMostNames = 1000;
+constexpr int kMostCalls = 4;  // at a time
 
 [[noreturn]] void refuse(const std::string& sentence) {
   throw std::invalid_argument(sentence);
@@ -27,6 +28,10 @@ constexpr std::size_t kMostNames = 1000;
 
 [[noreturn]] void refuse_future() {
   refuse("the picture is stamped in the future; compare the clocks");
+}
+
+[[noreturn]] void refuse_busy() {
+  refuse("BUSY: other calls of find_objects are being answered; call again when they are done");
 }
 
 SearchRequest search_request(const Request& request, const MatchingNodeConfig& config,
@@ -102,13 +107,44 @@ double timeout_of(const Request& request) {
   return timeout > 0 ? timeout : kDefaultTimeout;
 }
 
+/// Counts a call while it runs.
+class Counted {
+ public:
+  explicit Counted(std::atomic<int>& calls) : calls_(calls), number_(++calls) {}
+  ~Counted() { --calls_; }
+
+  bool is_one_too_many() const { return number_ > kMostCalls; }
+
+ private:
+  std::atomic<int>& calls_;
+  const int number_;
+};
+
+ros::NodeHandle with_queue(ros::NodeHandle node, ros::CallbackQueue& queue) {
+  node.setCallbackQueue(&queue);
+  return node;
+}
+
 }  // namespace
 
+// One thread more than calls: it refuses.
 FindService::FindService(ros::NodeHandle node, const FindTools& tools)
-    : tools_(tools), server_(node.advertiseService("find_objects", &FindService::on_call, this)) {}
+    : tools_(tools),
+      spinner_(kMostCalls + 1, &queue_),
+      server_(with_queue(std::move(node), queue_)
+                  .advertiseService("find_objects", &FindService::on_call, this)) {
+  spinner_.start();
+}
+
+void FindService::close() {
+  spinner_.stop();
+  server_.shutdown();
+}
 
 bool FindService::on_call(Request& request, Response& response) {
+  const Counted call(calls_);
   try {
+    if (call.is_one_too_many()) refuse_busy();
     Detections detections = find(request);
     keep_named(detections.array, request.names, *detections.library);
     leave_unnumbered(detections.array);
@@ -123,28 +159,36 @@ bool FindService::on_call(Request& request, Response& response) {
   return true;
 }
 
-Detections FindService::find(const Request& request) const {
+Detections FindService::find(const Request& request) {
+  // No thread was waited for, so the call has just arrived.
+  const auto deadline = Clock::now() + std::chrono::duration_cast<Clock::duration>(
+                                           std::chrono::duration<double>(timeout_of(request)));
   if (request.frames > kMostFrames) refuse("frames lies above 100; ask for fewer");
   MatchingNodeConfig config = tools_.config;
   config.video.sweep_time = 0;  // asked once, everything is looked at
   config.average_frames = static_cast<int>(std::max(1u, request.frames));
   DetectionPipeline pipeline(config, tools_.matcher, tools_.tf);
-  if (!is_given(request.image)) return find_live(request, pipeline);
+  return is_given(request.image) ? find_given(request, pipeline, deadline)
+                                 : find_live(request, pipeline, deadline);
+}
+
+Detections FindService::find_given(const Request& request, DetectionPipeline& pipeline,
+                                   Clock::time_point deadline) {
   const Decoded decoded = decode_picture(request.image);
   if (!decoded) refuse("image: " + decoded.fault);
   const bool has_info = request.camera_info.width != 0;
   const double ahead = (request.image.header.stamp - ros::Time::now()).toSec();
-  if (ahead > config.max_ahead) refuse_future();
+  if (ahead > tools_.config.max_ahead) refuse_future();
   const ReceivedPicture received{
       decoded.picture, request.image.header,
       has_info ? boost::make_shared<sensor_msgs::CameraInfo>(request.camera_info) : nullptr};
-  return pipeline.process(received, search_request(request, tools_.config, decoded.picture.size()));
+  const auto search = search_request(request, tools_.config, decoded.picture.size());
+  const auto lock = turn(deadline);
+  return pipeline.process(received, search);
 }
 
-Detections FindService::find_live(const Request& request, DetectionPipeline& pipeline) const {
-  using Clock = std::chrono::steady_clock;
-  const auto start = Clock::now();
-  const double timeout = timeout_of(request);
+Detections FindService::find_live(const Request& request, DetectionPipeline& pipeline,
+                                  Clock::time_point deadline) {
   const Listening listening(tools_);
   ros::Time after = ros::Time::now();
   StampGate gate(tools_.config.max_age, tools_.config.max_ahead);
@@ -153,25 +197,33 @@ Detections FindService::find_live(const Request& request, DetectionPipeline& pip
   for (std::uint32_t i = 0; i < std::max(1u, request.frames); ++i) {
     StampGate::Verdict verdict;
     do {
-      const double waited = std::chrono::duration<double>(Clock::now() - start).count();
-      received = next_picture(after, timeout - waited);
+      received = next_picture(after, deadline);
       after = received.header.stamp;
       verdict = gate.judge(after.toSec(), ros::Time::now().toSec());
       if (verdict == StampGate::Verdict::kAhead) refuse_future();
     } while (verdict != StampGate::Verdict::kFresh);
-    tracked =
-        pipeline.track(received, search_request(request, tools_.config, received.picture.size()));
+    const auto search = search_request(request, tools_.config, received.picture.size());
+    const auto lock = turn(deadline);
+    tracked = pipeline.track(received, search);
   }
   return pipeline.describe(received, tracked);
 }
 
-ReceivedPicture FindService::next_picture(const ros::Time& after, double timeout) const {
-  const auto image = tools_.pictures.next(after, timeout);
+ReceivedPicture FindService::next_picture(const ros::Time& after,
+                                          Clock::time_point deadline) const {
+  const double left = std::chrono::duration<double>(deadline - Clock::now()).count();
+  const auto image = tools_.pictures.next(after, left);
   if (!image) refuse("no picture came in time; check the camera and the image topic");
   const Decoded decoded = decode_picture(*image);
   if (!decoded) refuse(decoded.fault);
   return {decoded.picture, image->header,
           tools_.camera.camera_info_for(image->header.frame_id, decoded.picture.size())};
+}
+
+std::unique_lock<std::timed_mutex> FindService::turn(Clock::time_point deadline) {
+  std::unique_lock<std::timed_mutex> lock(searching_, deadline);
+  if (!lock) refuse_busy();
+  return lock;
 }
 
 }  // namespace mbncc::nodelets

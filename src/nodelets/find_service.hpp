@@ -2,10 +2,15 @@
 #pragma once
 
 #include <mbncc_vision/FindObjects.h>
+#include <ros/callback_queue.h>
 #include <ros/node_handle.h>
+#include <ros/spinner.h>
 #include <tf2_ros/buffer.h>
 
+#include <atomic>
+#include <chrono>
 #include <functional>
+#include <mutex>
 
 #include "mbncc/config/matching_node_config.hpp"
 #include "nodelets/camera_input.hpp"
@@ -31,16 +36,32 @@ class FindService {
   using Request = mbncc_vision::FindObjects::Request;
   using Response = mbncc_vision::FindObjects::Response;
 
-  /// A call may wait for pictures, so `node` needs a callback queue of its own.
+  /// Calls come on threads of their own, a few at a time; what is more is told BUSY at once, so
+  /// that none waits unheard.
   FindService(ros::NodeHandle node, const FindTools& tools);
+  /// As close().
+  ~FindService() { close(); }
+
+  /// Takes no more calls and waits for those that run; PictureWait::close() ends their waiting.
+  void close();
 
  private:
+  using Clock = std::chrono::steady_clock;
+
   bool on_call(Request& request, Response& response);
-  Detections find(const Request& request) const;
-  Detections find_live(const Request& request, DetectionPipeline& pipeline) const;
-  ReceivedPicture next_picture(const ros::Time& after, double timeout) const;
+  Detections find(const Request& request);
+  Detections find_given(const Request& request, DetectionPipeline& pipeline,
+                        Clock::time_point deadline);
+  Detections find_live(const Request& request, DetectionPipeline& pipeline,
+                       Clock::time_point deadline);
+  ReceivedPicture next_picture(const ros::Time& after, Clock::time_point deadline) const;
+  std::unique_lock<std::timed_mutex> turn(Clock::time_point deadline);
 
   const FindTools tools_;
+  std::atomic<int> calls_{0};   // that run
+  std::timed_mutex searching_;  // one search at a time, beside that of the stream
+  ros::CallbackQueue queue_;
+  ros::AsyncSpinner spinner_;
   ros::ServiceServer server_;
 };
 

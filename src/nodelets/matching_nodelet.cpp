@@ -58,9 +58,9 @@ class MatchingNodelet : public GuardedNodelet {
   std::unique_ptr<CameraInput> camera_;
   std::unique_ptr<DetectionPipeline> pipeline_;
   std::unique_ptr<SearchWorker> worker_;
-  // Calls that wait or read files have callback threads of their own.
+  // What reads files has a callback thread of its own.
   ros::CallbackQueue side_queue_;
-  ros::AsyncSpinner side_spinner_{2, &side_queue_};
+  ros::AsyncSpinner side_spinner_{1, &side_queue_};
   std::unique_ptr<FindService> find_service_;
   std::unique_ptr<Reconfigure> reconfigure_;
   ros::ServiceServer enable_server_;
@@ -124,13 +124,12 @@ void MatchingNodelet::start_search() {
 }
 
 void MatchingNodelet::start_services() {
-  ros::NodeHandle side_node = node(), side_private_node = private_node();
-  side_node.setCallbackQueue(&side_queue_);
+  ros::NodeHandle side_private_node = private_node();
   side_private_node.setCallbackQueue(&side_queue_);
   const FindTools tools{settings_->initial(), *matcher_,
                         tf_buffer_,           *camera_,
                         picture_wait_,        [this] { listen_as_wanted(); }};
-  find_service_ = std::make_unique<FindService>(side_node, tools);
+  find_service_ = std::make_unique<FindService>(node(), tools);
   enable_server_ = private_node().advertiseService("enable", &MatchingNodelet::enable, this);
   reconfigure_ = std::make_unique<Reconfigure>(
       side_private_node,
@@ -189,7 +188,6 @@ void MatchingNodelet::look_for_changes() {
 }
 
 void MatchingNodelet::diagnose(diagnostic_updater::DiagnosticStatusWrapper& status) const {
-  using diagnostic_msgs::DiagnosticStatus;
   const SearchStatistics statistics = worker_->statistics();
   const auto library = matcher_->library();
   const std::string idle = !enabled_   ? "disabled by ~enable"

@@ -152,6 +152,32 @@ TEST_F(Protocol, FindsOnceOnRequest) {
   EXPECT_TRUE(edit("part", EditObject::Request::DELETE).success);
 }
 
+// Without pictures each call waits until its time is up; what is one too many must not.
+TEST_F(Protocol, ManyCallsAtATimeAreToldBusy) {
+  constexpr int kCalls = 30;
+  std::atomic<int> busy{0}, out_of_time{0}, ended{0};
+  std::vector<std::thread> callers;
+  for (int i = 0; i < kCalls; ++i)
+    callers.emplace_back([&] {
+      mbncc_vision::FindObjects service;
+      service.request.timeout = ros::Duration(3);
+      const bool answered = ros::service::call("find_objects", service);
+      if (answered && !service.response.success) {
+        const bool refused = service.response.message.rfind("BUSY", 0) == 0;
+        ++(refused ? busy : out_of_time);
+      }
+      ++ended;
+    });
+  EXPECT_TRUE(spin_until([&] { return ended == kCalls; }));
+  for (auto& caller : callers) caller.join();
+  EXPECT_EQ(busy + out_of_time, kCalls) << "every call is answered";
+  EXPECT_GT(busy, 0);
+  EXPECT_GE(out_of_time, 4) << "so many are heard";
+  mbncc_vision::FindObjects::Request request;
+  request.image = before_;
+  EXPECT_TRUE(call<mbncc_vision::FindObjects>("find_objects", request).success) << "and then again";
+}
+
 TEST_F(Protocol, IsIdleWhileDisabled) {
   const ros::WallTimer playing = play();
   ASSERT_TRUE(spin_until([this] { return arrays_ > 0 && !status_is(DetectedObjectArray::STALE); }));
