@@ -71,9 +71,9 @@ void CameraNodelet::start() {
   image_transport::ImageTransport transport(node());
   camera_ = transport.advertiseCamera("image_raw", 5);
   player_ = std::make_unique<SourcePlayer>(config_, world());
-  report_ =
-      std::make_unique<HealthReport>(node(), private_node(), getName(), config_.source,
-                                     kPicturesTask, [this](auto& status) { diagnose(status); });
+  report_ = std::make_unique<HealthReport>(node(), private_node(), getName(),
+                                           without_secrets(config_.source), kPicturesTask,
+                                           [this](auto& status) { diagnose(status); });
   worker_ = std::thread(&CameraNodelet::work, this);
 }
 

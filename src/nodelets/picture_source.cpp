@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cctype>
 #include <filesystem>
+#include <opencv2/core/utils/logger.hpp>
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/videoio.hpp>
 #include <system_error>
@@ -13,6 +14,7 @@ namespace mbncc::nodelets {
 namespace {
 
 namespace fs = std::filesystem;
+namespace logging = cv::utils::logging;
 
 /// "0", "12": the number of a device.
 bool is_index(const std::string& source) {
@@ -54,6 +56,22 @@ std::string devices_here() {
   return sentence;
 }
 
+bool is_stream(const std::string& source) {
+  return source.find("://") != std::string::npos;
+}
+
+/// OpenCV's backends write the address of a stream that cannot be opened to standard error.
+class QuietOpenCv {
+ public:
+  QuietOpenCv() : before_(logging::setLogLevel(logging::LOG_LEVEL_SILENT)) {}
+  ~QuietOpenCv() { logging::setLogLevel(before_); }
+  QuietOpenCv(const QuietOpenCv&) = delete;
+  QuietOpenCv& operator=(const QuietOpenCv&) = delete;
+
+ private:
+  const logging::LogLevel before_;
+};
+
 /// The pictures of a folder in the order of their names; read anew for every round of a loop.
 class FolderSource : public PictureSource {
  public:
@@ -94,7 +112,10 @@ class FolderSource : public PictureSource {
 class CaptureSource : public PictureSource {
  public:
   CaptureSource(const CameraConfig& config, bool is_video)
-      : name_(config.source), is_video_(is_video), loop_(config.loop && is_video) {
+      : source_(config.source),
+        name_(without_secrets(config.source)),
+        is_video_(is_video),
+        loop_(config.loop && is_video) {
     open();
   }
 
@@ -129,14 +150,21 @@ class CaptureSource : public PictureSource {
 
  private:
   void open() {
-    const bool opened = is_index(name_) ? capture_.open(std::stoi(name_)) : capture_.open(name_);
-    if (!opened)
+    if (!try_open())
       throw FileError(name_, is_video_ ? "not a readable video"
                                        : "the camera does not answer; " + devices_here());
     capture_.set(cv::CAP_PROP_BUFFERSIZE, 1);
   }
 
-  std::string name_;
+  bool try_open() {
+    if (is_index(source_)) return capture_.open(std::stoi(source_));
+    if (!is_stream(source_)) return capture_.open(source_);
+    const QuietOpenCv quiet;
+    return capture_.open(source_);
+  }
+
+  std::string source_;
+  std::string name_;  // of the source in sentences
   bool is_video_;
   bool loop_;
   cv::VideoCapture capture_;
@@ -161,6 +189,25 @@ void ask_settings(const CameraConfig& config, CaptureSource& device,
 
 }  // namespace
 
+std::string without_secrets(const std::string& source) {
+  const auto space = source.find_first_of(" \t\n");
+  const bool is_pipeline = source.find(" ! ") != std::string::npos;
+  if (space != std::string::npos && (is_stream(source) || is_pipeline)) {
+    const std::string word = source.substr(0, space);
+    return word.substr(0, word.find("://")) + " ...";
+  }
+  // Also of an address with a mistyped scheme.
+  const auto slashes = source.find("://"), colon = source.find(':');
+  if (colon == std::string::npos) return source;
+  const auto begin = slashes == std::string::npos ? colon + 1 : slashes + 3;
+  // Passwords may hold any of / ? # : @, so everything before the last @ is left out.
+  const auto at = source.rfind('@');
+  const auto host = at == std::string::npos || at < begin ? begin : at + 1;
+  const auto query = source.find_first_of("?#", host);
+  return source.substr(0, begin) + source.substr(host, query - host) +
+         (query == std::string::npos ? "" : "?...");
+}
+
 std::unique_ptr<PictureSource> open_picture_source(const CameraConfig& config,
                                                    std::vector<std::string>& refused) {
   const std::string& source = config.source;
@@ -168,9 +215,9 @@ std::unique_ptr<PictureSource> open_picture_source(const CameraConfig& config,
   const fs::file_status status = fs::status(source, error);
   if (fs::is_directory(status)) return std::make_unique<FolderSource>(source, config.loop);
   if (fs::is_regular_file(status)) return std::make_unique<CaptureSource>(config, true);
-  const bool is_stream = source.find("://") != std::string::npos;
-  if (!is_index(source) && !is_stream && !fs::is_character_file(status))
-    throw FileError(source, "no such folder, video, device or stream; " + devices_here());
+  if (!is_index(source) && !is_stream(source) && !fs::is_character_file(status))
+    throw FileError(without_secrets(source),
+                    "no such folder, video, device or stream; " + devices_here());
   auto device = std::make_unique<CaptureSource>(config, false);
   ask_settings(config, *device, refused);
   return device;

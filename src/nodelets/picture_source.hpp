@@ -10,6 +10,10 @@
 
 namespace mbncc::nodelets {
 
+/// A source as it may be told to anybody: without the user, password and query of a stream's URL,
+/// and without what follows the first word of a pipeline that holds one.
+std::string without_secrets(const std::string& source);
+
 class PictureSource {
  public:
   virtual ~PictureSource() = default;
@@ -30,7 +34,8 @@ class PictureSource {
 };
 
 /// Opens `config.source` and asks a device for the settings. `refused` gets a sentence for each
-/// setting that the device did not take. Throws FileError when the source cannot be opened now.
+/// setting that the device did not take. Throws FileError when the source cannot be opened now. No
+/// sentence tells a stream's secrets.
 std::unique_ptr<PictureSource> open_picture_source(const CameraConfig& config,
                                                    std::vector<std::string>& refused);
 

@@ -26,7 +26,10 @@ Clock::duration ticks(Seconds seconds) {
 }  // namespace
 
 SourcePlayer::SourcePlayer(const CameraConfig& config, World world)
-    : config_(config), world_(std::move(world)), retry_(kFirstRetry) {}
+    : config_(config),
+      name_(without_secrets(config.source)),
+      world_(std::move(world)),
+      retry_(kFirstRetry) {}
 
 void SourcePlayer::step() {
   try {
@@ -47,7 +50,7 @@ void SourcePlayer::try_step() {
 
 void SourcePlayer::open() {
   source_ = world_.open();
-  ROS_INFO("Opened %s", config_.source.c_str());
+  ROS_INFO("Opened %s", name_.c_str());
   health_.set_state(DiagnosticStatus::OK, "open");
   frozen_.reset();
   withholding_ = false;
@@ -85,7 +88,7 @@ void SourcePlayer::play() {
 void SourcePlayer::end() {
   at_end_ = true;
   health_.set_state(DiagnosticStatus::WARN, "at its end");
-  ROS_INFO("%s is at its end", config_.source.c_str());
+  ROS_INFO("%s is at its end", name_.c_str());
 }
 
 /// Empty, with a warning, when the picture cannot be read.
@@ -106,13 +109,13 @@ bool SourcePlayer::is_frozen(const cv::Mat& picture) {
     return false;
   }
   health_.count(&Counts::frozen);
-  if (source_->is_live()) throw FileError(config_.source, "the picture is frozen");
+  if (source_->is_live()) throw FileError(name_, "the picture is frozen");
   if (!std::exchange(withholding_, true)) withhold();
   return true;
 }
 
 void SourcePlayer::withhold() {
-  const std::string sentence = config_.source + ": the picture is frozen; withheld";
+  const std::string sentence = name_ + ": the picture is frozen; withheld";
   health_.set_state(DiagnosticStatus::ERROR, sentence);
   ROS_WARN("%s", sentence.c_str());
 }

@@ -57,6 +57,7 @@ class SourcePlayer {
   void wait_until_due();
 
   const CameraConfig config_;
+  const std::string name_;  // of the source in sentences
   const World world_;
   CameraHealth health_;
   std::unique_ptr<PictureSource> source_;

@@ -108,5 +108,34 @@ TEST(PictureSource, MissingOnesAreRefused) {
   EXPECT_NE(refusal("99999").find("does not answer"), std::string::npos);
 }
 
+TEST(PictureSource, SecretsOfStreamsAreNotTold) {
+  const std::string secrets[][2] = {
+      {"rtsp://admin:secret@10.0.0.7:554/live", "rtsp://10.0.0.7:554/live"},
+      {"rtsp://admin:se/c@ret?#:@camera/live", "rtsp://camera/live"},
+      {"http://camera/video?user=admin&password=secret", "http://camera/video?..."},
+      {"http://admin:secret@camera?token=secret", "http://camera?..."},
+      {"rtsp:/admin:secret@camera/live", "rtsp:camera/live"},
+      {"rtspsrc location=rtsp://camera user-id=admin user-pw=secret ! appsink", "rtspsrc ..."},
+      {"rtspsrc user-pw=secret ! appsink", "rtspsrc ..."},
+      {"rtsp://admin:secret@camera/live ", "rtsp ..."}};
+  for (const auto& [source, told] : secrets) EXPECT_EQ(without_secrets(source), told);
+  for (const std::string harmless :
+       {"0", "/dev/video0", "/data/a day/of pictures", "rtsp://camera/1"})
+    EXPECT_EQ(without_secrets(harmless), harmless);
+}
+
+TEST(PictureSource, SecretsOfStreamsReachNeitherSentencesNorStandardError) {
+  for (const std::string source :
+       {"http://admin:secret@127.0.0.1:1/live", "rtsp://admin:secret@127.0.0.1:1/live",
+        "http://127.0.0.1:1/video?password=secret", "rtsp:/admin:secret@127.0.0.1:1"}) {
+    testing::internal::CaptureStderr();
+    const std::string sentence = refusal(source);
+    const std::string written = testing::internal::GetCapturedStderr();
+    EXPECT_FALSE(sentence.empty()) << source;
+    EXPECT_EQ(sentence.find("secret"), std::string::npos) << sentence;
+    EXPECT_EQ(written.find("secret"), std::string::npos) << written;
+  }
+}
+
 }  // namespace
 }  // namespace mbncc::nodelets
