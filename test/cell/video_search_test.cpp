@@ -95,6 +95,22 @@ TEST_F(VideoSearchTest, NewObjectIsGraspableOnlyAfterAllWereSearchedThere) {
   EXPECT_TRUE(graspable);
 }
 
+// Reference points are looked for about a change, and may lie a little beside it.
+TEST_F(VideoSearchTest, AnObjectIsFoundWhoseReferencePointLiesBesideIt) {
+  const auto model = std::make_shared<ObjectModel>(*models_[0]);
+  View& view = model->views.front();
+  const cv::Rect box = cv::boundingRect(view.map) + view.origin;
+  view.reference.x = box.br().x + 6;
+  models_[0] = model;
+  matcher_.set_objects(models_);
+  put(1, kRight);
+  show_many(5);
+  put(0, {kLeft.x, kLeft.y, 0});
+  bool found = false;
+  for (int i = 0; i < 15 && !found; ++i) found = of(show(), 0) != nullptr;
+  EXPECT_TRUE(found);
+}
+
 TEST_F(VideoSearchTest, ObjectTakenAwayIsGoneInTheSamePicture) {
   put(0, kLeft);
   put(1, kRight);
