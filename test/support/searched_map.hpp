@@ -91,9 +91,9 @@ inline void check_search(const SearchConfig& config, const std::shared_ptr<Objec
   for (const auto& [name, reason] : matcher.unsearchable())
     throw std::runtime_error(name + ": " + reason);
   matcher.score_map(picture);
-  for (const bool sparing : {false, true}) {
+  for (const std::size_t among : {std::size_t{1}, kFewObjects + 1}) {
     SearchRequest request;
-    request.sparing = sparing;
+    request.among = among;
     const SearchResult result = matcher.find(picture, request);
     if (result.searched.size() != 1) throw std::runtime_error("the object was not searched for");
     for (const auto& match : result.matches)
