@@ -76,6 +76,21 @@ TEST(SceneWatch, BecomesStillAfterTheStillTime) {
   EXPECT_FALSE(cell.watch.before_change());
 }
 
+// The motion that comes next may have begun in the newest pictures.
+TEST(SceneWatch, WhatIsHandedOverIsNeverOfTheNewestPictures) {
+  constexpr double kStill = 1;
+  SceneWatch watch(kStill);
+  const cv::Mat picture(60, 80, CV_8UC3, cv::Scalar::all(100));
+  double first = 0;
+  for (double stamp = 10; stamp < 16; stamp += 0.1) {
+    watch.update(stamp, picture);
+    if (!watch.still()) continue;
+    if (first == 0) first = stamp;
+    EXPECT_LE(watch.still()->stamp, std::max(first, stamp - kStill / 2) + 1e-9) << stamp;
+  }
+  EXPECT_GT(watch.still()->stamp, first) << "it is renewed";
+}
+
 TEST(SceneWatch, StaysStillUnderNoiseAndFlicker) {
   Cell cell(9);
   for (int i = 0; i < 40; ++i) cell.show(1, 1 + 0.04 * (i % 3 - 1));

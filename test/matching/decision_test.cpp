@@ -143,6 +143,26 @@ TEST_F(DecisionTest, AnotherObjectAtThePlaceMakesAmbiguous) {
   }
 }
 
+TEST_F(DecisionTest, OfSeveralCompetitorsTheBestCounts) {
+  const auto turned = [&](double degrees, double behind) {
+    return changed([&](Detection& d) {
+      d.pose.theta = to_radians(degrees);
+      d.log_odds -= behind;
+    });
+  };
+  for (const auto& angles : {std::vector<Detection>{sound(), turned(40, 9), turned(90, 8)},
+                             std::vector<Detection>{sound(), turned(90, 8), turned(40, 9)}})
+    EXPECT_NEAR(select(angles).matches.at(0).margin_angle, 8, 1e-9);
+}
+
+TEST_F(DecisionTest, FarBehindAnInstanceOutsideTheRegionItMayBeALike) {
+  const Detection likely = changed([](Detection& d) { d.log_odds = 8; });
+  for (const double elsewhere : {8.0, 25.0}) {
+    Acceptance acceptance{config_, std::nullopt, 1, {}, {{"object", elsewhere}}, 0};
+    EXPECT_EQ(select_matches({likely}, acceptance).matches.at(0).graspable, elsewhere < 10);
+  }
+}
+
 TEST_F(DecisionTest, ABetterObjectAtThePlaceMakesAmbiguousToo) {
   // Its score is the lower one, for an outline that lies loose, and its odds are higher.
   const Detection better = changed([&](Detection& d) {
