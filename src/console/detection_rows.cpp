@@ -34,6 +34,8 @@ DetectionRow row_of(const DetectedObject& object, double age) {
                object.symmetry == 0 ? "round" : text("%.1f\u00b0", kDegrees * yaw),
                text("%.2f", object.score),
                text("%.1f s", age)};
+  for (const auto& reason : object.reasons)
+    row.reasons += (row.reasons.empty() ? "" : "\n") + reason;
   return row;
 }
 

@@ -15,6 +15,7 @@ struct DetectionRow {
   /// name, state, x, y, angle, score, age.
   std::array<std::string, 7> cells;
   Level level = Level::kUnknown;
+  std::string reasons;  ///< why it is not confirmed, a line each
 };
 
 /// Headings of the cells.

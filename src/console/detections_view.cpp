@@ -38,6 +38,7 @@ void DetectionsView::show_detections(const mbncc_vision::DetectedObjectArray& de
     for (int column = 0; column < columnCount(); ++column) {
       if (item(row, column) == nullptr) setItem(row, column, new QTableWidgetItem);
       item(row, column)->setText(QString::fromStdString(rows[row].cells[column]));
+      item(row, column)->setToolTip(QString::fromStdString(rows[row].reasons));
     }
     paint_state(*item(row, 1), rows[row].level);
   }

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "mbncc/drawing.hpp"
+#include "mbncc/matching/overlay.hpp"
 
 namespace mbncc::nodelets {
 
@@ -45,7 +46,7 @@ Marking marking_of(const DetectedObject& object) {
   marking.pose = {object.image_pose.x, object.image_pose.y, object.image_pose.theta};
   marking.colour = colour_of(standing_of(object.state));
   marking.caption = object.name + number + score + word_of(object.state);
-  if (!object.reasons.empty()) marking.caption += "\n" + object.reasons.front();
+  if (object.state == DetectedObject::AMBIGUOUS) marking.caption += brief_reason(object.reasons);
   return marking;
 }
 

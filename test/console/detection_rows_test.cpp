@@ -46,6 +46,13 @@ TEST(DetectionRows, PixelsOtherwise) {
   EXPECT_EQ(rows[0].cells[4], "30.0\u00b0");
 }
 
+TEST(DetectionRows, ReasonsStandALineEach) {
+  auto array = one(true);
+  EXPECT_EQ(detection_rows(array, 0)[0].reasons, "");
+  array.objects[0].reasons = {"angle open", "30 % outside"};
+  EXPECT_EQ(detection_rows(array, 0)[0].reasons, "angle open\n30 % outside");
+}
+
 TEST(DetectionRows, ARoundObjectHasNoAngle) {
   auto array = one(true);
   array.objects[0].symmetry = 0;

@@ -23,7 +23,7 @@ class ConclusionTest : public ::testing::Test {
   }
 
   void judge(double instance_margin = kNoCompetitor) {
-    match_.doubts = doubts_about(match_, detection_, instance_margin, config_);
+    match_.doubts = doubts_about(match_, detection_, match_.covariance, instance_margin, config_);
     conclude(match_, config_);
   }
 

@@ -23,7 +23,7 @@ class DecisionTest : public ::testing::Test {
     detection.object = &object_;
     detection.view = &object_.views.front();
     detection.pose = {100, 100, 0};
-    detection.covariance = cv::Matx33d::diag({0.01, 0.01, 1e-6});
+    detection.covariance = detection.cautious = cv::Matx33d::diag({0.01, 0.01, 1e-6});
     detection.log_odds = 20;
     detection.projected = 0.9;
     detection.elsewhere = -0.15;
@@ -75,7 +75,7 @@ TEST_F(DecisionTest, WhatIsNotKnownWellIsNotGrasped) {
   const auto with = [&](double x, double y, double theta) {
     return match_of(changed([&](Detection& d) {
       d.pose = {0, 0, 0};
-      d.covariance = cv::Matx33d::diag({x * x, y * y, theta * theta});
+      d.covariance = d.cautious = cv::Matx33d::diag({x * x, y * y, theta * theta});
     }));
   };
   // The reference point of this object lies off the anchor, so that turns displace it.
@@ -256,7 +256,7 @@ TEST_F(DecisionTest, TheReferencePointMovesWithTheAnchorsAngleAndSize) {
   Detection detection = sound();
   detection.object = &off;
   detection.view = &off.views.front();
-  detection.covariance = cv::Matx33d::diag({0, 0, 1e-4});
+  detection.covariance = detection.cautious = cv::Matx33d::diag({0, 0, 1e-4});
   const Match match = match_of(detection);
   const cv::Point2d lever = match.pose.position() - detection.pose.position();
   ASSERT_GT(cv::norm(lever), 20);

@@ -19,7 +19,7 @@ class SelectionTest : public ::testing::Test {
     detection.object = &object_;
     detection.view = &object_.views.front();
     detection.pose = {100, 100, 0};
-    detection.covariance = cv::Matx33d::diag({0.01, 0.01, 1e-6});
+    detection.covariance = detection.cautious = cv::Matx33d::diag({0.01, 0.01, 1e-6});
     detection.log_odds = log_odds;
     detection.projected = projected;
     detection.elsewhere = elsewhere;

@@ -7,6 +7,7 @@
 #include <opencv2/imgproc.hpp>
 
 #include "mbncc/drawing.hpp"
+#include "mbncc/matching/overlay.hpp"
 #include "nodelets/markers.hpp"
 
 namespace mbncc::nodelets {
@@ -85,6 +86,13 @@ TEST(Overlay, TheStateGivesTheColour) {
   EXPECT_GT(count_of(confirmed, blue), 100);
   EXPECT_EQ(count_of(confirmed, orange), 0);
   EXPECT_GT(count_of(ambiguous, orange), 100);
+}
+
+TEST(Overlay, AReasonIsBrief) {
+  EXPECT_EQ(brief_reason({}), "");
+  EXPECT_EQ(brief_reason({"competitor nut at 40, 50 (margin 1.0)", "angle open"}),
+            "\ncompetitor nut");
+  EXPECT_EQ(brief_reason({"angle open (margin 0.2)"}), "\nangle open");
 }
 
 TEST(ScoreMap, MarksTheBestPlaceAndTheNextElsewhere) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <opencv2/core.hpp>
+#include <string>
 #include <vector>
 
 #include "mbncc/drawing.hpp"
@@ -9,8 +10,11 @@
 
 namespace mbncc {
 
-/// Outline, axes and "name score": blue when graspable, orange and "ambiguous", or grey and
-/// "unsure".
+/// The first of Match::reasons on a line of its own, without its numbers; "" where there is none.
+std::string brief_reason(const std::vector<std::string>& reasons);
+
+/// Outline, axes and "name score": blue when graspable, orange and "ambiguous" with the
+/// reason, or grey and "unsure".
 Marking marking_of(const Match& match);
 
 /// CV_8UC3 copy of `picture` with every match marked.

@@ -21,8 +21,8 @@ std::string number(double value, int digits) {
 }
 
 /// The pose is known well enough to reach for; the angle of a round object does not matter.
-void doubt_deviations(const Match& match, const SearchConfig& config, std::vector<Doubt>& doubts) {
-  const cv::Matx33d& c = match.covariance;
+void doubt_deviations(const Match& match, const cv::Matx33d& c, const SearchConfig& config,
+                      std::vector<Doubt>& doubts) {
   const double x = std::sqrt(c(0, 0)), y = std::sqrt(c(1, 1));
   const double angle = match.symmetry == 0 ? 0 : to_degrees(std::sqrt(c(2, 2)));
   // Not a number is not known.
@@ -40,7 +40,8 @@ std::string text_of(const Competitor& competitor, double margin) {
 }  // namespace
 
 std::vector<Doubt> doubts_about(const Match& match, const Detection& detection,
-                                double instance_margin, const SearchConfig& config) {
+                                const cv::Matx33d& cautious, double instance_margin,
+                                const SearchConfig& config) {
   std::vector<Doubt> doubts;
   if (match.margin_angle < config.min_margin_angle)
     doubts.push_back({true, "angle open (margin " + number(match.margin_angle, 1) + ")"});
@@ -54,7 +55,7 @@ std::vector<Doubt> doubts_about(const Match& match, const Detection& detection,
   else if (detection.elsewhere > kContradicts)
     doubts.push_back({false, "outline fits better beside it"});
   if (!convincing(detection, instance_margin)) doubts.push_back({false, "evidence too weak"});
-  doubt_deviations(match, config, doubts);
+  doubt_deviations(match, cautious, config, doubts);
   if (match.visible < config.min_visible)
     doubts.push_back({false, number(100 * (1 - match.visible), 0) + " % outside"});
   return doubts;

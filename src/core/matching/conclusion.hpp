@@ -9,10 +9,11 @@
 
 namespace mbncc {
 
-/// What speaks against grasping `match`, found as `detection`, competitors aside.
-/// `instance_margin`: see margins.hpp.
+/// What speaks against grasping `match`, found as `detection`, competitors aside. `cautious`: the
+/// covariance of its pose that a grasp is judged by. `instance_margin`: see margins.hpp.
 std::vector<Doubt> doubts_about(const Match& match, const Detection& detection,
-                                double instance_margin, const SearchConfig& config);
+                                const cv::Matx33d& cautious, double instance_margin,
+                                const SearchConfig& config);
 
 /// Sets margin_place, graspable, ambiguous and reasons by score, competitors and doubts.
 void conclude(Match& match, const SearchConfig& config);

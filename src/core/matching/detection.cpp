@@ -91,7 +91,7 @@ Detection unrefined(const PreparedObject& object, const PreparedView& view,
   detection.view = &view;
   detection.pose = found.pose;
   detection.pose.theta = wrap_angle(found.pose.theta);
-  detection.covariance = unknown_accuracy(found.pose).covariance;
+  detection.covariance = detection.cautious = unknown_accuracy(found.pose).covariance;
   detection.log_odds = found.odds + found.pixels;
   detection.projected = found.evidence.projected;
   detection.rotation_odds = odds_of_rotation(view, scene.levels[0], found);
@@ -112,6 +112,7 @@ void refine(Detection& detection, const ScenePicture& scene, const Believed& fou
   detection.pose.theta = wrap_angle(place.pose.theta);
   detection.size = place.scale;
   detection.covariance = place.covariance;
+  detection.cautious = place.cautious;
   const ColourDifference strange = strangeness(view, scene.levels[0], place, found.odds);
   detection.strange = std::max(strange.colour, strange.block);
   const double mirrored = found.odds > kWorthRefining ? turned_over(view, scene, place) : 0;

@@ -22,6 +22,7 @@ struct Detection {
   Pose2D pose;                      ///< of the anchor [px]
   double size = 1;                  ///< of what was found, against the view
   cv::Matx33d covariance;           ///< of pose
+  cv::Matx33d cautious;             ///< likewise, see Refined: a grasp is judged by it
   double log_odds = 0;              ///< that the object lies here
   double similarity = 0;            ///< [-1..1]
   double visible = 1;               ///< [0..1]

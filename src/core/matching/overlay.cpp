@@ -1,8 +1,15 @@
 #include "mbncc/matching/overlay.hpp"
 
+#include <algorithm>
 #include <cstdio>
 
 namespace mbncc {
+
+std::string brief_reason(const std::vector<std::string>& reasons) {
+  if (reasons.empty()) return "";
+  const std::string& first = reasons.front();
+  return "\n" + first.substr(0, std::min(first.find(" at "), first.find(" (")));
+}
 
 Marking marking_of(const Match& match) {
   char score[16];
@@ -13,12 +20,11 @@ Marking marking_of(const Match& match) {
   marking.caption = match.name + score;
   if (match.ambiguous) {
     marking.colour = colour_of(Standing::kDoubtful);
-    marking.caption += " ambiguous";
+    marking.caption += " ambiguous" + brief_reason(match.reasons);
   } else if (!match.graspable) {
     marking.colour = colour_of(Standing::kUnsure);
     marking.caption += " unsure";
   }
-  if (!match.reasons.empty()) marking.caption += "\n" + match.reasons.front();
   return marking;
 }
 

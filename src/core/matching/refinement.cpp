@@ -35,8 +35,8 @@ class Refiner {
       seen = look();
     }
     if (!seen) return unknown_accuracy(pose_);
-    unclaimed_ = std::max(unclaimed_, halves_apart());
-    return {pose_, scale_, covariance()};
+    const double apart = std::max(unclaimed_, halves_apart());
+    return {pose_, scale_, covariance(unclaimed_), covariance(apart)};
   }
 
  private:
@@ -113,7 +113,7 @@ class Refiner {
            std::abs(scale_ - 1) > kMostScale;
   }
 
-  cv::Matx33d covariance() const;
+  cv::Matx33d covariance(double unclaimed) const;
   static constexpr double kLeast = 1e-4;  // [1/px^2] information that is always there
 
   const RefinementTemplate& object_;
@@ -123,7 +123,7 @@ class Refiner {
   Samples& samples_ = samples();
   MotionPull pull_, edges_;         // at the pose looked at last
   double contrast_ = 1;             // there
-  double unclaimed_ = 0;            // [px^2] by how much cues or halves are apart, there
+  double unclaimed_ = 0;            // [px^2] by how much they are apart, there
   LightDisplacement displacement_;  // there
 };
 
@@ -171,7 +171,8 @@ MotionPull Refiner::half_pull(double x, double y) {
 }
 
 /// [px^2] By how much halves of the object, split along the picture's rows and columns, are apart
-/// beyond what they claim: in a picture torn while the object moved, a half lies elsewhere.
+/// beyond what they claim: in a picture torn while the object moved, a half lies
+/// elsewhere.
 double Refiner::halves_apart() {
   read_edges(kFarReach);
   const double c = std::cos(pose_.theta), s = std::sin(pose_.theta);
@@ -232,13 +233,14 @@ double Refiner::gain() const {
   return std::clamp((common + kPrior) / (energy + kPrior), 0.3, 2.0);
 }
 
-cv::Matx33d Refiner::covariance() const {
+/// `unclaimed` [px^2]: by how much cues, or halves, are apart.
+cv::Matx33d Refiner::covariance(double unclaimed) const {
   constexpr double kAlike =
       3;  // what displaces them apart displaces all of them, too: so much more
   const double rim = radius() * radius();
   const cv::Matx33d in_template = information(scale_deviation_).inv().get_minor<3, 3>(0, 0) +
                                   displacement_.of_pose(radius()) +
-                                  kAlike * unclaimed_ * cv::Matx33d::diag({1, 1, 1 / rim});
+                                  kAlike * unclaimed * cv::Matx33d::diag({1, 1, 1 / rim});
   const double c = std::cos(pose_.theta), s = std::sin(pose_.theta);
   const cv::Matx33d turn(c, -s, 0, s, c, 0, 0, 0, 1);
   return turn * in_template * turn.t();
@@ -251,7 +253,8 @@ RefinementTemplate::RefinementTemplate(PoseTemplate made, const SceneLevel& pict
 
 Refined unknown_accuracy(const Pose2D& pose) {
   constexpr double kPlace = 100;  // [px]
-  return {pose, 1, cv::Matx33d::diag({kPlace * kPlace, kPlace * kPlace, 4 * kPi * kPi})};
+  const auto unknown = cv::Matx33d::diag({kPlace * kPlace, kPlace * kPlace, 4 * kPi * kPi});
+  return {pose, 1, unknown, unknown};
 }
 
 Refined refine(const RefinementTemplate& object, const SceneLevel& scene, const Pose2D& start,

@@ -25,6 +25,8 @@ struct Refined {
   Pose2D pose;
   double scale = 1;        ///< of the object, against the template
   cv::Matx33d covariance;  ///< of x, y, theta [px^2, px rad, rad^2]
+  cv::Matx33d cautious;    ///< the same where halves of the object lie apart: what parts them
+                           ///< displaces the whole, too
 };
 
 /// The pose as it is, of which nothing is known: 100 px, a turn.

@@ -87,8 +87,8 @@ Match to_match(const Detection& detection, const std::vector<Detection>& all,
   match.name = model.name;
   match.revision = model.revision;
   match.pose = object_pose(detection);
-  match.covariance =
-      moved_to_reference(detection.covariance, rotate(lever_of(detection), detection.pose.theta));
+  const cv::Point2d lever = rotate(lever_of(detection), detection.pose.theta);
+  match.covariance = moved_to_reference(detection.covariance, lever);
   match.scale = view.scale * detection.size;
   match.score = acceptance_score(detection, config);
   match.log_odds = detection.calibrated();
@@ -101,8 +101,8 @@ Match to_match(const Detection& detection, const std::vector<Detection>& all,
   match.symmetry = view.symmetry;
   match.outline = outline_at(detection);
   match.doubts = doubts_about(
-      match, detection, instance_margin(detection, all, acceptance.elsewhere, config.max_overlap),
-      config);
+      match, detection, moved_to_reference(detection.cautious, lever),
+      instance_margin(detection, all, acceptance.elsewhere, config.max_overlap), config);
   conclude(match, config);
   return match;
 }
