@@ -75,7 +75,8 @@ TEST(LearnedObjectMessage, LeavesTheThumbnailOut) {
 TEST(LearnedObjectMessage, HasNoSizeWithoutScale) {
   ObjectModel model = plate();
   model.metres_per_pixel = Quality::kUnknown;
-  EXPECT_TRUE(std::isnan(to_msg(model, false).size.x));
+  const auto size = to_msg(model, false).size;
+  EXPECT_TRUE(std::isnan(size.x) && std::isnan(size.y) && std::isnan(size.z));
 }
 
 TEST(DetectedObjectMessage, HasNoMetricPoseByItself) {
@@ -136,6 +137,7 @@ TEST(RegionOfInterest, OutsideThePictureIsRefused) {
 TEST(Pose2DMessage, RefusesNumbersThatAreNotFinite) {
   EXPECT_TRUE(from_msg(to_msg(Pose2D{1, 2, 3})));
   EXPECT_FALSE(from_msg(to_msg(Pose2D{kNaN, 2, 3})));
+  EXPECT_FALSE(from_msg(to_msg(Pose2D{1, 2, kNaN})));
   EXPECT_FALSE(from_msg(to_msg(Pose2D{1, std::numeric_limits<double>::infinity(), 3})));
 }
 
@@ -153,6 +155,8 @@ TEST(GraspMessage, NeedsAUnitQuaternion) {
   ASSERT_TRUE(from_msg(to_msg(grasp)));
   EXPECT_EQ(from_msg(to_msg(grasp))->position, grasp.position);
   EXPECT_FALSE(from_msg(geometry_msgs::Pose{}));  // quaternion of zeros
+  grasp.position = {{0.1, -11, 0.3}};
+  EXPECT_FALSE(from_msg(to_msg(grasp))) << "beyond any reach";
   grasp.orientation = {{0, 0, kNaN, 1}};
   EXPECT_FALSE(from_msg(to_msg(grasp)));
 }
