@@ -111,15 +111,17 @@ TEST_F(DetectionPipelineTest, WithoutTheTargetFrameThereAreNoFrames) {
   EXPECT_EQ(array.objects[0].child_frame_id, "");
 }
 
-TEST_F(DetectionPipelineTest, PosesAreInTheTargetFrame) {
+TEST_F(DetectionPipelineTest, PosesAreInTheTargetFrameAsItWasAtThePicturesStamp) {
   config_.target_frame = "base";
   geometry_msgs::TransformStamped transform;
   transform.header.frame_id = "base";
-  transform.header.stamp = ros::Time(100);
   transform.child_frame_id = "camera";
-  transform.transform.translation.x = 1;
   transform.transform.rotation.x = 1;  // looks down
-  tf_.setTransform(transform, "test", true);
+  for (const double stamp : {100., 101.}) {
+    transform.header.stamp = ros::Time(stamp);
+    transform.transform.translation.x = stamp - 99.2;  // it moves
+    tf_.setTransform(transform, "test");
+  }
   const DetectedObjectArray array = after(3);
   ASSERT_EQ(array.objects.size(), 1u);
   EXPECT_EQ(array.status, DetectedObjectArray::OK) << array.message;

@@ -68,7 +68,7 @@ TEST_F(ObjectFramesTest, AnInstanceThatMovesIsInterpolated) {
   EXPECT_NEAR(x_at("object_key", 1.5), 3.5, 1e-9);
 }
 
-TEST_F(ObjectFramesTest, NothingIsSentTwiceForAStampNorWithoutAFinitePose) {
+TEST_F(ObjectFramesTest, NothingIsSentTwiceForAStampNorWithoutAFinitePoseOrAName) {
   show(1, {confirmed(1, 3)});
   EXPECT_EQ(sent_, 2);
   show(1, {confirmed(1, 3)});
@@ -77,6 +77,10 @@ TEST_F(ObjectFramesTest, NothingIsSentTwiceForAStampNorWithoutAFinitePose) {
   mbncc_vision::DetectedObject unknown = confirmed(1, 3);
   unknown.pose_valid = false;
   show(3, {unknown});
+  mbncc_vision::DetectedObject nameless = confirmed(1, 3);
+  nameless.child_frame_id.clear();
+  nameless.stable_frame_id.clear();
+  show(4, {nameless});
   EXPECT_EQ(sent_, 2);
   frames_.reset();
   show(0.5, {confirmed(1, 3)});
