@@ -2,57 +2,42 @@
 #include <gtest/gtest.h>
 
 #include "learning/arrival_test.hpp"
-#include "learning/pictures.hpp"
+#include "learning/things_on_platform.hpp"
 
 namespace mbncc {
 namespace {
 
-const cv::Size kSize(160, 120);
 const cv::Rect kLeft(20, 40, 30, 30), kCame(100, 40, 30, 30);
-const cv::Scalar kObject(40, 60, 190);
 
 class ArrivalsTest : public testing::Test {
  protected:
-  /// The platform with something lying on `places`.
-  cv::Mat picture(const std::vector<cv::Rect>& places, int seed) const {
-    cv::Mat radiance = test::texture(kSize, cv::Scalar(105, 115, 120), 8, 1), values;
-    for (const auto& place : places) radiance(place).setTo(kObject);
-    test::exposed(radiance, seed).convertTo(values, CV_32F);
-    return values;
-  }
-
-  static cv::Mat map_of(const std::vector<cv::Rect>& places) {
-    cv::Mat map = cv::Mat::zeros(kSize, CV_8UC1);
-    for (const auto& place : places) map(place).setTo(255);
-    return map;
-  }
-
   cv::Mat arrivals(const std::vector<cv::Rect>& before, const std::vector<cv::Rect>& after,
                    const cv::Mat& changed) const {
-    return find_arrivals(picture(before, 11), picture(after, 12), changed, platform_);
+    return find_arrivals(test::picture_with(before, 11), test::picture_with(after, 12), changed,
+                         platform_);
   }
 
-  const ColourMixture platform_ =
-      ColourMixture::fit(picture({}, 13), cv::Mat(kSize, CV_8UC1, cv::Scalar(255)));
+  const ColourMixture platform_ = ColourMixture::fit(
+      test::picture_with({}, 13), cv::Mat(test::kPlatformSize, CV_8UC1, cv::Scalar(255)));
 };
 
 TEST_F(ArrivalsTest, WhatCameIsToldFromWhatLeft) {
-  const cv::Mat came = arrivals({kLeft}, {kCame}, map_of({kLeft, kCame}));
-  EXPECT_EQ(cv::norm(came, map_of({kCame}), cv::NORM_INF), 0);
+  const cv::Mat came = arrivals({kLeft}, {kCame}, test::map_of({kLeft, kCame}));
+  EXPECT_EQ(cv::norm(came, test::map_of({kCame}), cv::NORM_INF), 0);
 }
 
 TEST_F(ArrivalsTest, TwoThatLeftDidNotCome) {
-  EXPECT_EQ(cv::countNonZero(arrivals({kLeft, kCame}, {}, map_of({kLeft, kCame}))), 0);
+  EXPECT_EQ(cv::countNonZero(arrivals({kLeft, kCame}, {}, test::map_of({kLeft, kCame}))), 0);
 }
 
 TEST_F(ArrivalsTest, WithoutAPatchThatLeftNothingCame) {
-  EXPECT_EQ(cv::countNonZero(arrivals({}, {kLeft, kCame}, map_of({kLeft, kCame}))), 0)
+  EXPECT_EQ(cv::countNonZero(arrivals({}, {kLeft, kCame}, test::map_of({kLeft, kCame}))), 0)
       << "they are much alike, whatever they are";
 }
 
 TEST_F(ArrivalsTest, SpecksAreNoArrivals) {
   const cv::Rect speck(100, 40, 4, 4);
-  EXPECT_EQ(cv::countNonZero(arrivals({kLeft}, {speck}, map_of({kLeft, speck}))), 0);
+  EXPECT_EQ(cv::countNonZero(arrivals({kLeft}, {speck}, test::map_of({kLeft, speck}))), 0);
 }
 
 // An edge of the platform, which looks alike before and after, parts what lies across it.
@@ -60,14 +45,14 @@ TEST_F(ArrivalsTest, PatchesThatAThinSeamPartsAreOne) {
   for (const int gap : {3, 12}) {
     // What left has a half that looks like something that came.
     const cv::Rect half(kLeft.br().x + gap, kLeft.y, 12, 30);
-    const cv::Mat came = arrivals({kLeft}, {half}, map_of({kLeft, half}));
+    const cv::Mat came = arrivals({kLeft}, {half}, test::map_of({kLeft, half}));
     EXPECT_EQ(cv::countNonZero(came), gap == 3 ? 0 : half.area()) << gap;
   }
 }
 
 TEST_F(ArrivalsTest, ArrivalsAreChangedPixelsAlone) {
   // A ring whose hole is narrower than a seam.
-  cv::Mat changed = map_of({kLeft, kCame});
+  cv::Mat changed = test::map_of({kLeft, kCame});
   changed(cv::Rect(113, 53, 4, 4)).setTo(0);
   const cv::Mat came = arrivals({kLeft}, {kCame}, changed);
   EXPECT_GT(cv::countNonZero(came), 0);
@@ -77,11 +62,12 @@ TEST_F(ArrivalsTest, ArrivalsAreChangedPixelsAlone) {
 TEST_F(ArrivalsTest, DeparturesAreWhatLeft) {
   const auto bytes = [this](const std::vector<cv::Rect>& places, int seed) {
     cv::Mat picture8;
-    picture(places, seed).convertTo(picture8, CV_8U);
+    test::picture_with(places, seed).convertTo(picture8, CV_8U);
     return picture8;
   };
   const auto left = [&](const std::vector<cv::Rect>& before, const std::vector<cv::Rect>& after) {
-    return cv::countNonZero(departures(bytes(before, 11), bytes(after, 12), map_of({kLeft})) > 0);
+    return cv::countNonZero(departures(bytes(before, 11), bytes(after, 12), test::map_of({kLeft})) >
+                            0);
   };
   EXPECT_EQ(left({kLeft}, {}), kLeft.area());
   EXPECT_EQ(left({}, {kLeft}), 0);
@@ -89,14 +75,15 @@ TEST_F(ArrivalsTest, DeparturesAreWhatLeft) {
 
 // Colours may be alike before and after: then the edges along the border tell.
 TEST_F(ArrivalsTest, EdgesTellWhereColoursDoNot) {
-  const cv::Mat labels = cv::Mat_<int>(map_of({kLeft})) / 255;
-  const cv::Mat bare(kSize, CV_32FC3, cv::Scalar::all(120));
+  const cv::Mat labels = cv::Mat_<int>(test::map_of({kLeft})) / 255;
+  const cv::Mat bare(test::kPlatformSize, CV_32FC3, cv::Scalar::all(120));
   cv::Mat shown = bare.clone();
   shown(kLeft).setTo(cv::Scalar::all(150));
   // Each grey is as likely as the other.
   cv::Mat both = bare.clone();
   both(cv::Rect(0, 0, 160, 60)).setTo(cv::Scalar::all(150));
-  const ColourMixture platform = ColourMixture::fit(both, cv::Mat(kSize, CV_8UC1, cv::Scalar(255)));
+  const ColourMixture platform =
+      ColourMixture::fit(both, cv::Mat(test::kPlatformSize, CV_8UC1, cv::Scalar(255)));
   EXPECT_GT(departure_scores(shown, bare, labels, 2, platform)[1], 1.5);
   EXPECT_LT(departure_scores(bare, shown, labels, 2, platform)[1], -1.5);
 }

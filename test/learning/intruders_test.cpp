@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "learning/pictures.hpp"
+#include "learning/things_on_platform.hpp"
 #include "mbncc/learning/change.hpp"
 #include "mbncc/learning/change_cut.hpp"
 
@@ -50,51 +51,35 @@ TEST(Intruders, WhatTouchesTheObjectIsToldToTheVerdict) {
 
 class FindIntruders : public testing::Test {
  protected:
-  /// The platform with something plain on `places`.
-  cv::Mat picture(const std::vector<cv::Rect>& places, int seed) const {
-    cv::Mat radiance = test::texture(kSize, cv::Scalar(105, 115, 120), 8, 1), values;
-    for (const auto& place : places) radiance(place).setTo(cv::Scalar(40, 60, 190));
-    test::exposed(radiance, seed).convertTo(values, CV_32F);
-    return values;
-  }
-
-  static cv::Mat map_of(const std::vector<cv::Rect>& places) {
-    cv::Mat map = cv::Mat::zeros(kSize, CV_8UC1);
-    for (const auto& place : places) map(place).setTo(255);
-    return map;
-  }
-
   cv::Mat intruders(const std::vector<cv::Rect>& before, const std::vector<cv::Rect>& after,
                     const cv::Mat& changed, const cv::Mat& entry) const {
     NoiseModel noise;
     for (auto& channel : noise.variance) channel.fill(8);
-    return find_intruders(picture(before, 11), picture(after, 12), changed, entry, platform_,
-                          noise);
+    return find_intruders(test::picture_with(before, 11), test::picture_with(after, 12), changed,
+                          entry, platform_, noise);
   }
 
-  static const cv::Size kSize;
   const cv::Rect arm_{0, 50, 60, 20};
-  const ColourMixture platform_ =
-      ColourMixture::fit(picture({}, 13), cv::Mat(kSize, CV_8UC1, cv::Scalar(255)));
+  const ColourMixture platform_ = ColourMixture::fit(
+      test::picture_with({}, 13), cv::Mat(test::kPlatformSize, CV_8UC1, cv::Scalar(255)));
 };
 
-const cv::Size FindIntruders::kSize{160, 120};
-
 TEST_F(FindIntruders, AreWhatCame) {
-  const cv::Mat found = intruders({}, {arm_}, map_of({arm_}), map_of({cv::Rect(0, 50, 20, 20)}));
-  EXPECT_GT(test::iou(found, map_of({arm_})), 0.95);
+  const cv::Mat found =
+      intruders({}, {arm_}, test::map_of({arm_}), test::map_of({cv::Rect(0, 50, 20, 20)}));
+  EXPECT_GT(test::iou(found, test::map_of({arm_})), 0.95);
 }
 
 TEST_F(FindIntruders, AreNotWhatLeft) {
-  EXPECT_EQ(
-      cv::countNonZero(intruders({arm_}, {}, map_of({arm_}), map_of({cv::Rect(0, 50, 20, 20)}))),
-      0);
+  EXPECT_EQ(cv::countNonZero(intruders({arm_}, {}, test::map_of({arm_}),
+                                       test::map_of({cv::Rect(0, 50, 20, 20)}))),
+            0);
 }
 
 TEST_F(FindIntruders, AreNoSpecks) {
   const cv::Rect speck(140, 100, 4, 4);
-  const cv::Mat found =
-      intruders({}, {arm_}, map_of({arm_, speck}), map_of({cv::Rect(0, 50, 20, 20), speck}));
+  const cv::Mat found = intruders({}, {arm_}, test::map_of({arm_, speck}),
+                                  test::map_of({cv::Rect(0, 50, 20, 20), speck}));
   EXPECT_GT(cv::countNonZero(found), 0);
   EXPECT_EQ(cv::countNonZero(found(speck)), 0);
 }
@@ -102,8 +87,8 @@ TEST_F(FindIntruders, AreNoSpecks) {
 TEST_F(FindIntruders, EndWhereNothingChanged) {
   // Something of the arm's colour had been there before.
   const cv::Rect stays(60, 50, 40, 20);
-  const cv::Mat found =
-      intruders({stays}, {arm_, stays}, map_of({arm_}), map_of({cv::Rect(0, 50, 20, 20)}));
+  const cv::Mat found = intruders({stays}, {arm_, stays}, test::map_of({arm_}),
+                                  test::map_of({cv::Rect(0, 50, 20, 20)}));
   EXPECT_LT(cv::countNonZero(found(stays)), 0.1 * stays.area());
 }
 
