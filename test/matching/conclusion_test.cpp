@@ -128,6 +128,25 @@ TEST_F(ConclusionTest, ACovarianceThatIsNoNumber) {
   }
 }
 
+TEST_F(ConclusionTest, AMarginThatNoneReachesLeavesNothingGraspable) {
+  config_.min_margin_place = kNoCompetitor + 1;
+  expect_refused("min_margin_place is above the largest margin", true);
+}
+
+TEST_F(ConclusionTest, WhatIsNoNumberIsADoubt) {
+  const Match match = match_;
+  const Detection detection = detection_;
+  for (double* value : {&match_.score, &match_.visible, &match_.margin_angle, &match_.log_odds,
+                        &detection_.strange, &detection_.elsewhere}) {
+    match_.competitors = {{"far", {1, 2}, 0}};
+    *value = std::nan("");
+    judge();
+    EXPECT_FALSE(match_.graspable);
+    match_ = match;
+    detection_ = detection;
+  }
+}
+
 TEST_F(ConclusionTest, APartOutside) {
   match_.visible = 0.3;
   expect_refused("70 % outside", false);

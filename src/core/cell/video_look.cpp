@@ -27,15 +27,6 @@ bool is_within(const cv::Rect& inner, const cv::Rect& outer) {
   return (inner & outer) == inner;
 }
 
-/// What other objects may lie there is kept by Known::others.
-Match own_competitors_only(Match match) {
-  auto& all = match.competitors;
-  all.erase(std::remove_if(all.begin(), all.end(),
-                           [&](const auto& competitor) { return competitor.name != match.name; }),
-            all.end());
-  return match;
-}
-
 }  // namespace
 
 VideoLook::VideoLook(VideoMemory& memory, const VideoConfig& config, const Matcher& matcher,
@@ -116,10 +107,8 @@ void VideoLook::search_everywhere() {
   memory_.hidden.clear();
   for (const auto& name : result.searched) note_swept(name, result);
   for (const auto& match : result.matches) {
-    Known found;
-    found.match = own_competitors_only(match);
-    found.compared_elsewhere = true;
-    memory_.known.all().push_back(std::move(found));
+    memory_.known.all().push_back(known_from(match));
+    memory_.known.all().back().compared_elsewhere = true;
   }
   compare(result, search_.whole());
 }
@@ -144,6 +133,18 @@ bool VideoLook::is_settled(const cv::Rect& box) const {
   const auto& settled = memory_.changes.settled();
   return std::any_of(settled.begin(), settled.end(),
                      [&](const cv::Rect& place) { return !(place & box).empty(); });
+}
+
+/// Not compared with anything yet: what other objects may lie there is kept by Known::others.
+Known VideoLook::known_from(const Match& match) const {
+  Known known;
+  known.match = match;
+  auto& own = known.match.competitors;
+  own.erase(std::remove_if(own.begin(), own.end(),
+                           [&](const auto& competitor) { return competitor.name != match.name; }),
+            own.end());
+  known.in_motion = is_in_motion(known.box());
+  return known;
 }
 
 bool VideoLook::is_in_motion(const cv::Rect& box) const {
@@ -281,14 +282,12 @@ void VideoLook::look_again() {
 /// the same instance as it was known.
 Known* VideoLook::admit(const Match& match, const std::vector<Known>& before) {
   const double reach = memory_.sought.at(match.name).reach();
-  Known found;
-  found.match = own_competitors_only(match);
+  Known found = known_from(match);
   const Known* origin = predecessor(before, match, reach);
   if (origin) {
     found.take_comparisons(*origin);
     found.looks = origin->looks + 1;
   }
-  found.in_motion = is_in_motion(found.box());
   Known* admitted = memory_.known.admit(found, reach);
   if (admitted && !origin) announce(*admitted);
   return admitted;

@@ -35,6 +35,7 @@ class VideoLook {
   void note_swept(const std::string& name, const SearchResult& result);
   void note_settled();
   bool is_settled(const cv::Rect& box) const;
+  Known known_from(const Match& match) const;
   bool is_in_motion(const cv::Rect& box) const;
   void verify_touched();
   void look_for_hidden();
