@@ -97,14 +97,5 @@ TEST_F(ClimbTest, NeverGetsWorse) {
   }
 }
 
-TEST_F(ClimbTest, SettlesOnASurfaceToAFractionOfAPixel) {
-  const Laid laid(true, {93.7, 82.6, -1.9});
-  const Supported settled =
-      settle(laid.view.fine, laid.scene,
-             {laid.anchor.x + 0.6, laid.anchor.y - 0.5, laid.anchor.theta + 0.01}, 10);
-  EXPECT_LT(cv::norm(settled.pose.position() - laid.anchor.position()), 0.1);
-  EXPECT_LT(angle_distance(settled.pose.theta, laid.anchor.theta), 0.1 * kDegree);
-}
-
 }  // namespace
 }  // namespace mbncc

@@ -54,20 +54,6 @@ TEST(RotationOdds, WhatLightLeavesUnexplainedOfBrightnessDecides) {
   EXPECT_GT(rotation_odds(Evidence(), 1.5), rotation_odds(Evidence(), 2) + 5);
 }
 
-TEST(BetterTurned, IsWhatLightLeavesAloneAndAsLikelyAsEither) {
-  Believed shaded, true_to_colour;
-  shaded.pose.theta = 0.06;
-  shaded.odds = 7;
-  shaded.evidence.unexplained = 2.1;
-  true_to_colour.odds = 5;
-  true_to_colour.evidence.unexplained = 1.6;
-  for (const auto& better :
-       {better_turned(shaded, true_to_colour), better_turned(true_to_colour, shaded)}) {
-    EXPECT_DOUBLE_EQ(better.pose.theta, 0);
-    EXPECT_DOUBLE_EQ(better.odds, 7);
-  }
-}
-
 class SurfaceTest : public ::testing::Test {
  protected:
   const test::LearningPicture source_{1};

@@ -1,5 +1,5 @@
 // The fast searches against the one that cannot miss.
-#include "mbncc/matching/exhaustive_search.hpp"
+#include "matching/exhaustive_search.hpp"
 
 #include <gtest/gtest.h>
 

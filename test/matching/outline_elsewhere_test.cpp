@@ -19,8 +19,7 @@ class OutlineElsewhere : public test::MatcherTest {
     const PreparedObject object(test::object_from(source_, reference_), Engine::kFast);
     const PreparedView& view = object.views.front();
     return better_elsewhere(view.fine.contour, SceneLevel(scene_, 0),
-                            compose(reference, inverse(view.reference_in_anchor)), 1)
-        .better;
+                            compose(reference, inverse(view.reference_in_anchor)), 1);
   }
 
   /// The same outline over a surface that lies `off` [px] elsewhere.
@@ -44,19 +43,6 @@ TEST_F(OutlineElsewhere, TheTruthIsBetterThanAPlaceNearIt) {
     EXPECT_GT(better_than({truth_.x + off.x, truth_.y + off.y, truth_.theta}), 0.1) << off;
 }
 
-TEST_F(OutlineElsewhere, ItsPoseThereIsTold) {
-  test::place(scene_, source_, reference_.position(), truth_);
-  const PreparedObject object(test::object_from(source_, reference_), Engine::kFast);
-  const PreparedView& view = object.views.front();
-  const Pose2D anchor = compose(truth_, inverse(view.reference_in_anchor));
-  // Near, far, and between the places that are tried.
-  for (const cv::Point2d off : {cv::Point2d(3, 0), {0, -3.2}, {5, 5}, {-5, 3}, {3, -5}, {6, 6}}) {
-    const Pose2D beside{anchor.x + off.x, anchor.y + off.y, anchor.theta};
-    const Elsewhere there = better_elsewhere(view.fine.contour, SceneLevel(scene_, 0), beside, 1);
-    EXPECT_LT(cv::norm(there.pose.position() - anchor.position()), 1.1) << off;
-  }
-}
-
 TEST_F(OutlineElsewhere, ACandidateIsShiftedOntoTheEdges) {
   test::place(scene_, source_, reference_.position(), truth_);
   const PreparedObject object(test::object_from(source_, reference_), Engine::kFast);
@@ -71,7 +57,7 @@ TEST_F(OutlineElsewhere, ACandidateIsShiftedOntoTheEdges) {
   EXPECT_GT(shifted.value, 0.4) << "the agreement of the contour";
 }
 
-TEST_F(OutlineElsewhere, WhereTheOutlineLiesBetterIsJudgedToo) {
+TEST_F(OutlineElsewhere, APoseThatItsOutlineContradictsIsTold) {
   test::place(scene_, source_, reference_.position(), truth_);
   const PreparedObject object(test::object_from(source_, reference_), Engine::kFast);
   const PreparedView& view = object.views.front();
@@ -80,10 +66,8 @@ TEST_F(OutlineElsewhere, WhereTheOutlineLiesBetterIsJudgedToo) {
   Believed beside = believed_as_is(view, scene, {anchor.x + 5, anchor.y - 3, anchor.theta});
   beside.odds = 5;
   const auto judged = judge(object, view, scene, {beside});
-  ASSERT_EQ(judged.size(), 2u);
-  EXPECT_NEAR(judged[0].pose.x, anchor.x, test::kPlaceTolerance);
-  EXPECT_NEAR(judged[0].pose.y, anchor.y, test::kPlaceTolerance);
-  EXPECT_LT(judged[0].elsewhere, kContradicts);
+  ASSERT_EQ(judged.size(), 1u);
+  EXPECT_GT(judged[0].elsewhere, kContradicts);
 }
 
 TEST_F(OutlineElsewhere, ASurfaceThatItsOutlineContradictsIsNeverGraspable) {

@@ -11,7 +11,7 @@ namespace mbncc {
 namespace {
 
 const cv::Point2d kReference{52, 60};
-const cv::Scalar kOrange{70, 112, 175};
+const cv::Scalar kBrown{100, 118, 140};
 
 /// A hook of one colour that busy grey ground has nowhere.
 test::LearningPicture hook(int width = 2) {
@@ -19,7 +19,7 @@ test::LearningPicture hook(int width = 2) {
   map(cv::Rect(45, 48, width, 22 + width)) = 255;
   map(cv::Rect(45, 70, 12 + width, width)) = 255;
   test::LearningPicture source(1, map);
-  source.surface.setTo(kOrange);
+  source.surface.setTo(kBrown);
   source.surface.copyTo(source.picture, source.map);
   return source;
 }
@@ -106,7 +106,7 @@ test::LearningPicture whiskered_plate() {
   map(cv::Rect(15, 48, 70, 24)) = 255;
   map(cv::Rect(85, 59, 40, 2)) = 255;
   test::LearningPicture source(1, map);
-  source.surface.setTo(kOrange);
+  source.surface.setTo(kBrown);
   source.surface.copyTo(source.picture, source.map);
   return source;
 }

@@ -15,22 +15,15 @@ constexpr double kWorthRefining = -4;
 struct Believed {
   Pose2D pose;
   Evidence evidence;
-  double odds = 0;    ///< the most that spoke for it on the way, or for a pose beside it
-  double pixels = 0;  ///< log-odds that all pixels of a small object add
-  int refining = 0;   ///< steps that its refinement may take
+  double odds = 0;   ///< log-odds that the object lies here
+  int refining = 0;  ///< steps that its refinement may take
 };
 
 /// The evidence for a pose as it is.
 Believed believed_as_is(const PreparedView& view, const ScenePicture& scene, const Pose2D& pose);
 
-/// Of two poses at one place the one that light prefers less, with what speaks for either: they
-/// compete like rotations, see compare_rotations().
-Believed better_turned(const Believed& a, const Believed& b);
-
-/// The best pose that climbs from this one and slightly turned ones reach.
+/// The best pose that climbs from this one and slightly turned ones reach; they compete like
+/// rotations, see compare_rotations().
 Believed polished(const PreparedView& view, const ScenePicture& scene, const Pose2D& pose);
-
-/// A polished pose, settled on the surface.
-Believed settled(const PreparedView& view, const ScenePicture& scene, const Believed& start);
 
 }  // namespace mbncc

@@ -15,63 +15,31 @@ bool is_near(const Candidate& candidate, const std::vector<Candidate>& others, d
   });
 }
 
-}  // namespace
-
-bool is_further_place(const Candidate& candidate, const std::vector<Pose2D>& known, double apart) {
-  return candidate.value >= kLikely &&
-         std::none_of(known.begin(), known.end(), [&](const Pose2D& other) {
-           return cv::norm(other.position() - candidate.pose.position()) < apart;
-         });
+bool are_alike(const Pose2D& a, const Pose2D& b, const Alikeness& alike) {
+  return std::abs(a.x - b.x) < alike.distance && std::abs(a.y - b.y) < alike.distance &&
+         angle_distance(a.theta, b.theta, alike.symmetry) * alike.rim < 1.5 * alike.distance;
 }
+
+}  // namespace
 
 void sort_by_value(std::vector<Candidate>& candidates) {
   std::stable_sort(candidates.begin(), candidates.end(),
                    [](const Candidate& a, const Candidate& b) { return a.value > b.value; });
 }
 
-void drop_duplicates(std::vector<Candidate>& candidates, const Alikeness& alike, std::size_t most,
-                     double apart) {
+void suppress(std::vector<Candidate>& candidates, const Suppression& suppression) {
   sort_by_value(candidates);
   std::vector<Candidate> kept;
   for (const auto& candidate : candidates) {
-    if (kept.size() >= most) {
+    if (kept.size() >= suppression.most ||
+        candidate.value < candidates.front().value - suppression.behind) {
       if (candidate.value < kLikely) break;
-      if (is_near(candidate, kept, apart)) continue;
+      if (is_near(candidate, kept, suppression.apart)) continue;
     }
-    const auto same = [&](const Candidate& other) {
-      return std::abs(candidate.pose.x - other.pose.x) < alike.distance &&
-             std::abs(candidate.pose.y - other.pose.y) < alike.distance &&
-             angle_distance(candidate.pose.theta, other.pose.theta, alike.symmetry) * alike.rim <
-                 1.5 * alike.distance;
-    };
-    if (std::any_of(kept.begin(), kept.end(), same)) continue;
-    kept.push_back(candidate);
-  }
-  candidates = std::move(kept);
-}
-
-void keep_hopeful(std::vector<Candidate>& candidates, std::size_t most, double behind,
-                  double apart) {
-  sort_by_value(candidates);
-  std::vector<Candidate> kept;
-  for (const auto& candidate : candidates) {
-    if (candidate.value < candidates.front().value - behind) break;
-    const bool further = kept.size() >= most;
-    if (further && candidate.value < kLikely) break;
-    if (!further || !is_near(candidate, kept, apart)) kept.push_back(candidate);
-  }
-  candidates = std::move(kept);
-}
-
-void keep_hopeful_places(std::vector<Candidate>& candidates, std::size_t most, double behind,
-                         double apart) {
-  sort_by_value(candidates);
-  if (candidates.size() > most) candidates.resize(most);
-  std::vector<Candidate> kept;
-  for (const auto& candidate : candidates) {
-    const bool hopeful = candidate.value >= candidates.front().value - behind;
-    if (!hopeful && candidate.value < kLikely) break;
-    if (hopeful || !is_near(candidate, kept, apart)) kept.push_back(candidate);
+    if (std::none_of(kept.begin(), kept.end(), [&](const Candidate& better) {
+          return are_alike(candidate.pose, better.pose, suppression.alike);
+        }))
+      kept.push_back(candidate);
   }
   candidates = std::move(kept);
 }

@@ -1,4 +1,4 @@
-// A pose under examination.
+// A pose under examination, and the suppression of those that others make superfluous.
 #pragma once
 
 #include <limits>
@@ -14,12 +14,6 @@ struct Candidate {
   double value = 0;  ///< what candidates are ranked by; larger is better
 };
 
-/// Likely by itself, and no known pose is nearer than `apart` [px at level].
-bool is_further_place(const Candidate& candidate, const std::vector<Pose2D>& known, double apart);
-
-/// Sorts by value, best first.
-void sort_by_value(std::vector<Candidate>& candidates);
-
 /// When candidates show the same pose.
 struct Alikeness {
   double distance;   ///< [px at level] less than this apart in place, and by the arc at `rim`
@@ -27,23 +21,23 @@ struct Alikeness {
   int symmetry = 1;  ///< of the object, see measure_symmetry()
 };
 
-/// [px at level] No place is so far from others that it is kept for being one of its own.
-constexpr double kNoPlaces = std::numeric_limits<double>::infinity();
+/// Which candidates stay beside better ones.
+struct Suppression {
+  static constexpr double kUnlimited = std::numeric_limits<double>::infinity();
 
-/// Sorts, drops what is alike to a better one, and keeps the best `most` and, beyond them, the best
-/// of every further place that is likely by itself, `apart` from others.
-void drop_duplicates(std::vector<Candidate>& candidates, const Alikeness& alike, std::size_t most,
-                     double apart = kNoPlaces);
+  std::size_t most;            ///< in all, ...
+  double behind = kUnlimited;  ///< ... and by so much behind the best at most; ...
+  double apart = kUnlimited;   ///< ... but the best of a place that is likely by
+                               ///< itself and so far [px at level] from others stays:
+                               ///< it may be another instance
+  Alikeness alike = {0, 0};    ///< of two that are alike the better one stays
+};
 
-/// Sorts and keeps as many, less those that are more than `behind` the best.
-void keep_hopeful(std::vector<Candidate>& candidates, std::size_t most, double behind,
-                  double apart = kNoPlaces);
+/// Sorts by value, best first.
+void sort_by_value(std::vector<Candidate>& candidates);
 
-/// The same, but the best of a place stays where it is likely by itself: it may be a covered
-/// instance, and another one lies in full view. Places are at least `apart` [px at level] from each
-/// other.
-void keep_hopeful_places(std::vector<Candidate>& candidates, std::size_t most, double behind,
-                         double apart);
+/// Non-maximum suppression. Sorts, best first.
+void suppress(std::vector<Candidate>& candidates, const Suppression& suppression);
 
 /// Drops those below `floor` from sorted candidates.
 void drop_below(double floor, std::vector<Candidate>& candidates);

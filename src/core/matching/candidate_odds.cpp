@@ -6,23 +6,11 @@
 #include "matching/climb.hpp"
 
 namespace mbncc {
-namespace {
-
-double odds(const PreparedView& view, const PoseTemplate& object, const SceneLevel& scene,
-            const Pose2D& pose) {
-  return log_odds(gather_evidence(object, scene, pose), view.shape.area());
-}
-
-}  // namespace
 
 double candidate_odds(const PreparedView& view, const ScenePicture& scene, int level,
                       const Pose2D& pose) {
-  return odds(view, view.templates[level], scene.levels[level], pose);
-}
-
-double rough_odds(const PreparedView& view, const ScenePicture& scene, int level,
-                  const Pose2D& pose) {
-  return odds(view, view.rough[level], scene.levels[level], pose);
+  return log_odds(gather_evidence(view.templates[level], scene.levels[level], pose),
+                  view.shape.area());
 }
 
 std::vector<Candidate> rotation_peaks(const PoseTemplate& object, const SceneLevel& scene,

@@ -13,10 +13,6 @@ namespace mbncc {
 double candidate_odds(const PreparedView& view, const ScenePicture& scene, int level,
                       const Pose2D& pose);
 
-/// The same from few points, to thin out many candidates.
-double rough_odds(const PreparedView& view, const ScenePicture& scene, int level,
-                  const Pose2D& pose);
-
 /// Local maxima of the agreement with `object` at a place over a full turn, in steps of `arc` [px]
 /// at the rim, best first. `scene` is the place's level; the candidates' values are those of
 /// climb().

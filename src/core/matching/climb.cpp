@@ -50,8 +50,8 @@ cv::Vec3d bounded(const cv::Vec3d& step, double radius) {
 /// The climb of one template in one picture.
 class Climber {
  public:
-  Climber(const PoseTemplate& object, const SceneLevel& scene, double contour_weight)
-      : object_(object), scene_(scene), contour_weight_(contour_weight), sample_(shared_sample()) {}
+  Climber(const PoseTemplate& object, const SceneLevel& scene)
+      : object_(object), scene_(scene), sample_(shared_sample()) {}
 
   Climbed run(const Pose2D& start, int iterations) {
     Climbed best{start, -2};
@@ -89,21 +89,18 @@ class Climber {
     sample_.read(object_, scene_, pose, reach);
     if (!sample_.surface.suffices()) return false;
     correlation_ = object_.surface.correlation(sample_.remainder, kNoise);
-    value_ = contour_weight_ * contour_agreement(object_.contour, sample_.contour) + correlation_;
+    value_ = contour_agreement(object_.contour, sample_.contour) + correlation_;
     return true;
   }
 
   cv::Vec3d next_step() {
     ContourPull pull = contour_pull(object_.contour, sample_.contour);
-    pull.hessian *= contour_weight_;
-    pull.gradient *= contour_weight_;
     add_surface_pull(object_.surface, sample_.surface, correlation_, pull);
     return bounded(damped(pull.hessian, radius()).inv() * pull.gradient, radius());
   }
 
   const PoseTemplate& object_;
   const SceneLevel& scene_;
-  double contour_weight_;
   PoseSample& sample_;                   // at the pose looked at last
   double correlation_ = 0, value_ = -2;  // there
   bool at_best_ = false;                 // it is the best one
@@ -113,7 +110,7 @@ class Climber {
 
 Climbed climb(const PoseTemplate& object, const SceneLevel& scene, const Pose2D& start,
               int iterations) {
-  return Climber(object, scene, 1).run(start, iterations);
+  return Climber(object, scene).run(start, iterations);
 }
 
 Climbed follow_contour(const PoseTemplate& object, const SceneLevel& scene, const Pose2D& start,
@@ -137,13 +134,7 @@ Climbed follow_contour(const PoseTemplate& object, const SceneLevel& scene, cons
 
 Supported climb_to_evidence(const PoseTemplate& object, const SceneLevel& scene,
                             const Pose2D& start, int iterations) {
-  return Climber(object, scene, 1).run_to_evidence(start, iterations);
-}
-
-Supported settle(const PoseTemplate& object, const SceneLevel& scene, const Pose2D& start,
-                 int iterations) {
-  constexpr double kContourWeight = 0.1;
-  return Climber(object, scene, kContourWeight).run_to_evidence(start, iterations);
+  return Climber(object, scene).run_to_evidence(start, iterations);
 }
 
 }  // namespace mbncc

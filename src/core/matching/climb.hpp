@@ -31,9 +31,4 @@ struct Supported {
 Supported climb_to_evidence(const PoseTemplate& object, const SceneLevel& scene,
                             const Pose2D& start, int iterations);
 
-/// The same with the contour counting little: a learned map may be a pixel off, and shadows
-/// displace edges, so the surface knows better.
-Supported settle(const PoseTemplate& object, const SceneLevel& scene, const Pose2D& start,
-                 int iterations);
-
 }  // namespace mbncc

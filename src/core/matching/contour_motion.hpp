@@ -13,15 +13,12 @@ class ContourMotion {
   ContourMotion() = default;
   explicit ContourMotion(const ContourTemplate& contour);
 
-  /// Pull of the edges found, for points that scatter by 1 px each, independently. Shadows and maps
-  /// cut too large move all edges outwards alike: that is not counted.
+  /// Pull of the edges found, for points that scatter by 1 px each, independently.
   MotionPull pull(const ContourSample& sample) const;
 
  private:
-  static constexpr int kRows = kMotionParts + 1;  // the last: outwards
-
   std::size_t padded_ = 0;
-  std::vector<float> rows_;  // kRows of padded_ values
+  std::vector<float> rows_;  // kMotionParts of padded_ values
 };
 
 }  // namespace mbncc

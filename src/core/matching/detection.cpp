@@ -64,20 +64,16 @@ double turned_over(const PreparedView& view, const ScenePicture& scene, const Re
   return view.turned_over.better(view.fine.contour, scene.levels[0], place.pose, place.scale);
 }
 
-/// In at most `iterations` steps, none where the pixels of a small object have told its pose better
-/// than its surface could.
-Refined refined(const PreparedView& view, const ScenePicture& scene, const Believed& found,
-                int iterations) {
+Refined refined(const PreparedView& view, const ScenePicture& scene, const Believed& found) {
   if (found.odds <= kWorthRefining) return unknown_accuracy(found.pose);
-  const bool small = view.rendering.padded() > 0;
-  return refine(view.dense, scene.levels[0], found.pose, small ? 0 : iterations);
+  return refine(view.dense, scene.levels[0], found.pose, found.refining);
 }
 
 /// Against other rotations at the same place; the least where none of them can be reported.
 double odds_of_rotation(const PreparedView& view, const SceneLevel& scene, const Believed& found) {
   constexpr double kNone = -1000;
   thread_local SurfaceSample sample;
-  if (found.odds + found.pixels <= kReportable - kComparable) return kNone;
+  if (found.odds <= kReportable - kComparable) return kNone;
   scene.prepare_around(found.pose, view.fine.reach());
   view.fine.surface.sample(scene, found.pose, sample);
   return rotation_odds(found.evidence, view.lit.misfit(sample));
@@ -92,7 +88,7 @@ Detection unrefined(const PreparedObject& object, const PreparedView& view,
   detection.pose = found.pose;
   detection.pose.theta = wrap_angle(found.pose.theta);
   detection.covariance = detection.cautious = unknown_accuracy(found.pose).covariance;
-  detection.log_odds = found.odds + found.pixels;
+  detection.log_odds = found.odds;
   detection.projected = found.evidence.projected;
   detection.rotation_odds = odds_of_rotation(view, scene.levels[0], found);
   return detection;
@@ -107,7 +103,7 @@ void read_similarity(Detection& detection, const ScenePicture& scene) {
 /// Refines the pose, and looks for what speaks against it there.
 void refine(Detection& detection, const ScenePicture& scene, const Believed& found) {
   const PreparedView& view = *detection.view;
-  const Refined place = refined(view, scene, found, found.refining);
+  const Refined place = refined(view, scene, found);
   detection.pose = place.pose;
   detection.pose.theta = wrap_angle(place.pose.theta);
   detection.size = place.scale;
@@ -117,85 +113,22 @@ void refine(Detection& detection, const ScenePicture& scene, const Believed& fou
   detection.strange = std::max(strange.colour, strange.block);
   const double mirrored = found.odds > kWorthRefining ? turned_over(view, scene, place) : 0;
   detection.turned_over = mirrored > kMirrored;
-  detection.log_odds = found.odds + found.pixels - doubt(strange.colour) - mirror_doubt(mirrored);
+  detection.log_odds = found.odds - doubt(strange.colour) - mirror_doubt(mirrored);
   detection.another_size =
       detection.log_odds > 0 && fits_another_size(view, scene, detection.pose, found.odds);
 }
 
-/// The poses of one view in a picture, judged against each other.
-class Judgement {
- public:
-  Judgement(const PreparedObject& object, const PreparedView& view, const ScenePicture& scene,
-            const std::vector<Believed>& found)
-      : object_(object), view_(view), scene_(scene) {
-    for (const auto& one : found) add(one);
+/// Tells of the best detection at each place, of sorted ones, by how much the outline alone would
+/// lie better elsewhere: shading displaces a plain surface by pixels.
+void look_elsewhere(const PreparedView& view, const ScenePicture& scene,
+                    std::vector<Detection>& compared) {
+  for (auto one = compared.begin(); one != compared.end(); ++one) {
+    if (one->log_odds <= kReportable) break;
+    if (std::none_of(compared.begin(), one,
+                     [&](const Detection& better) { return at_one_place(*one, better); }))
+      one->elsewhere = better_elsewhere(view.fine.contour, scene.levels[0], one->pose, one->size);
   }
-
-  std::vector<Detection> run() {
-    for (;;) {
-      auto compared = compare_rotations(detections_);
-      if (refine_next(compared) || look_elsewhere(compared)) continue;
-      for (auto& one : compared) read_similarity(one, scene_);
-      return compared;
-    }
-  }
-
- private:
-  void add(const Believed& one) {
-    detections_.push_back(unrefined(object_, view_, scene_, one));
-    detections_.back().number = found_.size();
-    found_.push_back(one);
-    refined_.push_back(false);
-    contradicted_.push_back(false);
-  }
-
-  /// What may be reported is not known before rotations have been compared, and what speaks against
-  /// one lets another be the best: so they are refined one after the other. False when all are.
-  bool refine_next(const std::vector<Detection>& compared) {
-    const auto next = std::find_if(compared.begin(), compared.end(), [&](const Detection& one) {
-      return !refined_[one.number] && one.log_odds > kReportable;
-    });
-    if (next == compared.end()) return false;
-    refined_[next->number] = true;
-    refine(detections_[next->number], scene_, found_[next->number]);
-    return true;
-  }
-
-  /// Tells of the best detection at each place, of sorted ones, by how much the outline alone would
-  /// lie better elsewhere: shading displaces a plain surface by pixels. True where the outline's
-  /// own pose has joined those to be judged.
-  bool look_elsewhere(std::vector<Detection>& compared) {
-    bool joined = false;
-    for (auto one = compared.begin(); one != compared.end(); ++one) {
-      if (one->log_odds <= kReportable) break;
-      const bool best = std::none_of(compared.begin(), one, [&](const Detection& better) {
-        return at_one_place(*one, better);
-      });
-      if (best && outline_contradicts(*one)) joined = true;
-    }
-    return joined;
-  }
-
-  /// Notes how much better the outline lies elsewhere. Where that contradicts the pose, the
-  /// outline's joins, once: what it leads to is not asked for another one. The paper's poses stay.
-  bool outline_contradicts(Detection& one) {
-    const SceneLevel& picture = scene_.levels[0];
-    const auto there = better_elsewhere(view_.fine.contour, picture, one.pose, one.size);
-    one.elsewhere = there.better;
-    if (there.better <= kContradicts || view_.polar || contradicted_[one.number]) return false;
-    const std::size_t outlines = found_.size();
-    add(settled(view_, scene_, polished(view_, scene_, there.pose)));
-    contradicted_[one.number] = contradicted_[outlines] = true;
-    return true;
-  }
-
-  const PreparedObject& object_;
-  const PreparedView& view_;
-  const ScenePicture& scene_;
-  std::vector<Believed> found_;
-  std::vector<Detection> detections_;  ///< of them
-  std::vector<char> refined_, contradicted_;
-};
+}
 
 }  // namespace
 
@@ -205,7 +138,28 @@ double Detection::score() const {
 
 std::vector<Detection> judge(const PreparedObject& object, const PreparedView& view,
                              const ScenePicture& scene, const std::vector<Believed>& found) {
-  return Judgement(object, view, scene, found).run();
+  std::vector<Detection> detections;
+  for (const auto& one : found) {
+    detections.push_back(unrefined(object, view, scene, one));
+    detections.back().number = detections.size() - 1;
+  }
+  // What may be reported is not known before rotations have been compared, and what speaks against
+  // one lets another be the best: so they are refined one after the other.
+  std::vector<char> refined(found.size(), 0);
+  for (;;) {
+    auto compared = compare_rotations(detections);
+    const auto next = std::find_if(compared.begin(), compared.end(), [&](const Detection& one) {
+      return !refined[one.number] && one.log_odds > kReportable;
+    });
+    if (next != compared.end()) {
+      refined[next->number] = 1;
+      refine(detections[next->number], scene, found[next->number]);
+      continue;
+    }
+    look_elsewhere(view, scene, compared);
+    for (auto& one : compared) read_similarity(one, scene);
+    return compared;
+  }
 }
 
 std::vector<Detection> compare_rotations(std::vector<Detection> detections) {

@@ -40,8 +40,7 @@ struct Detection {
   double score() const;  ///< [0..1]
 };
 
-/// Judges poses of a view against each other, best first, and where their outlines lie better
-/// elsewhere, the poses there, too. Only what may be reported is refined.
+/// Judges poses of a view against each other, best first. Only what may be reported is refined.
 std::vector<Detection> judge(const PreparedObject& object, const PreparedView& view,
                              const ScenePicture& scene, const std::vector<Believed>& found);
 

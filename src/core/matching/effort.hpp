@@ -11,24 +11,26 @@ struct Effort {
   std::size_t on_edges;    ///< of them those that lie best on edges, at most
   std::size_t judged;      ///< of them and others at a level by all evidence, at most
   std::size_t entering;    ///< candidates that enter at a level, at most
-  int turns;               ///< further starts, turned each way, of a candidate that enters
   double width;            ///< [px at level] objects narrower enter one level finer
   double narrow;           ///< [px] contours of objects narrower are followed first
-  double demand;           ///< log-odds by which a candidate's floors are raised on the way
   double kept;             ///< candidates at each level, times most_at()
 };
-constexpr Effort kThorough{400, 1600, 200, 64, 2, 3, 5, 0, 2};
-constexpr Effort kFurther{100, 100, 64, 24, 2, 3, 5, 0, 2};
+constexpr Effort kThorough{400, 1600, 200, 64, 3, 5, 2};
+constexpr Effort kFurther{100, 100, 64, 24, 3, 5, 2};
 
-/// How hard the first look is, which proposes by other means, too.
+/// How hard the first look is.
 struct FirstLook {
   Effort effort;
   std::size_t round_places;  ///< whose contour does not tell the rotation, at most
   int correlated_places;     ///< of the correlation, at most
   double promising;          ///< log-odds that polishing may bring to acceptance
 };
-constexpr FirstLook kSparing{{100, 100, 24, 12, 0, 0, 0, 2, 1}, 10, 100, -5};
-constexpr FirstLook kQuick{{400, 200, 96, 48, 0, 0, 0, 0, 1}, 24, 100, -8};
+constexpr FirstLook kSparing{{100, 100, 24, 12, 0, 0, 1}, 10, 100, -5};
+constexpr FirstLook kQuick{{400, 200, 96, 48, 0, 0, 1}, 24, 100, -8};
+
+/// Log-odds behind the best that other places do not make up for.
+constexpr double kHopeless = 15;  ///< on the way down
+constexpr double kNoRival = 12;   ///< at full resolution
 
 /// Correlation is spared where of the candidates by edges
 constexpr double kSure = 3;            ///< the best has at least these log-odds, ...

@@ -37,37 +37,12 @@ std::vector<Detection> search_views(const PreparedObject& object, const ScenePic
   return object.views.size() > 1 ? compare_rotations(std::move(found)) : found;
 }
 
-/// Where the best of what was found lies, and a little about it; empty when nothing is likely.
-cv::Rect place_of_best(const std::vector<Detection>& found) {
-  const auto best = std::max_element(
-      found.begin(), found.end(),
-      [](const Detection& a, const Detection& b) { return a.log_odds < b.log_odds; });
-  if (best == found.end() || best->log_odds < kFound) return {};
-  const Pose2D pose = compose(best->pose, best->view->reference_in_anchor);
-  const int reach = std::max(4, cvRound(0.25 * best->view->shape.radius()));
-  return {cvRound(pose.x) - reach, cvRound(pose.y) - reach, 2 * reach + 1, 2 * reach + 1};
-}
-
-/// One look at the picture, a quick one more where the object was found: the sparing look may have
-/// passed over the right angle there, or a rival of it.
-std::vector<Detection> search_sparingly(const PreparedObject& object, const ScenePicture& scene,
-                                        const cv::Rect& roi, Look look) {
-  auto found = search_views(object, scene, roi, look);
-  const cv::Rect place =
-      place_of_best(found) & (roi.empty() ? cv::Rect({0, 0}, scene.size()) : roi);
-  if (place.empty()) return found;
-  const auto again = search_views(object, scene, place, Look::kQuick);
-  found.insert(found.end(), again.begin(), again.end());
-  return compare_rotations(std::move(found));
-}
-
 }  // namespace
 
 // An instance fits one of several views best: a thorough look is worth it only when none finds it.
 std::vector<Detection> search_object(const PreparedObject& object, const ScenePicture& scene,
                                      const cv::Rect& roi, Look look) {
-  if (is_sparing(look)) return search_sparingly(object, scene, roi, look);
-  if (object.views.size() == 1) return search_views(object, scene, roi, look);
+  if (is_sparing(look) || object.views.size() == 1) return search_views(object, scene, roi, look);
   const auto found = search_views(object, scene, roi, Look::kQuick);
   const bool enough = std::any_of(found.begin(), found.end(), [](const Detection& detection) {
     return detection.log_odds >= kFound;

@@ -1,13 +1,14 @@
 #include "matching/outline_elsewhere.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "matching/outline_agreement.hpp"
 
 namespace mbncc {
 
-Elsewhere better_elsewhere(const ContourTemplate& contour, const SceneLevel& scene,
-                           const Pose2D& pose, double scale) {
+double better_elsewhere(const ContourTemplate& contour, const SceneLevel& scene, const Pose2D& pose,
+                        double scale) {
   constexpr double kNearest = 2.9;  // [px] what is nearer is the same place, not known that well
   constexpr double kStep = 2;       // [px] an edge in between is still seen
   constexpr int kFarthest = 3;      // steps along x and y
@@ -20,16 +21,16 @@ Elsewhere better_elsewhere(const ContourTemplate& contour, const SceneLevel& sce
     return std::hypot(other.x - pose.x, other.y - pose.y) >= kNearest;
   };
   const double here = agreement.at(pose);
-  AgreeingPose best{pose, -1};
+  double best = -1;
   for (int i = -kFarthest; i <= kFarthest; ++i)
     for (int j = -kFarthest; j <= kFarthest; ++j) {
       const Pose2D start{pose.x + kStep * i, pose.y + kStep * j, pose.theta};
       if (!elsewhere(start)) continue;
       AgreeingPose there{start, agreement.at(start)};
       if (there.agreement > here - kWorse) there = agreement.climbed(start, kClimbing, elsewhere);
-      if (there.agreement > best.agreement) best = there;
+      best = std::max(best, there.agreement);
     }
-  return {best.pose, best.agreement - here};
+  return best - here;
 }
 
 }  // namespace mbncc

@@ -9,15 +9,10 @@ namespace mbncc {
 /// [agreement] An outline that lies better elsewhere by more contradicts the pose.
 constexpr double kContradicts = 0.05;
 
-struct Elsewhere {
-  Pose2D pose;
-  double better = 0;  ///< [-2..2] agreement beyond that at the pose asked for
-};
-
-/// Where the contour, `scale` times as large, agrees best with the edges from 3 to some 10 px away
-/// from `pose`, turned a little there; see contour_agreement(). Roughly where it does not agree
-/// better.
-Elsewhere better_elsewhere(const ContourTemplate& contour, const SceneLevel& scene,
-                           const Pose2D& pose, double scale);
+/// [-2..2] By how much the contour, `scale` times as large, agrees better with the edges from 3 to
+/// some 10 px away from `pose`, turned a little there, than at it; see contour_agreement(). Roughly
+/// where it does not agree better.
+double better_elsewhere(const ContourTemplate& contour, const SceneLevel& scene, const Pose2D& pose,
+                        double scale);
 
 }  // namespace mbncc

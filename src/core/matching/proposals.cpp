@@ -6,6 +6,7 @@
 #include "matching/coarse_search.hpp"
 #include "matching/colour_ranking.hpp"
 #include "matching/edge_search.hpp"
+#include "matching/effort.hpp"
 #include "mbncc/matching/pyramid.hpp"
 
 namespace mbncc {
@@ -37,7 +38,7 @@ void Proposals::search_edges(std::size_t foremost, std::size_t most, std::size_t
   edges_ = std::move(found.poses);
   for (auto& place : found.round_places)
     place.value = candidate_odds(view_, scene_, level, place.pose);
-  keep_hopeful(found.round_places, round_places, kHopeless);
+  suppress(found.round_places, {round_places, kHopeless});
   for (const auto& place : found.round_places) add_rotations_by_surface(place);
 }
 
@@ -54,35 +55,14 @@ void Proposals::add_rotations_by_surface(const Candidate& place) {
   round_.insert(round_.end(), peaks.begin(), peaks.end());
 }
 
-void Proposals::correlate(int most, const Places& places) {
+std::vector<Candidate> Proposals::by_correlation(int most) const {
   const int level = view_.kernels.level;
-  if (!view_.kernels.searched()) return;  // the edges have to do
+  if (!view_.kernels.searched()) return {};  // the edges have to do
   CoarseSettings settings;
   settings.max_places = most;
   const cv::Rect inside = at_level(roi_, level) & cv::Rect({0, 0}, scene_.grey[level].size());
-  correlated_ = coarse_search(view_.kernels, *scene_.padded(level, view_.kernels.radius + 1),
-                              inside, settings, view_.sector, places);
-}
-
-CandidatesPerLevel Proposals::by_edges(std::size_t most) const {
-  CandidatesPerLevel proposed(view_.templates.size());
-  auto& at_level = proposed[view_.edges.level()];
-  const std::size_t count = std::min(most, edges_.size());
-  at_level.assign(edges_.begin(), edges_.begin() + static_cast<std::ptrdiff_t>(count));
-  at_level.insert(at_level.end(), round_.begin(), round_.end());
-  return proposed;
-}
-
-CandidatesPerLevel Proposals::by_colours(std::size_t most) const {
-  CandidatesPerLevel proposed(view_.templates.size());
-  proposed[view_.edges.level()] = best_by_colours(view_, scene_, edges_, most);
-  return proposed;
-}
-
-CandidatesPerLevel Proposals::by_correlation() const {
-  CandidatesPerLevel proposed(view_.templates.size());
-  proposed[view_.kernels.level] = correlated_;
-  return proposed;
+  return coarse_search(view_.kernels, *scene_.padded(level, view_.kernels.radius + 1), inside,
+                       settings, view_.sector, places_);
 }
 
 bool Proposals::foremost_by_edges(const Pose2D& pose, std::size_t count) const {
@@ -92,6 +72,17 @@ bool Proposals::foremost_by_edges(const Pose2D& pose, std::size_t count) const {
   return std::any_of(edges_.begin(), end, [&](const Candidate& proposed) {
     return cv::norm(proposed.pose.position() - place) < kNear;
   });
+}
+
+std::vector<Candidate> Proposals::by_edges(std::size_t most) const {
+  const auto count = static_cast<std::ptrdiff_t>(std::min(most, edges_.size()));
+  std::vector<Candidate> proposed(edges_.begin(), edges_.begin() + count);
+  proposed.insert(proposed.end(), round_.begin(), round_.end());
+  return proposed;
+}
+
+std::vector<Candidate> Proposals::by_colours(std::size_t most) const {
+  return best_by_colours(view_, scene_, edges_, most);
 }
 
 }  // namespace mbncc

@@ -1,15 +1,17 @@
-// What the coarse searches of one view propose.
+// What the coarse search of one view proposes.
 #pragma once
 
 #include <opencv2/core.hpp>
 #include <vector>
 
-#include "matching/descent.hpp"
+#include "matching/candidate.hpp"
 #include "matching/places.hpp"
+#include "matching/prepared_object.hpp"
+#include "matching/scene_picture.hpp"
 
 namespace mbncc {
 
-/// Poses of a view, each search's best first, whose anchors lie in `roi` [px] and `places`.
+/// Poses of a view, the best first, whose anchors lie in `roi` [px] and `places`.
 class Proposals {
  public:
   Proposals(const PreparedView& view, const ScenePicture& scene, const cv::Rect& roi,
@@ -21,15 +23,13 @@ class Proposals {
   void follow_edges(std::size_t most, std::size_t round_places);
   /// The same, and as many more as colours may choose from.
   void follow_edges_anywhere(std::size_t most, std::size_t round_places);
-  /// Searches by rotated correlation within `places`, unless that would be at one of the finest
-  /// levels: at most `most` places.
-  void correlate(int most, const Places& places);
-
+  /// The best `most` places by rotated correlation, unless that would be at one of the finest
+  /// levels.
+  std::vector<Candidate> by_correlation(int most) const;
   /// Of those by edges the first `most`, and those at round places.
-  CandidatesPerLevel by_edges(std::size_t most) const;
-  CandidatesPerLevel by_correlation() const;
+  std::vector<Candidate> by_edges(std::size_t most) const;
   /// Of all those by edges the `most` whose colours speak most for the object, too.
-  CandidatesPerLevel by_colours(std::size_t most) const;
+  std::vector<Candidate> by_colours(std::size_t most) const;
 
   /// Edges proposed the place of `pose` [px] among the first `count`.
   bool foremost_by_edges(const Pose2D& pose, std::size_t count) const;
@@ -42,7 +42,7 @@ class Proposals {
   const ScenePicture& scene_;
   cv::Rect roi_;
   const Places& places_;
-  std::vector<Candidate> correlated_, edges_, round_;
+  std::vector<Candidate> edges_, round_;
 };
 
 }  // namespace mbncc

@@ -15,7 +15,6 @@ void SurfaceTemplate::sample(const SceneLevel& scene, const Pose2D& pose, Surfac
                           placement_of(pose, scale),
                           {sample.planes[0].data(), sample.planes[1].data(),
                            sample.planes[2].data(), sample.inside.data()});
-  if (!unmixing_.empty()) unmixing_.apply(scene, pose, scale, sample.inside, sample.planes);
   sample.points = size();
   const float* inside = sample.inside.data();
   const auto [count, blue, green, red] = products<4>(

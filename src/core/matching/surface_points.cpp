@@ -32,30 +32,11 @@ std::vector<cv::Point> pure_pixels(const MapGeometry& map, cv::Size size, int le
   return pixels_deeper_than(level == 0 ? 1.9 : 0.5 + 0.75 * (1 << level), map, size, level);
 }
 
-Points pure_points(const MapGeometry& map, const std::vector<cv::Point>& pixels, int level) {
+Points points_of(const MapGeometry& map, const std::vector<cv::Point>& pixels, int level) {
   Points points;
   points.reserve(pixels.size());
   for (const auto& pixel : pixels)
-    points.push_back(
-        {at_level(cv::Point2f(pixel), level), map.depth(pixel), map.inward(pixel), {}});
-  return points;
-}
-
-Points mixed_points(const MapGeometry& map, cv::Size size, int level) {
-  constexpr float kShown = 0.4f;       // least share of the object, ...
-  constexpr std::ptrdiff_t kFew = 12;  // ... where that leaves more points
-  const Coverage coverage(map, level);
-  Points points;
-  for (const auto& pixel : pixels_deeper_than(0, map, size, level)) {
-    Mixture mixture = coverage.at(pixel);
-    for (auto& place : mixture.beyond) place = at_level(place, level);
-    points.push_back(
-        {at_level(cv::Point2f(pixel), level), map.depth(pixel), map.inward(pixel), mixture});
-  }
-  const auto shown = std::stable_partition(
-      points.begin(), points.end(),
-      [](const SurfacePoint& point) { return point.mixture.share >= kShown; });
-  if (shown - points.begin() >= kFew) points.erase(shown, points.end());
+    points.push_back({at_level(cv::Point2f(pixel), level), map.depth(pixel), map.inward(pixel)});
   return points;
 }
 
@@ -94,15 +75,10 @@ SurfacePoints choose_surface_points(const MapGeometry& map, cv::Size size, int l
                                     std::size_t most) {
   const std::size_t enough = level == 0 ? 100 : 40;
   auto pixels = pure_pixels(map, size, level);
+  if (pixels.size() < enough) pixels = pixels_deeper_than(0, map, size, level);
+  thin_out(pixels, most);
   SurfacePoints chosen;
-  chosen.mixed = pixels.size() < enough;
-  if (chosen.mixed) {
-    chosen.points = mixed_points(map, size, level);
-    thin_out(chosen.points, most);
-  } else {
-    thin_out(pixels, most);
-    chosen.points = pure_points(map, pixels, level);
-  }
+  chosen.points = points_of(map, pixels, level);
   const std::size_t count = chosen.points.size();
   const int depth = count >= 240 ? 3 : count >= 100 ? 2 : count >= 50 ? 1 : 0;
   split_blocks(chosen, chosen.points.begin(), chosen.points.end(), depth);

@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "matching/map_geometry.hpp"
-#include "matching/mixture.hpp"
 
 namespace mbncc {
 
@@ -13,13 +12,11 @@ struct SurfacePoint {
   cv::Point2f at;      ///< [px at level] in the template picture
   float depth;         ///< [px at level 0] to the map's edge
   cv::Point2f inward;  ///< unit, away from the edge
-  Mixture mixture;     ///< its places [px at level], as `at`
 };
 
 struct SurfacePoints {
   std::vector<SurfacePoint> points;
   std::vector<int> block_ends;  ///< points in order belong to compact parts of equal size
-  bool mixed = false;           ///< they are too near the edge to show the object alone
 };
 
 /// At most `most` points of a map of `size`, spread evenly: away from the edge, where picture

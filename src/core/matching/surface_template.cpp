@@ -17,15 +17,11 @@ constexpr float kNowhere = -1e6f;  // lies outside of every picture
 }  // namespace
 
 SurfaceTemplate::SurfaceTemplate(const Source& source, cv::Point2d anchor, std::size_t most) {
-  const cv::Point2d origin = to_level(anchor, source.level);
   SurfacePoints chosen = choose_surface_points(source.map, source.map_size, source.level, most);
   points_ = std::move(chosen.points);
   block_ends = std::move(chosen.block_ends);
-  place_points(origin);
-  if (chosen.mixed)
-    read_unmixed_colours(source.picture, origin);
-  else
-    read_colours(source.surface);
+  place_points(to_level(anchor, source.level));
+  read_colours(source.surface);
   measure_texture();
   read_gradients(source.surface);
   basis = ShadingBasis(points_, x, y, radius_);
@@ -47,7 +43,6 @@ void SurfaceTemplate::resize(double factor) {
   for (auto* places : {&x, &y})
     for (auto& place : *places) place *= static_cast<float>(factor);
   radius_ *= factor;
-  unmixing_.resize(factor);
 }
 
 void SurfaceTemplate::read_colours(const SceneLevel& picture) {
@@ -67,21 +62,6 @@ void SurfaceTemplate::read_colours(const SceneLevel& picture) {
     ones[i] = 1;
   }
   histogram = chroma_histogram(planes, ones);
-}
-
-void SurfaceTemplate::read_unmixed_colours(const SceneLevel& picture, cv::Point2d origin) {
-  std::vector<Mixture> mixtures;
-  for (const auto& point : points_) mixtures.push_back(point.mixture);
-  unmixing_ = Unmixing(mixtures, origin, padded());
-  SurfaceSample own;
-  const Pose2D home{origin.x, origin.y, 0};
-  picture.prepare_around(home, radius_);
-  sample(picture, home, own);
-  planes = own.planes;
-  energy.assign(padded(), 0.f);
-  for (const auto& plane : planes)
-    for (std::size_t i = 0; i < padded(); ++i) energy[i] += plane[i] * plane[i];
-  histogram = chroma_histogram(planes, own.inside);
 }
 
 void SurfaceTemplate::measure_texture() {

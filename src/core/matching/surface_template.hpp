@@ -7,7 +7,6 @@
 
 #include "matching/chroma_histogram.hpp"
 #include "matching/map_geometry.hpp"
-#include "matching/mixture.hpp"
 #include "matching/scene_picture.hpp"
 #include "matching/shading_basis.hpp"
 #include "matching/surface_points.hpp"
@@ -41,8 +40,6 @@ class SurfaceTemplate {
   /// What a template is made from, at one pyramid level.
   struct Source {
     const SceneLevel& surface;  ///< the learning picture with the object continued outwards
-    const SceneLevel& picture;  ///< the learning picture as it is, which is read where a narrow
-                                ///< object mixes with its background
     const MapGeometry& map;
     cv::Size map_size;
     int level;
@@ -91,9 +88,6 @@ class SurfaceTemplate {
   /// [0..1] How much the colours vary: 0 not at all, near 1 far beyond noise and shading.
   double texture() const { return texture_; }
 
-  /// The points are too near the edge to show the object alone.
-  bool mixed() const { return !unmixing_.empty(); }
-
   double radius() const { return radius_; }  ///< [px at level] of the farthest point
 
   // All vectors are padded to whole lanes: places with points that lie nowhere, values with zeros.
@@ -120,14 +114,12 @@ class SurfaceTemplate {
  private:
   void place_points(cv::Point2d origin);
   void read_colours(const SceneLevel& picture);
-  void read_unmixed_colours(const SceneLevel& picture, cv::Point2d origin);
   void measure_texture();
   void read_gradients(const SceneLevel& picture);
   void project();
   void read_slopes(const SceneLevel& picture);
 
   std::vector<SurfacePoint> points_;
-  Unmixing unmixing_;
   double radius_ = 1, texture_ = 0;
 };
 

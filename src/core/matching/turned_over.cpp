@@ -32,7 +32,9 @@ std::vector<Candidate> best_turns(const ContourTemplate& contour, const SceneLev
     const Pose2D pose{home.x, home.y, home.theta + 2 * kPi * k / count};
     turned.push_back({pose, 0, agreement.at(pose)});
   }
-  drop_duplicates(turned, {4 * kArc / 1.5, contour.radius()}, most);
+  suppress(
+      turned,
+      {most, Suppression::kUnlimited, Suppression::kUnlimited, {4 * kArc / 1.5, contour.radius()}});
   return turned;
 }
 

@@ -17,6 +17,7 @@ namespace {
 constexpr std::size_t kFinal = 3;        // places whose other angles are tried, ...
 constexpr std::size_t kMostPlaces = 10;  // ... and so many ...
 constexpr double kLikely = 0;            // ... that have these log-odds
+constexpr double kSamePose = 1e-6;       // [px]
 constexpr double kOtherAngle = to_radians(10.);
 constexpr std::size_t kPolished = 8;
 constexpr double kOutclassed = 8;  // log-odds behind the best that polishing does not make up for
@@ -40,12 +41,6 @@ FirstLook for_sector(FirstLook look, const RotationSector& sector) {
   return look;
 }
 
-/// Busy ground has more edges along a narrow outline than along any other, in twice as many poses.
-Effort thorough_for(const PreparedView& view, Effort effort) {
-  if (is_narrow(view, effort)) effort.edge_poses *= 2;
-  return for_sector(effort, view.sector);
-}
-
 class ViewSearch {
  public:
   ViewSearch(const PreparedObject& object, const PreparedView& view, const ScenePicture& scene,
@@ -57,7 +52,7 @@ class ViewSearch {
         everywhere_(places.everywhere()),
         look_(look),
         first_(for_sector(is_sparing(look) ? kSparing : kQuick, view.sector)),
-        thorough_(thorough_for(view, kThorough)),
+        thorough_(for_sector(kThorough, view.sector)),
         proposals_(view, scene, roi, places) {}
 
   std::vector<Detection> run() {
@@ -68,12 +63,12 @@ class ViewSearch {
     else
       proposals_.follow_edges(first_.effort.edge_poses, first_.round_places);
     std::vector<Candidate> candidates = best_by_edges();
-    if (everywhere_ && !sure(candidates)) {
-      proposals_.correlate(first_.correlated_places, view_.gate.places(scene_.classes()));
-      merge(descend(view_, scene_, first_.effort, proposals_.by_correlation()), candidates);
-    }
+    if (everywhere_ && !sure(candidates))
+      merge(descend(view_, scene_, first_.effort,
+                    proposals_.by_correlation(first_.correlated_places)),
+            candidates);
     if (look_ == Look::kTwice) look_again(candidates);
-    keep_hopeful(candidates, most_at(0), kNoRival, apart());
+    suppress(candidates, {most_at(0), kNoRival, apart()});
     try_other_angles(candidates);
     return judge_all(candidates);
   }
@@ -98,10 +93,11 @@ class ViewSearch {
 
   void merge(const std::vector<Candidate>& more, std::vector<Candidate>& candidates) const {
     candidates.insert(candidates.end(), more.begin(), more.end());
-    drop_duplicates(candidates, {1.5, view_.shape.radius()}, 2 * most_at(0), apart());
+    suppress(candidates, {2 * most_at(0), Suppression::kUnlimited, apart(), alike()});
   }
 
   double apart() const { return kSamePlace * view_.shape.radius(); }
+  Alikeness alike() const { return {1.5, view_.shape.radius()}; }
 
   /// One of the sorted candidates is likely and no other place is, and edges proposed it among the
   /// first: so they would have a further instance.
@@ -142,15 +138,12 @@ class ViewSearch {
       needed.push_back(places[i]);
       if (rival != turned.end()) needed.push_back(*rival);
     }
-    drop_duplicates(candidates, {1.5, view_.shape.radius()}, most_at(0), apart());
-    keep_hopeful(candidates, most_at(0), kNoRival, apart());
-    for (const auto& candidate : needed)
-      if (std::none_of(candidates.begin(), candidates.end(), [&](const Candidate& kept) {
-            return kept.pose.position() == candidate.pose.position() &&
-                   kept.pose.theta == candidate.pose.theta;
-          }))
-        candidates.push_back(candidate);
-    sort_by_value(candidates);
+    suppress(candidates, {most_at(0), kNoRival, apart(), alike()});
+    candidates.insert(candidates.end(), needed.begin(), needed.end());
+    suppress(candidates, {candidates.size(),
+                          Suppression::kUnlimited,
+                          Suppression::kUnlimited,
+                          {kSamePose, view_.shape.radius()}});
   }
 
   /// The best other rotations at a place, best first.
@@ -161,7 +154,7 @@ class ViewSearch {
     peaks.insert(peaks.begin(), half_turned(place));
     const auto shifted = reached_from(shifted_onto_edges(peaks), kMost);
     turned.insert(turned.end(), shifted.begin(), shifted.end());
-    drop_duplicates(turned, {1.5, view_.shape.radius()}, kMost);
+    suppress(turned, {kMost, Suppression::kUnlimited, Suppression::kUnlimited, alike()});
     return turned;
   }
 
@@ -214,21 +207,20 @@ class ViewSearch {
     std::vector<Pose2D> reached;
     for (std::size_t i = 0; i < candidates.size(); ++i) {
       const Candidate& candidate = candidates[i];
-      const bool behind = candidate.value <= candidates.front().value - kOutclassed;
       if (i >= kPolished || candidate.value <= first_.promising ||
-          (behind && !is_further_place(candidate, reached, apart()))) {
+          candidate.value <= candidates.front().value - kOutclassed) {
         found.push_back(believed_as_is(view_, scene_, candidate.pose));
         continue;
       }
       const Believed top = polished(view_, scene_, candidate.pose);
       if (is_one_of(reached, top.pose)) continue;
       reached.push_back(top.pose);
-      found.push_back(settled(view_, scene_, top));
+      found.push_back(top);
     }
     return judge(object_, view_, scene_, found);
   }
 
-  /// Poses so near each other settle alike.
+  /// Poses so near each other are refined to one.
   bool is_one_of(const std::vector<Pose2D>& poses, const Pose2D& pose) const {
     constexpr double kAlike = 0.25;  // [px]
     return std::any_of(poses.begin(), poses.end(), [&](const Pose2D& other) {

@@ -1,4 +1,4 @@
-#include "mbncc/matching/exhaustive_search.hpp"
+#include "matching/exhaustive_search.hpp"
 
 #include <algorithm>
 #include <cmath>
