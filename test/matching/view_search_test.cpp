@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "matching/object_search.hpp"
 #include "matching/pictures.hpp"
 
 namespace mbncc {
@@ -131,6 +132,29 @@ TEST_F(WhiskeredPlateTest, MeetsItsHalfTurnWhereThePlateCoversItself) {
   EXPECT_TRUE(std::any_of(found.begin(), found.end(), [&](const Detection& one) {
     return lies_at(one, half);
   })) << "the search proposes nothing there";
+}
+
+TEST(SearchOccupied, AnObjectIsJudgedWhereAnotherOfItsSizeLies) {
+  const test::LearningPicture source(1);
+  const PreparedObject object(test::object_from(source, {52, 60, 0}), Engine::kFast);
+  const PreparedView& view = object.views.front();
+  cv::Mat picture = test::texture({320, 240}, 77, 5);
+  const Pose2D truth{150, 120, 0.8};
+  test::place(picture, source, kReference, truth);
+  const ScenePicture scene(picture, object.top_level());
+  const Pose2D anchor = compose(truth, inverse(view.reference_in_anchor));
+  const auto judged = [&](double size, const cv::Rect& roi, const std::vector<Detection>& found) {
+    const Footprint there{{anchor.position(), size * view.shape.radius()},
+                          size * size * cv::contourArea(view.outline)};
+    return search_occupied(object, scene, roi, {there}, found);
+  };
+  const auto detections = judged(1, {}, {});
+  ASSERT_FALSE(detections.empty());
+  EXPECT_LT(cv::norm(detections.front().pose.position() - anchor.position()), 1);
+  EXPECT_LT(angle_distance(detections.front().pose.theta, anchor.theta), to_radians(1.));
+  EXPECT_TRUE(judged(1, {}, detections).empty()) << "found already";
+  EXPECT_TRUE(judged(1.3, {}, {}).empty()) << "larger things are no look-alikes";
+  EXPECT_TRUE(judged(1, {0, 0, 50, 50}, {}).empty()) << "not asked for there";
 }
 
 }  // namespace

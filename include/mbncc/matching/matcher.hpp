@@ -67,6 +67,12 @@ struct Rival {
 /// Up to so many objects asked for at once are looked for thoroughly where a first look finds none.
 constexpr std::size_t kFewObjects = 4;
 
+/// The place and size of an outline.
+struct Footprint {
+  Circle circle;    ///< [px] about it
+  double area = 0;  ///< [px] within it, holes included
+};
+
 /// What to search for. Zero, empty or negative values mean: as configured.
 struct SearchRequest {
   std::vector<std::string> names;  ///< empty: all enabled objects
@@ -79,6 +85,9 @@ struct SearchRequest {
   /// For a search of part of a picture: by name, the log-odds that scores are lowered by at least,
   /// as SearchResult::clutter told of the whole, and those of the best instance outside the part.
   std::map<std::string, double> clutter, elsewhere;
+  /// Instances of other objects that the picture shows: whether an object asked for, of that size,
+  /// lies there instead is judged in any case.
+  std::vector<Footprint> occupied;
 };
 
 struct SearchResult {

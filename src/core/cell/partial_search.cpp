@@ -31,7 +31,8 @@ cv::Rect grown(const cv::Rect& rect, int by) {
 
 SearchResult PartialSearch::find(const cv::Rect& region, const std::vector<std::string>& names,
                                  double radius, const std::map<std::string, double>& clutter,
-                                 const std::map<std::string, double>& elsewhere) {
+                                 const std::map<std::string, double>& elsewhere,
+                                 const std::vector<Footprint>& occupied) {
   cv::Rect roi = region & whole();
   if (!request_.roi.empty()) roi &= request_.roi;
   SearchResult result;
@@ -44,6 +45,11 @@ SearchResult PartialSearch::find(const cv::Rect& region, const std::vector<std::
   if (crop != whole()) {
     request.clutter = clutter;
     request.elsewhere = elsewhere;
+  }
+  for (auto footprint : occupied) {
+    if (!crop.contains(footprint.circle.centre)) continue;
+    footprint.circle.centre -= cv::Point2d(crop.tl());
+    request.occupied.push_back(footprint);
   }
   result = matcher_.find(picture_(crop), request);
   shift(result, crop.tl());

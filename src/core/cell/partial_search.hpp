@@ -22,10 +22,11 @@ class PartialSearch {
 
   /// Searches for reference points in `region` [px], in as little of the picture as objects of
   /// `radius` [px] take. `clutter` as SearchResult::clutter told of the whole picture, `elsewhere`
-  /// as of SearchRequest.
+  /// and `occupied` as of SearchRequest.
   SearchResult find(const cv::Rect& region, const std::vector<std::string>& names, double radius,
                     const std::map<std::string, double>& clutter,
-                    const std::map<std::string, double>& elsewhere);
+                    const std::map<std::string, double>& elsewhere,
+                    const std::vector<Footprint>& occupied);
 
   /// So far, in searches of one object in the whole picture.
   double spent() const { return spent_; }

@@ -75,7 +75,20 @@ SearchResult VideoLook::look_at_changes() {
 
 SearchResult VideoLook::search(const cv::Rect& region, const std::vector<std::string>& names) {
   return search_.find(region, names, memory_.sought.radius(names), memory_.clutter,
-                      best_outside(region, names));
+                      best_outside(region, names), others(names));
+}
+
+/// The known instances of all but `names`.
+std::vector<Footprint> VideoLook::others(const std::vector<std::string>& names) const {
+  std::vector<Footprint> footprints;
+  for (const auto& one : memory_.known.all()) {
+    if (std::find(names.begin(), names.end(), one.match.name) != names.end()) continue;
+    cv::Point2f centre;
+    float radius = 0;
+    cv::minEnclosingCircle(one.match.outline, centre, radius);
+    footprints.push_back({{centre, radius}, cv::contourArea(one.match.outline)});
+  }
+  return footprints;
 }
 
 /// Of the known instances of `names` about whose places nothing is searched.

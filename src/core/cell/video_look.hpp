@@ -31,6 +31,7 @@ class VideoLook {
   SearchResult search(const cv::Rect& region, const std::vector<std::string>& names);
   std::map<std::string, double> best_outside(const cv::Rect& region,
                                              const std::vector<std::string>& names) const;
+  std::vector<Footprint> others(const std::vector<std::string>& names) const;
   void compare(const SearchResult& result, const cv::Rect& region);
   void note_swept(const std::string& name, const SearchResult& result);
   void note_settled();

@@ -78,6 +78,35 @@ std::vector<Detection> all_of(const Findings& findings) {
   return all;
 }
 
+/// What is likely to lie in the picture, but for instances of object `own`.
+std::vector<Footprint> occupied_by_others(const Findings& findings, std::size_t own) {
+  constexpr double kLikely = 1;  // log-odds; nothing less becomes graspable
+  std::vector<Footprint> footprints;
+  for (std::size_t i = 0; i < findings.found.size(); ++i) {
+    if (i == own) continue;
+    for (const auto& one : findings.found[i])
+      if (one.log_odds > kLikely)
+        footprints.push_back(
+            {{one.pose.position(), one.view->shape.radius()}, cv::contourArea(one.view->outline)});
+  }
+  return footprints;
+}
+
+/// Judges each object where another one was found: a search may pass over a look-alike, and the
+/// other would be taken for the only one there.
+void compare_in_place(const ObjectList& objects, const ScenePicture& scene,
+                      const SearchRequest& request, Findings& findings) {
+  std::vector<std::vector<Detection>> more(objects.size());
+  for (std::size_t i = 0; i < objects.size(); ++i) {
+    if (!findings.searched[i]) continue;
+    auto occupied = occupied_by_others(findings, i);
+    occupied.insert(occupied.end(), request.occupied.begin(), request.occupied.end());
+    more[i] = search_occupied(*objects[i], scene, request.roi, occupied, findings.found[i]);
+  }
+  for (std::size_t i = 0; i < objects.size(); ++i)
+    findings.found[i].insert(findings.found[i].end(), more[i].begin(), more[i].end());
+}
+
 }  // namespace
 
 struct Matcher::Implementation {
@@ -161,9 +190,13 @@ Findings Matcher::Implementation::search(const ObjectList& wanted, const cv::Mat
   };
   const auto scene = scenes.show(picture, top);
   search_all(*scene);
+  compare_in_place(wanted, *scene, request, findings);
   if (look == Look::kGated && picture.type() == CV_8UC3)
-    if (const auto cast = colour_cast(findings.found, *scene))
-      search_all(*scenes.show(without_cast(picture, *cast), top));
+    if (const auto cast = colour_cast(findings.found, *scene)) {
+      const auto balanced = scenes.show(without_cast(picture, *cast), top);
+      search_all(*balanced);
+      compare_in_place(wanted, *balanced, request, findings);
+    }
   return findings;
 }
 

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <opencv2/imgproc.hpp>
 
+#include "matching/clutter.hpp"
 #include "matching/effort.hpp"
 #include "matching/prepared_object.hpp"
 
@@ -37,6 +39,13 @@ std::vector<Detection> search_views(const PreparedObject& object, const ScenePic
   return object.views.size() > 1 ? compare_rotations(std::move(found)) : found;
 }
 
+/// Nothing else passes for the object.
+bool is_alike(const PreparedView& view, const Footprint& other) {
+  constexpr double kRadius = 0.15, kArea = 0.25;  // ln of the ratios
+  return std::abs(std::log(other.circle.radius / view.shape.radius())) < kRadius &&
+         std::abs(std::log(other.area / cv::contourArea(view.outline))) < kArea;
+}
+
 }  // namespace
 
 // An instance fits one of several views best: a thorough look is worth it only when none finds it.
@@ -48,6 +57,27 @@ std::vector<Detection> search_object(const PreparedObject& object, const ScenePi
     return detection.log_odds >= kFound;
   });
   return enough ? found : search_views(object, scene, roi, look);
+}
+
+std::vector<Detection> search_occupied(const PreparedObject& object, const ScenePicture& scene,
+                                       const cv::Rect& roi, const std::vector<Footprint>& occupied,
+                                       const std::vector<Detection>& found) {
+  std::vector<Detection> detections;
+  for (const auto& view : object.views) {
+    std::vector<cv::Point2d> centres;
+    for (const auto& other : occupied)
+      if (is_alike(view, other) &&
+          std::none_of(found.begin(), found.end(), [&](const Detection& one) {
+            return cv::norm(one.pose.position() - other.circle.centre) <
+                   kSamePlace * view.shape.radius();
+          }))
+        centres.push_back(other.circle.centre);
+    if (view.polar || centres.empty()) continue;
+    const auto judged = judge_places(object, view, scene, centres);
+    std::copy_if(judged.begin(), judged.end(), std::back_inserter(detections),
+                 [&](const Detection& one) { return reference_within(one, roi); });
+  }
+  return detections;
 }
 
 }  // namespace mbncc

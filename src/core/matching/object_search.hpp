@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "matching/view_search.hpp"
+#include "mbncc/matching/matcher.hpp"
 
 namespace mbncc {
 
@@ -12,5 +13,11 @@ namespace mbncc {
 /// those of all views compared with each other.
 std::vector<Detection> search_object(const PreparedObject& object, const ScenePicture& scene,
                                      const cv::Rect& roi, Look look);
+
+/// Detections of `object` in `roi`, as above, where something else of its size lies that `found`,
+/// of the same object, leaves out.
+std::vector<Detection> search_occupied(const PreparedObject& object, const ScenePicture& scene,
+                                       const cv::Rect& roi, const std::vector<Footprint>& occupied,
+                                       const std::vector<Detection>& found);
 
 }  // namespace mbncc

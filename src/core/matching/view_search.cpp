@@ -73,6 +73,17 @@ class ViewSearch {
     return judge_all(candidates);
   }
 
+  std::vector<Detection> run_at(const std::vector<cv::Point2d>& centres) const {
+    std::vector<Candidate> candidates;
+    for (const auto& centre : centres) {
+      const auto turned = turned_at({{centre.x, centre.y, 0}, 0, 0});
+      candidates.insert(candidates.end(), turned.begin(), turned.end());
+    }
+    sort_by_value(candidates);
+    drop_below(kWorthRefining, candidates);
+    return candidates.empty() ? std::vector<Detection>{} : judge_all(candidates);
+  }
+
  private:
   std::vector<Candidate> best_by_edges() const {
     return descend(view_, scene_, first_.effort, proposals_.by_edges(first_.effort.edge_poses));
@@ -246,6 +257,12 @@ std::vector<Detection> search_view(const PreparedObject& object, const PreparedV
                                    const ScenePicture& scene, const cv::Rect& roi, Look look,
                                    const Places& places) {
   return ViewSearch(object, view, scene, roi, look, places).run();
+}
+
+std::vector<Detection> judge_places(const PreparedObject& object, const PreparedView& view,
+                                    const ScenePicture& scene,
+                                    const std::vector<cv::Point2d>& centres) {
+  return ViewSearch(object, view, scene, {}, Look::kQuick, {}).run_at(centres);
 }
 
 }  // namespace mbncc

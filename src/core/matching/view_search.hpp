@@ -27,4 +27,10 @@ std::vector<Detection> search_view(const PreparedObject& object, const PreparedV
                                    const ScenePicture& scene, const cv::Rect& roi, Look look,
                                    const Places& places = {});
 
+/// The best poses of `view` about places [px], whether or not a search proposes them: where another
+/// object was found, its look-alikes are to be compared with it.
+std::vector<Detection> judge_places(const PreparedObject& object, const PreparedView& view,
+                                    const ScenePicture& scene,
+                                    const std::vector<cv::Point2d>& centres);
+
 }  // namespace mbncc
