@@ -1,0 +1,96 @@
+// What evidence.hpp says of right and wrong poses on evaluation sets, as rows for fit.py.
+#include <algorithm>
+#include <fstream>
+
+#include "common/case_folder.hpp"
+#include "common/csv.hpp"
+#include "common/program.hpp"
+#include "matching/clutter.hpp"
+#include "matching/evidence.hpp"
+#include "matching/object_search.hpp"
+#include "matching/prepared_object.hpp"
+#include "matching/scoring.hpp"
+
+namespace mbncc::bench {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* kOptions =
+    "{@out   | | csv file for the rows }"
+    "{@sets  | | folders of sets (bench/README.md), with commas between them }"
+    "{help h | | this text }";
+
+std::shared_ptr<ObjectModel> object_of(const CaseFolder& one) {
+  auto object = std::make_shared<ObjectModel>();
+  object->name = one.name;
+  object->views.push_back(crop_view(one.before, one.map, {one.reference.x, one.reference.y, 0}));
+  return object;
+}
+
+bool is_right(const Detection& detection, const Target& target, const CaseFolder& one) {
+  const Pose2D pose = compose(detection.pose, detection.view->reference_in_anchor);
+  const auto judged = judge({{pose, 1, false, {}}}, target.instances, one.diameter);
+  return judged.front().correct;
+}
+
+/// The best detections of different places, of sorted ones.
+std::vector<Detection> best_of_places(const std::vector<Detection>& detections) {
+  std::vector<Detection> places;
+  for (const auto& one : detections)
+    if (std::none_of(places.begin(), places.end(), [&](const Detection& other) {
+          return cv::norm(one.pose.position() - other.pose.position()) <
+                 kSamePlace * one.view->shape.radius();
+        }))
+      places.push_back(one);
+  return places;
+}
+
+class Rows {
+ public:
+  explicit Rows(const fs::path& file) : out_(file) {
+    if (!out_) throw std::runtime_error("cannot write " + file.string());
+    out_ << "set,case,target,right,area,offset,found,gradient,best_blocks,histogram,projected,"
+            "texture,visible\n";
+  }
+
+  void add_case(const fs::path& set, const CaseFolder& one) {
+    const PreparedObject object(object_of(one), mbncc::Engine::kFast);
+    for (const auto& target : one.targets) {
+      const ScenePicture scene(read_picture(target.picture), object.top_level());
+      auto detections = search_object(object, scene, {}, Look::kTwice);
+      discount_clutter(detections);
+      for (const auto& detection : best_of_places(detections))
+        add(set, one, target, scene, detection);
+    }
+  }
+
+ private:
+  void add(const fs::path& set, const CaseFolder& one, const Target& target,
+           const ScenePicture& scene, const Detection& detection) {
+    const PreparedView& view = *detection.view;
+    const Evidence e = gather_evidence(view.fine, scene.levels[0], detection.pose);
+    const double area = view.shape.area();
+    out_ << set.string() << ',' << one.name << ',' << target.name << ','
+         << is_right(detection, target, one) << ',' << area << ','
+         << detection.log_odds - log_odds(e, area) << ',' << e.found << ',' << e.gradient << ','
+         << e.best_blocks << ',' << e.histogram << ',' << e.projected << ',' << e.texture << ','
+         << e.visible << '\n';
+  }
+
+  std::ofstream out_;
+};
+
+void benchmark(const cv::CommandLineParser& options) {
+  Rows rows(options.get<std::string>("@out"));
+  for (const auto& set : split(options.get<std::string>("@sets"), ','))
+    for (const auto& name : list_cases(set)) rows.add_case(set, read_case(fs::path(set) / name));
+}
+
+}  // namespace
+}  // namespace mbncc::bench
+
+int main(int argc, char** argv) {
+  return mbncc::bench::run_program(argc, argv, "evidence_rows", mbncc::bench::kOptions, "@out",
+                                   mbncc::bench::benchmark);
+}

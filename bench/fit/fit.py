@@ -1,0 +1,120 @@
+#!/usr/bin/python3
+"""Fits the weights of log_odds() (src/core/matching/evidence.cpp) to the rows of evidence_rows by logistic regression.
+
+usage: fit.py ROWS.csv [--plot reliability.png]
+
+Prints the weights, and what they are worth on sets left out: each set is judged by weights fitted to all others.
+"""
+import argparse
+import csv
+
+import numpy as np
+
+NAMES = ["found", "gradient", "best_blocks", "histogram", "projected", "texture", "log_area", "outside", "one"]
+CURRENT = np.array([18.9, 17.3, -4.28, 6.68, 9.35, -8.29, 0.99, -16.5, -12.4])
+LARGE_AREA = 1800  # as in evidence.cpp
+EDGES = [0.02, 0.15, 0.35, 0.65, 0.85, 0.98]  # of the ranges that the reliability is told in
+RIDGE = 0.05  # rows are many, features are alike: keeps weights from running away together
+
+
+def read_rows(path):
+    rows = list(csv.DictReader(open(path)))
+    number = lambda name: np.array([float(row[name]) for row in rows])
+    features = [number(name) for name in NAMES[:6]]
+    features += [np.log(np.minimum(number("area"), LARGE_AREA)), 1 - number("visible"), np.ones(len(rows))]
+    sets = np.array([row["set"] for row in rows])
+    return np.stack(features, 1), number("offset"), number("right"), sets
+
+
+def odds_of(features, offset, weights):
+    return features @ weights + offset
+
+
+def probability(odds):
+    return 1 / (1 + np.exp(-np.clip(odds, -500, 500)))
+
+
+def loss(odds, right):
+    """Mean negative log-likelihood."""
+    return np.mean(np.logaddexp(0, odds) - right * odds)
+
+
+def fit(features, offset, right):
+    """Newton's method from the current weights, with a ridge towards them on standardised features."""
+    scale = features.std(0)
+    scale[-1] = 1
+    weights = CURRENT.copy()
+    for _ in range(50):
+        p = probability(odds_of(features, offset, weights))
+        gradient = features.T @ (right - p) - RIDGE * scale**2 * (weights - CURRENT)
+        curvature = (features * (p * (1 - p))[:, None]).T @ features + np.diag(RIDGE * scale**2 + 1e-9)
+        step = np.linalg.solve(curvature, gradient)
+        weights += step * min(1, 5 / np.abs(step).max())
+        if np.abs(step).max() < 1e-6:
+            break
+    return weights
+
+
+def left_out(features, offset, right, sets):
+    """Log-odds of each row by weights fitted to the rows of the other sets."""
+    odds = np.empty(len(right))
+    for one in np.unique(sets):
+        own = sets == one
+        odds[own] = odds_of(features[own], offset[own], fit(features[~own], offset[~own], right[~own]))
+    return odds
+
+
+def counts(odds, right, limit=0.0):
+    return "right %d, wrong %d" % (np.sum(right[odds > limit]), np.sum(1 - right[odds > limit]))
+
+
+def reliability(odds, right):
+    """(mean probability, share of right ones, its deviation, rows) per range of probability."""
+    p = probability(odds)
+    bins = np.digitize(p, EDGES)
+    table = []
+    for k in range(len(EDGES) + 1):
+        own = bins == k
+        if np.any(own):
+            share, count = right[own].mean(), np.sum(own)
+            table.append((p[own].mean(), share, np.sqrt(share * (1 - share) / count), int(count)))
+    return table
+
+
+def plot(path, before, after):
+    import matplotlib
+    matplotlib.use("Agg")
+    from matplotlib import pyplot
+    figure, axes = pyplot.subplots(figsize=(5, 5))
+    axes.plot([0, 1], [0, 1], color="grey", linewidth=1)
+    for name, table in (("current weights", before), ("fitted, sets left out", after)):
+        axes.errorbar([row[0] for row in table], [row[1] for row in table], [row[2] for row in table], marker="o",
+                      label=name)
+    axes.set_xlabel("probability told")
+    axes.set_ylabel("share that is right")
+    axes.legend()
+    figure.tight_layout()
+    figure.savefig(path, dpi=120)
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("rows")
+    parser.add_argument("--plot")
+    arguments = parser.parse_args()
+    features, offset, right, sets = read_rows(arguments.rows)
+    before, after = odds_of(features, offset, CURRENT), left_out(features, offset, right, sets)
+    print("%d rows of %d sets, %d right" % (len(right), len(np.unique(sets)), right.sum()))
+    print("current weights: loss %.4f, above 0: %s" % (loss(before, right), counts(before, right)))
+    print("sets left out:   loss %.4f, above 0: %s" % (loss(after, right), counts(after, right)))
+    for name, old, new in zip(NAMES, CURRENT, fit(features, offset, right)):
+        print("%-12s %8.2f -> %8.2f" % (name, old, new))
+    tables = reliability(before, right), reliability(after, right)
+    for name, table in zip(("current", "left out"), tables):
+        print("reliability, %s: %s" % (name, ", ".join("%.2f: %.2f +- %.2f (%d)" % row for row in table)))
+    if arguments.plot:
+        plot(arguments.plot, *tables)
+
+
+if __name__ == "__main__":
+    main()
