@@ -13,21 +13,29 @@ bool same_pose(const Pose2D& a, const Pose2D& b, double radius) {
          angle_distance(a.theta, b.theta) * radius < kSame;
 }
 
+Believed without_pixels(const PreparedView& view, const ScenePicture& scene, const Pose2D& pose) {
+  const Evidence evidence = gather_evidence(view.fine, scene.levels[0], pose);
+  return {pose, evidence, log_odds(evidence, view.shape.area())};
+}
+
 }  // namespace
 
 Believed believed_as_is(const PreparedView& view, const ScenePicture& scene, const Pose2D& pose) {
-  const Evidence evidence = gather_evidence(view.fine, scene.levels[0], pose);
-  return {pose, evidence, log_odds(evidence, view.shape.area())};
+  Believed found = without_pixels(view, scene, pose);
+  if (view.rendering.padded() > 0 && found.odds > kWorthRefining)
+    found.pixels = rendering_odds(found.evidence, fit(view.rendering, scene.levels[0], pose),
+                                  view.shape.area());
+  return found;
 }
 
 // Narrow objects have side maxima, and shading has its own. Starts farther off are tried only where
 // the near ones led elsewhere.
 Believed polished(const PreparedView& view, const ScenePicture& scene, const Pose2D& pose) {
   constexpr double kArc = 2.5;  // [px] between the starts at the rim
-  constexpr int kIterations = 6, kRefining = 4;
+  constexpr int kIterations = 6;
   const double radius = view.shape.radius();
   const Pose2D first = climb(view.fine, scene.levels[0], pose, kIterations).pose;
-  Believed best = believed_as_is(view, scene, first);
+  Believed best = without_pixels(view, scene, first);
   bool elsewhere = false;
   for (const int turn : {-1, 1, -2, 2}) {
     if (std::abs(turn) > 1 && !elsewhere) break;
@@ -36,11 +44,23 @@ Believed polished(const PreparedView& view, const ScenePicture& scene, const Pos
     const Pose2D reached = climb(view.fine, scene.levels[0], start, kIterations).pose;
     if (same_pose(reached, first, radius)) continue;
     elsewhere = true;
-    const Believed other = believed_as_is(view, scene, reached);
+    const Believed other = without_pixels(view, scene, reached);
     if (rotation_odds(other.evidence) > rotation_odds(best.evidence)) best = other;
   }
-  best.refining = kRefining;
   return best;
+}
+
+Believed settled(const PreparedView& view, const ScenePicture& scene, const Believed& start) {
+  constexpr int kRefining = 4;
+  Believed found = start;
+  if (view.rendering.padded() == 0) {
+    found.refining = kRefining;
+  } else if (start.odds > kWorthRefining) {
+    const Rendered rendered = fit(view.rendering, scene.levels[0], start.pose);
+    found = without_pixels(view, scene, rendered.pose);
+    found.pixels = rendering_odds(found.evidence, rendered, view.shape.area());
+  }
+  return found;
 }
 
 }  // namespace mbncc

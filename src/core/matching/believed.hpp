@@ -15,8 +15,9 @@ constexpr double kWorthRefining = -4;
 struct Believed {
   Pose2D pose;
   Evidence evidence;
-  double odds = 0;   ///< log-odds that the object lies here
-  int refining = 0;  ///< steps that its refinement may take
+  double odds = 0;    ///< log-odds that the object lies here
+  double pixels = 0;  ///< log-odds that all pixels of a small object add
+  int refining = 0;   ///< steps that its refinement may take
 };
 
 /// The evidence for a pose as it is.
@@ -25,5 +26,8 @@ Believed believed_as_is(const PreparedView& view, const ScenePicture& scene, con
 /// The best pose that climbs from this one and slightly turned ones reach; they compete like
 /// rotations, see compare_rotations().
 Believed polished(const PreparedView& view, const ScenePicture& scene, const Pose2D& pose);
+
+/// A polished pose, for a small object settled where all of its pixels fit best.
+Believed settled(const PreparedView& view, const ScenePicture& scene, const Believed& start);
 
 }  // namespace mbncc

@@ -88,7 +88,7 @@ Detection unrefined(const PreparedObject& object, const PreparedView& view,
   detection.pose = found.pose;
   detection.pose.theta = wrap_angle(found.pose.theta);
   detection.covariance = detection.cautious = unknown_accuracy(found.pose).covariance;
-  detection.log_odds = found.odds;
+  detection.log_odds = found.odds + found.pixels;
   detection.projected = found.evidence.projected;
   detection.rotation_odds = odds_of_rotation(view, scene.levels[0], found);
   return detection;
@@ -113,7 +113,7 @@ void refine(Detection& detection, const ScenePicture& scene, const Believed& fou
   detection.strange = std::max(strange.colour, strange.block);
   const double mirrored = found.odds > kWorthRefining ? turned_over(view, scene, place) : 0;
   detection.turned_over = mirrored > kMirrored;
-  detection.log_odds = found.odds - doubt(strange.colour) - mirror_doubt(mirrored);
+  detection.log_odds = found.odds + found.pixels - doubt(strange.colour) - mirror_doubt(mirrored);
   detection.another_size =
       detection.log_odds > 0 && fits_another_size(view, scene, detection.pose, found.odds);
 }

@@ -112,11 +112,27 @@ Evidence gather_evidence(const PoseTemplate& object, const SceneLevel& scene, co
 
 double log_odds(const Evidence& evidence, double area) {
   // Fitted by logistic regression to true and false poses in drawn scenes, the discount for clutter
-  // (clutter.hpp) among the terms.
+  // (clutter.hpp) among the terms. Of what is hardly larger than its edge, the edge must be found
+  // the more, and the gradients inside are those of the background.
   constexpr double kLargeArea = 1800;  // [px] beyond it size no longer guards against chance
+  constexpr double kSmallArea = 700;   // [px] below it other weights hold
+  const double small = std::max(0.0, std::log(kSmallArea / area));
   return 18.9 * evidence.found + 17.3 * evidence.gradient - 4.28 * evidence.best_blocks +
          6.68 * evidence.histogram + 9.35 * evidence.projected - 8.29 * evidence.texture +
-         0.99 * std::log(std::min(area, kLargeArea)) - 16.5 * (1 - evidence.visible) - 12.4;
+         0.99 * std::log(std::min(area, kLargeArea)) - 16.5 * (1 - evidence.visible) - 12.4 +
+         small *
+             (1.17 + 12.35 * evidence.found - 23.8 * evidence.gradient -
+              4.32 * evidence.best_blocks - 4.09 * evidence.histogram + 6.23 * evidence.projected);
+}
+
+double rendering_odds(const Evidence& evidence, const Rendered& rendered, double area) {
+  // Fitted by logistic regression to the same poses after log_odds() and the discount for clutter;
+  // less .85, since a right place at a wrong angle is wrong, too. Other brightness speaks against
+  // the object, but exposure may change as well.
+  constexpr double kBrighter = 0.4;
+  return 4.85 - 4.22 * rendered.misfit - 6.35 * std::min(std::abs(rendered.brightness), kBrighter) -
+         0.89 * evidence.found + 1.38 * evidence.best_blocks + 3.07 * evidence.histogram -
+         1.95 * evidence.projected + 0.37 * std::log(area);
 }
 
 double rotation_odds(const Evidence& evidence) {

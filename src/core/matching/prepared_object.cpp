@@ -10,6 +10,7 @@
 namespace mbncc {
 namespace {
 
+constexpr double kRendered = 700;   // [px] area below which the edge has to settle the pose
 constexpr double kOtherSize = 0.1;  // beyond what heights and tilts bring
 
 cv::Mat grey_of(const View& view) {
@@ -145,10 +146,11 @@ PreparedView::PreparedView(const Source& source, Engine engine)
       points(masked_template(source.grey, source.view.map, anchor)) {
   const int top = std::max(kernels.level, edges.level());
   const auto surfaces = whole_pyramid(source.surface, top);
+  const auto pictures = whole_pyramid(source.view.template_image, top);
   for (int level = 0; level < static_cast<int>(surfaces.size()); ++level) {
-    const SceneLevel continued(surfaces[level], level);
+    const SceneLevel continued(surfaces[level], level), picture(pictures[level], level);
     continued.prepare();
-    const SurfaceTemplate::Source from{continued, geometry, source.view.map.size(), level};
+    const SurfaceTemplate::Source from{continued, picture, geometry, source.view.map.size(), level};
     const auto edge = ContourTemplate::edge_of(geometry, level);
     const auto prepare = [&](std::size_t surface_points, std::size_t contour_points) {
       return PoseTemplate{SurfaceTemplate(from, anchor, surface_points),
@@ -157,13 +159,13 @@ PreparedView::PreparedView(const Source& source, Engine engine)
     rough.push_back(prepare(48, 32));
     templates.push_back(prepare(112, 64));
     if (level > 0) continue;
-    const SceneLevel picture(source.view.template_image, 0);
     fine = prepare(640, 200);
     parts = ColourParts(fine.surface, fine.contour,
                         ground_beside(fine.contour, picture, {anchor.x, anchor.y, 0}));
     lit = LitSurface(fine.surface);
     turned_over = TurnedOver(fine.contour, picture, {anchor.x, anchor.y, 0});
     dense = RefinementTemplate(prepare(2500, 200), continued);
+    if (shape.area() < kRendered) rendering = Rendering(from, anchor);
   }
   resized = {resized_by(1 - kOtherSize, fine), resized_by(1 + kOtherSize, fine)};
   if (engine == Engine::kPolar) polar.emplace(source.view);

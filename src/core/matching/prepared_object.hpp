@@ -13,6 +13,7 @@
 #include "matching/lit_surface.hpp"
 #include "matching/map_shape.hpp"
 #include "matching/refinement.hpp"
+#include "matching/rendering.hpp"
 #include "matching/rotated_kernels.hpp"
 #include "matching/rotation_sector.hpp"
 #include "matching/turned_over.hpp"
@@ -50,6 +51,7 @@ class PreparedView {
   std::array<PoseTemplate, 2> resized;  ///< `fine`, smaller and larger: what else it might be
   TurnedOver turned_over;               ///< its outline, mirrored
   RefinementTemplate dense;             ///< at full resolution: for the last fraction of a pixel
+  Rendering rendering;                  ///< of a small object: settles its pose
   MaskedTemplate points;                ///< all map pixels at full resolution
   std::optional<PolarSearch> polar;     ///< with Engine::kPolar
   int symmetry = 1;                     ///< declared, or measured where it is not

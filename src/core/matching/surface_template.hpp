@@ -40,6 +40,7 @@ class SurfaceTemplate {
   /// What a template is made from, at one pyramid level.
   struct Source {
     const SceneLevel& surface;  ///< the learning picture with the object continued outwards
+    const SceneLevel& picture;  ///< the learning picture as it is
     const MapGeometry& map;
     cv::Size map_size;
     int level;

@@ -226,7 +226,7 @@ class ViewSearch {
       const Believed top = polished(view_, scene_, candidate.pose);
       if (is_one_of(reached, top.pose)) continue;
       reached.push_back(top.pose);
-      found.push_back(top);
+      found.push_back(settled(view_, scene_, top));
     }
     return judge(object_, view_, scene_, found);
   }
