@@ -54,6 +54,17 @@ TEST(RotationOdds, WhatLightLeavesUnexplainedOfBrightnessDecides) {
   EXPECT_GT(rotation_odds(Evidence(), 1.5), rotation_odds(Evidence(), 2) + 5);
 }
 
+TEST(BetterTurned, IsWhatLightLeavesAlone) {
+  Believed shaded, true_to_colour;
+  shaded.pose.theta = 0.06;
+  shaded.odds = 7;
+  shaded.evidence.unexplained = 2.1;
+  true_to_colour.odds = 5;
+  true_to_colour.evidence.unexplained = 1.6;
+  EXPECT_DOUBLE_EQ(better_turned(shaded, true_to_colour).pose.theta, 0);
+  EXPECT_DOUBLE_EQ(better_turned(true_to_colour, shaded).pose.theta, 0);
+}
+
 class SurfaceTest : public ::testing::Test {
  protected:
   const test::LearningPicture source_{1};

@@ -5,6 +5,7 @@
 #include "matching/candidate_odds.hpp"
 #include "matching/detection.hpp"
 #include "matching/matcher_fixture.hpp"
+#include "matching/outline_agreement.hpp"
 #include "matching/prepared_object.hpp"
 
 namespace mbncc {
@@ -41,6 +42,26 @@ TEST_F(OutlineElsewhere, TheTruthIsBetterThanAPlaceNearIt) {
   test::place(scene_, source_, reference_.position(), truth_);
   for (const cv::Point2d off : {cv::Point2d(5, 0), {-5, 0}, {0, 5}, {3, -3}})
     EXPECT_GT(better_than({truth_.x + off.x, truth_.y + off.y, truth_.theta}), 0.1) << off;
+}
+
+TEST_F(OutlineElsewhere, ItIsBetterByWhatThePlaceItselfIs) {
+  test::place(scene_, source_, reference_.position(), truth_);
+  const PreparedObject object(test::object_from(source_, reference_), Engine::kFast);
+  const PreparedView& view = object.views.front();
+  const ContourTemplate& contour = view.fine.contour;
+  const SceneLevel scene(scene_, 0);
+  scene.prepare();
+  OutlineAgreement agreement(contour, scene);
+  const Pose2D anchor = compose(truth_, inverse(view.reference_in_anchor));
+  const double best = agreement.climbed(anchor, 1).agreement;
+  const double turn = 2 / contour.radius();  // two pixels at the rim
+  // Near, far, and between the places that are tried.
+  for (const cv::Point2d off : {cv::Point2d(3, 0), {0, -3.2}, {5, 5}, {-5, 3}, {3, -5}, {6, 6}})
+    for (const double turned : {anchor.theta, anchor.theta + turn}) {
+      const Pose2D beside{anchor.x + off.x, anchor.y + off.y, turned};
+      EXPECT_GT(better_elsewhere(contour, scene, beside, 1), best - agreement.at(beside) - 0.02)
+          << off << " turned by " << turned - anchor.theta;
+    }
 }
 
 TEST_F(OutlineElsewhere, ACandidateIsShiftedOntoTheEdges) {

@@ -28,6 +28,10 @@ Believed believed_as_is(const PreparedView& view, const ScenePicture& scene, con
   return found;
 }
 
+Believed better_turned(const Believed& a, const Believed& b) {
+  return rotation_odds(b.evidence) > rotation_odds(a.evidence) ? b : a;
+}
+
 // Narrow objects have side maxima, and shading has its own. Starts farther off are tried only where
 // the near ones led elsewhere.
 Believed polished(const PreparedView& view, const ScenePicture& scene, const Pose2D& pose) {
@@ -44,8 +48,7 @@ Believed polished(const PreparedView& view, const ScenePicture& scene, const Pos
     const Pose2D reached = climb(view.fine, scene.levels[0], start, kIterations).pose;
     if (same_pose(reached, first, radius)) continue;
     elsewhere = true;
-    const Believed other = without_pixels(view, scene, reached);
-    if (rotation_odds(other.evidence) > rotation_odds(best.evidence)) best = other;
+    best = better_turned(best, without_pixels(view, scene, reached));
   }
   return best;
 }

@@ -23,8 +23,11 @@ struct Believed {
 /// The evidence for a pose as it is.
 Believed believed_as_is(const PreparedView& view, const ScenePicture& scene, const Pose2D& pose);
 
-/// The best pose that climbs from this one and slightly turned ones reach; they compete like
-/// rotations, see compare_rotations().
+/// Of two poses at one place the one that light prefers less: they compete like rotations, see
+/// compare_rotations().
+Believed better_turned(const Believed& a, const Believed& b);
+
+/// The best pose that climbs from this one and slightly turned ones reach.
 Believed polished(const PreparedView& view, const ScenePicture& scene, const Pose2D& pose);
 
 /// A polished pose, for a small object settled where all of its pixels fit best.
