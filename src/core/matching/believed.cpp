@@ -13,9 +13,12 @@ bool same_pose(const Pose2D& a, const Pose2D& b, double radius) {
          angle_distance(a.theta, b.theta) * radius < kSame;
 }
 
+Believed without_pixels(const PreparedView& view, const Supported& reached) {
+  return {reached.pose, reached.evidence, log_odds(reached.evidence, view.shape.area())};
+}
+
 Believed without_pixels(const PreparedView& view, const ScenePicture& scene, const Pose2D& pose) {
-  const Evidence evidence = gather_evidence(view.fine, scene.levels[0], pose);
-  return {pose, evidence, log_odds(evidence, view.shape.area())};
+  return without_pixels(view, {pose, gather_evidence(view.fine, scene.levels[0], pose)});
 }
 
 }  // namespace
@@ -38,15 +41,15 @@ Believed polished(const PreparedView& view, const ScenePicture& scene, const Pos
   constexpr double kArc = 2.5;  // [px] between the starts at the rim
   constexpr int kIterations = 6;
   const double radius = view.shape.radius();
-  const Pose2D first = climb(view.fine, scene.levels[0], pose, kIterations).pose;
-  Believed best = without_pixels(view, scene, first);
+  const Supported first = climb_to_evidence(view.fine, scene.levels[0], pose, kIterations);
+  Believed best = without_pixels(view, first);
   bool elsewhere = false;
   for (const int turn : {-1, 1, -2, 2}) {
     if (std::abs(turn) > 1 && !elsewhere) break;
     Pose2D start = pose;
     start.theta += turn * kArc / std::max(4.0, 0.75 * radius);
     const Pose2D reached = climb(view.fine, scene.levels[0], start, kIterations).pose;
-    if (same_pose(reached, first, radius)) continue;
+    if (same_pose(reached, first.pose, radius)) continue;
     elsewhere = true;
     best = better_turned(best, without_pixels(view, scene, reached));
   }

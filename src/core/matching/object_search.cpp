@@ -64,14 +64,19 @@ std::vector<Detection> search_occupied(const PreparedObject& object, const Scene
                                        const std::vector<Detection>& found) {
   std::vector<Detection> detections;
   for (const auto& view : object.views) {
+    const auto near = [&](cv::Point2d one, cv::Point2d other) {
+      return cv::norm(one - other) < kSamePlace * view.shape.radius();
+    };
     std::vector<cv::Point2d> centres;
-    for (const auto& other : occupied)
+    for (const auto& other : occupied) {
+      const cv::Point2d centre = other.circle.centre;
       if (is_alike(view, other) &&
-          std::none_of(found.begin(), found.end(), [&](const Detection& one) {
-            return cv::norm(one.pose.position() - other.circle.centre) <
-                   kSamePlace * view.shape.radius();
-          }))
-        centres.push_back(other.circle.centre);
+          std::none_of(found.begin(), found.end(),
+                       [&](const auto& one) { return near(one.pose.position(), centre); }) &&
+          std::none_of(centres.begin(), centres.end(),
+                       [&](const auto& known) { return near(known, centre); }))
+        centres.push_back(centre);
+    }
     if (view.polar || centres.empty()) continue;
     const auto judged = judge_places(object, view, scene, centres);
     std::copy_if(judged.begin(), judged.end(), std::back_inserter(detections),

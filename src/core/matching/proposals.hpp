@@ -1,4 +1,4 @@
-// What the coarse search of one view proposes.
+// What the coarse searches of one view propose.
 #pragma once
 
 #include <opencv2/core.hpp>
