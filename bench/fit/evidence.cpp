@@ -50,7 +50,7 @@ class Rows {
  public:
   explicit Rows(const fs::path& file) : out_(file) {
     if (!out_) throw std::runtime_error("cannot write " + file.string());
-    out_ << "set,case,target,right,area,offset,found,gradient,best_blocks,histogram,projected,"
+    out_ << "set,case,target,right,area,odds,offset,found,gradient,best_blocks,histogram,projected,"
             "texture,visible\n";
   }
 
@@ -72,7 +72,7 @@ class Rows {
     const Evidence e = gather_evidence(view.fine, scene.levels[0], detection.pose);
     const double area = view.shape.area();
     out_ << set.string() << ',' << one.name << ',' << target.name << ','
-         << is_right(detection, target, one) << ',' << area << ','
+         << is_right(detection, target, one) << ',' << area << ',' << log_odds(e, area) << ','
          << detection.log_odds - log_odds(e, area) << ',' << e.found << ',' << e.gradient << ','
          << e.best_blocks << ',' << e.histogram << ',' << e.projected << ',' << e.texture << ','
          << e.visible << '\n';

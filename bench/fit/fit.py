@@ -7,23 +7,31 @@ Prints the weights, and what they are worth on sets left out: each set is judged
 """
 import argparse
 import csv
+import sys
 
 import numpy as np
 
 NAMES = ["found", "gradient", "best_blocks", "histogram", "projected", "texture", "log_area", "outside", "one"]
-CURRENT = np.array([18.9, 17.3, -4.28, 6.68, 9.35, -8.29, 0.99, -16.5, -12.4])
-LARGE_AREA = 1800  # as in evidence.cpp
+OF_SMALL = ["one", "found", "gradient", "best_blocks", "histogram", "projected"]  # weights of their own
+LARGE_AREA, SMALL_AREA = 1800, 700  # as in evidence.cpp
 EDGES = [0.02, 0.15, 0.35, 0.65, 0.85, 0.98]  # of the ranges that the reliability is told in
 RIDGE = 0.05  # rows are many, features are alike: keeps weights from running away together
 
 
 def read_rows(path):
+    """Features, what else the odds are made of, which are right, sets, and the weights that the rows were made with."""
     rows = list(csv.DictReader(open(path)))
     number = lambda name: np.array([float(row[name]) for row in rows])
-    features = [number(name) for name in NAMES[:6]]
-    features += [np.log(np.minimum(number("area"), LARGE_AREA)), 1 - number("visible"), np.ones(len(rows))]
-    sets = np.array([row["set"] for row in rows])
-    return np.stack(features, 1), number("offset"), number("right"), sets
+    features = {name: number(name) for name in NAMES[:6]}
+    features["log_area"] = np.log(np.minimum(number("area"), LARGE_AREA))
+    features["outside"], features["one"] = 1 - number("visible"), np.ones(len(rows))
+    small = np.maximum(0, np.log(SMALL_AREA / number("area")))
+    columns = np.stack([features[name] for name in NAMES] + [small * features[name] for name in OF_SMALL], 1)
+    odds = number("odds")
+    current = np.linalg.lstsq(columns, odds, rcond=None)[0]
+    if np.abs(columns @ current - odds).max() > 0.01:
+        sys.exit("fit.py: the odds in %s are no weighted sum of the features: log_odds() has other terms" % path)
+    return columns, number("offset"), number("right"), np.array([row["set"] for row in rows]), current
 
 
 def odds_of(features, offset, weights):
@@ -39,14 +47,14 @@ def loss(odds, right):
     return np.mean(np.logaddexp(0, odds) - right * odds)
 
 
-def fit(features, offset, right):
+def fit(features, offset, right, current):
     """Newton's method from the current weights, with a ridge towards them on standardised features."""
     scale = features.std(0)
-    scale[-1] = 1
-    weights = CURRENT.copy()
+    scale[NAMES.index("one")] = 1
+    weights = current.copy()
     for _ in range(50):
         p = probability(odds_of(features, offset, weights))
-        gradient = features.T @ (right - p) - RIDGE * scale**2 * (weights - CURRENT)
+        gradient = features.T @ (right - p) - RIDGE * scale**2 * (weights - current)
         curvature = (features * (p * (1 - p))[:, None]).T @ features + np.diag(RIDGE * scale**2 + 1e-9)
         step = np.linalg.solve(curvature, gradient)
         weights += step * min(1, 5 / np.abs(step).max())
@@ -55,12 +63,12 @@ def fit(features, offset, right):
     return weights
 
 
-def left_out(features, offset, right, sets):
+def left_out(features, offset, right, sets, current):
     """Log-odds of each row by weights fitted to the rows of the other sets."""
     odds = np.empty(len(right))
     for one in np.unique(sets):
         own = sets == one
-        odds[own] = odds_of(features[own], offset[own], fit(features[~own], offset[~own], right[~own]))
+        odds[own] = odds_of(features[own], offset[own], fit(features[~own], offset[~own], right[~own], current))
     return odds
 
 
@@ -102,13 +110,14 @@ def main():
     parser.add_argument("rows")
     parser.add_argument("--plot")
     arguments = parser.parse_args()
-    features, offset, right, sets = read_rows(arguments.rows)
-    before, after = odds_of(features, offset, CURRENT), left_out(features, offset, right, sets)
+    features, offset, right, sets, current = read_rows(arguments.rows)
+    before, after = odds_of(features, offset, current), left_out(features, offset, right, sets, current)
     print("%d rows of %d sets, %d right" % (len(right), len(np.unique(sets)), right.sum()))
     print("current weights: loss %.4f, above 0: %s" % (loss(before, right), counts(before, right)))
     print("sets left out:   loss %.4f, above 0: %s" % (loss(after, right), counts(after, right)))
-    for name, old, new in zip(NAMES, CURRENT, fit(features, offset, right)):
-        print("%-12s %8.2f -> %8.2f" % (name, old, new))
+    names = NAMES + ["small " + name for name in OF_SMALL]
+    for name, old, new in zip(names, current, fit(features, offset, right, current)):
+        print("%-18s %8.2f -> %8.2f" % (name, old, new))
     tables = reliability(before, right), reliability(after, right)
     for name, table in zip(("current", "left out"), tables):
         print("reliability, %s: %s" % (name, ", ".join("%.2f: %.2f +- %.2f (%d)" % row for row in table)))
