@@ -139,6 +139,7 @@ Figures Tally::figures(double threshold) const {
   figures.position_error = median(std::move(position_errors));
   figures.angle_error = median(std::move(angle_errors));
   figures.error_ratio = std::sqrt(mean(squared_errors) / 3);
+  figures.error_ratio_p95 = std::sqrt(percentile(squared_errors, 95));
   figures.ms_median = median(ms_);
   figures.ms_p95 = percentile(ms_, 95);
   figures.ms_max = percentile(ms_, 100);

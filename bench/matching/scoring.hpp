@@ -51,6 +51,7 @@ struct Figures {
   double position_error = 0;        ///< [px] median of the correct ones
   double angle_error = 0;           ///< [rad] median of the correct ones
   double error_ratio = 0;           ///< [1] RMS error by claimed deviation of the correct ones
+  double error_ratio_p95 = 0;       ///< [1] 95th percentile of the Mahalanobis error; honest: 2.8
   double ms_median = 0, ms_p95 = 0, ms_max = 0;
 };
 
