@@ -51,7 +51,7 @@ class Rows {
   explicit Rows(const fs::path& file) : out_(file) {
     if (!out_) throw std::runtime_error("cannot write " + file.string());
     out_ << "set,case,target,right,area,odds,offset,found,gradient,best_blocks,histogram,projected,"
-            "texture,visible\n";
+            "texture,visible,cast\n";
   }
 
   void add_case(const fs::path& set, const CaseFolder& one) {
@@ -75,7 +75,7 @@ class Rows {
          << is_right(detection, target, one) << ',' << area << ',' << log_odds(e, area) << ','
          << detection.log_odds - log_odds(e, area) << ',' << e.found << ',' << e.gradient << ','
          << e.best_blocks << ',' << e.histogram << ',' << e.projected << ',' << e.texture << ','
-         << e.visible << '\n';
+         << e.visible << ',' << e.cast << '\n';
   }
 
   std::ofstream out_;

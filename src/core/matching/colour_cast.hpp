@@ -6,13 +6,9 @@
 #include <vector>
 
 #include "matching/detection.hpp"
+#include "matching/local_cast.hpp"
 
 namespace mbncc {
-
-/// Gains of a picture's blue and red against its green.
-struct ColourCast {
-  double blue = 1, red = 1;
-};
 
 /// What the best detection of each object tells, `found` being one object's each, best first; none
 /// when the light is as it was, or when fewer than two likely ones agree.

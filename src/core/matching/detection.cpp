@@ -21,8 +21,12 @@ ColourDifference strangeness(const PreparedView& view, const SceneLevel& scene,
   scene.prepare_around(found.pose, view.fine.reach() * found.scale);
   surface.sample(scene, found.pose, sample, found.scale);
   read_contour(view.fine.contour, scene.edges, found.pose, 1, contour, found.scale);
-  return view.parts.worst_differences(
-      surface, sample, contour, ground_beside(view.fine.contour, scene, found.pose, found.scale));
+  const ColourCast cast = bounded(local_cast(surface, sample).value_or(ColourCast{}));
+  take_out(cast, sample);
+  cv::Vec3f ground = ground_beside(view.fine.contour, scene, found.pose, found.scale);
+  for (int c = 0; c < SurfaceTemplate::kChannels; ++c)
+    ground[c] /= static_cast<float>(cast.gains()[c]);
+  return view.parts.worst_differences(surface, sample, contour, ground);
 }
 
 /// Agreement by which the mirrored outline is no better by chance.

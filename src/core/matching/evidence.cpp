@@ -102,6 +102,7 @@ Evidence gather_evidence(const PoseTemplate& object, const SceneLevel& scene, co
   evidence.visible = static_cast<double>(seen.visible) /
                      static_cast<double>(std::max<std::size_t>(1, surface.size()));
   if (!seen.suffices()) return evidence;
+  evidence.cast = sample.cast.size();
   evidence.gradient = gradient_agreement(surface, seen, scene.edges, pose);
   evidence.best_blocks = best_blocks_residual(surface, seen);
   evidence.histogram = overlap(surface.histogram, chroma_histogram(seen.planes, seen.inside));
@@ -116,10 +117,11 @@ double log_odds(const Evidence& evidence, double area) {
   // the more, and the gradients inside are those of the background.
   constexpr double kLargeArea = 1800;  // [px] beyond it size no longer guards against chance
   constexpr double kSmallArea = 700;   // [px] below it other weights hold
+  static const double kCast = getenv("CAST") ? atof(getenv("CAST")) : 5;
   const double small = std::max(0.0, std::log(kSmallArea / area));
   return 18.9 * evidence.found + 17.3 * evidence.gradient - 4.28 * evidence.best_blocks +
          6.68 * evidence.histogram + 9.35 * evidence.projected - 8.29 * evidence.texture +
-         0.99 * std::log(std::min(area, kLargeArea)) - 16.5 * (1 - evidence.visible) - 12.4 +
+         0.99 * std::log(std::min(area, kLargeArea)) - 16.5 * (1 - evidence.visible) - kCast * evidence.cast - 12.4 +
          small *
              (1.17 + 12.35 * evidence.found - 23.8 * evidence.gradient -
               4.32 * evidence.best_blocks - 4.09 * evidence.histogram + 6.23 * evidence.projected);

@@ -20,6 +20,7 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 using ObjectList = std::vector<std::shared_ptr<const PreparedObject>>;
+using Scene = std::shared_ptr<const ScenePicture>;
 
 double seconds_since(Clock::time_point start) {
   return std::chrono::duration<double>(Clock::now() - start).count();
@@ -51,6 +52,12 @@ Look look_for(std::size_t objects, const SearchRequest& request, const SearchCon
   if (objects > kFewObjects && config.engine != "polar") return Look::kGated;
   return std::max(objects, request.among) > kFewObjects ? Look::kSparing : Look::kTwice;
 }
+
+/// An object and a picture as they are compared: in grey where either shows no colour.
+struct Comparison {
+  const PreparedObject* object;
+  Scene scene;
+};
 
 /// What a search found of each object.
 struct Findings {
@@ -94,17 +101,25 @@ std::vector<Footprint> occupied_by_others(const Findings& findings, std::size_t 
 
 /// Judges each object where another one was found: a search may pass over a look-alike, and the
 /// other would be taken for the only one there.
-void compare_in_place(const ObjectList& objects, const ScenePicture& scene,
-                      const SearchRequest& request, Findings& findings) {
-  std::vector<std::vector<Detection>> more(objects.size());
-  for (std::size_t i = 0; i < objects.size(); ++i) {
+void compare_in_place(const std::vector<Comparison>& comparisons, const SearchRequest& request,
+                      Findings& findings) {
+  std::vector<std::vector<Detection>> more(comparisons.size());
+  for (std::size_t i = 0; i < comparisons.size(); ++i) {
     if (!findings.searched[i]) continue;
     auto occupied = occupied_by_others(findings, i);
     occupied.insert(occupied.end(), request.occupied.begin(), request.occupied.end());
-    more[i] = search_occupied(*objects[i], scene, request.roi, occupied, findings.found[i]);
+    more[i] = search_occupied(*comparisons[i].object, *comparisons[i].scene, request.roi, occupied,
+                              findings.found[i]);
   }
-  for (std::size_t i = 0; i < objects.size(); ++i)
+  for (std::size_t i = 0; i < comparisons.size(); ++i)
     findings.found[i].insert(findings.found[i].end(), more[i].begin(), more[i].end());
+}
+
+/// The picture in which objects are compared in colour; null: there is none.
+const ScenePicture* in_colour(const std::vector<Comparison>& comparisons) {
+  const auto at = std::find_if(comparisons.begin(), comparisons.end(),
+                               [](const Comparison& one) { return one.object->coloured; });
+  return at == comparisons.end() ? nullptr : at->scene.get();
 }
 
 }  // namespace
@@ -128,6 +143,8 @@ struct Matcher::Implementation {
   /// Searches `picture` for `wanted`, once more without a cast of light that what was found tells.
   Findings search(const ObjectList& wanted, const cv::Mat& picture, const SearchRequest& request,
                   Clock::time_point start) const;
+
+  std::vector<Comparison> comparisons(const ObjectList& wanted, const cv::Mat& picture) const;
 
   Acceptance acceptance(const SearchRequest& request, std::size_t objects) const;
 };
@@ -178,26 +195,42 @@ Findings Matcher::Implementation::search(const ObjectList& wanted, const cv::Mat
                                          const SearchRequest& request,
                                          Clock::time_point start) const {
   const Look look = look_for(wanted.size(), request, config);
-  const int top = top_level(wanted);
   Findings findings(wanted.size());
-  const auto search_all = [&](const ScenePicture& scene) {
+  const auto search_all = [&](const std::vector<Comparison>& comparisons) {
     in_parallel(wanted.size(), config.threads, [&](std::size_t i) {
       const bool first = i == 0;  // without it, a short budget would find nothing for ever
       if (!first && config.time_budget > 0 && seconds_since(start) > config.time_budget) return;
-      findings.found[i] = search_object(*wanted[i], scene, request.roi, look);
+      findings.found[i] =
+          search_object(*comparisons[i].object, *comparisons[i].scene, request.roi, look);
       findings.searched[i] = 1;
     });
+    compare_in_place(comparisons, request, findings);
   };
-  const auto scene = scenes.show(picture, top);
-  search_all(*scene);
-  compare_in_place(wanted, *scene, request, findings);
-  if (look == Look::kGated && picture.type() == CV_8UC3)
-    if (const auto cast = colour_cast(findings.found, *scene)) {
-      const auto balanced = scenes.show(without_cast(picture, *cast), top);
-      search_all(*balanced);
-      compare_in_place(wanted, *balanced, request, findings);
-    }
+  const auto shown = comparisons(wanted, picture);
+  search_all(shown);
+  const ScenePicture* coloured = in_colour(shown);
+  if (look != Look::kGated || coloured == nullptr) return findings;
+  if (const auto cast = colour_cast(findings.found, *coloured))
+    search_all(comparisons(wanted, without_cast(picture, *cast)));
   return findings;
+}
+
+std::vector<Comparison> Matcher::Implementation::comparisons(const ObjectList& wanted,
+                                                             const cv::Mat& picture) const {
+  const bool grey = is_grey(picture);
+  std::vector<Comparison> all;
+  int top = 0;
+  for (const auto& object : wanted) {
+    all.push_back({grey && object->coloured ? object->in_grey->get() : object.get(), nullptr});
+    top = std::max(top, all.back().object->top_level());
+  }
+  Scene colour_scene, grey_scene;
+  for (auto& [object, scene] : all) {
+    auto& shared = object->coloured ? colour_scene : grey_scene;
+    if (!shared) shared = scenes.show(object->coloured ? picture : grey_picture(picture), top);
+    scene = shared;
+  }
+  return all;
 }
 
 Acceptance Matcher::Implementation::acceptance(const SearchRequest& request,

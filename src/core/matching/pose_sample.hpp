@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "matching/contour_template.hpp"
+#include "matching/local_cast.hpp"
 #include "matching/surface_template.hpp"
 
 namespace mbncc {
@@ -18,7 +19,8 @@ struct PoseTemplate {
 };
 
 struct PoseSample {
-  SurfaceSample surface;
+  SurfaceSample surface;  ///< without the cast
+  ColourCast cast;
   ContourSample contour;
   SurfaceTemplate::Remainder remainder;  ///< of the surface, where it suffices
 

@@ -19,6 +19,17 @@ cv::Mat grey_of(const View& view) {
   return grey;
 }
 
+bool shows_colour(const ObjectModel& model) {
+  return std::none_of(model.views.begin(), model.views.end(),
+                      [](const View& view) { return is_grey(view.template_image); });
+}
+
+View as_grey(const View& view) {
+  View result = view;
+  cv::cvtColor(grey_of(view), result.template_image, cv::COLOR_GRAY2BGR);
+  return result;
+}
+
 /// The map without its rim, where template pixels mix with the background; the map itself when
 /// little would be left.
 cv::Mat without_rim(const cv::Mat& map) {
@@ -175,13 +186,23 @@ PreparedView::PreparedView(const Source& source, Engine engine)
 
 PreparedObject::PreparedObject(std::shared_ptr<const ObjectModel> object, Engine engine,
                                double scale_range)
-    : model(std::move(object)) {
+    : PreparedObject(object, engine, scale_range, shows_colour(*object)) {
+  if (coloured)
+    in_grey = Lazy<std::shared_ptr<const PreparedObject>>([object, engine, scale_range] {
+      return std::shared_ptr<const PreparedObject>(
+          new PreparedObject(object, engine, scale_range, false));
+    });
+}
+
+PreparedObject::PreparedObject(std::shared_ptr<const ObjectModel> object, Engine engine,
+                               double scale_range, bool in_colour)
+    : model(std::move(object)), coloured(in_colour) {
   validate(*model);
   std::vector<int> symmetries;
   for (const auto& view : model->views) symmetries.push_back(symmetry_of(*model, view));
   for (const double scale : scales_within(scale_range))
     for (std::size_t i = 0; i < model->views.size(); ++i) {
-      views.emplace_back(model->views[i], engine, scale);
+      views.emplace_back(coloured ? model->views[i] : as_grey(model->views[i]), engine, scale);
       views.back().symmetry = symmetries[i];
       if (engine == Engine::kFast) views.back().sector = sector_of(model->views[i], model->views);
     }

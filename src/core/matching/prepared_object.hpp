@@ -10,6 +10,7 @@
 #include "matching/colour_parts.hpp"
 #include "matching/edge_search.hpp"
 #include "matching/evidence.hpp"
+#include "matching/lazy.hpp"
 #include "matching/lit_surface.hpp"
 #include "matching/map_shape.hpp"
 #include "matching/refinement.hpp"
@@ -63,7 +64,8 @@ class PreparedView {
 };
 
 struct PreparedObject {
-  /// Every view at every scale in [1 - scale_range, 1 + scale_range] that has to be searched.
+  /// Every view at every scale in [1 - scale_range, 1 + scale_range] that has to be searched. The
+  /// views are grey unless all of them show colour.
   PreparedObject(std::shared_ptr<const ObjectModel> object, Engine engine, double scale_range = 0);
 
   int top_level() const;
@@ -72,7 +74,14 @@ struct PreparedObject {
   void make_rotations() const;
 
   std::shared_ptr<const ObjectModel> model;
+  bool coloured;  ///< the views show colour
   std::vector<PreparedView> views;
+  /// The same in grey, for grey pictures; null where the views are grey already.
+  Lazy<std::shared_ptr<const PreparedObject>> in_grey;
+
+ private:
+  PreparedObject(std::shared_ptr<const ObjectModel> object, Engine engine, double scale_range,
+                 bool coloured);
 };
 
 }  // namespace mbncc

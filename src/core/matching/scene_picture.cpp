@@ -1,5 +1,6 @@
 #include "matching/scene_picture.hpp"
 
+#include <algorithm>
 #include <opencv2/imgproc.hpp>
 #include <stdexcept>
 
@@ -8,10 +9,14 @@
 namespace mbncc {
 namespace {
 
-void check(const cv::Mat& picture) {
-  constexpr int kSmallest = 16;
+void check_type(const cv::Mat& picture) {
   if (picture.type() != CV_8UC3 && picture.type() != CV_8UC1)
     throw std::invalid_argument("a picture to search must be 8-bit colour or grey");
+}
+
+void check(const cv::Mat& picture) {
+  constexpr int kSmallest = 16;
+  check_type(picture);
   if (picture.cols < kSmallest || picture.rows < kSmallest)
     throw std::invalid_argument("a picture to search must have at least 16 x 16 pixels");
 }
@@ -24,6 +29,18 @@ cv::Mat grey_picture(const cv::Mat& picture) {
   cv::Mat grey;
   cv::cvtColor(picture, grey, cv::COLOR_BGR2GRAY);
   return grey;
+}
+
+bool is_grey(const cv::Mat& picture) {
+  check_type(picture);
+  if (picture.type() == CV_8UC1) return true;
+  for (int y = 0; y < picture.rows; ++y) {
+    const auto* row = picture.ptr<cv::Vec3b>(y);
+    if (std::any_of(row, row + picture.cols,
+                    [](const cv::Vec3b& p) { return p[0] != p[1] || p[1] != p[2]; }))
+      return false;
+  }
+  return true;
 }
 
 ScenePicture::ScenePicture(const cv::Mat& picture, int top_level) {

@@ -17,6 +17,9 @@ namespace mbncc {
 /// `picture` as grey: CV_8UC3 (bgr) or CV_8UC1, at least 16 x 16; else std::invalid_argument.
 cv::Mat grey_picture(const cv::Mat& picture);
 
+/// A grey picture, or one whose channels are equal everywhere, as of a grey camera.
+bool is_grey(const cv::Mat& picture);
+
 struct ScenePicture {
   ScenePicture() = default;
   ScenePicture(const cv::Mat& picture, int top_level);

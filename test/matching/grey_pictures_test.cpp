@@ -1,0 +1,81 @@
+// Objects taught in colour and grey pictures, and the reverse.
+#include <gtest/gtest.h>
+
+#include <opencv2/imgproc.hpp>
+
+#include "matching/matcher_fixture.hpp"
+
+namespace mbncc {
+namespace {
+
+using test::LearningPicture;
+using test::object_from;
+using test::place;
+using test::texture;
+
+class GreyPicturesTest : public test::MatcherTest {
+ protected:
+  /// As a grey camera shows it, in three channels.
+  static cv::Mat as_grey(const cv::Mat& picture) {
+    cv::Mat grey, three;
+    cv::cvtColor(picture, grey, cv::COLOR_BGR2GRAY);
+    cv::cvtColor(grey, three, cv::COLOR_GRAY2BGR);
+    return three;
+  }
+
+  LearningPicture grey_source() const {
+    LearningPicture grey = source_;
+    grey.picture = as_grey(grey.picture);
+    return grey;
+  }
+
+  cv::Mat scene() const {
+    cv::Mat scene = texture({320, 240}, 71, 4);
+    place(scene, source_, reference_.position(), truth_);
+    return scene;
+  }
+
+  void expect_found(const Matcher& matcher, const cv::Mat& picture) const {
+    const SearchResult result = matcher.find(picture);
+    ASSERT_EQ(result.matches.size(), 1u);
+    expect_at(result.matches[0], truth_);
+    EXPECT_GT(result.matches[0].score, 0.9);
+  }
+
+  const Pose2D truth_{150.3, 110.7, 0.9};
+};
+
+TEST_F(GreyPicturesTest, ShowWhatWasTaughtInColour) {
+  const cv::Mat grey = as_grey(scene());
+  expect_found(matcher(), grey);
+  cv::Mat one_channel;
+  cv::extractChannel(grey, one_channel, 0);
+  expect_found(matcher(), one_channel);
+}
+
+TEST_F(GreyPicturesTest, TeachWhatColourPicturesShow) {
+  expect_found(matcher_of({object_from(grey_source(), reference_)}), scene());
+}
+
+TEST_F(GreyPicturesTest, OneGreyViewMakesAnObjectGrey) {
+  const auto model = object_from(source_, reference_);
+  model->views.push_back(object_from(grey_source(), reference_)->views.front());
+  expect_found(matcher_of({model}), scene());
+}
+
+TEST_F(GreyPicturesTest, ObjectsTaughtEitherWayAreFoundTogether) {
+  const LearningPicture other(99);
+  cv::Mat picture = scene();
+  const Pose2D other_truth{250.4, 60.2, -1.1};
+  place(picture, other, reference_.position(), other_truth);
+  const auto result = matcher_of({object_from(grey_source(), reference_, "grey"),
+                                  object_from(other, reference_, "coloured")})
+                          .find(picture);
+  ASSERT_EQ(result.matches.size(), 2u);
+  const bool in_order = result.matches[0].name == "grey";
+  expect_at(result.matches[in_order ? 0 : 1], truth_);
+  expect_at(result.matches[in_order ? 1 : 0], other_truth);
+}
+
+}  // namespace
+}  // namespace mbncc
