@@ -15,7 +15,7 @@ std::optional<ColourCast> cast_at(const Detection& detection, const ScenePicture
   SurfaceSample sample;
   scene.levels[0].prepare_around(detection.pose, object.reach());
   object.surface.sample(scene.levels[0], detection.pose, sample);
-  return local_cast(object.surface, sample);
+  return local_cast(block_sums(object.surface, sample));
 }
 
 double median(std::vector<double> values) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "matching/local_cast.hpp"
 #include "matching/outline_elsewhere.hpp"
 
 namespace mbncc {
@@ -21,7 +22,7 @@ ColourDifference strangeness(const PreparedView& view, const SceneLevel& scene,
   scene.prepare_around(found.pose, view.fine.reach() * found.scale);
   surface.sample(scene, found.pose, sample, found.scale);
   read_contour(view.fine.contour, scene.edges, found.pose, 1, contour, found.scale);
-  const ColourCast cast = bounded(local_cast(surface, sample).value_or(ColourCast{}));
+  const ColourCast cast = bounded(local_cast(block_sums(surface, sample)).value_or(ColourCast{}));
   take_out(cast, sample);
   cv::Vec3f ground = ground_beside(view.fine.contour, scene, found.pose, found.scale);
   for (int c = 0; c < SurfaceTemplate::kChannels; ++c)

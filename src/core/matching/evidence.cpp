@@ -2,74 +2,17 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
+#include <utility>
+#include <vector>
 
+#include "matching/block_residuals.hpp"
 #include "matching/edge_picture.hpp"
+#include "matching/local_cast.hpp"
 #include "matching/padded_vectors.hpp"
 #include "matching/picture_view.hpp"
 
 namespace mbncc {
 namespace {
-
-constexpr int kChannels = SurfaceTemplate::kChannels;
-
-/// Gain within bounds and offset that fit the template's colours to the picture's.
-kernels::Gain fit_gain(const SurfaceTemplate& surface, const SurfaceSample& sample) {
-  constexpr double kPrior = 100;  // [grey^2] pulls the gain of plain surfaces to 1
-  const auto& planes = surface.planes;
-  const float* inside = sample.inside.data();
-  const auto visible =
-      products<4>({planes[0].data(), planes[1].data(), planes[2].data(), surface.energy.data()},
-                  {inside, inside, inside, inside}, surface.padded());
-  const auto common =
-      products<3>({planes[0].data(), planes[1].data(), planes[2].data()},
-                  {sample.planes[0].data(), sample.planes[1].data(), sample.planes[2].data()},
-                  surface.padded());
-  double t = 0, s = 0, ts = 0;
-  const double tt = visible[kChannels];
-  for (int c = 0; c < kChannels; ++c) {
-    t += visible[c];
-    s += sample.means[c] * static_cast<double>(sample.visible);
-    ts += common[c];
-    // Outside, the sample holds its mean.
-    if (sample.visible < sample.points)
-      ts -=
-          sample.means[c] * (std::accumulate(planes[c].begin(), planes[c].end(), 0.0) - visible[c]);
-  }
-  const double count = kChannels * static_cast<double>(sample.visible);
-  const double variance = tt / count - t / count * (t / count);
-  const double covariance = ts / count - t / count * (s / count);
-  const double factor = std::clamp((covariance + kPrior) / (variance + kPrior), 0.65, 1.5);
-  return {static_cast<float>(factor), static_cast<float>(s / count - factor * t / count)};
-}
-
-double best_blocks_residual(const SurfaceTemplate& surface, const SurfaceSample& sample) {
-  constexpr float kWorst = 60 * 60;  // [grey^2] of one value
-  const kernels::Gain gain = fit_gain(surface, sample);
-  thread_local std::vector<float> squares;
-  squares.assign(surface.padded(), 0.f);
-  for (int c = 0; c < kChannels; ++c)
-    kernels::add_capped_squares(surface.planes[c].data(), sample.planes[c].data(),
-                                sample.inside.data(), gain, kWorst,
-                                static_cast<int>(surface.padded()), squares.data());
-  std::vector<float> means;
-  int begin = 0;
-  for (const int end : surface.block_ends) {
-    float total = 0, count = 0;
-    for (int i = begin; i < end; ++i) {
-      total += squares[i];
-      count += sample.inside[i];
-    }
-    if (count >= 4) means.push_back(total / (kChannels * count));
-    begin = end;
-  }
-  if (means.empty()) return kNoFit;
-  std::sort(means.begin(), means.end());
-  const std::size_t best = (means.size() * 5 + 7) / 8;
-  const double total =
-      std::accumulate(means.begin(), means.begin() + static_cast<std::ptrdiff_t>(best), 0.0);
-  return std::log(std::sqrt(total / static_cast<double>(best)) + 3);
-}
 
 double gradient_agreement(const SurfaceTemplate& surface, const SurfaceSample& sample,
                           const cv::Mat& edges, const Pose2D& pose) {
@@ -82,6 +25,60 @@ double gradient_agreement(const SurfaceTemplate& surface, const SurfaceSample& s
          (kEdgeScale * (surface.gradient_total + static_cast<double>(surface.size())));
 }
 
+Evidence contour_evidence(const PoseTemplate& object, const PoseSample& sample) {
+  Evidence evidence;
+  evidence.contour = contour_agreement(object.contour, sample.contour);
+  evidence.found = contour_found(object.contour, sample.contour);
+  evidence.texture = object.surface.texture();
+  evidence.visible = static_cast<double>(sample.surface.visible) /
+                     static_cast<double>(std::max<std::size_t>(1, object.surface.size()));
+  return evidence;
+}
+
+/// What is read at a pose.
+struct Reading {
+  const PoseTemplate& object;
+  const SceneLevel& scene;
+  const Pose2D& pose;
+};
+
+Evidence evidence_of(const Reading& reading, const PoseSample& sample,
+                     const std::vector<double>& residuals) {
+  constexpr double kNoise = 9;  // [grey^2]
+  const SurfaceTemplate& surface = reading.object.surface;
+  const SurfaceSample& seen = sample.surface;
+  const auto remainder = surface.remainder(seen);
+  Evidence evidence = contour_evidence(reading.object, sample);
+  evidence.gradient = gradient_agreement(surface, seen, reading.scene.edges, reading.pose);
+  const double residual = best_of(residuals);
+  if (residual >= 0) evidence.best_blocks = std::log(residual + 3);
+  evidence.histogram = overlap(surface.histogram, chroma_histogram(seen.planes, seen.inside));
+  evidence.projected = surface.correlation(remainder, kNoise);
+  evidence.unexplained = std::log(std::sqrt(surface.unexplained(remainder)) + 2);
+  return evidence;
+}
+
+/// Of the object, or of what is not hidden where it is the likelier so; colours without the cast.
+Evidence likelier_evidence(const Reading& reading, const ColourCast& cast, PoseSample& sample,
+                           std::vector<BlockSums> blocks) {
+  constexpr double kHopeless = -10;  // log-odds that no part makes up for
+  const auto& [surface, contour, hidden, area] = reading.object;
+  take_out(cast, sample.surface);
+  take_out(cast, blocks);
+  const auto residuals = block_residuals(surface, sample.surface, blocks);
+  const Evidence whole = evidence_of(reading, sample, residuals);
+  const double odds = log_odds(whole, area);
+  if (odds < kHopeless) return whole;
+  const double share = hidden.take_out(residuals, sample.surface, sample.contour);
+  if (share == 0 || !sample.surface.suffices()) return whole;
+  Evidence part =
+      evidence_of(reading, sample,
+                  block_residuals(surface, sample.surface, block_sums(surface, sample.surface)));
+  part.visible = whole.visible;
+  part.hidden = share;
+  return log_odds(part, area) > odds ? part : whole;
+}
+
 }  // namespace
 
 Evidence gather_evidence(const PoseTemplate& object, const SceneLevel& scene, const Pose2D& pose) {
@@ -92,22 +89,14 @@ Evidence gather_evidence(const PoseTemplate& object, const SceneLevel& scene, co
 
 Evidence gather_evidence(const PoseTemplate& object, const SceneLevel& scene, const Pose2D& pose,
                          const PoseSample& sample) {
-  constexpr double kNoise = 9;  // [grey^2]
-  const SurfaceTemplate& surface = object.surface;
-  const SurfaceSample& seen = sample.surface;
-  Evidence evidence;
-  evidence.contour = contour_agreement(object.contour, sample.contour);
-  evidence.found = contour_found(object.contour, sample.contour);
-  evidence.texture = surface.texture();
-  evidence.visible = static_cast<double>(seen.visible) /
-                     static_cast<double>(std::max<std::size_t>(1, surface.size()));
-  if (!seen.suffices()) return evidence;
-  evidence.cast = sample.cast.size();
-  evidence.gradient = gradient_agreement(surface, seen, scene.edges, pose);
-  evidence.best_blocks = best_blocks_residual(surface, seen);
-  evidence.histogram = overlap(surface.histogram, chroma_histogram(seen.planes, seen.inside));
-  evidence.projected = surface.correlation(sample.remainder, kNoise);
-  evidence.unexplained = std::log(std::sqrt(surface.unexplained(sample.remainder)) + 2);
+  if (!sample.surface.suffices()) return contour_evidence(object, sample);
+  auto blocks = block_sums(object.surface, sample.surface);
+  const ColourCast cast = bounded(local_cast(blocks).value_or(ColourCast{}));
+  thread_local PoseSample without_cast;
+  without_cast = sample;
+  Evidence evidence =
+      likelier_evidence({object, scene, pose}, cast, without_cast, std::move(blocks));
+  evidence.cast = cast.size();
   return evidence;
 }
 
@@ -117,11 +106,11 @@ double log_odds(const Evidence& evidence, double area) {
   // the more, and the gradients inside are those of the background.
   constexpr double kLargeArea = 1800;  // [px] beyond it size no longer guards against chance
   constexpr double kSmallArea = 700;   // [px] below it other weights hold
-  static const double kCast = getenv("CAST") ? atof(getenv("CAST")) : 5;
   const double small = std::max(0.0, std::log(kSmallArea / area));
   return 18.9 * evidence.found + 17.3 * evidence.gradient - 4.28 * evidence.best_blocks +
          6.68 * evidence.histogram + 9.35 * evidence.projected - 8.29 * evidence.texture +
-         0.99 * std::log(std::min(area, kLargeArea)) - 16.5 * (1 - evidence.visible) - kCast * evidence.cast - 12.4 +
+         0.99 * std::log(std::min(area, kLargeArea)) - 16.5 * (1 - evidence.visible) -
+         5 * evidence.cast - 5 * evidence.hidden - 12.4 +
          small *
              (1.17 + 12.35 * evidence.found - 23.8 * evidence.gradient -
               4.32 * evidence.best_blocks - 4.09 * evidence.histogram + 6.23 * evidence.projected);

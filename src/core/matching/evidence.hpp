@@ -21,8 +21,9 @@ struct Evidence {
   double unexplained = kNoFit;  ///< ln(rms colour difference [grey levels] + 2) after a gain and
                                 ///< without shading and gloss
   double texture = 0;           ///< [0..1] of the object: a plain one has little to agree with
-  double cast = 0;              ///< size of the ColourCast, bounded, that the colours were freed from
-  double visible = 0;           ///< [0..1] part of the surface points inside the picture
+  double cast = 0;     ///< size of the ColourCast, bounded, that the colours were freed from
+  double visible = 0;  ///< [0..1] part of the surface points inside the picture
+  double hidden = 0;   ///< [0..1] part of these that was taken out, see HiddenParts
 };
 
 Evidence gather_evidence(const PoseTemplate& object, const SceneLevel& scene, const Pose2D& pose);

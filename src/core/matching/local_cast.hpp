@@ -4,8 +4,9 @@
 #include <cmath>
 #include <opencv2/core.hpp>
 #include <optional>
+#include <vector>
 
-#include "matching/surface_template.hpp"
+#include "matching/block_sums.hpp"
 
 namespace mbncc {
 
@@ -19,13 +20,14 @@ struct ColourCast {
 };
 
 /// Mean over the half of the surface's compact parts that agree best, of those neither dark nor
-/// clipped, so that what covers some of them counts for nothing; none where fewer than three tell.
-std::optional<ColourCast> local_cast(const SurfaceTemplate& surface, const SurfaceSample& sample);
+/// clipped, so that what covers some of them counts for nothing; none where no part tells.
+std::optional<ColourCast> local_cast(const std::vector<BlockSums>& blocks);
 
 /// The cast within bounds that light has beside its brightness: more is another colour.
 ColourCast bounded(const ColourCast& cast);
 
-/// `sample` as without the cast.
+/// As without the cast.
 void take_out(const ColourCast& cast, SurfaceSample& sample);
+void take_out(const ColourCast& cast, std::vector<BlockSums>& blocks);
 
 }  // namespace mbncc

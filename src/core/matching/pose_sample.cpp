@@ -7,10 +7,7 @@ void PoseSample::read(const PoseTemplate& object, const SceneLevel& scene, const
   scene.prepare_around(pose, object.reach());
   object.surface.sample(scene, pose, surface);
   read_contour(object.contour, scene.edges, pose, reach, contour);
-  if (!surface.suffices()) return;
-  cast = bounded(local_cast(object.surface, surface).value_or(ColourCast{}));
-  take_out(cast, surface);
-  remainder = object.surface.remainder(surface);
+  if (surface.suffices()) remainder = object.surface.remainder(surface);
 }
 
 }  // namespace mbncc

@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "matching/contour_template.hpp"
-#include "matching/local_cast.hpp"
+#include "matching/hidden_parts.hpp"
 #include "matching/surface_template.hpp"
 
 namespace mbncc {
@@ -13,14 +13,15 @@ namespace mbncc {
 struct PoseTemplate {
   SurfaceTemplate surface;
   ContourTemplate contour;
+  HiddenParts hidden;
+  double area = 0;  ///< [px] of the map at full resolution
 
   /// [px at level] no point lies farther from the anchor.
   double reach() const { return std::max(surface.radius(), contour.radius()); }
 };
 
 struct PoseSample {
-  SurfaceSample surface;  ///< without the cast
-  ColourCast cast;
+  SurfaceSample surface;
   ContourSample contour;
   SurfaceTemplate::Remainder remainder;  ///< of the surface, where it suffices
 

@@ -80,7 +80,7 @@ SurfacePoints choose_surface_points(const MapGeometry& map, cv::Size size, int l
   SurfacePoints chosen;
   chosen.points = points_of(map, pixels, level);
   const std::size_t count = chosen.points.size();
-  const int depth = count >= 240 ? 3 : count >= 100 ? 2 : count >= 50 ? 1 : 0;
+  const int depth = count >= 96 ? 3 : count >= 48 ? 2 : count >= 24 ? 1 : 0;
   split_blocks(chosen, chosen.points.begin(), chosen.points.end(), depth);
   return chosen;
 }
