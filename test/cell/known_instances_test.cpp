@@ -88,6 +88,22 @@ TEST_F(KnownInstancesTest, WhatASearchFindsAtThePlaceCompetes) {
   EXPECT_NEAR(judged(known_.all()[0]).margin_place, 5, 1e-9) << "the best of them";
 }
 
+// A whole search compares evidence alone: how firm a pose is, and how far it is behind other
+// instances of its object, is no part of that.
+TEST_F(KnownInstancesTest, CalibrationIsNoPartOfTheComparison) {
+  Known firm = known_at(100);
+  firm.match.calibration = -4;
+  known_.admit(firm, kReach);
+  compare_with({rival_at(100, "other", 20), rival_at(300, "one", 21)});
+  EXPECT_NEAR(judged(known_.all()[0]).margin_place, 3, 1e-9) << "of 24 to 21";
+  Known loose = known_at(102, "other", 23);
+  loose.match.score = 0.95;
+  loose.match.calibration = 2;
+  known_.admit(loose, kReach);
+  ASSERT_EQ(known_.all().size(), 1u);
+  EXPECT_NEAR(judged(known_.all()[0]).margin_place, -3, 1e-9) << "of 21 to 24";
+}
+
 TEST_F(KnownInstancesTest, AnObjectThatWasNotSearchedForThereIsOpen) {
   known_.admit(known_at(100), kReach);
   compare_with({}, false);
