@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "matching/outline_elsewhere.hpp"
+#include "matching/torn_outline.hpp"
 
 namespace mbncc {
 namespace {
@@ -25,8 +26,9 @@ ColourDifference strangeness(const PreparedView& view, const SceneLevel& scene,
       surface, sample, contour, ground_beside(view.fine.contour, scene, found.pose, found.scale));
 }
 
-/// Agreement by which the mirrored outline is no better by chance.
-constexpr double kMirrored = 0.04;
+/// Agreement by which the mirrored outline is no better by chance; and where the lesson tells the
+/// outline from it.
+constexpr double kMirrored = 0.04, kMirroredSlightly = 0.005;
 
 /// Log-odds that a mirrored outline takes away, which is better by so much.
 double mirror_doubt(double better) {
@@ -112,10 +114,12 @@ void refine(Detection& detection, const ScenePicture& scene, const Believed& fou
   const ColourDifference strange = strangeness(view, scene.levels[0], place, found.odds);
   detection.strange = std::max(strange.colour, strange.block);
   const double mirrored = found.odds > kWorthRefining ? turned_over(view, scene, place) : 0;
-  detection.turned_over = mirrored > kMirrored;
+  detection.turned_over = mirrored > (view.turned_over.is_told() ? kMirroredSlightly : kMirrored);
   detection.log_odds = found.odds + found.pixels - doubt(strange.colour) - mirror_doubt(mirrored);
   detection.another_size =
       detection.log_odds > 0 && fits_another_size(view, scene, detection.pose, found.odds);
+  detection.torn = detection.log_odds > 0 && better_torn(view.fine.contour, scene.levels[0],
+                                                         detection.pose, detection.size) > kTorn;
 }
 
 /// Tells of the best detection at each place, of sorted ones, by how much the outline alone would
