@@ -1,10 +1,14 @@
-// All nodelets in one process, fed at full rate: teaching beside matching, more pictures than can
-// be searched, a long run. MBNCC_SOAK_FRAMES: searched pictures of the long run; MBNCC_SOAK_CSV: a
-// file for memory, open files and threads over them.
+// All nodelets in one process, fed at full rate: teaching, edits, find_objects and camera_infos
+// that change beside matching, more pictures than can be searched, a long run. MBNCC_SOAK_FRAMES:
+// searched pictures of the long run; MBNCC_SOAK_CSV: a file for memory, open files and threads over
+// them.
 #include <gtest/gtest.h>
 #include <mbncc_vision/DetectedObjectArray.h>
+#include <mbncc_vision/EditObject.h>
+#include <mbncc_vision/FindObjects.h>
 #include <nodelet/loader.h>
 #include <ros/ros.h>
+#include <sensor_msgs/CameraInfo.h>
 #include <sensor_msgs/Image.h>
 
 #include <algorithm>
@@ -89,6 +93,8 @@ class Soak : public testing::Test {
     if (!lesson_.empty()) {
       teacher.forget(lesson_);
       ++lessons_;
+      edit();
+      ask();
     }
     Teacher::Goal goal;
     goal.name = "part";
@@ -96,6 +102,36 @@ class Soak : public testing::Test {
     goal.before = before_;
     goal.after = after_;
     lesson_ = teacher.send(goal);
+  }
+
+  void edit() {
+    using Edit = mbncc_vision::EditObject;
+    constexpr std::uint8_t kCommands[] = {Edit::Request::SET_THRESHOLD, Edit::Request::DISABLE,
+                                          Edit::Request::ENABLE};
+    Edit call;
+    call.request.name = "part";
+    call.request.command = kCommands[lessons_ % 3];
+    call.request.min_score = 0.4F;
+    if (ros::service::call("edit_object", call) && call.response.success) ++edits_;
+  }
+
+  /// In a given picture; and the camera tells of another lens.
+  void ask() {
+    mbncc_vision::FindObjects call;
+    call.request.image = before_;
+    if (ros::service::call("find_objects", call) && call.response.success) ++answers_;
+    const double focal = before_.width * (0.8 + 0.1 * static_cast<double>(lessons_ % 5));
+    sensor_msgs::CameraInfo info;
+    info.header = before_.header;
+    info.header.stamp = ros::Time::now();
+    info.width = before_.width;
+    info.height = before_.height;
+    info.distortion_model = "plumb_bob";
+    info.D.resize(5);
+    info.K = {focal, 0, before_.width / 2.0, 0, focal, before_.height / 2.0, 0, 0, 1};
+    info.R = {1, 0, 0, 0, 1, 0, 0, 0, 1};
+    info.P = {focal, 0, info.K[2], 0, 0, focal, info.K[5], 0, 0, 0, 1, 0};
+    infos_.publish(info);
   }
 
   /// Pictures of this size are taught and shown.
@@ -124,10 +160,11 @@ class Soak : public testing::Test {
   const test::TemporaryFolder folder_;
   ros::NodeHandle node_;
   ros::Subscriber detections_;
+  ros::Publisher infos_ = node_.advertise<sensor_msgs::CameraInfo>("camera_info", 1);
   sensor_msgs::Image before_, after_;
   ros::Time last_stamp_;
   std::vector<double> latencies_, costs_;  // [s]
-  long searched_ = 0, lessons_ = 0;
+  long searched_ = 0, lessons_ = 0, edits_ = 0, answers_ = 0;
   std::string lesson_;
   nodelet::Loader loader_{false};
 };
@@ -160,7 +197,11 @@ TEST_F(Soak, TeachingBesideMatchingStaysFlat) {
   RecordProperty("lessons", std::to_string(lessons_));
   RecordProperty("growth_mb", std::to_string(history.growth()));
   RecordProperty("growth_in_use_mb", std::to_string(history.growth_in_use()));
+  RecordProperty("edits", std::to_string(edits_));
+  RecordProperty("answers", std::to_string(answers_));
   EXPECT_GT(lessons_, 0);
+  EXPECT_GT(edits_, 0);
+  EXPECT_GT(answers_, 0);
   EXPECT_GT(looked, 0);
   EXPECT_LT(history.growth_in_use(), kMostGrowthInUse);
   if (!test::kSanitized) {
