@@ -83,8 +83,8 @@ TEST_F(JudgeTest, TheMirrorImageIsToldAndCosts) {
 // A plate without the tip of a corner: that alone tells it from its mirror image.
 TEST_F(JudgeTest, AMirrorImageThatDiffersSlightlyIsTold) {
   cv::Mat map = cv::Mat::zeros(120, 120, CV_8UC1);
-  map(cv::Rect(30, 40, 60, 40)) = 255;
-  cv::fillPoly(map, std::vector<std::vector<cv::Point>>{{{90, 40}, {86, 40}, {90, 44}}},
+  map(cv::Rect(10, 25, 100, 70)) = 255;
+  cv::fillPoly(map, std::vector<std::vector<cv::Point>>{{{110, 25}, {105, 25}, {110, 30}}},
                cv::Scalar(0));
   const test::LearningPicture plate(3, map);
   const test::LearningPicture mirrored = test::mirrored(plate);

@@ -1,7 +1,7 @@
 // All nodelets in one process, fed at full rate: teaching, edits, find_objects and camera_infos
-// that change beside matching, more pictures than can be searched, a long run. MBNCC_SOAK_FRAMES:
-// searched pictures of the long run; MBNCC_SOAK_CSV: a file for memory, open files and threads over
-// them.
+// that change beside matching, more pictures than can be searched, a long run. MBNCC_SOAK_FRAMES
+// and MBNCC_SOAK_MINUTES: searched pictures and time of the long run, the later of both;
+// MBNCC_SOAK_CSV: a file for memory, open files and threads over them.
 #include <gtest/gtest.h>
 #include <mbncc_vision/DetectedObjectArray.h>
 #include <mbncc_vision/EditObject.h>
@@ -34,9 +34,9 @@ constexpr double kMostGrowthInUse = 2;  // [MB]
 constexpr double kMostGrowth = 5;       // [MB]
 constexpr std::chrono::hours kPatience{24};
 
-long soak_frames() {
-  const char* text = std::getenv("MBNCC_SOAK_FRAMES");
-  return text == nullptr ? 2000 : std::atol(text);
+long number(const char* variable, long otherwise) {
+  const char* text = std::getenv(variable);
+  return text == nullptr ? otherwise : std::atol(text);
 }
 
 std::string soak_csv() {
@@ -122,7 +122,7 @@ class Soak : public testing::Test {
     if (ros::service::call("find_objects", call) && call.response.success) ++answers_;
     const double focal = before_.width * (0.8 + 0.1 * static_cast<double>(lessons_ % 5));
     sensor_msgs::CameraInfo info;
-    info.header = before_.header;
+    info.header.frame_id = "camera_optical_frame";
     info.header.stamp = ros::Time::now();
     info.width = before_.width;
     info.height = before_.height;
@@ -181,8 +181,10 @@ TEST_F(Soak, TeachingBesideMatchingStaysFlat) {
   const auto look = [&looked](const sensor_msgs::ImageConstPtr&) { ++looked; };
   const ros::Subscriber rectified = node_.subscribe<sensor_msgs::Image>("image_rect", 1, look);
   const ros::Subscriber overlay = node_.subscribe<sensor_msgs::Image>("matching/overlay", 1, look);
-  const long frames = soak_frames(), every = std::max(1L, frames / 400);
+  const long frames = number("MBNCC_SOAK_FRAMES", 2000), every = std::max(1L, frames / 400);
   StateHistory history(soak_csv());
+  const auto end =
+      std::chrono::steady_clock::now() + std::chrono::minutes(number("MBNCC_SOAK_MINUTES", 0));
   long sampled = 0;
   ASSERT_TRUE(spin_until(
       [&] {
@@ -190,7 +192,7 @@ TEST_F(Soak, TeachingBesideMatchingStaysFlat) {
         for (; searched_ >= sampled; sampled += every) history.add(sampled);
         // The figures of a long run would only fill memory.
         if (latencies_.size() > 20000) record("full_rate");
-        return searched_ >= frames;
+        return searched_ >= frames && std::chrono::steady_clock::now() >= end;
       },
       kPatience));
   if (!latencies_.empty()) record("full_rate");

@@ -62,6 +62,10 @@ Match Known::judged(const std::vector<std::string>& names, const SearchConfig& c
   return result;
 }
 
+Rival rival_of(const Match& match) {
+  return {match.name, match.pose.position(), match.uncalibrated(), match.outline};
+}
+
 double outline_overlap(const std::vector<cv::Point2f>& a, const std::vector<cv::Point2f>& b) {
   const cv::Rect box_a = cv::boundingRect(a), box_b = cv::boundingRect(b);
   if ((box_a & box_b).empty()) return 0;

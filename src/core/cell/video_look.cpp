@@ -107,8 +107,7 @@ std::map<std::string, double> VideoLook::best_outside(const cv::Rect& region,
 /// Compares what is known with what a search of `region` found.
 void VideoLook::compare(const SearchResult& result, const cv::Rect& region) {
   std::vector<Rival> found = result.rivals;
-  for (const auto& match : result.matches)
-    found.push_back({match.name, match.pose.position(), match.uncalibrated(), match.outline});
+  for (const auto& match : result.matches) found.push_back(rival_of(match));
   for (const auto& name : result.searched)
     memory_.known.compare(
         name, found, [&](const cv::Rect& box) { return is_within(touching(box, name), region); });
