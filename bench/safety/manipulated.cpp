@@ -33,6 +33,7 @@ struct Scene {
   const CaseFolder& other;
   const Instance& instance;
   cv::Mat picture;
+  bool has_mirror_image = false;  ///< of the object, beside it
 };
 
 /// What was done to a picture, and where the object may rightly be found in it.
@@ -197,7 +198,7 @@ class Trials {
   void spoil(const Scene& scene, const Matcher& matcher, bool one_sided, int each) {
     run("untouched", scene, matcher, 1, untouched);
     run("torn", scene, matcher, each, torn);
-    if (one_sided) run("mirrored", scene, matcher, 1, mirrored);
+    if (one_sided && !scene.has_mirror_image) run("mirrored", scene, matcher, 1, mirrored);
     run("other print", scene, matcher, each, other_print);
     run("half covered", scene, matcher, each, half_covered);
     run("glossy", scene, matcher, each, glossy);
@@ -263,7 +264,8 @@ void spoil_set(const fs::path& set, std::size_t most, int each, Trials& trials) 
     for (const auto& target : object.targets)
       if (target.instances.size() == 1)
         trials.spoil({object, cases[(i + 1) % cases.size()], target.instances.front(),
-                      read_picture(target.picture)},
+                      read_picture(target.picture),
+                      std::count(target.tags.begin(), target.tags.end(), "mirror") > 0},
                      matcher, one_sided, each);
   }
 }

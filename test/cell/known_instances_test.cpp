@@ -23,8 +23,7 @@ Known known_at(double x, const std::string& name = "one", double log_odds = 20) 
 }
 
 Rival rival_at(double x, const std::string& name, double log_odds) {
-  const Match match = known_at(x, name).match;
-  return {name, match.pose.position(), log_odds, match.outline};
+  return rival_of(known_at(x, name, log_odds).match);
 }
 
 Match judged(const Known& known) {
@@ -86,6 +85,24 @@ TEST_F(KnownInstancesTest, WhatASearchFindsAtThePlaceCompetes) {
   known_.admit(known_at(100), kReach);
   compare_with({rival_at(104, "other", 12), rival_at(100, "other", 15), rival_at(96, "other", 9)});
   EXPECT_NEAR(judged(known_.all()[0]).margin_place, 5, 1e-9) << "the best of them";
+}
+
+// A whole search compares evidence alone: how firm a pose is, and how far it is behind other
+// instances of its object, is no part of that.
+TEST_F(KnownInstancesTest, CalibrationIsNoPartOfTheComparison) {
+  Known firm = known_at(100);
+  firm.match.calibration = -4;
+  known_.admit(firm, kReach);
+  Match behind_another = known_at(300, "one", 15).match;
+  behind_another.calibration = -6;
+  compare_with({rival_at(100, "other", 20), rival_of(behind_another)});
+  EXPECT_NEAR(judged(known_.all()[0]).margin_place, 3, 1e-9) << "of 24 to 21";
+  Known loose = known_at(102, "other", 23);
+  loose.match.score = 0.95;
+  loose.match.calibration = 2;
+  known_.admit(loose, kReach);
+  ASSERT_EQ(known_.all().size(), 1u);
+  EXPECT_NEAR(judged(known_.all()[0]).margin_place, -3, 1e-9) << "of 21 to 24";
 }
 
 TEST_F(KnownInstancesTest, AnObjectThatWasNotSearchedForThereIsOpen) {

@@ -78,6 +78,11 @@ TEST_F(ConclusionTest, AnotherSize) {
   expect_refused("another size fits better", true);
 }
 
+TEST_F(ConclusionTest, PartsThatLieApart) {
+  detection_.torn = true;
+  expect_refused("upper and lower part lie apart", false);
+}
+
 TEST_F(ConclusionTest, ALowScoreIsNotAmbiguous) {
   match_.score = config_.confirm_score - 0.01;
   match_.margin_angle = 2.5;

@@ -140,6 +140,7 @@ TEST_F(DecisionTest, AnotherObjectAtThePlaceMakesAmbiguous) {
     EXPECT_EQ(selected.matches[0].ambiguous, behind < config_.min_margin_place);
     ASSERT_EQ(selected.rivals.size(), 1u) << "it competes for the place";
     EXPECT_EQ(selected.rivals[0].name, "other");
+    EXPECT_NEAR(selected.matches[0].uncalibrated() - selected.rivals[0].log_odds, behind, 1e-9);
   }
 }
 

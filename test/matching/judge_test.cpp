@@ -73,14 +73,30 @@ TEST_F(JudgeTest, AnotherSizeIsTold) {
 }
 
 TEST_F(JudgeTest, TheMirrorImageIsToldAndCosts) {
-  test::LearningPicture mirrored = source_;
-  for (auto* picture : {&mirrored.map, &mirrored.surface, &mirrored.picture})
-    cv::flip(*picture, *picture, 1);
-  const ScenePicture scene(scene_with(mirrored, truth_), object_.top_level());
+  const ScenePicture scene(scene_with(test::mirrored(source_), truth_), object_.top_level());
   const Detection found = judged(scene, {truth_.x, truth_.y, 0}, 10);
   EXPECT_TRUE(found.turned_over);
   EXPECT_LT(found.strange, 0.15) << "no colour speaks against it";
   EXPECT_LT(found.log_odds, 8);
+}
+
+// A plate without the tip of a corner: that alone tells it from its mirror image.
+TEST_F(JudgeTest, AMirrorImageThatDiffersSlightlyIsTold) {
+  cv::Mat map = cv::Mat::zeros(120, 120, CV_8UC1);
+  map(cv::Rect(10, 25, 100, 70)) = 255;
+  cv::fillPoly(map, std::vector<std::vector<cv::Point>>{{{110, 25}, {105, 25}, {110, 30}}},
+               cv::Scalar(0));
+  const test::LearningPicture plate(3, map);
+  const test::LearningPicture mirrored = test::mirrored(plate);
+  const PreparedObject object(test::object_from(plate, {60, 60, 0}), Engine::kFast);
+  const PreparedView& view = object.views.front();
+  for (const bool over : {false, true}) {
+    const ScenePicture scene(scene_with(over ? mirrored : plate, truth_), object.top_level());
+    Believed found =
+        believed_as_is(view, scene, compose(truth_, inverse(view.reference_in_anchor)));
+    found.odds = 12;
+    EXPECT_EQ(judge(object, view, scene, {found}).at(0).turned_over, over);
+  }
 }
 
 // The bright spot that a lamp draws lies elsewhere on it than in the lesson.

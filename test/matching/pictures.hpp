@@ -43,6 +43,15 @@ struct LearningPicture {
   cv::Mat map, surface, picture;
 };
 
+/// What lies on its other side.
+inline LearningPicture mirrored(const LearningPicture& source) {
+  LearningPicture other(1);
+  cv::flip(source.map, other.map, 1);
+  cv::flip(source.surface, other.surface, 1);
+  cv::flip(source.picture, other.picture, 1);
+  return other;
+}
+
 inline std::shared_ptr<ObjectModel> object_from(const LearningPicture& source,
                                                 const Pose2D& reference,
                                                 const std::string& name = "object") {

@@ -11,17 +11,19 @@ class TurnedOverTest : public test::MatcherTest {
  protected:
   const Pose2D truth_{170, 120, 0.8};
 
-  static test::LearningPicture mirrored(const test::LearningPicture& source) {
-    test::LearningPicture other = source;
-    for (auto* picture : {&other.map, &other.surface, &other.picture})
-      cv::flip(*picture, *picture, 1);
-    return other;
-  }
-
   static cv::Mat scene_with(const test::LearningPicture& source, const Pose2D& pose) {
     cv::Mat scene = test::texture({320, 240}, 77, 5);
     test::place(scene, source, {60, 60}, pose);
     return scene;
+  }
+
+  /// A plate without the tip of one of its corners.
+  static test::LearningPicture cut_plate() {
+    cv::Mat map = cv::Mat::zeros(120, 120, CV_8UC1);
+    map(cv::Rect(30, 40, 60, 40)) = 255;
+    cv::fillPoly(map, std::vector<std::vector<cv::Point>>{{{90, 40}, {86, 40}, {90, 44}}},
+                 cv::Scalar(0));
+    return test::LearningPicture(3, map);
   }
 
   double better_at(const Pose2D& pose, const test::LearningPicture& taught,
@@ -39,7 +41,7 @@ TEST_F(TurnedOverTest, TheObjectLiesBetterThanItsMirrorImage) {
 
 TEST_F(TurnedOverTest, ItsMirrorImageLiesBetterWhereItIsTurnedOver) {
   // The pose at which an angle covers most of its mirror image: turned by a quarter.
-  const cv::Mat scene = scene_with(mirrored(source_), truth_);
+  const cv::Mat scene = scene_with(test::mirrored(source_), truth_);
   double most = -1;
   for (int k = 0; k < 36; ++k)
     most = std::max(most, better_at({truth_.x, truth_.y, 2 * kPi * k / 36}, source_, scene));
@@ -47,7 +49,8 @@ TEST_F(TurnedOverTest, ItsMirrorImageLiesBetterWhereItIsTurnedOver) {
 }
 
 TEST_F(TurnedOverTest, BothOutlinesAreMeasuredWhereTheyLieBest) {
-  const cv::Mat over = scene_with(mirrored(source_), truth_), own = scene_with(source_, truth_);
+  const cv::Mat over = scene_with(test::mirrored(source_), truth_),
+                own = scene_with(source_, truth_);
   double best = 0;
   Pose2D at;
   for (int k = 0; k < 72; ++k) {
@@ -71,6 +74,18 @@ TEST_F(TurnedOverTest, AnOutlineThatIsItsOwnMirrorImageAgreesAsWell) {
   map(cv::Rect(30, 40, 60, 40)) = 255;
   const test::LearningPicture plate(3, map);
   EXPECT_NEAR(better_at(truth_, plate, scene_with(plate, truth_)), 0, 0.04);
+  const PreparedObject object(test::object_from(plate, {60, 60, 0}), Engine::kFast);
+  EXPECT_FALSE(object.views.front().turned_over.is_told());
+}
+
+TEST_F(TurnedOverTest, ASlightDifferenceIsToldWhereTheLessonTellsIt) {
+  const test::LearningPicture plate = cut_plate();
+  const PreparedObject object(test::object_from(plate, {60, 60, 0}), Engine::kFast);
+  EXPECT_TRUE(object.views.front().turned_over.is_told());
+  const double over = better_at(truth_, plate, scene_with(test::mirrored(plate), truth_));
+  EXPECT_GT(over, 0.005);
+  EXPECT_LT(over, 0.04) << "an outline that is its own mirror image may come so near by chance";
+  EXPECT_LT(better_at(truth_, plate, scene_with(plate, truth_)), 0);
 }
 
 }  // namespace

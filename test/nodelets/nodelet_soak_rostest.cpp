@@ -1,10 +1,14 @@
-// All nodelets in one process, fed at full rate: teaching beside matching, more pictures than can
-// be searched, a long run. MBNCC_SOAK_FRAMES: searched pictures of the long run; MBNCC_SOAK_CSV: a
-// file for memory, open files and threads over them.
+// All nodelets in one process, fed at full rate: teaching, edits, find_objects and camera_infos
+// that change beside matching, more pictures than can be searched, a long run. MBNCC_SOAK_FRAMES
+// and MBNCC_SOAK_MINUTES: searched pictures and time of the long run, the later of both;
+// MBNCC_SOAK_CSV: a file for memory, open files and threads over them.
 #include <gtest/gtest.h>
 #include <mbncc_vision/DetectedObjectArray.h>
+#include <mbncc_vision/EditObject.h>
+#include <mbncc_vision/FindObjects.h>
 #include <nodelet/loader.h>
 #include <ros/ros.h>
+#include <sensor_msgs/CameraInfo.h>
 #include <sensor_msgs/Image.h>
 
 #include <algorithm>
@@ -30,9 +34,9 @@ constexpr double kMostGrowthInUse = 2;  // [MB]
 constexpr double kMostGrowth = 5;       // [MB]
 constexpr std::chrono::hours kPatience{24};
 
-long soak_frames() {
-  const char* text = std::getenv("MBNCC_SOAK_FRAMES");
-  return text == nullptr ? 2000 : std::atol(text);
+long number(const char* variable, long otherwise) {
+  const char* text = std::getenv(variable);
+  return text == nullptr ? otherwise : std::atol(text);
 }
 
 std::string soak_csv() {
@@ -89,6 +93,8 @@ class Soak : public testing::Test {
     if (!lesson_.empty()) {
       teacher.forget(lesson_);
       ++lessons_;
+      edit();
+      ask();
     }
     Teacher::Goal goal;
     goal.name = "part";
@@ -96,6 +102,36 @@ class Soak : public testing::Test {
     goal.before = before_;
     goal.after = after_;
     lesson_ = teacher.send(goal);
+  }
+
+  void edit() {
+    using Edit = mbncc_vision::EditObject;
+    constexpr std::uint8_t kCommands[] = {Edit::Request::SET_THRESHOLD, Edit::Request::DISABLE,
+                                          Edit::Request::ENABLE};
+    Edit call;
+    call.request.name = "part";
+    call.request.command = kCommands[lessons_ % 3];
+    call.request.min_score = 0.4F;
+    if (ros::service::call("edit_object", call) && call.response.success) ++edits_;
+  }
+
+  /// In a given picture; and the camera tells of another lens.
+  void ask() {
+    mbncc_vision::FindObjects call;
+    call.request.image = before_;
+    if (ros::service::call("find_objects", call) && call.response.success) ++answers_;
+    const double focal = before_.width * (0.8 + 0.1 * static_cast<double>(lessons_ % 5));
+    sensor_msgs::CameraInfo info;
+    info.header.frame_id = "camera_optical_frame";
+    info.header.stamp = ros::Time::now();
+    info.width = before_.width;
+    info.height = before_.height;
+    info.distortion_model = "plumb_bob";
+    info.D.resize(5);
+    info.K = {focal, 0, before_.width / 2.0, 0, focal, before_.height / 2.0, 0, 0, 1};
+    info.R = {1, 0, 0, 0, 1, 0, 0, 0, 1};
+    info.P = {focal, 0, info.K[2], 0, 0, focal, info.K[5], 0, 0, 0, 1, 0};
+    infos_.publish(info);
   }
 
   /// Pictures of this size are taught and shown.
@@ -124,10 +160,11 @@ class Soak : public testing::Test {
   const test::TemporaryFolder folder_;
   ros::NodeHandle node_;
   ros::Subscriber detections_;
+  ros::Publisher infos_ = node_.advertise<sensor_msgs::CameraInfo>("camera_info", 1);
   sensor_msgs::Image before_, after_;
   ros::Time last_stamp_;
   std::vector<double> latencies_, costs_;  // [s]
-  long searched_ = 0, lessons_ = 0;
+  long searched_ = 0, lessons_ = 0, edits_ = 0, answers_ = 0;
   std::string lesson_;
   nodelet::Loader loader_{false};
 };
@@ -144,8 +181,10 @@ TEST_F(Soak, TeachingBesideMatchingStaysFlat) {
   const auto look = [&looked](const sensor_msgs::ImageConstPtr&) { ++looked; };
   const ros::Subscriber rectified = node_.subscribe<sensor_msgs::Image>("image_rect", 1, look);
   const ros::Subscriber overlay = node_.subscribe<sensor_msgs::Image>("matching/overlay", 1, look);
-  const long frames = soak_frames(), every = std::max(1L, frames / 400);
+  const long frames = number("MBNCC_SOAK_FRAMES", 2000), every = std::max(1L, frames / 400);
   StateHistory history(soak_csv());
+  const auto end =
+      std::chrono::steady_clock::now() + std::chrono::minutes(number("MBNCC_SOAK_MINUTES", 0));
   long sampled = 0;
   ASSERT_TRUE(spin_until(
       [&] {
@@ -153,14 +192,18 @@ TEST_F(Soak, TeachingBesideMatchingStaysFlat) {
         for (; searched_ >= sampled; sampled += every) history.add(sampled);
         // The figures of a long run would only fill memory.
         if (latencies_.size() > 20000) record("full_rate");
-        return searched_ >= frames;
+        return searched_ >= frames && std::chrono::steady_clock::now() >= end;
       },
       kPatience));
   if (!latencies_.empty()) record("full_rate");
   RecordProperty("lessons", std::to_string(lessons_));
   RecordProperty("growth_mb", std::to_string(history.growth()));
   RecordProperty("growth_in_use_mb", std::to_string(history.growth_in_use()));
+  RecordProperty("edits", std::to_string(edits_));
+  RecordProperty("answers", std::to_string(answers_));
   EXPECT_GT(lessons_, 0);
+  EXPECT_GT(edits_, 0);
+  EXPECT_GT(answers_, 0);
   EXPECT_GT(looked, 0);
   EXPECT_LT(history.growth_in_use(), kMostGrowthInUse);
   if (!test::kSanitized) {

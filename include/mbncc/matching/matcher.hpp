@@ -36,6 +36,7 @@ struct Match {
                            ///< where it is too unlikely to be worth measuring
   double score = 0;        ///< [0..1] acceptance score
   double log_odds = 0;     ///< that the object lies here; the fused score is its logistic
+  double calibration = 0;  ///< part of log_odds that comparisons with competitors leave out
   double similarity = 0;   ///< [-1..1] normalized cross correlation weighted by the map
   /// The best place of the same object that no reported instance explains, and the best other
   /// object here.
@@ -54,13 +55,15 @@ struct Match {
   std::vector<std::string> reasons;  ///< why it is not graspable; empty when it is
   bool fresh = true;  ///< found in this picture; else in an earlier one that looked the same
   std::vector<cv::Point2f> outline;  ///< [px] largest outline of the map in this picture
+
+  double uncalibrated() const { return log_odds - calibration; }
 };
 
 /// What was considered and not reported.
 struct Rival {
   std::string name;
-  cv::Point2d position;  ///< [px] of its reference point
-  double log_odds = 0;
+  cv::Point2d position;              ///< [px] of its reference point
+  double log_odds = 0;               ///< comparable with Match::uncalibrated()
   std::vector<cv::Point2f> outline;  ///< [px] as of Match
 };
 
@@ -83,7 +86,8 @@ struct SearchRequest {
   /// looked for harder, and none scores higher, than if all were looked for at once.
   std::size_t among = 0;
   /// For a search of part of a picture: by name, the log-odds that scores are lowered by at least,
-  /// as SearchResult::clutter told of the whole, and those of the best instance outside the part.
+  /// as SearchResult::clutter told of the whole, and those of the best instance outside the part,
+  /// uncalibrated.
   std::map<std::string, double> clutter, elsewhere;
   /// Instances of other objects that the picture shows: whether an object asked for, of that size,
   /// lies there instead is judged in any case.

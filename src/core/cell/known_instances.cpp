@@ -22,6 +22,12 @@ double distance(const Match& a, const Match& b) {
   return cv::norm(a.pose.position() - b.pose.position());
 }
 
+/// `uncalibrated` log-odds on the scale of `match`.
+Competitor competitor_of(const Match& match, const std::string& name, const cv::Point2d& position,
+                         double uncalibrated) {
+  return {name, position, uncalibrated + match.calibration};
+}
+
 }  // namespace
 
 cv::Rect Known::box() const {
@@ -54,6 +60,10 @@ Match Known::judged(const std::vector<std::string>& names, const SearchConfig& c
   if (open != names.end() || !compared_elsewhere)
     result.margin_place = std::min(0., result.margin_place);
   return result;
+}
+
+Rival rival_of(const Match& match) {
+  return {match.name, match.pose.position(), match.uncalibrated(), match.outline};
 }
 
 double outline_overlap(const std::vector<cv::Point2f>& a, const std::vector<cv::Point2f>& b) {
@@ -95,7 +105,7 @@ Known* KnownInstances::admit(Known found, double reach) {
   for (const auto& one : take(covers))
     if (one.match.name != match.name)
       found.others[one.match.name] =
-          Competitor{one.match.name, one.match.pose.position(), one.match.log_odds};
+          competitor_of(match, one.match.name, one.match.pose.position(), one.match.uncalibrated());
   known_.push_back(std::move(found));
   return &known_.back();
 }
@@ -110,8 +120,8 @@ void KnownInstances::compare(Known& known, const Rival& rival) const {
     if (compared == known.others.end()) return;
     best = &compared->second;
   }
-  if (!*best || rival.log_odds > (*best)->log_odds)
-    *best = Competitor{rival.name, rival.position, rival.log_odds};
+  const auto competitor = competitor_of(known.match, rival.name, rival.position, rival.log_odds);
+  if (!*best || competitor.log_odds > (*best)->log_odds) *best = competitor;
 }
 
 bool KnownInstances::is_explained(const Rival& rival) const {

@@ -35,6 +35,9 @@ struct Known {
   Match judged(const std::vector<std::string>& names, const SearchConfig& config) const;
 };
 
+/// As others are compared with it.
+Rival rival_of(const Match& match);
+
 /// Overlap of the outlines' areas as part of the smaller one [0..1].
 double outline_overlap(const std::vector<cv::Point2f>& a, const std::vector<cv::Point2f>& b);
 

@@ -98,8 +98,8 @@ std::map<std::string, double> VideoLook::best_outside(const cv::Rect& region,
   for (const auto& one : memory_.known.all()) {
     const bool asked = std::find(names.begin(), names.end(), one.match.name) != names.end();
     if (!asked || !(one.box() & region).empty()) continue;
-    const auto entry = best.try_emplace(one.match.name, one.match.log_odds).first;
-    entry->second = std::max(entry->second, one.match.log_odds);
+    const auto entry = best.try_emplace(one.match.name, one.match.uncalibrated()).first;
+    entry->second = std::max(entry->second, one.match.uncalibrated());
   }
   return best;
 }
@@ -107,8 +107,7 @@ std::map<std::string, double> VideoLook::best_outside(const cv::Rect& region,
 /// Compares what is known with what a search of `region` found.
 void VideoLook::compare(const SearchResult& result, const cv::Rect& region) {
   std::vector<Rival> found = result.rivals;
-  for (const auto& match : result.matches)
-    found.push_back({match.name, match.pose.position(), match.log_odds, match.outline});
+  for (const auto& match : result.matches) found.push_back(rival_of(match));
   for (const auto& name : result.searched)
     memory_.known.compare(
         name, found, [&](const cv::Rect& box) { return is_within(touching(box, name), region); });

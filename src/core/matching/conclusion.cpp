@@ -55,6 +55,7 @@ std::vector<Doubt> doubts_about(const Match& match, const Detection& detection,
     doubts.push_back({true, "angle open (margin " + number(match.margin_angle, 1) + ")"});
   if (!(detection.strange <= kStrange)) doubts.push_back({true, "colour of a part differs"});
   if (detection.turned_over) doubts.push_back({true, "mirrored fits as well"});
+  if (detection.torn) doubts.push_back({false, "upper and lower part lie apart"});
   if (detection.another_size) doubts.push_back({true, "another size fits better"});
   if (!(match.score >= config.confirm_score))
     doubts.push_back({false, "score " + number(match.score, 2) + " is below confirm_score"});

@@ -29,6 +29,7 @@ struct Detection {
   double strange = 0;               ///< [0..2] see ColourDifference, the larger one
   bool another_size = false;        ///< would fit better were it smaller or larger
   bool turned_over = false;         ///< its mirrored outline would lie better
+  bool torn = false;                ///< so would parts of its outline that lie apart
   double elsewhere = kNotExamined;  ///< see better_elsewhere()
   double calibration = 0;           ///< log-odds, see calibration()
   double projected = 0;             ///< [-1..1] see Evidence

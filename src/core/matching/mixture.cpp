@@ -25,6 +25,8 @@ Coverage::Coverage(const MapGeometry& map, int level)
 Mixture Coverage::at(cv::Point pixel) const {
   const cv::Point middle = pixel + cv::Point(room_, room_);
   const cv::Rect picture({0, 0}, share_.size());
+  const float own = share_.at<float>(middle);
+  if (own <= kBackground) return {own, {cv::Point2f(pixel), cv::Point2f(pixel)}};
   const int reach = 4 * side_ + 3, step = std::max(1, side_ / 2);
   Mixture mixture;
   std::array<double, 2> nearest{1e9, 1e9};
@@ -42,7 +44,7 @@ Mixture Coverage::at(cv::Point pixel) const {
       }
   if (nearest[0] > reach * 2) return mixture;
   if (nearest[1] > nearest[0] + 2 * side_) offsets[1] = offsets[0];
-  mixture.share = std::min(share_.at<float>(middle), 1.f);
+  mixture.share = std::min(own, 1.f);
   for (int k = 0; k < 2; ++k) mixture.beyond[k] = cv::Point2f(pixel + offsets[k]);
   return mixture;
 }

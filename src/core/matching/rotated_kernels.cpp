@@ -21,6 +21,8 @@ constexpr int kMostRadius = 256;   // [px] of what is turned: its pictures grow 
 constexpr float kCoverage = 0.6f;  // [0..1] of a pixel in the map
 constexpr double kArcStep = 2.6;   // [px] that the rim moves per rotation step
 constexpr int kOversampling = 4;   // samples per pixel side when turning
+constexpr int kWhole = 65;         // [px] pictures of more are turned ...
+constexpr int kTile = 16;          // ... in squares of that side, where the template is
 
 /// Template and map at a level somewhat finer than the coarse one, ready to be turned.
 struct Source {
@@ -38,17 +40,35 @@ Source turning_source(const cv::Mat& grey, const cv::Mat& map, cv::Point2d ancho
   return {source.coverage, both, to_level(anchor, level - finer), 1 << finer};
 }
 
+/// Samples of the square `tile` of fine pixels may lie in a picture of `size`.
+bool may_touch(const cv::Matx23d& to_source, const cv::Rect& tile, cv::Size size) {
+  const cv::Point2d middle = 0.5 * cv::Point2d(tile.tl() + tile.br());
+  const cv::Vec2d at = to_source * cv::Vec3d(middle.x, middle.y, 1);
+  const double reach = 1 + std::hypot(tile.width, tile.height) / 2;
+  return at[0] > -reach && at[1] > -reach && at[0] < size.width + reach &&
+         at[1] < size.height + reach;
+}
+
 /// `picture` turned about its anchor and averaged down to (2 radius + 1)^2 coarse pixels.
 cv::Mat turned(const cv::Mat& picture, const Source& source, double angle, int radius) {
-  const int side = (2 * radius + 1) * source.samples;
-  const double middle = 0.5 * (side - 1);
+  const int side = 2 * radius + 1, tile = side > kWhole ? kTile : side;
+  const double middle = 0.5 * (side * source.samples - 1);
   const double c = std::cos(angle), s = std::sin(angle);
   const cv::Matx23d to_source(c, s, source.anchor.x - c * middle - s * middle,  //
                               -s, c, source.anchor.y + s * middle - c * middle);
-  cv::Mat fine, coarse;
-  cv::warpAffine(picture, fine, to_source, {side, side}, cv::INTER_LINEAR | cv::WARP_INVERSE_MAP,
-                 cv::BORDER_CONSTANT, cv::Scalar(0));
-  cv::resize(fine, coarse, {2 * radius + 1, 2 * radius + 1}, 0, 0, cv::INTER_AREA);
+  cv::Mat coarse = cv::Mat::zeros(side, side, picture.type()), fine;
+  for (int y = 0; y < side; y += tile)
+    for (int x = 0; x < side; x += tile) {
+      cv::Mat part = coarse(cv::Rect(x, y, tile, tile) & cv::Rect({0, 0}, coarse.size()));
+      const cv::Rect samples(source.samples * cv::Point(x, y), part.size() * source.samples);
+      if (!may_touch(to_source, samples, picture.size())) continue;
+      cv::Matx23d from_tile = to_source;
+      from_tile(0, 2) += c * samples.x + s * samples.y;
+      from_tile(1, 2) += c * samples.y - s * samples.x;
+      cv::warpAffine(picture, fine, from_tile, samples.size(),
+                     cv::INTER_LINEAR | cv::WARP_INVERSE_MAP, cv::BORDER_CONSTANT, cv::Scalar(0));
+      cv::resize(fine, part, part.size(), 0, 0, cv::INTER_AREA);
+    }
   return coarse;
 }
 

@@ -92,6 +92,7 @@ Match to_match(const Detection& detection, const std::vector<Detection>& all,
   match.scale = view.scale * detection.size;
   match.score = acceptance_score(detection, config);
   match.log_odds = detection.calibrated();
+  match.calibration = detection.calibration;
   match.similarity = detection.similarity;
   for (const Detection* other : {competing_place(detection, all, accepted, config.max_overlap),
                                  competing_object(detection, all, config.max_overlap)})
@@ -113,7 +114,7 @@ std::vector<Rival> rivals_of(const std::vector<const Detection*>& accepted,
   for (const auto& detection : detections)
     if (std::find(accepted.begin(), accepted.end(), &detection) == accepted.end())
       rivals.push_back({detection.object->model->name, object_pose(detection).position(),
-                        detection.calibrated(), outline_at(detection)});
+                        detection.log_odds, outline_at(detection)});
   return rivals;
 }
 

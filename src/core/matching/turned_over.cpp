@@ -9,9 +9,10 @@
 namespace mbncc {
 namespace {
 
-constexpr int kClimbing = 6;    // steps of a pixel that the mirrored outline may take, ...
-constexpr int kSettling = 2;    // ... and the object's own
-constexpr double kWorse = 0.2;  // agreement that these do not make up for
+constexpr int kClimbing = 6;     // steps of a pixel that the mirrored outline may take, ...
+constexpr int kSettling = 2;     // ... and the object's own
+constexpr double kWorse = 0.2;   // agreement that these do not make up for
+constexpr double kTold = 0.006;  // agreement by which another outline is behind in the lesson
 
 ContourTemplate mirrored(ContourTemplate contour) {
   for (std::size_t i = 0; i < contour.size(); ++i) {
@@ -49,7 +50,9 @@ TurnedOver::TurnedOver(const ContourTemplate& contour, const SceneLevel& lesson,
   sort_by_value(turned);
   for (std::size_t k = 0; k < std::min(kKept, turned.size()); ++k)
     poses_.push_back(compose(inverse(home), turned[k].pose));
-  usual_ = std::max(0.0, better(contour, lesson, home, 1));
+  const double surplus = better(contour, lesson, home, 1);
+  usual_ = std::max(0.0, surplus);
+  told_ = surplus < -kTold;
 }
 
 double TurnedOver::better(const ContourTemplate& contour, const SceneLevel& scene,

@@ -21,10 +21,14 @@ class TurnedOver {
   double better(const ContourTemplate& contour, const SceneLevel& scene, const Pose2D& pose,
                 double scale) const;
 
+  /// The lesson tells the outline from its mirror image.
+  bool is_told() const { return told_; }
+
  private:
   ContourTemplate mirrored_;
   std::vector<Pose2D> poses_;  ///< of the mirrored outline, where it comes nearest to the object's
   double usual_ = 0;           ///< surplus in the lesson
+  bool told_ = false;
 };
 
 }  // namespace mbncc
