@@ -6,6 +6,7 @@
 #include <string>
 
 #include "nodelets/messages.hpp"
+#include "nodelets/pose_algebra.hpp"
 #include "nodelets/tf_wait.hpp"
 
 namespace mbncc::nodelets {
@@ -47,6 +48,15 @@ void set_status(DetectedObjectArray& array, const LibrarySnapshot& library,
     array.message = "time_budget exceeded; some objects were not searched";
   } else {
     array.status = DetectedObjectArray::OK;
+  }
+}
+
+/// The object's frame, turned half about its x.
+void turn_over(DetectedObject& object) {
+  object.pose.pose = compose(object.pose.pose, half_turn_about_x());
+  for (auto& corner : object.footprint.points) {
+    corner.y = -corner.y;
+    corner.z = -corner.z;
   }
 }
 
@@ -140,6 +150,10 @@ DetectedObject DetectionPipeline::describe(const TrackedMatch& tracked, const Ob
   if (!pose) return object;
   object.pose_valid = true;
   object.pose = to_msg(*pose);
+  object.footprint = footprint_of(*model);
+  object.has_grasp = model->grasp.has_value();
+  if (model->grasp) object.grasp = compose(object.pose.pose, to_msg(*model->grasp));
+  if (config_.object_frame_z == "out") turn_over(object);
   const std::string frame = config_.tf_prefix + "object_" + match.name;
   if (tracked.state == TrackState::kConfirmed)
     object.child_frame_id = frame + "_" + std::to_string(tracked.frame_index);
@@ -159,10 +173,15 @@ std::string DetectionPipeline::to_target_frame(DetectedObjectArray& array) const
     const auto transform =
         tf_.lookupTransform(config_.target_frame, array.header.frame_id, array.header.stamp);
     for (auto& object : array.objects) {
+      if (!object.pose_valid) continue;
       geometry_msgs::PoseWithCovarianceStamped pose;
+      geometry_msgs::PoseStamped grasp;
       pose.pose = object.pose;
-      if (object.pose_valid) tf2::doTransform(pose, pose, transform);
+      grasp.pose = object.grasp;
+      tf2::doTransform(pose, pose, transform);
+      if (object.has_grasp) tf2::doTransform(grasp, grasp, transform);
       object.pose = pose.pose;
+      object.grasp = grasp.pose;
     }
     array.header.frame_id = config_.target_frame;
     return "";

@@ -29,7 +29,8 @@ struct MatchingNodeConfig {
   bool show_score_map = false;  ///< lay the score map under the overlay
   std::string tf_prefix;        ///< put before every child frame
   std::string target_frame;     ///< frame of the published poses; "": the camera's
-  double tf_wait = 0;           ///< [s] a picture waits for the tf of its stamp; 0: not at all
+  std::string object_frame_z = "into";  ///< where the z of object frames points: into or out
+  double tf_wait = 0;  ///< [s] a picture waits for the tf of its stamp; 0: not at all
 
   template <class Self, class Visitor>
   static void fields(Self& self, Visitor&& visit) {
@@ -76,6 +77,10 @@ struct MatchingNodeConfig {
     visit(FieldInfo{"target_frame", Allowed::frame(), "",
                     "frame that poses are published in; empty: the camera's"},
           self.target_frame);
+    visit(FieldInfo{"object_frame_z", Allowed::one_of({"into", "out"}), "",
+                    "z of object frames points into the platform, as the optical axis does, or out "
+                    "of it, as grasp planners expect"},
+          self.object_frame_z);
     visit(FieldInfo{"tf_wait", Allowed::range(0, 1), "s",
                     "time a picture waits for a robot's tf that lags behind it; 0: not at all"},
           self.tf_wait);
