@@ -4,24 +4,19 @@
 #include <sensor_msgs/Image.h>
 #include <visualization_msgs/MarkerArray.h>
 
+#include "nodelets/graspable.hpp"
 #include "nodelets/images.hpp"
 #include "nodelets/markers.hpp"
 #include "nodelets/overlay.hpp"
 
 namespace mbncc::nodelets {
 
-using mbncc_vision::DetectedObject;
 using mbncc_vision::DetectedObjectArray;
 
 geometry_msgs::PoseArray confirmed_poses(const DetectedObjectArray& detections) {
   geometry_msgs::PoseArray poses;
   poses.header = detections.header;
-  if (detections.status != DetectedObjectArray::OK &&
-      detections.status != DetectedObjectArray::BUDGET_EXCEEDED)
-    return poses;
-  for (const auto& object : detections.objects)
-    if (object.state == DetectedObject::CONFIRMED && object.pose_valid)
-      poses.poses.push_back(object.pose.pose);
+  for (const auto* object : graspable(detections)) poses.poses.push_back(object->pose.pose);
   return poses;
 }
 
