@@ -2,10 +2,8 @@
 # the package is not installed.
 set(MBNCC_STAND_INS ${PROJECT_BINARY_DIR}/stand_ins)
 set(generator ${PROJECT_SOURCE_DIR}/test/stand_ins/generate.py)
-if(${generator} IS_NEWER_THAN ${MBNCC_STAND_INS}/complete)
+if("${generator}" IS_NEWER_THAN "${MBNCC_STAND_INS}/complete")
   message(STATUS "Generating stand-ins of message packages for tests")
-  find_package(gencpp REQUIRED)
-  find_package(genpy REQUIRED)
   execute_process(
     COMMAND ${PYTHON_EXECUTABLE} ${generator} ${MBNCC_STAND_INS} ${GENCPP_BIN} ${GENCPP_TEMPLATE_DIR} ${GENMSG_PY_BIN}
             ${std_msgs_DIR}/../..
