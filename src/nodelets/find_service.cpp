@@ -174,7 +174,7 @@ Detections FindService::find(const Request& request) {
 
 Detections FindService::find_given(const Request& request, DetectionPipeline& pipeline,
                                    Clock::time_point deadline) {
-  const Decoded decoded = decode_picture(request.image);
+  const Decoded decoded = decode_picture(request.image, tools_.config.pictures.white_level);
   if (!decoded) refuse("image: " + decoded.fault);
   const bool has_info = request.camera_info.width != 0;
   const double ahead = (request.image.header.stamp - ros::Time::now()).toSec();
@@ -214,7 +214,7 @@ ReceivedPicture FindService::next_picture(const ros::Time& after,
   const double left = std::chrono::duration<double>(deadline - Clock::now()).count();
   const auto image = tools_.pictures.next(after, left);
   if (!image) refuse("no picture came in time; check the camera and the image topic");
-  const Decoded decoded = decode_picture(*image);
+  const Decoded decoded = decode_picture(*image, tools_.config.pictures.white_level);
   if (!decoded) refuse(decoded.fault);
   return {decoded.picture, image->header,
           tools_.camera.camera_info_for(image->header.frame_id, decoded.picture.size())};

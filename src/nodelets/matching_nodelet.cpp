@@ -114,7 +114,8 @@ void MatchingNodelet::open_library() {
 void MatchingNodelet::start_search() {
   tf_listener_ = std::make_unique<tf2_ros::TransformListener>(tf_buffer_);
   camera_ = std::make_unique<CameraInput>(
-      node(), settings_->initial().image_transport, settings_->initial().platform.max_info_age,
+      node(), settings_->initial().pictures.image_transport,
+      settings_->initial().platform.max_info_age,
       [this](const sensor_msgs::ImageConstPtr& image) { on_image(image); });
   publisher_ =
       std::make_unique<DetectionPublisher>(node(), private_node(), [this] { listen_as_wanted(); });

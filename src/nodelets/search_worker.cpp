@@ -58,7 +58,7 @@ void SearchWorker::search(const sensor_msgs::Image& image) {
   const unsigned era = era_;
   if (std::exchange(pipeline_era_, era) != era) tools_.pipeline.interrupt();
   if (!admit(image.header)) return;
-  const Decoded decoded = decode_picture(image);
+  const Decoded decoded = decode_picture(image, tools_.settings.initial().pictures.white_level);
   if (!decoded) return refuse(decoded.fault);
   request_.roi = roi_in(roi_, decoded.picture.size());
   const ReceivedPicture received{
@@ -160,9 +160,10 @@ void SearchWorker::look_for_silence(bool expected) {
 std::string SearchWorker::reason_of_silence() const {
   if (searching_)
     return "no picture was searched within stale_after; search fewer objects, or raise stale_after";
-  if (tools_.camera.publishers() == 0) return kNobodyPublishes;
   const std::string fault = statistics_.get().last_fault;
-  return fault.empty() ? kPicturesStopped : "no usable picture: " + fault;
+  if (tools_.camera.publishers() > 0 && !fault.empty()) return "no usable picture: " + fault;
+  const std::string stream = tools_.camera.fault();
+  return stream.empty() ? kPicturesStopped : stream;
 }
 
 }  // namespace mbncc::nodelets

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "mbncc/config/field.hpp"
+#include "mbncc/config/picture_config.hpp"
 #include "mbncc/config/platform_config.hpp"
 #include "mbncc/config/search_config.hpp"
 #include "mbncc/config/video_config.hpp"
@@ -14,8 +15,8 @@ struct MatchingNodeConfig {
   SearchConfig search;
   VideoConfig video;
   PlatformConfig platform;
+  PictureConfig pictures;
   std::string library_path = "~/.ros/mbncc_library";  ///< folder of the learned objects
-  std::string image_transport = "raw";                ///< how pictures travel: raw, compressed, ...
   std::string search_roi;       ///< "x,y,width,height" [px] of reference points; "": whole picture
   double max_rate = 0;          ///< [Hz] pictures searched at most; 0: every one that arrives
   int confirm_frames = 3;       ///< graspable pictures needed ...
@@ -85,9 +86,7 @@ struct MatchingNodeConfig {
                     "time a picture waits for a robot's tf that lags behind it; 0: not at all"},
           self.tf_wait);
     PlatformConfig::fields(self.platform, visit);
-    visit(FieldInfo{"image_transport", Allowed::anything(), "",
-                    "how pictures travel: raw, compressed, ..."},
-          self.image_transport);
+    PictureConfig::fields(self.pictures, visit);
   }
 };
 
