@@ -15,15 +15,6 @@ namespace {
 using mbncc_vision::DetectedObject;
 using mbncc_vision::DetectedObjectArray;
 
-TrackerConfig tracker_config(const MatchingNodeConfig& config) {
-  TrackerConfig tracker;
-  tracker.confirm_frames = config.confirm_frames;
-  tracker.confirm_window = config.confirm_window;
-  tracker.hold_time = config.hold_time;
-  tracker.max_age = config.max_age;
-  return tracker;
-}
-
 bool any_enabled(const LibrarySnapshot& library) {
   return std::any_of(library.objects.begin(), library.objects.end(),
                      [](const auto& object) { return object->enabled; });
@@ -62,6 +53,15 @@ void turn_over(DetectedObject& object) {
 
 }  // namespace
 
+TrackerConfig tracker_config(const MatchingNodeConfig& config) {
+  TrackerConfig tracker;
+  tracker.confirm_frames = config.confirm_frames;
+  tracker.confirm_window = config.confirm_window;
+  tracker.hold_time = config.hold_time;
+  tracker.max_age = config.max_age;
+  return tracker;
+}
+
 void note_age(DetectedObjectArray& array, const ros::Time& now) {
   array.latency = static_cast<float>((now - array.header.stamp).toSec());
   for (auto& object : array.objects) {
@@ -85,6 +85,11 @@ DetectionPipeline::DetectionPipeline(const MatchingNodeConfig& config, const Liv
       video_(config.video),
       tracker_(tracker_config(config)),
       average_(config.average_frames) {}
+
+void DetectionPipeline::configure(const MatchingNodeConfig& config) {
+  tracker_.configure(tracker_config(config));
+  config_ = config;
+}
 
 Detections DetectionPipeline::process(const ReceivedPicture& received,
                                       const SearchRequest& request) {
