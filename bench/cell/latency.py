@@ -1,7 +1,8 @@
 #!/usr/bin/python3
 """Latency and CPU time of a running cell: 30 pictures a second of 640 x 480, five objects, one manager.
 
-usage: latency.py PATH/TO/mbncc [--seconds S]     (in a shell that has sourced the build; starts its own master)
+usage: latency.py PATH/TO/mbncc [--seconds S] [--rate HZ] [--play]
+(in a shell that has sourced the build; starts its own master)
 
 Teaches five drawn objects, plays the simulated cell, and prints what detected_objects says of itself, the lag of
 tf behind the pictures' stamps, and the CPU time of the nodelets: searching, with ~enable false, and with the learning
@@ -20,8 +21,8 @@ import numpy as np
 
 LAUNCH = """<launch>
   <node pkg="nodelet" type="nodelet" name="camera" args="standalone mbncc_vision/SimulatedCameraNodelet">
-    <param name="frame_rate" value="30.0"/>
-    <param name="auto_play" value="false"/>
+    <param name="frame_rate" value="{rate}"/>
+    <param name="auto_play" value="{play}"/>
     <param name="object_seed" value="1"/>
     <param name="seed" value="1"/>
   </node>
@@ -75,8 +76,10 @@ def measure(seconds):
     from tf2_msgs.msg import TFMessage
     from mbncc_vision.msg import DetectedObjectArray
     rospy.init_node("latency")
-    arrays, lags = [], []
+    arrays, lags, shown = [], [], []
     heard = rospy.Subscriber("detected_objects", DetectedObjectArray, arrays.append, queue_size=100)
+    seen = rospy.Subscriber("camera/truth", DetectedObjectArray, lambda truth: shown.append(truth.header.stamp),
+                            queue_size=100)
     rospy.Subscriber("/tf", TFMessage, lambda message: lags.extend(
         (rospy.Time.now() - t.header.stamp).to_sec() for t in message.transforms), queue_size=100)
     rospy.wait_for_service("matching/enable", 60)
@@ -84,14 +87,21 @@ def measure(seconds):
     while not lags and time.monotonic() < deadline:
         time.sleep(0.1)
     pid = manager_pid()
-    del arrays[:], lags[:]
+    del arrays[:], lags[:], shown[:]
     searching = share_of_core(pid, seconds)
     print("| of | pictures | p50 ms | p99 ms | worst ms |\n|---|---:|---:|---:|---:|")
     line("search time", [array.search_time for array in arrays])
     line("latency, stamp to publishing", [array.latency for array in arrays])
     line("tf lag, stamp to arrival here", lags or [np.nan])
     print("\npictures searched per second: %.1f" % (len(arrays) / seconds))
+    seen.unregister()
+    time.sleep(1)  # for the answers to the last pictures
     heard.unregister()
+    answered = {array.header.stamp for array in arrays}
+    print("pictures without an answer: %d of %d" % (len([stamp for stamp in shown if stamp not in answered]), len(shown)))
+    typical = np.median([array.search_time for array in arrays])
+    print("latency by the median search time: p50 %.1f, p99 %.1f" %
+          tuple(np.percentile([array.latency for array in arrays], [50, 99]) / typical))
     enable = rospy.ServiceProxy("matching/enable", SetBool)
     enable(False)
     time.sleep(1)
@@ -109,10 +119,10 @@ def measure_idle(seconds):
     print("~enable false, no learning nodelet: %.2f %%" % (100 * share_of_core(manager_pid(), seconds)))
 
 
-def run_cell(port, folder, library, learning, measurement):
+def run_cell(port, folder, settings, measurement):
     launch = os.path.join(folder, "latency.launch")
     with open(launch, "w", encoding="utf-8") as file:
-        file.write(LAUNCH.format(library=library, learning=learning))
+        file.write(LAUNCH.format(**settings))
     cell = subprocess.Popen(["roslaunch", "-p", str(port), launch], stdout=subprocess.DEVNULL)
     try:
         time.sleep(5)
@@ -126,6 +136,8 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("tool", help="the built mbncc")
     parser.add_argument("--seconds", type=float, default=20, help="of each measurement (20)")
+    parser.add_argument("--rate", type=float, default=30, help="pictures a second (30)")
+    parser.add_argument("--play", action="store_true", help="the arm carries the object about; without it, all lies still")
     arguments = parser.parse_args()
     with socket.socket() as probe:
         probe.bind(("localhost", 0))
@@ -138,8 +150,9 @@ def main():
             import rosgraph
             while not rosgraph.is_master_online():
                 time.sleep(0.2)
-            run_cell(port, folder, library, "true", lambda: measure(arguments.seconds))
-            run_cell(port, folder, library, "false", lambda: measure_idle(arguments.seconds))
+            settings = {"library": library, "rate": arguments.rate, "play": str(arguments.play).lower()}
+            run_cell(port, folder, dict(settings, learning="true"), lambda: measure(arguments.seconds))
+            run_cell(port, folder, dict(settings, learning="false"), lambda: measure_idle(min(20, arguments.seconds)))
         finally:
             master.send_signal(signal.SIGINT)
             master.wait(30)

@@ -1,5 +1,7 @@
 #include "nodelets/camera_input.hpp"
 
+#include <ros/console.h>
+
 #include <utility>
 
 #include "nodelets/camera_model.hpp"
@@ -22,7 +24,8 @@ CameraInput::CameraInput(ros::NodeHandle node, const std::string& transport, dou
 void CameraInput::set_active(const std::function<bool()>& wanted) {
   const std::lock_guard<std::mutex> switching(switching_);
   const bool active = wanted();
-  if (active == this->active()) return;
+  if (active == active_) return;
+  active_ = active;
   active ? subscribe() : unsubscribe();
 }
 
@@ -49,18 +52,24 @@ void CameraInput::subscribe() {
         info_came_ = Clock::now();
       });
   image_came_ = Clock::now();
-  images_ = transport_.subscribe(
-      "image_raw", 1,
-      [this](const sensor_msgs::ImageConstPtr& image) {
-        note_image();
-        callback_(image);
-      },
-      ros::VoidPtr(), image_transport::TransportHints(transport_name_));
+  if (transport_fault_.empty()) subscribe_to_images();
 }
 
-bool CameraInput::active() const {
-  const std::lock_guard<std::mutex> lock(mutex_);
-  return static_cast<bool>(images_);
+void CameraInput::subscribe_to_images() {
+  try {
+    images_ = transport_.subscribe(
+        "image_raw", 1,
+        [this](const sensor_msgs::ImageConstPtr& image) {
+          note_image();
+          callback_(image);
+        },
+        ros::VoidPtr(), image_transport::TransportHints(transport_name_));
+  } catch (const image_transport::Exception&) {
+    transport_fault_ = "no plugin for image_transport '" + transport_name_ +
+                       "' is installed here; install " + transport_name_ +
+                       "_image_transport, or set image_transport to raw";
+    ROS_ERROR("%s: %s", node_.resolveName("image_raw").c_str(), transport_fault_.c_str());
+  }
 }
 
 std::uint32_t CameraInput::publishers() const {
@@ -75,6 +84,7 @@ void CameraInput::note_image() {
 
 std::string CameraInput::fault() const {
   const std::lock_guard<std::mutex> lock(mutex_);
+  if (!transport_fault_.empty()) return transport_fault_;
   if (!images_) return "";
   if (images_.getNumPublishers() == 0) return kNobodyPublishes;
   return Clock::now() - image_came_ > kSilence ? kPicturesStopped : "";

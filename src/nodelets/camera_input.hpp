@@ -29,8 +29,9 @@ class CameraInput {
  public:
   using Callback = std::function<void(const sensor_msgs::ImageConstPtr&)>;
 
-  /// `transport`: raw, compressed ... Pictures reach `callback` on the node's callback thread. A
-  /// calibration counts for `max_info_age` [s] of the steady clock after it came.
+  /// `transport`: raw, compressed ...; where its plugin is not installed that is said once, no
+  /// picture comes, and fault() tells why. Pictures reach `callback` on the node's callback thread.
+  /// A calibration counts for `max_info_age` [s] of the steady clock after it came.
   CameraInput(ros::NodeHandle node, const std::string& transport, double max_info_age,
               Callback callback);
 
@@ -44,8 +45,8 @@ class CameraInput {
   /// Number of publishers of the picture topic.
   std::uint32_t publishers() const;
 
-  /// What is wrong with the stream of pictures, with the remedy: nobody publishes them, or they
-  /// have stopped. "" when they come, or are not subscribed to.
+  /// What is wrong with the stream of pictures, with the remedy: they cannot be subscribed to,
+  /// nobody publishes them, or they have stopped. "" when they come, or are not subscribed to.
   std::string fault() const;
 
   /// Calibration as last heard of; null: none that counts.
@@ -57,8 +58,8 @@ class CameraInput {
  private:
   using Clock = std::chrono::steady_clock;
 
-  bool active() const;
   void subscribe();
+  void subscribe_to_images();
   void unsubscribe();
   void note_image();
 
@@ -67,8 +68,10 @@ class CameraInput {
   const std::string transport_name_;
   const std::chrono::duration<double> max_info_age_;
   const Callback callback_;
-  std::mutex switching_;      // taken before mutex_, and by no picture's callback
+  std::mutex switching_;  // of active_; taken before mutex_, and by no picture's callback
+  bool active_ = false;
   mutable std::mutex mutex_;  // of what follows
+  std::string transport_fault_;
   image_transport::Subscriber images_;
   ros::Subscriber infos_;
   sensor_msgs::CameraInfoConstPtr info_;

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "nodelets/messages.hpp"
+#include "nodelets/pose_algebra.hpp"
 #include "nodelets/tf_wait.hpp"
 
 namespace mbncc::nodelets {
@@ -13,15 +14,6 @@ namespace {
 
 using mbncc_vision::DetectedObject;
 using mbncc_vision::DetectedObjectArray;
-
-TrackerConfig tracker_config(const MatchingNodeConfig& config) {
-  TrackerConfig tracker;
-  tracker.confirm_frames = config.confirm_frames;
-  tracker.confirm_window = config.confirm_window;
-  tracker.hold_time = config.hold_time;
-  tracker.max_age = config.max_age;
-  return tracker;
-}
 
 bool any_enabled(const LibrarySnapshot& library) {
   return std::any_of(library.objects.begin(), library.objects.end(),
@@ -50,7 +42,25 @@ void set_status(DetectedObjectArray& array, const LibrarySnapshot& library,
   }
 }
 
+/// The object's frame, turned half about its x.
+void turn_over(DetectedObject& object) {
+  object.pose.pose = compose(object.pose.pose, half_turn_about_x());
+  for (auto& corner : object.footprint.points) {
+    corner.y = -corner.y;
+    corner.z = -corner.z;
+  }
+}
+
 }  // namespace
+
+TrackerConfig tracker_config(const MatchingNodeConfig& config) {
+  TrackerConfig tracker;
+  tracker.confirm_frames = config.confirm_frames;
+  tracker.confirm_window = config.confirm_window;
+  tracker.hold_time = config.hold_time;
+  tracker.max_age = config.max_age;
+  return tracker;
+}
 
 void note_age(DetectedObjectArray& array, const ros::Time& now) {
   array.latency = static_cast<float>((now - array.header.stamp).toSec());
@@ -75,6 +85,11 @@ DetectionPipeline::DetectionPipeline(const MatchingNodeConfig& config, const Liv
       video_(config.video),
       tracker_(tracker_config(config)),
       average_(config.average_frames) {}
+
+void DetectionPipeline::configure(const MatchingNodeConfig& config) {
+  tracker_.configure(tracker_config(config));
+  config_ = config;
+}
 
 Detections DetectionPipeline::process(const ReceivedPicture& received,
                                       const SearchRequest& request) {
@@ -140,6 +155,10 @@ DetectedObject DetectionPipeline::describe(const TrackedMatch& tracked, const Ob
   if (!pose) return object;
   object.pose_valid = true;
   object.pose = to_msg(*pose);
+  object.footprint = footprint_of(*model);
+  object.has_grasp = model->grasp.has_value();
+  if (model->grasp) object.grasp = compose(object.pose.pose, to_msg(*model->grasp));
+  if (config_.object_frame_z == "out") turn_over(object);
   const std::string frame = config_.tf_prefix + "object_" + match.name;
   if (tracked.state == TrackState::kConfirmed)
     object.child_frame_id = frame + "_" + std::to_string(tracked.frame_index);
@@ -159,10 +178,15 @@ std::string DetectionPipeline::to_target_frame(DetectedObjectArray& array) const
     const auto transform =
         tf_.lookupTransform(config_.target_frame, array.header.frame_id, array.header.stamp);
     for (auto& object : array.objects) {
+      if (!object.pose_valid) continue;
       geometry_msgs::PoseWithCovarianceStamped pose;
+      geometry_msgs::PoseStamped grasp;
       pose.pose = object.pose;
-      if (object.pose_valid) tf2::doTransform(pose, pose, transform);
+      grasp.pose = object.grasp;
+      tf2::doTransform(pose, pose, transform);
+      if (object.has_grasp) tf2::doTransform(grasp, grasp, transform);
       object.pose = pose.pose;
+      object.grasp = grasp.pose;
     }
     array.header.frame_id = config_.target_frame;
     return "";

@@ -37,6 +37,9 @@ struct ReceivedPicture {
   sensor_msgs::CameraInfoConstPtr camera_info;  ///< null: none fits
 };
 
+/// What the tracker goes by.
+TrackerConfig tracker_config(const MatchingNodeConfig& config);
+
 /// Fills in the latency of what goes out `now`; what has become too old meanwhile is no longer
 /// confirmed.
 void note_age(mbncc_vision::DetectedObjectArray& array, const ros::Time& now);
@@ -48,6 +51,9 @@ void withhold_frames(mbncc_vision::DetectedObject& object);
 class PictureSearch {
  public:
   virtual ~PictureSearch() = default;
+
+  /// Holds from the next picture on. Throws std::invalid_argument when the tracker refuses it.
+  virtual void configure(const MatchingNodeConfig& config) = 0;
 
   virtual Detections process(const ReceivedPicture& received, const SearchRequest& request) = 0;
 
@@ -64,6 +70,9 @@ class DetectionPipeline : public PictureSearch {
   /// `matcher` and `tf` outlive the pipeline.
   DetectionPipeline(const MatchingNodeConfig& config, const LiveMatcher& matcher,
                     const tf2_ros::Buffer& tf);
+
+  /// Of the video's watch and of averaging, what the constructor was given stays.
+  void configure(const MatchingNodeConfig& config) override;
 
   Detections process(const ReceivedPicture& received, const SearchRequest& request) override;
 
@@ -83,7 +92,7 @@ class DetectionPipeline : public PictureSearch {
   /// What stands in the way, "" when the poses are in target_frame.
   std::string to_target_frame(mbncc_vision::DetectedObjectArray& array) const;
 
-  const MatchingNodeConfig config_;
+  MatchingNodeConfig config_;
   const LiveMatcher& matcher_;
   const tf2_ros::Buffer& tf_;
   VideoSearch video_;

@@ -4,6 +4,7 @@
 #include <sensor_msgs/Image.h>
 #include <visualization_msgs/MarkerArray.h>
 
+#include "nodelets/graspable.hpp"
 #include "nodelets/images.hpp"
 #include "nodelets/markers.hpp"
 #include "nodelets/overlay.hpp"
@@ -12,11 +13,19 @@ namespace mbncc::nodelets {
 
 using mbncc_vision::DetectedObjectArray;
 
+geometry_msgs::PoseArray confirmed_poses(const DetectedObjectArray& detections) {
+  geometry_msgs::PoseArray poses;
+  poses.header = detections.header;
+  for (const auto* object : graspable(detections)) poses.poses.push_back(object->pose.pose);
+  return poses;
+}
+
 DetectionPublisher::DetectionPublisher(ros::NodeHandle node, ros::NodeHandle private_node,
                                        const std::function<void()>& listeners_changed) {
   const ros::SubscriberStatusCallback changed =
       [listeners_changed](const ros::SingleSubscriberPublisher&) { listeners_changed(); };
   detections_ = node.advertise<DetectedObjectArray>("detected_objects", 1, changed, changed);
+  poses_ = private_node.advertise<geometry_msgs::PoseArray>("poses", 1, changed, changed);
   overlay_ = private_node.advertise<sensor_msgs::Image>("overlay", 1, changed, changed);
   overlay_jpeg_ =
       private_node.advertise<sensor_msgs::CompressedImage>("overlay_jpeg", 1, changed, changed);
@@ -26,7 +35,8 @@ DetectionPublisher::DetectionPublisher(ros::NodeHandle node, ros::NodeHandle pri
 }
 
 bool DetectionPublisher::has_listeners() const {
-  for (const auto* publisher : {&detections_, &overlay_, &overlay_jpeg_, &score_map_, &markers_})
+  for (const auto* publisher :
+       {&detections_, &poses_, &overlay_, &overlay_jpeg_, &score_map_, &markers_})
     if (publisher->getNumSubscribers() > 0) return true;
   return false;
 }
@@ -38,8 +48,9 @@ double DetectionPublisher::publish(Detections detections, const cv::Mat& picture
   if (!extras.tf)
     for (auto& object : array.objects) withhold_frames(object);
   detections_.publish(array);
-  const auto transforms = extras.tf ? frames_.of(array, *detections.library)
-                                    : std::vector<geometry_msgs::TransformStamped>{};
+  poses_.publish(confirmed_poses(array));
+  const auto transforms =
+      extras.tf ? frames_.of(array) : std::vector<geometry_msgs::TransformStamped>{};
   if (!transforms.empty()) broadcaster_.sendTransform(transforms);
   if (markers_.getNumSubscribers() > 0) markers_.publish(to_markers(array));
   publish_pictures(array, picture, score_map, extras.scores_under_overlay);
@@ -70,6 +81,7 @@ void DetectionPublisher::publish_fault(std::uint8_t status, const std_msgs::Head
   array.status = status;
   array.message = message;
   detections_.publish(array);
+  poses_.publish(confirmed_poses(array));
   markers_.publish(to_markers(array));  // none: what was marked may have been moved
 }
 

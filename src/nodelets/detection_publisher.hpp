@@ -2,6 +2,7 @@
 // messages without objects when pictures fail to come or cannot be searched.
 #pragma once
 
+#include <geometry_msgs/PoseArray.h>
 #include <ros/node_handle.h>
 #include <tf2_ros/transform_broadcaster.h>
 
@@ -14,6 +15,9 @@
 #include "nodelets/object_frames.hpp"
 
 namespace mbncc::nodelets {
+
+/// The poses in metres of what may be grasped, in the array's order.
+geometry_msgs::PoseArray confirmed_poses(const mbncc_vision::DetectedObjectArray& detections);
 
 class DetectionPublisher {
  public:
@@ -48,7 +52,7 @@ class DetectionPublisher {
   void publish_pictures(const mbncc_vision::DetectedObjectArray& array, const cv::Mat& picture,
                         const ScoreMap& score_map, bool scores_under_overlay);
 
-  ros::Publisher detections_, overlay_, overlay_jpeg_, score_map_, markers_;
+  ros::Publisher detections_, poses_, overlay_, overlay_jpeg_, score_map_, markers_;
   tf2_ros::TransformBroadcaster broadcaster_;
   ObjectFrames frames_;
 };

@@ -164,57 +164,57 @@ Detections FindService::find(const Request& request) {
   const auto deadline = Clock::now() + std::chrono::duration_cast<Clock::duration>(
                                            std::chrono::duration<double>(timeout_of(request)));
   if (request.frames > kMostFrames) refuse("frames lies above 100; ask for fewer");
-  MatchingNodeConfig config = tools_.config;
+  MatchingNodeConfig config = tools_.settings.get();
   config.video.sweep_time = 0;  // asked once, everything is looked at
   config.average_frames = static_cast<int>(std::max(1u, request.frames));
   DetectionPipeline pipeline(config, tools_.matcher, tools_.tf);
-  return is_given(request.image) ? find_given(request, pipeline, deadline)
-                                 : find_live(request, pipeline, deadline);
+  return is_given(request.image) ? find_given(request, config, pipeline, deadline)
+                                 : find_live(request, config, pipeline, deadline);
 }
 
-Detections FindService::find_given(const Request& request, DetectionPipeline& pipeline,
-                                   Clock::time_point deadline) {
-  const Decoded decoded = decode_picture(request.image);
+Detections FindService::find_given(const Request& request, const MatchingNodeConfig& config,
+                                   DetectionPipeline& pipeline, Clock::time_point deadline) {
+  const Decoded decoded = decode_picture(request.image, config.pictures.white_level);
   if (!decoded) refuse("image: " + decoded.fault);
   const bool has_info = request.camera_info.width != 0;
   const double ahead = (request.image.header.stamp - ros::Time::now()).toSec();
-  if (ahead > tools_.config.max_ahead) refuse_future();
+  if (ahead > config.max_ahead) refuse_future();
   const ReceivedPicture received{
       decoded.picture, request.image.header,
       has_info ? boost::make_shared<sensor_msgs::CameraInfo>(request.camera_info) : nullptr};
-  const auto search = search_request(request, tools_.config, decoded.picture.size());
+  const auto search = search_request(request, config, decoded.picture.size());
   const auto lock = turn(deadline);
   return pipeline.process(received, search);
 }
 
-Detections FindService::find_live(const Request& request, DetectionPipeline& pipeline,
-                                  Clock::time_point deadline) {
+Detections FindService::find_live(const Request& request, const MatchingNodeConfig& config,
+                                  DetectionPipeline& pipeline, Clock::time_point deadline) {
   const Listening listening(tools_);
   ros::Time after = ros::Time::now();
-  StampGate gate(tools_.config.max_age, tools_.config.max_ahead);
+  StampGate gate(config.max_age, config.max_ahead);
   ReceivedPicture received;
   TrackedPicture tracked;
   for (std::uint32_t i = 0; i < std::max(1u, request.frames); ++i) {
     StampGate::Verdict verdict;
     do {
-      received = next_picture(after, deadline);
+      received = next_picture(after, config.pictures.white_level, deadline);
       after = received.header.stamp;
       verdict = gate.judge(after.toSec(), ros::Time::now().toSec());
       if (verdict == StampGate::Verdict::kAhead) refuse_future();
     } while (verdict != StampGate::Verdict::kFresh);
-    const auto search = search_request(request, tools_.config, received.picture.size());
+    const auto search = search_request(request, config, received.picture.size());
     const auto lock = turn(deadline);
     tracked = pipeline.track(received, search);
   }
   return pipeline.describe(received, tracked);
 }
 
-ReceivedPicture FindService::next_picture(const ros::Time& after,
+ReceivedPicture FindService::next_picture(const ros::Time& after, int white_level,
                                           Clock::time_point deadline) const {
   const double left = std::chrono::duration<double>(deadline - Clock::now()).count();
   const auto image = tools_.pictures.next(after, left);
   if (!image) refuse("no picture came in time; check the camera and the image topic");
-  const Decoded decoded = decode_picture(*image);
+  const Decoded decoded = decode_picture(*image, white_level);
   if (!decoded) refuse(decoded.fault);
   return {decoded.picture, image->header,
           tools_.camera.camera_info_for(image->header.frame_id, decoded.picture.size())};

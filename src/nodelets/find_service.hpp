@@ -12,17 +12,17 @@
 #include <functional>
 #include <mutex>
 
-#include "mbncc/config/matching_node_config.hpp"
 #include "nodelets/camera_input.hpp"
 #include "nodelets/detection_pipeline.hpp"
 #include "nodelets/live_matcher.hpp"
+#include "nodelets/live_settings.hpp"
 #include "nodelets/picture_wait.hpp"
 
 namespace mbncc::nodelets {
 
 /// What the service works with; all of it outlives the service.
 struct FindTools {
-  const MatchingNodeConfig& config;
+  const LiveSettings& settings;
   const LiveMatcher& matcher;
   const tf2_ros::Buffer& tf;
   const CameraInput& camera;
@@ -50,11 +50,12 @@ class FindService {
 
   bool on_call(Request& request, Response& response);
   Detections find(const Request& request);
-  Detections find_given(const Request& request, DetectionPipeline& pipeline,
-                        Clock::time_point deadline);
-  Detections find_live(const Request& request, DetectionPipeline& pipeline,
-                       Clock::time_point deadline);
-  ReceivedPicture next_picture(const ros::Time& after, Clock::time_point deadline) const;
+  Detections find_given(const Request& request, const MatchingNodeConfig& config,
+                        DetectionPipeline& pipeline, Clock::time_point deadline);
+  Detections find_live(const Request& request, const MatchingNodeConfig& config,
+                       DetectionPipeline& pipeline, Clock::time_point deadline);
+  ReceivedPicture next_picture(const ros::Time& after, int white_level,
+                               Clock::time_point deadline) const;
   std::unique_lock<std::timed_mutex> turn(Clock::time_point deadline);
 
   const FindTools tools_;

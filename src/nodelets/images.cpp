@@ -17,7 +17,8 @@ constexpr std::uint32_t kLargestSide = PictureLimits::kMostSide;  // [px]
 constexpr std::uint64_t kMostPixels = PictureLimits::kMostPixels;
 constexpr std::size_t kLongestFrame = 255;  // [bytes] of the frame's name
 constexpr int kCopy = -1;                   // no colour conversion
-constexpr int kHighByte = -2;               // 16 bits to 8
+constexpr int kFullRange = 65535;           // of 16 bits
+constexpr const char* kUnscaled = "16UC1";  // which does not say what its numbers mean
 
 struct Encoding {
   const char* name;
@@ -26,19 +27,28 @@ struct Encoding {
 };
 
 // sensor_msgs names a Bayer pattern by its first row, OpenCV by the second row's middle columns.
-constexpr std::array<Encoding, 14> kEncodings{{
+constexpr std::array<Encoding, 23> kEncodings{{
     {"mono8", CV_8UC1, cv::COLOR_GRAY2BGR},
     {"8UC1", CV_8UC1, cv::COLOR_GRAY2BGR},
-    {"mono16", CV_8UC2, kHighByte},
+    {"mono16", CV_16UC1, cv::COLOR_GRAY2BGR},
+    {kUnscaled, CV_16UC1, cv::COLOR_GRAY2BGR},
     {"bgr8", CV_8UC3, kCopy},
     {"8UC3", CV_8UC3, kCopy},
     {"rgb8", CV_8UC3, cv::COLOR_RGB2BGR},
     {"bgra8", CV_8UC4, cv::COLOR_BGRA2BGR},
     {"rgba8", CV_8UC4, cv::COLOR_RGBA2BGR},
+    {"bgr16", CV_16UC3, kCopy},
+    {"rgb16", CV_16UC3, cv::COLOR_RGB2BGR},
+    {"bgra16", CV_16UC4, cv::COLOR_BGRA2BGR},
+    {"rgba16", CV_16UC4, cv::COLOR_RGBA2BGR},
     {"bayer_rggb8", CV_8UC1, cv::COLOR_BayerBG2BGR},
     {"bayer_bggr8", CV_8UC1, cv::COLOR_BayerRG2BGR},
     {"bayer_gbrg8", CV_8UC1, cv::COLOR_BayerGR2BGR},
     {"bayer_grbg8", CV_8UC1, cv::COLOR_BayerGB2BGR},
+    {"bayer_rggb16", CV_16UC1, cv::COLOR_BayerBG2BGR},
+    {"bayer_bggr16", CV_16UC1, cv::COLOR_BayerRG2BGR},
+    {"bayer_gbrg16", CV_16UC1, cv::COLOR_BayerGR2BGR},
+    {"bayer_grbg16", CV_16UC1, cv::COLOR_BayerGB2BGR},
     {"yuv422", CV_8UC2, cv::COLOR_YUV2BGR_UYVY},
     {"yuv422_yuy2", CV_8UC2, cv::COLOR_YUV2BGR_YUY2},
 }};
@@ -82,6 +92,9 @@ std::string layout_fault(const sensor_msgs::Image& message, const Encoding& enco
   if (message.step < row)
     return "step " + std::to_string(message.step) + " is less than a row of " +
            std::to_string(row) + " bytes; correct the driver";
+  if (CV_MAT_DEPTH(encoding.type) == CV_16U && message.step % 2 != 0)
+    return "step " + std::to_string(message.step) +
+           " is odd, pixels of 16 bits need an even one; correct the driver";
   if (message.data.size() != std::uint64_t{message.step} * message.height)
     return "data of " + std::to_string(message.data.size()) + " bytes is not step " +
            std::to_string(message.step) + " x height " + std::to_string(message.height) +
@@ -94,18 +107,25 @@ cv::Mat view_of(const sensor_msgs::Image& message, const Encoding& encoding) {
                  const_cast<std::uint8_t*>(message.data.data()), message.step);
 }
 
-cv::Mat to_bgr(const sensor_msgs::Image& message, const Encoding& encoding) {
-  const cv::Mat view = view_of(message, encoding);
+/// Numbers of two bytes as this machine keeps them, which has the lower byte first.
+cv::Mat in_native_order(const cv::Mat& view, bool is_bigendian) {
+  if (!is_bigendian || view.depth() != CV_16U) return view;
+  const cv::Mat bytes(view.rows, view.cols * view.channels(), CV_8UC2, view.data, view.step);
+  cv::Mat swapped(bytes.size(), CV_8UC2);
+  constexpr int kSwap[] = {0, 1, 1, 0};
+  cv::mixChannels(&bytes, 1, &swapped, 1, kSwap, 2);
+  return cv::Mat(view.rows, view.cols, view.type(), swapped.data).clone();
+}
+
+cv::Mat to_bgr(const sensor_msgs::Image& message, const Encoding& encoding, int white_level) {
+  const cv::Mat view = in_native_order(view_of(message, encoding), message.is_bigendian != 0);
   cv::Mat picture;
-  if (encoding.conversion == kCopy) {
+  if (encoding.conversion == kCopy)
     view.copyTo(picture);
-  } else if (encoding.conversion == kHighByte) {
-    cv::Mat high;
-    cv::extractChannel(view, high, message.is_bigendian ? 0 : 1);
-    cv::cvtColor(high, picture, cv::COLOR_GRAY2BGR);
-  } else {
+  else
     cv::cvtColor(view, picture, encoding.conversion);
-  }
+  const double white = white_level == 0 ? kFullRange : white_level;
+  if (picture.depth() == CV_16U) picture.convertTo(picture, CV_8U, 255 / white);
   return picture;
 }
 
@@ -119,19 +139,22 @@ Decoded unknown_encoding(const std::string& name) {
 
 }  // namespace
 
-Decoded decode_picture(const sensor_msgs::Image& message) {
+Decoded decode_picture(const sensor_msgs::Image& message, int white_level) {
   const Encoding* encoding = find_encoding(message.encoding);
   if (encoding == nullptr) return unknown_encoding(message.encoding);
   Decoded decoded;
   decoded.fault = layout_fault(message, *encoding);
-  if (decoded.fault.empty()) decoded.picture = to_bgr(message, *encoding);
+  if (message.encoding == kUnscaled && white_level == 0)
+    decoded.fault = "encoding '16UC1' does not say how bright its numbers are; set white_level";
+  if (decoded.fault.empty()) decoded.picture = to_bgr(message, *encoding, white_level);
   return decoded;
 }
 
 Decoded decode_map(const sensor_msgs::Image& message) {
   Decoded decoded;
   const Encoding* encoding = find_encoding(message.encoding);
-  if (encoding == nullptr || encoding->conversion != cv::COLOR_GRAY2BGR) {
+  if (encoding == nullptr || encoding->type != CV_8UC1 ||
+      encoding->conversion != cv::COLOR_GRAY2BGR) {
     decoded.fault = "a mask of encoding '" + printable(message.encoding) +
                     "' is not supported; send mono8 with 255 on the object and 0 elsewhere";
     return decoded;

@@ -19,9 +19,10 @@ struct Decoded {
   explicit operator bool() const { return !picture.empty(); }
 };
 
-/// CV_8UC3 bgr from any accepted encoding: mono8 mono16 8UC1 8UC3 bgr8 rgb8 bgra8 rgba8 bayer_*8
-/// yuv422 yuv422_yuy2. mono16 keeps its high byte.
-Decoded decode_picture(const sensor_msgs::Image& message);
+/// CV_8UC3 bgr from any accepted encoding: mono8 8UC1 8UC3 bgr8 rgb8 bgra8 rgba8 bayer_*8 yuv422
+/// yuv422_yuy2, and of 16 bits mono16 16UC1 bgr16 rgb16 bgra16 rgba16 bayer_*16, whose
+/// `white_level` becomes 255; 0: 65535, and 16UC1 is refused.
+Decoded decode_picture(const sensor_msgs::Image& message, int white_level = 0);
 
 /// CV_8UC1 map of 0 and 255 from mono8 or 8UC1; values >= 128 count as object.
 Decoded decode_map(const sensor_msgs::Image& message);

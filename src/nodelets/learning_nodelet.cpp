@@ -138,9 +138,9 @@ void LearningNodelet::look_for_changes() {
 
 void LearningNodelet::start_pictures(ros::NodeHandle& node) {
   tf_listener_ = std::make_unique<tf2_ros::TransformListener>(tf_buffer_);
-  pictures_ = std::make_unique<PictureFeed>(config_.still_time);
+  pictures_ = std::make_unique<PictureFeed>(config_.still_time, config_.pictures.white_level);
   camera_ = std::make_unique<CameraInput>(
-      node, config_.image_transport, config_.platform.max_info_age,
+      node, config_.pictures.image_transport, config_.platform.max_info_age,
       [this](const sensor_msgs::ImageConstPtr& image) { pictures_->put(image); });
   gauge_ =
       std::make_unique<LessonGauge>(config_.platform, config_.gripper_frame, *camera_, tf_buffer_);

@@ -51,7 +51,7 @@ bool LessonRun::waits_for_change() const {
 }
 
 LessonPicture LessonRun::given(const sensor_msgs::Image& image, const std::string& what) const {
-  const Decoded decoded = decode_picture(image);
+  const Decoded decoded = decode_picture(image, tools_.pictures.white_level());
   if (!decoded) fail(LearnError::kEncoding, "Picture " + what + ": " + decoded.fault + ".");
   return {decoded.picture, image.header, 0};
 }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <mutex>
+#include <utility>
 #include <vector>
 
 namespace mbncc::nodelets {
@@ -13,6 +14,13 @@ std::string text(cv::Size size) {
 
 bool wanted(const std::vector<std::string>& names, const std::string& name) {
   return names.empty() || std::find(names.begin(), names.end(), name) != names.end();
+}
+
+bool same_values(SearchConfig a, SearchConfig b) {
+  const auto rows = field_rows(a), others = field_rows(b);
+  return std::equal(
+      rows.begin(), rows.end(), others.begin(), others.end(),
+      [](const FieldRow& row, const FieldRow& other) { return row.value == other.value; });
 }
 
 // Takes the objects that cannot be searched for, or were learned in pictures of another size, out
@@ -108,9 +116,15 @@ cv::Mat LiveMatcher::score_map(const cv::Mat& picture) const {
   return matcher_.score_map(picture);
 }
 
-void LiveMatcher::set_limits(double min_score, int max_instances) {
+bool LiveMatcher::configure(const SearchConfig& config) {
   const std::unique_lock<std::shared_mutex> lock(mutex_);
-  matcher_.set_limits(min_score, max_instances);
+  if (same_values(matcher_.config(), config)) return false;
+  matcher_.set_limits(config.min_score, config.max_instances);
+  if (same_values(matcher_.config(), config)) return true;
+  Matcher matcher(config);
+  matcher.set_objects(searched_->objects);
+  matcher_ = std::move(matcher);
+  return true;
 }
 
 void LiveMatcher::refresh(bool always) {

@@ -26,8 +26,10 @@ class LiveMatcher {
   /// Throws FileError when the library folder cannot be used.
   LiveMatcher(const SearchConfig& config, const std::string& library_path);
 
-  /// For every search from now on; [0..1], and per name.
-  void set_limits(double min_score, int max_instances);
+  /// For every search from now on; true when that changes anything. Where more changes than
+  /// min_score and max_instances, the objects are prepared anew, which takes some milliseconds
+  /// each.
+  bool configure(const SearchConfig& config);
 
   /// Searches for objects learned in pictures of this size; the others, and those that cannot be
   /// searched for, are listed as skipped. The least recently searched come first, so that with a

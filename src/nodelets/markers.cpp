@@ -57,33 +57,11 @@ geometry_msgs::Point point(double x, double y) {
   return result;
 }
 
-/// The outline in the object's frame [px].
-std::vector<geometry_msgs::Point> outline_of(const DetectedObject& object) {
-  const auto& pose = object.image_pose;
-  const double c = std::cos(pose.theta), s = std::sin(pose.theta);
-  std::vector<geometry_msgs::Point> points;
-  for (const auto& corner : object.outline.points) {
-    const double x = corner.x - pose.x, y = corner.y - pose.y;
-    points.push_back(point(c * x + s * y, -s * x + c * y));
-  }
-  return points;
-}
-
-/// [m/px] on the top face, from the known extent along x; 0: unknown.
-double metres_per_pixel(const DetectedObject& object,
-                        const std::vector<geometry_msgs::Point>& outline) {
-  const auto [left, right] = std::minmax_element(
-      outline.begin(), outline.end(), [](const auto& a, const auto& b) { return a.x < b.x; });
-  if (left == outline.end() || !(right->x > left->x)) return 0;
-  return length_or(object.size.x, 0) / (right->x - left->x);
-}
-
 Marker outline_marker(const std_msgs::Header& header, const DetectedObject& object) {
   Marker line = marker_of(header, object, "outline", Marker::LINE_STRIP);
-  line.points = outline_of(object);
-  const double factor = metres_per_pixel(object, line.points);
-  for (auto& corner : line.points) corner = point(factor * corner.x, factor * corner.y);
-  if (!line.points.empty()) line.points.push_back(line.points.front());
+  for (const auto& corner : object.footprint.points)
+    line.points.push_back(point(corner.x, corner.y));
+  line.points.push_back(line.points.front());
   line.scale.x = 0.03 * length_or(object.size.x, kFallbackLength);
   return line;
 }
@@ -120,7 +98,8 @@ visualization_msgs::MarkerArray to_markers(const mbncc_vision::DetectedObjectArr
   markers.markers.push_back(clear);
   for (const auto& object : detections.objects) {
     if (!object.pose_valid) continue;
-    markers.markers.push_back(outline_marker(detections.header, object));
+    if (!object.footprint.points.empty())
+      markers.markers.push_back(outline_marker(detections.header, object));
     markers.markers.push_back(axes_of(detections.header, object));
     markers.markers.push_back(caption_of(detections.header, object));
   }

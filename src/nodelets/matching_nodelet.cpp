@@ -1,15 +1,19 @@
 // Finds learned objects in the camera's pictures. Wiring only.
 #include <mbncc_vision/LearnedObjectArray.h>
+#include <mbncc_vision/ListObjects.h>
 #include <ros/callback_queue.h>
 #include <ros/ros.h>
+#include <sensor_msgs/RegionOfInterest.h>
 #include <std_srvs/SetBool.h>
 #include <tf2_ros/buffer.h>
 #include <tf2_ros/transform_listener.h>
 #include <pluginlib/class_list_macros.hpp>
 
 #include <atomic>
+#include <functional>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "mbncc/config/matching_node_config.hpp"
 #include "mbncc/health_tasks.hpp"
@@ -20,12 +24,29 @@
 #include "nodelets/health_report.hpp"
 #include "nodelets/live_matcher.hpp"
 #include "nodelets/live_settings.hpp"
+#include "nodelets/messages.hpp"
 #include "nodelets/parameters.hpp"
 #include "nodelets/picture_wait.hpp"
 #include "nodelets/reconfigure.hpp"
+#include "nodelets/search_roi.hpp"
 #include "nodelets/search_worker.hpp"
 
 namespace mbncc::nodelets {
+namespace {
+
+/// What may change while the nodelet runs.
+const std::vector<std::string> kLiveParameters{
+    "min_score",     "confirm_score",  "min_margin_place", "min_margin_angle",
+    "max_instances", "confirm_frames", "confirm_window",   "hold_time",
+    "search_roi",    "max_rate",       "publish_tf",       "show_score_map"};
+
+/// Throws with a sentence when parameters that are allowed each by itself do not go together.
+void check(const MatchingNodeConfig& config) {
+  parse_roi(config.search_roi);
+  InstanceTracker{tracker_config(config)};
+}
+
+}  // namespace
 
 class MatchingNodelet : public GuardedNodelet {
  public:
@@ -44,7 +65,11 @@ class MatchingNodelet : public GuardedNodelet {
   void on_image(const sensor_msgs::ImageConstPtr& image);
 
   bool enable(std_srvs::SetBool::Request& request, std_srvs::SetBool::Response& response);
+  void change_settings(const std::function<void(const Rows&)>& use);
   void take_settings();
+  void take_roi(const sensor_msgs::RegionOfInterest& roi);
+  bool list(mbncc_vision::ListObjects::Request& request,
+            mbncc_vision::ListObjects::Response& response);
   void look_for_changes();
   void diagnose(diagnostic_updater::DiagnosticStatusWrapper& status) const;
 
@@ -63,8 +88,8 @@ class MatchingNodelet : public GuardedNodelet {
   ros::AsyncSpinner side_spinner_{1, &side_queue_};
   std::unique_ptr<FindService> find_service_;
   std::unique_ptr<Reconfigure> reconfigure_;
-  ros::ServiceServer enable_server_;
-  ros::Subscriber library_subscriber_;
+  ros::ServiceServer enable_server_, list_server_;
+  ros::Subscriber library_subscriber_, roi_subscriber_;
   ros::WallTimer library_timer_, silence_timer_;
   std::unique_ptr<HealthReport> report_;
 };
@@ -72,6 +97,7 @@ class MatchingNodelet : public GuardedNodelet {
 void MatchingNodelet::start() {
   MatchingNodeConfig config;
   read_parameters(private_node(), field_rows(config));
+  check(config);
   settings_ = std::make_unique<LiveSettings>(config);
   open_library();
   start_search();
@@ -88,8 +114,10 @@ void MatchingNodelet::stop() {
   picture_wait_.close();
   side_spinner_.stop();
   find_service_.reset();
+  roi_subscriber_.shutdown();
   reconfigure_.reset();
   enable_server_.shutdown();
+  list_server_.shutdown();
   library_subscriber_.shutdown();
   if (camera_) camera_->set_active(false);
   worker_.reset();
@@ -114,7 +142,8 @@ void MatchingNodelet::open_library() {
 void MatchingNodelet::start_search() {
   tf_listener_ = std::make_unique<tf2_ros::TransformListener>(tf_buffer_);
   camera_ = std::make_unique<CameraInput>(
-      node(), settings_->initial().image_transport, settings_->initial().platform.max_info_age,
+      node(), settings_->initial().pictures.image_transport,
+      settings_->initial().platform.max_info_age,
       [this](const sensor_msgs::ImageConstPtr& image) { on_image(image); });
   publisher_ =
       std::make_unique<DetectionPublisher>(node(), private_node(), [this] { listen_as_wanted(); });
@@ -126,20 +155,15 @@ void MatchingNodelet::start_search() {
 void MatchingNodelet::start_services() {
   ros::NodeHandle side_private_node = private_node();
   side_private_node.setCallbackQueue(&side_queue_);
-  const FindTools tools{settings_->initial(), *matcher_,
-                        tf_buffer_,           *camera_,
-                        picture_wait_,        [this] { listen_as_wanted(); }};
+  const FindTools tools{*settings_, *matcher_,     tf_buffer_,
+                        *camera_,   picture_wait_, [this] { listen_as_wanted(); }};
   find_service_ = std::make_unique<FindService>(node(), tools);
   enable_server_ = private_node().advertiseService("enable", &MatchingNodelet::enable, this);
   reconfigure_ = std::make_unique<Reconfigure>(
-      side_private_node,
-      [this](const auto& use) {
-        settings_->change([&use](MatchingNodeConfig& config) {
-          use(chosen(field_rows(config),
-                     {"min_score", "max_instances", "max_rate", "publish_tf", "show_score_map"}));
-        });
-      },
+      side_private_node, [this](const auto& use) { change_settings(use); },
       [this] { take_settings(); });
+  list_server_ = side_private_node.advertiseService("list_objects", &MatchingNodelet::list, this);
+  roi_subscriber_ = side_private_node.subscribe("search_roi", 1, &MatchingNodelet::take_roi, this);
 }
 
 void MatchingNodelet::start_watching() {
@@ -164,10 +188,40 @@ void MatchingNodelet::on_image(const sensor_msgs::ImageConstPtr& image) {
   if (wanted()) worker_->put(image);
 }
 
+void MatchingNodelet::change_settings(const std::function<void(const Rows&)>& use) {
+  settings_->change([&](MatchingNodeConfig& config) {
+    const MatchingNodeConfig before = config;
+    use(chosen(field_rows(config), kLiveParameters));
+    try {
+      check(config);
+    } catch (const std::exception& error) {
+      NODELET_WARN("%s", error.what());
+      config = before;
+    }
+  });
+}
+
 void MatchingNodelet::take_settings() {
-  const SearchConfig search = settings_->get().search;
-  matcher_->set_limits(search.min_score, search.max_instances);
+  // What was seen before was judged by other thresholds.
+  if (matcher_->configure(settings_->get().search)) worker_->begin_anew();
   listen_as_wanted();
+}
+
+void MatchingNodelet::take_roi(const sensor_msgs::RegionOfInterest& roi) {
+  const std::string text = roi.width == 0 || roi.height == 0
+                               ? ""
+                               : std::to_string(roi.x_offset) + "," + std::to_string(roi.y_offset) +
+                                     "," + std::to_string(roi.width) + "," +
+                                     std::to_string(roi.height);
+  reconfigure_->set("search_roi", text);
+}
+
+bool MatchingNodelet::list(mbncc_vision::ListObjects::Request& request,
+                           mbncc_vision::ListObjects::Response& response) {
+  response.library_path = matcher_->folder();
+  for (const auto& object : matcher_->library()->objects)
+    response.objects.push_back(to_msg(*object, request.with_thumbnails));
+  return true;
 }
 
 bool MatchingNodelet::enable(std_srvs::SetBool::Request& request,

@@ -248,4 +248,15 @@ geometry_msgs::Vector3 size_of(const ObjectModel& model) {
   return size;
 }
 
+geometry_msgs::Polygon footprint_of(const ObjectModel& model) {
+  if (model.views.empty() || !std::isfinite(model.metres_per_pixel)) return {};
+  geometry_msgs::Polygon footprint = largest_outline(model.views.front());
+  for (auto& corner : footprint.points) {
+    corner.x = static_cast<float>(corner.x * model.metres_per_pixel);
+    corner.y = static_cast<float>(corner.y * model.metres_per_pixel);
+    corner.z = static_cast<float>(model.object_height);
+  }
+  return footprint;
+}
+
 }  // namespace mbncc::nodelets

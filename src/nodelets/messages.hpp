@@ -57,4 +57,8 @@ std::optional<int> symmetry_from_msg(std::uint8_t symmetry);
 /// without scale.
 geometry_msgs::Vector3 size_of(const ObjectModel& model);
 
+/// The first view's largest outline at the height of the platform, in the object frame with z into
+/// the platform. [m]; empty when learned without scale.
+geometry_msgs::Polygon footprint_of(const ObjectModel& model);
+
 }  // namespace mbncc::nodelets

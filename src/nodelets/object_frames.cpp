@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "nodelets/messages.hpp"
+#include "nodelets/pose_algebra.hpp"
 
 namespace mbncc::nodelets {
 namespace {
@@ -32,7 +32,7 @@ geometry_msgs::TransformStamped transform_of(const ros::Time& stamp, const std::
 }  // namespace
 
 std::vector<geometry_msgs::TransformStamped> ObjectFrames::of(
-    const mbncc_vision::DetectedObjectArray& detections, const LibrarySnapshot& library) {
+    const mbncc_vision::DetectedObjectArray& detections) {
   const ros::Time& stamp = detections.header.stamp;
   std::vector<geometry_msgs::TransformStamped> transforms;
   if (stamp <= last_) return transforms;
@@ -40,9 +40,9 @@ std::vector<geometry_msgs::TransformStamped> ObjectFrames::of(
     if (!object.pose_valid || !is_finite(object.pose.pose)) continue;
     const auto add = [&](const ros::Time& at, const std::string& frame) {
       transforms.push_back(transform_of(at, detections.header.frame_id, frame, object.pose.pose));
-      const auto model = library.find(object.name);
-      if (model && model->grasp)
-        transforms.push_back(transform_of(at, frame, frame + "_grasp", to_msg(*model->grasp)));
+      if (object.has_grasp && is_finite(object.grasp))
+        transforms.push_back(transform_of(at, frame, frame + "_grasp",
+                                          compose(inverse(object.pose.pose), object.grasp)));
     };
     if (!object.child_frame_id.empty()) add(stamp, object.child_frame_id);
     if (object.stable_frame_id.empty()) continue;

@@ -11,19 +11,17 @@
 #include <string>
 #include <vector>
 
-#include "mbncc/library/object_library.hpp"
-
 namespace mbncc::nodelets {
 
 class ObjectFrames {
  public:
   /// The frames child_frame_id and stable_frame_id of each object that has them, and ..._grasp
-  /// under them where `library` holds a grasp; none for a stamp that is not after the last one.
+  /// under them where it has a grasp; none for a stamp that is not after the last one.
   /// Objects without a finite metric pose are left out, whatever they claim. Where a stable frame
   /// goes over to another instance it does so at once: no look-up between two stamps finds it on
   /// its way.
   std::vector<geometry_msgs::TransformStamped> of(
-      const mbncc_vision::DetectedObjectArray& detections, const LibrarySnapshot& library);
+      const mbncc_vision::DetectedObjectArray& detections);
 
   /// The clock has jumped back: older stamps are new again.
   void reset();

@@ -6,7 +6,8 @@
 
 namespace mbncc::nodelets {
 
-PictureFeed::PictureFeed(double still_time) : watch_(still_time), worker_([this] { work(); }) {}
+PictureFeed::PictureFeed(double still_time, int white_level)
+    : white_level_(white_level), watch_(still_time), worker_([this] { work(); }) {}
 
 PictureFeed::~PictureFeed() {
   mailbox_.close();
@@ -42,7 +43,7 @@ void PictureFeed::refuse(const std::string& fault) {
 }
 
 void PictureFeed::watch(const sensor_msgs::Image& image) {
-  const Decoded decoded = decode_picture(image);
+  const Decoded decoded = decode_picture(image, white_level_);
   if (!decoded) return refuse(decoded.fault);
   const std::lock_guard<std::mutex> lock(mutex_);
   watch_.update(image.header.stamp.toSec(), decoded.picture);

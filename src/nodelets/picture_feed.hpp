@@ -16,8 +16,12 @@ namespace mbncc::nodelets {
 
 class PictureFeed {
  public:
-  /// `still_time` [s] without motion makes the scene still.
-  explicit PictureFeed(double still_time);
+  /// `still_time` [s] without motion makes the scene still; `white_level` as decode_picture() has
+  /// it.
+  explicit PictureFeed(double still_time, int white_level = 0);
+
+  int white_level() const { return white_level_; }
+
   ~PictureFeed();
 
   /// Hands over a picture; never blocks, the newest wins.
@@ -42,6 +46,7 @@ class PictureFeed {
   void watch(const sensor_msgs::Image& image);
   void refuse(const std::string& fault);
 
+  const int white_level_;
   Mailbox<sensor_msgs::ImageConstPtr> mailbox_;
   mutable std::mutex mutex_;
   SceneWatch watch_;

@@ -60,16 +60,20 @@ std::string text_of(const Parameter& parameter) {
   return field_text(parameter.value);
 }
 
+void assign_one(const Rows& rows, const std::string& name, const std::string& text,
+                std::vector<std::string>& refusals) {
+  try {
+    assign_field(rows, name, text);
+  } catch (const ConfigError& error) {
+    refusals.push_back(error.what());
+  }
+}
+
 template <class Parameters>
 void assign_all(const Rows& rows, const Parameters& parameters,
                 std::vector<std::string>& refusals) {
-  for (const auto& parameter : parameters) {
-    try {
-      assign_field(rows, parameter.name, text_of(parameter));
-    } catch (const ConfigError& error) {
-      refusals.push_back(error.what());
-    }
-  }
+  for (const auto& parameter : parameters)
+    assign_one(rows, parameter.name, text_of(parameter), refusals);
 }
 
 /// Whoever asks the parameter server, and the nodelet when it starts again, sees what holds now.
@@ -138,15 +142,30 @@ Reconfigure::Reconfigure(ros::NodeHandle private_node, WithRows with_rows,
   server_ = node_.advertiseService("set_parameters", &Reconfigure::on_request, this);
 }
 
+template <class Change>
+Config Reconfigure::apply(const Change& change) {
+  std::vector<std::string> refusals;
+  with_rows_([&](const Rows& rows) { refusals = change(rows); });
+  for (const auto& refusal : refusals) ROS_WARN("%s", refusal.c_str());
+  Config config;
+  with_rows_([&](const Rows& rows) { config = to_config(rows); });
+  store(node_, config);
+  updates_.publish(config);
+  changed_();
+  return config;
+}
+
+void Reconfigure::set(const std::string& name, const std::string& text) {
+  apply([&](const Rows& rows) {
+    std::vector<std::string> refusals;
+    assign_one(rows, name, text, refusals);
+    return refusals;
+  });
+}
+
 bool Reconfigure::on_request(dynamic_reconfigure::Reconfigure::Request& request,
                              dynamic_reconfigure::Reconfigure::Response& response) {
-  std::vector<std::string> refusals;
-  with_rows_([&](const Rows& rows) { refusals = assign(rows, request.config); });
-  with_rows_([&](const Rows& rows) { response.config = to_config(rows); });
-  for (const auto& refusal : refusals) ROS_WARN("%s", refusal.c_str());
-  store(node_, response.config);
-  updates_.publish(response.config);
-  changed_();
+  response.config = apply([&](const Rows& rows) { return assign(rows, request.config); });
   return true;
 }
 

@@ -38,7 +38,14 @@ class Reconfigure {
   /// `changed` is called after each request.
   Reconfigure(ros::NodeHandle private_node, WithRows with_rows, std::function<void()> changed);
 
+  /// As a request that changes one value. An unknown or refused one is told in the log.
+  void set(const std::string& name, const std::string& text);
+
  private:
+  /// Calls `change` with the rows and tells everybody what holds then.
+  template <class Change>
+  dynamic_reconfigure::Config apply(const Change& change);
+
   bool on_request(dynamic_reconfigure::Reconfigure::Request& request,
                   dynamic_reconfigure::Reconfigure::Response& response);
 

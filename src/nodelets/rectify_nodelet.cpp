@@ -28,7 +28,7 @@ class RectifyNodelet : public GuardedNodelet {
   void start() override {
     read_parameters(private_node(), field_rows(config_));
     camera_ = std::make_unique<CameraInput>(
-        node(), config_.image_transport, config_.max_info_age,
+        node(), config_.pictures.image_transport, config_.max_info_age,
         [this](const sensor_msgs::ImageConstPtr& image) { mailbox_.put(image); });
     worker_ = std::thread([this] { work(); });
     image_transport::ImageTransport transport(node());
@@ -71,7 +71,7 @@ class RectifyNodelet : public GuardedNodelet {
 
   /// Why the picture was not published; "" when it was.
   std::string publish(const sensor_msgs::Image& image) {
-    const Decoded decoded = decode_picture(image);
+    const Decoded decoded = decode_picture(image, config_.pictures.white_level);
     if (!decoded) return decoded.fault;
     const auto info = camera_->camera_info_for(image.header.frame_id, decoded.picture.size());
     if (!info) return kNoCameraInfo;

@@ -14,7 +14,6 @@ using mbncc_vision::DetectedObjectArray;
 SearchWorker::SearchWorker(const SearchTools& tools)
     : tools_(tools),
       silence_(tools.settings.initial().stale_after),
-      roi_(parse_roi(tools.settings.initial().search_roi)),
       gate_(tools.settings.initial().max_age, tools.settings.initial().max_ahead) {
   worker_ = std::thread([this] { work(); });
 }
@@ -58,9 +57,11 @@ void SearchWorker::search(const sensor_msgs::Image& image) {
   const unsigned era = era_;
   if (std::exchange(pipeline_era_, era) != era) tools_.pipeline.interrupt();
   if (!admit(image.header)) return;
-  const Decoded decoded = decode_picture(image);
+  const Decoded decoded = decode_picture(image, tools_.settings.initial().pictures.white_level);
   if (!decoded) return refuse(decoded.fault);
-  request_.roi = roi_in(roi_, decoded.picture.size());
+  const MatchingNodeConfig settings = tools_.settings.get();
+  request_.roi = roi_in(parse_roi(settings.search_roi), decoded.picture.size());
+  tools_.pipeline.configure(settings);
   const ReceivedPicture received{
       decoded.picture, image.header,
       tools_.camera.camera_info_for(image.header.frame_id, decoded.picture.size())};
@@ -97,21 +98,16 @@ bool SearchWorker::admit(const std_msgs::Header& header) {
     });
     return false;
   }
-  if (!is_too_soon(header.stamp)) return true;
+  if (rate_.allows(header.stamp.toSec(), tools_.settings.get().max_rate)) return true;
   silence_.restart();
   return false;
-}
-
-bool SearchWorker::is_too_soon(const ros::Time& stamp) {
-  const double max_rate = tools_.settings.get().max_rate;
-  return max_rate > 0 && (stamp - last_answered_).toSec() < 1 / max_rate;
 }
 
 void SearchWorker::start_over() {
   ROS_INFO("the clock has jumped back; starting anew");
   tools_.pipeline.reset();
   tools_.publisher.reset();
-  last_answered_ = ros::Time();
+  rate_.reset();
 }
 
 void SearchWorker::refuse(const std::string& fault) {
@@ -138,7 +134,7 @@ void SearchWorker::fail(const sensor_msgs::Image& image, const std::string& reas
 }
 
 void SearchWorker::note_answer(const ros::Time& stamp) {
-  last_answered_ = stamp;
+  rate_.note(stamp.toSec(), tools_.settings.get().max_rate);
   silence_.restart();
 }
 
@@ -160,9 +156,10 @@ void SearchWorker::look_for_silence(bool expected) {
 std::string SearchWorker::reason_of_silence() const {
   if (searching_)
     return "no picture was searched within stale_after; search fewer objects, or raise stale_after";
-  if (tools_.camera.publishers() == 0) return kNobodyPublishes;
   const std::string fault = statistics_.get().last_fault;
-  return fault.empty() ? kPicturesStopped : "no usable picture: " + fault;
+  if (tools_.camera.publishers() > 0 && !fault.empty()) return "no usable picture: " + fault;
+  const std::string stream = tools_.camera.fault();
+  return stream.empty() ? kPicturesStopped : stream;
 }
 
 }  // namespace mbncc::nodelets

@@ -8,6 +8,7 @@
 #include <string>
 #include <thread>
 
+#include "mbncc/cell/rate_limit.hpp"
 #include "mbncc/cell/stamp_gate.hpp"
 #include "nodelets/camera_input.hpp"
 #include "nodelets/detection_pipeline.hpp"
@@ -50,7 +51,6 @@ class SearchWorker {
   void search(const sensor_msgs::Image& image);
   void publish(const Detections& detections, const cv::Mat& picture);
   bool admit(const std_msgs::Header& header);
-  bool is_too_soon(const ros::Time& stamp);
   void start_over();
   void refuse(const std::string& fault);
   void note_answer(const ros::Time& stamp);
@@ -65,10 +65,9 @@ class SearchWorker {
   std::atomic<bool> searching_{false};
   // Of the worker thread alone.
   unsigned pipeline_era_ = 0;
-  const cv::Rect roi_;
   SearchRequest request_;
   StampGate gate_;
-  ros::Time last_answered_;  // stamp of the last picture that something was published about
+  RateLimit rate_;  // of pictures that something was published about
   std::thread worker_;
 };
 

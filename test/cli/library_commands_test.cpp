@@ -59,6 +59,13 @@ TEST_F(LibraryCommands, ASymmetryIsDeclaredAndShown) {
   const ToolRun edit = on_library("edit", {"--name", "part", "--symmetry", "round"});
   EXPECT_EQ(edit.code, 0) << edit.err;
   EXPECT_TRUE(edit.prints("'part' has symmetry round, revision 2")) << edit.out;
+  const ToolRun strict = on_library("edit", {"--name", "part", "--min-score", "0.75"});
+  EXPECT_TRUE(strict.prints("'part' has symmetry round, is reported from a score of 0.75 on"))
+      << strict.out;
+  const ToolRun usual = on_library("edit", {"--name", "part", "--min-score", "auto"});
+  EXPECT_FALSE(usual.prints("is reported from")) << usual.out;
+  EXPECT_EQ(on_library("edit", {"--name", "part"}).code, 2) << "nothing to do";
+  EXPECT_EQ(on_library("edit", {"--name", "part", "--min-score", "0"}).code, 2);
   EXPECT_NE(shown().find("symmetry round, declared"), std::string::npos) << shown();
   EXPECT_TRUE(on_library("list").prints("round"));
   const YAML::Node list = YAML::Load(on_library("list", {"--json"}).out);

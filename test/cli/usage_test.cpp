@@ -53,7 +53,7 @@ TEST(Usage, WrongUsageGetsASentenceAndExitCode2) {
        "needs --after"},
       {learn + std::vector<std::string>{"--roi", "1,2,3,4", "--symmetry", "5"},
        "give auto, none, 2, 3, 4, 6 or round"},
-      {{"edit", "--library", "L", "--name", "n"}, "--symmetry S is missing"},
+      {{"edit", "--library", "L", "--name", "n"}, "give --symmetry, --min-score or both"},
       {{"edit", "--library", "L", "--name", "n", "--symmetry", "twice"},
        "give auto, none, 2, 3, 4, 6 or round"},
       {learn + std::vector<std::string>{"--roi", "1,2,3"}, "--roi needs x,y,w,h"},

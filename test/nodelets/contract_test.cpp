@@ -25,12 +25,12 @@ std::string service_checksum() {
 }
 
 TEST(Contract, DefinitionsAreThoseThatOthersWereBuiltAgainst) {
-  EXPECT_EQ(checksum<mbncc_vision::DetectedObjectArray>(), "ad539ce9fc96cad958d864257b7e2bc6");
+  EXPECT_EQ(checksum<mbncc_vision::DetectedObjectArray>(), "96f7743807fe8968a98c8a3f467f7af5");
   EXPECT_EQ(checksum<mbncc_vision::LearnedObjectArray>(), "f7c021c109a5e64e6f7f10fc19ad5479");
   EXPECT_EQ(checksum<mbncc_vision::LearnObjectAction>(), "07356ec7c40abe2cbd53f38892bda867");
   EXPECT_EQ(service_checksum<mbncc_vision::ConfirmLearning>(), "f372246e8d2c6fdac87fa13f44368d7c");
   EXPECT_EQ(service_checksum<mbncc_vision::EditObject>(), "d89dc9d445273de885a2edcef3058c08");
-  EXPECT_EQ(service_checksum<mbncc_vision::FindObjects>(), "6b6fcd2e25c191cae405a291ecbb54f9");
+  EXPECT_EQ(service_checksum<mbncc_vision::FindObjects>(), "7556b6ed76dd87fb0ffed650ba74fee3");
   EXPECT_EQ(service_checksum<mbncc_vision::ListObjects>(), "bab6eecd3c8b1645a0b1ca9f2ba8f59d");
 }
 

@@ -5,8 +5,12 @@
 
 #include <cmath>
 #include <opencv2/imgproc.hpp>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "mbncc/library/object_library.hpp"
+#include "nodelets/pose_algebra.hpp"
 #include "support/temporary_folder.hpp"
 
 namespace mbncc::nodelets {
@@ -31,6 +35,8 @@ class DetectionPipelineTest : public testing::Test {
     ObjectModel model;
     model.name = model.label = "angle";
     model.object_height = 0.02;
+    model.metres_per_pixel = 0.48 / 300;
+    model.grasp = Grasp{{{0.01, 0.02, -0.1}}, {{0, 0, 0, 1}}};
     model.views.push_back(crop_view(picture_, map, {150, 120, 0.3}));
     ObjectLibrary(folder_.path()).save(model, ObjectLibrary::Existing::kRefuse);
     config_.platform.platform_distance = 0.5;
@@ -129,6 +135,68 @@ TEST_F(DetectionPipelineTest, PosesAreInTheTargetFrameAsItWasAtThePicturesStamp)
   EXPECT_NEAR(array.objects[0].pose.pose.position.z, -0.48, 1e-6);
   EXPECT_NEAR(array.objects[0].pose.pose.position.x, 1 + (150 - 159.5) / 300 * 0.48, 1e-4);
   EXPECT_EQ(array.objects[0].child_frame_id, "object_angle_0");
+}
+
+TEST_F(DetectionPipelineTest, TheGraspIsInTheFrameOfThePoses) {
+  config_.target_frame = "base";
+  geometry_msgs::TransformStamped transform;
+  transform.header.frame_id = "base";
+  transform.child_frame_id = "camera";
+  transform.transform.rotation.x = 1;  // looks down
+  tf_.setTransform(transform, "test", true);
+  const DetectedObject object = after(3).objects.at(0);
+  ASSERT_TRUE(object.has_grasp);
+  const auto& pose = object.pose.pose.position;
+  const auto& grasp = object.grasp.position;
+  const double c = std::cos(0.3), s = std::sin(0.3);
+  EXPECT_NEAR(grasp.x - pose.x, c * 0.01 - s * 0.02, 1e-4);
+  EXPECT_NEAR(grasp.y - pose.y, -(s * 0.01 + c * 0.02), 1e-4) << "y points the other way";
+  EXPECT_NEAR(grasp.z - pose.z, 0.1, 1e-9) << "above the object";
+}
+
+/// The point `p` of the object's frame in the array's.
+template <class Point>
+cv::Vec3d placed(const DetectedObject& object, const Point& p) {
+  geometry_msgs::Pose point;
+  point.position.x = p.x;
+  point.position.y = p.y;
+  point.position.z = p.z;
+  point.orientation.w = 1;
+  const auto at = compose(object.pose.pose, point).position;
+  return {at.x, at.y, at.z};
+}
+
+TEST_F(DetectionPipelineTest, ZPointsIntoThePlatformOrOutOfIt) {
+  const DetectedObject into = after(3).objects.at(0);
+  config_.object_frame_z = "out";
+  const DetectedObject out = after(3).objects.at(0);
+  const cv::Vec3d z = placed(into, cv::Point3d(0, 0, 1)) - placed(into, cv::Point3d());
+  EXPECT_NEAR(z[2], 1, 1e-9) << "the camera looks along its z";
+  for (const auto& [one, other] : {std::pair(cv::Point3d(1, 0, 0), cv::Point3d(1, 0, 0)),
+                                   {cv::Point3d(0, 1, 0), cv::Point3d(0, -1, 0)},
+                                   {cv::Point3d(0, 0, 1), cv::Point3d(0, 0, -1)}})
+    EXPECT_LE(cv::norm(placed(into, one) - placed(out, other)), 1e-9);
+  EXPECT_EQ(into.grasp, out.grasp) << "the gripper does not turn with it";
+  EXPECT_EQ(into.pose.covariance, out.pose.covariance) << "about the axes of the array's frame";
+}
+
+TEST_F(DetectionPipelineTest, TheFootprintLiesOnThePlatform) {
+  for (const std::string z : {"into", "out"}) {
+    config_.object_frame_z = z;
+    const DetectedObject object = after(3).objects.at(0);
+    ASSERT_FALSE(object.footprint.points.empty());
+    std::vector<cv::Point2f> pixels;
+    for (const auto& corner : object.footprint.points) {
+      const cv::Vec3d at = placed(object, corner);
+      EXPECT_NEAR(at[2], 0.5, 1e-6) << z;
+      pixels.emplace_back(static_cast<float>(at[0] / 0.48 * 300 + 159.5),
+                          static_cast<float>(at[1] / 0.48 * 300 + 119.5));
+    }
+    const cv::Rect2f box = cv::boundingRect(pixels);
+    EXPECT_NEAR(box.x, 130, 1.5) << z;
+    EXPECT_NEAR(box.y, 80, 1.5) << z;
+    EXPECT_NEAR(box.width, 60, 2.5) << z;
+  }
 }
 
 TEST_F(DetectionPipelineTest, AnEmptyLibraryIsTold) {

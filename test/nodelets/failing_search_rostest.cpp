@@ -51,6 +51,7 @@ class InjectedSearch : public PictureSearch {
     return detections;
   }
 
+  void configure(const MatchingNodeConfig&) override {}
   void interrupt() override {}
   void reset() override { ++resets_; }
 

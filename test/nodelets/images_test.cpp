@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <opencv2/imgproc.hpp>
+#include <string>
+#include <utility>
 
 namespace mbncc::nodelets {
 namespace {
@@ -67,6 +69,63 @@ TEST(DecodePicture, ReadsGreyOfEightAndSixteenBits) {
   expect_colour(decode_picture(big).picture, {0x4d, 0x4d, 0x4d}, 0);
 }
 
+/// The same picture with the bytes of its numbers swapped.
+sensor_msgs::Image swapped(sensor_msgs::Image message) {
+  for (std::size_t i = 0; i + 1 < message.data.size(); i += 2)
+    std::swap(message.data[i], message.data[i + 1]);
+  message.is_bigendian = 1;
+  return message;
+}
+
+TEST(DecodePicture, SixteenBitsAreAsBrightAsTheWhiteLevelSays) {
+  const cv::Mat grey(8, 10, CV_16UC1, cv::Scalar(2000));
+  for (const auto& [white, expected] :
+       {std::pair(0, 8), {65535, 8}, {4095, 125}, {2000, 255}, {1000, 255}}) {
+    const auto level = static_cast<uchar>(expected);
+    const auto message = message_of(grey, "mono16");
+    expect_colour(decode_picture(message, white).picture, {level, level, level}, 0);
+    expect_colour(decode_picture(swapped(message), white).picture, {level, level, level}, 0);
+  }
+}
+
+TEST(DecodePicture, SixteenBitsOfEveryOrderAndPattern) {
+  const cv::Mat bgr(8, 10, CV_16UC3, cv::Scalar(kColour[0], kColour[1], kColour[2]) * 16);
+  cv::Mat other;
+  const int white = 255 * 16;
+  expect_colour(decode_picture(message_of(bgr, "bgr16"), white).picture, kColour, 0);
+  cv::cvtColor(bgr, other, cv::COLOR_BGR2RGB);
+  expect_colour(decode_picture(message_of(other, "rgb16"), white).picture, kColour, 0);
+  cv::cvtColor(bgr, other, cv::COLOR_BGR2BGRA);
+  expect_colour(decode_picture(message_of(other, "bgra16"), white).picture, kColour, 0);
+  cv::cvtColor(bgr, other, cv::COLOR_BGR2RGBA);
+  expect_colour(decode_picture(message_of(other, "rgba16"), white).picture, kColour, 0);
+  for (const std::string pattern : {"rggb", "bggr", "gbrg", "grbg"}) {
+    SCOPED_TRACE(pattern);
+    cv::Mat deep;
+    mosaic(pattern).convertTo(deep, CV_16UC1, 16);
+    const auto message = message_of(deep, "bayer_" + pattern + "16");
+    expect_colour(decode_picture(message, white).picture, kColour, 1);
+    expect_colour(decode_picture(swapped(message), white).picture, kColour, 1);
+  }
+}
+
+TEST(DecodePicture, NumbersWithoutAMeaningNeedTheirWhiteLevel) {
+  const auto message = message_of(cv::Mat(8, 10, CV_16UC1, cv::Scalar(500)), "16UC1");
+  EXPECT_NE(decode_picture(message).fault.find("white_level"), std::string::npos);
+  expect_colour(decode_picture(message, 1000).picture, {128, 128, 128}, 0);
+}
+
+TEST(DecodePicture, HalfAPixelOfSixteenBitsIsRefused) {
+  auto message = message_of(cv::Mat(8, 10, CV_16UC1, cv::Scalar(500)), "mono16");
+  message.step += 1;
+  message.data.resize(message.step * message.height);
+  EXPECT_NE(decode_picture(message).fault.find("odd"), std::string::npos);
+}
+
+TEST(DecodeMap, OfSixteenBitsIsRefused) {
+  EXPECT_FALSE(decode_map(message_of(cv::Mat(8, 10, CV_16UC1, cv::Scalar(500)), "mono16")));
+}
+
 TEST(DecodePicture, ReadsPackedYuv) {
   // Studio range: luma 126 of 16..235 without chroma is the grey 128.
   expect_colour(
@@ -97,7 +156,7 @@ TEST(DecodePicture, OwnsItsMemory) {
 }
 
 TEST(DecodePicture, NamesAnUnknownEncodingAndTheKnownOnes) {
-  for (const std::string encoding : {"32FC1", "rgb16", "", "bayer_rggb16", "BGR8"}) {
+  for (const std::string encoding : {"32FC1", "rgb32", "", "bayer_rggb12", "BGR8"}) {
     auto message = message_of(cv::Mat(8, 10, CV_8UC3, cv::Scalar::all(9)), encoding);
     const Decoded decoded = decode_picture(message);
     EXPECT_FALSE(decoded);
@@ -162,10 +221,10 @@ TEST(DecodePicture, RefusesALyingLayout) {
       {"encoding of a megabyte", [](auto& m) { m.encoding.assign(1 << 20, 'b'); }},
       {"floats", [](auto& m) { m.encoding = "32FC3"; }},
       {"doubles", [](auto& m) { m.encoding = "64FC1"; }},
-      {"16-bit colour", [](auto& m) { m.encoding = "bgr16"; }},
+      {"16-bit colour", [](auto& m) { m.encoding = "bgr16"; }},  // in rows of 8 bits
       {"signed", [](auto& m) { m.encoding = "8SC3"; }},
       {"two channels", [](auto& m) { m.encoding = "8UC2"; }},
-      {"16-bit Bayer", [](auto& m) { m.encoding = "bayer_bggr16"; }},
+      {"12-bit Bayer", [](auto& m) { m.encoding = "bayer_bggr12"; }},
       {"planar yuv", [](auto& m) { m.encoding = "nv21"; }},
       {"jpeg", [](auto& m) { m.encoding = "jpeg"; }},
       {"a frame's name with a line break", [](auto& m) { m.header.frame_id = "camera\n"; }},

@@ -109,6 +109,33 @@ class Frames(unittest.TestCase):
         self.assertEqual((loaded["/matching/target_frame"], loaded["/learning/gripper_frame"]), ("", ""))
 
 
+class Manager(unittest.TestCase):
+    """Nodelets in a driver's manager get its pictures without a copy."""
+
+    def nodes(self, *arguments):
+        return {node.name: node.args.split() for node in load(*arguments).nodes if node.type == "nodelet"}
+
+    def test_is_the_cells_own_or_none(self):
+        for name in ("cell.launch", "demo.launch"):
+            nodes = self.nodes(name)
+            self.assertEqual(nodes["mbncc_manager"], ["manager"])
+            self.assertEqual(nodes["matching"], ["load", "mbncc_vision/MatchingNodelet", "mbncc_manager"])
+            apart = self.nodes(name, "one_manager:=false")
+            self.assertNotIn("mbncc_manager", apart)
+            self.assertEqual(apart["matching"], ["standalone", "mbncc_vision/MatchingNodelet"])
+
+    def test_may_be_the_drivers(self):
+        for arguments in (["cell.launch", "camera:=false"], ["demo.launch"], ["replay.launch", "bag:=x.bag"],
+                          ["vision.launch"], ["cell.launch", "one_manager:=false"],
+                          ["cells.launch", "left_manager:=/driver", "right_manager:=/driver"]):
+            if arguments[0] != "cells.launch":
+                arguments.append("manager:=/driver")
+            nodes = self.nodes(*arguments)
+            self.assertNotIn("mbncc_manager", nodes, arguments)
+            for node, words in nodes.items():
+                self.assertEqual((words[0], words[2]), ("load", "/driver"), (node, arguments))
+
+
 class Platform(unittest.TestCase):
     def setUp(self):
         folder = tempfile.TemporaryDirectory()

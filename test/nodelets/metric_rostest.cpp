@@ -1,10 +1,13 @@
 // In metres: a strongly distorted simulated camera, the platform by tf, a grasp marked in a lesson.
+#include <geometry_msgs/PoseArray.h>
 #include <gtest/gtest.h>
 #include <ros/ros.h>
 #include <std_srvs/Trigger.h>
 #include <tf2_ros/transform_listener.h>
 
 #include <cmath>
+#include <map>
+#include <string>
 
 #include "mbncc/geometry.hpp"
 #include "nodelets/simulated_cell.hpp"
@@ -23,6 +26,15 @@ Pose2D planar(const geometry_msgs::Pose& pose) {
 
 class Metric : public SimulatedCell {
  protected:
+  Metric() {
+    poses_subscriber_ = node_.subscribe<geometry_msgs::PoseArray>(
+        "matching/poses", 10, [this](const geometry_msgs::PoseArray::ConstPtr& poses) {
+          poses_[poses->header.stamp] = *poses;
+        });
+  }
+
+  ros::Subscriber poses_subscriber_;
+  std::map<ros::Time, geometry_msgs::PoseArray> poses_;
   tf2_ros::Buffer tf_;
   tf2_ros::TransformListener listener_{tf_};
 };
@@ -50,13 +62,18 @@ TEST_F(Metric, ObjectAndGraspAreWhereTheyAreInTheWorld) {
     order("camera/put_next");
     ASSERT_TRUE(spin_until([this] { return rests(true); }));
     const ros::Time since = truth_->header.stamp;
-    const DetectedObject* object = nullptr;
-    ASSERT_TRUE(spin_until([&] { return (object = confirmed_since(since)) != nullptr; }));
-    ASSERT_TRUE(object->pose_valid);
-    EXPECT_NEAR(object->pose.pose.position.z, 0.7, 1e-6);
-    EXPECT_GT(object->pose.covariance[0], 0);
-    const std::string frame = object->child_frame_id + "_grasp";
+    ASSERT_TRUE(spin_until([&] { return confirmed_since(since) != nullptr; }));
+    const DetectedObject object = *confirmed_since(since);
     const ros::Time stamp = found_->header.stamp;
+    ASSERT_TRUE(object.pose_valid);
+    EXPECT_NEAR(object.pose.pose.position.z, 0.7, 1e-6);
+    EXPECT_GT(object.pose.covariance[0], 0);
+    ASSERT_TRUE(spin_until([&] { return poses_.count(stamp) == 1; }));
+    ASSERT_EQ(poses_[stamp].poses.size(), 1u);
+    EXPECT_EQ(poses_[stamp].poses[0], object.pose.pose);
+    ASSERT_TRUE(object.has_grasp);
+    EXPECT_NEAR(object.grasp.position.z, 0.6, 1e-6);
+    const std::string frame = object.child_frame_id + "_grasp";
     ASSERT_TRUE(spin_until([&] { return tf_.canTransform("camera_optical_frame", frame, stamp); }));
     const auto t = tf_.lookupTransform("camera_optical_frame", frame, stamp).transform;
     const Pose2D expected = compose(planar(truth_->objects[0].pose.pose), gripper_in_drawing);

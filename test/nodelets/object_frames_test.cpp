@@ -3,7 +3,10 @@
 #include <gtest/gtest.h>
 #include <tf2/buffer_core.h>
 
+#include <cmath>
 #include <limits>
+#include <string>
+#include <vector>
 
 namespace mbncc::nodelets {
 namespace {
@@ -28,7 +31,7 @@ class ObjectFramesTest : public ::testing::Test {
     array.header.stamp.fromSec(stamp);
     array.header.frame_id = "camera";
     array.objects = objects;
-    for (const auto& transform : frames_.of(array, library_)) {
+    for (const auto& transform : frames_.of(array)) {
       ++sent_;
       ASSERT_TRUE(buffer_.setTransform(transform, "test"));
     }
@@ -39,7 +42,6 @@ class ObjectFramesTest : public ::testing::Test {
   }
 
   ObjectFrames frames_;
-  LibrarySnapshot library_;
   tf2::BufferCore buffer_;
   int sent_ = 0;
 };
@@ -88,13 +90,28 @@ TEST_F(ObjectFramesTest, NothingIsSentTwiceForAStampNorWithoutAFinitePoseOrAName
 }
 
 TEST_F(ObjectFramesTest, AGraspHangsUnderBothFrames) {
-  ObjectModel model;
-  model.name = "key";
-  model.grasp = Grasp{{{0, 0, 1}}, {{0, 0, 0, 1}}};
-  library_.objects.push_back(std::make_shared<const ObjectModel>(model));
-  show(1, {confirmed(1, 3)});
-  EXPECT_EQ(x_at("object_key_grasp", 1), 3);
-  EXPECT_EQ(x_at("object_key_1_grasp", 1), 3);
+  mbncc_vision::DetectedObject turned = confirmed(1, 3);  // half about its own x
+  turned.pose.pose.orientation.x = 1;
+  turned.pose.pose.orientation.w = 0;
+  turned.has_grasp = true;
+  turned.grasp.position.x = 3;
+  turned.grasp.position.y = 0.1;
+  turned.grasp.orientation.w = 1;
+  show(1, {turned});
+  for (const std::string frame : {"object_key", "object_key_1"}) {
+    EXPECT_EQ(x_at(frame + "_grasp", 1), 3);
+    const auto grasp = buffer_.lookupTransform(frame, frame + "_grasp", ros::Time(1)).transform;
+    EXPECT_NEAR(grasp.translation.y, -0.1, 1e-9);
+    EXPECT_NEAR(std::abs(grasp.rotation.x), 1, 1e-9);
+  }
+}
+
+TEST_F(ObjectFramesTest, NoFrameOfAGraspThatIsNoPose) {
+  mbncc_vision::DetectedObject object = confirmed(1, 3);
+  object.has_grasp = true;
+  object.grasp.position.x = std::numeric_limits<double>::quiet_NaN();
+  show(1, {object});
+  EXPECT_EQ(sent_, 2);
 }
 
 }  // namespace

@@ -31,6 +31,13 @@ mbncc_vision::DetectedObjectArray one(std::uint8_t state) {
     point.x = static_cast<float>(corner.x);
     point.y = static_cast<float>(corner.y);
   }
+  for (const auto& corner :
+       {cv::Point2f(-0.04f, 0.04f), {-0.04f, -0.04f}, {0.04f, -0.04f}, {0.04f, 0.04f}}) {
+    auto& point = object.footprint.points.emplace_back();
+    point.x = corner.x;
+    point.y = corner.y;
+    point.z = 0.02f;
+  }
   array.objects.push_back(object);
   return array;
 }
@@ -115,9 +122,15 @@ TEST(Markers, TheOutlineIsInMetresInTheObjectsFrame) {
                                     [](const auto& marker) { return marker.ns == "outline"; });
   ASSERT_NE(outline, markers.end());
   ASSERT_EQ(outline->points.size(), 5u);  // closed
-  // The picture's (-20, -20) px seen from a frame turned by 90 degrees.
   EXPECT_NEAR(outline->points[0].x, -0.04, 1e-6);
   EXPECT_NEAR(outline->points[0].y, 0.04, 1e-6);
+  EXPECT_EQ(outline->points[0].z, 0) << "on the top face";
+}
+
+TEST(Markers, NoOutlineOfUnknownScale) {
+  auto array = one(DetectedObject::CONFIRMED);
+  array.objects[0].footprint.points.clear();
+  for (const auto& marker : to_markers(array).markers) EXPECT_NE(marker.ns, "outline");
 }
 
 TEST(Markers, TheCaptionTellsTheStateInWords) {

@@ -1,11 +1,14 @@
 // A nodelet that cannot start says why and leaves its manager, this process, alive.
+#include <diagnostic_msgs/DiagnosticArray.h>
 #include <gtest/gtest.h>
+#include <mbncc_vision/DetectedObjectArray.h>
 #include <nodelet/loader.h>
 #include <ros/ros.h>
 #include <rosgraph_msgs/Log.h>
 
 #include <fstream>
 #include <string>
+#include <vector>
 
 #include "nodelets/spin_until.hpp"
 #include "support/temporary_folder.hpp"
@@ -20,6 +23,8 @@ class RefusedStart : public testing::Test {
                                                [this](const rosgraph_msgs::Log::ConstPtr& entry) {
                                                  if (entry->level == rosgraph_msgs::Log::FATAL)
                                                    sentence_ += entry->msg;
+                                                 if (entry->level == rosgraph_msgs::Log::ERROR)
+                                                   errors_.push_back(entry->msg);
                                                });
   }
 
@@ -46,6 +51,7 @@ class RefusedStart : public testing::Test {
   ros::NodeHandle node_;
   ros::Subscriber log_;
   std::string sentence_;
+  std::vector<std::string> errors_;
   nodelet::Loader loader_{false};
 };
 
@@ -76,9 +82,39 @@ TEST_F(RefusedStart, LibraryThatCannotBeOpened) {
     expect_refusal(type, "library_path", file + "/library", file);
 }
 
-TEST_F(RefusedStart, UnknownImageTransport) {
-  for (const char* type : {"LearningNodelet", "MatchingNodelet"})
-    expect_refusal(type, "image_transport", std::string("pigeon"), "pigeon");
+// roslaunch would start what refuses to start again and again.
+TEST_F(RefusedStart, ImageTransportThatIsNotInstalledIsToldOnceAndInDiagnostics) {
+  for (const char* type : {"LearningNodelet", "MatchingNodelet"}) {
+    errors_.clear();
+    ros::param::set("/part/library_path", folder_ / "library");
+    ros::param::set("/part/image_transport", "pigeon");
+    int reports = 0;
+    const auto diagnostics = node_.subscribe<diagnostic_msgs::DiagnosticArray>(
+        "/diagnostics", 10, [&](const diagnostic_msgs::DiagnosticArray::ConstPtr& array) {
+          for (const auto& status : array->status)
+            if (status.level == diagnostic_msgs::DiagnosticStatus::ERROR &&
+                status.message.find("pigeon_image_transport") != std::string::npos)
+              ++reports;
+        });
+    ASSERT_TRUE(load(type)) << type;
+    EXPECT_TRUE(spin_until([&] { return reports >= 3 && !errors_.empty(); })) << type;
+    ASSERT_EQ(errors_.size(), 1u) << type;
+    EXPECT_NE(errors_[0].find("set image_transport to raw"), std::string::npos) << errors_[0];
+    EXPECT_TRUE(loader_.unload("/part"));
+  }
+}
+
+TEST_F(RefusedStart, StaleTellsOfTheImageTransport) {
+  ros::param::set("/part/library_path", folder_ / "library");
+  ros::param::set("/part/image_transport", "pigeon");
+  std::string message;
+  const auto detections = node_.subscribe<mbncc_vision::DetectedObjectArray>(
+      "detected_objects", 10, [&](const mbncc_vision::DetectedObjectArray::ConstPtr& array) {
+        if (array->status == array->STALE) message = array->message;
+      });
+  ASSERT_TRUE(load("MatchingNodelet"));
+  EXPECT_TRUE(spin_until([&] { return message.find("pigeon") != std::string::npos; })) << message;
+  EXPECT_TRUE(loader_.unload("/part"));
 }
 
 TEST_F(RefusedStart, RightedParametersStartItAfterAll) {

@@ -47,6 +47,10 @@ class InstanceTracker {
   /// negative.
   explicit InstanceTracker(TrackerConfig config = {});
 
+  /// Changes what confirms; throws as the constructor does, and changes nothing then. What was seen
+  /// before is judged by it from the next picture on.
+  void configure(const TrackerConfig& config);
+
   /// Takes the matches of the picture stamped `stamp` [s], all names searched. Returns them in
   /// their order, then the held instances. A stamp before the last one resets first.
   std::vector<TrackedMatch> update(double stamp, const std::vector<Match>& matches);

@@ -5,6 +5,7 @@
 
 #include "mbncc/config/field.hpp"
 #include "mbncc/config/learning_config.hpp"
+#include "mbncc/config/picture_config.hpp"
 #include "mbncc/config/platform_config.hpp"
 
 namespace mbncc {
@@ -12,8 +13,8 @@ namespace mbncc {
 struct LearningNodeConfig {
   LearningConfig learning;
   PlatformConfig platform;
+  PictureConfig pictures;
   std::string library_path = "~/.ros/mbncc_library";  ///< folder of the learned objects
-  std::string image_transport = "raw";                ///< how pictures travel: raw, compressed, ...
   double learn_timeout = 120;                         ///< [s] of a lesson whose goal names none
   double still_time = 0.5;    ///< [s] without motion that makes a scene still
   int max_objects = 1000;     ///< more are not learned
@@ -37,9 +38,7 @@ struct LearningNodeConfig {
                     "tf frame of the gripper that mark_grasp records; empty: mark_grasp refuses"},
           self.gripper_frame);
     PlatformConfig::fields(self.platform, visit);
-    visit(FieldInfo{"image_transport", Allowed::anything(), "",
-                    "how pictures travel: raw, compressed, ..."},
-          self.image_transport);
+    PictureConfig::fields(self.pictures, visit);
   }
 };
 

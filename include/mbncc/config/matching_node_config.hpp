@@ -4,6 +4,7 @@
 #include <string>
 
 #include "mbncc/config/field.hpp"
+#include "mbncc/config/picture_config.hpp"
 #include "mbncc/config/platform_config.hpp"
 #include "mbncc/config/search_config.hpp"
 #include "mbncc/config/video_config.hpp"
@@ -14,8 +15,8 @@ struct MatchingNodeConfig {
   SearchConfig search;
   VideoConfig video;
   PlatformConfig platform;
+  PictureConfig pictures;
   std::string library_path = "~/.ros/mbncc_library";  ///< folder of the learned objects
-  std::string image_transport = "raw";                ///< how pictures travel: raw, compressed, ...
   std::string search_roi;       ///< "x,y,width,height" [px] of reference points; "": whole picture
   double max_rate = 0;          ///< [Hz] pictures searched at most; 0: every one that arrives
   int confirm_frames = 3;       ///< graspable pictures needed ...
@@ -29,7 +30,8 @@ struct MatchingNodeConfig {
   bool show_score_map = false;  ///< lay the score map under the overlay
   std::string tf_prefix;        ///< put before every child frame
   std::string target_frame;     ///< frame of the published poses; "": the camera's
-  double tf_wait = 0;           ///< [s] a picture waits for the tf of its stamp; 0: not at all
+  std::string object_frame_z = "into";  ///< where the z of object frames points: into or out
+  double tf_wait = 0;  ///< [s] a picture waits for the tf of its stamp; 0: not at all
 
   template <class Self, class Visitor>
   static void fields(Self& self, Visitor&& visit) {
@@ -76,13 +78,15 @@ struct MatchingNodeConfig {
     visit(FieldInfo{"target_frame", Allowed::frame(), "",
                     "frame that poses are published in; empty: the camera's"},
           self.target_frame);
+    visit(FieldInfo{"object_frame_z", Allowed::one_of({"into", "out"}), "",
+                    "z of object frames points into the platform, as the optical axis does, or out "
+                    "of it, as grasp planners expect"},
+          self.object_frame_z);
     visit(FieldInfo{"tf_wait", Allowed::range(0, 1), "s",
                     "time a picture waits for a robot's tf that lags behind it; 0: not at all"},
           self.tf_wait);
     PlatformConfig::fields(self.platform, visit);
-    visit(FieldInfo{"image_transport", Allowed::anything(), "",
-                    "how pictures travel: raw, compressed, ..."},
-          self.image_transport);
+    PictureConfig::fields(self.pictures, visit);
   }
 };
 

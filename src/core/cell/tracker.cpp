@@ -34,14 +34,19 @@ bool angle_jumped(const Match& a, const Match& b) {
 
 }  // namespace
 
-InstanceTracker::InstanceTracker(TrackerConfig config) : config_(config) {
-  if (config_.confirm_frames < 1 || config_.confirm_frames > config_.confirm_window)
+InstanceTracker::InstanceTracker(TrackerConfig config) {
+  configure(config);
+}
+
+void InstanceTracker::configure(const TrackerConfig& config) {
+  if (config.confirm_frames < 1 || config.confirm_frames > config.confirm_window)
     throw std::invalid_argument("parameter 'confirm_frames': value '" +
-                                std::to_string(config_.confirm_frames) +
+                                std::to_string(config.confirm_frames) +
                                 "' is not allowed; give 1 .. confirm_window, which is " +
-                                std::to_string(config_.confirm_window));
-  if (!(config_.hold_time >= 0 && config_.max_age >= 0 && config_.reuse_after >= 0))
+                                std::to_string(config.confirm_window));
+  if (!(config.hold_time >= 0 && config.max_age >= 0 && config.reuse_after >= 0))
     throw std::invalid_argument("hold_time, max_age and reuse_after must not be negative");
+  config_ = config;
 }
 
 void InstanceTracker::interrupt() {
@@ -151,7 +156,7 @@ void InstanceTracker::see(Track& track, const Match& match, double stamp) {
     track.velocity =
         (match.pose.position() - before.pose.position()) * (1 / (stamp - track.seen_at));
   track.graspable.push_back(match.graspable);
-  if (static_cast<int>(track.graspable.size()) > config_.confirm_window)
+  while (static_cast<int>(track.graspable.size()) > config_.confirm_window)
     track.graspable.pop_front();
   track.last.match = match;
   track.last.match.pose.theta = theta;
@@ -183,7 +188,7 @@ void InstanceTracker::note_missed() {
     if (track.seen) continue;
     ++track.missed;
     track.graspable.push_back(false);
-    if (static_cast<int>(track.graspable.size()) > config_.confirm_window)
+    while (static_cast<int>(track.graspable.size()) > config_.confirm_window)
       track.graspable.pop_front();
   }
 }

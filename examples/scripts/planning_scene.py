@@ -1,0 +1,52 @@
+#!/usr/bin/env python3
+"""Keeps the objects that are in view as obstacles in MoveIt's planning scene: outline by height."""
+import cv2
+import numpy
+import rospy
+from geometry_msgs.msg import Point, Pose, Quaternion
+from moveit_msgs.msg import CollisionObject
+from shape_msgs.msg import Mesh, MeshTriangle
+
+from mbncc_vision.msg import DetectedObject, DetectedObjectArray
+
+UPRIGHT = Pose(orientation=Quaternion(w=1))
+
+
+def prism(footprint):
+    """The outline's convex hull, from the top face (z = 0) down to the platform."""
+    base = footprint[0].z
+    hull = cv2.convexHull(numpy.array([[p.x, p.y] for p in footprint], numpy.float32))[:, 0].tolist()
+    count = len(hull)
+    mesh = Mesh(vertices=[Point(x, y, z) for z in (0, base) for x, y in hull])
+    for i in range(count):
+        j = (i + 1) % count
+        mesh.triangles += [MeshTriangle([i, j, count + i]), MeshTriangle([j, count + j, count + i])]
+    for i in range(1, count - 1):
+        mesh.triangles += [MeshTriangle([0, i + 1, i]), MeshTriangle([count, count + i, count + i + 1])]
+    return mesh
+
+
+class PlanningScene:
+    def __init__(self):
+        self.known = set()
+        self.scene = rospy.Publisher("collision_object", CollisionObject, queue_size=10)
+        rospy.Subscriber("detected_objects", DetectedObjectArray, self.on_detections, queue_size=1)
+
+    def on_detections(self, array):
+        if array.status not in (DetectedObjectArray.OK, DetectedObjectArray.BUDGET_EXCEEDED):
+            return  # what cannot be seen stays an obstacle
+        seen = {"%s_%d" % (found.name, found.instance_id): found for found in array.objects
+                if found.state == DetectedObject.CONFIRMED and found.pose_valid and found.footprint.points}
+        for name in self.known - set(seen):
+            self.scene.publish(CollisionObject(header=array.header, id=name, operation=CollisionObject.REMOVE))
+        for name, found in seen.items():
+            self.scene.publish(CollisionObject(
+                header=array.header, id=name, pose=found.pose.pose, operation=CollisionObject.ADD,
+                meshes=[prism(found.footprint.points)], mesh_poses=[UPRIGHT]))
+        self.known = set(seen)
+
+
+if __name__ == "__main__":
+    rospy.init_node("planning_scene")
+    scene = PlanningScene()
+    rospy.spin()

@@ -1,0 +1,31 @@
+#!/usr/bin/env python3
+"""Publishes the pose of the best object of a name, by vision_msgs alone (cell.launch vision_msgs:=true)."""
+import rospy
+from geometry_msgs.msg import PoseStamped
+from vision_msgs.msg import Detection3DArray, VisionInfo
+
+
+class VisionConsumer:
+    def __init__(self):
+        self.name = rospy.get_param("~object", "")  # "": any object
+        self.names = {}  # by number
+        self.target = rospy.Publisher("~target", PoseStamped, queue_size=1)
+        rospy.Subscriber("vision/vision_info", VisionInfo, self.on_info, queue_size=1)
+        rospy.Subscriber("vision/detections_3d", Detection3DArray, self.on_detections, queue_size=1)
+
+    def on_info(self, info):
+        self.names = {number: name for name, number in rospy.get_param(info.database_location).items()}
+
+    def on_detections(self, array):
+        """What vision_msgs tell may be grasped; an empty array means that nothing may."""
+        for detection in array.detections:
+            best = max(detection.results, key=lambda result: result.score)
+            if self.name in ("", self.names.get(best.id)):
+                self.target.publish(PoseStamped(array.header, best.pose.pose))
+                return
+
+
+if __name__ == "__main__":
+    rospy.init_node("vision_consumer")
+    consumer = VisionConsumer()
+    rospy.spin()

@@ -1,0 +1,27 @@
+// How a nodelet's pictures come.
+#pragma once
+
+#include <string>
+
+#include "mbncc/config/field.hpp"
+
+namespace mbncc {
+
+struct PictureConfig {
+  std::string image_transport = "raw";  ///< how pictures travel: raw, compressed, ...
+  int white_level = 0;  ///< value of 16-bit pictures that is white; 0: 65535, none of 16UC1
+
+  template <class Self, class Visitor>
+  static void fields(Self& self, Visitor&& visit) {
+    visit(FieldInfo{"image_transport", Allowed::anything(), "",
+                    "how pictures travel: raw, compressed, ..."},
+          self.image_transport);
+    visit(
+        FieldInfo{"white_level", Allowed::range(0, 65535), "",
+                  "value of 16-bit pictures that is white, such as 4095 of a camera with 12 bits; "
+                  "0: 65535, and 16UC1 is refused"},
+        self.white_level);
+  }
+};
+
+}  // namespace mbncc

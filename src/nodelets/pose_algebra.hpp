@@ -1,0 +1,17 @@
+// Poses in a row: a pose message tells where a frame lies in its parent.
+#pragma once
+
+#include <geometry_msgs/Pose.h>
+
+namespace mbncc::nodelets {
+
+/// The pose of C in A, from that of B in A and that of C in B.
+geometry_msgs::Pose compose(const geometry_msgs::Pose& b_in_a, const geometry_msgs::Pose& c_in_b);
+
+/// The pose of A in B, from that of B in A.
+geometry_msgs::Pose inverse(const geometry_msgs::Pose& b_in_a);
+
+/// Half a turn about x: in its parent, the frame's y and z point the other way.
+geometry_msgs::Pose half_turn_about_x();
+
+}  // namespace mbncc::nodelets
