@@ -5,12 +5,20 @@
 #include <mbncc_vision/ListObjects.h>
 #include <std_srvs/Trigger.h>
 
+#include <algorithm>
 #include <utility>
 
 namespace mbncc::console {
 namespace {
 
 const char* const kUnreachable = "the learning nodelet does not answer";
+
+// Pictures wait here for what is found in them.
+constexpr std::size_t kPicturesKept = 30, kBytesKept = std::size_t{96} << 20;
+
+QSize size_of(const sensor_msgs::Image& message) {
+  return {static_cast<int>(message.width), static_cast<int>(message.height)};
+}
 
 void announce_types() {
   qRegisterMetaType<actionlib_msgs::GoalStatusArray>("actionlib_msgs::GoalStatusArray");
@@ -52,11 +60,12 @@ RosLink::~RosLink() {
 
 void RosLink::connect_to(const Names& names) {
   node_ = ros::NodeHandle(names.cell);
+  matching_ = names.matching;
   node_.setCallbackQueue(&queue_);
   goal_publisher_ = node_.advertise<mbncc_vision::LearnObjectActionGoal>("learn_object/goal", 5);
   cancel_publisher_ = node_.advertise<actionlib_msgs::GoalID>("learn_object/cancel", 5);
   subscribe_lesson(node_);
-  subscribe_cell(node_, names);
+  subscribe_cell(node_);
   spinner_.start();
 }
 
@@ -78,18 +87,21 @@ void RosLink::subscribe_lesson(ros::NodeHandle& node) {
   hear(node.subscribe<mbncc_vision::LearnObjectResult>(
       "learn_object/draft", 5,
       [this](const mbncc_vision::LearnObjectResultConstPtr& m) { Q_EMIT draft_heard(*m); }));
+  hear(node.subscribe<sensor_msgs::Image>("learn_object/picture", 1,
+                                          [this](const sensor_msgs::ImageConstPtr& m) {
+                                            Q_EMIT lesson_picture_heard(to_qimage(to_rgb(*m)));
+                                          }));
   hear(node.subscribe<sensor_msgs::Image>("learn_object/score_map", 1,
                                           [this](const sensor_msgs::ImageConstPtr& m) {
                                             Q_EMIT score_map_heard(to_qimage(to_rgb(*m)));
                                           }));
 }
 
-void RosLink::subscribe_cell(ros::NodeHandle& node, const Names& names) {
+void RosLink::subscribe_cell(ros::NodeHandle& node) {
   const auto hear = [this](const auto& subscriber) { subscribers_.push_back(subscriber); };
   hear(node.subscribe<mbncc_vision::DetectedObjectArray>(
-      "detected_objects", 1, [this](const mbncc_vision::DetectedObjectArrayConstPtr& m) {
-        Q_EMIT detections_heard(*m, (ros::Time::now() - m->header.stamp).toSec());
-      }));
+      "detected_objects", 1,
+      [this](const mbncc_vision::DetectedObjectArrayConstPtr& m) { take_detections(*m); }));
   hear(node.subscribe<mbncc_vision::LearnedObjectArray>(
       "object_library", 1,
       [this](const mbncc_vision::LearnedObjectArrayConstPtr&) { list_objects(); }));
@@ -97,21 +109,32 @@ void RosLink::subscribe_cell(ros::NodeHandle& node, const Names& names) {
       "/diagnostics", 20,
       [this](const diagnostic_msgs::DiagnosticArrayConstPtr& m) { Q_EMIT diagnostics_heard(*m); }));
   hear(node.subscribe<sensor_msgs::Image>(
-      "image_raw", 1, [this](const sensor_msgs::ImageConstPtr& m) { take_picture(*m); }));
-  hear(node.subscribe<sensor_msgs::Image>(names.matching + "/overlay", 1,
-                                          [this](const sensor_msgs::ImageConstPtr& m) {
-                                            Q_EMIT overlay_heard(to_qimage(small(to_rgb(*m))));
-                                          }));
+      "image_raw", 1, [this](const sensor_msgs::ImageConstPtr& m) { take_picture(m); }));
 }
 
-void RosLink::take_picture(const sensor_msgs::Image& message) {
-  cv::Mat picture = small(to_rgb(message));
+void RosLink::take_detections(const mbncc_vision::DetectedObjectArray& detections) {
+  Q_EMIT detections_heard(detections, (ros::Time::now() - detections.header.stamp).toSec());
+  const auto searched =
+      std::find_if(newest_.begin(), newest_.end(), [&](const sensor_msgs::ImageConstPtr& picture) {
+        return picture->header.stamp == detections.header.stamp;
+      });
+  if (searched == newest_.end() || (*searched)->width != detections.image_width) return;
+  const QImage picture = to_qimage(small(to_rgb(**searched)));
+  if (!picture.isNull()) Q_EMIT searched_heard(picture, size_of(**searched), detections);
+}
+
+void RosLink::take_picture(const sensor_msgs::ImageConstPtr& message) {
+  newest_.push_back(message);
+  while (newest_.size() > 2 &&
+         (newest_.size() > kPicturesKept || newest_.size() * message->data.size() > kBytesKept))
+    newest_.pop_front();
+  cv::Mat picture = small(to_rgb(*message));
   if (picture.empty()) return;
   if (changes_wanted_)
     picture = tint_.tint(picture);
   else
     tint_.reset();
-  Q_EMIT picture_heard(to_qimage(picture));
+  Q_EMIT picture_heard(to_qimage(picture), size_of(*message));
 }
 
 std::string RosLink::teach(const mbncc_vision::LearnObjectGoal& goal) {
@@ -160,11 +183,19 @@ void RosLink::mark_grasp() {
   });
 }
 
+std::string RosLink::why_no_grasps() const {
+  std::string frame;
+  if (node_.getParam(learning_ + "/gripper_frame", frame) && !frame.empty()) return "";
+  return "Marking a grasp needs the gripper's frame: give gripper_frame to cell.launch";
+}
+
 void RosLink::list_objects() {
   later([this] {
     mbncc_vision::ListObjects call;
     call.request.with_thumbnails = true;
-    if (this->call("list_objects", call)) Q_EMIT objects_listed(call.response.objects);
+    if (this->call("list_objects", call))
+      Q_EMIT objects_listed(call.response.objects,
+                            QString::fromStdString(call.response.library_path));
   });
 }
 

@@ -24,6 +24,7 @@
 #include <QString>
 #include <atomic>
 #include <condition_variable>
+#include <deque>
 #include <functional>
 #include <mutex>
 #include <queue>
@@ -59,6 +60,8 @@ class RosLink : public QObject {
   void confirm(const mbncc_vision::ConfirmLearning::Request& request);
   void edit(const mbncc_vision::EditObject::Request& request);
   void mark_grasp();
+  /// Why grasps cannot be marked in this cell; "": they can. Asks the parameter server.
+  std::string why_no_grasps() const;
   void list_objects();
   /// Ends a call that waits for an answer; it counts as not answered.
   void give_up();
@@ -73,18 +76,23 @@ class RosLink : public QObject {
   void draft_heard(mbncc_vision::LearnObjectResult draft);
   void detections_heard(mbncc_vision::DetectedObjectArray detections, double age);
   void diagnostics_heard(diagnostic_msgs::DiagnosticArray diagnostics);
-  void picture_heard(QImage picture);
-  void overlay_heard(QImage picture);
+  /// A picture of the camera, perhaps shrunk, and its size [px] there.
+  void picture_heard(QImage picture, QSize size);
+  /// Likewise, that `detections` were found in.
+  void searched_heard(QImage picture, QSize size, mbncc_vision::DetectedObjectArray detections);
+  /// The picture that the lesson's draft was learned from.
+  void lesson_picture_heard(QImage picture);
   void score_map_heard(QImage picture);
-  void objects_listed(std::vector<mbncc_vision::LearnedObject> objects);
+  void objects_listed(std::vector<mbncc_vision::LearnedObject> objects, QString folder);
   void confirmed(bool success, QString message);
   void edited(mbncc_vision::EditObject::Request request, bool success, QString message);
   void grasp_marked(bool success, QString message);
 
  private:
   void subscribe_lesson(ros::NodeHandle& node);
-  void subscribe_cell(ros::NodeHandle& node, const Names& names);
-  void take_picture(const sensor_msgs::Image& message);
+  void subscribe_cell(ros::NodeHandle& node);
+  void take_picture(const sensor_msgs::ImageConstPtr& message);
+  void take_detections(const mbncc_vision::DetectedObjectArray& detections);
   void later(std::function<void()> call);
   template <class Service>
   bool call(const std::string& name, Service& service);
@@ -97,7 +105,9 @@ class RosLink : public QObject {
   ros::NodeHandle node_;
   int goals_ = 0;
   std::atomic<bool> changes_wanted_{false};
-  ChangeTint tint_;  // of the spinner's thread
+  ChangeTint tint_;                                // of the spinner's thread
+  std::deque<sensor_msgs::ImageConstPtr> newest_;  // likewise, the last one last
+  std::string learning_ = "learning", matching_;
 
   std::mutex mutex_;
   std::condition_variable changed_;
