@@ -15,6 +15,7 @@
 #include "mbncc/health_tasks.hpp"
 #include "nodelets/camera_input.hpp"
 #include "nodelets/detection_publisher.hpp"
+#include "nodelets/explain_service.hpp"
 #include "nodelets/find_service.hpp"
 #include "nodelets/guarded_nodelet.hpp"
 #include "nodelets/health_report.hpp"
@@ -62,6 +63,7 @@ class MatchingNodelet : public GuardedNodelet {
   ros::CallbackQueue side_queue_;
   ros::AsyncSpinner side_spinner_{1, &side_queue_};
   std::unique_ptr<FindService> find_service_;
+  std::unique_ptr<ExplainService> explain_service_;
   std::unique_ptr<Reconfigure> reconfigure_;
   ros::ServiceServer enable_server_;
   ros::Subscriber library_subscriber_;
@@ -88,6 +90,7 @@ void MatchingNodelet::stop() {
   picture_wait_.close();
   side_spinner_.stop();
   find_service_.reset();
+  explain_service_.reset();
   reconfigure_.reset();
   enable_server_.shutdown();
   library_subscriber_.shutdown();
@@ -130,6 +133,9 @@ void MatchingNodelet::start_services() {
                         tf_buffer_,           *camera_,
                         picture_wait_,        [this] { listen_as_wanted(); }};
   find_service_ = std::make_unique<FindService>(node(), tools);
+  explain_service_ = std::make_unique<ExplainService>(
+      private_node(), ExplainTools{[this] { return settings_->get(); }, *matcher_, picture_wait_,
+                                   [this] { listen_as_wanted(); }});
   enable_server_ = private_node().advertiseService("enable", &MatchingNodelet::enable, this);
   reconfigure_ = std::make_unique<Reconfigure>(
       side_private_node,
