@@ -122,7 +122,7 @@ TEST(LearnCommand, NamesAreGuarded) {
   const ToolRun taken = run_tool(folder.lesson("part") + Words{"--json"});
   EXPECT_EQ(taken.code, 1);
   EXPECT_EQ(YAML::Load(taken.out)["error"].as<std::string>(), "NAME_TAKEN");
-  EXPECT_TRUE(taken.says("or set --overwrite or --add-view")) << taken.err;
+  EXPECT_TRUE(taken.says("Replace it (--overwrite), add a view to it (--add-view)")) << taken.err;
   const ToolRun unknown = run_tool(folder.lesson("other") + Words{"--add-view"});
   EXPECT_EQ(unknown.code, 1);
   EXPECT_TRUE(unknown.says("does not hold 'other'"));
