@@ -1,13 +1,17 @@
 #include "console/console_widget.hpp"
 
+#include <QFileDialog>
 #include <QHBoxLayout>
 #include <QVBoxLayout>
 #include <algorithm>
 
 #include "console/detections_view.hpp"
+#include "console/explain/explain_pane.hpp"
 #include "console/lamp_row.hpp"
 #include "console/lesson/object_name.hpp"
 #include "console/lesson_bar.hpp"
+#include "console/library/history_dialog.hpp"
+#include "console/library/library_files.hpp"
 #include "console/library_strip.hpp"
 #include "console/picture_view.hpp"
 #include "console/review_pane.hpp"
@@ -43,6 +47,7 @@ ConsoleWidget::ConsoleWidget(const Names& names, QWidget* parent)
       lesson_bar_(new LessonBar),
       picture_(new PictureView),
       review_(new ReviewPane),
+      explanation_(new ExplainPane),
       strip_(new LibraryStrip),
       detections_(new DetectionsView),
       side_(new QStackedWidget),
@@ -55,6 +60,7 @@ ConsoleWidget::ConsoleWidget(const Names& names, QWidget* parent)
   connect_operator();
   connect_library();
   connect_cell();
+  connect_explanation();
   connect(&timer_, &QTimer::timeout, this, &ConsoleWidget::look_at_clock);
   timer_.start(kTick);
   look_at_clock();
@@ -77,6 +83,7 @@ void ConsoleWidget::lay_out() {
   cell->addWidget(strip_, 1);
   side_->addWidget(cell_page_);
   side_->addWidget(review_);
+  side_->addWidget(explanation_);
   side_->setFixedWidth(kSideWidth);
   auto* middle = new QHBoxLayout;
   middle->addLayout(left, 1);
@@ -94,11 +101,14 @@ QWidget* ConsoleWidget::make_picture_bar() {
   marks_ = make_button("&Hide marks", "Outlines and labels cover what is judged", bar, "H");
   marks_->setCheckable(true);
   fit_ = make_button("Sho&w all", "The wheel or + enlarges, dragging or arrows move", bar, "0");
+  why_ = make_button("Why not found here?", "Then click the place in the picture", bar, "W");
   auto* row = new QHBoxLayout(bar);
   row->setContentsMargins(0, 0, 0, 0);
   row->addWidget(marks_);
   row->addWidget(fit_);
   row->addStretch(1);
+  row->addWidget(why_);
+  connect(why_, &QPushButton::clicked, this, &ConsoleWidget::ask_for_place);
   connect(marks_, &QPushButton::toggled, [this](bool hidden) { picture_->show_marks(!hidden); });
   connect(fit_, &QPushButton::clicked, picture_, &PictureView::show_all);
   return bar;
@@ -128,6 +138,7 @@ void ConsoleWidget::make_shortcuts() {
   on_key(QKeySequence::Undo, this, [this] { send_word(Confirm::UNDO); });
   for (const int key : {Qt::Key_Return, Qt::Key_Enter})
     on_key(Qt::CTRL + key, this, [this] { send_word(Confirm::ACCEPT); });
+  on_key(Qt::Key_W, picture_, [this] { ask_for_place(); });
   on_key(Qt::Key_H, picture_, [this] { marks_->toggle(); });
   for (const int key : {Qt::Key_Plus, Qt::Key_Equal})
     on_key(key, picture_, [this] { picture_->enlarge(kStep); });
@@ -214,6 +225,9 @@ void ConsoleWidget::connect_library() {
             ros_.edit(library_.declare(name.toStdString(), symmetry));
           });
   connect(strip_, &LibraryStrip::undo_wanted, this, &ConsoleWidget::undo_edit);
+  connect(strip_, &LibraryStrip::export_wanted, this, &ConsoleWidget::export_object);
+  connect(strip_, &LibraryStrip::import_wanted, this, &ConsoleWidget::import_object);
+  connect(strip_, &LibraryStrip::history_wanted, this, &ConsoleWidget::show_history);
   connect(strip_, &LibraryStrip::view_wanted, this, [this](const QString& name) {
     begin({What::kView, name.toStdString()});
   });
@@ -355,9 +369,91 @@ void ConsoleWidget::undo_edit() {
   ros_.edit(library_.undo());
 }
 
+void ConsoleWidget::connect_explanation() {
+  connect(picture_, &PictureView::place_chosen, this, [this](QPointF place) {
+    lesson_bar_->clear_notice();
+    explanation_->ask();
+    side_->setCurrentWidget(explanation_);
+    ros_.explain(place);
+  });
+  connect(&ros_, &RosLink::explained, this, &ConsoleWidget::show_explanation);
+  connect(&ros_, &RosLink::explained_saved, explanation_, &ExplainPane::show_saved);
+  connect(explanation_, &ExplainPane::save_wanted, this, [this] { ros_.save_explained(); });
+  connect(explanation_, &ExplainPane::closed, this, &ConsoleWidget::end_explanation);
+}
+
+bool ConsoleWidget::explains() const {
+  return side_->currentWidget() == explanation_;
+}
+
+void ConsoleWidget::ask_for_place() {
+  if (!lesson_.may_teach()) return;
+  end_explanation();
+  picture_->ask_for_place(true);
+  picture_->setFocus();
+  lesson_bar_->say(
+      {Level::kUnknown, "Click the middle of the object that should be found; Esc gives it up."},
+      now());
+}
+
+void ConsoleWidget::show_explanation(bool success, const QString& lines, const QImage& picture) {
+  if (!explains()) return;
+  explanation_->show_answer(success, lines);
+  if (!picture.isNull()) picture_->show_picture(picture, picture.size(), {}, "Why, in one picture");
+}
+
+void ConsoleWidget::end_explanation() {
+  if (explains()) side_->setCurrentWidget(cell_page_);
+}
+
+void ConsoleWidget::export_object(const QString& name) {
+  const QString file =
+      QFileDialog::getSaveFileName(this, "Export " + name, name + ".png", "Objects (*.png)");
+  if (file.isEmpty()) return;
+  try {
+    console::export_object(folder_.toStdString(), name.toStdString(), file.toStdString());
+    tell(true, "Exported " + name + " to " + file);
+  } catch (const std::exception& error) {
+    tell(false, error.what());
+  }
+}
+
+void ConsoleWidget::import_object() {
+  const QString file = QFileDialog::getOpenFileName(this, "Import", "", "Objects (*.png)");
+  if (file.isEmpty()) return;
+  try {
+    const auto name = console::import_object(folder_.toStdString(), file.toStdString());
+    strip_->choose(QString::fromStdString(name));
+    tell(true, "Imported " + QString::fromStdString(name));
+    ros_.list_objects();
+  } catch (const std::exception& error) {
+    tell(false, error.what());
+  }
+}
+
+void ConsoleWidget::show_history(const QString& name) {
+  try {
+    auto* dialog =
+        new HistoryDialog(name, earlier_revisions(folder_.toStdString(), name.toStdString()), this);
+    connect(dialog, &HistoryDialog::revision_wanted, this, [this, name](int number) {
+      Edit request;
+      request.name = name.toStdString();
+      request.command = Edit::RESTORE;
+      request.revision = static_cast<std::uint32_t>(number);
+      library_.retaught(request.name);
+      ros_.edit(request);
+    });
+    dialog->open();
+  } catch (const std::exception& error) {
+    tell(false, error.what());
+  }
+}
+
 /// What is being drawn goes first, then the tool.
 void ConsoleWidget::escape() {
-  if (picture_->asks_for_place())
+  if (explains())
+    end_explanation();
+  else if (picture_->asks_for_place())
     picture_->ask_for_place(false);
   else if (!picture_->give_up())
     review_->choose_tool(Tool::kNone);
@@ -376,7 +472,7 @@ void ConsoleWidget::look_at_clock() {
   lamp_row_->show_lamps(lamps_.look(now()));
   if (now() - detections_at_ > Lamps::kSilence) detections_->clear_rows();
   // A picture that stands still must not pass for the live one.
-  if (!lesson_.draft() && live_.age(now()) > Lamps::kSilence)
+  if (!lesson_.draft() && !explains() && live_.age(now()) > Lamps::kSilence)
     picture_->show_age(QString("OLD PICTURE: nothing has arrived for %1 s")
                            .arg(static_cast<int>(live_.age(now()))));
   show_lesson();
@@ -386,6 +482,8 @@ void ConsoleWidget::show_lesson() {
   lesson_bar_->show_lesson(lesson_, now());
   review_->show_lesson(lesson_);
   strip_->allow_teaching(lesson_.may_teach());
+  why_->setEnabled(lesson_.may_teach());
+  if (!lesson_.may_teach()) end_explanation();
   picture_->show_waiting(lesson_.waiting());
   ros_.show_changes(lesson_.waits_for_scene());
   space_->setEnabled(!viewed_.empty() && lesson_.may_teach());
@@ -409,7 +507,7 @@ void ConsoleWidget::show_draft() {
 
 void ConsoleWidget::show_live(const QImage& picture, QSize size,
                               const mbncc_vision::DetectedObjectArray* detections) {
-  if (lesson_.draft()) return;
+  if (lesson_.draft() || explains()) return;
   const bool teaching = lesson_.phase() == LessonModel::Phase::kRunning;
   if (!live_.take(detections != nullptr, teaching, now())) return;
   picture_->show_picture(picture, size, detections ? marks_of(*detections) : std::vector<Mark>{},

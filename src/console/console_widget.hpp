@@ -22,6 +22,7 @@
 namespace mbncc::console {
 
 class DetectionsView;
+class ExplainPane;
 class LampRow;
 class LessonBar;
 class LibraryStrip;
@@ -44,6 +45,8 @@ class ConsoleWidget : public QWidget {
   void connect_operator();
   void connect_library();
   void connect_cell();
+  void connect_explanation();
+  bool explains() const;
 
   double now() const { return clock_.elapsed() / 1000.0; }
   /// The answer to what the operator did beside the lesson.
@@ -61,6 +64,12 @@ class ConsoleWidget : public QWidget {
                  const QString& message);
   void undo_edit();
   void escape();
+  void ask_for_place();
+  void show_explanation(bool success, const QString& lines, const QImage& picture);
+  void end_explanation();
+  void export_object(const QString& name);
+  void import_object();
+  void show_history(const QString& name);
   void look_at_clock();
   void show_lesson();
   void show_draft();
@@ -84,11 +93,12 @@ class ConsoleWidget : public QWidget {
   LessonBar* lesson_bar_;
   PictureView* picture_;
   ReviewPane* review_;
+  ExplainPane* explanation_;
   LibraryStrip* strip_;
   DetectionsView* detections_;
   QStackedWidget* side_;
   QWidget* cell_page_;
-  QPushButton *marks_, *fit_;
+  QPushButton *marks_, *fit_, *why_;
   QShortcut* space_ = nullptr;
   QTimer timer_;
   RosLink ros_;  // last: its threads end before what they speak to

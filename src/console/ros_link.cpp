@@ -120,7 +120,14 @@ void RosLink::take_detections(const mbncc_vision::DetectedObjectArray& detection
       });
   if (searched == newest_.end() || (*searched)->width != detections.image_width) return;
   const QImage picture = to_qimage(small(to_rgb(**searched)));
-  if (!picture.isNull()) Q_EMIT searched_heard(picture, size_of(**searched), detections);
+  if (picture.isNull()) return;
+  note_shown(*searched);
+  Q_EMIT searched_heard(picture, size_of(**searched), detections);
+}
+
+void RosLink::note_shown(const sensor_msgs::ImageConstPtr& message) {
+  const std::lock_guard<std::mutex> lock(shown_mutex_);
+  shown_ = message;
 }
 
 void RosLink::take_picture(const sensor_msgs::ImageConstPtr& message) {
@@ -130,6 +137,7 @@ void RosLink::take_picture(const sensor_msgs::ImageConstPtr& message) {
     newest_.pop_front();
   cv::Mat picture = small(to_rgb(*message));
   if (picture.empty()) return;
+  note_shown(message);
   if (changes_wanted_)
     picture = tint_.tint(picture);
   else
@@ -180,6 +188,36 @@ void RosLink::mark_grasp() {
     const bool answered = this->call("mark_grasp", call);
     Q_EMIT grasp_marked(answered && call.response.success,
                         answered ? QString::fromStdString(call.response.message) : kUnreachable);
+  });
+}
+
+void RosLink::explain(QPointF place) {
+  sensor_msgs::ImageConstPtr shown;
+  {
+    const std::lock_guard<std::mutex> lock(shown_mutex_);
+    shown = shown_;
+  }
+  later([this, place, shown] {
+    mbncc_vision::ExplainPlace call;
+    call.request.place.x = place.x();
+    call.request.place.y = place.y();
+    if (shown) call.request.image = *shown;
+    explained_ = call.request;
+    const bool answered = this->call(matching_ + "/explain", call);
+    Q_EMIT explained(answered && call.response.success,
+                     answered ? QString::fromStdString(call.response.message)
+                              : "the matching nodelet does not answer",
+                     answered ? to_qimage(to_rgb(call.response.picture)) : QImage());
+  });
+}
+
+void RosLink::save_explained() {
+  later([this] {
+    mbncc_vision::ExplainPlace call;
+    call.request = explained_;
+    call.request.save = true;
+    const bool answered = this->call(matching_ + "/explain", call) && call.response.success;
+    Q_EMIT explained_saved(answered ? QString::fromStdString(call.response.file) : QString());
   });
 }
 

@@ -8,6 +8,7 @@
 #include <mbncc_vision/ConfirmLearning.h>
 #include <mbncc_vision/DetectedObjectArray.h>
 #include <mbncc_vision/EditObject.h>
+#include <mbncc_vision/ExplainPlace.h>
 #include <mbncc_vision/LearnObjectActionFeedback.h>
 #include <mbncc_vision/LearnObjectActionResult.h>
 #include <mbncc_vision/LearnObjectGoal.h>
@@ -21,6 +22,7 @@
 
 #include <QImage>
 #include <QObject>
+#include <QPointF>
 #include <QString>
 #include <atomic>
 #include <condition_variable>
@@ -63,6 +65,10 @@ class RosLink : public QObject {
   /// Why grasps cannot be marked in this cell; "": they can. Asks the parameter server.
   std::string why_no_grasps() const;
   void list_objects();
+  /// Why something is found at `place` [px] of the newest picture, or is not.
+  void explain(QPointF place);
+  /// Keeps what was explained last in a file.
+  void save_explained();
   /// Ends a call that waits for an answer; it counts as not answered.
   void give_up();
 
@@ -87,11 +93,15 @@ class RosLink : public QObject {
   void confirmed(bool success, QString message);
   void edited(mbncc_vision::EditObject::Request request, bool success, QString message);
   void grasp_marked(bool success, QString message);
+  /// `picture`: with the explanation drawn in.
+  void explained(bool success, QString lines, QImage picture);
+  void explained_saved(QString file);
 
  private:
   void subscribe_lesson(ros::NodeHandle& node);
   void subscribe_cell(ros::NodeHandle& node);
   void take_picture(const sensor_msgs::ImageConstPtr& message);
+  void note_shown(const sensor_msgs::ImageConstPtr& message);
   void take_detections(const mbncc_vision::DetectedObjectArray& detections);
   void later(std::function<void()> call);
   template <class Service>
@@ -107,6 +117,9 @@ class RosLink : public QObject {
   std::atomic<bool> changes_wanted_{false};
   ChangeTint tint_;                                // of the spinner's thread
   std::deque<sensor_msgs::ImageConstPtr> newest_;  // likewise, the last one last
+  std::mutex shown_mutex_;
+  sensor_msgs::ImageConstPtr shown_;               // the newest that was handed over
+  mbncc_vision::ExplainPlace::Request explained_;  // of the worker's thread
   std::string learning_ = "learning", matching_;
 
   std::mutex mutex_;

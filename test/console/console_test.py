@@ -120,6 +120,16 @@ class ConsoleTest(unittest.TestCase):
         self.assertEqual(result.error_code, LearnObjectResult.SUCCESS, result.message)
         wait_for(lambda: self.teacher.revisions()["bracket"] > revisions["bracket"], "it is replaced")
 
+    def test_3e_tells_why_something_is_found_and_saves_it(self):
+        truth = self.teacher.truth.get().objects[0].image_pose
+        self.teacher.mouse.click_until("Why not found here\\?", lambda: True, "it asks for the place")
+        self.teacher.mouse.drag([(truth.x, truth.y)], (CAMERA["width"], CAMERA["height"]))
+        self.teacher.mouse.window("Back to live")
+        misses = self.session.folder / "library" / ".misses"
+        self.teacher.mouse.click_until("Save this miss", lambda: any(misses.glob("*.miss")), "it is saved")
+        self.teacher.mouse.press("Escape")
+        wait_for(lambda: not self.teacher.mouse.sees("Back to live"), "the live picture is back")
+
     def test_4_delete_and_undo(self):
         self.assertIn("bracket", self.teacher.names())
         self.teacher.mouse.click("library", at=(40, 40))
