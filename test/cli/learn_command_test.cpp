@@ -76,6 +76,7 @@ TEST(LearnCommand, KeepsADeclaredSymmetryUntilTheObjectIsReplaced) {
   const ToolRun other = run_tool(folder.lesson("part") + Words{"--add-view", "--symmetry", "2"});
   EXPECT_EQ(other.code, 1);
   EXPECT_TRUE(other.says("cannot change its symmetry")) << other.err;
+  folder.write("before.png", 0.7 * LessonFolder::scene().render({LessonFolder::learned()}, 1));
   ASSERT_EQ(run_tool(folder.lesson("part") + Words{"--add-view"}).code, 0);
   EXPECT_EQ(stored(), 4);
   ASSERT_EQ(run_tool(folder.lesson("part") + Words{"--overwrite"}).code, 0);
