@@ -37,6 +37,22 @@ class Mouse:
         xdotool("mousemove", "--window", window, x, y, "click", button)
         self.actions += 1
 
+    def press(self, key):
+        """A key, where the keyboard is."""
+        xdotool("key", key)
+        self.actions += 1
+
+    def type(self, text):
+        """Where the keyboard is."""
+        xdotool("key", "ctrl+a")
+        xdotool("type", "--delay", "20", text)
+        self.actions += 1
+
+    @staticmethod
+    def sees(name):
+        """Whether the console shows a part of that name now."""
+        return bool(xdotool("search", "--onlyvisible", "--name", "^mbncc:%s$" % name))
+
     def click_until(self, name, predicate, what, patience=PATIENCE):
         """Clicks again where the console was not ready for the click; counts as one action."""
         before, value = self.actions, None
@@ -55,7 +71,7 @@ class Mouse:
     def write(self, name, text):
         """Into a field; without a window manager nothing else gives it the keyboard."""
         self.click(name)
-        top = xdotool("search", "--onlyvisible", "--name", "RViz")
+        top = xdotool("search", "--onlyvisible", "--name", "RViz|mbncc console")
         if top:
             xdotool("windowfocus", "--sync", top[0])
         self.click(name)
@@ -147,6 +163,12 @@ class Teacher:
         count = self.feedback.count()
         self.mouse.click_until("Teach", lambda: self.feedback.count() > count, "a lesson begins")
 
+    def answer(self, name):
+        """Clicks an answer that begins a lesson."""
+        count = self.feedback.count()
+        self.mouse.click(name)
+        wait_for(lambda: self.feedback.count() > count, "a lesson begins")
+
     def take_away(self):
         from mbncc_vision.msg import LearnObjectFeedback
         self.wait_for_stage(LearnObjectFeedback.WAIT_REMOVAL)
@@ -170,6 +192,10 @@ class Teacher:
         act()
         wait_for(lambda: self.draft.count() > count, "the lesson has taken the correction")
         return self.draft.get()
+
+    def revisions(self):
+        library = self.library.get()
+        return {known.name: known.revision for known in library.objects} if library else {}
 
     def names(self):
         library = self.library.get()

@@ -8,7 +8,7 @@ import re
 import subprocess
 import sys
 
-LAYERS = {'words': 0, 'polar': 1, 'library': 2, 'matching': 2, 'learning': 3, 'cell': 4, 'sim': 4,
+LAYERS = {'words': 0, 'polar': 1, 'library': 2, 'matching': 2, 'learning': 3, 'miss': 3, 'cell': 4, 'sim': 4,
           'nodelets': 5, 'cli': 5, 'console': 5}
 # Layers of one height do not include each other; learning may use both layers of height 2.
 CORE_LIBRARIES = ('opencv2/core', 'opencv2/imgproc', 'opencv2/ximgproc', 'Eigen/', 'png.h',

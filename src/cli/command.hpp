@@ -21,6 +21,10 @@ struct Command {
 
 Command learn_command();
 Command find_command();
+Command explain_command();
+Command replay_command();
+Command evaluate_command();
+Command completion_command();
 Command map_command();
 Command list_command();
 Command show_command();
@@ -30,6 +34,9 @@ Command restore_command();
 Command check_command();
 Command params_command();
 Command simulate_command();
+
+/// All of them, with the options that each has.
+std::vector<Command> all_commands();
 
 /// Options that several commands share.
 Option library_option();

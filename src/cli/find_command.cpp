@@ -6,6 +6,7 @@
 #include "cli/overlay_writer.hpp"
 #include "cli/pictures.hpp"
 #include "cli/settings.hpp"
+#include "cli/terminal/progress.hpp"
 #include "mbncc/error.hpp"
 #include "mbncc/matching/matcher.hpp"
 
@@ -69,6 +70,8 @@ ExitCode run(const Arguments& arguments) {
   OverlayWriter overlay(arguments.get("--overlay"));
   const auto report = report_for(arguments);
   ExitCode code = kDone;
+  // On a terminal the lines themselves tell how far it is.
+  Progress progress("searched", arguments.operands().size(), Progress::kQuietOutput);
   for (const auto& image : arguments.operands()) {
     try {
       const cv::Mat picture = read_picture(image);
@@ -80,8 +83,11 @@ ExitCode run(const Arguments& arguments) {
       std::cerr << "mbncc: " << error.what() << '\n';
       code = kFailed;
     }
+    progress.step();
   }
   report->finish();
+  if (arguments.has("--overlay"))
+    std::cerr << "mbncc: wrote the marked pictures to " << arguments.get("--overlay") << '\n';
   return code;
 }
 

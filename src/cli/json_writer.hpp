@@ -1,4 +1,4 @@
-// Writes one JSON document as it goes.
+// Writes one JSON document as it goes; a list of objects has one on each line.
 #pragma once
 
 #include <cstdint>
@@ -43,6 +43,7 @@ class JsonWriter {
   std::ostream& out_;
   std::vector<bool> empty_;  // per open bracket: nothing written in it yet
   bool after_key_ = false;
+  bool list_ = false;  // the document is one
 };
 
 }  // namespace mbncc::cli

@@ -61,7 +61,7 @@ void learn_and_store(const Arguments& arguments, Settings& settings, LearnResult
   const auto edit = edit_from(arguments);
   const Lesson lesson = read_lesson(arguments);
   StageWriter stages(arguments.get("--stages"));
-  ObjectLibrary library(arguments.get("--library"));
+  ObjectLibrary library(library_folder(arguments));
   const auto known = load_reporting(library);
   const Storing storing = storing_of(arguments);
   // Before the lesson, so that nobody waits for what cannot be stored.
@@ -111,6 +111,8 @@ ExitCode run(const Arguments& arguments) {
     assign_field(field_rows(settings.lesson()), "method", arguments.get("--method"));
   const LearnResult result = result_of(arguments, settings);
   if (arguments.has("--json")) write_lesson(std::cout, result);
+  if (arguments.has("--stages"))
+    std::cerr << "mbncc: wrote the steps to " << arguments.get("--stages") << '\n';
   if (result.error == LearnError::kSuccess) {
     if (!arguments.has("--json")) print_lesson(std::cout, result);
     return kDone;

@@ -1,16 +1,19 @@
 #include "cli/library_access.hpp"
 
+#include <cstdlib>
 #include <filesystem>
 #include <iostream>
 #include <stdexcept>
 
 #include "cli/command.hpp"
+#include "cli/settings.hpp"
 #include "mbncc/error.hpp"
 
 namespace mbncc::cli {
 
 Option library_option() {
-  return {"--library", "DIR", "folder of the learned objects", true};
+  return {"--library", "DIR",
+          "folder of the learned objects; default: library_path, as the nodelets"};
 }
 
 Option name_option() {
@@ -21,8 +24,16 @@ Option json_option() {
   return {"--json", "", "print JSON"};
 }
 
+std::string library_folder(const Arguments& arguments) {
+  if (arguments.has("--library")) return arguments.get("--library");
+  const std::string folder = settings_from(arguments).learning.library_path;
+  const char* home = std::getenv("HOME");
+  const bool at_home = folder.rfind("~/", 0) == 0 && home != nullptr;
+  return at_home ? home + folder.substr(1) : folder;
+}
+
 ObjectLibrary existing_library(const Arguments& arguments) {
-  const std::string folder = arguments.get("--library");
+  const std::string folder = library_folder(arguments);
   if (!std::filesystem::is_directory(folder))
     throw FileError(folder, "there is no such library folder; 'mbncc learn' makes one");
   return ObjectLibrary(folder);

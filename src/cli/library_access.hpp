@@ -8,7 +8,10 @@
 
 namespace mbncc::cli {
 
-/// The existing folder given by --library; throws FileError when there is none, so that a
+/// The folder given by --library, else the nodelets' own.
+std::string library_folder(const Arguments& arguments);
+
+/// library_folder(), which exists; throws FileError when there is none, so that a
 /// misspelt path does not make a new library.
 ObjectLibrary existing_library(const Arguments& arguments);
 

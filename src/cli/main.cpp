@@ -18,16 +18,6 @@
 namespace mbncc::cli {
 namespace {
 
-std::vector<Command> all_commands() {
-  std::vector<Command> commands = {learn_command(),  find_command(),    map_command(),
-                                   list_command(),   show_command(),    edit_command(),
-                                   forget_command(), restore_command(), check_command(),
-                                   params_command(), simulate_command()};
-  for (auto& command : commands)
-    for (const auto& option : settings_options()) command.options.push_back(option);
-  return commands;
-}
-
 const Command& command_called(const std::string& name, const std::vector<Command>& commands) {
   std::vector<std::string> names;
   for (const auto& command : commands) {

@@ -1,3 +1,5 @@
+#include <iostream>
+
 #include "cli/command.hpp"
 #include "cli/library_access.hpp"
 #include "cli/pictures.hpp"
@@ -11,6 +13,7 @@ ExitCode run(const Arguments& arguments) {
   ObjectLibrary library = existing_library(arguments);
   const auto object = named_object(*load_reporting(library), arguments.get("--name"));
   write_picture(arguments.get("--out"), full_size_map(object->views.front()));
+  std::cerr << "mbncc: wrote " << arguments.get("--out") << '\n';
   return kDone;
 }
 

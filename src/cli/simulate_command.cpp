@@ -1,10 +1,12 @@
 #include <cstdio>
 #include <fstream>
+#include <iostream>
 
 #include "cli/command.hpp"
 #include "cli/numbers.hpp"
 #include "cli/pictures.hpp"
 #include "cli/settings.hpp"
+#include "cli/terminal/progress.hpp"
 #include "mbncc/error.hpp"
 #include "mbncc/sim/cell_config.hpp"
 
@@ -52,12 +54,14 @@ void write_lesson(RecordedCell& cell) {
 
 void write_targets(RecordedCell& cell, int count, std::ostream& truth) {
   truth << "image,x,y,theta_deg\n";
+  Progress progress("drawn", static_cast<std::size_t>(count));
   for (int i = 0; i < count; ++i) {
     cell.script().put_next();
     cell.write(picture_name(i));
     const Pose2D pose = *cell.script().frame().truth;
     truth << picture_name(i) << ',' << pose.x << ',' << pose.y << ',' << to_degrees(pose.theta)
           << '\n';
+    progress.step();
   }
 }
 
@@ -81,6 +85,8 @@ ExitCode run(const Arguments& arguments) {
   std::ofstream truth(truth_path);
   write_targets(cell, count, truth);
   if (!truth.flush()) throw FileError(truth_path, "cannot be written; check space and permissions");
+  std::cerr << "mbncc: wrote before.png, after.png, " << count << " targets and truth.csv to "
+            << folder << '\n';
   return kDone;
 }
 

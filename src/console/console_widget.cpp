@@ -1,27 +1,44 @@
 #include "console/console_widget.hpp"
 
-#include <QGridLayout>
+#include <QFileDialog>
 #include <QHBoxLayout>
 #include <QVBoxLayout>
 #include <algorithm>
 
+#include "console/calibration/calibration_pane.hpp"
 #include "console/detections_view.hpp"
+#include "console/explain/explain_pane.hpp"
 #include "console/lamp_row.hpp"
+#include "console/lesson/object_name.hpp"
 #include "console/lesson_bar.hpp"
+#include "console/library/history_dialog.hpp"
+#include "console/library/library_files.hpp"
 #include "console/library_strip.hpp"
 #include "console/picture_view.hpp"
 #include "console/review_pane.hpp"
+#include "console/thresholds/threshold_pane.hpp"
+#include "console/widgets.hpp"
 
 namespace mbncc::console {
 namespace {
 
 using Confirm = mbncc_vision::ConfirmLearning::Request;
+using Edit = mbncc_vision::EditObject::Request;
+using Result = mbncc_vision::LearnObjectResult;
+using What = TeachingWish::What;
 
-constexpr int kTick = 200;  // [ms]
+constexpr int kTick = 200;       // [ms]
+constexpr int kSideWidth = 400;  // [px]
+constexpr double kStep = 1.25;   // of the picture's size, by a key
+constexpr int kPan = 60;         // [px] of the widget, by a key
 
 // As the preview draws them.
-double axes_length(const QImage& picture) {
+double axes_length(const QSize& picture) {
   return std::max(30.0, picture.width() / 16.0);
+}
+
+QString quoted(const std::string& name) {
+  return "'" + QString::fromStdString(name) + "'";
 }
 
 }  // namespace
@@ -32,15 +49,23 @@ ConsoleWidget::ConsoleWidget(const Names& names, QWidget* parent)
       lesson_bar_(new LessonBar),
       picture_(new PictureView),
       review_(new ReviewPane),
+      explanation_(new ExplainPane),
+      threshold_pane_(new ThresholdPane),
+      calibration_(new CalibrationPane),
       strip_(new LibraryStrip),
-      detections_(new DetectionsView) {
+      detections_(new DetectionsView),
+      side_(new QStackedWidget),
+      cell_page_(new QWidget) {
   clock_.start();
   live_ = LivePicture(now());
   lay_out();
+  make_shortcuts();
   connect_lesson();
   connect_operator();
   connect_library();
   connect_cell();
+  connect_explanation();
+  connect_calibration();
   connect(&timer_, &QTimer::timeout, this, &ConsoleWidget::look_at_clock);
   timer_.start(kTick);
   look_at_clock();
@@ -51,23 +76,95 @@ ConsoleWidget::ConsoleWidget(const Names& names, QWidget* parent)
 
 ConsoleWidget::~ConsoleWidget() = default;
 
+// The picture takes all room that is left.
 void ConsoleWidget::lay_out() {
   auto* left = new QVBoxLayout;
-  left->addWidget(lesson_bar_);
+  left->setSpacing(3);
   left->addWidget(picture_, 1);
-  auto* upper = new QHBoxLayout;
-  upper->addLayout(left, 1);
-  upper->addWidget(review_);
-  auto* lower = new QHBoxLayout;
-  lower->addWidget(strip_, 3);
-  lower->addWidget(detections_, 4);
-  strip_->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);
-  detections_->setFixedHeight(strip_->sizeHint().height());
+  left->addWidget(make_picture_bar());
+  auto* cell = new QVBoxLayout(cell_page_);
+  cell->setContentsMargins(0, 0, 0, 0);
+  cell->addWidget(detections_, 1);
+  cell->addWidget(strip_, 1);
+  side_->addWidget(cell_page_);
+  side_->addWidget(review_);
+  side_->addWidget(explanation_);
+  side_->addWidget(threshold_pane_);
+  side_->addWidget(calibration_);
+  side_->setFixedWidth(kSideWidth);
+  auto* middle = new QHBoxLayout;
+  middle->addLayout(left, 1);
+  middle->addWidget(side_);
   auto* all = new QVBoxLayout(this);
-  all->setContentsMargins(6, 6, 6, 6);
+  all->setContentsMargins(6, 4, 6, 4);
+  all->setSpacing(3);
   all->addWidget(lamp_row_);
-  all->addLayout(upper, 1);
-  all->addLayout(lower);
+  all->addWidget(lesson_bar_);
+  all->addLayout(middle, 1);
+}
+
+QWidget* ConsoleWidget::make_picture_bar() {
+  auto* bar = new QWidget;
+  marks_ = make_button("&Hide marks", "Outlines and labels cover what is judged", bar, "H");
+  marks_->setCheckable(true);
+  fit_ = make_button("Sho&w all", "The wheel or + enlarges, dragging or arrows move", bar, "0");
+  why_ = make_button("Why not found here?", "Then click the place in the picture", bar, "W");
+  auto* row = new QHBoxLayout(bar);
+  row->setContentsMargins(0, 0, 0, 0);
+  row->addWidget(marks_);
+  row->addWidget(fit_);
+  row->addStretch(1);
+  thresholds_ =
+      make_button("Thresholds", "What other thresholds would change in this picture", bar, "S");
+  camera_ = make_button("Camera", "Focus, exposure and calibration", bar, "K");
+  row->addWidget(camera_);
+  row->addWidget(thresholds_);
+  row->addWidget(why_);
+  connect(thresholds_, &QPushButton::clicked, this, &ConsoleWidget::begin_thresholds);
+  connect(why_, &QPushButton::clicked, this, &ConsoleWidget::ask_for_place);
+  connect(marks_, &QPushButton::toggled, [this](bool hidden) { picture_->show_marks(!hidden); });
+  connect(fit_, &QPushButton::clicked, picture_, &PictureView::show_all);
+  return bar;
+}
+
+QShortcut* ConsoleWidget::on_key(const QKeySequence& keys, QWidget* where,
+                                 const std::function<void()>& act) {
+  auto* shortcut = new QShortcut(keys, where);
+  shortcut->setContext(Qt::WidgetWithChildrenShortcut);
+  connect(shortcut, &QShortcut::activated, this, act);
+  return shortcut;
+}
+
+// Letters belong to the picture, so that names can be written.
+void ConsoleWidget::make_shortcuts() {
+  const struct {
+    int key;
+    Tool tool;
+  } tools[] = {{Qt::Key_A, Tool::kInclude},
+               {Qt::Key_C, Tool::kExclude},
+               {Qt::Key_R, Tool::kRegion},
+               {Qt::Key_X, Tool::kAxes}};
+  for (const auto& entry : tools)
+    for (QWidget* where : {static_cast<QWidget*>(picture_), static_cast<QWidget*>(review_)})
+      on_key(entry.key, where, [this, tool = entry.tool] { review_->choose_tool(tool); });
+  on_key(Qt::Key_Escape, this, [this] { escape(); });
+  on_key(QKeySequence::Undo, this, [this] { send_word(Confirm::UNDO); });
+  for (const int key : {Qt::Key_Return, Qt::Key_Enter})
+    on_key(Qt::CTRL + key, this, [this] { send_word(Confirm::ACCEPT); });
+  on_key(Qt::Key_W, picture_, [this] { ask_for_place(); });
+  on_key(Qt::Key_K, picture_, [this] { camera_->click(); });
+  on_key(Qt::Key_S, picture_, [this] { begin_thresholds(); });
+  on_key(Qt::Key_H, picture_, [this] { marks_->toggle(); });
+  for (const int key : {Qt::Key_Plus, Qt::Key_Equal})
+    on_key(key, picture_, [this] { picture_->enlarge(kStep); });
+  on_key(Qt::Key_Minus, picture_, [this] { picture_->enlarge(1 / kStep); });
+  on_key(Qt::Key_0, picture_, [this] { picture_->show_all(); });
+  on_key(Qt::Key_Left, picture_, [this] { picture_->pan({kPan, 0}); });
+  on_key(Qt::Key_Right, picture_, [this] { picture_->pan({-kPan, 0}); });
+  on_key(Qt::Key_Up, picture_, [this] { picture_->pan({0, kPan}); });
+  on_key(Qt::Key_Down, picture_, [this] { picture_->pan({0, -kPan}); });
+  space_ = on_key(Qt::Key_Space, this, [this] { next_view(); });
+  space_->setEnabled(false);
 }
 
 void ConsoleWidget::connect_lesson() {
@@ -75,25 +172,28 @@ void ConsoleWidget::connect_lesson() {
     const bool was_gone = lesson_.phase() == LessonModel::Phase::kNoServer;
     lesson_.take_status(status, now());
     // A nodelet that came back may hold other objects.
-    if (was_gone) ros_.list_objects();
+    if (was_gone) {
+      ros_.list_objects();
+      const std::string lacking = ros_.why_no_grasps();
+      lesson_bar_->allow_marks(lacking.empty(), QString::fromStdString(lacking));
+    }
     show_lesson();
   });
   connect(&ros_, &RosLink::feedback_heard, this, [this](const auto& feedback) {
     lesson_.take_feedback(feedback, now());
+    send_next();
     show_lesson();
   });
+  connect(&ros_, &RosLink::lesson_picture_heard, this,
+          [this](const QImage& picture) { lesson_picture_ = picture; });
   connect(&ros_, &RosLink::draft_heard, this, [this](const auto& draft) {
     lesson_.take_draft(draft);
     show_lesson();
   });
-  connect(&ros_, &RosLink::result_heard, this, [this](const auto& result) {
-    lesson_.take_result(result, now());
-    if (outcome_of(result).error_code == mbncc_vision::LearnObjectResult::SUCCESS)
-      lesson_bar_->clear_name();
-    show_lesson();
-  });
+  connect(&ros_, &RosLink::result_heard, this, &ConsoleWidget::end_lesson);
   connect(&ros_, &RosLink::confirmed, this, [this](bool success, const QString& message) {
     lesson_.take_answer(success, message.toStdString());
+    send_next();
     show_lesson();
   });
   connect(&ros_, &RosLink::grasp_marked, this,
@@ -102,15 +202,15 @@ void ConsoleWidget::connect_lesson() {
 }
 
 void ConsoleWidget::connect_operator() {
-  connect(lesson_bar_, &LessonBar::teach_wanted, this, &ConsoleWidget::teach);
+  connect(lesson_bar_, &LessonBar::teach_wanted, this, &ConsoleWidget::want_lesson);
   connect(lesson_bar_, &LessonBar::cancel_wanted, this, [this] { ros_.cancel(lesson_.goal()); });
   connect(lesson_bar_, &LessonBar::mark_wanted, this, [this] { ros_.mark_grasp(); });
-  connect(picture_, &PictureView::corrected, this, &ConsoleWidget::send);
-  connect(review_, &ReviewPane::decided, this, [this](int command) {
-    Confirm request;
-    request.command = static_cast<std::uint8_t>(command);
-    send(request);
+  connect(lesson_bar_, &LessonBar::name_edited, this, [this] {
+    viewed_.clear();
+    lesson_bar_->choices().clear();
   });
+  connect(picture_, &PictureView::corrected, this, &ConsoleWidget::send);
+  connect(review_, &ReviewPane::decided, this, &ConsoleWidget::send_word);
   connect(review_, &ReviewPane::insisted, this, [this](bool insisted) {
     lesson_.insist(insisted);
     show_lesson();
@@ -124,7 +224,8 @@ void ConsoleWidget::connect_operator() {
 }
 
 void ConsoleWidget::connect_library() {
-  connect(&ros_, &RosLink::objects_listed, this, [this](const auto& objects) {
+  connect(&ros_, &RosLink::objects_listed, this, [this](const auto& objects, const auto& folder) {
+    folder_ = folder;
     library_.set_objects(objects);
     const auto enabled = std::count_if(objects.begin(), objects.end(),
                                        [](const auto& object) { return object.enabled; });
@@ -139,46 +240,137 @@ void ConsoleWidget::connect_library() {
             ros_.edit(library_.declare(name.toStdString(), symmetry));
           });
   connect(strip_, &LibraryStrip::undo_wanted, this, &ConsoleWidget::undo_edit);
+  connect(strip_, &LibraryStrip::export_wanted, this, &ConsoleWidget::export_object);
+  connect(strip_, &LibraryStrip::import_wanted, this, &ConsoleWidget::import_object);
+  connect(strip_, &LibraryStrip::history_wanted, this, &ConsoleWidget::show_history);
+  connect(strip_, &LibraryStrip::view_wanted, this, [this](const QString& name) {
+    begin({What::kView, name.toStdString()});
+  });
 }
 
 void ConsoleWidget::connect_cell() {
   connect(&ros_, &RosLink::detections_heard, this, [this](const auto& detections, double age) {
     detections_at_ = now();
     lamps_.take_detections(detections, now());
+    detections_age_ = age;
     detections_->show_detections(detections, age);
   });
   connect(&ros_, &RosLink::diagnostics_heard, this,
           [this](const auto& diagnostics) { lamps_.take_diagnostics(diagnostics, now()); });
-  connect(&ros_, &RosLink::picture_heard, this, [this](const QImage& picture) {
+  connect(&ros_, &RosLink::picture_heard, this, [this](const QImage& picture, QSize size) {
+    picture_at_ = now();
     lamps_.take_picture(now());
-    show_live(picture, false);
+    show_live(picture, size, nullptr);
   });
-  connect(&ros_, &RosLink::overlay_heard, this,
-          [this](const QImage& picture) { show_live(picture, true); });
+  connect(&ros_, &RosLink::searched_heard, this,
+          [this](const QImage& picture, QSize size, const auto& detections) {
+            show_live(picture, size, &detections);
+          });
 }
 
 void ConsoleWidget::tell(bool success, const QString& sentence) {
   lesson_bar_->say({success ? Level::kGood : Level::kBad, sentence.toStdString()}, now());
 }
 
-void ConsoleWidget::teach() {
+void ConsoleWidget::want_lesson() {
   if (!lesson_.may_teach()) return;
-  lesson_.begin(ros_.teach(lesson_bar_->goal()), now());
+  const std::string name = lesson_bar_->goal().name;
+  if (library_.find(name) != nullptr) return ask_about_name(name);
+  begin({What::kNew, name});
+}
+
+void ConsoleWidget::ask_about_name(const std::string& name) {
+  lesson_bar_->clear_notice();
+  const std::string other = free_name(name, library_.names());
+  lesson_bar_->choices().ask(
+      quoted(name) + " is in the library already:",
+      {{"Re&place it", "Teach it anew; Undo edit brings the old one back",
+        [this, name] {
+          begin({What::kReplace, name});
+        }},
+       {"Add &view", "Teach it from another side or in other light, too",
+        [this, name] {
+          begin({What::kView, name});
+        }},
+       {"Ne&w name: " + QString::fromStdString(other), "Teach it as another object", [this, other] {
+          lesson_bar_->set_name(other);
+          begin({What::kNew, other});
+        }}});
+}
+
+void ConsoleWidget::begin(const TeachingWish& wish) {
+  if (!lesson_.may_teach()) return;
+  wish_ = wish;
+  viewed_ = wish.what == What::kView ? wish.name : "";
+  lesson_bar_->clear_notice();
+  lesson_bar_->choices().clear();
+  lesson_.begin(ros_.teach(goal_of(wish, lesson_bar_->goal())), now());
+  picture_->setFocus();
   show_lesson();
+}
+
+void ConsoleWidget::end_lesson(const mbncc_vision::LearnObjectActionResult& result) {
+  const bool own = result.status.goal_id.id == lesson_.goal();
+  lesson_.take_result(result, now());
+  show_lesson();
+  if (!own) return;
+  const Result outcome = outcome_of(result);
+  if (outcome.error_code == Result::NAME_TAKEN) return ask_about_name(wish_.name);
+  if (outcome.error_code == Result::SUCCESS) {
+    if (wish_.what != What::kNew) library_.retaught(outcome.object.name);
+    strip_->choose(QString::fromStdString(outcome.object.name));
+    lesson_bar_->clear_name();
+    return offer_next_view(outcome.object.name);
+  }
+  if (!viewed_.empty()) offer_next_view(viewed_);
+}
+
+/// Space begins the next view only where views are what is taught.
+void ConsoleWidget::offer_next_view(const std::string& name) {
+  const bool goes_on = !viewed_.empty();
+  lesson_bar_->choices().ask(
+      goes_on ? "Lay " + quoted(name) + " on another side or in other light, then press Space:"
+              : "Is " + quoted(name) + " to be found from another side, too?",
+      {{goes_on ? "&Next view (Space)" : "Teach another &view",
+        "Lay the object down as it may lie, too, before you press this",
+        [this, name] {
+          begin({What::kView, name});
+        }},
+       {goes_on ? "Done" : "No", "All views are taught", [this] { viewed_.clear(); }}});
+}
+
+void ConsoleWidget::next_view() {
+  if (!viewed_.empty()) begin({What::kView, viewed_});
 }
 
 void ConsoleWidget::send(const Confirm& request) {
-  if (!lesson_.may_decide()) return;
-  lesson_.decide();
+  lesson_bar_->clear_notice();
+  lesson_.want(request);
+  send_next();
   show_lesson();
-  ros_.confirm(request);
 }
 
-void ConsoleWidget::take_edit(const mbncc_vision::EditObject::Request& request, bool success,
-                              const QString& message) {
+void ConsoleWidget::send_word(int command) {
+  if (command == Confirm::ACCEPT && !lesson_.may_accept()) return;
+  if (command == Confirm::UNDO && !lesson_.may_undo()) return;
+  Confirm request;
+  request.command = static_cast<std::uint8_t>(command);
+  send(request);
+}
+
+void ConsoleWidget::send_next() {
+  if (const auto word = lesson_.next_word()) ros_.confirm(*word);
+}
+
+void ConsoleWidget::take_edit(const Edit& request, bool success, const QString& message) {
   const bool undone = undoing_;
   undoing_ = false;
-  if (!success) tell(false, "Library: " + message);
+  if (success)
+    lesson_bar_->clear_notice();
+  else
+    tell(false, "Library: " + message);
+  if (success && request.command == Edit::RENAME)
+    strip_->choose(QString::fromStdString(request.new_name));
   if (undone)
     library_.undone();
   else if (success)
@@ -192,18 +384,169 @@ void ConsoleWidget::undo_edit() {
   ros_.edit(library_.undo());
 }
 
+void ConsoleWidget::connect_explanation() {
+  connect(picture_, &PictureView::place_chosen, this, [this](QPointF place) {
+    lesson_bar_->clear_notice();
+    explanation_->ask();
+    side_->setCurrentWidget(explanation_);
+    ros_.explain(place);
+  });
+  connect(&ros_, &RosLink::explained, this, &ConsoleWidget::show_explanation);
+  connect(&ros_, &RosLink::explained_saved, explanation_, &ExplainPane::show_saved);
+  connect(explanation_, &ExplainPane::save_wanted, this, [this] { ros_.save_explained(); });
+  connect(&ros_, &RosLink::all_found, this, &ConsoleWidget::show_all_found);
+  connect(&ros_, &RosLink::thresholds_set, this, &ConsoleWidget::tell);
+  connect(threshold_pane_, &ThresholdPane::moved, this, &ConsoleWidget::show_thresholds);
+  connect(threshold_pane_, &ThresholdPane::apply_wanted, this, &ConsoleWidget::apply_thresholds);
+  connect(threshold_pane_, &ThresholdPane::closed, this, &ConsoleWidget::end_explanation);
+  connect(explanation_, &ExplainPane::closed, this, &ConsoleWidget::end_explanation);
+}
+
+void ConsoleWidget::connect_calibration() {
+  connect(camera_, &QPushButton::clicked, this, [this] {
+    calibration_->begin();
+    side_->setCurrentWidget(calibration_);
+  });
+  connect(calibration_, &CalibrationPane::closed, this, &ConsoleWidget::end_explanation);
+  connect(calibration_, &CalibrationPane::keep_wanted, this,
+          [this](const auto& calibration) { ros_.keep_calibration(calibration); });
+  connect(&ros_, &RosLink::calibration_kept, calibration_, &CalibrationPane::show_kept);
+  connect(&ros_, &RosLink::picture_heard, this, [this](const QImage& picture, QSize size) {
+    if (side_->currentWidget() != calibration_) return;
+    picture_->show_picture(picture, size, calibration_->take(picture, size), "Live");
+  });
+}
+
+bool ConsoleWidget::explains() const {
+  return side_->currentWidget() == explanation_ || side_->currentWidget() == calibration_ ||
+         side_->currentWidget() == threshold_pane_;
+}
+
+void ConsoleWidget::ask_for_place() {
+  if (!lesson_.may_teach()) return;
+  end_explanation();
+  picture_->ask_for_place(true);
+  picture_->setFocus();
+  lesson_bar_->say(
+      {Level::kUnknown, "Click the middle of the object that should be found; Esc gives it up."},
+      now());
+}
+
+void ConsoleWidget::show_explanation(bool success, const QString& lines, const QImage& picture) {
+  if (!explains()) return;
+  explanation_->show_answer(success, lines);
+  if (!picture.isNull()) picture_->show_picture(picture, picture.size(), {}, "Why, in one picture");
+}
+
+void ConsoleWidget::end_explanation() {
+  if (explains()) side_->setCurrentWidget(cell_page_);
+}
+
+void ConsoleWidget::begin_thresholds() {
+  if (!lesson_.may_teach()) return;
+  lesson_bar_->clear_notice();
+  ros_.find_all();
+}
+
+void ConsoleWidget::show_all_found(bool success, const QString& message, const QImage& picture,
+                                   QSize size,
+                                   const mbncc_vision::DetectedObjectArray& detections) {
+  if (!success) return tell(false, "Thresholds: " + message);
+  if (!lesson_.may_teach()) return;
+  preview_ = ThresholdPreview(detections, ros_.thresholds());
+  previewed_ = picture;
+  previewed_size_ = size;
+  threshold_pane_->begin(preview_.now(), strip_->chosen());
+  side_->setCurrentWidget(threshold_pane_);
+  show_thresholds();
+}
+
+void ConsoleWidget::show_thresholds() {
+  const Thresholds wanted = threshold_pane_->wanted();
+  threshold_pane_->show_summary(QString::fromStdString(preview_.summary(wanted)));
+  picture_->show_picture(previewed_, previewed_size_, preview_.marks(wanted), "One picture");
+}
+
+void ConsoleWidget::apply_thresholds(const QString& object) {
+  if (object.isEmpty()) {
+    ros_.set_thresholds(threshold_pane_->wanted());
+  } else {
+    Edit request;
+    request.name = object.toStdString();
+    request.command = Edit::SET_THRESHOLD;
+    request.min_score = static_cast<float>(threshold_pane_->wanted().min_score);
+    ros_.edit(request);
+  }
+  end_explanation();
+}
+
+void ConsoleWidget::export_object(const QString& name) {
+  const QString file =
+      QFileDialog::getSaveFileName(this, "Export " + name, name + ".png", "Objects (*.png)");
+  if (file.isEmpty()) return;
+  try {
+    console::export_object(folder_.toStdString(), name.toStdString(), file.toStdString());
+    tell(true, "Exported " + name + " to " + file);
+  } catch (const std::exception& error) {
+    tell(false, error.what());
+  }
+}
+
+void ConsoleWidget::import_object() {
+  const QString file = QFileDialog::getOpenFileName(this, "Import", "", "Objects (*.png)");
+  if (file.isEmpty()) return;
+  try {
+    const auto name = console::import_object(folder_.toStdString(), file.toStdString());
+    strip_->choose(QString::fromStdString(name));
+    tell(true, "Imported " + QString::fromStdString(name));
+    ros_.list_objects();
+  } catch (const std::exception& error) {
+    tell(false, error.what());
+  }
+}
+
+void ConsoleWidget::show_history(const QString& name) {
+  try {
+    auto* dialog =
+        new HistoryDialog(name, earlier_revisions(folder_.toStdString(), name.toStdString()), this);
+    connect(dialog, &HistoryDialog::revision_wanted, this, [this, name](int number) {
+      Edit request;
+      request.name = name.toStdString();
+      request.command = Edit::RESTORE;
+      request.revision = static_cast<std::uint32_t>(number);
+      library_.retaught(request.name);
+      ros_.edit(request);
+    });
+    dialog->open();
+  } catch (const std::exception& error) {
+    tell(false, error.what());
+  }
+}
+
+/// What is being drawn goes first, then the tool.
+void ConsoleWidget::escape() {
+  if (explains())
+    end_explanation();
+  else if (picture_->asks_for_place())
+    picture_->ask_for_place(false);
+  else if (!picture_->give_up())
+    review_->choose_tool(Tool::kNone);
+}
+
 void ConsoleWidget::look_at_clock() {
   const auto before = lesson_.phase();
   lesson_.look_at_clock(now());
+  lesson_.take_camera(now() - picture_at_ <= Lamps::kSilence);
   // A server that hangs must not hold up the calls to the one that follows.
   if (lesson_.phase() == LessonModel::Phase::kNoServer && lesson_.phase() != before) {
     ros_.give_up();
     lamps_.forget_library();
+    lesson_bar_->choices().clear();
   }
   lamp_row_->show_lamps(lamps_.look(now()));
   if (now() - detections_at_ > Lamps::kSilence) detections_->clear_rows();
   // A picture that stands still must not pass for the live one.
-  if (!lesson_.draft() && live_.age(now()) > Lamps::kSilence)
+  if (!lesson_.draft() && !explains() && live_.age(now()) > Lamps::kSilence)
     picture_->show_age(QString("OLD PICTURE: nothing has arrived for %1 s")
                            .arg(static_cast<int>(live_.age(now()))));
   show_lesson();
@@ -212,25 +555,42 @@ void ConsoleWidget::look_at_clock() {
 void ConsoleWidget::show_lesson() {
   lesson_bar_->show_lesson(lesson_, now());
   review_->show_lesson(lesson_);
+  strip_->allow_teaching(lesson_.may_teach());
+  for (auto* button : {why_, thresholds_}) button->setEnabled(lesson_.may_teach());
+  // A camera is calibrated before there is a cell.
+  const bool idle = lesson_.may_teach() || lesson_.phase() == LessonModel::Phase::kNoServer;
+  camera_->setEnabled(idle);
+  if (!idle) end_explanation();
+  picture_->show_waiting(lesson_.waiting());
   ros_.show_changes(lesson_.waits_for_scene());
+  space_->setEnabled(!viewed_.empty() && lesson_.may_teach());
   if (lesson_.draft_number() == draft_shown_) return;
   draft_shown_ = lesson_.draft_number();
-  if (lesson_.draft()) show_draft(*lesson_.draft());
+  const bool asked = lesson_.draft().has_value();
+  if (asked && side_->currentWidget() != review_) picture_->setFocus();
+  side_->setCurrentWidget(asked ? static_cast<QWidget*>(review_) : cell_page_);
+  if (asked) show_draft();
 }
 
-void ConsoleWidget::show_draft(const mbncc_vision::LearnObjectResult& draft) {
+void ConsoleWidget::show_draft() {
+  const auto& draft = *lesson_.draft();
   const QImage preview = to_qimage(to_rgb(draft.preview));
-  picture_->tool().set_axes(draft.object.reference, axes_length(preview));
-  picture_->show_picture(preview, "The lesson's outline: accept it, or draw to correct it");
+  picture_->tool().set_axes(draft.object.reference, axes_length(preview.size()));
+  if (lesson_picture_.size() == preview.size())
+    picture_->show_picture(lesson_picture_, preview.size(), marks_of(draft), "");
+  else
+    picture_->show_picture(preview, preview.size(), {}, "");
 }
 
-void ConsoleWidget::show_live(const QImage& picture, bool searched) {
-  if (lesson_.draft()) return;
+void ConsoleWidget::show_live(const QImage& picture, QSize size,
+                              const mbncc_vision::DetectedObjectArray* detections) {
+  if (lesson_.draft() || explains()) return;
   const bool teaching = lesson_.phase() == LessonModel::Phase::kRunning;
-  if (!live_.take(searched, teaching, now())) return;
-  picture_->show_picture(picture, searched                    ? "Live, with what is found"
-                                  : lesson_.waits_for_scene() ? "Live, changes tinted orange"
-                                                              : "Live");
+  if (!live_.take(detections != nullptr, teaching, now())) return;
+  picture_->show_picture(picture, size, detections ? marks_of(*detections) : std::vector<Mark>{},
+                         lesson_.waits_for_scene() ? "Live, changes tinted orange"
+                         : detections ? QString("Live, %1 s old").arg(detections_age_, 0, 'f', 1)
+                                      : QString("Live"));
 }
 
 }  // namespace mbncc::console

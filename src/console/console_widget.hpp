@@ -1,8 +1,10 @@
-// The whole console: puts models, ROS link and widgets together. It lives in RViz as TeachPanel.
+// The whole console: puts models, ROS link and widgets together. It lives in a window of its own,
+// or in RViz as TeachPanel.
 #pragma once
 
 #ifndef Q_MOC_RUN
 #include "console/lamps.hpp"
+#include "console/lesson/teaching_wish.hpp"
 #include "console/lesson_model.hpp"
 #include "console/library_model.hpp"
 #include "console/live_picture.hpp"
@@ -10,17 +12,24 @@
 #endif
 
 #include <QElapsedTimer>
+#include <QLabel>
+#include <QPushButton>
+#include <QShortcut>
+#include <QStackedWidget>
 #include <QTimer>
 #include <QWidget>
 
 namespace mbncc::console {
 
+class CalibrationPane;
 class DetectionsView;
+class ExplainPane;
 class LampRow;
 class LessonBar;
 class LibraryStrip;
 class PictureView;
 class ReviewPane;
+class ThresholdPane;
 
 class ConsoleWidget : public QWidget {
   Q_OBJECT
@@ -31,39 +40,79 @@ class ConsoleWidget : public QWidget {
 
  private:
   void lay_out();
+  QWidget* make_picture_bar();
+  void make_shortcuts();
+  QShortcut* on_key(const QKeySequence& keys, QWidget* where, const std::function<void()>& act);
   void connect_lesson();
   void connect_operator();
   void connect_library();
   void connect_cell();
+  void connect_explanation();
+  void connect_calibration();
+  bool explains() const;
 
   double now() const { return clock_.elapsed() / 1000.0; }
   /// The answer to what the operator did beside the lesson.
   void tell(bool success, const QString& sentence);
-  void teach();
+  void want_lesson();
+  void ask_about_name(const std::string& name);
+  void begin(const TeachingWish& wish);
+  void end_lesson(const mbncc_vision::LearnObjectActionResult& result);
+  void offer_next_view(const std::string& name);
+  void next_view();
   void send(const mbncc_vision::ConfirmLearning::Request& request);
+  void send_word(int command);
+  void send_next();
   void take_edit(const mbncc_vision::EditObject::Request& request, bool success,
                  const QString& message);
   void undo_edit();
+  void escape();
+  void ask_for_place();
+  void show_explanation(bool success, const QString& lines, const QImage& picture);
+  void end_explanation();
+  void begin_thresholds();
+  void show_all_found(bool success, const QString& message, const QImage& picture, QSize size,
+                      const mbncc_vision::DetectedObjectArray& detections);
+  void show_thresholds();
+  void apply_thresholds(const QString& object);
+  void export_object(const QString& name);
+  void import_object();
+  void show_history(const QString& name);
   void look_at_clock();
   void show_lesson();
-  void show_draft(const mbncc_vision::LearnObjectResult& draft);
-  void show_live(const QImage& picture, bool searched);
+  void show_draft();
+  void show_live(const QImage& picture, QSize size,
+                 const mbncc_vision::DetectedObjectArray* detections);
 
   QElapsedTimer clock_;
   LessonModel lesson_;
   LibraryModel library_;
   Lamps lamps_;
+  TeachingWish wish_;   // of the lesson that runs
+  std::string viewed_;  // whose further views are being taught; "": none
+  QString folder_;      // of the library
   bool undoing_ = false;
   int draft_shown_ = 0;
   LivePicture live_;
-  double detections_at_ = -1e9;
+  double detections_at_ = -1e9, detections_age_ = 0, picture_at_ = -1e9;
+  QImage lesson_picture_;  // of the draft, without marks
 
   LampRow* lamp_row_;
   LessonBar* lesson_bar_;
   PictureView* picture_;
   ReviewPane* review_;
+  ExplainPane* explanation_;
+  ThresholdPane* threshold_pane_;
+  CalibrationPane* calibration_;
+  ThresholdPreview preview_;
+  QImage previewed_;
+  QSize previewed_size_;
   LibraryStrip* strip_;
   DetectionsView* detections_;
+  QStackedWidget* side_;
+  QWidget* cell_page_;
+  QPushButton *marks_, *fit_, *why_, *thresholds_, *camera_;
+  QShortcut* space_ = nullptr;
   QTimer timer_;
   RosLink ros_;  // last: its threads end before what they speak to
 };

@@ -17,6 +17,12 @@ std::string text(const char* format, Values... values) {
   return buffer;
 }
 
+/// With one decimal, and no minus sign before a zero.
+std::string tenths(double value) {
+  const double rounded = std::round(10 * value) / 10;
+  return text("%.1f", rounded == 0 ? 0.0 : rounded);
+}
+
 double yaw_of(const geometry_msgs::Quaternion& q) {
   return std::atan2(2 * (q.w * q.z + q.x * q.y), 1 - 2 * (q.y * q.y + q.z * q.z));
 }
@@ -29,9 +35,9 @@ DetectionRow row_of(const DetectedObject& object, double age) {
   const double yaw = metric ? yaw_of(object.pose.pose.orientation) : object.image_pose.theta;
   row.cells = {object.name + text(" #%u", object.instance_id),
                symbol_of(row.level) + (" " + word_of_state(object.state)),
-               metric ? text("%.1f mm", 1000 * position.x) : text("%.1f px", object.image_pose.x),
-               metric ? text("%.1f mm", 1000 * position.y) : text("%.1f px", object.image_pose.y),
-               object.symmetry == 0 ? "round" : text("%.1f\u00b0", kDegrees * yaw),
+               metric ? tenths(1000 * position.x) + " mm" : tenths(object.image_pose.x) + " px",
+               metric ? tenths(1000 * position.y) + " mm" : tenths(object.image_pose.y) + " px",
+               object.symmetry == 0 ? "round" : tenths(kDegrees * yaw) + "\u00b0",
                text("%.2f", object.score),
                text("%.1f s", age)};
   for (const auto& reason : object.reasons)

@@ -28,6 +28,8 @@ DetectionsView::DetectionsView(QWidget* parent) : QTableWidget(parent) {
   setEditTriggers(NoEditTriggers);
   setSelectionMode(NoSelection);
   setFocusPolicy(Qt::NoFocus);
+  // The age is that of the picture, and stands there.
+  setColumnHidden(columnCount() - 1, true);
 }
 
 void DetectionsView::show_detections(const mbncc_vision::DetectedObjectArray& detections,

@@ -1,24 +1,20 @@
 #include "console/lamp_row.hpp"
 
 #include <QHBoxLayout>
-#include <QVBoxLayout>
 
 #include "console/widgets.hpp"
 
 namespace mbncc::console {
 
 LampRow::LampRow(QWidget* parent) : QWidget(parent), reasons_(new QLabel) {
-  auto* row = new QHBoxLayout;
+  auto* row = new QHBoxLayout(this);
+  row->setContentsMargins(0, 0, 0, 0);
   for (auto*& label : labels_) {
     label = new QLabel;
     row->addWidget(label);
   }
-  row->addStretch(1);
+  row->addWidget(reasons_, 1);
   reasons_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
-  auto* all = new QVBoxLayout(this);
-  all->setContentsMargins(0, 0, 0, 0);
-  all->addLayout(row);
-  all->addWidget(reasons_);
 }
 
 void LampRow::show_lamps(const std::array<Lamp, 4>& lamps) {
@@ -32,7 +28,7 @@ void LampRow::show_lamps(const std::array<Lamp, 4>& lamps) {
   // Always one line, so that nothing below moves under the mouse.
   const QString all =
       reasons.isEmpty() ? "Camera, calibration, library and matcher are well." : reasons.join("; ");
-  reasons_->setText(reasons_->fontMetrics().elidedText(all, Qt::ElideRight, width() - 10));
+  reasons_->setText(reasons_->fontMetrics().elidedText(all, Qt::ElideRight, reasons_->width() - 4));
   reasons_->setToolTip(reasons.join("\n"));
 }
 

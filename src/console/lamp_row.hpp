@@ -1,4 +1,4 @@
-// The cell's lamps, and below them the reasons of those that are not well.
+// The cell's lamps, and beside them the reasons of those that are not well.
 #pragma once
 
 #ifndef Q_MOC_RUN

@@ -71,14 +71,18 @@ void LessonModel::take_feedback(const mbncc_vision::LearnObjectActionFeedback& f
   if (!under_way()) join(feedback.status.goal_id.id, now);
   heard_ = goal_seen_ = now;
   stage_ = feedback.feedback.stage;
-  deadline_ = now + feedback.feedback.remaining.toSec();
+  const double remaining = feedback.feedback.remaining.toSec();
+  deadline_ = remaining > 0 ? now + remaining : -1;
   const bool asked = stage_ == Feedback::WAIT_CONFIRM;
   const bool again = asked && (phase_ == Phase::kReview || phase_ == Phase::kDeciding) &&
                      feedback.feedback.message == question_;
   if (again) return;
   question_ = asked ? feedback.feedback.message : "";
   // What was heard before is the draft of a lesson before, unless this one was joined in review.
-  if (std::exchange(unheard_, false) && !asked) newest_draft_.reset();
+  if (std::exchange(unheard_, false) && !asked) {
+    newest_draft_.reset();
+    corrections_ = 0;
+  }
   progress_ = feedback.feedback.progress;
   detail_ = feedback.feedback.message;
   level_ = Level::kUnknown;
@@ -107,6 +111,7 @@ void LessonModel::take_result(const mbncc_vision::LearnObjectActionResult& resul
 void LessonModel::begin(const std::string& goal, double now) {
   newest_draft_.reset();  // of another lesson
   join(goal, now);
+  corrections_ = 0;
 }
 
 void LessonModel::join(const std::string& goal, double now) {
@@ -118,6 +123,9 @@ void LessonModel::join(const std::string& goal, double now) {
   deadline_ = -1;
   goal_seen_ = now;
   unheard_ = true;
+  corrections_ = -1;
+  words_.clear();
+  asked_.reset();
   detail_ = "Asking for a lesson.";
   level_ = Level::kUnknown;
   show_draft({});
@@ -128,17 +136,45 @@ void LessonModel::show_draft(const std::optional<Result>& draft) {
   ++draft_number_;
 }
 
-void LessonModel::decide() {
-  if (phase_ != Phase::kReview) return;
+void LessonModel::want(const Word& word) {
+  if (!may_correct()) return;
+  const bool correction = word.command == Word::EDIT || word.command == Word::UNDO;
+  // Accept and Reject mean what is seen, so they wait for nothing.
+  if (correction || phase_ == Phase::kReview) words_.push_back(word);
+}
+
+std::optional<LessonModel::Word> LessonModel::next_word() {
+  if (phase_ != Phase::kReview || words_.empty() || asked_) return {};
+  asked_ = words_.front();
+  words_.pop_front();
   phase_ = Phase::kDeciding;
   detail_ = "Working on it.";
+  return asked_;
+}
+
+std::deque<LessonModel::Word> LessonModel::waiting() const {
+  std::deque<Word> drawn = words_;
+  if (asked_) drawn.push_front(*asked_);
+  return drawn;
 }
 
 void LessonModel::take_answer(bool success, const std::string& message) {
+  if (!under_way()) return;
+  count_corrections(success);
+  asked_.reset();
   if (phase_ != Phase::kDeciding && phase_ != Phase::kReview) return;
   phase_ = Phase::kReview;
   level_ = success ? Level::kUnknown : Level::kBad;
   if (!success) detail_ = message;
+}
+
+void LessonModel::count_corrections(bool success) {
+  if (!asked_) return;
+  if (asked_->command == Word::EDIT && success && corrections_ >= 0) ++corrections_;
+  if (asked_->command != Word::UNDO) return;
+  // The server refuses when there is nothing to take back.
+  if (!success) corrections_ = 0;
+  if (success && corrections_ > 0) --corrections_;
 }
 
 void LessonModel::look_at_clock(double now) {
@@ -157,7 +193,16 @@ bool LessonModel::waits_for_scene() const {
 }
 
 std::string LessonModel::headline() const {
+  if (!camera_alive_ && (phase_ == Phase::kReady || stage_ == Feedback::WAIT_IMAGE) &&
+      phase_ != Phase::kNoServer)
+    return "No picture from the camera";
   return under_way() ? headline_of(stage_) : headline_;
+}
+
+std::string LessonModel::detail() const {
+  if (!camera_alive_ && phase_ == Phase::kReady)
+    return detail_ + " No picture arrives: check the camera's cable and driver before you teach.";
+  return detail_;
 }
 
 std::string LessonModel::time_left(double now) const {
@@ -173,6 +218,8 @@ void LessonModel::end(const std::string& headline, const std::string& detail, Le
   deadline_ = -1;
   show_draft({});
   insisted_ = false;
+  words_.clear();
+  asked_.reset();
 }
 
 }  // namespace mbncc::console

@@ -2,10 +2,12 @@
 #pragma once
 
 #include <actionlib_msgs/GoalStatusArray.h>
+#include <mbncc_vision/ConfirmLearning.h>
 #include <mbncc_vision/LearnObjectActionFeedback.h>
 #include <mbncc_vision/LearnObjectActionResult.h>
 #include <mbncc_vision/LearnQuality.h>
 
+#include <deque>
 #include <optional>
 #include <string>
 
@@ -28,6 +30,8 @@ class LessonModel {
     kDeciding   ///< his word is on its way
   };
 
+  using Word = mbncc_vision::ConfirmLearning::Request;
+
   /// Silence of the server after which it counts as gone.
   static constexpr double kSilence = 2.0;
 
@@ -38,8 +42,16 @@ class LessonModel {
 
   /// The operator pressed Teach; `goal` is the id of the goal that is sent.
   void begin(const std::string& goal, double now);
-  /// The operator's word is sent.
-  void decide();
+  /// The operator's word. It waits its turn while the one before is carried out: nothing that was
+  /// drawn is lost.
+  void want(const Word& word);
+  /// The word to send to the server now, which counts as sent; none: nothing waits, or the server
+  /// works.
+  std::optional<Word> next_word();
+  /// Corrections drawn and not yet part of a draft, the oldest first.
+  std::deque<Word> waiting() const;
+  /// Whether pictures come from the camera.
+  void take_camera(bool alive) { camera_alive_ = alive; }
   /// The operator takes the draft although it is BAD; holds until the next draft.
   void insist(bool insisted) { insisted_ = insisted; }
   /// The server's answer to it.
@@ -53,13 +65,17 @@ class LessonModel {
   bool may_decide() const { return phase_ == Phase::kReview; }
   /// A BAD draft needs the operator's word that he has looked at it.
   bool may_accept() const { return may_decide() && draft_ && (acceptable_ || insisted_); }
+  /// The draft may be corrected, also while a correction is computed.
+  bool may_correct() const { return draft_.has_value(); }
+  /// There may be a correction to take back.
+  bool may_undo() const { return may_correct() && corrections_ != 0; }
   bool must_insist() const { return draft_.has_value() && !acceptable_; }
   /// The scene is awaited: what changes in it is worth showing.
   bool waits_for_scene() const;
 
   const std::string& goal() const { return goal_; }
   std::string headline() const;
-  const std::string& detail() const { return detail_; }
+  std::string detail() const;
   /// How the last lesson ended, or the answer to the last word.
   Level level() const { return level_; }
   double progress() const { return progress_; }
@@ -72,6 +88,7 @@ class LessonModel {
  private:
   void join(const std::string& goal, double now);
   void show_draft(const std::optional<mbncc_vision::LearnObjectResult>& draft);
+  void count_corrections(bool success);
   void end(const std::string& headline, const std::string& detail, Level level);
   bool under_way() const;
 
@@ -88,6 +105,10 @@ class LessonModel {
   double goal_seen_ = 0;
   bool unheard_ = false;  // no feedback yet since the lesson was joined
   bool acceptable_ = false, insisted_ = false;
+  bool camera_alive_ = true;
+  std::deque<Word> words_;     // not sent yet
+  std::optional<Word> asked_;  // sent, not answered
+  int corrections_ = 0;        // of the draft; < 0: unknown, the lesson was joined in review
   std::optional<mbncc_vision::LearnObjectResult> draft_, newest_draft_;
   int draft_number_ = 0;
 };

@@ -8,6 +8,28 @@ void LibraryModel::set_objects(std::vector<mbncc_vision::LearnedObject> objects)
   objects_ = std::move(objects);
 }
 
+const mbncc_vision::LearnedObject* LibraryModel::find(const std::string& name) const {
+  for (const auto& object : objects_)
+    if (object.name == name) return &object;
+  return nullptr;
+}
+
+std::vector<std::string> LibraryModel::names() const {
+  std::vector<std::string> names;
+  for (const auto& object : objects_) names.push_back(object.name);
+  return names;
+}
+
+void LibraryModel::retaught(const std::string& name) {
+  const auto* before = find(name);
+  if (before == nullptr) return;
+  Request request;
+  request.name = name;
+  request.command = Request::RESTORE;
+  request.revision = before->revision;
+  undo_.push_back(request);
+}
+
 LibraryModel::Request LibraryModel::enable(const std::string& name, bool enabled) {
   Request request;
   request.name = name;
@@ -77,7 +99,9 @@ std::string LibraryModel::undo_text() const {
     case Request::SET_SYMMETRY:
       return "Undo: symmetry of '" + last.name + "'";
     default:
-      return "Undo: bring '" + last.name + "' back";
+      return last.revision == 0 ? "Undo: bring '" + last.name + "' back"
+                                : "Undo: bring revision " + std::to_string(last.revision) +
+                                      " of '" + last.name + "' back";
   }
 }
 

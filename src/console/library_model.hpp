@@ -24,6 +24,13 @@ class LibraryModel {
   /// `symmetry` is one of LearnObjectGoal's SYMMETRY_...; notes the present one, for undo().
   Request declare(const std::string& name, std::uint8_t symmetry);
 
+  /// The object of that name; null: none.
+  const mbncc_vision::LearnedObject* find(const std::string& name) const;
+  std::vector<std::string> names() const;
+
+  /// A lesson has replaced the object of that name, or given it a view: it can be taken back.
+  void retaught(const std::string& name);
+
   /// An edit was carried out: it can be taken back from now on.
   void done(const Request& request);
   bool can_undo() const { return !undo_.empty(); }

@@ -1,5 +1,5 @@
-// The learned objects as thumbnails: enable, rename, delete, declare the symmetry, and undo instead
-// of questions.
+// The learned objects as thumbnails: search, enable, rename, delete, declare the symmetry, teach
+// further views; undo instead of questions.
 #pragma once
 
 #ifndef Q_MOC_RUN
@@ -7,7 +7,9 @@
 #endif
 
 #include <QComboBox>
+#include <QLineEdit>
 #include <QListWidget>
+#include <QMenu>
 #include <QPushButton>
 #include <QWidget>
 #include <cstdint>
@@ -21,22 +23,38 @@ class LibraryStrip : public QWidget {
   explicit LibraryStrip(QWidget* parent = nullptr);
 
   void show_objects(const LibraryModel& library);
+  /// Selects an object as soon as it is listed.
+  void choose(const QString& name);
+  /// Key of the selected object, "" for none.
+  QString chosen() const;
+  void allow_teaching(bool allowed);
 
  Q_SIGNALS:
   void edit_wanted(mbncc_vision::EditObject::Request request);
   void symmetry_wanted(QString name, std::uint8_t symmetry);
   void undo_wanted();
+  /// A further view of the object is to be taught.
+  void view_wanted(QString name);
+  void export_wanted(QString name);
+  void import_wanted();
+  void history_wanted(QString name);
 
  private:
   QListWidgetItem* make_item(const mbncc_vision::LearnedObject& object);
-  QString chosen() const;
+  void lay_out();
+  void connect_buttons();
+  QMenu* make_menu();
   void show_choice();
+  void filter();
   void take_new_name(QListWidgetItem* item);
 
+  QLineEdit* search_;
   QListWidget* list_;
   QComboBox* symmetry_;
-  QPushButton *enable_, *rename_, *delete_, *undo_;
-  bool filling_ = false;
+  QPushButton *view_, *enable_, *rename_, *delete_, *undo_, *more_;
+  QAction *export_, *history_;
+  QString wanted_;
+  bool filling_ = false, teaching_allowed_ = false;
 };
 
 }  // namespace mbncc::console

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <opencv2/imgproc.hpp>
 
 namespace mbncc::console {
 namespace {
@@ -26,6 +27,14 @@ void MarkingTool::choose(Tool tool) {
   tool_ = tool;
   drawing_ = false;
   points_.clear();
+}
+
+bool MarkingTool::give_up() {
+  if (!drawing_) return false;
+  drawing_ = false;
+  points_.clear();
+  axes_ = axes_before_;
+  return true;
 }
 
 void MarkingTool::set_axes(const geometry_msgs::Pose2D& axes, double length) {
@@ -61,7 +70,7 @@ void MarkingTool::move(cv::Point2f to) {
 
 std::optional<MarkingTool::Request> MarkingTool::release(cv::Point2f at, cv::Size picture) {
   if (!drawing_) return {};
-  move(at);
+  if (at != points_.back()) move(at);
   drawing_ = false;
   if (tool_ == Tool::kRegion) return region(picture);
   return tool_ == Tool::kAxes ? reference() : stroke();
@@ -71,10 +80,10 @@ std::optional<MarkingTool::Request> MarkingTool::stroke() const {
   Request request;
   request.command = Request::EDIT;
   request.stroke_width = static_cast<float>(stroke_width_);
-  auto line = points_;
-  // A click is a dot.
-  if (line.size() == 1) line.push_back(line.front() + cv::Point2f(0.5f, 0));
-  (tool_ == Tool::kInclude ? request.include : request.exclude).push_back(polygon_of(line));
+  // A click or double click is none.
+  if (cv::boundingRect(points_).width < kMeant && cv::boundingRect(points_).height < kMeant)
+    return {};
+  (tool_ == Tool::kInclude ? request.include : request.exclude).push_back(polygon_of(points_));
   return request;
 }
 

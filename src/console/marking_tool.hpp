@@ -25,6 +25,9 @@ class MarkingTool {
   /// The lesson's object frame, and the length of its drawn axes.
   void set_axes(const geometry_msgs::Pose2D& axes, double length);
 
+  /// Forgets what is being drawn; false: nothing is.
+  bool give_up();
+
   void press(cv::Point2f at);
   void move(cv::Point2f to);
   /// The correction that was drawn; none: too little to be meant.

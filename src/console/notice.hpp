@@ -20,6 +20,8 @@ class Notice {
 
   /// Takes the place of what was posted before.
   void post(const Line& line, double now);
+  /// What was said is out of date.
+  void clear() { until_ = -1; }
   /// What to show while the lesson says `lesson`.
   const Line& over(const Line& lesson, double now) const;
 

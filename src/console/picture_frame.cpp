@@ -16,6 +16,7 @@ void PictureFrame::set_sizes(cv::Size picture, cv::Size widget) {
   widget_ = widget;
   fit_ = std::min(static_cast<double>(widget.width) / picture.width,
                   static_cast<double>(widget.height) / picture.height);
+  stay_inside();
 }
 
 cv::Point2d PictureFrame::corner() const {
@@ -39,6 +40,23 @@ void PictureFrame::zoom(double factor, cv::Point2d about) {
   // The point under the mouse stays there.
   const cv::Point2d middle(widget_.width / 2.0, widget_.height / 2.0);
   centre_ = kept + cv::Point2d(0.5, 0.5) - (about - middle) / scale();
+  stay_inside();
+}
+
+void PictureFrame::pan(cv::Point2d by) {
+  if (!enlarged()) return;
+  centre_ -= by / scale();
+  stay_inside();
+}
+
+// A side that fits in whole stays in the middle.
+void PictureFrame::stay_inside() {
+  const auto inside = [this](double at, int picture, int widget) {
+    const double half = widget / scale() / 2;
+    return 2 * half >= picture ? picture / 2.0 : std::clamp(at, half, picture - half);
+  };
+  centre_ = {inside(centre_.x, picture_.width, widget_.width),
+             inside(centre_.y, picture_.height, widget_.height)};
 }
 
 }  // namespace mbncc::console

@@ -11,6 +11,9 @@ class PictureFrame {
   /// Enlarges by `factor` (> 1) or shrinks about the point of the widget, at most to the whole.
   void zoom(double factor, cv::Point2d about);
   void show_all() { zoom_ = 1; }
+  /// Moves the enlarged picture by so many pixels of the widget, no farther than its edges.
+  void pan(cv::Point2d by);
+  bool enlarged() const { return zoom_ > 1; }
 
   cv::Point2d to_picture(cv::Point2d widget) const;
   cv::Point2d to_widget(cv::Point2d picture) const;
@@ -19,6 +22,7 @@ class PictureFrame {
 
  private:
   cv::Point2d corner() const;
+  void stay_inside();
 
   cv::Size picture_{1, 1}, widget_{1, 1};
   double fit_ = 1;

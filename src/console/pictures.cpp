@@ -2,14 +2,17 @@
 
 #include <cv_bridge/cv_bridge.h>
 
+#include <algorithm>
 #include <opencv2/imgproc.hpp>
+#include <vector>
 
 namespace mbncc::console {
 namespace {
 
-constexpr int kSquare = 8;        // [px] of the checkerboard
-constexpr int kShownWidth = 960;  // [px]
-constexpr double kChanged = 24;   // [grey levels] in any channel, after smoothing
+constexpr int kSquare = 8;         // [px] of the checkerboard
+constexpr int kShownWidth = 1600;  // [px]
+constexpr int kSampled = 8;        // [px] between the pixels that tell the light
+constexpr double kChanged = 24;    // [grey levels] in any channel, after smoothing
 const cv::Scalar kTint(230, 159, 0);
 
 cv::Mat checkerboard(cv::Size size) {
@@ -24,6 +27,24 @@ cv::Mat smoothed(const cv::Mat& picture) {
   cv::Mat result;
   cv::blur(picture, result, {5, 5});
   return result;
+}
+
+/// `picture` in the light of `first`: the median factor of each channel evened out.
+cv::Mat in_light_of(const cv::Mat& first, const cv::Mat& picture) {
+  cv::Scalar factors;
+  for (int channel = 0; channel < 3; ++channel) {
+    std::vector<double> ratios;
+    for (int y = 0; y < picture.rows; y += kSampled)
+      for (int x = 0; x < picture.cols; x += kSampled)
+        ratios.push_back((first.at<cv::Vec3b>(y, x)[channel] + 1.0) /
+                         (picture.at<cv::Vec3b>(y, x)[channel] + 1.0));
+    const auto middle = ratios.begin() + static_cast<std::ptrdiff_t>(ratios.size() / 2);
+    std::nth_element(ratios.begin(), middle, ratios.end());
+    factors[channel] = *middle;
+  }
+  cv::Mat lit;
+  cv::multiply(picture, factors, lit);
+  return lit;
 }
 
 }  // namespace
@@ -62,7 +83,7 @@ cv::Mat ChangeTint::tint(const cv::Mat& picture) {
     return picture;
   }
   cv::Mat difference;
-  cv::absdiff(now, first_, difference);
+  cv::absdiff(in_light_of(first_, now), first_, difference);
   cv::Mat channels[3];
   cv::split(difference, channels);
   const cv::Mat changed = cv::max(channels[0], cv::max(channels[1], channels[2])) > kChanged;

@@ -16,7 +16,7 @@ namespace {
 
 using Request = mbncc_vision::ConfirmLearning::Request;
 
-constexpr QSize kTemplate(150, 150), kScoreMap(320, 190);
+constexpr QSize kTemplate(130, 130), kScoreMap(320, 130);
 
 QLabel* make_picture(QSize size, const QString& tip) {
   auto* label = new QLabel;
@@ -69,15 +69,14 @@ ReviewPane::ReviewPane(QWidget* parent)
       template_(make_picture(kTemplate, "What was learned; the checkerboard is not part of it")),
       score_map_(make_picture(
           kScoreMap,
-          "Similarities seen by the coarse search, the first step only:\nring = best place, "
-          "square = next best. The scores above judge more.")),
+          "Where the picture resembles the object at a first look (yellow: much):\nring = the "
+          "object, square = the next best place. The scores above judge all.")),
       insist_(new QCheckBox("I have checked it: store it although BAD")),
-      accept_(make_button("&Accept", "Store the object", this)),
-      reject_(make_button("&Reject", "End the lesson; nothing is stored", this)),
-      undo_(make_button("&Undo mark", "Take the last correction back", this)),
+      accept_(make_button("&Accept", "Store the object", this, "Alt+A or Ctrl+Enter")),
+      reject_(make_button("&Reject", "End the lesson; nothing is stored", this, "Alt+R")),
+      undo_(make_button("&Undo mark", "Take the last correction back", this, "Ctrl+Z")),
       tools_(new QButtonGroup(this)),
       width_(new QSlider(Qt::Horizontal)) {
-  setFixedWidth(kScoreMap.width());
   QFont large = verdict_->font();
   large.setPointSize(15);
   verdict_->setFont(large);
@@ -87,8 +86,11 @@ ReviewPane::ReviewPane(QWidget* parent)
   bold.setBold(true);
   for (auto* button : {accept_, reject_}) {
     button->setFont(bold);
-    button->setMinimumHeight(38);
+    button->setMinimumHeight(34);
   }
+  QSizePolicy keeps_its_place = insist_->sizePolicy();
+  keeps_its_place.setRetainSizeWhenHidden(true);
+  insist_->setSizePolicy(keeps_its_place);
   lay_out();
 
   name_window(insist_, "insist");
@@ -96,7 +98,6 @@ ReviewPane::ReviewPane(QWidget* parent)
   connect(accept_, &QPushButton::clicked, [this] { Q_EMIT decided(Request::ACCEPT); });
   connect(reject_, &QPushButton::clicked, [this] { Q_EMIT decided(Request::REJECT); });
   connect(undo_, &QPushButton::clicked, [this] { Q_EMIT decided(Request::UNDO); });
-  clear();
 }
 
 void ReviewPane::lay_out() {
@@ -123,20 +124,20 @@ QWidget* ReviewPane::make_tools() {
   grid->setContentsMargins(0, 0, 0, 0);
   const struct {
     Tool tool;
-    const char *text, *tip;
+    const char *text, *tip, *key;
   } tools[] = {
-      {Tool::kInclude, "Add", "Draw over what belongs to the object"},
-      {Tool::kExclude, "Cut", "Draw over what does not belong to the object"},
-      {Tool::kRegion, "Region", "Draw a box around the object"},
-      {Tool::kAxes, "Axes", "Drag the origin; drag the round tip to turn"},
+      {Tool::kInclude, "Add", "Draw over what belongs to the object", "A; Esc puts it down"},
+      {Tool::kExclude, "Cut", "Draw over what does not belong to the object",
+       "C; Esc puts it down"},
+      {Tool::kRegion, "Region", "Draw a box around the object", "R; Esc puts it down"},
+      {Tool::kAxes, "Axes", "Drag the origin; drag the round tip to turn", "X; Esc puts it down"},
   };
   int column = 0;
   for (const auto& entry : tools) {
-    auto* button = make_button(entry.text, entry.tip, box);
+    auto* button = make_button(entry.text, entry.tip, box, entry.key);
     button->setCheckable(true);
-    tools_->addButton(button);
-    connect(button, &QPushButton::clicked,
-            [this, tool = static_cast<int>(entry.tool)] { Q_EMIT tool_chosen(tool); });
+    tools_->addButton(button, static_cast<int>(entry.tool));
+    connect(button, &QPushButton::clicked, [this, tool = entry.tool] { choose_tool(tool); });
     grid->addWidget(button, 0, column++);
   }
   width_->setRange(2, 40);
@@ -151,21 +152,33 @@ QWidget* ReviewPane::make_tools() {
 
 void ReviewPane::show_lesson(const LessonModel& lesson) {
   accept_->setEnabled(lesson.may_accept());
-  for (auto* button : {reject_, undo_}) button->setEnabled(lesson.may_decide());
-  for (auto* button : tools_->buttons()) button->setEnabled(lesson.may_decide());
-  width_->setEnabled(lesson.may_decide());
+  reject_->setEnabled(lesson.may_decide());
+  undo_->setEnabled(lesson.may_undo());
+  for (auto* button : tools_->buttons()) button->setEnabled(lesson.may_correct());
+  width_->setEnabled(lesson.may_correct());
   insist_->setVisible(lesson.must_insist());
   insist_->setEnabled(lesson.may_decide());
   insist_->setChecked(lesson.may_accept());
   const bool asked = lesson.draft().has_value();
   if (asked && lesson.draft_number() != draft_shown_) show_draft(*lesson.draft());
   draft_shown_ = lesson.draft_number();
-  if (!asked && was_asked_) clear();
-  // A good verdict needs no mouse: the space bar accepts.
-  if (asked && !was_asked_ && lesson.may_accept() &&
-      lesson.draft()->object.quality.verdict == mbncc_vision::LearnQuality::GOOD)
-    accept_->setFocus();
-  was_asked_ = asked;
+  if (!asked) put_tool_down();
+}
+
+void ReviewPane::choose_tool(Tool tool) {
+  if (auto* button = tools_->button(static_cast<int>(tool))) {
+    if (!button->isEnabled()) return;
+    button->setChecked(true);
+  } else if (auto* held = tools_->checkedButton()) {
+    tools_->setExclusive(false);
+    held->setChecked(false);
+    tools_->setExclusive(true);
+  }
+  Q_EMIT tool_chosen(static_cast<int>(tool));
+}
+
+void ReviewPane::put_tool_down() {
+  if (tools_->checkedButton()) choose_tool(Tool::kNone);
 }
 
 void ReviewPane::show_draft(const mbncc_vision::LearnObjectResult& draft) {
@@ -179,20 +192,6 @@ void ReviewPane::show_draft(const mbncc_vision::LearnObjectResult& draft) {
 
 void ReviewPane::show_score_map(const QImage& map) {
   show_in(score_map_, map);
-}
-
-void ReviewPane::clear() {
-  show_level(verdict_, Level::kUnknown, "No lesson to judge");
-  numbers_->clear();
-  reasons_->setText("1. Press Teach.\n2. Take the object away.\n3. Look, and press Accept.");
-  template_->setText("template");
-  score_map_->setText("score map");
-  if (auto* tool = tools_->checkedButton()) {
-    tools_->setExclusive(false);
-    tool->setChecked(false);
-    tools_->setExclusive(true);
-  }
-  Q_EMIT tool_chosen(static_cast<int>(Tool::kNone));
 }
 
 }  // namespace mbncc::console

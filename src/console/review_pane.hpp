@@ -24,6 +24,7 @@ class ReviewPane : public QWidget {
 
   void show_lesson(const LessonModel& lesson);
   void show_score_map(const QImage& map);
+  void choose_tool(Tool tool);
 
  Q_SIGNALS:
   /// ACCEPT, REJECT or UNDO of ConfirmLearning.
@@ -36,14 +37,13 @@ class ReviewPane : public QWidget {
   void lay_out();
   QWidget* make_tools();
   void show_draft(const mbncc_vision::LearnObjectResult& draft);
-  void clear();
+  void put_tool_down();
 
   QLabel *verdict_, *numbers_, *reasons_, *template_, *score_map_;
   QCheckBox* insist_;
   QPushButton *accept_, *reject_, *undo_;
   QButtonGroup* tools_;
   QSlider* width_;
-  bool was_asked_ = false;
   int draft_shown_ = 0;
 };
 

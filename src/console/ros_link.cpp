@@ -1,16 +1,29 @@
 #include "console/ros_link.hpp"
 
+#include <dynamic_reconfigure/Reconfigure.h>
+#include <mbncc_vision/FindObjects.h>
 #include <mbncc_vision/LearnObjectActionGoal.h>
 #include <mbncc_vision/LearnedObjectArray.h>
 #include <mbncc_vision/ListObjects.h>
+#include <sensor_msgs/SetCameraInfo.h>
 #include <std_srvs/Trigger.h>
 
+#include <algorithm>
 #include <utility>
 
 namespace mbncc::console {
 namespace {
 
 const char* const kUnreachable = "the learning nodelet does not answer";
+
+// Pictures wait here for what is found in them.
+constexpr std::size_t kPicturesKept = 30, kBytesKept = std::size_t{96} << 20;
+
+constexpr float kHardlyAny = 0.02f;  // score
+
+QSize size_of(const sensor_msgs::Image& message) {
+  return {static_cast<int>(message.width), static_cast<int>(message.height)};
+}
 
 void announce_types() {
   qRegisterMetaType<actionlib_msgs::GoalStatusArray>("actionlib_msgs::GoalStatusArray");
@@ -52,11 +65,12 @@ RosLink::~RosLink() {
 
 void RosLink::connect_to(const Names& names) {
   node_ = ros::NodeHandle(names.cell);
+  matching_ = names.matching;
   node_.setCallbackQueue(&queue_);
   goal_publisher_ = node_.advertise<mbncc_vision::LearnObjectActionGoal>("learn_object/goal", 5);
   cancel_publisher_ = node_.advertise<actionlib_msgs::GoalID>("learn_object/cancel", 5);
   subscribe_lesson(node_);
-  subscribe_cell(node_, names);
+  subscribe_cell(node_);
   spinner_.start();
 }
 
@@ -78,18 +92,21 @@ void RosLink::subscribe_lesson(ros::NodeHandle& node) {
   hear(node.subscribe<mbncc_vision::LearnObjectResult>(
       "learn_object/draft", 5,
       [this](const mbncc_vision::LearnObjectResultConstPtr& m) { Q_EMIT draft_heard(*m); }));
+  hear(node.subscribe<sensor_msgs::Image>("learn_object/picture", 1,
+                                          [this](const sensor_msgs::ImageConstPtr& m) {
+                                            Q_EMIT lesson_picture_heard(to_qimage(to_rgb(*m)));
+                                          }));
   hear(node.subscribe<sensor_msgs::Image>("learn_object/score_map", 1,
                                           [this](const sensor_msgs::ImageConstPtr& m) {
                                             Q_EMIT score_map_heard(to_qimage(to_rgb(*m)));
                                           }));
 }
 
-void RosLink::subscribe_cell(ros::NodeHandle& node, const Names& names) {
+void RosLink::subscribe_cell(ros::NodeHandle& node) {
   const auto hear = [this](const auto& subscriber) { subscribers_.push_back(subscriber); };
   hear(node.subscribe<mbncc_vision::DetectedObjectArray>(
-      "detected_objects", 1, [this](const mbncc_vision::DetectedObjectArrayConstPtr& m) {
-        Q_EMIT detections_heard(*m, (ros::Time::now() - m->header.stamp).toSec());
-      }));
+      "detected_objects", 1,
+      [this](const mbncc_vision::DetectedObjectArrayConstPtr& m) { take_detections(*m); }));
   hear(node.subscribe<mbncc_vision::LearnedObjectArray>(
       "object_library", 1,
       [this](const mbncc_vision::LearnedObjectArrayConstPtr&) { list_objects(); }));
@@ -97,21 +114,45 @@ void RosLink::subscribe_cell(ros::NodeHandle& node, const Names& names) {
       "/diagnostics", 20,
       [this](const diagnostic_msgs::DiagnosticArrayConstPtr& m) { Q_EMIT diagnostics_heard(*m); }));
   hear(node.subscribe<sensor_msgs::Image>(
-      "image_raw", 1, [this](const sensor_msgs::ImageConstPtr& m) { take_picture(*m); }));
-  hear(node.subscribe<sensor_msgs::Image>(names.matching + "/overlay", 1,
-                                          [this](const sensor_msgs::ImageConstPtr& m) {
-                                            Q_EMIT overlay_heard(to_qimage(small(to_rgb(*m))));
-                                          }));
+      "image_raw", 1, [this](const sensor_msgs::ImageConstPtr& m) { take_picture(m); }));
 }
 
-void RosLink::take_picture(const sensor_msgs::Image& message) {
-  cv::Mat picture = small(to_rgb(message));
+void RosLink::take_detections(const mbncc_vision::DetectedObjectArray& detections) {
+  Q_EMIT detections_heard(detections, (ros::Time::now() - detections.header.stamp).toSec());
+  const auto searched =
+      std::find_if(newest_.begin(), newest_.end(), [&](const sensor_msgs::ImageConstPtr& picture) {
+        return picture->header.stamp == detections.header.stamp;
+      });
+  if (searched == newest_.end() || (*searched)->width != detections.image_width) return;
+  const QImage picture = to_qimage(small(to_rgb(**searched)));
+  if (picture.isNull()) return;
+  note_shown(*searched);
+  Q_EMIT searched_heard(picture, size_of(**searched), detections);
+}
+
+void RosLink::note_shown(const sensor_msgs::ImageConstPtr& message) {
+  const std::lock_guard<std::mutex> lock(shown_mutex_);
+  shown_ = message;
+}
+
+sensor_msgs::ImageConstPtr RosLink::shown() {
+  const std::lock_guard<std::mutex> lock(shown_mutex_);
+  return shown_;
+}
+
+void RosLink::take_picture(const sensor_msgs::ImageConstPtr& message) {
+  newest_.push_back(message);
+  while (newest_.size() > 2 &&
+         (newest_.size() > kPicturesKept || newest_.size() * message->data.size() > kBytesKept))
+    newest_.pop_front();
+  cv::Mat picture = small(to_rgb(*message));
   if (picture.empty()) return;
+  note_shown(message);
   if (changes_wanted_)
     picture = tint_.tint(picture);
   else
     tint_.reset();
-  Q_EMIT picture_heard(to_qimage(picture));
+  Q_EMIT picture_heard(to_qimage(picture), size_of(*message));
 }
 
 std::string RosLink::teach(const mbncc_vision::LearnObjectGoal& goal) {
@@ -160,11 +201,95 @@ void RosLink::mark_grasp() {
   });
 }
 
+void RosLink::explain(QPointF place) {
+  later([this, place, shown = shown()] {
+    mbncc_vision::ExplainPlace call;
+    call.request.place.x = place.x();
+    call.request.place.y = place.y();
+    if (shown) call.request.image = *shown;
+    explained_ = call.request;
+    const bool answered = this->call(matching_ + "/explain", call);
+    Q_EMIT explained(answered && call.response.success,
+                     answered ? QString::fromStdString(call.response.message)
+                              : "the matching nodelet does not answer",
+                     answered ? to_qimage(to_rgb(call.response.picture)) : QImage());
+  });
+}
+
+void RosLink::find_all() {
+  later([this, shown = shown()] {
+    if (!shown) return Q_EMIT all_found(false, "no picture has come yet", {}, {}, {});
+    mbncc_vision::FindObjects call;
+    call.request.image = *shown;
+    call.request.min_score = kHardlyAny;
+    const bool answered = this->call("find_objects", call);
+    Q_EMIT all_found(answered && call.response.success,
+                     answered ? QString::fromStdString(call.response.message)
+                              : "the matching nodelet does not answer",
+                     to_qimage(small(to_rgb(*shown))), size_of(*shown), call.response.detections);
+  });
+}
+
+Thresholds RosLink::thresholds() const {
+  Thresholds thresholds;
+  node_.getParam(matching_ + "/min_score", thresholds.min_score);
+  node_.getParam(matching_ + "/confirm_score", thresholds.confirm_score);
+  return thresholds;
+}
+
+void RosLink::set_thresholds(const Thresholds& thresholds) {
+  later([this, thresholds] {
+    dynamic_reconfigure::Reconfigure call;
+    const auto add = [&](const char* name, double value) {
+      auto& parameter = call.request.config.doubles.emplace_back();
+      parameter.name = name;
+      parameter.value = value;
+    };
+    add("min_score", thresholds.min_score);
+    add("confirm_score", thresholds.confirm_score);
+    const bool answered = this->call(matching_ + "/set_parameters", call);
+    Q_EMIT thresholds_set(answered, answered ? "The matcher uses the new thresholds from now on; "
+                                               "config/matching.yaml keeps them for good."
+                                             : "the matching nodelet does not answer");
+  });
+}
+
+void RosLink::keep_calibration(const sensor_msgs::CameraInfo& calibration) {
+  later([this, calibration] {
+    sensor_msgs::SetCameraInfo call;
+    call.request.camera_info = calibration;
+    const bool answered = this->call("set_camera_info", call);
+    Q_EMIT calibration_kept(
+        answered && call.response.success,
+        answered ? QString::fromStdString(call.response.status_message)
+                 : "no camera takes calibrations in this cell (set_camera_info); the simulated one "
+                   "has its own");
+  });
+}
+
+void RosLink::save_explained() {
+  later([this] {
+    mbncc_vision::ExplainPlace call;
+    call.request = explained_;
+    call.request.save = true;
+    const bool answered = this->call(matching_ + "/explain", call) && call.response.success;
+    Q_EMIT explained_saved(answered ? QString::fromStdString(call.response.file) : QString());
+  });
+}
+
+std::string RosLink::why_no_grasps() const {
+  std::string frame;
+  if (node_.getParam(learning_ + "/gripper_frame", frame) && !frame.empty()) return "";
+  return "Marking a grasp needs the gripper's frame: give gripper_frame to cell.launch";
+}
+
 void RosLink::list_objects() {
   later([this] {
     mbncc_vision::ListObjects call;
     call.request.with_thumbnails = true;
-    if (this->call("list_objects", call)) Q_EMIT objects_listed(call.response.objects);
+    if (this->call("list_objects", call))
+      Q_EMIT objects_listed(call.response.objects,
+                            QString::fromStdString(call.response.library_path));
   });
 }
 

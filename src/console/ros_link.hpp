@@ -8,22 +8,27 @@
 #include <mbncc_vision/ConfirmLearning.h>
 #include <mbncc_vision/DetectedObjectArray.h>
 #include <mbncc_vision/EditObject.h>
+#include <mbncc_vision/ExplainPlace.h>
 #include <mbncc_vision/LearnObjectActionFeedback.h>
 #include <mbncc_vision/LearnObjectActionResult.h>
 #include <mbncc_vision/LearnObjectGoal.h>
 #include <mbncc_vision/LearnedObject.h>
 #include <ros/callback_queue.h>
 #include <ros/ros.h>
+#include <sensor_msgs/CameraInfo.h>
 #include <sensor_msgs/Image.h>
 
 #include "console/pictures.hpp"
+#include "console/thresholds/threshold_preview.hpp"
 #endif
 
 #include <QImage>
 #include <QObject>
+#include <QPointF>
 #include <QString>
 #include <atomic>
 #include <condition_variable>
+#include <deque>
 #include <functional>
 #include <mutex>
 #include <queue>
@@ -59,7 +64,20 @@ class RosLink : public QObject {
   void confirm(const mbncc_vision::ConfirmLearning::Request& request);
   void edit(const mbncc_vision::EditObject::Request& request);
   void mark_grasp();
+  /// Why grasps cannot be marked in this cell; "": they can. Asks the parameter server.
+  std::string why_no_grasps() const;
   void list_objects();
+  /// Why something is found at `place` [px] of the newest picture, or is not.
+  void explain(QPointF place);
+  /// All that is found in the newest picture with hardly any threshold.
+  void find_all();
+  /// Those of the matching nodelet, by the parameter server.
+  Thresholds thresholds() const;
+  void set_thresholds(const Thresholds& thresholds);
+  /// Hands a calibration to the camera.
+  void keep_calibration(const sensor_msgs::CameraInfo& calibration);
+  /// Keeps what was explained last in a file.
+  void save_explained();
   /// Ends a call that waits for an answer; it counts as not answered.
   void give_up();
 
@@ -73,18 +91,32 @@ class RosLink : public QObject {
   void draft_heard(mbncc_vision::LearnObjectResult draft);
   void detections_heard(mbncc_vision::DetectedObjectArray detections, double age);
   void diagnostics_heard(diagnostic_msgs::DiagnosticArray diagnostics);
-  void picture_heard(QImage picture);
-  void overlay_heard(QImage picture);
+  /// A picture of the camera, perhaps shrunk, and its size [px] there.
+  void picture_heard(QImage picture, QSize size);
+  /// Likewise, that `detections` were found in.
+  void searched_heard(QImage picture, QSize size, mbncc_vision::DetectedObjectArray detections);
+  /// The picture that the lesson's draft was learned from.
+  void lesson_picture_heard(QImage picture);
   void score_map_heard(QImage picture);
-  void objects_listed(std::vector<mbncc_vision::LearnedObject> objects);
+  void objects_listed(std::vector<mbncc_vision::LearnedObject> objects, QString folder);
   void confirmed(bool success, QString message);
   void edited(mbncc_vision::EditObject::Request request, bool success, QString message);
   void grasp_marked(bool success, QString message);
+  /// `picture`: with the explanation drawn in.
+  void explained(bool success, QString lines, QImage picture);
+  void explained_saved(QString file);
+  void calibration_kept(bool success, QString message);
+  void all_found(bool success, QString message, QImage picture, QSize size,
+                 mbncc_vision::DetectedObjectArray detections);
+  void thresholds_set(bool success, QString message);
 
  private:
   void subscribe_lesson(ros::NodeHandle& node);
-  void subscribe_cell(ros::NodeHandle& node, const Names& names);
-  void take_picture(const sensor_msgs::Image& message);
+  void subscribe_cell(ros::NodeHandle& node);
+  void take_picture(const sensor_msgs::ImageConstPtr& message);
+  sensor_msgs::ImageConstPtr shown();
+  void note_shown(const sensor_msgs::ImageConstPtr& message);
+  void take_detections(const mbncc_vision::DetectedObjectArray& detections);
   void later(std::function<void()> call);
   template <class Service>
   bool call(const std::string& name, Service& service);
@@ -97,7 +129,12 @@ class RosLink : public QObject {
   ros::NodeHandle node_;
   int goals_ = 0;
   std::atomic<bool> changes_wanted_{false};
-  ChangeTint tint_;  // of the spinner's thread
+  ChangeTint tint_;                                // of the spinner's thread
+  std::deque<sensor_msgs::ImageConstPtr> newest_;  // likewise, the last one last
+  std::mutex shown_mutex_;
+  sensor_msgs::ImageConstPtr shown_;               // the newest that was handed over
+  mbncc_vision::ExplainPlace::Request explained_;  // of the worker's thread
+  std::string learning_ = "learning", matching_;
 
   std::mutex mutex_;
   std::condition_variable changed_;

@@ -34,9 +34,10 @@ void name_window(QWidget* widget, const QString& title) {
   new WindowNamer(widget, "mbncc:" + title);
 }
 
-QPushButton* make_button(const QString& text, const QString& tip, QWidget* parent) {
+QPushButton* make_button(const QString& text, const QString& tip, QWidget* parent,
+                         const QString& keys) {
   auto* button = new QPushButton(text, parent);
-  button->setToolTip(tip);
+  button->setToolTip(keys.isEmpty() ? tip : tip + " (" + keys + ")");
   name_window(button, QString(text).remove('&'));
   return button;
 }

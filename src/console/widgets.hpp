@@ -16,7 +16,9 @@ namespace mbncc::console {
 /// programs that drive windows (xdotool) find it.
 void name_window(QWidget* widget, const QString& title);
 
-QPushButton* make_button(const QString& text, const QString& tip, QWidget* parent);
+/// `keys`: shown in the tip, such as "Alt+T".
+QPushButton* make_button(const QString& text, const QString& tip, QWidget* parent,
+                         const QString& keys = "");
 
 /// The choices of symmetry_choices(), their values as data.
 QComboBox* make_symmetry_box(const QString& tip);

@@ -42,6 +42,20 @@ const char* colour_of(Level level) {
   return "#6e6e6e";
 }
 
+const char* bright_colour_of(Level level) {
+  switch (level) {
+    case Level::kGood:
+      return "#56b4e9";
+    case Level::kDoubtful:
+      return "#e69f00";
+    case Level::kBad:
+      return "#ff7f32";
+    case Level::kUnknown:
+      return "#e0e0e0";
+  }
+  return "#e0e0e0";
+}
+
 const char* ink_on(Level level) {
   return level == Level::kDoubtful ? "#000000" : "#ffffff";
 }

@@ -16,6 +16,9 @@ const char* symbol_of(Level level);
 /// "#rrggbb" of a plate, after Okabe and Ito's palette: blue, orange, vermilion, grey.
 const char* colour_of(Level level);
 
+/// "#rrggbb" of a line over a picture: as colour_of(), lighter.
+const char* bright_colour_of(Level level);
+
 /// "#rrggbb" of what is written on that plate: at least 4.5 times as light or dark (WCAG 2, AA).
 const char* ink_on(Level level);
 

@@ -59,7 +59,8 @@ class LearningNodelet : public GuardedNodelet {
 
   LearningNodeConfig config_;
   SearchConfig search_;
-  ros::Publisher preview_publisher_, draft_publisher_, stage_publisher_, score_publisher_;
+  ros::Publisher preview_publisher_, picture_publisher_, draft_publisher_, stage_publisher_,
+      score_publisher_;
   std::unique_ptr<LibraryPublisher> library_publisher_;
   std::shared_ptr<SharedLibrary> library_;
   std::unique_ptr<LibraryServices> library_services_;
@@ -104,6 +105,7 @@ void LearningNodelet::stop() {
   library_services_.reset();
   library_publisher_.reset();
   preview_publisher_.shutdown();
+  picture_publisher_.shutdown();
   draft_publisher_.shutdown();
   stage_publisher_.shutdown();
   score_publisher_.shutdown();
@@ -151,6 +153,7 @@ void LearningNodelet::start_pictures(ros::NodeHandle& node) {
 void LearningNodelet::start_lessons(ros::NodeHandle& node) {
   const std::string action = node.resolveName("learn_object");  // which may be remapped
   preview_publisher_ = node.advertise<sensor_msgs::Image>(action + "/preview", 1, true);
+  picture_publisher_ = node.advertise<sensor_msgs::Image>(action + "/picture", 1, true);
   draft_publisher_ = node.advertise<mbncc_vision::LearnObjectResult>(action + "/draft", 1, true);
   score_publisher_ = node.advertise<sensor_msgs::Image>(action + "/score_map", 1);
   stage_publisher_ = node.advertise<sensor_msgs::Image>(action + "/stage_image", 1);
@@ -179,6 +182,7 @@ mbncc_vision::LearnObjectResult LearningNodelet::teach(LessonClient& client) {
       search_,
       [this](const cv::Mat& picture) { stage_publisher_.publish(encode_picture(picture)); },
       [this](const cv::Mat& picture) { preview_publisher_.publish(encode_picture(picture)); },
+      [this](const cv::Mat& picture) { picture_publisher_.publish(encode_picture(picture)); },
       [this](const mbncc_vision::LearnObjectResult& draft) { draft_publisher_.publish(draft); },
       [this](const ObjectModel& model, const cv::Mat& picture) { show_scores(model, picture); },
       *gauge_};

@@ -78,6 +78,7 @@ bool LessonRun::lies_there_yet() const {
 
 void LessonRun::learn() {
   draft_.emplace(lesson_of(after_.picture), tools_.config, tools_.search, observer());
+  tools_.show_picture(before_.picture);
   take_draft();
 }
 

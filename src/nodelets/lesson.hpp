@@ -31,6 +31,7 @@ struct LessonTools {
   SearchConfig search;  ///< that will look for the object
   std::function<void(const cv::Mat&)> show_stage;
   std::function<void(const cv::Mat&)> show_preview;
+  std::function<void(const cv::Mat&)> show_picture;  ///< without marks, before the draft of it
   std::function<void(const mbncc_vision::LearnObjectResult&)> show_draft;
   std::function<void(const ObjectModel&, const cv::Mat& picture)> show_score_map;
   const LessonGauge& gauge;
@@ -69,6 +70,8 @@ class LessonRun {
   void wait_on();
   void watch(const std::function<Step(const PictureFeed::View&)>& look);
   void say(Step step);
+  void say_silence(const PictureFeed::View& view);
+  void ask_operator_to(std::uint8_t stage, double progress, const std::string& sentence);
   [[noreturn]] void fail_waiting(LearnError interruption, const PictureFeed::View& view) const;
 
   // Learning.
@@ -108,6 +111,7 @@ class LessonRun {
   const std::string name_;
   const ros::Time started_;
   Demonstration demonstration_;
+  std::string asked_for_;  // of the operator, the last time
   LessonPicture before_, after_;
   Calibration calibration_;  // of the picture before
   std::optional<InteractiveLesson> draft_;

@@ -15,6 +15,26 @@ using Feedback = mbncc_vision::LearnObjectFeedback;
 constexpr std::chrono::milliseconds kGlance{30};  // between two looks at the live scene
 constexpr int kGlancesPerWord = 15;               // between two messages to the operator
 
+constexpr double kSilentCamera = 2;  // [s] without a picture that an operator should know of
+
+const char* removal_sentence(Demonstration::Anew why) {
+  using Anew = Demonstration::Anew;
+  switch (why) {
+    case Anew::kLight:
+      return "The light has changed; the lesson goes on with the present picture. Take the object "
+             "away now.";
+    case Anew::kEdgeLeft:
+      return "What reached over the picture's edge has left; the lesson goes on with the present "
+             "picture. If the object is gone, too, put it wholly into the picture; then take it "
+             "away.";
+    case Anew::kEverything:
+      return "Nearly everything has changed, as when the camera is moved; the lesson goes on with "
+             "the present picture. See that the object lies in it, then take it away.";
+    default:
+      return "Take the object away now.";
+  }
+}
+
 LessonPicture picture_of(const StillShot& shot, const std::string& frame_id) {
   LessonPicture picture{shot.picture, {}, shot.number};
   picture.header.stamp.fromSec(shot.stamp);
@@ -83,6 +103,8 @@ void LessonRun::wait_for_change() {
     if (view.still && view.still->picture.size() != before_.picture.size())
       fail(LearnError::kImageMismatch);
     const Step step = demonstration_.look(view.still);
+    if (demonstration_.before().picture.data != before_.picture.data)
+      take_before(picture_of(demonstration_.before(), view.header.frame_id));
     if (step == Step::kReady) after_ = picture_of(demonstration_.after(), view.header.frame_id);
     return step;
   });
@@ -100,7 +122,9 @@ void LessonRun::watch(const std::function<Step(const PictureFeed::View&)>& look)
     const PictureFeed::View view = tools_.pictures.look();
     if (const auto why = client_.interruption()) fail_waiting(*why, view);
     const bool word_due = glance % kGlancesPerWord == 0;
-    if (view.any_picture) {
+    if (view.any_picture && view.silence > kSilentCamera) {
+      if (word_due) say_silence(view);
+    } else if (view.any_picture) {
       const Step step = look(view);
       if (step == Step::kReady) return;
       if (word_due) say(step);
@@ -111,19 +135,32 @@ void LessonRun::watch(const std::function<Step(const PictureFeed::View&)>& look)
   }
 }
 
+void LessonRun::ask_operator_to(std::uint8_t stage, double progress, const std::string& sentence) {
+  asked_for_ = sentence;
+  tell(stage, progress, sentence, true);
+}
+
+void LessonRun::say_silence(const PictureFeed::View& view) {
+  ask_operator_to(Feedback::WAIT_IMAGE, 0,
+                  "The camera has sent no picture for " +
+                      std::to_string(static_cast<int>(view.silence)) +
+                      " s: check its cable and driver. The lesson goes on with the next picture.");
+}
+
 void LessonRun::say(Step step) {
   switch (step) {
     case Step::kWaitStill:
-      return tell(Feedback::WAIT_IMAGE, 0.02, "Waiting for a still scene: move arm and hands out.",
-                  true);
+      return ask_operator_to(Feedback::WAIT_IMAGE, 0.02,
+                             "The scene moves: move arm and hands out and keep still.");
     case Step::kMoving:
-      return tell(Feedback::WAIT_STILL, 0.2, "Something moves: leave the picture and keep still.",
-                  true);
+      return ask_operator_to(Feedback::WAIT_STILL, 0.2,
+                             "Something moves: leave the picture and keep still.");
     case Step::kAtBorder:
-      return tell(Feedback::WAIT_STILL, 0.2, "Something reaches into the picture: move it out.",
-                  true);
+      return ask_operator_to(
+          Feedback::WAIT_STILL, 0.2,
+          "Something has come that reaches into the picture over its edge: move it out.");
     default:
-      return tell(Feedback::WAIT_REMOVAL, 0.1, "Take the object away now.", true);
+      return ask_operator_to(Feedback::WAIT_REMOVAL, 0.1, removal_sentence(demonstration_.anew()));
   }
 }
 
@@ -132,7 +169,12 @@ void LessonRun::fail_waiting(LearnError interruption, const PictureFeed::View& v
   if (!view.any_picture)
     fail(LearnError::kNoImage,
          view.fault.empty() ? "" : "No usable picture arrived: " + view.fault + ".");
-  fail(view.still ? LearnError::kTimeout : LearnError::kNotStill);
+  const LearnError error = view.silence > kSilentCamera ? LearnError::kNoImage
+                           : view.still                 ? LearnError::kTimeout
+                                                        : LearnError::kNotStill;
+  if (asked_for_.empty()) fail(error);
+  fail(error, std::string(message_of(error)) + " It last said: " + asked_for_,
+       "Do what it last said, then teach again.");
 }
 
 }  // namespace mbncc::nodelets

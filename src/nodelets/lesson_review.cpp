@@ -72,6 +72,7 @@ LessonEdit edit_of(const Request& request, cv::Size size, bool further_view) {
 
 LessonRun::Result LessonRun::review() {
   const Review review(tools_.confirmation);
+  client_.wait_for_operator();
   for (;;) {
     const Request command = ask_operator();
     Response response;

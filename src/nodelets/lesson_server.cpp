@@ -17,26 +17,34 @@ constexpr std::chrono::milliseconds kFarewell{100};
 
 }  // namespace
 
-LessonClient::LessonClient(Handle handle, std::chrono::duration<double> timeout)
+LessonClient::LessonClient(Handle handle, double timeout, double default_timeout)
     : handle_(std::move(handle)),
       goal_(handle_.getGoal()),
+      own_timeout_(timeout > 0),
       deadline_(std::chrono::steady_clock::now() +
-                std::chrono::duration_cast<std::chrono::steady_clock::duration>(timeout)) {}
+                std::chrono::duration_cast<std::chrono::steady_clock::duration>(
+                    std::chrono::duration<double>(own_timeout_ ? timeout : default_timeout))) {}
 
 std::optional<LearnError> LessonClient::interruption() const {
   if (cancelled_ || stopped_) return LearnError::kCancelled;
-  if (remaining() <= 0) return LearnError::kTimeout;
+  const auto left = remaining();
+  if (left && *left <= 0) return LearnError::kTimeout;
   return {};
 }
 
-double LessonClient::remaining() const {
-  return std::chrono::duration<double>(deadline_ - std::chrono::steady_clock::now()).count();
+void LessonClient::wait_for_operator() {
+  if (!own_timeout_) deadline_.reset();
+}
+
+std::optional<double> LessonClient::remaining() const {
+  if (!deadline_) return {};
+  return std::chrono::duration<double>(*deadline_ - std::chrono::steady_clock::now()).count();
 }
 
 void LessonClient::tell(mbncc_vision::LearnObjectFeedback feedback) {
   progress_ = std::max(progress_, std::clamp(feedback.progress, 0.0f, 1.0f));
   feedback.progress = progress_;
-  feedback.remaining = ros::Duration(std::max(0.0, remaining()));
+  feedback.remaining = ros::Duration(std::max(0.0, remaining().value_or(0)));
   handle_.publishFeedback(feedback);
 }
 
@@ -102,9 +110,8 @@ void LessonServer::on_goal(LessonClient::Handle handle) {
   server_.forget_pictures();
   const auto goal = handle.getGoal();
   if (const auto refused = refusal(*goal)) return handle.setRejected(*refused, refused->message);
-  const double wanted = goal->timeout.toSec();
-  const auto client = std::make_shared<LessonClient>(
-      handle, std::chrono::duration<double>(wanted > 0 ? wanted : default_timeout_));
+  const auto client =
+      std::make_shared<LessonClient>(handle, goal->timeout.toSec(), default_timeout_);
   if (!reserve(client)) {
     const Result busy = outcome(LearnError::kBusy);
     return handle.setRejected(busy, busy.message);

@@ -24,24 +24,31 @@ class LessonClient {
  public:
   using Handle = actionlib::ActionServer<mbncc_vision::LearnObjectAction>::GoalHandle;
 
-  LessonClient(Handle handle, std::chrono::duration<double> timeout);
+  /// `timeout` [s] of the whole lesson; 0: `default_timeout` until the operator is asked.
+  LessonClient(Handle handle, double timeout, double default_timeout);
 
   const mbncc_vision::LearnObjectGoal& goal() const { return *goal_; }
 
   /// Why the lesson must end now: cancelled or out of time. None: go on.
   std::optional<LearnError> interruption() const;
 
-  /// [s] until the deadline, by the steady clock.
-  double remaining() const;
+  /// The operator looks at the lesson and may take as long as he likes, unless the goal itself set
+  /// a timeout.
+  void wait_for_operator();
 
-  /// Publishes feedback; fills in `remaining` and keeps `progress` from falling.
+  /// [s] until the deadline, by the steady clock; none: there is none.
+  std::optional<double> remaining() const;
+
+  /// Publishes feedback; fills in `remaining`, 0 without a deadline, and keeps `progress` from
+  /// falling.
   void tell(mbncc_vision::LearnObjectFeedback feedback);
 
  private:
   friend class LessonServer;
   Handle handle_;
   boost::shared_ptr<const mbncc_vision::LearnObjectGoal> goal_;
-  std::chrono::steady_clock::time_point deadline_;
+  bool own_timeout_;
+  std::optional<std::chrono::steady_clock::time_point> deadline_;
   std::atomic<bool> cancelled_{false};
   std::atomic<bool> stopped_{false};
   float progress_ = 0;

@@ -19,6 +19,7 @@
 #include "mbncc/health_tasks.hpp"
 #include "nodelets/camera_input.hpp"
 #include "nodelets/detection_publisher.hpp"
+#include "nodelets/explain_service.hpp"
 #include "nodelets/find_service.hpp"
 #include "nodelets/guarded_nodelet.hpp"
 #include "nodelets/health_report.hpp"
@@ -87,6 +88,7 @@ class MatchingNodelet : public GuardedNodelet {
   ros::CallbackQueue side_queue_;
   ros::AsyncSpinner side_spinner_{1, &side_queue_};
   std::unique_ptr<FindService> find_service_;
+  std::unique_ptr<ExplainService> explain_service_;
   std::unique_ptr<Reconfigure> reconfigure_;
   ros::ServiceServer enable_server_, list_server_;
   ros::Subscriber library_subscriber_, roi_subscriber_;
@@ -115,6 +117,7 @@ void MatchingNodelet::stop() {
   side_spinner_.stop();
   find_service_.reset();
   roi_subscriber_.shutdown();
+  explain_service_.reset();
   reconfigure_.reset();
   enable_server_.shutdown();
   list_server_.shutdown();
@@ -158,6 +161,9 @@ void MatchingNodelet::start_services() {
   const FindTools tools{*settings_, *matcher_,     tf_buffer_,
                         *camera_,   picture_wait_, [this] { listen_as_wanted(); }};
   find_service_ = std::make_unique<FindService>(node(), tools);
+  explain_service_ = std::make_unique<ExplainService>(
+      private_node(), ExplainTools{[this] { return settings_->get(); }, *matcher_, picture_wait_,
+                                   [this] { listen_as_wanted(); }});
   enable_server_ = private_node().advertiseService("enable", &MatchingNodelet::enable, this);
   reconfigure_ = std::make_unique<Reconfigure>(
       side_private_node, [this](const auto& use) { change_settings(use); },

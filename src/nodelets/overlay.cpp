@@ -117,9 +117,7 @@ Peak peak_of(const cv::Mat& scores, const cv::Mat& mask = {}) {
   return peak;
 }
 
-void name_peak(cv::Mat& picture, const Peak& peak, int radius) {
-  char text[16];
-  std::snprintf(text, sizeof text, "%.2f", peak.score);
+void name_peak(cv::Mat& picture, const Peak& peak, const char* text, int radius) {
   const Letters letters(2 * picture.cols);
   const int x = std::min(peak.place.x + radius + 4, picture.cols - letters.width_of(text) - 2);
   const cv::Point at(x, std::max(peak.place.y, letters.height + 2));
@@ -154,11 +152,11 @@ cv::Mat draw_score_map(const cv::Mat& scores, double radius) {
   const Peak second = peak_of(scores, elsewhere);
   const int mark = std::max(6, drawn.cols / 25), stroke = drawn.cols / 320 + 1;
   cv::circle(drawn, best.place, mark, kInk, stroke, cv::LINE_AA);
-  name_peak(drawn, best, mark);
+  name_peak(drawn, best, "object", mark);
   if (second.score <= 0) return drawn;
   const cv::Point half(mark, mark);
   cv::rectangle(drawn, second.place - half, second.place + half, kInk, stroke);
-  name_peak(drawn, second, mark);
+  name_peak(drawn, second, "next best", mark);
   return drawn;
 }
 

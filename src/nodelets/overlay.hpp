@@ -21,7 +21,7 @@ cv::Mat draw_detections(const cv::Mat& picture,
 cv::Mat colour_score_map(const cv::Mat& scores);
 
 /// colour_score_map() with a ring around the best place and a square around the best one farther
-/// than `radius` [px] from it, and both scores.
+/// than `radius` [px] from it. Without figures: a first look is no score.
 cv::Mat draw_score_map(const cv::Mat& scores, double radius);
 
 }  // namespace mbncc::nodelets

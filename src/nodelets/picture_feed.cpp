@@ -16,7 +16,9 @@ PictureFeed::~PictureFeed() {
 
 PictureFeed::View PictureFeed::look() const {
   const std::lock_guard<std::mutex> lock(mutex_);
-  return view_;
+  View view = view_;
+  view.silence = std::chrono::duration<double>(std::chrono::steady_clock::now() - arrived_).count();
+  return view;
 }
 
 std::optional<StillShot> PictureFeed::before_change() const {
@@ -47,6 +49,7 @@ void PictureFeed::watch(const sensor_msgs::Image& image) {
   if (!decoded) return refuse(decoded.fault);
   const std::lock_guard<std::mutex> lock(mutex_);
   watch_.update(image.header.stamp.toSec(), decoded.picture);
+  arrived_ = std::chrono::steady_clock::now();
   view_.any_picture = true;
   view_.newest_refused = false;
   view_.still = watch_.still();

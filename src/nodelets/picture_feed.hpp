@@ -3,6 +3,7 @@
 
 #include <sensor_msgs/Image.h>
 
+#include <chrono>
 #include <cstdint>
 #include <mutex>
 #include <optional>
@@ -32,6 +33,7 @@ class PictureFeed {
     bool any_picture = false;        ///< a usable one has arrived
     std::optional<StillShot> still;  ///< see SceneWatch::still()
     std_msgs::Header header;         ///< of the newest picture
+    double silence = 0;              ///< [s] since a usable picture arrived, by the steady clock
     std::uint64_t refused = 0;       ///< pictures that could not be decoded or watched
     std::string fault;               ///< why, for the last of them
     bool newest_refused = false;     ///< the newest picture is one of them
@@ -51,6 +53,7 @@ class PictureFeed {
   mutable std::mutex mutex_;
   SceneWatch watch_;
   View view_;
+  std::chrono::steady_clock::time_point arrived_;
   std::thread worker_;
 };
 

@@ -67,6 +67,48 @@ TEST_F(DemonstrationTest, AGivenPictureBeforeStays) {
   EXPECT_EQ(demonstration.before().number, 0u);
 }
 
+TEST_F(DemonstrationTest, AHandThatWasThereAtTheStartAndLeftIsNoObject) {
+  Demonstration demonstration;
+  const sim::Arm arm{{160, 120, -kPi / 2}};
+  demonstration.look(shot({part_}, arm));
+  EXPECT_EQ(demonstration.look(shot({part_})), Step::kWaitRemoval);
+  EXPECT_EQ(demonstration.anew(), Demonstration::Anew::kEdgeLeft);
+  EXPECT_EQ(demonstration.look(shot({})), Step::kReady);
+  EXPECT_EQ(demonstration.before().number, 2u);
+}
+
+TEST_F(DemonstrationTest, AnotherLightTakesThePictureAnew) {
+  Demonstration demonstration;
+  demonstration.look(shot({part_}));
+  StillShot dim = shot({part_});
+  dim.picture *= 0.5;
+  EXPECT_EQ(demonstration.look(dim), Step::kWaitRemoval);
+  EXPECT_EQ(demonstration.anew(), Demonstration::Anew::kLight);
+  EXPECT_EQ(demonstration.before().number, 2u);
+}
+
+TEST_F(DemonstrationTest, LightThatChangesInAStillPeriodIsNoticed) {
+  Demonstration demonstration;
+  const StillShot first = shot({part_});
+  demonstration.look(first);
+  StillShot dim = first;
+  dim.picture = 0.5 * first.picture;
+  dim.stamp += 2;
+  EXPECT_EQ(demonstration.look(dim), Step::kWaitRemoval);
+  EXPECT_EQ(demonstration.anew(), Demonstration::Anew::kLight);
+}
+
+TEST_F(DemonstrationTest, AnotherSceneTakesThePictureAnew) {
+  Demonstration demonstration;
+  demonstration.look(shot({part_}));
+  StillShot other = shot({part_});
+  cv::randu(other.picture, 0, 255);
+  EXPECT_EQ(demonstration.look(other), Step::kWaitRemoval);
+  EXPECT_EQ(demonstration.anew(), Demonstration::Anew::kEverything);
+  EXPECT_EQ(demonstration.look(shot({part_})), Step::kWaitRemoval);
+  EXPECT_EQ(demonstration.look(shot({})), Step::kReady);
+}
+
 TEST_F(DemonstrationTest, PicturesOfAnotherSizeDoNotCount) {
   Demonstration demonstration;
   demonstration.look(shot({part_}));

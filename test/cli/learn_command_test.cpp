@@ -76,6 +76,7 @@ TEST(LearnCommand, KeepsADeclaredSymmetryUntilTheObjectIsReplaced) {
   const ToolRun other = run_tool(folder.lesson("part") + Words{"--add-view", "--symmetry", "2"});
   EXPECT_EQ(other.code, 1);
   EXPECT_TRUE(other.says("cannot change its symmetry")) << other.err;
+  folder.write("before.png", 0.7 * LessonFolder::scene().render({LessonFolder::learned()}, 1));
   ASSERT_EQ(run_tool(folder.lesson("part") + Words{"--add-view"}).code, 0);
   EXPECT_EQ(stored(), 4);
   ASSERT_EQ(run_tool(folder.lesson("part") + Words{"--overwrite"}).code, 0);
@@ -122,7 +123,7 @@ TEST(LearnCommand, NamesAreGuarded) {
   const ToolRun taken = run_tool(folder.lesson("part") + Words{"--json"});
   EXPECT_EQ(taken.code, 1);
   EXPECT_EQ(YAML::Load(taken.out)["error"].as<std::string>(), "NAME_TAKEN");
-  EXPECT_TRUE(taken.says("or set --overwrite or --add-view")) << taken.err;
+  EXPECT_TRUE(taken.says("Replace it (--overwrite), add a view to it (--add-view)")) << taken.err;
   const ToolRun unknown = run_tool(folder.lesson("other") + Words{"--add-view"});
   EXPECT_EQ(unknown.code, 1);
   EXPECT_TRUE(unknown.says("does not hold 'other'"));

@@ -21,7 +21,13 @@ TEST(Usage, WrongUsageGetsASentenceAndExitCode2) {
       {{"--versoin"}, "unknown command"},
       {{"help", "lern"}, "did you mean 'learn'?"},
       {{"frobnicate"}, "unknown command 'frobnicate'\nTry"},
-      {{"list"}, "--library DIR is missing"},
+      {{"explain", "--library", "L", "i.png"}, "--at x,y is missing"},
+      {{"explain", "--library", "L", "--at", "1", "i.png"}, "--at needs pairs of numbers x,y"},
+      {{"explain", "--library", "L", "--at", "1,2", "i.png", "j.png"}, "one picture, not 2"},
+      {{"replay"}, "no FILE.miss is given"},
+      {{"evaluate", "--library", "L", "i.png"}, "--truth TRUTH.csv is missing"},
+      {{"completion"}, "no SHELL is given"},
+      {{"completion", "fish"}, "bash or zsh, not 'fish'"},
       {{"list", "--libary", "L"}, "did you mean '--library'?"},
       {{"list", "--colour", "red"}, "unknown option '--colour'\nTry"},
       {{"list", "--library"}, "--library needs a value"},
@@ -76,8 +82,8 @@ TEST(Usage, WrongUsageGetsASentenceAndExitCode2) {
 TEST(Usage, EveryCommandExplainsItself) {
   const ToolRun all = run_tool({"--help"});
   EXPECT_EQ(all.code, 0);
-  for (const char* command : {"learn", "find", "map", "list", "show", "forget", "restore", "check",
-                              "params", "simulate"}) {
+  for (const char* command : {"learn", "find", "explain", "replay", "evaluate", "map", "list",
+                              "show", "forget", "restore", "check", "params", "simulate"}) {
     EXPECT_TRUE(all.prints(command));
     const ToolRun one = run_tool({command, "--help"});
     EXPECT_EQ(one.code, 0);

@@ -77,6 +77,66 @@ class ConsoleTest(unittest.TestCase):
         self.assertEqual(back.map.data, first.map.data)
         self.teacher.press("Reject")
 
+    def test_3b_a_double_click_draws_nothing_and_escape_puts_the_tool_down(self):
+        first = self.teach("untouched")
+        reference = first.object.reference
+        picture = (first.preview.width, first.preview.height)
+        self.assertTrue(self.teacher.feedback.get().feedback.remaining.is_zero(), "a review has no deadline")
+        self.teacher.mouse.click("Cut")
+        self.teacher.mouse.click("picture")
+        self.teacher.mouse.click("picture")
+        drafts = self.teacher.draft.count()
+        self.teacher.mouse.press("Escape")
+        stroke = [(reference.x - 12 + 2 * i, reference.y - 30 + 5 * i) for i in range(13)]
+        self.teacher.mouse.drag(stroke, picture)
+        self.teacher.mouse.press("c")  # the tool's key
+        cut = self.teacher.correct(lambda: self.teacher.mouse.drag(stroke, picture))
+        self.assertEqual(self.teacher.draft.count(), drafts + 1, "nothing but the last stroke")
+        self.assertLess(cut.object.quality.area, first.object.quality.area - 50)
+        self.teacher.mouse.press("space")
+        self.teacher.press("Reject")
+        self.assertNotIn("untouched", self.teacher.names(), "Space stores nothing")
+
+    def test_3c_strokes_drawn_while_one_is_computed_are_all_carried_out(self):
+        first = self.teach("hurried")
+        reference = first.object.reference
+        picture = (first.preview.width, first.preview.height)
+        self.teacher.mouse.click("Cut")
+        count = self.teacher.draft.count()
+        for shift in (-14, 0, 14):
+            self.teacher.mouse.drag([(reference.x + shift, reference.y - 20 + 10 * i) for i in range(5)], picture)
+        wait_for(lambda: self.teacher.draft.count() >= count + 3, "three corrections are carried out")
+        self.teacher.press("Reject")
+
+    def test_3d_a_taken_name_asks_what_is_meant(self):
+        from mbncc_vision.msg import LearnObjectResult
+        self.teacher.mouse.write("name", "bracket")
+        self.teacher.mouse.click_until("Teach", lambda: self.teacher.mouse.sees("Replace it"), "it is asked")
+        revisions = self.teacher.revisions()
+        self.teacher.answer("Replace it")
+        self.teacher.take_away()
+        self.teacher.wait_for_question()
+        result = self.teacher.press("Accept")
+        self.assertEqual(result.error_code, LearnObjectResult.SUCCESS, result.message)
+        wait_for(lambda: self.teacher.revisions()["bracket"] > revisions["bracket"], "it is replaced")
+
+    def test_3e_tells_why_something_is_found_and_saves_it(self):
+        truth = self.teacher.truth.get().objects[0].image_pose
+        self.teacher.mouse.click_until("Why not found here\\?", lambda: True, "it asks for the place")
+        self.teacher.mouse.drag([(truth.x, truth.y)], (CAMERA["width"], CAMERA["height"]))
+        self.teacher.mouse.window("Back to live")
+        misses = self.session.folder / "library" / ".misses"
+        self.teacher.mouse.click_until("Save this miss", lambda: any(misses.glob("*.miss")), "it is saved")
+        self.teacher.mouse.press("Escape")
+        wait_for(lambda: not self.teacher.mouse.sees("Back to live"), "the live picture is back")
+
+    def test_3f_other_thresholds_are_tried_and_applied(self):
+        import rospy
+        self.teacher.mouse.click_until("Thresholds", lambda: self.teacher.mouse.sees("confirm_score"), "it shows them")
+        self.teacher.mouse.click("min_score", at=(60, 8))
+        self.teacher.mouse.click_until("Apply", lambda: rospy.get_param("/matching/min_score", 0.5) < 0.5,
+                                       "the matcher has it")
+
     def test_4_delete_and_undo(self):
         self.assertIn("bracket", self.teacher.names())
         self.teacher.mouse.click("library", at=(40, 40))

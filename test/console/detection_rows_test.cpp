@@ -46,6 +46,14 @@ TEST(DetectionRows, PixelsOtherwise) {
   EXPECT_EQ(rows[0].cells[4], "30.0\u00b0");
 }
 
+TEST(DetectionRows, ZeroHasNoSign) {
+  auto array = one(false);
+  array.objects[0].image_pose.x = -0.04;
+  array.objects[0].image_pose.theta = -1e-4;
+  EXPECT_EQ(detection_rows(array, 0)[0].cells[2], "0.0 px");
+  EXPECT_EQ(detection_rows(array, 0)[0].cells[4], "0.0\u00b0");
+}
+
 TEST(DetectionRows, ReasonsStandALineEach) {
   auto array = one(true);
   EXPECT_EQ(detection_rows(array, 0)[0].reasons, "");

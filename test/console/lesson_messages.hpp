@@ -1,6 +1,7 @@
 // What the learning nodelet says in a lesson, and a console in the midst of one.
 #pragma once
 
+#include <gtest/gtest.h>
 #include <mbncc_vision/LearnObjectFeedback.h>
 
 #include "console/lesson_model.hpp"
@@ -61,6 +62,18 @@ inline LessonModel in_review(std::int16_t code = Result::SUCCESS) {
   lesson.take_draft(draft(code));
   lesson.take_feedback(feedback(Feedback::WAIT_CONFIRM), 1);
   return lesson;
+}
+
+inline LessonModel::Word word(std::uint8_t command) {
+  LessonModel::Word word;
+  word.command = command;
+  return word;
+}
+
+/// A correction is on its way.
+inline void decide(LessonModel& lesson) {
+  lesson.want(word(LessonModel::Word::EDIT));
+  ASSERT_TRUE(lesson.next_word());
 }
 
 }  // namespace mbncc::console

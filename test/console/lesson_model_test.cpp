@@ -104,10 +104,22 @@ TEST(LessonModel, TheResultOfAnotherGoalDoesNotEndThisOne) {
 
 TEST(LessonModel, AnAnswerAfterTheEndChangesNothing) {
   LessonModel lesson = in_review();
-  lesson.decide();
+  decide(lesson);
   lesson.take_result(result(Result::SUCCESS), 5);
   lesson.take_answer(true, "stored");
   EXPECT_TRUE(lesson.may_teach());
+}
+
+TEST(LessonModel, ADeadCameraIsNamedBeforeAndInALesson) {
+  LessonModel lesson = ready();
+  lesson.take_camera(false);
+  EXPECT_EQ(lesson.headline(), "No picture from the camera");
+  EXPECT_NE(lesson.detail().find("cable"), std::string::npos);
+  lesson.begin("goal", 0);
+  lesson.take_feedback(feedback(Feedback::WAIT_IMAGE), 1);
+  EXPECT_EQ(lesson.headline(), "No picture from the camera");
+  lesson.take_camera(true);
+  EXPECT_EQ(lesson.headline(), "Keep the scene still");
 }
 
 }  // namespace

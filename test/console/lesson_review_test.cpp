@@ -29,7 +29,7 @@ TEST(LessonReview, TheDraftOfTheLessonBeforeIsNeverAccepted) {
 
 TEST(LessonReview, ARepeatedQuestionOnlyTellsTheTime) {
   LessonModel lesson = in_review();
-  lesson.decide();
+  decide(lesson);
   lesson.take_feedback(feedback(Feedback::WAIT_CONFIRM, 50), 2);
   EXPECT_EQ(lesson.phase(), Phase::kDeciding);
   EXPECT_EQ(lesson.time_left(2), "0:50 left");
@@ -79,7 +79,7 @@ TEST(LessonReview, TheDraftsNumberChangesWithTheDraftAlone) {
 TEST(LessonReview, ACorrectionBringsItsDraftInAnyOrder) {
   for (const bool draft_first : {true, false}) {
     LessonModel lesson = in_review();
-    lesson.decide();
+    decide(lesson);
     lesson.take_feedback(feedback(Feedback::SEGMENT), 2);
     EXPECT_TRUE(lesson.draft());
     Result corrected = draft(Result::SUCCESS);
@@ -95,13 +95,78 @@ TEST(LessonReview, ACorrectionBringsItsDraftInAnyOrder) {
 
 TEST(LessonReview, OneWordAtATime) {
   LessonModel lesson = in_review();
-  lesson.decide();
+  decide(lesson);
   EXPECT_EQ(lesson.phase(), Phase::kDeciding);
   EXPECT_FALSE(lesson.may_decide());
   lesson.take_answer(false, "There is no edit to undo.");
   EXPECT_TRUE(lesson.may_decide());
   EXPECT_EQ(lesson.detail(), "There is no edit to undo.");
   EXPECT_EQ(lesson.level(), Level::kBad);
+}
+
+TEST(LessonReview, CorrectionsDrawnWhileOneIsComputedWaitTheirTurn) {
+  LessonModel lesson = in_review();
+  decide(lesson);
+  auto second = word(LessonModel::Word::EDIT);
+  second.stroke_width = 7;
+  lesson.want(second);
+  EXPECT_EQ(lesson.waiting().size(), 2u);
+  EXPECT_FALSE(lesson.next_word()) << "the server works";
+  lesson.take_feedback(feedback(Feedback::SEGMENT), 2);
+  lesson.want(word(LessonModel::Word::UNDO));
+  lesson.take_answer(true, "");
+  lesson.take_feedback(feedback(Feedback::WAIT_CONFIRM), 3);
+  const auto sent = lesson.next_word();
+  ASSERT_TRUE(sent);
+  EXPECT_EQ(sent->stroke_width, 7);
+  lesson.take_answer(true, "");
+  EXPECT_EQ(lesson.next_word()->command, LessonModel::Word::UNDO);
+}
+
+TEST(LessonReview, AnAcceptMeansWhatWasSeen) {
+  LessonModel lesson = in_review();
+  decide(lesson);
+  lesson.want(word(LessonModel::Word::ACCEPT));
+  lesson.take_answer(true, "");
+  EXPECT_FALSE(lesson.next_word()) << "another draft than that of the click";
+}
+
+TEST(LessonReview, WhatWaitsEndsWithTheLesson) {
+  LessonModel lesson = in_review();
+  decide(lesson);
+  lesson.want(word(LessonModel::Word::EDIT));
+  lesson.take_result(result(Result::CANCELLED), 5);
+  EXPECT_TRUE(lesson.waiting().empty());
+}
+
+TEST(LessonReview, UndoIsOfferedWhereThereIsSomethingToTakeBack) {
+  LessonModel lesson = in_review();
+  EXPECT_FALSE(lesson.may_undo());
+  decide(lesson);
+  lesson.take_answer(true, "");
+  EXPECT_TRUE(lesson.may_undo());
+  lesson.want(word(LessonModel::Word::UNDO));
+  lesson.next_word();
+  lesson.take_answer(true, "");
+  EXPECT_FALSE(lesson.may_undo());
+}
+
+TEST(LessonReview, AJoinedReviewMayHoldCorrections) {
+  LessonModel lesson;
+  lesson.take_draft(draft(Result::SUCCESS));
+  lesson.take_status(status("goal"), 0);
+  lesson.take_feedback(feedback(Feedback::WAIT_CONFIRM), 1);
+  EXPECT_TRUE(lesson.may_undo());
+  lesson.want(word(LessonModel::Word::UNDO));
+  lesson.next_word();
+  lesson.take_answer(false, "there is no edit to undo");
+  EXPECT_FALSE(lesson.may_undo());
+}
+
+TEST(LessonReview, HasNoDeadlineWhereTheServerSetsNone) {
+  LessonModel lesson = in_review();
+  lesson.take_feedback(feedback(Feedback::WAIT_CONFIRM, 0), 2);
+  EXPECT_EQ(lesson.time_left(3), "");
 }
 
 }  // namespace

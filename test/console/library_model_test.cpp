@@ -50,5 +50,20 @@ TEST(LibraryModel, UndoGoesBackStepByStep) {
   EXPECT_FALSE(library.can_undo());
 }
 
+TEST(LibraryModel, WhatALessonReplacedCanBeBroughtBack) {
+  LibraryModel library;
+  mbncc_vision::LearnedObject object;
+  object.name = "part";
+  object.revision = 4;
+  library.set_objects({object});
+  library.retaught("another");
+  EXPECT_FALSE(library.can_undo()) << "nothing was there before";
+  library.retaught("part");
+  ASSERT_TRUE(library.can_undo());
+  EXPECT_EQ(library.undo().command, LibraryModel::Request::RESTORE);
+  EXPECT_EQ(library.undo().revision, 4u);
+  EXPECT_NE(library.undo_text().find("revision 4"), std::string::npos);
+}
+
 }  // namespace
 }  // namespace mbncc::console

@@ -36,12 +36,21 @@ TEST(MarkingTool, AStrokeKeepsItsWayAndWidth) {
   }
 }
 
-TEST(MarkingTool, AClickIsADot) {
+TEST(MarkingTool, AClickDrawsNothing) {
   MarkingTool tool;
   tool.choose(Tool::kInclude);
-  const auto request = drag(tool, {{10, 10}});
-  ASSERT_TRUE(request);
-  EXPECT_EQ(request->include[0].points.size(), 2u);
+  EXPECT_FALSE(drag(tool, {{10, 10}}));
+  EXPECT_FALSE(drag(tool, {{10, 10}, {11, 11}})) << "nor does a slip of the mouse";
+}
+
+TEST(MarkingTool, WhatIsBeingDrawnCanBeGivenUp) {
+  MarkingTool tool;
+  tool.choose(Tool::kInclude);
+  EXPECT_FALSE(tool.give_up());
+  tool.press({10, 10});
+  tool.move({50, 50});
+  EXPECT_TRUE(tool.give_up());
+  EXPECT_FALSE(tool.release({50, 50}, kPicture));
 }
 
 TEST(MarkingTool, ARegionIsTheSameFromAnyCornerAndStaysInThePicture) {

@@ -29,5 +29,12 @@ TEST(Notice, TheNewestCounts) {
   EXPECT_EQ(notice.over(kLesson, 12).text, "second");
 }
 
+TEST(Notice, WhatIsOutOfDateIsGone) {
+  Notice notice;
+  notice.post({Level::kBad, "Library: the name is taken"}, 10);
+  notice.clear();
+  EXPECT_EQ(notice.over(kLesson, 10.1).text, kLesson.text);
+}
+
 }  // namespace
 }  // namespace mbncc::console

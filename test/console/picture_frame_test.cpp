@@ -46,5 +46,19 @@ TEST(PictureFrame, NeverShowsLessThanAllOrAnotherPictureEnlarged) {
   EXPECT_DOUBLE_EQ(frame.scale(), 2);
 }
 
+TEST(PictureFrame, WhatIsEnlargedCanBeMovedToItsEdgesAndNoFarther) {
+  PictureFrame frame;
+  frame.set_sizes({640, 480}, {640, 480});
+  frame.pan({50, 0});
+  EXPECT_NEAR(frame.to_widget({-0.5, -0.5}).x, 0, 1e-9) << "the whole stays";
+  frame.zoom(2, {320, 240});
+  const double before = frame.to_widget({100, 100}).x;
+  frame.pan({50, 0});
+  EXPECT_NEAR(frame.to_widget({100, 100}).x, before + 50, 1e-9);
+  frame.pan({5000, 5000});
+  EXPECT_NEAR(frame.to_widget({-0.5, -0.5}).x, 0, 1e-9);
+  EXPECT_NEAR(frame.to_widget({-0.5, -0.5}).y, 0, 1e-9);
+}
+
 }  // namespace
 }  // namespace mbncc::console

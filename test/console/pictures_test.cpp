@@ -31,7 +31,7 @@ TEST(Pictures, GreyBecomesColour) {
 }
 
 TEST(Pictures, LargeOnesAreShrunk) {
-  EXPECT_EQ(small(cv::Mat(2048, 2448, CV_8UC3)).cols, 960);
+  EXPECT_EQ(small(cv::Mat(2048, 2448, CV_8UC3)).cols, 1600);
   EXPECT_EQ(small(cv::Mat(480, 640, CV_8UC3)).cols, 640);
 }
 
@@ -55,6 +55,15 @@ TEST(ChangeTint, TintsWhatChangedSinceTheFirstPicture) {
   EXPECT_EQ(tinted.at<cv::Vec3b>(5, 5), picture.at<cv::Vec3b>(5, 5));
   tint.reset();
   EXPECT_EQ(cv::norm(tint.tint(picture), picture, cv::NORM_INF), 0);
+}
+
+TEST(ChangeTint, AnotherLightIsNoChange) {
+  cv::Mat scene(48, 64, CV_8UC3);
+  cv::randu(scene, 60, 200);
+  ChangeTint tint;
+  tint.tint(scene);
+  const cv::Mat dim = scene * 0.5;
+  EXPECT_EQ(cv::norm(tint.tint(dim), dim, cv::NORM_INF), 0);
 }
 
 }  // namespace

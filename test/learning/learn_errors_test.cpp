@@ -126,6 +126,14 @@ TEST(LearnErrors, TouchesBorder) {
   EXPECT_EQ(result.hint, result.object.quality.advice.front());
 }
 
+TEST(LearnErrors, ARegionThatReachesOutIsToldFromAnObjectAtTheBorder) {
+  DrawnLesson drawn = draw_lesson({30, 100});
+  drawn.lesson.region = {-40, 40, 130, 130};
+  const LearnResult result = learn_object(drawn.lesson);
+  EXPECT_EQ(result.error, LearnError::kRegionInvalid);
+  EXPECT_NE(result.message.find("reaches out of the picture"), std::string::npos);
+}
+
 TEST(LearnErrors, TooSmall) {
   DrawnLesson drawn = draw_lesson();
   drawn.lesson.after = cv::Mat();

@@ -165,6 +165,18 @@ TEST_F(AddView, TakesFrameHeightAndSymmetryOfTheStoredObject) {
   EXPECT_EQ(stored.grasp->position[0], 0.1);
 }
 
+TEST_F(AddView, RefusesWhatIsStoredAlready) {
+  const auto first = placed(5, {200, 200, 0});
+  ObjectModel stored = learned(first, scene_.render({first}, 1));
+  const cv::Mat again = scene_.render({first}, 2);
+  const auto refusal = add_view(stored, learned(first, again), again);
+  ASSERT_TRUE(refusal);
+  EXPECT_EQ(refusal->error, LearnError::kAlreadyKnown);
+  EXPECT_EQ(stored.views.size(), 1u);
+  const cv::Mat dim = 0.6 * again;
+  EXPECT_FALSE(add_view(stored, learned(first, dim), dim)) << "another light is another view";
+}
+
 TEST_F(AddView, RefusesAnotherObjectAndChangesNothing) {
   const auto first = placed(5, {200, 200, 0}), other = placed(77, {420, 260, 0});
   ObjectModel stored = learned(first, scene_.render({first}, 1));

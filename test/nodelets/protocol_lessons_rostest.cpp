@@ -49,8 +49,9 @@ TEST_F(Protocol, EndsALessonAtItsTimeLimit) {
 // A lesson that waits for the operator's word.
 class Review : public Protocol {
  protected:
-  std::string begin(const std::string& name) {
+  std::string begin(const std::string& name, double timeout = 0) {
     Goal goal = given(name);
+    goal.timeout = ros::Duration(timeout);
     goal.confirm = true;
     const std::string id = teacher_.send(goal);
     EXPECT_TRUE(spin_until([&] { return teacher_.heard(id, Teacher::Feedback::WAIT_CONFIRM); }));
@@ -83,6 +84,7 @@ TEST_F(Review, AsksTheOperatorBeforeStoring) {
   EXPECT_FALSE(confirm(ConfirmLearning::Request::ACCEPT).success) << "no lesson waits";
   std::string id = begin("checked");
   EXPECT_TRUE(names().empty());
+  EXPECT_TRUE(teacher_.last_feedback(id).remaining.isZero()) << "a review has no deadline";
   const auto roi = teacher_.last_feedback(id).roi;
   EXPECT_NEAR(roi.x_offset + roi.width / 2.0, part_.pose.x, 10);
   EXPECT_NEAR(roi.y_offset + roi.height / 2.0, part_.pose.y, 10);
@@ -90,7 +92,8 @@ TEST_F(Review, AsksTheOperatorBeforeStoring) {
   EXPECT_TRUE(confirm(ConfirmLearning::Request::ACCEPT).success);
   EXPECT_EQ(teacher_.await(id).result.error_code, Result::SUCCESS);
 
-  id = begin("rejected");
+  id = begin("rejected", 80);
+  EXPECT_FALSE(teacher_.last_feedback(id).remaining.isZero()) << "the goal's own holds";
   EXPECT_TRUE(confirm(ConfirmLearning::Request::REJECT).success);
   EXPECT_EQ(teacher_.await(id).result.error_code, Result::REJECTED_BY_OPERATOR);
   EXPECT_EQ(names(), std::vector<std::string>{"checked"});

@@ -1,5 +1,6 @@
 // Picks the two pictures of a live lesson out of what a SceneWatch sees: the still scene before,
-// and the still scene in which something has changed inside the picture.
+// and the still scene in which something has changed inside the picture. A scene before that has
+// become useless, by light, by a hand that was in it, by a moved camera, is taken anew.
 #pragma once
 
 #include <cstdint>
@@ -17,8 +18,16 @@ class Demonstration {
     kWaitStill,    ///< keep out of the picture: the scene before is not still yet
     kWaitRemoval,  ///< take the object away
     kMoving,       ///< something moves
-    kAtBorder,     ///< something reaches into the picture
+    kAtBorder,     ///< something has come that reaches into the picture
     kReady
+  };
+
+  /// Why the scene before was taken anew.
+  enum class Anew {
+    kNot,
+    kLight,      ///< the light has changed, nothing else
+    kEdgeLeft,   ///< what reached out of the picture at the start has left
+    kEverything  ///< nearly the whole picture has changed
   };
 
   Demonstration() = default;
@@ -34,15 +43,21 @@ class Demonstration {
   /// scene before from now on; a given picture stays. More looks are needed.
   void go_on();
 
+  /// The last reason; kNot after go_on().
+  Anew anew() const { return anew_; }
+
   const StillShot& before() const { return before_; }  ///< once look() has asked for the removal
   const StillShot& after() const { return after_; }    ///< once look() has said kReady
 
  private:
   Step judge(const StillShot& still);
+  void compare(const StillShot& still);
 
   StillShot before_, after_;
   std::uint64_t seen_ = 0;  // still period judged last
+  double compared_at_ = 0;  // [s] stamp of the picture judged last
   SceneChange change_ = SceneChange::kNone;
+  Anew anew_ = Anew::kNot;
 };
 
 }  // namespace mbncc

@@ -23,8 +23,19 @@ enum class SceneChange {
   kAtBorder  ///< the change reaches the picture's edge: an arm in view, or an object half outside
 };
 
+/// How two pictures of one camera differ, seen coarsely.
+struct SceneDifference {
+  SceneChange change = SceneChange::kNone;
+  cv::Mat changed;      ///< CV_8UC1 of the pictures' size, 255 where they differ beyond noise
+  double fraction = 0;  ///< [0..1] changed part of the picture
+  double exposure = 1;  ///< factor between the pictures, >= 1; evened out before they are compared
+};
+
 /// Judges two pictures of one camera (CV_8UC3, same size), coarsely: for when to look closer, not
 /// for where the object is.
+SceneDifference scene_difference(const cv::Mat& before, const cv::Mat& after);
+
+/// Its `change` alone.
 SceneChange scene_change(const cv::Mat& before, const cv::Mat& after);
 
 /// Fed with every picture of one camera in turn. Costs about a millisecond per picture. Keeps the

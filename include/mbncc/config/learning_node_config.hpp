@@ -26,9 +26,10 @@ struct LearningNodeConfig {
                     "folder of the learned objects; ~ is the home folder"},
           self.library_path);
     LearningConfig::fields(self.learning, visit);
-    visit(FieldInfo{"learn_timeout", Allowed::range(0.1, 86400), "s",
-                    "time limit of a lesson whose goal names none"},
-          self.learn_timeout);
+    visit(
+        FieldInfo{"learn_timeout", Allowed::range(0.1, 86400), "s",
+                  "time limit of a lesson whose goal names none; ends when the operator is asked"},
+        self.learn_timeout);
     visit(FieldInfo{"still_time", Allowed::range(0.05, 60), "s",
                     "time without motion after which the scene counts as still"},
           self.still_time);

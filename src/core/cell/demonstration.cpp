@@ -1,32 +1,69 @@
 #include "mbncc/cell/demonstration.hpp"
 
+#include "mbncc/cell/second_look.hpp"
+
 namespace mbncc {
+namespace {
+
+constexpr double kAgain = 1;            // [s] light may change while all keeps still
+constexpr double kOtherLight = 1.15;    // exposure factor worth a new picture
+constexpr double kMostOfPicture = 0.6;  // changed part of a picture that is another scene
+
+/// What differs was there before and is there no longer.
+bool has_left(const cv::Mat& changed, const StillShot& before, const StillShot& after) {
+  constexpr double kMostly = 0.5;  // what it uncovers looks as if it had come
+  return part_put_down(changed, after.picture, before.picture) > kMostly;
+}
+
+}  // namespace
 
 Demonstration::Step Demonstration::look(const std::optional<StillShot>& still) {
   if (before_.picture.empty()) {
     if (!still) return Step::kWaitStill;
     before_ = *still;
     seen_ = before_.number;
+    compared_at_ = before_.stamp;
     return Step::kWaitRemoval;
   }
   return still ? judge(*still) : Step::kMoving;
 }
 
-/// A still period is judged once.
+/// A still period is judged when it begins, and now and then.
 Demonstration::Step Demonstration::judge(const StillShot& still) {
-  if (still.number > seen_ && still.picture.size() == before_.picture.size()) {
+  const bool due = still.number > seen_ || still.stamp - compared_at_ >= kAgain;
+  if (due && still.picture.size() == before_.picture.size()) {
     seen_ = still.number;
-    change_ = scene_change(before_.picture, still.picture);
-    if (change_ == SceneChange::kInside) after_ = still;
+    compared_at_ = still.stamp;
+    compare(still);
   }
   if (change_ == SceneChange::kInside) return Step::kReady;
   return change_ == SceneChange::kAtBorder ? Step::kAtBorder : Step::kWaitRemoval;
+}
+
+void Demonstration::compare(const StillShot& still) {
+  const SceneDifference difference = scene_difference(before_.picture, still.picture);
+  change_ = difference.change;
+  if (change_ == SceneChange::kInside) after_ = still;
+  const bool given = before_.number == 0;
+  if (given || change_ == SceneChange::kInside) return;
+  Anew why = Anew::kNot;
+  if (change_ == SceneChange::kNone && difference.exposure > kOtherLight)
+    why = Anew::kLight;
+  else if (difference.fraction > kMostOfPicture)
+    why = Anew::kEverything;
+  else if (change_ == SceneChange::kAtBorder && has_left(difference.changed, before_, still))
+    why = Anew::kEdgeLeft;
+  if (why == Anew::kNot) return;
+  anew_ = why;
+  before_ = still;
+  change_ = SceneChange::kNone;
 }
 
 void Demonstration::go_on() {
   const bool given = before_.number == 0;
   if (!given) before_ = after_;
   change_ = SceneChange::kNone;
+  anew_ = Anew::kNot;
 }
 
 }  // namespace mbncc

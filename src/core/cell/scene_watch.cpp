@@ -20,10 +20,17 @@ bool reaches_border(const cv::Mat& changed) {
 
 }  // namespace
 
-SceneChange scene_change(const cv::Mat& before, const cv::Mat& after) {
+SceneDifference scene_difference(const cv::Mat& before, const cv::Mat& after) {
   const ChangeSurvey survey = survey_change(before, after);
-  if (survey.fraction == 0) return SceneChange::kNone;
-  return reaches_border(survey.changed) ? SceneChange::kAtBorder : SceneChange::kInside;
+  SceneDifference difference{SceneChange::kNone, survey.changed, survey.fraction, survey.exposure};
+  if (survey.fraction > 0)
+    difference.change =
+        reaches_border(survey.changed) ? SceneChange::kAtBorder : SceneChange::kInside;
+  return difference;
+}
+
+SceneChange scene_change(const cv::Mat& before, const cv::Mat& after) {
+  return scene_difference(before, after).change;
 }
 
 SceneWatch::SceneWatch(double still_time) : still_time_(still_time) {

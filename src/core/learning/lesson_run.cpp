@@ -183,7 +183,22 @@ class LessonRun {
     conclude(error_of(quality));
   }
 
+  bool region_reaches_out() const {
+    const cv::Rect& region = lesson_.region;
+    const cv::Rect2d given(region.x, region.y, region.width, region.height);
+    const cv::Rect2d picture({0, 0}, cv::Size2d(lesson_.before.size()));
+    return region != cv::Rect() && (given & picture) != given;
+  }
+
   void conclude(LearnError error) {
+    if (error == LearnError::kTouchesBorder && region_reaches_out()) {
+      result_.error = LearnError::kRegionInvalid;
+      result_.message =
+          "The region reaches out of the picture, and what is left of it was taken "
+          "for the object up to the picture's border.";
+      result_.hint = "Give a region inside the picture with background on every side.";
+      return;
+    }
     result_.error = error;
     result_.message = message_of(error);
     result_.hint = hint_of(error);

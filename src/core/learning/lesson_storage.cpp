@@ -1,5 +1,6 @@
 #include "mbncc/learning/lesson_storage.hpp"
 
+#include <algorithm>
 #include <stdexcept>
 
 #include "mbncc/label.hpp"
@@ -44,6 +45,23 @@ std::string hint_for(const std::exception& failure) {
          "unchanged.";
 }
 
+/// The object lies as it lay in a stored view, in the same light: there is nothing to be learned.
+bool shows_the_same(const View& one, const View& other) {
+  constexpr double kSameMap = 0.9;  // of the larger map
+  constexpr double kNoise = 4;      // [grey levels] mean difference of two pictures of one scene
+  const cv::Rect place(one.origin, one.map.size()), other_place(other.origin, other.map.size());
+  const cv::Rect common = place & other_place;
+  if (one.picture_size != other.picture_size || common.empty()) return false;
+  const cv::Rect here = common - one.origin, there = common - other.origin;
+  const cv::Mat both = one.map(here) & other.map(there);
+  const int larger = std::max(cv::countNonZero(one.map), cv::countNonZero(other.map));
+  if (cv::countNonZero(both) < kSameMap * larger) return false;
+  cv::Mat difference;
+  cv::absdiff(one.template_image(here), other.template_image(there), difference);
+  const cv::Scalar mean = cv::mean(difference, both);
+  return std::max({mean[0], mean[1], mean[2]}) < kNoise;
+}
+
 }  // namespace
 
 Refusal::Refusal(LearnError error, const std::string& message, const std::string& hint)
@@ -72,6 +90,12 @@ std::optional<Refusal> check_storing(const Lesson& lesson, Storing storing,
 std::optional<Refusal> add_view(ObjectModel& stored, const ObjectModel& learned,
                                 const cv::Mat& picture, const SearchConfig& search) {
   View view = learned.views.front();
+  for (const auto& known : stored.views)
+    if (shows_the_same(view, known))
+      return Refusal(LearnError::kAlreadyKnown,
+                     "'" + stored.name + "' has this view already: it lies as it lay then.",
+                     "Turn the object, lay it on another side or change the light; then teach the "
+                     "view again.");
   const auto reference = shared_reference(stored, view, picture, search);
   if (!reference)
     return Refusal(LearnError::kNotDistinct,

@@ -1,0 +1,173 @@
+#include <algorithm>
+#include <filesystem>
+#include <iostream>
+
+#include "cli/command.hpp"
+#include "cli/evaluate/evaluation.hpp"
+#include "cli/evaluate/evaluation_page.hpp"
+#include "cli/json_writer.hpp"
+#include "cli/library_access.hpp"
+#include "cli/numbers.hpp"
+#include "cli/pictures.hpp"
+#include "cli/settings.hpp"
+#include "cli/terminal/progress.hpp"
+#include "mbncc/error.hpp"
+
+namespace mbncc::cli {
+namespace {
+
+bool is_picture(const std::filesystem::path& path) {
+  std::string ending = path.extension().string();
+  std::transform(ending.begin(), ending.end(), ending.begin(), ::tolower);
+  return ending == ".png" || ending == ".jpg" || ending == ".jpeg";
+}
+
+/// Operands as they are; a folder stands for its pictures, or for those that `truth` lists.
+std::vector<std::string> pictures_of(const std::vector<std::string>& operands, const Truth& truth) {
+  std::vector<std::string> pictures;
+  for (const auto& operand : operands) {
+    if (!std::filesystem::is_directory(operand)) {
+      pictures.push_back(operand);
+      continue;
+    }
+    std::vector<std::string> inside;
+    for (const auto& entry : std::filesystem::directory_iterator(operand))
+      if (is_picture(entry.path()) && truth.count(entry.path().filename().string()) > 0)
+        inside.push_back(entry.path().string());
+    if (inside.empty()) throw FileError(operand, "none of its pictures is listed by --truth");
+    std::sort(inside.begin(), inside.end());
+    pictures.insert(pictures.end(), inside.begin(), inside.end());
+  }
+  return pictures;
+}
+
+void write_json(const std::string& image, const Comparison& comparison) {
+  JsonWriter json(std::cout);
+  json.begin_object().member("image", image);
+  json.member("right", static_cast<int>(comparison.right.size()));
+  json.key("missed").begin_array();
+  for (const auto& one : comparison.missed)
+    json.begin_object()
+        .member("name", one.name)
+        .member("x", one.pose.x)
+        .member("y", one.pose.y)
+        .end_object();
+  json.end_array().key("wrong").begin_array();
+  for (const auto& one : comparison.wrong)
+    json.begin_object()
+        .member("name", one.name)
+        .member("x", one.pose.x)
+        .member("y", one.pose.y)
+        .member("score", one.score)
+        .member("graspable", one.graspable)
+        .end_object();
+  json.end_array().end_object();
+}
+
+void write_json(const Figures& figures) {
+  JsonWriter json(std::cout);
+  json.begin_object().member("pictures", figures.pictures).member("instances", figures.instances);
+  json.member("recall", figures.recall()).member("precision", figures.precision());
+  json.member("recall_graspable", figures.recall_graspable());
+  json.member("precision_graspable", figures.precision_graspable());
+  json.member("wrong_graspable", figures.wrong_graspable);
+  json.member("place_median_px", quantile(figures.place_errors, 0.5));
+  json.member("place_95_px", quantile(figures.place_errors, 0.95));
+  json.member("angle_median_deg", to_degrees(quantile(figures.angle_errors, 0.5)));
+  json.member("angle_95_deg", to_degrees(quantile(figures.angle_errors, 0.95)));
+  json.member("seconds", figures.seconds).end_object();
+}
+
+void print_faults(const std::string& image, const Comparison& comparison) {
+  for (const auto& one : comparison.missed)
+    std::cout << "  " << image << ": missed " << one.name << " at (" << one.pose.x << ", "
+              << one.pose.y << ")\n";
+  for (const auto& one : comparison.wrong)
+    std::cout << "  " << image << ": wrong " << one.name << " at (" << one.pose.x << ", "
+              << one.pose.y << "), score " << one.score
+              << (one.graspable ? ", GRASPABLE\n" : ", not graspable\n");
+}
+
+Tolerance tolerance_of(const Arguments& arguments) {
+  Tolerance tolerance;
+  tolerance.place =
+      parse_number("--place-tolerance", arguments.get("--place-tolerance", "5"), 0, 1000);
+  tolerance.angle = to_radians(
+      parse_number("--angle-tolerance", arguments.get("--angle-tolerance", "5"), 0, 180));
+  return tolerance;
+}
+
+void check_names(const Truth& truth, const LibrarySnapshot& library, const std::string& path) {
+  for (const auto& [image, instances] : truth)
+    for (const auto& one : instances) {
+      if (one.name.empty() && library.objects.size() > 1)
+        throw FileError(path, "it has no column 'name', but the library has several objects");
+      if (!one.name.empty()) named_object(library, one.name);
+    }
+}
+
+ExitCode run(const Arguments& arguments) {
+  const Tolerance tolerance = tolerance_of(arguments);
+  const Truth truth = read_truth(arguments.get("--truth"));
+  ObjectLibrary library = existing_library(arguments);
+  const auto snapshot = load_reporting(library);
+  if (snapshot->objects.empty())
+    throw std::runtime_error(library.folder() + ": the library has no objects; teach one first");
+  check_names(truth, *snapshot, arguments.get("--truth"));
+  Matcher matcher(settings_from(arguments).search());
+  matcher.set_objects(snapshot->objects);
+  EvaluationPage page(arguments.get("--page"));
+  Figures figures;
+  const auto pictures = pictures_of(arguments.operands(), truth);
+  {
+    Progress progress("evaluated", pictures.size());
+    for (const auto& image : pictures) {
+      try {
+        const cv::Mat picture = read_picture(image);
+        const SearchResult found = matcher.find(picture);
+        const auto listed = truth.find(std::filesystem::path(image).filename().string());
+        const Comparison comparison =
+            compare(listed == truth.end() ? std::vector<TrueInstance>{} : listed->second,
+                    found.matches, tolerance);
+        figures.add(comparison, found.search_time);
+        page.add(image, picture, comparison);
+        if (arguments.has("--json"))
+          write_json(image, comparison);
+        else
+          print_faults(image, comparison);
+      } catch (const std::exception& error) {
+        std::cerr << "mbncc: " << error.what() << '\n';
+        ++figures.unreadable;
+      }
+      progress.step();
+    }
+  }
+  if (arguments.has("--json"))
+    write_json(figures);
+  else
+    for (const auto& sentence : sentences_of(figures)) std::cout << sentence << '\n';
+  const std::string written = page.finish(figures);
+  if (!written.empty()) std::cerr << "mbncc: wrote " << written << '\n';
+  return figures.unreadable > 0 ? kFailed : kDone;
+}
+
+}  // namespace
+
+Command evaluate_command() {
+  return {
+      "evaluate",
+      "search pictures whose content is known: recall, precision, errors, misses",
+      {library_option(),
+       {"--truth", "TRUTH.csv", "what lies where: image,name,x,y,theta_deg", true},
+       {"--place-tolerance", "PIXELS", "a detection so near is right; default: 5"},
+       {"--angle-tolerance", "DEGREES", "likewise, symmetry aside; default: 5"},
+       {"--page", "DIR", "write a page with pictures of what was missed or wrong"},
+       json_option()},
+      "IMAGE|DIR",
+      "A picture that is given and not listed shows nothing: what is found there is wrong; of a\n"
+      "folder the listed pictures are taken. Without the column name the library must hold one\n"
+      "object. --json prints an object per picture and line, the figures last.\n",
+      run};
+}
+
+}  // namespace mbncc::cli

@@ -1,0 +1,46 @@
+// Detections compared with what really lies there.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "cli/evaluate/truth.hpp"
+#include "mbncc/matching/matcher.hpp"
+
+namespace mbncc::cli {
+
+/// How far a detection may be off and still be right.
+struct Tolerance {
+  double place = 5;                ///< [px]
+  double angle = to_radians(5.0);  ///< [rad], symmetry aside
+};
+
+/// Of one picture.
+struct Comparison {
+  std::vector<TrueInstance> missed;
+  std::vector<Match> right, wrong;
+  std::vector<double> place_errors, angle_errors;  ///< of the right ones [px], [rad]
+};
+
+/// Each true instance is explained by one detection at most, the best first.
+Comparison compare(const std::vector<TrueInstance>& truth, const std::vector<Match>& matches,
+                   const Tolerance& tolerance);
+
+/// Of all pictures.
+struct Figures {
+  int pictures = 0, unreadable = 0, instances = 0;
+  int right = 0, wrong = 0, right_graspable = 0, wrong_graspable = 0;
+  std::vector<double> place_errors, angle_errors;  ///< [px], [rad]
+  double seconds = 0;                              ///< of searching
+
+  void add(const Comparison& comparison, double search_time);
+  double recall() const;               ///< [0..1] of the instances, 1 without any
+  double recall_graspable() const;     ///< likewise, of what may be grasped
+  double precision() const;            ///< [0..1] of the detections, 1 without any
+  double precision_graspable() const;  ///< likewise, of what may be grasped
+};
+
+/// The value that `part` of the sorted values lie below; 0 for none.
+double quantile(std::vector<double> values, double part);
+
+}  // namespace mbncc::cli

@@ -1,0 +1,32 @@
+// The evaluation as a page with pictures of what went wrong.
+#pragma once
+
+#include <opencv2/core.hpp>
+#include <string>
+#include <vector>
+
+#include "cli/evaluate/evaluation.hpp"
+
+namespace mbncc::cli {
+
+class EvaluationPage {
+ public:
+  /// "": none is written. Throws FileError.
+  explicit EvaluationPage(std::string folder);
+
+  /// Keeps a picture in which something was missed or wrong.
+  void add(const std::string& image, const cv::Mat& picture, const Comparison& comparison);
+
+  /// Writes index.html; returns its path, "" for none.
+  std::string finish(const Figures& figures) const;
+
+ private:
+  std::string folder_;
+  std::string rows_;
+  int pictures_ = 0;
+};
+
+/// One sentence per figure.
+std::vector<std::string> sentences_of(const Figures& figures);
+
+}  // namespace mbncc::cli

@@ -1,0 +1,74 @@
+#include "cli/evaluate/truth.hpp"
+
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+#include "mbncc/error.hpp"
+
+namespace mbncc::cli {
+namespace {
+
+std::vector<std::string> cells_of(std::string line) {
+  if (!line.empty() && line.back() == '\r') line.pop_back();
+  std::vector<std::string> cells;
+  std::istringstream stream(line);
+  for (std::string cell; std::getline(stream, cell, ',');) cells.push_back(cell);
+  return cells;
+}
+
+class Columns {
+ public:
+  Columns(const std::string& path, const std::vector<std::string>& header) : path_(path) {
+    for (std::size_t i = 0; i < header.size(); ++i) places_[header[i]] = i;
+    for (const char* needed : {"image", "x", "y"})
+      if (places_.count(needed) == 0)
+        throw FileError(path, std::string("its first line has no column '") + needed +
+                                  "'; give image,name,x,y,theta_deg");
+  }
+
+  std::string text(const std::vector<std::string>& row, const std::string& name) const {
+    const auto at = places_.find(name);
+    return at == places_.end() || at->second >= row.size() ? "" : row[at->second];
+  }
+
+  double number(const std::vector<std::string>& row, const std::string& name, int line) const {
+    const std::string value = text(row, name);
+    if (value.empty() && name == "theta_deg") return 0;
+    try {
+      std::size_t used = 0;
+      const double number = std::stod(value, &used);
+      if (used == value.size() && std::isfinite(number)) return number;
+    } catch (const std::exception&) {
+    }
+    throw FileError(
+        path_, "line " + std::to_string(line) + ": " + name + " is no number: '" + value + "'");
+  }
+
+ private:
+  std::string path_;
+  std::map<std::string, std::size_t> places_;
+};
+
+}  // namespace
+
+Truth read_truth(const std::string& path) {
+  std::ifstream file(path);
+  std::string line;
+  if (!file || !std::getline(file, line)) throw FileError(path, "cannot be read, or is empty");
+  const Columns columns(path, cells_of(line));
+  Truth truth;
+  for (int number = 2; std::getline(file, line); ++number) {
+    const auto row = cells_of(line);
+    if (row.empty()) continue;
+    auto& instances = truth[std::filesystem::path(columns.text(row, "image")).filename().string()];
+    if (columns.text(row, "x").empty()) continue;
+    instances.push_back({columns.text(row, "name"),
+                         {columns.number(row, "x", number), columns.number(row, "y", number),
+                          to_radians(columns.number(row, "theta_deg", number))}});
+  }
+  return truth;
+}
+
+}  // namespace mbncc::cli

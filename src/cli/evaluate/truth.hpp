@@ -1,0 +1,25 @@
+// What really lies in the pictures of an evaluation.
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "mbncc/geometry.hpp"
+
+namespace mbncc::cli {
+
+struct TrueInstance {
+  std::string name;  ///< "": the file names none
+  Pose2D pose;       ///< [px],[rad] of the object frame
+};
+
+/// By file name, without folders. A picture that is not listed shows nothing.
+using Truth = std::map<std::string, std::vector<TrueInstance>>;
+
+/// Reads CSV with a header: image, x, y [px], theta_deg, and name where the library has several
+/// objects; further columns are ignored, a row with empty x is a picture without objects. Throws
+/// FileError naming the line.
+Truth read_truth(const std::string& path);
+
+}  // namespace mbncc::cli

@@ -1,0 +1,71 @@
+#include <iostream>
+
+#include "cli/command.hpp"
+#include "cli/explain/explanation_report.hpp"
+#include "cli/library_access.hpp"
+#include "cli/numbers.hpp"
+#include "cli/pictures.hpp"
+#include "cli/settings.hpp"
+#include "mbncc/error.hpp"
+#include "mbncc/miss/saved_miss.hpp"
+
+namespace mbncc::cli {
+namespace {
+
+SavedMiss asked(const Arguments& arguments) {
+  SavedMiss miss;
+  miss.search = settings_from(arguments).search();
+  miss.place = parse_point("--at", arguments.get("--at"));
+  ObjectLibrary library = existing_library(arguments);
+  const auto snapshot = load_reporting(library);
+  if (snapshot->objects.empty())
+    throw std::runtime_error(library.folder() + ": the library has no objects; teach one first");
+  miss.objects = snapshot->objects;
+  miss.names = arguments.all("--name");
+  for (const auto& name : miss.names) named_object(*snapshot, name);
+  miss.picture = read_picture(arguments.operands().front());
+  return miss;
+}
+
+ExitCode run(const Arguments& arguments) {
+  if (arguments.operands().size() != 1)
+    throw UsageError("explain takes one picture, not " +
+                     std::to_string(arguments.operands().size()));
+  SavedMiss miss = asked(arguments);
+  const auto explanations = explain(miss);
+  if (arguments.has("--json"))
+    write_explanations(std::cout, arguments.operands().front(), miss.place, explanations);
+  else
+    print_explanations(std::cout, explanations);
+  if (arguments.has("--overlay")) {
+    write_picture(arguments.get("--overlay"),
+                  draw_explanation(miss.picture, miss.place, explanations));
+    std::cerr << "mbncc: wrote " << arguments.get("--overlay") << '\n';
+  }
+  if (arguments.has("--save")) {
+    miss.lines = lines_of(explanations, kExplained);
+    write_miss(arguments.get("--save"), miss);
+    std::cerr << "mbncc: wrote " << arguments.get("--save") << "; 'mbncc replay' runs it again\n";
+  }
+  return kDone;
+}
+
+}  // namespace
+
+Command explain_command() {
+  return {"explain",
+          "tell why objects are found at a place of a picture, or are not",
+          {library_option(),
+           {"--at", "x,y", "the place in pixels, on the object", true},
+           {"--name", "NAME", "explain this object only", false, true},
+           {"--overlay", "FILE.png", "write the picture with place, best pose and rivals"},
+           {"--save", "FILE.miss", "keep picture, library, settings and reason in one file"},
+           json_option()},
+          "IMAGE",
+          "Every enabled object is searched for as by 'mbncc find'; then its best pose about the\n"
+          "place is told with each part of its score, the thresholds and the rivals. 'lacks' is\n"
+          "what a part would add to the log-odds were it perfect.\n",
+          run};
+}
+
+}  // namespace mbncc::cli

@@ -1,0 +1,17 @@
+// Shell completion, made from the commands' own descriptions.
+#pragma once
+
+#include <ostream>
+#include <string>
+#include <vector>
+
+#include "cli/command.hpp"
+
+namespace mbncc::cli {
+
+/// A script for `shell`, "bash" or "zsh", that needs nothing but the shell itself. Throws
+/// UsageError for another one.
+void print_completion(std::ostream& out, const std::string& shell,
+                      const std::vector<Command>& commands);
+
+}  // namespace mbncc::cli

@@ -1,0 +1,29 @@
+#include <iostream>
+
+#include "cli/command.hpp"
+#include "cli/terminal/completion.hpp"
+
+namespace mbncc::cli {
+namespace {
+
+ExitCode run(const Arguments& arguments) {
+  if (arguments.operands().size() != 1)
+    throw UsageError("completion is for one shell; give bash or zsh");
+  print_completion(std::cout, arguments.operands().front(), all_commands());
+  return kDone;
+}
+
+}  // namespace
+
+Command completion_command() {
+  return {
+      "completion",
+      "print a script that completes commands, options and names in bash or zsh",
+      {},
+      "SHELL",
+      "Now: source <(mbncc completion bash). For good: add that line to ~/.bashrc, with zsh and\n"
+      "~/.zshrc likewise.\n",
+      run};
+}
+
+}  // namespace mbncc::cli

@@ -1,0 +1,40 @@
+// How far a long command is, on a terminal.
+#pragma once
+
+#include <chrono>
+#include <cstddef>
+#include <ostream>
+#include <string>
+
+namespace mbncc::cli {
+
+/// Rewrites one line of stderr, if that is a terminal, once the work has taken two seconds.
+class Progress {
+ public:
+  enum Where { kAlways, kQuietOutput };  ///< kQuietOutput: not while stdout is a terminal, too
+
+  Progress(std::string what, std::size_t count, Where where = kAlways);
+  /// `terminal`: whether `out` is one.
+  Progress(std::string what, std::size_t count, std::ostream& out, bool terminal, double patience);
+  ~Progress();
+  Progress(const Progress&) = delete;
+  Progress& operator=(const Progress&) = delete;
+
+  /// One more is done.
+  void step();
+
+ private:
+  double seconds() const;
+  void draw();
+
+  const std::string what_;
+  const std::size_t count_;
+  std::ostream& out_;
+  const bool terminal_;
+  const double patience_;  // [s]
+  const std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+  double drawn_at_ = -1;
+  std::size_t done_ = 0;
+};
+
+}  // namespace mbncc::cli

@@ -1,0 +1,74 @@
+#include "console/library/library_files.hpp"
+
+#include <algorithm>
+#include <ctime>
+#include <filesystem>
+#include <opencv2/imgproc.hpp>
+#include <stdexcept>
+
+#include "mbncc/library/object_file.hpp"
+#include "mbncc/library/object_library.hpp"
+
+namespace mbncc::console {
+namespace {
+
+namespace fs = std::filesystem;
+
+void check_folder(const std::string& folder) {
+  if (folder.empty() || !fs::is_directory(folder))
+    throw std::runtime_error("The library's folder " + folder +
+                             " is not on this computer; do it on the cell's.");
+}
+
+std::string date_of(double seconds) {
+  const auto time = static_cast<std::time_t>(seconds);
+  std::tm parts{};
+  ::localtime_r(&time, &parts);
+  char text[32];
+  std::strftime(text, sizeof text, "%Y-%m-%d %H:%M", &parts);
+  return text;
+}
+
+}  // namespace
+
+void export_object(const std::string& folder, const std::string& name, const std::string& file) {
+  check_folder(folder);
+  read_object_file(folder + "/" + name + ".png");  // nothing but an object is handed on
+  fs::copy_file(folder + "/" + name + ".png", file, fs::copy_options::overwrite_existing);
+}
+
+std::string import_object(const std::string& folder, const std::string& file) {
+  check_folder(folder);
+  ObjectModel model = read_object_file(file);
+  if (!is_valid_name(model.name))
+    throw std::runtime_error("The file's name becomes the object's: '" + model.name +
+                             "' is none; rename the file.");
+  return ObjectLibrary(folder).save(model, ObjectLibrary::Existing::kRefuse).name;
+}
+
+std::vector<Revision> earlier_revisions(const std::string& folder, const std::string& name) {
+  check_folder(folder);
+  std::vector<Revision> revisions;
+  const fs::path trash = fs::path(folder) / ".trash";
+  if (!fs::is_directory(trash)) return revisions;
+  for (const auto& entry : fs::directory_iterator(trash)) {
+    const std::string file = entry.path().filename().string();
+    if (file.rfind(name + ".", 0) != 0 || entry.path().extension() != ".png") continue;
+    try {
+      const ObjectModel model = read_object_file(entry.path().string());
+      Revision& revision = revisions.emplace_back();
+      revision.number = model.revision;
+      cv::cvtColor(model.views.front().template_image, revision.picture, cv::COLOR_BGR2RGB);
+      revision.text = "revision " + std::to_string(model.revision) + ", " +
+                      date_of(model.learned_at) + ", " + std::to_string(model.views.size()) +
+                      " view(s), " + to_string(model.quality.verdict);
+    } catch (const std::exception&) {
+      continue;
+    }
+  }
+  std::sort(revisions.begin(), revisions.end(),
+            [](const Revision& a, const Revision& b) { return a.number > b.number; });
+  return revisions;
+}
+
+}  // namespace mbncc::console

@@ -1,0 +1,43 @@
+// The console in a window of its own: no RViz, no 3D view, nothing to save on closing.
+#include <ros/ros.h>
+
+#include <QApplication>
+#include <QCommandLineParser>
+#include <QMainWindow>
+#include <QRegularExpression>
+#include <QTimer>
+
+#include "console/console_widget.hpp"
+
+namespace {
+
+constexpr int kGlance = 200;  // [ms] between two looks whether ROS has been asked to end
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  ros::init(argc, argv, "console", ros::init_options::NoSigintHandler);
+  QApplication::setAttribute(Qt::AA_EnableHighDpiScaling);
+  QApplication application(argc, argv);
+  QApplication::setApplicationName("mbncc console");
+  QCommandLineParser words;
+  words.setApplicationDescription("The operator's console of a cell.");
+  words.addHelpOption();
+  words.addOptions({{"cell", "namespace of the cell", "NAMESPACE", ""},
+                    {"matching", "private namespace of the matching nodelet", "NAME", "matching"}});
+  words.process(QStringList(application.arguments().filter(QRegularExpression("^(?!__|.*:=)"))));
+
+  ros::NodeHandle keeps_the_node_running;
+  QMainWindow window;
+  window.setWindowTitle("mbncc console");
+  window.setCentralWidget(new mbncc::console::ConsoleWidget(
+      {words.value("cell").toStdString(), words.value("matching").toStdString()}));
+  window.resize(1280, 720);
+  window.showMaximized();
+  QTimer watch;
+  QObject::connect(&watch, &QTimer::timeout, [] {
+    if (!ros::ok()) QApplication::quit();
+  });
+  watch.start(kGlance);
+  return QApplication::exec();
+}

@@ -1,0 +1,235 @@
+#include "mbncc/matching/explanation.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <opencv2/imgproc.hpp>
+#include <optional>
+#include <stdexcept>
+
+#include "matching/believed.hpp"
+#include "matching/prepared_object.hpp"
+#include "matching/scene_pool.hpp"
+#include "matching/view_search.hpp"
+
+namespace mbncc {
+namespace {
+
+using Outcome = Explanation::Outcome;
+using Models = std::vector<std::shared_ptr<const ObjectModel>>;
+
+constexpr int kAllInstances = 1000;
+
+double score_of(double log_odds) {
+  return 1 / (1 + std::exp(-log_odds));
+}
+
+/// The thing with this outline is what was pointed at.
+bool lies_at(const std::vector<cv::Point2f>& outline, cv::Point2d place) {
+  if (outline.size() < 3) return false;
+  cv::Point2f centre;
+  float radius = 0;
+  cv::minEnclosingCircle(outline, centre, radius);
+  return cv::norm(cv::Point2d(centre) - place) <= radius;
+}
+
+template <class Thing>
+const Thing* best_at(const std::vector<Thing>& things, const std::string& name, cv::Point2d place) {
+  const Thing* best = nullptr;
+  for (const auto& thing : things)
+    if (thing.name == name && lies_at(thing.outline, place) &&
+        (best == nullptr || thing.log_odds > best->log_odds))
+      best = &thing;
+  return best;
+}
+
+/// The match that takes the place of `outline`.
+std::string covering(const std::vector<Match>& matches, const std::string& name,
+                     const std::vector<cv::Point2f>& outline) {
+  const cv::Rect box = cv::boundingRect(outline);
+  for (const auto& match : matches) {
+    const cv::Rect other = cv::boundingRect(match.outline);
+    if (match.name != name && (box & other).area() * 4 > std::min(box.area(), other.area()))
+      return match.name;
+  }
+  return "";
+}
+
+/// Evidence of a pose, part by part.
+void take_evidence(const PreparedView& view, const ScenePicture& scene, const Pose2D& anchor,
+                   Explanation& explanation) {
+  const Believed believed = believed_as_is(view, scene, anchor);
+  const Evidence& seen = believed.evidence;
+  const double area = view.shape.area(), together = log_odds(seen, area);
+  const auto add = [&](const char* name, double value, double Evidence::*member, double perfect) {
+    Evidence better = seen;
+    better.*member = perfect;
+    explanation.parts.push_back({name, value, log_odds(better, area) - together});
+  };
+  // As two pictures of one object differ by noise alone.
+  const double kEqual = std::log(6.0);
+  add("outline found", seen.found, &Evidence::found, 1);
+  add("directions of texture", seen.gradient, &Evidence::gradient, 1);
+  add("difference of colours [grey levels]", std::exp(seen.best_blocks) - 3, &Evidence::best_blocks,
+      std::min(kEqual, seen.best_blocks));
+  add("colours as a whole", seen.histogram, &Evidence::histogram, 1);
+  add("colours without shading", seen.projected, &Evidence::projected, 1);
+  add("part inside the picture", seen.visible, &Evidence::visible, 1);
+  explanation.evidence = together;
+}
+
+/// The pose of the view's anchor that shows the object frame at `pose`.
+Pose2D anchor_of(const PreparedView& view, const Pose2D& pose) {
+  const Pose2D& reference = view.reference_in_anchor;
+  const double theta = pose.theta - reference.theta;
+  const cv::Point2d lever = rotate(reference.position(), theta);
+  return {pose.x - lever.x, pose.y - lever.y, theta};
+}
+
+/// The view that explains a pose best.
+void take_best_evidence(const PreparedObject& object, const ScenePicture& scene,
+                        Explanation& explanation) {
+  Explanation best;
+  best.evidence = -std::numeric_limits<double>::max();
+  for (const auto& view : object.views) {
+    if (view.polar) return;
+    Explanation one;
+    take_evidence(view, scene, anchor_of(view, explanation.pose), one);
+    if (one.evidence > best.evidence) best = one;
+  }
+  explanation.parts = best.parts;
+  explanation.evidence = best.evidence;
+}
+
+void take_match(const Match& match, const SearchConfig& config, double min_score,
+                Explanation& explanation) {
+  explanation.pose = match.pose;
+  explanation.score = match.score;
+  explanation.log_odds = match.log_odds;
+  explanation.outline = match.outline;
+  explanation.reasons = match.reasons;
+  explanation.competitors = match.competitors;
+  const auto check = [&](const char* name, double value, double threshold, bool to_report) {
+    explanation.checks.push_back({name, value, threshold, value >= threshold, to_report});
+  };
+  check("min_score", match.score, min_score, true);
+  check("confirm_score", match.score, config.confirm_score, false);
+  check("min_margin_place", match.margin_place, config.min_margin_place, false);
+  check("min_margin_angle", match.margin_angle, config.min_margin_angle, false);
+  check("min_visible", match.visible, config.min_visible, false);
+}
+
+/// The search of the whole picture, as configured and with nothing held back.
+struct Searched {
+  SearchResult usual, all;
+};
+
+class Explainer {
+ public:
+  Explainer(const Models& objects, const SearchConfig& config, const cv::Mat& picture,
+            cv::Point2d place)
+      : config_(config), place_(place) {
+    Matcher matcher(config);
+    matcher.set_objects(objects, true);
+    searched_.usual = matcher.find(picture);
+    SearchRequest all;
+    all.min_score = 0;
+    all.max_instances = kAllInstances;
+    searched_.all = matcher.find(picture, all);
+    picture_ = picture;
+  }
+
+  Explanation of(const std::shared_ptr<const ObjectModel>& model) {
+    Explanation explanation;
+    explanation.name = model->name;
+    const auto clutter = searched_.usual.clutter.find(model->name);
+    if (clutter != searched_.usual.clutter.end()) explanation.clutter = clutter->second;
+    const double min_score = model->min_score.value_or(config_.min_score);
+    const Engine engine = config_.engine == "polar" ? Engine::kPolar : Engine::kFast;
+    const PreparedObject prepared(model, engine, config_.scale_range);
+    const auto scene = scenes_.show(picture_, prepared.top_level());
+    if (const Match* match = best_at(searched_.usual.matches, model->name, place_)) {
+      explanation.outcome = match->graspable ? Outcome::kGraspable : Outcome::kReported;
+      take_match(*match, config_, min_score, explanation);
+    } else if (const Match* held_back = best_at(searched_.all.matches, model->name, place_)) {
+      explanation.outcome = Outcome::kRejected;
+      take_match(*held_back, config_, min_score, explanation);
+    } else if (const Rival* rival = best_at(searched_.usual.rivals, model->name, place_)) {
+      explanation.outcome = Outcome::kRejected;
+      judge_at(prepared, *scene, explanation);
+      explanation.log_odds = rival->log_odds;
+      explanation.score = score_of(rival->log_odds);
+    } else {
+      judge_at(prepared, *scene, explanation);
+    }
+    if (explanation.outcome == Outcome::kRejected || explanation.outcome == Outcome::kNotProposed)
+      explanation.covered_by = covering(searched_.usual.matches, model->name, explanation.outline);
+    if (!explanation.outline.empty()) take_best_evidence(prepared, *scene, explanation);
+    return explanation;
+  }
+
+ private:
+  /// The best pose about the place, whether or not the search proposes one.
+  void judge_at(const PreparedObject& object, const ScenePicture& scene,
+                Explanation& explanation) const {
+    explanation.log_odds = -std::numeric_limits<double>::infinity();
+    for (const auto& view : object.views) {
+      if (view.polar) continue;
+      for (const auto& one : judge_places(object, view, scene, {place_})) {
+        const double odds = one.log_odds - explanation.clutter;
+        if (odds <= explanation.log_odds) continue;
+        explanation.log_odds = odds;
+        explanation.pose = compose(one.pose, view.reference_in_anchor);
+        explanation.outline.clear();
+        for (const auto& point : view.outline)
+          explanation.outline.emplace_back(transform(explanation.pose, cv::Point2d(point)));
+      }
+    }
+    explanation.score = score_of(explanation.log_odds);
+  }
+
+  SearchConfig config_;
+  cv::Mat picture_;
+  cv::Point2d place_;
+  Searched searched_;
+  ScenePool scenes_;
+};
+
+Models asked_for(const Models& objects, const std::vector<std::string>& names) {
+  Models asked;
+  for (const auto& name : names) {
+    const auto at = std::find_if(objects.begin(), objects.end(),
+                                 [&](const auto& object) { return object->name == name; });
+    if (at == objects.end())
+      throw std::invalid_argument("the library does not hold '" + name + "'");
+    if (!(*at)->enabled)
+      throw std::invalid_argument("'" + name +
+                                  "' is disabled, so it is not searched for; enable it");
+    asked.push_back(*at);
+  }
+  if (!names.empty()) return asked;
+  std::copy_if(objects.begin(), objects.end(), std::back_inserter(asked),
+               [](const auto& object) { return object->enabled; });
+  return asked;
+}
+
+}  // namespace
+
+std::vector<Explanation> explain_place(const Models& objects, const SearchConfig& config,
+                                       const cv::Mat& picture, cv::Point2d place,
+                                       const std::vector<std::string>& names) {
+  const Models asked = asked_for(objects, names);
+  if (!(place.x >= 0 && place.y >= 0 && place.x < picture.cols && place.y < picture.rows))
+    throw std::invalid_argument("the place does not lie in the picture of " +
+                                std::to_string(picture.cols) + " x " +
+                                std::to_string(picture.rows) + " px");
+  Explainer explainer(objects, config, picture, place);
+  std::vector<Explanation> explanations;
+  for (const auto& object : asked) explanations.push_back(explainer.of(object));
+  std::stable_sort(
+      explanations.begin(), explanations.end(),
+      [](const Explanation& a, const Explanation& b) { return a.log_odds > b.log_odds; });
+  return explanations;
+}
+
+}  // namespace mbncc

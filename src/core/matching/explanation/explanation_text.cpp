@@ -1,0 +1,155 @@
+// Explanations in sentences and as a picture.
+#include <algorithm>
+#include <iomanip>
+#include <opencv2/imgproc.hpp>
+#include <sstream>
+
+#include "mbncc/drawing.hpp"
+#include "mbncc/matching/explanation.hpp"
+
+namespace mbncc {
+namespace {
+
+using Outcome = Explanation::Outcome;
+
+std::string number(double value, int digits) {
+  std::ostringstream text;
+  text << std::fixed << std::setprecision(digits) << value;
+  return text.str();
+}
+
+std::string place_of(const Explanation& explanation) {
+  return "(" + number(explanation.pose.x, 1) + ", " + number(explanation.pose.y, 1) + "), " +
+         number(to_degrees(explanation.pose.theta), 1) + " deg";
+}
+
+const Check* failed_to_report(const Explanation& explanation) {
+  for (const auto& check : explanation.checks)
+    if (check.to_report && !check.passed) return &check;
+  return nullptr;
+}
+
+std::string verdict_of(const Explanation& explanation) {
+  const std::string head = "'" + explanation.name + "' at " + place_of(explanation) + ", score " +
+                           number(explanation.score, 2) + ": ";
+  switch (explanation.outcome) {
+    case Outcome::kGraspable:
+      return head + "found, and may be grasped.";
+    case Outcome::kReported:
+      return head + "found, but must not be grasped: " +
+             (explanation.reasons.empty() ? "" : explanation.reasons.front()) + ".";
+    case Outcome::kRejected:
+      if (!explanation.covered_by.empty())
+        return head + "not reported, since '" + explanation.covered_by + "' takes the place.";
+      if (const Check* check = failed_to_report(explanation))
+        return head + "not reported, since the score is below min_score " +
+               number(check->threshold, 2) + ".";
+      return head + "not reported, since better ones reach max_instances or overlap it.";
+    default:
+      return head + "not found, the first steps of the search pass over this place" +
+             (explanation.covered_by.empty() ? "."
+                                             : ", which '" + explanation.covered_by + "' takes.");
+  }
+}
+
+std::string evidence_of(const Explanation& explanation) {
+  std::string text = "Parts of the score:";
+  auto parts = explanation.parts;
+  std::stable_sort(parts.begin(), parts.end(),
+                   [](const ScorePart& a, const ScorePart& b) { return a.lacking > b.lacking; });
+  for (const auto& part : parts)
+    text += (&part == &parts.front() ? " " : "; ") + part.name + " " + number(part.value, 2) +
+            " (lacks " + number(part.lacking, 1) + ")";
+  return text + ".";
+}
+
+std::string sum_of(const Explanation& explanation) {
+  return "Log-odds: evidence " + number(explanation.evidence, 1) + ", look-alikes elsewhere " +
+         number(-explanation.clutter, 1) +
+         ", colours of parts, mirror image, other angles and calibration " +
+         number(explanation.rest(), 1) + "; together " + number(explanation.log_odds, 1) + ".";
+}
+
+std::string checks_of(const Explanation& explanation) {
+  std::string text = "Thresholds:";
+  for (const auto& check : explanation.checks)
+    text += (&check == &explanation.checks.front() ? " " : "; ") + check.name + " " +
+            number(check.threshold, 2) + " " + (check.passed ? "passed" : "FAILED") + " with " +
+            number(check.value, 2);
+  return text + ".";
+}
+
+std::string rival_of(const Explanation& explanation, const Competitor& rival) {
+  return "Rival: '" + rival.name + "' at (" + number(rival.position.x, 0) + ", " +
+         number(rival.position.y, 0) + "), " + number(explanation.log_odds - rival.log_odds, 1) +
+         " log-odds behind.";
+}
+
+std::string advice_on(const Explanation& explanation) {
+  if (explanation.outcome == Outcome::kGraspable) return "Nothing to do.";
+  if (explanation.outcome == Outcome::kReported)
+    return "Remove what speaks against it, or teach a further view as it lies here.";
+  if (!explanation.covered_by.empty())
+    return "Teach both where they differ, or disable the one that is not used.";
+  const auto worst = std::max_element(
+      explanation.parts.begin(), explanation.parts.end(),
+      [](const ScorePart& a, const ScorePart& b) { return a.lacking < b.lacking; });
+  const std::string most =
+      worst == explanation.parts.end() ? "" : " Most is lacking in: " + worst->name + ".";
+  return "If the object lies here, teach a further view of it as it lies, or improve the light." +
+         most;
+}
+
+Marking marking_of(const Explanation& explanation) {
+  Marking marking;
+  marking.outlines = {explanation.outline};
+  marking.pose = explanation.pose;
+  const bool found = explanation.outcome == Outcome::kGraspable;
+  const bool reported = explanation.outcome == Outcome::kReported;
+  marking.colour = colour_of(found      ? Standing::kGood
+                             : reported ? Standing::kDoubtful
+                                        : Standing::kBad);
+  marking.caption = explanation.name + " " + number(explanation.score, 2) +
+                    (found      ? ""
+                     : reported ? " not graspable"
+                                : " not found");
+  return marking;
+}
+
+}  // namespace
+
+std::vector<std::string> lines_of(const Explanation& explanation) {
+  if (explanation.outline.empty())
+    return {"'" + explanation.name + "': nothing like it is seen at this place.",
+            "Point at the middle of the object, or teach a further view of it as it lies."};
+  std::vector<std::string> lines{verdict_of(explanation)};
+  if (!explanation.parts.empty()) {
+    lines.push_back(evidence_of(explanation));
+    lines.push_back(sum_of(explanation));
+  }
+  if (!explanation.checks.empty()) lines.push_back(checks_of(explanation));
+  for (const auto& rival : explanation.competitors) lines.push_back(rival_of(explanation, rival));
+  for (std::size_t i = 0; i < explanation.reasons.size(); ++i)
+    lines.push_back("Against grasping: " + explanation.reasons[i] + ".");
+  lines.push_back(advice_on(explanation));
+  return lines;
+}
+
+cv::Mat draw_explanation(const cv::Mat& picture, cv::Point2d place,
+                         const std::vector<Explanation>& explanations) {
+  std::vector<Marking> markings;
+  if (!explanations.empty() && !explanations.front().outline.empty())
+    markings.push_back(marking_of(explanations.front()));
+  cv::Mat drawn = draw_markings(picture, markings);
+  const int arm = std::max(6, drawn.cols / 60), stroke = drawn.cols / 640 + 1;
+  const cv::Scalar ink(255, 255, 255), shade(0, 0, 0);
+  for (const auto& [colour, width] : {std::pair{shade, stroke + 2}, std::pair{ink, stroke}})
+    cv::drawMarker(drawn, place, colour, cv::MARKER_CROSS, 2 * arm, width, cv::LINE_AA);
+  if (explanations.empty()) return drawn;
+  for (const auto& rival : explanations.front().competitors) {
+    cv::circle(drawn, rival.position, arm, colour_of(Standing::kDoubtful), stroke + 1, cv::LINE_AA);
+  }
+  return drawn;
+}
+
+}  // namespace mbncc

@@ -1,0 +1,65 @@
+#include <gtest/gtest.h>
+#include <yaml-cpp/yaml.h>
+
+#include "cli/tool.hpp"
+
+namespace mbncc::test {
+namespace {
+
+class EvaluateCommand : public testing::Test {
+ protected:
+  EvaluateCommand() { EXPECT_EQ(run_tool(folder_.lesson("part")).code, 0); }
+
+  ToolRun evaluate(const std::string& truth, const std::vector<std::string>& more = {}) const {
+    std::ofstream(folder_ / "truth.csv") << truth;
+    return run_tool(std::vector<std::string>{"evaluate", "--library", folder_.library(), "--truth",
+                                             folder_ / "truth.csv", folder_ / "target.png",
+                                             folder_ / "empty.png"} +
+                    more);
+  }
+
+  const LessonFolder folder_;
+};
+
+constexpr const char* kRight = "image,name,x,y,theta_deg\ntarget.png,part,195,125,70\n";
+
+TEST_F(EvaluateCommand, CountsWhatIsFound) {
+  const ToolRun run = evaluate(kRight);
+  EXPECT_EQ(run.code, 0) << run.err;
+  EXPECT_TRUE(run.prints("2 pictures with 1 instances")) << run.out;
+  EXPECT_TRUE(run.prints("recall: 100.0 % (1 of 1)"));
+  EXPECT_TRUE(run.prints("0 wrong grasps"));
+}
+
+TEST_F(EvaluateCommand, WritesAPageWithPicturesOfFaults) {
+  const ToolRun run =
+      evaluate("image,x,y\ntarget.png,30,30\n", {"--page", folder_ / "page", "--json"});
+  EXPECT_EQ(run.code, 0) << run.err;
+  EXPECT_TRUE(run.says("wrote " + (folder_ / "page/index.html")));
+  const std::string page = content_of_file(folder_ / "page/index.html");
+  EXPECT_NE(page.find("recall: 0.0 %"), std::string::npos) << page;
+  EXPECT_NE(page.find("picture_1.png"), std::string::npos);
+  EXPECT_FALSE(cv::imread(folder_ / "page/picture_1.png").empty());
+  const auto lines = split(run.out, '\n');
+  ASSERT_EQ(lines.size(), 3u) << "a line per picture, the figures last";
+  EXPECT_EQ(YAML::Load(lines[0])["missed"].size(), 1u);
+  EXPECT_EQ(YAML::Load(lines[0])["wrong"].size(), 1u);
+  EXPECT_EQ(YAML::Load(lines[2])["recall"].as<double>(), 0);
+}
+
+TEST_F(EvaluateCommand, WrongTruthGetsASentence) {
+  EXPECT_TRUE(evaluate("picture,x\n").says("no column 'image'"));
+  EXPECT_TRUE(evaluate("image,x,y\ntarget.png,12,left\n").says("line 2: y is no number: 'left'"));
+  EXPECT_TRUE(evaluate("image,name,x,y\ntarget.png,nut,1,2\n").says("no object 'nut'"));
+  EXPECT_EQ(evaluate("").code, 1);
+}
+
+TEST_F(EvaluateCommand, AnUnreadablePictureIsCountedAndTheOthersSearched) {
+  const ToolRun run = evaluate(kRight, {folder_ / "none.png"});
+  EXPECT_EQ(run.code, 1);
+  EXPECT_TRUE(run.prints("1 pictures could not be read"));
+  EXPECT_TRUE(run.prints("recall: 100.0 % (1 of 1)"));
+}
+
+}  // namespace
+}  // namespace mbncc::test

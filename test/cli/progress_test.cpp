@@ -1,0 +1,34 @@
+#include "cli/terminal/progress.hpp"
+
+#include <gtest/gtest.h>
+
+#include <sstream>
+
+namespace mbncc::cli {
+namespace {
+
+TEST(Progress, TellsHowFarTheWorkIsAndLeavesNothingBehind) {
+  std::ostringstream out;
+  {
+    Progress progress("searched", 4, out, true, 0);
+    for (int i = 0; i < 4; ++i) progress.step();
+    EXPECT_NE(out.str().find("searched 1 of 4"), std::string::npos);
+    EXPECT_NE(out.str().find("searched 4 of 4, 0 s left"), std::string::npos);
+  }
+  EXPECT_EQ(out.str().substr(out.str().size() - 4), "\r\x1b[K");
+}
+
+TEST(Progress, SaysNothingOfShortWorkAndToFiles) {
+  std::ostringstream out;
+  {
+    Progress patient("searched", 4, out, true, 1000), to_a_file("searched", 4, out, false, 0);
+    for (int i = 0; i < 4; ++i) {
+      patient.step();
+      to_a_file.step();
+    }
+  }
+  EXPECT_EQ(out.str(), "");
+}
+
+}  // namespace
+}  // namespace mbncc::cli

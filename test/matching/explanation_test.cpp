@@ -1,0 +1,98 @@
+#include "mbncc/matching/explanation.hpp"
+
+#include "matching/matcher_fixture.hpp"
+
+namespace mbncc {
+namespace {
+
+using Outcome = Explanation::Outcome;
+
+class ExplanationTest : public test::MatcherTest {
+ protected:
+  Explanation at(cv::Point2d place, const SearchConfig& config = {}) {
+    return explain_place({object_}, config, picture_, place).at(0);
+  }
+
+  static bool says(const Explanation& explanation, const std::string& text) {
+    const auto lines = lines_of(explanation);
+    return std::any_of(lines.begin(), lines.end(), [&](const std::string& line) {
+      return line.find(text) != std::string::npos;
+    });
+  }
+
+  const std::shared_ptr<const ObjectModel> object_ = test::object_from(source_, reference_);
+  const Pose2D truth_{150, 110, 0.7};
+  const cv::Mat picture_ = scene();
+
+ private:
+  cv::Mat scene() const {
+    cv::Mat drawn = test::texture({320, 240}, 77, 5);
+    test::place(drawn, source_, reference_.position(), truth_);
+    return drawn;
+  }
+};
+
+TEST_F(ExplanationTest, OfWhatIsFoundIsTheMatchItself) {
+  Matcher matcher = matcher_of({object_});
+  const auto found = matcher.find(picture_).matches;
+  ASSERT_EQ(found.size(), 1u);
+  const Explanation explanation = at(truth_.position());
+  EXPECT_EQ(explanation.outcome, found[0].graspable ? Outcome::kGraspable : Outcome::kReported);
+  EXPECT_DOUBLE_EQ(explanation.score, found[0].score);
+  EXPECT_FALSE(explanation.parts.empty());
+  for (const auto& part : explanation.parts) EXPECT_GE(part.lacking, -1e-9) << part.name;
+}
+
+TEST_F(ExplanationTest, NamesTheThresholdThatFailed) {
+  SearchConfig strict;
+  strict.min_score = 1;
+  const Explanation explanation = at(truth_.position(), strict);
+  EXPECT_EQ(explanation.outcome, Outcome::kRejected);
+  EXPECT_TRUE(says(explanation, "below min_score 1.00"));
+  ASSERT_FALSE(explanation.checks.empty());
+  EXPECT_FALSE(explanation.checks[0].passed);
+}
+
+TEST_F(ExplanationTest, JudgesAPlaceThatNoSearchProposes) {
+  const Explanation explanation = at({20, 20});
+  EXPECT_LT(explanation.score, 0.3);
+  EXPECT_FALSE(lines_of(explanation).empty());
+  EXPECT_NE(explanation.outcome, Outcome::kGraspable);
+}
+
+TEST_F(ExplanationTest, ASumOfItsParts) {
+  const Explanation explanation = at(truth_.position());
+  EXPECT_NEAR(explanation.evidence - explanation.clutter + explanation.rest(), explanation.log_odds,
+              1e-9);
+}
+
+TEST_F(ExplanationTest, TheBetterObjectTakesThePlace) {
+  auto twin = std::make_shared<ObjectModel>(*object_);
+  twin->name = "twin";
+  const auto explanations = explain_place({object_, twin}, {}, picture_, truth_.position());
+  ASSERT_EQ(explanations.size(), 2u);
+  const bool covered = explanations[1].covered_by == explanations[0].name;
+  const bool rivals = !explanations[0].competitors.empty();
+  EXPECT_TRUE(covered || rivals);
+}
+
+TEST_F(ExplanationTest, RefusesWhatCannotBeExplained) {
+  EXPECT_THROW(at({-1, 5}), std::invalid_argument);
+  EXPECT_THROW(at({1e6, 5}), std::invalid_argument);
+  EXPECT_THROW(explain_place({object_}, {}, picture_, {5, 5}, {"unknown"}), std::invalid_argument);
+  auto disabled = std::make_shared<ObjectModel>(*object_);
+  disabled->enabled = false;
+  EXPECT_THROW(explain_place({disabled}, {}, picture_, {5, 5}, {disabled->name}),
+               std::invalid_argument);
+  EXPECT_TRUE(explain_place({disabled}, {}, picture_, {5, 5}).empty());
+}
+
+TEST_F(ExplanationTest, IsDrawn) {
+  const auto explanations = explain_place({object_}, {}, picture_, truth_.position());
+  const cv::Mat drawn = draw_explanation(picture_, truth_.position(), explanations);
+  EXPECT_EQ(drawn.size(), picture_.size());
+  EXPECT_GT(cv::norm(drawn, picture_, cv::NORM_INF), 0);
+}
+
+}  // namespace
+}  // namespace mbncc
