@@ -66,10 +66,13 @@ TEST_F(LiveMatcherTest, AnotherConfirmScoreHoldsForTheNextSearch) {
                                          });
   };
   EXPECT_FALSE(complains());
-  matcher.set_limits(0.1, 1.0, 10);
+  SearchConfig config;
+  config.confirm_score = 1;
+  EXPECT_TRUE(matcher.configure(config));
   EXPECT_TRUE(complains());
-  matcher.set_limits(0.1, 0.5, 10);
+  EXPECT_TRUE(matcher.configure({}));
   EXPECT_FALSE(complains());
+  EXPECT_FALSE(matcher.configure({}));
 }
 
 TEST_F(LiveMatcherTest, SearchesNothingWhenNoObjectFits) {
