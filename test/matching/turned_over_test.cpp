@@ -75,16 +75,17 @@ TEST_F(TurnedOverTest, AnOutlineThatIsItsOwnMirrorImageAgreesAsWell) {
   const test::LearningPicture plate(3, map);
   EXPECT_NEAR(better_at(truth_, plate, scene_with(plate, truth_)), 0, 0.04);
   const PreparedObject object(test::object_from(plate, {60, 60, 0}), Engine::kFast);
-  EXPECT_FALSE(object.views.front().turned_over.is_told());
+  EXPECT_EQ(object.views.front().turned_over.limit(), kMirrored);
 }
 
 TEST_F(TurnedOverTest, ASlightDifferenceIsToldWhereTheLessonTellsIt) {
   const test::LearningPicture plate = cut_plate();
   const PreparedObject object(test::object_from(plate, {60, 60, 0}), Engine::kFast);
-  EXPECT_TRUE(object.views.front().turned_over.is_told());
+  const double limit = object.views.front().turned_over.limit();
   const double over = better_at(truth_, plate, scene_with(test::mirrored(plate), truth_));
-  EXPECT_GT(over, 0.005);
-  EXPECT_LT(over, 0.04) << "an outline that is its own mirror image may come so near by chance";
+  EXPECT_GT(over, limit);
+  EXPECT_LT(limit, kMirrored / 2)
+      << "an outline that is its own mirror image may come so near by chance";
   EXPECT_LT(better_at(truth_, plate, scene_with(plate, truth_)), 0);
 }
 

@@ -31,10 +31,6 @@ ColourDifference strangeness(const PreparedView& view, const SceneLevel& scene,
   return view.parts.worst_differences(surface, sample, contour, ground);
 }
 
-/// Agreement by which the mirrored outline is no better by chance; and where the lesson tells the
-/// outline from it.
-constexpr double kMirrored = 0.04, kMirroredSlightly = 0.005;
-
 /// Log-odds that a mirrored outline takes away, which is better by so much.
 double mirror_doubt(double better) {
   constexpr double kSteepness = 100;
@@ -119,7 +115,7 @@ void refine(Detection& detection, const ScenePicture& scene, const Believed& fou
   const ColourDifference strange = strangeness(view, scene.levels[0], place, found.odds);
   detection.strange = std::max(strange.colour, strange.block);
   const double mirrored = found.odds > kWorthRefining ? turned_over(view, scene, place) : 0;
-  detection.turned_over = mirrored > (view.turned_over.is_told() ? kMirroredSlightly : kMirrored);
+  detection.turned_over = mirrored > view.turned_over.limit();
   detection.log_odds = found.odds + found.pixels - doubt(strange.colour) - mirror_doubt(mirrored);
   detection.another_size =
       detection.log_odds > 0 && fits_another_size(view, scene, detection.pose, found.odds);

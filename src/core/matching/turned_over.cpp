@@ -9,10 +9,11 @@
 namespace mbncc {
 namespace {
 
-constexpr int kClimbing = 6;     // steps of a pixel that the mirrored outline may take, ...
-constexpr int kSettling = 2;     // ... and the object's own
-constexpr double kWorse = 0.2;   // agreement that these do not make up for
-constexpr double kTold = 0.006;  // agreement by which another outline is behind in the lesson
+constexpr int kClimbing = 6;           // steps of a pixel that the mirrored outline may take, ...
+constexpr int kSettling = 2;           // ... and the object's own
+constexpr double kWorse = 0.2;         // agreement that these do not make up for
+constexpr double kTold = 0.006;        // agreement by which another outline is behind in the lesson
+constexpr double kLeastLimit = 0.005;  // agreement
 
 ContourTemplate mirrored(ContourTemplate contour) {
   for (std::size_t i = 0; i < contour.size(); ++i) {
@@ -52,7 +53,7 @@ TurnedOver::TurnedOver(const ContourTemplate& contour, const SceneLevel& lesson,
     poses_.push_back(compose(inverse(home), turned[k].pose));
   const double surplus = better(contour, lesson, home, 1);
   usual_ = std::max(0.0, surplus);
-  told_ = surplus < -kTold;
+  if (surplus < -kTold) limit_ = std::clamp(-surplus / 2, kLeastLimit, kMirrored);
 }
 
 double TurnedOver::better(const ContourTemplate& contour, const SceneLevel& scene,

@@ -8,6 +8,9 @@
 
 namespace mbncc {
 
+/// [agreement] By which a mirrored outline is no better by chance.
+constexpr double kMirrored = 0.04;
+
 class TurnedOver {
  public:
   TurnedOver() = default;
@@ -21,14 +24,16 @@ class TurnedOver {
   double better(const ContourTemplate& contour, const SceneLevel& scene, const Pose2D& pose,
                 double scale) const;
 
-  /// The lesson tells the outline from its mirror image.
-  bool is_told() const { return told_; }
+  /// [agreement] From more than this on the object lies on its other side. Half of what the
+  /// mirrored outline is behind in the lesson; where that is little, it is better by chance up to
+  /// kMirrored.
+  double limit() const { return limit_; }
 
  private:
   ContourTemplate mirrored_;
   std::vector<Pose2D> poses_;  ///< of the mirrored outline, where it comes nearest to the object's
   double usual_ = 0;           ///< surplus in the lesson
-  bool told_ = false;
+  double limit_ = kMirrored;
 };
 
 }  // namespace mbncc
