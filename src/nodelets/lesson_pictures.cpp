@@ -103,7 +103,7 @@ void LessonRun::wait_for_change() {
     if (view.still && view.still->picture.size() != before_.picture.size())
       fail(LearnError::kImageMismatch);
     const Step step = demonstration_.look(view.still);
-    if (demonstration_.before().number > before_.number)
+    if (demonstration_.before().picture.data != before_.picture.data)
       take_before(picture_of(demonstration_.before(), view.header.frame_id));
     if (step == Step::kReady) after_ = picture_of(demonstration_.after(), view.header.frame_id);
     return step;

@@ -87,6 +87,17 @@ TEST_F(DemonstrationTest, AnotherLightTakesThePictureAnew) {
   EXPECT_EQ(demonstration.before().number, 2u);
 }
 
+TEST_F(DemonstrationTest, LightThatChangesInAStillPeriodIsNoticed) {
+  Demonstration demonstration;
+  const StillShot first = shot({part_});
+  demonstration.look(first);
+  StillShot dim = first;
+  dim.picture = cv::Mat(0.5 * first.picture);  // beside it, not in its place
+  dim.stamp += 2;
+  EXPECT_EQ(demonstration.look(dim), Step::kWaitRemoval);
+  EXPECT_EQ(demonstration.anew(), Demonstration::Anew::kLight);
+}
+
 TEST_F(DemonstrationTest, AnotherSceneTakesThePictureAnew) {
   Demonstration demonstration;
   demonstration.look(shot({part_}));

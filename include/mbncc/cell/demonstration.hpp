@@ -55,6 +55,7 @@ class Demonstration {
 
   StillShot before_, after_;
   std::uint64_t seen_ = 0;  // still period judged last
+  double compared_at_ = 0;  // [s] stamp of the picture judged last
   SceneChange change_ = SceneChange::kNone;
   Anew anew_ = Anew::kNot;
 };

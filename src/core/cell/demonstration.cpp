@@ -5,6 +5,7 @@
 namespace mbncc {
 namespace {
 
+constexpr double kAgain = 1;            // [s] light may change while all keeps still
 constexpr double kOtherLight = 1.15;    // exposure factor worth a new picture
 constexpr double kMostOfPicture = 0.6;  // changed part of a picture that is another scene
 
@@ -21,15 +22,18 @@ Demonstration::Step Demonstration::look(const std::optional<StillShot>& still) {
     if (!still) return Step::kWaitStill;
     before_ = *still;
     seen_ = before_.number;
+    compared_at_ = before_.stamp;
     return Step::kWaitRemoval;
   }
   return still ? judge(*still) : Step::kMoving;
 }
 
-/// A still period is judged once.
+/// A still period is judged when it begins, and now and then.
 Demonstration::Step Demonstration::judge(const StillShot& still) {
-  if (still.number > seen_ && still.picture.size() == before_.picture.size()) {
+  const bool due = still.number > seen_ || still.stamp - compared_at_ >= kAgain;
+  if (due && still.picture.size() == before_.picture.size()) {
     seen_ = still.number;
+    compared_at_ = still.stamp;
     compare(still);
   }
   if (change_ == SceneChange::kInside) return Step::kReady;
