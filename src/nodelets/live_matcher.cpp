@@ -108,8 +108,15 @@ cv::Mat LiveMatcher::score_map(const cv::Mat& picture) const {
   return matcher_.score_map(picture);
 }
 
-void LiveMatcher::set_limits(double min_score, int max_instances) {
+void LiveMatcher::set_limits(double min_score, double confirm_score, int max_instances) {
   const std::unique_lock<std::shared_mutex> lock(mutex_);
+  if (confirm_score != matcher_.config().confirm_score) {
+    SearchConfig config = matcher_.config();
+    config.confirm_score = confirm_score;
+    Matcher renewed(config);
+    renewed.set_objects(searched_->objects);
+    matcher_ = std::move(renewed);
+  }
   matcher_.set_limits(min_score, max_instances);
 }
 

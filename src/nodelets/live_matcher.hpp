@@ -26,8 +26,9 @@ class LiveMatcher {
   /// Throws FileError when the library folder cannot be used.
   LiveMatcher(const SearchConfig& config, const std::string& library_path);
 
-  /// For every search from now on; [0..1], and per name.
-  void set_limits(double min_score, int max_instances);
+  /// For every search from now on; scores [0..1], instances per name. Another confirm_score
+  /// prepares all objects anew, which takes some milliseconds each.
+  void set_limits(double min_score, double confirm_score, int max_instances);
 
   /// Searches for objects learned in pictures of this size; the others, and those that cannot be
   /// searched for, are listed as skipped. The least recently searched come first, so that with a

@@ -141,8 +141,8 @@ void MatchingNodelet::start_services() {
       side_private_node,
       [this](const auto& use) {
         settings_->change([&use](MatchingNodeConfig& config) {
-          use(chosen(field_rows(config),
-                     {"min_score", "max_instances", "max_rate", "publish_tf", "show_score_map"}));
+          use(chosen(field_rows(config), {"min_score", "confirm_score", "max_instances", "max_rate",
+                                          "publish_tf", "show_score_map"}));
         });
       },
       [this] { take_settings(); });
@@ -172,7 +172,7 @@ void MatchingNodelet::on_image(const sensor_msgs::ImageConstPtr& image) {
 
 void MatchingNodelet::take_settings() {
   const SearchConfig search = settings_->get().search;
-  matcher_->set_limits(search.min_score, search.max_instances);
+  matcher_->set_limits(search.min_score, search.confirm_score, search.max_instances);
   listen_as_wanted();
 }
 

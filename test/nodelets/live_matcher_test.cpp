@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <opencv2/imgproc.hpp>
 
@@ -11,12 +12,18 @@
 namespace mbncc::nodelets {
 namespace {
 
-// A textured plate learned in a picture of its own.
-ObjectModel plate(const std::string& name, cv::Size picture_size) {
+cv::Mat plate_picture(cv::Size size) {
   cv::RNG random(7);
-  cv::Mat picture(picture_size, CV_8UC3), map = cv::Mat::zeros(picture_size, CV_8UC1);
+  cv::Mat picture(size, CV_8UC3);
   random.fill(picture, cv::RNG::UNIFORM, 0, 256);
   cv::GaussianBlur(picture, picture, {0, 0}, 3);
+  return picture;
+}
+
+// A textured plate learned in a picture of its own.
+ObjectModel plate(const std::string& name, cv::Size picture_size) {
+  const cv::Mat picture = plate_picture(picture_size);
+  cv::Mat map = cv::Mat::zeros(picture_size, CV_8UC1);
   cv::ellipse(map, {picture_size.width / 2, picture_size.height / 2}, {30, 20}, 0, 0, 360, 255, -1);
   ObjectModel model;
   model.name = name;
@@ -45,6 +52,24 @@ TEST_F(LiveMatcherTest, SkipsObjectsOfOtherPictureSizesWithASentence) {
   ASSERT_EQ(found.skipped.size(), 1u);
   EXPECT_EQ(found.skipped.front(),
             "elsewhere: learned in pictures of 320 x 240, this one is 160 x 120");
+}
+
+TEST_F(LiveMatcherTest, AnotherConfirmScoreHoldsForTheNextSearch) {
+  store(plate("here", {160, 120}));
+  LiveMatcher matcher({}, folder_.path());
+  const auto complains = [&] {
+    const auto found = matcher.find(plate_picture({160, 120}), {}).result.matches;
+    EXPECT_EQ(found.size(), 1u);
+    return !found.empty() && std::any_of(found[0].reasons.begin(), found[0].reasons.end(),
+                                         [](const std::string& reason) {
+                                           return reason.find("confirm_score") != std::string::npos;
+                                         });
+  };
+  EXPECT_FALSE(complains());
+  matcher.set_limits(0.1, 1.0, 10);
+  EXPECT_TRUE(complains());
+  matcher.set_limits(0.1, 0.5, 10);
+  EXPECT_FALSE(complains());
 }
 
 TEST_F(LiveMatcherTest, SearchesNothingWhenNoObjectFits) {
