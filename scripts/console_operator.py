@@ -42,6 +42,12 @@ class Mouse:
         xdotool("key", key)
         self.actions += 1
 
+    def type(self, text):
+        """Where the keyboard is."""
+        xdotool("key", "ctrl+a")
+        xdotool("type", "--delay", "20", text)
+        self.actions += 1
+
     @staticmethod
     def sees(name):
         """Whether the console shows a part of that name now."""

@@ -5,6 +5,7 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
+#include "console/calibration/calibration_pane.hpp"
 #include "console/detections_view.hpp"
 #include "console/explain/explain_pane.hpp"
 #include "console/lamp_row.hpp"
@@ -15,6 +16,7 @@
 #include "console/library_strip.hpp"
 #include "console/picture_view.hpp"
 #include "console/review_pane.hpp"
+#include "console/thresholds/threshold_pane.hpp"
 #include "console/widgets.hpp"
 
 namespace mbncc::console {
@@ -48,6 +50,8 @@ ConsoleWidget::ConsoleWidget(const Names& names, QWidget* parent)
       picture_(new PictureView),
       review_(new ReviewPane),
       explanation_(new ExplainPane),
+      threshold_pane_(new ThresholdPane),
+      calibration_(new CalibrationPane),
       strip_(new LibraryStrip),
       detections_(new DetectionsView),
       side_(new QStackedWidget),
@@ -61,6 +65,7 @@ ConsoleWidget::ConsoleWidget(const Names& names, QWidget* parent)
   connect_library();
   connect_cell();
   connect_explanation();
+  connect_calibration();
   connect(&timer_, &QTimer::timeout, this, &ConsoleWidget::look_at_clock);
   timer_.start(kTick);
   look_at_clock();
@@ -84,6 +89,8 @@ void ConsoleWidget::lay_out() {
   side_->addWidget(cell_page_);
   side_->addWidget(review_);
   side_->addWidget(explanation_);
+  side_->addWidget(threshold_pane_);
+  side_->addWidget(calibration_);
   side_->setFixedWidth(kSideWidth);
   auto* middle = new QHBoxLayout;
   middle->addLayout(left, 1);
@@ -107,7 +114,13 @@ QWidget* ConsoleWidget::make_picture_bar() {
   row->addWidget(marks_);
   row->addWidget(fit_);
   row->addStretch(1);
+  thresholds_ =
+      make_button("Thresholds", "What other thresholds would change in this picture", bar, "S");
+  camera_ = make_button("Camera", "Focus, exposure and calibration", bar, "K");
+  row->addWidget(camera_);
+  row->addWidget(thresholds_);
   row->addWidget(why_);
+  connect(thresholds_, &QPushButton::clicked, this, &ConsoleWidget::begin_thresholds);
   connect(why_, &QPushButton::clicked, this, &ConsoleWidget::ask_for_place);
   connect(marks_, &QPushButton::toggled, [this](bool hidden) { picture_->show_marks(!hidden); });
   connect(fit_, &QPushButton::clicked, picture_, &PictureView::show_all);
@@ -139,6 +152,8 @@ void ConsoleWidget::make_shortcuts() {
   for (const int key : {Qt::Key_Return, Qt::Key_Enter})
     on_key(Qt::CTRL + key, this, [this] { send_word(Confirm::ACCEPT); });
   on_key(Qt::Key_W, picture_, [this] { ask_for_place(); });
+  on_key(Qt::Key_K, picture_, [this] { camera_->click(); });
+  on_key(Qt::Key_S, picture_, [this] { begin_thresholds(); });
   on_key(Qt::Key_H, picture_, [this] { marks_->toggle(); });
   for (const int key : {Qt::Key_Plus, Qt::Key_Equal})
     on_key(key, picture_, [this] { picture_->enlarge(kStep); });
@@ -379,11 +394,32 @@ void ConsoleWidget::connect_explanation() {
   connect(&ros_, &RosLink::explained, this, &ConsoleWidget::show_explanation);
   connect(&ros_, &RosLink::explained_saved, explanation_, &ExplainPane::show_saved);
   connect(explanation_, &ExplainPane::save_wanted, this, [this] { ros_.save_explained(); });
+  connect(&ros_, &RosLink::all_found, this, &ConsoleWidget::show_all_found);
+  connect(&ros_, &RosLink::thresholds_set, this, &ConsoleWidget::tell);
+  connect(threshold_pane_, &ThresholdPane::moved, this, &ConsoleWidget::show_thresholds);
+  connect(threshold_pane_, &ThresholdPane::apply_wanted, this, &ConsoleWidget::apply_thresholds);
+  connect(threshold_pane_, &ThresholdPane::closed, this, &ConsoleWidget::end_explanation);
   connect(explanation_, &ExplainPane::closed, this, &ConsoleWidget::end_explanation);
 }
 
+void ConsoleWidget::connect_calibration() {
+  connect(camera_, &QPushButton::clicked, this, [this] {
+    calibration_->begin();
+    side_->setCurrentWidget(calibration_);
+  });
+  connect(calibration_, &CalibrationPane::closed, this, &ConsoleWidget::end_explanation);
+  connect(calibration_, &CalibrationPane::keep_wanted, this,
+          [this](const auto& calibration) { ros_.keep_calibration(calibration); });
+  connect(&ros_, &RosLink::calibration_kept, calibration_, &CalibrationPane::show_kept);
+  connect(&ros_, &RosLink::picture_heard, this, [this](const QImage& picture, QSize size) {
+    if (side_->currentWidget() != calibration_) return;
+    picture_->show_picture(picture, size, calibration_->take(picture, size), "Live");
+  });
+}
+
 bool ConsoleWidget::explains() const {
-  return side_->currentWidget() == explanation_;
+  return side_->currentWidget() == explanation_ || side_->currentWidget() == calibration_ ||
+         side_->currentWidget() == threshold_pane_;
 }
 
 void ConsoleWidget::ask_for_place() {
@@ -404,6 +440,44 @@ void ConsoleWidget::show_explanation(bool success, const QString& lines, const Q
 
 void ConsoleWidget::end_explanation() {
   if (explains()) side_->setCurrentWidget(cell_page_);
+}
+
+void ConsoleWidget::begin_thresholds() {
+  if (!lesson_.may_teach()) return;
+  lesson_bar_->clear_notice();
+  ros_.find_all();
+}
+
+void ConsoleWidget::show_all_found(bool success, const QString& message, const QImage& picture,
+                                   QSize size,
+                                   const mbncc_vision::DetectedObjectArray& detections) {
+  if (!success) return tell(false, "Thresholds: " + message);
+  if (!lesson_.may_teach()) return;
+  preview_ = ThresholdPreview(detections, ros_.thresholds());
+  previewed_ = picture;
+  previewed_size_ = size;
+  threshold_pane_->begin(preview_.now(), strip_->chosen());
+  side_->setCurrentWidget(threshold_pane_);
+  show_thresholds();
+}
+
+void ConsoleWidget::show_thresholds() {
+  const Thresholds wanted = threshold_pane_->wanted();
+  threshold_pane_->show_summary(QString::fromStdString(preview_.summary(wanted)));
+  picture_->show_picture(previewed_, previewed_size_, preview_.marks(wanted), "One picture");
+}
+
+void ConsoleWidget::apply_thresholds(const QString& object) {
+  if (object.isEmpty()) {
+    ros_.set_thresholds(threshold_pane_->wanted());
+  } else {
+    Edit request;
+    request.name = object.toStdString();
+    request.command = Edit::SET_THRESHOLD;
+    request.min_score = static_cast<float>(threshold_pane_->wanted().min_score);
+    ros_.edit(request);
+  }
+  end_explanation();
 }
 
 void ConsoleWidget::export_object(const QString& name) {
@@ -482,8 +556,11 @@ void ConsoleWidget::show_lesson() {
   lesson_bar_->show_lesson(lesson_, now());
   review_->show_lesson(lesson_);
   strip_->allow_teaching(lesson_.may_teach());
-  why_->setEnabled(lesson_.may_teach());
-  if (!lesson_.may_teach()) end_explanation();
+  for (auto* button : {why_, thresholds_}) button->setEnabled(lesson_.may_teach());
+  // A camera is calibrated before there is a cell.
+  const bool idle = lesson_.may_teach() || lesson_.phase() == LessonModel::Phase::kNoServer;
+  camera_->setEnabled(idle);
+  if (!idle) end_explanation();
   picture_->show_waiting(lesson_.waiting());
   ros_.show_changes(lesson_.waits_for_scene());
   space_->setEnabled(!viewed_.empty() && lesson_.may_teach());

@@ -21,6 +21,7 @@
 
 namespace mbncc::console {
 
+class CalibrationPane;
 class DetectionsView;
 class ExplainPane;
 class LampRow;
@@ -28,6 +29,7 @@ class LessonBar;
 class LibraryStrip;
 class PictureView;
 class ReviewPane;
+class ThresholdPane;
 
 class ConsoleWidget : public QWidget {
   Q_OBJECT
@@ -46,6 +48,7 @@ class ConsoleWidget : public QWidget {
   void connect_library();
   void connect_cell();
   void connect_explanation();
+  void connect_calibration();
   bool explains() const;
 
   double now() const { return clock_.elapsed() / 1000.0; }
@@ -67,6 +70,11 @@ class ConsoleWidget : public QWidget {
   void ask_for_place();
   void show_explanation(bool success, const QString& lines, const QImage& picture);
   void end_explanation();
+  void begin_thresholds();
+  void show_all_found(bool success, const QString& message, const QImage& picture, QSize size,
+                      const mbncc_vision::DetectedObjectArray& detections);
+  void show_thresholds();
+  void apply_thresholds(const QString& object);
   void export_object(const QString& name);
   void import_object();
   void show_history(const QString& name);
@@ -94,11 +102,16 @@ class ConsoleWidget : public QWidget {
   PictureView* picture_;
   ReviewPane* review_;
   ExplainPane* explanation_;
+  ThresholdPane* threshold_pane_;
+  CalibrationPane* calibration_;
+  ThresholdPreview preview_;
+  QImage previewed_;
+  QSize previewed_size_;
   LibraryStrip* strip_;
   DetectionsView* detections_;
   QStackedWidget* side_;
   QWidget* cell_page_;
-  QPushButton *marks_, *fit_, *why_;
+  QPushButton *marks_, *fit_, *why_, *thresholds_, *camera_;
   QShortcut* space_ = nullptr;
   QTimer timer_;
   RosLink ros_;  // last: its threads end before what they speak to

@@ -1,8 +1,11 @@
 #include "console/ros_link.hpp"
 
+#include <dynamic_reconfigure/Reconfigure.h>
+#include <mbncc_vision/FindObjects.h>
 #include <mbncc_vision/LearnObjectActionGoal.h>
 #include <mbncc_vision/LearnedObjectArray.h>
 #include <mbncc_vision/ListObjects.h>
+#include <sensor_msgs/SetCameraInfo.h>
 #include <std_srvs/Trigger.h>
 
 #include <algorithm>
@@ -15,6 +18,8 @@ const char* const kUnreachable = "the learning nodelet does not answer";
 
 // Pictures wait here for what is found in them.
 constexpr std::size_t kPicturesKept = 30, kBytesKept = std::size_t{96} << 20;
+
+constexpr float kHardlyAny = 0.02f;  // score
 
 QSize size_of(const sensor_msgs::Image& message) {
   return {static_cast<int>(message.width), static_cast<int>(message.height)};
@@ -130,6 +135,11 @@ void RosLink::note_shown(const sensor_msgs::ImageConstPtr& message) {
   shown_ = message;
 }
 
+sensor_msgs::ImageConstPtr RosLink::shown() {
+  const std::lock_guard<std::mutex> lock(shown_mutex_);
+  return shown_;
+}
+
 void RosLink::take_picture(const sensor_msgs::ImageConstPtr& message) {
   newest_.push_back(message);
   while (newest_.size() > 2 &&
@@ -192,12 +202,7 @@ void RosLink::mark_grasp() {
 }
 
 void RosLink::explain(QPointF place) {
-  sensor_msgs::ImageConstPtr shown;
-  {
-    const std::lock_guard<std::mutex> lock(shown_mutex_);
-    shown = shown_;
-  }
-  later([this, place, shown] {
+  later([this, place, shown = shown()] {
     mbncc_vision::ExplainPlace call;
     call.request.place.x = place.x();
     call.request.place.y = place.y();
@@ -208,6 +213,57 @@ void RosLink::explain(QPointF place) {
                      answered ? QString::fromStdString(call.response.message)
                               : "the matching nodelet does not answer",
                      answered ? to_qimage(to_rgb(call.response.picture)) : QImage());
+  });
+}
+
+void RosLink::find_all() {
+  later([this, shown = shown()] {
+    if (!shown) return Q_EMIT all_found(false, "no picture has come yet", {}, {}, {});
+    mbncc_vision::FindObjects call;
+    call.request.image = *shown;
+    call.request.min_score = kHardlyAny;
+    const bool answered = this->call("find_objects", call);
+    Q_EMIT all_found(answered && call.response.success,
+                     answered ? QString::fromStdString(call.response.message)
+                              : "the matching nodelet does not answer",
+                     to_qimage(small(to_rgb(*shown))), size_of(*shown), call.response.detections);
+  });
+}
+
+Thresholds RosLink::thresholds() const {
+  Thresholds thresholds;
+  node_.getParam(matching_ + "/min_score", thresholds.min_score);
+  node_.getParam(matching_ + "/confirm_score", thresholds.confirm_score);
+  return thresholds;
+}
+
+void RosLink::set_thresholds(const Thresholds& thresholds) {
+  later([this, thresholds] {
+    dynamic_reconfigure::Reconfigure call;
+    const auto add = [&](const char* name, double value) {
+      auto& parameter = call.request.config.doubles.emplace_back();
+      parameter.name = name;
+      parameter.value = value;
+    };
+    add("min_score", thresholds.min_score);
+    add("confirm_score", thresholds.confirm_score);
+    const bool answered = this->call(matching_ + "/set_parameters", call);
+    Q_EMIT thresholds_set(answered, answered ? "The matcher uses the new thresholds from now on; "
+                                               "config/matching.yaml keeps them for good."
+                                             : "the matching nodelet does not answer");
+  });
+}
+
+void RosLink::keep_calibration(const sensor_msgs::CameraInfo& calibration) {
+  later([this, calibration] {
+    sensor_msgs::SetCameraInfo call;
+    call.request.camera_info = calibration;
+    const bool answered = this->call("set_camera_info", call);
+    Q_EMIT calibration_kept(
+        answered && call.response.success,
+        answered ? QString::fromStdString(call.response.status_message)
+                 : "no camera takes calibrations in this cell (set_camera_info); the simulated one "
+                   "has its own");
   });
 }
 

@@ -15,9 +15,11 @@
 #include <mbncc_vision/LearnedObject.h>
 #include <ros/callback_queue.h>
 #include <ros/ros.h>
+#include <sensor_msgs/CameraInfo.h>
 #include <sensor_msgs/Image.h>
 
 #include "console/pictures.hpp"
+#include "console/thresholds/threshold_preview.hpp"
 #endif
 
 #include <QImage>
@@ -67,6 +69,13 @@ class RosLink : public QObject {
   void list_objects();
   /// Why something is found at `place` [px] of the newest picture, or is not.
   void explain(QPointF place);
+  /// All that is found in the newest picture with hardly any threshold.
+  void find_all();
+  /// Those of the matching nodelet, by the parameter server.
+  Thresholds thresholds() const;
+  void set_thresholds(const Thresholds& thresholds);
+  /// Hands a calibration to the camera.
+  void keep_calibration(const sensor_msgs::CameraInfo& calibration);
   /// Keeps what was explained last in a file.
   void save_explained();
   /// Ends a call that waits for an answer; it counts as not answered.
@@ -96,11 +105,16 @@ class RosLink : public QObject {
   /// `picture`: with the explanation drawn in.
   void explained(bool success, QString lines, QImage picture);
   void explained_saved(QString file);
+  void calibration_kept(bool success, QString message);
+  void all_found(bool success, QString message, QImage picture, QSize size,
+                 mbncc_vision::DetectedObjectArray detections);
+  void thresholds_set(bool success, QString message);
 
  private:
   void subscribe_lesson(ros::NodeHandle& node);
   void subscribe_cell(ros::NodeHandle& node);
   void take_picture(const sensor_msgs::ImageConstPtr& message);
+  sensor_msgs::ImageConstPtr shown();
   void note_shown(const sensor_msgs::ImageConstPtr& message);
   void take_detections(const mbncc_vision::DetectedObjectArray& detections);
   void later(std::function<void()> call);

@@ -130,6 +130,13 @@ class ConsoleTest(unittest.TestCase):
         self.teacher.mouse.press("Escape")
         wait_for(lambda: not self.teacher.mouse.sees("Back to live"), "the live picture is back")
 
+    def test_3f_other_thresholds_are_tried_and_applied(self):
+        import rospy
+        self.teacher.mouse.click_until("Thresholds", lambda: self.teacher.mouse.sees("confirm_score"), "it shows them")
+        self.teacher.mouse.click("min_score", at=(60, 8))
+        self.teacher.mouse.click_until("Apply", lambda: rospy.get_param("/matching/min_score", 0.5) < 0.5,
+                                       "the matcher has it")
+
     def test_4_delete_and_undo(self):
         self.assertIn("bracket", self.teacher.names())
         self.teacher.mouse.click("library", at=(40, 40))

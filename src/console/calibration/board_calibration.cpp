@@ -1,0 +1,110 @@
+#include "console/calibration/board_calibration.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <opencv2/calib3d.hpp>
+#include <opencv2/imgproc.hpp>
+
+namespace mbncc::console {
+namespace {
+
+constexpr double kOtherView = 0.06;  // of the picture's width that corners must have moved
+constexpr std::size_t kViews = 8;
+constexpr int kCovered = 12;  // fields
+
+double distance(const std::vector<cv::Point2f>& a, const std::vector<cv::Point2f>& b) {
+  double sum = 0;
+  for (std::size_t i = 0; i < a.size(); ++i) sum += cv::norm(a[i] - b[i]);
+  return sum / static_cast<double>(a.size());
+}
+
+std::vector<cv::Point3f> corners_of(const Board& board) {
+  std::vector<cv::Point3f> corners;
+  for (int row = 0; row < board.rows; ++row)
+    for (int column = 0; column < board.columns; ++column)
+      corners.emplace_back(static_cast<float>(column * board.square),
+                           static_cast<float>(row * board.square), 0.f);
+  return corners;
+}
+
+sensor_msgs::CameraInfo info_of(const cv::Mat& matrix, const cv::Mat& distortion, cv::Size size) {
+  sensor_msgs::CameraInfo info;
+  info.width = static_cast<std::uint32_t>(size.width);
+  info.height = static_cast<std::uint32_t>(size.height);
+  info.distortion_model = "plumb_bob";
+  for (int i = 0; i < 9; ++i) info.K[i] = matrix.at<double>(i / 3, i % 3);
+  info.R = {1, 0, 0, 0, 1, 0, 0, 0, 1};
+  const cv::Mat straight = cv::getOptimalNewCameraMatrix(matrix, distortion, size, 0);
+  for (int i = 0; i < 12; ++i) info.P[i] = i % 4 < 3 ? straight.at<double>(i / 4, i % 4) : 0;
+  for (int i = 0; i < 5; ++i) info.D.push_back(distortion.at<double>(i));
+  return info;
+}
+
+}  // namespace
+
+BoardCalibration::Seen BoardCalibration::take(const cv::Mat& picture) {
+  cv::Mat grey;
+  cv::cvtColor(picture, grey, cv::COLOR_RGB2GRAY);
+  corners_.clear();
+  std::vector<cv::Point2f> found;
+  if (!cv::findChessboardCorners(
+          grey, {board_.columns, board_.rows}, found,
+          cv::CALIB_CB_ADAPTIVE_THRESH | cv::CALIB_CB_NORMALIZE_IMAGE | cv::CALIB_CB_FAST_CHECK))
+    return Seen::kNothing;
+  cv::cornerSubPix(grey, found, {5, 5}, {-1, -1},
+                   {cv::TermCriteria::EPS | cv::TermCriteria::COUNT, 30, 0.01});
+  const float scale = static_cast<float>(size_.width) / static_cast<float>(grey.cols);
+  for (auto& corner : found)
+    corner = (corner + cv::Point2f(0.5f, 0.5f)) * scale - cv::Point2f(0.5f, 0.5f);
+  corners_ = found;
+  const bool known = std::any_of(views_.begin(), views_.end(), [&](const auto& view) {
+    return distance(view, found) < kOtherView * size_.width;
+  });
+  if (known) return Seen::kKnown;
+  views_.push_back(found);
+  for (const auto& corner : found)
+    fields_.insert(static_cast<int>(corner.y * kFields / static_cast<float>(size_.height)) *
+                       kFields +
+                   static_cast<int>(corner.x * kFields / static_cast<float>(size_.width)));
+  return Seen::kTaken;
+}
+
+bool BoardCalibration::suffices() const {
+  return views_.size() >= kViews && covered() >= kCovered;
+}
+
+std::string BoardCalibration::advice(Seen seen) const {
+  const std::string state = std::to_string(views_.size()) + " pictures taken, " +
+                            std::to_string(covered()) + " of " + std::to_string(kFields * kFields) +
+                            " fields covered. ";
+  if (seen == Seen::kNothing)
+    return state + "No whole board of " + std::to_string(board_.columns) + " x " +
+           std::to_string(board_.rows) + " inner corners is seen: show all of it.";
+  if (suffices()) return state + "Compute the calibration, or go on for a better one.";
+  if (covered() < kCovered)
+    return state + "Move the board to where it has not been, the corners too.";
+  return state + "Tilt the board and bring it nearer and farther.";
+}
+
+BoardCalibration::Result BoardCalibration::solve() const {
+  const std::vector<std::vector<cv::Point3f>> board(views_.size(), corners_of(board_));
+  cv::Mat matrix, distortion;
+  std::vector<cv::Mat> turns, places;
+  Result result;
+  result.error_px = cv::calibrateCamera(board, views_, size_, matrix, distortion, turns, places,
+                                        cv::CALIB_FIX_K3);
+  double squares = 0;
+  std::size_t count = 0;
+  for (std::size_t view = 0; view < views_.size(); ++view) {
+    std::vector<cv::Point2f> back;
+    cv::projectPoints(board[view], turns[view], places[view], matrix, distortion, back);
+    const double mm = 1000 * places[view].at<double>(2) / matrix.at<double>(0, 0);
+    for (std::size_t i = 0; i < back.size(); ++i, ++count)
+      squares += std::pow(mm * cv::norm(back[i] - views_[view][i]), 2);
+  }
+  result.error_mm = std::sqrt(squares / static_cast<double>(count));
+  result.info = info_of(matrix, distortion, size_);
+  return result;
+}
+
+}  // namespace mbncc::console

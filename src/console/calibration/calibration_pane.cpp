@@ -1,0 +1,133 @@
+#include "console/calibration/calibration_pane.hpp"
+
+#include <QGridLayout>
+#include <QHBoxLayout>
+#include <QVBoxLayout>
+
+#include "console/widgets.hpp"
+
+namespace mbncc::console {
+namespace {
+
+constexpr int kLookEvery = 400;  // [ms]
+constexpr std::size_t kFewest = 3;
+
+QSpinBox* make_count(int value, const QString& tip) {
+  auto* box = new QSpinBox;
+  box->setRange(3, 40);
+  box->setValue(value);
+  box->setToolTip(tip);
+  return box;
+}
+
+}  // namespace
+
+CalibrationPane::CalibrationPane(QWidget* parent)
+    : QWidget(parent),
+      columns_(make_count(Board().columns, "inner corners along the board")),
+      rows_(make_count(Board().rows, "inner corners across the board")),
+      square_(new QDoubleSpinBox),
+      picture_text_(new QLabel),
+      board_text_(new QLabel),
+      result_text_(new QLabel),
+      compute_(make_button("Co&mpute", "Of the pictures taken so far", this, "Alt+M")),
+      keep_(make_button("&Keep", "The camera uses this calibration from now on", this, "Alt+K")),
+      anew_(make_button("Start ane&w", "Forget the pictures taken", this, "Alt+W")) {
+  square_->setRange(0.5, 500);
+  square_->setDecimals(2);
+  square_->setValue(1000 * Board().square);
+  square_->setSuffix(" mm squares");
+  for (auto* text : {picture_text_, board_text_, result_text_}) text->setWordWrap(true);
+  QFont bold = result_text_->font();
+  bold.setBold(true);
+  result_text_->setFont(bold);
+  auto* close = make_button("&Back to live", "Nothing more is changed", this, "Esc");
+  auto* board = new QHBoxLayout;
+  board->addWidget(new QLabel("Chessboard"));
+  board->addWidget(columns_);
+  board->addWidget(new QLabel(QString::fromUtf8("\u00d7")));
+  board->addWidget(rows_);
+  board->addWidget(square_, 1);
+  auto* buttons = new QGridLayout;
+  buttons->addWidget(compute_, 0, 0);
+  buttons->addWidget(keep_, 0, 1);
+  buttons->addWidget(anew_, 1, 0);
+  buttons->addWidget(close, 1, 1);
+  auto* all = new QVBoxLayout(this);
+  all->setContentsMargins(0, 0, 0, 0);
+  all->addWidget(picture_text_);
+  all->addLayout(board);
+  all->addWidget(board_text_);
+  all->addWidget(result_text_);
+  all->addStretch(1);
+  all->addLayout(buttons);
+  for (auto* box : {columns_, rows_})
+    connect(box, QOverload<int>::of(&QSpinBox::valueChanged), this, &CalibrationPane::start_anew);
+  connect(square_, QOverload<double>::of(&QDoubleSpinBox::valueChanged), this,
+          &CalibrationPane::start_anew);
+  connect(compute_, &QPushButton::clicked, this, &CalibrationPane::compute);
+  connect(anew_, &QPushButton::clicked, this, &CalibrationPane::start_anew);
+  connect(keep_, &QPushButton::clicked, this, [this] { Q_EMIT keep_wanted(result_.info); });
+  connect(close, &QPushButton::clicked, this, &CalibrationPane::closed);
+}
+
+void CalibrationPane::begin() {
+  check_ = PictureCheck();
+  size_ = QSize();
+  start_anew();
+}
+
+void CalibrationPane::start_anew() {
+  const Board board{columns_->value(), rows_->value(), square_->value() / 1000};
+  calibration_ = BoardCalibration(board, {size_.width(), size_.height()});
+  marks_.clear();
+  result_text_->clear();
+  compute_->setEnabled(false);
+  keep_->setEnabled(false);
+}
+
+std::vector<Mark> CalibrationPane::take(const QImage& picture, QSize size) {
+  if (since_look_.isValid() && since_look_.elapsed() < kLookEvery) return marks_;
+  since_look_.start();
+  if (size != size_) {
+    size_ = size;
+    start_anew();
+  }
+  const QImage rgb = picture.convertToFormat(QImage::Format_RGB888);
+  const cv::Mat pixels(rgb.height(), rgb.width(), CV_8UC3, const_cast<uchar*>(rgb.bits()),
+                       static_cast<std::size_t>(rgb.bytesPerLine()));
+  check_.take(pixels);
+  picture_text_->setText(QString::fromStdString(check_.advice()));
+  const auto seen = calibration_.take(pixels);
+  board_text_->setText(QString::fromStdString(calibration_.advice(seen)));
+  compute_->setEnabled(calibration_.views() >= kFewest);
+  marks_.clear();
+  if (calibration_.corners().empty()) return marks_;
+  Mark mark;
+  mark.outlines = {calibration_.corners()};
+  mark.origin = calibration_.corners().front();
+  mark.level = seen == BoardCalibration::Seen::kTaken ? Level::kGood : Level::kUnknown;
+  mark.label = seen == BoardCalibration::Seen::kTaken ? "taken" : "board";
+  marks_ = {mark};
+  return marks_;
+}
+
+void CalibrationPane::compute() {
+  result_ = calibration_.solve();
+  result_text_->setText(
+      QString("Corners are met within %1 mm on the board (%2 px); focal length %3 px. %4")
+          .arg(result_.error_mm, 0, 'f', 2)
+          .arg(result_.error_px, 0, 'f', 2)
+          .arg(result_.info.K[0], 0, 'f', 0)
+          .arg(calibration_.suffices() ? "Keep it, or go on."
+                                       : "Too little is covered yet to rely on it."));
+  keep_->setEnabled(true);
+}
+
+void CalibrationPane::show_kept(bool success, const QString& message) {
+  result_text_->setText(success ? "Kept. Now find the platform: calibrate_platform, with the board "
+                                  "lying on it."
+                                : "Not kept: " + message);
+}
+
+}  // namespace mbncc::console

@@ -1,0 +1,51 @@
+// Focus, exposure and calibration of the camera from its live pictures.
+#pragma once
+
+#ifndef Q_MOC_RUN
+#include "console/calibration/board_calibration.hpp"
+#include "console/calibration/picture_check.hpp"
+#include "console/picture/marks.hpp"
+#endif
+
+#include <QDoubleSpinBox>
+#include <QElapsedTimer>
+#include <QImage>
+#include <QLabel>
+#include <QPushButton>
+#include <QSpinBox>
+#include <QWidget>
+
+namespace mbncc::console {
+
+class CalibrationPane : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit CalibrationPane(QWidget* parent = nullptr);
+
+  void begin();
+  /// `size` [px] of the camera's picture; returns what to point out in it.
+  std::vector<Mark> take(const QImage& picture, QSize size);
+  void show_kept(bool success, const QString& message);
+
+ Q_SIGNALS:
+  void keep_wanted(sensor_msgs::CameraInfo calibration);
+  void closed();
+
+ private:
+  void start_anew();
+  void compute();
+
+  PictureCheck check_;
+  BoardCalibration calibration_;
+  BoardCalibration::Result result_;
+  QSize size_;
+  std::vector<Mark> marks_;
+  QElapsedTimer since_look_;
+  QSpinBox *columns_, *rows_;
+  QDoubleSpinBox* square_;
+  QLabel *picture_text_, *board_text_, *result_text_;
+  QPushButton *compute_, *keep_, *anew_;
+};
+
+}  // namespace mbncc::console

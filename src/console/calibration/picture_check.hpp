@@ -1,0 +1,27 @@
+// Whether the camera's picture is sharp and well exposed.
+#pragma once
+
+#include <opencv2/core.hpp>
+#include <string>
+
+namespace mbncc::console {
+
+class PictureCheck {
+ public:
+  /// `picture`: CV_8UC3.
+  void take(const cv::Mat& picture);
+
+  /// [0..1] of the sharpest picture since the start; 0 without any.
+  double sharpness() const { return best_ > 0 ? now_ / best_ : 0; }
+  /// [0..1] part of the pixels that are burnt out.
+  double burnt() const { return burnt_; }
+  /// [0..1] mean brightness.
+  double brightness() const { return brightness_; }
+  /// What to turn at the camera, two sentences.
+  std::string advice() const;
+
+ private:
+  double best_ = 0, now_ = 0, burnt_ = 0, brightness_ = 0;
+};
+
+}  // namespace mbncc::console

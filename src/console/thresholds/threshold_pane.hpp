@@ -1,0 +1,43 @@
+// Thresholds as sliders, with what they would change in the picture shown; for all objects, or the
+// reporting of one.
+#pragma once
+
+#ifndef Q_MOC_RUN
+#include "console/thresholds/threshold_preview.hpp"
+#endif
+
+#include <QLabel>
+#include <QPushButton>
+#include <QRadioButton>
+#include <QSlider>
+#include <QWidget>
+
+namespace mbncc::console {
+
+class ThresholdPane : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit ThresholdPane(QWidget* parent = nullptr);
+
+  /// `object`: the one that may get a threshold of its own; "": none is chosen.
+  void begin(const Thresholds& now, const QString& object);
+  void show_summary(const QString& summary) { summary_->setText(summary); }
+  Thresholds wanted() const;
+
+ Q_SIGNALS:
+  void moved();
+  /// `object`: whose own min_score alone; "": those of the matcher.
+  void apply_wanted(QString object);
+  void closed();
+
+ private:
+  void tell();
+
+  QLabel *min_text_, *confirm_text_, *summary_;
+  QSlider *min_, *confirm_;
+  QRadioButton *all_, *one_;
+  QString object_;
+};
+
+}  // namespace mbncc::console

@@ -1,0 +1,103 @@
+// Chessboards drawn as a known camera sees them.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <opencv2/calib3d.hpp>
+#include <opencv2/imgproc.hpp>
+
+#include "console/calibration/board_calibration.hpp"
+#include "console/calibration/picture_check.hpp"
+
+namespace mbncc::console {
+namespace {
+
+using Seen = BoardCalibration::Seen;
+
+const Board kBoard{7, 5, 0.03};
+const cv::Size kPicture(640, 480);
+const cv::Matx33d kMatrix(600, 0, 315, 0, 600, 245, 0, 0, 1);
+
+cv::Mat board_at(const cv::Vec3d& turn, const cv::Vec3d& place) {
+  cv::Mat picture(kPicture, CV_8UC3, cv::Scalar::all(200));
+  for (int row = -1; row < kBoard.rows; ++row)
+    for (int column = -1; column < kBoard.columns; ++column) {
+      if ((row + column) % 2 == 0) continue;
+      std::vector<cv::Point3d> square;
+      for (const auto& [x, y] : {std::pair{0, 0}, {1, 0}, {1, 1}, {0, 1}})
+        square.emplace_back((column + x) * kBoard.square, (row + y) * kBoard.square, 0);
+      std::vector<cv::Point2d> seen;
+      cv::projectPoints(square, turn, place, kMatrix, cv::noArray(), seen);
+      std::vector<cv::Point> fixed;
+      for (const auto& point : seen)
+        fixed.emplace_back(cvRound(point.x * 256), cvRound(point.y * 256));
+      cv::fillConvexPoly(picture, fixed, cv::Scalar::all(20), cv::LINE_AA, 8);
+    }
+  return picture;
+}
+
+TEST(BoardCalibration, FindsTheCameraThatDrewTheBoards) {
+  BoardCalibration calibration(kBoard, kPicture);
+  int taken = 0;
+  for (int i = 0; i < 12; ++i) {
+    const cv::Vec3d turn(0.4 * ((i % 3) - 1), 0.4 * ((i / 3) % 3 - 1), 0.1 * i);
+    const cv::Vec3d place(-0.09 + 0.08 * ((i % 3) - 1), -0.06 + 0.05 * ((i / 3) % 3 - 1),
+                          0.55 + 0.02 * i);
+    taken += calibration.take(board_at(turn, place)) == Seen::kTaken;
+  }
+  ASSERT_GE(taken, 6);
+  EXPECT_EQ(calibration.views(), static_cast<std::size_t>(taken));
+  const auto result = calibration.solve();
+  EXPECT_NEAR(result.info.K[0], 600, 12);
+  EXPECT_NEAR(result.info.K[2], 315, 8);
+  EXPECT_LT(result.error_px, 0.5);
+  EXPECT_LT(result.error_mm, 0.6);
+  EXPECT_EQ(result.info.width, 640u);
+}
+
+TEST(BoardCalibration, TheSamePictureIsTakenOnce) {
+  BoardCalibration calibration(kBoard, kPicture);
+  const cv::Mat picture = board_at({0.2, 0.1, 0}, {-0.09, -0.06, 0.6});
+  EXPECT_EQ(calibration.take(picture), Seen::kTaken);
+  EXPECT_EQ(calibration.take(picture), Seen::kKnown);
+  EXPECT_EQ(calibration.views(), 1u);
+  EXPECT_FALSE(calibration.suffices());
+  EXPECT_NE(calibration.advice(Seen::kKnown).find("has not been"), std::string::npos);
+}
+
+TEST(BoardCalibration, AShrunkPictureTellsTheCamerasPixels) {
+  BoardCalibration whole(kBoard, kPicture), shrunk(kBoard, kPicture);
+  const cv::Mat picture = board_at({0.2, 0.1, 0}, {-0.09, -0.06, 0.6});
+  cv::Mat half;
+  cv::resize(picture, half, {}, 0.5, 0.5, cv::INTER_AREA);
+  ASSERT_EQ(whole.take(picture), Seen::kTaken);
+  ASSERT_EQ(shrunk.take(half), Seen::kTaken);
+  // Which end of the board comes first is not told.
+  EXPECT_LT(std::min(cv::norm(whole.corners().front() - shrunk.corners().front()),
+                     cv::norm(whole.corners().front() - shrunk.corners().back())),
+            1);
+}
+
+TEST(BoardCalibration, WithoutABoardNothingIsTaken) {
+  BoardCalibration calibration(kBoard, kPicture);
+  EXPECT_EQ(calibration.take(cv::Mat(kPicture, CV_8UC3, cv::Scalar::all(90))), Seen::kNothing);
+  EXPECT_NE(calibration.advice(Seen::kNothing).find("7 x 5"), std::string::npos);
+}
+
+TEST(PictureCheck, TellsBlurFromSharpnessAndBurntFromDark) {
+  const cv::Mat sharp = board_at({0.2, 0.1, 0}, {-0.09, -0.06, 0.6});
+  cv::Mat blurred;
+  cv::GaussianBlur(sharp, blurred, {}, 3);
+  PictureCheck check;
+  check.take(sharp);
+  EXPECT_DOUBLE_EQ(check.sharpness(), 1);
+  check.take(blurred);
+  EXPECT_LT(check.sharpness(), 0.6);
+  EXPECT_NE(check.advice().find("turn the focus back"), std::string::npos);
+  check.take(cv::Mat(kPicture, CV_8UC3, cv::Scalar::all(255)));
+  EXPECT_NE(check.advice().find("shorten the exposure"), std::string::npos);
+  check.take(cv::Mat(kPicture, CV_8UC3, cv::Scalar::all(10)));
+  EXPECT_NE(check.advice().find("Too dark"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace mbncc::console
