@@ -555,6 +555,7 @@ void ConsoleWidget::look_at_clock() {
 void ConsoleWidget::show_lesson() {
   lesson_bar_->show_lesson(lesson_, now());
   review_->show_lesson(lesson_);
+  strip_->setEnabled(lesson_.phase() != LessonModel::Phase::kNoServer);
   strip_->allow_teaching(lesson_.may_teach());
   for (auto* button : {why_, thresholds_}) button->setEnabled(lesson_.may_teach());
   // A camera is calibrated before there is a cell.

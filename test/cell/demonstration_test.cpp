@@ -53,6 +53,7 @@ TEST_F(DemonstrationTest, WhatWasPutDownBelongsToTheSceneBefore) {
   demonstration.look(shot({}));
   EXPECT_EQ(demonstration.look(shot({part_})), Step::kReady);
   demonstration.go_on();
+  EXPECT_EQ(demonstration.anew(), Demonstration::Anew::kPutDown);
   EXPECT_EQ(demonstration.before().number, 2u);
   const StillShot empty = shot({});
   EXPECT_EQ(demonstration.look(empty), Step::kReady);
