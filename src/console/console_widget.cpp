@@ -371,6 +371,13 @@ void ConsoleWidget::take_edit(const Edit& request, bool success, const QString& 
     tell(false, "Library: " + message);
   if (success && request.command == Edit::RENAME)
     strip_->choose(QString::fromStdString(request.new_name));
+  if (success && request.command == Edit::RESTORE)
+    strip_->choose(QString::fromStdString(request.name));
+  // The question may be about a name that is gone.
+  if (success && (request.command == Edit::RENAME || request.command == Edit::DELETE)) {
+    viewed_.clear();
+    lesson_bar_->choices().clear();
+  }
   if (undone)
     library_.undone();
   else if (success)
@@ -555,6 +562,7 @@ void ConsoleWidget::look_at_clock() {
 void ConsoleWidget::show_lesson() {
   lesson_bar_->show_lesson(lesson_, now());
   review_->show_lesson(lesson_);
+  strip_->setEnabled(lesson_.phase() != LessonModel::Phase::kNoServer);
   strip_->allow_teaching(lesson_.may_teach());
   for (auto* button : {why_, thresholds_}) button->setEnabled(lesson_.may_teach());
   // A camera is calibrated before there is a cell.
@@ -568,7 +576,10 @@ void ConsoleWidget::show_lesson() {
   draft_shown_ = lesson_.draft_number();
   const bool asked = lesson_.draft().has_value();
   if (asked && side_->currentWidget() != review_) picture_->setFocus();
-  side_->setCurrentWidget(asked ? static_cast<QWidget*>(review_) : cell_page_);
+  if (asked)
+    side_->setCurrentWidget(review_);
+  else if (side_->currentWidget() == review_)
+    side_->setCurrentWidget(cell_page_);
   if (asked) show_draft();
 }
 

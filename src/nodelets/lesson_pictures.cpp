@@ -30,6 +30,9 @@ const char* removal_sentence(Demonstration::Anew why) {
     case Anew::kEverything:
       return "Nearly everything has changed, as when the camera is moved; the lesson goes on with "
              "the present picture. See that the object lies in it, then take it away.";
+    case Anew::kPutDown:
+      return "Nothing has left its place, what was put down belongs to the scene now. Take the "
+             "object away, farther from where it lay or out of the picture.";
     default:
       return "Take the object away now.";
   }

@@ -53,6 +53,7 @@ TEST_F(DemonstrationTest, WhatWasPutDownBelongsToTheSceneBefore) {
   demonstration.look(shot({}));
   EXPECT_EQ(demonstration.look(shot({part_})), Step::kReady);
   demonstration.go_on();
+  EXPECT_EQ(demonstration.anew(), Demonstration::Anew::kPutDown);
   EXPECT_EQ(demonstration.before().number, 2u);
   const StillShot empty = shot({});
   EXPECT_EQ(demonstration.look(empty), Step::kReady);
@@ -92,7 +93,7 @@ TEST_F(DemonstrationTest, LightThatChangesInAStillPeriodIsNoticed) {
   const StillShot first = shot({part_});
   demonstration.look(first);
   StillShot dim = first;
-  dim.picture = 0.5 * first.picture;
+  dim.picture = cv::Mat(0.5 * first.picture);  // beside it, not in its place
   dim.stamp += 2;
   EXPECT_EQ(demonstration.look(dim), Step::kWaitRemoval);
   EXPECT_EQ(demonstration.anew(), Demonstration::Anew::kLight);

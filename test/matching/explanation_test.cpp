@@ -43,6 +43,12 @@ TEST_F(ExplanationTest, OfWhatIsFoundIsTheMatchItself) {
   for (const auto& part : explanation.parts) EXPECT_GE(part.lacking, -1e-9) << part.name;
 }
 
+TEST_F(ExplanationTest, ZeroHasNoSign) {
+  for (const auto& line : lines_of(at(truth_.position())))
+    EXPECT_EQ(line.find("-0.0 "), std::string::npos) << line;
+  EXPECT_FALSE(says(at(truth_.position()), "-0.0,"));
+}
+
 TEST_F(ExplanationTest, NamesTheThresholdThatFailed) {
   SearchConfig strict;
   strict.min_score = 1;

@@ -85,11 +85,13 @@ class Console(unittest.TestCase):
         return load("console.launch", *arguments).nodes[0]
 
     def test_shows_the_pictures_and_the_frame_of_the_cell(self):
-        self.assertEqual(dict(self.of().remap_args), {"image_raw": "image_raw"})
-        self.assertIn("-f camera_optical_frame", self.of().args)
-        other = self.of("image:=/usb_cam/image_raw", "frame:=usb_cam")
-        self.assertEqual(dict(other.remap_args), {"image_raw": "/usb_cam/image_raw"})
-        self.assertIn("-f usb_cam", other.args)
+        self.assertEqual(self.of().type, "console")
+        for window in ("rviz:=false", "rviz:=true"):
+            self.assertEqual(dict(self.of(window).remap_args), {"image_raw": "image_raw"})
+            other = self.of(window, "image:=/usb_cam/image_raw")
+            self.assertEqual(dict(other.remap_args), {"image_raw": "/usb_cam/image_raw"})
+        self.assertIn("-f camera_optical_frame", self.of("rviz:=true").args)
+        self.assertIn("-f usb_cam", self.of("rviz:=true", "frame:=usb_cam").args)
 
 
 class Frames(unittest.TestCase):

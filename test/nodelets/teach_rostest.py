@@ -72,7 +72,7 @@ class Teach(unittest.TestCase):
         self.assertEqual(rospy.ServiceProxy("list_objects", ListObjects)().objects[0].symmetry,
                          LearnObjectGoal.SYMMETRY_ROUND)
         again, _ = self.start("agreed").communicate()
-        self.assertIn("--overwrite or --add-view", again)  # what to do, in this program's words
+        self.assertIn("(--overwrite), add a view to it (--add-view)", again)  # what to do, in this program's words
 
     def lost_lesson(self, namespace):
         """Kills the nodelet amid a lesson; what the program says then."""

@@ -25,9 +25,10 @@ class Demonstration {
   /// Why the scene before was taken anew.
   enum class Anew {
     kNot,
-    kLight,      ///< the light has changed, nothing else
-    kEdgeLeft,   ///< what reached out of the picture at the start has left
-    kEverything  ///< nearly the whole picture has changed
+    kLight,       ///< the light has changed, nothing else
+    kEdgeLeft,    ///< what reached out of the picture at the start has left
+    kEverything,  ///< nearly the whole picture has changed
+    kPutDown      ///< something was put down, or lies where it covers its old place
   };
 
   Demonstration() = default;
@@ -43,7 +44,7 @@ class Demonstration {
   /// scene before from now on; a given picture stays. More looks are needed.
   void go_on();
 
-  /// The last reason; kNot after go_on().
+  /// The last reason; kPutDown after go_on().
   Anew anew() const { return anew_; }
 
   const StillShot& before() const { return before_; }  ///< once look() has asked for the removal

@@ -104,8 +104,11 @@ std::vector<Mark> CalibrationPane::take(const QImage& picture, QSize size) {
   marks_.clear();
   if (calibration_.corners().empty()) return marks_;
   Mark mark;
-  mark.outlines = {calibration_.corners()};
-  mark.origin = calibration_.corners().front();
+  const auto& corners = calibration_.corners();
+  const auto columns = static_cast<std::size_t>(columns_->value());
+  mark.outlines = {
+      {corners.front(), corners[columns - 1], corners.back(), corners[corners.size() - columns]}};
+  mark.origin = corners.front();
   mark.level = seen == BoardCalibration::Seen::kTaken ? Level::kGood : Level::kUnknown;
   mark.label = seen == BoardCalibration::Seen::kTaken ? "taken" : "board";
   marks_ = {mark};

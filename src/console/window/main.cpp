@@ -5,6 +5,7 @@
 #include <QCommandLineParser>
 #include <QMainWindow>
 #include <QRegularExpression>
+#include <QScreen>
 #include <QTimer>
 
 #include "console/console_widget.hpp"
@@ -32,7 +33,8 @@ int main(int argc, char** argv) {
   window.setWindowTitle("mbncc console");
   window.setCentralWidget(new mbncc::console::ConsoleWidget(
       {words.value("cell").toStdString(), words.value("matching").toStdString()}));
-  window.resize(1280, 720);
+  // Where no window manager maximizes it, too.
+  window.setGeometry(QGuiApplication::primaryScreen()->availableGeometry());
   window.showMaximized();
   QTimer watch;
   QObject::connect(&watch, &QTimer::timeout, [] {

@@ -7,7 +7,7 @@ namespace {
 
 constexpr double kAgain = 1;            // [s] light may change while all keeps still
 constexpr double kOtherLight = 1.15;    // exposure factor worth a new picture
-constexpr double kMostOfPicture = 0.6;  // changed part of a picture that is another scene
+constexpr double kMostOfPicture = 0.45;  // changed part of a picture that is another scene
 
 /// What differs was there before and is there no longer.
 bool has_left(const cv::Mat& changed, const StillShot& before, const StillShot& after) {
@@ -63,7 +63,7 @@ void Demonstration::go_on() {
   const bool given = before_.number == 0;
   if (!given) before_ = after_;
   change_ = SceneChange::kNone;
-  anew_ = Anew::kNot;
+  anew_ = Anew::kPutDown;
 }
 
 }  // namespace mbncc

@@ -1,5 +1,6 @@
 // Explanations in sentences and as a picture.
 #include <algorithm>
+#include <cmath>
 #include <iomanip>
 #include <opencv2/imgproc.hpp>
 #include <sstream>
@@ -13,8 +14,11 @@ namespace {
 using Outcome = Explanation::Outcome;
 
 std::string number(double value, int digits) {
+  const double step = std::pow(10.0, -digits);
+  // Rounded to zero there is no sign.
+  const double shown = std::abs(value) < step / 2 ? 0 : value;
   std::ostringstream text;
-  text << std::fixed << std::setprecision(digits) << value;
+  text << std::fixed << std::setprecision(digits) << shown;
   return text.str();
 }
 
