@@ -65,7 +65,7 @@ class JsonReport : public MatchReport {
     json_.member("width", size.width).member("height", size.height);
     json_.member("ms", 1000 * result.search_time);
     json_.member("searched", result.searched).member("skipped", result.skipped);
-    json_.member("budget_exceeded", result.budget_exceeded);
+    json_.member("budget_exceeded", result.budget_exceeded).member("limited", result.limited);
     InstanceCounter instances;
     json_.key("objects").begin_array();
     for (const auto& match : result.matches) write(match, instances.next(match.name));
@@ -104,6 +104,9 @@ class PlainReport : public MatchReport {
   void add(const std::string& image, const cv::Size&, const SearchResult& result) override {
     out_ << image << ": " << std::fixed << std::setprecision(1) << 1000 * result.search_time
          << " ms" << (result.matches.empty() ? ", nothing found\n" : "\n");
+    for (const auto& name : result.limited)
+      out_ << "  max_instances reached by " << name
+           << "; there may be more, raise --max-instances\n";
     for (const auto& match : result.matches) {
       out_ << "  " << match.name << " at (" << std::setprecision(2) << match.pose.x << ", "
            << match.pose.y << "), " << to_degrees(match.pose.theta) << " deg, score " << match.score

@@ -23,7 +23,7 @@ bool any_enabled(const LibrarySnapshot& library) {
 /// What matters most to whoever acts on the array: a pose without metres or in another frame than
 /// asked for would move an arm wrongly, objects not searched are only missed.
 void set_status(DetectedObjectArray& array, const LibrarySnapshot& library,
-                const Calibration& calibration, bool budget_exceeded,
+                const Calibration& calibration, const SearchResult& result,
                 const std::string& target_fault) {
   if (!any_enabled(library)) {
     array.status = DetectedObjectArray::LIBRARY_EMPTY;
@@ -34,11 +34,14 @@ void set_status(DetectedObjectArray& array, const LibrarySnapshot& library,
   } else if (!target_fault.empty()) {
     array.status = DetectedObjectArray::TF_UNAVAILABLE;
     array.message = target_fault;
-  } else if (budget_exceeded) {
+  } else if (result.budget_exceeded) {
     array.status = DetectedObjectArray::BUDGET_EXCEEDED;
     array.message = "time_budget exceeded; some objects were not searched";
   } else {
     array.status = DetectedObjectArray::OK;
+    if (!result.limited.empty())
+      array.message = "max_instances reached by " + result.limited.front() +
+                      "; there may be more of it, raise max_instances";
   }
 }
 
@@ -138,7 +141,7 @@ Detections DetectionPipeline::describe(const ReceivedPicture& received,
     array.objects.push_back(
         describe(match, detections.library->find(match.match.name).get(), calibration));
   const std::string target_fault = to_target_frame(array);
-  set_status(array, *detections.library, calibration, result.budget_exceeded, target_fault);
+  set_status(array, *detections.library, calibration, result, target_fault);
   return detections;
 }
 

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include <opencv2/imgproc.hpp>
 
 #include "matching/matcher_fixture.hpp"
@@ -65,6 +67,29 @@ TEST_F(MatcherTest, FindsTwoInstances) {
   SearchRequest one;
   one.max_instances = 1;
   EXPECT_EQ(matcher().find(scene, one).matches.size(), 1u);
+}
+
+TEST_F(MatcherTest, TellsWhereMaxInstancesIsReached) {
+  cv::Mat scene = texture({420, 240}, 61, 4);
+  for (const double x : {80., 210., 340.})
+    place(scene, source_, reference_.position(), {x, 120, x / 100});
+  SearchRequest request;
+  for (const int most : {1, 2, 3, 4}) {
+    request.max_instances = most;
+    const SearchResult result = matcher().find(scene, request);
+    EXPECT_EQ(result.matches.size(), std::min<std::size_t>(most, 3)) << most;
+    EXPECT_EQ(result.limited.size(), most == 2 || most == 3 ? 1u : 0u) << most;
+  }
+}
+
+TEST_F(MatcherTest, FindsThirtyInstances) {
+  cv::Mat scene = texture({1000, 840}, 61, 4);
+  for (int k = 0; k < 30; ++k)
+    place(scene, source_, reference_.position(),
+          {100.0 + 160 * (k % 6), 90.0 + 160 * (k / 6), 0.7 * k});
+  const SearchResult result = matcher().find(scene);
+  EXPECT_EQ(result.matches.size(), 30u);
+  EXPECT_TRUE(result.limited.empty());
 }
 
 TEST_F(MatcherTest, DisabledObjectsAreNotFound) {

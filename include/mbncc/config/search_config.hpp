@@ -18,7 +18,7 @@ struct SearchConfig {
   double max_place_deviation = 1.25;  ///< [px] claimed standard deviation of the position
   double max_angle_deviation = 1;     ///< [deg] claimed standard deviation of the angle
   double min_visible = 0.6;           ///< [0..1] part of the map inside the picture
-  int max_instances = 10;             ///< per name
+  int max_instances = 50;             ///< per name
   double max_overlap = 0.25;  ///< [0..1] of the smaller map, above which the weaker detection goes
   double scale_range = 0;     ///< [0..0.5] objects may be larger or smaller by this part
   double time_budget = 0;     ///< [s] per picture; 0: none

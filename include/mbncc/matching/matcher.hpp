@@ -98,12 +98,16 @@ struct SearchResult {
   std::vector<Match> matches;             ///< best score first
   std::vector<std::string> searched;      ///< names really searched
   std::vector<std::string> skipped;       ///< "name: reason"
+  std::vector<std::string> limited;       ///< names with max_instances matches: there may be more
   std::vector<Rival> rivals;              ///< all that is not among the matches
   std::map<std::string, double> clutter;  ///< by name: log-odds that scores were lowered by, for
                                           ///< what looks alike elsewhere
   bool budget_exceeded = false;
   double search_time = 0;  ///< [s] wall time, preparation of objects not included
 };
+
+/// The names of which there are `most` matches; none where only the best one is asked for.
+std::vector<std::string> names_at_limit(const std::vector<Match>& matches, int most);
 
 /// Searches pictures for a set of objects. A learned point p appears at
 /// (x, y) + R(theta - reference.theta) scale (p - reference).

@@ -5,8 +5,8 @@
 namespace mbncc {
 namespace {
 
-constexpr double kAgain = 1;            // [s] light may change while all keeps still
-constexpr double kOtherLight = 1.15;    // exposure factor worth a new picture
+constexpr double kAgain = 1;             // [s] light may change while all keeps still
+constexpr double kOtherLight = 1.15;     // exposure factor worth a new picture
 constexpr double kMostOfPicture = 0.45;  // changed part of a picture that is another scene
 
 /// What differs was there before and is there no longer.

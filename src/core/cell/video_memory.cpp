@@ -38,7 +38,9 @@ SearchResult report_of(const VideoMemory& memory, const SearchConfig& config,
   for (const auto& known : memory.known.all())
     result.matches.push_back(known.judged(names, config));
   const int asked = memory.request.max_instances;
-  keep_best(asked > 0 ? asked : config.max_instances, result.matches);
+  const int most = asked > 0 ? asked : config.max_instances;
+  keep_best(most, result.matches);
+  result.limited = names_at_limit(result.matches, most);
   result.budget_exceeded = budget_exceeded;
   return result;
 }

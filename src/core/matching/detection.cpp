@@ -44,13 +44,24 @@ double doubt(double strange) {
   return kSteepness * std::max(0.0, strange - kUsual);
 }
 
-/// A smaller or larger object of the same kind lies here: it fits better.
-bool fits_another_size(const PreparedView& view, const ScenePicture& scene, const Pose2D& pose,
+/// Of a pose refined to another scale: those of the object as large as that, if they are higher.
+double odds_at(const PreparedView& view, const ScenePicture& scene, const Believed& found,
+               const Refined& place) {
+  if (place.scale == 1) return found.odds;
+  const Evidence evidence = gather_evidence(view.fine, scene.levels[0], place.pose, place.scale);
+  return std::max(found.odds, log_odds(evidence, view.shape.area()));
+}
+
+/// A smaller or larger object of the same kind lies here: it fits better than one of these odds, or
+/// is farther from the learned size than heights and tilts bring.
+bool fits_another_size(const PreparedView& view, const ScenePicture& scene, const Refined& place,
                        double odds) {
   constexpr int kIterations = 3;
+  constexpr double kUsual = 0.065;
+  if (std::abs(place.scale - 1) > kUsual) return true;
   const SceneLevel& picture = scene.levels[0];
   return std::any_of(view.resized.begin(), view.resized.end(), [&](const PoseTemplate& resized) {
-    const Supported reached = climb_to_evidence(resized, picture, pose, kIterations);
+    const Supported reached = climb_to_evidence(resized, picture, place.pose, kIterations);
     return log_odds(reached.evidence, view.shape.area()) > odds;
   });
 }
@@ -112,13 +123,13 @@ void refine(Detection& detection, const ScenePicture& scene, const Believed& fou
   detection.size = place.scale;
   detection.covariance = place.covariance;
   detection.cautious = place.cautious;
+  const double odds = odds_at(view, scene, found, place);
   const ColourDifference strange = strangeness(view, scene.levels[0], place, found.odds);
   detection.strange = std::max(strange.colour, strange.block);
   const double mirrored = found.odds > kWorthRefining ? turned_over(view, scene, place) : 0;
   detection.turned_over = mirrored > view.turned_over.limit();
-  detection.log_odds = found.odds + found.pixels - doubt(strange.colour) - mirror_doubt(mirrored);
-  detection.another_size =
-      detection.log_odds > 0 && fits_another_size(view, scene, detection.pose, found.odds);
+  detection.log_odds = odds + found.pixels - doubt(strange.colour) - mirror_doubt(mirrored);
+  detection.another_size = detection.log_odds > 0 && fits_another_size(view, scene, place, odds);
   detection.torn = detection.log_odds > 0 && better_torn(view.fine.contour, scene.levels[0],
                                                          detection.pose, detection.size) > kTorn;
 }

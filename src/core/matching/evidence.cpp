@@ -15,12 +15,13 @@ namespace mbncc {
 namespace {
 
 double gradient_agreement(const SurfaceTemplate& surface, const SurfaceSample& sample,
-                          const cv::Mat& edges, const Pose2D& pose) {
+                          const cv::Mat& edges, const Pose2D& pose, double scale) {
   thread_local std::vector<float> agreements;
   agreements.resize(surface.padded());
-  kernels::edge_agreements(
-      view_of(edges), {surface.x.data(), surface.y.data(), static_cast<int>(surface.padded())},
-      surface.gradient_x.data(), surface.gradient_y.data(), placement_of(pose), agreements.data());
+  kernels::edge_agreements(view_of(edges),
+                           {surface.x.data(), surface.y.data(), static_cast<int>(surface.padded())},
+                           surface.gradient_x.data(), surface.gradient_y.data(),
+                           placement_of(pose, scale), agreements.data());
   return product(agreements, sample.inside.data()) /
          (kEdgeScale * (surface.gradient_total + static_cast<double>(surface.size())));
 }
@@ -40,6 +41,7 @@ struct Reading {
   const PoseTemplate& object;
   const SceneLevel& scene;
   const Pose2D& pose;
+  double scale;
 };
 
 Evidence evidence_of(const Reading& reading, const PoseSample& sample,
@@ -49,7 +51,8 @@ Evidence evidence_of(const Reading& reading, const PoseSample& sample,
   const SurfaceSample& seen = sample.surface;
   const auto remainder = surface.remainder(seen);
   Evidence evidence = contour_evidence(reading.object, sample);
-  evidence.gradient = gradient_agreement(surface, seen, reading.scene.edges, reading.pose);
+  evidence.gradient =
+      gradient_agreement(surface, seen, reading.scene.edges, reading.pose, reading.scale);
   const double residual = best_of(residuals);
   if (residual >= 0) evidence.best_blocks = std::log(residual + 3);
   evidence.histogram = overlap(surface.histogram, chroma_histogram(seen.planes, seen.inside));
@@ -81,21 +84,22 @@ Evidence likelier_evidence(const Reading& reading, const ColourCast& cast, PoseS
 
 }  // namespace
 
-Evidence gather_evidence(const PoseTemplate& object, const SceneLevel& scene, const Pose2D& pose) {
+Evidence gather_evidence(const PoseTemplate& object, const SceneLevel& scene, const Pose2D& pose,
+                         double scale) {
   thread_local PoseSample sample;
-  sample.read(object, scene, pose, 1);
-  return gather_evidence(object, scene, pose, sample);
+  sample.read(object, scene, pose, 1, scale);
+  return gather_evidence(object, scene, pose, sample, scale);
 }
 
 Evidence gather_evidence(const PoseTemplate& object, const SceneLevel& scene, const Pose2D& pose,
-                         const PoseSample& sample) {
+                         const PoseSample& sample, double scale) {
   if (!sample.surface.suffices()) return contour_evidence(object, sample);
   auto blocks = block_sums(object.surface, sample.surface);
   const ColourCast cast = bounded(local_cast(blocks).value_or(ColourCast{}));
   thread_local PoseSample without_cast;
   without_cast = sample;
   Evidence evidence =
-      likelier_evidence({object, scene, pose}, cast, without_cast, std::move(blocks));
+      likelier_evidence({object, scene, pose, scale}, cast, without_cast, std::move(blocks));
   evidence.cast = cast.size();
   return evidence;
 }

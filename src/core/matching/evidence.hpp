@@ -26,11 +26,13 @@ struct Evidence {
   double hidden = 0;   ///< [0..1] part of these that was taken out, see HiddenParts
 };
 
-Evidence gather_evidence(const PoseTemplate& object, const SceneLevel& scene, const Pose2D& pose);
+/// Of the object `scale` times as large as the template.
+Evidence gather_evidence(const PoseTemplate& object, const SceneLevel& scene, const Pose2D& pose,
+                         double scale = 1);
 
 /// From what has been read at the pose.
 Evidence gather_evidence(const PoseTemplate& object, const SceneLevel& scene, const Pose2D& pose,
-                         const PoseSample& sample);
+                         const PoseSample& sample, double scale = 1);
 
 /// Fused log-odds that the object of `area` [px] lies at the pose: a logistic model of the
 /// evidence. Small objects are matched by chance more often and need more.

@@ -243,6 +243,14 @@ Acceptance Matcher::Implementation::acceptance(const SearchRequest& request,
           rarity_among(std::max(objects, request.among))};
 }
 
+std::vector<std::string> names_at_limit(const std::vector<Match>& matches, int most) {
+  std::map<std::string, int> counts;
+  std::vector<std::string> names;
+  for (const auto& match : matches)
+    if (++counts[match.name] == most && most > 1) names.push_back(match.name);
+  return names;
+}
+
 Matcher::Matcher(SearchConfig config) : implementation_(std::make_unique<Implementation>()) {
   implementation_->config = std::move(config);
 }
@@ -314,6 +322,8 @@ SearchResult Matcher::find(const cv::Mat& picture, const SearchRequest& request)
   Selection selection =
       select_matches(all_of(findings), implementation_->acceptance(request, objects.size()));
   result.matches = std::move(selection.matches);
+  result.limited = names_at_limit(
+      result.matches, implementation_->acceptance(request, objects.size()).max_instances);
   result.rivals = std::move(selection.rivals);
   result.clutter = std::move(selection.clutter);
   result.search_time = seconds_since(start);

@@ -3,10 +3,10 @@
 namespace mbncc {
 
 void PoseSample::read(const PoseTemplate& object, const SceneLevel& scene, const Pose2D& pose,
-                      int reach) {
-  scene.prepare_around(pose, object.reach());
-  object.surface.sample(scene, pose, surface);
-  read_contour(object.contour, scene.edges, pose, reach, contour);
+                      int reach, double scale) {
+  scene.prepare_around(pose, scale * object.reach());
+  object.surface.sample(scene, pose, surface, scale);
+  read_contour(object.contour, scene.edges, pose, reach, contour, scale);
   if (surface.suffices()) remainder = object.surface.remainder(surface);
 }
 

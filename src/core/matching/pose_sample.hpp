@@ -25,8 +25,10 @@ struct PoseSample {
   ContourSample contour;
   SurfaceTemplate::Remainder remainder;  ///< of the surface, where it suffices
 
-  /// Reads what lies at `pose`, edges up to `reach` [px] along the contour's normals.
-  void read(const PoseTemplate& object, const SceneLevel& scene, const Pose2D& pose, int reach);
+  /// Reads what lies at `pose`, the object `scale` times as large as the template, edges up to
+  /// `reach` [px] along the contour's normals.
+  void read(const PoseTemplate& object, const SceneLevel& scene, const Pose2D& pose, int reach,
+            double scale = 1);
 };
 
 }  // namespace mbncc

@@ -18,7 +18,7 @@ constexpr double kFarthest = 1.5;       // [px] from the start, and at the rim b
 constexpr double kScalePrior = 0.02;    // deviation that heights and tilts bring about
 constexpr double kLeastScale = 0.006;   // deviation from 1 that is worth telling, ...
 constexpr double kScaleDeviations = 5;  // ... and it must be so many deviations
-constexpr double kMostScale = 0.05;     // beyond it another object is seen
+constexpr double kMostScale = 0.08;     // beyond it another object is seen
 constexpr double kFixedScale = 1e-6;    // deviation that leaves the scale as it is
 
 class Refiner {
