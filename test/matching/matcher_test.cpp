@@ -70,7 +70,7 @@ TEST_F(MatcherTest, FindsTwoInstances) {
 }
 
 TEST_F(MatcherTest, TellsWhereMaxInstancesIsReached) {
-  cv::Mat scene = texture({420, 240}, 61, 4);
+  cv::Mat scene(240, 420, CV_8UC3, cv::Scalar(90, 120, 130));
   for (const double x : {80., 210., 340.})
     place(scene, source_, reference_.position(), {x, 120, x / 100});
   SearchRequest request;
@@ -128,13 +128,25 @@ TEST_F(MatcherTest, TellsObjectsApart) {
 }
 
 TEST_F(MatcherTest, ALargerOrSmallerLikenessIsNeverGraspable) {
-  for (const double scale : {0.75, 0.85, 1.15, 1.3}) {
+  for (const double scale : {0.75, 0.85, 0.92, 1.08, 1.15, 1.3}) {
     cv::Mat scene = texture({320, 240}, 64, 4);
     place(scene, source_, reference_.position(), {160, 120, 0.4});
     cv::Mat rescaled;
     cv::resize(scene, rescaled, {}, scale, scale, cv::INTER_AREA);
     for (const auto& match : matcher().find(rescaled).matches)
       EXPECT_FALSE(match.graspable) << "scale " << scale << ", score " << match.score;
+  }
+}
+
+TEST_F(MatcherTest, AnObjectALittleLargerOrSmallerMayBeGrasped) {
+  for (const double scale : {0.95, 1.05}) {
+    cv::Mat scene = texture({320, 240}, 70, 4), seen;
+    place(scene, source_, reference_.position(), {160, 120, 0.9});
+    cv::resize(scene, seen, {}, scale, scale, scale < 1 ? cv::INTER_AREA : cv::INTER_CUBIC);
+    const SearchResult result = matcher().find(seen);
+    ASSERT_EQ(result.matches.size(), 1u) << "scale " << scale;
+    EXPECT_NEAR(result.matches[0].scale, scale, 0.01);
+    EXPECT_TRUE(result.matches[0].graspable) << "scale " << scale;
   }
 }
 
