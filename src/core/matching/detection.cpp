@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "matching/local_cast.hpp"
 #include "matching/outline_elsewhere.hpp"
 #include "matching/torn_outline.hpp"
 
@@ -23,16 +22,8 @@ ColourDifference strangeness(const PreparedView& view, const SceneLevel& scene,
   scene.prepare_around(found.pose, view.fine.reach() * found.scale);
   surface.sample(scene, found.pose, sample, found.scale);
   read_contour(view.fine.contour, scene.edges, found.pose, 1, contour, found.scale);
-  cv::Vec3f ground = ground_beside(view.fine.contour, scene, found.pose, found.scale);
-  const ColourDifference as_seen = view.parts.worst_differences(surface, sample, contour, ground);
-  const ColourCast cast = bounded(local_cast(block_sums(surface, sample)).value_or(ColourCast{}));
-  take_out(cast, sample);
-  for (int c = 0; c < SurfaceTemplate::kChannels; ++c)
-    ground[c] /= static_cast<float>(cast.gains()[c]);
-  const ColourDifference without_cast =
-      view.parts.worst_differences(surface, sample, contour, ground);
-  // What covers a half may pass for a cast.
-  return without_cast.colour < as_seen.colour ? without_cast : as_seen;
+  return view.parts.worst_differences(
+      surface, sample, contour, ground_beside(view.fine.contour, scene, found.pose, found.scale));
 }
 
 /// Log-odds that a mirrored outline takes away, which is better by so much.
