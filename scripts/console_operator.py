@@ -20,8 +20,9 @@ class Mouse:
 
     @staticmethod
     def window(name):
+        """Of a part that takes clicks."""
         found = wait_for(lambda: xdotool("search", "--onlyvisible", "--name", "^mbncc:%s$" % name),
-                         "the console shows '%s'" % name)
+                         "the console shows '%s', enabled" % name)
         return found[-1]
 
     @staticmethod
@@ -51,7 +52,7 @@ class Mouse:
     @staticmethod
     def sees(name):
         """Whether the console shows a part of that name now."""
-        return bool(xdotool("search", "--onlyvisible", "--name", "^mbncc:%s$" % name))
+        return bool(xdotool("search", "--onlyvisible", "--name", r"^mbncc:%s( \(disabled\))?$" % name))
 
     def click_until(self, name, predicate, what, patience=PATIENCE):
         """Clicks again where the console was not ready for the click; counts as one action."""

@@ -15,9 +15,12 @@ class WindowNamer : public QObject {
     widget->installEventFilter(this);
   }
 
-  bool eventFilter(QObject* widget, QEvent* event) override {
-    if (event->type() == QEvent::Show || event->type() == QEvent::WinIdChange)
-      if (auto* window = static_cast<QWidget*>(widget)->windowHandle()) window->setTitle(title_);
+  bool eventFilter(QObject* object, QEvent* event) override {
+    const auto* widget = static_cast<QWidget*>(object);
+    const auto type = event->type();
+    if (type == QEvent::Show || type == QEvent::WinIdChange || type == QEvent::EnabledChange)
+      if (auto* window = widget->windowHandle())
+        window->setTitle(widget->isEnabled() ? title_ : title_ + " (disabled)");
     return false;
   }
 

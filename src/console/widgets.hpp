@@ -12,8 +12,9 @@
 
 namespace mbncc::console {
 
-/// With MBNCC_CONSOLE_NATIVE set, gives `widget` a window of its own named `title`, so that
-/// programs that drive windows (xdotool) find it.
+/// With MBNCC_CONSOLE_NATIVE set, gives `widget` a window of its own named "mbncc:" and `title`,
+/// and " (disabled)" while it takes no click, so that programs that drive windows (xdotool) find
+/// it.
 void name_window(QWidget* widget, const QString& title);
 
 /// `keys`: shown in the tip, such as "Alt+T".
