@@ -32,6 +32,9 @@ using test::StateHistory;
 // A picture that is lost in every lesson makes ten times as much.
 constexpr double kMostGrowthInUse = 2;  // [MB]
 constexpr double kMostGrowth = 5;       // [MB]
+// roscpp keeps connections to other nodes' XML-RPC servers for 30 s (XMLRPCManager), about as long
+// as the run: a few more may be open at its end. Hundreds of lessons and edits would each leave one.
+constexpr int kMostNewFiles = 3;
 constexpr std::chrono::hours kPatience{24};
 
 long number(const char* variable, long otherwise) {
@@ -201,7 +204,6 @@ TEST_F(Soak, TeachingBesideMatchingStaysFlat) {
   RecordProperty("growth_in_use_mb", std::to_string(history.growth_in_use()));
   RecordProperty("edits", std::to_string(edits_));
   RecordProperty("answers", std::to_string(answers_));
-  EXPECT_GT(lessons_, 0);
   EXPECT_GT(edits_, 0);
   EXPECT_GT(answers_, 0);
   EXPECT_GT(looked, 0);
@@ -209,7 +211,8 @@ TEST_F(Soak, TeachingBesideMatchingStaysFlat) {
   if (!test::kSanitized) {
     EXPECT_LT(history.growth(), kMostGrowth);
   }
-  EXPECT_LE(history.new_files(), 0);
+  EXPECT_LE(history.new_files(), kMostNewFiles);
+  EXPECT_GT(lessons_, 2 * kMostNewFiles);
   EXPECT_LE(history.new_threads(), 0);
 }
 
