@@ -51,7 +51,7 @@ TEST_F(ExplainCommand, PrintsAnObjectOnALine) {
   const YAML::Node one = YAML::Load(lines[0]);
   EXPECT_EQ(one["name"].as<std::string>(), "part");
   EXPECT_GT(one["score"].as<double>(), 0.5);
-  EXPECT_EQ(one["parts"].size(), 6u);
+  EXPECT_EQ(one["parts"].size(), 7u);
 }
 
 TEST_F(ExplainCommand, RefusesWithASentence) {

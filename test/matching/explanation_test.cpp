@@ -1,5 +1,7 @@
 #include "mbncc/matching/explanation.hpp"
 
+#include <opencv2/imgproc.hpp>
+
 #include "matching/matcher_fixture.hpp"
 
 namespace mbncc {
@@ -70,6 +72,35 @@ TEST_F(ExplanationTest, ASumOfItsParts) {
   const Explanation explanation = at(truth_.position());
   EXPECT_NEAR(explanation.evidence - explanation.clutter + explanation.rest(), explanation.log_odds,
               1e-9);
+}
+
+TEST_F(ExplanationTest, OfAGreyPictureIsInGrey) {
+  cv::Mat grey;
+  cv::cvtColor(picture_, grey, cv::COLOR_BGR2GRAY);
+  const auto explanation = explain_place({object_}, {}, grey, truth_.position()).at(0);
+  EXPECT_GT(explanation.score, 0.9);
+  EXPECT_GT(explanation.evidence, 0);
+}
+
+TEST_F(ExplanationTest, IsOfTheSizeSeen) {
+  constexpr double kScale = 1.05;
+  cv::Mat larger;
+  cv::resize(picture_, larger, {}, kScale, kScale, cv::INTER_CUBIC);
+  const cv::Point2d there = kScale * truth_.position();
+  const auto explanation = explain_place({object_}, {}, larger, there).at(0);
+  EXPECT_NEAR(explanation.scale, kScale, 0.01);
+  EXPECT_GT(explanation.evidence, at(truth_.position()).evidence - 1);
+}
+
+TEST_F(ExplanationTest, NamesLightOfAnotherColour) {
+  const cv::Scalar gains(0.85, 1, 1.2);
+  cv::Mat redder;
+  cv::multiply(picture_, gains, redder);
+  const auto explanation = explain_place({object_}, {}, redder, truth_.position()).at(0);
+  const auto cast = std::find_if(explanation.parts.begin(), explanation.parts.end(),
+                                 [](const auto& part) { return part.name == "cast of the light"; });
+  ASSERT_NE(cast, explanation.parts.end());
+  EXPECT_GT(cast->lacking, 0.5);
 }
 
 TEST_F(ExplanationTest, TheBetterObjectTakesThePlace) {

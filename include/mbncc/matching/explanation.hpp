@@ -39,6 +39,7 @@ struct Explanation {
   std::string name;
   Outcome outcome = Outcome::kNotProposed;
   Pose2D pose;       ///< [px],[rad] the best one about the place
+  double scale = 1;  ///< relative to the learning picture
   double score = 0;  ///< [0..1]; of what was not proposed: before it is compared with others
   double log_odds = 0;
   std::vector<cv::Point2f> outline;  ///< [px]

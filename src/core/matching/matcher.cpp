@@ -10,9 +10,8 @@
 #include "matching/clutter.hpp"
 #include "matching/coarse_search.hpp"
 #include "matching/colour_cast.hpp"
+#include "matching/comparison.hpp"
 #include "matching/object_search.hpp"
-#include "matching/prepared_object.hpp"
-#include "matching/scene_pool.hpp"
 #include "matching/selection.hpp"
 
 namespace mbncc {
@@ -20,7 +19,6 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 using ObjectList = std::vector<std::shared_ptr<const PreparedObject>>;
-using Scene = std::shared_ptr<const ScenePicture>;
 
 double seconds_since(Clock::time_point start) {
   return std::chrono::duration<double>(Clock::now() - start).count();
@@ -52,12 +50,6 @@ Look look_for(std::size_t objects, const SearchRequest& request, const SearchCon
   if (objects > kFewObjects && config.engine != "polar") return Look::kGated;
   return std::max(objects, request.among) > kFewObjects ? Look::kSparing : Look::kTwice;
 }
-
-/// An object and a picture as they are compared: in grey where either shows no colour.
-struct Comparison {
-  const PreparedObject* object;
-  Scene scene;
-};
 
 /// What a search found of each object.
 struct Findings {
@@ -144,8 +136,6 @@ struct Matcher::Implementation {
   Findings search(const ObjectList& wanted, const cv::Mat& picture, const SearchRequest& request,
                   Clock::time_point start) const;
 
-  std::vector<Comparison> comparisons(const ObjectList& wanted, const cv::Mat& picture) const;
-
   Acceptance acceptance(const SearchRequest& request, std::size_t objects) const;
 };
 
@@ -196,41 +186,22 @@ Findings Matcher::Implementation::search(const ObjectList& wanted, const cv::Mat
                                          Clock::time_point start) const {
   const Look look = look_for(wanted.size(), request, config);
   Findings findings(wanted.size());
-  const auto search_all = [&](const std::vector<Comparison>& comparisons) {
+  const auto search_all = [&](const std::vector<Comparison>& compared) {
     in_parallel(wanted.size(), config.threads, [&](std::size_t i) {
       const bool first = i == 0;  // without it, a short budget would find nothing for ever
       if (!first && config.time_budget > 0 && seconds_since(start) > config.time_budget) return;
-      findings.found[i] =
-          search_object(*comparisons[i].object, *comparisons[i].scene, request.roi, look);
+      findings.found[i] = search_object(*compared[i].object, *compared[i].scene, request.roi, look);
       findings.searched[i] = 1;
     });
-    compare_in_place(comparisons, request, findings);
+    compare_in_place(compared, request, findings);
   };
-  const auto shown = comparisons(wanted, picture);
+  const auto shown = comparisons(wanted, picture, scenes);
   search_all(shown);
   const ScenePicture* coloured = in_colour(shown);
   if (look != Look::kGated || coloured == nullptr) return findings;
   if (const auto cast = colour_cast(findings.found, *coloured))
-    search_all(comparisons(wanted, without_cast(picture, *cast)));
+    search_all(comparisons(wanted, without_cast(picture, *cast), scenes));
   return findings;
-}
-
-std::vector<Comparison> Matcher::Implementation::comparisons(const ObjectList& wanted,
-                                                             const cv::Mat& picture) const {
-  const bool grey = is_grey(picture);
-  std::vector<Comparison> all;
-  int top = 0;
-  for (const auto& object : wanted) {
-    all.push_back({grey && object->coloured ? object->in_grey->get() : object.get(), nullptr});
-    top = std::max(top, all.back().object->top_level());
-  }
-  Scene colour_scene, grey_scene;
-  for (auto& [object, scene] : all) {
-    auto& shared = object->coloured ? colour_scene : grey_scene;
-    if (!shared) shared = scenes.show(object->coloured ? picture : grey_picture(picture), top);
-    scene = shared;
-  }
-  return all;
 }
 
 Acceptance Matcher::Implementation::acceptance(const SearchRequest& request,

@@ -7,9 +7,7 @@
 #include <optional>
 #include <stdexcept>
 
-#include "matching/believed.hpp"
-#include "matching/prepared_object.hpp"
-#include "matching/scene_pool.hpp"
+#include "matching/comparison.hpp"
 #include "matching/view_search.hpp"
 
 namespace mbncc {
@@ -55,11 +53,10 @@ std::string covering(const std::vector<Match>& matches, const std::string& name,
   return "";
 }
 
-/// Evidence of a pose, part by part.
+/// Evidence of a pose at `scale` of the view's, part by part.
 void take_evidence(const PreparedView& view, const ScenePicture& scene, const Pose2D& anchor,
-                   Explanation& explanation) {
-  const Believed believed = believed_as_is(view, scene, anchor);
-  const Evidence& seen = believed.evidence;
+                   double scale, Explanation& explanation) {
+  const Evidence seen = gather_evidence(view.fine, scene.levels[0], anchor, scale);
   const double area = view.shape.area(), together = log_odds(seen, area);
   const auto add = [&](const char* name, double value, double Evidence::*member, double perfect) {
     Evidence better = seen;
@@ -75,14 +72,15 @@ void take_evidence(const PreparedView& view, const ScenePicture& scene, const Po
   add("colours as a whole", seen.histogram, &Evidence::histogram, 1);
   add("colours without shading", seen.projected, &Evidence::projected, 1);
   add("part inside the picture", seen.visible, &Evidence::visible, 1);
+  add("cast of the light", seen.cast, &Evidence::cast, 0);
   explanation.evidence = together;
 }
 
-/// The pose of the view's anchor that shows the object frame at `pose`.
-Pose2D anchor_of(const PreparedView& view, const Pose2D& pose) {
+/// The pose of the view's anchor that shows the object frame at `pose` and `scale` of the view's.
+Pose2D anchor_of(const PreparedView& view, const Pose2D& pose, double scale) {
   const Pose2D& reference = view.reference_in_anchor;
   const double theta = pose.theta - reference.theta;
-  const cv::Point2d lever = rotate(reference.position(), theta);
+  const cv::Point2d lever = scale * rotate(reference.position(), theta);
   return {pose.x - lever.x, pose.y - lever.y, theta};
 }
 
@@ -94,7 +92,8 @@ void take_best_evidence(const PreparedObject& object, const ScenePicture& scene,
   for (const auto& view : object.views) {
     if (view.polar) return;
     Explanation one;
-    take_evidence(view, scene, anchor_of(view, explanation.pose), one);
+    const double scale = explanation.scale / view.scale;
+    take_evidence(view, scene, anchor_of(view, explanation.pose, scale), scale, one);
     if (one.evidence > best.evidence) best = one;
   }
   explanation.parts = best.parts;
@@ -104,6 +103,7 @@ void take_best_evidence(const PreparedObject& object, const ScenePicture& scene,
 void take_match(const Match& match, const SearchConfig& config, double min_score,
                 Explanation& explanation) {
   explanation.pose = match.pose;
+  explanation.scale = match.scale;
   explanation.score = match.score;
   explanation.log_odds = match.log_odds;
   explanation.outline = match.outline;
@@ -146,8 +146,9 @@ class Explainer {
     if (clutter != searched_.usual.clutter.end()) explanation.clutter = clutter->second;
     const double min_score = model->min_score.value_or(config_.min_score);
     const Engine engine = config_.engine == "polar" ? Engine::kPolar : Engine::kFast;
-    const PreparedObject prepared(model, engine, config_.scale_range);
-    const auto scene = scenes_.show(picture_, prepared.top_level());
+    const auto prepared =
+        std::make_shared<const PreparedObject>(model, engine, config_.scale_range);
+    const auto [object, scene] = comparisons({prepared}, picture_, scenes_).front();
     if (const Match* match = best_at(searched_.usual.matches, model->name, place_)) {
       explanation.outcome = match->graspable ? Outcome::kGraspable : Outcome::kReported;
       take_match(*match, config_, min_score, explanation);
@@ -156,15 +157,15 @@ class Explainer {
       take_match(*held_back, config_, min_score, explanation);
     } else if (const Rival* rival = best_at(searched_.usual.rivals, model->name, place_)) {
       explanation.outcome = Outcome::kRejected;
-      judge_at(prepared, *scene, explanation);
+      judge_at(*object, *scene, explanation);
       explanation.log_odds = rival->log_odds;
       explanation.score = score_of(rival->log_odds);
     } else {
-      judge_at(prepared, *scene, explanation);
+      judge_at(*object, *scene, explanation);
     }
     if (explanation.outcome == Outcome::kRejected || explanation.outcome == Outcome::kNotProposed)
       explanation.covered_by = covering(searched_.usual.matches, model->name, explanation.outline);
-    if (!explanation.outline.empty()) take_best_evidence(prepared, *scene, explanation);
+    if (!explanation.outline.empty()) take_best_evidence(*object, *scene, explanation);
     return explanation;
   }
 
@@ -179,6 +180,7 @@ class Explainer {
         const double odds = one.log_odds - explanation.clutter;
         if (odds <= explanation.log_odds) continue;
         explanation.log_odds = odds;
+        explanation.scale = view.scale;
         explanation.pose = compose(one.pose, view.reference_in_anchor);
         explanation.outline.clear();
         for (const auto& point : view.outline)
