@@ -53,6 +53,13 @@ TEST_F(GreyPicturesTest, ShowWhatWasTaughtInColour) {
   expect_found(matcher(), one_channel);
 }
 
+TEST_F(GreyPicturesTest, LeaveTheModelInColour) {
+  const auto model = object_from(source_, reference_);
+  const cv::Mat before = model->views.front().template_image.clone();
+  matcher_of({model}).find(as_grey(scene()));
+  EXPECT_EQ(cv::norm(model->views.front().template_image, before, cv::NORM_INF), 0);
+}
+
 TEST_F(GreyPicturesTest, TeachWhatColourPicturesShow) {
   expect_found(matcher_of({object_from(grey_source(), reference_)}), scene());
 }

@@ -26,6 +26,7 @@ bool shows_colour(const ObjectModel& model) {
 
 View as_grey(const View& view) {
   View result = view;
+  result.template_image = cv::Mat();  // the model's own pixels stay as they are
   cv::cvtColor(grey_of(view), result.template_image, cv::COLOR_GRAY2BGR);
   return result;
 }
