@@ -69,7 +69,7 @@ class Rows {
   void add(const fs::path& set, const CaseFolder& one, const Target& target,
            const ScenePicture& scene, const Detection& detection) {
     const PreparedView& view = *detection.view;
-    const Evidence e = gather_evidence(view.fine, scene.levels[0], detection.pose);
+    const Evidence e = gather_evidence(view.fine, scene.levels[0], detection.pose, detection.size);
     const double area = view.shape.area();
     out_ << set.string() << ',' << one.name << ',' << target.name << ','
          << is_right(detection, target, one) << ',' << area << ',' << log_odds(e, area) << ','

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 #include <vector>
 
 #include "matching/block_residuals.hpp"
@@ -36,52 +35,6 @@ Evidence contour_evidence(const PoseTemplate& object, const PoseSample& sample) 
   return evidence;
 }
 
-/// What is read at a pose.
-struct Reading {
-  const PoseTemplate& object;
-  const SceneLevel& scene;
-  const Pose2D& pose;
-  double scale;
-};
-
-Evidence evidence_of(const Reading& reading, const PoseSample& sample,
-                     const std::vector<double>& residuals) {
-  constexpr double kNoise = 9;  // [grey^2]
-  const SurfaceTemplate& surface = reading.object.surface;
-  const SurfaceSample& seen = sample.surface;
-  const auto remainder = surface.remainder(seen);
-  Evidence evidence = contour_evidence(reading.object, sample);
-  evidence.gradient =
-      gradient_agreement(surface, seen, reading.scene.edges, reading.pose, reading.scale);
-  const double residual = best_of(residuals);
-  if (residual >= 0) evidence.best_blocks = std::log(residual + 3);
-  evidence.histogram = overlap(surface.histogram, chroma_histogram(seen.planes, seen.inside));
-  evidence.projected = surface.correlation(remainder, kNoise);
-  evidence.unexplained = std::log(std::sqrt(surface.unexplained(remainder)) + 2);
-  return evidence;
-}
-
-/// Of the object, or of what is not hidden where it is the likelier so; colours without the cast.
-Evidence likelier_evidence(const Reading& reading, const ColourCast& cast, PoseSample& sample,
-                           std::vector<BlockSums> blocks) {
-  constexpr double kHopeless = -10;  // log-odds that no part makes up for
-  const auto& [surface, contour, hidden, area] = reading.object;
-  take_out(cast, sample.surface);
-  take_out(cast, blocks);
-  const auto residuals = block_residuals(surface, sample.surface, blocks);
-  const Evidence whole = evidence_of(reading, sample, residuals);
-  const double odds = log_odds(whole, area);
-  if (odds < kHopeless) return whole;
-  const double share = hidden.take_out(residuals, sample.surface, sample.contour);
-  if (share == 0 || !sample.surface.suffices()) return whole;
-  Evidence part =
-      evidence_of(reading, sample,
-                  block_residuals(surface, sample.surface, block_sums(surface, sample.surface)));
-  part.visible = whole.visible;
-  part.hidden = share;
-  return log_odds(part, area) > odds ? part : whole;
-}
-
 }  // namespace
 
 Evidence gather_evidence(const PoseTemplate& object, const SceneLevel& scene, const Pose2D& pose,
@@ -93,14 +46,24 @@ Evidence gather_evidence(const PoseTemplate& object, const SceneLevel& scene, co
 
 Evidence gather_evidence(const PoseTemplate& object, const SceneLevel& scene, const Pose2D& pose,
                          const PoseSample& sample, double scale) {
-  if (!sample.surface.suffices()) return contour_evidence(object, sample);
-  auto blocks = block_sums(object.surface, sample.surface);
+  constexpr double kNoise = 9;  // [grey^2]
+  Evidence evidence = contour_evidence(object, sample);
+  if (!sample.surface.suffices()) return evidence;
+  const SurfaceTemplate& surface = object.surface;
+  auto blocks = block_sums(surface, sample.surface);
   const ColourCast cast = bounded(local_cast(blocks).value_or(ColourCast{}));
-  thread_local PoseSample without_cast;
-  without_cast = sample;
-  Evidence evidence =
-      likelier_evidence({object, scene, pose, scale}, cast, without_cast, std::move(blocks));
+  thread_local SurfaceSample seen;
+  seen = sample.surface;
+  take_out(cast, seen);
+  take_out(cast, blocks);
+  const auto remainder = surface.remainder(seen);
+  const double residual = best_of(block_residuals(surface, seen, blocks));
   evidence.cast = cast.size();
+  evidence.gradient = gradient_agreement(surface, seen, scene.edges, pose, scale);
+  if (residual >= 0) evidence.best_blocks = std::log(residual + 3);
+  evidence.histogram = overlap(surface.histogram, chroma_histogram(seen.planes, seen.inside));
+  evidence.projected = surface.correlation(remainder, kNoise);
+  evidence.unexplained = std::log(std::sqrt(surface.unexplained(remainder)) + 2);
   return evidence;
 }
 
@@ -114,7 +77,7 @@ double log_odds(const Evidence& evidence, double area) {
   return 18.9 * evidence.found + 17.3 * evidence.gradient - 4.28 * evidence.best_blocks +
          6.68 * evidence.histogram + 9.35 * evidence.projected - 8.29 * evidence.texture +
          0.99 * std::log(std::min(area, kLargeArea)) - 16.5 * (1 - evidence.visible) -
-         5 * evidence.cast - 5 * evidence.hidden - 12.4 +
+         5 * evidence.cast - 12.4 +
          small *
              (1.17 + 12.35 * evidence.found - 23.8 * evidence.gradient -
               4.32 * evidence.best_blocks - 4.09 * evidence.histogram + 6.23 * evidence.projected);

@@ -23,7 +23,6 @@ struct Evidence {
   double texture = 0;           ///< [0..1] of the object: a plain one has little to agree with
   double cast = 0;     ///< size of the ColourCast, bounded, that the colours were freed from
   double visible = 0;  ///< [0..1] part of the surface points inside the picture
-  double hidden = 0;   ///< [0..1] part of these that was taken out, see HiddenParts
 };
 
 /// Of the object `scale` times as large as the template.

@@ -4,7 +4,6 @@
 #include <algorithm>
 
 #include "matching/contour_template.hpp"
-#include "matching/hidden_parts.hpp"
 #include "matching/surface_template.hpp"
 
 namespace mbncc {
@@ -13,8 +12,6 @@ namespace mbncc {
 struct PoseTemplate {
   SurfaceTemplate surface;
   ContourTemplate contour;
-  HiddenParts hidden;
-  double area = 0;  ///< [px] of the map at full resolution
 
   /// [px at level] no point lies farther from the anchor.
   double reach() const { return std::max(surface.radius(), contour.radius()); }

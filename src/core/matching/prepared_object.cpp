@@ -165,12 +165,8 @@ PreparedView::PreparedView(const Source& source, Engine engine)
     const SurfaceTemplate::Source from{continued, picture, geometry, source.view.map.size(), level};
     const auto edge = ContourTemplate::edge_of(geometry, level);
     const auto prepare = [&](std::size_t surface_points, std::size_t contour_points) {
-      PoseTemplate made{SurfaceTemplate(from, anchor, surface_points),
-                        ContourTemplate(edge, anchor, level, contour_points),
-                        {},
-                        shape.area()};
-      made.hidden = HiddenParts(made.surface, made.contour);
-      return made;
+      return PoseTemplate{SurfaceTemplate(from, anchor, surface_points),
+                          ContourTemplate(edge, anchor, level, contour_points)};
     };
     rough.push_back(prepare(48, 32));
     templates.push_back(prepare(112, 64));

@@ -7,21 +7,27 @@
 
 namespace mbncc {
 
-void SurfaceSample::forget_outside() {
-  const float* counts = inside.data();
-  const auto [count, blue, green, red] =
-      products<4>({counts, counts, counts, counts},
-                  {counts, planes[0].data(), planes[1].data(), planes[2].data()}, inside.size());
-  visible = static_cast<std::size_t>(count + 0.5);
-  if (visible == 0) return;
+namespace {
+
+/// Counts the points inside the picture; the others get the mean colour of these.
+void fill_outside(SurfaceSample& sample) {
+  const float* counts = sample.inside.data();
+  const auto [count, blue, green, red] = products<4>(
+      {counts, counts, counts, counts},
+      {counts, sample.planes[0].data(), sample.planes[1].data(), sample.planes[2].data()},
+      sample.inside.size());
+  sample.visible = static_cast<std::size_t>(count + 0.5);
+  if (sample.visible == 0) return;
   const double sums[] = {blue, green, red};
-  for (std::size_t c = 0; c < planes.size(); ++c) {
-    means[c] = sums[c] / static_cast<double>(visible);
-    if (visible == points) continue;
-    for (std::size_t i = 0; i < points; ++i)
-      if (inside[i] == 0) planes[c][i] = static_cast<float>(means[c]);
+  for (std::size_t c = 0; c < sample.planes.size(); ++c) {
+    sample.means[c] = sums[c] / static_cast<double>(sample.visible);
+    if (sample.visible == sample.points) continue;
+    for (std::size_t i = 0; i < sample.points; ++i)
+      if (sample.inside[i] == 0) sample.planes[c][i] = static_cast<float>(sample.means[c]);
   }
 }
+
+}  // namespace
 
 void SurfaceTemplate::sample(const SceneLevel& scene, const Pose2D& pose, SurfaceSample& sample,
                              double scale) const {
@@ -32,7 +38,7 @@ void SurfaceTemplate::sample(const SceneLevel& scene, const Pose2D& pose, Surfac
                           {sample.planes[0].data(), sample.planes[1].data(),
                            sample.planes[2].data(), sample.inside.data()});
   sample.points = size();
-  sample.forget_outside();
+  fill_outside(sample);
 }
 
 SurfaceTemplate::Remainder SurfaceTemplate::remainder(const SurfaceSample& sample) const {

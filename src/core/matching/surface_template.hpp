@@ -21,9 +21,6 @@ struct SurfaceSample {
   std::array<double, 3> means{};             ///< of the planes inside
   std::size_t visible = 0, points = 0;       ///< inside, and in all
 
-  /// Gives points outside the mean of those inside.
-  void forget_outside();
-
   /// Enough is visible for a judgement.
   bool suffices() const { return visible >= 10 && 4 * visible >= points; }
 };
