@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "matching/believed.hpp"
 #include "matching/pictures.hpp"
 #include "matching/surface_sample.hpp"
 

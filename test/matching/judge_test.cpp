@@ -1,11 +1,11 @@
 // What is looked for that speaks against a pose.
 #include <cmath>
 
-#include "matching/detection.hpp"
 #include "matching/matcher_fixture.hpp"
 #include "matching/outline_elsewhere.hpp"
 #include "matching/prepared_object.hpp"
 #include "matching/refinement.hpp"
+#include "matching/verification.hpp"
 
 namespace mbncc {
 namespace {

@@ -2,11 +2,11 @@
 
 #include <cmath>
 
-#include "matching/candidate_odds.hpp"
 #include "matching/detection.hpp"
 #include "matching/matcher_fixture.hpp"
 #include "matching/outline_agreement.hpp"
 #include "matching/prepared_object.hpp"
+#include "matching/verification.hpp"
 
 namespace mbncc {
 namespace {

@@ -1,8 +1,8 @@
 #include "matching/torn_outline.hpp"
 
-#include "matching/detection.hpp"
 #include "matching/matcher_fixture.hpp"
 #include "matching/prepared_object.hpp"
+#include "matching/verification.hpp"
 
 namespace mbncc {
 namespace {

@@ -31,24 +31,4 @@ std::vector<Candidate> rotation_peaks(const PoseTemplate& object, const SceneLev
   return peaks;
 }
 
-Candidate shifted_onto_edges(const ContourTemplate& contour, const SceneLevel& scene,
-                             const Candidate& candidate) {
-  constexpr double kStep = 2;    // [px] an edge in between is still seen
-  constexpr int kFarthest = 3;   // steps
-  constexpr double kSlack = 10;  // [px] more than the way to the farthest place
-  thread_local ContourSample sample;
-  const Pose2D& pose = candidate.pose;
-  scene.prepare_around(pose, contour.radius() + kSlack);
-  Candidate best = candidate;
-  best.value = -1;
-  for (int i = -kFarthest; i <= kFarthest; ++i)
-    for (int j = -kFarthest; j <= kFarthest; ++j) {
-      const Pose2D shifted{pose.x + kStep * i, pose.y + kStep * j, pose.theta};
-      read_contour(contour, scene.edges, shifted, 1, sample);
-      const double agreement = contour_agreement(contour, sample);
-      if (agreement > best.value) best = {shifted, candidate.level, agreement};
-    }
-  return best;
-}
-
 }  // namespace mbncc

@@ -19,9 +19,4 @@ double candidate_odds(const PreparedView& view, const ScenePicture& scene, int l
 std::vector<Candidate> rotation_peaks(const PoseTemplate& object, const SceneLevel& scene,
                                       const Candidate& place, double arc);
 
-/// At the place within 6 px along x and y [px at level] where a contour agrees best with the edges,
-/// at the same rotation; that agreement is its value.
-Candidate shifted_onto_edges(const ContourTemplate& contour, const SceneLevel& scene,
-                             const Candidate& candidate);
-
 }  // namespace mbncc

@@ -1,12 +1,10 @@
-// The judgement of poses at full resolution.
+// A pose that was judged, and rotations at one place that compete.
 #pragma once
 
 #include <opencv2/core.hpp>
 #include <vector>
 
-#include "matching/believed.hpp"
 #include "matching/prepared_object.hpp"
-#include "matching/scene_picture.hpp"
 #include "mbncc/geometry.hpp"
 
 namespace mbncc {
@@ -41,9 +39,11 @@ struct Detection {
   double score() const;  ///< [0..1]
 };
 
-/// Judges poses of a view against each other, best first. Only what may be reported is refined.
-std::vector<Detection> judge(const PreparedObject& object, const PreparedView& view,
-                             const ScenePicture& scene, const std::vector<Believed>& found);
+/// Log-odds behind the best rotation at a place within which others compete with it.
+constexpr double kComparable = 8;
+
+/// One of the places of two detections would do for both.
+bool at_one_place(const Detection& a, const Detection& b);
 
 /// Lets detections at the same place compete by their rotation_odds: the best of them takes the
 /// group's log-odds, and the others follow by as much as they are behind. Returns best first.

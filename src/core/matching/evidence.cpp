@@ -83,16 +83,6 @@ double log_odds(const Evidence& evidence, double area) {
               4.32 * evidence.best_blocks - 4.09 * evidence.histogram + 6.23 * evidence.projected);
 }
 
-double rendering_odds(const Evidence& evidence, const Rendered& rendered, double area) {
-  // Fitted by logistic regression to the same poses after log_odds() and the discount for clutter;
-  // less .85, since a right place at a wrong angle is wrong, too. Other brightness speaks against
-  // the object, but exposure may change as well.
-  constexpr double kBrighter = 0.4;
-  return 4.85 - 4.22 * rendered.misfit - 6.35 * std::min(std::abs(rendered.brightness), kBrighter) -
-         0.89 * evidence.found + 1.38 * evidence.best_blocks + 3.07 * evidence.histogram -
-         1.95 * evidence.projected + 0.37 * std::log(area);
-}
-
 double rotation_odds(const Evidence& evidence) {
   // Fitted by logistic regression to right and wrong rotations at the same place.
   return 39 * evidence.contour + 5 * evidence.projected + 7 * evidence.gradient -

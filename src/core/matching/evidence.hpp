@@ -3,7 +3,6 @@
 #pragma once
 
 #include "matching/pose_sample.hpp"
-#include "matching/rendering.hpp"
 
 namespace mbncc {
 
@@ -36,10 +35,6 @@ Evidence gather_evidence(const PoseTemplate& object, const SceneLevel& scene, co
 /// Fused log-odds that the object of `area` [px] lies at the pose: a logistic model of the
 /// evidence. Small objects are matched by chance more often and need more.
 double log_odds(const Evidence& evidence, double area);
-
-/// Log-odds that all pixels of a small object of `area` [px], `rendered` at the pose that
-/// `evidence` was read at, add to it.
-double rendering_odds(const Evidence& evidence, const Rendered& rendered, double area);
 
 /// Log-odds, up to a constant, of one rotation against others at the same place. Shading and gloss
 /// do not turn with the object, so only what they leave alone counts.

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "matching/candidate.hpp"
 #include "matching/contour_template.hpp"
 #include "matching/scene_level.hpp"
 
@@ -56,5 +57,10 @@ class OutlineAgreement {
   double scale_;
   ContourSample sample_;
 };
+
+/// At the place within 6 px along x and y [px at level] where a contour agrees best with the edges,
+/// at the same rotation; that agreement is its value.
+Candidate shifted_onto_edges(const ContourTemplate& contour, const SceneLevel& scene,
+                             const Candidate& candidate);
 
 }  // namespace mbncc

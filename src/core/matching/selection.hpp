@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "matching/view_search.hpp"
+#include "matching/detection.hpp"
 #include "mbncc/config/search_config.hpp"
 #include "mbncc/matching/matcher.hpp"
 

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "matching/candidate_odds.hpp"
 #include "matching/outline_agreement.hpp"
 
 namespace mbncc {

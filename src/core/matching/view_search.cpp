@@ -9,7 +9,9 @@
 #include "matching/clutter.hpp"
 #include "matching/descent.hpp"
 #include "matching/effort.hpp"
+#include "matching/outline_agreement.hpp"
 #include "matching/proposals.hpp"
+#include "matching/verification.hpp"
 
 namespace mbncc {
 namespace {
