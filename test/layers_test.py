@@ -8,9 +8,33 @@ import re
 import subprocess
 import sys
 
-LAYERS = {'words': 0, 'polar': 1, 'library': 2, 'matching': 2, 'learning': 3, 'miss': 3, 'cell': 4, 'sim': 4,
-          'nodelets': 5, 'cli': 5, 'console': 5}
-# Layers of one height do not include each other; learning may use both layers of height 2.
+# Every folder of sources, and how high it stands: a file includes its own folder and lower ones.
+FOLDERS = {
+    'base': 0,
+    'numeric': 1, 'simd': 1,
+    'imaging': 2,
+    'matching/polar': 3, 'library': 3,
+    'matching/scene': 4,
+    'matching/template': 5,
+    'matching/proposal': 6, 'matching/evidence': 6,
+    'matching/refinement': 7,
+    'matching/prepared': 8,
+    'matching/decision': 9,
+    'matching/search': 10,
+    'matching': 11, 'matching/explanation': 12,
+    'learning/change': 13,
+    'learning/likelihood': 14,
+    'learning/segmentation': 15,
+    'learning/quality': 16,
+    'learning/teaching': 17,
+    'miss': 17,
+    'cell/capture': 18, 'cell/incremental_search': 18, 'cell/projection': 18, 'cell/tracking': 18,
+    'sim': 18,
+    'nodelets': 20, 'cli': 20, 'console': 20,
+}
+NODELETS = 20
+# Public headers lie in one folder per layer; its private folders and all above may include them.
+PUBLIC = {'matching': 3, 'learning': 13, 'cell': 18}
 CORE_LIBRARIES = ('opencv2/core', 'opencv2/imgproc', 'opencv2/ximgproc', 'Eigen/', 'png.h',
                   'yaml-cpp/')
 SYSTEM_HEADERS = ('sys/', 'unistd.h', 'fcntl.h', 'dirent.h', 'immintrin.h')
@@ -21,30 +45,39 @@ ROS_LIBRARIES = ('libros', 'libtf', 'libnodelet', 'libcv_bridge', 'libimage_tran
                  'libactionlib', 'libclass_loader', 'libxmlrpcpp')
 
 
-def layer_of(path, root):
-    """Layer of a file, None where it belongs to none."""
-    parts = path.relative_to(root).parts
-    if parts[:2] == ('src', 'core'):
-        return parts[2] if len(parts) > 3 else None
-    if parts[0] == 'src':
-        return parts[1]
-    if parts[:2] == ('include', 'mbncc'):
-        return layer_of_header('/'.join(parts[1:]))
+def folder_of(parts):
+    """The folder of FOLDERS that holds a file with these parts of a path, None for none."""
+    for length in (2, 1):
+        name = '/'.join(parts[:length])
+        if len(parts) > length and name in FOLDERS:
+            return name
     return None
 
 
-def layer_of_header(name):
-    """Layer of "mbncc/..." or of a private header "<layer>/...", None for other libraries."""
+def folder_of_file(path, root):
+    parts = path.relative_to(root).parts
+    if parts[:2] == ('src', 'core'):
+        return folder_of(parts[2:])
+    if parts[0] == 'src':
+        return folder_of(parts[1:])
+    if parts[:2] == ('include', 'mbncc'):
+        return folder_of_header('/'.join(parts[1:]))
+    return None
+
+
+def folder_of_header(name):
+    """Folder of "mbncc/..." or of a private header, None for other libraries."""
     parts = name.split('/')
-    if parts[0] == 'mbncc':
-        if len(parts) == 2 and parts[1] in ('polar.hpp',):
-            return 'polar'
-        return parts[1] if len(parts) > 2 and parts[1] in LAYERS else 'words'
-    return parts[0] if len(parts) > 1 and parts[0] in LAYERS else None
+    if parts[0] != 'mbncc':
+        return folder_of(parts)
+    return parts[1] if len(parts) > 2 and (parts[1] in FOLDERS or parts[1] in PUBLIC) else 'base'
 
 
-def is_allowed(own, other):
-    return own == other or LAYERS[other] < LAYERS[own]
+def height_of_header(name):
+    folder = folder_of_header(name)
+    if folder is None or not name.startswith('mbncc/'):
+        return FOLDERS.get(folder)
+    return PUBLIC.get(folder, FOLDERS.get(folder))
 
 
 def without_comments(text):
@@ -52,18 +85,27 @@ def without_comments(text):
 
 
 def faults_of(path, root):
-    own = layer_of(path, root)
-    if own not in LAYERS:
+    own = folder_of_file(path, root)
+    if own is None:
+        yield 'stands in no folder that this test knows'
         return
+    public = 'include' in path.relative_to(root).parts
+    height = PUBLIC.get(own, FOLDERS.get(own)) if public else FOLDERS[own]
     text = path.read_text()
-    core = LAYERS[own] < 5
+    core = height < NODELETS
     for bracket, name in INCLUDE.findall(text):
-        other = layer_of_header(name) if bracket == '"' or name.startswith('mbncc') else None
-        if other is not None and not is_allowed(own, other):
-            yield f'layer {own} must not include {name} of layer {other}'
         outside = bracket == '<' and ('/' in name or name.endswith('.h'))
         if core and outside and not name.startswith(CORE_LIBRARIES + SYSTEM_HEADERS):
             yield f'the core must not include {name}'
+        if bracket != '"' and not name.startswith('mbncc'):
+            other = None
+        else:
+            other = folder_of_header(name)
+        if other is None or other == own:
+            continue
+        allowed = height if name.startswith('mbncc/') else height - 1
+        if height_of_header(name) > allowed:
+            yield f'{own} must not include {name} of {other}'
     if core:
         for call in FORBIDDEN_CALLS.findall(without_comments(text)):
             yield f'the core must not call {call}'
@@ -76,6 +118,9 @@ def main():
     files = [path for folder in ('include', 'src') for path in sorted((root / folder).rglob('*.?pp'))]
     faults = [f'{path.relative_to(root)}: {fault}' for path in files
               for fault in faults_of(path, root)]
+    listed = (root / 'docs/architecture.md').read_text()
+    faults += [f'docs/architecture.md does not tell of {folder}' for folder, height in FOLDERS.items()
+               if f"| `src/{'' if height == NODELETS else 'core/'}{folder}` |" not in listed]
     linked = subprocess.run(['ldd', library], check=True, capture_output=True, text=True).stdout
     faults += [f'libmbncc.so links {line.split()[0]}' for line in linked.splitlines()
                if line.strip().startswith(ROS_LIBRARIES)]

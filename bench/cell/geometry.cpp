@@ -9,9 +9,9 @@
 #include "mbncc/learning/learn_object.hpp"
 #include "mbncc/matching/matcher.hpp"
 #include "mbncc/sim/scene.hpp"
-#include "nodelets/rays.hpp"
-#include "nodelets/rectifier.hpp"
-#include "nodelets/simulated_optics.hpp"
+#include "nodelets/camera/rectifier.hpp"
+#include "nodelets/camera/simulated_optics.hpp"
+#include "nodelets/conversion/rays.hpp"
 
 namespace mbncc::bench {
 namespace {

@@ -5,11 +5,11 @@
 #include "common/case_folder.hpp"
 #include "common/csv.hpp"
 #include "common/program.hpp"
-#include "matching/clutter.hpp"
-#include "matching/evidence.hpp"
-#include "matching/object_search.hpp"
-#include "matching/prepared_object.hpp"
+#include "matching/decision/clutter.hpp"
+#include "matching/evidence/evidence.hpp"
+#include "matching/prepared/prepared_object.hpp"
 #include "matching/scoring.hpp"
+#include "matching/search/object_search.hpp"
 
 namespace mbncc::bench {
 namespace {
@@ -58,8 +58,8 @@ class Rows {
     const PreparedObject object(object_of(one), mbncc::Engine::kFast);
     for (const auto& target : one.targets) {
       const ScenePicture scene(read_picture(target.picture), object.top_level());
-      auto detections = search_object(object, scene, {}, Look::kTwice);
-      discount_clutter(detections);
+      auto detections = search_object(object, scene, {}, SearchMode::kTwice);
+      apply_clutter_penalty(detections);
       for (const auto& detection : best_of_places(detections))
         add(set, one, target, scene, detection);
     }

@@ -4,7 +4,7 @@
 #include <random>
 #include <vector>
 
-#include "polar/kernels.hpp"
+#include "simd/kernels.hpp"
 
 namespace mbncc::bench {
 namespace {

@@ -4,9 +4,9 @@
 #include <memory>
 
 #include "common/yardstick.hpp"
+#include "imaging/pyramid.hpp"
 #include "mbncc/learning/learn_object.hpp"
 #include "mbncc/matching/matcher.hpp"
-#include "mbncc/matching/pyramid.hpp"
 #include "mbncc/matching/similarity.hpp"
 #include "mbncc/sim/scene.hpp"
 

@@ -2,8 +2,8 @@
 
 #include <opencv2/imgproc.hpp>
 
+#include "imaging/pyramid.hpp"
 #include "matching/suppression.hpp"
-#include "mbncc/matching/pyramid.hpp"
 
 namespace mbncc::bench {
 

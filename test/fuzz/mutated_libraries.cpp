@@ -21,7 +21,7 @@
 #include "cli/pictures.hpp"
 #include "cli/settings.hpp"
 #include "fuzz/mutated_library.hpp"
-#include "nodelets/live_matcher.hpp"
+#include "nodelets/matching/live_matcher.hpp"
 #include "support/sanitizers.hpp"
 #include "support/searched_map.hpp"
 #include "support/temporary_folder.hpp"

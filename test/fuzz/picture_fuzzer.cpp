@@ -6,7 +6,7 @@
 #include <cstring>
 
 #include "fuzz/fuzzer.hpp"
-#include "nodelets/images.hpp"
+#include "nodelets/conversion/images.hpp"
 
 using namespace mbncc;
 

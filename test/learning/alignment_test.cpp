@@ -1,12 +1,12 @@
 // Light, camera shift and noise between two pictures of one scene.
-#include "learning/align_pictures.hpp"
+#include "learning/change/align_pictures.hpp"
 
 #include <gtest/gtest.h>
 
-#include "learning/camera_shift.hpp"
-#include "learning/noise_model.hpp"
-#include "learning/normalized_difference.hpp"
-#include "learning/photometric_fit.hpp"
+#include "learning/change/camera_shift.hpp"
+#include "learning/change/photometric_fit.hpp"
+#include "learning/likelihood/noise_model.hpp"
+#include "learning/likelihood/normalized_difference.hpp"
 #include "learning/pictures.hpp"
 
 namespace mbncc {

@@ -1,7 +1,7 @@
 // Which changed patches are of something that came.
 #include <gtest/gtest.h>
 
-#include "learning/arrival_test.hpp"
+#include "learning/change/arrival_test.hpp"
 #include "learning/things_on_platform.hpp"
 
 namespace mbncc {

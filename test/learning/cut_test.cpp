@@ -1,12 +1,12 @@
 // Colour mixture, arrival test, graph cut and clean-up.
 #include <gtest/gtest.h>
 
-#include "learning/arrival_test.hpp"
-#include "learning/clean_map.hpp"
-#include "learning/colour_mixture.hpp"
-#include "learning/graph_cut.hpp"
-#include "learning/half_smoothness.hpp"
+#include "learning/change/arrival_test.hpp"
+#include "learning/change/colour_mixture.hpp"
 #include "learning/pictures.hpp"
+#include "learning/segmentation/clean_map.hpp"
+#include "learning/segmentation/graph_cut.hpp"
+#include "learning/segmentation/half_smoothness.hpp"
 #include "mbncc/learning/change.hpp"
 
 namespace mbncc {

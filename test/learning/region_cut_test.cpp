@@ -3,9 +3,9 @@
 
 #include <opencv2/imgproc.hpp>
 
+#include "learning/likelihood/predicted_platform.hpp"
+#include "learning/likelihood/rim_preference.hpp"
 #include "learning/pictures.hpp"
-#include "learning/predicted_platform.hpp"
-#include "learning/rim_preference.hpp"
 #include "mbncc/learning/change_cut.hpp"
 
 namespace mbncc {

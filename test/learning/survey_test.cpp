@@ -1,9 +1,9 @@
 // What a survey tells of two pictures, and how much of it ends a lesson.
 #include <gtest/gtest.h>
 
-#include "learning/lesson_checks.hpp"
-#include "learning/lesson_progress.hpp"
 #include "learning/pictures.hpp"
+#include "learning/teaching/lesson_checks.hpp"
+#include "learning/teaching/lesson_progress.hpp"
 #include "mbncc/learning/change.hpp"
 
 namespace mbncc {

@@ -3,9 +3,9 @@
 
 #include <functional>
 
-#include "matching/margins.hpp"
+#include "matching/decision/margins.hpp"
+#include "matching/decision/selection.hpp"
 #include "matching/pictures.hpp"
-#include "matching/selection.hpp"
 
 namespace mbncc {
 namespace {
@@ -159,7 +159,7 @@ TEST_F(DecisionTest, OfSeveralCompetitorsTheBestCounts) {
 TEST_F(DecisionTest, FarBehindAnInstanceOutsideTheRegionItMayBeALike) {
   const Detection likely = changed([](Detection& d) { d.log_odds = 8; });
   for (const double elsewhere : {8.0, 25.0}) {
-    Acceptance acceptance{config_, std::nullopt, 1, {}, {{"object", elsewhere}}, 0};
+    AcceptanceSettings acceptance{config_, std::nullopt, 1, {}, {{"object", elsewhere}}, 0};
     EXPECT_EQ(select_matches({likely}, acceptance).matches.at(0).graspable, elsewhere < 10);
   }
 }
@@ -217,7 +217,7 @@ TEST_F(DecisionTest, OfThePlacesClaimedTwiceTheBetterStays) {
 }
 
 TEST_F(DecisionTest, MapsThatShareMoreThanAQuarterClaimOnePlace) {
-  const MapShape& shape = object_.views.front().shape;
+  const MapFootprint& shape = object_.views.front().shape;
   double apart = 0;
   const auto common = [&] { return overlap(shape, {100, 100, 0}, shape, {100 + apart, 100, 0}); };
   while (common() > 0.5) ++apart;

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "matching/candidate.hpp"
-#include "matching/map_shape.hpp"
-#include "matching/scene_picture.hpp"
+#include "matching/scene/scene_picture.hpp"
+#include "matching/template/candidate.hpp"
+#include "matching/template/map_footprint.hpp"
 #include "mbncc/matching/similarity.hpp"
 
 namespace mbncc {
@@ -28,7 +28,8 @@ std::vector<Candidate> all_poses(const MaskedTemplate& points, const cv::Mat& gr
   return poses;
 }
 
-std::vector<Candidate> without_overlaps(const std::vector<Candidate>& poses, const MapShape& shape,
+std::vector<Candidate> without_overlaps(const std::vector<Candidate>& poses,
+                                        const MapFootprint& shape,
                                         const ExhaustiveSettings& settings) {
   std::vector<Candidate> kept;
   for (const auto& pose : poses) {
@@ -50,7 +51,7 @@ std::vector<Match> find_exhaustively(const ObjectModel& object, const cv::Mat& p
   const cv::Mat searched = grey_picture(picture);
   const cv::Mat learned = grey_picture(view.template_image);
   const cv::Point2d anchor = excircle(view.map).centre;
-  const MapShape shape(view.map, anchor);
+  const MapFootprint shape(view.map, anchor);
   const auto poses = all_poses(masked_template(learned, view.map, anchor), searched, settings);
   const Pose2D reference{view.reference.x - view.origin.x - anchor.x,
                          view.reference.y - view.origin.y - anchor.y, view.reference.theta};

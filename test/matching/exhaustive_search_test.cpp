@@ -5,9 +5,9 @@
 
 #include <ostream>
 
+#include "imaging/pyramid.hpp"
 #include "matching/pictures.hpp"
 #include "mbncc/matching/polar_search.hpp"
-#include "mbncc/matching/pyramid.hpp"
 
 namespace mbncc {
 namespace {

@@ -1,11 +1,11 @@
 // What is looked for that speaks against a pose.
 #include <cmath>
 
+#include "matching/evidence/contour_alternative.hpp"
 #include "matching/matcher_fixture.hpp"
-#include "matching/outline_elsewhere.hpp"
-#include "matching/prepared_object.hpp"
-#include "matching/refinement.hpp"
-#include "matching/verification.hpp"
+#include "matching/prepared/prepared_object.hpp"
+#include "matching/refinement/refinement.hpp"
+#include "matching/search/verification.hpp"
 
 namespace mbncc {
 namespace {
@@ -29,7 +29,7 @@ class JudgeTest : public test::MatcherTest {
 
   /// The best detection where the anchor is believed to lie.
   Detection judged(const ScenePicture& scene, const Pose2D& anchor, double odds) const {
-    Believed believed = believed_as_is(view_, scene, anchor);
+    PoseHypothesis believed = score_as_is(view_, scene, anchor);
     believed.odds = odds;
     believed.refining = 4;
     return judge(object_, view_, scene, {believed}).at(0);
@@ -92,8 +92,8 @@ TEST_F(JudgeTest, AMirrorImageThatDiffersSlightlyIsTold) {
   const PreparedView& view = object.views.front();
   for (const bool over : {false, true}) {
     const ScenePicture scene(scene_with(over ? mirrored : plate, truth_), object.top_level());
-    Believed found =
-        believed_as_is(view, scene, compose(truth_, inverse(view.reference_in_anchor)));
+    PoseHypothesis found =
+        score_as_is(view, scene, compose(truth_, inverse(view.reference_in_anchor)));
     found.odds = 12;
     EXPECT_EQ(judge(object, view, scene, {found}).at(0).turned_over, over);
   }
@@ -118,7 +118,7 @@ TEST_F(JudgeTest, APlainSurfaceDoesNotDriftAlongItsShading) {
   const Pose2D anchor = compose(truth_, inverse(view.reference_in_anchor));
   for (const cv::Point2d off : {cv::Point2d(8, 0), {0, 8}}) {
     const ScenePicture scene(scene_with(shaded(spot + off), truth_), object.top_level());
-    const Believed found = polished(view, scene, anchor);
+    const PoseHypothesis found = multistart_align(view, scene, anchor);
     EXPECT_LT(cv::norm(found.pose.position() - anchor.position()), 0.5) << off;
   }
 }
@@ -134,8 +134,8 @@ TEST_F(JudgeTest, APartOfAnotherColourIsTold) {
   const PreparedView& view = object.views.front();
   const auto strange_in = [&](const test::LearningPicture& shown) {
     const ScenePicture scene(scene_with(shown, truth_), object.top_level());
-    Believed believed =
-        believed_as_is(view, scene, compose(truth_, inverse(view.reference_in_anchor)));
+    PoseHypothesis believed =
+        score_as_is(view, scene, compose(truth_, inverse(view.reference_in_anchor)));
     believed.odds = 12;
     return judge(object, view, scene, {believed}).at(0).strange;
   };

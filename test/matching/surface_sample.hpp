@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cstddef>
 
-#include "matching/surface_template.hpp"
+#include "matching/template/surface_template.hpp"
 
 namespace mbncc::test {
 

@@ -17,8 +17,8 @@
 #include <utility>
 #include <vector>
 
+#include "nodelets/conversion/images.hpp"
 #include "nodelets/drawn_pictures.hpp"
-#include "nodelets/images.hpp"
 #include "nodelets/spin_until.hpp"
 #include "nodelets/teacher.hpp"
 #include "support/temporary_folder.hpp"

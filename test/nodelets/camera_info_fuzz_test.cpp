@@ -13,7 +13,7 @@
 #include <string>
 #include <vector>
 
-#include "nodelets/calibration.hpp"
+#include "nodelets/conversion/calibration.hpp"
 
 namespace mbncc::nodelets {
 namespace {

@@ -17,8 +17,8 @@
 #include <string>
 #include <vector>
 
-#include "nodelets/images.hpp"
-#include "nodelets/search_worker.hpp"
+#include "nodelets/conversion/images.hpp"
+#include "nodelets/matching/search_worker.hpp"
 #include "nodelets/spin_until.hpp"
 #include "support/temporary_folder.hpp"
 

@@ -9,8 +9,8 @@
 #include <cmath>
 #include <string>
 
+#include "nodelets/conversion/images.hpp"
 #include "nodelets/drawn_pictures.hpp"
-#include "nodelets/images.hpp"
 #include "nodelets/teacher.hpp"
 
 namespace mbncc::nodelets {

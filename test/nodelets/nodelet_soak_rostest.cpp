@@ -16,7 +16,7 @@
 #include <vector>
 
 #include "mbncc/sim/scene.hpp"
-#include "nodelets/images.hpp"
+#include "nodelets/conversion/images.hpp"
 #include "nodelets/spin_until.hpp"
 #include "nodelets/teacher.hpp"
 #include "support/process_state.hpp"
@@ -33,7 +33,8 @@ using test::StateHistory;
 constexpr double kMostGrowthInUse = 2;  // [MB]
 constexpr double kMostGrowth = 5;       // [MB]
 // roscpp keeps connections to other nodes' XML-RPC servers for 30 s (XMLRPCManager), about as long
-// as the run: a few more may be open at its end. Hundreds of lessons and edits would each leave one.
+// as the run: a few more may be open at its end. Hundreds of lessons and edits would each leave
+// one.
 constexpr int kMostNewFiles = 3;
 constexpr std::chrono::hours kPatience{24};
 

@@ -18,7 +18,7 @@
 #include "mbncc/learning/learn_object.hpp"
 #include "mbncc/library/object_library.hpp"
 #include "mbncc/sim/scene.hpp"
-#include "nodelets/images.hpp"
+#include "nodelets/conversion/images.hpp"
 #include "nodelets/spin_until.hpp"
 #include "support/temporary_folder.hpp"
 

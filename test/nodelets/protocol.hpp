@@ -16,7 +16,7 @@
 #include <vector>
 
 #include "mbncc/sim/scene.hpp"
-#include "nodelets/images.hpp"
+#include "nodelets/conversion/images.hpp"
 #include "nodelets/spin_until.hpp"
 #include "nodelets/teacher.hpp"
 

@@ -1,6 +1,6 @@
 // What goals of a lesson are refused for, and what they teach.
 
-#include "nodelets/messages.hpp"
+#include "nodelets/conversion/messages.hpp"
 #include "nodelets/protocol.hpp"
 
 namespace mbncc::nodelets {

@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "nodelets/messages.hpp"
+#include "nodelets/conversion/messages.hpp"
 #include "nodelets/protocol.hpp"
 
 namespace mbncc::nodelets {

@@ -14,8 +14,8 @@
 #include <future>
 #include <vector>
 
+#include "nodelets/conversion/images.hpp"
 #include "nodelets/drawn_pictures.hpp"
-#include "nodelets/images.hpp"
 #include "nodelets/spin_until.hpp"
 #include "nodelets/teacher.hpp"
 

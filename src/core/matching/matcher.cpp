@@ -7,12 +7,12 @@
 #include <opencv2/imgproc.hpp>
 #include <optional>
 
-#include "matching/clutter.hpp"
-#include "matching/coarse_search.hpp"
-#include "matching/colour_cast.hpp"
-#include "matching/comparison.hpp"
-#include "matching/object_search.hpp"
-#include "matching/selection.hpp"
+#include "matching/decision/clutter.hpp"
+#include "matching/decision/selection.hpp"
+#include "matching/prepared/comparison.hpp"
+#include "matching/proposal/ncc_search.hpp"
+#include "matching/search/colour_cast.hpp"
+#include "matching/search/object_search.hpp"
 
 namespace mbncc {
 namespace {
@@ -46,21 +46,21 @@ int top_level(const ObjectList& objects) {
   return top;
 }
 
-Look look_for(std::size_t objects, const SearchRequest& request, const SearchConfig& config) {
-  if (objects > kFewObjects && config.engine != "polar") return Look::kGated;
-  return std::max(objects, request.among) > kFewObjects ? Look::kSparing : Look::kTwice;
+SearchMode look_for(std::size_t objects, const SearchRequest& request, const SearchConfig& config) {
+  if (objects > kFewObjects && config.engine != "polar") return SearchMode::kGated;
+  return std::max(objects, request.among) > kFewObjects ? SearchMode::kSparing : SearchMode::kTwice;
 }
 
 /// What a search found of each object.
-struct Findings {
-  explicit Findings(std::size_t objects) : found(objects), searched(objects, 0) {}
+struct SearchState {
+  explicit SearchState(std::size_t objects) : found(objects), searched(objects, 0) {}
 
   std::vector<std::vector<Detection>> found;
   std::vector<char> searched;  ///< 0: time was up before
 };
 
 /// Lists the objects in `result` by whether there was time for them.
-void note_searched(const ObjectList& objects, const Findings& findings, SearchResult& result) {
+void note_searched(const ObjectList& objects, const SearchState& findings, SearchResult& result) {
   for (std::size_t i = 0; i < objects.size(); ++i) {
     const std::string& name = objects[i]->model->name;
     if (findings.searched[i])
@@ -71,14 +71,14 @@ void note_searched(const ObjectList& objects, const Findings& findings, SearchRe
   result.budget_exceeded = result.searched.size() < objects.size();
 }
 
-std::vector<Detection> all_of(const Findings& findings) {
+std::vector<Detection> all_of(const SearchState& findings) {
   std::vector<Detection> all;
   for (const auto& found : findings.found) all.insert(all.end(), found.begin(), found.end());
   return all;
 }
 
 /// What is likely to lie in the picture, but for instances of object `own`.
-std::vector<Footprint> occupied_by_others(const Findings& findings, std::size_t own) {
+std::vector<Footprint> occupied_by_others(const SearchState& findings, std::size_t own) {
   constexpr double kLikely = 1;  // log-odds; nothing less becomes graspable
   std::vector<Footprint> footprints;
   for (std::size_t i = 0; i < findings.found.size(); ++i) {
@@ -94,7 +94,7 @@ std::vector<Footprint> occupied_by_others(const Findings& findings, std::size_t 
 /// Judges each object where another one was found: a search may pass over a look-alike, and the
 /// other would be taken for the only one there.
 void compare_in_place(const std::vector<Comparison>& comparisons, const SearchRequest& request,
-                      Findings& findings) {
+                      SearchState& findings) {
   std::vector<std::vector<Detection>> more(comparisons.size());
   for (std::size_t i = 0; i < comparisons.size(); ++i) {
     if (!findings.searched[i]) continue;
@@ -133,10 +133,10 @@ struct Matcher::Implementation {
   ObjectList wanted(const SearchRequest& request, SearchResult& result) const;
 
   /// Searches `picture` for `wanted`, once more without a cast of light that what was found tells.
-  Findings search(const ObjectList& wanted, const cv::Mat& picture, const SearchRequest& request,
-                  Clock::time_point start) const;
+  SearchState search(const ObjectList& wanted, const cv::Mat& picture, const SearchRequest& request,
+                     Clock::time_point start) const;
 
-  Acceptance acceptance(const SearchRequest& request, std::size_t objects) const;
+  AcceptanceSettings acceptance(const SearchRequest& request, std::size_t objects) const;
 };
 
 std::shared_ptr<const PreparedObject> Matcher::Implementation::known(
@@ -181,11 +181,11 @@ ObjectList Matcher::Implementation::wanted(const SearchRequest& request,
   return chosen;
 }
 
-Findings Matcher::Implementation::search(const ObjectList& wanted, const cv::Mat& picture,
-                                         const SearchRequest& request,
-                                         Clock::time_point start) const {
-  const Look look = look_for(wanted.size(), request, config);
-  Findings findings(wanted.size());
+SearchState Matcher::Implementation::search(const ObjectList& wanted, const cv::Mat& picture,
+                                            const SearchRequest& request,
+                                            Clock::time_point start) const {
+  const SearchMode look = look_for(wanted.size(), request, config);
+  SearchState findings(wanted.size());
   const auto search_all = [&](const std::vector<Comparison>& compared) {
     in_parallel(wanted.size(), config.threads, [&](std::size_t i) {
       const bool first = i == 0;  // without it, a short budget would find nothing for ever
@@ -198,20 +198,20 @@ Findings Matcher::Implementation::search(const ObjectList& wanted, const cv::Mat
   const auto shown = comparisons(wanted, picture, scenes);
   search_all(shown);
   const ScenePicture* coloured = in_colour(shown);
-  if (look != Look::kGated || coloured == nullptr) return findings;
+  if (look != SearchMode::kGated || coloured == nullptr) return findings;
   if (const auto cast = colour_cast(findings.found, *coloured))
     search_all(comparisons(wanted, without_cast(picture, *cast), scenes));
   return findings;
 }
 
-Acceptance Matcher::Implementation::acceptance(const SearchRequest& request,
-                                               std::size_t objects) const {
+AcceptanceSettings Matcher::Implementation::acceptance(const SearchRequest& request,
+                                                       std::size_t objects) const {
   return {config,
           request.min_score >= 0 ? std::make_optional(request.min_score) : std::nullopt,
           request.max_instances > 0 ? request.max_instances : config.max_instances,
           request.clutter,
           request.elsewhere,
-          rarity_among(std::max(objects, request.among))};
+          multiple_testing_penalty(std::max(objects, request.among))};
 }
 
 std::vector<std::string> names_at_limit(const std::vector<Match>& matches, int most) {
@@ -288,7 +288,7 @@ SearchResult Matcher::find(const cv::Mat& picture, const SearchRequest& request)
   const auto start = Clock::now();
   SearchResult result;
   const ObjectList objects = implementation_->wanted(request, result);
-  const Findings findings = implementation_->search(objects, picture, request, start);
+  const SearchState findings = implementation_->search(objects, picture, request, start);
   note_searched(objects, findings, result);
   Selection selection =
       select_matches(all_of(findings), implementation_->acceptance(request, objects.size()));

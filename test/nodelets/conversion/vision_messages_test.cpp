@@ -1,4 +1,4 @@
-#include "nodelets/conversion/vision_messages.hpp"
+#include "nodelets/vision/vision_messages.hpp"
 
 #include <gtest/gtest.h>
 #include <vision_msgs/VisionInfo.h>

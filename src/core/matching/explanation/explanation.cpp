@@ -7,8 +7,8 @@
 #include <optional>
 #include <stdexcept>
 
-#include "matching/comparison.hpp"
-#include "matching/view_search.hpp"
+#include "matching/prepared/comparison.hpp"
+#include "matching/search/view_search.hpp"
 
 namespace mbncc {
 namespace {

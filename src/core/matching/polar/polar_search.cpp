@@ -5,7 +5,7 @@
 #include <opencv2/imgproc.hpp>
 #include <stdexcept>
 
-#include "mbncc/matching/pyramid.hpp"
+#include "imaging/pyramid.hpp"
 
 namespace mbncc {
 namespace {

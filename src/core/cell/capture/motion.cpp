@@ -1,0 +1,52 @@
+#include "cell/capture/motion.hpp"
+
+#include <algorithm>
+#include <opencv2/imgproc.hpp>
+#include <vector>
+
+#include "learning/change/statistics.hpp"
+
+namespace mbncc {
+namespace {
+
+constexpr int kWidth = 160;             // [px]
+constexpr int kSampledWidth = 640;      // [px]
+constexpr double kLeastDifference = 5;  // [grey levels] of a small pixel
+constexpr double kSureDifference = 30;  // [grey levels] motion, however much else differs
+constexpr double kNoiseFactor = 6;      // times the standard deviation of the pair
+constexpr int kLeastPatch = 3;          // [px] small pixels, after opening
+
+float median_of(const cv::Mat& values) {
+  std::vector<float> all = values.reshape(1, 1);
+  return median(all);
+}
+
+}  // namespace
+
+cv::Mat motion_picture(const cv::Mat& picture) {
+  // Area averages of a large picture are slow, and a quarter of its pixels tells as much.
+  cv::Mat sampled = picture, small, grey, values;
+  if (picture.cols > kSampledWidth) {
+    const double share = static_cast<double>(kSampledWidth) / picture.cols;
+    cv::resize(picture, sampled, {}, share, share, cv::INTER_NEAREST);
+  }
+  const double scale = std::min(1.0, static_cast<double>(kWidth) / picture.cols);
+  const cv::Size size(std::max(1, cvRound(scale * picture.cols)),
+                      std::max(1, cvRound(scale * picture.rows)));
+  cv::resize(sampled, small, size, 0, 0, cv::INTER_AREA);
+  cv::cvtColor(small, grey, cv::COLOR_BGR2GRAY);
+  grey.convertTo(values, CV_32F);
+  return values;
+}
+
+bool has_moved(const cv::Mat& a, const cv::Mat& b) {
+  const cv::Mat ratio = (b + 8) / (a + 8);
+  const float gain = median_of(ratio);
+  const cv::Mat difference = cv::abs(b + 8 - gain * (a + 8));
+  const double noise = deviation_of_mad(median_of(difference));
+  cv::Mat moved = difference > std::clamp(kNoiseFactor * noise, kLeastDifference, kSureDifference);
+  cv::morphologyEx(moved, moved, cv::MORPH_OPEN, cv::getStructuringElement(cv::MORPH_RECT, {2, 2}));
+  return cv::countNonZero(moved) >= kLeastPatch;
+}
+
+}  // namespace mbncc

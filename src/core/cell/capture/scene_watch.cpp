@@ -1,0 +1,102 @@
+#include "mbncc/cell/scene_watch.hpp"
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "cell/capture/motion.hpp"
+#include "mbncc/learning/change.hpp"
+
+namespace mbncc {
+namespace {
+
+constexpr std::size_t kPeriodsKept = 8;
+constexpr double kBorderShare = 0.01;  // of the picture's width: so near counts as at the edge
+
+bool reaches_border(const cv::Mat& changed) {
+  const int border = std::max(2, cvRound(kBorderShare * changed.cols));
+  const cv::Rect inside(border, border, changed.cols - 2 * border, changed.rows - 2 * border);
+  return cv::countNonZero(changed) > cv::countNonZero(changed(inside));
+}
+
+}  // namespace
+
+SceneDifference scene_difference(const cv::Mat& before, const cv::Mat& after) {
+  const ChangeSurvey survey = survey_change(before, after);
+  SceneDifference difference{SceneChange::kNone, survey.changed, survey.fraction, survey.exposure};
+  if (survey.fraction > 0)
+    difference.change =
+        reaches_border(survey.changed) ? SceneChange::kAtBorder : SceneChange::kInside;
+  return difference;
+}
+
+SceneChange scene_change(const cv::Mat& before, const cv::Mat& after) {
+  return scene_difference(before, after).change;
+}
+
+SceneWatch::SceneWatch(double still_time) : still_time_(still_time) {
+  if (!(still_time > 0)) throw std::invalid_argument("still_time must be above 0");
+}
+
+void SceneWatch::update(double stamp, const cv::Mat& picture) {
+  if (picture.empty() || picture.type() != CV_8UC3)
+    throw std::invalid_argument("the scene watch needs non-empty CV_8UC3 pictures");
+  if (stamp < last_stamp_ || picture.size() != size_) reset();
+  last_stamp_ = stamp;
+  size_ = picture.size();
+  const cv::Mat small = motion_picture(picture);
+  if (anchor_.empty() || has_moved(anchor_, small)) {
+    end_period();
+    begin_candidate(stamp, small);
+  } else if (still_ || stamp - anchor_stamp_ >= still_time_) {
+    keep_shot(stamp, picture);
+  }
+}
+
+void SceneWatch::reset() {
+  anchor_.release();
+  still_ = false;
+  waiting_ = settled_ = {};
+  past_.clear();
+  last_stamp_ = 0;
+}
+
+void SceneWatch::begin_candidate(double stamp, const cv::Mat& small) {
+  anchor_ = small;
+  anchor_stamp_ = stamp;
+}
+
+void SceneWatch::keep_shot(double stamp, const cv::Mat& picture) {
+  if (!still_) {
+    still_ = true;
+    waiting_ = settled_ = {picture, stamp, ++periods_};
+    return;
+  }
+  // The next motion may begin in the newest pictures without being noticed yet.
+  if (stamp - waiting_.stamp >= still_time_ / 2) {
+    settled_ = waiting_;
+    waiting_ = {picture, stamp, periods_};
+  }
+}
+
+void SceneWatch::end_period() {
+  if (!still_) return;
+  still_ = false;
+  past_.push_back(settled_);
+  if (past_.size() > kPeriodsKept) past_.pop_front();
+}
+
+std::optional<StillShot> SceneWatch::still() const {
+  if (!still_) return std::nullopt;
+  return settled_;
+}
+
+std::optional<StillShot> SceneWatch::before_change() const {
+  if (!still_) return std::nullopt;
+  const auto found = std::find_if(past_.rbegin(), past_.rend(), [this](const StillShot& shot) {
+    return scene_change(shot.picture, settled_.picture) == SceneChange::kInside;
+  });
+  if (found == past_.rend()) return std::nullopt;
+  return *found;
+}
+
+}  // namespace mbncc

@@ -1,0 +1,232 @@
+#include "mbncc/cell/change_map.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <opencv2/imgproc.hpp>
+#include <stdexcept>
+
+#include "learning/change/rectangles.hpp"
+#include "learning/change/statistics.hpp"
+
+namespace mbncc {
+namespace {
+
+constexpr double kLeastDifference = 4;  // [grey levels] of a cell's mean
+constexpr double kSureDifference = 16;  // [grey levels] no noise of a cell's mean
+constexpr double kNoiseFactor = 8;      // median differences of cells
+constexpr float kFollow = 0.05F;        // [grey levels] the records follow the light per picture
+constexpr float kDark = 8;              // [grey levels] keeps ratios of dark cells sober
+constexpr int kStride = 37;             // every so many cells tell gain and noise
+constexpr double kPatience = 1.5;       // [s] that a patch may be restless
+constexpr double kCalm = 0.095;         // [s] that a patch is at rest before it is told
+constexpr int kJoined = 3;              // [cells] patches no farther apart are one
+constexpr int kLeastCells = 2;          // of a patch
+constexpr int kStirring = 2;            // cells in motion that keep a patch restless
+constexpr double kUpset = 0.35;         // share of the cells
+
+cv::Mat cell_means(const cv::Mat& picture) {
+  cv::Mat cells = picture;
+  for (int side = ChangeMap::kCell; side > 1; side /= 2) {
+    const cv::Size half(cells.cols / 2, cells.rows / 2);
+    cv::Mat next;
+    cv::resize(cells(cv::Rect(0, 0, 2 * half.width, 2 * half.height)), next, half, 0, 0,
+               cv::INTER_AREA);
+    cells = next;
+  }
+  return cells;
+}
+
+/// Median ratio per channel of `cells` (8 bits) to `base` (float or 8 bits).
+template <class Base>
+cv::Scalar median_gain(const cv::Mat& cells, const cv::Mat& base) {
+  const int channels = cells.channels(), count = static_cast<int>(cells.total());
+  const auto* now = cells.ptr<uchar>();
+  const auto* then = base.ptr<Base>();
+  cv::Scalar gain;
+  std::vector<float> ratios;
+  for (int channel = 0; channel < channels; ++channel) {
+    ratios.clear();
+    for (int i = 0; i < count; i += kStride)
+      ratios.push_back(static_cast<float>((now[i * channels + channel] + kDark) /
+                                          (then[i * channels + channel] + kDark)));
+    gain[channel] = median(ratios);
+  }
+  return gain;
+}
+
+/// The channels' gains over and over, so that a loop over all values needs no remainder.
+struct TiledGain {
+  static constexpr int kLength = 48;
+
+  TiledGain(const cv::Scalar& gain, int channels) {
+    for (int i = 0; i < kLength; ++i) factors[i] = static_cast<float>(gain[i % channels]);
+  }
+
+  float factors[kLength];
+};
+
+/// 255 where a value of `cells` differs by more than `threshold` from that of `base` times `gain`.
+template <class Base>
+cv::Mat differing(const cv::Mat& cells, const cv::Mat& base, const cv::Scalar& gain,
+                  double threshold) {
+  cv::Mat differs(cells.size(), cells.type());
+  const int count = static_cast<int>(cells.total()) * cells.channels();
+  const auto* now = cells.ptr<uchar>();
+  const auto* then = base.ptr<Base>();
+  auto* out = differs.ptr<uchar>();
+  const TiledGain tiled(gain, cells.channels());
+  const float limit = static_cast<float>(threshold), dark = kDark;
+  for (int i = 0; i < count; i += TiledGain::kLength)
+    for (int k = 0; k < std::min(TiledGain::kLength, count - i); ++k) {
+      const float difference =
+          static_cast<float>(now[i + k]) + dark - tiled.factors[k] * (then[i + k] + dark);
+      out[i + k] = std::abs(difference) > limit ? 255 : 0;
+    }
+  return differs;
+}
+
+/// Per cell: any channel.
+cv::Mat any_channel(const cv::Mat& values) {
+  if (values.channels() == 1) return values;
+  cv::Mat planes[3], any;
+  cv::split(values, planes);
+  cv::bitwise_or(planes[0], planes[1], any);
+  cv::bitwise_or(any, planes[2], any);
+  return any;
+}
+
+template <class Base>
+double threshold_of(const cv::Mat& cells, const cv::Mat& base, const cv::Scalar& gain) {
+  const int channels = cells.channels(), count = static_cast<int>(cells.total()) * channels;
+  const auto* now = cells.ptr<uchar>();
+  const auto* then = base.ptr<Base>();
+  std::vector<float> differences;
+  for (int i = 0; i < count; i += kStride)
+    differences.push_back(
+        static_cast<float>(std::abs(now[i] + kDark - gain[i % channels] * (then[i] + kDark))));
+  return std::clamp<double>(kNoiseFactor * median(differences), kLeastDifference, kSureDifference);
+}
+
+cv::Rect in_pixels(const cv::Rect& cells) {
+  constexpr int side = ChangeMap::kCell;
+  return {cells.x * side, cells.y * side, cells.width * side, cells.height * side};
+}
+
+/// Lets the records follow what drifts slowly, where nothing differs.
+void follow(const cv::Mat& cells, const cv::Mat& differs, const cv::Scalar& gain,
+            cv::Mat& records) {
+  const int count = static_cast<int>(cells.total()) * cells.channels();
+  const auto* now = cells.ptr<uchar>();
+  const auto* fixed = differs.ptr<uchar>();
+  auto* record = records.ptr<float>();
+  const TiledGain tiled(gain, cells.channels());
+  const float dark = kDark;
+  for (int i = 0; i < count; i += TiledGain::kLength)
+    for (int k = 0; k < std::min(TiledGain::kLength, count - i); ++k) {
+      const float behind =
+          static_cast<float>(now[i + k]) + dark - tiled.factors[k] * (record[i + k] + dark);
+      const float step = std::min(kFollow, std::max(-kFollow, behind));
+      record[i + k] += fixed[i + k] ? 0 : step;
+    }
+}
+
+/// Connected patches of cells, those that nearly touch joined.
+struct Patches {
+  explicit Patches(const cv::Mat& cells) {
+    cv::Mat joined, centroids;
+    cv::dilate(cells, joined, cv::Mat::ones(kJoined, kJoined, CV_8UC1));
+    count = cv::connectedComponentsWithStats(joined, labels, statistics, centroids);
+  }
+
+  cv::Rect box(int label) const { return box_of_component(statistics, label); }
+
+  cv::Mat labels, statistics;
+  int count;  // label 0 is what is no patch
+};
+
+}  // namespace
+
+void ChangeMap::update(double stamp, const cv::Mat& picture) {
+  if (picture.empty() || (picture.type() != CV_8UC3 && picture.type() != CV_8UC1))
+    throw std::invalid_argument("a change map needs non-empty CV_8UC3 or CV_8UC1 pictures");
+  const cv::Mat cells = cell_means(picture);
+  settled_.clear();
+  drop_outdated(stamp);
+  if (cells.size() != records_.size() || cells.channels() != records_.channels()) {
+    cells.convertTo(records_, CV_32F);
+    changed_ = cv::Mat::zeros(cells.size(), CV_8UC1);
+    upset_ = false;
+    calm_at_ = stamp;
+    earlier_.clear();
+  } else {
+    compare(stamp, cells);
+  }
+  earlier_.push_back({stamp, cells});
+}
+
+void ChangeMap::drop_outdated(double stamp) {
+  while (earlier_.size() > 1 && stamp - earlier_[1].stamp >= kCalm) earlier_.pop_front();
+}
+
+void ChangeMap::reset() {
+  records_.release();
+}
+
+bool ChangeMap::touches(const cv::Rect& region) const {
+  constexpr int side = kCell;
+  const cv::Point low(region.x / side, region.y / side);
+  const cv::Point high((region.br().x + side - 1) / side, (region.br().y + side - 1) / side);
+  const cv::Rect cells = cv::Rect(low, high) & cv::Rect({0, 0}, changed_.size());
+  return !cells.empty() && cv::countNonZero(changed_(cells)) > 0;
+}
+
+void ChangeMap::compare(double stamp, const cv::Mat& cells) {
+  gain_ = median_gain<float>(cells, records_);
+  const cv::Mat differs =
+      differing<float>(cells, records_, gain_, threshold_of<float>(cells, records_, gain_));
+  follow(cells, differs, gain_, records_);
+  changed_ = any_channel(differs);
+  const int count = cv::countNonZero(changed_);
+  upset_ = count > kUpset * static_cast<double>(changed_.total());
+  if (count > 0)
+    settle(stamp, cells);
+  else
+    calm_at_ = stamp;
+}
+
+void ChangeMap::settle(double stamp, const cv::Mat& cells) {
+  const cv::Mat stirring = stirring_cells(cells);
+  const Patches patches(changed_);
+  const bool patient = stamp - calm_at_ < kPatience;
+  cv::Mat at_rest = cv::Mat::zeros(cells.size(), CV_8UC1);
+  bool restless = false;
+  for (int label = 1; label < patches.count; ++label) {
+    const cv::Rect box = patches.box(label);
+    const cv::Mat patch = patches.labels(box) == label;
+    if (patient && cv::countNonZero(patch & stirring(box)) >= kStirring) {
+      restless = true;
+      continue;
+    }
+    at_rest(box).setTo(255, patch);
+    if (cv::countNonZero(patch & changed_(box)) >= kLeastCells) settled_.push_back(in_pixels(box));
+  }
+  if (!restless) calm_at_ = stamp;
+  take_to_records(cells, at_rest);
+}
+
+cv::Mat ChangeMap::stirring_cells(const cv::Mat& cells) const {
+  const cv::Mat& before = earlier_.front().cells;
+  const cv::Scalar gain = median_gain<uchar>(cells, before);
+  const double threshold = threshold_of<uchar>(cells, before, gain);
+  return any_channel(differing<uchar>(cells, before, gain, threshold));
+}
+
+void ChangeMap::take_to_records(const cv::Mat& cells, const cv::Mat& which) {
+  cv::Mat anew;
+  cells.convertTo(anew, CV_32F, 1, kDark);
+  cv::divide(anew, gain_, anew);
+  cv::subtract(anew, cv::Scalar::all(kDark), anew);
+  anew.copyTo(records_, which);
+}
+
+}  // namespace mbncc

@@ -1,0 +1,327 @@
+#include "cell/incremental_search/frame_search.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <opencv2/imgproc.hpp>
+#include <utility>
+
+namespace mbncc {
+namespace {
+
+constexpr double kOverhang = 0.35;  // of the radius: a reference point lies so far off a change
+constexpr int kLooks = 10;          // searches of an instance at rest, for others to average
+
+cv::Rect square_about(const cv::Point2d& middle, double reach) {
+  const int side = 2 * static_cast<int>(std::ceil(reach)) + 1;
+  return {cvRound(middle.x) - side / 2, cvRound(middle.y) - side / 2, side, side};
+}
+
+/// Objects are searched one by one, but as if all were searched at once.
+SearchRequest one_by_one(const Matcher& matcher, SearchRequest request) {
+  const auto objects = request.names.empty() ? matcher.objects().size() : request.names.size();
+  request.among = std::max(request.among, objects);
+  return request;
+}
+
+bool is_within(const cv::Rect& inner, const cv::Rect& outer) {
+  return (inner & outer) == inner;
+}
+
+}  // namespace
+
+FrameSearch::FrameSearch(SearchMemory& memory, const VideoConfig& config, const Matcher& matcher,
+                         double stamp, const cv::Mat& picture)
+    : memory_(memory),
+      config_(config),
+      matcher_(matcher),
+      stamp_(stamp),
+      search_(matcher, picture, one_by_one(matcher, memory.request)) {
+  give_up(memory_.sought.update(matcher.objects()));
+  for (const auto& [name, sought] : memory_.sought.all())
+    if (sought.swept_at == Sought::kNever) memory_.debts.owe(name, search_.whole());
+  memory_.changes.update(stamp, picture);
+}
+
+/// What objects that are no longer sought kept away from their places is judged anew.
+void FrameSearch::give_up(const std::vector<std::string>& gone) {
+  for (const auto& name : gone) {
+    for (const auto& one : memory_.known.all())
+      if (one.match.name == name) owe_place(one);
+    memory_.forget(name);
+    for (auto& one : memory_.known.all()) one.others.erase(name);
+  }
+}
+
+SearchResult FrameSearch::look_everywhere() {
+  memory_.last_sweep = stamp_;
+  search_everywhere();
+  return report_of(memory_, matcher_.config(), search_.budget_exceeded());
+}
+
+SearchResult FrameSearch::look_at_changes() {
+  for (auto& known : memory_.known.all()) known.match.fresh = false;
+  const ChangeMap& changes = memory_.changes;
+  if (changes.is_upset() && !changes.settled().empty()) return look_everywhere();
+  note_settled();
+  verify_touched();
+  look_for_hidden();
+  pay_debts(kLost);
+  sweep();
+  pay_debts(kSeen);
+  compare_touched();
+  look_again();
+  return report_of(memory_, matcher_.config(), search_.budget_exceeded());
+}
+
+SearchResult FrameSearch::search(const cv::Rect& region, const std::vector<std::string>& names) {
+  return search_.find(region, names, memory_.sought.radius(names), memory_.clutter,
+                      best_outside(region, names), others(names));
+}
+
+/// The known instances of all but `names`.
+std::vector<Footprint> FrameSearch::others(const std::vector<std::string>& names) const {
+  std::vector<Footprint> footprints;
+  for (const auto& one : memory_.known.all()) {
+    if (std::find(names.begin(), names.end(), one.match.name) != names.end()) continue;
+    cv::Point2f centre;
+    float radius = 0;
+    cv::minEnclosingCircle(one.match.outline, centre, radius);
+    footprints.push_back({{centre, radius}, cv::contourArea(one.match.outline)});
+  }
+  return footprints;
+}
+
+/// Of the known instances of `names` about whose places nothing is searched.
+std::map<std::string, double> FrameSearch::best_outside(
+    const cv::Rect& region, const std::vector<std::string>& names) const {
+  std::map<std::string, double> best;
+  for (const auto& one : memory_.known.all()) {
+    const bool asked = std::find(names.begin(), names.end(), one.match.name) != names.end();
+    if (!asked || !(one.box() & region).empty()) continue;
+    const auto entry = best.try_emplace(one.match.name, one.match.uncalibrated()).first;
+    entry->second = std::max(entry->second, one.match.uncalibrated());
+  }
+  return best;
+}
+
+/// Compares what is known with what a search of `region` found.
+void FrameSearch::compare(const SearchResult& result, const cv::Rect& region) {
+  std::vector<Rival> found = result.rivals;
+  for (const auto& match : result.matches) found.push_back(rival_of(match));
+  for (const auto& name : result.searched)
+    memory_.known.compare(
+        name, found, [&](const cv::Rect& box) { return is_within(touching(box, name), region); });
+}
+
+void FrameSearch::search_everywhere() {
+  const SearchResult result = search(search_.whole(), memory_.sought.names());
+  memory_.known.all().clear();
+  memory_.hidden.clear();
+  for (const auto& name : result.searched) note_swept(name, result);
+  for (const auto& match : result.matches) {
+    memory_.known.all().push_back(known_from(match));
+    memory_.known.all().back().compared_elsewhere = true;
+  }
+  compare(result, search_.whole());
+}
+
+void FrameSearch::note_swept(const std::string& name, const SearchResult& result) {
+  Sought& sought = memory_.sought.at(name);
+  sought.swept_at = stamp_;
+  sought.urgent = sought.lost = false;
+  memory_.debts.forget(name);
+  const auto clutter = result.clutter.find(name);
+  memory_.clutter[name] = clutter == result.clutter.end() ? 0 : clutter->second;
+}
+
+/// Places that have come to rest are owed to every object.
+void FrameSearch::note_settled() {
+  for (const auto& place : memory_.changes.settled())
+    for (const auto& [name, sought] : memory_.sought.all())
+      memory_.debts.owe(name, grown(place, cvRound(kOverhang * sought.radius)) & search_.whole());
+}
+
+bool FrameSearch::is_settled(const cv::Rect& box) const {
+  const auto& settled = memory_.changes.settled();
+  return std::any_of(settled.begin(), settled.end(),
+                     [&](const cv::Rect& place) { return !(place & box).empty(); });
+}
+
+/// Not compared with anything yet: what other objects may lie there is kept by Known::others.
+Known FrameSearch::known_from(const Match& match) const {
+  Known known;
+  known.match = match;
+  auto& own = known.match.competitors;
+  own.erase(std::remove_if(own.begin(), own.end(),
+                           [&](const auto& competitor) { return competitor.name != match.name; }),
+            own.end());
+  known.in_motion = is_in_motion(known.box());
+  return known;
+}
+
+bool FrameSearch::is_in_motion(const cv::Rect& box) const {
+  return memory_.changes.touches(box) && !is_settled(box);
+}
+
+void FrameSearch::verify_touched() {
+  const ChangeMap& changes = memory_.changes;
+  // What was judged in motion holds for that picture alone.
+  std::vector<Known> touched = memory_.known.take([&](const Known& one) {
+    return changes.is_upset() || one.in_motion || changes.touches(one.box());
+  });
+  for (auto& one : touched) {
+    one.looks = 0;
+    one.others.clear();
+    if (is_settled(one.box())) owe_place(one);
+  }
+  for (const auto& one : touched)
+    if (!find_again(one, touched)) memory_.hidden.push_back(one);
+}
+
+/// What was hidden is looked for at its place when something comes to rest about there, for the
+/// last time when the place is on record again, as before or otherwise.
+void FrameSearch::look_for_hidden() {
+  const std::vector<Known> before = std::exchange(memory_.hidden, {});
+  for (const auto& one : before) {
+    const bool changing = memory_.changes.touches(one.box());
+    const bool found = (!changing || is_settled(one.box())) && find_again(one, before);
+    if (changing && !found) memory_.hidden.push_back(one);
+  }
+}
+
+/// Looks for an instance near where it was.
+bool FrameSearch::find_again(const Known& one, const std::vector<Known>& before) {
+  Sought& sought = memory_.sought.at(one.match.name);
+  const auto region = square_about(one.match.pose.position(), sought.reach());
+  const SearchResult result = search(region, {one.match.name});
+  bool found = false;
+  for (const auto& match : result.matches) {
+    admit(match, before);
+    found |= is_continued(one.match, match, sought.reach());
+  }
+  compare(result, region);
+  sought.lost = !found;
+  return found;
+}
+
+/// Once in a while each object is searched everywhere, in turn; one that was found at a new place
+/// at once, for its competitors.
+void FrameSearch::sweep() {
+  const std::string next = memory_.sought.next_to_sweep();
+  if (next.empty()) return;
+  const double turn = config_.sweep_time / static_cast<double>(memory_.sought.all().size());
+  const bool due = stamp_ - memory_.last_sweep >= turn;
+  const bool urgent = memory_.sought.at(next).urgent && search_.spent() < config_.effort;
+  if (due) memory_.last_sweep = stamp_;
+  if (due || urgent) sweep_for(next);
+}
+
+void FrameSearch::sweep_for(const std::string& name) {
+  const SearchResult result = search(search_.whole(), {name});
+  if (result.searched.empty()) return;
+  note_swept(name, result);
+  const auto before = memory_.known.take([&](const Known& one) { return one.match.name == name; });
+  for (const auto& match : result.matches) {
+    Known* admitted = admit(match, before);
+    if (!admitted) continue;
+    admitted->compared_elsewhere = true;
+    admitted->elsewhere.reset();
+  }
+  compare(result, search_.whole());
+}
+
+/// Within the effort, for the objects that are at least as urgent.
+void FrameSearch::pay_debts(Urgency least) {
+  const auto urgency = [this](const std::string& name) { return urgency_of(name); };
+  while (search_.spent() < config_.effort) {
+    const auto due = memory_.debts.next(urgency);
+    if (!due || urgency_of(due->name) > least) return;
+    look_at_uncompared(due->name, due->region);
+    const SearchResult result = search(due->region, {due->name});
+    if (result.searched.empty()) return;
+    const std::vector<Known> before = memory_.known.all();
+    for (const auto& match : result.matches) admit(match, before);
+    compare(result, due->region);
+    memory_.debts.pay(due->name, due->region);
+  }
+}
+
+/// Log-odds compare in one picture only: instances that a search of `region` for `name` is about to
+/// be compared with are searched for in this one, too.
+void FrameSearch::look_at_uncompared(const std::string& name, const cv::Rect& region) {
+  const auto uncompared = memory_.known.take([&](const Known& one) {
+    return !one.match.fresh && one.match.name != name && one.others.count(name) == 0 &&
+           is_within(touching(one.box(), name), region);
+  });
+  for (const auto& one : uncompared) find_again(one, uncompared);
+}
+
+FrameSearch::Urgency FrameSearch::urgency_of(const std::string& name) const {
+  if (memory_.sought.at(name).lost) return kLost;
+  return memory_.known.shows(name) ? kSeen : kUnseen;
+}
+
+/// Within the effort, instances that something still moves about are compared with all objects,
+/// too.
+void FrameSearch::compare_touched() {
+  for (const auto& name : memory_.sought.names())
+    for (std::size_t i = 0; i < memory_.known.all().size(); ++i) {
+      if (search_.spent() >= config_.effort) return;
+      const Known& one = memory_.known.all()[i];
+      if (one.match.name == name || one.others.count(name) > 0) continue;
+      const cv::Rect region = touching(one.box(), name);
+      look_at_uncompared(name, region);
+      const SearchResult result = search(region, {name});
+      const std::vector<Known> before = memory_.known.all();
+      for (const auto& match : result.matches) admit(match, before);
+      compare(result, region);
+    }
+}
+
+/// Instances at rest are searched a few times more, for those who average.
+void FrameSearch::look_again() {
+  if (search_.spent() > 0) return;
+  auto& known = memory_.known.all();
+  const auto least = std::min_element(
+      known.begin(), known.end(), [](const Known& a, const Known& b) { return a.looks < b.looks; });
+  if (least == known.end() || least->looks >= kLooks) return;
+  const std::vector<Known> before{*least};
+  known.erase(least);
+  find_again(before.front(), before);
+}
+
+/// Takes a match among the known instances; null when a better one lies there. `before` may hold
+/// the same instance as it was known.
+Known* FrameSearch::admit(const Match& match, const std::vector<Known>& before) {
+  const double reach = memory_.sought.at(match.name).reach();
+  Known found = known_from(match);
+  const Known* origin = predecessor(before, match, reach);
+  if (origin) {
+    found.take_comparisons(*origin);
+    found.looks = origin->looks + 1;
+  }
+  Known* admitted = memory_.known.admit(found, reach);
+  if (admitted && !origin) announce(*admitted);
+  return admitted;
+}
+
+/// An instance at a new place is compared with all objects there, and with all of the picture.
+void FrameSearch::announce(const Known& one) {
+  Sought& own = memory_.sought.at(one.match.name);
+  own.lost = false;
+  own.urgent = true;
+  owe_place(one);
+}
+
+/// The place of an instance is owed to all other objects.
+void FrameSearch::owe_place(const Known& one) {
+  for (const auto& [name, sought] : memory_.sought.all())
+    if (name != one.match.name) memory_.debts.owe(name, touching(one.box(), name));
+}
+
+/// [px] Reference points of all poses of an object that may touch a box.
+cv::Rect FrameSearch::touching(const cv::Rect& box, const std::string& name) const {
+  return grown(box, cvCeil(memory_.sought.at(name).radius)) & search_.whole();
+}
+
+}  // namespace mbncc

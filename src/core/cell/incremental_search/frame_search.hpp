@@ -1,0 +1,63 @@
+// One picture of a video being searched where that is needed.
+#pragma once
+
+#include <map>
+#include <opencv2/core.hpp>
+#include <string>
+#include <vector>
+
+#include "cell/incremental_search/region_search.hpp"
+#include "cell/incremental_search/search_memory.hpp"
+#include "mbncc/config/video_config.hpp"
+
+namespace mbncc {
+
+class FrameSearch {
+ public:
+  FrameSearch(SearchMemory& memory, const VideoConfig& config, const Matcher& matcher, double stamp,
+              const cv::Mat& picture);
+
+  /// The first picture, or one in which nothing is where it was: everything is searched at once.
+  SearchResult look_everywhere();
+
+  SearchResult look_at_changes();
+
+ private:
+  /// How urgently an object is searched for; the most urgent first.
+  enum Urgency { kLost, kUnseen, kSeen };
+
+  void give_up(const std::vector<std::string>& gone);
+  void search_everywhere();
+  SearchResult search(const cv::Rect& region, const std::vector<std::string>& names);
+  std::map<std::string, double> best_outside(const cv::Rect& region,
+                                             const std::vector<std::string>& names) const;
+  std::vector<Footprint> others(const std::vector<std::string>& names) const;
+  void compare(const SearchResult& result, const cv::Rect& region);
+  void note_swept(const std::string& name, const SearchResult& result);
+  void note_settled();
+  bool is_settled(const cv::Rect& box) const;
+  Known known_from(const Match& match) const;
+  bool is_in_motion(const cv::Rect& box) const;
+  void verify_touched();
+  void look_for_hidden();
+  bool find_again(const Known& one, const std::vector<Known>& before);
+  void sweep();
+  void sweep_for(const std::string& name);
+  void pay_debts(Urgency least);
+  void look_at_uncompared(const std::string& name, const cv::Rect& region);
+  Urgency urgency_of(const std::string& name) const;
+  void compare_touched();
+  void look_again();
+  Known* admit(const Match& match, const std::vector<Known>& before);
+  void announce(const Known& one);
+  void owe_place(const Known& one);
+  cv::Rect touching(const cv::Rect& box, const std::string& name) const;
+
+  SearchMemory& memory_;
+  const VideoConfig& config_;
+  const Matcher& matcher_;
+  const double stamp_;
+  RegionSearch search_;
+};
+
+}  // namespace mbncc

@@ -1,0 +1,133 @@
+#include "cell/incremental_search/instance_list.hpp"
+
+#include <cmath>
+#include <opencv2/imgproc.hpp>
+#include <utility>
+
+#include "matching/decision/conclusion.hpp"
+
+namespace mbncc {
+namespace {
+
+cv::Mat filled(const std::vector<cv::Point2f>& outline, const cv::Rect& box) {
+  std::vector<cv::Point> corners;
+  for (const auto& point : outline)
+    corners.emplace_back(cvRound(point.x) - box.x, cvRound(point.y) - box.y);
+  cv::Mat area = cv::Mat::zeros(box.size(), CV_8UC1);
+  cv::fillPoly(area, std::vector<std::vector<cv::Point>>{corners}, cv::Scalar(255));
+  return area;
+}
+
+double distance(const Match& a, const Match& b) {
+  return cv::norm(a.pose.position() - b.pose.position());
+}
+
+/// `uncalibrated` log-odds on the scale of `match`.
+Competitor competitor_of(const Match& match, const std::string& name, const cv::Point2d& position,
+                         double uncalibrated) {
+  return {name, position, uncalibrated + match.calibration};
+}
+
+}  // namespace
+
+cv::Rect Known::box() const {
+  return cv::boundingRect(match.outline);
+}
+
+void Known::take_comparisons(const Known& before) {
+  const double gain = before.looks > 0 ? match.log_odds - before.match.log_odds : 0;
+  compared_elsewhere = before.compared_elsewhere;
+  elsewhere = before.elsewhere;
+  others = before.others;
+  if (elsewhere) elsewhere->log_odds += gain;
+  for (auto& [name, best] : others)
+    if (best) best->log_odds += gain;
+}
+
+Match Known::judged(const std::vector<std::string>& names, const SearchConfig& config) const {
+  Match result = match;
+  if (elsewhere) result.competitors.push_back(*elsewhere);
+  for (const auto& [name, best] : others)
+    if (best) result.competitors.push_back(*best);
+  const auto is_open = [this](const std::string& name) {
+    return name != match.name && others.count(name) == 0;
+  };
+  const auto open = std::find_if(names.begin(), names.end(), is_open);
+  if (open != names.end()) result.doubts.push_back({false, "not yet compared with " + *open});
+  if (!compared_elsewhere) result.doubts.push_back({false, "not yet compared with other places"});
+  conclude(result, config);
+  // A margin to what has not been searched for is not known.
+  if (open != names.end() || !compared_elsewhere)
+    result.margin_place = std::min(0., result.margin_place);
+  return result;
+}
+
+Rival rival_of(const Match& match) {
+  return {match.name, match.pose.position(), match.uncalibrated(), match.outline};
+}
+
+double outline_overlap(const std::vector<cv::Point2f>& a, const std::vector<cv::Point2f>& b) {
+  const cv::Rect box_a = cv::boundingRect(a), box_b = cv::boundingRect(b);
+  if ((box_a & box_b).empty()) return 0;
+  const cv::Rect both = box_a | box_b;
+  const cv::Mat area_a = filled(a, both), area_b = filled(b, both);
+  const int smaller = std::min(cv::countNonZero(area_a), cv::countNonZero(area_b));
+  return smaller > 0 ? static_cast<double>(cv::countNonZero(area_a & area_b)) / smaller : 0;
+}
+
+bool is_continued(const Match& before, const Match& now, double reach) {
+  return before.name == now.name && distance(before, now) <= reach;
+}
+
+const Known* predecessor(const std::vector<Known>& before, const Match& now, double reach) {
+  const Known* nearest = nullptr;
+  for (const auto& known : before) {
+    if (!is_continued(known.match, now, reach)) continue;
+    if (!nearest || distance(known.match, now) < distance(nearest->match, now)) nearest = &known;
+  }
+  return nearest;
+}
+
+bool InstanceList::shows(const std::string& name) const {
+  return std::any_of(known_.begin(), known_.end(),
+                     [&](const Known& one) { return one.match.name == name; });
+}
+
+Known* InstanceList::admit(Known found, double reach) {
+  const Match& match = found.match;
+  const auto covers = [&](const Known& one) {
+    return outline_overlap(one.match.outline, match.outline) > max_overlap_;
+  };
+  const auto beats = [&](const Known& one) {
+    return covers(one) && !is_continued(one.match, match, reach) && one.match.score >= match.score;
+  };
+  if (std::any_of(known_.begin(), known_.end(), beats)) return nullptr;
+  for (const auto& one : take(covers))
+    if (one.match.name != match.name)
+      found.others[one.match.name] =
+          competitor_of(match, one.match.name, one.match.pose.position(), one.match.uncalibrated());
+  known_.push_back(std::move(found));
+  return &known_.back();
+}
+
+void InstanceList::compare(Known& known, const Rival& rival) const {
+  const bool same = known.match.name == rival.name;
+  const bool here = outline_overlap(known.match.outline, rival.outline) > max_overlap_;
+  if (same ? here || is_explained(rival) : !here) return;
+  std::optional<Competitor>* best = &known.elsewhere;
+  if (!same) {
+    const auto compared = known.others.find(rival.name);
+    if (compared == known.others.end()) return;
+    best = &compared->second;
+  }
+  const auto competitor = competitor_of(known.match, rival.name, rival.position, rival.log_odds);
+  if (!*best || competitor.log_odds > (*best)->log_odds) *best = competitor;
+}
+
+bool InstanceList::is_explained(const Rival& rival) const {
+  return std::any_of(known_.begin(), known_.end(), [&](const Known& one) {
+    return outline_overlap(one.match.outline, rival.outline) > max_overlap_;
+  });
+}
+
+}  // namespace mbncc

@@ -1,0 +1,77 @@
+#include "cell/incremental_search/object_schedule.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace mbncc {
+namespace {
+
+constexpr double kLeastReach = 16;   // [px]
+constexpr double kReachShare = 0.5;  // of the radius
+
+double radius_of(const ObjectModel& model) {
+  double radius = 0;
+  for (const auto& view : model.views)
+    for (const auto& outline : outlines(view))
+      for (const auto& point : outline) radius = std::max(radius, cv::norm(point));
+  return radius;
+}
+
+}  // namespace
+
+double Sought::reach() const {
+  return std::max(kLeastReach, kReachShare * radius);
+}
+
+std::vector<std::string> ObjectSchedule::update(
+    std::vector<std::shared_ptr<const ObjectModel>> models) {
+  if (models == models_) return {};
+  models_ = std::move(models);
+  std::map<std::string, Sought> before = std::exchange(sought_, {});
+  for (const auto& model : models_) {
+    if (!is_wanted(*model)) continue;
+    const auto known = before.find(model->name);
+    if (known != before.end() && known->second.model == model)
+      sought_.insert(before.extract(known));
+    else
+      sought_[model->name] = {model, radius_of(*model)};
+  }
+  std::vector<std::string> gone;
+  for (const auto& [name, sought] : before) gone.push_back(name);
+  return gone;
+}
+
+bool ObjectSchedule::is_wanted(const ObjectModel& model) const {
+  return model.enabled &&
+         (asked_.empty() || std::find(asked_.begin(), asked_.end(), model.name) != asked_.end());
+}
+
+std::vector<std::string> ObjectSchedule::names() const {
+  std::vector<std::string> names;
+  for (const auto& [name, sought] : sought_) names.push_back(name);
+  return names;
+}
+
+double ObjectSchedule::radius(const std::vector<std::string>& names) const {
+  double radius = 0;
+  for (const auto& name : names) radius = std::max(radius, at(name).radius);
+  return radius;
+}
+
+std::string ObjectSchedule::next_to_sweep() const {
+  const auto next =
+      std::min_element(sought_.begin(), sought_.end(), [](const auto& a, const auto& b) {
+        return std::make_pair(!a.second.urgent, a.second.swept_at) <
+               std::make_pair(!b.second.urgent, b.second.swept_at);
+      });
+  return next == sought_.end() ? std::string() : next->first;
+}
+
+std::vector<std::string> ObjectSchedule::unavailable() const {
+  std::vector<std::string> names;
+  std::copy_if(asked_.begin(), asked_.end(), std::back_inserter(names),
+               [this](const auto& name) { return sought_.count(name) == 0; });
+  return names;
+}
+
+}  // namespace mbncc

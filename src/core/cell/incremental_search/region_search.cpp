@@ -1,0 +1,69 @@
+#include "cell/incremental_search/region_search.hpp"
+
+#include <cmath>
+
+namespace mbncc {
+namespace {
+
+constexpr int kMargin = 12;          // [px] about what is looked at
+constexpr int kGrid = 16;            // [px] crops begin at multiples, as pyramids like it
+constexpr double kMostCrop = 0.7;    // share of the picture above which all of it is searched
+constexpr double kLeastCost = 0.25;  // of a search however small the crop, by that of the whole
+
+void shift(SearchResult& result, cv::Point by) {
+  for (auto& match : result.matches) {
+    match.pose.x += by.x;
+    match.pose.y += by.y;
+    for (auto& point : match.outline) point += cv::Point2f(by);
+    for (auto& competitor : match.competitors) competitor.position += cv::Point2d(by);
+  }
+  for (auto& rival : result.rivals) {
+    rival.position += cv::Point2d(by);
+    for (auto& point : rival.outline) point += cv::Point2f(by);
+  }
+}
+
+}  // namespace
+
+cv::Rect grown(const cv::Rect& rect, int by) {
+  return {rect.x - by, rect.y - by, rect.width + 2 * by, rect.height + 2 * by};
+}
+
+SearchResult RegionSearch::find(const cv::Rect& region, const std::vector<std::string>& names,
+                                double radius, const std::map<std::string, double>& clutter,
+                                const std::map<std::string, double>& elsewhere,
+                                const std::vector<Footprint>& occupied) {
+  cv::Rect roi = region & whole();
+  if (!request_.roi.empty()) roi &= request_.roi;
+  SearchResult result;
+  result.searched = names;
+  if (roi.empty() || names.empty()) return result;
+  const cv::Rect crop = crop_about(region, radius);
+  SearchRequest request = request_;
+  request.names = names;
+  request.roi = roi - crop.tl();
+  if (crop != whole()) {
+    request.clutter = clutter;
+    request.elsewhere = elsewhere;
+  }
+  for (auto footprint : occupied) {
+    if (!crop.contains(footprint.circle.centre)) continue;
+    footprint.circle.centre -= cv::Point2d(crop.tl());
+    request.occupied.push_back(footprint);
+  }
+  result = matcher_.find(picture_(crop), request);
+  shift(result, crop.tl());
+  const double share = static_cast<double>(crop.area()) / whole().area();
+  spent_ += static_cast<double>(names.size()) * (kLeastCost + (1 - kLeastCost) * share);
+  budget_exceeded_ |= result.budget_exceeded;
+  return result;
+}
+
+cv::Rect RegionSearch::crop_about(const cv::Rect& region, double radius) const {
+  const cv::Rect wanted = grown(region, static_cast<int>(std::ceil(radius)) + kMargin) & whole();
+  const cv::Point low(wanted.x / kGrid * kGrid, wanted.y / kGrid * kGrid);
+  const cv::Rect crop(low, wanted.br());
+  return crop.area() < kMostCrop * whole().area() ? crop : whole();
+}
+
+}  // namespace mbncc

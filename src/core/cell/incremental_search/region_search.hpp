@@ -1,0 +1,50 @@
+// Searches a part of a picture, at the cost of a part.
+#pragma once
+
+#include <map>
+#include <opencv2/core.hpp>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "mbncc/matching/matcher.hpp"
+
+namespace mbncc {
+
+/// Searches of one picture, which `matcher` and `picture` outlive.
+class RegionSearch {
+ public:
+  /// `request` limits all searches and says how hard to look; its names do not count.
+  RegionSearch(const Matcher& matcher, const cv::Mat& picture, SearchRequest request)
+      : matcher_(matcher), picture_(picture), request_(std::move(request)) {}
+
+  cv::Rect whole() const { return cv::Rect({0, 0}, picture_.size()); }
+
+  /// Searches for reference points in `region` [px], in as little of the picture as objects of
+  /// `radius` [px] take. `clutter` as SearchResult::clutter told of the whole picture, `elsewhere`
+  /// and `occupied` as of SearchRequest.
+  SearchResult find(const cv::Rect& region, const std::vector<std::string>& names, double radius,
+                    const std::map<std::string, double>& clutter,
+                    const std::map<std::string, double>& elsewhere,
+                    const std::vector<Footprint>& occupied);
+
+  /// So far, in searches of one object in the whole picture.
+  double spent() const { return spent_; }
+
+  /// The time budget cut some search short.
+  bool budget_exceeded() const { return budget_exceeded_; }
+
+ private:
+  cv::Rect crop_about(const cv::Rect& region, double radius) const;
+
+  const Matcher& matcher_;
+  const cv::Mat& picture_;
+  const SearchRequest request_;
+  double spent_ = 0;
+  bool budget_exceeded_ = false;
+};
+
+/// `rect` with `by` [px] more on every side.
+cv::Rect grown(const cv::Rect& rect, int by);
+
+}  // namespace mbncc

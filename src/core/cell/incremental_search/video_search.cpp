@@ -1,0 +1,57 @@
+#include "mbncc/cell/video_search.hpp"
+
+#include <chrono>
+
+#include "cell/incremental_search/frame_search.hpp"
+
+namespace mbncc {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+bool same_request(const SearchRequest& a, const SearchRequest& b) {
+  return a.names == b.names && a.roi == b.roi && a.min_score == b.min_score &&
+         a.max_instances == b.max_instances && a.among == b.among;
+}
+
+bool same_limits(const SearchConfig& a, const SearchConfig& b) {
+  return a.min_score == b.min_score && a.max_instances == b.max_instances;
+}
+
+}  // namespace
+
+struct VideoSearch::State {
+  State(const SearchRequest& request, const SearchConfig& config, cv::Size picture_size)
+      : memory(request, config), limits(config), size(picture_size) {}
+
+  bool serves(const SearchRequest& request, const SearchConfig& config, cv::Size picture) const {
+    return picture == size && same_request(memory.request, request) && same_limits(limits, config);
+  }
+
+  SearchMemory memory;
+  SearchConfig limits;
+  cv::Size size;
+};
+
+VideoSearch::VideoSearch(VideoConfig config) : config_(config) {}
+VideoSearch::~VideoSearch() = default;
+VideoSearch::VideoSearch(VideoSearch&&) noexcept = default;
+VideoSearch& VideoSearch::operator=(VideoSearch&&) noexcept = default;
+
+void VideoSearch::reset() {
+  state_.reset();
+}
+
+SearchResult VideoSearch::find(const Matcher& matcher, double stamp, const cv::Mat& picture,
+                               const SearchRequest& request) {
+  if (config_.sweep_time <= 0) return matcher.find(picture, request);
+  const auto start = Clock::now();
+  const bool anew = !state_ || !state_->serves(request, matcher.config(), picture.size());
+  if (anew) state_ = std::make_unique<State>(request, matcher.config(), picture.size());
+  FrameSearch look(state_->memory, config_, matcher, stamp, picture);
+  SearchResult result = anew ? look.look_everywhere() : look.look_at_changes();
+  result.search_time = std::chrono::duration<double>(Clock::now() - start).count();
+  return result;
+}
+
+}  // namespace mbncc

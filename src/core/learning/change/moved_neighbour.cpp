@@ -1,0 +1,113 @@
+#include "learning/change/moved_neighbour.hpp"
+
+#include <algorithm>
+#include <cstdlib>
+#include <opencv2/imgproc.hpp>
+#include <vector>
+
+#include "learning/change/half_size.hpp"
+
+namespace mbncc {
+namespace {
+
+// All lengths are pixels of the halved pictures.
+constexpr int kReach = 8;             // how far a neighbour may have moved
+constexpr int kPatch = 3;             // half the side of the squares that are compared
+constexpr int kStride = 2;            // of the squares
+constexpr int kCompany = 7;           // squares this near must have moved alike
+constexpr int kFewestAlike = 6;       // of them
+constexpr double kPartAlike = 0.4;    // likewise
+constexpr float kNoiseFactor = 3;     // mean square that noise explains, in its variances
+constexpr float kLeftPart = 0.3F;     // of a square's contrast that may be left unexplained
+constexpr float kLeastContrast = 40;  // [grey levels^2] of a square that can be recognised
+
+struct Motion {
+  cv::Point at, by;
+};
+
+// Sum of squares between two squares; stops beyond `limit`.
+float mismatch(const cv::Mat& before, const cv::Point& p, const cv::Mat& after, const cv::Point& q,
+               float limit) {
+  float sum = 0;
+  for (int dy = -kPatch; dy <= kPatch && sum < limit; ++dy) {
+    const float* a = before.ptr<float>(p.y + dy) + 3 * (p.x - kPatch);
+    const float* b = after.ptr<float>(q.y + dy) + 3 * (q.x - kPatch);
+    for (int i = 0; i < 3 * (2 * kPatch + 1); ++i) sum += (a[i] - b[i]) * (a[i] - b[i]);
+  }
+  return sum;
+}
+
+// Sum of squares about the square's mean colour.
+float contrast_of(const cv::Mat& picture, const cv::Point& p) {
+  const cv::Mat square =
+      picture(cv::Rect(p.x - kPatch, p.y - kPatch, 2 * kPatch + 1, 2 * kPatch + 1));
+  cv::Scalar mean, deviation;
+  cv::meanStdDev(square, mean, deviation);
+  return static_cast<float>(deviation.dot(deviation) * static_cast<double>(square.total()));
+}
+
+class NeighbourSearch {
+ public:
+  NeighbourSearch(const cv::Mat& before, const cv::Mat& after, float sigma)
+      : before_(before), after_(after), noise_(kNoiseFactor * 3 * kPixels * sigma * sigma / 4) {}
+
+  // Where the square about `p` has gone; (0, 0) when it is nowhere.
+  cv::Point motion_of(const cv::Point& p) const {
+    const float contrast = contrast_of(before_, p);
+    if (contrast < std::max(kLeastContrast * kPixels, 2 * noise_)) return {};
+    float best = std::max(noise_, kLeftPart * contrast);
+    cv::Point motion;
+    const cv::Rect room(kPatch, kPatch, after_.cols - 2 * kPatch, after_.rows - 2 * kPatch);
+    for (int dy = -kReach; dy <= kReach; ++dy)
+      for (int dx = -kReach; dx <= kReach; ++dx) {
+        const cv::Point q = p + cv::Point(dx, dy);
+        if (!room.contains(q)) continue;
+        const float left = mismatch(before_, p, after_, q, best);
+        if (left >= best) continue;
+        best = left;
+        motion = {dx, dy};
+      }
+    return motion;
+  }
+
+ private:
+  static constexpr float kPixels = (2 * kPatch + 1) * (2 * kPatch + 1);
+
+  const cv::Mat& before_;
+  const cv::Mat& after_;
+  float noise_;
+};
+
+bool in_company(const Motion& motion, const std::vector<Motion>& all) {
+  int near = 0, alike = 0;
+  for (const auto& other : all) {
+    const cv::Point off = other.at - motion.at, by = other.by - motion.by;
+    if (std::max(std::abs(off.x), std::abs(off.y)) > kCompany) continue;
+    ++near;
+    alike += std::max(std::abs(by.x), std::abs(by.y)) <= 1 && other.by != cv::Point();
+  }
+  return alike >= kFewestAlike && alike >= kPartAlike * near;
+}
+
+}  // namespace
+
+cv::Mat moved_neighbours(const cv::Mat& before, const cv::Mat& after, const cv::Mat& changed,
+                         float sigma) {
+  const cv::Mat b = half_size(before, cv::INTER_AREA), a = half_size(after, cv::INTER_AREA);
+  const cv::Mat marked = half_size(changed, cv::INTER_NEAREST);
+  const NeighbourSearch search(b, a, sigma);
+  std::vector<Motion> motions;
+  for (int y = kPatch; y < b.rows - kPatch; y += kStride)
+    for (int x = kPatch; x < b.cols - kPatch; x += kStride)
+      if (marked.at<uchar>(y, x)) motions.push_back({{x, y}, search.motion_of({x, y})});
+  cv::Mat moved = cv::Mat::zeros(b.size(), CV_8UC1), result;
+  for (const auto& motion : motions)
+    if (motion.by != cv::Point() && in_company(motion, motions))
+      moved(
+          cv::Rect(motion.at - cv::Point(kPatch, kPatch), cv::Size(2 * kPatch + 1, 2 * kPatch + 1)))
+          .setTo(255);
+  cv::resize(moved, result, changed.size(), 0, 0, cv::INTER_NEAREST);
+  return result & changed;
+}
+
+}  // namespace mbncc

@@ -1,0 +1,98 @@
+#include "learning/change/phase_shift.hpp"
+
+#include <cmath>
+#include <limits>
+#include <vector>
+
+namespace mbncc {
+namespace {
+
+constexpr int kAround = 2;  // [px] of a peak that tell where it lies between pixels
+
+std::vector<float> half_hanning(int size) {
+  std::vector<float> window(size);
+  for (int i = 0; i < size; ++i)
+    window[i] = static_cast<float>(std::sqrt(0.5 * (1 - std::cos(2 * CV_PI * i / (size - 1)))));
+  return window;
+}
+
+// Under a window whose square is Hanning's, in a frame of a size that is quickly transformed.
+cv::Mat windowed(const cv::Mat& picture) {
+  const auto across = half_hanning(picture.cols), down = half_hanning(picture.rows);
+  cv::Mat framed = cv::Mat::zeros(cv::getOptimalDFTSize(picture.rows),
+                                  cv::getOptimalDFTSize(picture.cols), CV_32FC1);
+  for (int y = 0; y < picture.rows; ++y) {
+    const auto* values = picture.ptr<float>(y);
+    auto* out = framed.ptr<float>(y);
+    for (int x = 0; x < picture.cols; ++x) out[x] = values[x] * (down[y] * across[x]);
+  }
+  return framed;
+}
+
+void normalise(float& real, float& imaginary) {
+  constexpr double kTiny = std::numeric_limits<float>::epsilon();
+  const double square = double{real} * real + double{imaginary} * imaginary;
+  const double factor = std::sqrt(square) / (square + kTiny);
+  real = static_cast<float>(real * factor);
+  imaginary = static_cast<float>(imaginary * factor);
+}
+
+void normalise(float& real) {
+  float none = 0;
+  normalise(real, none);
+}
+
+// A column of numbers whose imaginary parts lie below their real ones; the first has none, and of
+// an even count the last.
+void normalise_column(cv::Mat& spectrum, int x) {
+  normalise(spectrum.at<float>(0, x));
+  for (int y = 1; y + 1 < spectrum.rows; y += 2)
+    normalise(spectrum.at<float>(y, x), spectrum.at<float>(y + 1, x));
+  if (spectrum.rows % 2 == 0) normalise(spectrum.at<float>(spectrum.rows - 1, x));
+}
+
+// Leaves the phases of a real picture's spectrum, packed as cv::dft() does.
+void keep_phases(cv::Mat& spectrum) {
+  normalise_column(spectrum, 0);
+  if (spectrum.cols % 2 == 0) normalise_column(spectrum, spectrum.cols - 1);
+  for (int y = 0; y < spectrum.rows; ++y) {
+    auto* row = spectrum.ptr<float>(y);
+    for (int x = 1; x + 1 < spectrum.cols; x += 2) normalise(row[x], row[x + 1]);
+  }
+}
+
+int wrapped(int place, int size) {
+  return (place + size) % size;
+}
+
+// Centroid of what lies around the highest value, up to half the size in either direction.
+cv::Point2d peak_of(const cv::Mat& correlation) {
+  cv::Point peak;
+  cv::minMaxLoc(correlation, nullptr, nullptr, nullptr, &peak);
+  double sum = std::numeric_limits<double>::epsilon();
+  cv::Point2d off;
+  for (int dy = -kAround; dy <= kAround; ++dy)
+    for (int dx = -kAround; dx <= kAround; ++dx) {
+      const double value = correlation.at<float>(wrapped(peak.y + dy, correlation.rows),
+                                                 wrapped(peak.x + dx, correlation.cols));
+      sum += value;
+      off += value * cv::Point2d(dx, dy);
+    }
+  if (2 * peak.x >= correlation.cols) peak.x -= correlation.cols;
+  if (2 * peak.y >= correlation.rows) peak.y -= correlation.rows;
+  return cv::Point2d(peak) + off / sum;
+}
+
+}  // namespace
+
+cv::Point2d phase_shift(const cv::Mat& before, const cv::Mat& after) {
+  cv::Mat correlation = windowed(before), other = windowed(after);
+  cv::dft(correlation, correlation);
+  cv::dft(other, other);
+  cv::mulSpectrums(correlation, other, correlation, 0, true);
+  keep_phases(correlation);
+  cv::idft(correlation, correlation);
+  return -peak_of(correlation);
+}
+
+}  // namespace mbncc

@@ -1,0 +1,141 @@
+#include "learning/change/photometric_fit.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "learning/change/statistics.hpp"
+
+namespace mbncc {
+namespace {
+
+constexpr int kFinestStep = 3;        // [px] sampling of the pictures
+constexpr double kEnough = 2000;      // samples
+constexpr std::size_t kFewest = 200;  // samples
+constexpr int kRounds = 5;            // of reweighting, at most
+constexpr double kSettled = 0.05;     // [grey levels]
+constexpr double kLeastSpread = 0.5;  // [grey levels] rounding alone
+constexpr double kFrozen = 1e12;      // prior that keeps a term at 0
+
+// One equation: difference = a g + a u gx + a v gy + offset.
+struct Sample {
+  cv::Vec4f terms;
+  float difference;
+
+  float residual(const cv::Vec4f& light) const {
+    return difference -
+           (terms[0] * light[0] + terms[1] * light[1] + terms[2] * light[2] + terms[3] * light[3]);
+  }
+};
+
+using Samples = std::array<std::vector<Sample>, 3>;  // per channel
+
+Samples samples_of(const cv::Mat& before, const cv::Mat& after, const cv::Mat& trusted) {
+  const int step = std::max(kFinestStep, cvRound(std::sqrt(cv::countNonZero(trusted) / kEnough)));
+  Samples samples;
+  cv::Mat row_before, row_after;
+  for (int y = 0; y < after.rows; y += step) {
+    before.row(y).convertTo(row_before, CV_32F);
+    after.row(y).convertTo(row_after, CV_32F);
+    const float v = (y - after.rows / 2) / float(after.rows);
+    for (int x = (y / step) % 2; x < after.cols; x += step) {
+      if (!trusted.at<uchar>(y, x)) continue;
+      const float u = (x - after.cols / 2) / float(after.cols);
+      const auto &b = row_before.at<cv::Vec3f>(x), &a = row_after.at<cv::Vec3f>(x);
+      for (int c = 0; c < 3; ++c)
+        samples[c].push_back({{a[c], a[c] * u, a[c] * v, 1}, b[c] - a[c]});
+    }
+  }
+  return samples;
+}
+
+float spread_of(const std::vector<Sample>& samples, const cv::Vec4d& light) {
+  std::vector<float> residuals;
+  residuals.reserve(samples.size());
+  for (const auto& sample : samples)
+    residuals.push_back(static_cast<float>(std::abs(sample.residual(light))));
+  return deviation_of_mad(std::max(static_cast<float>(kLeastSpread), median(residuals)));
+}
+
+// Weak priors per sample keep terms at 0 that the scene cannot tell apart.
+cv::Matx44d prior(double samples, bool planar) {
+  const double plane = planar ? samples * 40 : kFrozen;
+  return cv::Matx44d::diag({samples * 20, plane, plane, samples * 0.005});
+}
+
+// One weighted least squares step; samples beyond `cut` have no say.
+cv::Vec4d reweighted(const std::vector<Sample>& samples, const cv::Vec4d& light, double cut,
+                     bool planar) {
+  cv::Matx44d normal = prior(static_cast<double>(samples.size()), planar);
+  cv::Vec4d right(0, 0, 0, 0);
+  for (const auto& sample : samples) {
+    const double r = sample.residual(light) / cut;
+    if (std::abs(r) >= 1) continue;
+    const double weight = (1 - r * r) * (1 - r * r);
+    for (int i = 0; i < 4; ++i) {
+      right[i] += weight * sample.terms[i] * sample.difference;
+      for (int j = 0; j <= i; ++j) normal(i, j) += weight * sample.terms[i] * sample.terms[j];
+    }
+  }
+  for (int i = 0; i < 4; ++i)
+    for (int j = i + 1; j < 4; ++j) normal(i, j) = normal(j, i);
+  return normal.solve(right, cv::DECOMP_CHOLESKY);
+}
+
+float median_difference(const std::vector<Sample>& samples) {
+  std::vector<float> differences;
+  differences.reserve(samples.size());
+  for (const auto& sample : samples) differences.push_back(static_cast<float>(sample.difference));
+  return median(differences);
+}
+
+// Largest difference of two lights on a pixel of medium brightness. [grey levels]
+double difference_of(const cv::Vec4d& a, const cv::Vec4d& b) {
+  const cv::Vec4d d = a - b;
+  return 128 * (std::abs(d[0]) + std::abs(d[1]) / 2 + std::abs(d[2]) / 2) + std::abs(d[3]);
+}
+
+ChannelLight fit_channel(const std::vector<Sample>& samples, bool planar) {
+  if (samples.size() < kFewest) return {};
+  cv::Vec4d light(0, 0, 0, median_difference(samples));
+  for (int round = 0; round < kRounds; ++round) {
+    const double cut = (round == 0 ? 4 : 3) * spread_of(samples, light);
+    const cv::Vec4d next = reweighted(samples, light, cut, planar);
+    const bool settled = difference_of(next, light) < kSettled;
+    light = next;
+    if (settled) break;
+  }
+  return {light[0], light[1], light[2], light[3]};
+}
+
+}  // namespace
+
+Light fit_light(const cv::Mat& before, const cv::Mat& after, const cv::Mat& trusted, bool planar) {
+  const Samples samples = samples_of(before, after, trusted);
+  Light light;
+  for (int c = 0; c < 3; ++c) light[c] = fit_channel(samples[c], planar);
+  return light;
+}
+
+cv::Mat apply_light(const cv::Mat& after, const Light& light, const cv::Range& rows) {
+  const cv::Range range = rows == cv::Range::all() ? cv::Range(0, after.rows) : rows;
+  cv::Mat lit;
+  after.rowRange(range).convertTo(lit, CV_32F);
+  for (int y = range.start; y < range.end; ++y) {
+    auto* values = lit.ptr<float>(y - range.start);
+    const double v = (y - after.rows / 2) / double(after.rows);
+    for (int c = 0; c < 3; ++c) {
+      const auto& l = light[c];
+      const auto slope = static_cast<float>(l.gain_x / after.cols);
+      const auto start = static_cast<float>(1 + l.gain + l.gain_y * v - slope * (after.cols / 2));
+      const auto offset = static_cast<float>(l.offset);
+      for (int x = 0; x < after.cols; ++x) {
+        float& value = values[3 * x + c];
+        value = value * (start + slope * static_cast<float>(x)) + offset;
+      }
+    }
+  }
+  return lit;
+}
+
+}  // namespace mbncc

@@ -1,0 +1,195 @@
+#include "learning/likelihood/background_likelihood.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <opencv2/imgproc.hpp>
+
+#include "learning/likelihood/faint_change.hpp"
+#include "learning/likelihood/gradual_light.hpp"
+#include "learning/likelihood/normalized_difference.hpp"
+#include "learning/likelihood/texture_loss.hpp"
+
+namespace mbncc {
+namespace {
+
+constexpr float kStudentFreedom = 30;       // tails of the unchanged term
+constexpr float kShadowWeight = 0.12F;      // prior of a pixel lying in a shadow
+constexpr float kOutlierWeight = 0.03F;     // prior of any colour at all (glints, dust)
+constexpr float kPlatformWeight = 0.0001F;  // prior of platform from elsewhere (something shifted)
+constexpr float kDarkestShadow = 0.3F;      // of the light that is left
+constexpr float kBrightestLight = 3;        // likewise: a shadow in the picture after has gone
+constexpr float kShadowScale = 0.25F;       // log-prior: light is the likelier the less it changed
+constexpr float kShadowTint = 0.1F;      // deviation of one channel, part of the light taken away
+constexpr float kShadowSlope = 0.1F;     // deviation of all channels alike, likewise
+constexpr float kShadowNoise = 1.2F;     // variance of a shadowed pixel, relative
+constexpr int kShadowBox = 7;            // [px] a shadow's depth is averaged over this square
+constexpr float kTextureLost = 6;        // most that covered texture says against a shadow
+constexpr float kTextureKept = 4;        // most that visible texture says for it
+constexpr float kFaintlyChanged = 0.9F;  // probability given to change that only windows show
+constexpr float kGradualLight = 5;       // log-odds of platform that gradual light adds
+constexpr float kHighestRatio = 60;      // cap of the logarithms
+constexpr float kHardlyPossible = 20;    // log-prior against shadows darker than the darkest
+
+// Light that is left: least squares factor of before over after in a small square.
+cv::Mat remaining_light(const cv::Mat& before, const cv::Mat& after) {
+  cv::Mat both(before.size(), CV_32FC1), squares(before.size(), CV_32FC1);
+  for (int y = 0; y < before.rows; ++y) {
+    const auto* b = before.ptr<cv::Vec3f>(y);
+    const auto* a = after.ptr<cv::Vec3f>(y);
+    auto* product = both.ptr<float>(y);
+    auto* square = squares.ptr<float>(y);
+    for (int x = 0; x < before.cols; ++x) {
+      product[x] = a[x].dot(b[x]);
+      square[x] = a[x].dot(a[x]);
+    }
+  }
+  cv::boxFilter(both, both, -1, {kShadowBox, kShadowBox});
+  cv::boxFilter(squares, squares, -1, {kShadowBox, kShadowBox});
+  cv::Mat light;
+  cv::divide(both + 1, squares + 1, light);
+  return light;
+}
+
+// The light that a shadow may leave, or may have taken from the picture after.
+cv::Mat plausible(const cv::Mat& light) {
+  return cv::max(cv::min(light, kBrightestLight), kDarkestShadow);
+}
+
+// How a Gaussian about a predicted picture fits.
+struct Fit {
+  cv::Mat distance;     // CV_32FC1, squared Mahalanobis
+  cv::Mat determinant;  // CV_32FC1, of the covariance
+};
+
+Fit fit_unchanged(const cv::Mat& before, const cv::Mat& after, const cv::Mat& variance,
+                  const cv::Matx33f& correlation) {
+  Fit fit{normalized_difference(before, after, variance, correlation),
+          cv::Mat(before.size(), CV_32FC1)};
+  const auto determinant = static_cast<float>(cv::determinant(correlation));
+  for (int y = 0; y < before.rows; ++y) {
+    const auto* v = variance.ptr<cv::Vec3f>(y);
+    auto* out = fit.determinant.ptr<float>(y);
+    for (int x = 0; x < before.cols; ++x) out[x] = v[x][0] * v[x][1] * v[x][2] * determinant;
+  }
+  return fit;
+}
+
+// Symmetric 3 x 3 matrix by its upper half.
+struct Covariance {
+  float c00, c01, c02, c11, c12, c22;
+
+  // Sets the determinant and returns the squared Mahalanobis distance.
+  float distance(const cv::Vec3f& e, float& determinant) const {
+    const float a00 = c11 * c22 - c12 * c12, a01 = c02 * c12 - c01 * c22,
+                a02 = c01 * c12 - c02 * c11, a11 = c00 * c22 - c02 * c02,
+                a12 = c01 * c02 - c00 * c12, a22 = c00 * c11 - c01 * c01;
+    determinant = c00 * a00 + c01 * a01 + c02 * a02;
+    return (e[0] * e[0] * a00 + e[1] * e[1] * a11 + e[2] * e[2] * a22 +
+            2 * (e[0] * e[1] * a01 + e[0] * e[2] * a02 + e[1] * e[2] * a12)) /
+           determinant;
+  }
+};
+
+// Of a shadowed pixel: noise, a depth that changes within the box, and a tint.
+Covariance shadow_covariance(const cv::Vec3f& after, const cv::Vec3f& variance, float light,
+                             const cv::Matx33f& correlation) {
+  const float lost = 1 - light;
+  const cv::Vec3f noise(std::sqrt(kShadowNoise * variance[0]),
+                        std::sqrt(kShadowNoise * variance[1]),
+                        std::sqrt(kShadowNoise * variance[2]));
+  const cv::Vec3f slope = kShadowSlope * lost * after, tint = kShadowTint * lost * after;
+  const auto entry = [&](int i, int j) {
+    return correlation(i, j) * noise[i] * noise[j] + slope[i] * slope[j];
+  };
+  return {entry(0, 0) + tint[0] * tint[0], entry(0, 1), entry(0, 2),
+          entry(1, 1) + tint[1] * tint[1], entry(1, 2), entry(2, 2) + tint[2] * tint[2]};
+}
+
+Fit fit_shadow(const cv::Mat& before, const cv::Mat& after, const cv::Mat& light,
+               const cv::Mat& variance, const cv::Matx33f& correlation) {
+  Fit fit{cv::Mat(before.size(), CV_32FC1), cv::Mat(before.size(), CV_32FC1)};
+  for (int y = 0; y < before.rows; ++y) {
+    const auto* b = before.ptr<cv::Vec3f>(y);
+    const auto* a = after.ptr<cv::Vec3f>(y);
+    const auto* v = variance.ptr<cv::Vec3f>(y);
+    const auto* k = light.ptr<float>(y);
+    auto* distance = fit.distance.ptr<float>(y);
+    auto* determinant = fit.determinant.ptr<float>(y);
+    for (int x = 0; x < before.cols; ++x)
+      distance[x] = shadow_covariance(a[x], v[x], k[x], correlation)
+                        .distance(b[x] - k[x] * a[x], determinant[x]);
+  }
+  return fit;
+}
+
+// Log-density of Student's distribution, relative to uniform.
+cv::Mat log_student(Fit& fit, float tail) {
+  constexpr float kLogConstant = 2.7568F;  // 1.5 log(2 pi)
+  const float constant = -kLogConstant - log_uniform_colour() - 1.5F * std::log(tail);
+  pool(fit.distance);
+  cv::Mat tails, determinant;
+  cv::log(1 + fit.distance / (tail * kStudentFreedom), tails);
+  cv::log(fit.determinant, determinant);
+  return constant - 0.5F * determinant - 0.5F * (kStudentFreedom + 3) * tails;
+}
+
+// A shadow is the likelier the lighter it is, and leaves the platform's texture visible.
+cv::Mat log_shadow_prior(const cv::Mat& light, const cv::Mat& lost) {
+  cv::Mat prior(light.size(), CV_32FC1);
+  for (int y = 0; y < light.rows; ++y) {
+    const auto* k = light.ptr<float>(y);
+    const auto* loss = lost.ptr<float>(y);
+    auto* out = prior.ptr<float>(y);
+    for (int x = 0; x < light.cols; ++x)
+      out[x] = -std::abs(k[x] - 1) / kShadowScale - (k[x] < kDarkestShadow ? kHardlyPossible : 0) -
+               std::clamp(loss[x], -kTextureKept, kTextureLost);
+  }
+  return prior;
+}
+
+cv::Mat exponential(const cv::Mat& logarithm) {
+  cv::Mat values;
+  cv::exp(cv::min(logarithm, kHighestRatio), values);
+  return values;
+}
+
+// Adds log-odds of platform where `mask` is set.
+void favour_platform(const cv::Mat& mask, float log_odds, BackgroundLikelihood& likelihood) {
+  cv::add(likelihood.log_ratio, log_odds, likelihood.log_ratio, mask);
+  const cv::Mat odds = likelihood.changed / (1 - likelihood.changed) * std::exp(-log_odds);
+  cv::Mat(odds / (1 + odds)).copyTo(likelihood.changed, mask);
+}
+
+}  // namespace
+
+float log_uniform_colour() {
+  static const float value = -3 * std::log(256.F);
+  return value;
+}
+
+BackgroundLikelihood background_likelihood(const cv::Mat& before, const cv::Mat& after,
+                                           const NoiseModel& noise, const ColourMixture& platform) {
+  const cv::Mat variance = noise.variance_picture(after), light = remaining_light(before, after);
+  const cv::Mat lost = texture_loss(before, after, plausible(light), variance);
+  Fit unchanged = fit_unchanged(before, after, variance, noise.correlation);
+  Fit shaded = fit_shadow(before, after, light, variance, noise.correlation);
+  // Before pooling.
+  const Misfit misfit{unchanged.distance.clone(), shaded.distance.clone()};
+  const cv::Mat plain = exponential(log_student(unchanged, noise.tail) +
+                                    std::log(1 - kOutlierWeight - kShadowWeight));
+  const cv::Mat shadow = exponential(log_student(shaded, noise.tail) +
+                                     log_shadow_prior(light, lost) + std::log(kShadowWeight));
+  const cv::Mat elsewhere = platform.densities(before) * std::exp(-log_uniform_colour());
+  const cv::Mat sum = plain + shadow + kPlatformWeight * elsewhere + kOutlierWeight;
+  BackgroundLikelihood result;
+  cv::log(sum, result.log_ratio);
+  result.log_ratio = cv::min(result.log_ratio, kHighestRatio);
+  result.changed = 1 / (1 + sum / 2);
+  const cv::Mat faint = faint_change(misfit, after, variance, noise.tail, result.changed > 0.5);
+  result.changed.setTo(kFaintlyChanged, faint & (result.changed < kFaintlyChanged));
+  favour_platform(gradual_light(before, after, result.changed, lost, noise.sigma(1)), kGradualLight,
+                  result);
+  return result;
+}
+
+}  // namespace mbncc

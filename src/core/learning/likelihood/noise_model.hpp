@@ -1,0 +1,38 @@
+// How much two pictures of the same unchanged surface differ, learned from the pictures themselves.
+#pragma once
+
+#include <array>
+#include <opencv2/core.hpp>
+
+#include "learning/change/align_pictures.hpp"
+
+namespace mbncc {
+
+/// Variance of before - after on unchanged platform:
+///   sigma(channel, brightness)^2 + gradient_part |gradient|^2,
+/// where the second term stands for what a shift of a fraction of a pixel leaves behind.
+/// Compression and demosaicing make the channels err together: a change of colour stands out more
+/// than one of brightness.
+struct NoiseModel {
+  static constexpr int kBins = 16;  ///< of brightness, 16 grey levels each
+  using Channel = std::array<float, kBins>;
+
+  std::array<Channel, 3> variance{};             ///< [grey levels^2]
+  float gradient_part = 0.01F;                   ///< [px^2]
+  cv::Matx33f correlation = cv::Matx33f::eye();  ///< of the channels' differences
+  float tail = 1;  ///< [1..4] factor on the variance: tails heavier than normal
+
+  /// Variance per channel where `after` (CV_32FC3) is the unchanged surface.
+  cv::Vec3f variance_at(const cv::Mat& after, int y, int x) const;
+
+  /// Likewise for all pixels, CV_32FC3.
+  cv::Mat variance_picture(const cv::Mat& after) const;
+
+  /// Standard deviation of a channel, averaged over brightness. [grey levels]
+  float sigma(int channel) const;
+};
+
+/// Learns the model from the trusted pixels of the pair.
+NoiseModel learn_noise(const AlignedPair& pair);
+
+}  // namespace mbncc

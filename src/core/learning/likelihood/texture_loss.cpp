@@ -1,0 +1,57 @@
+#include "learning/likelihood/texture_loss.hpp"
+
+#include <opencv2/imgproc.hpp>
+
+namespace mbncc {
+namespace {
+
+constexpr int kFine = 7;            // [px] texture is what departs from the mean over this square
+constexpr int kWindow = 7;          // [px] and is compared in this one
+constexpr float kSamples = 14;      // that are as good as independent in such a window
+constexpr float kTolerance = .02F;  // part of the texture's power that a shadow may change
+
+// Sums over the channels, averaged over the window.
+struct TexturePower {
+  cv::Mat before, after, common, noise;  // CV_32FC1
+};
+
+cv::Mat fine_texture(const cv::Mat& picture) {
+  cv::Mat mean;
+  cv::blur(picture, mean, {kFine, kFine});
+  return picture - mean;
+}
+
+TexturePower measure(const cv::Mat& before, const cv::Mat& after, const cv::Mat& variance) {
+  const cv::Mat fine_before = fine_texture(before), fine_after = fine_texture(after);
+  cv::Mat powers(before.size(), CV_32FC4);
+  for (int y = 0; y < before.rows; ++y) {
+    const auto* b = fine_before.ptr<cv::Vec3f>(y);
+    const auto* a = fine_after.ptr<cv::Vec3f>(y);
+    const auto* v = variance.ptr<cv::Vec3f>(y);
+    auto* power = powers.ptr<cv::Vec4f>(y);
+    for (int x = 0; x < before.cols; ++x)
+      power[x] = {b[x].dot(b[x]), a[x].dot(a[x]), a[x].dot(b[x]), v[x][0] + v[x][1] + v[x][2]};
+  }
+  cv::blur(powers, powers, {kWindow, kWindow});
+  TexturePower result;
+  cv::Mat* const planes[] = {&result.before, &result.after, &result.common, &result.noise};
+  for (int i = 0; i < 4; ++i) cv::extractChannel(powers, *planes[i], i);
+  return result;
+}
+
+}  // namespace
+
+// Both hypotheses are normal, of the power that they leave: covered, all of the texture before is
+// the object's; visible, only what the dimmed texture does not explain.
+cv::Mat texture_loss(const cv::Mat& before, const cv::Mat& after, const cv::Mat& light,
+                     const cv::Mat& variance) {
+  const TexturePower power = measure(before, after, variance);
+  const cv::Mat dimmed = power.after.mul(light).mul(light);
+  const cv::Mat least = power.noise + kTolerance * dimmed;
+  const cv::Mat unexplained = power.before - 2 * power.common.mul(light) + dimmed;
+  cv::Mat loss;
+  cv::log(cv::max(unexplained, least) / cv::max(power.before, least), loss);
+  return kSamples / 2 * loss;
+}
+
+}  // namespace mbncc

@@ -1,0 +1,56 @@
+#include "mbncc/learning/quality.hpp"
+
+#include "learning/quality/rotation_profile.hpp"
+#include "learning/quality/self_search.hpp"
+#include "learning/quality/verdict.hpp"
+#include "learning/segmentation/map_measures.hpp"
+#include "mbncc/matching/symmetry.hpp"
+#include "mbncc/symmetry.hpp"
+
+namespace mbncc {
+namespace {
+
+// Saves the search another measurement.
+ObjectModel with_known_symmetry(ObjectModel object, int symmetry) {
+  if (is_declarable_symmetry(symmetry)) object.symmetry = symmetry;
+  return object;
+}
+
+// What nearly repeats is not used, but told: no fault, and for the operator to decide.
+void propose(int symmetry, Quality& quality) {
+  if (symmetry == 0) {
+    quality.reasons.push_back("nearly_round");
+    quality.advice.push_back(
+        "The outline is nearly round: declare symmetry round if any angle will do.");
+    return;
+  }
+  const std::string degrees = std::to_string(360 / symmetry);
+  quality.reasons.push_back("nearly_symmetric_" + degrees);
+  quality.advice.push_back("The object looks almost the same after a turn by " + degrees +
+                           " degrees: declare symmetry " + symmetry_text(symmetry) +
+                           " if either angle will do.");
+}
+
+}  // namespace
+
+Quality assess_quality(const ObjectModel& object, const cv::Mat& before, const cv::Mat& changed,
+                       const std::optional<CutEvidence>& evidence, const LearningConfig& config,
+                       const SearchConfig& search) {
+  const View& view = object.views.front();
+  const cv::Rect around = surroundings(view);
+  const cv::Mat map = map_within(view, around);
+  Quality quality;
+  measure_map(before(around), map, quality);
+  if (!changed.empty()) quality.change_agreement = change_agreement(changed(around), map);
+  const MeasuredSymmetry measured = measure_symmetry(view);
+  quality.symmetry = object.symmetry.value_or(measured.certain);
+  search_itself(with_known_symmetry(object, quality.symmetry), before, search, quality);
+  const RotationProfile profile(view, before);
+  quality.angle_halfwidth = profile.fall_to((quality.self_score + quality.runner_up) / 2);
+  decide(quality, touches_border(map), evidence, config, search);
+  if (!object.symmetry && measured.possible != measured.certain)
+    propose(measured.possible, quality);
+  return quality;
+}
+
+}  // namespace mbncc

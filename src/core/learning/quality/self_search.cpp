@@ -1,0 +1,74 @@
+#include "learning/quality/self_search.hpp"
+
+#include <algorithm>
+#include <memory>
+
+#include "learning/change/half_size.hpp"
+#include "mbncc/matching/matcher.hpp"
+
+namespace mbncc {
+namespace {
+
+constexpr double kSamePlace = 0.25;    // of the excircle's radius: nearer is the object itself
+constexpr double kLeastSamePlace = 4;  // [px]
+constexpr double kEnoughRadius = 32;   // [px] what is larger by far is searched at half the size
+
+// The search is asked for whatever is best, however bad.
+SearchRequest anything() {
+  SearchRequest request;
+  request.min_score = 0;
+  request.max_instances = 5;
+  return request;
+}
+
+// The verdict must not depend on who else is searched for, nor on an impatient budget.
+SearchConfig unhurried(SearchConfig search) {
+  search.time_budget = 0;
+  return search;
+}
+
+// The one view of an object and the picture it was learned from, as large as needed.
+struct Reduced {
+  cv::Mat picture;
+  View view;
+  double scale = 1;  // of the learned view
+};
+
+Reduced reduced(const View& view, const cv::Mat& picture) {
+  Reduced result{picture, view, 1};
+  while (excircle(result.view.map).radius >= 2 * kEnoughRadius) {
+    const cv::Mat map = half_size(full_size_map(result.view), cv::INTER_AREA) > 127;
+    if (cv::countNonZero(map) == 0) break;
+    result.scale /= 2;
+    result.picture = half_size(result.picture, cv::INTER_AREA);
+    const Pose2D& reference = result.view.reference;
+    result.view = crop_view(result.picture, map,
+                            {(reference.x - 0.5) / 2, (reference.y - 0.5) / 2, reference.theta});
+  }
+  return result;
+}
+
+}  // namespace
+
+void search_itself(const ObjectModel& object, const cv::Mat& picture, const SearchConfig& search,
+                   Quality& quality) {
+  const Reduced small = reduced(object.views.front(), picture);
+  auto searched = std::make_shared<ObjectModel>(object);
+  searched->views = {small.view};
+  Matcher matcher(unhurried(search));
+  matcher.set_objects({searched}, true);
+  const SearchResult found = matcher.find(small.picture, anything());
+  const double near = std::max(kLeastSamePlace, kSamePlace * excircle(small.view.map).radius);
+  for (const Match& match : found.matches) {
+    const double distance = cv::norm(match.pose.position() - small.view.reference.position());
+    if (distance > near) {
+      quality.runner_up = std::max(quality.runner_up, match.score);
+    } else if (match.score > quality.self_score) {
+      quality.self_score = match.score;
+      quality.self_error = distance / small.scale;
+    }
+  }
+  quality.search_time = found.search_time;
+}
+
+}  // namespace mbncc

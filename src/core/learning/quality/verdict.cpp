@@ -1,0 +1,169 @@
+#include "learning/quality/verdict.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstring>
+#include <limits>
+#include <string>
+
+namespace mbncc {
+namespace {
+
+constexpr double kAlike = 0.7;  // of its own score, from which on something else looks the same
+constexpr double kNever = std::numeric_limits<double>::infinity();  // as a limit
+
+// What can be said against a lesson. A key may have a code of its own for the action's result.
+struct Reason {
+  const char* key;
+  LearnError error;
+  const char* advice;
+};
+
+// Worst first.
+constexpr std::array<Reason, 15> kReasons{{
+    {"touches_image_border", LearnError::kTouchesBorder,
+     "Put the object wholly into the picture and teach again."},
+    {"too_small", LearnError::kTooSmall, "Bring the camera nearer or use a higher resolution."},
+    {"low_texture", LearnError::kLowTexture,
+     "Turn the object's marked side up or improve the light."},
+    {"not_found_again", LearnError::kNotDistinct,
+     "Turn the object's marked side up, or teach it on a plainer background."},
+    {"not_distinct", LearnError::kNotDistinct,
+     "Something else in the picture looks the same and will be found as well: take it away if it "
+     "is "
+     "another object."},
+    {"touches_region_edge", LearnError::kQualityBad,
+     "Draw a larger region, with platform on every side of the object."},
+    {"change_outside_region", LearnError::kQualityBad,
+     "Move only this object between the pictures, and keep arm and hands out of both."},
+    {"change_left_out", LearnError::kQualityBad,
+     "Check whether a part of the object is missing in the map, or something else moved beside "
+     "it."},
+    {"unstable_cut", LearnError::kQualityBad,
+     "Check the outline and correct it by a stroke: a part of it is uncertain."},
+    {"weak_boundary", LearnError::kQualityBad,
+     "Check the outline where the object looks like the background, and correct it by a stroke."},
+    {"little_of_region", LearnError::kQualityBad,
+     "The map fills little of the region: draw the region close around the object, or draw its "
+     "outline."},
+    {"unverified_cut", LearnError::kQualityBad,
+     "Check the outline: from one picture alone, nothing confirms it. Better teach by change."},
+    {"round", LearnError::kQualityBad, "Nothing shows the angle: any angle may be reported."},
+    {"symmetric", LearnError::kQualityBad,
+     "The object looks the same after part of a turn: the angle is known up to that."},
+    {"", LearnError::kQualityBad, ""},
+}};
+
+const Reason& reason_of(const std::string& key) {
+  // Keys may carry a number: symmetric_180.
+  const auto found = std::find_if(kReasons.begin(), kReasons.end(), [&key](const Reason& reason) {
+    return key.compare(0, std::strlen(reason.key), reason.key) == 0;
+  });
+  return found == kReasons.end() ? kReasons.back() : *found;
+}
+
+// Collects reasons; the verdict is that of the worst.
+class Charges {
+ public:
+  explicit Charges(Quality& quality) : quality_(quality) {}
+
+  // Adds the reason when `value` is beyond a limit: at `bad` it refuses, at `marginal` it warns.
+  void above(const char* key, double value, double marginal, double bad) {
+    if (value > bad)
+      add(key, Verdict::kBad);
+    else if (value > marginal)
+      add(key, Verdict::kMarginal);
+  }
+  void below(const char* key, double value, double marginal, double bad) {
+    above(key, -value, -marginal, -bad);
+  }
+  // Worth knowing, but no fault.
+  void note(const std::string& key) {
+    quality_.reasons.push_back(key);
+    quality_.advice.push_back(reason_of(key).advice);
+  }
+
+ private:
+  void add(const char* key, Verdict verdict) {
+    // A refusing reason goes before the warnings that were found earlier.
+    const bool first_bad = verdict > quality_.verdict;
+    const auto at = first_bad ? 0 : static_cast<std::ptrdiff_t>(quality_.reasons.size());
+    quality_.reasons.insert(quality_.reasons.begin() + at, key);
+    quality_.advice.insert(quality_.advice.begin() + at, reason_of(key).advice);
+    quality_.verdict = std::max(quality_.verdict, verdict);
+  }
+
+  Quality& quality_;
+};
+
+// Limits of the risk that the outline is wrong.
+constexpr double kGoodRisk = 0.2;
+constexpr double kBadRisk = 0.5;
+
+// Risk that the map's IoU with the object's silhouette is below .8: a logistic regression on drawn
+// lessons, drawn lessons with the faults of real cameras, and lessons from photographs
+// (docs/design.md, "What a verdict means").
+struct OutlineRisk {
+  double instability, weakness, change, span;  // log-odds
+
+  OutlineRisk(const CutEvidence& evidence, double edge_agreement)
+      : instability(7.7 * (1 - evidence.stability)),
+        weakness(1.75 * (1 - evidence.boundary_contrast) + 2.4 * (1 - edge_agreement)),
+        change(1.6 * std::min(evidence.change_outside, 0.3) +
+               0.9 * std::min(evidence.change_beside, 0.5)),
+        span(evidence.verified ? 0 : 0.3 + 1.4 * (1 - evidence.region_span)) {}
+
+  double probability() const {
+    return 1 / (1 + std::exp(2.5 - instability - weakness - change - span));
+  }
+
+  // What stands out most against a usual good lesson.
+  const char* main_reason() const {
+    const double unstable = instability - 0.5, weak = weakness - 0.5, spanned = span - 0.7;
+    if (unstable >= weak && unstable >= spanned) return "unstable_cut";
+    return weak >= spanned ? "weak_boundary" : "little_of_region";
+  }
+};
+
+void weigh_evidence(const CutEvidence& evidence, Quality& quality, Charges& charges) {
+  charges.above("touches_region_edge", evidence.region_touch, 0.15, kNever);
+  charges.above("change_outside_region", evidence.change_outside, 0.1, 0.5);
+  charges.above("change_left_out", evidence.change_beside, 0.08, kNever);
+  const OutlineRisk risk(evidence, quality.edge_agreement);
+  quality.outline_probability = 1 - risk.probability();
+  charges.above(risk.main_reason(), risk.probability(), kGoodRisk, kBadRisk);
+  charges.above("unverified_cut", evidence.verified ? 0 : 1, 0.5, 1);
+}
+
+// Whatever else looks the same in the picture will be found as well, and is no fault of the map.
+void weigh_search(const Quality& quality, const SearchConfig& search, Charges& charges) {
+  charges.below("not_found_again", quality.self_score, search.confirm_score, search.min_score);
+  if (quality.runner_up > kAlike * quality.self_score) charges.note("not_distinct");
+}
+
+void note_symmetry(int symmetry, Charges& charges) {
+  if (symmetry == 0) charges.note("round");
+  if (symmetry > 1) charges.note("symmetric_" + std::to_string(360 / symmetry));
+}
+
+}  // namespace
+
+void decide(Quality& quality, bool touches_border, const std::optional<CutEvidence>& evidence,
+            const LearningConfig& config, const SearchConfig& search) {
+  quality.verdict = Verdict::kGood;
+  Charges charges(quality);
+  charges.above("touches_image_border", touches_border ? 1 : 0, 0.5, 0.5);
+  charges.below("too_small", quality.area, 2 * config.min_area, config.min_area);
+  charges.below("low_texture", quality.contrast, 6, 2);
+  weigh_search(quality, search, charges);
+  if (evidence) weigh_evidence(*evidence, quality, charges);
+  note_symmetry(quality.symmetry, charges);
+}
+
+LearnError error_of(const Quality& quality) {
+  if (quality.verdict != Verdict::kBad) return LearnError::kSuccess;
+  return reason_of(quality.reasons.front()).error;
+}
+
+}  // namespace mbncc

@@ -1,0 +1,281 @@
+#include "mbncc/learning/change_cut.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <opencv2/imgproc.hpp>
+
+#include "learning/change/align_pictures.hpp"
+#include "learning/change/arrival_test.hpp"
+#include "learning/change/moved_neighbour.hpp"
+#include "learning/change/rectangles.hpp"
+#include "learning/likelihood/background_likelihood.hpp"
+#include "learning/likelihood/object_preference.hpp"
+#include "learning/likelihood/predicted_platform.hpp"
+#include "learning/likelihood/rim_preference.hpp"
+#include "learning/segmentation/clean_map.hpp"
+#include "learning/segmentation/cut_evidence.hpp"
+#include "learning/segmentation/exclusion_votes.hpp"
+#include "learning/segmentation/graph_cut.hpp"
+#include "learning/segmentation/half_smoothness.hpp"
+#include "learning/segmentation/intruders.hpp"
+#include "learning/segmentation/smoothness.hpp"
+
+namespace mbncc {
+namespace {
+
+constexpr float kVoice = 8;          // highest unary of one of two views
+constexpr float kForced = 1000;      // unary of painted pixels
+constexpr float kArrivalUnary = 12;  // log-likelihood ratio given to arrivals
+constexpr int kFewestPixels = 30;    // of a seed worth cutting
+constexpr float kCovered = 2;  // log-likelihood ratio given to what an intruder covers afterwards
+constexpr int kLookedAt = 7;   // [px] square about a painted pixel
+constexpr int kSpeck = 8;      // [px] smaller changed patches are noise
+
+// What one round of cutting works on; all pictures have the crop's size, and their own memory: the
+// pair's are much larger, and a cut lives as long as its lesson.
+class Cutter {
+ public:
+  Cutter(const AlignedPair& pair, const cv::Rect& crop, const cv::Rect& region)
+      : window_(pair.window),
+        crop_(crop),
+        before_(pair.before(crop - pair.window.tl()).clone()),
+        after_(pair.after(crop - pair.window.tl()).clone()),
+        inside_(cv::Mat::zeros(crop.size(), CV_8UC1)),
+        noise_(learn_noise(pair)),
+        platform_(ColourMixture::fit(pair.before, pair.trusted)) {
+    inside_(region - crop.tl()).setTo(255);
+  }
+
+  void explain_background() {
+    background_ = background_likelihood(before_, after_, noise_, platform_);
+  }
+
+  // The changed pixels that the foreground's colours are first learned from.
+  // `surveyed` is the survey's change, of the whole picture; empty without a picture after, where
+  // nothing can have moved or come.
+  bool seed(const cv::Mat& surveyed) {
+    map_ = (background_.changed > 0.5) & inside_;
+    remove_specks(map_, kSpeck);
+    if (!surveyed.empty()) exclude_others(surveyed);
+    keep_main_groups(map_, background_.changed);
+    return cv::countNonZero(map_) >= kFewestPixels;
+  }
+
+  void weigh_edges() {
+    smoothness_ = smoothness(before_, after_, noise_);
+    half_ = half_resolution(smoothness_);
+  }
+
+  void cut() {
+    unary_ = next_unary();
+    cut_by_unary(smoothness_);
+  }
+
+  // Of `smoothness`, half_ is the one at half resolution.
+  void cut_by_unary(const Smoothness& smoothness) {
+    coarse_ = coarse_cut(unary_, half_);
+    cv::Mat next = coarse_.clone();
+    refine_cut(unary_, smoothness, next);
+    if (cv::countNonZero(next) < kFewestPixels) return;
+    keep_main_groups(next, cv::min(unary_, kHighestPreference), kept_);
+    map_ = next;
+  }
+
+  // Blur, demosaicing and compression carry the change over the outline.
+  void cut_rim() {
+    const RimPreference rim = rim_preference(before_, after_, map_, noise_.sigma(1));
+    unary_ = unary_ + rim.log_odds;
+    unary_.setTo(-kHighestPreference, ~inside_);
+    cut_by_unary(smoothness_);
+  }
+
+  void clean() {
+    map_ = clean_map(map_, cv::min(unary_, kHighestPreference), kept_);
+    if (!include_.empty()) map_ = (map_ | include_) & ~exclude_;
+  }
+
+  // This cut's successor that holds to painted pixels; what looks like excluded ones leaves, too.
+  // Smoothness does not draw a stroke's neighbours along: beside a gap there may be a thin part.
+  Cutter painted(const cv::Mat& include, const cv::Mat& exclude) const {
+    Cutter next = *this;
+    next.include_ = include(crop_);
+    next.exclude_ = exclude(crop_);
+    next.inside_ = cv::Mat(inside_ | next.include_);
+    // A part that a stroke cuts off stays the object's.
+    next.kept_ = next.include_ | (map_ & ~next.exclude_);
+    next.unary_ = cv::Mat(unary_ - exclusion_votes({before_, after_, unary_, map_}, next.exclude_));
+    next.unary_.setTo(kForced, next.include_);
+    next.unary_.setTo(-kForced, next.exclude_);
+    const Smoothness free = with_free_rim(with_free_rim(smoothness_, next.include_), next.exclude_);
+    next.half_ = half_resolution(free);
+    next.cut_by_unary(free);
+    next.clean();
+    return next;
+  }
+
+  // This cut's successor that another view has a say in.
+  Cutter informed(const cv::Mat& preference) const {
+    Cutter next = *this;
+    next.other_view_ = preference(crop_);
+    next.cut();
+    next.clean();
+    return next;
+  }
+
+  cv::Mat full_size_map(const cv::Size& size) const {
+    cv::Mat map = cv::Mat::zeros(size, CV_8UC1);
+    map_.copyTo(map(crop_));
+    return map;
+  }
+
+  cv::Mat full_size_preference(const cv::Size& size) const {
+    cv::Mat preference(size, CV_32FC1, cv::Scalar(-kVoice));
+    voice_of(unary_).copyTo(preference(crop_));
+    return preference;
+  }
+
+  CutEvidence evidence() const {
+    const cv::Mat room = intruders_.empty() ? inside_ : cv::Mat(inside_ & ~intruders_);
+    return cut_evidence({map_, coarse_, room, unary_, background_.changed, kept_, vouched()},
+                        smoothness_, half_);
+  }
+
+ private:
+  // Arrivals lie in the picture after: in the one before, they are platform.
+  void exclude(cv::Mat arrivals) {
+    if (cv::countNonZero(arrivals) == 0) return;
+    map_.setTo(0, arrivals);
+    cv::dilate(arrivals, arrivals, cv::getStructuringElement(cv::MORPH_ELLIPSE, {7, 7}));
+    arrivals.setTo(0, map_);
+    background_.changed.setTo(0, arrivals);
+    background_.log_ratio.setTo(kArrivalUnary, arrivals);
+  }
+
+  void exclude_others(const cv::Mat& surveyed) {
+    if (cv::countNonZero((background_.changed > 0.5) & ~inside_) >= kFewestPixels) {
+      exclude_moved_neighbours();
+      exclude_intruders(reaching_border(surveyed(window_))(crop_ - window_.tl()));
+    }
+    exclude(find_arrivals(before_, after_, map_, platform_));
+  }
+
+  // The object lies inside the region: this and the next are looked for only where the change goes
+  // on beyond it.
+  void exclude_moved_neighbours() {
+    const cv::Mat changed = background_.changed > 0.5;
+    const cv::Mat moved = moved_neighbours(before_, after_, changed, noise_.sigma(1));
+    map_.setTo(0, moved);
+    background_.changed.setTo(0, moved);
+    background_.log_ratio.setTo(kArrivalUnary, moved);
+  }
+
+  // What an intruder covers afterwards can be told by colour alone, platform or object.
+  void exclude_intruders(const cv::Mat& from_afar) {
+    const cv::Mat changed = background_.changed > 0.5;
+    intruders_ =
+        find_intruders(before_, after_, changed, changed & ~inside_ & from_afar, platform_, noise_);
+    if (cv::countNonZero(intruders_) == 0) return;
+    map_.setTo(0, intruders_);
+    remove_specks(map_, kSpeck);
+    cv::Mat rim;
+    cv::dilate(intruders_, rim, cv::getStructuringElement(cv::MORPH_ELLIPSE, {5, 5}));
+    intruders_ |= rim & ~map_;
+    background_.changed.setTo(0, intruders_);
+    cv::Mat platform;
+    cv::log(relative_density(platform_, before_) + 1e-3, platform);
+    platform = cv::min(platform + kCovered, kArrivalUnary);
+    platform.copyTo(background_.log_ratio, intruders_);
+  }
+
+  // A view's say in a cut of both: no pixel may outvote the other view by far.
+  static cv::Mat voice_of(const cv::Mat& unary) { return cv::max(cv::min(unary, kVoice), -kVoice); }
+
+  // What lies about the strokes, too, was looked at.
+  cv::Mat vouched() const {
+    if (include_.empty()) return {};
+    cv::Mat vouched;
+    cv::dilate(include_ | exclude_, vouched, cv::Mat::ones(kLookedAt, kLookedAt, CV_8U));
+    return vouched;
+  }
+
+  // Of the object's colours that the map shows now.
+  cv::Mat next_unary() const {
+    const ColourMixture object =
+        ColourMixture::fit(before_, map_, colour_weights(background_.changed, map_));
+    cv::Mat unary = object_preference(before_, object, background_.log_ratio,
+                                      coarse_.empty() ? cv::Mat() : map_);
+    if (!other_view_.empty()) unary = voice_of(unary) + other_view_;
+    unary.setTo(-kHighestPreference, ~inside_);
+    return unary;
+  }
+
+  cv::Rect window_;  // of the aligned pair
+  cv::Rect crop_;
+  cv::Mat before_, after_, inside_;
+  NoiseModel noise_;
+  ColourMixture platform_;
+  BackgroundLikelihood background_;
+  Smoothness smoothness_, half_;  // half_: at half resolution
+  cv::Mat unary_, coarse_, map_;
+  cv::Mat intruders_;          // empty, or of the crop's size
+  cv::Mat other_view_;         // empty, or of the crop's size
+  cv::Mat include_, exclude_;  // both empty, or both of the crop's size
+  cv::Mat kept_;               // likewise: groups that lie there are the object's
+};
+
+ChangeCut result_of(const std::shared_ptr<const Cutter>& cutter, const cv::Size& size) {
+  return {cutter->full_size_map(size), cutter->evidence(),
+          [cutter, size] { return cutter->full_size_preference(size); },
+          [cutter, size](const cv::Mat& include, const cv::Mat& exclude) {
+            return result_of(std::make_shared<Cutter>(cutter->painted(include, exclude)), size);
+          },
+          [cutter, size](const cv::Mat& preference) {
+            return result_of(std::make_shared<Cutter>(cutter->informed(preference)), size);
+          }};
+}
+
+cv::Rect crop_of(const cv::Rect& region, const cv::Size& picture) {
+  const int margin = std::max(6, std::max(region.width, region.height) / 20);
+  return grown(region, margin) & cv::Rect({0, 0}, picture);
+}
+
+ChangeCut cut(const std::shared_ptr<Cutter>& cutter, const cv::Size& size, int iterations,
+              const BeforeCut& before_cut) {
+  cutter->weigh_edges();
+  for (int i = 0; i < iterations; ++i) {
+    if (before_cut) before_cut(i);
+    cutter->cut();
+  }
+  cutter->cut_rim();
+  cutter->clean();
+  return result_of(cutter, size);
+}
+
+ChangeCut nothing(const cv::Size& size) {
+  return {cv::Mat::zeros(size, CV_8UC1), {}, {}, {}, {}};
+}
+
+}  // namespace
+
+ChangeCut change_cut(const cv::Mat& before, const cv::Mat& after, const cv::Rect& region,
+                     const cv::Mat& changed, int iterations, int max_shift,
+                     const BeforeCut& before_cut) {
+  const auto cutter =
+      std::make_shared<Cutter>(align_pictures(before, after, region, changed, max_shift),
+                               crop_of(region, before.size()), region);
+  cutter->explain_background();
+  if (!cutter->seed(changed)) return nothing(before.size());
+  return cut(cutter, before.size(), iterations, before_cut);
+}
+
+ChangeCut region_cut(const cv::Mat& before, const cv::Rect& region, int iterations,
+                     const BeforeCut& before_cut) {
+  const auto cutter = std::make_shared<Cutter>(predict_platform(before, region),
+                                               crop_of(region, before.size()), region);
+  cutter->explain_background();
+  if (!cutter->seed(cv::Mat())) return nothing(before.size());
+  return cut(cutter, before.size(), iterations, before_cut);
+}
+
+}  // namespace mbncc

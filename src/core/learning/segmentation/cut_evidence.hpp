@@ -1,0 +1,31 @@
+// What a finished cut tells about its own reliability.
+#pragma once
+
+#include <opencv2/core.hpp>
+
+#include "learning/segmentation/smoothness.hpp"
+#include "mbncc/learning/quality.hpp"
+
+namespace mbncc {
+
+/// Pictures of one crop.
+struct FinishedCut {
+  cv::Mat map;      ///< CV_8UC1
+  cv::Mat coarse;   ///< CV_8UC1, the cut of `unary` at half resolution
+  cv::Mat inside;   ///< CV_8UC1, 255 in the region
+  cv::Mat unary;    ///< CV_32FC1, what the last cut minimised
+  cv::Mat changed;  ///< CV_32FC1, as in BackgroundLikelihood
+  cv::Mat kept;     ///< CV_8UC1 or empty: groups of pixels that lie there are the object's
+  cv::Mat vouched;  ///< CV_8UC1 or empty: the operator has painted there
+};
+
+/// Part [0..1] of the map's outline within two pixels of the region's edge, or beyond.
+double region_touch(const cv::Mat& map, const cv::Mat& inside);
+
+/// Width or height of the map's box as part [0..1] of the region's box, whichever is less.
+double region_span(const cv::Mat& map, const cv::Mat& inside);
+
+CutEvidence cut_evidence(const FinishedCut& cut, const Smoothness& smoothness,
+                         const Smoothness& half);
+
+}  // namespace mbncc

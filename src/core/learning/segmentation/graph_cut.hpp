@@ -1,0 +1,25 @@
+// Minimum cut on the pixel grid.
+#pragma once
+
+#include <opencv2/core.hpp>
+
+#include "learning/segmentation/smoothness.hpp"
+
+namespace mbncc {
+
+/// The map (0/255) with the least energy: sum of -unary over the object's pixels plus the weights
+/// across its outline. `unary` is CV_32FC1, positive where a pixel prefers to be object.
+cv::Mat minimum_cut(const cv::Mat& unary, const Smoothness& smoothness);
+
+/// The same at half resolution, with `half` = half_resolution(smoothness).
+cv::Mat coarse_cut(const cv::Mat& unary, const Smoothness& half);
+
+/// coarse_cut(unary + tilt, half), given that of tilt 0: the map only grows with the tilt.
+cv::Mat tilted_coarse_cut(const cv::Mat& coarse, const cv::Mat& unary, float tilt,
+                          const Smoothness& half);
+
+/// Cuts again near the outline of a coarse cut and where single pixels disagree with it: hardly
+/// ever another map than the minimum, in a fraction of the time.
+void refine_cut(const cv::Mat& unary, const Smoothness& smoothness, cv::Mat& map);
+
+}  // namespace mbncc

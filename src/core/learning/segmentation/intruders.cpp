@@ -1,0 +1,84 @@
+#include "learning/segmentation/intruders.hpp"
+
+#include <cmath>
+#include <opencv2/imgproc.hpp>
+#include <vector>
+
+#include "learning/change/arrival_test.hpp"
+#include "learning/likelihood/background_likelihood.hpp"
+#include "learning/segmentation/graph_cut.hpp"
+#include "learning/segmentation/smoothness.hpp"
+
+namespace mbncc {
+namespace {
+
+constexpr double kDepartureScore = 1.5;  // from which on something left rather than came
+constexpr int kFewestPixels = 20;        // of a patch of entry
+constexpr float kAnyColour = 0.02F;      // part of an intruder's pixels in colours not seen outside
+constexpr float kColourVoice = 6;        // most that the colour after says
+constexpr float kPlatformVoice = 2;      // most that a likeness to platform says
+constexpr float kPlatformWeight = 0.5F;
+constexpr float kSettled = 30;  // unary of pixels that are no question
+
+cv::Mat log_density(const ColourMixture& mixture, const cv::Mat& picture, float any_colour) {
+  cv::Mat relative = mixture.densities(picture) * std::exp(-log_uniform_colour()), logarithm;
+  cv::log(relative + any_colour, logarithm);
+  return logarithm;
+}
+
+cv::Mat bounded(const cv::Mat& values, float limit) {
+  return cv::max(cv::min(values, limit), -limit);
+}
+
+cv::Mat without_departures(const cv::Mat& before, const cv::Mat& after, const cv::Mat& entry,
+                           const ColourMixture& platform) {
+  cv::Mat kept = cv::Mat::zeros(entry.size(), CV_8UC1), labels;
+  const int count = cv::connectedComponents(entry, labels, 8, CV_32S);
+  const auto scores = departure_scores(before, after, labels, count, platform);
+  for (int i = 1; i < count; ++i) {
+    const cv::Mat patch = labels == i;
+    if (scores[i] < kDepartureScore && cv::countNonZero(patch) >= kFewestPixels) kept |= patch;
+  }
+  return kept;
+}
+
+// The connected patches of `map` that hold a pixel of `seeds`.
+cv::Mat connected_to(const cv::Mat& seeds, const cv::Mat& map) {
+  cv::Mat labels, kept = cv::Mat::zeros(map.size(), CV_8UC1);
+  std::vector<bool> wanted(cv::connectedComponents(map, labels, 8, CV_32S), false);
+  for (int y = 0; y < map.rows; ++y)
+    for (int x = 0; x < map.cols; ++x)
+      if (seeds.at<uchar>(y, x) && map.at<uchar>(y, x)) wanted[labels.at<int>(y, x)] = true;
+  for (int y = 0; y < map.rows; ++y)
+    for (int x = 0; x < map.cols; ++x)
+      if (wanted[labels.at<int>(y, x)]) kept.at<uchar>(y, x) = 255;
+  return kept;
+}
+
+}  // namespace
+
+cv::Mat reaching_border(const cv::Mat& changed) {
+  cv::Mat joined, frame(changed.size(), CV_8UC1, cv::Scalar(255));
+  cv::dilate(changed, joined, cv::Mat());
+  frame(cv::Rect(1, 1, changed.cols - 2, changed.rows - 2)).setTo(0);
+  return connected_to(frame, joined);
+}
+
+cv::Mat find_intruders(const cv::Mat& before, const cv::Mat& after, const cv::Mat& changed,
+                       const cv::Mat& entry, const ColourMixture& platform,
+                       const NoiseModel& noise) {
+  const cv::Mat seeds = without_departures(before, after, entry, platform);
+  const ColourMixture arrived = ColourMixture::fit(after, seeds);
+  if (arrived.empty() || platform.empty()) return cv::Mat::zeros(entry.size(), CV_8UC1);
+  const cv::Mat platform_after = log_density(platform, after, 1e-4F);
+  cv::Mat unary = bounded(log_density(arrived, after, kAnyColour) - platform_after, kColourVoice) +
+                  bounded(kPlatformWeight * (log_density(platform, before, 1e-4F) - platform_after),
+                          kPlatformVoice);
+  cv::Mat reach;
+  cv::dilate(changed, reach, cv::Mat());
+  unary.setTo(-kSettled, ~reach);
+  unary.setTo(kSettled, seeds);
+  return connected_to(seeds, minimum_cut(unary, smoothness(after, before, noise)));
+}
+
+}  // namespace mbncc

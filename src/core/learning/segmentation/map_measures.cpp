@@ -1,0 +1,90 @@
+#include "learning/segmentation/map_measures.hpp"
+
+#include <algorithm>
+#include <opencv2/imgproc.hpp>
+
+#include "learning/change/rectangles.hpp"
+
+namespace mbncc {
+namespace {
+
+constexpr int kReach = 12;        // [px] surroundings of the map that count
+constexpr double kEdgeSlope = 8;  // [grey levels / px] an image edge, well above camera noise
+
+cv::Mat grey_of(const cv::Mat& picture) {
+  cv::Mat grey;
+  cv::cvtColor(picture, grey, cv::COLOR_BGR2GRAY);
+  return grey;
+}
+
+double contrast_under(const cv::Mat& grey, const cv::Mat& map) {
+  cv::Scalar mean, deviation;
+  cv::meanStdDev(grey, mean, deviation, map);
+  return deviation[0];
+}
+
+// Slope of the steepest channel. [grey levels / px]
+cv::Mat steepest_slope(const cv::Mat& picture) {
+  cv::Mat smooth, channels[3], slope = cv::Mat::zeros(picture.size(), CV_32FC1);
+  cv::GaussianBlur(picture, smooth, {3, 3}, 0);
+  cv::split(smooth, channels);
+  for (const cv::Mat& channel : channels) {
+    cv::Mat slope_x, slope_y, magnitude;
+    cv::Sobel(channel, slope_x, CV_32F, 1, 0, 3, 1.0 / 8);
+    cv::Sobel(channel, slope_y, CV_32F, 0, 1, 3, 1.0 / 8);
+    cv::magnitude(slope_x, slope_y, magnitude);
+    slope = cv::max(slope, magnitude);
+  }
+  return slope;
+}
+
+// Part of the outline with an image edge within a pixel.
+double edge_agreement(const cv::Mat& picture, const cv::Mat& map) {
+  cv::Mat slope;
+  cv::dilate(steepest_slope(picture), slope, cv::Mat());
+  const cv::Mat outline = outline_pixels(map);
+  const int length = cv::countNonZero(outline);
+  return length == 0 ? 0 : cv::countNonZero((slope > kEdgeSlope) & outline) / double(length);
+}
+
+cv::Rect surroundings(const cv::Mat& map) {
+  return grown(cv::boundingRect(map), kReach) & cv::Rect({0, 0}, map.size());
+}
+
+}  // namespace
+
+cv::Rect surroundings(const View& view) {
+  return grown({view.origin, view.map.size()}, kReach) & cv::Rect({0, 0}, view.picture_size);
+}
+
+cv::Mat outline_pixels(const cv::Mat& map) {
+  cv::Mat inner;
+  cv::erode(map, inner, cv::getStructuringElement(cv::MORPH_CROSS, {3, 3}), {-1, -1}, 1,
+            cv::BORDER_CONSTANT, cv::Scalar(0));
+  return map & ~inner;
+}
+
+void measure_map(const cv::Mat& picture, const cv::Mat& map, Quality& quality) {
+  const cv::Rect box = surroundings(map);
+  const cv::Mat grey = grey_of(picture(box)), part = map(box);
+  const double radius = std::max(0.5, excircle(part).radius + 0.5);  // out to the pixels' edges
+  quality.area = cv::countNonZero(part);
+  quality.fill = std::min(1.0, quality.area / (kPi * radius * radius));
+  quality.contrast = contrast_under(grey, part);
+  quality.edge_agreement = edge_agreement(picture(box), part);
+}
+
+double change_agreement(const cv::Mat& changed, const cv::Mat& map) {
+  const cv::Rect box = surroundings(map);
+  const cv::Mat change = changed(box), part = map(box);
+  const int either = cv::countNonZero(change | part);
+  return either == 0 ? 0 : cv::countNonZero(change & part) / double(either);
+}
+
+bool touches_border(const cv::Mat& map) {
+  return cv::countNonZero(map.row(0)) + cv::countNonZero(map.row(map.rows - 1)) +
+             cv::countNonZero(map.col(0)) + cv::countNonZero(map.col(map.cols - 1)) >
+         0;
+}
+
+}  // namespace mbncc

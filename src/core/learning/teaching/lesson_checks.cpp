@@ -1,0 +1,170 @@
+#include "learning/teaching/lesson_checks.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <opencv2/imgproc.hpp>
+#include <string>
+
+#include "learning/teaching/lesson_progress.hpp"
+#include "mbncc/symmetry.hpp"
+
+namespace mbncc {
+namespace {
+
+constexpr int kSmallestPicture = 32;      // [px]
+constexpr int kSmallestRegion = 8;        // [px]
+constexpr int kLargestPicture = 1 << 15;  // [px] a side beyond this is no camera's
+constexpr double kFullPart = 0.98;        // of the room, from which on a map is everything
+// Of max_change: an object that leaves displaces less texture than it changes pixels, a camera
+// more.
+constexpr double kDisplaced = 0.75;
+
+void require(bool condition, LearnError error, const std::string& message) {
+  if (!condition) throw LessonEnded(error, message);
+}
+
+std::string size_text(const cv::Size& size) {
+  return std::to_string(size.width) + " x " + std::to_string(size.height);
+}
+
+void check_picture(const cv::Mat& picture, const std::string& which) {
+  require(!picture.empty() && picture.dims == 2, LearnError::kNoImage,
+          "The picture " + which + " is missing.");
+  require(picture.type() == CV_8UC3, LearnError::kNoImage,
+          "The picture " + which + " is not an 8-bit colour picture.");
+  require(picture.rows >= kSmallestPicture && picture.cols >= kSmallestPicture,
+          LearnError::kNoImage,
+          "The picture " + which + " is only " + size_text(picture.size()) + " pixels.");
+  require(picture.rows <= kLargestPicture && picture.cols <= kLargestPicture, LearnError::kNoImage,
+          "The picture " + which + " is too large: " + size_text(picture.size()) + " pixels.");
+}
+
+void check_same_size(const cv::Mat& picture, const cv::Mat& before, const std::string& which) {
+  require(picture.size() == before.size(), LearnError::kImageMismatch,
+          "The " + which + " has " + size_text(picture.size()) + " pixels, the picture before " +
+              size_text(before.size()) + ".");
+}
+
+bool is_finite(const Pose2D& pose) {
+  return std::isfinite(pose.x) && std::isfinite(pose.y) && std::isfinite(pose.theta);
+}
+
+bool is_near(const Pose2D& reference) {
+  return std::max(std::abs(reference.x), std::abs(reference.y)) <= kFarthestReference;
+}
+
+double cross(const cv::Point2d& a, const cv::Point2d& b) {
+  return a.x * b.y - a.y * b.x;
+}
+
+bool segments_cross(const cv::Point2d& a, const cv::Point2d& b, const cv::Point2d& c,
+                    const cv::Point2d& d) {
+  return cross(b - a, c - a) * cross(b - a, d - a) < 0 &&
+         cross(d - c, a - c) * cross(d - c, b - c) < 0;
+}
+
+bool crosses_itself(const std::vector<cv::Point2f>& outline) {
+  const std::size_t n = outline.size();
+  const auto corner = [&](std::size_t i) { return cv::Point2d(outline[i % n]); };
+  for (std::size_t i = 0; i < n; ++i)
+    for (std::size_t j = i + 2; j < n; ++j)
+      if (segments_cross(corner(i), corner(i + 1), corner(j), corner(j + 1))) return true;
+  return false;
+}
+
+}  // namespace
+
+void check_lesson(const Lesson& lesson) {
+  if (!is_valid_name(lesson.name)) throw LessonEnded(LearnError::kNameInvalid);
+  check_picture(lesson.before, "before");
+  if (!lesson.after.empty()) {
+    check_picture(lesson.after, "after");
+    check_same_size(lesson.after, lesson.before, "picture after");
+  }
+  if (!lesson.map.empty()) {
+    check_same_size(lesson.map, lesson.before, "map");
+    require(lesson.map.type() == CV_8UC1, LearnError::kImageMismatch,
+            "The map is not an 8-bit grey picture.");
+  }
+  require(!lesson.reference || is_finite(*lesson.reference), LearnError::kRegionInvalid,
+          "The reference point is not a number.");
+  require(!lesson.reference || is_near(*lesson.reference), LearnError::kRegionInvalid,
+          "The reference point lies more than 131072 pixels off.");
+  require(lesson.object_height >= 0 && lesson.object_height <= kLongestLength,
+          LearnError::kRegionInvalid, "The object's height must be 0 to 10 metres.");
+  require(!lesson.symmetry || is_declarable_symmetry(*lesson.symmetry), LearnError::kRegionInvalid,
+          "The declared symmetry must be 1 (none), 2, 3, 4, 6 or 0 (round).");
+  require(
+      !lesson.click || cv::Rect2d({0, 0}, cv::Size2d(lesson.before.size())).contains(*lesson.click),
+      LearnError::kRegionInvalid, "The click does not lie in the picture.");
+  require(!lesson.map.empty() || !lesson.outline.empty() || lesson.click || !lesson.after.empty() ||
+              lesson.region != cv::Rect(),
+          LearnError::kRegionInvalid,
+          "Nothing says where the object is: no map, outline, click, region or picture after.");
+}
+
+bool is_near_picture(const cv::Point2d& point) {
+  return std::abs(point.x) <= kLargestPicture && std::abs(point.y) <= kLargestPicture;
+}
+
+cv::Rect usable_region(const Lesson& lesson) {
+  const cv::Rect& given = lesson.region;
+  if (given == cv::Rect()) return {{0, 0}, lesson.before.size()};
+  // Far-out numbers overflow the corners of cv::Rect.
+  const auto clipped = [](int start, int length, int limit) {
+    const std::int64_t low = std::max<std::int64_t>(start, 0);
+    const std::int64_t high = std::min<std::int64_t>(std::int64_t{start} + length, limit);
+    return cv::Range(static_cast<int>(std::min<std::int64_t>(low, limit)), static_cast<int>(high));
+  };
+  const cv::Range columns = clipped(given.x, given.width, lesson.before.cols);
+  const cv::Range rows = clipped(given.y, given.height, lesson.before.rows);
+  require(
+      columns.end - columns.start >= kSmallestRegion && rows.end - rows.start >= kSmallestRegion,
+      LearnError::kRegionInvalid, "");
+  return {columns.start, rows.start, columns.end - columns.start, rows.end - rows.start};
+}
+
+cv::Mat outline_map(const Lesson& lesson) {
+  constexpr int kFractionBits = 4;
+  require(lesson.outline.size() >= 3, LearnError::kRegionInvalid,
+          "The outline has fewer than three corners.");
+  require(lesson.outline.size() <= kMostPoints, LearnError::kRegionInvalid,
+          "The outline has more than 4096 corners.");
+  std::vector<cv::Point> corners;
+  for (const auto& corner : lesson.outline) {
+    require(is_near_picture(corner), LearnError::kRegionInvalid,
+            "The outline does not lie in the picture.");
+    corners.emplace_back(cvRound(corner.x * (1 << kFractionBits)),
+                         cvRound(corner.y * (1 << kFractionBits)));
+  }
+  require(!crosses_itself(lesson.outline), LearnError::kRegionInvalid,
+          "The outline crosses itself.");
+  cv::Mat map = cv::Mat::zeros(lesson.before.size(), CV_8UC1);
+  cv::fillPoly(map, std::vector<std::vector<cv::Point>>{corners}, cv::Scalar(255), cv::LINE_8,
+               kFractionBits);
+  require(cv::countNonZero(map) > 0, LearnError::kRegionInvalid,
+          "The outline does not lie in the picture.");
+  return map;
+}
+
+void check_survey(const ChangeSurvey& survey, const LearningConfig& config) {
+  constexpr LearnError kError = LearnError::kChangeTooLarge;
+  require(survey.exposure <= config.max_exposure_change, kError,
+          "The exposure or the light changed between the pictures.");
+  require(survey.unevenness <= config.max_light_change, kError,
+          "The light comes from elsewhere in the second picture.");
+  require(cv::norm(survey.shift) <= config.max_shift, kError,
+          "The camera moved between the pictures.");
+  require(survey.displaced <= kDisplaced * config.max_change, kError,
+          "The scene moved under the camera between the pictures.");
+  require(survey.fraction <= config.max_change, kError, "");
+}
+
+void check_map(const cv::Mat& map, const cv::Rect& room) {
+  const int filled = cv::countNonZero(map);
+  if (filled == 0) throw LessonEnded(LearnError::kSegmentationEmpty);
+  if (filled >= kFullPart * room.area()) throw LessonEnded(LearnError::kSegmentationFull);
+}
+
+}  // namespace mbncc

@@ -1,0 +1,15 @@
+#include "learning/teaching/lesson_progress.hpp"
+
+#include <algorithm>
+
+namespace mbncc {
+
+void LessonProgress::report(Stage stage, double progress, const std::string& message,
+                            const Picture& picture) {
+  if (!observer_) return;
+  highest_ = std::max(highest_, std::min(progress, 1.0));
+  if (!observer_(stage, highest_, message, picture ? picture() : cv::Mat()))
+    throw LessonEnded(LearnError::kCancelled);
+}
+
+}  // namespace mbncc

@@ -1,0 +1,81 @@
+#include "learning/teaching/lesson_region.hpp"
+
+#include <opencv2/imgproc.hpp>
+#include <vector>
+
+#include "learning/change/arrival_test.hpp"
+#include "learning/teaching/click_region.hpp"
+#include "learning/teaching/lesson_checks.hpp"
+#include "learning/teaching/lesson_progress.hpp"
+#include "mbncc/learning/change.hpp"
+
+namespace mbncc {
+namespace {
+
+// Without a place told, the object is where most speaks for its having been taken away: a gripper
+// may have changed more.
+cv::Rect departed_from(const Lesson& lesson, ChangeSurvey& survey) {
+  const bool changed = cv::countNonZero(survey.changed) > 0;
+  const cv::Mat left = departures(lesson.before, lesson.after, survey.changed);
+  survey.changed = cv::Mat(left > 0);  // the one surveyed is kept
+  const std::vector<cv::Rect> places = changed_places(left, survey.noisy);
+  if (changed && places.empty())
+    throw LessonEnded(LearnError::kNoChange, "Something was put down, but nothing was taken away.");
+  return places.empty() ? cv::Rect() : places.front();
+}
+
+// A region that is far larger than all change inside it is narrowed: the work grows with it.
+cv::Rect region_of_change(const Lesson& lesson, const ChangeSurvey& survey, const cv::Rect& room) {
+  constexpr int kFarLarger = 4;
+  if (lesson.click) return room;
+  const cv::Rect narrow = changed_region(survey, room, 0.1);
+  return !narrow.empty() && room.area() > kFarLarger * narrow.area() ? narrow : room;
+}
+
+void survey(const Lesson& lesson, const LearningConfig& config, RegionOfLesson& region) {
+  ChangeSurvey survey = survey_change(lesson.before, lesson.after);
+  check_survey(survey, config);
+  region.surveyed = survey.changed;
+  region.room = is_without_place(lesson) ? departed_from(lesson, survey)
+                                         : region_of_change(lesson, survey, region.room);
+  region.changed = survey.changed;
+}
+
+// The change there, or else what has the colour there.
+void narrow_to_click(const Lesson& lesson, RegionOfLesson& region) {
+  region.approximate = lesson.after.empty() ? grow_from_click(lesson.before, *lesson.click)
+                                            : change_at_click(region.approximate, *lesson.click);
+  ChangeSurvey clicked;
+  clicked.changed = region.approximate;
+  const cv::Rect room = changed_region(clicked, {{0, 0}, lesson.before.size()}, 0);
+  if (!room.empty()) region.room = room;
+}
+
+void approximate(const Lesson& lesson, RegionOfLesson& region) {
+  region.approximate = cv::Mat::zeros(lesson.before.size(), CV_8UC1);
+  region.approximate(region.room).setTo(255);
+  if (!region.changed.empty()) region.approximate &= region.changed;
+  if (lesson.click) narrow_to_click(lesson, region);
+  if (cv::countNonZero(region.approximate) == 0) throw LessonEnded(LearnError::kNoChange);
+}
+
+}  // namespace
+
+bool is_without_place(const Lesson& lesson) {
+  return lesson.region == cv::Rect() && !lesson.click;
+}
+
+RegionOfLesson region_of(const Lesson& lesson, const LearningConfig& config) {
+  RegionOfLesson region;
+  region.room = usable_region(lesson);
+  if (!lesson.after.empty()) survey(lesson, config, region);
+  if (lesson.outline.empty()) {
+    approximate(lesson, region);
+  } else {
+    region.approximate = outline_map(lesson);
+    region.room = cv::boundingRect(region.approximate);
+  }
+  return region;
+}
+
+}  // namespace mbncc

@@ -1,0 +1,250 @@
+#include "learning/teaching/lesson_run.hpp"
+
+#include <algorithm>
+#include <chrono>
+
+#include "learning/teaching/lesson_checks.hpp"
+#include "learning/teaching/lesson_region.hpp"
+#include "learning/teaching/map_cutter.hpp"
+#include "learning/teaching/put_aside.hpp"
+#include "learning/teaching/stage_pictures.hpp"
+#include "learning/teaching/step_timer.hpp"
+#include "mbncc/learning/change.hpp"
+#include "mbncc/learning/quality.hpp"
+
+namespace mbncc {
+namespace {
+
+constexpr double kRefines = 0.75;  // agreement of two views, above which both make the map
+constexpr double kDoubted = 0.2;   // change outside its region that forbids a map to be GOOD
+
+bool refines(const NewPlace& place) {
+  return place.agreement >= kRefines;
+}
+
+class LessonRun {
+ public:
+  LessonRun(LessonState& state, const LearningConfig& config, const SearchConfig& search,
+            const StageObserver& observer)
+      : state_(state),
+        lesson_(state.lesson),
+        config_(config),
+        search_(search),
+        progress_(observer),
+        result_(state.result),
+        cutter_(lesson_, config_, progress_, result_.timings_ms) {}
+
+  void learn() {
+    check_lesson(lesson_);
+    if (is_shown_by_change_alone()) {
+      find_place();
+    } else {
+      acquire_map();
+    }
+    finish(*state_.cut);
+  }
+
+  void edit(const LessonEdit& edit) {
+    state_.marks = painted(state_.marks, edit, lesson_.before.size());
+    if (edit.reference) lesson_.reference = edit.reference;
+    check_lesson(lesson_);
+    if (edit.region != cv::Rect()) {
+      point_at(edit.region);
+      acquire_map();
+    }
+    finish(cutter_.cut_again(*state_.cut, state_.marks));
+  }
+
+ private:
+  void acquire_map() {
+    state_.cut = cutter_.acquire_map();
+    keep_changed();
+    look_for_put_aside();
+  }
+
+  void keep_changed() {
+    if (!cutter_.task().changed.empty()) state_.changed = cutter_.task().changed;
+  }
+
+  void finish(const Segmentation& segmentation) {
+    make_model(segmentation.map);
+    if (const auto& place = state_.new_place)
+      result_.put_aside = PutAside{compose(place->motion, result_.object.views.front().reference),
+                                   place->agreement, refines(*place)};
+    judge(segmentation);
+  }
+
+  // What was put aside within the view shows the object once more: a second opinion on the map.
+  void look_for_put_aside() {
+    state_.new_place.reset();
+    if (!state_.cut->cut_with) return;
+    const StepTimer timer(result_.timings_ms, "put_aside");
+    make_model(state_.cut->map);
+    state_.new_place = place_put_aside(state_.cut->map);
+    if (!state_.new_place || !refines(*state_.new_place)) return;
+    state_.cut = state_.cut->cut_with(state_.new_place->preference);
+  }
+
+  // Of the object that was just modelled from `map`.
+  std::optional<NewPlace> place_put_aside(const cv::Mat& map) const {
+    return find_put_aside(result_.object, map, cutter_.task(), cutter_.surveyed(), config_,
+                          search_);
+  }
+
+  bool is_shown_by_change_alone() const {
+    return is_without_place(lesson_) && lesson_.map.empty() && lesson_.outline.empty();
+  }
+
+  // Where nobody says which change is meant, it is the one that most speaks for; unless another one
+  // is confirmed by its lying elsewhere now, and this one is not.
+  void find_place() {
+    cutter_.mark_region();
+    keep_changed();
+    state_.cut = cutter_.segment_if_possible(Room::kMayGrow);
+    if (state_.cut && !state_.cut->cut_with) return;
+    if (state_.cut) look_for_put_aside();
+    if (state_.new_place || reconsider_place()) return;
+    if (!state_.cut)
+      state_.cut = cutter_.segment(Room::kMayGrow);  // throws: tells why there is none
+    doubt_parts(*state_.cut);
+  }
+
+  // One of a map's parts may be where the object was put: a change outside the other one.
+  static void doubt_parts(Segmentation& cut) {
+    if (!cut.evidence || large_parts(cut.map).empty()) return;
+    cut.evidence->change_outside = std::max(cut.evidence->change_outside, kDoubted);
+  }
+
+  bool reconsider_place() {
+    const SegmentationTask first = cutter_.task();
+    const cv::Mat& tried = state_.cut ? state_.cut->map : first.approximate;
+    const StepTimer timer(result_.timings_ms, "put_aside");
+    for (const cv::Rect& place : large_parts(tried))
+      if (left_from(place, Room::kStays)) return true;
+    for (const cv::Rect& place : places_elsewhere(cutter_.surveyed(), tried))
+      if (left_from(place, Room::kMayGrow)) return true;
+    cutter_.set_task(first);
+    return false;
+  }
+
+  // Did the object leave from `place`, and lie elsewhere now? Then it is learned there.
+  bool left_from(const cv::Rect& place, Room room) {
+    cutter_.look_at(place);
+    const std::optional<Segmentation> other = cutter_.segment_if_possible(room);
+    if (!other || !other->cut_with) return false;
+    make_model(other->map);
+    const auto found = place_put_aside(other->map);
+    if (!found) return false;
+    state_.changed = cutter_.surveyed();
+    state_.new_place = found;
+    state_.cut = refines(*found) ? other->cut_with(found->preference) : *other;
+    return true;
+  }
+
+  // From here on, the lesson is taught by this region.
+  void point_at(const cv::Rect& region) {
+    lesson_.region = region;
+    lesson_.map = cv::Mat();
+    lesson_.outline.clear();
+    lesson_.click.reset();
+    if (lesson_.after.empty() && config_.method == "change_cut")
+      throw LessonEnded(LearnError::kNoImage, "The method change_cut needs a picture after.");
+  }
+
+  void make_model(const cv::Mat& map) {
+    if (map.data == modelled_.data) return;
+    modelled_ = map;
+    const cv::Point2d centre = centroid(map);
+    const Pose2D reference = lesson_.reference.value_or(Pose2D{centre.x, centre.y, 0});
+    ObjectModel& object = result_.object;
+    object.name = lesson_.name;
+    object.label = lesson_.label.empty() ? lesson_.name : lesson_.label;
+    object.object_height = lesson_.object_height;
+    object.symmetry = lesson_.symmetry;
+    object.learned_at =
+        std::chrono::duration<double>(std::chrono::system_clock::now().time_since_epoch()).count();
+    object.views = {crop_view(lesson_.before, map, reference)};
+  }
+
+  void judge(const Segmentation& segmentation) {
+    const StepTimer timer(result_.timings_ms, "quality");
+    progress_.report(Stage::kQuality, 0.85, "Judging the lesson.");
+    result_.evidence = segmentation.evidence;
+    Quality& quality = result_.object.quality;
+    quality = assess_quality(result_.object, lesson_.before, state_.changed, segmentation.evidence,
+                             config_, search_);
+    // A ready map is never refused for quality: the verdict warns, no more.
+    if (!lesson_.map.empty() && quality.verdict == Verdict::kBad)
+      quality.verdict = Verdict::kMarginal;
+    result_.has_model = true;
+    progress_.report(Stage::kQuality, 1,
+                     std::string("Verdict: ") + to_string(quality.verdict) + ".",
+                     [&] { return outlined(lesson_.before, segmentation.map); });
+    conclude(error_of(quality));
+  }
+
+  bool region_reaches_out() const {
+    const cv::Rect& region = lesson_.region;
+    const cv::Rect2d given(region.x, region.y, region.width, region.height);
+    const cv::Rect2d picture({0, 0}, cv::Size2d(lesson_.before.size()));
+    return region != cv::Rect() && (given & picture) != given;
+  }
+
+  void conclude(LearnError error) {
+    if (error == LearnError::kTouchesBorder && region_reaches_out()) {
+      result_.error = LearnError::kRegionInvalid;
+      result_.message =
+          "The region reaches out of the picture, and what is left of it was taken "
+          "for the object up to the picture's border.";
+      result_.hint = "Give a region inside the picture with background on every side.";
+      return;
+    }
+    result_.error = error;
+    result_.message = message_of(error);
+    result_.hint = hint_of(error);
+    if (error != LearnError::kSuccess) result_.hint = result_.object.quality.advice.front();
+  }
+
+  LessonState& state_;
+  Lesson& lesson_;
+  const LearningConfig& config_;
+  const SearchConfig& search_;
+  LessonProgress progress_;
+  LearnResult& result_;
+  MapCutter cutter_;
+  cv::Mat modelled_;  // the map that the result's object was made from
+};
+
+// Runs `steps` and turns the end of a lesson into values.
+template <class Steps>
+void conclude(LearnResult& result, Steps&& steps) {
+  result = LearnResult();
+  const StepTimer timer(result.timings_ms, "total");
+  try {
+    steps();
+  } catch (const LessonEnded& ended) {
+    result.error = ended.error();
+    result.message = ended.what();
+    result.hint = hint_of(ended.error());
+    result.has_model = false;
+  }
+}
+
+}  // namespace
+
+void run_lesson(LessonState& state, const LearningConfig& config, const SearchConfig& search,
+                const StageObserver& observer) {
+  conclude(state.result, [&] { LessonRun(state, config, search, observer).learn(); });
+}
+
+void run_edit(LessonState& state, const LessonEdit& edit, const LearningConfig& config,
+              const SearchConfig& search, const StageObserver& observer) {
+  const bool has_map = state.result.has_model;
+  conclude(state.result, [&] {
+    if (!has_map)
+      throw LessonEnded(LearnError::kRegionInvalid, "There is no map to be edited yet.");
+    LessonRun(state, config, search, observer).edit(edit);
+  });
+}
+
+}  // namespace mbncc

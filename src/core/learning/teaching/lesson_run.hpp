@@ -1,0 +1,33 @@
+// The steps of a lesson, and of an edit of it.
+#pragma once
+
+#include <optional>
+
+#include "learning/teaching/lesson_progress.hpp"
+#include "learning/teaching/marks.hpp"
+#include "learning/teaching/put_aside.hpp"
+#include "learning/teaching/segmenter.hpp"
+#include "mbncc/learning/interactive_lesson.hpp"
+
+namespace mbncc {
+
+/// All that a lesson has led to so far. Copies share pictures: none is changed in place.
+struct LessonState {
+  Lesson lesson;
+  Marks marks;
+  cv::Mat changed;                    ///< the survey's; empty until there was one
+  std::optional<Segmentation> cut;    ///< before any marks; none until there was one
+  std::optional<NewPlace> new_place;  ///< of an object put aside within the view
+  LearnResult result;
+};
+
+/// Learns from state.lesson; fills in the rest of it. Never throws LessonEnded: `state.result`
+/// tells how it ended.
+void run_lesson(LessonState& state, const LearningConfig& config, const SearchConfig& search,
+                const StageObserver& observer);
+
+/// Applies `edit` to a state that has a model and judges again, likewise.
+void run_edit(LessonState& state, const LessonEdit& edit, const LearningConfig& config,
+              const SearchConfig& search, const StageObserver& observer);
+
+}  // namespace mbncc

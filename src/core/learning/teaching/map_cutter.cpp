@@ -1,0 +1,118 @@
+#include "learning/teaching/map_cutter.hpp"
+
+#include <algorithm>
+
+#include "learning/change/rectangles.hpp"
+#include "learning/teaching/click_region.hpp"
+#include "learning/teaching/lesson_checks.hpp"
+#include "learning/teaching/lesson_region.hpp"
+#include "learning/teaching/stage_pictures.hpp"
+#include "learning/teaching/step_timer.hpp"
+
+namespace mbncc {
+namespace {
+
+constexpr int kClickMargin = 6;      // [px] about the clicked piece
+constexpr double kClickPart = 0.15;  // likewise, of its longer side
+constexpr double kTouching = 0.04;   // part of the outline on the region's edge that asks for more
+
+}  // namespace
+
+MapCutter::MapCutter(const Lesson& lesson, const LearningConfig& config, LessonProgress& progress,
+                     std::map<std::string, double>& timings_ms)
+    : lesson_(lesson), config_(config), progress_(progress), timings_ms_(timings_ms) {}
+
+// A ready map is the teacher's word, and so is an outline unless a method is asked to refine it.
+Segmentation MapCutter::acquire_map() {
+  if (!lesson_.map.empty()) return accept(lesson_.map > 127);
+  if (!lesson_.outline.empty() && config_.method == "auto") return accept(outline_map(lesson_));
+  mark_region();
+  return segment(Room::kMayGrow);
+}
+
+Segmentation MapCutter::accept(const cv::Mat& map) {
+  check_map(map, {{0, 0}, map.size()});
+  progress_.report(Stage::kRegion, 0.1, "Taking the map as it is.",
+                   [&] { return outlined(lesson_.before, map); });
+  return {map, std::nullopt, {}, {}};
+}
+
+void MapCutter::mark_region() {
+  const StepTimer timer(timings_ms_, "region");
+  const RegionOfLesson region = region_of(lesson_, config_);
+  task_ = {lesson_.before, lesson_.after, region.room, region.approximate, region.changed};
+  surveyed_ = region.surveyed;
+  progress_.report(Stage::kRegion, 0.1, "Marking the approximate region.",
+                   [&] { return tinted(task_.before, task_.approximate, task_.region); });
+}
+
+void MapCutter::look_at(const cv::Rect& place) {
+  task_.region = place;
+  task_.changed = surveyed_;
+}
+
+Segmentation MapCutter::segment(Room room) {
+  Segmentation found = segment_once();
+  if (room == Room::kMayGrow && widen(found)) found = segment_once();
+  return lesson_.click ? clicked(found) : found;
+}
+
+// A click means one connected thing: neighbours that left as well are cut off with the region.
+Segmentation MapCutter::clicked(const Segmentation& found) {
+  const cv::Mat piece = piece_at(found.map, *lesson_.click);
+  check_map(piece, task_.region);
+  if (cv::countNonZero(piece) == cv::countNonZero(found.map)) return found;
+  const cv::Rect box = cv::boundingRect(piece);
+  const int margin =
+      std::max(kClickMargin, static_cast<int>(kClickPart * std::max(box.width, box.height)));
+  task_.region = grown(box, margin) & usable_region(lesson_);
+  Segmentation alone = segment_once();
+  alone.map = piece_at(alone.map, *lesson_.click);
+  check_map(alone.map, task_.region);
+  return alone;
+}
+
+std::optional<Segmentation> MapCutter::segment_if_possible(Room room) {
+  try {
+    return segment(room);
+  } catch (const LessonEnded& ended) {
+    if (ended.error() == LearnError::kCancelled) throw;
+    return std::nullopt;
+  }
+}
+
+Segmentation MapCutter::segment_once() {
+  const StepTimer timer(timings_ms_, "segment");
+  Segmentation segmentation =
+      segmenter_of(config_.method, !task_.after.empty())(task_, config_, progress_);
+  check_map(segmentation.map, task_.region);
+  progress_.report(Stage::kSegment, 0.8, "The object is cut out.",
+                   [&] { return outlined(task_.before, segmentation.map); });
+  return segmentation;
+}
+
+// A region that nobody drew may have been found too small. False: there is nothing to widen.
+bool MapCutter::widen(const Segmentation& found) {
+  if (!lesson_.outline.empty() || !found.evidence) return false;
+  if (found.evidence->region_touch <= kTouching) return false;
+  const int margin = std::max(task_.region.width, task_.region.height) / 2;
+  const cv::Rect wider = grown(task_.region, margin) & usable_region(lesson_);
+  if (wider == task_.region) return false;
+  task_.region = wider;
+  return true;
+}
+
+Segmentation MapCutter::cut_again(const Segmentation& cut, const Marks& marks) {
+  if (marks.empty()) return cut;
+  const StepTimer timer(timings_ms_, "segment");
+  progress_.report(Stage::kSegment, 0.2, "Cutting the object out again.");
+  Segmentation segmentation = cut.cut_again
+                                  ? cut.cut_again(marks)
+                                  : Segmentation{overpainted(cut.map, marks), cut.evidence, {}, {}};
+  check_map(segmentation.map, {{0, 0}, segmentation.map.size()});
+  progress_.report(Stage::kSegment, 0.8, "The object is cut out.",
+                   [&] { return outlined(lesson_.before, segmentation.map); });
+  return segmentation;
+}
+
+}  // namespace mbncc

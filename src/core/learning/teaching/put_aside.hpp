@@ -1,0 +1,35 @@
+// The object put aside within the view: where it lies in the picture after.
+#pragma once
+
+#include <opencv2/core.hpp>
+#include <optional>
+#include <vector>
+
+#include "learning/teaching/segmenter.hpp"
+#include "mbncc/config/search_config.hpp"
+#include "mbncc/object_model.hpp"
+
+namespace mbncc {
+
+struct NewPlace {
+  Pose2D motion;         ///< [px],[rad] takes points of the object from before to after
+  double agreement = 0;  ///< [0..1] IoU of the learned map there with a map cut out there
+  cv::Mat preference;    ///< CV_32FC1, that cut's, warped onto the picture before
+};
+
+/// Looks where something changed elsewhere for the object just learned (one view) and its `map` of
+/// the picture's size. `changed` is the survey's, arrivals included. None when nothing that arrived
+/// is the object.
+std::optional<NewPlace> find_put_aside(const ObjectModel& object, const cv::Mat& map,
+                                       const SegmentationTask& task, const cv::Mat& changed,
+                                       const LearningConfig& config, const SearchConfig& search);
+
+/// Other places [px] of `changed` that the object may have left, if it did not leave from `map`:
+/// the few largest, which do not touch it.
+std::vector<cv::Rect> places_elsewhere(const cv::Mat& changed, const cv::Mat& map);
+
+/// Boxes [px] of a few large connected parts of a map, with little margin; none when it is in one
+/// piece. Each may be a place of its own.
+std::vector<cv::Rect> large_parts(const cv::Mat& map);
+
+}  // namespace mbncc

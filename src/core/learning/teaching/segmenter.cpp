@@ -1,0 +1,123 @@
+#include "learning/teaching/segmenter.hpp"
+
+#include <opencv2/imgproc.hpp>
+#include <stdexcept>
+
+#include "learning/segmentation/clean_map.hpp"
+#include "learning/segmentation/cut_evidence.hpp"
+#include "mbncc/learning/change_cut.hpp"
+#include "mbncc/learning/sb_grabcut.hpp"
+
+namespace mbncc {
+namespace {
+
+// The cuts take the middle part of a lesson.
+double segment_progress(int iteration, int iterations) {
+  return 0.2 + 0.6 * iteration / iterations;
+}
+
+BeforeCut report_cuts(const LearningConfig& config, LessonProgress& progress) {
+  return [&config, &progress](int iteration) {
+    progress.report(Stage::kSegment, segment_progress(iteration, config.iterations),
+                    "Cutting the object out, round " + std::to_string(iteration + 1) + " of " +
+                        std::to_string(config.iterations) + ".");
+  };
+}
+
+// Colours around the map and the marks, one GrabCut round.
+cv::Mat grabcut_again(const cv::Mat& map, const Marks& marks, const SegmentationTask& task) {
+  const cv::Rect room = task.region | cv::boundingRect(marks.include);
+  const cv::Rect crop = grabcut_crop(room, map.size());
+  cv::Mat labels(map.size(), CV_8UC1, cv::Scalar(cv::GC_BGD));
+  labels(room).setTo(cv::GC_PR_BGD);
+  labels.setTo(cv::GC_PR_FGD, map);
+  labels.setTo(cv::GC_FGD, marks.include);
+  labels.setTo(cv::GC_BGD, marks.exclude);
+  cv::Mat result = cv::Mat::zeros(map.size(), CV_8UC1);
+  repeatable_grabcut(task.before(crop), labels(crop), 1).copyTo(result(crop));
+  return overpainted(clean_map(result), marks);
+}
+
+// Colours alone tell nothing about how good a cut is.
+Segmentation unverified(const cv::Mat& raw, const SegmentationTask& task) {
+  const cv::Mat map = clean_map(raw);
+  cv::Mat inside = cv::Mat::zeros(map.size(), CV_8UC1);
+  inside(task.region).setTo(255);
+  CutEvidence evidence;
+  evidence.verified = false;
+  evidence.region_touch = region_touch(map, inside);
+  evidence.region_span = region_span(map, inside);
+  const auto cut_again = [map, evidence, task](const Marks& marks) -> Segmentation {
+    return {grabcut_again(map, marks, task), evidence, {}, {}};
+  };
+  return {map, evidence, cut_again, {}};
+}
+
+Segmentation by_sb_grabcut(const SegmentationTask& task, const LearningConfig& config,
+                           LessonProgress& progress) {
+  return unverified(
+      sb_grabcut(task.before, task.region, task.approximate, config.superpixel_method,
+                 config.superpixels, config.iterations, report_cuts(config, progress)),
+      task);
+}
+
+Segmentation by_grabcut_rect(const SegmentationTask& task, const LearningConfig& config,
+                             LessonProgress& progress) {
+  return unverified(
+      grabcut_rect(task.before, task.region, config.iterations, report_cuts(config, progress)),
+      task);
+}
+
+Segmentation by_grabcut_mask(const SegmentationTask& task, const LearningConfig& config,
+                             LessonProgress& progress) {
+  return unverified(grabcut_mask(task.before, task.region, task.approximate, config.iterations,
+                                 report_cuts(config, progress)),
+                    task);
+}
+
+Segmentation segmentation_of(const ChangeCut& cut) {
+  Segmentation result{cut.map, cut.evidence, {}, {}};
+  if (!cut.cut_again) return result;
+  result.cut_again = [cut](const Marks& marks) {
+    Segmentation again = segmentation_of(cut.cut_again(marks.include, marks.exclude));
+    again.map = overpainted(again.map, marks);
+    return again;
+  };
+  result.cut_with = [cut](const cv::Mat& preference) {
+    return segmentation_of(cut.cut_with(preference));
+  };
+  return result;
+}
+
+Segmentation by_change_cut(const SegmentationTask& task, const LearningConfig& config,
+                           LessonProgress& progress) {
+  if (task.after.empty())
+    throw LessonEnded(LearnError::kNoImage, "The method change_cut needs a picture after.");
+  const ChangeCut cut =
+      change_cut(task.before, task.after, task.region, task.changed, config.iterations,
+                 config.max_shift, report_cuts(config, progress));
+  return segmentation_of(cut);
+}
+
+Segmentation by_region_cut(const SegmentationTask& task, const LearningConfig& config,
+                           LessonProgress& progress) {
+  Segmentation result = segmentation_of(
+      region_cut(task.before, task.region, config.iterations, report_cuts(config, progress)));
+  if (result.evidence) result.evidence->verified = false;
+  result.cut_with = nullptr;
+  return result;
+}
+
+}  // namespace
+
+Segmenter segmenter_of(const std::string& method, bool has_after) {
+  if (method == "auto") return segmenter_of(has_after ? "change_cut" : "region_cut", has_after);
+  if (method == "change_cut") return by_change_cut;
+  if (method == "region_cut") return by_region_cut;
+  if (method == "sb_grabcut") return by_sb_grabcut;
+  if (method == "grabcut_rect") return by_grabcut_rect;
+  if (method == "grabcut_mask") return by_grabcut_mask;
+  throw std::invalid_argument("unknown learning method '" + method + "'");
+}
+
+}  // namespace mbncc

@@ -1,0 +1,43 @@
+// One interface for all ways of cutting the object out of its picture.
+#pragma once
+
+#include <functional>
+#include <opencv2/core.hpp>
+#include <optional>
+#include <string>
+
+#include "learning/teaching/lesson_progress.hpp"
+#include "learning/teaching/marks.hpp"
+#include "mbncc/config/learning_config.hpp"
+#include "mbncc/learning/quality.hpp"
+
+namespace mbncc {
+
+/// What a segmenter starts from. All pictures have one size, the region lies inside.
+struct SegmentationTask {
+  cv::Mat before;       ///< CV_8UC3
+  cv::Mat after;        ///< CV_8UC3, or empty
+  cv::Rect region;      ///< [px] the object lies in here
+  cv::Mat approximate;  ///< CV_8UC1, 255 on the paper's approximate region
+  cv::Mat changed;      ///< CV_8UC1, 255 where the pictures differ anywhere; empty without `after`
+};
+
+struct Segmentation {
+  cv::Mat map;                          ///< CV_8UC1 of the picture's size, 0/255; may be all 0
+  std::optional<CutEvidence> evidence;  ///< how sure the cut is of itself, where it can tell
+  /// Cuts again from where it stood, holding to marks of the picture's size; none: a map that was
+  /// given ready.
+  std::function<Segmentation(const Marks& marks)> cut_again;
+  /// A further cut that adds another view's log-odds per pixel, as in ChangeCut; none for other
+  /// methods.
+  std::function<Segmentation(const cv::Mat& preference)> cut_with;
+};
+
+using Segmenter =
+    std::function<Segmentation(const SegmentationTask&, const LearningConfig&, LessonProgress&)>;
+
+/// `method` as in LearningConfig; "auto" depends on the task having an `after` picture.
+/// Throws std::invalid_argument for an unknown method.
+Segmenter segmenter_of(const std::string& method, bool has_after);
+
+}  // namespace mbncc

@@ -1,0 +1,90 @@
+#include "matching/decision/conclusion.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <iomanip>
+#include <sstream>
+
+#include "matching/decision/margins.hpp"
+#include "matching/decision/score_calibration.hpp"
+#include "matching/evidence/contour_alternative.hpp"
+
+namespace mbncc {
+namespace {
+
+constexpr double kStrange = 0.2;  // chroma: a part of another colour is no part of the object
+
+std::string number(double value, int digits) {
+  std::ostringstream text;
+  text << std::fixed << std::setprecision(digits) << value;
+  return text.str();
+}
+
+/// The pose is known well enough to reach for; the angle of a round object does not matter.
+void doubt_deviations(const Match& match, const cv::Matx33d& c, const SearchConfig& config,
+                      std::vector<Doubt>& doubts) {
+  const double x = std::sqrt(c(0, 0)), y = std::sqrt(c(1, 1));
+  const double angle = match.symmetry == 0 ? 0 : to_degrees(std::sqrt(c(2, 2)));
+  if (!(x <= config.max_place_deviation && y <= config.max_place_deviation))
+    doubts.push_back({false, "position known to " + number(std::max(x, y), 1) + " px only"});
+  if (!(angle <= config.max_angle_deviation))
+    doubts.push_back({false, "angle known to " + number(angle, 1) + " degrees only"});
+}
+
+std::string text_of(const Competitor& competitor, double margin) {
+  return "competitor " + competitor.name + " at " + number(competitor.position.x, 0) + ", " +
+         number(competitor.position.y, 0) + " (margin " + number(margin, 1) + ")";
+}
+
+/// The one with the highest log-odds; null: none.
+const Competitor* best_of(const std::vector<Competitor>& competitors) {
+  const auto best = std::max_element(
+      competitors.begin(), competitors.end(),
+      [](const Competitor& a, const Competitor& b) { return a.log_odds < b.log_odds; });
+  return best == competitors.end() ? nullptr : &*best;
+}
+
+}  // namespace
+
+std::vector<Doubt> doubts_about(const Match& match, const Detection& detection,
+                                const cv::Matx33d& cautious, double instance_margin,
+                                const SearchConfig& config) {
+  // Asked so that what is not a number is a doubt.
+  std::vector<Doubt> doubts;
+  if (!(match.margin_angle >= config.min_margin_angle))
+    doubts.push_back({true, "angle open (margin " + number(match.margin_angle, 1) + ")"});
+  if (!(detection.strange <= kStrange)) doubts.push_back({true, "colour of a part differs"});
+  if (detection.turned_over) doubts.push_back({true, "mirrored fits as well"});
+  if (detection.torn) doubts.push_back({false, "upper and lower part lie apart"});
+  if (detection.another_size) doubts.push_back({true, "another size fits better"});
+  if (!(match.score >= config.confirm_score))
+    doubts.push_back({false, "score " + number(match.score, 2) + " is below confirm_score"});
+  if (detection.elsewhere >= kNotExamined)
+    doubts.push_back({false, "too unlikely to be examined"});
+  else if (!(detection.elsewhere <= kContradicts))
+    doubts.push_back({false, "outline fits better beside it"});
+  if (!convincing(detection, instance_margin)) doubts.push_back({false, "evidence too weak"});
+  doubt_deviations(match, cautious, config, doubts);
+  if (!(match.visible >= config.min_visible))
+    doubts.push_back({false, number(100 * (1 - match.visible), 0) + " % outside"});
+  return doubts;
+}
+
+void conclude(Match& match, const SearchConfig& config) {
+  const Competitor* best = best_of(match.competitors);
+  const double margin = best ? match.log_odds - best->log_odds : kNoCompetitor;
+  match.margin_place = margin > kNoCompetitor ? kNoCompetitor : margin;
+  bool ambiguous = !(match.margin_place >= config.min_margin_place);
+  match.reasons.clear();
+  if (ambiguous)
+    match.reasons.push_back(best ? text_of(*best, match.margin_place)
+                                 : "min_margin_place is above the largest margin");
+  for (const auto& doubt : match.doubts) {
+    ambiguous |= doubt.ambiguous;
+    match.reasons.push_back(doubt.text);
+  }
+  match.graspable = match.reasons.empty();
+  match.ambiguous = ambiguous && match.score >= config.confirm_score;
+}
+
+}  // namespace mbncc

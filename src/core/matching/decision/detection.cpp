@@ -1,0 +1,42 @@
+#include "matching/decision/detection.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace mbncc {
+
+bool at_one_place(const Detection& a, const Detection& b) {
+  constexpr double kApart = 0.4;  // of the radius
+  return cv::norm(a.pose.position() - b.pose.position()) <= kApart * b.view->shape.radius();
+}
+
+double Detection::score() const {
+  return 1 / (1 + std::exp(-calibrated()));
+}
+
+std::vector<Detection> compare_rotations(std::vector<Detection> detections) {
+  const auto better = [](const Detection& a, const Detection& b) {
+    return a.log_odds > b.log_odds;
+  };
+  std::stable_sort(detections.begin(), detections.end(), better);
+  std::vector<Detection> compared;
+  while (!detections.empty()) {
+    const Detection best = detections.front();
+    const auto others =
+        std::stable_partition(detections.begin(), detections.end(), [&](const Detection& one) {
+          return one.log_odds >= best.log_odds - kComparable && at_one_place(one, best);
+        });
+    double most = best.rotation_odds;
+    for (auto one = detections.begin(); one != others; ++one)
+      most = std::max(most, one->rotation_odds);
+    for (auto one = detections.begin(); one != others; ++one) {
+      one->log_odds = best.log_odds - (most - one->rotation_odds);
+      compared.push_back(*one);
+    }
+    detections.erase(detections.begin(), others);
+  }
+  std::stable_sort(compared.begin(), compared.end(), better);
+  return compared;
+}
+
+}  // namespace mbncc

@@ -1,0 +1,82 @@
+#include "matching/decision/margins.hpp"
+
+#include <algorithm>
+
+namespace mbncc {
+namespace {
+
+constexpr double kOtherAngle = to_radians(10);
+
+/// Of the object's frame, which its views share.
+double object_angle(const Detection& detection) {
+  return detection.pose.theta + detection.view->reference_in_anchor.theta;
+}
+
+bool same_object(const Detection& a, const Detection& b) {
+  return a.object == b.object;
+}
+
+/// The best detection but `detection` for which `competes` holds, which is asked only of those that
+/// matter; null: none.
+template <class Predicate>
+const Detection* best_competitor(const Detection& detection, const std::vector<Detection>& all,
+                                 Predicate&& competes) {
+  const Detection* best = nullptr;
+  for (const auto& other : all)
+    if (&other != &detection && (!best || other.log_odds > best->log_odds) && competes(other))
+      best = &other;
+  return best;
+}
+
+double margin_to(const Detection& detection, const Detection* other) {
+  return other ? std::min(kNoCompetitor, detection.log_odds - other->log_odds) : kNoCompetitor;
+}
+
+}  // namespace
+
+bool overlapping(const Detection& a, const Detection& b, double most) {
+  return overlap(a.view->shape, a.pose, b.view->shape, b.pose) > most;
+}
+
+double angle_margin(const Detection& detection, const std::vector<Detection>& all,
+                    double max_overlap) {
+  return margin_to(detection, best_competitor(detection, all, [&](const Detection& other) {
+                     return same_object(other, detection) &&
+                            angle_distance(object_angle(other), object_angle(detection),
+                                           detection.view->symmetry) > kOtherAngle &&
+                            overlapping(detection, other, max_overlap);
+                   }));
+}
+
+double instance_margin(const Detection& detection, const std::vector<Detection>& all,
+                       const std::map<std::string, double>& elsewhere, double max_overlap) {
+  const double margin = margin_to(
+      detection, best_competitor(detection, all, [&](const Detection& other) {
+        return same_object(other, detection) && !overlapping(detection, other, max_overlap);
+      }));
+  const auto best = elsewhere.find(detection.object->model->name);
+  return best == elsewhere.end() ? margin : std::min(margin, detection.log_odds - best->second);
+}
+
+const Detection* competing_place(const Detection& detection, const std::vector<Detection>& all,
+                                 const std::vector<const Detection*>& accepted,
+                                 double max_overlap) {
+  const auto explained = [&](const Detection& other) {
+    return std::any_of(accepted.begin(), accepted.end(), [&](const Detection* one) {
+      return one == &other || overlapping(other, *one, max_overlap);
+    });
+  };
+  return best_competitor(detection, all, [&](const Detection& other) {
+    return same_object(other, detection) && !overlapping(detection, other, max_overlap) &&
+           !explained(other);
+  });
+}
+
+const Detection* competing_object(const Detection& detection, const std::vector<Detection>& all,
+                                  double max_overlap) {
+  return best_competitor(detection, all, [&](const Detection& other) {
+    return !same_object(other, detection) && overlapping(detection, other, max_overlap);
+  });
+}
+
+}  // namespace mbncc

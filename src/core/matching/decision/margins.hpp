@@ -1,0 +1,36 @@
+// How far detections are ahead of what competes with them.
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "matching/decision/detection.hpp"
+
+namespace mbncc {
+
+/// [log-odds] Margin where nothing else was found.
+constexpr double kNoCompetitor = 20;
+
+/// Two detections overlap by more than this part of the smaller map: they claim one place.
+bool overlapping(const Detection& a, const Detection& b, double most);
+
+/// Margin to the best other rotation of the same object at the detection's place, negative where
+/// that one is better.
+double angle_margin(const Detection& detection, const std::vector<Detection>& all,
+                    double max_overlap);
+
+/// Margin to the best other place of the same object, accepted ones included. `elsewhere`: as of
+/// SearchRequest, of all objects.
+double instance_margin(const Detection& detection, const std::vector<Detection>& all,
+                       const std::map<std::string, double>& elsewhere, double max_overlap);
+
+/// The best other place of the same object that is no part of an accepted instance; null: none.
+const Detection* competing_place(const Detection& detection, const std::vector<Detection>& all,
+                                 const std::vector<const Detection*>& accepted, double max_overlap);
+
+/// The best of other objects at the detection's place; null: none.
+const Detection* competing_object(const Detection& detection, const std::vector<Detection>& all,
+                                  double max_overlap);
+
+}  // namespace mbncc

@@ -1,0 +1,28 @@
+#include "matching/decision/score_calibration.hpp"
+
+#include <algorithm>
+
+namespace mbncc {
+
+double calibration(const Detection& detection, double angle_margin, double instance_margin) {
+  constexpr double kUsual = 0.42;
+  constexpr double kPerAgreement = 11.7, kFirm = -0.15, kLoose = 0.08;
+  constexpr double kPerAngle = 0.4, kFarBehind = 8;      // log-odds
+  constexpr double kPerInstance = 0.3, kMuchBetter = 5;  // log-odds
+  return kUsual - kPerAgreement * std::clamp(detection.elsewhere, kFirm, kLoose) -
+         kPerAngle * std::max(0.0, kFarBehind - angle_margin) -
+         kPerInstance * std::max(0.0, -instance_margin - kMuchBetter);
+}
+
+bool convincing(const Detection& detection, double instance_margin) {
+  constexpr double kCertain = 5.5, kLikely = 3;       // log-odds, calibrated
+  constexpr double kTexture = 0.6;                    // correlation without shading
+  constexpr double kLoose = 0.01, kLooseCertain = 7;  // agreement; log-odds
+  constexpr double kBehind = 3, kLikeCertain = 9;     // log-odds
+  if (detection.elsewhere > kLoose && detection.log_odds < kLooseCertain) return false;
+  if (instance_margin < -kBehind && detection.log_odds < kLikeCertain) return false;
+  const double odds = detection.calibrated();
+  return odds >= kCertain || (odds >= kLikely && detection.projected >= kTexture);
+}
+
+}  // namespace mbncc

@@ -1,0 +1,143 @@
+#include "matching/decision/selection.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "matching/decision/clutter.hpp"
+#include "matching/decision/conclusion.hpp"
+#include "matching/decision/margins.hpp"
+#include "matching/decision/score_calibration.hpp"
+
+namespace mbncc {
+namespace {
+
+int count_of(const std::vector<const Detection*>& accepted, const PreparedObject* object) {
+  return static_cast<int>(
+      std::count_if(accepted.begin(), accepted.end(),
+                    [object](const Detection* other) { return other->object == object; }));
+}
+
+double min_score_of(const Detection& detection, const AcceptanceSettings& acceptance) {
+  if (acceptance.min_score) return *acceptance.min_score;
+  return detection.object->model->min_score.value_or(acceptance.config.min_score);
+}
+
+std::vector<const Detection*> accept(const std::vector<Detection>& detections,
+                                     const AcceptanceSettings& acceptance) {
+  std::vector<const Detection*> accepted;
+  for (const auto& detection : detections) {
+    if (acceptance_score(detection, acceptance.config) < min_score_of(detection, acceptance))
+      continue;
+    if (count_of(accepted, detection.object) >= acceptance.max_instances) continue;
+    const bool covered =
+        std::any_of(accepted.begin(), accepted.end(), [&](const Detection* better) {
+          return overlapping(detection, *better, acceptance.config.max_overlap);
+        });
+    if (!covered) accepted.push_back(&detection);
+  }
+  return accepted;
+}
+
+cv::Matx33d moved_to_reference(const cv::Matx33d& covariance, cv::Point2d lever) {
+  // Turning about the anchor moves the reference point at the lever's end sideways.
+  const cv::Matx33d jacobian(1, 0, -lever.y, 0, 1, lever.x, 0, 0, 1);
+  return jacobian * covariance * jacobian.t();
+}
+
+/// Once margins can be told, and before anything is accepted.
+void calibrate(std::vector<Detection>& detections, const AcceptanceSettings& acceptance) {
+  const double max_overlap = acceptance.config.max_overlap;
+  for (auto& detection : detections)
+    detection.calibration =
+        calibration(detection, angle_margin(detection, detections, max_overlap),
+                    instance_margin(detection, detections, acceptance.elsewhere, max_overlap));
+}
+
+/// [px] the reference point as seen from the anchor of what was found.
+cv::Point2d lever_of(const Detection& detection) {
+  return detection.size * detection.view->reference_in_anchor.position();
+}
+
+/// Of the object's frame.
+Pose2D object_pose(const Detection& detection) {
+  const cv::Point2d lever = lever_of(detection);
+  return compose(detection.pose, {lever.x, lever.y, detection.view->reference_in_anchor.theta});
+}
+
+std::vector<cv::Point2f> outline_at(const Detection& detection) {
+  const Pose2D pose = object_pose(detection);
+  std::vector<cv::Point2f> outline;
+  for (const auto& point : detection.view->outline)
+    outline.emplace_back(transform(pose, detection.size * cv::Point2d(point)));
+  return outline;
+}
+
+/// `other` on the scale of `match`, which is of `detection`.
+Competitor competitor_of(const Match& match, const Detection& detection, const Detection& other) {
+  return {other.object->model->name, object_pose(other).position(),
+          match.log_odds - (detection.log_odds - other.log_odds)};
+}
+
+Match to_match(const Detection& detection, const std::vector<Detection>& all,
+               const std::vector<const Detection*>& accepted,
+               const AcceptanceSettings& acceptance) {
+  const SearchConfig& config = acceptance.config;
+  const ObjectModel& model = *detection.object->model;
+  const PreparedView& view = *detection.view;
+  Match match;
+  match.name = model.name;
+  match.revision = model.revision;
+  match.pose = object_pose(detection);
+  const cv::Point2d lever = rotate(lever_of(detection), detection.pose.theta);
+  match.covariance = moved_to_reference(detection.covariance, lever);
+  match.scale = view.scale * detection.size;
+  match.score = acceptance_score(detection, config);
+  match.log_odds = detection.calibrated();
+  match.calibration = detection.calibration;
+  match.similarity = detection.similarity;
+  for (const Detection* other : {competing_place(detection, all, accepted, config.max_overlap),
+                                 competing_object(detection, all, config.max_overlap)})
+    if (other) match.competitors.push_back(competitor_of(match, detection, *other));
+  match.margin_angle = angle_margin(detection, all, config.max_overlap);
+  match.visible = detection.visible;
+  match.symmetry = view.symmetry;
+  match.outline = outline_at(detection);
+  match.doubts = doubts_about(
+      match, detection, moved_to_reference(detection.cautious, lever),
+      instance_margin(detection, all, acceptance.elsewhere, config.max_overlap), config);
+  conclude(match, config);
+  return match;
+}
+
+std::vector<Rival> rivals_of(const std::vector<const Detection*>& accepted,
+                             const std::vector<Detection>& detections) {
+  std::vector<Rival> rivals;
+  for (const auto& detection : detections)
+    if (std::find(accepted.begin(), accepted.end(), &detection) == accepted.end())
+      rivals.push_back({detection.object->model->name, object_pose(detection).position(),
+                        detection.log_odds, outline_at(detection)});
+  return rivals;
+}
+
+}  // namespace
+
+double acceptance_score(const Detection& detection, const SearchConfig& config) {
+  return config.accept_by == "similarity" ? std::max(0.0, detection.similarity) : detection.score();
+}
+
+Selection select_matches(std::vector<Detection> detections, const AcceptanceSettings& acceptance) {
+  Selection selection;
+  selection.clutter = apply_clutter_penalty(detections, acceptance.clutter, acceptance.rarity);
+  calibrate(detections, acceptance);
+  std::stable_sort(
+      detections.begin(), detections.end(), [&](const Detection& a, const Detection& b) {
+        return acceptance_score(a, acceptance.config) > acceptance_score(b, acceptance.config);
+      });
+  const auto accepted = accept(detections, acceptance);
+  for (const Detection* detection : accepted)
+    selection.matches.push_back(to_match(*detection, detections, accepted, acceptance));
+  selection.rivals = rivals_of(accepted, detections);
+  return selection;
+}
+
+}  // namespace mbncc

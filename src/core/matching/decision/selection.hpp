@@ -1,0 +1,37 @@
+// From refined poses to the matches that are reported.
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "matching/decision/detection.hpp"
+#include "mbncc/config/search_config.hpp"
+#include "mbncc/matching/matcher.hpp"
+
+namespace mbncc {
+
+/// Thresholds of one call.
+struct AcceptanceSettings {
+  const SearchConfig& config;
+  std::optional<double> min_score;  ///< for all objects; none: the object's own or the configured
+  int max_instances;                ///< per name
+  std::map<std::string, double> clutter, elsewhere;  ///< see SearchRequest
+  double rarity = 0;                                 ///< see multiple_testing_penalty()
+};
+
+struct Selection {
+  std::vector<Match> matches;  ///< best score first
+  std::vector<Rival> rivals;   ///< see SearchResult
+  std::map<std::string, double> clutter;
+};
+
+/// What the thresholds compare [0..1]: the score, or the similarity under accept_by: similarity.
+double acceptance_score(const Detection& detection, const SearchConfig& config);
+
+/// Accepts the best detections of all objects that do not overlap a better one, measures their
+/// margins against what was not accepted, and turns them into matches.
+Selection select_matches(std::vector<Detection> detections, const AcceptanceSettings& acceptance);
+
+}  // namespace mbncc

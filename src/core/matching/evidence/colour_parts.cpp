@@ -1,0 +1,195 @@
+#include "matching/evidence/colour_parts.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <opencv2/core.hpp>
+
+#include "matching/evidence/gain_offset.hpp"
+#include "numeric/fixed_random_state.hpp"
+#include "numeric/weighted_median.hpp"
+
+namespace mbncc {
+namespace {
+
+constexpr int kChannels = SurfaceTemplate::kChannels;
+constexpr int kParts = 7;
+using Planes = std::array<std::vector<float>, kChannels>;
+
+float brightness(const Planes& planes, std::size_t i) {
+  return (planes[0][i] + planes[1][i] + planes[2][i]) / kChannels;
+}
+
+/// (ln R/G, ln B/G), tamed by `dark` [grey levels].
+cv::Point2f chroma(float blue, float green, float red, float dark) {
+  const float by = std::log(green + dark);
+  return {std::log(red + dark) - by, std::log(blue + dark) - by};
+}
+
+/// For each point the part that its colour belongs to; brightness, which light changes, says less.
+std::vector<int> parts_of(const SurfaceTemplate& surface) {
+  constexpr float kDark = 20, kChroma = 2, kBrightness = 0.3f;
+  const int count = static_cast<int>(surface.size());
+  const auto& planes = surface.planes;
+  cv::Mat colours(count, 3, CV_32F), labels;
+  for (int i = 0; i < count; ++i) {
+    const cv::Point2f c = kChroma * chroma(planes[0][i], planes[1][i], planes[2][i], kDark);
+    auto* row = colours.ptr<float>(i);
+    row[0] = c.x;
+    row[1] = c.y;
+    row[2] = kBrightness * std::log(brightness(planes, i) + kDark);
+  }
+  const FixedRandomState fixed;
+  cv::kmeans(colours, std::min(kParts, count), labels,
+             {cv::TermCriteria::COUNT | cv::TermCriteria::EPS, 20, 1e-3}, 2, cv::KMEANS_PP_CENTERS);
+  return {labels.begin<int>(), labels.end<int>()};
+}
+
+/// What is seen of one part: how far its chroma is off, and how much of it counts.
+struct PartSeen {
+  std::vector<Weighted> red, blue;
+  double points = 0, weight = 0;
+
+  /// Enough of the part, which is large enough among `all` points, counts.
+  bool tells(std::size_t all) const {
+    constexpr double kShare = 0.045;  // of the points that make a part
+    constexpr double kEnough = 0.3;   // of a part's points that have to count
+    return points >= kShare * static_cast<double>(all) && weight >= kEnough * points;
+  }
+};
+
+/// `off` of the points [chroma] by the parts that they belong to.
+std::vector<PartSeen> by_part(const std::vector<int>& part_of, const std::vector<cv::Point2f>& off,
+                              const std::vector<float>& weights) {
+  std::vector<PartSeen> parts(1 + *std::max_element(part_of.begin(), part_of.end()));
+  for (std::size_t i = 0; i < part_of.size(); ++i) {
+    PartSeen& part = parts[part_of[i]];
+    ++part.points;
+    if (weights[i] == 0) continue;
+    part.weight += weights[i];
+    part.red.emplace_back(off[i].x, weights[i]);
+    part.blue.emplace_back(off[i].y, weights[i]);
+  }
+  return parts;
+}
+
+/// For each point the compact part that it belongs to.
+std::vector<int> blocks_of(const SurfaceTemplate& surface) {
+  std::vector<int> blocks;
+  for (std::size_t k = 0; k < surface.block_ends.size(); ++k)
+    blocks.resize(surface.block_ends[k], static_cast<int>(k));
+  return blocks;
+}
+
+/// `off` without what the ground adds that shines through, by an unknown share.
+cv::Point2f unexplained(const cv::Point2f& off, const cv::Point2f& ground_off) {
+  constexpr float kSame = 0.01f;  // chroma: grounds nearer to each other explain nothing
+  const float square = ground_off.dot(ground_off);
+  if (square < kSame * kSame) return off;
+  return off - std::clamp(off.dot(ground_off) / square, 0.f, 1.f) * ground_off;
+}
+
+}  // namespace
+
+cv::Vec3f ground_beside(const ContourTemplate& contour, const SceneLevel& scene, const Pose2D& pose,
+                        double scale) {
+  constexpr float kBeside = 4;  // [px]
+  scene.prepare_around(pose, scale * contour.radius());
+  Planes colours;
+  for (std::size_t k = 0; k < contour.size(); ++k) {
+    const cv::Point2d at = transform(pose, {scale * contour.x[k] + kBeside * contour.normal_x[k],
+                                            scale * contour.y[k] + kBeside * contour.normal_y[k]});
+    const cv::Point pixel(cvRound(at.x), cvRound(at.y));
+    if (!pixel.inside(cv::Rect({0, 0}, scene.size()))) continue;
+    for (int c = 0; c < kChannels; ++c) colours[c].push_back(scene.colour.at<cv::Vec3b>(pixel)[c]);
+  }
+  cv::Vec3f ground = cv::Vec3f::all(0);
+  for (int c = 0; c < kChannels && !colours[c].empty(); ++c) {
+    const auto middle = colours[c].begin() + static_cast<std::ptrdiff_t>(colours[c].size() / 2);
+    std::nth_element(colours[c].begin(), middle, colours[c].end());
+    ground[c] = *middle;
+  }
+  return ground;
+}
+
+ColourParts::ColourParts(const SurfaceTemplate& surface, const ContourTemplate& contour,
+                         const cv::Vec3f& ground)
+    : ground_(ground) {
+  constexpr float kBeside = 1.5f;    // distances to the nearest contour point, ...
+  constexpr float kSlack = 3;        // [px] ... and a little
+  constexpr std::size_t kMost = 24;  // witnesses of a point
+  if (surface.size() < kParts || contour.size() == 0) return;
+  colour_ = parts_of(surface);
+  block_ = blocks_of(surface);
+  std::vector<float> distances(contour.size());
+  for (std::size_t i = 0; i < surface.size(); ++i) {
+    for (std::size_t k = 0; k < contour.size(); ++k)
+      distances[k] = std::hypot(contour.x[k] - surface.x[i], contour.y[k] - surface.y[i]);
+    const float reach = kBeside * *std::min_element(distances.begin(), distances.end()) + kSlack;
+    std::vector<int> beside;
+    for (std::size_t k = 0; k < contour.size(); ++k)
+      if (distances[k] <= reach) beside.push_back(static_cast<int>(k));
+    const std::size_t count = std::min(kMost, beside.size());
+    for (std::size_t k = 0; k < count; ++k) witnesses_.push_back(beside[k * beside.size() / count]);
+    witnesses_end_.push_back(static_cast<int>(witnesses_.size()));
+  }
+}
+
+/// Weights [0..1] of the points by the part of their witnesses that is found.
+std::vector<float> ColourParts::witnessed(const SurfaceSample& sample,
+                                          const ContourSample& contour) const {
+  constexpr float kNone = 0.45f, kFull = 0.8f;
+  std::vector<float> weights(sample.inside.size(), 0.f), clear(contour.seen);
+  for (std::size_t i = 0; i < clear.size(); ++i)
+    if (!is_clear(contour.response[i])) clear[i] = 0;
+  int k = 0;
+  for (std::size_t i = 0; i < colour_.size(); ++i) {
+    float found = 0, seen = 0;
+    for (; k < witnesses_end_[i]; ++k) {
+      const int at = witnesses_[k];
+      seen += contour.seen[at];
+      found += clear[at];
+    }
+    if (seen == 0) continue;
+    weights[i] = sample.inside[i] * std::clamp((found / seen - kNone) / (kFull - kNone), 0.f, 1.f);
+  }
+  return weights;
+}
+
+ColourDifference ColourParts::worst_differences(const SurfaceTemplate& surface,
+                                                const SurfaceSample& sample,
+                                                const ContourSample& contour,
+                                                const cv::Vec3f& ground) const {
+  constexpr float kDark = 30;       // [grey levels]
+  constexpr float kUnseen = 0.02f;  // weight that points without witnesses have for the light
+  if (empty() || !sample.suffices()) return {};
+  const std::vector<float> weights = witnessed(sample, contour);
+  std::vector<float> lit = sample.inside;
+  for (std::size_t i = 0; i < lit.size(); ++i) lit[i] *= weights[i] + kUnseen;
+  const Light light = fit_light(surface.planes, sample.planes, lit);
+  const auto chroma_off = [&](const cv::Vec3f& learned, const cv::Vec3f& seen) {
+    return chroma(light.of(learned[0]), light.of(learned[1]), light.of(learned[2]), kDark) -
+           chroma(seen[0], seen[1], seen[2], kDark);
+  };
+  std::vector<cv::Point2f> off(surface.size());
+  for (std::size_t i = 0; i < off.size(); ++i) {
+    if (weights[i] == 0) continue;
+    const auto colour = [i](const Planes& planes) {
+      return cv::Vec3f(planes[0][i], planes[1][i], planes[2][i]);
+    };
+    off[i] = chroma_off(colour(surface.planes), colour(sample.planes));
+  }
+  const cv::Point2f ground_off = chroma_off(ground_, ground);
+  const auto worst_of = [&](const std::vector<int>& part_of) {
+    double worst = 0;
+    for (auto& part : by_part(part_of, off, weights)) {
+      if (!part.tells(surface.size())) continue;
+      const cv::Point2f typical(weighted_median(part.red), weighted_median(part.blue));
+      worst = std::max(worst, cv::norm(unexplained(typical, ground_off)));
+    }
+    return worst;
+  };
+  return {worst_of(colour_), worst_of(block_)};
+}
+
+}  // namespace mbncc

@@ -1,0 +1,24 @@
+#include "matching/evidence/contour_alignment.hpp"
+
+namespace mbncc {
+
+Candidate shifted_onto_edges(const ContourTemplate& contour, const SceneLevel& scene,
+                             const Candidate& candidate) {
+  constexpr double kStep = 2;    // [px] an edge in between is still seen
+  constexpr int kFarthest = 3;   // steps
+  constexpr double kSlack = 10;  // [px] more than the way to the farthest place
+  const Pose2D& pose = candidate.pose;
+  scene.prepare_around(pose, contour.radius() + kSlack);
+  ContourAlignment agreement(contour, scene);
+  Candidate best = candidate;
+  best.value = -1;
+  for (int i = -kFarthest; i <= kFarthest; ++i)
+    for (int j = -kFarthest; j <= kFarthest; ++j) {
+      const Pose2D shifted{pose.x + kStep * i, pose.y + kStep * j, pose.theta};
+      const double value = agreement.at(shifted);
+      if (value > best.value) best = {shifted, candidate.level, value};
+    }
+  return best;
+}
+
+}  // namespace mbncc

@@ -1,0 +1,66 @@
+// How well an outline alone lies on the edges of a picture, and the best pose near another.
+#pragma once
+
+#include <algorithm>
+
+#include "matching/scene/scene_level.hpp"
+#include "matching/template/candidate.hpp"
+#include "matching/template/contour_template.hpp"
+
+namespace mbncc {
+
+struct AgreeingPose {
+  Pose2D pose;
+  double agreement;  ///< see contour_agreement()
+};
+
+class ContourAlignment {
+ public:
+  /// Of a contour `scale` times as large, at poses whose surroundings the picture has prepared.
+  ContourAlignment(const ContourTemplate& contour, const SceneLevel& scene, double scale = 1)
+      : contour_(contour), scene_(scene), scale_(scale) {}
+
+  /// See contour_agreement().
+  double at(const Pose2D& pose) {
+    read_contour(contour_, scene_.edges, pose, 1, sample_, scale_);
+    return contour_agreement(contour_, sample_);
+  }
+
+  /// The best pose that up to `steps` steps of a pixel along x, y, or the rim reach from `start`,
+  /// over poses that are `allowed`.
+  template <class Allowed>
+  AgreeingPose climbed(const Pose2D& start, int steps, const Allowed& allowed) {
+    AgreeingPose best{start, at(start)};
+    for (int k = 0; k < steps; ++k) {
+      const auto [from, before] = best;
+      for (const double step : {-1., 1.}) {
+        const double turn = step / std::max(1.0, scale_ * contour_.radius());
+        for (const Pose2D& next :
+             {Pose2D{from.x + step, from.y, from.theta}, Pose2D{from.x, from.y + step, from.theta},
+              Pose2D{from.x, from.y, from.theta + turn}}) {
+          const double agreement = allowed(next) ? at(next) : -1;
+          if (agreement > best.agreement) best = {next, agreement};
+        }
+      }
+      if (best.agreement == before) break;
+    }
+    return best;
+  }
+
+  AgreeingPose climbed(const Pose2D& start, int steps) {
+    return climbed(start, steps, [](const Pose2D&) { return true; });
+  }
+
+ private:
+  const ContourTemplate& contour_;
+  const SceneLevel& scene_;
+  double scale_;
+  ContourSample sample_;
+};
+
+/// At the place within 6 px along x and y [px at level] where a contour agrees best with the edges,
+/// at the same rotation; that agreement is its value.
+Candidate shifted_onto_edges(const ContourTemplate& contour, const SceneLevel& scene,
+                             const Candidate& candidate);
+
+}  // namespace mbncc

@@ -1,0 +1,36 @@
+#include "matching/evidence/contour_alternative.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "matching/evidence/contour_alignment.hpp"
+
+namespace mbncc {
+
+double better_elsewhere(const ContourTemplate& contour, const SceneLevel& scene, const Pose2D& pose,
+                        double scale) {
+  constexpr double kNearest = 2.9;  // [px] what is nearer is the same place, not known that well
+  constexpr double kStep = 2;       // [px] an edge in between is still seen
+  constexpr int kFarthest = 3;      // steps along x and y
+  constexpr double kWorse = 0.1;    // agreement that the last pixels do not make up for
+  constexpr int kClimbing = 4;      // steps of a pixel
+  constexpr double kSlack = 20;     // [px] more than the way to the farthest place
+  scene.prepare_around(pose, scale * contour.radius() + kSlack);
+  ContourAlignment agreement(contour, scene, scale);
+  const auto elsewhere = [&](const Pose2D& other) {
+    return std::hypot(other.x - pose.x, other.y - pose.y) >= kNearest;
+  };
+  const double here = agreement.at(pose);
+  double best = -1;
+  for (int i = -kFarthest; i <= kFarthest; ++i)
+    for (int j = -kFarthest; j <= kFarthest; ++j) {
+      const Pose2D start{pose.x + kStep * i, pose.y + kStep * j, pose.theta};
+      if (!elsewhere(start)) continue;
+      AgreeingPose there{start, agreement.at(start)};
+      if (there.agreement > here - kWorse) there = agreement.climbed(start, kClimbing, elsewhere);
+      best = std::max(best, there.agreement);
+    }
+  return best - here;
+}
+
+}  // namespace mbncc

@@ -1,0 +1,97 @@
+#include "matching/evidence/evidence.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "imaging/gradient_orientation.hpp"
+#include "imaging/kernel_views.hpp"
+#include "matching/evidence/block_residuals.hpp"
+#include "matching/evidence/local_cast.hpp"
+#include "simd/lanes.hpp"
+
+namespace mbncc {
+namespace {
+
+double gradient_agreement(const SurfaceTemplate& surface, const SurfaceSample& sample,
+                          const cv::Mat& edges, const Pose2D& pose, double scale) {
+  thread_local std::vector<float> agreements;
+  agreements.resize(surface.padded());
+  kernels::edge_agreements(view_of(edges),
+                           {surface.x.data(), surface.y.data(), static_cast<int>(surface.padded())},
+                           surface.gradient_x.data(), surface.gradient_y.data(),
+                           placement_of(pose, scale), agreements.data());
+  return product(agreements, sample.inside.data()) /
+         (kEdgeScale * (surface.gradient_total + static_cast<double>(surface.size())));
+}
+
+Evidence contour_evidence(const PoseTemplate& object, const PoseSample& sample) {
+  Evidence evidence;
+  evidence.contour = contour_agreement(object.contour, sample.contour);
+  evidence.found = contour_found(object.contour, sample.contour);
+  evidence.texture = object.surface.texture();
+  evidence.visible = static_cast<double>(sample.surface.visible) /
+                     static_cast<double>(std::max<std::size_t>(1, object.surface.size()));
+  return evidence;
+}
+
+}  // namespace
+
+Evidence gather_evidence(const PoseTemplate& object, const SceneLevel& scene, const Pose2D& pose,
+                         double scale) {
+  thread_local PoseSample sample;
+  sample.read(object, scene, pose, 1, scale);
+  return gather_evidence(object, scene, pose, sample, scale);
+}
+
+Evidence gather_evidence(const PoseTemplate& object, const SceneLevel& scene, const Pose2D& pose,
+                         const PoseSample& sample, double scale) {
+  constexpr double kNoise = 9;  // [grey^2]
+  Evidence evidence = contour_evidence(object, sample);
+  if (!sample.surface.suffices()) return evidence;
+  const SurfaceTemplate& surface = object.surface;
+  auto blocks = block_sums(surface, sample.surface);
+  const ColourCast cast = bounded(local_cast(blocks).value_or(ColourCast{}));
+  thread_local SurfaceSample seen;
+  seen = sample.surface;
+  take_out(cast, seen);
+  take_out(cast, blocks);
+  const auto remainder = surface.remainder(seen);
+  const double residual = best_of(block_residuals(surface, seen, blocks));
+  evidence.cast = cast.size();
+  evidence.gradient = gradient_agreement(surface, seen, scene.edges, pose, scale);
+  if (residual >= 0) evidence.best_blocks = std::log(residual + 3);
+  evidence.histogram = overlap(surface.histogram, chroma_histogram(seen.planes, seen.inside));
+  evidence.projected = surface.correlation(remainder, kNoise);
+  evidence.unexplained = std::log(std::sqrt(surface.unexplained(remainder)) + 2);
+  return evidence;
+}
+
+double log_odds(const Evidence& evidence, double area) {
+  // Fitted by logistic regression to true and false poses in drawn scenes, the discount for clutter
+  // (clutter.hpp) among the terms. Of what is hardly larger than its edge, the edge must be found
+  // the more, and the gradients inside are those of the background.
+  constexpr double kLargeArea = 1800;  // [px] beyond it size no longer guards against chance
+  constexpr double kSmallArea = 700;   // [px] below it other weights hold
+  const double small = std::max(0.0, std::log(kSmallArea / area));
+  return 18.9 * evidence.found + 17.3 * evidence.gradient - 4.28 * evidence.best_blocks +
+         6.68 * evidence.histogram + 9.35 * evidence.projected - 8.29 * evidence.texture +
+         0.99 * std::log(std::min(area, kLargeArea)) - 16.5 * (1 - evidence.visible) -
+         5 * evidence.cast - 12.4 +
+         small *
+             (1.17 + 12.35 * evidence.found - 23.8 * evidence.gradient -
+              4.32 * evidence.best_blocks - 4.09 * evidence.histogram + 6.23 * evidence.projected);
+}
+
+double rotation_odds(const Evidence& evidence) {
+  // Fitted by logistic regression to right and wrong rotations at the same place.
+  return 39 * evidence.contour + 5 * evidence.projected + 7 * evidence.gradient -
+         17 * evidence.unexplained;
+}
+
+double rotation_odds(const Evidence& evidence, double misfit) {
+  // Fitted likewise.
+  return 57 * evidence.contour + 12 * evidence.gradient - 10.7 * misfit;
+}
+
+}  // namespace mbncc

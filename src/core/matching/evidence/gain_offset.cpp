@@ -1,0 +1,42 @@
+#include "matching/evidence/gain_offset.hpp"
+
+#include <cstddef>
+
+namespace mbncc {
+
+// Weighted least squares, reweighted by the misfits.
+Light fit_light(const std::array<std::vector<float>, 3>& learned,
+                const std::array<std::vector<float>, 3>& seen, const std::vector<float>& weights) {
+  constexpr int kChannels = 3;
+  constexpr int kPasses = 4;
+  constexpr double kPrior = 300;  // [grey^2] pulls the factor of plain surfaces to 1
+  constexpr double kUsual = 400;  // [grey^2] that halves a point's weight
+  constexpr double kLeast = 0.55, kMost = 1.5;
+  Light light;
+  for (int pass = 0; pass < kPasses; ++pass) {
+    double total = 0, t = 0, s = 0, tt = 0, ts = 0;
+    for (std::size_t i = 0; i < weights.size(); ++i) {
+      if (weights[i] == 0) continue;
+      double square = 0;
+      for (int c = 0; c < kChannels && pass > 0; ++c) {
+        const double off = seen[c][i] - light.factor * learned[c][i] - light.offset;
+        square += off * off / kChannels;
+      }
+      const double weight = weights[i] / (1 + square / kUsual);
+      for (int c = 0; c < kChannels; ++c) {
+        total += weight;
+        t += weight * learned[c][i];
+        s += weight * seen[c][i];
+        tt += weight * learned[c][i] * learned[c][i];
+        ts += weight * learned[c][i] * seen[c][i];
+      }
+    }
+    const double prior = kPrior * total;
+    const double factor = (ts - t * s / total + prior) / (tt - t * t / total + prior);
+    light.factor = std::clamp(factor, kLeast, kMost);
+    light.offset = (s - light.factor * t) / total;
+  }
+  return light;
+}
+
+}  // namespace mbncc

@@ -1,0 +1,88 @@
+#include "matching/evidence/local_cast.hpp"
+
+#include <algorithm>
+#include <limits>
+
+namespace mbncc {
+namespace {
+
+/// Neither dark nor clipped.
+bool is_told_by(const BlockSums::Channels& sums, double count) {
+  constexpr double kDark = 24, kClipped = 245;
+  return std::all_of(sums.begin(), sums.end(),
+                     [&](double sum) { return sum >= kDark * count && sum <= kClipped * count; });
+}
+
+double square_apart(const ColourCast& a, const ColourCast& b) {
+  const double blue = a.blue - b.blue, red = a.red - b.red;
+  return blue * blue + red * red;
+}
+
+/// Mean of the half of `casts` (not empty) that lies closest about one of them.
+ColourCast tightest_half(const std::vector<ColourCast>& casts) {
+  const std::size_t half = casts.size() / 2 + 1;
+  double least = std::numeric_limits<double>::infinity();
+  ColourCast middle;
+  std::vector<double> squares(casts.size());
+  const auto reach_about = [&](const ColourCast& one) {
+    for (std::size_t i = 0; i < casts.size(); ++i) squares[i] = square_apart(casts[i], one);
+    const auto last = squares.begin() + static_cast<std::ptrdiff_t>(half - 1);
+    std::nth_element(squares.begin(), last, squares.end());
+    return *last;
+  };
+  for (const auto& one : casts) {
+    const double reach = reach_about(one);
+    if (reach >= least) continue;
+    least = reach;
+    middle = one;
+  }
+  ColourCast sum;
+  std::size_t count = 0;
+  for (const auto& cast : casts) {
+    if (square_apart(cast, middle) > least) continue;
+    sum.blue += cast.blue;
+    sum.red += cast.red;
+    ++count;
+  }
+  return {sum.blue / static_cast<double>(count), sum.red / static_cast<double>(count)};
+}
+
+}  // namespace
+
+std::optional<ColourCast> local_cast(const std::vector<BlockSums>& blocks) {
+  std::vector<ColourCast> casts;
+  for (const auto& [count, learned, seen, learned_square, seen_square, product] : blocks) {
+    if (count == 0 || !is_told_by(learned, count) || !is_told_by(seen, count)) continue;
+    const double green = seen[1] / learned[1];
+    casts.push_back(
+        {std::log(seen[0] / learned[0] / green), std::log(seen[2] / learned[2] / green)});
+  }
+  if (casts.empty()) return std::nullopt;
+  return tightest_half(casts);
+}
+
+ColourCast bounded(const ColourCast& cast) {
+  constexpr double kMost = 0.3;
+  return {std::clamp(cast.blue, -kMost, kMost), std::clamp(cast.red, -kMost, kMost)};
+}
+
+void take_out(const ColourCast& cast, SurfaceSample& sample) {
+  const cv::Vec3d gains = cast.gains();
+  for (int c = 0; c < SurfaceTemplate::kChannels; ++c) {
+    const auto factor = static_cast<float>(1 / gains[c]);
+    for (auto& value : sample.planes[c]) value *= factor;
+    sample.means[c] *= factor;
+  }
+}
+
+void take_out(const ColourCast& cast, std::vector<BlockSums>& blocks) {
+  const cv::Vec3d gains = cast.gains();
+  for (auto& block : blocks)
+    for (int c = 0; c < SurfaceTemplate::kChannels; ++c) {
+      block.seen[c] /= gains[c];
+      block.product[c] /= gains[c];
+      block.seen_square[c] /= gains[c] * gains[c];
+    }
+}
+
+}  // namespace mbncc

@@ -1,0 +1,75 @@
+#include "matching/evidence/mirrored_contour.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "matching/evidence/contour_alignment.hpp"
+
+namespace mbncc {
+namespace {
+
+constexpr int kClimbing = 6;           // steps of a pixel that the mirrored outline may take, ...
+constexpr int kSettling = 2;           // ... and the object's own
+constexpr double kWorse = 0.2;         // agreement that these do not make up for
+constexpr double kTold = 0.006;        // agreement by which another outline is behind in the lesson
+constexpr double kLeastLimit = 0.005;  // agreement
+
+ContourTemplate mirrored(ContourTemplate contour) {
+  for (std::size_t i = 0; i < contour.size(); ++i) {
+    contour.x[i] = -contour.x[i];
+    contour.normal_x[i] = -contour.normal_x[i];
+  }
+  return contour;
+}
+
+/// The rotations about `home` at which a contour agrees best, over a full turn, best first.
+std::vector<Candidate> best_turns(const ContourTemplate& contour, const SceneLevel& scene,
+                                  const Pose2D& home, std::size_t most) {
+  constexpr double kArc = 2;  // [px] at the rim between rotations
+  const int count = std::max(24, static_cast<int>(std::ceil(2 * kPi * contour.radius() / kArc)));
+  ContourAlignment agreement(contour, scene);
+  std::vector<Candidate> turned;
+  for (int k = 0; k < count; ++k) {
+    const Pose2D pose{home.x, home.y, home.theta + 2 * kPi * k / count};
+    turned.push_back({pose, 0, agreement.at(pose)});
+  }
+  suppress(
+      turned,
+      {most, Suppression::kUnlimited, Suppression::kUnlimited, {4 * kArc / 1.5, contour.radius()}});
+  return turned;
+}
+
+}  // namespace
+
+MirroredContour::MirroredContour(const ContourTemplate& contour, const SceneLevel& lesson,
+                                 const Pose2D& home)
+    : mirrored_(mirrored(contour)) {
+  constexpr std::size_t kShifted = 8, kKept = 2;
+  lesson.prepare();
+  auto turned = best_turns(mirrored_, lesson, home, kShifted);
+  for (auto& one : turned) one = shifted_onto_edges(mirrored_, lesson, one);
+  sort_by_value(turned);
+  for (std::size_t k = 0; k < std::min(kKept, turned.size()); ++k)
+    poses_.push_back(compose(inverse(home), turned[k].pose));
+  const double surplus = better(contour, lesson, home, 1);
+  usual_ = std::max(0.0, surplus);
+  if (surplus < -kTold) limit_ = std::clamp(-surplus / 2, kLeastLimit, kMirrored);
+}
+
+double MirroredContour::better(const ContourTemplate& contour, const SceneLevel& scene,
+                               const Pose2D& pose, double scale) const {
+  constexpr double kSlack = 24;  // [px] more than the way of any outline
+  scene.prepare_around(pose, scale * contour.radius() + kSlack);
+  const double own = ContourAlignment(contour, scene, scale).climbed(pose, kSettling).agreement;
+  ContourAlignment over(mirrored_, scene, scale);
+  double most = -1;
+  for (const auto& there : poses_) {
+    const Pose2D start = compose(pose, there);
+    const double agreement = over.at(start);
+    most = std::max(
+        most, agreement > own - kWorse ? over.climbed(start, kClimbing).agreement : agreement);
+  }
+  return most - own - usual_;
+}
+
+}  // namespace mbncc

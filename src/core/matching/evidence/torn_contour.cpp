@@ -1,0 +1,88 @@
+#include "matching/evidence/torn_contour.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numeric>
+
+namespace mbncc {
+namespace {
+
+constexpr int kTurns = 4;       // to each side, ...
+constexpr double kArc = 1.5;    // [px] ... the rim moving by so much
+constexpr int kShifts = 5;      // to each side, ...
+constexpr double kShift = 1.5;  // [px] ... of so much: an edge in between is still seen
+constexpr int kApart = 3;       // shifts between the parts: what is nearer is one outline
+constexpr double kSlack = 24;   // [px] more than the way of any point
+
+class TornOutline {
+ public:
+  TornOutline(const ContourTemplate& contour, const SceneLevel& scene, const Pose2D& pose,
+              double scale)
+      : contour_(contour), scene_(scene), pose_(pose), scale_(scale), order_(contour.size()) {
+    const double c = std::cos(pose.theta), s = std::sin(pose.theta);
+    std::iota(order_.begin(), order_.end(), 0);
+    std::sort(order_.begin(), order_.end(), [&](std::size_t a, std::size_t b) {
+      return s * contour.x[a] + c * contour.y[a] < s * contour.x[b] + c * contour.y[b];
+    });
+  }
+
+  double better() {
+    scene_.prepare_around(pose_, scale_ * contour_.radius() + kSlack);
+    double whole = -1, torn = -1;
+    for (int turn = -kTurns; turn <= kTurns; ++turn) {
+      for (int shift = -kShifts; shift <= kShifts; ++shift) read(turn, shift);
+      if (std::abs(turn) <= 1)
+        for (int shift = -1; shift <= 1; ++shift)
+          whole = std::max<double>(whole, responses_[kShifts + shift].back() / visible_);
+      torn = std::max(torn, best_torn());
+    }
+    return torn - whole;
+  }
+
+ private:
+  using Sums = std::vector<float>;  // of the responses of points from the top on
+
+  void read(int turn, int shift) {
+    const double angle = turn * kArc / std::max(1.0, scale_ * contour_.radius());
+    const Pose2D pose{pose_.x + shift * kShift, pose_.y, pose_.theta + angle};
+    read_contour(contour_, scene_.edges, pose, 1, sample_, scale_);
+    Sums& sums = responses_[kShifts + shift];
+    sums.assign(1, 0);
+    for (const std::size_t i : order_) sums.push_back(sums.back() + sample_.response[i]);
+    if (shift == 0)
+      visible_ = std::max(1.F, std::accumulate(sample_.seen.begin(), sample_.seen.end(), 0.F));
+  }
+
+  /// Of the rotation read last: each part has a quarter of the outline at least.
+  double best_torn() const {
+    float best = 0;
+    const std::size_t points = order_.size();
+    for (std::size_t a = 0; a < responses_.size(); ++a)
+      for (std::size_t b = 0; b < responses_.size(); ++b) {
+        if (std::max(a, b) - std::min(a, b) < kApart) continue;
+        const Sums &upper = responses_[a], &lower = responses_[b];
+        for (std::size_t i = points / 4; i <= 3 * points / 4; ++i)
+          best = std::max(best, upper[i] + lower.back() - lower[i]);
+      }
+    return best / visible_;
+  }
+
+  const ContourTemplate& contour_;
+  const SceneLevel& scene_;
+  Pose2D pose_;
+  double scale_;
+  std::vector<std::size_t> order_;  // of the points, from the picture's top down
+  ContourSample sample_;
+  std::array<Sums, 2 * kShifts + 1> responses_;
+  float visible_ = 1;
+};
+
+}  // namespace
+
+double better_torn(const ContourTemplate& contour, const SceneLevel& scene, const Pose2D& pose,
+                   double scale) {
+  return TornOutline(contour, scene, pose, scale).better();
+}
+
+}  // namespace mbncc

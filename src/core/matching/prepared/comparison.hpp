@@ -1,0 +1,23 @@
+// Each object beside the picture that it is compared with.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "matching/prepared/prepared_object.hpp"
+#include "matching/scene/scene_pool.hpp"
+
+namespace mbncc {
+
+/// An object and a picture as they are compared: in grey where either shows no colour.
+struct Comparison {
+  const PreparedObject* object;  ///< lives as long as the one that was given
+  std::shared_ptr<const ScenePicture> scene;
+};
+
+/// In the order of the objects; those compared alike share a scene. The pool must outlive them.
+std::vector<Comparison> comparisons(
+    const std::vector<std::shared_ptr<const PreparedObject>>& objects, const cv::Mat& picture,
+    ScenePool& scenes);
+
+}  // namespace mbncc

@@ -1,0 +1,227 @@
+#include "matching/prepared/prepared_object.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <opencv2/imgproc.hpp>
+
+#include "imaging/pyramid.hpp"
+#include "mbncc/matching/symmetry.hpp"
+
+namespace mbncc {
+namespace {
+
+constexpr double kRendered = 700;   // [px] area below which the edge has to settle the pose
+constexpr double kOtherSize = 0.1;  // beyond what heights and tilts bring
+
+cv::Mat grey_of(const View& view) {
+  cv::Mat grey;
+  cv::cvtColor(view.template_image, grey, cv::COLOR_BGR2GRAY);
+  return grey;
+}
+
+bool shows_colour(const ObjectModel& model) {
+  return std::none_of(model.views.begin(), model.views.end(),
+                      [](const View& view) { return is_grey(view.template_image); });
+}
+
+View as_grey(const View& view) {
+  View result = view;
+  result.template_image = cv::Mat();  // the model's own pixels stay as they are
+  cv::cvtColor(grey_of(view), result.template_image, cv::COLOR_GRAY2BGR);
+  return result;
+}
+
+/// The map without its rim, where template pixels mix with the background; the map itself when
+/// little would be left.
+cv::Mat without_rim(const cv::Mat& map) {
+  cv::Mat padded, inner;
+  cv::copyMakeBorder(map, padded, 1, 1, 1, 1, cv::BORDER_CONSTANT, cv::Scalar(0));
+  cv::erode(padded, inner, cv::getStructuringElement(cv::MORPH_ELLIPSE, {3, 3}));
+  inner = inner(cv::Rect({1, 1}, map.size())).clone();
+  return 2 * cv::countNonZero(inner) > cv::countNonZero(map) ? inner : map;
+}
+
+Pose2D reference_in_crop(const View& view, cv::Point2d anchor) {
+  return {view.reference.x - view.origin.x - anchor.x, view.reference.y - view.origin.y - anchor.y,
+          view.reference.theta};
+}
+
+/// The view as a camera would see it from nearer or farther.
+View rescaled(const View& view, double scale) {
+  if (scale == 1) return view;
+  View result = view;
+  const int method = scale < 1 ? cv::INTER_AREA : cv::INTER_CUBIC;
+  cv::resize(view.template_image, result.template_image, {}, scale, scale, method);
+  cv::resize(view.map, result.map, result.template_image.size(), 0, 0, cv::INTER_LINEAR);
+  double most = 0;  // less than 255 where only a pixel is left of the map
+  cv::minMaxLoc(result.map, nullptr, &most);
+  result.map = result.map > std::min(127.0, most / 2);
+  const cv::Point2d in_crop = view.reference.position() - cv::Point2d(view.origin);
+  result.origin = {0, 0};
+  result.reference.x = (in_crop.x + 0.5) * scale - 0.5;
+  result.reference.y = (in_crop.y + 0.5) * scale - 0.5;
+  return result;
+}
+
+/// All levels up to `top`: build_pyramid() has fewer of what is only a few pixels wide.
+std::vector<cv::Mat> whole_pyramid(const cv::Mat& picture, int top) {
+  const int least = kSmallestLevel << top;
+  cv::Mat wide;
+  cv::copyMakeBorder(picture, wide, 0, std::max(0, least - picture.rows), 0,
+                     std::max(0, least - picture.cols), cv::BORDER_REPLICATE);
+  return build_pyramid(wide, top);
+}
+
+PoseTemplate resized_by(double factor, PoseTemplate object) {
+  object.surface.resize(factor);
+  object.contour.resize(factor);
+  return object;
+}
+
+/// The searches bear 3 % either way. The learned scale comes first.
+std::vector<double> scales_within(double range) {
+  constexpr double kStep = 0.06, kBorne = 0.03;
+  std::vector<double> scales{1};
+  for (double off = kStep; off - kBorne < range; off += kStep) {
+    scales.push_back(1 - std::min(off, range));
+    scales.push_back(1 + std::min(off, range));
+  }
+  return scales;
+}
+
+/// Both views show the same outline in the object's frame, turned by any angle.
+bool same_outline(const View& a, const View& b) {
+  constexpr double kSame = 0.8;  // intersection over union
+  const Pose2D a_in_b = compose(b.reference, inverse(a.reference));
+  const double c = std::cos(a_in_b.theta), s = std::sin(a_in_b.theta);
+  const cv::Point2d corner = transform(a_in_b, cv::Point2d(a.origin)) - cv::Point2d(b.origin);
+  const cv::Matx23d motion(c, -s, corner.x, s, c, corner.y);
+  cv::Mat moved;
+  cv::warpAffine(a.map, moved, motion, b.map.size());
+  moved = moved > 127;
+  const double common = cv::countNonZero(moved & b.map);
+  return common >= kSame * (cv::countNonZero(a.map) + cv::countNonZero(b.map) - common);
+}
+
+/// Light does not turn with the object, so it looks most like the view learned at the nearest
+/// rotation. Views of the same outline share the turn: each is searched half-way to its neighbours
+/// and a little beyond.
+AngleRange sector_of(const View& view, const std::vector<View>& all) {
+  constexpr double kBeyond = to_radians(12.), kAlike = to_radians(20.);
+  AngleRange sector;
+  for (const auto& other : all) {
+    if (&other == &view || !same_outline(other, view)) continue;
+    const double apart = wrap_angle(other.reference.theta - view.reference.theta);
+    const double left = apart < 0 ? apart : apart - 2 * kPi, right = left + 2 * kPi;
+    if (std::abs(apart) < kAlike) continue;
+    sector.low = std::max(sector.low, left / 2 - kBeyond);
+    sector.high = std::min(sector.high, right / 2 + kBeyond);
+  }
+  return sector;
+}
+
+/// What is declared counts, else what is measured for certain.
+int symmetry_of(const ObjectModel& model, const View& view) {
+  return model.symmetry ? *model.symmetry : measure_symmetry(view).certain;
+}
+
+}  // namespace
+
+/// Pictures that all parts are made from.
+struct PreparedView::Source {
+  explicit Source(const View& learned)
+      : view(learned),
+        grey(grey_of(learned)),
+        inner(without_rim(learned.map)),
+        anchor(excircle(learned.map).centre),
+        surface(continued_outwards(learned.template_image, learned.map)) {}
+
+  const View& view;
+  cv::Mat grey, inner;
+  cv::Point2d anchor;
+  cv::Mat surface;  // CV_8UC3, without the background
+};
+
+PreparedView::PreparedView(const View& view, Engine engine, double scale)
+    : PreparedView(Source(rescaled(view, scale)), engine) {
+  this->scale = scale;
+}
+
+PreparedView::PreparedView(const Source& source, Engine engine)
+    : anchor(source.anchor),
+      reference_in_anchor(reference_in_crop(source.view, anchor)),
+      shape(source.view.map, anchor),
+      geometry(source.view.map),
+      gate(source.surface, source.view.map, anchor, geometry.mean_width()),
+      kernels(rotated_kernels(source.grey, source.view.map, anchor)),
+      edges(geometry, anchor),
+      points(masked_template(source.grey, source.view.map, anchor)) {
+  const int top = std::max(kernels.level, edges.level());
+  const auto surfaces = whole_pyramid(source.surface, top);
+  const auto pictures = whole_pyramid(source.view.template_image, top);
+  for (int level = 0; level < static_cast<int>(surfaces.size()); ++level) {
+    const SceneLevel continued(surfaces[level], level), picture(pictures[level], level);
+    continued.prepare();
+    const SurfaceTemplate::Source from{continued, picture, geometry, source.view.map.size(), level};
+    const auto edge = ContourTemplate::edge_of(geometry, level);
+    const auto prepare = [&](std::size_t surface_points, std::size_t contour_points) {
+      return PoseTemplate{SurfaceTemplate(from, anchor, surface_points),
+                          ContourTemplate(edge, anchor, level, contour_points)};
+    };
+    rough.push_back(prepare(48, 32));
+    templates.push_back(prepare(112, 64));
+    if (level > 0) continue;
+    fine = prepare(640, 200);
+    parts = ColourParts(fine.surface, fine.contour,
+                        ground_beside(fine.contour, picture, {anchor.x, anchor.y, 0}));
+    lit = PhotometricResidual(fine.surface);
+    turned_over = MirroredContour(fine.contour, picture, {anchor.x, anchor.y, 0});
+    dense = RefinementTemplate(prepare(2500, 200), continued);
+    if (shape.area() < kRendered) rendering = MixedPixelModel(from, anchor);
+  }
+  resized = {resized_by(1 - kOtherSize, fine), resized_by(1 + kOtherSize, fine)};
+  if (engine == Engine::kPolar) polar.emplace(source.view);
+  const auto all = outlines(source.view);
+  if (!all.empty()) outline = all.front();
+}
+
+PreparedObject::PreparedObject(std::shared_ptr<const ObjectModel> object, Engine engine,
+                               double scale_range)
+    : PreparedObject(object, engine, scale_range, shows_colour(*object)) {
+  if (coloured)
+    in_grey = Lazy<std::shared_ptr<const PreparedObject>>([object, engine, scale_range] {
+      return std::shared_ptr<const PreparedObject>(
+          new PreparedObject(object, engine, scale_range, false));
+    });
+}
+
+PreparedObject::PreparedObject(std::shared_ptr<const ObjectModel> object, Engine engine,
+                               double scale_range, bool in_colour)
+    : model(std::move(object)), coloured(in_colour) {
+  validate(*model);
+  std::vector<int> symmetries;
+  for (const auto& view : model->views) symmetries.push_back(symmetry_of(*model, view));
+  for (const double scale : scales_within(scale_range))
+    for (std::size_t i = 0; i < model->views.size(); ++i) {
+      views.emplace_back(coloured ? model->views[i] : as_grey(model->views[i]), engine, scale);
+      views.back().symmetry = symmetries[i];
+      if (engine == Engine::kFast) views.back().sector = sector_of(model->views[i], model->views);
+    }
+}
+
+int PreparedObject::top_level() const {
+  int top = 0;
+  for (const auto& view : views)
+    top = std::max(
+        {top, view.top_level(), view.gate.level(), view.polar ? view.polar->top_level() : 0});
+  return top;
+}
+
+void PreparedObject::make_rotations() const {
+  for (const auto& view : views) {
+    if (view.kernels.searched()) view.kernels.kernels.make();
+    view.gate.make_rotations();
+  }
+}
+
+}  // namespace mbncc

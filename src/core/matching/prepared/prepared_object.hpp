@@ -1,0 +1,87 @@
+// Everything about an object that does not depend on the picture searched.
+#pragma once
+
+#include <array>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "matching/evidence/colour_parts.hpp"
+#include "matching/evidence/evidence.hpp"
+#include "matching/evidence/mirrored_contour.hpp"
+#include "matching/evidence/photometric_residual.hpp"
+#include "matching/proposal/angle_range.hpp"
+#include "matching/proposal/colour_prefilter.hpp"
+#include "matching/proposal/contour_search.hpp"
+#include "matching/proposal/template_bank.hpp"
+#include "matching/refinement/mixed_pixel_model.hpp"
+#include "matching/refinement/refinement.hpp"
+#include "matching/template/map_footprint.hpp"
+#include "mbncc/matching/polar_search.hpp"
+#include "mbncc/matching/similarity.hpp"
+#include "mbncc/object_model.hpp"
+#include "numeric/lazy.hpp"
+
+namespace mbncc {
+
+/// How poses are searched for.
+enum class Engine { kFast, kPolar };
+
+/// One view, in the frame of its anchor: the centre of the map's excircle.
+class PreparedView {
+ public:
+  /// Of an object seen `scale` times as large as it was learned.
+  PreparedView(const View& view, Engine engine, double scale = 1);
+
+  int top_level() const { return static_cast<int>(templates.size()) - 1; }
+
+  double scale = 1;
+  AngleRange sector;           ///< rotations, against its lesson, that are left to this view
+  cv::Point2d anchor;          ///< [px] in the view's crop
+  Pose2D reference_in_anchor;  ///< [px],[rad] object frame as seen from the anchor
+  MapFootprint shape;
+  MapGeometry geometry;
+  ColourPrefilter gate;
+  TemplateBank kernels;
+  ContourBank edges;
+  std::vector<PoseTemplate> rough;      ///< per level: thin out the coarse searches' candidates
+  std::vector<PoseTemplate> templates;  ///< per level, small: they judge dozens of candidates
+  PoseTemplate fine;                    ///< at full resolution: judges the last few
+  ColourParts parts;                    ///< of `fine`
+  PhotometricResidual lit;              ///< of `fine`
+  std::array<PoseTemplate, 2> resized;  ///< `fine`, smaller and larger: what else it might be
+  MirroredContour turned_over;          ///< its outline, mirrored
+  RefinementTemplate dense;             ///< at full resolution: for the last fraction of a pixel
+  MixedPixelModel rendering;            ///< of a small object: settles its pose
+  MaskedTemplate points;                ///< all map pixels at full resolution
+  std::optional<PolarSearch> polar;     ///< with Engine::kPolar
+  int symmetry = 1;                     ///< declared, or measured where it is not
+  std::vector<cv::Point2f> outline;     ///< [px] largest outline in the object frame
+
+ private:
+  struct Source;
+  PreparedView(const Source& source, Engine engine);
+};
+
+struct PreparedObject {
+  /// Every view at every scale in [1 - scale_range, 1 + scale_range] that has to be searched. The
+  /// views are grey unless all of them show colour.
+  PreparedObject(std::shared_ptr<const ObjectModel> object, Engine engine, double scale_range = 0);
+
+  int top_level() const;
+
+  /// Turns all templates now rather than in the first search that asks for them.
+  void make_rotations() const;
+
+  std::shared_ptr<const ObjectModel> model;
+  bool coloured;  ///< the views show colour
+  std::vector<PreparedView> views;
+  /// The same in grey, for grey pictures; null where the views are grey already.
+  Lazy<std::shared_ptr<const PreparedObject>> in_grey;
+
+ private:
+  PreparedObject(std::shared_ptr<const ObjectModel> object, Engine engine, double scale_range,
+                 bool coloured);
+};
+
+}  // namespace mbncc

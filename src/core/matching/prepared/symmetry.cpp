@@ -1,0 +1,108 @@
+#include "mbncc/matching/symmetry.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "matching/prepared/self_comparison.hpp"
+#include "mbncc/symmetry.hpp"
+
+namespace mbncc {
+namespace {
+
+// What repeats surely differs by less than these.
+constexpr double kSureOutline = 0.03;  // depth, of the radius, ...
+constexpr double kWobble = 2;          // [px] ... but this much a map's edge may err, ...
+constexpr double kSmallWobble = 0.12;  // of the radius ... of small objects less
+constexpr double kSureMark = 4.5;      // [grey levels] beside noise
+constexpr double kDrawn = 0.06;        // of the texture: pixels render its edges no better
+
+// What nearly repeats.
+constexpr double kNearOverlap = 0.9;
+constexpr double kRoundOverlap = 0.94;  // a hexagon turned by half a side has 0.93
+constexpr double kNearOutline = 0.2;    // of the radius
+constexpr double kNearMark = 40;        // [grey levels], or ...
+constexpr double kNearRest = 0.35;      // ... of the texture
+
+enum class Repeats { kNot, kNearly, kSurely };
+
+class Measurement {
+ public:
+  explicit Measurement(const View& view) : view_(view), map_(view) {}
+
+  /// The map covers itself after every turn by a whole number of `order`-th parts. Turning back
+  /// covers as much.
+  bool covers_itself(int order, double least_overlap) const {
+    for (int k = 1; k <= order / 2; ++k)
+      if (map_.overlap(angle(k, order)) < least_overlap) return false;
+    return true;
+  }
+
+  /// Outline and surface after those turns: the weakest counts. What is weaker than `least` is not
+  /// looked at any further.
+  Repeats with_order(int order, Repeats least = Repeats::kNearly) {
+    Repeats weakest = Repeats::kSurely;
+    for (int k = 1; k <= order / 2 && weakest >= least; ++k)
+      weakest = std::min(weakest, after(angle(k, order)));
+    return weakest;
+  }
+
+ private:
+  static double angle(int k, int order) { return 2 * kPi * k / order; }
+
+  Repeats after(double angle) {
+    if (!surface_) surface_.emplace(view_, map_);
+    const TurnDifference difference = surface_->difference(angle);
+    if (is_sure(difference)) return Repeats::kSurely;
+    return is_near(difference) ? Repeats::kNearly : Repeats::kNot;
+  }
+
+  bool is_sure(const TurnDifference& difference) const {
+    const double radius = map_.radius();
+    // The edge of a map wavers by a fraction of a pixel, which is more of a small object.
+    const double wavering = std::clamp(0.8 / radius, 0.03, 0.05);
+    const double drawn = kDrawn * surface_->texture();
+    const double wobble = std::min(kWobble, kSmallWobble * radius);
+    return difference.overlap >= 1 - wavering &&
+           difference.outline <= std::max(wobble, kSureOutline * radius) &&
+           difference.mark <= std::hypot(kSureMark, surface_->noise_of_mark(), drawn);
+  }
+
+  bool is_near(const TurnDifference& difference) const {
+    return difference.overlap >= kNearOverlap &&
+           difference.outline <= kNearOutline * map_.radius() &&
+           (difference.mark <= kNearMark || difference.rest <= kNearRest * surface_->texture());
+  }
+
+  const View& view_;
+  CentredMap map_;
+  std::optional<SelfComparison> surface_;
+};
+
+}  // namespace
+
+MeasuredSymmetry measure_symmetry(const View& view) {
+  constexpr int kAnyOrder = 23;       // of no polygon
+  constexpr double kRegained = 0.03;  // overlap, by the best shift
+  Measurement measurement(view);
+  if (measurement.covers_itself(kAnyOrder, kRoundOverlap)) {
+    // Whether what the surface shows is a mark, a side seen aslant or gloss, only an operator
+    // knows.
+    const Repeats round = measurement.with_order(kAnyOrder, Repeats::kSurely);
+    return {round == Repeats::kSurely ? 0 : 1, 0};
+  }
+  MeasuredSymmetry symmetry;
+  for (const int order : {12, 10, 9, 8, 7, 6, 5, 4, 3, 2}) {
+    if (!measurement.covers_itself(order, kNearOverlap - kRegained)) continue;
+    const Repeats repeats = measurement.with_order(order);
+    if (repeats == Repeats::kNearly && is_declarable_symmetry(order))
+      symmetry.possible = std::max(symmetry.possible, order);
+    if (repeats != Repeats::kSurely) continue;
+    symmetry.certain = order;
+    break;
+  }
+  symmetry.possible = std::max(symmetry.possible, symmetry.certain);
+  return symmetry;
+}
+
+}  // namespace mbncc

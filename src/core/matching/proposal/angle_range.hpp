@@ -1,0 +1,17 @@
+// Rotations that one of an object's views is searched at; its other views have the rest.
+#pragma once
+
+#include "mbncc/geometry.hpp"
+
+namespace mbncc {
+
+struct AngleRange {
+  double low = -2 * kPi, high = 2 * kPi;  ///< [rad] about 0; all by default
+
+  bool contains(double angle) const {
+    const double wrapped = wrap_angle(angle);
+    return wrapped >= low && wrapped <= high;
+  }
+};
+
+}  // namespace mbncc

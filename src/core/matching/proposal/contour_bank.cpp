@@ -1,0 +1,90 @@
+#include "matching/proposal/contour_bank.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "matching/scene/response_maps.hpp"
+#include "matching/template/contour_template.hpp"
+#include "mbncc/geometry.hpp"
+
+namespace mbncc {
+namespace {
+
+constexpr int kOrientations = ResponseMaps::kOrientations;
+
+constexpr std::size_t kPoints = 64;  // of the contour
+constexpr double kSmallest = 20;     // [px] diameter at the coarse level
+constexpr double kThinnest = 2;      // [px] mean width there
+constexpr double kLargest = 2048;  // [px] diameter there, however thin: rotations and margins grow
+constexpr int kTopLevel = 4;
+constexpr double kArcStep = 2;          // [px] that the rim moves per rotation step, ...
+constexpr double kNarrowArcStep = 1.3;  // ... of objects that a step would bring beside
+constexpr double kNarrow = 3.5;         // [px] mean width there below which they are narrow
+
+int orientation_of(float normal_x, float normal_y) {
+  const double turns = std::atan2(normal_y, normal_x) / kPi;  // of half a turn
+  const int bin = static_cast<int>(std::lround(turns * kOrientations));
+  return ((bin % kOrientations) + kOrientations) % kOrientations;
+}
+
+/// Part of one rotation's points that another rotation has as well, up to the spread.
+double common_part(const ContourBank::Rotation& one, const ContourBank::Rotation& other) {
+  const auto alike = [](const ContourBank::Point& a, const ContourBank::Point& b) {
+    const int turned = std::abs(a.orientation - b.orientation);
+    return std::abs(a.x - b.x) <= 1 && std::abs(a.y - b.y) <= 1 &&
+           std::min(turned, kOrientations - turned) <= 1;
+  };
+  const auto found =
+      std::count_if(one.points.begin(), one.points.end(), [&](const ContourBank::Point& point) {
+        return std::any_of(other.points.begin(), other.points.end(),
+                           [&](const ContourBank::Point& match) { return alike(point, match); });
+      });
+  return static_cast<double>(found) / static_cast<double>(one.points.size());
+}
+
+/// True when the contour looks much the same at most of the rotations.
+bool looks_round(const std::vector<ContourBank::Rotation>& rotations) {
+  constexpr double kAlike = 0.7;
+  const auto alike =
+      std::count_if(rotations.begin(), rotations.end(), [&](const ContourBank::Rotation& rotation) {
+        return common_part(rotation, rotations.front()) >= kAlike;
+      });
+  return 2 * static_cast<std::size_t>(alike) > rotations.size();
+}
+
+int coarse_level(double diameter, double width) {
+  const double halvings = std::min(std::log2(diameter / kSmallest), std::log2(width / kThinnest));
+  const double bearable = std::ceil(std::log2(diameter / kLargest));
+  return std::clamp(static_cast<int>(std::max(std::floor(halvings), bearable)), 0, kTopLevel);
+}
+
+}  // namespace
+
+ContourBank::ContourBank(const MapGeometry& map, cv::Point2d anchor) {
+  const ContourTemplate whole(ContourTemplate::edge_of(map, 0), anchor, 0, 4000);
+  double reach = 1;
+  for (std::size_t i = 0; i < whole.size(); ++i)
+    reach = std::max<double>(reach, std::hypot(whole.x[i], whole.y[i]));
+  level_ = coarse_level(2 * reach, map.mean_width());
+  const ContourTemplate contour(ContourTemplate::edge_of(map, level_), anchor, level_, kPoints);
+  radius_ = static_cast<int>(std::ceil(reach / (1 << level_))) + 1;
+  const double rim = 2 * kPi * reach / (1 << level_);
+  const double step = map.mean_width() < kNarrow * (1 << level_) ? kNarrowArcStep : kArcStep;
+  const int count = std::max(12, static_cast<int>(std::ceil(rim / step)));
+  for (int k = 0; k < count; ++k) {
+    const double angle = 2 * kPi * k / count;
+    const Transform turned({0, 0, angle});
+    Rotation rotation{wrap_angle(angle), {}};
+    for (std::size_t i = 0; i < contour.size(); ++i) {
+      const cv::Point2d at = turned({contour.x[i], contour.y[i]});
+      const cv::Point2d normal = turned({contour.normal_x[i], contour.normal_y[i]});
+      rotation.points.push_back(
+          {cvRound(at.x), cvRound(at.y),
+           orientation_of(static_cast<float>(normal.x), static_cast<float>(normal.y))});
+    }
+    rotations_.push_back(rotation);
+  }
+  round_ = looks_round(rotations_);
+}
+
+}  // namespace mbncc

@@ -1,0 +1,37 @@
+// An object's outline as points with directions, turned to all rotations.
+#pragma once
+
+#include <opencv2/core.hpp>
+#include <vector>
+
+#include "matching/template/map_geometry.hpp"
+
+namespace mbncc {
+
+/// The contour turned to all rotations at one pyramid level.
+class ContourBank {
+ public:
+  /// `anchor` [px, level 0]; the level is chosen by the contour's size.
+  ContourBank(const MapGeometry& map, cv::Point2d anchor);
+
+  struct Point {
+    int x, y;         ///< [px] relative to the anchor's pixel
+    int orientation;  ///< of the normal, modulo a half turn
+  };
+  struct Rotation {
+    double angle;  ///< [rad] in (-pi, pi]
+    std::vector<Point> points;
+  };
+
+  int level() const { return level_; }
+  int radius() const { return radius_; }  ///< [px at level]
+  const std::vector<Rotation>& rotations() const { return rotations_; }
+  bool round() const { return round_; }  ///< the contour does not tell the rotation
+
+ private:
+  int level_ = 0, radius_ = 0;
+  std::vector<Rotation> rotations_;
+  bool round_ = false;
+};
+
+}  // namespace mbncc

@@ -1,0 +1,163 @@
+#include "matching/proposal/contour_search.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <opencv2/core.hpp>
+#include <utility>
+
+#include "matching/proposal/response_peaks.hpp"
+#include "matching/scene/response_maps.hpp"
+#include "simd/kernels.hpp"
+
+namespace mbncc {
+namespace {
+
+constexpr int kStep = ResponseMaps::kStep;
+constexpr int kUnit = kernels::kMaxResponse;  // response 1 in the maps
+constexpr int kBand = PeakFinder::kBand;
+
+constexpr double kMinResponse = 0.2;  // [-1..1] mean of a candidate
+
+/// Positions of a row, whose responses at all rotations stay in the nearest cache.
+constexpr int kAtATime = 2 * kernels::kPositions;
+
+/// `count` rounded up to whole groups.
+int whole(int count, int group) {
+  return (count + group - 1) / group * group;
+}
+
+class EdgeSearch {
+ public:
+  EdgeSearch(const ContourBank& bank, const SceneLevel& scene, const cv::Rect& roi,
+             const AngleRange& sector, const SearchMask& places)
+      : bank_(bank),
+        scale_(kUnit * static_cast<double>(bank.rotations().front().points.size())),
+        first_(roi.x / kStep * kStep, roi.y / kStep * kStep),
+        size_((roi.br().x - first_.x + kStep - 1) / kStep,
+              (roi.br().y - first_.y + kStep - 1) / kStep),
+        maps_(scene.responses(bank.radius() + 1)) {
+    // Nothing is wanted of the last row: the rows above it are complete with their neighbours.
+    cv::copyMakeBorder(places.of_positions(bank.level(), first_, kStep, size_), wanted_, 0,
+                       whole(size_.height + 1, kBand) - size_.height, 0,
+                       whole(size_.width, kernels::kPositions) - size_.width, cv::BORDER_CONSTANT,
+                       {0});
+    for (auto& part : sectors_) part.set_width(wanted_.cols);
+    const auto& rotations = bank.rotations();
+    for (std::size_t k = 0; k < rotations.size(); ++k)
+      if (sector.contains(rotations[k].angle))
+        sectors_[k * sectors_.size() / rotations.size()].add_rotation(rotations[k], k, *maps_);
+  }
+
+  EdgeCandidates run(std::size_t foremost, std::size_t most) {
+    auto least = static_cast<std::int16_t>(std::max(1.0, kMinResponse * scale_));
+    thread_local std::vector<ResponsePeak> peaks;
+    peaks.clear();
+    bool before = false;
+    for (int y = 0; y < wanted_.rows; y += kBand) {
+      const bool wanted = cv::countNonZero(wanted_.rowRange(y, y + kBand)) > 0;
+      if (!std::exchange(before, wanted) && !wanted) continue;  // nothing, nor in what is kept
+      sum_band(y);
+      for (auto& part : sectors_) part.add_peaks(least, y, peaks);
+      if (peaks.size() > 2 * most) least = keep_best(peaks, most);
+    }
+    keep_best(peaks, most);
+    put_foremost_first(peaks, foremost);
+    EdgeCandidates found;
+    found.poses.reserve(peaks.size());
+    for (const auto& peak : peaks) found.poses.push_back(candidate(peak));
+    if (bank_.round()) found.round_places = different_places(found.poses, foremost);
+    return found;
+  }
+
+ private:
+  void sum_band(int y) {
+    for (auto& part : sectors_) part.next_band();
+    cv::Mat any;
+    cv::reduce(wanted_.rowRange(y, y + kBand), any, 0, cv::REDUCE_MAX);
+    for (const auto& span : covering_spans(any.ptr(), any.cols, kernels::kPositions))
+      for (int x = span.begin; x < span.end; x += kAtATime) {
+        const std::int8_t* maps =
+            maps_->data() + maps_->offset(0, first_.x + kStep * x, first_.y + kStep * y);
+        for (auto& part : sectors_)
+          part.sum_responses(maps, maps_->stride(), x, std::min(kAtATime, span.end - x));
+      }
+    for (int row = 0; row < kBand; ++row)
+      for (auto& part : sectors_) part.keep(row, wanted_.ptr(y + row));
+  }
+
+  /// Drops all but the best `most`. Returns the sum that no other needs to fall below.
+  static std::int16_t keep_best(std::vector<ResponsePeak>& peaks, std::size_t most) {
+    if (peaks.size() <= most) return 1;
+    const auto end = put_best_first(peaks, most);
+    const auto least = std::min_element(
+        peaks.begin(), end,
+        [](const ResponsePeak& a, const ResponsePeak& b) { return a.sum() < b.sum(); });
+    const auto sum = static_cast<std::int16_t>(least->sum());
+    peaks.erase(end, peaks.end());
+    return sum;
+  }
+
+  /// In order, the best that nothing better lies beside in the same quarter turn, `foremost` of
+  /// them if there are as many: so that no place has them all.
+  void put_foremost_first(std::vector<ResponsePeak>& peaks, std::size_t foremost) const {
+    constexpr std::size_t kPerPlace = 4;
+    const auto looked_at = put_best_first(peaks, kPerPlace * foremost);
+    std::sort(peaks.begin(), looked_at);
+    cv::Mat quarters = cv::Mat::zeros(wanted_.rows + 2, wanted_.cols + 2, CV_8UC1);
+    std::stable_partition(peaks.begin(), looked_at,
+                          [&](const ResponsePeak& peak) { return is_foremost(peak, quarters); });
+  }
+
+  /// Nothing better, which was asked for before, lies beside in its quarter turn: `quarters` has
+  /// the bits of those that do.
+  bool is_foremost(const ResponsePeak& peak, cv::Mat& quarters) const {
+    const auto quarter =
+        static_cast<uchar>(1 << 4 * peak.rotation() / static_cast<int>(bank_.rotations().size()));
+    const bool foremost = (quarters.at<uchar>(peak.y() + 1, peak.x() + 1) & quarter) == 0;
+    for (int y = peak.y(); y <= peak.y() + 2; ++y)
+      for (int x = peak.x(); x <= peak.x() + 2; ++x) quarters.at<uchar>(y, x) |= quarter;
+    return foremost;
+  }
+
+  Candidate candidate(const ResponsePeak& peak) const {
+    const Pose2D pose{double(first_.x + kStep * peak.x()), double(first_.y + kStep * peak.y()),
+                      bank_.rotations()[peak.rotation()].angle};
+    return {pose, bank_.level(), peak.sum() / scale_};
+  }
+
+  /// Of the first `most` poses.
+  static std::vector<Candidate> different_places(const std::vector<Candidate>& found,
+                                                 std::size_t most) {
+    constexpr std::size_t kEnough = 250;
+    std::vector<Candidate> places;
+    for (std::size_t i = 0; i < std::min(most, found.size()) && places.size() < kEnough; ++i) {
+      const Candidate& candidate = found[i];
+      const bool known = std::any_of(places.begin(), places.end(), [&](const Candidate& place) {
+        return place.pose.x == candidate.pose.x && place.pose.y == candidate.pose.y;
+      });
+      if (!known) places.push_back(candidate);
+    }
+    return places;
+  }
+
+  const ContourBank& bank_;
+  double scale_;     // sum of responses that are 1
+  cv::Point first_;  // [px] first position, even
+  cv::Size size_;    // of the positions
+  cv::Mat wanted_;   // CV_8UC1, the positions searched; whole groups and bands
+  std::shared_ptr<const ResponseMaps> maps_;
+  std::array<PeakFinder, 16> sectors_;
+};
+
+}  // namespace
+
+EdgeCandidates edge_search(const ContourBank& bank, const SceneLevel& scene, const cv::Rect& roi,
+                           std::size_t foremost, std::size_t most, const AngleRange& sector,
+                           const SearchMask& places) {
+  const cv::Rect region = roi & cv::Rect({0, 0}, scene.size());
+  if (region.empty()) return {};
+  return EdgeSearch(bank, scene, region, sector, places).run(foremost, most);
+}
+
+}  // namespace mbncc

@@ -1,0 +1,27 @@
+// Coarse search by the map's edge: finds objects whose surface looks different under other light.
+// After LINE-MOD (Hinterstoisser et al. 2012), with signed responses, so that clutter averages out.
+#pragma once
+
+#include <opencv2/core.hpp>
+#include <vector>
+
+#include "matching/proposal/angle_range.hpp"
+#include "matching/proposal/contour_bank.hpp"
+#include "matching/proposal/search_mask.hpp"
+#include "matching/scene/scene_level.hpp"
+#include "matching/template/candidate.hpp"
+
+namespace mbncc {
+
+struct EdgeCandidates {
+  std::vector<Candidate> poses;         ///< value: mean response [-1..1]
+  std::vector<Candidate> round_places;  ///< places where the contour does not tell the rotation
+};
+
+/// The best `most` poses in `roi` [px at the bank's level], `sector` and `places`, the best
+/// `foremost` of them first and in order. `scene` is that level.
+EdgeCandidates edge_search(const ContourBank& bank, const SceneLevel& scene, const cv::Rect& roi,
+                           std::size_t foremost, std::size_t most, const AngleRange& sector = {},
+                           const SearchMask& places = {});
+
+}  // namespace mbncc

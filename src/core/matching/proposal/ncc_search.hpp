@@ -1,0 +1,32 @@
+// Correlation of all rotations at all positions of one pyramid level.
+#pragma once
+
+#include <opencv2/core.hpp>
+#include <vector>
+
+#include "imaging/padded_picture.hpp"
+#include "matching/proposal/angle_range.hpp"
+#include "matching/proposal/search_mask.hpp"
+#include "matching/proposal/template_bank.hpp"
+#include "matching/template/candidate.hpp"
+
+namespace mbncc {
+
+struct CoarseSettings {
+  double min_similarity = 0.3;   ///< [-1..1] of a candidate
+  int max_places = 100;          ///< best places kept
+  double rotation_slack = 0.12;  ///< further rotations at a place are kept when they come this near
+};
+
+/// Local maxima over positions in `roi` [px at the bank's level] and `places` and over rotations in
+/// `sector`. `picture` is that level, with a margin of more than the bank's radius; `roi` lies in
+/// it.
+std::vector<Candidate> coarse_search(const TemplateBank& bank, const PaddedPicture& picture,
+                                     const cv::Rect& roi, const CoarseSettings& settings = {},
+                                     const AngleRange& sector = {}, const SearchMask& places = {});
+
+/// CV_32FC1 of grey's size: the largest similarity over all rotations at each position; where it is
+/// below 0 it is not worked out. `grey` is the bank's level, CV_8UC1.
+cv::Mat coarse_similarity(const TemplateBank& bank, const cv::Mat& grey);
+
+}  // namespace mbncc

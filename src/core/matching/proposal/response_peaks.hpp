@@ -1,0 +1,76 @@
+// Where the edges of a picture respond best to a part of a contour's rotations.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "matching/proposal/contour_bank.hpp"
+#include "matching/scene/response_maps.hpp"
+#include "simd/kernels.hpp"
+
+namespace mbncc {
+
+/// A position and rotation found, packed so that peaks in order are the best first; where sums are
+/// equal, in the order of rotations and places.
+class ResponsePeak {
+ public:
+  ResponsePeak(int sum, int rotation, int x, int y)
+      : packed_(std::uint64_t(kMost - sum) << 48 | std::uint64_t(rotation) << 32 |
+                std::uint64_t(y) << 16 | std::uint64_t(x)) {}
+
+  int sum() const { return kMost - static_cast<int>(packed_ >> 48); }
+  int rotation() const { return static_cast<int>(packed_ >> 32 & kMost); }
+  int y() const { return static_cast<int>(packed_ >> 16 & kMost); }
+  int x() const { return static_cast<int>(packed_ & kMost); }
+
+  bool operator<(const ResponsePeak& other) const { return packed_ < other.packed_; }
+
+ private:
+  static constexpr int kMost = 0xffff;
+
+  std::uint64_t packed_;
+};
+
+/// Puts the best `count` of all first, in no order, and returns their end.
+std::vector<ResponsePeak>::iterator put_best_first(std::vector<ResponsePeak>& peaks,
+                                                   std::size_t count);
+
+/// The best of a part of a turn's rotations at the positions of a few rows: outlines often fit
+/// again at another rotation, along edges of busy ground at many, and only the surface tells which.
+class PeakFinder {
+ public:
+  static constexpr int kBand = kernels::kResponseRows;  ///< rows worked out at a time
+
+  /// Of `width` positions per row.
+  void set_width(int width);
+
+  void add_rotation(const ContourBank::Rotation& rotation, std::size_t label,
+                    const ResponseMaps& maps);
+
+  /// Goes on to the next band: the last rows of this one stay, as its neighbours.
+  void next_band();
+
+  /// Sums at `count` positions, whole groups, from `x` on in the rows of the band; `maps` points at
+  /// the first.
+  void sum_responses(const std::int8_t* maps, int stride, int x, int count);
+
+  /// Forgets what does not belong to the search: row `row` of the band where `wanted` is 0.
+  void keep(int row, const std::uint8_t* wanted);
+
+  /// Adds positions of at least `least` that no neighbour exceeds, in the rows whose neighbours are
+  /// known: from one above the band, whose first row is `y`, to its last but one.
+  void add_peaks(std::int16_t least, int y, std::vector<ResponsePeak>& peaks);
+
+ private:
+  static constexpr int kKept = 2;
+  static constexpr int kRows = kKept + kBand;
+
+  std::vector<std::int32_t> offsets_;              // of all points of the rotations
+  std::vector<std::int16_t> labels_of_rotations_;  // their indices
+  int terms_ = 0, width_ = 0;
+  std::vector<std::int16_t> best_, labels_;  // kRows rows: largest sums, and whose they are
+  std::vector<std::int16_t> column_;         // largest of three rows, with one more on each side
+  std::vector<std::uint8_t> marked_;         // 1: peaks of a row
+};
+
+}  // namespace mbncc

@@ -1,0 +1,36 @@
+// Places of a picture that are worth a search.
+#pragma once
+
+#include <opencv2/core.hpp>
+#include <vector>
+
+namespace mbncc {
+
+class SearchMask {
+ public:
+  /// Everywhere.
+  SearchMask() = default;
+  /// Where `mask`, CV_8UC1 at pyramid level `level`, is not 0.
+  SearchMask(cv::Mat mask, int level) : mask_(std::move(mask)), level_(level) {}
+
+  bool everywhere() const { return mask_.empty(); }
+
+  /// CV_8UC1 of size `count`: 255 at the positions `first` + `step` (column, row) [px at `level`]
+  /// that belong to the places, else 0.
+  cv::Mat of_positions(int level, cv::Point first, int step, cv::Size count) const;
+
+ private:
+  cv::Mat mask_;
+  int level_ = 0;
+};
+
+/// Positions [begin, end) of a row.
+struct Span {
+  int begin, end;
+};
+
+/// Spans of whole groups of `group` positions that cover what is not 0 in a row of `count`, itself
+/// a number of whole groups, or fewer than one.
+std::vector<Span> covering_spans(const uchar* row, int count, int group);
+
+}  // namespace mbncc

@@ -1,0 +1,45 @@
+// The template turned to all rotations at the coarse level, as zero-sum integer weights.
+#pragma once
+
+#include <cstdint>
+#include <opencv2/core.hpp>
+#include <vector>
+
+#include "numeric/lazy.hpp"
+
+namespace mbncc {
+
+/// One rotation of the template; only pixels well inside the map.
+struct RotatedKernel {
+  /// Pixels [begin, end) of one row.
+  struct Run {
+    int y, begin, end;
+  };
+
+  double angle = 0;                   ///< [rad]
+  std::vector<cv::Point> pixels;      ///< relative to the anchor's pixel
+  std::vector<std::int16_t> weights;  ///< one per pixel, sum 0
+  std::vector<Run> runs;              ///< the same pixels as rows
+  double norm = 0;                    ///< sqrt(sum of squared weights)
+};
+
+struct TemplateBank {
+  int level = 0;   ///< of the pyramid
+  int radius = 0;  ///< [px at level] no pixel lies farther from the anchor in x or y
+  Lazy<std::vector<RotatedKernel>> kernels;  ///< evenly over a turn
+
+  /// Thin objects would be correlated at finer levels: for up to a yardstick, and where edges left
+  /// anything open in drawn pictures, that found nothing.
+  bool searched() const { return level >= 2; }
+};
+
+/// Chooses the coarsest level at which the map keeps enough pixels at every rotation, and the
+/// rotation step by the arc that the rim moves. `anchor` [px] is the centre of rotation. No
+/// kernels, at level 0, of a map so long and thin that they would be too many and too large.
+TemplateBank rotated_kernels(const cv::Mat& grey, const cv::Mat& map, cv::Point2d anchor);
+
+/// The map alone at `level`, turned to `count` rotations: pixels at least half covered, or fewer
+/// parts of them where the map is narrower than a pixel. Without weights.
+TemplateBank turned_maps(const cv::Mat& map, cv::Point2d anchor, int level, int count);
+
+}  // namespace mbncc

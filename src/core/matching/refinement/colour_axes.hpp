@@ -1,0 +1,59 @@
+// The colours of a surface along axes of their own at each point: brightness, which shading
+// changes, and two across it, which shading leaves alone.
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "matching/template/surface_template.hpp"
+#include "numeric/normal_equations.hpp"
+
+namespace mbncc {
+
+class ColourAxes {
+ public:
+  static constexpr int kAxes = 3;
+  static constexpr int kBrightness = 0;
+
+  ColourAxes() = default;
+
+  /// Of the points of `surface`, whose slopes are read from `picture`.
+  ColourAxes(const SurfaceTemplate& surface, const SceneLevel& picture);
+
+  /// What `sample` shows along an axis beyond template, smooth shading and an even tint, one value
+  /// per point, padded.
+  void remainder(int axis, const ShadingBasis& shading, const SurfaceSample& sample,
+                 std::vector<float>& values) const;
+
+  /// Mean square [grey^2] of what the template shows across brightness and a picture with such
+  /// remainders, in `gain` times its contrast, does not: the lesson's noise.
+  double noise(const std::array<std::vector<float>, kAxes>& remainders,
+               const std::vector<float>& weights, double gain) const;
+
+  /// [0..1] Part of the slopes along an axis that such noise does not bring about.
+  double reliability(int axis, double noise) const;
+
+  /// Sums, over the points with their `weights`, of the pull of such remainders and of the
+  /// information in the slopes; both are to be divided by the variance of the remainders.
+  NormalEquations pull(int axis, const std::vector<float>& remainder,
+                       const std::vector<float>& weights) const;
+
+ private:
+  struct Axis {
+    std::array<std::vector<float>, SurfaceTemplate::kChannels> direction;  // unit, of b, g, r
+    std::vector<float> even;    // unit row: the template along brightness, white light across it
+    std::vector<float> shown;   // by the template; nothing along brightness
+    std::vector<float> slopes;  // kMotionParts rows, orthogonal to shading and `even`
+    double energy = 0;          // of the slopes along x and y
+  };
+
+  void choose_directions(const SurfaceTemplate& surface);
+  void add_even(int axis, const SurfaceTemplate& surface);
+  void add_shown(int axis, const SurfaceTemplate& surface);
+  void add_slopes(int axis, const SurfaceTemplate& surface, const SurfaceTemplate::Slopes& slopes);
+
+  std::array<Axis, kAxes> axes_;
+  double count_ = 0;  // of points
+};
+
+}  // namespace mbncc

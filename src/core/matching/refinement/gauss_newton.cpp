@@ -1,0 +1,140 @@
+#include <algorithm>
+#include <cmath>
+
+#include "matching/refinement/gauss_newton.hpp"
+#include "simd/kernels.hpp"
+
+namespace mbncc {
+namespace {
+
+constexpr double kNoise = 60;        // [grey^2] keeps plain surfaces from pulling
+constexpr double kMaxStep = 1.5;     // [px] of one step, at the rim for a turn
+constexpr double kSmallStep = 0.01;  // [px] ends the climb
+constexpr int kReach = 2;            // [px] along the normals in which edges are looked for
+
+/// Adds the pull of the surface: normal equations of the motion that explains what the picture
+/// shows beyond the template, by the template's slopes.
+void add_surface_pull(const SurfaceTemplate& surface, const SurfaceSample& sample,
+                      double correlation, ContourPull& pull) {
+  constexpr int kRows = 4;
+  cv::Vec3d right;
+  double common = 0;
+  for (int c = 0; c < SurfaceTemplate::kChannels; ++c) {
+    float products[kRows];
+    kernels::dots(surface.slopes[c].data(), surface.padded(), kRows, sample.planes[c].data(),
+                  static_cast<int>(surface.padded()), products);
+    right += cv::Vec3d(products[0], products[1], products[2]);
+    common += products[3];
+  }
+  if (correlation < 0.05 || common <= 0) return;
+  pull.hessian += surface.slope_product * (correlation / surface.projected_energy);
+  pull.gradient += right * (correlation / common);
+}
+
+cv::Matx33d damped(cv::Matx33d hessian, double radius) {
+  constexpr double kDamping = 1e-4;
+  hessian(0, 0) += kDamping;
+  hessian(1, 1) += kDamping;
+  hessian(2, 2) += kDamping * radius * radius;
+  return hessian;
+}
+
+double length_of(const cv::Vec3d& step, double radius) {
+  return std::max(std::hypot(step[0], step[1]), std::abs(step[2]) * radius);
+}
+
+cv::Vec3d bounded(const cv::Vec3d& step, double radius) {
+  return step * std::min(1.0, kMaxStep / (length_of(step, radius) + 1e-9));
+}
+
+/// The climb of one template in one picture.
+class Climber {
+ public:
+  Climber(const PoseTemplate& object, const SceneLevel& scene)
+      : object_(object), scene_(scene), sample_(shared_sample()) {}
+
+  AlignedPose run(const Pose2D& start, int iterations) {
+    AlignedPose best{start, -2};
+    Pose2D pose = start;
+    // The last reading is for its value alone, to which edges farther off add nothing.
+    for (int k = 0; look_at(pose, k == iterations ? 1 : kReach); ++k) {
+      at_best_ = value_ > best.value;
+      if (at_best_) best = {pose, value_};
+      if (k == iterations) break;
+      const cv::Vec3d step = next_step();
+      if (length_of(step, radius()) < kSmallStep) break;
+      pose = compose(pose, inverse(Pose2D{step[0], step[1], step[2]}));
+    }
+    return best;
+  }
+
+  ScoredPose run_to_evidence(const Pose2D& start, int iterations) {
+    const Pose2D best = run(start, iterations).pose;
+    if (!at_best_) sample_.read(object_, scene_, best, 1);
+    return {best, gather_evidence(object_, scene_, best, sample_)};
+  }
+
+ private:
+  /// Kept from climb to climb, since it takes memory.
+  static PoseSample& shared_sample() {
+    thread_local PoseSample sample;
+    return sample;
+  }
+
+  double radius() const { return object_.surface.radius(); }
+
+  /// Reads what lies at `pose`; false when too little is visible.
+  bool look_at(const Pose2D& pose, int reach) {
+    at_best_ = false;
+    sample_.read(object_, scene_, pose, reach);
+    if (!sample_.surface.suffices()) return false;
+    correlation_ = object_.surface.correlation(sample_.remainder, kNoise);
+    value_ = contour_agreement(object_.contour, sample_.contour) + correlation_;
+    return true;
+  }
+
+  cv::Vec3d next_step() {
+    ContourPull pull = contour_pull(object_.contour, sample_.contour);
+    add_surface_pull(object_.surface, sample_.surface, correlation_, pull);
+    return bounded(damped(pull.hessian, radius()).inv() * pull.gradient, radius());
+  }
+
+  const PoseTemplate& object_;
+  const SceneLevel& scene_;
+  PoseSample& sample_;                   // at the pose looked at last
+  double correlation_ = 0, value_ = -2;  // there
+  bool at_best_ = false;                 // it is the best one
+};
+
+}  // namespace
+
+AlignedPose align(const PoseTemplate& object, const SceneLevel& scene, const Pose2D& start,
+                  int iterations) {
+  return Climber(object, scene).run(start, iterations);
+}
+
+AlignedPose align_contour(const PoseTemplate& object, const SceneLevel& scene, const Pose2D& start,
+                          int iterations) {
+  thread_local ContourSample sample;
+  const double radius = object.contour.radius();
+  AlignedPose best{start, -2};
+  Pose2D pose = start;
+  for (int k = 0;; ++k) {
+    scene.prepare_around(pose, object.reach());
+    // The last reading is for its value alone, to which what lies farther adds nothing.
+    read_contour(object.contour, scene.edges, pose, k == iterations ? 1 : kReach, sample);
+    const double value = contour_agreement(object.contour, sample);
+    if (value > best.value) best = {pose, value};
+    if (k == iterations) return best;
+    const ContourPull pull = contour_pull(object.contour, sample);
+    const cv::Vec3d step = bounded(damped(pull.hessian, radius).inv() * pull.gradient, radius);
+    pose = compose(pose, inverse(Pose2D{step[0], step[1], step[2]}));
+  }
+}
+
+ScoredPose align_and_score(const PoseTemplate& object, const SceneLevel& scene, const Pose2D& start,
+                           int iterations) {
+  return Climber(object, scene).run_to_evidence(start, iterations);
+}
+
+}  // namespace mbncc

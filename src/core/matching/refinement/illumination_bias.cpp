@@ -1,0 +1,45 @@
+#include "matching/refinement/illumination_bias.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace mbncc {
+namespace {
+
+/// By how much light may displace something: [px] in even light, and a share of shading's.
+struct Looseness {
+  double even, share;
+
+  double variance(double shading) const { return even * even + share * share * shading; }
+  double deviation(double shading) const { return std::hypot(even, share * std::sqrt(shading)); }
+};
+constexpr Looseness kBrightness{0.005, 0.075}, kContour{0.03, 0.17};
+constexpr Looseness kPlace{0.002, 0.12}, kRim{0.003, 0.05};
+
+constexpr double kPlain = 1;    // [grey^2 / px^2] bounds the displacement of plain surfaces
+constexpr double kEven = 0.03;  // [px^2] gradients of even light displace nothing
+
+}  // namespace
+
+IlluminationBias::IlluminationBias(const SurfaceTemplate& surface, const SurfaceSample& seen,
+                                   double contrast) {
+  const SurfaceDifference difference = surface.difference(seen, contrast);
+  const double slope = (surface.slope_product(0, 0) + surface.slope_product(1, 1)) /
+                       (2 * SurfaceTemplate::kChannels * static_cast<double>(surface.size()));
+  shading_ = std::max(0.0, difference.shading / (contrast * contrast) / (slope + kPlain) - kEven);
+}
+
+double IlluminationBias::of_brightness() const {
+  return kBrightness.deviation(shading_);
+}
+
+double IlluminationBias::of_contour() const {
+  return kContour.deviation(shading_);
+}
+
+cv::Matx33d IlluminationBias::of_pose(double radius) const {
+  const double place = kPlace.variance(shading_);
+  return cv::Matx33d::diag({place, place, kRim.variance(shading_) / (radius * radius)});
+}
+
+}  // namespace mbncc

@@ -1,0 +1,19 @@
+// What a picture shows of a rendered object, without the background that shows along its edge.
+#pragma once
+
+#include <vector>
+
+#include "matching/refinement/mixed_pixel_model.hpp"
+
+namespace mbncc {
+
+struct RenderingReading {
+  std::vector<float> values;  ///< per axis of colour and point; 0 outside of the picture
+  std::vector<float> inside;  ///< per point; 1: in the picture with its background, 0: outside
+};
+
+/// Reads a picture that has been prepared around `pose`.
+void read_rendering(const MixedPixelModel& object, const SceneLevel& scene, const Pose2D& pose,
+                    RenderingReading& reading);
+
+}  // namespace mbncc

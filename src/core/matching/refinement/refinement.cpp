@@ -1,0 +1,268 @@
+#include "matching/refinement/refinement.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "matching/refinement/illumination_bias.hpp"
+#include "matching/refinement/surface_residuals.hpp"
+#include "numeric/random_effects.hpp"
+
+namespace mbncc {
+namespace {
+
+constexpr int kReach = 2;               // [px] along the normals in which edges are looked for, ...
+constexpr int kFarReach = 5;            // ... and those that a half of the object may lie at
+constexpr double kSmallStep = 0.01;     // [px] ends the refinement
+constexpr double kFarthest = 1.5;       // [px] from the start, and at the rim by turning
+constexpr double kScalePrior = 0.02;    // deviation that heights and tilts bring about
+constexpr double kLeastScale = 0.006;   // deviation from 1 that is worth telling, ...
+constexpr double kScaleDeviations = 5;  // ... and it must be so many deviations
+constexpr double kMostScale = 0.08;     // beyond it another object is seen
+constexpr double kFixedScale = 1e-6;    // deviation that leaves the scale as it is
+
+class Refiner {
+ public:
+  Refiner(const RefinementTemplate& object, const SceneLevel& scene, const Pose2D& start)
+      : object_(object), scene_(scene), start_(start), pose_(start) {}
+
+  Refined run(int iterations) {
+    bool seen = approach(iterations, kFixedScale);
+    if (seen && iterations > 0 && scale_differs()) seen = approach(iterations, kScalePrior);
+    if (strayed()) {
+      pose_ = start_;
+      scale_ = 1;
+      seen = look();
+    }
+    if (!seen) return unknown_accuracy(pose_);
+    const double apart = std::max(unclaimed_, halves_apart());
+    return {pose_, scale_, covariance(unclaimed_), covariance(apart)};
+  }
+
+ private:
+  struct Samples {
+    SurfaceSample surface;
+    ContourSample contour;
+    SurfaceResiduals remainders;
+  };
+
+  static Samples& samples() {
+    thread_local Samples samples;
+    return samples;
+  }
+
+  double radius() const { return object_.object.surface.radius(); }
+
+  /// Steps until they become small. False where too little is visible.
+  bool approach(int iterations, double scale_deviation) {
+    scale_deviation_ = scale_deviation;
+    for (int k = 0; look(); ++k) {
+      if (k == iterations) return true;
+      Motion step = solution(scale_deviation_);
+      if (scale_deviation_ == kFixedScale) step[3] = 0;
+      move(step);
+      if (length_of(step) < kSmallStep) return true;  // nothing else would be seen there
+    }
+    return false;
+  }
+
+  bool look();
+  double halves_apart();
+  NormalEquations half_pull(double x, double y);
+  double gain() const;
+  NormalEquations edges_pull(const ContourSample& sample) const;
+  void read_edges(int reach) {
+    read_contour(object_.object.contour, scene_.edges, pose_, reach, samples_.contour, scale_);
+  }
+  std::array<NormalEquations, ColourAxes::kAxes> axis_pulls(const std::vector<float>& weights);
+  NormalEquations as_far_as_it_agrees(const NormalEquations& colour,
+                                      const NormalEquations& edges) const;
+
+  cv::Matx44d information(double scale_deviation) const {
+    cv::Matx44d prior = cv::Matx44d::diag({kLeast, kLeast, kLeast * radius() * radius(), 0});
+    prior(3, 3) = 1 / (scale_deviation * scale_deviation);
+    return pull_.information + prior;
+  }
+
+  Motion solution(double scale_deviation) const {
+    Motion towards = pull_.vector;
+    towards[3] += (scale_ - 1) / (scale_deviation * scale_deviation);
+    return information(scale_deviation).inv() * towards;
+  }
+
+  bool scale_differs() const {
+    const double off = std::abs(solution(kScalePrior)[3]);
+    const double deviation = std::sqrt(information(kScalePrior).inv()(3, 3));
+    return off > std::max(kLeastScale, kScaleDeviations * deviation);
+  }
+
+  void move(const Motion& step) {
+    const double bound = std::min(1.0, kFarthest / (length_of(step) + 1e-9));
+    const Motion bounded = step * bound;
+    scale_ /= 1 + bounded[3];
+    pose_.theta -= bounded[2];
+    pose_ = compose(pose_, {-scale_ * bounded[0], -scale_ * bounded[1], 0});
+  }
+
+  double length_of(const Motion& step) const {
+    return std::max(std::hypot(step[0], step[1]), std::hypot(step[2], step[3]) * radius());
+  }
+
+  bool strayed() const {
+    return std::hypot(pose_.x - start_.x, pose_.y - start_.y) > kFarthest ||
+           angle_distance(pose_.theta, start_.theta) * radius() > kFarthest ||
+           std::abs(scale_ - 1) > kMostScale;
+  }
+
+  cv::Matx33d covariance(double unclaimed) const;
+  static constexpr double kLeast = 1e-4;  // [1/px^2] information that is always there
+
+  const RefinementTemplate& object_;
+  const SceneLevel& scene_;
+  Pose2D start_, pose_;
+  double scale_ = 1, scale_deviation_ = kFixedScale;
+  Samples& samples_ = samples();
+  NormalEquations pull_, edges_;   // at the pose looked at last
+  double contrast_ = 1;            // there
+  double unclaimed_ = 0;           // [px^2] by how much they are apart, there
+  IlluminationBias displacement_;  // there
+};
+
+/// Collects what surface and contour say at the pose. False where too little is visible.
+bool Refiner::look() {
+  const PoseTemplate& object = object_.object;
+  scene_.prepare_around(pose_, object.reach() * scale_);
+  object.surface.sample(scene_, pose_, samples_.surface, scale_);
+  if (!samples_.surface.suffices()) return false;
+  contrast_ = gain();
+  displacement_ = IlluminationBias(object.surface, samples_.surface, contrast_);
+  read_edges(kReach);
+  edges_ = edges_pull(samples_.contour);
+  samples_.remainders.read(object_.axes, object.surface, samples_.surface);
+  const auto axes = axis_pulls(samples_.remainders.weights);
+  RandomEffects all(radius());
+  all.add(edges_);
+  for (const auto& axis : axes) all.add(axis);
+  unclaimed_ = all.variance();
+  NormalEquations colour = axes[1];
+  colour += axes[2];
+  pull_ = edges_;
+  pull_ += axes[ColourAxes::kBrightness];
+  pull_ += as_far_as_it_agrees(colour, edges_);
+  return true;
+}
+
+/// What one half of the object says: that on the side of a direction in the template's frame.
+NormalEquations Refiner::half_pull(double x, double y) {
+  const auto on_side = [&](double px, double py) { return px * x + py * y > 0; };
+  const PoseTemplate& object = object_.object;
+  ContourSample contour = samples_.contour;
+  for (std::size_t i = 0; i < object.contour.size(); ++i)
+    if (!on_side(object.contour.x[i], object.contour.y[i])) contour.pull[i] = contour.moment[i] = 0;
+  NormalEquations pull = edges_pull(contour);
+  std::vector<float> weights = samples_.remainders.weights;
+  for (std::size_t i = 0; i < object.surface.size(); ++i)
+    if (!on_side(object.surface.x[i], object.surface.y[i])) weights[i] = 0;
+  const auto axes = axis_pulls(weights);
+  NormalEquations colour = axes[1];
+  colour += axes[2];
+  pull += axes[ColourAxes::kBrightness];
+  pull += as_far_as_it_agrees(colour, edges_);
+  return pull;
+}
+
+/// [px^2] By how much halves of the object, split along the picture's rows and columns, are apart
+/// beyond what they claim: in a picture torn while the object moved, a half lies
+/// elsewhere.
+double Refiner::halves_apart() {
+  read_edges(kFarReach);
+  const double c = std::cos(pose_.theta), s = std::sin(pose_.theta);
+  double most = 0;
+  for (const auto& [x, y] : {std::make_pair(c, -s), std::make_pair(s, c)}) {
+    RandomEffects halves(radius());
+    halves.add(half_pull(x, y));
+    halves.add(half_pull(-x, -y));
+    most = std::max(most, halves.variance());
+  }
+  return most;
+}
+
+NormalEquations Refiner::edges_pull(const ContourSample& sample) const {
+  constexpr double kScatter = 0.8;         // [px] of one contour point
+  constexpr double kCorrelatedPoints = 2;  // neighbours on the contour that scatter alike
+  const double scatter = kScatter * kScatter * kCorrelatedPoints;
+  NormalEquations edges = object_.contour_motion.pull(sample);
+  edges.information *= 1 / scatter;
+  edges.vector *= 1 / scatter;
+  return loosened(edges, displacement_.of_contour());
+}
+
+std::array<NormalEquations, ColourAxes::kAxes> Refiner::axis_pulls(
+    const std::vector<float>& weights) {
+  constexpr double kCorrelatedValues = 4;  // neighbours' noise is alike, by smoothing
+  const SurfaceResiduals& remainders = samples_.remainders;
+  const auto variances = remainders.variances();
+  const double lesson_noise = object_.axes.noise(remainders.values, remainders.weights, contrast_);
+  std::array<NormalEquations, ColourAxes::kAxes> pulls;
+  for (int axis = 0; axis < ColourAxes::kAxes; ++axis) {
+    pulls[axis] = object_.axes.pull(axis, remainders.values[axis], weights);
+    const double noise = kCorrelatedValues * variances[axis];
+    const double share = contrast_ * object_.axes.reliability(axis, lesson_noise);
+    pulls[axis].information *= share * share / noise;
+    pulls[axis].vector *= share / noise;
+  }
+  NormalEquations& brightness = pulls[ColourAxes::kBrightness];
+  brightness = loosened(brightness, displacement_.of_brightness());
+  return pulls;
+}
+
+/// Cameras blur and displace colour, some by pixels: how far it is apart from the contour tells.
+NormalEquations Refiner::as_far_as_it_agrees(const NormalEquations& colour,
+                                             const NormalEquations& edges) const {
+  constexpr double kUsual = 0.3;  // [px] apart
+  RandomEffects two(radius());
+  two.add(colour);
+  two.add(edges);
+  const double apart = std::sqrt(2 * two.variance());
+  return apart > kUsual ? loosened_throughout(colour, apart, radius()) : colour;
+}
+
+/// Of the picture's contrast by the template's.
+double Refiner::gain() const {
+  constexpr double kPrior = 20;  // [grey^2] pulls that of plain surfaces to 1
+  const SurfaceTemplate& surface = object_.object.surface;
+  const double energy = surface.mean_projected_energy();
+  const double common = surface.contrast(samples_.surface) * energy;
+  return std::clamp((common + kPrior) / (energy + kPrior), 0.3, 2.0);
+}
+
+/// `unclaimed` [px^2]: by how much cues, or halves, are apart.
+cv::Matx33d Refiner::covariance(double unclaimed) const {
+  constexpr double kAlike =
+      3;  // what displaces them apart displaces all of them, too: so much more
+  const double rim = radius() * radius();
+  const cv::Matx33d in_template = information(scale_deviation_).inv().get_minor<3, 3>(0, 0) +
+                                  displacement_.of_pose(radius()) +
+                                  kAlike * unclaimed * cv::Matx33d::diag({1, 1, 1 / rim});
+  const double c = std::cos(pose_.theta), s = std::sin(pose_.theta);
+  const cv::Matx33d turn(c, -s, 0, s, c, 0, 0, 0, 1);
+  return turn * in_template * turn.t();
+}
+
+}  // namespace
+
+RefinementTemplate::RefinementTemplate(PoseTemplate made, const SceneLevel& picture)
+    : object(std::move(made)), axes(object.surface, picture), contour_motion(object.contour) {}
+
+Refined unknown_accuracy(const Pose2D& pose) {
+  constexpr double kPlace = 100;  // [px]
+  const auto unknown = cv::Matx33d::diag({kPlace * kPlace, kPlace * kPlace, 4 * kPi * kPi});
+  return {pose, 1, unknown, unknown};
+}
+
+Refined refine(const RefinementTemplate& object, const SceneLevel& scene, const Pose2D& start,
+               int iterations) {
+  return Refiner(object, scene, start).run(iterations);
+}
+
+}  // namespace mbncc

@@ -1,0 +1,25 @@
+// What a picture shows of a surface along its colour axes, and how much each point counts.
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "matching/refinement/colour_axes.hpp"
+#include "matching/template/surface_template.hpp"
+
+namespace mbncc {
+
+struct SurfaceResiduals {
+  using Variances = std::array<double, ColourAxes::kAxes>;
+
+  std::array<std::vector<float>, ColourAxes::kAxes> values;
+  std::vector<float> weights;  ///< [0..1] of the points
+
+  /// Reads the values and weighs the points: what is covered or in gloss counts little.
+  void read(const ColourAxes& axes, const SurfaceTemplate& surface, const SurfaceSample& sample);
+
+  /// [grey^2] Along the axes, the same across brightness.
+  Variances variances() const;
+};
+
+}  // namespace mbncc

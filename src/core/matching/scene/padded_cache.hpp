@@ -1,0 +1,37 @@
+// What is made from a picture once, with room around it, for all searches of that picture.
+#pragma once
+
+#include <memory>
+#include <mutex>
+
+namespace mbncc {
+
+/// `Padded` has fill(source, margin), which uses its memory again, and margin(). Several threads
+/// may ask at a time.
+template <class Padded>
+class PaddedCache {
+ public:
+  /// With a margin of at least `margin` [px]. `source` is the same picture until forget().
+  template <class Source>
+  std::shared_ptr<const Padded> get(const Source& source, int margin) {
+    constexpr int kGrain = 16;  // few different margins, so that larger objects seldom ask for more
+    const int wanted = (margin + kGrain - 1) / kGrain * kGrain;
+    const std::lock_guard<std::mutex> lock(filling_);
+    if (valid_ && padded_->margin() >= wanted) return padded_;
+    // Who asked for less may still read it.
+    if (!padded_ || valid_) padded_ = std::make_shared<Padded>();
+    padded_->fill(source, wanted);
+    valid_ = true;
+    return padded_;
+  }
+
+  /// The next to ask has another picture; nobody reads the old one any more.
+  void forget() { valid_ = false; }
+
+ private:
+  std::mutex filling_;
+  std::shared_ptr<Padded> padded_;
+  bool valid_ = false;
+};
+
+}  // namespace mbncc

@@ -1,0 +1,22 @@
+// What is thought of a candidate at its pyramid level.
+#pragma once
+
+#include <vector>
+
+#include "matching/prepared/prepared_object.hpp"
+#include "matching/scene/scene_picture.hpp"
+#include "matching/template/candidate.hpp"
+
+namespace mbncc {
+
+/// Log-odds that `view` lies at `pose` [px at level].
+double candidate_odds(const PreparedView& view, const ScenePicture& scene, int level,
+                      const Pose2D& pose);
+
+/// Local maxima of the agreement with `object` at a place over a full turn, in steps of `arc` [px]
+/// at the rim, best first. `scene` is the place's level; the candidates' values are those of
+/// align().
+std::vector<Candidate> rotation_peaks(const PoseTemplate& object, const SceneLevel& scene,
+                                      const Candidate& place, double arc);
+
+}  // namespace mbncc

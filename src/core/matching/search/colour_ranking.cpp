@@ -1,0 +1,65 @@
+#include "matching/search/colour_ranking.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+
+namespace mbncc {
+namespace {
+
+constexpr double kWeight = 0.2;  // of a log-odds by colour, against a mean response
+
+/// What the colours of a picture say for an object.
+class ColourVoice {
+ public:
+  ColourVoice(const PreparedView& view, const ScenePicture& scene, int level)
+      : classes_(scene.classes().at(view.gate.level())),
+        speaking_(view.gate.speaking(scene.classes())),
+        to_class_(static_cast<float>(1 << level) / static_cast<float>(1 << view.gate.level())) {
+    constexpr std::size_t kStep = 3;  // every third point tells enough
+    const SurfaceTemplate& surface = view.rough[level].surface;
+    for (std::size_t i = 0; i < surface.size(); i += kStep)
+      points_.push_back(to_class_ * cv::Point2f(surface.x[i], surface.y[i]));
+  }
+
+  /// Mean log-odds of the colours under `pose` [px at the poses' level].
+  double mean(const Pose2D& pose) const {
+    if (points_.empty()) return 0;
+    const auto theta = static_cast<float>(pose.theta);
+    const float cosine = std::cos(theta), sine = std::sin(theta);
+    const cv::Point2f middle = to_class_ * cv::Point2f(pose.position());
+    int sum = 0;
+    for (const auto& point : points_) {
+      const float x = cosine * point.x - sine * point.y + middle.x;
+      const float y = sine * point.x + cosine * point.y + middle.y;
+      const int column = std::clamp(static_cast<int>(x), 0, classes_.cols - 1);
+      const int row = std::clamp(static_cast<int>(y), 0, classes_.rows - 1);
+      sum += speaking_[classes_.at<std::uint16_t>(row, column)];
+    }
+    return static_cast<double>(sum) /
+           (static_cast<double>(points_.size()) * ColourPrefilter::kUnit);
+  }
+
+ private:
+  const cv::Mat& classes_;
+  ColourPrefilter::Speaking speaking_;
+  float to_class_;                   // from the poses' level
+  std::vector<cv::Point2f> points_;  // [px at the classes' level]
+};
+
+}  // namespace
+
+std::vector<Candidate> best_by_colours(const PreparedView& view, const ScenePicture& scene,
+                                       std::vector<Candidate> poses, std::size_t most) {
+  if (!poses.empty() && scene.classes().last_level() >= view.gate.level()) {
+    const ColourVoice voice(view, scene, poses.front().level);
+    for (auto& candidate : poses) candidate.value += kWeight * voice.mean(candidate.pose);
+  }
+  const auto end = poses.begin() + static_cast<std::ptrdiff_t>(std::min(most, poses.size()));
+  std::partial_sort(poses.begin(), end, poses.end(),
+                    [](const Candidate& a, const Candidate& b) { return a.value > b.value; });
+  poses.erase(end, poses.end());
+  return poses;
+}
+
+}  // namespace mbncc

@@ -1,0 +1,48 @@
+// What the coarse searches of one view propose.
+#pragma once
+
+#include <opencv2/core.hpp>
+#include <vector>
+
+#include "matching/prepared/prepared_object.hpp"
+#include "matching/proposal/search_mask.hpp"
+#include "matching/scene/scene_picture.hpp"
+#include "matching/template/candidate.hpp"
+
+namespace mbncc {
+
+/// Poses of a view, the best first, whose anchors lie in `roi` [px] and `places`.
+class Proposals {
+ public:
+  Proposals(const PreparedView& view, const ScenePicture& scene, const cv::Rect& roi,
+            const SearchMask& places)
+      : view_(view), scene_(scene), roi_(roi), places_(places) {}
+
+  /// Searches by edges: at most `most` poses, and `round_places` places whose rotation the surface
+  /// has to tell.
+  void follow_edges(std::size_t most, std::size_t round_places);
+  /// The same, and as many more as colours may choose from.
+  void follow_edges_anywhere(std::size_t most, std::size_t round_places);
+  /// The best `most` places by rotated correlation, unless that would be at one of the finest
+  /// levels.
+  std::vector<Candidate> by_correlation(int most) const;
+  /// Of those by edges the first `most`, and those at round places.
+  std::vector<Candidate> by_edges(std::size_t most) const;
+  /// Of all those by edges the `most` whose colours speak most for the object, too.
+  std::vector<Candidate> by_colours(std::size_t most) const;
+
+  /// Edges proposed the place of `pose` [px] among the first `count`.
+  bool foremost_by_edges(const Pose2D& pose, std::size_t count) const;
+
+ private:
+  void search_edges(std::size_t foremost, std::size_t most, std::size_t round_places);
+  void add_rotations_by_surface(const Candidate& place);
+
+  const PreparedView& view_;
+  const ScenePicture& scene_;
+  cv::Rect roi_;
+  const SearchMask& places_;
+  std::vector<Candidate> edges_, round_;
+};
+
+}  // namespace mbncc

@@ -1,0 +1,142 @@
+#include "matching/search/pyramid_tracking.hpp"
+
+#include <algorithm>
+
+#include "imaging/pyramid.hpp"
+#include "matching/decision/clutter.hpp"
+#include "matching/refinement/gauss_newton.hpp"
+#include "matching/search/candidate_odds.hpp"
+
+namespace mbncc {
+namespace {
+
+/// Log-odds below which a candidate has never become a detection, nor a rival that matters.
+struct PruningThresholds {
+  double roughly, entering, climbed, finally;
+};
+constexpr PruningThresholds kFloors{-20, -12, -8, -6};
+
+constexpr std::size_t kOnEdges = 600;  // thin proposals that are climbed, at most
+
+void step_down(std::vector<Candidate>& candidates) {
+  for (auto& candidate : candidates) {
+    candidate.pose = from_level(candidate.pose, 1);
+    --candidate.level;
+  }
+}
+
+class PyramidTracker {
+ public:
+  PyramidTracker(const PreparedView& view, const ScenePicture& scene, const SearchBudget& effort)
+      : view_(view), scene_(scene), effort_(effort) {}
+
+  std::vector<Candidate> run(std::vector<Candidate> candidates) const {
+    if (candidates.empty()) return {};
+    int level = enter(candidates);
+    align(level, 3, candidates);
+    for (; level > 0; --level) {
+      step_down(candidates);
+      align(level - 1, 2, candidates);
+    }
+    return candidates;
+  }
+
+ private:
+  /// Judges proposals, roughly first: reading the surface is dear, and most lie on nothing. Returns
+  /// the level that the best enter at.
+  int enter(std::vector<Candidate>& candidates) const {
+    int level = candidates.front().level;
+    // What is hardly two pixels wide cannot be judged.
+    const bool finer = level > 0 && view_.geometry.mean_width() < effort_.width * (1 << level);
+    if (finer) {
+      step_down(candidates);
+      --level;
+    }
+    if (is_narrow())
+      follow_contours(level, candidates);
+    else
+      keep_those_on_edges(level, finer ? kOnEdges : effort_.on_edges, candidates);
+    judge(view_.rough[level], finer ? 2 : is_narrow() ? 1 : 0, candidates);
+    suppress(candidates, {effort_.judged});
+    drop_below(kFloors.roughly, candidates);
+    judge(view_.templates[level], 0, candidates);
+    suppress(candidates, {effort_.entering, kHopeless});
+    drop_below(kFloors.entering, candidates);
+    return level;
+  }
+
+  /// The view is so narrow that a step of the edge search brings its outline beside itself.
+  bool is_narrow() const {
+    constexpr double kSteps = 2;  // of the edge search's places
+    const double step = 2 * (1 << view_.edges.level());
+    return view_.geometry.mean_width() < std::min(effort_.narrow, kSteps * step);
+  }
+
+  /// Keeps the best `most` by their contour alone.
+  void keep_those_on_edges(int level, std::size_t most, std::vector<Candidate>& candidates) const {
+    if (candidates.size() <= most) return;
+    for (auto& candidate : candidates)
+      candidate.value =
+          align_contour(view_.rough[level], scene_.levels[level], candidate.pose, 0).value;
+    sort_by_value(candidates);
+    candidates.resize(most);
+  }
+
+  /// Moves proposals of a narrow outline onto the edges beside them: where steps are as wide as the
+  /// object, nothing else can be judged. Climbing is dear, so the best on edges stay.
+  void follow_contours(int level, std::vector<Candidate>& candidates) const {
+    constexpr int kSteps = 3;
+    for (auto& candidate : candidates) {
+      const AlignedPose on_edges =
+          align_contour(view_.rough[level], scene_.levels[level], candidate.pose, kSteps);
+      candidate.pose = on_edges.pose;
+      candidate.value = on_edges.value;
+    }
+    suppress(candidates,
+             {kOnEdges, Suppression::kUnlimited, Suppression::kUnlimited, alike_at(level, 1)});
+  }
+
+  /// Climbs, in as many steps, and gives the candidates their log-odds.
+  void judge(const PoseTemplate& object, int iterations, std::vector<Candidate>& candidates) const {
+    for (auto& candidate : candidates) {
+      const ScoredPose reached =
+          align_and_score(object, scene_.levels[candidate.level], candidate.pose, iterations);
+      candidate.pose = reached.pose;
+      candidate.value = log_odds(reached.evidence, view_.shape.area());
+    }
+  }
+
+  void align(int level, int iterations, std::vector<Candidate>& candidates) const {
+    judge(view_.templates[level], iterations, candidates);
+    const auto kept = static_cast<std::size_t>(effort_.kept * static_cast<double>(most_at(level)));
+    suppress(candidates,
+             {kept, kHopeless, apart_at(level), alike_at(level, level == 0 ? 1.5 : 1.0)});
+    drop_below(level > 0 ? kFloors.climbed : kFloors.finally, candidates);
+  }
+
+  double radius_at(int level) const { return view_.shape.radius() / (1 << level); }
+  double apart_at(int level) const { return kSamePlace * radius_at(level); }
+
+  /// Rotations of what is round are one candidate. Other symmetries may be measured where a print
+  /// tells the rotation.
+  DuplicateRadius alike_at(int level, double distance) const {
+    return {distance, radius_at(level), view_.symmetry == 0 ? 0 : 1};
+  }
+
+  const PreparedView& view_;
+  const ScenePicture& scene_;
+  const SearchBudget& effort_;
+};
+
+}  // namespace
+
+std::size_t most_at(int level) {
+  return level == 0 ? 8 : level == 1 ? 12 : 20;
+}
+
+std::vector<Candidate> descend(const PreparedView& view, const ScenePicture& scene,
+                               const SearchBudget& effort, std::vector<Candidate> proposed) {
+  return PyramidTracker(view, scene, effort).run(std::move(proposed));
+}
+
+}  // namespace mbncc

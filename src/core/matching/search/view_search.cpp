@@ -1,0 +1,270 @@
+#include "matching/search/view_search.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "matching/decision/clutter.hpp"
+#include "matching/evidence/contour_alignment.hpp"
+#include "matching/refinement/gauss_newton.hpp"
+#include "matching/search/candidate_odds.hpp"
+#include "matching/search/proposals.hpp"
+#include "matching/search/pyramid_tracking.hpp"
+#include "matching/search/search_budget.hpp"
+#include "matching/search/verification.hpp"
+
+namespace mbncc {
+namespace {
+
+constexpr std::size_t kFinal = 3;        // places whose other angles are tried, ...
+constexpr std::size_t kMostPlaces = 10;  // ... and so many ...
+constexpr double kLikely = 0;            // ... that have these log-odds
+constexpr double kSamePose = 1e-6;       // [px]
+constexpr double kOtherAngle = to_radians(10.);
+constexpr std::size_t kPolished = 8;
+constexpr double kOutclassed = 8;  // log-odds behind the best that polishing does not make up for
+
+/// Of a view that is left a part of the rotations, so many fewer candidates.
+template <class Count>
+Count part_of(Count count, const AngleRange& sector) {
+  const double share = std::min(1.0, (sector.high - sector.low) / (2 * kPi));
+  return static_cast<Count>(std::ceil(share * count));
+}
+
+SearchBudget for_sector(SearchBudget effort, const AngleRange& sector) {
+  for (auto* count : {&effort.edge_poses, &effort.on_edges, &effort.judged, &effort.entering})
+    *count = part_of(*count, sector);
+  return effort;
+}
+
+FirstBudget for_sector(FirstBudget look, const AngleRange& sector) {
+  look.effort = for_sector(look.effort, sector);
+  look.correlated_places = part_of(look.correlated_places, sector);
+  return look;
+}
+
+class ViewSearch {
+ public:
+  ViewSearch(const PreparedObject& object, const PreparedView& view, const ScenePicture& scene,
+             const cv::Rect& roi, SearchMode look, const SearchMask& places)
+      : object_(object),
+        view_(view),
+        scene_(scene),
+        roi_(roi),
+        everywhere_(places.everywhere()),
+        look_(look),
+        first_(for_sector(is_sparing(look) ? kSparing : kQuick, view.sector)),
+        thorough_(for_sector(kThorough, view.sector)),
+        proposals_(view, scene, roi, places) {}
+
+  std::vector<Detection> run() {
+    if (view_.polar) return judge_polar();
+    if (view_.top_level() > scene_.top_level()) return {};
+    if (look_ == SearchMode::kTwice)
+      proposals_.follow_edges_anywhere(first_.effort.edge_poses, first_.round_places);
+    else
+      proposals_.follow_edges(first_.effort.edge_poses, first_.round_places);
+    std::vector<Candidate> candidates = best_by_edges();
+    if (everywhere_ && !sure(candidates))
+      merge(descend(view_, scene_, first_.effort,
+                    proposals_.by_correlation(first_.correlated_places)),
+            candidates);
+    if (look_ == SearchMode::kTwice) look_again(candidates);
+    suppress(candidates, {most_at(0), kNoRival, apart()});
+    try_other_angles(candidates);
+    return judge_all(candidates);
+  }
+
+  std::vector<Detection> run_at(const std::vector<cv::Point2d>& centres) const {
+    std::vector<Candidate> candidates;
+    for (const auto& centre : centres) {
+      const auto turned = turned_at({{centre.x, centre.y, 0}, 0, 0});
+      candidates.insert(candidates.end(), turned.begin(), turned.end());
+    }
+    sort_by_value(candidates);
+    drop_below(kWorthRefining, candidates);
+    return candidates.empty() ? std::vector<Detection>{} : judge_all(candidates);
+  }
+
+ private:
+  std::vector<Candidate> best_by_edges() const {
+    return descend(view_, scene_, first_.effort, proposals_.by_edges(first_.effort.edge_poses));
+  }
+
+  /// Edges where the object's colours are, too.
+  std::vector<Candidate> best_by_colours(const SearchBudget& effort) const {
+    return descend(view_, scene_, effort, proposals_.by_colours(effort.edge_poses));
+  }
+
+  /// Where nothing was found, or so much that there may be more.
+  void look_again(std::vector<Candidate>& candidates) const {
+    if (!found(candidates))
+      merge(best_by_colours(thorough_), candidates);
+    else if (several(candidates))
+      merge(best_by_colours(for_sector(kFurther, view_.sector)), candidates);
+  }
+
+  void merge(const std::vector<Candidate>& more, std::vector<Candidate>& candidates) const {
+    candidates.insert(candidates.end(), more.begin(), more.end());
+    suppress(candidates, {2 * most_at(0), Suppression::kUnlimited, apart(), alike()});
+  }
+
+  double apart() const { return kSamePlace * view_.shape.radius(); }
+  DuplicateRadius alike() const { return {1.5, view_.shape.radius()}; }
+
+  /// One of the sorted candidates is likely and no other place is, and edges proposed it among the
+  /// first: so they would have a further instance.
+  bool sure(const std::vector<Candidate>& candidates) const {
+    const auto places = best_places(candidates, apart(), 2);
+    if (places.empty() || places[0].value < kSure) return false;
+    if (places.size() > 1 && places[1].value >= kSecond) return false;
+    return proposals_.foremost_by_edges(places[0].pose, kForemost);
+  }
+
+  /// One of the sorted candidates is likely, among others of its like, too.
+  bool found(const std::vector<Candidate>& candidates) const {
+    std::vector<double> odds;
+    for (const auto& place : best_places(candidates, apart(), kCluttered))
+      odds.push_back(place.value);
+    return !odds.empty() && odds.front() - clutter_penalty(odds) >= kFound;
+  }
+
+  /// Several of the sorted candidates are instances beyond doubt: of more, some may be covered.
+  bool several(const std::vector<Candidate>& candidates) const {
+    const auto places = best_places(candidates, apart(), kSeveral);
+    return places.size() == kSeveral && places.back().value >= kInstance;
+  }
+
+  /// Adds the best other rotations at the best places and wherever an instance is likely: rivals
+  /// that the margin is measured against, and sometimes the truth. Each place stays with its best
+  /// rival, however far it is behind another place.
+  void try_other_angles(std::vector<Candidate>& candidates) const {
+    std::vector<Candidate> needed;
+    const auto places = best_places(candidates, 0.5 * view_.shape.radius(), kMostPlaces);
+    for (std::size_t i = 0; i < places.size(); ++i) {
+      if (i >= kFinal && places[i].value < kLikely) break;
+      const auto turned = turned_at(places[i]);
+      candidates.insert(candidates.end(), turned.begin(), turned.end());
+      const auto rival = std::find_if(turned.begin(), turned.end(), [&](const Candidate& other) {
+        return angle_distance(other.pose.theta, places[i].pose.theta, view_.symmetry) > kOtherAngle;
+      });
+      needed.push_back(places[i]);
+      if (rival != turned.end()) needed.push_back(*rival);
+    }
+    suppress(candidates, {most_at(0), kNoRival, apart(), alike()});
+    candidates.insert(candidates.end(), needed.begin(), needed.end());
+    suppress(candidates, {candidates.size(),
+                          Suppression::kUnlimited,
+                          Suppression::kUnlimited,
+                          {kSamePose, view_.shape.radius()}});
+  }
+
+  /// The best other rotations at a place, best first.
+  std::vector<Candidate> turned_at(const Candidate& place) const {
+    constexpr std::size_t kMost = 3;
+    auto peaks = rotation_peaks(view_.rough[0], scene_.levels[0], place, 2);
+    std::vector<Candidate> turned = reached_from(peaks, kMost);
+    peaks.insert(peaks.begin(), half_turned(place));
+    const auto shifted = reached_from(shifted_onto_edges(peaks), kMost);
+    turned.insert(turned.end(), shifted.begin(), shifted.end());
+    suppress(turned, {kMost, Suppression::kUnlimited, Suppression::kUnlimited, alike()});
+    return turned;
+  }
+
+  /// By half a turn about the map's centroid: so what is long covers itself best, but for its ends,
+  /// and that may be farther off than shifts reach.
+  Candidate half_turned(const Candidate& place) const {
+    const SurfaceTemplate& surface = view_.templates[0].surface;
+    const auto mean = [&](const std::vector<float>& values) {
+      return std::accumulate(values.begin(), values.begin() + surface.size(), 0.0) /
+             static_cast<double>(surface.size());
+    };
+    return {compose(place.pose, {2 * mean(surface.x), 2 * mean(surface.y), kPi}), place.level, 0};
+  }
+
+  /// The first of these, moved to where their outlines lie best, best first: where shading has
+  /// displaced one rotation by pixels, another one lies as far off to the other side.
+  std::vector<Candidate> shifted_onto_edges(std::vector<Candidate> peaks) const {
+    constexpr std::size_t kMost = 6;
+    if (peaks.size() > kMost) peaks.resize(kMost);
+    for (auto& peak : peaks)
+      peak = mbncc::shifted_onto_edges(view_.templates[0].contour, scene_.levels[0], peak);
+    sort_by_value(peaks);
+    return peaks;
+  }
+
+  /// What the first `most` of them climb to, by its log-odds.
+  std::vector<Candidate> reached_from(std::vector<Candidate> starts, std::size_t most) const {
+    constexpr int kIterations = 5;
+    if (starts.size() > most) starts.resize(most);
+    for (auto& start : starts) {
+      const ScoredPose reached =
+          align_and_score(view_.templates[0], scene_.levels[0], start.pose, kIterations);
+      start.pose = reached.pose;
+      start.value = log_odds(reached.evidence, view_.shape.area());
+    }
+    return starts;
+  }
+
+  /// The paper's poses as they are, with the evidence for them.
+  std::vector<Detection> judge_polar() const {
+    std::vector<PoseHypothesis> found;
+    if (view_.polar->top_level() <= scene_.top_level())
+      for (const auto& one : view_.polar->find(scene_.grey, roi_))
+        found.push_back(score_as_is(view_, scene_, one.pose));
+    return judge(object_, view_, scene_, found);
+  }
+
+  std::vector<Detection> judge_all(const std::vector<Candidate>& candidates) const {
+    std::vector<PoseHypothesis> found;
+    std::vector<Pose2D> reached;
+    for (std::size_t i = 0; i < candidates.size(); ++i) {
+      const Candidate& candidate = candidates[i];
+      if (i >= kPolished || candidate.value <= first_.promising ||
+          candidate.value <= candidates.front().value - kOutclassed) {
+        found.push_back(score_as_is(view_, scene_, candidate.pose));
+        continue;
+      }
+      const PoseHypothesis top = multistart_align(view_, scene_, candidate.pose);
+      if (is_one_of(reached, top.pose)) continue;
+      reached.push_back(top.pose);
+      found.push_back(finalised(view_, scene_, top));
+    }
+    return judge(object_, view_, scene_, found);
+  }
+
+  /// Poses so near each other are refined to one.
+  bool is_one_of(const std::vector<Pose2D>& poses, const Pose2D& pose) const {
+    constexpr double kAlike = 0.25;  // [px]
+    return std::any_of(poses.begin(), poses.end(), [&](const Pose2D& other) {
+      return cv::norm(other.position() - pose.position()) < kAlike &&
+             angle_distance(other.theta, pose.theta) * view_.shape.radius() < kAlike;
+    });
+  }
+
+  const PreparedObject& object_;
+  const PreparedView& view_;
+  const ScenePicture& scene_;
+  cv::Rect roi_;
+  bool everywhere_;
+  SearchMode look_;
+  FirstBudget first_;
+  SearchBudget thorough_;
+  Proposals proposals_;
+};
+
+}  // namespace
+
+std::vector<Detection> search_view(const PreparedObject& object, const PreparedView& view,
+                                   const ScenePicture& scene, const cv::Rect& roi, SearchMode look,
+                                   const SearchMask& places) {
+  return ViewSearch(object, view, scene, roi, look, places).run();
+}
+
+std::vector<Detection> judge_places(const PreparedObject& object, const PreparedView& view,
+                                    const ScenePicture& scene,
+                                    const std::vector<cv::Point2d>& centres) {
+  return ViewSearch(object, view, scene, {}, SearchMode::kQuick, {}).run_at(centres);
+}
+
+}  // namespace mbncc

@@ -1,0 +1,23 @@
+// What comparing the colours of a surface's compact parts with a picture takes, read once.
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "matching/template/surface_template.hpp"
+
+namespace mbncc {
+
+/// Of one compact part: sums over its points inside the picture, by channel (b, g, r).
+struct BlockSums {
+  using Channels = std::array<double, SurfaceTemplate::kChannels>;
+
+  double count = 0;                          ///< points
+  Channels learned{}, seen{};                ///< colours of the template and of the picture
+  Channels learned_square{}, seen_square{};  ///< their squares
+  Channels product{};                        ///< template times picture
+};
+
+std::vector<BlockSums> block_sums(const SurfaceTemplate& surface, const SurfaceSample& sample);
+
+}  // namespace mbncc

@@ -1,0 +1,50 @@
+// A pose under examination, and the suppression of those that others make superfluous.
+#pragma once
+
+#include <limits>
+#include <vector>
+
+#include "mbncc/geometry.hpp"
+
+namespace mbncc {
+
+struct Candidate {
+  Pose2D pose;       ///< of the anchor [px of `level`], rotation against the learning picture
+  int level = 0;     ///< of the pyramid
+  double value = 0;  ///< what candidates are ranked by; larger is better
+};
+
+/// When candidates show the same pose.
+struct DuplicateRadius {
+  double distance;   ///< [px at level] less than this apart in place, and by the arc at `rim`
+  double rim;        ///< [px at level] from the anchor
+  int symmetry = 1;  ///< of the object, see measure_symmetry()
+};
+
+/// Which candidates stay beside better ones.
+struct Suppression {
+  static constexpr double kUnlimited = std::numeric_limits<double>::infinity();
+
+  std::size_t most;                ///< in all, ...
+  double behind = kUnlimited;      ///< ... and by so much behind the best at most; ...
+  double apart = kUnlimited;       ///< ... but the best of a place that is likely by
+                                   ///< itself and so far [px at level] from others stays:
+                                   ///< it may be another instance
+  DuplicateRadius alike = {0, 0};  ///< of two that are alike the better one stays
+};
+
+/// Sorts by value, best first.
+void sort_by_value(std::vector<Candidate>& candidates);
+
+/// Non-maximum suppression. Sorts, best first.
+void suppress(std::vector<Candidate>& candidates, const Suppression& suppression);
+
+/// Drops those below `floor` from sorted candidates.
+void drop_below(double floor, std::vector<Candidate>& candidates);
+
+/// The best of different places, of sorted candidates of one level: at most `most`, and at least
+/// `apart` [px at level] from each other.
+std::vector<Candidate> best_places(const std::vector<Candidate>& candidates, double apart,
+                                   std::size_t most);
+
+}  // namespace mbncc

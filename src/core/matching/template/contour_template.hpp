@@ -1,0 +1,79 @@
+// The map's edge as points with normals, compared with the edges of a picture.
+#pragma once
+
+#include <opencv2/core.hpp>
+#include <vector>
+
+#include "matching/template/map_geometry.hpp"
+#include "mbncc/geometry.hpp"
+
+namespace mbncc {
+
+struct ContourTemplate {
+  ContourTemplate() = default;
+
+  /// At most `most` points evenly along the map's `edge` at pyramid level `level`, about `anchor`
+  /// [px, level 0].
+  ContourTemplate(const std::vector<EdgePoint>& edge, cv::Point2d anchor, int level,
+                  std::size_t most);
+
+  /// Moves the points apart: the same contour `factor` times as large.
+  void resize(double factor);
+
+  /// The edge whose normals are as smooth as a level's pixels.
+  static std::vector<EdgePoint> edge_of(const MapGeometry& map, int level);
+
+  std::size_t size() const { return count_; }
+  double radius() const { return radius_; }  ///< [px at level] of the farthest point
+
+  // All padded to whole lanes with points that lie nowhere.
+  std::vector<float> x, y;                ///< [px at level] relative to the anchor
+  std::vector<float> normal_x, normal_y;  ///< unit, outwards
+  std::vector<float> ones;                ///< 1 at points, 0 in the padding
+
+  /// How the distance of each point from its edge depends on the motion (dx, dy, dtheta): 3 rows,
+  /// and their products in pairs (xx, xy, yy, xt, yt, tt): 6 rows.
+  std::vector<float> motion, products;
+
+ private:
+  std::size_t count_ = 0;
+  double radius_ = 0;
+};
+
+/// What the edges near a contour say; see kernels::NormalReadings.
+struct ContourSample {
+  std::vector<float> response, seen, pull, moment;  ///< as long as the contour's vectors
+};
+
+/// Reads `edges`, an edge_picture(), at `pose`, up to `reach` [px] along the normals, the contour
+/// `scale` times (near 1) as large as the template.
+void read_contour(const ContourTemplate& contour, const cv::Mat& edges, const Pose2D& pose,
+                  int reach, ContourSample& sample, double scale = 1);
+
+/// Mean edge response [-1..1] along the contour, each point taking the best within one pixel along
+/// its normal; -1 where less than a quarter of the contour is visible.
+double contour_agreement(const ContourTemplate& contour, const ContourSample& sample);
+
+/// There is an edge along the contour.
+inline bool is_clear(float response) {
+  constexpr float kClear = 0.4f;
+  return response > kClear;
+}
+
+/// Part [0..1] of the visible contour where there is a clear edge along it.
+double contour_found(const ContourTemplate& contour, const ContourSample& sample);
+
+/// Products of how the distances from the edges found depend on (dx, dy, dtheta), summed over the
+/// points with their responses as weights.
+cv::Matx33d contour_products(const ContourTemplate& contour, const ContourSample& sample);
+
+/// Normal equations of the small motion (dx, dy, dtheta) of the contour that brings it onto the
+/// edges found. Motion and equations are in the template's frame: where the template would have to
+/// be moved from to fit (the inverse of what the pose needs).
+struct ContourPull {
+  cv::Matx33d hessian;  ///< curvature of contour_agreement()
+  cv::Vec3d gradient;   ///< hessian * motion
+};
+ContourPull contour_pull(const ContourTemplate& contour, const ContourSample& sample);
+
+}  // namespace mbncc

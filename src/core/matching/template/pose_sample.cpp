@@ -1,0 +1,13 @@
+#include "matching/template/pose_sample.hpp"
+
+namespace mbncc {
+
+void PoseSample::read(const PoseTemplate& object, const SceneLevel& scene, const Pose2D& pose,
+                      int reach, double scale) {
+  scene.prepare_around(pose, scale * object.reach());
+  object.surface.sample(scene, pose, surface, scale);
+  read_contour(object.contour, scene.edges, pose, reach, contour, scale);
+  if (surface.suffices()) remainder = object.surface.remainder(surface);
+}
+
+}  // namespace mbncc

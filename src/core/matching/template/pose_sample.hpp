@@ -1,0 +1,31 @@
+// What a picture shows where an object may lie.
+#pragma once
+
+#include <algorithm>
+
+#include "matching/template/contour_template.hpp"
+#include "matching/template/surface_template.hpp"
+
+namespace mbncc {
+
+/// Surface and contour of one view at one pyramid level.
+struct PoseTemplate {
+  SurfaceTemplate surface;
+  ContourTemplate contour;
+
+  /// [px at level] no point lies farther from the anchor.
+  double reach() const { return std::max(surface.radius(), contour.radius()); }
+};
+
+struct PoseSample {
+  SurfaceSample surface;
+  ContourSample contour;
+  SurfaceTemplate::Remainder remainder;  ///< of the surface, where it suffices
+
+  /// Reads what lies at `pose`, the object `scale` times as large as the template, edges up to
+  /// `reach` [px] along the contour's normals.
+  void read(const PoseTemplate& object, const SceneLevel& scene, const Pose2D& pose, int reach,
+            double scale = 1);
+};
+
+}  // namespace mbncc

@@ -1,0 +1,27 @@
+// Where on the object its surface is read.
+#pragma once
+
+#include <opencv2/core.hpp>
+#include <vector>
+
+#include "matching/template/map_geometry.hpp"
+
+namespace mbncc {
+
+struct SurfacePoint {
+  cv::Point2f at;      ///< [px at level] in the template picture
+  float depth;         ///< [px at level 0] to the map's edge
+  cv::Point2f inward;  ///< unit, away from the edge
+};
+
+struct SamplePoints {
+  std::vector<SurfacePoint> points;
+  std::vector<int> block_ends;  ///< points in order belong to compact parts of equal size
+};
+
+/// At most `most` points of a map of `size`, spread evenly: away from the edge, where picture
+/// pixels mix with the background; everywhere on a narrow map.
+SamplePoints choose_surface_points(const MapGeometry& map, cv::Size size, int level,
+                                   std::size_t most);
+
+}  // namespace mbncc

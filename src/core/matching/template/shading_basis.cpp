@@ -1,0 +1,64 @@
+#include "matching/template/shading_basis.hpp"
+
+#include <cmath>
+
+#include "simd/lanes.hpp"
+
+namespace mbncc {
+namespace {
+
+/// Function `k` at a point whose place, in radii, is (u, v). The most important come first: small
+/// surfaces have only some of them.
+float shading(int k, float u, float v, const SurfacePoint& point) {
+  const float rim = std::exp(-point.depth / 1.5f), bevel = std::exp(-point.depth / 4.f);
+  const cv::Point2f inward = point.inward;
+  const float functions[ShadingBasis::kMostRows] = {1,
+                                                    u,
+                                                    v,
+                                                    bevel * inward.x,
+                                                    bevel * inward.y,
+                                                    bevel,
+                                                    rim * inward.x,
+                                                    rim * inward.y,
+                                                    rim,
+                                                    u * u,
+                                                    u * v,
+                                                    v * v};
+  return functions[k];
+}
+
+}  // namespace
+
+ShadingBasis::ShadingBasis(const std::vector<SurfacePoint>& points, const std::vector<float>& x,
+                           const std::vector<float>& y, double radius)
+    : padded_(x.size()) {
+  const int wanted = points.size() >= 150 ? kMostRows : points.size() >= 60 ? 6 : 3;
+  for (int k = 0; k < wanted; ++k) {
+    std::vector<float> values(padded_, 0.f);
+    for (std::size_t i = 0; i < points.size(); ++i)
+      values[i] = shading(k, x[i] / static_cast<float>(radius), y[i] / static_cast<float>(radius),
+                          points[i]);
+    add(std::move(values));
+  }
+}
+
+/// What the rows before leave of `values`, unless that is next to nothing.
+void ShadingBasis::add(std::vector<float> values) {
+  const double before = product(values, values.data());
+  for (int pass = 0; pass < 2; ++pass) project_out(values);
+  const double after = product(values, values.data());
+  if (after < 1e-3 * before || after < 1e-9) return;
+  for (auto& value : values) value /= static_cast<float>(std::sqrt(after));
+  rows_.insert(rows_.end(), values.begin(), values.end());
+  ++size_;
+}
+
+void ShadingBasis::project_out(std::vector<float>& values) const {
+  for (int k = 0; k < size_; ++k) subtract(values, product(values, row(k)), row(k));
+}
+
+void ShadingBasis::products(const float* values, float* products) const {
+  kernels::dots(rows_.data(), padded_, size_, values, static_cast<int>(padded_), products);
+}
+
+}  // namespace mbncc

@@ -1,0 +1,41 @@
+// Smooth functions that light may add to a surface.
+#pragma once
+
+#include <vector>
+
+#include "matching/template/sample_points.hpp"
+
+namespace mbncc {
+
+/// Shading and gloss near the edge follow the light, not the object: functions of the place and of
+/// the distance to the edge, to be projected out of template and picture.
+class ShadingBasis {
+ public:
+  static constexpr int kMostRows = 12;
+
+  ShadingBasis() = default;
+
+  /// For `points` at x, y [px at level, about the anchor; padded to whole lanes] within `radius`.
+  ShadingBasis(const std::vector<SurfacePoint>& points, const std::vector<float>& x,
+               const std::vector<float>& y, double radius);
+
+  int size() const { return size_; }
+
+  /// Function `k`, as many values as padded points; the functions are orthonormal.
+  const float* row(int k) const { return &rows_[static_cast<std::size_t>(k) * padded_]; }
+
+  /// Takes the functions out of `values`, one per point and padded.
+  void project_out(std::vector<float>& values) const;
+
+  /// Scalar products of all functions, the constant first, with as many `values` as padded points.
+  void products(const float* values, float* products) const;
+
+ private:
+  void add(std::vector<float> row);
+
+  int size_ = 0;
+  std::size_t padded_ = 0;
+  std::vector<float> rows_;  // size_ orthonormal rows of padded_ values
+};
+
+}  // namespace mbncc

@@ -1,0 +1,103 @@
+#include <algorithm>
+#include <cmath>
+
+#include "imaging/kernel_views.hpp"
+#include "matching/template/surface_template.hpp"
+#include "simd/lanes.hpp"
+
+namespace mbncc {
+
+namespace {
+
+/// Counts the points inside the picture; the others get the mean colour of these.
+void fill_outside(SurfaceSample& sample) {
+  const float* counts = sample.inside.data();
+  const auto [count, blue, green, red] = products<4>(
+      {counts, counts, counts, counts},
+      {counts, sample.planes[0].data(), sample.planes[1].data(), sample.planes[2].data()},
+      sample.inside.size());
+  sample.visible = static_cast<std::size_t>(count + 0.5);
+  if (sample.visible == 0) return;
+  const double sums[] = {blue, green, red};
+  for (std::size_t c = 0; c < sample.planes.size(); ++c) {
+    sample.means[c] = sums[c] / static_cast<double>(sample.visible);
+    if (sample.visible == sample.points) continue;
+    for (std::size_t i = 0; i < sample.points; ++i)
+      if (sample.inside[i] == 0) sample.planes[c][i] = static_cast<float>(sample.means[c]);
+  }
+}
+
+}  // namespace
+
+void SurfaceTemplate::sample(const SceneLevel& scene, const Pose2D& pose, SurfaceSample& sample,
+                             double scale) const {
+  for (auto* values : {&sample.planes[0], &sample.planes[1], &sample.planes[2], &sample.inside})
+    values->resize(padded());
+  kernels::sample_colours(view_of(scene.colour), {x.data(), y.data(), static_cast<int>(padded())},
+                          placement_of(pose, scale),
+                          {sample.planes[0].data(), sample.planes[1].data(),
+                           sample.planes[2].data(), sample.inside.data()});
+  sample.points = size();
+  fill_outside(sample);
+}
+
+SurfaceTemplate::Remainder SurfaceTemplate::remainder(const SurfaceSample& sample) const {
+  const float *blue = sample.planes[0].data(), *green = sample.planes[1].data(),
+              *red = sample.planes[2].data();
+  const auto common = products<3>({projected[0].data(), projected[1].data(), projected[2].data()},
+                                  {blue, green, red}, padded());
+  const auto energy = products<3>({blue, green, red}, {blue, green, red}, padded());
+  float in_basis[ShadingBasis::kMostRows];
+  Remainder remainder;
+  for (int c = 0; c < kChannels; ++c) {
+    remainder.energy += energy[c];
+    remainder.common += common[c];
+    basis.products(sample.planes[c].data(), in_basis);
+    for (int k = 0; k < basis.size(); ++k) remainder.energy -= in_basis[k] * in_basis[k];
+  }
+  remainder.energy = std::max(0.0, remainder.energy);
+  return remainder;
+}
+
+double SurfaceTemplate::correlation(const Remainder& remainder, double noise_variance) const {
+  const double noise = kChannels * noise_variance * static_cast<double>(size());
+  return remainder.common / std::sqrt((remainder.energy + noise) * (projected_energy + noise));
+}
+
+double SurfaceTemplate::unexplained(const Remainder& remainder) const {
+  constexpr double kPrior = 20;  // [grey^2] pulls the gain of plain surfaces to 1
+  const double count = kChannels * static_cast<double>(std::max<std::size_t>(1, size()));
+  const double prior = kPrior * count;
+  const double gain =
+      std::clamp((remainder.common + prior) / (projected_energy + prior), 0.65, 1.5);
+  const double left =
+      remainder.energy - 2 * gain * remainder.common + gain * gain * projected_energy;
+  return std::max(0.0, left) / count;
+}
+
+SurfaceDifference SurfaceTemplate::difference(const SurfaceSample& sample, double gain) const {
+  double rest = 0, shading = 0;
+  for (int c = 0; c < kChannels; ++c) {
+    std::vector<float> difference = sample.planes[c];
+    subtract(difference, gain, planes[c].data());
+    rest += product(difference, difference.data());
+    float products[ShadingBasis::kMostRows];
+    basis.products(difference.data(), products);
+    for (int k = 0; k < basis.size(); ++k) rest -= products[k] * products[k];
+    for (int k = 1; k < basis.size(); ++k) shading += products[k] * products[k];
+  }
+  const double values = kChannels * static_cast<double>(size());
+  return {rest / values, shading / values};
+}
+
+double SurfaceTemplate::contrast(const SurfaceSample& sample) const {
+  double common = 0;
+  for (int c = 0; c < kChannels; ++c) common += product(projected[c], sample.planes[c].data());
+  return common / std::max(projected_energy, 1e-6);
+}
+
+double SurfaceTemplate::mean_projected_energy() const {
+  return projected_energy / (kChannels * static_cast<double>(size()));
+}
+
+}  // namespace mbncc

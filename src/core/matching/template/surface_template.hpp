@@ -1,0 +1,127 @@
+// The object's surface as coloured points, prepared for comparison under changing light.
+#pragma once
+
+#include <array>
+#include <opencv2/core.hpp>
+#include <vector>
+
+#include "imaging/chroma_histogram.hpp"
+#include "matching/scene/scene_picture.hpp"
+#include "matching/template/map_geometry.hpp"
+#include "matching/template/sample_points.hpp"
+#include "matching/template/shading_basis.hpp"
+#include "mbncc/geometry.hpp"
+
+namespace mbncc {
+
+/// Colours of a picture at the points of a surface: one plane per channel (b, g, r).
+struct SurfaceSample {
+  std::array<std::vector<float>, 3> planes;  ///< padded with zeros to whole lanes
+  std::vector<float> inside;                 ///< 1: in the picture; 0: outside, or padding
+  std::array<double, 3> means{};             ///< of the planes inside
+  std::size_t visible = 0, points = 0;       ///< inside, and in all
+
+  /// Enough is visible for a judgement.
+  bool suffices() const { return visible >= 10 && 4 * visible >= points; }
+};
+
+/// What a picture shows beside the template: mean squares [grey^2].
+struct SurfaceDifference {
+  double rest = 0;     ///< neither template nor basis
+  double shading = 0;  ///< the basis, but for its constant
+};
+
+class SurfaceTemplate {
+ public:
+  static constexpr int kChannels = 3;
+
+  SurfaceTemplate() = default;
+
+  /// What a template is made from, at one pyramid level.
+  struct Source {
+    const SceneLevel& surface;  ///< the learning picture with the object continued outwards
+    const SceneLevel& picture;  ///< the learning picture as it is
+    const MapGeometry& map;
+    cv::Size map_size;
+    int level;
+  };
+
+  /// At most `most` points inside the map, spread evenly. `anchor` [px, level 0] is their origin.
+  SurfaceTemplate(const Source& source, cv::Point2d anchor, std::size_t most);
+
+  /// Moves the points apart: the same surface `factor` times as large.
+  void resize(double factor);
+
+  /// Per channel how the colours change with x, y and theta at the points.
+  static constexpr int kMotions = 3;
+  using Slopes = std::array<std::array<std::vector<float>, kMotions>, kChannels>;
+  /// In the picture that the template was made from; 0 at its border.
+  Slopes slopes_in(const SceneLevel& picture) const;
+
+  std::size_t size() const { return points_.size(); }
+  std::size_t padded() const { return x.size(); }  ///< size() in whole lanes
+
+  /// Reads the colours at `pose`, the surface `scale` times as large as the template. Points
+  /// outside the picture take the mean of those inside.
+  void sample(const SceneLevel& scene, const Pose2D& pose, SurfaceSample& sample,
+              double scale = 1) const;
+
+  /// What is left of the colours after the basis has been projected out of template and picture.
+  struct Remainder {
+    double common = 0;  ///< product of both, summed over points and channels [grey^2]
+    double energy = 0;  ///< of the picture's, likewise
+  };
+  Remainder remainder(const SurfaceSample& sample) const;
+
+  /// Correlation [-1..1] of both remainders.
+  double correlation(const Remainder& remainder, double noise_variance) const;
+
+  /// Mean square [grey^2] of what the template, with a gain within bounds, leaves unexplained.
+  double unexplained(const Remainder& remainder) const;
+
+  /// Of the picture against `gain` times the template.
+  SurfaceDifference difference(const SurfaceSample& sample, double gain = 1) const;
+  /// Of the picture by that of the template, as far as both agree; the basis aside.
+  double contrast(const SurfaceSample& sample) const;
+  /// Mean square [grey^2] of the template without the basis.
+  double mean_projected_energy() const;
+
+  /// [0..1] How much the colours vary: 0 not at all, near 1 far beyond noise and shading.
+  double texture() const { return texture_; }
+
+  double radius() const { return radius_; }  ///< [px at level] of the farthest point
+
+  // All vectors are padded to whole lanes: places with points that lie nowhere, values with zeros.
+  std::vector<float> x, y;                   ///< [px at level] relative to the anchor
+  std::array<std::vector<float>, 3> planes;  ///< colours
+  std::vector<float> energy;                 ///< sum over channels of squared colours
+  std::vector<int> block_ends;  ///< points in order belong to compact parts of equal size
+
+  ShadingBasis basis;                           ///< projected out of template and picture
+  std::array<std::vector<float>, 3> projected;  ///< planes without the basis
+  double projected_energy = 0;                  ///< sum of squares of `projected`
+
+  /// Rows: for each channel projected derivatives along x, y and theta, orthogonal to `projected`,
+  /// then `projected` itself. 4 rows of padded() per channel.
+  std::array<std::vector<float>, 3> slopes;
+  cv::Matx33d slope_product;  ///< slopes times slopes, summed over channels
+
+  // Texture gradients: doubled direction times weight.
+  std::vector<float> gradient_x, gradient_y;
+  double gradient_total = 0;
+
+  ChromaHistogram histogram{};
+
+ private:
+  void place_points(cv::Point2d origin);
+  void read_colours(const SceneLevel& picture);
+  void measure_texture();
+  void read_gradients(const SceneLevel& picture);
+  void project();
+  void read_slopes(const SceneLevel& picture);
+
+  std::vector<SurfacePoint> points_;
+  double radius_ = 1, texture_ = 0;
+};
+
+}  // namespace mbncc

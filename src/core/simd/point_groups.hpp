@@ -1,0 +1,30 @@
+// The vectorised kernels that read pictures at points; point_kernels.hpp tells what they do.
+#pragma once
+
+#include "simd/point_kernels.hpp"
+
+namespace mbncc::kernels {
+
+/// Points go through the stages of a kernel in groups whose intermediate values stay in the cache:
+/// the arithmetic before and after the reading of pixels is what the compiler can vectorise.
+constexpr int kGroup = 64;
+
+/// `value`, or the bound that it lies beyond.
+inline float held(float value, float least, float most) {
+  const float above = value > least ? value : least;
+  return above < most ? above : most;
+}
+
+void sample_colours_vectorised(const Picture8& picture, const Points& points,
+                               const Placement& placement, const Colours& colours);
+
+void read_along_normals_vectorised(const Picture8& picture, const Points& points,
+                                   const float* normal_x, const float* normal_y,
+                                   const Placement& placement, int reach,
+                                   const NormalReadings& readings);
+
+void edge_agreements_vectorised(const Picture8& picture, const Points& points,
+                                const float* direction_x, const float* direction_y,
+                                const Placement& placement, float* agreements);
+
+}  // namespace mbncc::kernels

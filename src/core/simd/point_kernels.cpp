@@ -1,0 +1,84 @@
+#include "simd/point_kernels.hpp"
+
+#include <algorithm>
+
+#include "simd/clones.hpp"
+#include "simd/kernels.hpp"
+#include "simd/point_groups.hpp"
+
+namespace mbncc::kernels {
+namespace {
+
+MBNCC_CLONES
+void chroma_cells_vectorised(const ChromaCells& cells, const float* __restrict blue,
+                             const float* __restrict green, const float* __restrict red, int count,
+                             std::int32_t* __restrict found) {
+  const float* __restrict logarithms = cells.logarithms;
+  const float reach = cells.reach, scale = static_cast<float>(cells.side) / (2.f * cells.reach);
+  const auto last = static_cast<float>(cells.side - 1);
+  const int side = cells.side;
+  for (int i = 0; i < count; ++i) {
+    const float reference = logarithms[static_cast<int>(green[i] + 0.5f)];
+    const float u = (logarithms[static_cast<int>(red[i] + 0.5f)] - reference + reach) * scale;
+    const float v = (logarithms[static_cast<int>(blue[i] + 0.5f)] - reference + reach) * scale;
+    found[i] = side * static_cast<int>(std::min(std::max(u, 0.f), last)) +
+               static_cast<int>(std::min(std::max(v, 0.f), last));
+  }
+}
+
+MBNCC_CLONES
+void add_capped_squares_vectorised(const float* __restrict model, const float* __restrict sample,
+                                   const float* __restrict inside, const Gain& gain, float most,
+                                   int count, float* __restrict squares) {
+  const float factor = gain.factor, offset = gain.offset;
+  for (int i = 0; i < count; ++i) {
+    const float difference = sample[i] - factor * model[i] - offset;
+    const float square = difference * difference;
+    squares[i] += inside[i] * (square < most ? square : most);
+  }
+}
+
+const PointTable& active_points() {
+  static const PointTable& table =
+      active().table == &reference() ? point_reference() : vectorised_points();
+  return table;
+}
+
+}  // namespace
+
+const PointTable& vectorised_points() {
+  static const PointTable table{sample_colours_vectorised, read_along_normals_vectorised,
+                                edge_agreements_vectorised, chroma_cells_vectorised,
+                                add_capped_squares_vectorised};
+  return table;
+}
+
+void sample_colours(const Picture8& picture, const Points& points, const Placement& placement,
+                    const Colours& colours) {
+  active_points().sample_colours_at(picture, points, placement, colours);
+}
+
+void read_along_normals(const Picture8& picture, const Points& points, const float* normal_x,
+                        const float* normal_y, const Placement& placement, int reach,
+                        const NormalReadings& readings) {
+  active_points().read_along_normals_at(picture, points, normal_x, normal_y, placement, reach,
+                                        readings);
+}
+
+void edge_agreements(const Picture8& picture, const Points& points, const float* direction_x,
+                     const float* direction_y, const Placement& placement, float* agreements) {
+  active_points().edge_agreements_at(picture, points, direction_x, direction_y, placement,
+                                     agreements);
+}
+
+void chroma_cells(const ChromaCells& cells, const float* blue, const float* green, const float* red,
+                  int count, std::int32_t* found) {
+  active_points().chroma_cells_of(cells, blue, green, red, count, found);
+}
+
+void add_capped_squares(const float* model, const float* sample, const float* inside,
+                        const Gain& gain, float most, int count, float* squares) {
+  active_points().add_capped_squares_of(model, sample, inside, gain, most, count, squares);
+}
+
+}  // namespace mbncc::kernels

@@ -1,0 +1,121 @@
+// Publishes a camera's pictures with the lens distortion undone, while somebody listens.
+#include <image_transport/image_transport.h>
+#include <ros/ros.h>
+#include <pluginlib/class_list_macros.hpp>
+
+#include <exception>
+#include <memory>
+#include <mutex>
+#include <string>
+#include <thread>
+
+#include "mbncc/config/rectify_config.hpp"
+#include "nodelets/camera/rectifier.hpp"
+#include "nodelets/common/camera_input.hpp"
+#include "nodelets/common/guarded_nodelet.hpp"
+#include "nodelets/common/health_report.hpp"
+#include "nodelets/common/mailbox.hpp"
+#include "nodelets/common/parameters.hpp"
+#include "nodelets/conversion/images.hpp"
+
+namespace mbncc::nodelets {
+
+class RectifyNodelet : public GuardedNodelet {
+ public:
+  ~RectifyNodelet() override { finish(); }
+
+ private:
+  void start() override {
+    read_parameters(private_node(), field_rows(config_));
+    camera_ = std::make_unique<CameraInput>(
+        node(), config_.pictures.image_transport, config_.max_info_age,
+        [this](const sensor_msgs::ImageConstPtr& image) { mailbox_.put(image); });
+    worker_ = std::thread([this] { work(); });
+    image_transport::ImageTransport transport(node());
+    const image_transport::SubscriberStatusCallback changed = [this](const auto&) {
+      listen_as_wanted();
+    };
+    {
+      // A first listener may come before the publisher has been kept.
+      const std::lock_guard<std::mutex> lock(mutex_);
+      publisher_ = transport.advertise("image_rect", 1, changed, changed);
+    }
+    report_ =
+        std::make_unique<HealthReport>(node(), private_node(), getName(), "none", "rectifying",
+                                       [this](auto& status) { diagnose(status); });
+  }
+
+  void stop() override {
+    report_.reset();
+    publisher_.shutdown();
+    if (camera_) camera_->set_active(false);
+    mailbox_.close();
+    if (worker_.joinable()) worker_.join();
+    camera_.reset();
+  }
+
+  void listen_as_wanted() {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    camera_->set_active(publisher_.getNumSubscribers() > 0);
+  }
+
+  void work() {
+    while (const auto image = mailbox_.take()) {
+      try {
+        note(publish(**image));
+      } catch (const std::exception& error) {
+        note(error.what());
+      }
+    }
+  }
+
+  /// Why the picture was not published; "" when it was.
+  std::string publish(const sensor_msgs::Image& image) {
+    const Decoded decoded = decode_picture(image, config_.pictures.white_level);
+    if (!decoded) return decoded.fault;
+    const auto info = camera_->camera_info_for(image.header.frame_id, decoded.picture.size());
+    if (!info) return kNoCameraInfo;
+    const Rectified rectified = rectifier_.rectify(decoded.picture, *info);
+    if (!rectified) return rectified.fault;
+    publisher_.publish(
+        boost::make_shared<sensor_msgs::Image>(encode_picture(rectified.picture, image.header)));
+    return "";
+  }
+
+  void note(const std::string& fault) {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    if (!fault.empty() && fault != fault_) NODELET_WARN("picture not rectified: %s", fault.c_str());
+    fault_ = fault;
+    ++(fault.empty() ? published_ : refused_);
+  }
+
+  void diagnose(diagnostic_updater::DiagnosticStatusWrapper& status) {
+    using diagnostic_msgs::DiagnosticStatus;
+    const std::lock_guard<std::mutex> lock(mutex_);
+    if (publisher_.getNumSubscribers() == 0)
+      status.summary(DiagnosticStatus::OK, "idle: nobody listens");
+    else if (const auto fault = camera_->fault(); !fault.empty())
+      status.summary(DiagnosticStatus::ERROR, fault);
+    else if (!fault_.empty())
+      status.summary(DiagnosticStatus::ERROR, fault_);
+    else
+      status.summary(DiagnosticStatus::OK, "rectifying");
+    status.add("published", published_);
+    status.add("refused", refused_);
+  }
+
+  RectifyConfig config_;
+  std::unique_ptr<CameraInput> camera_;
+  Mailbox<sensor_msgs::ImageConstPtr> mailbox_;
+  Rectifier rectifier_;  // of the worker thread
+  std::mutex mutex_;     // guards what follows
+  image_transport::Publisher publisher_;
+  std::string fault_;
+  std::uint64_t published_ = 0, refused_ = 0;
+  std::unique_ptr<HealthReport> report_;
+  std::thread worker_;
+};
+
+}  // namespace mbncc::nodelets
+
+PLUGINLIB_EXPORT_CLASS(mbncc::nodelets::RectifyNodelet, nodelet::Nodelet)

@@ -1,0 +1,131 @@
+#include "nodelets/camera/source_player.hpp"
+
+#include <ros/console.h>
+
+#include <algorithm>
+#include <exception>
+#include <utility>
+
+#include "mbncc/error.hpp"
+
+namespace mbncc::nodelets {
+namespace {
+
+using diagnostic_msgs::DiagnosticStatus;
+using Clock = SourcePlayer::Clock;
+using Seconds = SourcePlayer::Seconds;
+
+constexpr Seconds kFirstRetry{0.5}, kLongestRetry{8};  // doubling between
+constexpr Seconds kGlance{0.05};    // between two looks for a listener or a clock
+constexpr double kFolderRate = 10;  // [Hz]
+
+Clock::duration ticks(Seconds seconds) {
+  return std::chrono::duration_cast<Clock::duration>(seconds);
+}
+
+}  // namespace
+
+SourcePlayer::SourcePlayer(const CameraConfig& config, World world)
+    : config_(config),
+      name_(without_secrets(config.source)),
+      world_(std::move(world)),
+      retry_(kFirstRetry) {}
+
+void SourcePlayer::step() {
+  try {
+    try_step();
+  } catch (const std::exception& error) {
+    close(error.what());
+  }
+}
+
+void SourcePlayer::try_step() {
+  if (at_end_) return world_.pause(kLongestRetry);
+  if (!source_) open();
+  // A folder or video waits for a listener and for the clock, so that none of its pictures is lost.
+  if (!source_->is_live() && (!world_.has_listener() || !has_new_stamp()))
+    return world_.pause(kGlance);
+  play();
+}
+
+void SourcePlayer::open() {
+  source_ = world_.open();
+  ROS_INFO("Opened %s", name_.c_str());
+  health_.set_state(DiagnosticStatus::OK, "open");
+  frozen_.reset();
+  withholding_ = false;
+  due_ = world_.steady_time();
+}
+
+void SourcePlayer::close(const std::string& reason) {
+  source_.reset();
+  health_.count(&Counts::failures);
+  health_.set_state(DiagnosticStatus::ERROR, reason);
+  ROS_WARN("%s; trying again in %.1f s", reason.c_str(), retry_.count());
+  world_.pause(retry_);
+  retry_ = std::min(2 * retry_, kLongestRetry);
+}
+
+bool SourcePlayer::has_new_stamp() const {
+  const ros::Time now = world_.time();
+  return !now.isZero() && now != last_stamp_;
+}
+
+void SourcePlayer::play() {
+  if (!source_->is_live()) wait_until_due();
+  if (!source_->grab()) return end();
+  const ros::Time stamp = world_.time();
+  retry_ = kFirstRetry;
+  if (stamp.isZero() || stamp == last_stamp_) return health_.count(&Counts::unstamped);
+  if (!world_.has_listener()) return;
+  const cv::Mat picture = retrieve();
+  if (picture.empty() || is_frozen(picture)) return;
+  last_stamp_ = stamp;
+  world_.publish(picture, stamp);
+  health_.count(&Counts::published);
+}
+
+void SourcePlayer::end() {
+  at_end_ = true;
+  health_.set_state(DiagnosticStatus::WARN, "at its end");
+  ROS_INFO("%s is at its end", name_.c_str());
+}
+
+/// Empty, with a warning, when the picture cannot be read.
+cv::Mat SourcePlayer::retrieve() {
+  try {
+    return source_->retrieve();
+  } catch (const FileError& error) {
+    health_.count(&Counts::unreadable);
+    ROS_WARN("%s", error.what());
+    return {};
+  }
+}
+
+bool SourcePlayer::is_frozen(const cv::Mat& picture) {
+  if (!config_.detect_frozen) return false;
+  if (!frozen_.update(picture)) {
+    if (std::exchange(withholding_, false)) health_.set_state(DiagnosticStatus::OK, "open");
+    return false;
+  }
+  health_.count(&Counts::frozen);
+  if (source_->is_live()) throw FileError(name_, "the picture is frozen");
+  if (!std::exchange(withholding_, true)) withhold();
+  return true;
+}
+
+void SourcePlayer::withhold() {
+  const std::string sentence = name_ + ": the picture is frozen; withheld";
+  health_.set_state(DiagnosticStatus::ERROR, sentence);
+  ROS_WARN("%s", sentence.c_str());
+}
+
+void SourcePlayer::wait_until_due() {
+  const double wanted = config_.frame_rate > 0 ? config_.frame_rate : source_->rate();
+  const Clock::time_point now = world_.steady_time();
+  if (due_ > now) world_.pause(due_ - now);
+  // A late picture does not make the next ones hurry.
+  due_ = std::max(due_, now) + ticks(Seconds(1 / (wanted > 0 ? wanted : kFolderRate)));
+}
+
+}  // namespace mbncc::nodelets

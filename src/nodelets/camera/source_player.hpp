@@ -1,0 +1,72 @@
+// The life of a camera's picture source: opened, played at its pace, opened again when it fails.
+#pragma once
+
+#include <ros/time.h>
+
+#include <chrono>
+#include <functional>
+#include <memory>
+#include <opencv2/core.hpp>
+#include <string>
+
+#include "mbncc/cell/frozen_picture.hpp"
+#include "mbncc/config/camera_config.hpp"
+#include "nodelets/camera/camera_health.hpp"
+#include "nodelets/camera/picture_source.hpp"
+
+namespace mbncc::nodelets {
+
+class SourcePlayer {
+ public:
+  using Clock = std::chrono::steady_clock;
+  using Seconds = std::chrono::duration<double>;
+
+  /// What a player needs of the world around it; step() alone calls these.
+  struct World {
+    /// Opens the source; throws FileError when it cannot be opened now.
+    std::function<std::unique_ptr<PictureSource>()> open;
+    std::function<bool()> has_listener;
+    std::function<ros::Time()> time;  ///< for stamps; zero before a simulated clock has begun
+    std::function<Clock::time_point()> steady_time;  ///< for the pace
+    std::function<void(Seconds)> pause;              ///< may return early, to end the player
+    /// Takes CV_8UC1 or CV_8UC3.
+    std::function<void(const cv::Mat& picture, const ros::Time& stamp)> publish;
+  };
+
+  SourcePlayer(const CameraConfig& config, World world);
+
+  /// One attempt to open the source, one picture, or one pause. What goes wrong is told by log and
+  /// health(), and the source opened again after a pause of .5 s that doubles up to 8 s.
+  void step();
+
+  /// To be read from any thread.
+  CameraHealth& health() { return health_; }
+
+ private:
+  using Counts = CameraHealth::Counts;
+
+  void try_step();
+  void open();
+  void close(const std::string& reason);
+  bool has_new_stamp() const;
+  void play();
+  void end();
+  cv::Mat retrieve();
+  bool is_frozen(const cv::Mat& picture);
+  void withhold();
+  void wait_until_due();
+
+  const CameraConfig config_;
+  const std::string name_;  // of the source in sentences
+  const World world_;
+  CameraHealth health_;
+  std::unique_ptr<PictureSource> source_;
+  FrozenPicture frozen_;
+  bool withholding_ = false;  // since the picture is frozen
+  Seconds retry_;
+  Clock::time_point due_;
+  ros::Time last_stamp_;
+  bool at_end_ = false;
+};
+
+}  // namespace mbncc::nodelets

@@ -1,0 +1,104 @@
+#include "nodelets/common/camera_input.hpp"
+
+#include <ros/console.h>
+
+#include <utility>
+
+#include "nodelets/conversion/camera_model.hpp"
+
+namespace mbncc::nodelets {
+namespace {
+
+constexpr std::chrono::seconds kSilence{5};  // after which pictures have stopped
+
+}  // namespace
+
+CameraInput::CameraInput(ros::NodeHandle node, const std::string& transport, double max_info_age,
+                         Callback callback)
+    : node_(std::move(node)),
+      transport_(node_),
+      transport_name_(transport),
+      max_info_age_(max_info_age),
+      callback_(std::move(callback)) {}
+
+void CameraInput::set_active(const std::function<bool()>& wanted) {
+  const std::lock_guard<std::mutex> switching(switching_);
+  const bool active = wanted();
+  if (active == active_) return;
+  active_ = active;
+  active ? subscribe() : unsubscribe();
+}
+
+void CameraInput::unsubscribe() {
+  image_transport::Subscriber images;
+  ros::Subscriber infos;
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    std::swap(images, images_);
+    std::swap(infos, infos_);
+    info_.reset();
+  }
+  // Waits for a callback that is running, which may be waiting for the mutex.
+  images.shutdown();
+  infos.shutdown();
+}
+
+void CameraInput::subscribe() {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  infos_ = node_.subscribe<sensor_msgs::CameraInfo>(
+      "camera_info", 1, [this](const sensor_msgs::CameraInfoConstPtr& info) {
+        const std::lock_guard<std::mutex> info_lock(mutex_);
+        info_ = info;
+        info_came_ = Clock::now();
+      });
+  image_came_ = Clock::now();
+  if (transport_fault_.empty()) subscribe_to_images();
+}
+
+void CameraInput::subscribe_to_images() {
+  try {
+    images_ = transport_.subscribe(
+        "image_raw", 1,
+        [this](const sensor_msgs::ImageConstPtr& image) {
+          note_image();
+          callback_(image);
+        },
+        ros::VoidPtr(), image_transport::TransportHints(transport_name_));
+  } catch (const image_transport::Exception&) {
+    transport_fault_ = "no plugin for image_transport '" + transport_name_ +
+                       "' is installed here; install " + transport_name_ +
+                       "_image_transport, or set image_transport to raw";
+    ROS_ERROR("%s: %s", node_.resolveName("image_raw").c_str(), transport_fault_.c_str());
+  }
+}
+
+std::uint32_t CameraInput::publishers() const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return images_ ? images_.getNumPublishers() : 0;
+}
+
+void CameraInput::note_image() {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  image_came_ = Clock::now();
+}
+
+std::string CameraInput::fault() const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  if (!transport_fault_.empty()) return transport_fault_;
+  if (!images_) return "";
+  if (images_.getNumPublishers() == 0) return kNobodyPublishes;
+  return Clock::now() - image_came_ > kSilence ? kPicturesStopped : "";
+}
+
+sensor_msgs::CameraInfoConstPtr CameraInput::camera_info() const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return Clock::now() - info_came_ <= max_info_age_ ? info_ : nullptr;
+}
+
+sensor_msgs::CameraInfoConstPtr CameraInput::camera_info_for(const std::string& frame_id,
+                                                             cv::Size size) const {
+  const auto info = camera_info();
+  return info && picture_size(*info) == size && info->header.frame_id == frame_id ? info : nullptr;
+}
+
+}  // namespace mbncc::nodelets

@@ -1,0 +1,66 @@
+#include "nodelets/conversion/object_frames.hpp"
+
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "nodelets/conversion/pose_algebra.hpp"
+
+namespace mbncc::nodelets {
+namespace {
+
+bool is_finite(const geometry_msgs::Pose& pose) {
+  return std::isfinite(pose.position.x + pose.position.y + pose.position.z) &&
+         std::isfinite(pose.orientation.x + pose.orientation.y + pose.orientation.z +
+                       pose.orientation.w);
+}
+
+geometry_msgs::TransformStamped transform_of(const ros::Time& stamp, const std::string& parent,
+                                             const std::string& child,
+                                             const geometry_msgs::Pose& pose) {
+  geometry_msgs::TransformStamped transform;
+  transform.header.stamp = stamp;
+  transform.header.frame_id = parent;
+  transform.child_frame_id = child;
+  transform.transform.translation.x = pose.position.x;
+  transform.transform.translation.y = pose.position.y;
+  transform.transform.translation.z = pose.position.z;
+  transform.transform.rotation = pose.orientation;
+  return transform;
+}
+
+}  // namespace
+
+std::vector<geometry_msgs::TransformStamped> ObjectFrames::of(
+    const mbncc_vision::DetectedObjectArray& detections) {
+  const ros::Time& stamp = detections.header.stamp;
+  std::vector<geometry_msgs::TransformStamped> transforms;
+  if (stamp <= last_) return transforms;
+  for (const auto& object : detections.objects) {
+    if (!object.pose_valid || !is_finite(object.pose.pose)) continue;
+    const auto add = [&](const ros::Time& at, const std::string& frame) {
+      transforms.push_back(transform_of(at, detections.header.frame_id, frame, object.pose.pose));
+      if (object.has_grasp && is_finite(object.grasp))
+        transforms.push_back(transform_of(at, frame, frame + "_grasp",
+                                          compose(inverse(object.pose.pose), object.grasp)));
+    };
+    if (!object.child_frame_id.empty()) add(stamp, object.child_frame_id);
+    if (object.stable_frame_id.empty()) continue;
+    Followed& followed = followed_[object.stable_frame_id];
+    // tf interpolates: without a first word at once, the frame would seem to travel from the last
+    // instance to this one.
+    if (followed.instance_id != 0 && followed.instance_id != object.instance_id)
+      add(followed.stamp + ros::Duration(0, 1), object.stable_frame_id);
+    add(stamp, object.stable_frame_id);
+    followed = {object.instance_id, stamp};
+  }
+  if (!transforms.empty()) last_ = stamp;
+  return transforms;
+}
+
+void ObjectFrames::reset() {
+  last_ = ros::Time();
+  followed_.clear();
+}
+
+}  // namespace mbncc::nodelets

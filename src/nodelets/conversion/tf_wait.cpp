@@ -1,0 +1,39 @@
+#include "nodelets/conversion/tf_wait.hpp"
+
+#include <chrono>
+#include <thread>
+
+namespace mbncc::nodelets {
+namespace {
+
+constexpr std::chrono::milliseconds kGlance{1};
+
+/// The frames are connected, and what connects them has still to reach `stamp`.
+bool lags_behind(const tf2_ros::Buffer& tf, const std::string& target, const std::string& source,
+                 const ros::Time& stamp, double patience) {
+  try {
+    const ros::Time newest = tf.lookupTransform(target, source, ros::Time(0)).header.stamp;
+    // A fixed transform has no stamp.
+    return !newest.isZero() && newest < stamp && (stamp - newest).toSec() <= patience;
+  } catch (const tf2::TransformException&) {
+    return false;
+  }
+}
+
+}  // namespace
+
+void wait_for_transform(const tf2_ros::Buffer& tf, const std::string& target,
+                        const std::string& source, const ros::Time& stamp, double patience) {
+  using Clock = std::chrono::steady_clock;
+  const auto end = Clock::now() + std::chrono::duration<double>(patience);
+  while (Clock::now() < end && lags_behind(tf, target, source, stamp, patience))
+    std::this_thread::sleep_for(kGlance);
+}
+
+std::string tf_fault(const tf2::TransformException& error) {
+  const std::string words = error.what();
+  const bool lags = words.find("into the future") != std::string::npos;
+  return words + (lags ? "; a robot's tf that lags behind is waited for with tf_wait" : "");
+}
+
+}  // namespace mbncc::nodelets

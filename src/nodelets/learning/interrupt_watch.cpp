@@ -1,0 +1,72 @@
+#include "nodelets/learning/interrupt_watch.hpp"
+
+#include <ros/init.h>
+
+#include <atomic>
+#include <chrono>
+#include <csignal>
+#include <mutex>
+#include <utility>
+
+namespace mbncc::nodelets {
+namespace {
+
+constexpr std::chrono::milliseconds kGlance{50};
+
+// Written in whatever thread the signal meets, read in the watches': std::sig_atomic_t serves one.
+std::atomic<bool> interrupted{false};
+static_assert(std::atomic<bool>::is_always_lock_free, "a signal handler must not wait");
+
+void note_interrupt(int) {
+  interrupted = true;
+}
+
+/// The handler is the process's, the watches may be several.
+class SharedHandler {
+ public:
+  void enter() {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    if (watches_++ > 0) return;
+    struct sigaction ours {};
+    ours.sa_handler = note_interrupt;
+    sigaction(SIGINT, &ours, &roscpps_);
+  }
+
+  /// True for the last one.
+  bool leave() {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    if (--watches_ > 0) return false;
+    sigaction(SIGINT, &roscpps_, nullptr);
+    return true;
+  }
+
+ private:
+  std::mutex mutex_;
+  int watches_ = 0;
+  struct sigaction roscpps_ {};
+};
+
+SharedHandler shared_handler;
+
+}  // namespace
+
+InterruptWatch::InterruptWatch(std::function<void()> on_interrupt)
+    : on_interrupt_(std::move(on_interrupt)) {
+  shared_handler.enter();
+  watcher_ = std::thread([this] { watch(); });
+}
+
+InterruptWatch::~InterruptWatch() {
+  stopped_ = true;
+  watcher_.join();
+}
+
+void InterruptWatch::watch() {
+  while (!stopped_ && !interrupted) std::this_thread::sleep_for(kGlance);
+  const bool told = interrupted;
+  if (told) on_interrupt_();
+  const bool last = shared_handler.leave();
+  if (told && last) ros::requestShutdown();
+}
+
+}  // namespace mbncc::nodelets

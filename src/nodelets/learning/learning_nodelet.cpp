@@ -1,0 +1,249 @@
+// Teaches objects: the LearnObject action and the services of the library. Wiring only.
+#include <ros/callback_queue.h>
+#include <ros/ros.h>
+#include <std_srvs/Trigger.h>
+#include <tf2_ros/buffer.h>
+#include <tf2_ros/transform_listener.h>
+#include <pluginlib/class_list_macros.hpp>
+
+#include <memory>
+#include <string>
+
+#include "mbncc/config/learning_node_config.hpp"
+#include "mbncc/config/matching_node_config.hpp"
+#include "mbncc/health_tasks.hpp"
+#include "mbncc/matching/matcher.hpp"
+#include "nodelets/common/camera_input.hpp"
+#include "nodelets/common/guarded_nodelet.hpp"
+#include "nodelets/common/health_report.hpp"
+#include "nodelets/common/parameters.hpp"
+#include "nodelets/conversion/images.hpp"
+#include "nodelets/learning/confirmation.hpp"
+#include "nodelets/learning/interrupt_watch.hpp"
+#include "nodelets/learning/lesson.hpp"
+#include "nodelets/learning/lesson_gauge.hpp"
+#include "nodelets/learning/lesson_goal.hpp"
+#include "nodelets/learning/lesson_server.hpp"
+#include "nodelets/learning/picture_feed.hpp"
+#include "nodelets/library/library_services.hpp"
+#include "nodelets/library/shared_library.hpp"
+#include "nodelets/matching/overlay.hpp"
+
+namespace mbncc::nodelets {
+namespace {
+
+/// Below the private namespace: the matching nodelet's parameters, since a lesson is judged by the
+/// search that will look for its object.
+constexpr char kSearchNamespace[] = "matching";
+
+}  // namespace
+
+class LearningNodelet : public GuardedNodelet {
+ public:
+  ~LearningNodelet() override { finish(); }
+
+ private:
+  void start() override;
+  void stop() override;
+  void open_library(ros::NodeHandle& node);
+  void tell_library(const std::string& folder, const LibrarySnapshot& snapshot);
+  void start_pictures(ros::NodeHandle& node);
+  void start_lessons(ros::NodeHandle& node);
+  mbncc_vision::LearnObjectResult teach(LessonClient& client);
+  void show_scores(const ObjectModel& model, const cv::Mat& picture);
+  bool mark_grasp(std_srvs::Trigger::Request& request, std_srvs::Trigger::Response& response);
+  bool confirm(mbncc_vision::ConfirmLearning::Request& request,
+               mbncc_vision::ConfirmLearning::Response& response);
+  void look_for_changes();
+  void diagnose(diagnostic_updater::DiagnosticStatusWrapper& status);
+
+  LearningNodeConfig config_;
+  SearchConfig search_;
+  ros::Publisher preview_publisher_, picture_publisher_, draft_publisher_, stage_publisher_,
+      score_publisher_;
+  std::unique_ptr<LibraryPublisher> library_publisher_;
+  std::shared_ptr<SharedLibrary> library_;
+  std::unique_ptr<LibraryServices> library_services_;
+  std::unique_ptr<PictureFeed> pictures_;
+  std::unique_ptr<CameraInput> camera_;
+  tf2_ros::Buffer tf_buffer_;
+  std::unique_ptr<tf2_ros::TransformListener> tf_listener_;
+  std::unique_ptr<LessonGauge> gauge_;
+  Confirmation confirmation_;
+  // confirm_learning waits for the lesson's answer, so it has a callback thread of its own.
+  ros::CallbackQueue confirm_queue_;
+  ros::AsyncSpinner confirm_spinner_{1, &confirm_queue_};
+  ros::ServiceServer confirm_server_, mark_server_;
+  std::unique_ptr<LessonServer> lessons_;
+  std::unique_ptr<InterruptWatch> interrupt_watch_;
+  std::unique_ptr<HealthReport> report_;
+  ros::WallTimer library_timer_;
+};
+
+void LearningNodelet::start() {
+  ros::NodeHandle own_node = node();
+  read_parameters(private_node(), field_rows(config_), {kSearchNamespace});
+  MatchingNodeConfig matching;
+  read_parameters(ros::NodeHandle(private_node(), kSearchNamespace), field_rows(matching));
+  search_ = matching.search;
+  open_library(own_node);
+  start_pictures(own_node);
+  start_lessons(own_node);
+  report_ =
+      std::make_unique<HealthReport>(own_node, private_node(), getName(), "none", kLearningTask,
+                                     [this](auto& status) { diagnose(status); });
+}
+
+void LearningNodelet::stop() {
+  library_timer_.stop();
+  report_.reset();
+  if (camera_) camera_->set_active(false);
+  interrupt_watch_.reset();
+  lessons_.reset();  // ends a running lesson, which releases a waiting confirm_learning
+  confirm_spinner_.stop();
+  confirm_server_.shutdown();
+  library_services_.reset();
+  library_publisher_.reset();
+  preview_publisher_.shutdown();
+  picture_publisher_.shutdown();
+  draft_publisher_.shutdown();
+  stage_publisher_.shutdown();
+  score_publisher_.shutdown();
+  camera_.reset();
+  tf_listener_.reset();  // before its buffer
+}
+
+void LearningNodelet::open_library(ros::NodeHandle& node) {
+  library_publisher_ = std::make_unique<LibraryPublisher>(node);
+  const std::string folder = expand_home(config_.library_path);
+  library_ = std::make_shared<SharedLibrary>(
+      folder, [this, folder](const auto& snapshot) { tell_library(folder, *snapshot); });
+  library_services_ = std::make_unique<LibraryServices>(node, library_);
+  library_timer_ =
+      node.createWallTimer(ros::WallDuration(1), [this](const auto&) { look_for_changes(); });
+}
+
+void LearningNodelet::tell_library(const std::string& folder, const LibrarySnapshot& snapshot) {
+  for (const auto& file : snapshot.quarantined)
+    NODELET_WARN("%s %s: %s", file.file.c_str(),
+                 file.moved ? "was moved to .quarantine" : "cannot be read", file.reason.c_str());
+  library_publisher_->publish(folder, snapshot);
+}
+
+void LearningNodelet::look_for_changes() {
+  try {
+    library_->refresh(false);
+  } catch (const std::exception& error) {
+    NODELET_ERROR_THROTTLE(10, "%s", error.what());
+  }
+}
+
+void LearningNodelet::start_pictures(ros::NodeHandle& node) {
+  tf_listener_ = std::make_unique<tf2_ros::TransformListener>(tf_buffer_);
+  pictures_ = std::make_unique<PictureFeed>(config_.still_time, config_.pictures.white_level);
+  camera_ = std::make_unique<CameraInput>(
+      node, config_.pictures.image_transport, config_.platform.max_info_age,
+      [this](const sensor_msgs::ImageConstPtr& image) { pictures_->put(image); });
+  gauge_ =
+      std::make_unique<LessonGauge>(config_.platform, config_.gripper_frame, *camera_, tf_buffer_);
+  // Always listening: already_moved asks for pictures from before the goal.
+  camera_->set_active(true);
+}
+
+void LearningNodelet::start_lessons(ros::NodeHandle& node) {
+  const std::string action = node.resolveName("learn_object");  // which may be remapped
+  preview_publisher_ = node.advertise<sensor_msgs::Image>(action + "/preview", 1, true);
+  picture_publisher_ = node.advertise<sensor_msgs::Image>(action + "/picture", 1, true);
+  draft_publisher_ = node.advertise<mbncc_vision::LearnObjectResult>(action + "/draft", 1, true);
+  score_publisher_ = node.advertise<sensor_msgs::Image>(action + "/score_map", 1);
+  stage_publisher_ = node.advertise<sensor_msgs::Image>(action + "/stage_image", 1);
+  ros::NodeHandle confirm_node = node;
+  confirm_node.setCallbackQueue(&confirm_queue_);
+  confirm_server_ =
+      confirm_node.advertiseService("confirm_learning", &LearningNodelet::confirm, this);
+  confirm_spinner_.start();
+  mark_server_ = node.advertiseService("mark_grasp", &LearningNodelet::mark_grasp, this);
+  lessons_ = std::make_unique<LessonServer>(
+      node, "learn_object", config_.learn_timeout,
+      [this](const mbncc_vision::LearnObjectGoal& goal) {
+        auto refused = check_goal(goal, *library_->snapshot(), config_.max_objects);
+        return refused ? refused : check_storage(*library_);
+      },
+      [this](LessonClient& client) { return teach(client); });
+  interrupt_watch_ = std::make_unique<InterruptWatch>([this] { lessons_->end(); });
+}
+
+mbncc_vision::LearnObjectResult LearningNodelet::teach(LessonClient& client) {
+  const LessonTools tools{
+      *pictures_,
+      *library_,
+      confirmation_,
+      config_.learning,
+      search_,
+      [this](const cv::Mat& picture) { stage_publisher_.publish(encode_picture(picture)); },
+      [this](const cv::Mat& picture) { preview_publisher_.publish(encode_picture(picture)); },
+      [this](const cv::Mat& picture) { picture_publisher_.publish(encode_picture(picture)); },
+      [this](const mbncc_vision::LearnObjectResult& draft) { draft_publisher_.publish(draft); },
+      [this](const ObjectModel& model, const cv::Mat& picture) { show_scores(model, picture); },
+      *gauge_};
+  const auto result = LessonRun(client, tools).run();
+  const bool learned = result.error_code == mbncc_vision::LearnObjectResult::SUCCESS;
+  if (learned) gauge_->clear();
+  NODELET_INFO("%s %s", result.message.c_str(), learned ? "" : result.hint.c_str());
+  return result;
+}
+
+/// How distinct the new object is in its own picture; only when somebody looks.
+void LearningNodelet::show_scores(const ObjectModel& model, const cv::Mat& picture) {
+  if (score_publisher_.getNumSubscribers() == 0) return;
+  Matcher matcher(search_);
+  matcher.set_objects({std::make_shared<const ObjectModel>(model)});
+  const double radius = model.views.back().template_image.cols / 2.0;
+  score_publisher_.publish(encode_picture(draw_score_map(matcher.score_map(picture), radius)));
+}
+
+bool LearningNodelet::mark_grasp(std_srvs::Trigger::Request&,
+                                 std_srvs::Trigger::Response& response) {
+  try {
+    gauge_->mark(pictures_->look().header);
+    response.success = true;
+    response.message = lessons_->busy() ? "marked; stored with the running lesson"
+                                        : "marked; stored with the next lesson, if that is "
+                                          "taught from this demonstration (already_moved)";
+  } catch (const std::exception& error) {
+    response.success = false;
+    response.message = error.what();
+  }
+  return true;
+}
+
+bool LearningNodelet::confirm(mbncc_vision::ConfirmLearning::Request& request,
+                              mbncc_vision::ConfirmLearning::Response& response) {
+  response = confirmation_.ask(request);
+  return true;
+}
+
+void LearningNodelet::diagnose(diagnostic_updater::DiagnosticStatusWrapper& status) {
+  using diagnostic_msgs::DiagnosticStatus;
+  const PictureFeed::View view = pictures_->look();
+  const auto library = library_->snapshot();
+  const std::string fault = library_->fault().empty() ? camera_->fault() : library_->fault();
+  if (!fault.empty())
+    status.summary(DiagnosticStatus::ERROR, fault);
+  else if (view.newest_refused)
+    status.summary(DiagnosticStatus::ERROR, "no usable picture: " + view.fault);
+  else if (!view.any_picture)
+    status.summary(DiagnosticStatus::ERROR, "no picture has come yet");
+  else
+    status.summary(DiagnosticStatus::OK, lessons_->busy() ? "teaching" : "idle");
+  status.add("scene", view.still ? "still" : "moving");
+  status.add("pictures refused", view.refused);
+  status.add("last fault", view.fault);
+  status.add("library", library_->folder());
+  status.add("objects", library->objects.size());
+  status.add(kQuarantinedKey, library->quarantined.size());
+}
+
+}  // namespace mbncc::nodelets
+
+PLUGINLIB_EXPORT_CLASS(mbncc::nodelets::LearningNodelet, nodelet::Nodelet)

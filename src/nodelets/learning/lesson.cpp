@@ -1,0 +1,218 @@
+#include "nodelets/learning/lesson.hpp"
+
+#include <ros/time.h>
+
+#include <cstdio>
+#include <opencv2/imgproc.hpp>
+
+#include "mbncc/cell/second_look.hpp"
+#include "mbncc/drawing.hpp"
+#include "mbncc/learning/resemblance.hpp"
+#include "nodelets/conversion/images.hpp"
+#include "nodelets/conversion/messages.hpp"
+#include "nodelets/learning/lesson_goal.hpp"
+#include "nodelets/learning/lesson_stages.hpp"
+#include "nodelets/learning/outcome.hpp"
+
+namespace mbncc::nodelets {
+namespace {
+
+using Feedback = mbncc_vision::LearnObjectFeedback;
+
+std::uint8_t feedback_stage(Stage stage) {
+  if (stage == Stage::kRegion) return Feedback::REGION;
+  return stage == Stage::kSegment ? Feedback::SEGMENT : Feedback::QUALITY;
+}
+
+// Box around the map in the learning picture. [px]
+cv::Rect place_of(const View& view) {
+  return cv::boundingRect(view.map) + view.origin;
+}
+
+}  // namespace
+
+LessonRun::LessonRun(LessonClient& client, const LessonTools& tools)
+    : client_(client),
+      tools_(tools),
+      goal_(client.goal()),
+      name_(name_for(goal_, *tools.library.snapshot())),
+      started_(ros::Time::now()) {}
+
+LessonRun::Result LessonRun::run() {
+  try {
+    return teach_and_store();
+  } catch (const LessonEnded& ended) {
+    return ended.result;
+  }
+}
+
+LessonRun::Result LessonRun::teach_and_store() {
+  take_pictures();
+  learn();
+  // Nothing has left: the coarse look was mistaken, or something was put down, which belongs to the
+  // scene before from now on.
+  while ((learned_.error == LearnError::kNoChange || lies_there_yet()) && waits_for_change()) {
+    wait_on();
+    learn();
+  }
+  if (lies_there_yet())
+    fail(LearnError::kNoChange, "The object was put down where it covers its old place.",
+         "Put it farther away, or take it out of the picture.");
+  if (goal_.confirm && learned_.has_model) return review();
+  judge();
+  return store();
+}
+
+Lesson LessonRun::lesson_of(const cv::Mat& after) const {
+  GoalLesson made = to_lesson(goal_, name_, before_.picture, after);
+  if (made.fault) throw LessonEnded{*made.fault};
+  return made.lesson;
+}
+
+/// The map then holds the old place and the new one.
+bool LessonRun::lies_there_yet() const {
+  if (!learned_.has_model || goal_.mode != Goal::CHANGE) return false;
+  const cv::Mat map = full_size_map(learned_.object.views.front());
+  return part_put_down(map, before_.picture, after_.picture) >= kMostPutDown;
+}
+
+void LessonRun::learn() {
+  draft_.emplace(lesson_of(after_.picture), tools_.config, tools_.search, observer());
+  tools_.show_picture(before_.picture);
+  take_draft();
+}
+
+StageObserver LessonRun::observer() {
+  return [this](Stage stage, double progress, const std::string& message, const cv::Mat& picture) {
+    tell(feedback_stage(stage), kTaken + (kLearned - kTaken) * progress, message);
+    if (!picture.empty()) tools_.show_stage(picture);
+    return !client_.interruption();
+  };
+}
+
+/// What the draft has become, and what the known objects look like beside it.
+void LessonRun::take_draft() {
+  leave_if_interrupted();
+  learned_ = draft_->result();
+  if (!learned_.has_model) return;
+  note_resemblance(learned_.object, before_.picture, tools_.library.snapshot()->objects,
+                   tools_.search);
+  leave_if_interrupted();
+  tools_.show_preview(preview(learned_.object));
+  tools_.show_draft(
+      describe(outcome(learned_.error, learned_.message, learned_.hint), learned_.object));
+  tools_.show_score_map(learned_.object, before_.picture);
+}
+
+void LessonRun::judge() const {
+  if (may_be_stored()) return;
+  const Result failed = outcome(learned_.error, learned_.message, learned_.hint);
+  throw LessonEnded{learned_.has_model ? describe(failed, learned_.object) : failed};
+}
+
+bool LessonRun::may_be_stored() const {
+  return learned_.error == LearnError::kSuccess || (learned_.has_model && goal_.allow_bad);
+}
+
+LessonRun::Result LessonRun::store() {
+  leave_if_interrupted();
+  tell(Feedback::STORE, kChecked, "Storing '" + name_ + "'.");
+  ObjectModel model = learned_.object;
+  model.learned_at = ros::Time::now().toSec();
+  // tf or camera_info may have come a little later than the picture.
+  if (!calibration_.platform) calibrate_before();
+  try {
+    std::string lacking;
+    const ObjectModel stored = save(model, lacking);
+    std::string message =
+        "Learned '" + name_ + "', verdict " + to_string(stored.quality.verdict) + ".";
+    return describe(outcome(LearnError::kSuccess, message + second_view() + lacking), stored);
+  } catch (const std::exception& failure) {
+    return describe(outcome(Refusal(failure)), model);
+  }
+}
+
+/// Tells where the object was put aside; "" when it was not seen again.
+std::string LessonRun::second_view() const {
+  const auto& seen = learned_.put_aside;
+  if (!seen) return "";
+  const double turn = seen->pose.theta - learned_.object.views.back().reference.theta;
+  char text[160];
+  std::snprintf(text, sizeof text,
+                " Found again where it was put aside: x %.1f, y %.1f, turned by %.1f degrees; both "
+                "views agree by %.2f%s.",
+                seen->pose.x, seen->pose.y, to_degrees(wrap_angle(turn)), seen->agreement,
+                seen->refined ? " and make the map" : "");
+  return text;
+}
+
+/// By the model's newest view, the one of this lesson; a known object keeps its scale. Returns what
+/// is lacking, as a sentence.
+std::string LessonRun::measure(ObjectModel& model) const {
+  const bool live = before_.number > 0;
+  const LessonMeasures measures =
+      tools_.gauge.measure(calibration_, live ? before_.header.stamp : started_,
+                           model.views.back().reference, model.object_height);
+  if (!goal_.add_view) model.metres_per_pixel = measures.metres_per_pixel;
+  if (measures.grasp) model.grasp = measures.grasp;
+  return lack(measures);
+}
+
+std::string LessonRun::lack(const LessonMeasures& measures) const {
+  if (measures.fault.empty() || (goal_.add_view && !measures.marked)) return "";
+  const std::string what = goal_.add_view    ? "The marked grasp was not stored"
+                           : measures.marked ? "Learned without scale and marked grasp"
+                                             : "Learned without scale";
+  return " " + what + ": " + measures.fault + ".";
+}
+
+ObjectModel LessonRun::save(ObjectModel model, std::string& lacking) const {
+  using Existing = ObjectLibrary::Existing;
+  const Storing storing = storing_of(goal_);
+  return tools_.library.change([&](ObjectLibrary& library) {
+    if (storing == Storing::kAddView)
+      return library.edit(name_, [&](ObjectModel& stored) {
+        if (const auto refusal = add_view(stored, model, before_.picture, tools_.search))
+          throw LessonEnded{outcome(*refusal)};
+        lacking = measure(stored);
+      });
+    lacking = measure(model);
+    return library.save(model,
+                        storing == Storing::kReplace ? Existing::kReplace : Existing::kRefuse);
+  });
+}
+
+LessonRun::Result LessonRun::describe(Result result, const ObjectModel& model) const {
+  const View& view = model.views.back();
+  result.object = to_msg(model, true);
+  result.map = encode_picture(view.map);
+  result.template_image = encode_picture(view.template_image);
+  result.preview = encode_picture(preview(model), before_.header);
+  return result;
+}
+
+cv::Mat LessonRun::preview(const ObjectModel& model) const {
+  const std::string caption = model.name + " " + to_string(model.quality.verdict);
+  return draw_markings(before_.picture, {marking_of(model.views.back(), model.quality, caption)});
+}
+
+void LessonRun::tell(std::uint8_t stage, double progress, const std::string& message,
+                     bool operator_action) {
+  Feedback feedback;
+  feedback.stage = stage;
+  feedback.progress = static_cast<float>(progress);
+  feedback.message = message;
+  feedback.operator_action = operator_action;
+  feedback.roi = learned_.has_model ? to_msg(place_of(learned_.object.views.front())) : goal_.roi;
+  client_.tell(feedback);
+}
+
+void LessonRun::fail(LearnError error, const std::string& message, const std::string& hint) const {
+  throw LessonEnded{outcome(error, message, hint)};
+}
+
+void LessonRun::leave_if_interrupted() const {
+  if (const auto why = client_.interruption()) fail(*why);
+}
+
+}  // namespace mbncc::nodelets

@@ -1,0 +1,121 @@
+// One run of teaching over the action: pictures, segmentation, the operator's word, storing.
+#pragma once
+
+#include <mbncc_vision/LearnObjectResult.h>
+#include <sensor_msgs/Image.h>
+
+#include <cstdint>
+#include <functional>
+#include <opencv2/core.hpp>
+#include <optional>
+#include <string>
+
+#include "mbncc/cell/demonstration.hpp"
+#include "mbncc/config/learning_config.hpp"
+#include "mbncc/config/search_config.hpp"
+#include "mbncc/learning/interactive_lesson.hpp"
+#include "nodelets/learning/confirmation.hpp"
+#include "nodelets/learning/lesson_gauge.hpp"
+#include "nodelets/learning/lesson_server.hpp"
+#include "nodelets/learning/picture_feed.hpp"
+#include "nodelets/library/shared_library.hpp"
+
+namespace mbncc::nodelets {
+
+/// What a lesson works with; all of it outlives the lesson.
+struct LessonTools {
+  PictureFeed& pictures;
+  SharedLibrary& library;
+  Confirmation& confirmation;
+  LearningConfig config;
+  SearchConfig search;  ///< that will look for the object
+  std::function<void(const cv::Mat&)> show_stage;
+  std::function<void(const cv::Mat&)> show_preview;
+  std::function<void(const cv::Mat&)> show_picture;  ///< without marks, before the draft of it
+  std::function<void(const mbncc_vision::LearnObjectResult&)> show_draft;
+  std::function<void(const ObjectModel&, const cv::Mat& picture)> show_score_map;
+  const LessonGauge& gauge;
+};
+
+/// A picture to learn from, CV_8UC3.
+struct LessonPicture {
+  cv::Mat picture;
+  std_msgs::Header header;
+  std::uint64_t number = 0;  ///< of the still period it was taken in; 0: given with the goal
+};
+
+class LessonRun {
+ public:
+  LessonRun(LessonClient& client, const LessonTools& tools);
+
+  /// Failures of pictures, region, operator and library end in the result.
+  mbncc_vision::LearnObjectResult run();
+
+ private:
+  using Goal = mbncc_vision::LearnObjectGoal;
+  using Result = mbncc_vision::LearnObjectResult;
+  using Step = Demonstration::Step;
+
+  Result teach_and_store();
+
+  // Pictures.
+  void take_pictures();
+  void take_already_moved();
+  bool waits_for_change() const;
+  void take_before(const LessonPicture& picture);
+  void calibrate_before();
+  LessonPicture given(const sensor_msgs::Image& image, const std::string& what) const;
+  void wait_for_before();
+  void wait_for_change();
+  void wait_on();
+  void watch(const std::function<Step(const PictureFeed::View&)>& look);
+  void say(Step step);
+  void say_silence(const PictureFeed::View& view);
+  void ask_operator_to(std::uint8_t stage, double progress, const std::string& sentence);
+  [[noreturn]] void fail_waiting(LearnError interruption, const PictureFeed::View& view) const;
+
+  // Learning.
+  Lesson lesson_of(const cv::Mat& after) const;
+  void learn();
+  void take_draft();
+  StageObserver observer();
+  bool lies_there_yet() const;
+  void judge() const;
+
+  // The operator's check.
+  Result review();
+  Confirmation::Request ask_operator();
+  void carry_out(const Confirmation::Request& command, Confirmation::Response& response);
+  void edit(const Confirmation::Request& command, Confirmation::Response& response);
+  void undo(Confirmation::Response& response);
+
+  // The end.
+  bool may_be_stored() const;
+  Result store();
+  std::string measure(ObjectModel& model) const;
+  std::string lack(const LessonMeasures& measures) const;
+  std::string second_view() const;
+  ObjectModel save(ObjectModel model, std::string& lacking) const;
+  Result describe(Result result, const ObjectModel& model) const;
+  cv::Mat preview(const ObjectModel& model) const;
+
+  void tell(std::uint8_t stage, double progress, const std::string& message,
+            bool operator_action = false);
+  [[noreturn]] void fail(LearnError error, const std::string& message = "",
+                         const std::string& hint = "") const;
+  void leave_if_interrupted() const;
+
+  LessonClient& client_;
+  const LessonTools& tools_;
+  const Goal& goal_;
+  const std::string name_;
+  const ros::Time started_;
+  Demonstration demonstration_;
+  std::string asked_for_;  // of the operator, the last time
+  LessonPicture before_, after_;
+  Calibration calibration_;  // of the picture before
+  std::optional<InteractiveLesson> draft_;
+  LearnResult learned_;  // the draft's, with what the library makes of it
+};
+
+}  // namespace mbncc::nodelets

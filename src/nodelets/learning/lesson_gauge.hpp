@@ -1,0 +1,59 @@
+// What calibration and tf tell of a lesson: the scale, and where the gripper took the object.
+#pragma once
+
+#include <ros/time.h>
+#include <sensor_msgs/CameraInfo.h>
+#include <std_msgs/Header.h>
+#include <tf2_ros/buffer.h>
+
+#include <opencv2/core.hpp>
+#include <optional>
+#include <string>
+
+#include "mbncc/object_model.hpp"
+#include "nodelets/common/camera_input.hpp"
+#include "nodelets/conversion/calibration.hpp"
+#include "nodelets/learning/grasp_mark.hpp"
+
+namespace mbncc::nodelets {
+
+/// What is known of an object in metres.
+struct LessonMeasures {
+  double metres_per_pixel = Quality::kUnknown;
+  std::optional<Grasp> grasp;
+  bool marked = false;  ///< a grasp was marked in this demonstration
+  std::string fault;    ///< why scale, or a marked grasp, is missing although they are wanted
+};
+
+class LessonGauge {
+ public:
+  /// `camera` and `tf` outlive the gauge.
+  LessonGauge(const PlatformConfig& config, const std::string& gripper_frame,
+              const CameraInput& camera, const tf2_ros::Buffer& tf);
+
+  /// Keeps the gripper's present pose until a lesson is stored. Throws std::runtime_error with a
+  /// sentence when it could not become a grasp.
+  void mark(const std_msgs::Header& newest_picture);
+
+  /// The platform under a lesson's picture. To be asked when the picture is taken: tf remembers
+  /// seconds, a lesson lasts minutes. `given`: came with the goal; empty: the live one counts.
+  Calibration calibrate_picture(const sensor_msgs::CameraInfo& given,
+                                const std_msgs::Header& header, cv::Size size) const;
+
+  /// Of an object that lies at `reference` in the picture that was calibrated, its top face
+  /// `object_height` [m] above the platform. Grasps marked before `since` belong to another
+  /// demonstration.
+  LessonMeasures measure(const Calibration& calibration, const ros::Time& since,
+                         const Pose2D& reference, double object_height) const;
+
+  /// The lesson is stored, and the mark with it.
+  void clear() { mark_.clear(); }
+
+ private:
+  const PlatformConfig config_;
+  const CameraInput& camera_;
+  const tf2_ros::Buffer& tf_;
+  GraspMark mark_;
+};
+
+}  // namespace mbncc::nodelets

@@ -1,0 +1,183 @@
+// The pictures of a lesson: given with the goal, or waited for in the live cell.
+#include <ros/time.h>
+
+#include <chrono>
+#include <thread>
+
+#include "nodelets/conversion/images.hpp"
+#include "nodelets/learning/lesson.hpp"
+
+namespace mbncc::nodelets {
+namespace {
+
+using Feedback = mbncc_vision::LearnObjectFeedback;
+
+constexpr std::chrono::milliseconds kGlance{30};  // between two looks at the live scene
+constexpr int kGlancesPerWord = 15;               // between two messages to the operator
+
+constexpr double kSilentCamera = 2;  // [s] without a picture that an operator should know of
+
+const char* removal_sentence(Demonstration::Anew why) {
+  using Anew = Demonstration::Anew;
+  switch (why) {
+    case Anew::kLight:
+      return "The light has changed; the lesson goes on with the present picture. Take the object "
+             "away now.";
+    case Anew::kEdgeLeft:
+      return "What reached over the picture's edge has left; the lesson goes on with the present "
+             "picture. If the object is gone, too, put it wholly into the picture; then take it "
+             "away.";
+    case Anew::kEverything:
+      return "Nearly everything has changed, as when the camera is moved; the lesson goes on with "
+             "the present picture. See that the object lies in it, then take it away.";
+    case Anew::kPutDown:
+      return "Nothing has left its place, what was put down belongs to the scene now. Take the "
+             "object away, farther from where it lay or out of the picture.";
+    default:
+      return "Take the object away now.";
+  }
+}
+
+LessonPicture picture_of(const StillShot& shot, const std::string& frame_id) {
+  LessonPicture picture{shot.picture, {}, shot.number};
+  picture.header.stamp.fromSec(shot.stamp);
+  picture.header.frame_id = frame_id;
+  return picture;
+}
+
+}  // namespace
+
+void LessonRun::take_pictures() {
+  const bool change = goal_.mode == Goal::CHANGE;
+  if (is_given(goal_.before)) {
+    take_before(given(goal_.before, "before"));
+    demonstration_ = Demonstration(before_.picture);
+  }
+  if (change && is_given(goal_.after)) after_ = given(goal_.after, "after");
+  if (change && goal_.already_moved && before_.picture.empty()) return take_already_moved();
+  if (before_.picture.empty()) wait_for_before();
+  if (change && after_.picture.empty()) wait_for_change();
+}
+
+void LessonRun::take_before(const LessonPicture& picture) {
+  before_ = picture;
+  calibrate_before();
+}
+
+void LessonRun::calibrate_before() {
+  calibration_ =
+      tools_.gauge.calibrate_picture(goal_.camera_info, before_.header, before_.picture.size());
+}
+
+bool LessonRun::waits_for_change() const {
+  return goal_.mode == Goal::CHANGE && !is_given(goal_.after) && !goal_.already_moved;
+}
+
+LessonPicture LessonRun::given(const sensor_msgs::Image& image, const std::string& what) const {
+  const Decoded decoded = decode_picture(image, tools_.pictures.white_level());
+  if (!decoded) fail(LearnError::kEncoding, "Picture " + what + ": " + decoded.fault + ".");
+  return {decoded.picture, image.header, 0};
+}
+
+void LessonRun::take_already_moved() {
+  if (after_.picture.empty())
+    watch([this](const PictureFeed::View& view) {
+      if (!view.still) return Step::kWaitStill;
+      after_ = picture_of(*view.still, view.header.frame_id);
+      return Step::kReady;
+    });
+  const auto before = tools_.pictures.before_change();
+  if (!before)
+    fail(LearnError::kNoChange, "Nothing in the camera's view has changed lately.",
+         "Teach without already_moved, and take the object away when told to.");
+  take_before(picture_of(*before, after_.header.frame_id));
+}
+
+void LessonRun::wait_for_before() {
+  watch([this](const PictureFeed::View& view) {
+    if (demonstration_.look(view.still) == Step::kWaitStill) return Step::kWaitStill;
+    take_before(picture_of(demonstration_.before(), view.header.frame_id));
+    return Step::kReady;
+  });
+}
+
+void LessonRun::wait_for_change() {
+  watch([this](const PictureFeed::View& view) {
+    if (view.still && view.still->picture.size() != before_.picture.size())
+      fail(LearnError::kImageMismatch);
+    const Step step = demonstration_.look(view.still);
+    if (demonstration_.before().picture.data != before_.picture.data)
+      take_before(picture_of(demonstration_.before(), view.header.frame_id));
+    if (step == Step::kReady) after_ = picture_of(demonstration_.after(), view.header.frame_id);
+    return step;
+  });
+}
+
+void LessonRun::wait_on() {
+  demonstration_.go_on();
+  if (!is_given(goal_.before))
+    take_before(picture_of(demonstration_.before(), after_.header.frame_id));
+  wait_for_change();
+}
+
+void LessonRun::watch(const std::function<Step(const PictureFeed::View&)>& look) {
+  for (int glance = 0;; ++glance) {
+    const PictureFeed::View view = tools_.pictures.look();
+    if (const auto why = client_.interruption()) fail_waiting(*why, view);
+    const bool word_due = glance % kGlancesPerWord == 0;
+    if (view.any_picture && view.silence > kSilentCamera) {
+      if (word_due) say_silence(view);
+    } else if (view.any_picture) {
+      const Step step = look(view);
+      if (step == Step::kReady) return;
+      if (word_due) say(step);
+    } else if (word_due) {
+      tell(Feedback::WAIT_IMAGE, 0, "Waiting for a picture from the camera.");
+    }
+    std::this_thread::sleep_for(kGlance);
+  }
+}
+
+void LessonRun::ask_operator_to(std::uint8_t stage, double progress, const std::string& sentence) {
+  asked_for_ = sentence;
+  tell(stage, progress, sentence, true);
+}
+
+void LessonRun::say_silence(const PictureFeed::View& view) {
+  ask_operator_to(Feedback::WAIT_IMAGE, 0,
+                  "The camera has sent no picture for " +
+                      std::to_string(static_cast<int>(view.silence)) +
+                      " s: check its cable and driver. The lesson goes on with the next picture.");
+}
+
+void LessonRun::say(Step step) {
+  switch (step) {
+    case Step::kWaitStill:
+      return ask_operator_to(Feedback::WAIT_IMAGE, 0.02,
+                             "The scene moves: move arm and hands out and keep still.");
+    case Step::kMoving:
+      return ask_operator_to(Feedback::WAIT_STILL, 0.2,
+                             "Something moves: leave the picture and keep still.");
+    case Step::kAtBorder:
+      return ask_operator_to(
+          Feedback::WAIT_STILL, 0.2,
+          "Something has come that reaches into the picture over its edge: move it out.");
+    default:
+      return ask_operator_to(Feedback::WAIT_REMOVAL, 0.1, removal_sentence(demonstration_.anew()));
+  }
+}
+
+void LessonRun::fail_waiting(LearnError interruption, const PictureFeed::View& view) const {
+  if (interruption != LearnError::kTimeout) fail(interruption);
+  if (!view.any_picture)
+    fail(LearnError::kNoImage,
+         view.fault.empty() ? "" : "No usable picture arrived: " + view.fault + ".");
+  const LearnError error = view.silence > kSilentCamera ? LearnError::kNoImage
+                           : view.still                 ? LearnError::kTimeout
+                                                        : LearnError::kNotStill;
+  if (asked_for_.empty()) fail(error);
+  fail(error, std::string(message_of(error)) + " It last said: " + asked_for_,
+       "Do what it last said, then teach again.");
+}
+
+}  // namespace mbncc::nodelets

@@ -1,0 +1,60 @@
+// Live pictures of the cell, watched for stillness on a thread of their own.
+#pragma once
+
+#include <sensor_msgs/Image.h>
+
+#include <chrono>
+#include <cstdint>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <thread>
+
+#include "mbncc/cell/scene_watch.hpp"
+#include "nodelets/common/mailbox.hpp"
+
+namespace mbncc::nodelets {
+
+class PictureFeed {
+ public:
+  /// `still_time` [s] without motion makes the scene still; `white_level` as decode_picture() has
+  /// it.
+  explicit PictureFeed(double still_time, int white_level = 0);
+
+  int white_level() const { return white_level_; }
+
+  ~PictureFeed();
+
+  /// Hands over a picture; never blocks, the newest wins.
+  void put(const sensor_msgs::ImageConstPtr& image) { mailbox_.put(image); }
+
+  /// What the watch has seen so far.
+  struct View {
+    bool any_picture = false;        ///< a usable one has arrived
+    std::optional<StillShot> still;  ///< see SceneWatch::still()
+    std_msgs::Header header;         ///< of the newest picture
+    double silence = 0;              ///< [s] since a usable picture arrived, by the steady clock
+    std::uint64_t refused = 0;       ///< pictures that could not be decoded or watched
+    std::string fault;               ///< why, for the last of them
+    bool newest_refused = false;     ///< the newest picture is one of them
+  };
+  View look() const;
+
+  /// See SceneWatch::before_change(); compares pictures, so not for every glance.
+  std::optional<StillShot> before_change() const;
+
+ private:
+  void work();
+  void watch(const sensor_msgs::Image& image);
+  void refuse(const std::string& fault);
+
+  const int white_level_;
+  Mailbox<sensor_msgs::ImageConstPtr> mailbox_;
+  mutable std::mutex mutex_;
+  SceneWatch watch_;
+  View view_;
+  std::chrono::steady_clock::time_point arrived_;
+  std::thread worker_;
+};
+
+}  // namespace mbncc::nodelets

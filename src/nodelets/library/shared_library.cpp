@@ -1,0 +1,67 @@
+#include "nodelets/library/shared_library.hpp"
+
+#include <cstdlib>
+#include <utility>
+
+namespace mbncc::nodelets {
+
+std::string expand_home(const std::string& path) {
+  const char* home = std::getenv("HOME");
+  const bool at_home = path == "~" || path.rfind("~/", 0) == 0;
+  if (!at_home || home == nullptr) return path;
+  return home + path.substr(1);
+}
+
+SharedLibrary::SharedLibrary(const std::string& path, Listener listener)
+    : library_(expand_home(path)), listener_(std::move(listener)) {
+  refresh(true);
+}
+
+SharedLibrary::Snapshot SharedLibrary::snapshot() const {
+  const std::lock_guard<std::mutex> lock(snapshot_mutex_);
+  return snapshot_;
+}
+
+void SharedLibrary::refresh(bool always) {
+  const std::lock_guard<std::mutex> lock(library_mutex_);
+  try {
+    if (always || library_.changed_on_disk()) load();
+    note("");
+  } catch (const std::exception& error) {
+    note(std::string("the library cannot be read: ") + error.what());
+    throw;
+  }
+}
+
+void SharedLibrary::note(const std::string& fault) {
+  const std::lock_guard<std::mutex> lock(snapshot_mutex_);
+  fault_ = fault;
+}
+
+std::string SharedLibrary::fault() const {
+  const std::lock_guard<std::mutex> lock(snapshot_mutex_);
+  return fault_;
+}
+
+void SharedLibrary::check_storage() const {
+  const std::lock_guard<std::mutex> lock(library_mutex_);
+  library_.check_storage();
+}
+
+ObjectModel SharedLibrary::change(const std::function<ObjectModel(ObjectLibrary&)>& change) {
+  const std::lock_guard<std::mutex> lock(library_mutex_);
+  const ObjectModel changed = change(library_);
+  load();
+  return changed;
+}
+
+void SharedLibrary::load() {
+  const Snapshot fresh = library_.load();
+  {
+    const std::lock_guard<std::mutex> lock(snapshot_mutex_);
+    snapshot_ = fresh;
+  }
+  listener_(fresh);
+}
+
+}  // namespace mbncc::nodelets

@@ -1,0 +1,204 @@
+#include "nodelets/matching/detection_pipeline.hpp"
+
+#include <tf2_geometry_msgs/tf2_geometry_msgs.h>
+
+#include <algorithm>
+#include <string>
+
+#include "nodelets/conversion/messages.hpp"
+#include "nodelets/conversion/pose_algebra.hpp"
+#include "nodelets/conversion/tf_wait.hpp"
+
+namespace mbncc::nodelets {
+namespace {
+
+using mbncc_vision::DetectedObject;
+using mbncc_vision::DetectedObjectArray;
+
+bool any_enabled(const LibrarySnapshot& library) {
+  return std::any_of(library.objects.begin(), library.objects.end(),
+                     [](const auto& object) { return object->enabled; });
+}
+
+/// What matters most to whoever acts on the array: a pose without metres or in another frame than
+/// asked for would move an arm wrongly, objects not searched are only missed.
+void set_status(DetectedObjectArray& array, const LibrarySnapshot& library,
+                const Calibration& calibration, const SearchResult& result,
+                const std::string& target_fault) {
+  if (!any_enabled(library)) {
+    array.status = DetectedObjectArray::LIBRARY_EMPTY;
+    array.message = "no enabled object in the library; teach one";
+  } else if (!calibration.platform) {
+    array.status = DetectedObjectArray::UNCALIBRATED;
+    array.message = calibration.fault;
+  } else if (!target_fault.empty()) {
+    array.status = DetectedObjectArray::TF_UNAVAILABLE;
+    array.message = target_fault;
+  } else if (result.budget_exceeded) {
+    array.status = DetectedObjectArray::BUDGET_EXCEEDED;
+    array.message = "time_budget exceeded; some objects were not searched";
+  } else {
+    array.status = DetectedObjectArray::OK;
+    if (!result.limited.empty())
+      array.message = "max_instances reached by " + result.limited.front() +
+                      "; there may be more of it, raise max_instances";
+  }
+}
+
+/// The object's frame, turned half about its x.
+void turn_over(DetectedObject& object) {
+  object.pose.pose = compose(object.pose.pose, half_turn_about_x());
+  for (auto& corner : object.footprint.points) {
+    corner.y = -corner.y;
+    corner.z = -corner.z;
+  }
+}
+
+}  // namespace
+
+TrackerConfig tracker_config(const MatchingNodeConfig& config) {
+  TrackerConfig tracker;
+  tracker.confirm_frames = config.confirm_frames;
+  tracker.confirm_window = config.confirm_window;
+  tracker.hold_time = config.hold_time;
+  tracker.max_age = config.max_age;
+  return tracker;
+}
+
+void note_age(DetectedObjectArray& array, const ros::Time& now) {
+  array.latency = static_cast<float>((now - array.header.stamp).toSec());
+  for (auto& object : array.objects) {
+    if (object.state != DetectedObject::CONFIRMED || now <= object.valid_until) continue;
+    object.state = DetectedObject::NEW;
+    object.reasons = {"older than valid_until when it was published"};
+    withhold_frames(object);
+  }
+}
+
+void withhold_frames(DetectedObject& object) {
+  object.child_frame_id.clear();
+  object.stable_frame_id.clear();
+}
+
+DetectionPipeline::DetectionPipeline(const MatchingNodeConfig& config, const LiveMatcher& matcher,
+                                     const tf2_ros::Buffer& tf)
+    : config_(config),
+      matcher_(matcher),
+      tf_(tf),
+      video_(config.video),
+      tracker_(tracker_config(config)),
+      average_(config.average_frames) {}
+
+void DetectionPipeline::configure(const MatchingNodeConfig& config) {
+  tracker_.configure(tracker_config(config));
+  config_ = config;
+}
+
+Detections DetectionPipeline::process(const ReceivedPicture& received,
+                                      const SearchRequest& request) {
+  return describe(received, track(received, request));
+}
+
+void DetectionPipeline::interrupt() {
+  video_.reset();
+  tracker_.interrupt();
+  average_.reset();
+}
+
+void DetectionPipeline::reset() {
+  interrupt();
+  tracker_.reset();
+}
+
+TrackedPicture DetectionPipeline::track(const ReceivedPicture& received,
+                                        const SearchRequest& request) {
+  const double stamp = received.header.stamp.toSec();
+  TrackedPicture tracked{config_.video.sweep_time > 0
+                             ? matcher_.watch(video_, stamp, received.picture, request)
+                             : matcher_.find(received.picture, request),
+                         {}};
+  tracked.matches = tracker_.update(stamp, tracked.found.result.matches);
+  average_.apply(tracked.matches);
+  return tracked;
+}
+
+Detections DetectionPipeline::describe(const ReceivedPicture& received,
+                                       const TrackedPicture& tracked) const {
+  const SearchResult& result = tracked.found.result;
+  wait_for_tf(received.header);
+  const Calibration calibration = calibrate(config_.platform, received.camera_info.get(),
+                                            received.header, received.picture.size(), tf_);
+  Detections detections{{}, tracked.found.library};
+  DetectedObjectArray& array = detections.array;
+  array.header = received.header;
+  array.header.frame_id = camera_frame_of(config_.platform, received.header);
+  array.image_width = static_cast<std::uint32_t>(received.picture.cols);
+  array.image_height = static_cast<std::uint32_t>(received.picture.rows);
+  array.searched = result.searched;
+  array.skipped = result.skipped;
+  array.search_time = static_cast<float>(result.search_time);
+  for (const auto& match : tracked.matches)
+    array.objects.push_back(
+        describe(match, detections.library->find(match.match.name).get(), calibration));
+  const std::string target_fault = to_target_frame(array);
+  set_status(array, *detections.library, calibration, result, target_fault);
+  return detections;
+}
+
+DetectedObject DetectionPipeline::describe(const TrackedMatch& tracked, const ObjectModel* model,
+                                           const Calibration& calibration) const {
+  const Match& match = tracked.match;
+  DetectedObject object = to_msg(match, model);
+  object.instance_id = tracked.instance_id;
+  object.state = static_cast<std::uint8_t>(tracked.state);
+  object.reasons = tracked.reasons;
+  object.valid_until.fromSec(tracked.valid_until);
+  if (!calibration.platform || model == nullptr) return object;
+  const auto pose = calibration.platform->lift(match.pose, match.covariance, model->object_height);
+  if (!pose) return object;
+  object.pose_valid = true;
+  object.pose = to_msg(*pose);
+  object.footprint = footprint_of(*model);
+  object.has_grasp = model->grasp.has_value();
+  if (model->grasp) object.grasp = compose(object.pose.pose, to_msg(*model->grasp));
+  if (config_.object_frame_z == "out") turn_over(object);
+  const std::string frame = config_.tf_prefix + "object_" + match.name;
+  if (tracked.state == TrackState::kConfirmed)
+    object.child_frame_id = frame + "_" + std::to_string(tracked.frame_index);
+  if (tracked.is_best) object.stable_frame_id = frame;
+  return object;
+}
+
+void DetectionPipeline::wait_for_tf(const std_msgs::Header& header) const {
+  const std::string camera = camera_frame_of(config_.platform, header);
+  for (const auto* frame : {&config_.platform.platform_frame, &config_.target_frame})
+    if (!frame->empty()) wait_for_transform(tf_, *frame, camera, header.stamp, config_.tf_wait);
+}
+
+std::string DetectionPipeline::to_target_frame(DetectedObjectArray& array) const {
+  if (config_.target_frame.empty() || config_.target_frame == array.header.frame_id) return "";
+  try {
+    const auto transform =
+        tf_.lookupTransform(config_.target_frame, array.header.frame_id, array.header.stamp);
+    for (auto& object : array.objects) {
+      if (!object.pose_valid) continue;
+      geometry_msgs::PoseWithCovarianceStamped pose;
+      geometry_msgs::PoseStamped grasp;
+      pose.pose = object.pose;
+      grasp.pose = object.grasp;
+      tf2::doTransform(pose, pose, transform);
+      if (object.has_grasp) tf2::doTransform(grasp, grasp, transform);
+      object.pose = pose.pose;
+      object.grasp = grasp.pose;
+    }
+    array.header.frame_id = config_.target_frame;
+    return "";
+  } catch (const tf2::TransformException& error) {
+    // A frame that hangs under the camera once and under target_frame the next time would tear the
+    // tf tree, so none is sent.
+    for (auto& object : array.objects) withhold_frames(object);
+    return "target_frame: " + tf_fault(error);
+  }
+}
+
+}  // namespace mbncc::nodelets

@@ -1,0 +1,103 @@
+// From a picture to its DetectedObjectArray: search, track, lift, describe.
+#pragma once
+
+#include <mbncc_vision/DetectedObjectArray.h>
+#include <sensor_msgs/CameraInfo.h>
+#include <tf2_ros/buffer.h>
+
+#include <opencv2/core.hpp>
+#include <string>
+#include <vector>
+
+#include "mbncc/cell/pose_average.hpp"
+#include "mbncc/cell/tracker.hpp"
+#include "mbncc/cell/video_search.hpp"
+#include "mbncc/config/matching_node_config.hpp"
+#include "nodelets/conversion/calibration.hpp"
+#include "nodelets/matching/live_matcher.hpp"
+
+namespace mbncc::nodelets {
+
+/// What was found in one picture, before it is put into words.
+struct TrackedPicture {
+  Found found;
+  std::vector<TrackedMatch> matches;
+};
+
+/// What goes out about a picture; the library tells the grasps.
+struct Detections {
+  mbncc_vision::DetectedObjectArray array;
+  SharedLibrary::Snapshot library;
+};
+
+/// A picture with what its messages say about it.
+struct ReceivedPicture {
+  cv::Mat picture;  ///< CV_8UC3
+  std_msgs::Header header;
+  sensor_msgs::CameraInfoConstPtr camera_info;  ///< null: none fits
+};
+
+/// What the tracker goes by.
+TrackerConfig tracker_config(const MatchingNodeConfig& config);
+
+/// Fills in the latency of what goes out `now`; what has become too old meanwhile is no longer
+/// confirmed.
+void note_age(mbncc_vision::DetectedObjectArray& array, const ros::Time& now);
+
+/// No tf frame is sent for the object.
+void withhold_frames(mbncc_vision::DetectedObject& object);
+
+/// Searches one picture after the other.
+class PictureSearch {
+ public:
+  virtual ~PictureSearch() = default;
+
+  /// Holds from the next picture on. Throws std::invalid_argument when the tracker refuses it.
+  virtual void configure(const MatchingNodeConfig& config) = 0;
+
+  virtual Detections process(const ReceivedPicture& received, const SearchRequest& request) = 0;
+
+  /// What was seen before is no longer counted on: every instance has to be confirmed anew. One
+  /// that has not moved keeps its id.
+  virtual void interrupt() = 0;
+
+  /// Forgets the instances.
+  virtual void reset() = 0;
+};
+
+class DetectionPipeline : public PictureSearch {
+ public:
+  /// `matcher` and `tf` outlive the pipeline.
+  DetectionPipeline(const MatchingNodeConfig& config, const LiveMatcher& matcher,
+                    const tf2_ros::Buffer& tf);
+
+  /// Of the video's watch and of averaging, what the constructor was given stays.
+  void configure(const MatchingNodeConfig& config) override;
+
+  Detections process(const ReceivedPicture& received, const SearchRequest& request) override;
+
+  /// The two halves of process().
+  TrackedPicture track(const ReceivedPicture& received, const SearchRequest& request);
+  Detections describe(const ReceivedPicture& received, const TrackedPicture& tracked) const;
+
+  /// The next picture is searched whole.
+  void interrupt() override;
+
+  void reset() override;
+
+ private:
+  mbncc_vision::DetectedObject describe(const TrackedMatch& tracked, const ObjectModel* model,
+                                        const Calibration& calibration) const;
+  void wait_for_tf(const std_msgs::Header& header) const;
+  /// What stands in the way, "" when the poses are in target_frame.
+  std::string to_target_frame(mbncc_vision::DetectedObjectArray& array) const;
+
+  MatchingNodeConfig config_;
+  const LiveMatcher& matcher_;
+  const tf2_ros::Buffer& tf_;
+  VideoSearch video_;
+  InstanceTracker tracker_;
+  PoseAverage average_;
+};
+
+}  // namespace mbncc::nodelets

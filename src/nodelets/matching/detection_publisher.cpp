@@ -1,0 +1,88 @@
+#include "nodelets/matching/detection_publisher.hpp"
+
+#include <sensor_msgs/CompressedImage.h>
+#include <sensor_msgs/Image.h>
+#include <visualization_msgs/MarkerArray.h>
+
+#include "nodelets/conversion/images.hpp"
+#include "nodelets/matching/graspable.hpp"
+#include "nodelets/matching/markers.hpp"
+#include "nodelets/matching/overlay.hpp"
+
+namespace mbncc::nodelets {
+
+using mbncc_vision::DetectedObjectArray;
+
+geometry_msgs::PoseArray confirmed_poses(const DetectedObjectArray& detections) {
+  geometry_msgs::PoseArray poses;
+  poses.header = detections.header;
+  for (const auto* object : graspable(detections)) poses.poses.push_back(object->pose.pose);
+  return poses;
+}
+
+DetectionPublisher::DetectionPublisher(ros::NodeHandle node, ros::NodeHandle private_node,
+                                       const std::function<void()>& listeners_changed) {
+  const ros::SubscriberStatusCallback changed =
+      [listeners_changed](const ros::SingleSubscriberPublisher&) { listeners_changed(); };
+  detections_ = node.advertise<DetectedObjectArray>("detected_objects", 1, changed, changed);
+  poses_ = private_node.advertise<geometry_msgs::PoseArray>("poses", 1, changed, changed);
+  overlay_ = private_node.advertise<sensor_msgs::Image>("overlay", 1, changed, changed);
+  overlay_jpeg_ =
+      private_node.advertise<sensor_msgs::CompressedImage>("overlay_jpeg", 1, changed, changed);
+  score_map_ = private_node.advertise<sensor_msgs::Image>("score_map", 1, changed, changed);
+  markers_ =
+      private_node.advertise<visualization_msgs::MarkerArray>("markers", 1, changed, changed);
+}
+
+bool DetectionPublisher::has_listeners() const {
+  for (const auto* publisher :
+       {&detections_, &poses_, &overlay_, &overlay_jpeg_, &score_map_, &markers_})
+    if (publisher->getNumSubscribers() > 0) return true;
+  return false;
+}
+
+double DetectionPublisher::publish(Detections detections, const cv::Mat& picture,
+                                   const ScoreMap& score_map, const Extras& extras) {
+  DetectedObjectArray& array = detections.array;
+  note_age(array, ros::Time::now());
+  if (!extras.tf)
+    for (auto& object : array.objects) withhold_frames(object);
+  detections_.publish(array);
+  poses_.publish(confirmed_poses(array));
+  const auto transforms =
+      extras.tf ? frames_.of(array) : std::vector<geometry_msgs::TransformStamped>{};
+  if (!transforms.empty()) broadcaster_.sendTransform(transforms);
+  if (markers_.getNumSubscribers() > 0) markers_.publish(to_markers(array));
+  publish_pictures(array, picture, score_map, extras.scores_under_overlay);
+  return array.latency;
+}
+
+void DetectionPublisher::publish_pictures(const DetectedObjectArray& array, const cv::Mat& picture,
+                                          const ScoreMap& score_map, bool scores_under_overlay) {
+  const bool overlay = overlay_.getNumSubscribers() > 0;
+  const bool jpeg = overlay_jpeg_.getNumSubscribers() > 0;
+  const bool scores = score_map_.getNumSubscribers() > 0;
+  if (!overlay && !jpeg && !scores) return;
+  cv::Mat coloured;
+  if (scores || scores_under_overlay) coloured = colour_score_map(score_map());
+  if (scores) score_map_.publish(encode_picture(coloured, array.header));
+  if (!overlay && !jpeg) return;
+  cv::Mat ground = picture;
+  if (scores_under_overlay) cv::addWeighted(picture, 0.5, coloured, 0.5, 0, ground);
+  const cv::Mat drawn = draw_detections(ground, array);
+  if (overlay) overlay_.publish(encode_picture(drawn, array.header));
+  if (jpeg) overlay_jpeg_.publish(encode_jpeg(drawn, array.header));
+}
+
+void DetectionPublisher::publish_fault(std::uint8_t status, const std_msgs::Header& header,
+                                       const std::string& message) {
+  DetectedObjectArray array;
+  array.header = header;
+  array.status = status;
+  array.message = message;
+  detections_.publish(array);
+  poses_.publish(confirmed_poses(array));
+  markers_.publish(to_markers(array));  // none: what was marked may have been moved
+}
+
+}  // namespace mbncc::nodelets

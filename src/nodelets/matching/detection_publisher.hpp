@@ -1,0 +1,60 @@
+// Everything that goes out about a searched picture: detections, tf, overlay, markers, and the
+// messages without objects when pictures fail to come or cannot be searched.
+#pragma once
+
+#include <geometry_msgs/PoseArray.h>
+#include <ros/node_handle.h>
+#include <tf2_ros/transform_broadcaster.h>
+
+#include <cstdint>
+#include <functional>
+#include <opencv2/core.hpp>
+#include <string>
+
+#include "nodelets/conversion/object_frames.hpp"
+#include "nodelets/matching/detection_pipeline.hpp"
+
+namespace mbncc::nodelets {
+
+/// The poses in metres of what may be grasped, in the array's order.
+geometry_msgs::PoseArray confirmed_poses(const mbncc_vision::DetectedObjectArray& detections);
+
+class DetectionPublisher {
+ public:
+  /// `listeners_changed` is called when somebody subscribes or goes.
+  DetectionPublisher(ros::NodeHandle node, ros::NodeHandle private_node,
+                     const std::function<void()>& listeners_changed);
+
+  /// Somebody hears detections, markers or one of the pictures.
+  bool has_listeners() const;
+
+  /// Largest similarity at each place of a picture, CV_32FC1; worked out when somebody looks.
+  using ScoreMap = std::function<cv::Mat()>;
+
+  struct Extras {
+    bool tf;                    ///< send the frames of confirmed instances, too
+    bool scores_under_overlay;  ///< draw the overlay over the score map
+  };
+
+  /// What has become too old during the search is no longer confirmed. Returns the latency [s].
+  double publish(Detections detections, const cv::Mat& picture, const ScoreMap& score_map,
+                 const Extras& extras);
+
+  /// An array without objects, of status STALE or SEARCH_FAILED: nothing that was published before
+  /// counts any more.
+  void publish_fault(std::uint8_t status, const std_msgs::Header& header,
+                     const std::string& message);
+
+  /// The clock has jumped back.
+  void reset() { frames_.reset(); }
+
+ private:
+  void publish_pictures(const mbncc_vision::DetectedObjectArray& array, const cv::Mat& picture,
+                        const ScoreMap& score_map, bool scores_under_overlay);
+
+  ros::Publisher detections_, poses_, overlay_, overlay_jpeg_, score_map_, markers_;
+  tf2_ros::TransformBroadcaster broadcaster_;
+  ObjectFrames frames_;
+};
+
+}  // namespace mbncc::nodelets

@@ -1,0 +1,88 @@
+#include "nodelets/matching/explain_service.hpp"
+
+#include <ros/time.h>
+
+#include <boost/date_time/posix_time/posix_time.hpp>
+#include <filesystem>
+#include <stdexcept>
+#include <utility>
+
+#include "nodelets/conversion/images.hpp"
+#include "nodelets/matching/search_roi.hpp"
+
+namespace mbncc::nodelets {
+namespace {
+
+constexpr double kPatience = 5;        // [s] for the next live picture
+constexpr std::size_t kExplained = 3;  // objects, the likeliest
+constexpr const char* kFolder = ".misses";
+
+}  // namespace
+
+ExplainService::ExplainService(ros::NodeHandle private_node, const ExplainTools& tools)
+    : tools_(tools), spinner_(1, &queue_) {
+  private_node.setCallbackQueue(&queue_);
+  server_ = private_node.advertiseService("explain", &ExplainService::on_call, this);
+  spinner_.start();
+}
+
+bool ExplainService::on_call(Request& request, Response& response) {
+  try {
+    explain(request, response);
+    response.success = true;
+  } catch (const std::exception& error) {
+    response.success = false;
+    response.message = error.what();
+  }
+  return true;
+}
+
+sensor_msgs::Image ExplainService::live_picture() const {
+  tools_.pictures.enter();
+  tools_.wants_changed();
+  const auto picture = tools_.pictures.next(ros::Time(), kPatience);
+  tools_.pictures.leave();
+  tools_.wants_changed();
+  if (!picture) throw std::runtime_error("no picture came from the camera; check it, or send one");
+  return *picture;
+}
+
+void ExplainService::explain(const Request& request, Response& response) const {
+  const Decoded decoded = decode_picture(is_given(request.image) ? request.image : live_picture());
+  if (!decoded) throw std::runtime_error(decoded.fault);
+  const MatchingNodeConfig config = tools_.config();
+  SavedMiss miss;
+  miss.picture = decoded.picture;
+  miss.place = {request.place.x, request.place.y};
+  miss.names = request.names;
+  miss.search = config.search;
+  for (const auto& object : tools_.matcher.library()->objects) {
+    if (object->views.front().picture_size == miss.picture.size())
+      miss.objects.push_back(object);
+    else if (object->enabled)
+      miss.lines.push_back("'" + object->name +
+                           "' is not searched for: it was learned in pictures of another size.");
+  }
+  const cv::Rect roi = parse_roi(config.search_roi);
+  if (!roi.empty() && !cv::Rect2d(roi).contains(miss.place))
+    miss.lines.push_back("The place lies outside search_roi: nothing is searched for here.");
+  const auto explanations = mbncc::explain(miss);
+  if (explanations.empty())
+    miss.lines.push_back("The library has no enabled object of this camera: teach or enable one.");
+  for (const auto& line : lines_of(explanations, kExplained)) miss.lines.push_back(line);
+  for (const auto& line : miss.lines)
+    response.message += (response.message.empty() ? "" : "\n") + line;
+  response.picture = encode_picture(draw_explanation(miss.picture, miss.place, explanations));
+  if (request.save) response.file = save(miss);
+}
+
+std::string ExplainService::save(const SavedMiss& miss) const {
+  const std::filesystem::path folder = tools_.matcher.folder() + "/" + kFolder;
+  std::filesystem::create_directories(folder);
+  const std::string file =
+      folder / (boost::posix_time::to_iso_string(ros::WallTime::now().toBoost()) + ".miss");
+  write_miss(file, miss);
+  return file;
+}
+
+}  // namespace mbncc::nodelets

@@ -1,0 +1,48 @@
+// The ~explain service: why objects are found at a place of a picture, or are not.
+#pragma once
+
+#include <mbncc_vision/ExplainPlace.h>
+#include <ros/callback_queue.h>
+#include <ros/node_handle.h>
+#include <ros/spinner.h>
+
+#include <functional>
+#include <string>
+
+#include "mbncc/config/matching_node_config.hpp"
+#include "mbncc/miss/saved_miss.hpp"
+#include "nodelets/matching/live_matcher.hpp"
+#include "nodelets/matching/picture_wait.hpp"
+
+namespace mbncc::nodelets {
+
+/// What the service works with; all of it outlives the service.
+struct ExplainTools {
+  std::function<MatchingNodeConfig()> config;
+  const LiveMatcher& matcher;
+  PictureWait& pictures;
+  std::function<void()> wants_changed;  ///< a live picture is wanted, or no longer
+};
+
+class ExplainService {
+ public:
+  using Request = mbncc_vision::ExplainPlace::Request;
+  using Response = mbncc_vision::ExplainPlace::Response;
+
+  /// Calls come on a thread of their own, one after the other.
+  ExplainService(ros::NodeHandle private_node, const ExplainTools& tools);
+
+ private:
+  bool on_call(Request& request, Response& response);
+  void explain(const Request& request, Response& response) const;
+  sensor_msgs::Image live_picture() const;
+  /// Returns the file.
+  std::string save(const SavedMiss& miss) const;
+
+  const ExplainTools tools_;
+  ros::CallbackQueue queue_;
+  ros::AsyncSpinner spinner_;
+  ros::ServiceServer server_;
+};
+
+}  // namespace mbncc::nodelets

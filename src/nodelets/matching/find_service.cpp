@@ -1,0 +1,229 @@
+#include "nodelets/matching/find_service.hpp"
+
+#include <algorithm>
+#include <boost/make_shared.hpp>
+#include <stdexcept>
+#include <utility>
+
+#include "mbncc/cell/stamp_gate.hpp"
+#include "nodelets/conversion/images.hpp"
+#include "nodelets/conversion/messages.hpp"
+#include "nodelets/matching/search_roi.hpp"
+
+namespace mbncc::nodelets {
+namespace {
+
+using mbncc_vision::DetectedObjectArray;
+using Request = FindService::Request;
+
+constexpr double kDefaultTimeout = 5;   // [s]
+constexpr double kLongestTimeout = 60;  // [s]
+constexpr std::uint32_t kMostFrames = 100;
+constexpr std::size_t kMostNames = 1000;
+constexpr int kMostCalls = 4;  // at a time
+
+[[noreturn]] void refuse(const std::string& sentence) {
+  throw std::invalid_argument(sentence);
+}
+
+[[noreturn]] void refuse_future() {
+  refuse("the picture is stamped in the future; compare the clocks");
+}
+
+[[noreturn]] void refuse_busy() {
+  refuse("BUSY: other calls of find_objects are being answered; call again when they are done");
+}
+
+SearchRequest search_request(const Request& request, const MatchingNodeConfig& config,
+                             cv::Size size) {
+  SearchRequest search;
+  if (request.names.size() > kMostNames)
+    refuse("more than 1000 names; leave names empty to search for all");
+  for (const auto& name : request.names)
+    if (!is_valid_name(name))
+      refuse("a name is no object's: a letter, then letters, digits or underscores");
+  const auto roi = from_msg(request.roi, size);
+  if (!roi) refuse("roi does not lie in the picture; give a region inside it, or none");
+  search.roi = roi->empty() ? roi_in(parse_roi(config.search_roi), size) : *roi;
+  if (request.min_score > 1)
+    refuse("min_score lies above 1; give 0 .. 1, or 0 for the configured one");
+  if (request.min_score > 0) search.min_score = request.min_score;
+  if (request.max_instances > 1000)
+    refuse("max_instances lies above 1000; give fewer, or 0 for the configured number");
+  search.max_instances = static_cast<int>(request.max_instances);
+  return search;
+}
+
+/// Everything that is known is searched, so that look-alikes have their say; what was not asked for
+/// is left out of the answer.
+void keep_named(DetectedObjectArray& array, const std::vector<std::string>& names,
+                const LibrarySnapshot& library) {
+  if (names.empty()) return;
+  const auto is_other = [&names](const std::string& name) {
+    return std::find(names.begin(), names.end(), name) == names.end();
+  };
+  const auto drop = [](auto& items, const auto& is_dropped) {
+    items.erase(std::remove_if(items.begin(), items.end(), is_dropped), items.end());
+  };
+  drop(array.objects, [&](const auto& object) { return is_other(object.name); });
+  drop(array.searched, is_other);
+  drop(array.skipped,
+       [&](const std::string& reason) { return is_other(reason.substr(0, reason.find(':'))); });
+  for (const auto& name : names) {
+    const auto known = library.find(name);
+    if (!known) array.skipped.push_back(name + ": unknown");
+    if (known && !known->enabled) array.skipped.push_back(name + ": disabled");
+  }
+}
+
+/// Every call follows instances of its own: their numbers and frames would be taken for those of
+/// the stream.
+void leave_unnumbered(DetectedObjectArray& array) {
+  for (auto& object : array.objects) {
+    object.instance_id = 0;
+    object.child_frame_id.clear();
+  }
+}
+
+/// Keeps live pictures coming.
+class Listening {
+ public:
+  explicit Listening(const FindTools& tools) : tools_(tools) {
+    tools_.pictures.enter();
+    tools_.wants_changed();
+  }
+  ~Listening() {
+    tools_.pictures.leave();
+    tools_.wants_changed();
+  }
+
+ private:
+  const FindTools& tools_;
+};
+
+double timeout_of(const Request& request) {
+  const double timeout = request.timeout.toSec();
+  if (timeout < 0 || timeout > kLongestTimeout) refuse("timeout is not in 0 .. 60 s");
+  return timeout > 0 ? timeout : kDefaultTimeout;
+}
+
+/// Counts a call while it runs.
+class Counted {
+ public:
+  explicit Counted(std::atomic<int>& calls) : calls_(calls), number_(++calls) {}
+  ~Counted() { --calls_; }
+
+  bool is_one_too_many() const { return number_ > kMostCalls; }
+
+ private:
+  std::atomic<int>& calls_;
+  const int number_;
+};
+
+ros::NodeHandle with_queue(ros::NodeHandle node, ros::CallbackQueue& queue) {
+  node.setCallbackQueue(&queue);
+  return node;
+}
+
+}  // namespace
+
+// One thread more than calls: it refuses.
+FindService::FindService(ros::NodeHandle node, const FindTools& tools)
+    : tools_(tools),
+      spinner_(kMostCalls + 1, &queue_),
+      server_(with_queue(std::move(node), queue_)
+                  .advertiseService("find_objects", &FindService::on_call, this)) {
+  spinner_.start();
+}
+
+void FindService::close() {
+  spinner_.stop();
+  server_.shutdown();
+}
+
+bool FindService::on_call(Request& request, Response& response) {
+  const Counted call(calls_);
+  try {
+    if (call.is_one_too_many()) refuse_busy();
+    Detections detections = find(request);
+    keep_named(detections.array, request.names, *detections.library);
+    leave_unnumbered(detections.array);
+    note_age(detections.array, ros::Time::now());
+    response.detections = detections.array;
+    response.success = true;
+    response.message = response.detections.message;
+  } catch (const std::exception& error) {
+    response.success = false;
+    response.message = error.what();
+  }
+  return true;
+}
+
+Detections FindService::find(const Request& request) {
+  // No thread was waited for, so the call has just arrived.
+  const auto deadline = Clock::now() + std::chrono::duration_cast<Clock::duration>(
+                                           std::chrono::duration<double>(timeout_of(request)));
+  if (request.frames > kMostFrames) refuse("frames lies above 100; ask for fewer");
+  MatchingNodeConfig config = tools_.settings.get();
+  config.video.sweep_time = 0;  // asked once, everything is looked at
+  config.average_frames = static_cast<int>(std::max(1u, request.frames));
+  DetectionPipeline pipeline(config, tools_.matcher, tools_.tf);
+  return is_given(request.image) ? find_given(request, config, pipeline, deadline)
+                                 : find_live(request, config, pipeline, deadline);
+}
+
+Detections FindService::find_given(const Request& request, const MatchingNodeConfig& config,
+                                   DetectionPipeline& pipeline, Clock::time_point deadline) {
+  const Decoded decoded = decode_picture(request.image, config.pictures.white_level);
+  if (!decoded) refuse("image: " + decoded.fault);
+  const bool has_info = request.camera_info.width != 0;
+  const double ahead = (request.image.header.stamp - ros::Time::now()).toSec();
+  if (ahead > config.max_ahead) refuse_future();
+  const ReceivedPicture received{
+      decoded.picture, request.image.header,
+      has_info ? boost::make_shared<sensor_msgs::CameraInfo>(request.camera_info) : nullptr};
+  const auto search = search_request(request, config, decoded.picture.size());
+  const auto lock = turn(deadline);
+  return pipeline.process(received, search);
+}
+
+Detections FindService::find_live(const Request& request, const MatchingNodeConfig& config,
+                                  DetectionPipeline& pipeline, Clock::time_point deadline) {
+  const Listening listening(tools_);
+  ros::Time after = ros::Time::now();
+  StampGate gate(config.max_age, config.max_ahead);
+  ReceivedPicture received;
+  TrackedPicture tracked;
+  for (std::uint32_t i = 0; i < std::max(1u, request.frames); ++i) {
+    StampGate::Verdict verdict;
+    do {
+      received = next_picture(after, config.pictures.white_level, deadline);
+      after = received.header.stamp;
+      verdict = gate.judge(after.toSec(), ros::Time::now().toSec());
+      if (verdict == StampGate::Verdict::kAhead) refuse_future();
+    } while (verdict != StampGate::Verdict::kFresh);
+    const auto search = search_request(request, config, received.picture.size());
+    const auto lock = turn(deadline);
+    tracked = pipeline.track(received, search);
+  }
+  return pipeline.describe(received, tracked);
+}
+
+ReceivedPicture FindService::next_picture(const ros::Time& after, int white_level,
+                                          Clock::time_point deadline) const {
+  const double left = std::chrono::duration<double>(deadline - Clock::now()).count();
+  const auto image = tools_.pictures.next(after, left);
+  if (!image) refuse("no picture came in time; check the camera and the image topic");
+  const Decoded decoded = decode_picture(*image, white_level);
+  if (!decoded) refuse(decoded.fault);
+  return {decoded.picture, image->header,
+          tools_.camera.camera_info_for(image->header.frame_id, decoded.picture.size())};
+}
+
+std::unique_lock<std::timed_mutex> FindService::turn(Clock::time_point deadline) {
+  std::unique_lock<std::timed_mutex> lock(searching_, deadline);
+  if (!lock) refuse_busy();
+  return lock;
+}
+
+}  // namespace mbncc::nodelets

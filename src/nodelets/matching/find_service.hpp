@@ -1,0 +1,69 @@
+// The find_objects service: one search, on a given picture or on the next live ones.
+#pragma once
+
+#include <mbncc_vision/FindObjects.h>
+#include <ros/callback_queue.h>
+#include <ros/node_handle.h>
+#include <ros/spinner.h>
+#include <tf2_ros/buffer.h>
+
+#include <atomic>
+#include <chrono>
+#include <functional>
+#include <mutex>
+
+#include "nodelets/common/camera_input.hpp"
+#include "nodelets/matching/detection_pipeline.hpp"
+#include "nodelets/matching/live_matcher.hpp"
+#include "nodelets/matching/live_settings.hpp"
+#include "nodelets/matching/picture_wait.hpp"
+
+namespace mbncc::nodelets {
+
+/// What the service works with; all of it outlives the service.
+struct FindTools {
+  const LiveSettings& settings;
+  const LiveMatcher& matcher;
+  const tf2_ros::Buffer& tf;
+  const CameraInput& camera;
+  PictureWait& pictures;
+  /// A live picture is wanted, or no longer.
+  std::function<void()> wants_changed;
+};
+
+class FindService {
+ public:
+  using Request = mbncc_vision::FindObjects::Request;
+  using Response = mbncc_vision::FindObjects::Response;
+
+  /// Calls come on threads of their own, a few at a time; what is more is told BUSY at once, so
+  /// that none waits unheard.
+  FindService(ros::NodeHandle node, const FindTools& tools);
+  /// As close().
+  ~FindService() { close(); }
+
+  /// Takes no more calls and waits for those that run; PictureWait::close() ends their waiting.
+  void close();
+
+ private:
+  using Clock = std::chrono::steady_clock;
+
+  bool on_call(Request& request, Response& response);
+  Detections find(const Request& request);
+  Detections find_given(const Request& request, const MatchingNodeConfig& config,
+                        DetectionPipeline& pipeline, Clock::time_point deadline);
+  Detections find_live(const Request& request, const MatchingNodeConfig& config,
+                       DetectionPipeline& pipeline, Clock::time_point deadline);
+  ReceivedPicture next_picture(const ros::Time& after, int white_level,
+                               Clock::time_point deadline) const;
+  std::unique_lock<std::timed_mutex> turn(Clock::time_point deadline);
+
+  const FindTools tools_;
+  std::atomic<int> calls_{0};   // that run
+  std::timed_mutex searching_;  // one search at a time, beside that of the stream
+  ros::CallbackQueue queue_;
+  ros::AsyncSpinner spinner_;
+  ros::ServiceServer server_;
+};
+
+}  // namespace mbncc::nodelets

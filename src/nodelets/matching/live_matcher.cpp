@@ -1,0 +1,160 @@
+#include "nodelets/matching/live_matcher.hpp"
+
+#include <algorithm>
+#include <mutex>
+#include <utility>
+#include <vector>
+
+namespace mbncc::nodelets {
+namespace {
+
+std::string text(cv::Size size) {
+  return std::to_string(size.width) + " x " + std::to_string(size.height);
+}
+
+bool wanted(const std::vector<std::string>& names, const std::string& name) {
+  return names.empty() || std::find(names.begin(), names.end(), name) != names.end();
+}
+
+bool same_values(SearchConfig a, SearchConfig b) {
+  const auto rows = field_rows(a), others = field_rows(b);
+  return std::equal(
+      rows.begin(), rows.end(), others.begin(), others.end(),
+      [](const FieldRow& row, const FieldRow& other) { return row.value == other.value; });
+}
+
+// Takes the objects that cannot be searched for, or were learned in pictures of another size, out
+// of `names`.
+std::vector<std::string> drop_unfit(const LibrarySnapshot& library,
+                                    const std::map<std::string, std::string>& unsearchable,
+                                    cv::Size size, std::vector<std::string>& names) {
+  std::vector<std::string> fitting, dropped;
+  for (const auto& name : names)
+    if (!library.find(name)) fitting.push_back(name);  // the matcher says that it is unknown
+  for (const auto& object : library.objects) {
+    if (!wanted(names, object->name) || (names.empty() && !object->enabled)) continue;
+    const cv::Size learned = object->views.front().picture_size;
+    const auto fault = unsearchable.find(object->name);
+    if (fault != unsearchable.end())
+      dropped.push_back(object->name + ": " + fault->second);
+    else if (learned == size)
+      fitting.push_back(object->name);
+    else
+      dropped.push_back(object->name + ": learned in pictures of " + text(learned) +
+                        ", this one is " + text(size));
+  }
+  names = fitting;
+  return dropped;
+}
+
+}  // namespace
+
+LiveMatcher::LiveMatcher(const SearchConfig& config, const std::string& library_path)
+    : matcher_(config), library_(library_path, [this](const SharedLibrary::Snapshot& snapshot) {
+        take_over(snapshot);
+      }) {}
+
+Found LiveMatcher::find(const cv::Mat& picture, SearchRequest request) const {
+  const std::shared_lock<std::shared_mutex> lock(mutex_);
+  if (!unreadable_.empty()) return nothing_found(request.names);
+  Found found;
+  found.library = searched_;
+  const auto dropped =
+      drop_unfit(*searched_, matcher_.unsearchable(), picture.size(), request.names);
+  // An empty list would mean all objects.
+  sort_by_turn(request.names);
+  if (!request.names.empty()) found.result = matcher_.find(picture, request);
+  note_searched(found.result.searched);
+  found.result.skipped.insert(found.result.skipped.end(), dropped.begin(), dropped.end());
+  return found;
+}
+
+Found LiveMatcher::watch(VideoSearch& video, double stamp, const cv::Mat& picture,
+                         SearchRequest request) const {
+  const std::shared_lock<std::shared_mutex> lock(mutex_);
+  if (!unreadable_.empty()) return nothing_found(request.names);
+  Found found;
+  found.library = searched_;
+  const std::vector<std::string> asked = request.names;
+  const auto dropped =
+      drop_unfit(*searched_, matcher_.unsearchable(), picture.size(), request.names);
+  const bool any = !request.names.empty();
+  // Another request would begin anew; what is taught or deleted meanwhile is no other request.
+  if (dropped.empty()) request.names = asked;
+  if (any) found.result = video.find(matcher_, stamp, picture, request);
+  found.result.skipped.insert(found.result.skipped.end(), dropped.begin(), dropped.end());
+  return found;
+}
+
+Found LiveMatcher::nothing_found(const std::vector<std::string>& names) const {
+  Found found;
+  found.library = searched_;
+  for (const auto& object : searched_->objects)
+    if (wanted(names, object->name) && object->enabled)
+      found.result.skipped.push_back(object->name + ": " + unreadable_);
+  return found;
+}
+
+void LiveMatcher::sort_by_turn(std::vector<std::string>& names) const {
+  const std::lock_guard<std::mutex> lock(turns_mutex_);
+  const auto turn = [this](const std::string& name) {
+    const auto last = last_turn_.find(name);
+    return last == last_turn_.end() ? 0 : last->second;
+  };
+  std::stable_sort(names.begin(), names.end(),
+                   [&](const std::string& a, const std::string& b) { return turn(a) < turn(b); });
+}
+
+void LiveMatcher::note_searched(const std::vector<std::string>& names) const {
+  const std::lock_guard<std::mutex> lock(turns_mutex_);
+  ++turns_;
+  for (const auto& name : names) last_turn_[name] = turns_;
+}
+
+cv::Mat LiveMatcher::score_map(const cv::Mat& picture) const {
+  const std::shared_lock<std::shared_mutex> lock(mutex_);
+  return matcher_.score_map(picture);
+}
+
+bool LiveMatcher::configure(const SearchConfig& config) {
+  const std::unique_lock<std::shared_mutex> lock(mutex_);
+  if (same_values(matcher_.config(), config)) return false;
+  matcher_.set_limits(config.min_score, config.max_instances);
+  if (same_values(matcher_.config(), config)) return true;
+  Matcher matcher(config);
+  matcher.set_objects(searched_->objects);
+  matcher_ = std::move(matcher);
+  return true;
+}
+
+void LiveMatcher::refresh(bool always) {
+  try {
+    library_.refresh(always);
+    note_unreadable("");
+  } catch (const std::exception& error) {
+    note_unreadable(std::string("the library cannot be read: ") + error.what());
+    throw;
+  }
+}
+
+void LiveMatcher::note_unreadable(const std::string& reason) {
+  const std::unique_lock<std::shared_mutex> lock(mutex_);
+  unreadable_ = reason;
+}
+
+std::string LiveMatcher::fault() const {
+  const std::shared_lock<std::shared_mutex> lock(mutex_);
+  const auto& unsearchable = matcher_.unsearchable();
+  if (!unreadable_.empty() || unsearchable.empty()) return unreadable_;
+  const auto& [name, reason] = *unsearchable.begin();
+  const std::size_t more = unsearchable.size() - 1;
+  return name + " " + reason + (more > 0 ? "; " + std::to_string(more) + " more" : "");
+}
+
+void LiveMatcher::take_over(const SharedLibrary::Snapshot& snapshot) {
+  const std::unique_lock<std::shared_mutex> lock(mutex_);
+  matcher_.set_objects(snapshot->objects);
+  searched_ = snapshot;
+}
+
+}  // namespace mbncc::nodelets

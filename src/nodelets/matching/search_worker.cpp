@@ -1,0 +1,165 @@
+#include "nodelets/matching/search_worker.hpp"
+
+#include <ros/console.h>
+
+#include <utility>
+
+#include "nodelets/conversion/images.hpp"
+#include "nodelets/matching/search_roi.hpp"
+
+namespace mbncc::nodelets {
+
+using mbncc_vision::DetectedObjectArray;
+
+SearchWorker::SearchWorker(const SearchTools& tools)
+    : tools_(tools),
+      silence_(tools.settings.initial().stale_after),
+      gate_(tools.settings.initial().max_age, tools.settings.initial().max_ahead) {
+  worker_ = std::thread([this] { work(); });
+}
+
+SearchWorker::~SearchWorker() {
+  mailbox_.close();
+  worker_.join();
+}
+
+void SearchWorker::put(const sensor_msgs::ImageConstPtr& image) {
+  const bool overtaken = mailbox_.put(image);
+  statistics_.change([overtaken](SearchStatistics& statistics) {
+    ++statistics.arrived;
+    statistics.overtaken += overtaken ? 1 : 0;
+  });
+}
+
+void SearchWorker::begin_anew() {
+  ++era_;
+  mailbox_.clear();
+  silence_.restart();
+  statistics_.change([](SearchStatistics& statistics) {
+    statistics.message.clear();
+    statistics.unreliable = false;
+  });
+}
+
+void SearchWorker::work() {
+  while (const auto image = mailbox_.take()) {
+    searching_ = true;
+    try {
+      search(**image);
+    } catch (const std::exception& error) {
+      fail(**image, error.what());
+    }
+    searching_ = false;
+  }
+}
+
+void SearchWorker::search(const sensor_msgs::Image& image) {
+  const unsigned era = era_;
+  if (std::exchange(pipeline_era_, era) != era) tools_.pipeline.interrupt();
+  if (!admit(image.header)) return;
+  const Decoded decoded = decode_picture(image, tools_.settings.initial().pictures.white_level);
+  if (!decoded) return refuse(decoded.fault);
+  const MatchingNodeConfig settings = tools_.settings.get();
+  request_.roi = roi_in(parse_roi(settings.search_roi), decoded.picture.size());
+  tools_.pipeline.configure(settings);
+  const ReceivedPicture received{
+      decoded.picture, image.header,
+      tools_.camera.camera_info_for(image.header.frame_id, decoded.picture.size())};
+  const Detections detections = tools_.pipeline.process(received, request_);
+  if (era == era_) publish(detections, decoded.picture);
+}
+
+void SearchWorker::publish(const Detections& detections, const cv::Mat& picture) {
+  const MatchingNodeConfig settings = tools_.settings.get();
+  const double latency = tools_.publisher.publish(detections, picture,
+                                                  [&] { return tools_.matcher.score_map(picture); },
+                                                  {settings.publish_tf, settings.show_score_map});
+  note_answer(detections.array.header.stamp);
+  statistics_.change([&](SearchStatistics& statistics) {
+    ++statistics.searched;
+    statistics.search_time = detections.array.search_time;
+    statistics.latency = latency;
+    statistics.message = detections.array.message;
+    statistics.unreliable = false;
+    statistics.last_fault.clear();
+  });
+}
+
+bool SearchWorker::admit(const std_msgs::Header& header) {
+  using Verdict = StampGate::Verdict;
+  const Verdict verdict = gate_.judge(header.stamp.toSec(), ros::Time::now().toSec());
+  if (verdict == Verdict::kRestarted) {
+    start_over();
+  } else if (verdict != Verdict::kFresh) {
+    statistics_.change([verdict](SearchStatistics& statistics) {
+      ++statistics.badly_stamped;
+      statistics.last_fault = std::string("a picture's stamp is ") + to_string(verdict) +
+                              "; compare the clocks, and check use_sim_time, max_age and max_ahead";
+    });
+    return false;
+  }
+  if (rate_.allows(header.stamp.toSec(), tools_.settings.get().max_rate)) return true;
+  silence_.restart();
+  return false;
+}
+
+void SearchWorker::start_over() {
+  ROS_INFO("the clock has jumped back; starting anew");
+  tools_.pipeline.reset();
+  tools_.publisher.reset();
+  rate_.reset();
+}
+
+void SearchWorker::refuse(const std::string& fault) {
+  const bool news = statistics_.change([&fault](SearchStatistics& statistics) {
+    ++statistics.refused;
+    return std::exchange(statistics.last_fault, fault) != fault;
+  });
+  if (news) ROS_WARN("picture refused: %s", fault.c_str());
+}
+
+void SearchWorker::fail(const sensor_msgs::Image& image, const std::string& reason) {
+  tools_.pipeline.reset();  // it may have taken over half of the picture
+  const std::string sentence =
+      "the search failed: " + reason + "; if it goes on, report this with the log";
+  const bool news = statistics_.change([&sentence](SearchStatistics& statistics) {
+    ++statistics.failed;
+    statistics.unreliable = true;
+    return std::exchange(statistics.message, sentence) != sentence;
+  });
+  if (news) ROS_ERROR("%s", sentence.c_str());
+  if (pipeline_era_ != era_) return;
+  tools_.publisher.publish_fault(DetectedObjectArray::SEARCH_FAILED, image.header, sentence);
+  note_answer(image.header.stamp);
+}
+
+void SearchWorker::note_answer(const ros::Time& stamp) {
+  rate_.note(stamp.toSec(), tools_.settings.get().max_rate);
+  silence_.restart();
+}
+
+void SearchWorker::look_for_silence(bool expected) {
+  if (!expected) return begin_anew();
+  if (!silence_.due()) return;
+  const std::string reason = reason_of_silence();
+  std_msgs::Header header;
+  header.stamp = ros::Time::now();
+  tools_.publisher.publish_fault(DetectedObjectArray::STALE, header, reason);
+  statistics_.change([&reason](SearchStatistics& statistics) {
+    statistics.message = reason;
+    statistics.unreliable = true;
+  });
+  // Whatever was confirmed may have been moved meanwhile, unless it is the search that takes long.
+  if (!searching_) ++era_;
+}
+
+std::string SearchWorker::reason_of_silence() const {
+  if (searching_)
+    return "no picture was searched within stale_after; search fewer objects, or raise stale_after";
+  const std::string fault = statistics_.get().last_fault;
+  if (tools_.camera.publishers() > 0 && !fault.empty()) return "no usable picture: " + fault;
+  const std::string stream = tools_.camera.fault();
+  return stream.empty() ? kPicturesStopped : stream;
+}
+
+}  // namespace mbncc::nodelets

@@ -1,0 +1,81 @@
+// Publishes detections as vision_msgs has them, while somebody listens.
+#include <ros/ros.h>
+#include <vision_msgs/VisionInfo.h>
+#include <pluginlib/class_list_macros.hpp>
+
+#include <mutex>
+#include <string>
+
+#include "nodelets/common/guarded_nodelet.hpp"
+#include "nodelets/vision/vision_messages.hpp"
+
+namespace mbncc::nodelets {
+
+class VisionNodelet : public GuardedNodelet {
+ public:
+  ~VisionNodelet() override { finish(); }
+
+ private:
+  void start() override {
+    ros::NodeHandle handle = private_node();
+    const ros::SubscriberStatusCallback changed = [this](const auto&) { listen_as_wanted(); };
+    // A first listener may come before the publishers have been kept.
+    const std::lock_guard<std::mutex> lock(mutex_);
+    detections_2d_ =
+        handle.advertise<vision_msgs::Detection2DArray>("detections", 10, changed, changed);
+    detections_3d_ =
+        handle.advertise<vision_msgs::Detection3DArray>("detections_3d", 10, changed, changed);
+    info_ = handle.advertise<vision_msgs::VisionInfo>("vision_info", 1, true);
+    tell_names();
+  }
+
+  void stop() override {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    subscriber_.shutdown();
+  }
+
+  void listen_as_wanted() {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    const bool wanted =
+        detections_2d_.getNumSubscribers() > 0 || detections_3d_.getNumSubscribers() > 0;
+    if (wanted && !subscriber_)
+      subscriber_ = node().subscribe("detected_objects", 10, &VisionNodelet::on_detections, this);
+    else if (!wanted)
+      subscriber_.shutdown();
+  }
+
+  void on_detections(const mbncc_vision::DetectedObjectArrayConstPtr& detections) {
+    // Who gets a number may look up its name.
+    if (ids_.add(*detections)) tell_names();
+    for (const auto& object : detections->objects)
+      if (!ids_.has(object.name))
+        NODELET_ERROR_THROTTLE(10, "'%s' has the number of '%s' and is left out; rename one",
+                               object.name.c_str(),
+                               ids_.names().at(object_id(object.name)).c_str());
+    detections_2d_.publish(to_detections_2d(*detections, ids_));
+    detections_3d_.publish(to_detections_3d(*detections, ids_));
+  }
+
+  void tell_names() {
+    vision_msgs::VisionInfo info;
+    info.header.stamp = ros::Time::now();
+    info.method = "map-based normalized cross correlation";
+    info.database_location = private_node().resolveName("object_ids");
+    info.database_version = version_++;
+    XmlRpc::XmlRpcValue ids;
+    ids.begin();  // an empty struct, where there are no names yet
+    for (const auto& [id, name] : ids_.names()) ids[name] = static_cast<int>(id);
+    private_node().setParam("object_ids", ids);
+    info_.publish(info);
+  }
+
+  std::mutex mutex_;  // guards the subscriber
+  ros::Subscriber subscriber_;
+  ros::Publisher detections_2d_, detections_3d_, info_;
+  ObjectIds ids_;
+  int version_ = 0;
+};
+
+}  // namespace mbncc::nodelets
+
+PLUGINLIB_EXPORT_CLASS(mbncc::nodelets::VisionNodelet, nodelet::Nodelet)

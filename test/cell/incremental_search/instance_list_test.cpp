@@ -1,0 +1,143 @@
+// What an instance of a watched cell has been compared with, and what it may be taken for.
+#include "cell/incremental_search/instance_list.hpp"
+
+#include <gtest/gtest.h>
+
+namespace mbncc {
+namespace {
+
+constexpr double kReach = 10;  // [px]
+
+/// Beyond doubt, its outline a square of 40 px.
+Known known_at(double x, const std::string& name = "one", double log_odds = 20) {
+  Known known;
+  known.match.name = name;
+  known.match.pose = {x, 100, 0};
+  known.match.log_odds = log_odds;
+  known.match.score = 0.9;
+  known.match.margin_angle = 20;
+  for (const cv::Point2d corner : {cv::Point2d(-20, -20), {20, -20}, {20, 20}, {-20, 20}})
+    known.match.outline.emplace_back(known.match.pose.position() + corner);
+  known.compared_elsewhere = true;
+  return known;
+}
+
+Rival rival_at(double x, const std::string& name, double log_odds) {
+  return rival_of(known_at(x, name, log_odds).match);
+}
+
+Match judged(const Known& known) {
+  return known.judged({"one", "other"}, SearchConfig());
+}
+
+TEST(Known, IsGraspableOnceItIsComparedWithAllObjectsAndPlaces) {
+  Known known = known_at(100);
+  known.others["other"] = std::nullopt;
+  EXPECT_TRUE(judged(known).graspable);
+  EXPECT_GE(judged(known).margin_place, 20);
+  Known open = known;
+  open.others.clear();
+  EXPECT_FALSE(judged(open).graspable) << "another object may lie there";
+  EXPECT_LE(judged(open).margin_place, 0);
+  EXPECT_FALSE(judged(open).reasons.empty());
+  Known here_alone = known;
+  here_alone.compared_elsewhere = false;
+  EXPECT_FALSE(judged(here_alone).graspable) << "it may lie elsewhere";
+  EXPECT_LE(judged(here_alone).margin_place, 0);
+}
+
+TEST(Known, CompetitorsCountWhereverTheyAre) {
+  Known known = known_at(100);
+  known.others["other"] = Competitor{"other", {100, 100}, 18};
+  EXPECT_NEAR(judged(known).margin_place, 2, 1e-9);
+  EXPECT_TRUE(judged(known).ambiguous);
+  EXPECT_FALSE(judged(known).graspable);
+  known.others["other"] = std::nullopt;
+  known.elsewhere = Competitor{"one", {300, 100}, 17};
+  EXPECT_NEAR(judged(known).margin_place, 3, 1e-9);
+  EXPECT_FALSE(judged(known).graspable);
+}
+
+TEST(Known, SearchedAgainOnTheSamePixelsItsMarginsStay) {
+  Known before = known_at(100), again = known_at(100, "one", 25);
+  before.others["other"] = Competitor{"other", {100, 100}, 18};
+  before.elsewhere = Competitor{"one", {300, 100}, 17};
+  again.take_comparisons(before);
+  EXPECT_TRUE(again.compared_elsewhere);
+  EXPECT_NEAR(judged(again).margin_place, 2, 1e-9) << "brighter light is no merit";
+  before.looks = 0;
+  Known changed = known_at(100, "one", 25);
+  changed.take_comparisons(before);
+  EXPECT_NEAR(changed.others.at("other")->log_odds, 18, 1e-9) << "other pixels, other odds";
+}
+
+class KnownInstancesTest : public testing::Test {
+ protected:
+  void compare_with(const std::vector<Rival>& found, bool covered = true) {
+    known_.compare("other", found, [covered](const cv::Rect&) { return covered; });
+    known_.compare("one", found, [covered](const cv::Rect&) { return covered; });
+  }
+
+  InstanceList known_{0.25};
+};
+
+TEST_F(KnownInstancesTest, WhatASearchFindsAtThePlaceCompetes) {
+  known_.admit(known_at(100), kReach);
+  compare_with({rival_at(104, "other", 12), rival_at(100, "other", 15), rival_at(96, "other", 9)});
+  EXPECT_NEAR(judged(known_.all()[0]).margin_place, 5, 1e-9) << "the best of them";
+}
+
+// A whole search compares evidence alone: how firm a pose is, and how far it is behind other
+// instances of its object, is no part of that.
+TEST_F(KnownInstancesTest, CalibrationIsNoPartOfTheComparison) {
+  Known firm = known_at(100);
+  firm.match.calibration = -4;
+  known_.admit(firm, kReach);
+  Match behind_another = known_at(300, "one", 15).match;
+  behind_another.calibration = -6;
+  compare_with({rival_at(100, "other", 20), rival_of(behind_another)});
+  EXPECT_NEAR(judged(known_.all()[0]).margin_place, 3, 1e-9) << "of 24 to 21";
+  Known loose = known_at(102, "other", 23);
+  loose.match.score = 0.95;
+  loose.match.calibration = 2;
+  known_.admit(loose, kReach);
+  ASSERT_EQ(known_.all().size(), 1u);
+  EXPECT_NEAR(judged(known_.all()[0]).margin_place, -3, 1e-9) << "of 21 to 24";
+}
+
+TEST_F(KnownInstancesTest, AnObjectThatWasNotSearchedForThereIsOpen) {
+  known_.admit(known_at(100), kReach);
+  compare_with({}, false);
+  EXPECT_FALSE(judged(known_.all()[0]).graspable);
+  compare_with({}, true);
+  EXPECT_TRUE(judged(known_.all()[0]).graspable);
+}
+
+TEST_F(KnownInstancesTest, OtherPlacesOfTheObjectCompeteUnlessTheyAreInstances) {
+  known_.admit(known_at(100), kReach);
+  known_.admit(known_at(200), kReach);
+  compare_with({rival_at(203, "one", 15), rival_at(100, "one", 14)});
+  EXPECT_TRUE(judged(known_.all()[0]).graspable);
+  compare_with({rival_at(300, "one", 15)});
+  EXPECT_NEAR(judged(known_.all()[0]).margin_place, 5, 1e-9);
+}
+
+TEST_F(KnownInstancesTest, OtherObjectsElsewhereDoNotCompete) {
+  known_.admit(known_at(100), kReach);
+  compare_with({rival_at(200, "other", 30)});
+  EXPECT_TRUE(judged(known_.all()[0]).graspable);
+}
+
+TEST_F(KnownInstancesTest, OfTwoAtOnePlaceTheBetterStaysAndKnowsTheOther) {
+  Known weaker = known_at(102, "other", 18), better = known_at(100);
+  weaker.match.score = 0.8;
+  ASSERT_NE(known_.admit(weaker, kReach), nullptr);
+  ASSERT_NE(known_.admit(better, kReach), nullptr);
+  ASSERT_EQ(known_.all().size(), 1u);
+  EXPECT_EQ(known_.all()[0].match.name, "one");
+  EXPECT_NEAR(judged(known_.all()[0]).margin_place, 2, 1e-9);
+  EXPECT_EQ(known_.admit(weaker, kReach), nullptr);
+}
+
+}  // namespace
+}  // namespace mbncc

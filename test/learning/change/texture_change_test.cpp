@@ -1,0 +1,81 @@
+#include "learning/change/texture_change.hpp"
+
+#include <gtest/gtest.h>
+
+#include "learning/pictures.hpp"
+
+namespace mbncc {
+namespace {
+
+constexpr double kWhite = 255;
+const cv::Size kSize(160, 120);
+
+/// CV_32FC1 of about the given brightness.
+cv::Mat grey(double brightness, double contrast, int seed = 1, double grain = 3) {
+  cv::Mat one;
+  cv::extractChannel(test::texture(kSize, cv::Scalar::all(brightness), contrast, seed, grain), one,
+                     0);
+  return one;
+}
+
+cv::Mat noisy(const cv::Mat& picture, double sigma, int seed) {
+  cv::Mat noise(picture.size(), CV_32FC1);
+  cv::RNG(seed).fill(noise, cv::RNG::NORMAL, 0, sigma);
+  return picture + noise;
+}
+
+TEST(TextureChange, ContrastKnowsAGainAndNoOffset) {
+  const cv::Mat before = grey(120, 15);
+  EXPECT_NEAR(texture_change(before, before * 0.8, kWhite).contrast, 1 / 0.8, 0.01);
+  EXPECT_NEAR(texture_change(before, before - 20, kWhite).contrast, 1, 0.01);
+  EXPECT_DOUBLE_EQ(texture_change(before, before * 0.8, kWhite).displaced, 0);
+}
+
+TEST(TextureChange, NoiseAddsNoContrastWhereThereIsEnoughOfIt) {
+  // Half has much texture under half the light, half has so little that noise passes for it.
+  cv::Mat before = grey(100, 5.5, 1, 1.5), after = before * 0.5;
+  grey(100, 20)(cv::Rect(0, 0, 60, 120)).copyTo(before(cv::Rect(0, 0, 60, 120)));
+  cv::Mat(grey(50, 10)(cv::Rect(0, 0, 60, 120))).copyTo(after(cv::Rect(0, 0, 60, 120)));
+  EXPECT_NEAR(texture_change(noisy(before, 3, 3), noisy(after, 3, 4), kWhite).contrast, 2, 0.15);
+}
+
+TEST(TextureChange, ContrastIsNotReadNearWhite) {
+  // A brighter lamp takes contrast away from what is bright, and gives it to the rest.
+  cv::Mat before = grey(120, 12), after;
+  before(cv::Rect(40, 0, 120, 120)) += 90;
+  after = cv::min(before * 1.25, kWhite);
+  const double gain = 1 / 1.25;
+  EXPECT_NEAR(texture_change(before, after * gain, kWhite * gain).contrast, 1, 0.05)
+      << "made as bright, what is not clipped has its contrast back";
+  EXPECT_NEAR(texture_change(before, after, kWhite).contrast, gain, 0.05);
+}
+
+TEST(TextureChange, WhiteOfThePictureAfterIsAsBrightAsItWasMade) {
+  // Clipped after, and then made darker: nothing of it looks white any more.
+  const cv::Mat before = grey(170, 15);
+  const cv::Mat clipped = cv::min(before * 1.4, kWhite) / 1.4;
+  EXPECT_DOUBLE_EQ(texture_change(before, clipped, kWhite / 1.4).contrast, 1) << "nothing is told";
+}
+
+TEST(TextureChange, FewSquaresTellNoContrast) {
+  cv::Mat before(kSize, CV_32FC1, cv::Scalar(120)), after = before.clone();
+  const cv::Rect patch(60, 40, 24, 24);
+  grey(120, 15)(patch).copyTo(before(patch));
+  cv::Mat(grey(120, 15)(patch) * 0.5 + 60).copyTo(after(patch));
+  EXPECT_DOUBLE_EQ(texture_change(before, after, kWhite).contrast, 1);
+}
+
+TEST(TextureChange, TextureThatMovedIsDisplaced) {
+  EXPECT_GT(texture_change(grey(120, 15, 1), grey(120, 15, 2), kWhite).displaced, 0.7);
+}
+
+TEST(TextureChange, WhatStaysInOnePictureStays) {
+  // What left a plain table takes its texture along.
+  cv::Mat after(kSize, CV_32FC1, cv::Scalar(120));
+  grey(120, 15)(cv::Rect(0, 90, 160, 30)).copyTo(after(cv::Rect(0, 90, 160, 30)));
+  EXPECT_LT(texture_change(grey(120, 15), after, kWhite).displaced, 0.2);
+  EXPECT_LT(texture_change(after, grey(120, 15), kWhite).displaced, 0.2);
+}
+
+}  // namespace
+}  // namespace mbncc

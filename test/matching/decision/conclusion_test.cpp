@@ -1,0 +1,161 @@
+#include "matching/decision/conclusion.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <string>
+
+#include "matching/decision/margins.hpp"
+
+namespace mbncc {
+namespace {
+
+class ConclusionTest : public ::testing::Test {
+ protected:
+  ConclusionTest() {
+    match_.name = "key";
+    match_.score = 0.99;
+    match_.log_odds = 12;
+    match_.margin_angle = kNoCompetitor;
+    match_.covariance = cv::Matx33d::diag({0.01, 0.01, 1e-6});
+    detection_.log_odds = 12;
+    detection_.elsewhere = 0;
+  }
+
+  void judge(double instance_margin = kNoCompetitor) {
+    match_.doubts = doubts_about(match_, detection_, match_.covariance, instance_margin, config_);
+    conclude(match_, config_);
+  }
+
+  /// It is refused for this reason alone.
+  void expect_refused(const std::string& reason, bool ambiguous) {
+    judge();
+    EXPECT_FALSE(match_.graspable);
+    EXPECT_EQ(match_.ambiguous, ambiguous);
+    ASSERT_EQ(match_.reasons.size(), 1U);
+    EXPECT_EQ(match_.reasons[0], reason);
+  }
+
+  SearchConfig config_;
+  Match match_;
+  Detection detection_;
+};
+
+TEST_F(ConclusionTest, WithoutADoubtItIsGraspableAndHasNoReason) {
+  judge();
+  EXPECT_TRUE(match_.graspable);
+  EXPECT_FALSE(match_.ambiguous);
+  EXPECT_TRUE(match_.reasons.empty());
+  EXPECT_EQ(match_.margin_place, kNoCompetitor);
+}
+
+TEST_F(ConclusionTest, NamesTheBestCompetitor) {
+  match_.competitors = {{"far", {1, 2}, 3}, {"near", {40.4, 50.2}, 11}};
+  expect_refused("competitor near at 40, 50 (margin 1.0)", true);
+  EXPECT_DOUBLE_EQ(match_.margin_place, 1);
+  match_.competitors.pop_back();
+  judge();
+  EXPECT_TRUE(match_.graspable) << "9 is margin enough";
+}
+
+TEST_F(ConclusionTest, AnOpenAngle) {
+  match_.margin_angle = 2.5;
+  expect_refused("angle open (margin 2.5)", true);
+}
+
+TEST_F(ConclusionTest, AnotherColour) {
+  detection_.strange = 0.21;
+  expect_refused("colour of a part differs", true);
+}
+
+TEST_F(ConclusionTest, ItsMirrorImage) {
+  detection_.turned_over = true;
+  expect_refused("mirrored fits as well", true);
+}
+
+TEST_F(ConclusionTest, AnotherSize) {
+  detection_.another_size = true;
+  expect_refused("another size fits better", true);
+}
+
+TEST_F(ConclusionTest, PartsThatLieApart) {
+  detection_.torn = true;
+  expect_refused("upper and lower part lie apart", false);
+}
+
+TEST_F(ConclusionTest, ALowScoreIsNotAmbiguous) {
+  match_.score = config_.confirm_score - 0.01;
+  match_.margin_angle = 2.5;
+  judge();
+  EXPECT_FALSE(match_.ambiguous);
+  EXPECT_EQ(match_.reasons.size(), 2U);
+}
+
+TEST_F(ConclusionTest, AnOutlineThatFitsBesideIt) {
+  detection_.elsewhere = 0.051;
+  expect_refused("outline fits better beside it", false);
+  detection_.elsewhere = kNotExamined;
+  expect_refused("too unlikely to be examined", false);
+}
+
+TEST_F(ConclusionTest, WeakEvidence) {
+  detection_.log_odds = 4;
+  expect_refused("evidence too weak", false);
+}
+
+TEST_F(ConclusionTest, AWeakOneFarBehindAnotherInstance) {
+  detection_.log_odds = 8;
+  judge(-2.9);
+  EXPECT_TRUE(match_.graspable);
+  judge(-3.1);
+  EXPECT_FALSE(match_.graspable);
+}
+
+TEST_F(ConclusionTest, AnUncertainPosition) {
+  match_.covariance(1, 1) = 4;
+  expect_refused("position known to 2.0 px only", false);
+}
+
+TEST_F(ConclusionTest, AnUncertainAngleMattersUnlessItIsRound) {
+  match_.covariance(2, 2) = to_radians(3) * to_radians(3);
+  expect_refused("angle known to 3.0 degrees only", false);
+  match_.symmetry = 0;
+  judge();
+  EXPECT_TRUE(match_.graspable);
+}
+
+TEST_F(ConclusionTest, ACovarianceThatIsNoNumber) {
+  for (const int axis : {0, 1, 2}) {
+    match_.covariance = cv::Matx33d::diag({0.01, 0.01, 1e-6});
+    match_.covariance(axis, axis) = std::nan("");
+    judge();
+    EXPECT_FALSE(match_.graspable) << axis;
+  }
+}
+
+TEST_F(ConclusionTest, AMarginThatNoneReachesLeavesNothingGraspable) {
+  config_.min_margin_place = kNoCompetitor + 1;
+  expect_refused("min_margin_place is above the largest margin", true);
+}
+
+TEST_F(ConclusionTest, WhatIsNoNumberIsADoubt) {
+  const Match match = match_;
+  const Detection detection = detection_;
+  for (double* value : {&match_.score, &match_.visible, &match_.margin_angle, &match_.log_odds,
+                        &detection_.strange, &detection_.elsewhere}) {
+    match_.competitors = {{"far", {1, 2}, 0}};
+    *value = std::nan("");
+    judge();
+    EXPECT_FALSE(match_.graspable);
+    match_ = match;
+    detection_ = detection;
+  }
+}
+
+TEST_F(ConclusionTest, APartOutside) {
+  match_.visible = 0.3;
+  expect_refused("70 % outside", false);
+}
+
+}  // namespace
+}  // namespace mbncc

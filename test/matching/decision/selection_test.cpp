@@ -1,0 +1,65 @@
+#include "matching/decision/selection.hpp"
+
+#include <gtest/gtest.h>
+
+#include "matching/pictures.hpp"
+
+namespace mbncc {
+namespace {
+
+class SelectionTest : public ::testing::Test {
+ protected:
+  const test::LearningPicture source_{1};
+  const PreparedObject object_{test::object_from(source_, {58, 60, 0}), Engine::kFast};
+  const SearchConfig config_{};
+
+  /// Known to a tenth of a pixel.
+  Detection detection_of(double log_odds, double projected, double elsewhere = 0) const {
+    Detection detection;
+    detection.object = &object_;
+    detection.view = &object_.views.front();
+    detection.pose = {100, 100, 0};
+    detection.covariance = detection.cautious = cv::Matx33d::diag({0.01, 0.01, 1e-6});
+    detection.log_odds = log_odds;
+    detection.projected = projected;
+    detection.elsewhere = elsewhere;
+    return detection;
+  }
+
+  /// Of the only detection of a picture.
+  Match match_of(double log_odds, double projected, double elsewhere = 0) const {
+    const auto selected = select_matches({detection_of(log_odds, projected, elsewhere)},
+                                         {config_, std::nullopt, 1, {}, {}, 0});
+    return selected.matches.at(0);
+  }
+};
+
+TEST_F(SelectionTest, GraspableIsWhatIsNearlyCertainOrShowsItsTexture) {
+  EXPECT_TRUE(match_of(6, 0.3).graspable);
+  EXPECT_TRUE(match_of(3, 0.8).graspable);
+  EXPECT_FALSE(match_of(3, 0.4).graspable) << "a mirror image, perhaps";
+  EXPECT_FALSE(match_of(1.5, 0.9).graspable);
+}
+
+TEST_F(SelectionTest, ScoresKnowHowFirmlyAnOutlineLies) {
+  EXPECT_GT(match_of(3, 0.4, -0.15).score, match_of(3, 0.4, 0.05).score);
+  EXPECT_FALSE(match_of(20, 0.9, 0.06).graspable) << "it may lie a few pixels off";
+  EXPECT_FALSE(match_of(20, 0.9, kNotExamined).graspable);
+}
+
+TEST_F(SelectionTest, ANearRotationLowersTheScoreAndLeavesTheMargin) {
+  Detection one = detection_of(4, 0.4), turned = one;
+  turned.pose.theta = 1;
+  turned.log_odds = 3;
+  const auto selected = select_matches({one, turned}, {config_, std::nullopt, 1, {}, {}, 0});
+  ASSERT_EQ(selected.matches.size(), 1U);
+  EXPECT_LT(selected.matches[0].score, match_of(4, 0.4).score);
+  EXPECT_DOUBLE_EQ(selected.matches[0].margin_angle, 1);
+}
+
+TEST_F(SelectionTest, WhatIsNotConvincingIsNotAmbiguous) {
+  EXPECT_FALSE(match_of(3, 0.4).ambiguous) << "nothing else is as likely";
+}
+
+}  // namespace
+}  // namespace mbncc

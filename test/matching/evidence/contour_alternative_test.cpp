@@ -1,0 +1,111 @@
+#include "matching/evidence/contour_alternative.hpp"
+
+#include <cmath>
+
+#include "matching/decision/detection.hpp"
+#include "matching/evidence/contour_alignment.hpp"
+#include "matching/matcher_fixture.hpp"
+#include "matching/prepared/prepared_object.hpp"
+#include "matching/search/verification.hpp"
+
+namespace mbncc {
+namespace {
+
+class OutlineElsewhere : public test::MatcherTest {
+ protected:
+  cv::Mat scene_ = test::texture({320, 240}, 77, 5);
+  const Pose2D truth_{170, 120, 0.8};
+
+  double better_than(const Pose2D& reference) const {
+    const PreparedObject object(test::object_from(source_, reference_), Engine::kFast);
+    const PreparedView& view = object.views.front();
+    return better_elsewhere(view.fine.contour, SceneLevel(scene_, 0),
+                            compose(reference, inverse(view.reference_in_anchor)), 1);
+  }
+
+  /// The same outline over a surface that lies `off` [px] elsewhere.
+  test::LearningPicture with_surface_moved(cv::Point2d off) const {
+    test::LearningPicture moved = source_;
+    cv::warpAffine(source_.surface, moved.surface, cv::Matx23d(1, 0, off.x, 0, 1, off.y),
+                   source_.surface.size(), cv::INTER_LINEAR, cv::BORDER_REFLECT);
+    return moved;
+  }
+};
+
+TEST_F(OutlineElsewhere, NothingIsBetterThanTheTruth) {
+  test::place(scene_, source_, reference_.position(), truth_);
+  EXPECT_LT(better_than(truth_), -0.1);
+  EXPECT_LT(better_than({truth_.x + 0.7, truth_.y - 0.7, truth_.theta}), -0.05);
+}
+
+TEST_F(OutlineElsewhere, TheTruthIsBetterThanAPlaceNearIt) {
+  test::place(scene_, source_, reference_.position(), truth_);
+  for (const cv::Point2d off : {cv::Point2d(5, 0), {-5, 0}, {0, 5}, {3, -3}})
+    EXPECT_GT(better_than({truth_.x + off.x, truth_.y + off.y, truth_.theta}), 0.1) << off;
+}
+
+TEST_F(OutlineElsewhere, ItIsBetterByWhatThePlaceItselfIs) {
+  test::place(scene_, source_, reference_.position(), truth_);
+  const PreparedObject object(test::object_from(source_, reference_), Engine::kFast);
+  const PreparedView& view = object.views.front();
+  const ContourTemplate& contour = view.fine.contour;
+  const SceneLevel scene(scene_, 0);
+  scene.prepare();
+  ContourAlignment agreement(contour, scene);
+  const Pose2D anchor = compose(truth_, inverse(view.reference_in_anchor));
+  const double best = agreement.climbed(anchor, 1).agreement;
+  const double turn = 2 / contour.radius();  // two pixels at the rim
+  // Near, far, and between the places that are tried.
+  for (const cv::Point2d off : {cv::Point2d(3, 0), {0, -3.2}, {5, 5}, {-5, 3}, {3, -5}, {6, 6}})
+    for (const double turned : {anchor.theta, anchor.theta + turn}) {
+      const Pose2D beside{anchor.x + off.x, anchor.y + off.y, turned};
+      EXPECT_GT(better_elsewhere(contour, scene, beside, 1), best - agreement.at(beside) - 0.02)
+          << off << " turned by " << turned - anchor.theta;
+    }
+}
+
+TEST_F(OutlineElsewhere, ACandidateIsShiftedOntoTheEdges) {
+  test::place(scene_, source_, reference_.position(), truth_);
+  const PreparedObject object(test::object_from(source_, reference_), Engine::kFast);
+  const PreparedView& view = object.views.front();
+  const Pose2D anchor = compose(truth_, inverse(view.reference_in_anchor));
+  const Candidate start{{anchor.x + 5, anchor.y - 4, anchor.theta}, 0, 0};
+  const Candidate shifted =
+      shifted_onto_edges(view.templates[0].contour, SceneLevel(scene_, 0), start);
+  EXPECT_LE(std::abs(shifted.pose.x - anchor.x), 1.01);
+  EXPECT_LE(std::abs(shifted.pose.y - anchor.y), 1.01);
+  EXPECT_EQ(shifted.pose.theta, anchor.theta);
+  EXPECT_GT(shifted.value, 0.4) << "the agreement of the contour";
+}
+
+TEST_F(OutlineElsewhere, APoseThatItsOutlineContradictsIsTold) {
+  test::place(scene_, source_, reference_.position(), truth_);
+  const PreparedObject object(test::object_from(source_, reference_), Engine::kFast);
+  const PreparedView& view = object.views.front();
+  const ScenePicture scene(scene_, object.top_level());
+  const Pose2D anchor = compose(truth_, inverse(view.reference_in_anchor));
+  PoseHypothesis beside = score_as_is(view, scene, {anchor.x + 5, anchor.y - 3, anchor.theta});
+  beside.odds = 5;
+  const auto judged = judge(object, view, scene, {beside});
+  ASSERT_EQ(judged.size(), 1u);
+  EXPECT_GT(judged[0].elsewhere, kContradicts);
+}
+
+TEST_F(OutlineElsewhere, ASurfaceThatItsOutlineContradictsIsNeverGraspable) {
+  SearchConfig unlikely_too;
+  unlikely_too.min_score = 0.1;
+  const Matcher matcher = matcher_of({test::object_from(source_, reference_)}, unlikely_too);
+  int found = 0;
+  for (const cv::Point2d off : {cv::Point2d(0, 0), {4, 0}, {0, 4}, {4, 4}, {-4, 4}}) {
+    cv::Mat scene = scene_.clone();
+    test::place(scene, with_surface_moved(off), reference_.position(), truth_);
+    const auto matches = matcher.find(scene).matches;
+    if (matches.empty()) continue;
+    found += off != cv::Point2d();
+    EXPECT_EQ(matches[0].graspable, off == cv::Point2d()) << off;
+  }
+  EXPECT_GT(found, 0) << "the surface convinces";
+}
+
+}  // namespace
+}  // namespace mbncc

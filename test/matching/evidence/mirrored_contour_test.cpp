@@ -1,0 +1,93 @@
+#include "matching/evidence/mirrored_contour.hpp"
+
+#include "matching/matcher_fixture.hpp"
+#include "matching/prepared/prepared_object.hpp"
+
+namespace mbncc {
+namespace {
+
+/// An angle with legs of 70 and 52 px, 24 px wide, as in test::angle_map(), and its mirror images.
+class TurnedOverTest : public test::MatcherTest {
+ protected:
+  const Pose2D truth_{170, 120, 0.8};
+
+  static cv::Mat scene_with(const test::LearningPicture& source, const Pose2D& pose) {
+    cv::Mat scene = test::texture({320, 240}, 77, 5);
+    test::place(scene, source, {60, 60}, pose);
+    return scene;
+  }
+
+  /// A plate without the tip of one of its corners.
+  static test::LearningPicture cut_plate() {
+    cv::Mat map = cv::Mat::zeros(120, 120, CV_8UC1);
+    map(cv::Rect(30, 40, 60, 40)) = 255;
+    cv::fillPoly(map, std::vector<std::vector<cv::Point>>{{{90, 40}, {86, 40}, {90, 44}}},
+                 cv::Scalar(0));
+    return test::LearningPicture(3, map);
+  }
+
+  double better_at(const Pose2D& pose, const test::LearningPicture& taught,
+                   const cv::Mat& scene) const {
+    const PreparedObject object(test::object_from(taught, {60, 60, 0}), Engine::kFast);
+    const PreparedView& view = object.views.front();
+    return view.turned_over.better(view.fine.contour, SceneLevel(scene, 0),
+                                   compose(pose, inverse(view.reference_in_anchor)), 1);
+  }
+};
+
+TEST_F(TurnedOverTest, TheObjectLiesBetterThanItsMirrorImage) {
+  EXPECT_LT(better_at(truth_, source_, scene_with(source_, truth_)), -0.1);
+}
+
+TEST_F(TurnedOverTest, ItsMirrorImageLiesBetterWhereItIsTurnedOver) {
+  // The pose at which an angle covers most of its mirror image: turned by a quarter.
+  const cv::Mat scene = scene_with(test::mirrored(source_), truth_);
+  double most = -1;
+  for (int k = 0; k < 36; ++k)
+    most = std::max(most, better_at({truth_.x, truth_.y, 2 * kPi * k / 36}, source_, scene));
+  EXPECT_GT(most, 0.1);
+}
+
+TEST_F(TurnedOverTest, BothOutlinesAreMeasuredWhereTheyLieBest) {
+  const cv::Mat over = scene_with(test::mirrored(source_), truth_),
+                own = scene_with(source_, truth_);
+  double best = 0;
+  Pose2D at;
+  for (int k = 0; k < 72; ++k) {
+    const Pose2D pose{truth_.x, truth_.y, 2 * kPi * k / 72};
+    const double better = better_at(pose, source_, over);
+    if (better > best) at = pose;
+    best = std::max(best, better);
+  }
+  for (int k = 0; k < 8; ++k) {
+    const cv::Point2d off = rotate({1, 0}, k * kPi / 4);
+    EXPECT_GT(better_at({at.x + 3 * off.x, at.y + 3 * off.y, at.theta}, source_, over), 0.1) << k;
+    EXPECT_LT(
+        better_at({truth_.x + 2.5 * off.x, truth_.y + 2.5 * off.y, truth_.theta}, source_, own),
+        -0.2)
+        << k;
+  }
+}
+
+TEST_F(TurnedOverTest, AnOutlineThatIsItsOwnMirrorImageAgreesAsWell) {
+  cv::Mat map = cv::Mat::zeros(120, 120, CV_8UC1);
+  map(cv::Rect(30, 40, 60, 40)) = 255;
+  const test::LearningPicture plate(3, map);
+  EXPECT_NEAR(better_at(truth_, plate, scene_with(plate, truth_)), 0, 0.04);
+  const PreparedObject object(test::object_from(plate, {60, 60, 0}), Engine::kFast);
+  EXPECT_EQ(object.views.front().turned_over.limit(), kMirrored);
+}
+
+TEST_F(TurnedOverTest, ASlightDifferenceIsToldWhereTheLessonTellsIt) {
+  const test::LearningPicture plate = cut_plate();
+  const PreparedObject object(test::object_from(plate, {60, 60, 0}), Engine::kFast);
+  const double limit = object.views.front().turned_over.limit();
+  const double over = better_at(truth_, plate, scene_with(test::mirrored(plate), truth_));
+  EXPECT_GT(over, limit);
+  EXPECT_LT(limit, kMirrored / 2)
+      << "an outline that is its own mirror image may come so near by chance";
+  EXPECT_LT(better_at(truth_, plate, scene_with(plate, truth_)), 0);
+}
+
+}  // namespace
+}  // namespace mbncc

@@ -1,0 +1,245 @@
+#include "mbncc/matching/symmetry.hpp"
+
+#include <gtest/gtest.h>
+
+#include "matching/matcher_fixture.hpp"
+#include "matching/pictures.hpp"
+#include "matching/prepared/prepared_object.hpp"
+
+namespace mbncc {
+namespace {
+
+const cv::Scalar kPlatform(150, 150, 150), kPaint(50, 90, 160);
+
+cv::Mat polygon(int corners, double radius) {
+  cv::Mat map = cv::Mat::zeros(121, 121, CV_8UC1);
+  std::vector<cv::Point> points;
+  for (int k = 0; k < corners; ++k) {
+    const double angle = 0.2 + 2 * kPi * k / corners;
+    points.emplace_back(cvRound(16 * (60 + radius * std::cos(angle))),
+                        cvRound(16 * (60 + radius * std::sin(angle))));
+  }
+  cv::fillPoly(map, std::vector<std::vector<cv::Point>>{points}, cv::Scalar(255), cv::LINE_8, 4);
+  return map;
+}
+
+cv::Mat disc() {
+  return polygon(90, 40);
+}
+
+cv::Mat bar() {
+  cv::Mat map = cv::Mat::zeros(121, 121, CV_8UC1);
+  map(cv::Rect(20, 45, 81, 31)) = 255;
+  return map;
+}
+
+/// A plain object on a plain platform.
+cv::Mat painted(const cv::Mat& map) {
+  cv::Mat picture(map.size(), CV_8UC3, kPlatform);
+  picture.setTo(kPaint, map);
+  return picture;
+}
+
+/// As a camera sees it: blurred, lit from one side, with noise.
+cv::Mat photographed(const cv::Mat& picture, double noise = 2) {
+  cv::Mat light, result;
+  picture.convertTo(light, CV_32F);
+  cv::GaussianBlur(light, light, {}, 0.7);
+  for (int y = 0; y < light.rows; ++y)
+    for (int x = 0; x < light.cols; ++x)
+      light.at<cv::Vec3f>(y, x) *= 1 + 0.2f * static_cast<float>(x + y - 120) / 120.f;
+  cv::Mat grains(light.size(), CV_32FC3);
+  cv::RNG(7).fill(grains, cv::RNG::NORMAL, 0, noise);
+  light += grains;
+  light.convertTo(result, CV_8U);
+  return result;
+}
+
+MeasuredSymmetry measured(const cv::Mat& picture, const cv::Mat& map) {
+  return measure_symmetry(crop_view(picture, map, {60, 60, 0}));
+}
+
+TEST(Symmetry, PlainPolygonsRepeatPerCorner) {
+  for (const int corners : {3, 4, 5, 6}) {
+    const cv::Mat map = polygon(corners, 50);
+    EXPECT_EQ(measured(painted(map), map).certain, corners);
+  }
+}
+
+TEST(Symmetry, APlainBarRepeatsTwice) {
+  EXPECT_EQ(measured(painted(bar()), bar()).certain, 2);
+}
+
+TEST(Symmetry, APlainDiscIsRound) {
+  EXPECT_EQ(measured(painted(disc()), disc()).certain, 0);
+}
+
+TEST(Symmetry, LightAndNoiseOfACameraHideNone) {
+  EXPECT_EQ(measured(photographed(painted(bar())), bar()).certain, 2);
+  EXPECT_EQ(measured(photographed(painted(disc())), disc()).certain, 0);
+  EXPECT_EQ(measured(photographed(painted(polygon(6, 50))), polygon(6, 50)).certain, 6);
+}
+
+TEST(Symmetry, TextureBreaksIt) {
+  const cv::Mat square = polygon(4, 40);
+  EXPECT_EQ(measured(test::LearningPicture(51, square).picture, square).possible, 1);
+}
+
+// A print, a side seen aslant and gloss look alike in one image: only the operator can tell.
+TEST(Symmetry, ARoundOutlineIsLeftToTheOperatorWhateverItsTexture) {
+  const MeasuredSymmetry symmetry = measured(test::LearningPicture(51, disc()).picture, disc());
+  EXPECT_EQ(symmetry.certain, 1);
+  EXPECT_EQ(symmetry.possible, 0);
+}
+
+TEST(Symmetry, AnIrregularOutlineHasNone) {
+  const MeasuredSymmetry symmetry = measured(painted(test::angle_map()), test::angle_map());
+  EXPECT_EQ(symmetry.certain, 1);
+  EXPECT_EQ(symmetry.possible, 1);
+}
+
+// A dot of 1 % of the area that a person sees at once.
+TEST(Symmetry, ASmallMarkLeavesItToTheOperator) {
+  for (const double contrast : {20., 35.}) {
+    cv::Mat marked_bar = painted(bar()), marked_disc = painted(disc());
+    const cv::Scalar mark = kPaint + cv::Scalar::all(contrast);
+    cv::circle(marked_bar, {85, 60}, 3, mark, cv::FILLED);
+    cv::circle(marked_disc, {82, 60}, 4, mark, cv::FILLED);
+    const MeasuredSymmetry of_bar = measured(photographed(marked_bar), bar());
+    EXPECT_EQ(of_bar.certain, 1) << contrast;
+    EXPECT_EQ(of_bar.possible, 2) << contrast;
+    const MeasuredSymmetry of_disc = measured(photographed(marked_disc), disc());
+    EXPECT_EQ(of_disc.certain, 1) << contrast;
+    EXPECT_EQ(of_disc.possible, 0) << contrast;
+  }
+}
+
+TEST(Symmetry, ANotchLeavesItToTheOperator) {
+  cv::Mat map = bar();
+  map(cv::Rect(98, 57, 3, 7)) = 0;  // 1 % of the area
+  const MeasuredSymmetry symmetry = measured(photographed(painted(map)), map);
+  EXPECT_EQ(symmetry.certain, 1);
+  EXPECT_EQ(symmetry.possible, 2);
+}
+
+// Half the bar a little lighter: no edge, but another end.
+TEST(Symmetry, AnEndOfAnotherShadeLeavesItToTheOperator) {
+  cv::Mat picture = painted(bar());
+  picture(cv::Rect(86, 45, 15, 31)).setTo(kPaint + cv::Scalar::all(25));
+  EXPECT_EQ(measured(photographed(picture), bar()).certain, 1);
+}
+
+// Its differences are too small for a mark, and no noise is that strong.
+TEST(Symmetry, FineGrainBreaksIt) {
+  cv::Mat grain(121, 121, CV_32FC3), picture;
+  cv::RNG(3).fill(grain, cv::RNG::NORMAL, 0, 12);
+  painted(bar()).convertTo(picture, CV_32F);
+  cv::add(picture, grain, picture, bar());
+  picture.convertTo(picture, CV_8U);
+  EXPECT_EQ(measured(picture, bar()).certain, 1);
+  EXPECT_EQ(measured(picture, bar()).possible, 2);
+}
+
+TEST(Symmetry, ATaperedOutlineLeavesItToTheOperator) {
+  cv::Mat map = cv::Mat::zeros(121, 121, CV_8UC1);
+  const std::vector<cv::Point> corners{{20, 44}, {100, 46}, {100, 74}, {20, 76}};
+  cv::fillPoly(map, std::vector<std::vector<cv::Point>>{corners}, cv::Scalar(255));
+  const MeasuredSymmetry symmetry = measured(photographed(painted(map)), map);
+  EXPECT_EQ(symmetry.certain, 1);
+  EXPECT_EQ(symmetry.possible, 2);
+}
+
+// The centroid of a map is no better than its edge: the surface tells where the centre is.
+TEST(Symmetry, ARoughlyCutMapHidesNone) {
+  cv::Mat picture = painted(bar());
+  for (int x = 27; x < 60; x += 8) {
+    picture(cv::Rect(x, 50, 4, 12)).setTo(cv::Scalar::all(230));
+    picture(cv::Rect(120 - x - 3, 120 - 50 - 11, 4, 12)).setTo(cv::Scalar::all(230));
+  }
+  cv::Mat map = bar();
+  EXPECT_EQ(measured(photographed(picture, 1), map).certain, 2);
+  map.colRange(0, 22) = 0;
+  EXPECT_EQ(measured(photographed(picture, 1), map).certain, 2);
+}
+
+TEST(Symmetry, GlossLeavesItToTheOperator) {
+  cv::Mat gloss = cv::Mat::zeros(121, 121, CV_8UC1), picture = painted(disc());
+  cv::circle(gloss, {50, 48}, 6, cv::Scalar(40), cv::FILLED);
+  cv::GaussianBlur(gloss, gloss, {}, 2);
+  cv::Mat added;
+  cv::cvtColor(gloss, added, cv::COLOR_GRAY2BGR);
+  const MeasuredSymmetry symmetry = measured(photographed(picture + added), disc());
+  EXPECT_EQ(symmetry.certain, 1);
+  EXPECT_EQ(symmetry.possible, 0);
+}
+
+TEST(Symmetry, WhatIsDeclaredCounts) {
+  auto model = std::make_shared<ObjectModel>();
+  model->name = "bar";
+  model->views = {crop_view(painted(bar()), bar(), {60, 60, 0})};
+  EXPECT_EQ(PreparedObject(model, Engine::kFast).views.front().symmetry, 2);
+  for (const int declared : {0, 1, 2, 3, 4, 6}) {
+    model->symmetry = declared;
+    for (const auto& view : PreparedObject(model, Engine::kFast, 0.1).views)
+      EXPECT_EQ(view.symmetry, declared);
+  }
+  model->symmetry = 5;
+  EXPECT_THROW(PreparedObject(model, Engine::kFast), std::invalid_argument);
+}
+
+/// A bar with a faint mark, which the measure leaves to the operator, found where it was learned.
+class MarkedBar : public test::MatcherTest {
+ protected:
+  Match found(const cv::Mat& map, std::optional<int> declared) {
+    cv::Mat picture(240, 240, CV_8UC3, kPlatform), whole = cv::Mat::zeros(240, 240, CV_8UC1);
+    const cv::Rect place(60, 60, map.cols, map.rows);
+    cv::Mat object = painted(map);
+    cv::circle(object, {85, 60}, 3, kPaint + cv::Scalar::all(20), cv::FILLED);
+    photographed(object).copyTo(picture(place));
+    map.copyTo(whole(place));
+    auto model = std::make_shared<ObjectModel>();
+    model->name = "marked";
+    model->views = {crop_view(picture, whole, {120, 120, 0})};
+    model->symmetry = declared;
+    const auto matches = matcher_of({model}).find(picture).matches;
+    EXPECT_EQ(matches.size(), 1u);
+    return matches.empty() ? Match() : matches.front();
+  }
+};
+
+TEST_F(MarkedBar, IsGraspableAtEitherAngleOnceDeclared) {
+  const Match undeclared = found(bar(), std::nullopt);
+  EXPECT_EQ(undeclared.symmetry, 1);
+  EXPECT_FALSE(undeclared.graspable);
+  EXPECT_TRUE(undeclared.ambiguous);
+  const Match declared = found(bar(), 2);
+  EXPECT_EQ(declared.symmetry, 2);
+  EXPECT_TRUE(declared.graspable);
+  EXPECT_FALSE(declared.ambiguous);
+}
+
+TEST_F(MarkedBar, AsADiscIsGraspableAtAnyAngleOnceDeclaredRound) {
+  const Match undeclared = found(disc(), std::nullopt);
+  EXPECT_EQ(undeclared.symmetry, 1);
+  EXPECT_FALSE(undeclared.graspable);
+  const Match declared = found(disc(), 0);
+  EXPECT_EQ(declared.symmetry, 0);
+  EXPECT_TRUE(declared.graspable);
+}
+
+// Whoever declares a symmetry that a bar does not have gets no other angles by it.
+TEST_F(MarkedBar, DeclaredNoneKeepsTheAngleStrict) {
+  cv::Mat plain = painted(bar());
+  auto model = std::make_shared<ObjectModel>();
+  model->name = "plain";
+  model->views = {crop_view(plain, bar(), {60, 60, 0})};
+  EXPECT_EQ(measure_symmetry(model->views.front()).certain, 2);
+  cv::Mat picture(240, 240, CV_8UC3, kPlatform);
+  photographed(plain).copyTo(picture(cv::Rect(60, 60, 121, 121)));
+  EXPECT_TRUE(matcher_of({model}).find(picture).matches.at(0).graspable);
+  model->symmetry = 1;
+  EXPECT_FALSE(matcher_of({model}).find(picture).matches.at(0).graspable);
+}
+
+}  // namespace
+}  // namespace mbncc

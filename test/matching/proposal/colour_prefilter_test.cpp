@@ -1,0 +1,103 @@
+#include "matching/proposal/colour_prefilter.hpp"
+
+#include <gtest/gtest.h>
+
+#include "imaging/pyramid.hpp"
+#include "matching/pictures.hpp"
+#include "matching/template/map_geometry.hpp"
+
+namespace mbncc {
+namespace {
+
+/// A texture of another mean colour, `tint` (b, g, r) grey levels away.
+cv::Mat tinted(cv::Size size, std::uint64_t seed, const cv::Scalar& tint) {
+  return test::texture(size, seed, 4) + tint;
+}
+
+class ColourGateTest : public ::testing::Test {
+ protected:
+  const cv::Size size_{320, 240};
+  const cv::Point2d anchor_{60, 60};
+  test::LearningPicture source_{1};
+
+  ColourGateTest() { source_.surface = tinted(source_.map.size(), 1, {-60, 0, 60}); }
+
+  ColourPrefilter gate() const {
+    return {source_.surface, source_.map, anchor_, MapGeometry(source_.map).mean_width()};
+  }
+
+  static ClassPictures classes_of(const cv::Mat& scene) {
+    return ClassPictures(build_pyramid(scene, ClassPictures::kLast));
+  }
+
+  static double part_of(const SearchMask& places, cv::Size size) {
+    return cv::countNonZero(places.of_positions(0, {0, 0}, 1, size)) /
+           static_cast<double>(size.area());
+  }
+};
+
+TEST_F(ColourGateTest, LeavesTheTruePlaceAndLittleElseAtAnyRotation) {
+  for (int k = 0; k < 8; ++k) {
+    cv::Mat scene = tinted(size_, 10 + static_cast<unsigned>(k), {20, 0, -20});
+    const Pose2D truth{110.0 + 10 * k, 100.0 + 5 * k, 0.8 * k};
+    test::place(scene, source_, anchor_, truth);
+    const SearchMask places = gate().places(classes_of(scene));
+    EXPECT_FALSE(places.everywhere());
+    const cv::Mat wanted = places.of_positions(0, {0, 0}, 1, size_);
+    EXPECT_NE(wanted.at<uchar>(cvRound(truth.y), cvRound(truth.x)), 0) << "rotation " << k;
+    EXPECT_LT(part_of(places, size_), 0.35);
+  }
+}
+
+TEST_F(ColourGateTest, LeavesEverythingWhereThePictureHasTheObjectsColoursAllOver) {
+  cv::Mat scene = tinted(size_, 11, {-60, 0, 60});
+  test::place(scene, source_, anchor_, {150, 120, 1});
+  EXPECT_TRUE(gate().places(classes_of(scene)).everywhere());
+}
+
+TEST_F(ColourGateTest, AlwaysLeavesSomething) {
+  const cv::Mat scene = tinted(size_, 12, {60, 0, -60});
+  EXPECT_GT(part_of(gate().places(classes_of(scene)), size_), 0.02);
+}
+
+TEST_F(ColourGateTest, SmallPicturesAreNotGated) {
+  const cv::Mat scene = tinted({16, 16}, 13, {60, 0, -60});
+  EXPECT_TRUE(gate().places(ClassPictures(build_pyramid(scene, 0))).everywhere());
+}
+
+TEST(SearchMask, PositionsOfAnyLevelFallIntoTheirCells) {
+  cv::Mat mask = cv::Mat::zeros(3, 4, CV_8UC1);
+  mask.at<uchar>(1, 2) = 255;
+  const SearchMask places(mask, 3);  // cells of 8 px: x 16..23, y 8..15
+  for (int level = 0; level <= 3; ++level) {
+    const cv::Mat wanted = places.of_positions(level, {0, 0}, 1, {32 >> level, 24 >> level});
+    EXPECT_EQ(cv::countNonZero(wanted), (8 >> level) * (8 >> level)) << "level " << level;
+    EXPECT_NE(wanted.at<uchar>(8 >> level, 16 >> level), 0);
+  }
+  const cv::Mat stepped = places.of_positions(0, {4, 2}, 2, {10, 10});
+  EXPECT_EQ(cv::countNonZero(stepped), 4 * 4);
+  EXPECT_NE(stepped.at<uchar>(3, 6), 0);
+}
+
+TEST(SearchMask, SpansCoverWhatIsWantedInWholeGroups) {
+  cv::RNG random(5);
+  for (int round = 0; round < 200; ++round) {
+    const int group = 8, count = group * random.uniform(1, 9);
+    std::vector<uchar> row(static_cast<std::size_t>(count));
+    for (auto& value : row) value = random.uniform(0, 12) == 0 ? 255 : 0;
+    std::vector<int> covered(row.size(), 0);
+    for (const auto& span : covering_spans(row.data(), count, group)) {
+      EXPECT_EQ((span.end - span.begin) % group, 0);
+      ASSERT_GE(span.begin, 0);
+      ASSERT_LE(span.end, count);
+      for (int x = span.begin; x < span.end; ++x) covered[static_cast<std::size_t>(x)] = 1;
+    }
+    for (std::size_t x = 0; x < row.size(); ++x) EXPECT_TRUE(row[x] == 0 || covered[x] == 1);
+  }
+  const std::vector<uchar> all(64, 255), none(64, 0);
+  ASSERT_EQ(covering_spans(all.data(), 64, 8).size(), 1u);
+  EXPECT_TRUE(covering_spans(none.data(), 64, 8).empty());
+}
+
+}  // namespace
+}  // namespace mbncc

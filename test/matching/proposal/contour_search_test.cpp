@@ -1,0 +1,100 @@
+// The coarse search by edges proposes poses over all of a picture.
+#include "matching/proposal/contour_search.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <iterator>
+
+#include "matching/pictures.hpp"
+#include "matching/proposal/response_peaks.hpp"
+#include "matching/template/map_geometry.hpp"
+
+namespace mbncc {
+namespace {
+
+const cv::Point2d kAnchor{60, 60};
+
+class EdgeSearchTest : public ::testing::Test {
+ protected:
+  EdgeCandidates search(const cv::Mat& picture, std::size_t foremost, std::size_t most) const {
+    cv::Mat level = picture;
+    for (int k = 0; k < bank_.level(); ++k) cv::pyrDown(level, level);
+    return edge_search(bank_, SceneLevel(level, bank_.level()), {{0, 0}, level.size()}, foremost,
+                       most);
+  }
+
+  static std::vector<double> values(const std::vector<Candidate>& poses) {
+    std::vector<double> values;
+    for (const auto& pose : poses) values.push_back(pose.value);
+    return values;
+  }
+
+  const test::LearningPicture source_{1};
+  const ContourBank bank_{MapGeometry(source_.map), kAnchor};
+  const cv::Mat ground_ = test::texture({320, 240}, 5);
+};
+
+TEST(EdgePeaks, TheBestComeFirstWhateverSumsAreEqual) {
+  std::vector<ResponsePeak> peaks;
+  for (int i = 0; i < 500; ++i) peaks.emplace_back(1 + i * 37 % 23, i * 11 % 64, i, i % 7);
+  auto sorted = peaks;
+  std::sort(sorted.begin(), sorted.end());
+  const auto places = [](auto first, auto last) {
+    std::vector<int> found;
+    std::transform(first, last, std::back_inserter(found),
+                   [](const ResponsePeak& one) { return one.x(); });
+    return found;
+  };
+  for (const std::size_t count : {0, 1, 100, 499, 500, 600}) {
+    const auto end = put_best_first(peaks, count);
+    std::sort(peaks.begin(), end);
+    const auto wanted = std::min(count, sorted.size());
+    EXPECT_EQ(places(peaks.begin(), end), places(sorted.begin(), sorted.begin() + wanted)) << count;
+  }
+}
+
+TEST_F(EdgeSearchTest, TheForemostComeFirstAndInOrder) {
+  auto all = values(search(ground_, 400, 400).poses);
+  auto some = values(search(ground_, 50, 400).poses);
+  EXPECT_TRUE(std::is_sorted(some.rend() - 50, some.rend()));
+  EXPECT_EQ(some.front(), *std::max_element(all.begin(), all.end()));
+  std::sort(all.begin(), all.end());
+  std::sort(some.begin(), some.end());
+  EXPECT_EQ(some, all);
+}
+
+TEST_F(EdgeSearchTest, TheForemostOfAQuarterTurnLieApart) {
+  const auto poses = search(ground_, 50, 400).poses;
+  for (std::size_t i = 0; i < 50; ++i)
+    for (std::size_t j = 0; j < i; ++j) {
+      const bool beside = std::abs(poses[i].pose.x - poses[j].pose.x) < 3 &&
+                          std::abs(poses[i].pose.y - poses[j].pose.y) < 3;
+      EXPECT_FALSE(beside && angle_distance(poses[i].pose.theta, poses[j].pose.theta) < 1e-3);
+    }
+}
+
+TEST_F(EdgeSearchTest, APlaceIsProposedAtManyRotations) {
+  const auto poses = search(ground_, 20000, 20000).poses;
+  const auto here = std::count_if(poses.begin(), poses.end(), [](const Candidate& candidate) {
+    return std::abs(candidate.pose.x - 40) < 3 && std::abs(candidate.pose.y - 30) < 3;
+  });
+  EXPECT_GT(here, 6);
+}
+
+TEST_F(EdgeSearchTest, FindsAnObjectAmongTheForemost) {
+  cv::Mat picture = ground_.clone();
+  const Pose2D truth{150, 120, 1.2};
+  test::LearningPicture bright = source_;
+  bright.surface.setTo(cv::Scalar::all(240));
+  test::place(picture, bright, kAnchor, truth);
+  const double side = 1 << bank_.level();
+  const auto poses = search(picture, 20, 20).poses;
+  EXPECT_TRUE(std::any_of(poses.begin(), poses.end(), [&](const Candidate& found) {
+    return cv::norm(side * found.pose.position() - truth.position()) < 3 * side &&
+           angle_distance(found.pose.theta, truth.theta) < 0.2;
+  }));
+}
+
+}  // namespace
+}  // namespace mbncc

@@ -1,0 +1,101 @@
+// Refinement: the pose is pulled onto the surface and onto the contour.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "imaging/pyramid.hpp"
+#include "matching/pictures.hpp"
+#include "matching/prepared/prepared_object.hpp"
+#include "matching/refinement/gauss_newton.hpp"
+
+namespace mbncc {
+namespace {
+
+class ClimbTest : public ::testing::Test {
+ protected:
+  /// An object with texture, or of one colour on a background of another.
+  static test::LearningPicture lesson(bool textured) {
+    test::LearningPicture source(41);
+    if (textured) return source;
+    source.surface.setTo(cv::Scalar(60, 90, 170));
+    source.picture.setTo(cv::Scalar(150, 150, 150));
+    source.surface.copyTo(source.picture, source.map);
+    return source;
+  }
+
+  static cv::Mat scene_with(const test::LearningPicture& source, bool textured,
+                            const Pose2D& truth) {
+    cv::Mat scene = textured ? test::texture({200, 160}, 42, 4)
+                             : cv::Mat(160, 200, CV_8UC3, cv::Scalar(140, 140, 140));
+    test::place(scene, source, kReference, truth);
+    return scene;
+  }
+
+  /// The object laid into a scene, and where its template's anchor lies then.
+  struct Laid {
+    Laid(bool textured, const Pose2D& truth)
+        : source(lesson(textured)),
+          object(test::object_from(source, {kReference.x, kReference.y, 0})),
+          view(object->views.front(), Engine::kFast),
+          scene(scene_with(source, textured, truth), 0),
+          anchor(compose(truth, inverse(view.reference_in_anchor))) {}
+
+    test::LearningPicture source;
+    std::shared_ptr<const ObjectModel> object;
+    PreparedView view;
+    SceneLevel scene;
+    Pose2D anchor;
+  };
+
+  /// 1.5 px and 2 degrees off, in the kth of eight directions.
+  static Pose2D beside(const Pose2D& pose, int k) {
+    const double direction = k * kPi / 4;
+    return {pose.x + 1.5 * std::cos(direction), pose.y + 1.5 * std::sin(direction),
+            pose.theta + (k % 2 ? 2 : -2) * kDegree};
+  }
+
+  static constexpr double kDegree = kPi / 180;
+  static const cv::Point2d kReference;
+};
+
+const cv::Point2d ClimbTest::kReference{58, 60};
+
+TEST_F(ClimbTest, FindsBackFromNearby) {
+  for (const bool textured : {true, false}) {
+    const Laid laid(textured, {101.4, 77.3, 0.7});
+    for (int k = 0; k < 8; ++k) {
+      const Pose2D start = beside(laid.anchor, k);
+      const AlignedPose climbed = align(laid.view.fine, laid.scene, start, 12);
+      EXPECT_LT(cv::norm(climbed.pose.position() - laid.anchor.position()), 0.5)
+          << (textured ? "textured" : "plain") << ", direction " << k;
+      EXPECT_LT(angle_distance(climbed.pose.theta, laid.anchor.theta), 0.8 * kDegree);
+    }
+  }
+}
+
+TEST_F(ClimbTest, ContoursAreFollowedWithoutTheSurface) {
+  const Laid laid(false, {98.2, 80.6, -1.2});
+  for (int k = 0; k < 8; ++k) {
+    const Pose2D start = beside(laid.anchor, k);
+    const AlignedPose there = align_contour(laid.view.rough[0], laid.scene, start, 3);
+    EXPECT_LT(cv::norm(there.pose.position() - laid.anchor.position()), 0.8) << "direction " << k;
+    EXPECT_LT(angle_distance(there.pose.theta, laid.anchor.theta), 1.5 * kDegree);
+    const AlignedPose unmoved = align_contour(laid.view.rough[0], laid.scene, start, 0);
+    EXPECT_EQ(unmoved.pose.x, start.x);
+    EXPECT_GE(there.value, unmoved.value);
+  }
+}
+
+TEST_F(ClimbTest, NeverGetsWorse) {
+  const test::LearningPicture source = lesson(true);
+  const auto object = test::object_from(source, {kReference.x, kReference.y, 0});
+  const PreparedView view(object->views.front(), Engine::kFast);
+  const SceneLevel scene(test::texture({200, 160}, 43), 0);
+  for (int k = 0; k < 20; ++k) {
+    const Pose2D start{40.0 + 6 * k, 50.0 + 3 * k, 0.3 * k};
+    EXPECT_GE(align(view.fine, scene, start, 6).value, align(view.fine, scene, start, 0).value);
+  }
+}
+
+}  // namespace
+}  // namespace mbncc

@@ -1,0 +1,95 @@
+#include "matching/scene/scene_pool.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cstdint>
+#include <opencv2/core.hpp>
+#include <stdexcept>
+
+namespace mbncc {
+namespace {
+
+constexpr int kTop = 2;
+
+cv::Mat random_picture(cv::Size size, int type, std::uint64_t seed) {
+  cv::Mat picture(size, type);
+  cv::RNG(seed).fill(picture, cv::RNG::UNIFORM, 0, 256);
+  return picture;
+}
+
+bool equal(const cv::Mat& a, const cv::Mat& b) {
+  return a.size() == b.size() && a.type() == b.type() && cv::norm(a, b, cv::NORM_INF) == 0;
+}
+
+/// All that a search reads of `scene` is as in a scene of its own.
+void expect_as_if_fresh(const ScenePicture& scene, const cv::Mat& picture) {
+  constexpr int kMargin = 20;
+  const ScenePicture fresh(picture, kTop);
+  ASSERT_EQ(scene.levels.size(), fresh.levels.size());
+  for (std::size_t level = 0; level < fresh.levels.size(); ++level) {
+    const auto maps = scene.levels[level].responses(kMargin);
+    const auto expected = fresh.levels[level].responses(kMargin);
+    EXPECT_TRUE(equal(scene.grey[level], fresh.grey[level]));
+    EXPECT_TRUE(equal(scene.levels[level].colour, fresh.levels[level].colour));
+    EXPECT_TRUE(equal(scene.levels[level].edges, fresh.levels[level].edges));
+    const cv::Size size = scene.grey[level].size();
+    for (int k = 0; k < ResponseMaps::kOrientations; ++k)
+      for (int y = -kMargin; y < size.height + kMargin; ++y)
+        for (int x = -kMargin; x < size.width + kMargin; ++x)
+          ASSERT_EQ(maps->data()[maps->offset(k, x, y)],
+                    expected->data()[expected->offset(k, x, y)]);
+    const auto padded = scene.padded(static_cast<int>(level), kMargin);
+    const auto expected_padded = fresh.padded(static_cast<int>(level), kMargin);
+    ASSERT_EQ(padded->margin(), expected_padded->margin());
+    EXPECT_EQ(padded->squares, expected_padded->squares);
+  }
+}
+
+TEST(ScenePool, ShowsAPictureAsIfItWereTheFirst) {
+  ScenePool pool;
+  std::uint64_t seed = 1;
+  for (const cv::Size size :
+       {cv::Size(97, 64), cv::Size(97, 64), cv::Size(64, 97), cv::Size(40, 30)})
+    for (const int type : {CV_8UC3, CV_8UC1, CV_8UC3}) {
+      const cv::Mat picture = random_picture(size, type, seed++);
+      expect_as_if_fresh(*pool.show(picture, kTop), picture);
+    }
+}
+
+TEST(ScenePool, LargerMarginsAreNotForgottenTooSoon) {
+  const ScenePicture scene(random_picture({60, 50}, CV_8UC3, 3), 0);
+  const auto narrow = scene.levels[0].responses(10);
+  const std::int8_t before = narrow->data()[narrow->offset(2, 30, 20)];
+  const auto wide = scene.levels[0].responses(50);
+  EXPECT_GE(wide->margin(), 50);
+  EXPECT_EQ(wide->data()[wide->offset(2, 30, 20)], before);
+  EXPECT_EQ(narrow->data()[narrow->offset(2, 30, 20)], before) << "who has it may go on reading";
+  EXPECT_EQ(scene.levels[0].responses(10), wide);
+}
+
+TEST(ScenePool, LeavesTheCallersPicturesAlone) {
+  ScenePool pool;
+  const cv::Mat grey = random_picture({50, 40}, CV_8UC1, 1), kept = grey.clone();
+  pool.show(grey, kTop);
+  pool.show(random_picture({50, 40}, CV_8UC3, 2), kTop);
+  EXPECT_TRUE(equal(grey, kept));
+}
+
+TEST(ScenePool, PicturesShownAtATimeAreApart) {
+  ScenePool pool;
+  const cv::Mat first = random_picture({50, 40}, CV_8UC3, 1);
+  const cv::Mat second = random_picture({50, 40}, CV_8UC3, 2);
+  const auto one = pool.show(first, kTop), other = pool.show(second, kTop);
+  expect_as_if_fresh(*one, first);
+  expect_as_if_fresh(*other, second);
+}
+
+TEST(ScenePool, BearsPicturesThatCannotBeSearched) {
+  ScenePool pool;
+  EXPECT_THROW(pool.show(cv::Mat(40, 40, CV_16UC1), kTop), std::invalid_argument);
+  const cv::Mat picture = random_picture({50, 40}, CV_8UC3, 1);
+  expect_as_if_fresh(*pool.show(picture, kTop), picture);
+}
+
+}  // namespace
+}  // namespace mbncc

@@ -1,0 +1,86 @@
+#include "matching/search/colour_cast.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "matching/pictures.hpp"
+
+namespace mbncc {
+namespace {
+
+class ColourCastTest : public ::testing::Test {
+ protected:
+  static constexpr int kObjects = 3;
+  std::vector<test::LearningPicture> sources_;
+  std::vector<PreparedObject> objects_;
+  cv::Mat picture_ = test::texture({480, 240}, 50, 4);
+
+  ColourCastTest() {
+    for (int k = 0; k < kObjects; ++k) {
+      sources_.emplace_back(static_cast<std::uint64_t>(k));
+      objects_.emplace_back(test::object_from(sources_.back(), {58, 60, 0}), Engine::kFast);
+      test::place(picture_, sources_.back(), anchor(k), pose(k));
+    }
+  }
+
+  cv::Point2d anchor(int k) const {
+    return objects_[static_cast<std::size_t>(k)].views.front().anchor +
+           cv::Point2d(objects_[static_cast<std::size_t>(k)].model->views.front().origin);
+  }
+  static Pose2D pose(int k) { return {90.0 + 150 * k, 120, 0.7 * k}; }
+
+  std::vector<std::vector<Detection>> found(int count, double log_odds = 6) const {
+    std::vector<std::vector<Detection>> all;
+    for (std::size_t k = 0; k < static_cast<std::size_t>(count); ++k) {
+      Detection detection;
+      detection.object = &objects_[k];
+      detection.view = &objects_[k].views.front();
+      detection.pose = pose(static_cast<int>(k));
+      detection.log_odds = log_odds;
+      all.push_back({detection});
+    }
+    return all;
+  }
+
+  static cv::Mat cast(const cv::Mat& picture, double blue, double red) {
+    return without_cast(picture, {-std::log(blue), -std::log(red)});
+  }
+};
+
+TEST_F(ColourCastTest, TellsTheGainsOfBlueAndRed) {
+  const ScenePicture scene(cast(picture_, 0.9, 1.1), 0);
+  const auto told = colour_cast(found(kObjects), scene);
+  ASSERT_TRUE(told);
+  EXPECT_NEAR(std::exp(told->blue), 0.9, 0.015);
+  EXPECT_NEAR(std::exp(told->red), 1.1, 0.015);
+}
+
+TEST_F(ColourCastTest, TellsNothingOfLightAsItWas) {
+  EXPECT_FALSE(colour_cast(found(kObjects), ScenePicture(picture_, 0)));
+  const cv::Mat darker = 0.8 * picture_;
+  EXPECT_FALSE(colour_cast(found(kObjects), ScenePicture(darker, 0))) << "brightness is no colour";
+}
+
+TEST_F(ColourCastTest, BelievesNeitherOneAloneNorUnlikelyOnes) {
+  const ScenePicture scene(cast(picture_, 0.9, 1.1), 0);
+  EXPECT_FALSE(colour_cast(found(1), scene));
+  EXPECT_FALSE(colour_cast(found(kObjects, 0), scene));
+  EXPECT_FALSE(colour_cast({}, scene));
+}
+
+TEST_F(ColourCastTest, BelievesNoneWhereTheyDisagree) {
+  cv::Mat mixed = picture_.clone();
+  cast(picture_, 0.8, 1.2)(cv::Rect(0, 0, 165, 240)).copyTo(mixed(cv::Rect(0, 0, 165, 240)));
+  cast(picture_, 1.2, 0.8)(cv::Rect(165, 0, 150, 240)).copyTo(mixed(cv::Rect(165, 0, 150, 240)));
+  EXPECT_FALSE(colour_cast(found(kObjects), ScenePicture(mixed, 0)));
+}
+
+TEST_F(ColourCastTest, ABalancedPictureIsAsItWas) {
+  const cv::Mat back = without_cast(cast(picture_, 0.9, 1.1), {std::log(0.9), std::log(1.1)});
+  EXPECT_LT(cv::norm(back, picture_, cv::NORM_INF), 45) << "but where red was clipped";
+  EXPECT_LT(cv::norm(back, picture_, cv::NORM_L1) / static_cast<double>(3 * picture_.total()), 1);
+}
+
+}  // namespace
+}  // namespace mbncc

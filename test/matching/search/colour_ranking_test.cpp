@@ -1,0 +1,76 @@
+// Colours choose among poses that lie on edges.
+#include "matching/search/colour_ranking.hpp"
+
+#include <gtest/gtest.h>
+
+#include "matching/pictures.hpp"
+
+namespace mbncc {
+namespace {
+
+const cv::Scalar kTint{-60, 0, 60};
+
+class ColourRankingTest : public ::testing::Test {
+ protected:
+  ColourRankingTest() {
+    source_.surface += kTint;
+    source_.surface.copyTo(source_.picture, source_.map);
+    object_ =
+        std::make_unique<PreparedObject>(test::object_from(source_, {60, 60, 0}), Engine::kFast);
+    cv::Mat picture = test::texture({320, 240}, 9, 4) - 0.5 * kTint;
+    test::place(picture, source_, view().anchor, truth_);
+    scene_ = std::make_unique<ScenePicture>(picture, object_->top_level());
+  }
+
+  const PreparedView& view() const { return object_->views.front(); }
+
+  /// Poses over all the picture; the second last one is true, and of all of them last by edges.
+  std::vector<Candidate> poses() const {
+    std::vector<Candidate> poses;
+    for (int x = 40; x <= 280; x += 20)
+      for (int y = 40; y <= 200; y += 20)
+        poses.push_back({{double(x), double(y), 0.1 * x}, 0, 0.6});
+    poses.insert(poses.end() - 1, {truth_, 0, 0.55});
+    return poses;
+  }
+
+  bool is_truth(const Candidate& candidate) const {
+    return cv::norm(candidate.pose.position() - truth_.position()) < 1e-9;
+  }
+
+  const Pose2D truth_{170, 110, 0.7};
+  test::LearningPicture source_{1};
+  std::unique_ptr<PreparedObject> object_;
+  std::unique_ptr<ScenePicture> scene_;
+};
+
+TEST_F(ColourRankingTest, TheObjectsColoursLiftItsPoseAboveBetterEdges) {
+  const auto best = best_by_colours(view(), *scene_, poses(), 5);
+  ASSERT_EQ(best.size(), 5u);
+  EXPECT_TRUE(is_truth(best.front()));
+  for (std::size_t i = 1; i < best.size(); ++i) EXPECT_GE(best[i - 1].value, best[i].value);
+}
+
+TEST_F(ColourRankingTest, ColoursDoNotOutweighEdges) {
+  auto all = poses();
+  all.front().value = 1;
+  all[all.size() - 2].value = 0;
+  EXPECT_FALSE(is_truth(best_by_colours(view(), *scene_, all, 5).front()));
+}
+
+TEST_F(ColourRankingTest, MoreThanThereAreIsAll) {
+  EXPECT_EQ(best_by_colours(view(), *scene_, poses(), 10000).size(), poses().size());
+  EXPECT_TRUE(best_by_colours(view(), *scene_, {}, 5).empty());
+}
+
+TEST_F(ColourRankingTest, InAPictureTooSmallForColoursEdgesDecide) {
+  const ScenePicture small(test::texture({16, 16}, 3), 0);
+  auto all = poses();
+  all[7].value = 0.7;
+  const auto best = best_by_colours(view(), small, all, 5);
+  ASSERT_EQ(best.size(), 5u);
+  EXPECT_EQ(best.front().value, 0.7);
+}
+
+}  // namespace
+}  // namespace mbncc

@@ -1,0 +1,163 @@
+// A view is looked for again, and harder, where the first look does not find it.
+#include "matching/search/view_search.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "matching/pictures.hpp"
+#include "matching/search/object_search.hpp"
+
+namespace mbncc {
+namespace {
+
+const cv::Point2d kReference{52, 60};
+const cv::Scalar kBrown{100, 118, 140};
+
+/// A hook of one colour that busy grey ground has nowhere.
+test::LearningPicture hook(int width = 2) {
+  cv::Mat map = cv::Mat::zeros(120, 120, CV_8UC1);
+  map(cv::Rect(45, 48, width, 22 + width)) = 255;
+  map(cv::Rect(45, 70, 12 + width, width)) = 255;
+  test::LearningPicture source(1, map);
+  source.surface.setTo(kBrown);
+  source.surface.copyTo(source.picture, source.map);
+  return source;
+}
+
+/// Grey ground with edges everywhere.
+cv::Mat busy_ground(std::uint64_t seed) {
+  cv::Mat grey, ground;
+  cv::cvtColor(test::texture({320, 240}, seed, 1.0), grey, cv::COLOR_BGR2GRAY);
+  cv::cvtColor(grey, ground, cv::COLOR_GRAY2BGR);
+  return (ground - cv::Scalar::all(120)) * 2 + cv::Scalar::all(120);
+}
+
+class ViewSearchTest : public ::testing::Test {
+ protected:
+  ViewSearchTest() : ViewSearchTest(hook()) {}
+  explicit ViewSearchTest(const test::LearningPicture& source)
+      : source_(source), object_(test::object_from(source_, {52, 60, 0}), Engine::kFast) {}
+
+  std::vector<Detection> search(const cv::Mat& picture, SearchMode look) const {
+    return search_view(object_, object_.views.front(), ScenePicture(picture, object_.top_level()),
+                       {{0, 0}, picture.size()}, look);
+  }
+
+  static bool lies_at(const Detection& detection, const Pose2D& truth) {
+    const Pose2D pose = compose(detection.pose, detection.view->reference_in_anchor);
+    return cv::norm(pose.position() - truth.position()) < 2 &&
+           angle_distance(pose.theta, truth.theta) < to_radians(4.);
+  }
+
+  /// Pictures, of twelve, whose best detection lies where the object was laid.
+  int found_by(SearchMode look) const {
+    int found = 0;
+    for (unsigned k = 0; k < 12; ++k) {
+      cv::Mat picture = busy_ground(20 + k);
+      const Pose2D truth{90.0 + 11 * k, 80.0 + 7 * k, 0.5 * k};
+      test::place(picture, source_, kReference, truth);
+      const auto detections = search(picture, look);
+      found += !detections.empty() && lies_at(detections.front(), truth);
+    }
+    return found;
+  }
+
+  /// Pictures, of twelve, where the object is found on busy ground and not only, twice, on plain.
+  int found_third_by(SearchMode look) const {
+    int found = 0;
+    for (unsigned k = 0; k < 12; ++k) {
+      cv::Mat picture = busy_ground(20 + k);
+      picture.colRange(0, 140).setTo(cv::Scalar::all(120));
+      test::place(picture, source_, kReference, {70, 60, 0.3});
+      test::place(picture, source_, kReference, {60, 170, 2.0});
+      const Pose2D truth{190.0 + 6 * k, 80.0 + 7 * k, 0.5 * k};
+      test::place(picture, source_, kReference, truth);
+      const auto detections = search(picture, look);
+      found += std::any_of(detections.begin(), detections.end(),
+                           [&](const Detection& one) { return lies_at(one, truth); });
+    }
+    return found;
+  }
+
+  test::LearningPicture source_;
+  PreparedObject object_;
+};
+
+TEST_F(ViewSearchTest, ASecondLookFindsColoursThatEdgesHide) {
+  const int at_once = found_by(SearchMode::kQuick), in_the_end = found_by(SearchMode::kTwice);
+  EXPECT_LT(at_once, 9);
+  EXPECT_GT(in_the_end, at_once);
+}
+
+class WiderHookTest : public ViewSearchTest {
+ protected:
+  WiderHookTest() : ViewSearchTest(hook(4)) {}
+};
+
+TEST_F(WiderHookTest, BesideSeveralInstancesFurtherOnesAreLookedFor) {
+  const int at_once = found_third_by(SearchMode::kQuick),
+            in_the_end = found_third_by(SearchMode::kTwice);
+  EXPECT_GT(in_the_end, at_once);
+}
+
+/// A plate that looks the same half turned, but for a whisker, which moves the middle of its
+/// excircle by 20 px and its centroid by two.
+test::LearningPicture whiskered_plate() {
+  cv::Mat map = cv::Mat::zeros(120, 140, CV_8UC1);
+  map(cv::Rect(15, 48, 70, 24)) = 255;
+  map(cv::Rect(85, 59, 40, 2)) = 255;
+  test::LearningPicture source(1, map);
+  source.surface.setTo(kBrown);
+  source.surface.copyTo(source.picture, source.map);
+  return source;
+}
+
+class WhiskeredPlateTest : public ViewSearchTest {
+ protected:
+  WhiskeredPlateTest() : ViewSearchTest(whiskered_plate()) {}
+};
+
+TEST_F(WhiskeredPlateTest, MeetsItsHalfTurnWhereThePlateCoversItself) {
+  const Pose2D truth{150, 120, 0.8};
+  cv::Mat picture = test::texture({320, 240}, 77, 5);
+  test::place(picture, source_, kReference, truth);
+  const PreparedView& view = object_.views.front();
+  const cv::Point anchor = compose(truth, inverse(view.reference_in_anchor)).position();
+  const auto found =
+      search_view(object_, view, ScenePicture(picture, object_.top_level()),
+                  {anchor - cv::Point(10, 10), cv::Size(21, 21)}, SearchMode::kTwice);
+  const cv::Point2d middle = cv::Point2d(49.5, 59.5) - kReference;  // of the plate
+  const Pose2D half = compose(truth, {2 * middle.x, 2 * middle.y, kPi});
+  ASSERT_FALSE(found.empty());
+  EXPECT_TRUE(lies_at(found.front(), truth));
+  EXPECT_TRUE(std::any_of(found.begin(), found.end(), [&](const Detection& one) {
+    return lies_at(one, half);
+  })) << "the search proposes nothing there";
+}
+
+TEST(SearchOccupied, AnObjectIsJudgedWhereAnotherOfItsSizeLies) {
+  const test::LearningPicture source(1);
+  const PreparedObject object(test::object_from(source, {52, 60, 0}), Engine::kFast);
+  const PreparedView& view = object.views.front();
+  cv::Mat picture = test::texture({320, 240}, 77, 5);
+  const Pose2D truth{150, 120, 0.8};
+  test::place(picture, source, kReference, truth);
+  const ScenePicture scene(picture, object.top_level());
+  const Pose2D anchor = compose(truth, inverse(view.reference_in_anchor));
+  const auto judged = [&](double size, const cv::Rect& roi, const std::vector<Detection>& found) {
+    const Footprint there{{anchor.position(), size * view.shape.radius()},
+                          size * size * cv::contourArea(view.outline)};
+    return search_occupied(object, scene, roi, {there}, found);
+  };
+  const auto detections = judged(1, {}, {});
+  ASSERT_FALSE(detections.empty());
+  EXPECT_LT(cv::norm(detections.front().pose.position() - anchor.position()), 1);
+  EXPECT_LT(angle_distance(detections.front().pose.theta, anchor.theta), to_radians(1.));
+  EXPECT_TRUE(judged(1, {}, detections).empty()) << "found already";
+  EXPECT_TRUE(judged(1.3, {}, {}).empty()) << "larger things are no look-alikes";
+  EXPECT_TRUE(judged(1, {0, 0, 50, 50}, {}).empty()) << "not asked for there";
+}
+
+}  // namespace
+}  // namespace mbncc

@@ -1,0 +1,236 @@
+#include "nodelets/camera/source_player.hpp"
+
+#include <diagnostic_updater/DiagnosticStatusWrapper.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "mbncc/error.hpp"
+
+namespace mbncc::nodelets {
+namespace {
+
+using Seconds = SourcePlayer::Seconds;
+
+/// What a camera does, told in advance; the world below it has clocks that only move in pauses.
+struct Story {
+  bool live = false;
+  double rate = 0;      // [Hz]
+  int openings = 0;     // attempts so far
+  int refusals = 0;     // attempts that fail before one succeeds
+  int pictures = 1000;  // until the end
+  int grabbed = 0, retrieved = 0;
+  int fails_at = -1, unreadable = -1;  // numbers of grabs
+  bool same_picture = false;
+};
+
+class ToldSource : public PictureSource {
+ public:
+  explicit ToldSource(Story& story) : story_(story) {}
+
+  bool grab() override {
+    if (story_.grabbed == story_.fails_at) {
+      ++story_.grabbed;
+      throw FileError("camera", "it was unplugged");
+    }
+    return story_.grabbed < story_.pictures && ++story_.grabbed > 0;
+  }
+
+  cv::Mat retrieve() override {
+    ++story_.retrieved;
+    if (story_.grabbed - 1 == story_.unreadable) throw FileError("camera", "rubbish");
+    return cv::Mat(4, 4, CV_8UC1, cv::Scalar(story_.same_picture ? 7 : story_.grabbed));
+  }
+
+  bool is_live() const override { return story_.live; }
+  double rate() const override { return story_.rate; }
+
+ private:
+  Story& story_;
+};
+
+class SourcePlayerTest : public testing::Test {
+ protected:
+  void SetUp() override { config_.source = "camera"; }
+
+  SourcePlayer::World world() {
+    SourcePlayer::World world;
+    world.open = [this]() -> std::unique_ptr<PictureSource> {
+      if (++story_.openings <= story_.refusals) throw FileError("camera", "no such device");
+      return std::make_unique<ToldSource>(story_);
+    };
+    world.has_listener = [this] { return listens_; };
+    world.time = [this] { return clock_runs_ ? time_ += ros::Duration(0.001) : time_; };
+    world.steady_time = [this] { return steady_; };
+    world.pause = [this](Seconds pause) {
+      pauses_.push_back(pause.count());
+      steady_ += std::chrono::duration_cast<SourcePlayer::Clock::duration>(pause);
+    };
+    world.publish = [this](const cv::Mat& picture, const ros::Time& stamp) {
+      published_.push_back(picture.at<uchar>(0, 0));
+      stamps_.push_back(stamp);
+    };
+    return world;
+  }
+
+  SourcePlayer& player() {
+    if (!player_) player_ = std::make_unique<SourcePlayer>(config_, world());
+    return *player_;
+  }
+
+  void play(int steps) {
+    for (int i = 0; i < steps; ++i) player().step();
+  }
+
+  std::string state() {
+    diagnostic_updater::DiagnosticStatusWrapper status;
+    player().health().describe(status);
+    return status.message;
+  }
+
+  std::string count(const std::string& key) {
+    diagnostic_updater::DiagnosticStatusWrapper status;
+    player().health().describe(status);
+    for (const auto& value : status.values)
+      if (value.key == key) return value.value;
+    return "no such count";
+  }
+
+  CameraConfig config_;
+  Story story_;
+  bool listens_ = true, clock_runs_ = true;
+  ros::Time time_{100, 0};
+  SourcePlayer::Clock::time_point steady_;
+  std::vector<double> pauses_;
+  std::vector<int> published_;
+  std::vector<ros::Time> stamps_;
+  std::unique_ptr<SourcePlayer> player_;
+};
+
+TEST_F(SourcePlayerTest, PublishesPictureAfterPictureWithGrowingStamps) {
+  play(5);
+  EXPECT_EQ(published_, (std::vector<int>{1, 2, 3, 4, 5}));
+  EXPECT_TRUE(std::is_sorted(stamps_.begin(), stamps_.end()));
+  EXPECT_EQ(count("published"), "5");
+  EXPECT_EQ(state(), "open");
+}
+
+TEST_F(SourcePlayerTest, TriesAgainAfterPausesThatDoubleUpToEightSeconds) {
+  story_.refusals = 7;
+  play(7);
+  EXPECT_EQ(pauses_, (std::vector<double>{0.5, 1, 2, 4, 8, 8, 8}));
+  EXPECT_NE(state().find("no such device"), std::string::npos);
+  EXPECT_EQ(count("failures of the source"), "7");
+  play(1);
+  EXPECT_EQ(published_.size(), 1u);
+}
+
+TEST_F(SourcePlayerTest, APictureMakesTheNextRetrySoonAgain) {
+  story_.live = true;
+  story_.refusals = 3;
+  story_.fails_at = 2;
+  play(6);
+  EXPECT_EQ(pauses_, (std::vector<double>{0.5, 1, 2, 0.5}));
+  EXPECT_NE(state().find("unplugged"), std::string::npos);
+  play(1);
+  EXPECT_EQ(story_.openings, 5);
+  EXPECT_EQ(state(), "open");
+}
+
+TEST_F(SourcePlayerTest, AFolderWaitsForAListener) {
+  listens_ = false;
+  play(3);
+  EXPECT_EQ(story_.grabbed, 0);
+  listens_ = true;
+  play(1);
+  EXPECT_EQ(published_, std::vector<int>{1});
+}
+
+TEST_F(SourcePlayerTest, AFolderWaitsForTheClockAndForANewStamp) {
+  clock_runs_ = false;
+  time_ = ros::Time();
+  play(3);
+  EXPECT_EQ(story_.grabbed, 0) << "the clock has not begun";
+  time_ = ros::Time(5);
+  play(3);
+  EXPECT_EQ(published_, std::vector<int>{1}) << "the clock stands still";
+  time_ = ros::Time(6);
+  play(1);
+  EXPECT_EQ(published_, (std::vector<int>{1, 2}));
+}
+
+TEST_F(SourcePlayerTest, ALiveSourceIsEmptiedButNotDecodedWithoutListeners) {
+  story_.live = true;
+  listens_ = false;
+  play(4);
+  EXPECT_EQ(story_.grabbed, 4);
+  EXPECT_EQ(story_.retrieved, 0);
+}
+
+TEST_F(SourcePlayerTest, ALiveSourceGetsNoStampTwice) {
+  story_.live = true;
+  clock_runs_ = false;
+  play(3);
+  EXPECT_EQ(published_, std::vector<int>{1});
+  EXPECT_EQ(count("pictures without a new stamp"), "2");
+}
+
+TEST_F(SourcePlayerTest, KeepsTheAskedPaceAndHurriesAfterNoDelay) {
+  config_.frame_rate = 4;
+  play(4);
+  EXPECT_EQ(pauses_, (std::vector<double>{0.25, 0.25, 0.25}));
+  steady_ += std::chrono::seconds(10);
+  play(2);
+  EXPECT_EQ(pauses_, (std::vector<double>{0.25, 0.25, 0.25, 0.25}));
+}
+
+TEST_F(SourcePlayerTest, TakesTheSourcesPaceOrTenHertz) {
+  story_.rate = 2;
+  play(2);
+  EXPECT_EQ(pauses_, std::vector<double>{0.5});
+  story_.rate = 0;
+  play(2);
+  EXPECT_EQ(pauses_, (std::vector<double>{0.5, 0.5, 0.1}));
+}
+
+TEST_F(SourcePlayerTest, UnreadablePicturesAreCountedAndLeftOut) {
+  story_.unreadable = 1;
+  play(3);
+  EXPECT_EQ(published_, (std::vector<int>{1, 3}));
+  EXPECT_EQ(count("unreadable pictures"), "1");
+}
+
+TEST_F(SourcePlayerTest, TheEndIsSaidOnceAndLasts) {
+  story_.pictures = 2;
+  play(5);
+  EXPECT_EQ(published_.size(), 2u);
+  EXPECT_EQ(state(), "at its end");
+  EXPECT_EQ(story_.openings, 1);
+}
+
+TEST_F(SourcePlayerTest, FrozenPicturesOfAFolderAreWithheld) {
+  config_.detect_frozen = true;
+  story_.same_picture = true;
+  play(8);
+  EXPECT_EQ(published_.size(), 4u);
+  EXPECT_EQ(count("frozen pictures"), "4");
+  EXPECT_NE(state().find("frozen"), std::string::npos);
+  story_.same_picture = false;
+  play(1);
+  EXPECT_EQ(published_.size(), 5u);
+  EXPECT_EQ(state(), "open");
+}
+
+TEST_F(SourcePlayerTest, ALiveSourceThatFreezesIsOpenedAgain) {
+  config_.detect_frozen = true;
+  story_.live = story_.same_picture = true;
+  play(6);
+  EXPECT_EQ(story_.openings, 2);
+  EXPECT_EQ(pauses_, std::vector<double>{0.5});
+}
+
+}  // namespace
+}  // namespace mbncc::nodelets

@@ -1,0 +1,226 @@
+// What goes out about a picture, and what may move an arm.
+#include "nodelets/matching/detection_pipeline.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <opencv2/imgproc.hpp>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "mbncc/library/object_library.hpp"
+#include "nodelets/conversion/pose_algebra.hpp"
+#include "support/temporary_folder.hpp"
+
+namespace mbncc::nodelets {
+namespace {
+
+using mbncc_vision::DetectedObject;
+using mbncc_vision::DetectedObjectArray;
+
+const cv::Size kSize(320, 240);
+
+class DetectionPipelineTest : public testing::Test {
+ protected:
+  /// A textured angle on a plain platform, learned where it lies.
+  DetectionPipelineTest() : picture_(kSize, CV_8UC3, cv::Scalar(110, 110, 110)) {
+    cv::Mat map = cv::Mat::zeros(kSize, CV_8UC1), texture(kSize, CV_8UC3);
+    map(cv::Rect(130, 80, 24, 70)) = 255;
+    map(cv::Rect(130, 126, 60, 24)) = 255;
+    cv::RNG(3).fill(texture, cv::RNG::UNIFORM, 0, 256);
+    cv::GaussianBlur(texture, texture, {}, 2);
+    cv::normalize(texture, texture, 20, 235, cv::NORM_MINMAX);
+    texture.copyTo(picture_, map);
+    ObjectModel model;
+    model.name = model.label = "angle";
+    model.object_height = 0.02;
+    model.metres_per_pixel = 0.48 / 300;
+    model.grasp = Grasp{{{0.01, 0.02, -0.1}}, {{0, 0, 0, 1}}};
+    model.views.push_back(crop_view(picture_, map, {150, 120, 0.3}));
+    ObjectLibrary(folder_.path()).save(model, ObjectLibrary::Existing::kRefuse);
+    config_.platform.platform_distance = 0.5;
+  }
+
+  ReceivedPicture received(int number) const {
+    ReceivedPicture received;
+    received.picture = picture_;
+    received.header.frame_id = "camera";
+    received.header.stamp = ros::Time(100 + 0.1 * number);
+    const auto info = boost::make_shared<sensor_msgs::CameraInfo>();
+    info->header = received.header;
+    info->width = kSize.width;
+    info->height = kSize.height;
+    info->distortion_model = "plumb_bob";
+    info->D.assign(5, 0);
+    info->K = {300, 0, 159.5, 0, 300, 119.5, 0, 0, 1};
+    info->R = {1, 0, 0, 0, 1, 0, 0, 0, 1};
+    info->P = {300, 0, 159.5, 0, 0, 300, 119.5, 0, 0, 0, 1, 0};
+    received.camera_info = info;
+    return received;
+  }
+
+  /// What goes out about the last of so many equal pictures.
+  DetectedObjectArray after(int pictures) {
+    const LiveMatcher matcher({}, folder_.path());
+    DetectionPipeline pipeline(config_, matcher, tf_);
+    DetectedObjectArray last;
+    for (int i = 0; i < pictures; ++i) {
+      ReceivedPicture next = received(i);
+      if (!calibrated_) next.camera_info.reset();
+      last = pipeline.process(next, {}).array;
+    }
+    return last;
+  }
+
+  test::TemporaryFolder folder_;
+  cv::Mat picture_;
+  MatchingNodeConfig config_;
+  tf2_ros::Buffer tf_;
+  bool calibrated_ = true;
+};
+
+TEST_F(DetectionPipelineTest, AFrameIsGivenOnceItIsConfirmed) {
+  for (const int pictures : {1, 2, 3}) {
+    const DetectedObjectArray array = after(pictures);
+    ASSERT_EQ(array.objects.size(), 1u);
+    const DetectedObject& object = array.objects[0];
+    EXPECT_EQ(array.status, DetectedObjectArray::OK) << array.message;
+    EXPECT_EQ(object.state, pictures < 3 ? DetectedObject::NEW : DetectedObject::CONFIRMED);
+    EXPECT_EQ(object.child_frame_id, pictures < 3 ? "" : "object_angle_0");
+    EXPECT_TRUE(object.pose_valid);
+    // The object's upper side lies 20 mm nearer than the platform.
+    EXPECT_NEAR(object.pose.pose.position.z, 0.48, 1e-6);
+    EXPECT_NEAR(object.pose.pose.position.x, (150 - 159.5) / 300 * 0.48, 1e-4);
+    EXPECT_NEAR(object.valid_until.toSec(), 100 + 0.1 * (pictures - 1) + config_.max_age, 1e-6);
+  }
+}
+
+TEST_F(DetectionPipelineTest, WithoutCalibrationThereAreNoMetresAndNoFrames) {
+  calibrated_ = false;
+  const DetectedObjectArray array = after(3);
+  ASSERT_EQ(array.objects.size(), 1u);
+  EXPECT_EQ(array.status, DetectedObjectArray::UNCALIBRATED);
+  EXPECT_FALSE(array.message.empty());
+  EXPECT_EQ(array.objects[0].state, DetectedObject::CONFIRMED);
+  EXPECT_FALSE(array.objects[0].pose_valid);
+  EXPECT_TRUE(std::isnan(array.objects[0].pose.pose.position.x));
+  EXPECT_EQ(array.objects[0].child_frame_id, "");
+}
+
+TEST_F(DetectionPipelineTest, WithoutTheTargetFrameThereAreNoFrames) {
+  config_.target_frame = "base";
+  const DetectedObjectArray array = after(3);
+  ASSERT_EQ(array.objects.size(), 1u);
+  EXPECT_EQ(array.status, DetectedObjectArray::TF_UNAVAILABLE);
+  EXPECT_EQ(array.header.frame_id, "camera") << "what the poses are in";
+  EXPECT_EQ(array.objects[0].child_frame_id, "");
+}
+
+TEST_F(DetectionPipelineTest, PosesAreInTheTargetFrameAsItWasAtThePicturesStamp) {
+  config_.target_frame = "base";
+  geometry_msgs::TransformStamped transform;
+  transform.header.frame_id = "base";
+  transform.child_frame_id = "camera";
+  transform.transform.rotation.x = 1;  // looks down
+  for (const double stamp : {100., 101.}) {
+    transform.header.stamp = ros::Time(stamp);
+    transform.transform.translation.x = stamp - 99.2;  // it moves
+    tf_.setTransform(transform, "test");
+  }
+  const DetectedObjectArray array = after(3);
+  ASSERT_EQ(array.objects.size(), 1u);
+  EXPECT_EQ(array.status, DetectedObjectArray::OK) << array.message;
+  EXPECT_EQ(array.header.frame_id, "base");
+  EXPECT_NEAR(array.objects[0].pose.pose.position.z, -0.48, 1e-6);
+  EXPECT_NEAR(array.objects[0].pose.pose.position.x, 1 + (150 - 159.5) / 300 * 0.48, 1e-4);
+  EXPECT_EQ(array.objects[0].child_frame_id, "object_angle_0");
+}
+
+TEST_F(DetectionPipelineTest, TheGraspIsInTheFrameOfThePoses) {
+  config_.target_frame = "base";
+  geometry_msgs::TransformStamped transform;
+  transform.header.frame_id = "base";
+  transform.child_frame_id = "camera";
+  transform.transform.rotation.x = 1;  // looks down
+  tf_.setTransform(transform, "test", true);
+  const DetectedObject object = after(3).objects.at(0);
+  ASSERT_TRUE(object.has_grasp);
+  const auto& pose = object.pose.pose.position;
+  const auto& grasp = object.grasp.position;
+  const double c = std::cos(0.3), s = std::sin(0.3);
+  EXPECT_NEAR(grasp.x - pose.x, c * 0.01 - s * 0.02, 1e-4);
+  EXPECT_NEAR(grasp.y - pose.y, -(s * 0.01 + c * 0.02), 1e-4) << "y points the other way";
+  EXPECT_NEAR(grasp.z - pose.z, 0.1, 1e-9) << "above the object";
+}
+
+/// The point `p` of the object's frame in the array's.
+template <class Point>
+cv::Vec3d placed(const DetectedObject& object, const Point& p) {
+  geometry_msgs::Pose point;
+  point.position.x = p.x;
+  point.position.y = p.y;
+  point.position.z = p.z;
+  point.orientation.w = 1;
+  const auto at = compose(object.pose.pose, point).position;
+  return {at.x, at.y, at.z};
+}
+
+TEST_F(DetectionPipelineTest, ZPointsIntoThePlatformOrOutOfIt) {
+  const DetectedObject into = after(3).objects.at(0);
+  config_.object_frame_z = "out";
+  const DetectedObject out = after(3).objects.at(0);
+  const cv::Vec3d z = placed(into, cv::Point3d(0, 0, 1)) - placed(into, cv::Point3d());
+  EXPECT_NEAR(z[2], 1, 1e-9) << "the camera looks along its z";
+  for (const auto& [one, other] : {std::pair(cv::Point3d(1, 0, 0), cv::Point3d(1, 0, 0)),
+                                   {cv::Point3d(0, 1, 0), cv::Point3d(0, -1, 0)},
+                                   {cv::Point3d(0, 0, 1), cv::Point3d(0, 0, -1)}})
+    EXPECT_LE(cv::norm(placed(into, one) - placed(out, other)), 1e-9);
+  EXPECT_EQ(into.grasp, out.grasp) << "the gripper does not turn with it";
+  EXPECT_EQ(into.pose.covariance, out.pose.covariance) << "about the axes of the array's frame";
+}
+
+TEST_F(DetectionPipelineTest, TheFootprintLiesOnThePlatform) {
+  for (const std::string z : {"into", "out"}) {
+    config_.object_frame_z = z;
+    const DetectedObject object = after(3).objects.at(0);
+    ASSERT_FALSE(object.footprint.points.empty());
+    std::vector<cv::Point2f> pixels;
+    for (const auto& corner : object.footprint.points) {
+      const cv::Vec3d at = placed(object, corner);
+      EXPECT_NEAR(at[2], 0.5, 1e-6) << z;
+      pixels.emplace_back(static_cast<float>(at[0] / 0.48 * 300 + 159.5),
+                          static_cast<float>(at[1] / 0.48 * 300 + 119.5));
+    }
+    const cv::Rect2f box = cv::boundingRect(pixels);
+    EXPECT_NEAR(box.x, 130, 1.5) << z;
+    EXPECT_NEAR(box.y, 80, 1.5) << z;
+    EXPECT_NEAR(box.width, 60, 2.5) << z;
+  }
+}
+
+TEST_F(DetectionPipelineTest, AnEmptyLibraryIsTold) {
+  ObjectLibrary(folder_.path()).remove("angle");
+  EXPECT_EQ(after(1).status, DetectedObjectArray::LIBRARY_EMPTY);
+}
+
+TEST(NoteAge, WhatBecameTooOldIsNoLongerConfirmed) {
+  DetectedObjectArray array;
+  array.header.stamp = ros::Time(100);
+  for (const double until : {100.5, 100.2}) {
+    DetectedObject object;
+    object.state = DetectedObject::CONFIRMED;
+    object.child_frame_id = "object_angle_0";
+    object.valid_until = ros::Time(until);
+    array.objects.push_back(object);
+  }
+  note_age(array, ros::Time(100.3));
+  EXPECT_NEAR(array.latency, 0.3, 1e-6);
+  EXPECT_EQ(array.objects[0].state, DetectedObject::CONFIRMED);
+  EXPECT_EQ(array.objects[0].child_frame_id, "object_angle_0");
+  EXPECT_EQ(array.objects[1].state, DetectedObject::NEW);
+  EXPECT_EQ(array.objects[1].child_frame_id, "");
+}
+
+}  // namespace
+}  // namespace mbncc::nodelets

@@ -1,0 +1,184 @@
+#include "nodelets/matching/live_matcher.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <opencv2/imgproc.hpp>
+
+#include "mbncc/error.hpp"
+#include "support/temporary_folder.hpp"
+
+namespace mbncc::nodelets {
+namespace {
+
+cv::Mat plate_picture(cv::Size size) {
+  cv::RNG random(7);
+  cv::Mat picture(size, CV_8UC3);
+  random.fill(picture, cv::RNG::UNIFORM, 0, 256);
+  cv::GaussianBlur(picture, picture, {0, 0}, 3);
+  return picture;
+}
+
+// A textured plate learned in a picture of its own.
+ObjectModel plate(const std::string& name, cv::Size picture_size) {
+  const cv::Mat picture = plate_picture(picture_size);
+  cv::Mat map = cv::Mat::zeros(picture_size, CV_8UC1);
+  cv::ellipse(map, {picture_size.width / 2, picture_size.height / 2}, {30, 20}, 0, 0, 360, 255, -1);
+  ObjectModel model;
+  model.name = name;
+  model.label = name;
+  model.views.push_back(
+      crop_view(picture, map, {picture_size.width / 2.0, picture_size.height / 2.0, 0}));
+  return model;
+}
+
+class LiveMatcherTest : public ::testing::Test {
+ protected:
+  void store(const ObjectModel& model) {
+    ObjectLibrary(folder_.path()).save(model, ObjectLibrary::Existing::kReplace);
+  }
+
+  test::TemporaryFolder folder_;
+  const cv::Mat picture_ = cv::Mat(120, 160, CV_8UC3, cv::Scalar::all(90));
+};
+
+TEST_F(LiveMatcherTest, SkipsObjectsOfOtherPictureSizesWithASentence) {
+  store(plate("here", {160, 120}));
+  store(plate("elsewhere", {320, 240}));
+  const LiveMatcher matcher({}, folder_.path());
+  const auto found = matcher.find(picture_, {}).result;
+  EXPECT_EQ(found.searched, std::vector<std::string>{"here"});
+  ASSERT_EQ(found.skipped.size(), 1u);
+  EXPECT_EQ(found.skipped.front(),
+            "elsewhere: learned in pictures of 320 x 240, this one is 160 x 120");
+}
+
+TEST_F(LiveMatcherTest, AnotherConfirmScoreHoldsForTheNextSearch) {
+  store(plate("here", {160, 120}));
+  LiveMatcher matcher({}, folder_.path());
+  const auto complains = [&] {
+    const auto found = matcher.find(plate_picture({160, 120}), {}).result.matches;
+    EXPECT_EQ(found.size(), 1u);
+    return !found.empty() && std::any_of(found[0].reasons.begin(), found[0].reasons.end(),
+                                         [](const std::string& reason) {
+                                           return reason.find("confirm_score") != std::string::npos;
+                                         });
+  };
+  EXPECT_FALSE(complains());
+  SearchConfig config;
+  config.confirm_score = 1;
+  EXPECT_TRUE(matcher.configure(config));
+  EXPECT_TRUE(complains());
+  EXPECT_TRUE(matcher.configure({}));
+  EXPECT_FALSE(complains());
+  EXPECT_FALSE(matcher.configure({}));
+}
+
+TEST_F(LiveMatcherTest, SearchesNothingWhenNoObjectFits) {
+  store(plate("elsewhere", {320, 240}));
+  const LiveMatcher matcher({}, folder_.path());
+  EXPECT_TRUE(matcher.find(picture_, {}).result.searched.empty());
+}
+
+TEST_F(LiveMatcherTest, SaysThatARequestedNameIsUnknown) {
+  store(plate("here", {160, 120}));
+  const LiveMatcher matcher({}, folder_.path());
+  SearchRequest request;
+  request.names = {"wrench"};
+  const auto found = matcher.find(picture_, request).result;
+  EXPECT_TRUE(found.searched.empty());
+  ASSERT_EQ(found.skipped.size(), 1u);
+  EXPECT_EQ(found.skipped.front().rfind("wrench", 0), 0u);
+}
+
+TEST_F(LiveMatcherTest, TakesOverChangesOfTheFolder) {
+  LiveMatcher matcher({}, folder_.path());
+  EXPECT_TRUE(matcher.library()->objects.empty());
+  store(plate("here", {160, 120}));
+  matcher.refresh(false);
+  EXPECT_EQ(matcher.library()->objects.size(), 1u);
+  EXPECT_EQ(matcher.find(picture_, {}).library, matcher.library());
+}
+
+TEST_F(LiveMatcherTest, EveryObjectHasItsTurnWhenTimeIsShort) {
+  for (const char* name : {"a", "b", "c"}) store(plate(name, {160, 120}));
+  SearchConfig config;
+  config.time_budget = 1e-9;
+  const LiveMatcher matcher(config, folder_.path());
+  std::vector<std::string> order;
+  for (int i = 0; i < 6; ++i) {
+    const auto found = matcher.find(picture_, {}).result;
+    ASSERT_EQ(found.searched.size(), 1u);
+    EXPECT_EQ(found.skipped.size(), 2u);
+    EXPECT_TRUE(found.budget_exceeded);
+    order.push_back(found.searched[0]);
+  }
+  EXPECT_EQ(order, (std::vector<std::string>{"a", "b", "c", "a", "b", "c"}));
+}
+
+TEST_F(LiveMatcherTest, LeavesDisabledObjectsAlone) {
+  ObjectModel model = plate("here", {160, 120});
+  model.enabled = false;
+  store(model);
+  const LiveMatcher matcher({}, folder_.path());
+  EXPECT_TRUE(matcher.find(picture_, {}).result.searched.empty());
+}
+
+// A map that the paper's matching cannot take: the others are searched, and it can be deleted.
+TEST_F(LiveMatcherTest, AnObjectThatCannotBePreparedStopsNoOther) {
+  store(plate("first", {160, 120}));
+  store(plate("second", {160, 120}));
+  SearchConfig config;
+  config.engine = "polar";
+  LiveMatcher matcher(config, folder_.path());
+  EXPECT_EQ(matcher.fault(), "");
+  ObjectModel beam = plate("beam", {6000, 120});
+  beam.views.front().map = cv::Mat(2, 6000, CV_8UC1, cv::Scalar(255));
+  beam.views.front().template_image = cv::Mat(2, 6000, CV_8UC3, cv::Scalar::all(80));
+  beam.views.front().origin = {};
+  store(beam);
+  ObjectLibrary(folder_.path()).remove("first");
+  matcher.refresh(false);
+  EXPECT_EQ(matcher.fault().rfind("beam cannot be searched for: it is too large", 0), 0u)
+      << matcher.fault();
+  const auto names = [](const SearchResult& result) { return result.searched; };
+  const auto found = matcher.find(picture_, {}).result;
+  EXPECT_EQ(names(found), std::vector<std::string>{"second"});
+  ASSERT_EQ(found.skipped.size(), 1u);
+  EXPECT_EQ(found.skipped.front().rfind("beam: cannot be searched for: ", 0), 0u);
+  VideoSearch video(VideoConfig{});
+  SearchRequest request;
+  request.names = {"beam", "second"};
+  const auto watched = matcher.watch(video, 1, picture_, request).result;
+  EXPECT_EQ(names(watched), std::vector<std::string>{"second"});
+  EXPECT_EQ(watched.skipped, found.skipped);
+  ObjectLibrary(folder_.path()).edit("second", [](ObjectModel& model) { model.enabled = false; });
+  ObjectLibrary(folder_.path()).remove("beam");
+  matcher.refresh(false);
+  EXPECT_EQ(matcher.fault(), "");
+  EXPECT_TRUE(names(matcher.find(picture_, {}).result).empty());
+}
+
+TEST_F(LiveMatcherTest, FindsNothingWhileTheLibraryCannotBeRead) {
+  store(plate("here", {160, 120}));
+  LiveMatcher matcher({}, folder_.path());
+  ASSERT_EQ(matcher.find(picture_, {}).result.searched.size(), 1u);
+  const std::string away = folder_.path() + ".away";
+  std::filesystem::rename(folder_.path(), away);
+  EXPECT_THROW(matcher.refresh(false), FileError);
+  EXPECT_EQ(matcher.fault().rfind("the library cannot be read: ", 0), 0u) << matcher.fault();
+  VideoSearch video(VideoConfig{});
+  for (const Found& found : {matcher.find(picture_, {}), matcher.watch(video, 1, picture_, {})}) {
+    EXPECT_TRUE(found.result.searched.empty());
+    ASSERT_EQ(found.result.skipped.size(), 1u);
+    EXPECT_EQ(found.result.skipped.front(), "here: " + matcher.fault());
+  }
+  std::filesystem::rename(away, folder_.path());
+  matcher.refresh(false);
+  EXPECT_EQ(matcher.fault(), "");
+  EXPECT_EQ(matcher.find(picture_, {}).result.searched.size(), 1u);
+}
+
+}  // namespace
+}  // namespace mbncc::nodelets

@@ -1,0 +1,55 @@
+#include "nodelets/matching/picture_wait.hpp"
+
+#include <gtest/gtest.h>
+
+#include <future>
+
+namespace mbncc::nodelets {
+namespace {
+
+constexpr double kPatience = 30;  // [s] never used up when all is well
+
+sensor_msgs::ImageConstPtr stamped(double stamp) {
+  const sensor_msgs::ImagePtr image(new sensor_msgs::Image);
+  image->header.stamp = ros::Time(stamp);
+  return image;
+}
+
+TEST(PictureWait, HandsOverThePictureAfterTheCall) {
+  PictureWait wait;
+  wait.enter();
+  auto call = std::async(std::launch::async, [&] { return wait.next(ros::Time(10), kPatience); });
+  wait.offer(stamped(9));
+  wait.offer(stamped(10));
+  wait.offer(stamped(11));
+  const auto image = call.get();
+  ASSERT_TRUE(image);
+  EXPECT_EQ(image->header.stamp, ros::Time(11));
+  EXPECT_TRUE(wait.wanted());
+  wait.leave();
+  EXPECT_FALSE(wait.wanted());
+}
+
+TEST(PictureWait, KeepsNoPictureWhileNobodyWaits) {
+  PictureWait wait;
+  wait.offer(stamped(11));
+  wait.enter();
+  EXPECT_FALSE(wait.next(ros::Time(10), 0));
+  wait.offer(stamped(11));
+  EXPECT_TRUE(wait.next(ros::Time(10), 0));
+  wait.leave();
+  wait.enter();
+  EXPECT_FALSE(wait.next(ros::Time(10), 0));
+}
+
+TEST(PictureWait, EndsWhenClosed) {
+  PictureWait wait;
+  wait.enter();
+  auto call = std::async(std::launch::async, [&] { return wait.next(ros::Time(10), kPatience); });
+  wait.close();
+  EXPECT_FALSE(call.get());
+  EXPECT_FALSE(wait.next(ros::Time(10), kPatience));
+}
+
+}  // namespace
+}  // namespace mbncc::nodelets

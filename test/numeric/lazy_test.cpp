@@ -1,0 +1,33 @@
+#include "numeric/lazy.hpp"
+
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <thread>
+#include <vector>
+
+namespace mbncc {
+namespace {
+
+TEST(Lazy, IsMadeOnceForAllCopiesAndThreads) {
+  std::atomic<int> made{0};
+  const Lazy<std::vector<int>> value([&made] {
+    ++made;
+    return std::vector<int>{1, 2, 3};
+  });
+  const Lazy<std::vector<int>> copy = value;
+  EXPECT_EQ(made, 0);
+  std::vector<std::thread> threads;
+  for (int i = 0; i < 4; ++i)
+    threads.emplace_back([&, i] { EXPECT_EQ((i % 2 == 0 ? value : copy)->size(), 3u); });
+  for (auto& thread : threads) thread.join();
+  EXPECT_EQ(made, 1);
+  EXPECT_EQ(&*value, &*copy);
+}
+
+TEST(Lazy, WithoutAMakerIsEmpty) {
+  EXPECT_TRUE(Lazy<std::vector<int>>()->empty());
+}
+
+}  // namespace
+}  // namespace mbncc

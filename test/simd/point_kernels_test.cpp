@@ -1,0 +1,123 @@
+#include "simd/point_kernels.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+#include <vector>
+
+namespace mbncc::kernels {
+namespace {
+
+constexpr int kRows = 37;
+
+/// Random points, partly outside of a random picture, at odd counts and row lengths.
+class PointKernels : public ::testing::TestWithParam<std::tuple<int, int>> {
+ protected:
+  PointKernels() : pixels_(static_cast<std::size_t>(kRows * step())) {
+    for (auto& pixel : pixels_) pixel = static_cast<std::uint8_t>(random_());
+    for (auto* places : {&x_, &y_}) *places = random_floats(-30, 30);
+    for (int i = 0; i < count(); ++i) {
+      const float angle = random_float(-3, 3);
+      normal_x_.push_back(std::cos(angle));
+      normal_y_.push_back(std::sin(angle));
+    }
+  }
+
+  int count() const { return std::get<0>(GetParam()); }
+  int columns() const { return std::get<1>(GetParam()); }
+  int step() const { return 3 * columns() + 1; }
+  Picture8 picture() const { return {pixels_.data(), step(), columns(), kRows}; }
+  Points points() const { return {x_.data(), y_.data(), count()}; }
+
+  float random_float(float low, float high) {
+    return std::uniform_real_distribution<float>(low, high)(random_);
+  }
+  std::vector<float> random_floats(float low, float high) {
+    std::vector<float> values(static_cast<std::size_t>(count()));
+    for (auto& value : values) value = random_float(low, high);
+    return values;
+  }
+  Placement random_placement() {
+    const float angle = random_float(-3, 3);
+    return {std::cos(angle), std::sin(angle), random_float(0, 40), random_float(0, 40)};
+  }
+
+  std::mt19937 random_{11};
+  std::vector<std::uint8_t> pixels_;
+  std::vector<float> x_, y_, normal_x_, normal_y_;
+};
+
+TEST_P(PointKernels, ColoursEqualReference) {
+  const Placement placement = random_placement();
+  std::vector<std::vector<float>> results;
+  for (const auto* table : {&point_reference(), &vectorised_points()}) {
+    std::vector<float> planes(static_cast<std::size_t>(4 * count()));
+    float* first = planes.data();
+    const Colours colours{first, first + count(), first + 2 * count(), first + 3 * count()};
+    table->sample_colours_at(picture(), points(), placement, colours);
+    results.push_back(planes);
+  }
+  EXPECT_EQ(results[0], results[1]);
+}
+
+TEST_P(PointKernels, NormalsEqualReference) {
+  const Placement placement = random_placement();
+  for (const int reach : {0, 1, 2}) {
+    std::vector<std::vector<float>> results;
+    for (const auto* table : {&point_reference(), &vectorised_points()}) {
+      std::vector<float> read(static_cast<std::size_t>(4 * count()));
+      float* first = read.data();
+      const NormalReadings readings{first, first + count(), first + 2 * count(),
+                                    first + 3 * count()};
+      table->read_along_normals_at(picture(), points(), normal_x_.data(), normal_y_.data(),
+                                   placement, reach, readings);
+      results.push_back(read);
+    }
+    EXPECT_EQ(results[0], results[1]) << "reach " << reach;
+  }
+}
+
+TEST_P(PointKernels, AgreementsEqualReference) {
+  const Placement placement = random_placement();
+  std::vector<float> expected(static_cast<std::size_t>(count())), actual = expected;
+  point_reference().edge_agreements_at(picture(), points(), normal_x_.data(), normal_y_.data(),
+                                       placement, expected.data());
+  vectorised_points().edge_agreements_at(picture(), points(), normal_x_.data(), normal_y_.data(),
+                                         placement, actual.data());
+  EXPECT_EQ(expected, actual);
+}
+
+TEST_P(PointKernels, ChromaEqualsReference) {
+  std::vector<float> logarithms(256);
+  for (std::size_t i = 0; i < logarithms.size(); ++i)
+    logarithms[i] = std::log(static_cast<float>(i) + 12);
+  const ChromaCells cells{logarithms.data(), 0.6f, 8};
+  const auto blue = random_floats(0, 255), green = random_floats(0, 255),
+             red = random_floats(0, 255);
+  std::vector<std::int32_t> expected(static_cast<std::size_t>(count())), actual = expected;
+  point_reference().chroma_cells_of(cells, blue.data(), green.data(), red.data(), count(),
+                                    expected.data());
+  vectorised_points().chroma_cells_of(cells, blue.data(), green.data(), red.data(), count(),
+                                      actual.data());
+  EXPECT_EQ(expected, actual);
+}
+
+TEST_P(PointKernels, CappedSquaresEqualReference) {
+  const auto model = random_floats(0, 255), sample = random_floats(0, 255);
+  auto inside = random_floats(0, 1);
+  for (auto& value : inside) value = std::round(value);
+  std::vector<float> expected(static_cast<std::size_t>(count()), 1.f), actual = expected;
+  point_reference().add_capped_squares_of(model.data(), sample.data(), inside.data(), {0.9f, 5.f},
+                                          3600.f, count(), expected.data());
+  vectorised_points().add_capped_squares_of(model.data(), sample.data(), inside.data(), {0.9f, 5.f},
+                                            3600.f, count(), actual.data());
+  EXPECT_EQ(expected, actual);
+}
+
+INSTANTIATE_TEST_SUITE_P(OddSizes, PointKernels,
+                         ::testing::Combine(::testing::Values(1, 7, 16, 63, 64, 65, 161),
+                                            ::testing::Values(16, 41, 64)));
+
+}  // namespace
+}  // namespace mbncc::kernels
