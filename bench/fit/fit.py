@@ -11,7 +11,7 @@ import sys
 
 import numpy as np
 
-NAMES = ["found", "gradient", "best_blocks", "histogram", "projected", "texture", "cast", "log_area", "outside", "one"]
+NAMES = ["found", "gradient", "best_blocks", "histogram", "projected", "texture", "cast_penalty", "log_area", "outside", "one"]
 OF_SMALL = ["one", "found", "gradient", "best_blocks", "histogram", "projected"]  # weights of their own
 LARGE_AREA, SMALL_AREA = 1800, 700  # as in evidence.cpp
 EDGES = [0.02, 0.15, 0.35, 0.65, 0.85, 0.98]  # of the ranges that the reliability is told in
@@ -22,7 +22,9 @@ def read_rows(path):
     """Features, what else the odds are made of, which are right, sets, and the weights that the rows were made with."""
     rows = list(csv.DictReader(open(path)))
     number = lambda name: np.array([float(row[name]) for row in rows])
-    features = {name: number(name) for name in NAMES[:7]}
+    features = {name: number(name) for name in NAMES[:6]}
+    cast = number("cast")
+    features["cast_penalty"] = np.where(cast > 0, 2 + 60 * cast**2, 0)  # as in evidence.cpp
     features["log_area"] = np.log(np.minimum(number("area"), LARGE_AREA))
     features["outside"], features["one"] = 1 - number("visible"), np.ones(len(rows))
     small = np.maximum(0, np.log(SMALL_AREA / number("area")))

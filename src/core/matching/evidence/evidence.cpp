@@ -13,6 +13,8 @@
 namespace mbncc {
 namespace {
 
+constexpr double kLargeArea = 1800;  // [px] beyond it size no longer guards against chance
+
 double gradient_agreement(const SurfaceTemplate& surface, const SurfaceSample& sample,
                           const cv::Mat& edges, const Pose2D& pose, double scale) {
   thread_local std::vector<float> agreements;
@@ -35,6 +37,48 @@ Evidence contour_evidence(const PoseTemplate& object, const PoseSample& sample) 
   return evidence;
 }
 
+/// What is read at a pose.
+struct Reading {
+  const PoseTemplate& object;
+  const SceneLevel& scene;
+  const Pose2D& pose;
+  double scale;
+};
+
+Evidence evidence_of(const Reading& reading, const PoseSample& sample,
+                     const std::vector<BlockSums>& blocks) {
+  constexpr double kNoise = 9;  // [grey^2]
+  const SurfaceTemplate& surface = reading.object.surface;
+  const SurfaceSample& seen = sample.surface;
+  const auto remainder = surface.remainder(seen);
+  const double residual = best_of(block_residuals(surface, seen, blocks));
+  Evidence evidence = contour_evidence(reading.object, sample);
+  evidence.gradient =
+      gradient_agreement(surface, seen, reading.scene.edges, reading.pose, reading.scale);
+  if (residual >= 0) evidence.best_blocks = std::log(residual + 3);
+  evidence.histogram = overlap(surface.histogram, chroma_histogram(seen.planes, seen.inside));
+  evidence.projected = surface.correlation(remainder, kNoise);
+  evidence.unexplained = std::log(std::sqrt(surface.unexplained(remainder)) + 2);
+  return evidence;
+}
+
+Evidence evidence_without(const ColourCast& cast, const Reading& reading, const PoseSample& sample,
+                          std::vector<BlockSums> blocks) {
+  thread_local PoseSample freed;
+  freed = sample;
+  take_out(cast, freed.surface);
+  take_out(cast, blocks);
+  Evidence evidence = evidence_of(reading, freed, blocks);
+  evidence.cast = cast.size();
+  return evidence;
+}
+
+/// Log-odds that a cast costs: 2 for the freedom, and as of a normal distribution of deviation .09.
+double cast_penalty(double cast) {
+  constexpr double kFreedom = 2, kSteepness = 60;
+  return cast > 0 ? kFreedom + kSteepness * cast * cast : 0;
+}
+
 }  // namespace
 
 Evidence gather_evidence(const PoseTemplate& object, const SceneLevel& scene, const Pose2D& pose,
@@ -46,38 +90,27 @@ Evidence gather_evidence(const PoseTemplate& object, const SceneLevel& scene, co
 
 Evidence gather_evidence(const PoseTemplate& object, const SceneLevel& scene, const Pose2D& pose,
                          const PoseSample& sample, double scale) {
-  constexpr double kNoise = 9;  // [grey^2]
-  Evidence evidence = contour_evidence(object, sample);
-  if (!sample.surface.suffices()) return evidence;
-  const SurfaceTemplate& surface = object.surface;
-  auto blocks = block_sums(surface, sample.surface);
+  constexpr double kLeastCast = 0.05;  // ln of the gains; less is noise
+  if (!sample.surface.suffices()) return contour_evidence(object, sample);
+  const Reading reading{object, scene, pose, scale};
+  const auto blocks = block_sums(object.surface, sample.surface);
   const ColourCast cast = bounded(local_cast(blocks).value_or(ColourCast{}));
-  thread_local SurfaceSample seen;
-  seen = sample.surface;
-  take_out(cast, seen);
-  take_out(cast, blocks);
-  const auto remainder = surface.remainder(seen);
-  const double residual = best_of(block_residuals(surface, seen, blocks));
-  evidence.cast = cast.size();
-  evidence.gradient = gradient_agreement(surface, seen, scene.edges, pose, scale);
-  if (residual >= 0) evidence.best_blocks = std::log(residual + 3);
-  evidence.histogram = overlap(surface.histogram, chroma_histogram(seen.planes, seen.inside));
-  evidence.projected = surface.correlation(remainder, kNoise);
-  evidence.unexplained = std::log(std::sqrt(surface.unexplained(remainder)) + 2);
-  return evidence;
+  const Evidence as_seen = evidence_of(reading, sample, blocks);
+  if (cast.size() < kLeastCast) return as_seen;
+  const Evidence without = evidence_without(cast, reading, sample, blocks);
+  return log_odds(without, kLargeArea) > log_odds(as_seen, kLargeArea) ? without : as_seen;
 }
 
 double log_odds(const Evidence& evidence, double area) {
   // Fitted by logistic regression to true and false poses in drawn scenes, the discount for clutter
   // (clutter.hpp) among the terms. Of what is hardly larger than its edge, the edge must be found
   // the more, and the gradients inside are those of the background.
-  constexpr double kLargeArea = 1800;  // [px] beyond it size no longer guards against chance
-  constexpr double kSmallArea = 700;   // [px] below it other weights hold
+  constexpr double kSmallArea = 700;  // [px] below it other weights hold
   const double small = std::max(0.0, std::log(kSmallArea / area));
   return 18.9 * evidence.found + 17.3 * evidence.gradient - 4.28 * evidence.best_blocks +
          6.68 * evidence.histogram + 9.35 * evidence.projected - 8.29 * evidence.texture +
          0.99 * std::log(std::min(area, kLargeArea)) - 16.5 * (1 - evidence.visible) -
-         5 * evidence.cast - 12.4 +
+         cast_penalty(evidence.cast) - 12.4 +
          small *
              (1.17 + 12.35 * evidence.found - 23.8 * evidence.gradient -
               4.32 * evidence.best_blocks - 4.09 * evidence.histogram + 6.23 * evidence.projected);

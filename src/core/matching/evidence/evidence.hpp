@@ -20,7 +20,7 @@ struct Evidence {
   double unexplained = kNoFit;  ///< ln(rms colour difference [grey levels] + 2) after a gain and
                                 ///< without shading and gloss
   double texture = 0;           ///< [0..1] of the object: a plain one has little to agree with
-  double cast = 0;     ///< size of the ColourCast, bounded, that the colours were freed from
+  double cast = 0;     ///< size of the ColourCast that the colours were freed from; 0: as seen
   double visible = 0;  ///< [0..1] part of the surface points inside the picture
 };
 

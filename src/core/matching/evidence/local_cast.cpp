@@ -67,11 +67,12 @@ ColourCast bounded(const ColourCast& cast) {
 }
 
 void take_out(const ColourCast& cast, SurfaceSample& sample) {
+  constexpr float kWhite = 255;
   const cv::Vec3d gains = cast.gains();
   for (int c = 0; c < SurfaceTemplate::kChannels; ++c) {
     const auto factor = static_cast<float>(1 / gains[c]);
-    for (auto& value : sample.planes[c]) value *= factor;
-    sample.means[c] *= factor;
+    for (auto& value : sample.planes[c]) value = std::min(kWhite, value * factor);
+    sample.means[c] = std::min<double>(kWhite, sample.means[c] * factor);
   }
 }
 

@@ -26,7 +26,7 @@ std::optional<ColourCast> local_cast(const std::vector<BlockSums>& blocks);
 /// The cast within bounds that light has beside its brightness: more is another colour.
 ColourCast bounded(const ColourCast& cast);
 
-/// As without the cast.
+/// As without the cast; colours stay in [0..255].
 void take_out(const ColourCast& cast, SurfaceSample& sample);
 void take_out(const ColourCast& cast, std::vector<BlockSums>& blocks);
 

@@ -1,0 +1,49 @@
+#include "matching/evidence/local_cast.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "matching/evidence/evidence.hpp"
+#include "matching/matcher_fixture.hpp"
+#include "matching/prepared/prepared_object.hpp"
+#include "matching/search/colour_cast.hpp"
+#include "matching/surface_sample.hpp"
+
+namespace mbncc {
+namespace {
+
+class LocalCastTest : public test::MatcherTest {
+ protected:
+  const PreparedObject object_{test::object_from(source_, reference_), Engine::kFast};
+  const PreparedView& view_ = object_.views.front();
+
+  /// Of the lesson itself, in light of another colour.
+  Evidence evidence_in(const ColourCast& light) const {
+    const cv::Mat picture = without_cast(source_.picture, {-light.blue, -light.red});
+    const Pose2D anchor{view_.anchor.x + object_.model->views.front().origin.x,
+                        view_.anchor.y + object_.model->views.front().origin.y, 0};
+    return gather_evidence(view_.fine, SceneLevel(picture, 0), anchor);
+  }
+};
+
+// The kernels look colours up in tables.
+TEST_F(LocalCastTest, ColoursWithoutItStayColours) {
+  SurfaceSample sample =
+      test::sample_of(view_.fine.surface, [](float, float, float) { return 250.f; });
+  take_out(ColourCast{-0.3, -0.3}, sample);
+  for (const auto& plane : sample.planes)
+    EXPECT_LE(*std::max_element(plane.begin(), plane.end()), 255);
+}
+
+TEST_F(LocalCastTest, IsTakenOutAtItsPrice) {
+  const Evidence plain = evidence_in({}), redder = evidence_in({-0.15, 0.15});
+  const double area = view_.shape.area();
+  EXPECT_EQ(plain.cast, 0) << "as seen where nothing else is likelier";
+  EXPECT_NEAR(redder.cast, 0.21, 0.03);
+  EXPECT_NEAR(redder.best_blocks, plain.best_blocks, 0.4);
+  EXPECT_LT(log_odds(redder, area), log_odds(plain, area) - 3);
+}
+
+}  // namespace
+}  // namespace mbncc
