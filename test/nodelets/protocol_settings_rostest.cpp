@@ -120,9 +120,11 @@ TEST_F(RunTimeSettings, TheRegionIsATopicToo) {
   roi.width = roi.height = 20;
   publisher.publish(roi);
   EXPECT_TRUE(comes_to([this] { return array_->objects.empty(); }));
-  std::string stored;
-  EXPECT_TRUE(ros::param::get("matching/search_roi", stored));
-  EXPECT_EQ(stored, "0,0,20,20");
+  // The parameter server is told a little later than the search.
+  EXPECT_TRUE(spin_until([] {
+    std::string stored;
+    return ros::param::get("matching/search_roi", stored) && stored == "0,0,20,20";
+  }));
   publisher.publish(sensor_msgs::RegionOfInterest());  // everywhere
   EXPECT_TRUE(comes_to([this] { return sees(DetectedObject::CONFIRMED); }));
 }
