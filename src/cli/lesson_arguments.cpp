@@ -1,8 +1,8 @@
 #include "cli/lesson_arguments.hpp"
 
 #include "cli/command.hpp"
-#include "cli/numbers.hpp"
 #include "cli/pictures.hpp"
+#include "cli/report/numbers.hpp"
 #include "mbncc/symmetry.hpp"
 
 namespace mbncc::cli {

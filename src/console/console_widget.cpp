@@ -6,16 +6,16 @@
 #include <algorithm>
 
 #include "console/calibration/calibration_pane.hpp"
-#include "console/detections_view.hpp"
+#include "console/detections/detections_view.hpp"
+#include "console/detections/lamp_row.hpp"
 #include "console/explain/explain_pane.hpp"
-#include "console/lamp_row.hpp"
+#include "console/lesson/lesson_bar.hpp"
 #include "console/lesson/object_name.hpp"
-#include "console/lesson_bar.hpp"
+#include "console/lesson/review_pane.hpp"
 #include "console/library/history_dialog.hpp"
 #include "console/library/library_files.hpp"
-#include "console/library_strip.hpp"
-#include "console/picture_view.hpp"
-#include "console/review_pane.hpp"
+#include "console/library/library_strip.hpp"
+#include "console/picture/picture_view.hpp"
 #include "console/thresholds/threshold_pane.hpp"
 #include "console/widgets.hpp"
 

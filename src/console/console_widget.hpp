@@ -3,11 +3,11 @@
 #pragma once
 
 #ifndef Q_MOC_RUN
-#include "console/lamps.hpp"
+#include "console/detections/lamps.hpp"
+#include "console/lesson/lesson_model.hpp"
 #include "console/lesson/teaching_wish.hpp"
-#include "console/lesson_model.hpp"
-#include "console/library_model.hpp"
-#include "console/live_picture.hpp"
+#include "console/library/library_model.hpp"
+#include "console/picture/live_picture.hpp"
 #include "console/ros_link.hpp"
 #endif
 

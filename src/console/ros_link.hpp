@@ -18,7 +18,7 @@
 #include <sensor_msgs/CameraInfo.h>
 #include <sensor_msgs/Image.h>
 
-#include "console/pictures.hpp"
+#include "console/picture/pictures.hpp"
 #include "console/thresholds/threshold_preview.hpp"
 #endif
 

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 #include <mbncc_vision/LearnObjectFeedback.h>
 
-#include "console/lesson_model.hpp"
+#include "console/lesson/lesson_model.hpp"
 
 namespace mbncc::console {
 

@@ -1,6 +1,6 @@
 #include "cli/explain/explanation_report.hpp"
 
-#include "cli/json_writer.hpp"
+#include "cli/report/json_writer.hpp"
 #include "mbncc/miss/saved_miss.hpp"
 
 namespace mbncc::cli {

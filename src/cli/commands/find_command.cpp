@@ -1,0 +1,116 @@
+#include <iostream>
+
+#include "cli/command.hpp"
+#include "cli/library_access.hpp"
+#include "cli/pictures.hpp"
+#include "cli/report/match_report.hpp"
+#include "cli/report/overlay_writer.hpp"
+#include "cli/settings.hpp"
+#include "cli/terminal/progress.hpp"
+#include "mbncc/error.hpp"
+#include "mbncc/matching/matcher.hpp"
+
+namespace mbncc::cli {
+namespace {
+
+// Options that are parameters by another name.
+void apply_options(const Arguments& arguments, SearchConfig& search) {
+  const auto rows = field_rows(search);
+  for (const auto& [option, key] :
+       {std::pair{"--min-score", "min_score"}, std::pair{"--max-instances", "max_instances"},
+        std::pair{"--threads", "threads"}, std::pair{"--engine", "engine"}})
+    if (arguments.has(option)) assign_field(rows, key, arguments.get(option));
+}
+
+SearchRequest request_from(const Arguments& arguments, const SearchConfig& search) {
+  SearchRequest request;
+  request.names = arguments.all("--name");
+  // A threshold asked for on the command line goes before the objects' own.
+  if (arguments.has("--min-score")) request.min_score = search.min_score;
+  return request;
+}
+
+std::unique_ptr<MatchReport> report_for(const Arguments& arguments) {
+  if (arguments.has("--csv")) return csv_report(std::cout);
+  if (arguments.has("--json")) return json_report(std::cout);
+  return plain_report(std::cout);
+}
+
+Matcher prepared_matcher(const Arguments& arguments, const SearchConfig& search) {
+  ObjectLibrary library = existing_library(arguments);
+  const auto snapshot = load_reporting(library);
+  if (snapshot->objects.empty())
+    throw std::runtime_error(library.folder() + ": the library has no objects; teach one first");
+  for (const auto& name : arguments.all("--name")) named_object(*snapshot, name);
+  Matcher matcher(search);
+  matcher.set_objects(snapshot->objects);
+  return matcher;
+}
+
+SearchResult searched(const Matcher& matcher, const std::string& image, const cv::Mat& picture,
+                      const SearchRequest& request) {
+  try {
+    return matcher.find(picture, request);
+  } catch (const std::invalid_argument& error) {
+    throw FileError(image, error.what());
+  }
+}
+
+void warn_of_skipped(const std::string& image, const SearchResult& result) {
+  for (const auto& reason : result.skipped)
+    std::cerr << "mbncc: warning: " << image << ": not searched for " << reason << '\n';
+}
+
+ExitCode run(const Arguments& arguments) {
+  arguments.at_most_one_of({"--csv", "--json"});
+  Settings settings = settings_from(arguments);
+  apply_options(arguments, settings.search());
+  const Matcher matcher = prepared_matcher(arguments, settings.search());
+  const SearchRequest request = request_from(arguments, settings.search());
+  OverlayWriter overlay(arguments.get("--overlay"));
+  const auto report = report_for(arguments);
+  ExitCode code = kDone;
+  // On a terminal the lines themselves tell how far it is.
+  Progress progress("searched", arguments.operands().size(), Progress::kQuietOutput);
+  for (const auto& image : arguments.operands()) {
+    try {
+      const cv::Mat picture = read_picture(image);
+      const SearchResult result = searched(matcher, image, picture, request);
+      warn_of_skipped(image, result);
+      report->add(image, picture.size(), result);
+      overlay.write(image, picture, result.matches);
+    } catch (const std::exception& error) {
+      std::cerr << "mbncc: " << error.what() << '\n';
+      code = kFailed;
+    }
+    progress.step();
+  }
+  report->finish();
+  if (arguments.has("--overlay"))
+    std::cerr << "mbncc: wrote the marked pictures to " << arguments.get("--overlay") << '\n';
+  return code;
+}
+
+}  // namespace
+
+Command find_command() {
+  return {
+      "find",
+      "find learned objects in pictures",
+      {library_option(),
+       {"--name", "NAME", "search for this object only", false, true},
+       {"--min-score", "S", "report detections of this score and above"},
+       {"--max-instances", "N", "detections per object and picture"},
+       {"--threads", "T", "worker threads"},
+       {"--engine", "fast|polar", "polar: the paper's matching, step by step"},
+       {"--csv", "", "print CSV"},
+       json_option(),
+       {"--overlay", "DIR", "write each picture with what was found drawn in"}},
+      "IMAGE",
+      "x and y are where the object's reference point lies, in pixels; theta is its rotation,\n"
+      "clockwise on screen. A picture that cannot be read gets a sentence on stderr, the others\n"
+      "are searched, and the exit code is 1.\n",
+      run};
+}
+
+}  // namespace mbncc::cli

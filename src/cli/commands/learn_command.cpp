@@ -1,0 +1,140 @@
+#include <iostream>
+#include <string>
+#include <utility>
+
+#include "cli/command.hpp"
+#include "cli/lesson_arguments.hpp"
+#include "cli/library_access.hpp"
+#include "cli/report/lesson_report.hpp"
+#include "cli/report/stage_writer.hpp"
+#include "cli/settings.hpp"
+#include "mbncc/error.hpp"
+#include "mbncc/learning/interactive_lesson.hpp"
+#include "mbncc/learning/lesson_storage.hpp"
+#include "mbncc/learning/resemblance.hpp"
+
+namespace mbncc::cli {
+namespace {
+
+Lesson read_lesson(const Arguments& arguments) {
+  try {
+    return lesson_from(arguments);
+  } catch (const FileError& error) {
+    throw Refusal(LearnError::kNoImage, std::string(error.what()) + ".",
+                  "Give PNG or JPEG pictures of 8 bits and at least 32 x 32 pixels.");
+  }
+}
+
+Storing storing_of(const Arguments& arguments) {
+  if (arguments.has("--add-view")) return Storing::kAddView;
+  return arguments.has("--overwrite") ? Storing::kReplace : Storing::kNew;
+}
+
+bool may_store(const LearnResult& result, const Arguments& arguments) {
+  return result.has_model && (result.error == LearnError::kSuccess || arguments.has("--allow-bad"));
+}
+
+ObjectModel store(ObjectLibrary& library, Storing storing, const ObjectModel& learned,
+                  const cv::Mat& picture, const SearchConfig& search) {
+  using Existing = ObjectLibrary::Existing;
+  try {
+    if (storing != Storing::kAddView)
+      return library.save(learned,
+                          storing == Storing::kReplace ? Existing::kReplace : Existing::kRefuse);
+    return library.edit(learned.name, [&](ObjectModel& stored) {
+      if (const auto refusal = add_view(stored, learned, picture, search)) throw *refusal;
+    });
+  } catch (const std::exception& failure) {
+    throw Refusal(failure);
+  }
+}
+
+// A corrected lesson is as good as its correction: without one there is nothing to be stored.
+LearnResult learn(const Lesson& lesson, const std::optional<LessonEdit>& edit, Settings& settings,
+                  const StageObserver& observer) {
+  InteractiveLesson learned(lesson, settings.lesson(), settings.search(), observer);
+  if (!edit || !learned.result().has_model) return learned.result();
+  return learned.edit(*edit, observer);
+}
+
+void learn_and_store(const Arguments& arguments, Settings& settings, LearnResult& result) {
+  const auto edit = edit_from(arguments);
+  const Lesson lesson = read_lesson(arguments);
+  StageWriter stages(arguments.get("--stages"));
+  ObjectLibrary library(library_folder(arguments));
+  const auto known = load_reporting(library);
+  const Storing storing = storing_of(arguments);
+  // Before the lesson, so that nobody waits for what cannot be stored.
+  if (const auto refusal = check_storing(lesson, storing, *known)) throw *refusal;
+  result = learn(lesson, edit, settings, stages.observer());
+  if (!may_store(result, arguments)) return;
+  note_resemblance(result.object, lesson.before, known->objects, settings.search());
+  result.object = store(library, storing, result.object, lesson.before, settings.search());
+  result.error = LearnError::kSuccess;
+}
+
+void refuse(const Refusal& refusal, LearnResult& result) {
+  result.error = refusal.error;
+  result.message = refusal.message;
+  result.hint = refusal.hint;
+}
+
+/// The core's hints name the fields of a goal; here these are options.
+std::string in_options(std::string hint) {
+  const std::pair<const char*, const char*> options[] = {
+      {"overwrite", "--overwrite"}, {"add_view", "--add-view"}, {"allow_bad", "--allow-bad"}};
+  for (const auto& [field, option] : options) {
+    const auto at = hint.find(field);
+    if (at != std::string::npos) hint.replace(at, std::string(field).size(), option);
+  }
+  return hint;
+}
+
+LearnResult result_of(const Arguments& arguments, Settings& settings) {
+  LearnResult result;
+  try {
+    learn_and_store(arguments, settings, result);
+  } catch (const Refusal& refusal) {
+    refuse(refusal, result);
+  } catch (const FileError& failure) {
+    refuse(Refusal(failure), result);
+  }
+  result.object.name = arguments.get("--name");
+  result.hint = in_options(result.hint);
+  return result;
+}
+
+ExitCode run(const Arguments& arguments) {
+  check_lesson_arguments(arguments);
+  Settings settings = settings_from(arguments);
+  if (arguments.has("--method"))
+    assign_field(field_rows(settings.lesson()), "method", arguments.get("--method"));
+  const LearnResult result = result_of(arguments, settings);
+  if (arguments.has("--json")) write_lesson(std::cout, result);
+  if (arguments.has("--stages"))
+    std::cerr << "mbncc: wrote the steps to " << arguments.get("--stages") << '\n';
+  if (result.error == LearnError::kSuccess) {
+    if (!arguments.has("--json")) print_lesson(std::cout, result);
+    return kDone;
+  }
+  std::cerr << "mbncc: '" << result.object.name << "' was not stored: " << result.message << ' '
+            << result.hint << '\n';
+  return kFailed;
+}
+
+}  // namespace
+
+Command learn_command() {
+  return {
+      "learn",
+      "learn an object from pictures and store it",
+      lesson_options(),
+      "",
+      "Where the object is, is said by --after (a second picture without it), --roi, --click,\n"
+      "or --map. Strokes by --include and --exclude correct the outline that was found.\n"
+      "A verdict GOOD or MARGINAL is stored, BAD only with --allow-bad; --map is never refused\n"
+      "for quality. Stored revisions that are replaced go to DIR/.trash.\n",
+      run};
+}
+
+}  // namespace mbncc::cli

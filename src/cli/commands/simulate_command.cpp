@@ -1,0 +1,109 @@
+#include <cstdio>
+#include <fstream>
+#include <iostream>
+
+#include "cli/command.hpp"
+#include "cli/pictures.hpp"
+#include "cli/report/numbers.hpp"
+#include "cli/settings.hpp"
+#include "cli/terminal/progress.hpp"
+#include "mbncc/error.hpp"
+#include "mbncc/sim/cell_config.hpp"
+
+namespace mbncc::cli {
+namespace {
+
+/// Plays the story until the arm is out of the picture.
+void play_to_rest(sim::CellScript& script) {
+  while (!script.at_rest()) script.step();
+}
+
+std::string picture_name(int index) {
+  char name[32];
+  std::snprintf(name, sizeof name, "target_%03d.png", index);
+  return name;
+}
+
+/// A simulated cell that writes what its camera sees.
+class RecordedCell {
+ public:
+  RecordedCell(std::string folder, const SimulatedCameraConfig& config)
+      : folder_(std::move(folder)),
+        scene_(sim::scene_config(config)),
+        script_(sim::script_config(config)) {}
+
+  sim::CellScript& script() { return script_; }
+
+  void write(const std::string& name) {
+    play_to_rest(script_);
+    write_picture(folder_ + "/" + name, scene_.render(script_.frame().placed, pictures_++));
+  }
+
+ private:
+  std::string folder_;
+  sim::Scene scene_;
+  sim::CellScript script_;
+  std::uint64_t pictures_ = 0;
+};
+
+void write_lesson(RecordedCell& cell) {
+  cell.write("before.png");
+  cell.script().take_away();
+  cell.write("after.png");
+}
+
+void write_targets(RecordedCell& cell, int count, std::ostream& truth) {
+  truth << "image,x,y,theta_deg\n";
+  Progress progress("drawn", static_cast<std::size_t>(count));
+  for (int i = 0; i < count; ++i) {
+    cell.script().put_next();
+    cell.write(picture_name(i));
+    const Pose2D pose = *cell.script().frame().truth;
+    truth << picture_name(i) << ',' << pose.x << ',' << pose.y << ',' << to_degrees(pose.theta)
+          << '\n';
+    progress.step();
+  }
+}
+
+/// The story moves only when told to, and one seed draws all of it.
+SimulatedCameraConfig cell_of(const Arguments& arguments) {
+  SimulatedCameraConfig config = simulated_camera_from(arguments);
+  config.auto_play = false;
+  if (arguments.has("--seed"))
+    config.seed = config.object_seed = parse_whole("--seed", arguments.get("--seed"), 1);
+  return config;
+}
+
+ExitCode run(const Arguments& arguments) {
+  const std::string folder = arguments.get("--out");
+  const int count = parse_whole("--count", arguments.get("--count", "5"), 1);
+  const SimulatedCameraConfig config = cell_of(arguments);
+  make_output_folder(folder);
+  RecordedCell cell(folder, config);
+  write_lesson(cell);
+  const std::string truth_path = folder + "/truth.csv";
+  std::ofstream truth(truth_path);
+  write_targets(cell, count, truth);
+  if (!truth.flush()) throw FileError(truth_path, "cannot be written; check space and permissions");
+  std::cerr << "mbncc: wrote before.png, after.png, " << count << " targets and truth.csv to "
+            << folder << '\n';
+  return kDone;
+}
+
+}  // namespace
+
+Command simulate_command() {
+  return {
+      "simulate",
+      "write pictures of the simulated cell, to try the tool without a camera",
+      {{"--out", "DIR", "folder for the pictures", true},
+       {"--seed", "N", "draws platform, object and poses (1)"},
+       {"--count", "N", "pictures to search (5)"}},
+      "",
+      "before.png and after.png teach the object, target_*.png show it elsewhere, truth.csv tells\n"
+      "where: the centroid of its outline and its angle against before.png. Of the simulated\n"
+      "camera's parameters, those of picture, object, neighbours, noise and light count.\n",
+      run};
+}
+
+}  // namespace mbncc::cli

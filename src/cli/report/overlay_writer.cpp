@@ -1,0 +1,24 @@
+#include "cli/report/overlay_writer.hpp"
+
+#include <filesystem>
+
+#include "cli/pictures.hpp"
+#include "mbncc/matching/overlay.hpp"
+
+namespace mbncc::cli {
+
+OverlayWriter::OverlayWriter(std::string folder) : folder_(std::move(folder)) {
+  if (!folder_.empty()) make_output_folder(folder_);
+}
+
+void OverlayWriter::write(const std::string& image, const cv::Mat& picture,
+                          const std::vector<Match>& matches) {
+  if (folder_.empty()) return;
+  const std::string stem = folder_ + "/" + std::filesystem::path(image).stem().string();
+  std::string path = stem + "_overlay.png";
+  for (int i = 2; !written_.insert(path).second; ++i)
+    path = stem + "_" + std::to_string(i) + "_overlay.png";
+  write_picture(path, draw_matches(picture, matches));
+}
+
+}  // namespace mbncc::cli

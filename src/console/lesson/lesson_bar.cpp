@@ -1,0 +1,146 @@
+#include "console/lesson/lesson_bar.hpp"
+
+#include <QHBoxLayout>
+#include <QVBoxLayout>
+
+#include "console/lesson/object_name.hpp"
+#include "console/widgets.hpp"
+
+namespace mbncc::console {
+namespace {
+
+constexpr int kWholeBar = 100;
+
+QLabel* make_label(const QString& text, int points, bool bold) {
+  auto* label = new QLabel(text);
+  QFont font = label->font();
+  font.setPointSize(points);
+  font.setBold(bold);
+  label->setFont(font);
+  return label;
+}
+
+}  // namespace
+
+LessonBar::LessonBar(QWidget* parent)
+    : QWidget(parent),
+      name_(new QLineEdit),
+      height_(new QDoubleSpinBox),
+      symmetry_(make_symmetry_box("At which angles the object counts as the same")),
+      teach_(make_button("&Teach", "Begin a lesson: then take the object away", this,
+                         "Alt+T, or Enter in the name")),
+      cancel_(make_button("&Cancel", "End the lesson; nothing is stored", this, "Alt+C")),
+      mark_(make_button("&Mark grasp", "Keep where the gripper holds the object", this)),
+      headline_(make_label("", 17, true)),
+      detail_(make_label("", 10, false)),
+      time_left_(make_label("", 11, false)),
+      progress_(new QProgressBar),
+      choices_(new ChoiceRow) {
+  name_->setPlaceholderText("name (or leave empty)");
+  name_window(name_, "name");
+  height_->setRange(0, 1000);
+  height_->setSuffix(" mm high");
+  height_->setDecimals(1);
+  detail_->setWordWrap(true);
+  // Two lines, so that nothing below moves; longer sentences are in the tip.
+  detail_->setFixedHeight(2 * detail_->fontMetrics().lineSpacing() + 4);
+  // A long name must not push the buttons beside it off the screen.
+  headline_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
+  detail_->setAlignment(Qt::AlignTop | Qt::AlignLeft);
+  progress_->setRange(0, kWholeBar);
+  progress_->setTextVisible(false);
+  progress_->setMaximumHeight(6);
+  QFont bold = teach_->font();
+  bold.setBold(true);
+  teach_->setFont(bold);
+
+  auto* row = new QHBoxLayout;
+  row->addWidget(name_, 2);
+  row->addWidget(height_);
+  row->addWidget(symmetry_);
+  for (auto* button : {teach_, cancel_, mark_}) row->addWidget(button);
+  auto* headline_row = new QHBoxLayout;
+  headline_row->addWidget(headline_, 1);
+  headline_row->addWidget(choices_);
+  headline_row->addWidget(time_left_);
+  auto* all = new QVBoxLayout(this);
+  all->setContentsMargins(0, 0, 0, 0);
+  all->addLayout(row);
+  all->setSpacing(3);
+  all->addLayout(headline_row);
+  all->addWidget(progress_);
+  all->addWidget(detail_);
+
+  connect(name_, &QLineEdit::textEdited, this, &LessonBar::tidy_name);
+  connect(name_, &QLineEdit::returnPressed, teach_, &QPushButton::click);
+  connect(teach_, &QPushButton::clicked, this, &LessonBar::teach_wanted);
+  connect(cancel_, &QPushButton::clicked, this, &LessonBar::cancel_wanted);
+  connect(mark_, &QPushButton::clicked, this, &LessonBar::mark_wanted);
+}
+
+void LessonBar::tidy_name(const QString& typed) {
+  const TypedName tidy = usable_name(typed.toStdString());
+  const QString name = QString::fromStdString(tidy.name);
+  if (name != typed) {
+    const int at = name_->cursorPosition() - (typed.size() - name.size());
+    name_->setText(name);
+    name_->setCursorPosition(at);
+  }
+  if (!tidy.complaint.empty()) say({Level::kDoubtful, tidy.complaint}, now_);
+  Q_EMIT name_edited();
+}
+
+void LessonBar::set_name(const std::string& name) {
+  name_->setText(QString::fromStdString(name));
+}
+
+void LessonBar::allow_marks(bool allowed, const QString& reason) {
+  marks_allowed_ = allowed;
+  mark_->setToolTip(allowed ? "Keep where the gripper holds the object" : reason);
+}
+
+void LessonBar::clear_name() {
+  name_->clear();
+  choose_symmetry(symmetry_, mbncc_vision::LearnObjectGoal::SYMMETRY_AUTO);
+}
+
+void LessonBar::say(const Notice::Line& line, double now) {
+  notice_.post(line, now);
+  show_detail(line);
+}
+
+void LessonBar::show_lesson(const LessonModel& lesson, double now) {
+  now_ = now;
+  teach_->setEnabled(lesson.may_teach());
+  cancel_->setEnabled(lesson.may_cancel());
+  mark_->setEnabled(marks_allowed_ && lesson.phase() != LessonModel::Phase::kNoServer);
+  const QString headline = QString::fromStdString(lesson.headline());
+  headline_->setText(
+      headline_->fontMetrics().elidedText(headline, Qt::ElideMiddle, headline_->width()));
+  headline_->setToolTip(headline);
+  show_detail(notice_.over({lesson.level(), lesson.detail()}, now));
+  time_left_->setText(QString::fromStdString(lesson.time_left(now)));
+  progress_->setValue(static_cast<int>(kWholeBar * lesson.progress()));
+}
+
+void LessonBar::show_detail(const Notice::Line& line) {
+  detail_->setText(QString::fromStdString(line.text));
+  detail_->setToolTip(detail_->text());
+  const bool alarming = line.level == Level::kBad || line.level == Level::kDoubtful;
+  detail_->setStyleSheet(
+      alarming ? QString("background: %1; color: %2; font-weight: bold; padding: 0px 6px")
+                     .arg(colour_of(line.level), ink_on(line.level))
+               : "");
+}
+
+mbncc_vision::LearnObjectGoal LessonBar::goal() const {
+  mbncc_vision::LearnObjectGoal goal;
+  goal.name = name_->text().toStdString();
+  goal.object_height = height_->value() / 1000;
+  goal.symmetry = chosen_symmetry(symmetry_);
+  goal.confirm = true;
+  goal.allow_bad = true;  // after a question of its own
+  return goal;
+}
+
+}  // namespace mbncc::console

@@ -1,0 +1,65 @@
+// Name, height, Teach; what to do now, how far the lesson is and how long it may still take.
+#pragma once
+
+#ifndef Q_MOC_RUN
+#include <mbncc_vision/LearnObjectGoal.h>
+
+#include "console/lesson/choice_row.hpp"
+#include "console/lesson/lesson_model.hpp"
+#include "console/notice.hpp"
+#endif
+
+#include <QComboBox>
+#include <QDoubleSpinBox>
+#include <QLabel>
+#include <QLineEdit>
+#include <QProgressBar>
+#include <QPushButton>
+#include <QWidget>
+
+namespace mbncc::console {
+
+class LessonBar : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit LessonBar(QWidget* parent = nullptr);
+
+  void show_lesson(const LessonModel& lesson, double now);
+  mbncc_vision::LearnObjectGoal goal() const;
+  void set_name(const std::string& name);
+  /// Whether Mark grasp can be followed; `reason`: why not.
+  void allow_marks(bool allowed, const QString& reason);
+  ChoiceRow& choices() { return *choices_; }
+  /// What was said beside the lesson is out of date.
+  void clear_notice() { notice_.clear(); }
+  /// The name has been used up, and what was declared of its object.
+  void clear_name();
+  /// Something beside the lesson, such as the library's refusal; takes the place of the lesson's
+  /// own sentence for a while.
+  void say(const Notice::Line& line, double now);
+
+ Q_SIGNALS:
+  void teach_wanted();
+  void cancel_wanted();
+  void mark_wanted();
+  /// The operator writes another name.
+  void name_edited();
+
+ private:
+  void show_detail(const Notice::Line& line);
+  void tidy_name(const QString& typed);
+
+  Notice notice_;
+  QLineEdit* name_;
+  QDoubleSpinBox* height_;
+  QComboBox* symmetry_;
+  QPushButton *teach_, *cancel_, *mark_;
+  QLabel *headline_, *detail_, *time_left_;
+  QProgressBar* progress_;
+  ChoiceRow* choices_;
+  bool marks_allowed_ = false;
+  double now_ = 0;
+};
+
+}  // namespace mbncc::console

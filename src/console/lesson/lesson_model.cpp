@@ -1,0 +1,225 @@
+#include "console/lesson/lesson_model.hpp"
+
+#include <mbncc_vision/LearnObjectFeedback.h>
+
+#include <algorithm>
+#include <utility>
+
+namespace mbncc::console {
+namespace {
+
+using actionlib_msgs::GoalStatus;
+using Feedback = mbncc_vision::LearnObjectFeedback;
+using Result = mbncc_vision::LearnObjectResult;
+
+bool is_alive(const GoalStatus& goal) {
+  switch (goal.status) {
+    case GoalStatus::PENDING:
+    case GoalStatus::ACTIVE:
+    case GoalStatus::PREEMPTING:
+    case GoalStatus::RECALLING:
+      return true;
+    default:
+      return false;
+  }
+}
+
+Level level_of_end(const Result& result) {
+  if (result.error_code == Result::SUCCESS) return level_of_verdict(result.object.quality.verdict);
+  const bool wanted =
+      result.error_code == Result::REJECTED_BY_OPERATOR || result.error_code == Result::CANCELLED;
+  return wanted ? Level::kUnknown : Level::kBad;
+}
+
+}  // namespace
+
+Result outcome_of(const mbncc_vision::LearnObjectActionResult& result) {
+  Result outcome = result.result;
+  if (outcome.error_code != Result::SUCCESS ||
+      result.status.status == actionlib_msgs::GoalStatus::SUCCEEDED)
+    return outcome;
+  outcome.error_code = Result::CANCELLED;
+  outcome.message = "The lesson was called off before it began.";
+  outcome.hint = "Teach again; when this goes on, compare the machines' clocks.";
+  return outcome;
+}
+
+bool LessonModel::under_way() const {
+  return phase_ == Phase::kRunning || phase_ == Phase::kReview || phase_ == Phase::kDeciding;
+}
+
+void LessonModel::take_status(const actionlib_msgs::GoalStatusArray& status, double now) {
+  heard_ = now;
+  if (phase_ == Phase::kNoServer)
+    end("Ready", "Put the object on the platform, keep still, press Teach.", Level::kGood);
+  const auto alive = std::find_if(status.status_list.begin(), status.status_list.end(), is_alive);
+  if (alive != status.status_list.end()) {
+    // A lesson that somebody else began, or this window before it was closed.
+    if (!under_way()) {
+      join(alive->goal_id.id, now);
+      detail_ = "A lesson is running.";
+    }
+    goal_seen_ = now;
+  } else if (under_way() && now - goal_seen_ > kSilence) {
+    end("The lesson was lost", "The learning nodelet was started anew. Press Teach again.",
+        Level::kBad);
+  }
+}
+
+void LessonModel::take_feedback(const mbncc_vision::LearnObjectActionFeedback& feedback,
+                                double now) {
+  if (!under_way()) join(feedback.status.goal_id.id, now);
+  heard_ = goal_seen_ = now;
+  stage_ = feedback.feedback.stage;
+  const double remaining = feedback.feedback.remaining.toSec();
+  deadline_ = remaining > 0 ? now + remaining : -1;
+  const bool asked = stage_ == Feedback::WAIT_CONFIRM;
+  const bool again = asked && (phase_ == Phase::kReview || phase_ == Phase::kDeciding) &&
+                     feedback.feedback.message == question_;
+  if (again) return;
+  question_ = asked ? feedback.feedback.message : "";
+  // What was heard before is the draft of a lesson before, unless this one was joined in review.
+  if (std::exchange(unheard_, false) && !asked) {
+    newest_draft_.reset();
+    corrections_ = 0;
+  }
+  progress_ = feedback.feedback.progress;
+  detail_ = feedback.feedback.message;
+  level_ = Level::kUnknown;
+  phase_ = asked ? Phase::kReview : Phase::kRunning;
+  if (asked && !draft_) show_draft(newest_draft_);
+}
+
+void LessonModel::take_draft(const Result& draft) {
+  newest_draft_ = draft;
+  acceptable_ = draft.error_code == Result::SUCCESS;
+  insisted_ = false;
+  // A correction passes through the stages again before the operator is asked anew.
+  if (draft_ || phase_ == Phase::kReview) show_draft(newest_draft_);
+}
+
+void LessonModel::take_result(const mbncc_vision::LearnObjectActionResult& result, double now) {
+  heard_ = now;
+  if (under_way() && result.status.goal_id.id != goal_) return;
+  const Result outcome = outcome_of(result);
+  const bool stored = outcome.error_code == Result::SUCCESS;
+  end(stored ? "Learned '" + outcome.object.name + "'" : "Nothing was stored",
+      stored || outcome.hint.empty() ? outcome.message : outcome.message + " " + outcome.hint,
+      level_of_end(outcome));
+}
+
+void LessonModel::begin(const std::string& goal, double now) {
+  newest_draft_.reset();  // of another lesson
+  join(goal, now);
+  corrections_ = 0;
+}
+
+void LessonModel::join(const std::string& goal, double now) {
+  phase_ = Phase::kRunning;
+  question_.clear();
+  goal_ = goal;
+  stage_ = Feedback::WAIT_IMAGE;
+  progress_ = 0;
+  deadline_ = -1;
+  goal_seen_ = now;
+  unheard_ = true;
+  corrections_ = -1;
+  words_.clear();
+  asked_.reset();
+  detail_ = "Asking for a lesson.";
+  level_ = Level::kUnknown;
+  show_draft({});
+}
+
+void LessonModel::show_draft(const std::optional<Result>& draft) {
+  draft_ = draft;
+  ++draft_number_;
+}
+
+void LessonModel::want(const Word& word) {
+  if (!may_correct()) return;
+  const bool correction = word.command == Word::EDIT || word.command == Word::UNDO;
+  // Accept and Reject mean what is seen, so they wait for nothing.
+  if (correction || phase_ == Phase::kReview) words_.push_back(word);
+}
+
+std::optional<LessonModel::Word> LessonModel::next_word() {
+  if (phase_ != Phase::kReview || words_.empty() || asked_) return {};
+  asked_ = words_.front();
+  words_.pop_front();
+  phase_ = Phase::kDeciding;
+  detail_ = "Working on it.";
+  return asked_;
+}
+
+std::deque<LessonModel::Word> LessonModel::waiting() const {
+  std::deque<Word> drawn = words_;
+  if (asked_) drawn.push_front(*asked_);
+  return drawn;
+}
+
+void LessonModel::take_answer(bool success, const std::string& message) {
+  if (!under_way()) return;
+  count_corrections(success);
+  asked_.reset();
+  if (phase_ != Phase::kDeciding && phase_ != Phase::kReview) return;
+  phase_ = Phase::kReview;
+  level_ = success ? Level::kUnknown : Level::kBad;
+  if (!success) detail_ = message;
+}
+
+void LessonModel::count_corrections(bool success) {
+  if (!asked_) return;
+  if (asked_->command == Word::EDIT && success && corrections_ >= 0) ++corrections_;
+  if (asked_->command != Word::UNDO) return;
+  // The server refuses when there is nothing to take back.
+  if (!success) corrections_ = 0;
+  if (success && corrections_ > 0) --corrections_;
+}
+
+void LessonModel::look_at_clock(double now) {
+  if (phase_ == Phase::kNoServer || now - heard_ <= kSilence) return;
+  const bool lost = under_way();
+  end("The learning nodelet is gone",
+      lost ? "The lesson is lost. This window goes on by itself once the nodelet is back."
+           : "This window goes on by itself once the nodelet is back.",
+      Level::kBad);
+  phase_ = Phase::kNoServer;
+}
+
+bool LessonModel::waits_for_scene() const {
+  return phase_ == Phase::kRunning &&
+         (stage_ == Feedback::WAIT_REMOVAL || stage_ == Feedback::WAIT_STILL);
+}
+
+std::string LessonModel::headline() const {
+  if (!camera_alive_ && (phase_ == Phase::kReady || stage_ == Feedback::WAIT_IMAGE) &&
+      phase_ != Phase::kNoServer)
+    return "No picture from the camera";
+  return under_way() ? headline_of(stage_) : headline_;
+}
+
+std::string LessonModel::detail() const {
+  if (!camera_alive_ && phase_ == Phase::kReady)
+    return detail_ + " No picture arrives: check the camera's cable and driver before you teach.";
+  return detail_;
+}
+
+std::string LessonModel::time_left(double now) const {
+  return under_way() && deadline_ >= 0 ? console::time_left(std::max(0.0, deadline_ - now)) : "";
+}
+
+void LessonModel::end(const std::string& headline, const std::string& detail, Level level) {
+  phase_ = Phase::kReady;
+  headline_ = headline;
+  detail_ = detail;
+  level_ = level;
+  progress_ = 0;
+  deadline_ = -1;
+  show_draft({});
+  insisted_ = false;
+  words_.clear();
+  asked_.reset();
+}
+
+}  // namespace mbncc::console

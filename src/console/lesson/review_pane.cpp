@@ -1,0 +1,197 @@
+#include "console/lesson/review_pane.hpp"
+
+#include <mbncc_vision/ConfirmLearning.h>
+
+#include <QGridLayout>
+#include <QHBoxLayout>
+#include <QScrollArea>
+#include <QVBoxLayout>
+
+#include "console/picture/pictures.hpp"
+#include "console/ros_link.hpp"
+#include "console/widgets.hpp"
+
+namespace mbncc::console {
+namespace {
+
+using Request = mbncc_vision::ConfirmLearning::Request;
+
+constexpr QSize kTemplate(130, 130), kScoreMap(320, 130);
+
+QLabel* make_picture(QSize size, const QString& tip) {
+  auto* label = new QLabel;
+  label->setFixedSize(size);
+  label->setAlignment(Qt::AlignCenter);
+  label->setStyleSheet("background: #303030; color: #c0c0c0");
+  label->setToolTip(tip);
+  return label;
+}
+
+void show_in(QLabel* label, const QImage& picture) {
+  if (picture.isNull()) return;
+  label->setPixmap(QPixmap::fromImage(
+      picture.scaled(label->size(), Qt::KeepAspectRatio, Qt::SmoothTransformation)));
+}
+
+QString reasons_of(const mbncc_vision::LearnQuality& quality) {
+  if (quality.advice.empty()) return "Nothing to complain about.";
+  QString text;
+  for (const auto& advice : quality.advice)
+    text += QString::fromUtf8("\u2022 ") + QString::fromStdString(advice) + "\n";
+  return text.trimmed();
+}
+
+QString numbers_of(const mbncc_vision::LearnQuality& quality) {
+  return QString("Finds itself: %1\nNext best place: %2\nOn edges: %3 %\nArea: %4 px\u00b2")
+      .arg(quality.self_score, 0, 'f', 2)
+      .arg(quality.runner_up, 0, 'f', 2)
+      .arg(100 * quality.edge_agreement, 0, 'f', 0)
+      .arg(static_cast<int>(quality.area));
+}
+
+/// Much advice scrolls: labels that get too little height paint over their neighbours.
+QScrollArea* make_scrollable(QLabel* text) {
+  auto* area = new QScrollArea;
+  area->setFrameShape(QFrame::NoFrame);
+  area->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  area->setWidgetResizable(true);
+  area->setWidget(text);
+  return area;
+}
+
+}  // namespace
+
+ReviewPane::ReviewPane(QWidget* parent)
+    : QWidget(parent),
+      verdict_(new QLabel),
+      numbers_(new QLabel),
+      reasons_(new QLabel),
+      template_(make_picture(kTemplate, "What was learned; the checkerboard is not part of it")),
+      score_map_(make_picture(
+          kScoreMap,
+          "Where the picture resembles the object at a first look (yellow: much):\nring = the "
+          "object, square = the next best place. The scores above judge all.")),
+      insist_(new QCheckBox("I have checked it: store it although BAD")),
+      accept_(make_button("&Accept", "Store the object", this, "Alt+A or Ctrl+Enter")),
+      reject_(make_button("&Reject", "End the lesson; nothing is stored", this, "Alt+R")),
+      undo_(make_button("&Undo mark", "Take the last correction back", this, "Ctrl+Z")),
+      tools_(new QButtonGroup(this)),
+      width_(new QSlider(Qt::Horizontal)) {
+  QFont large = verdict_->font();
+  large.setPointSize(15);
+  verdict_->setFont(large);
+  for (auto* text : {numbers_, reasons_}) text->setWordWrap(true);
+  reasons_->setAlignment(Qt::AlignTop);
+  QFont bold = accept_->font();
+  bold.setBold(true);
+  for (auto* button : {accept_, reject_}) {
+    button->setFont(bold);
+    button->setMinimumHeight(34);
+  }
+  QSizePolicy keeps_its_place = insist_->sizePolicy();
+  keeps_its_place.setRetainSizeWhenHidden(true);
+  insist_->setSizePolicy(keeps_its_place);
+  lay_out();
+
+  name_window(insist_, "insist");
+  connect(insist_, &QCheckBox::clicked, this, &ReviewPane::insisted);
+  connect(accept_, &QPushButton::clicked, [this] { Q_EMIT decided(Request::ACCEPT); });
+  connect(reject_, &QPushButton::clicked, [this] { Q_EMIT decided(Request::REJECT); });
+  connect(undo_, &QPushButton::clicked, [this] { Q_EMIT decided(Request::UNDO); });
+}
+
+void ReviewPane::lay_out() {
+  auto* pictures = new QHBoxLayout;
+  pictures->addWidget(template_);
+  pictures->addWidget(numbers_, 1);
+  auto* word = new QHBoxLayout;
+  word->addWidget(accept_);
+  word->addWidget(reject_);
+  auto* all = new QVBoxLayout(this);
+  all->setContentsMargins(0, 0, 0, 0);
+  all->addWidget(verdict_);
+  all->addLayout(pictures);
+  all->addWidget(score_map_);
+  all->addWidget(make_scrollable(reasons_), 1);
+  all->addWidget(make_tools());
+  all->addWidget(insist_);
+  all->addLayout(word);
+}
+
+QWidget* ReviewPane::make_tools() {
+  auto* box = new QWidget;
+  auto* grid = new QGridLayout(box);
+  grid->setContentsMargins(0, 0, 0, 0);
+  const struct {
+    Tool tool;
+    const char *text, *tip, *key;
+  } tools[] = {
+      {Tool::kInclude, "Add", "Draw over what belongs to the object", "A; Esc puts it down"},
+      {Tool::kExclude, "Cut", "Draw over what does not belong to the object",
+       "C; Esc puts it down"},
+      {Tool::kRegion, "Region", "Draw a box around the object", "R; Esc puts it down"},
+      {Tool::kAxes, "Axes", "Drag the origin; drag the round tip to turn", "X; Esc puts it down"},
+  };
+  int column = 0;
+  for (const auto& entry : tools) {
+    auto* button = make_button(entry.text, entry.tip, box, entry.key);
+    button->setCheckable(true);
+    tools_->addButton(button, static_cast<int>(entry.tool));
+    connect(button, &QPushButton::clicked, [this, tool = entry.tool] { choose_tool(tool); });
+    grid->addWidget(button, 0, column++);
+  }
+  width_->setRange(2, 40);
+  width_->setValue(8);
+  width_->setToolTip("Width of the stroke in pixels");
+  grid->addWidget(new QLabel("Stroke"), 1, 0);
+  grid->addWidget(width_, 1, 1);
+  grid->addWidget(undo_, 1, 2, 1, 2);
+  connect(width_, &QSlider::valueChanged, this, &ReviewPane::stroke_width_chosen);
+  return box;
+}
+
+void ReviewPane::show_lesson(const LessonModel& lesson) {
+  accept_->setEnabled(lesson.may_accept());
+  reject_->setEnabled(lesson.may_decide());
+  undo_->setEnabled(lesson.may_undo());
+  for (auto* button : tools_->buttons()) button->setEnabled(lesson.may_correct());
+  width_->setEnabled(lesson.may_correct());
+  insist_->setVisible(lesson.must_insist());
+  insist_->setEnabled(lesson.may_decide());
+  insist_->setChecked(lesson.may_accept());
+  const bool asked = lesson.draft().has_value();
+  if (asked && lesson.draft_number() != draft_shown_) show_draft(*lesson.draft());
+  draft_shown_ = lesson.draft_number();
+  if (!asked) put_tool_down();
+}
+
+void ReviewPane::choose_tool(Tool tool) {
+  if (auto* button = tools_->button(static_cast<int>(tool))) {
+    if (!button->isEnabled()) return;
+    button->setChecked(true);
+  } else if (auto* held = tools_->checkedButton()) {
+    tools_->setExclusive(false);
+    held->setChecked(false);
+    tools_->setExclusive(true);
+  }
+  Q_EMIT tool_chosen(static_cast<int>(tool));
+}
+
+void ReviewPane::put_tool_down() {
+  if (tools_->checkedButton()) choose_tool(Tool::kNone);
+}
+
+void ReviewPane::show_draft(const mbncc_vision::LearnObjectResult& draft) {
+  const auto& quality = draft.object.quality;
+  show_level(verdict_, level_of_verdict(quality.verdict),
+             QString::fromStdString(word_of_verdict(quality.verdict)));
+  numbers_->setText(numbers_of(quality));
+  reasons_->setText(reasons_of(quality));
+  show_in(template_, to_qimage(on_checkerboard(to_rgb(draft.template_image), draft.map)));
+}
+
+void ReviewPane::show_score_map(const QImage& map) {
+  show_in(score_map_, map);
+}
+
+}  // namespace mbncc::console

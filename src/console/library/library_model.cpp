@@ -1,0 +1,108 @@
+#include "console/library/library_model.hpp"
+
+#include <utility>
+
+namespace mbncc::console {
+
+void LibraryModel::set_objects(std::vector<mbncc_vision::LearnedObject> objects) {
+  objects_ = std::move(objects);
+}
+
+const mbncc_vision::LearnedObject* LibraryModel::find(const std::string& name) const {
+  for (const auto& object : objects_)
+    if (object.name == name) return &object;
+  return nullptr;
+}
+
+std::vector<std::string> LibraryModel::names() const {
+  std::vector<std::string> names;
+  for (const auto& object : objects_) names.push_back(object.name);
+  return names;
+}
+
+void LibraryModel::retaught(const std::string& name) {
+  const auto* before = find(name);
+  if (before == nullptr) return;
+  Request request;
+  request.name = name;
+  request.command = Request::RESTORE;
+  request.revision = before->revision;
+  undo_.push_back(request);
+}
+
+LibraryModel::Request LibraryModel::enable(const std::string& name, bool enabled) {
+  Request request;
+  request.name = name;
+  request.command = enabled ? Request::ENABLE : Request::DISABLE;
+  return request;
+}
+
+LibraryModel::Request LibraryModel::rename(const std::string& name, const std::string& new_name) {
+  Request request;
+  request.name = name;
+  request.command = Request::RENAME;
+  request.new_name = new_name;
+  return request;
+}
+
+LibraryModel::Request LibraryModel::remove(const std::string& name) {
+  Request request;
+  request.name = name;
+  request.command = Request::DELETE;
+  return request;
+}
+
+LibraryModel::Request LibraryModel::declare(const std::string& name, std::uint8_t symmetry) {
+  for (const auto& object : objects_)
+    if (object.name == name) declared_before_[name] = object.symmetry;
+  Request request;
+  request.name = name;
+  request.command = Request::SET_SYMMETRY;
+  request.symmetry = symmetry;
+  return request;
+}
+
+void LibraryModel::done(const Request& request) {
+  Request inverse = request;
+  switch (request.command) {
+    case Request::ENABLE:
+      inverse.command = Request::DISABLE;
+      break;
+    case Request::DISABLE:
+      inverse.command = Request::ENABLE;
+      break;
+    case Request::RENAME:
+      std::swap(inverse.name, inverse.new_name);
+      break;
+    case Request::DELETE:
+      inverse.command = Request::RESTORE;
+      break;
+    case Request::SET_SYMMETRY:
+      inverse.symmetry = declared_before_[request.name];
+      break;
+    default:
+      return;
+  }
+  undo_.push_back(inverse);
+}
+
+std::string LibraryModel::undo_text() const {
+  if (undo_.empty()) return "Undo";
+  const Request& last = undo_.back();
+  switch (last.command) {
+    case Request::DISABLE:
+      return "Undo: disable '" + last.name + "'";
+    case Request::ENABLE:
+      return "Undo: enable '" + last.name + "'";
+    case Request::RENAME:
+      return "Undo: rename to '" + last.new_name + "'";
+    case Request::SET_SYMMETRY:
+      return "Undo: symmetry of '" + last.name + "'";
+    default:
+      return last.revision == 0 ? "Undo: bring '" + last.name + "' back"
+                                : "Undo: bring revision " + std::to_string(last.revision) +
+                                      " of '" + last.name + "' back";
+  }
+}
+
+}  // namespace mbncc::console

@@ -1,0 +1,203 @@
+#include "console/library/library_strip.hpp"
+
+#include <QHBoxLayout>
+#include <QPainter>
+#include <QVBoxLayout>
+
+#include "console/lesson/object_name.hpp"
+#include "console/picture/pictures.hpp"
+#include "console/ros_link.hpp"
+#include "console/widgets.hpp"
+
+namespace mbncc::console {
+namespace {
+
+constexpr int kNameRole = Qt::UserRole, kEnabledRole = Qt::UserRole + 1,
+              kSymmetryRole = Qt::UserRole + 2;
+constexpr QSize kIcon(64, 64);
+
+QPixmap icon_of(const mbncc_vision::LearnedObject& object) {
+  QPixmap icon(kIcon);
+  icon.fill(QColor("#303030"));
+  const QImage picture = to_qimage(to_rgb(object.thumbnail));
+  QPainter painter(&icon);
+  if (!picture.isNull()) {
+    const QImage scaled = picture.scaled(kIcon, Qt::KeepAspectRatio, Qt::SmoothTransformation);
+    painter.setOpacity(object.enabled ? 1 : 0.3);
+    painter.drawImage((kIcon.width() - scaled.width()) / 2, (kIcon.height() - scaled.height()) / 2,
+                      scaled);
+    painter.setOpacity(1);
+  }
+  // The verdict's lamp in the corner.
+  const Level level = level_of_verdict(object.quality.verdict);
+  painter.fillRect(0, 0, 20, 20, QColor(colour_of(level)));
+  painter.setPen(QColor(ink_on(level)));
+  painter.drawText(QRect(0, 0, 20, 20), Qt::AlignCenter, QString::fromUtf8(symbol_of(level)));
+  painter.setPen(Qt::white);
+  if (!object.enabled)
+    painter.drawText(icon.rect(), Qt::AlignBottom | Qt::AlignHCenter, "disabled");
+  return icon;
+}
+
+}  // namespace
+
+LibraryStrip::LibraryStrip(QWidget* parent)
+    : QWidget(parent),
+      search_(new QLineEdit),
+      list_(new QListWidget),
+      symmetry_(make_symmetry_box("At which angles the chosen object counts as the same")),
+      view_(make_button("Teach &view",
+                        "Teach the chosen object from another side or in other light", this,
+                        "Alt+V")),
+      enable_(make_button("&Disable", "Search for the chosen object, or not", this, "Alt+D")),
+      rename_(make_button("Re&name", "Write a new name below its picture", this, "F2")),
+      delete_(make_button("De&lete", "Take it out of the library; Undo edit brings it back", this,
+                          "Alt+L")),
+      undo_(make_button("Undo &edit", "Take the last change of the library back", this, "Alt+E")),
+      more_(make_button("M&ore", "Export, import, earlier revisions", this, "Alt+O")) {
+  search_->setPlaceholderText("search the library");
+  search_->setClearButtonEnabled(true);
+  list_->setViewMode(QListView::IconMode);
+  list_->setResizeMode(QListView::Adjust);
+  list_->setMovement(QListView::Static);
+  list_->setIconSize(kIcon);
+  list_->setTextElideMode(Qt::ElideMiddle);
+  list_->setEditTriggers(QAbstractItemView::EditKeyPressed);
+  list_->setMinimumHeight(kIcon.height() + 34);
+  name_window(list_, "library");
+  name_window(search_, "search");
+  lay_out();
+  connect_buttons();
+  show_choice();
+  undo_->setEnabled(false);
+}
+
+void LibraryStrip::lay_out() {
+  auto* first = new QHBoxLayout;
+  for (auto* button : {view_, enable_, rename_, delete_}) first->addWidget(button);
+  auto* second = new QHBoxLayout;
+  second->addWidget(symmetry_, 1);
+  for (auto* button : {undo_, more_}) second->addWidget(button);
+  auto* all = new QVBoxLayout(this);
+  all->setContentsMargins(0, 0, 0, 0);
+  all->setSpacing(3);
+  all->addWidget(search_);
+  all->addWidget(list_, 1);
+  all->addLayout(first);
+  all->addLayout(second);
+}
+
+QMenu* LibraryStrip::make_menu() {
+  auto* menu = new QMenu(this);
+  export_ = menu->addAction("Export the chosen object as a file ...");
+  auto* import = menu->addAction("Import an object from a file ...");
+  history_ = menu->addAction("Earlier revisions of the chosen object ...");
+  connect(export_, &QAction::triggered, [this] { Q_EMIT export_wanted(chosen()); });
+  connect(import, &QAction::triggered, this, &LibraryStrip::import_wanted);
+  connect(history_, &QAction::triggered, [this] { Q_EMIT history_wanted(chosen()); });
+  return menu;
+}
+
+void LibraryStrip::connect_buttons() {
+  more_->setMenu(make_menu());
+  connect(search_, &QLineEdit::textChanged, this, &LibraryStrip::filter);
+  connect(list_, &QListWidget::itemSelectionChanged, this, &LibraryStrip::show_choice);
+  connect(list_, &QListWidget::itemChanged, this, &LibraryStrip::take_new_name);
+  connect(view_, &QPushButton::clicked, [this] { Q_EMIT view_wanted(chosen()); });
+  connect(enable_, &QPushButton::clicked, [this] {
+    const bool enabled = list_->currentItem()->data(kEnabledRole).toBool();
+    Q_EMIT edit_wanted(LibraryModel::enable(chosen().toStdString(), !enabled));
+  });
+  connect(rename_, &QPushButton::clicked, [this] { list_->editItem(list_->currentItem()); });
+  connect(delete_, &QPushButton::clicked,
+          [this] { Q_EMIT edit_wanted(LibraryModel::remove(chosen().toStdString())); });
+  connect(undo_, &QPushButton::clicked, this, &LibraryStrip::undo_wanted);
+  // Of the operator alone, not of show_choice().
+  connect(symmetry_, QOverload<int>::of(&QComboBox::activated), [this] {
+    const auto known = list_->currentItem()->data(kSymmetryRole).toUInt();
+    if (chosen_symmetry(symmetry_) != known)
+      Q_EMIT symmetry_wanted(chosen(), chosen_symmetry(symmetry_));
+  });
+}
+
+void LibraryStrip::allow_teaching(bool allowed) {
+  teaching_allowed_ = allowed;
+  view_->setEnabled(allowed && !chosen().isEmpty());
+}
+
+void LibraryStrip::choose(const QString& name) {
+  wanted_ = name;
+}
+
+void LibraryStrip::filter() {
+  for (int row = 0; row < list_->count(); ++row)
+    list_->item(row)->setHidden(
+        !list_->item(row)->toolTip().contains(search_->text(), Qt::CaseInsensitive));
+}
+
+QString LibraryStrip::chosen() const {
+  const auto* item = list_->currentItem();
+  return item != nullptr && item->isSelected() ? item->data(kNameRole).toString() : QString();
+}
+
+QListWidgetItem* LibraryStrip::make_item(const mbncc_vision::LearnedObject& object) {
+  const QString name = QString::fromStdString(object.name);
+  const QString label = QString::fromStdString(object.label);
+  auto* item = new QListWidgetItem(QIcon(icon_of(object)), name);
+  item->setData(kNameRole, name);
+  item->setData(kEnabledRole, object.enabled);
+  item->setData(kSymmetryRole, object.symmetry);
+  item->setFlags(item->flags() | Qt::ItemIsEditable);
+  item->setSizeHint({kIcon.width() + 24, kIcon.height() + 24});  // long names are cut
+  item->setToolTip(QString("%1, revision %2, %3 view(s), verdict %4%5")
+                       .arg(name == label ? name : name + " (" + label + ")")
+                       .arg(object.revision)
+                       .arg(object.views)
+                       .arg(QString::fromStdString(word_of_verdict(object.quality.verdict)))
+                       .arg(object.has_grasp ? ", with a grasp" : ""));
+  return item;
+}
+
+void LibraryStrip::show_objects(const LibraryModel& library) {
+  const QString kept = wanted_.isEmpty() ? chosen() : wanted_;
+  filling_ = true;
+  list_->clear();
+  for (const auto& object : library.objects()) {
+    auto* item = make_item(object);
+    list_->addItem(item);
+    if (item->data(kNameRole) != kept) continue;
+    list_->setCurrentItem(item);
+    wanted_.clear();
+  }
+  filling_ = false;
+  filter();
+  undo_->setEnabled(library.can_undo());
+  undo_->setToolTip(QString::fromStdString(library.undo_text()));
+  show_choice();
+}
+
+void LibraryStrip::show_choice() {
+  const bool any = !chosen().isEmpty();
+  for (auto* button : {enable_, rename_, delete_}) button->setEnabled(any);
+  for (auto* action : {export_, history_}) action->setEnabled(any);
+  view_->setEnabled(any && teaching_allowed_);
+  symmetry_->setEnabled(any);
+  choose_symmetry(symmetry_, static_cast<std::uint8_t>(
+                                 any ? list_->currentItem()->data(kSymmetryRole).toUInt() : 0));
+  const bool enabled = !any || list_->currentItem()->data(kEnabledRole).toBool();
+  enable_->setText(enabled ? "&Disable" : "Ena&ble");
+}
+
+void LibraryStrip::take_new_name(QListWidgetItem* item) {
+  if (filling_) return;
+  const QString name = item->data(kNameRole).toString(),
+                wanted = QString::fromStdString(usable_name(item->text().toStdString()).name);
+  if (item->text() == name) return;
+  filling_ = true;
+  item->setText(name);  // until the library says otherwise
+  filling_ = false;
+  if (wanted.isEmpty() || wanted == name) return;
+  Q_EMIT edit_wanted(LibraryModel::rename(name.toStdString(), wanted.toStdString()));
+}
+
+}  // namespace mbncc::console

@@ -1,0 +1,60 @@
+// The learned objects as thumbnails: search, enable, rename, delete, declare the symmetry, teach
+// further views; undo instead of questions.
+#pragma once
+
+#ifndef Q_MOC_RUN
+#include "console/library/library_model.hpp"
+#endif
+
+#include <QComboBox>
+#include <QLineEdit>
+#include <QListWidget>
+#include <QMenu>
+#include <QPushButton>
+#include <QWidget>
+#include <cstdint>
+
+namespace mbncc::console {
+
+class LibraryStrip : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit LibraryStrip(QWidget* parent = nullptr);
+
+  void show_objects(const LibraryModel& library);
+  /// Selects an object as soon as it is listed.
+  void choose(const QString& name);
+  /// Key of the selected object, "" for none.
+  QString chosen() const;
+  void allow_teaching(bool allowed);
+
+ Q_SIGNALS:
+  void edit_wanted(mbncc_vision::EditObject::Request request);
+  void symmetry_wanted(QString name, std::uint8_t symmetry);
+  void undo_wanted();
+  /// A further view of the object is to be taught.
+  void view_wanted(QString name);
+  void export_wanted(QString name);
+  void import_wanted();
+  void history_wanted(QString name);
+
+ private:
+  QListWidgetItem* make_item(const mbncc_vision::LearnedObject& object);
+  void lay_out();
+  void connect_buttons();
+  QMenu* make_menu();
+  void show_choice();
+  void filter();
+  void take_new_name(QListWidgetItem* item);
+
+  QLineEdit* search_;
+  QListWidget* list_;
+  QComboBox* symmetry_;
+  QPushButton *view_, *enable_, *rename_, *delete_, *undo_, *more_;
+  QAction *export_, *history_;
+  QString wanted_;
+  bool filling_ = false, teaching_allowed_ = false;
+};
+
+}  // namespace mbncc::console

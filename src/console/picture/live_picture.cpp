@@ -1,0 +1,18 @@
+#include "console/picture/live_picture.hpp"
+
+namespace mbncc::console {
+namespace {
+
+constexpr double kSearchedFresh = 1;  // [s] before age() tells of a picture that stands still
+
+}  // namespace
+
+bool LivePicture::take(bool searched, bool teaching, double now) {
+  if (searched) searched_at_ = now;
+  const bool missing = now - searched_at_ > kSearchedFresh;
+  const bool shown = searched ? !teaching : teaching || missing;
+  if (shown) shown_at_ = now;
+  return shown;
+}
+
+}  // namespace mbncc::console

@@ -1,0 +1,301 @@
+#include "console/picture/picture_view.hpp"
+
+#include <QMouseEvent>
+#include <QPainter>
+#include <QPainterPath>
+#include <QWheelEvent>
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "console/picture/label_places.hpp"
+#include "console/widgets.hpp"
+
+namespace mbncc::console {
+namespace {
+
+const QColor kInclude("#56b4e9"), kExclude("#d55e00"), kRegion("#f0e442");
+const QColor kX("#d55e00"), kY("#009e73");
+constexpr double kAxes = 34;      // [px] of the widget, of a mark's axes
+constexpr int kNotch = 240;       // of the wheel, that enlarges to the double
+constexpr double kOutline = 1.5;  // [px] of the widget
+
+cv::Size size_of(const QSize& size) {
+  return {size.width(), size.height()};
+}
+
+QColor colour_of_tool(Tool tool) {
+  if (tool == Tool::kInclude) return kInclude;
+  return tool == Tool::kExclude ? kExclude : kRegion;
+}
+
+std::vector<cv::Point2f> points_of(const geometry_msgs::Polygon& polygon) {
+  std::vector<cv::Point2f> points;
+  for (const auto& point : polygon.points) points.emplace_back(point.x, point.y);
+  return points;
+}
+
+}  // namespace
+
+PictureView::PictureView(QWidget* parent) : QWidget(parent) {
+  setMinimumSize(320, 240);
+  setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
+  setFocusPolicy(Qt::StrongFocus);
+  name_window(this, "picture");
+}
+
+void PictureView::show_picture(const QImage& picture, QSize size, const std::vector<Mark>& marks,
+                               const QString& caption) {
+  picture_ = picture;
+  size_ = size;
+  marks_ = marks;
+  caption_ = caption;
+  outdated_ = false;
+  fit();
+  update();
+}
+
+void PictureView::show_age(const QString& warning) {
+  if (picture_.isNull()) return;
+  outdated_ = true;
+  caption_ = warning;
+  update();
+}
+
+void PictureView::show_waiting(std::deque<MarkingTool::Request> waiting) {
+  if (waiting.empty() && waiting_.empty()) return;
+  waiting_ = std::move(waiting);
+  update();
+}
+
+void PictureView::ask_for_place(bool wanted) {
+  asking_ = wanted && !picture_.isNull();
+  show_cursor();
+}
+
+bool PictureView::give_up() {
+  update();
+  return tool_.give_up();
+}
+
+void PictureView::show_marks(bool shown) {
+  marks_shown_ = shown;
+  update();
+}
+
+void PictureView::enlarge(double factor) {
+  frame_.zoom(factor, {width() / 2.0, height() / 2.0});
+  show_cursor();
+  update();
+}
+
+void PictureView::show_all() {
+  frame_.show_all();
+  show_cursor();
+  update();
+}
+
+void PictureView::pan(QPoint by) {
+  frame_.pan({double(by.x()), double(by.y())});
+  update();
+}
+
+void PictureView::show_cursor() {
+  setCursor(asking_ || tool_.tool() != Tool::kNone ? Qt::CrossCursor
+            : frame_.enlarged()                    ? Qt::OpenHandCursor
+                                                   : Qt::ArrowCursor);
+}
+
+void PictureView::fit() {
+  frame_.set_sizes(size_of(size_), size_of(size()));
+}
+
+QPointF PictureView::on_widget(cv::Point2d picture) const {
+  const cv::Point2d point = frame_.to_widget(picture);
+  return {point.x, point.y};
+}
+
+cv::Point2f PictureView::on_picture(const QPointF& widget) const {
+  return cv::Point2f(frame_.to_picture({widget.x(), widget.y()}));
+}
+
+void PictureView::paintEvent(QPaintEvent*) {
+  QPainter painter(this);
+  painter.fillRect(rect(), QColor("#202020"));
+  if (picture_.isNull()) {
+    painter.setPen(Qt::white);
+    painter.drawText(rect(), Qt::AlignCenter, "No picture from the camera yet");
+    return;
+  }
+  painter.setRenderHint(QPainter::SmoothPixmapTransform);
+  painter.drawImage(
+      QRectF(on_widget({-0.5, -0.5}), on_widget({size_.width() - 0.5, size_.height() - 0.5})),
+      picture_);
+  if (outdated_) painter.fillRect(rect(), QColor(110, 110, 110, 190));
+  painter.setRenderHint(QPainter::Antialiasing);
+  if (marks_shown_ && !outdated_) {
+    paint_marks(painter);
+    paint_labels(painter);
+  }
+  paint_tool(painter);
+  paint_caption(painter);
+}
+
+void PictureView::paint_marks(QPainter& painter) const {
+  for (const auto& mark : marks_) {
+    QPainterPath path;
+    for (const auto& outline : mark.outlines) {
+      QPolygonF line;
+      for (const auto& point : outline) line << on_widget(point);
+      path.addPolygon(line);
+      path.closeSubpath();
+    }
+    painter.setBrush(Qt::NoBrush);
+    painter.setPen(QPen(Qt::black, kOutline + 1.5));
+    painter.drawPath(path);
+    QPen pen(QColor(bright_colour_of(mark.level)), kOutline);
+    // Not by colour alone.
+    if (mark.level == Level::kUnknown) pen.setStyle(Qt::DashLine);
+    painter.setPen(pen);
+    painter.drawPath(path);
+    if (tool_.tool() != Tool::kAxes)
+      paint_axes(painter, mark.origin, mark.theta, kAxes / frame_.scale(), false);
+  }
+}
+
+void PictureView::paint_labels(QPainter& painter) const {
+  QFont bold = painter.font();
+  bold.setBold(true);
+  painter.setFont(bold);
+  std::vector<LabelledThing> things;
+  for (const auto& mark : marks_) {
+    QRectF box(on_widget(mark.origin), QSizeF(1, 1));
+    for (const auto& outline : mark.outlines)
+      for (const auto& point : outline) box = box.united(QRectF(on_widget(point), QSizeF(1, 1)));
+    const QRect text = painter.fontMetrics().boundingRect(QString::fromStdString(mark.label));
+    const QRect whole = box.toAlignedRect();
+    things.push_back({{whole.x(), whole.y(), whole.width(), whole.height()},
+                      {text.width() + 10, text.height() + 4}});
+  }
+  const auto places = place_labels(things, {0, 0, width(), height()});
+  for (std::size_t i = 0; i < marks_.size(); ++i) {
+    const QRect plate(places[i].x, places[i].y, places[i].width, places[i].height);
+    painter.fillRect(plate, QColor(colour_of(marks_[i].level)));
+    painter.setPen(QColor(ink_on(marks_[i].level)));
+    painter.drawText(plate, Qt::AlignCenter, QString::fromStdString(marks_[i].label));
+  }
+}
+
+void PictureView::paint_tool(QPainter& painter) const {
+  for (const auto& request : waiting_) {
+    for (const auto& line : request.include)
+      paint_stroke(painter, points_of(line), request.stroke_width, Tool::kInclude);
+    for (const auto& line : request.exclude)
+      paint_stroke(painter, points_of(line), request.stroke_width, Tool::kExclude);
+  }
+  if (tool_.tool() == Tool::kAxes) {
+    const auto& axes = tool_.axes();
+    return paint_axes(painter, {axes.x, axes.y}, axes.theta, tool_.axes_length(), true);
+  }
+  if (!tool_.drawing() || tool_.points().size() < 2) return;
+  if (tool_.tool() != Tool::kRegion)
+    return paint_stroke(painter, tool_.points(), tool_.stroke_width(), tool_.tool());
+  painter.setPen(QPen(kRegion, 2, Qt::DashLine));
+  painter.drawRect(QRectF(on_widget(tool_.points()[0]), on_widget(tool_.points()[1])));
+}
+
+void PictureView::paint_stroke(QPainter& painter, const std::vector<cv::Point2f>& points,
+                               double width, Tool tool) const {
+  QColor colour = colour_of_tool(tool);
+  colour.setAlpha(170);
+  QPolygonF line;
+  for (const auto& point : points) line << on_widget(point);
+  painter.setPen(QPen(colour, width * frame_.scale(), Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+  painter.drawPolyline(line);
+}
+
+void PictureView::paint_axes(QPainter& painter, cv::Point2d origin, double theta, double length,
+                             bool grips) const {
+  const cv::Point2d x(std::cos(theta), std::sin(theta)), y(-x.y, x.x);
+  const double thick = grips ? 3 : 2;
+  const auto line = [&](const QColor& colour, const cv::Point2d& tip) {
+    painter.setPen(QPen(Qt::black, 2 * thick));
+    painter.drawLine(on_widget(origin), on_widget(tip));
+    painter.setPen(QPen(colour, thick));
+    painter.drawLine(on_widget(origin), on_widget(tip));
+  };
+  line(kY, origin + y * length);
+  line(kX, origin + x * length);
+  if (!grips) return;
+  painter.setPen(QPen(Qt::black, 1));
+  painter.setBrush(kX);
+  painter.drawEllipse(on_widget(origin + x * length), 7, 7);
+  painter.setBrush(Qt::white);
+  painter.drawEllipse(on_widget(origin), 7, 7);
+}
+
+void PictureView::paint_caption(QPainter& painter) const {
+  if (caption_.isEmpty()) return;
+  QFont font = painter.font();
+  font.setBold(true);
+  painter.setFont(font);
+  const QRect box = painter.fontMetrics().boundingRect(caption_).adjusted(-8, -4, 8, 4);
+  const QRect plate(6, 6, box.width(), box.height());
+  painter.fillRect(plate, QColor(0, 0, 0, 170));
+  painter.setPen(Qt::white);
+  painter.drawText(plate, Qt::AlignCenter, caption_);
+}
+
+void PictureView::mousePressEvent(QMouseEvent* event) {
+  if (picture_.isNull()) return;
+  if (event->button() == Qt::LeftButton && asking_) {
+    ask_for_place(false);
+    const cv::Point2f at = on_picture(event->localPos());
+    Q_EMIT place_chosen({at.x, at.y});
+    return;
+  }
+  const bool pans = event->button() == Qt::MiddleButton ||
+                    (event->button() == Qt::LeftButton && tool_.tool() == Tool::kNone);
+  if (pans)
+    dragged_from_ = event->localPos();
+  else if (event->button() == Qt::LeftButton)
+    tool_.press(on_picture(event->localPos()));
+  update();
+}
+
+void PictureView::mouseMoveEvent(QMouseEvent* event) {
+  if (dragged_from_) {
+    const QPointF by = event->localPos() - *dragged_from_;
+    dragged_from_ = event->localPos();
+    frame_.pan({by.x(), by.y()});
+  } else if (tool_.drawing()) {
+    tool_.move(on_picture(event->localPos()));
+  } else {
+    return show_cursor();
+  }
+  update();
+}
+
+void PictureView::mouseReleaseEvent(QMouseEvent* event) {
+  if (dragged_from_) return dragged_from_.reset();
+  if (event->button() != Qt::LeftButton) return;
+  const auto correction = tool_.release(on_picture(event->localPos()), size_of(size_));
+  if (correction) Q_EMIT corrected(*correction);
+  update();
+}
+
+void PictureView::mouseDoubleClickEvent(QMouseEvent*) {
+  show_all();
+}
+
+void PictureView::wheelEvent(QWheelEvent* event) {
+  frame_.zoom(std::pow(2.0, double(event->angleDelta().y()) / kNotch),
+              {event->position().x(), event->position().y()});
+  update();
+}
+
+void PictureView::resizeEvent(QResizeEvent*) {
+  fit();
+}
+
+}  // namespace mbncc::console

@@ -1,0 +1,96 @@
+#include "console/picture/pictures.hpp"
+
+#include <cv_bridge/cv_bridge.h>
+
+#include <algorithm>
+#include <opencv2/imgproc.hpp>
+#include <vector>
+
+namespace mbncc::console {
+namespace {
+
+constexpr int kSquare = 8;         // [px] of the checkerboard
+constexpr int kShownWidth = 1600;  // [px]
+constexpr int kSampled = 8;        // [px] between the pixels that tell the light
+constexpr double kChanged = 24;    // [grey levels] in any channel, after smoothing
+const cv::Scalar kTint(230, 159, 0);
+
+cv::Mat checkerboard(cv::Size size) {
+  cv::Mat board(size, CV_8UC3);
+  for (int y = 0; y < size.height; ++y)
+    for (int x = 0; x < size.width; ++x)
+      board.at<cv::Vec3b>(y, x) = cv::Vec3b::all((x / kSquare + y / kSquare) % 2 == 0 ? 235 : 190);
+  return board;
+}
+
+cv::Mat smoothed(const cv::Mat& picture) {
+  cv::Mat result;
+  cv::blur(picture, result, {5, 5});
+  return result;
+}
+
+/// `picture` in the light of `first`: the median factor of each channel evened out.
+cv::Mat in_light_of(const cv::Mat& first, const cv::Mat& picture) {
+  cv::Scalar factors;
+  for (int channel = 0; channel < 3; ++channel) {
+    std::vector<double> ratios;
+    for (int y = 0; y < picture.rows; y += kSampled)
+      for (int x = 0; x < picture.cols; x += kSampled)
+        ratios.push_back((first.at<cv::Vec3b>(y, x)[channel] + 1.0) /
+                         (picture.at<cv::Vec3b>(y, x)[channel] + 1.0));
+    const auto middle = ratios.begin() + static_cast<std::ptrdiff_t>(ratios.size() / 2);
+    std::nth_element(ratios.begin(), middle, ratios.end());
+    factors[channel] = *middle;
+  }
+  cv::Mat lit;
+  cv::multiply(picture, factors, lit);
+  return lit;
+}
+
+}  // namespace
+
+cv::Mat to_rgb(const sensor_msgs::Image& message) {
+  if (message.width == 0 || message.height == 0) return {};
+  try {
+    return cv_bridge::toCvCopy(message, "rgb8")->image;
+  } catch (const std::exception&) {
+    return {};
+  }
+}
+
+cv::Mat small(const cv::Mat& picture) {
+  if (picture.cols <= kShownWidth) return picture;
+  cv::Mat shrunk;
+  const double factor = static_cast<double>(kShownWidth) / picture.cols;
+  cv::resize(picture, shrunk, {}, factor, factor, cv::INTER_AREA);
+  return shrunk;
+}
+
+cv::Mat on_checkerboard(const cv::Mat& template_image, const sensor_msgs::Image& map) {
+  if (template_image.empty() || map.data.size() < std::size_t{map.step} * map.height) return {};
+  const cv::Mat mask(static_cast<int>(map.height), static_cast<int>(map.width), CV_8UC1,
+                     const_cast<std::uint8_t*>(map.data.data()), map.step);
+  if (mask.size() != template_image.size()) return {};
+  cv::Mat shown = checkerboard(template_image.size());
+  template_image.copyTo(shown, mask);
+  return shown;
+}
+
+cv::Mat ChangeTint::tint(const cv::Mat& picture) {
+  const cv::Mat now = smoothed(picture);
+  if (first_.size() != now.size()) {
+    first_ = now;
+    return picture;
+  }
+  cv::Mat difference;
+  cv::absdiff(in_light_of(first_, now), first_, difference);
+  cv::Mat channels[3];
+  cv::split(difference, channels);
+  const cv::Mat changed = cv::max(channels[0], cv::max(channels[1], channels[2])) > kChanged;
+  cv::Mat tinted = picture.clone(), half;
+  cv::addWeighted(picture, 0.5, cv::Mat(picture.size(), CV_8UC3, kTint), 0.5, 0, half);
+  half.copyTo(tinted, changed);
+  return tinted;
+}
+
+}  // namespace mbncc::console

@@ -1,0 +1,69 @@
+#include "console/library/library_model.hpp"
+
+#include <gtest/gtest.h>
+
+namespace mbncc::console {
+namespace {
+
+using Request = LibraryModel::Request;
+
+TEST(LibraryModel, EveryEditHasItsWayBack) {
+  LibraryModel library;
+  EXPECT_FALSE(library.can_undo());
+  library.done(LibraryModel::enable("a", false));
+  EXPECT_EQ(library.undo().command, Request::ENABLE);
+  library.done(LibraryModel::rename("a", "b"));
+  EXPECT_EQ(library.undo().name, "b");
+  EXPECT_EQ(library.undo().new_name, "a");
+  library.done(LibraryModel::remove("b"));
+  EXPECT_EQ(library.undo().command, Request::RESTORE);
+  EXPECT_EQ(library.undo().name, "b");
+}
+
+TEST(LibraryModel, ADeclaredSymmetryGoesBackToTheOneBefore) {
+  LibraryModel library;
+  mbncc_vision::LearnedObject object;
+  object.name = "a";
+  object.symmetry = 2;
+  library.set_objects({object});
+  const auto request = library.declare("a", 255);
+  EXPECT_EQ(request.command, Request::SET_SYMMETRY);
+  EXPECT_EQ(request.name, "a");
+  EXPECT_EQ(request.symmetry, 255);
+  object.symmetry = 255;
+  library.set_objects({object});  // the library's news may come before the answer
+  library.done(request);
+  EXPECT_EQ(library.undo().command, Request::SET_SYMMETRY);
+  EXPECT_EQ(library.undo().name, "a");
+  EXPECT_EQ(library.undo().symmetry, 2);
+  EXPECT_EQ(library.undo_text(), "Undo: symmetry of 'a'");
+}
+
+TEST(LibraryModel, UndoGoesBackStepByStep) {
+  LibraryModel library;
+  library.done(LibraryModel::remove("a"));
+  library.done(LibraryModel::remove("b"));
+  EXPECT_NE(library.undo_text().find("'b'"), std::string::npos);
+  library.undone();
+  EXPECT_NE(library.undo_text().find("'a'"), std::string::npos);
+  library.undone();
+  EXPECT_FALSE(library.can_undo());
+}
+
+TEST(LibraryModel, WhatALessonReplacedCanBeBroughtBack) {
+  LibraryModel library;
+  mbncc_vision::LearnedObject object;
+  object.name = "part";
+  object.revision = 4;
+  library.set_objects({object});
+  library.retaught("another");
+  EXPECT_FALSE(library.can_undo()) << "nothing was there before";
+  library.retaught("part");
+  ASSERT_TRUE(library.can_undo());
+  EXPECT_EQ(library.undo().command, LibraryModel::Request::RESTORE);
+  EXPECT_EQ(library.undo().revision, 4u);
+  EXPECT_NE(library.undo_text().find("revision 4"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace mbncc::console
