@@ -60,10 +60,12 @@ struct SearchConfig {
             "max_overlap", Allowed::range(0, 1), "",
             "overlap of two maps, as part of the smaller, above which the weaker detection goes"},
         self.max_overlap);
-    visit(FieldInfo{"scale_range", Allowed::range(0, 0.5), "",
-                    "objects may be larger or smaller by this part; 3 % are borne without; each "
-                    "further 6 % cost a search"},
-          self.scale_range);
+    visit(
+        FieldInfo{
+            "scale_range", Allowed::range(0, 0.5), "",
+            "largest relative difference in size that is searched for; 3 % needs no search of its "
+            "own, every further 6 % adds one search pass"},
+        self.scale_range);
     visit(
         FieldInfo{
             "time_budget", Allowed::range(0, 3600), "s",

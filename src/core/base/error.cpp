@@ -34,7 +34,7 @@ constexpr std::array<Entry, 25> kEntries{{
      "The whole region was taken for the object.",
      "Give a larger region with background on every side."},
     {LearnError::kTouchesBorder, "TOUCHES_BORDER", "The object touches the picture's border.",
-     "Put the object wholly into the picture and teach again."},
+     "Move the object fully into view and teach again."},
     {LearnError::kTooSmall, "TOO_SMALL", "The object is too small to be found reliably.",
      "Bring the camera nearer or use a higher resolution."},
     {LearnError::kLowTexture, "LOW_TEXTURE",

@@ -83,7 +83,7 @@ Fault check_numbers(const Goal& goal) {
     return outcome(LearnError::kRegionInvalid, "The object's height is not in 0 .. 10 m.",
                    "Give object_height in metres, 0 for a flat object.");
   if (goal.set_reference && !from_msg(goal.reference))
-    return outcome(LearnError::kRegionInvalid, "The reference is no place about the picture.",
+    return outcome(LearnError::kRegionInvalid, "The reference must be finite and within 32768 px.",
                    "Give reference x, y [px] and theta [rad], or leave set_reference false.");
   if (!from_msg(goal.outline))
     return outcome(LearnError::kRegionInvalid, "A corner of the outline is not finite.");

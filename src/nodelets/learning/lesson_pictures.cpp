@@ -25,7 +25,7 @@ const char* removal_sentence(Demonstration::Anew why) {
              "away now.";
     case Anew::kEdgeLeft:
       return "What reached over the picture's edge has left; the lesson goes on with the present "
-             "picture. If the object is gone, too, put it wholly into the picture; then take it "
+             "picture. If the object is gone, too, move it fully into view; then take it "
              "away.";
     case Anew::kEverything:
       return "Nearly everything has changed, as when the camera is moved; the lesson goes on with "

@@ -58,7 +58,7 @@ LessonEdit edit_of(const Request& request, cv::Size size, bool further_view) {
     edit.reference = from_msg(request.reference);
     if (!edit.reference)
       throw std::invalid_argument(
-          "the new reference is no place about the picture; give x, y [px] and theta [rad]");
+          "the new reference must be finite and within 32768 px; give x, y [px] and theta [rad]");
   }
   if (edit.reference && further_view)
     throw std::invalid_argument(

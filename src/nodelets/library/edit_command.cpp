@@ -23,7 +23,7 @@ ObjectModel remove(ObjectLibrary& library, const std::string& name) {
 ObjectModel set_reference(ObjectLibrary& library, const Request& request) {
   const auto reference = from_msg(request.reference);
   if (!reference)
-    refuse("the reference is no place about the picture; give x, y [px] and theta [rad]");
+    refuse("the reference must be finite and within 32768 px; give x, y [px] and theta [rad]");
   return library.edit(request.name, [&](ObjectModel& model) { move_reference(model, *reference); });
 }
 

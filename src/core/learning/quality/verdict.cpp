@@ -23,7 +23,7 @@ struct Reason {
 // Worst first.
 constexpr std::array<Reason, 15> kReasons{{
     {"touches_image_border", LearnError::kTouchesBorder,
-     "Put the object wholly into the picture and teach again."},
+     "Move the object fully into view and teach again."},
     {"too_small", LearnError::kTooSmall, "Bring the camera nearer or use a higher resolution."},
     {"low_texture", LearnError::kLowTexture,
      "Turn the object's marked side up or improve the light."},
