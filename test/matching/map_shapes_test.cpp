@@ -44,8 +44,7 @@ TEST(MapShapes, LinesThatFillTheirCrop) {
   for (const cv::Size size : {cv::Size(1, 100), cv::Size(300, 1), cv::Size(3, 300), cv::Size(1, 1),
                               cv::Size(2, 2), cv::Size(4, 90), cv::Size(130, 7)})
     for (int border = 0; border < kBorders; ++border)
-      check(
-          {MapShape::kFull, size, static_cast<Border>(border), static_cast<Border>(border), 0});
+      check({MapShape::kFull, size, static_cast<Border>(border), static_cast<Border>(border), 0});
 }
 
 TEST(MapShapes, TheLongestLines) {

@@ -9,7 +9,7 @@ namespace {
 
 constexpr double kNoise = 60;        // [grey^2] keeps plain surfaces from pulling
 constexpr double kMaxStep = 1.5;     // [px] of one step, at the rim for a turn
-constexpr double kSmallStep = 0.01;  // [px] ends the climb
+constexpr double kSmallStep = 0.01;  // [px] ends the alignment
 constexpr int kReach = 2;            // [px] along the normals in which edges are looked for
 
 /// Adds the pull of the surface: normal equations of the motion that explains what the picture
@@ -47,7 +47,7 @@ cv::Vec3d bounded(const cv::Vec3d& step, double radius) {
   return step * std::min(1.0, kMaxStep / (length_of(step, radius) + 1e-9));
 }
 
-/// The climb of one template in one picture.
+/// The alignment of one template in one picture.
 class Climber {
  public:
   Climber(const PoseTemplate& object, const SceneLevel& scene)
@@ -75,7 +75,7 @@ class Climber {
   }
 
  private:
-  /// Kept from climb to climb, since it takes memory.
+  /// Kept from one alignment to the next, since it takes memory.
   static PoseSample& shared_sample() {
     thread_local PoseSample sample;
     return sample;

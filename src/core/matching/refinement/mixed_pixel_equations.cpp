@@ -24,7 +24,7 @@ std::vector<int> first_integers(int count) {
 
 }  // namespace
 
-RenderingEquations::RenderingEquations(const MixedPixelModel& object)
+MixedPixelEquations::MixedPixelEquations(const MixedPixelModel& object)
     : object_(object), weights_(kAxes * padded(), 1.f), inside_(padded(), 0.f) {
   for (int axis = 0; axis < kAxes; ++axis) {
     rows_[axis].resize((terms(axis) + 1 + kMotion) * padded(), 0.f);
@@ -32,14 +32,14 @@ RenderingEquations::RenderingEquations(const MixedPixelModel& object)
   }
 }
 
-void RenderingEquations::see(const RenderingReading& reading) {
+void MixedPixelEquations::see(const MixedPixelSample& reading) {
   for (int axis = 0; axis < kAxes; ++axis)
     std::copy_n(&reading.values[axis * padded()], padded(), row(axis, terms(axis)));
   inside_ = reading.inside;
 }
 
-void RenderingEquations::set_slope(int motion, const RenderingReading& low,
-                                   const RenderingReading& high) {
+void MixedPixelEquations::set_slope(int motion, const MixedPixelSample& low,
+                                    const MixedPixelSample& high) {
   for (int axis = 0; axis < kAxes; ++axis) {
     float* const slopes = row(axis, terms(axis) + 1 + motion);
     const float* const before = &low.values[axis * padded()];
@@ -50,7 +50,7 @@ void RenderingEquations::set_slope(int motion, const RenderingReading& low,
 }
 
 /// Of all rows with each other, weighted; those of light and what is seen, and as many more.
-cv::Mat1d RenderingEquations::products(int rows_beside_light) const {
+cv::Mat1d MixedPixelEquations::products(int rows_beside_light) const {
   thread_local std::vector<float> weighted;
   weighted.resize(padded());
   cv::Mat1d sums = cv::Mat1d::zeros(kUnknowns, kUnknowns);
@@ -73,8 +73,8 @@ cv::Mat1d RenderingEquations::products(int rows_beside_light) const {
 }
 
 /// Values of the `unknowns`, the first of which are the terms of light.
-cv::Mat1d RenderingEquations::solved(const cv::Mat1d& products,
-                                     const std::vector<int>& unknowns) const {
+cv::Mat1d MixedPixelEquations::solved(const cv::Mat1d& products,
+                                      const std::vector<int>& unknowns) const {
   const int count = static_cast<int>(unknowns.size());
   cv::Mat1d square(count, count), right(count, 1), found;
   for (int k = 0; k < count; ++k) {
@@ -87,7 +87,7 @@ cv::Mat1d RenderingEquations::solved(const cv::Mat1d& products,
   return found;
 }
 
-RenderingEquations::Light RenderingEquations::light() const {
+MixedPixelEquations::Light MixedPixelEquations::light() const {
   static const std::vector<int> terms = first_integers(kLight);
   const cv::Mat1d found = solved(products(1), terms);
   Light light;
@@ -95,7 +95,7 @@ RenderingEquations::Light RenderingEquations::light() const {
   return light;
 }
 
-cv::Vec3d RenderingEquations::motion() const {
+cv::Vec3d MixedPixelEquations::motion() const {
   static const std::vector<int> unknowns = [] {
     std::vector<int> chosen = first_integers(kUnknowns);
     chosen.erase(chosen.begin() + kSeen);
@@ -105,7 +105,7 @@ cv::Vec3d RenderingEquations::motion() const {
   return {found(kLight), found(kLight + 1), found(kLight + 2)};
 }
 
-void RenderingEquations::subtract(const Light& light, std::vector<float>& residual) const {
+void MixedPixelEquations::subtract(const Light& light, std::vector<float>& residual) const {
   residual.resize(kAxes * padded());
   for (int axis = 0; axis < kAxes; ++axis) {
     float* const left = &residual[axis * padded()];

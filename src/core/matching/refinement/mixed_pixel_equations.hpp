@@ -11,18 +11,18 @@
 
 namespace mbncc {
 
-class RenderingEquations {
+class MixedPixelEquations {
  public:
   static constexpr int kAxes = MixedPixelModel::kChannels, kMotion = 3;
   using Light = std::array<double, MixedPixelModel::kLight>;
 
-  explicit RenderingEquations(const MixedPixelModel& object);
+  explicit MixedPixelEquations(const MixedPixelModel& object);
 
   /// `reading` is what light and motion are to explain from now on.
-  void see(const RenderingReading& reading);
+  void see(const MixedPixelSample& reading);
   /// Of what is seen, by x, y and a turn [per px, at the rim]: differences between `low` and
   /// `high`, which were read a pixel apart.
-  void set_slope(int motion, const RenderingReading& low, const RenderingReading& high);
+  void set_slope(int motion, const MixedPixelSample& low, const MixedPixelSample& high);
 
   /// Weights of all values, 1 at first.
   std::vector<float>& weights() { return weights_; }

@@ -11,13 +11,13 @@
 namespace mbncc {
 namespace {
 
-constexpr int kAxes = RenderingEquations::kAxes, kMotion = RenderingEquations::kMotion;
+constexpr int kAxes = MixedPixelEquations::kAxes, kMotion = MixedPixelEquations::kMotion;
 
 /// Gauss-Newton in light and motion together; values that fit badly count less, and those along an
 /// axis of colour where the others fit badly, too.
-class RenderingFit {
+class MixedPixelFitter {
  public:
-  RenderingFit(const MixedPixelModel& object, const SceneLevel& scene)
+  MixedPixelFitter(const MixedPixelModel& object, const SceneLevel& scene)
       : object_(object), scene_(scene), equations_(object) {}
 
   MixedPixelFit run(const Pose2D& start) {
@@ -93,8 +93,8 @@ class RenderingFit {
 
   const MixedPixelModel& object_;
   const SceneLevel& scene_;
-  RenderingEquations equations_;
-  RenderingReading seen_;
+  MixedPixelEquations equations_;
+  MixedPixelSample seen_;
   std::optional<Pose2D> slopes_at_;
   double seen_points_ = 0;
   std::vector<float> residual_;        // per axis and point
@@ -102,9 +102,9 @@ class RenderingFit {
 };
 
 /// Central differences along x, y and the rim.
-void RenderingFit::find_slopes(const Pose2D& pose) {
+void MixedPixelFitter::find_slopes(const Pose2D& pose) {
   constexpr double kStep = 0.5;  // [px]
-  thread_local RenderingReading low, high;
+  thread_local MixedPixelSample low, high;
   for (int k = 0; k < kMotion; ++k) {
     Pose2D before = pose, after = pose;
     double* const moved[] = {&before.x, &before.y, &before.theta, &after.x, &after.y, &after.theta};
@@ -119,7 +119,7 @@ void RenderingFit::find_slopes(const Pose2D& pose) {
 }
 
 /// The scales of what fits badly are those of the residuals at the start.
-double RenderingFit::first_cost() {
+double MixedPixelFitter::first_cost() {
   constexpr std::array<float, kAxes> kQuantised{6, 4, 4};  // noise explains
   update_residual();
   const std::size_t padded = object_.padded();
@@ -137,7 +137,7 @@ double RenderingFit::first_cost() {
 
 /// Weighs the values by how well they fit in the best light. Returns their mean misfit, in which
 /// large ones saturate.
-double RenderingFit::weigh() {
+double MixedPixelFitter::weigh() {
   update_residual();
   thread_local std::vector<float> saturated;
   saturated.resize(object_.padded());
@@ -158,7 +158,7 @@ double RenderingFit::weigh() {
 }
 
 /// Of the residuals.
-double RenderingFit::misfit() const {
+double MixedPixelFitter::misfit() const {
   constexpr float kWorst = 60 * 60;  // [grey^2] of one value
   double sum = 0;
   for (int axis = 0; axis < kAxes; ++axis)
@@ -170,7 +170,7 @@ double RenderingFit::misfit() const {
 }
 
 /// Of what is explained, against what was taught.
-double RenderingFit::brightness() const {
+double MixedPixelFitter::brightness() const {
   constexpr double kDark = 8;             // [grey levels] added before taking the logarithm
   const auto& taught = object_.light[0];  // its gain comes first
   double explained = 0, learned = 0, size = 0;
@@ -186,7 +186,7 @@ double RenderingFit::brightness() const {
 }  // namespace
 
 MixedPixelFit fit(const MixedPixelModel& object, const SceneLevel& scene, const Pose2D& start) {
-  return object.padded() == 0 ? MixedPixelFit{start} : RenderingFit(object, scene).run(start);
+  return object.padded() == 0 ? MixedPixelFit{start} : MixedPixelFitter(object, scene).run(start);
 }
 
 }  // namespace mbncc

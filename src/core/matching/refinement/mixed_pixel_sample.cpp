@@ -27,7 +27,7 @@ void unmix(const float* __restrict part, const float* __restrict one, const floa
 }  // namespace
 
 void read_rendering(const MixedPixelModel& object, const SceneLevel& scene, const Pose2D& pose,
-                    RenderingReading& reading) {
+                    MixedPixelSample& reading) {
   const std::size_t padded = object.padded(), mixed = object.mixed;
   const kernels::Picture8 picture = view_of(scene.colour);
   const kernels::Placement placement = placement_of(pose);

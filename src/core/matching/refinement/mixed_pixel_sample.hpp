@@ -7,13 +7,13 @@
 
 namespace mbncc {
 
-struct RenderingReading {
+struct MixedPixelSample {
   std::vector<float> values;  ///< per axis of colour and point; 0 outside of the picture
   std::vector<float> inside;  ///< per point; 1: in the picture with its background, 0: outside
 };
 
 /// Reads a picture that has been prepared around `pose`.
 void read_rendering(const MixedPixelModel& object, const SceneLevel& scene, const Pose2D& pose,
-                    RenderingReading& reading);
+                    MixedPixelSample& reading);
 
 }  // namespace mbncc

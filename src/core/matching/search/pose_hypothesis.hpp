@@ -27,7 +27,7 @@ PoseHypothesis score_as_is(const PreparedView& view, const ScenePicture& scene, 
 /// compare_rotations().
 PoseHypothesis better_rotation(const PoseHypothesis& a, const PoseHypothesis& b);
 
-/// The best pose that climbs from this one and slightly turned ones reach.
+/// The best pose that alignments from this one and slightly turned ones reach.
 PoseHypothesis multistart_align(const PreparedView& view, const ScenePicture& scene,
                                 const Pose2D& pose);
 
