@@ -148,7 +148,8 @@ def teach(cell, pictures, name):
     before, after = (Image(height=240, width=320, encoding="bgr8", step=960, data=picture.tobytes())
                      for picture in pictures)
     client.send_goal(LearnObjectGoal(name=name, before=before, after=after, overwrite=True, allow_bad=True))
-    cell.wait(lambda: client.get_state() > actionlib.GoalStatus.ACTIVE, "lesson of " + name)
+    # The state can be told before the result is there.
+    cell.wait(lambda: client.get_result() is not None, "result of the lesson of " + name)
     return client.get_result()
 
 
