@@ -103,18 +103,6 @@ TEST_P(PointKernels, ChromaEqualsReference) {
   EXPECT_EQ(expected, actual);
 }
 
-TEST_P(PointKernels, CappedSquaresEqualReference) {
-  const auto model = random_floats(0, 255), sample = random_floats(0, 255);
-  auto inside = random_floats(0, 1);
-  for (auto& value : inside) value = std::round(value);
-  std::vector<float> expected(static_cast<std::size_t>(count()), 1.f), actual = expected;
-  point_reference().add_capped_squares_of(model.data(), sample.data(), inside.data(), {0.9f, 5.f},
-                                          3600.f, count(), expected.data());
-  vectorised_points().add_capped_squares_of(model.data(), sample.data(), inside.data(), {0.9f, 5.f},
-                                            3600.f, count(), actual.data());
-  EXPECT_EQ(expected, actual);
-}
-
 INSTANTIATE_TEST_SUITE_P(OddSizes, PointKernels,
                          ::testing::Combine(::testing::Values(1, 7, 16, 63, 64, 65, 161),
                                             ::testing::Values(16, 41, 64)));

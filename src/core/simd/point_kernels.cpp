@@ -26,18 +26,6 @@ void chroma_cells_vectorised(const ChromaCells& cells, const float* __restrict b
   }
 }
 
-MBNCC_CLONES
-void add_capped_squares_vectorised(const float* __restrict model, const float* __restrict sample,
-                                   const float* __restrict inside, const Gain& gain, float most,
-                                   int count, float* __restrict squares) {
-  const float factor = gain.factor, offset = gain.offset;
-  for (int i = 0; i < count; ++i) {
-    const float difference = sample[i] - factor * model[i] - offset;
-    const float square = difference * difference;
-    squares[i] += inside[i] * (square < most ? square : most);
-  }
-}
-
 const PointTable& active_points() {
   static const PointTable& table =
       active().table == &reference() ? point_reference() : vectorised_points();
@@ -48,8 +36,7 @@ const PointTable& active_points() {
 
 const PointTable& vectorised_points() {
   static const PointTable table{sample_colours_vectorised, read_along_normals_vectorised,
-                                edge_agreements_vectorised, chroma_cells_vectorised,
-                                add_capped_squares_vectorised};
+                                edge_agreements_vectorised, chroma_cells_vectorised};
   return table;
 }
 
@@ -74,11 +61,6 @@ void edge_agreements(const Picture8& picture, const Points& points, const float*
 void chroma_cells(const ChromaCells& cells, const float* blue, const float* green, const float* red,
                   int count, std::int32_t* found) {
   active_points().chroma_cells_of(cells, blue, green, red, count, found);
-}
-
-void add_capped_squares(const float* model, const float* sample, const float* inside,
-                        const Gain& gain, float most, int count, float* squares) {
-  active_points().add_capped_squares_of(model, sample, inside, gain, most, count, squares);
 }
 
 }  // namespace mbncc::kernels

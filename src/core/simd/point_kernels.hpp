@@ -63,20 +63,12 @@ struct ChromaCells {
 void chroma_cells(const ChromaCells& cells, const float* blue, const float* green, const float* red,
                   int count, std::int32_t* found);
 
-/// squares[i] += inside[i] min((sample[i] - factor model[i] - offset)^2, most).
-struct Gain {
-  float factor, offset;
-};
-void add_capped_squares(const float* model, const float* sample, const float* inside,
-                        const Gain& gain, float most, int count, float* squares);
-
 /// One set of point kernels.
 struct PointTable {
   decltype(&sample_colours) sample_colours_at;
   decltype(&read_along_normals) read_along_normals_at;
   decltype(&edge_agreements) edge_agreements_at;
   decltype(&chroma_cells) chroma_cells_of;
-  decltype(&add_capped_squares) add_capped_squares_of;
 };
 
 /// The formulas, written down plainly.

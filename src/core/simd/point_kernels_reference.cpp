@@ -115,20 +115,11 @@ void chroma_cells_reference(const ChromaCells& cells, const float* blue, const f
   }
 }
 
-void add_capped_squares_reference(const float* model, const float* sample, const float* inside,
-                                  const Gain& gain, float most, int count, float* squares) {
-  for (int i = 0; i < count; ++i) {
-    const float difference = sample[i] - gain.factor * model[i] - gain.offset;
-    squares[i] += inside[i] * std::min(difference * difference, most);
-  }
-}
-
 }  // namespace
 
 const PointTable& point_reference() {
   static const PointTable table{sample_colours_reference, read_along_normals_reference,
-                                edge_agreements_reference, chroma_cells_reference,
-                                add_capped_squares_reference};
+                                edge_agreements_reference, chroma_cells_reference};
   return table;
 }
 

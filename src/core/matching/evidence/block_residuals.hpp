@@ -8,14 +8,9 @@
 
 namespace mbncc {
 
-/// By compact part, rms [grey levels] of its colours after one gain and one offset, each difference
-/// up to a bound; -1 where too little of it lies in the picture. Gain and offset are fitted to the
-/// five of eight parts that they explain best (least trimmed squares, Rousseeuw 1984).
-/// `blocks` are those of the sample.
-std::vector<double> block_residuals(const SurfaceTemplate& surface, const SurfaceSample& sample,
-                                    const std::vector<BlockSums>& blocks);
-
-/// Root mean square [grey levels] of the best five of eight; negative without any.
-double best_of(const std::vector<double>& residuals);
+/// Root mean square [grey levels] of the colour differences in the five of eight parts that one
+/// gain and one offset explain best (least trimmed squares, Rousseeuw 1984); negative where no part
+/// lies in the picture.
+double trimmed_residual(const std::vector<BlockSums>& blocks);
 
 }  // namespace mbncc

@@ -13,7 +13,12 @@
 namespace mbncc {
 namespace {
 
-constexpr double kLargeArea = 1800;  // [px] beyond it size no longer guards against chance
+constexpr double kLargeArea = 1800;     // [px] beyond it size no longer guards against chance
+constexpr double kBlocksWeight = 4.28;  // of Evidence::best_blocks in log_odds()
+
+double blocks_feature(double residual) {
+  return std::log(residual + 3);
+}
 
 double gradient_agreement(const SurfaceTemplate& surface, const SurfaceSample& sample,
                           const cv::Mat& edges, const Pose2D& pose, double scale) {
@@ -45,30 +50,28 @@ struct Reading {
   double scale;
 };
 
-Evidence evidence_of(const Reading& reading, const PoseSample& sample,
-                     const std::vector<BlockSums>& blocks) {
+/// `residual` is that of the sample's parts.
+Evidence evidence_of(const Reading& reading, const PoseSample& sample, double residual) {
   constexpr double kNoise = 9;  // [grey^2]
   const SurfaceTemplate& surface = reading.object.surface;
   const SurfaceSample& seen = sample.surface;
-  const auto remainder = surface.remainder(seen);
-  const double residual = best_of(block_residuals(surface, seen, blocks));
   Evidence evidence = contour_evidence(reading.object, sample);
   evidence.gradient =
       gradient_agreement(surface, seen, reading.scene.edges, reading.pose, reading.scale);
-  if (residual >= 0) evidence.best_blocks = std::log(residual + 3);
+  if (residual >= 0) evidence.best_blocks = blocks_feature(residual);
   evidence.histogram = overlap(surface.histogram, chroma_histogram(seen.planes, seen.inside));
-  evidence.projected = surface.correlation(remainder, kNoise);
-  evidence.unexplained = std::log(std::sqrt(surface.unexplained(remainder)) + 2);
+  evidence.projected = surface.correlation(sample.remainder, kNoise);
+  evidence.unexplained = std::log(std::sqrt(surface.unexplained(sample.remainder)) + 2);
   return evidence;
 }
 
 Evidence evidence_without(const ColourCast& cast, const Reading& reading, const PoseSample& sample,
-                          std::vector<BlockSums> blocks) {
+                          double residual) {
   thread_local PoseSample freed;
   freed = sample;
   take_out(cast, freed.surface);
-  take_out(cast, blocks);
-  Evidence evidence = evidence_of(reading, freed, blocks);
+  freed.remainder = reading.object.surface.remainder(freed.surface);
+  Evidence evidence = evidence_of(reading, freed, residual);
   evidence.cast = cast.size();
   return evidence;
 }
@@ -91,14 +94,20 @@ Evidence gather_evidence(const PoseTemplate& object, const SceneLevel& scene, co
 Evidence gather_evidence(const PoseTemplate& object, const SceneLevel& scene, const Pose2D& pose,
                          const PoseSample& sample, double scale) {
   constexpr double kLeastCast = 0.05;  // ln of the gains; less is noise
+  constexpr double kOtherGain = 6;     // log-odds that other features may gain without the cast
   if (!sample.surface.suffices()) return contour_evidence(object, sample);
   const Reading reading{object, scene, pose, scale};
-  const auto blocks = block_sums(object.surface, sample.surface);
+  auto blocks = block_sums(object.surface, sample.surface);
+  const double residual = trimmed_residual(blocks);
   const ColourCast cast = bounded(local_cast(blocks).value_or(ColourCast{}));
-  const Evidence as_seen = evidence_of(reading, sample, blocks);
-  if (cast.size() < kLeastCast) return as_seen;
-  const Evidence without = evidence_without(cast, reading, sample, blocks);
-  return log_odds(without, kLargeArea) > log_odds(as_seen, kLargeArea) ? without : as_seen;
+  if (cast.size() < kLeastCast) return evidence_of(reading, sample, residual);
+  take_out(cast, blocks);
+  const double without = trimmed_residual(blocks);
+  const Evidence as_seen = evidence_of(reading, sample, residual);
+  const double gained = kBlocksWeight * (blocks_feature(residual) - blocks_feature(without));
+  if (gained + kOtherGain < cast_penalty(cast.size())) return as_seen;
+  const Evidence freed = evidence_without(cast, reading, sample, without);
+  return log_odds(freed, kLargeArea) > log_odds(as_seen, kLargeArea) ? freed : as_seen;
 }
 
 double log_odds(const Evidence& evidence, double area) {
@@ -107,7 +116,7 @@ double log_odds(const Evidence& evidence, double area) {
   // the more, and the gradients inside are those of the background.
   constexpr double kSmallArea = 700;  // [px] below it other weights hold
   const double small = std::max(0.0, std::log(kSmallArea / area));
-  return 18.9 * evidence.found + 17.3 * evidence.gradient - 4.28 * evidence.best_blocks +
+  return 18.9 * evidence.found + 17.3 * evidence.gradient - kBlocksWeight * evidence.best_blocks +
          6.68 * evidence.histogram + 9.35 * evidence.projected - 8.29 * evidence.texture +
          0.99 * std::log(std::min(area, kLargeArea)) - 16.5 * (1 - evidence.visible) -
          cast_penalty(evidence.cast) - 12.4 +

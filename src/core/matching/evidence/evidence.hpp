@@ -14,14 +14,15 @@ struct Evidence {
   double found = 0;             ///< [0..1] part of the contour with a clear edge along it
   double gradient = 0;          ///< [-1..1] direction of texture gradients inside
   double best_blocks = kNoFit;  ///< ln(rms colour difference [grey levels] + 3) after gain and
-                                ///< offset, over the best 5 of 8 blocks: bears occlusion and gloss
+                                ///< offset, over the best 5 of 8 blocks: bears occlusion
   double histogram = 0;         ///< [0..1] intersection of the chroma histograms
   double projected = 0;         ///< [-1..1] correlation of colour without shading and gloss
   double unexplained = kNoFit;  ///< ln(rms colour difference [grey levels] + 2) after a gain and
                                 ///< without shading and gloss
   double texture = 0;           ///< [0..1] of the object: a plain one has little to agree with
   double cast = 0;     ///< size of the ColourCast that the colours were freed from; 0: as seen
-  double visible = 0;  ///< [0..1] part of the surface points inside the picture
+  double visible = 0;  ///< [0..1] part of the surface points that can be compared: inside the
+                       ///< picture, and no highlights
 };
 
 /// Of the object `scale` times as large as the template.

@@ -58,14 +58,25 @@ class TornOutline {
   double best_torn() const {
     float best = 0;
     const std::size_t points = order_.size();
-    for (std::size_t a = 0; a < responses_.size(); ++a)
-      for (std::size_t b = 0; b < responses_.size(); ++b) {
-        if (std::max(a, b) - std::min(a, b) < kApart) continue;
-        const Sums &upper = responses_[a], &lower = responses_[b];
-        for (std::size_t i = points / 4; i <= 3 * points / 4; ++i)
-          best = std::max(best, upper[i] + lower.back() - lower[i]);
-      }
+    for (std::size_t i = points / 4; i <= 3 * points / 4; ++i) best = std::max(best, torn_at(i));
     return best / visible_;
+  }
+
+  /// The best sum of an upper part of the points before `i` and a lower one of the others, kApart
+  /// shifts or more from each other.
+  float torn_at(std::size_t i) const {
+    const auto upper = [&](std::size_t shift) { return responses_[shift][i]; };
+    const auto lower = [&](std::size_t shift) {
+      return responses_[shift].back() - responses_[shift][i];
+    };
+    constexpr float kNone = -1e6F;
+    float best = kNone, best_upper = kNone, best_lower = kNone;  // of shifts kApart behind
+    for (std::size_t shift = kApart; shift < responses_.size(); ++shift) {
+      best_upper = std::max(best_upper, upper(shift - kApart));
+      best_lower = std::max(best_lower, lower(shift - kApart));
+      best = std::max({best, best_upper + lower(shift), best_lower + upper(shift)});
+    }
+    return best;
   }
 
   const ContourTemplate& contour_;

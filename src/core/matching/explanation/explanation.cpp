@@ -71,7 +71,7 @@ void take_evidence(const PreparedView& view, const ScenePicture& scene, const Po
       std::min(kEqual, seen.best_blocks));
   add("colours as a whole", seen.histogram, &Evidence::histogram, 1);
   add("colours without shading", seen.projected, &Evidence::projected, 1);
-  add("part inside the picture", seen.visible, &Evidence::visible, 1);
+  add("part of the surface compared", seen.visible, &Evidence::visible, 1);
   add("cast of the light", seen.cast, &Evidence::cast, 0);
   explanation.evidence = together;
 }

@@ -18,6 +18,7 @@ struct BlockSums {
   Channels product{};                        ///< template times picture
 };
 
+/// At most kMostBlocks.
 std::vector<BlockSums> block_sums(const SurfaceTemplate& surface, const SurfaceSample& sample);
 
 }  // namespace mbncc

@@ -14,9 +14,12 @@ struct SurfacePoint {
   cv::Point2f inward;  ///< unit, away from the edge
 };
 
+constexpr std::size_t kMostBlocks = 8;  // that a surface is split into
+
 struct SamplePoints {
   std::vector<SurfacePoint> points;
-  std::vector<int> block_ends;  ///< points in order belong to compact parts of equal size
+  std::vector<int> block_ends;  ///< points in order belong to kMostBlocks compact parts of equal
+                                ///< size, or fewer
 };
 
 /// At most `most` points of a map of `size`, spread evenly: away from the edge, where picture

@@ -3,13 +3,14 @@
 
 #include "imaging/kernel_views.hpp"
 #include "matching/template/surface_template.hpp"
+#include "simd/clones.hpp"
 #include "simd/lanes.hpp"
 
 namespace mbncc {
 
 namespace {
 
-/// Counts the points inside the picture; the others get the mean colour of these.
+/// Counts the points that are to be compared; the others get the mean colour of these.
 void fill_outside(SurfaceSample& sample) {
   const float* counts = sample.inside.data();
   const auto [count, blue, green, red] = products<4>(
@@ -27,7 +28,46 @@ void fill_outside(SurfaceSample& sample) {
   }
 }
 
+/// Brightness (sum of the channels) over the points that are not saturated.
+struct Exposure {
+  float open = 0, saturated = 0;  // points
+  float learned = 0, seen = 0;    // brightness of the open ones
+};
+
+constexpr float kSaturated = 240;  // [grey levels] all channels of a highlight reach this
+
+MBNCC_CLONES
+Exposure exposure_of(const float* __restrict learned, const float* __restrict blue,
+                     const float* __restrict green, const float* __restrict red,
+                     const float* __restrict inside, std::size_t count) {
+  Exposure all;
+  for (std::size_t i = 0; i < count; ++i) {
+    const float darkest = std::min(blue[i], std::min(green[i], red[i]));
+    const float open = darkest < kSaturated ? inside[i] : 0.F;
+    all.open += open;
+    all.saturated += inside[i] - open;
+    all.learned += open * learned[i];
+    all.seen += open * (blue[i] + green[i] + red[i]);
+  }
+  return all;
+}
+
 }  // namespace
+
+// What mirrors a lamp saturates the camera and shows nothing of the object. What is bright enough
+// in the lesson, in the light here, may saturate by itself.
+void SurfaceTemplate::leave_out_highlights(SurfaceSample& sample) const {
+  constexpr float kShare = 0.85F;  // of saturation: what should be brighter than this may saturate
+  const auto& [blue, green, red] = sample.planes;
+  const Exposure exposure = exposure_of(brightness.data(), blue.data(), green.data(), red.data(),
+                                        sample.inside.data(), padded());
+  if (exposure.saturated == 0 || exposure.open <= exposure.saturated) return;
+  const float gain = exposure.seen / std::max(1.F, exposure.learned);
+  for (std::size_t i = 0; i < size(); ++i) {
+    const bool saturated = std::min({blue[i], green[i], red[i]}) >= kSaturated;
+    if (saturated && gain * brightness[i] < kShare * kChannels * kSaturated) sample.inside[i] = 0;
+  }
+}
 
 void SurfaceTemplate::sample(const SceneLevel& scene, const Pose2D& pose, SurfaceSample& sample,
                              double scale) const {
@@ -38,6 +78,7 @@ void SurfaceTemplate::sample(const SceneLevel& scene, const Pose2D& pose, Surfac
                           {sample.planes[0].data(), sample.planes[1].data(),
                            sample.planes[2].data(), sample.inside.data()});
   sample.points = size();
+  leave_out_highlights(sample);
   fill_outside(sample);
 }
 

@@ -49,7 +49,8 @@ void SurfaceTemplate::read_colours(const SceneLevel& picture) {
   const ColourSampler colour_at(picture.colour);
   const auto right = static_cast<float>(picture.size().width) - 1.02f;
   const auto bottom = static_cast<float>(picture.size().height) - 1.02f;
-  for (auto* values : {&planes[0], &planes[1], &planes[2], &energy}) values->assign(padded(), 0.f);
+  for (auto* values : {&planes[0], &planes[1], &planes[2], &brightness})
+    values->assign(padded(), 0.f);
   std::vector<float> ones(padded(), 0.f);
   for (std::size_t i = 0; i < size(); ++i) {
     float colour[kChannels] = {};
@@ -57,7 +58,7 @@ void SurfaceTemplate::read_colours(const SceneLevel& picture) {
               colour);
     for (int c = 0; c < kChannels; ++c) {
       planes[c][i] = colour[c];
-      energy[i] += colour[c] * colour[c];
+      brightness[i] += colour[c];
     }
     ones[i] = 1;
   }

@@ -17,9 +17,9 @@ namespace mbncc {
 /// Colours of a picture at the points of a surface: one plane per channel (b, g, r).
 struct SurfaceSample {
   std::array<std::vector<float>, 3> planes;  ///< padded with zeros to whole lanes
-  std::vector<float> inside;                 ///< 1: in the picture; 0: outside, or padding
-  std::array<double, 3> means{};             ///< of the planes inside
-  std::size_t visible = 0, points = 0;       ///< inside, and in all
+  std::vector<float> inside;      ///< 1: compared; 0: outside the picture, a highlight, or padding
+  std::array<double, 3> means{};  ///< of the planes inside
+  std::size_t visible = 0, points = 0;  ///< inside, and in all
 
   /// Enough is visible for a judgement.
   bool suffices() const { return visible >= 10 && 4 * visible >= points; }
@@ -62,7 +62,7 @@ class SurfaceTemplate {
   std::size_t padded() const { return x.size(); }  ///< size() in whole lanes
 
   /// Reads the colours at `pose`, the surface `scale` times as large as the template. Points
-  /// outside the picture take the mean of those inside.
+  /// outside the picture, and highlights, are not compared: they take the mean of the others.
   void sample(const SceneLevel& scene, const Pose2D& pose, SurfaceSample& sample,
               double scale = 1) const;
 
@@ -94,7 +94,7 @@ class SurfaceTemplate {
   // All vectors are padded to whole lanes: places with points that lie nowhere, values with zeros.
   std::vector<float> x, y;                   ///< [px at level] relative to the anchor
   std::array<std::vector<float>, 3> planes;  ///< colours
-  std::vector<float> energy;                 ///< sum over channels of squared colours
+  std::vector<float> brightness;             ///< sum of the channels
   std::vector<int> block_ends;  ///< points in order belong to compact parts of equal size
 
   ShadingBasis basis;                           ///< projected out of template and picture
@@ -119,6 +119,7 @@ class SurfaceTemplate {
   void read_gradients(const SceneLevel& picture);
   void project();
   void read_slopes(const SceneLevel& picture);
+  void leave_out_highlights(SurfaceSample& sample) const;
 
   std::vector<SurfacePoint> points_;
   double radius_ = 1, texture_ = 0;

@@ -1,0 +1,46 @@
+#include "matching/evidence/block_residuals.hpp"
+
+#include <gtest/gtest.h>
+
+#include "matching/pictures.hpp"
+#include "matching/prepared/prepared_object.hpp"
+#include "matching/surface_sample.hpp"
+
+namespace mbncc {
+namespace {
+
+class BlockResidualsTest : public ::testing::Test {
+ protected:
+  const test::LearningPicture source_{1};
+  const PreparedObject object_{test::object_from(source_, {58, 60, 0}), Engine::kFast};
+  const SurfaceTemplate& surface_ = object_.views.front().fine.surface;
+
+  /// Of the template's colours that `light` turns into a picture's.
+  template <class Light>
+  double residual(const Light& light) const {
+    return trimmed_residual(block_sums(surface_, test::sample_of(surface_, light)));
+  }
+};
+
+TEST_F(BlockResidualsTest, GainAndOffsetAreLight) {
+  EXPECT_LT(residual([](float colour, float, float) { return 0.8f * colour + 20; }), 1);
+}
+
+TEST_F(BlockResidualsTest, AnotherSurfaceIsNone) {
+  EXPECT_GT(residual([](float colour, float, float) { return 255 - colour; }), 20);
+}
+
+TEST_F(BlockResidualsTest, WhatCoversAThirdDecidesNothing) {
+  EXPECT_LT(residual([](float colour, float, float y) { return y < -15 ? 30 : colour; }), 1);
+  EXPECT_GT(residual([](float colour, float, float y) { return y < 25 ? 30 : colour; }), 5);
+}
+
+TEST_F(BlockResidualsTest, WithoutPartsThereIsNone) {
+  EXPECT_LT(trimmed_residual({}), 0);
+  SurfaceSample outside = test::sample_of(surface_, [](float, float, float) { return 0.f; });
+  std::fill(outside.inside.begin(), outside.inside.end(), 0.f);
+  EXPECT_LT(trimmed_residual(block_sums(surface_, outside)), 0);
+}
+
+}  // namespace
+}  // namespace mbncc

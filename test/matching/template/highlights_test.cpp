@@ -1,0 +1,76 @@
+// What saturates the camera, and shows nothing of the object, is not compared.
+#include <gtest/gtest.h>
+
+#include "matching/pictures.hpp"
+#include "matching/prepared/prepared_object.hpp"
+#include "mbncc/matching/matcher.hpp"
+
+namespace mbncc {
+namespace {
+
+const cv::Rect kSpot(40, 70, 30, 14);  // [px] a seventh of the object
+
+class HighlightsTest : public ::testing::Test {
+ protected:
+  const test::LearningPicture source_{1};
+
+  /// Surface points of the object learned from `learned` that are compared in `picture`, of all.
+  static double compared(const cv::Mat& learned, const cv::Mat& picture) {
+    auto model = std::make_shared<ObjectModel>();
+    model->name = "object";
+    model->views.push_back(crop_view(learned, test::angle_map(), {58, 60, 0}));
+    const PreparedObject object(model, Engine::kFast);
+    const PreparedView& view = object.views.front();
+    const SceneLevel scene(picture, 0);
+    scene.prepare();
+    SurfaceSample sample;
+    const Pose2D anchor = compose({58, 60, 0}, inverse(view.reference_in_anchor));
+    view.fine.surface.sample(scene, anchor, sample);
+    return static_cast<double>(sample.visible) / static_cast<double>(sample.points);
+  }
+
+  static cv::Mat with_spot(const cv::Mat& picture) {
+    cv::Mat glossy = picture.clone();
+    glossy(kSpot) = cv::Scalar::all(255);
+    return glossy;
+  }
+};
+
+TEST_F(HighlightsTest, AreNotCompared) {
+  EXPECT_EQ(compared(source_.picture, source_.picture), 1);
+  const double left = compared(source_.picture, with_spot(source_.picture));
+  EXPECT_LT(left, 0.95);
+  EXPECT_GT(left, 0.7);
+}
+
+TEST_F(HighlightsTest, WhatWasWhiteInTheLessonIsNone) {
+  const cv::Mat white = with_spot(source_.picture);
+  EXPECT_EQ(compared(white, white), 1);
+}
+
+TEST_F(HighlightsTest, WhatSaturatesInBrighterLightIsNone) {
+  cv::Mat pale = source_.picture.clone(), brighter;
+  pale(kSpot) = cv::Scalar::all(180);
+  pale.convertTo(brighter, -1, 1.5);
+  EXPECT_GT(compared(pale, brighter), 0.97);
+}
+
+TEST_F(HighlightsTest, OfAPictureThatIsSaturatedMostlyAllIsCompared) {
+  cv::Mat white(source_.picture.size(), CV_8UC3, cv::Scalar::all(255));
+  EXPECT_EQ(compared(source_.picture, white), 1) << "what a white table shows speaks against it";
+}
+
+TEST_F(HighlightsTest, DoNotKeepAnObjectFromTheGrasp) {
+  Matcher matcher;
+  matcher.set_objects({test::object_from(source_, {58, 60, 0})});
+  const cv::Mat background = test::texture({320, 240}, 77, 5);
+  cv::Mat scene = background.clone();
+  with_spot(source_.surface).copyTo(scene(cv::Rect({90, 60}, source_.map.size())), source_.map);
+  const auto matches = matcher.find(scene).matches;
+  ASSERT_EQ(matches.size(), 1u);
+  EXPECT_TRUE(matches.front().graspable);
+  EXPECT_LT(cv::norm(matches.front().pose.position() - cv::Point2d(148, 120)), 0.5);
+}
+
+}  // namespace
+}  // namespace mbncc
