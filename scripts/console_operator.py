@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """An operator who works the console by xdotool alone, as fast as the lesson lets him; needs xdotool."""
 import subprocess
 import threading

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """A simulated cell and its console on a display of their own.
 
 Shared by the console's test and by scripts/make_console_pictures; needs Xvfb.

@@ -1,4 +1,5 @@
 #!/usr/bin/python3
+# SPDX-License-Identifier: BSD-3-Clause
 """Teaches the object of the simulated cell and finds it again at places the arm puts it down.
 
 Runs against demo.launch with auto_play:=false. Prints the lesson's feedback and each found pose

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 # Sourced by the other scripts: finds the package, the ROS installation and the system's Python.
 # shellcheck shell=bash
 
@@ -34,7 +35,7 @@ fail() {
 # Whoever asks a script for help gets the comment at its head, and nothing is done.
 case " $* " in
   *" -h "* | *" --help "*)
-    sed -n '2,/^[^#]/s/^# \{0,1\}//p' "$0"
+    sed -n '3,/^[^#]/s/^# \{0,1\}//p' "$0"
     exit 0
     ;;
 esac

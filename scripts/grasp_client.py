@@ -1,4 +1,5 @@
 #!/usr/bin/python3
+# SPDX-License-Identifier: BSD-3-Clause
 """Waits for an object that may be grasped, and prints where. An example of a careful consumer.
 
 It acts on detected_objects alone: the object must be CONFIRMED, have a pose in metres, and its

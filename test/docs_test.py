@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: BSD-3-Clause
 """What the documents name is there: linked files and headings, tests, launch files and their arguments.
 
 usage: docs_test.py SOURCE_DIR

@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: BSD-3-Clause
 """Sources keep to what Ubuntu 20.04 has, the system under ROS Noetic, by the change logs of what they use.
 
 usage: oldest_versions_test.py SOURCE_DIR

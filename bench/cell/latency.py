@@ -1,4 +1,5 @@
 #!/usr/bin/python3
+# SPDX-License-Identifier: BSD-3-Clause
 """Latency and CPU time of a running cell: 30 pictures a second of 640 x 480, five objects, one manager.
 
 usage: latency.py PATH/TO/mbncc [--seconds S] [--rate HZ] [--play]

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // What evidence.hpp says of right and wrong poses on evaluation sets, as rows for fit.py.
 #include <algorithm>
 #include <fstream>

@@ -1,4 +1,5 @@
 #!/usr/bin/python3
+# SPDX-License-Identifier: BSD-3-Clause
 """Fits the weights of log_odds() (src/core/matching/evidence/evidence.cpp) to the rows of evidence_rows by logistic regression.
 
 usage: fit.py ROWS.csv [--plot reliability.png]

@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: BSD-3-Clause
 """Judges the paper's claims anew from the tables of the kept page, and from what the built programs write.
 
 usage: claims_test.py [FOLDER_OF_THE_BENCHMARK_PROGRAMS]

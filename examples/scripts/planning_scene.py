@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: BSD-3-Clause
 """Keeps the objects that are in view as obstacles in MoveIt's planning scene: outline by height."""
 import cv2
 import numpy

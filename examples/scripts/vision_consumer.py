@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: BSD-3-Clause
 """Publishes the pose of the best object of a name, by vision_msgs alone (cell.launch vision_msgs:=true)."""
 import rospy
 from geometry_msgs.msg import PoseStamped

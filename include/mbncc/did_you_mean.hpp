@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // "Did you mean ...?" for misspelt keys and flags.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Marks in pictures for people: outlines, object axes, captions.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // How the core reports trouble: misuse is std::invalid_argument, a file that cannot be read or
 // written is a FileError, and expected outcomes of a lesson are LearnError values. Nothing else is
 // thrown on purpose.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Plane geometry of the package: poses in the picture, circles about a map.
 // Axes: x right, y down, pixel centres at integers. theta > 0 turns x towards y, which is clockwise
 // on screen and right-handed about the optical axis (REP 103).

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // What the nodelets' reports on /diagnostics are called: they are named by whoever writes them and
 // looked for by the console.
 #pragma once

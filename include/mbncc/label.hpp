@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Texts that people are shown: what they call an object beside its name, and names of frames.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // What a lesson makes, the library stores and matching searches.
 #pragma once
 

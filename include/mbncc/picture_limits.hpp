@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // How large pictures may be, wherever they come from: messages, files, the descriptions of objects.
 #pragma once
 

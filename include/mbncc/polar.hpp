@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Polar pictures (the paper, doi 10.1177/1687814017728839): a disc unrolled so that a rotation of
 // the disc is a shift of columns.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Rotational symmetry that an operator declares for an object.
 #pragma once
 

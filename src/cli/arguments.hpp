@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Command lines: what a command accepts, and what it was given.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // What every command of the tool is made of. Each lives in a file of its own, <name>_command.cpp.
 #pragma once
 

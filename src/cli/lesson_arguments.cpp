@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "cli/lesson_arguments.hpp"
 
 #include "cli/command.hpp"

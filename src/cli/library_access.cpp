@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "cli/library_access.hpp"
 
 #include <cstdlib>

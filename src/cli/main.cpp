@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // mbncc: teaches, finds and manages objects without a ROS graph.
 #include <malloc.h>
 #include <sys/mman.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // What a PNG or JPEG file says of itself, judged before a decoder allocates anything for it.
 #pragma once
 

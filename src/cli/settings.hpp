@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Every parameter of the package: one list serves --config, --set and `mbncc params`.
 #pragma once
 

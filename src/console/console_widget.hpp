@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The whole console: puts models, ROS link and widgets together. It lives in a window of its own,
 // or in RViz as TeachPanel.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // A sentence beside the lesson's own, such as the library's refusal. The lesson speaks several
 // times a second, so what is said in between would be gone before anybody has read it.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "console/ros_link.hpp"
 
 #include <dynamic_reconfigure/Reconfigure.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The console's side of ROS: hears topics and calls services on threads of its own, and hands
 // everything to the window's thread as queued signals.
 #pragma once

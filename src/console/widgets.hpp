@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Small things that the console's widgets have in common.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "console/words.hpp"
 
 #include <mbncc_vision/DetectedObject.h>

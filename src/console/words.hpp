@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // What the console says: stages, verdicts and states in plain words, with a symbol each, so that
 // nothing depends on colour alone.
 #pragma once

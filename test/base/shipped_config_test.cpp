@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Every YAML file in config/ names every field of its struct with its default and its range, and
 // nothing else.
 #include <gtest/gtest.h>

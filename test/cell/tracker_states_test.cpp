@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // When a tracked instance is confirmed or ambiguous, and what its angle does.
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // What a watched cell calls graspable, a search of the whole picture calls graspable, too: drawn
 // stories of objects that look alike, with pictures late and lost and little effort for each.
 #include <gtest/gtest.h>

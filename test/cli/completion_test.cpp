@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The completion is sourced by a real bash without any start-up files.
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // map, list, show, forget, restore, check, params.
 #include <gtest/gtest.h>
 #include <yaml-cpp/yaml.h>

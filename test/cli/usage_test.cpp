@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Wrong usage: exit code 2 and a sentence that says what is wrong.
 #include <gtest/gtest.h>
 

@@ -1,4 +1,5 @@
 #!/usr/bin/python3
+# SPDX-License-Identifier: BSD-3-Clause
 """Clicks through lessons in the simulated cell: taught, found, rejected, corrected, deleted and brought back.
 
 usage: console_test.py SCRIPTS_FOLDER

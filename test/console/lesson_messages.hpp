@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // What the learning nodelet says in a lesson, and a console in the midst of one.
 #pragma once
 

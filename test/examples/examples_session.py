@@ -1,4 +1,5 @@
 #!/usr/bin/python3
+# SPDX-License-Identifier: BSD-3-Clause
 """Teaches the object of the simulated cell and compares what the examples make of it with the truth, place by place."""
 import math
 import sys

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // What a client may ask of a lesson: name, region, outline, click, strokes and reference of any
 // numbers, on a small picture. A lesson ends with a model or a reason, never otherwise.
 #include <cstring>

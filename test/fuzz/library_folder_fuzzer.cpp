@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Library folders: files of any name and content, links and folders among them. Loading never
 // fails, what is loaded can be stored again, and no file outside the folder is touched.
 #include <sys/stat.h>

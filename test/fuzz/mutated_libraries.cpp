@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Mutated libraries through `mbncc check`, `mbncc find` and the live matcher, each in a process of
 // its own with bounded memory: none breaks it, what is accepted is searched for, and what is
 // deleted or disabled is not. usage: mutated_libraries COUNT [FIRST]

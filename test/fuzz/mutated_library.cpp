@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "fuzz/mutated_library.hpp"
 
 #include <sys/stat.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Runs a fuzz target over files, without a fuzzer: what was found once stays found.
 #include <filesystem>
 #include <fstream>

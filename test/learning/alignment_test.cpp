@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Light, camera shift and noise between two pictures of one scene.
 #include "learning/change/align_pictures.hpp"
 

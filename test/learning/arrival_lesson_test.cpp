@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Lessons without a region, in which something was put down: only what left may be learned.
 #include <gtest/gtest.h>
 

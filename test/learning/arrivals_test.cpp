@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Which changed patches are of something that came.
 #include <gtest/gtest.h>
 

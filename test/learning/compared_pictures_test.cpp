@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Which pairs of pictures a lesson compares, and which it refuses.
 #include "mbncc/learning/learn_object.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Lessons that are refused for what they bring, or for what came of it.
 #include "mbncc/learning/learn_object.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // What a lesson's observer hears, and how it stops a lesson.
 #include "mbncc/learning/learn_object.hpp"
 

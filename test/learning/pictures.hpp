@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Small seeded pictures for the tests of learning: a textured platform, a textured object, noise.
 #pragma once
 

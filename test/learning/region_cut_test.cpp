@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Lessons from one image: the platform is predicted, the rim told by the colours on its sides.
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // What a survey tells of two pictures, and how much of it ends a lesson.
 #include <gtest/gtest.h>
 

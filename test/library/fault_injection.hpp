@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Lets one system call of the library fail, or the process die at it. The functions of this name in
 // the test program take the place of libc's, so that the library needs no seam for its tests.
 #pragma once

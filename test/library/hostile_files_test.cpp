@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Files that are no objects: damaged, hostile, or not files at all.
 #include <gtest/gtest.h>
 #include <sys/resource.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Every system call of every change of the library fails once, and the process dies at each once.
 #include <gtest/gtest.h>
 #include <sys/wait.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Several processes on one library: writers, readers, kills, and readers without permission.
 #include <gtest/gtest.h>
 #include <sys/stat.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Sound PNG files whose descriptions lie: every field, in every way that a value can be wrong.
 #include <gtest/gtest.h>
 #include <yaml-cpp/yaml.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Object models drawn from a seed, and what it means that two are equal.
 #pragma once
 

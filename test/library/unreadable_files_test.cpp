@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // What a library does with files that it cannot read.
 #include <gtest/gtest.h>
 

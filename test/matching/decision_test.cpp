@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // What makes a detection graspable, ambiguous, or a rival of another one.
 #include <gtest/gtest.h>
 

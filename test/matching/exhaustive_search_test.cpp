@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The fast searches against the one that cannot miss.
 #include "matching/exhaustive_search.hpp"
 

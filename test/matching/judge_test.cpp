@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // What is looked for that speaks against a pose.
 #include <cmath>
 

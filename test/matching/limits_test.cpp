@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // What bounds a search: time, thresholds set at run time, and objects that are hardly wide enough.
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Maps of every shape, thin and long ones too, that fill their crop or lie at a picture's border:
 // what a library's file may hold must be searched for without a fault.
 #include <gtest/gtest.h>

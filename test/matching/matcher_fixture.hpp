@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // A matcher that knows one object or several, and what is expected of a match.
 #pragma once
 

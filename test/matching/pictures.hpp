@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Seeded pictures for the tests of matching: a smooth random texture as object and as background.
 #pragma once
 

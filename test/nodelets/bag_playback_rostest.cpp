@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // A bag of the simulated cell is recorded, played with --clock and compared with its truth.
 #include <gtest/gtest.h>
 #include <mbncc_vision/DetectedObjectArray.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Calibrations at random, sound and spoilt: a pose in metres is given only where what camera_info
 // says is met, by a computation of the test's own.
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Two cells with one library: what is taught in one is found in both, and neither disturbs the
 // other.
 #include <gtest/gtest.h>

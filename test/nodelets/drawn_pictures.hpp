@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // What tests draw and publish themselves: one part on a platform, under a camera without
 // distortion.
 #pragma once

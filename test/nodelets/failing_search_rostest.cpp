@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Searches that end in an exception, that never end, and pictures that cannot be searched: whoever
 // listens hears of it each time. The longest time until then goes to the test's report.
 #include <gtest/gtest.h>

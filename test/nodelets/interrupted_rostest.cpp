@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Ctrl-C in the midst of a lesson: its client is told, and the process ends in order.
 #include <gtest/gtest.h>
 #include <ros/ros.h>

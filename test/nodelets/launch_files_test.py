@@ -1,4 +1,5 @@
 #!/usr/bin/python3
+# SPDX-License-Identifier: BSD-3-Clause
 """What the launch files set, without a master: pictures are lifted by the calibration that is theirs."""
 import glob
 import os

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // What calibration and tf tell of a lesson: scale and marked grasp. Pictures are given with the
 // goals; tf is the test's own.
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // In one process pictures travel by pointer: what the camera publishes is what every listener gets,
 // rectified pictures included.
 #include <gtest/gtest.h>

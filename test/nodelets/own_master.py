@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """Processes and a ROS master of a test's own, on a port that nobody else uses."""
 import os
 import signal

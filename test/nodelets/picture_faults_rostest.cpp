@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Pictures that change their size again and again, that show nothing, and whose tf frames are
 // missing; in this process so that sanitizers see it. MBNCC_PICTURES: switches of size, a tenth of
 // the empty pictures. Latencies go to the test's report.

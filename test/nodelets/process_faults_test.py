@@ -1,4 +1,5 @@
 #!/usr/bin/python3
+# SPDX-License-Identifier: BSD-3-Clause
 """Processes that stop, die and come back: camera, subscriber, client of a lesson.
 
 usage: process_faults_test.py

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // A client of one cell that has neither calibration nor pictures but those the test gives it.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Detections without pictures, without calibration, with malformed pictures, on request and
 // disabled; settings at run time.
 #include <dynamic_reconfigure/Reconfigure.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // What goals of a lesson are refused for, and what they teach.
 
 #include "nodelets/conversion/messages.hpp"

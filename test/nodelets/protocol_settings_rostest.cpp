@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // What may be set while the matching nodelet runs, and what that does.
 #include <dynamic_reconfigure/Reconfigure.h>
 #include <mbncc_vision/FindObjects.h>

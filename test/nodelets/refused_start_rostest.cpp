@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // A nodelet that cannot start says why and leaves its manager, this process, alive.
 #include <diagnostic_msgs/DiagnosticArray.h>
 #include <gtest/gtest.h>

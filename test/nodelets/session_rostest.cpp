@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // A session whose clock and pictures the test makes: which instance is which, which stamps count,
 // and what the example consumer takes.
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // A client of the simulated cell: its truth, what is detected, and orders to its arm.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // A client of the LearnObject action for rostests: plain topics, so that it works on any clock, and
 // with several goals at a time.
 #pragma once

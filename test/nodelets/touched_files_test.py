@@ -1,4 +1,5 @@
 #!/usr/bin/python3
+# SPDX-License-Identifier: BSD-3-Clause
 """What learning and matching touch on disk while they are asked for sense and nonsense.
 
 usage: touched_files_test.py

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Days of a cell in minutes: a story of small pictures again and again through everything that a
 // nodelet keeps between pictures, with lessons, edits and clock jumps. Memory, open files and
 // threads must stay what they were.

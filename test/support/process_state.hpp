@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // What this process holds of the machine: memory, open files, threads.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // What tests do differently when they are built with sanitizers.
 #pragma once
 

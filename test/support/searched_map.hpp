@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Objects whose maps have any shape, and a search for them: what a library's file may hold.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Where a watched picture differs from what it looked like when it was searched there last.
 #pragma once
 

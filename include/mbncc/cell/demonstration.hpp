@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Picks the two pictures of a live lesson out of what a SceneWatch sees: the still scene before,
 // and the still scene in which something has changed inside the picture. A scene before that has
 // become useless, by light, by a hand that was in it, by a moved camera, is taken anew.

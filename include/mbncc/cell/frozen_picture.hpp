@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Tells a camera that sends the same picture again and again from a live one, whose noise differs.
 #pragma once
 

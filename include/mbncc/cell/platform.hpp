@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // From pixels to metres: the ray through a pixel, met with the plane of an object's top face.
 // All positions are in the camera's optical frame: z along the optical axis, x right, y down.
 #pragma once

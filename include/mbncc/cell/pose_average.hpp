@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Averages the poses of instances that lie still, over the last pictures.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // At most so many pictures a second, and as many as that where enough come.
 #pragma once
 

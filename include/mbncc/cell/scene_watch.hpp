@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Watches the live cell: still or moving, and which still pictures show the scene before and after
 // something was taken away. An arm that pauses in view makes still pictures too; they are told by
 // their change reaching the picture's edge.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Has an object just learned really left its place in the scene after?
 #pragma once
 

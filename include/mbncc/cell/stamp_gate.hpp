@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Which pictures may be searched, judged by their stamps: each once, in order, neither old nor from
 // the future. Fails closed: a stale picture would move an arm to where an object used to be.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Gives the matches of successive pictures an identity: which instance is which, and which have
 // been seen often enough to be gripped.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Searches the pictures of one still camera: where nothing has changed, nothing is searched.
 #pragma once
 

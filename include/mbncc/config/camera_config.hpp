@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Settings of the camera nodelet: where pictures come from and what is published with them.
 #pragma once
 

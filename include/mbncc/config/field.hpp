@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // One list of fields per config struct serves every reader: YAML, tool flags, ROS parameters, the
 // table of parameters and the tests. Each config struct has a static member template
 //   template <class Self, class Visitor> static void fields(Self& self, Visitor&& visit);

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Settings of the learning nodelet: the lesson, and what surrounds it.
 #pragma once
 

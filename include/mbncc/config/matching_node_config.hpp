@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Settings of the matching nodelet: the search, and what is made of its matches.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // How a nodelet's pictures come.
 #pragma once
 

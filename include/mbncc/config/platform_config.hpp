@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Where the objects' plane lies under the camera.
 #pragma once
 

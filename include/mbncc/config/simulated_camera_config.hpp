@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Settings of the simulated camera nodelet: the cell that is drawn, and its camera.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // What changed between two pictures of a still camera, seen coarsely: where to look closer, and
 // whether the pictures can be compared at all.
 #pragma once

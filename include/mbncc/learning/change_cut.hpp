@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Change cut: the object is what the unchanged, perhaps shadowed, platform of the picture after
 // cannot explain in the picture before, cut out along the edges that vanished with it.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // A lesson that the operator corrects: strokes that belong to the object or not, another region,
 // another frame; and back again.
 #pragma once

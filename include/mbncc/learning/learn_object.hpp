@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // One lesson: pictures and a region in, an object model with its verdict out (the paper's learning
 // phase).
 #pragma once

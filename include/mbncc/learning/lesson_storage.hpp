@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // What a lesson may do to the library: checked before the operator moves anything, and a further
 // view of a known object made part of it.
 #pragma once

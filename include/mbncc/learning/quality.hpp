@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The verdict on a lesson: how good are map and template, and will the object be found again?
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // A new object beside the known ones: which of them looks most like it, and where its frame lies
 // when it is one of them.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Superpixel-based GrabCut, the paper's way to a map (doi 10.1177/1687814017728839), and the
 // traditional GrabCut that it compares itself with.
 #pragma once

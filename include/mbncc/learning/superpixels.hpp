@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Superpixels: neighbouring, similar pixels gathered into cells (the paper's simplified picture).
 #pragma once
 

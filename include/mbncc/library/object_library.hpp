@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // A folder of learned objects, one file each, safe against crashes: every change is one atomic
 // step.
 #pragma once

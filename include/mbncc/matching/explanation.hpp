@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Why objects are found at a place of a picture, or are not.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Finds learned objects in a picture: position, rotation angle, score and how sure that is.
 #pragma once
 

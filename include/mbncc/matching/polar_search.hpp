@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The paper's matching phase, step by step: image pyramid, candidate centres, polar transform of
 // the target's disc about each, normalized cross correlation over all cyclic shifts with the map,
 // from coarse to fine (doi 10.1177/1687814017728839). Kept beside the fast search for comparison.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The measure everything rests on: normalized cross correlation over map pixels only (the paper,
 // doi 10.1177/1687814017728839). What lies outside the map has no influence.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Rotational symmetry of an object, measured in the image it was learned from.
 #pragma once
 

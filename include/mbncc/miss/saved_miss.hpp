@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // One file with all that a search's miss depends on: picture, library, settings and place, so that
 // it can be run again elsewhere. YAML with pictures and objects as base64; the first lines are for
 // people.

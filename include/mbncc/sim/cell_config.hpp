@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The simulated camera's parameters as the scene and the story that they describe.
 #pragma once
 

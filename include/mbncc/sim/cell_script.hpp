@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The story that the simulated camera plays: an object lies on the platform, an arm takes it away,
 // later puts it down elsewhere, turned. One step per picture; the same seed tells the same story.
 #pragma once

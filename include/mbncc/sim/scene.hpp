@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // A seeded simulated cell whose truth is known: a textured platform, textured irregular objects at
 // sub-pixel poses, light, noise and an arm. Serves demo, tests and benchmarks; the same seed gives
 // the same pictures.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The evaluation as a page with pictures of what went wrong.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // What really lies in the pictures of an evaluation.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Writes one JSON document as it goes; a list of objects has one on each line.
 #pragma once
 

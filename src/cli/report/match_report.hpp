@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // What was found, printed in one of three forms.
 #pragma once
 

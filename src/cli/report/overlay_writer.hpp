@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Writes searched pictures with the matches drawn in.
 #pragma once
 

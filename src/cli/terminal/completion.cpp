@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "cli/terminal/completion.hpp"
 
 namespace mbncc::cli {

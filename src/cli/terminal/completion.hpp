@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Shell completion, made from the commands' own descriptions.
 #pragma once
 

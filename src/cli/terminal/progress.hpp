@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // How far a long command is, on a terminal.
 #pragma once
 

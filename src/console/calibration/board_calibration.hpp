@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // A camera's calibration from live pictures of a chessboard.
 #pragma once
 

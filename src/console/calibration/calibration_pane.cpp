@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "console/calibration/calibration_pane.hpp"
 
 #include <QGridLayout>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Focus, exposure and calibration of the camera from its live pictures.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Whether the camera's picture is sharp and well exposed.
 #pragma once
 

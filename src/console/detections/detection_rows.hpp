@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The detections list: one row of words per object.
 #pragma once
 

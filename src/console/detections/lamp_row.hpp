@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The cell's lamps, and beside them the reasons of those that are not well.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "console/detections/lamps.hpp"
 
 #include "mbncc/health_tasks.hpp"

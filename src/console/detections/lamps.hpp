@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Lamps of the cell: camera, calibration, library, matcher; each with the reason when not blue.
 #pragma once
 

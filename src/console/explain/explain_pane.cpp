@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "console/explain/explain_pane.hpp"
 
 #include <QHBoxLayout>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Why something is found at a place or is not: the sentences, and what can be done with them.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "console/lesson/choice_row.hpp"
 
 #include "console/widgets.hpp"

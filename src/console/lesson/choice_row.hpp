@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // A question beside the lesson with its answers as buttons: what to do about a name that is taken,
 // or whether another view follows. Its height stays, so that nothing below moves.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Name, height, Teach; what to do now, how far the lesson is and how long it may still take.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "console/lesson/lesson_model.hpp"
 
 #include <mbncc_vision/LearnObjectFeedback.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // What the console knows of the lesson and its server, and what the operator may do now.
 #pragma once
 

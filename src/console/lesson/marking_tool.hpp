@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Turns the mouse over the reviewed picture into corrections of the lesson.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "console/lesson/review_pane.hpp"
 
 #include <mbncc_vision/ConfirmLearning.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The operator's look before anything is stored: verdict, reasons, template, score map; accept,
 // reject, correct.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // What the operator wants a lesson to do about the library.
 #pragma once
 

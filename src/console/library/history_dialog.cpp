@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "console/library/history_dialog.hpp"
 
 #include <QHBoxLayout>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Earlier revisions of an object, to bring one back.
 #pragma once
 

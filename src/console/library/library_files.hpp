@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Objects as single files: exported, imported, and their earlier revisions. Works where the
 // library's folder is on this computer.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The library strip: what is known, and edits that can be taken back.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The learned objects as thumbnails: search, enable, rename, delete, declare the symmetry, teach
 // further views; undo instead of questions.
 #pragma once

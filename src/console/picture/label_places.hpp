@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Where the labels of marks go: beside what they name, over no other label and no neighbour.
 #pragma once
 

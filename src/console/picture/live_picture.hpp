@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Which of the cell's live pictures is shown: bare, or with what is found.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // What is pointed out over a picture; drawn by the window itself, so that lines stay thin and text
 // stays sharp at any zoom.
 #pragma once

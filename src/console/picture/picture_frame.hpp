@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Where a picture lies in a widget: the whole of it fitted in, or a part of it enlarged.
 #pragma once
 

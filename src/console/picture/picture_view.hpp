@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Shows a picture fitted in with marks over it, and takes the mouse as a marking tool. The wheel
 // enlarges, dragging without a tool moves what is enlarged.
 #pragma once

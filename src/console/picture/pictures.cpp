@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "console/picture/pictures.hpp"
 
 #include <cv_bridge/cv_bridge.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Pictures as the console shows them; all of them CV_8UC3 rgb.
 #pragma once
 

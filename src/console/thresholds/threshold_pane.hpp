@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Thresholds as sliders, with what they would change in the picture shown; for all objects, or the
 // reporting of one.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // What other thresholds would change in one picture.
 #pragma once
 

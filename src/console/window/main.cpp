@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The console in a window of its own: no RViz, no 3D view, nothing to save on closing.
 #include <ros/ros.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Colours sorted into classes of chroma and brightness, for asking which of them belong to whom.
 #pragma once
 

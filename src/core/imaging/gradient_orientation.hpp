@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Direction and strength of the colour edges of a picture, in a form that compares directions
 // without regard to which side is brighter.
 #pragma once

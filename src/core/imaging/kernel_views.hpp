@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Pictures and poses as the point kernels take them.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // A grey picture as the coarse search by correlation reads it.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Picture pyramid: level l has half the resolution of level l - 1.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Bilinear reading of 8-bit pictures.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "library/file_io.hpp"
 
 #include <dirent.h>

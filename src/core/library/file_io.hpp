@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Files as the library needs them: read within bounds, write so that a crash leaves the old file or
 // the new one. POSIX calls, interrupted ones repeated; failures are FileErrors with errno's text.
 #pragma once

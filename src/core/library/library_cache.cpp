@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "library/library_cache.hpp"
 
 #include "library/png_codec.hpp"

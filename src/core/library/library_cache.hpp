@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // What was read from a library folder, so that the next load reads only what changed.
 #pragma once
 

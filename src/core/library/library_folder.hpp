@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The layout of a library folder on disk: `<name>.png`, `.lock`, `.trash/<name>.<revision>.png`,
 // `.quarantine/<file>` with `<file>.reason.txt`. What changes it needs the lock, see LockedFolder.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Tells edits that move published poses from those that only describe an object.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The description of an object file: everything of an ObjectModel but its name and its pixels.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // PNG with one text chunk, in memory, through libpng: strict about sizes, checksums and layout.
 // libpng reports errors by longjmp; these classes turn them into exceptions without jumping over a
 // destructor.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // OpenCV's clusters start from the thread's random state: fixed, the same input gives the same
 // clusters.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // What a comparison at a pose says about the small motion that is left.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Comparisons of the same pose, none of which knows what displaces the others.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Median of values that count differently.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // A thing drawn once, finer than the picture, and put into pictures at sub-pixel poses.
 #pragma once
 

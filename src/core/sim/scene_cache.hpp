@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Spares a scene from drawing the same things for every picture.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // What the camera's diagnostics tell: counters that the worker thread writes.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Where the camera nodelet's pictures come from: a device, a stream, a folder or a video file.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "nodelets/camera/rectifier.hpp"
 
 #include <opencv2/calib3d.hpp>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Undoes lens distortion: a raw picture becomes one whose rays P of camera_info tells.
 #pragma once
 

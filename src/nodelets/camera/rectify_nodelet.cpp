@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Publishes a camera's pictures with the lens distortion undone, while somebody listens.
 #include <image_transport/image_transport.h>
 #include <ros/ros.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Plays the simulated cell as a camera: image_raw, camera_info, and the truth for demo and tests.
 #include <image_transport/image_transport.h>
 #include <mbncc_vision/DetectedObjectArray.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The simulated camera's lens: its calibration, and what it makes of an undistorted picture.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The life of a camera's picture source: opened, played at its pace, opened again when it fails.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "nodelets/common/camera_input.hpp"
 
 #include <ros/console.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // image_raw and camera_info, subscribed to while somebody needs them.
 #pragma once
 

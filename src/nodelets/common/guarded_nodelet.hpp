@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // What the nodelets share: a start that may fail with a sentence, and an end that waits for
 // callbacks.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // A nodelet's diagnostics, once a second by the steady clock: a simulated one may stand still.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // One slot between threads: the newest item wins, nobody waits for a slow reader.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "nodelets/common/master_watch.hpp"
 
 #include <ros/connection_manager.h>

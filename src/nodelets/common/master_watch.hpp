@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The ROS master forgets everything when it is restarted. This process then tells it anew.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Strict reading of a nodelet's private parameters into a config struct: every key must be known,
 // of the right type and in range.
 #pragma once

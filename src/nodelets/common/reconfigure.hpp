@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Settings changed at run time, by dynamic_reconfigure's protocol: its clients (rqt_reconfigure,
 // dynparam) see names, bounds and meanings of the one field list. A value out of bounds is refused
 // and the old one kept, where the library's own server would quietly clamp it.

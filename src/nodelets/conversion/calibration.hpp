@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The platform under the camera, from camera_info, parameters and tf.
 #pragma once
 

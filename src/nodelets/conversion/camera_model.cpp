@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "nodelets/conversion/camera_model.hpp"
 
 #include <sensor_msgs/distortion_models.h>

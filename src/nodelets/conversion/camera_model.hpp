@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // camera_info, judged before it is believed, in pixels of the picture as received: its region of
 // interest and its binning are taken into account as CameraInfo.msg defines them.
 #pragma once

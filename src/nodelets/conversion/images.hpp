@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Picture messages to and from cv::Mat. Everything that arrives is distrusted: encoding, step and
 // length are checked before a byte is read, and nothing throws because of a message.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The tf frames of confirmed instances: all of a picture at once, at its stamp, never twice for a
 // stamp.
 #pragma once

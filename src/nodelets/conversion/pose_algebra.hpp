@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Poses in a row: a pose message tells where a frame lies in its parent.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Rays through the pixels of a camera as camera_info describes it.
 #pragma once
 

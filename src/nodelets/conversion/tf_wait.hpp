@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // A robot's tf comes a little later than the pictures of the camera that it carries.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Where the confirm_learning service and the lesson that waits for it meet.
 #pragma once
 

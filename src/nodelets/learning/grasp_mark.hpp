@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The gripper's pose at the demonstration, which becomes the object's grasp.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "nodelets/learning/interrupt_watch.hpp"
 
 #include <ros/init.h>

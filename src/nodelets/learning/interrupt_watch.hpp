@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Ctrl-C: something is said to the clients before ROS takes the connections down.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Teaches objects: the LearnObject action and the services of the library. Wiring only.
 #include <ros/callback_queue.h>
 #include <ros/ros.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // One run of teaching over the action: pictures, segmentation, the operator's word, storing.
 #pragma once
 

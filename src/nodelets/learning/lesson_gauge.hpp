@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // What calibration and tf tell of a lesson: the scale, and where the gripper took the object.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // What a LearnObject goal asks for: checked before the operator moves anything, then put together
 // with pictures.
 #pragma once

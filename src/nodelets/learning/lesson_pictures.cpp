@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The pictures of a lesson: given with the goal, or waited for in the live cell.
 #include <ros/time.h>
 

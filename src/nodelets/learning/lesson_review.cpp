@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The operator's check of a lesson before it is stored: accept, reject, edit, undo.
 #include <chrono>
 #include <stdexcept>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The LearnObject action: one lesson at a time, on a thread of its own. A second goal is rejected
 // with BUSY and never disturbs the running one.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // What the parts of a lesson have in common: its stages' places in the progress, and its early end.
 #pragma once
 

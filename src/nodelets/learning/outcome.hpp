@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // How a lesson ends, as its client hears it.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Live pictures of the cell, watched for stillness on a thread of their own.
 #pragma once
 

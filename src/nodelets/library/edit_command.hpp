@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The commands of the edit_object service, carried out on a library.
 #pragma once
 

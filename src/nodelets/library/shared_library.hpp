@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The library as one nodelet's threads see it: one open folder, one current snapshot.
 #pragma once
 

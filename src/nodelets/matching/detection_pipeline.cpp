@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "nodelets/matching/detection_pipeline.hpp"
 
 #include <tf2_geometry_msgs/tf2_geometry_msgs.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // From a picture to its DetectedObjectArray: search, track, lift, describe.
 #pragma once
 

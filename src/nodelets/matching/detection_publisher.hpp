@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Everything that goes out about a searched picture: detections, tf, overlay, markers, and the
 // messages without objects when pictures fail to come or cannot be searched.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The find_objects service: one search, on a given picture or on the next live ones.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // What of an array counts for a program that knows no states.
 #pragma once
 

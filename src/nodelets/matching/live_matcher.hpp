@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Matcher and library together: searches with the newest library while that may change.
 #pragma once
 

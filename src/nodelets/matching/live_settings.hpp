@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The matching nodelet's settings, a handful of which may change while it runs.
 #pragma once
 

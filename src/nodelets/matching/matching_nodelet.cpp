@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Finds learned objects in the camera's pictures. Wiring only.
 #include <mbncc_vision/LearnedObjectArray.h>
 #include <mbncc_vision/ListObjects.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Service calls that wait for the next live picture.
 #pragma once
 

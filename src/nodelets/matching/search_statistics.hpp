@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // What diagnostics tell about the stream of pictures.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Searches the stream of pictures on a thread of its own: newest first, each once, none too old.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Notices that pictures have stopped, by the steady clock: a simulated one may stand still.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Detections as vision_msgs has them.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Publishes detections as vision_msgs has them, while somebody listens.
 #include <ros/ros.h>
 #include <vision_msgs/VisionInfo.h>

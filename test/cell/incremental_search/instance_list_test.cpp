@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // What an instance of a watched cell has been compared with, and what it may be taken for.
 #include "cell/incremental_search/instance_list.hpp"
 

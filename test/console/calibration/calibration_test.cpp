@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Chessboards drawn as a known camera sees them.
 #include <gtest/gtest.h>
 

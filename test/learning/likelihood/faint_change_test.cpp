@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // What noise hides in every pixel shows in wide patches.
 #include "learning/likelihood/faint_change.hpp"
 

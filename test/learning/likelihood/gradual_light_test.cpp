@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Light ends softly, objects sharply.
 #include "learning/likelihood/gradual_light.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // What a finished cut and its map tell about themselves.
 #include "learning/segmentation/cut_evidence.hpp"
 

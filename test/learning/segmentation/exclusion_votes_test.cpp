@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Votes of excluding strokes: which other pixels of a map go along.
 #include "learning/segmentation/exclusion_votes.hpp"
 

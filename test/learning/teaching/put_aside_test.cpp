@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Lessons whose object is put aside within the view.
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "matching/decision/detection.hpp"
 
 #include <gtest/gtest.h>

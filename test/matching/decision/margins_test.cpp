@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Whoever may be gripped has met its rivals.
 #include <gtest/gtest.h>
 

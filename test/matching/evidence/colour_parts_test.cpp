@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "matching/evidence/colour_parts.hpp"
 
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "matching/evidence/mirrored_contour.hpp"
 
 #include "matching/matcher_fixture.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Refinement: the pose is pulled onto the surface and onto the contour.
 #include <gtest/gtest.h>
 

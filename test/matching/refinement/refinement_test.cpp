@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The last fraction of a pixel: what light displaces must not displace the pose, and the claim of
 // its accuracy must hold.
 #include "matching/refinement/refinement.hpp"

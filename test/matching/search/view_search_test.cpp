@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // A view is looked for again, and harder, where the first look does not find it.
 #include "matching/search/view_search.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // How much of a narrow object's pixels its background takes.
 #include "matching/template/edge_mixing.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "nodelets/camera/source_player.hpp"
 
 #include <diagnostic_updater/DiagnosticStatusWrapper.h>

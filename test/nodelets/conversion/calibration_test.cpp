@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // From camera_info and tf to metres: raw and rectified pictures, and calibrations that are none.
 #include "nodelets/conversion/calibration.hpp"
 

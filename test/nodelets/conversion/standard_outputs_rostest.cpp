@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // What programs hear that know standard messages and frames only, beside what detected_objects
 // says.
 #include <geometry_msgs/PoseArray.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // What goes out about a picture, and what may move an arm.
 #include "nodelets/matching/detection_pipeline.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Has anything moved between two pictures of a still camera?
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // One picture of a video being searched where that is needed.
 #pragma once
 

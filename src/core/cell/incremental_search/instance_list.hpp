@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The instances that a watched picture is known to show.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The objects that are searched for in a video, and what is still owed to them.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // What is still to be searched: places that changed, for each object.
 #pragma once
 

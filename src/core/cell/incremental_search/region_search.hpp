@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Searches a part of a picture, at the cost of a part.
 #pragma once
 

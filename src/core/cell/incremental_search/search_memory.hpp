@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // What a watched scene is known to show and what is still owed to it, between pictures.
 #pragma once
 

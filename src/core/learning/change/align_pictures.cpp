@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "learning/change/align_pictures.hpp"
 
 #include <algorithm>

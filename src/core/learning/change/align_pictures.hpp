@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Makes the picture after the grasp comparable with the one before it: camera shift and light.
 #pragma once
 

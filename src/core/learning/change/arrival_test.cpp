@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "learning/change/arrival_test.hpp"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Which changed patches are the place that the object left, and which are places where something
 // arrived? The object is in the picture before only where it left.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "learning/change/camera_shift.hpp"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // A small camera shift between two pictures.
 #pragma once
 

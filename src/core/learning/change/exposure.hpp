@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // How much brighter one picture is than another one of the same scene.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Things beside the object that were nudged: the picture before shows what the picture after shows
 // a few pixels on.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Exposure and light between two pictures of a still scene: per channel, a gain that may vary
 // linearly across the picture, and an offset.
 #pragma once

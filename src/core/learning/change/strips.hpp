@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Pictures worked on a few rows at a time: whole ones of floats would cost more to write to memory
 // than to compute.
 #pragma once

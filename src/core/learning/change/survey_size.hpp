@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The size at which whole pictures of a lesson are judged.
 #pragma once
 

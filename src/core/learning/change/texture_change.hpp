@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // What happened to texture between two pictures, which light and exposure leave alone in other ways
 // than a moved camera.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // How well the unchanged, perhaps shadowed, platform explains the picture before.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Change that no single pixel shows, in noisy pictures of little light.
 #pragma once
 

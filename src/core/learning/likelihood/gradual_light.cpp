@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "learning/likelihood/gradual_light.hpp"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Light that changes gradually: soft shadow, an object's coloured reflection on the platform,
 // exposure drift, banding. An object ends in an edge, light seldom does.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // What speaks for thin parts and narrow gaps: preferences that add up along a line.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // How much two pictures of the same unchanged surface differ, learned from the pictures themselves.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // How far two pictures differ, in units of their noise.
 #pragma once
 

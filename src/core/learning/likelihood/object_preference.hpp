@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // What each pixel's colour and surroundings say for the object and against the platform.
 #pragma once
 

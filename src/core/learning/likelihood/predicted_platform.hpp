@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The platform under an object, predicted from the ring around it: the picture after that a lesson
 // from one picture lacks.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Which side of the outline a pixel near it belongs to, by the colours close by on either side
 // (localized region-based contours, Lankton and Tannenbaum 2008).
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Whether the platform's fine texture is still visible: a shadow darkens it, an object covers it.
 #pragma once
 

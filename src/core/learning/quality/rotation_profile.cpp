@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "learning/quality/rotation_profile.hpp"
 
 #include <algorithm>

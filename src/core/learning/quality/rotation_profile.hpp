@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The object turned on the spot: how sharply does its likeness to itself fall?
 #pragma once
 

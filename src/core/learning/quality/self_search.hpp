@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The new object searched in the picture it was learned from: will it be found, and only there?
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Brings a raw cut into the shape of one object.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "learning/segmentation/exclusion_votes.hpp"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // What an excluding stroke says about pixels that it does not cover: what looks like them leaves.
 #pragma once
 

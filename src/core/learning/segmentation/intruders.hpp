@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // What reaches into the region in the picture after: the gripper, an arm.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // From one point on the object to an approximate region.
 #pragma once
 

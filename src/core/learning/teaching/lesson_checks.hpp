@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // What a lesson must bring, and what a map must be, before anything is made of it.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // How the steps of a lesson report progress, are cancelled and give up. Private to the layer:
 // learn_object() turns everything here into values.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Where a lesson's object is, from what the lesson says and what its pictures tell.
 #pragma once
 

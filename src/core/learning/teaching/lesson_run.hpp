@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The steps of a lesson, and of an edit of it.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Cuts a lesson's object out of its picture: region, segmentation, further cuts with marks.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // What the operator has painted on the learning picture.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The object put aside within the view: where it lies in the picture after.
 #pragma once
 

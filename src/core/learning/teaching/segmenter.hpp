@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // One interface for all ways of cutting the object out of its picture.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Pictures of a lesson's steps for whoever watches.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // How much the rest of the picture looks like the object.
 #pragma once
 

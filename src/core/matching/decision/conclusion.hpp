@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Whether a match may be grasped, and why not.
 #pragma once
 

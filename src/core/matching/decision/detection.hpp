@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // A pose that was judged, and rotations at one place that compete.
 #pragma once
 

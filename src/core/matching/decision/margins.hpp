@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // How far detections are ahead of what competes with them.
 #pragma once
 

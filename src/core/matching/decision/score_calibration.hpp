@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // What tells, beside the evidence at a pose, how likely a detection is right.
 #pragma once
 

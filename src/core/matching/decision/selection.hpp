@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // From refined poses to the matches that are reported.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // How far the compact parts of a surface differ in colour from a picture, in the light that
 // explains most of them: what covers some of the parts decides nothing about the others.
 #pragma once

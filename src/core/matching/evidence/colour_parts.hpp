@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The parts of an object that have one colour each, and whether a picture shows them in it. Among
 // tools, what tells look-alikes apart is the colour of one part, while all else agrees.
 #pragma once

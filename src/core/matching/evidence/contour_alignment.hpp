@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // How well an outline alone lies on the edges of a picture, and the best pose near another.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Whether an outline alone would lie better somewhere else nearby.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Evidence for and against an object at a pose, and its fusion into one score. Correlation alone
 // cannot tell: under a lamp, shading and gloss do not turn with the object.
 #pragma once

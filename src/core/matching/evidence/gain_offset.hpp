@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The light that a picture shows an object's colours in.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Light of another colour than in the lesson, told by an object where it may lie.
 #pragma once
 

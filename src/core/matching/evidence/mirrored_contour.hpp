@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The outline of an object that lies on its other side.
 #pragma once
 

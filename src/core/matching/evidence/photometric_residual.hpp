@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The brightness of a surface, compared in the light that explains a picture best.
 #pragma once
 

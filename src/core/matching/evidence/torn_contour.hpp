@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The outline of an object that moved while the rows of the picture were read.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Explanations in sentences and as a picture.
 #include <algorithm>
 #include <cmath>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Each object beside the picture that it is compared with.
 #pragma once
 

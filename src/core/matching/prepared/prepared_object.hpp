@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Everything about an object that does not depend on the picture searched.
 #pragma once
 

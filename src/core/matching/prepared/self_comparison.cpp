@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "matching/prepared/self_comparison.hpp"
 
 #include <algorithm>

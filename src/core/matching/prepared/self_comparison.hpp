@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // A view turned on the spot and compared with itself.
 #pragma once
 

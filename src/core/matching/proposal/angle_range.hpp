@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Rotations that one of an object's views is searched at; its other views have the rest.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Where an object may lie in a picture by its colours alone, whatever its rotation: the gate before
 // any search, for libraries.
 #pragma once

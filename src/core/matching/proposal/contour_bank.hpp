@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // An object's outline as points with directions, turned to all rotations.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Coarse search by the map's edge: finds objects whose surface looks different under other light.
 // After LINE-MOD (Hinterstoisser et al. 2012), with signed responses, so that clutter averages out.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Correlation of all rotations at all positions of one pyramid level.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Where the edges of a picture respond best to a part of a contour's rotations.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Places of a picture that are worth a search.
 #pragma once
 

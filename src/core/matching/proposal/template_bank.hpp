@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The template turned to all rotations at the coarse level, as zero-sum integer weights.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The colours of a surface along axes of their own at each point: brightness, which shading
 // changes, and two across it, which shading leaves alone.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // How a contour's distance from the edges of a picture depends on a small motion.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "matching/refinement/illumination_bias.hpp"
 
 #include <algorithm>

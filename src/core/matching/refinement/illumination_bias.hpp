@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // What light that does not turn with an object does to where it is seen.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "matching/refinement/mixed_pixel_equations.hpp"
 
 #include <algorithm>

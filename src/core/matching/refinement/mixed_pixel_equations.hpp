@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Least squares in light and motion together for a rendered object: what they add up to, at each
 // point and along each axis of colour, is to be what is seen there.
 #pragma once

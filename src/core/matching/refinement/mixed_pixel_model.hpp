@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // A small object as a camera shows it: its surface under smooth shading, mixed along its edge with
 // whatever background the picture has beside it. So few of its pixels lie off the edge that the
 // mixed ones have to tell where it lies and which way it is turned.

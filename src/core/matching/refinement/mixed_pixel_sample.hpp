@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // What a picture shows of a rendered object, without the background that shows along its edge.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The last fraction of a pixel and of a degree, the scale, and how sure they are.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // What a picture shows of a surface along its colour axes, and how much each point counts.
 #pragma once
 

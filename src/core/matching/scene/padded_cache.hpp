@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // What is made from a picture once, with room around it, for all searches of that picture.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // How strongly a picture's edges agree with each orientation, for the coarse search by edges.
 #pragma once
 

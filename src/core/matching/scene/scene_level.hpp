@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // A picture at one pyramid level, smoothed and with its edges, worked out where it is looked at.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // What is computed once per picture and shared by all objects.
 #pragma once
 

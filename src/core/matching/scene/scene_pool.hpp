@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Memory for pictures under search, used again from picture to picture.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // What is thought of a candidate at its pyramid level.
 #pragma once
 

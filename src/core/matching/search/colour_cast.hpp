@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Light of another colour than in the lessons, told by the objects that are found in spite of it.
 #pragma once
 

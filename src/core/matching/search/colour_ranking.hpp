@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Which of the many poses that lie on edges show the object's colours, too.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // From the views of one object to what is found of it in a picture.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "matching/search/pose_hypothesis.hpp"
 
 #include <algorithm>

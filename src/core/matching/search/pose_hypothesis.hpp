@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // A pose at full resolution, climbed to on contour and surface.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // What the coarse searches of one view propose.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // From proposals at a coarse pyramid level down to the best candidates at full resolution.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // How much is done for an object in a picture.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Verification: poses at full resolution, refined, and what speaks against them.
 #pragma once
 

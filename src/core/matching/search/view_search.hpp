@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // From all poses of one view down to a few refined ones.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // What comparing the colours of a surface's compact parts with a picture takes, read once.
 #pragma once
 

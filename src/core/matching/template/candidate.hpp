@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // A pose under examination, and the suppression of those that others make superfluous.
 #pragma once
 

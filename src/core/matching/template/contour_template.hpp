@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The map's edge as points with normals, compared with the edges of a picture.
 #pragma once
 

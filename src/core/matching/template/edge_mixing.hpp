@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // How much of the background the pixels along a map's edge show: lens, pixels and smoothing blur
 // it.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Where a map's pixels lie against its edge.
 #pragma once
 

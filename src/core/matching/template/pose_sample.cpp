@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "matching/template/pose_sample.hpp"
 
 namespace mbncc {

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "matching/template/shading_basis.hpp"
 
 #include <cmath>

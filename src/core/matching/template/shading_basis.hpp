@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Smooth functions that light may add to a surface.
 #pragma once
 

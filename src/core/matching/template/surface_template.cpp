@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "matching/template/surface_template.hpp"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The object's surface as coloured points, prepared for comparison under changing light.
 #pragma once
 
