@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// How large pictures may be, wherever they come from: messages, files, the descriptions of objects.
+// Size limits of all pictures: in messages, files and descriptions of objects.
 #pragma once
 
 #include <cstdint>
