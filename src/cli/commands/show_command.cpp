@@ -28,7 +28,7 @@ Command show_command() {
           "describe one object",
           {library_option(), name_option(), json_option()},
           "",
-          "The picture itself is DIR/NAME.png; any picture viewer shows it.\n",
+          "Its picture is DIR/NAME.png, which any image viewer shows.\n",
           run};
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What was found, printed in one of three forms.
+// Prints detections in one of three formats.
 #pragma once
 
 #include <memory>

@@ -10,7 +10,7 @@
 
 namespace mbncc::cli {
 
-/// A script for `shell`, "bash" or "zsh", that needs nothing but the shell itself. Throws
+/// A script for `shell`, "bash" or "zsh", without other dependencies. Throws
 /// UsageError for another one.
 void print_completion(std::ostream& out, const std::string& shell,
                       const std::vector<Command>& commands);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// How far a long command is, on a terminal.
+// Progress of a long command on a terminal.
 #pragma once
 
 #include <chrono>
@@ -9,10 +9,10 @@
 
 namespace mbncc::cli {
 
-/// Rewrites one line of stderr, if that is a terminal, once the work has taken two seconds.
+/// Rewrites one line of stderr, if it is a terminal, after two seconds.
 class Progress {
  public:
-  enum Where { kAlways, kQuietOutput };  ///< kQuietOutput: not while stdout is a terminal, too
+  enum Where { kAlways, kQuietOutput };  ///< kQuietOutput: not if stdout is a terminal, too
 
   Progress(std::string what, std::size_t count, Where where = kAlways);
   /// `terminal`: whether `out` is one.
@@ -21,7 +21,7 @@ class Progress {
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
 
-  /// One more is done.
+  /// Counts one finished item.
   void step();
 
  private:
