@@ -70,9 +70,9 @@ std::string headline_of(std::uint8_t stage) {
     case Feedback::WAIT_STILL:
       return "Clear the picture, then keep still";
     case Feedback::REGION:
-      return "Looking for what left";
+      return "Finding the change";
     case Feedback::SEGMENT:
-      return "Cutting the object out";
+      return "Segmenting the object";
     case Feedback::QUALITY:
       return "Checking that it will be found";
     case Feedback::WAIT_CONFIRM:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The operator's look before anything is stored: verdict, reasons, template, score map; accept,
+// The operator's review before an object is stored: verdict, reasons, template, score map; accept,
 // reject, correct.
 #pragma once
 

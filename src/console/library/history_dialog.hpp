@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Earlier revisions of an object, to bring one back.
+// Lists earlier revisions of an object and restores one.
 #pragma once
 
 #ifndef Q_MOC_RUN

@@ -4,7 +4,7 @@
 namespace mbncc::console {
 namespace {
 
-constexpr double kSearchedFresh = 1;  // [s] before age() tells of a picture that stands still
+constexpr double kSearchedFresh = 1;  // [s] before age() reports an old picture
 
 }  // namespace
 
