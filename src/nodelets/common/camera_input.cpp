@@ -39,7 +39,7 @@ void CameraInput::unsubscribe() {
     std::swap(infos, infos_);
     info_.reset();
   }
-  // Waits for a callback that is running, which may be waiting for the mutex.
+  // Waits for a running callback, which may be waiting for the mutex.
   images.shutdown();
   infos.shutdown();
 }

@@ -9,7 +9,7 @@
 namespace mbncc::nodelets {
 namespace {
 
-constexpr double kOldestPose = 0.5;  // [s] of the gripper, when it is marked
+constexpr double kOldestPose = 0.5;  // [s] largest age of the gripper's pose
 
 }  // namespace
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// How a lesson ends, as its client hears it.
+// The result of a lesson for its client.
 #pragma once
 
 #include <mbncc_vision/LearnObjectResult.h>
@@ -10,7 +10,7 @@
 
 namespace mbncc::nodelets {
 
-/// Result with code, message and hint of `error`; texts given here replace the usual ones.
+/// Result with code, message and hint of `error`; texts given here replace the defaults.
 mbncc_vision::LearnObjectResult outcome(LearnError error, const std::string& message = "",
                                         const std::string& hint = "");
 
