@@ -26,8 +26,8 @@ class DecisionTest : public ::testing::Test {
     detection.pose = {100, 100, 0};
     detection.covariance = detection.cautious = cv::Matx33d::diag({0.01, 0.01, 1e-6});
     detection.log_odds = 20;
-    detection.projected = 0.9;
-    detection.elsewhere = -0.15;
+    detection.shading_free_ncc = 0.9;
+    detection.contour_alternative = -0.15;
     return detection;
   }
 
@@ -61,14 +61,15 @@ TEST_F(DecisionTest, WhatIsBeyondDoubtIsGraspable) {
 
 TEST_F(DecisionTest, WhatMayBeSomethingElseIsAmbiguous) {
   const std::vector<std::function<void(Detection&)>> doubts{
-      [](Detection& d) { d.strange = 0.25; }, [](Detection& d) { d.another_size = true; },
-      [](Detection& d) { d.turned_over = true; }};
+      [](Detection& d) { d.colour_difference = 0.25; },
+      [](Detection& d) { d.size_alternative = true; },
+      [](Detection& d) { d.mirror_alternative = true; }};
   for (std::size_t i = 0; i < doubts.size(); ++i) {
     const Match match = match_of(changed(doubts[i]));
     EXPECT_FALSE(match.graspable) << i;
     EXPECT_TRUE(match.ambiguous) << i;
   }
-  EXPECT_TRUE(match_of(changed([](Detection& d) { d.strange = 0.19; })).graspable);
+  EXPECT_TRUE(match_of(changed([](Detection& d) { d.colour_difference = 0.19; })).graspable);
 }
 
 TEST_F(DecisionTest, WhatIsNotKnownWellIsNotGrasped) {
@@ -103,7 +104,7 @@ TEST_F(DecisionTest, ARoundObjectsAngleDoesNotMatter) {
 
 TEST_F(DecisionTest, AnOutlineThatLiesBetterElsewhereIsNotGrasped) {
   const auto at = [&](double elsewhere) {
-    return match_of(changed([&](Detection& d) { d.elsewhere = elsewhere; }));
+    return match_of(changed([&](Detection& d) { d.contour_alternative = elsewhere; }));
   };
   EXPECT_TRUE(at(0.04).graspable);
   EXPECT_FALSE(at(0.06).graspable);
@@ -171,7 +172,7 @@ TEST_F(DecisionTest, ABetterObjectAtThePlaceMakesAmbiguousToo) {
     d.object = &other_;
     d.view = &other_.views.front();
     d.log_odds += 0.5;
-    d.elsewhere = 0.08;
+    d.contour_alternative = 0.08;
   });
   const Selection selected = select({sound(), better});
   ASSERT_EQ(selected.matches.size(), 1u);

@@ -33,20 +33,20 @@ class JudgeTest : public test::MatcherTest {
     PoseHypothesis believed = score_as_is(view_, scene, anchor);
     believed.odds = odds;
     believed.refining = 4;
-    return judge(object_, view_, scene, {believed}).at(0);
+    return verify(object_, view_, scene, {believed}).at(0);
   }
 };
 
 TEST_F(JudgeTest, NothingSpeaksAgainstTheTruth) {
   const ScenePicture scene(scene_with(source_, truth_), object_.top_level());
   const Detection found = judged(scene, anchor_at(truth_), 12);
-  EXPECT_LT(found.strange, 0.1);
-  EXPECT_FALSE(found.another_size);
-  EXPECT_FALSE(found.turned_over);
+  EXPECT_LT(found.colour_difference, 0.1);
+  EXPECT_FALSE(found.size_alternative);
+  EXPECT_FALSE(found.mirror_alternative);
   EXPECT_DOUBLE_EQ(found.log_odds, 12);
   EXPECT_DOUBLE_EQ(found.visible, 1);
-  EXPECT_LT(found.elsewhere, -0.1);
-  EXPECT_DOUBLE_EQ(found.elsewhere,
+  EXPECT_LT(found.contour_alternative, -0.1);
+  EXPECT_DOUBLE_EQ(found.contour_alternative,
                    better_elsewhere(view_.fine.contour, scene.levels[0], found.pose, found.size));
   const Refined refined = refine(view_.dense, scene.levels[0], anchor_at(truth_), 4);
   EXPECT_EQ(found.covariance, refined.covariance);
@@ -59,7 +59,7 @@ TEST_F(JudgeTest, OfWhatIsUnlikelyNothingIsKnown) {
   EXPECT_GE(found.covariance(0, 0), 1e4);
   EXPECT_GE(found.covariance(1, 1), 1e4);
   EXPECT_GT(found.covariance(2, 2), 4 * kPi);
-  EXPECT_DOUBLE_EQ(found.elsewhere, kNotExamined);
+  EXPECT_DOUBLE_EQ(found.contour_alternative, kNotExamined);
 }
 
 TEST_F(JudgeTest, AnotherSizeIsTold) {
@@ -69,15 +69,15 @@ TEST_F(JudgeTest, AnotherSizeIsTold) {
     const ScenePicture scene(resized, object_.top_level());
     const Pose2D there{(truth_.x + 0.5) * size - 0.5, (truth_.y + 0.5) * size - 0.5, truth_.theta};
     const Detection found = judged(scene, anchor_at(there, size), 1);
-    EXPECT_TRUE(found.another_size) << size;
+    EXPECT_TRUE(found.size_alternative) << size;
   }
 }
 
 TEST_F(JudgeTest, TheMirrorImageIsToldAndCosts) {
   const ScenePicture scene(scene_with(test::mirrored(source_), truth_), object_.top_level());
   const Detection found = judged(scene, {truth_.x, truth_.y, 0}, 10);
-  EXPECT_TRUE(found.turned_over);
-  EXPECT_LT(found.strange, 0.15) << "no colour speaks against it";
+  EXPECT_TRUE(found.mirror_alternative);
+  EXPECT_LT(found.colour_difference, 0.15) << "no colour speaks against it";
   EXPECT_LT(found.log_odds, 8);
 }
 
@@ -96,7 +96,7 @@ TEST_F(JudgeTest, AMirrorImageThatDiffersSlightlyIsTold) {
     PoseHypothesis found =
         score_as_is(view, scene, compose(truth_, inverse(view.reference_in_anchor)));
     found.odds = 12;
-    EXPECT_EQ(judge(object, view, scene, {found}).at(0).turned_over, over);
+    EXPECT_EQ(verify(object, view, scene, {found}).at(0).mirror_alternative, over);
   }
 }
 
@@ -138,7 +138,7 @@ TEST_F(JudgeTest, APartOfAnotherColourIsTold) {
     PoseHypothesis believed =
         score_as_is(view, scene, compose(truth_, inverse(view.reference_in_anchor)));
     believed.odds = 12;
-    return judge(object, view, scene, {believed}).at(0).strange;
+    return verify(object, view, scene, {believed}).at(0).colour_difference;
   };
   EXPECT_LT(strange_in(chequered), 0.1);
   test::LearningPicture tinted = chequered;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What was read from a library folder, so that the next load reads only what changed.
+// Cache of a library folder, so that the next load reads only changed files.
 #pragma once
 
 #include <map>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Tells edits that move published poses from those that only describe an object.
+// Distinguishes edits that move published poses from descriptive ones.
 #pragma once
 
 #include "mbncc/object_model.hpp"

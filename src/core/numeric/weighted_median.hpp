@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Median of values that count differently.
+// Weighted median.
 #pragma once
 
 #include <utility>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Spares a scene from drawing the same things for every picture.
+// Caches the drawings of a scene.
 #pragma once
 
 #include <functional>
@@ -13,7 +13,7 @@
 
 namespace mbncc::sim {
 
-/// Safe to share by threads.
+/// Thread-safe.
 class SceneCache {
  public:
   /// The object's drawing, drawn at its first use.

@@ -68,7 +68,7 @@ TEST_F(TornOutline, ADetectionKnows) {
     const ScenePicture scene(torn(scene_, cvRound(anchor.y), way), object_.top_level());
     PoseHypothesis found = score_as_is(view_, scene, {anchor.x + way / 2, anchor.y, anchor.theta});
     found.odds = 12;
-    EXPECT_EQ(judge(object_, view_, scene, {found}).at(0).torn, way > 0);
+    EXPECT_EQ(verify(object_, view_, scene, {found}).at(0).torn, way > 0);
   }
 }
 

@@ -66,10 +66,10 @@ TEST_F(ClimbTest, FindsBackFromNearby) {
     const Laid laid(textured, {101.4, 77.3, 0.7});
     for (int k = 0; k < 8; ++k) {
       const Pose2D start = beside(laid.anchor, k);
-      const AlignedPose climbed = align(laid.view.fine, laid.scene, start, 12);
-      EXPECT_LT(cv::norm(climbed.pose.position() - laid.anchor.position()), 0.5)
+      const AlignedPose aligned = align(laid.view.fine, laid.scene, start, 12);
+      EXPECT_LT(cv::norm(aligned.pose.position() - laid.anchor.position()), 0.5)
           << (textured ? "textured" : "plain") << ", direction " << k;
-      EXPECT_LT(angle_distance(climbed.pose.theta, laid.anchor.theta), 0.8 * kDegree);
+      EXPECT_LT(angle_distance(aligned.pose.theta, laid.anchor.theta), 0.8 * kDegree);
     }
   }
 }

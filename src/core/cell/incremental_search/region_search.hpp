@@ -32,7 +32,7 @@ class RegionSearch {
   /// So far, in searches of one object in the whole picture.
   double spent() const { return spent_; }
 
-  /// The time budget cut some search short.
+  /// The time budget ended a search early.
   bool budget_exceeded() const { return budget_exceeded_; }
 
  private:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The size at which whole pictures of a lesson are judged.
+// The size for the survey of whole pictures.
 #pragma once
 
 #include <algorithm>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// How well the unchanged, perhaps shadowed, platform explains the picture before.
+// Likelihood of the picture before given the unchanged, possibly shadowed platform.
 #pragma once
 
 #include <opencv2/core.hpp>

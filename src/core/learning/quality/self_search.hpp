@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The new object searched in the picture it was learned from: will it be found, and only there?
+// Searches the new object in its learning picture: whether it is found, and only there.
 #pragma once
 
 #include <opencv2/core.hpp>

@@ -20,8 +20,8 @@ double part(const cv::Mat& of, const cv::Mat& among) {
   return all == 0 ? 0 : cv::countNonZero(of & among) / static_cast<double>(all);
 }
 
-// Mean strength of the edges that the outline follows, 1: it costs nothing there. What the operator
-// has drawn himself needs no edge.
+// Mean strength of the edges along the outline; 1: no smoothness cost. Parts drawn by the operator
+// need no edge.
 double boundary_contrast(const FinishedCut& cut, const Smoothness& smoothness) {
   const cv::Mat& map = cut.map;
   const auto is_vouched = [&cut](int y, int x) {
@@ -39,7 +39,7 @@ double boundary_contrast(const FinishedCut& cut, const Smoothness& smoothness) {
   return 1 - cost / std::max(1.0, length);
 }
 
-// What changed as surely as the object and yet is not its: an arrival, or a part that is missing.
+// Certain change outside the map: an arrival, or a missing part.
 double change_beside(const FinishedCut& cut) {
   cv::Mat grown;
   cv::dilate(cut.map, grown, cv::Mat::ones(kBeside, kBeside, CV_8U));
@@ -47,7 +47,7 @@ double change_beside(const FinishedCut& cut) {
   return cv::countNonZero(beside) / std::max(1.0, static_cast<double>(cv::countNonZero(cut.map)));
 }
 
-// Nobody doubts what the operator has painted.
+// Painted pixels count as certain.
 double agreement(const FinishedCut& cut, const cv::Mat& other) {
   cv::Mat same = cut.map & other, either = cut.map | other;
   if (!cut.vouched.empty()) same |= either & cut.vouched;
@@ -55,7 +55,7 @@ double agreement(const FinishedCut& cut, const cv::Mat& other) {
   return all == 0 ? 0 : cv::countNonZero(same) / static_cast<double>(all);
 }
 
-// Least agreement of the map with two cuts at half resolution whose balance is tilted either way.
+// Least IoU of the map with two cuts at half resolution whose unary is shifted in either direction.
 double stability(const FinishedCut& cut, const Smoothness& half) {
   double least = 1;
   for (const float tilt : {-kBalanceShift, kBalanceShift}) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What a finished cut tells about its own reliability.
+// Reliability measures of a finished cut.
 #pragma once
 
 #include <opencv2/core.hpp>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// From one point on the object to an approximate region.
+// Estimates an approximate region from one point on the object.
 #pragma once
 
 #include <opencv2/core.hpp>

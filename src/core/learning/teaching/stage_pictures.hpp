@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Pictures of a lesson's steps for whoever watches.
+// Pictures of a lesson's steps for display.
 #pragma once
 
 #include <opencv2/core.hpp>

@@ -9,7 +9,7 @@
 
 namespace mbncc {
 
-/// Adds the wall time of its own life to timings[step], in milliseconds, also when the step throws.
+/// Adds the wall time of its lifetime to timings[step], in milliseconds, also when the step throws.
 class StepTimer {
  public:
   StepTimer(std::map<std::string, double>& timings, std::string step)

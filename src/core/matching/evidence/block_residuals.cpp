@@ -12,7 +12,7 @@ namespace mbncc {
 namespace {
 
 constexpr int kChannels = SurfaceTemplate::kChannels;
-constexpr double kLeastPoints = 4;  // of a part that is judged
+constexpr double kLeastPoints = 4;  // of a part that is compared
 
 std::size_t five_of_eight(std::size_t count) {
   return (count * 5 + 7) / 8;
@@ -60,7 +60,7 @@ struct Sums {
   }
 };
 
-/// The sums of the parts that are explained best in a light.
+/// The sums of the parts with the smallest residuals in a light.
 Sums best_explained(const std::vector<Sums>& blocks, const kernels::Gain& gain) {
   std::vector<std::pair<double, const Sums*>> sorted;
   for (const auto& block : blocks) sorted.emplace_back(block.square(gain), &block);
@@ -71,7 +71,7 @@ Sums best_explained(const std::vector<Sums>& blocks, const kernels::Gain& gain) 
   return kept;
 }
 
-/// The best of three local fits: from the light of all parts, and from that of either half.
+/// The best of three local fits, started from the light of all parts and of either half.
 kernels::Gain trimmed_gain(const std::vector<BlockSums>& all) {
   constexpr int kSteps = 2;
   std::vector<Sums> blocks;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// How far the compact parts of a surface differ in colour from a picture, in the light that
-// explains most of them: what covers some of the parts decides nothing about the others.
+// Colour residuals of the compact parts of a surface after a robust fit of the light, so that
+// covered parts do not affect the others.
 #pragma once
 
 #include <vector>
@@ -10,8 +10,8 @@
 namespace mbncc {
 
 /// By compact part, rms [grey levels] of its colours after one gain and one offset, each difference
-/// up to a bound; -1 where too little of it lies in the picture. Gain and offset are fitted to the
-/// five of eight parts that they explain best (least trimmed squares, Rousseeuw 1984).
+/// up to a bound; -1 if too little of it lies in the picture. Gain and offset are fitted to the
+/// five of eight parts with the smallest residuals (least trimmed squares, Rousseeuw 1984).
 /// `blocks` are those of the sample.
 std::vector<double> block_residuals(const SurfaceTemplate& surface, const SurfaceSample& sample,
                                     const std::vector<BlockSums>& blocks);

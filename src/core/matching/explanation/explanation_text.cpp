@@ -16,7 +16,7 @@ using Outcome = Explanation::Outcome;
 
 std::string number(double value, int digits) {
   const double step = std::pow(10.0, -digits);
-  // Rounded to zero there is no sign.
+  // No sign if rounded to zero.
   const double shown = std::abs(value) < step / 2 ? 0 : value;
   std::ostringstream text;
   text << std::fixed << std::setprecision(digits) << shown;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What is thought of a candidate at its pyramid level.
+// Score of a candidate at its pyramid level.
 #pragma once
 
 #include <vector>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What comparing the colours of a surface's compact parts with a picture takes, read once.
+// Sums for comparing the colours of a surface's compact parts with a picture.
 #pragma once
 
 #include <array>
@@ -9,7 +9,7 @@
 
 namespace mbncc {
 
-/// Of one compact part: sums over its points inside the picture, by channel (b, g, r).
+/// Sums of one compact part over its points inside the picture, by channel (b, g, r).
 struct BlockSums {
   using Channels = std::array<double, SurfaceTemplate::kChannels>;
 

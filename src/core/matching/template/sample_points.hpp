@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Where on the object its surface is read.
+// Sample points of the object's surface.
 #pragma once
 
 #include <opencv2/core.hpp>
