@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// When a tracked instance is confirmed or ambiguous, and what its angle does.
+// Confirmation and ambiguity of tracked instances, and their angles.
 #include <gtest/gtest.h>
 
 #include <cmath>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What the learning nodelet says in a lesson, and a console in the midst of one.
+// Messages of the learning nodelet in a lesson, and a console during one.
 #pragma once
 
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Runs a fuzz target over files, without a fuzzer: what was found once stays found.
+// Runs a fuzz target over stored files without a fuzzer, as a regression test.
 #include <filesystem>
 #include <fstream>
 #include <iostream>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What a lesson's observer hears, and how it stops a lesson.
+// Reports to a lesson's observer, and cancellation by it.
 #include "mbncc/learning/learn_object.hpp"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What a survey tells of two pictures, and how much of it ends a lesson.
+// Measures of a survey of two pictures, and the limits that end a lesson.
 #include <gtest/gtest.h>
 
 #include "learning/pictures.hpp"

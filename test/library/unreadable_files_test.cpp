@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What a library does with files that it cannot read.
+// Handling of unreadable files by the library.
 #include <gtest/gtest.h>
 
 #include <filesystem>

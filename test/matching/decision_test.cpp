@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What makes a detection graspable, ambiguous, or a rival of another one.
+// Conditions for graspable and ambiguous detections, and competitors.
 #include <gtest/gtest.h>
 
 #include <functional>
@@ -18,7 +18,7 @@ class DecisionTest : public ::testing::Test {
   const PreparedObject other_{test::object_from(source_, {58, 60, 0}, "other"), Engine::kFast};
   const SearchConfig config_{};
 
-  /// Beyond doubt, firm, and known to a tenth of a pixel.
+  /// Certain, with a distinct outline, and accurate to a tenth of a pixel.
   Detection sound() const {
     Detection detection;
     detection.object = &object_;
@@ -80,7 +80,7 @@ TEST_F(DecisionTest, WhatIsNotKnownWellIsNotGrasped) {
       d.covariance = d.cautious = cv::Matx33d::diag({x * x, y * y, theta * theta});
     }));
   };
-  // The reference point of this object lies off the anchor, so that turns displace it.
+  // The reference point of this object differs from the anchor, so that rotations displace it.
   EXPECT_TRUE(with(0.9 * place, 0.9 * place, 0).graspable);
   for (const Match& match :
        {with(1.1 * place, 0, 0), with(0, 1.1 * place, 0), with(0, 0, 1.1 * angle)}) {
@@ -167,7 +167,8 @@ TEST_F(DecisionTest, FarBehindAnInstanceOutsideTheRegionItMayBeALike) {
 }
 
 TEST_F(DecisionTest, ABetterObjectAtThePlaceMakesAmbiguousToo) {
-  // Its score is the lower one, for an outline that lies loose, and its odds are higher.
+  // Its score is lower because its outline is less distinct, although its uncalibrated odds are
+  // higher.
   const Detection better = changed([&](Detection& d) {
     d.object = &other_;
     d.view = &other_.views.front();
@@ -274,7 +275,7 @@ TEST_F(DecisionTest, TheReferencePointMovesWithTheAnchorsAngleAndSize) {
   EXPECT_NEAR(larger.scale, 1.1, 1e-9);
 }
 
-// Each view has a frame of its own, and all of them show one object's.
+// Each view has its own crop, but all share the object's frame.
 TEST_F(DecisionTest, AnglesOfTwoViewsAreComparedInTheObjectsFrame) {
   auto model = std::make_shared<ObjectModel>(*test::object_from(source_, {58, 60, 0}));
   model->views.push_back(test::object_from(source_, {58, 60, 1.2})->views.front());

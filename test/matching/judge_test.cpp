@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What is looked for that speaks against a pose.
+// Tests of alternatives to a pose.
 #include <cmath>
 
 #include "matching/evidence/contour_alternative.hpp"
@@ -28,7 +28,7 @@ class JudgeTest : public test::MatcherTest {
     return compose(reference, inverse(Pose2D{lever.x, lever.y, view_.reference_in_anchor.theta}));
   }
 
-  /// The best detection where the anchor is believed to lie.
+  /// The best detection for a pose hypothesis of the anchor.
   Detection judged(const ScenePicture& scene, const Pose2D& anchor, double odds) const {
     PoseHypothesis believed = score_as_is(view_, scene, anchor);
     believed.odds = odds;
@@ -77,11 +77,11 @@ TEST_F(JudgeTest, TheMirrorImageIsToldAndCosts) {
   const ScenePicture scene(scene_with(test::mirrored(source_), truth_), object_.top_level());
   const Detection found = judged(scene, {truth_.x, truth_.y, 0}, 10);
   EXPECT_TRUE(found.mirror_alternative);
-  EXPECT_LT(found.colour_difference, 0.15) << "no colour speaks against it";
+  EXPECT_LT(found.colour_difference, 0.15) << "no colour differs";
   EXPECT_LT(found.log_odds, 8);
 }
 
-// A plate without the tip of a corner: that alone tells it from its mirror image.
+// A plate without the tip of a corner, its only difference to its mirror image.
 TEST_F(JudgeTest, AMirrorImageThatDiffersSlightlyIsTold) {
   cv::Mat map = cv::Mat::zeros(120, 120, CV_8UC1);
   map(cv::Rect(10, 25, 100, 70)) = 255;
@@ -100,7 +100,7 @@ TEST_F(JudgeTest, AMirrorImageThatDiffersSlightlyIsTold) {
   }
 }
 
-// The bright spot that a lamp draws lies elsewhere on it than in the lesson.
+// The lamp's highlight is at another place of the object than in the lesson.
 TEST_F(JudgeTest, APlainSurfaceDoesNotDriftAlongItsShading) {
   const cv::Point2d spot(50, 75);
   const auto shaded = [&](cv::Point2d bright) {

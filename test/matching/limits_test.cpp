@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What bounds a search: time, thresholds set at run time, and objects that are hardly wide enough.
+// Limits of a search: time, thresholds set at run time, and very narrow objects.
 #include <gtest/gtest.h>
 
 #include "matching/pictures.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What a picture would show of a surface.
+// The sample of a surface in a simulated picture.
 #pragma once
 
 #include <algorithm>

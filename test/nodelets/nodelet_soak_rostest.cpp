@@ -120,7 +120,7 @@ class Soak : public testing::Test {
     if (ros::service::call("edit_object", call) && call.response.success) ++edits_;
   }
 
-  /// In a given picture; and the camera tells of another lens.
+  /// In a given picture, while the camera publishes another calibration.
   void ask() {
     mbncc_vision::FindObjects call;
     call.request.image = before_;

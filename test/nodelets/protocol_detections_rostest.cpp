@@ -153,7 +153,7 @@ TEST_F(Protocol, FindsOnceOnRequest) {
   EXPECT_TRUE(edit("part", EditObject::Request::DELETE).success);
 }
 
-// Without pictures each call waits until its time is up; what is one too many must not.
+// Without pictures each call waits until its timeout; an excess call must not.
 TEST_F(Protocol, ManyCallsAtATimeAreToldBusy) {
   constexpr int kCalls = 30;
   std::atomic<int> busy{0}, out_of_time{0}, ended{0};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What goals of a lesson are refused for, and what they teach.
+// Reasons for refusing a lesson's goal, and lessons made from goals.
 
 #include "nodelets/conversion/messages.hpp"
 #include "nodelets/protocol.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What clients may rely on when something is not as it should be (protocol_*_rostest.cpp).
+// Guarantees for clients under faults (protocol_*_rostest.cpp).
 #include <gtest/gtest.h>
 #include <ros/ros.h>
 

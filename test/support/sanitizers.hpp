@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What tests do differently when they are built with sanitizers.
+// Differences of tests built with sanitizers.
 #pragma once
 
 namespace mbncc::test {

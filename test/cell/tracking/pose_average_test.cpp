@@ -25,7 +25,7 @@ Pose2D noisy(const Pose2D& pose, cv::RNG& random) {
           wrap_angle(pose.theta + random.gaussian(kSigmaAngle))};
 }
 
-/// What comes of the pose in one more picture.
+/// The tracked instance after one more picture with this pose.
 Match averaged(PoseAverage& average, const Pose2D& pose, std::uint32_t id = 1) {
   std::vector<TrackedMatch> matches{seen(id, pose)};
   average.apply(matches);

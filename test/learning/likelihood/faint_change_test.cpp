@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What noise hides in every pixel shows in wide patches.
+// Change hidden by noise in single pixels is significant in wide patches.
 #include "learning/likelihood/faint_change.hpp"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What a finished cut and its map tell about themselves.
+// Reliability measures of a finished cut and its map.
 #include "learning/segmentation/cut_evidence.hpp"
 
 #include <gtest/gtest.h>
@@ -41,7 +41,7 @@ class CutEvidenceTest : public testing::Test {
     return cut_evidence(cut, smoothness_, half_);
   }
 
-  /// [log-odds] what pixels on and off the object prefer.
+  /// [log-odds] of pixels on and off the object.
   void prefer(float on, float off) {
     unary_.setTo(off);
     unary_(kObject).setTo(on);

@@ -85,7 +85,7 @@ TEST(CheckStoring, LabelsAreChecked) {
   EXPECT_EQ(error_of(lesson, Storing::kNew, {}), LearnError::kNameInvalid);
 }
 
-// What the library throws at `change`.
+// The exception of the library for `change`.
 template <class Change>
 Refusal refusal_by(Change&& change) {
   try {

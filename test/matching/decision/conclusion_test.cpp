@@ -28,7 +28,7 @@ class ConclusionTest : public ::testing::Test {
     conclude(match_, config_);
   }
 
-  /// It is refused for this reason alone.
+  /// It is refused only for this reason.
   void expect_refused(const std::string& reason, bool ambiguous) {
     verify();
     EXPECT_FALSE(match_.graspable);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Whoever may be gripped has met its rivals.
+// A graspable instance was compared with its competitors.
 #include <gtest/gtest.h>
 
 #include <opencv2/imgproc.hpp>

@@ -60,7 +60,7 @@ TEST(Convincing, WithoutTextureItHasToBeNearlyCertain) {
 TEST(Convincing, FarBehindAnotherInstanceItMayBeALike) {
   EXPECT_TRUE(is_convincing(detection_of(8, kFirm, 0.9), -2));
   EXPECT_FALSE(is_convincing(detection_of(8, kFirm, 0.9), -5));
-  EXPECT_TRUE(is_convincing(detection_of(10), -5)) << "covered, perhaps, but beyond doubt";
+  EXPECT_TRUE(is_convincing(detection_of(10), -5)) << "certain, although possibly covered";
 }
 
 }  // namespace

@@ -24,7 +24,7 @@ class OutlineElsewhere : public test::MatcherTest {
                             compose(reference, inverse(view.reference_in_anchor)), 1);
   }
 
-  /// The same outline over a surface that lies `off` [px] elsewhere.
+  /// The same outline with a surface displaced by `off` [px].
   test::LearningPicture with_surface_moved(cv::Point2d off) const {
     test::LearningPicture moved = source_;
     cv::warpAffine(source_.surface, moved.surface, cv::Matx23d(1, 0, off.x, 0, 1, off.y),

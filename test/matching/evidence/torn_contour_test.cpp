@@ -12,7 +12,7 @@ class TornOutline : public test::MatcherTest {
  protected:
   TornOutline() { test::place(scene_, source_, reference_.position(), truth_); }
 
-  /// Rows from `from` on show what lay `way` [px] to the left.
+  /// Rows from `from` on are displaced by `way` [px].
   static cv::Mat torn(const cv::Mat& picture, int from, double way) {
     cv::Mat moved, result = picture.clone();
     cv::warpAffine(picture, moved, cv::Matx23d(1, 0, way, 0, 1, 0), picture.size(),

@@ -32,7 +32,7 @@ class ClimbTest : public ::testing::Test {
     return scene;
   }
 
-  /// The object laid into a scene, and where its template's anchor lies then.
+  /// The object composited into a scene, with its template's anchor.
   struct Laid {
     Laid(bool textured, const Pose2D& truth)
         : source(lesson(textured)),

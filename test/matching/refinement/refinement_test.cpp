@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The last fraction of a pixel: what light displaces must not displace the pose, and the claim of
-// its accuracy must hold.
+// Sub-pixel refinement: light must not displace the pose, and the covariance must hold.
 #include "matching/refinement/refinement.hpp"
 
 #include <gtest/gtest.h>
@@ -261,7 +260,7 @@ TEST(MotionPullTest, WhatIsLooseTellsLessOfThePlaceAndAsMuchOfNothing) {
   const NormalEquations loose = marginalised_over_shift(pull, 0.5);
   EXPECT_LT(loose.information(0, 0), 1 / (0.5 * 0.5));
   EXPECT_LT(loose.information(1, 1), 1 / (0.5 * 0.5));
-  // The turn it tells of is known only less the shift that it is mistaken for.
+  // The rotation is known only up to the correlated shift.
   EXPECT_LT(loose.information(2, 2), pull.information(2, 2));
   EXPECT_GT(loose.information(2, 2), 0.9 * pull.information(2, 2));
   EXPECT_LT(cv::norm(loose.information * motion - loose.vector), 1e-9);

@@ -51,7 +51,7 @@ class ViewSearchTest : public ::testing::Test {
            angle_distance(pose.theta, truth.theta) < to_radians(4.);
   }
 
-  /// Pictures, of twelve, whose best detection lies where the object was laid.
+  /// Number of pictures, of twelve, whose best detection is at the true place.
   int found_by(SearchMode mode) const {
     int found = 0;
     for (unsigned k = 0; k < 12; ++k) {
@@ -102,7 +102,7 @@ TEST_F(WiderHookTest, BesideSeveralInstancesFurtherOnesAreLookedFor) {
   EXPECT_GT(in_the_end, at_once);
 }
 
-/// A plate that looks the same half turned, but for a whisker, which moves the middle of its
+/// A plate with a half-turn symmetry except for a thin appendix, which moves the middle of its
 /// excircle by 20 px and its centroid by two.
 test::LearningPicture whiskered_plate() {
   cv::Mat map = cv::Mat::zeros(120, 140, CV_8UC1);

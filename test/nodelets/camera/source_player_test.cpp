@@ -16,7 +16,7 @@ namespace {
 
 using Seconds = SourcePlayer::Seconds;
 
-/// What a camera does, told in advance; the world below it has clocks that only move in pauses.
+/// A scripted camera, in a simulated environment whose clocks advance only in pauses.
 struct Story {
   bool live = false;
   double rate = 0;      // [Hz]
