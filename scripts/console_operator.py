@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""An operator who works the console by xdotool alone, as fast as the lesson lets him; needs xdotool."""
+"""Operates the console by xdotool as fast as the lesson allows; needs xdotool."""
 import subprocess
 import threading
 import time
@@ -123,7 +123,7 @@ class Newest:
 
 
 class Teacher:
-    """An ideal operator: does at once what the lesson asks for, by the mouse and the arm."""
+    """An ideal operator: does at once what the lesson asks, by mouse and arm."""
 
     def __init__(self):
         import rospy

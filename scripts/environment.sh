@@ -32,7 +32,7 @@ fail() {
   exit 1
 }
 
-# Whoever asks a script for help gets the comment at its head, and nothing is done.
+# With --help, a script prints the comment at its head and exits.
 case " $* " in
   *" -h "* | *" --help "*)
     sed -n '3,/^[^#]/s/^# \{0,1\}//p' "$0"

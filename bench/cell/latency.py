@@ -138,7 +138,7 @@ def main():
     parser.add_argument("tool", help="the built mbncc")
     parser.add_argument("--seconds", type=float, default=20, help="of each measurement (20)")
     parser.add_argument("--rate", type=float, default=30, help="pictures a second (30)")
-    parser.add_argument("--play", action="store_true", help="the arm carries the object about; without it, all lies still")
+    parser.add_argument("--play", action="store_true", help="the arm moves the object; without it, the scene is still")
     arguments = parser.parse_args()
     with socket.socket() as probe:
         probe.bind(("localhost", 0))

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""Draws what strokes make of the maps that miss their object, from strokes.csv of strokes_bench.
+"""Plots the effect of strokes on bad maps, from strokes.csv of strokes_bench.
 
   strokes.py STROKES.csv OUT.png
 """

@@ -42,7 +42,7 @@ def kill(process):
 
 
 def hear(topic, env, messages=1):
-    """Messages by a subscriber that nobody knew before."""
+    """Messages received by a new subscriber."""
     subprocess.run(["rostopic", "echo", "-n", str(messages), "--noarr", topic], env=env, check=True, timeout=60,
                    stdout=subprocess.DEVNULL)
 
