@@ -45,7 +45,7 @@ TEST_F(RotationTest, OtherPlacesAndHopelessPosesStayAsTheyAre) {
 
 TEST(RotationOdds, UnexplainedColoursTellEqualCorrelationsApart) {
   Evidence right, wrong;
-  right.contour = wrong.contour = 0.7;
+  right.contour_score = wrong.contour_score = 0.7;
   right.shading_free_ncc = wrong.shading_free_ncc = 0.97;
   right.log_residual = 1.6;
   wrong.log_residual = 2.1;
