@@ -25,13 +25,13 @@
 namespace mbncc {
 namespace {
 
-constexpr float kVoice = 8;          // highest unary of one of two views
+constexpr float kViewLogOdds = 8;    // highest unary of one of two views
 constexpr float kForced = 1000;      // unary of painted pixels
 constexpr float kArrivalUnary = 12;  // log-likelihood ratio given to arrivals
 constexpr int kFewestPixels = 30;    // least pixels of a seed
-constexpr float kCovered = 2;  // log-likelihood ratio of pixels that an intruder covers afterwards
-constexpr int kLookedAt = 7;   // [px] square about a painted pixel
-constexpr int kSpeck = 8;      // [px] smaller changed patches are noise
+constexpr float kCovered = 2;   // log-likelihood ratio of pixels that an intruder covers afterwards
+constexpr int kCheckedBox = 7;  // [px] square about a painted pixel
+constexpr int kSpeck = 8;       // [px] smaller changed patches are noise
 
 // Data of one cut. All pictures have the crop's size and own their memory, because the pair's
 // pictures are much larger and a cut lives as long as its lesson.
@@ -132,14 +132,14 @@ class Cutter {
   }
 
   cv::Mat full_size_preference(const cv::Size& size) const {
-    cv::Mat preference(size, CV_32FC1, cv::Scalar(-kVoice));
-    voice_of(unary_).copyTo(preference(crop_));
+    cv::Mat preference(size, CV_32FC1, cv::Scalar(-kViewLogOdds));
+    clipped(unary_).copyTo(preference(crop_));
     return preference;
   }
 
   CutEvidence evidence() const {
     const cv::Mat room = intruders_.empty() ? inside_ : cv::Mat(inside_ & ~intruders_);
-    return cut_evidence({map_, coarse_, room, unary_, background_.changed, kept_, vouched()},
+    return cut_evidence({map_, coarse_, room, unary_, background_.changed, kept_, confirmed()},
                         smoothness_, half_);
   }
 
@@ -191,14 +191,16 @@ class Cutter {
   }
 
   // Clipped log-odds of one view in a cut of both, so that no pixel dominates the other view.
-  static cv::Mat voice_of(const cv::Mat& unary) { return cv::max(cv::min(unary, kVoice), -kVoice); }
+  static cv::Mat clipped(const cv::Mat& unary) {
+    return cv::max(cv::min(unary, kViewLogOdds), -kViewLogOdds);
+  }
 
   // Pixels near the strokes were checked by the operator as well.
-  cv::Mat vouched() const {
+  cv::Mat confirmed() const {
     if (include_.empty()) return {};
-    cv::Mat vouched;
-    cv::dilate(include_ | exclude_, vouched, cv::Mat::ones(kLookedAt, kLookedAt, CV_8U));
-    return vouched;
+    cv::Mat confirmed;
+    cv::dilate(include_ | exclude_, confirmed, cv::Mat::ones(kCheckedBox, kCheckedBox, CV_8U));
+    return confirmed;
   }
 
   // Of the object's colours that the map shows now.
@@ -207,7 +209,7 @@ class Cutter {
         ColourMixture::fit(before_, map_, colour_weights(background_.changed, map_));
     cv::Mat unary = object_preference(before_, object, background_.log_ratio,
                                       coarse_.empty() ? cv::Mat() : map_);
-    if (!other_view_.empty()) unary = voice_of(unary) + other_view_;
+    if (!other_view_.empty()) unary = clipped(unary) + other_view_;
     unary.setTo(-kHighestPreference, ~inside_);
     return unary;
   }

@@ -24,15 +24,15 @@ double part(const cv::Mat& of, const cv::Mat& among) {
 // need no edge.
 double boundary_contrast(const FinishedCut& cut, const Smoothness& smoothness) {
   const cv::Mat& map = cut.map;
-  const auto is_vouched = [&cut](int y, int x) {
-    return !cut.vouched.empty() && cut.vouched.at<uchar>(y, x);
+  const auto is_confirmed = [&cut](int y, int x) {
+    return !cut.confirmed.empty() && cut.confirmed.at<uchar>(y, x);
   };
   double cost = 0, length = 0;
   for (const int k : {0, 2})  // left and upper neighbour
     for (int y = 1; y < map.rows; ++y)
       for (int x = 1; x < map.cols; ++x)
         if (map.at<uchar>(y, x) != map.at<uchar>(y + Smoothness::kDy[k], x + Smoothness::kDx[k])) {
-          if (!is_vouched(y, x))
+          if (!is_confirmed(y, x))
             cost += smoothness.weights[k].at<float>(y, x) / smoothness.strength;
           ++length;
         }
@@ -50,7 +50,7 @@ double change_beside(const FinishedCut& cut) {
 // Painted pixels count as certain.
 double agreement(const FinishedCut& cut, const cv::Mat& other) {
   cv::Mat same = cut.map & other, either = cut.map | other;
-  if (!cut.vouched.empty()) same |= either & cut.vouched;
+  if (!cut.confirmed.empty()) same |= either & cut.confirmed;
   const int all = cv::countNonZero(either);
   return all == 0 ? 0 : cv::countNonZero(same) / static_cast<double>(all);
 }

@@ -19,7 +19,7 @@ constexpr float kAnyColour = 0.02F;      // part of an intruder's pixels in colo
 constexpr float kColourVoice = 6;        // largest log-odds from the colour after
 constexpr float kPlatformLogOdds = 2;    // largest log-odds from a similarity to the platform
 constexpr float kPlatformWeight = 0.5F;
-constexpr float kSettled = 30;  // unary of certain pixels
+constexpr float kCertain = 30;  // unary of certain pixels
 
 cv::Mat log_density(const ColourMixture& mixture, const cv::Mat& picture, float any_colour) {
   cv::Mat relative = mixture.densities(picture) * std::exp(-log_uniform_colour()), logarithm;
@@ -77,8 +77,8 @@ cv::Mat find_intruders(const cv::Mat& before, const cv::Mat& after, const cv::Ma
                           kPlatformLogOdds);
   cv::Mat reach;
   cv::dilate(changed, reach, cv::Mat());
-  unary.setTo(-kSettled, ~reach);
-  unary.setTo(kSettled, seeds);
+  unary.setTo(-kCertain, ~reach);
+  unary.setTo(kCertain, seeds);
   return connected_to(seeds, minimum_cut(unary, smoothness(after, before, noise)));
 }
 

@@ -65,8 +65,8 @@ std::vector<Place> places_to_try(const cv::Mat& changed, const SegmentationTask&
                                  double area) {
   const cv::Mat left = departures(task.before, task.after, changed) > 0;
   std::vector<Place> places = places_of(changed & ~left, area);
-  for (const Place& doubtful : places_of(changed & left, area))
-    if (doubtful.within) places.push_back(doubtful);
+  for (const Place& uncertain : places_of(changed & left, area))
+    if (uncertain.within) places.push_back(uncertain);
   return places;
 }
 

@@ -51,7 +51,7 @@ std::string verdict_of(const Explanation& explanation) {
                number(check->threshold, 2) + ".";
       return head + "not reported, since better ones reach max_instances or overlap it.";
     default:
-      return head + "not found, the first steps of the search pass over this place" +
+      return head + "not found, no proposal of the search at this place" +
              (explanation.covered_by.empty() ? "."
                                              : ", which '" + explanation.covered_by + "' takes.");
   }
@@ -93,7 +93,7 @@ std::string rival_of(const Explanation& explanation, const Competitor& rival) {
 std::string advice_on(const Explanation& explanation) {
   if (explanation.outcome == Outcome::kGraspable) return "Nothing to do.";
   if (explanation.outcome == Outcome::kReported)
-    return "Remove what speaks against it, or teach a further view as it lies here.";
+    return "Remove the cause of this reason, or teach a further view in this position.";
   if (!explanation.covered_by.empty())
     return "Teach both where they differ, or disable the one that is not used.";
   const auto worst = std::max_element(
@@ -101,7 +101,7 @@ std::string advice_on(const Explanation& explanation) {
       [](const ScorePart& a, const ScorePart& b) { return a.lacking < b.lacking; });
   const std::string most =
       worst == explanation.parts.end() ? "" : " Most is lacking in: " + worst->name + ".";
-  return "If the object lies here, teach a further view of it as it lies, or improve the light." +
+  return "If the object lies here, teach a further view in this position, or improve the light." +
          most;
 }
 
@@ -125,8 +125,8 @@ Marking marking_of(const Explanation& explanation) {
 
 std::vector<std::string> lines_of(const Explanation& explanation) {
   if (explanation.outline.empty())
-    return {"'" + explanation.name + "': nothing like it is seen at this place.",
-            "Point at the middle of the object, or teach a further view of it as it lies."};
+    return {"'" + explanation.name + "': nothing similar is visible at this place.",
+            "Point at the middle of the object, or teach a further view in this position."};
   std::vector<std::string> lines{verdict_of(explanation)};
   if (!explanation.parts.empty()) {
     lines.push_back(evidence_of(explanation));

@@ -11,7 +11,7 @@
 namespace mbncc {
 namespace {
 
-class JudgeTest : public test::MatcherTest {
+class VerificationTest : public test::MatcherTest {
  protected:
   const PreparedObject object_{test::object_from(source_, reference_), Engine::kFast};
   const PreparedView& view_ = object_.views.front();
@@ -30,14 +30,14 @@ class JudgeTest : public test::MatcherTest {
 
   /// The best detection for a pose hypothesis of the anchor.
   Detection judged(const ScenePicture& scene, const Pose2D& anchor, double odds) const {
-    PoseHypothesis believed = score_as_is(view_, scene, anchor);
-    believed.odds = odds;
-    believed.refining = 4;
-    return verify(object_, view_, scene, {believed}).at(0);
+    PoseHypothesis hypothesis = score_as_is(view_, scene, anchor);
+    hypothesis.odds = odds;
+    hypothesis.refining = 4;
+    return verify(object_, view_, scene, {hypothesis}).at(0);
   }
 };
 
-TEST_F(JudgeTest, NothingSpeaksAgainstTheTruth) {
+TEST_F(VerificationTest, NothingSpeaksAgainstTheTruth) {
   const ScenePicture scene(scene_with(source_, truth_), object_.top_level());
   const Detection found = judged(scene, anchor_at(truth_), 12);
   EXPECT_LT(found.colour_difference, 0.1);
@@ -53,7 +53,7 @@ TEST_F(JudgeTest, NothingSpeaksAgainstTheTruth) {
   EXPECT_EQ(found.pose.position(), refined.pose.position());
 }
 
-TEST_F(JudgeTest, OfWhatIsUnlikelyNothingIsKnown) {
+TEST_F(VerificationTest, OfWhatIsUnlikelyNothingIsKnown) {
   const ScenePicture scene(scene_with(source_, truth_), object_.top_level());
   const Detection found = judged(scene, anchor_at(truth_), -3);
   EXPECT_GE(found.covariance(0, 0), 1e4);
@@ -62,7 +62,7 @@ TEST_F(JudgeTest, OfWhatIsUnlikelyNothingIsKnown) {
   EXPECT_DOUBLE_EQ(found.contour_alternative, kNotExamined);
 }
 
-TEST_F(JudgeTest, AnotherSizeIsTold) {
+TEST_F(VerificationTest, AnotherSizeIsTold) {
   for (const double size : {0.92, 1.08}) {
     cv::Mat resized;
     cv::resize(scene_with(source_, truth_), resized, {}, size, size, cv::INTER_AREA);
@@ -73,7 +73,7 @@ TEST_F(JudgeTest, AnotherSizeIsTold) {
   }
 }
 
-TEST_F(JudgeTest, TheMirrorImageIsToldAndCosts) {
+TEST_F(VerificationTest, TheMirrorImageIsToldAndCosts) {
   const ScenePicture scene(scene_with(test::mirrored(source_), truth_), object_.top_level());
   const Detection found = judged(scene, {truth_.x, truth_.y, 0}, 10);
   EXPECT_TRUE(found.mirror_alternative);
@@ -82,7 +82,7 @@ TEST_F(JudgeTest, TheMirrorImageIsToldAndCosts) {
 }
 
 // A plate without the tip of a corner, its only difference to its mirror image.
-TEST_F(JudgeTest, AMirrorImageThatDiffersSlightlyIsTold) {
+TEST_F(VerificationTest, AMirrorImageThatDiffersSlightlyIsTold) {
   cv::Mat map = cv::Mat::zeros(120, 120, CV_8UC1);
   map(cv::Rect(10, 25, 100, 70)) = 255;
   cv::fillPoly(map, std::vector<std::vector<cv::Point>>{{{110, 25}, {105, 25}, {110, 30}}},
@@ -101,7 +101,7 @@ TEST_F(JudgeTest, AMirrorImageThatDiffersSlightlyIsTold) {
 }
 
 // The lamp's highlight is at another place of the object than in the lesson.
-TEST_F(JudgeTest, APlainSurfaceDoesNotDriftAlongItsShading) {
+TEST_F(VerificationTest, APlainSurfaceDoesNotDriftAlongItsShading) {
   const cv::Point2d spot(50, 75);
   const auto shaded = [&](cv::Point2d bright) {
     test::LearningPicture plain = source_;
@@ -125,7 +125,7 @@ TEST_F(JudgeTest, APlainSurfaceDoesNotDriftAlongItsShading) {
 }
 
 // Its colours, each of which occurs all over it, are right but in one compact part.
-TEST_F(JudgeTest, APartOfAnotherColourIsTold) {
+TEST_F(VerificationTest, APartOfAnotherColourIsTold) {
   test::LearningPicture chequered = source_;
   for (int y = 0; y < 120; y += 6)
     for (int x = y / 6 % 2 * 6; x + 6 <= 120; x += 12)
@@ -133,18 +133,18 @@ TEST_F(JudgeTest, APartOfAnotherColourIsTold) {
   chequered.surface.copyTo(chequered.picture, chequered.map);
   const PreparedObject object(test::object_from(chequered, reference_), Engine::kFast);
   const PreparedView& view = object.views.front();
-  const auto strange_in = [&](const test::LearningPicture& shown) {
+  const auto difference_in = [&](const test::LearningPicture& shown) {
     const ScenePicture scene(scene_with(shown, truth_), object.top_level());
-    PoseHypothesis believed =
+    PoseHypothesis hypothesis =
         score_as_is(view, scene, compose(truth_, inverse(view.reference_in_anchor)));
-    believed.odds = 12;
-    return verify(object, view, scene, {believed}).at(0).colour_difference;
+    hypothesis.odds = 12;
+    return verify(object, view, scene, {hypothesis}).at(0).colour_difference;
   };
-  EXPECT_LT(strange_in(chequered), 0.1);
+  EXPECT_LT(difference_in(chequered), 0.1);
   test::LearningPicture tinted = chequered;
   cv::Mat part = tinted.surface(cv::Rect(35, 25, 24, 30));
   cv::multiply(part, cv::Scalar(0.6, 1, 0.7), part);
-  EXPECT_GT(strange_in(tinted), 0.2);
+  EXPECT_GT(difference_in(tinted), 0.2);
 }
 
 }  // namespace
