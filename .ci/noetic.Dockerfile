@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 # The package on ROS Noetic (Ubuntu 20.04), built and tested in a catkin workspace.
 #   docker build -f .ci/noetic.Dockerfile -t mbncc_vision_noetic .
 #   docker run --rm mbncc_vision_noetic                      # its tests

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """Judges the paper's claims (doi 10.1177/1687814017728839) by the rows that the benchmark programs write.
 
 Rows are dictionaries of text by column, as csv.DictReader reads them.

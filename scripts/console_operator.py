@@ -1,4 +1,5 @@
-"""An operator who works the console by xdotool alone, as fast as the lesson lets him; needs xdotool."""
+# SPDX-License-Identifier: BSD-3-Clause
+"""Operates the console by xdotool as fast as the lesson allows; needs xdotool."""
 import subprocess
 import threading
 import time
@@ -122,7 +123,7 @@ class Newest:
 
 
 class Teacher:
-    """An ideal operator: does at once what the lesson asks for, by the mouse and the arm."""
+    """An ideal operator: does at once what the lesson asks, by mouse and arm."""
 
     def __init__(self):
         import rospy

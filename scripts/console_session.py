@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """A simulated cell and its console on a display of their own.
 
 Shared by the console's test and by scripts/make_console_pictures; needs Xvfb.
@@ -11,7 +12,7 @@ import tempfile
 import time
 
 PATIENCE = 60  # [s] for whatever must happen on a busy machine
-GLANCE = 0.1   # [s] between two looks
+GLANCE = 0.1   # [s] between two checks
 
 
 class SessionFailed(Exception):
@@ -36,7 +37,7 @@ def free_port():
 
 
 class Session:
-    """Use as a context manager; ends what it started."""
+    """Use as a context manager; ends the processes that it started."""
 
     def __init__(self, size="1280x900", camera=None):
         self._size = size
@@ -61,7 +62,7 @@ class Session:
 
     def _open_display(self):
         reader, writer = os.pipe()
-        # Without -noreset the display begins anew after its last window and refuses whoever comes meanwhile.
+        # Without -noreset the display resets after its last window and refuses clients meanwhile.
         self.start(["Xvfb", "-displayfd", str(writer), "-screen", "0", self._size + "x24",
                      "+extension", "GLX", "-nolisten", "tcp", "-noreset"], pass_fds=[writer])
         os.close(writer)

@@ -1,4 +1,5 @@
 #!/usr/bin/python3
+# SPDX-License-Identifier: BSD-3-Clause
 """Teaches the object of the simulated cell and finds it again at places the arm puts it down.
 
 Runs against demo.launch with auto_play:=false. Prints the lesson's feedback and each found pose
@@ -88,7 +89,7 @@ class Demo:
         self.overlay = Newest("matching/overlay", Image)
 
     def order(self, command):
-        """Tells the arm to move; waits while it is under way."""
+        """Commands the arm to move; waits while it is moving."""
         service = "camera/" + command
         try:
             rospy.wait_for_service(service, self.timeout)
@@ -128,7 +129,7 @@ class Demo:
         if client.get_state() != GoalStatus.SUCCEEDED:
             raise DemoFailed("%s %s" % (result.message, result.hint))
         print("  %s Area %d px." % (result.message, result.object.quality.area))
-        # Where the reference point lies in the object's own drawing, whatever the map's centroid.
+        # The reference point in the object's drawing, independent of the map's centroid.
         return compose(inverse(as_tuple(start.objects[0].image_pose)),
                        as_tuple(result.object.reference))
 

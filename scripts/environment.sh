@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 # Sourced by the other scripts: finds the package, the ROS installation and the system's Python.
 # shellcheck shell=bash
 
@@ -31,10 +32,10 @@ fail() {
   exit 1
 }
 
-# Whoever asks a script for help gets the comment at its head, and nothing is done.
+# With --help, a script prints the comment at its head and exits.
 case " $* " in
   *" -h "* | *" --help "*)
-    sed -n '2,/^[^#]/s/^# \{0,1\}//p' "$0"
+    sed -n '3,/^[^#]/s/^# \{0,1\}//p' "$0"
     exit 0
     ;;
 esac

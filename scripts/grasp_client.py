@@ -1,4 +1,5 @@
 #!/usr/bin/python3
+# SPDX-License-Identifier: BSD-3-Clause
 """Waits for an object that may be grasped, and prints where. An example of a careful consumer.
 
 It acts on detected_objects alone: the object must be CONFIRMED, have a pose in metres, and its
@@ -65,14 +66,14 @@ def choose(array, name, now):
 
 
 def unknown(name, library):
-    """A sentence for a name that the library lacks, else none; an unheard library tells nothing."""
+    """A message for a name that is missing in the library, otherwise none; also none without a library message."""
     if not name or not library or name in library:
         return []
     return ["the library has no '%s', it has %s" % (name, ", ".join(sorted(library)))]
 
 
 class GraspClient:
-    """Hears the detections; the newest array is all that counts."""
+    """Receives the detections; only the newest array is used."""
 
     def __init__(self):
         self.condition = threading.Condition()

@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
-"""What the documents name is there: linked files and headings, tests, launch files and their arguments.
+# SPDX-License-Identifier: BSD-3-Clause
+"""Checks that the documents' references exist: linked files and headings, tests, launch files and their arguments.
 
 usage: docs_test.py SOURCE_DIR
 """
@@ -78,7 +79,7 @@ def main():
     tests, python_tests = defined_tests(root), defined_python_tests(root)
     faults = [f'{path.relative_to(root)} {fault}'
               for path in documents for fault in faults_of(path, root, tests, python_tests)]
-    print('\n'.join(faults) or f'{len(documents)} documents name what is there')
+    print('\n'.join(faults) or f'{len(documents)} documents have valid references')
     return 1 if faults or not tests else 0
 
 

@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: BSD-3-Clause
 """Keeps the layers apart: a file includes only its own layer or lower ones, the core knows no ROS.
 
 usage: layers_test.py SOURCE_DIR LIBMBNCC

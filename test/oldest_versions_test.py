@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
-"""Sources keep to what Ubuntu 20.04 has, the system under ROS Noetic, by the change logs of what they use.
+# SPDX-License-Identifier: BSD-3-Clause
+"""Checks the sources for features newer than Ubuntu 20.04, the system of ROS Noetic, according to the change logs of the libraries.
 
 usage: oldest_versions_test.py SOURCE_DIR
 """
@@ -10,7 +11,7 @@ import sys
 
 FOLDERS = ('include', 'src', 'test', 'bench', 'examples', 'scripts', '.ci')
 
-# What came after OpenCV 4.2, by the version it came with.
+# Features newer than OpenCV 4.2, by version.
 OPENCV = {
     '4.3': 'COLORMAP_DEEPGREEN|QRCodeDetector::detectMulti',
     '4.4': 'SIFT|INTER_NEAREST_EXACT|ximgproc::EdgeDrawing|CAP_PROP_BITRATE',

@@ -1,14 +1,35 @@
 #!/usr/bin/env python3
-"""A release can be made: one version everywhere, a changelog that catkin_prepare_release and bloom can read.
+# SPDX-License-Identifier: BSD-3-Clause
+"""Checks what a release needs: one version, a readable changelog, a maintainer, and a licence line in every source file.
 
 usage: release_test.py SOURCE_DIR
 """
 import pathlib
 import re
+import subprocess
 import sys
 
 from catkin_pkg.changelog import Changelog, populate_changelog_from_rst
 from catkin_pkg.package import parse_package
+
+LICENCE = 'SPDX-License-Identifier: BSD-3-Clause'
+LICENSED_SUFFIXES = ('.cpp', '.hpp', '.inc', '.py', '.cmake', '.launch', '.test', '.yaml', '.msg', '.srv', '.action', '.sh')
+
+
+def source_files(root):
+    """Files under version control; in an export without git, all that are outside build folders."""
+    listed = subprocess.run(['git', '-C', str(root), 'ls-files', '-z'], stdout=subprocess.PIPE, stderr=subprocess.DEVNULL)
+    if listed.returncode == 0:
+        return [path for path in (root / name for name in listed.stdout.decode().split('\0') if name) if path.is_file()]
+    return [path for path in root.rglob('*')
+            if path.is_file() and not re.match(r'build|\.git$', path.relative_to(root).parts[0])]
+
+
+def lacks_licence(path):
+    with path.open('rb') as file:
+        head = file.read(200).decode(errors='replace')
+    source = path.suffix in LICENSED_SUFFIXES or path.name == 'CMakeLists.txt' or head.startswith('#!')
+    return source and LICENCE not in '\n'.join(head.splitlines()[:2])
 
 
 def main():
@@ -20,6 +41,10 @@ def main():
     project = re.search(r'project\(mbncc_vision VERSION ([\d.]+)', (root / 'CMakeLists.txt').read_text()).group(1)
     assert package.version == examples.version == project, (package.version, examples.version, project)
     assert package.urls and package.licenses == ['BSD-3-Clause'], 'url or licence is missing'
+    for each in (package, examples):
+        assert each.maintainers and 'example.org' not in each.maintainers[0].email, each.maintainers
+    unlicensed = [str(path.relative_to(root)) for path in source_files(root) if lacks_licence(path)]
+    assert not unlicensed, 'without the line "%s" at the head: %s' % (LICENCE, unlicensed)
     # As catkin_prepare_release renames it.
     released = re.sub(r'^Forthcoming\n-+$', '9.9.9 (2026-01-01)\n------------------', (root / 'CHANGELOG.rst').read_text(),
                       flags=re.MULTILINE)

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "cell/demo.hpp"
 
 #include "mbncc/cell/second_look.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // An operator who hesitates, reaches in, pauses, puts things down first or aside.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Accuracy in metres in the simulated cell with a strong lens: taught at one place, found at
 // others, in raw, rectified and undistorted-by-us pictures, for objects of several heights.
 #include <filesystem>

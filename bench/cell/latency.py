@@ -1,4 +1,5 @@
 #!/usr/bin/python3
+# SPDX-License-Identifier: BSD-3-Clause
 """Latency and CPU time of a running cell: 30 pictures a second of 640 x 480, five objects, one manager.
 
 usage: latency.py PATH/TO/mbncc [--seconds S] [--rate HZ] [--play]
@@ -137,7 +138,7 @@ def main():
     parser.add_argument("tool", help="the built mbncc")
     parser.add_argument("--seconds", type=float, default=20, help="of each measurement (20)")
     parser.add_argument("--rate", type=float, default=30, help="pictures a second (30)")
-    parser.add_argument("--play", action="store_true", help="the arm carries the object about; without it, all lies still")
+    parser.add_argument("--play", action="store_true", help="the arm moves the object; without it, the scene is still")
     arguments = parser.parse_args()
     with socket.socket() as probe:
         probe.bind(("localhost", 0))

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The simulated cell as a lesson sees it: light that flickers and drifts, arms that reach in.
 #pragma once
 

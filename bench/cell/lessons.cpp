@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Live lessons in the simulated cell: an operator who hesitates, reaches in, pauses, puts things
 // down first or aside, under flickering and drifting light. How many are stored, and how well?
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Identity of two equal objects that pass each other again and again, one's width apart, with
 // dropped pictures: how often are they swapped, lost, confirmed?
 #include <filesystem>

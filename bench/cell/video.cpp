@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Watching a workshop: what a still scene, single changes and a long video cost, and what is found
 // in it, with a library of taught objects of which some lie in the picture.
 #include <filesystem>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // A simulated workshop with a library of taught objects, and who watches it.
 #pragma once
 

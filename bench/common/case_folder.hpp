@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // A case of an evaluation set: one object's learning pictures with its true map, and pictures to
 // search with the true poses (see bench/README.md for the files).
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Time that this thread has computed: what other programs on the machine do hardly shows.
 #pragma once
 

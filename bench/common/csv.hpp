@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Reads comma separated files whose first line names the columns; no quoting.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Tables for people (Markdown) and for programs (CSV).
 #pragma once
 

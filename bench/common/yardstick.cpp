@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "common/yardstick.hpp"
 
 #include <opencv2/imgproc.hpp>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Work of known size that times are divided by, so that figures of different machines compare.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // What evidence.hpp says of right and wrong poses on evaluation sets, as rows for fit.py.
 #include <algorithm>
 #include <fstream>
@@ -50,7 +51,8 @@ class Rows {
  public:
   explicit Rows(const fs::path& file) : out_(file) {
     if (!out_) throw std::runtime_error("cannot write " + file.string());
-    out_ << "set,case,target,right,area,odds,offset,found,gradient,best_blocks,histogram,projected,"
+    out_ << "set,case,target,right,area,odds,offset,contour_coverage,gradient,trimmed_residual,"
+            "histogram,shading_free_ncc,"
             "texture,visible,cast\n";
   }
 
@@ -73,9 +75,9 @@ class Rows {
     const double area = view.shape.area();
     out_ << set.string() << ',' << one.name << ',' << target.name << ','
          << is_right(detection, target, one) << ',' << area << ',' << log_odds(e, area) << ','
-         << detection.log_odds - log_odds(e, area) << ',' << e.found << ',' << e.gradient << ','
-         << e.best_blocks << ',' << e.histogram << ',' << e.projected << ',' << e.texture << ','
-         << e.visible << ',' << e.cast << '\n';
+         << detection.log_odds - log_odds(e, area) << ',' << e.contour_coverage << ',' << e.gradient
+         << ',' << e.trimmed_residual << ',' << e.histogram << ',' << e.shading_free_ncc << ','
+         << e.texture << ',' << e.visible << ',' << e.cast << '\n';
   }
 
   std::ofstream out_;

@@ -1,4 +1,5 @@
 #!/usr/bin/python3
+# SPDX-License-Identifier: BSD-3-Clause
 """Fits the weights of log_odds() (src/core/matching/evidence/evidence.cpp) to the rows of evidence_rows by logistic regression.
 
 usage: fit.py ROWS.csv [--plot reliability.png]
@@ -11,8 +12,8 @@ import sys
 
 import numpy as np
 
-NAMES = ["found", "gradient", "best_blocks", "histogram", "projected", "texture", "cast_penalty", "log_area", "outside", "one"]
-OF_SMALL = ["one", "found", "gradient", "best_blocks", "histogram", "projected"]  # weights of their own
+NAMES = ["contour_coverage", "gradient", "trimmed_residual", "histogram", "shading_free_ncc", "texture", "cast_penalty", "log_area", "outside", "one"]
+OF_SMALL = ["one", "contour_coverage", "gradient", "trimmed_residual", "histogram", "shading_free_ncc"]  # weights of their own
 LARGE_AREA, SMALL_AREA = 1800, 700  # as in evidence.cpp
 EDGES = [0.02, 0.15, 0.35, 0.65, 0.85, 0.98]  # of the ranges that the reliability is told in
 RIDGE = 0.05  # rows are many, features are alike: keeps weights from running away together

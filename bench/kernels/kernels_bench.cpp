@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The innermost loops, formula against vectorised loop, at sizes that a VGA search has.
 #include <benchmark/benchmark.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Whole stages on a simulated picture, beside the OpenCV calls that times are divided by.
 #include <benchmark/benchmark.h>
 

@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: BSD-3-Clause
 """Adds to drawn lessons what real cameras and tables do to them.
 
 usage: disturb.py SET OUT KIND [--seed N]

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Learning methods on the same lessons in the same run, one thread: agreement with the true map and
 // time, for every number of graph cuts.
 #include <filesystem>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Ways of cutting an object out of its picture, behind one interface.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Lessons in which the object is put aside within the view: its place before and its place after
 // are told apart, it is found again, and both views make the map.
 #include <iostream>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Pictures that teach nothing: nothing was taken away, the light was switched, the camera was
 // pushed. None of these lessons may lead to a stored map.
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The paper's manual variant of GrabCut: an operator's strokes on object and background. The
 // strokes are drawn from the true map, so this is the best an operator could do, not a method.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Strokes of the operator, one after the other, on each map that misses the object (IoU below .85),
 // drawn with the true map along the middle of the largest error.
 #include <algorithm>

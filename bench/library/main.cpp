@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Many objects in one find: recall, precision and time against their number and that of threads.
 #include <sys/resource.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Objects made of others, for libraries larger than a set of cases.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // What every matching engine of the benchmark does: it is shown one object and finds it in
 // pictures.
 #pragma once

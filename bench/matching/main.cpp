@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Matching engines on the same pictures in the same run, one thread, true maps given.
 #include <filesystem>
 #include <iostream>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // What a user of OpenCV builds: rotated templates with masks, cv::matchTemplate, three pyramid
 // levels.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The package's own matcher, with its shipped threshold.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "matching/polar_engine.hpp"
 
 #include <opencv2/imgproc.hpp>

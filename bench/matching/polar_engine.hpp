@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The paper's matching (MB-NCC in the polar domain) and what it compares itself with: PP-NCC, the
 // same search with all pixels of the incircle or excircle (doi 10.1177/1687814017728839).
 #pragma once

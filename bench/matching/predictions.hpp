@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Detections of one case as a file, for scoring by another program.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Judges detections against the truth and sums up. The rules: a detection is correct when place
 // and angle lie within the tolerance of an instance (angle modulo the object's symmetry), instances
 // are given away greedily by score, and a second detection of an instance is as wrong as any other.

@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: BSD-3-Clause
 """Shifts the targets of a drawn set, truth included, as an ordinary day does.
 
 usage: shift.py SET OUT KIND [--seed N]

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Engines on a set and on what shift.py made of it: a row per kind of shift and engine.
 #include <algorithm>
 #include <filesystem>

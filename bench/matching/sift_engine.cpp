@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "matching/sift_engine.hpp"
 
 #include <cmath>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The other tool at hand in OpenCV: SIFT points under the map, matched, RANSAC for shift and turn.
 #pragma once
 

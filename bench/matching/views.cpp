@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Objects taught at one rotation and at several: is what was taught twice known better? Further
 // views are the first targets of a case, with the true map where the truth puts it; the others are
 // searched.

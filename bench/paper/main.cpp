@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The paper's matching experiments (doi 10.1177/1687814017728839, Figs. 12 to 16) in the simulated
 // cell: MB-NCC against PP-NCC with incircle and excircle, at the true place of the object, and at
 // every place of a picture that also shows a piece of wastepaper.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Writes an evaluation set (bench/README.md) drawn in the simulated cell, for whoever has no other.
 #include <filesystem>
 #include <fstream>

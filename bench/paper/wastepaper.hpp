@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // A crumpled sheet of paper beside the object, as in Figs. 14c and 16 of the paper.
 #pragma once
 

@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: BSD-3-Clause
 """Draws agreement with the true map against the number of graph cuts and against time, as in
 Figs. 10 and 11 of doi 10.1177/1687814017728839, from figures.csv of learning_bench.
 

@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: BSD-3-Clause
 """Draws precision against recall over all thresholds, and F1 against time, from the figures.csv and
 curves.csv that matching_bench writes.
 

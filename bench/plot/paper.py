@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: BSD-3-Clause
 """Draws the similarity against a rotation deviation and against the background (Figs. 12 to 15 of
 doi 10.1177/1687814017728839) from the files that paper_bench writes.
 

@@ -1,4 +1,5 @@
 #!/usr/bin/python3
+# SPDX-License-Identifier: BSD-3-Clause
 """Memory, open files and threads over the pictures of long runs.
 
 usage: soak.py OUT.png TITLE=FILE.csv ...   (files written by `soak` and by MBNCC_SOAK_CSV)

@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
-"""Draws what strokes make of the maps that miss their object, from strokes.csv of strokes_bench.
+# SPDX-License-Identifier: BSD-3-Clause
+"""Plots the effect of strokes on bad maps, from strokes.csv of strokes_bench.
 
   strokes.py STROKES.csv OUT.png
 """

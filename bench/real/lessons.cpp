@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Lessons from real photographs: every case below the given folders is taught in one way, and its
 // map compared with the true one. Figures per source, maps and evidence for bench/real/page.py.
 #include <algorithm>

@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: BSD-3-Clause
 """Shows every lesson of a run of real_lessons_bench, worst first: images, map, truth, verdict.
 
 usage: page.py RUN SET[,SET...] OUT [--worst N]

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "safety/decoys.hpp"
 
 #include <array>

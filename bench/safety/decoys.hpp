@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Pictures that lack an object: other scenes, nothing at all, and its likes.
 #pragma once
 

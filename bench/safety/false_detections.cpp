@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Pictures without the object: how many detections are reported all the same, and how many of them
 // could be grasped, at the thresholds as shipped.
 #include <filesystem>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Pictures in which something is wrong with the object: torn between two moments, mirrored, another
 // surface, half covered, glossy, another object upon it. Whatever is called graspable in them has
 // to be right.

@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
-"""Judges the paper's claims anew from the tables of the kept page, and from what the built programs write.
+# SPDX-License-Identifier: BSD-3-Clause
+"""Checks the paper's claims again from the tables of the stored page, and from the output of the built programs.
 
 usage: claims_test.py [FOLDER_OF_THE_BENCHMARK_PROGRAMS]
 """

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "learning/map_score.hpp"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: BSD-3-Clause
 """Publishes where the gripper has to be to grasp the object, as long as it may be grasped."""
 import rospy
 from geometry_msgs.msg import PoseStamped

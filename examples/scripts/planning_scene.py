@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: BSD-3-Clause
 """Keeps the objects that are in view as obstacles in MoveIt's planning scene: outline by height."""
 import cv2
 import numpy
@@ -34,7 +35,7 @@ class PlanningScene:
 
     def on_detections(self, array):
         if array.status not in (DetectedObjectArray.OK, DetectedObjectArray.BUDGET_EXCEEDED):
-            return  # what cannot be seen stays an obstacle
+            return  # an object that is not visible stays an obstacle
         seen = {"%s_%d" % (found.name, found.instance_id): found for found in array.objects
                 if found.state == DetectedObject.CONFIRMED and found.pose_valid and found.footprint.points}
         for name in self.known - set(seen):

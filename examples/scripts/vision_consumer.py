@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
-"""Publishes the pose of the best object of a name, by vision_msgs alone (cell.launch vision_msgs:=true)."""
+# SPDX-License-Identifier: BSD-3-Clause
+"""Publishes the pose of the best object of a name, using only vision_msgs (cell.launch vision_msgs:=true)."""
 import rospy
 from geometry_msgs.msg import PoseStamped
 from vision_msgs.msg import Detection3DArray, VisionInfo
@@ -17,7 +18,7 @@ class VisionConsumer:
         self.names = {number: name for name, number in rospy.get_param(info.database_location).items()}
 
     def on_detections(self, array):
-        """What vision_msgs tell may be grasped; an empty array means that nothing may."""
+        """The graspable objects of vision_msgs; an empty array means that there are none."""
         for detection in array.detections:
             best = max(detection.results, key=lambda result: result.score)
             if self.name in ("", self.names.get(best.id)):

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Publishes where the gripper has to be to grasp the object, as long as it may be grasped.
 #include <geometry_msgs/PoseStamped.h>
 #include <mbncc_vision/DetectedObjectArray.h>

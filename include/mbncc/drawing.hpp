@@ -1,4 +1,5 @@
-// Marks in pictures for people: outlines, object axes, captions.
+// SPDX-License-Identifier: BSD-3-Clause
+// Draws annotations into pictures: outlines, object axes, captions.
 #pragma once
 
 #include <opencv2/core.hpp>
@@ -10,26 +11,26 @@
 
 namespace mbncc {
 
-/// What a colour says.
+/// Meaning of a colour.
 enum class Standing { kGood, kDoubtful, kBad, kUnsure };
 
-/// bgr: blue, orange, vermilion, grey; of Okabe and Ito's palette, which colour-blind people tell
-/// apart.
+/// bgr: blue, orange, vermilion, grey; of the colour-blind safe palette of Okabe and Ito.
 cv::Scalar colour_of(Standing standing);
 
-/// One thing to point out in a picture.
+/// One annotation in a picture.
 struct Marking {
   std::vector<std::vector<cv::Point2f>> outlines;  ///< [px] in the picture
   Pose2D pose;  ///< [px],[rad] its axes: x vermilion arrow, y green
-  cv::Scalar colour = colour_of(Standing::kGood);  ///< bgr of outlines and the caption's plate
-  std::string caption;                             ///< plain ASCII, lines apart by \n
+  cv::Scalar colour =
+      colour_of(Standing::kGood);  ///< bgr of outlines and of the caption's background
+  std::string caption;             ///< plain ASCII, lines separated by \n
 };
 
-/// CV_8UC3 copy of `picture` (CV_8UC3 or CV_8UC1) with the markings drawn in, readable when it is
-/// shown at a third of its size.
+/// CV_8UC3 copy of `picture` (CV_8UC3 or CV_8UC1) with the annotations, legible at a third of its
+/// size.
 cv::Mat draw_markings(const cv::Mat& picture, const std::vector<Marking>& markings);
 
-/// Outline and axes of a learned view in its learning picture, coloured by the verdict.
+/// Outline and axes of a learned view in its learning picture, in the colour of the verdict.
 Marking marking_of(const View& view, const Quality& quality, const std::string& caption);
 
 }  // namespace mbncc

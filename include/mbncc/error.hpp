@@ -1,6 +1,6 @@
-// How the core reports trouble: misuse is std::invalid_argument, a file that cannot be read or
-// written is a FileError, and expected outcomes of a lesson are LearnError values. Nothing else is
-// thrown on purpose.
+// SPDX-License-Identifier: BSD-3-Clause
+// Error reporting of the core: misuse throws std::invalid_argument, a file that cannot be read or
+// written throws FileError, and expected outcomes of a lesson are LearnError values.
 #pragma once
 
 #include <stdexcept>
@@ -8,7 +8,7 @@
 
 namespace mbncc {
 
-/// A file or folder that could not be read, written or understood; `what()` holds path and reason.
+/// A file or folder that could not be read, written or parsed; `what()` contains path and reason.
 class FileError : public std::runtime_error {
  public:
   FileError(const std::string& path, const std::string& reason)
@@ -22,8 +22,8 @@ class FileError : public std::runtime_error {
   std::string reason_;
 };
 
-/// A parameter that is unknown, mistyped or out of range; `what()` names key, value and what is
-/// allowed.
+/// A parameter that is unknown, mistyped or out of range; `what()` names key, value and the allowed
+/// values.
 class ConfigError : public std::invalid_argument {
  public:
   using std::invalid_argument::invalid_argument;

@@ -1,4 +1,5 @@
-// Plane geometry of the package: poses in the picture, circles about a map.
+// SPDX-License-Identifier: BSD-3-Clause
+// Plane geometry: poses in the picture, circles around a map.
 // Axes: x right, y down, pixel centres at integers. theta > 0 turns x towards y, which is clockwise
 // on screen and right-handed about the optical axis (REP 103).
 #pragma once
@@ -39,13 +40,13 @@ double wrap_angle(double radians);
 /// difference 0.
 double angle_distance(double a, double b, int symmetry = 1);
 
-/// `point` turned clockwise by `theta` about the origin.
+/// `point` rotated clockwise by `theta` about the origin.
 cv::Point2d rotate(cv::Point2d point, double theta);
 
 /// Point given in the frame of `pose`, expressed in the picture: R(theta) point + (x, y).
 cv::Point2d transform(const Pose2D& pose, cv::Point2d point);
 
-/// Does transform() with many points and one pose.
+/// transform() of many points with one pose.
 class Transform {
  public:
   explicit Transform(const Pose2D& pose);
@@ -67,11 +68,12 @@ Pose2D inverse(const Pose2D& pose);
 /// Mean position of the non-zero pixels. Throws std::invalid_argument when `map` has none.
 cv::Point2d centroid(const cv::Mat& map);
 
-/// Smallest circle that holds every map pixel's centre (the paper's term,
+/// Smallest circle that contains the centres of all map pixels (the paper's term,
 /// doi 10.1177/1687814017728839). Throws std::invalid_argument when `map` has no pixel.
 Circle excircle(const cv::Mat& map);
 
-/// Largest circle that holds map pixels only. Throws std::invalid_argument when `map` has no pixel.
+/// Largest circle that contains only map pixels. Throws std::invalid_argument when `map` has no
+/// pixel.
 Circle incircle(const cv::Mat& map);
 
 /// True when `map` is a non-empty CV_8UC1 picture of zeros and 255s.

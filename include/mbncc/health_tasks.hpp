@@ -1,5 +1,5 @@
-// What the nodelets' reports on /diagnostics are called: they are named by whoever writes them and
-// looked for by the console.
+// SPDX-License-Identifier: BSD-3-Clause
+// Names of the nodelets' reports on /diagnostics, shared by the nodelets and the console.
 #pragma once
 
 namespace mbncc {

@@ -1,4 +1,5 @@
-// What a lesson makes, the library stores and matching searches.
+// SPDX-License-Identifier: BSD-3-Clause
+// A learned object, as made by a lesson, stored by the library and searched by matching.
 #pragma once
 
 #include <array>
@@ -31,8 +32,8 @@ struct Quality {
   double edge_agreement = 0;  ///< [0..1] part of the outline that lies on an image edge
   double change_agreement =
       kUnknown;  ///< [0..1] IoU with the before/after difference; NaN: no after
-  double outline_probability = kUnknown;  ///< [0..1] that the map's IoU with the object is .8 or
-                                          ///< more; NaN: the map was given
+  double outline_probability = kUnknown;  ///< [0..1] probability that the map's IoU with the object
+                                          ///< is .8 or more; NaN: the map was given
   double self_score = 0;        ///< [0..1] score of the object in the picture it was learned from
   double self_error = 0;        ///< [px] distance of that detection from the reference point
   double runner_up = 0;         ///< [0..1] best score elsewhere in that picture
@@ -43,10 +44,10 @@ struct Quality {
   double search_time = 0;       ///< [s] one full search with this object
 };
 
-/// Lengths of objects and grasps beyond this are mistakes. [m]
+/// Larger lengths of objects and grasps are refused. [m]
 constexpr double kLongestLength = 10;
 
-/// References farther from their picture's corner, in x or y, are mistakes. [px]
+/// References farther from their picture's corner, in x or y, are refused. [px]
 constexpr double kFarthestReference = 1 << 17;
 
 /// One picture that the object was learned from, cropped to the excircle of its map and a margin.
@@ -79,12 +80,12 @@ struct ObjectModel {
   std::vector<View> views;  ///< at least one; views.front() is the one learned first
 };
 
-/// Names serve as file names and tf frames: [A-Za-z][A-Za-z0-9_]{0,63}.
+/// Names are used as file names and tf frames: [A-Za-z][A-Za-z0-9_]{0,63}.
 bool is_valid_name(const std::string& name);
 
 /// Cuts a view out of a learning picture: the bounding box of the map's excircle plus `margin`
 /// pixels, clipped to the picture. `picture` is CV_8UC3, `map` a non-empty binary map of the same
-/// size. Throws std::invalid_argument when they do not fit each other.
+/// size. Throws std::invalid_argument if their sizes differ.
 View crop_view(const cv::Mat& picture, const cv::Mat& map, const Pose2D& reference,
                int margin = 12);
 
@@ -98,13 +99,13 @@ cv::Mat map_within(const View& view, const cv::Rect& part);
 /// object frame's directions. [px]
 std::vector<std::vector<cv::Point2f>> outlines(const View& view);
 
-/// Moves the object frame: `reference` is its new place in the first learning picture, the frames
-/// of further views move along, and a grasp is expressed in the new frame, as seen straight from
-/// above. Throws std::invalid_argument when it is not finite, or when a grasp is set but the scale
-/// is not known: it would silently point elsewhere.
+/// Moves the object frame: `reference` is its new pose in the first learning picture. The frames of
+/// further views move along, and a grasp is expressed in the new frame, for a camera that points
+/// straight down. Throws std::invalid_argument if it is not finite, or if a grasp is set but the
+/// scale is unknown, because the grasp would then be wrong.
 void move_reference(ObjectModel& model, const Pose2D& reference);
 
-/// Throws std::invalid_argument naming the fault when the model breaks a rule stated above.
+/// Throws std::invalid_argument that names the fault if the model violates a rule stated above.
 void validate(const ObjectModel& model);
 
 }  // namespace mbncc

@@ -1,4 +1,5 @@
-// How large pictures may be, wherever they come from: messages, files, the descriptions of objects.
+// SPDX-License-Identifier: BSD-3-Clause
+// Size limits of all pictures: in messages, files and descriptions of objects.
 #pragma once
 
 #include <cstdint>

@@ -1,5 +1,6 @@
-// Polar pictures (the paper, doi 10.1177/1687814017728839): a disc unrolled so that a rotation of
-// the disc is a shift of columns.
+// SPDX-License-Identifier: BSD-3-Clause
+// Polar pictures (the paper, doi 10.1177/1687814017728839): a disc in polar coordinates, where a
+// rotation of the disc is a shift of columns.
 #pragma once
 
 #include <opencv2/core.hpp>
@@ -25,24 +26,24 @@ struct PolarImage {
   cv::Mat values;  ///< CV_32FC1, grid.rings x grid.angles
 };
 
-/// The disc of `picture` (CV_8UC1 or CV_32FC1) about `centre` [px], read between pixels. Beyond the
-/// border the picture's edge is continued.
+/// The disc of `picture` (CV_8UC1 or CV_32FC1) around `centre` [px], interpolated. The picture's
+/// border is replicated.
 PolarImage polar_image(const cv::Mat& picture, cv::Point2d centre, const PolarGrid& grid);
 
-/// A template in polar form with its weights: the ring's radius inside the region, since outer
-/// rings stand for more area, and 0 outside.
+/// A template in polar form with its weights: the ring's radius inside the region, because outer
+/// rings cover more area, and 0 outside.
 class PolarTemplate {
  public:
-  /// `picture` as above; `region` CV_8UC1 of the same size, non-zero where pixels count. Samples
-  /// that touch a pixel outside the region have no weight.
+  /// `picture` as above; `region` CV_8UC1 of the same size, non-zero for pixels that are
+  /// correlated. Samples that touch a pixel outside the region have no weight.
   PolarTemplate(const cv::Mat& picture, const cv::Mat& region, cv::Point2d centre,
                 const PolarGrid& grid);
 
   const PolarGrid& grid() const { return grid_; }
 
   /// Normalized cross correlation [-1..1] with `target` (same grid) shifted by `first` .. `first` +
-  /// `count` - 1 columns: entry k is high when the target shows the template turned by
-  /// 2 pi (first + k) / angles from x towards y.
+  /// `count` - 1 columns: entry k is high if the target shows the template rotated by 2 pi (first +
+  /// k) / angles from x towards y.
   std::vector<double> similarities(const PolarImage& target, int first, int count) const;
 
   /// For every rotation.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "cli/arguments.hpp"
 
 #include <cctype>
@@ -37,7 +38,7 @@ Arguments::Arguments(const std::vector<Option>& options, const std::string& oper
   check_complete(options, operand);
 }
 
-// Returns the last word that was used up.
+// Returns the last word that was consumed.
 Arguments::Word Arguments::take_option(const std::vector<Option>& options, Word word, Word end) {
   const auto equals = word->find('=');
   const bool has_value = equals != std::string::npos;

@@ -1,4 +1,5 @@
-// Command lines: what a command accepts, and what it was given.
+// SPDX-License-Identifier: BSD-3-Clause
+// Command lines: the options of a command and the given values.
 #pragma once
 
 #include <map>
@@ -40,7 +41,7 @@ class Arguments {
 
   const std::vector<std::string>& operands() const { return operands_; }
 
-  /// Throws UsageError when more than one of `options` is given.
+  /// Throws UsageError if more than one of `options` is given.
   void at_most_one_of(const std::vector<std::string>& options) const;
 
  private:

@@ -1,4 +1,5 @@
-// What every command of the tool is made of. Each lives in a file of its own, <name>_command.cpp.
+// SPDX-License-Identifier: BSD-3-Clause
+// The parts of a command of the tool. Each command has its own file, <name>_command.cpp.
 #pragma once
 
 #include <string>
@@ -35,7 +36,7 @@ Command check_command();
 Command params_command();
 Command simulate_command();
 
-/// All of them, with the options that each has.
+/// All commands with their options.
 std::vector<Command> all_commands();
 
 /// Options that several commands share.

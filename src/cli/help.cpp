@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "cli/help.hpp"
 
 #include <iomanip>
@@ -12,7 +13,7 @@ std::string written(const Option& option) {
 }  // namespace
 
 void print_help(std::ostream& out, const std::vector<Command>& commands) {
-  out << "mbncc: teach, find and manage objects seen by a camera that looks down on them\n\n"
+  out << "mbncc: teach, find and manage objects under a camera\n\n"
          "usage: mbncc COMMAND [OPTIONS]\n\n";
   for (const auto& command : commands)
     out << "  " << std::left << std::setw(10) << command.name << command.summary << '\n';

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Help texts, made from the commands' own descriptions.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "cli/lesson_arguments.hpp"
 
 #include "cli/command.hpp"
@@ -14,18 +15,18 @@ std::vector<Option> lesson_options() {
           {"--after", "A.png", "the same scene without the object"},
           {"--roi", "x,y,w,h", "approximate region of the object in pixels"},
           {"--click", "x,y", "a point on the object in pixels"},
-          {"--map", "M.png", "ready map of the picture's size: white on the object"},
+          {"--map", "M.png", "complete map of the picture's size, white on the object"},
           {"--method", "M",
            "change_cut (with --after), region_cut, sb_grabcut, grabcut_rect, grabcut_mask"},
           {"--include", "x,y[,x,y...]", "a stroke on the object", false, true},
-          {"--exclude", "x,y[,x,y...]", "a stroke beside the object", false, true},
+          {"--exclude", "x,y[,x,y...]", "a stroke on the background", false, true},
           {"--stroke-width", "PIXELS", "of the strokes; 0: closed areas; default: 5"},
           {"--label", "TEXT", "shown to people; default: the name"},
           {"--height", "METRES", "of the object's top face above the platform; default: 0"},
           {"--symmetry", "S", "equal angles in a turn: auto, none, 2, 3, 4, 6 or round"},
           {"--overwrite", "", "replace the object of this name, if there is one"},
           {"--add-view", "", "add a picture to the object of this name"},
-          {"--allow-bad", "", "store it even when the verdict is BAD"},
+          {"--allow-bad", "", "store it even if the verdict is BAD"},
           {"--stages", "DIR", "write pictures of the steps"},
           json_option()};
 }
@@ -37,7 +38,7 @@ void check_lesson_arguments(const Arguments& arguments) {
   if (!arguments.has("--after") && !arguments.has("--roi") && !arguments.has("--map") &&
       !arguments.has("--click"))
     throw UsageError(
-        "--before alone does not say where the object is; add --after, --roi, --click or --map");
+        "--before alone does not give the object's place; add --after, --roi, --click or --map");
   if (arguments.has("--stroke-width") && !arguments.has("--include") && !arguments.has("--exclude"))
     throw UsageError("--stroke-width needs --include or --exclude");
   symmetry_from(arguments);

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The options of `mbncc learn`.
 #pragma once
 
@@ -11,7 +12,7 @@ namespace mbncc::cli {
 
 std::vector<Option> lesson_options();
 
-/// Throws UsageError for options that do not fit each other.
+/// Throws UsageError for contradictory options.
 void check_lesson_arguments(const Arguments& arguments);
 
 /// Reads the pictures. Throws UsageError, FileError.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "cli/library_access.hpp"
 
 #include <cstdlib>
@@ -13,7 +14,7 @@ namespace mbncc::cli {
 
 Option library_option() {
   return {"--library", "DIR",
-          "folder of the learned objects; default: library_path, as the nodelets"};
+          "folder of the learned objects; default: library_path, as for the nodelets"};
 }
 
 Option name_option() {

@@ -1,4 +1,5 @@
-// How the commands reach the library.
+// SPDX-License-Identifier: BSD-3-Clause
+// Access of the commands to the library.
 #pragma once
 
 #include <memory>
@@ -11,8 +12,8 @@ namespace mbncc::cli {
 /// The folder given by --library, else the nodelets' own.
 std::string library_folder(const Arguments& arguments);
 
-/// library_folder(), which exists; throws FileError when there is none, so that a
-/// misspelt path does not make a new library.
+/// library_folder() if it exists; throws FileError otherwise, so that a misspelt path does not
+/// create a new library.
 ObjectLibrary existing_library(const Arguments& arguments);
 
 /// Its content; files that cannot be read are reported on stderr.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // mbncc: teaches, finds and manages objects without a ROS graph.
 #include <malloc.h>
 #include <sys/mman.h>
@@ -85,8 +86,8 @@ ExitCode run_guarded(const std::vector<std::string>& words) {
   return kFailed;
 }
 
-// The tool lives for one lesson or search, which allocates pictures of the same sizes over and
-// over. Handing each back to the system costs a page fault per 4 KiB when the next one is written.
+// The tool runs one lesson or search, which repeatedly allocates pictures of the same sizes.
+// Returning each to the system costs a page fault per 4 KiB when the next one is written.
 void keep_freed_memory() {
 #ifdef M_MMAP_THRESHOLD
   constexpr int kLargestKept = 32 << 20;   // [bytes] of one picture, the most that glibc allows
@@ -96,8 +97,8 @@ void keep_freed_memory() {
 #endif
 }
 
-// What a lesson's pictures need first is cheaper from the system in a few large pages than in
-// thousands of small ones. Nothing is taken yet, and without large pages nothing changes.
+// A few large pages for a lesson's first pictures cost less than thousands of small ones. Nothing
+// is allocated yet, and without large pages nothing changes.
 void ask_for_large_pages() {
 #ifdef MADV_HUGEPAGE
   constexpr std::uintptr_t kPage = 2 << 20;  // [bytes]
@@ -116,6 +117,6 @@ void ask_for_large_pages() {
 int main(int count, char** words) {
   mbncc::cli::keep_freed_memory();
   mbncc::cli::ask_for_large_pages();
-  cv::setNumThreads(1);  // OpenCV's own would take longer to start than they save here
+  cv::setNumThreads(1);  // starting OpenCV's threads would take longer than they save here
   return mbncc::cli::run_guarded({words + 1, words + count});
 }

@@ -1,4 +1,5 @@
-// What a PNG or JPEG file says of itself, judged before a decoder allocates anything for it.
+// SPDX-License-Identifier: BSD-3-Clause
+// The header of a PNG or JPEG file, checked before a decoder allocates memory.
 #pragma once
 
 #include <cstdint>
@@ -10,11 +11,11 @@ struct PictureHeader {
   std::uint32_t width = 0;   ///< [px]
   std::uint32_t height = 0;  ///< [px]
   int bits = 0;              ///< per channel
-  int orientation = 1;       ///< EXIF's: 1 as the sensor saw it, 2 .. 8 to be mirrored or turned
-  bool complete = false;     ///< the end of the picture is there
+  int orientation = 1;       ///< EXIF orientation: 1 as captured, 2 .. 8 mirrored or rotated
+  bool complete = false;     ///< the picture is complete
 };
 
-/// Throws std::runtime_error with a sentence when the bytes are neither PNG nor JPEG or end within
+/// Throws std::runtime_error with a message if the bytes are neither PNG nor JPEG or end within
 /// the header.
 PictureHeader read_picture_header(const std::vector<std::uint8_t>& bytes);
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "cli/pictures.hpp"
 
 #include <algorithm>
@@ -72,7 +73,7 @@ void check_header(const PictureHeader& header, const std::string& path) {
   if (!header.complete) throw FileError(path, "the file is cut short");
 }
 
-// A gripper is calibrated to the sensor's rows and columns, whichever way up the camera was held.
+// A gripper is calibrated to the sensor's rows and columns, whatever the camera's orientation.
 void tell_of_orientation(const PictureHeader& header, const std::string& path) {
   if (header.orientation != 1)
     std::cerr << "mbncc: warning: " << path << ": its EXIF orientation (" << header.orientation
@@ -106,7 +107,7 @@ bool is_colourful(const cv::Mat& picture) {
   return cv::countNonZero(most - least > kSpread) > kShare * static_cast<double>(picture.total());
 }
 
-// Of a few values, as drawn, or black and white but for smooth edges and the noise of JPEG.
+// Few values, as in a drawing, or black and white except for smooth edges and JPEG noise.
 bool is_drawn(const cv::Mat& grey) {
   constexpr int kFew = 16;
   constexpr int kBlack = 64, kWhite = 192;  // [grey levels] below, and from which on
@@ -142,7 +143,8 @@ void write_picture(const std::string& path, const cv::Mat& picture) {
   cv::imencode(".png", picture, bytes);
   std::error_code error;
   const bool device = fs::exists(path, error) && !fs::is_regular_file(path, error);
-  // A file takes its place when it is whole; what was there before stays until then.
+  // Writes a temporary file and renames it, so that an old file stays until the new one is
+  // complete.
   const std::string unfinished = device ? path : path + ".part";
   write_bytes(unfinished, bytes, path);
   if (device) return;
@@ -157,7 +159,7 @@ void make_output_folder(const std::string& folder) {
   std::error_code error;
   std::filesystem::create_directories(folder, error);
   if (error || !std::filesystem::is_directory(folder))
-    throw FileError(folder, "cannot be made a folder: " + error.message());
+    throw FileError(folder, "cannot be created: " + error.message());
 }
 
 }  // namespace mbncc::cli

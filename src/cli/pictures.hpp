@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Pictures in and out of files.
 #pragma once
 
@@ -7,12 +8,12 @@
 namespace mbncc::cli {
 
 /// CV_8UC3 picture from a PNG or JPEG file of at most 8 bits per channel; grey becomes colour,
-/// transparency is dropped. Rows and columns are the sensor's: an EXIF orientation is not applied,
-/// and stderr tells so. Throws FileError with a remedy.
+/// transparency is dropped. Rows and columns are the sensor's: an EXIF orientation is not applied
+/// but reported on stderr. Throws FileError with a remedy.
 cv::Mat read_picture(const std::string& path);
 
-/// CV_8UC1 map of zeros and 255s: what is brighter than half in the file. Throws FileError, also
-/// for a photograph: a map has two grey values.
+/// CV_8UC1 map of zeros and 255s, thresholded at half of the range. Throws FileError, also for a
+/// photograph, because a map has two grey values.
 cv::Mat read_map(const std::string& path);
 
 /// Writes a PNG file. Throws FileError.

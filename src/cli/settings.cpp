@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "cli/settings.hpp"
 
 #include <algorithm>
@@ -32,7 +33,7 @@ bool taken(const FieldRow& row, const std::string& text, std::exception_ptr& ref
   }
 }
 
-// Sets every row that takes the text; the first one's refusal when none does.
+// Sets every row that accepts the text; returns the first refusal if none does.
 void assign_any(const std::vector<FieldRow>& rows, const std::string& text) {
   std::exception_ptr refusal;
   bool any = false;
@@ -62,7 +63,7 @@ void assign_given(const Arguments& arguments, const std::vector<FieldRow>& rows)
   }
 }
 
-// The rows whose names are not among the listed ones: a nodelet's list repeats those of the core.
+// The rows whose names are not listed yet, because a nodelet's list repeats those of the core.
 std::vector<FieldRow> without(const std::vector<FieldRow>& listed, std::vector<FieldRow> rows) {
   const auto is_listed = [&listed](const FieldRow& row) {
     return std::any_of(listed.begin(), listed.end(),
@@ -89,7 +90,7 @@ std::vector<SettingsSection> sections_of(Settings& settings) {
 
 std::vector<Option> settings_options() {
   return {{"--config", "FILE.yaml", "parameters as lines `key: value`, see 'mbncc params'"},
-          {"--set", "key=value", "one parameter, over those of --config", false, true}};
+          {"--set", "key=value", "one parameter; overrides --config", false, true}};
 }
 
 Settings settings_from(const Arguments& arguments) {

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Every parameter of the package: one list serves --config, --set and `mbncc params`.
 #pragma once
 
@@ -13,7 +14,7 @@
 
 namespace mbncc::cli {
 
-/// The settings of the nodelets hold those of the core.
+/// The settings of the nodelets contain those of the core.
 struct Settings {
   MatchingNodeConfig matching;
   LearningNodeConfig learning;
@@ -37,12 +38,13 @@ std::vector<SettingsSection> sections_of(Settings& settings);
 /// --config and --set.
 std::vector<Option> settings_options();
 
-/// Defaults, changed by --config FILE and then by --set key=value. One that several parts have,
-/// each with a range of its own, is set in every part that takes it. Throws UsageError, ConfigError
-/// (no part takes it), FileError.
+/// Defaults, changed by --config FILE and then by --set key=value. A parameter of several parts,
+/// each with its own range, is set in every part that accepts the value. Throws UsageError,
+/// ConfigError (no part accepts it), FileError.
 Settings settings_from(const Arguments& arguments);
 
-/// The simulated camera's alone of those: what it does not take is refused whatever other parts do.
+/// Only the simulated camera's parameters: a value that it does not accept is refused even if other
+/// parts accept it.
 SimulatedCameraConfig simulated_camera_from(const Arguments& arguments);
 
 }  // namespace mbncc::cli

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "console/console_widget.hpp"
 
 #include <QFileDialog>
@@ -76,7 +77,7 @@ ConsoleWidget::ConsoleWidget(const Names& names, QWidget* parent)
 
 ConsoleWidget::~ConsoleWidget() = default;
 
-// The picture takes all room that is left.
+// The picture takes the remaining space.
 void ConsoleWidget::lay_out() {
   auto* left = new QVBoxLayout;
   left->setSpacing(3);
@@ -105,9 +106,9 @@ void ConsoleWidget::lay_out() {
 
 QWidget* ConsoleWidget::make_picture_bar() {
   auto* bar = new QWidget;
-  marks_ = make_button("&Hide marks", "Outlines and labels cover what is judged", bar, "H");
+  marks_ = make_button("&Hide marks", "Outlines and labels hide the picture below them", bar, "H");
   marks_->setCheckable(true);
-  fit_ = make_button("Sho&w all", "The wheel or + enlarges, dragging or arrows move", bar, "0");
+  fit_ = make_button("Sho&w all", "The wheel or + zooms, dragging or arrow keys pan", bar, "0");
   why_ = make_button("Why not found here?", "Then click the place in the picture", bar, "W");
   auto* row = new QHBoxLayout(bar);
   row->setContentsMargins(0, 0, 0, 0);
@@ -115,7 +116,7 @@ QWidget* ConsoleWidget::make_picture_bar() {
   row->addWidget(fit_);
   row->addStretch(1);
   thresholds_ =
-      make_button("Thresholds", "What other thresholds would change in this picture", bar, "S");
+      make_button("Thresholds", "The effect of other thresholds in this picture", bar, "S");
   camera_ = make_button("Camera", "Focus, exposure and calibration", bar, "K");
   row->addWidget(camera_);
   row->addWidget(thresholds_);
@@ -135,7 +136,7 @@ QShortcut* ConsoleWidget::on_key(const QKeySequence& keys, QWidget* where,
   return shortcut;
 }
 
-// Letters belong to the picture, so that names can be written.
+// Letter keys act only in the picture, so that names can be typed.
 void ConsoleWidget::make_shortcuts() {
   const struct {
     int key;
@@ -171,7 +172,7 @@ void ConsoleWidget::connect_lesson() {
   connect(&ros_, &RosLink::status_heard, this, [this](const auto& status) {
     const bool was_gone = lesson_.phase() == LessonModel::Phase::kNoServer;
     lesson_.take_status(status, now());
-    // A nodelet that came back may hold other objects.
+    // A restarted nodelet may have other objects.
     if (was_gone) {
       ros_.list_objects();
       const std::string lacking = ros_.why_no_grasps();
@@ -284,11 +285,11 @@ void ConsoleWidget::ask_about_name(const std::string& name) {
   const std::string other = free_name(name, library_.names());
   lesson_bar_->choices().ask(
       quoted(name) + " is in the library already:",
-      {{"Re&place it", "Teach it anew; Undo edit brings the old one back",
+      {{"Re&place it", "Teach it again; Undo edit restores the old one",
         [this, name] {
           begin({What::kReplace, name});
         }},
-       {"Add &view", "Teach it from another side or in other light, too",
+       {"Add &view", "Teach it from another side or in other light as well",
         [this, name] {
           begin({What::kView, name});
         }},
@@ -325,18 +326,18 @@ void ConsoleWidget::end_lesson(const mbncc_vision::LearnObjectActionResult& resu
   if (!viewed_.empty()) offer_next_view(viewed_);
 }
 
-/// Space begins the next view only where views are what is taught.
+/// Space starts the next view only while views are taught.
 void ConsoleWidget::offer_next_view(const std::string& name) {
   const bool goes_on = !viewed_.empty();
   lesson_bar_->choices().ask(
       goes_on ? "Lay " + quoted(name) + " on another side or in other light, then press Space:"
-              : "Is " + quoted(name) + " to be found from another side, too?",
+              : "Is " + quoted(name) + " to be found from another side as well?",
       {{goes_on ? "&Next view (Space)" : "Teach another &view",
-        "Lay the object down as it may lie, too, before you press this",
+        "Lay the object down in another position before you press this",
         [this, name] {
           begin({What::kView, name});
         }},
-       {goes_on ? "Done" : "No", "All views are taught", [this] { viewed_.clear(); }}});
+       {goes_on ? "Done" : "No", "Finish teaching views", [this] { viewed_.clear(); }}});
 }
 
 void ConsoleWidget::next_view() {
@@ -373,7 +374,7 @@ void ConsoleWidget::take_edit(const Edit& request, bool success, const QString& 
     strip_->choose(QString::fromStdString(request.new_name));
   if (success && request.command == Edit::RESTORE)
     strip_->choose(QString::fromStdString(request.name));
-  // The question may be about a name that is gone.
+  // The question may concern a name that was deleted.
   if (success && (request.command == Edit::RENAME || request.command == Edit::DELETE)) {
     viewed_.clear();
     lesson_bar_->choices().clear();
@@ -435,7 +436,7 @@ void ConsoleWidget::ask_for_place() {
   picture_->ask_for_place(true);
   picture_->setFocus();
   lesson_bar_->say(
-      {Level::kUnknown, "Click the middle of the object that should be found; Esc gives it up."},
+      {Level::kUnknown, "Click the middle of the object that should be found; Esc cancels."},
       now());
 }
 
@@ -530,7 +531,7 @@ void ConsoleWidget::show_history(const QString& name) {
   }
 }
 
-/// What is being drawn goes first, then the tool.
+/// Esc discards an unfinished stroke first, then deselects the tool.
 void ConsoleWidget::escape() {
   if (explains())
     end_explanation();
@@ -544,7 +545,7 @@ void ConsoleWidget::look_at_clock() {
   const auto before = lesson_.phase();
   lesson_.look_at_clock(now());
   lesson_.take_camera(now() - picture_at_ <= Lamps::kSilence);
-  // A server that hangs must not hold up the calls to the one that follows.
+  // A server that hangs must not delay calls to its successor.
   if (lesson_.phase() == LessonModel::Phase::kNoServer && lesson_.phase() != before) {
     ros_.give_up();
     lamps_.forget_library();
@@ -552,7 +553,7 @@ void ConsoleWidget::look_at_clock() {
   }
   lamp_row_->show_lamps(lamps_.look(now()));
   if (now() - detections_at_ > Lamps::kSilence) detections_->clear_rows();
-  // A picture that stands still must not pass for the live one.
+  // An old picture must not be mistaken for the live one.
   if (!lesson_.draft() && !explains() && live_.age(now()) > Lamps::kSilence)
     picture_->show_age(QString("OLD PICTURE: nothing has arrived for %1 s")
                            .arg(static_cast<int>(live_.age(now()))));
@@ -565,7 +566,7 @@ void ConsoleWidget::show_lesson() {
   strip_->setEnabled(lesson_.phase() != LessonModel::Phase::kNoServer);
   strip_->allow_teaching(lesson_.may_teach());
   for (auto* button : {why_, thresholds_}) button->setEnabled(lesson_.may_teach());
-  // A camera is calibrated before there is a cell.
+  // A camera is calibrated before the cell is complete.
   const bool idle = lesson_.may_teach() || lesson_.phase() == LessonModel::Phase::kNoServer;
   camera_->setEnabled(idle);
   if (!idle) end_explanation();

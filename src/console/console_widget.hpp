@@ -1,5 +1,6 @@
-// The whole console: puts models, ROS link and widgets together. It lives in a window of its own,
-// or in RViz as TeachPanel.
+// SPDX-License-Identifier: BSD-3-Clause
+// The whole console: connects models, ROS link and widgets. It runs in its own window, or in RViz
+// as TeachPanel.
 #pragma once
 
 #ifndef Q_MOC_RUN
@@ -52,7 +53,7 @@ class ConsoleWidget : public QWidget {
   bool explains() const;
 
   double now() const { return clock_.elapsed() / 1000.0; }
-  /// The answer to what the operator did beside the lesson.
+  /// The answer to an action outside the lesson.
   void tell(bool success, const QString& sentence);
   void want_lesson();
   void ask_about_name(const std::string& name);
@@ -88,14 +89,14 @@ class ConsoleWidget : public QWidget {
   LessonModel lesson_;
   LibraryModel library_;
   Lamps lamps_;
-  TeachingWish wish_;   // of the lesson that runs
-  std::string viewed_;  // whose further views are being taught; "": none
+  TeachingWish wish_;   // of the running lesson
+  std::string viewed_;  // object whose further views are being taught; "": none
   QString folder_;      // of the library
   bool undoing_ = false;
   int draft_shown_ = 0;
   LivePicture live_;
   double detections_at_ = -1e9, detections_age_ = 0, picture_at_ = -1e9;
-  QImage lesson_picture_;  // of the draft, without marks
+  QImage lesson_picture_;  // of the draft, without annotations
 
   LampRow* lamp_row_;
   LessonBar* lesson_bar_;
@@ -114,7 +115,7 @@ class ConsoleWidget : public QWidget {
   QPushButton *marks_, *fit_, *why_, *thresholds_, *camera_;
   QShortcut* space_ = nullptr;
   QTimer timer_;
-  RosLink ros_;  // last: its threads end before what they speak to
+  RosLink ros_;  // last member: its threads end before the objects that they call
 };
 
 }  // namespace mbncc::console

@@ -1,5 +1,6 @@
-// A sentence beside the lesson's own, such as the library's refusal. The lesson speaks several
-// times a second, so what is said in between would be gone before anybody has read it.
+// SPDX-License-Identifier: BSD-3-Clause
+// A notice besides the lesson's own message, such as the library's refusal. The lesson sends
+// messages several times a second, so without a minimum time the notice could not be read.
 #pragma once
 
 #include <string>
@@ -10,7 +11,7 @@ namespace mbncc::console {
 
 class Notice {
  public:
-  /// How long it stays. [s]
+  /// How long it is shown. [s]
   static constexpr double kStays = 6;
 
   struct Line {
@@ -18,11 +19,11 @@ class Notice {
     std::string text;
   };
 
-  /// Takes the place of what was posted before.
+  /// Replaces an earlier notice.
   void post(const Line& line, double now);
-  /// What was said is out of date.
+  /// The notice is out of date.
   void clear() { until_ = -1; }
-  /// What to show while the lesson says `lesson`.
+  /// The text to show while the lesson's message is `lesson`.
   const Line& over(const Line& lesson, double now) const;
 
  private:

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "console/ros_link.hpp"
 
 #include <dynamic_reconfigure/Reconfigure.h>
@@ -16,7 +17,7 @@ namespace {
 
 const char* const kUnreachable = "the learning nodelet does not answer";
 
-// Pictures wait here for what is found in them.
+// Pictures waiting for their detections.
 constexpr std::size_t kPicturesKept = 30, kBytesKept = std::size_t{96} << 20;
 
 constexpr float kHardlyAny = 0.02f;  // score
@@ -249,7 +250,7 @@ void RosLink::set_thresholds(const Thresholds& thresholds) {
     add("confirm_score", thresholds.confirm_score);
     const bool answered = this->call(matching_ + "/set_parameters", call);
     Q_EMIT thresholds_set(answered, answered ? "The matcher uses the new thresholds from now on; "
-                                               "config/matching.yaml keeps them for good."
+                                               "set them in config/matching.yaml to keep them."
                                              : "the matching nodelet does not answer");
   });
 }
@@ -261,9 +262,10 @@ void RosLink::keep_calibration(const sensor_msgs::CameraInfo& calibration) {
     const bool answered = this->call("set_camera_info", call);
     Q_EMIT calibration_kept(
         answered && call.response.success,
-        answered ? QString::fromStdString(call.response.status_message)
-                 : "no camera takes calibrations in this cell (set_camera_info); the simulated one "
-                   "has its own");
+        answered
+            ? QString::fromStdString(call.response.status_message)
+            : "no camera in this cell accepts calibrations (set_camera_info); the simulated one "
+              "has its own");
   });
 }
 
@@ -280,7 +282,7 @@ void RosLink::save_explained() {
 std::string RosLink::why_no_grasps() const {
   std::string frame;
   if (node_.getParam(learning_ + "/gripper_frame", frame) && !frame.empty()) return "";
-  return "Marking a grasp needs the gripper's frame: give gripper_frame to cell.launch";
+  return "Marking a grasp needs the gripper's frame: set gripper_frame of cell.launch";
 }
 
 void RosLink::list_objects() {
@@ -295,7 +297,7 @@ void RosLink::list_objects() {
 
 template <class Service>
 bool RosLink::call(const std::string& name, Service& service) {
-  // A connection of its own: only that can be cut from outside while an answer is awaited.
+  // Its own connection, because only that can be shut down while an answer is awaited.
   auto client = node_.serviceClient<Service>(name, true);
   {
     const std::lock_guard<std::mutex> lock(mutex_);

@@ -1,5 +1,6 @@
-// The console's side of ROS: hears topics and calls services on threads of its own, and hands
-// everything to the window's thread as queued signals.
+// SPDX-License-Identifier: BSD-3-Clause
+// The console's ROS interface: receives topics and calls services on its own threads, and passes
+// results to the window's thread as queued signals.
 #pragma once
 
 #ifndef Q_MOC_RUN
@@ -38,7 +39,7 @@
 
 namespace mbncc::console {
 
-/// Where the console finds its cell; relative names resolve in the namespace of RViz.
+/// Names of the cell's nodelets; relative names resolve in the namespace of RViz.
 struct Names {
   std::string cell;                   ///< namespace of the cell; "": that of the console
   std::string matching = "matching";  ///< private names of the matching nodelet
@@ -60,28 +61,28 @@ class RosLink : public QObject {
   std::string teach(const mbncc_vision::LearnObjectGoal& goal);
   void cancel(const std::string& goal);
 
-  // These return at once; a signal brings the answer.
+  // These return at once; a signal delivers the answer.
   void confirm(const mbncc_vision::ConfirmLearning::Request& request);
   void edit(const mbncc_vision::EditObject::Request& request);
   void mark_grasp();
-  /// Why grasps cannot be marked in this cell; "": they can. Asks the parameter server.
+  /// Why grasps cannot be marked in this cell; "" if they can. Queries the parameter server.
   std::string why_no_grasps() const;
   void list_objects();
-  /// Why something is found at `place` [px] of the newest picture, or is not.
+  /// Explains why objects are found at `place` [px] in the newest picture or not.
   void explain(QPointF place);
-  /// All that is found in the newest picture with hardly any threshold.
+  /// All detections in the newest picture with minimal thresholds.
   void find_all();
-  /// Those of the matching nodelet, by the parameter server.
+  /// The matching nodelet's thresholds from the parameter server.
   Thresholds thresholds() const;
   void set_thresholds(const Thresholds& thresholds);
-  /// Hands a calibration to the camera.
+  /// Sends a calibration to the camera.
   void keep_calibration(const sensor_msgs::CameraInfo& calibration);
-  /// Keeps what was explained last in a file.
+  /// Saves the last explanation in a file.
   void save_explained();
-  /// Ends a call that waits for an answer; it counts as not answered.
+  /// Aborts a call that waits for an answer; it fails.
   void give_up();
 
-  /// Live pictures are tinted where they differ from the first one after this.
+  /// Live pictures are tinted where they differ from the next one.
   void show_changes(bool wanted) { changes_wanted_ = wanted; }
 
  Q_SIGNALS:
@@ -91,11 +92,11 @@ class RosLink : public QObject {
   void draft_heard(mbncc_vision::LearnObjectResult draft);
   void detections_heard(mbncc_vision::DetectedObjectArray detections, double age);
   void diagnostics_heard(diagnostic_msgs::DiagnosticArray diagnostics);
-  /// A picture of the camera, perhaps shrunk, and its size [px] there.
+  /// A picture of the camera, possibly scaled down, and its original size [px].
   void picture_heard(QImage picture, QSize size);
-  /// Likewise, that `detections` were found in.
+  /// The same for a picture with `detections`.
   void searched_heard(QImage picture, QSize size, mbncc_vision::DetectedObjectArray detections);
-  /// The picture that the lesson's draft was learned from.
+  /// The learning picture of the lesson's draft.
   void lesson_picture_heard(QImage picture);
   void score_map_heard(QImage picture);
   void objects_listed(std::vector<mbncc_vision::LearnedObject> objects, QString folder);
@@ -130,9 +131,9 @@ class RosLink : public QObject {
   int goals_ = 0;
   std::atomic<bool> changes_wanted_{false};
   ChangeTint tint_;                                // of the spinner's thread
-  std::deque<sensor_msgs::ImageConstPtr> newest_;  // likewise, the last one last
+  std::deque<sensor_msgs::ImageConstPtr> newest_;  // of the spinner's thread, in order
   std::mutex shown_mutex_;
-  sensor_msgs::ImageConstPtr shown_;               // the newest that was handed over
+  sensor_msgs::ImageConstPtr shown_;               // the newest one delivered
   mbncc_vision::ExplainPlace::Request explained_;  // of the worker's thread
   std::string learning_ = "learning", matching_;
 
@@ -144,7 +145,7 @@ class RosLink : public QObject {
   std::thread worker_;
 };
 
-/// A copy of `picture`, CV_8UC3 rgb; null when that is empty.
+/// A copy of `picture`, CV_8UC3 rgb; null if it is empty.
 QImage to_qimage(const cv::Mat& picture);
 
 }  // namespace mbncc::console

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "console/widgets.hpp"
 
 #include <QEvent>
@@ -8,7 +9,7 @@ namespace mbncc::console {
 
 namespace {
 
-/// Names a widget's window as soon as there is one; Qt itself names top-level windows only.
+/// Names a widget's window once it exists; Qt itself names only top-level windows.
 class WindowNamer : public QObject {
  public:
   WindowNamer(QWidget* widget, QString title) : QObject(widget), title_(std::move(title)) {

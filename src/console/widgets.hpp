@@ -1,4 +1,5 @@
-// Small things that the console's widgets have in common.
+// SPDX-License-Identifier: BSD-3-Clause
+// Helpers shared by the console's widgets.
 #pragma once
 
 #include <QComboBox>
@@ -12,12 +13,11 @@
 
 namespace mbncc::console {
 
-/// With MBNCC_CONSOLE_NATIVE set, gives `widget` a window of its own named "mbncc:" and `title`,
-/// and " (disabled)" while it takes no click, so that programs that drive windows (xdotool) find
-/// it.
+/// With MBNCC_CONSOLE_NATIVE set, gives `widget` its own X window named "mbncc:" and `title`, with
+/// " (disabled)" appended while it is disabled, so that xdotool finds it.
 void name_window(QWidget* widget, const QString& title);
 
-/// `keys`: shown in the tip, such as "Alt+T".
+/// `keys`: shown in the tooltip, such as "Alt+T".
 QPushButton* make_button(const QString& text, const QString& tip, QWidget* parent,
                          const QString& keys = "");
 

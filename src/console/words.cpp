@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "console/words.hpp"
 
 #include <mbncc_vision/DetectedObject.h>
@@ -69,9 +70,9 @@ std::string headline_of(std::uint8_t stage) {
     case Feedback::WAIT_STILL:
       return "Clear the picture, then keep still";
     case Feedback::REGION:
-      return "Looking for what left";
+      return "Finding the change";
     case Feedback::SEGMENT:
-      return "Cutting the object out";
+      return "Segmenting the object";
     case Feedback::QUALITY:
       return "Checking that it will be found";
     case Feedback::WAIT_CONFIRM:

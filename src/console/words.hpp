@@ -1,5 +1,6 @@
-// What the console says: stages, verdicts and states in plain words, with a symbol each, so that
-// nothing depends on colour alone.
+// SPDX-License-Identifier: BSD-3-Clause
+// The console's texts for stages, verdicts and states, each with a symbol, so that no meaning
+// depends on colour alone.
 #pragma once
 
 #include <cstdint>
@@ -13,16 +14,16 @@ enum class Level { kGood, kDoubtful, kBad, kUnknown };
 /// UTF-8: a tick, an exclamation mark, a cross, a question mark.
 const char* symbol_of(Level level);
 
-/// "#rrggbb" of a plate, after Okabe and Ito's palette: blue, orange, vermilion, grey.
+/// "#rrggbb" of a background, from Okabe and Ito's palette: blue, orange, vermilion, grey.
 const char* colour_of(Level level);
 
 /// "#rrggbb" of a line over a picture: as colour_of(), lighter.
 const char* bright_colour_of(Level level);
 
-/// "#rrggbb" of what is written on that plate: at least 4.5 times as light or dark (WCAG 2, AA).
+/// "#rrggbb" of text on that background, with a contrast ratio of at least 4.5 (WCAG 2, AA).
 const char* ink_on(Level level);
 
-/// What the operator has to do in a stage of LearnObjectFeedback, a few words.
+/// The operator's task in a stage of LearnObjectFeedback, in a few words.
 std::string headline_of(std::uint8_t stage);
 
 /// Of LearnQuality::verdict.
@@ -33,7 +34,7 @@ std::string word_of_verdict(std::uint8_t verdict);
 Level level_of_state(std::uint8_t state);
 std::string word_of_state(std::uint8_t state);
 
-/// What an operator may declare: values of LearnObjectGoal::symmetry in words, auto first.
+/// Symmetries to declare: values of LearnObjectGoal::symmetry with texts, auto first.
 struct SymmetryChoice {
   std::uint8_t value;
   const char* text;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "mbncc/object_model.hpp"
 
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Every YAML file in config/ names every field of its struct with its default and its range, and
 // nothing else.
 #include <gtest/gtest.h>
@@ -23,7 +24,7 @@ std::string path_of(const std::string& file) {
   return std::string(MBNCC_CONFIG_FOLDER) + "/" + file;
 }
 
-// What stands on a key's line and on the lines of comment below it.
+// The comment on a key's line and on the lines below it.
 std::map<std::string, std::string> lines_by_key(const std::string& file) {
   std::ifstream stream(path_of(file));
   std::map<std::string, std::string> lines;
@@ -79,7 +80,7 @@ TEST(ShippedConfig, Matching) {
   expect_complete<MatchingNodeConfig>("matching.yaml");
 }
 
-/// Defaults must satisfy what is demanded of others, and every field must be explained.
+/// Defaults must be in range, and every field must have a meaning.
 template <class Config>
 void expect_sound() {
   Config config;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // From pictures to metres with the claimed covariance, in a simulated cell whose truth is known.
 #include <gtest/gtest.h>
 

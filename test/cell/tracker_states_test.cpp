@@ -1,4 +1,5 @@
-// When a tracked instance is confirmed or ambiguous, and what its angle does.
+// SPDX-License-Identifier: BSD-3-Clause
+// Confirmation and ambiguity of tracked instances, and their angles.
 #include <gtest/gtest.h>
 
 #include <cmath>

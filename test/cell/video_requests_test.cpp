@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Watching while library and request change.
 #include <gtest/gtest.h>
 

@@ -1,5 +1,6 @@
-// What a watched cell calls graspable, a search of the whole picture calls graspable, too: drawn
-// stories of objects that look alike, with pictures late and lost and little effort for each.
+// SPDX-License-Identifier: BSD-3-Clause
+// An instance that the video search calls graspable is also graspable in a search of the whole
+// picture: drawn sequences of look-alikes, with late and lost pictures and little effort for each.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -15,7 +16,7 @@ namespace {
 const cv::Size kSmall(208, 160);       // [px]
 constexpr int kPicturesOfAStory = 60;  // shown to one VideoSearch
 constexpr double kNear = 4;            // [px] the whole search has it there, too
-// Noise alone moves a margin by so much from picture to picture.
+// Variation of a margin by noise from picture to picture.
 constexpr double kNoise = 3;  // log-odds
 
 /// Of the environment.
@@ -29,7 +30,7 @@ struct Kind {
   std::string name;
 };
 
-/// Two names of one object, one a little smaller, and one of its own.
+/// Two names of one object, one of them slightly smaller, and another object.
 std::vector<Kind> kinds_of(std::uint64_t seed) {
   const sim::SceneObject twin{seed, 44, 1.5};
   return {
@@ -168,8 +169,8 @@ class Story {
     return true;
   }
 
-  /// The object does lie there, no other in the library looks the same, and the whole search has
-  /// missed it: it was judged on these very pixels before.
+  /// The object is there, no other in the library looks the same, and the whole search has missed
+  /// it: it was verified on the same pixels before.
   bool is_overlooked(const Match& match) const {
     const auto objects = matcher_.objects();
     const auto drawn_as = [&](const std::string& name) {

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // A drawn scene that a VideoSearch watches, for its tests.
 #pragma once
 

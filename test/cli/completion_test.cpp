@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The completion is sourced by a real bash without any start-up files.
 #include <gtest/gtest.h>
 
@@ -8,7 +9,7 @@
 namespace mbncc::test {
 namespace {
 
-/// What bash offers for the last of `words`.
+/// Completions of bash for the last of `words`.
 std::string completed(const TemporaryFolder& folder, const std::string& words) {
   const std::string script = folder / "ask.sh", out = folder / "offered";
   std::ofstream(script) << "source <(" << MBNCC_TOOL << " completion bash)\nCOMP_WORDS=(" << words

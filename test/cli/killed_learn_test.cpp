@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // `mbncc learn --overwrite` killed at random moments: the old object or the new one, never less.
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // map, list, show, forget, restore, check, params.
 #include <gtest/gtest.h>
 #include <yaml-cpp/yaml.h>
@@ -107,9 +108,9 @@ TEST_F(LibraryCommands, CheckRepairsFromTheTrashAndSaysSo) {
     std::ofstream(folder_.library() + "/" + name + ".png") << "no picture";
   const ToolRun check = on_library("check", {"--repair"});
   EXPECT_EQ(check.code, 1) << "the quarantine is not empty";
-  EXPECT_TRUE(check.prints("brought 'part' back from the trash as revision 2")) << check.out;
+  EXPECT_TRUE(check.prints("brought 'part' from the trash as revision 2")) << check.out;
   EXPECT_TRUE(check.prints("1 readable, 2 unreadable")) << check.out;
-  EXPECT_TRUE(check.says("'stranger' cannot be brought back: ")) << check.err;
+  EXPECT_TRUE(check.says("'stranger' cannot be restored: ")) << check.err;
   EXPECT_TRUE(on_library("list").prints("part"));
   EXPECT_FALSE(on_library("check", {"--repair"}).prints("brought")) << "once is enough";
   std::filesystem::remove_all(folder_.library() + "/.quarantine");

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Runs the built tool, and draws pictures for it.
 #pragma once
 

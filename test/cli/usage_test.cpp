@@ -1,4 +1,5 @@
-// Wrong usage: exit code 2 and a sentence that says what is wrong.
+// SPDX-License-Identifier: BSD-3-Clause
+// Wrong usage: exit code 2 and a message that names the fault.
 #include <gtest/gtest.h>
 
 #include "cli/tool.hpp"

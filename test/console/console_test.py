@@ -1,4 +1,5 @@
 #!/usr/bin/python3
+# SPDX-License-Identifier: BSD-3-Clause
 """Clicks through lessons in the simulated cell: taught, found, rejected, corrected, deleted and brought back.
 
 usage: console_test.py SCRIPTS_FOLDER
@@ -154,7 +155,7 @@ class ConsoleTest(unittest.TestCase):
     def test_6_goes_on_when_the_nodelets_were_away(self):
         subprocess.run(["rosnode", "kill", "/mbncc_manager"], stdout=subprocess.DEVNULL, check=True)
         silent = self.teacher.feedback.count()
-        # roslaunch starts them anew; the button works again once the console has heard of it.
+        # roslaunch restarts them; the button is enabled again once the console is informed.
         self.teacher.mouse.click_until("Teach", lambda: self.teacher.feedback.count() > silent,
                                        "a lesson begins", patience=2 * PATIENCE)
         self.assertIsNone(self.session.console.poll())

@@ -1,4 +1,5 @@
-// What the learning nodelet says in a lesson, and a console in the midst of one.
+// SPDX-License-Identifier: BSD-3-Clause
+// Messages of the learning nodelet in a lesson, and a console during one.
 #pragma once
 
 #include <gtest/gtest.h>

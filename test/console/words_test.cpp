@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "console/words.hpp"
 
 #include <gtest/gtest.h>
@@ -28,7 +29,7 @@ TEST(Words, EveryPlateIsLegible) {
   }
 }
 
-// Auto comes first: what nobody chooses declares nothing.
+// Auto is first, so that the default declares nothing.
 TEST(Words, EverySymmetryThatAGoalMayDeclareHasItsChoice) {
   std::vector<int> values;
   for (const auto& choice : symmetry_choices()) values.push_back(choice.value);

@@ -1,5 +1,6 @@
 #!/usr/bin/python3
-"""Teaches the object of the simulated cell and compares what the examples make of it with the truth, place by place."""
+# SPDX-License-Identifier: BSD-3-Clause
+"""Teaches the object of the simulated cell and compares the examples' output with the truth at each place."""
 import math
 import sys
 import threading

@@ -1,5 +1,6 @@
 #!/usr/bin/python3
-"""On a controller's computer the messages are enough: they are built alone, and the C++ example with them.
+# SPDX-License-Identifier: BSD-3-Clause
+"""Builds only the messages, as on a controller's computer, and the C++ example with them.
 
 usage: messages_only_test.py CMAKE SOURCE_FOLDER
 """

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // One entry per fuzz target, as libFuzzer wants it; replay.cpp calls it with the corpus.
 #pragma once
 

@@ -1,5 +1,6 @@
-// What a client may ask of a lesson: name, region, outline, click, strokes and reference of any
-// numbers, on a small picture. A lesson ends with a model or a reason, never otherwise.
+// SPDX-License-Identifier: BSD-3-Clause
+// Requests of a lesson: name, region, outline, click, strokes and reference with arbitrary numbers,
+// on a small picture. A lesson must end with a model or a reason.
 #include <cstring>
 
 #include "fuzz/fuzzer.hpp"

@@ -1,5 +1,6 @@
-// Library folders: files of any name and content, links and folders among them. Loading never
-// fails, what is loaded can be stored again, and no file outside the folder is touched.
+// SPDX-License-Identifier: BSD-3-Clause
+// Library folders: files of any name and content, links and folders among them. Loading must not
+// fail, loaded objects can be stored again, and no file outside the folder is changed.
 #include <sys/stat.h>
 #include <unistd.h>
 

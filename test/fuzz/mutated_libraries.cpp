@@ -1,6 +1,7 @@
-// Mutated libraries through `mbncc check`, `mbncc find` and the live matcher, each in a process of
-// its own with bounded memory: none breaks it, what is accepted is searched for, and what is
-// deleted or disabled is not. usage: mutated_libraries COUNT [FIRST]
+// SPDX-License-Identifier: BSD-3-Clause
+// Mutated libraries through `mbncc check`, `mbncc find` and the live matcher, each in a separate
+// process with bounded memory: no crash, accepted objects are searched, deleted or disabled ones
+// are not. usage: mutated_libraries COUNT [FIRST]
 #include <malloc.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
@@ -34,7 +35,7 @@ constexpr rlim_t kMostMemory = rlim_t{512} << 20;  // [bytes] that one library m
 constexpr unsigned kPatience = 120;                // [s] of processor time that it may take
 using Names = std::vector<std::string>;
 
-/// What one library came to; the counts are added up over all.
+/// Result for one library; the counts are summed over all.
 struct Outcome {
   std::array<int, 5> counts{};
   std::string fault;  // "": none
@@ -56,8 +57,8 @@ bool holds(const Names& names, const std::string& name) {
   return std::find(names.begin(), names.end(), name) != names.end();
 }
 
-/// Runs a command of the tool and returns what it prints. The check may refuse: where the
-/// quarantine is no folder, nothing can be told of what lies in it.
+/// Runs a command of the tool and returns what it prints. The check may refuse, because a
+/// quarantine that is not a folder cannot be listed.
 std::string printed_by(const cli::Command& command, const Names& words) {
   std::ostringstream out, err;
   auto* const out_before = std::cout.rdbuf(out.rdbuf());
@@ -93,8 +94,7 @@ void check_find(const LibrarySnapshot& library, const std::string& folder,
            (skipped.empty() ? "no reason" : skipped.front()));
 }
 
-/// What a picture is searched for and what is found: of a picture by itself, or of the next two of
-/// a video.
+/// Searched and found names: of a single picture, or of the next two of a video.
 struct Looks {
   Names searched, found;
 

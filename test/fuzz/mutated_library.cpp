@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "fuzz/mutated_library.hpp"
 
 #include <sys/stat.h>
@@ -38,7 +39,7 @@ class Mutator {
     return choices[static_cast<std::size_t>(any(static_cast<int>(std::size(choices))))];
   }
 
-  /// What passes for an object, mostly with one to three views of odd shapes.
+  /// A valid object, mostly with one to three views of unusual shapes.
   ObjectModel model() {
     ObjectModel model;
     model.name = "mutant";

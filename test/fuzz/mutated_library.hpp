@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Libraries of objects that were changed in some way: fields, sizes, shapes, aliases, names, bytes.
 #pragma once
 

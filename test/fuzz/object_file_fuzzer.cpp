@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Object files: any bytes, or any description in a sound PNG, which no blind change of bytes would
 // get past the checksums.
 #include <vector>

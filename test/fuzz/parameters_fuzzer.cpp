@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // YAML files of parameters: whatever they say, a value is either refused or allowed.
 #include <fstream>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // A picture message as a peer may send it: any bytes, or fields that nearly fit each other. It is
 // refused with a sentence, or its picture has the size that it names.
 #include <ros/serialization.h>

@@ -1,4 +1,5 @@
-// Runs a fuzz target over files, without a fuzzer: what was found once stays found.
+// SPDX-License-Identifier: BSD-3-Clause
+// Runs a fuzz target over stored files without a fuzzer, as a regression test.
 #include <filesystem>
 #include <fstream>
 #include <iostream>

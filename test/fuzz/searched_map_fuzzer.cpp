@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Objects of any map, learned and looked for anywhere in small pictures: whatever a library's file
 // may hold is searched for.
 #include "fuzz/fuzzer.hpp"

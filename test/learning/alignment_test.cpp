@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Light, camera shift and noise between two pictures of one scene.
 #include "learning/change/align_pictures.hpp"
 
@@ -125,8 +126,8 @@ TEST(NoiseModel, EdgesMayDifferMore) {
   EXPECT_GT(high, 3 * low);
 }
 
-// Noise of brightness alone, as compression leaves it: a change of colour then stands out more than
-// one of brightness that is as large.
+// Noise only in brightness, as from compression: a change of colour is then more significant than
+// an equal change of brightness.
 TEST(NoiseModel, KnowsWhichWayTheNoiseGoes) {
   cv::Mat common(kSize, CV_32FC1), own(kSize, CV_32FC3);
   cv::RNG random(7);

@@ -1,4 +1,5 @@
-// Lessons without a region, in which something was put down: only what left may be learned.
+// SPDX-License-Identifier: BSD-3-Clause
+// Lessons without a region in which something was put down: only the removed object may be learned.
 #include <gtest/gtest.h>
 
 #include "mbncc/learning/learn_object.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Which changed patches are of something that came.
 #include <gtest/gtest.h>
 
@@ -40,10 +41,10 @@ TEST_F(ArrivalsTest, SpecksAreNoArrivals) {
   EXPECT_EQ(cv::countNonZero(arrivals({kLeft}, {speck}, test::map_of({kLeft, speck}))), 0);
 }
 
-// An edge of the platform, which looks alike before and after, parts what lies across it.
+// An edge of the platform, equal before and after, splits the patch across it.
 TEST_F(ArrivalsTest, PatchesThatAThinSeamPartsAreOne) {
   for (const int gap : {3, 12}) {
-    // What left has a half that looks like something that came.
+    // One half of the departure looks like an arrival.
     const cv::Rect half(kLeft.br().x + gap, kLeft.y, 12, 30);
     const cv::Mat came = arrivals({kLeft}, {half}, test::map_of({kLeft, half}));
     EXPECT_EQ(cv::countNonZero(came), gap == 3 ? 0 : half.area()) << gap;
@@ -73,7 +74,7 @@ TEST_F(ArrivalsTest, DeparturesAreWhatLeft) {
   EXPECT_EQ(left({}, {kLeft}), 0);
 }
 
-// Colours may be alike before and after: then the edges along the border tell.
+// If colours are equal before and after, the edges along the border decide.
 TEST_F(ArrivalsTest, EdgesTellWhereColoursDoNot) {
   const cv::Mat labels = cv::Mat_<int>(test::map_of({kLeft})) / 255;
   const cv::Mat bare(test::kPlatformSize, CV_32FC3, cv::Scalar::all(120));

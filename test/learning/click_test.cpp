@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The object is shown by a click on it.
 #include <gtest/gtest.h>
 

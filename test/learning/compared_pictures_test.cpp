@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Which pairs of pictures a lesson compares, and which it refuses.
 #include "mbncc/learning/learn_object.hpp"
 
@@ -28,7 +29,7 @@ TEST(ComparedPictures, ChangeTooLarge) {
   EXPECT_EQ(error_for(drawn.lesson), LearnError::kChangeTooLarge);
 }
 
-// What the survey refuses: the same scene under another light, or seen by a moved camera.
+// The survey refuses the same scene under another light, or from a moved camera.
 LearnError error_for_after(const cv::Mat& radiance) {
   DrawnLesson drawn = draw_lesson({160, 120}, {320, 240});
   drawn.lesson.after = test::exposed(radiance, 12);
@@ -41,8 +42,7 @@ TEST(ComparedPictures, LightSwitched) {
     EXPECT_EQ(error_for_after(platform * gain), LearnError::kChangeTooLarge) << gain;
 }
 
-// Dark pictures of which a camera takes a few grey levels away once look far darker than a little
-// less exposure makes them.
+// Dark pictures with a black level of some grey levels, which resembles a much lower exposure.
 TEST(ComparedPictures, ABlackLevelIsNoSwitchedLight) {
   DrawnLesson drawn = draw_lesson({160, 120}, {320, 240});
   const auto dark = [](const cv::Mat& radiance, double gain, double offset) {
@@ -89,7 +89,7 @@ TEST(ComparedPictures, ForgiveExposureAndASmallShift) {
   EXPECT_GT(test::iou(full_size_map(result.object.views.at(0)), drawn.truth), 0.85);
 }
 
-// Most of what has texture leaves, but what stays stays where it was.
+// Most of the texture is removed, but the rest does not move.
 TEST(ComparedPictures, ForgiveAClearedTable) {
   const cv::Size size(320, 240);
   DrawnLesson drawn = draw_lesson({60, 60}, size);

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Colour mixture, arrival test, graph cut and clean-up.
 #include <gtest/gtest.h>
 

@@ -1,4 +1,5 @@
-// Lessons that are refused for what they bring, or for what came of it.
+// SPDX-License-Identifier: BSD-3-Clause
+// Lessons that are refused for their input or for their result.
 #include "mbncc/learning/learn_object.hpp"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,5 @@
-// What a lesson's observer hears, and how it stops a lesson.
+// SPDX-License-Identifier: BSD-3-Clause
+// Reports to a lesson's observer, and cancellation by it.
 #include "mbncc/learning/learn_object.hpp"
 
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Small seeded pictures for the tests of learning: a textured platform, a textured object, noise.
 #pragma once
 
@@ -66,7 +67,7 @@ inline DrawnLesson draw_lesson(cv::Point at = {120, 100}, cv::Size size = {240, 
   return drawn;
 }
 
-/// How a lesson ends that must say why and what to do.
+/// Results of lessons that must give a reason and a remedy.
 inline LearnError error_for(const Lesson& lesson) {
   const LearnResult result = learn_object(lesson);
   EXPECT_FALSE(result.message.empty());

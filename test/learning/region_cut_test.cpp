@@ -1,4 +1,6 @@
-// Lessons from one image: the platform is predicted, the rim told by the colours on its sides.
+// SPDX-License-Identifier: BSD-3-Clause
+// Lessons from one image: the platform is predicted, and the rim classified by the colours on its
+// sides.
 #include <gtest/gtest.h>
 
 #include <opencv2/imgproc.hpp>

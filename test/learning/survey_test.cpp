@@ -1,4 +1,5 @@
-// What a survey tells of two pictures, and how much of it ends a lesson.
+// SPDX-License-Identifier: BSD-3-Clause
+// Measures of a survey of two pictures, and the limits that end a lesson.
 #include <gtest/gtest.h>
 
 #include "learning/pictures.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Pictures of a drawn platform with plain things on it.
 #pragma once
 

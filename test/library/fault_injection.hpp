@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Lets one system call of the library fail, or the process die at it. The functions of this name in
 // the test program take the place of libc's, so that the library needs no seam for its tests.
 #pragma once
@@ -17,7 +18,7 @@ struct FaultPlan {
   bool short_write = false;        ///< write() takes one byte only; no error
   std::vector<std::string> calls;  ///< names of the calls made while armed
 
-  // What a power cut now would lose, by inode, and what was done too early.
+  // Unsynced changes by inode that a power cut would lose, and changes made too early.
   std::set<ino_t> unsafe_data;     ///< files with bytes that are not synced
   std::set<ino_t> unsafe_names;    ///< folders with entries that are not synced
   std::vector<std::string> hasty;  ///< names given to data that was not synced

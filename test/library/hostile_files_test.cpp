@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Files that are no objects: damaged, hostile, or not files at all.
 #include <gtest/gtest.h>
 #include <sys/resource.h>
@@ -147,7 +148,7 @@ TEST(HostileFiles, DescriptionsAreChecked) {
     EXPECT_TRUE(is_refused(with_description(text))) << text.substr(0, 300);
 }
 
-// Files of earlier versions have no symmetry. "auto" is what no file says, but it is no fault.
+// Files of earlier versions have no symmetry. "auto" is not written, but accepted.
 TEST(HostileFiles, ADeclaredSymmetryIsOptionalAndChecked) {
   const std::string sound = sound_description();
   ASSERT_EQ(sound.find("\nsymmetry:"), std::string::npos);
@@ -212,7 +213,7 @@ std::size_t peak_memory() {
   return static_cast<std::size_t>(usage.ru_maxrss) * 1024;
 }
 
-// In a child, whose peak starts at what it has, whatever earlier tests took.
+// In a child process, whose peak memory is independent of earlier tests.
 bool is_refused_within_memory_bound(const Bytes& bytes) {
   const pid_t child = ::fork();
   if (child == 0) {

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Every system call of every change of the library fails once, and the process dies at each once.
 #include <gtest/gtest.h>
 #include <sys/wait.h>
@@ -71,7 +72,7 @@ int temporary_files(const std::string& folder) {
   }));
 }
 
-// What a reader sees: names, labels, revisions and first references.
+// State seen by a reader: names, labels, revisions and first references.
 std::string content_of(const std::string& folder) {
   std::string content;
   const auto snapshot = ObjectLibrary(folder).load();
@@ -118,7 +119,7 @@ TEST(LibraryFaults, AFailingCallLeavesTheLibraryAsItWas) {
         } else {
           EXPECT_NE(reason.find(std::generic_category().message(error)), std::string::npos)
               << reason;
-          // A rename with a new label is two steps, and what is done may not be durable yet.
+          // A rename with a new label is two steps, which may not be durable yet.
           const bool half_renamed = found.find("wrench renamed 1") != std::string::npos;
           const bool not_durable = reason.find("not yet safe") != std::string::npos;
           EXPECT_TRUE(found == before || half_renamed || (not_durable && found == after))
@@ -199,7 +200,7 @@ TEST(LibraryFaults, DeathAtAnyCallLeavesOldOrNew) {
   }
 }
 
-// What is acknowledged must outlive a power cut: data before name, name before return.
+// Acknowledged changes must survive a power cut: data before name, name before return.
 TEST(LibraryFaults, DataIsSyncedBeforeItsNameAndTheNameBeforeReturn) {
   for (const Change& change : changes()) {
     SCOPED_TRACE(change.name);
@@ -224,7 +225,7 @@ TEST(LibraryFaults, QuarantinedFilesAreSyncedLikewise) {
   EXPECT_TRUE(fault_plan().unsafe_names.empty());
 }
 
-// Network file systems tell at the end that what was written has no room.
+// Network file systems report a full disk only at close.
 TEST(LibraryFaults, AnErrorAtClosingAWrittenFileIsTold) {
   const auto calls = calls_of(changes()[1]);
   const auto written = std::find(calls.begin(), calls.end(), "write");

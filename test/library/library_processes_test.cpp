@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Several processes on one library: writers, readers, kills, and readers without permission.
 #include <gtest/gtest.h>
 #include <sys/stat.h>
@@ -25,7 +26,7 @@ using Existing = ObjectLibrary::Existing;
 
 constexpr unsigned kNobody = 65534;
 
-// Runs `work` in a process of its own; exit code 0 when it returns true.
+// Runs `work` in a separate process; exit code 0 if it returns true.
 pid_t in_process(const std::function<bool()>& work) {
   const pid_t child = ::fork();
   if (child != 0) return child;

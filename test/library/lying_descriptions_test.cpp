@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Sound PNG files whose descriptions lie: every field, in every way that a value can be wrong.
 #include <gtest/gtest.h>
 #include <yaml-cpp/yaml.h>
@@ -54,7 +55,7 @@ std::string text_of(const Path& path) {
   return text;
 }
 
-/// What lies in `node` at the path; keys of lists are numbers.
+/// The entry of `node` at the path; keys of lists are numbers.
 YAML::Node at(YAML::Node node, const Path& path) {
   for (const auto& key : path) {
     const YAML::Node next = node.IsSequence() ? node[std::stoul(key)] : node[key];

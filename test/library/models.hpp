@@ -1,4 +1,5 @@
-// Object models drawn from a seed, and what it means that two are equal.
+// SPDX-License-Identifier: BSD-3-Clause
+// Object models drawn from a seed, and their comparison.
 #pragma once
 
 #include <gtest/gtest.h>

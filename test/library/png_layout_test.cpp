@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // PNG files whose chunks are sound one by one, and that are no objects as a whole.
 #include <gtest/gtest.h>
 

@@ -1,4 +1,5 @@
-// What a library does with files that it cannot read.
+// SPDX-License-Identifier: BSD-3-Clause
+// Handling of unreadable files by the library.
 #include <gtest/gtest.h>
 
 #include <filesystem>

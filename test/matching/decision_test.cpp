@@ -1,4 +1,5 @@
-// What makes a detection graspable, ambiguous, or a rival of another one.
+// SPDX-License-Identifier: BSD-3-Clause
+// Conditions for graspable and ambiguous detections, and competitors.
 #include <gtest/gtest.h>
 
 #include <functional>
@@ -17,7 +18,7 @@ class DecisionTest : public ::testing::Test {
   const PreparedObject other_{test::object_from(source_, {58, 60, 0}, "other"), Engine::kFast};
   const SearchConfig config_{};
 
-  /// Beyond doubt, firm, and known to a tenth of a pixel.
+  /// Certain, with a distinct outline, and accurate to a tenth of a pixel.
   Detection sound() const {
     Detection detection;
     detection.object = &object_;
@@ -25,8 +26,8 @@ class DecisionTest : public ::testing::Test {
     detection.pose = {100, 100, 0};
     detection.covariance = detection.cautious = cv::Matx33d::diag({0.01, 0.01, 1e-6});
     detection.log_odds = 20;
-    detection.projected = 0.9;
-    detection.elsewhere = -0.15;
+    detection.shading_free_ncc = 0.9;
+    detection.contour_alternative = -0.15;
     return detection;
   }
 
@@ -60,14 +61,15 @@ TEST_F(DecisionTest, WhatIsBeyondDoubtIsGraspable) {
 
 TEST_F(DecisionTest, WhatMayBeSomethingElseIsAmbiguous) {
   const std::vector<std::function<void(Detection&)>> doubts{
-      [](Detection& d) { d.strange = 0.25; }, [](Detection& d) { d.another_size = true; },
-      [](Detection& d) { d.turned_over = true; }};
+      [](Detection& d) { d.colour_difference = 0.25; },
+      [](Detection& d) { d.size_alternative = true; },
+      [](Detection& d) { d.mirror_alternative = true; }};
   for (std::size_t i = 0; i < doubts.size(); ++i) {
     const Match match = match_of(changed(doubts[i]));
     EXPECT_FALSE(match.graspable) << i;
     EXPECT_TRUE(match.ambiguous) << i;
   }
-  EXPECT_TRUE(match_of(changed([](Detection& d) { d.strange = 0.19; })).graspable);
+  EXPECT_TRUE(match_of(changed([](Detection& d) { d.colour_difference = 0.19; })).graspable);
 }
 
 TEST_F(DecisionTest, WhatIsNotKnownWellIsNotGrasped) {
@@ -78,7 +80,7 @@ TEST_F(DecisionTest, WhatIsNotKnownWellIsNotGrasped) {
       d.covariance = d.cautious = cv::Matx33d::diag({x * x, y * y, theta * theta});
     }));
   };
-  // The reference point of this object lies off the anchor, so that turns displace it.
+  // The reference point of this object differs from the anchor, so that rotations displace it.
   EXPECT_TRUE(with(0.9 * place, 0.9 * place, 0).graspable);
   for (const Match& match :
        {with(1.1 * place, 0, 0), with(0, 1.1 * place, 0), with(0, 0, 1.1 * angle)}) {
@@ -102,7 +104,7 @@ TEST_F(DecisionTest, ARoundObjectsAngleDoesNotMatter) {
 
 TEST_F(DecisionTest, AnOutlineThatLiesBetterElsewhereIsNotGrasped) {
   const auto at = [&](double elsewhere) {
-    return match_of(changed([&](Detection& d) { d.elsewhere = elsewhere; }));
+    return match_of(changed([&](Detection& d) { d.contour_alternative = elsewhere; }));
   };
   EXPECT_TRUE(at(0.04).graspable);
   EXPECT_FALSE(at(0.06).graspable);
@@ -165,12 +167,13 @@ TEST_F(DecisionTest, FarBehindAnInstanceOutsideTheRegionItMayBeALike) {
 }
 
 TEST_F(DecisionTest, ABetterObjectAtThePlaceMakesAmbiguousToo) {
-  // Its score is the lower one, for an outline that lies loose, and its odds are higher.
+  // Its score is lower because its outline is less distinct, although its uncalibrated odds are
+  // higher.
   const Detection better = changed([&](Detection& d) {
     d.object = &other_;
     d.view = &other_.views.front();
     d.log_odds += 0.5;
-    d.elsewhere = 0.08;
+    d.contour_alternative = 0.08;
   });
   const Selection selected = select({sound(), better});
   ASSERT_EQ(selected.matches.size(), 1u);
@@ -272,7 +275,7 @@ TEST_F(DecisionTest, TheReferencePointMovesWithTheAnchorsAngleAndSize) {
   EXPECT_NEAR(larger.scale, 1.1, 1e-9);
 }
 
-// Each view has a frame of its own, and all of them show one object's.
+// Each view has its own crop, but all share the object's frame.
 TEST_F(DecisionTest, AnglesOfTwoViewsAreComparedInTheObjectsFrame) {
   auto model = std::make_shared<ObjectModel>(*test::object_from(source_, {58, 60, 0}));
   model->views.push_back(test::object_from(source_, {58, 60, 1.2})->views.front());

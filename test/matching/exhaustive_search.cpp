@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "matching/exhaustive_search.hpp"
 
 #include <algorithm>

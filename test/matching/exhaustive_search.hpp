@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The search that cannot miss: the plain similarity at every position and rotation. Slow; the
 // oracle that the fast search is tested against.
 #pragma once

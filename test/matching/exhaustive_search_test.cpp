@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The fast searches against the one that cannot miss.
 #include "matching/exhaustive_search.hpp"
 
@@ -12,7 +13,7 @@
 namespace mbncc {
 namespace {
 
-/// An L of 26 x 20 px: small enough to be searched for everywhere.
+/// An L of 26 x 20 px, small enough for a search at all pixels.
 cv::Mat small_map() {
   cv::Mat map = cv::Mat::zeros(60, 60, CV_8UC1);
   map(cv::Rect(17, 18, 9, 22)) = 255;

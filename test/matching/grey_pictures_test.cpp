@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Objects taught in colour and grey pictures, and the reverse.
 #include <gtest/gtest.h>
 

@@ -1,4 +1,5 @@
-// What bounds a search: time, thresholds set at run time, and objects that are hardly wide enough.
+// SPDX-License-Identifier: BSD-3-Clause
+// Limits of a search: time, thresholds set at run time, and very narrow objects.
 #include <gtest/gtest.h>
 
 #include "matching/pictures.hpp"

@@ -1,5 +1,6 @@
-// Maps of every shape, thin and long ones too, that fill their crop or lie at a picture's border:
-// what a library's file may hold must be searched for without a fault.
+// SPDX-License-Identifier: BSD-3-Clause
+// Maps of every shape, including thin and long ones that fill their crop or touch a picture's
+// border: every valid library file must be searched without a fault.
 #include <gtest/gtest.h>
 
 #include <cstdlib>

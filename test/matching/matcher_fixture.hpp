@@ -1,4 +1,5 @@
-// A matcher that knows one object or several, and what is expected of a match.
+// SPDX-License-Identifier: BSD-3-Clause
+// A matcher with one or several objects, and the expected match.
 #pragma once
 
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "mbncc/matching/matcher.hpp"
 
 #include <gtest/gtest.h>

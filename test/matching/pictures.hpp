@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Seeded pictures for the tests of matching: a smooth random texture as object and as background.
 #pragma once
 
@@ -43,7 +44,7 @@ struct LearningPicture {
   cv::Mat map, surface, picture;
 };
 
-/// What lies on its other side.
+/// Objects on their other side.
 inline LearningPicture mirrored(const LearningPicture& source) {
   LearningPicture other(1);
   cv::flip(source.map, other.map, 1);

@@ -1,4 +1,5 @@
-// What a picture would show of a surface.
+// SPDX-License-Identifier: BSD-3-Clause
+// The sample of a surface in a simulated picture.
 #pragma once
 
 #include <algorithm>

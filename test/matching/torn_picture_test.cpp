@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // A picture whose lower rows were read after the object had moved on shows it at no one pose.
 #include <gtest/gtest.h>
 

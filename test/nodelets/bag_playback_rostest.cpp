@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // A bag of the simulated cell is recorded, played with --clock and compared with its truth.
 #include <gtest/gtest.h>
 #include <mbncc_vision/DetectedObjectArray.h>
@@ -97,7 +98,7 @@ class BagPlayback : public testing::Test {
            find.response.detections.searched == std::vector<std::string>{"part"};
   }
 
-  // All of the bag, until what it ends with has been searched.
+  // Plays the whole bag until its last picture was searched.
   void play(const std::string& path) {
     const std::string command = "rosbag play --clock --quiet --delay 1 " + path + " > /dev/null";
     auto playing = std::async(std::launch::async, [&] { return std::system(command.c_str()); });
@@ -110,7 +111,7 @@ class BagPlayback : public testing::Test {
       arrays_.erase(arrays_.begin());
   }
 
-  // Where the taught reference point lies in the picture of this stamp.
+  // Position of the taught reference point in the picture of this stamp.
   Pose2D expected(const ros::Time& stamp) const {
     return compose(compose(truth_.at(stamp), inverse(learned_at_)), reference_);
   }

@@ -1,4 +1,5 @@
 #!/usr/bin/python3
+# SPDX-License-Identifier: BSD-3-Clause
 """calibrate_platform finds the pose of a drawn chessboard and of measured points.
 
 usage: calibrate_platform_test.py PATH/TO/calibrate_platform

@@ -1,5 +1,6 @@
-// Calibrations at random, sound and spoilt: a pose in metres is given only where what camera_info
-// says is met, by a computation of the test's own.
+// SPDX-License-Identifier: BSD-3-Clause
+// Random calibrations, valid and corrupted: a pose in metres is given only if it agrees with
+// camera_info, by an independent computation.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -38,7 +39,7 @@ struct Case {
   double object_height = 0;  // [m]
 };
 
-/// What the message means, worked out from the words of CameraInfo.msg.
+/// The meaning of the message, computed from the definition in CameraInfo.msg.
 namespace truth {
 
 bool is(double value, double wanted) {
@@ -341,7 +342,7 @@ class Generator {
       c.distance = number(0.3, 1.5);
       return;
     }
-    // It looks back at the camera, tilted.
+    // It is tilted and points towards the camera.
     const double tilt = CV_PI + number(-0.5, 0.5), cosine = std::cos(tilt), sine = std::sin(tilt);
     c.T_camera_platform = {1, 0,    0,      number(-0.2, 0.2), 0, cosine, -sine, number(-0.2, 0.2),
                            0, sine, cosine, number(0.3, 1.5),  0, 0,      0,     1};

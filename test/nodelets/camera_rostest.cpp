@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The camera nodelet, loaded into this process, playing folders and videos that the tests write.
 #include <diagnostic_msgs/DiagnosticArray.h>
 #include <gtest/gtest.h>

@@ -1,5 +1,6 @@
-// Two cells with one library: what is taught in one is found in both, and neither disturbs the
-// other.
+// SPDX-License-Identifier: BSD-3-Clause
+// Two cells with one library: an object taught in one is found in both, and the cells do not affect
+// each other.
 #include <gtest/gtest.h>
 #include <mbncc_vision/DetectedObjectArray.h>
 #include <mbncc_vision/LearnedObjectArray.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Consoles, controllers and bags of other machines are built against these definitions: a changed
 // checksum shuts them all out, so it is no side effect of an edit but a decision.
 #include <gtest/gtest.h>

@@ -1,4 +1,5 @@
 #!/usr/bin/python3
+# SPDX-License-Identifier: BSD-3-Clause
 """config/diagnostic_aggregator.yaml finds the reports of every nodelet, by their names on /diagnostics.
 
 usage: diagnostics_test.py

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """A chessboard on a platform as a distorted camera sees it, drawn for tests, and the camera's calibration."""
 import cv2
 import numpy as np

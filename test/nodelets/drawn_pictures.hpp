@@ -1,5 +1,5 @@
-// What tests draw and publish themselves: one part on a platform, under a camera without
-// distortion.
+// SPDX-License-Identifier: BSD-3-Clause
+// Pictures drawn and published by tests: one part on a platform, under a camera without distortion.
 #pragma once
 
 #include <sensor_msgs/CameraInfo.h>

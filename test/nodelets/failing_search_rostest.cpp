@@ -1,5 +1,6 @@
-// Searches that end in an exception, that never end, and pictures that cannot be searched: whoever
-// listens hears of it each time. The longest time until then goes to the test's report.
+// SPDX-License-Identifier: BSD-3-Clause
+// Searches that end in an exception or do not end, and pictures that cannot be searched:
+// subscribers are informed each time. The test reports the longest delay.
 #include <gtest/gtest.h>
 #include <mbncc_vision/DetectedObjectArray.h>
 #include <ros/ros.h>
@@ -31,7 +32,7 @@ using mbncc_vision::DetectedObjectArray;
 
 constexpr int kRounds = 100;
 
-/// Finds one confirmed object in every picture, or does what it is told instead.
+/// Finds one confirmed object in every picture, or fails as configured.
 class InjectedSearch : public PictureSearch {
  public:
   explicit InjectedSearch(const LiveMatcher& matcher) : matcher_(matcher) {}
@@ -121,7 +122,7 @@ class FailingSearch : public testing::Test {
     return header.stamp;
   }
 
-  /// What is heard about the picture of this stamp.
+  /// The message about the picture of this stamp.
   DetectedObjectArray::ConstPtr about(const ros::Time& stamp) {
     DetectedObjectArray::ConstPtr found;
     EXPECT_TRUE(spin_until([&] {
@@ -201,7 +202,7 @@ TEST_F(FailingSearch, OneThatNeverEndsIsStale) {
   released.notify_all();
 }
 
-// Pictures that come too soon to be searched tell nothing of those that are not searched.
+// Pictures skipped by the rate limit must not hide failed searches.
 TEST_F(FailingSearch, RefusedPicturesAreStaleAtALowRate) {
   settings_.change([](MatchingNodeConfig& config) { config.max_rate = 0.5; });
   ASSERT_EQ(about(show())->objects.size(), 1u);

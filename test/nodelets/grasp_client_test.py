@@ -1,5 +1,6 @@
 #!/usr/bin/python3
-"""What the example consumer takes for graspable, and what it refuses.
+# SPDX-License-Identifier: BSD-3-Clause
+"""Accepted and refused objects of the example consumer.
 
 usage: grasp_client_test.py PATH/TO/grasp_client.py FOLDER/OF/PYTHON/MESSAGES
 """

@@ -1,4 +1,5 @@
 #!/usr/bin/python3
+# SPDX-License-Identifier: BSD-3-Clause
 """Every nodelet of the package loads from the install space.
 
 usage: install_space_test.py CMAKE BUILD_FOLDER

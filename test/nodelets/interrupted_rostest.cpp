@@ -1,4 +1,5 @@
-// Ctrl-C in the midst of a lesson: its client is told, and the process ends in order.
+// SPDX-License-Identifier: BSD-3-Clause
+// Ctrl-C during a lesson: its client gets a result, and the process ends in order.
 #include <gtest/gtest.h>
 #include <ros/ros.h>
 #include <sys/wait.h>

@@ -1,5 +1,6 @@
 #!/usr/bin/python3
-"""What the launch files set, without a master: pictures are lifted by the calibration that is theirs."""
+# SPDX-License-Identifier: BSD-3-Clause
+"""Settings of the launch files, checked without a master: each picture uses its own calibration."""
 import glob
 import os
 import tempfile
@@ -188,7 +189,7 @@ class Searching(unittest.TestCase):
 
 
 class StaleParameters(unittest.TestCase):
-    """The master may outlive a launch; what that one set must not count in the next one."""
+    """The master may outlive a launch, whose parameters must not affect the next one."""
 
     def test_every_node_of_every_file_begins_without(self):
         files = glob.glob(os.path.join(LAUNCH, "*.launch"))

@@ -1,5 +1,6 @@
-// What calibration and tf tell of a lesson: scale and marked grasp. Pictures are given with the
-// goals; tf is the test's own.
+// SPDX-License-Identifier: BSD-3-Clause
+// Metric data of a lesson from calibration and tf: scale and marked grasp. Pictures are given with
+// the goals; the test publishes tf.
 #include <gtest/gtest.h>
 #include <mbncc_vision/ConfirmLearning.h>
 #include <ros/ros.h>
@@ -38,14 +39,15 @@ class LessonScale : public testing::Test {
     place(ros::Time::now());
   }
 
-  // Tells tf where platform and gripper are, the camera displaced by `motion`, and marks the grasp:
-  // the nodelet has heard of it then, since its last gripper pose was too old to be marked.
+  // Publishes platform and gripper on tf, with the camera displaced by `motion`, and marks the
+  // grasp. The nodelet has then received them, because its last gripper pose was too old to be
+  // marked.
   void place(const ros::Time& stamp, const cv::Vec3d& motion = {}) {
     ASSERT_TRUE(spin_until([this] { return !mark(); }));
     tf2_msgs::TFMessage message;
     message.transforms = {transform("platform", stamp, cv::Vec3d(0, 0, kDistance) - motion),
                           transform("gripper", stamp, kGripper - motion)};
-    // The platform's frame looks back at the camera.
+    // The platform's frame points towards the camera.
     std::swap(message.transforms[0].transform.rotation.x,
               message.transforms[0].transform.rotation.w);
     transforms_.publish(message);
@@ -153,7 +155,7 @@ TEST_F(LessonScale, WhatIsLearnedWithoutScaleSaysSo) {
   EXPECT_NE(lesson.message.find("without scale"), std::string::npos) << lesson.message;
 }
 
-// The last one: what follows is too old for tf.
+// Must be the last call, because later stamps are too old for tf.
 TEST_F(LessonScale, ScaleAndGraspOutlastWhatTfRemembers) {
   const std::string id = begin(goal("long", pose_));
   place(ros::Time::now() + ros::Duration(60));

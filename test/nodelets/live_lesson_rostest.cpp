@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Live CHANGE lessons in the simulated cell, and what is found afterwards.
 #include <gtest/gtest.h>
 #include <mbncc_vision/EditObject.h>

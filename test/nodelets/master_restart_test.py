@@ -1,4 +1,5 @@
 #!/usr/bin/python3
+# SPDX-License-Identifier: BSD-3-Clause
 """The ROS master dies and comes back: who subscribes then gets pictures and detections.
 
 usage: master_restart_test.py
@@ -41,7 +42,7 @@ def kill(process):
 
 
 def hear(topic, env, messages=1):
-    """Messages by a subscriber that nobody knew before."""
+    """Messages received by a new subscriber."""
     subprocess.run(["rostopic", "echo", "-n", str(messages), "--noarr", topic], env=env, check=True, timeout=60,
                    stdout=subprocess.DEVNULL)
 

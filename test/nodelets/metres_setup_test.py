@@ -1,5 +1,6 @@
 #!/usr/bin/python3
-"""From pixels to metres, as the README tells it: lens and platform of a camera, then the cell with both.
+# SPDX-License-Identifier: BSD-3-Clause
+"""From pixels to metres, as in the README: lens and platform of a camera, then the cell with both.
 
 usage: metres_setup_test.py
 

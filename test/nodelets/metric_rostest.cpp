@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // In metres: a strongly distorted simulated camera, the platform by tf, a grasp marked in a lesson.
 #include <geometry_msgs/PoseArray.h>
 #include <gtest/gtest.h>

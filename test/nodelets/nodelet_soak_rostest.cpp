@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // All nodelets in one process, fed at full rate: teaching, edits, find_objects and camera_infos
 // that change beside matching, more pictures than can be searched, a long run. MBNCC_SOAK_FRAMES
 // and MBNCC_SOAK_MINUTES: searched pictures and time of the long run, the later of both;
@@ -119,7 +120,7 @@ class Soak : public testing::Test {
     if (ros::service::call("edit_object", call) && call.response.success) ++edits_;
   }
 
-  /// In a given picture; and the camera tells of another lens.
+  /// In a given picture, while the camera publishes another calibration.
   void ask() {
     mbncc_vision::FindObjects call;
     call.request.image = before_;

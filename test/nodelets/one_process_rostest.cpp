@@ -1,5 +1,6 @@
-// In one process pictures travel by pointer: what the camera publishes is what every listener gets,
-// rectified pictures included.
+// SPDX-License-Identifier: BSD-3-Clause
+// In one process pictures are passed by pointer: every subscriber gets the published picture
+// itself, including rectified pictures.
 #include <gtest/gtest.h>
 #include <nodelet/loader.h>
 #include <ros/ros.h>

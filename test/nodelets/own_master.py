@@ -1,4 +1,5 @@
-"""Processes and a ROS master of a test's own, on a port that nobody else uses."""
+# SPDX-License-Identifier: BSD-3-Clause
+"""Processes and a separate ROS master of a test, on a free port."""
 import os
 import signal
 import socket

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Pictures that change their size again and again, that show nothing, and whose tf frames are
 // missing; in this process so that sanitizers see it. MBNCC_PICTURES: switches of size, a tenth of
 // the empty pictures. Latencies go to the test's report.
@@ -93,7 +94,7 @@ class PictureFaults : public testing::Test {
     }));
   }
 
-  /// Publishes a picture and waits for what is found in it.
+  /// Publishes a picture and waits for its detections.
   const DetectedObjectArray& show(const cv::Mat& picture, bool with_camera_info = true) {
     std_msgs::Header header;
     header.stamp = std::max(ros::Time::now(), last_stamp_ + ros::Duration(0, 1));
@@ -165,7 +166,7 @@ TEST_F(PictureFaults, AnOldCameraInfoDoesNotCount) {
   EXPECT_TRUE(spin_until([&] { return is_posed(true); })) << "a new one counts";
 }
 
-/// Latencies of pictures, and what their arrays say.
+/// Latencies of pictures, and the status of their arrays.
 struct Shown {
   std::vector<double> latencies;  // [ms]
   int posed = 0;                  // arrays with a pose in metres

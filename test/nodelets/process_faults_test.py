@@ -1,4 +1,5 @@
 #!/usr/bin/python3
+# SPDX-License-Identifier: BSD-3-Clause
 """Processes that stop, die and come back: camera, subscriber, client of a lesson.
 
 usage: process_faults_test.py
@@ -32,7 +33,7 @@ projection_matrix: {rows: 3, cols: 4, data: [400, 0, 160, 0, 0, 400, 120, 0, 0, 
 
 
 class Cell:
-    """The processes, and what a peer of theirs hears."""
+    """The processes, and the messages that a peer receives."""
 
     def __init__(self, home, env):
         self._env = env
@@ -171,7 +172,7 @@ def stopped_camera(cell):
 
 
 def stopped_subscriber(cell, home):
-    """A subscriber that stops holds nobody up and costs no memory."""
+    """A stopped subscriber delays no other and costs no memory."""
     heard = os.path.join(home, "overlay.txt")
     with open(heard, "w") as output:
         slow = cell.start("rostopic", "echo", "--noarr", "/matchingnodelet/overlay", stdout=output)

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // A client of one cell that has neither calibration nor pictures but those the test gives it.
 #pragma once
 
@@ -90,7 +91,7 @@ class Protocol : public testing::Test {
 
   bool status_is(std::uint8_t status) const { return array_ && array_->status == status; }
 
-  /// What the diagnostics say of a nodelet.
+  /// Diagnostics of a nodelet.
   bool health_is(const std::string& nodelet, int level, const std::string& start = "") {
     const auto& status = health_[nodelet];
     return !status.name.empty() && status.level == level && status.message.rfind(start, 0) == 0;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Detections without pictures, without calibration, with malformed pictures, on request and
 // disabled; settings at run time.
 #include <dynamic_reconfigure/Reconfigure.h>
@@ -152,7 +153,7 @@ TEST_F(Protocol, FindsOnceOnRequest) {
   EXPECT_TRUE(edit("part", EditObject::Request::DELETE).success);
 }
 
-// Without pictures each call waits until its time is up; what is one too many must not.
+// Without pictures each call waits until its timeout; an excess call must not.
 TEST_F(Protocol, ManyCallsAtATimeAreToldBusy) {
   constexpr int kCalls = 30;
   std::atomic<int> busy{0}, out_of_time{0}, ended{0};

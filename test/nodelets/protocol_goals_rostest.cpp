@@ -1,4 +1,5 @@
-// What goals of a lesson are refused for, and what they teach.
+// SPDX-License-Identifier: BSD-3-Clause
+// Reasons for refusing a lesson's goal, and lessons made from goals.
 
 #include "nodelets/conversion/messages.hpp"
 #include "nodelets/protocol.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // A running lesson: a second goal, its time limit, the operator's word.
 #include <std_srvs/Trigger.h>
 

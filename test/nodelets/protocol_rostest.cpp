@@ -1,4 +1,5 @@
-// What clients may rely on when something is not as it should be (protocol_*_rostest.cpp).
+// SPDX-License-Identifier: BSD-3-Clause
+// Guarantees for clients under faults (protocol_*_rostest.cpp).
 #include <gtest/gtest.h>
 #include <ros/ros.h>
 

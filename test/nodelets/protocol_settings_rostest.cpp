@@ -1,4 +1,5 @@
-// What may be set while the matching nodelet runs, and what that does.
+// SPDX-License-Identifier: BSD-3-Clause
+// Settings at run time of the matching nodelet, and their effects.
 #include <dynamic_reconfigure/Reconfigure.h>
 #include <mbncc_vision/FindObjects.h>
 #include <sensor_msgs/RegionOfInterest.h>
@@ -120,7 +121,7 @@ TEST_F(RunTimeSettings, TheRegionIsATopicToo) {
   roi.width = roi.height = 20;
   publisher.publish(roi);
   EXPECT_TRUE(comes_to([this] { return array_->objects.empty(); }));
-  // The parameter server is told a little later than the search.
+  // The parameter server is updated slightly later than the search.
   EXPECT_TRUE(spin_until([] {
     std::string stored;
     return ros::param::get("matching/search_roi", stored) && stored == "0,0,20,20";

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Metres from the raw pictures of a distorted camera, with a cell that is started as it is.
 #include <gtest/gtest.h>
 #include <ros/ros.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // A nodelet that cannot start says why and leaves its manager, this process, alive.
 #include <diagnostic_msgs/DiagnosticArray.h>
 #include <gtest/gtest.h>
@@ -82,7 +83,7 @@ TEST_F(RefusedStart, LibraryThatCannotBeOpened) {
     expect_refusal(type, "library_path", file + "/library", file);
 }
 
-// roslaunch would start what refuses to start again and again.
+// roslaunch would restart a refusing nodelet repeatedly.
 TEST_F(RefusedStart, ImageTransportThatIsNotInstalledIsToldOnceAndInDiagnostics) {
   for (const char* type : {"LearningNodelet", "MatchingNodelet"}) {
     errors_.clear();

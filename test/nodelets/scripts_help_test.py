@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: BSD-3-Clause
 """Every script explains itself when asked with --help, and does nothing else.
 
 usage: scripts_help_test.py SOURCE_DIR

@@ -1,5 +1,6 @@
-// A session whose clock and pictures the test makes: which instance is which, which stamps count,
-// and what the example consumer takes.
+// SPDX-License-Identifier: BSD-3-Clause
+// A session with simulated clock and pictures: identities, accepted stamps, and the example
+// consumer.
 #include <gtest/gtest.h>
 #include <mbncc_vision/DetectedObjectArray.h>
 #include <mbncc_vision/FindObjects.h>
@@ -95,7 +96,8 @@ class Session : public testing::Test {
     return nullptr;
   }
 
-  /// The next picture and what is found in it. On a busy machine one may be lost; then the next.
+  /// The next picture and its detections. On a busy machine one may be lost; then the following
+  /// one.
   DetectedObjectArray::ConstPtr show(const std::vector<Pose2D>& poses) {
     for (int attempt = 0; attempt < 10; ++attempt) {
       set_clock(now_ + kInterval);

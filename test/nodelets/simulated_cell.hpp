@@ -1,4 +1,5 @@
-// A client of the simulated cell: its truth, what is detected, and orders to its arm.
+// SPDX-License-Identifier: BSD-3-Clause
+// A client of the simulated cell: its truth, its detections, and commands to its arm.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -35,7 +36,7 @@ class SimulatedCell : public testing::Test {
     ASSERT_TRUE(spin_until([this] { return truth_ && truth_->message != "rest"; }));
   }
 
-  /// The arm is away, and the object lies there or does not.
+  /// Whether the arm has left, with the object present or not.
   bool rests(bool present) const {
     return truth_ && truth_->message == "rest" && truth_->objects.empty() != present;
   }

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Waiting in rostests: for a predicate, never for a time.
 #pragma once
 

@@ -1,4 +1,5 @@
 #!/usr/bin/python3
+# SPDX-License-Identifier: BSD-3-Clause
 """scripts/teach as an operator uses it, in the simulated cell."""
 import os
 import signal

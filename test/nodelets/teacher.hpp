@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // A client of the LearnObject action for rostests: plain topics, so that it works on any clock, and
 // with several goals at a time.
 #pragma once
@@ -18,7 +19,7 @@
 
 namespace mbncc::nodelets {
 
-/// Removes the nodelets' library folder, which the launch file has given a name of its own.
+/// Removes the nodelets' library folder, which has a unique name from the launch file.
 inline void remove_library() {
   std::string path;
   if (ros::param::get("learning/library_path", path)) std::filesystem::remove_all(path);
@@ -76,7 +77,7 @@ class Teacher {
     return feedback != heard_.end() && feedback->second.stage == stage;
   }
 
-  /// What a running lesson said last.
+  /// The last message of a running lesson.
   const Feedback& last_feedback(const std::string& id) { return heard_[id]; }
 
   /// The lesson is in this stage or has been.
@@ -91,7 +92,7 @@ class Teacher {
     return ended_[id];
   }
 
-  /// Of a long row of lessons: their results hold pictures. What comes late is not heard.
+  /// For many consecutive lessons: their results contain pictures. Late messages are ignored.
   void forget(const std::string& id) {
     sent_.erase(id);
     ended_.erase(id);

@@ -1,5 +1,6 @@
 #!/usr/bin/python3
-"""What learning and matching touch on disk while they are asked for sense and nonsense.
+# SPDX-License-Identifier: BSD-3-Clause
+"""Files that learning and matching change on disk for valid and invalid requests.
 
 usage: touched_files_test.py
 

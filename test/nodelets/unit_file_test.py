@@ -1,4 +1,5 @@
 #!/usr/bin/python3
+# SPDX-License-Identifier: BSD-3-Clause
 """The systemd unit's command brings the cell up in a state folder that is empty.
 
 usage: unit_file_test.py

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "numeric/weighted_median.hpp"
 
 #include <gtest/gtest.h>

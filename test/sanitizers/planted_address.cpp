@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Leaks memory; writes beyond an array when given an argument. scripts/sanitize runs both.
 #include <cstdlib>
 

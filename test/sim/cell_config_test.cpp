@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "mbncc/sim/cell_config.hpp"
 
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Inputs that every version of a kernel has to take alike.
 #pragma once
 

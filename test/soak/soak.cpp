@@ -1,7 +1,7 @@
-// Days of a cell in minutes: a story of small pictures again and again through everything that a
-// nodelet keeps between pictures, with lessons, edits and clock jumps. Memory, open files and
-// threads must stay what they were.
-// usage: soak FRAMES [CSV]
+// SPDX-License-Identifier: BSD-3-Clause
+// Simulates days of operation in minutes: repeats a sequence of small pictures through all state
+// that a nodelet keeps between pictures, with lessons, edits and clock jumps. Memory, open files
+// and threads must stay constant. usage: soak FRAMES [CSV]
 #include <cstdlib>
 #include <iostream>
 #include <opencv2/core/utility.hpp>

@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: BSD-3-Clause
 """Message packages that Debian 12 lacks, generated for tests: C++ headers and Python modules.
 
 usage: generate.py OUT GEN_CPP TEMPLATES GEN_PY SHARE

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 # MBNCC_STAND_INS: prefix of the message packages that generate.py writes. vision_msgs_INCLUDE_DIRS are theirs where
 # the package is not installed.
 set(MBNCC_STAND_INS ${PROJECT_BINARY_DIR}/stand_ins)

@@ -1,4 +1,5 @@
-// What this process holds of the machine: memory, open files, threads.
+// SPDX-License-Identifier: BSD-3-Clause
+// Resources of this process: memory, open files, threads.
 #pragma once
 
 #include <malloc.h>
@@ -69,10 +70,10 @@ class StateHistory {
 
   /// [MB] resident in the last tenth over the third tenth, each by its median.
   double growth() const { return growth_of(&ProcessState::resident); }
-  /// [MB] likewise of what is allocated and not freed.
+  /// [MB] the same for allocated memory that is not freed.
   double growth_in_use() const { return growth_of(&ProcessState::in_use); }
-  /// Fewest open at once in the last tenth over those in the third tenth: files and connections
-  /// that come and go beside the sampling are nothing lost, what is never closed is.
+  /// Minimum of open files in the last tenth minus that in the third tenth: short-lived files and
+  /// connections do not count, leaked ones do.
   int new_files() const {
     return fewest(0.9, &ProcessState::files) - fewest(0.2, &ProcessState::files);
   }

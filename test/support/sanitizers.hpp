@@ -1,4 +1,5 @@
-// What tests do differently when they are built with sanitizers.
+// SPDX-License-Identifier: BSD-3-Clause
+// Differences of tests built with sanitizers.
 #pragma once
 
 namespace mbncc::test {

@@ -1,4 +1,5 @@
-// Objects whose maps have any shape, and a search for them: what a library's file may hold.
+// SPDX-License-Identifier: BSD-3-Clause
+// Objects whose maps have any shape that a library file allows, and a search for them.
 #pragma once
 
 #include <cmath>
@@ -68,7 +69,7 @@ inline std::shared_ptr<ObjectModel> object_of(const cv::Mat& map, Border border,
   return model;
 }
 
-/// A picture of `size` with noise, and with what fits of the object's crop at a border.
+/// A picture of `size` with noise, and with the part of the object's crop that fits at a border.
 inline cv::Mat picture_of(const View& view, cv::Size size, Border border, unsigned seed) {
   cv::Mat picture(size, CV_8UC3);
   cv::RNG(seed + 1).fill(picture, cv::RNG::UNIFORM, 60, 200);
@@ -83,7 +84,7 @@ inline cv::Mat picture_of(const View& view, cv::Size size, Border border, unsign
   return picture;
 }
 
-/// Throws std::runtime_error when the object is not searched for, or what is found makes no sense.
+/// Throws std::runtime_error if the object is not searched, or the result is implausible.
 inline void check_search(const SearchConfig& config, const std::shared_ptr<ObjectModel>& model,
                          const cv::Mat& picture) {
   Matcher matcher(config);

@@ -1,6 +1,7 @@
-// Picks the two pictures of a live lesson out of what a SceneWatch sees: the still scene before,
-// and the still scene in which something has changed inside the picture. A scene before that has
-// become useless, by light, by a hand that was in it, by a moved camera, is taken anew.
+// SPDX-License-Identifier: BSD-3-Clause
+// Selects the two pictures of a live lesson from a SceneWatch: the still scene before, and the
+// still scene in which something has changed inside the picture. The scene before is replaced when
+// it becomes useless because the light changed, a hand was in it, or the camera was moved.
 #pragma once
 
 #include <cstdint>
@@ -13,7 +14,7 @@ namespace mbncc {
 
 class Demonstration {
  public:
-  /// What the operator has to do, or that both pictures are there.
+  /// What the operator must do, or that both pictures are available.
   enum class Step {
     kWaitStill,    ///< keep out of the picture: the scene before is not still yet
     kWaitRemoval,  ///< take the object away
@@ -22,7 +23,7 @@ class Demonstration {
     kReady
   };
 
-  /// Why the scene before was taken anew.
+  /// Why the scene before was replaced.
   enum class Anew {
     kNot,
     kLight,       ///< the light has changed, nothing else
@@ -33,15 +34,15 @@ class Demonstration {
 
   Demonstration() = default;
 
-  /// With a picture before that is given; only the scene after is waited for.
+  /// Starts from a given picture before; only the scene after is awaited.
   explicit Demonstration(const cv::Mat& before) { before_.picture = before; }
 
-  /// Takes another look at the scene; `still` as SceneWatch tells it. Pictures of another size
-  /// than the one before are as good as none.
+  /// Processes the next picture; `still` is SceneWatch::still(). Pictures of another size than the
+  /// one before are ignored.
   Step look(const std::optional<StillShot>& still);
 
-  /// Nothing had left: the operator is at it yet, or something was put down, which belongs to the
-  /// scene before from now on; a given picture stays. More looks are needed.
+  /// Continues when no object has left: the operator is not done, or something was put down, which
+  /// then belongs to the scene before; a given picture stays. Call look() again.
   void go_on();
 
   /// The last reason; kPutDown after go_on().

@@ -1,4 +1,5 @@
-// Tells a camera that sends the same picture again and again from a live one, whose noise differs.
+// SPDX-License-Identifier: BSD-3-Clause
+// Detects a camera that repeats the same picture; in live pictures the noise differs.
 #pragma once
 
 #include <opencv2/core.hpp>
@@ -7,8 +8,8 @@ namespace mbncc {
 
 class FrozenPicture {
  public:
-  /// Takes the next picture; true from the fifth exactly equal one in a row on. Keeps the picture,
-  /// so it must not be written to afterwards.
+  /// Processes the next picture; true from the fifth identical one in a row on. Keeps a reference
+  /// to the picture, so it must not be modified afterwards.
   bool update(const cv::Mat& picture);
 
   void reset();

@@ -1,5 +1,7 @@
-// From pixels to metres: the ray through a pixel, met with the plane of an object's top face.
-// All positions are in the camera's optical frame: z along the optical axis, x right, y down.
+// SPDX-License-Identifier: BSD-3-Clause
+// Converts pixels to metres by intersecting the ray through a pixel with the plane of an object's
+// top face. All positions are in the camera's optical frame: z along the optical axis, x right, y
+// down.
 #pragma once
 
 #include <functional>
@@ -11,8 +13,8 @@
 
 namespace mbncc {
 
-/// Direction (of any length, z > 0) of the ray seen at a pixel of the picture as received. Lens
-/// distortion is the function's business.
+/// Direction (of any length, z > 0) of the ray seen at a pixel of the picture as received. The
+/// function must correct lens distortion.
 using PixelToRay = std::function<cv::Vec3d(cv::Point2d)>;
 
 /// A camera without distortion.
@@ -21,14 +23,14 @@ struct PinholeCamera {
   double cx = 0, cy = 0;  ///< [px] principal point
 };
 
-/// Why no lens has this camera matrix (K, or the left 3x3 part of P) in pictures of the
+/// Why this camera matrix (K, or the left 3x3 part of P) is implausible for pictures of the
 /// `calibrated` size: a number that is not finite, a last row other than 0 0 1, skew, a focal
 /// length below a tenth or above a hundred times the longer side, pixels twice as long as wide, a
-/// principal point farther from the picture than half its size. "" when one may.
+/// principal point farther from the picture than half its size. "" if it is plausible.
 std::string fault_of_camera(const cv::Matx33d& matrix, cv::Size calibrated);
 
-/// Camera of such a matrix. None where fault_of_camera() tells a fault, or when the calibration was
-/// made for another picture size.
+/// The camera with such a matrix. None if fault_of_camera() reports a fault, or if the calibration
+/// was made for another picture size.
 std::optional<PinholeCamera> usable_camera(const cv::Matx33d& matrix, cv::Size calibrated,
                                            cv::Size picture);
 
@@ -45,11 +47,13 @@ struct Plane {
 Plane plane_at(double distance);
 
 /// Plane through the x and y axes of a frame given by its pose T_camera_platform. Throws
-/// std::invalid_argument when the pose is not a finite rigid one or holds the camera itself.
+/// std::invalid_argument if the pose is not a finite rigid transform or the plane contains the
+/// camera.
 Plane plane_of(const cv::Matx44d& T_camera_platform);
 
 /// Pose of an object frame: origin at the reference point on the top face, z into the platform, x
-/// along the object's direction. Seen straight from above its yaw about z is the picture's theta.
+/// along the object's direction. If the camera points straight down, its yaw about z is the
+/// picture's theta.
 struct PlatformPose {
   cv::Vec3d position;                 ///< [m]
   cv::Matx33d rotation;               ///< columns are the object's axes
@@ -60,16 +64,16 @@ class Platform {
  public:
   Platform(PixelToRay ray, const Plane& plane) : ray_(std::move(ray)), plane_(plane) {}
 
-  /// Lifts a pose with its covariance (x, y, theta) out of the picture, for an object whose top
-  /// face lies `object_height` [m] above the platform. None when the ray does not meet that plane
-  /// in front of the camera, 1 mm to 100 m away.
+  /// Converts a pose in the picture with its covariance (x, y, theta) to metres, for an object
+  /// whose top face is `object_height` [m] above the platform. None when the ray does not meet that
+  /// plane in front of the camera, 1 mm to 100 m away.
   std::optional<PlatformPose> lift(const Pose2D& pose, const cv::Matx33d& covariance,
                                    double object_height) const;
 
   /// Length [m] of a pixel's side on that plane, the geometric mean over directions. None as above.
   std::optional<double> metres_per_pixel(cv::Point2d pixel, double object_height) const;
 
-  /// Where the ray through the pixel meets that plane. [m] None as above.
+  /// Intersection of the ray through the pixel with that plane. [m] None as above.
   std::optional<cv::Vec3d> meet(cv::Point2d pixel, double object_height) const;
 
  private:

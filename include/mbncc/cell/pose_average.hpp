@@ -1,4 +1,5 @@
-// Averages the poses of instances that lie still, over the last pictures.
+// SPDX-License-Identifier: BSD-3-Clause
+// Averages the poses of still instances over the last pictures.
 #pragma once
 
 #include <cstdint>
@@ -10,16 +11,16 @@
 
 namespace mbncc {
 
-/// An instance is averaged anew when it has moved: when its last poses show a trend beyond their
-/// own scatter, or its angle jumps. The covariance loses the part of it that the pictures are seen
-/// to scatter by, divided among them; what all pictures may share stays.
+/// Averaging restarts when an instance has moved: when its last poses show a trend beyond their
+/// scatter, or its angle jumps. The part of the covariance that scatters between pictures is
+/// divided by their number; the part that all pictures may share stays.
 class PoseAverage {
  public:
-  /// Takes at most this many pictures. Throws std::invalid_argument below 1.
+  /// Averages over at most this many pictures. Throws std::invalid_argument below 1.
   explicit PoseAverage(int most);
 
-  /// Takes the instances of the next picture and puts each one's mean pose in its place. Held ones
-  /// get their last mean; those not listed are forgotten.
+  /// Adds the instances of the next picture and replaces each pose by its mean. Held instances get
+  /// their last mean; instances not listed are dropped.
   void apply(std::vector<TrackedMatch>& matches);
 
   void reset() { still_.clear(); }

@@ -1,19 +1,20 @@
-// At most so many pictures a second, and as many as that where enough come.
+// SPDX-License-Identifier: BSD-3-Clause
+// Limits the number of pictures per second, and reaches the limit if enough pictures arrive.
 #pragma once
 
 namespace mbncc {
 
-/// Time that passes is saved up for the next pictures, for two at most: of 30 pictures a second a
-/// limit of 20 lets two in three pass, and one of 30 all, also when they come unevenly.
+/// A token bucket of at most two pictures: of 30 pictures a second, a limit of 20 passes two in
+/// three, and a limit of 30 passes all, also if they arrive unevenly.
 class RateLimit {
  public:
-  /// May a picture stamped `stamp` [s] pass at `rate` [Hz]? 0: always.
+  /// Whether a picture stamped `stamp` [s] may pass at `rate` [Hz]; 0: always.
   bool allows(double stamp, double rate) const;
 
-  /// It has passed.
+  /// Records that it has passed.
   void note(double stamp, double rate);
 
-  /// The clock has jumped back.
+  /// Call this when the clock has jumped back.
   void reset() { *this = {}; }
 
  private:

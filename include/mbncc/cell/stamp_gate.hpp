@@ -1,5 +1,6 @@
-// Which pictures may be searched, judged by their stamps: each once, in order, neither old nor from
-// the future. Fails closed: a stale picture would move an arm to where an object used to be.
+// SPDX-License-Identifier: BSD-3-Clause
+// Decides by their stamps which pictures may be searched: each once, in order, neither old nor from
+// the future. Fails closed: a stale picture would move an arm to an old position.
 #pragma once
 
 namespace mbncc {
@@ -11,13 +12,13 @@ class StampGate {
     kRepeated,  ///< not newer than the last fresh one
     kLate,      ///< older than max_age
     kAhead,     ///< stamped more than max_ahead in the future
-    kRestarted  ///< fresh, and the clock has jumped back: forget whatever was seen before
+    kRestarted  ///< fresh, and the clock has jumped back: drop all earlier results
   };
 
   /// `max_age` and `max_ahead` [s].
   StampGate(double max_age, double max_ahead) : max_age_(max_age), max_ahead_(max_ahead) {}
 
-  /// Judges a picture stamped `stamp` that arrives at `now` [s].
+  /// Classifies a picture stamped `stamp` that arrives at `now` [s].
   Verdict judge(double stamp, double now);
 
  private:

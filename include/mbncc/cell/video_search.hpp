@@ -1,4 +1,5 @@
-// Searches the pictures of one still camera: where nothing has changed, nothing is searched.
+// SPDX-License-Identifier: BSD-3-Clause
+// Searches the pictures of one still camera only where they have changed.
 #pragma once
 
 #include <memory>
@@ -9,16 +10,16 @@
 
 namespace mbncc {
 
-/// Finds what Matcher::find() would find, at a cost that follows the change between the pictures:
-/// - An instance whose pixels look as they did when it was found is still there (Match::fresh is
-///   false). One whose pixels changed is searched for anew nearby, and dropped when it is gone.
-/// - A place that changed and has come to rest is searched for every object, those missing first,
-///   with a bounded effort per picture. Until all have been searched there, nothing found at the
-///   place is graspable: another object may fit better.
-/// - Every object is searched for in the whole picture once in sweep_time, in turn: nothing can be
-///   overlooked for longer.
-/// - When the camera is pushed or the light switched, all instances are verified and the whole
-///   picture is searched.
+/// Approximates Matcher::find() at a cost proportional to the change between the pictures:
+/// - An instance whose pixels have not changed since its detection is reported again (Match::fresh
+/// is false). One whose pixels changed is searched again nearby, and dropped if it is not found.
+/// - A place that changed and is at rest again is searched for every object, missing ones first,
+/// with a bounded effort per picture. Until all have been searched there, nothing found at the
+/// place is graspable, because another object may fit better.
+/// - Every object is searched in the whole picture once per sweep_time, in turn, which bounds how
+/// long an instance can be overlooked.
+/// - If the camera is moved or the light switched, all instances are verified and the whole picture
+/// is searched.
 class VideoSearch {
  public:
   explicit VideoSearch(VideoConfig config = {});
@@ -26,13 +27,13 @@ class VideoSearch {
   VideoSearch(VideoSearch&&) noexcept;
   VideoSearch& operator=(VideoSearch&&) noexcept;
 
-  /// The next picture, stamped `stamp` [s], not before the last one. `matcher` may have got other
-  /// objects since; another request, picture size or limit starts anew. Objects with places still
-  /// to be searched are listed in SearchResult::skipped. Throws as Matcher::find().
+  /// The next picture, stamped `stamp` [s], not before the last one. The objects of `matcher` may
+  /// have changed since; another request, picture size or limit restarts the search. Objects with
+  /// places still to be searched are listed in SearchResult::skipped. Throws as Matcher::find().
   SearchResult find(const Matcher& matcher, double stamp, const cv::Mat& picture,
                     const SearchRequest& request = {});
 
-  /// Forgets what was found; the next picture is searched whole.
+  /// Drops all results; the next picture is searched completely.
   void reset();
 
  private:

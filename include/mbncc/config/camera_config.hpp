@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Settings of the camera nodelet: where pictures come from and what is published with them.
 #pragma once
 
@@ -10,13 +11,13 @@ namespace mbncc {
 struct CameraConfig {
   std::string source = "0";            ///< device index or path, stream URL, folder, or video file
   double frame_rate = 0;               ///< [Hz]; 0: the source's own, 10 for a folder
-  bool loop = false;                   ///< begin a folder or video again at its end
+  bool loop = false;                   ///< restart a folder or video at its end
   int width = 0;                       ///< [px] asked of a device; 0: its default
   int height = 0;                      ///< [px]
-  double exposure = -1;                ///< in the driver's unit; -1: left alone
-  double gain = -1;                    ///< in the driver's unit; -1: left alone
-  double white_balance = -1;           ///< [K]; -1: left alone
-  bool detect_frozen = false;          ///< withhold pictures that repeat exactly
+  double exposure = -1;                ///< in the driver's unit; -1: unchanged
+  double gain = -1;                    ///< in the driver's unit; -1: unchanged
+  double white_balance = -1;           ///< [K]; -1: unchanged
+  bool detect_frozen = false;          ///< do not publish pictures that repeat exactly
   std::string camera_name = "camera";  ///< of the calibration
   std::string camera_info_url;         ///< of the calibration; "": the manager's default
   std::string frame_id = "camera_optical_frame";  ///< of the pictures
@@ -29,7 +30,7 @@ struct CameraConfig {
     visit(FieldInfo{"frame_rate", Allowed::range(0, 1000), "Hz",
                     "pictures per second, asked of a device; 0: the source's own, 10 for a folder"},
           self.frame_rate);
-    visit(FieldInfo{"loop", Allowed::anything(), "", "begin a folder or video again at its end"},
+    visit(FieldInfo{"loop", Allowed::anything(), "", "restart a folder or video at its end"},
           self.loop);
     visit(FieldInfo{"width", Allowed::range(0, 16384), "px",
                     "picture width asked of a device; 0: its default"},
@@ -38,23 +39,24 @@ struct CameraConfig {
                     "picture height asked of a device; 0: its default"},
           self.height);
     visit(FieldInfo{"exposure", Allowed::at_least(-1), "",
-                    "exposure of a device in its driver's unit; -1: left alone"},
+                    "exposure of a device in its driver's unit; -1: unchanged"},
           self.exposure);
     visit(FieldInfo{"gain", Allowed::at_least(-1), "",
-                    "gain of a device in its driver's unit; -1: left alone"},
+                    "gain of a device in its driver's unit; -1: unchanged"},
           self.gain);
     visit(FieldInfo{"white_balance", Allowed::range(-1, 20000), "K",
-                    "white balance of a device; -1: left alone"},
+                    "white balance of a device; -1: unchanged"},
           self.white_balance);
     visit(FieldInfo{"detect_frozen", Allowed::anything(), "",
-                    "withhold pictures that repeat exactly, and open a device again"},
+                    "do not publish pictures that repeat exactly, and reopen a device"},
           self.detect_frozen);
     visit(FieldInfo{"camera_name", Allowed::anything(), "",
                     "name in the calibration: letters, digits, underscores"},
           self.camera_name);
-    visit(FieldInfo{"camera_info_url", Allowed::anything(), "",
-                    "where the calibration is kept; empty: ~/.ros/camera_info/<camera_name>.yaml"},
-          self.camera_info_url);
+    visit(
+        FieldInfo{"camera_info_url", Allowed::anything(), "",
+                  "where the calibration is stored; empty: ~/.ros/camera_info/<camera_name>.yaml"},
+        self.camera_info_url);
     visit(FieldInfo{"frame_id", Allowed::frame(), "", "optical frame of the pictures"},
           self.frame_id);
   }

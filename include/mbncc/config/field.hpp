@@ -1,5 +1,6 @@
-// One list of fields per config struct serves every reader: YAML, tool flags, ROS parameters, the
-// table of parameters and the tests. Each config struct has a static member template
+// SPDX-License-Identifier: BSD-3-Clause
+// One list of fields per config struct is used by all readers: YAML, tool flags, ROS parameters,
+// the table of parameters and the tests. Each config struct has a static member template
 //   template <class Self, class Visitor> static void fields(Self& self, Visitor&& visit);
 // which calls visit(FieldInfo, value) for every field.
 #pragma once
@@ -12,13 +13,13 @@
 
 namespace mbncc {
 
-/// What values a field accepts. Numbers lie in [low, high]; texts match one of `choices` when there
-/// are any.
+/// The values that a field accepts. Numbers are in [low, high]; texts match one of `choices` if
+/// there are any.
 struct Allowed {
   double low = -std::numeric_limits<double>::infinity();
   double high = std::numeric_limits<double>::infinity();
   std::vector<std::string> choices;
-  bool printable = false;  ///< texts need to be, see label.hpp
+  bool printable = false;  ///< texts must be printable, see label.hpp
 
   static Allowed anything() { return {}; }
   static Allowed range(double low, double high) { return {low, high, {}, false}; }
@@ -42,7 +43,7 @@ struct Allowed {
   std::string to_string() const;
 };
 
-/// What is known of a field beside its value.
+/// Description of a field.
 struct FieldInfo {
   std::string name;  ///< key in YAML, on the parameter server and in --set
   Allowed allowed;
@@ -57,13 +58,15 @@ void for_each_field(Config& config, Visitor&& visit) {
   std::remove_const_t<Config>::fields(config, std::forward<Visitor>(visit));
 }
 
-/// Throws ConfigError naming key, value and what is allowed when `value` breaks `info.allowed`.
+/// Throws ConfigError that names key, value and the allowed values if `value` violates
+/// `info.allowed`.
 void check_allowed(const FieldInfo& info, bool value);
 void check_allowed(const FieldInfo& info, int value);
 void check_allowed(const FieldInfo& info, double value);
 void check_allowed(const FieldInfo& info, const std::string& value);
 
-/// Reads `text` into `value`; throws ConfigError naming the key when it is mistyped or not allowed.
+/// Reads `text` into `value`; throws ConfigError that names the key if the value is mistyped or not
+/// allowed.
 void parse_field(const FieldInfo& info, const std::string& text, bool& value);
 void parse_field(const FieldInfo& info, const std::string& text, int& value);
 void parse_field(const FieldInfo& info, const std::string& text, double& value);
@@ -75,7 +78,7 @@ std::string field_text(int value);
 std::string field_text(double value);
 std::string field_text(const std::string& value);
 
-/// A field without its type: what tables, YAML and --set work on.
+/// A field without its type, for tables, YAML and --set.
 struct FieldRow {
   FieldInfo info;
   std::string type;                                ///< "bool", "int", "double" or "string"
@@ -108,8 +111,8 @@ void assign_field(const std::vector<FieldRow>& rows, const std::string& key,
                   const std::string& text);
 
 /// Reads a flat YAML mapping `key: value` from `path` into the rows. Throws FileError for an
-/// unreadable file and ConfigError for an unknown, mistyped or out-of-range key; then no row has
-/// been changed by that key.
+/// unreadable file and ConfigError for an unknown, mistyped or out-of-range key; that key then
+/// changes no row.
 void load_yaml_file(const std::vector<FieldRow>& rows, const std::string& path);
 
 }  // namespace mbncc

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Settings of learn_object.
 #pragma once
 
@@ -11,40 +12,35 @@ struct LearningConfig {
   std::string method = "auto";  ///< auto: change_cut with an after picture, else region_cut
   int iterations = 2;           ///< graph cuts of every method
   std::string superpixel_method = "seeds";  ///< of sb_grabcut: seeds or slic
-  int superpixels = 1600;  ///< sb_grabcut: superpixels asked for in the region's crop
+  int superpixels = 1600;  ///< sb_grabcut: superpixels requested in the region's crop
   double min_area = 80;    ///< [px] smaller maps are refused
   double max_change =
-      0.4;  ///< [0..1] changed part of the picture above which the light or camera moved
+      0.4;  ///< [0..1] changed part of the picture above which light or camera are taken as changed
   double max_exposure_change =
-      1.41;  ///< factor between the pictures above which light was switched
-  double max_light_change =
-      1.15;           ///< exposure factor between the quarters of the picture, likewise
-  int max_shift = 8;  ///< [px] camera shift between before and after that is undone
+      1.41;  ///< factor between the pictures above which light is taken as switched
+  double max_light_change = 1.15;  ///< the same between the quarters of the picture
+  int max_shift = 8;  ///< [px] largest camera shift between before and after that is compensated
 
   template <class Self, class Visitor>
   static void fields(Self& self, Visitor&& visit) {
-    visit(
-        FieldInfo{
-            "method",
-            Allowed::one_of(
-                {"auto", "change_cut", "region_cut", "sb_grabcut", "grabcut_rect", "grabcut_mask"}),
-            "", "segmentation; auto: change_cut where there is an after picture, else region_cut"},
-        self.method);
+    visit(FieldInfo{"method",
+                    Allowed::one_of({"auto", "change_cut", "region_cut", "sb_grabcut",
+                                     "grabcut_rect", "grabcut_mask"}),
+                    "", "segmentation; auto: change_cut with an after picture, else region_cut"},
+          self.method);
     visit(FieldInfo{"iterations", Allowed::range(1, 20), "", "graph cuts of every method"},
           self.iterations);
     visit(FieldInfo{"superpixel_method", Allowed::one_of({"seeds", "slic"}), "",
                     "superpixels of sb_grabcut"},
           self.superpixel_method);
     visit(FieldInfo{"superpixels", Allowed::range(16, 100000), "",
-                    "superpixels asked for by sb_grabcut in the region's crop"},
+                    "superpixels requested by sb_grabcut in the region's crop"},
           self.superpixels);
     visit(FieldInfo{"min_area", Allowed::range(1, 1e6), "px", "smaller maps are refused"},
           self.min_area);
-    visit(
-        FieldInfo{
-            "max_change", Allowed::range(0.05, 1), "",
-            "changed part of the picture above which light or camera are taken to have moved"},
-        self.max_change);
+    visit(FieldInfo{"max_change", Allowed::range(0.05, 1), "",
+                    "changed part of the picture above which light or camera are taken as changed"},
+          self.max_change);
     visit(FieldInfo{"max_exposure_change", Allowed::range(1.05, 10), "",
                     "exposure factor between the pictures above which light is taken as switched"},
           self.max_exposure_change);
@@ -53,7 +49,7 @@ struct LearningConfig {
                     "switched"},
           self.max_light_change);
     visit(FieldInfo{"max_shift", Allowed::range(0, 64), "px",
-                    "camera shift between before and after that is undone"},
+                    "largest camera shift between before and after that is compensated"},
           self.max_shift);
   }
 };

@@ -1,4 +1,5 @@
-// Settings of the learning nodelet: the lesson, and what surrounds it.
+// SPDX-License-Identifier: BSD-3-Clause
+// Settings of the learning nodelet.
 #pragma once
 
 #include <string>
@@ -15,9 +16,9 @@ struct LearningNodeConfig {
   PlatformConfig platform;
   PictureConfig pictures;
   std::string library_path = "~/.ros/mbncc_library";  ///< folder of the learned objects
-  double learn_timeout = 120;                         ///< [s] of a lesson whose goal names none
-  double still_time = 0.5;    ///< [s] without motion that makes a scene still
-  int max_objects = 1000;     ///< more are not learned
+  double learn_timeout = 120;                         ///< [s] of a lesson whose goal sets none
+  double still_time = 0.5;    ///< [s] without motion after which a scene is still
+  int max_objects = 1000;     ///< largest number of objects in the library
   std::string gripper_frame;  ///< tf frame that mark_grasp records; "": refused
 
   template <class Self, class Visitor>
@@ -27,13 +28,15 @@ struct LearningNodeConfig {
           self.library_path);
     LearningConfig::fields(self.learning, visit);
     visit(
-        FieldInfo{"learn_timeout", Allowed::range(0.1, 86400), "s",
-                  "time limit of a lesson whose goal names none; ends when the operator is asked"},
+        FieldInfo{
+            "learn_timeout", Allowed::range(0.1, 86400), "s",
+            "time limit of a lesson whose goal sets none; it stops when the operator is asked"},
         self.learn_timeout);
     visit(FieldInfo{"still_time", Allowed::range(0.05, 60), "s",
                     "time without motion after which the scene counts as still"},
           self.still_time);
-    visit(FieldInfo{"max_objects", Allowed::range(1, 100000), "", "more objects are not learned"},
+    visit(FieldInfo{"max_objects", Allowed::range(1, 100000), "",
+                    "largest number of objects in the library"},
           self.max_objects);
     visit(FieldInfo{"gripper_frame", Allowed::frame(), "",
                     "tf frame of the gripper that mark_grasp records; empty: mark_grasp refuses"},

@@ -1,4 +1,5 @@
-// Settings of the matching nodelet: the search, and what is made of its matches.
+// SPDX-License-Identifier: BSD-3-Clause
+// Settings of the matching nodelet: search, tracking and output.
 #pragma once
 
 #include <string>
@@ -18,20 +19,20 @@ struct MatchingNodeConfig {
   PictureConfig pictures;
   std::string library_path = "~/.ros/mbncc_library";  ///< folder of the learned objects
   std::string search_roi;       ///< "x,y,width,height" [px] of reference points; "": whole picture
-  double max_rate = 0;          ///< [Hz] pictures searched at most; 0: every one that arrives
+  double max_rate = 0;          ///< [Hz] limit of searched pictures; 0: every picture that arrives
   int confirm_frames = 3;       ///< graspable pictures needed ...
   int confirm_window = 5;       ///< ... among this many of the last ones
-  double hold_time = 0;         ///< [s] a lost instance is repeated as HELD; 0: not at all
-  int average_frames = 10;      ///< pictures that the pose of a still instance is averaged over
+  double hold_time = 0;         ///< [s] for which a lost instance is published as HELD; 0: never
+  int average_frames = 10;      ///< pictures over which the pose of a still instance is averaged
   double max_age = 0.5;         ///< [s] older pictures are dropped, older poses not confirmed
   double max_ahead = 0.1;       ///< [s] pictures stamped further in the future are dropped
   double stale_after = 1;       ///< [s] without a picture before STALE is published
-  bool publish_tf = true;       ///< send tf frames of confirmed instances; counts as listening
-  bool show_score_map = false;  ///< lay the score map under the overlay
-  std::string tf_prefix;        ///< put before every child frame
+  bool publish_tf = true;       ///< send tf frames of confirmed instances; counts as a subscriber
+  bool show_score_map = false;  ///< draw the score map under the overlay
+  std::string tf_prefix;        ///< prefix of every child frame
   std::string target_frame;     ///< frame of the published poses; "": the camera's
-  std::string object_frame_z = "into";  ///< where the z of object frames points: into or out
-  double tf_wait = 0;  ///< [s] a picture waits for the tf of its stamp; 0: not at all
+  std::string object_frame_z = "into";  ///< direction of the z axis of object frames: into or out
+  double tf_wait = 0;  ///< [s] for which a picture waits for the tf of its stamp; 0: no waiting
 
   template <class Self, class Visitor>
   static void fields(Self& self, Visitor&& visit) {
@@ -41,25 +42,25 @@ struct MatchingNodeConfig {
     SearchConfig::fields(self.search, visit);
     VideoConfig::fields(self.video, visit);
     visit(FieldInfo{"search_roi", Allowed::anything(), "px",
-                    "x,y,width,height in which reference points are looked for; empty: everywhere"},
+                    "x,y,width,height that must contain the reference points; empty: everywhere"},
           self.search_roi);
     visit(FieldInfo{"max_rate", Allowed::range(0, 1000), "Hz",
-                    "pictures searched at most; 0: every one that arrives"},
+                    "limit of searched pictures per second; 0: every picture that arrives"},
           self.max_rate);
     visit(FieldInfo{"confirm_frames", Allowed::range(1, 100), "",
-                    "an instance is confirmed when graspable in this many pictures"},
+                    "an instance is confirmed if it is graspable in this many pictures"},
           self.confirm_frames);
     visit(FieldInfo{"confirm_window", Allowed::range(1, 100), "",
-                    "number of last pictures that confirm_frames counts in"},
+                    "number of last pictures in which confirm_frames counts"},
           self.confirm_window);
     visit(FieldInfo{"hold_time", Allowed::range(0, 60), "s",
-                    "a lost instance is repeated as HELD for this long; 0: not at all"},
+                    "a lost instance is published as HELD for this long; 0: never"},
           self.hold_time);
     visit(FieldInfo{"average_frames", Allowed::range(1, 100), "",
-                    "the pose of an instance at rest is averaged over this many pictures at most"},
+                    "the pose of a still instance is averaged over at most this many pictures"},
           self.average_frames);
     visit(FieldInfo{"max_age", Allowed::range(0.01, 3600), "s",
-                    "pictures older than this are dropped, and no older pose is confirmed"},
+                    "pictures older than this are dropped, and older poses are not confirmed"},
           self.max_age);
     visit(FieldInfo{"max_ahead", Allowed::range(0, 3600), "s",
                     "pictures stamped further in the future are dropped"},
@@ -68,23 +69,26 @@ struct MatchingNodeConfig {
                     "time without a picture after which STALE is published"},
           self.stale_after);
     visit(FieldInfo{"publish_tf", Allowed::anything(), "",
-                    "send a tf frame for every confirmed instance; counts as listening"},
+                    "send a tf frame for every confirmed instance; counts as a subscriber"},
           self.publish_tf);
-    visit(FieldInfo{"show_score_map", Allowed::anything(), "",
-                    "lay the coarse search's similarities under the overlay; costs another search"},
-          self.show_score_map);
-    visit(FieldInfo{"tf_prefix", Allowed::frame(), "", "put before every object's tf frame"},
+    visit(
+        FieldInfo{"show_score_map", Allowed::anything(), "",
+                  "draw the coarse search's similarities under the overlay; takes another search"},
+        self.show_score_map);
+    visit(FieldInfo{"tf_prefix", Allowed::frame(), "", "prefix of every object's tf frame"},
           self.tf_prefix);
     visit(FieldInfo{"target_frame", Allowed::frame(), "",
-                    "frame that poses are published in; empty: the camera's"},
+                    "frame of the published poses; empty: the camera's"},
           self.target_frame);
     visit(FieldInfo{"object_frame_z", Allowed::one_of({"into", "out"}), "",
                     "z of object frames points into the platform, as the optical axis does, or out "
                     "of it, as grasp planners expect"},
           self.object_frame_z);
-    visit(FieldInfo{"tf_wait", Allowed::range(0, 1), "s",
-                    "time a picture waits for a robot's tf that lags behind it; 0: not at all"},
-          self.tf_wait);
+    visit(
+        FieldInfo{
+            "tf_wait", Allowed::range(0, 1), "s",
+            "time for which a picture waits for a robot's tf that lags behind; 0: no waiting"},
+        self.tf_wait);
     PlatformConfig::fields(self.platform, visit);
     PictureConfig::fields(self.pictures, visit);
   }

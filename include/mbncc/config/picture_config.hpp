@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // How a nodelet's pictures come.
 #pragma once
 
@@ -8,19 +9,18 @@
 namespace mbncc {
 
 struct PictureConfig {
-  std::string image_transport = "raw";  ///< how pictures travel: raw, compressed, ...
-  int white_level = 0;  ///< value of 16-bit pictures that is white; 0: 65535, none of 16UC1
+  std::string image_transport = "raw";  ///< transport of the pictures: raw, compressed, ...
+  int white_level = 0;  ///< white value of 16-bit pictures; 0: 65535, and 16UC1 is refused
 
   template <class Self, class Visitor>
   static void fields(Self& self, Visitor&& visit) {
     visit(FieldInfo{"image_transport", Allowed::anything(), "",
-                    "how pictures travel: raw, compressed, ..."},
+                    "transport of the pictures: raw, compressed, ..."},
           self.image_transport);
-    visit(
-        FieldInfo{"white_level", Allowed::range(0, 65535), "",
-                  "value of 16-bit pictures that is white, such as 4095 of a camera with 12 bits; "
-                  "0: 65535, and 16UC1 is refused"},
-        self.white_level);
+    visit(FieldInfo{"white_level", Allowed::range(0, 65535), "",
+                    "white value of 16-bit pictures, such as 4095 for a camera with 12 bits; 0: "
+                    "65535, and 16UC1 is refused"},
+          self.white_level);
   }
 };
 

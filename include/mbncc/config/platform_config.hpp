@@ -1,4 +1,5 @@
-// Where the objects' plane lies under the camera.
+// SPDX-License-Identifier: BSD-3-Clause
+// Settings of the platform's plane and of the camera.
 #pragma once
 
 #include <string>
@@ -12,7 +13,7 @@ struct PlatformConfig {
   double platform_distance = 0;  ///< [m] of the platform along the optical axis; 0: unknown
   bool rectified = true;         ///< pictures are rectified: P of camera_info, else K and D
   std::string camera_frame;      ///< optical frame; "": the pictures' frame_id
-  double max_info_age = 60;      ///< [s] since a camera_info came, after which it no longer counts
+  double max_info_age = 60;      ///< [s] age after which a camera_info is no longer used
 
   template <class Self, class Visitor>
   static void fields(Self& self, Visitor&& visit) {
@@ -23,14 +24,14 @@ struct PlatformConfig {
                     "distance of the platform along the optical axis; 0: unknown"},
           self.platform_distance);
     visit(FieldInfo{"rectified", Allowed::anything(), "",
-                    "pictures are rectified: P of camera_info counts, otherwise K and D"},
+                    "pictures are rectified: P of camera_info is used, otherwise K and D"},
           self.rectified);
     visit(FieldInfo{"camera_frame", Allowed::frame(), "",
                     "optical frame of the camera; empty: the pictures' frame_id"},
           self.camera_frame);
-    visit(FieldInfo{"max_info_age", Allowed::at_least(0.1), "s",
-                    "a camera_info that came longer ago does not count any more"},
-          self.max_info_age);
+    visit(
+        FieldInfo{"max_info_age", Allowed::at_least(0.1), "s", "an older camera_info is not used"},
+        self.max_info_age);
   }
 };
 

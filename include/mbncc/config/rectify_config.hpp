@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Settings of the rectify nodelet.
 #pragma once
 
@@ -10,14 +11,14 @@ namespace mbncc {
 
 struct RectifyConfig {
   PictureConfig pictures;
-  double max_info_age = 60;  ///< [s] since a camera_info came, after which it no longer counts
+  double max_info_age = 60;  ///< [s] age after which a camera_info is no longer used
 
   template <class Self, class Visitor>
   static void fields(Self& self, Visitor&& visit) {
     PictureConfig::fields(self.pictures, visit);
-    visit(FieldInfo{"max_info_age", Allowed::at_least(0.1), "s",
-                    "a camera_info that came longer ago does not count any more"},
-          self.max_info_age);
+    visit(
+        FieldInfo{"max_info_age", Allowed::at_least(0.1), "s", "an older camera_info is not used"},
+        self.max_info_age);
   }
 };
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Settings of Matcher::find.
 #pragma once
 
@@ -10,19 +11,21 @@ namespace mbncc {
 struct SearchConfig {
   std::string engine =
       "fast";  ///< fast: pyramid and rotated templates; polar: the paper's, step by step
-  std::string accept_by = "score";    ///< score: fused evidence; similarity: the paper's plain rule
-  double min_score = 0.5;             ///< [0..1] a detection is reported from here on
-  double confirm_score = 0.7;         ///< [0..1] it may be grasped from here on
+  std::string accept_by =
+      "score";             ///< score: probability from all features; similarity: the paper's rule
+  double min_score = 0.5;  ///< [0..1] least score of a reported detection
+  double confirm_score = 0.7;         ///< [0..1] least score of a graspable detection
   double min_margin_place = 6;        ///< log-odds to the best competitor elsewhere
   double min_margin_angle = 6;        ///< log-odds to the best other angle at the place
-  double max_place_deviation = 1.25;  ///< [px] claimed standard deviation of the position
-  double max_angle_deviation = 1;     ///< [deg] claimed standard deviation of the angle
+  double max_place_deviation = 1.25;  ///< [px] largest standard deviation of a graspable position
+  double max_angle_deviation = 1;     ///< [deg] largest standard deviation of a graspable angle
   double min_visible = 0.6;           ///< [0..1] part of the map inside the picture
   int max_instances = 50;             ///< per name
-  double max_overlap = 0.25;  ///< [0..1] of the smaller map, above which the weaker detection goes
-  double scale_range = 0;     ///< [0..0.5] objects may be larger or smaller by this part
-  double time_budget = 0;     ///< [s] per picture; 0: none
-  int threads = 1;            ///< worker threads of a search
+  double max_overlap =
+      0.25;  ///< [0..1] of the smaller map, above which the weaker detection is dropped
+  double scale_range = 0;  ///< [0..0.5] largest relative difference in size that is searched
+  double time_budget = 0;  ///< [s] per picture; 0: none
+  int threads = 1;         ///< worker threads of a search
 
   template <class Self, class Visitor>
   static void fields(Self& self, Visitor&& visit) {
@@ -30,12 +33,12 @@ struct SearchConfig {
                     "fast: image pyramid and rotated templates; polar: the paper's polar matching"},
           self.engine);
     visit(FieldInfo{"accept_by", Allowed::one_of({"score", "similarity"}), "",
-                    "what the thresholds compare: the fused score or the plain similarity"},
+                    "value that the thresholds compare: the score or the similarity"},
           self.accept_by);
-    visit(FieldInfo{"min_score", Allowed::range(0, 1), "", "a detection is reported from here on"},
+    visit(FieldInfo{"min_score", Allowed::range(0, 1), "", "least score of a reported detection"},
           self.min_score);
     visit(FieldInfo{"confirm_score", Allowed::range(0, 1), "",
-                    "a detection may be grasped from here on"},
+                    "least score of a graspable detection"},
           self.confirm_score);
     visit(FieldInfo{"min_margin_place", Allowed::range(0, 100), "log-odds",
                     "graspable only with this margin to the best competitor elsewhere"},
@@ -44,10 +47,10 @@ struct SearchConfig {
                     "graspable only with this margin to the best other angle at the place"},
           self.min_margin_angle);
     visit(FieldInfo{"max_place_deviation", Allowed::range(0, 100), "px",
-                    "graspable only when the position is known this well (standard deviation)"},
+                    "graspable only up to this standard deviation of the position"},
           self.max_place_deviation);
     visit(FieldInfo{"max_angle_deviation", Allowed::range(0, 180), "deg",
-                    "graspable only when the angle is known this well (standard deviation)"},
+                    "graspable only up to this standard deviation of the angle"},
           self.max_angle_deviation);
     visit(FieldInfo{"min_visible", Allowed::range(0.1, 1), "",
                     "graspable only with this part of the map inside the picture"},
@@ -55,17 +58,14 @@ struct SearchConfig {
     visit(
         FieldInfo{"max_instances", Allowed::range(1, 1000), "", "detections per name and picture"},
         self.max_instances);
-    visit(
-        FieldInfo{
-            "max_overlap", Allowed::range(0, 1), "",
-            "overlap of two maps, as part of the smaller, above which the weaker detection goes"},
-        self.max_overlap);
-    visit(
-        FieldInfo{
-            "scale_range", Allowed::range(0, 0.5), "",
-            "largest relative difference in size that is searched for; 3 % needs no search of its "
-            "own, every further 6 % adds one search pass"},
-        self.scale_range);
+    visit(FieldInfo{"max_overlap", Allowed::range(0, 1), "",
+                    "overlap of two maps, as part of the smaller one, above which the weaker "
+                    "detection is dropped"},
+          self.max_overlap);
+    visit(FieldInfo{"scale_range", Allowed::range(0, 0.5), "",
+                    "largest relative difference in size that is searched; up to 3 % needs no "
+                    "additional pass, every further 6 % adds one search pass"},
+          self.scale_range);
     visit(
         FieldInfo{
             "time_budget", Allowed::range(0, 3600), "s",

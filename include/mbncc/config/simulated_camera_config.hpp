@@ -1,4 +1,5 @@
-// Settings of the simulated camera nodelet: the cell that is drawn, and its camera.
+// SPDX-License-Identifier: BSD-3-Clause
+// Settings of the simulated camera nodelet: the drawn cell and its camera.
 #pragma once
 
 #include <string>
@@ -8,28 +9,28 @@
 namespace mbncc {
 
 struct SimulatedCameraConfig {
-  int width = 640;                     ///< [px] of the picture
-  int height = 480;                    ///< [px]
-  int seed = 1;                        ///< draws platform, neighbours, places and noise
-  int object_seed = 1;                 ///< draws the object's outline and surface
-  double object_diameter = 90;         ///< [px]
-  double object_elongation = 1.6;      ///< longest by shortest extent
-  int neighbours = 2;                  ///< other objects that lie still
-  double noise_sigma = 2;              ///< [grey levels]
-  double light_gradient = 0.1;         ///< [0..1] fall-off of the light across the picture
-  double gain = 1;                     ///< exposure
-  double frame_rate = 10;              ///< [Hz]
-  bool auto_play = true;               ///< the arm moves by itself; else when told to by a service
-  double rest_time = 6;                ///< [s] between two motions, with auto_play
-  double leg_time = 1.5;               ///< [s] of one leg of a motion: reach, carry, retreat
-  std::string object_name = "object";  ///< name of the object in ~truth
+  int width = 640;                 ///< [px] of the picture
+  int height = 480;                ///< [px]
+  int seed = 1;                    ///< seed of platform, neighbours, places and noise
+  int object_seed = 1;             ///< seed of the object's outline and surface
+  double object_diameter = 90;     ///< [px]
+  double object_elongation = 1.6;  ///< ratio of the longest to the shortest extent
+  int neighbours = 2;              ///< other objects that lie still
+  double noise_sigma = 2;          ///< [grey levels]
+  double light_gradient = 0.1;     ///< [0..1] fall-off of the light across the picture
+  double gain = 1;                 ///< exposure
+  double frame_rate = 10;          ///< [Hz]
+  bool auto_play = true;  ///< the arm moves automatically; otherwise on request by a service
+  double rest_time = 6;   ///< [s] between two motions, with auto_play
+  double leg_time = 1.5;  ///< [s] of one leg of a motion: reach, carry, retreat
+  std::string object_name = "object";             ///< name of the object in ~truth
   std::string frame_id = "camera_optical_frame";  ///< of pictures and truth
   double focal_length = 600;                      ///< [px]; 0: publish no calibration
   double distortion = 0;                          ///< k1 of the lens
   double principal_x = 0;          ///< [px] principal point from the picture's middle
   double principal_y = 0;          ///< [px]
   double platform_distance = 0.6;  ///< [m] for the truth in metres
-  double object_height = 0;        ///< [m] of the object's top face, likewise
+  double object_height = 0;        ///< [m] of the object's top face, for the truth in metres
 
   template <class Self, class Visitor>
   static void fields(Self& self, Visitor&& visit) {
@@ -37,16 +38,16 @@ struct SimulatedCameraConfig {
     visit(FieldInfo{"height", Allowed::range(64, 8192), "px", "height of the picture"},
           self.height);
     visit(FieldInfo{"seed", Allowed::at_least(0), "",
-                    "draws platform, neighbours, places and noise; the same seed, the same story"},
+                    "seed of platform, neighbours, places and noise"},
           self.seed);
     visit(FieldInfo{"object_seed", Allowed::at_least(0), "",
-                    "draws outline and surface of the object that is moved"},
+                    "seed of outline and surface of the moved object"},
           self.object_seed);
     visit(FieldInfo{"object_diameter", Allowed::range(16, 2000), "px",
-                    "diameter of the object that is moved"},
+                    "diameter of the moved object"},
           self.object_diameter);
     visit(FieldInfo{"object_elongation", Allowed::range(1, 6), "",
-                    "longest by shortest extent of the object, roughly"},
+                    "approximate ratio of the object's longest to its shortest extent"},
           self.object_elongation);
     visit(FieldInfo{"neighbours", Allowed::range(0, 20), "", "other objects that lie still"},
           self.neighbours);
@@ -59,9 +60,11 @@ struct SimulatedCameraConfig {
     visit(FieldInfo{"gain", Allowed::range(0.05, 4), "", "exposure"}, self.gain);
     visit(FieldInfo{"frame_rate", Allowed::range(0.1, 120), "Hz", "pictures per second"},
           self.frame_rate);
-    visit(FieldInfo{"auto_play", Allowed::anything(), "",
-                    "the arm moves by itself; false: only when ~take_away or ~put_next is called"},
-          self.auto_play);
+    visit(
+        FieldInfo{
+            "auto_play", Allowed::anything(), "",
+            "the arm moves automatically; false: only when ~take_away or ~put_next is called"},
+        self.auto_play);
     visit(FieldInfo{"rest_time", Allowed::range(0.1, 3600), "s",
                     "time at rest between two motions, with auto_play"},
           self.rest_time);

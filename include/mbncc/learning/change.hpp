@@ -1,5 +1,6 @@
-// What changed between two pictures of a still camera, seen coarsely: where to look closer, and
-// whether the pictures can be compared at all.
+// SPDX-License-Identifier: BSD-3-Clause
+// Coarse survey of the change between two pictures of a still camera: where to analyse it, and
+// whether the pictures can be compared.
 #pragma once
 
 #include <opencv2/core.hpp>
@@ -10,15 +11,15 @@ namespace mbncc {
 struct ChangeSurvey {
   cv::Mat changed;        ///< CV_8UC1 of the pictures' size, 255 where they differ beyond noise
   double fraction = 0;    ///< [0..1] changed part of the picture
-  double displaced = 0;   ///< [0..1] part of the textured area whose texture is not where it was
+  double displaced = 0;   ///< [0..1] part of the textured area whose texture was displaced
   double exposure = 1;    ///< factor between the pictures, >= 1
   double unevenness = 1;  ///< largest over smallest exposure factor of the picture's quarters, >= 1
-  bool noisy = false;     ///< noise may hide much of what changed
+  bool noisy = false;     ///< noise may hide much of the change
   cv::Point2d shift;      ///< [px] of the camera, to about a pixel
 };
 
-/// Compares two CV_8UC3 pictures of one size at about 320 pixels width. Exposure is evened out per
-/// channel and a camera shift undone before they are compared.
+/// Compares two CV_8UC3 pictures of one size at about 320 pixels width. Exposure per channel and
+/// camera shift are compensated before the comparison.
 ChangeSurvey survey_change(const cv::Mat& before, const cv::Mat& after);
 
 /// Bounding box, with a margin (a wide one where the survey is noisy), of the groups of changed
@@ -26,7 +27,7 @@ ChangeSurvey survey_change(const cv::Mat& before, const cv::Mat& after);
 /// changed there.
 cv::Rect changed_region(const ChangeSurvey& survey, const cv::Rect& within, double least_part);
 
-/// Bounding boxes, with a margin likewise, of all groups of pixels whose weight (CV_32FC1) is above
+/// Bounding boxes, with the same margin, of all groups of pixels whose weight (CV_32FC1) is above
 /// 0, the heaviest group first.
 std::vector<cv::Rect> changed_places(const cv::Mat& weights, bool noisy);
 

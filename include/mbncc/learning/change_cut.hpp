@@ -1,5 +1,7 @@
-// Change cut: the object is what the unchanged, perhaps shadowed, platform of the picture after
-// cannot explain in the picture before, cut out along the edges that vanished with it.
+// SPDX-License-Identifier: BSD-3-Clause
+// Change cut: a graph cut that separates the object from the platform in the picture before. The
+// platform's likelihood comes from the picture after, possibly shadowed; the cut follows edges that
+// disappeared with the object.
 #pragma once
 
 #include <functional>
@@ -13,25 +15,25 @@ namespace mbncc {
 struct ChangeCut {
   cv::Mat map;  ///< CV_8UC1 of the pictures' size, 0/255; all 0 when nothing in the region changed
   CutEvidence evidence;
-  /// Log-odds of object against platform that were cut: CV_32FC1 of the pictures' size, within +-8,
-  /// -8 outside the region. None when nothing had changed.
+  /// Log-odds of object against platform used for the cut: CV_32FC1 of the pictures' size, within
+  /// +-8, -8 outside the region. None when nothing had changed.
   std::function<cv::Mat()> preference;
 
-  // Each makes one more cut from where this one ended, repeatably; none when nothing had changed.
-  /// Holds to what the operator painted (CV_8UC1 of the pictures' size, 255 there).
+  // Each call continues with one more cut; none if nothing had changed. The operator's strokes are
+  // hard constraints (CV_8UC1 of the pictures' size, 255 there).
   std::function<ChangeCut(const cv::Mat& include, const cv::Mat& exclude)> cut_again;
   /// Adds another view's `preference`, warped onto this one.
   std::function<ChangeCut(const cv::Mat& preference)> cut_with;
 };
 
-/// `before` and `after` are CV_8UC3 of one size; `region` holds the object, inside the pictures.
-/// `changed` (CV_8UC1, as by survey_change()) marks coarsely what changed anywhere. The camera may
+/// `before` and `after` are CV_8UC3 of one size; `region` contains the object and lies inside the
+/// pictures. `changed` (CV_8UC1, from survey_change()) marks all changes coarsely. The camera may
 /// have moved by up to `max_shift` pixels.
 ChangeCut change_cut(const cv::Mat& before, const cv::Mat& after, const cv::Rect& region,
                      const cv::Mat& changed, int iterations, int max_shift,
                      const BeforeCut& before_cut = {});
 
-/// The same from one picture: the platform under the object is predicted from the ring around
+/// The same with one picture: the platform under the object is predicted from the ring around
 /// `region`.
 ChangeCut region_cut(const cv::Mat& before, const cv::Rect& region, int iterations,
                      const BeforeCut& before_cut = {});

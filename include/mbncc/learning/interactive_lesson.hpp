@@ -1,5 +1,6 @@
-// A lesson that the operator corrects: strokes that belong to the object or not, another region,
-// another frame; and back again.
+// SPDX-License-Identifier: BSD-3-Clause
+// A lesson with corrections by the operator: strokes on the object or the background, another
+// region, another frame, and undo.
 #pragma once
 
 #include <memory>
@@ -11,20 +12,20 @@
 
 namespace mbncc {
 
-/// One correction, as in srv/ConfirmLearning.srv. What is not given stays as it was.
+/// One correction, as in srv/ConfirmLearning.srv. Fields that are not set change nothing.
 struct LessonEdit {
   using Line = std::vector<cv::Point2f>;  ///< [px] in the learning picture
 
   std::vector<Line> include;        ///< belongs to the object
-  std::vector<Line> exclude;        ///< does not; wins where both are drawn
+  std::vector<Line> exclude;        ///< belongs to the background; overrides `include`
   double stroke_width = 0;          ///< [px] of the lines, at most 1000; 0: closed areas
   cv::Rect region;                  ///< [px] new approximate region; empty: as before
   std::optional<Pose2D> reference;  ///< [px],[rad] object frame
 };
 
-/// Strokes add up over the edits; a later one wins over an earlier one. Every edit starts from the
-/// first cut and all strokes so far, so the same edits give the same map, bit for bit. Where the
-/// map or the outline was given ready, strokes paint on it.
+/// Strokes accumulate over the edits; later ones override earlier ones. Every edit starts from the
+/// first cut with all strokes so far, so the same edits give an identical map. If the map or the
+/// outline was given, strokes are painted into it.
 class InteractiveLesson {
  public:
   /// Learns as learn_object() does. The pictures of `lesson` are shared, not copied.
@@ -37,11 +38,12 @@ class InteractiveLesson {
   /// Of the lesson and all edits in force.
   const LearnResult& result() const;
 
-  /// Segments and judges again. An edit that fails (strokes outside the picture, nothing left of
-  /// the object, cancelled, a first lesson without a map) changes nothing: its result tells why.
+  /// Segments and evaluates again. An edit that fails (strokes outside the picture, nothing left of
+  /// the object, cancelled, a first lesson without a map) changes nothing; its result gives the
+  /// reason.
   LearnResult edit(const LessonEdit& edit, const StageObserver& observer = {});
 
-  /// Takes the last edit back, bit for bit. False when there is none; 64 are kept.
+  /// Undoes the last edit exactly. False if there is none; 64 are kept.
   bool undo();
 
  private:

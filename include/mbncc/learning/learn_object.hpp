@@ -1,5 +1,6 @@
-// One lesson: pictures and a region in, an object model with its verdict out (the paper's learning
-// phase).
+// SPDX-License-Identifier: BSD-3-Clause
+// One lesson: computes an object model and its verdict from pictures and a region (the paper's
+// learning phase).
 #pragma once
 
 #include <functional>
@@ -17,7 +18,7 @@
 
 namespace mbncc {
 
-/// What the operator shows. Exactly one way of saying where the object is must be usable:
+/// Input of a lesson. Exactly one indication of the object's place must be usable:
 /// a ready `map`, an `outline`, a `click`, a `region`, or an `after` picture.
 struct Lesson {
   cv::Mat before;   ///< CV_8UC3, the object lies on the platform
@@ -25,7 +26,7 @@ struct Lesson {
   cv::Rect region;  ///< [px] approximate region; empty: whole picture (needs `after`)
   std::vector<cv::Point2f> outline;  ///< [px] polygon on `before`
   std::optional<cv::Point2f> click;  ///< [px] a point on the object
-  cv::Mat map;                       ///< CV_8UC1 of before's size, taken as it is
+  cv::Mat map;                       ///< CV_8UC1 of before's size, used unchanged
   std::optional<Pose2D> reference;   ///< [px],[rad] object frame; none: centroid of the map, 0
   std::string name;
   std::string label;            ///< "" : same as name
@@ -33,34 +34,35 @@ struct Lesson {
   std::optional<int> symmetry;  ///< declared, see is_declarable_symmetry(); none: measured
 };
 
-/// Steps that an observer hears of, in this order.
+/// Steps reported to an observer, in this order.
 enum class Stage { kRegion, kSegment, kQuality };
 
-/// Called at each step with a progress in [0..1] and a picture of the step (CV_8UC3, may be empty).
-/// Returning false ends the lesson with kCancelled; the answer comes within one graph cut.
+/// Called at each step with the progress in [0..1] and a picture of the step (CV_8UC3, may be
+/// empty). Returning false ends the lesson with kCancelled within one graph cut.
 using StageObserver = std::function<bool(Stage stage, double progress, const std::string& message,
                                          const cv::Mat& picture)>;
 
 /// The object, put aside within the view of the picture after.
 struct PutAside {
   Pose2D pose;           ///< [px],[rad] of the object frame there
-  double agreement = 0;  ///< [0..1] IoU of the map learned before with the one cut out there
-  bool refined = false;  ///< both views made the map
+  double agreement = 0;  ///< [0..1] IoU of the learned map with the map segmented there
+  bool refined = false;  ///< both views contributed to the map
 };
 
 struct LearnResult {
   LearnError error = LearnError::kInternal;
   std::string message;                       ///< what happened, one sentence
   std::string hint;                          ///< what to do about it, one sentence
-  ObjectModel object;                        ///< as far as it got; complete when `has_model`
+  ObjectModel object;                        ///< as far as computed; complete if `has_model`
   bool has_model = false;                    ///< map, template, reference and quality are filled in
-  std::optional<CutEvidence> evidence;       ///< none: the map was given ready
+  std::optional<CutEvidence> evidence;       ///< none: the map was given
   std::optional<PutAside> put_aside;         ///< none: out of view, or not recognised
   std::map<std::string, double> timings_ms;  ///< per step, and "total"
 };
 
-/// Segments the object and judges the result. A verdict BAD gives the error of its worst reason
-/// with `has_model` set: the caller decides whether to store it. Nothing is stored here.
+/// Segments the object and computes its verdict. A verdict BAD returns the error of its worst
+/// reason with `has_model` set; the caller decides whether to store the object. This function
+/// stores nothing.
 LearnResult learn_object(const Lesson& lesson, const LearningConfig& config = {},
                          const SearchConfig& search = {}, const StageObserver& observer = {});
 

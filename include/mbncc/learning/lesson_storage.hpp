@@ -1,5 +1,6 @@
-// What a lesson may do to the library: checked before the operator moves anything, and a further
-// view of a known object made part of it.
+// SPDX-License-Identifier: BSD-3-Clause
+// Checks whether a lesson may be stored, before the operator moves anything, and adds a further
+// view to a known object.
 #pragma once
 
 #include <exception>
@@ -21,29 +22,29 @@ struct Refusal {
   std::string message;  ///< what happened, one sentence
   std::string hint;     ///< what to do about it, one sentence
 
-  /// Texts left out are the usual ones of `error`.
+  /// Empty texts default to those of `error`.
   explicit Refusal(LearnError error, const std::string& message = "", const std::string& hint = "");
 
-  /// What an exception of the library says to whoever taught.
+  /// Converts an exception of the library into a refusal.
   explicit Refusal(const std::exception& failure);
 };
 
-/// What a lesson does about a stored object of its name.
+/// Treatment of a stored object of the same name.
 enum class Storing {
   kNew,      ///< there must be none
   kReplace,  ///< it is replaced, if there is one
-  kAddView   ///< there must be one; the lesson's picture becomes a further view of it
+  kAddView   ///< there must be one; the lesson's picture becomes its further view
 };
 
 /// Why a lesson of this name, label, height, symmetry and reference cannot be stored; none: it may
-/// start. A further view brings nothing of its own but the picture: the rest is the stored
-/// object's.
+/// start. A further view provides only the picture; all other values are those of the stored
+/// object.
 std::optional<Refusal> check_storing(const Lesson& lesson, Storing storing,
                                      const LibrarySnapshot& library);
 
-/// Makes the view of `learned`, taught by `picture`, a further one of `stored`, in its frame and at
-/// its height; the verdict is that of the newest view. Refuses, and leaves `stored` as it was, when
-/// the stored object is not found in the picture.
+/// Adds the view of `learned`, taught by `picture`, to `stored`, in its frame and at its height;
+/// the verdict is that of the newest view. Refuses and leaves `stored` unchanged if the stored
+/// object is not found in the picture.
 std::optional<Refusal> add_view(ObjectModel& stored, const ObjectModel& learned,
                                 const cv::Mat& picture, const SearchConfig& search = {});
 

@@ -1,5 +1,6 @@
-// A new object beside the known ones: which of them looks most like it, and where its frame lies
-// when it is one of them.
+// SPDX-License-Identifier: BSD-3-Clause
+// Compares a new object with the known ones: finds the most similar one, and the pose of its frame
+// if it is the same object.
 #pragma once
 
 #include <memory>
@@ -12,15 +13,15 @@
 
 namespace mbncc {
 
-/// Pose of the stored object's frame in `picture`, the learning picture of `view`: the object is
-/// searched there, and counts as found where its outline covers the view's map. All views of an
-/// object thus share one frame. None when it is not found: the views have too little in common.
+/// Pose of the stored object's frame in `picture`, the learning picture of `view`. The object is
+/// searched there and counts as found if its outline covers the view's map, so all views of an
+/// object share one frame. None if it is not found because the views have too little in common.
 std::optional<Pose2D> shared_reference(const ObjectModel& stored, const View& view,
                                        const cv::Mat& picture, const SearchConfig& search = {});
 
-/// Searches the known objects, those of the same name aside, where `object` lies in its learning
-/// picture, and notes the one that scores highest there. When that one would be grasped there, the
-/// verdict is MARGINAL at best, for the reason "resembles_known".
+/// Searches the known objects (except those of the same name) at the place of `object` in its
+/// learning picture, and records the one with the highest score. If that one would be graspable
+/// there, the verdict is MARGINAL at best, for the reason "resembles_known".
 void note_resemblance(ObjectModel& object, const cv::Mat& picture,
                       const std::vector<std::shared_ptr<const ObjectModel>>& known,
                       const SearchConfig& search = {});

@@ -1,5 +1,6 @@
-// Superpixel-based GrabCut, the paper's way to a map (doi 10.1177/1687814017728839), and the
-// traditional GrabCut that it compares itself with.
+// SPDX-License-Identifier: BSD-3-Clause
+// Superpixel-based GrabCut, the paper's segmentation (doi 10.1177/1687814017728839), and the
+// traditional GrabCut that the paper compares it with.
 #pragma once
 
 #include <functional>
@@ -8,25 +9,25 @@
 
 namespace mbncc {
 
-/// Called before each graph cut with its number, counted from 0; may throw to end the work.
+/// Called before each graph cut with its number, counted from 0; may throw to abort.
 using BeforeCut = std::function<void(int iteration)>;
 
 /// GrabCut on `picture` (CV_8UC3) from a mask of cv::GrabCutClasses of the same size, `iterations`
-/// graph cuts. Returns the map (0/255); all 0 when the object vanished. Unlike cv::grabCut it takes
-/// a mask that lacks a side (the answer is then the mask itself), gives the same result every time
-/// and leaves the caller's random state alone.
+/// graph cuts. Returns the map (0/255); all 0 if no object pixel remains. Unlike cv::grabCut, it
+/// accepts a mask without object or background (and then returns the mask), is deterministic, and
+/// does not change the caller's random state.
 cv::Mat repeatable_grabcut(const cv::Mat& picture, const cv::Mat& mask, int iterations,
                            const BeforeCut& before_cut = {});
 
 /// SB-GrabCut: about `superpixels` superpixels by `method` ("seeds" or "slic"), their mean colours,
 /// and GrabCut on that simplified picture from the superpixels that lie mostly inside `approximate`
-/// (CV_8UC1, 255 inside). `region` bounds the object. The work is done on a crop that leaves
-/// background on every side of the region. Returns a map of the picture's size.
+/// (CV_8UC1, 255 inside). `region` bounds the object. Works on a crop with background on every side
+/// of the region. Returns a map of the picture's size.
 cv::Mat sb_grabcut(const cv::Mat& picture, const cv::Rect& region, const cv::Mat& approximate,
                    const std::string& method, int superpixels, int iterations,
                    const BeforeCut& before_cut = {});
 
-/// Traditional GrabCut from the rectangle alone.
+/// Traditional GrabCut from the rectangle only.
 cv::Mat grabcut_rect(const cv::Mat& picture, const cv::Rect& region, int iterations,
                      const BeforeCut& before_cut = {});
 
@@ -34,7 +35,7 @@ cv::Mat grabcut_rect(const cv::Mat& picture, const cv::Rect& region, int iterati
 cv::Mat grabcut_mask(const cv::Mat& picture, const cv::Rect& region, const cv::Mat& approximate,
                      int iterations, const BeforeCut& before_cut = {});
 
-/// The region and a surrounding strip that gives GrabCut its background samples.
+/// The region with a surrounding strip of background samples for GrabCut.
 cv::Rect grabcut_crop(const cv::Rect& region, const cv::Size& picture);
 
 }  // namespace mbncc

@@ -1,4 +1,5 @@
-// Superpixels: neighbouring, similar pixels gathered into cells (the paper's simplified picture).
+// SPDX-License-Identifier: BSD-3-Clause
+// Superpixels: cells of neighbouring, similar pixels (the paper's simplified picture).
 #pragma once
 
 #include <opencv2/core.hpp>
@@ -8,20 +9,21 @@ namespace mbncc {
 
 struct Superpixels {
   cv::Mat labels;  ///< CV_32SC1, 0 .. count-1
-  int count = 0;   ///< labels are below; SEEDS makes fewer superpixels than asked for
+  int count = 0;   ///< labels are below this; SEEDS makes fewer superpixels than requested
 };
 
 /// SEEDS superpixels (Van den Bergh et al.) of a CV_8UC3 picture of at least 8 x 8 pixels.
-/// `wanted` is brought into what the picture can hold: cells of 4 x 4 pixels or more.
+/// `wanted` is limited so that cells have at least 4 x 4 pixels.
 Superpixels seeds_superpixels(const cv::Mat& picture, int wanted);
 
-/// SLIC superpixels (Achanta et al.) likewise; about `wanted` of them.
+/// SLIC superpixels (Achanta et al.), about `wanted` of them.
 Superpixels slic_superpixels(const cv::Mat& picture, int wanted);
 
 /// By "seeds" or "slic"; std::invalid_argument for another method.
 Superpixels superpixels_of(const cv::Mat& picture, const std::string& method, int wanted);
 
-/// Each superpixel painted in its mean colour: texture goes, the object's boundary stays.
+/// Paints each superpixel in its mean colour, which removes texture and keeps the object's
+/// boundary.
 cv::Mat simplify_superpixels(const cv::Mat& picture, const Superpixels& superpixels);
 
 /// 255 on the superpixels of which more than half lies in `region` (CV_8UC1), 0 elsewhere.

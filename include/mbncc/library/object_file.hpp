@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // One object as one file: an 8-bit RGBA PNG (colour: the picture around the object, alpha: the map,
 // views stacked from top to bottom) with one text chunk "mbncc" that holds YAML. Any picture viewer
 // shows it.
@@ -11,15 +12,15 @@
 
 namespace mbncc {
 
-/// Format written by this version; newer ones are refused with a sentence and left alone.
+/// Format written by this version; newer ones are refused with a message and left unchanged.
 constexpr int kObjectFileVersion = 1;
 
 /// Bytes of the file. Throws std::invalid_argument when the model breaks the rules of
 /// object_model.hpp.
 std::vector<std::uint8_t> encode_object(const ObjectModel& model);
 
-/// Reads the bytes of a file; `path` is named in errors. Sizes are bounded before anything is
-/// allocated, CRC errors are errors. Throws FileError.
+/// Reads the bytes of a file; `path` is named in errors. Checks sizes before anything is allocated,
+/// and all CRCs. Throws FileError.
 ObjectModel decode_object(const std::vector<std::uint8_t>& bytes, const std::string& path);
 
 /// Reads a regular file of bounded size (no FIFO, no directory, no symbolic link). Throws

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // A folder of learned objects, one file each, safe against crashes: every change is one atomic
 // step.
 #pragma once
@@ -15,7 +16,7 @@ namespace mbncc {
 
 class LibraryCache;
 
-/// A name that is taken, unknown or not allowed; `what()` says which.
+/// A name that exists already, is unknown or not allowed; `what()` gives the reason.
 class NameError : public std::invalid_argument {
  public:
   NameError(LearnError code, const std::string& sentence)
@@ -33,10 +34,10 @@ struct QuarantinedFile {
   std::string file;    ///< name within the library folder
   std::string reason;  ///< one sentence
   bool moved = true;   ///< to `.quarantine/`; false: left in place (no permission, a newer format,
-                       ///< or no fault of the file's content)
+                       ///< or an error unrelated to the file's content)
 };
 
-/// Immutable state of a library at one moment; share it freely between threads.
+/// Immutable snapshot of a library; may be shared between threads.
 struct LibrarySnapshot {
   std::vector<std::shared_ptr<const ObjectModel>> objects;  ///< sorted by name
   std::vector<QuarantinedFile> quarantined;                 ///< by this load
@@ -45,12 +46,12 @@ struct LibrarySnapshot {
 };
 
 /// Writers work under an exclusive lock on the folder (flock), so one writes at a time, across
-/// processes; readers need no lock, since every file changes in one step. All functions throw
-/// FileError (with errno's text) when a file operation fails; then the library is as before. A
-/// writer that finds the lock taken for 10 s gives up with a FileError.
+/// processes; readers need no lock, because every file is replaced atomically. All functions throw
+/// FileError (with errno's text) when a file operation fails; then the library is unchanged. A
+/// writer that waits longer than 10 s for the lock throws FileError.
 ///
-/// Revisions count up per name and are never given twice, not even after a removal, as long as the
-/// trash is not emptied. One instance serves one thread at a time.
+/// Revisions increase per name and are not reused, even after a removal, as long as the trash is
+/// not emptied. One instance serves one thread at a time.
 class ObjectLibrary {
  public:
   /// Opens `folder`, creating it (not its parents) when missing.
@@ -61,32 +62,32 @@ class ObjectLibrary {
 
   const std::string& folder() const { return folder_; }
 
-  /// Reads all files; unreadable ones are moved to `.quarantine/` with their reason, the rest
-  /// loads. Objects whose file has not changed since the last load keep their pointer.
+  /// Reads all files; moves unreadable ones to `.quarantine/` with their reason and loads the
+  /// others. Objects whose file has not changed since the last load keep their pointer.
   std::shared_ptr<const LibrarySnapshot> load();
 
   /// True when a file was added, changed or removed since the last load() of this instance.
   bool changed_on_disk() const;
 
-  /// Writes 1 MB durably and removes it again, to know before a lesson whether it could be stored.
+  /// Writes 1 MB durably and removes it again, to check before a lesson that it can be stored.
   /// Does not wait for other writers.
   void check_storage() const;
 
-  /// What lies in `.quarantine/`, by this and earlier loads, with its reasons.
+  /// The contents of `.quarantine/`, from this and earlier loads, with the reasons.
   std::vector<QuarantinedFile> quarantine() const;
 
-  /// What save() does about a name that is taken.
+  /// Behaviour of save() for an existing name.
   enum class Existing { kRefuse, kReplace };
 
   /// Stores `model` durably: temporary file, fsync, rename, fsync of the folder. Replacing moves
   /// the old revision to `.trash/`. Returns the model as stored, with its new revision. Throws
-  /// NameError for a name that is taken (kRefuse), std::invalid_argument for a model that breaks
-  /// the rules or does not fit into a file.
+  /// NameError for an existing name (kRefuse), std::invalid_argument for a model that breaks the
+  /// rules or does not fit into a file.
   ObjectModel save(ObjectModel model, Existing existing);
 
   /// Applies `change` to the stored object under the lock and stores the result; as the next
   /// revision, with the old one in the trash, when it moves poses (views, references, scale,
-  /// height, declared symmetry, grasp). An exception from `change` leaves everything as it was.
+  /// height, declared symmetry, grasp). If `change` throws, the object stays unchanged.
   /// Throws NameError when the name is unknown, std::invalid_argument like save().
   ObjectModel edit(const std::string& name, const std::function<void(ObjectModel&)>& change);
 
@@ -98,9 +99,9 @@ class ObjectLibrary {
   /// Moves the object to `.trash/`. Throws NameError when the name is unknown.
   void remove(const std::string& name);
 
-  /// Brings a revision back from the trash (0: the newest there that can be read) as the next
-  /// revision of that name; what it replaces goes to the trash. Throws NameError when there is none
-  /// or the name is not allowed.
+  /// Restores a revision from the trash (0: the newest readable one) as the next revision of that
+  /// name; a replaced object goes to the trash. Throws NameError when there is none or the name is
+  /// not allowed.
   ObjectModel restore(const std::string& name, std::uint32_t revision = 0);
 
  private:

@@ -1,4 +1,5 @@
-// Why objects are found at a place of a picture, or are not.
+// SPDX-License-Identifier: BSD-3-Clause
+// Explains why objects are found at a place in a picture or not.
 #pragma once
 
 #include <memory>
@@ -12,61 +13,63 @@
 
 namespace mbncc {
 
-/// One part of the evidence at a pose.
+/// One term of the score at a pose.
 struct ScorePart {
   std::string name;
   double value = 0;
-  double lacking = 0;  ///< log-odds that it would add were it perfect
+  double lacking = 0;  ///< largest log-odds that it can add
 };
 
-/// A threshold that a search applies.
+/// A threshold of the search.
 struct Check {
   std::string name;  ///< the parameter
   double value = 0, threshold = 0;
   bool passed = false;
-  bool to_report = false;  ///< without it nothing is reported; else it must not be grasped
+  bool to_report =
+      false;  ///< if it fails, nothing is reported; otherwise the match is not graspable
 };
 
-/// What the search makes of one object about one place.
+/// Result of the search for one object near one place.
 struct Explanation {
   enum class Outcome {
     kGraspable,
-    kReported,    ///< but must not be grasped
+    kReported,    ///< found but not graspable
     kRejected,    ///< proposed by the search, and not reported
-    kNotProposed  ///< the search's first steps pass over the place; judged there all the same
+    kNotProposed  ///< the proposals of the search miss the place; verified there nevertheless
   };
 
   std::string name;
   Outcome outcome = Outcome::kNotProposed;
-  Pose2D pose;       ///< [px],[rad] the best one about the place
+  Pose2D pose;       ///< [px],[rad] the best one near the place
   double scale = 1;  ///< relative to the learning picture
-  double score = 0;  ///< [0..1]; of what was not proposed: before it is compared with others
+  double score = 0;  ///< [0..1]; if it was not proposed: before the comparison with others
   double log_odds = 0;
   std::vector<cv::Point2f> outline;  ///< [px]
   std::vector<ScorePart> parts;      ///< empty with the engine polar
-  double evidence = 0;               ///< log-odds of all parts together
-  double clutter = 0;                ///< log-odds taken off for look-alikes elsewhere
+  double evidence = 0;               ///< log-odds, sum of all terms
+  double clutter = 0;                ///< log-odds subtracted for look-alikes elsewhere
   std::vector<Check> checks;
-  std::vector<std::string> reasons;     ///< against grasping, the most important first
+  std::vector<std::string> reasons;     ///< reasons against grasping, the most important first
   std::vector<Competitor> competitors;  ///< as of Match
-  std::string covered_by;               ///< the better object that takes the place; "": none does
+  std::string covered_by;               ///< the object with a higher score at the place; "": none
 
   /// log_odds = evidence - clutter + rest(): colours of parts, mirror image, other rotations,
   /// calibration.
   double rest() const { return log_odds - evidence + clutter; }
 };
 
-/// What a search for all of `objects` that are enabled makes of `place` [px] in `picture`, the most
-/// likely first; of `names` alone, where there are any. Throws std::invalid_argument like
-/// Matcher::find(), for a place outside the picture, and for a name that is unknown or disabled.
+/// Explains `place` [px] in `picture` for a search of all enabled `objects`, the most likely first;
+/// only those of `names`, if there are any. Throws std::invalid_argument like Matcher::find(), for
+/// a place outside the picture, and for a name that is unknown or disabled.
 std::vector<Explanation> explain_place(
     const std::vector<std::shared_ptr<const ObjectModel>>& objects, const SearchConfig& config,
     const cv::Mat& picture, cv::Point2d place, const std::vector<std::string>& names = {});
 
-/// Sentences, the verdict first, what to do about it last; a line each.
+/// Sentences, one per line: the result first, the remedy last.
 std::vector<std::string> lines_of(const Explanation& explanation);
 
-/// CV_8UC3 copy of `picture` with the place, the best pose of the first explanation and its rivals.
+/// CV_8UC3 copy of `picture` with the place, the best pose of the first explanation and its
+/// competitors.
 cv::Mat draw_explanation(const cv::Mat& picture, cv::Point2d place,
                          const std::vector<Explanation>& explanations);
 

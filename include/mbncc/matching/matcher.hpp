@@ -1,4 +1,5 @@
-// Finds learned objects in a picture: position, rotation angle, score and how sure that is.
+// SPDX-License-Identifier: BSD-3-Clause
+// Finds learned objects in a picture: position, rotation angle, score and covariance.
 #pragma once
 
 #include <cstdint>
@@ -13,16 +14,17 @@
 
 namespace mbncc {
 
-/// What might lie where a match is reported, or be meant instead of it.
+/// A competitor of a match: another object at its place, or another place of the same object.
 struct Competitor {
   std::string name;
   cv::Point2d position;  ///< [px] of its reference point
-  double log_odds = 0;   ///< on the scale of the match that it competes with
+  double log_odds = 0;   ///< on the scale of the competing match
 };
 
-/// Something that speaks against grasping a match.
+/// A reason against grasping a match.
 struct Doubt {
-  bool ambiguous = false;  ///< another pose may be the right one; else this one is too uncertain
+  bool ambiguous =
+      false;  ///< another pose may be the right one; otherwise this one is too uncertain
   std::string text;
 };
 
@@ -30,15 +32,16 @@ struct Doubt {
 struct Match {
   std::string name;
   std::uint32_t revision = 0;
-  Pose2D pose;       ///< [px],[rad] object frame: reference point and direction
-  double scale = 1;  ///< relative to the learning picture; that searched unless another is clear
-  cv::Matx33d covariance;  ///< of pose: x, y, theta [px^2, px rad, rad^2]; 100 px, a turn
-                           ///< where it is too unlikely to be worth measuring
+  Pose2D pose;  ///< [px],[rad] object frame: reference point and direction
+  double scale =
+      1;  ///< relative to the learning picture; the searched one unless another is significant
+  cv::Matx33d covariance;  ///< of pose: x, y, theta [px^2, px rad, rad^2]; 100 px and a full turn
+                           ///< if the pose is too unlikely to be measured
   double score = 0;        ///< [0..1] acceptance score
-  double log_odds = 0;     ///< that the object lies here; the fused score is its logistic
-  double calibration = 0;  ///< part of log_odds that comparisons with competitors leave out
+  double log_odds = 0;     ///< that the object lies here; the score is its logistic
+  double calibration = 0;  ///< part of log_odds that comparisons with competitors omit
   double similarity = 0;   ///< [-1..1] normalized cross correlation weighted by the map
-  /// The best place of the same object that no reported instance explains, and the best other
+  /// The best other place of the same object that is no reported instance, and the best other
   /// object here.
   std::vector<Competitor> competitors;
   /// Log-odds to the best competitor; 20: none was found.
@@ -47,19 +50,19 @@ struct Match {
   double margin_angle = 0;
   double visible = 1;         ///< [0..1] part of the map inside the picture
   int symmetry = 1;           ///< 1: none, 2: 180 deg ..., 0: round
-  std::vector<Doubt> doubts;  ///< about this pose, competitors aside
-  /// Nothing speaks against the pose in this picture: score, margins, visible part, deviations,
-  /// colours of parts, size, and where else or mirrored the outline would fit.
+  std::vector<Doubt> doubts;  ///< for this pose, without competitors
+  /// All conditions for a grasp hold in this picture: score, margins, visible part, standard
+  /// deviations, colours of parts, size, and the fit of the outline elsewhere or mirrored.
   bool graspable = false;
-  bool ambiguous = false;            ///< score would suffice, but another pose may be the right one
-  std::vector<std::string> reasons;  ///< why it is not graspable; empty when it is
-  bool fresh = true;  ///< found in this picture; else in an earlier one that looked the same
+  bool ambiguous = false;            ///< the score suffices, but another pose may be the right one
+  std::vector<std::string> reasons;  ///< why it is not graspable; empty if it is
+  bool fresh = true;  ///< found in this picture; otherwise in an earlier one with unchanged pixels
   std::vector<cv::Point2f> outline;  ///< [px] largest outline of the map in this picture
 
   double uncalibrated() const { return log_odds - calibration; }
 };
 
-/// What was considered and not reported.
+/// A candidate that was considered and not reported.
 struct Rival {
   std::string name;
   cv::Point2d position;              ///< [px] of its reference point
@@ -67,46 +70,46 @@ struct Rival {
   std::vector<cv::Point2f> outline;  ///< [px] as of Match
 };
 
-/// Up to so many objects asked for at once are looked for thoroughly where a first look finds none.
+/// Largest number of requested objects for which a search without result is repeated thoroughly.
 constexpr std::size_t kFewObjects = 4;
 
 /// The place and size of an outline.
 struct Footprint {
-  Circle circle;    ///< [px] about it
+  Circle circle;    ///< [px] of its bounding box
   double area = 0;  ///< [px] within it, holes included
 };
 
-/// What to search for. Zero, empty or negative values mean: as configured.
+/// A search request. Zero, empty or negative values select the configured ones.
 struct SearchRequest {
   std::vector<std::string> names;  ///< empty: all enabled objects
-  cv::Rect roi;  ///< [px] reference points are looked for in here; empty: whole picture
+  cv::Rect roi;                    ///< [px] must contain the reference points; empty: whole picture
   double min_score = -1;
   int max_instances = 0;
-  /// The request is part of a search for so many objects, which are looked for one by one: none is
-  /// looked for harder, and none scores higher, than if all were looked for at once.
+  /// Number of objects of the whole search if this request is a part of it, with objects searched
+  /// one by one. Effort and scores are then those of a joint search.
   std::size_t among = 0;
-  /// For a search of part of a picture: by name, the log-odds that scores are lowered by at least,
-  /// as SearchResult::clutter told of the whole, and those of the best instance outside the part,
-  /// uncalibrated.
+  /// For a search of a part of a picture, by name: the least log-odds subtracted from scores, from
+  /// SearchResult::clutter of the whole picture, and the uncalibrated log-odds of the best instance
+  /// outside the part.
   std::map<std::string, double> clutter, elsewhere;
-  /// Instances of other objects that the picture shows: whether an object asked for, of that size,
-  /// lies there instead is judged in any case.
+  /// Instances of other objects in the picture: requested objects of similar size are always
+  /// verified there as well.
   std::vector<Footprint> occupied;
 };
 
 struct SearchResult {
-  std::vector<Match> matches;             ///< best score first
-  std::vector<std::string> searched;      ///< names really searched
-  std::vector<std::string> skipped;       ///< "name: reason"
-  std::vector<std::string> limited;       ///< names with max_instances matches: there may be more
-  std::vector<Rival> rivals;              ///< all that is not among the matches
-  std::map<std::string, double> clutter;  ///< by name: log-odds that scores were lowered by, for
-                                          ///< what looks alike elsewhere
+  std::vector<Match> matches;         ///< best score first
+  std::vector<std::string> searched;  ///< names that were searched
+  std::vector<std::string> skipped;   ///< "name: reason"
+  std::vector<std::string> limited;   ///< names with max_instances matches; there may be more
+  std::vector<Rival> rivals;          ///< all candidates that are not among the matches
+  std::map<std::string, double>
+      clutter;  ///< by name: log-odds subtracted from scores for look-alikes elsewhere
   bool budget_exceeded = false;
-  double search_time = 0;  ///< [s] wall time, preparation of objects not included
+  double search_time = 0;  ///< [s] wall time without preparation of objects
 };
 
-/// The names of which there are `most` matches; none where only the best one is asked for.
+/// The names with `most` matches; none if only the best match is requested.
 std::vector<std::string> names_at_limit(const std::vector<Match>& matches, int most);
 
 /// Searches pictures for a set of objects. A learned point p appears at
@@ -122,17 +125,17 @@ class Matcher {
   const SearchConfig& config() const;
 
   /// Replaces the objects. Unchanged ones (same pointer) keep their prepared templates; the others
-  /// are prepared here, which takes some milliseconds each; where that fails, e.g. for want of
-  /// memory, the object is not searched for, see unsearchable(), and the others are. Throws
-  /// std::invalid_argument, with the objects as before, when a model breaks the rules of
-  /// object_model.hpp. `for_one_search`: what only some searches need is left to find().
+  /// are prepared here, in some milliseconds each. If that fails, for example for lack of memory,
+  /// the object is not searched (see unsearchable()); the others are. Throws std::invalid_argument,
+  /// with the objects as before, if a model violates the rules of object_model.hpp.
+  /// `for_one_search`: data that only some searches need is computed in find().
   void set_objects(std::vector<std::shared_ptr<const ObjectModel>> objects,
                    bool for_one_search = false);
 
   /// Objects that cannot be prepared, with the reason. find() lists them in `skipped`.
   const std::map<std::string, std::string>& unsearchable() const;
 
-  /// Those that can be searched for.
+  /// Objects that can be searched.
   std::vector<std::shared_ptr<const ObjectModel>> objects() const;
 
   /// Changes config().min_score [0..1] and config().max_instances (>= 1).
@@ -144,8 +147,8 @@ class Matcher {
   SearchResult find(const cv::Mat& picture, const SearchRequest& request = {}) const;
 
   /// CV_32FC1 of the picture's size, 0 .. 1: at each place the largest similarity of any requested
-  /// object over all rotations, as the coarse search sees it. For people to look at. Objects that
-  /// are searched by their edges alone have none.
+  /// object over all rotations, in the coarse search, for display. Objects that are searched only
+  /// by their contours have none.
   cv::Mat score_map(const cv::Mat& picture, const SearchRequest& request = {}) const;
 
  private:

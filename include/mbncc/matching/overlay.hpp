@@ -1,4 +1,5 @@
-// Shows matches in their picture.
+// SPDX-License-Identifier: BSD-3-Clause
+// Draws matches into their picture.
 #pragma once
 
 #include <opencv2/core.hpp>
@@ -10,7 +11,7 @@
 
 namespace mbncc {
 
-/// The first of Match::reasons on a line of its own, without its numbers; "" where there is none.
+/// The first of Match::reasons on its own line, without numbers; "" if there is none.
 std::string brief_reason(const std::vector<std::string>& reasons);
 
 /// Outline, axes and "name score": blue when graspable, orange and "ambiguous" with the

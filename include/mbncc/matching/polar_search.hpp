@@ -1,6 +1,7 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The paper's matching phase, step by step: image pyramid, candidate centres, polar transform of
 // the target's disc about each, normalized cross correlation over all cyclic shifts with the map,
-// from coarse to fine (doi 10.1177/1687814017728839). Kept beside the fast search for comparison.
+// from coarse to fine (doi 10.1177/1687814017728839). Kept for comparison with the fast search.
 #pragma once
 
 #include <opencv2/core.hpp>
@@ -11,16 +12,16 @@
 
 namespace mbncc {
 
-/// Which template pixels count.
+/// The template pixels that are correlated.
 enum class PolarRegion {
   kMap,       ///< the map's: MB-NCC
-  kIncircle,  ///< the largest disc inside the map: PP-NCC, loses object pixels
-  kExcircle,  ///< the smallest disc around the map: PP-NCC, takes in background pixels
+  kIncircle,  ///< the largest disc inside the map: PP-NCC, omits object pixels
+  kExcircle,  ///< the smallest disc around the map: PP-NCC, includes background pixels
 };
 
-/// A place and rotation of the view, by similarity.
+/// A position and rotation of the view with its similarity.
 struct PolarPose {
-  Pose2D pose;            ///< [px],[rad] of the region's centre, against the learning picture
+  Pose2D pose;            ///< [px],[rad] of the region's centre, relative to the learning picture
   double similarity = 0;  ///< [-1..1]
 };
 
@@ -29,7 +30,7 @@ class PolarSearch {
   /// Throws std::invalid_argument when the region's radius exceeds 2048 px.
   explicit PolarSearch(const View& view, PolarRegion region = PolarRegion::kMap);
 
-  /// Centre of the region's circle [px] in the view's crop: the point that poses are given of.
+  /// Centre of the region's circle [px] in the view's crop, the reference point of the poses.
   cv::Point2d centre() const { return centre_; }
 
   /// Coarsest pyramid level used.

@@ -1,5 +1,6 @@
-// The measure everything rests on: normalized cross correlation over map pixels only (the paper,
-// doi 10.1177/1687814017728839). What lies outside the map has no influence.
+// SPDX-License-Identifier: BSD-3-Clause
+// Map-based normalized cross correlation: only map pixels are correlated (the paper,
+// doi 10.1177/1687814017728839).
 #pragma once
 
 #include <opencv2/core.hpp>
@@ -9,11 +10,11 @@
 
 namespace mbncc {
 
-/// Variance of picture noise [grey^2] that tames the denominator: places without texture get a
-/// similarity near 0 instead of the correlation of their noise.
+/// Variance of picture noise [grey^2], added to the denominator so that places without texture get
+/// a similarity near 0 instead of the correlation of their noise.
 constexpr double kNoiseVariance = 16;
 
-/// Grey values of a template under its map, as points about an anchor.
+/// Grey values of a template under its map, as points relative to an anchor.
 struct MaskedTemplate {
   std::vector<float> x, y;    ///< [px] relative to the anchor, template axes
   std::vector<float> values;  ///< [grey levels]
@@ -23,7 +24,7 @@ struct MaskedTemplate {
 
 /// Points of `grey` (CV_8UC1) where `map` (CV_8UC1, binary, same size) is set; at level > 0 the
 /// map-weighted means of 2^level squares at least half inside the map. `anchor` [px, level 0] is
-/// the origin. Throws std::invalid_argument when the pictures do not fit each other.
+/// the origin. Throws std::invalid_argument if the sizes of the pictures differ.
 MaskedTemplate masked_template(const cv::Mat& grey, const cv::Mat& map, cv::Point2d anchor,
                                int level = 0);
 
@@ -32,8 +33,8 @@ struct Similarity {
   double visible = 0;  ///< [0..1] part of the points inside the picture
 };
 
-/// Similarity of the template with `grey` (CV_8UC1) when the anchor lies at `pose` and the template
-/// is turned by pose.theta. Points outside the picture do not count.
+/// Similarity of the template with `grey` (CV_8UC1) when the anchor is at `pose` and the template
+/// is rotated by pose.theta. Points outside the picture are ignored.
 Similarity similarity(const MaskedTemplate& points, const cv::Mat& grey, const Pose2D& pose,
                       double noise_variance = kNoiseVariance);
 

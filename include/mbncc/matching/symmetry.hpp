@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Rotational symmetry of an object, measured in the image it was learned from.
 #pragma once
 
@@ -8,12 +9,13 @@ namespace mbncc {
 /// Both count the equal angles in a turn: 1 none, 2, 3, 4 ..., 0 round.
 struct MeasuredSymmetry {
   int certain = 1;   ///< outline and surface repeat within noise and shading
-  int possible = 1;  ///< what an operator may declare: they nearly repeat, or the outline is round
+  int possible = 1;  ///< what an operator may declare: outline and surface nearly repeat, or the
+                     ///< outline is round
 };
 
-/// Turns the view about its centroid, aligns it with itself and compares outline and surface.
-/// A wrong "certain" would let a wrong angle pass, so a small mark, a notch or a highlight leaves
-/// the symmetry "possible".
+/// Rotates the view about its centroid, aligns it with itself and compares outline and surface. A
+/// wrong "certain" would accept a wrong angle, so a small mark, a notch or a highlight makes the
+/// symmetry only "possible".
 MeasuredSymmetry measure_symmetry(const View& view);
 
 }  // namespace mbncc

@@ -1,6 +1,7 @@
-// One file with all that a search's miss depends on: picture, library, settings and place, so that
-// it can be run again elsewhere. YAML with pictures and objects as base64; the first lines are for
-// people.
+// SPDX-License-Identifier: BSD-3-Clause
+// One file with the complete input of a failed search: picture, library, settings and place, so
+// that it can be repeated elsewhere. YAML with pictures and objects as base64; the first lines are
+// a readable summary.
 #pragma once
 
 #include <memory>
@@ -14,25 +15,25 @@
 
 namespace mbncc {
 
-/// Format written by this version; newer ones are refused with a sentence.
+/// Format written by this version; newer ones are refused with a message.
 constexpr int kMissFileVersion = 1;
 
 struct SavedMiss {
   cv::Mat picture;                 ///< CV_8UC3, at most 8 million pixels
-  cv::Point2d place;               ///< [px] that was asked about
-  std::vector<std::string> names;  ///< asked about; empty: all enabled
+  cv::Point2d place;               ///< [px] the place in question
+  std::vector<std::string> names;  ///< names in question; empty: all enabled
   SearchConfig search;
   std::vector<std::shared_ptr<const ObjectModel>> objects;
   std::vector<std::string> lines;  ///< the explanation when it was saved
 };
 
-/// Explains the place again, by this version.
+/// Explains the place again with this version.
 std::vector<Explanation> explain(const SavedMiss& miss);
 
-/// Lines of the likeliest explanations, `most` of them.
+/// Lines of the `most` likeliest explanations.
 std::vector<std::string> lines_of(const std::vector<Explanation>& explanations, std::size_t most);
 
-/// Throws FileError, and std::invalid_argument for what fits into no file.
+/// Throws FileError, and std::invalid_argument if it does not fit into a file.
 void write_miss(const std::string& path, const SavedMiss& miss);
 
 /// Throws FileError.

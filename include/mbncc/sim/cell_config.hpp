@@ -1,4 +1,5 @@
-// The simulated camera's parameters as the scene and the story that they describe.
+// SPDX-License-Identifier: BSD-3-Clause
+// Converts the simulated camera's parameters to the configurations of scene and script.
 #pragma once
 
 #include "mbncc/config/simulated_camera_config.hpp"
@@ -9,7 +10,7 @@ namespace mbncc::sim {
 
 SceneConfig scene_config(const SimulatedCameraConfig& config);
 
-/// Times become pictures at `frame_rate`, one at least.
+/// Times are converted to at least one picture at `frame_rate`.
 CellScriptConfig script_config(const SimulatedCameraConfig& config);
 
 }  // namespace mbncc::sim

@@ -1,5 +1,6 @@
-// The story that the simulated camera plays: an object lies on the platform, an arm takes it away,
-// later puts it down elsewhere, turned. One step per picture; the same seed tells the same story.
+// SPDX-License-Identifier: BSD-3-Clause
+// The script of the simulated camera: an object lies on the platform, an arm takes it away and
+// later puts it down elsewhere, rotated. One step per picture; the same seed gives the same script.
 #pragma once
 
 #include <cstdint>
@@ -14,10 +15,10 @@ namespace mbncc::sim {
 
 struct CellScriptConfig {
   cv::Size size{640, 480};  ///< [px] of the picture
-  std::uint64_t seed = 1;   ///< draws places and neighbours
+  std::uint64_t seed = 1;   ///< seed of places and neighbours
   SceneObject object;       ///< the one that is moved
   int neighbours = 2;       ///< other objects that lie still
-  bool auto_play = true;    ///< moves by itself; else only when told to
+  bool auto_play = true;    ///< moves automatically; otherwise only on request
   int rest_frames = 50;     ///< pictures at rest between two motions, with auto_play
   int leg_frames = 15;      ///< pictures of one leg of a motion: reach, carry, retreat
 };
@@ -27,7 +28,7 @@ enum class CellPhase { kRest, kReach, kCarry, kRetreat };
 /// "rest", "reach", "carry" or "retreat".
 const char* to_string(CellPhase phase);
 
-/// What one picture shows.
+/// Contents of one picture.
 struct CellFrame {
   std::vector<Placed> placed;   ///< neighbours, and the object unless it is out of the cell
   std::optional<Arm> arm;       ///< none: out of the picture
@@ -35,34 +36,34 @@ struct CellFrame {
   CellPhase phase = CellPhase::kRest;
 };
 
-/// Plays the story. It begins with the object lying at angle 0 in the middle of the picture. With
-/// auto_play it is taken away and put down elsewhere in turn, for ever.
+/// Plays the script. It begins with the object at angle 0 in the middle of the picture. With
+/// auto_play the object is repeatedly taken away and put down elsewhere.
 class CellScript {
  public:
   /// Throws std::invalid_argument when the objects do not fit into the picture.
   explicit CellScript(CellScriptConfig config = {});
 
-  /// What the picture of this moment shows.
+  /// Contents of the current picture.
   CellFrame frame() const;
 
-  /// Goes on by one picture.
+  /// Advances by one picture.
   void step();
 
-  /// Begins to carry the object out. False, and nothing happens, unless it lies at rest.
+  /// Begins to carry the object out. Returns false and does nothing unless it lies at rest.
   bool take_away();
 
-  /// Begins to put the object down at the next place, coming from outside or from where it lies.
-  /// False, and nothing happens, unless the cell is at rest.
+  /// Begins to put the object down at the next place, from outside or from its current place.
+  /// Returns false and does nothing unless the cell is at rest.
   bool put_next();
 
   bool at_rest() const { return legs_.empty(); }
 
-  /// Where the object lies at rest or is heading for; none: outside.
+  /// Current or next place of the object at rest; none: outside.
   const std::optional<Pose2D>& place() const { return place_; }
 
  private:
-  /// A stretch of the arm's way. The object lies on the platform, or is held at a pose about the
-  /// grip that turns from one to another, or is out.
+  /// A segment of the arm's path. The object lies on the platform, is held at an interpolated pose
+  /// relative to the grip, or is out.
   struct Leg {
     CellPhase phase = CellPhase::kRest;
     cv::Point2d from, to;  // [px] grip
@@ -78,11 +79,11 @@ class CellScript {
 
   CellScriptConfig config_;
   cv::Point2d shoulder_;  // [px] the arm's base
-  cv::Point2d outside_;   // [px] where the grip waits
+  cv::Point2d outside_;   // [px] waiting position of the grip
   std::vector<Placed> neighbours_;
   std::uint64_t places_drawn_ = 0;
   std::optional<Pose2D> place_;
-  std::vector<Leg> legs_;  // still to be gone, the first one under way
+  std::vector<Leg> legs_;  // remaining segments, the first one in progress
   int leg_frame_ = 0;
   int rest_frame_ = 0;
 };

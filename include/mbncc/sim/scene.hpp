@@ -1,6 +1,7 @@
-// A seeded simulated cell whose truth is known: a textured platform, textured irregular objects at
-// sub-pixel poses, light, noise and an arm. Serves demo, tests and benchmarks; the same seed gives
-// the same pictures.
+// SPDX-License-Identifier: BSD-3-Clause
+// A simulated cell with known truth, reproducible from a seed: a textured platform, textured
+// irregular objects at sub-pixel poses, light, noise and an arm. Used by demo, tests and
+// benchmarks; the same seed gives the same pictures.
 #pragma once
 
 #include <cstdint>
@@ -15,19 +16,19 @@ namespace mbncc::sim {
 
 /// A flat textured object with an irregular outline.
 struct SceneObject {
-  std::uint64_t seed = 1;   ///< draws outline and texture
+  std::uint64_t seed = 1;   ///< seed of outline and texture
   double diameter = 90;     ///< [px] of the excircle
-  double elongation = 1.6;  ///< [1] longest by shortest extent, roughly
+  double elongation = 1.6;  ///< [1] approximate ratio of the longest to the shortest extent
 };
 
-/// An object lying at a pose: position of its outline's centroid, angle against its own drawing.
+/// An object lying at a pose: position of its outline's centroid, angle relative to its drawing.
 struct Placed {
   SceneObject object;
   Pose2D pose;
 };
 
-/// A tapered robot arm with a two-finger gripper, seen from above; it reaches over the picture from
-/// beyond its edge.
+/// A tapered robot arm with a two-finger gripper, seen from above, that reaches into the picture
+/// from outside.
 struct Arm {
   Pose2D grip;          ///< point between the finger tips; theta: direction the arm reaches in
   double opening = 60;  ///< [px] between the fingers

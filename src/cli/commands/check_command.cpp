@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
 #include <iostream>
 
@@ -8,7 +9,7 @@
 namespace mbncc::cli {
 namespace {
 
-// Those moved by this check are in the quarantine too.
+// Files moved by this check are in the quarantine too.
 std::vector<QuarantinedFile> faulty_files(const ObjectLibrary& library,
                                           const LibrarySnapshot& snapshot) {
   auto faulty = library.quarantine();
@@ -17,22 +18,24 @@ std::vector<QuarantinedFile> faulty_files(const ObjectLibrary& library,
   return faulty;
 }
 
-// "bracket" of "bracket.png" and of "bracket.png.2", a second one of that name in the quarantine.
+// "bracket" for "bracket.png" and for "bracket.png.2", a second file of that name in the
+// quarantine.
 std::string object_of(const QuarantinedFile& file) {
   return file.file.substr(0, file.file.find('.'));
 }
 
-// Of every object whose file is unreadable and that the library lacks: its newest stored revision.
+// The newest stored revision of every object whose file is unreadable and that is missing in the
+// library.
 void bring_back(const std::vector<QuarantinedFile>& faulty, ObjectLibrary& library) {
   for (const auto& file : faulty) {
     const std::string name = object_of(file);
     if (!file.moved || library.load()->find(name) != nullptr) continue;
     try {
       const ObjectModel object = library.restore(name);
-      std::cout << "brought '" << name << "' back from the trash as revision " << object.revision
-                << "; what was taught after that revision was stored is lost\n";
+      std::cout << "brought '" << name << "' from the trash as revision " << object.revision
+                << "; later changes are lost\n";
     } catch (const std::exception& error) {
-      std::cerr << "'" << name << "' cannot be brought back: " << error.what() << '\n';
+      std::cerr << "'" << name << "' cannot be restored: " << error.what() << '\n';
     }
   }
 }
@@ -62,11 +65,11 @@ ExitCode run(const Arguments& arguments) {
 
 Command check_command() {
   return {"check",
-          "read every file of the library and report what is unreadable",
+          "read every file of the library and report unreadable ones",
           {library_option(),
-           {"--repair", "", "bring the newest revision of unreadable objects back from the trash"}},
+           {"--repair", "", "restore the newest revision of unreadable objects from the trash"}},
           "",
-          "Unreadable files are moved to DIR/.quarantine, their reasons beside them. Exit code 1\n"
+          "Unreadable files are moved to DIR/.quarantine, with their reasons. The exit code is 1\n "
           "as long as there are any.\n",
           run};
 }

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include <iostream>
 #include <optional>
 #include <string>
@@ -41,19 +42,17 @@ ExitCode run(const Arguments& arguments) {
 }  // namespace
 
 Command edit_command() {
-  return {
-      "edit",
-      "declare an object's symmetry, or set its own threshold",
-      {library_option(),
-       name_option(),
-       {"--symmetry", "S", "equal angles in a turn: auto, none, 2, 3, 4, 6 or round"},
-       {"--min-score", "S",
-        "scores it is reported from on, in place of min_score; auto: min_score"}},
-      "",
-      "Equal angles do not compete, so an object can be graspable at any of them. auto: what\n"
-      "the picture shows for certain. none: the angle always matters. What it replaces goes to\n"
-      "the trash.\n",
-      run};
+  return {"edit",
+          "declare an object's symmetry or set its own threshold",
+          {library_option(),
+           name_option(),
+           {"--symmetry", "S", "equal angles in a turn: auto, none, 2, 3, 4, 6 or round"},
+           {"--min-score", "S", "least score to report it, instead of min_score; auto: min_score"}},
+          "",
+          "Equivalent angles do not compete, so an object can be graspable at any of them. auto: "
+          "as\n measured in the picture. none: the angle always matters. The old revision goes to\n"
+          "the trash.\n",
+          run};
 }
 
 }  // namespace mbncc::cli

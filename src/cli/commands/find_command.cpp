@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include <iostream>
 
 #include "cli/command.hpp"
@@ -13,7 +14,7 @@
 namespace mbncc::cli {
 namespace {
 
-// Options that are parameters by another name.
+// Options that set a parameter of another name.
 void apply_options(const Arguments& arguments, SearchConfig& search) {
   const auto rows = field_rows(search);
   for (const auto& [option, key] :
@@ -25,7 +26,7 @@ void apply_options(const Arguments& arguments, SearchConfig& search) {
 SearchRequest request_from(const Arguments& arguments, const SearchConfig& search) {
   SearchRequest request;
   request.names = arguments.all("--name");
-  // A threshold asked for on the command line goes before the objects' own.
+  // A threshold on the command line overrides the objects' own.
   if (arguments.has("--min-score")) request.min_score = search.min_score;
   return request;
 }
@@ -58,7 +59,7 @@ SearchResult searched(const Matcher& matcher, const std::string& image, const cv
 
 void warn_of_skipped(const std::string& image, const SearchResult& result) {
   for (const auto& reason : result.skipped)
-    std::cerr << "mbncc: warning: " << image << ": not searched for " << reason << '\n';
+    std::cerr << "mbncc: warning: " << image << ": not searched " << reason << '\n';
 }
 
 ExitCode run(const Arguments& arguments) {
@@ -70,7 +71,7 @@ ExitCode run(const Arguments& arguments) {
   OverlayWriter overlay(arguments.get("--overlay"));
   const auto report = report_for(arguments);
   ExitCode code = kDone;
-  // On a terminal the lines themselves tell how far it is.
+  // On a terminal the printed lines already show the progress.
   Progress progress("searched", arguments.operands().size(), Progress::kQuietOutput);
   for (const auto& image : arguments.operands()) {
     try {
@@ -87,30 +88,29 @@ ExitCode run(const Arguments& arguments) {
   }
   report->finish();
   if (arguments.has("--overlay"))
-    std::cerr << "mbncc: wrote the marked pictures to " << arguments.get("--overlay") << '\n';
+    std::cerr << "mbncc: wrote the annotated pictures to " << arguments.get("--overlay") << '\n';
   return code;
 }
 
 }  // namespace
 
 Command find_command() {
-  return {
-      "find",
-      "find learned objects in pictures",
-      {library_option(),
-       {"--name", "NAME", "search for this object only", false, true},
-       {"--min-score", "S", "report detections of this score and above"},
-       {"--max-instances", "N", "detections per object and picture"},
-       {"--threads", "T", "worker threads"},
-       {"--engine", "fast|polar", "polar: the paper's matching, step by step"},
-       {"--csv", "", "print CSV"},
-       json_option(),
-       {"--overlay", "DIR", "write each picture with what was found drawn in"}},
-      "IMAGE",
-      "x and y are where the object's reference point lies, in pixels; theta is its rotation,\n"
-      "clockwise on screen. A picture that cannot be read gets a sentence on stderr, the others\n"
-      "are searched, and the exit code is 1.\n",
-      run};
+  return {"find",
+          "find learned objects in pictures",
+          {library_option(),
+           {"--name", "NAME", "search for this object only", false, true},
+           {"--min-score", "S", "least score of reported detections"},
+           {"--max-instances", "N", "detections per object and picture"},
+           {"--threads", "T", "worker threads"},
+           {"--engine", "fast|polar", "polar: the paper's matching in the polar domain"},
+           {"--csv", "", "print CSV"},
+           json_option(),
+           {"--overlay", "DIR", "write each picture with its detections"}},
+          "IMAGE",
+          "x and y are the position of the object's reference point in pixels; theta is its "
+          "rotation,\n clockwise on screen. A picture that cannot be read is reported on stderr, "
+          "the others\n are searched, and the exit code is 1.\n",
+          run};
 }
 
 }  // namespace mbncc::cli

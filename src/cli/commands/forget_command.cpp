@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include <iostream>
 
 #include "cli/command.hpp"
@@ -14,7 +15,7 @@ ExitCode forget_view(ObjectLibrary& library, const std::string& name, const std:
   const auto left = library.edit(
       name, [number](ObjectModel& model) { remove_view(model, static_cast<std::size_t>(number)); });
   std::cout << "forgot view " << number << " of '" << name << "'; " << left.views.size()
-            << " left; 'mbncc restore' brings it back\n";
+            << " left; 'mbncc restore' restores it\n";
   return kDone;
 }
 
@@ -25,7 +26,7 @@ ExitCode run(const Arguments& arguments) {
   named_object(*load_reporting(library), name);
   if (arguments.has("--view")) return forget_view(library, name, arguments.get("--view"));
   library.remove(name);
-  std::cout << "forgot '" << name << "'; 'mbncc restore' brings it back\n";
+  std::cout << "forgot '" << name << "'; 'mbncc restore' restores it\n";
   return kDone;
 }
 
@@ -35,9 +36,9 @@ Command forget_command() {
   return {
       "forget",
       "move an object to the library's trash",
-      {library_option(), name_option(), {"--view", "K", "only its view K, as 'show' counts them"}},
+      {library_option(), name_option(), {"--view", "K", "only its view K, as numbered by 'show'"}},
       "",
-      "Replaced and forgotten revisions lie in DIR/.trash until you delete them there.\n",
+      "Replaced and forgotten revisions stay in DIR/.trash until you delete them.\n",
       run};
 }
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include <iostream>
 #include <string>
 #include <utility>
@@ -49,7 +50,7 @@ ObjectModel store(ObjectLibrary& library, Storing storing, const ObjectModel& le
   }
 }
 
-// A corrected lesson is as good as its correction: without one there is nothing to be stored.
+// The result of a correction replaces that of the lesson: if it fails, nothing is stored.
 LearnResult learn(const Lesson& lesson, const std::optional<LessonEdit>& edit, Settings& settings,
                   const StageObserver& observer) {
   InteractiveLesson learned(lesson, settings.lesson(), settings.search(), observer);
@@ -64,7 +65,7 @@ void learn_and_store(const Arguments& arguments, Settings& settings, LearnResult
   ObjectLibrary library(library_folder(arguments));
   const auto known = load_reporting(library);
   const Storing storing = storing_of(arguments);
-  // Before the lesson, so that nobody waits for what cannot be stored.
+  // Checked before the lesson, which would otherwise run in vain.
   if (const auto refusal = check_storing(lesson, storing, *known)) throw *refusal;
   result = learn(lesson, edit, settings, stages.observer());
   if (!may_store(result, arguments)) return;
@@ -79,7 +80,7 @@ void refuse(const Refusal& refusal, LearnResult& result) {
   result.hint = refusal.hint;
 }
 
-/// The core's hints name the fields of a goal; here these are options.
+/// The core's hints name fields of a goal, which are options here.
 std::string in_options(std::string hint) {
   const std::pair<const char*, const char*> options[] = {
       {"overwrite", "--overwrite"}, {"add_view", "--add-view"}, {"allow_bad", "--allow-bad"}};
@@ -125,16 +126,15 @@ ExitCode run(const Arguments& arguments) {
 }  // namespace
 
 Command learn_command() {
-  return {
-      "learn",
-      "learn an object from pictures and store it",
-      lesson_options(),
-      "",
-      "Where the object is, is said by --after (a second picture without it), --roi, --click,\n"
-      "or --map. Strokes by --include and --exclude correct the outline that was found.\n"
-      "A verdict GOOD or MARGINAL is stored, BAD only with --allow-bad; --map is never refused\n"
-      "for quality. Stored revisions that are replaced go to DIR/.trash.\n",
-      run};
+  return {"learn",
+          "learn an object from pictures and store it",
+          lesson_options(),
+          "",
+          "--after (a second picture without the object), --roi, --click or --map give the "
+          "object's\n place. Strokes by --include and --exclude correct the outline.\n"
+          "A verdict GOOD or MARGINAL is stored, BAD only with --allow-bad; --map is never "
+          "refused\n for quality. Replaced revisions go to DIR/.trash.\n",
+          run};
 }
 
 }  // namespace mbncc::cli

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include <iostream>
 
 #include "cli/command.hpp"
@@ -24,7 +25,7 @@ Command map_command() {
           "write an object's map at the size of its learning picture",
           {library_option(), name_option(), {"--out", "map.png", "file to write", true}},
           "",
-          "The map of the view learned first: 255 on the object, 0 elsewhere.\n",
+          "The map of the first view: 255 on the object, 0 elsewhere.\n",
           run};
 }
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include <iomanip>
 #include <iostream>
 
@@ -47,7 +48,7 @@ Command params_command() {
           "list every parameter of the tool and the nodelets",
           {{"--markdown", "", "print Markdown tables"}},
           "",
-          "With --config and --set the values are those that result; without them the defaults.\n",
+          "Prints the defaults, changed by --config and --set.\n",
           run};
 }
 

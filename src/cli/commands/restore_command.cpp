@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include <iostream>
 
 #include "cli/command.hpp"
@@ -22,10 +23,12 @@ ExitCode run(const Arguments& arguments) {
 
 Command restore_command() {
   return {"restore",
-          "bring a replaced or forgotten revision back",
-          {library_option(), name_option(), {"--revision", "N", "which one; default: the newest"}},
+          "restore a replaced or forgotten revision",
+          {library_option(),
+           name_option(),
+           {"--revision", "N", "number of the revision; default: the newest"}},
           "",
-          "It becomes the next revision; what it replaces goes to the trash.\n",
+          "It becomes the next revision; the replaced one goes to the trash.\n",
           run};
 }
 

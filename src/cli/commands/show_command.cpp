@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include <iostream>
 
 #include "cli/command.hpp"
@@ -27,7 +28,7 @@ Command show_command() {
           "describe one object",
           {library_option(), name_option(), json_option()},
           "",
-          "The picture itself is DIR/NAME.png; any picture viewer shows it.\n",
+          "Its picture is DIR/NAME.png, which any image viewer shows.\n",
           run};
 }
 

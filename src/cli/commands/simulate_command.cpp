@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include <cstdio>
 #include <fstream>
 #include <iostream>
@@ -13,7 +14,7 @@
 namespace mbncc::cli {
 namespace {
 
-/// Plays the story until the arm is out of the picture.
+/// Plays the script until the arm is out of the picture.
 void play_to_rest(sim::CellScript& script) {
   while (!script.at_rest()) script.step();
 }
@@ -24,7 +25,7 @@ std::string picture_name(int index) {
   return name;
 }
 
-/// A simulated cell that writes what its camera sees.
+/// A simulated cell that writes the pictures of its camera.
 class RecordedCell {
  public:
   RecordedCell(std::string folder, const SimulatedCameraConfig& config)
@@ -65,7 +66,7 @@ void write_targets(RecordedCell& cell, int count, std::ostream& truth) {
   }
 }
 
-/// The story moves only when told to, and one seed draws all of it.
+/// The script moves only on request and is drawn from one seed.
 SimulatedCameraConfig cell_of(const Arguments& arguments) {
   SimulatedCameraConfig config = simulated_camera_from(arguments);
   config.auto_play = false;
@@ -84,7 +85,8 @@ ExitCode run(const Arguments& arguments) {
   const std::string truth_path = folder + "/truth.csv";
   std::ofstream truth(truth_path);
   write_targets(cell, count, truth);
-  if (!truth.flush()) throw FileError(truth_path, "cannot be written; check space and permissions");
+  if (!truth.flush())
+    throw FileError(truth_path, "cannot be written; check disk space and permissions");
   std::cerr << "mbncc: wrote before.png, after.png, " << count << " targets and truth.csv to "
             << folder << '\n';
   return kDone;
@@ -93,17 +95,17 @@ ExitCode run(const Arguments& arguments) {
 }  // namespace
 
 Command simulate_command() {
-  return {
-      "simulate",
-      "write pictures of the simulated cell, to try the tool without a camera",
-      {{"--out", "DIR", "folder for the pictures", true},
-       {"--seed", "N", "draws platform, object and poses (1)"},
-       {"--count", "N", "pictures to search (5)"}},
-      "",
-      "before.png and after.png teach the object, target_*.png show it elsewhere, truth.csv tells\n"
-      "where: the centroid of its outline and its angle against before.png. Of the simulated\n"
-      "camera's parameters, those of picture, object, neighbours, noise and light count.\n",
-      run};
+  return {"simulate",
+          "write pictures of the simulated cell, to try the tool without a camera",
+          {{"--out", "DIR", "folder for the pictures", true},
+           {"--seed", "N", "seed of platform, object and poses (1)"},
+           {"--count", "N", "pictures to search (5)"}},
+          "",
+          "before.png and after.png teach the object, target_*.png show it elsewhere, truth.csv "
+          "gives\n its pose: the centroid of its outline and its angle relative to before.png. Of "
+          "the simulated\n camera's parameters, those of picture, object, neighbours, noise and "
+          "light are used.\n",
+          run};
 }
 
 }  // namespace mbncc::cli

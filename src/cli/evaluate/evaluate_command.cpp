@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
 #include <filesystem>
 #include <iostream>
@@ -22,7 +23,7 @@ bool is_picture(const std::filesystem::path& path) {
   return ending == ".png" || ending == ".jpg" || ending == ".jpeg";
 }
 
-/// Operands as they are; a folder stands for its pictures, or for those that `truth` lists.
+/// The operands; a folder is replaced by its pictures, or by those that `truth` lists.
 std::vector<std::string> pictures_of(const std::vector<std::string>& operands, const Truth& truth) {
   std::vector<std::string> pictures;
   for (const auto& operand : operands) {
@@ -156,17 +157,17 @@ ExitCode run(const Arguments& arguments) {
 Command evaluate_command() {
   return {
       "evaluate",
-      "search pictures whose content is known: recall, precision, errors, misses",
+      "search pictures of known content: recall, precision, errors, misses",
       {library_option(),
-       {"--truth", "TRUTH.csv", "what lies where: image,name,x,y,theta_deg", true},
-       {"--place-tolerance", "PIXELS", "a detection so near is right; default: 5"},
-       {"--angle-tolerance", "DEGREES", "likewise, symmetry aside; default: 5"},
-       {"--page", "DIR", "write a page with pictures of what was missed or wrong"},
+       {"--truth", "TRUTH.csv", "true poses: image,name,x,y,theta_deg", true},
+       {"--place-tolerance", "PIXELS", "largest position error of a right detection; default: 5"},
+       {"--angle-tolerance", "DEGREES", "largest angle error, modulo symmetry; default: 5"},
+       {"--page", "DIR", "write a page with the pictures of misses and wrong detections"},
        json_option()},
       "IMAGE|DIR",
-      "A picture that is given and not listed shows nothing: what is found there is wrong; of a\n"
-      "folder the listed pictures are taken. Without the column name the library must hold one\n"
-      "object. --json prints an object per picture and line, the figures last.\n",
+      "A given picture that is not listed contains no object: detections in it are wrong. Of a\n "
+      "folder, only the listed pictures are used. Without the column name the library must hold\n "
+      "one object. --json prints an object per picture and line, the figures last.\n",
       run};
 }
 

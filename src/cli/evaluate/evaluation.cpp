@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "cli/evaluate/evaluation.hpp"
 
 #include <algorithm>
@@ -6,7 +7,7 @@
 namespace mbncc::cli {
 namespace {
 
-/// [rad] between two angles that count as the same `symmetry` times in a turn; 0: at any angle.
+/// [rad] between two angles modulo a symmetry of `symmetry` equal angles per turn; 0: always 0.
 double angle_error(double a, double b, int symmetry) {
   if (symmetry == 0) return 0;
   const double sector = 2 * kPi / symmetry;

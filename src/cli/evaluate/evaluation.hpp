@@ -1,4 +1,5 @@
-// Detections compared with what really lies there.
+// SPDX-License-Identifier: BSD-3-Clause
+// Compares detections with the truth.
 #pragma once
 
 #include <string>
@@ -9,10 +10,10 @@
 
 namespace mbncc::cli {
 
-/// How far a detection may be off and still be right.
+/// Largest errors of a right detection.
 struct Tolerance {
   double place = 5;                ///< [px]
-  double angle = to_radians(5.0);  ///< [rad], symmetry aside
+  double angle = to_radians(5.0);  ///< [rad], modulo symmetry
 };
 
 /// Of one picture.
@@ -22,7 +23,7 @@ struct Comparison {
   std::vector<double> place_errors, angle_errors;  ///< of the right ones [px], [rad]
 };
 
-/// Each true instance is explained by one detection at most, the best first.
+/// Each true instance is matched with at most one detection, the best first.
 Comparison compare(const std::vector<TrueInstance>& truth, const std::vector<Match>& matches,
                    const Tolerance& tolerance);
 
@@ -35,12 +36,12 @@ struct Figures {
 
   void add(const Comparison& comparison, double search_time);
   double recall() const;               ///< [0..1] of the instances, 1 without any
-  double recall_graspable() const;     ///< likewise, of what may be grasped
+  double recall_graspable() const;     ///< the same for graspable detections
   double precision() const;            ///< [0..1] of the detections, 1 without any
-  double precision_graspable() const;  ///< likewise, of what may be grasped
+  double precision_graspable() const;  ///< the same for graspable detections
 };
 
-/// The value that `part` of the sorted values lie below; 0 for none.
+/// The quantile `part` of the sorted values; 0 for none.
 double quantile(std::vector<double> values, double part);
 
 }  // namespace mbncc::cli

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "cli/evaluate/evaluation_page.hpp"
 
 #include <fstream>
@@ -61,7 +62,7 @@ std::vector<std::string> sentences_of(const Figures& figures) {
       "precision: " + percent(figures.precision()) + of(figures.right, reported) + ", graspable " +
           percent(figures.precision_graspable()) + of(figures.right_graspable, graspable) + ", " +
           std::to_string(figures.wrong_graspable) + " wrong grasps",
-      "errors of what is right: place " + number(quantile(figures.place_errors, 0.5), 2) +
+      "errors of right detections: position " + number(quantile(figures.place_errors, 0.5), 2) +
           " px median, " + number(quantile(figures.place_errors, 0.95), 2) + " px at 95 %; angle " +
           number(to_degrees(quantile(figures.angle_errors, 0.5)), 2) + " deg median, " +
           number(to_degrees(quantile(figures.angle_errors, 0.95)), 2) + " deg at 95 %"};
@@ -101,9 +102,9 @@ std::string EvaluationPage::finish(const Figures& figures) const {
          "<style>body{font-family:sans-serif;max-width:90em;margin:2em}figure{display:inline-block;"
          "margin:.5em}</style>\n<h1>Evaluation</h1><ul>\n";
   for (const auto& sentence : sentences_of(figures)) page << "<li>" << sentence << "</li>\n";
-  page << "</ul>\n<h2>What was missed or wrong</h2>\n"
+  page << "</ul>\n<h2>Misses and wrong detections</h2>\n"
        << (rows_.empty() ? "<p>Nothing.</p>\n" : rows_) << "</html>\n";
-  if (!page.flush()) throw FileError(path, "cannot be written; check space and permissions");
+  if (!page.flush()) throw FileError(path, "cannot be written; check disk space and permissions");
   return path;
 }
 

@@ -1,4 +1,5 @@
-// The evaluation as a page with pictures of what went wrong.
+// SPDX-License-Identifier: BSD-3-Clause
+// The evaluation as a page with the pictures of errors.
 #pragma once
 
 #include <opencv2/core.hpp>
@@ -14,7 +15,7 @@ class EvaluationPage {
   /// "": none is written. Throws FileError.
   explicit EvaluationPage(std::string folder);
 
-  /// Keeps a picture in which something was missed or wrong.
+  /// Adds a picture with a miss or a wrong detection.
   void add(const std::string& image, const cv::Mat& picture, const Comparison& comparison);
 
   /// Writes index.html; returns its path, "" for none.

@@ -1,4 +1,5 @@
-// What really lies in the pictures of an evaluation.
+// SPDX-License-Identifier: BSD-3-Clause
+// The true poses in the pictures of an evaluation.
 #pragma once
 
 #include <map>
@@ -14,12 +15,12 @@ struct TrueInstance {
   Pose2D pose;       ///< [px],[rad] of the object frame
 };
 
-/// By file name, without folders. A picture that is not listed shows nothing.
+/// By file name, without folders. A picture that is not listed contains no object.
 using Truth = std::map<std::string, std::vector<TrueInstance>>;
 
-/// Reads CSV with a header: image, x, y [px], theta_deg, and name where the library has several
+/// Reads CSV with a header: image, x, y [px], theta_deg, and name if the library has several
 /// objects; further columns are ignored, a row with empty x is a picture without objects. Throws
-/// FileError naming the line.
+/// FileError that names the line.
 Truth read_truth(const std::string& path);
 
 }  // namespace mbncc::cli

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include <iostream>
 
 #include "cli/command.hpp"
@@ -45,7 +46,7 @@ ExitCode run(const Arguments& arguments) {
   if (arguments.has("--save")) {
     miss.lines = lines_of(explanations, kExplained);
     write_miss(arguments.get("--save"), miss);
-    std::cerr << "mbncc: wrote " << arguments.get("--save") << "; 'mbncc replay' runs it again\n";
+    std::cerr << "mbncc: wrote " << arguments.get("--save") << "; 'mbncc replay' repeats it\n";
   }
   return kDone;
 }
@@ -54,17 +55,17 @@ ExitCode run(const Arguments& arguments) {
 
 Command explain_command() {
   return {"explain",
-          "tell why objects are found at a place of a picture, or are not",
+          "explain why objects are found at a place in a picture or not",
           {library_option(),
            {"--at", "x,y", "the place in pixels, on the object", true},
            {"--name", "NAME", "explain this object only", false, true},
-           {"--overlay", "FILE.png", "write the picture with place, best pose and rivals"},
-           {"--save", "FILE.miss", "keep picture, library, settings and reason in one file"},
+           {"--overlay", "FILE.png", "write the picture with place, best pose and competitors"},
+           {"--save", "FILE.miss", "store picture, library, settings and reason in one file"},
            json_option()},
           "IMAGE",
-          "Every enabled object is searched for as by 'mbncc find'; then its best pose about the\n"
-          "place is told with each part of its score, the thresholds and the rivals. 'lacks' is\n"
-          "what a part would add to the log-odds were it perfect.\n",
+          "Every enabled object is searched as by 'mbncc find'; then its best pose near the place "
+          "is\n printed with each term of its score, the thresholds and the competitors. 'lacks' "
+          "is the\n difference of a term to its largest log-odds.\n",
           run};
 }
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "cli/explain/explanation_report.hpp"
 
 #include "cli/report/json_writer.hpp"

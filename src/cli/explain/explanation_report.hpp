@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Explanations on the terminal.
 #pragma once
 
@@ -10,13 +11,13 @@
 
 namespace mbncc::cli {
 
-/// So many objects are explained, the likeliest.
+/// Number of explained objects, the likeliest first.
 constexpr std::size_t kExplained = 3;
 
 /// Lines for people.
 void print_explanations(std::ostream& out, const std::vector<Explanation>& explanations);
 
-/// One object on a line per explanation.
+/// One JSON object per explanation and line.
 void write_explanations(std::ostream& out, const std::string& picture, cv::Point2d place,
                         const std::vector<Explanation>& explanations);
 

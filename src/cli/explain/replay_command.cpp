@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include <iostream>
 
 #include "cli/command.hpp"
@@ -37,12 +38,12 @@ ExitCode run(const Arguments& arguments) {
 
 Command replay_command() {
   return {"replay",
-          "explain a saved miss again, by this version",
+          "explain a saved miss again with this version",
           {json_option()},
           "FILE.miss",
-          "Picture, library and settings are those of the file, as the console's 'Save this miss'\n"
-          "or 'mbncc explain --save' wrote it. A file that cannot be read gets a sentence, the\n"
-          "others are run, and the exit code is 1.\n",
+          "Picture, library and settings are those of the file, as written by the console's 'Save "
+          "this miss'\n or by 'mbncc explain --save'. A file that cannot be read is reported, the "
+          "others are\n run, and the exit code is 1.\n",
           run};
 }
 

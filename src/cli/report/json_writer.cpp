@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "cli/report/json_writer.hpp"
 
 #include <algorithm>
@@ -19,7 +20,8 @@ std::string escaped(char c) {
   return escape;
 }
 
-// JSON is UTF-8, names of files are any bytes: what is none becomes the replacement character.
+// JSON is UTF-8, but names of files are arbitrary bytes: invalid ones become the replacement
+// character.
 std::string quoted(std::string_view text) {
   std::string result = "\"";
   while (!text.empty()) {

@@ -1,4 +1,5 @@
-// Writes one JSON document as it goes; a list of objects has one on each line.
+// SPDX-License-Identifier: BSD-3-Clause
+// Writes one JSON document incrementally, with one object of a list per line.
 #pragma once
 
 #include <cstdint>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "cli/report/lesson_report.hpp"
 
 #include <iomanip>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The outcome of a lesson in words and in JSON.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "cli/report/match_report.hpp"
 
 #include <iomanip>
@@ -112,7 +113,7 @@ class PlainReport : public MatchReport {
            << match.pose.y << "), " << to_degrees(match.pose.theta) << " deg, score " << match.score
            << (match.graspable   ? ""
                : match.ambiguous ? ", ambiguous, do not grasp: "
-                                 : ", too unsure to grasp: ")
+                                 : ", too uncertain to grasp: ")
            << joined(match.reasons) << '\n';
     }
   }

@@ -1,4 +1,5 @@
-// What was found, printed in one of three forms.
+// SPDX-License-Identifier: BSD-3-Clause
+// Prints detections in one of three formats.
 #pragma once
 
 #include <memory>

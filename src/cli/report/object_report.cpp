@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "cli/report/object_report.hpp"
 
 #include <cmath>
@@ -95,7 +96,7 @@ void print_object(std::ostream& out, const ObjectModel& object) {
   const Quality& quality = object.quality;
   out << object.name << " (" << object.label << ")\n"
       << "  revision " << object.revision << ", learned " << time_text(object.learned_at) << ", "
-      << (object.enabled ? "enabled" : "disabled: not searched for") << '\n';
+      << (object.enabled ? "enabled" : "disabled: not searched") << '\n';
   for (std::size_t i = 0; i < object.views.size(); ++i) print_view(out, i + 1, object.views[i]);
   out << "  scale " << number_or_unknown(object.metres_per_pixel, "m/px") << ", height "
       << field_text(object.object_height) << " m, grasp " << (object.grasp ? "set" : "not set")

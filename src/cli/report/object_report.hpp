@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // A learned object in words and in JSON.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "cli/report/overlay_writer.hpp"
 
 #include <filesystem>

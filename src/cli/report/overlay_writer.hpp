@@ -1,4 +1,5 @@
-// Writes searched pictures with the matches drawn in.
+// SPDX-License-Identifier: BSD-3-Clause
+// Writes searched pictures with the matches drawn into them.
 #pragma once
 
 #include <opencv2/core.hpp>
@@ -15,7 +16,7 @@ class OverlayWriter {
   /// Creates the folder; "" writes nothing.
   explicit OverlayWriter(std::string folder);
 
-  /// Writes `folder/<image>_overlay.png`, numbered when several pictures have one file name.
+  /// Writes `folder/<image>_overlay.png`, numbered if several pictures have the same file name.
   void write(const std::string& image, const cv::Mat& picture, const std::vector<Match>& matches);
 
  private:

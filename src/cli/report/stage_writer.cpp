@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "cli/report/stage_writer.hpp"
 
 #include "cli/pictures.hpp"

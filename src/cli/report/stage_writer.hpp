@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Writes the pictures of a lesson's steps into a folder.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "cli/terminal/completion.hpp"
 
 namespace mbncc::cli {
@@ -22,7 +23,7 @@ std::string names_of(const std::vector<Command>& commands) {
   return names + "help";
 }
 
-// Values of --name are the files of the folder given by --library, or of the nodelets' own one.
+// Values of --name are the files of the folder given by --library, or of the nodelets' folder.
 constexpr const char* kFunction = R"sh(_mbncc() {
   local word=${COMP_WORDS[COMP_CWORD]} before=${COMP_WORDS[COMP_CWORD-1]} library=$HOME/.ros/mbncc_library i
   for ((i = 1; i < COMP_CWORD; i++)); do
@@ -79,7 +80,7 @@ void print_completion(std::ostream& out, const std::string& shell,
   if (shell != "bash" && shell != "zsh")
     throw UsageError("completion is for bash or zsh, not '" + shell + "'");
   out << "# Completion of mbncc. Now: source <(mbncc completion " << shell
-      << "); for good: that line in ~/." << shell << "rc\n";
+      << "); permanently: that line in ~/." << shell << "rc\n";
   if (shell == "zsh") out << "autoload -U +X bashcompinit && bashcompinit\n";
   print_words(out, commands);
   out << kFunction;

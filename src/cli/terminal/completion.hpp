@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Shell completion, made from the commands' own descriptions.
 #pragma once
 
@@ -9,7 +10,7 @@
 
 namespace mbncc::cli {
 
-/// A script for `shell`, "bash" or "zsh", that needs nothing but the shell itself. Throws
+/// A script for `shell`, "bash" or "zsh", without other dependencies. Throws
 /// UsageError for another one.
 void print_completion(std::ostream& out, const std::string& shell,
                       const std::vector<Command>& commands);

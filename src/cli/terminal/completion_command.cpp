@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include <iostream>
 
 #include "cli/command.hpp"
@@ -16,14 +17,13 @@ ExitCode run(const Arguments& arguments) {
 }  // namespace
 
 Command completion_command() {
-  return {
-      "completion",
-      "print a script that completes commands, options and names in bash or zsh",
-      {},
-      "SHELL",
-      "Now: source <(mbncc completion bash). For good: add that line to ~/.bashrc, with zsh and\n"
-      "~/.zshrc likewise.\n",
-      run};
+  return {"completion",
+          "print a script that completes commands, options and names in bash or zsh",
+          {},
+          "SHELL",
+          "Now: source <(mbncc completion bash). Permanently: add that line to ~/.bashrc, with zsh "
+          "to\n ~/.zshrc.\n",
+          run};
 }
 
 }  // namespace mbncc::cli

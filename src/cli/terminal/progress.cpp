@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "cli/terminal/progress.hpp"
 
 #include <unistd.h>
@@ -9,8 +10,8 @@
 namespace mbncc::cli {
 namespace {
 
-constexpr double kPatience = 2;   // [s] without a sign of life
-constexpr double kRefresh = 0.2;  // [s] between two drawings
+constexpr double kPatience = 2;   // [s] before the first output
+constexpr double kRefresh = 0.2;  // [s] between two updates
 constexpr int kWidth = 30;        // [characters] of the bar
 constexpr const char* kEraseLine = "\r\x1b[K";
 

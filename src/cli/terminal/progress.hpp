@@ -1,4 +1,5 @@
-// How far a long command is, on a terminal.
+// SPDX-License-Identifier: BSD-3-Clause
+// Progress of a long command on a terminal.
 #pragma once
 
 #include <chrono>
@@ -8,10 +9,10 @@
 
 namespace mbncc::cli {
 
-/// Rewrites one line of stderr, if that is a terminal, once the work has taken two seconds.
+/// Rewrites one line of stderr, if it is a terminal, after two seconds.
 class Progress {
  public:
-  enum Where { kAlways, kQuietOutput };  ///< kQuietOutput: not while stdout is a terminal, too
+  enum Where { kAlways, kQuietOutput };  ///< kQuietOutput: not if stdout is a terminal, too
 
   Progress(std::string what, std::size_t count, Where where = kAlways);
   /// `terminal`: whether `out` is one.
@@ -20,7 +21,7 @@ class Progress {
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
 
-  /// One more is done.
+  /// Counts one finished item.
   void step();
 
  private:

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "console/calibration/board_calibration.hpp"
 
 #include <algorithm>
@@ -8,7 +9,7 @@
 namespace mbncc::console {
 namespace {
 
-constexpr double kOtherView = 0.06;  // of the picture's width that corners must have moved
+constexpr double kOtherView = 0.06;  // of the picture's width: least motion of the corners
 constexpr std::size_t kViews = 8;
 constexpr int kCovered = 12;  // fields
 
@@ -78,12 +79,12 @@ std::string BoardCalibration::advice(Seen seen) const {
                             std::to_string(covered()) + " of " + std::to_string(kFields * kFields) +
                             " fields covered. ";
   if (seen == Seen::kNothing)
-    return state + "No whole board of " + std::to_string(board_.columns) + " x " +
-           std::to_string(board_.rows) + " inner corners is seen: show all of it.";
-  if (suffices()) return state + "Compute the calibration, or go on for a better one.";
+    return state + "No complete board of " + std::to_string(board_.columns) + " x " +
+           std::to_string(board_.rows) + " inner corners is visible: show all of it.";
+  if (suffices()) return state + "Compute the calibration, or continue for a better one.";
   if (covered() < kCovered)
-    return state + "Move the board to where it has not been, the corners too.";
-  return state + "Tilt the board and bring it nearer and farther.";
+    return state + "Move the board to fields not covered yet, including the corners.";
+  return state + "Tilt the board and vary its distance.";
 }
 
 BoardCalibration::Result BoardCalibration::solve() const {

@@ -1,4 +1,5 @@
-// A camera's calibration from live pictures of a chessboard.
+// SPDX-License-Identifier: BSD-3-Clause
+// Calibrates a camera from live pictures of a chessboard.
 #pragma once
 
 #include <sensor_msgs/CameraInfo.h>
@@ -18,7 +19,7 @@ struct Board {
 
 class BoardCalibration {
  public:
-  /// The picture is parted into so many fields a side, which the board should have been in.
+  /// Number of fields per side of the picture that the board should cover.
   static constexpr int kFields = 4;
 
   BoardCalibration() = default;
@@ -26,28 +27,28 @@ class BoardCalibration {
   BoardCalibration(const Board& board, cv::Size size) : board_(board), size_(size) {}
 
   enum class Seen {
-    kNothing,  ///< no whole board
-    kKnown,    ///< much as in a picture that was taken
+    kNothing,  ///< no complete board
+    kKnown,    ///< too similar to a recorded picture
     kTaken
   };
-  /// `picture`: CV_8UC3, perhaps shrunk.
+  /// `picture`: CV_8UC3, possibly scaled down.
   Seen take(const cv::Mat& picture);
 
-  /// [px] of the camera's picture, of the board seen last.
+  /// [px] corners of the last visible board in the camera's picture.
   const std::vector<cv::Point2f>& corners() const { return corners_; }
   std::size_t views() const { return views_.size(); }
   int covered() const { return static_cast<int>(fields_.size()); }
-  /// There are views enough, and they cover the picture.
+  /// There are enough views, and they cover the picture.
   bool suffices() const;
-  /// What to do next.
+  /// The next instruction.
   std::string advice(Seen seen) const;
 
   struct Result {
     sensor_msgs::CameraInfo info;
-    double error_px = 0;  ///< RMS of corners projected back
-    double error_mm = 0;  ///< likewise, on the board
+    double error_px = 0;  ///< RMS reprojection error of the corners
+    double error_mm = 0;  ///< the same in mm on the board
   };
-  /// With at least three views.
+  /// Needs at least three views.
   Result solve() const;
 
  private:

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "console/calibration/calibration_pane.hpp"
 
 #include <QGridLayout>
@@ -30,9 +31,9 @@ CalibrationPane::CalibrationPane(QWidget* parent)
       picture_text_(new QLabel),
       board_text_(new QLabel),
       result_text_(new QLabel),
-      compute_(make_button("Co&mpute", "Of the pictures taken so far", this, "Alt+M")),
+      compute_(make_button("Co&mpute", "From the pictures recorded so far", this, "Alt+M")),
       keep_(make_button("&Keep", "The camera uses this calibration from now on", this, "Alt+K")),
-      anew_(make_button("Start ane&w", "Forget the pictures taken", this, "Alt+W")) {
+      anew_(make_button("Start ane&w", "Discard the recorded pictures", this, "Alt+W")) {
   square_->setRange(0.5, 500);
   square_->setDecimals(2);
   square_->setValue(1000 * Board().square);
@@ -41,7 +42,7 @@ CalibrationPane::CalibrationPane(QWidget* parent)
   QFont bold = result_text_->font();
   bold.setBold(true);
   result_text_->setFont(bold);
-  auto* close = make_button("&Back to live", "Nothing more is changed", this, "Esc");
+  auto* close = make_button("&Back to live", "Close without further changes", this, "Esc");
   auto* board = new QHBoxLayout;
   board->addWidget(new QLabel("Chessboard"));
   board->addWidget(columns_);
@@ -118,19 +119,21 @@ std::vector<Mark> CalibrationPane::take(const QImage& picture, QSize size) {
 void CalibrationPane::compute() {
   result_ = calibration_.solve();
   result_text_->setText(
-      QString("Corners are met within %1 mm on the board (%2 px); focal length %3 px. %4")
+      QString("Reprojection error %1 mm on the board (%2 px); focal length %3 px. %4")
           .arg(result_.error_mm, 0, 'f', 2)
           .arg(result_.error_px, 0, 'f', 2)
           .arg(result_.info.K[0], 0, 'f', 0)
-          .arg(calibration_.suffices() ? "Keep it, or go on."
-                                       : "Too little is covered yet to rely on it."));
+          .arg(calibration_.suffices()
+                   ? "Keep it, or continue."
+                   : "The pictures cover too little for a reliable calibration."));
   keep_->setEnabled(true);
 }
 
 void CalibrationPane::show_kept(bool success, const QString& message) {
-  result_text_->setText(success ? "Kept. Now find the platform: calibrate_platform, with the board "
-                                  "lying on it."
-                                : "Not kept: " + message);
+  result_text_->setText(
+      success ? "Stored. Next, calibrate the platform: run calibrate_platform with the board "
+                "lying on it."
+              : "Not kept: " + message);
 }
 
 }  // namespace mbncc::console

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Focus, exposure and calibration of the camera from its live pictures.
 #pragma once
 
@@ -24,7 +25,7 @@ class CalibrationPane : public QWidget {
   explicit CalibrationPane(QWidget* parent = nullptr);
 
   void begin();
-  /// `size` [px] of the camera's picture; returns what to point out in it.
+  /// `size` [px] of the camera's picture; returns the marks to draw into it.
   std::vector<Mark> take(const QImage& picture, QSize size);
   void show_kept(bool success, const QString& message);
 

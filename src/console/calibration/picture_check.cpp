@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "console/calibration/picture_check.hpp"
 
 #include <algorithm>
@@ -21,7 +22,7 @@ void PictureCheck::take(const cv::Mat& picture) {
   cv::Scalar mean, deviation, edge_mean, edge_deviation;
   cv::meanStdDev(grey, mean, deviation);
   cv::meanStdDev(edges, edge_mean, edge_deviation);
-  // Against the contrast: another exposure is no other focus.
+  // Normalised by the contrast, so that the exposure has no influence.
   now_ = edge_deviation[0] / (deviation[0] + 1);
   best_ = std::max(best_, now_);
   brightness_ = mean[0] / 255;
@@ -32,11 +33,12 @@ std::string PictureCheck::advice() const {
   const std::string part = std::to_string(std::lround(100 * sharpness()));
   const std::string focus =
       sharpness() >= kSharp
-          ? "Sharpness: " + part + " % of the best seen so far; turn the focus past it once."
-          : "Sharpness: " + part + " % of the best seen: turn the focus back.";
+          ? "Sharpness: " + part +
+                " % of the sharpest so far; turn the focus ring through its maximum once."
+          : "Sharpness: " + part + " % of the sharpest: turn the focus ring back.";
   const std::string light =
       burnt_ > kMostBurnt ? " Too bright: " + std::to_string(std::lround(100 * burnt_)) +
-                                " % is burnt out; shorten the exposure."
+                                " % is overexposed; shorten the exposure."
       : brightness_ < kDark ? " Too dark: lengthen the exposure, or add light."
                             : " The exposure is right.";
   return focus + light;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Whether the camera's picture is sharp and well exposed.
 #pragma once
 
@@ -13,11 +14,11 @@ class PictureCheck {
 
   /// [0..1] of the sharpest picture since the start; 0 without any.
   double sharpness() const { return best_ > 0 ? now_ / best_ : 0; }
-  /// [0..1] part of the pixels that are burnt out.
+  /// [0..1] part of the overexposed pixels.
   double burnt() const { return burnt_; }
   /// [0..1] mean brightness.
   double brightness() const { return brightness_; }
-  /// What to turn at the camera, two sentences.
+  /// Two instructions for focus and exposure.
   std::string advice() const;
 
  private:

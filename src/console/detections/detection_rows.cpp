@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "console/detections/detection_rows.hpp"
 
 #include <cmath>
@@ -17,7 +18,7 @@ std::string text(const char* format, Values... values) {
   return buffer;
 }
 
-/// With one decimal, and no minus sign before a zero.
+/// With one decimal, and without a minus sign for zero.
 std::string tenths(double value) {
   const double rounded = std::round(10 * value) / 10;
   return text("%.1f", rounded == 0 ? 0.0 : rounded);

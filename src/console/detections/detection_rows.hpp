@@ -1,4 +1,5 @@
-// The detections list: one row of words per object.
+// SPDX-License-Identifier: BSD-3-Clause
+// The list of detections: one row of text per object.
 #pragma once
 
 #include <mbncc_vision/DetectedObjectArray.h>
@@ -15,13 +16,13 @@ struct DetectionRow {
   /// name, state, x, y, angle, score, age.
   std::array<std::string, 7> cells;
   Level level = Level::kUnknown;
-  std::string reasons;  ///< why it is not confirmed, a line each
+  std::string reasons;  ///< why it is not confirmed, one reason per line
 };
 
 /// Headings of the cells.
 const std::array<const char*, 7>& detection_headings();
 
-/// Millimetres on the platform where there is a calibration, else pixels; `age` [s] of the picture.
+/// Millimetres on the platform if calibrated, otherwise pixels; `age` [s] of the picture.
 std::vector<DetectionRow> detection_rows(const mbncc_vision::DetectedObjectArray& detections,
                                          double age);
 

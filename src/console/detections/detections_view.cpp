@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "console/detections/detections_view.hpp"
 
 #include <QHeaderView>
@@ -28,7 +29,7 @@ DetectionsView::DetectionsView(QWidget* parent) : QTableWidget(parent) {
   setEditTriggers(NoEditTriggers);
   setSelectionMode(NoSelection);
   setFocusPolicy(Qt::NoFocus);
-  // The age is that of the picture, and stands there.
+  // The age is shown with the picture.
   setColumnHidden(columnCount() - 1, true);
 }
 

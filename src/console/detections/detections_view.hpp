@@ -1,4 +1,5 @@
-// What is found now.
+// SPDX-License-Identifier: BSD-3-Clause
+// The current detections.
 #pragma once
 
 #ifndef Q_MOC_RUN
@@ -16,7 +17,7 @@ class DetectionsView : public QTableWidget {
   explicit DetectionsView(QWidget* parent = nullptr);
 
   void show_detections(const mbncc_vision::DetectedObjectArray& detections, double age);
-  /// Nothing is known any more.
+  /// Clears the list.
   void clear_rows() { setRowCount(0); }
 };
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "console/detections/lamp_row.hpp"
 
 #include <QHBoxLayout>
@@ -25,9 +26,9 @@ void LampRow::show_lamps(const std::array<Lamp, 4>& lamps) {
     labels_[i]->setToolTip(reason.isEmpty() ? "all is well" : reason);
     if (!reason.isEmpty()) reasons << QString(lamps[i].name) + ": " + reason;
   }
-  // Always one line, so that nothing below moves under the mouse.
+  // Always one line, so that widgets below do not move.
   const QString all =
-      reasons.isEmpty() ? "Camera, calibration, library and matcher are well." : reasons.join("; ");
+      reasons.isEmpty() ? "Camera, calibration, library and matcher are OK." : reasons.join("; ");
   reasons_->setText(reasons_->fontMetrics().elidedText(all, Qt::ElideRight, reasons_->width() - 4));
   reasons_->setToolTip(reasons.join("\n"));
 }

@@ -1,4 +1,5 @@
-// The cell's lamps, and beside them the reasons of those that are not well.
+// SPDX-License-Identifier: BSD-3-Clause
+// The cell's lamps, and the reasons of those that report a fault.
 #pragma once
 
 #ifndef Q_MOC_RUN

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "console/detections/lamps.hpp"
 
 #include "mbncc/health_tasks.hpp"
@@ -7,7 +8,7 @@ namespace {
 
 using mbncc_vision::DetectedObjectArray;
 
-/// Who reports: "left/camera: pictures" is the task "pictures" of a node in "/left".
+/// Source of a report: "left/camera: pictures" is the task "pictures" of a node in "/left".
 struct Reporter {
   std::string space, task;
 };
@@ -59,7 +60,7 @@ Lamp Lamps::camera(double now) const {
 Lamp Lamps::calibration(double now) const {
   if (now - detections_at_ > kSilence || status_ == DetectedObjectArray::LIBRARY_EMPTY ||
       status_ == DetectedObjectArray::STALE || status_ == DetectedObjectArray::SEARCH_FAILED)
-    return {"Calibration", Level::kUnknown, "not known while nothing is searched"};
+    return {"Calibration", Level::kUnknown, "unknown while nothing is searched"};
   if (status_ == DetectedObjectArray::UNCALIBRATED)
     return {"Calibration", Level::kDoubtful,
             status_message_.empty() ? "positions in pixels only" : status_message_};
@@ -69,7 +70,7 @@ Lamp Lamps::calibration(double now) const {
 }
 
 Lamp Lamps::library() const {
-  if (!objects_) return {"Library", Level::kUnknown, "the learning nodelet is not heard"};
+  if (!objects_) return {"Library", Level::kUnknown, "no report from the learning nodelet"};
   if (!quarantined_.empty() && quarantined_ != "0")
     return {"Library", Level::kDoubtful, quarantined_ + " unreadable file(s) in .quarantine"};
   if (*objects_ == 0) return {"Library", Level::kDoubtful, "empty: teach an object"};
@@ -80,7 +81,7 @@ Lamp Lamps::library() const {
 Lamp Lamps::matcher(double now) const {
   if (now - detections_at_ > kSilence) {
     const std::string said = complaint(kMatchingTask, now);
-    return {"Matcher", Level::kBad, said.empty() ? "the matching nodelet is not heard" : said};
+    return {"Matcher", Level::kBad, said.empty() ? "no report from the matching nodelet" : said};
   }
   switch (status_) {
     case DetectedObjectArray::STALE:

@@ -1,4 +1,5 @@
-// Lamps of the cell: camera, calibration, library, matcher; each with the reason when not blue.
+// SPDX-License-Identifier: BSD-3-Clause
+// Lamps of the cell: camera, calibration, library, matcher; each with the reason if it is not blue.
 #pragma once
 
 #include <diagnostic_msgs/DiagnosticArray.h>
@@ -17,23 +18,22 @@ namespace mbncc::console {
 struct Lamp {
   const char* name = "";
   Level level = Level::kUnknown;
-  std::string reason;  ///< "": all is well
+  std::string reason;  ///< "": no fault
 };
 
 /// All times are seconds of one steady clock.
 class Lamps {
  public:
-  /// What has not been heard for so long is gone.
+  /// A part without a report for this time is gone.
   static constexpr double kSilence = 2.0;
 
-  /// `cell`: namespace of the cell's nodelets, "/" or "/left"; what those of others say does not
-  /// count.
+  /// `cell`: namespace of the cell's nodelets, "/" or "/left"; reports of other cells are ignored.
   explicit Lamps(std::string cell = "/") : cell_(std::move(cell)) {}
 
   void take_picture(double now) { picture_at_ = now; }
   void take_detections(const mbncc_vision::DetectedObjectArray& detections, double now);
   void take_library(std::size_t objects, std::size_t enabled);
-  /// Who keeps the library is gone.
+  /// Whether the nodelet that manages the library is gone.
   void forget_library() { objects_.reset(); }
   void take_diagnostics(const diagnostic_msgs::DiagnosticArray& diagnostics, double now);
 
@@ -50,7 +50,7 @@ class Lamps {
   Lamp calibration(double now) const;
   Lamp library() const;
   Lamp matcher(double now) const;
-  /// What the part says that is wrong with it; "" when nothing, or when it is silent.
+  /// The fault that the part reports; "" if there is none, or no report.
   std::string complaint(const std::string& task, double now) const;
 
   std::string cell_;

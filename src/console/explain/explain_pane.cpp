@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "console/explain/explain_pane.hpp"
 
 #include <QHBoxLayout>
@@ -43,7 +44,7 @@ ExplainPane::ExplainPane(QWidget* parent)
 }
 
 void ExplainPane::ask() {
-  verdict_->setText("Looking why ...");
+  verdict_->setText("Searching for the reason ...");
   lines_->clear();
   saved_->clear();
   save_->setEnabled(false);
@@ -51,15 +52,15 @@ void ExplainPane::ask() {
 
 void ExplainPane::show_answer(bool answered, const QString& lines) {
   const int end = lines.indexOf('\n');
-  verdict_->setText(answered ? lines.left(end) : "It cannot be told: " + lines);
+  verdict_->setText(answered ? lines.left(end) : "No explanation: " + lines);
   lines_->setText(answered && end >= 0 ? lines.mid(end + 1).replace("\n", "\n\n") : "");
   save_->setEnabled(answered);
 }
 
 void ExplainPane::show_saved(const QString& file) {
   saved_->setText(file.isEmpty()
-                      ? "It could not be saved."
-                      : "Saved on the cell's computer: " + file + "\nmbncc replay runs it again.");
+                      ? "The file could not be saved."
+                      : "Saved on the cell's computer: " + file + "\nmbncc replay repeats it.");
 }
 
 }  // namespace mbncc::console

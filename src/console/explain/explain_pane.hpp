@@ -1,4 +1,5 @@
-// Why something is found at a place or is not: the sentences, and what can be done with them.
+// SPDX-License-Identifier: BSD-3-Clause
+// The explanation why an object is found at a place or not, and the buttons for it.
 #pragma once
 
 #include <QLabel>
@@ -13,11 +14,11 @@ class ExplainPane : public QWidget {
  public:
   explicit ExplainPane(QWidget* parent = nullptr);
 
-  /// The question is on its way.
+  /// The question was sent.
   void ask();
-  /// Lines of the answer, the verdict first; `answered`: it is one, else the reason why not.
+  /// Lines of the answer, the result first; `answered`: false if it is the reason of a failure.
   void show_answer(bool answered, const QString& lines);
-  /// The miss was kept in a file.
+  /// The miss was saved in a file.
   void show_saved(const QString& file);
 
  Q_SIGNALS:

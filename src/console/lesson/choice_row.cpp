@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "console/lesson/choice_row.hpp"
 
 #include "console/widgets.hpp"
@@ -30,7 +31,7 @@ void ChoiceRow::ask(const QString& question, const std::vector<Answer>& answers)
 
 void ChoiceRow::clear() {
   question_->clear();
-  // The one that was clicked is still at it.
+  // The clicked button is still in its handler.
   for (auto* button : buttons_) {
     button->hide();
     button->deleteLater();

@@ -1,5 +1,6 @@
-// A question beside the lesson with its answers as buttons: what to do about a name that is taken,
-// or whether another view follows. Its height stays, so that nothing below moves.
+// SPDX-License-Identifier: BSD-3-Clause
+// A question with its answers as buttons: what to do about an existing name, or whether another
+// view follows. Its height is constant, so that widgets below do not move.
 #pragma once
 
 #include <QHBoxLayout>
@@ -22,7 +23,7 @@ class ChoiceRow : public QWidget {
 
   explicit ChoiceRow(QWidget* parent = nullptr);
 
-  /// Takes the place of the question before.
+  /// Replaces the previous question.
   void ask(const QString& question, const std::vector<Answer>& answers);
   void clear();
   bool asks() const { return !question_->text().isEmpty(); }

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "console/lesson/lesson_bar.hpp"
 
 #include <QHBoxLayout>
@@ -27,10 +28,10 @@ LessonBar::LessonBar(QWidget* parent)
       name_(new QLineEdit),
       height_(new QDoubleSpinBox),
       symmetry_(make_symmetry_box("At which angles the object counts as the same")),
-      teach_(make_button("&Teach", "Begin a lesson: then take the object away", this,
+      teach_(make_button("&Teach", "Start a lesson, then take the object away", this,
                          "Alt+T, or Enter in the name")),
       cancel_(make_button("&Cancel", "End the lesson; nothing is stored", this, "Alt+C")),
-      mark_(make_button("&Mark grasp", "Keep where the gripper holds the object", this)),
+      mark_(make_button("&Mark grasp", "Record where the gripper holds the object", this)),
       headline_(make_label("", 17, true)),
       detail_(make_label("", 10, false)),
       time_left_(make_label("", 11, false)),
@@ -42,9 +43,9 @@ LessonBar::LessonBar(QWidget* parent)
   height_->setSuffix(" mm high");
   height_->setDecimals(1);
   detail_->setWordWrap(true);
-  // Two lines, so that nothing below moves; longer sentences are in the tip.
+  // Two lines, so that widgets below do not move; longer sentences are in the tooltip.
   detail_->setFixedHeight(2 * detail_->fontMetrics().lineSpacing() + 4);
-  // A long name must not push the buttons beside it off the screen.
+  // A long name must not push the buttons off the screen.
   headline_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
   detail_->setAlignment(Qt::AlignTop | Qt::AlignLeft);
   progress_->setRange(0, kWholeBar);
@@ -96,7 +97,7 @@ void LessonBar::set_name(const std::string& name) {
 
 void LessonBar::allow_marks(bool allowed, const QString& reason) {
   marks_allowed_ = allowed;
-  mark_->setToolTip(allowed ? "Keep where the gripper holds the object" : reason);
+  mark_->setToolTip(allowed ? "Record where the gripper holds the object" : reason);
 }
 
 void LessonBar::clear_name() {
@@ -139,7 +140,7 @@ mbncc_vision::LearnObjectGoal LessonBar::goal() const {
   goal.object_height = height_->value() / 1000;
   goal.symmetry = chosen_symmetry(symmetry_);
   goal.confirm = true;
-  goal.allow_bad = true;  // after a question of its own
+  goal.allow_bad = true;  // after its own question
   return goal;
 }
 

@@ -1,4 +1,5 @@
-// Name, height, Teach; what to do now, how far the lesson is and how long it may still take.
+// SPDX-License-Identifier: BSD-3-Clause
+// Name, height, Teach; the current instruction, the progress and the remaining time.
 #pragma once
 
 #ifndef Q_MOC_RUN
@@ -28,22 +29,21 @@ class LessonBar : public QWidget {
   void show_lesson(const LessonModel& lesson, double now);
   mbncc_vision::LearnObjectGoal goal() const;
   void set_name(const std::string& name);
-  /// Whether Mark grasp can be followed; `reason`: why not.
+  /// Whether Mark grasp is possible; `reason`: why not.
   void allow_marks(bool allowed, const QString& reason);
   ChoiceRow& choices() { return *choices_; }
-  /// What was said beside the lesson is out of date.
+  /// The notice is out of date.
   void clear_notice() { notice_.clear(); }
-  /// The name has been used up, and what was declared of its object.
+  /// Clears the name and the declared symmetry after a lesson.
   void clear_name();
-  /// Something beside the lesson, such as the library's refusal; takes the place of the lesson's
-  /// own sentence for a while.
+  /// A notice, such as the library's refusal; replaces the lesson's own message for some seconds.
   void say(const Notice::Line& line, double now);
 
  Q_SIGNALS:
   void teach_wanted();
   void cancel_wanted();
   void mark_wanted();
-  /// The operator writes another name.
+  /// The operator edited the name.
   void name_edited();
 
  private:

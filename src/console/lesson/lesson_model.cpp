@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "console/lesson/lesson_model.hpp"
 
 #include <mbncc_vision/LearnObjectFeedback.h>
@@ -39,8 +40,8 @@ Result outcome_of(const mbncc_vision::LearnObjectActionResult& result) {
       result.status.status == actionlib_msgs::GoalStatus::SUCCEEDED)
     return outcome;
   outcome.error_code = Result::CANCELLED;
-  outcome.message = "The lesson was called off before it began.";
-  outcome.hint = "Teach again; when this goes on, compare the machines' clocks.";
+  outcome.message = "The lesson was cancelled before it began.";
+  outcome.hint = "Teach again; if this recurs, compare the machines' clocks.";
   return outcome;
 }
 
@@ -54,14 +55,14 @@ void LessonModel::take_status(const actionlib_msgs::GoalStatusArray& status, dou
     end("Ready", "Put the object on the platform, keep still, press Teach.", Level::kGood);
   const auto alive = std::find_if(status.status_list.begin(), status.status_list.end(), is_alive);
   if (alive != status.status_list.end()) {
-    // A lesson that somebody else began, or this window before it was closed.
+    // A lesson started by another client, or by this window before it was closed.
     if (!under_way()) {
       join(alive->goal_id.id, now);
       detail_ = "A lesson is running.";
     }
     goal_seen_ = now;
   } else if (under_way() && now - goal_seen_ > kSilence) {
-    end("The lesson was lost", "The learning nodelet was started anew. Press Teach again.",
+    end("The lesson was lost", "The learning nodelet was restarted. Press Teach again.",
         Level::kBad);
   }
 }
@@ -78,7 +79,7 @@ void LessonModel::take_feedback(const mbncc_vision::LearnObjectActionFeedback& f
                      feedback.feedback.message == question_;
   if (again) return;
   question_ = asked ? feedback.feedback.message : "";
-  // What was heard before is the draft of a lesson before, unless this one was joined in review.
+  // An earlier draft belongs to an earlier lesson, unless this one was joined in review.
   if (std::exchange(unheard_, false) && !asked) {
     newest_draft_.reset();
     corrections_ = 0;
@@ -94,7 +95,7 @@ void LessonModel::take_draft(const Result& draft) {
   newest_draft_ = draft;
   acceptable_ = draft.error_code == Result::SUCCESS;
   insisted_ = false;
-  // A correction passes through the stages again before the operator is asked anew.
+  // A correction passes through the stages again before the operator is asked again.
   if (draft_ || phase_ == Phase::kReview) show_draft(newest_draft_);
 }
 
@@ -126,7 +127,7 @@ void LessonModel::join(const std::string& goal, double now) {
   corrections_ = -1;
   words_.clear();
   asked_.reset();
-  detail_ = "Asking for a lesson.";
+  detail_ = "Requesting a lesson.";
   level_ = Level::kUnknown;
   show_draft({});
 }
@@ -139,7 +140,7 @@ void LessonModel::show_draft(const std::optional<Result>& draft) {
 void LessonModel::want(const Word& word) {
   if (!may_correct()) return;
   const bool correction = word.command == Word::EDIT || word.command == Word::UNDO;
-  // Accept and Reject mean what is seen, so they wait for nothing.
+  // Accept and Reject refer to the draft that is shown, so they are sent at once.
   if (correction || phase_ == Phase::kReview) words_.push_back(word);
 }
 
@@ -172,7 +173,7 @@ void LessonModel::count_corrections(bool success) {
   if (!asked_) return;
   if (asked_->command == Word::EDIT && success && corrections_ >= 0) ++corrections_;
   if (asked_->command != Word::UNDO) return;
-  // The server refuses when there is nothing to take back.
+  // The server refuses if there is nothing to undo.
   if (!success) corrections_ = 0;
   if (success && corrections_ > 0) --corrections_;
 }
@@ -181,8 +182,8 @@ void LessonModel::look_at_clock(double now) {
   if (phase_ == Phase::kNoServer || now - heard_ <= kSilence) return;
   const bool lost = under_way();
   end("The learning nodelet is gone",
-      lost ? "The lesson is lost. This window goes on by itself once the nodelet is back."
-           : "This window goes on by itself once the nodelet is back.",
+      lost ? "The lesson is lost. This window continues automatically when the nodelet is back."
+           : "This window continues automatically when the nodelet is back.",
       Level::kBad);
   phase_ = Phase::kNoServer;
 }

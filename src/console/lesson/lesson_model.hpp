@@ -1,4 +1,5 @@
-// What the console knows of the lesson and its server, and what the operator may do now.
+// SPDX-License-Identifier: BSD-3-Clause
+// State of the lesson and its server, and the actions that are currently possible.
 #pragma once
 
 #include <actionlib_msgs/GoalStatusArray.h>
@@ -23,16 +24,16 @@ mbncc_vision::LearnObjectResult outcome_of(const mbncc_vision::LearnObjectAction
 class LessonModel {
  public:
   enum class Phase {
-    kNoServer,  ///< the learning nodelet is not heard
+    kNoServer,  ///< no report from the learning nodelet
     kReady,     ///< a lesson may begin
     kRunning,   ///< a lesson waits for the scene, or computes
     kReview,    ///< the operator is asked
-    kDeciding   ///< his word is on its way
+    kDeciding   ///< the answer was sent
   };
 
   using Word = mbncc_vision::ConfirmLearning::Request;
 
-  /// Silence of the server after which it counts as gone.
+  /// Time without messages after which the server counts as gone.
   static constexpr double kSilence = 2.0;
 
   void take_status(const actionlib_msgs::GoalStatusArray& status, double now);
@@ -42,47 +43,47 @@ class LessonModel {
 
   /// The operator pressed Teach; `goal` is the id of the goal that is sent.
   void begin(const std::string& goal, double now);
-  /// The operator's word. It waits its turn while the one before is carried out: nothing that was
-  /// drawn is lost.
+  /// A command of the operator. It is queued while an earlier one is carried out, so no stroke is
+  /// lost.
   void want(const Word& word);
-  /// The word to send to the server now, which counts as sent; none: nothing waits, or the server
-  /// works.
+  /// The next command to send, which is then marked as sent; none if nothing waits or the server is
+  /// busy.
   std::optional<Word> next_word();
-  /// Corrections drawn and not yet part of a draft, the oldest first.
+  /// Corrections that are not yet part of a draft, the oldest first.
   std::deque<Word> waiting() const;
-  /// Whether pictures come from the camera.
+  /// Whether the camera sends pictures.
   void take_camera(bool alive) { camera_alive_ = alive; }
-  /// The operator takes the draft although it is BAD; holds until the next draft.
+  /// The operator accepts the draft although it is BAD; valid until the next draft.
   void insist(bool insisted) { insisted_ = insisted; }
-  /// The server's answer to it.
+  /// The server's answer to the command.
   void take_answer(bool success, const std::string& message);
-  /// To be called a few times a second.
+  /// Call this several times per second.
   void look_at_clock(double now);
 
   Phase phase() const { return phase_; }
   bool may_teach() const { return phase_ == Phase::kReady; }
   bool may_cancel() const { return phase_ == Phase::kRunning; }
   bool may_decide() const { return phase_ == Phase::kReview; }
-  /// A BAD draft needs the operator's word that he has looked at it.
+  /// A BAD draft can be accepted only after the operator has confirmed the check.
   bool may_accept() const { return may_decide() && draft_ && (acceptable_ || insisted_); }
   /// The draft may be corrected, also while a correction is computed.
   bool may_correct() const { return draft_.has_value(); }
-  /// There may be a correction to take back.
+  /// There may be a correction to undo.
   bool may_undo() const { return may_correct() && corrections_ != 0; }
   bool must_insist() const { return draft_.has_value() && !acceptable_; }
-  /// The scene is awaited: what changes in it is worth showing.
+  /// The lesson waits for the scene, so its changes are shown.
   bool waits_for_scene() const;
 
   const std::string& goal() const { return goal_; }
   std::string headline() const;
   std::string detail() const;
-  /// How the last lesson ended, or the answer to the last word.
+  /// The result of the last lesson, or the answer to the last command.
   Level level() const { return level_; }
   double progress() const { return progress_; }
   std::string time_left(double now) const;
-  /// Of the lesson that is reviewed; none otherwise.
+  /// Of the lesson in review; none otherwise.
   const std::optional<mbncc_vision::LearnObjectResult>& draft() const { return draft_; }
-  /// Changes whenever draft() does.
+  /// Changes with every new draft().
   int draft_number() const { return draft_number_; }
 
  private:
@@ -95,8 +96,8 @@ class LessonModel {
   Phase phase_ = Phase::kNoServer;
   std::string goal_;
   std::string headline_ = "Waiting for the learning nodelet";
-  std::string question_;  // that the operator is asked
-  std::string detail_ = "Start it with cell.launch; this window goes on by itself.";
+  std::string question_;  // state in which the operator is asked
+  std::string detail_ = "Start it with cell.launch; this window continues automatically.";
   Level level_ = Level::kUnknown;
   std::uint8_t stage_ = 0;
   double progress_ = 0;

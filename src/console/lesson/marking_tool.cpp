@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "console/lesson/marking_tool.hpp"
 
 #include <algorithm>
@@ -8,7 +9,7 @@ namespace mbncc::console {
 namespace {
 
 constexpr float kStep = 1.5f;     // [px] between two points of a stroke
-constexpr double kMeant = 3;      // [px] shorter drags are slips
+constexpr double kMeant = 3;      // [px] shorter drags are ignored
 constexpr double kGrabTip = 0.5;  // of the axes' length around the tip
 
 geometry_msgs::Polygon polygon_of(const std::vector<cv::Point2f>& points) {
@@ -80,7 +81,7 @@ std::optional<MarkingTool::Request> MarkingTool::stroke() const {
   Request request;
   request.command = Request::EDIT;
   request.stroke_width = static_cast<float>(stroke_width_);
-  // A click or double click is none.
+  // Ignores clicks and double clicks.
   if (cv::boundingRect(points_).width < kMeant && cv::boundingRect(points_).height < kMeant)
     return {};
   (tool_ == Tool::kInclude ? request.include : request.exclude).push_back(polygon_of(points_));

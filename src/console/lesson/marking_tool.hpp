@@ -1,4 +1,5 @@
-// Turns the mouse over the reviewed picture into corrections of the lesson.
+// SPDX-License-Identifier: BSD-3-Clause
+// Converts mouse input on the reviewed picture to corrections of the lesson.
 #pragma once
 
 #include <geometry_msgs/Pose2D.h>
@@ -25,12 +26,12 @@ class MarkingTool {
   /// The lesson's object frame, and the length of its drawn axes.
   void set_axes(const geometry_msgs::Pose2D& axes, double length);
 
-  /// Forgets what is being drawn; false: nothing is.
+  /// Discards an unfinished stroke; false if there is none.
   bool give_up();
 
   void press(cv::Point2f at);
   void move(cv::Point2f to);
-  /// The correction that was drawn; none: too little to be meant.
+  /// The drawn correction; none if it is too small.
   std::optional<Request> release(cv::Point2f at, cv::Size picture);
 
   bool drawing() const { return drawing_; }

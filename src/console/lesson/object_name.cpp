@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "console/lesson/object_name.hpp"
 
 #include <algorithm>
@@ -39,10 +40,10 @@ TypedName usable_name(const std::string& typed) {
     result.complaint = "A name has at most 64 characters.";
   } else if (left_out) {
     result.complaint =
-        "A name begins with a letter and has letters a to z, digits and _ only; the rest was left "
+        "A name begins with a letter and has only letters a to z, digits and _; the rest was left "
         "out.";
   } else if (replaced) {
-    result.complaint = "A name has no spaces; _ stands for them.";
+    result.complaint = "A name has no spaces; they were replaced by _.";
   }
   return result;
 }

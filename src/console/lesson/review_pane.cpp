@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "console/lesson/review_pane.hpp"
 
 #include <mbncc_vision/ConfirmLearning.h>
@@ -34,7 +35,7 @@ void show_in(QLabel* label, const QImage& picture) {
 }
 
 QString reasons_of(const mbncc_vision::LearnQuality& quality) {
-  if (quality.advice.empty()) return "Nothing to complain about.";
+  if (quality.advice.empty()) return "No complaints.";
   QString text;
   for (const auto& advice : quality.advice)
     text += QString::fromUtf8("\u2022 ") + QString::fromStdString(advice) + "\n";
@@ -49,7 +50,7 @@ QString numbers_of(const mbncc_vision::LearnQuality& quality) {
       .arg(static_cast<int>(quality.area));
 }
 
-/// Much advice scrolls: labels that get too little height paint over their neighbours.
+/// Long advice scrolls, because labels with too little height overlap their neighbours.
 QScrollArea* make_scrollable(QLabel* text) {
   auto* area = new QScrollArea;
   area->setFrameShape(QFrame::NoFrame);
@@ -66,15 +67,15 @@ ReviewPane::ReviewPane(QWidget* parent)
       verdict_(new QLabel),
       numbers_(new QLabel),
       reasons_(new QLabel),
-      template_(make_picture(kTemplate, "What was learned; the checkerboard is not part of it")),
-      score_map_(make_picture(
-          kScoreMap,
-          "Where the picture resembles the object at a first look (yellow: much):\nring = the "
-          "object, square = the next best place. The scores above judge all.")),
-      insist_(new QCheckBox("I have checked it: store it although BAD")),
+      template_(make_picture(kTemplate, "The learned object; the checkerboard is not part of it")),
+      score_map_(
+          make_picture(kScoreMap,
+                       "Similarity to the object in the coarse search (yellow: high):\nring = the "
+                       "object, square = the next best place. The scores above use all features.")),
+      insist_(new QCheckBox("I have checked the outline: store it although BAD")),
       accept_(make_button("&Accept", "Store the object", this, "Alt+A or Ctrl+Enter")),
       reject_(make_button("&Reject", "End the lesson; nothing is stored", this, "Alt+R")),
-      undo_(make_button("&Undo mark", "Take the last correction back", this, "Ctrl+Z")),
+      undo_(make_button("&Undo mark", "Undo the last correction", this, "Ctrl+Z")),
       tools_(new QButtonGroup(this)),
       width_(new QSlider(Qt::Horizontal)) {
   QFont large = verdict_->font();
@@ -126,11 +127,11 @@ QWidget* ReviewPane::make_tools() {
     Tool tool;
     const char *text, *tip, *key;
   } tools[] = {
-      {Tool::kInclude, "Add", "Draw over what belongs to the object", "A; Esc puts it down"},
-      {Tool::kExclude, "Cut", "Draw over what does not belong to the object",
-       "C; Esc puts it down"},
-      {Tool::kRegion, "Region", "Draw a box around the object", "R; Esc puts it down"},
-      {Tool::kAxes, "Axes", "Drag the origin; drag the round tip to turn", "X; Esc puts it down"},
+      {Tool::kInclude, "Add", "Draw over missing parts of the object", "A; Esc deselects it"},
+      {Tool::kExclude, "Cut", "Draw over parts that do not belong to the object",
+       "C; Esc deselects it"},
+      {Tool::kRegion, "Region", "Draw a box around the object", "R; Esc deselects it"},
+      {Tool::kAxes, "Axes", "Drag the origin; drag the round tip to rotate", "X; Esc deselects it"},
   };
   int column = 0;
   for (const auto& entry : tools) {

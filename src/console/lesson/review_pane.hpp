@@ -1,4 +1,5 @@
-// The operator's look before anything is stored: verdict, reasons, template, score map; accept,
+// SPDX-License-Identifier: BSD-3-Clause
+// The operator's review before an object is stored: verdict, reasons, template, score map; accept,
 // reject, correct.
 #pragma once
 

@@ -1,4 +1,5 @@
-// What the operator wants a lesson to do about the library.
+// SPDX-License-Identifier: BSD-3-Clause
+// How a lesson treats an existing object.
 #pragma once
 
 #include <mbncc_vision/LearnObjectGoal.h>
@@ -13,8 +14,8 @@ struct TeachingWish {
   std::string name;  ///< "": the server chooses
 };
 
-/// The goal of a lesson as the operator described it, changed to do what he wants. A further view
-/// brings nothing but its picture: height and symmetry stay the stored object's.
+/// Adapts the goal of a lesson to that choice. A further view provides only its picture; height and
+/// symmetry are those of the stored object.
 inline mbncc_vision::LearnObjectGoal goal_of(const TeachingWish& wish,
                                              mbncc_vision::LearnObjectGoal described) {
   using Goal = mbncc_vision::LearnObjectGoal;

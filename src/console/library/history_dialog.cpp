@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "console/library/history_dialog.hpp"
 
 #include <QHBoxLayout>
@@ -21,7 +22,7 @@ HistoryDialog::HistoryDialog(const QString& name, const std::vector<Revision>& r
     item->setData(Qt::UserRole, revision.number);
     list_->addItem(item);
   }
-  auto* restore = make_button("&Restore", "The present one goes to the trash", this, "Alt+R");
+  auto* restore = make_button("&Restore", "The current one goes to the trash", this, "Alt+R");
   auto* close = make_button("&Close", "Change nothing", this, "Esc");
   restore->setEnabled(!revisions.empty());
   auto* row = new QHBoxLayout;
@@ -30,7 +31,7 @@ HistoryDialog::HistoryDialog(const QString& name, const std::vector<Revision>& r
   row->addWidget(close);
   auto* all = new QVBoxLayout(this);
   all->addWidget(new QLabel(revisions.empty() ? "There are none yet: a revision is kept whenever "
-                                                "the object is taught anew or moved."
+                                                "the object is taught again or its frame is moved."
                                               : "The newest is on top."));
   all->addWidget(list_, 1);
   all->addLayout(row);

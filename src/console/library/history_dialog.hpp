@@ -1,4 +1,5 @@
-// Earlier revisions of an object, to bring one back.
+// SPDX-License-Identifier: BSD-3-Clause
+// Lists earlier revisions of an object and restores one.
 #pragma once
 
 #ifndef Q_MOC_RUN

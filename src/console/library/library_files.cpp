@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "console/library/library_files.hpp"
 
 #include <algorithm>
@@ -17,7 +18,7 @@ namespace fs = std::filesystem;
 void check_folder(const std::string& folder) {
   if (folder.empty() || !fs::is_directory(folder))
     throw std::runtime_error("The library's folder " + folder +
-                             " is not on this computer; do it on the cell's.");
+                             " is not on this computer; use the cell's computer.");
 }
 
 std::string date_of(double seconds) {
@@ -33,7 +34,7 @@ std::string date_of(double seconds) {
 
 void export_object(const std::string& folder, const std::string& name, const std::string& file) {
   check_folder(folder);
-  read_object_file(folder + "/" + name + ".png");  // nothing but an object is handed on
+  read_object_file(folder + "/" + name + ".png");  // only valid objects are exported
   fs::copy_file(folder + "/" + name + ".png", file, fs::copy_options::overwrite_existing);
 }
 
@@ -41,8 +42,8 @@ std::string import_object(const std::string& folder, const std::string& file) {
   check_folder(folder);
   ObjectModel model = read_object_file(file);
   if (!is_valid_name(model.name))
-    throw std::runtime_error("The file's name becomes the object's: '" + model.name +
-                             "' is none; rename the file.");
+    throw std::runtime_error("The file's name becomes the object's name: '" + model.name +
+                             "' is not valid; rename the file.");
   return ObjectLibrary(folder).save(model, ObjectLibrary::Existing::kRefuse).name;
 }
 

@@ -1,5 +1,6 @@
-// Objects as single files: exported, imported, and their earlier revisions. Works where the
-// library's folder is on this computer.
+// SPDX-License-Identifier: BSD-3-Clause
+// Export and import of objects as single files, and their earlier revisions. Works if the library's
+// folder is on this computer.
 #pragma once
 
 #include <cstdint>
@@ -16,13 +17,13 @@ struct Revision {
   std::string text;  ///< when it was learned, views, verdict
 };
 
-/// Those functions throw std::exceptions with a sentence; `folder` is the library's.
+/// These functions throw std::exceptions with a message; `folder` is the library's.
 void export_object(const std::string& folder, const std::string& name, const std::string& file);
 
-/// Returns the name it has in the library; one that is taken is refused.
+/// Returns its name in the library; refuses an existing name.
 std::string import_object(const std::string& folder, const std::string& file);
 
-/// Newest first; files that cannot be read are left out.
+/// Newest first; without files that cannot be read.
 std::vector<Revision> earlier_revisions(const std::string& folder, const std::string& name);
 
 }  // namespace mbncc::console

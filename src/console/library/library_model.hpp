@@ -1,4 +1,5 @@
-// The library strip: what is known, and edits that can be taken back.
+// SPDX-License-Identifier: BSD-3-Clause
+// The library strip: the known objects, and edits with undo.
 #pragma once
 
 #include <mbncc_vision/EditObject.h>
@@ -21,23 +22,23 @@ class LibraryModel {
   static Request enable(const std::string& name, bool enabled);
   static Request rename(const std::string& name, const std::string& new_name);
   static Request remove(const std::string& name);
-  /// `symmetry` is one of LearnObjectGoal's SYMMETRY_...; notes the present one, for undo().
+  /// `symmetry` is one of LearnObjectGoal's SYMMETRY_...; records the current one for undo().
   Request declare(const std::string& name, std::uint8_t symmetry);
 
   /// The object of that name; null: none.
   const mbncc_vision::LearnedObject* find(const std::string& name) const;
   std::vector<std::string> names() const;
 
-  /// A lesson has replaced the object of that name, or given it a view: it can be taken back.
+  /// A lesson has replaced the object of that name, or added a view; this can be undone.
   void retaught(const std::string& name);
 
-  /// An edit was carried out: it can be taken back from now on.
+  /// An edit was carried out; it can be undone from now on.
   void done(const Request& request);
   bool can_undo() const { return !undo_.empty(); }
-  /// The edit that takes the last one back; only when can_undo().
+  /// The edit that undoes the last one; call only if can_undo().
   Request undo() const { return undo_.back(); }
   std::string undo_text() const;
-  /// The last one was taken back, or cannot be.
+  /// The last edit was undone, or cannot be undone.
   void undone() { undo_.pop_back(); }
 
  private:

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "console/library/library_strip.hpp"
 
 #include <QHBoxLayout>
@@ -49,11 +50,12 @@ LibraryStrip::LibraryStrip(QWidget* parent)
       view_(make_button("Teach &view",
                         "Teach the chosen object from another side or in other light", this,
                         "Alt+V")),
-      enable_(make_button("&Disable", "Search for the chosen object, or not", this, "Alt+D")),
-      rename_(make_button("Re&name", "Write a new name below its picture", this, "F2")),
-      delete_(make_button("De&lete", "Take it out of the library; Undo edit brings it back", this,
+      enable_(make_button("&Disable", "Enable or disable the search for the chosen object", this,
+                          "Alt+D")),
+      rename_(make_button("Re&name", "Edit the name below its picture", this, "F2")),
+      delete_(make_button("De&lete", "Remove it from the library; Undo edit restores it", this,
                           "Alt+L")),
-      undo_(make_button("Undo &edit", "Take the last change of the library back", this, "Alt+E")),
+      undo_(make_button("Undo &edit", "Undo the last change of the library", this, "Alt+E")),
       more_(make_button("M&ore", "Export, import, earlier revisions", this, "Alt+O")) {
   search_->setPlaceholderText("search the library");
   search_->setClearButtonEnabled(true);
@@ -112,7 +114,7 @@ void LibraryStrip::connect_buttons() {
   connect(delete_, &QPushButton::clicked,
           [this] { Q_EMIT edit_wanted(LibraryModel::remove(chosen().toStdString())); });
   connect(undo_, &QPushButton::clicked, this, &LibraryStrip::undo_wanted);
-  // Of the operator alone, not of show_choice().
+  // Emitted only for changes by the operator, not by show_choice().
   connect(symmetry_, QOverload<int>::of(&QComboBox::activated), [this] {
     const auto known = list_->currentItem()->data(kSymmetryRole).toUInt();
     if (chosen_symmetry(symmetry_) != known)
@@ -148,7 +150,7 @@ QListWidgetItem* LibraryStrip::make_item(const mbncc_vision::LearnedObject& obje
   item->setData(kEnabledRole, object.enabled);
   item->setData(kSymmetryRole, object.symmetry);
   item->setFlags(item->flags() | Qt::ItemIsEditable);
-  item->setSizeHint({kIcon.width() + 24, kIcon.height() + 24});  // long names are cut
+  item->setSizeHint({kIcon.width() + 24, kIcon.height() + 24});  // long names are shortened
   item->setToolTip(QString("%1, revision %2, %3 view(s), verdict %4%5")
                        .arg(name == label ? name : name + " (" + label + ")")
                        .arg(object.revision)

@@ -1,5 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The learned objects as thumbnails: search, enable, rename, delete, declare the symmetry, teach
-// further views; undo instead of questions.
+// further views; undo instead of confirmation.
 #pragma once
 
 #ifndef Q_MOC_RUN
@@ -23,7 +24,7 @@ class LibraryStrip : public QWidget {
   explicit LibraryStrip(QWidget* parent = nullptr);
 
   void show_objects(const LibraryModel& library);
-  /// Selects an object as soon as it is listed.
+  /// Selects an object once it is listed.
   void choose(const QString& name);
   /// Key of the selected object, "" for none.
   QString chosen() const;
@@ -33,7 +34,7 @@ class LibraryStrip : public QWidget {
   void edit_wanted(mbncc_vision::EditObject::Request request);
   void symmetry_wanted(QString name, std::uint8_t symmetry);
   void undo_wanted();
-  /// A further view of the object is to be taught.
+  /// A further view of the object shall be taught.
   void view_wanted(QString name);
   void export_wanted(QString name);
   void import_wanted();

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "console/picture/label_places.hpp"
 
 #include <algorithm>
@@ -6,7 +7,7 @@
 namespace mbncc::console {
 namespace {
 
-constexpr int kGap = 4;      // [px] between a thing and its label
+constexpr int kGap = 4;      // [px] between an object and its label
 constexpr int kRings = 6;    // distances that are tried
 constexpr double kFar = 20;  // [px^2] of overlap that a pixel of distance outweighs
 
@@ -16,7 +17,7 @@ cv::Rect moved_inside(cv::Rect label, const cv::Rect& room) {
   return label;
 }
 
-/// Above, below, right and left of the thing, then in its corners, `away` [px] from it.
+/// Above, below, right and left of the object, then at its corners, `away` [px] from it.
 std::vector<cv::Rect> places_about(const LabelledThing& thing, int away) {
   const cv::Rect& box = thing.box;
   const cv::Size& size = thing.label;

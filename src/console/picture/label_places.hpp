@@ -1,4 +1,5 @@
-// Where the labels of marks go: beside what they name, over no other label and no neighbour.
+// SPDX-License-Identifier: BSD-3-Clause
+// Places the labels of marks beside their objects without overlapping other labels or objects.
 #pragma once
 
 #include <opencv2/core.hpp>
@@ -8,12 +9,12 @@ namespace mbncc::console {
 
 /// A label to place; all in pixels of the widget.
 struct LabelledThing {
-  cv::Rect box;    ///< about the thing
+  cv::Rect box;    ///< bounding box of the object
   cv::Size label;  ///< its label's size
 };
 
-/// A place for each label inside `room`, which they leave only where it is too small for them. Each
-/// is as near to its thing as the others allow.
+/// A place for each label inside `room`, unless it is too small. Each is as near to its object as
+/// the others allow.
 std::vector<cv::Rect> place_labels(const std::vector<LabelledThing>& things, const cv::Rect& room);
 
 }  // namespace mbncc::console

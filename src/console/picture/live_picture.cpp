@@ -1,9 +1,10 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "console/picture/live_picture.hpp"
 
 namespace mbncc::console {
 namespace {
 
-constexpr double kSearchedFresh = 1;  // [s] before age() tells of a picture that stands still
+constexpr double kSearchedFresh = 1;  // [s] before age() reports an old picture
 
 }  // namespace
 

@@ -1,4 +1,5 @@
-// Which of the cell's live pictures is shown: bare, or with what is found.
+// SPDX-License-Identifier: BSD-3-Clause
+// Selects the live picture to show: the plain one, or the one with detections.
 #pragma once
 
 namespace mbncc::console {
@@ -7,9 +8,9 @@ class LivePicture {
  public:
   explicit LivePicture(double now = 0) : shown_at_(now) {}
 
-  /// A picture has come, `searched`: with what was found in it. True when it is to be shown: while
-  /// a lesson runs the bare ones, otherwise the searched ones, and bare ones where those fail to
-  /// come. Times are in seconds of any one clock.
+  /// A picture arrived; `searched`: with its detections. Returns true if it shall be shown: plain
+  /// pictures during a lesson, otherwise searched ones, or plain ones if those do not arrive. Times
+  /// are in seconds of any one clock.
   bool take(bool searched, bool teaching, double now);
 
   /// [s] since a picture was shown.

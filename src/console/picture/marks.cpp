@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "console/picture/marks.hpp"
 
 #include <algorithm>
@@ -28,7 +29,7 @@ Mark mark_of(const DetectedObject& object) {
   return mark;
 }
 
-/// Of the map's own pixels.
+/// Computed from the map's pixels.
 std::vector<std::vector<cv::Point>> outlines_of(const sensor_msgs::Image& map) {
   if (map.width == 0 || map.data.size() < std::size_t{map.step} * map.height) return {};
   const cv::Mat pixels(static_cast<int>(map.height), static_cast<int>(map.width), CV_8UC1,
@@ -50,7 +51,7 @@ std::vector<Mark> marks_of(const mbncc_vision::LearnObjectResult& draft) {
   const auto parts = outlines_of(draft.map);
   const auto outline = points_of(draft.object.outline);
   if (parts.empty() || outline.empty()) return {};
-  // The message says where the largest outline lies, which places the map.
+  // The message gives the position of the largest outline, which locates the map.
   const auto largest = std::max_element(
       parts.begin(), parts.end(),
       [](const auto& a, const auto& b) { return cv::contourArea(a) < cv::contourArea(b); });

@@ -1,5 +1,6 @@
-// What is pointed out over a picture; drawn by the window itself, so that lines stay thin and text
-// stays sharp at any zoom.
+// SPDX-License-Identifier: BSD-3-Clause
+// Marks over a picture, drawn by the window itself so that lines stay thin and text stays sharp at
+// any zoom.
 #pragma once
 
 #include <mbncc_vision/DetectedObjectArray.h>
@@ -21,10 +22,10 @@ struct Mark {
   std::string label;  ///< UTF-8, one line
 };
 
-/// One for each object found.
+/// One for each detected object.
 std::vector<Mark> marks_of(const mbncc_vision::DetectedObjectArray& detections);
 
-/// Outline and frame of a lesson's draft, every part and hole of its map; none without a map.
+/// Outline and frame of a lesson's draft, with all parts and holes of its map; none without a map.
 std::vector<Mark> marks_of(const mbncc_vision::LearnObjectResult& draft);
 
 }  // namespace mbncc::console

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "console/picture/picture_frame.hpp"
 
 #include <algorithm>
@@ -49,7 +50,7 @@ void PictureFrame::pan(cv::Point2d by) {
   stay_inside();
 }
 
-// A side that fits in whole stays in the middle.
+// A side that fits completely is centred.
 void PictureFrame::stay_inside() {
   const auto inside = [this](double at, int picture, int widget) {
     const double half = widget / scale() / 2;

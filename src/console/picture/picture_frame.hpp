@@ -1,4 +1,5 @@
-// Where a picture lies in a widget: the whole of it fitted in, or a part of it enlarged.
+// SPDX-License-Identifier: BSD-3-Clause
+// The position of a picture in a widget: completely fitted, or zoomed.
 #pragma once
 
 #include <opencv2/core.hpp>
@@ -8,10 +9,10 @@ namespace mbncc::console {
 class PictureFrame {
  public:
   void set_sizes(cv::Size picture, cv::Size widget);
-  /// Enlarges by `factor` (> 1) or shrinks about the point of the widget, at most to the whole.
+  /// Zooms by `factor` about a point of the widget, at least to the fitted size.
   void zoom(double factor, cv::Point2d about);
   void show_all() { zoom_ = 1; }
-  /// Moves the enlarged picture by so many pixels of the widget, no farther than its edges.
+  /// Pans the zoomed picture by widget pixels, within its edges.
   void pan(cv::Point2d by);
   bool enlarged() const { return zoom_ > 1; }
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "console/picture/picture_view.hpp"
 
 #include <QMouseEvent>
@@ -17,7 +18,7 @@ namespace {
 const QColor kInclude("#56b4e9"), kExclude("#d55e00"), kRegion("#f0e442");
 const QColor kX("#d55e00"), kY("#009e73");
 constexpr double kAxes = 34;      // [px] of the widget, of a mark's axes
-constexpr int kNotch = 240;       // of the wheel, that enlarges to the double
+constexpr int kNotch = 240;       // of the wheel for a factor of two
 constexpr double kOutline = 1.5;  // [px] of the widget
 
 cv::Size size_of(const QSize& size) {

@@ -1,5 +1,6 @@
-// Shows a picture fitted in with marks over it, and takes the mouse as a marking tool. The wheel
-// enlarges, dragging without a tool moves what is enlarged.
+// SPDX-License-Identifier: BSD-3-Clause
+// Shows a fitted picture with marks over it, and handles the mouse for the marking tools. The wheel
+// zooms, dragging without a tool pans.
 #pragma once
 
 #ifndef Q_MOC_RUN
@@ -26,16 +27,16 @@ class PictureView : public QWidget {
   /// a smaller copy. `caption` is written over it; "": none.
   void show_picture(const QImage& picture, QSize size, const std::vector<Mark>& marks,
                     const QString& caption);
-  /// The picture shown is outdated: greys it and says so, until the next one.
+  /// The picture is outdated: greys it out with a label until the next one.
   void show_age(const QString& warning);
-  /// Corrections that wait to be carried out are shown over the picture.
+  /// Shows queued corrections over the picture.
   void show_waiting(std::deque<MarkingTool::Request> waiting);
 
   MarkingTool& tool() { return tool_; }
-  /// The next click asks about its place instead of drawing, until it is given up.
+  /// The next click asks about its place instead of drawing, until this is cancelled.
   void ask_for_place(bool wanted);
   bool asks_for_place() const { return asking_; }
-  /// Forgets what is being drawn; false: nothing is.
+  /// Discards an unfinished stroke; false if there is none.
   bool give_up();
 
   void show_marks(bool shown);
@@ -44,7 +45,7 @@ class PictureView : public QWidget {
   void show_all();
   void pan(QPoint by);
 
-  /// As it is shown; null: nothing is.
+  /// As shown; null if nothing is shown.
   const QImage& picture() const { return picture_; }
 
   QSize sizeHint() const override { return {640, 480}; }

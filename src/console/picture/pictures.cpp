@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "console/picture/pictures.hpp"
 
 #include <cv_bridge/cv_bridge.h>
@@ -11,7 +12,7 @@ namespace {
 
 constexpr int kSquare = 8;         // [px] of the checkerboard
 constexpr int kShownWidth = 1600;  // [px]
-constexpr int kSampled = 8;        // [px] between the pixels that tell the light
+constexpr int kSampled = 8;        // [px] between samples for the light
 constexpr double kChanged = 24;    // [grey levels] in any channel, after smoothing
 const cv::Scalar kTint(230, 159, 0);
 
@@ -29,7 +30,7 @@ cv::Mat smoothed(const cv::Mat& picture) {
   return result;
 }
 
-/// `picture` in the light of `first`: the median factor of each channel evened out.
+/// `picture` in the light of `first`: the median factor of each channel is compensated.
 cv::Mat in_light_of(const cv::Mat& first, const cv::Mat& picture) {
   cv::Scalar factors;
   for (int channel = 0; channel < 3; ++channel) {

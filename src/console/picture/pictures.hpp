@@ -1,4 +1,5 @@
-// Pictures as the console shows them; all of them CV_8UC3 rgb.
+// SPDX-License-Identifier: BSD-3-Clause
+// Pictures for display in the console; all are CV_8UC3 rgb.
 #pragma once
 
 #include <sensor_msgs/Image.h>
@@ -7,19 +8,19 @@
 
 namespace mbncc::console {
 
-/// Empty when the message is none or of an encoding that cannot be shown.
+/// Empty if the message is empty or has an unsupported encoding.
 cv::Mat to_rgb(const sensor_msgs::Image& message);
 
-/// `picture`, shrunk where it is larger than the window shows it.
+/// `picture`, scaled down if it is larger than needed.
 cv::Mat small(const cv::Mat& picture);
 
-/// The object alone, `map` (mono8) saying which pixels are, on a checkerboard.
+/// The object's pixels, given by `map` (mono8), on a checkerboard.
 cv::Mat on_checkerboard(const cv::Mat& template_image, const sensor_msgs::Image& map);
 
-/// Tints what differs from the picture kept at first.
+/// Tints differences to the stored first picture.
 class ChangeTint {
  public:
-  /// The next picture is kept.
+  /// Stores the next picture as the first one.
   void reset() { first_.release(); }
   cv::Mat tint(const cv::Mat& picture);
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "console/thresholds/threshold_pane.hpp"
 
 #include <QHBoxLayout>
@@ -35,7 +36,7 @@ ThresholdPane::ThresholdPane(QWidget* parent)
   summary_->setFont(bold);
   summary_->setWordWrap(true);
   auto* apply = make_button("A&pply", "The matcher uses it from now on", this, "Alt+P");
-  auto* close = make_button("&Close", "Nothing is changed; show the live pictures", this, "Esc");
+  auto* close = make_button("&Close", "Close without changes; show the live pictures", this, "Esc");
   auto* row = new QHBoxLayout;
   row->addWidget(apply);
   row->addWidget(close);
@@ -78,9 +79,9 @@ Thresholds ThresholdPane::wanted() const {
 }
 
 void ThresholdPane::tell() {
-  min_text_->setText(
-      QString("Reported from a score of %1 (min_score)").arg(wanted().min_score, 0, 'f', 2));
-  confirm_text_->setText(QString("May be grasped from a score of %1 (confirm_score)")
+  min_text_->setText(QString("Least score of reported detections: %1 (min_score)")
+                         .arg(wanted().min_score, 0, 'f', 2));
+  confirm_text_->setText(QString("Least score of graspable detections: %1 (confirm_score)")
                              .arg(wanted().confirm_score, 0, 'f', 2));
 }
 

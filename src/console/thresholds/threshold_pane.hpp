@@ -1,5 +1,6 @@
-// Thresholds as sliders, with what they would change in the picture shown; for all objects, or the
-// reporting of one.
+// SPDX-License-Identifier: BSD-3-Clause
+// Threshold sliders with a preview of their effect in the current picture; for all objects, or
+// min_score of one object.
 #pragma once
 
 #ifndef Q_MOC_RUN
@@ -20,14 +21,14 @@ class ThresholdPane : public QWidget {
  public:
   explicit ThresholdPane(QWidget* parent = nullptr);
 
-  /// `object`: the one that may get a threshold of its own; "": none is chosen.
+  /// `object`: the one that can get its own threshold; "": none is chosen.
   void begin(const Thresholds& now, const QString& object);
   void show_summary(const QString& summary) { summary_->setText(summary); }
   Thresholds wanted() const;
 
  Q_SIGNALS:
   void moved();
-  /// `object`: whose own min_score alone; "": those of the matcher.
+  /// `object`: only its min_score; "": the matcher's thresholds.
   void apply_wanted(QString object);
   void closed();
 

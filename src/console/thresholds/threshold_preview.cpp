@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "console/thresholds/threshold_preview.hpp"
 
 #include <algorithm>
@@ -5,7 +6,7 @@
 namespace mbncc::console {
 namespace {
 
-// The matcher's reason that another confirm_score would take away.
+// The matcher's reason that depends on confirm_score.
 constexpr const char* kScoreReason = "is below confirm_score";
 
 }  // namespace

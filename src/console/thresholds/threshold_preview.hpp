@@ -1,4 +1,5 @@
-// What other thresholds would change in one picture.
+// SPDX-License-Identifier: BSD-3-Clause
+// Preview of other thresholds in one picture.
 #pragma once
 
 #include <mbncc_vision/DetectedObjectArray.h>
@@ -17,10 +18,10 @@ struct Thresholds {
 class ThresholdPreview {
  public:
   ThresholdPreview() = default;
-  /// All that a search finds with hardly any threshold, and those that hold now.
+  /// All detections with minimal thresholds, and the current thresholds.
   ThresholdPreview(const mbncc_vision::DetectedObjectArray& all, const Thresholds& now);
 
-  /// What is reported with `wanted`, graspable ones as kGood.
+  /// The detections reported with the thresholds `wanted`, graspable ones as kGood.
   std::vector<Mark> marks(const Thresholds& wanted) const;
 
   /// "Reported: 3 (now 2), graspable: 1 (now 1)".

@@ -1,4 +1,5 @@
-// The console in a window of its own: no RViz, no 3D view, nothing to save on closing.
+// SPDX-License-Identifier: BSD-3-Clause
+// The console in its own window, without RViz.
 #include <ros/ros.h>
 
 #include <QApplication>
@@ -12,7 +13,7 @@
 
 namespace {
 
-constexpr int kGlance = 200;  // [ms] between two looks whether ROS has been asked to end
+constexpr int kGlance = 200;  // [ms] between checks whether ROS shall shut down
 
 }  // namespace
 
@@ -33,7 +34,7 @@ int main(int argc, char** argv) {
   window.setWindowTitle("mbncc console");
   window.setCentralWidget(new mbncc::console::ConsoleWidget(
       {words.value("cell").toStdString(), words.value("matching").toStdString()}));
-  // Where no window manager maximizes it, too.
+  // Also works without a window manager.
   window.setGeometry(QGuiApplication::primaryScreen()->availableGeometry());
   window.showMaximized();
   QTimer watch;

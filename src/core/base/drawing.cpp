@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "mbncc/drawing.hpp"
 
 #include <algorithm>
@@ -13,7 +14,7 @@ constexpr int kFont = cv::FONT_HERSHEY_SIMPLEX;
 // Vermilion and bluish green of Okabe and Ito's palette.
 const cv::Scalar kXColour(0, 94, 213), kYColour(115, 158, 0), kShade(0, 0, 0);
 
-// Strokes and letters that can still be read when the picture is shown at a third of its size.
+// Strokes and letters that are legible at a third of the picture's size.
 struct Pen {
   explicit Pen(const cv::Mat& picture)
       : stroke(std::max(1, cvRound(picture.cols / 320.0))),
@@ -25,7 +26,7 @@ struct Pen {
   double letters;  // OpenCV's font scale
 };
 
-// OpenCV draws with fixed-point coordinates; far-off points are kept from overflowing them.
+// OpenCV draws with fixed-point coordinates; distant points are clamped to avoid overflow.
 cv::Point fixed_point(cv::Point2d point) {
   const auto bounded = [](double v) { return std::clamp(v, -30000.0, 30000.0) * (1 << kShift); };
   return {cvRound(bounded(point.x)), cvRound(bounded(point.y))};
@@ -63,7 +64,7 @@ cv::Rect2d extent_of(const Marking& marking) {
   return extent;
 }
 
-// A plate above the outline, or below it where there is no room.
+// A background above the outline, or below it if there is no space.
 cv::Rect plate_of(const Marking& marking, const cv::Size& text, const cv::Size& picture) {
   const cv::Rect2d extent = extent_of(marking);
   const int gap = text.height / 2;
@@ -88,7 +89,8 @@ int width_of(const std::string& line, const Pen& pen) {
   return cv::getTextSize(line, kFont, pen.letters, pen.stroke, &baseline).width;
 }
 
-// Long names lose their middle: what follows them, such as a verdict, has to be seen.
+// Long names are shortened in the middle, so that the text after them, such as a verdict, stays
+// visible.
 std::string shortened(const std::string& line, int width, const Pen& pen) {
   std::string kept = line;
   for (std::size_t letters = line.size(); letters > 2 && width_of(kept, pen) > width; --letters)

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "mbncc/error.hpp"
 
 #include <algorithm>
@@ -31,16 +32,17 @@ constexpr std::array<Entry, 25> kEntries{{
     {LearnError::kSegmentationEmpty, "SEGMENTATION_EMPTY", "No object stands out in the region.",
      "Put the object on a background of another colour, or mark it by an outline."},
     {LearnError::kSegmentationFull, "SEGMENTATION_FULL",
-     "The whole region was taken for the object.",
+     "The whole region was segmented as object.",
      "Give a larger region with background on every side."},
     {LearnError::kTouchesBorder, "TOUCHES_BORDER", "The object touches the picture's border.",
      "Move the object fully into view and teach again."},
-    {LearnError::kTooSmall, "TOO_SMALL", "The object is too small to be found reliably.",
-     "Bring the camera nearer or use a higher resolution."},
+    {LearnError::kTooSmall, "TOO_SMALL", "The object is too small for reliable detection.",
+     "Move the camera closer or use a higher resolution."},
     {LearnError::kLowTexture, "LOW_TEXTURE",
      "The object has too little texture and outline to be found.",
      "Turn its marked side up or improve the light."},
-    {LearnError::kNotDistinct, "NOT_DISTINCT", "The object cannot be told from its surroundings.",
+    {LearnError::kNotDistinct, "NOT_DISTINCT",
+     "The object cannot be distinguished from its surroundings.",
      "Teach it on a plainer background, or turn its marked side up."},
     {LearnError::kAlreadyKnown, "ALREADY_KNOWN", "The library already knows this object.",
      "Replace it (overwrite), or add a view to it (add_view)."},
@@ -65,7 +67,7 @@ constexpr std::array<Entry, 25> kEntries{{
     {LearnError::kImageMismatch, "IMAGE_MISMATCH", "The pictures differ in size.",
      "Give before, after and mask of the same camera and size."},
     {LearnError::kQualityBad, "QUALITY_BAD", "The lesson is not good enough to store.",
-     "Follow the advice, or set allow_bad to store it all the same."},
+     "Follow the advice, or set allow_bad to store it anyway."},
     {LearnError::kInternal, "INTERNAL", "An unexpected error ended the lesson.",
      "Report the message with the log; nothing was stored."},
 }};

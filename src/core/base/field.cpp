@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "mbncc/config/field.hpp"
 
 #include <yaml-cpp/yaml.h>
@@ -77,7 +78,7 @@ void check_allowed(const FieldInfo& info, const std::string& value) {
     refuse(info, value, "one of " + info.allowed.to_string());
   if (info.allowed.printable && !is_printable(value))
     throw ConfigError("parameter '" + info.name +
-                      "' holds characters that are not printable; type it anew");
+                      "' contains characters that are not printable; type it again");
 }
 
 void parse_field(const FieldInfo& info, const std::string& text, bool& value) {

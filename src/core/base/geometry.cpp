@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "mbncc/geometry.hpp"
 
 #include <cmath>
@@ -8,14 +9,14 @@
 namespace mbncc {
 namespace {
 
-// Where the map's pixels lie: a small part of most pictures.
+// Bounding box of the map's pixels, which is small in most pictures.
 cv::Rect box_of(const cv::Mat& map) {
   const cv::Rect box = map.empty() ? cv::Rect() : cv::boundingRect(map);
   if (box.empty()) throw std::invalid_argument("the map has no pixel");
   return box;
 }
 
-// The corners of the pixels' convex hull: all that a circle around them depends on.
+// The corners of the pixels' convex hull, which determine the circle around them.
 std::vector<cv::Point> hull_corners(const cv::Mat& map) {
   const cv::Rect box = box_of(map);
   std::vector<cv::Point> row_ends, corners;
@@ -94,8 +95,8 @@ Circle incircle(const cv::Mat& map) {
   double radius = 0;
   cv::Point where;
   cv::minMaxLoc(distance, nullptr, &radius, nullptr, &where);
-  // The distance runs to the centre of the nearest background pixel, half a pixel beyond the map's
-  // edge.
+  // The distance is measured to the centre of the nearest background pixel, half a pixel beyond the
+  // map's edge.
   return {cv::Point2d(where.x - 1, where.y - 1), radius - 0.5};
 }
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "mbncc/object_model.hpp"
 
 #include <algorithm>
@@ -46,7 +47,7 @@ bool is_printable(const Quality& quality) {
   return all(quality.reasons) && all(quality.advice);
 }
 
-/// The grasp in a frame that lies at `frame` [px], turned about z, in the old one.
+/// The grasp in a frame at `frame` [px] in the old one, rotated about z.
 Grasp seen_from(const Grasp& grasp, const Pose2D& frame, double metres_per_pixel) {
   const cv::Point2d way(grasp.position[0] - metres_per_pixel * frame.x,
                         grasp.position[1] - metres_per_pixel * frame.y);

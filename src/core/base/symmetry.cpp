@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "mbncc/symmetry.hpp"
 
 #include <algorithm>
@@ -8,7 +9,7 @@ namespace mbncc {
 namespace {
 
 constexpr std::array<int, 6> kDeclarable{{1, 2, 3, 4, 6, 0}};
-constexpr const char* kProposal = "nearly_";  // how the keys of proposals begin
+constexpr const char* kProposal = "nearly_";  // prefix of the keys of proposals
 
 }  // namespace
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "mbncc/utf8.hpp"
 
 namespace mbncc {
@@ -8,7 +9,7 @@ bool lies_in(char byte, unsigned low, unsigned high) {
   return value >= low && value <= high;
 }
 
-// Bytes that a character of this first byte has; 0: no character begins so.
+// Number of bytes of a character with this first byte; 0: invalid first byte.
 std::size_t promised_length(char first) {
   if (lies_in(first, 0x00, 0x7f)) return 1;
   if (lies_in(first, 0xc2, 0xdf)) return 2;
@@ -16,7 +17,7 @@ std::size_t promised_length(char first) {
   return lies_in(first, 0xf0, 0xf4) ? 4 : 0;
 }
 
-// The second byte leaves out overlong forms, surrogates, and what lies beyond U+10FFFF.
+// The second byte must exclude overlong forms, surrogates, and code points beyond U+10FFFF.
 bool may_follow(char first, char second) {
   switch (static_cast<unsigned char>(first)) {
     case 0xe0:

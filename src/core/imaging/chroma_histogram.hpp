@@ -1,4 +1,5 @@
-// Colours without regard to brightness.
+// SPDX-License-Identifier: BSD-3-Clause
+// Histogram of chroma, independent of brightness.
 #pragma once
 
 #include <array>
@@ -8,14 +9,14 @@ namespace mbncc {
 
 constexpr int kChromaSide = 8;
 
-/// Shares of (ln R/G, ln B/G), tamed where it is dark.
+/// Shares of (ln R/G, ln B/G), regularised in dark areas.
 using ChromaHistogram = std::array<float, kChromaSide * kChromaSide>;
 
 /// Of the points where `inside` is 1 (elsewhere 0). `planes` are b, g, r.
 ChromaHistogram chroma_histogram(const std::array<std::vector<float>, 3>& planes,
                                  const std::vector<float>& inside);
 
-/// Common part [0..1].
+/// Histogram intersection [0..1].
 double overlap(const ChromaHistogram& a, const ChromaHistogram& b);
 
 }  // namespace mbncc

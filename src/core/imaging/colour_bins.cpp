@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "imaging/colour_bins.hpp"
 
 #include <algorithm>
@@ -43,8 +44,8 @@ int class_of(const Tables& tables, const uchar* colour) {
   return (red * kChromaClasses + blue) * kBrightnessClasses + brightness;
 }
 
-/// Smooths shares along one of their directions: `count` classes, `stride` apart. What would leave
-/// at the ends stays there.
+/// Smooths shares along one dimension: `count` classes, `stride` apart. Shares at the ends stay
+/// there.
 void blur(ColourShares& shares, int count, int stride, double sigma) {
   constexpr int kWidest = 4;
   std::array<float, kWidest + 1> weights{};
@@ -81,7 +82,7 @@ cv::Mat colour_classes(const cv::Mat& picture) {
 
 ColourShares colour_shares(const cv::Mat& classes, const cv::Mat& mask) {
   constexpr double kChromaBlur = 1.2, kBrightnessBlur = 0.8;  // [classes]
-  // Neighbours are often of one class: apart, their additions need not wait for each other.
+  // Neighbours are often of one class; interleaved counters avoid dependent additions.
   std::array<std::vector<int>, 4> counts;
   for (auto& part : counts) part.assign(kColourClasses, 0);
   for (int y = 0; y < classes.rows; ++y) {

@@ -1,4 +1,5 @@
-// Colours sorted into classes of chroma and brightness, for asking which of them belong to whom.
+// SPDX-License-Identifier: BSD-3-Clause
+// Colour bins of chroma and brightness, for likelihood ratios of object and background.
 #pragma once
 
 #include <opencv2/core.hpp>
@@ -10,13 +11,13 @@ constexpr int kChromaClasses = 16;     ///< of ln R/G, and of ln B/G
 constexpr int kBrightnessClasses = 8;  ///< of the mean logarithm of the channels
 constexpr int kColourClasses = kChromaClasses * kChromaClasses * kBrightnessClasses;
 
-/// One share per class, in all 1.
+/// One share per class; the sum is 1.
 using ColourShares = std::vector<float>;
 
 /// Class of each pixel, CV_16UC1, of a picture, CV_8UC3 (bgr).
 cv::Mat colour_classes(const cv::Mat& picture);
 
-/// Of the pixels where `mask` is not 0; blurred by about a class, since light changes colours.
+/// Of the pixels where `mask` is not 0; blurred by about one class, because light changes colours.
 ColourShares colour_shares(const cv::Mat& classes, const cv::Mat& mask = {});
 
 /// A picture's classes at some levels of its pyramid.

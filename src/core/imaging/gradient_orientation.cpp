@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "imaging/gradient_orientation.hpp"
 
 #include <algorithm>
@@ -24,7 +25,7 @@ std::array<int, kReach + 1> gaussian(double sigma) {
   return {256 - 2 * near - 2 * far, near, far};
 }
 
-/// One region of a picture; rows are worked out from top to bottom.
+/// One region of a picture; rows are computed from top to bottom.
 class Region {
  public:
   Region(const cv::Mat& picture, const cv::Rect& region, double sigma)

@@ -1,5 +1,5 @@
-// Direction and strength of the colour edges of a picture, in a form that compares directions
-// without regard to which side is brighter.
+// SPDX-License-Identifier: BSD-3-Clause
+// Orientation and strength of the colour edges of a picture, independent of which side is brighter.
 #pragma once
 
 #include <opencv2/core.hpp>
@@ -19,7 +19,7 @@ cv::Mat strongest_gradient(const cv::Mat& picture);
 /// pixel] and direction a the vector kEdgeScale m / (m + 6) (cos 2a, sin 2a). Its scalar product
 /// with (cos 2b, sin 2b) is the response to an edge whose normal has direction b: positive when
 /// aligned, negative when crossing, near zero where there is little gradient. Clutter averages to
-/// zero. The picture is continued by its edge values; the result does not depend on the region.
+/// zero. The picture's border is replicated; the result does not depend on the region.
 void smooth_and_find_edges(const cv::Mat& picture, const cv::Rect& region, double sigma,
                            cv::Mat smooth, cv::Mat edges);
 

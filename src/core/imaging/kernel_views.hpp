@@ -1,4 +1,5 @@
-// Pictures and poses as the point kernels take them.
+// SPDX-License-Identifier: BSD-3-Clause
+// Converts pictures and poses for the point kernels.
 #pragma once
 
 #include <cmath>
@@ -14,7 +15,7 @@ inline kernels::Picture8 view_of(const cv::Mat& picture) {
   return {picture.data, static_cast<int>(picture.step), picture.cols, picture.rows};
 }
 
-/// Of an object `scale` times as large as its points say.
+/// For an object `scale` times as large as its points.
 inline kernels::Placement placement_of(const Pose2D& pose, double scale = 1) {
   const auto theta = static_cast<float>(pose.theta), factor = static_cast<float>(scale);
   return {factor * std::cos(theta), factor * std::sin(theta), static_cast<float>(pose.x),

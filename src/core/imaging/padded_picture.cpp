@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "imaging/padded_picture.hpp"
 
 #include "simd/kernels.hpp"

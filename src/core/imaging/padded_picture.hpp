@@ -1,4 +1,5 @@
-// A grey picture as the coarse search by correlation reads it.
+// SPDX-License-Identifier: BSD-3-Clause
+// A padded grey picture for the coarse search by correlation.
 #pragma once
 
 #include <cstdint>
@@ -7,11 +8,10 @@
 
 namespace mbncc {
 
-/// The picture with room for kernels around it, where its edge values go on, and running sums along
-/// its rows.
+/// The picture with replicated borders for kernels, and running sums along its rows.
 class PaddedPicture {
  public:
-  /// `grey` is CV_8UC1. Uses the memory of the last one again.
+  /// `grey` is CV_8UC1. Reuses the memory of the last one.
   void fill(const cv::Mat& grey, int margin);
 
   int margin() const { return margin_; }
@@ -21,7 +21,7 @@ class PaddedPicture {
     return static_cast<std::size_t>(y + margin_) * stride_ + x + margin_;
   }
 
-  std::vector<std::int16_t> pixels;         ///< less a middle grey, so that they fit the kernels
+  std::vector<std::int16_t> pixels;         ///< minus a middle grey, to fit the kernels' range
   std::vector<std::int32_t> sums, squares;  ///< of the pixels left of each
 
  private:

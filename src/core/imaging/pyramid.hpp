@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Picture pyramid: level l has half the resolution of level l - 1.
 #pragma once
 
@@ -11,13 +12,13 @@ namespace mbncc {
 constexpr int kSmallestLevel = 4;  ///< [px] least width and height of a level above 0
 
 /// Levels 0 (the picture itself, not copied) to `top`; each pixel is the mean of 2 x 2 pixels below
-/// it, an odd last row or column is left out. Stops early rather than make a level smaller than
-/// kSmallestLevel. `picture` has 8-bit or float channels.
+/// it, an odd last row or column is dropped. Stops before a level smaller than kSmallestLevel.
+/// `picture` has 8-bit or float channels.
 std::vector<cv::Mat> build_pyramid(const cv::Mat& picture, int top);
-/// The same into `levels`, using the memory of those above level 0 again.
+/// The same into `levels`, reusing the memory of those above level 0.
 void build_pyramid(const cv::Mat& picture, int top, std::vector<cv::Mat>& levels);
 
-/// Where a point of level 0 lies in level `level`: pixel centres are at integers in both.
+/// Position of a point of level 0 in level `level`: pixel centres are at integers in both.
 inline cv::Point2d to_level(cv::Point2d point, int level) {
   const double side = 1 << level;
   return {(point.x + 0.5) / side - 0.5, (point.y + 0.5) / side - 0.5};

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Bilinear reading of 8-bit pictures.
 #pragma once
 
@@ -5,7 +6,7 @@
 
 namespace mbncc {
 
-/// One grey picture, read between pixels.
+/// One grey picture, interpolated.
 class GreySampler {
  public:
   explicit GreySampler(const cv::Mat& grey)
@@ -32,7 +33,7 @@ class GreySampler {
   float right_, bottom_;
 };
 
-/// Colour between pixels; false outside the picture.
+/// Interpolated colour; false outside the picture.
 class ColourSampler {
  public:
   explicit ColourSampler(const cv::Mat& picture)

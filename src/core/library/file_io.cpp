@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "library/file_io.hpp"
 
 #include <dirent.h>
@@ -101,7 +102,7 @@ FileDescriptor::~FileDescriptor() {
 
 int FileDescriptor::close() {
   if (descriptor_ < 0) return 0;
-  // Not repeated when interrupted: Linux has released the descriptor by then.
+  // Not repeated after EINTR, because Linux has already released the descriptor.
   const int result = ::close(descriptor_);
   descriptor_ = -1;
   return result != 0 && errno != EINTR ? errno : 0;

@@ -1,5 +1,6 @@
-// Files as the library needs them: read within bounds, write so that a crash leaves the old file or
-// the new one. POSIX calls, interrupted ones repeated; failures are FileErrors with errno's text.
+// SPDX-License-Identifier: BSD-3-Clause
+// File access of the library: bounded reads, and writes that leave the old or the new file after a
+// crash. Interrupted POSIX calls are repeated; failures are FileErrors with errno's text.
 #pragma once
 
 #include <sys/stat.h>
@@ -13,7 +14,7 @@
 
 namespace mbncc {
 
-/// A file whose content is at fault, not the system it lies on: such files go to quarantine.
+/// An error in a file's content, not of the system: such files go to quarantine.
 class ContentError : public FileError {
  public:
   using FileError::FileError;
@@ -40,7 +41,7 @@ class FileDescriptor {
   int descriptor_;
 };
 
-/// Tells whether a file is still the one that was read.
+/// Identifies a file's state, to detect changes.
 struct FileStamp {
   std::uint64_t device = 0, inode = 0;
   std::int64_t size = 0, modified_ns = 0, changed_ns = 0;
@@ -59,11 +60,11 @@ struct FileContent {
 /// folder, symbolic link, too large), FileError when the system fails.
 FileContent read_regular_file(const std::string& path, std::size_t max_bytes);
 
-/// Temporary files are called so; those found under the folder's lock are leftovers of a crash.
+/// Prefix of temporary files; those found under the folder's lock are leftovers of a crash.
 constexpr const char* kTemporaryPrefix = ".tmp-";
 
 /// Writes `folder/name` durably and in one step: temporary file, fsync, rename, fsync of the
-/// folder. On failure the old file is as before and no temporary file is left.
+/// folder. On failure the old file is unchanged and no temporary file is left.
 void write_file_atomically(const std::string& folder, const std::string& name,
                            const std::vector<std::uint8_t>& bytes);
 
@@ -74,8 +75,8 @@ void try_to_write(const std::string& folder, std::size_t bytes);
 /// Removes leftovers of crashed writers; to be called under the folder's lock.
 void remove_temporaries(const std::string& folder);
 
-/// Makes created, renamed and removed entries of a folder durable. Opened before the change is
-/// made, so that little can fail after it.
+/// Makes created, renamed and removed entries of a folder durable. Opened before the change, so
+/// that little can fail afterwards.
 class FolderSync {
  public:
   explicit FolderSync(const std::string& folder);
@@ -90,7 +91,7 @@ class FolderSync {
 /// Creates the folder when it is missing.
 void make_folder(const std::string& folder);
 
-/// Likewise, of a folder within one of ours: a symbolic link is refused, since it may lead
+/// The same for a folder inside the library: a symbolic link is refused, because it may point
 /// anywhere.
 void make_inner_folder(const std::string& folder);
 
@@ -100,10 +101,10 @@ bool is_inner_folder(const std::string& folder);
 /// rename(2), replacing `to`.
 void rename_path(const std::string& from, const std::string& to);
 
-/// Stamp of whatever has this name, links not followed; none when nothing has.
+/// Stamp of the entry of this name, without following links; none if there is none.
 std::optional<FileStamp> stamp_of(const std::string& path);
 
-/// True when something, whatever it is, has this name.
+/// True if there is any entry of this name.
 bool path_exists(const std::string& path);
 
 /// Names of a folder's entries, sorted.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "library/library_cache.hpp"
 
 #include "library/png_codec.hpp"
@@ -6,7 +7,7 @@
 namespace mbncc {
 namespace {
 
-// Moves an unreadable file out of the way; false when that is not permitted here.
+// Moves an unreadable file to the quarantine; false if this is not permitted.
 bool move_to_quarantine(const LibraryFolder& folder, const std::string& file) {
   try {
     LockedFolder(folder).quarantine_unreadable(file);

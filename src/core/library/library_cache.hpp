@@ -1,4 +1,5 @@
-// What was read from a library folder, so that the next load reads only what changed.
+// SPDX-License-Identifier: BSD-3-Clause
+// Cache of a library folder, so that the next load reads only changed files.
 #pragma once
 
 #include <map>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "library/library_folder.hpp"
 
 #include <fcntl.h>
@@ -21,7 +22,7 @@ using namespace std::chrono_literals;
 
 constexpr const char* kEnding = ".png";
 constexpr std::size_t kMaxReason = 4096;  // [bytes]
-constexpr std::size_t kTrial = 1 << 20;   // [bytes] more than most objects take
+constexpr std::size_t kTrial = 1 << 20;   // [bytes] more than most objects need
 constexpr auto kLockPatience = 10s;
 constexpr auto kLockPoll = 5ms;
 
@@ -37,7 +38,7 @@ FileDescriptor open_lock(const LibraryFolder& folder) {
   return FileDescriptor(descriptor);
 }
 
-// Polls, since a writer that was stopped must not stop others for ever.
+// Polls, so that a stopped writer does not block others forever.
 void lock(const FileDescriptor& file, const LibraryFolder& folder) {
   const auto deadline = std::chrono::steady_clock::now() + kLockPatience;
   while (::flock(file.get(), LOCK_EX | LOCK_NB) != 0) {
@@ -140,8 +141,8 @@ std::uint32_t LockedFolder::next_revision(const std::string& name,
   const std::uint32_t last = stored == nullptr ? 0 : stored->revision;
   const std::uint32_t largest = std::max(last, trashed.empty() ? 0 : trashed.rbegin()->first);
   if (largest < kMaxRevision) return largest + 1;
-  // No library counts so far by itself. What a foreign file took must not block the name: the
-  // smallest number that is free.
+  // Regular use does not reach this number. A foreign file must not block the name, so the smallest
+  // free number is used.
   std::uint32_t free = 1;
   while (free == last || trashed.count(free) != 0) ++free;
   return free;
@@ -155,13 +156,13 @@ void LockedFolder::write(const ObjectModel& model, const ObjectModel* keep_old) 
   try {
     write_file_atomically(folder_.path, model.name + kEnding, bytes);
   } catch (...) {
-    // Where the new file is in place already, the trash holds the only old one.
+    // If the new file is already in place, the trash contains the only old one.
     if (!in_trash.empty() && stamp_of(path) == old) ::unlink(in_trash.c_str());
     throw;
   }
 }
 
-// The old file appears in the trash before the new one takes its place: at no moment is it nowhere.
+// The old file is linked into the trash before it is replaced, so that it always exists.
 std::string LockedFolder::link_to_trash(const ObjectModel& model) {
   make_inner_folder(folder_.trash());
   FolderSync trash_sync(folder_.trash());
@@ -207,7 +208,7 @@ void LockedFolder::quarantine_unreadable(const std::string& file) {
 void LockedFolder::quarantine(const std::string& file, const std::string& reason) {
   make_inner_folder(folder_.quarantine());
   const std::string to = free_path(folder_.quarantine() + "/" + file, "");
-  // The reason comes first, so that no file lies there without one.
+  // The reason is written first, so that no file is there without one.
   const std::string text = reason + "\n";
   write_file_atomically(folder_.quarantine(), to.substr(to.find_last_of('/') + 1) + kReasonEnding,
                         {text.begin(), text.end()});

@@ -1,5 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The layout of a library folder on disk: `<name>.png`, `.lock`, `.trash/<name>.<revision>.png`,
-// `.quarantine/<file>` with `<file>.reason.txt`. What changes it needs the lock, see LockedFolder.
+// `.quarantine/<file>` with `<file>.reason.txt`. Changes need the lock, see LockedFolder.
 #pragma once
 
 #include <cstdint>
@@ -26,10 +27,10 @@ struct LibraryFolder {
   std::string lock_file() const { return path + "/.lock"; }
 };
 
-/// What lies in the quarantine, with its reasons.
+/// The contents of the quarantine with the reasons.
 std::vector<QuarantinedFile> quarantined_files(const LibraryFolder& folder);
 
-/// Names of the files that should be objects: *.png, hidden ones aside.
+/// Names of the object files: *.png, except hidden ones.
 std::vector<std::string> object_files(const LibraryFolder& folder);
 
 /// Throws ContentError when such a file's name is not an object's name and ".png": "wrench.1.png"
@@ -43,8 +44,8 @@ std::map<std::uint32_t, std::string> trashed_revisions(const LibraryFolder& fold
 /// See ObjectLibrary::check_storage().
 void check_storage(const LibraryFolder& folder);
 
-/// Exclusive access for one writer. Construction waits for the lock, 10 s at most, and clears away
-/// what a crashed writer left. Throws FileError.
+/// Exclusive access for one writer. Construction waits for the lock, 10 s at most, and removes
+/// leftovers of a crashed writer. Throws FileError.
 class LockedFolder {
  public:
   explicit LockedFolder(LibraryFolder folder);
@@ -54,7 +55,7 @@ class LockedFolder {
   std::unique_ptr<ObjectModel> read(const std::string& name);
 
   /// One above every revision of `name`: that of `stored` (may be null) and those in the trash.
-  /// The smallest free one where that would be more than a file may have.
+  /// The smallest free one if that would exceed the limit.
   std::uint32_t next_revision(const std::string& name, const ObjectModel* stored) const;
 
   /// Stores the model as it is. With `keep_old` the file that it replaces goes to the trash under

@@ -1,4 +1,5 @@
-// Tells edits that move published poses from those that only describe an object.
+// SPDX-License-Identifier: BSD-3-Clause
+// Distinguishes edits that move published poses from descriptive ones.
 #pragma once
 
 #include "mbncc/object_model.hpp"

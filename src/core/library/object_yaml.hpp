@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The description of an object file: everything of an ObjectModel but its name and its pixels.
 #pragma once
 
@@ -14,7 +15,7 @@ namespace mbncc {
 constexpr int kMaxViews = 64;                          ///< of one object
 constexpr std::uint32_t kMaxRevision = 2'000'000'000;  ///< that a file may have
 
-/// A model whose views have no pixels yet, and where in the file these lie.
+/// A model whose views have no pixels yet, and their rectangles in the file.
 struct ObjectDescription {
   ObjectModel model;
   std::vector<cv::Rect> rectangles;  ///< [px] one per view, stacked from top to bottom
@@ -23,7 +24,7 @@ struct ObjectDescription {
 /// YAML text of the model; `rectangles` has one entry per view.
 std::string write_description(const ObjectModel& model, const std::vector<cv::Rect>& rectangles);
 
-/// A description in a format of the future: nothing is wrong with it, only with this program.
+/// A valid description in a newer format that this program cannot read.
 class NewerFormat : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include <yaml-cpp/eventhandler.h>
 #include <yaml-cpp/yaml.h>
 
@@ -15,10 +16,10 @@
 namespace mbncc {
 namespace {
 
-constexpr double kLargest = 1e9;     // bound of every number but times; far beyond any picture
+constexpr double kLargest = 1e9;     // bound of every number except times; far beyond any picture
 constexpr double kLatestTime = 4e9;  // [s] since 1970; messages count seconds in 32 bits
 
-// The parser recurses; text of this kind never nests deeply, whatever a damaged file holds.
+// The parser is recursive, so the nesting depth is limited; valid descriptions are not deep.
 void refuse_deep_nesting(const std::string& text) {
   const auto structural = std::count_if(text.begin(), text.end(), [](char c) {
     return c == '[' || c == '{' || c == '-' || c == '?';
@@ -26,7 +27,7 @@ void refuse_deep_nesting(const std::string& text) {
   if (structural > 2000) throw std::runtime_error("its description is nested too deeply");
 }
 
-// No description has aliases as it is written; read, each stands for its anchor's text once more.
+// Written descriptions have no aliases; when read, each alias would repeat its anchor's text.
 class AliasRefusal : public YAML::EventHandler {
  public:
   void OnAlias(const YAML::Mark&, YAML::anchor_t) override {

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // PNG with one text chunk, in memory, through libpng: strict about sizes, checksums and layout.
 // libpng reports errors by longjmp; these classes turn them into exceptions without jumping over a
 // destructor.
@@ -16,7 +17,7 @@ struct png_info_def;
 
 namespace mbncc {
 
-/// Bytes that are no PNG of the accepted kind.
+/// Bytes that are not a PNG of the accepted kind.
 class PngError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
@@ -28,7 +29,7 @@ struct PngLimits {
   static constexpr int kMaxHeight = 65500;  ///< [px]
   static constexpr std::int64_t kMaxPixels = 1 << 23;
   static constexpr std::size_t kMaxText = 1 << 16;  ///< [bytes]
-  /// Pixels that do not compress, and room for the text. [bytes]
+  /// Size of incompressible pixels plus the text. [bytes]
   static constexpr std::size_t kMaxBytes = (std::size_t{4} << 23) + (1 << 18);
 
   static bool hold(cv::Size size) {
@@ -42,7 +43,7 @@ struct PngLimits {
 std::vector<std::uint8_t> encode_png(const cv::Mat& rgba, const std::string& key,
                                      const std::string& text);
 
-/// Reads an 8-bit RGBA PNG row by row, so that the caller can judge size and text before it
+/// Reads an 8-bit RGBA PNG row by row, so that the caller can check size and text before it
 /// allocates the picture. Every member throws PngError.
 class PngReader {
  public:

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The numbers of a verdict, in one list for writing and reading.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "mbncc/matching/matcher.hpp"
 
 #include <algorithm>
@@ -24,7 +25,7 @@ double seconds_since(Clock::time_point start) {
   return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
-/// Calls work(i) for i in [0, count) on up to `threads` threads; what one throws reaches the
+/// Calls work(i) for i in [0, count) on up to `threads` threads; rethrows an exception in the
 /// caller.
 template <class Work>
 void in_parallel(std::size_t count, int threads, const Work& work) {
@@ -46,20 +47,20 @@ int top_level(const ObjectList& objects) {
   return top;
 }
 
-SearchMode look_for(std::size_t objects, const SearchRequest& request, const SearchConfig& config) {
+SearchMode mode_for(std::size_t objects, const SearchRequest& request, const SearchConfig& config) {
   if (objects > kFewObjects && config.engine != "polar") return SearchMode::kGated;
   return std::max(objects, request.among) > kFewObjects ? SearchMode::kSparing : SearchMode::kTwice;
 }
 
-/// What a search found of each object.
+/// Search results per object.
 struct SearchState {
   explicit SearchState(std::size_t objects) : found(objects), searched(objects, 0) {}
 
   std::vector<std::vector<Detection>> found;
-  std::vector<char> searched;  ///< 0: time was up before
+  std::vector<char> searched;  ///< 0: not searched in time
 };
 
-/// Lists the objects in `result` by whether there was time for them.
+/// Lists the objects in `result` as searched or skipped for lack of time.
 void note_searched(const ObjectList& objects, const SearchState& findings, SearchResult& result) {
   for (std::size_t i = 0; i < objects.size(); ++i) {
     const std::string& name = objects[i]->model->name;
@@ -77,9 +78,9 @@ std::vector<Detection> all_of(const SearchState& findings) {
   return all;
 }
 
-/// What is likely to lie in the picture, but for instances of object `own`.
+/// The likely instances in the picture, except those of object `own`.
 std::vector<Footprint> occupied_by_others(const SearchState& findings, std::size_t own) {
-  constexpr double kLikely = 1;  // log-odds; nothing less becomes graspable
+  constexpr double kLikely = 1;  // log-odds; lower ones never become graspable
   std::vector<Footprint> footprints;
   for (std::size_t i = 0; i < findings.found.size(); ++i) {
     if (i == own) continue;
@@ -91,8 +92,8 @@ std::vector<Footprint> occupied_by_others(const SearchState& findings, std::size
   return footprints;
 }
 
-/// Judges each object where another one was found: a search may pass over a look-alike, and the
-/// other would be taken for the only one there.
+/// Verifies each object at the places of others, because a search may miss a look-alike, which
+/// would then not compete.
 void compare_in_place(const std::vector<Comparison>& comparisons, const SearchRequest& request,
                       SearchState& findings) {
   std::vector<std::vector<Detection>> more(comparisons.size());
@@ -107,7 +108,7 @@ void compare_in_place(const std::vector<Comparison>& comparisons, const SearchRe
     findings.found[i].insert(findings.found[i].end(), more[i].begin(), more[i].end());
 }
 
-/// The picture in which objects are compared in colour; null: there is none.
+/// The picture for comparisons in colour; null: none.
 const ScenePicture* in_colour(const std::vector<Comparison>& comparisons) {
   const auto at = std::find_if(comparisons.begin(), comparisons.end(),
                                [](const Comparison& one) { return one.object->coloured; });
@@ -125,14 +126,15 @@ struct Matcher::Implementation {
   /// As it was prepared before; null: not yet.
   std::shared_ptr<const PreparedObject> known(const ObjectModel* object) const;
 
-  /// Throws what preparing it throws.
+  /// Throws the exceptions of the preparation.
   std::shared_ptr<const PreparedObject> prepare(const std::shared_ptr<const ObjectModel>& object,
                                                 bool for_one_search) const;
 
-  /// The objects a request asks for; the others' reasons go to `result.skipped`.
+  /// The requested objects; the reasons of the others go to `result.skipped`.
   ObjectList wanted(const SearchRequest& request, SearchResult& result) const;
 
-  /// Searches `picture` for `wanted`, once more without a cast of light that what was found tells.
+  /// Searches `picture` for `wanted`, and again after removal of a colour cast estimated from the
+  /// detections.
   SearchState search(const ObjectList& wanted, const cv::Mat& picture, const SearchRequest& request,
                      Clock::time_point start) const;
 
@@ -184,13 +186,13 @@ ObjectList Matcher::Implementation::wanted(const SearchRequest& request,
 SearchState Matcher::Implementation::search(const ObjectList& wanted, const cv::Mat& picture,
                                             const SearchRequest& request,
                                             Clock::time_point start) const {
-  const SearchMode look = look_for(wanted.size(), request, config);
+  const SearchMode mode = mode_for(wanted.size(), request, config);
   SearchState findings(wanted.size());
   const auto search_all = [&](const std::vector<Comparison>& compared) {
     in_parallel(wanted.size(), config.threads, [&](std::size_t i) {
-      const bool first = i == 0;  // without it, a short budget would find nothing for ever
+      const bool first = i == 0;  // otherwise a short budget would never find anything
       if (!first && config.time_budget > 0 && seconds_since(start) > config.time_budget) return;
-      findings.found[i] = search_object(*compared[i].object, *compared[i].scene, request.roi, look);
+      findings.found[i] = search_object(*compared[i].object, *compared[i].scene, request.roi, mode);
       findings.searched[i] = 1;
     });
     compare_in_place(compared, request, findings);
@@ -198,7 +200,7 @@ SearchState Matcher::Implementation::search(const ObjectList& wanted, const cv::
   const auto shown = comparisons(wanted, picture, scenes);
   search_all(shown);
   const ScenePicture* coloured = in_colour(shown);
-  if (look != SearchMode::kGated || coloured == nullptr) return findings;
+  if (mode != SearchMode::kGated || coloured == nullptr) return findings;
   if (const auto cast = colour_cast(findings.found, *coloured))
     search_all(comparisons(wanted, without_cast(picture, *cast), scenes));
   return findings;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "mbncc/miss/saved_miss.hpp"
 
 #include <yaml-cpp/yaml.h>

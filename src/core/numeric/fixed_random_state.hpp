@@ -1,12 +1,12 @@
-// OpenCV's clusters start from the thread's random state: fixed, the same input gives the same
-// clusters.
+// SPDX-License-Identifier: BSD-3-Clause
+// Fixes OpenCV's thread-local random state, so that clustering is deterministic.
 #pragma once
 
 #include <opencv2/core.hpp>
 
 namespace mbncc {
 
-/// Gives the caller's state back at the end.
+/// Restores the caller's state at the end.
 class FixedRandomState {
  public:
   FixedRandomState() : saved_(cv::theRNG()) { cv::setRNGSeed(1); }

@@ -1,4 +1,5 @@
-// Values that most searches never ask for.
+// SPDX-License-Identifier: BSD-3-Clause
+// A lazily computed value.
 #pragma once
 
 #include <functional>
@@ -8,7 +9,7 @@
 
 namespace mbncc {
 
-/// Made when it is first asked for, by whichever thread, or by make(); copies share it.
+/// Computed on first access by any thread, or by make(); copies share it.
 template <class Value>
 class Lazy {
  public:

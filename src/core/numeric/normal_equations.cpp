@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "numeric/normal_equations.hpp"
 
 namespace mbncc {
@@ -8,7 +9,7 @@ NormalEquations& NormalEquations::operator+=(const NormalEquations& other) {
   return *this;
 }
 
-NormalEquations loosened(const NormalEquations& pull, double deviation) {
+NormalEquations marginalised_over_shift(const NormalEquations& pull, double deviation) {
   const double prior = 1 / (deviation * deviation);
   const cv::Matx<double, kMotionParts, 2> cross = pull.information.get_minor<kMotionParts, 2>(0, 0);
   const cv::Matx22d own = pull.information.get_minor<2, 2>(0, 0) + cv::Matx22d::eye() * prior;
@@ -19,7 +20,8 @@ NormalEquations loosened(const NormalEquations& pull, double deviation) {
   return loose;
 }
 
-NormalEquations loosened_throughout(const NormalEquations& pull, double deviation, double radius) {
+NormalEquations marginalised_over_shift_and_turn(const NormalEquations& pull, double deviation,
+                                                 double radius) {
   const double place = deviation * deviation, turn = place / (radius * radius);
   const cv::Matx44d share =
       (cv::Matx44d::eye() + pull.information * cv::Matx44d::diag({place, place, turn, turn})).inv();

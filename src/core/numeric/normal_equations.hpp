@@ -1,4 +1,5 @@
-// What a comparison at a pose says about the small motion that is left.
+// SPDX-License-Identifier: BSD-3-Clause
+// Normal equations of a small motion at a pose.
 #pragma once
 
 #include <opencv2/core.hpp>
@@ -17,11 +18,11 @@ struct NormalEquations {
   NormalEquations& operator+=(const NormalEquations& other);
 };
 
-/// The same where what is compared may itself be shifted by an unknown amount of this `deviation`
-/// [px] along x and y.
-NormalEquations loosened(const NormalEquations& pull, double deviation);
+/// The same, marginalised over an unknown shift of this `deviation` [px] along x and y.
+NormalEquations marginalised_over_shift(const NormalEquations& pull, double deviation);
 
-/// The same where it may also be turned and stretched, by as much at `radius` [px].
-NormalEquations loosened_throughout(const NormalEquations& pull, double deviation, double radius);
+/// The same, also marginalised over a rotation and a stretch by as much at `radius` [px].
+NormalEquations marginalised_over_shift_and_turn(const NormalEquations& pull, double deviation,
+                                                 double radius);
 
 }  // namespace mbncc

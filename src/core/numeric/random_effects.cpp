@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "numeric/random_effects.hpp"
 
 #include <algorithm>
@@ -5,7 +6,7 @@
 namespace mbncc {
 namespace {
 
-/// Shift and turn of a pull, the turn as an arc [px] at the rim.
+/// Solution of normal equations: shift and rotation, as an arc [px] at the rim.
 struct Pull3 {
   cv::Matx33d information;
   cv::Vec3d vector;
@@ -17,7 +18,7 @@ struct Pull3 {
     vector = arc * cv::Vec3d(pull.vector[0], pull.vector[1], pull.vector[2]);
   }
 
-  /// What a pull knows nothing about cannot disagree.
+  /// Directions without information cannot disagree.
   cv::Matx33d inverse() const {
     constexpr double kLeast = 0.01;  // [1/px^2]
     return (information + kLeast * cv::Matx33d::eye()).inv();

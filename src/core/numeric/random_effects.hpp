@@ -1,4 +1,5 @@
-// Comparisons of the same pose, none of which knows what displaces the others.
+// SPDX-License-Identifier: BSD-3-Clause
+// Random-effects variance of several estimates of one pose.
 #pragma once
 
 #include <vector>
@@ -9,13 +10,13 @@ namespace mbncc {
 
 class RandomEffects {
  public:
-  /// `radius` [px] of what moves: makes a turn comparable with a shift.
+  /// `radius` [px] of the object: makes rotations comparable with shifts.
   explicit RandomEffects(double radius) : radius_(radius) {}
 
   void add(const NormalEquations& pull) { pulls_.push_back(pull); }
 
-  /// [px^2] How far the comparisons' shifts and turns are apart beyond what they claim: the
-  /// variance that each has to be given to explain it (DerSimonian and Laird's random effects).
+  /// [px^2] Variance between the estimates' shifts and rotations beyond their covariances
+  /// (DerSimonian and Laird's random effects).
   double variance() const;
 
  private:

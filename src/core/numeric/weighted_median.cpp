@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "numeric/weighted_median.hpp"
 
 #include <algorithm>
@@ -14,7 +15,7 @@ double weight_of(std::vector<Weighted>::const_iterator first,
 
 }  // namespace
 
-// By halves, as for a plain median: no need to put all values in order.
+// By selection, without sorting all values.
 float weighted_median(std::vector<Weighted>& values) {
   if (values.empty()) return 0;
   double left = weight_of(values.begin(), values.end()) / 2;

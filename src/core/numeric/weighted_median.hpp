@@ -1,4 +1,5 @@
-// Median of values that count differently.
+// SPDX-License-Identifier: BSD-3-Clause
+// Weighted median.
 #pragma once
 
 #include <utility>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
 #include <cmath>
 #include <opencv2/imgproc.hpp>
@@ -31,8 +32,7 @@ Drawing blank(cv::Point2d low, cv::Point2d high) {
   return drawing;
 }
 
-/// Brightness of a metal tube across its width, u in [-1, 1]: a highlight beside the middle, dark
-/// rims.
+/// Brightness of a metal tube across its width, u in [-1, 1]: an off-centre highlight, dark rims.
 double tube_shade(double u) {
   const double highlight = std::exp(-std::pow((u + 0.25) / 0.22, 2.0));
   return 70 + 75 * std::sqrt(std::max(0.0, 1 - u * u)) + 70 * highlight;

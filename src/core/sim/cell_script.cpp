@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "mbncc/sim/cell_script.hpp"
 
 #include <algorithm>
@@ -37,7 +38,7 @@ bool clear_of(const Pose2D& pose, double reach, const std::vector<Placed>& other
   });
 }
 
-/// A free pose drawn uniformly. Throws std::invalid_argument when none is found.
+/// A free pose drawn uniformly. Throws std::invalid_argument if none is found.
 Pose2D free_pose(cv::Size size, double reach, const std::vector<Placed>& others, cv::RNG random) {
   const double margin = reach + kBorder;
   for (int attempt = 0; attempt < 1000 && 2 * margin < std::min(size.width, size.height);
@@ -87,7 +88,7 @@ void CellScript::place_neighbours() {
     taken.push_back({object, free_pose(config_.size, reach_of(object), taken, random)});
   }
   neighbours_.assign(taken.begin() + 1, taken.end());
-  // Refuses a cell too crowded for a further place before the story begins.
+  // Refuses a cell without a further free place before the script begins.
   free_pose(config_.size, reach_of(config_.object), neighbours_, generator(config_.seed, 11));
 }
 

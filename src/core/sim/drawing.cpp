@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "sim/drawing.hpp"
 
 #include <algorithm>
@@ -81,7 +82,7 @@ Drawing draw_object(const SceneObject& object) {
   for (auto& point : outline) point = drawing.origin + point * drawing.scale;
   drawing.cover = cv::Mat::zeros(size, CV_32FC1);
   fill_inside(outline, drawing.cover);
-  // The centroid of what was really drawn, which differs by a fraction of a drawing pixel.
+  // The centroid of the rasterised shape, which differs by a fraction of a drawing pixel.
   const cv::Moments moments = cv::moments(drawing.cover);
   drawing.origin = {moments.m10 / moments.m00, moments.m01 / moments.m00};
   drawing.colour = object_texture(size, drawing.scale, object.seed);

@@ -1,4 +1,5 @@
-// A thing drawn once, finer than the picture, and put into pictures at sub-pixel poses.
+// SPDX-License-Identifier: BSD-3-Clause
+// A sprite drawn once at higher resolution and composited into pictures at sub-pixel poses.
 #pragma once
 
 #include <opencv2/core.hpp>
@@ -23,7 +24,7 @@ Drawing draw_arm_body();
 /// One finger about its tip's inner side, reaching along +x, to the side of +y.
 Drawing draw_finger();
 
-/// The same thing with its y axis turned round.
+/// The same sprite mirrored in y.
 Drawing mirrored(const Drawing& drawing);
 
 /// CV_32FC1 [0..1] share of each pixel that the drawing at `pose` covers; `where` gets the part of

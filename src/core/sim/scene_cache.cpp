@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "sim/scene_cache.hpp"
 
 #include <algorithm>

@@ -1,4 +1,5 @@
-// Spares a scene from drawing the same things for every picture.
+// SPDX-License-Identifier: BSD-3-Clause
+// Caches the drawings of a scene.
 #pragma once
 
 #include <functional>
@@ -12,7 +13,7 @@
 
 namespace mbncc::sim {
 
-/// Safe to share by threads.
+/// Thread-safe.
 class SceneCache {
  public:
   /// The object's drawing, drawn at its first use.

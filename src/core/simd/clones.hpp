@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Functions compiled once per instruction set; the loader picks the version the machine has.
 #pragma once
 

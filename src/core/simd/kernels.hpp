@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The innermost loops of the search, on plain pointers. Every version of a kernel gives the same
 // bits: integers, or floats added in a fixed order without fused multiply-add.
 // MBNCC_KERNELS in the environment selects a target by name: reference (the formulas of

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Arithmetic on vectors padded with zeros to whole lanes (see polar/kernels.hpp).
 #pragma once
 

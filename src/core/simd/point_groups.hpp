@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The vectorised kernels that read pictures at points; point_kernels.hpp tells what they do.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "simd/point_kernels.hpp"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The innermost loops over the points of an object at a pose, as kernels.hpp has those over the
 // rows of a picture. Every version gives the same bits.
 #pragma once

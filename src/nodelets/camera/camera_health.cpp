@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "nodelets/camera/camera_health.hpp"
 
 namespace mbncc::nodelets {

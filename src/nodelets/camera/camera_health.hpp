@@ -1,4 +1,5 @@
-// What the camera's diagnostics tell: counters that the worker thread writes.
+// SPDX-License-Identifier: BSD-3-Clause
+// State of the camera's diagnostics: counters written by the worker thread.
 #pragma once
 
 #include <diagnostic_updater/DiagnosticStatusWrapper.h>
@@ -16,7 +17,7 @@ class CameraHealth {
     std::uint64_t published = 0;
     std::uint64_t unreadable = 0;
     std::uint64_t frozen = 0;
-    std::uint64_t unstamped = 0;  ///< grabbed while the clock stood still
+    std::uint64_t unstamped = 0;  ///< grabbed while the clock did not advance
     std::uint64_t failures = 0;   ///< of the source
   };
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Publishes the pictures of a device, stream, folder or video with their calibration.
 #include <camera_info_manager/camera_info_manager.h>
 #include <image_transport/image_transport.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "nodelets/camera/picture_source.hpp"
 
 #include <algorithm>
@@ -42,7 +43,7 @@ std::vector<std::string> pictures_in(const std::string& folder) {
   return paths;
 }
 
-/// "there is /dev/video0, /dev/video2", for whoever mistyped a device.
+/// "there is /dev/video0, /dev/video2", for a mistyped device.
 std::string devices_here() {
   std::vector<std::string> devices;
   std::error_code error;
@@ -72,7 +73,7 @@ class QuietOpenCv {
   const logging::LogLevel before_;
 };
 
-/// The pictures of a folder in the order of their names; read anew for every round of a loop.
+/// The pictures of a folder in the order of their names; the folder is read again for every loop.
 class FolderSource : public PictureSource {
  public:
   FolderSource(std::string folder, bool loop)
@@ -119,11 +120,11 @@ class CaptureSource : public PictureSource {
     open();
   }
 
-  /// Asks a device for a property; a sentence goes to `refused` when it does not take it.
+  /// Sets a property of a device; adds a message to `refused` if the device does not accept it.
   void ask(int property, const char* key, double value, std::vector<std::string>& refused) {
     if (!capture_.set(property, value))
-      refused.push_back(name_ + ": the device does not take parameter '" + key + "'; it goes on " +
-                        "with its own setting");
+      refused.push_back(name_ + ": the device does not accept parameter '" + key +
+                        "'; it goes on " + "with its own setting");
   }
 
   bool grab() override {
@@ -137,7 +138,7 @@ class CaptureSource : public PictureSource {
 
   cv::Mat retrieve() override {
     cv::Mat picture;
-    // A fresh buffer each time: the one before is still on its way to subscribers.
+    // A new buffer each time, because the previous one may still be in transit to subscribers.
     if (!capture_.retrieve(picture) || picture.empty())
       throw FileError(name_, "a picture could not be decoded; skipped");
     if (picture.type() != CV_8UC3 && picture.type() != CV_8UC1)
@@ -172,7 +173,7 @@ class CaptureSource : public PictureSource {
 
 void ask_settings(const CameraConfig& config, CaptureSource& device,
                   std::vector<std::string>& refused) {
-  constexpr double kManualExposure = 1;  // V4L2's number, which OpenCV passes on
+  constexpr double kManualExposure = 1;  // V4L2's value, passed on by OpenCV
   if (config.width > 0) device.ask(cv::CAP_PROP_FRAME_WIDTH, "width", config.width, refused);
   if (config.height > 0) device.ask(cv::CAP_PROP_FRAME_HEIGHT, "height", config.height, refused);
   if (config.frame_rate > 0) device.ask(cv::CAP_PROP_FPS, "frame_rate", config.frame_rate, refused);
@@ -196,11 +197,11 @@ std::string without_secrets(const std::string& source) {
     const std::string word = source.substr(0, space);
     return word.substr(0, word.find("://")) + " ...";
   }
-  // Also of an address with a mistyped scheme.
+  // Also for an address with a mistyped scheme.
   const auto slashes = source.find("://"), colon = source.find(':');
   if (colon == std::string::npos) return source;
   const auto begin = slashes == std::string::npos ? colon + 1 : slashes + 3;
-  // Passwords may hold any of / ? # : @, so everything before the last @ is left out.
+  // Passwords may hold any of / ? # : @, so everything before the last @ is removed.
   const auto at = source.rfind('@');
   const auto host = at == std::string::npos || at < begin ? begin : at + 1;
   const auto query = source.find_first_of("?#", host);

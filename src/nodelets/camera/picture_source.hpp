@@ -1,4 +1,5 @@
-// Where the camera nodelet's pictures come from: a device, a stream, a folder or a video file.
+// SPDX-License-Identifier: BSD-3-Clause
+// Picture sources of the camera nodelet: a device, a stream, a folder or a video file.
 #pragma once
 
 #include <memory>
@@ -10,32 +11,32 @@
 
 namespace mbncc::nodelets {
 
-/// A source as it may be told to anybody: without the user, password and query of a stream's URL,
-/// and without what follows the first word of a pipeline that holds one.
+/// A source without secrets: without the user, password and query of a stream's URL, and without
+/// the text after the first word of a pipeline that contains one.
 std::string without_secrets(const std::string& source);
 
 class PictureSource {
  public:
   virtual ~PictureSource() = default;
 
-  /// Takes the next picture without decoding it, so that it can be stamped at once; a live source
-  /// waits for it. False at the end. Throws FileError when the source has failed: open it again.
+  /// Grabs the next picture without decoding it, so that it can be stamped at once; blocks on a
+  /// live source. False at the end. Throws FileError if the source has failed and must be reopened.
   virtual bool grab() = 0;
 
-  /// The picture just grabbed, CV_8UC3 or CV_8UC1. Throws FileError when it cannot be read; the
-  /// next one may be.
+  /// The picture just grabbed, CV_8UC3 or CV_8UC1. Throws FileError if it cannot be read; the next
+  /// one may be readable.
   virtual cv::Mat retrieve() = 0;
 
-  /// Live sources go on whether or not anybody takes the pictures, at their own pace.
+  /// Whether the source delivers pictures at its own pace, whether or not they are grabbed.
   virtual bool is_live() const = 0;
 
-  /// [Hz] pace at which the pictures were taken; 0: unknown.
+  /// [Hz] rate of the recording; 0: unknown.
   virtual double rate() const = 0;
 };
 
-/// Opens `config.source` and asks a device for the settings. `refused` gets a sentence for each
-/// setting that the device did not take. Throws FileError when the source cannot be opened now. No
-/// sentence tells a stream's secrets.
+/// Opens `config.source` and applies the settings to a device. `refused` gets a message for each
+/// setting that the device did not accept. Throws FileError if the source cannot be opened. No
+/// message contains a stream's secrets.
 std::unique_ptr<PictureSource> open_picture_source(const CameraConfig& config,
                                                    std::vector<std::string>& refused);
 

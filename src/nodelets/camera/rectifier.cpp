@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "nodelets/camera/rectifier.hpp"
 
 #include <opencv2/calib3d.hpp>
@@ -8,7 +9,7 @@
 namespace mbncc::nodelets {
 namespace {
 
-/// R may turn the pictures here: that is what rectifying is for.
+/// R may rotate the pictures, as rectification does.
 std::string fault_of(sensor_msgs::CameraInfo info, cv::Size size) {
   const std::string fault = fault_of_calibration(info, true, size);
   if (!fault.empty()) return fault;

@@ -1,4 +1,5 @@
-// Undoes lens distortion: a raw picture becomes one whose rays P of camera_info tells.
+// SPDX-License-Identifier: BSD-3-Clause
+// Corrects lens distortion: converts a raw picture to one with the camera matrix P of camera_info.
 #pragma once
 
 #include <sensor_msgs/CameraInfo.h>
@@ -11,7 +12,7 @@ namespace mbncc::nodelets {
 /// A rectified picture, or why there is none.
 struct Rectified {
   cv::Mat picture;    ///< CV_8UC3
-  std::string fault;  ///< one sentence with the remedy
+  std::string fault;  ///< message with the remedy
 
   explicit operator bool() const { return fault.empty(); }
 };
@@ -24,8 +25,8 @@ class Rectifier {
  private:
   void take_over(const sensor_msgs::CameraInfo& info, cv::Size size);
 
-  sensor_msgs::CameraInfo info_;  // that the places are of, without its header
-  cv::Mat places_, fractions_;    // in the raw picture, as cv::remap takes them
+  sensor_msgs::CameraInfo info_;  // calibration of the maps, without its header
+  cv::Mat places_, fractions_;    // coordinates in the raw picture, for cv::remap
 };
 
 }  // namespace mbncc::nodelets

@@ -1,4 +1,5 @@
-// Publishes a camera's pictures with the lens distortion undone, while somebody listens.
+// SPDX-License-Identifier: BSD-3-Clause
+// Publishes rectified pictures of a camera while there is a subscriber.
 #include <image_transport/image_transport.h>
 #include <ros/ros.h>
 #include <pluginlib/class_list_macros.hpp>
@@ -36,7 +37,7 @@ class RectifyNodelet : public GuardedNodelet {
       listen_as_wanted();
     };
     {
-      // A first listener may come before the publisher has been kept.
+      // The first subscriber may connect before the publisher is stored.
       const std::lock_guard<std::mutex> lock(mutex_);
       publisher_ = transport.advertise("image_rect", 1, changed, changed);
     }
@@ -69,7 +70,7 @@ class RectifyNodelet : public GuardedNodelet {
     }
   }
 
-  /// Why the picture was not published; "" when it was.
+  /// Why the picture was not published; "" if it was.
   std::string publish(const sensor_msgs::Image& image) {
     const Decoded decoded = decode_picture(image, config_.pictures.white_level);
     if (!decoded) return decoded.fault;
@@ -93,7 +94,7 @@ class RectifyNodelet : public GuardedNodelet {
     using diagnostic_msgs::DiagnosticStatus;
     const std::lock_guard<std::mutex> lock(mutex_);
     if (publisher_.getNumSubscribers() == 0)
-      status.summary(DiagnosticStatus::OK, "idle: nobody listens");
+      status.summary(DiagnosticStatus::OK, "idle: no subscriber");
     else if (const auto fault = camera_->fault(); !fault.empty())
       status.summary(DiagnosticStatus::ERROR, fault);
     else if (!fault_.empty())

@@ -1,4 +1,5 @@
-// Plays the simulated cell as a camera: image_raw, camera_info, and the truth for demo and tests.
+// SPDX-License-Identifier: BSD-3-Clause
+// Simulates the cell as a camera: image_raw, camera_info, and the truth for demo and tests.
 #include <image_transport/image_transport.h>
 #include <mbncc_vision/DetectedObjectArray.h>
 #include <ros/ros.h>
@@ -57,7 +58,7 @@ class SimulatedCameraNodelet : public GuardedNodelet {
     std_msgs::Header header;
     header.stamp = ros::Time::now();
     header.frame_id = config_.frame_id;
-    // A simulated clock that stands still gives no new stamp.
+    // A simulated clock that does not advance gives no new stamp.
     if (header.stamp == last_stamp_) return health_.count(&Counts::unstamped);
     last_stamp_ = header.stamp;
     publish_picture(frame, header);
@@ -116,14 +117,14 @@ class SimulatedCameraNodelet : public GuardedNodelet {
     response.success = script_->take_away();
     response.message = response.success ? "The arm takes the object away."
                        : at_rest        ? "No object lies on the platform; call put_next."
-                                        : "The arm is under way; call again when it has gone.";
+                                        : "The arm is moving; call again when it has left.";
     return true;
   }
 
   bool on_put_next(std_srvs::Trigger::Request&, std_srvs::Trigger::Response& response) {
     response.success = script_->put_next();
     response.message = response.success ? "The arm puts the object down at the next place."
-                                        : "The arm is under way; call again when it has gone.";
+                                        : "The arm is moving; call again when it has left.";
     return true;
   }
 

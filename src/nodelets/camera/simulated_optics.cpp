@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "nodelets/camera/simulated_optics.hpp"
 
 #include <opencv2/calib3d.hpp>

@@ -1,4 +1,5 @@
-// The simulated camera's lens: its calibration, and what it makes of an undistorted picture.
+// SPDX-License-Identifier: BSD-3-Clause
+// The simulated camera's lens: its calibration, and its distortion of a picture.
 #pragma once
 
 #include <sensor_msgs/CameraInfo.h>
@@ -14,19 +15,20 @@ class SimulatedOptics {
  public:
   explicit SimulatedOptics(const SimulatedCameraConfig& config);
 
-  /// Header left empty; without a focal length nothing but the picture's size.
+  /// Without header; without a focal length only the picture's size.
   const sensor_msgs::CameraInfo& camera_info() const { return info_; }
 
   /// The camera of the undistorted picture.
   const PinholeCamera& pinhole() const { return camera_; }
 
-  /// The raw picture of what an undistorted one shows; beyond its edges it is mirrored.
+  /// The distorted version of an undistorted picture, which is mirrored beyond its edges.
   cv::Mat distort(const cv::Mat& undistorted) const;
 
  private:
   PinholeCamera camera_;
   sensor_msgs::CameraInfo info_;
-  cv::Mat where_;  // CV_32FC2 place of each raw pixel in the undistorted picture; empty: the same
+  cv::Mat where_;  // CV_32FC2 position of each raw pixel in the undistorted picture; empty: no
+                   // distortion
 };
 
 }  // namespace mbncc::nodelets

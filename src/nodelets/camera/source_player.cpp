@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "nodelets/camera/source_player.hpp"
 
 #include <ros/console.h>
@@ -16,8 +17,8 @@ using Clock = SourcePlayer::Clock;
 using Seconds = SourcePlayer::Seconds;
 
 constexpr Seconds kFirstRetry{0.5}, kLongestRetry{8};  // doubling between
-constexpr Seconds kGlance{0.05};    // between two looks for a listener or a clock
-constexpr double kFolderRate = 10;  // [Hz]
+constexpr Seconds kGlance{0.05};                       // between checks for a subscriber or a clock
+constexpr double kFolderRate = 10;                     // [Hz]
 
 Clock::duration ticks(Seconds seconds) {
   return std::chrono::duration_cast<Clock::duration>(seconds);
@@ -42,7 +43,7 @@ void SourcePlayer::step() {
 void SourcePlayer::try_step() {
   if (at_end_) return world_.pause(kLongestRetry);
   if (!source_) open();
-  // A folder or video waits for a listener and for the clock, so that none of its pictures is lost.
+  // A folder or video waits for a subscriber and for the clock, so that no picture is lost.
   if (!source_->is_live() && (!world_.has_listener() || !has_new_stamp()))
     return world_.pause(kGlance);
   play();
@@ -91,7 +92,7 @@ void SourcePlayer::end() {
   ROS_INFO("%s is at its end", name_.c_str());
 }
 
-/// Empty, with a warning, when the picture cannot be read.
+/// Empty, with a warning, if the picture cannot be read.
 cv::Mat SourcePlayer::retrieve() {
   try {
     return source_->retrieve();
@@ -115,7 +116,7 @@ bool SourcePlayer::is_frozen(const cv::Mat& picture) {
 }
 
 void SourcePlayer::withhold() {
-  const std::string sentence = name_ + ": the picture is frozen; withheld";
+  const std::string sentence = name_ + ": the picture is frozen and not published";
   health_.set_state(DiagnosticStatus::ERROR, sentence);
   ROS_WARN("%s", sentence.c_str());
 }
@@ -124,7 +125,7 @@ void SourcePlayer::wait_until_due() {
   const double wanted = config_.frame_rate > 0 ? config_.frame_rate : source_->rate();
   const Clock::time_point now = world_.steady_time();
   if (due_ > now) world_.pause(due_ - now);
-  // A late picture does not make the next ones hurry.
+  // A delay is not made up by faster pictures.
   due_ = std::max(due_, now) + ticks(Seconds(1 / (wanted > 0 ? wanted : kFolderRate)));
 }
 

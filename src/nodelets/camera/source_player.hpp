@@ -1,4 +1,6 @@
-// The life of a camera's picture source: opened, played at its pace, opened again when it fails.
+// SPDX-License-Identifier: BSD-3-Clause
+// Manages a camera's picture source: opens it, plays it at its rate, and reopens it after a
+// failure.
 #pragma once
 
 #include <ros/time.h>
@@ -21,25 +23,25 @@ class SourcePlayer {
   using Clock = std::chrono::steady_clock;
   using Seconds = std::chrono::duration<double>;
 
-  /// What a player needs of the world around it; step() alone calls these.
+  /// Callbacks of a player, called only in step().
   struct World {
     /// Opens the source; throws FileError when it cannot be opened now.
     std::function<std::unique_ptr<PictureSource>()> open;
     std::function<bool()> has_listener;
     std::function<ros::Time()> time;  ///< for stamps; zero before a simulated clock has begun
-    std::function<Clock::time_point()> steady_time;  ///< for the pace
-    std::function<void(Seconds)> pause;              ///< may return early, to end the player
+    std::function<Clock::time_point()> steady_time;  ///< for the rate
+    std::function<void(Seconds)> pause;              ///< may return early to end the player
     /// Takes CV_8UC1 or CV_8UC3.
     std::function<void(const cv::Mat& picture, const ros::Time& stamp)> publish;
   };
 
   SourcePlayer(const CameraConfig& config, World world);
 
-  /// One attempt to open the source, one picture, or one pause. What goes wrong is told by log and
-  /// health(), and the source opened again after a pause of .5 s that doubles up to 8 s.
+  /// One attempt to open the source, one picture, or one pause. Errors are reported by log and
+  /// health(), and the source is reopened after a pause of .5 s that doubles up to 8 s.
   void step();
 
-  /// To be read from any thread.
+  /// May be called from any thread.
   CameraHealth& health() { return health_; }
 
  private:

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "nodelets/common/camera_input.hpp"
 
 #include <ros/console.h>
@@ -38,7 +39,7 @@ void CameraInput::unsubscribe() {
     std::swap(infos, infos_);
     info_.reset();
   }
-  // Waits for a callback that is running, which may be waiting for the mutex.
+  // Waits for a running callback, which may be waiting for the mutex.
   images.shutdown();
   infos.shutdown();
 }

@@ -1,4 +1,5 @@
-// image_raw and camera_info, subscribed to while somebody needs them.
+// SPDX-License-Identifier: BSD-3-Clause
+// Subscribes to image_raw and camera_info while they are needed.
 #pragma once
 
 #include <image_transport/image_transport.h>
@@ -14,14 +15,14 @@
 
 namespace mbncc::nodelets {
 
-/// Said when publishers() is 0.
+/// Message if publishers() is 0.
 constexpr char kNobodyPublishes[] =
-    "nobody publishes pictures; start the camera, or check the image topic";
+    "no publisher of pictures; start the camera, or check the image topic";
 
-/// Said when no picture has come for a while.
+/// Message if no picture has arrived for some time.
 constexpr char kPicturesStopped[] = "pictures have stopped; check the camera and its cable";
 
-/// Said when camera_info_for() is null.
+/// Message if camera_info_for() is null.
 constexpr char kNoCameraInfo[] =
     "no camera_info of this picture's size and frame has come within max_info_age; check its topic";
 
@@ -29,14 +30,15 @@ class CameraInput {
  public:
   using Callback = std::function<void(const sensor_msgs::ImageConstPtr&)>;
 
-  /// `transport`: raw, compressed ...; where its plugin is not installed that is said once, no
-  /// picture comes, and fault() tells why. Pictures reach `callback` on the node's callback thread.
-  /// A calibration counts for `max_info_age` [s] of the steady clock after it came.
+  /// `transport`: raw, compressed ...; if its plugin is not installed, this is logged once, no
+  /// picture arrives, and fault() gives the reason. Pictures are passed to `callback` on the node's
+  /// callback thread. A calibration is valid for `max_info_age` [s] of the steady clock after its
+  /// arrival.
   CameraInput(ros::NodeHandle node, const std::string& transport, double max_info_age,
               Callback callback);
 
-  /// Subscribes or unsubscribes as `wanted` says; does nothing when that is so already. Of calls
-  /// from several threads the last one's word holds.
+  /// Subscribes or unsubscribes according to `wanted`; does nothing if unchanged. With calls from
+  /// several threads, the last one decides.
   void set_active(const std::function<bool()>& wanted);
   void set_active(bool active) {
     set_active([active] { return active; });
@@ -45,11 +47,11 @@ class CameraInput {
   /// Number of publishers of the picture topic.
   std::uint32_t publishers() const;
 
-  /// What is wrong with the stream of pictures, with the remedy: they cannot be subscribed to,
-  /// nobody publishes them, or they have stopped. "" when they come, or are not subscribed to.
+  /// The fault of the picture stream, with the remedy: no transport plugin, no publisher, or
+  /// pictures have stopped. "" if pictures arrive or are not subscribed to.
   std::string fault() const;
 
-  /// Calibration as last heard of; null: none that counts.
+  /// The last received calibration; null if none is valid.
   sensor_msgs::CameraInfoConstPtr camera_info() const;
 
   /// The same for pictures of this size and frame.
@@ -68,7 +70,7 @@ class CameraInput {
   const std::string transport_name_;
   const std::chrono::duration<double> max_info_age_;
   const Callback callback_;
-  std::mutex switching_;  // of active_; taken before mutex_, and by no picture's callback
+  std::mutex switching_;  // guards active_; locked before mutex_, and never in a picture callback
   bool active_ = false;
   mutable std::mutex mutex_;  // of what follows
   std::string transport_fault_;

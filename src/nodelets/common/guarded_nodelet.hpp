@@ -1,4 +1,5 @@
-// What the nodelets share: a start that may fail with a sentence, and an end that waits for
+// SPDX-License-Identifier: BSD-3-Clause
+// Base class of the nodelets: a start that may fail with a message, and an end that waits for
 // callbacks.
 #pragma once
 
@@ -14,23 +15,22 @@
 
 namespace mbncc::nodelets {
 
-/// Its callbacks come one at a time, on a thread of its own. On the manager's threads a nodelet
-/// that is unloaded amid a callback would be deleted later than its callback queue, which its
-/// publishers still use.
+/// Its callbacks run one at a time on its own thread. On the manager's threads, a nodelet unloaded
+/// during a callback would be deleted after its callback queue, which its publishers still use.
 class GuardedNodelet : public nodelet::Nodelet {
  protected:
-  /// Reads the parameters and begins to work; throws with a sentence when that cannot be. No
-  /// callback comes before it has returned.
+  /// Reads the parameters and starts the work; throws with a message if this fails. No callback
+  /// runs before it has returned.
   virtual void start() = 0;
 
-  /// Ends the threads and whatever else calls the nodelet.
+  /// Ends the threads and everything else that calls the nodelet.
   virtual void stop() = 0;
 
-  /// The nodelet's namespace, and its private one; callbacks come through its own queue.
+  /// The nodelet's public and private node handles; callbacks use its own queue.
   ros::NodeHandle node() { return with_own_queue(getNodeHandle()); }
   ros::NodeHandle private_node() { return with_own_queue(getPrivateNodeHandle()); }
 
-  /// To be called by the destructor of the nodelet, whose members the callbacks use.
+  /// Call this in the destructor of the nodelet, whose members the callbacks use.
   void finish() {
     spinner_.stop();
     stop();

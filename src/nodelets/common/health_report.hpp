@@ -1,4 +1,6 @@
-// A nodelet's diagnostics, once a second by the steady clock: a simulated one may stand still.
+// SPDX-License-Identifier: BSD-3-Clause
+// Publishes a nodelet's diagnostics once a second, by the steady clock because a simulated clock
+// may stop.
 #pragma once
 
 #include <diagnostic_updater/diagnostic_updater.h>
@@ -10,7 +12,7 @@ namespace mbncc::nodelets {
 
 class HealthReport {
  public:
-  /// `name` is the nodelet's, `task` the part of it that `describe` tells about.
+  /// `name` is the nodelet's, `task` the part that `describe` reports on.
   HealthReport(ros::NodeHandle node, ros::NodeHandle private_node, const std::string& name,
                const std::string& hardware, const std::string& task,
                const diagnostic_updater::TaskFunction& describe)

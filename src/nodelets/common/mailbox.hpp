@@ -1,4 +1,6 @@
-// One slot between threads: the newest item wins, nobody waits for a slow reader.
+// SPDX-License-Identifier: BSD-3-Clause
+// One slot between threads: a new item replaces an older one, so writers never wait for a slow
+// reader.
 #pragma once
 
 #include <condition_variable>
@@ -11,7 +13,7 @@ namespace mbncc::nodelets {
 template <class Item>
 class Mailbox {
  public:
-  /// True when an item that nobody had taken was replaced.
+  /// True if an item that was not taken yet was replaced.
   bool put(Item item) {
     const std::lock_guard<std::mutex> lock(mutex_);
     const bool replaced = item_.has_value();
@@ -28,7 +30,7 @@ class Mailbox {
     return std::exchange(item_, std::nullopt);
   }
 
-  /// Forgets an item that nobody has taken.
+  /// Drops an item that was not taken yet.
   void clear() {
     const std::lock_guard<std::mutex> lock(mutex_);
     item_.reset();

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "nodelets/common/master_watch.hpp"
 
 #include <ros/connection_manager.h>
@@ -21,7 +22,7 @@ using XmlRpc::XmlRpcValue;
 
 constexpr std::chrono::seconds kInterval{1};
 
-/// What the master knows of this process.
+/// The master's registrations of this process.
 struct Standing {
   bool known = false;
   std::vector<std::string> services;
@@ -34,8 +35,8 @@ XmlRpcValue arguments(const std::vector<std::string>& texts) {
   return values;
 }
 
-/// None when the master does not answer, and in a process that ends: it takes itself off the
-/// master's lists, and must not be put back.
+/// None if the master does not answer, and in a process that is ending, which unregisters itself
+/// and must not be registered again.
 std::optional<XmlRpcValue> ask_master(const std::string& method,
                                       const std::vector<std::string>& texts) {
   XmlRpcValue response, payload;
@@ -62,7 +63,7 @@ std::optional<Standing> standing() {
   return Standing{!rows_of_this_node((*state)[0]).empty(), rows_of_this_node((*state)[2])};
 }
 
-/// Hands the list of publishers over as the master would.
+/// Passes on the list of publishers as the master would.
 void update_publishers(const std::string& topic, const XmlRpcValue& publishers) {
   std::string host;
   std::uint32_t port = 0;
@@ -87,12 +88,12 @@ void register_topics() {
   topics->getSubscribedTopics(subscribed);
   for (const auto& topic : subscribed) {
     const auto publishers = ask_master("registerSubscriber", {name, topic, "*", self});
-    // With nobody there yet, connections that outlived the master stay.
+    // Without publishers yet, connections that outlived the master stay.
     if (publishers && publishers->size() > 0) update_publishers(topic, *publishers);
   }
 }
 
-/// Where services are called. Only while roscpp runs: it has no port before and afterwards.
+/// The URI for service calls. Only while roscpp runs, because it has no port before and afterwards.
 std::string service_uri() {
   return "rosrpc://" + ros::network::getHost() + ":" +
          std::to_string(ros::ConnectionManager::instance()->getTCPPort());
@@ -126,7 +127,7 @@ MasterWatch::~MasterWatch() {
   watcher_.join();
 }
 
-/// False when the watch ends.
+/// False if the watch ends.
 bool MasterWatch::wait() {
   std::unique_lock<std::mutex> lock(mutex_);
   return !changed_.wait_for(lock, kInterval, [this] { return stopped_; });
@@ -142,7 +143,8 @@ void MasterWatch::watch() {
       continue;
     }
     ROS_WARN(
-        "the ROS master has been restarted; registering anew. Parameters are as they were read");
+        "the ROS master was restarted; registering again. Parameters keep the values read at the "
+        "start");
     register_topics();
     register_services(services_, service_uri_);
   }

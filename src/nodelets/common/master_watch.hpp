@@ -1,4 +1,5 @@
-// The ROS master forgets everything when it is restarted. This process then tells it anew.
+// SPDX-License-Identifier: BSD-3-Clause
+// Re-registers this process after a restart of the ROS master.
 #pragma once
 
 #include <condition_variable>
@@ -11,10 +12,11 @@
 namespace mbncc::nodelets {
 
 /// Asks the master every second whether it knows this process, and registers all its topics and
-/// services again when it does not. Parameters are not brought back: nodelets keep what they read.
+/// services again if it does not. Parameters are not restored: nodelets keep the values they have
+/// read.
 class MasterWatch {
  public:
-  /// The process's one; it lives as long as somebody holds it.
+  /// The shared instance of the process; it lives as long as it is referenced.
   static std::shared_ptr<MasterWatch> shared();
 
   MasterWatch();

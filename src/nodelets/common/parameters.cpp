@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "nodelets/common/parameters.hpp"
 
 #include "mbncc/error.hpp"
@@ -46,7 +47,7 @@ std::string text_of(XmlRpcValue value) {
   }
 }
 
-/// What the row accepts, in words.
+/// The values that the row accepts, in words.
 std::string wanted(const FieldRow& row) {
   if (row.type == "bool") return "true or false";
   const std::string kind = row.type == "int"      ? "a whole number"

@@ -1,5 +1,6 @@
-// Strict reading of a nodelet's private parameters into a config struct: every key must be known,
-// of the right type and in range.
+// SPDX-License-Identifier: BSD-3-Clause
+// Reads a nodelet's private parameters strictly into a config struct: every key must be known, of
+// the right type and in range.
 #pragma once
 
 #include <XmlRpcValue.h>
@@ -14,13 +15,13 @@
 namespace mbncc::nodelets {
 
 /// Assigns each member of the struct `values` to the row of its name. Members named in `foreign`
-/// are left alone: they belong to libraries that read the same namespace. A whole number may stand
-/// for a double or a string, nothing else is converted. Throws ConfigError naming key, value and
-/// what is allowed; for an unknown key, naming the nearest known one.
+/// are ignored, because libraries read them from the same namespace. A whole number is accepted for
+/// a double or a string; nothing else is converted. Throws ConfigError that names key, value and
+/// the allowed values, or for an unknown key the nearest known one.
 void assign_parameters(const std::vector<FieldRow>& rows, const XmlRpc::XmlRpcValue& values,
                        const std::set<std::string>& foreign = {});
 
-/// Reads the parameters of the handle's namespace into the rows; those not set keep their value.
+/// Reads the parameters of the handle's namespace into the rows; unset ones keep their value.
 /// `foreign` adds to the keys that roscpp's own helpers read there (diagnostic_period ...).
 /// Throws ConfigError, which also names the namespace.
 void read_parameters(const ros::NodeHandle& handle, const std::vector<FieldRow>& rows,

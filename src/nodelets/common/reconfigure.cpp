@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "nodelets/common/reconfigure.hpp"
 
 #include <ros/console.h>
@@ -39,7 +40,7 @@ void add_bound(Config& config, const FieldRow& row, double bound) {
   add(config.ints, row.info.name, static_cast<int>(std::clamp(bound, kLow, kHigh)));
 }
 
-/// The name that clients of dynamic_reconfigure know a type by.
+/// The name of a type in dynamic_reconfigure.
 std::string client_type(const std::string& type) {
   return type == "string" ? "str" : type;
 }
@@ -76,7 +77,7 @@ void assign_all(const Rows& rows, const Parameters& parameters,
     assign_one(rows, parameter.name, text_of(parameter), refusals);
 }
 
-/// Whoever asks the parameter server, and the nodelet when it starts again, sees what holds now.
+/// Clients of the parameter server, and the nodelet after a restart, see the current values.
 void store(const ros::NodeHandle& node, const Config& config) {
   for (const auto& flag : config.bools) node.setParam(flag.name, flag.value != 0);
   for (const auto& number : config.ints) node.setParam(number.name, number.value);

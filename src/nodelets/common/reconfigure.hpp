@@ -1,6 +1,7 @@
-// Settings changed at run time, by dynamic_reconfigure's protocol: its clients (rqt_reconfigure,
-// dynparam) see names, bounds and meanings of the one field list. A value out of bounds is refused
-// and the old one kept, where the library's own server would quietly clamp it.
+// SPDX-License-Identifier: BSD-3-Clause
+// Changes settings at run time with dynamic_reconfigure's protocol: its clients (rqt_reconfigure,
+// dynparam) get names, bounds and meanings from the field list. A value out of bounds is refused
+// and the old one kept, whereas the library's own server would clamp it silently.
 #pragma once
 
 #include <dynamic_reconfigure/Config.h>
@@ -21,28 +22,28 @@ using Rows = std::vector<FieldRow>;
 /// The rows of these names, in their order.
 Rows chosen(const Rows& rows, const std::vector<std::string>& names);
 
-/// What the rows hold now.
+/// The current values of the rows.
 dynamic_reconfigure::Config to_config(const Rows& rows);
 
-/// Names, types, bounds and meanings, with the present values as defaults.
+/// Names, types, bounds and meanings, with the current values as defaults.
 dynamic_reconfigure::ConfigDescription describe(const Rows& rows);
 
-/// Assigns every value of `wanted`; returns a sentence for each one that was refused.
+/// Assigns every value of `wanted`; returns a message for each one that was refused.
 std::vector<std::string> assign(const Rows& rows, const dynamic_reconfigure::Config& wanted);
 
 class Reconfigure {
  public:
-  /// Calls its argument with the rows that may change, while nobody else reads them.
+  /// Calls its argument with the rows that may change, under exclusive access.
   using WithRows = std::function<void(const std::function<void(const Rows&)>&)>;
 
   /// `changed` is called after each request.
   Reconfigure(ros::NodeHandle private_node, WithRows with_rows, std::function<void()> changed);
 
-  /// As a request that changes one value. An unknown or refused one is told in the log.
+  /// Acts like a request that changes one value. An unknown or refused value is logged.
   void set(const std::string& name, const std::string& text);
 
  private:
-  /// Calls `change` with the rows and tells everybody what holds then.
+  /// Calls `change` with the rows and publishes the new values.
   template <class Change>
   dynamic_reconfigure::Config apply(const Change& change);
 

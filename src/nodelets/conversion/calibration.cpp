@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "nodelets/conversion/calibration.hpp"
 
 #include <tf2_eigen/tf2_eigen.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The platform under the camera, from camera_info, parameters and tf.
 #pragma once
 
@@ -16,15 +17,15 @@
 namespace mbncc::nodelets {
 
 struct Calibration {
-  std::optional<Platform> platform;                    ///< none: poses in pixels only
+  std::optional<Platform> platform;                    ///< none: poses only in pixels
   std::string fault;                                   ///< why there is none, with the remedy
-  std::optional<Eigen::Isometry3d> T_camera_platform;  ///< of platform_frame, where that is set
+  std::optional<Eigen::Isometry3d> T_camera_platform;  ///< of platform_frame, if it is set
 };
 
-/// Poses in metres are wanted.
+/// Whether poses in metres are wanted.
 bool has_platform(const PlatformConfig& config);
 
-/// Optical frame of a picture: the configured one, else the picture's own.
+/// Optical frame of a picture: the configured one, otherwise the picture's.
 std::string camera_frame_of(const PlatformConfig& config, const std_msgs::Header& header);
 
 /// Calibration of one picture of `size`. `info` may be null. Never waits for tf.

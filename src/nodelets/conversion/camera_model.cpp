@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "nodelets/conversion/camera_model.hpp"
 
 #include <sensor_msgs/distortion_models.h>
@@ -19,10 +20,10 @@ constexpr double kSameTurn = 1e-6;             // likewise, where there should b
 constexpr double kNoBaseline = 1e-6;           // [px m]
 constexpr char kRemedy[] = "; calibrate the camera";
 
-/// Which pixels of the sensor make up a picture.
+/// The pixels of the sensor that form a picture.
 struct Window {
   cv::Rect region;   // [px] of the sensor
-  cv::Size binning;  // of so many of them
+  cv::Size binning;  // binning factors
   cv::Size picture;
 };
 
@@ -54,8 +55,8 @@ cv::Matx33d p_of(const CameraInfo& info) {
   return {p[0], p[1], p[2], p[4], p[5], p[6], p[8], p[9], p[10]};
 }
 
-/// The sensor's camera in pixels of the picture; a binned pixel's centre is that of the pixels it
-/// is made of.
+/// The sensor's camera in pixels of the picture; a binned pixel's centre is the centre of its
+/// sensor pixels.
 PinholeCamera seen_through(const Window& window, const cv::Matx33d& matrix) {
   const double x = window.binning.width, y = window.binning.height;
   return {matrix(0, 0) / x, matrix(1, 1) / y, (matrix(0, 2) - window.region.x - (x - 1) / 2) / x,
@@ -66,7 +67,7 @@ bool is_empty(const cv::Matx33d& matrix) {
   return std::all_of(matrix.val, matrix.val + 9, [](double value) { return value == 0; });
 }
 
-/// Entry by entry, so that one that is not finite counts as a difference.
+/// Compares each entry, so that a value that is not finite counts as a difference.
 bool is_close(const cv::Matx33d& a, const cv::Matx33d& b, double tolerance) {
   for (int i = 0; i < 9; ++i)
     if (!(std::abs(a.val[i] - b.val[i]) <= tolerance)) return false;
@@ -79,7 +80,7 @@ bool is_rotation(const cv::Matx33d& matrix) {
 }
 
 bool is_straight(const CameraInfo& info) {
-  // Without a coefficient a fisheye's pictures are distorted all the same.
+  // A fisheye's pictures are distorted even with zero coefficients.
   return info.distortion_model != models::EQUIDISTANT &&
          std::all_of(info.D.begin(), info.D.end(), [](double value) { return value == 0; });
 }

@@ -1,5 +1,6 @@
-// camera_info, judged before it is believed, in pixels of the picture as received: its region of
-// interest and its binning are taken into account as CameraInfo.msg defines them.
+// SPDX-License-Identifier: BSD-3-Clause
+// camera_info, checked for plausibility, in pixels of the received picture: its region of interest
+// and binning are applied as CameraInfo.msg defines them.
 #pragma once
 
 #include <sensor_msgs/CameraInfo.h>
@@ -19,12 +20,12 @@ struct Lens {
   bool is_fisheye = false;         ///< of cv::fisheye, CameraInfo's "equidistant"
 };
 
-/// Size of the pictures that come with the calibration: the region of interest, binned. Empty where
+/// Size of the pictures that come with the calibration: the region of interest, binned. Empty if
 /// the message contradicts itself.
 cv::Size picture_size(const sensor_msgs::CameraInfo& info);
 
-/// Why the calibration tells no metres in pictures of `size`, by P when they are `rectified`, else
-/// by K and D: one sentence with what to do about it. "" when it does.
+/// Why the calibration cannot be used for pictures of `size`, by P if they are `rectified`,
+/// otherwise by K and D: one message with a remedy. "" if it can be used.
 std::string fault_of_calibration(const sensor_msgs::CameraInfo& info, bool rectified,
                                  cv::Size size);
 
@@ -34,7 +35,7 @@ Lens lens_of(const sensor_msgs::CameraInfo& info);
 /// Of a calibration without fault in rectified pictures.
 PinholeCamera rectified_camera_of(const sensor_msgs::CameraInfo& info);
 
-/// How the rectified camera is turned against the raw one; the identity where R is left empty.
+/// Rotation of the rectified camera relative to the raw one; the identity if R is empty.
 cv::Matx33d rectification_of(const sensor_msgs::CameraInfo& info);
 
 /// As OpenCV takes it.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "nodelets/conversion/images.hpp"
 
 #include <algorithm>
@@ -18,7 +19,7 @@ constexpr std::uint64_t kMostPixels = PictureLimits::kMostPixels;
 constexpr std::size_t kLongestFrame = 255;  // [bytes] of the frame's name
 constexpr int kCopy = -1;                   // no colour conversion
 constexpr int kFullRange = 65535;           // of 16 bits
-constexpr const char* kUnscaled = "16UC1";  // which does not say what its numbers mean
+constexpr const char* kUnscaled = "16UC1";  // which does not define its range
 
 struct Encoding {
   const char* name;
@@ -64,7 +65,7 @@ bool is_yuv(const Encoding& encoding) {
          encoding.conversion == cv::COLOR_YUV2BGR_YUY2;
 }
 
-// A name out of a message, safe to print.
+// A name from a message, safe to print.
 std::string printable(const std::string& text) {
   std::string shown = text.substr(0, 32);
   std::replace_if(
@@ -84,7 +85,7 @@ std::string layout_fault(const sensor_msgs::Image& message, const Encoding& enco
            " bytes is not usable; send 255 at most";
   if (!is_printable(message.header.frame_id))
     return "frame_id '" + printable(message.header.frame_id) +
-           "' holds characters that are not printable; correct the driver";
+           "' contains characters that are not printable; correct the driver";
   if (is_yuv(encoding) && message.width % 2 != 0)
     return "a " + message.encoding + " picture of odd width " + std::to_string(message.width) +
            " is not usable; send an even width";
@@ -107,7 +108,7 @@ cv::Mat view_of(const sensor_msgs::Image& message, const Encoding& encoding) {
                  const_cast<std::uint8_t*>(message.data.data()), message.step);
 }
 
-/// Numbers of two bytes as this machine keeps them, which has the lower byte first.
+/// 16-bit numbers in this machine's byte order, little endian.
 cv::Mat in_native_order(const cv::Mat& view, bool is_bigendian) {
   if (!is_bigendian || view.depth() != CV_16U) return view;
   const cv::Mat bytes(view.rows, view.cols * view.channels(), CV_8UC2, view.data, view.step);

@@ -1,5 +1,6 @@
-// Picture messages to and from cv::Mat. Everything that arrives is distrusted: encoding, step and
-// length are checked before a byte is read, and nothing throws because of a message.
+// SPDX-License-Identifier: BSD-3-Clause
+// Converts picture messages to and from cv::Mat. Encoding, step and length are checked before a
+// byte is read, and no message causes an exception.
 #pragma once
 
 #include <sensor_msgs/CompressedImage.h>
@@ -11,7 +12,7 @@
 
 namespace mbncc::nodelets {
 
-/// A picture, or the sentence why the message holds none.
+/// A picture, or the message why it could not be decoded.
 struct Decoded {
   cv::Mat picture;    ///< its own memory; empty when refused
   std::string fault;  ///< "" when decoded
@@ -27,13 +28,13 @@ Decoded decode_picture(const sensor_msgs::Image& message, int white_level = 0);
 /// CV_8UC1 map of 0 and 255 from mono8 or 8UC1; values >= 128 count as object.
 Decoded decode_map(const sensor_msgs::Image& message);
 
-/// True when a field of a goal or request holds a picture rather than being left empty.
+/// True if a field of a goal or request contains a picture.
 bool is_given(const sensor_msgs::Image& message);
 
 /// Message of a CV_8UC3 (bgr8) or CV_8UC1 (mono8) picture; an empty picture gives an empty message.
 sensor_msgs::Image encode_picture(const cv::Mat& picture, const std_msgs::Header& header = {});
 
-/// The same as JPEG, for consoles at the end of a thin line.
+/// The same as JPEG, for consoles on a slow network.
 sensor_msgs::CompressedImage encode_jpeg(const cv::Mat& picture, const std_msgs::Header& header);
 
 }  // namespace mbncc::nodelets

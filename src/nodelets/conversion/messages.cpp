@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "nodelets/conversion/messages.hpp"
 
 #include <mbncc_vision/LearnObjectGoal.h>

@@ -1,4 +1,5 @@
-// The core's values as messages, and back.
+// SPDX-License-Identifier: BSD-3-Clause
+// Converts the core's values to messages and back.
 #pragma once
 
 #include <geometry_msgs/Polygon.h>
@@ -29,36 +30,35 @@ mbncc_vision::LearnQuality to_msg(const Quality& quality);
 /// `with_thumbnail`: adds a picture of at most 160 px of the first view.
 mbncc_vision::LearnedObject to_msg(const ObjectModel& model, bool with_thumbnail);
 
-/// The part of the message that a picture alone tells: metric pose NaN, state NEW or AMBIGUOUS, no
-/// instance. `size` is filled in from `model` (may be null: NaN).
+/// The part of the message known from the picture alone: metric pose NaN, state NEW or AMBIGUOUS,
+/// no instance. `size` is filled in from `model` (may be null: NaN).
 mbncc_vision::DetectedObject to_msg(const Match& match, const ObjectModel* model);
 
-/// None when a number is not finite, or x or y lies farther off than a picture may be large
-/// (32768 px).
+/// None if a number is not finite, or x or y exceeds 32768 px.
 std::optional<Pose2D> from_msg(const geometry_msgs::Pose2D& pose);
 
-/// None when a coordinate is not finite or beyond kLongestLength, or the quaternion is far from
-/// unit length.
+/// None if a coordinate is not finite or beyond kLongestLength, or the quaternion is far from unit
+/// length.
 std::optional<Grasp> from_msg(const geometry_msgs::Pose& grasp);
 
-/// None when a corner is not finite.
+/// None if a corner is not finite.
 std::optional<std::vector<cv::Point2f>> from_msg(const geometry_msgs::Polygon& polygon);
 
-/// Empty for 0 x 0; none when it does not lie in a picture of `size`, or has one side of 0.
+/// Empty for 0 x 0; none if it is not inside a picture of `size`, or has one side of 0.
 std::optional<cv::Rect> from_msg(const sensor_msgs::RegionOfInterest& region, cv::Size size);
 
-/// A declared symmetry as LearnObject's constants SYMMETRY_... say it, none as SYMMETRY_AUTO.
+/// A declared symmetry as one of LearnObject's constants SYMMETRY_..., none as SYMMETRY_AUTO.
 std::uint8_t symmetry_to_msg(std::optional<int> symmetry);
 
-/// The other way. Throws std::invalid_argument that names the constants for any other value.
+/// The inverse. Throws std::invalid_argument that names the constants for any other value.
 std::optional<int> symmetry_from_msg(std::uint8_t symmetry);
 
-/// Height and extents of the first view's map along the object's x and y. [m]; NaN when learned
+/// Height and extents of the first view's map along the object's x and y. [m]; NaN if learned
 /// without scale.
 geometry_msgs::Vector3 size_of(const ObjectModel& model);
 
 /// The first view's largest outline at the height of the platform, in the object frame with z into
-/// the platform. [m]; empty when learned without scale.
+/// the platform. [m]; empty if learned without scale.
 geometry_msgs::Polygon footprint_of(const ObjectModel& model);
 
 }  // namespace mbncc::nodelets

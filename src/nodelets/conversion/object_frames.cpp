@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "nodelets/conversion/object_frames.hpp"
 
 #include <cmath>
@@ -47,8 +48,8 @@ std::vector<geometry_msgs::TransformStamped> ObjectFrames::of(
     if (!object.child_frame_id.empty()) add(stamp, object.child_frame_id);
     if (object.stable_frame_id.empty()) continue;
     Followed& followed = followed_[object.stable_frame_id];
-    // tf interpolates: without a first word at once, the frame would seem to travel from the last
-    // instance to this one.
+    // tf interpolates: without an earlier transform at the new pose, the frame would seem to move
+    // from the last instance to this one.
     if (followed.instance_id != 0 && followed.instance_id != object.instance_id)
       add(followed.stamp + ros::Duration(0, 1), object.stable_frame_id);
     add(stamp, object.stable_frame_id);

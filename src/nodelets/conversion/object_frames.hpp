@@ -1,5 +1,6 @@
-// The tf frames of confirmed instances: all of a picture at once, at its stamp, never twice for a
-// stamp.
+// SPDX-License-Identifier: BSD-3-Clause
+// The tf frames of confirmed instances: all of one picture together, at its stamp, and never twice
+// for a stamp.
 #pragma once
 
 #include <geometry_msgs/TransformStamped.h>
@@ -16,14 +17,13 @@ namespace mbncc::nodelets {
 class ObjectFrames {
  public:
   /// The frames child_frame_id and stable_frame_id of each object that has them, and ..._grasp
-  /// under them where it has a grasp; none for a stamp that is not after the last one.
-  /// Objects without a finite metric pose are left out, whatever they claim. Where a stable frame
-  /// goes over to another instance it does so at once: no look-up between two stamps finds it on
-  /// its way.
+  /// under them if it has a grasp; none for a stamp that is not after the last one. Objects without
+  /// a finite metric pose are omitted. A stable frame switches to another instance in one step, so
+  /// that a look-up between two stamps finds no intermediate pose.
   std::vector<geometry_msgs::TransformStamped> of(
       const mbncc_vision::DetectedObjectArray& detections);
 
-  /// The clock has jumped back: older stamps are new again.
+  /// The clock has jumped back: older stamps are accepted again.
   void reset();
 
  private:

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "nodelets/conversion/pose_algebra.hpp"
 
 #include <tf2/LinearMath/Transform.h>

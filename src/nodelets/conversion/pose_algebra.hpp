@@ -1,4 +1,5 @@
-// Poses in a row: a pose message tells where a frame lies in its parent.
+// SPDX-License-Identifier: BSD-3-Clause
+// Composition of pose messages, each the pose of a frame in its parent.
 #pragma once
 
 #include <geometry_msgs/Pose.h>
@@ -11,7 +12,7 @@ geometry_msgs::Pose compose(const geometry_msgs::Pose& b_in_a, const geometry_ms
 /// The pose of A in B, from that of B in A.
 geometry_msgs::Pose inverse(const geometry_msgs::Pose& b_in_a);
 
-/// Half a turn about x: in its parent, the frame's y and z point the other way.
+/// Half a turn about x, which reverses the frame's y and z axes.
 geometry_msgs::Pose half_turn_about_x();
 
 }  // namespace mbncc::nodelets

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "nodelets/conversion/rays.hpp"
 
 #include <cmath>
@@ -11,10 +12,10 @@
 namespace mbncc::nodelets {
 namespace {
 
-constexpr double kMostMisfit = 0.01;   // [px] of a ray projected back
-constexpr double kMostSideways = 0.1;  // [rad] that a lens turns a direction about its axis
-constexpr int kIterations = 100;       // OpenCV's default of 5 leaves a tenth of a pixel
-constexpr int kSteps = 64;             // from the optical axis to a ray
+constexpr double kMostMisfit = 0.01;   // [px] reprojection error of a ray
+constexpr double kMostSideways = 0.1;  // [rad] by which a lens rotates a direction about its axis
+constexpr int kIterations = 100;  // OpenCV's default of 5 leaves an error of a tenth of a pixel
+constexpr int kSteps = 64;        // from the optical axis to a ray
 
 /// Rays through the pixels of a raw picture, directions in the optical frame.
 class DistortedRays {
@@ -53,18 +54,18 @@ class DistortedRays {
     return pixels;
   }
 
-  /// Lenses move pixels towards their axis or away from it; mounted askew, a little sideways.
+  /// Lenses displace pixels radially; decentred ones also slightly sideways.
   bool is_bent_sideways(cv::Point2d direction, cv::Point2d pixel) const {
     const auto& camera = lens_.camera;
     const cv::Point2d seen((pixel.x - camera.cx) / camera.fx, (pixel.y - camera.cy) / camera.fy);
     return std::abs(seen.cross(direction)) > kMostSideways * cv::norm(seen) * cv::norm(direction);
   }
 
-  /// Far out a model may fold over: no ray leads to a pixel there, or one that the lens does not
-  /// have. From the axis to a ray that it has, the pixels go ever farther outwards.
+  /// Far from the axis a model may fold over, where a pixel has no ray or a wrong one. From the
+  /// axis to a valid ray, the radius of the pixels increases monotonically.
   bool leads_to(cv::Point2d direction, cv::Point2d pixel) const {
     std::vector<cv::Point2d> directions;
-    // Closer together at the axis, where a fold may be narrow.
+    // Denser near the axis, where a fold may be narrow.
     for (int i = 0; i <= kSteps; ++i)
       directions.push_back(direction * (double(i * i) / (kSteps * kSteps)));
     const auto pixels = distorted(directions);

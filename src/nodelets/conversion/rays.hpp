@@ -1,4 +1,5 @@
-// Rays through the pixels of a camera as camera_info describes it.
+// SPDX-License-Identifier: BSD-3-Clause
+// Rays through the pixels of a camera described by camera_info.
 #pragma once
 
 #include <sensor_msgs/CameraInfo.h>
@@ -10,9 +11,9 @@
 
 namespace mbncc::nodelets {
 
-/// Rays of a picture of `size`: by P when it is `rectified`, else by K with the distortion D
-/// undone. A raw pixel whose distortion cannot be undone has a ray that is not finite. None where
-/// fault_of_calibration() tells a fault.
+/// Rays of a picture of `size`: by P if it is `rectified`, otherwise by K with the distortion D
+/// corrected. A raw pixel whose distortion cannot be inverted has a ray that is not finite. None if
+/// fault_of_calibration() reports a fault.
 std::optional<PixelToRay> rays_of(const sensor_msgs::CameraInfo& info, bool rectified,
                                   cv::Size size);
 

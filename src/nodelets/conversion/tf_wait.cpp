@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "nodelets/conversion/tf_wait.hpp"
 
 #include <chrono>
@@ -8,7 +9,7 @@ namespace {
 
 constexpr std::chrono::milliseconds kGlance{1};
 
-/// The frames are connected, and what connects them has still to reach `stamp`.
+/// The frames are connected, but their transforms do not reach `stamp` yet.
 bool lags_behind(const tf2_ros::Buffer& tf, const std::string& target, const std::string& source,
                  const ros::Time& stamp, double patience) {
   try {

@@ -1,4 +1,5 @@
-// A robot's tf comes a little later than the pictures of the camera that it carries.
+// SPDX-License-Identifier: BSD-3-Clause
+// Waits for a robot's tf, which arrives slightly later than the pictures of its camera.
 #pragma once
 
 #include <ros/time.h>
@@ -8,14 +9,14 @@
 
 namespace mbncc::nodelets {
 
-/// Returns when `tf` can tell how `source` lies in `target` at `stamp`. Waits for it only where the
-/// two are connected and the newest transform is older than the stamp, though not by more than
-/// `patience`, and no longer than that: a missing, outdated or fixed transform is not waited for.
-/// `patience` is in seconds of the steady clock; 0 or less: not at all.
+/// Returns once `tf` knows the pose of `source` in `target` at `stamp`. Waits only if the two are
+/// connected and the newest transform is older than the stamp by at most `patience`, and at most
+/// for `patience`. Does not wait for a missing, outdated or static transform. `patience` is in
+/// seconds of the steady clock; 0 or less: no waiting.
 void wait_for_transform(const tf2_ros::Buffer& tf, const std::string& target,
                         const std::string& source, const ros::Time& stamp, double patience);
 
-/// tf's own words for why it cannot tell, with the remedy where it lags behind.
+/// tf's error message, with the remedy if tf lags behind.
 std::string tf_fault(const tf2::TransformException& error);
 
 }  // namespace mbncc::nodelets

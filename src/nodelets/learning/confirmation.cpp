@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "nodelets/learning/confirmation.hpp"
 
 #include <utility>
@@ -5,7 +6,7 @@
 namespace mbncc::nodelets {
 namespace {
 
-// How soon a waiting lesson notices that it has been cancelled.
+// Interval at which a waiting lesson checks for cancellation.
 constexpr std::chrono::milliseconds kGlance{50};
 
 Confirmation::Response refuse(const char* message) {

@@ -1,4 +1,5 @@
-// Where the confirm_learning service and the lesson that waits for it meet.
+// SPDX-License-Identifier: BSD-3-Clause
+// Connects the confirm_learning service and the lesson that waits for it.
 #pragma once
 
 #include <mbncc_vision/ConfirmLearning.h>
@@ -16,21 +17,21 @@ class Confirmation {
   using Request = mbncc_vision::ConfirmLearning::Request;
   using Response = mbncc_vision::ConfirmLearning::Response;
 
-  /// Service side: hands the command to the waiting lesson and waits for its answer. Refuses with a
-  /// sentence when no lesson waits.
+  /// Service side: passes the command to the waiting lesson and waits for its answer. Refuses with
+  /// a message if no lesson waits.
   Response ask(const Request& request);
 
-  /// Lesson side: commands are taken from now on; before the operator is told to give one.
+  /// Lesson side: accepts commands from now on; call this before the operator is asked.
   void open();
 
-  /// Lesson side: waits for a command; none once `interrupted` says so, or after `patience`.
+  /// Lesson side: waits for a command; none once `interrupted` returns true, or after `patience`.
   std::optional<Request> next(const std::function<bool()>& interrupted,
                               std::chrono::milliseconds patience);
 
-  /// Lesson side: answers the command that next() gave.
+  /// Lesson side: answers the command returned by next().
   void answer(const Response& response);
 
-  /// Lesson side: no more commands; one that has not been answered is refused.
+  /// Lesson side: accepts no more commands; an unanswered one is refused.
   void close();
 
  private:

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "nodelets/learning/grasp_mark.hpp"
 
 #include <tf2_eigen/tf2_eigen.h>
@@ -8,7 +9,7 @@
 namespace mbncc::nodelets {
 namespace {
 
-constexpr double kOldestPose = 0.5;  // [s] of the gripper, when it is marked
+constexpr double kOldestPose = 0.5;  // [s] largest age of the gripper's pose
 
 }  // namespace
 

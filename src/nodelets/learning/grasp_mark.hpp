@@ -1,4 +1,5 @@
-// The gripper's pose at the demonstration, which becomes the object's grasp.
+// SPDX-License-Identifier: BSD-3-Clause
+// Records the gripper's pose at the demonstration as the object's grasp.
 #pragma once
 
 #include <ros/time.h>
@@ -18,17 +19,17 @@ class GraspMark {
   /// `tf` outlives the mark; `gripper_frame` "" refuses every mark.
   GraspMark(const tf2_ros::Buffer& tf, std::string gripper_frame);
 
-  /// Keeps where the gripper is `now` in `base_frame`, which must not move against the platform
-  /// until the object is known. Throws std::runtime_error with a sentence when that is not known.
+  /// Stores the gripper's pose at `now` in `base_frame`, which must not move relative to the
+  /// platform until the object is known. Throws std::runtime_error with a message if the pose is
+  /// unknown.
   void record(const std::string& base_frame, const ros::Time& now);
 
   void clear();
 
-  /// A mark has been recorded at `time` or later: what is older belongs to another demonstration.
+  /// Whether a mark was recorded at `time` or later; an older one belongs to another demonstration.
   bool is_marked_since(const ros::Time& time) const;
 
-  /// The marked gripper pose relative to an object's in the base frame; none when nothing is
-  /// marked.
+  /// The marked gripper pose relative to an object's in the base frame; none if nothing is marked.
   std::optional<Grasp> relative_to(const Eigen::Isometry3d& T_base_object) const;
 
  private:

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "nodelets/learning/interrupt_watch.hpp"
 
 #include <ros/init.h>
@@ -13,7 +14,8 @@ namespace {
 
 constexpr std::chrono::milliseconds kGlance{50};
 
-// Written in whatever thread the signal meets, read in the watches': std::sig_atomic_t serves one.
+// Written in any thread that receives the signal, read in the watches' threads; std::sig_atomic_t
+// is only safe within one thread.
 std::atomic<bool> interrupted{false};
 static_assert(std::atomic<bool>::is_always_lock_free, "a signal handler must not wait");
 
@@ -21,7 +23,7 @@ void note_interrupt(int) {
   interrupted = true;
 }
 
-/// The handler is the process's, the watches may be several.
+/// There is one handler per process, but there may be several watches.
 class SharedHandler {
  public:
   void enter() {

@@ -1,4 +1,5 @@
-// Ctrl-C: something is said to the clients before ROS takes the connections down.
+// SPDX-License-Identifier: BSD-3-Clause
+// Handles Ctrl-C, so that clients get a result before ROS closes the connections.
 #pragma once
 
 #include <atomic>
@@ -7,14 +8,14 @@
 
 namespace mbncc::nodelets {
 
-/// Takes SIGINT over from roscpp while at least one of them lives.
+/// Replaces roscpp's SIGINT handler while at least one instance exists.
 class InterruptWatch {
  public:
-  /// `on_interrupt` is called on a thread of its own. When all watches of the process have called
-  /// theirs, ROS is asked to shut down as usual.
+  /// `on_interrupt` is called on a separate thread. When all watches of the process have called
+  /// theirs, ROS shuts down as usual.
   explicit InterruptWatch(std::function<void()> on_interrupt);
 
-  /// The last one gives SIGINT back.
+  /// The last instance restores the handler.
   ~InterruptWatch();
 
  private:

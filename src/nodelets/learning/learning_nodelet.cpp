@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Teaches objects: the LearnObject action and the services of the library. Wiring only.
 #include <ros/callback_queue.h>
 #include <ros/ros.h>
@@ -32,8 +33,8 @@
 namespace mbncc::nodelets {
 namespace {
 
-/// Below the private namespace: the matching nodelet's parameters, since a lesson is judged by the
-/// search that will look for its object.
+/// The matching nodelet's parameters, below the private namespace, because a lesson is evaluated
+/// with the search that will be used for its object.
 constexpr char kSearchNamespace[] = "matching";
 
 }  // namespace
@@ -70,7 +71,7 @@ class LearningNodelet : public GuardedNodelet {
   std::unique_ptr<tf2_ros::TransformListener> tf_listener_;
   std::unique_ptr<LessonGauge> gauge_;
   Confirmation confirmation_;
-  // confirm_learning waits for the lesson's answer, so it has a callback thread of its own.
+  // confirm_learning waits for the lesson's answer, so it has its own callback thread.
   ros::CallbackQueue confirm_queue_;
   ros::AsyncSpinner confirm_spinner_{1, &confirm_queue_};
   ros::ServiceServer confirm_server_, mark_server_;
@@ -146,7 +147,7 @@ void LearningNodelet::start_pictures(ros::NodeHandle& node) {
       [this](const sensor_msgs::ImageConstPtr& image) { pictures_->put(image); });
   gauge_ =
       std::make_unique<LessonGauge>(config_.platform, config_.gripper_frame, *camera_, tf_buffer_);
-  // Always listening: already_moved asks for pictures from before the goal.
+  // Always subscribed, because already_moved needs pictures from before the goal.
   camera_->set_active(true);
 }
 
@@ -193,7 +194,7 @@ mbncc_vision::LearnObjectResult LearningNodelet::teach(LessonClient& client) {
   return result;
 }
 
-/// How distinct the new object is in its own picture; only when somebody looks.
+/// Score map of the new object in its learning picture; only with a subscriber.
 void LearningNodelet::show_scores(const ObjectModel& model, const cv::Mat& picture) {
   if (score_publisher_.getNumSubscribers() == 0) return;
   Matcher matcher(search_);

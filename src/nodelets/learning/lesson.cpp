@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "nodelets/learning/lesson.hpp"
 
 #include <ros/time.h>
@@ -49,8 +50,8 @@ LessonRun::Result LessonRun::run() {
 LessonRun::Result LessonRun::teach_and_store() {
   take_pictures();
   learn();
-  // Nothing has left: the coarse look was mistaken, or something was put down, which belongs to the
-  // scene before from now on.
+  // No object has left: the coarse comparison was wrong, or something was put down, which belongs
+  // to the scene before from now on.
   while ((learned_.error == LearnError::kNoChange || lies_there_yet()) && waits_for_change()) {
     wait_on();
     learn();
@@ -69,7 +70,7 @@ Lesson LessonRun::lesson_of(const cv::Mat& after) const {
   return made.lesson;
 }
 
-/// The map then holds the old place and the new one.
+/// The map then contains the old place and the new one.
 bool LessonRun::lies_there_yet() const {
   if (!learned_.has_model || goal_.mode != Goal::CHANGE) return false;
   const cv::Mat map = full_size_map(learned_.object.views.front());
@@ -90,7 +91,7 @@ StageObserver LessonRun::observer() {
   };
 }
 
-/// What the draft has become, and what the known objects look like beside it.
+/// Updates the draft and compares it with the known objects.
 void LessonRun::take_draft() {
   leave_if_interrupted();
   learned_ = draft_->result();
@@ -119,7 +120,7 @@ LessonRun::Result LessonRun::store() {
   tell(Feedback::STORE, kChecked, "Storing '" + name_ + "'.");
   ObjectModel model = learned_.object;
   model.learned_at = ros::Time::now().toSec();
-  // tf or camera_info may have come a little later than the picture.
+  // tf or camera_info may have arrived slightly later than the picture.
   if (!calibration_.platform) calibrate_before();
   try {
     std::string lacking;
@@ -132,22 +133,22 @@ LessonRun::Result LessonRun::store() {
   }
 }
 
-/// Tells where the object was put aside; "" when it was not seen again.
+/// Message with the place where the object was put aside; "" if it was not found again.
 std::string LessonRun::second_view() const {
   const auto& seen = learned_.put_aside;
   if (!seen) return "";
   const double turn = seen->pose.theta - learned_.object.views.back().reference.theta;
   char text[160];
   std::snprintf(text, sizeof text,
-                " Found again where it was put aside: x %.1f, y %.1f, turned by %.1f degrees; both "
-                "views agree by %.2f%s.",
+                " Found again where it was put aside: x %.1f, y %.1f, rotated by %.1f degrees; "
+                "both views agree by %.2f%s.",
                 seen->pose.x, seen->pose.y, to_degrees(wrap_angle(turn)), seen->agreement,
-                seen->refined ? " and make the map" : "");
+                seen->refined ? " and both contribute to the map" : "");
   return text;
 }
 
-/// By the model's newest view, the one of this lesson; a known object keeps its scale. Returns what
-/// is lacking, as a sentence.
+/// Uses the model's newest view, the one of this lesson; a known object keeps its scale. Returns a
+/// message about missing data.
 std::string LessonRun::measure(ObjectModel& model) const {
   const bool live = before_.number > 0;
   const LessonMeasures measures =

@@ -1,4 +1,5 @@
-// One run of teaching over the action: pictures, segmentation, the operator's word, storing.
+// SPDX-License-Identifier: BSD-3-Clause
+// One lesson over the action: pictures, segmentation, review by the operator, storing.
 #pragma once
 
 #include <mbncc_vision/LearnObjectResult.h>
@@ -22,7 +23,7 @@
 
 namespace mbncc::nodelets {
 
-/// What a lesson works with; all of it outlives the lesson.
+/// Dependencies of a lesson; all outlive the lesson.
 struct LessonTools {
   PictureFeed& pictures;
   SharedLibrary& library;
@@ -31,7 +32,8 @@ struct LessonTools {
   SearchConfig search;  ///< that will look for the object
   std::function<void(const cv::Mat&)> show_stage;
   std::function<void(const cv::Mat&)> show_preview;
-  std::function<void(const cv::Mat&)> show_picture;  ///< without marks, before the draft of it
+  std::function<void(const cv::Mat&)>
+      show_picture;  ///< without annotations, published before its draft
   std::function<void(const mbncc_vision::LearnObjectResult&)> show_draft;
   std::function<void(const ObjectModel&, const cv::Mat& picture)> show_score_map;
   const LessonGauge& gauge;
@@ -41,14 +43,14 @@ struct LessonTools {
 struct LessonPicture {
   cv::Mat picture;
   std_msgs::Header header;
-  std::uint64_t number = 0;  ///< of the still period it was taken in; 0: given with the goal
+  std::uint64_t number = 0;  ///< number of its still period; 0: given with the goal
 };
 
 class LessonRun {
  public:
   LessonRun(LessonClient& client, const LessonTools& tools);
 
-  /// Failures of pictures, region, operator and library end in the result.
+  /// Failures of pictures, region, operator and library are reported in the result.
   mbncc_vision::LearnObjectResult run();
 
  private:
@@ -115,7 +117,7 @@ class LessonRun {
   LessonPicture before_, after_;
   Calibration calibration_;  // of the picture before
   std::optional<InteractiveLesson> draft_;
-  LearnResult learned_;  // the draft's, with what the library makes of it
+  LearnResult learned_;  // the draft's, compared with the library
 };
 
 }  // namespace mbncc::nodelets

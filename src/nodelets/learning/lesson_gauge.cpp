@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "nodelets/learning/lesson_gauge.hpp"
 
 #include <stdexcept>
@@ -28,13 +29,13 @@ LessonGauge::LessonGauge(const PlatformConfig& config, const std::string& grippe
 void LessonGauge::mark(const std_msgs::Header& newest_picture) {
   const auto info = camera_.camera_info();
   std_msgs::Header header = newest_picture;
-  // Is there a platform at all? The lesson takes it at its picture's stamp.
+  // Checks that there is a platform; the lesson uses it at its picture's stamp.
   header.stamp = ros::Time(0);
   const cv::Size size = info ? picture_size(*info) : cv::Size();
   const Calibration calibration = calibrate(config_, info.get(), header, size, tf_);
   if (!calibration.platform)
     throw std::runtime_error("no grasp can be marked without scale: " + calibration.fault);
-  // On the platform, the grasp outlasts a camera that moves on after its picture.
+  // Relative to the platform, the grasp stays valid if the camera moves after its picture.
   const bool on_platform = !config_.platform_frame.empty();
   mark_.record(on_platform ? config_.platform_frame : camera_frame_of(config_, header),
                ros::Time::now());

@@ -1,4 +1,5 @@
-// What calibration and tf tell of a lesson: the scale, and where the gripper took the object.
+// SPDX-License-Identifier: BSD-3-Clause
+// Metric data of a lesson from calibration and tf: the scale, and the grasp.
 #pragma once
 
 #include <ros/time.h>
@@ -17,12 +18,12 @@
 
 namespace mbncc::nodelets {
 
-/// What is known of an object in metres.
+/// Metric data of an object.
 struct LessonMeasures {
   double metres_per_pixel = Quality::kUnknown;
   std::optional<Grasp> grasp;
   bool marked = false;  ///< a grasp was marked in this demonstration
-  std::string fault;    ///< why scale, or a marked grasp, is missing although they are wanted
+  std::string fault;    ///< why scale or a marked grasp is missing although it is wanted
 };
 
 class LessonGauge {
@@ -31,12 +32,13 @@ class LessonGauge {
   LessonGauge(const PlatformConfig& config, const std::string& gripper_frame,
               const CameraInput& camera, const tf2_ros::Buffer& tf);
 
-  /// Keeps the gripper's present pose until a lesson is stored. Throws std::runtime_error with a
-  /// sentence when it could not become a grasp.
+  /// Stores the gripper's current pose until a lesson is stored. Throws std::runtime_error with a
+  /// message if it cannot become a grasp.
   void mark(const std_msgs::Header& newest_picture);
 
-  /// The platform under a lesson's picture. To be asked when the picture is taken: tf remembers
-  /// seconds, a lesson lasts minutes. `given`: came with the goal; empty: the live one counts.
+  /// The platform at the time of a lesson's picture. Call this when the picture is taken, because
+  /// tf stores some seconds and a lesson lasts minutes. `given`: sent with the goal; empty: the
+  /// live one is used.
   Calibration calibrate_picture(const sensor_msgs::CameraInfo& given,
                                 const std_msgs::Header& header, cv::Size size) const;
 
@@ -46,7 +48,7 @@ class LessonGauge {
   LessonMeasures measure(const Calibration& calibration, const ros::Time& since,
                          const Pose2D& reference, double object_height) const;
 
-  /// The lesson is stored, and the mark with it.
+  /// The lesson was stored together with the mark.
   void clear() { mark_.clear(); }
 
  private:

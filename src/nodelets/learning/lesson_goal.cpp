@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "nodelets/learning/lesson_goal.hpp"
 
 #include <cmath>
@@ -13,7 +14,7 @@ namespace {
 using Goal = mbncc_vision::LearnObjectGoal;
 using Fault = std::optional<mbncc_vision::LearnObjectResult>;
 
-constexpr double kLongestLesson = 86400;  // [s] whoever waits longer has forgotten it
+constexpr double kLongestLesson = 86400;  // [s] longer timeouts are refused
 
 bool is_empty(const sensor_msgs::RegionOfInterest& roi) {
   return roi.width == 0 && roi.height == 0;

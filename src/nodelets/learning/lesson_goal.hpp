@@ -1,5 +1,6 @@
-// What a LearnObject goal asks for: checked before the operator moves anything, then put together
-// with pictures.
+// SPDX-License-Identifier: BSD-3-Clause
+// Checks a LearnObject goal before the operator moves anything, then combines it with pictures to a
+// lesson.
 #pragma once
 
 #include <mbncc_vision/LearnObjectGoal.h>
@@ -15,23 +16,23 @@
 
 namespace mbncc::nodelets {
 
-/// Why the goal must be rejected: name, mode or fields that cannot succeed. None: it may start.
+/// Why the goal must be rejected: invalid name, mode or fields. None: it may start.
 std::optional<mbncc_vision::LearnObjectResult> check_goal(const mbncc_vision::LearnObjectGoal& goal,
                                                           const LibrarySnapshot& library,
                                                           int max_objects);
 
-/// Why the goal must be rejected although it is sound: nothing can be stored now. None: it may
-/// start. Takes some milliseconds, as it writes.
+/// Why a valid goal must be rejected: nothing can be stored now. None: it may start. Takes some
+/// milliseconds for a write test.
 std::optional<mbncc_vision::LearnObjectResult> check_storage(const SharedLibrary& library);
 
-/// What a goal that check_goal() let pass does about a stored object of its name.
+/// Treatment of a stored object of the same name, for a goal that passed check_goal().
 Storing storing_of(const mbncc_vision::LearnObjectGoal& goal);
 
 /// The goal's name, or the first free object_<n> for "".
 std::string name_for(const mbncc_vision::LearnObjectGoal& goal, const LibrarySnapshot& library);
 
-/// The lesson of a goal that check_goal() let pass, shown by these pictures (CV_8UC3; `after`
-/// empty where the mode needs none). On failure `fault` holds the result to end with.
+/// The lesson of a goal that passed check_goal(), with these pictures (CV_8UC3; `after` is empty if
+/// the mode needs none). On failure `fault` contains the result.
 struct GoalLesson {
   Lesson lesson;
   std::optional<mbncc_vision::LearnObjectResult> fault;

@@ -1,4 +1,5 @@
-// The pictures of a lesson: given with the goal, or waited for in the live cell.
+// SPDX-License-Identifier: BSD-3-Clause
+// Provides the pictures of a lesson: given with the goal, or live.
 #include <ros/time.h>
 
 #include <chrono>
@@ -12,27 +13,28 @@ namespace {
 
 using Feedback = mbncc_vision::LearnObjectFeedback;
 
-constexpr std::chrono::milliseconds kGlance{30};  // between two looks at the live scene
+constexpr std::chrono::milliseconds kGlance{30};  // between two checks of the live scene
 constexpr int kGlancesPerWord = 15;               // between two messages to the operator
 
-constexpr double kSilentCamera = 2;  // [s] without a picture that an operator should know of
+constexpr double kSilentCamera = 2;  // [s] without a picture before the operator is informed
 
 const char* removal_sentence(Demonstration::Anew why) {
   using Anew = Demonstration::Anew;
   switch (why) {
     case Anew::kLight:
-      return "The light has changed; the lesson goes on with the present picture. Take the object "
+      return "The light has changed; the lesson continues with the current picture. Take the "
+             "object "
              "away now.";
     case Anew::kEdgeLeft:
-      return "What reached over the picture's edge has left; the lesson goes on with the present "
-             "picture. If the object is gone, too, move it fully into view; then take it "
-             "away.";
+      return "The arm or hand at the picture's edge has left; the lesson continues with the "
+             "current picture. If the object is gone as well, put it back fully into view; then "
+             "take it away.";
     case Anew::kEverything:
-      return "Nearly everything has changed, as when the camera is moved; the lesson goes on with "
-             "the present picture. See that the object lies in it, then take it away.";
+      return "Nearly everything has changed, as when the camera is moved; the lesson continues "
+             "with the current picture. Make sure that the object is in view, then take it away.";
     case Anew::kPutDown:
-      return "Nothing has left its place, what was put down belongs to the scene now. Take the "
-             "object away, farther from where it lay or out of the picture.";
+      return "No object has left its place; what was put down now belongs to the scene. Take the "
+             "object farther away or out of the picture.";
     default:
       return "Take the object away now.";
   }
@@ -88,8 +90,8 @@ void LessonRun::take_already_moved() {
     });
   const auto before = tools_.pictures.before_change();
   if (!before)
-    fail(LearnError::kNoChange, "Nothing in the camera's view has changed lately.",
-         "Teach without already_moved, and take the object away when told to.");
+    fail(LearnError::kNoChange, "Nothing in the camera's view has changed recently.",
+         "Teach without already_moved, and take the object away when asked.");
   take_before(picture_of(*before, after_.header.frame_id));
 }
 
@@ -144,10 +146,10 @@ void LessonRun::ask_operator_to(std::uint8_t stage, double progress, const std::
 }
 
 void LessonRun::say_silence(const PictureFeed::View& view) {
-  ask_operator_to(Feedback::WAIT_IMAGE, 0,
-                  "The camera has sent no picture for " +
-                      std::to_string(static_cast<int>(view.silence)) +
-                      " s: check its cable and driver. The lesson goes on with the next picture.");
+  ask_operator_to(
+      Feedback::WAIT_IMAGE, 0,
+      "The camera has sent no picture for " + std::to_string(static_cast<int>(view.silence)) +
+          " s: check its cable and driver. The lesson continues with the next picture.");
 }
 
 void LessonRun::say(Step step) {
@@ -159,9 +161,8 @@ void LessonRun::say(Step step) {
       return ask_operator_to(Feedback::WAIT_STILL, 0.2,
                              "Something moves: leave the picture and keep still.");
     case Step::kAtBorder:
-      return ask_operator_to(
-          Feedback::WAIT_STILL, 0.2,
-          "Something has come that reaches into the picture over its edge: move it out.");
+      return ask_operator_to(Feedback::WAIT_STILL, 0.2,
+                             "Something reaches into the picture over its edge: move it out.");
     default:
       return ask_operator_to(Feedback::WAIT_REMOVAL, 0.1, removal_sentence(demonstration_.anew()));
   }
@@ -176,8 +177,8 @@ void LessonRun::fail_waiting(LearnError interruption, const PictureFeed::View& v
                            : view.still                 ? LearnError::kTimeout
                                                         : LearnError::kNotStill;
   if (asked_for_.empty()) fail(error);
-  fail(error, std::string(message_of(error)) + " It last said: " + asked_for_,
-       "Do what it last said, then teach again.");
+  fail(error, std::string(message_of(error)) + " Last message: " + asked_for_,
+       "Follow the last message, then teach again.");
 }
 
 }  // namespace mbncc::nodelets

@@ -1,4 +1,5 @@
-// The operator's check of a lesson before it is stored: accept, reject, edit, undo.
+// SPDX-License-Identifier: BSD-3-Clause
+// The operator's review of a lesson before it is stored: accept, reject, edit, undo.
 #include <chrono>
 #include <stdexcept>
 #include <vector>
@@ -15,10 +16,11 @@ using Feedback = mbncc_vision::LearnObjectFeedback;
 using Request = Confirmation::Request;
 using Response = Confirmation::Response;
 
-// The question is repeated this often, for consoles that join late and for the time that is left.
+// Interval at which the question is repeated, for consoles that join late and to update the
+// remaining time.
 constexpr std::chrono::milliseconds kReminder{1000};
 
-/// Takes commands as long as the review lasts; whoever still asks when it ends is told so.
+/// Accepts commands during the review; a call that is pending at its end is refused.
 class Review {
  public:
   explicit Review(Confirmation& desk) : desk_(desk) { desk_.open(); }
@@ -137,7 +139,7 @@ void LessonRun::edit(const Confirmation::Request& command, Response& response) {
 
 void LessonRun::undo(Response& response) {
   response.success = draft_->undo();
-  response.message = response.success ? "the last edit is taken back" : "there is no edit to undo";
+  response.message = response.success ? "the last edit is undone" : "there is no edit to undo";
   take_draft();
 }
 

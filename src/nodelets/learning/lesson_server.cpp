@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "nodelets/learning/lesson_server.hpp"
 
 #include <algorithm>
@@ -11,8 +12,8 @@ namespace {
 using Goal = mbncc_vision::LearnObjectGoal;
 using Result = mbncc_vision::LearnObjectResult;
 
-// roscpp writes a published message on another thread; an action server that goes away at once
-// takes the result along.
+// roscpp sends a published message on another thread; an action server that is destroyed at once
+// would lose the result.
 constexpr std::chrono::milliseconds kFarewell{100};
 
 }  // namespace
@@ -139,7 +140,7 @@ void LessonServer::work() {
     }
     const Result result = teach_safely(*client);
     {
-      // Free first: who hears of the end may send the next goal at once.
+      // Released first, because a client that gets the result may send the next goal at once.
       const std::lock_guard<std::mutex> lock(mutex_);
       running_.reset();
     }

@@ -1,5 +1,6 @@
-// The LearnObject action: one lesson at a time, on a thread of its own. A second goal is rejected
-// with BUSY and never disturbs the running one.
+// SPDX-License-Identifier: BSD-3-Clause
+// The LearnObject action: one lesson at a time, on its own thread. A second goal is rejected with
+// BUSY and does not affect the running one.
 #pragma once
 
 #include <actionlib/server/action_server.h>
@@ -19,7 +20,7 @@
 
 namespace mbncc::nodelets {
 
-/// The client of a running lesson: what it wants, whether it still wants it, and its feedback.
+/// The client of a running lesson: goal, cancellation and feedback.
 class LessonClient {
  public:
   using Handle = actionlib::ActionServer<mbncc_vision::LearnObjectAction>::GoalHandle;
@@ -29,18 +30,17 @@ class LessonClient {
 
   const mbncc_vision::LearnObjectGoal& goal() const { return *goal_; }
 
-  /// Why the lesson must end now: cancelled or out of time. None: go on.
+  /// Why the lesson must end now: cancelled or out of time. None: it may continue.
   std::optional<LearnError> interruption() const;
 
-  /// The operator looks at the lesson and may take as long as he likes, unless the goal itself set
-  /// a timeout.
+  /// The review begins, which has no time limit unless the goal itself set a timeout.
   void wait_for_operator();
 
-  /// [s] until the deadline, by the steady clock; none: there is none.
+  /// [s] until the deadline, by the steady clock; none if there is no deadline.
   std::optional<double> remaining() const;
 
-  /// Publishes feedback; fills in `remaining`, 0 without a deadline, and keeps `progress` from
-  /// falling.
+  /// Publishes feedback; fills in `remaining`, 0 without a deadline, and keeps `progress`
+  /// monotonic.
   void tell(mbncc_vision::LearnObjectFeedback feedback);
 
  private:
@@ -54,13 +54,13 @@ class LessonClient {
   float progress_ = 0;
 };
 
-/// actionlib remembers goals for seconds after their end, so that late clients hear of them. Goals
-/// hold pictures, and may be sent by the hundred.
+/// actionlib stores goals for seconds after their end for late clients. Goals contain pictures, and
+/// hundreds may be sent.
 class LessonActionServer : public actionlib::ActionServer<mbncc_vision::LearnObjectAction> {
  public:
   using actionlib::ActionServer<mbncc_vision::LearnObjectAction>::ActionServer;
 
-  /// Of goals that nobody holds any more only id and status stay.
+  /// Only id and status of goals without references stay.
   void forget_pictures();
 
  private:
@@ -82,7 +82,7 @@ class LessonServer {
 
   bool busy() const;
 
-  /// Ends a running lesson, its client is told ABORTED, and takes no more goals.
+  /// Ends a running lesson with ABORTED and accepts no more goals.
   void end();
 
  private:

@@ -1,4 +1,5 @@
-// How a lesson ends, as its client hears it.
+// SPDX-License-Identifier: BSD-3-Clause
+// The result of a lesson for its client.
 #pragma once
 
 #include <mbncc_vision/LearnObjectResult.h>
@@ -9,7 +10,7 @@
 
 namespace mbncc::nodelets {
 
-/// Result with code, message and hint of `error`; texts given here replace the usual ones.
+/// Result with code, message and hint of `error`; texts given here replace the defaults.
 mbncc_vision::LearnObjectResult outcome(LearnError error, const std::string& message = "",
                                         const std::string& hint = "");
 

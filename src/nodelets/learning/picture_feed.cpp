@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "nodelets/learning/picture_feed.hpp"
 
 #include <ros/console.h>

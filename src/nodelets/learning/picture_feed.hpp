@@ -1,4 +1,5 @@
-// Live pictures of the cell, watched for stillness on a thread of their own.
+// SPDX-License-Identifier: BSD-3-Clause
+// Live pictures of the cell, monitored for stillness on a separate thread.
 #pragma once
 
 #include <sensor_msgs/Image.h>
@@ -17,20 +18,20 @@ namespace mbncc::nodelets {
 
 class PictureFeed {
  public:
-  /// `still_time` [s] without motion makes the scene still; `white_level` as decode_picture() has
-  /// it.
+  /// The scene is still after `still_time` [s] without motion; `white_level` as in
+  /// decode_picture().
   explicit PictureFeed(double still_time, int white_level = 0);
 
   int white_level() const { return white_level_; }
 
   ~PictureFeed();
 
-  /// Hands over a picture; never blocks, the newest wins.
+  /// Passes a picture on; never blocks, a newer one replaces an older one.
   void put(const sensor_msgs::ImageConstPtr& image) { mailbox_.put(image); }
 
-  /// What the watch has seen so far.
+  /// State of the watch.
   struct View {
-    bool any_picture = false;        ///< a usable one has arrived
+    bool any_picture = false;        ///< a usable picture has arrived
     std::optional<StillShot> still;  ///< see SceneWatch::still()
     std_msgs::Header header;         ///< of the newest picture
     double silence = 0;              ///< [s] since a usable picture arrived, by the steady clock
@@ -40,7 +41,7 @@ class PictureFeed {
   };
   View look() const;
 
-  /// See SceneWatch::before_change(); compares pictures, so not for every glance.
+  /// See SceneWatch::before_change(); it compares pictures, so do not poll it.
   std::optional<StillShot> before_change() const;
 
  private:

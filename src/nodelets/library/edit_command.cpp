@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "nodelets/library/edit_command.hpp"
 
 #include <stdexcept>

@@ -1,4 +1,5 @@
-// The commands of the edit_object service, carried out on a library.
+// SPDX-License-Identifier: BSD-3-Clause
+// Carries out the commands of the edit_object service on a library.
 #pragma once
 
 #include <mbncc_vision/EditObject.h>
@@ -7,9 +8,9 @@
 
 namespace mbncc::nodelets {
 
-/// Carries `request` out and returns the object as it now is (DELETE: as it was). Throws
-/// std::invalid_argument with a sentence when the request is wrong, FileError when the library
-/// cannot be written; then nothing has changed.
+/// Carries out `request` and returns the changed object (DELETE: the deleted one). Throws
+/// std::invalid_argument with a message if the request is wrong, FileError if the library cannot be
+/// written; then nothing has changed.
 ObjectModel edit_object(ObjectLibrary& library, const mbncc_vision::EditObject::Request& request);
 
 }  // namespace mbncc::nodelets

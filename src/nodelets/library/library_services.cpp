@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "nodelets/library/library_services.hpp"
 
 #include <mbncc_vision/LearnedObjectArray.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // list_objects, edit_object, reload_library and the latched object_library topic.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "nodelets/library/shared_library.hpp"
 
 #include <cstdlib>

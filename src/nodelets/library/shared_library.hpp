@@ -1,4 +1,5 @@
-// The library as one nodelet's threads see it: one open folder, one current snapshot.
+// SPDX-License-Identifier: BSD-3-Clause
+// The library shared by one nodelet's threads: one open folder, one current snapshot.
 #pragma once
 
 #include <functional>
@@ -16,8 +17,8 @@ std::string expand_home(const std::string& path);
 class SharedLibrary {
  public:
   using Snapshot = std::shared_ptr<const LibrarySnapshot>;
-  /// Hears every new snapshot, also the first; called on whichever thread brought it, one at a
-  /// time.
+  /// Receives every new snapshot, including the first; called on the thread that loaded it, one at
+  /// a time.
   using Listener = std::function<void(const Snapshot&)>;
 
   /// Opens and reads the folder. Throws FileError.
@@ -26,10 +27,10 @@ class SharedLibrary {
   const std::string& folder() const { return library_.folder(); }
   Snapshot snapshot() const;
 
-  /// Reads the folder again, when a file changed or `always`. Throws FileError.
+  /// Reads the folder again if a file changed or `always`. Throws FileError.
   void refresh(bool always);
 
-  /// Why the folder could not be read when it was looked at last; "" when it could.
+  /// Why the folder could not be read the last time; "" if it could.
   std::string fault() const;
 
   /// See ObjectLibrary::check_storage().

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "nodelets/matching/detection_pipeline.hpp"
 
 #include <tf2_geometry_msgs/tf2_geometry_msgs.h>
@@ -20,8 +21,8 @@ bool any_enabled(const LibrarySnapshot& library) {
                      [](const auto& object) { return object->enabled; });
 }
 
-/// What matters most to whoever acts on the array: a pose without metres or in another frame than
-/// asked for would move an arm wrongly, objects not searched are only missed.
+/// The most important status for a controller: a pose without metres or in a wrong frame would move
+/// an arm wrongly, whereas objects that were not searched are only missed.
 void set_status(DetectedObjectArray& array, const LibrarySnapshot& library,
                 const Calibration& calibration, const SearchResult& result,
                 const std::string& target_fault) {
@@ -45,7 +46,7 @@ void set_status(DetectedObjectArray& array, const LibrarySnapshot& library,
   }
 }
 
-/// The object's frame, turned half about its x.
+/// The object's frame, rotated by half a turn about its x.
 void turn_over(DetectedObject& object) {
   object.pose.pose = compose(object.pose.pose, half_turn_about_x());
   for (auto& corner : object.footprint.points) {
@@ -194,8 +195,7 @@ std::string DetectionPipeline::to_target_frame(DetectedObjectArray& array) const
     array.header.frame_id = config_.target_frame;
     return "";
   } catch (const tf2::TransformException& error) {
-    // A frame that hangs under the camera once and under target_frame the next time would tear the
-    // tf tree, so none is sent.
+    // A frame must not change its parent between camera and target_frame, so none is sent.
     for (auto& object : array.objects) withhold_frames(object);
     return "target_frame: " + tf_fault(error);
   }

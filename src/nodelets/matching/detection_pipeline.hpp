@@ -1,4 +1,5 @@
-// From a picture to its DetectedObjectArray: search, track, lift, describe.
+// SPDX-License-Identifier: BSD-3-Clause
+// Processes a picture to its DetectedObjectArray: search, tracking, conversion to metres, message.
 #pragma once
 
 #include <mbncc_vision/DetectedObjectArray.h>
@@ -18,30 +19,29 @@
 
 namespace mbncc::nodelets {
 
-/// What was found in one picture, before it is put into words.
+/// The detections in one picture, before conversion to messages.
 struct TrackedPicture {
   Found found;
   std::vector<TrackedMatch> matches;
 };
 
-/// What goes out about a picture; the library tells the grasps.
+/// The messages about a picture; the library provides the grasps.
 struct Detections {
   mbncc_vision::DetectedObjectArray array;
   SharedLibrary::Snapshot library;
 };
 
-/// A picture with what its messages say about it.
+/// A picture with its stamp, frame and calibration.
 struct ReceivedPicture {
   cv::Mat picture;  ///< CV_8UC3
   std_msgs::Header header;
   sensor_msgs::CameraInfoConstPtr camera_info;  ///< null: none fits
 };
 
-/// What the tracker goes by.
+/// Settings of the tracker.
 TrackerConfig tracker_config(const MatchingNodeConfig& config);
 
-/// Fills in the latency of what goes out `now`; what has become too old meanwhile is no longer
-/// confirmed.
+/// Fills in the latency at `now`; objects that have become too old are no longer confirmed.
 void note_age(mbncc_vision::DetectedObjectArray& array, const ros::Time& now);
 
 /// No tf frame is sent for the object.
@@ -52,16 +52,16 @@ class PictureSearch {
  public:
   virtual ~PictureSearch() = default;
 
-  /// Holds from the next picture on. Throws std::invalid_argument when the tracker refuses it.
+  /// Applies from the next picture on. Throws std::invalid_argument if the tracker refuses it.
   virtual void configure(const MatchingNodeConfig& config) = 0;
 
   virtual Detections process(const ReceivedPicture& received, const SearchRequest& request) = 0;
 
-  /// What was seen before is no longer counted on: every instance has to be confirmed anew. One
-  /// that has not moved keeps its id.
+  /// Invalidates earlier detections: every instance must be confirmed again. One that has not moved
+  /// keeps its id.
   virtual void interrupt() = 0;
 
-  /// Forgets the instances.
+  /// Drops all instances.
   virtual void reset() = 0;
 };
 
@@ -71,7 +71,7 @@ class DetectionPipeline : public PictureSearch {
   DetectionPipeline(const MatchingNodeConfig& config, const LiveMatcher& matcher,
                     const tf2_ros::Buffer& tf);
 
-  /// Of the video's watch and of averaging, what the constructor was given stays.
+  /// The settings of video search and averaging stay those of the constructor.
   void configure(const MatchingNodeConfig& config) override;
 
   Detections process(const ReceivedPicture& received, const SearchRequest& request) override;
@@ -80,7 +80,7 @@ class DetectionPipeline : public PictureSearch {
   TrackedPicture track(const ReceivedPicture& received, const SearchRequest& request);
   Detections describe(const ReceivedPicture& received, const TrackedPicture& tracked) const;
 
-  /// The next picture is searched whole.
+  /// The next picture is searched completely.
   void interrupt() override;
 
   void reset() override;
@@ -89,7 +89,7 @@ class DetectionPipeline : public PictureSearch {
   mbncc_vision::DetectedObject describe(const TrackedMatch& tracked, const ObjectModel* model,
                                         const Calibration& calibration) const;
   void wait_for_tf(const std_msgs::Header& header) const;
-  /// What stands in the way, "" when the poses are in target_frame.
+  /// The fault; "" if the poses are in target_frame.
   std::string to_target_frame(mbncc_vision::DetectedObjectArray& array) const;
 
   MatchingNodeConfig config_;

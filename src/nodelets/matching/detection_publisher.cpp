@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "nodelets/matching/detection_publisher.hpp"
 
 #include <sensor_msgs/CompressedImage.h>
@@ -82,7 +83,7 @@ void DetectionPublisher::publish_fault(std::uint8_t status, const std_msgs::Head
   array.message = message;
   detections_.publish(array);
   poses_.publish(confirmed_poses(array));
-  markers_.publish(to_markers(array));  // none: what was marked may have been moved
+  markers_.publish(to_markers(array));  // none: marked objects may have been moved
 }
 
 }  // namespace mbncc::nodelets

@@ -1,5 +1,6 @@
-// Everything that goes out about a searched picture: detections, tf, overlay, markers, and the
-// messages without objects when pictures fail to come or cannot be searched.
+// SPDX-License-Identifier: BSD-3-Clause
+// Publishes everything about a searched picture: detections, tf, overlay, markers, and the messages
+// without objects if pictures stop or cannot be searched.
 #pragma once
 
 #include <geometry_msgs/PoseArray.h>
@@ -16,19 +17,19 @@
 
 namespace mbncc::nodelets {
 
-/// The poses in metres of what may be grasped, in the array's order.
+/// The poses in metres of graspable objects, in the array's order.
 geometry_msgs::PoseArray confirmed_poses(const mbncc_vision::DetectedObjectArray& detections);
 
 class DetectionPublisher {
  public:
-  /// `listeners_changed` is called when somebody subscribes or goes.
+  /// `listeners_changed` is called when a subscriber connects or disconnects.
   DetectionPublisher(ros::NodeHandle node, ros::NodeHandle private_node,
                      const std::function<void()>& listeners_changed);
 
-  /// Somebody hears detections, markers or one of the pictures.
+  /// Whether there is a subscriber to detections, markers or one of the pictures.
   bool has_listeners() const;
 
-  /// Largest similarity at each place of a picture, CV_32FC1; worked out when somebody looks.
+  /// Largest similarity at each place of a picture, CV_32FC1; computed only with a subscriber.
   using ScoreMap = std::function<cv::Mat()>;
 
   struct Extras {
@@ -36,12 +37,13 @@ class DetectionPublisher {
     bool scores_under_overlay;  ///< draw the overlay over the score map
   };
 
-  /// What has become too old during the search is no longer confirmed. Returns the latency [s].
+  /// Objects that have become too old during the search are no longer confirmed. Returns the
+  /// latency [s].
   double publish(Detections detections, const cv::Mat& picture, const ScoreMap& score_map,
                  const Extras& extras);
 
-  /// An array without objects, of status STALE or SEARCH_FAILED: nothing that was published before
-  /// counts any more.
+  /// Publishes an array without objects, of status STALE or SEARCH_FAILED, which invalidates
+  /// earlier messages.
   void publish_fault(std::uint8_t status, const std_msgs::Header& header,
                      const std::string& message);
 

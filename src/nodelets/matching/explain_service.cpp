@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "nodelets/matching/explain_service.hpp"
 
 #include <ros/time.h>
@@ -61,11 +62,11 @@ void ExplainService::explain(const Request& request, Response& response) const {
       miss.objects.push_back(object);
     else if (object->enabled)
       miss.lines.push_back("'" + object->name +
-                           "' is not searched for: it was learned in pictures of another size.");
+                           "' is not searched: it was learned in pictures of another size.");
   }
   const cv::Rect roi = parse_roi(config.search_roi);
   if (!roi.empty() && !cv::Rect2d(roi).contains(miss.place))
-    miss.lines.push_back("The place lies outside search_roi: nothing is searched for here.");
+    miss.lines.push_back("The place lies outside search_roi, so nothing is searched here.");
   const auto explanations = mbncc::explain(miss);
   if (explanations.empty())
     miss.lines.push_back("The library has no enabled object of this camera: teach or enable one.");

@@ -1,4 +1,5 @@
-// The ~explain service: why objects are found at a place of a picture, or are not.
+// SPDX-License-Identifier: BSD-3-Clause
+// The ~explain service: explains why objects are found at a place in a picture or not.
 #pragma once
 
 #include <mbncc_vision/ExplainPlace.h>
@@ -16,12 +17,12 @@
 
 namespace mbncc::nodelets {
 
-/// What the service works with; all of it outlives the service.
+/// Dependencies of the service; all outlive the service.
 struct ExplainTools {
   std::function<MatchingNodeConfig()> config;
   const LiveMatcher& matcher;
   PictureWait& pictures;
-  std::function<void()> wants_changed;  ///< a live picture is wanted, or no longer
+  std::function<void()> wants_changed;  ///< called when a live picture is needed, or no longer
 };
 
 class ExplainService {
@@ -29,7 +30,7 @@ class ExplainService {
   using Request = mbncc_vision::ExplainPlace::Request;
   using Response = mbncc_vision::ExplainPlace::Response;
 
-  /// Calls come on a thread of their own, one after the other.
+  /// Calls run on a separate thread, one after the other.
   ExplainService(ros::NodeHandle private_node, const ExplainTools& tools);
 
  private:

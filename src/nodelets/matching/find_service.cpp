@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "nodelets/matching/find_service.hpp"
 
 #include <algorithm>
@@ -31,7 +32,7 @@ constexpr int kMostCalls = 4;  // at a time
 }
 
 [[noreturn]] void refuse_busy() {
-  refuse("BUSY: other calls of find_objects are being answered; call again when they are done");
+  refuse("BUSY: other calls of find_objects are running; call again when they are done");
 }
 
 SearchRequest search_request(const Request& request, const MatchingNodeConfig& config,
@@ -41,7 +42,7 @@ SearchRequest search_request(const Request& request, const MatchingNodeConfig& c
     refuse("more than 1000 names; leave names empty to search for all");
   for (const auto& name : request.names)
     if (!is_valid_name(name))
-      refuse("a name is no object's: a letter, then letters, digits or underscores");
+      refuse("invalid object name; give a letter, then letters, digits or underscores");
   const auto roi = from_msg(request.roi, size);
   if (!roi) refuse("roi does not lie in the picture; give a region inside it, or none");
   search.roi = roi->empty() ? roi_in(parse_roi(config.search_roi), size) : *roi;
@@ -54,8 +55,8 @@ SearchRequest search_request(const Request& request, const MatchingNodeConfig& c
   return search;
 }
 
-/// Everything that is known is searched, so that look-alikes have their say; what was not asked for
-/// is left out of the answer.
+/// All objects are searched so that look-alikes compete; the answer contains only the requested
+/// ones.
 void keep_named(DetectedObjectArray& array, const std::vector<std::string>& names,
                 const LibrarySnapshot& library) {
   if (names.empty()) return;
@@ -76,8 +77,8 @@ void keep_named(DetectedObjectArray& array, const std::vector<std::string>& name
   }
 }
 
-/// Every call follows instances of its own: their numbers and frames would be taken for those of
-/// the stream.
+/// Every call tracks its own instances, without numbers and frames, which would be confused with
+/// those of the stream.
 void leave_unnumbered(DetectedObjectArray& array) {
   for (auto& object : array.objects) {
     object.instance_id = 0;
@@ -85,7 +86,7 @@ void leave_unnumbered(DetectedObjectArray& array) {
   }
 }
 
-/// Keeps live pictures coming.
+/// Keeps the subscription to live pictures.
 class Listening {
  public:
   explicit Listening(const FindTools& tools) : tools_(tools) {
@@ -127,7 +128,7 @@ ros::NodeHandle with_queue(ros::NodeHandle node, ros::CallbackQueue& queue) {
 
 }  // namespace
 
-// One thread more than calls: it refuses.
+// One thread more than calls, to refuse further calls.
 FindService::FindService(ros::NodeHandle node, const FindTools& tools)
     : tools_(tools),
       spinner_(kMostCalls + 1, &queue_),
@@ -160,12 +161,12 @@ bool FindService::on_call(Request& request, Response& response) {
 }
 
 Detections FindService::find(const Request& request) {
-  // No thread was waited for, so the call has just arrived.
+  // A thread was free, so the call has just arrived.
   const auto deadline = Clock::now() + std::chrono::duration_cast<Clock::duration>(
                                            std::chrono::duration<double>(timeout_of(request)));
   if (request.frames > kMostFrames) refuse("frames lies above 100; ask for fewer");
   MatchingNodeConfig config = tools_.settings.get();
-  config.video.sweep_time = 0;  // asked once, everything is looked at
+  config.video.sweep_time = 0;  // a single request, so the picture is searched completely
   config.average_frames = static_cast<int>(std::max(1u, request.frames));
   DetectionPipeline pipeline(config, tools_.matcher, tools_.tf);
   return is_given(request.image) ? find_given(request, config, pipeline, deadline)

@@ -1,4 +1,5 @@
-// The find_objects service: one search, on a given picture or on the next live ones.
+// SPDX-License-Identifier: BSD-3-Clause
+// The find_objects service: one search in a given picture or in the next live ones.
 #pragma once
 
 #include <mbncc_vision/FindObjects.h>
@@ -20,14 +21,14 @@
 
 namespace mbncc::nodelets {
 
-/// What the service works with; all of it outlives the service.
+/// Dependencies of the service; all outlive the service.
 struct FindTools {
   const LiveSettings& settings;
   const LiveMatcher& matcher;
   const tf2_ros::Buffer& tf;
   const CameraInput& camera;
   PictureWait& pictures;
-  /// A live picture is wanted, or no longer.
+  /// Called when a live picture is needed, or no longer.
   std::function<void()> wants_changed;
 };
 
@@ -36,13 +37,12 @@ class FindService {
   using Request = mbncc_vision::FindObjects::Request;
   using Response = mbncc_vision::FindObjects::Response;
 
-  /// Calls come on threads of their own, a few at a time; what is more is told BUSY at once, so
-  /// that none waits unheard.
+  /// Calls run on separate threads, a few at a time; further calls return BUSY at once.
   FindService(ros::NodeHandle node, const FindTools& tools);
   /// As close().
   ~FindService() { close(); }
 
-  /// Takes no more calls and waits for those that run; PictureWait::close() ends their waiting.
+  /// Accepts no more calls and waits for running ones; PictureWait::close() ends their waiting.
   void close();
 
  private:
@@ -60,7 +60,7 @@ class FindService {
 
   const FindTools tools_;
   std::atomic<int> calls_{0};   // that run
-  std::timed_mutex searching_;  // one search at a time, beside that of the stream
+  std::timed_mutex searching_;  // one search at a time, in parallel to that of the stream
   ros::CallbackQueue queue_;
   ros::AsyncSpinner spinner_;
   ros::ServiceServer server_;

@@ -1,4 +1,5 @@
-// What of an array counts for a program that knows no states.
+// SPDX-License-Identifier: BSD-3-Clause
+// The graspable part of an array, for programs that do not evaluate states.
 #pragma once
 
 #include <mbncc_vision/DetectedObjectArray.h>
@@ -7,15 +8,15 @@
 
 namespace mbncc::nodelets {
 
-/// Objects of an array, which has to outlive them, in its order.
+/// Pointers to objects of an array, in its order; the array must outlive them.
 using ObjectList = std::vector<const mbncc_vision::DetectedObject*>;
 
-/// Whether the array's poses in metres are a ground to move on.
+/// Whether the array's poses in metres may be used to move.
 inline bool is_reliable(const mbncc_vision::DetectedObjectArray& detections) {
   return detections.status == detections.OK || detections.status == detections.BUDGET_EXCEEDED;
 }
 
-/// The objects that are CONFIRMED, in pixels at least.
+/// The CONFIRMED objects, at least in pixels.
 inline ObjectList confirmed(const mbncc_vision::DetectedObjectArray& detections) {
   ObjectList objects;
   if (!is_reliable(detections) && detections.status != detections.UNCALIBRATED &&
@@ -26,7 +27,7 @@ inline ObjectList confirmed(const mbncc_vision::DetectedObjectArray& detections)
   return objects;
 }
 
-/// Those of them with a pose in metres to move on.
+/// Those of them with a usable pose in metres.
 inline ObjectList graspable(const mbncc_vision::DetectedObjectArray& detections) {
   ObjectList objects;
   if (!is_reliable(detections)) return objects;

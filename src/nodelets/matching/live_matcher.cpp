@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "nodelets/matching/live_matcher.hpp"
 
 #include <algorithm>
@@ -23,8 +24,8 @@ bool same_values(SearchConfig a, SearchConfig b) {
       [](const FieldRow& row, const FieldRow& other) { return row.value == other.value; });
 }
 
-// Takes the objects that cannot be searched for, or were learned in pictures of another size, out
-// of `names`.
+// Removes objects that cannot be searched, or were learned in pictures of another size, from
+// `names`.
 std::vector<std::string> drop_unfit(const LibrarySnapshot& library,
                                     const std::map<std::string, std::string>& unsearchable,
                                     cv::Size size, std::vector<std::string>& names) {
@@ -79,7 +80,8 @@ Found LiveMatcher::watch(VideoSearch& video, double stamp, const cv::Mat& pictur
   const auto dropped =
       drop_unfit(*searched_, matcher_.unsearchable(), picture.size(), request.names);
   const bool any = !request.names.empty();
-  // Another request would begin anew; what is taught or deleted meanwhile is no other request.
+  // Another request would restart the video search; taught or deleted objects do not change the
+  // request.
   if (dropped.empty()) request.names = asked;
   if (any) found.result = video.find(matcher_, stamp, picture, request);
   found.result.skipped.insert(found.result.skipped.end(), dropped.begin(), dropped.end());

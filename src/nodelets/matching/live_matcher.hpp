@@ -1,4 +1,5 @@
-// Matcher and library together: searches with the newest library while that may change.
+// SPDX-License-Identifier: BSD-3-Clause
+// Matcher and library: searches with the newest library, which may change at any time.
 #pragma once
 
 #include <cstdint>
@@ -15,7 +16,7 @@
 
 namespace mbncc::nodelets {
 
-/// A search and the library it was made with.
+/// A search result and the library used.
 struct Found {
   SearchResult result;
   SharedLibrary::Snapshot library;
@@ -26,29 +27,28 @@ class LiveMatcher {
   /// Throws FileError when the library folder cannot be used.
   LiveMatcher(const SearchConfig& config, const std::string& library_path);
 
-  /// For every search from now on; true when that changes anything. Where more changes than
-  /// min_score and max_instances, the objects are prepared anew, which takes some milliseconds
-  /// each.
+  /// Applies to every search from now on; true if it changes anything. If more than min_score and
+  /// max_instances changes, the objects are prepared again, which takes some milliseconds each.
   bool configure(const SearchConfig& config);
 
-  /// Searches for objects learned in pictures of this size; the others, and those that cannot be
-  /// searched for, are listed as skipped. The least recently searched come first, so that with a
-  /// time budget each has its turn. Nothing is searched for while the library cannot be read: what
-  /// was deleted meanwhile must not be found. Safe from several threads.
+  /// Searches objects learned in pictures of this size; the others, and those that cannot be
+  /// searched, are listed as skipped. The least recently searched come first, so that a time budget
+  /// does not exclude any. Nothing is searched while the library cannot be read, because deleted
+  /// objects must not be found. Thread-safe.
   Found find(const cv::Mat& picture, SearchRequest request) const;
 
-  /// As find(), with the next picture, stamped `stamp` [s], of the video that `video` watches.
+  /// As find(), with the next picture, stamped `stamp` [s], of the video searched by `video`.
   Found watch(VideoSearch& video, double stamp, const cv::Mat& picture,
               SearchRequest request) const;
 
-  /// See Matcher::score_map(), for all enabled objects. Safe from several threads.
+  /// See Matcher::score_map(), for all enabled objects. Thread-safe.
   cv::Mat score_map(const cv::Mat& picture) const;
 
-  /// Looks for changes in the library folder; `always`: reads it in any case. Throws FileError;
-  /// then find() finds nothing until the folder can be read again.
+  /// Checks the library folder for changes; `always`: reads it in any case. Throws FileError; then
+  /// find() finds nothing until the folder can be read again.
   void refresh(bool always);
 
-  /// Why some objects, or all, are not searched for; "" when nothing is wrong.
+  /// Why some or all objects are not searched; "" without a fault.
   std::string fault() const;
 
   SharedLibrary::Snapshot library() const { return library_.snapshot(); }

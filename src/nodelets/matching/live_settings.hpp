@@ -1,4 +1,5 @@
-// The matching nodelet's settings, a handful of which may change while it runs.
+// SPDX-License-Identifier: BSD-3-Clause
+// The matching nodelet's settings, some of which may change at run time.
 #pragma once
 
 #include <mutex>
@@ -19,7 +20,7 @@ class LiveSettings {
     return current_;
   }
 
-  /// Calls `change` with the settings, which nobody else reads meanwhile.
+  /// Calls `change` with the settings under exclusive access.
   template <class Change>
   auto change(const Change& change) {
     const std::lock_guard<std::mutex> lock(mutex_);

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "nodelets/matching/markers.hpp"
 
 #include <algorithm>
@@ -14,7 +15,7 @@ using mbncc_vision::DetectedObject;
 using visualization_msgs::Marker;
 
 constexpr double kFallbackLength = 0.05;  // [m] when the size is unknown
-constexpr double kLifetime = 10;          // [s] of marks whose nodelet is gone or disabled
+constexpr double kLifetime = 10;          // [s] lifetime of markers without updates
 
 double length_or(double length, double fallback) {
   return std::isfinite(length) && length > 0 ? length : fallback;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Detections as RViz markers.
 #pragma once
 
@@ -7,8 +8,8 @@
 namespace mbncc::nodelets {
 
 /// The outline in metres, the axes (x vermilion, y green) and a caption with the state for every
-/// object with a metric pose; first of all a DELETEALL, so that lost objects vanish. They also
-/// vanish when nothing follows.
+/// object with a metric pose; first of all a DELETEALL, so that lost objects are deleted. They also
+/// expire without updates.
 visualization_msgs::MarkerArray to_markers(const mbncc_vision::DetectedObjectArray& detections);
 
 }  // namespace mbncc::nodelets

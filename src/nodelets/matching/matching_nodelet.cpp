@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Finds learned objects in the camera's pictures. Wiring only.
 #include <mbncc_vision/LearnedObjectArray.h>
 #include <mbncc_vision/ListObjects.h>
@@ -35,13 +36,13 @@
 namespace mbncc::nodelets {
 namespace {
 
-/// What may change while the nodelet runs.
+/// Settings that may change at run time.
 const std::vector<std::string> kLiveParameters{
     "min_score",     "confirm_score",  "min_margin_place", "min_margin_angle",
     "max_instances", "confirm_frames", "confirm_window",   "hold_time",
     "search_roi",    "max_rate",       "publish_tf",       "show_score_map"};
 
-/// Throws with a sentence when parameters that are allowed each by itself do not go together.
+/// Throws with a message if parameters that are individually valid contradict each other.
 void check(const MatchingNodeConfig& config) {
   parse_roi(config.search_roi);
   InstanceTracker{tracker_config(config)};
@@ -84,7 +85,7 @@ class MatchingNodelet : public GuardedNodelet {
   std::unique_ptr<CameraInput> camera_;
   std::unique_ptr<DetectionPipeline> pipeline_;
   std::unique_ptr<SearchWorker> worker_;
-  // What reads files has a callback thread of its own.
+  // Callbacks that read files have their own thread.
   ros::CallbackQueue side_queue_;
   ros::AsyncSpinner side_spinner_{1, &side_queue_};
   std::unique_ptr<FindService> find_service_;
@@ -134,7 +135,7 @@ void MatchingNodelet::open_library() {
   side_node.setCallbackQueue(&side_queue_);
   matcher_ =
       std::make_unique<LiveMatcher>(settings_->initial().search, settings_->initial().library_path);
-  // Who publishes a change tells of it sooner than the watch on the folder does.
+  // The published library reports a change sooner than the check of the folder.
   library_subscriber_ = side_node.subscribe<mbncc_vision::LearnedObjectArray>(
       "object_library", 1,
       [this](const mbncc_vision::LearnedObjectArrayConstPtr&) { look_for_changes(); });
@@ -173,7 +174,7 @@ void MatchingNodelet::start_services() {
 }
 
 void MatchingNodelet::start_watching() {
-  // A wall timer: a simulated clock may stand still, which is one way for pictures to stop.
+  // A wall timer, because a simulated clock may stop, which also stops pictures.
   silence_timer_ = node().createWallTimer(
       ros::WallDuration(0.1), [this](const auto&) { worker_->look_for_silence(wanted()); });
   report_ = std::make_unique<HealthReport>(node(), private_node(), getName(), "none", kMatchingTask,
@@ -208,7 +209,7 @@ void MatchingNodelet::change_settings(const std::function<void(const Rows&)>& us
 }
 
 void MatchingNodelet::take_settings() {
-  // What was seen before was judged by other thresholds.
+  // Earlier detections were evaluated with other thresholds.
   if (matcher_->configure(settings_->get().search)) worker_->begin_anew();
   listen_as_wanted();
 }
@@ -251,7 +252,7 @@ void MatchingNodelet::diagnose(diagnostic_updater::DiagnosticStatusWrapper& stat
   const SearchStatistics statistics = worker_->statistics();
   const auto library = matcher_->library();
   const std::string idle = !enabled_   ? "disabled by ~enable"
-                           : !wanted() ? "nobody listens and publish_tf is false"
+                           : !wanted() ? "no subscriber and publish_tf is false"
                                        : "";
   const std::string fault = matcher_->fault();
   summarize(status, fault.empty() && idle.empty() ? camera_->fault() : fault, idle, statistics);

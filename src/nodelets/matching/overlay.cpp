@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "nodelets/matching/overlay.hpp"
 
 #include <algorithm>
@@ -77,7 +78,7 @@ std::string age_of(const mbncc_vision::DetectedObjectArray& detections) {
 constexpr std::uint8_t kExplained[] = {DetectedObject::CONFIRMED, DetectedObject::AMBIGUOUS,
                                        DetectedObject::NEW};
 
-/// As large as the picture's width allows.
+/// Scaled to the picture's width.
 Letters letters_of_legend(int width, const std::string& age) {
   const Letters letters(width);
   int needed = letters.width_of(age) + letters.height;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Detections drawn into their picture.
 #pragma once
 
@@ -21,7 +22,7 @@ cv::Mat draw_detections(const cv::Mat& picture,
 cv::Mat colour_score_map(const cv::Mat& scores);
 
 /// colour_score_map() with a ring around the best place and a square around the best one farther
-/// than `radius` [px] from it. Without figures: a first look is no score.
+/// than `radius` [px] from it. Without numbers, because these similarities are not scores.
 cv::Mat draw_score_map(const cv::Mat& scores, double radius);
 
 }  // namespace mbncc::nodelets

@@ -1,4 +1,5 @@
-// Service calls that wait for the next live picture.
+// SPDX-License-Identifier: BSD-3-Clause
+// Lets service calls wait for the next live picture.
 #pragma once
 
 #include <ros/time.h>
@@ -11,7 +12,7 @@ namespace mbncc::nodelets {
 
 class PictureWait {
  public:
-  /// Camera side: hands every picture over; keeps it only while somebody waits.
+  /// Camera side: passes every picture on; stores it only while a call waits.
   void offer(const sensor_msgs::ImageConstPtr& image);
 
   /// Service side: pictures are wanted from enter() to leave().
@@ -19,7 +20,7 @@ class PictureWait {
   void leave();
   bool wanted() const;
 
-  /// The next picture stamped later than `after`; null when none comes within `timeout` [s] by the
+  /// The next picture stamped later than `after`; null if none arrives within `timeout` [s] by the
   /// steady clock, or after close().
   sensor_msgs::ImageConstPtr next(const ros::Time& after, double timeout);
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The search_roi parameter.
 #pragma once
 
@@ -7,11 +8,11 @@
 namespace mbncc::nodelets {
 
 /// Reads "x,y,width,height" [px]; "" is the empty rectangle: the whole picture. Throws ConfigError
-/// naming the text and what is allowed.
+/// that names the text and the allowed values.
 cv::Rect parse_roi(const std::string& text);
 
-/// The part of `roi` that lies in a picture of this size. Throws ConfigError when none does:
-/// nothing would ever be found.
+/// The part of `roi` inside a picture of this size. Throws ConfigError if there is none, because
+/// nothing could be found.
 cv::Rect roi_in(const cv::Rect& roi, cv::Size picture);
 
 }  // namespace mbncc::nodelets

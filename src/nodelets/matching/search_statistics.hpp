@@ -1,4 +1,5 @@
-// What diagnostics tell about the stream of pictures.
+// SPDX-License-Identifier: BSD-3-Clause
+// Statistics of the picture stream for the diagnostics.
 #pragma once
 
 #include <diagnostic_updater/DiagnosticStatusWrapper.h>
@@ -19,13 +20,12 @@ struct SearchStatistics {
   std::string last_fault;   ///< of a refused or badly stamped picture
   double search_time = 0;   ///< [s] of the last search
   double latency = 0;       ///< [s] from the last picture's stamp to its publication
-  std::string message;      ///< of the last array; empty: all is well
+  std::string message;      ///< of the last array; empty: no fault
   bool unreliable = false;  ///< the last array was STALE or SEARCH_FAILED
 };
 
-/// What comes first in the diagnostics of the search: an error where nothing can be relied upon.
-/// `fault`: what stands in the way of every search, "" when nothing does. `idle`: why nothing is to
-/// be searched, "" when something is.
+/// Summary of the diagnostics: an error if results must not be used. `fault`: why no search is
+/// possible, "" if it is. `idle`: why nothing is searched, "" if searching.
 inline void summarize(diagnostic_updater::DiagnosticStatusWrapper& status, const std::string& fault,
                       const std::string& idle, const SearchStatistics& statistics) {
   using diagnostic_msgs::DiagnosticStatus;
@@ -53,7 +53,7 @@ inline void add_to(diagnostic_updater::DiagnosticStatusWrapper& status,
   status.add("latency [s]", statistics.latency);
 }
 
-/// Statistics that several threads write to.
+/// Thread-safe statistics.
 class SharedStatistics {
  public:
   template <class Change>

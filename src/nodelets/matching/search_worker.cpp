@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "nodelets/matching/search_worker.hpp"
 
 #include <ros/console.h>
@@ -104,7 +105,7 @@ bool SearchWorker::admit(const std_msgs::Header& header) {
 }
 
 void SearchWorker::start_over() {
-  ROS_INFO("the clock has jumped back; starting anew");
+  ROS_INFO("the clock has jumped back; the tracker is reset");
   tools_.pipeline.reset();
   tools_.publisher.reset();
   rate_.reset();
@@ -119,9 +120,9 @@ void SearchWorker::refuse(const std::string& fault) {
 }
 
 void SearchWorker::fail(const sensor_msgs::Image& image, const std::string& reason) {
-  tools_.pipeline.reset();  // it may have taken over half of the picture
+  tools_.pipeline.reset();  // the video search may have processed only a part of the picture
   const std::string sentence =
-      "the search failed: " + reason + "; if it goes on, report this with the log";
+      "the search failed: " + reason + "; if this recurs, report it with the log";
   const bool news = statistics_.change([&sentence](SearchStatistics& statistics) {
     ++statistics.failed;
     statistics.unreliable = true;
@@ -149,7 +150,7 @@ void SearchWorker::look_for_silence(bool expected) {
     statistics.message = reason;
     statistics.unreliable = true;
   });
-  // Whatever was confirmed may have been moved meanwhile, unless it is the search that takes long.
+  // Confirmed objects may have been moved meanwhile, unless the search itself takes long.
   if (!searching_) ++era_;
 }
 

@@ -1,4 +1,5 @@
-// Searches the stream of pictures on a thread of its own: newest first, each once, none too old.
+// SPDX-License-Identifier: BSD-3-Clause
+// Searches the picture stream on a separate thread: the newest picture, each once, none too old.
 #pragma once
 
 #include <ros/time.h>
@@ -20,7 +21,7 @@
 
 namespace mbncc::nodelets {
 
-/// What a search works with; all of it outlives the worker.
+/// Dependencies of a search; all outlive the worker.
 struct SearchTools {
   const LiveSettings& settings;
   const LiveMatcher& matcher;
@@ -34,14 +35,14 @@ class SearchWorker {
   explicit SearchWorker(const SearchTools& tools);
   ~SearchWorker();
 
-  /// Hands over a picture; never blocks, the newest wins.
+  /// Passes a picture on; never blocks, a newer one replaces an older one.
   void put(const sensor_msgs::ImageConstPtr& image);
 
-  /// Called now and then: publishes STALE when pictures are expected but fail to come.
+  /// Called periodically: publishes STALE if expected pictures do not arrive.
   void look_for_silence(bool expected);
 
-  /// What was seen before no longer counts, nor does a picture that has not been published yet.
-  /// Silence counts from now.
+  /// Invalidates earlier detections and pictures that are not published yet. The time without
+  /// pictures counts from now.
   void begin_anew();
 
   SearchStatistics statistics() const { return statistics_.get(); }
@@ -61,13 +62,13 @@ class SearchWorker {
   SharedStatistics statistics_;
   StaleWatch silence_;
   Mailbox<sensor_msgs::ImageConstPtr> mailbox_;
-  std::atomic<unsigned> era_{0};  // begins anew with every begin_anew()
+  std::atomic<unsigned> era_{0};  // incremented by every begin_anew()
   std::atomic<bool> searching_{false};
   // Of the worker thread alone.
   unsigned pipeline_era_ = 0;
   SearchRequest request_;
   StampGate gate_;
-  RateLimit rate_;  // of pictures that something was published about
+  RateLimit rate_;  // of pictures with a published message
   std::thread worker_;
 };
 

@@ -1,4 +1,5 @@
-// Notices that pictures have stopped, by the steady clock: a simulated one may stand still.
+// SPDX-License-Identifier: BSD-3-Clause
+// Detects that pictures have stopped, by the steady clock because a simulated one may stop.
 #pragma once
 
 #include <chrono>
@@ -10,16 +11,17 @@ class StaleWatch {
  public:
   using Clock = std::chrono::steady_clock;
 
-  /// `stale_after` [s] of silence are reported, and again every second; it counts from now.
+  /// Reports `stale_after` [s] without pictures, and repeats it every second; the time counts from
+  /// now.
   explicit StaleWatch(double stale_after) : stale_after_(stale_after) { restart(); }
 
-  /// Something was published, or nothing is expected before now: silence counts from now.
+  /// Something was published, or nothing was expected: the time counts from now.
   void restart(Clock::time_point now = Clock::now()) {
     const std::lock_guard<std::mutex> lock(mutex_);
     next_report_ = now + std::chrono::duration_cast<Clock::duration>(stale_after_);
   }
 
-  /// True when a report is due; the next one is due a second later.
+  /// True if a report is due; the next one is due a second later.
   bool due(Clock::time_point now = Clock::now()) {
     const std::lock_guard<std::mutex> lock(mutex_);
     if (now < next_report_) return false;

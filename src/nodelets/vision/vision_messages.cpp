@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "nodelets/vision/vision_messages.hpp"
 
 #include <algorithm>
@@ -82,7 +83,7 @@ vision_msgs::ObjectHypothesisWithPose hypothesis_of(const DetectedObject& object
   return hypothesis;
 }
 
-/// Such a message for each of the objects, as `fill` completes it.
+/// One message per object, completed by `fill`.
 template <class Array, class Fill>
 Array array_of(const std_msgs::Header& header, const ObjectList& objects, const ObjectIds& ids,
                const Fill& fill) {

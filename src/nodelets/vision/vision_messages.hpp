@@ -1,4 +1,5 @@
-// Detections as vision_msgs has them.
+// SPDX-License-Identifier: BSD-3-Clause
+// Converts detections to vision_msgs.
 #pragma once
 
 #include <mbncc_vision/DetectedObjectArray.h>
@@ -11,18 +12,18 @@
 
 namespace mbncc::nodelets {
 
-/// vision_msgs knows objects by number. A name's is the CRC-32 of its bytes without the highest
-/// bit: the same in every cell, in every run, and whatever else is in the library.
+/// vision_msgs identifies objects by number. The number of a name is the CRC-32 of its bytes
+/// without the highest bit: the same in every cell and run, independent of the library.
 std::int64_t object_id(const std::string& name);
 
-/// The names that numbers stand for.
+/// Maps numbers to names.
 class ObjectIds {
  public:
-  /// Takes the names of an array in; true when there was a new one among them.
+  /// Adds the names of an array; true if one was new.
   bool add(const mbncc_vision::DetectedObjectArray& detections);
 
-  /// False for a name that is not known, or whose number another name had first: no message can
-  /// tell of it.
+  /// False for a name that is unknown, or whose number is already used by another name and cannot
+  /// be published.
   bool has(const std::string& name) const;
 
   /// By number.
@@ -34,13 +35,13 @@ class ObjectIds {
   std::map<std::int64_t, std::string> names_;
 };
 
-/// What is confirmed(). The box lies along the object's axes around its outline; [px], rotated
-/// clockwise on the screen. Without a pose in metres that of the hypothesis is all zeros.
+/// The confirmed() objects. The box around the outline is aligned with the object's axes; [px],
+/// rotated clockwise on the screen. Without a pose in metres, the pose of the hypothesis is zero.
 vision_msgs::Detection2DArray to_detections_2d(const mbncc_vision::DetectedObjectArray& detections,
                                                const ObjectIds& ids);
 
-/// What is graspable(). The box lies along the object's axes around its body,
-/// between the footprint and the top face; its size is 0 where the scale is unknown.
+/// The graspable() objects. The box around the body is aligned with the object's axes, between the
+/// footprint and the top face; its size is 0 if the scale is unknown.
 vision_msgs::Detection3DArray to_detections_3d(const mbncc_vision::DetectedObjectArray& detections,
                                                const ObjectIds& ids);
 

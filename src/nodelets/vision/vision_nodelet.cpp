@@ -1,4 +1,5 @@
-// Publishes detections as vision_msgs has them, while somebody listens.
+// SPDX-License-Identifier: BSD-3-Clause
+// Publishes detections as vision_msgs while there is a subscriber.
 #include <ros/ros.h>
 #include <vision_msgs/VisionInfo.h>
 #include <pluginlib/class_list_macros.hpp>
@@ -19,7 +20,7 @@ class VisionNodelet : public GuardedNodelet {
   void start() override {
     ros::NodeHandle handle = private_node();
     const ros::SubscriberStatusCallback changed = [this](const auto&) { listen_as_wanted(); };
-    // A first listener may come before the publishers have been kept.
+    // The first subscriber may connect before the publishers are stored.
     const std::lock_guard<std::mutex> lock(mutex_);
     detections_2d_ =
         handle.advertise<vision_msgs::Detection2DArray>("detections", 10, changed, changed);
@@ -45,11 +46,11 @@ class VisionNodelet : public GuardedNodelet {
   }
 
   void on_detections(const mbncc_vision::DetectedObjectArrayConstPtr& detections) {
-    // Who gets a number may look up its name.
+    // Subscribers that get a number can look up its name.
     if (ids_.add(*detections)) tell_names();
     for (const auto& object : detections->objects)
       if (!ids_.has(object.name))
-        NODELET_ERROR_THROTTLE(10, "'%s' has the number of '%s' and is left out; rename one",
+        NODELET_ERROR_THROTTLE(10, "'%s' has the same number as '%s' and is left out; rename one",
                                object.name.c_str(),
                                ids_.names().at(object_id(object.name)).c_str());
     detections_2d_.publish(to_detections_2d(*detections, ids_));

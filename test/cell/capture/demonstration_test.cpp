@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "mbncc/cell/demonstration.hpp"
 
 #include <gtest/gtest.h>

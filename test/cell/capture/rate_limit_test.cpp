@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "mbncc/cell/rate_limit.hpp"
 
 #include <gtest/gtest.h>

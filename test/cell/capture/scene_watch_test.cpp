@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "mbncc/cell/scene_watch.hpp"
 
 #include <gtest/gtest.h>
@@ -15,7 +16,7 @@ class Cell {
  public:
   explicit Cell(double noise = 3) : scene_(scene_config(noise)), script_(script_config()) {}
 
-  /// Shows `count` pictures of the script as it goes on.
+  /// Shows the next `count` pictures of the script.
   void show(int count, std::optional<double> gain = {}) {
     for (int i = 0; i < count; ++i) {
       const sim::CellFrame frame = script_.frame();

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "mbncc/cell/stamp_gate.hpp"
 
 #include <gtest/gtest.h>

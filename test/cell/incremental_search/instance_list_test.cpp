@@ -1,4 +1,5 @@
-// What an instance of a watched cell has been compared with, and what it may be taken for.
+// SPDX-License-Identifier: BSD-3-Clause
+// The comparisons and competitors of a known instance in a video.
 #include "cell/incremental_search/instance_list.hpp"
 
 #include <gtest/gtest.h>
@@ -8,7 +9,7 @@ namespace {
 
 constexpr double kReach = 10;  // [px]
 
-/// Beyond doubt, its outline a square of 40 px.
+/// A certain instance whose outline is a square of 40 px.
 Known known_at(double x, const std::string& name = "one", double log_odds = 20) {
   Known known;
   known.match.name = name;
@@ -87,8 +88,8 @@ TEST_F(KnownInstancesTest, WhatASearchFindsAtThePlaceCompetes) {
   EXPECT_NEAR(judged(known_.all()[0]).margin_place, 5, 1e-9) << "the best of them";
 }
 
-// A whole search compares evidence alone: how firm a pose is, and how far it is behind other
-// instances of its object, is no part of that.
+// A whole search compares only uncalibrated evidence, without the calibration by the outline's fit
+// and by other instances.
 TEST_F(KnownInstancesTest, CalibrationIsNoPartOfTheComparison) {
   Known firm = known_at(100);
   firm.match.calibration = -4;

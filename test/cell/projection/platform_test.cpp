@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "mbncc/cell/platform.hpp"
 
 #include <gtest/gtest.h>
@@ -23,7 +24,7 @@ cv::Matx44d pose_of(const cv::Matx33d& r, const cv::Vec3d& t) {
           r(2, 0), r(2, 1), r(2, 2), t[2], 0,       0,       0,       1};
 }
 
-/// Platform 0.9 m away whose frame looks back at the camera, tilted.
+/// Platform 0.9 m away, tilted, whose frame points towards the camera.
 Platform tilted(double angle) {
   return {rays_of(kCamera), plane_of(pose_of(rotation_x(kPi - angle), {0.1, -0.05, 0.9}))};
 }

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "mbncc/cell/pose_average.hpp"
 
 #include <gtest/gtest.h>
@@ -24,7 +25,7 @@ Pose2D noisy(const Pose2D& pose, cv::RNG& random) {
           wrap_angle(pose.theta + random.gaussian(kSigmaAngle))};
 }
 
-/// What comes of the pose in one more picture.
+/// The tracked instance after one more picture with this pose.
 Match averaged(PoseAverage& average, const Pose2D& pose, std::uint32_t id = 1) {
   std::vector<TrackedMatch> matches{seen(id, pose)};
   average.apply(matches);

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Chessboards drawn as a known camera sees them.
 #include <gtest/gtest.h>
 
@@ -61,7 +62,7 @@ TEST(BoardCalibration, TheSamePictureIsTakenOnce) {
   EXPECT_EQ(calibration.take(picture), Seen::kKnown);
   EXPECT_EQ(calibration.views(), 1u);
   EXPECT_FALSE(calibration.suffices());
-  EXPECT_NE(calibration.advice(Seen::kKnown).find("has not been"), std::string::npos);
+  EXPECT_NE(calibration.advice(Seen::kKnown).find("not covered yet"), std::string::npos);
 }
 
 TEST(BoardCalibration, AShrunkPictureTellsTheCamerasPixels) {
@@ -71,7 +72,7 @@ TEST(BoardCalibration, AShrunkPictureTellsTheCamerasPixels) {
   cv::resize(picture, half, {}, 0.5, 0.5, cv::INTER_AREA);
   ASSERT_EQ(whole.take(picture), Seen::kTaken);
   ASSERT_EQ(shrunk.take(half), Seen::kTaken);
-  // Which end of the board comes first is not told.
+  // The order of the board's ends is not defined.
   EXPECT_LT(std::min(cv::norm(whole.corners().front() - shrunk.corners().front()),
                      cv::norm(whole.corners().front() - shrunk.corners().back())),
             1);
@@ -92,7 +93,7 @@ TEST(PictureCheck, TellsBlurFromSharpnessAndBurntFromDark) {
   EXPECT_DOUBLE_EQ(check.sharpness(), 1);
   check.take(blurred);
   EXPECT_LT(check.sharpness(), 0.6);
-  EXPECT_NE(check.advice().find("turn the focus back"), std::string::npos);
+  EXPECT_NE(check.advice().find("turn the focus ring back"), std::string::npos);
   check.take(cv::Mat(kPicture, CV_8UC3, cv::Scalar::all(255)));
   EXPECT_NE(check.advice().find("shorten the exposure"), std::string::npos);
   check.take(cv::Mat(kPicture, CV_8UC3, cv::Scalar::all(10)));

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "console/detections/detection_rows.hpp"
 
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "console/detections/lamps.hpp"
 
 #include <gtest/gtest.h>
@@ -26,7 +27,7 @@ Lamps well(double now) {
   return lamps;
 }
 
-/// What a matching nodelet at its node says about its library.
+/// A report of the matching nodelet about its library.
 diagnostic_msgs::DiagnosticArray quarantine_of(const std::string& node, const std::string& files) {
   diagnostic_msgs::DiagnosticArray diagnostics;
   auto& status = diagnostics.status.emplace_back();
@@ -58,7 +59,7 @@ TEST(Lamps, SilenceIsNoticedWithinThreeSeconds) {
   EXPECT_EQ(lamps[kMatcher].level, Level::kBad);
 }
 
-/// What a camera nodelet at its node says, named as diagnostic_updater does.
+/// A report of the camera nodelet, named as by diagnostic_updater.
 diagnostic_msgs::DiagnosticArray complaint_of(const std::string& node, const std::string& message) {
   diagnostic_msgs::DiagnosticArray diagnostics;
   auto& status = diagnostics.status.emplace_back();

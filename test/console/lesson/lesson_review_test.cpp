@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // From the draft to the operator's word.
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "console/lesson/marking_tool.hpp"
 
 #include <gtest/gtest.h>

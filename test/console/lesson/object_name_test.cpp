@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "console/lesson/object_name.hpp"
 
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "console/library/library_files.hpp"
 
 #include <gtest/gtest.h>

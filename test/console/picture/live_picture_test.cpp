@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "console/picture/live_picture.hpp"
 
 #include <gtest/gtest.h>

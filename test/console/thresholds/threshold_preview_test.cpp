@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "console/thresholds/threshold_preview.hpp"
 
 #include <gtest/gtest.h>

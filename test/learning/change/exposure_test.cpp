@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "learning/change/exposure.hpp"
 
 #include <gtest/gtest.h>

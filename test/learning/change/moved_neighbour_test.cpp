@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "learning/change/moved_neighbour.hpp"
 
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "learning/change/phase_shift.hpp"
 
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "learning/change/texture_change.hpp"
 
 #include <gtest/gtest.h>
@@ -40,7 +41,7 @@ TEST(TextureChange, NoiseAddsNoContrastWhereThereIsEnoughOfIt) {
 }
 
 TEST(TextureChange, ContrastIsNotReadNearWhite) {
-  // A brighter lamp takes contrast away from what is bright, and gives it to the rest.
+  // A brighter lamp reduces the contrast of bright areas and increases that of others.
   cv::Mat before = grey(120, 12), after;
   before(cv::Rect(40, 0, 120, 120)) += 90;
   after = cv::min(before * 1.25, kWhite);
@@ -51,7 +52,7 @@ TEST(TextureChange, ContrastIsNotReadNearWhite) {
 }
 
 TEST(TextureChange, WhiteOfThePictureAfterIsAsBrightAsItWasMade) {
-  // Clipped after, and then made darker: nothing of it looks white any more.
+  // Clipped in the picture after and then darkened, so that it no longer looks white.
   const cv::Mat before = grey(170, 15);
   const cv::Mat clipped = cv::min(before * 1.4, kWhite) / 1.4;
   EXPECT_DOUBLE_EQ(texture_change(before, clipped, kWhite / 1.4).contrast, 1) << "nothing is told";
@@ -70,7 +71,7 @@ TEST(TextureChange, TextureThatMovedIsDisplaced) {
 }
 
 TEST(TextureChange, WhatStaysInOnePictureStays) {
-  // What left a plain table takes its texture along.
+  // An object removed from a plain table takes its texture with it.
   cv::Mat after(kSize, CV_32FC1, cv::Scalar(120));
   grey(120, 15)(cv::Rect(0, 90, 160, 30)).copyTo(after(cv::Rect(0, 90, 160, 30)));
   EXPECT_LT(texture_change(grey(120, 15), after, kWhite).displaced, 0.2);

@@ -1,4 +1,5 @@
-// What noise hides in every pixel shows in wide patches.
+// SPDX-License-Identifier: BSD-3-Clause
+// Change hidden by noise in single pixels is significant in wide patches.
 #include "learning/likelihood/faint_change.hpp"
 
 #include <gtest/gtest.h>

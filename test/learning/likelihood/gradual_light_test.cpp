@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Light ends softly, objects sharply.
 #include "learning/likelihood/gradual_light.hpp"
 
@@ -32,7 +33,7 @@ cv::Mat lit(const cv::Mat& picture, const cv::Mat& light) {
 const cv::Mat kTextureVisible(kSize, CV_32FC1, cv::Scalar(-1));
 const cv::Mat kNoTexture(kSize, CV_32FC1, cv::Scalar(0));
 
-// Where a plain bright object lies beside the patch.
+// Place of a plain bright object next to the patch.
 const cv::Rect kObject(15, 20, 25, 60);
 
 struct Scene {

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "learning/likelihood/line_evidence.hpp"
 
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "mbncc/learning/quality.hpp"
 
 #include <gtest/gtest.h>
@@ -107,7 +108,7 @@ TEST(Quality, ShiftedMapLosesItsEdges) {
             quality_of(drawn.lesson.before, drawn.truth).edge_agreement);
 }
 
-// It will be found as well: that is told, and no fault of the map.
+// It will be found as well: this is reported, but no fault of the map.
 TEST(Quality, ATwinInThePictureIsNoted) {
   DrawnLesson drawn = draw_lesson({60, 60}, {320, 240});
   cv::Mat twin = drawn.lesson.before(cv::Rect(10, 20, 100, 80)).clone();
@@ -136,7 +137,7 @@ TEST(Quality, SymmetriesAreNotedButNoFault) {
   EXPECT_EQ(quality.verdict, Verdict::kGood);
 }
 
-// The disc's mark tells its angle: that is told, and not used.
+// The disc's mark shows its angle: the near symmetry is reported, but not used.
 TEST(Quality, NearSymmetriesAreProposedUntilTheyAreDeclared) {
   const cv::Size size(240, 200);
   cv::Mat scene(size, CV_32FC3, cv::Scalar::all(110)), map = disc_map(size, {120, 100}, 40);

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The limits of GOOD, MARGINAL and BAD.
 #include "learning/quality/verdict.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "mbncc/learning/change_cut.hpp"
 
 #include <gtest/gtest.h>
@@ -85,7 +86,7 @@ TEST(ChangeCut, AThinFaintHookIsKept) {
   EXPECT_GT(test::iou(cut(drawn.lesson).map, drawn.truth), 0.8);
 }
 
-// An operator who mends a map must not be told that it got worse.
+// A correction of the map must not worsen the verdict.
 TEST(ChangeCut, StrokesAreEvidence) {
   const DrawnLesson drawn = draw_faint_hook();
   const ChangeCut first = cut(drawn.lesson);
@@ -131,7 +132,7 @@ TEST(ChangeCut, TheNewPlaceIsNotTheObject) {
   EXPECT_GT(test::iou(result.map, drawn.truth), 0.9);
 }
 
-// What lies beyond the region's surroundings has no say.
+// Pixels beyond the region's surroundings have no influence.
 TEST(ChangeCut, FarPixelsDoNotMatter) {
   DrawnLesson drawn = draw_lesson({70, 70}, {360, 280});
   const cv::Mat nothing = cv::Mat::zeros(drawn.truth.size(), CV_8UC1);

@@ -1,4 +1,5 @@
-// What a finished cut and its map tell about themselves.
+// SPDX-License-Identifier: BSD-3-Clause
+// Reliability measures of a finished cut and its map.
 #include "learning/segmentation/cut_evidence.hpp"
 
 #include <gtest/gtest.h>
@@ -40,7 +41,7 @@ class CutEvidenceTest : public testing::Test {
     return cut_evidence(cut, smoothness_, half_);
   }
 
-  /// [log-odds] what pixels on and off the object prefer.
+  /// [log-odds] of pixels on and off the object.
   void prefer(float on, float off) {
     unary_.setTo(off);
     unary_(kObject).setTo(on);

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Votes of excluding strokes: which other pixels of a map go along.
 #include "learning/segmentation/exclusion_votes.hpp"
 
@@ -17,7 +18,7 @@ cv::Mat mask_of(const cv::Rect& area) {
   return mask;
 }
 
-// Half of the map is the platform in a deep shadow, less sure than the other half, which is red.
+// Half of the map is the platform in a deep shadow, less certain than the other half, which is red.
 CutPictures drawn_cut() {
   CutPictures cut;
   const cv::Size size(kSide, kSide);
@@ -49,7 +50,7 @@ TEST(ExclusionVotes, ADotIsEnough) {
   EXPECT_LT(mean_on(votes, kRed), -3);
 }
 
-// Where looks leave it open: a grey that is neither the stroke's nor the object's.
+// An undecided appearance: a grey that is neither the stroke's nor the object's.
 TEST(ExclusionVotes, OutermostPixelsAreDoubtedMore) {
   CutPictures cut = drawn_cut();
   const cv::Rect grey(10, 32, 20, 8);  // beyond the map's edge at 15 as well

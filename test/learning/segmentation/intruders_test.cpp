@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The gripper that stays in sight after the grasp is no part of the object, wherever it reaches.
 #include "learning/segmentation/intruders.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "mbncc/learning/interactive_lesson.hpp"
 
 #include <gtest/gtest.h>

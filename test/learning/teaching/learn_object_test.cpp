@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "mbncc/learning/learn_object.hpp"
 
 #include <gtest/gtest.h>
@@ -58,7 +59,7 @@ TEST(LearnObject, FindsTheRegionFromTheChange) {
   EXPECT_GT(iou(learned_map(result), drawn.truth), 0.75);
 }
 
-// The survey sees the wedge alone, the cut the whole object.
+// The survey finds only the wedge, the cut the whole object.
 TEST(LearnObject, WidensARegionThatNobodyDrew) {
   DrawnLesson drawn = draw_lesson();
   const cv::Rect faint(150, 84, 60, 16);

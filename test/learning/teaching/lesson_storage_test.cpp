@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "mbncc/learning/lesson_storage.hpp"
 
 #include <gtest/gtest.h>
@@ -84,7 +85,7 @@ TEST(CheckStoring, LabelsAreChecked) {
   EXPECT_EQ(error_of(lesson, Storing::kNew, {}), LearnError::kNameInvalid);
 }
 
-// What the library throws at `change`.
+// The exception of the library for `change`.
 template <class Change>
 Refusal refusal_by(Change&& change) {
   try {

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Lessons whose object is put aside within the view.
 #include <gtest/gtest.h>
 
@@ -85,8 +86,8 @@ TEST_P(PutAside, RefinesNothingWhereTheMapsDisagree) {
 
 INSTANTIATE_TEST_SUITE_P(Angles, PutAside, testing::Values(0, 40, 175));
 
-// An object of the platform's usual colour, on a mark of another one and of its own shape: the mark
-// looks like an arrival, and the object's new place like the one that it left.
+// An object of the platform's colour on a mark of another colour and the same shape: the mark looks
+// like an arrival, and the object's new place like the one that it left.
 class LooksLikePlatform : public testing::Test {
  protected:
   LooksLikePlatform() {
@@ -123,7 +124,7 @@ TEST_F(LooksLikePlatform, IsFoundThoughNothingSeemsToHaveArrived) {
   expect_learned_and_found();
 }
 
-// Something larger than the object changed as well, and the object lies elsewhere afterwards.
+// A larger area than the object changed as well, and the object lies elsewhere afterwards.
 class LargerChange : public testing::Test {
  protected:
   LargerChange() {
@@ -188,7 +189,7 @@ TEST(PutAsideLesson, PlacesNearEachOtherAreToldApart) {
   EXPECT_NEAR(result.put_aside->pose.x - result.object.views.front().reference.x, kMoved, 1);
 }
 
-// Nothing tells which of them is the object.
+// The object among them is not determined.
 TEST(PutAsideLesson, TwoThingsThatLeftAreNotGood) {
   auto drawn = test::draw_lesson({100, 110}, kSize);
   const cv::Mat beside = test::wedge_map(kSize, {180, 110});

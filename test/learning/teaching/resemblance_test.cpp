@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "mbncc/learning/resemblance.hpp"
 
 #include <gtest/gtest.h>
@@ -42,7 +43,7 @@ TEST(Resemblance, ViewsOfOneObjectGetOneFrame) {
 TEST(Resemblance, AnotherObjectInTheMapIsNoView) {
   const auto first = placed(5, {200, 200, 0}), other = placed(77, {200, 200, 0});
   const cv::Mat before = scene().render({first}, 1);
-  // The stored object lies there too, but elsewhere.
+  // The stored object is in the picture, but at another place.
   const cv::Mat later = scene().render({other, placed(5, {450, 300, 1})}, 2);
   const ObjectModel stored = learned("part", first, before);
   EXPECT_FALSE(shared_reference(stored, learned("part", other, later).views[0], later));

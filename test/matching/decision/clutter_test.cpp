@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "matching/decision/clutter.hpp"
 
 #include <gtest/gtest.h>

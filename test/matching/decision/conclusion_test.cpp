@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "matching/decision/conclusion.hpp"
 
 #include <gtest/gtest.h>
@@ -19,17 +20,17 @@ class ConclusionTest : public ::testing::Test {
     match_.margin_angle = kNoCompetitor;
     match_.covariance = cv::Matx33d::diag({0.01, 0.01, 1e-6});
     detection_.log_odds = 12;
-    detection_.elsewhere = 0;
+    detection_.contour_alternative = 0;
   }
 
-  void judge(double instance_margin = kNoCompetitor) {
+  void verify(double instance_margin = kNoCompetitor) {
     match_.doubts = doubts_about(match_, detection_, match_.covariance, instance_margin, config_);
     conclude(match_, config_);
   }
 
-  /// It is refused for this reason alone.
+  /// It is refused only for this reason.
   void expect_refused(const std::string& reason, bool ambiguous) {
-    judge();
+    verify();
     EXPECT_FALSE(match_.graspable);
     EXPECT_EQ(match_.ambiguous, ambiguous);
     ASSERT_EQ(match_.reasons.size(), 1U);
@@ -42,7 +43,7 @@ class ConclusionTest : public ::testing::Test {
 };
 
 TEST_F(ConclusionTest, WithoutADoubtItIsGraspableAndHasNoReason) {
-  judge();
+  verify();
   EXPECT_TRUE(match_.graspable);
   EXPECT_FALSE(match_.ambiguous);
   EXPECT_TRUE(match_.reasons.empty());
@@ -54,7 +55,7 @@ TEST_F(ConclusionTest, NamesTheBestCompetitor) {
   expect_refused("competitor near at 40, 50 (margin 1.0)", true);
   EXPECT_DOUBLE_EQ(match_.margin_place, 1);
   match_.competitors.pop_back();
-  judge();
+  verify();
   EXPECT_TRUE(match_.graspable) << "9 is margin enough";
 }
 
@@ -64,17 +65,17 @@ TEST_F(ConclusionTest, AnOpenAngle) {
 }
 
 TEST_F(ConclusionTest, AnotherColour) {
-  detection_.strange = 0.21;
+  detection_.colour_difference = 0.21;
   expect_refused("colour of a part differs", true);
 }
 
 TEST_F(ConclusionTest, ItsMirrorImage) {
-  detection_.turned_over = true;
+  detection_.mirror_alternative = true;
   expect_refused("mirrored fits as well", true);
 }
 
 TEST_F(ConclusionTest, AnotherSize) {
-  detection_.another_size = true;
+  detection_.size_alternative = true;
   expect_refused("another size fits better", true);
 }
 
@@ -86,15 +87,15 @@ TEST_F(ConclusionTest, PartsThatLieApart) {
 TEST_F(ConclusionTest, ALowScoreIsNotAmbiguous) {
   match_.score = config_.confirm_score - 0.01;
   match_.margin_angle = 2.5;
-  judge();
+  verify();
   EXPECT_FALSE(match_.ambiguous);
   EXPECT_EQ(match_.reasons.size(), 2U);
 }
 
 TEST_F(ConclusionTest, AnOutlineThatFitsBesideIt) {
-  detection_.elsewhere = 0.051;
+  detection_.contour_alternative = 0.051;
   expect_refused("outline fits better beside it", false);
-  detection_.elsewhere = kNotExamined;
+  detection_.contour_alternative = kNotExamined;
   expect_refused("too unlikely to be examined", false);
 }
 
@@ -105,9 +106,9 @@ TEST_F(ConclusionTest, WeakEvidence) {
 
 TEST_F(ConclusionTest, AWeakOneFarBehindAnotherInstance) {
   detection_.log_odds = 8;
-  judge(-2.9);
+  verify(-2.9);
   EXPECT_TRUE(match_.graspable);
-  judge(-3.1);
+  verify(-3.1);
   EXPECT_FALSE(match_.graspable);
 }
 
@@ -120,7 +121,7 @@ TEST_F(ConclusionTest, AnUncertainAngleMattersUnlessItIsRound) {
   match_.covariance(2, 2) = to_radians(3) * to_radians(3);
   expect_refused("angle known to 3.0 degrees only", false);
   match_.symmetry = 0;
-  judge();
+  verify();
   EXPECT_TRUE(match_.graspable);
 }
 
@@ -128,7 +129,7 @@ TEST_F(ConclusionTest, ACovarianceThatIsNoNumber) {
   for (const int axis : {0, 1, 2}) {
     match_.covariance = cv::Matx33d::diag({0.01, 0.01, 1e-6});
     match_.covariance(axis, axis) = std::nan("");
-    judge();
+    verify();
     EXPECT_FALSE(match_.graspable) << axis;
   }
 }
@@ -142,10 +143,10 @@ TEST_F(ConclusionTest, WhatIsNoNumberIsADoubt) {
   const Match match = match_;
   const Detection detection = detection_;
   for (double* value : {&match_.score, &match_.visible, &match_.margin_angle, &match_.log_odds,
-                        &detection_.strange, &detection_.elsewhere}) {
+                        &detection_.colour_difference, &detection_.contour_alternative}) {
     match_.competitors = {{"far", {1, 2}, 0}};
     *value = std::nan("");
-    judge();
+    verify();
     EXPECT_FALSE(match_.graspable);
     match_ = match;
     detection_ = detection;

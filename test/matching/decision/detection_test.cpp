@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "matching/decision/detection.hpp"
 
 #include <gtest/gtest.h>
@@ -26,7 +27,7 @@ class RotationTest : public ::testing::Test {
 };
 
 TEST_F(RotationTest, WhatLightLeavesAloneDecidesAtOnePlace) {
-  const auto compared = compare_rotations({at(100, 0, 6, 40), at(101, 3, 5, 43)});
+  const auto compared = resolve_rotations({at(100, 0, 6, 40), at(101, 3, 5, 43)});
   ASSERT_EQ(compared.size(), 2u);
   EXPECT_DOUBLE_EQ(compared[0].pose.theta, 3);
   EXPECT_DOUBLE_EQ(compared[0].log_odds, 6) << "the place is as likely as before";
@@ -35,7 +36,7 @@ TEST_F(RotationTest, WhatLightLeavesAloneDecidesAtOnePlace) {
 
 TEST_F(RotationTest, OtherPlacesAndHopelessPosesStayAsTheyAre) {
   const auto compared =
-      compare_rotations({at(100, 0, 6, 40), at(100, 2, -9, 50), at(400, 1, 2, 60)});
+      resolve_rotations({at(100, 0, 6, 40), at(100, 2, -9, 50), at(400, 1, 2, 60)});
   ASSERT_EQ(compared.size(), 3u);
   EXPECT_DOUBLE_EQ(compared[0].log_odds, 6);
   EXPECT_DOUBLE_EQ(compared[1].log_odds, 2);
@@ -44,10 +45,10 @@ TEST_F(RotationTest, OtherPlacesAndHopelessPosesStayAsTheyAre) {
 
 TEST(RotationOdds, UnexplainedColoursTellEqualCorrelationsApart) {
   Evidence right, wrong;
-  right.contour = wrong.contour = 0.7;
-  right.projected = wrong.projected = 0.97;
-  right.unexplained = 1.6;
-  wrong.unexplained = 2.1;
+  right.contour_score = wrong.contour_score = 0.7;
+  right.shading_free_ncc = wrong.shading_free_ncc = 0.97;
+  right.log_residual = 1.6;
+  wrong.log_residual = 2.1;
   EXPECT_GT(rotation_odds(right), rotation_odds(wrong) + 4);
 }
 
@@ -59,9 +60,9 @@ TEST(BetterTurned, IsWhatLightLeavesAlone) {
   PoseHypothesis shaded, true_to_colour;
   shaded.pose.theta = 0.06;
   shaded.odds = 7;
-  shaded.evidence.unexplained = 2.1;
+  shaded.evidence.log_residual = 2.1;
   true_to_colour.odds = 5;
-  true_to_colour.evidence.unexplained = 1.6;
+  true_to_colour.evidence.log_residual = 1.6;
   EXPECT_DOUBLE_EQ(better_rotation(shaded, true_to_colour).pose.theta, 0);
   EXPECT_DOUBLE_EQ(better_rotation(true_to_colour, shaded).pose.theta, 0);
 }
@@ -73,17 +74,17 @@ class SurfaceTest : public ::testing::Test {
   const SurfaceTemplate& surface_ = object_.views.front().fine.surface;
 
   /// Of the template's own colours times `gain`, `slope` [grey levels / px] brighter to the right.
-  SurfaceTemplate::Remainder remainder_of(float gain, float slope) const {
-    return surface_.remainder(test::sample_of(
+  SurfaceTemplate::Residual residual_of(float gain, float slope) const {
+    return surface_.residual(test::sample_of(
         surface_, [&](float colour, float x, float) { return gain * colour + slope * x; }));
   }
 };
 
 TEST_F(SurfaceTest, NothingIsUnexplainedUnderAnotherGainAndShading) {
-  const SurfaceTemplate::Remainder same = remainder_of(1, 0);
+  const SurfaceTemplate::Residual same = residual_of(1, 0);
   EXPECT_LT(surface_.unexplained(same), 1);
-  EXPECT_LT(surface_.unexplained(remainder_of(0.8, 0.3)), 2) << "gain and slope are no object";
-  EXPECT_GT(surface_.unexplained(remainder_of(-1, 0)), 20 * surface_.unexplained(same) + 100);
+  EXPECT_LT(surface_.unexplained(residual_of(0.8, 0.3)), 2) << "gain and slope are no object";
+  EXPECT_GT(surface_.unexplained(residual_of(-1, 0)), 20 * surface_.unexplained(same) + 100);
   EXPECT_NEAR(surface_.correlation(same, 0), 1, 1e-3);
 }
 

@@ -1,4 +1,5 @@
-// Whoever may be gripped has met its rivals.
+// SPDX-License-Identifier: BSD-3-Clause
+// A graspable instance was compared with its competitors.
 #include <gtest/gtest.h>
 
 #include <opencv2/imgproc.hpp>

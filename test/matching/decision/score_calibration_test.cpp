@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "matching/decision/score_calibration.hpp"
 
 #include <gtest/gtest.h>
@@ -12,8 +13,8 @@ constexpr double kFirm = -0.2, kAsGoodElsewhere = 0.03;  // agreement
 Detection detection_of(double log_odds, double elsewhere = kFirm, double projected = 0) {
   Detection detection;
   detection.log_odds = log_odds;
-  detection.elsewhere = elsewhere;
-  detection.projected = projected;
+  detection.contour_alternative = elsewhere;
+  detection.shading_free_ncc = projected;
   return detection;
 }
 
@@ -43,23 +44,23 @@ TEST(Calibration, WhatWasNotExaminedMayLieBetterElsewhere) {
 }
 
 TEST(Convincing, ALooseOutlineHasToBeTheMoreCertain) {
-  EXPECT_TRUE(convincing(detection_of(6), kNoCompetitor));
-  EXPECT_FALSE(convincing(detection_of(6, kAsGoodElsewhere, 0.9), kNoCompetitor));
-  EXPECT_TRUE(convincing(detection_of(8, kAsGoodElsewhere), kNoCompetitor));
+  EXPECT_TRUE(is_convincing(detection_of(6), kNoCompetitor));
+  EXPECT_FALSE(is_convincing(detection_of(6, kAsGoodElsewhere, 0.9), kNoCompetitor));
+  EXPECT_TRUE(is_convincing(detection_of(8, kAsGoodElsewhere), kNoCompetitor));
 }
 
 TEST(Convincing, WithoutTextureItHasToBeNearlyCertain) {
-  EXPECT_FALSE(convincing(detection_of(5), kNoCompetitor));
-  EXPECT_TRUE(convincing(detection_of(5.5), kNoCompetitor));
-  EXPECT_TRUE(convincing(detection_of(3, kFirm, 0.6), kNoCompetitor));
-  EXPECT_FALSE(convincing(detection_of(5, kFirm, 0.5), kNoCompetitor));
-  EXPECT_FALSE(convincing(detection_of(2.9, kFirm, 0.9), kNoCompetitor));
+  EXPECT_FALSE(is_convincing(detection_of(5), kNoCompetitor));
+  EXPECT_TRUE(is_convincing(detection_of(5.5), kNoCompetitor));
+  EXPECT_TRUE(is_convincing(detection_of(3, kFirm, 0.6), kNoCompetitor));
+  EXPECT_FALSE(is_convincing(detection_of(5, kFirm, 0.5), kNoCompetitor));
+  EXPECT_FALSE(is_convincing(detection_of(2.9, kFirm, 0.9), kNoCompetitor));
 }
 
 TEST(Convincing, FarBehindAnotherInstanceItMayBeALike) {
-  EXPECT_TRUE(convincing(detection_of(8, kFirm, 0.9), -2));
-  EXPECT_FALSE(convincing(detection_of(8, kFirm, 0.9), -5));
-  EXPECT_TRUE(convincing(detection_of(10), -5)) << "covered, perhaps, but beyond doubt";
+  EXPECT_TRUE(is_convincing(detection_of(8, kFirm, 0.9), -2));
+  EXPECT_FALSE(is_convincing(detection_of(8, kFirm, 0.9), -5));
+  EXPECT_TRUE(is_convincing(detection_of(10), -5)) << "certain, although possibly covered";
 }
 
 }  // namespace

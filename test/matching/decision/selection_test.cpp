@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "matching/decision/selection.hpp"
 
 #include <gtest/gtest.h>
@@ -21,8 +22,8 @@ class SelectionTest : public ::testing::Test {
     detection.pose = {100, 100, 0};
     detection.covariance = detection.cautious = cv::Matx33d::diag({0.01, 0.01, 1e-6});
     detection.log_odds = log_odds;
-    detection.projected = projected;
-    detection.elsewhere = elsewhere;
+    detection.shading_free_ncc = projected;
+    detection.contour_alternative = elsewhere;
     return detection;
   }
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "matching/evidence/block_residuals.hpp"
 
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "matching/evidence/colour_parts.hpp"
 
 #include <gtest/gtest.h>
@@ -29,7 +30,7 @@ class ColourPartsTest : public ::testing::Test {
     sum.convertTo(picture, CV_8U);
   }
 
-  /// Its head marked, so that it looks different the other way round.
+  /// With a marked head, so that half a turn looks different.
   cv::Mat picture_with(const cv::Scalar& handle, std::uint64_t seed) const {
     cv::Mat picture(150, 300, CV_8UC3, kTable);
     picture(tool_) = kSteel;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "matching/evidence/contour_alternative.hpp"
 
 #include <cmath>
@@ -23,7 +24,7 @@ class OutlineElsewhere : public test::MatcherTest {
                             compose(reference, inverse(view.reference_in_anchor)), 1);
   }
 
-  /// The same outline over a surface that lies `off` [px] elsewhere.
+  /// The same outline with a surface displaced by `off` [px].
   test::LearningPicture with_surface_moved(cv::Point2d off) const {
     test::LearningPicture moved = source_;
     cv::warpAffine(source_.surface, moved.surface, cv::Matx23d(1, 0, off.x, 0, 1, off.y),
@@ -53,7 +54,7 @@ TEST_F(OutlineElsewhere, ItIsBetterByWhatThePlaceItselfIs) {
   scene.prepare();
   ContourAlignment agreement(contour, scene);
   const Pose2D anchor = compose(truth_, inverse(view.reference_in_anchor));
-  const double best = agreement.climbed(anchor, 1).agreement;
+  const double best = agreement.aligned(anchor, 1).agreement;
   const double turn = 2 / contour.radius();  // two pixels at the rim
   // Near, far, and between the places that are tried.
   for (const cv::Point2d off : {cv::Point2d(3, 0), {0, -3.2}, {5, 5}, {-5, 3}, {3, -5}, {6, 6}})
@@ -86,9 +87,9 @@ TEST_F(OutlineElsewhere, APoseThatItsOutlineContradictsIsTold) {
   const Pose2D anchor = compose(truth_, inverse(view.reference_in_anchor));
   PoseHypothesis beside = score_as_is(view, scene, {anchor.x + 5, anchor.y - 3, anchor.theta});
   beside.odds = 5;
-  const auto judged = judge(object, view, scene, {beside});
+  const auto judged = verify(object, view, scene, {beside});
   ASSERT_EQ(judged.size(), 1u);
-  EXPECT_GT(judged[0].elsewhere, kContradicts);
+  EXPECT_GT(judged[0].contour_alternative, kContradicts);
 }
 
 TEST_F(OutlineElsewhere, ASurfaceThatItsOutlineContradictsIsNeverGraspable) {

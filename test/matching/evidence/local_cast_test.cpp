@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "matching/evidence/local_cast.hpp"
 
 #include <gtest/gtest.h>
@@ -41,7 +42,7 @@ TEST_F(LocalCastTest, IsTakenOutAtItsPrice) {
   const double area = view_.shape.area();
   EXPECT_EQ(plain.cast, 0) << "as seen where nothing else is likelier";
   EXPECT_NEAR(redder.cast, 0.21, 0.03);
-  EXPECT_NEAR(redder.best_blocks, plain.best_blocks, 0.4);
+  EXPECT_NEAR(redder.trimmed_residual, plain.trimmed_residual, 0.4);
   EXPECT_LT(log_odds(redder, area), log_odds(plain, area) - 3);
 }
 

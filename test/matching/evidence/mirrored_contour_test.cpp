@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "matching/evidence/mirrored_contour.hpp"
 
 #include "matching/matcher_fixture.hpp"
@@ -30,8 +31,8 @@ class TurnedOverTest : public test::MatcherTest {
                    const cv::Mat& scene) const {
     const PreparedObject object(test::object_from(taught, {60, 60, 0}), Engine::kFast);
     const PreparedView& view = object.views.front();
-    return view.turned_over.better(view.fine.contour, SceneLevel(scene, 0),
-                                   compose(pose, inverse(view.reference_in_anchor)), 1);
+    return view.mirrored_contour.better(view.fine.contour, SceneLevel(scene, 0),
+                                        compose(pose, inverse(view.reference_in_anchor)), 1);
   }
 };
 
@@ -75,13 +76,13 @@ TEST_F(TurnedOverTest, AnOutlineThatIsItsOwnMirrorImageAgreesAsWell) {
   const test::LearningPicture plate(3, map);
   EXPECT_NEAR(better_at(truth_, plate, scene_with(plate, truth_)), 0, 0.04);
   const PreparedObject object(test::object_from(plate, {60, 60, 0}), Engine::kFast);
-  EXPECT_EQ(object.views.front().turned_over.limit(), kMirrored);
+  EXPECT_EQ(object.views.front().mirrored_contour.limit(), kMirrored);
 }
 
 TEST_F(TurnedOverTest, ASlightDifferenceIsToldWhereTheLessonTellsIt) {
   const test::LearningPicture plate = cut_plate();
   const PreparedObject object(test::object_from(plate, {60, 60, 0}), Engine::kFast);
-  const double limit = object.views.front().turned_over.limit();
+  const double limit = object.views.front().mirrored_contour.limit();
   const double over = better_at(truth_, plate, scene_with(test::mirrored(plate), truth_));
   EXPECT_GT(over, limit);
   EXPECT_LT(limit, kMirrored / 2)

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "matching/evidence/torn_contour.hpp"
 
 #include "matching/matcher_fixture.hpp"
@@ -11,7 +12,7 @@ class TornOutline : public test::MatcherTest {
  protected:
   TornOutline() { test::place(scene_, source_, reference_.position(), truth_); }
 
-  /// Rows from `from` on show what lay `way` [px] to the left.
+  /// Rows from `from` on are displaced by `way` [px].
   static cv::Mat torn(const cv::Mat& picture, int from, double way) {
     cv::Mat moved, result = picture.clone();
     cv::warpAffine(picture, moved, cv::Matx23d(1, 0, way, 0, 1, 0), picture.size(),
@@ -67,7 +68,7 @@ TEST_F(TornOutline, ADetectionKnows) {
     const ScenePicture scene(torn(scene_, cvRound(anchor.y), way), object_.top_level());
     PoseHypothesis found = score_as_is(view_, scene, {anchor.x + way / 2, anchor.y, anchor.theta});
     found.odds = 12;
-    EXPECT_EQ(judge(object_, view_, scene, {found}).at(0).torn, way > 0);
+    EXPECT_EQ(verify(object_, view_, scene, {found}).at(0).torn, way > 0);
   }
 }
 

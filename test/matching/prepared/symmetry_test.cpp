@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "mbncc/matching/symmetry.hpp"
 
 #include <gtest/gtest.h>
@@ -85,7 +86,7 @@ TEST(Symmetry, TextureBreaksIt) {
   EXPECT_EQ(measured(test::LearningPicture(51, square).picture, square).possible, 1);
 }
 
-// A print, a side seen aslant and gloss look alike in one image: only the operator can tell.
+// A print, an oblique side and gloss look alike in one image, so only the operator can decide.
 TEST(Symmetry, ARoundOutlineIsLeftToTheOperatorWhateverItsTexture) {
   const MeasuredSymmetry symmetry = measured(test::LearningPicture(51, disc()).picture, disc());
   EXPECT_EQ(symmetry.certain, 1);
@@ -149,7 +150,7 @@ TEST(Symmetry, ATaperedOutlineLeavesItToTheOperator) {
   EXPECT_EQ(symmetry.possible, 2);
 }
 
-// The centroid of a map is no better than its edge: the surface tells where the centre is.
+// The centroid of a map is no more accurate than its edge; the surface determines the centre.
 TEST(Symmetry, ARoughlyCutMapHidesNone) {
   cv::Mat picture = painted(bar());
   for (int x = 27; x < 60; x += 8) {
@@ -187,7 +188,7 @@ TEST(Symmetry, WhatIsDeclaredCounts) {
   EXPECT_THROW(PreparedObject(model, Engine::kFast), std::invalid_argument);
 }
 
-/// A bar with a faint mark, which the measure leaves to the operator, found where it was learned.
+/// A bar with a faint mark, whose symmetry is left to the operator, found in its learning picture.
 class MarkedBar : public test::MatcherTest {
  protected:
   Match found(const cv::Mat& map, std::optional<int> declared) {
@@ -227,7 +228,7 @@ TEST_F(MarkedBar, AsADiscIsGraspableAtAnyAngleOnceDeclaredRound) {
   EXPECT_TRUE(declared.graspable);
 }
 
-// Whoever declares a symmetry that a bar does not have gets no other angles by it.
+// A wrongly declared symmetry of a bar does not add angles.
 TEST_F(MarkedBar, DeclaredNoneKeepsTheAngleStrict) {
   cv::Mat plain = painted(bar());
   auto model = std::make_shared<ObjectModel>();

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "matching/proposal/colour_prefilter.hpp"
 
 #include <gtest/gtest.h>

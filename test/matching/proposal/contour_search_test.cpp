@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The coarse search by edges proposes poses over all of a picture.
 #include "matching/proposal/contour_search.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The template at all rotations.
 #include "matching/proposal/template_bank.hpp"
 

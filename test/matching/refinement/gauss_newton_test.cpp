@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Refinement: the pose is pulled onto the surface and onto the contour.
 #include <gtest/gtest.h>
 
@@ -31,7 +32,7 @@ class ClimbTest : public ::testing::Test {
     return scene;
   }
 
-  /// The object laid into a scene, and where its template's anchor lies then.
+  /// The object composited into a scene, with its template's anchor.
   struct Laid {
     Laid(bool textured, const Pose2D& truth)
         : source(lesson(textured)),
@@ -65,10 +66,10 @@ TEST_F(ClimbTest, FindsBackFromNearby) {
     const Laid laid(textured, {101.4, 77.3, 0.7});
     for (int k = 0; k < 8; ++k) {
       const Pose2D start = beside(laid.anchor, k);
-      const AlignedPose climbed = align(laid.view.fine, laid.scene, start, 12);
-      EXPECT_LT(cv::norm(climbed.pose.position() - laid.anchor.position()), 0.5)
+      const AlignedPose aligned = align(laid.view.fine, laid.scene, start, 12);
+      EXPECT_LT(cv::norm(aligned.pose.position() - laid.anchor.position()), 0.5)
           << (textured ? "textured" : "plain") << ", direction " << k;
-      EXPECT_LT(angle_distance(climbed.pose.theta, laid.anchor.theta), 0.8 * kDegree);
+      EXPECT_LT(angle_distance(aligned.pose.theta, laid.anchor.theta), 0.8 * kDegree);
     }
   }
 }

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Small objects: the pose is settled by how object and background mix along the edge.
 #include "matching/refinement/mixed_pixel_model.hpp"
 

@@ -1,5 +1,5 @@
-// The last fraction of a pixel: what light displaces must not displace the pose, and the claim of
-// its accuracy must hold.
+// SPDX-License-Identifier: BSD-3-Clause
+// Sub-pixel refinement: light must not displace the pose, and the covariance must hold.
 #include "matching/refinement/refinement.hpp"
 
 #include <gtest/gtest.h>
@@ -256,11 +256,11 @@ TEST(MotionPullTest, WhatIsLooseTellsLessOfThePlaceAndAsMuchOfNothing) {
   pull.information = cv::Matx44d(50, 3, 8, 2, 3, 40, -5, 1, 8, -5, 900, 4, 2, 1, 4, 700);
   const Motion motion(0.2, -0.1, 0.01, 0.02);
   pull.vector = pull.information * motion;
-  EXPECT_LT(cv::norm(loosened(pull, 1e-6).information - pull.information), 1e-6);
-  const NormalEquations loose = loosened(pull, 0.5);
+  EXPECT_LT(cv::norm(marginalised_over_shift(pull, 1e-6).information - pull.information), 1e-6);
+  const NormalEquations loose = marginalised_over_shift(pull, 0.5);
   EXPECT_LT(loose.information(0, 0), 1 / (0.5 * 0.5));
   EXPECT_LT(loose.information(1, 1), 1 / (0.5 * 0.5));
-  // The turn it tells of is known only less the shift that it is mistaken for.
+  // The rotation is known only up to the correlated shift.
   EXPECT_LT(loose.information(2, 2), pull.information(2, 2));
   EXPECT_GT(loose.information(2, 2), 0.9 * pull.information(2, 2));
   EXPECT_LT(cv::norm(loose.information * motion - loose.vector), 1e-9);
@@ -271,7 +271,7 @@ TEST(MotionPullTest, WhatIsLooseThroughoutTellsLessOfEverything) {
   pull.information = cv::Matx44d(50, 3, 8, 2, 3, 40, -5, 1, 8, -5, 90000, 4, 2, 1, 4, 70000);
   const Motion motion(0.2, -0.1, 0.01, 0.02);
   pull.vector = pull.information * motion;
-  const NormalEquations loose = loosened_throughout(pull, 0.5, 20);
+  const NormalEquations loose = marginalised_over_shift_and_turn(pull, 0.5, 20);
   for (int k = 0; k < 4; ++k)
     EXPECT_LT(loose.information(k, k), (k < 2 ? 1.0 : 20.0 * 20.0) / (0.5 * 0.5)) << k;
   EXPECT_LT(cv::norm(loose.information * motion - loose.vector), 1e-9);

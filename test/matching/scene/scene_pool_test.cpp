@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "matching/scene/scene_pool.hpp"
 
 #include <gtest/gtest.h>
@@ -21,7 +22,7 @@ bool equal(const cv::Mat& a, const cv::Mat& b) {
   return a.size() == b.size() && a.type() == b.type() && cv::norm(a, b, cv::NORM_INF) == 0;
 }
 
-/// All that a search reads of `scene` is as in a scene of its own.
+/// All data of `scene` are as in a new scene.
 void expect_as_if_fresh(const ScenePicture& scene, const cv::Mat& picture) {
   constexpr int kMargin = 20;
   const ScenePicture fresh(picture, kTop);

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "matching/search/colour_cast.hpp"
 
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Colours choose among poses that lie on edges.
 #include "matching/search/colour_ranking.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // A view is looked for again, and harder, where the first look does not find it.
 #include "matching/search/view_search.hpp"
 
@@ -39,9 +40,9 @@ class ViewSearchTest : public ::testing::Test {
   explicit ViewSearchTest(const test::LearningPicture& source)
       : source_(source), object_(test::object_from(source_, {52, 60, 0}), Engine::kFast) {}
 
-  std::vector<Detection> search(const cv::Mat& picture, SearchMode look) const {
+  std::vector<Detection> search(const cv::Mat& picture, SearchMode mode) const {
     return search_view(object_, object_.views.front(), ScenePicture(picture, object_.top_level()),
-                       {{0, 0}, picture.size()}, look);
+                       {{0, 0}, picture.size()}, mode);
   }
 
   static bool lies_at(const Detection& detection, const Pose2D& truth) {
@@ -50,21 +51,21 @@ class ViewSearchTest : public ::testing::Test {
            angle_distance(pose.theta, truth.theta) < to_radians(4.);
   }
 
-  /// Pictures, of twelve, whose best detection lies where the object was laid.
-  int found_by(SearchMode look) const {
+  /// Number of pictures, of twelve, whose best detection is at the true place.
+  int found_by(SearchMode mode) const {
     int found = 0;
     for (unsigned k = 0; k < 12; ++k) {
       cv::Mat picture = busy_ground(20 + k);
       const Pose2D truth{90.0 + 11 * k, 80.0 + 7 * k, 0.5 * k};
       test::place(picture, source_, kReference, truth);
-      const auto detections = search(picture, look);
+      const auto detections = search(picture, mode);
       found += !detections.empty() && lies_at(detections.front(), truth);
     }
     return found;
   }
 
   /// Pictures, of twelve, where the object is found on busy ground and not only, twice, on plain.
-  int found_third_by(SearchMode look) const {
+  int found_third_by(SearchMode mode) const {
     int found = 0;
     for (unsigned k = 0; k < 12; ++k) {
       cv::Mat picture = busy_ground(20 + k);
@@ -73,7 +74,7 @@ class ViewSearchTest : public ::testing::Test {
       test::place(picture, source_, kReference, {60, 170, 2.0});
       const Pose2D truth{190.0 + 6 * k, 80.0 + 7 * k, 0.5 * k};
       test::place(picture, source_, kReference, truth);
-      const auto detections = search(picture, look);
+      const auto detections = search(picture, mode);
       found += std::any_of(detections.begin(), detections.end(),
                            [&](const Detection& one) { return lies_at(one, truth); });
     }
@@ -101,7 +102,7 @@ TEST_F(WiderHookTest, BesideSeveralInstancesFurtherOnesAreLookedFor) {
   EXPECT_GT(in_the_end, at_once);
 }
 
-/// A plate that looks the same half turned, but for a whisker, which moves the middle of its
+/// A plate with a half-turn symmetry except for a thin appendix, which moves the middle of its
 /// excircle by 20 px and its centroid by two.
 test::LearningPicture whiskered_plate() {
   cv::Mat map = cv::Mat::zeros(120, 140, CV_8UC1);

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "matching/template/candidate.hpp"
 
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // What saturates the camera, and shows nothing of the object, is not compared.
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "mbncc/matching/similarity.hpp"
 
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "nodelets/camera/picture_source.hpp"
 
 #include <gtest/gtest.h>

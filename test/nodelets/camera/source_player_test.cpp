@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "nodelets/camera/source_player.hpp"
 
 #include <diagnostic_updater/DiagnosticStatusWrapper.h>
@@ -15,7 +16,7 @@ namespace {
 
 using Seconds = SourcePlayer::Seconds;
 
-/// What a camera does, told in advance; the world below it has clocks that only move in pauses.
+/// A scripted camera, in a simulated environment whose clocks advance only in pauses.
 struct Story {
   bool live = false;
   double rate = 0;      // [Hz]

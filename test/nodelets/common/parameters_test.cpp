@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "nodelets/common/parameters.hpp"
 
 #include <gtest/gtest.h>

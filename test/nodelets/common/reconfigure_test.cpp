@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "nodelets/common/reconfigure.hpp"
 
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // From camera_info and tf to metres: raw and rectified pictures, and calibrations that are none.
 #include "nodelets/conversion/calibration.hpp"
 
@@ -221,7 +222,7 @@ TEST(Calibration, UnusableCameraInfoIsRefusedWithASentence) {
   EXPECT_FALSE(calibrate({}, &info, header(), kSize, tf).platform);
 }
 
-/// The sentence says what is wrong.
+/// The message names the fault.
 void expect_fault(bool rectified, const sensor_msgs::CameraInfo& info, const std::string& words) {
   tf2_ros::Buffer tf;
   const auto calibration = calibrate(at_distance(rectified), &info, header(), kSize, tf);

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "nodelets/conversion/object_frames.hpp"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
-// What programs hear that know standard messages and frames only, beside what detected_objects
-// says.
+// SPDX-License-Identifier: BSD-3-Clause
+// Outputs for programs that use only standard messages and frames, compared with detected_objects.
 #include <geometry_msgs/PoseArray.h>
 #include <gtest/gtest.h>
 #include <ros/ros.h>
@@ -112,7 +112,7 @@ TEST_F(StandardOutputs, SayWhatDetectedObjectsSays) {
   EXPECT_NEAR(grasp.translation.z, 0.1, 1e-6) << "as marked above the platform";
   EXPECT_NEAR(std::hypot(grasp.rotation.x, grasp.rotation.y), 1, 1e-6) << "and pointing down";
 
-  // What is gone is told by empty messages.
+  // Lost objects are reported by empty messages.
   order("camera/take_away");
   ASSERT_TRUE(spin_until([this] { return rests(false); }));
   const ros::Time gone = truth_->header.stamp;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Waiting for a robot's tf. A wait that should not be would last an hour, and the test would run
 // into its time limit.
 #include "nodelets/conversion/tf_wait.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "nodelets/vision/vision_messages.hpp"
 
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "nodelets/learning/lesson_goal.hpp"
 
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Cancelling a lesson and unloading the learning nodelet in every stage, in this process so that
 // sanitizers see it. MBNCC_ROUNDS: how often each; the slowest of all goes to the test's report.
 #include <gtest/gtest.h>

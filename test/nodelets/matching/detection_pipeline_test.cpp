@@ -1,4 +1,5 @@
-// What goes out about a picture, and what may move an arm.
+// SPDX-License-Identifier: BSD-3-Clause
+// Messages about a picture, and the conditions to move an arm.
 #include "nodelets/matching/detection_pipeline.hpp"
 
 #include <gtest/gtest.h>
@@ -60,7 +61,7 @@ class DetectionPipelineTest : public testing::Test {
     return received;
   }
 
-  /// What goes out about the last of so many equal pictures.
+  /// Messages about the last of several equal pictures.
   DetectedObjectArray after(int pictures) {
     const LiveMatcher matcher({}, folder_.path());
     DetectionPipeline pipeline(config_, matcher, tf_);

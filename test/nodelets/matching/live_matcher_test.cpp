@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "nodelets/matching/live_matcher.hpp"
 
 #include <gtest/gtest.h>
@@ -20,7 +21,7 @@ cv::Mat plate_picture(cv::Size size) {
   return picture;
 }
 
-// A textured plate learned in a picture of its own.
+// A textured plate learned in a separate picture.
 ObjectModel plate(const std::string& name, cv::Size picture_size) {
   const cv::Mat picture = plate_picture(picture_size);
   cv::Mat map = cv::Mat::zeros(picture_size, CV_8UC1);

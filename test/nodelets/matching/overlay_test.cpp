@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "nodelets/matching/overlay.hpp"
 
 #include <gtest/gtest.h>

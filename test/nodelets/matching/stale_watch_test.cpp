@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "nodelets/matching/stale_watch.hpp"
 
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "mbncc/cell/demonstration.hpp"
 
 #include "mbncc/cell/second_look.hpp"
@@ -5,13 +6,13 @@
 namespace mbncc {
 namespace {
 
-constexpr double kAgain = 1;             // [s] light may change while all keeps still
+constexpr double kAgain = 1;             // [s] tolerated change of light in a still scene
 constexpr double kOtherLight = 1.15;     // exposure factor worth a new picture
-constexpr double kMostOfPicture = 0.45;  // changed part of a picture that is another scene
+constexpr double kMostOfPicture = 0.45;  // changed part of the picture: another scene
 
-/// What differs was there before and is there no longer.
+/// Whether the difference was present before and has disappeared.
 bool has_left(const cv::Mat& changed, const StillShot& before, const StillShot& after) {
-  constexpr double kMostly = 0.5;  // what it uncovers looks as if it had come
+  constexpr double kMostly = 0.5;  // the uncovered part looks like an arrival
   return part_put_down(changed, after.picture, before.picture) > kMostly;
 }
 
@@ -28,7 +29,7 @@ Demonstration::Step Demonstration::look(const std::optional<StillShot>& still) {
   return still ? judge(*still) : Step::kMoving;
 }
 
-/// A still period is judged when it begins, and now and then.
+/// A still period is evaluated at its begin, and periodically.
 Demonstration::Step Demonstration::judge(const StillShot& still) {
   const bool due = still.number > seen_ || still.stamp - compared_at_ >= kAgain;
   if (due && still.picture.size() == before_.picture.size()) {

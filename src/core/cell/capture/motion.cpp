@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "cell/capture/motion.hpp"
 
 #include <algorithm>
@@ -12,7 +13,7 @@ namespace {
 constexpr int kWidth = 160;             // [px]
 constexpr int kSampledWidth = 640;      // [px]
 constexpr double kLeastDifference = 5;  // [grey levels] of a small pixel
-constexpr double kSureDifference = 30;  // [grey levels] motion, however much else differs
+constexpr double kSureDifference = 30;  // [grey levels] motion in any case
 constexpr double kNoiseFactor = 6;      // times the standard deviation of the pair
 constexpr int kLeastPatch = 3;          // [px] small pixels, after opening
 
@@ -24,7 +25,7 @@ float median_of(const cv::Mat& values) {
 }  // namespace
 
 cv::Mat motion_picture(const cv::Mat& picture) {
-  // Area averages of a large picture are slow, and a quarter of its pixels tells as much.
+  // Area averages of a large picture are slow, and a quarter of its pixels suffices.
   cv::Mat sampled = picture, small, grey, values;
   if (picture.cols > kSampledWidth) {
     const double share = static_cast<double>(kSampledWidth) / picture.cols;

@@ -1,4 +1,5 @@
-// Has anything moved between two pictures of a still camera?
+// SPDX-License-Identifier: BSD-3-Clause
+// Detects motion between two pictures of a still camera.
 #pragma once
 
 #include <opencv2/core.hpp>
@@ -8,8 +9,8 @@ namespace mbncc {
 /// Small grey version (CV_32FC1, about 160 px wide) of a CV_8UC3 picture, for has_moved().
 cv::Mat motion_picture(const cv::Mat& picture);
 
-/// True when a patch of some pixels differs beyond the noise of the pair. An exposure that differs
-/// as a whole is not motion.
+/// True when a patch of some pixels differs beyond the noise of the pair. A global difference of
+/// exposure is not motion.
 bool has_moved(const cv::Mat& a, const cv::Mat& b);
 
 }  // namespace mbncc

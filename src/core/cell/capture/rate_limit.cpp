@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "mbncc/cell/rate_limit.hpp"
 
 #include <algorithm>
@@ -5,7 +6,7 @@
 namespace mbncc {
 namespace {
 
-constexpr double kMostSaved = 2.5;      // pictures; less would be lost to uneven ones
+constexpr double kMostSaved = 2.5;      // pictures; fewer would lose some if they arrive unevenly
 constexpr double kRounding = 1 - 1e-6;  // of one
 
 }  // namespace

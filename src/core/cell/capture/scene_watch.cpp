@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "mbncc/cell/scene_watch.hpp"
 
 #include <algorithm>
@@ -10,7 +11,7 @@ namespace mbncc {
 namespace {
 
 constexpr std::size_t kPeriodsKept = 8;
-constexpr double kBorderShare = 0.01;  // of the picture's width: so near counts as at the edge
+constexpr double kBorderShare = 0.01;  // of the picture's width: counts as at the edge
 
 bool reaches_border(const cv::Mat& changed) {
   const int border = std::max(2, cvRound(kBorderShare * changed.cols));
@@ -71,7 +72,7 @@ void SceneWatch::keep_shot(double stamp, const cv::Mat& picture) {
     waiting_ = settled_ = {picture, stamp, ++periods_};
     return;
   }
-  // The next motion may begin in the newest pictures without being noticed yet.
+  // The newest pictures may show the beginning of a motion that is not detected yet.
   if (stamp - waiting_.stamp >= still_time_ / 2) {
     settled_ = waiting_;
     waiting_ = {picture, stamp, periods_};

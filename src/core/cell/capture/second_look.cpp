@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "mbncc/cell/second_look.hpp"
 
 #include <array>
@@ -7,7 +8,7 @@
 namespace mbncc {
 namespace {
 
-constexpr int kGap = 7, kRing = 31;  // [px] sides of the dilations that the ring lies between
+constexpr int kGap = 7, kRing = 31;  // [px] sides of the dilations that bound the ring
 constexpr int kBits = 5;             // shift from grey levels to bins: 8 bins a channel
 constexpr double kRare = 0.005;      // share of the ring
 constexpr double kClearRatio = 4;    // of likelihoods, for a pixel to count
@@ -17,11 +18,11 @@ std::size_t bin_of(const cv::Vec3b& colour) {
                                   colour[2] >> kBits);
 }
 
-/// How often colours occur on the platform around a map, in both pictures.
+/// Colour histogram of the platform around a map, in both pictures.
 class PlatformColours {
  public:
   PlatformColours(const cv::Mat& ring, const cv::Mat& before, const cv::Mat& after) {
-    // A colour seen now and then is as good as unseen.
+    // A rare colour counts as unseen.
     counts_.fill(kRare * 2 * cv::countNonZero(ring) + 1);
     for (int y = 0; y < ring.rows; ++y)
       for (int x = 0; x < ring.cols; ++x)

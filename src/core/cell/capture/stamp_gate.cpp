@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "mbncc/cell/stamp_gate.hpp"
 
 #include <utility>
@@ -5,7 +6,7 @@
 namespace mbncc {
 namespace {
 
-// Clocks are slewed by some milliseconds; a bag that starts again goes back by more.
+// Clocks are slewed by some milliseconds; a restarted bag jumps back by more.
 constexpr double kJump = 0.05;  // [s]
 
 }  // namespace

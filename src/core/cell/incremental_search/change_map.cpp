@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "mbncc/cell/change_map.hpp"
 
 #include <algorithm>
@@ -12,16 +13,16 @@ namespace mbncc {
 namespace {
 
 constexpr double kLeastDifference = 4;  // [grey levels] of a cell's mean
-constexpr double kSureDifference = 16;  // [grey levels] no noise of a cell's mean
+constexpr double kSureDifference = 16;  // [grey levels] beyond the noise of a cell's mean
 constexpr double kNoiseFactor = 8;      // median differences of cells
-constexpr float kFollow = 0.05F;        // [grey levels] the records follow the light per picture
-constexpr float kDark = 8;              // [grey levels] keeps ratios of dark cells sober
-constexpr int kStride = 37;             // every so many cells tell gain and noise
-constexpr double kPatience = 1.5;       // [s] that a patch may be restless
-constexpr double kCalm = 0.095;         // [s] that a patch is at rest before it is told
-constexpr int kJoined = 3;              // [cells] patches no farther apart are one
+constexpr float kFollow = 0.05F;        // [grey levels] drift of the reference per picture
+constexpr float kDark = 8;              // [grey levels] regularises ratios of dark cells
+constexpr int kStride = 37;             // stride of the cells used for gain and noise
+constexpr double kPatience = 1.5;       // [s] that a patch may keep changing
+constexpr double kCalm = 0.095;         // [s] that a patch is at rest before it is reported
+constexpr int kJoined = 3;              // [cells] patches no farther apart are joined
 constexpr int kLeastCells = 2;          // of a patch
-constexpr int kStirring = 2;            // cells in motion that keep a patch restless
+constexpr int kStirring = 2;            // cells in motion that keep a patch changing
 constexpr double kUpset = 0.35;         // share of the cells
 
 cv::Mat cell_means(const cv::Mat& picture) {
@@ -54,7 +55,7 @@ cv::Scalar median_gain(const cv::Mat& cells, const cv::Mat& base) {
   return gain;
 }
 
-/// The channels' gains over and over, so that a loop over all values needs no remainder.
+/// The channels' gains repeated, so that a loop over all values needs no modulo.
 struct TiledGain {
   static constexpr int kLength = 48;
 
@@ -112,7 +113,7 @@ cv::Rect in_pixels(const cv::Rect& cells) {
   return {cells.x * side, cells.y * side, cells.width * side, cells.height * side};
 }
 
-/// Lets the records follow what drifts slowly, where nothing differs.
+/// Lets the reference follow slow drift where nothing differs.
 void follow(const cv::Mat& cells, const cv::Mat& differs, const cv::Scalar& gain,
             cv::Mat& records) {
   const int count = static_cast<int>(cells.total()) * cells.channels();
@@ -141,7 +142,7 @@ struct Patches {
   cv::Rect box(int label) const { return box_of_component(statistics, label); }
 
   cv::Mat labels, statistics;
-  int count;  // label 0 is what is no patch
+  int count;  // label 0 is not a patch
 };
 
 }  // namespace

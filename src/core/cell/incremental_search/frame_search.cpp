@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "cell/incremental_search/frame_search.hpp"
 
 #include <algorithm>
@@ -8,15 +9,15 @@
 namespace mbncc {
 namespace {
 
-constexpr double kOverhang = 0.35;  // of the radius: a reference point lies so far off a change
-constexpr int kLooks = 10;          // searches of an instance at rest, for others to average
+constexpr double kOverhang = 0.35;  // of the radius: reference point to change, at most
+constexpr int kLooks = 10;          // searches of an instance at rest, for averaging
 
 cv::Rect square_about(const cv::Point2d& middle, double reach) {
   const int side = 2 * static_cast<int>(std::ceil(reach)) + 1;
   return {cvRound(middle.x) - side / 2, cvRound(middle.y) - side / 2, side, side};
 }
 
-/// Objects are searched one by one, but as if all were searched at once.
+/// Objects are searched one by one, with the scores of a joint search.
 SearchRequest one_by_one(const Matcher& matcher, SearchRequest request) {
   const auto objects = request.names.empty() ? matcher.objects().size() : request.names.size();
   request.among = std::max(request.among, objects);
@@ -38,11 +39,11 @@ FrameSearch::FrameSearch(SearchMemory& memory, const VideoConfig& config, const 
       search_(matcher, picture, one_by_one(matcher, memory.request)) {
   give_up(memory_.sought.update(matcher.objects()));
   for (const auto& [name, sought] : memory_.sought.all())
-    if (sought.swept_at == Sought::kNever) memory_.debts.owe(name, search_.whole());
+    if (sought.swept_at == Sought::kNever) memory_.pending.add(name, search_.whole());
   memory_.changes.update(stamp, picture);
 }
 
-/// What objects that are no longer sought kept away from their places is judged anew.
+/// Places occupied by objects that are no longer searched are evaluated again.
 void FrameSearch::give_up(const std::vector<std::string>& gone) {
   for (const auto& name : gone) {
     for (const auto& one : memory_.known.all())
@@ -65,9 +66,9 @@ SearchResult FrameSearch::look_at_changes() {
   note_settled();
   verify_touched();
   look_for_hidden();
-  pay_debts(kLost);
+  search_pending(kLost);
   sweep();
-  pay_debts(kSeen);
+  search_pending(kSeen);
   compare_touched();
   look_again();
   return report_of(memory_, matcher_.config(), search_.budget_exceeded());
@@ -91,7 +92,7 @@ std::vector<Footprint> FrameSearch::others(const std::vector<std::string>& names
   return footprints;
 }
 
-/// Of the known instances of `names` about whose places nothing is searched.
+/// The known instances of `names` whose places are not searched.
 std::map<std::string, double> FrameSearch::best_outside(
     const cv::Rect& region, const std::vector<std::string>& names) const {
   std::map<std::string, double> best;
@@ -104,7 +105,7 @@ std::map<std::string, double> FrameSearch::best_outside(
   return best;
 }
 
-/// Compares what is known with what a search of `region` found.
+/// Compares the known instances with the result of a search of `region`.
 void FrameSearch::compare(const SearchResult& result, const cv::Rect& region) {
   std::vector<Rival> found = result.rivals;
   for (const auto& match : result.matches) found.push_back(rival_of(match));
@@ -129,16 +130,16 @@ void FrameSearch::note_swept(const std::string& name, const SearchResult& result
   Sought& sought = memory_.sought.at(name);
   sought.swept_at = stamp_;
   sought.urgent = sought.lost = false;
-  memory_.debts.forget(name);
+  memory_.pending.forget(name);
   const auto clutter = result.clutter.find(name);
   memory_.clutter[name] = clutter == result.clutter.end() ? 0 : clutter->second;
 }
 
-/// Places that have come to rest are owed to every object.
+/// Places that have come to rest must be searched for every object.
 void FrameSearch::note_settled() {
   for (const auto& place : memory_.changes.settled())
     for (const auto& [name, sought] : memory_.sought.all())
-      memory_.debts.owe(name, grown(place, cvRound(kOverhang * sought.radius)) & search_.whole());
+      memory_.pending.add(name, grown(place, cvRound(kOverhang * sought.radius)) & search_.whole());
 }
 
 bool FrameSearch::is_settled(const cv::Rect& box) const {
@@ -147,7 +148,7 @@ bool FrameSearch::is_settled(const cv::Rect& box) const {
                      [&](const cv::Rect& place) { return !(place & box).empty(); });
 }
 
-/// Not compared with anything yet: what other objects may lie there is kept by Known::others.
+/// Not compared yet: Known::others records which objects may lie there.
 Known FrameSearch::known_from(const Match& match) const {
   Known known;
   known.match = match;
@@ -165,7 +166,7 @@ bool FrameSearch::is_in_motion(const cv::Rect& box) const {
 
 void FrameSearch::verify_touched() {
   const ChangeMap& changes = memory_.changes;
-  // What was judged in motion holds for that picture alone.
+  // Results obtained during motion are valid for that picture only.
   std::vector<Known> touched = memory_.known.take([&](const Known& one) {
     return changes.is_upset() || one.in_motion || changes.touches(one.box());
   });
@@ -178,8 +179,8 @@ void FrameSearch::verify_touched() {
     if (!find_again(one, touched)) memory_.hidden.push_back(one);
 }
 
-/// What was hidden is looked for at its place when something comes to rest about there, for the
-/// last time when the place is on record again, as before or otherwise.
+/// Hidden instances are searched at their places when something comes to rest there, for the last
+/// time when the place is in the reference again.
 void FrameSearch::look_for_hidden() {
   const std::vector<Known> before = std::exchange(memory_.hidden, {});
   for (const auto& one : before) {
@@ -189,7 +190,7 @@ void FrameSearch::look_for_hidden() {
   }
 }
 
-/// Looks for an instance near where it was.
+/// Searches an instance near its last place.
 bool FrameSearch::find_again(const Known& one, const std::vector<Known>& before) {
   Sought& sought = memory_.sought.at(one.match.name);
   const auto region = square_about(one.match.pose.position(), sought.reach());
@@ -204,8 +205,8 @@ bool FrameSearch::find_again(const Known& one, const std::vector<Known>& before)
   return found;
 }
 
-/// Once in a while each object is searched everywhere, in turn; one that was found at a new place
-/// at once, for its competitors.
+/// Periodically, each object is searched everywhere, in turn; one that was found at a new place at
+/// once, for its competitors.
 void FrameSearch::sweep() {
   const std::string next = memory_.sought.next_to_sweep();
   if (next.empty()) return;
@@ -230,11 +231,11 @@ void FrameSearch::sweep_for(const std::string& name) {
   compare(result, search_.whole());
 }
 
-/// Within the effort, for the objects that are at least as urgent.
-void FrameSearch::pay_debts(Urgency least) {
+/// Within the effort, for objects of at least this urgency.
+void FrameSearch::search_pending(Urgency least) {
   const auto urgency = [this](const std::string& name) { return urgency_of(name); };
   while (search_.spent() < config_.effort) {
-    const auto due = memory_.debts.next(urgency);
+    const auto due = memory_.pending.next(urgency);
     if (!due || urgency_of(due->name) > least) return;
     look_at_uncompared(due->name, due->region);
     const SearchResult result = search(due->region, {due->name});
@@ -242,12 +243,12 @@ void FrameSearch::pay_debts(Urgency least) {
     const std::vector<Known> before = memory_.known.all();
     for (const auto& match : result.matches) admit(match, before);
     compare(result, due->region);
-    memory_.debts.pay(due->name, due->region);
+    memory_.pending.complete(due->name, due->region);
   }
 }
 
-/// Log-odds compare in one picture only: instances that a search of `region` for `name` is about to
-/// be compared with are searched for in this one, too.
+/// Log-odds are comparable only within one picture, so the instances to be compared with a search
+/// of `region` for `name` are searched in this picture as well.
 void FrameSearch::look_at_uncompared(const std::string& name, const cv::Rect& region) {
   const auto uncompared = memory_.known.take([&](const Known& one) {
     return !one.match.fresh && one.match.name != name && one.others.count(name) == 0 &&
@@ -261,8 +262,7 @@ FrameSearch::Urgency FrameSearch::urgency_of(const std::string& name) const {
   return memory_.known.shows(name) ? kSeen : kUnseen;
 }
 
-/// Within the effort, instances that something still moves about are compared with all objects,
-/// too.
+/// Within the effort, instances with motion around them are also compared with all objects.
 void FrameSearch::compare_touched() {
   for (const auto& name : memory_.sought.names())
     for (std::size_t i = 0; i < memory_.known.all().size(); ++i) {
@@ -278,7 +278,7 @@ void FrameSearch::compare_touched() {
     }
 }
 
-/// Instances at rest are searched a few times more, for those who average.
+/// Instances at rest are searched a few more times, for averaging.
 void FrameSearch::look_again() {
   if (search_.spent() > 0) return;
   auto& known = memory_.known.all();
@@ -290,8 +290,8 @@ void FrameSearch::look_again() {
   find_again(before.front(), before);
 }
 
-/// Takes a match among the known instances; null when a better one lies there. `before` may hold
-/// the same instance as it was known.
+/// Adds a match to the known instances; null if a better one is there. `before` may be the earlier
+/// state of the same instance.
 Known* FrameSearch::admit(const Match& match, const std::vector<Known>& before) {
   const double reach = memory_.sought.at(match.name).reach();
   Known found = known_from(match);
@@ -313,10 +313,10 @@ void FrameSearch::announce(const Known& one) {
   owe_place(one);
 }
 
-/// The place of an instance is owed to all other objects.
+/// The place of an instance must be searched for all other objects.
 void FrameSearch::owe_place(const Known& one) {
   for (const auto& [name, sought] : memory_.sought.all())
-    if (name != one.match.name) memory_.debts.owe(name, touching(one.box(), name));
+    if (name != one.match.name) memory_.pending.add(name, touching(one.box(), name));
 }
 
 /// [px] Reference points of all poses of an object that may touch a box.

@@ -1,4 +1,5 @@
-// One picture of a video being searched where that is needed.
+// SPDX-License-Identifier: BSD-3-Clause
+// Searches one picture of a video where needed.
 #pragma once
 
 #include <map>
@@ -17,13 +18,13 @@ class FrameSearch {
   FrameSearch(SearchMemory& memory, const VideoConfig& config, const Matcher& matcher, double stamp,
               const cv::Mat& picture);
 
-  /// The first picture, or one in which nothing is where it was: everything is searched at once.
+  /// For the first picture, or after a complete change: searches everything at once.
   SearchResult look_everywhere();
 
   SearchResult look_at_changes();
 
  private:
-  /// How urgently an object is searched for; the most urgent first.
+  /// Urgency of an object's search; the most urgent first.
   enum Urgency { kLost, kUnseen, kSeen };
 
   void give_up(const std::vector<std::string>& gone);
@@ -43,7 +44,7 @@ class FrameSearch {
   bool find_again(const Known& one, const std::vector<Known>& before);
   void sweep();
   void sweep_for(const std::string& name);
-  void pay_debts(Urgency least);
+  void search_pending(Urgency least);
   void look_at_uncompared(const std::string& name, const cv::Rect& region);
   Urgency urgency_of(const std::string& name) const;
   void compare_touched();

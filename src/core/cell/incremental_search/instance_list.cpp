@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "cell/incremental_search/instance_list.hpp"
 
 #include <cmath>
@@ -56,7 +57,7 @@ Match Known::judged(const std::vector<std::string>& names, const SearchConfig& c
   if (open != names.end()) result.doubts.push_back({false, "not yet compared with " + *open});
   if (!compared_elsewhere) result.doubts.push_back({false, "not yet compared with other places"});
   conclude(result, config);
-  // A margin to what has not been searched for is not known.
+  // The margin to an object that was not searched is unknown.
   if (open != names.end() || !compared_elsewhere)
     result.margin_place = std::min(0., result.margin_place);
   return result;

@@ -1,4 +1,5 @@
-// The instances that a watched picture is known to show.
+// SPDX-License-Identifier: BSD-3-Clause
+// The known instances in a video.
 #pragma once
 
 #include <algorithm>
@@ -13,29 +14,28 @@
 namespace mbncc {
 
 struct Known {
-  /// Of the last search at its place; its competitors are those of the same object about there.
+  /// From the last search at its place; its competitors are those of the same object nearby.
   Match match;
   /// The last search of the whole picture for this object has compared it with other places.
   bool compared_elsewhere = false;
   std::optional<Competitor> elsewhere;  ///< the best of them
-  /// By name, the objects that were searched for at its place since its pixels changed, with the
-  /// best found there; none of a name: that is still to be done.
+  /// By name, the objects searched at its place since its pixels changed, with the best one found
+  /// there; a missing name is still to be searched.
   std::map<std::string, std::optional<Competitor>> others;
-  bool in_motion = false;  ///< its pixels differed from the records and were not at rest
+  bool in_motion = false;  ///< its pixels differed from the reference and were not at rest
   int looks = 1;           ///< searches since its pixels changed last
 
-  cv::Rect box() const;  ///< [px] about its outline
+  cv::Rect box() const;  ///< [px] bounding box of its outline
 
-  /// It was searched for again on the same pixels, as `before` tells, whose comparisons hold: light
-  /// that changed since is no merit of this instance.
+  /// It was searched again on the same pixels; the comparisons of `before` stay valid, and a change
+  /// of light since then does not count in its favour.
   void take_comparisons(const Known& before);
 
-  /// The match with all that is known about its competitors. Graspable only if it was compared with
-  /// all of `names`.
+  /// The match with its known competitors. Graspable only if it was compared with all of `names`.
   Match judged(const std::vector<std::string>& names, const SearchConfig& config) const;
 };
 
-/// As others are compared with it.
+/// As a competitor of others.
 Rival rival_of(const Match& match);
 
 /// Overlap of the outlines' areas as part of the smaller one [0..1].
@@ -57,7 +57,7 @@ class InstanceList {
 
   bool shows(const std::string& name) const;
 
-  /// Takes out those for which `leaves` holds.
+  /// Removes those for which `leaves` holds.
   template <class Predicate>
   std::vector<Known> take(const Predicate& leaves) {
     const auto begin = std::stable_partition(known_.begin(), known_.end(),
@@ -67,8 +67,8 @@ class InstanceList {
     return taken;
   }
 
-  /// Adds an instance in place of weaker ones there, which become its competitors, or of itself
-  /// within `reach` [px]. Null when a better one lies there. Valid until the next change.
+  /// Adds an instance and replaces weaker ones there, which become its competitors, or itself
+  /// within `reach` [px]. Null if a better one is there. Valid until the next change.
   Known* admit(Known found, double reach);
 
   /// Compares all instances with what a search of the object `name` found. `is_covered(box)`: all

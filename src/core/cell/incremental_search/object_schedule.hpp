@@ -1,4 +1,5 @@
-// The objects that are searched for in a video, and what is still owed to them.
+// SPDX-License-Identifier: BSD-3-Clause
+// The objects searched in a video, and their state.
 #pragma once
 
 #include <map>
@@ -16,7 +17,7 @@ struct Sought {
   std::shared_ptr<const ObjectModel> model;
   double radius = 0;         ///< [px] of the map about the reference point
   double swept_at = kNever;  ///< [s] searched for in the whole picture
-  bool urgent = true;        ///< to be swept at once
+  bool urgent = true;        ///< to be searched everywhere at once
   bool lost = false;         ///< an instance has gone missing
 
   /// [px] that an instance may move between two pictures.
@@ -28,8 +29,7 @@ class ObjectSchedule {
   /// `names`: as in SearchRequest.
   explicit ObjectSchedule(std::vector<std::string> names) : asked_(std::move(names)) {}
 
-  /// Takes over the objects of a matcher. Returns the names of those that are no longer what they
-  /// were.
+  /// Updates the objects from a matcher. Returns the names of those that have changed.
   std::vector<std::string> update(std::vector<std::shared_ptr<const ObjectModel>> models);
 
   const std::map<std::string, Sought>& all() const { return sought_; }
@@ -40,10 +40,10 @@ class ObjectSchedule {
   /// [px] of the largest.
   double radius(const std::vector<std::string>& names) const;
 
-  /// The urgent before the others, the longest not swept first; "": there are none.
+  /// Urgent ones first, then the one not searched for longest; "": none.
   std::string next_to_sweep() const;
 
-  /// Those asked for that cannot be searched for.
+  /// Requested objects that cannot be searched.
   std::vector<std::string> unavailable() const;
 
  private:

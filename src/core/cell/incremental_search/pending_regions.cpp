@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "cell/incremental_search/pending_regions.hpp"
 
 #include <algorithm>
@@ -5,7 +6,7 @@
 namespace mbncc {
 namespace {
 
-constexpr double kWaste = 1.3;  // area of a joint region by that of its parts
+constexpr double kWaste = 1.3;  // area of a joint region relative to that of its parts
 
 bool worth_joining(const cv::Rect& a, const cv::Rect& b) {
   return (a | b).area() <= kWaste * (a.area() + b.area() - (a & b).area());
@@ -13,44 +14,44 @@ bool worth_joining(const cv::Rect& a, const cv::Rect& b) {
 
 }  // namespace
 
-void PendingRegions::owe(const std::string& name, const cv::Rect& region) {
+void PendingRegions::add(const std::string& name, const cv::Rect& region) {
   if (region.empty()) return;
-  for (auto& debt : debts_)
-    if (debt.name == name && worth_joining(debt.region, region)) {
-      debt.region |= region;
+  for (auto& one : pending_)
+    if (one.name == name && worth_joining(one.region, region)) {
+      one.region |= region;
       return;
     }
-  debts_.push_back({name, region});
+  pending_.push_back({name, region});
 }
 
-void PendingRegions::pay(const std::string& name, const cv::Rect& region) {
-  debts_.erase(
-      std::remove_if(debts_.begin(), debts_.end(),
-                     [&](const Debt& debt) { return debt.name == name && debt.region == region; }),
-      debts_.end());
+void PendingRegions::complete(const std::string& name, const cv::Rect& region) {
+  pending_.erase(
+      std::remove_if(pending_.begin(), pending_.end(),
+                     [&](const Pending& one) { return one.name == name && one.region == region; }),
+      pending_.end());
 }
 
 void PendingRegions::forget(const std::string& name) {
-  debts_.erase(std::remove_if(debts_.begin(), debts_.end(),
-                              [&](const Debt& debt) { return debt.name == name; }),
-               debts_.end());
+  pending_.erase(std::remove_if(pending_.begin(), pending_.end(),
+                                [&](const Pending& one) { return one.name == name; }),
+                 pending_.end());
 }
 
-std::optional<PendingRegions::Debt> PendingRegions::next(const Urgency& urgency) const {
-  if (debts_.empty()) return std::nullopt;
-  return *std::min_element(debts_.begin(), debts_.end(), [&](const Debt& a, const Debt& b) {
-    return urgency(a.name) < urgency(b.name);
-  });
+std::optional<PendingRegions::Pending> PendingRegions::next(const Urgency& urgency) const {
+  if (pending_.empty()) return std::nullopt;
+  return *std::min_element(
+      pending_.begin(), pending_.end(),
+      [&](const Pending& a, const Pending& b) { return urgency(a.name) < urgency(b.name); });
 }
 
-bool PendingRegions::owes(const std::string& name) const {
-  return std::any_of(debts_.begin(), debts_.end(),
-                     [&](const Debt& debt) { return debt.name == name; });
+bool PendingRegions::contains(const std::string& name) const {
+  return std::any_of(pending_.begin(), pending_.end(),
+                     [&](const Pending& one) { return one.name == name; });
 }
 
 bool PendingRegions::is_open(const cv::Rect& region) const {
-  return std::any_of(debts_.begin(), debts_.end(),
-                     [&](const Debt& debt) { return !(debt.region & region).empty(); });
+  return std::any_of(pending_.begin(), pending_.end(),
+                     [&](const Pending& one) { return !(one.region & region).empty(); });
 }
 
 }  // namespace mbncc

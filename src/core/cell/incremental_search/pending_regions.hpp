@@ -1,4 +1,5 @@
-// What is still to be searched: places that changed, for each object.
+// SPDX-License-Identifier: BSD-3-Clause
+// Regions still to be searched, for each object.
 #pragma once
 
 #include <functional>
@@ -11,7 +12,7 @@ namespace mbncc {
 
 class PendingRegions {
  public:
-  struct Debt {
+  struct Pending {
     std::string name;
     cv::Rect region;  ///< [px]
   };
@@ -19,25 +20,25 @@ class PendingRegions {
   /// Objects with a smaller number are more urgent.
   using Urgency = std::function<int(const std::string& name)>;
 
-  /// `region` [px] is to be searched for the object. Joined with what it owes about there already.
-  void owe(const std::string& name, const cv::Rect& region);
+  /// Adds `region` [px] to be searched for the object. Joined with its pending regions nearby.
+  void add(const std::string& name, const cv::Rect& region);
 
   /// `region`, as told by next(), has been searched for the object.
-  void pay(const std::string& name, const cv::Rect& region);
+  void complete(const std::string& name, const cv::Rect& region);
 
   /// The object owes nothing any more.
   void forget(const std::string& name);
 
   /// That of the most urgent object, among equals the one that waits longest.
-  std::optional<Debt> next(const Urgency& urgency) const;
+  std::optional<Pending> next(const Urgency& urgency) const;
 
-  bool owes(const std::string& name) const;
+  bool contains(const std::string& name) const;
 
   /// Some object has still to be searched for within `region` [px].
   bool is_open(const cv::Rect& region) const;
 
  private:
-  std::vector<Debt> debts_;  // oldest first
+  std::vector<Pending> pending_;  // oldest first
 };
 
 }  // namespace mbncc

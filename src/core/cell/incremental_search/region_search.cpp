@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "cell/incremental_search/region_search.hpp"
 
 #include <cmath>

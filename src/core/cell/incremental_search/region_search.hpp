@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Searches a part of a picture, at the cost of a part.
 #pragma once
 
@@ -31,7 +32,7 @@ class RegionSearch {
   /// So far, in searches of one object in the whole picture.
   double spent() const { return spent_; }
 
-  /// The time budget cut some search short.
+  /// The time budget ended a search early.
   bool budget_exceeded() const { return budget_exceeded_; }
 
  private:

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "cell/incremental_search/search_memory.hpp"
 
 #include <algorithm>
@@ -17,7 +18,7 @@ void keep_best(int most, std::vector<Match>& matches) {
 }  // namespace
 
 void SearchMemory::forget(const std::string& name) {
-  debts.forget(name);
+  pending.forget(name);
   clutter.erase(name);
   const auto is_it = [&](const Known& one) { return one.match.name == name; };
   known.take(is_it);
@@ -29,7 +30,7 @@ SearchResult report_of(const SearchMemory& memory, const SearchConfig& config,
   const std::vector<std::string> names = memory.sought.names();
   SearchResult result;
   for (const auto& name : names)
-    if (memory.debts.owes(name))
+    if (memory.pending.contains(name))
       result.skipped.push_back(name + ": not yet searched where the picture changed");
     else
       result.searched.push_back(name);

@@ -1,4 +1,5 @@
-// What a watched scene is known to show and what is still owed to it, between pictures.
+// SPDX-License-Identifier: BSD-3-Clause
+// State of the video search between pictures: known instances and pending searches.
 #pragma once
 
 #include <map>
@@ -16,21 +17,21 @@ struct SearchMemory {
   SearchMemory(const SearchRequest& asked, const SearchConfig& config)
       : request(asked), sought(asked.names), known(config.max_overlap) {}
 
-  /// All of one object but that it is sought.
+  /// Drops all data of one object, which stays in the schedule.
   void forget(const std::string& name);
 
   SearchRequest request;
   ChangeMap changes;
   ObjectSchedule sought;
   InstanceList known;
-  std::vector<Known> hidden;  ///< gone from where they were while that was still changing
-  PendingRegions debts;
+  std::vector<Known> hidden;  ///< not found at their places while these were still changing
+  PendingRegions pending;
   std::map<std::string, double> clutter;  ///< by name, of the whole picture
   double last_sweep = 0;                  ///< [s]
 };
 
-/// What a picture shows by all that is known: at most request.max_instances (0: config's) per name,
-/// best first.
+/// The result for a picture from the known instances: at most request.max_instances (0: config's)
+/// per name, best first.
 SearchResult report_of(const SearchMemory& memory, const SearchConfig& config,
                        bool budget_exceeded);
 

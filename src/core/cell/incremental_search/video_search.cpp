@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "mbncc/cell/video_search.hpp"
 
 #include <chrono>

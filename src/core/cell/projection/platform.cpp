@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "mbncc/cell/platform.hpp"
 
 #include <algorithm>
@@ -28,7 +29,7 @@ bool is_nearly(double value, double wanted) {
   return std::abs(value - wanted) <= kMatrixTolerance;
 }
 
-/// The place lies beside the picture by no more than a part of its size.
+/// The place lies outside the picture by no more than a part of its size.
 bool is_near(double place, int size) {
   return place >= -kMostBeside * size && place <= (1 + kMostBeside) * size;
 }
@@ -103,7 +104,7 @@ Plane plane_of(const cv::Matx44d& T_camera_platform) {
   cv::Vec3d normal(rotation(0, 2), rotation(1, 2), rotation(2, 2));
   const double height = -normal.dot(point);
   if (height == 0) throw std::invalid_argument("the camera lies in the platform's plane");
-  // The camera is above the platform, whichever way the frame's z points.
+  // The camera is above the platform, whatever the direction of the frame's z.
   return {point, height > 0 ? normal : -normal};
 }
 

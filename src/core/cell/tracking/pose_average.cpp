@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "mbncc/cell/pose_average.hpp"
 
 #include <algorithm>
@@ -8,11 +9,11 @@ namespace mbncc {
 namespace {
 
 constexpr double kSameAngle = to_radians(15);
-constexpr double kTrendFactor = 3;  // standard deviations that a trend stands out by
-constexpr double kClaims = 2;  // pictures' worth of scatter that the claimed variance counts for
-constexpr double kJumpFactor = 4;   // standard deviations that a jump stands out by
+constexpr double kTrendFactor = 3;  // standard deviations of a significant trend
+constexpr double kClaims = 2;       // weight of the stated variance in pictures
+constexpr double kJumpFactor = 4;   // standard deviations of a significant jump
 constexpr double kMostSurplus = 2;  // scatter by variance, of one coordinate
-// Motions below these do not matter, and perfect pictures do not scatter.
+// Smaller motions are ignored, and perfect pictures do not scatter.
 const cv::Vec3d kLeastTrend(0.05, 0.05, to_radians(0.05));
 
 cv::Vec3d values_of(const Pose2D& pose) {
@@ -37,14 +38,15 @@ cv::Vec3d bends_of(const std::deque<Pose2D>& poses) {
   return sum;
 }
 
-/// Variance of a single pose as the pictures show it.
+/// Variance of a single pose, estimated from the pictures.
 cv::Vec3d scatter_of(const std::deque<Pose2D>& poses) {
   if (poses.size() > 2) return bends_of(poses) / (6.0 * static_cast<double>(poses.size() - 2));
   const cv::Vec3d step = values_of(poses.back()) - values_of(poses.front());
   return step.mul(step) / 2;
 }
 
-/// The later half lies elsewhere than the earlier one, for the scatter and the variance claimed.
+/// Whether the later half differs from the earlier one, relative to the scatter and the stated
+/// variance.
 bool has_trend(const std::deque<Pose2D>& poses, const cv::Matx33d& covariance) {
   const std::size_t count = poses.size(), half = count / 2;
   if (half == 0) return false;
@@ -59,7 +61,7 @@ bool has_trend(const std::deque<Pose2D>& poses, const cv::Matx33d& covariance) {
   return false;
 }
 
-/// The newest pose lies farther from the mean of the others than it may by its covariance.
+/// Whether the newest pose is farther from the mean of the others than its covariance allows.
 bool has_jumped(const std::deque<Pose2D>& poses, const cv::Matx33d& covariance) {
   if (poses.size() < 2) return false;
   const cv::Vec3d step = values_of(poses.back()) - mean_of(poses, 0, poses.size() - 1);
@@ -68,8 +70,8 @@ bool has_jumped(const std::deque<Pose2D>& poses, const cv::Matx33d& covariance) 
   return false;
 }
 
-/// Part of the covariance that is left when `count` pictures share the scatter, which all three
-/// coordinates together tell best.
+/// Part of the covariance that remains after averaging `count` pictures; the scatter is estimated
+/// from all three coordinates together.
 double remaining_share(const cv::Matx33d& covariance, const cv::Vec3d& scatter, double count) {
   double random = 0;
   for (int i = 0; i < 3; ++i)
@@ -77,7 +79,7 @@ double remaining_share(const cv::Matx33d& covariance, const cv::Vec3d& scatter, 
   return std::max(1 / count, 1 - random * (1 - 1 / count));
 }
 
-/// The match at another pose nearby, outline and all.
+/// The match at another pose nearby, with its outline.
 void move_to(const Pose2D& pose, Match& match) {
   const Pose2D move = compose(pose, inverse(match.pose));
   for (auto& point : match.outline) point = transform(move, cv::Point2d(point));

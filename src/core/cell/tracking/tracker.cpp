@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "mbncc/cell/tracker.hpp"
 
 #include <algorithm>
@@ -11,8 +12,8 @@ namespace {
 
 constexpr double kGateShare = 0.5;            // of the outline's radius
 constexpr double kLeastGate = 5;              // [px]
-constexpr double kLongestGuess = 0.5;         // [s] that a motion is taken to go on unseen
-constexpr double kAngleJump = to_radians(3);  // [rad] a torn picture turns what it shows by more
+constexpr double kLongestGuess = 0.5;         // [s] for which a motion is extrapolated
+constexpr double kAngleJump = to_radians(3);  // [rad] torn pictures cause larger errors
 
 /// Distance [px] within which a match continues an instance.
 double gate_of(const Match& match) {
@@ -99,8 +100,8 @@ void InstanceTracker::choose_best(std::vector<TrackedMatch>& tracked) {
   }
 }
 
-/// From where the instance was seen last, or would be had it gone on moving; objects that turn back
-/// are near the first. Infinite for another object.
+/// Distance from the instance's last or extrapolated position, whichever is nearer; objects that
+/// turn back are near the last one. Infinite for another object.
 double InstanceTracker::Track::distance_to(const Match& match, double stamp) const {
   const Match& before = last.match;
   if (before.name != match.name || before.revision != match.revision)
@@ -111,7 +112,7 @@ double InstanceTracker::Track::distance_to(const Match& match, double stamp) con
   return std::min(cv::norm(way), cv::norm(way - velocity * passed));
 }
 
-/// Nearest pairs first; nullptr where a match begins a new instance.
+/// Nearest pairs first; nullptr if a match starts a new instance.
 std::vector<InstanceTracker::Track*> InstanceTracker::associate(double stamp,
                                                                 const std::vector<Match>& matches) {
   struct Pair {

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "learning/change/align_pictures.hpp"
 
 #include <algorithm>
@@ -29,7 +30,7 @@ cv::Mat glare_of(const cv::Mat& before, const cv::Mat& after) {
   return cv::max(cv::max(channels[0], channels[1]), channels[2]) > kGlare;
 }
 
-// Where the platform should look the same in both pictures.
+// Pixels where the platform should look the same in both pictures.
 cv::Mat ring_of(const cv::Rect& window, const cv::Rect& region, const cv::Mat& changed) {
   cv::Mat ring(window.size(), CV_8UC1, cv::Scalar(255));
   const cv::Rect inner = (grown(region, 4) - window.tl()) & cv::Rect({0, 0}, window.size());
@@ -40,7 +41,8 @@ cv::Mat ring_of(const cv::Rect& window, const cv::Rect& region, const cv::Mat& c
   return ~near_change;
 }
 
-// What `light` leaves of the pictures' difference, summed over channels, averaged over 7 x 7.
+// Difference of the pictures after correction by `light`, summed over channels, averaged over 7
+// x 7.
 cv::Mat remaining_difference(const cv::Mat& before, const cv::Mat& after, const Light& light) {
   cv::Mat difference(before.size(), CV_32FC1);
   for_each_strip(before.rows, [&](const cv::Range& rows) {
@@ -52,8 +54,8 @@ cv::Mat remaining_difference(const cv::Mat& before, const cv::Mat& after, const 
   return difference;
 }
 
-// Ring pixels in patches that still differ (a moved neighbour, the gripper) are no platform.
-// Unless hardly anything would be left: then the fit itself was wrong.
+// Ring pixels in patches that still differ (a moved neighbour, the gripper) are excluded, unless
+// hardly any would remain, because then the fit itself was wrong.
 cv::Mat without_changed_blobs(const cv::Mat& difference, const cv::Mat& ring) {
   std::vector<float> values;
   for (int y = 0; y < ring.rows; y += 3)
@@ -65,8 +67,8 @@ cv::Mat without_changed_blobs(const cv::Mat& difference, const cv::Mat& ring) {
   return cv::countNonZero(quiet) > 0.3 * cv::countNonZero(ring) ? quiet : ring;
 }
 
-// A clipped pixel says only "at least so bright": where the other picture is bright as well, take
-// its value.
+// A clipped pixel is only a lower bound of the brightness: if the other picture is bright as well,
+// its value is used.
 void censor_glare(const cv::Mat& before, const cv::Mat& after, cv::Mat& lit) {
   cv::Mat row;
   for (int y = 0; y < lit.rows; ++y) {
@@ -88,7 +90,7 @@ class Alignment {
   Alignment(const cv::Mat& before, const cv::Mat& after, const cv::Rect& window,
             const cv::Mat& ring)
       : before_(before(window)), window_(window), ring_(ring) {
-    // A margin keeps the border's replication out of the window when a shift is undone.
+    // A margin keeps replicated borders out of the window when a shift is compensated.
     source_window_ = grown(window, 10) & cv::Rect({0, 0}, after.size());
     source_ = after(source_window_);
     moved_ = source_(window_ - source_window_.tl());
@@ -102,7 +104,7 @@ class Alignment {
     lit_ = apply_light(moved_, light_);
   }
 
-  // The ring's changed patches depend on the shift and the other way round: two passes.
+  // The ring's changed patches and the shift depend on each other, so there are two passes.
   void undo_camera_shift(double max_shift) {
     shift_ = estimate_shift(smooth_luminance(before_), smooth_luminance(lit_), trusted_, max_shift);
     if (shift_ == cv::Point2d()) return;

@@ -1,4 +1,5 @@
-// Makes the picture after the grasp comparable with the one before it: camera shift and light.
+// SPDX-License-Identifier: BSD-3-Clause
+// Aligns the picture after with the one before: compensates camera shift and light.
 #pragma once
 
 #include <opencv2/core.hpp>
@@ -6,15 +7,15 @@
 namespace mbncc {
 
 struct AlignedPair {
-  cv::Rect window;  ///< [px] of the pictures: the region and a ring of platform around it
-  cv::Mat before;   ///< CV_32FC3, the window of `before`
-  cv::Mat after;    ///< CV_32FC3, the window of `after` as the other camera pose and light show it
-  cv::Mat trusted;  ///< CV_8UC1, 255 on ring pixels that show unchanged platform
-  cv::Point2d shift;  ///< [px] that was undone
+  cv::Rect window;    ///< [px] of the pictures: the region and a ring of platform around it
+  cv::Mat before;     ///< CV_32FC3, the window of `before`
+  cv::Mat after;      ///< CV_32FC3, the window of `after` in the camera pose and light of `before`
+  cv::Mat trusted;    ///< CV_8UC1, 255 on ring pixels that show unchanged platform
+  cv::Point2d shift;  ///< [px] that was compensated
 };
 
-/// `before` and `after` are CV_8UC3 of one size, `region` lies inside them and holds the change.
-/// `changed` is the survey's; it takes the ring's place where the region leaves too little of it.
+/// `before` and `after` are CV_8UC3 of one size, `region` lies inside them and contains the change.
+/// `changed` is the survey's; it replaces the ring if the region leaves too little of it.
 AlignedPair align_pictures(const cv::Mat& before, const cv::Mat& after, const cv::Rect& region,
                            const cv::Mat& changed, double max_shift);
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "learning/change/arrival_test.hpp"
 
 #include <algorithm>
@@ -12,10 +13,10 @@ namespace {
 
 constexpr float kLogCap = 4;                // of one pixel's evidence
 constexpr float kEdgeWeight = 4;            // of the border's evidence
-constexpr float kEdgeFloor = 8;             // [grey levels] edges below this say little
+constexpr float kEdgeFloor = 8;             // [grey levels] weaker edges have little weight
 constexpr double kArrivalScore = -1.5;      // an arrival scores less
-constexpr double kClearance = 2;            // and this much less than the best patch
-constexpr double kLoneArrivalScore = -0.5;  // likewise, without another patch to compare with
+constexpr double kClearance = 2;            // and is lower than the best patch by this much
+constexpr double kLoneArrivalScore = -0.5;  // the same, without another patch to compare with
 constexpr int kSeam = 7;                    // [px]
 constexpr int kSmallestPatch = 20;          // [px]
 
@@ -25,7 +26,7 @@ cv::Mat surveyed(const cv::Mat& picture) {
   return values;
 }
 
-// `after` with the exposure of `before`, as their means over the unchanged pixels tell.
+// `after` with the exposure of `before`, from their means over the unchanged pixels.
 cv::Mat exposed_as(const cv::Mat& before, const cv::Mat& after, const cv::Mat& unchanged) {
   const cv::Scalar wanted = cv::mean(before, unchanged), given = cv::mean(after, unchanged);
   cv::Mat channels[3], result;
@@ -78,8 +79,8 @@ std::vector<int> areas_of(const cv::Mat& labels, int count) {
   return areas;
 }
 
-// Patches with less than kSeam between them belong together: what lies across an edge of the
-// platform may be parted there. The result is 0 off `changed`.
+// Patches less than kSeam apart are joined, because an edge of the platform may split them. The
+// result is 0 outside `changed`.
 int patches_of(const cv::Mat& changed, cv::Mat& labels) {
   cv::Mat joined;
   cv::morphologyEx(changed, joined, cv::MORPH_CLOSE,

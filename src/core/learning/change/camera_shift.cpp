@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "learning/change/camera_shift.hpp"
 
 #include <algorithm>
@@ -14,15 +15,15 @@ namespace {
 
 constexpr double kEnough = 8000;              // samples
 constexpr std::size_t kFewest = 200;          // samples
-constexpr std::size_t kSmallPicture = 10000;  // [px] the coarsest the shift is looked for at
+constexpr std::size_t kSmallPicture = 10000;  // [px] coarsest size for the shift
 constexpr int kRounds = 6;                    // of Gauss-Newton, at each size
-constexpr double kLongestStep = 2;            // [px] the linearisation holds about so far
+constexpr double kLongestStep = 2;            // [px] range of the linearisation
 constexpr double kConverged = 0.01;           // [px]
-constexpr double kWorthwhile = 0.04;          // [px] less is not worth an interpolation
+constexpr double kWorthwhile = 0.04;          // [px] smaller shifts are not interpolated
 constexpr double kClearGain = 0.98;           // of the cost without a shift
 constexpr double kLeastSpread = 0.3;          // [grey levels]
 
-// Both pictures and where they can be compared, at one size.
+// Both pictures and their comparable pixels, at one size.
 struct Level {
   cv::Mat before, after;  // CV_32FC1
   cv::Mat trusted;        // CV_8UC1
@@ -33,7 +34,7 @@ Level coarser(const Level& level) {
           half_size(level.trusted, cv::INTER_NEAREST)};
 }
 
-// Interpolates between pixels that all lie the same way from where they are asked for.
+// Bilinear interpolation with the same sub-pixel offset for all pixels.
 class Shifted {
  public:
   Shifted(const cv::Mat& picture, const cv::Point2d& shift)
@@ -70,7 +71,7 @@ class Shifted {
 };
 
 struct Cost {
-  double value = 0;   // mean of residuals, capped at three spreads
+  double value = 0;   // mean of residuals, clipped at three standard deviations
   double spread = 0;  // [grey levels]
 };
 
@@ -109,7 +110,8 @@ class ShiftFit {
   }
 
  private:
-  // One Gauss-Newton step with Tukey weights; a weak prior holds it where the scene has no texture.
+  // One Gauss-Newton step with Tukey weights; a weak prior stabilises it where the scene has no
+  // texture.
   cv::Point2d step_from(const cv::Point2d& shift, double spread) const {
     const Shifted after(level_.after, shift);
     cv::Matx22d normal = cv::Matx22d::zeros();
@@ -143,7 +145,7 @@ cv::Mat cubic_kernel(double part) {
           (t + 4 * tt - 3 * ttt) / 2, (ttt - tt) / 2);
 }
 
-// From coarse to fine: in fine texture, Gauss-Newton would end at the nearest likeness.
+// From coarse to fine, because in fine texture Gauss-Newton would converge to a local optimum.
 cv::Point2d shift_of(const Level& level) {
   cv::Point2d start;
   if (level.before.total() > kSmallPicture) start = 2 * shift_of(coarser(level));

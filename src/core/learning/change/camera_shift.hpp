@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // A small camera shift between two pictures.
 #pragma once
 
@@ -5,12 +6,12 @@
 
 namespace mbncc {
 
-/// Luminance of a CV_32FC3 picture, lightly smoothed (sigma 1.5): what the shift is measured on.
+/// Luminance of a CV_32FC3 picture, lightly smoothed (sigma 1.5): input of the shift estimation.
 cv::Mat smooth_luminance(const cv::Mat& picture);
 
 /// Displacement d [px] such that before(x) = after(x + d) on the `trusted` pixels (CV_8UC1), by
 /// robust Gauss-Newton from 0. (0, 0) unless it explains the pictures clearly better than no shift,
-/// and when it is longer than `max_shift`. Pictures as by smooth_luminance().
+/// and if it is longer than `max_shift`. Pictures from smooth_luminance().
 cv::Point2d estimate_shift(const cv::Mat& before, const cv::Mat& after, const cv::Mat& trusted,
                            double max_shift);
 

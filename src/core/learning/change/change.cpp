@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "mbncc/learning/change.hpp"
 
 #include <algorithm>
@@ -18,14 +19,14 @@ namespace mbncc {
 namespace {
 
 constexpr float kLeastDifference = 18;  // [grey levels, summed over channels] above usual noise
-constexpr float kNoiseFactor = 5;       // a change stands out from the median difference this much
-constexpr float kSureDifference = 45;   // [likewise] a change, however much else differs
+constexpr float kNoiseFactor = 5;       // factor of a change to the median difference
+constexpr float kSureDifference = 45;   // [likewise] a change in any case
 constexpr double kMargin = 0.15;        // of a changed region's longer side
 constexpr double kNoisyMargin = 0.6;    // likewise, where noise hides part of the change
 constexpr double kClearGain = 0.8;      // a shift must lower the difference to this part
-constexpr int kGap = 9;                 // [px] pieces nearer than this belong together
+constexpr int kGap = 9;                 // [px] pieces nearer than this are joined
 constexpr int kSampling = 2;            // [px] of the survey, for medians
-constexpr double kBlackLevel = 10;      // [grey levels] that cameras may add or take away
+constexpr double kBlackLevel = 10;      // [grey levels] possible black level of cameras
 
 // CV_32FC1 of a CV_8UC3 picture times `gain` per channel.
 cv::Mat grey_of(const cv::Mat& picture, const cv::Scalar& gain) {
@@ -45,7 +46,7 @@ double mean_difference(const cv::Mat& before, const cv::Mat& after) {
   return cv::mean(cv::min(difference, kLeastDifference))[0];
 }
 
-// By phase correlation, believed only when it explains the pictures.
+// By phase correlation, used only if it explains the pictures.
 cv::Point2d coarse_shift(const cv::Mat& before, const cv::Mat& after) {
   const cv::Point2d shift = phase_shift(before, after);
   const cv::Rect inner(before.cols / 4, before.rows / 4, before.cols / 2, before.rows / 2);
@@ -70,7 +71,7 @@ cv::Mat difference_of(const cv::Mat& before, const cv::Mat& after, const cv::Sca
   return difference;
 }
 
-// Difference from which on a pixel changed, as the usual one tells.
+// Threshold of a changed pixel, from the median difference.
 float change_threshold(const cv::Mat& difference) {
   std::vector<float> values;
   for (int y = 0; y < difference.rows; y += kSampling)
@@ -85,8 +86,8 @@ struct Patch {
   double weight = 0;  // sum over its pixels
 };
 
-// Groups of changed pixels, pieces that are near each other joined. `labels` tells them apart: the
-// result's index, and one more.
+// Groups of changed pixels, with nearby pieces joined. `labels` contains the result's index plus
+// one.
 std::vector<Patch> joined_patches(const cv::Mat& changed, cv::Mat& labels) {
   cv::Mat joined, stats, centres;
   cv::morphologyEx(changed, joined, cv::MORPH_CLOSE,
@@ -98,8 +99,8 @@ std::vector<Patch> joined_patches(const cv::Mat& changed, cv::Mat& labels) {
   return patches;
 }
 
-// Factor >= 1 between pictures of a mean `brightness` once they are equally bright. In dark
-// pictures a black level passes for exposure, but not in their contrast.
+// Factor >= 1 between pictures that have the mean `brightness` after compensation. In dark pictures
+// a black level looks like exposure, but does not change the contrast.
 double exposure_change(double gain, double contrast, double brightness) {
   const auto factor = [](double ratio) { return std::max(ratio, 1 / std::max(ratio, 1e-3)); };
   const bool is_black_level = std::abs(1 - contrast) * brightness < kBlackLevel;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "learning/change/colour_mixture.hpp"
 
 #include <algorithm>
@@ -13,7 +14,7 @@ constexpr int kFewestSamples = 20;
 constexpr int kRounds = 2;             // of reassignment
 constexpr double kLeastSpread = 4;     // [grey levels^2] narrower clusters are not split
 constexpr double kRegularity = 16;     // [grey levels^2] added to each covariance's diagonal
-constexpr float kLeastWeight = 0.01F;  // of a sample: few sure pixels must not stand alone
+constexpr float kLeastWeight = 0.01F;  // of a sample: few certain pixels must not form a component
 const double kLog2Pi = std::log(2 * CV_PI);
 
 struct Sample {
@@ -78,8 +79,8 @@ cv::Vec3d main_axis(const cv::Matx33d& covariance) {
   return axis;
 }
 
-// Splits the component with the largest spread along its main axis (Orchard and Bouman). False when
-// none is worth splitting.
+// Splits the component with the largest spread along its main axis (Orchard and Bouman). False if
+// none is wide enough.
 bool split_widest(std::vector<Sample>& samples, int count) {
   double widest = 0;
   int chosen = -1;
@@ -105,7 +106,7 @@ bool split_widest(std::vector<Sample>& samples, int count) {
 
 }  // namespace
 
-// Inline, so that loops over rows are worked on several pixels at a time.
+// Inline, so that loops over rows are vectorised.
 inline float ColourMixture::Component::log_density(float blue, float green, float red) const {
   const float a = blue - mean[0], b = green - mean[1], c = red - mean[2];
   const auto& p = precision.val;
@@ -188,7 +189,7 @@ cv::Mat ColourMixture::densities(const cv::Mat& picture) const {
     auto* logs = part.ptr<float>();
     auto* out = sum.ptr<float>(y);
     for (const auto& component : components_) {
-      const Component gaussian = component;  // of its own: the loop's results cannot change it
+      const Component gaussian = component;  // local copy that the loop cannot alias
       for (int x = 0; x < picture.cols; ++x)
         logs[x] = gaussian.log_density(blue[x], green[x], red[x]);
       cv::exp(part, part);

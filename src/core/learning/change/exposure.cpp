@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "learning/change/exposure.hpp"
 
 #include <algorithm>
@@ -14,7 +15,7 @@ constexpr int kSampling = 2;  // [px]
 
 using Ratios = std::array<std::vector<float>, 3>;  // of brightness, per channel
 
-// Dark and saturated pixels say nothing.
+// Dark and saturated pixels are ignored.
 Ratios brightness_ratios(const cv::Mat& before, const cv::Mat& after) {
   Ratios ratios;
   for (int y = 0; y < before.rows; y += kSampling) {

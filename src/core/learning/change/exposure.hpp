@@ -1,4 +1,5 @@
-// How much brighter one picture is than another one of the same scene.
+// SPDX-License-Identifier: BSD-3-Clause
+// Exposure ratio of two pictures of one scene.
 #pragma once
 
 #include <opencv2/core.hpp>
@@ -6,12 +7,12 @@
 namespace mbncc {
 
 struct Exposure {
-  cv::Vec3f gain{1, 1, 1};  ///< that makes the picture after as bright as the one before
+  cv::Vec3f gain{1, 1, 1};  ///< gain that makes the picture after as bright as the one before
   double mean = 1;          ///< of the gain over the channels
   double unevenness = 1;    ///< largest over smallest gain of the picture's quarters
 };
 
-/// Medians over pixels, so that what changed in less than half of a picture does not count. Both
+/// Medians over pixels, so that changes in less than half of a picture have no influence. Both
 /// pictures are CV_8UC3 and of one size.
 Exposure exposure_of(const cv::Mat& before, const cv::Mat& after);
 

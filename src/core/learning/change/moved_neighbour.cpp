@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "learning/change/moved_neighbour.hpp"
 
 #include <algorithm>
@@ -11,14 +12,14 @@ namespace mbncc {
 namespace {
 
 // All lengths are pixels of the halved pictures.
-constexpr int kReach = 8;             // how far a neighbour may have moved
+constexpr int kReach = 8;             // largest displacement of a neighbour
 constexpr int kPatch = 3;             // half the side of the squares that are compared
 constexpr int kStride = 2;            // of the squares
 constexpr int kCompany = 7;           // squares this near must have moved alike
 constexpr int kFewestAlike = 6;       // of them
 constexpr double kPartAlike = 0.4;    // likewise
-constexpr float kNoiseFactor = 3;     // mean square that noise explains, in its variances
-constexpr float kLeftPart = 0.3F;     // of a square's contrast that may be left unexplained
+constexpr float kNoiseFactor = 3;     // mean square explained by noise, in variances
+constexpr float kLeftPart = 0.3F;     // part of a square's contrast that may stay unexplained
 constexpr float kLeastContrast = 40;  // [grey levels^2] of a square that can be recognised
 
 struct Motion {
@@ -51,7 +52,7 @@ class NeighbourSearch {
   NeighbourSearch(const cv::Mat& before, const cv::Mat& after, float sigma)
       : before_(before), after_(after), noise_(kNoiseFactor * 3 * kPixels * sigma * sigma / 4) {}
 
-  // Where the square about `p` has gone; (0, 0) when it is nowhere.
+  // Displacement of the square around `p`; (0, 0) if it is not found.
   cv::Point motion_of(const cv::Point& p) const {
     const float contrast = contrast_of(before_, p);
     if (contrast < std::max(kLeastContrast * kPixels, 2 * noise_)) return {};

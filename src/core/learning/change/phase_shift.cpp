@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "learning/change/phase_shift.hpp"
 
 #include <cmath>
@@ -7,7 +8,7 @@
 namespace mbncc {
 namespace {
 
-constexpr int kAround = 2;  // [px] of a peak that tell where it lies between pixels
+constexpr int kAround = 2;  // [px] of a peak used for its sub-pixel position
 
 std::vector<float> half_hanning(int size) {
   std::vector<float> window(size);
@@ -51,7 +52,7 @@ void normalise_column(cv::Mat& spectrum, int x) {
   if (spectrum.rows % 2 == 0) normalise(spectrum.at<float>(spectrum.rows - 1, x));
 }
 
-// Leaves the phases of a real picture's spectrum, packed as cv::dft() does.
+// Normalises the spectrum of a real picture to its phases, packed as by cv::dft().
 void keep_phases(cv::Mat& spectrum) {
   normalise_column(spectrum, 0);
   if (spectrum.cols % 2 == 0) normalise_column(spectrum, spectrum.cols - 1);
@@ -65,7 +66,7 @@ int wrapped(int place, int size) {
   return (place + size) % size;
 }
 
-// Centroid of what lies around the highest value, up to half the size in either direction.
+// Centroid around the highest value, up to half the size in either direction.
 cv::Point2d peak_of(const cv::Mat& correlation) {
   cv::Point peak;
   cv::minMaxLoc(correlation, nullptr, nullptr, nullptr, &peak);

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "learning/change/photometric_fit.hpp"
 
 #include <algorithm>
@@ -57,13 +58,13 @@ float spread_of(const std::vector<Sample>& samples, const cv::Vec4d& light) {
   return deviation_of_mad(std::max(static_cast<float>(kLeastSpread), median(residuals)));
 }
 
-// Weak priors per sample keep terms at 0 that the scene cannot tell apart.
+// Weak priors per sample keep terms at 0 that the scene cannot separate.
 cv::Matx44d prior(double samples, bool planar) {
   const double plane = planar ? samples * 40 : kFrozen;
   return cv::Matx44d::diag({samples * 20, plane, plane, samples * 0.005});
 }
 
-// One weighted least squares step; samples beyond `cut` have no say.
+// One weighted least squares step; samples beyond `cut` have weight 0.
 cv::Vec4d reweighted(const std::vector<Sample>& samples, const cv::Vec4d& light, double cut,
                      bool planar) {
   cv::Matx44d normal = prior(static_cast<double>(samples.size()), planar);

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Rectangle arithmetic that OpenCV lacks.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "learning/change/statistics.hpp"
 
 #include <algorithm>
@@ -9,17 +10,17 @@
 namespace mbncc {
 namespace {
 
-constexpr std::size_t kFew = 200;  // values that are not worth counting
+constexpr std::size_t kFew = 200;  // values that are sorted directly
 constexpr unsigned kBins = 1024;
 
-// Whole numbers in the order of their floats: a float's bits count up with its size.
+// Integers in the order of their floats, because a float's bits increase with its magnitude.
 std::int32_t key_of(float value) {
   std::int32_t bits = 0;
   std::memcpy(&bits, &value, sizeof bits);
   return bits ^ ((bits >> 31) & 0x7fffffff);
 }
 
-// Counts values by the upper bits of their keys, which leaves few to be put in order.
+// Radix selection: counts values by the upper bits of their keys, which leaves few to sort.
 class KeyHistogram {
  public:
   explicit KeyHistogram(const std::vector<float>& values) : values_(values) {

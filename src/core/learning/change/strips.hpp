@@ -1,5 +1,6 @@
-// Pictures worked on a few rows at a time: whole ones of floats would cost more to write to memory
-// than to compute.
+// SPDX-License-Identifier: BSD-3-Clause
+// Processing by strips of rows: writing whole float pictures to memory would cost more than
+// computing them.
 #pragma once
 
 #include <algorithm>

@@ -1,4 +1,5 @@
-// The size at which whole pictures of a lesson are judged.
+// SPDX-License-Identifier: BSD-3-Clause
+// The size for the survey of whole pictures.
 #pragma once
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "learning/change/texture_change.hpp"
 
 #include <algorithm>
@@ -17,7 +18,7 @@ constexpr double kSameTexture = 0.5;  // correlation of squares that show the sa
 constexpr double kContrasty = 36;  // [grey levels^2] variance beside which noise adds no contrast
 constexpr double kWhite = 255;
 constexpr int kSampling = 4;          // [px] for the median of contrast
-constexpr std::size_t kFewest = 200;  // samples of contrast that say something
+constexpr std::size_t kFewest = 200;  // least number of samples of contrast
 
 // Means over small squares of a product of two pictures.
 cv::Mat mean_product(const cv::Mat& a, const cv::Mat& b) {
@@ -32,7 +33,7 @@ cv::Mat box_mean(const cv::Mat& values) {
   return mean;
 }
 
-// Whether a square of this mean and variance has pixels near the brightest grey level: they lost
+// Whether a square of this mean and variance has pixels near the brightest grey level, which lost
 // contrast.
 bool reaches(double white, double mean, double variance) {
   return mean + 2 * std::sqrt(variance) > 0.95 * white;

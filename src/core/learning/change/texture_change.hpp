@@ -1,5 +1,6 @@
-// What happened to texture between two pictures, which light and exposure leave alone in other ways
-// than a moved camera.
+// SPDX-License-Identifier: BSD-3-Clause
+// Change of texture between two pictures, which distinguishes light and exposure from a moved
+// camera.
 #pragma once
 
 #include <opencv2/core.hpp>
@@ -7,14 +8,14 @@
 namespace mbncc {
 
 struct TextureChange {
-  /// Part of the textured squares [0..1] that show something else in the other picture. Light and
-  /// exposure leave the correlation of small squares alone; a moved camera does not. It displaces
-  /// the texture of both pictures, so the smaller of both parts counts: of a scene that many things
-  /// left, the rest stays.
+  /// Part of the textured squares [0..1] that do not correlate with the other picture. Light and
+  /// exposure keep the correlation of small squares; a moved camera does not. It displaces the
+  /// texture of both pictures, so the smaller part is returned: in a scene that was cleared, the
+  /// remaining texture is unchanged.
   double displaced = 0;
-  /// Median factor from the contrast of a square after to that before; 1 where too little is
-  /// textured well enough, or all of that is near white. Contrast knows a gain, but no offset,
-  /// which in dark pictures passes for one.
+  /// Median factor from the contrast of a square after to that before; 1 if too little is textured,
+  /// or all of it is near white. Contrast depends on the gain but not on an offset, which in dark
+  /// pictures resembles a gain.
   double contrast = 1;
 };
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "learning/likelihood/background_likelihood.hpp"
 
 #include <algorithm>
@@ -18,19 +19,19 @@ constexpr float kOutlierWeight = 0.03F;     // prior of any colour at all (glint
 constexpr float kPlatformWeight = 0.0001F;  // prior of platform from elsewhere (something shifted)
 constexpr float kDarkestShadow = 0.3F;      // of the light that is left
 constexpr float kBrightestLight = 3;        // likewise: a shadow in the picture after has gone
-constexpr float kShadowScale = 0.25F;       // log-prior: light is the likelier the less it changed
+constexpr float kShadowScale = 0.25F;       // log-prior: small changes of light are more likely
 constexpr float kShadowTint = 0.1F;      // deviation of one channel, part of the light taken away
 constexpr float kShadowSlope = 0.1F;     // deviation of all channels alike, likewise
 constexpr float kShadowNoise = 1.2F;     // variance of a shadowed pixel, relative
 constexpr int kShadowBox = 7;            // [px] a shadow's depth is averaged over this square
-constexpr float kTextureLost = 6;        // most that covered texture says against a shadow
-constexpr float kTextureKept = 4;        // most that visible texture says for it
-constexpr float kFaintlyChanged = 0.9F;  // probability given to change that only windows show
+constexpr float kTextureLost = 6;        // largest log-odds of covered texture against a shadow
+constexpr float kTextureKept = 4;        // largest log-odds of visible texture for a shadow
+constexpr float kFaintlyChanged = 0.9F;  // probability of change seen only in windows
 constexpr float kGradualLight = 5;       // log-odds of platform that gradual light adds
 constexpr float kHighestRatio = 60;      // cap of the logarithms
 constexpr float kHardlyPossible = 20;    // log-prior against shadows darker than the darkest
 
-// Light that is left: least squares factor of before over after in a small square.
+// Remaining light: least squares factor of before over after in a small square.
 cv::Mat remaining_light(const cv::Mat& before, const cv::Mat& after) {
   cv::Mat both(before.size(), CV_32FC1), squares(before.size(), CV_32FC1);
   for (int y = 0; y < before.rows; ++y) {
@@ -50,12 +51,12 @@ cv::Mat remaining_light(const cv::Mat& before, const cv::Mat& after) {
   return light;
 }
 
-// The light that a shadow may leave, or may have taken from the picture after.
+// Range of the light in a shadow, in the picture before or after.
 cv::Mat plausible(const cv::Mat& light) {
   return cv::max(cv::min(light, kBrightestLight), kDarkestShadow);
 }
 
-// How a Gaussian about a predicted picture fits.
+// Fit of a Gaussian around a predicted picture.
 struct Fit {
   cv::Mat distance;     // CV_32FC1, squared Mahalanobis
   cv::Mat determinant;  // CV_32FC1, of the covariance
@@ -133,7 +134,7 @@ cv::Mat log_student(Fit& fit, float tail) {
   return constant - 0.5F * determinant - 0.5F * (kStudentFreedom + 3) * tails;
 }
 
-// A shadow is the likelier the lighter it is, and leaves the platform's texture visible.
+// Light shadows are more likely, and a shadow leaves the platform's texture visible.
 cv::Mat log_shadow_prior(const cv::Mat& light, const cv::Mat& lost) {
   cv::Mat prior(light.size(), CV_32FC1);
   for (int y = 0; y < light.rows; ++y) {

@@ -1,4 +1,5 @@
-// How well the unchanged, perhaps shadowed, platform explains the picture before.
+// SPDX-License-Identifier: BSD-3-Clause
+// Likelihood of the picture before given the unchanged, possibly shadowed platform.
 #pragma once
 
 #include <opencv2/core.hpp>

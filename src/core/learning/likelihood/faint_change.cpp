@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "learning/likelihood/faint_change.hpp"
 
 #include <cmath>
@@ -8,7 +9,7 @@ namespace {
 
 constexpr float kFreedom = 3;       // channels: the mean squared distance of what is explained
 constexpr float kModelError = .06;  // of the brightness, which shadows differ from their model by
-constexpr float kHighest = 9;       // most that a pixel says
+constexpr float kHighest = 9;       // largest log-odds of a pixel
 constexpr int kWindow = 7;          // [px]
 constexpr float kSignificant = 5;   // deviations of a window's mean
 constexpr float kNear = 4;          // mean squared distance of a pixel and its neighbours
@@ -17,7 +18,7 @@ constexpr float kWidePart = 0.5;    // of the wide window
 constexpr int kWideGrown = 5;       // [px]
 constexpr float kDark = 0.33F;      // least part of noise in the expected distance, on average
 
-// Factor on squared distances that allows for the model's error besides the noise.
+// Factor on squared distances for the model's error in addition to noise.
 cv::Mat noise_part(const cv::Mat& after, const cv::Mat& variance, float tail) {
   cv::Mat part(after.size(), CV_32FC1);
   for (int y = 0; y < after.rows; ++y) {
@@ -38,7 +39,7 @@ cv::Mat box_mean(const cv::Mat& values, int side) {
   return mean;
 }
 
-// Where the distances are larger than noise makes them.
+// Where the distances exceed those of noise.
 cv::Mat unexplained(const cv::Mat& distance, const cv::Mat& part) {
   static const float least = kFreedom + kSignificant * std::sqrt(2 * kFreedom) / kWindow;
   const cv::Mat bounded = cv::min(distance.mul(part), kHighest);

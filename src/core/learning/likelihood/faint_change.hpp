@@ -1,4 +1,5 @@
-// Change that no single pixel shows, in noisy pictures of little light.
+// SPDX-License-Identifier: BSD-3-Clause
+// Faint change that is not significant in single pixels, in noisy pictures with little light.
 #pragma once
 
 #include <opencv2/core.hpp>
@@ -10,9 +11,9 @@ struct Misfit {
   cv::Mat unchanged, shaded;
 };
 
-/// 255 where neither the unchanged platform nor a shadow on it explains wide patches, although
-/// noise may hide that in every pixel. `variance` (CV_32FC3) is that of a pixel of `after`
-/// (CV_32FC3), `tail` a factor on it; `sure` (CV_8UC1) marks pixels that show their change alone.
+/// 255 where neither the unchanged platform nor a shadow on it explains wide patches, even if no
+/// single pixel is significant. `variance` (CV_32FC3) is that of a pixel of `after` (CV_32FC3),
+/// `tail` a factor on it; `sure` (CV_8UC1) marks pixels whose change is significant alone.
 cv::Mat faint_change(const Misfit& misfit, const cv::Mat& after, const cv::Mat& variance,
                      float tail, const cv::Mat& sure);
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "learning/likelihood/gradual_light.hpp"
 
 #include <algorithm>
@@ -11,7 +12,7 @@ namespace {
 constexpr double kBlur = 1.2;          // [px]
 constexpr float kDark = 4;             // [grey levels] added to both pictures
 constexpr float kMostLight = 5;        // factor between the pictures
-constexpr int kGap = 5;                // [px] narrower gaps in an edge let nothing through
+constexpr int kGap = 5;                // [px] narrower gaps in an edge are closed
 constexpr float kFarLower = 0.3F;      // of the barrier around most of the change: light
 constexpr float kLower = 0.5F;         // likewise, a shadow that leaves texture visible
 constexpr float kSteepestLight = 10;   // [grey levels / px]
@@ -31,7 +32,7 @@ cv::Mat derivative(const cv::Mat& picture, int across, int down) {
   return slope;
 }
 
-// The barrier that holds most of the change, by the squares of its differences.
+// The barrier that encloses most of the change, by squared differences.
 float main_barrier(const cv::Mat& barrier, const cv::Mat& before, const cv::Mat& after,
                    const cv::Mat& changed) {
   std::vector<std::pair<float, float>> weighed;
@@ -50,7 +51,7 @@ float main_barrier(const cv::Mat& barrier, const cv::Mat& before, const cv::Mat&
   return 0;
 }
 
-// Where no channel is brighter before than after.
+// Pixels where no channel is brighter before than after.
 cv::Mat darker(const cv::Mat& before, const cv::Mat& after) {
   cv::Mat dark;
   cv::inRange(before - after, cv::Scalar::all(-1e9), cv::Scalar::all(kNoBrighter), dark);

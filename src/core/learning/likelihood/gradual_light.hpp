@@ -1,16 +1,17 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Light that changes gradually: soft shadow, an object's coloured reflection on the platform,
-// exposure drift, banding. An object ends in an edge, light seldom does.
+// exposure drift, banding. Objects end in an edge; light seldom does.
 #pragma once
 
 #include <opencv2/core.hpp>
 
 namespace mbncc {
 
-/// [grey levels / px] Slope of what remains of `before` after `after`, taken in its light there, is
-/// subtracted: root of the squares summed over the channels. Both CV_32FC3 of one size; CV_32FC1.
+/// [grey levels / px] Slope of `before` minus `after` in the light of `before`: root of the squares
+/// summed over the channels. Both CV_32FC3 of one size; CV_32FC1.
 cv::Mat light_slope(const cv::Mat& before, const cv::Mat& after);
 
-/// [as `heights`] The least height that a path from the frame to each pixel has to cross (minimax
+/// [as `heights`] The least height that a path from the frame to each pixel must cross (minimax
 /// path, as in watersheds by flooding). `heights` is CV_32FC1, 0 or more; no path starts on the
 /// frame's pixels that `closed` (CV_8UC1, may be empty) marks. More than all heights where no path
 /// leads.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "learning/likelihood/line_evidence.hpp"
 
 #include <algorithm>
@@ -12,7 +13,7 @@ constexpr int kDirections = 8;
 constexpr int kReach = 6;  // [px] of a line to either side of its middle
 constexpr int kLength = 2 * kReach + 1;
 constexpr int kBeside = 5;  // [px] so far beside a line there is something else
-constexpr float kMost = 3;  // any pixel's say
+constexpr float kMost = 3;  // largest log-odds of a pixel
 constexpr int kFrame = kReach + kBeside;
 constexpr int kAtOnce = cv::v_float32x4::nlanes;
 
@@ -44,7 +45,7 @@ void line_means(const cv::Mat& framed, double angle, cv::Mat& means) {
   }
 }
 
-// Raises the evidence to the means of lines that differ from what lies on both of their sides.
+// Raises the evidence to the means of lines that differ from both of their sides.
 void take_lines(const cv::Mat& means, double angle, LineEvidence& best) {
   const cv::Point across = rounded(kBeside, angle + CV_PI / 2);
   const cv::v_float32x4 none = cv::v_setzero_f32();

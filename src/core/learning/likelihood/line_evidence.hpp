@@ -1,4 +1,5 @@
-// What speaks for thin parts and narrow gaps: preferences that add up along a line.
+// SPDX-License-Identifier: BSD-3-Clause
+// Evidence for thin parts and narrow gaps: preferences averaged along lines.
 #pragma once
 
 #include <opencv2/core.hpp>
@@ -12,7 +13,7 @@ struct LineEvidence {
 };
 
 /// `preference` is CV_32FC1, log-odds of the object. Lines are 13 px long, and no pixel counts more
-/// than 3. What is 9 px or more wide is no line: it needs no help.
+/// than 3. Structures 9 px or more wide are not lines.
 LineEvidence line_evidence(const cv::Mat& preference);
 
 }  // namespace mbncc

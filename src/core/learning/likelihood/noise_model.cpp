@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "learning/likelihood/noise_model.hpp"
 
 #include <algorithm>
@@ -68,13 +69,13 @@ Differences collect(const AlignedPair& pair) {
   return differences;
 }
 
-// The median of whole-numbered differences is coarse: the 68 % quantile is asked, too.
+// The median of integer differences is coarse, so the 68 % quantile is used as well.
 float robust_sigma(std::vector<float>& differences) {
   return std::max(
       {kLeastSigma, deviation_of_mad(median(differences)), quantile(differences, 0.683)});
 }
 
-// Bins with few samples lean on the channel as a whole and on their neighbours.
+// Bins with few samples are regularised by the whole channel and by their neighbours.
 NoiseModel::Channel channel_variance(std::vector<float>& all,
                                      std::array<std::vector<float>, NoiseModel::kBins>& bins) {
   const float overall = all.size() < 100 ? kUnknownSigma : robust_sigma(all);
@@ -129,7 +130,7 @@ cv::Vec3f deviations_at(const AlignedPair& pair, const NoiseModel& noise, int y,
   return result;
 }
 
-// Correlation of the channels' differences. Differences that stand out are left aside; a tenth of
+// Correlation of the channels' differences. Outliers are excluded; a tenth of
 // independent noise keeps the matrix well conditioned.
 cv::Matx33f channel_correlation(const AlignedPair& pair, const NoiseModel& noise) {
   constexpr float kFarthest = 18.75F;   // squared deviations, over the three channels

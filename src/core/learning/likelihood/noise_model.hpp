@@ -1,4 +1,5 @@
-// How much two pictures of the same unchanged surface differ, learned from the pictures themselves.
+// SPDX-License-Identifier: BSD-3-Clause
+// Noise model of two pictures of the same unchanged surface, estimated from the pictures.
 #pragma once
 
 #include <array>
@@ -10,9 +11,9 @@ namespace mbncc {
 
 /// Variance of before - after on unchanged platform:
 ///   sigma(channel, brightness)^2 + gradient_part |gradient|^2,
-/// where the second term stands for what a shift of a fraction of a pixel leaves behind.
-/// Compression and demosaicing make the channels err together: a change of colour stands out more
-/// than one of brightness.
+/// where the second term models a residual shift of a fraction of a pixel. Compression and
+/// demosaicing correlate the channels' errors, so a change of colour is more significant than one
+/// of brightness.
 struct NoiseModel {
   static constexpr int kBins = 16;  ///< of brightness, 16 grey levels each
   using Channel = std::array<float, kBins>;

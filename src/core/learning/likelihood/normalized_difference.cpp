@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "learning/likelihood/normalized_difference.hpp"
 
 #include <algorithm>

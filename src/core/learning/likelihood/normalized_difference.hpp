@@ -1,4 +1,5 @@
-// How far two pictures differ, in units of their noise.
+// SPDX-License-Identifier: BSD-3-Clause
+// Difference of two pictures in units of their noise.
 #pragma once
 
 #include <opencv2/core.hpp>
@@ -12,8 +13,8 @@ cv::Mat normalized_difference(const cv::Mat& before, const cv::Mat& predicted,
 /// Part of the 3 x 3 mean in pool().
 constexpr float kPooledPart = 0.7F;
 
-/// Mixes such distances with their 3 x 3 mean, which evens out single noisy pixels. Neighbours that
-/// are far beyond the pixel itself hardly count, so that a change does not spread over its border.
+/// Mixes such distances with their 3 x 3 mean, which evens out single noisy pixels. Neighbours with
+/// much larger distances have little weight, so that a change does not spread beyond its border.
 void pool(cv::Mat& values);
 
 }  // namespace mbncc

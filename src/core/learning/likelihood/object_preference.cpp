@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "learning/likelihood/object_preference.hpp"
 
 #include <cmath>
@@ -14,10 +15,10 @@ constexpr float kWeight = 1.15F;     // against the smoothness
 constexpr double kSureness = 4;  // power of the change's probability that colours are weighted by
 constexpr double kRimWeight = 0.3;  // of the outermost pixels' colours
 constexpr float kRimDoubt = 3;      // taken from the pixels on both sides of the last outline
-constexpr float kLineWeight = 3;    // of what speaks for a thin part
-constexpr float kLineLeast = 0.3F;  // mean along a line from which on it does
-constexpr float kGapWeight = 2;     // of what speaks for a narrow gap
-constexpr float kGapLeast = 1;      // mean against the object from which on it does
+constexpr float kLineWeight = 3;    // weight of the evidence for a thin part
+constexpr float kLineLeast = 0.3F;  // least mean along a line for it
+constexpr float kGapWeight = 2;     // weight of the evidence for a narrow gap
+constexpr float kGapLeast = 1;      // least mean against the object for it
 
 // The pixels on both sides of an outline.
 cv::Mat rim_of(const cv::Mat& map) {
@@ -34,8 +35,8 @@ cv::Mat relative_density(const ColourMixture& mixture, const cv::Mat& picture) {
   return mixture.densities(picture) * std::exp(-log_uniform_colour());
 }
 
-// Surely changed pixels teach the object's colours. Doubtful ones (its shadow's rim) hardly do, and
-// the outermost less, since platform shines through.
+// The object's colours are estimated from certainly changed pixels. Uncertain ones (the rim of a
+// shadow) have little weight, and the outermost less, because they mix with the platform.
 cv::Mat colour_weights(const cv::Mat& changed, const cv::Mat& map) {
   cv::Mat sureness, core;
   cv::pow(changed, kSureness, sureness);
@@ -45,8 +46,8 @@ cv::Mat colour_weights(const cv::Mat& changed, const cv::Mat& map) {
   return weight;
 }
 
-// Blur and pooling carry change over the outline: once there is one, its pixels have to be the
-// likelier object's.
+// Blur and pooling spread change over the outline, so pixels at a known outline need higher
+// log-odds.
 cv::Mat object_preference(const cv::Mat& before, const ColourMixture& object,
                           const cv::Mat& background, const cv::Mat& last_map) {
   cv::Mat preference;

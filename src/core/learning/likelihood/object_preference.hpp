@@ -1,4 +1,5 @@
-// What each pixel's colour and surroundings say for the object and against the platform.
+// SPDX-License-Identifier: BSD-3-Clause
+// Log-odds of object against platform from each pixel's colour and surroundings.
 #pragma once
 
 #include <opencv2/core.hpp>
@@ -12,7 +13,7 @@ constexpr float kHighestPreference = 60;
 /// Density of each pixel of `picture` (CV_32FC3) relative to the uniform one, CV_32FC1.
 cv::Mat relative_density(const ColourMixture& mixture, const cv::Mat& picture);
 
-/// How much the pixels of `map` (CV_8UC1) teach of the object's colours, CV_32FC1 [0..1]. `changed`
+/// Weights of the pixels of `map` (CV_8UC1) for the object's colours, CV_32FC1 [0..1]. `changed`
 /// is BackgroundLikelihood's.
 cv::Mat colour_weights(const cv::Mat& changed, const cv::Mat& map);
 

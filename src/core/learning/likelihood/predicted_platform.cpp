@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "learning/likelihood/predicted_platform.hpp"
 
 #include <algorithm>

@@ -1,5 +1,6 @@
-// The platform under an object, predicted from the ring around it: the picture after that a lesson
-// from one picture lacks.
+// SPDX-License-Identifier: BSD-3-Clause
+// Predicts the platform under an object from the ring around it, as the picture after for a lesson
+// from one picture.
 #pragma once
 
 #include <opencv2/core.hpp>

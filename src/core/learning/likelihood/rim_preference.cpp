@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "learning/likelihood/rim_preference.hpp"
 
 #include <algorithm>
@@ -52,7 +53,7 @@ struct Side {
   }
 };
 
-// The platform's colour in the light that falls on it close by.
+// The platform's colour in the local light.
 cv::Vec3f lit(const cv::Vec3f& colour, const cv::Vec3f& predicted, const cv::Vec3f& seen) {
   cv::Vec3f result;
   for (int c = 0; c < 3; ++c)

@@ -1,4 +1,5 @@
-// Which side of the outline a pixel near it belongs to, by the colours close by on either side
+// SPDX-License-Identifier: BSD-3-Clause
+// Assigns pixels near the outline to one side, by the local colours on either side
 // (localized region-based contours, Lankton and Tannenbaum 2008).
 #pragma once
 
@@ -9,13 +10,13 @@ namespace mbncc {
 /// Log-odds of object against background, CV_32FC1 of the images' size.
 struct RimPreference {
   cv::Mat log_odds;
-  cv::Mat told;  ///< CV_8UC1, 255 where both sides have colours close by and log_odds counts
+  cv::Mat told;  ///< CV_8UC1, 255 where both sides have local colours and log_odds is valid
 };
 
-/// For the pixels within two pixels of the outline of `map` (CV_8UC1). A pixel there may show a
-/// mixture of both sides; the nearer one has it. `platform` is what the image would show without
-/// the object, both CV_32FC3; `sigma` [grey levels] the noise of their difference. Where the sides
-/// look alike, or the pixel looks like neither, nothing is told.
+/// For the pixels within two pixels of the outline of `map` (CV_8UC1). A pixel there may be a
+/// mixture of both sides; it is assigned to the more similar one. `platform` is the image without
+/// the object, both CV_32FC3; `sigma` [grey levels] the noise of their difference. If the sides
+/// look alike, or the pixel resembles neither, log_odds is not valid.
 RimPreference rim_preference(const cv::Mat& before, const cv::Mat& platform, const cv::Mat& map,
                              float sigma);
 

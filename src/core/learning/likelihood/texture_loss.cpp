@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "learning/likelihood/texture_loss.hpp"
 
 #include <opencv2/imgproc.hpp>
@@ -5,7 +6,7 @@
 namespace mbncc {
 namespace {
 
-constexpr int kFine = 7;            // [px] texture is what departs from the mean over this square
+constexpr int kFine = 7;            // [px] texture is the deviation from the mean over this square
 constexpr int kWindow = 7;          // [px] and is compared in this one
 constexpr float kSamples = 14;      // that are as good as independent in such a window
 constexpr float kTolerance = .02F;  // part of the texture's power that a shadow may change
@@ -41,8 +42,8 @@ TexturePower measure(const cv::Mat& before, const cv::Mat& after, const cv::Mat&
 
 }  // namespace
 
-// Both hypotheses are normal, of the power that they leave: covered, all of the texture before is
-// the object's; visible, only what the dimmed texture does not explain.
+// Both hypotheses are normal distributions of the residual power: if covered, all texture before
+// belongs to the object; if visible, only the part that the dimmed texture does not explain.
 cv::Mat texture_loss(const cv::Mat& before, const cv::Mat& after, const cv::Mat& light,
                      const cv::Mat& variance) {
   const TexturePower power = measure(before, after, variance);

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "mbncc/learning/quality.hpp"
 
 #include "learning/quality/rotation_profile.hpp"
@@ -10,25 +11,25 @@
 namespace mbncc {
 namespace {
 
-// Saves the search another measurement.
+// Avoids a second measurement in the search.
 ObjectModel with_known_symmetry(ObjectModel object, int symmetry) {
   if (is_declarable_symmetry(symmetry)) object.symmetry = symmetry;
   return object;
 }
 
-// What nearly repeats is not used, but told: no fault, and for the operator to decide.
+// A near symmetry is reported but not used; it is not a fault, and the operator decides.
 void propose(int symmetry, Quality& quality) {
   if (symmetry == 0) {
     quality.reasons.push_back("nearly_round");
     quality.advice.push_back(
-        "The outline is nearly round: declare symmetry round if any angle will do.");
+        "The outline is nearly round: declare symmetry round if the grasp works at any angle.");
     return;
   }
   const std::string degrees = std::to_string(360 / symmetry);
   quality.reasons.push_back("nearly_symmetric_" + degrees);
   quality.advice.push_back("The object looks almost the same after a turn by " + degrees +
                            " degrees: declare symmetry " + symmetry_text(symmetry) +
-                           " if either angle will do.");
+                           " if the grasp works at either angle.");
 }
 
 }  // namespace

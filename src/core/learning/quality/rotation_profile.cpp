@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "learning/quality/rotation_profile.hpp"
 
 #include <algorithm>
@@ -53,7 +54,7 @@ RotationProfile::RotationProfile(const View& view, const cv::Mat& picture) {
 double RotationProfile::fall_to(double level) const {
   const double step_size = 2 * kPi / kSteps;
   for (int step = 1; step <= kSteps / 2; ++step) {
-    // The weaker side decides: turning either way must be noticed.
+    // The weaker side decides, because a rotation in either direction must be detected.
     const double before =
         std::max(similarity_[step - 1], similarity_[(kSteps - step + 1) % kSteps]);
     const double here = std::max(similarity_[step], similarity_[kSteps - step]);

@@ -1,4 +1,5 @@
-// The object turned on the spot: how sharply does its likeness to itself fall?
+// SPDX-License-Identifier: BSD-3-Clause
+// Self-similarity of the object under rotation.
 #pragma once
 
 #include <opencv2/core.hpp>
@@ -7,13 +8,13 @@
 
 namespace mbncc {
 
-/// Likeness of an object to itself under rotation about its centroid.
+/// Self-similarity of an object under rotation about its centroid.
 class RotationProfile {
  public:
   /// `picture` (CV_8UC3) shows the object of `view` where it was learned.
   RotationProfile(const View& view, const cv::Mat& picture);
 
-  /// Rotation [rad] at which the similarity has fallen to `level`; pi when it never does.
+  /// Rotation [rad] at which the similarity has fallen to `level`; pi if it does not.
   double fall_to(double level) const;
 
  private:

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "learning/quality/self_search.hpp"
 
 #include <algorithm>
@@ -11,9 +12,9 @@ namespace {
 
 constexpr double kSamePlace = 0.25;    // of the excircle's radius: nearer is the object itself
 constexpr double kLeastSamePlace = 4;  // [px]
-constexpr double kEnoughRadius = 32;   // [px] what is larger by far is searched at half the size
+constexpr double kEnoughRadius = 32;   // [px] larger objects are searched at half the size
 
-// The search is asked for whatever is best, however bad.
+// The search reports the best candidate even with a low score.
 SearchRequest anything() {
   SearchRequest request;
   request.min_score = 0;
@@ -21,7 +22,7 @@ SearchRequest anything() {
   return request;
 }
 
-// The verdict must not depend on who else is searched for, nor on an impatient budget.
+// The verdict must not depend on other objects, nor on a time budget.
 SearchConfig unhurried(SearchConfig search) {
   search.time_budget = 0;
   return search;

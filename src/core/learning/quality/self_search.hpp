@@ -1,4 +1,5 @@
-// The new object searched in the picture it was learned from: will it be found, and only there?
+// SPDX-License-Identifier: BSD-3-Clause
+// Searches the new object in its learning picture: whether it is found, and only there.
 #pragma once
 
 #include <opencv2/core.hpp>

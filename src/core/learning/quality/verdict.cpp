@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "learning/quality/verdict.hpp"
 
 #include <algorithm>
@@ -10,10 +11,10 @@
 namespace mbncc {
 namespace {
 
-constexpr double kAlike = 0.7;  // of its own score, from which on something else looks the same
+constexpr double kAlike = 0.7;  // of its own score, above which something else looks the same
 constexpr double kNever = std::numeric_limits<double>::infinity();  // as a limit
 
-// What can be said against a lesson. A key may have a code of its own for the action's result.
+// Reasons against a lesson. A key may have its own error code for the action's result.
 struct Reason {
   const char* key;
   LearnError error;
@@ -24,13 +25,13 @@ struct Reason {
 constexpr std::array<Reason, 15> kReasons{{
     {"touches_image_border", LearnError::kTouchesBorder,
      "Move the object fully into view and teach again."},
-    {"too_small", LearnError::kTooSmall, "Bring the camera nearer or use a higher resolution."},
+    {"too_small", LearnError::kTooSmall, "Move the camera closer or use a higher resolution."},
     {"low_texture", LearnError::kLowTexture,
      "Turn the object's marked side up or improve the light."},
     {"not_found_again", LearnError::kNotDistinct,
      "Turn the object's marked side up, or teach it on a plainer background."},
     {"not_distinct", LearnError::kNotDistinct,
-     "Something else in the picture looks the same and will be found as well: take it away if it "
+     "Something else in the picture looks the same and will also be found: take it away if it "
      "is "
      "another object."},
     {"touches_region_edge", LearnError::kQualityBad,
@@ -48,8 +49,9 @@ constexpr std::array<Reason, 15> kReasons{{
      "The map fills little of the region: draw the region close around the object, or draw its "
      "outline."},
     {"unverified_cut", LearnError::kQualityBad,
-     "Check the outline: from one picture alone, nothing confirms it. Better teach by change."},
-    {"round", LearnError::kQualityBad, "Nothing shows the angle: any angle may be reported."},
+     "Check the outline: one picture alone cannot confirm it. If possible, teach by change."},
+    {"round", LearnError::kQualityBad,
+     "The object does not show its angle: any angle may be reported."},
     {"symmetric", LearnError::kQualityBad,
      "The object looks the same after part of a turn: the angle is known up to that."},
     {"", LearnError::kQualityBad, ""},
@@ -63,7 +65,7 @@ const Reason& reason_of(const std::string& key) {
   return found == kReasons.end() ? kReasons.back() : *found;
 }
 
-// Collects reasons; the verdict is that of the worst.
+// Collects reasons; the worst one determines the verdict.
 class Charges {
  public:
   explicit Charges(Quality& quality) : quality_(quality) {}
@@ -78,7 +80,7 @@ class Charges {
   void below(const char* key, double value, double marginal, double bad) {
     above(key, -value, -marginal, -bad);
   }
-  // Worth knowing, but no fault.
+  // A remark that is not a fault.
   void note(const std::string& key) {
     quality_.reasons.push_back(key);
     quality_.advice.push_back(reason_of(key).advice);
@@ -103,7 +105,7 @@ constexpr double kBadRisk = 0.5;
 
 // Risk that the map's IoU with the object's silhouette is below .8: a logistic regression on drawn
 // lessons, drawn lessons with the faults of real cameras, and lessons from photographs
-// (docs/design.md, "What a verdict means").
+// (docs/design.md, "The verdict is an estimate").
 struct OutlineRisk {
   double instability, weakness, change, span;  // log-odds
 
@@ -118,7 +120,7 @@ struct OutlineRisk {
     return 1 / (1 + std::exp(2.5 - instability - weakness - change - span));
   }
 
-  // What stands out most against a usual good lesson.
+  // The measure that deviates most from a typical good lesson.
   const char* main_reason() const {
     const double unstable = instability - 0.5, weak = weakness - 0.5, spanned = span - 0.7;
     if (unstable >= weak && unstable >= spanned) return "unstable_cut";
@@ -136,7 +138,7 @@ void weigh_evidence(const CutEvidence& evidence, Quality& quality, Charges& char
   charges.above("unverified_cut", evidence.verified ? 0 : 1, 0.5, 1);
 }
 
-// Whatever else looks the same in the picture will be found as well, and is no fault of the map.
+// Other things that look the same will be found as well, but this is not a fault of the map.
 void weigh_search(const Quality& quality, const SearchConfig& search, Charges& charges) {
   charges.below("not_found_again", quality.self_score, search.confirm_score, search.min_score);
   if (quality.runner_up > kAlike * quality.self_score) charges.note("not_distinct");

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // GOOD, MARGINAL or BAD, with reasons and advice.
 #pragma once
 

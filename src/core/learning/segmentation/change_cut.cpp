@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "mbncc/learning/change_cut.hpp"
 
 #include <algorithm>
@@ -24,16 +25,16 @@
 namespace mbncc {
 namespace {
 
-constexpr float kVoice = 8;          // highest unary of one of two views
+constexpr float kViewLogOdds = 8;    // highest unary of one of two views
 constexpr float kForced = 1000;      // unary of painted pixels
 constexpr float kArrivalUnary = 12;  // log-likelihood ratio given to arrivals
-constexpr int kFewestPixels = 30;    // of a seed worth cutting
-constexpr float kCovered = 2;  // log-likelihood ratio given to what an intruder covers afterwards
-constexpr int kLookedAt = 7;   // [px] square about a painted pixel
-constexpr int kSpeck = 8;      // [px] smaller changed patches are noise
+constexpr int kFewestPixels = 30;    // least pixels of a seed
+constexpr float kCovered = 2;   // log-likelihood ratio of pixels that an intruder covers afterwards
+constexpr int kCheckedBox = 7;  // [px] square about a painted pixel
+constexpr int kSpeck = 8;       // [px] smaller changed patches are noise
 
-// What one round of cutting works on; all pictures have the crop's size, and their own memory: the
-// pair's are much larger, and a cut lives as long as its lesson.
+// Data of one cut. All pictures have the crop's size and own their memory, because the pair's
+// pictures are much larger and a cut lives as long as its lesson.
 class Cutter {
  public:
   Cutter(const AlignedPair& pair, const cv::Rect& crop, const cv::Rect& region)
@@ -52,8 +53,8 @@ class Cutter {
   }
 
   // The changed pixels that the foreground's colours are first learned from.
-  // `surveyed` is the survey's change, of the whole picture; empty without a picture after, where
-  // nothing can have moved or come.
+  // `surveyed` is the survey's change, of the whole picture; empty without a picture after, because
+  // nothing can have moved or arrived.
   bool seed(const cv::Mat& surveyed) {
     map_ = (background_.changed > 0.5) & inside_;
     remove_specks(map_, kSpeck);
@@ -82,7 +83,7 @@ class Cutter {
     map_ = next;
   }
 
-  // Blur, demosaicing and compression carry the change over the outline.
+  // Blur, demosaicing and compression spread the change over the outline.
   void cut_rim() {
     const RimPreference rim = rim_preference(before_, after_, map_, noise_.sigma(1));
     unary_ = unary_ + rim.log_odds;
@@ -95,14 +96,15 @@ class Cutter {
     if (!include_.empty()) map_ = (map_ | include_) & ~exclude_;
   }
 
-  // This cut's successor that holds to painted pixels; what looks like excluded ones leaves, too.
-  // Smoothness does not draw a stroke's neighbours along: beside a gap there may be a thin part.
+  // A further cut with painted pixels as hard constraints; pixels that resemble excluded ones are
+  // removed as well. Smoothness does not extend a stroke to its neighbours, because a thin part may
+  // be next to a gap.
   Cutter painted(const cv::Mat& include, const cv::Mat& exclude) const {
     Cutter next = *this;
     next.include_ = include(crop_);
     next.exclude_ = exclude(crop_);
     next.inside_ = cv::Mat(inside_ | next.include_);
-    // A part that a stroke cuts off stays the object's.
+    // A part that a stroke separates stays part of the object.
     next.kept_ = next.include_ | (map_ & ~next.exclude_);
     next.unary_ = cv::Mat(unary_ - exclusion_votes({before_, after_, unary_, map_}, next.exclude_));
     next.unary_.setTo(kForced, next.include_);
@@ -114,7 +116,7 @@ class Cutter {
     return next;
   }
 
-  // This cut's successor that another view has a say in.
+  // A further cut that includes the evidence of another view.
   Cutter informed(const cv::Mat& preference) const {
     Cutter next = *this;
     next.other_view_ = preference(crop_);
@@ -130,14 +132,14 @@ class Cutter {
   }
 
   cv::Mat full_size_preference(const cv::Size& size) const {
-    cv::Mat preference(size, CV_32FC1, cv::Scalar(-kVoice));
-    voice_of(unary_).copyTo(preference(crop_));
+    cv::Mat preference(size, CV_32FC1, cv::Scalar(-kViewLogOdds));
+    clipped(unary_).copyTo(preference(crop_));
     return preference;
   }
 
   CutEvidence evidence() const {
     const cv::Mat room = intruders_.empty() ? inside_ : cv::Mat(inside_ & ~intruders_);
-    return cut_evidence({map_, coarse_, room, unary_, background_.changed, kept_, vouched()},
+    return cut_evidence({map_, coarse_, room, unary_, background_.changed, kept_, confirmed()},
                         smoothness_, half_);
   }
 
@@ -160,8 +162,8 @@ class Cutter {
     exclude(find_arrivals(before_, after_, map_, platform_));
   }
 
-  // The object lies inside the region: this and the next are looked for only where the change goes
-  // on beyond it.
+  // The object lies inside the region; this and the next are searched only where the change extends
+  // beyond it.
   void exclude_moved_neighbours() {
     const cv::Mat changed = background_.changed > 0.5;
     const cv::Mat moved = moved_neighbours(before_, after_, changed, noise_.sigma(1));
@@ -170,7 +172,7 @@ class Cutter {
     background_.log_ratio.setTo(kArrivalUnary, moved);
   }
 
-  // What an intruder covers afterwards can be told by colour alone, platform or object.
+  // Pixels covered by an intruder afterwards can be classified only by colour.
   void exclude_intruders(const cv::Mat& from_afar) {
     const cv::Mat changed = background_.changed > 0.5;
     intruders_ =
@@ -188,15 +190,17 @@ class Cutter {
     platform.copyTo(background_.log_ratio, intruders_);
   }
 
-  // A view's say in a cut of both: no pixel may outvote the other view by far.
-  static cv::Mat voice_of(const cv::Mat& unary) { return cv::max(cv::min(unary, kVoice), -kVoice); }
+  // Clipped log-odds of one view in a cut of both, so that no pixel dominates the other view.
+  static cv::Mat clipped(const cv::Mat& unary) {
+    return cv::max(cv::min(unary, kViewLogOdds), -kViewLogOdds);
+  }
 
-  // What lies about the strokes, too, was looked at.
-  cv::Mat vouched() const {
+  // Pixels near the strokes were checked by the operator as well.
+  cv::Mat confirmed() const {
     if (include_.empty()) return {};
-    cv::Mat vouched;
-    cv::dilate(include_ | exclude_, vouched, cv::Mat::ones(kLookedAt, kLookedAt, CV_8U));
-    return vouched;
+    cv::Mat confirmed;
+    cv::dilate(include_ | exclude_, confirmed, cv::Mat::ones(kCheckedBox, kCheckedBox, CV_8U));
+    return confirmed;
   }
 
   // Of the object's colours that the map shows now.
@@ -205,7 +209,7 @@ class Cutter {
         ColourMixture::fit(before_, map_, colour_weights(background_.changed, map_));
     cv::Mat unary = object_preference(before_, object, background_.log_ratio,
                                       coarse_.empty() ? cv::Mat() : map_);
-    if (!other_view_.empty()) unary = voice_of(unary) + other_view_;
+    if (!other_view_.empty()) unary = clipped(unary) + other_view_;
     unary.setTo(-kHighestPreference, ~inside_);
     return unary;
   }
@@ -221,7 +225,7 @@ class Cutter {
   cv::Mat intruders_;          // empty, or of the crop's size
   cv::Mat other_view_;         // empty, or of the crop's size
   cv::Mat include_, exclude_;  // both empty, or both of the crop's size
-  cv::Mat kept_;               // likewise: groups that lie there are the object's
+  cv::Mat kept_;               // CV_8UC1 or empty: groups that lie there belong to the object
 };
 
 ChangeCut result_of(const std::shared_ptr<const Cutter>& cutter, const cv::Size& size) {

@@ -1,13 +1,14 @@
-// Brings a raw cut into the shape of one object.
+// SPDX-License-Identifier: BSD-3-Clause
+// Cleans a raw cut to the map of one object.
 #pragma once
 
 #include <opencv2/core.hpp>
 
 namespace mbncc {
 
-/// Removes the groups of pieces (pieces nearer than `gap` pixels form a group) that weigh less than
-/// a quarter of the heaviest one and hold no `wanted` pixel. `weight` is CV_32FC1 (negative counts
-/// as 0); empty: each pixel 1.
+/// Removes the groups of pieces (pieces nearer than `gap` pixels form a group) that have less than
+/// a quarter of the largest weight and contain no `wanted` pixel. `weight` is CV_32FC1 (negative
+/// counts as 0); empty: each pixel 1.
 void keep_main_groups(cv::Mat& map, const cv::Mat& weight, const cv::Mat& wanted = {}, int gap = 3);
 
 /// Removes connected pieces of fewer than `area` pixels.

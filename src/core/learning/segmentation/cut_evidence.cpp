@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "learning/segmentation/cut_evidence.hpp"
 
 #include <algorithm>
@@ -19,26 +20,26 @@ double part(const cv::Mat& of, const cv::Mat& among) {
   return all == 0 ? 0 : cv::countNonZero(of & among) / static_cast<double>(all);
 }
 
-// Mean strength of the edges that the outline follows, 1: it costs nothing there. What the operator
-// has drawn himself needs no edge.
+// Mean strength of the edges along the outline; 1: no smoothness cost. Parts drawn by the operator
+// need no edge.
 double boundary_contrast(const FinishedCut& cut, const Smoothness& smoothness) {
   const cv::Mat& map = cut.map;
-  const auto is_vouched = [&cut](int y, int x) {
-    return !cut.vouched.empty() && cut.vouched.at<uchar>(y, x);
+  const auto is_confirmed = [&cut](int y, int x) {
+    return !cut.confirmed.empty() && cut.confirmed.at<uchar>(y, x);
   };
   double cost = 0, length = 0;
   for (const int k : {0, 2})  // left and upper neighbour
     for (int y = 1; y < map.rows; ++y)
       for (int x = 1; x < map.cols; ++x)
         if (map.at<uchar>(y, x) != map.at<uchar>(y + Smoothness::kDy[k], x + Smoothness::kDx[k])) {
-          if (!is_vouched(y, x))
+          if (!is_confirmed(y, x))
             cost += smoothness.weights[k].at<float>(y, x) / smoothness.strength;
           ++length;
         }
   return 1 - cost / std::max(1.0, length);
 }
 
-// What changed as surely as the object and yet is not its: an arrival, or a part that is missing.
+// Certain change outside the map: an arrival, or a missing part.
 double change_beside(const FinishedCut& cut) {
   cv::Mat grown;
   cv::dilate(cut.map, grown, cv::Mat::ones(kBeside, kBeside, CV_8U));
@@ -46,15 +47,15 @@ double change_beside(const FinishedCut& cut) {
   return cv::countNonZero(beside) / std::max(1.0, static_cast<double>(cv::countNonZero(cut.map)));
 }
 
-// Nobody doubts what the operator has painted.
+// Painted pixels count as certain.
 double agreement(const FinishedCut& cut, const cv::Mat& other) {
   cv::Mat same = cut.map & other, either = cut.map | other;
-  if (!cut.vouched.empty()) same |= either & cut.vouched;
+  if (!cut.confirmed.empty()) same |= either & cut.confirmed;
   const int all = cv::countNonZero(either);
   return all == 0 ? 0 : cv::countNonZero(same) / static_cast<double>(all);
 }
 
-// Least agreement of the map with two cuts at half resolution whose balance is tilted either way.
+// Least IoU of the map with two cuts at half resolution whose unary is shifted in either direction.
 double stability(const FinishedCut& cut, const Smoothness& half) {
   double least = 1;
   for (const float tilt : {-kBalanceShift, kBalanceShift}) {

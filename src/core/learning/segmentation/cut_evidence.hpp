@@ -1,4 +1,5 @@
-// What a finished cut tells about its own reliability.
+// SPDX-License-Identifier: BSD-3-Clause
+// Reliability measures of a finished cut.
 #pragma once
 
 #include <opencv2/core.hpp>
@@ -10,13 +11,13 @@ namespace mbncc {
 
 /// Pictures of one crop.
 struct FinishedCut {
-  cv::Mat map;      ///< CV_8UC1
-  cv::Mat coarse;   ///< CV_8UC1, the cut of `unary` at half resolution
-  cv::Mat inside;   ///< CV_8UC1, 255 in the region
-  cv::Mat unary;    ///< CV_32FC1, what the last cut minimised
-  cv::Mat changed;  ///< CV_32FC1, as in BackgroundLikelihood
-  cv::Mat kept;     ///< CV_8UC1 or empty: groups of pixels that lie there are the object's
-  cv::Mat vouched;  ///< CV_8UC1 or empty: the operator has painted there
+  cv::Mat map;        ///< CV_8UC1
+  cv::Mat coarse;     ///< CV_8UC1, the cut of `unary` at half resolution
+  cv::Mat inside;     ///< CV_8UC1, 255 in the region
+  cv::Mat unary;      ///< CV_32FC1, what the last cut minimised
+  cv::Mat changed;    ///< CV_32FC1, as in BackgroundLikelihood
+  cv::Mat kept;       ///< CV_8UC1 or empty: groups of pixels that lie there are the object's
+  cv::Mat confirmed;  ///< CV_8UC1 or empty: the operator has painted there
 };
 
 /// Part [0..1] of the map's outline within two pixels of the region's edge, or beyond.

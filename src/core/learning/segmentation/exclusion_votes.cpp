@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "learning/segmentation/exclusion_votes.hpp"
 
 #include <algorithm>
@@ -9,29 +10,30 @@
 namespace mbncc {
 namespace {
 
-constexpr int kBox = 3;               // [px] looks are averaged over this square
+constexpr int kBox = 3;               // [px] colours are averaged over this square
 constexpr int kMostSamples = 200;     // of a stroke or of the object
 constexpr int kRestSamples = 300;     // of the rest
 constexpr float kTolerance = 2;       // [grey levels] added to distances: as near as noise allows
 constexpr float kSquaredWidth = 8;    // [grey levels^2] of a sample's density
 constexpr float kStrokeShare = 0.2F;  // weight of a stroke's samples against the rest's, at least
 constexpr float kWeight = 3;          // of the densities' log-ratios, against the cut's unary
-constexpr float kInside = 4;          // log-odds: only the outermost pixels are as likely wrong
+constexpr float kInside = 4;          // log-odds: only the outermost pixels are wrong as often
 constexpr float kLoudest = 10;        // log-odds of a vote
 
-// Log-odds that a pixel of the rest belongs to what was meant by a stroke, by logistic regression.
-constexpr float kByLook = 0.65F;       // per e-fold of distance, of colours and change each
-constexpr float kByFewSamples = 0.7F;  // per e-fold: the fewer samples, the farther the nearest
+// Log-odds that another pixel belongs to the structure that a stroke excludes, by logistic
+// regression.
+constexpr float kByAppearance = 0.65F;  // per e-fold of distance, of colours and change each
+constexpr float kByFewSamples = 0.7F;   // per e-fold: the fewer samples, the farther the nearest
 constexpr float kByUnary = -0.17F;
 constexpr float kHighestUnary = 15;
-constexpr float kSurest = 10;  // log-odds, so that nothing is quite impossible
+constexpr float kSurest = 10;  // log-odds, so that no pixel is impossible
 constexpr float kOutermostBias = -1.1F, kInsideBias = -3.5F;
 
 // Colours of a pixel and their change against the picture after.
-struct Look {
+struct Appearance {
   cv::Vec3f colours, change;
 };
-using Part = cv::Vec3f Look::*;
+using Part = cv::Vec3f Appearance::*;
 
 class Looks {
  public:
@@ -40,14 +42,14 @@ class Looks {
     cv::blur(cut.before - cut.after, change_, {kBox, kBox});
   }
 
-  Look at(const cv::Point& pixel) const {
+  Appearance at(const cv::Point& pixel) const {
     return {colours_.at<cv::Vec3f>(pixel), change_.at<cv::Vec3f>(pixel)};
   }
 
-  std::vector<Look> at(const std::vector<cv::Point>& pixels) const {
-    std::vector<Look> looks;
-    for (const auto& pixel : pixels) looks.push_back(at(pixel));
-    return looks;
+  std::vector<Appearance> at(const std::vector<cv::Point>& pixels) const {
+    std::vector<Appearance> appearances;
+    for (const auto& pixel : pixels) appearances.push_back(at(pixel));
+    return appearances;
   }
 
  private:
@@ -85,37 +87,39 @@ cv::Mat inside_of(const cv::Mat& map) {
 }
 
 // Logarithm of the distance to the nearest of some.
-float log_distance(const Look& look, const std::vector<Look>& samples, Part part) {
+float log_distance(const Appearance& appearance, const std::vector<Appearance>& samples,
+                   Part part) {
   float least = std::numeric_limits<float>::max();
   for (const auto& sample : samples) {
-    const cv::Vec3f apart = look.*part - sample.*part;
+    const cv::Vec3f apart = appearance.*part - sample.*part;
     least = std::min(least, apart.dot(apart));
   }
   return std::log(std::sqrt(least) + kTolerance);
 }
 
-// How much nearer a look is to the one than to the other.
-float nearness(const Look& look, const std::vector<Look>& one, const std::vector<Look>& other) {
+// How much nearer an appearance is to the one than to the other.
+float nearness(const Appearance& appearance, const std::vector<Appearance>& one,
+               const std::vector<Appearance>& other) {
   float sum = 0;
-  for (const Part part : {&Look::colours, &Look::change})
-    sum += log_distance(look, other, part) - log_distance(look, one, part);
+  for (const Part part : {&Appearance::colours, &Appearance::change})
+    sum += log_distance(appearance, other, part) - log_distance(appearance, one, part);
   return sum;
 }
 
-// A look, and how much it tells of what was meant by a stroke and of the object.
+// An appearance with its weights for the stroke and for the object.
 struct Teacher {
-  Look look;
+  Appearance appearance;
   float meant = 0, object = 0;
 };
 
-// Logarithm of the ratio of the densities of what was meant and of the object.
-float log_ratio(const Look& look, const std::vector<Teacher>& teachers) {
+// Logarithm of the ratio of the densities of the excluded structure and of the object.
+float log_ratio(const Appearance& appearance, const std::vector<Teacher>& teachers) {
   constexpr float kLeast = 1e-20F;
   float sum = 0;
-  for (const Part part : {&Look::colours, &Look::change}) {
+  for (const Part part : {&Appearance::colours, &Appearance::change}) {
     float meant = kLeast, object = kLeast;
     for (const auto& teacher : teachers) {
-      const cv::Vec3f apart = look.*part - teacher.look.*part;
+      const cv::Vec3f apart = appearance.*part - teacher.appearance.*part;
       const float inverse = 1 / (kSquaredWidth + apart.dot(apart));
       const float density = inverse * inverse * inverse;
       meant += teacher.meant * density;
@@ -138,30 +142,30 @@ void normalize(std::vector<Teacher>& teachers) {
   }
 }
 
-// The stroke's pixels, and some of the rest that teach what they likely are themselves. At first
-// only the surer half of the rest speaks for the object: the other may be wrong for the same reason
-// as what was excluded.
-std::vector<Teacher> find_teachers(const CutPictures& cut, const Looks& looks,
+// Training samples: the stroke's pixels, and others with their estimated class. At first only the
+// more certain half of the others represents the object, because the rest may be wrong for the same
+// reason as the excluded pixels.
+std::vector<Teacher> find_teachers(const CutPictures& cut, const Looks& appearances,
                                    const cv::Mat& excluded, const cv::Mat& inside) {
   const cv::Mat rest = cut.map & ~excluded;
-  const auto stroke = looks.at(some_of(excluded, kMostSamples));
-  const auto object = looks.at(some_of(surer_half(rest, cut.unary), kMostSamples));
+  const auto stroke = appearances.at(some_of(excluded, kMostSamples));
+  const auto object = appearances.at(some_of(surer_half(rest, cut.unary), kMostSamples));
   if (stroke.empty() || object.empty()) return {};
   const auto pixels = some_of(rest, kRestSamples);
   const float share = static_cast<float>(object.size()) / static_cast<float>(stroke.size());
   std::vector<Teacher> teachers;
   for (const auto& pixel : pixels) {
-    const Look look = looks.at(pixel);
+    const Appearance appearance = appearances.at(pixel);
     const float unary = std::clamp(cut.unary.at<float>(pixel), -kHighestUnary, kHighestUnary);
-    const float log_odds = kByLook * nearness(look, stroke, object) +
+    const float log_odds = kByAppearance * nearness(appearance, stroke, object) +
                            kByFewSamples * std::log(share) + kByUnary * unary +
                            (inside.at<uchar>(pixel) ? kInsideBias : kOutermostBias);
     const float meant = 1 / (1 + std::exp(-std::clamp(log_odds, -kSurest, kSurest)));
-    teachers.push_back({look, meant, (1 - meant) * (1 - meant)});
+    teachers.push_back({appearance, meant, (1 - meant) * (1 - meant)});
   }
   const float drawn =
       kStrokeShare * static_cast<float>(pixels.size()) / static_cast<float>(stroke.size());
-  for (const auto& look : stroke) teachers.push_back({look, std::max(1.F, drawn), 0});
+  for (const auto& appearance : stroke) teachers.push_back({appearance, std::max(1.F, drawn), 0});
   normalize(teachers);
   return teachers;
 }
@@ -170,15 +174,15 @@ std::vector<Teacher> find_teachers(const CutPictures& cut, const Looks& looks,
 
 cv::Mat exclusion_votes(const CutPictures& cut, const cv::Mat& excluded) {
   cv::Mat votes = cv::Mat::zeros(cut.map.size(), CV_32FC1);
-  const Looks looks(cut);
+  const Looks appearances(cut);
   const cv::Mat inside = inside_of(cut.map);
-  const auto teachers = find_teachers(cut, looks, excluded, inside);
+  const auto teachers = find_teachers(cut, appearances, excluded, inside);
   if (teachers.empty()) return votes;
   const cv::Mat rest = cut.map & ~excluded;
   for (int y = 0; y < rest.rows; ++y)
     for (int x = 0; x < rest.cols; ++x) {
       if (!rest.at<uchar>(y, x)) continue;
-      const float vote = kWeight * log_ratio(looks.at(cv::Point(x, y)), teachers) -
+      const float vote = kWeight * log_ratio(appearances.at(cv::Point(x, y)), teachers) -
                          (inside.at<uchar>(y, x) ? kInside : 0);
       votes.at<float>(y, x) = std::clamp(vote, -kLoudest, kLoudest);
     }

@@ -1,11 +1,12 @@
-// What an excluding stroke says about pixels that it does not cover: what looks like them leaves.
+// SPDX-License-Identifier: BSD-3-Clause
+// Extends an excluding stroke to pixels of similar appearance.
 #pragma once
 
 #include <opencv2/core.hpp>
 
 namespace mbncc {
 
-/// A cut and what it was made of; pictures of one crop.
+/// A cut with its input; pictures of one crop.
 struct CutPictures {
   cv::Mat before;  ///< CV_32FC3
   cv::Mat after;   ///< CV_32FC3, aligned with `before`
@@ -13,10 +14,10 @@ struct CutPictures {
   cv::Mat map;     ///< CV_8UC1, 0 or 255
 };
 
-/// Log-odds (CV_32FC1), within +-10, that a pixel of the map is no more the object's than the
-/// `excluded` ones (CV_8UC1 of the crop's size): positive where it looks more like them, and like
-/// what likely belongs to them, than like the rest of the map, in its colours and in how they
-/// changed; less inside the map than along its outline. 0 on other pixels.
+/// Log-odds (CV_32FC1), within +-10, that a pixel of the map belongs to the same structure as the
+/// `excluded` ones (CV_8UC1 of the crop's size): positive where it resembles them and similar
+/// pixels more than the rest of the map, in colour and in change; less inside the map than along
+/// its outline. 0 on other pixels.
 cv::Mat exclusion_votes(const CutPictures& cut, const cv::Mat& excluded);
 
 }  // namespace mbncc

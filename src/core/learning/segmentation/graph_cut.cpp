@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "learning/segmentation/graph_cut.hpp"
 
 #include <algorithm>
@@ -14,7 +15,7 @@ constexpr int kBand = 4;         // [px] on either side of a coarse outline
 constexpr int kAround = 7;       // [px] square around a pixel that disagrees with a coarse cut
 constexpr float kDisagrees = 2;  // unary from which on it does
 
-// Cuts among the open pixels of a map; the others keep their side.
+// Cuts only the open pixels of a map; the others keep their labels.
 class PartialCut {
  public:
   PartialCut(const cv::Mat& unary, const Smoothness& smoothness, const cv::Mat& open, cv::Mat& map)
@@ -56,7 +57,7 @@ class PartialCut {
     return pixels;
   }
 
-  // Returns what the closed neighbours add to the preference.
+  // Returns the contribution of the closed neighbours to the unary.
   float add_edges(cv::detail::GCGraph<float>& graph, const cv::Point& pixel) {
     float push = 0;
     const int own = vertices_.at<int>(pixel);
@@ -88,8 +89,8 @@ class PartialCut {
   bool has_edges_ = false;
 };
 
-// Where a cut at half resolution may be wrong: near its outline, and where details disagree.
-cv::Mat doubtful(const cv::Mat& map, const cv::Mat& unary) {
+// Pixels where a cut at half resolution may be wrong: near its outline, and where details disagree.
+cv::Mat uncertain_band(const cv::Mat& map, const cv::Mat& unary) {
   const cv::Mat object = map > 0;
   cv::Mat grown, shrunk,
       disagrees = (object & (unary < -kDisagrees)) | (~object & (unary > kDisagrees));
@@ -129,7 +130,7 @@ cv::Mat tilted_coarse_cut(const cv::Mat& coarse, const cv::Mat& unary, float til
 }
 
 void refine_cut(const cv::Mat& unary, const Smoothness& smoothness, cv::Mat& map) {
-  PartialCut(unary, smoothness, doubtful(map, unary), map).run();
+  PartialCut(unary, smoothness, uncertain_band(map, unary), map).run();
 }
 
 }  // namespace mbncc

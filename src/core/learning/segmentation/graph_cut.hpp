@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Minimum cut on the pixel grid.
 #pragma once
 
@@ -14,12 +15,13 @@ cv::Mat minimum_cut(const cv::Mat& unary, const Smoothness& smoothness);
 /// The same at half resolution, with `half` = half_resolution(smoothness).
 cv::Mat coarse_cut(const cv::Mat& unary, const Smoothness& half);
 
-/// coarse_cut(unary + tilt, half), given that of tilt 0: the map only grows with the tilt.
+/// coarse_cut(unary + tilt, half), starting from that of tilt 0, because the map only grows with
+/// the tilt.
 cv::Mat tilted_coarse_cut(const cv::Mat& coarse, const cv::Mat& unary, float tilt,
                           const Smoothness& half);
 
-/// Cuts again near the outline of a coarse cut and where single pixels disagree with it: hardly
-/// ever another map than the minimum, in a fraction of the time.
+/// Cuts again near the outline of a coarse cut and where single pixels disagree with it: nearly
+/// always the minimum, in a fraction of the time.
 void refine_cut(const cv::Mat& unary, const Smoothness& smoothness, cv::Mat& map);
 
 }  // namespace mbncc

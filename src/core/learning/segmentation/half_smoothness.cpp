@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "learning/segmentation/half_smoothness.hpp"
 
 #include <cstddef>
@@ -9,7 +10,7 @@ cv::Size half_size(const cv::Size& size) {
   return {(size.width + 1) / 2, (size.height + 1) / 2};
 }
 
-// The edge between blocks that an edge between pixels adds to: none inside a block.
+// The edge between blocks that contains an edge between pixels; none inside a block.
 struct BlockEdge {
   int direction = -1;  // index of Smoothness::weights
   int owner = 0;       // columns from the pixel's block to the one that owns the edge

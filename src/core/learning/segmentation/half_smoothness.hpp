@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Energy of a cut whose outline keeps to blocks of 2 x 2 pixels.
 #pragma once
 

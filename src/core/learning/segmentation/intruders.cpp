@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "learning/segmentation/intruders.hpp"
 
 #include <cmath>
@@ -15,10 +16,10 @@ namespace {
 constexpr double kDepartureScore = 1.5;  // from which on something left rather than came
 constexpr int kFewestPixels = 20;        // of a patch of entry
 constexpr float kAnyColour = 0.02F;      // part of an intruder's pixels in colours not seen outside
-constexpr float kColourVoice = 6;        // most that the colour after says
-constexpr float kPlatformVoice = 2;      // most that a likeness to platform says
+constexpr float kColourVoice = 6;        // largest log-odds from the colour after
+constexpr float kPlatformLogOdds = 2;    // largest log-odds from a similarity to the platform
 constexpr float kPlatformWeight = 0.5F;
-constexpr float kSettled = 30;  // unary of pixels that are no question
+constexpr float kCertain = 30;  // unary of certain pixels
 
 cv::Mat log_density(const ColourMixture& mixture, const cv::Mat& picture, float any_colour) {
   cv::Mat relative = mixture.densities(picture) * std::exp(-log_uniform_colour()), logarithm;
@@ -73,11 +74,11 @@ cv::Mat find_intruders(const cv::Mat& before, const cv::Mat& after, const cv::Ma
   const cv::Mat platform_after = log_density(platform, after, 1e-4F);
   cv::Mat unary = bounded(log_density(arrived, after, kAnyColour) - platform_after, kColourVoice) +
                   bounded(kPlatformWeight * (log_density(platform, before, 1e-4F) - platform_after),
-                          kPlatformVoice);
+                          kPlatformLogOdds);
   cv::Mat reach;
   cv::dilate(changed, reach, cv::Mat());
-  unary.setTo(-kSettled, ~reach);
-  unary.setTo(kSettled, seeds);
+  unary.setTo(-kCertain, ~reach);
+  unary.setTo(kCertain, seeds);
   return connected_to(seeds, minimum_cut(unary, smoothness(after, before, noise)));
 }
 

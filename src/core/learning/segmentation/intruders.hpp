@@ -1,4 +1,5 @@
-// What reaches into the region in the picture after: the gripper, an arm.
+// SPDX-License-Identifier: BSD-3-Clause
+// Detects what reaches into the region in the picture after: the gripper, an arm.
 #pragma once
 
 #include <opencv2/core.hpp>
@@ -8,7 +9,8 @@
 
 namespace mbncc {
 
-/// The connected patches of `changed` (CV_8UC1) that reach its border: what came from beyond it.
+/// The connected patches of `changed` (CV_8UC1) that reach its border, so they entered from
+/// outside.
 cv::Mat reaching_border(const cv::Mat& changed);
 
 /// What covers the platform or the vacated place in `after` and is connected to `entry`, changed

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "learning/segmentation/map_measures.hpp"
 
 #include <algorithm>

@@ -1,4 +1,5 @@
-// Figures of a map and its template that need no search.
+// SPDX-License-Identifier: BSD-3-Clause
+// Measures of a map and its template without a search.
 #pragma once
 
 #include <opencv2/core.hpp>
@@ -17,7 +18,7 @@ void measure_map(const cv::Mat& picture, const cv::Mat& map, Quality& quality);
 /// IoU of the map with the changed pixels around it (CV_8UC1).
 double change_agreement(const cv::Mat& changed, const cv::Mat& map);
 
-/// Does a map pixel lie on the picture's border?
+/// Whether a map pixel lies on the picture's border.
 bool touches_border(const cv::Mat& map);
 
 /// Outermost map pixels.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "mbncc/learning/sb_grabcut.hpp"
 
 #include <algorithm>
@@ -13,7 +14,7 @@ cv::Mat foreground_of(const cv::Mat& classes) {
   return (classes == cv::GC_FGD) | (classes == cv::GC_PR_FGD);
 }
 
-// cv::grabCut asserts when one side's mixture has no sample.
+// cv::grabCut asserts if one side's mixture has no sample.
 bool has_both_sides(const cv::Mat& classes) {
   const int foreground = cv::countNonZero(foreground_of(classes));
   return foreground > 0 && foreground < static_cast<int>(classes.total());

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "learning/segmentation/smoothness.hpp"
 
 #include <algorithm>
@@ -18,7 +19,7 @@ struct Contrasts {
   double mean = 0;
 };
 
-// Squared contrasts of `before` across edges of one row, less what `after` shows as well.
+// Squared contrasts of `before` across edges of one row, minus those also present in `after`.
 class RowContrast {
  public:
   RowContrast(int width, const cv::Vec3f& precision)

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Cost of an outline between neighbouring pixels.
 #pragma once
 

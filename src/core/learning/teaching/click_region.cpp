@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "learning/teaching/click_region.hpp"
 
 #include <algorithm>
@@ -14,9 +15,9 @@ namespace {
 constexpr int kWidth = 240;        // [px] that distances are measured at
 constexpr float kStepCost = 0.5F;  // [grey levels / px] of even colour
 constexpr int kTouch = 2;          // [px] radius of the click
-constexpr int kGap = 9;            // [px] pieces nearer than this belong together
+constexpr int kGap = 9;            // [px] pieces nearer than this are joined
 
-constexpr double kMissed = 15;  // [px] farther from a patch, a click does not mean it
+constexpr double kMissed = 15;  // [px] largest distance of a click to its patch
 
 using Step = std::pair<float, int>;  // distance, pixel
 

@@ -1,4 +1,5 @@
-// From one point on the object to an approximate region.
+// SPDX-License-Identifier: BSD-3-Clause
+// Estimates an approximate region from one point on the object.
 #pragma once
 
 #include <opencv2/core.hpp>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "mbncc/learning/learn_object.hpp"
 
 #include "mbncc/learning/interactive_lesson.hpp"

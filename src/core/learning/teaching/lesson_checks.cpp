@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "learning/teaching/lesson_checks.hpp"
 
 #include <algorithm>
@@ -14,10 +15,10 @@ namespace {
 
 constexpr int kSmallestPicture = 32;      // [px]
 constexpr int kSmallestRegion = 8;        // [px]
-constexpr int kLargestPicture = 1 << 15;  // [px] a side beyond this is no camera's
+constexpr int kLargestPicture = 1 << 15;  // [px] largest side of a picture
 constexpr double kFullPart = 0.98;        // of the room, from which on a map is everything
-// Of max_change: an object that leaves displaces less texture than it changes pixels, a camera
-// more.
+// Relative to max_change: a removed object displaces less texture than it changes pixels, a moved
+// camera more.
 constexpr double kDisplaced = 0.75;
 
 void require(bool condition, LearnError error, const std::string& message) {
@@ -98,10 +99,11 @@ void check_lesson(const Lesson& lesson) {
   require(
       !lesson.click || cv::Rect2d({0, 0}, cv::Size2d(lesson.before.size())).contains(*lesson.click),
       LearnError::kRegionInvalid, "The click does not lie in the picture.");
-  require(!lesson.map.empty() || !lesson.outline.empty() || lesson.click || !lesson.after.empty() ||
-              lesson.region != cv::Rect(),
-          LearnError::kRegionInvalid,
-          "Nothing says where the object is: no map, outline, click, region or picture after.");
+  require(
+      !lesson.map.empty() || !lesson.outline.empty() || lesson.click || !lesson.after.empty() ||
+          lesson.region != cv::Rect(),
+      LearnError::kRegionInvalid,
+      "The object's place is not given: there is no map, outline, click, region or picture after.");
 }
 
 bool is_near_picture(const cv::Point2d& point) {
@@ -111,7 +113,7 @@ bool is_near_picture(const cv::Point2d& point) {
 cv::Rect usable_region(const Lesson& lesson) {
   const cv::Rect& given = lesson.region;
   if (given == cv::Rect()) return {{0, 0}, lesson.before.size()};
-  // Far-out numbers overflow the corners of cv::Rect.
+  // Very large numbers would overflow cv::Rect.
   const auto clipped = [](int start, int length, int limit) {
     const std::int64_t low = std::max<std::int64_t>(start, 0);
     const std::int64_t high = std::min<std::int64_t>(std::int64_t{start} + length, limit);
@@ -153,7 +155,7 @@ void check_survey(const ChangeSurvey& survey, const LearningConfig& config) {
   require(survey.exposure <= config.max_exposure_change, kError,
           "The exposure or the light changed between the pictures.");
   require(survey.unevenness <= config.max_light_change, kError,
-          "The light comes from elsewhere in the second picture.");
+          "The light comes from another direction in the second picture.");
   require(cv::norm(survey.shift) <= config.max_shift, kError,
           "The camera moved between the pictures.");
   require(survey.displaced <= kDisplaced * config.max_change, kError,

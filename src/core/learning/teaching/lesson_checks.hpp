@@ -1,4 +1,5 @@
-// What a lesson must bring, and what a map must be, before anything is made of it.
+// SPDX-License-Identifier: BSD-3-Clause
+// Checks the input of a lesson and its map.
 #pragma once
 
 #include <opencv2/core.hpp>
@@ -20,7 +21,7 @@ void check_lesson(const Lesson& lesson);
 /// LessonEnded(kRegionInvalid) when less than 8 x 8 pixels remain.
 cv::Rect usable_region(const Lesson& lesson);
 
-/// False for what is no number or lies farther from a picture's corner than any picture is large.
+/// False for values that are not finite or beyond the largest picture size.
 bool is_near_picture(const cv::Point2d& point);
 
 /// The outline filled. Throws LessonEnded(kRegionInvalid) when it crosses itself, has fewer than
@@ -31,8 +32,7 @@ cv::Mat outline_map(const Lesson& lesson);
 /// moved, or another scene altogether.
 void check_survey(const ChangeSurvey& survey, const LearningConfig& config);
 
-/// Throws LessonEnded when the map holds nothing or everything. `room` is what it could have
-/// filled.
+/// Throws LessonEnded if the map is empty or full. `room` is the area that it could have filled.
 void check_map(const cv::Mat& map, const cv::Rect& room);
 
 }  // namespace mbncc

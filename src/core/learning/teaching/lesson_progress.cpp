@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "learning/teaching/lesson_progress.hpp"
 
 #include <algorithm>

@@ -1,5 +1,6 @@
-// How the steps of a lesson report progress, are cancelled and give up. Private to the layer:
-// learn_object() turns everything here into values.
+// SPDX-License-Identifier: BSD-3-Clause
+// Progress, cancellation and failure of a lesson's steps. Private to the layer: learn_object()
+// converts all of it to values.
 #pragma once
 
 #include <functional>
@@ -11,10 +12,10 @@
 
 namespace mbncc {
 
-/// Ends a lesson that cannot go on; caught in learn_object() and nowhere else.
+/// Ends a lesson that cannot continue; caught only in learn_object().
 class LessonEnded : public std::runtime_error {
  public:
-  /// `message` replaces the error's own sentence where it knows more.
+  /// `message` replaces the error's default text.
   explicit LessonEnded(LearnError error, const std::string& message = "")
       : std::runtime_error(message.empty() ? message_of(error) : message), error_(error) {}
 
@@ -24,12 +25,12 @@ class LessonEnded : public std::runtime_error {
   LearnError error_;
 };
 
-/// Passes steps on to the observer, keeps the progress from falling and the stages in order.
+/// Reports steps to the observer, with monotonic progress and ordered stages.
 class LessonProgress {
  public:
   explicit LessonProgress(const StageObserver& observer) : observer_(observer) {}
 
-  /// Makes the picture of a step; called only when somebody looks.
+  /// Makes the picture of a step; called only with an observer.
   using Picture = std::function<cv::Mat()>;
 
   /// Throws LessonEnded(kCancelled) when the observer asks to stop. `progress` is of the whole

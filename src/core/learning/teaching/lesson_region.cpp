@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "learning/teaching/lesson_region.hpp"
 
 #include <opencv2/imgproc.hpp>
@@ -12,8 +13,8 @@
 namespace mbncc {
 namespace {
 
-// Without a place told, the object is where most speaks for its having been taken away: a gripper
-// may have changed more.
+// Without a given place, the object is at the patch with the largest evidence of a departure,
+// because a gripper may have changed a larger area.
 cv::Rect departed_from(const Lesson& lesson, ChangeSurvey& survey) {
   const bool changed = cv::countNonZero(survey.changed) > 0;
   const cv::Mat left = departures(lesson.before, lesson.after, survey.changed);
@@ -24,7 +25,7 @@ cv::Rect departed_from(const Lesson& lesson, ChangeSurvey& survey) {
   return places.empty() ? cv::Rect() : places.front();
 }
 
-// A region that is far larger than all change inside it is narrowed: the work grows with it.
+// A region that is far larger than the change inside it is reduced to save time.
 cv::Rect region_of_change(const Lesson& lesson, const ChangeSurvey& survey, const cv::Rect& room) {
   constexpr int kFarLarger = 4;
   if (lesson.click) return room;
@@ -41,7 +42,7 @@ void survey(const Lesson& lesson, const LearningConfig& config, RegionOfLesson& 
   region.changed = survey.changed;
 }
 
-// The change there, or else what has the colour there.
+// The change there, otherwise the region of similar colour.
 void narrow_to_click(const Lesson& lesson, RegionOfLesson& region) {
   region.approximate = lesson.after.empty() ? grow_from_click(lesson.before, *lesson.click)
                                             : change_at_click(region.approximate, *lesson.click);

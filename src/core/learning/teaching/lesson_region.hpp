@@ -1,4 +1,5 @@
-// Where a lesson's object is, from what the lesson says and what its pictures tell.
+// SPDX-License-Identifier: BSD-3-Clause
+// Determines the region of a lesson's object from the lesson's input and its pictures.
 #pragma once
 
 #include <opencv2/core.hpp>
@@ -15,7 +16,7 @@ struct RegionOfLesson {
   cv::Mat surveyed;     ///< all changes, arrivals included; likewise
 };
 
-/// Nobody says where the object is: the largest change that something left is meant.
+/// No place is given, so the largest departure is the object.
 bool is_without_place(const Lesson& lesson);
 
 /// For a lesson that passed check_lesson(). Throws LessonEnded: kRegionInvalid, kChangeTooLarge for

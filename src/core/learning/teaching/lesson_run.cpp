@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "learning/teaching/lesson_run.hpp"
 
 #include <algorithm>
@@ -15,8 +16,8 @@
 namespace mbncc {
 namespace {
 
-constexpr double kRefines = 0.75;  // agreement of two views, above which both make the map
-constexpr double kDoubted = 0.2;   // change outside its region that forbids a map to be GOOD
+constexpr double kRefines = 0.75;  // agreement of two views, above which both contribute to the map
+constexpr double kDoubted = 0.2;   // change outside the region above which a map is not GOOD
 
 bool refines(const NewPlace& place) {
   return place.agreement >= kRefines;
@@ -74,7 +75,7 @@ class LessonRun {
     judge(segmentation);
   }
 
-  // What was put aside within the view shows the object once more: a second opinion on the map.
+  // An object put aside within the view is visible again, which gives a second estimate of the map.
   void look_for_put_aside() {
     state_.new_place.reset();
     if (!state_.cut->cut_with) return;
@@ -95,8 +96,8 @@ class LessonRun {
     return is_without_place(lesson_) && lesson_.map.empty() && lesson_.outline.empty();
   }
 
-  // Where nobody says which change is meant, it is the one that most speaks for; unless another one
-  // is confirmed by its lying elsewhere now, and this one is not.
+  // Without a given place, the change with the largest evidence is used, unless another change is
+  // confirmed by finding its object elsewhere and this one is not.
   void find_place() {
     cutter_.mark_region();
     keep_changed();
@@ -105,11 +106,11 @@ class LessonRun {
     if (state_.cut) look_for_put_aside();
     if (state_.new_place || reconsider_place()) return;
     if (!state_.cut)
-      state_.cut = cutter_.segment(Room::kMayGrow);  // throws: tells why there is none
+      state_.cut = cutter_.segment(Room::kMayGrow);  // throws the reason why there is none
     doubt_parts(*state_.cut);
   }
 
-  // One of a map's parts may be where the object was put: a change outside the other one.
+  // One part of a map may be the place where the object was put down.
   static void doubt_parts(Segmentation& cut) {
     if (!cut.evidence || large_parts(cut.map).empty()) return;
     cut.evidence->change_outside = std::max(cut.evidence->change_outside, kDoubted);
@@ -127,7 +128,7 @@ class LessonRun {
     return false;
   }
 
-  // Did the object leave from `place`, and lie elsewhere now? Then it is learned there.
+  // Learns the object at `place` if it left from there and is found elsewhere now.
   bool left_from(const cv::Rect& place, Room room) {
     cutter_.look_at(place);
     const std::optional<Segmentation> other = cutter_.segment_if_possible(room);
@@ -141,7 +142,7 @@ class LessonRun {
     return true;
   }
 
-  // From here on, the lesson is taught by this region.
+  // From here on, the lesson uses this region.
   void point_at(const cv::Rect& region) {
     lesson_.region = region;
     lesson_.map = cv::Mat();
@@ -168,12 +169,12 @@ class LessonRun {
 
   void judge(const Segmentation& segmentation) {
     const StepTimer timer(result_.timings_ms, "quality");
-    progress_.report(Stage::kQuality, 0.85, "Judging the lesson.");
+    progress_.report(Stage::kQuality, 0.85, "Computing the verdict.");
     result_.evidence = segmentation.evidence;
     Quality& quality = result_.object.quality;
     quality = assess_quality(result_.object, lesson_.before, state_.changed, segmentation.evidence,
                              config_, search_);
-    // A ready map is never refused for quality: the verdict warns, no more.
+    // A given map is never refused for quality; the verdict only warns.
     if (!lesson_.map.empty() && quality.verdict == Verdict::kBad)
       quality.verdict = Verdict::kMarginal;
     result_.has_model = true;
@@ -215,7 +216,7 @@ class LessonRun {
   cv::Mat modelled_;  // the map that the result's object was made from
 };
 
-// Runs `steps` and turns the end of a lesson into values.
+// Runs `steps` and converts the end of a lesson to values.
 template <class Steps>
 void conclude(LearnResult& result, Steps&& steps) {
   result = LearnResult();
@@ -241,8 +242,7 @@ void run_edit(LessonState& state, const LessonEdit& edit, const LearningConfig& 
               const SearchConfig& search, const StageObserver& observer) {
   const bool has_map = state.result.has_model;
   conclude(state.result, [&] {
-    if (!has_map)
-      throw LessonEnded(LearnError::kRegionInvalid, "There is no map to be edited yet.");
+    if (!has_map) throw LessonEnded(LearnError::kRegionInvalid, "There is no map to edit yet.");
     LessonRun(state, config, search, observer).edit(edit);
   });
 }

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The steps of a lesson, and of an edit of it.
 #pragma once
 
@@ -11,7 +12,7 @@
 
 namespace mbncc {
 
-/// All that a lesson has led to so far. Copies share pictures: none is changed in place.
+/// State of a lesson. Copies share pictures, which are never modified.
 struct LessonState {
   Lesson lesson;
   Marks marks;
@@ -21,12 +22,12 @@ struct LessonState {
   LearnResult result;
 };
 
-/// Learns from state.lesson; fills in the rest of it. Never throws LessonEnded: `state.result`
-/// tells how it ended.
+/// Learns from state.lesson; fills in the rest of it. Never throws LessonEnded; `state.result`
+/// contains the outcome.
 void run_lesson(LessonState& state, const LearningConfig& config, const SearchConfig& search,
                 const StageObserver& observer);
 
-/// Applies `edit` to a state that has a model and judges again, likewise.
+/// Applies `edit` to a state that has a model and evaluates it again, in the same way.
 void run_edit(LessonState& state, const LessonEdit& edit, const LearningConfig& config,
               const SearchConfig& search, const StageObserver& observer);
 

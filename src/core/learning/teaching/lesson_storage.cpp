@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "mbncc/learning/lesson_storage.hpp"
 
 #include <algorithm>
@@ -36,7 +37,7 @@ LearnError code_of(const std::exception& failure) {
   return expected ? LearnError::kStorage : LearnError::kInternal;
 }
 
-// The usual hint of kStorage speaks of the folder, not of an object that fits into no file.
+// The default hint of kStorage concerns the folder, not an object that is too large for a file.
 std::string hint_for(const std::exception& failure) {
   const LearnError code = code_of(failure);
   if (code != LearnError::kStorage || dynamic_cast<const FileError*>(&failure) != nullptr)
@@ -45,7 +46,7 @@ std::string hint_for(const std::exception& failure) {
          "unchanged.";
 }
 
-/// The object lies as it lay in a stored view, in the same light: there is nothing to be learned.
+/// The object lies as in a stored view, in the same light, so the view adds nothing.
 bool shows_the_same(const View& one, const View& other) {
   constexpr double kSameMap = 0.9;  // of the larger map
   constexpr double kNoise = 4;      // [grey levels] mean difference of two pictures of one scene
@@ -92,16 +93,17 @@ std::optional<Refusal> add_view(ObjectModel& stored, const ObjectModel& learned,
   View view = learned.views.front();
   for (const auto& known : stored.views)
     if (shows_the_same(view, known))
-      return Refusal(LearnError::kAlreadyKnown,
-                     "'" + stored.name + "' has this view already: it lies as it lay then.",
-                     "Turn the object, lay it on another side or change the light; then teach the "
-                     "view again.");
+      return Refusal(
+          LearnError::kAlreadyKnown,
+          "'" + stored.name + "' already has this view: the object lies as in that picture.",
+          "Turn the object, lay it on another side or change the light; then teach the "
+          "view again.");
   const auto reference = shared_reference(stored, view, picture, search);
   if (!reference)
     return Refusal(LearnError::kNotDistinct,
                    "The stored object was not found in the new picture, so the new view cannot "
                    "share its frame.",
-                   "Show it more like the stored views, or use overwrite.");
+                   "Show it in a pose closer to the stored views, or use overwrite.");
   view.reference = *reference;
   stored.views.push_back(view);
   stored.quality = learned.quality;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "learning/teaching/map_cutter.hpp"
 
 #include <algorithm>
@@ -22,7 +23,7 @@ MapCutter::MapCutter(const Lesson& lesson, const LearningConfig& config, LessonP
                      std::map<std::string, double>& timings_ms)
     : lesson_(lesson), config_(config), progress_(progress), timings_ms_(timings_ms) {}
 
-// A ready map is the teacher's word, and so is an outline unless a method is asked to refine it.
+// A given map is used unchanged, and so is an outline unless a method for its refinement is given.
 Segmentation MapCutter::acquire_map() {
   if (!lesson_.map.empty()) return accept(lesson_.map > 127);
   if (!lesson_.outline.empty() && config_.method == "auto") return accept(outline_map(lesson_));
@@ -32,7 +33,7 @@ Segmentation MapCutter::acquire_map() {
 
 Segmentation MapCutter::accept(const cv::Mat& map) {
   check_map(map, {{0, 0}, map.size()});
-  progress_.report(Stage::kRegion, 0.1, "Taking the map as it is.",
+  progress_.report(Stage::kRegion, 0.1, "Using the given map.",
                    [&] { return outlined(lesson_.before, map); });
   return {map, std::nullopt, {}, {}};
 }
@@ -57,7 +58,8 @@ Segmentation MapCutter::segment(Room room) {
   return lesson_.click ? clicked(found) : found;
 }
 
-// A click means one connected thing: neighbours that left as well are cut off with the region.
+// A click selects one connected object: neighbours that were also removed are excluded with the
+// region.
 Segmentation MapCutter::clicked(const Segmentation& found) {
   const cv::Mat piece = piece_at(found.map, *lesson_.click);
   check_map(piece, task_.region);
@@ -86,12 +88,12 @@ Segmentation MapCutter::segment_once() {
   Segmentation segmentation =
       segmenter_of(config_.method, !task_.after.empty())(task_, config_, progress_);
   check_map(segmentation.map, task_.region);
-  progress_.report(Stage::kSegment, 0.8, "The object is cut out.",
+  progress_.report(Stage::kSegment, 0.8, "The object is segmented.",
                    [&] { return outlined(task_.before, segmentation.map); });
   return segmentation;
 }
 
-// A region that nobody drew may have been found too small. False: there is nothing to widen.
+// A region that was not drawn may be too small. False if it cannot be widened.
 bool MapCutter::widen(const Segmentation& found) {
   if (!lesson_.outline.empty() || !found.evidence) return false;
   if (found.evidence->region_touch <= kTouching) return false;
@@ -105,12 +107,12 @@ bool MapCutter::widen(const Segmentation& found) {
 Segmentation MapCutter::cut_again(const Segmentation& cut, const Marks& marks) {
   if (marks.empty()) return cut;
   const StepTimer timer(timings_ms_, "segment");
-  progress_.report(Stage::kSegment, 0.2, "Cutting the object out again.");
+  progress_.report(Stage::kSegment, 0.2, "Segmenting the object again.");
   Segmentation segmentation = cut.cut_again
                                   ? cut.cut_again(marks)
                                   : Segmentation{overpainted(cut.map, marks), cut.evidence, {}, {}};
   check_map(segmentation.map, {{0, 0}, segmentation.map.size()});
-  progress_.report(Stage::kSegment, 0.8, "The object is cut out.",
+  progress_.report(Stage::kSegment, 0.8, "The object is segmented.",
                    [&] { return outlined(lesson_.before, segmentation.map); });
   return segmentation;
 }

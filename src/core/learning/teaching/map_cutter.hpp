@@ -1,4 +1,5 @@
-// Cuts a lesson's object out of its picture: region, segmentation, further cuts with marks.
+// SPDX-License-Identifier: BSD-3-Clause
+// Segments a lesson's object: region, segmentation, further cuts with strokes.
 #pragma once
 
 #include <map>
@@ -13,32 +14,32 @@
 
 namespace mbncc {
 
-/// May the region that is cut in grow when the map touches its edge?
+/// Whether the region may grow if the map touches its edge.
 enum class Room { kStays, kMayGrow };
 
-/// Steps of one lesson that passed check_lesson(); refers to it, so that it may be pointed at
-/// another region meanwhile. Where nothing else is said, throws LessonEnded when there is no map.
+/// Steps of one lesson that passed check_lesson(); keeps a reference to it, so that its region may
+/// change. Throws LessonEnded if there is no map, unless stated otherwise.
 class MapCutter {
  public:
   /// `timings_ms` receives "region" and "segment". All must outlive this.
   MapCutter(const Lesson& lesson, const LearningConfig& config, LessonProgress& progress,
             std::map<std::string, double>& timings_ms);
 
-  /// The lesson's map: given ready, or cut out of the lesson's region.
+  /// The lesson's map: given, or segmented in the lesson's region.
   Segmentation acquire_map();
 
-  /// Finds the region of a lesson that brings no map; what follows is cut in there.
+  /// Finds the region of a lesson without a given map, for the following cuts.
   void mark_region();
 
-  /// From now on the object is searched in `place` [px] alone, wherever something changed there.
+  /// From now on the object is searched only in `place` [px], where something changed.
   void look_at(const cv::Rect& place);
 
   Segmentation segment(Room room);
 
-  /// None where segment() says that there is no map; throws LessonEnded(kCancelled) alone.
+  /// None if segment() reports that there is no map; throws only LessonEnded(kCancelled).
   std::optional<Segmentation> segment_if_possible(Room room);
 
-  /// `cut` again, holding to the marks.
+  /// `cut` again, with the strokes as constraints.
   Segmentation cut_again(const Segmentation& cut, const Marks& marks);
 
   const SegmentationTask& task() const { return task_; }

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "learning/teaching/marks.hpp"
 
 #include <algorithm>
@@ -46,7 +47,7 @@ std::size_t points_of(const std::vector<LessonEdit::Line>& lines) {
   return points;
 }
 
-// A stroke that paints nothing would let the operator believe that the map obeyed him.
+// A stroke that paints nothing is refused, because the operator would assume an effect.
 void require_within(const LessonEdit::Line& line, double width, const cv::Size& picture) {
   if (line.empty()) return;
   const auto [left, right] = std::minmax_element(

@@ -1,4 +1,5 @@
-// What the operator has painted on the learning picture.
+// SPDX-License-Identifier: BSD-3-Clause
+// The operator's strokes on the learning picture.
 #pragma once
 
 #include <opencv2/core.hpp>
@@ -15,11 +16,11 @@ struct Marks {
   bool empty() const { return include.empty(); }
 };
 
-/// `marks` with the strokes of `edit` painted over them; `marks` itself is left alone. Throws
+/// `marks` with the strokes of `edit` painted over them; `marks` itself is not changed. Throws
 /// LessonEnded(kRegionInvalid) for strokes that are no numbers, or far outside the picture.
 Marks painted(const Marks& marks, const LessonEdit& edit, const cv::Size& picture);
 
-/// `map` with the marks taken as they are.
+/// `map` with the strokes painted into it.
 cv::Mat overpainted(const cv::Mat& map, const Marks& marks);
 
 }  // namespace mbncc

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "learning/teaching/put_aside.hpp"
 
 #include <algorithm>
@@ -16,15 +17,15 @@
 namespace mbncc {
 namespace {
 
-constexpr int kGap = 9;                 // [px] pieces nearer than this belong together
-constexpr double kSmallestPart = 0.25;  // of the object's area that a place shows
+constexpr int kGap = 9;                 // [px] pieces nearer than this are joined
+constexpr double kSmallestPart = 0.25;  // of the object's area that a place must show
 constexpr double kLargestPart = 4;      // likewise, its shadow included
 constexpr std::size_t kPlacesTried = 2;
-constexpr double kOtherPart = 0.05;  // of a map's area that another place left has: it may be wrong
+constexpr double kOtherPart = 0.05;  // of a map's area: least size of another possible place
 constexpr std::size_t kOthersTried = 3;
 constexpr int kPartMargin = 4;           // [px] about a part of a map
 constexpr double kLeastAgreement = 0.5;  // IoU that makes it the object
-constexpr float kOutside = -4;           // log-odds of what the other view does not show
+constexpr float kOutside = -4;           // log-odds of pixels outside the other view
 
 struct Place {
   cv::Rect box;
@@ -58,14 +59,14 @@ std::vector<Place> places_of(const cv::Mat& patches, double area) {
   return places;
 }
 
-// Where something arrived; then the rest: on a platform of its colours, an arrival may pass for
-// what left. But what reaches the border then is rather a gripper.
+// Arrivals first, then other changes, because on a platform of the object's colours an arrival may
+// be taken for a departure. Other changes that reach the border are probably a gripper.
 std::vector<Place> places_to_try(const cv::Mat& changed, const SegmentationTask& task,
                                  double area) {
   const cv::Mat left = departures(task.before, task.after, changed) > 0;
   std::vector<Place> places = places_of(changed & ~left, area);
-  for (const Place& doubtful : places_of(changed & left, area))
-    if (doubtful.within) places.push_back(doubtful);
+  for (const Place& uncertain : places_of(changed & left, area))
+    if (uncertain.within) places.push_back(uncertain);
   return places;
 }
 

@@ -1,4 +1,5 @@
-// The object put aside within the view: where it lies in the picture after.
+// SPDX-License-Identifier: BSD-3-Clause
+// Finds the object in the picture after if it was put aside within the view.
 #pragma once
 
 #include <opencv2/core.hpp>
@@ -12,14 +13,13 @@
 namespace mbncc {
 
 struct NewPlace {
-  Pose2D motion;         ///< [px],[rad] takes points of the object from before to after
-  double agreement = 0;  ///< [0..1] IoU of the learned map there with a map cut out there
+  Pose2D motion;         ///< [px],[rad] transforms points of the object from before to after
+  double agreement = 0;  ///< [0..1] IoU of the learned map there with a map segmented there
   cv::Mat preference;    ///< CV_32FC1, that cut's, warped onto the picture before
 };
 
-/// Looks where something changed elsewhere for the object just learned (one view) and its `map` of
-/// the picture's size. `changed` is the survey's, arrivals included. None when nothing that arrived
-/// is the object.
+/// Searches the object just learned (one view), with its `map` of the picture's size, at the other
+/// changes. `changed` is the survey's, including arrivals. None if the object is not found.
 std::optional<NewPlace> find_put_aside(const ObjectModel& object, const cv::Mat& map,
                                        const SegmentationTask& task, const cv::Mat& changed,
                                        const LearningConfig& config, const SearchConfig& search);

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "mbncc/learning/resemblance.hpp"
 
 #include <algorithm>
@@ -10,7 +11,7 @@ namespace {
 
 constexpr double kLeastAgreement = 0.5;    // IoU of a found outline and the new map
 constexpr double kLeastExtentRatio = 0.8;  // of the excircles' radii
-constexpr double kLeastScore = 0.05;  // of a view: agreement with the map decides, not the score
+constexpr double kLeastScore = 0.05;       // of a view; the agreement with the map decides
 constexpr int kPlacesTried = 5;
 
 double agreement(const Match& match, const cv::Mat& map) {
@@ -29,8 +30,8 @@ std::vector<Match> matches_of(std::vector<std::shared_ptr<const ObjectModel>> ob
   return matcher.find(picture, request).matches;
 }
 
-// Maps that agree as far as asked cannot differ more in area, nor much more in extent; what differs
-// need not be searched for.
+// Maps with the required IoU cannot differ more in area, nor much more in extent; other objects
+// need not be searched.
 bool may_agree(const cv::Mat& a, const cv::Mat& b) {
   const auto alike = [](double first, double second, double ratio) {
     return first >= ratio * second && second >= ratio * first;
@@ -55,7 +56,7 @@ void warn(Quality& quality) {
   quality.verdict = std::max(quality.verdict, Verdict::kMarginal);
   quality.reasons.emplace_back("resembles_known");
   quality.advice.push_back("It looks like '" + quality.confusable_with +
-                           "': one may be taken for the other. Teach a side that differs, or add "
+                           "': the two may be confused. Teach a side that differs, or add "
                            "this picture to '" +
                            quality.confusable_with + "'.");
 }

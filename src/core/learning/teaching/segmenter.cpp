@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "learning/teaching/segmenter.hpp"
 
 #include <opencv2/imgproc.hpp>
@@ -19,7 +20,7 @@ double segment_progress(int iteration, int iterations) {
 BeforeCut report_cuts(const LearningConfig& config, LessonProgress& progress) {
   return [&config, &progress](int iteration) {
     progress.report(Stage::kSegment, segment_progress(iteration, config.iterations),
-                    "Cutting the object out, round " + std::to_string(iteration + 1) + " of " +
+                    "Segmenting the object, round " + std::to_string(iteration + 1) + " of " +
                         std::to_string(config.iterations) + ".");
   };
 }
@@ -38,7 +39,7 @@ cv::Mat grabcut_again(const cv::Mat& map, const Marks& marks, const Segmentation
   return overpainted(clean_map(result), marks);
 }
 
-// Colours alone tell nothing about how good a cut is.
+// Colours alone give no measure of a cut's reliability.
 Segmentation unverified(const cv::Mat& raw, const SegmentationTask& task) {
   const cv::Mat map = clean_map(raw);
   cv::Mat inside = cv::Mat::zeros(map.size(), CV_8UC1);

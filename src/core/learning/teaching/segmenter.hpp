@@ -1,4 +1,5 @@
-// One interface for all ways of cutting the object out of its picture.
+// SPDX-License-Identifier: BSD-3-Clause
+// Common interface of all segmentation methods.
 #pragma once
 
 #include <functional>
@@ -13,7 +14,7 @@
 
 namespace mbncc {
 
-/// What a segmenter starts from. All pictures have one size, the region lies inside.
+/// Input of a segmenter. All pictures have one size, the region lies inside.
 struct SegmentationTask {
   cv::Mat before;       ///< CV_8UC3
   cv::Mat after;        ///< CV_8UC3, or empty
@@ -24,9 +25,8 @@ struct SegmentationTask {
 
 struct Segmentation {
   cv::Mat map;                          ///< CV_8UC1 of the picture's size, 0/255; may be all 0
-  std::optional<CutEvidence> evidence;  ///< how sure the cut is of itself, where it can tell
-  /// Cuts again from where it stood, holding to marks of the picture's size; none: a map that was
-  /// given ready.
+  std::optional<CutEvidence> evidence;  ///< reliability measures of the cut, if available
+  /// A further cut with strokes of the picture's size as constraints; none if the map was given.
   std::function<Segmentation(const Marks& marks)> cut_again;
   /// A further cut that adds another view's log-odds per pixel, as in ChangeCut; none for other
   /// methods.

@@ -1,4 +1,5 @@
-// Pictures of a lesson's steps for whoever watches.
+// SPDX-License-Identifier: BSD-3-Clause
+// Pictures of a lesson's steps for display.
 #pragma once
 
 #include <opencv2/core.hpp>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Times of a lesson's steps.
 #pragma once
 
@@ -8,7 +9,7 @@
 
 namespace mbncc {
 
-/// Adds the wall time of its own life to timings[step], in milliseconds, also when the step throws.
+/// Adds the wall time of its lifetime to timings[step], in milliseconds, also when the step throws.
 class StepTimer {
  public:
   StepTimer(std::map<std::string, double>& timings, std::string step)

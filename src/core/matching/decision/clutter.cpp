@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "matching/decision/clutter.hpp"
 
 #include <algorithm>
@@ -13,9 +14,9 @@ namespace mbncc {
 namespace {
 
 // Fitted together with the weights of log_odds().
-constexpr std::size_t kPlaces = 3;  // those that tell most about the picture
+constexpr std::size_t kPlaces = 3;  // number of places used
 constexpr double kWeight = 0.85;
-constexpr double kNothing = -6, kObvious = 5;  // log-odds: bounds of what a place says
+constexpr double kNothing = -6, kObvious = 5;  // log-odds: bounds of a place's contribution
 
 bool same_place(const Detection& a, const Detection& b) {
   return cv::norm(a.pose.position() - b.pose.position()) <
@@ -40,11 +41,11 @@ std::vector<double> odds_of_places(std::vector<const Detection*> detections, std
   return odds;
 }
 
-/// What a place of log-odds `odds` tells about the picture: the less, the surer it is another
+/// Contribution of a place of log-odds `odds` to the clutter; less if it is probably another
 /// instance.
-double likeness(double odds) {
-  const double doubt = std::clamp((kInstance - odds) / (kInstance - kObvious), 0., 1.);
-  return doubt * (std::clamp(odds, kNothing, kObvious) - kNothing);
+double clutter_weight(double odds) {
+  const double uncertainty = std::clamp((kInstance - odds) / (kInstance - kObvious), 0., 1.);
+  return uncertainty * (std::clamp(odds, kNothing, kObvious) - kNothing);
 }
 
 }  // namespace
@@ -52,7 +53,7 @@ double likeness(double odds) {
 double clutter_penalty(const std::vector<double>& odds) {
   if (odds.empty()) return 0;
   std::vector<double> likes;
-  std::transform(odds.begin() + 1, odds.end(), std::back_inserter(likes), likeness);
+  std::transform(odds.begin() + 1, odds.end(), std::back_inserter(likes), clutter_weight);
   std::sort(likes.begin(), likes.end(), std::greater<>());
   likes.resize(kPlaces, 0);
   return kWeight * std::accumulate(likes.begin(), likes.end(), 0.) / kPlaces;

@@ -1,4 +1,5 @@
-// How much the rest of the picture looks like the object.
+// SPDX-License-Identifier: BSD-3-Clause
+// Clutter: similarity of the rest of the picture to the object.
 #pragma once
 
 #include <map>
@@ -9,28 +10,27 @@
 
 namespace mbncc {
 
-/// Places that are asked how well the picture passes for the object, with the best one.
+/// Number of places used to measure clutter, including the best one.
 constexpr std::size_t kCluttered = 10;
-/// Log-odds: what passes so well for the object is no mere like of it.
+/// Log-odds from which on a place is an instance, not clutter.
 constexpr double kInstance = 8;
 /// [radii] Nearer detections are of one place.
 constexpr double kSamePlace = 0.7;
 
-/// Log-odds that what looks alike elsewhere takes away, other instances apart. `odds` are those of
+/// Log-odds penalty for similar places elsewhere, except other instances. `odds` are those of
 /// the best detections of up to kCluttered different places, best first.
 double clutter_penalty(const std::vector<double>& odds);
 
-/// Lowers the log-odds of every object's detections by what is found of it elsewhere: where several
-/// places nearly pass for the object, the picture is full of its likes, and each of them is less
-/// likely to be it. One place alone loses nothing, nor do several beyond doubt, and order and
-/// margins stay as they are. `least`: log-odds by name that are taken off at least. `rarity`:
-/// log-odds taken off all in addition, see multiple_testing_penalty(). Returns what was taken off.
+/// Lowers the log-odds of every object's detections by its clutter penalty: if several places
+/// nearly match the object, each of them is less likely to be right. A single place or several
+/// certain instances lose nothing; order and margins do not change. `least`: least penalty by name.
+/// `rarity`: additional penalty of all, see multiple_testing_penalty(). Returns the penalties.
 std::map<std::string, double> apply_clutter_penalty(std::vector<Detection>& detections,
                                                     const std::map<std::string, double>& least = {},
                                                     double rarity = 0);
 
-/// Log-odds that an object loses beforehand when `count` are looked for in one picture: chance has
-/// as many tries, and few of the objects will be there.
+/// Log-odds penalty of every object if `count` objects are searched in one picture: more objects
+/// mean more chance matches, and few of the objects are present.
 double multiple_testing_penalty(std::size_t count);
 
 }  // namespace mbncc

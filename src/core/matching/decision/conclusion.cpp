@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "matching/decision/conclusion.hpp"
 
 #include <algorithm>
@@ -12,7 +13,7 @@
 namespace mbncc {
 namespace {
 
-constexpr double kStrange = 0.2;  // chroma: a part of another colour is no part of the object
+constexpr double kForeignColour = 0.2;  // chroma difference of a foreign part
 
 std::string number(double value, int digits) {
   std::ostringstream text;
@@ -20,7 +21,7 @@ std::string number(double value, int digits) {
   return text.str();
 }
 
-/// The pose is known well enough to reach for; the angle of a round object does not matter.
+/// Checks the accuracy of the pose; the angle of a round object is ignored.
 void doubt_deviations(const Match& match, const cv::Matx33d& c, const SearchConfig& config,
                       std::vector<Doubt>& doubts) {
   const double x = std::sqrt(c(0, 0)), y = std::sqrt(c(1, 1));
@@ -49,21 +50,22 @@ const Competitor* best_of(const std::vector<Competitor>& competitors) {
 std::vector<Doubt> doubts_about(const Match& match, const Detection& detection,
                                 const cv::Matx33d& cautious, double instance_margin,
                                 const SearchConfig& config) {
-  // Asked so that what is not a number is a doubt.
+  // Negated comparisons, so that NaN counts as a reason.
   std::vector<Doubt> doubts;
   if (!(match.margin_angle >= config.min_margin_angle))
     doubts.push_back({true, "angle open (margin " + number(match.margin_angle, 1) + ")"});
-  if (!(detection.strange <= kStrange)) doubts.push_back({true, "colour of a part differs"});
-  if (detection.turned_over) doubts.push_back({true, "mirrored fits as well"});
+  if (!(detection.colour_difference <= kForeignColour))
+    doubts.push_back({true, "colour of a part differs"});
+  if (detection.mirror_alternative) doubts.push_back({true, "mirrored fits as well"});
   if (detection.torn) doubts.push_back({false, "upper and lower part lie apart"});
-  if (detection.another_size) doubts.push_back({true, "another size fits better"});
+  if (detection.size_alternative) doubts.push_back({true, "another size fits better"});
   if (!(match.score >= config.confirm_score))
     doubts.push_back({false, "score " + number(match.score, 2) + " is below confirm_score"});
-  if (detection.elsewhere >= kNotExamined)
+  if (detection.contour_alternative >= kNotExamined)
     doubts.push_back({false, "too unlikely to be examined"});
-  else if (!(detection.elsewhere <= kContradicts))
+  else if (!(detection.contour_alternative <= kContradicts))
     doubts.push_back({false, "outline fits better beside it"});
-  if (!convincing(detection, instance_margin)) doubts.push_back({false, "evidence too weak"});
+  if (!is_convincing(detection, instance_margin)) doubts.push_back({false, "evidence too weak"});
   doubt_deviations(match, cautious, config, doubts);
   if (!(match.visible >= config.min_visible))
     doubts.push_back({false, number(100 * (1 - match.visible), 0) + " % outside"});

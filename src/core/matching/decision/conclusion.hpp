@@ -1,4 +1,5 @@
-// Whether a match may be grasped, and why not.
+// SPDX-License-Identifier: BSD-3-Clause
+// Decides whether a match is graspable, with reasons.
 #pragma once
 
 #include <vector>
@@ -9,8 +10,8 @@
 
 namespace mbncc {
 
-/// What speaks against grasping `match`, found as `detection`, competitors aside. `cautious`: the
-/// covariance of its pose that a grasp is judged by. `instance_margin`: see margins.hpp.
+/// Reasons against grasping `match`, found as `detection`, without competitors. `cautious`: the
+/// covariance used for the grasp conditions. `instance_margin`: see margins.hpp.
 std::vector<Doubt> doubts_about(const Match& match, const Detection& detection,
                                 const cv::Matx33d& cautious, double instance_margin,
                                 const SearchConfig& config);

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "matching/decision/detection.hpp"
 
 #include <algorithm>
@@ -14,7 +15,7 @@ double Detection::score() const {
   return 1 / (1 + std::exp(-calibrated()));
 }
 
-std::vector<Detection> compare_rotations(std::vector<Detection> detections) {
+std::vector<Detection> resolve_rotations(std::vector<Detection> detections) {
   const auto better = [](const Detection& a, const Detection& b) {
     return a.log_odds > b.log_odds;
   };

@@ -1,4 +1,5 @@
-// A pose that was judged, and rotations at one place that compete.
+// SPDX-License-Identifier: BSD-3-Clause
+// A verified pose, and the competition of rotations at one place.
 #pragma once
 
 #include <opencv2/core.hpp>
@@ -9,44 +10,44 @@
 
 namespace mbncc {
 
-/// [agreement] Of a detection whose outline was not looked for elsewhere, since it is not likely,
-/// or not the best of its place: it may lie better there.
+/// [agreement] For a detection whose outline was not tested at other places, because its score is
+/// low or it is not the best at its place.
 constexpr double kNotExamined = 4;
 
-/// A pose with what speaks for it, refined where it may be reported.
+/// A pose with its evidence, refined if it may be reported.
 struct Detection {
   const PreparedObject* object = nullptr;
   const PreparedView* view = nullptr;
-  Pose2D pose;                      ///< of the anchor [px]
-  double size = 1;                  ///< of what was found, against the view
-  cv::Matx33d covariance;           ///< of pose
-  cv::Matx33d cautious;             ///< likewise, see Refined: a grasp is judged by it
-  double log_odds = 0;              ///< that the object lies here
-  double similarity = 0;            ///< [-1..1]
-  double visible = 1;               ///< [0..1]
-  double strange = 0;               ///< [0..2] see ColourDifference, the larger one
-  bool another_size = false;        ///< would fit better were it smaller or larger
-  bool turned_over = false;         ///< its mirrored outline would lie better
-  bool torn = false;                ///< so would parts of its outline that lie apart
-  double elsewhere = kNotExamined;  ///< see better_elsewhere()
-  double calibration = 0;           ///< log-odds, see calibration()
-  double projected = 0;             ///< [-1..1] see Evidence
-  double rotation_odds = 0;         ///< against other rotations here, see rotation_odds()
-  std::size_t number = 0;           ///< among the poses that were judged together
+  Pose2D pose;                                ///< of the anchor [px]
+  double size = 1;                            ///< of the detection, relative to the view
+  cv::Matx33d covariance;                     ///< of pose
+  cv::Matx33d cautious;                       ///< the same for the grasp conditions, see Refined
+  double log_odds = 0;                        ///< that the object lies here
+  double similarity = 0;                      ///< [-1..1]
+  double visible = 1;                         ///< [0..1]
+  double colour_difference = 0;               ///< [0..2] see ColourDifference, the larger one
+  bool size_alternative = false;              ///< it fits better at another size
+  bool mirror_alternative = false;            ///< its mirrored outline fits better
+  bool torn = false;                          ///< two displaced parts of its outline fit better
+  double contour_alternative = kNotExamined;  ///< see better_elsewhere()
+  double calibration = 0;                     ///< log-odds, see calibration()
+  double shading_free_ncc = 0;                ///< [-1..1] see Evidence
+  double rotation_odds = 0;                   ///< against other rotations here, see rotation_odds()
+  std::size_t number = 0;                     ///< index among the poses verified together
 
   /// Log-odds that the pose is right.
   double calibrated() const { return log_odds + calibration; }
   double score() const;  ///< [0..1]
 };
 
-/// Log-odds behind the best rotation at a place within which others compete with it.
+/// Rotations at one place compete if their log-odds are within this of the best one.
 constexpr double kComparable = 8;
 
-/// One of the places of two detections would do for both.
+/// Whether two detections are at one place.
 bool at_one_place(const Detection& a, const Detection& b);
 
-/// Lets detections at the same place compete by their rotation_odds: the best of them takes the
-/// group's log-odds, and the others follow by as much as they are behind. Returns best first.
-std::vector<Detection> compare_rotations(std::vector<Detection> detections);
+/// Ranks detections at the same place by their rotation_odds: the best one gets the group's largest
+/// log-odds, and the others keep their differences in rotation_odds. Returns best first.
+std::vector<Detection> resolve_rotations(std::vector<Detection> detections);
 
 }  // namespace mbncc

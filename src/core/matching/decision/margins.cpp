@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "matching/decision/margins.hpp"
 
 #include <algorithm>
@@ -16,8 +17,8 @@ bool same_object(const Detection& a, const Detection& b) {
   return a.object == b.object;
 }
 
-/// The best detection but `detection` for which `competes` holds, which is asked only of those that
-/// matter; null: none.
+/// The best detection other than `detection` for which `competes` holds; null: none. `competes` is
+/// called only where needed.
 template <class Predicate>
 const Detection* best_competitor(const Detection& detection, const std::vector<Detection>& all,
                                  Predicate&& competes) {

@@ -1,4 +1,5 @@
-// How far detections are ahead of what competes with them.
+// SPDX-License-Identifier: BSD-3-Clause
+// Margins of detections to their competitors.
 #pragma once
 
 #include <map>
@@ -9,10 +10,10 @@
 
 namespace mbncc {
 
-/// [log-odds] Margin where nothing else was found.
+/// [log-odds] Margin without a competitor.
 constexpr double kNoCompetitor = 20;
 
-/// Two detections overlap by more than this part of the smaller map: they claim one place.
+/// Whether two detections overlap by more than this part of the smaller map.
 bool overlapping(const Detection& a, const Detection& b, double most);
 
 /// Margin to the best other rotation of the same object at the detection's place, negative where
@@ -20,12 +21,13 @@ bool overlapping(const Detection& a, const Detection& b, double most);
 double angle_margin(const Detection& detection, const std::vector<Detection>& all,
                     double max_overlap);
 
-/// Margin to the best other place of the same object, accepted ones included. `elsewhere`: as of
-/// SearchRequest, of all objects.
+/// Margin to the best other place of the same object, accepted ones included. `elsewhere`: as in
+/// SearchRequest, for all objects.
 double instance_margin(const Detection& detection, const std::vector<Detection>& all,
                        const std::map<std::string, double>& elsewhere, double max_overlap);
 
-/// The best other place of the same object that is no part of an accepted instance; null: none.
+/// The best other place of the same object that does not belong to an accepted instance; null:
+/// none.
 const Detection* competing_place(const Detection& detection, const std::vector<Detection>& all,
                                  const std::vector<const Detection*>& accepted, double max_overlap);
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "matching/decision/score_calibration.hpp"
 
 #include <algorithm>
@@ -9,20 +10,20 @@ double calibration(const Detection& detection, double angle_margin, double insta
   constexpr double kPerAgreement = 11.7, kFirm = -0.15, kLoose = 0.08;
   constexpr double kPerAngle = 0.4, kFarBehind = 8;      // log-odds
   constexpr double kPerInstance = 0.3, kMuchBetter = 5;  // log-odds
-  return kUsual - kPerAgreement * std::clamp(detection.elsewhere, kFirm, kLoose) -
+  return kUsual - kPerAgreement * std::clamp(detection.contour_alternative, kFirm, kLoose) -
          kPerAngle * std::max(0.0, kFarBehind - angle_margin) -
          kPerInstance * std::max(0.0, -instance_margin - kMuchBetter);
 }
 
-bool convincing(const Detection& detection, double instance_margin) {
+bool is_convincing(const Detection& detection, double instance_margin) {
   constexpr double kCertain = 5.5, kLikely = 3;       // log-odds, calibrated
   constexpr double kTexture = 0.6;                    // correlation without shading
   constexpr double kLoose = 0.01, kLooseCertain = 7;  // agreement; log-odds
   constexpr double kBehind = 3, kLikeCertain = 9;     // log-odds
-  if (detection.elsewhere > kLoose && detection.log_odds < kLooseCertain) return false;
+  if (detection.contour_alternative > kLoose && detection.log_odds < kLooseCertain) return false;
   if (instance_margin < -kBehind && detection.log_odds < kLikeCertain) return false;
   const double odds = detection.calibrated();
-  return odds >= kCertain || (odds >= kLikely && detection.projected >= kTexture);
+  return odds >= kCertain || (odds >= kLikely && detection.shading_free_ncc >= kTexture);
 }
 
 }  // namespace mbncc

@@ -1,19 +1,21 @@
-// What tells, beside the evidence at a pose, how likely a detection is right.
+// SPDX-License-Identifier: BSD-3-Clause
+// Calibration of the score by competitors and by the fit of the outline nearby.
 #pragma once
 
 #include "matching/decision/detection.hpp"
 
 namespace mbncc {
 
-/// Log-odds to add, fitted to what becomes of detections: the firmer the outline lies and the
-/// farther other rotations are behind, the more, and the less, the farther this is behind another
-/// instance, whose like it may be. The margins are those of margins.hpp. What was not examined may
-/// lie better elsewhere.
+/// Log-odds to add, fitted to the correctness of detections. They increase with the distinctness of
+/// the outline's fit and with the margin to other rotations, and decrease with the lead of another
+/// instance. The margins are those of margins.hpp. A detection that was not examined may fit better
+/// elsewhere.
 double calibration(const Detection& detection, double angle_margin, double instance_margin);
 
-/// Nearly certain, or likely and its texture is seen: mirror images and keys of another cut share
-/// outline and material. More is asked of an outline that lies as well a few pixels off, as those
-/// of mirror images do, and of what is behind another instance.
-bool convincing(const Detection& detection, double instance_margin);
+/// Whether the evidence suffices for a grasp: nearly certain, or likely with visible texture,
+/// because mirror images and keys of another cut have the same outline and material. The
+/// requirement is stricter for an outline that fits as well a few pixels away, like those of mirror
+/// images, and for a detection with lower odds than another instance.
+bool is_convincing(const Detection& detection, double instance_margin);
 
 }  // namespace mbncc

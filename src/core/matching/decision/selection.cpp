@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "matching/decision/selection.hpp"
 
 #include <algorithm>
@@ -39,12 +40,12 @@ std::vector<const Detection*> accept(const std::vector<Detection>& detections,
 }
 
 cv::Matx33d moved_to_reference(const cv::Matx33d& covariance, cv::Point2d lever) {
-  // Turning about the anchor moves the reference point at the lever's end sideways.
+  // A rotation about the anchor displaces the reference point by the lever.
   const cv::Matx33d jacobian(1, 0, -lever.y, 0, 1, lever.x, 0, 0, 1);
   return jacobian * covariance * jacobian.t();
 }
 
-/// Once margins can be told, and before anything is accepted.
+/// Called when margins are known, before any acceptance.
 void calibrate(std::vector<Detection>& detections, const AcceptanceSettings& acceptance) {
   const double max_overlap = acceptance.config.max_overlap;
   for (auto& detection : detections)
@@ -53,7 +54,7 @@ void calibrate(std::vector<Detection>& detections, const AcceptanceSettings& acc
                     instance_margin(detection, detections, acceptance.elsewhere, max_overlap));
 }
 
-/// [px] the reference point as seen from the anchor of what was found.
+/// [px] the reference point relative to the anchor of the detection.
 cv::Point2d lever_of(const Detection& detection) {
   return detection.size * detection.view->reference_in_anchor.position();
 }

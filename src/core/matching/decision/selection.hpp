@@ -1,4 +1,5 @@
-// From refined poses to the matches that are reported.
+// SPDX-License-Identifier: BSD-3-Clause
+// Selects matches from refined poses.
 #pragma once
 
 #include <map>
@@ -27,11 +28,12 @@ struct Selection {
   std::map<std::string, double> clutter;
 };
 
-/// What the thresholds compare [0..1]: the score, or the similarity under accept_by: similarity.
+/// The value compared with the thresholds [0..1]: the score, or the similarity if accept_by is
+/// similarity.
 double acceptance_score(const Detection& detection, const SearchConfig& config);
 
 /// Accepts the best detections of all objects that do not overlap a better one, measures their
-/// margins against what was not accepted, and turns them into matches.
+/// margins to the others, and converts them to matches.
 Selection select_matches(std::vector<Detection> detections, const AcceptanceSettings& acceptance);
 
 }  // namespace mbncc

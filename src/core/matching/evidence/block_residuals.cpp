@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "matching/evidence/block_residuals.hpp"
 
 #include <algorithm>
@@ -12,7 +13,7 @@ namespace mbncc {
 namespace {
 
 constexpr int kChannels = SurfaceTemplate::kChannels;
-constexpr double kLeastPoints = 4;  // of a part that is judged
+constexpr double kLeastPoints = 4;  // of a part that is compared
 
 struct Gain {
   double factor, offset;
@@ -76,7 +77,7 @@ class Parts {
     return sum;
   }
 
-  /// The sum of the five of eight that are explained best in a light.
+  /// The sum of the five of eight with the smallest residuals in a light.
   Sums best_explained(const Gain& gain) const {
     std::array<std::pair<double, std::size_t>, kMostBlocks> sorted;
     for (std::size_t i = 0; i < count_; ++i) sorted[i] = {parts_[i].square(gain), i};

@@ -1,5 +1,6 @@
-// How far the compact parts of a surface differ in colour from a picture, in the light that
-// explains most of them: what covers some of the parts decides nothing about the others.
+// SPDX-License-Identifier: BSD-3-Clause
+// Colour difference between the compact parts of a surface and a picture, in the light that fits
+// most of the parts: what covers some of them has no effect on the others.
 #pragma once
 
 #include <vector>
@@ -9,8 +10,8 @@
 namespace mbncc {
 
 /// Root mean square [grey levels] of the colour differences in the five of eight parts that one
-/// gain and one offset explain best (least trimmed squares, Rousseeuw 1984); negative where no part
-/// lies in the picture.
+/// gain and one offset fit best (least trimmed squares, Rousseeuw 1984); negative if no part lies
+/// in the picture.
 double trimmed_residual(const std::vector<BlockSums>& blocks);
 
 }  // namespace mbncc

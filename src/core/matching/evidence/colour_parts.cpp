@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "matching/evidence/colour_parts.hpp"
 
 #include <algorithm>
@@ -26,7 +27,8 @@ cv::Point2f chroma(float blue, float green, float red, float dark) {
   return {std::log(red + dark) - by, std::log(blue + dark) - by};
 }
 
-/// For each point the part that its colour belongs to; brightness, which light changes, says less.
+/// For each point the part that its colour belongs to; brightness has less weight, because light
+/// changes it.
 std::vector<int> parts_of(const SurfaceTemplate& surface) {
   constexpr float kDark = 20, kChroma = 2, kBrightness = 0.3f;
   const int count = static_cast<int>(surface.size());
@@ -45,12 +47,12 @@ std::vector<int> parts_of(const SurfaceTemplate& surface) {
   return {labels.begin<int>(), labels.end<int>()};
 }
 
-/// What is seen of one part: how far its chroma is off, and how much of it counts.
+/// The visible part: its chroma difference and its weight.
 struct PartSeen {
   std::vector<Weighted> red, blue;
   double points = 0, weight = 0;
 
-  /// Enough of the part, which is large enough among `all` points, counts.
+  /// Whether enough of the part is visible, and the part is large enough among `all` points.
   bool tells(std::size_t all) const {
     constexpr double kShare = 0.045;  // of the points that make a part
     constexpr double kEnough = 0.3;   // of a part's points that have to count
@@ -58,7 +60,7 @@ struct PartSeen {
   }
 };
 
-/// `off` of the points [chroma] by the parts that they belong to.
+/// Chroma differences `off` of the points, by part.
 std::vector<PartSeen> by_part(const std::vector<int>& part_of, const std::vector<cv::Point2f>& off,
                               const std::vector<float>& weights) {
   std::vector<PartSeen> parts(1 + *std::max_element(part_of.begin(), part_of.end()));
@@ -81,9 +83,9 @@ std::vector<int> blocks_of(const SurfaceTemplate& surface) {
   return blocks;
 }
 
-/// `off` without what the ground adds that shines through, by an unknown share.
+/// `off` minus the contribution of a background that shines through by an unknown share.
 cv::Point2f unexplained(const cv::Point2f& off, const cv::Point2f& ground_off) {
-  constexpr float kSame = 0.01f;  // chroma: grounds nearer to each other explain nothing
+  constexpr float kSame = 0.01f;  // chroma: more similar backgrounds explain no difference
   const float square = ground_off.dot(ground_off);
   if (square < kSame * kSame) return off;
   return off - std::clamp(off.dot(ground_off) / square, 0.f, 1.f) * ground_off;
@@ -117,7 +119,7 @@ ColourParts::ColourParts(const SurfaceTemplate& surface, const ContourTemplate& 
     : ground_(ground) {
   constexpr float kBeside = 1.5f;    // distances to the nearest contour point, ...
   constexpr float kSlack = 3;        // [px] ... and a little
-  constexpr std::size_t kMost = 24;  // witnesses of a point
+  constexpr std::size_t kMost = 24;  // contour points used per point
   if (surface.size() < kParts || contour.size() == 0) return;
   colour_ = parts_of(surface);
   block_ = blocks_of(surface);
@@ -135,7 +137,7 @@ ColourParts::ColourParts(const SurfaceTemplate& surface, const ContourTemplate& 
   }
 }
 
-/// Weights [0..1] of the points by the part of their witnesses that is found.
+/// Weights [0..1] of the points: part of the nearby contour points that are found.
 std::vector<float> ColourParts::witnessed(const SurfaceSample& sample,
                                           const ContourSample& contour) const {
   constexpr float kNone = 0.45f, kFull = 0.8f;
@@ -161,12 +163,12 @@ ColourDifference ColourParts::worst_differences(const SurfaceTemplate& surface,
                                                 const ContourSample& contour,
                                                 const cv::Vec3f& ground) const {
   constexpr float kDark = 30;       // [grey levels]
-  constexpr float kUnseen = 0.02f;  // weight that points without witnesses have for the light
+  constexpr float kUnseen = 0.02f;  // weight of points without found contour points for the light
   if (empty() || !sample.suffices()) return {};
   const std::vector<float> weights = witnessed(sample, contour);
   std::vector<float> lit = sample.inside;
   for (std::size_t i = 0; i < lit.size(); ++i) lit[i] *= weights[i] + kUnseen;
-  const Light light = fit_light(surface.planes, sample.planes, lit);
+  const GainOffset light = fit_gain_offset(surface.planes, sample.planes, lit);
   const auto chroma_off = [&](const cv::Vec3f& learned, const cv::Vec3f& seen) {
     return chroma(light.of(learned[0]), light.of(learned[1]), light.of(learned[2]), kDark) -
            chroma(seen[0], seen[1], seen[2], kDark);

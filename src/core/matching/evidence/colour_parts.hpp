@@ -1,5 +1,6 @@
-// The parts of an object that have one colour each, and whether a picture shows them in it. Among
-// tools, what tells look-alikes apart is the colour of one part, while all else agrees.
+// SPDX-License-Identifier: BSD-3-Clause
+// Compares the colours of an object's parts with a picture. Similar tools often differ only in the
+// colour of one part.
 #pragma once
 
 #include <opencv2/core.hpp>
@@ -11,15 +12,15 @@
 
 namespace mbncc {
 
-/// Median colour (b, g, r) a little outside of the contour [scale times as large] at `pose`.
+/// Median colour (b, g, r) slightly outside the contour [scale times as large] at `pose`.
 cv::Vec3f ground_beside(const ContourTemplate& contour, const SceneLevel& scene, const Pose2D& pose,
                         double scale = 1);
 
-/// [0..2] By how much the chroma (ln R/G, ln B/G) of the part that differs most is off from what
-/// its lesson, in the light of the picture, would be.
+/// [0..2] Chroma difference (ln R/G, ln B/G) of the most different part to its lesson in the light
+/// of the picture.
 struct ColourDifference {
-  double colour = 0;  ///< of the parts of one colour each: little of what covers the object
-  double block = 0;   ///< of compact parts: what covers one without hiding its outline as well
+  double colour = 0;  ///< of the parts of one colour each: less sensitive to occlusion
+  double block = 0;   ///< of compact parts: also sensitive to occlusion inside the outline
 };
 
 class ColourParts {
@@ -32,9 +33,9 @@ class ColourParts {
 
   bool empty() const { return colour_.empty(); }
 
-  /// Only points count beside which the contour is found: what covers the object covers its contour
-  /// as well. What another `ground` explains by shining through does not count either: learned maps
-  /// hold some of it.
+  /// Uses only points near a found contour, because an occluder hides the contour as well.
+  /// Differences explained by another `ground` that shines through are subtracted, because learned
+  /// maps contain some background.
   ColourDifference worst_differences(const SurfaceTemplate& surface, const SurfaceSample& sample,
                                      const ContourSample& contour, const cv::Vec3f& ground) const;
 

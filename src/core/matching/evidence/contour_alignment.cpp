@@ -1,12 +1,13 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "matching/evidence/contour_alignment.hpp"
 
 namespace mbncc {
 
 Candidate shifted_onto_edges(const ContourTemplate& contour, const SceneLevel& scene,
                              const Candidate& candidate) {
-  constexpr double kStep = 2;    // [px] an edge in between is still seen
+  constexpr double kStep = 2;    // [px] small enough not to skip an edge
   constexpr int kFarthest = 3;   // steps
-  constexpr double kSlack = 10;  // [px] more than the way to the farthest place
+  constexpr double kSlack = 10;  // [px] more than the distance to the farthest place
   const Pose2D& pose = candidate.pose;
   scene.prepare_around(pose, contour.radius() + kSlack);
   ContourAlignment agreement(contour, scene);

@@ -1,4 +1,5 @@
-// How well an outline alone lies on the edges of a picture, and the best pose near another.
+// SPDX-License-Identifier: BSD-3-Clause
+// Aligns an outline with the edges of a picture.
 #pragma once
 
 #include <algorithm>
@@ -9,14 +10,14 @@
 
 namespace mbncc {
 
-struct AgreeingPose {
+struct AlignedContourPose {
   Pose2D pose;
   double agreement;  ///< see contour_agreement()
 };
 
 class ContourAlignment {
  public:
-  /// Of a contour `scale` times as large, at poses whose surroundings the picture has prepared.
+  /// For a contour `scale` times as large, at poses whose surroundings are prepared in the picture.
   ContourAlignment(const ContourTemplate& contour, const SceneLevel& scene, double scale = 1)
       : contour_(contour), scene_(scene), scale_(scale) {}
 
@@ -29,8 +30,8 @@ class ContourAlignment {
   /// The best pose that up to `steps` steps of a pixel along x, y, or the rim reach from `start`,
   /// over poses that are `allowed`.
   template <class Allowed>
-  AgreeingPose climbed(const Pose2D& start, int steps, const Allowed& allowed) {
-    AgreeingPose best{start, at(start)};
+  AlignedContourPose aligned(const Pose2D& start, int steps, const Allowed& allowed) {
+    AlignedContourPose best{start, at(start)};
     for (int k = 0; k < steps; ++k) {
       const auto [from, before] = best;
       for (const double step : {-1., 1.}) {
@@ -47,8 +48,8 @@ class ContourAlignment {
     return best;
   }
 
-  AgreeingPose climbed(const Pose2D& start, int steps) {
-    return climbed(start, steps, [](const Pose2D&) { return true; });
+  AlignedContourPose aligned(const Pose2D& start, int steps) {
+    return aligned(start, steps, [](const Pose2D&) { return true; });
   }
 
  private:

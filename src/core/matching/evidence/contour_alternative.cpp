@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "matching/evidence/contour_alternative.hpp"
 
 #include <algorithm>
@@ -9,12 +10,12 @@ namespace mbncc {
 
 double better_elsewhere(const ContourTemplate& contour, const SceneLevel& scene, const Pose2D& pose,
                         double scale) {
-  constexpr double kNearest = 2.9;  // [px] what is nearer is the same place, not known that well
-  constexpr double kStep = 2;       // [px] an edge in between is still seen
-  constexpr int kFarthest = 3;      // steps along x and y
-  constexpr double kWorse = 0.1;    // agreement that the last pixels do not make up for
-  constexpr int kClimbing = 4;      // steps of a pixel
-  constexpr double kSlack = 20;     // [px] more than the way to the farthest place
+  constexpr double kNearest = 2.9;    // [px] nearer poses are the same place within its accuracy
+  constexpr double kStep = 2;         // [px] small enough not to skip an edge
+  constexpr int kFarthest = 3;        // steps along x and y
+  constexpr double kWorse = 0.1;      // difference in agreement that alignment does not make up for
+  constexpr int kAlignmentSteps = 4;  // steps of a pixel
+  constexpr double kSlack = 20;       // [px] more than the distance to the farthest place
   scene.prepare_around(pose, scale * contour.radius() + kSlack);
   ContourAlignment agreement(contour, scene, scale);
   const auto elsewhere = [&](const Pose2D& other) {
@@ -26,8 +27,9 @@ double better_elsewhere(const ContourTemplate& contour, const SceneLevel& scene,
     for (int j = -kFarthest; j <= kFarthest; ++j) {
       const Pose2D start{pose.x + kStep * i, pose.y + kStep * j, pose.theta};
       if (!elsewhere(start)) continue;
-      AgreeingPose there{start, agreement.at(start)};
-      if (there.agreement > here - kWorse) there = agreement.climbed(start, kClimbing, elsewhere);
+      AlignedContourPose there{start, agreement.at(start)};
+      if (there.agreement > here - kWorse)
+        there = agreement.aligned(start, kAlignmentSteps, elsewhere);
       best = std::max(best, there.agreement);
     }
   return best - here;

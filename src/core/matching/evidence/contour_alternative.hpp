@@ -1,4 +1,5 @@
-// Whether an outline alone would lie better somewhere else nearby.
+// SPDX-License-Identifier: BSD-3-Clause
+// Tests whether an outline fits better at a nearby place.
 #pragma once
 
 #include "matching/scene/scene_level.hpp"
@@ -6,12 +7,11 @@
 
 namespace mbncc {
 
-/// [agreement] An outline that lies better elsewhere by more contradicts the pose.
+/// [agreement] A larger advantage of another place contradicts the pose.
 constexpr double kContradicts = 0.05;
 
-/// [-2..2] By how much the contour, `scale` times as large, agrees better with the edges from 3 to
-/// some 10 px away from `pose`, turned a little there, than at it; see contour_agreement(). Roughly
-/// where it does not agree better.
+/// [-2..2] Advantage in contour_agreement() of places 3 to about 10 px away from `pose`, slightly
+/// rotated, over `pose` itself, for the contour `scale` times as large. Approximate if negative.
 double better_elsewhere(const ContourTemplate& contour, const SceneLevel& scene, const Pose2D& pose,
                         double scale);
 

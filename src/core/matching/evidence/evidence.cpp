@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "matching/evidence/evidence.hpp"
 
 #include <algorithm>
@@ -13,10 +14,10 @@
 namespace mbncc {
 namespace {
 
-constexpr double kLargeArea = 1800;     // [px] beyond it size no longer guards against chance
-constexpr double kBlocksWeight = 4.28;  // of Evidence::best_blocks in log_odds()
+constexpr double kLargeArea = 1800;      // [px] beyond it, size no longer reduces chance matches
+constexpr double kTrimmedWeight = 4.28;  // of Evidence::trimmed_residual in log_odds()
 
-double blocks_feature(double residual) {
+double log_trimmed(double residual) {
   return std::log(residual + 3);
 }
 
@@ -34,15 +35,15 @@ double gradient_agreement(const SurfaceTemplate& surface, const SurfaceSample& s
 
 Evidence contour_evidence(const PoseTemplate& object, const PoseSample& sample) {
   Evidence evidence;
-  evidence.contour = contour_agreement(object.contour, sample.contour);
-  evidence.found = contour_found(object.contour, sample.contour);
+  evidence.contour_score = contour_agreement(object.contour, sample.contour);
+  evidence.contour_coverage = contour_found(object.contour, sample.contour);
   evidence.texture = object.surface.texture();
   evidence.visible = static_cast<double>(sample.surface.visible) /
                      static_cast<double>(std::max<std::size_t>(1, object.surface.size()));
   return evidence;
 }
 
-/// What is read at a pose.
+/// The input read at a pose.
 struct Reading {
   const PoseTemplate& object;
   const SceneLevel& scene;
@@ -50,33 +51,34 @@ struct Reading {
   double scale;
 };
 
-/// `residual` is that of the sample's parts.
-Evidence evidence_of(const Reading& reading, const PoseSample& sample, double residual) {
+/// `trimmed` is the residual of the sample's parts.
+Evidence evidence_of(const Reading& reading, const PoseSample& sample, double trimmed) {
   constexpr double kNoise = 9;  // [grey^2]
   const SurfaceTemplate& surface = reading.object.surface;
   const SurfaceSample& seen = sample.surface;
   Evidence evidence = contour_evidence(reading.object, sample);
   evidence.gradient =
       gradient_agreement(surface, seen, reading.scene.edges, reading.pose, reading.scale);
-  if (residual >= 0) evidence.best_blocks = blocks_feature(residual);
+  if (trimmed >= 0) evidence.trimmed_residual = log_trimmed(trimmed);
   evidence.histogram = overlap(surface.histogram, chroma_histogram(seen.planes, seen.inside));
-  evidence.projected = surface.correlation(sample.remainder, kNoise);
-  evidence.unexplained = std::log(std::sqrt(surface.unexplained(sample.remainder)) + 2);
+  evidence.shading_free_ncc = surface.correlation(sample.residual, kNoise);
+  evidence.log_residual = std::log(std::sqrt(surface.unexplained(sample.residual)) + 2);
   return evidence;
 }
 
 Evidence evidence_without(const ColourCast& cast, const Reading& reading, const PoseSample& sample,
-                          double residual) {
+                          double trimmed) {
   thread_local PoseSample freed;
   freed = sample;
   take_out(cast, freed.surface);
-  freed.remainder = reading.object.surface.remainder(freed.surface);
-  Evidence evidence = evidence_of(reading, freed, residual);
+  freed.residual = reading.object.surface.residual(freed.surface);
+  Evidence evidence = evidence_of(reading, freed, trimmed);
   evidence.cast = cast.size();
   return evidence;
 }
 
-/// Log-odds that a cast costs: 2 for the freedom, and as of a normal distribution of deviation .09.
+/// Log-odds penalty of a cast: 2 for the additional freedom, plus that of a normal distribution of
+/// deviation .09.
 double cast_penalty(double cast) {
   constexpr double kFreedom = 2, kSteepness = 60;
   return cast > 0 ? kFreedom + kSteepness * cast * cast : 0;
@@ -98,13 +100,13 @@ Evidence gather_evidence(const PoseTemplate& object, const SceneLevel& scene, co
   if (!sample.surface.suffices()) return contour_evidence(object, sample);
   const Reading reading{object, scene, pose, scale};
   auto blocks = block_sums(object.surface, sample.surface);
-  const double residual = trimmed_residual(blocks);
+  const double trimmed = trimmed_residual(blocks);
   const ColourCast cast = bounded(local_cast(blocks).value_or(ColourCast{}));
-  if (cast.size() < kLeastCast) return evidence_of(reading, sample, residual);
+  const Evidence as_seen = evidence_of(reading, sample, trimmed);
+  if (cast.size() < kLeastCast) return as_seen;
   take_out(cast, blocks);
   const double without = trimmed_residual(blocks);
-  const Evidence as_seen = evidence_of(reading, sample, residual);
-  const double gained = kBlocksWeight * (blocks_feature(residual) - blocks_feature(without));
+  const double gained = kTrimmedWeight * (log_trimmed(trimmed) - log_trimmed(without));
   if (gained + kOtherGain < cast_penalty(cast.size())) return as_seen;
   const Evidence freed = evidence_without(cast, reading, sample, without);
   return log_odds(freed, kLargeArea) > log_odds(as_seen, kLargeArea) ? freed : as_seen;
@@ -112,28 +114,29 @@ Evidence gather_evidence(const PoseTemplate& object, const SceneLevel& scene, co
 
 double log_odds(const Evidence& evidence, double area) {
   // Fitted by logistic regression to true and false poses in drawn scenes, the discount for clutter
-  // (clutter.hpp) among the terms. Of what is hardly larger than its edge, the edge must be found
-  // the more, and the gradients inside are those of the background.
-  constexpr double kSmallArea = 700;  // [px] below it other weights hold
+  // (clutter.hpp) among the terms. For objects hardly larger than their edge, contour coverage has
+  // more weight, and inner gradients are those of the background.
+  constexpr double kSmallArea = 700;  // [px] below it other weights are used
   const double small = std::max(0.0, std::log(kSmallArea / area));
-  return 18.9 * evidence.found + 17.3 * evidence.gradient - kBlocksWeight * evidence.best_blocks +
-         6.68 * evidence.histogram + 9.35 * evidence.projected - 8.29 * evidence.texture +
+  return 18.9 * evidence.contour_coverage + 17.3 * evidence.gradient -
+         kTrimmedWeight * evidence.trimmed_residual + 6.68 * evidence.histogram +
+         9.35 * evidence.shading_free_ncc - 8.29 * evidence.texture +
          0.99 * std::log(std::min(area, kLargeArea)) - 16.5 * (1 - evidence.visible) -
          cast_penalty(evidence.cast) - 12.4 +
-         small *
-             (1.17 + 12.35 * evidence.found - 23.8 * evidence.gradient -
-              4.32 * evidence.best_blocks - 4.09 * evidence.histogram + 6.23 * evidence.projected);
+         small * (1.17 + 12.35 * evidence.contour_coverage - 23.8 * evidence.gradient -
+                  4.32 * evidence.trimmed_residual - 4.09 * evidence.histogram +
+                  6.23 * evidence.shading_free_ncc);
 }
 
 double rotation_odds(const Evidence& evidence) {
   // Fitted by logistic regression to right and wrong rotations at the same place.
-  return 39 * evidence.contour + 5 * evidence.projected + 7 * evidence.gradient -
-         17 * evidence.unexplained;
+  return 39 * evidence.contour_score + 5 * evidence.shading_free_ncc + 7 * evidence.gradient -
+         17 * evidence.log_residual;
 }
 
 double rotation_odds(const Evidence& evidence, double misfit) {
   // Fitted likewise.
-  return 57 * evidence.contour + 12 * evidence.gradient - 10.7 * misfit;
+  return 57 * evidence.contour_score + 12 * evidence.gradient - 10.7 * misfit;
 }
 
 }  // namespace mbncc

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "matching/evidence/gain_offset.hpp"
 
 #include <cstddef>
@@ -5,14 +6,15 @@
 namespace mbncc {
 
 // Weighted least squares, reweighted by the misfits.
-Light fit_light(const std::array<std::vector<float>, 3>& learned,
-                const std::array<std::vector<float>, 3>& seen, const std::vector<float>& weights) {
+GainOffset fit_gain_offset(const std::array<std::vector<float>, 3>& learned,
+                           const std::array<std::vector<float>, 3>& seen,
+                           const std::vector<float>& weights) {
   constexpr int kChannels = 3;
   constexpr int kPasses = 4;
   constexpr double kPrior = 300;  // [grey^2] pulls the factor of plain surfaces to 1
   constexpr double kUsual = 400;  // [grey^2] that halves a point's weight
   constexpr double kLeast = 0.55, kMost = 1.5;
-  Light light;
+  GainOffset light;
   for (int pass = 0; pass < kPasses; ++pass) {
     double total = 0, t = 0, s = 0, tt = 0, ts = 0;
     for (std::size_t i = 0; i < weights.size(); ++i) {

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "matching/evidence/local_cast.hpp"
 
 #include <algorithm>
@@ -18,7 +19,7 @@ double square_apart(const ColourCast& a, const ColourCast& b) {
   return blue * blue + red * red;
 }
 
-/// Mean of the half of `casts` (not empty) that lies closest about one of them.
+/// Mean of the most compact half of `casts` (not empty).
 ColourCast tightest_half(const std::vector<ColourCast>& casts) {
   const std::size_t half = casts.size() / 2 + 1;
   double least = std::numeric_limits<double>::infinity();

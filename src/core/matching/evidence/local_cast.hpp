@@ -1,4 +1,5 @@
-// Light of another colour than in the lesson, told by an object where it may lie.
+// SPDX-License-Identifier: BSD-3-Clause
+// Estimates a colour cast of the light from an object at a pose.
 #pragma once
 
 #include <cmath>
@@ -20,13 +21,13 @@ struct ColourCast {
 };
 
 /// Mean over the half of the surface's compact parts that agree best, of those neither dark nor
-/// clipped, so that what covers some of them counts for nothing; none where no part tells.
+/// clipped, so that occluded parts have no influence; none if no part is usable.
 std::optional<ColourCast> local_cast(const std::vector<BlockSums>& blocks);
 
-/// The cast within bounds that light has beside its brightness: more is another colour.
+/// The cast limited to plausible light; larger differences are another colour.
 ColourCast bounded(const ColourCast& cast);
 
-/// As without the cast; colours stay in [0..255].
+/// Removes the cast; colours stay in [0..255].
 void take_out(const ColourCast& cast, SurfaceSample& sample);
 void take_out(const ColourCast& cast, std::vector<BlockSums>& blocks);
 

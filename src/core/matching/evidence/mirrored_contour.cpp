@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "matching/evidence/mirrored_contour.hpp"
 
 #include <algorithm>
@@ -8,10 +9,10 @@
 namespace mbncc {
 namespace {
 
-constexpr int kClimbing = 6;           // steps of a pixel that the mirrored outline may take, ...
+constexpr int kAlignmentSteps = 6;     // steps of a pixel that the mirrored outline may take, ...
 constexpr int kSettling = 2;           // ... and the object's own
-constexpr double kWorse = 0.2;         // agreement that these do not make up for
-constexpr double kTold = 0.006;        // agreement by which another outline is behind in the lesson
+constexpr double kWorse = 0.2;         // difference in agreement that these do not make up for
+constexpr double kTold = 0.006;        // difference in agreement of another outline in the lesson
 constexpr double kLeastLimit = 0.005;  // agreement
 
 ContourTemplate mirrored(ContourTemplate contour) {
@@ -22,7 +23,7 @@ ContourTemplate mirrored(ContourTemplate contour) {
   return contour;
 }
 
-/// The rotations about `home` at which a contour agrees best, over a full turn, best first.
+/// The rotations about `home` with the best contour agreement, over a full turn, best first.
 std::vector<Candidate> best_turns(const ContourTemplate& contour, const SceneLevel& scene,
                                   const Pose2D& home, std::size_t most) {
   constexpr double kArc = 2;  // [px] at the rim between rotations
@@ -58,16 +59,16 @@ MirroredContour::MirroredContour(const ContourTemplate& contour, const SceneLeve
 
 double MirroredContour::better(const ContourTemplate& contour, const SceneLevel& scene,
                                const Pose2D& pose, double scale) const {
-  constexpr double kSlack = 24;  // [px] more than the way of any outline
+  constexpr double kSlack = 24;  // [px] more than the motion of any outline
   scene.prepare_around(pose, scale * contour.radius() + kSlack);
-  const double own = ContourAlignment(contour, scene, scale).climbed(pose, kSettling).agreement;
+  const double own = ContourAlignment(contour, scene, scale).aligned(pose, kSettling).agreement;
   ContourAlignment over(mirrored_, scene, scale);
   double most = -1;
   for (const auto& there : poses_) {
     const Pose2D start = compose(pose, there);
     const double agreement = over.at(start);
-    most = std::max(
-        most, agreement > own - kWorse ? over.climbed(start, kClimbing).agreement : agreement);
+    most = std::max(most, agreement > own - kWorse ? over.aligned(start, kAlignmentSteps).agreement
+                                                   : agreement);
   }
   return most - own - usual_;
 }

@@ -1,4 +1,5 @@
-// The outline of an object that lies on its other side.
+// SPDX-License-Identifier: BSD-3-Clause
+// The mirrored outline of an object, which detects its other side.
 #pragma once
 
 #include <vector>
@@ -8,31 +9,30 @@
 
 namespace mbncc {
 
-/// [agreement] By which a mirrored outline is no better by chance.
+/// [agreement] Advantage that a mirrored outline does not reach by chance.
 constexpr double kMirrored = 0.04;
 
 class MirroredContour {
  public:
   MirroredContour() = default;
 
-  /// Of an object whose `contour` lies at `home` [px] in `lesson`.
+  /// For an object whose `contour` lies at `home` [px] in `lesson`.
   MirroredContour(const ContourTemplate& contour, const SceneLevel& lesson, const Pose2D& home);
 
-  /// [-2..2] By how much the mirrored outline, `scale` times as large, agrees better with the edges
-  /// about `pose` than `contour` does, beyond what it does in the lesson: an outline that is its
-  /// own mirror image agrees as well.
+  /// [-2..2] Advantage in agreement of the mirrored outline, `scale` times as large, over `contour`
+  /// at `pose`, minus that in the lesson, because an outline can be its own mirror image.
   double better(const ContourTemplate& contour, const SceneLevel& scene, const Pose2D& pose,
                 double scale) const;
 
-  /// [agreement] From more than this on the object lies on its other side. Half of what the
-  /// mirrored outline is behind in the lesson; where that is little, it is better by chance up to
-  /// kMirrored.
+  /// [agreement] A larger advantage means that the object lies on its other side. Half of the
+  /// mirrored outline's deficit in the lesson; if that is small, kMirrored, which chance does not
+  /// exceed.
   double limit() const { return limit_; }
 
  private:
   ContourTemplate mirrored_;
-  std::vector<Pose2D> poses_;  ///< of the mirrored outline, where it comes nearest to the object's
-  double usual_ = 0;           ///< surplus in the lesson
+  std::vector<Pose2D> poses_;  ///< of the mirrored outline, at its best fit to the object's
+  double usual_ = 0;           ///< advantage in the lesson
   double limit_ = kMirrored;
 };
 

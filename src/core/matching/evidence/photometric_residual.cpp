@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "matching/evidence/photometric_residual.hpp"
 
 #include <algorithm>
@@ -10,7 +11,7 @@ namespace {
 
 constexpr int kChannels = SurfaceTemplate::kChannels;
 
-/// Weighs points by how well they fit, as often as weights and variance take to settle. Returns the
+/// Iteratively reweights points by their residuals until the variance converges. Returns the
 /// variance [grey^2] of the weighted `residual`.
 double weigh(const std::vector<float>& residual, const std::vector<float>& inside,
              std::vector<float>& weights) {
@@ -34,7 +35,7 @@ double weigh(const std::vector<float>& residual, const std::vector<float>& insid
 
 }  // namespace
 
-/// Shading multiplies a colour, but for what the camera adds to it.
+/// Shading multiplies a colour, except for the camera's offset.
 PhotometricResidual::PhotometricResidual(const SurfaceTemplate& surface)
     : count_(surface.basis.size() + 1), points_(static_cast<double>(surface.size())) {
   constexpr double kAdded = 30;  // [grey]

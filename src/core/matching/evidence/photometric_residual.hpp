@@ -1,4 +1,5 @@
-// The brightness of a surface, compared in the light that explains a picture best.
+// SPDX-License-Identifier: BSD-3-Clause
+// Photometric residual of a surface after a robust fit of gain and smooth shading.
 #pragma once
 
 #include <array>
@@ -11,14 +12,14 @@ namespace mbncc {
 
 class PhotometricResidual {
  public:
-  /// Nothing to compare.
+  /// Empty, without a surface.
   PhotometricResidual() = default;
 
   explicit PhotometricResidual(const SurfaceTemplate& surface);
 
-  /// ln(rms [grey levels], 1 at least) of what a gain and smooth shading leave unexplained of a
-  /// sample of that surface. Points in gloss, in shadow or covered count less, in the fit as in the
-  /// result. 0 without anything to compare.
+  /// ln(rms [grey levels], 1 at least) of the residual of a sample of that surface after a gain and
+  /// smooth shading. Points in gloss, in shadow or covered have less weight, in the fit and in the
+  /// result. 0 for an empty surface.
   double misfit(const SurfaceSample& sample) const;
 
  private:
@@ -32,7 +33,7 @@ class PhotometricResidual {
   void subtract(const Light& light, std::vector<float>& values) const;
 
   std::array<std::vector<float>, SurfaceTemplate::kChannels> direction_;  // unit, of b, g, r
-  std::vector<float> terms_;  // rows of what light may show: smooth shading, then the template
+  std::vector<float> terms_;  // rows of the light model: smooth shading, then the template
   int count_ = 0;             // of them
   double points_ = 0;
 };

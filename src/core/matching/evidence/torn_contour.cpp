@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "matching/evidence/torn_contour.hpp"
 
 #include <algorithm>
@@ -11,9 +12,9 @@ namespace {
 constexpr int kTurns = 4;       // to each side, ...
 constexpr double kArc = 1.5;    // [px] ... the rim moving by so much
 constexpr int kShifts = 5;      // to each side, ...
-constexpr double kShift = 1.5;  // [px] ... of so much: an edge in between is still seen
-constexpr int kApart = 3;       // shifts between the parts: what is nearer is one outline
-constexpr double kSlack = 24;   // [px] more than the way of any point
+constexpr double kShift = 1.5;  // [px] ... of this size, small enough not to skip an edge
+constexpr int kApart = 3;       // shifts between the parts: smaller ones are one outline
+constexpr double kSlack = 24;   // [px] more than the motion of any point
 
 class TornOutline {
  public:
@@ -54,7 +55,7 @@ class TornOutline {
       visible_ = std::max(1.F, std::accumulate(sample_.seen.begin(), sample_.seen.end(), 0.F));
   }
 
-  /// Of the rotation read last: each part has a quarter of the outline at least.
+  /// For the last rotation: each part has at least a quarter of the outline.
   double best_torn() const {
     float best = 0;
     const std::size_t points = order_.size();

@@ -1,4 +1,5 @@
-// The outline of an object that moved while the rows of the picture were read.
+// SPDX-License-Identifier: BSD-3-Clause
+// Detects the outline of an object that moved while the rows of the picture were read.
 #pragma once
 
 #include "matching/scene/scene_level.hpp"
@@ -6,12 +7,12 @@
 
 namespace mbncc {
 
-/// [agreement] What lies together is torn by chance at most.
+/// [agreement] Advantage that an intact outline does not reach by chance.
 constexpr double kTorn = 0.0275;
 
-/// [-2..2] By how much an outline, `scale` times as large as the template, agrees better with the
-/// edges about `pose` where its upper and its lower rows lie some pixels apart along x, both turned
-/// alike. The pose that suits a torn outline best is turned against both of its parts.
+/// [-2..2] Advantage in agreement of an outline, `scale` times as large as the template, near
+/// `pose`, if its upper and lower rows are displaced by some pixels along x at the same rotation.
+/// The best pose of a torn outline is rotated relative to both of its parts.
 double better_torn(const ContourTemplate& contour, const SceneLevel& scene, const Pose2D& pose,
                    double scale);
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "mbncc/matching/explanation.hpp"
 
 #include <algorithm>
@@ -22,7 +23,7 @@ double score_of(double log_odds) {
   return 1 / (1 + std::exp(-log_odds));
 }
 
-/// The thing with this outline is what was pointed at.
+/// Whether the place lies inside this outline.
 bool lies_at(const std::vector<cv::Point2f>& outline, cv::Point2d place) {
   if (outline.size() < 3) return false;
   cv::Point2f centre;
@@ -41,7 +42,7 @@ const Thing* best_at(const std::vector<Thing>& things, const std::string& name, 
   return best;
 }
 
-/// The match that takes the place of `outline`.
+/// The match that occupies the place of `outline`.
 std::string covering(const std::vector<Match>& matches, const std::string& name,
                      const std::vector<cv::Point2f>& outline) {
   const cv::Rect box = cv::boundingRect(outline);
@@ -53,7 +54,7 @@ std::string covering(const std::vector<Match>& matches, const std::string& name,
   return "";
 }
 
-/// Evidence of a pose at `scale` of the view's, part by part.
+/// The terms of the score of a pose at `scale` of the view's.
 void take_evidence(const PreparedView& view, const ScenePicture& scene, const Pose2D& anchor,
                    double scale, Explanation& explanation) {
   const Evidence seen = gather_evidence(view.fine, scene.levels[0], anchor, scale);
@@ -63,14 +64,14 @@ void take_evidence(const PreparedView& view, const ScenePicture& scene, const Po
     better.*member = perfect;
     explanation.parts.push_back({name, value, log_odds(better, area) - together});
   };
-  // As two pictures of one object differ by noise alone.
+  // Residual of two pictures of one object that differ only by noise.
   const double kEqual = std::log(6.0);
-  add("outline found", seen.found, &Evidence::found, 1);
+  add("outline found", seen.contour_coverage, &Evidence::contour_coverage, 1);
   add("directions of texture", seen.gradient, &Evidence::gradient, 1);
-  add("difference of colours [grey levels]", std::exp(seen.best_blocks) - 3, &Evidence::best_blocks,
-      std::min(kEqual, seen.best_blocks));
+  add("difference of colours [grey levels]", std::exp(seen.trimmed_residual) - 3,
+      &Evidence::trimmed_residual, std::min(kEqual, seen.trimmed_residual));
   add("colours as a whole", seen.histogram, &Evidence::histogram, 1);
-  add("colours without shading", seen.projected, &Evidence::projected, 1);
+  add("colours without shading", seen.shading_free_ncc, &Evidence::shading_free_ncc, 1);
   add("part of the surface compared", seen.visible, &Evidence::visible, 1);
   add("cast of the light", seen.cast, &Evidence::cast, 0);
   explanation.evidence = together;
@@ -119,7 +120,7 @@ void take_match(const Match& match, const SearchConfig& config, double min_score
   check("min_visible", match.visible, config.min_visible, false);
 }
 
-/// The search of the whole picture, as configured and with nothing held back.
+/// The search of the whole picture, as configured and without thresholds.
 struct Searched {
   SearchResult usual, all;
 };
@@ -170,7 +171,7 @@ class Explainer {
   }
 
  private:
-  /// The best pose about the place, whether or not the search proposes one.
+  /// The best pose near the place, whether or not the search proposes one.
   void judge_at(const PreparedObject& object, const ScenePicture& scene,
                 Explanation& explanation) const {
     explanation.log_odds = -std::numeric_limits<double>::infinity();

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Explanations in sentences and as a picture.
 #include <algorithm>
 #include <cmath>
@@ -15,7 +16,7 @@ using Outcome = Explanation::Outcome;
 
 std::string number(double value, int digits) {
   const double step = std::pow(10.0, -digits);
-  // Rounded to zero there is no sign.
+  // No sign if rounded to zero.
   const double shown = std::abs(value) < step / 2 ? 0 : value;
   std::ostringstream text;
   text << std::fixed << std::setprecision(digits) << shown;
@@ -50,7 +51,7 @@ std::string verdict_of(const Explanation& explanation) {
                number(check->threshold, 2) + ".";
       return head + "not reported, since better ones reach max_instances or overlap it.";
     default:
-      return head + "not found, the first steps of the search pass over this place" +
+      return head + "not found, no proposal of the search at this place" +
              (explanation.covered_by.empty() ? "."
                                              : ", which '" + explanation.covered_by + "' takes.");
   }
@@ -92,7 +93,7 @@ std::string rival_of(const Explanation& explanation, const Competitor& rival) {
 std::string advice_on(const Explanation& explanation) {
   if (explanation.outcome == Outcome::kGraspable) return "Nothing to do.";
   if (explanation.outcome == Outcome::kReported)
-    return "Remove what speaks against it, or teach a further view as it lies here.";
+    return "Remove the cause of this reason, or teach a further view in this position.";
   if (!explanation.covered_by.empty())
     return "Teach both where they differ, or disable the one that is not used.";
   const auto worst = std::max_element(
@@ -100,7 +101,7 @@ std::string advice_on(const Explanation& explanation) {
       [](const ScorePart& a, const ScorePart& b) { return a.lacking < b.lacking; });
   const std::string most =
       worst == explanation.parts.end() ? "" : " Most is lacking in: " + worst->name + ".";
-  return "If the object lies here, teach a further view of it as it lies, or improve the light." +
+  return "If the object lies here, teach a further view in this position, or improve the light." +
          most;
 }
 
@@ -124,8 +125,8 @@ Marking marking_of(const Explanation& explanation) {
 
 std::vector<std::string> lines_of(const Explanation& explanation) {
   if (explanation.outline.empty())
-    return {"'" + explanation.name + "': nothing like it is seen at this place.",
-            "Point at the middle of the object, or teach a further view of it as it lies."};
+    return {"'" + explanation.name + "': nothing similar is visible at this place.",
+            "Point at the middle of the object, or teach a further view in this position."};
   std::vector<std::string> lines{verdict_of(explanation)};
   if (!explanation.parts.empty()) {
     lines.push_back(evidence_of(explanation));

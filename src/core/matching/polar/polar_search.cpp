@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "mbncc/matching/polar_search.hpp"
 
 #include <algorithm>
@@ -15,8 +16,8 @@ constexpr double kLargestRadius =
     2048;  // [px] templates and their polar pictures grow with the square
 constexpr int kTopLevel = 5;
 constexpr double kMinSimilarity = 0.3;   // of a candidate
-constexpr std::size_t kCandidates = 40;  // taken on from the coarsest level
-constexpr std::size_t kFinal = 16;       // taken to full resolution
+constexpr std::size_t kCandidates = 40;  // kept at the coarsest level
+constexpr std::size_t kFinal = 16;       // kept at full resolution
 
 Circle circle_of(const cv::Mat& map, PolarRegion region) {
   return region == PolarRegion::kIncircle ? incircle(map) : excircle(map);
@@ -43,7 +44,7 @@ void sort_best_first(std::vector<PolarPose>& poses, std::size_t most) {
   if (poses.size() > most) poses.resize(most);
 }
 
-/// Where the parabola through three equidistant values has its top, in steps from the middle.
+/// Vertex of the parabola through three equidistant values, in steps from the middle.
 double peak_offset(double before, double middle, double after) {
   const double curvature = before - 2 * middle + after;
   return curvature < 0 ? std::clamp(0.5 * (before - after) / curvature, -0.5, 0.5) : 0;
@@ -123,7 +124,7 @@ std::vector<PolarPose> PolarSearch::scan(const cv::Mat& grey, int level,
 }
 
 PolarPose PolarSearch::refined(const cv::Mat& grey, int level, const PolarPose& coarse) const {
-  constexpr int kReach = 2;  // [px] and columns around what the coarser level found
+  constexpr int kReach = 2;  // [px] and columns around the result of the coarser level
   const PolarTemplate& object = templates_[level];
   const cv::Point2d middle = from_level(coarse.pose.position(), 1);
   const int shift = cvRound(coarse.pose.theta * object.grid().angles / (2 * kPi));

@@ -1,4 +1,5 @@
-// Each object beside the picture that it is compared with.
+// SPDX-License-Identifier: BSD-3-Clause
+// Pairs each object with the picture that it is compared with.
 #pragma once
 
 #include <memory>
@@ -9,13 +10,14 @@
 
 namespace mbncc {
 
-/// An object and a picture as they are compared: in grey where either shows no colour.
+/// An object and a picture as they are compared: in grey if either has no colour.
 struct Comparison {
-  const PreparedObject* object;  ///< lives as long as the one that was given
+  const PreparedObject* object;  ///< lives as long as the given one
   std::shared_ptr<const ScenePicture> scene;
 };
 
-/// In the order of the objects; those compared alike share a scene. The pool must outlive them.
+/// In the order of the objects; objects with the same comparison share a scene. The pool must
+/// outlive them.
 std::vector<Comparison> comparisons(
     const std::vector<std::shared_ptr<const PreparedObject>>& objects, const cv::Mat& picture,
     ScenePool& scenes);

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "matching/prepared/prepared_object.hpp"
 
 #include <algorithm>
@@ -10,8 +11,8 @@
 namespace mbncc {
 namespace {
 
-constexpr double kRendered = 700;   // [px] area below which the edge has to settle the pose
-constexpr double kOtherSize = 0.1;  // beyond what heights and tilts bring
+constexpr double kRendered = 700;   // [px] area below which mixed pixels determine the pose
+constexpr double kOtherSize = 0.1;  // larger than the effect of heights and tilts
 
 cv::Mat grey_of(const View& view) {
   cv::Mat grey;
@@ -31,8 +32,8 @@ View as_grey(const View& view) {
   return result;
 }
 
-/// The map without its rim, where template pixels mix with the background; the map itself when
-/// little would be left.
+/// The map without its rim, where template pixels mix with the background; the whole map if little
+/// would remain.
 cv::Mat without_rim(const cv::Mat& map) {
   cv::Mat padded, inner;
   cv::copyMakeBorder(map, padded, 1, 1, 1, 1, cv::BORDER_CONSTANT, cv::Scalar(0));
@@ -46,14 +47,14 @@ Pose2D reference_in_crop(const View& view, cv::Point2d anchor) {
           view.reference.theta};
 }
 
-/// The view as a camera would see it from nearer or farther.
+/// The view scaled as from another distance.
 View rescaled(const View& view, double scale) {
   if (scale == 1) return view;
   View result = view;
   const int method = scale < 1 ? cv::INTER_AREA : cv::INTER_CUBIC;
   cv::resize(view.template_image, result.template_image, {}, scale, scale, method);
   cv::resize(view.map, result.map, result.template_image.size(), 0, 0, cv::INTER_LINEAR);
-  double most = 0;  // less than 255 where only a pixel is left of the map
+  double most = 0;  // less than 255 if only a pixel of the map remains
   cv::minMaxLoc(result.map, nullptr, &most);
   result.map = result.map > std::min(127.0, most / 2);
   const cv::Point2d in_crop = view.reference.position() - cv::Point2d(view.origin);
@@ -63,7 +64,7 @@ View rescaled(const View& view, double scale) {
   return result;
 }
 
-/// All levels up to `top`: build_pyramid() has fewer of what is only a few pixels wide.
+/// All levels up to `top`: build_pyramid() has fewer for maps only a few pixels wide.
 std::vector<cv::Mat> whole_pyramid(const cv::Mat& picture, int top) {
   const int least = kSmallestLevel << top;
   cv::Mat wide;
@@ -78,7 +79,7 @@ PoseTemplate resized_by(double factor, PoseTemplate object) {
   return object;
 }
 
-/// The searches bear 3 % either way. The learned scale comes first.
+/// The searches tolerate 3 % in either direction. The learned scale comes first.
 std::vector<double> scales_within(double range) {
   constexpr double kStep = 0.06, kBorne = 0.03;
   std::vector<double> scales{1};
@@ -89,7 +90,7 @@ std::vector<double> scales_within(double range) {
   return scales;
 }
 
-/// Both views show the same outline in the object's frame, turned by any angle.
+/// Whether both views show the same outline in the object's frame, at any rotation.
 bool same_outline(const View& a, const View& b) {
   constexpr double kSame = 0.8;  // intersection over union
   const Pose2D a_in_b = compose(b.reference, inverse(a.reference));
@@ -103,9 +104,9 @@ bool same_outline(const View& a, const View& b) {
   return common >= kSame * (cv::countNonZero(a.map) + cv::countNonZero(b.map) - common);
 }
 
-/// Light does not turn with the object, so it looks most like the view learned at the nearest
-/// rotation. Views of the same outline share the turn: each is searched half-way to its neighbours
-/// and a little beyond.
+/// Light does not rotate with the object, so it resembles the view learned at the nearest rotation
+/// most. Views of the same outline divide the rotations: each is searched half-way to its
+/// neighbours plus a small overlap.
 AngleRange sector_of(const View& view, const std::vector<View>& all) {
   constexpr double kBeyond = to_radians(12.), kAlike = to_radians(20.);
   AngleRange sector;
@@ -120,14 +121,14 @@ AngleRange sector_of(const View& view, const std::vector<View>& all) {
   return sector;
 }
 
-/// What is declared counts, else what is measured for certain.
+/// The declared symmetry, otherwise the one measured with certainty.
 int symmetry_of(const ObjectModel& model, const View& view) {
   return model.symmetry ? *model.symmetry : measure_symmetry(view).certain;
 }
 
 }  // namespace
 
-/// Pictures that all parts are made from.
+/// Pictures from which all parts are computed.
 struct PreparedView::Source {
   explicit Source(const View& learned)
       : view(learned),
@@ -175,7 +176,7 @@ PreparedView::PreparedView(const Source& source, Engine engine)
     parts = ColourParts(fine.surface, fine.contour,
                         ground_beside(fine.contour, picture, {anchor.x, anchor.y, 0}));
     lit = PhotometricResidual(fine.surface);
-    turned_over = MirroredContour(fine.contour, picture, {anchor.x, anchor.y, 0});
+    mirrored_contour = MirroredContour(fine.contour, picture, {anchor.x, anchor.y, 0});
     dense = RefinementTemplate(prepare(2500, 200), continued);
     if (shape.area() < kRendered) rendering = MixedPixelModel(from, anchor);
   }

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Everything about an object that does not depend on the picture searched.
 #pragma once
 
@@ -24,7 +25,7 @@
 
 namespace mbncc {
 
-/// How poses are searched for.
+/// Search engine for poses.
 enum class Engine { kFast, kPolar };
 
 /// One view, in the frame of its anchor: the centre of the map's excircle.
@@ -36,26 +37,26 @@ class PreparedView {
   int top_level() const { return static_cast<int>(templates.size()) - 1; }
 
   double scale = 1;
-  AngleRange sector;           ///< rotations, against its lesson, that are left to this view
-  cv::Point2d anchor;          ///< [px] in the view's crop
+  AngleRange sector;   ///< rotations relative to its lesson that are searched with this view
+  cv::Point2d anchor;  ///< [px] in the view's crop
   Pose2D reference_in_anchor;  ///< [px],[rad] object frame as seen from the anchor
   MapFootprint shape;
   MapGeometry geometry;
   ColourPrefilter gate;
   TemplateBank kernels;
   ContourBank edges;
-  std::vector<PoseTemplate> rough;      ///< per level: thin out the coarse searches' candidates
-  std::vector<PoseTemplate> templates;  ///< per level, small: they judge dozens of candidates
-  PoseTemplate fine;                    ///< at full resolution: judges the last few
+  std::vector<PoseTemplate> rough;      ///< per level: for pruning the coarse searches' candidates
+  std::vector<PoseTemplate> templates;  ///< per level, small, for dozens of candidates
+  PoseTemplate fine;                    ///< at full resolution, for the last few candidates
   ColourParts parts;                    ///< of `fine`
   PhotometricResidual lit;              ///< of `fine`
-  std::array<PoseTemplate, 2> resized;  ///< `fine`, smaller and larger: what else it might be
-  MirroredContour turned_over;          ///< its outline, mirrored
-  RefinementTemplate dense;             ///< at full resolution: for the last fraction of a pixel
-  MixedPixelModel rendering;            ///< of a small object: settles its pose
+  std::array<PoseTemplate, 2> resized;  ///< `fine`, smaller and larger, for the test of other sizes
+  MirroredContour mirrored_contour;     ///< its outline, mirrored
+  RefinementTemplate dense;             ///< at full resolution, for sub-pixel refinement
+  MixedPixelModel rendering;            ///< of a small object, for its pose
   MaskedTemplate points;                ///< all map pixels at full resolution
   std::optional<PolarSearch> polar;     ///< with Engine::kPolar
-  int symmetry = 1;                     ///< declared, or measured where it is not
+  int symmetry = 1;                     ///< declared, otherwise measured
   std::vector<cv::Point2f> outline;     ///< [px] largest outline in the object frame
 
  private:
@@ -70,13 +71,13 @@ struct PreparedObject {
 
   int top_level() const;
 
-  /// Turns all templates now rather than in the first search that asks for them.
+  /// Rotates all templates now instead of in the first search that needs them.
   void make_rotations() const;
 
   std::shared_ptr<const ObjectModel> model;
   bool coloured;  ///< the views show colour
   std::vector<PreparedView> views;
-  /// The same in grey, for grey pictures; null where the views are grey already.
+  /// The same in grey, for grey pictures; null if the views are grey.
   Lazy<std::shared_ptr<const PreparedObject>> in_grey;
 
  private:

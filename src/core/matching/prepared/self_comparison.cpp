@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "matching/prepared/self_comparison.hpp"
 
 #include <algorithm>
@@ -48,7 +49,7 @@ std::array<cv::Mat, 2> gradient(const cv::Mat& values) {
   return by;
 }
 
-/// [grey levels] what a displacement by `distance` [px] changes at most.
+/// [grey levels] largest change by a displacement of `distance` [px].
 cv::Mat change_by_displacement(const cv::Mat& values, double distance) {
   const auto by = gradient(values);
   cv::Mat slope;
@@ -57,7 +58,7 @@ cv::Mat change_by_displacement(const cv::Mat& values, double distance) {
   return distance * slope;
 }
 
-/// Moves the values towards 0 by `by`, but not beyond.
+/// Soft threshold: moves the values towards 0 by `by`.
 cv::Mat shrunk(const cv::Mat& values, const cv::Mat& by) {
   const cv::Mat above = cv::max(values - by, 0), below = cv::min(values + by, 0);
   return above + below;
@@ -73,7 +74,7 @@ double noise_of(const View& view) {
   return upper_quantile(cv::abs(fine), view.map, 0.5) / (cv::norm(kernel) * kNormalMedian);
 }
 
-/// Part of white noise's deviation that a Gaussian of `width` [px] lets through.
+/// Part of white noise's deviation that passes a Gaussian of `width` [px].
 double passed_by(double width) {
   return 1 / (2 * std::sqrt(kPi) * width);
 }
@@ -140,7 +141,7 @@ SelfComparison::SelfComparison(const View& view, const CentredMap& map)
   texture_ = std::sqrt(squares / (kPlanes - 1));
 }
 
-// Light falls off, and comes from one side: polynomials of the place.
+// Models the light by polynomials of the position.
 void SelfComparison::make_basis() {
   constexpr int kOrder = 3;
   const int half = inner_.cols / 2;

@@ -1,4 +1,5 @@
-// A view turned on the spot and compared with itself.
+// SPDX-License-Identifier: BSD-3-Clause
+// Compares a view with itself after a rotation.
 #pragma once
 
 #include <array>
@@ -33,7 +34,7 @@ class CentredMap {
   std::vector<cv::Point> points_;
 };
 
-/// What differs after a turn.
+/// Differences after a rotation.
 struct TurnDifference {
   double overlap = 0;  ///< [0..1] part of the map that the turned one covers
   double outline = 0;  ///< [px of the view] depth to which the outlines differ
@@ -41,14 +42,14 @@ struct TurnDifference {
   double mark = 0;     ///< [grey levels] strongest local difference of the surface
 };
 
-/// Compares outline and surface after a turn. The angle is exact, as it is for what is symmetric;
-/// the shift is the one that fits best.
+/// Compares outline and surface after a rotation. The angle is not fitted, because a symmetry angle
+/// is exact; the shift is the one that fits best.
 class SelfComparison {
  public:
   /// `map` is that of `view` and outlives this.
   SelfComparison(const View& view, const CentredMap& map);
 
-  /// After a turn by `angle` [rad].
+  /// After a rotation by `angle` [rad].
   TurnDifference difference(double angle) const;
 
   double texture() const { return texture_; }  ///< [grey levels] rms of the surface
@@ -75,7 +76,7 @@ class SelfComparison {
   std::vector<cv::Mat> basis_;    // orthonormal smooth functions on inner_
   std::array<Planes, 2> slopes_;  // by x and y
   cv::Matx22d hessian_;
-  Planes misaligned_;  // [grey levels] what a small displacement explains
+  Planes misaligned_;  // [grey levels] explained by a small displacement
   double texture_ = 0, noise_ = 0;
 };
 

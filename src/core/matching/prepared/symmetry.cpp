@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "mbncc/matching/symmetry.hpp"
 
 #include <algorithm>
@@ -10,14 +11,14 @@
 namespace mbncc {
 namespace {
 
-// What repeats surely differs by less than these.
+// Limits of a certain symmetry.
 constexpr double kSureOutline = 0.03;  // depth, of the radius, ...
 constexpr double kWobble = 2;          // [px] ... but this much a map's edge may err, ...
 constexpr double kSmallWobble = 0.12;  // of the radius ... of small objects less
 constexpr double kSureMark = 4.5;      // [grey levels] beside noise
 constexpr double kDrawn = 0.06;        // of the texture: pixels render its edges no better
 
-// What nearly repeats.
+// Limits of a near symmetry.
 constexpr double kNearOverlap = 0.9;
 constexpr double kRoundOverlap = 0.94;  // a hexagon turned by half a side has 0.93
 constexpr double kNearOutline = 0.2;    // of the radius
@@ -30,16 +31,15 @@ class Measurement {
  public:
   explicit Measurement(const View& view) : view_(view), map_(view) {}
 
-  /// The map covers itself after every turn by a whole number of `order`-th parts. Turning back
-  /// covers as much.
+  /// Whether the map covers itself after all rotations by multiples of 1/`order` turn. Inverse
+  /// rotations cover equally.
   bool covers_itself(int order, double least_overlap) const {
     for (int k = 1; k <= order / 2; ++k)
       if (map_.overlap(angle(k, order)) < least_overlap) return false;
     return true;
   }
 
-  /// Outline and surface after those turns: the weakest counts. What is weaker than `least` is not
-  /// looked at any further.
+  /// Outline and surface after those rotations: the weakest one counts. Stops below `least`.
   Repeats with_order(int order, Repeats least = Repeats::kNearly) {
     Repeats weakest = Repeats::kSurely;
     for (int k = 1; k <= order / 2 && weakest >= least; ++k)
@@ -59,7 +59,8 @@ class Measurement {
 
   bool is_sure(const TurnDifference& difference) const {
     const double radius = map_.radius();
-    // The edge of a map wavers by a fraction of a pixel, which is more of a small object.
+    // The edge of a map is inaccurate by a fraction of a pixel, which matters more for small
+    // objects.
     const double wavering = std::clamp(0.8 / radius, 0.03, 0.05);
     const double drawn = kDrawn * surface_->texture();
     const double wobble = std::min(kWobble, kSmallWobble * radius);
@@ -86,8 +87,8 @@ MeasuredSymmetry measure_symmetry(const View& view) {
   constexpr double kRegained = 0.03;  // overlap, by the best shift
   Measurement measurement(view);
   if (measurement.covers_itself(kAnyOrder, kRoundOverlap)) {
-    // Whether what the surface shows is a mark, a side seen aslant or gloss, only an operator
-    // knows.
+    // Only the operator can decide whether a difference of the surface is a mark, an oblique side
+    // or gloss.
     const Repeats round = measurement.with_order(kAnyOrder, Repeats::kSurely);
     return {round == Repeats::kSurely ? 0 : 1, 0};
   }

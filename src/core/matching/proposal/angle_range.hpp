@@ -1,4 +1,5 @@
-// Rotations that one of an object's views is searched at; its other views have the rest.
+// SPDX-License-Identifier: BSD-3-Clause
+// Rotations at which one of an object's views is searched; the other views cover the rest.
 #pragma once
 
 #include "mbncc/geometry.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "matching/proposal/colour_prefilter.hpp"
 
 #include <algorithm>
@@ -13,36 +14,36 @@ namespace mbncc {
 namespace {
 
 constexpr int kUnit = ColourPrefilter::kUnit;
-constexpr float kMost = 2.5f;    // log-odds that one colour can speak for or against
+constexpr float kMost = 2.5f;    // largest log-odds of one colour
 constexpr float kOther = 0.03f;  // share of any other colours on an object
 
-constexpr double kTelling = 0.5;  // mean log-odds of its own colours for objects that are gated
+constexpr double kTelling = 0.5;  // least mean log-odds of an object's own colours for prefiltering
 constexpr double kEnough = -0.4;  // mean log-odds of a place
-constexpr double kFewest = 0.02, kMostPlaces = 0.2;  // parts of the picture that are left
+constexpr double kFewest = 0.02, kMostPlaces = 0.2;  // parts of the picture that remain
 
-constexpr int kRowStep = 2;  // [cells]: places within one cell of those looked at are left, too
+constexpr int kRowStep = 2;  // [cells]: places within one cell of the tested ones remain, too
 
-/// Log-odds per class that a colour is the object's rather than the picture's.
+/// Log-likelihood ratio per class of object to picture.
 std::vector<std::int8_t> compare(const ColourShares& object, const ColourShares& scene) {
   constexpr float kNever = 1e-6f;
-  std::vector<std::int8_t> speaking(object.size());
+  std::vector<std::int8_t> ratios(object.size());
   for (std::size_t i = 0; i < object.size(); ++i) {
     const float ratio =
         ((1 - kOther) * object[i] + kOther * scene[i] + kNever) / (scene[i] + kNever);
-    speaking[i] =
+    ratios[i] =
         static_cast<std::int8_t>(std::lround(kUnit * std::clamp(std::log(ratio), -kMost, kMost)));
   }
-  return speaking;
+  return ratios;
 }
 
-/// What the classes say, summed over cells of `side` pixels: CV_32SC1.
-cv::Mat cell_sums(const cv::Mat& classes, const std::vector<std::int8_t>& speaking, int side) {
+/// Log-likelihood ratios of the classes, summed over cells of `side` pixels: CV_32SC1.
+cv::Mat cell_sums(const cv::Mat& classes, const std::vector<std::int8_t>& ratios, int side) {
   cv::Mat cells = cv::Mat::zeros(classes.rows / side, classes.cols / side, CV_32SC1);
   for (int y = 0; y < cells.rows * side; ++y) {
     const auto* row = classes.ptr<std::uint16_t>(y);
     auto* sums = cells.ptr<std::int32_t>(y / side);
     for (int x = 0; x < cells.cols; ++x)
-      for (int k = 0; k < side; ++k) sums[x] += speaking[row[x * side + k]];
+      for (int k = 0; k < side; ++k) sums[x] += ratios[row[x * side + k]];
   }
   return cells;
 }
@@ -69,13 +70,13 @@ int level_for_area(double area) {
   return static_cast<int>(std::floor(0.5 * std::log2(std::max(1.0, area / kCells))));
 }
 
-/// Of cells that the object has not too many of, however thin it is.
+/// Side of the cells, which limits the number of cells of the object.
 int level_for_reach(double reach) {
   constexpr double kMostCells = 256;
   return static_cast<int>(std::ceil(std::log2(std::max(1.0, reach / kMostCells))));
 }
 
-/// Value that `part` of all are above, of values within a range about 0.
+/// Upper quantile `part` of values within a range around 0.
 int upper_quantile(const cv::Mat& values, double part) {
   constexpr int kRange = 256;
   std::array<int, 2 * kRange> counts{};
@@ -113,10 +114,12 @@ ColourPrefilter::ColourPrefilter(const cv::Mat& surface, const cv::Mat& map, cv:
   radius_ = bank.radius;
 }
 
-/// Mean [1/kUnit] of what the cells under the map say, of all rotations the largest: CV_16SC1.
-cv::Mat ColourPrefilter::best_of_rotations(const cv::Mat& classes, const Speaking& speaking) const {
+/// Mean log-likelihood ratio [1/kUnit] of the cells under the map, the largest over all rotations:
+/// CV_16SC1.
+cv::Mat ColourPrefilter::best_of_rotations(const cv::Mat& classes,
+                                           const LogLikelihoodRatios& ratios) const {
   const int side = 1 << (cell_level_ - class_level_);
-  const cv::Mat cells = cell_sums(classes, speaking, side);
+  const cv::Mat cells = cell_sums(classes, ratios, side);
   const cv::Mat sums = running_sums(cells, radius_);
   const int stride = sums.cols;
   cv::Mat best(cells.size(), CV_16SC1, cv::Scalar(-kUnit * kMost));
@@ -141,7 +144,8 @@ cv::Mat ColourPrefilter::best_of_rotations(const cv::Mat& classes, const Speakin
   return best;
 }
 
-ColourPrefilter::Speaking ColourPrefilter::speaking(const ClassPictures& scene) const {
+ColourPrefilter::LogLikelihoodRatios ColourPrefilter::log_likelihood_ratios(
+    const ClassPictures& scene) const {
   return compare(shares_, scene.shares());
 }
 
@@ -149,11 +153,11 @@ SearchMask ColourPrefilter::places(const ClassPictures& scene) const {
   if (scene.last_level() < class_level_) return {};
   const cv::Mat& classes = scene.at(class_level_);
   if (std::min(classes.cols, classes.rows) >> (cell_level_ - class_level_) == 0) return {};
-  const Speaking speaking = this->speaking(scene);
+  const LogLikelihoodRatios ratios = this->log_likelihood_ratios(scene);
   const double telling =
-      std::inner_product(shares_.begin(), shares_.end(), speaking.begin(), 0.0) / kUnit;
+      std::inner_product(shares_.begin(), shares_.end(), ratios.begin(), 0.0) / kUnit;
   if (telling < kTelling) return {};
-  cv::Mat best = best_of_rotations(classes, speaking);
+  cv::Mat best = best_of_rotations(classes, ratios);
   cv::dilate(best, best, cv::Mat());
   const int enough = std::clamp(cvRound(kUnit * kEnough), upper_quantile(best, kMostPlaces),
                                 upper_quantile(best, kFewest));

@@ -1,5 +1,6 @@
-// Where an object may lie in a picture by its colours alone, whatever its rotation: the gate before
-// any search, for libraries.
+// SPDX-License-Identifier: BSD-3-Clause
+// Colour prefilter for libraries: places where an object may lie by its colours alone, at any
+// rotation.
 #pragma once
 
 #include <cstdint>
@@ -18,23 +19,23 @@ class ColourPrefilter {
   ColourPrefilter(const cv::Mat& surface, const cv::Mat& map, cv::Point2d anchor,
                   double mean_width);
 
-  /// Turns the map now rather than when places() first asks for it.
+  /// Rotates the map now instead of in the first call of places().
   void make_rotations() const { rotations_.make(); }
 
-  /// Of the pyramid, the coarsest that is looked at.
+  /// The coarsest pyramid level that is used.
   int level() const { return class_level_; }
 
-  /// Where the colours under the map speak for the object rather than for the picture as a whole.
-  /// Everywhere, when the picture has the object's colours all over.
+  /// Places where the colours under the map are more likely the object's than the picture's.
+  /// Everywhere if the object's colours are common in the picture.
   SearchMask places(const ClassPictures& scene) const;
 
-  /// Per class of colour, log-odds [1/kUnit] that it is the object's rather than the picture's.
-  using Speaking = std::vector<std::int8_t>;
+  /// Per class of colour, the log-likelihood ratio [1/kUnit] of object to picture.
+  using LogLikelihoodRatios = std::vector<std::int8_t>;
   static constexpr int kUnit = 16;
-  Speaking speaking(const ClassPictures& scene) const;
+  LogLikelihoodRatios log_likelihood_ratios(const ClassPictures& scene) const;
 
  private:
-  cv::Mat best_of_rotations(const cv::Mat& classes, const Speaking& speaking) const;
+  cv::Mat best_of_rotations(const cv::Mat& classes, const LogLikelihoodRatios& ratios) const;
 
   int class_level_, cell_level_;
   ColourShares shares_;

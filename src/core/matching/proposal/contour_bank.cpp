@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "matching/proposal/contour_bank.hpp"
 
 #include <algorithm>
@@ -15,11 +16,11 @@ constexpr int kOrientations = ResponseMaps::kOrientations;
 constexpr std::size_t kPoints = 64;  // of the contour
 constexpr double kSmallest = 20;     // [px] diameter at the coarse level
 constexpr double kThinnest = 2;      // [px] mean width there
-constexpr double kLargest = 2048;  // [px] diameter there, however thin: rotations and margins grow
+constexpr double kLargest = 2048;    // [px] diameter there: limits rotations and margins
 constexpr int kTopLevel = 4;
 constexpr double kArcStep = 2;          // [px] that the rim moves per rotation step, ...
-constexpr double kNarrowArcStep = 1.3;  // ... of objects that a step would bring beside
-constexpr double kNarrow = 3.5;         // [px] mean width there below which they are narrow
+constexpr double kNarrowArcStep = 1.3;  // ... of objects narrower than a step
+constexpr double kNarrow = 3.5;         // [px] mean width there below which objects are narrow
 
 int orientation_of(float normal_x, float normal_y) {
   const double turns = std::atan2(normal_y, normal_x) / kPi;  // of half a turn
@@ -27,7 +28,7 @@ int orientation_of(float normal_x, float normal_y) {
   return ((bin % kOrientations) + kOrientations) % kOrientations;
 }
 
-/// Part of one rotation's points that another rotation has as well, up to the spread.
+/// Part of one rotation's points that coincide with another rotation, up to the spread.
 double common_part(const ContourBank::Rotation& one, const ContourBank::Rotation& other) {
   const auto alike = [](const ContourBank::Point& a, const ContourBank::Point& b) {
     const int turned = std::abs(a.orientation - b.orientation);
@@ -42,7 +43,7 @@ double common_part(const ContourBank::Rotation& one, const ContourBank::Rotation
   return static_cast<double>(found) / static_cast<double>(one.points.size());
 }
 
-/// True when the contour looks much the same at most of the rotations.
+/// True if the contour is similar at most rotations.
 bool looks_round(const std::vector<ContourBank::Rotation>& rotations) {
   constexpr double kAlike = 0.7;
   const auto alike =

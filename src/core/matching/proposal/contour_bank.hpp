@@ -1,4 +1,5 @@
-// An object's outline as points with directions, turned to all rotations.
+// SPDX-License-Identifier: BSD-3-Clause
+// Template bank of an object's outline: points with directions, at all rotations.
 #pragma once
 
 #include <opencv2/core.hpp>
@@ -8,7 +9,7 @@
 
 namespace mbncc {
 
-/// The contour turned to all rotations at one pyramid level.
+/// The contour at all rotations at one pyramid level.
 class ContourBank {
  public:
   /// `anchor` [px, level 0]; the level is chosen by the contour's size.
@@ -26,7 +27,7 @@ class ContourBank {
   int level() const { return level_; }
   int radius() const { return radius_; }  ///< [px at level]
   const std::vector<Rotation>& rotations() const { return rotations_; }
-  bool round() const { return round_; }  ///< the contour does not tell the rotation
+  bool round() const { return round_; }  ///< the contour does not determine the rotation
 
  private:
   int level_ = 0, radius_ = 0;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "matching/proposal/contour_search.hpp"
 
 #include <algorithm>
@@ -19,7 +20,7 @@ constexpr int kBand = PeakFinder::kBand;
 
 constexpr double kMinResponse = 0.2;  // [-1..1] mean of a candidate
 
-/// Positions of a row, whose responses at all rotations stay in the nearest cache.
+/// Positions of a row whose responses at all rotations fit into the L1 cache.
 constexpr int kAtATime = 2 * kernels::kPositions;
 
 /// `count` rounded up to whole groups.
@@ -37,7 +38,7 @@ class EdgeSearch {
         size_((roi.br().x - first_.x + kStep - 1) / kStep,
               (roi.br().y - first_.y + kStep - 1) / kStep),
         maps_(scene.responses(bank.radius() + 1)) {
-    // Nothing is wanted of the last row: the rows above it are complete with their neighbours.
+    // The last row has no positions: the rows above it are complete with their neighbours.
     cv::copyMakeBorder(places.of_positions(bank.level(), first_, kStep, size_), wanted_, 0,
                        whole(size_.height + 1, kBand) - size_.height, 0,
                        whole(size_.width, kernels::kPositions) - size_.width, cv::BORDER_CONSTANT,
@@ -86,7 +87,7 @@ class EdgeSearch {
       for (auto& part : sectors_) part.keep(row, wanted_.ptr(y + row));
   }
 
-  /// Drops all but the best `most`. Returns the sum that no other needs to fall below.
+  /// Keeps the best `most`. Returns the least sum of further peaks.
   static std::int16_t keep_best(std::vector<ResponsePeak>& peaks, std::size_t most) {
     if (peaks.size() <= most) return 1;
     const auto end = put_best_first(peaks, most);
@@ -98,8 +99,8 @@ class EdgeSearch {
     return sum;
   }
 
-  /// In order, the best that nothing better lies beside in the same quarter turn, `foremost` of
-  /// them if there are as many: so that no place has them all.
+  /// The best `foremost` peaks without a better neighbour in the same quarter turn, in order, so
+  /// that they cover different places.
   void put_foremost_first(std::vector<ResponsePeak>& peaks, std::size_t foremost) const {
     constexpr std::size_t kPerPlace = 4;
     const auto looked_at = put_best_first(peaks, kPerPlace * foremost);
@@ -109,8 +110,8 @@ class EdgeSearch {
                           [&](const ResponsePeak& peak) { return is_foremost(peak, quarters); });
   }
 
-  /// Nothing better, which was asked for before, lies beside in its quarter turn: `quarters` has
-  /// the bits of those that do.
+  /// Whether no better peak, tested before, is a neighbour in its quarter turn: `quarters` has the
+  /// bits of those that are.
   bool is_foremost(const ResponsePeak& peak, cv::Mat& quarters) const {
     const auto quarter =
         static_cast<uchar>(1 << 4 * peak.rotation() / static_cast<int>(bank_.rotations().size()));

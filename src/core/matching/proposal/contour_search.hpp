@@ -1,4 +1,5 @@
-// Coarse search by the map's edge: finds objects whose surface looks different under other light.
+// SPDX-License-Identifier: BSD-3-Clause
+// Coarse search by the map's contour, which is independent of shading.
 // After LINE-MOD (Hinterstoisser et al. 2012), with signed responses, so that clutter averages out.
 #pragma once
 
@@ -14,8 +15,9 @@
 namespace mbncc {
 
 struct EdgeCandidates {
-  std::vector<Candidate> poses;         ///< value: mean response [-1..1]
-  std::vector<Candidate> round_places;  ///< places where the contour does not tell the rotation
+  std::vector<Candidate> poses;  ///< value: mean response [-1..1]
+  std::vector<Candidate>
+      round_places;  ///< places where the contour does not determine the rotation
 };
 
 /// The best `most` poses in `roi` [px at the bank's level], `sector` and `places`, the best

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "matching/proposal/ncc_search.hpp"
 
 #include <algorithm>
@@ -57,7 +58,7 @@ class CoarseSearch {
     return rotations_at(best_places(settings), settings);
   }
 
-  /// The largest similarities over the rotations, in full from `threshold` on.
+  /// The largest similarities over the rotations, exact above `threshold`.
   const cv::Mat& correlate(double threshold) {
     for (int y = 0; y < roi_.height; ++y)
       for (const auto& span : covering_spans(wanted_.ptr(y), roi_.width, kernels::kPositions))
@@ -69,11 +70,11 @@ class CoarseSearch {
 
  private:
   static constexpr int kBlock = 2 * kernels::kPositions;  // of a row, correlated at a time
-  static constexpr int kPart = 16;                        // of a block, worked out in full or not
+  static constexpr int kPart = 16;                        // of a block with a common decision
 
-  /// All rotations at `count` positions of a row, into `best_`. A rotation is worked out in full
-  /// only where its numerator would reach the threshold or the best so far, were the picture's
-  /// variance under it not much smaller than under the rotation worked out last.
+  /// All rotations at `count` positions of a row, into `best_`. A rotation is computed completely
+  /// only where its numerator can reach the threshold or the best so far, unless the picture's
+  /// variance under it is much smaller than under the last complete rotation.
   void correlate_block(int x, int y, int count, double threshold) {
     float* best = best_.ptr<float>(y) + x;
     const std::size_t start = picture_.index(roi_.x + x, roi_.y + y);

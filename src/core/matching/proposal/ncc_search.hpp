@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Correlation of all rotations at all positions of one pyramid level.
 #pragma once
 
@@ -15,7 +16,7 @@ namespace mbncc {
 struct CoarseSettings {
   double min_similarity = 0.3;   ///< [-1..1] of a candidate
   int max_places = 100;          ///< best places kept
-  double rotation_slack = 0.12;  ///< further rotations at a place are kept when they come this near
+  double rotation_slack = 0.12;  ///< further rotations at a place are kept within this difference
 };
 
 /// Local maxima over positions in `roi` [px at the bank's level] and `places` and over rotations in
@@ -25,8 +26,8 @@ std::vector<Candidate> coarse_search(const TemplateBank& bank, const PaddedPictu
                                      const cv::Rect& roi, const CoarseSettings& settings = {},
                                      const AngleRange& sector = {}, const SearchMask& places = {});
 
-/// CV_32FC1 of grey's size: the largest similarity over all rotations at each position; where it is
-/// below 0 it is not worked out. `grey` is the bank's level, CV_8UC1.
+/// CV_32FC1 of grey's size: the largest similarity over all rotations at each position; negative
+/// values are not computed. `grey` is the bank's level, CV_8UC1.
 cv::Mat coarse_similarity(const TemplateBank& bank, const cv::Mat& grey);
 
 }  // namespace mbncc

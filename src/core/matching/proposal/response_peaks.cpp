@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "matching/proposal/response_peaks.hpp"
 
 #include <algorithm>
@@ -24,13 +25,13 @@ void mark_peaks(const std::int16_t* __restrict above, const std::int16_t* __rest
   }
 }
 
-/// Sets those of `count` values to 0 that are not wanted.
+/// Sets unwanted values of `count` to 0.
 MBNCC_CLONES
 void keep_wanted(const std::uint8_t* __restrict wanted, int count, std::int16_t* __restrict row) {
   for (int x = 0; x < count; ++x) row[x] = wanted[x] != 0 ? row[x] : std::int16_t{0};
 }
 
-/// The sum that the best `count` reach, and no more than `count` exceed.
+/// The `count`-th largest sum.
 int sum_of_last(const std::vector<ResponsePeak>& peaks, std::size_t count) {
   thread_local std::vector<std::size_t> of_sum;
   of_sum.clear();
@@ -46,7 +47,7 @@ int sum_of_last(const std::vector<ResponsePeak>& peaks, std::size_t count) {
 
 }  // namespace
 
-// Many have equal sums, which are small numbers: counting them takes one pass.
+// The sums are small integers, so one counting pass suffices.
 std::vector<ResponsePeak>::iterator put_best_first(std::vector<ResponsePeak>& peaks,
                                                    std::size_t count) {
   if (count >= peaks.size()) return peaks.end();

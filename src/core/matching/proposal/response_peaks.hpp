@@ -1,4 +1,5 @@
-// Where the edges of a picture respond best to a part of a contour's rotations.
+// SPDX-License-Identifier: BSD-3-Clause
+// Finds peaks of the responses over a part of a contour's rotations.
 #pragma once
 
 #include <cstdint>
@@ -10,8 +11,8 @@
 
 namespace mbncc {
 
-/// A position and rotation found, packed so that peaks in order are the best first; where sums are
-/// equal, in the order of rotations and places.
+/// A peak's position and rotation, packed so that sorted peaks are best first, then in the order of
+/// rotations and places.
 class ResponsePeak {
  public:
   ResponsePeak(int sum, int rotation, int x, int y)
@@ -35,11 +36,11 @@ class ResponsePeak {
 std::vector<ResponsePeak>::iterator put_best_first(std::vector<ResponsePeak>& peaks,
                                                    std::size_t count);
 
-/// The best of a part of a turn's rotations at the positions of a few rows: outlines often fit
-/// again at another rotation, along edges of busy ground at many, and only the surface tells which.
+/// The best of a part of the rotations at the positions of a few rows, because outlines often fit
+/// at several rotations, and only the surface distinguishes them.
 class PeakFinder {
  public:
-  static constexpr int kBand = kernels::kResponseRows;  ///< rows worked out at a time
+  static constexpr int kBand = kernels::kResponseRows;  ///< rows computed at a time
 
   /// Of `width` positions per row.
   void set_width(int width);
@@ -47,14 +48,14 @@ class PeakFinder {
   void add_rotation(const ContourBank::Rotation& rotation, std::size_t label,
                     const ResponseMaps& maps);
 
-  /// Goes on to the next band: the last rows of this one stay, as its neighbours.
+  /// Advances to the next band; keeps the last rows of this one as its neighbours.
   void next_band();
 
   /// Sums at `count` positions, whole groups, from `x` on in the rows of the band; `maps` points at
   /// the first.
   void sum_responses(const std::int8_t* maps, int stride, int x, int count);
 
-  /// Forgets what does not belong to the search: row `row` of the band where `wanted` is 0.
+  /// Clears positions outside the search: row `row` of the band where `wanted` is 0.
   void keep(int row, const std::uint8_t* wanted);
 
   /// Adds positions of at least `least` that no neighbour exceeds, in the rows whose neighbours are

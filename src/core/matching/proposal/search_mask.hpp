@@ -1,4 +1,5 @@
-// Places of a picture that are worth a search.
+// SPDX-License-Identifier: BSD-3-Clause
+// Mask of the places to search.
 #pragma once
 
 #include <opencv2/core.hpp>
@@ -16,7 +17,7 @@ class SearchMask {
   bool everywhere() const { return mask_.empty(); }
 
   /// CV_8UC1 of size `count`: 255 at the positions `first` + `step` (column, row) [px at `level`]
-  /// that belong to the places, else 0.
+  /// inside the mask, otherwise 0.
   cv::Mat of_positions(int level, cv::Point first, int step, cv::Size count) const;
 
  private:
@@ -29,8 +30,8 @@ struct Span {
   int begin, end;
 };
 
-/// Spans of whole groups of `group` positions that cover what is not 0 in a row of `count`, itself
-/// a number of whole groups, or fewer than one.
+/// Spans of whole groups of `group` positions that cover the nonzero values in a row of `count`,
+/// itself a number of whole groups, or fewer than one.
 std::vector<Span> covering_spans(const uchar* row, int count, int group);
 
 }  // namespace mbncc

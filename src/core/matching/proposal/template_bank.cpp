@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "matching/proposal/template_bank.hpp"
 
 #include <algorithm>
@@ -14,17 +15,17 @@ namespace mbncc {
 namespace {
 
 constexpr int kTopLevel = 5;
-constexpr int kMinPixels = 36;  // fewer are matched by chance everywhere ...
+constexpr int kMinPixels = 36;  // fewer match by chance everywhere ...
 constexpr int kFewPixels = 14;  // ... but levels as fine as kFineLevel cost too much without need
 constexpr int kFineLevel = 2;
-constexpr int kMostRadius = 256;   // [px] of what is turned: its pictures grow with the square
+constexpr int kMostRadius = 256;   // [px] of the rotated template: limits its memory
 constexpr float kCoverage = 0.6f;  // [0..1] of a pixel in the map
 constexpr double kArcStep = 2.6;   // [px] that the rim moves per rotation step
 constexpr int kOversampling = 4;   // samples per pixel side when turning
 constexpr int kWhole = 65;         // [px] pictures of more are turned ...
 constexpr int kTile = 16;          // ... in squares of that side, where the template is
 
-/// Template and map at a level somewhat finer than the coarse one, ready to be turned.
+/// Template and map at a level finer than the coarse one, for rotation.
 struct Source {
   cv::Mat coverage;  // CV_32FC1, of the map
   cv::Mat both;      // CV_32FC2, coverage and the template's values weighted by it
@@ -49,7 +50,7 @@ bool may_touch(const cv::Matx23d& to_source, const cv::Rect& tile, cv::Size size
          at[1] < size.height + reach;
 }
 
-/// `picture` turned about its anchor and averaged down to (2 radius + 1)^2 coarse pixels.
+/// `picture` rotated about its anchor and averaged down to (2 radius + 1)^2 coarse pixels.
 cv::Mat turned(const cv::Mat& picture, const Source& source, double angle, int radius) {
   const int side = 2 * radius + 1, tile = side > kWhole ? kTile : side;
   const double middle = 0.5 * (side * source.samples - 1);
@@ -72,8 +73,8 @@ cv::Mat turned(const cv::Mat& picture, const Source& source, double angle, int r
   return coarse;
 }
 
-/// Rounds to weights of at most kMaxWeight and removes the rounding's remainder, so that the sum is
-/// exactly 0 and the picture's mean drops out.
+/// Rounds to weights of at most kMaxWeight and corrects the rounding error, so that the sum is
+/// exactly 0 and the picture's mean cancels.
 std::vector<std::int16_t> zero_sum_weights(const std::vector<float>& values) {
   double mean = 0;
   for (float value : values) mean += value / static_cast<double>(values.size());

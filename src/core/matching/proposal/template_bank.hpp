@@ -1,4 +1,5 @@
-// The template turned to all rotations at the coarse level, as zero-sum integer weights.
+// SPDX-License-Identifier: BSD-3-Clause
+// Template bank: the template at all rotations at the coarse level, as zero-sum integer weights.
 #pragma once
 
 #include <cstdint>
@@ -28,17 +29,17 @@ struct TemplateBank {
   int radius = 0;  ///< [px at level] no pixel lies farther from the anchor in x or y
   Lazy<std::vector<RotatedKernel>> kernels;  ///< evenly over a turn
 
-  /// Thin objects would be correlated at finer levels: for up to a yardstick, and where edges left
-  /// anything open in drawn pictures, that found nothing.
+  /// Thin objects would be correlated at finer levels, which costs up to a yardstick and found
+  /// nothing in drawn pictures.
   bool searched() const { return level >= 2; }
 };
 
 /// Chooses the coarsest level at which the map keeps enough pixels at every rotation, and the
 /// rotation step by the arc that the rim moves. `anchor` [px] is the centre of rotation. No
-/// kernels, at level 0, of a map so long and thin that they would be too many and too large.
+/// kernels, at level 0, for a map so long and thin that they would be too many and too large.
 TemplateBank rotated_kernels(const cv::Mat& grey, const cv::Mat& map, cv::Point2d anchor);
 
-/// The map alone at `level`, turned to `count` rotations: pixels at least half covered, or fewer
+/// Only the map at `level`, at `count` rotations: pixels at least half covered, or fewer
 /// parts of them where the map is narrower than a pixel. Without weights.
 TemplateBank turned_maps(const cv::Mat& map, cv::Point2d anchor, int level, int count);
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "matching/refinement/colour_axes.hpp"
 
 #include <algorithm>
@@ -19,7 +20,7 @@ const std::vector<float>& multiplied(const std::vector<float>& a, const float* b
   return products;
 }
 
-/// Scales to unit length; what has next to none becomes zero.
+/// Scales to unit length; nearly zero vectors become zero.
 void normalise(std::vector<float>& row) {
   const double square = product(row, row.data());
   const float scale = square < 1e-6 ? 0.f : static_cast<float>(1 / std::sqrt(square));
@@ -39,9 +40,9 @@ ColourAxes::ColourAxes(const SurfaceTemplate& surface, const SceneLevel& picture
   }
 }
 
-/// Shading multiplies a colour, but for what the camera adds to it.
+/// Shading multiplies a colour, except for the camera's offset.
 void ColourAxes::choose_directions(const SurfaceTemplate& surface) {
-  constexpr double kAdded = 30;  // [grey] also keeps noise from turning the axes of dark points
+  constexpr double kAdded = 30;  // [grey] also steadies the axes of dark points
   for (auto& axis : axes_)
     for (auto& part : axis.direction) part.assign(surface.padded(), 0.f);
   for (std::size_t i = 0; i < surface.size(); ++i) {

@@ -1,5 +1,6 @@
-// The colours of a surface along axes of their own at each point: brightness, which shading
-// changes, and two across it, which shading leaves alone.
+// SPDX-License-Identifier: BSD-3-Clause
+// The colours of a surface along axes per point: brightness, which shading changes, and two
+// orthogonal to it, which shading does not change.
 #pragma once
 
 #include <array>
@@ -20,21 +21,21 @@ class ColourAxes {
   /// Of the points of `surface`, whose slopes are read from `picture`.
   ColourAxes(const SurfaceTemplate& surface, const SceneLevel& picture);
 
-  /// What `sample` shows along an axis beyond template, smooth shading and an even tint, one value
+  /// Residual of `sample` along an axis after template, smooth shading and an even tint, one value
   /// per point, padded.
   void remainder(int axis, const ShadingBasis& shading, const SurfaceSample& sample,
                  std::vector<float>& values) const;
 
-  /// Mean square [grey^2] of what the template shows across brightness and a picture with such
-  /// remainders, in `gain` times its contrast, does not: the lesson's noise.
+  /// Mean square [grey^2] of the lesson's noise orthogonal to brightness: the template's part that
+  /// is missing in a picture with these residuals and `gain` times its contrast.
   double noise(const std::array<std::vector<float>, kAxes>& remainders,
                const std::vector<float>& weights, double gain) const;
 
-  /// [0..1] Part of the slopes along an axis that such noise does not bring about.
+  /// [0..1] Part of the slopes along an axis that is not caused by this noise.
   double reliability(int axis, double noise) const;
 
-  /// Sums, over the points with their `weights`, of the pull of such remainders and of the
-  /// information in the slopes; both are to be divided by the variance of the remainders.
+  /// Normal equations summed over the points with their `weights`, from these residuals and the
+  /// slopes; to be divided by the variance of the residuals.
   NormalEquations pull(int axis, const std::vector<float>& remainder,
                        const std::vector<float>& weights) const;
 

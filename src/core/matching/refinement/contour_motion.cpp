@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "matching/refinement/contour_motion.hpp"
 
 #include <array>
@@ -31,7 +32,7 @@ NormalEquations ContourMotion::pull(const ContourSample& sample) const {
     for (int k = 0; k < kMotionParts; ++k) pull.information(j, k) = row[k];
   }
   const auto moments = along_rows(sample.moment);
-  // The template has to be moved from where the edges are: against the moments.
+  // The template moves opposite to the moments.
   for (int j = 0; j < kMotionParts; ++j) pull.vector[j] = -moments[j];
   return pull;
 }

@@ -1,4 +1,5 @@
-// How a contour's distance from the edges of a picture depends on a small motion.
+// SPDX-License-Identifier: BSD-3-Clause
+// Normal equations of a contour's distance to the edges of a picture.
 #pragma once
 
 #include <vector>
@@ -13,7 +14,7 @@ class ContourMotion {
   ContourMotion() = default;
   explicit ContourMotion(const ContourTemplate& contour);
 
-  /// Pull of the edges found, for points that scatter by 1 px each, independently.
+  /// Normal equations of the found edges, for independent errors of 1 px per point.
   NormalEquations pull(const ContourSample& sample) const;
 
  private:

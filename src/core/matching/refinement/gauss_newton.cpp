@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
 #include <cmath>
 
@@ -7,13 +8,13 @@
 namespace mbncc {
 namespace {
 
-constexpr double kNoise = 60;        // [grey^2] keeps plain surfaces from pulling
+constexpr double kNoise = 60;        // [grey^2] regularises plain surfaces
 constexpr double kMaxStep = 1.5;     // [px] of one step, at the rim for a turn
 constexpr double kSmallStep = 0.01;  // [px] ends the alignment
-constexpr int kReach = 2;            // [px] along the normals in which edges are looked for
+constexpr int kReach = 2;            // [px] search range for edges along the normals
 
-/// Adds the pull of the surface: normal equations of the motion that explains what the picture
-/// shows beyond the template, by the template's slopes.
+/// Adds the normal equations of the surface: the motion that explains the residual by the
+/// template's slopes.
 void add_surface_pull(const SurfaceTemplate& surface, const SurfaceSample& sample,
                       double correlation, ContourPull& pull) {
   constexpr int kRows = 4;
@@ -48,16 +49,16 @@ cv::Vec3d bounded(const cv::Vec3d& step, double radius) {
 }
 
 /// The alignment of one template in one picture.
-class Climber {
+class Aligner {
  public:
-  Climber(const PoseTemplate& object, const SceneLevel& scene)
+  Aligner(const PoseTemplate& object, const SceneLevel& scene)
       : object_(object), scene_(scene), sample_(shared_sample()) {}
 
   AlignedPose run(const Pose2D& start, int iterations) {
     AlignedPose best{start, -2};
     Pose2D pose = start;
-    // The last reading is for its value alone, to which edges farther off add nothing.
-    for (int k = 0; look_at(pose, k == iterations ? 1 : kReach); ++k) {
+    // The last reading is only for its value, which does not depend on distant edges.
+    for (int k = 0; linearise(pose, k == iterations ? 1 : kReach); ++k) {
       at_best_ = value_ > best.value;
       if (at_best_) best = {pose, value_};
       if (k == iterations) break;
@@ -75,7 +76,7 @@ class Climber {
   }
 
  private:
-  /// Kept from one alignment to the next, since it takes memory.
+  /// Reused by the next alignment, to avoid allocations.
   static PoseSample& shared_sample() {
     thread_local PoseSample sample;
     return sample;
@@ -83,12 +84,12 @@ class Climber {
 
   double radius() const { return object_.surface.radius(); }
 
-  /// Reads what lies at `pose`; false when too little is visible.
-  bool look_at(const Pose2D& pose, int reach) {
+  /// Reads the picture at `pose`; false if too little is visible.
+  bool linearise(const Pose2D& pose, int reach) {
     at_best_ = false;
     sample_.read(object_, scene_, pose, reach);
     if (!sample_.surface.suffices()) return false;
-    correlation_ = object_.surface.correlation(sample_.remainder, kNoise);
+    correlation_ = object_.surface.correlation(sample_.residual, kNoise);
     value_ = contour_agreement(object_.contour, sample_.contour) + correlation_;
     return true;
   }
@@ -101,7 +102,7 @@ class Climber {
 
   const PoseTemplate& object_;
   const SceneLevel& scene_;
-  PoseSample& sample_;                   // at the pose looked at last
+  PoseSample& sample_;                   // at the last linearisation
   double correlation_ = 0, value_ = -2;  // there
   bool at_best_ = false;                 // it is the best one
 };
@@ -110,7 +111,7 @@ class Climber {
 
 AlignedPose align(const PoseTemplate& object, const SceneLevel& scene, const Pose2D& start,
                   int iterations) {
-  return Climber(object, scene).run(start, iterations);
+  return Aligner(object, scene).run(start, iterations);
 }
 
 AlignedPose align_contour(const PoseTemplate& object, const SceneLevel& scene, const Pose2D& start,
@@ -121,7 +122,7 @@ AlignedPose align_contour(const PoseTemplate& object, const SceneLevel& scene, c
   Pose2D pose = start;
   for (int k = 0;; ++k) {
     scene.prepare_around(pose, object.reach());
-    // The last reading is for its value alone, to which what lies farther adds nothing.
+    // The last reading is only for its value, which does not depend on distant edges.
     read_contour(object.contour, scene.edges, pose, k == iterations ? 1 : kReach, sample);
     const double value = contour_agreement(object.contour, sample);
     if (value > best.value) best = {pose, value};
@@ -134,7 +135,7 @@ AlignedPose align_contour(const PoseTemplate& object, const SceneLevel& scene, c
 
 ScoredPose align_and_score(const PoseTemplate& object, const SceneLevel& scene, const Pose2D& start,
                            int iterations) {
-  return Climber(object, scene).run_to_evidence(start, iterations);
+  return Aligner(object, scene).run_to_evidence(start, iterations);
 }
 
 }  // namespace mbncc

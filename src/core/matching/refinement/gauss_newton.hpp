@@ -1,27 +1,28 @@
-// From a pose to the best one near it.
+// SPDX-License-Identifier: BSD-3-Clause
+// Gauss-Newton alignment from a pose to the best one near it.
 #pragma once
 
 #include "matching/evidence/evidence.hpp"
 
 namespace mbncc {
 
-/// A pose reached by climbing.
+/// A pose reached by alignment.
 struct AlignedPose {
   Pose2D pose;
   double value = 0;  ///< [-2..2] contour agreement plus correlation without shading
 };
 
-/// Gauss-Newton ascent of contour agreement plus correlation without shading, from `start` [px at
-/// the templates' level], at most `iterations` steps. Returns the best pose met, `start` itself
-/// where nothing is better.
+/// Gauss-Newton maximisation of contour agreement plus correlation without shading, from `start`
+/// [px at the templates' level], at most `iterations` steps. Returns the best pose reached, `start`
+/// itself if none is better.
 AlignedPose align(const PoseTemplate& object, const SceneLevel& scene, const Pose2D& start,
                   int iterations);
 
-/// Ascent of the contour agreement alone, `iterations` steps; `value` is that agreement.
+/// Maximisation of only the contour agreement, `iterations` steps; `value` is that agreement.
 AlignedPose align_contour(const PoseTemplate& object, const SceneLevel& scene, const Pose2D& start,
                           int iterations);
 
-/// A pose reached, with the evidence there: what the last step has read tells that, too.
+/// A reached pose with its evidence, computed from the last reading.
 struct ScoredPose {
   Pose2D pose;
   Evidence evidence;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "matching/refinement/illumination_bias.hpp"
 
 #include <algorithm>
@@ -6,15 +7,15 @@
 namespace mbncc {
 namespace {
 
-/// By how much light may displace something: [px] in even light, and a share of shading's.
-struct Looseness {
+/// Displacement by light: [px] in even light, and a share of that by shading.
+struct BiasModel {
   double even, share;
 
   double variance(double shading) const { return even * even + share * share * shading; }
   double deviation(double shading) const { return std::hypot(even, share * std::sqrt(shading)); }
 };
-constexpr Looseness kBrightness{0.005, 0.075}, kContour{0.03, 0.17};
-constexpr Looseness kPlace{0.002, 0.12}, kRim{0.003, 0.05};
+constexpr BiasModel kBrightness{0.005, 0.075}, kContour{0.03, 0.17};
+constexpr BiasModel kPlace{0.002, 0.12}, kRim{0.003, 0.05};
 
 constexpr double kPlain = 1;    // [grey^2 / px^2] bounds the displacement of plain surfaces
 constexpr double kEven = 0.03;  // [px^2] gradients of even light displace nothing

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "matching/refinement/mixed_pixel_equations.hpp"
 
 #include <algorithm>
@@ -10,7 +11,7 @@ namespace {
 
 constexpr int kLight = MixedPixelModel::kLight;
 
-/// Information [per point] that is always there about a term of light.
+/// Prior information [per point] about a term of light.
 double prior_of(int term) {
   constexpr double kGain = 400, kOffset = 5e-4, kShading = 0.02;
   return term == 0 ? kGain : term <= MixedPixelModel::kChannels ? kOffset : kShading;
@@ -32,7 +33,7 @@ MixedPixelEquations::MixedPixelEquations(const MixedPixelModel& object)
   }
 }
 
-void MixedPixelEquations::see(const MixedPixelSample& reading) {
+void MixedPixelEquations::read(const MixedPixelSample& reading) {
   for (int axis = 0; axis < kAxes; ++axis)
     std::copy_n(&reading.values[axis * padded()], padded(), row(axis, terms(axis)));
   inside_ = reading.inside;
@@ -49,7 +50,7 @@ void MixedPixelEquations::set_slope(int motion, const MixedPixelSample& low,
   }
 }
 
-/// Of all rows with each other, weighted; those of light and what is seen, and as many more.
+/// Weighted products of all rows: those of the light and the picture, and `more` others.
 cv::Mat1d MixedPixelEquations::products(int rows_beside_light) const {
   thread_local std::vector<float> weighted;
   weighted.resize(padded());

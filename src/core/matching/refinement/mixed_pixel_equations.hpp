@@ -1,5 +1,6 @@
-// Least squares in light and motion together for a rendered object: what they add up to, at each
-// point and along each axis of colour, is to be what is seen there.
+// SPDX-License-Identifier: BSD-3-Clause
+// Joint least squares of light and motion for a rendered object, at each point and along each axis
+// of colour.
 #pragma once
 
 #include <array>
@@ -18,26 +19,26 @@ class MixedPixelEquations {
 
   explicit MixedPixelEquations(const MixedPixelModel& object);
 
-  /// `reading` is what light and motion are to explain from now on.
-  void see(const MixedPixelSample& reading);
-  /// Of what is seen, by x, y and a turn [per px, at the rim]: differences between `low` and
-  /// `high`, which were read a pixel apart.
+  /// Sets the observation to be explained by light and motion.
+  void read(const MixedPixelSample& reading);
+  /// Derivatives of the observation by x, y and rotation [per px, at the rim]: differences between
+  /// `low` and `high`, read a pixel apart.
   void set_slope(int motion, const MixedPixelSample& low, const MixedPixelSample& high);
 
   /// Weights of all values, 1 at first.
   std::vector<float>& weights() { return weights_; }
   const std::vector<float>& weights() const { return weights_; }
 
-  /// The light that explains best what is seen, without motion ...
+  /// The light that best explains the observation, without motion ...
   Light light() const;
-  /// ... and the motion [px, at the rim] that explains it best, with light of its own.
+  /// ... and the motion [px, at the rim] that best explains it, together with its own light.
   cv::Vec3d motion() const;
 
-  /// What the light leaves unexplained, per axis and point.
+  /// Residual after the light, per axis and point.
   void subtract(const Light& light, std::vector<float>& residual) const;
 
  private:
-  // Rows of an axis: its terms of light, what is seen, slopes.
+  // Rows of an axis: terms of light, observation, slopes.
   static constexpr int kSeen = MixedPixelModel::kLight, kUnknowns = kSeen + 1 + kMotion;
 
   std::size_t padded() const { return object_.padded(); }

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -13,8 +14,8 @@ namespace {
 
 constexpr int kAxes = MixedPixelEquations::kAxes, kMotion = MixedPixelEquations::kMotion;
 
-/// Gauss-Newton in light and motion together; values that fit badly count less, and those along an
-/// axis of colour where the others fit badly, too.
+/// Gauss-Newton in light and motion together; outliers have less weight, and so do values along an
+/// axis of colour with many outliers.
 class MixedPixelFitter {
  public:
   MixedPixelFitter(const MixedPixelModel& object, const SceneLevel& scene)
@@ -32,7 +33,7 @@ class MixedPixelFitter {
     constexpr int kIterations = 8;
     Pose2D pose = start, best = start;
     double least = 0;
-    for (int k = 0; k <= kIterations && look_at(pose); ++k) {
+    for (int k = 0; k <= kIterations && linearise(pose); ++k) {
       const double cost = k == 0 ? first_cost() : weigh();
       if (k == 0 || cost < least) {
         least = cost;
@@ -45,11 +46,11 @@ class MixedPixelFitter {
     return best;
   }
 
-  /// What is seen at a pose.
+  /// Observation at a pose.
   MixedPixelFit described(const Pose2D& pose) {
-    constexpr int kSettling = 2;  // times that the weights and the light adapt to each other
+    constexpr int kSettling = 2;  // alternations of weights and light
     MixedPixelFit rendered{pose};
-    if (!look_at(pose)) return rendered;
+    if (!linearise(pose)) return rendered;
     auto& weights = equations_.weights();
     std::fill(weights.begin(), weights.end(), 1.f);
     first_cost();
@@ -63,30 +64,30 @@ class MixedPixelFitter {
   double brightness() const;
 
   /// False when too little is visible.
-  bool look_at(const Pose2D& pose) {
+  bool linearise(const Pose2D& pose) {
     read_rendering(object_, scene_, pose, seen_);
-    equations_.see(seen_);
+    equations_.read(seen_);
     seen_points_ = product(seen_.inside, seen_.inside.data());
     return 2 * seen_points_ >= object_.size;
   }
 
-  /// Slopes are alike there; finding them takes six readings.
+  /// Slopes change little within this; computing them takes six readings.
   bool is_near(const Pose2D& pose, const Pose2D& other) const {
     constexpr double kNear = 0.1;  // [px]
     return cv::norm(pose.position() - other.position()) < kNear &&
            angle_distance(pose.theta, other.theta) * object_.radius < kNear;
   }
 
-  void find_slopes(const Pose2D& pose);
+  void numeric_jacobian(const Pose2D& pose);
   double first_cost();
   double weigh();
 
-  /// What the best light leaves unexplained.
+  /// Residual after the best light.
   void update_residual() { equations_.subtract(equations_.light(), residual_); }
 
   cv::Vec3d next_step(const Pose2D& pose) {
     constexpr double kMost = 1;  // [px]
-    if (!slopes_at_ || !is_near(pose, *slopes_at_)) find_slopes(pose);
+    if (!slopes_at_ || !is_near(pose, *slopes_at_)) numeric_jacobian(pose);
     const cv::Vec3d step = equations_.motion();
     return step * std::min(1.0, kMost / (cv::norm(step) + 1e-9));
   }
@@ -98,11 +99,11 @@ class MixedPixelFitter {
   std::optional<Pose2D> slopes_at_;
   double seen_points_ = 0;
   std::vector<float> residual_;        // per axis and point
-  std::array<float, kAxes> scales_{};  // [grey levels] of bad residuals, per axis
+  std::array<float, kAxes> scales_{};  // [grey levels] scale of outliers, per axis
 };
 
 /// Central differences along x, y and the rim.
-void MixedPixelFitter::find_slopes(const Pose2D& pose) {
+void MixedPixelFitter::numeric_jacobian(const Pose2D& pose) {
   constexpr double kStep = 0.5;  // [px]
   thread_local MixedPixelSample low, high;
   for (int k = 0; k < kMotion; ++k) {
@@ -118,7 +119,7 @@ void MixedPixelFitter::find_slopes(const Pose2D& pose) {
   slopes_at_ = pose;
 }
 
-/// The scales of what fits badly are those of the residuals at the start.
+/// The scales of outliers are those of the residuals at the start.
 double MixedPixelFitter::first_cost() {
   constexpr std::array<float, kAxes> kQuantised{6, 4, 4};  // noise explains
   update_residual();
@@ -135,8 +136,7 @@ double MixedPixelFitter::first_cost() {
   return weigh();
 }
 
-/// Weighs the values by how well they fit in the best light. Returns their mean misfit, in which
-/// large ones saturate.
+/// Weights the values by their residuals in the best light. Returns their mean saturated misfit.
 double MixedPixelFitter::weigh() {
   update_residual();
   thread_local std::vector<float> saturated;
@@ -169,7 +169,7 @@ double MixedPixelFitter::misfit() const {
   return std::log(std::sqrt(sum / (kAxes * seen_points_)) + 3);
 }
 
-/// Of what is explained, against what was taught.
+/// Of the explained colours, relative to the taught ones.
 double MixedPixelFitter::brightness() const {
   constexpr double kDark = 8;             // [grey levels] added before taking the logarithm
   const auto& taught = object_.light[0];  // its gain comes first

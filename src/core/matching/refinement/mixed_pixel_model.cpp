@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "matching/refinement/mixed_pixel_model.hpp"
 
 #include <algorithm>
@@ -9,19 +10,19 @@ namespace mbncc {
 namespace {
 
 constexpr float kNowhere = -1e6f;     // lies outside of every picture
-constexpr float kLeastShare = 0.12f;  // of the object, from which on a point tells something
-constexpr float kPure = 0.98f;        // ... and from which on no background shows
+constexpr float kLeastShare = 0.12f;  // share of the object from which on a point is used
+constexpr float kPure = 0.98f;        // ... and from which on no background is visible
 
-/// Of the learning picture at a place, or the nearest in it.
+/// The learning picture's value at a place, clamped to the picture.
 cv::Vec3f colour_near(const cv::Mat& picture, cv::Point at) {
   const int x = std::clamp(at.x, 0, picture.cols - 1), y = std::clamp(at.y, 0, picture.rows - 1);
   return picture.at<cv::Vec3b>(y, x);
 }
 
-/// Of the object alone, at a pixel of the learning picture.
+/// The object's own colour at a pixel of the learning picture.
 cv::Vec3f unmixed_colour(const SurfaceTemplate::Source& source, cv::Point pixel,
                          const EdgeMixing& mixture) {
-  constexpr float kTold = 0.35f;  // share from which on it can be told from the background
+  constexpr float kTold = 0.35f;  // share from which on it can be separated from the background
   if (mixture.share < kTold) return colour_near(source.surface.colour, pixel);
   cv::Vec3f background;
   for (const auto& place : mixture.beyond)
@@ -33,7 +34,7 @@ cv::Vec3f unmixed_colour(const SurfaceTemplate::Source& source, cv::Point pixel,
   return colour;
 }
 
-/// Inwards, the longer the nearer the edge: what tilts a bevel to the light.
+/// Vector inwards, longer near the edge: models the shading of a bevel.
 cv::Point2f bevel_at(const SurfaceTemplate::Source& source, cv::Point pixel,
                      const EdgeMixing& mixture) {
   constexpr float kDepth = 2.5f;  // [px]
@@ -68,13 +69,13 @@ MixedPixelModel::MixedPixelModel(const SurfaceTemplate::Source& source, cv::Poin
 
 std::vector<MixedPixelModel::Site> MixedPixelModel::sites_of(const SurfaceTemplate::Source& source,
                                                              cv::Point2d anchor) {
-  const Coverage coverage(source.map, source.level);
+  const AlphaMatte matte(source.map, source.level);
   const cv::Point2f origin(anchor);
   std::vector<Site> sites;
-  for (int y = -coverage.room(); y < source.map_size.height + coverage.room(); ++y)
-    for (int x = -coverage.room(); x < source.map_size.width + coverage.room(); ++x) {
+  for (int y = -matte.room(); y < source.map_size.height + matte.room(); ++y)
+    for (int x = -matte.room(); x < source.map_size.width + matte.room(); ++x) {
       const cv::Point pixel(x, y);
-      const EdgeMixing mixture = coverage.at(pixel);
+      const EdgeMixing mixture = matte.at(pixel);
       if (mixture.share < kLeastShare) continue;
       sites.push_back({cv::Point2f(pixel) - origin,
                        {mixture.beyond[0] - origin, mixture.beyond[1] - origin},

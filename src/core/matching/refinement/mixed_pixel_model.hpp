@@ -1,6 +1,7 @@
-// A small object as a camera shows it: its surface under smooth shading, mixed along its edge with
-// whatever background the picture has beside it. So few of its pixels lie off the edge that the
-// mixed ones have to tell where it lies and which way it is turned.
+// SPDX-License-Identifier: BSD-3-Clause
+// Image model of a small object: its surface under smooth shading, mixed at its edge with the
+// picture's background. A small object has so few inner pixels that the mixed ones must determine
+// its pose.
 #pragma once
 
 #include <array>
@@ -16,10 +17,10 @@ struct MixedPixelModel {
   static constexpr int kChannels = SurfaceTemplate::kChannels;
   /// Gain of the colours, an offset per axis, two of shading across the object, two of its rim.
   static constexpr int kLight = 8;
-  /// Those of them that show along an axis of colour: shading is brightness alone.
+  /// The terms of an axis of colour, because shading affects only brightness.
   static const std::vector<int>& terms_along(int axis);
 
-  /// Nothing to compare.
+  /// Empty, without a surface.
   MixedPixelModel() = default;
 
   /// The object at full resolution, about `anchor` [px].
@@ -27,21 +28,22 @@ struct MixedPixelModel {
 
   std::size_t padded() const { return background.size(); }  ///< points, in whole lanes
 
-  /// Turns colours, `count` of each channel, to axes in place: brightness (the channels' sum over
-  /// its root), which relief displaces as the light comes, and two across it, which it leaves
-  /// alone.
+  /// Transforms colours, `count` of each channel, to axes in place: brightness (the channels' sum
+  /// over its root), which relief displaces depending on the light, and two orthogonal to it, which
+  /// it does not.
   static void turn_to_axes(float* colours, std::size_t count);
 
   using SearchMask = std::array<std::vector<float>, 2>;  ///< x and y [px] relative to the anchor
 
-  // All vectors are padded to whole lanes: places with such that lie nowhere, values with zeros.
+  // All vectors are padded to whole lanes: places with points outside every picture, values with
+  // zeros.
   SearchMask points;
-  std::array<SearchMask, 2> beyond;  ///< where each point's background shows alone
+  std::array<SearchMask, 2> beyond;  ///< where each point's background is visible alone
   std::vector<float> background;     ///< [0..1] its share at each point
-  /// Per axis, a row for each term along it: what it adds to each point.
+  /// Per axis, a row for each term: its contribution to each point.
   std::array<std::vector<float>, kChannels> light;
   double size = 0;        ///< points
-  std::size_t mixed = 0;  ///< of them the first that show some background, in whole lanes
+  std::size_t mixed = 0;  ///< the first of them, with visible background, in whole lanes
   double radius = 1;      ///< [px] of the farthest point
   double reach = 1;       ///< [px] of the farthest place of all
 
@@ -53,15 +55,15 @@ struct MixedPixelModel {
   void lay_out_light(const std::vector<Site>& sites);
 };
 
-/// What a picture shows of an object, in the light that explains it best.
+/// Result of a fit, in the light that best explains the picture.
 struct MixedPixelFit {
   Pose2D pose;
   double misfit = 0;      ///< ln(rms colour difference [grey levels], large ones capped, + 3)
   double brightness = 0;  ///< ln of the object's own, against the lesson's
 };
 
-/// At the pose near `start` [px] where the rendering comes nearest to a picture at full resolution;
-/// at `start` itself, without anything to tell, where too little is visible.
+/// At the pose near `start` [px] with the smallest residual in a picture at full resolution; at
+/// `start` itself, without a result, if too little is visible.
 MixedPixelFit fit(const MixedPixelModel& object, const SceneLevel& scene, const Pose2D& start);
 
 }  // namespace mbncc

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "matching/refinement/mixed_pixel_sample.hpp"
 
 #include <algorithm>
@@ -17,7 +18,7 @@ kernels::Points first_of(const MixedPixelModel::SearchMask& places, std::size_t 
   return {places[0].data(), places[1].data(), static_cast<int>(count)};
 }
 
-/// Takes the share of the background off a channel of the points that have one.
+/// Subtracts the share of the background from a channel of the mixed points.
 void unmix(const float* __restrict part, const float* __restrict one, const float* __restrict other,
            const float* __restrict inside, std::size_t count, float* __restrict own) {
   for (std::size_t i = 0; i < count; ++i)
@@ -44,7 +45,7 @@ void read_rendering(const MixedPixelModel& object, const SceneLevel& scene, cons
                             {beyond[k][0].data(), beyond[k][1].data(), beyond[k][2].data(),
                              beyond[k][kChannels].data()});
   }
-  thread_local std::vector<float> part;  // of each background that is seen
+  thread_local std::vector<float> part;  // of each visible background
   part.resize(mixed);
   for (std::size_t i = 0; i < mixed; ++i) {
     const float seen = beyond[0][kChannels][i] + beyond[1][kChannels][i];

@@ -1,4 +1,5 @@
-// What a picture shows of a rendered object, without the background that shows along its edge.
+// SPDX-License-Identifier: BSD-3-Clause
+// Colours of a small object in a picture, after subtraction of the background at its edge.
 #pragma once
 
 #include <vector>

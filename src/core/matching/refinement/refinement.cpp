@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "matching/refinement/refinement.hpp"
 
 #include <algorithm>
@@ -11,15 +12,15 @@
 namespace mbncc {
 namespace {
 
-constexpr int kReach = 2;               // [px] along the normals in which edges are looked for, ...
-constexpr int kFarReach = 5;            // ... and those that a half of the object may lie at
+constexpr int kReach = 2;               // [px] search range for edges along the normals, ...
+constexpr int kFarReach = 5;            // ... and for a half of the object
 constexpr double kSmallStep = 0.01;     // [px] ends the refinement
 constexpr double kFarthest = 1.5;       // [px] from the start, and at the rim by turning
-constexpr double kScalePrior = 0.02;    // deviation that heights and tilts bring about
-constexpr double kLeastScale = 0.006;   // deviation from 1 that is worth telling, ...
-constexpr double kScaleDeviations = 5;  // ... and it must be so many deviations
-constexpr double kMostScale = 0.08;     // beyond it another object is seen
-constexpr double kFixedScale = 1e-6;    // deviation that leaves the scale as it is
+constexpr double kScalePrior = 0.02;    // deviation caused by heights and tilts
+constexpr double kLeastScale = 0.006;   // least deviation from 1 that is reported, ...
+constexpr double kScaleDeviations = 5;  // ... and in standard deviations
+constexpr double kMostScale = 0.08;     // beyond it, it is another object
+constexpr double kFixedScale = 1e-6;    // deviation that fixes the scale
 
 class Refiner {
  public:
@@ -32,7 +33,7 @@ class Refiner {
     if (strayed()) {
       pose_ = start_;
       scale_ = 1;
-      seen = look();
+      seen = linearise();
     }
     if (!seen) return unknown_accuracy(pose_);
     const double apart = std::max(unclaimed_, halves_apart());
@@ -53,20 +54,20 @@ class Refiner {
 
   double radius() const { return object_.object.surface.radius(); }
 
-  /// Steps until they become small. False where too little is visible.
+  /// Iterates until the steps are small. False if too little is visible.
   bool approach(int iterations, double scale_deviation) {
     scale_deviation_ = scale_deviation;
-    for (int k = 0; look(); ++k) {
+    for (int k = 0; linearise(); ++k) {
       if (k == iterations) return true;
       Motion step = solution(scale_deviation_);
       if (scale_deviation_ == kFixedScale) step[3] = 0;
       move(step);
-      if (length_of(step) < kSmallStep) return true;  // nothing else would be seen there
+      if (length_of(step) < kSmallStep) return true;  // the reading would not change
     }
     return false;
   }
 
-  bool look();
+  bool linearise();
   double halves_apart();
   NormalEquations half_pull(double x, double y);
   double gain() const;
@@ -115,21 +116,21 @@ class Refiner {
   }
 
   cv::Matx33d covariance(double unclaimed) const;
-  static constexpr double kLeast = 1e-4;  // [1/px^2] information that is always there
+  static constexpr double kLeast = 1e-4;  // [1/px^2] prior information
 
   const RefinementTemplate& object_;
   const SceneLevel& scene_;
   Pose2D start_, pose_;
   double scale_ = 1, scale_deviation_ = kFixedScale;
   Samples& samples_ = samples();
-  NormalEquations pull_, edges_;   // at the pose looked at last
+  NormalEquations pull_, edges_;   // at the last linearisation
   double contrast_ = 1;            // there
-  double unclaimed_ = 0;           // [px^2] by how much they are apart, there
+  double unclaimed_ = 0;           // [px^2] their random-effects variance, there
   IlluminationBias displacement_;  // there
 };
 
-/// Collects what surface and contour say at the pose. False where too little is visible.
-bool Refiner::look() {
+/// Builds the normal equations of surface and contour at the pose. False if too little is visible.
+bool Refiner::linearise() {
   const PoseTemplate& object = object_.object;
   scene_.prepare_around(pose_, object.reach() * scale_);
   object.surface.sample(scene_, pose_, samples_.surface, scale_);
@@ -152,7 +153,7 @@ bool Refiner::look() {
   return true;
 }
 
-/// What one half of the object says: that on the side of a direction in the template's frame.
+/// Normal equations of one half of the object, on one side of a direction in the template's frame.
 NormalEquations Refiner::half_pull(double x, double y) {
   const auto on_side = [&](double px, double py) { return px * x + py * y > 0; };
   const PoseTemplate& object = object_.object;
@@ -171,9 +172,8 @@ NormalEquations Refiner::half_pull(double x, double y) {
   return pull;
 }
 
-/// [px^2] By how much halves of the object, split along the picture's rows and columns, are apart
-/// beyond what they claim: in a picture torn while the object moved, a half lies
-/// elsewhere.
+/// [px^2] Variance between halves of the object, split along the picture's rows and columns, beyond
+/// their covariances: in a picture torn while the object moved, a half is displaced.
 double Refiner::halves_apart() {
   read_edges(kFarReach);
   const double c = std::cos(pose_.theta), s = std::sin(pose_.theta);
@@ -194,7 +194,7 @@ NormalEquations Refiner::edges_pull(const ContourSample& sample) const {
   NormalEquations edges = object_.contour_motion.pull(sample);
   edges.information *= 1 / scatter;
   edges.vector *= 1 / scatter;
-  return loosened(edges, displacement_.of_contour());
+  return marginalised_over_shift(edges, displacement_.of_contour());
 }
 
 std::array<NormalEquations, ColourAxes::kAxes> Refiner::axis_pulls(
@@ -212,11 +212,11 @@ std::array<NormalEquations, ColourAxes::kAxes> Refiner::axis_pulls(
     pulls[axis].vector *= share / noise;
   }
   NormalEquations& brightness = pulls[ColourAxes::kBrightness];
-  brightness = loosened(brightness, displacement_.of_brightness());
+  brightness = marginalised_over_shift(brightness, displacement_.of_brightness());
   return pulls;
 }
 
-/// Cameras blur and displace colour, some by pixels: how far it is apart from the contour tells.
+/// Cameras blur and displace colour, some by pixels; estimated from its distance to the contour.
 NormalEquations Refiner::as_far_as_it_agrees(const NormalEquations& colour,
                                              const NormalEquations& edges) const {
   constexpr double kUsual = 0.3;  // [px] apart
@@ -224,7 +224,7 @@ NormalEquations Refiner::as_far_as_it_agrees(const NormalEquations& colour,
   two.add(colour);
   two.add(edges);
   const double apart = std::sqrt(2 * two.variance());
-  return apart > kUsual ? loosened_throughout(colour, apart, radius()) : colour;
+  return apart > kUsual ? marginalised_over_shift_and_turn(colour, apart, radius()) : colour;
 }
 
 /// Of the picture's contrast by the template's.
@@ -236,10 +236,9 @@ double Refiner::gain() const {
   return std::clamp((common + kPrior) / (energy + kPrior), 0.3, 2.0);
 }
 
-/// `unclaimed` [px^2]: by how much cues, or halves, are apart.
+/// `unclaimed` [px^2]: random-effects variance of cues or halves.
 cv::Matx33d Refiner::covariance(double unclaimed) const {
-  constexpr double kAlike =
-      3;  // what displaces them apart displaces all of them, too: so much more
+  constexpr double kAlike = 3;  // factor, because the cause also displaces all of them together
   const double rim = radius() * radius();
   const cv::Matx33d in_template = information(scale_deviation_).inv().get_minor<3, 3>(0, 0) +
                                   displacement_.of_pose(radius()) +

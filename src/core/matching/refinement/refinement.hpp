@@ -1,4 +1,5 @@
-// The last fraction of a pixel and of a degree, the scale, and how sure they are.
+// SPDX-License-Identifier: BSD-3-Clause
+// Sub-pixel refinement of pose and scale, with covariance.
 #pragma once
 
 #include <opencv2/core.hpp>
@@ -23,19 +24,18 @@ struct RefinementTemplate {
 
 struct Refined {
   Pose2D pose;
-  double scale = 1;        ///< of the object, against the template
+  double scale = 1;        ///< of the object, relative to the template
   cv::Matx33d covariance;  ///< of x, y, theta [px^2, px rad, rad^2]
-  cv::Matx33d cautious;    ///< the same where halves of the object lie apart: what parts them
-                           ///< displaces the whole, too
+  cv::Matx33d cautious;    ///< the same, widened if halves of the object are displaced
 };
 
-/// The pose as it is, of which nothing is known: 100 px, a turn.
+/// The unrefined pose with unknown accuracy: 100 px, a full turn.
 Refined unknown_accuracy(const Pose2D& pose);
 
 /// Least squares from `start` [px, level 0], a pixel off at most, in up to `iterations` steps (0:
-/// the covariance alone) over what the surface shows along its colour axes and over its contour.
-/// Light displaces them, each by an amount of its own, and relief its brightness: they count as
-/// loose along x and y, by as much. The scale is 1 unless another is seen beyond doubt.
+/// the covariance alone) over the residuals of the surface along its colour axes and of the
+/// contour. Light may displace each of them, and relief the brightness; these shifts along x and y
+/// are marginalised. The scale is 1 unless another one is significant.
 Refined refine(const RefinementTemplate& object, const SceneLevel& scene, const Pose2D& start,
                int iterations);
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "matching/refinement/surface_residuals.hpp"
 
 #include <algorithm>

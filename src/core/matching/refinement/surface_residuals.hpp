@@ -1,4 +1,5 @@
-// What a picture shows of a surface along its colour axes, and how much each point counts.
+// SPDX-License-Identifier: BSD-3-Clause
+// Residuals of a surface along its colour axes, with the points' weights.
 #pragma once
 
 #include <array>
@@ -15,7 +16,7 @@ struct SurfaceResiduals {
   std::array<std::vector<float>, ColourAxes::kAxes> values;
   std::vector<float> weights;  ///< [0..1] of the points
 
-  /// Reads the values and weighs the points: what is covered or in gloss counts little.
+  /// Reads the values and weights the points: covered or glossy ones have little weight.
   void read(const ColourAxes& axes, const SurfaceTemplate& surface, const SurfaceSample& sample);
 
   /// [grey^2] Along the axes, the same across brightness.

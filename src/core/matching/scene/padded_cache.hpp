@@ -1,4 +1,5 @@
-// What is made from a picture once, with room around it, for all searches of that picture.
+// SPDX-License-Identifier: BSD-3-Clause
+// Cache of padded data of a picture, shared by all searches of that picture.
 #pragma once
 
 #include <memory>
@@ -6,26 +7,25 @@
 
 namespace mbncc {
 
-/// `Padded` has fill(source, margin), which uses its memory again, and margin(). Several threads
-/// may ask at a time.
+/// `Padded` has fill(source, margin), which reuses its memory, and margin(). Thread-safe.
 template <class Padded>
 class PaddedCache {
  public:
   /// With a margin of at least `margin` [px]. `source` is the same picture until forget().
   template <class Source>
   std::shared_ptr<const Padded> get(const Source& source, int margin) {
-    constexpr int kGrain = 16;  // few different margins, so that larger objects seldom ask for more
+    constexpr int kGrain = 16;  // few different margins, so that larger objects seldom need more
     const int wanted = (margin + kGrain - 1) / kGrain * kGrain;
     const std::lock_guard<std::mutex> lock(filling_);
     if (valid_ && padded_->margin() >= wanted) return padded_;
-    // Who asked for less may still read it.
+    // Users of the smaller one may still read it.
     if (!padded_ || valid_) padded_ = std::make_shared<Padded>();
     padded_->fill(source, wanted);
     valid_ = true;
     return padded_;
   }
 
-  /// The next to ask has another picture; nobody reads the old one any more.
+  /// The next request has another picture; the old one is no longer used.
   void forget() { valid_ = false; }
 
  private:

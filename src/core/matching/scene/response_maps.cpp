@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "matching/scene/response_maps.hpp"
 
 #include <algorithm>
@@ -9,7 +10,7 @@ namespace mbncc {
 namespace {
 
 constexpr int kOrientations = ResponseMaps::kOrientations;
-constexpr std::int8_t kUnseen = 7;  // taken beyond the border, so that objects may hang over it
+constexpr std::int8_t kUnseen = 7;  // computed beyond the border, for partly visible objects
 
 /// Responses before they are spread, of three adjacent rows, continued by a pixel and more beyond
 /// the border.
@@ -21,7 +22,7 @@ class ResponseRows {
     read(0);
   }
 
-  /// Goes on to the rows about `y`, from one row to the next.
+  /// Advances to the rows around `y`, row by row.
   void move_to(int y) {
     if (y + 1 < edges_.rows) read(y + 1);
     y_ = y;
@@ -49,7 +50,7 @@ class ResponseRows {
       row[-1] = row[0];
       std::fill(row + edges_.cols, row + edges_.cols + 3, row[edges_.cols - 1]);
     }
-    // Turned by a quarter, an edge responds the other way round.
+    // A quarter turn inverts the response of an edge.
     for (int k = 0; k < kHalf; ++k)
       std::transform(all[k].begin(), all[k].end(), all[k + kHalf].begin(),
                      [](std::int8_t response) { return static_cast<std::int8_t>(-response); });
@@ -76,7 +77,7 @@ void ResponseMaps::fill(const cv::Mat& edges, int margin) {
   }
 }
 
-/// What lies around the picture stays as it is from one picture to the next.
+/// The padding does not change between pictures.
 void ResponseMaps::make_room(cv::Size size, int margin) {
   if (size == size_ && margin <= margin_) return;
   size_ = size;

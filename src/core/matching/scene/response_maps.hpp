@@ -1,4 +1,5 @@
-// How strongly a picture's edges agree with each orientation, for the coarse search by edges.
+// SPDX-License-Identifier: BSD-3-Clause
+// Response maps of a picture's edges for each orientation, for the contour search (LINE-MOD).
 #pragma once
 
 #include <cstdint>
@@ -7,24 +8,23 @@
 
 namespace mbncc {
 
-/// Response maps per orientation, spread to the neighbouring pixels, with room around them. Each is
-/// stored as four maps of every second pixel, so that adjacent positions of the search lie side by
-/// side.
+/// Response maps per orientation, spread to the neighbouring pixels and padded. Each is stored as
+/// four maps of every second pixel, so that adjacent search positions are adjacent in memory.
 class ResponseMaps {
  public:
   static constexpr int kOrientations = 8;  ///< of a half turn
   static constexpr int kStep = 2;  ///< [px] between positions: responses are spread by one pixel
 
-  /// `edges` is an edge_picture(); `margin` [px] is even. Uses the memory of the last ones again,
-  /// and keeps their margin if that was larger.
+  /// `edges` is an edge_picture(); `margin` [px] is even. Reuses the memory of the last ones, and
+  /// keeps their margin if that was larger.
   void fill(const cv::Mat& edges, int margin);
 
   int margin() const { return margin_; }
   int stride() const { return stride_; }  ///< from a position of the search to the one below
   const std::int8_t* data() const { return values_.data(); }
 
-  /// Where the response at a pixel lies. Relative to an even pixel it is offset() at the
-  /// difference, less offset() at 0.
+  /// Index of the response at a pixel. Relative to an even pixel it is offset() at the difference
+  /// minus offset() at 0.
   std::int32_t offset(int orientation, int x, int y) const {
     const int column = x + margin_, row = y + margin_;
     const int phase = kStep * (row % kStep) + column % kStep;

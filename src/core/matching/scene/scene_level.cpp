@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "matching/scene/scene_level.hpp"
 
 #include <cmath>
@@ -39,7 +40,7 @@ std::shared_ptr<const ResponseMaps> SceneLevel::responses(int margin) const {
 
 void SceneLevel::prepare_around(const Pose2D& pose, double reach) const {
   constexpr int kSlack = 8;
-  constexpr double kFar = 1e6;  // no picture reaches there
+  constexpr double kFar = 1e6;  // outside every picture
   if (!(std::abs(pose.x) < kFar && std::abs(pose.y) < kFar)) return;
   const int radius = static_cast<int>(std::ceil(reach)) + kSlack;
   const cv::Point middle(cvFloor(pose.x), cvFloor(pose.y));

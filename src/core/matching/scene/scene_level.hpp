@@ -1,4 +1,5 @@
-// A picture at one pyramid level, smoothed and with its edges, worked out where it is looked at.
+// SPDX-License-Identifier: BSD-3-Clause
+// A picture at one pyramid level, smoothed and with its edges, computed lazily in tiles.
 #pragma once
 
 #include <atomic>
@@ -13,25 +14,24 @@
 
 namespace mbncc {
 
-/// At full resolution little of a picture is ever looked at: the search comes down from coarser
-/// levels with a few candidates. So tiles are prepared when they are asked for, once each; several
-/// threads may ask at a time.
+/// At full resolution only a small part of a picture is needed, around the candidates of coarser
+/// levels. Tiles are therefore prepared on demand, once each. Thread-safe.
 class SceneLevel {
  public:
   SceneLevel();
   SceneLevel(const cv::Mat& picture, int level);
 
-  /// Takes `picture`, CV_8UC3, in the memory of the last one; it is smoothed a little against
+  /// Sets `picture`, CV_8UC3, reusing the memory of the last one; it is smoothed slightly against
   /// noise, more at level 0.
   void show(const cv::Mat& picture, int level);
-  /// Lets the picture go, and keeps the memory.
+  /// Releases the picture and keeps the memory.
   void forget() { picture_.release(); }
 
   cv::Size size() const { return colour.size(); }
 
-  /// Prepares all of it.
+  /// Prepares the whole picture.
   void prepare() const { prepare(cv::Rect({0, 0}, size())); }
-  /// Prepares what lies within `reach` [px] and some slack about `pose`.
+  /// Prepares the surroundings of `pose` within `reach` [px] plus some slack.
   void prepare_around(const Pose2D& pose, double reach) const;
 
   /// Of all of its edges, with a margin of at least `margin` [px].

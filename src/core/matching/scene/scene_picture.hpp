@@ -1,4 +1,5 @@
-// What is computed once per picture and shared by all objects.
+// SPDX-License-Identifier: BSD-3-Clause
+// Data computed once per picture and shared by all objects.
 #pragma once
 
 #include <memory>
@@ -24,9 +25,9 @@ struct ScenePicture {
   ScenePicture() = default;
   ScenePicture(const cv::Mat& picture, int top_level);
 
-  /// Takes `picture`, as for grey_picture(), in the memory of the last one.
+  /// Sets `picture`, as for grey_picture(), reusing the memory of the last one.
   void show(const cv::Mat& picture, int top_level);
-  /// Lets the caller's picture go, and keeps the memory.
+  /// Releases the caller's picture and keeps the memory.
   void forget();
 
   int top_level() const { return static_cast<int>(grey.size()) - 1; }
@@ -37,7 +38,7 @@ struct ScenePicture {
     return padded_[level]->get(grey[level], margin);
   }
 
-  /// What the colour gates need. Several threads may ask at a time.
+  /// Input of the colour prefilters. Thread-safe.
   const ClassPictures& classes() const;
 
   std::vector<cv::Mat> grey;       ///< CV_8UC1 pyramid

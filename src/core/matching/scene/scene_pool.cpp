@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "matching/scene/scene_pool.hpp"
 
 namespace mbncc {

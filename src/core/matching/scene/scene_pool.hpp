@@ -1,4 +1,5 @@
-// Memory for pictures under search, used again from picture to picture.
+// SPDX-License-Identifier: BSD-3-Clause
+// Pool of memory for searched pictures.
 #pragma once
 
 #include <list>
@@ -9,11 +10,11 @@
 
 namespace mbncc {
 
-/// Memory fresh from the system costs a fifth of a search. Several threads may ask at a time; the
-/// pool must outlive what it shows.
+/// New memory from the system would cost a fifth of a search. Thread-safe; the pool must outlive
+/// its scenes.
 class ScenePool {
  public:
-  /// `picture` in memory of one that nobody looks at any more, if there is any. See
+  /// `picture` in the memory of an unused one, if there is any. See
   /// ScenePicture::show().
   std::shared_ptr<const ScenePicture> show(const cv::Mat& picture, int top_level);
 

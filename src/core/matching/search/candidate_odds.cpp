@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "matching/search/candidate_odds.hpp"
 
 #include <algorithm>

@@ -1,4 +1,5 @@
-// What is thought of a candidate at its pyramid level.
+// SPDX-License-Identifier: BSD-3-Clause
+// Score of a candidate at its pyramid level.
 #pragma once
 
 #include <vector>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "matching/search/colour_cast.hpp"
 
 #include <algorithm>
@@ -6,7 +7,7 @@
 namespace mbncc {
 namespace {
 
-constexpr double kLikely = 3;          // log-odds of a detection that is asked
+constexpr double kLikely = 3;          // log-odds of a detection used for the estimate
 constexpr double kAlike = 0.06;        // ln gain between those that agree
 constexpr double kNoticeable = 0.055;  // ln gain from which on a picture is balanced
 

@@ -1,4 +1,5 @@
-// Light of another colour than in the lessons, told by the objects that are found in spite of it.
+// SPDX-License-Identifier: BSD-3-Clause
+// White balance: estimates a colour cast of the light from the detected objects.
 #pragma once
 
 #include <opencv2/core.hpp>
@@ -10,12 +11,12 @@
 
 namespace mbncc {
 
-/// What the best detection of each object tells, `found` being one object's each, best first; none
-/// when the light is as it was, or when fewer than two likely ones agree.
+/// Estimate from the best detection of each object; each entry of `found` is one object's, best
+/// first. None if there is no cast, or fewer than two likely detections agree.
 std::optional<ColourCast> colour_cast(const std::vector<std::vector<Detection>>& found,
                                       const ScenePicture& scene);
 
-/// `picture`, CV_8UC3 (bgr), as without the cast.
+/// `picture`, CV_8UC3 (bgr), without the cast.
 cv::Mat without_cast(const cv::Mat& picture, const ColourCast& cast);
 
 }  // namespace mbncc

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "matching/search/colour_ranking.hpp"
 
 #include <algorithm>
@@ -7,16 +8,16 @@
 namespace mbncc {
 namespace {
 
-constexpr double kWeight = 0.2;  // of a log-odds by colour, against a mean response
+constexpr double kWeight = 0.2;  // weight of a colour log-odds relative to a mean response
 
-/// What the colours of a picture say for an object.
-class ColourVoice {
+/// Colour log-likelihood of an object in a picture.
+class ColourLikelihood {
  public:
-  ColourVoice(const PreparedView& view, const ScenePicture& scene, int level)
+  ColourLikelihood(const PreparedView& view, const ScenePicture& scene, int level)
       : classes_(scene.classes().at(view.gate.level())),
-        speaking_(view.gate.speaking(scene.classes())),
+        ratios_(view.gate.log_likelihood_ratios(scene.classes())),
         to_class_(static_cast<float>(1 << level) / static_cast<float>(1 << view.gate.level())) {
-    constexpr std::size_t kStep = 3;  // every third point tells enough
+    constexpr std::size_t kStep = 3;  // every third point suffices
     const SurfaceTemplate& surface = view.rough[level].surface;
     for (std::size_t i = 0; i < surface.size(); i += kStep)
       points_.push_back(to_class_ * cv::Point2f(surface.x[i], surface.y[i]));
@@ -34,7 +35,7 @@ class ColourVoice {
       const float y = sine * point.x + cosine * point.y + middle.y;
       const int column = std::clamp(static_cast<int>(x), 0, classes_.cols - 1);
       const int row = std::clamp(static_cast<int>(y), 0, classes_.rows - 1);
-      sum += speaking_[classes_.at<std::uint16_t>(row, column)];
+      sum += ratios_[classes_.at<std::uint16_t>(row, column)];
     }
     return static_cast<double>(sum) /
            (static_cast<double>(points_.size()) * ColourPrefilter::kUnit);
@@ -42,7 +43,7 @@ class ColourVoice {
 
  private:
   const cv::Mat& classes_;
-  ColourPrefilter::Speaking speaking_;
+  ColourPrefilter::LogLikelihoodRatios ratios_;
   float to_class_;                   // from the poses' level
   std::vector<cv::Point2f> points_;  // [px at the classes' level]
 };
@@ -52,8 +53,8 @@ class ColourVoice {
 std::vector<Candidate> best_by_colours(const PreparedView& view, const ScenePicture& scene,
                                        std::vector<Candidate> poses, std::size_t most) {
   if (!poses.empty() && scene.classes().last_level() >= view.gate.level()) {
-    const ColourVoice voice(view, scene, poses.front().level);
-    for (auto& candidate : poses) candidate.value += kWeight * voice.mean(candidate.pose);
+    const ColourLikelihood likelihood(view, scene, poses.front().level);
+    for (auto& candidate : poses) candidate.value += kWeight * likelihood.mean(candidate.pose);
   }
   const auto end = poses.begin() + static_cast<std::ptrdiff_t>(std::min(most, poses.size()));
   std::partial_sort(poses.begin(), end, poses.end(),

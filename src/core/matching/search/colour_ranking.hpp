@@ -1,4 +1,5 @@
-// Which of the many poses that lie on edges show the object's colours, too.
+// SPDX-License-Identifier: BSD-3-Clause
+// Re-ranks contour proposals by the object's colours.
 #pragma once
 
 #include <cstddef>
@@ -10,9 +11,9 @@
 
 namespace mbncc {
 
-/// Of poses at one level, valued by their mean response [-1..1], the `most` that the response and
-/// what the colours under them say speak for, best first; valued by both. In pictures too small for
-/// colours the response alone decides.
+/// Of poses at one level, valued by their mean response [-1..1], the `most` best by response plus
+/// colour log-odds, best first, with that sum as value. In pictures too small for colours, only the
+/// response is used.
 std::vector<Candidate> best_by_colours(const PreparedView& view, const ScenePicture& scene,
                                        std::vector<Candidate> poses, std::size_t most);
 

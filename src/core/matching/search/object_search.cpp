@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "matching/search/object_search.hpp"
 
 #include <algorithm>
@@ -11,7 +12,7 @@
 namespace mbncc {
 namespace {
 
-/// Where the anchor of a view can be when its reference point lies in `roi`.
+/// Possible anchors of a view whose reference point lies in `roi`.
 cv::Rect anchor_region(const cv::Rect& roi, const PreparedView& view, cv::Size size) {
   const cv::Rect picture({0, 0}, size);
   if (roi.empty()) return picture;
@@ -27,20 +28,20 @@ bool reference_within(const Detection& detection, const cv::Rect& roi) {
 }
 
 std::vector<Detection> search_views(const PreparedObject& object, const ScenePicture& scene,
-                                    const cv::Rect& roi, SearchMode look) {
-  const bool gated = look == SearchMode::kGated;
+                                    const cv::Rect& roi, SearchMode mode) {
+  const bool gated = mode == SearchMode::kGated;
   std::vector<Detection> found;
   for (const auto& view : object.views) {
     const auto detections =
-        search_view(object, view, scene, anchor_region(roi, view, scene.size()), look,
+        search_view(object, view, scene, anchor_region(roi, view, scene.size()), mode,
                     gated ? view.gate.places(scene.classes()) : SearchMask{});
     std::copy_if(detections.begin(), detections.end(), std::back_inserter(found),
                  [&](const Detection& detection) { return reference_within(detection, roi); });
   }
-  return object.views.size() > 1 ? compare_rotations(std::move(found)) : found;
+  return object.views.size() > 1 ? resolve_rotations(std::move(found)) : found;
 }
 
-/// Nothing else passes for the object.
+/// Whether nothing else resembles the object.
 bool is_alike(const PreparedView& view, const Footprint& other) {
   constexpr double kRadius = 0.15, kArea = 0.25;  // ln of the ratios
   return std::abs(std::log(other.circle.radius / view.shape.radius())) < kRadius &&
@@ -49,15 +50,15 @@ bool is_alike(const PreparedView& view, const Footprint& other) {
 
 }  // namespace
 
-// An instance fits one of several views best: a thorough look is worth it only when none finds it.
+// An instance fits one of several views best, so the thorough search is used only if none finds it.
 std::vector<Detection> search_object(const PreparedObject& object, const ScenePicture& scene,
-                                     const cv::Rect& roi, SearchMode look) {
-  if (is_sparing(look) || object.views.size() == 1) return search_views(object, scene, roi, look);
+                                     const cv::Rect& roi, SearchMode mode) {
+  if (is_sparing(mode) || object.views.size() == 1) return search_views(object, scene, roi, mode);
   const auto found = search_views(object, scene, roi, SearchMode::kQuick);
   const bool enough = std::any_of(found.begin(), found.end(), [](const Detection& detection) {
     return detection.log_odds >= kFound;
   });
-  return enough ? found : search_views(object, scene, roi, look);
+  return enough ? found : search_views(object, scene, roi, mode);
 }
 
 std::vector<Detection> search_occupied(const PreparedObject& object, const ScenePicture& scene,

@@ -1,4 +1,5 @@
-// From the views of one object to what is found of it in a picture.
+// SPDX-License-Identifier: BSD-3-Clause
+// Searches one object with all of its views.
 #pragma once
 
 #include <opencv2/core.hpp>
@@ -12,10 +13,10 @@ namespace mbncc {
 /// Detections of `object` whose reference points lie in `roi` [px] (empty: the whole picture),
 /// those of all views compared with each other.
 std::vector<Detection> search_object(const PreparedObject& object, const ScenePicture& scene,
-                                     const cv::Rect& roi, SearchMode look);
+                                     const cv::Rect& roi, SearchMode mode);
 
-/// Detections of `object` in `roi`, as above, where something else of its size lies that `found`,
-/// of the same object, leaves out.
+/// Detections of `object` in `roi`, as above, at places of other objects of its size that are not
+/// in `found`, the detections of the same object.
 std::vector<Detection> search_occupied(const PreparedObject& object, const ScenePicture& scene,
                                        const cv::Rect& roi, const std::vector<Footprint>& occupied,
                                        const std::vector<Detection>& found);

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "matching/search/pose_hypothesis.hpp"
 
 #include <algorithm>
@@ -22,16 +23,16 @@ PoseHypothesis without_pixels(const PreparedView& view, const ScenePicture& scen
   return without_pixels(view, {pose, gather_evidence(view.fine, scene.levels[0], pose)});
 }
 
-/// Log-odds that all pixels of a small object of `area` [px], `rendered` at the pose that
-/// `evidence` was read at, add to it.
+/// Log-odds added by the mixed-pixel fit `rendered` of a small object of `area` [px], at the pose
+/// of `evidence`.
 double rendering_odds(const Evidence& evidence, const MixedPixelFit& rendered, double area) {
   // Fitted by logistic regression to the same poses after log_odds() and the discount for clutter;
-  // less .85, since a right place at a wrong angle is wrong, too. Other brightness speaks against
-  // the object, but exposure may change as well.
+  // minus .85, because a right place at a wrong angle is wrong, too. Another brightness counts
+  // against the object, but exposure may also change.
   constexpr double kBrighter = 0.4;
   return 4.85 - 4.22 * rendered.misfit - 6.35 * std::min(std::abs(rendered.brightness), kBrighter) -
-         0.89 * evidence.found + 1.38 * evidence.best_blocks + 3.07 * evidence.histogram -
-         1.95 * evidence.projected + 0.37 * std::log(area);
+         0.89 * evidence.contour_coverage + 1.38 * evidence.trimmed_residual +
+         3.07 * evidence.histogram - 1.95 * evidence.shading_free_ncc + 0.37 * std::log(area);
 }
 
 }  // namespace
@@ -49,8 +50,8 @@ PoseHypothesis better_rotation(const PoseHypothesis& a, const PoseHypothesis& b)
   return rotation_odds(b.evidence) > rotation_odds(a.evidence) ? b : a;
 }
 
-// Narrow objects have side maxima, and shading has its own. Starts farther off are tried only where
-// the near ones led elsewhere.
+// Narrow objects and shading cause side maxima. More distant starts are tried only if the near ones
+// converged elsewhere.
 PoseHypothesis multistart_align(const PreparedView& view, const ScenePicture& scene,
                                 const Pose2D& pose) {
   constexpr double kArc = 2.5;  // [px] between the starts at the rim

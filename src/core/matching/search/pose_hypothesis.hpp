@@ -1,4 +1,5 @@
-// A pose at full resolution, climbed to on contour and surface.
+// SPDX-License-Identifier: BSD-3-Clause
+// A pose hypothesis at full resolution, aligned by contour and surface.
 #pragma once
 
 #include "matching/prepared/prepared_object.hpp"
@@ -8,7 +9,7 @@
 
 namespace mbncc {
 
-/// Log-odds: poses of less have never become a detection.
+/// Log-odds below which no pose became a detection.
 constexpr double kWorthRefining = -4;
 
 /// A pose at full resolution with the evidence for it.
@@ -16,22 +17,21 @@ struct PoseHypothesis {
   Pose2D pose;
   Evidence evidence;
   double odds = 0;    ///< log-odds that the object lies here
-  double pixels = 0;  ///< log-odds that all pixels of a small object add
+  double pixels = 0;  ///< log-odds added by the mixed pixels of a small object
   int refining = 0;   ///< steps that its refinement may take
 };
 
-/// The evidence for a pose as it is.
+/// The evidence for a pose without alignment.
 PoseHypothesis score_as_is(const PreparedView& view, const ScenePicture& scene, const Pose2D& pose);
 
-/// Of two poses at one place the one that light prefers less: they compete like rotations, see
-/// compare_rotations().
+/// The better of two poses at one place by light-independent features, as in resolve_rotations().
 PoseHypothesis better_rotation(const PoseHypothesis& a, const PoseHypothesis& b);
 
 /// The best pose that alignments from this one and slightly turned ones reach.
 PoseHypothesis multistart_align(const PreparedView& view, const ScenePicture& scene,
                                 const Pose2D& pose);
 
-/// A polished pose, for a small object settled where all of its pixels fit best.
+/// A multi-start aligned pose; for a small object, then fitted with all of its pixels.
 PoseHypothesis finalised(const PreparedView& view, const ScenePicture& scene,
                          const PoseHypothesis& start);
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "matching/search/proposals.hpp"
 
 #include <algorithm>
@@ -12,7 +13,7 @@
 namespace mbncc {
 namespace {
 
-constexpr std::size_t kAnywhere = 8000;  // poses by edges that colours choose from
+constexpr std::size_t kAnywhere = 8000;  // contour proposals for the colour ranking
 
 cv::Rect at_level(const cv::Rect& roi, int level) {
   const int side = 1 << level;
@@ -42,7 +43,7 @@ void Proposals::search_edges(std::size_t foremost, std::size_t most, std::size_t
   for (const auto& place : found.round_places) add_rotations_by_surface(place);
 }
 
-/// The best rotations at a place by what the surface looks like.
+/// The best rotations at a place by the surface.
 void Proposals::add_rotations_by_surface(const Candidate& place) {
   constexpr std::size_t kMost = 4;
   auto peaks = rotation_peaks(view_.rough[place.level], scene_.levels[place.level], place, 1.5);
@@ -57,7 +58,7 @@ void Proposals::add_rotations_by_surface(const Candidate& place) {
 
 std::vector<Candidate> Proposals::by_correlation(int most) const {
   const int level = view_.kernels.level;
-  if (!view_.kernels.searched()) return {};  // the edges have to do
+  if (!view_.kernels.searched()) return {};  // only contours are used
   CoarseSettings settings;
   settings.max_places = most;
   const cv::Rect inside = at_level(roi_, level) & cv::Rect({0, 0}, scene_.grey[level].size());

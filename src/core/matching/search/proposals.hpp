@@ -1,4 +1,5 @@
-// What the coarse searches of one view propose.
+// SPDX-License-Identifier: BSD-3-Clause
+// Proposals of the coarse searches of one view.
 #pragma once
 
 #include <opencv2/core.hpp>
@@ -11,27 +12,26 @@
 
 namespace mbncc {
 
-/// Poses of a view, the best first, whose anchors lie in `roi` [px] and `places`.
+/// Poses of a view, best first, whose anchors lie in `roi` [px] and `places`.
 class Proposals {
  public:
   Proposals(const PreparedView& view, const ScenePicture& scene, const cv::Rect& roi,
             const SearchMask& places)
       : view_(view), scene_(scene), roi_(roi), places_(places) {}
 
-  /// Searches by edges: at most `most` poses, and `round_places` places whose rotation the surface
-  /// has to tell.
+  /// Searches by contours: at most `most` poses, and `round_places` places whose rotation the
+  /// surface must determine.
   void follow_edges(std::size_t most, std::size_t round_places);
-  /// The same, and as many more as colours may choose from.
+  /// The same, and additional ones for the colour ranking.
   void follow_edges_anywhere(std::size_t most, std::size_t round_places);
-  /// The best `most` places by rotated correlation, unless that would be at one of the finest
-  /// levels.
+  /// The best `most` places by rotated correlation, except at one of the finest levels.
   std::vector<Candidate> by_correlation(int most) const;
-  /// Of those by edges the first `most`, and those at round places.
+  /// The first `most` contour proposals, and those at round places.
   std::vector<Candidate> by_edges(std::size_t most) const;
-  /// Of all those by edges the `most` whose colours speak most for the object, too.
+  /// The `most` contour proposals with the best colour ranking.
   std::vector<Candidate> by_colours(std::size_t most) const;
 
-  /// Edges proposed the place of `pose` [px] among the first `count`.
+  /// Whether the place of `pose` [px] is among the first `count` contour proposals.
   bool foremost_by_edges(const Pose2D& pose, std::size_t count) const;
 
  private:

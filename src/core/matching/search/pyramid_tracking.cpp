@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "matching/search/pyramid_tracking.hpp"
 
 #include <algorithm>
@@ -10,13 +11,13 @@
 namespace mbncc {
 namespace {
 
-/// Log-odds below which a candidate has never become a detection, nor a rival that matters.
+/// Log-odds below which no candidate became a detection or a relevant competitor.
 struct PruningThresholds {
-  double roughly, entering, climbed, finally;
+  double roughly, entering, aligned, finally;
 };
-constexpr PruningThresholds kFloors{-20, -12, -8, -6};
+constexpr PruningThresholds kThresholds{-20, -12, -8, -6};
 
-constexpr std::size_t kOnEdges = 600;  // thin proposals that are climbed, at most
+constexpr std::size_t kOnEdges = 600;  // largest number of thin proposals that are aligned
 
 void step_down(std::vector<Candidate>& candidates) {
   for (auto& candidate : candidates) {
@@ -42,11 +43,11 @@ class PyramidTracker {
   }
 
  private:
-  /// Judges proposals, roughly first: reading the surface is dear, and most lie on nothing. Returns
-  /// the level that the best enter at.
+  /// Scores proposals, first with a coarse template, because reading the surface is expensive and
+  /// most are wrong. Returns the level at which the best enter.
   int enter(std::vector<Candidate>& candidates) const {
     int level = candidates.front().level;
-    // What is hardly two pixels wide cannot be judged.
+    // Objects hardly two pixels wide cannot be scored.
     const bool finer = level > 0 && view_.geometry.mean_width() < effort_.width * (1 << level);
     if (finer) {
       step_down(candidates);
@@ -56,23 +57,23 @@ class PyramidTracker {
       follow_contours(level, candidates);
     else
       keep_those_on_edges(level, finer ? kOnEdges : effort_.on_edges, candidates);
-    judge(view_.rough[level], finer ? 2 : is_narrow() ? 1 : 0, candidates);
+    score(view_.rough[level], finer ? 2 : is_narrow() ? 1 : 0, candidates);
     suppress(candidates, {effort_.judged});
-    drop_below(kFloors.roughly, candidates);
-    judge(view_.templates[level], 0, candidates);
+    drop_below(kThresholds.roughly, candidates);
+    score(view_.templates[level], 0, candidates);
     suppress(candidates, {effort_.entering, kHopeless});
-    drop_below(kFloors.entering, candidates);
+    drop_below(kThresholds.entering, candidates);
     return level;
   }
 
-  /// The view is so narrow that a step of the edge search brings its outline beside itself.
+  /// Whether the view is narrower than a step of the contour search.
   bool is_narrow() const {
-    constexpr double kSteps = 2;  // of the edge search's places
+    constexpr double kSteps = 2;  // of the contour search's places
     const double step = 2 * (1 << view_.edges.level());
     return view_.geometry.mean_width() < std::min(effort_.narrow, kSteps * step);
   }
 
-  /// Keeps the best `most` by their contour alone.
+  /// Keeps the best `most` by the contour alone.
   void keep_those_on_edges(int level, std::size_t most, std::vector<Candidate>& candidates) const {
     if (candidates.size() <= most) return;
     for (auto& candidate : candidates)
@@ -82,8 +83,8 @@ class PyramidTracker {
     candidates.resize(most);
   }
 
-  /// Moves proposals of a narrow outline onto the edges beside them: where steps are as wide as the
-  /// object, nothing else can be judged. Climbing is dear, so the best on edges stay.
+  /// Aligns proposals of a narrow outline with nearby edges, because steps are as wide as the
+  /// object. Alignment is expensive, so only the best by contour stay.
   void follow_contours(int level, std::vector<Candidate>& candidates) const {
     constexpr int kSteps = 3;
     for (auto& candidate : candidates) {
@@ -96,8 +97,8 @@ class PyramidTracker {
              {kOnEdges, Suppression::kUnlimited, Suppression::kUnlimited, alike_at(level, 1)});
   }
 
-  /// Climbs, in as many steps, and gives the candidates their log-odds.
-  void judge(const PoseTemplate& object, int iterations, std::vector<Candidate>& candidates) const {
+  /// Aligns the candidates in `iterations` steps and computes their log-odds.
+  void score(const PoseTemplate& object, int iterations, std::vector<Candidate>& candidates) const {
     for (auto& candidate : candidates) {
       const ScoredPose reached =
           align_and_score(object, scene_.levels[candidate.level], candidate.pose, iterations);
@@ -107,18 +108,18 @@ class PyramidTracker {
   }
 
   void align(int level, int iterations, std::vector<Candidate>& candidates) const {
-    judge(view_.templates[level], iterations, candidates);
+    score(view_.templates[level], iterations, candidates);
     const auto kept = static_cast<std::size_t>(effort_.kept * static_cast<double>(most_at(level)));
     suppress(candidates,
              {kept, kHopeless, apart_at(level), alike_at(level, level == 0 ? 1.5 : 1.0)});
-    drop_below(level > 0 ? kFloors.climbed : kFloors.finally, candidates);
+    drop_below(level > 0 ? kThresholds.aligned : kThresholds.finally, candidates);
   }
 
   double radius_at(int level) const { return view_.shape.radius() / (1 << level); }
   double apart_at(int level) const { return kSamePlace * radius_at(level); }
 
-  /// Rotations of what is round are one candidate. Other symmetries may be measured where a print
-  /// tells the rotation.
+  /// Rotations of a round object are one candidate. Other measured symmetries may be broken by a
+  /// print.
   DuplicateRadius alike_at(int level, double distance) const {
     return {distance, radius_at(level), view_.symmetry == 0 ? 0 : 1};
   }
@@ -134,8 +135,8 @@ std::size_t most_at(int level) {
   return level == 0 ? 8 : level == 1 ? 12 : 20;
 }
 
-std::vector<Candidate> descend(const PreparedView& view, const ScenePicture& scene,
-                               const SearchBudget& effort, std::vector<Candidate> proposed) {
+std::vector<Candidate> track_down(const PreparedView& view, const ScenePicture& scene,
+                                  const SearchBudget& effort, std::vector<Candidate> proposed) {
   return PyramidTracker(view, scene, effort).run(std::move(proposed));
 }
 

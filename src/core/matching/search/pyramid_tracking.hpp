@@ -1,4 +1,5 @@
-// From proposals at a coarse pyramid level down to the best candidates at full resolution.
+// SPDX-License-Identifier: BSD-3-Clause
+// Coarse-to-fine tracking of proposals down to the best candidates at full resolution.
 #pragma once
 
 #include <vector>
@@ -10,13 +11,13 @@
 
 namespace mbncc {
 
-/// Candidates at `level` that are kept, at most.
+/// Largest number of candidates kept at `level`.
 std::size_t most_at(int level);
 
-/// Judges what was proposed at one level and refines it, level by level. Proposals of a thin
+/// Scores the proposals of one level and refines them level by level. Proposals of a thin
 /// object enter one level finer, as `effort` says. Returns the candidates at full resolution, best
 /// first.
-std::vector<Candidate> descend(const PreparedView& view, const ScenePicture& scene,
-                               const SearchBudget& effort, std::vector<Candidate> proposed);
+std::vector<Candidate> track_down(const PreparedView& view, const ScenePicture& scene,
+                                  const SearchBudget& effort, std::vector<Candidate> proposed);
 
 }  // namespace mbncc

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "matching/search/verification.hpp"
 
 #include <algorithm>
@@ -11,9 +12,9 @@ namespace {
 
 constexpr double kReportable = -2.2;  // log-odds: a score of .1
 
-/// How far colours are off where an object of log-odds `odds` is believed to lie.
-ColourDifference strangeness(const PreparedView& view, const SceneLevel& scene,
-                             const Refined& found, double odds) {
+/// Colour difference of an object at a pose of log-odds `odds`.
+ColourDifference colour_difference(const PreparedView& view, const SceneLevel& scene,
+                                   const Refined& found, double odds) {
   if (odds <= kWorthRefining) return {};
   thread_local SurfaceSample sample;
   thread_local ContourSample contour;
@@ -25,20 +26,20 @@ ColourDifference strangeness(const PreparedView& view, const SceneLevel& scene,
       surface, sample, contour, ground_beside(view.fine.contour, scene, found.pose, found.scale));
 }
 
-/// Log-odds that a mirrored outline takes away, which is better by so much.
-double mirror_doubt(double better) {
+/// Log-odds penalty of a mirrored outline that fits better by this much.
+double mirror_penalty(double better) {
   constexpr double kSteepness = 100;
   return kSteepness * std::max(0.0, better - kMirrored);
 }
 
-/// Log-odds that a part of another colour takes away. Fitted to drawn scenes and to photographs of
+/// Log-odds penalty of a part of another colour. Fitted to drawn scenes and to photographs of
 /// tools.
-double doubt(double strange) {
+double colour_penalty(double difference) {
   constexpr double kUsual = 0.15, kSteepness = 60;
-  return kSteepness * std::max(0.0, strange - kUsual);
+  return kSteepness * std::max(0.0, difference - kUsual);
 }
 
-/// Of a pose refined to another scale: those of the object as large as that, if they are higher.
+/// Log-odds at the refined scale, if they are higher.
 double odds_at(const PreparedView& view, const ScenePicture& scene, const PoseHypothesis& found,
                const Refined& place) {
   if (place.scale == 1) return found.odds;
@@ -46,8 +47,8 @@ double odds_at(const PreparedView& view, const ScenePicture& scene, const PoseHy
   return std::max(found.odds, log_odds(evidence, view.shape.area()));
 }
 
-/// A smaller or larger object of the same kind lies here: it fits better than one of these odds, or
-/// is farther from the learned size than heights and tilts bring.
+/// Whether another size fits better than `odds`, or the scale differs from the learned one by more
+/// than heights and tilts cause.
 bool fits_another_size(const PreparedView& view, const ScenePicture& scene, const Refined& place,
                        double odds) {
   constexpr int kIterations = 3;
@@ -60,10 +61,10 @@ bool fits_another_size(const PreparedView& view, const ScenePicture& scene, cons
   });
 }
 
-/// By how much the mirrored outline agrees better at a pose: the object lies on its other side, or
-/// something else is its mirror image.
-double turned_over(const PreparedView& view, const ScenePicture& scene, const Refined& place) {
-  return view.turned_over.better(view.fine.contour, scene.levels[0], place.pose, place.scale);
+/// Advantage in agreement of the mirrored outline at a pose: the object lies on its other side, or
+/// its mirror image lies there.
+double mirror_advantage(const PreparedView& view, const ScenePicture& scene, const Refined& place) {
+  return view.mirrored_contour.better(view.fine.contour, scene.levels[0], place.pose, place.scale);
 }
 
 Refined refined(const PreparedView& view, const ScenePicture& scene, const PoseHypothesis& found) {
@@ -71,7 +72,8 @@ Refined refined(const PreparedView& view, const ScenePicture& scene, const PoseH
   return refine(view.dense, scene.levels[0], found.pose, found.refining);
 }
 
-/// Against other rotations at the same place; the least where none of them can be reported.
+/// Log-odds against other rotations at the same place; the smallest value if the pose cannot be
+/// reported.
 double odds_of_rotation(const PreparedView& view, const SceneLevel& scene,
                         const PoseHypothesis& found) {
   constexpr double kNone = -1000;
@@ -82,7 +84,7 @@ double odds_of_rotation(const PreparedView& view, const SceneLevel& scene,
   return rotation_odds(found.evidence, view.lit.misfit(sample));
 }
 
-/// What is known before the pose is refined.
+/// The detection before refinement.
 Detection unrefined(const PreparedObject& object, const PreparedView& view,
                     const ScenePicture& scene, const PoseHypothesis& found) {
   Detection detection;
@@ -92,7 +94,7 @@ Detection unrefined(const PreparedObject& object, const PreparedView& view,
   detection.pose.theta = wrap_angle(found.pose.theta);
   detection.covariance = detection.cautious = unknown_accuracy(found.pose).covariance;
   detection.log_odds = found.odds + found.pixels;
-  detection.projected = found.evidence.projected;
+  detection.shading_free_ncc = found.evidence.shading_free_ncc;
   detection.rotation_odds = odds_of_rotation(view, scene.levels[0], found);
   return detection;
 }
@@ -103,7 +105,7 @@ void read_similarity(Detection& detection, const ScenePicture& scene) {
   detection.visible = read.visible;
 }
 
-/// Refines the pose, and looks for what speaks against it there.
+/// Refines the pose and tests the alternatives.
 void refine(Detection& detection, const ScenePicture& scene, const PoseHypothesis& found) {
   const PreparedView& view = *detection.view;
   const Refined place = refined(view, scene, found);
@@ -113,42 +115,45 @@ void refine(Detection& detection, const ScenePicture& scene, const PoseHypothesi
   detection.covariance = place.covariance;
   detection.cautious = place.cautious;
   const double odds = odds_at(view, scene, found, place);
-  const ColourDifference strange = strangeness(view, scene.levels[0], place, found.odds);
-  detection.strange = std::max(strange.colour, strange.block);
-  const double mirrored = found.odds > kWorthRefining ? turned_over(view, scene, place) : 0;
-  detection.turned_over = mirrored > view.turned_over.limit();
-  detection.log_odds = odds + found.pixels - doubt(strange.colour) - mirror_doubt(mirrored);
-  detection.another_size = detection.log_odds > 0 && fits_another_size(view, scene, place, odds);
+  const ColourDifference difference = colour_difference(view, scene.levels[0], place, found.odds);
+  detection.colour_difference = std::max(difference.colour, difference.block);
+  const double mirrored = found.odds > kWorthRefining ? mirror_advantage(view, scene, place) : 0;
+  detection.mirror_alternative = mirrored > view.mirrored_contour.limit();
+  detection.log_odds =
+      odds + found.pixels - colour_penalty(difference.colour) - mirror_penalty(mirrored);
+  detection.size_alternative =
+      detection.log_odds > 0 && fits_another_size(view, scene, place, odds);
   detection.torn = detection.log_odds > 0 && better_torn(view.fine.contour, scene.levels[0],
                                                          detection.pose, detection.size) > kTorn;
 }
 
-/// Tells of the best detection at each place, of sorted ones, by how much the outline alone would
-/// lie better elsewhere: shading displaces a plain surface by pixels.
-void look_elsewhere(const PreparedView& view, const ScenePicture& scene,
-                    std::vector<Detection>& compared) {
+/// For the best of the sorted detections at each place, computes the advantage of the outline at
+/// nearby places, because shading displaces a plain surface by pixels.
+void find_contour_alternatives(const PreparedView& view, const ScenePicture& scene,
+                               std::vector<Detection>& compared) {
   for (auto one = compared.begin(); one != compared.end(); ++one) {
     if (one->log_odds <= kReportable) break;
     if (std::none_of(compared.begin(), one,
                      [&](const Detection& better) { return at_one_place(*one, better); }))
-      one->elsewhere = better_elsewhere(view.fine.contour, scene.levels[0], one->pose, one->size);
+      one->contour_alternative =
+          better_elsewhere(view.fine.contour, scene.levels[0], one->pose, one->size);
   }
 }
 
 }  // namespace
 
-std::vector<Detection> judge(const PreparedObject& object, const PreparedView& view,
-                             const ScenePicture& scene, const std::vector<PoseHypothesis>& found) {
+std::vector<Detection> verify(const PreparedObject& object, const PreparedView& view,
+                              const ScenePicture& scene, const std::vector<PoseHypothesis>& found) {
   std::vector<Detection> detections;
   for (const auto& one : found) {
     detections.push_back(unrefined(object, view, scene, one));
     detections.back().number = detections.size() - 1;
   }
-  // What may be reported is not known before rotations have been compared, and what speaks against
-  // one lets another be the best: so they are refined one after the other.
+  // Which poses may be reported depends on the comparison of rotations, and the penalties of one
+  // can make another the best, so they are refined one after the other.
   std::vector<char> refined(found.size(), 0);
   for (;;) {
-    auto compared = compare_rotations(detections);
+    auto compared = resolve_rotations(detections);
     const auto next = std::find_if(compared.begin(), compared.end(), [&](const Detection& one) {
       return !refined[one.number] && one.log_odds > kReportable;
     });
@@ -157,7 +162,7 @@ std::vector<Detection> judge(const PreparedObject& object, const PreparedView& v
       refine(detections[next->number], scene, found[next->number]);
       continue;
     }
-    look_elsewhere(view, scene, compared);
+    find_contour_alternatives(view, scene, compared);
     for (auto& one : compared) read_similarity(one, scene);
     return compared;
   }

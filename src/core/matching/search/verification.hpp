@@ -1,4 +1,5 @@
-// Verification: poses at full resolution, refined, and what speaks against them.
+// SPDX-License-Identifier: BSD-3-Clause
+// Verification: refines poses at full resolution and tests alternatives.
 #pragma once
 
 #include <vector>
@@ -9,8 +10,8 @@
 
 namespace mbncc {
 
-/// Judges poses of a view against each other, best first. Only what may be reported is refined.
-std::vector<Detection> judge(const PreparedObject& object, const PreparedView& view,
-                             const ScenePicture& scene, const std::vector<PoseHypothesis>& found);
+/// Compares poses of a view, best first. Only poses that may be reported are refined.
+std::vector<Detection> verify(const PreparedObject& object, const PreparedView& view,
+                              const ScenePicture& scene, const std::vector<PoseHypothesis>& found);
 
 }  // namespace mbncc

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "matching/search/view_search.hpp"
 
 #include <algorithm>
@@ -22,9 +23,9 @@ constexpr double kLikely = 0;            // ... that have these log-odds
 constexpr double kSamePose = 1e-6;       // [px]
 constexpr double kOtherAngle = to_radians(10.);
 constexpr std::size_t kPolished = 8;
-constexpr double kOutclassed = 8;  // log-odds behind the best that polishing does not make up for
+constexpr double kOutclassed = 8;  // log-odds behind the best: not aligned again
 
-/// Of a view that is left a part of the rotations, so many fewer candidates.
+/// A view with a part of the rotations gets proportionally fewer candidates.
 template <class Count>
 Count part_of(Count count, const AngleRange& sector) {
   const double share = std::min(1.0, (sector.high - sector.low) / (2 * kPi));
@@ -37,39 +38,39 @@ SearchBudget for_sector(SearchBudget effort, const AngleRange& sector) {
   return effort;
 }
 
-FirstBudget for_sector(FirstBudget look, const AngleRange& sector) {
-  look.effort = for_sector(look.effort, sector);
-  look.correlated_places = part_of(look.correlated_places, sector);
-  return look;
+FirstBudget for_sector(FirstBudget budget, const AngleRange& sector) {
+  budget.effort = for_sector(budget.effort, sector);
+  budget.correlated_places = part_of(budget.correlated_places, sector);
+  return budget;
 }
 
 class ViewSearch {
  public:
   ViewSearch(const PreparedObject& object, const PreparedView& view, const ScenePicture& scene,
-             const cv::Rect& roi, SearchMode look, const SearchMask& places)
+             const cv::Rect& roi, SearchMode mode, const SearchMask& places)
       : object_(object),
         view_(view),
         scene_(scene),
         roi_(roi),
         everywhere_(places.everywhere()),
-        look_(look),
-        first_(for_sector(is_sparing(look) ? kSparing : kQuick, view.sector)),
+        mode_(mode),
+        first_(for_sector(is_sparing(mode) ? kSparing : kQuick, view.sector)),
         thorough_(for_sector(kThorough, view.sector)),
         proposals_(view, scene, roi, places) {}
 
   std::vector<Detection> run() {
     if (view_.polar) return judge_polar();
     if (view_.top_level() > scene_.top_level()) return {};
-    if (look_ == SearchMode::kTwice)
+    if (mode_ == SearchMode::kTwice)
       proposals_.follow_edges_anywhere(first_.effort.edge_poses, first_.round_places);
     else
       proposals_.follow_edges(first_.effort.edge_poses, first_.round_places);
     std::vector<Candidate> candidates = best_by_edges();
     if (everywhere_ && !sure(candidates))
-      merge(descend(view_, scene_, first_.effort,
-                    proposals_.by_correlation(first_.correlated_places)),
+      merge(track_down(view_, scene_, first_.effort,
+                       proposals_.by_correlation(first_.correlated_places)),
             candidates);
-    if (look_ == SearchMode::kTwice) look_again(candidates);
+    if (mode_ == SearchMode::kTwice) search_again(candidates);
     suppress(candidates, {most_at(0), kNoRival, apart()});
     try_other_angles(candidates);
     return judge_all(candidates);
@@ -88,16 +89,16 @@ class ViewSearch {
 
  private:
   std::vector<Candidate> best_by_edges() const {
-    return descend(view_, scene_, first_.effort, proposals_.by_edges(first_.effort.edge_poses));
+    return track_down(view_, scene_, first_.effort, proposals_.by_edges(first_.effort.edge_poses));
   }
 
-  /// Edges where the object's colours are, too.
+  /// Contour proposals ranked by colours.
   std::vector<Candidate> best_by_colours(const SearchBudget& effort) const {
-    return descend(view_, scene_, effort, proposals_.by_colours(effort.edge_poses));
+    return track_down(view_, scene_, effort, proposals_.by_colours(effort.edge_poses));
   }
 
-  /// Where nothing was found, or so much that there may be more.
-  void look_again(std::vector<Candidate>& candidates) const {
+  /// Used if nothing was found, or so many that there may be more.
+  void search_again(std::vector<Candidate>& candidates) const {
     if (!found(candidates))
       merge(best_by_colours(thorough_), candidates);
     else if (several(candidates))
@@ -112,16 +113,16 @@ class ViewSearch {
   double apart() const { return kSamePlace * view_.shape.radius(); }
   DuplicateRadius alike() const { return {1.5, view_.shape.radius()}; }
 
-  /// One of the sorted candidates is likely and no other place is, and edges proposed it among the
-  /// first: so they would have a further instance.
+  /// Whether one of the sorted candidates is likely, no other place is, and it was among the first
+  /// contour proposals, which would then also contain a further instance.
   bool sure(const std::vector<Candidate>& candidates) const {
     const auto places = best_places(candidates, apart(), 2);
-    if (places.empty() || places[0].value < kSure) return false;
+    if (places.empty() || places[0].value < kCertain) return false;
     if (places.size() > 1 && places[1].value >= kSecond) return false;
     return proposals_.foremost_by_edges(places[0].pose, kForemost);
   }
 
-  /// One of the sorted candidates is likely, among others of its like, too.
+  /// Whether one of the sorted candidates is likely, including the clutter penalty.
   bool found(const std::vector<Candidate>& candidates) const {
     std::vector<double> odds;
     for (const auto& place : best_places(candidates, apart(), kCluttered))
@@ -129,15 +130,15 @@ class ViewSearch {
     return !odds.empty() && odds.front() - clutter_penalty(odds) >= kFound;
   }
 
-  /// Several of the sorted candidates are instances beyond doubt: of more, some may be covered.
+  /// Whether several of the sorted candidates are certain instances; further ones may be covered.
   bool several(const std::vector<Candidate>& candidates) const {
     const auto places = best_places(candidates, apart(), kSeveral);
     return places.size() == kSeveral && places.back().value >= kInstance;
   }
 
-  /// Adds the best other rotations at the best places and wherever an instance is likely: rivals
-  /// that the margin is measured against, and sometimes the truth. Each place stays with its best
-  /// rival, however far it is behind another place.
+  /// Adds the best other rotations at the best places and wherever an instance is likely:
+  /// competitors for the margin, and sometimes the true pose. Each place keeps its best competitor,
+  /// even with low odds.
   void try_other_angles(std::vector<Candidate>& candidates) const {
     std::vector<Candidate> needed;
     const auto places = best_places(candidates, 0.5 * view_.shape.radius(), kMostPlaces);
@@ -171,8 +172,8 @@ class ViewSearch {
     return turned;
   }
 
-  /// By half a turn about the map's centroid: so what is long covers itself best, but for its ends,
-  /// and that may be farther off than shifts reach.
+  /// Half a turn about the map's centroid, where an elongated object covers itself best; this may
+  /// be farther than the shifts reach.
   Candidate half_turned(const Candidate& place) const {
     const SurfaceTemplate& surface = view_.templates[0].surface;
     const auto mean = [&](const std::vector<float>& values) {
@@ -182,8 +183,8 @@ class ViewSearch {
     return {compose(place.pose, {2 * mean(surface.x), 2 * mean(surface.y), kPi}), place.level, 0};
   }
 
-  /// The first of these, moved to where their outlines lie best, best first: where shading has
-  /// displaced one rotation by pixels, another one lies as far off to the other side.
+  /// The first of these, shifted to the best fit of their outlines, best first: if shading
+  /// displaced one rotation by pixels, the other is displaced in the opposite direction.
   std::vector<Candidate> shifted_onto_edges(std::vector<Candidate> peaks) const {
     constexpr std::size_t kMost = 6;
     if (peaks.size() > kMost) peaks.resize(kMost);
@@ -193,7 +194,7 @@ class ViewSearch {
     return peaks;
   }
 
-  /// What the first `most` of them climb to, by its log-odds.
+  /// The aligned poses of the first `most` of them, by log-odds.
   std::vector<Candidate> reached_from(std::vector<Candidate> starts, std::size_t most) const {
     constexpr int kIterations = 5;
     if (starts.size() > most) starts.resize(most);
@@ -206,13 +207,13 @@ class ViewSearch {
     return starts;
   }
 
-  /// The paper's poses as they are, with the evidence for them.
+  /// The paper's poses without alignment, with their evidence.
   std::vector<Detection> judge_polar() const {
     std::vector<PoseHypothesis> found;
     if (view_.polar->top_level() <= scene_.top_level())
       for (const auto& one : view_.polar->find(scene_.grey, roi_))
         found.push_back(score_as_is(view_, scene_, one.pose));
-    return judge(object_, view_, scene_, found);
+    return verify(object_, view_, scene_, found);
   }
 
   std::vector<Detection> judge_all(const std::vector<Candidate>& candidates) const {
@@ -230,10 +231,10 @@ class ViewSearch {
       reached.push_back(top.pose);
       found.push_back(finalised(view_, scene_, top));
     }
-    return judge(object_, view_, scene_, found);
+    return verify(object_, view_, scene_, found);
   }
 
-  /// Poses so near each other are refined to one.
+  /// Poses nearer than this are refined to one.
   bool is_one_of(const std::vector<Pose2D>& poses, const Pose2D& pose) const {
     constexpr double kAlike = 0.25;  // [px]
     return std::any_of(poses.begin(), poses.end(), [&](const Pose2D& other) {
@@ -247,7 +248,7 @@ class ViewSearch {
   const ScenePicture& scene_;
   cv::Rect roi_;
   bool everywhere_;
-  SearchMode look_;
+  SearchMode mode_;
   FirstBudget first_;
   SearchBudget thorough_;
   Proposals proposals_;
@@ -256,9 +257,9 @@ class ViewSearch {
 }  // namespace
 
 std::vector<Detection> search_view(const PreparedObject& object, const PreparedView& view,
-                                   const ScenePicture& scene, const cv::Rect& roi, SearchMode look,
+                                   const ScenePicture& scene, const cv::Rect& roi, SearchMode mode,
                                    const SearchMask& places) {
-  return ViewSearch(object, view, scene, roi, look, places).run();
+  return ViewSearch(object, view, scene, roi, mode, places).run();
 }
 
 std::vector<Detection> judge_places(const PreparedObject& object, const PreparedView& view,

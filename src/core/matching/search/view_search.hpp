@@ -1,4 +1,5 @@
-// From all poses of one view down to a few refined ones.
+// SPDX-License-Identifier: BSD-3-Clause
+// Searches one view: from all poses to a few refined ones.
 #pragma once
 
 #include <opencv2/core.hpp>
@@ -8,27 +9,27 @@
 
 namespace mbncc {
 
-/// How much a view that is not found at once is worth.
+/// What to do if a view is not found at once.
 enum class SearchMode {
   kSparing,  ///< where many objects are searched, most are not in the picture ...
   kGated,    ///< ... and only where its colours are
   kQuick,    ///< where another view may find the object
-  kTwice     ///< again with more candidates and starts where nothing is found
+  kTwice     ///< search again with more candidates and starts
 };
 
-/// Most of what is searched so will not be found.
-inline bool is_sparing(SearchMode look) {
-  return look == SearchMode::kSparing || look == SearchMode::kGated;
+/// For searches whose objects are mostly absent.
+inline bool is_sparing(SearchMode mode) {
+  return mode == SearchMode::kSparing || mode == SearchMode::kGated;
 }
 
 /// Candidates of `view` whose anchors lie in `roi` [px] and `places`, refined to full resolution,
-/// best first. Several may describe one place: other angles are needed to judge the margin.
+/// best first. Several may describe one place, because other angles are needed for the margin.
 std::vector<Detection> search_view(const PreparedObject& object, const PreparedView& view,
-                                   const ScenePicture& scene, const cv::Rect& roi, SearchMode look,
+                                   const ScenePicture& scene, const cv::Rect& roi, SearchMode mode,
                                    const SearchMask& places = {});
 
-/// The best poses of `view` about places [px], whether or not a search proposes them: where another
-/// object was found, its look-alikes are to be compared with it.
+/// The best poses of `view` near places [px], whether or not a search proposes them, to compare
+/// look-alikes at the places of other objects.
 std::vector<Detection> judge_places(const PreparedObject& object, const PreparedView& view,
                                     const ScenePicture& scene,
                                     const std::vector<cv::Point2d>& centres);

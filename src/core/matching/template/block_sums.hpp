@@ -1,4 +1,5 @@
-// What comparing the colours of a surface's compact parts with a picture takes, read once.
+// SPDX-License-Identifier: BSD-3-Clause
+// Sums for comparing the colours of a surface's compact parts with a picture.
 #pragma once
 
 #include <array>
@@ -8,7 +9,7 @@
 
 namespace mbncc {
 
-/// Of one compact part: sums over its points inside the picture, by channel (b, g, r).
+/// Sums of one compact part over its points inside the picture, by channel (b, g, r).
 struct BlockSums {
   using Channels = std::array<double, SurfaceTemplate::kChannels>;
 

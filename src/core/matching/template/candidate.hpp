@@ -1,4 +1,5 @@
-// A pose under examination, and the suppression of those that others make superfluous.
+// SPDX-License-Identifier: BSD-3-Clause
+// A candidate pose, and non-maximum suppression of candidates.
 #pragma once
 
 #include <limits>
@@ -11,26 +12,25 @@ namespace mbncc {
 struct Candidate {
   Pose2D pose;       ///< of the anchor [px of `level`], rotation against the learning picture
   int level = 0;     ///< of the pyramid
-  double value = 0;  ///< what candidates are ranked by; larger is better
+  double value = 0;  ///< ranking value; larger is better
 };
 
-/// When candidates show the same pose.
+/// Radius within which candidates are the same pose.
 struct DuplicateRadius {
   double distance;   ///< [px at level] less than this apart in place, and by the arc at `rim`
   double rim;        ///< [px at level] from the anchor
   int symmetry = 1;  ///< of the object, see measure_symmetry()
 };
 
-/// Which candidates stay beside better ones.
+/// Pruning of candidates.
 struct Suppression {
   static constexpr double kUnlimited = std::numeric_limits<double>::infinity();
 
-  std::size_t most;                ///< in all, ...
-  double behind = kUnlimited;      ///< ... and by so much behind the best at most; ...
-  double apart = kUnlimited;       ///< ... but the best of a place that is likely by
-                                   ///< itself and so far [px at level] from others stays:
-                                   ///< it may be another instance
-  DuplicateRadius alike = {0, 0};  ///< of two that are alike the better one stays
+  std::size_t most;            ///< in all, ...
+  double behind = kUnlimited;  ///< ... and at most this much behind the best; ...
+  double apart = kUnlimited;   ///< ... except the best of a likely place that is this far [px at
+                               ///< level] from others, which may be another instance
+  DuplicateRadius alike = {0, 0};  ///< of duplicates the better one stays
 };
 
 /// Sorts by value, best first.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "matching/template/contour_template.hpp"
 
 #include <algorithm>
@@ -83,8 +84,7 @@ cv::Matx33d contour_products(const ContourTemplate& contour, const ContourSample
 }
 
 ContourPull contour_pull(const ContourTemplate& contour, const ContourSample& sample) {
-  // How fast a response falls with the square of the distance from its edge: the edge's blur of
-  // about one pixel.
+  // Decrease of a response with the squared distance from its edge, for a blur of about one pixel.
   constexpr double kCurvature = 0.15;
   float along[kMotions];
   kernels::dots(contour.motion.data(), contour.x.size(), kMotions, sample.moment.data(),

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The map's edge as points with normals, compared with the edges of a picture.
 #pragma once
 
@@ -17,7 +18,7 @@ struct ContourTemplate {
   ContourTemplate(const std::vector<EdgePoint>& edge, cv::Point2d anchor, int level,
                   std::size_t most);
 
-  /// Moves the points apart: the same contour `factor` times as large.
+  /// Scales the points: the same contour `factor` times as large.
   void resize(double factor);
 
   /// The edge whose normals are as smooth as a level's pixels.
@@ -26,13 +27,13 @@ struct ContourTemplate {
   std::size_t size() const { return count_; }
   double radius() const { return radius_; }  ///< [px at level] of the farthest point
 
-  // All padded to whole lanes with points that lie nowhere.
+  // All padded to whole lanes with points outside every picture.
   std::vector<float> x, y;                ///< [px at level] relative to the anchor
   std::vector<float> normal_x, normal_y;  ///< unit, outwards
   std::vector<float> ones;                ///< 1 at points, 0 in the padding
 
-  /// How the distance of each point from its edge depends on the motion (dx, dy, dtheta): 3 rows,
-  /// and their products in pairs (xx, xy, yy, xt, yt, tt): 6 rows.
+  /// Jacobian of each point's distance from its edge by the motion (dx, dy, dtheta): 3 rows, and
+  /// their pairwise products (xx, xy, yy, xt, yt, tt): 6 rows.
   std::vector<float> motion, products;
 
  private:
@@ -40,7 +41,7 @@ struct ContourTemplate {
   double radius_ = 0;
 };
 
-/// What the edges near a contour say; see kernels::NormalReadings.
+/// Readings of the edges near a contour; see kernels::NormalReadings.
 struct ContourSample {
   std::vector<float> response, seen, pull, moment;  ///< as long as the contour's vectors
 };
@@ -54,7 +55,7 @@ void read_contour(const ContourTemplate& contour, const cv::Mat& edges, const Po
 /// its normal; -1 where less than a quarter of the contour is visible.
 double contour_agreement(const ContourTemplate& contour, const ContourSample& sample);
 
-/// There is an edge along the contour.
+/// Whether there is an edge along the contour.
 inline bool is_clear(float response) {
   constexpr float kClear = 0.4f;
   return response > kClear;
@@ -63,13 +64,13 @@ inline bool is_clear(float response) {
 /// Part [0..1] of the visible contour where there is a clear edge along it.
 double contour_found(const ContourTemplate& contour, const ContourSample& sample);
 
-/// Products of how the distances from the edges found depend on (dx, dy, dtheta), summed over the
-/// points with their responses as weights.
+/// Products of the Jacobians of the found edges by (dx, dy, dtheta), summed over the points with
+/// their responses as weights.
 cv::Matx33d contour_products(const ContourTemplate& contour, const ContourSample& sample);
 
-/// Normal equations of the small motion (dx, dy, dtheta) of the contour that brings it onto the
-/// edges found. Motion and equations are in the template's frame: where the template would have to
-/// be moved from to fit (the inverse of what the pose needs).
+/// Normal equations of the small motion (dx, dy, dtheta) of the contour that aligns it with the
+/// found edges. Motion and equations are in the template's frame (the inverse of the pose's
+/// motion).
 struct ContourPull {
   cv::Matx33d hessian;  ///< curvature of contour_agreement()
   cv::Vec3d gradient;   ///< hessian * motion

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "matching/template/edge_mixing.hpp"
 
 #include <algorithm>
@@ -6,7 +7,7 @@
 namespace mbncc {
 namespace {
 
-constexpr float kBackground = 0.12f;  // share of the object in what counts as background
+constexpr float kBackground = 0.12f;  // largest share of the object in a background pixel
 
 /// Blur [px, level 0] that a map's edge has in a level: lens, pixels, smoothing.
 double blur_of(int level) {
@@ -17,12 +18,12 @@ double blur_of(int level) {
 
 }  // namespace
 
-Coverage::Coverage(const MapGeometry& map, int level)
+AlphaMatte::AlphaMatte(const MapGeometry& map, int level)
     : side_(1 << level),
       room_(static_cast<int>(std::ceil(3 * blur_of(level)))),
       share_(map.blurred(blur_of(level), room_)) {}
 
-EdgeMixing Coverage::at(cv::Point pixel) const {
+EdgeMixing AlphaMatte::at(cv::Point pixel) const {
   const cv::Point middle = pixel + cv::Point(room_, room_);
   const cv::Rect picture({0, 0}, share_.size());
   const float own = share_.at<float>(middle);

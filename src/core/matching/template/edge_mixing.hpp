@@ -1,5 +1,6 @@
-// How much of the background the pixels along a map's edge show: lens, pixels and smoothing blur
-// it.
+// SPDX-License-Identifier: BSD-3-Clause
+// Mixing of object and background in the pixels along a map's edge (alpha matte), caused by the
+// blur of lens, pixels and smoothing.
 #pragma once
 
 #include <array>
@@ -10,17 +11,16 @@
 
 namespace mbncc {
 
-/// What a pixel on the map shows.
+/// Mixture of a pixel on the map.
 struct EdgeMixing {
-  float share = 1;  ///< [0..1] of the object; the rest is background
-  std::array<cv::Point2f, 2>
-      beyond{};  ///< [px] the nearest background, on two sides if both are near
+  float share = 1;                      ///< [0..1] of the object; the rest is background
+  std::array<cv::Point2f, 2> beyond{};  ///< [px] nearest background, on two sides if both are near
 };
 
 /// The mixtures of a map's pixels in a picture at a pyramid level.
-class Coverage {
+class AlphaMatte {
  public:
-  Coverage(const MapGeometry& map, int level);
+  AlphaMatte(const MapGeometry& map, int level);
 
   /// `pixel` [px, level 0] lies on the map or in the room around it. Without background near, the
   /// share is 1.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The area that a map covers at a pose.
 #pragma once
 

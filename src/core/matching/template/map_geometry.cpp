@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "matching/template/map_geometry.hpp"
 
 #include <algorithm>
@@ -22,9 +23,9 @@ cv::Point2f unit(float x, float y) {
   return {x / length, y / length};
 }
 
-/// Normal of a contour at its pixel `i`, by the way it runs, for maps so thin that they have no
-/// slope: findContours() keeps what lies outside to the same side of it, and turns back at the end
-/// of a line.
+/// Normal of a contour at its pixel `i` from the contour's direction, for maps too thin for a
+/// gradient: findContours() keeps the outside on the same side, and turns back at the end of a
+/// line.
 cv::Point2f normal_of_course(const std::vector<cv::Point>& contour, std::size_t i) {
   const std::size_t count = contour.size();
   const cv::Point before = contour[(i + count - 1) % count], after = contour[(i + 1) % count];
@@ -45,7 +46,7 @@ cv::Mat smoothed(const cv::Mat& values, double reach) {
   return result;
 }
 
-// Mean colour of the surface about each pixel. What reaches far is smooth and worked out on fewer
+// Mean colour of the surface about each pixel. Wide averages are smooth and computed on fewer
 // pixels.
 Spread spread_out(const cv::Mat& surface, const cv::Mat& weight, double reach) {
   if (reach > 4) {
@@ -125,7 +126,7 @@ cv::Mat continued_outwards(const cv::Mat& picture, const cv::Mat& map) {
   picture.copyTo(surface, map);
   surface.convertTo(surface, CV_32F);
   result.setTo(cv::mean(picture, map), map == 0);
-  // From far to near, so that the nearest surface has the last word.
+  // From far to near, so that the nearest surface overwrites others.
   for (const double reach : {12.0, 5.0, 2.0}) {
     const Spread spread = spread_out(surface, weight, reach);
     spread.colour.copyTo(result, (spread.weight > 0.02) & (map == 0));

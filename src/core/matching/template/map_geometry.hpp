@@ -1,4 +1,5 @@
-// Where a map's pixels lie against its edge.
+// SPDX-License-Identifier: BSD-3-Clause
+// Position of a map's pixels relative to its edge.
 #pragma once
 
 #include <opencv2/core.hpp>
@@ -37,8 +38,8 @@ class MapGeometry {
   double mean_width_ = 0;
 };
 
-/// `picture` (CV_8UC3) with the surface under `map` continued outwards, so that nothing of the
-/// background is left to smooth into the object.
+/// `picture` (CV_8UC3) with the surface under `map` extrapolated outwards, so that smoothing does
+/// not mix background into the object.
 cv::Mat continued_outwards(const cv::Mat& picture, const cv::Mat& map);
 
 }  // namespace mbncc

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "matching/template/map_level.hpp"
 
 #include <algorithm>
@@ -9,7 +10,8 @@
 namespace mbncc {
 namespace {
 
-// Room for whole squares at the right and bottom edge: the pyramid drops odd rows and columns.
+// Padding for whole squares at the right and bottom edge, because the pyramid drops odd rows and
+// columns.
 cv::Mat padded_to_squares(const cv::Mat& picture, int side) {
   const int right = (side - picture.cols % side) % side;
   const int below = (side - picture.rows % side) % side;

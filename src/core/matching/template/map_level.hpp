@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // A template and its map at one level of the pyramid.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "matching/template/pose_sample.hpp"
 
 namespace mbncc {
@@ -7,7 +8,7 @@ void PoseSample::read(const PoseTemplate& object, const SceneLevel& scene, const
   scene.prepare_around(pose, scale * object.reach());
   object.surface.sample(scene, pose, surface, scale);
   read_contour(object.contour, scene.edges, pose, reach, contour, scale);
-  if (surface.suffices()) remainder = object.surface.remainder(surface);
+  if (surface.suffices()) residual = object.surface.residual(surface);
 }
 
 }  // namespace mbncc

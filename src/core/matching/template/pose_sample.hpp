@@ -1,4 +1,5 @@
-// What a picture shows where an object may lie.
+// SPDX-License-Identifier: BSD-3-Clause
+// Surface and contour of a picture at a candidate pose.
 #pragma once
 
 #include <algorithm>
@@ -20,9 +21,9 @@ struct PoseTemplate {
 struct PoseSample {
   SurfaceSample surface;
   ContourSample contour;
-  SurfaceTemplate::Remainder remainder;  ///< of the surface, where it suffices
+  SurfaceTemplate::Residual residual;  ///< of the surface, if enough is visible
 
-  /// Reads what lies at `pose`, the object `scale` times as large as the template, edges up to
+  /// Reads the picture at `pose`, the object `scale` times as large as the template, edges up to
   /// `reach` [px] along the contour's normals.
   void read(const PoseTemplate& object, const SceneLevel& scene, const Pose2D& pose, int reach,
             double scale = 1);

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "matching/template/sample_points.hpp"
 
 #include <algorithm>
@@ -19,7 +20,7 @@ std::vector<cv::Point> pixels_deeper_than(double depth, const MapGeometry& map, 
                                           int level) {
   const int side = 1 << level;
   std::vector<cv::Point> pixels;
-  // Of what is narrower than a pixel of the level, the middle.
+  // The middle of maps narrower than a pixel of the level.
   const cv::Point first(std::min(side, size.width - 1) / 2, std::min(side, size.height - 1) / 2);
   for (int y = first.y; y < size.height; y += side)
     for (int x = first.x; x < size.width; x += side)
@@ -27,7 +28,7 @@ std::vector<cv::Point> pixels_deeper_than(double depth, const MapGeometry& map, 
   return pixels;
 }
 
-/// Away from the edge: these show the object alone.
+/// Points away from the edge, which show only the object.
 std::vector<cv::Point> pure_pixels(const MapGeometry& map, cv::Size size, int level) {
   return pixels_deeper_than(level == 0 ? 1.9 : 0.5 + 0.75 * (1 << level), map, size, level);
 }
@@ -40,7 +41,7 @@ Points points_of(const MapGeometry& map, const std::vector<cv::Point>& pixels, i
   return points;
 }
 
-/// Leaves at most `most`, in memory of no more.
+/// Keeps at most `most`, without excess memory.
 template <class Point>
 void thin_out(std::vector<Point>& points, std::size_t most) {
   std::mt19937 random(5);

@@ -1,4 +1,5 @@
-// Where on the object its surface is read.
+// SPDX-License-Identifier: BSD-3-Clause
+// Sample points of the object's surface.
 #pragma once
 
 #include <opencv2/core.hpp>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "matching/template/shading_basis.hpp"
 
 #include <cmath>
@@ -42,7 +43,7 @@ ShadingBasis::ShadingBasis(const std::vector<SurfacePoint>& points, const std::v
   }
 }
 
-/// What the rows before leave of `values`, unless that is next to nothing.
+/// Residual of `values` after projection on the previous rows, unless it is negligible.
 void ShadingBasis::add(std::vector<float> values) {
   const double before = product(values, values.data());
   for (int pass = 0; pass < 2; ++pass) project_out(values);

@@ -1,4 +1,5 @@
-// Smooth functions that light may add to a surface.
+// SPDX-License-Identifier: BSD-3-Clause
+// Basis of smooth functions that model shading.
 #pragma once
 
 #include <vector>
@@ -7,8 +8,8 @@
 
 namespace mbncc {
 
-/// Shading and gloss near the edge follow the light, not the object: functions of the place and of
-/// the distance to the edge, to be projected out of template and picture.
+/// Shading and gloss near the edge depend on the light, not on the object: functions of the
+/// position and of the distance to the edge, to be projected out of template and picture.
 class ShadingBasis {
  public:
   static constexpr int kMostRows = 12;
@@ -24,7 +25,7 @@ class ShadingBasis {
   /// Function `k`, as many values as padded points; the functions are orthonormal.
   const float* row(int k) const { return &rows_[static_cast<std::size_t>(k) * padded_]; }
 
-  /// Takes the functions out of `values`, one per point and padded.
+  /// Projects the functions out of `values`, one per point and padded.
   void project_out(std::vector<float>& values) const;
 
   /// Scalar products of all functions, the constant first, with as many `values` as padded points.

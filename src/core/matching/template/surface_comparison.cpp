@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
 #include <cmath>
 
@@ -10,7 +11,7 @@ namespace mbncc {
 
 namespace {
 
-/// Counts the points that are to be compared; the others get the mean colour of these.
+/// Counts the points that are compared; the others get their mean colour.
 void fill_outside(SurfaceSample& sample) {
   const float* counts = sample.inside.data();
   const auto [count, blue, green, red] = products<4>(
@@ -82,37 +83,35 @@ void SurfaceTemplate::sample(const SceneLevel& scene, const Pose2D& pose, Surfac
   fill_outside(sample);
 }
 
-SurfaceTemplate::Remainder SurfaceTemplate::remainder(const SurfaceSample& sample) const {
+SurfaceTemplate::Residual SurfaceTemplate::residual(const SurfaceSample& sample) const {
   const float *blue = sample.planes[0].data(), *green = sample.planes[1].data(),
               *red = sample.planes[2].data();
   const auto common = products<3>({projected[0].data(), projected[1].data(), projected[2].data()},
                                   {blue, green, red}, padded());
   const auto energy = products<3>({blue, green, red}, {blue, green, red}, padded());
   float in_basis[ShadingBasis::kMostRows];
-  Remainder remainder;
+  Residual residual;
   for (int c = 0; c < kChannels; ++c) {
-    remainder.energy += energy[c];
-    remainder.common += common[c];
+    residual.energy += energy[c];
+    residual.common += common[c];
     basis.products(sample.planes[c].data(), in_basis);
-    for (int k = 0; k < basis.size(); ++k) remainder.energy -= in_basis[k] * in_basis[k];
+    for (int k = 0; k < basis.size(); ++k) residual.energy -= in_basis[k] * in_basis[k];
   }
-  remainder.energy = std::max(0.0, remainder.energy);
-  return remainder;
+  residual.energy = std::max(0.0, residual.energy);
+  return residual;
 }
 
-double SurfaceTemplate::correlation(const Remainder& remainder, double noise_variance) const {
+double SurfaceTemplate::correlation(const Residual& residual, double noise_variance) const {
   const double noise = kChannels * noise_variance * static_cast<double>(size());
-  return remainder.common / std::sqrt((remainder.energy + noise) * (projected_energy + noise));
+  return residual.common / std::sqrt((residual.energy + noise) * (projected_energy + noise));
 }
 
-double SurfaceTemplate::unexplained(const Remainder& remainder) const {
+double SurfaceTemplate::unexplained(const Residual& residual) const {
   constexpr double kPrior = 20;  // [grey^2] pulls the gain of plain surfaces to 1
   const double count = kChannels * static_cast<double>(std::max<std::size_t>(1, size()));
   const double prior = kPrior * count;
-  const double gain =
-      std::clamp((remainder.common + prior) / (projected_energy + prior), 0.65, 1.5);
-  const double left =
-      remainder.energy - 2 * gain * remainder.common + gain * gain * projected_energy;
+  const double gain = std::clamp((residual.common + prior) / (projected_energy + prior), 0.65, 1.5);
+  const double left = residual.energy - 2 * gain * residual.common + gain * gain * projected_energy;
   return std::max(0.0, left) / count;
 }
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "matching/template/surface_template.hpp"
 
 #include <algorithm>
@@ -66,7 +67,7 @@ void SurfaceTemplate::read_colours(const SceneLevel& picture) {
 }
 
 void SurfaceTemplate::measure_texture() {
-  constexpr double kPlain = 200;  // [grey^2] variance that noise and shading alone bring about
+  constexpr double kPlain = 200;  // [grey^2] variance caused by noise and shading alone
   const auto count = static_cast<double>(std::max<std::size_t>(1, size()));
   double variance = 0;
   for (const auto& plane : planes) {

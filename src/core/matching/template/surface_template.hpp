@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The object's surface as coloured points, prepared for comparison under changing light.
 #pragma once
 
@@ -21,14 +22,14 @@ struct SurfaceSample {
   std::array<double, 3> means{};  ///< of the planes inside
   std::size_t visible = 0, points = 0;  ///< inside, and in all
 
-  /// Enough is visible for a judgement.
+  /// Whether enough is visible for a comparison.
   bool suffices() const { return visible >= 10 && 4 * visible >= points; }
 };
 
-/// What a picture shows beside the template: mean squares [grey^2].
+/// Energy of a picture outside the template: mean squares [grey^2].
 struct SurfaceDifference {
   double rest = 0;     ///< neither template nor basis
-  double shading = 0;  ///< the basis, but for its constant
+  double shading = 0;  ///< the basis without its constant
 };
 
 class SurfaceTemplate {
@@ -37,9 +38,9 @@ class SurfaceTemplate {
 
   SurfaceTemplate() = default;
 
-  /// What a template is made from, at one pyramid level.
+  /// Input of a template at one pyramid level.
   struct Source {
-    const SceneLevel& surface;  ///< the learning picture with the object continued outwards
+    const SceneLevel& surface;  ///< the learning picture with the object extrapolated outwards
     const SceneLevel& picture;  ///< the learning picture as it is
     const MapGeometry& map;
     cv::Size map_size;
@@ -49,10 +50,10 @@ class SurfaceTemplate {
   /// At most `most` points inside the map, spread evenly. `anchor` [px, level 0] is their origin.
   SurfaceTemplate(const Source& source, cv::Point2d anchor, std::size_t most);
 
-  /// Moves the points apart: the same surface `factor` times as large.
+  /// Scales the points: the same surface `factor` times as large.
   void resize(double factor);
 
-  /// Per channel how the colours change with x, y and theta at the points.
+  /// Per channel the derivatives of the colours by x, y and theta at the points.
   static constexpr int kMotions = 3;
   using Slopes = std::array<std::array<std::vector<float>, kMotions>, kChannels>;
   /// In the picture that the template was made from; 0 at its border.
@@ -66,32 +67,33 @@ class SurfaceTemplate {
   void sample(const SceneLevel& scene, const Pose2D& pose, SurfaceSample& sample,
               double scale = 1) const;
 
-  /// What is left of the colours after the basis has been projected out of template and picture.
-  struct Remainder {
+  /// Residual of the colours after the basis is projected out of template and picture.
+  struct Residual {
     double common = 0;  ///< product of both, summed over points and channels [grey^2]
     double energy = 0;  ///< of the picture's, likewise
   };
-  Remainder remainder(const SurfaceSample& sample) const;
+  Residual residual(const SurfaceSample& sample) const;
 
-  /// Correlation [-1..1] of both remainders.
-  double correlation(const Remainder& remainder, double noise_variance) const;
+  /// Correlation [-1..1] of both residuals.
+  double correlation(const Residual& residual, double noise_variance) const;
 
-  /// Mean square [grey^2] of what the template, with a gain within bounds, leaves unexplained.
-  double unexplained(const Remainder& remainder) const;
+  /// Mean square [grey^2] of the residual after the template with a bounded gain.
+  double unexplained(const Residual& residual) const;
 
   /// Of the picture against `gain` times the template.
   SurfaceDifference difference(const SurfaceSample& sample, double gain = 1) const;
-  /// Of the picture by that of the template, as far as both agree; the basis aside.
+  /// Gain of the picture relative to the template, without the basis.
   double contrast(const SurfaceSample& sample) const;
   /// Mean square [grey^2] of the template without the basis.
   double mean_projected_energy() const;
 
-  /// [0..1] How much the colours vary: 0 not at all, near 1 far beyond noise and shading.
+  /// [0..1] Variation of the colours: 0 none, near 1 far beyond noise and shading.
   double texture() const { return texture_; }
 
   double radius() const { return radius_; }  ///< [px at level] of the farthest point
 
-  // All vectors are padded to whole lanes: places with points that lie nowhere, values with zeros.
+  // All vectors are padded to whole lanes: places with points outside every picture, values with
+  // zeros.
   std::vector<float> x, y;                   ///< [px at level] relative to the anchor
   std::array<std::vector<float>, 3> planes;  ///< colours
   std::vector<float> brightness;             ///< sum of the channels

@@ -1,4 +1,5 @@
-// What is looked for that speaks against a pose.
+// SPDX-License-Identifier: BSD-3-Clause
+// Tests of alternatives to a pose.
 #include <cmath>
 
 #include "matching/evidence/contour_alternative.hpp"
@@ -10,7 +11,7 @@
 namespace mbncc {
 namespace {
 
-class JudgeTest : public test::MatcherTest {
+class VerificationTest : public test::MatcherTest {
  protected:
   const PreparedObject object_{test::object_from(source_, reference_), Engine::kFast};
   const PreparedView& view_ = object_.views.front();
@@ -27,61 +28,61 @@ class JudgeTest : public test::MatcherTest {
     return compose(reference, inverse(Pose2D{lever.x, lever.y, view_.reference_in_anchor.theta}));
   }
 
-  /// The best detection where the anchor is believed to lie.
+  /// The best detection for a pose hypothesis of the anchor.
   Detection judged(const ScenePicture& scene, const Pose2D& anchor, double odds) const {
-    PoseHypothesis believed = score_as_is(view_, scene, anchor);
-    believed.odds = odds;
-    believed.refining = 4;
-    return judge(object_, view_, scene, {believed}).at(0);
+    PoseHypothesis hypothesis = score_as_is(view_, scene, anchor);
+    hypothesis.odds = odds;
+    hypothesis.refining = 4;
+    return verify(object_, view_, scene, {hypothesis}).at(0);
   }
 };
 
-TEST_F(JudgeTest, NothingSpeaksAgainstTheTruth) {
+TEST_F(VerificationTest, NothingSpeaksAgainstTheTruth) {
   const ScenePicture scene(scene_with(source_, truth_), object_.top_level());
   const Detection found = judged(scene, anchor_at(truth_), 12);
-  EXPECT_LT(found.strange, 0.1);
-  EXPECT_FALSE(found.another_size);
-  EXPECT_FALSE(found.turned_over);
+  EXPECT_LT(found.colour_difference, 0.1);
+  EXPECT_FALSE(found.size_alternative);
+  EXPECT_FALSE(found.mirror_alternative);
   EXPECT_DOUBLE_EQ(found.log_odds, 12);
   EXPECT_DOUBLE_EQ(found.visible, 1);
-  EXPECT_LT(found.elsewhere, -0.1);
-  EXPECT_DOUBLE_EQ(found.elsewhere,
+  EXPECT_LT(found.contour_alternative, -0.1);
+  EXPECT_DOUBLE_EQ(found.contour_alternative,
                    better_elsewhere(view_.fine.contour, scene.levels[0], found.pose, found.size));
   const Refined refined = refine(view_.dense, scene.levels[0], anchor_at(truth_), 4);
   EXPECT_EQ(found.covariance, refined.covariance);
   EXPECT_EQ(found.pose.position(), refined.pose.position());
 }
 
-TEST_F(JudgeTest, OfWhatIsUnlikelyNothingIsKnown) {
+TEST_F(VerificationTest, OfWhatIsUnlikelyNothingIsKnown) {
   const ScenePicture scene(scene_with(source_, truth_), object_.top_level());
   const Detection found = judged(scene, anchor_at(truth_), -3);
   EXPECT_GE(found.covariance(0, 0), 1e4);
   EXPECT_GE(found.covariance(1, 1), 1e4);
   EXPECT_GT(found.covariance(2, 2), 4 * kPi);
-  EXPECT_DOUBLE_EQ(found.elsewhere, kNotExamined);
+  EXPECT_DOUBLE_EQ(found.contour_alternative, kNotExamined);
 }
 
-TEST_F(JudgeTest, AnotherSizeIsTold) {
+TEST_F(VerificationTest, AnotherSizeIsTold) {
   for (const double size : {0.92, 1.08}) {
     cv::Mat resized;
     cv::resize(scene_with(source_, truth_), resized, {}, size, size, cv::INTER_AREA);
     const ScenePicture scene(resized, object_.top_level());
     const Pose2D there{(truth_.x + 0.5) * size - 0.5, (truth_.y + 0.5) * size - 0.5, truth_.theta};
     const Detection found = judged(scene, anchor_at(there, size), 1);
-    EXPECT_TRUE(found.another_size) << size;
+    EXPECT_TRUE(found.size_alternative) << size;
   }
 }
 
-TEST_F(JudgeTest, TheMirrorImageIsToldAndCosts) {
+TEST_F(VerificationTest, TheMirrorImageIsToldAndCosts) {
   const ScenePicture scene(scene_with(test::mirrored(source_), truth_), object_.top_level());
   const Detection found = judged(scene, {truth_.x, truth_.y, 0}, 10);
-  EXPECT_TRUE(found.turned_over);
-  EXPECT_LT(found.strange, 0.15) << "no colour speaks against it";
+  EXPECT_TRUE(found.mirror_alternative);
+  EXPECT_LT(found.colour_difference, 0.15) << "no colour differs";
   EXPECT_LT(found.log_odds, 8);
 }
 
-// A plate without the tip of a corner: that alone tells it from its mirror image.
-TEST_F(JudgeTest, AMirrorImageThatDiffersSlightlyIsTold) {
+// A plate without the tip of a corner, its only difference to its mirror image.
+TEST_F(VerificationTest, AMirrorImageThatDiffersSlightlyIsTold) {
   cv::Mat map = cv::Mat::zeros(120, 120, CV_8UC1);
   map(cv::Rect(10, 25, 100, 70)) = 255;
   cv::fillPoly(map, std::vector<std::vector<cv::Point>>{{{110, 25}, {105, 25}, {110, 30}}},
@@ -95,12 +96,12 @@ TEST_F(JudgeTest, AMirrorImageThatDiffersSlightlyIsTold) {
     PoseHypothesis found =
         score_as_is(view, scene, compose(truth_, inverse(view.reference_in_anchor)));
     found.odds = 12;
-    EXPECT_EQ(judge(object, view, scene, {found}).at(0).turned_over, over);
+    EXPECT_EQ(verify(object, view, scene, {found}).at(0).mirror_alternative, over);
   }
 }
 
-// The bright spot that a lamp draws lies elsewhere on it than in the lesson.
-TEST_F(JudgeTest, APlainSurfaceDoesNotDriftAlongItsShading) {
+// The lamp's highlight is at another place of the object than in the lesson.
+TEST_F(VerificationTest, APlainSurfaceDoesNotDriftAlongItsShading) {
   const cv::Point2d spot(50, 75);
   const auto shaded = [&](cv::Point2d bright) {
     test::LearningPicture plain = source_;
@@ -124,7 +125,7 @@ TEST_F(JudgeTest, APlainSurfaceDoesNotDriftAlongItsShading) {
 }
 
 // Its colours, each of which occurs all over it, are right but in one compact part.
-TEST_F(JudgeTest, APartOfAnotherColourIsTold) {
+TEST_F(VerificationTest, APartOfAnotherColourIsTold) {
   test::LearningPicture chequered = source_;
   for (int y = 0; y < 120; y += 6)
     for (int x = y / 6 % 2 * 6; x + 6 <= 120; x += 12)
@@ -132,18 +133,18 @@ TEST_F(JudgeTest, APartOfAnotherColourIsTold) {
   chequered.surface.copyTo(chequered.picture, chequered.map);
   const PreparedObject object(test::object_from(chequered, reference_), Engine::kFast);
   const PreparedView& view = object.views.front();
-  const auto strange_in = [&](const test::LearningPicture& shown) {
+  const auto difference_in = [&](const test::LearningPicture& shown) {
     const ScenePicture scene(scene_with(shown, truth_), object.top_level());
-    PoseHypothesis believed =
+    PoseHypothesis hypothesis =
         score_as_is(view, scene, compose(truth_, inverse(view.reference_in_anchor)));
-    believed.odds = 12;
-    return judge(object, view, scene, {believed}).at(0).strange;
+    hypothesis.odds = 12;
+    return verify(object, view, scene, {hypothesis}).at(0).colour_difference;
   };
-  EXPECT_LT(strange_in(chequered), 0.1);
+  EXPECT_LT(difference_in(chequered), 0.1);
   test::LearningPicture tinted = chequered;
   cv::Mat part = tinted.surface(cv::Rect(35, 25, 24, 30));
   cv::multiply(part, cv::Scalar(0.6, 1, 0.7), part);
-  EXPECT_GT(strange_in(tinted), 0.2);
+  EXPECT_GT(difference_in(tinted), 0.2);
 }
 
 }  // namespace
