@@ -17,9 +17,9 @@ namespace mbncc::console {
 /// it.
 void name_window(QWidget* widget, const QString& title);
 
-/// `keys`: shown in the tip, such as "Alt+T".
-QPushButton* make_button(const QString& text, const QString& tip, QWidget* parent,
-                         const QString& keys = "");
+/// `keys`: shown in the tip, such as "Alt+T". Without a parent: Tab goes through a layout's widgets
+/// in the order in which they were given one.
+QPushButton* make_button(const QString& text, const QString& tip, const QString& keys = "");
 
 /// The choices of symmetry_choices(), their values as data.
 QComboBox* make_symmetry_box(const QString& tip);

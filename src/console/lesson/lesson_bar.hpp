@@ -30,7 +30,13 @@ class LessonBar : public QWidget {
   void set_name(const std::string& name);
   /// Whether Mark grasp can be followed; `reason`: why not.
   void allow_marks(bool allowed, const QString& reason);
-  ChoiceRow& choices() { return *choices_; }
+  /// Asks in the place of the lesson's own sentence, until it is answered or withdrawn.
+  void ask(const Notice::Line& question, const std::vector<ChoiceRow::Answer>& answers);
+  void withdraw_question() { choices_->clear(); }
+  /// Gives the keyboard to the name.
+  void take_keyboard();
+  /// Gives it to the last answer.
+  void give_keyboard_to_answers() { choices_->take_keyboard(); }
   /// What was said beside the lesson is out of date.
   void clear_notice() { notice_.clear(); }
   /// The name has been used up, and what was declared of its object.
@@ -51,6 +57,7 @@ class LessonBar : public QWidget {
   void tidy_name(const QString& typed);
 
   Notice notice_;
+  Notice::Line question_;  // counts while there are answers
   QLineEdit* name_;
   QDoubleSpinBox* height_;
   QComboBox* symmetry_;

@@ -103,7 +103,7 @@ void LessonModel::take_result(const mbncc_vision::LearnObjectActionResult& resul
   if (under_way() && result.status.goal_id.id != goal_) return;
   const Result outcome = outcome_of(result);
   const bool stored = outcome.error_code == Result::SUCCESS;
-  end(stored ? "Learned '" + outcome.object.name + "'" : "Nothing was stored",
+  end(stored ? "Learned" : "Nothing was stored",
       stored || outcome.hint.empty() ? outcome.message : outcome.message + " " + outcome.hint,
       level_of_end(outcome));
 }

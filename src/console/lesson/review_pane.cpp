@@ -16,11 +16,12 @@ namespace {
 
 using Request = mbncc_vision::ConfirmLearning::Request;
 
-constexpr QSize kTemplate(130, 130), kScoreMap(320, 130);
+constexpr QSize kTemplate(130, 130), kScoreMap(380, 130);
 
 QLabel* make_picture(QSize size, const QString& tip) {
   auto* label = new QLabel;
-  label->setFixedSize(size);
+  label->setMinimumSize(size);
+  label->setFixedHeight(size.height());
   label->setAlignment(Qt::AlignCenter);
   label->setStyleSheet("background: #303030; color: #c0c0c0");
   label->setToolTip(tip);
@@ -30,7 +31,7 @@ QLabel* make_picture(QSize size, const QString& tip) {
 void show_in(QLabel* label, const QImage& picture) {
   if (picture.isNull()) return;
   label->setPixmap(QPixmap::fromImage(
-      picture.scaled(label->size(), Qt::KeepAspectRatio, Qt::SmoothTransformation)));
+      picture.scaled(label->minimumSize(), Qt::KeepAspectRatio, Qt::SmoothTransformation)));
 }
 
 QString reasons_of(const mbncc_vision::LearnQuality& quality) {
@@ -52,6 +53,7 @@ QString numbers_of(const mbncc_vision::LearnQuality& quality) {
 /// Much advice scrolls: labels that get too little height paint over their neighbours.
 QScrollArea* make_scrollable(QLabel* text) {
   auto* area = new QScrollArea;
+  area->setObjectName("advice");
   area->setFrameShape(QFrame::NoFrame);
   area->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   area->setWidgetResizable(true);
@@ -72,9 +74,9 @@ ReviewPane::ReviewPane(QWidget* parent)
           "Where the picture resembles the object at a first look (yellow: much):\nring = the "
           "object, square = the next best place. The scores above judge all.")),
       insist_(new QCheckBox("I have checked it: store it although BAD")),
-      accept_(make_button("&Accept", "Store the object", this, "Alt+A or Ctrl+Enter")),
-      reject_(make_button("&Reject", "End the lesson; nothing is stored", this, "Alt+R")),
-      undo_(make_button("&Undo mark", "Take the last correction back", this, "Ctrl+Z")),
+      accept_(make_button("&Accept", "Store the object", "Alt+A or Ctrl+Enter")),
+      reject_(make_button("&Reject", "End the lesson; nothing is stored", "Alt+R")),
+      undo_(make_button("&Undo mark", "Take the last correction back", "Ctrl+Z")),
       tools_(new QButtonGroup(this)),
       width_(new QSlider(Qt::Horizontal)) {
   QFont large = verdict_->font();
@@ -134,14 +136,16 @@ QWidget* ReviewPane::make_tools() {
   };
   int column = 0;
   for (const auto& entry : tools) {
-    auto* button = make_button(entry.text, entry.tip, box, entry.key);
+    auto* button = make_button(entry.text, entry.tip, entry.key);
     button->setCheckable(true);
     tools_->addButton(button, static_cast<int>(entry.tool));
     connect(button, &QPushButton::clicked, [this, tool = entry.tool] { choose_tool(tool); });
+    grid->setColumnStretch(column, 1);
     grid->addWidget(button, 0, column++);
   }
   width_->setRange(2, 40);
   width_->setValue(8);
+  name_window(width_, "stroke width");
   width_->setToolTip("Width of the stroke in pixels");
   grid->addWidget(new QLabel("Stroke"), 1, 0);
   grid->addWidget(width_, 1, 1);

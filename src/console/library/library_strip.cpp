@@ -47,14 +47,13 @@ LibraryStrip::LibraryStrip(QWidget* parent)
       list_(new QListWidget),
       symmetry_(make_symmetry_box("At which angles the chosen object counts as the same")),
       view_(make_button("Teach &view",
-                        "Teach the chosen object from another side or in other light", this,
-                        "Alt+V")),
-      enable_(make_button("&Disable", "Search for the chosen object, or not", this, "Alt+D")),
-      rename_(make_button("Re&name", "Write a new name below its picture", this, "F2")),
-      delete_(make_button("De&lete", "Take it out of the library; Undo edit brings it back", this,
-                          "Alt+L")),
-      undo_(make_button("Undo &edit", "Take the last change of the library back", this, "Alt+E")),
-      more_(make_button("M&ore", "Export, import, earlier revisions", this, "Alt+O")) {
+                        "Teach the chosen object from another side or in other light", "Alt+V")),
+      enable_(make_button("&Disable", "Search for the chosen object, or not", "Alt+D")),
+      rename_(make_button("Re&name", "Write a new name below its picture", "F2")),
+      delete_(
+          make_button("De&lete", "Take it out of the library; Undo edit brings it back", "Alt+L")),
+      undo_(make_button("Undo &edit", "Take the last change of the library back", "Alt+E")),
+      more_(make_button("M&ore", "Export, import, earlier revisions", "Alt+O")) {
   search_->setPlaceholderText("search the library");
   search_->setClearButtonEnabled(true);
   list_->setViewMode(QListView::IconMode);

@@ -6,6 +6,7 @@
 #include <QMainWindow>
 #include <QRegularExpression>
 #include <QScreen>
+#include <QScrollArea>
 #include <QTimer>
 
 #include "console/console_widget.hpp"
@@ -31,8 +32,14 @@ int main(int argc, char** argv) {
   ros::NodeHandle keeps_the_node_running;
   QMainWindow window;
   window.setWindowTitle("mbncc console");
-  window.setCentralWidget(new mbncc::console::ConsoleWidget(
+  // A screen that is too small scrolls instead of pushing buttons off it.
+  auto* area = new QScrollArea;
+  area->setFrameShape(QFrame::NoFrame);
+  area->setWidgetResizable(true);
+  area->setFocusPolicy(Qt::NoFocus);
+  area->setWidget(new mbncc::console::ConsoleWidget(
       {words.value("cell").toStdString(), words.value("matching").toStdString()}));
+  window.setCentralWidget(area);
   // Where no window manager maximizes it, too.
   window.setGeometry(QGuiApplication::primaryScreen()->availableGeometry());
   window.showMaximized();
