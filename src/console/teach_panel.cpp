@@ -4,6 +4,8 @@
 #include <QVBoxLayout>
 #include <pluginlib/class_list_macros.hpp>
 
+#include "console/widgets.hpp"
+
 namespace mbncc::console {
 
 TeachPanel::TeachPanel(QWidget* parent) : rviz::Panel(parent) {
@@ -18,7 +20,8 @@ void TeachPanel::onInitialize() {
 
 void TeachPanel::begin() {
   delete console_;
-  console_ = new ConsoleWidget(names_);
+  console_ = make_scroll_area(new ConsoleWidget(names_));
+  console_->setFocusPolicy(Qt::NoFocus);
   layout()->addWidget(console_);
 }
 

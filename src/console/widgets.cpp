@@ -45,6 +45,14 @@ QPushButton* make_button(const QString& text, const QString& tip, const QString&
   return button;
 }
 
+QScrollArea* make_scroll_area(QWidget* content) {
+  auto* area = new QScrollArea;
+  area->setFrameShape(QFrame::NoFrame);
+  area->setWidgetResizable(true);
+  area->setWidget(content);
+  return area;
+}
+
 QComboBox* make_symmetry_box(const QString& tip) {
   auto* box = new QComboBox;
   for (const auto& choice : symmetry_choices())

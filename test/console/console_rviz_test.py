@@ -42,7 +42,8 @@ class ConsoleRVizTest(unittest.TestCase):
         self.assertEqual(pathlib.Path(config).read_text(), SHIPPED.read_text())
 
     def test_what_was_saved_stays_until_the_package_is_newer(self):
-        copy = pathlib.Path(self.start(SHIPPED)[1])
+        copy = self.folder / "mbncc_vision" / "console.rviz"
+        self.assertEqual(self.start(SHIPPED)[1], str(copy))
         copy.write_text("saved")
         self.start(SHIPPED)
         self.assertEqual(copy.read_text(), "saved")

@@ -1,7 +1,6 @@
 #include "console/explain/explain_pane.hpp"
 
 #include <QHBoxLayout>
-#include <QScrollArea>
 #include <QVBoxLayout>
 
 #include "console/widgets.hpp"
@@ -24,11 +23,9 @@ ExplainPane::ExplainPane(QWidget* parent)
     text->setTextInteractionFlags(Qt::TextSelectableByMouse);
   }
   lines_->setAlignment(Qt::AlignTop);
-  auto* area = new QScrollArea;
-  area->setFrameShape(QFrame::NoFrame);
+  auto* area = make_scroll_area(lines_);
+  area->setObjectName("explanation");
   area->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-  area->setWidgetResizable(true);
-  area->setWidget(lines_);
   auto* row = new QHBoxLayout;
   row->addWidget(save_);
   row->addWidget(close_);

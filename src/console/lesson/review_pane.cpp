@@ -4,10 +4,10 @@
 
 #include <QGridLayout>
 #include <QHBoxLayout>
-#include <QScrollArea>
 #include <QVBoxLayout>
 
 #include "console/picture/pictures.hpp"
+#include "console/picture/scaled_picture.hpp"
 #include "console/ros_link.hpp"
 #include "console/widgets.hpp"
 
@@ -16,23 +16,7 @@ namespace {
 
 using Request = mbncc_vision::ConfirmLearning::Request;
 
-constexpr QSize kTemplate(130, 130), kScoreMap(380, 130);
-
-QLabel* make_picture(QSize size, const QString& tip) {
-  auto* label = new QLabel;
-  label->setMinimumSize(size);
-  label->setFixedHeight(size.height());
-  label->setAlignment(Qt::AlignCenter);
-  label->setStyleSheet("background: #303030; color: #c0c0c0");
-  label->setToolTip(tip);
-  return label;
-}
-
-void show_in(QLabel* label, const QImage& picture) {
-  if (picture.isNull()) return;
-  label->setPixmap(QPixmap::fromImage(
-      picture.scaled(label->minimumSize(), Qt::KeepAspectRatio, Qt::SmoothTransformation)));
-}
+constexpr QSize kTemplate(130, 130), kScoreMap(380, 130);  // at least
 
 QString reasons_of(const mbncc_vision::LearnQuality& quality) {
   if (quality.advice.empty()) return "Nothing to complain about.";
@@ -50,17 +34,6 @@ QString numbers_of(const mbncc_vision::LearnQuality& quality) {
       .arg(static_cast<int>(quality.area));
 }
 
-/// Much advice scrolls: labels that get too little height paint over their neighbours.
-QScrollArea* make_scrollable(QLabel* text) {
-  auto* area = new QScrollArea;
-  area->setObjectName("advice");
-  area->setFrameShape(QFrame::NoFrame);
-  area->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-  area->setWidgetResizable(true);
-  area->setWidget(text);
-  return area;
-}
-
 }  // namespace
 
 ReviewPane::ReviewPane(QWidget* parent)
@@ -68,17 +41,18 @@ ReviewPane::ReviewPane(QWidget* parent)
       verdict_(new QLabel),
       numbers_(new QLabel),
       reasons_(new QLabel),
-      template_(make_picture(kTemplate, "What was learned; the checkerboard is not part of it")),
-      score_map_(make_picture(
-          kScoreMap,
-          "Where the picture resembles the object at a first look (yellow: much):\nring = the "
-          "object, square = the next best place. The scores above judge all.")),
+      template_(new ScaledPicture(kTemplate)),
+      score_map_(new ScaledPicture(kScoreMap)),
       insist_(new QCheckBox("I have checked it: store it although BAD")),
       accept_(make_button("&Accept", "Store the object", "Alt+A or Ctrl+Enter")),
       reject_(make_button("&Reject", "End the lesson; nothing is stored", "Alt+R")),
       undo_(make_button("&Undo mark", "Take the last correction back", "Ctrl+Z")),
       tools_(new QButtonGroup(this)),
       width_(new QSlider(Qt::Horizontal)) {
+  template_->setToolTip("What was learned; the checkerboard is not part of it");
+  score_map_->setToolTip(
+      "Where the picture resembles the object at a first look (yellow: much):\nring = the object, "
+      "square = the next best place. The scores above judge all.");
   QFont large = verdict_->font();
   large.setPointSize(15);
   verdict_->setFont(large);
@@ -104,7 +78,7 @@ ReviewPane::ReviewPane(QWidget* parent)
 
 void ReviewPane::lay_out() {
   auto* pictures = new QHBoxLayout;
-  pictures->addWidget(template_);
+  pictures->addWidget(template_, 1);
   pictures->addWidget(numbers_, 1);
   auto* word = new QHBoxLayout;
   word->addWidget(accept_);
@@ -112,9 +86,12 @@ void ReviewPane::lay_out() {
   auto* all = new QVBoxLayout(this);
   all->setContentsMargins(0, 0, 0, 0);
   all->addWidget(verdict_);
-  all->addLayout(pictures);
-  all->addWidget(score_map_);
-  all->addWidget(make_scrollable(reasons_), 1);
+  all->addLayout(pictures, 1);
+  all->addWidget(score_map_, 1);
+  auto* advice = make_scroll_area(reasons_);
+  advice->setObjectName("advice");
+  advice->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  all->addWidget(advice, 1);
   all->addWidget(make_tools());
   all->addWidget(insist_);
   all->addLayout(word);
@@ -191,11 +168,11 @@ void ReviewPane::show_draft(const mbncc_vision::LearnObjectResult& draft) {
              QString::fromStdString(word_of_verdict(quality.verdict)));
   numbers_->setText(numbers_of(quality));
   reasons_->setText(reasons_of(quality));
-  show_in(template_, to_qimage(on_checkerboard(to_rgb(draft.template_image), draft.map)));
+  template_->show_picture(to_qimage(on_checkerboard(to_rgb(draft.template_image), draft.map)));
 }
 
 void ReviewPane::show_score_map(const QImage& map) {
-  show_in(score_map_, map);
+  score_map_->show_picture(map);
 }
 
 }  // namespace mbncc::console

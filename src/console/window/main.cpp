@@ -6,10 +6,10 @@
 #include <QMainWindow>
 #include <QRegularExpression>
 #include <QScreen>
-#include <QScrollArea>
 #include <QTimer>
 
 #include "console/console_widget.hpp"
+#include "console/widgets.hpp"
 
 namespace {
 
@@ -33,12 +33,9 @@ int main(int argc, char** argv) {
   QMainWindow window;
   window.setWindowTitle("mbncc console");
   // A screen that is too small scrolls instead of pushing buttons off it.
-  auto* area = new QScrollArea;
-  area->setFrameShape(QFrame::NoFrame);
-  area->setWidgetResizable(true);
-  area->setFocusPolicy(Qt::NoFocus);
-  area->setWidget(new mbncc::console::ConsoleWidget(
+  auto* area = mbncc::console::make_scroll_area(new mbncc::console::ConsoleWidget(
       {words.value("cell").toStdString(), words.value("matching").toStdString()}));
+  area->setFocusPolicy(Qt::NoFocus);
   window.setCentralWidget(area);
   // Where no window manager maximizes it, too.
   window.setGeometry(QGuiApplication::primaryScreen()->availableGeometry());
