@@ -62,6 +62,13 @@ TEST_F(CameraMotion, ThingsInFrontOfACameraThatStandsAreNone) {
   EXPECT_FALSE(camera_moved(before, cv::Mat(0.5 * seen(again_))));
 }
 
+TEST_F(CameraMotion, ALargeObjectThatIsNudgedIsNone) {
+  const auto nudged = [this](double by) {
+    return seen(scene_.render({{{11, 330, 1.2}, {400 + by, 340, 0.3}}}, by == 0 ? 1 : 2));
+  };
+  for (const double by : {4., 10.}) EXPECT_FALSE(camera_moved(nudged(0), nudged(by))) << by;
+}
+
 TEST_F(CameraMotion, NothingIsToldWithoutTexture) {
   cv::Mat grey(kSize, CV_8UC3, cv::Scalar::all(120)), noisy(kSize, CV_8UC3);
   EXPECT_FALSE(camera_moved(grey, grey));

@@ -91,7 +91,7 @@ class LessonStages : public testing::TestWithParam<Way> {
   /// As a camera sees it that was knocked against.
   static cv::Mat turned(const cv::Mat& picture) {
     cv::Mat result;
-    const cv::Mat motion = cv::getRotationMatrix2D({picture.cols / 2.f, picture.rows / 2.f}, 3, 1);
+    const cv::Mat motion = cv::getRotationMatrix2D({picture.cols / 2.f, picture.rows / 2.f}, -3, 1);
     cv::warpAffine(picture, result, motion, picture.size(), cv::INTER_CUBIC, cv::BORDER_REFLECT);
     return result;
   }
