@@ -43,10 +43,16 @@ class LayoutTest(unittest.TestCase):
             self.mouse.click("insist", at=(10, 10))
         self.teacher.press("Accept")
 
+    def review(self):
+        """The draft, once the console shows it."""
+        draft = self.teacher.wait_for_question()
+        self.mouse.window("Reject")
+        return draft
+
     def teach(self, name):
         self.teacher.begin(name)
         self.teacher.take_away()
-        self.teacher.wait_for_question()
+        self.review()
         self.accept()
 
     def test_1_lesson(self):
@@ -56,9 +62,10 @@ class LayoutTest(unittest.TestCase):
         self.teacher.wait_for_stage(LearnObjectFeedback.WAIT_REMOVAL)
         self.fits("take the object away")
         self.teacher.order("take_away", lies=False, halfway=lambda: self.fits("the arm takes it"))
-        draft = self.teacher.wait_for_question()
+        draft = self.review()
         self.fits("review")
-        self.mouse.press("c")
+        # Without a window manager a click alone does not give the window the keyboard.
+        self.mouse.click("Cut")
         self.fits("review, a tool in hand")
         self.cut_until_bad(draft)
         self.mouse.window("insist")
@@ -87,7 +94,7 @@ class LayoutTest(unittest.TestCase):
         self.teacher.order("put_next", lies=True)
         self.teacher.answer("Add view")
         self.teacher.take_away()
-        self.teacher.wait_for_question()
+        self.review()
         self.accept()
         self.mouse.window("Next view .Space.")
         self.fits("the next view")
