@@ -8,6 +8,7 @@ Prints the weights, and what they are worth on sets left out: each set is judged
 """
 import argparse
 import csv
+import pathlib
 import sys
 
 import numpy as np
@@ -96,6 +97,7 @@ def plot(path, before, after):
     import matplotlib
     matplotlib.use("Agg")
     from matplotlib import pyplot
+    pyplot.style.use(str(pathlib.Path(__file__).parent.parent / "plot" / "legible.mplstyle"))
     figure, axes = pyplot.subplots(figsize=(5, 5))
     axes.plot([0, 1], [0, 1], color="grey", linewidth=1)
     for name, table in (("current weights", before), ("fitted, sets left out", after)):

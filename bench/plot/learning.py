@@ -8,11 +8,14 @@ Figs. 10 and 11 of doi 10.1177/1687814017728839, from figures.csv of learning_be
 import argparse
 import collections
 import csv
+import pathlib
 
 import matplotlib
 
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt  # noqa: E402  (the backend is chosen first)
+
+plt.style.use(str(pathlib.Path(__file__).with_name("legible.mplstyle")))
 
 MARKERS = "osD^v<>"
 

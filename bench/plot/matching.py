@@ -16,6 +16,8 @@ matplotlib.use("Agg")
 import matplotlib.pyplot as plt  # noqa: E402  (the backend is chosen first)
 from matplotlib.ticker import LogLocator, NullFormatter  # noqa: E402
 
+plt.style.use(str(pathlib.Path(__file__).with_name("legible.mplstyle")))
+
 
 def read(path):
     with open(path, newline="") as file:

@@ -14,6 +14,8 @@ import matplotlib
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt  # noqa: E402  (the backend is chosen first)
 
+plt.style.use(str(pathlib.Path(__file__).with_name("legible.mplstyle")))
+
 VARIANTS = {"mbncc": "MB-NCC", "incircle": "PP-NCC incircle", "excircle": "PP-NCC excircle"}
 
 

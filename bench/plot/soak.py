@@ -5,11 +5,14 @@
 usage: soak.py OUT.png TITLE=FILE.csv ...   (files written by `soak` and by MBNCC_SOAK_CSV)
 """
 import csv
+import pathlib
 import sys
 
 import matplotlib
 matplotlib.use("Agg")
 from matplotlib import pyplot  # noqa: E402
+
+pyplot.style.use(str(pathlib.Path(__file__).with_name("legible.mplstyle")))
 
 COLUMNS = {"resident_mb": "resident memory [MB]", "in_use_mb": "allocated [MB]", "files": "open files",
            "threads": "threads"}
@@ -27,9 +30,9 @@ def main():
     for axis, (title, path) in zip(axes[0], runs):
         run = read(path)
         thousands = [frame / 1000 for frame in run["frame"]]
-        for (column, label), colour in zip(COLUMNS.items(), ("C0", "C3", "C1", "C2")):
+        for (column, label), style in zip(COLUMNS.items(), pyplot.rcParams["axes.prop_cycle"]):
             if column in run:
-                axis.plot(thousands, run[column], colour, label=label, linewidth=1)
+                axis.plot(thousands, run[column], label=label, linewidth=1, **style)
         axis.set_ylim(0)
         axis.set_xlabel("pictures [1000]")
         axis.set_title(title, fontsize=9)

@@ -7,12 +7,15 @@
 import argparse
 import collections
 import csv
+import pathlib
 import statistics
 
 import matplotlib
 
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt  # noqa: E402  (the backend is chosen first)
+
+plt.style.use(str(pathlib.Path(__file__).with_name("legible.mplstyle")))
 
 
 def read_maps(path):

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "console/console_widget.hpp"
 
-#include <QFileDialog>
 #include <QHBoxLayout>
 #include <QVBoxLayout>
 #include <algorithm>
@@ -13,10 +12,10 @@
 #include "console/lesson/lesson_bar.hpp"
 #include "console/lesson/object_name.hpp"
 #include "console/lesson/review_pane.hpp"
-#include "console/library/history_dialog.hpp"
-#include "console/library/library_files.hpp"
+#include "console/library/library_controller.hpp"
 #include "console/library/library_strip.hpp"
 #include "console/picture/picture_view.hpp"
+#include "console/thresholds/threshold_controller.hpp"
 #include "console/thresholds/threshold_pane.hpp"
 #include "console/widgets.hpp"
 
@@ -24,22 +23,16 @@ namespace mbncc::console {
 namespace {
 
 using Confirm = mbncc_vision::ConfirmLearning::Request;
-using Edit = mbncc_vision::EditObject::Request;
 using Result = mbncc_vision::LearnObjectResult;
 using What = TeachingWish::What;
 
 constexpr int kTick = 200;       // [ms]
-constexpr int kSideWidth = 400;  // [px]
+constexpr int kSideWidth = 400;  // [px] at least
 constexpr double kStep = 1.25;   // of the picture's size, by a key
-constexpr int kPan = 60;         // [px] of the widget, by a key
 
 // As the preview draws them.
 double axes_length(const QSize& picture) {
   return std::max(30.0, picture.width() / 16.0);
-}
-
-QString quoted(const std::string& name) {
-  return "'" + QString::fromStdString(name) + "'";
 }
 
 }  // namespace
@@ -57,6 +50,8 @@ ConsoleWidget::ConsoleWidget(const Names& names, QWidget* parent)
       detections_(new DetectionsView),
       side_(new QStackedWidget),
       cell_page_(new QWidget) {
+  library_ = new LibraryController(ros_, *strip_, this);
+  threshold_controller_ = new ThresholdController(ros_, *threshold_pane_, *picture_, this);
   clock_.start();
   live_ = LivePicture(now());
   lay_out();
@@ -70,6 +65,7 @@ ConsoleWidget::ConsoleWidget(const Names& names, QWidget* parent)
   connect(&timer_, &QTimer::timeout, this, &ConsoleWidget::look_at_clock);
   timer_.start(kTick);
   look_at_clock();
+  lesson_bar_->take_keyboard();
   ros_.connect_to(names);
   lamps_ = Lamps(ros_.cell());
   ros_.list_objects();
@@ -93,6 +89,9 @@ void ConsoleWidget::lay_out() {
   side_->addWidget(threshold_pane_);
   side_->addWidget(calibration_);
   side_->setFixedWidth(kSideWidth);
+  // Not amid the layout that tells of it.
+  connect(picture_, &PictureView::shape_changed, this, &ConsoleWidget::fit_side,
+          Qt::QueuedConnection);
   auto* middle = new QHBoxLayout;
   middle->addLayout(left, 1);
   middle->addWidget(side_);
@@ -104,20 +103,28 @@ void ConsoleWidget::lay_out() {
   all->addLayout(middle, 1);
 }
 
+/// What the picture's shape leaves beside it.
+void ConsoleWidget::fit_side() {
+  const QSize shape = picture_->shape();
+  if (shape.isEmpty()) return;
+  const int both = picture_->width() + side_->width();
+  const int left = both - picture_->height() * shape.width() / shape.height();
+  side_->setFixedWidth(std::clamp(left, kSideWidth, std::max(kSideWidth, both / 2)));
+}
+
 QWidget* ConsoleWidget::make_picture_bar() {
   auto* bar = new QWidget;
-  marks_ = make_button("&Hide marks", "Outlines and labels hide the picture below them", bar, "H");
+  marks_ = make_button("Hide marks", "Outlines and labels hide the picture below them", "H");
   marks_->setCheckable(true);
-  fit_ = make_button("Sho&w all", "The wheel or + zooms, dragging or arrow keys pan", bar, "0");
-  why_ = make_button("Why not found here?", "Then click the place in the picture", bar, "W");
+  fit_ = make_button("Show all", "The wheel or + zooms, dragging or arrow keys pan", "0");
+  why_ = make_button("Why not found here?", "Then click the place in the picture", "W");
   auto* row = new QHBoxLayout(bar);
   row->setContentsMargins(0, 0, 0, 0);
   row->addWidget(marks_);
   row->addWidget(fit_);
   row->addStretch(1);
-  thresholds_ =
-      make_button("Thresholds", "The effect of other thresholds in this picture", bar, "S");
-  camera_ = make_button("Camera", "Focus, exposure and calibration", bar, "K");
+  thresholds_ = make_button("Thresholds", "The effect of other thresholds in this picture", "S");
+  camera_ = make_button("Camera", "Focus, exposure and calibration", "K");
   row->addWidget(camera_);
   row->addWidget(thresholds_);
   row->addWidget(why_);
@@ -146,26 +153,28 @@ void ConsoleWidget::make_shortcuts() {
                {Qt::Key_R, Tool::kRegion},
                {Qt::Key_X, Tool::kAxes}};
   for (const auto& entry : tools)
-    for (QWidget* where : {static_cast<QWidget*>(picture_), static_cast<QWidget*>(review_)})
-      on_key(entry.key, where, [this, tool = entry.tool] { review_->choose_tool(tool); });
+    on_key(entry.key, this, [this, tool = entry.tool] { take_tool(tool); });
   on_key(Qt::Key_Escape, this, [this] { escape(); });
   on_key(QKeySequence::Undo, this, [this] { send_word(Confirm::UNDO); });
   for (const int key : {Qt::Key_Return, Qt::Key_Enter})
     on_key(Qt::CTRL + key, this, [this] { send_word(Confirm::ACCEPT); });
-  on_key(Qt::Key_W, picture_, [this] { ask_for_place(); });
-  on_key(Qt::Key_K, picture_, [this] { camera_->click(); });
-  on_key(Qt::Key_S, picture_, [this] { begin_thresholds(); });
-  on_key(Qt::Key_H, picture_, [this] { marks_->toggle(); });
+  on_key(Qt::CTRL + Qt::Key_N, this, [this] { lesson_bar_->take_keyboard(); });
+  on_key(Qt::Key_W, this, [this] { ask_for_place(); });
+  on_key(Qt::Key_K, this, [this] { camera_->click(); });
+  on_key(Qt::Key_S, this, [this] { begin_thresholds(); });
+  on_key(Qt::Key_H, this, [this] { marks_->toggle(); });
   for (const int key : {Qt::Key_Plus, Qt::Key_Equal})
-    on_key(key, picture_, [this] { picture_->enlarge(kStep); });
-  on_key(Qt::Key_Minus, picture_, [this] { picture_->enlarge(1 / kStep); });
-  on_key(Qt::Key_0, picture_, [this] { picture_->show_all(); });
-  on_key(Qt::Key_Left, picture_, [this] { picture_->pan({kPan, 0}); });
-  on_key(Qt::Key_Right, picture_, [this] { picture_->pan({-kPan, 0}); });
-  on_key(Qt::Key_Up, picture_, [this] { picture_->pan({0, kPan}); });
-  on_key(Qt::Key_Down, picture_, [this] { picture_->pan({0, -kPan}); });
-  space_ = on_key(Qt::Key_Space, this, [this] { next_view(); });
+    on_key(key, this, [this] { picture_->enlarge(kStep); });
+  on_key(Qt::Key_Minus, this, [this] { picture_->enlarge(1 / kStep); });
+  on_key(Qt::Key_0, this, [this] { picture_->show_all(); });
+  space_ = on_key(Qt::Key_Space, picture_, [this] { next_view(); });
   space_->setEnabled(false);
+}
+
+void ConsoleWidget::take_tool(Tool tool) {
+  if (!lesson_.draft()) return;
+  review_->choose_tool(tool);
+  picture_->setFocus();
 }
 
 void ConsoleWidget::connect_lesson() {
@@ -206,10 +215,7 @@ void ConsoleWidget::connect_operator() {
   connect(lesson_bar_, &LessonBar::teach_wanted, this, &ConsoleWidget::want_lesson);
   connect(lesson_bar_, &LessonBar::cancel_wanted, this, [this] { ros_.cancel(lesson_.goal()); });
   connect(lesson_bar_, &LessonBar::mark_wanted, this, [this] { ros_.mark_grasp(); });
-  connect(lesson_bar_, &LessonBar::name_edited, this, [this] {
-    viewed_.clear();
-    lesson_bar_->choices().clear();
-  });
+  connect(lesson_bar_, &LessonBar::name_edited, this, &ConsoleWidget::withdraw_question);
   connect(picture_, &PictureView::corrected, this, &ConsoleWidget::send);
   connect(review_, &ReviewPane::decided, this, &ConsoleWidget::send_word);
   connect(review_, &ReviewPane::insisted, this, [this](bool insisted) {
@@ -225,25 +231,14 @@ void ConsoleWidget::connect_operator() {
 }
 
 void ConsoleWidget::connect_library() {
-  connect(&ros_, &RosLink::objects_listed, this, [this](const auto& objects, const auto& folder) {
-    folder_ = folder;
-    library_.set_objects(objects);
+  connect(&ros_, &RosLink::objects_listed, this, [this](const auto& objects, const auto&) {
     const auto enabled = std::count_if(objects.begin(), objects.end(),
                                        [](const auto& object) { return object.enabled; });
     lamps_.take_library(objects.size(), static_cast<std::size_t>(enabled));
-    strip_->show_objects(library_);
   });
-  connect(&ros_, &RosLink::edited, this, &ConsoleWidget::take_edit);
-  connect(strip_, &LibraryStrip::edit_wanted, this,
-          [this](const auto& request) { ros_.edit(request); });
-  connect(strip_, &LibraryStrip::symmetry_wanted, this,
-          [this](const QString& name, std::uint8_t symmetry) {
-            ros_.edit(library_.declare(name.toStdString(), symmetry));
-          });
-  connect(strip_, &LibraryStrip::undo_wanted, this, &ConsoleWidget::undo_edit);
-  connect(strip_, &LibraryStrip::export_wanted, this, &ConsoleWidget::export_object);
-  connect(strip_, &LibraryStrip::import_wanted, this, &ConsoleWidget::import_object);
-  connect(strip_, &LibraryStrip::history_wanted, this, &ConsoleWidget::show_history);
+  connect(library_, &LibraryController::told, this, &ConsoleWidget::tell);
+  connect(library_, &LibraryController::edited, this, [this] { lesson_bar_->clear_notice(); });
+  connect(library_, &LibraryController::name_gone, this, &ConsoleWidget::withdraw_question);
   connect(strip_, &LibraryStrip::view_wanted, this, [this](const QString& name) {
     begin({What::kView, name.toStdString()});
   });
@@ -276,27 +271,32 @@ void ConsoleWidget::tell(bool success, const QString& sentence) {
 void ConsoleWidget::want_lesson() {
   if (!lesson_.may_teach()) return;
   const std::string name = lesson_bar_->goal().name;
-  if (library_.find(name) != nullptr) return ask_about_name(name);
+  if (library_->library().find(name) != nullptr) return ask_about_name(name);
   begin({What::kNew, name});
 }
 
 void ConsoleWidget::ask_about_name(const std::string& name) {
   lesson_bar_->clear_notice();
-  const std::string other = free_name(name, library_.names());
-  lesson_bar_->choices().ask(
-      quoted(name) + " is in the library already:",
+  const std::string other = free_name(name, library_->library().names());
+  lesson_bar_->ask(
+      {Level::kUnknown, "'" + name +
+                            "' is in the library already. Replace it, add a view to "
+                            "it, or teach this one under the new name '" +
+                            other + "'?"},
       {{"Re&place it", "Teach it again; Undo edit restores the old one",
         [this, name] {
           begin({What::kReplace, name});
         }},
-       {"Add &view", "Teach it from another side or in other light as well",
+       {"&Add view", "Teach it from another side or in other light as well",
         [this, name] {
           begin({What::kView, name});
         }},
-       {"Ne&w name: " + QString::fromStdString(other), "Teach it as another object", [this, other] {
+       {"Ne&w name", "Teach it as another object, '" + QString::fromStdString(other) + "'",
+        [this, other] {
           lesson_bar_->set_name(other);
           begin({What::kNew, other});
         }}});
+  lesson_bar_->give_keyboard_to_answers();
 }
 
 void ConsoleWidget::begin(const TeachingWish& wish) {
@@ -304,7 +304,7 @@ void ConsoleWidget::begin(const TeachingWish& wish) {
   wish_ = wish;
   viewed_ = wish.what == What::kView ? wish.name : "";
   lesson_bar_->clear_notice();
-  lesson_bar_->choices().clear();
+  lesson_bar_->withdraw_question();
   lesson_.begin(ros_.teach(goal_of(wish, lesson_bar_->goal())), now());
   picture_->setFocus();
   show_lesson();
@@ -318,7 +318,7 @@ void ConsoleWidget::end_lesson(const mbncc_vision::LearnObjectActionResult& resu
   const Result outcome = outcome_of(result);
   if (outcome.error_code == Result::NAME_TAKEN) return ask_about_name(wish_.name);
   if (outcome.error_code == Result::SUCCESS) {
-    if (wish_.what != What::kNew) library_.retaught(outcome.object.name);
+    if (wish_.what != What::kNew) library_->retaught(outcome.object.name);
     strip_->choose(QString::fromStdString(outcome.object.name));
     lesson_bar_->clear_name();
     return offer_next_view(outcome.object.name);
@@ -329,15 +329,22 @@ void ConsoleWidget::end_lesson(const mbncc_vision::LearnObjectActionResult& resu
 /// Space starts the next view only while views are taught.
 void ConsoleWidget::offer_next_view(const std::string& name) {
   const bool goes_on = !viewed_.empty();
-  lesson_bar_->choices().ask(
-      goes_on ? "Lay " + quoted(name) + " on another side or in other light, then press Space:"
-              : "Is " + quoted(name) + " to be found from another side as well?",
-      {{goes_on ? "&Next view (Space)" : "Teach another &view",
+  const std::string question =
+      goes_on ? " Lay '" + name + "' on another side or in other light, then press Space."
+              : " Is it to be found from another side as well?";
+  lesson_bar_->ask(
+      {lesson_.level(), lesson_.detail() + question},
+      {{goes_on ? "Ne&xt view (Space)" : "Teach anothe&r view",
         "Lay the object down in another position before you press this",
         [this, name] {
           begin({What::kView, name});
         }},
-       {goes_on ? "Done" : "No", "Finish teaching views", [this] { viewed_.clear(); }}});
+       {goes_on ? "Done" : "No", "Finish teaching views (Esc)", [this] { viewed_.clear(); }}});
+}
+
+void ConsoleWidget::withdraw_question() {
+  viewed_.clear();
+  lesson_bar_->withdraw_question();
 }
 
 void ConsoleWidget::next_view() {
@@ -354,6 +361,8 @@ void ConsoleWidget::send(const Confirm& request) {
 void ConsoleWidget::send_word(int command) {
   if (command == Confirm::ACCEPT && !lesson_.may_accept()) return;
   if (command == Confirm::UNDO && !lesson_.may_undo()) return;
+  // Before its button is disabled and hands the keyboard to whatever comes next.
+  if (command != Confirm::UNDO) picture_->setFocus();
   Confirm request;
   request.command = static_cast<std::uint8_t>(command);
   send(request);
@@ -361,35 +370,6 @@ void ConsoleWidget::send_word(int command) {
 
 void ConsoleWidget::send_next() {
   if (const auto word = lesson_.next_word()) ros_.confirm(*word);
-}
-
-void ConsoleWidget::take_edit(const Edit& request, bool success, const QString& message) {
-  const bool undone = undoing_;
-  undoing_ = false;
-  if (success)
-    lesson_bar_->clear_notice();
-  else
-    tell(false, "Library: " + message);
-  if (success && request.command == Edit::RENAME)
-    strip_->choose(QString::fromStdString(request.new_name));
-  if (success && request.command == Edit::RESTORE)
-    strip_->choose(QString::fromStdString(request.name));
-  // The question may concern a name that was deleted.
-  if (success && (request.command == Edit::RENAME || request.command == Edit::DELETE)) {
-    viewed_.clear();
-    lesson_bar_->choices().clear();
-  }
-  if (undone)
-    library_.undone();
-  else if (success)
-    library_.done(request);
-  strip_->show_objects(library_);
-}
-
-void ConsoleWidget::undo_edit() {
-  if (!library_.can_undo() || undoing_) return;
-  undoing_ = true;
-  ros_.edit(library_.undo());
 }
 
 void ConsoleWidget::connect_explanation() {
@@ -402,10 +382,14 @@ void ConsoleWidget::connect_explanation() {
   connect(&ros_, &RosLink::explained, this, &ConsoleWidget::show_explanation);
   connect(&ros_, &RosLink::explained_saved, explanation_, &ExplainPane::show_saved);
   connect(explanation_, &ExplainPane::save_wanted, this, [this] { ros_.save_explained(); });
-  connect(&ros_, &RosLink::all_found, this, &ConsoleWidget::show_all_found);
-  connect(&ros_, &RosLink::thresholds_set, this, &ConsoleWidget::tell);
-  connect(threshold_pane_, &ThresholdPane::moved, this, &ConsoleWidget::show_thresholds);
-  connect(threshold_pane_, &ThresholdPane::apply_wanted, this, &ConsoleWidget::apply_thresholds);
+  connect(threshold_controller_, &ThresholdController::told, this, &ConsoleWidget::tell);
+  connect(threshold_controller_, &ThresholdController::applied, this,
+          &ConsoleWidget::end_explanation);
+  connect(threshold_controller_, &ThresholdController::found, this, [this] {
+    if (!lesson_.may_teach()) return;
+    side_->setCurrentWidget(threshold_pane_);
+    threshold_controller_->begin(strip_->chosen());
+  });
   connect(threshold_pane_, &ThresholdPane::closed, this, &ConsoleWidget::end_explanation);
   connect(explanation_, &ExplainPane::closed, this, &ConsoleWidget::end_explanation);
 }
@@ -435,9 +419,11 @@ void ConsoleWidget::ask_for_place() {
   end_explanation();
   picture_->ask_for_place(true);
   picture_->setFocus();
-  lesson_bar_->say(
-      {Level::kUnknown, "Click the middle of the object that should be found; Esc cancels."},
-      now());
+  lesson_bar_->say({Level::kUnknown,
+                    "Click the middle of the object that should be found, or go there by the arrow "
+                    "keys and press Space; Esc cancels."},
+                   now());
+  show_lesson();
 }
 
 void ConsoleWidget::show_explanation(bool success, const QString& lines, const QImage& picture) {
@@ -447,98 +433,28 @@ void ConsoleWidget::show_explanation(bool success, const QString& lines, const Q
 }
 
 void ConsoleWidget::end_explanation() {
-  if (explains()) side_->setCurrentWidget(cell_page_);
+  if (!explains()) return;
+  picture_->setFocus();
+  side_->setCurrentWidget(cell_page_);
 }
 
 void ConsoleWidget::begin_thresholds() {
   if (!lesson_.may_teach()) return;
   lesson_bar_->clear_notice();
-  ros_.find_all();
+  threshold_controller_->ask();
 }
 
-void ConsoleWidget::show_all_found(bool success, const QString& message, const QImage& picture,
-                                   QSize size,
-                                   const mbncc_vision::DetectedObjectArray& detections) {
-  if (!success) return tell(false, "Thresholds: " + message);
-  if (!lesson_.may_teach()) return;
-  preview_ = ThresholdPreview(detections, ros_.thresholds());
-  previewed_ = picture;
-  previewed_size_ = size;
-  threshold_pane_->begin(preview_.now(), strip_->chosen());
-  side_->setCurrentWidget(threshold_pane_);
-  show_thresholds();
-}
-
-void ConsoleWidget::show_thresholds() {
-  const Thresholds wanted = threshold_pane_->wanted();
-  threshold_pane_->show_summary(QString::fromStdString(preview_.summary(wanted)));
-  picture_->show_picture(previewed_, previewed_size_, preview_.marks(wanted), "One picture");
-}
-
-void ConsoleWidget::apply_thresholds(const QString& object) {
-  if (object.isEmpty()) {
-    ros_.set_thresholds(threshold_pane_->wanted());
-  } else {
-    Edit request;
-    request.name = object.toStdString();
-    request.command = Edit::SET_THRESHOLD;
-    request.min_score = static_cast<float>(threshold_pane_->wanted().min_score);
-    ros_.edit(request);
-  }
-  end_explanation();
-}
-
-void ConsoleWidget::export_object(const QString& name) {
-  const QString file =
-      QFileDialog::getSaveFileName(this, "Export " + name, name + ".png", "Objects (*.png)");
-  if (file.isEmpty()) return;
-  try {
-    console::export_object(folder_.toStdString(), name.toStdString(), file.toStdString());
-    tell(true, "Exported " + name + " to " + file);
-  } catch (const std::exception& error) {
-    tell(false, error.what());
-  }
-}
-
-void ConsoleWidget::import_object() {
-  const QString file = QFileDialog::getOpenFileName(this, "Import", "", "Objects (*.png)");
-  if (file.isEmpty()) return;
-  try {
-    const auto name = console::import_object(folder_.toStdString(), file.toStdString());
-    strip_->choose(QString::fromStdString(name));
-    tell(true, "Imported " + QString::fromStdString(name));
-    ros_.list_objects();
-  } catch (const std::exception& error) {
-    tell(false, error.what());
-  }
-}
-
-void ConsoleWidget::show_history(const QString& name) {
-  try {
-    auto* dialog =
-        new HistoryDialog(name, earlier_revisions(folder_.toStdString(), name.toStdString()), this);
-    connect(dialog, &HistoryDialog::revision_wanted, this, [this, name](int number) {
-      Edit request;
-      request.name = name.toStdString();
-      request.command = Edit::RESTORE;
-      request.revision = static_cast<std::uint32_t>(number);
-      library_.retaught(request.name);
-      ros_.edit(request);
-    });
-    dialog->open();
-  } catch (const std::exception& error) {
-    tell(false, error.what());
-  }
-}
-
-/// Esc discards an unfinished stroke first, then deselects the tool.
+/// What is being drawn goes first, then the tool, then a question.
 void ConsoleWidget::escape() {
   if (explains())
     end_explanation();
   else if (picture_->asks_for_place())
     picture_->ask_for_place(false);
-  else if (!picture_->give_up())
+  else if (lesson_.draft() && !picture_->give_up())
     review_->choose_tool(Tool::kNone);
+  else if (!lesson_.draft())
+    withdraw_question();
+  picture_->setFocus();
 }
 
 void ConsoleWidget::look_at_clock() {
@@ -549,7 +465,7 @@ void ConsoleWidget::look_at_clock() {
   if (lesson_.phase() == LessonModel::Phase::kNoServer && lesson_.phase() != before) {
     ros_.give_up();
     lamps_.forget_library();
-    lesson_bar_->choices().clear();
+    lesson_bar_->withdraw_question();
   }
   lamp_row_->show_lamps(lamps_.look(now()));
   if (now() - detections_at_ > Lamps::kSilence) detections_->clear_rows();
@@ -572,7 +488,7 @@ void ConsoleWidget::show_lesson() {
   if (!idle) end_explanation();
   picture_->show_waiting(lesson_.waiting());
   ros_.show_changes(lesson_.waits_for_scene());
-  space_->setEnabled(!viewed_.empty() && lesson_.may_teach());
+  space_->setEnabled(!viewed_.empty() && lesson_.may_teach() && !picture_->asks_for_place());
   if (lesson_.draft_number() == draft_shown_) return;
   draft_shown_ = lesson_.draft_number();
   const bool asked = lesson_.draft().has_value();
@@ -580,8 +496,14 @@ void ConsoleWidget::show_lesson() {
   if (asked)
     side_->setCurrentWidget(review_);
   else if (side_->currentWidget() == review_)
-    side_->setCurrentWidget(cell_page_);
+    end_review();
   if (asked) show_draft();
+}
+
+/// The keyboard must not go on to whatever follows the button that has gone.
+void ConsoleWidget::end_review() {
+  if (review_->isAncestorOf(focusWidget())) picture_->setFocus();
+  side_->setCurrentWidget(cell_page_);
 }
 
 void ConsoleWidget::show_draft() {

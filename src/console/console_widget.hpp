@@ -6,8 +6,8 @@
 #ifndef Q_MOC_RUN
 #include "console/detections/lamps.hpp"
 #include "console/lesson/lesson_model.hpp"
+#include "console/lesson/marking_tool.hpp"
 #include "console/lesson/teaching_wish.hpp"
-#include "console/library/library_model.hpp"
 #include "console/picture/live_picture.hpp"
 #include "console/ros_link.hpp"
 #endif
@@ -27,9 +27,11 @@ class DetectionsView;
 class ExplainPane;
 class LampRow;
 class LessonBar;
+class LibraryController;
 class LibraryStrip;
 class PictureView;
 class ReviewPane;
+class ThresholdController;
 class ThresholdPane;
 
 class ConsoleWidget : public QWidget {
@@ -41,6 +43,7 @@ class ConsoleWidget : public QWidget {
 
  private:
   void lay_out();
+  void fit_side();
   QWidget* make_picture_bar();
   void make_shortcuts();
   QShortcut* on_key(const QKeySequence& keys, QWidget* where, const std::function<void()>& act);
@@ -64,35 +67,25 @@ class ConsoleWidget : public QWidget {
   void send(const mbncc_vision::ConfirmLearning::Request& request);
   void send_word(int command);
   void send_next();
-  void take_edit(const mbncc_vision::EditObject::Request& request, bool success,
-                 const QString& message);
-  void undo_edit();
+  void withdraw_question();
+  void take_tool(Tool tool);
   void escape();
   void ask_for_place();
   void show_explanation(bool success, const QString& lines, const QImage& picture);
   void end_explanation();
   void begin_thresholds();
-  void show_all_found(bool success, const QString& message, const QImage& picture, QSize size,
-                      const mbncc_vision::DetectedObjectArray& detections);
-  void show_thresholds();
-  void apply_thresholds(const QString& object);
-  void export_object(const QString& name);
-  void import_object();
-  void show_history(const QString& name);
   void look_at_clock();
   void show_lesson();
   void show_draft();
+  void end_review();
   void show_live(const QImage& picture, QSize size,
                  const mbncc_vision::DetectedObjectArray* detections);
 
   QElapsedTimer clock_;
   LessonModel lesson_;
-  LibraryModel library_;
   Lamps lamps_;
   TeachingWish wish_;   // of the running lesson
   std::string viewed_;  // object whose further views are being taught; "": none
-  QString folder_;      // of the library
-  bool undoing_ = false;
   int draft_shown_ = 0;
   LivePicture live_;
   double detections_at_ = -1e9, detections_age_ = 0, picture_at_ = -1e9;
@@ -105,13 +98,12 @@ class ConsoleWidget : public QWidget {
   ExplainPane* explanation_;
   ThresholdPane* threshold_pane_;
   CalibrationPane* calibration_;
-  ThresholdPreview preview_;
-  QImage previewed_;
-  QSize previewed_size_;
   LibraryStrip* strip_;
   DetectionsView* detections_;
   QStackedWidget* side_;
   QWidget* cell_page_;
+  LibraryController* library_;
+  ThresholdController* threshold_controller_;
   QPushButton *marks_, *fit_, *why_, *thresholds_, *camera_;
   QShortcut* space_ = nullptr;
   QTimer timer_;

@@ -5,6 +5,8 @@
 #include <QVBoxLayout>
 #include <pluginlib/class_list_macros.hpp>
 
+#include "console/widgets.hpp"
+
 namespace mbncc::console {
 
 TeachPanel::TeachPanel(QWidget* parent) : rviz::Panel(parent) {
@@ -19,7 +21,8 @@ void TeachPanel::onInitialize() {
 
 void TeachPanel::begin() {
   delete console_;
-  console_ = new ConsoleWidget(names_);
+  console_ = make_scroll_area(new ConsoleWidget(names_));
+  console_->setFocusPolicy(Qt::NoFocus);
   layout()->addWidget(console_);
 }
 

@@ -24,7 +24,7 @@ class TeachPanel : public rviz::Panel {
   void begin();
 
   Names names_;
-  ConsoleWidget* console_ = nullptr;
+  QWidget* console_ = nullptr;
 };
 
 }  // namespace mbncc::console

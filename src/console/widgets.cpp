@@ -32,18 +32,26 @@ class WindowNamer : public QObject {
 }  // namespace
 
 void name_window(QWidget* widget, const QString& title) {
+  widget->setObjectName(title);
   if (!qEnvironmentVariableIsSet("MBNCC_CONSOLE_NATIVE")) return;
   widget->setAttribute(Qt::WA_DontCreateNativeAncestors);
   widget->setAttribute(Qt::WA_NativeWindow);
   new WindowNamer(widget, "mbncc:" + title);
 }
 
-QPushButton* make_button(const QString& text, const QString& tip, QWidget* parent,
-                         const QString& keys) {
-  auto* button = new QPushButton(text, parent);
+QPushButton* make_button(const QString& text, const QString& tip, const QString& keys) {
+  auto* button = new QPushButton(text);
   button->setToolTip(keys.isEmpty() ? tip : tip + " (" + keys + ")");
   name_window(button, QString(text).remove('&'));
   return button;
+}
+
+QScrollArea* make_scroll_area(QWidget* content) {
+  auto* area = new QScrollArea;
+  area->setFrameShape(QFrame::NoFrame);
+  area->setWidgetResizable(true);
+  area->setWidget(content);
+  return area;
 }
 
 QComboBox* make_symmetry_box(const QString& tip) {

@@ -5,6 +5,7 @@
 #include <QComboBox>
 #include <QLabel>
 #include <QPushButton>
+#include <QScrollArea>
 #include <QString>
 #include <QWidget>
 #include <cstdint>
@@ -17,9 +18,13 @@ namespace mbncc::console {
 /// " (disabled)" appended while it is disabled, so that xdotool finds it.
 void name_window(QWidget* widget, const QString& title);
 
-/// `keys`: shown in the tooltip, such as "Alt+T".
-QPushButton* make_button(const QString& text, const QString& tip, QWidget* parent,
-                         const QString& keys = "");
+/// `keys`: shown in the tip, such as "Alt+T". Without a parent: Tab goes through a layout's widgets
+/// in the order in which they were given one.
+QPushButton* make_button(const QString& text, const QString& tip, const QString& keys = "");
+
+/// `content` with scroll bars where there is too little room for it: widgets that get too little
+/// paint over their neighbours.
+QScrollArea* make_scroll_area(QWidget* content);
 
 /// The choices of symmetry_choices(), their values as data.
 QComboBox* make_symmetry_box(const QString& tip);

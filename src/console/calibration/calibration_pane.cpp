@@ -31,9 +31,9 @@ CalibrationPane::CalibrationPane(QWidget* parent)
       picture_text_(new QLabel),
       board_text_(new QLabel),
       result_text_(new QLabel),
-      compute_(make_button("Co&mpute", "From the pictures recorded so far", this, "Alt+M")),
-      keep_(make_button("&Keep", "The camera uses this calibration from now on", this, "Alt+K")),
-      anew_(make_button("Start ane&w", "Discard the recorded pictures", this, "Alt+W")) {
+      compute_(make_button("Comp&ute", "From the pictures recorded so far", "Alt+U")),
+      keep_(make_button("&Keep", "The camera uses this calibration from now on", "Alt+K")),
+      anew_(make_button("&Start anew", "Discard the recorded pictures", "Alt+S")) {
   square_->setRange(0.5, 500);
   square_->setDecimals(2);
   square_->setValue(1000 * Board().square);
@@ -42,7 +42,7 @@ CalibrationPane::CalibrationPane(QWidget* parent)
   QFont bold = result_text_->font();
   bold.setBold(true);
   result_text_->setFont(bold);
-  auto* close = make_button("&Back to live", "Close without further changes", this, "Esc");
+  auto* close = make_button("&Back to live", "Close without further changes", "Esc");
   auto* board = new QHBoxLayout;
   board->addWidget(new QLabel("Chessboard"));
   board->addWidget(columns_);

@@ -15,7 +15,10 @@ LampRow::LampRow(QWidget* parent) : QWidget(parent), reasons_(new QLabel) {
     row->addWidget(label);
   }
   row->addWidget(reasons_, 1);
+  // Always two lines, so that nothing below moves under the mouse.
+  reasons_->setWordWrap(true);
   reasons_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
+  reasons_->setFixedHeight(2 * reasons_->fontMetrics().lineSpacing() + 4);
 }
 
 void LampRow::show_lamps(const std::array<Lamp, 4>& lamps) {
@@ -26,10 +29,12 @@ void LampRow::show_lamps(const std::array<Lamp, 4>& lamps) {
     labels_[i]->setToolTip(reason.isEmpty() ? "all is well" : reason);
     if (!reason.isEmpty()) reasons << QString(lamps[i].name) + ": " + reason;
   }
-  // Always one line, so that widgets below do not move.
   const QString all =
       reasons.isEmpty() ? "Camera, calibration, library and matcher are OK." : reasons.join("; ");
-  reasons_->setText(reasons_->fontMetrics().elidedText(all, Qt::ElideRight, reasons_->width() - 4));
+  // Words that do not fit at a line's end leave a gap there.
+  constexpr double kFilled = 1.8;
+  const int room = static_cast<int>(kFilled * reasons_->width());
+  reasons_->setText(reasons_->fontMetrics().elidedText(all, Qt::ElideRight, room));
   reasons_->setToolTip(reasons.join("\n"));
 }
 

@@ -2,7 +2,6 @@
 #include "console/explain/explain_pane.hpp"
 
 #include <QHBoxLayout>
-#include <QScrollArea>
 #include <QVBoxLayout>
 
 #include "console/widgets.hpp"
@@ -14,9 +13,9 @@ ExplainPane::ExplainPane(QWidget* parent)
       verdict_(new QLabel),
       lines_(new QLabel),
       saved_(new QLabel),
-      save_(make_button("&Save this miss", "Picture, library, settings and reason in one file",
-                        this, "Alt+S")),
-      close_(make_button("&Back to live", "Show the camera's pictures again", this, "Esc")) {
+      save_(make_button("Sa&ve this miss", "Picture, library, settings and reason in one file",
+                        "Alt+V")),
+      close_(make_button("&Back to live", "Show the camera's pictures again", "Esc")) {
   QFont bold = verdict_->font();
   bold.setBold(true);
   verdict_->setFont(bold);
@@ -25,11 +24,9 @@ ExplainPane::ExplainPane(QWidget* parent)
     text->setTextInteractionFlags(Qt::TextSelectableByMouse);
   }
   lines_->setAlignment(Qt::AlignTop);
-  auto* area = new QScrollArea;
-  area->setFrameShape(QFrame::NoFrame);
+  auto* area = make_scroll_area(lines_);
+  area->setObjectName("explanation");
   area->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-  area->setWidgetResizable(true);
-  area->setWidget(lines_);
   auto* row = new QHBoxLayout;
   row->addWidget(save_);
   row->addWidget(close_);

@@ -5,22 +5,18 @@
 
 namespace mbncc::console {
 
-ChoiceRow::ChoiceRow(QWidget* parent)
-    : QWidget(parent), question_(new QLabel), row_(new QHBoxLayout(this)) {
+ChoiceRow::ChoiceRow(QWidget* parent) : QWidget(parent), row_(new QHBoxLayout(this)) {
   row_->setContentsMargins(0, 0, 0, 0);
-  QFont bold = question_->font();
-  bold.setBold(true);
-  question_->setFont(bold);
-  row_->addWidget(question_);
-  setFixedHeight(question_->fontMetrics().lineSpacing() + 14);
+  setFixedHeight(fontMetrics().lineSpacing() + 14);
 }
 
-void ChoiceRow::ask(const QString& question, const std::vector<Answer>& answers) {
+void ChoiceRow::offer(const std::vector<Answer>& answers, QWidget* previous) {
   clear();
-  question_->setText(question);
   for (const auto& answer : answers) {
-    auto* button = make_button(answer.text, answer.tip, this);
+    auto* button = make_button(answer.text, answer.tip);
     row_->addWidget(button);
+    QWidget::setTabOrder(previous, button);
+    previous = button;
     buttons_.push_back(button);
     connect(button, &QPushButton::clicked, this, [this, act = answer.act] {
       clear();
@@ -30,13 +26,17 @@ void ChoiceRow::ask(const QString& question, const std::vector<Answer>& answers)
 }
 
 void ChoiceRow::clear() {
-  question_->clear();
   // The clicked button is still in its handler.
   for (auto* button : buttons_) {
     button->hide();
     button->deleteLater();
   }
   buttons_.clear();
+}
+
+void ChoiceRow::take_keyboard() {
+  // As if by a key, so that it is seen where the keyboard is.
+  if (offers()) buttons_.back()->setFocus(Qt::TabFocusReason);
 }
 
 }  // namespace mbncc::console

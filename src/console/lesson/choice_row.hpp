@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A question with its answers as buttons: what to do about an existing name, or whether another
-// view follows. Its height is constant, so that widgets below do not move.
+// The answers to a question beside the lesson as buttons: what to do about a name that is taken, or
+// whether another view follows. Its height stays, so that nothing below moves.
 #pragma once
 
 #include <QHBoxLayout>
-#include <QLabel>
 #include <QPushButton>
 #include <QWidget>
 #include <functional>
@@ -23,13 +22,14 @@ class ChoiceRow : public QWidget {
 
   explicit ChoiceRow(QWidget* parent = nullptr);
 
-  /// Replaces the previous question.
-  void ask(const QString& question, const std::vector<Answer>& answers);
+  /// Takes the place of the answers before; Tab reaches them from `previous`.
+  void offer(const std::vector<Answer>& answers, QWidget* previous);
   void clear();
-  bool asks() const { return !question_->text().isEmpty(); }
+  bool offers() const { return !buttons_.empty(); }
+  /// Gives the keyboard to the last answer.
+  void take_keyboard();
 
  private:
-  QLabel* question_;
   QHBoxLayout* row_;
   std::vector<QPushButton*> buttons_;
 };

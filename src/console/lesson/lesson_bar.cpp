@@ -28,16 +28,17 @@ LessonBar::LessonBar(QWidget* parent)
       name_(new QLineEdit),
       height_(new QDoubleSpinBox),
       symmetry_(make_symmetry_box("At which angles the object counts as the same")),
-      teach_(make_button("&Teach", "Start a lesson, then take the object away", this,
+      teach_(make_button("&Teach", "Start a lesson, then take the object away",
                          "Alt+T, or Enter in the name")),
-      cancel_(make_button("&Cancel", "End the lesson; nothing is stored", this, "Alt+C")),
-      mark_(make_button("&Mark grasp", "Record where the gripper holds the object", this)),
+      cancel_(make_button("&Cancel", "End the lesson; nothing is stored", "Alt+C")),
+      mark_(make_button("&Mark grasp", "Record where the gripper holds the object")),
       headline_(make_label("", 17, true)),
       detail_(make_label("", 10, false)),
       time_left_(make_label("", 11, false)),
       progress_(new QProgressBar),
       choices_(new ChoiceRow) {
   name_->setPlaceholderText("name (or leave empty)");
+  name_->setToolTip("What the object is called in the library (Ctrl+N)");
   name_window(name_, "name");
   height_->setRange(0, 1000);
   height_->setSuffix(" mm high");
@@ -45,8 +46,6 @@ LessonBar::LessonBar(QWidget* parent)
   detail_->setWordWrap(true);
   // Two lines, so that widgets below do not move; longer sentences are in the tooltip.
   detail_->setFixedHeight(2 * detail_->fontMetrics().lineSpacing() + 4);
-  // A long name must not push the buttons off the screen.
-  headline_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
   detail_->setAlignment(Qt::AlignTop | Qt::AlignLeft);
   progress_->setRange(0, kWholeBar);
   progress_->setTextVisible(false);
@@ -115,13 +114,21 @@ void LessonBar::show_lesson(const LessonModel& lesson, double now) {
   teach_->setEnabled(lesson.may_teach());
   cancel_->setEnabled(lesson.may_cancel());
   mark_->setEnabled(marks_allowed_ && lesson.phase() != LessonModel::Phase::kNoServer);
-  const QString headline = QString::fromStdString(lesson.headline());
-  headline_->setText(
-      headline_->fontMetrics().elidedText(headline, Qt::ElideMiddle, headline_->width()));
-  headline_->setToolTip(headline);
-  show_detail(notice_.over({lesson.level(), lesson.detail()}, now));
+  headline_->setText(QString::fromStdString(lesson.headline()));
+  const Notice::Line told{lesson.level(), lesson.detail()};
+  show_detail(notice_.over(choices_->offers() ? question_ : told, now));
   time_left_->setText(QString::fromStdString(lesson.time_left(now)));
   progress_->setValue(static_cast<int>(kWholeBar * lesson.progress()));
+}
+
+void LessonBar::ask(const Notice::Line& question, const std::vector<ChoiceRow::Answer>& answers) {
+  question_ = question;
+  choices_->offer(answers, mark_);
+}
+
+void LessonBar::take_keyboard() {
+  name_->setFocus();
+  name_->selectAll();
 }
 
 void LessonBar::show_detail(const Notice::Line& line) {

@@ -31,8 +31,14 @@ class LessonBar : public QWidget {
   void set_name(const std::string& name);
   /// Whether Mark grasp is possible; `reason`: why not.
   void allow_marks(bool allowed, const QString& reason);
-  ChoiceRow& choices() { return *choices_; }
-  /// The notice is out of date.
+  /// Asks in the place of the lesson's own sentence, until it is answered or withdrawn.
+  void ask(const Notice::Line& question, const std::vector<ChoiceRow::Answer>& answers);
+  void withdraw_question() { choices_->clear(); }
+  /// Gives the keyboard to the name.
+  void take_keyboard();
+  /// Gives it to the last answer.
+  void give_keyboard_to_answers() { choices_->take_keyboard(); }
+  /// What was said beside the lesson is out of date.
   void clear_notice() { notice_.clear(); }
   /// Clears the name and the declared symmetry after a lesson.
   void clear_name();
@@ -51,6 +57,7 @@ class LessonBar : public QWidget {
   void tidy_name(const QString& typed);
 
   Notice notice_;
+  Notice::Line question_;  // counts while there are answers
   QLineEdit* name_;
   QDoubleSpinBox* height_;
   QComboBox* symmetry_;

@@ -104,7 +104,7 @@ void LessonModel::take_result(const mbncc_vision::LearnObjectActionResult& resul
   if (under_way() && result.status.goal_id.id != goal_) return;
   const Result outcome = outcome_of(result);
   const bool stored = outcome.error_code == Result::SUCCESS;
-  end(stored ? "Learned '" + outcome.object.name + "'" : "Nothing was stored",
+  end(stored ? "Learned" : "Nothing was stored",
       stored || outcome.hint.empty() ? outcome.message : outcome.message + " " + outcome.hint,
       level_of_end(outcome));
 }
@@ -201,6 +201,10 @@ std::string LessonModel::headline() const {
 }
 
 std::string LessonModel::detail() const {
+  // The advice stands beside the picture.
+  if (phase_ == Phase::kReview && draft_ && detail_ == question_)
+    return "Verdict " + word_of_verdict(draft_->object.quality.verdict) +
+           ". Accept, correct or reject the outline.";
   if (!camera_alive_ && phase_ == Phase::kReady)
     return detail_ + " No picture arrives: check the camera's cable and driver before you teach.";
   return detail_;

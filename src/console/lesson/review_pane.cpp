@@ -5,10 +5,10 @@
 
 #include <QGridLayout>
 #include <QHBoxLayout>
-#include <QScrollArea>
 #include <QVBoxLayout>
 
 #include "console/picture/pictures.hpp"
+#include "console/picture/scaled_picture.hpp"
 #include "console/ros_link.hpp"
 #include "console/widgets.hpp"
 
@@ -17,22 +17,7 @@ namespace {
 
 using Request = mbncc_vision::ConfirmLearning::Request;
 
-constexpr QSize kTemplate(130, 130), kScoreMap(320, 130);
-
-QLabel* make_picture(QSize size, const QString& tip) {
-  auto* label = new QLabel;
-  label->setFixedSize(size);
-  label->setAlignment(Qt::AlignCenter);
-  label->setStyleSheet("background: #303030; color: #c0c0c0");
-  label->setToolTip(tip);
-  return label;
-}
-
-void show_in(QLabel* label, const QImage& picture) {
-  if (picture.isNull()) return;
-  label->setPixmap(QPixmap::fromImage(
-      picture.scaled(label->size(), Qt::KeepAspectRatio, Qt::SmoothTransformation)));
-}
+constexpr QSize kTemplate(130, 130), kScoreMap(380, 130);  // at least
 
 QString reasons_of(const mbncc_vision::LearnQuality& quality) {
   if (quality.advice.empty()) return "No complaints.";
@@ -50,16 +35,6 @@ QString numbers_of(const mbncc_vision::LearnQuality& quality) {
       .arg(static_cast<int>(quality.area));
 }
 
-/// Long advice scrolls, because labels with too little height overlap their neighbours.
-QScrollArea* make_scrollable(QLabel* text) {
-  auto* area = new QScrollArea;
-  area->setFrameShape(QFrame::NoFrame);
-  area->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-  area->setWidgetResizable(true);
-  area->setWidget(text);
-  return area;
-}
-
 }  // namespace
 
 ReviewPane::ReviewPane(QWidget* parent)
@@ -67,17 +42,18 @@ ReviewPane::ReviewPane(QWidget* parent)
       verdict_(new QLabel),
       numbers_(new QLabel),
       reasons_(new QLabel),
-      template_(make_picture(kTemplate, "The learned object; the checkerboard is not part of it")),
-      score_map_(
-          make_picture(kScoreMap,
-                       "Similarity to the object in the coarse search (yellow: high):\nring = the "
-                       "object, square = the next best place. The scores above use all features.")),
-      insist_(new QCheckBox("I have checked the outline: store it although BAD")),
-      accept_(make_button("&Accept", "Store the object", this, "Alt+A or Ctrl+Enter")),
-      reject_(make_button("&Reject", "End the lesson; nothing is stored", this, "Alt+R")),
-      undo_(make_button("&Undo mark", "Undo the last correction", this, "Ctrl+Z")),
+      template_(new ScaledPicture(kTemplate)),
+      score_map_(new ScaledPicture(kScoreMap)),
+      insist_(new QCheckBox("I have checked it: store it although BAD")),
+      accept_(make_button("&Accept", "Store the object", "Alt+A or Ctrl+Enter")),
+      reject_(make_button("&Reject", "End the lesson; nothing is stored", "Alt+R")),
+      undo_(make_button("&Undo mark", "Take the last correction back", "Ctrl+Z")),
       tools_(new QButtonGroup(this)),
       width_(new QSlider(Qt::Horizontal)) {
+  template_->setToolTip("What was learned; the checkerboard is not part of it");
+  score_map_->setToolTip(
+      "Where the picture resembles the object at a first look (yellow: much):\nring = the object, "
+      "square = the next best place. The scores above judge all.");
   QFont large = verdict_->font();
   large.setPointSize(15);
   verdict_->setFont(large);
@@ -103,7 +79,7 @@ ReviewPane::ReviewPane(QWidget* parent)
 
 void ReviewPane::lay_out() {
   auto* pictures = new QHBoxLayout;
-  pictures->addWidget(template_);
+  pictures->addWidget(template_, 1);
   pictures->addWidget(numbers_, 1);
   auto* word = new QHBoxLayout;
   word->addWidget(accept_);
@@ -111,9 +87,12 @@ void ReviewPane::lay_out() {
   auto* all = new QVBoxLayout(this);
   all->setContentsMargins(0, 0, 0, 0);
   all->addWidget(verdict_);
-  all->addLayout(pictures);
-  all->addWidget(score_map_);
-  all->addWidget(make_scrollable(reasons_), 1);
+  all->addLayout(pictures, 1);
+  all->addWidget(score_map_, 1);
+  auto* advice = make_scroll_area(reasons_);
+  advice->setObjectName("advice");
+  advice->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  all->addWidget(advice, 1);
   all->addWidget(make_tools());
   all->addWidget(insist_);
   all->addLayout(word);
@@ -135,14 +114,16 @@ QWidget* ReviewPane::make_tools() {
   };
   int column = 0;
   for (const auto& entry : tools) {
-    auto* button = make_button(entry.text, entry.tip, box, entry.key);
+    auto* button = make_button(entry.text, entry.tip, entry.key);
     button->setCheckable(true);
     tools_->addButton(button, static_cast<int>(entry.tool));
     connect(button, &QPushButton::clicked, [this, tool = entry.tool] { choose_tool(tool); });
+    grid->setColumnStretch(column, 1);
     grid->addWidget(button, 0, column++);
   }
   width_->setRange(2, 40);
   width_->setValue(8);
+  name_window(width_, "stroke width");
   width_->setToolTip("Width of the stroke in pixels");
   grid->addWidget(new QLabel("Stroke"), 1, 0);
   grid->addWidget(width_, 1, 1);
@@ -188,11 +169,11 @@ void ReviewPane::show_draft(const mbncc_vision::LearnObjectResult& draft) {
              QString::fromStdString(word_of_verdict(quality.verdict)));
   numbers_->setText(numbers_of(quality));
   reasons_->setText(reasons_of(quality));
-  show_in(template_, to_qimage(on_checkerboard(to_rgb(draft.template_image), draft.map)));
+  template_->show_picture(to_qimage(on_checkerboard(to_rgb(draft.template_image), draft.map)));
 }
 
 void ReviewPane::show_score_map(const QImage& map) {
-  show_in(score_map_, map);
+  score_map_->show_picture(map);
 }
 
 }  // namespace mbncc::console

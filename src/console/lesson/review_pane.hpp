@@ -17,6 +17,8 @@
 
 namespace mbncc::console {
 
+class ScaledPicture;
+
 class ReviewPane : public QWidget {
   Q_OBJECT
 
@@ -40,7 +42,8 @@ class ReviewPane : public QWidget {
   void show_draft(const mbncc_vision::LearnObjectResult& draft);
   void put_tool_down();
 
-  QLabel *verdict_, *numbers_, *reasons_, *template_, *score_map_;
+  QLabel *verdict_, *numbers_, *reasons_;
+  ScaledPicture *template_, *score_map_;
   QCheckBox* insist_;
   QPushButton *accept_, *reject_, *undo_;
   QButtonGroup* tools_;

@@ -22,8 +22,8 @@ HistoryDialog::HistoryDialog(const QString& name, const std::vector<Revision>& r
     item->setData(Qt::UserRole, revision.number);
     list_->addItem(item);
   }
-  auto* restore = make_button("&Restore", "The current one goes to the trash", this, "Alt+R");
-  auto* close = make_button("&Close", "Change nothing", this, "Esc");
+  auto* restore = make_button("&Restore", "The present one goes to the trash", "Alt+R");
+  auto* close = make_button("&Close", "Change nothing", "Esc");
   restore->setEnabled(!revisions.empty());
   auto* row = new QHBoxLayout;
   row->addStretch(1);

@@ -48,15 +48,13 @@ LibraryStrip::LibraryStrip(QWidget* parent)
       list_(new QListWidget),
       symmetry_(make_symmetry_box("At which angles the chosen object counts as the same")),
       view_(make_button("Teach &view",
-                        "Teach the chosen object from another side or in other light", this,
-                        "Alt+V")),
-      enable_(make_button("&Disable", "Enable or disable the search for the chosen object", this,
-                          "Alt+D")),
-      rename_(make_button("Re&name", "Edit the name below its picture", this, "F2")),
-      delete_(make_button("De&lete", "Remove it from the library; Undo edit restores it", this,
-                          "Alt+L")),
-      undo_(make_button("Undo &edit", "Undo the last change of the library", this, "Alt+E")),
-      more_(make_button("M&ore", "Export, import, earlier revisions", this, "Alt+O")) {
+                        "Teach the chosen object from another side or in other light", "Alt+V")),
+      enable_(make_button("&Disable", "Search for the chosen object, or not", "Alt+D")),
+      rename_(make_button("Re&name", "Write a new name below its picture", "F2")),
+      delete_(
+          make_button("De&lete", "Take it out of the library; Undo edit brings it back", "Alt+L")),
+      undo_(make_button("Undo &edit", "Take the last change of the library back", "Alt+E")),
+      more_(make_button("M&ore", "Export, import, earlier revisions", "Alt+O")) {
   search_->setPlaceholderText("search the library");
   search_->setClearButtonEnabled(true);
   list_->setViewMode(QListView::IconMode);

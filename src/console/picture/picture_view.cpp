@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "console/picture/picture_view.hpp"
 
+#include <QKeyEvent>
 #include <QMouseEvent>
 #include <QPainter>
 #include <QPainterPath>
@@ -17,9 +18,12 @@ namespace {
 
 const QColor kInclude("#56b4e9"), kExclude("#d55e00"), kRegion("#f0e442");
 const QColor kX("#d55e00"), kY("#009e73");
-constexpr double kAxes = 34;      // [px] of the widget, of a mark's axes
-constexpr int kNotch = 240;       // of the wheel for a factor of two
-constexpr double kOutline = 1.5;  // [px] of the widget
+constexpr double kAxes = 34;               // [px] of the widget, of a mark's axes
+constexpr int kNotch = 240;                // of the wheel, that enlarges to the double
+constexpr double kOutline = 1.5;           // [px] of the widget
+constexpr double kPen = 9;                 // [px] of the widget, of the pen's arms
+constexpr double kPan = 60;                // [px] of the widget, by a key
+constexpr float kStep = 6, kFineStep = 1;  // [px] of the picture, of the pen by a key
 
 cv::Size size_of(const QSize& size) {
   return {size.width(), size.height()};
@@ -28,6 +32,22 @@ cv::Size size_of(const QSize& size) {
 QColor colour_of_tool(Tool tool) {
   if (tool == Tool::kInclude) return kInclude;
   return tool == Tool::kExclude ? kExclude : kRegion;
+}
+
+/// Of an arrow key; null: it is none.
+QPoint way_of(int key) {
+  switch (key) {
+    case Qt::Key_Left:
+      return {-1, 0};
+    case Qt::Key_Right:
+      return {1, 0};
+    case Qt::Key_Up:
+      return {0, -1};
+    case Qt::Key_Down:
+      return {0, 1};
+    default:
+      return {};
+  }
 }
 
 std::vector<cv::Point2f> points_of(const geometry_msgs::Polygon& polygon) {
@@ -47,6 +67,7 @@ PictureView::PictureView(QWidget* parent) : QWidget(parent) {
 
 void PictureView::show_picture(const QImage& picture, QSize size, const std::vector<Mark>& marks,
                                const QString& caption) {
+  const bool reshaped = size != size_;
   picture_ = picture;
   size_ = size;
   marks_ = marks;
@@ -54,6 +75,7 @@ void PictureView::show_picture(const QImage& picture, QSize size, const std::vec
   outdated_ = false;
   fit();
   update();
+  if (reshaped) Q_EMIT shape_changed();
 }
 
 void PictureView::show_age(const QString& warning) {
@@ -71,7 +93,9 @@ void PictureView::show_waiting(std::deque<MarkingTool::Request> waiting) {
 
 void PictureView::ask_for_place(bool wanted) {
   asking_ = wanted && !picture_.isNull();
+  pen_.reset();
   show_cursor();
+  update();
 }
 
 bool PictureView::give_up() {
@@ -96,9 +120,59 @@ void PictureView::show_all() {
   update();
 }
 
-void PictureView::pan(QPoint by) {
-  frame_.pan({double(by.x()), double(by.y())});
+// By the keyboard: what is enlarged is moved, or the pen, while there is something to do with one.
+void PictureView::keyPressEvent(QKeyEvent* event) {
+  const QPoint way = way_of(event->key());
+  if (!way.isNull() && !draws())
+    frame_.pan({-kPan * way.x(), -kPan * way.y()});
+  else if (!way.isNull())
+    move_pen(way, event->modifiers() & Qt::ShiftModifier ? kFineStep : kStep);
+  else if (event->key() == Qt::Key_Space && draws() && !event->isAutoRepeat())
+    use_pen();
+  else
+    return QWidget::keyPressEvent(event);
   update();
+}
+
+bool PictureView::draws() const {
+  return !picture_.isNull() && (asking_ || tool_.tool() != Tool::kNone);
+}
+
+cv::Point2f PictureView::pen() const {
+  const auto& axes = tool_.axes();
+  const cv::Point2f start =
+      asking_ ? cv::Point2f(size_of(size_)) / 2
+              : cv::Point2f(static_cast<float>(axes.x), static_cast<float>(axes.y));
+  return pen_.value_or(start);
+}
+
+void PictureView::move_pen(QPoint way, float step) {
+  const cv::Point2f moved =
+      pen() + step * cv::Point2f(static_cast<float>(way.x()), static_cast<float>(way.y()));
+  pen_ = cv::Point2f(std::clamp(moved.x, 0.f, static_cast<float>(size_.width() - 1)),
+                     std::clamp(moved.y, 0.f, static_cast<float>(size_.height() - 1)));
+  tool_.move(*pen_);
+}
+
+/// Sets it down, or lifts it.
+void PictureView::use_pen() {
+  pen_ = pen();
+  if (asking_)
+    choose_place(*pen_);
+  else if (!tool_.drawing())
+    tool_.press(*pen_);
+  else
+    finish_mark(*pen_);
+}
+
+void PictureView::choose_place(cv::Point2f at) {
+  ask_for_place(false);
+  Q_EMIT place_chosen({at.x, at.y});
+}
+
+void PictureView::finish_mark(cv::Point2f at) {
+  const auto correction = tool_.release(at, size_of(size_));
+  if (correction) Q_EMIT corrected(*correction);
 }
 
 void PictureView::show_cursor() {
@@ -139,7 +213,26 @@ void PictureView::paintEvent(QPaintEvent*) {
     paint_labels(painter);
   }
   paint_tool(painter);
+  paint_pen(painter);
   paint_caption(painter);
+  if (hasFocus()) paint_focus(painter);
+}
+
+/// Where the keyboard draws.
+void PictureView::paint_pen(QPainter& painter) const {
+  if (!draws() || !hasFocus()) return;
+  const QPointF at = on_widget(pen());
+  for (const auto& pen : {QPen(Qt::black, 4), QPen(Qt::white, 2)}) {
+    painter.setPen(pen);
+    painter.drawLine(at - QPointF(kPen, 0), at + QPointF(kPen, 0));
+    painter.drawLine(at - QPointF(0, kPen), at + QPointF(0, kPen));
+  }
+}
+
+void PictureView::paint_focus(QPainter& painter) const {
+  painter.setBrush(Qt::NoBrush);
+  painter.setPen(QPen(palette().highlight(), 2));
+  painter.drawRect(rect().adjusted(1, 1, -1, -1));
 }
 
 void PictureView::paint_marks(QPainter& painter) const {
@@ -249,12 +342,9 @@ void PictureView::paint_caption(QPainter& painter) const {
 
 void PictureView::mousePressEvent(QMouseEvent* event) {
   if (picture_.isNull()) return;
-  if (event->button() == Qt::LeftButton && asking_) {
-    ask_for_place(false);
-    const cv::Point2f at = on_picture(event->localPos());
-    Q_EMIT place_chosen({at.x, at.y});
-    return;
-  }
+  pen_.reset();
+  if (event->button() == Qt::LeftButton && asking_)
+    return choose_place(on_picture(event->localPos()));
   const bool pans = event->button() == Qt::MiddleButton ||
                     (event->button() == Qt::LeftButton && tool_.tool() == Tool::kNone);
   if (pans)
@@ -280,8 +370,7 @@ void PictureView::mouseMoveEvent(QMouseEvent* event) {
 void PictureView::mouseReleaseEvent(QMouseEvent* event) {
   if (dragged_from_) return dragged_from_.reset();
   if (event->button() != Qt::LeftButton) return;
-  const auto correction = tool_.release(on_picture(event->localPos()), size_of(size_));
-  if (correction) Q_EMIT corrected(*correction);
+  finish_mark(on_picture(event->localPos()));
   update();
 }
 
@@ -297,6 +386,7 @@ void PictureView::wheelEvent(QWheelEvent* event) {
 
 void PictureView::resizeEvent(QResizeEvent*) {
   fit();
+  Q_EMIT shape_changed();
 }
 
 }  // namespace mbncc::console

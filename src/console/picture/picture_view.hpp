@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Shows a fitted picture with marks over it, and handles the mouse for the marking tools. The wheel
-// zooms, dragging without a tool pans.
+// Shows a picture fitted in with marks over it, and takes the mouse, or arrow keys and Space, as a
+// marking tool. The wheel enlarges, dragging or arrow keys without a tool move what is enlarged.
 #pragma once
 
 #ifndef Q_MOC_RUN
@@ -43,7 +43,8 @@ class PictureView : public QWidget {
   bool marks_shown() const { return marks_shown_; }
   void enlarge(double factor);
   void show_all();
-  void pan(QPoint by);
+  /// [px] of the camera's picture; empty: none was shown.
+  QSize shape() const { return size_; }
 
   /// As shown; null if nothing is shown.
   const QImage& picture() const { return picture_; }
@@ -52,11 +53,14 @@ class PictureView : public QWidget {
 
  Q_SIGNALS:
   void corrected(mbncc_vision::ConfirmLearning::Request correction);
+  /// The picture's shape, or the room for it.
+  void shape_changed();
   /// [px] of the camera's picture.
   void place_chosen(QPointF place);
 
  protected:
   void paintEvent(QPaintEvent* event) override;
+  void keyPressEvent(QKeyEvent* event) override;
   void mousePressEvent(QMouseEvent* event) override;
   void mouseMoveEvent(QMouseEvent* event) override;
   void mouseReleaseEvent(QMouseEvent* event) override;
@@ -76,7 +80,15 @@ class PictureView : public QWidget {
   void paint_tool(QPainter& painter) const;
   void paint_stroke(QPainter& painter, const std::vector<cv::Point2f>& points, double width,
                     Tool tool) const;
+  void paint_pen(QPainter& painter) const;
+  void paint_focus(QPainter& painter) const;
   void paint_caption(QPainter& painter) const;
+  bool draws() const;
+  cv::Point2f pen() const;
+  void move_pen(QPoint way, float step);
+  void use_pen();
+  void choose_place(cv::Point2f at);
+  void finish_mark(cv::Point2f at);
 
   QImage picture_;
   QSize size_;
@@ -85,6 +97,7 @@ class PictureView : public QWidget {
   QString caption_;
   bool outdated_ = false, marks_shown_ = true, asking_ = false;
   std::optional<QPointF> dragged_from_;
+  std::optional<cv::Point2f> pen_;  // [px] of the picture, once the keyboard has moved it
   PictureFrame frame_;
   MarkingTool tool_;
 };

@@ -30,13 +30,14 @@ ThresholdPane::ThresholdPane(QWidget* parent)
       min_(make_slider("min_score")),
       confirm_(make_slider("confirm_score")),
       all_(new QRadioButton("for all objects")),
-      one_(new QRadioButton) {
+      one_(new QRadioButton),
+      object_text_(new QLabel) {
   QFont bold = summary_->font();
   bold.setBold(true);
   summary_->setFont(bold);
   summary_->setWordWrap(true);
-  auto* apply = make_button("A&pply", "The matcher uses it from now on", this, "Alt+P");
-  auto* close = make_button("&Close", "Close without changes; show the live pictures", this, "Esc");
+  auto* apply = make_button("Appl&y", "The matcher uses it from now on", "Alt+Y");
+  auto* close = make_button("&Close", "Nothing is changed; show the live pictures", "Esc");
   auto* row = new QHBoxLayout;
   row->addWidget(apply);
   row->addWidget(close);
@@ -48,6 +49,7 @@ ThresholdPane::ThresholdPane(QWidget* parent)
   all->addWidget(confirm_);
   all->addWidget(all_);
   all->addWidget(one_);
+  all->addWidget(object_text_);
   all->addWidget(summary_);
   all->addStretch(1);
   all->addLayout(row);
@@ -66,7 +68,8 @@ void ThresholdPane::begin(const Thresholds& now, const QString& object) {
   object_ = object;
   all_->setChecked(true);
   one_->setText(object.isEmpty() ? "for one object: choose it in the library first"
-                                 : "min_score for '" + object + "' alone");
+                                 : "min_score for the chosen object alone:");
+  object_text_->setText(object);
   one_->setEnabled(!object.isEmpty());
   min_->setValue(static_cast<int>(std::lround(kSteps * now.min_score)));
   confirm_->setValue(static_cast<int>(std::lround(kSteps * now.confirm_score)));

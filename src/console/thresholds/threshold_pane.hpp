@@ -38,6 +38,7 @@ class ThresholdPane : public QWidget {
   QLabel *min_text_, *confirm_text_, *summary_;
   QSlider *min_, *confirm_;
   QRadioButton *all_, *one_;
+  QLabel* object_text_;  // whose
   QString object_;
 };
 

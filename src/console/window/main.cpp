@@ -10,6 +10,7 @@
 #include <QTimer>
 
 #include "console/console_widget.hpp"
+#include "console/widgets.hpp"
 
 namespace {
 
@@ -32,9 +33,12 @@ int main(int argc, char** argv) {
   ros::NodeHandle keeps_the_node_running;
   QMainWindow window;
   window.setWindowTitle("mbncc console");
-  window.setCentralWidget(new mbncc::console::ConsoleWidget(
+  // A screen that is too small scrolls instead of pushing buttons off it.
+  auto* area = mbncc::console::make_scroll_area(new mbncc::console::ConsoleWidget(
       {words.value("cell").toStdString(), words.value("matching").toStdString()}));
-  // Also works without a window manager.
+  area->setFocusPolicy(Qt::NoFocus);
+  window.setCentralWidget(area);
+  // Where no window manager maximizes it, too.
   window.setGeometry(QGuiApplication::primaryScreen()->availableGeometry());
   window.showMaximized();
   QTimer watch;

@@ -69,6 +69,7 @@ class LessonRun {
   LessonPicture given(const sensor_msgs::Image& image, const std::string& what) const;
   void wait_for_before();
   void wait_for_change();
+  Step demonstrate(const std::optional<StillShot>& still);
   void wait_on();
   void watch(const std::function<Step(const PictureFeed::View&)>& look);
   void say(Step step);
@@ -113,7 +114,9 @@ class LessonRun {
   const std::string name_;
   const ros::Time started_;
   Demonstration demonstration_;
-  std::string asked_for_;  // of the operator, the last time
+  bool camera_moved_ = false;  // which is why the picture before is of no use
+  double followed_at_ = 0;     // [s] stamp of the picture in which the camera was last looked for
+  std::string asked_for_;      // of the operator, the last time
   LessonPicture before_, after_;
   Calibration calibration_;  // of the picture before
   std::optional<InteractiveLesson> draft_;

@@ -6,6 +6,7 @@
 #include <thread>
 
 #include "nodelets/conversion/images.hpp"
+#include "nodelets/learning/camera_motion.hpp"
 #include "nodelets/learning/lesson.hpp"
 
 namespace mbncc::nodelets {
@@ -17,6 +18,14 @@ constexpr std::chrono::milliseconds kGlance{30};  // between two checks of the l
 constexpr int kGlancesPerWord = 15;               // between two messages to the operator
 
 constexpr double kSilentCamera = 2;  // [s] without a picture before the operator is informed
+
+const char* const kCameraMoved =
+    "The camera has moved; the lesson goes on with the present picture. Fasten the camera, see "
+    "that "
+    "the object lies in the picture, then take it away.";
+const char* const kCameraMovedSinceGiven =
+    "The camera has moved since the picture before was taken: put it back, or teach with a new "
+    "one.";
 
 const char* removal_sentence(Demonstration::Anew why) {
   using Anew = Demonstration::Anew;
@@ -107,7 +116,7 @@ void LessonRun::wait_for_change() {
   watch([this](const PictureFeed::View& view) {
     if (view.still && view.still->picture.size() != before_.picture.size())
       fail(LearnError::kImageMismatch);
-    const Step step = demonstration_.look(view.still);
+    const Step step = demonstrate(view.still);
     if (demonstration_.before().picture.data != before_.picture.data)
       take_before(picture_of(demonstration_.before(), view.header.frame_id));
     if (step == Step::kReady) after_ = picture_of(demonstration_.after(), view.header.frame_id);
@@ -115,7 +124,23 @@ void LessonRun::wait_for_change() {
   });
 }
 
+/// A moved camera makes the picture before useless, as what has come over the edge does not.
+Demonstration::Step LessonRun::demonstrate(const std::optional<StillShot>& still) {
+  const cv::Mat was = demonstration_.before().picture;
+  const Step step = demonstration_.look(still);
+  const cv::Mat is = demonstration_.before().picture;
+  if (is.data != was.data) camera_moved_ = camera_moved(was, is);
+  if (step != Step::kAtBorder || still->stamp == followed_at_) return step;
+  followed_at_ = still->stamp;
+  camera_moved_ = camera_moved(is, still->picture);
+  if (!camera_moved_ || is_given(goal_.before)) return step;
+  demonstration_ = Demonstration();
+  demonstration_.look(still);
+  return Step::kWaitRemoval;
+}
+
 void LessonRun::wait_on() {
+  camera_moved_ = camera_moved(before_.picture, after_.picture);
   demonstration_.go_on();
   if (!is_given(goal_.before))
     take_before(picture_of(demonstration_.before(), after_.header.frame_id));
@@ -161,10 +186,15 @@ void LessonRun::say(Step step) {
       return ask_operator_to(Feedback::WAIT_STILL, 0.2,
                              "Something moves: leave the picture and keep still.");
     case Step::kAtBorder:
-      return ask_operator_to(Feedback::WAIT_STILL, 0.2,
-                             "Something reaches into the picture over its edge: move it out.");
+      return ask_operator_to(
+          Feedback::WAIT_STILL, 0.2,
+          camera_moved_
+              ? kCameraMovedSinceGiven
+              : "Something has come that reaches into the picture over its edge: move it out.");
     default:
-      return ask_operator_to(Feedback::WAIT_REMOVAL, 0.1, removal_sentence(demonstration_.anew()));
+      return ask_operator_to(
+          Feedback::WAIT_REMOVAL, 0.1,
+          camera_moved_ ? kCameraMoved : removal_sentence(demonstration_.anew()));
   }
 }
 

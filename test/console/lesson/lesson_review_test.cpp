@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // From the draft to the operator's word.
 #include <gtest/gtest.h>
+#include <mbncc_vision/LearnQuality.h>
 
 #include "console/lesson_messages.hpp"
 
@@ -45,6 +46,14 @@ TEST(LessonReview, AsksWithTheDraft) {
   EXPECT_TRUE(lesson.may_accept());
   EXPECT_TRUE(lesson.may_decide());
   ASSERT_TRUE(lesson.draft());
+}
+
+TEST(LessonReview, TheSentenceLeavesTheAdviceToTheReview) {
+  LessonModel lesson = in_review();
+  Result marginal = draft(Result::SUCCESS);
+  marginal.object.quality.verdict = mbncc_vision::LearnQuality::MARGINAL;
+  lesson.take_draft(marginal);
+  EXPECT_EQ(lesson.detail(), "Verdict MARGINAL. Accept, correct or reject the outline.");
 }
 
 TEST(LessonReview, ABadDraftIsAcceptedOnlyOnTheOperatorsWord) {

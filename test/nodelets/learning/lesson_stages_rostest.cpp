@@ -10,6 +10,7 @@
 #include <cstdlib>
 #include <filesystem>
 #include <memory>
+#include <opencv2/imgproc.hpp>
 
 #include "mbncc/sim/scene.hpp"
 #include "nodelets/conversion/images.hpp"
@@ -36,7 +37,7 @@ sim::SceneConfig scene_config() {
 }
 
 /// What the camera shows.
-enum class Show { kNothing, kStill, kMotion };
+enum class Show { kNothing, kStill, kMotion, kTurned, kTurnedEmpty };
 
 /// One stage, and how to get a lesson into it.
 struct Way {
@@ -77,9 +78,23 @@ class LessonStages : public testing::TestWithParam<Way> {
     std_msgs::Header header;
     header.stamp = ros::Time::now();
     header.frame_id = "camera";
+    images_.publish(encode_picture(picture(), header));
+  }
+
+  cv::Mat picture() {
+    if (show_ == Show::kTurned) return turned(before_);
+    if (show_ == Show::kTurnedEmpty) return turned(after_);
     // Motion begins once the lesson has seen the scene before.
     const bool moves = show_ == Show::kMotion && has_asked_;
-    images_.publish(encode_picture(moves && ++shown_ % 2 == 0 ? moving_ : before_, header));
+    return moves && ++shown_ % 2 == 0 ? moving_ : before_;
+  }
+
+  /// As a camera sees it that was knocked against.
+  static cv::Mat turned(const cv::Mat& picture) {
+    cv::Mat result;
+    const cv::Mat motion = cv::getRotationMatrix2D({picture.cols / 2.f, picture.rows / 2.f}, -3, 1);
+    cv::warpAffine(picture, result, motion, picture.size(), cv::INTER_CUBIC, cv::BORDER_REFLECT);
+    return result;
   }
 
   void load() {
@@ -169,6 +184,23 @@ TEST_P(LessonStages, UnloadingTellsTheClientAndLeavesTheLibraryAsItWas) {
   RecordProperty("cancelled", cancelled_);
   RecordProperty("slowest_ms", static_cast<int>(1000 * slowest_));
 }
+
+using LessonCamera = LessonStages;
+
+// Otherwise it is told of something that reaches over the edge, for ever.
+TEST_P(LessonCamera, MovesAndTheLessonSaysSoAndGoesOn) {
+  load();
+  const std::string id = reach_stage(kWays[1]);
+  show_ = Show::kTurned;
+  EXPECT_TRUE(spin_until([&] {
+    return teacher_->last_feedback(id).message.find("The camera has moved; the lesson goes on") ==
+           0;
+  })) << teacher_->last_feedback(id).message;
+  show_ = Show::kTurnedEmpty;
+  EXPECT_EQ(teacher_->await(id).result.error_code, Result::SUCCESS);
+}
+
+INSTANTIATE_TEST_SUITE_P(Any, LessonCamera, testing::Values(kWays[0]));
 
 using LessonSearch = LessonStages;
 

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "nodelets/learning/camera_motion.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <opencv2/imgproc.hpp>
+
+namespace mbncc::nodelets {
+namespace {
+
+constexpr int kWidth = 320;          // [px] pictures are compared at
+constexpr int kTile = 64;            // [px]
+constexpr double kTexture = 2.5;     // [grey levels] deviation of a tile that can be followed
+constexpr double kFollowed = 0.25;   // response of the phase correlation, for a tile to count
+constexpr double kMoved = 0.5;       // [px] at that width; less is a camera that stands
+constexpr int kFewest = 3;           // tiles to tell by
+constexpr double kNearlyAll = 0.75;  // of the tiles that can be followed
+
+cv::Mat comparable(const cv::Mat& picture) {
+  cv::Mat grey, small;
+  cv::cvtColor(picture, grey, cv::COLOR_BGR2GRAY);
+  const double scale = std::min(1.0, double{kWidth} / picture.cols);
+  cv::resize(grey, small, {}, scale, scale, cv::INTER_AREA);
+  small.convertTo(small, CV_32F);
+  return small;
+}
+
+bool has_texture(const cv::Mat& tile) {
+  cv::Scalar mean, deviation;
+  cv::meanStdDev(tile, mean, deviation);
+  return deviation[0] > kTexture;
+}
+
+/// cv::phaseCorrelate() multiplies its pictures by the window where they are.
+cv::Point2d displacement(const cv::Mat& from, const cv::Mat& to, const cv::Mat& window,
+                         double* response = nullptr) {
+  return cv::phaseCorrelate(from.clone(), to.clone(), window, response);
+}
+
+cv::Rect overlap(const cv::Size& size, const cv::Point& shift) {
+  return cv::Rect({}, size) & cv::Rect(shift, size);
+}
+
+}  // namespace
+
+bool camera_moved(const cv::Mat& before, const cv::Mat& after) {
+  const cv::Mat was = comparable(before), is = comparable(after);
+  cv::Mat window;
+  cv::createHanningWindow(window, was.size(), CV_32F);
+  const cv::Point2d whole = displacement(was, is, window);
+  cv::createHanningWindow(window, {kTile, kTile}, CV_32F);
+  // Tiles are followed from where the whole picture went and from where they were.
+  int moved = 0, stood = 0;
+  const cv::Point coarse(cvRound(whole.x), cvRound(whole.y));
+  const cv::Rect seen = overlap(is.size(), coarse);
+  for (int y = seen.y; y + kTile <= seen.br().y; y += kTile)
+    for (int x = seen.x; x + kTile <= seen.br().x; x += kTile) {
+      const cv::Rect there(x, y, kTile, kTile);
+      if (!has_texture(is(there))) continue;
+      double there_response = 0, here_response = 0;
+      const cv::Point2d rest =
+          displacement(was(there - coarse), is(there), window, &there_response);
+      const cv::Point2d stays = displacement(was(there), is(there), window, &here_response);
+      const bool went = there_response >= here_response;
+      if (std::max(there_response, here_response) < kFollowed) continue;
+      const cv::Point2d shift = went ? cv::Point2d(coarse) + rest : stays;
+      ++(std::hypot(shift.x, shift.y) > kMoved ? moved : stood);
+    }
+  return moved >= kFewest && moved >= kNearlyAll * (moved + stood);
+}
+
+}  // namespace mbncc::nodelets

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Tells a camera that was moved from things that were moved in front of it, so that the operator is
+// not told of an arm that is not there.
+#pragma once
+
+#include <opencv2/core.hpp>
+
+namespace mbncc::nodelets {
+
+/// Whether nearly all that can be followed from one picture to the other has been displaced.
+/// CV_8UC3, of one size. Where there is too little texture to follow: false.
+bool camera_moved(const cv::Mat& before, const cv::Mat& after);
+
+}  // namespace mbncc::nodelets

@@ -1,0 +1,33 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""What layout_check.cpp, loaded into the console, says of its widgets."""
+import json
+import os
+import pathlib
+
+from console_session import SessionFailed, wait_for
+
+
+class LayoutReport:
+    def __init__(self, plugin_folder, folder):
+        self._path = pathlib.Path(folder) / "layout.json"
+        os.environ.update(QT_PLUGIN_PATH=str(plugin_folder), QT_QPA_GENERIC_PLUGINS="layoutcheck",
+                          MBNCC_LAYOUT_REPORT=str(self._path))
+
+    def newest(self):
+        try:
+            return json.loads(self._path.read_text())
+        except (OSError, ValueError):
+            return {"looks": 0, "focus": "", "complaints": ["nothing was looked at"]}
+
+    def focus(self):
+        return self.newest()["focus"]
+
+    def complaints(self, patience=10):
+        """Of two looks from now on, and later, until there are none or `patience` is over."""
+        first = self.newest()["looks"]
+        wait_for(lambda: self.newest()["looks"] >= first + 2, "the widgets are looked at")
+        try:
+            wait_for(lambda: not self.newest()["complaints"], "there is nothing to complain about", patience)
+        except SessionFailed:
+            pass
+        return self.newest()["complaints"]
