@@ -6,7 +6,6 @@ usage: release_test.py SOURCE_DIR
 """
 import pathlib
 import re
-import subprocess
 import sys
 
 from catkin_pkg.changelog import Changelog, populate_changelog_from_rst
@@ -17,12 +16,8 @@ LICENSED_SUFFIXES = ('.cpp', '.hpp', '.inc', '.py', '.cmake', '.launch', '.test'
 
 
 def source_files(root):
-    """Files under version control; in an export without git, all that are outside build folders."""
-    listed = subprocess.run(['git', '-C', str(root), 'ls-files', '-z'], stdout=subprocess.PIPE, stderr=subprocess.DEVNULL)
-    if listed.returncode == 0:
-        return [path for path in (root / name for name in listed.stdout.decode().split('\0') if name) if path.is_file()]
-    return [path for path in root.rglob('*')
-            if path.is_file() and not re.match(r'build|\.git$', path.relative_to(root).parts[0])]
+    folders = [path for path in root.iterdir() if path.is_dir() and not re.match(r'build|\.git$', path.name)]
+    return [path for folder in folders for path in folder.rglob('*') if path.is_file()] + [root / 'CMakeLists.txt']
 
 
 def lacks_licence(path):
