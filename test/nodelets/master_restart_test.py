@@ -9,27 +9,11 @@ import signal
 import subprocess
 import tempfile
 import time
-import xmlrpc.client
 
-from own_master import free_port, nodelet_program, published, stop, wait_for
+from own_master import free_port, nodelet_program, published, start_master, stop, wait_for
 
 CAMERA = ["mbncc_vision/SimulatedCameraNodelet", "__name:=camera", "_width:=160", "_height:=120",
           "_object_diameter:=40", "_neighbours:=0"]
-
-
-def start_master(env):
-    master = subprocess.Popen(["rosmaster", "--core", "-p", env["ROS_MASTER_URI"].rsplit(":", 1)[1]],
-                              env=env, stdout=subprocess.DEVNULL)
-    server = xmlrpc.client.ServerProxy(env["ROS_MASTER_URI"])
-    wait_for(lambda: answers(server), master, "rosmaster")
-    return master, server
-
-
-def answers(server):
-    try:
-        return server.getPid("/master_restart_test")[0] == 1
-    except OSError:
-        return False
 
 
 def services(server):

@@ -17,7 +17,7 @@ import numpy as np
 import yaml
 
 from drawn_chessboard import COLUMNS, ROWS, SQUARE, camera_yaml, chessboard
-from own_master import free_port, stop, wait_for
+from own_master import free_port, start_master, stop, wait_for
 
 CALIBRATED, UNCALIBRATED = "0", "2"  # DetectedObjectArray: OK and UNCALIBRATED
 
@@ -96,6 +96,24 @@ def prepare(home):
         yaml.safe_dump({"loop": True}, file)
 
 
+def set_up_metres(env):
+    cell = start_cell(env)
+    try:
+        wait_for(lambda: answers(env), cell, "the camera")
+        assert status(env) == UNCALIBRATED
+        set_camera_info(env)
+        calibrate(env, "--out", "cell")
+        check_fixed_frame(env)
+    finally:
+        stop(cell)
+    cell = start_cell(env, "platform:=cell")
+    try:
+        wait_for(lambda: answers(env), cell, "the camera again")
+        wait_for(lambda: status(env) == CALIBRATED, cell, "metres")
+    finally:
+        stop(cell)
+
+
 def main():
     with tempfile.TemporaryDirectory() as home:
         prepare(home)
@@ -105,21 +123,11 @@ def main():
         tool = os.path.join(env["CMAKE_PREFIX_PATH"].split(":")[0], "lib", "mbncc_vision", "mbncc")
         run(env, tool, "learn", "--library", "library", "--name", "corner", "--before",
             "pictures/board.png", "--roi", "280,200,90,90", "--allow-bad")
-        cell = start_cell(env)
+        master, _ = start_master(env)
         try:
-            wait_for(lambda: answers(env), cell, "the camera")
-            assert status(env) == UNCALIBRATED
-            set_camera_info(env)
-            calibrate(env, "--out", "cell")
-            check_fixed_frame(env)
+            set_up_metres(env)
         finally:
-            stop(cell)
-        cell = start_cell(env, "platform:=cell")
-        try:
-            wait_for(lambda: answers(env), cell, "the camera again")
-            wait_for(lambda: status(env) == CALIBRATED, cell, "metres")
-        finally:
-            stop(cell)
+            stop(master)
 
 
 if __name__ == "__main__":

@@ -6,6 +6,7 @@ import socket
 import subprocess
 import sys
 import time
+import xmlrpc.client
 
 DEADLINE = 60  # [s] generous; nothing waits for it when all is well
 
@@ -34,6 +35,22 @@ def stop(process):
     except subprocess.TimeoutExpired:
         process.kill()
         sys.exit("%s did not end on SIGINT" % process.args)
+
+
+def start_master(env):
+    """The master of `env` as process and server. roslaunch and roscore give up after 10 s of a busy machine."""
+    master = subprocess.Popen(["rosmaster", "--core", "-p", env["ROS_MASTER_URI"].rsplit(":", 1)[1]], env=env,
+                              stdout=subprocess.DEVNULL)
+    server = xmlrpc.client.ServerProxy(env["ROS_MASTER_URI"])
+    wait_for(lambda: is_running(server), master, "rosmaster")
+    return master, server
+
+
+def is_running(master):
+    try:
+        return master.getPid("/test")[0] == 1
+    except OSError:
+        return False
 
 
 def published(master):
