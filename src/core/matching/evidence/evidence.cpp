@@ -7,8 +7,8 @@
 
 #include "imaging/gradient_orientation.hpp"
 #include "imaging/kernel_views.hpp"
-#include "matching/evidence/block_residuals.hpp"
 #include "matching/evidence/local_cast.hpp"
+#include "matching/evidence/trimmed_residual.hpp"
 #include "simd/lanes.hpp"
 
 namespace mbncc {

@@ -12,7 +12,7 @@ namespace mbncc {
 namespace {
 
 /// Counts the points that are compared; the others get their mean colour.
-void fill_outside(SurfaceSample& sample) {
+void fill_left_out(SurfaceSample& sample) {
   const float* counts = sample.inside.data();
   const auto [count, blue, green, red] = products<4>(
       {counts, counts, counts, counts},
@@ -80,7 +80,7 @@ void SurfaceTemplate::sample(const SceneLevel& scene, const Pose2D& pose, Surfac
                            sample.planes[2].data(), sample.inside.data()});
   sample.points = size();
   leave_out_highlights(sample);
-  fill_outside(sample);
+  fill_left_out(sample);
 }
 
 SurfaceTemplate::Residual SurfaceTemplate::residual(const SurfaceSample& sample) const {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "matching/evidence/block_residuals.hpp"
+#include "matching/evidence/trimmed_residual.hpp"
 
 #include <algorithm>
 #include <array>

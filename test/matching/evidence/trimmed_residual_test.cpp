@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "matching/evidence/block_residuals.hpp"
+#include "matching/evidence/trimmed_residual.hpp"
 
 #include <gtest/gtest.h>
 
@@ -10,7 +10,7 @@
 namespace mbncc {
 namespace {
 
-class BlockResidualsTest : public ::testing::Test {
+class TrimmedResidualTest : public ::testing::Test {
  protected:
   const test::LearningPicture source_{1};
   const PreparedObject object_{test::object_from(source_, {58, 60, 0}), Engine::kFast};
@@ -23,20 +23,20 @@ class BlockResidualsTest : public ::testing::Test {
   }
 };
 
-TEST_F(BlockResidualsTest, GainAndOffsetAreLight) {
+TEST_F(TrimmedResidualTest, GainAndOffsetAreLight) {
   EXPECT_LT(residual([](float colour, float, float) { return 0.8f * colour + 20; }), 1);
 }
 
-TEST_F(BlockResidualsTest, AnotherSurfaceIsNone) {
+TEST_F(TrimmedResidualTest, AnotherSurfaceIsNone) {
   EXPECT_GT(residual([](float colour, float, float) { return 255 - colour; }), 20);
 }
 
-TEST_F(BlockResidualsTest, WhatCoversAThirdDecidesNothing) {
+TEST_F(TrimmedResidualTest, WhatCoversAThirdDecidesNothing) {
   EXPECT_LT(residual([](float colour, float, float y) { return y < -15 ? 30 : colour; }), 1);
   EXPECT_GT(residual([](float colour, float, float y) { return y < 25 ? 30 : colour; }), 5);
 }
 
-TEST_F(BlockResidualsTest, WithoutPartsThereIsNone) {
+TEST_F(TrimmedResidualTest, WithoutPartsThereIsNone) {
   EXPECT_LT(trimmed_residual({}), 0);
   SurfaceSample outside = test::sample_of(surface_, [](float, float, float) { return 0.f; });
   std::fill(outside.inside.begin(), outside.inside.end(), 0.f);
