@@ -12,12 +12,12 @@ struct LearningConfig {
   std::string method = "auto";  ///< auto: change_cut with an after picture, else region_cut
   int iterations = 2;           ///< graph cuts of every method
   std::string superpixel_method = "seeds";  ///< of sb_grabcut: seeds or slic
-  int superpixels = 1600;  ///< sb_grabcut: superpixels requested in the region's crop
-  double min_area = 80;    ///< [px] smaller maps are refused
-  double max_change =
-      0.4;  ///< [0..1] changed part of the picture above which light or camera are taken as changed
+  int superpixels = 1600;   ///< sb_grabcut: superpixels requested in the region's crop
+  double min_area = 80;     ///< [px] smaller maps are refused
+  double max_change = 0.4;  ///< [0..1] changed part of the picture above which a lesson must show
+                            ///< the object's place
   double max_exposure_change =
-      1.41;  ///< factor between the pictures above which light is taken as switched
+      1.41;  ///< factor between the pictures above which a lesson must show the object's place
   double max_light_change = 1.15;  ///< the same between the quarters of the picture
   int max_shift = 8;  ///< [px] largest camera shift between before and after that is compensated
 
@@ -38,15 +38,18 @@ struct LearningConfig {
           self.superpixels);
     visit(FieldInfo{"min_area", Allowed::range(1, 1e6), "px", "smaller maps are refused"},
           self.min_area);
-    visit(FieldInfo{"max_change", Allowed::range(0.05, 1), "",
-                    "changed part of the picture above which light or camera are taken as changed"},
-          self.max_change);
-    visit(FieldInfo{"max_exposure_change", Allowed::range(1.05, 10), "",
-                    "exposure factor between the pictures above which light is taken as switched"},
-          self.max_exposure_change);
+    visit(
+        FieldInfo{"max_change", Allowed::range(0.05, 1), "",
+                  "changed part of the picture above which a lesson must show the object's place"},
+        self.max_change);
+    visit(
+        FieldInfo{
+            "max_exposure_change", Allowed::range(1.05, 10), "",
+            "exposure factor between the pictures above which a lesson must show the object's "
+            "place"},
+        self.max_exposure_change);
     visit(FieldInfo{"max_light_change", Allowed::range(1.05, 10), "",
-                    "exposure factor between quarters of the picture above which light is taken as "
-                    "switched"},
+                    "the same between quarters of the picture"},
           self.max_light_change);
     visit(FieldInfo{"max_shift", Allowed::range(0, 64), "px",
                     "largest camera shift between before and after that is compensated"},

@@ -17,9 +17,7 @@ constexpr int kSmallestPicture = 32;      // [px]
 constexpr int kSmallestRegion = 8;        // [px]
 constexpr int kLargestPicture = 1 << 15;  // [px] largest side of a picture
 constexpr double kFullPart = 0.98;        // of the room, from which on a map is everything
-// Relative to max_change: a removed object displaces less texture than it changes pixels, a moved
-// camera more.
-constexpr double kDisplaced = 0.75;
+constexpr double kDisplaced = 0.6;        // part of the texture that only a moved camera displaces
 
 void require(bool condition, LearnError error, const std::string& message) {
   if (!condition) throw LessonEnded(error, message);
@@ -150,16 +148,20 @@ cv::Mat outline_map(const Lesson& lesson) {
   return map;
 }
 
-void check_survey(const ChangeSurvey& survey, const LearningConfig& config) {
+void check_camera_still(const ChangeSurvey& survey, const LearningConfig& config) {
+  constexpr LearnError kError = LearnError::kChangeTooLarge;
+  require(cv::norm(survey.shift) <= config.max_shift, kError,
+          "The camera moved between the pictures.");
+  require(survey.displaced <= kDisplaced, kError,
+          "The scene moved under the camera between the pictures.");
+}
+
+void check_one_change(const ChangeSurvey& survey, const LearningConfig& config) {
   constexpr LearnError kError = LearnError::kChangeTooLarge;
   require(survey.exposure <= config.max_exposure_change, kError,
           "The exposure or the light changed between the pictures.");
   require(survey.unevenness <= config.max_light_change, kError,
           "The light comes from another direction in the second picture.");
-  require(cv::norm(survey.shift) <= config.max_shift, kError,
-          "The camera moved between the pictures.");
-  require(survey.displaced <= kDisplaced * config.max_change, kError,
-          "The scene moved under the camera between the pictures.");
   require(survey.fraction <= config.max_change, kError, "");
 }
 

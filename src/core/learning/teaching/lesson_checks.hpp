@@ -28,9 +28,12 @@ bool is_near_picture(const cv::Point2d& point);
 /// three or more than kMostPoints corners, or lies outside.
 cv::Mat outline_map(const Lesson& lesson);
 
-/// Throws LessonEnded(kChangeTooLarge) when the pictures cannot be compared: light switched, camera
-/// moved, or another scene altogether.
-void check_survey(const ChangeSurvey& survey, const LearningConfig& config);
+/// Throws LessonEnded(kChangeTooLarge) when the camera moved between the pictures.
+void check_camera_still(const ChangeSurvey& survey, const LearningConfig& config);
+
+/// Throws LessonEnded(kChangeTooLarge) when the change does not tell where the object was: the
+/// light was switched, or most of the scene changed.
+void check_one_change(const ChangeSurvey& survey, const LearningConfig& config);
 
 /// Throws LessonEnded if the map is empty or full. `room` is the area that it could have filled.
 void check_map(const cv::Mat& map, const cv::Rect& room);

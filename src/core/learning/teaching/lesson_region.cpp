@@ -33,9 +33,19 @@ cv::Rect region_of_change(const Lesson& lesson, const ChangeSurvey& survey, cons
   return !narrow.empty() && room.area() > kFarLarger * narrow.area() ? narrow : room;
 }
 
+// Whether the operator shows where the object was, closer than the change does. The verdict then
+// tells whether the pictures were good enough.
+bool shows_place(const Lesson& lesson) {
+  constexpr double kPlacePart = 0.25;  // of the picture
+  return lesson.click || !lesson.outline.empty() ||
+         (lesson.region != cv::Rect() &&
+          usable_region(lesson).area() < kPlacePart * static_cast<double>(lesson.before.total()));
+}
+
 void survey(const Lesson& lesson, const LearningConfig& config, RegionOfLesson& region) {
   ChangeSurvey survey = survey_change(lesson.before, lesson.after);
-  check_survey(survey, config);
+  check_camera_still(survey, config);
+  if (!shows_place(lesson)) check_one_change(survey, config);
   region.surveyed = survey.changed;
   region.room = is_without_place(lesson) ? departed_from(lesson, survey)
                                          : region_of_change(lesson, survey, region.room);
