@@ -38,6 +38,29 @@ TEST(Click, OneOfTwoNeighboursThatLeft) {
   EXPECT_GT(iou(map_of(learn_object(drawn.lesson)), drawn.truth), 0.9);
 }
 
+// The cloth under the object moved meanwhile, but for the picture's border.
+TEST(Click, OnAPlatformThatChangedAsWell) {
+  const cv::Size size(320, 240);
+  const auto drawn = draw_lesson({160, 120}, size);
+  cv::Mat moving = cv::Mat::zeros(size, CV_32FC3);
+  cv::rectangle(moving, cv::Rect(60, 50, 200, 140), cv::Scalar::all(1), cv::FILLED);
+  cv::GaussianBlur(moving, moving, {}, 12);
+  const auto cloth = [&](int seed) {
+    const cv::Mat moved = test::texture(size, cv::Scalar(105, 115, 120), 20, seed, 2);
+    return cv::Mat(drawn.platform + moving.mul(moved - drawn.platform));
+  };
+  Lesson lesson = drawn.lesson;
+  cv::Mat scene = cloth(5);
+  drawn.scene.copyTo(scene, drawn.truth);
+  lesson.before = test::exposed(scene, 11);
+  lesson.after = test::exposed(cloth(6), 12);
+  lesson.region = {};
+  lesson.click = cv::Point2d(155, 120);
+  const LearnResult result = learn_object(lesson);
+  ASSERT_TRUE(result.has_model) << result.message;
+  EXPECT_GT(iou(map_of(result), drawn.truth), 0.8);
+}
+
 TEST(Click, FarFromAllChangeIsRefused) {
   auto drawn = draw_lesson();
   drawn.lesson.region = {};

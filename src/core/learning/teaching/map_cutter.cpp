@@ -2,7 +2,9 @@
 #include "learning/teaching/map_cutter.hpp"
 
 #include <algorithm>
+#include <vector>
 
+#include "learning/change/platform_likeness.hpp"
 #include "learning/change/rectangles.hpp"
 #include "learning/teaching/click_region.hpp"
 #include "learning/teaching/lesson_checks.hpp"
@@ -16,6 +18,44 @@ namespace {
 constexpr int kClickMargin = 6;      // [px] about the clicked piece
 constexpr double kClickPart = 0.15;  // likewise, of its longer side
 constexpr double kTouching = 0.04;   // part of the outline on the region's edge that asks for more
+constexpr double kSquareStep = 0.8;  // sides of consecutive squares about a click
+constexpr int kSmallestSquare = 20;  // [px]
+constexpr double kFilledPart = 0.2;  // of a square: smaller maps are taken for parts of the object
+
+constexpr double kClear = 0.8;   // boundary contrast and stability of clear edges
+constexpr double kAlike = 0.35;  // part of a map that looks like the platform
+
+// Whether a map without a clear edge looks like the platform: more than the object changed.
+bool is_mostly_platform(const Segmentation& found, const SegmentationTask& task) {
+  return found.evidence && found.evidence->boundary_contrast < kClear &&
+         platform_likeness(task.before, task.after, found.map) > kAlike;
+}
+
+// Whether the outline lies on edges and does not depend on the balance of both sides.
+bool has_clear_edge(const Segmentation& found) {
+  return !found.evidence ||
+         std::min(found.evidence->boundary_contrast, found.evidence->stability) >= kClear;
+}
+
+// Squares with their centre at `click`, smaller and smaller, up to the size of `largest`.
+std::vector<cv::Rect> squares_about(const cv::Point2d& click, const cv::Rect& largest) {
+  std::vector<cv::Rect> squares;
+  for (double side = std::max(largest.width, largest.height); side >= kSmallestSquare;
+       side *= kSquareStep)
+    squares.emplace_back(cvRound(click.x - side / 2), cvRound(click.y - side / 2), cvRound(side),
+                         cvRound(side));
+  return squares;
+}
+
+template <class Steps>
+std::optional<Segmentation> if_possible(Steps&& steps) {
+  try {
+    return steps();
+  } catch (const LessonEnded& ended) {
+    if (ended.error() == LearnError::kCancelled) throw;
+    return std::nullopt;
+  }
+}
 
 }  // namespace
 
@@ -53,9 +93,35 @@ void MapCutter::look_at(const cv::Rect& place) {
 }
 
 Segmentation MapCutter::segment(Room room) {
+  return lesson_.click ? segment_clicked(room) : segment_region(room);
+}
+
+Segmentation MapCutter::segment_region(Room room) {
   Segmentation found = segment_once();
   if (room == Room::kMayGrow && widen(found)) found = segment_once();
-  return lesson_.click ? clicked(found) : found;
+  return found;
+}
+
+// Where the platform changed as well, the change about a click is more than the object.
+Segmentation MapCutter::segment_clicked(Room room) {
+  auto found = if_possible([&] { return clicked(segment_region(room)); });
+  if (!task_.after.empty() && (!found || is_mostly_platform(*found, task_)))
+    if (auto other = segment_square()) found = other;
+  return found ? *found : clicked(segment_region(room));  // throws the reason why there is none
+}
+
+// In the largest square about the click in which the map has a clear edge.
+std::optional<Segmentation> MapCutter::segment_square() {
+  const SegmentationTask first = task_;
+  for (const cv::Rect& square : squares_about(*lesson_.click, first.region)) {
+    task_.region = square & usable_region(lesson_);
+    const auto found = if_possible([&] { return clicked(segment_once()); });
+    if (found && has_clear_edge(*found) &&
+        cv::countNonZero(found->map) >= kFilledPart * square.area())
+      return found;
+  }
+  task_ = first;
+  return std::nullopt;
 }
 
 // A click selects one connected object: neighbours that were also removed are excluded with the
@@ -75,12 +141,7 @@ Segmentation MapCutter::clicked(const Segmentation& found) {
 }
 
 std::optional<Segmentation> MapCutter::segment_if_possible(Room room) {
-  try {
-    return segment(room);
-  } catch (const LessonEnded& ended) {
-    if (ended.error() == LearnError::kCancelled) throw;
-    return std::nullopt;
-  }
+  return if_possible([&] { return segment(room); });
 }
 
 Segmentation MapCutter::segment_once() {

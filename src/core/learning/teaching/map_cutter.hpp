@@ -51,6 +51,9 @@ class MapCutter {
  private:
   Segmentation accept(const cv::Mat& map);
   Segmentation segment_once();
+  Segmentation segment_region(Room room);
+  Segmentation segment_clicked(Room room);
+  std::optional<Segmentation> segment_square();
   Segmentation clicked(const Segmentation& found);
   bool widen(const Segmentation& found);
 
