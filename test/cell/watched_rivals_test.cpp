@@ -240,5 +240,17 @@ TEST(WatchedRivals, ALookAlikeFarBehindItsOtherInstancesCompetesAllTheSame) {
   EXPECT_GT(show(kStory, kPicturesOfAStory), 0);
 }
 
+// Three lie on top of each other: the look-alike is found at one of them only.
+TEST(WatchedRivals, ALookAlikeFoundAtANeighbourIsComparedAllTheSame) {
+  constexpr int kStory = 1073;
+  EXPECT_GT(show(kStory, kPicturesOfAStory), 0);
+}
+
+// An instance replaces its look-alike, which was found in darker pictures.
+TEST(WatchedRivals, ALookAlikeOfAnEarlierPictureIsNotCompared) {
+  constexpr int kStory = 2881;
+  EXPECT_GT(show(kStory, kPicturesOfAStory), 0);
+}
+
 }  // namespace
 }  // namespace mbncc

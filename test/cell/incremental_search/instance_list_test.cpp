@@ -140,5 +140,15 @@ TEST_F(KnownInstancesTest, OfTwoAtOnePlaceTheBetterStaysAndKnowsTheOther) {
   EXPECT_EQ(known_.admit(weaker, kReach), nullptr);
 }
 
+TEST_F(KnownInstancesTest, OneOfAnEarlierPictureIsReplacedWithoutAComparison) {
+  Known earlier = known_at(102, "other", 10);
+  earlier.match.score = 0.8;
+  earlier.match.fresh = false;
+  known_.admit(earlier, kReach);
+  known_.admit(known_at(100), kReach);
+  ASSERT_EQ(known_.all().size(), 1u);
+  EXPECT_FALSE(judged(known_.all()[0]).graspable) << "the light may have changed since then";
+}
+
 }  // namespace
 }  // namespace mbncc

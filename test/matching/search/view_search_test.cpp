@@ -156,6 +156,9 @@ TEST(SearchOccupied, AnObjectIsJudgedWhereAnotherOfItsSizeLies) {
   EXPECT_LT(cv::norm(detections.front().pose.position() - anchor.position()), 1);
   EXPECT_LT(angle_distance(detections.front().pose.theta, anchor.theta), to_radians(1.));
   EXPECT_TRUE(judged(1, {}, detections).empty()) << "found already";
+  std::vector<Detection> neighbour{detections.front()};
+  neighbour.front().pose.x += 0.5 * view.shape.radius();
+  EXPECT_FALSE(judged(1, {}, neighbour).empty()) << "a neighbour that covers it in part";
   EXPECT_TRUE(judged(1.3, {}, {}).empty()) << "larger things are no look-alikes";
   EXPECT_TRUE(judged(1, {0, 0, 50, 50}, {}).empty()) << "not asked for there";
 }

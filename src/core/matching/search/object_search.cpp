@@ -5,7 +5,6 @@
 #include <cmath>
 #include <opencv2/imgproc.hpp>
 
-#include "matching/decision/clutter.hpp"
 #include "matching/prepared/prepared_object.hpp"
 #include "matching/search/search_budget.hpp"
 
@@ -64,10 +63,13 @@ std::vector<Detection> search_object(const PreparedObject& object, const ScenePi
 std::vector<Detection> search_occupied(const PreparedObject& object, const ScenePicture& scene,
                                        const cv::Rect& roi, const std::vector<Footprint>& occupied,
                                        const std::vector<Detection>& found) {
+  // Of the radius: detections farther away, of a neighbour that lies on top of another instance, do
+  // not show that the place was compared.
+  constexpr double kInPlace = 0.25;
   std::vector<Detection> detections;
   for (const auto& view : object.views) {
     const auto near = [&](cv::Point2d one, cv::Point2d other) {
-      return cv::norm(one - other) < kSamePlace * view.shape.radius();
+      return cv::norm(one - other) < kInPlace * view.shape.radius();
     };
     std::vector<cv::Point2d> centres;
     for (const auto& other : occupied) {
