@@ -183,7 +183,7 @@ TEST(Quality, EvidenceAgainstTheCutIsNamed) {
     return quality.verdict;
   };
   CutEvidence touch, outside, unstable, weak;
-  touch.region_touch = 0.5;
+  touch.cut_off = 0.5;
   outside.change_outside = 0.8;
   unstable.stability = 0.1;
   weak.boundary_contrast = 0.05;

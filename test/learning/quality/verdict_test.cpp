@@ -89,13 +89,13 @@ TEST_F(VerdictTest, EverySignalIsARisk) {
 
 TEST_F(VerdictTest, WhatTheCutTellsIsNotGood) {
   CutEvidence touch, outside, beside, unverified;
-  touch.region_touch = 0.2;
+  touch.cut_off = 0.07;
   outside.change_outside = 0.11;
   beside.change_beside = 0.09;
   unverified.verified = false;
   for (const CutEvidence& evidence : {touch, outside, beside, unverified})
     EXPECT_EQ(verdict_with(evidence), Verdict::kMarginal);
-  touch.region_touch = 1;
+  touch.cut_off = 1;
   beside.change_beside = 1;
   EXPECT_EQ(verdict_with(touch), Verdict::kMarginal);
   EXPECT_EQ(verdict_with(beside), Verdict::kMarginal);
@@ -152,7 +152,7 @@ TEST_F(VerdictTest, WhatLooksTheSameIsToldFromSeventyPercentOn) {
 TEST_F(VerdictTest, WhatRefusesGoesBeforeWarningsAndTheyDoNotSoftenIt) {
   CutEvidence outside = stable(1);
   outside.change_outside = 0.6;  // refuses
-  outside.region_touch = 0.2;    // warns before
+  outside.cut_off = 0.2;         // warns before
   outside.change_beside = 0.1;   // warns after
   const Quality quality = decided(sound(), outside);
   EXPECT_EQ(quality.verdict, Verdict::kBad);

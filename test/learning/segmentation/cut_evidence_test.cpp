@@ -36,8 +36,13 @@ Smoothness even() {
 class CutEvidenceTest : public testing::Test {
  protected:
   CutEvidence evidence() const {
-    FinishedCut cut{
-        map_of(kObject), coarse_cut(unary_, half_), map_of(kRegion), unary_, changed_, {}, {}};
+    FinishedCut cut;
+    cut.map = map_of(kObject);
+    cut.coarse = coarse_cut(unary_, half_);
+    cut.inside = map_of(region_);
+    cut.unary = unary_;
+    cut.changed = changed_;
+    cut.intruders = intruders_;
     return cut_evidence(cut, smoothness_, half_);
   }
 
@@ -47,6 +52,8 @@ class CutEvidenceTest : public testing::Test {
     unary_(kObject).setTo(on);
   }
 
+  cv::Rect region_ = kRegion;
+  cv::Mat intruders_;
   Smoothness smoothness_ = even();
   const Smoothness half_ = half_resolution(even());
   cv::Mat unary_ = cv::Mat(kSize, CV_32FC1, cv::Scalar(-8));
@@ -86,6 +93,18 @@ TEST_F(CutEvidenceTest, AMapAtItsRegionsEdgeIsTold) {
   EXPECT_EQ(region_touch(map_of(kRegion), inside), 1);
   // One side of four.
   EXPECT_NEAR(region_touch(map_of({10, 20, 20, 20}), inside), 0.28, 0.03);
+}
+
+TEST_F(CutEvidenceTest, AnObjectThatTheRegionCutsOffIsTold) {
+  prefer(8, -8);
+  region_ = cv::Rect(10, 10, kObject.br().x - 10, 40);  // ends where the object does
+  EXPECT_EQ(evidence().cut_off, 0) << "the change ends there, too";
+  changed_(cv::Rect(kObject.br().x, kObject.y, 10, kObject.height)).setTo(1);
+  EXPECT_NEAR(evidence().cut_off, kObject.height / 96., 0.07) << "one side of the outline";
+  region_ = kRegion;
+  EXPECT_EQ(evidence().cut_off, 0) << "change beside it in the region";
+  intruders_ = map_of({kObject.x, kObject.br().y + 1, kObject.width, 5});
+  EXPECT_NEAR(evidence().cut_off, kObject.width / 96., 0.07) << "it may lie below an intruder";
 }
 
 TEST_F(CutEvidenceTest, AnOutlineThatCostsNothingFollowsEdges) {

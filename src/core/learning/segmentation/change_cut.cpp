@@ -139,8 +139,9 @@ class Cutter {
 
   CutEvidence evidence() const {
     const cv::Mat room = intruders_.empty() ? inside_ : cv::Mat(inside_ & ~intruders_);
-    return cut_evidence({map_, coarse_, room, unary_, background_.changed, kept_, confirmed()},
-                        smoothness_, half_);
+    return cut_evidence(
+        {map_, coarse_, room, unary_, background_.changed, kept_, intruders_, confirmed()},
+        smoothness_, half_);
   }
 
  private:

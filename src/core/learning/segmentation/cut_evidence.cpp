@@ -47,6 +47,14 @@ double change_beside(const FinishedCut& cut) {
   return cv::countNonZero(beside) / std::max(1.0, static_cast<double>(cv::countNonZero(cut.map)));
 }
 
+// The object may continue beyond the region where the change does, and below an intruder.
+double cut_off(const FinishedCut& cut) {
+  cv::Mat beyond = (cut.changed > kSurelyChanged) & ~cut.inside;
+  if (!cut.intruders.empty()) beyond |= cut.intruders;
+  cv::dilate(beyond, beyond, cv::Mat::ones(kBeside, kBeside, CV_8U));
+  return part(beyond, outline_pixels(cut.map));
+}
+
 // Painted pixels count as certain.
 double agreement(const FinishedCut& cut, const cv::Mat& other) {
   cv::Mat same = cut.map & other, either = cut.map | other;
@@ -84,6 +92,7 @@ CutEvidence cut_evidence(const FinishedCut& cut, const Smoothness& smoothness,
                          const Smoothness& half) {
   CutEvidence evidence;
   evidence.region_touch = region_touch(cut.map, cut.inside);
+  evidence.cut_off = cut_off(cut);
   evidence.region_span = region_span(cut.map, cut.inside);
   evidence.change_outside = part(cut.changed > kSurelyChanged, ~cut.inside);
   evidence.change_beside = change_beside(cut);

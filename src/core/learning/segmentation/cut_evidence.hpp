@@ -17,6 +17,7 @@ struct FinishedCut {
   cv::Mat unary;      ///< CV_32FC1, what the last cut minimised
   cv::Mat changed;    ///< CV_32FC1, as in BackgroundLikelihood
   cv::Mat kept;       ///< CV_8UC1 or empty: groups of pixels that lie there are the object's
+  cv::Mat intruders;  ///< CV_8UC1 or empty: covered afterwards by something from outside
   cv::Mat confirmed;  ///< CV_8UC1 or empty: the operator has painted there
 };
 
