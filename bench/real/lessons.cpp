@@ -28,7 +28,8 @@ namespace fs = std::filesystem;
 constexpr const char* kOptions =
     "{@set       |        | folders that hold cases at any depth, comma separated }"
     "{by         | region | how the object is shown: region, none, click (with the picture after);"
-    " box<percent> (without it; the true bounding box made so much larger); hand (the true map) }"
+    " point (a click without it); box<percent> (without it; the true bounding box made so much "
+    "larger); hand (the true map) }"
     "{method     | auto   | of learn_object; otsu, otsu_grabcut and opencv_grabcut: baselines }"
     "{half       |        | only sources of this half (SOURCE.json): tune or report; empty: all }"
     "{out        |        | folder for cases.csv and the maps }"
@@ -92,9 +93,10 @@ Lesson lesson_of(const CaseFolder& one, const std::string& by) {
     lesson.region = enlarged(cv::boundingRect(one.map), std::stod(by.substr(3)), one.map.size());
     return lesson;
   }
+  if (by == "click" || by == "point") lesson.click = click_of(one);
+  if (by == "point") return lesson;
   lesson.after = one.after;
   if (by == "region") lesson.region = one.region;
-  if (by == "click") lesson.click = click_of(one);
   return lesson;
 }
 

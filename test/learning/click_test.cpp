@@ -79,6 +79,16 @@ TEST(Click, FindsAPlainlyVisibleObjectInOnePicture) {
   EXPECT_NE(result.object.quality.verdict, Verdict::kGood);
 }
 
+// Squares of different sizes give maps of different sizes: a click does not tell which is meant.
+TEST(Click, OnePictureWithoutAClearObjectIsBad) {
+  Lesson lesson;
+  lesson.name = "object";
+  lesson.before = test::exposed(test::texture({320, 240}, cv::Scalar(105, 115, 120), 30, 1), 11);
+  lesson.click = cv::Point2d(160, 120);
+  const LearnResult result = learn_object(lesson);
+  EXPECT_NE(result.error, LearnError::kSuccess) << "stability " << result.evidence->stability;
+}
+
 TEST(Click, OutsideThePictureIsRefused) {
   auto drawn = draw_lesson();
   drawn.lesson.click = cv::Point2d(-1, 20);

@@ -27,6 +27,10 @@ double region_touch(const cv::Mat& map, const cv::Mat& inside);
 /// Width or height of the map's box as part [0..1] of the region's box, whichever is less.
 double region_span(const cv::Mat& map, const cv::Mat& inside);
 
+/// [0..1] How well the outline lies on image edges and how little it depends on the balance of both
+/// sides.
+double edge_clarity(const CutEvidence& evidence);
+
 CutEvidence cut_evidence(const FinishedCut& cut, const Smoothness& smoothness,
                          const Smoothness& half);
 

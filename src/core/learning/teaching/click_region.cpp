@@ -3,71 +3,71 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
-#include <limits>
 #include <opencv2/imgproc.hpp>
-#include <queue>
-#include <vector>
+
+#include "learning/segmentation/cut_evidence.hpp"
+#include "mbncc/learning/change_cut.hpp"
 
 namespace mbncc {
 namespace {
 
-constexpr int kWidth = 240;        // [px] that distances are measured at
-constexpr float kStepCost = 0.5F;  // [grey levels / px] of even colour
-constexpr int kTouch = 2;          // [px] radius of the click
-constexpr int kGap = 9;            // [px] pieces nearer than this are joined
+constexpr double kSquareStep = 0.8;   // sides of consecutive squares
+constexpr int kSmallestSquare = 20;   // [px]
+constexpr double kLargestPart = 0.6;  // of the picture's shorter side: the largest square
+constexpr double kSameArea = 1.25;    // factor up to which the maps of two squares agree
+constexpr double kAgreement = 0.1;    // of one more square, relative to clarity
+constexpr double kEnoughSquares = 6;  // which agree on most right maps and few wrong ones
+constexpr int kGap = 9;               // [px] pieces nearer than this are joined
+constexpr double kMissed = 15;        // [px] largest distance of a click to its patch
 
-constexpr double kMissed = 15;  // [px] largest distance of a click to its patch
+struct Candidate {
+  cv::Rect region;
+  cv::Mat piece;  // of the region's size
+  int area;       // [px]
+  double clarity;
+};
 
-using Step = std::pair<float, int>;  // distance, pixel
-
-float colour_step(const cv::Vec3f& a, const cv::Vec3f& b) {
-  return std::abs(a[0] - b[0]) + std::abs(a[1] - b[1]) + std::abs(a[2] - b[2]);
-}
-
-// Geodesic distance from the pixels of `seeds` (Dijkstra).
-cv::Mat colour_distance(const cv::Mat& picture, const cv::Mat& seeds) {
-  cv::Mat distance(picture.size(), CV_32FC1, cv::Scalar(std::numeric_limits<float>::max()));
-  distance.setTo(0, seeds);
-  std::priority_queue<Step, std::vector<Step>, std::greater<>> open;
-  for (int i = 0; i < static_cast<int>(seeds.total()); ++i)
-    if (seeds.at<uchar>(i / seeds.cols, i % seeds.cols)) open.emplace(0.F, i);
-  const cv::Rect room({0, 0}, picture.size());
-  while (!open.empty()) {
-    const auto [so_far, pixel] = open.top();
-    open.pop();
-    const cv::Point at(pixel % picture.cols, pixel / picture.cols);
-    if (so_far > distance.at<float>(at)) continue;
-    for (const cv::Point& way :
-         {cv::Point(1, 0), cv::Point(-1, 0), cv::Point(0, 1), cv::Point(0, -1)}) {
-      const cv::Point next = at + way;
-      if (!room.contains(next)) continue;
-      const float there =
-          so_far + kStepCost + colour_step(picture.at<cv::Vec3f>(at), picture.at<cv::Vec3f>(next));
-      if (there >= distance.at<float>(next)) continue;
-      distance.at<float>(next) = there;
-      open.emplace(there, next.y * picture.cols + next.x);
-    }
-  }
-  return distance;
+// Squares whose map is about as large, its own included.
+int agreeing(const Candidate& one, const std::vector<Candidate>& candidates) {
+  return static_cast<int>(
+      std::count_if(candidates.begin(), candidates.end(), [&](const Candidate& other) {
+        return std::max(one.area, other.area) < kSameArea * std::min(one.area, other.area);
+      }));
 }
 
 }  // namespace
 
-cv::Mat grow_from_click(const cv::Mat& picture, const cv::Point2d& click) {
-  const double scale = std::min(1.0, static_cast<double>(kWidth) / picture.cols);
-  cv::Mat small, smooth, near;
-  cv::resize(picture, small, {}, scale, scale, cv::INTER_AREA);
-  cv::medianBlur(small, small, 3);
-  small.convertTo(smooth, CV_32F);
-  cv::Mat touched = cv::Mat::zeros(small.size(), CV_8UC1), border = touched.clone();
-  cv::circle(touched, cv::Point(cvFloor(click.x * scale), cvFloor(click.y * scale)), kTouch,
-             cv::Scalar(255), cv::FILLED);
-  cv::rectangle(border, cv::Rect({0, 0}, small.size()), cv::Scalar(255));
-  border.setTo(0, touched);
-  const cv::Mat object = colour_distance(smooth, touched) < colour_distance(smooth, border);
-  cv::resize(object, near, picture.size(), 0, 0, cv::INTER_NEAREST);
-  return near;
+std::vector<cv::Rect> squares_about(const cv::Point2d& click, double largest) {
+  std::vector<cv::Rect> squares;
+  for (double side = largest; side >= kSmallestSquare; side *= kSquareStep)
+    squares.emplace_back(cvRound(click.x - side / 2), cvRound(click.y - side / 2), cvRound(side),
+                         cvRound(side));
+  return squares;
+}
+
+std::optional<ClickedRegion> stable_region(const cv::Mat& picture, const cv::Rect& room,
+                                           const cv::Point2d& click, int iterations) {
+  std::vector<Candidate> candidates;
+  const double largest = kLargestPart * std::min(room.width, room.height);
+  for (const cv::Rect& square : squares_about(click, largest)) {
+    const cv::Rect region = square & room;
+    const ChangeCut cut = region_cut(picture, region, iterations);
+    const cv::Mat piece = piece_at(cut.map, click);
+    const int area = cv::countNonZero(piece);
+    if (area > 0)
+      candidates.push_back({region, piece(region).clone(), area, edge_clarity(cut.evidence)});
+  }
+  const auto worth = [&](const Candidate& one) {
+    return one.clarity + kAgreement * agreeing(one, candidates);
+  };
+  const auto best =
+      std::max_element(candidates.begin(), candidates.end(),
+                       [&](const Candidate& a, const Candidate& b) { return worth(a) < worth(b); });
+  if (best == candidates.end()) return std::nullopt;
+  ClickedRegion found{best->region, cv::Mat::zeros(picture.size(), CV_8UC1),
+                      std::min(1., agreeing(*best, candidates) / kEnoughSquares)};
+  best->piece.copyTo(found.map(best->region));
+  return found;
 }
 
 cv::Mat piece_at(const cv::Mat& mask, const cv::Point2d& click) {

@@ -52,21 +52,29 @@ void survey(const Lesson& lesson, const LearningConfig& config, RegionOfLesson& 
   region.changed = survey.changed;
 }
 
-// The change there, otherwise the region of similar colour.
-void narrow_to_click(const Lesson& lesson, RegionOfLesson& region) {
-  region.approximate = lesson.after.empty() ? grow_from_click(lesson.before, *lesson.click)
-                                            : change_at_click(region.approximate, *lesson.click);
+// The change there; in one picture, what is cut alike in squares of many sizes.
+void narrow_to_click(const Lesson& lesson, const LearningConfig& config, RegionOfLesson& region) {
+  if (lesson.after.empty()) {
+    const auto clicked =
+        stable_region(lesson.before, region.room, *lesson.click, config.iterations);
+    if (!clicked) throw LessonEnded(LearnError::kSegmentationEmpty);
+    region.approximate = clicked->map;
+    region.room = clicked->square;
+    region.agreement = clicked->agreement;
+    return;
+  }
+  region.approximate = change_at_click(region.approximate, *lesson.click);
   ChangeSurvey clicked;
   clicked.changed = region.approximate;
   const cv::Rect room = changed_region(clicked, {{0, 0}, lesson.before.size()}, 0);
   if (!room.empty()) region.room = room;
 }
 
-void approximate(const Lesson& lesson, RegionOfLesson& region) {
+void approximate(const Lesson& lesson, const LearningConfig& config, RegionOfLesson& region) {
   region.approximate = cv::Mat::zeros(lesson.before.size(), CV_8UC1);
   region.approximate(region.room).setTo(255);
   if (!region.changed.empty()) region.approximate &= region.changed;
-  if (lesson.click) narrow_to_click(lesson, region);
+  if (lesson.click) narrow_to_click(lesson, config, region);
   if (cv::countNonZero(region.approximate) == 0) throw LessonEnded(LearnError::kNoChange);
 }
 
@@ -81,7 +89,7 @@ RegionOfLesson region_of(const Lesson& lesson, const LearningConfig& config) {
   region.room = usable_region(lesson);
   if (!lesson.after.empty()) survey(lesson, config, region);
   if (lesson.outline.empty()) {
-    approximate(lesson, region);
+    approximate(lesson, config, region);
   } else {
     region.approximate = outline_map(lesson);
     region.room = cv::boundingRect(region.approximate);

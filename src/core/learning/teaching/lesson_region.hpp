@@ -10,10 +10,11 @@ namespace mbncc {
 
 /// All maps are CV_8UC1 of the picture's size, 0/255.
 struct RegionOfLesson {
-  cv::Rect room;        ///< [px] the object lies in here
-  cv::Mat approximate;  ///< the paper's approximate region
-  cv::Mat changed;      ///< where something may have left; empty without a picture after
-  cv::Mat surveyed;     ///< all changes, arrivals included; likewise
+  cv::Rect room;         ///< [px] the object lies in here
+  cv::Mat approximate;   ///< the paper's approximate region
+  cv::Mat changed;       ///< where something may have left; empty without a picture after
+  cv::Mat surveyed;      ///< all changes, arrivals included; likewise
+  double agreement = 1;  ///< of a click in one picture, as in ClickedRegion
 };
 
 /// No place is given, so the largest departure is the object.

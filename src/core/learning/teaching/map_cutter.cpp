@@ -2,10 +2,10 @@
 #include "learning/teaching/map_cutter.hpp"
 
 #include <algorithm>
-#include <vector>
 
 #include "learning/change/platform_likeness.hpp"
 #include "learning/change/rectangles.hpp"
+#include "learning/segmentation/cut_evidence.hpp"
 #include "learning/teaching/click_region.hpp"
 #include "learning/teaching/lesson_checks.hpp"
 #include "learning/teaching/lesson_region.hpp"
@@ -18,8 +18,6 @@ namespace {
 constexpr int kClickMargin = 6;      // [px] about the clicked piece
 constexpr double kClickPart = 0.15;  // likewise, of its longer side
 constexpr double kTouching = 0.04;   // part of the outline on the region's edge that asks for more
-constexpr double kSquareStep = 0.8;  // sides of consecutive squares about a click
-constexpr int kSmallestSquare = 20;  // [px]
 constexpr double kFilledPart = 0.2;  // of a square: smaller maps are taken for parts of the object
 
 constexpr double kClear = 0.8;   // boundary contrast and stability of clear edges
@@ -31,20 +29,8 @@ bool is_mostly_platform(const Segmentation& found, const SegmentationTask& task)
          platform_likeness(task.before, task.after, found.map) > kAlike;
 }
 
-// Whether the outline lies on edges and does not depend on the balance of both sides.
 bool has_clear_edge(const Segmentation& found) {
-  return !found.evidence ||
-         std::min(found.evidence->boundary_contrast, found.evidence->stability) >= kClear;
-}
-
-// Squares with their centre at `click`, smaller and smaller, up to the size of `largest`.
-std::vector<cv::Rect> squares_about(const cv::Point2d& click, const cv::Rect& largest) {
-  std::vector<cv::Rect> squares;
-  for (double side = std::max(largest.width, largest.height); side >= kSmallestSquare;
-       side *= kSquareStep)
-    squares.emplace_back(cvRound(click.x - side / 2), cvRound(click.y - side / 2), cvRound(side),
-                         cvRound(side));
-  return squares;
+  return !found.evidence || edge_clarity(*found.evidence) >= kClear;
 }
 
 template <class Steps>
@@ -83,6 +69,7 @@ void MapCutter::mark_region() {
   const RegionOfLesson region = region_of(lesson_, config_);
   task_ = {lesson_.before, lesson_.after, region.room, region.approximate, region.changed};
   surveyed_ = region.surveyed;
+  agreement_ = region.agreement;
   progress_.report(Stage::kRegion, 0.1, "Marking the approximate region.",
                    [&] { return tinted(task_.before, task_.approximate, task_.region); });
 }
@@ -102,10 +89,18 @@ Segmentation MapCutter::segment_region(Room room) {
   return found;
 }
 
+// The stability of such a map includes that it does not depend on the region's size.
+Segmentation MapCutter::clicked_alone() {
+  Segmentation found = clicked(segment_once());
+  if (found.evidence) found.evidence->stability = std::min(found.evidence->stability, agreement_);
+  return found;
+}
+
 // Where the platform changed as well, the change about a click is more than the object.
 Segmentation MapCutter::segment_clicked(Room room) {
+  if (task_.after.empty()) return clicked_alone();
   auto found = if_possible([&] { return clicked(segment_region(room)); });
-  if (!task_.after.empty() && (!found || is_mostly_platform(*found, task_)))
+  if (!found || is_mostly_platform(*found, task_))
     if (auto other = segment_square()) found = other;
   return found ? *found : clicked(segment_region(room));  // throws the reason why there is none
 }
@@ -113,7 +108,8 @@ Segmentation MapCutter::segment_clicked(Room room) {
 // In the largest square about the click in which the map has a clear edge.
 std::optional<Segmentation> MapCutter::segment_square() {
   const SegmentationTask first = task_;
-  for (const cv::Rect& square : squares_about(*lesson_.click, first.region)) {
+  const double largest = std::max(first.region.width, first.region.height);
+  for (const cv::Rect& square : squares_about(*lesson_.click, largest)) {
     task_.region = square & usable_region(lesson_);
     const auto found = if_possible([&] { return clicked(segment_once()); });
     if (found && has_clear_edge(*found) &&

@@ -54,6 +54,7 @@ class MapCutter {
   Segmentation segment_region(Room room);
   Segmentation segment_clicked(Room room);
   std::optional<Segmentation> segment_square();
+  Segmentation clicked_alone();
   Segmentation clicked(const Segmentation& found);
   bool widen(const Segmentation& found);
 
@@ -63,6 +64,7 @@ class MapCutter {
   std::map<std::string, double>& timings_ms_;
   SegmentationTask task_;
   cv::Mat surveyed_;
+  double agreement_ = 1;  // as in RegionOfLesson
 };
 
 }  // namespace mbncc
