@@ -162,11 +162,13 @@ class Teacher:
     def begin(self, name=""):
         if name:
             self.mouse.write("name", name)
+        self._drafts = self.draft.count()
         count = self.feedback.count()
         self.mouse.click_until("Teach", lambda: self.feedback.count() > count, "a lesson begins")
 
     def answer(self, name):
         """Clicks an answer that begins a lesson."""
+        self._drafts = self.draft.count()
         count = self.feedback.count()
         self.mouse.click(name)
         wait_for(lambda: self.feedback.count() > count, "a lesson begins")
@@ -180,6 +182,8 @@ class Teacher:
     def wait_for_question(self):
         from mbncc_vision.msg import LearnObjectFeedback
         self.wait_for_stage(LearnObjectFeedback.WAIT_CONFIRM)
+        # Stage and draft are messages of different topics.
+        wait_for(lambda: self.draft.count() > self._drafts, "the lesson shows its draft")
         return self.draft.get()
 
     def press(self, name):
