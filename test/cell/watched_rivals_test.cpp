@@ -227,30 +227,31 @@ TEST(WatchedRivals, NothingIsGraspableThatAWholeSearchDenies) {
   EXPECT_GT(graspable, 0);
 }
 
-// A search of its region proposes the twin nowhere near.
-TEST(WatchedRivals, ALookAlikeThatASearchPassesOverIsComparedAllTheSame) {
-  constexpr int kStory = 313;
-  EXPECT_GT(show(kStory, kPicturesOfAStory), 0);
+/// A sequence in which a look-alike was once passed over.
+struct Sequence {
+  const char* name;
+  int story;
+};
+
+class WatchedSequence : public testing::TestWithParam<Sequence> {};
+
+TEST_P(WatchedSequence, TheLookAlikeCompetes) {
+  EXPECT_GT(show(GetParam().story, kPicturesOfAStory), 0);
 }
 
-// A smaller look-alike is taken for an object of which two more lie in the picture: this one is far
-// behind those, which is no merit of the smaller one.
-TEST(WatchedRivals, ALookAlikeFarBehindItsOtherInstancesCompetesAllTheSame) {
-  constexpr int kStory = 547;
-  EXPECT_GT(show(kStory, kPicturesOfAStory), 0);
-}
-
-// Three lie on top of each other: the look-alike is found at one of them only.
-TEST(WatchedRivals, ALookAlikeFoundAtANeighbourIsComparedAllTheSame) {
-  constexpr int kStory = 1073;
-  EXPECT_GT(show(kStory, kPicturesOfAStory), 0);
-}
-
-// An instance replaces its look-alike, which was found in darker pictures.
-TEST(WatchedRivals, ALookAlikeOfAnEarlierPictureIsNotCompared) {
-  constexpr int kStory = 2881;
-  EXPECT_GT(show(kStory, kPicturesOfAStory), 0);
-}
+INSTANTIATE_TEST_SUITE_P(
+    ALookAlike, WatchedSequence,
+    testing::Values(
+        // A search of its region proposes the twin nowhere near.
+        Sequence{"that_a_search_passes_over", 313},
+        // A smaller look-alike is taken for an object of which two more lie in the picture: this
+        // one is far behind those, which is no merit of the smaller one.
+        Sequence{"far_behind_its_other_instances", 547},
+        // Three lie on top of each other: the look-alike is found at one of them only.
+        Sequence{"found_at_a_neighbour", 1073},
+        // An instance replaces its look-alike, which was found in darker pictures.
+        Sequence{"of_an_earlier_picture", 2881}),
+    [](const auto& one) { return std::string(one.param.name); });
 
 }  // namespace
 }  // namespace mbncc

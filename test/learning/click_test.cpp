@@ -94,6 +94,23 @@ TEST(Click, InOnePictureTheMapOfFewSquaresIsUnstable) {
   EXPECT_LT(result.evidence->stability, 0.9);
 }
 
+TEST(Click, OutsideTheRegionIsRefused) {
+  auto drawn = draw_lesson({160, 120}, {320, 240});
+  for (const cv::Mat& after : {drawn.lesson.after, cv::Mat()}) {
+    Lesson lesson = drawn.lesson;
+    lesson.after = after;
+    lesson.click = cv::Point2d(10, 230);
+    EXPECT_NE(learn_object(lesson).error, LearnError::kSuccess);
+  }
+}
+
+TEST(Click, InARegionOfOnePictureTheRegionTellsTheSize) {
+  auto drawn = draw_lesson({160, 120}, {320, 240});
+  drawn.lesson.after = cv::Mat();
+  drawn.lesson.click = cv::Point2d(155, 120);
+  EXPECT_GT(iou(map_of(learn_object(drawn.lesson)), drawn.truth), 0.8);
+}
+
 TEST(Click, OutsideThePictureIsRefused) {
   auto drawn = draw_lesson();
   drawn.lesson.click = cv::Point2d(-1, 20);

@@ -37,20 +37,23 @@ int agreeing(const Candidate& one, const std::vector<Candidate>& candidates) {
 
 }  // namespace
 
-std::vector<cv::Rect> squares_about(const cv::Point2d& click, double largest) {
+std::vector<cv::Rect> squares_about(const cv::Point2d& click, double largest,
+                                    const cv::Rect& room) {
   std::vector<cv::Rect> squares;
-  for (double side = largest; side >= kSmallestSquare; side *= kSquareStep)
-    squares.emplace_back(cvRound(click.x - side / 2), cvRound(click.y - side / 2), cvRound(side),
-                         cvRound(side));
+  for (double side = largest; side >= kSmallestSquare; side *= kSquareStep) {
+    const cv::Rect square(cvRound(click.x - side / 2), cvRound(click.y - side / 2), cvRound(side),
+                          cvRound(side));
+    const cv::Rect inside = square & room;
+    if (std::min(inside.width, inside.height) >= kSmallestSquare / 2) squares.push_back(inside);
+  }
   return squares;
 }
 
-std::optional<ClickedRegion> stable_region(const cv::Mat& picture, const cv::Rect& room,
-                                           const cv::Point2d& click, int iterations) {
+std::optional<ClickedRegion> stable_region(const cv::Mat& picture, const cv::Point2d& click,
+                                           int iterations) {
   std::vector<Candidate> candidates;
-  const double largest = kLargestPart * std::min(room.width, room.height);
-  for (const cv::Rect& square : squares_about(click, largest)) {
-    const cv::Rect region = square & room;
+  const double largest = kLargestPart * std::min(picture.cols, picture.rows);
+  for (const cv::Rect& region : squares_about(click, largest, {{0, 0}, picture.size()})) {
     const ChangeCut cut = region_cut(picture, region, iterations);
     const cv::Mat piece = piece_at(cut.map, click);
     const int area = cv::countNonZero(piece);

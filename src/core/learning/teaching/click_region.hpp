@@ -9,20 +9,21 @@
 namespace mbncc {
 
 /// Squares [px] with their centre at `click`, the first `largest` wide, each .8 times as wide as
-/// the one before, down to 20 pixels. They may reach out of the picture.
-std::vector<cv::Rect> squares_about(const cv::Point2d& click, double largest);
+/// the one before, down to 20 pixels; clipped to `room`, without those of which less than 10 pixels
+/// remain.
+std::vector<cv::Rect> squares_about(const cv::Point2d& click, double largest, const cv::Rect& room);
 
 struct ClickedRegion {
-  cv::Rect square;       ///< [px] clipped to the room
+  cv::Rect square;       ///< [px] clipped to the picture
   cv::Mat map;           ///< CV_8UC1 of the picture's size, 255 on the object
   double agreement = 0;  ///< [0..1] squares that gave a map of this size; 1: six or more
 };
 
-/// The object at `click` in one picture (CV_8UC3): region_cut() in squares about it, inside `room`,
-/// and the map that most squares agree on and whose outline lies on clear edges; the idea of
+/// The object at `click` in one picture (CV_8UC3): region_cut() in squares about it, and
+/// the map that most squares agree on and whose outline lies on clear edges; the idea of
 /// maximally stable extremal regions (Matas et al. 2002). None if no square has a map there.
-std::optional<ClickedRegion> stable_region(const cv::Mat& picture, const cv::Rect& room,
-                                           const cv::Point2d& click, int iterations);
+std::optional<ClickedRegion> stable_region(const cv::Mat& picture, const cv::Point2d& click,
+                                           int iterations);
 
 /// 255 on the connected piece of `mask` (CV_8UC1) at the click, or else nearest to it; all 0 where
 /// none lies within 15 pixels.

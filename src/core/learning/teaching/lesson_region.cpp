@@ -52,11 +52,11 @@ void survey(const Lesson& lesson, const LearningConfig& config, RegionOfLesson& 
   region.changed = survey.changed;
 }
 
-// The change there; in one picture, what is cut alike in squares of many sizes.
+// The change there; in one picture without a region, what is cut alike in squares of many sizes.
 void narrow_to_click(const Lesson& lesson, const LearningConfig& config, RegionOfLesson& region) {
   if (lesson.after.empty()) {
-    const auto clicked =
-        stable_region(lesson.before, region.room, *lesson.click, config.iterations);
+    if (lesson.region != cv::Rect()) return;
+    const auto clicked = stable_region(lesson.before, *lesson.click, config.iterations);
     if (!clicked) throw LessonEnded(LearnError::kSegmentationEmpty);
     region.approximate = clicked->map;
     region.room = clicked->square;

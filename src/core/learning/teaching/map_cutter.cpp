@@ -18,10 +18,8 @@ namespace {
 constexpr int kClickMargin = 6;      // [px] about the clicked piece
 constexpr double kClickPart = 0.15;  // likewise, of its longer side
 constexpr double kTouching = 0.04;   // part of the outline on the region's edge that asks for more
-constexpr double kFilledPart = 0.2;  // of a square: smaller maps are taken for parts of the object
-
-constexpr double kClear = 0.8;   // boundary contrast and stability of clear edges
-constexpr double kAlike = 0.35;  // part of a map that looks like the platform
+constexpr double kClear = 0.8;       // boundary contrast and stability of clear edges
+constexpr double kAlike = 0.35;      // part of a map that looks like the platform
 
 // Whether a map without a clear edge looks like the platform: more than the object changed.
 bool is_mostly_platform(const Segmentation& found, const SegmentationTask& task) {
@@ -99,22 +97,24 @@ Segmentation MapCutter::clicked_alone() {
 // Where the platform changed as well, the change about a click is more than the object.
 Segmentation MapCutter::segment_clicked(Room room) {
   if (task_.after.empty()) return clicked_alone();
-  auto found = if_possible([&] { return clicked(segment_region(room)); });
-  if (!found || is_mostly_platform(*found, task_))
-    if (auto other = segment_square()) found = other;
-  return found ? *found : clicked(segment_region(room));  // throws the reason why there is none
+  try {
+    const Segmentation found = clicked(segment_region(room));
+    return is_mostly_platform(found, task_) ? segment_square().value_or(found) : found;
+  } catch (const LessonEnded& ended) {
+    if (ended.error() == LearnError::kCancelled) throw;
+    if (const auto found = segment_square()) return *found;
+    throw;
+  }
 }
 
 // In the largest square about the click in which the map has a clear edge.
 std::optional<Segmentation> MapCutter::segment_square() {
   const SegmentationTask first = task_;
   const double largest = std::max(first.region.width, first.region.height);
-  for (const cv::Rect& square : squares_about(*lesson_.click, largest)) {
-    task_.region = square & usable_region(lesson_);
+  for (const cv::Rect& square : squares_about(*lesson_.click, largest, usable_region(lesson_))) {
+    task_.region = square;
     const auto found = if_possible([&] { return clicked(segment_once()); });
-    if (found && has_clear_edge(*found) &&
-        cv::countNonZero(found->map) >= kFilledPart * square.area())
-      return found;
+    if (found && has_clear_edge(*found)) return found;
   }
   task_ = first;
   return std::nullopt;
