@@ -21,7 +21,8 @@ struct RegionOfLesson {
 bool is_without_place(const Lesson& lesson);
 
 /// For a lesson that passed check_lesson(). Throws LessonEnded: kRegionInvalid, kChangeTooLarge for
-/// pictures that cannot be compared, kNoChange when nothing was taken away there.
+/// pictures that cannot be compared, kNoChange when nothing was taken away there,
+/// kSegmentationEmpty when a click in one picture shows no object.
 RegionOfLesson region_of(const Lesson& lesson, const LearningConfig& config);
 
 }  // namespace mbncc
