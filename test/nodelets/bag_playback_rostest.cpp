@@ -18,6 +18,7 @@
 #include <utility>
 #include <vector>
 
+#include "nodelets/call_service.hpp"
 #include "nodelets/conversion/images.hpp"
 #include "nodelets/drawn_pictures.hpp"
 #include "nodelets/spin_until.hpp"
@@ -94,7 +95,7 @@ class BagPlayback : public testing::Test {
   bool matching_knows_the_part() {
     mbncc_vision::FindObjects find;
     find.request.image = encode_picture(scene_.render({placed_at(learned_at_)}, 3));
-    return ros::service::call("find_objects", find) && find.response.success &&
+    return call_service("find_objects", find) && find.response.success &&
            find.response.detections.searched == std::vector<std::string>{"part"};
   }
 

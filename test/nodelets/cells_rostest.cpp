@@ -7,6 +7,7 @@
 #include <ros/ros.h>
 #include <std_srvs/SetBool.h>
 
+#include "nodelets/call_service.hpp"
 #include "nodelets/spin_until.hpp"
 #include "nodelets/teacher.hpp"
 
@@ -39,7 +40,7 @@ class CellClient {
   bool enable(bool enabled) {
     std_srvs::SetBool call;
     call.request.data = enabled;
-    return ros::service::call(name_ + "/matching/enable", call) && call.response.success;
+    return call_service(name_ + "/matching/enable", call) && call.response.success;
   }
 
  private:

@@ -10,6 +10,7 @@
 #include <cmath>
 #include <string>
 
+#include "nodelets/call_service.hpp"
 #include "nodelets/conversion/images.hpp"
 #include "nodelets/drawn_pictures.hpp"
 #include "nodelets/teacher.hpp"
@@ -70,7 +71,7 @@ class LessonScale : public testing::Test {
 
   static bool mark() {
     std_srvs::Trigger service;
-    return ros::service::call("mark_grasp", service) && service.response.success;
+    return call_service("mark_grasp", service) && service.response.success;
   }
 
   Goal goal(const std::string& name, const Pose2D& pose) const {
@@ -98,7 +99,7 @@ class LessonScale : public testing::Test {
   Result accept(const std::string& id) {
     mbncc_vision::ConfirmLearning service;
     service.request.command = mbncc_vision::ConfirmLearning::Request::ACCEPT;
-    EXPECT_TRUE(ros::service::call("confirm_learning", service));
+    EXPECT_TRUE(call_service("confirm_learning", service));
     return teacher_.await(id).result;
   }
 

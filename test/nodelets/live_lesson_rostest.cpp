@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "mbncc/geometry.hpp"
+#include "nodelets/call_service.hpp"
 #include "nodelets/simulated_cell.hpp"
 #include "nodelets/teacher.hpp"
 
@@ -21,7 +22,7 @@ class LiveLesson : public SimulatedCell {
     mbncc_vision::EditObject edit;
     edit.request.name = name;
     edit.request.command = mbncc_vision::EditObject::Request::DELETE;
-    EXPECT_TRUE(ros::service::call("edit_object", edit) && edit.response.success);
+    EXPECT_TRUE(call_service("edit_object", edit) && edit.response.success);
   }
 
   void expect_found(const std::string& name, const Pose2D& reference_in_drawing) {
@@ -102,7 +103,7 @@ TEST_F(LiveLesson, TellsItsClientWhenTheNodeletIsUnloaded) {
   ASSERT_TRUE(spin_until([&] { return teacher.heard(id, Teacher::Feedback::WAIT_REMOVAL); }));
   nodelet::NodeletUnload unload;
   unload.request.name = ros::names::resolve("learning");
-  ASSERT_TRUE(ros::service::call("manager/unload_nodelet", unload));
+  ASSERT_TRUE(call_service("manager/unload_nodelet", unload));
   EXPECT_TRUE(unload.response.success);
   const auto end = teacher.await(id);
   EXPECT_EQ(end.status.status, actionlib_msgs::GoalStatus::ABORTED);

@@ -17,6 +17,7 @@
 #include <vector>
 
 #include "mbncc/sim/scene.hpp"
+#include "nodelets/call_service.hpp"
 #include "nodelets/conversion/images.hpp"
 #include "nodelets/spin_until.hpp"
 #include "nodelets/teacher.hpp"
@@ -117,14 +118,14 @@ class Soak : public testing::Test {
     call.request.name = "part";
     call.request.command = kCommands[lessons_ % 3];
     call.request.min_score = 0.4F;
-    if (ros::service::call("edit_object", call) && call.response.success) ++edits_;
+    if (call_service("edit_object", call) && call.response.success) ++edits_;
   }
 
   /// In a given picture, while the camera publishes another calibration.
   void ask() {
     mbncc_vision::FindObjects call;
     call.request.image = before_;
-    if (ros::service::call("find_objects", call) && call.response.success) ++answers_;
+    if (call_service("find_objects", call) && call.response.success) ++answers_;
     const double focal = before_.width * (0.8 + 0.1 * static_cast<double>(lessons_ % 5));
     sensor_msgs::CameraInfo info;
     info.header.frame_id = "camera_optical_frame";

@@ -17,6 +17,7 @@
 #include <vector>
 
 #include "mbncc/sim/scene.hpp"
+#include "nodelets/call_service.hpp"
 #include "nodelets/conversion/images.hpp"
 #include "nodelets/spin_until.hpp"
 #include "nodelets/teacher.hpp"
@@ -100,10 +101,10 @@ class Protocol : public testing::Test {
   template <class Service>
   typename Service::Response call(const std::string& name,
                                   const typename Service::Request& request) {
-    typename Service::Response response;
-    typename Service::Request copy = request;
-    EXPECT_TRUE(ros::service::call(name, copy, response)) << name;
-    return response;
+    Service service;
+    service.request = request;
+    EXPECT_TRUE(call_service(name, service)) << name;
+    return service.response;
   }
 
   std::vector<std::string> names() {

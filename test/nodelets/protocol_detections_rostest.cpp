@@ -13,6 +13,7 @@
 #include <map>
 #include <thread>
 
+#include "nodelets/call_service.hpp"
 #include "nodelets/protocol.hpp"
 
 namespace mbncc::nodelets {
@@ -162,7 +163,7 @@ TEST_F(Protocol, ManyCallsAtATimeAreToldBusy) {
     callers.emplace_back([&] {
       mbncc_vision::FindObjects service;
       service.request.timeout = ros::Duration(3);
-      const bool answered = ros::service::call("find_objects", service);
+      const bool answered = call_service("find_objects", service);
       if (answered && !service.response.success) {
         const bool refused = service.response.message.rfind("BUSY", 0) == 0;
         ++(refused ? busy : out_of_time);

@@ -15,6 +15,7 @@
 #include <future>
 #include <vector>
 
+#include "nodelets/call_service.hpp"
 #include "nodelets/conversion/images.hpp"
 #include "nodelets/drawn_pictures.hpp"
 #include "nodelets/spin_until.hpp"
@@ -74,7 +75,7 @@ class Session : public testing::Test {
     ASSERT_TRUE(spin_until([] {
       mbncc_vision::FindObjects find;
       find.request.image = encode_picture(cv::Mat(300, 400, CV_8UC3, cv::Scalar::all(90)));
-      return ros::service::call("find_objects", find) && find.response.success &&
+      return call_service("find_objects", find) && find.response.success &&
              !find.response.detections.searched.empty();
     }));
     taught_ = true;

@@ -11,6 +11,7 @@
 #include <map>
 #include <string>
 
+#include "nodelets/call_service.hpp"
 #include "nodelets/spin_until.hpp"
 
 namespace mbncc::nodelets {
@@ -36,7 +37,7 @@ class SimulatedCamera : public testing::Test {
   bool call(const std::string& service) {
     std_srvs::Trigger trigger;
     EXPECT_TRUE(ros::service::waitForService(service, 30000));
-    EXPECT_TRUE(ros::service::call(service, trigger));
+    EXPECT_TRUE(call_service(service, trigger));
     EXPECT_FALSE(trigger.response.message.empty());
     return trigger.response.success;
   }

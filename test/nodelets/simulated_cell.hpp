@@ -9,6 +9,7 @@
 
 #include <string>
 
+#include "nodelets/call_service.hpp"
 #include "nodelets/spin_until.hpp"
 
 namespace mbncc::nodelets {
@@ -31,7 +32,7 @@ class SimulatedCell : public testing::Test {
     ASSERT_TRUE(ros::service::waitForService(service, 30000));
     ASSERT_TRUE(spin_until([&] {
       std_srvs::Trigger trigger;
-      return ros::service::call(service, trigger) && trigger.response.success;
+      return call_service(service, trigger) && trigger.response.success;
     })) << service;
     ASSERT_TRUE(spin_until([this] { return truth_ && truth_->message != "rest"; }));
   }

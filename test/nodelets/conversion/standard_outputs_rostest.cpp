@@ -13,6 +13,7 @@
 #include <map>
 #include <string>
 
+#include "nodelets/call_service.hpp"
 #include "nodelets/simulated_cell.hpp"
 #include "nodelets/teacher.hpp"
 
@@ -50,7 +51,7 @@ class StandardOutputs : public SimulatedCell {
     const std::string id = teacher.send(goal);
     ASSERT_TRUE(spin_until([&] { return teacher.heard(id, Teacher::Feedback::WAIT_REMOVAL); }));
     std_srvs::Trigger mark;
-    ASSERT_TRUE(ros::service::call("mark_grasp", mark));
+    ASSERT_TRUE(call_service("mark_grasp", mark));
     ASSERT_TRUE(mark.response.success) << mark.response.message;
     order("camera/take_away");
     const auto lesson = teacher.await(id).result;
