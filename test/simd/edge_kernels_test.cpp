@@ -24,14 +24,35 @@ TEST_P(Kernels, BestResponsesEqualReference) {
   const auto maps = random_values<std::int8_t>(
       kResponseRows * stride + positions + kReach + misalignment(), -kMaxResponse, kMaxResponse);
   const std::vector<std::int16_t> labels{3, 4, 7, 100, 32000};
-  for (const int terms : {1, 8, 13, 64}) {
-    const auto offsets = random_values<std::int32_t>(kRotations * terms, 0, kReach - 1);
-    const auto run = [&](const Table& table) {
-      return best_responses_of(table, maps.data() + misalignment(), stride,
-                               {offsets.data(), terms, labels.data(), kRotations}, positions);
-    };
-    for (const auto& target : targets())
-      EXPECT_EQ(run(*target.table), run(reference())) << target.name << ", " << terms << " terms";
+  for (const int terms : {1, 8, 13, 64})
+    for (const int parts : {1, 2, 4}) {
+      const auto offsets = random_values<std::int32_t>(kRotations * terms, 0, kReach - 1);
+      const auto run = [&](const Table& table) {
+        return best_responses_of(table, maps.data() + misalignment(), stride,
+                                 {offsets.data(), terms, labels.data(), kRotations, parts},
+                                 positions);
+      };
+      for (const auto& target : targets())
+        EXPECT_EQ(run(*target.table), run(reference()))
+            << target.name << ", " << terms << " terms in " << parts << " parts";
+    }
+}
+
+TEST(BestResponses, LeaveOutTheLeastOfTheParts) {
+  std::vector<std::int8_t> maps(kResponseRows * kPositions + 4);
+  const std::vector<std::int8_t> first{5, -7, 3, 4};
+  std::copy(first.begin(), first.end(), maps.begin());
+  const std::vector<std::int32_t> offsets{0, 1, 2, 3};
+  const std::vector<std::int16_t> labels{1};
+  const auto best_with = [&](int parts, const Table& table) {
+    return best_responses_of(table, maps.data(), kPositions,
+                             {offsets.data(), 4, labels.data(), 1, parts})
+        .first.front();
+  };
+  for (const auto& target : targets()) {
+    EXPECT_EQ(best_with(1, *target.table), 5 - 7 + 3 + 4) << target.name;
+    EXPECT_EQ(best_with(2, *target.table), 3 + 4) << target.name;
+    EXPECT_EQ(best_with(4, *target.table), 5 + 3 + 4) << target.name;
   }
 }
 

@@ -59,12 +59,13 @@ struct ResponseTerms {
   int count;                    ///< per rotation, at most 2000
   const std::int16_t* labels;   ///< of the rotations
   int rotations;
+  int parts = 1;  ///< equal runs of a rotation's terms, of which the least is left out; 1: none is
 };
 
 /// best[y row_step + x] = max(0, sum_k maps[y stride + x + offsets[r count + k]] over the rotations
 /// r), and the same of labels is that of the first rotation that reaches it (0 where none exceeds
 /// 0), for x in [0, count), `count` a multiple of kPositions, y in [0, kResponseRows); |maps| <=
-/// kMaxResponse.
+/// kMaxResponse. With several parts, a sum is that of all but the least of its parts.
 void best_responses(const std::int8_t* maps, int stride, const ResponseTerms& terms,
                     std::int16_t* best, std::int16_t* labels, int row_step, int count);
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <limits>
 
 namespace mbncc::kernels {
 namespace {
@@ -51,9 +52,15 @@ void best_responses_reference(const std::int8_t* maps, int stride, const Respons
     for (int x = 0; x < count; ++x) {
       int highest = 0, label = 0;
       for (int r = 0; r < terms.rotations; ++r) {
-        int sum = 0;
-        for (int k = 0; k < terms.count; ++k)
-          sum += maps[y * stride + x + terms.offsets[r * terms.count + k]];
+        int sum = 0, least = std::numeric_limits<int>::max();
+        for (int p = 0; p < terms.parts; ++p) {
+          int part = 0;
+          for (int k = terms.count * p / terms.parts; k < terms.count * (p + 1) / terms.parts; ++k)
+            part += maps[y * stride + x + terms.offsets[r * terms.count + k]];
+          sum += part;
+          least = std::min(least, part);
+        }
+        if (terms.parts > 1) sum -= least;
         if (sum <= highest) continue;
         highest = sum;
         label = terms.labels[r];

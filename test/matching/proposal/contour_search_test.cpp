@@ -18,11 +18,32 @@ const cv::Point2d kAnchor{60, 60};
 
 class EdgeSearchTest : public ::testing::Test {
  protected:
-  EdgeCandidates search(const cv::Mat& picture, std::size_t foremost, std::size_t most) const {
+  EdgeCandidates search(const cv::Mat& picture, std::size_t foremost, std::size_t most,
+                        OutlinePart part = OutlinePart::kWhole) const {
     cv::Mat level = picture;
     for (int k = 0; k < bank_.level(); ++k) cv::pyrDown(level, level);
     return edge_search(bank_, SceneLevel(level, bank_.level()), {{0, 0}, level.size()}, foremost,
-                       most);
+                       most, {}, {}, part);
+  }
+
+  /// The ground with a bright object at `truth`.
+  cv::Mat with_object(const Pose2D& truth) const {
+    cv::Mat picture = ground_.clone();
+    test::LearningPicture bright = source_;
+    bright.surface.setTo(cv::Scalar::all(240));
+    test::place(picture, bright, kAnchor, truth);
+    return picture;
+  }
+
+  /// The best response of a pose at `truth`; 0 if there is none.
+  double response_at(const Pose2D& truth, const std::vector<Candidate>& poses) const {
+    const double side = 1 << bank_.level();
+    double best = 0;
+    for (const auto& found : poses)
+      if (cv::norm(side * found.pose.position() - truth.position()) < 3 * side &&
+          angle_distance(found.pose.theta, truth.theta) < 0.2)
+        best = std::max(best, found.value);
+    return best;
   }
 
   static std::vector<double> values(const std::vector<Candidate>& poses) {
@@ -84,17 +105,23 @@ TEST_F(EdgeSearchTest, APlaceIsProposedAtManyRotations) {
 }
 
 TEST_F(EdgeSearchTest, FindsAnObjectAmongTheForemost) {
-  cv::Mat picture = ground_.clone();
   const Pose2D truth{150, 120, 1.2};
-  test::LearningPicture bright = source_;
-  bright.surface.setTo(cv::Scalar::all(240));
-  test::place(picture, bright, kAnchor, truth);
-  const double side = 1 << bank_.level();
-  const auto poses = search(picture, 20, 20).poses;
-  EXPECT_TRUE(std::any_of(poses.begin(), poses.end(), [&](const Candidate& found) {
-    return cv::norm(side * found.pose.position() - truth.position()) < 3 * side &&
-           angle_distance(found.pose.theta, truth.theta) < 0.2;
-  }));
+  EXPECT_GT(response_at(truth, search(with_object(truth), 20, 20).poses), 0);
+}
+
+TEST_F(EdgeSearchTest, ACoveredPartDoesNotLowerTheBestThreeQuarters) {
+  const Pose2D truth{150, 120, 1.2};
+  const cv::Mat free = with_object(truth);
+  cv::Mat covered = free.clone();
+  covered(cv::Rect(90, 40, 130, 60)).setTo(120);
+  const auto left = [&](OutlinePart part) {
+    const auto response = [&](const cv::Mat& picture) {
+      return response_at(truth, search(picture, 8000, 8000, part).poses);
+    };
+    return response(covered) / response(free);
+  };
+  EXPECT_LT(left(OutlinePart::kWhole), 0.9);
+  EXPECT_GT(left(OutlinePart::kThreeQuarters), 0.97);
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "matching/scene/response_maps.hpp"
 #include "matching/template/contour_template.hpp"
@@ -53,6 +54,21 @@ bool looks_round(const std::vector<ContourBank::Rotation>& rotations) {
   return 2 * static_cast<std::size_t>(alike) > rotations.size();
 }
 
+/// The points' indices in their order around the outline's centre, so that runs are compact.
+std::vector<std::size_t> in_order_around(const ContourTemplate& contour) {
+  std::vector<std::size_t> order(contour.size());
+  std::iota(order.begin(), order.end(), 0);
+  const auto mean = [&](const auto& values) {
+    return std::accumulate(values.begin(), values.begin() + contour.size(), 0.F) /
+           static_cast<float>(contour.size());
+  };
+  const float x = mean(contour.x), y = mean(contour.y);
+  const auto angle = [&](std::size_t i) { return std::atan2(contour.y[i] - y, contour.x[i] - x); };
+  std::stable_sort(order.begin(), order.end(),
+                   [&](std::size_t a, std::size_t b) { return angle(a) < angle(b); });
+  return order;
+}
+
 int coarse_level(double diameter, double width) {
   const double halvings = std::min(std::log2(diameter / kSmallest), std::log2(width / kThinnest));
   const double bearable = std::ceil(std::log2(diameter / kLargest));
@@ -68,6 +84,7 @@ ContourBank::ContourBank(const MapGeometry& map, cv::Point2d anchor) {
     reach = std::max<double>(reach, std::hypot(whole.x[i], whole.y[i]));
   level_ = coarse_level(2 * reach, map.mean_width());
   const ContourTemplate contour(ContourTemplate::edge_of(map, level_), anchor, level_, kPoints);
+  const std::vector<std::size_t> around = in_order_around(contour);
   radius_ = static_cast<int>(std::ceil(reach / (1 << level_))) + 1;
   const double rim = 2 * kPi * reach / (1 << level_);
   const double step = map.mean_width() < kNarrow * (1 << level_) ? kNarrowArcStep : kArcStep;
@@ -76,7 +93,7 @@ ContourBank::ContourBank(const MapGeometry& map, cv::Point2d anchor) {
     const double angle = 2 * kPi * k / count;
     const Transform turned({0, 0, angle});
     Rotation rotation{wrap_angle(angle), {}};
-    for (std::size_t i = 0; i < contour.size(); ++i) {
+    for (const std::size_t i : around) {
       const cv::Point2d at = turned({contour.x[i], contour.y[i]});
       const cv::Point2d normal = turned({contour.normal_x[i], contour.normal_y[i]});
       rotation.points.push_back(

@@ -23,6 +23,12 @@ constexpr double kMinResponse = 0.2;  // [-1..1] mean of a candidate
 /// Positions of a row whose responses at all rotations fit into the L1 cache.
 constexpr int kAtATime = 2 * kernels::kPositions;
 
+constexpr int kParts = 4;  // of an outline, of which one may be covered
+
+double share(OutlinePart part) {
+  return part == OutlinePart::kThreeQuarters ? double(kParts - 1) / kParts : 1;
+}
+
 /// `count` rounded up to whole groups.
 int whole(int count, int group) {
   return (count + group - 1) / group * group;
@@ -31,9 +37,9 @@ int whole(int count, int group) {
 class EdgeSearch {
  public:
   EdgeSearch(const ContourBank& bank, const SceneLevel& scene, const cv::Rect& roi,
-             const AngleRange& sector, const SearchMask& places)
+             const AngleRange& sector, const SearchMask& places, OutlinePart part)
       : bank_(bank),
-        scale_(kUnit * static_cast<double>(bank.rotations().front().points.size())),
+        scale_(kUnit * share(part) * static_cast<double>(bank.rotations().front().points.size())),
         first_(roi.x / kStep * kStep, roi.y / kStep * kStep),
         size_((roi.br().x - first_.x + kStep - 1) / kStep,
               (roi.br().y - first_.y + kStep - 1) / kStep),
@@ -43,7 +49,10 @@ class EdgeSearch {
                        whole(size_.height + 1, kBand) - size_.height, 0,
                        whole(size_.width, kernels::kPositions) - size_.width, cv::BORDER_CONSTANT,
                        {0});
-    for (auto& part : sectors_) part.set_width(wanted_.cols);
+    for (auto& finder : sectors_) {
+      finder.set_width(wanted_.cols);
+      if (part == OutlinePart::kThreeQuarters) finder.set_parts(kParts);
+    }
     const auto& rotations = bank.rotations();
     for (std::size_t k = 0; k < rotations.size(); ++k)
       if (sector.contains(rotations[k].angle))
@@ -155,10 +164,10 @@ class EdgeSearch {
 
 EdgeCandidates edge_search(const ContourBank& bank, const SceneLevel& scene, const cv::Rect& roi,
                            std::size_t foremost, std::size_t most, const AngleRange& sector,
-                           const SearchMask& places) {
+                           const SearchMask& places, OutlinePart part) {
   const cv::Rect region = roi & cv::Rect({0, 0}, scene.size());
   if (region.empty()) return {};
-  return EdgeSearch(bank, scene, region, sector, places).run(foremost, most);
+  return EdgeSearch(bank, scene, region, sector, places, part).run(foremost, most);
 }
 
 }  // namespace mbncc

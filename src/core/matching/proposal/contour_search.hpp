@@ -20,10 +20,16 @@ struct EdgeCandidates {
       round_places;  ///< places where the contour does not determine the rotation
 };
 
+/// Part of an outline whose mean response counts.
+enum class OutlinePart {
+  kWhole,
+  kThreeQuarters,  ///< those that fit best: the fourth may be covered
+};
+
 /// The best `most` poses in `roi` [px at the bank's level], `sector` and `places`, the best
 /// `foremost` of them first and in order. `scene` is that level.
 EdgeCandidates edge_search(const ContourBank& bank, const SceneLevel& scene, const cv::Rect& roi,
                            std::size_t foremost, std::size_t most, const AngleRange& sector = {},
-                           const SearchMask& places = {});
+                           const SearchMask& places = {}, OutlinePart part = OutlinePart::kWhole);
 
 }  // namespace mbncc

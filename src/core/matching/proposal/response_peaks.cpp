@@ -88,7 +88,7 @@ void PeakFinder::sum_responses(const std::int8_t* maps, int stride, int x, int c
   const int at = kKept * width_ + x;
   kernels::best_responses(maps, stride,
                           {offsets_.data(), terms_, labels_of_rotations_.data(),
-                           static_cast<int>(labels_of_rotations_.size())},
+                           static_cast<int>(labels_of_rotations_.size()), parts_},
                           &best_[at], &labels_[at], width_, count);
 }
 

@@ -44,6 +44,8 @@ class PeakFinder {
 
   /// Of `width` positions per row.
   void set_width(int width);
+  /// The sums leave out the least of so many parts of a rotation's points; 1: none.
+  void set_parts(int parts) { parts_ = parts; }
 
   void add_rotation(const ContourBank::Rotation& rotation, std::size_t label,
                     const ResponseMaps& maps);
@@ -68,7 +70,7 @@ class PeakFinder {
 
   std::vector<std::int32_t> offsets_;              // of all points of the rotations
   std::vector<std::int16_t> labels_of_rotations_;  // their indices
-  int terms_ = 0, width_ = 0;
+  int terms_ = 0, parts_ = 1, width_ = 0;
   std::vector<std::int16_t> best_, labels_;  // kRows rows: largest sums, and whose they are
   std::vector<std::int16_t> column_;         // largest of three rows, with one more on each side
   std::vector<std::uint8_t> marked_;         // 1: peaks of a row

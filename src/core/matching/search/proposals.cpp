@@ -13,7 +13,7 @@
 namespace mbncc {
 namespace {
 
-constexpr std::size_t kAnywhere = 8000;  // contour proposals for the colour ranking
+constexpr std::size_t kRanked = 8000;  // contour proposals that are ranked by colours
 
 cv::Rect at_level(const cv::Rect& roi, int level) {
   const int side = 1 << level;
@@ -25,17 +25,9 @@ cv::Rect at_level(const cv::Rect& roi, int level) {
 }  // namespace
 
 void Proposals::follow_edges(std::size_t most, std::size_t round_places) {
-  search_edges(most, most, round_places);
-}
-
-void Proposals::follow_edges_anywhere(std::size_t most, std::size_t round_places) {
-  search_edges(most, kAnywhere, round_places);
-}
-
-void Proposals::search_edges(std::size_t foremost, std::size_t most, std::size_t round_places) {
   const int level = view_.edges.level();
-  EdgeCandidates found = edge_search(view_.edges, scene_.levels[level], at_level(roi_, level),
-                                     foremost, most, view_.sector, places_);
+  EdgeCandidates found = edge_search(view_.edges, scene_.levels[level], at_level(roi_, level), most,
+                                     most, view_.sector, places_);
   edges_ = std::move(found.poses);
   for (auto& place : found.round_places)
     place.value = candidate_odds(view_, scene_, level, place.pose);
@@ -82,8 +74,12 @@ std::vector<Candidate> Proposals::by_edges(std::size_t most) const {
   return proposed;
 }
 
-std::vector<Candidate> Proposals::by_colours(std::size_t most) const {
-  return best_by_colours(view_, scene_, edges_, most);
+std::vector<Candidate> Proposals::by_visible_part(std::size_t most) const {
+  const int level = view_.edges.level();
+  const EdgeCandidates found =
+      edge_search(view_.edges, scene_.levels[level], at_level(roi_, level), 0, kRanked,
+                  view_.sector, places_, OutlinePart::kThreeQuarters);
+  return best_by_colours(view_, scene_, found.poses, most);
 }
 
 }  // namespace mbncc

@@ -22,20 +22,18 @@ class Proposals {
   /// Searches by contours: at most `most` poses, and `round_places` places whose rotation the
   /// surface must determine.
   void follow_edges(std::size_t most, std::size_t round_places);
-  /// The same, and additional ones for the colour ranking.
-  void follow_edges_anywhere(std::size_t most, std::size_t round_places);
   /// The best `most` places by rotated correlation, except at one of the finest levels.
   std::vector<Candidate> by_correlation(int most) const;
   /// The first `most` contour proposals, and those at round places.
   std::vector<Candidate> by_edges(std::size_t most) const;
-  /// The `most` contour proposals with the best colour ranking.
-  std::vector<Candidate> by_colours(std::size_t most) const;
+  /// The `most` poses with the best colours and three quarters of the contour: the fourth may be
+  /// covered.
+  std::vector<Candidate> by_visible_part(std::size_t most) const;
 
   /// Whether the place of `pose` [px] is among the first `count` contour proposals.
   bool foremost_by_edges(const Pose2D& pose, std::size_t count) const;
 
  private:
-  void search_edges(std::size_t foremost, std::size_t most, std::size_t round_places);
   void add_rotations_by_surface(const Candidate& place);
 
   const PreparedView& view_;

@@ -57,7 +57,7 @@ class PyramidTracker {
       follow_contours(level, candidates);
     else
       keep_those_on_edges(level, finer ? kOnEdges : effort_.on_edges, candidates);
-    score(view_.rough[level], finer ? 2 : is_narrow() ? 1 : 0, candidates);
+    score(view_.rough[level], finer ? 2 : effort_.steps, candidates);
     suppress(candidates, {effort_.judged});
     drop_below(kThresholds.roughly, candidates);
     score(view_.templates[level], 0, candidates);

@@ -14,10 +14,11 @@ struct SearchBudget {
   std::size_t entering;    ///< candidates that enter at a level, at most
   double width;            ///< [px at level] objects narrower enter one level finer
   double narrow;           ///< [px] contours of narrower objects are aligned first
+  int steps;               ///< of alignment before proposals are scored
   double kept;             ///< candidates at each level, times most_at()
 };
-constexpr SearchBudget kThorough{400, 1600, 200, 64, 3, 5, 2};
-constexpr SearchBudget kFurther{100, 100, 64, 24, 3, 5, 2};
+constexpr SearchBudget kThorough{200, 200, 100, 64, 3, 5, 1, 2};
+constexpr SearchBudget kFurther{100, 100, 64, 24, 3, 5, 1, 2};
 
 /// Budget of the first search.
 struct FirstBudget {
@@ -26,8 +27,8 @@ struct FirstBudget {
   int correlated_places;     ///< of the correlation, at most
   double promising;          ///< least log-odds for multi-start alignment
 };
-constexpr FirstBudget kSparing{{100, 100, 24, 12, 0, 0, 1}, 10, 100, -5};
-constexpr FirstBudget kQuick{{400, 200, 96, 48, 0, 0, 1}, 24, 100, -8};
+constexpr FirstBudget kSparing{{100, 100, 24, 12, 0, 0, 0, 1}, 10, 100, -5};
+constexpr FirstBudget kQuick{{400, 200, 96, 48, 0, 0, 0, 1}, 24, 100, -8};
 
 /// Log-odds behind the best below which candidates are dropped.
 constexpr double kHopeless = 15;  ///< on the way down

@@ -61,10 +61,7 @@ class ViewSearch {
   std::vector<Detection> run() {
     if (view_.polar) return judge_polar();
     if (view_.top_level() > scene_.top_level()) return {};
-    if (mode_ == SearchMode::kTwice)
-      proposals_.follow_edges_anywhere(first_.effort.edge_poses, first_.round_places);
-    else
-      proposals_.follow_edges(first_.effort.edge_poses, first_.round_places);
+    proposals_.follow_edges(first_.effort.edge_poses, first_.round_places);
     std::vector<Candidate> candidates = best_by_edges();
     if (everywhere_ && !sure(candidates))
       merge(track_down(view_, scene_, first_.effort,
@@ -92,17 +89,16 @@ class ViewSearch {
     return track_down(view_, scene_, first_.effort, proposals_.by_edges(first_.effort.edge_poses));
   }
 
-  /// Contour proposals ranked by colours.
-  std::vector<Candidate> best_by_colours(const SearchBudget& effort) const {
-    return track_down(view_, scene_, effort, proposals_.by_colours(effort.edge_poses));
+  std::vector<Candidate> best_by_visible_part(const SearchBudget& effort) const {
+    return track_down(view_, scene_, effort, proposals_.by_visible_part(effort.edge_poses));
   }
 
   /// Used if nothing was found, or so many that there may be more.
   void search_again(std::vector<Candidate>& candidates) const {
     if (!found(candidates))
-      merge(best_by_colours(thorough_), candidates);
+      merge(best_by_visible_part(thorough_), candidates);
     else if (several(candidates))
-      merge(best_by_colours(for_sector(kFurther, view_.sector)), candidates);
+      merge(best_by_visible_part(for_sector(kFurther, view_.sector)), candidates);
   }
 
   void merge(const std::vector<Candidate>& more, std::vector<Candidate>& candidates) const {

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What is proposed where something covers a part of an object.
+#include "matching/search/proposals.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <memory>
+
+#include "matching/pictures.hpp"
+
+namespace mbncc {
+namespace {
+
+const cv::Point2d kReference{60, 60};
+const cv::Scalar kColour{40, 90, 220};
+const Pose2D kTruth{150, 120, 1.2};
+
+class ProposalsTest : public ::testing::Test {
+ protected:
+  ProposalsTest() {
+    source_.surface.setTo(kColour);
+    source_.surface.copyTo(source_.picture, source_.map);
+    object_ = std::make_unique<PreparedObject>(
+        test::object_from(source_, {kReference.x, kReference.y, 0}), Engine::kFast);
+    free_ = test::texture({320, 240}, 40);
+    test::place(free_, source_, kReference, kTruth);
+  }
+
+  /// The highest value of a proposal at the true pose; 0 if there is none.
+  double value_at_truth(const cv::Mat& picture) const {
+    const PreparedView& view = object_->views.front();
+    const ScenePicture scene(picture, object_->top_level());
+    const SearchMask everywhere;
+    const Proposals proposals(view, scene, {{0, 0}, picture.size()}, everywhere);
+    const Pose2D anchor = compose(kTruth, inverse(view.reference_in_anchor));
+    double best = 0;
+    for (const auto& one : proposals.by_visible_part(200)) {
+      const double side = 1 << one.level;
+      if (cv::norm(side * one.pose.position() - anchor.position()) < 2 * side &&
+          angle_distance(one.pose.theta, anchor.theta) * view.shape.radius() < 2 * side)
+        best = std::max(best, one.value);
+    }
+    return best;
+  }
+
+  test::LearningPicture source_{1};
+  std::unique_ptr<PreparedObject> object_;
+  cv::Mat free_;
+};
+
+TEST_F(ProposalsTest, TheVisiblePartKeepsItsValueWhereTheRestIsCovered) {
+  cv::Mat covered = free_.clone();
+  // Of the object's colour, so that the outline alone is covered.
+  cv::circle(covered, compose(kTruth, {-13, -22, 0}).position(), 22, kColour, cv::FILLED);
+  const double free = value_at_truth(free_);
+  ASSERT_GT(free, 0);
+  EXPECT_GT(value_at_truth(covered), free - 0.03) << "the whole outline loses .05";
+}
+
+}  // namespace
+}  // namespace mbncc
