@@ -81,8 +81,9 @@ def measure(seconds):
     heard = rospy.Subscriber("detected_objects", DetectedObjectArray, arrays.append, queue_size=100)
     seen = rospy.Subscriber("camera/truth", DetectedObjectArray, lambda truth: shown.append(truth.header.stamp),
                             queue_size=100)
-    rospy.Subscriber("/tf", TFMessage, lambda message: lags.extend(
-        (rospy.Time.now() - t.header.stamp).to_sec() for t in message.transforms), queue_size=100)
+    # The newest of a message: when another instance takes over a stable frame, an older one comes with it.
+    rospy.Subscriber("/tf", TFMessage, lambda message: lags.append(
+        (rospy.Time.now() - max(t.header.stamp for t in message.transforms)).to_sec()), queue_size=100)
     rospy.wait_for_service("matching/enable", 60)
     deadline = time.monotonic() + 60
     while not lags and time.monotonic() < deadline:
