@@ -17,8 +17,6 @@ struct PruningThresholds {
 };
 constexpr PruningThresholds kThresholds{-20, -12, -8, -6};
 
-constexpr std::size_t kOnEdges = 600;  // largest number of thin proposals that are aligned
-
 void step_down(std::vector<Candidate>& candidates) {
   for (auto& candidate : candidates) {
     candidate.pose = from_level(candidate.pose, 1);
@@ -28,8 +26,8 @@ void step_down(std::vector<Candidate>& candidates) {
 
 class PyramidTracker {
  public:
-  PyramidTracker(const PreparedView& view, const ScenePicture& scene, const SearchBudget& effort)
-      : view_(view), scene_(scene), effort_(effort) {}
+  PyramidTracker(const PreparedView& view, const ScenePicture& scene, const SearchBudget& budget)
+      : view_(view), scene_(scene), budget_(budget) {}
 
   std::vector<Candidate> run(std::vector<Candidate> candidates) const {
     if (candidates.empty()) return {};
@@ -48,7 +46,7 @@ class PyramidTracker {
   int enter(std::vector<Candidate>& candidates) const {
     int level = candidates.front().level;
     // Objects hardly two pixels wide cannot be scored.
-    const bool finer = level > 0 && view_.geometry.mean_width() < effort_.width * (1 << level);
+    const bool finer = level > 0 && view_.geometry.mean_width() < budget_.width * (1 << level);
     if (finer) {
       step_down(candidates);
       --level;
@@ -56,12 +54,12 @@ class PyramidTracker {
     if (is_narrow())
       follow_contours(level, candidates);
     else
-      keep_those_on_edges(level, finer ? kOnEdges : effort_.on_edges, candidates);
-    score(view_.rough[level], finer ? 2 : effort_.steps, candidates);
-    suppress(candidates, {effort_.judged});
+      keep_those_on_edges(level, candidates);
+    score(view_.rough[level], finer ? 2 : budget_.steps, candidates);
+    suppress(candidates, {budget_.judged});
     drop_below(kThresholds.roughly, candidates);
     score(view_.templates[level], 0, candidates);
-    suppress(candidates, {effort_.entering, kHopeless});
+    suppress(candidates, {budget_.entering, kHopeless});
     drop_below(kThresholds.entering, candidates);
     return level;
   }
@@ -70,21 +68,21 @@ class PyramidTracker {
   bool is_narrow() const {
     constexpr double kSteps = 2;  // of the contour search's places
     const double step = 2 * (1 << view_.edges.level());
-    return view_.geometry.mean_width() < std::min(effort_.narrow, kSteps * step);
+    return view_.geometry.mean_width() < std::min(budget_.narrow, kSteps * step);
   }
 
-  /// Keeps the best `most` by the contour alone.
-  void keep_those_on_edges(int level, std::size_t most, std::vector<Candidate>& candidates) const {
-    if (candidates.size() <= most) return;
+  /// Keeps the best by the contour alone.
+  void keep_those_on_edges(int level, std::vector<Candidate>& candidates) const {
+    if (candidates.size() <= budget_.on_edges) return;
     for (auto& candidate : candidates)
       candidate.value =
           align_contour(view_.rough[level], scene_.levels[level], candidate.pose, 0).value;
     sort_by_value(candidates);
-    candidates.resize(most);
+    candidates.resize(budget_.on_edges);
   }
 
   /// Aligns proposals of a narrow outline with nearby edges, because steps are as wide as the
-  /// object. Alignment is expensive, so only the best by contour stay.
+  /// object.
   void follow_contours(int level, std::vector<Candidate>& candidates) const {
     constexpr int kSteps = 3;
     for (auto& candidate : candidates) {
@@ -93,8 +91,8 @@ class PyramidTracker {
       candidate.pose = on_edges.pose;
       candidate.value = on_edges.value;
     }
-    suppress(candidates,
-             {kOnEdges, Suppression::kUnlimited, Suppression::kUnlimited, alike_at(level, 1)});
+    suppress(candidates, {budget_.on_edges, Suppression::kUnlimited, Suppression::kUnlimited,
+                          alike_at(level, 1)});
   }
 
   /// Aligns the candidates in `iterations` steps and computes their log-odds.
@@ -109,7 +107,7 @@ class PyramidTracker {
 
   void align(int level, int iterations, std::vector<Candidate>& candidates) const {
     score(view_.templates[level], iterations, candidates);
-    const auto kept = static_cast<std::size_t>(effort_.kept * static_cast<double>(most_at(level)));
+    const auto kept = static_cast<std::size_t>(budget_.kept * static_cast<double>(most_at(level)));
     suppress(candidates,
              {kept, kHopeless, apart_at(level), alike_at(level, level == 0 ? 1.5 : 1.0)});
     drop_below(level > 0 ? kThresholds.aligned : kThresholds.finally, candidates);
@@ -126,7 +124,7 @@ class PyramidTracker {
 
   const PreparedView& view_;
   const ScenePicture& scene_;
-  const SearchBudget& effort_;
+  const SearchBudget& budget_;
 };
 
 }  // namespace
@@ -136,8 +134,8 @@ std::size_t most_at(int level) {
 }
 
 std::vector<Candidate> track_down(const PreparedView& view, const ScenePicture& scene,
-                                  const SearchBudget& effort, std::vector<Candidate> proposed) {
-  return PyramidTracker(view, scene, effort).run(std::move(proposed));
+                                  const SearchBudget& budget, std::vector<Candidate> proposed) {
+  return PyramidTracker(view, scene, budget).run(std::move(proposed));
 }
 
 }  // namespace mbncc

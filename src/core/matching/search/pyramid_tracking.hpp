@@ -15,9 +15,9 @@ namespace mbncc {
 std::size_t most_at(int level);
 
 /// Scores the proposals of one level and refines them level by level. Proposals of a thin
-/// object enter one level finer, as `effort` says. Returns the candidates at full resolution, best
+/// object enter one level finer, as `budget` says. Returns the candidates at full resolution, best
 /// first.
 std::vector<Candidate> track_down(const PreparedView& view, const ScenePicture& scene,
-                                  const SearchBudget& effort, std::vector<Candidate> proposed);
+                                  const SearchBudget& budget, std::vector<Candidate> proposed);
 
 }  // namespace mbncc

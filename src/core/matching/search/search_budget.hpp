@@ -1,34 +1,63 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Search budget of an object in a picture.
+// How many candidates the searches of an object in a picture follow, and when they end.
 #pragma once
 
 #include <cstddef>
 
 namespace mbncc {
 
-/// Budget for candidates.
+/// Budget for candidates. Defaults: those of the first search.
 struct SearchBudget {
-  std::size_t edge_poses;  ///< poses of the contour search, at most
-  std::size_t on_edges;    ///< of them the best by contour, at most
-  std::size_t judged;      ///< of them and others at a level by all features, at most
-  std::size_t entering;    ///< candidates that enter at a level, at most
-  double width;            ///< [px at level] objects narrower enter one level finer
-  double narrow;           ///< [px] contours of narrower objects are aligned first
-  int steps;               ///< of alignment before proposals are scored
-  double kept;             ///< candidates at each level, times most_at()
+  std::size_t edge_poses = 400;  ///< poses of the contour search, at most
+  std::size_t on_edges = 200;    ///< of them the best by contour, at most
+  std::size_t judged = 96;       ///< of them and others at a level by all features, at most
+  std::size_t entering = 48;     ///< candidates that enter at a level, at most
+  double width = 0;              ///< [px at level] objects narrower enter one level finer
+  double narrow = 0;             ///< [px] contours of narrower objects are aligned first
+  int steps = 0;                 ///< of alignment before proposals are scored
+  double kept = 1;               ///< candidates at each level, times most_at()
 };
-constexpr SearchBudget kThorough{200, 200, 100, 64, 3, 5, 1, 2};
-constexpr SearchBudget kFurther{100, 100, 64, 24, 3, 5, 1, 2};
+
+/// The second search, of an object that the first did not find.
+constexpr SearchBudget kSecondSearch = [] {
+  SearchBudget budget;
+  budget.edge_poses = budget.on_edges = 200;
+  budget.judged = 100;
+  budget.entering = 64;
+  budget.width = 3;
+  budget.narrow = 5;
+  budget.steps = 1;
+  budget.kept = 2;
+  return budget;
+}();
+
+/// The second search for further instances of an object.
+constexpr SearchBudget kFurtherInstances = [] {
+  SearchBudget budget = kSecondSearch;
+  budget.edge_poses = budget.on_edges = 100;
+  budget.judged = 64;
+  budget.entering = 24;
+  return budget;
+}();
 
 /// Budget of the first search.
-struct FirstBudget {
-  SearchBudget effort;
-  std::size_t round_places;  ///< whose contour does not determine the rotation, at most
-  int correlated_places;     ///< of the correlation, at most
-  double promising;          ///< least log-odds for multi-start alignment
+struct FirstSearch {
+  SearchBudget budget;
+  std::size_t round_places = 24;  ///< whose contour does not determine the rotation, at most
+  int correlated_places = 100;    ///< of the correlation, at most
+  double promising = -8;          ///< least log-odds for multi-start alignment
 };
-constexpr FirstBudget kSparing{{100, 100, 24, 12, 0, 0, 0, 1}, 10, 100, -5};
-constexpr FirstBudget kQuick{{400, 200, 96, 48, 0, 0, 0, 1}, 24, 100, -8};
+
+/// The first search of one object among many.
+constexpr FirstSearch kAmongMany = [] {
+  FirstSearch first;
+  first.budget.edge_poses = first.budget.on_edges = 100;
+  first.budget.judged = 24;
+  first.budget.entering = 12;
+  first.round_places = 10;
+  first.promising = -5;
+  return first;
+}();
 
 /// Log-odds behind the best below which candidates are dropped.
 constexpr double kHopeless = 15;  ///< on the way down
@@ -42,7 +71,7 @@ constexpr std::size_t kForemost = 60;  ///< and the best was among so many first
 /// Further instances are searched if this many are certain.
 constexpr std::size_t kSeveral = 2;
 
-/// The thorough search is skipped if the best candidate has these log-odds, minus the clutter
+/// The second search is skipped if the best candidate has these log-odds, minus the clutter
 /// penalty.
 constexpr double kFound = 3;
 

@@ -32,16 +32,16 @@ Count part_of(Count count, const AngleRange& sector) {
   return static_cast<Count>(std::ceil(share * count));
 }
 
-SearchBudget for_sector(SearchBudget effort, const AngleRange& sector) {
-  for (auto* count : {&effort.edge_poses, &effort.on_edges, &effort.judged, &effort.entering})
+SearchBudget for_sector(SearchBudget budget, const AngleRange& sector) {
+  for (auto* count : {&budget.edge_poses, &budget.on_edges, &budget.judged, &budget.entering})
     *count = part_of(*count, sector);
-  return effort;
+  return budget;
 }
 
-FirstBudget for_sector(FirstBudget budget, const AngleRange& sector) {
-  budget.effort = for_sector(budget.effort, sector);
-  budget.correlated_places = part_of(budget.correlated_places, sector);
-  return budget;
+FirstSearch for_sector(FirstSearch first, const AngleRange& sector) {
+  first.budget = for_sector(first.budget, sector);
+  first.correlated_places = part_of(first.correlated_places, sector);
+  return first;
 }
 
 class ViewSearch {
@@ -54,17 +54,16 @@ class ViewSearch {
         roi_(roi),
         everywhere_(places.everywhere()),
         mode_(mode),
-        first_(for_sector(is_sparing(mode) ? kSparing : kQuick, view.sector)),
-        thorough_(for_sector(kThorough, view.sector)),
+        first_(for_sector(is_sparing(mode) ? kAmongMany : FirstSearch(), view.sector)),
         proposals_(view, scene, roi, places) {}
 
   std::vector<Detection> run() {
     if (view_.polar) return judge_polar();
     if (view_.top_level() > scene_.top_level()) return {};
-    proposals_.follow_edges(first_.effort.edge_poses, first_.round_places);
+    proposals_.follow_edges(first_.budget.edge_poses, first_.round_places);
     std::vector<Candidate> candidates = best_by_edges();
     if (everywhere_ && !sure(candidates))
-      merge(track_down(view_, scene_, first_.effort,
+      merge(track_down(view_, scene_, first_.budget,
                        proposals_.by_correlation(first_.correlated_places)),
             candidates);
     if (mode_ == SearchMode::kTwice) search_again(candidates);
@@ -86,19 +85,20 @@ class ViewSearch {
 
  private:
   std::vector<Candidate> best_by_edges() const {
-    return track_down(view_, scene_, first_.effort, proposals_.by_edges(first_.effort.edge_poses));
+    return track_down(view_, scene_, first_.budget, proposals_.by_edges(first_.budget.edge_poses));
   }
 
-  std::vector<Candidate> best_by_visible_part(const SearchBudget& effort) const {
-    return track_down(view_, scene_, effort, proposals_.by_visible_part(effort.edge_poses));
+  std::vector<Candidate> best_by_visible_part(SearchBudget budget) const {
+    budget = for_sector(budget, view_.sector);
+    return track_down(view_, scene_, budget, proposals_.by_visible_part(budget.edge_poses));
   }
 
   /// Used if nothing was found, or so many that there may be more.
   void search_again(std::vector<Candidate>& candidates) const {
     if (!found(candidates))
-      merge(best_by_visible_part(thorough_), candidates);
+      merge(best_by_visible_part(kSecondSearch), candidates);
     else if (several(candidates))
-      merge(best_by_visible_part(for_sector(kFurther, view_.sector)), candidates);
+      merge(best_by_visible_part(kFurtherInstances), candidates);
   }
 
   void merge(const std::vector<Candidate>& more, std::vector<Candidate>& candidates) const {
@@ -245,8 +245,7 @@ class ViewSearch {
   cv::Rect roi_;
   bool everywhere_;
   SearchMode mode_;
-  FirstBudget first_;
-  SearchBudget thorough_;
+  FirstSearch first_;
   Proposals proposals_;
 };
 
