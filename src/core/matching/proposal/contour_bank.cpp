@@ -54,7 +54,8 @@ bool looks_round(const std::vector<ContourBank::Rotation>& rotations) {
   return 2 * static_cast<std::size_t>(alike) > rotations.size();
 }
 
-/// The points' indices in their order around the outline's centre, so that runs are compact.
+/// The points' indices in their order around the outline's centre. A run of them is what something
+/// may cover: both sides of a narrow part, which lie far apart along the outline.
 std::vector<std::size_t> in_order_around(const ContourTemplate& contour) {
   std::vector<std::size_t> order(contour.size());
   std::iota(order.begin(), order.end(), 0);

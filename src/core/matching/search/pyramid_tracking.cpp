@@ -55,7 +55,7 @@ class PyramidTracker {
       follow_contours(level, candidates);
     else
       keep_those_on_edges(level, candidates);
-    score(view_.rough[level], finer ? 2 : budget_.steps, candidates);
+    score(view_.rough[level], finer ? 2 : is_narrow() ? 1 : 0, candidates);
     suppress(candidates, {budget_.judged});
     drop_below(kThresholds.roughly, candidates);
     score(view_.templates[level], 0, candidates);

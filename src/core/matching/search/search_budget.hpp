@@ -14,7 +14,6 @@ struct SearchBudget {
   std::size_t entering = 48;     ///< candidates that enter at a level, at most
   double width = 0;              ///< [px at level] objects narrower enter one level finer
   double narrow = 0;             ///< [px] contours of narrower objects are aligned first
-  int steps = 0;                 ///< of alignment before proposals are scored
   double kept = 1;               ///< candidates at each level, times most_at()
 };
 
@@ -26,7 +25,6 @@ constexpr SearchBudget kSecondSearch = [] {
   budget.entering = 64;
   budget.width = 3;
   budget.narrow = 5;
-  budget.steps = 1;
   budget.kept = 2;
   return budget;
 }();
