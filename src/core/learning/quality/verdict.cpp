@@ -105,7 +105,7 @@ constexpr double kBadRisk = 0.5;
 
 // Risk that the map's IoU with the object's silhouette is below .8: a logistic regression on drawn
 // lessons, drawn lessons with the faults of real cameras, and lessons from photographs
-// (docs/design.md, "The verdict is an estimate").
+// (docs/decisions/0011-verdict.md).
 struct OutlineRisk {
   double instability, weakness, change, span;  // log-odds
 
