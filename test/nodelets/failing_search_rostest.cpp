@@ -8,8 +8,8 @@
 
 #include <algorithm>
 #include <atomic>
-#include <condition_variable>
 #include <functional>
+#include <future>
 #include <map>
 #include <mutex>
 #include <new>
@@ -186,20 +186,13 @@ TEST_F(FailingSearch, EndsInAStatusEveryTime) {
 }
 
 TEST_F(FailingSearch, OneThatNeverEndsIsStale) {
-  std::mutex mutex;
-  std::condition_variable released;
-  bool release = false;
+  std::promise<void> end;
   ASSERT_EQ(about(show())->objects.size(), 1u);
-  search_.inject([&] {
-    std::unique_lock<std::mutex> lock(mutex);
-    released.wait(lock, [&] { return release; });
-  });
+  search_.inject([ended = end.get_future().share()] { ended.wait(); });
   show();
   EXPECT_TRUE(spin_until([this] { return is_stale(); }));
   EXPECT_EQ(level(), DiagnosticStatus::ERROR);
-  const std::lock_guard<std::mutex> lock(mutex);
-  release = true;
-  released.notify_all();
+  end.set_value();
 }
 
 // Pictures skipped by the rate limit must not hide failed searches.
