@@ -23,6 +23,7 @@ struct CutEvidence {
   double change_beside = 0;      ///< [map's area] certain change in the region outside the map
   double stability = 1;          ///< [0..1] least IoU with cuts of shifted balance
   double boundary_contrast = 1;  ///< [0..1] strength of the picture edges along the outline
+  bool shadow_like = false;      ///< a shadow of the platform would look like the object
   bool verified = true;  ///< false: cut from one picture, without confirmation by a second one
 };
 

@@ -103,6 +103,16 @@ TEST_F(VerdictTest, WhatTheCutTellsIsNotGood) {
   EXPECT_EQ(verdict_with(outside), Verdict::kBad);
 }
 
+TEST_F(VerdictTest, WhatLooksLikeAShadowHasToLieInsideTheRegion) {
+  CutEvidence evidence;
+  evidence.region_touch = 0.06;
+  EXPECT_EQ(verdict_with(evidence), Verdict::kGood);
+  evidence.shadow_like = true;
+  EXPECT_EQ(verdict_with(evidence), Verdict::kBad);
+  evidence.region_touch = 0.04;
+  EXPECT_EQ(verdict_with(evidence), Verdict::kMarginal);
+}
+
 TEST_F(VerdictTest, AnObjectCutByTheBorderIsRefused) {
   const Quality quality = decided(sound(), CutEvidence(), true);
   EXPECT_EQ(quality.verdict, Verdict::kBad);
@@ -120,13 +130,14 @@ TEST_F(VerdictTest, SmallObjectsWarnAndSmallerOnesAreRefused) {
   EXPECT_EQ(error_of(decided(quality)), LearnError::kTooSmall);
 }
 
-TEST_F(VerdictTest, LittleTextureWarnsAndNoneIsRefused) {
+TEST_F(VerdictTest, APlainSurfaceCountsIfTheObjectIsNotFoundAgain) {
   Quality quality = sound();
-  quality.contrast = 5.9;
-  EXPECT_EQ(verdict_of(quality), Verdict::kMarginal);
-  quality.contrast = 1.9;
-  EXPECT_EQ(verdict_of(quality), Verdict::kBad);
+  quality.contrast = 1;
+  EXPECT_EQ(verdict_of(quality), Verdict::kGood);
+  quality.self_score = search_.min_score - 0.01;
   EXPECT_EQ(error_of(decided(quality)), LearnError::kLowTexture);
+  quality.contrast = 6;
+  EXPECT_EQ(error_of(decided(quality)), LearnError::kNotDistinct);
 }
 
 TEST_F(VerdictTest, WhatIsNotFoundAgainIsRefused) {

@@ -65,6 +65,23 @@ TEST(ChangeCut, AnObjectOfAShadowsColourIsNoShadow) {
   EXPECT_GT(test::iou(cut(drawn.lesson).map, drawn.truth), 0.9);
 }
 
+// A shadow could explain all of a plain grey object on a brighter grey platform; but an object was
+// taken away.
+TEST(ChangeCut, AGreyObjectOnAGreyPlatformIsNoShadow) {
+  for (const double light : {0.7, 0.8}) {
+    DrawnLesson drawn = draw_lesson();
+    drawn.platform.setTo(cv::Scalar::all(60));
+    cv::Mat scene = drawn.platform.clone();
+    scene.setTo(cv::Scalar::all(light * 60), drawn.truth);
+    drawn.lesson.before = test::exposed(scene, 11);
+    drawn.lesson.after = test::exposed(drawn.platform, 12);
+    const ChangeCut result = cut(drawn.lesson);
+    EXPECT_GT(test::iou(result.map, drawn.truth), 0.9) << light;
+    EXPECT_TRUE(result.evidence.shadow_like) << light;
+  }
+  EXPECT_FALSE(cut(draw_lesson().lesson).evidence.shadow_like);
+}
+
 // Four pixels wide and hardly brighter than the platform: much outline, little area.
 DrawnLesson draw_faint_hook() {
   DrawnLesson drawn = draw_lesson();

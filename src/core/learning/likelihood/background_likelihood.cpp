@@ -17,7 +17,6 @@ constexpr float kStudentFreedom = 30;       // tails of the unchanged term
 constexpr float kShadowWeight = 0.12F;      // prior of a pixel lying in a shadow
 constexpr float kOutlierWeight = 0.03F;     // prior of any colour at all (glints, dust)
 constexpr float kPlatformWeight = 0.0001F;  // prior of platform from elsewhere (something shifted)
-constexpr float kDarkestShadow = 0.3F;      // of the light that is left
 constexpr float kBrightestLight = 3;        // likewise: a shadow in the picture after has gone
 constexpr float kShadowScale = 0.25F;       // log-prior: small changes of light are more likely
 constexpr float kShadowTint = 0.1F;      // deviation of one channel, part of the light taken away
@@ -52,8 +51,8 @@ cv::Mat remaining_light(const cv::Mat& before, const cv::Mat& after) {
 }
 
 // Range of the light in a shadow, in the picture before or after.
-cv::Mat plausible(const cv::Mat& light) {
-  return cv::max(cv::min(light, kBrightestLight), kDarkestShadow);
+cv::Mat plausible(const cv::Mat& light, float darkest) {
+  return cv::max(cv::min(light, kBrightestLight), darkest);
 }
 
 // Fit of a Gaussian around a predicted picture.
@@ -135,14 +134,14 @@ cv::Mat log_student(Fit& fit, float tail) {
 }
 
 // Light shadows are more likely, and a shadow leaves the platform's texture visible.
-cv::Mat log_shadow_prior(const cv::Mat& light, const cv::Mat& lost) {
+cv::Mat log_shadow_prior(const cv::Mat& light, float darkest, const cv::Mat& lost) {
   cv::Mat prior(light.size(), CV_32FC1);
   for (int y = 0; y < light.rows; ++y) {
     const auto* k = light.ptr<float>(y);
     const auto* loss = lost.ptr<float>(y);
     auto* out = prior.ptr<float>(y);
     for (int x = 0; x < light.cols; ++x)
-      out[x] = -std::abs(k[x] - 1) / kShadowScale - (k[x] < kDarkestShadow ? kHardlyPossible : 0) -
+      out[x] = -std::abs(k[x] - 1) / kShadowScale - (k[x] < darkest ? kHardlyPossible : 0) -
                std::clamp(loss[x], -kTextureKept, kTextureLost);
   }
   return prior;
@@ -169,17 +168,19 @@ float log_uniform_colour() {
 }
 
 BackgroundLikelihood background_likelihood(const cv::Mat& before, const cv::Mat& after,
-                                           const NoiseModel& noise, const ColourMixture& platform) {
+                                           const NoiseModel& noise, const ColourMixture& platform,
+                                           float darkest_shadow) {
   const cv::Mat variance = noise.variance_picture(after), light = remaining_light(before, after);
-  const cv::Mat lost = texture_loss(before, after, plausible(light), variance);
+  const cv::Mat lost = texture_loss(before, after, plausible(light, darkest_shadow), variance);
   Fit unchanged = fit_unchanged(before, after, variance, noise.correlation);
   Fit shaded = fit_shadow(before, after, light, variance, noise.correlation);
   // Before pooling.
   const Misfit misfit{unchanged.distance.clone(), shaded.distance.clone()};
   const cv::Mat plain = exponential(log_student(unchanged, noise.tail) +
                                     std::log(1 - kOutlierWeight - kShadowWeight));
-  const cv::Mat shadow = exponential(log_student(shaded, noise.tail) +
-                                     log_shadow_prior(light, lost) + std::log(kShadowWeight));
+  const cv::Mat shadow =
+      exponential(log_student(shaded, noise.tail) + log_shadow_prior(light, darkest_shadow, lost) +
+                  std::log(kShadowWeight));
   const cv::Mat elsewhere = platform.densities(before) * std::exp(-log_uniform_colour());
   const cv::Mat sum = plain + shadow + kPlatformWeight * elsewhere + kOutlierWeight;
   BackgroundLikelihood result;

@@ -18,9 +18,12 @@ struct BackgroundLikelihood {
 /// log of the uniform density over 8-bit colours.
 float log_uniform_colour();
 
+constexpr float kDarkestShadow = 0.3F;  ///< [0..1] light that a shadow leaves at least
+
 /// `before` and `after` are CV_32FC3, aligned. `platform` is the ring's colour mixture; it may be
 /// empty.
 BackgroundLikelihood background_likelihood(const cv::Mat& before, const cv::Mat& after,
-                                           const NoiseModel& noise, const ColourMixture& platform);
+                                           const NoiseModel& noise, const ColourMixture& platform,
+                                           float darkest_shadow = kDarkestShadow);
 
 }  // namespace mbncc

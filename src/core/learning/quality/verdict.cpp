@@ -11,7 +11,9 @@
 namespace mbncc {
 namespace {
 
-constexpr double kAlike = 0.7;  // of its own score, above which something else looks the same
+constexpr double kAlike = 0.7;      // of its own score, above which something else looks the same
+constexpr double kPlain = 6;        // [grey levels] deviation under the map of a plain surface
+constexpr double kCrossing = 0.05;  // [0..1] part of the outline on the region's edge
 constexpr double kNever = std::numeric_limits<double>::infinity();  // as a limit
 
 // Reasons against a lesson. A key may have its own error code for the action's result.
@@ -22,7 +24,7 @@ struct Reason {
 };
 
 // Worst first.
-constexpr std::array<Reason, 15> kReasons{{
+constexpr std::array<Reason, 16> kReasons{{
     {"touches_image_border", LearnError::kTouchesBorder,
      "Move the object fully into view and teach again."},
     {"too_small", LearnError::kTooSmall, "Move the camera closer or use a higher resolution."},
@@ -45,6 +47,9 @@ constexpr std::array<Reason, 15> kReasons{{
      "Check the outline and correct it by a stroke: a part of it is uncertain."},
     {"weak_boundary", LearnError::kQualityBad,
      "Check the outline where the object looks like the background, and correct it by a stroke."},
+    {"shadow_like", LearnError::kQualityBad,
+     "The object is as grey as a shadow of the platform: check the outline, or teach it on a "
+     "platform of another colour."},
     {"little_of_region", LearnError::kQualityBad,
      "The map fills little of the region: draw the region close around the object, or draw its "
      "outline."},
@@ -135,12 +140,17 @@ void weigh_evidence(const CutEvidence& evidence, Quality& quality, Charges& char
   const OutlineRisk risk(evidence, quality.edge_agreement);
   quality.outline_probability = 1 - risk.probability();
   charges.above(risk.main_reason(), risk.probability(), kGoodRisk, kBadRisk);
+  // Where a shadow ends is not known if it crosses the region's edge; an object lies inside.
+  const bool crosses = evidence.region_touch > kCrossing;
+  charges.above("shadow_like", evidence.shadow_like ? (crosses ? 2 : 1) : 0, 0.5, 1.5);
   charges.above("unverified_cut", evidence.verified ? 0 : 1, 0.5, 1);
 }
 
-// Other things that look the same will be found as well, but this is not a fault of the map.
+// A plain surface is no fault while the outline is enough to find the object. Other things that
+// look the same will be found as well, but this is not a fault of the map.
 void weigh_search(const Quality& quality, const SearchConfig& search, Charges& charges) {
-  charges.below("not_found_again", quality.self_score, search.confirm_score, search.min_score);
+  charges.below(quality.contrast < kPlain ? "low_texture" : "not_found_again", quality.self_score,
+                search.confirm_score, search.min_score);
   if (quality.runner_up > kAlike * quality.self_score) charges.note("not_distinct");
 }
 
@@ -157,7 +167,6 @@ void decide(Quality& quality, bool touches_border, const std::optional<CutEviden
   Charges charges(quality);
   charges.above("touches_image_border", touches_border ? 1 : 0, 0.5, 0.5);
   charges.below("too_small", quality.area, 2 * config.min_area, config.min_area);
-  charges.below("low_texture", quality.contrast, 6, 2);
   weigh_search(quality, search, charges);
   if (evidence) weigh_evidence(*evidence, quality, charges);
   note_symmetry(quality.symmetry, charges);

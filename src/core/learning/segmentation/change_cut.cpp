@@ -2,6 +2,7 @@
 #include "mbncc/learning/change_cut.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <memory>
 #include <opencv2/imgproc.hpp>
@@ -32,6 +33,9 @@ constexpr int kFewestPixels = 30;    // least pixels of a seed
 constexpr float kCovered = 2;   // log-likelihood ratio of pixels that an intruder covers afterwards
 constexpr int kCheckedBox = 7;  // [px] square about a painted pixel
 constexpr int kSpeck = 8;       // [px] smaller changed patches are noise
+// Light that a shadow leaves at least [0..1]. A grey object looks like a shadow; but an object was
+// taken away, so what shadows explain is bounded until something is left.
+constexpr std::array<float, 4> kDarkestShadows{kDarkestShadow, 0.5F, 0.7F, 0.9F};
 
 // Data of one cut. All pictures have the crop's size and own their memory, because the pair's
 // pictures are much larger and a cut lives as long as its lesson.
@@ -48,8 +52,9 @@ class Cutter {
     inside_(region - crop.tl()).setTo(255);
   }
 
-  void explain_background() {
-    background_ = background_likelihood(before_, after_, noise_, platform_);
+  void explain_background(float darkest_shadow = kDarkestShadow) {
+    background_ = background_likelihood(before_, after_, noise_, platform_, darkest_shadow);
+    shadow_like_ = darkest_shadow > kDarkestShadow;
   }
 
   // The changed pixels that the foreground's colours are first learned from.
@@ -139,9 +144,11 @@ class Cutter {
 
   CutEvidence evidence() const {
     const cv::Mat room = intruders_.empty() ? inside_ : cv::Mat(inside_ & ~intruders_);
-    return cut_evidence(
+    CutEvidence evidence = cut_evidence(
         {map_, coarse_, room, unary_, background_.changed, kept_, intruders_, confirmed()},
         smoothness_, half_);
+    evidence.shadow_like = shadow_like_;
+    return evidence;
   }
 
  private:
@@ -221,6 +228,7 @@ class Cutter {
   NoiseModel noise_;
   ColourMixture platform_;
   BackgroundLikelihood background_;
+  bool shadow_like_ = false;      // see CutEvidence
   Smoothness smoothness_, half_;  // half_: at half resolution
   cv::Mat unary_, coarse_, map_;
   cv::Mat intruders_;          // empty, or of the crop's size
@@ -269,8 +277,12 @@ ChangeCut change_cut(const cv::Mat& before, const cv::Mat& after, const cv::Rect
   const auto cutter =
       std::make_shared<Cutter>(align_pictures(before, after, region, changed, max_shift),
                                crop_of(region, before.size()), region);
-  cutter->explain_background();
-  if (!cutter->seed(changed)) return nothing(before.size());
+  const auto leaves_an_object = [&](float darkest_shadow) {
+    cutter->explain_background(darkest_shadow);
+    return cutter->seed(changed);
+  };
+  if (std::none_of(kDarkestShadows.begin(), kDarkestShadows.end(), leaves_an_object))
+    return nothing(before.size());
   return cut(cutter, before.size(), iterations, before_cut);
 }
 

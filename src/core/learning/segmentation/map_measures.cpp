@@ -11,6 +11,7 @@ namespace {
 
 constexpr int kReach = 12;        // [px] surroundings of the map that count
 constexpr double kEdgeSlope = 8;  // [grey levels / px] an image edge, well above camera noise
+constexpr double kMiddleGrey = 128;
 
 cv::Mat grey_of(const cv::Mat& picture) {
   cv::Mat grey;
@@ -39,13 +40,15 @@ cv::Mat steepest_slope(const cv::Mat& picture) {
   return slope;
 }
 
-// Part of the outline with an image edge within a pixel.
-double edge_agreement(const cv::Mat& picture, const cv::Mat& map) {
+// Part of the outline with an image edge within a pixel. In a dark picture weaker edges count,
+// because contrast is relative to the light.
+double edge_agreement(const cv::Mat& picture, const cv::Mat& grey, const cv::Mat& map) {
+  const double least = kEdgeSlope * std::clamp(cv::mean(grey)[0] / kMiddleGrey, 0.5, 1.0);
   cv::Mat slope;
   cv::dilate(steepest_slope(picture), slope, cv::Mat());
   const cv::Mat outline = outline_pixels(map);
   const int length = cv::countNonZero(outline);
-  return length == 0 ? 0 : cv::countNonZero((slope > kEdgeSlope) & outline) / double(length);
+  return length == 0 ? 0 : cv::countNonZero((slope > least) & outline) / double(length);
 }
 
 cv::Rect surroundings(const cv::Mat& map) {
@@ -72,7 +75,7 @@ void measure_map(const cv::Mat& picture, const cv::Mat& map, Quality& quality) {
   quality.area = cv::countNonZero(part);
   quality.fill = std::min(1.0, quality.area / (kPi * radius * radius));
   quality.contrast = contrast_under(grey, part);
-  quality.edge_agreement = edge_agreement(picture(box), part);
+  quality.edge_agreement = edge_agreement(picture(box), grey, part);
 }
 
 double change_agreement(const cv::Mat& changed, const cv::Mat& map) {
