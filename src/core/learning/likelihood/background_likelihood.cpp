@@ -17,7 +17,6 @@ constexpr float kStudentFreedom = 30;       // tails of the unchanged term
 constexpr float kShadowWeight = 0.12F;      // prior of a pixel lying in a shadow
 constexpr float kOutlierWeight = 0.03F;     // prior of any colour at all (glints, dust)
 constexpr float kPlatformWeight = 0.0001F;  // prior of platform from elsewhere (something shifted)
-constexpr float kBrightestLight = 3;        // likewise: a shadow in the picture after has gone
 constexpr float kShadowScale = 0.25F;       // log-prior: small changes of light are more likely
 constexpr float kShadowTint = 0.1F;      // deviation of one channel, part of the light taken away
 constexpr float kShadowSlope = 0.1F;     // deviation of all channels alike, likewise
@@ -28,7 +27,7 @@ constexpr float kTextureKept = 4;        // largest log-odds of visible texture 
 constexpr float kFaintlyChanged = 0.9F;  // probability of change seen only in windows
 constexpr float kGradualLight = 5;       // log-odds of platform that gradual light adds
 constexpr float kHighestRatio = 60;      // cap of the logarithms
-constexpr float kHardlyPossible = 20;    // log-prior against shadows darker than the darkest
+constexpr float kHardlyPossible = 20;    // log-prior against light beyond its plausible range
 
 // Remaining light: least squares factor of before over after in a small square.
 cv::Mat remaining_light(const cv::Mat& before, const cv::Mat& after) {
@@ -52,7 +51,11 @@ cv::Mat remaining_light(const cv::Mat& before, const cv::Mat& after) {
 
 // Range of the light in a shadow, in the picture before or after.
 cv::Mat plausible(const cv::Mat& light, float darkest) {
-  return cv::max(cv::min(light, kBrightestLight), darkest);
+  return cv::max(cv::min(light, 1 / darkest), darkest);
+}
+
+bool is_plausible(float light, float darkest) {
+  return light >= darkest && light * darkest <= 1;
 }
 
 // Fit of a Gaussian around a predicted picture.
@@ -141,7 +144,8 @@ cv::Mat log_shadow_prior(const cv::Mat& light, float darkest, const cv::Mat& los
     const auto* loss = lost.ptr<float>(y);
     auto* out = prior.ptr<float>(y);
     for (int x = 0; x < light.cols; ++x)
-      out[x] = -std::abs(k[x] - 1) / kShadowScale - (k[x] < darkest ? kHardlyPossible : 0) -
+      out[x] = -std::abs(k[x] - 1) / kShadowScale -
+               (is_plausible(k[x], darkest) ? 0 : kHardlyPossible) -
                std::clamp(loss[x], -kTextureKept, kTextureLost);
   }
   return prior;

@@ -18,7 +18,8 @@ struct BackgroundLikelihood {
 /// log of the uniform density over 8-bit colours.
 float log_uniform_colour();
 
-constexpr float kDarkestShadow = 0.3F;  ///< [0..1] light that a shadow leaves at least
+constexpr float kDarkestShadow =
+    0.3F;  ///< [0..1] light that a shadow, in either picture, leaves at least
 
 /// `before` and `after` are CV_32FC3, aligned. `platform` is the ring's colour mixture; it may be
 /// empty.

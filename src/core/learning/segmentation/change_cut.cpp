@@ -33,8 +33,8 @@ constexpr int kFewestPixels = 30;    // least pixels of a seed
 constexpr float kCovered = 2;   // log-likelihood ratio of pixels that an intruder covers afterwards
 constexpr int kCheckedBox = 7;  // [px] square about a painted pixel
 constexpr int kSpeck = 8;       // [px] smaller changed patches are noise
-// Light that a shadow leaves at least [0..1]. A grey object looks like a shadow; but an object was
-// taken away, so what shadows explain is bounded until something is left.
+// Light that a shadow leaves at least [0..1]. A grey object looks like platform in another light;
+// but an object was taken away, so what shadows explain is bounded until something is left.
 constexpr std::array<float, 4> kDarkestShadows{kDarkestShadow, 0.5F, 0.7F, 0.9F};
 
 // Data of one cut. All pictures have the crop's size and own their memory, because the pair's
