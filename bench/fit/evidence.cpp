@@ -29,19 +29,20 @@ std::shared_ptr<ObjectModel> object_of(const CaseFolder& one) {
   return object;
 }
 
-bool is_right(const Detection& detection, const Target& target, const CaseFolder& one) {
+bool is_right(const decision::Detection& detection, const Target& target, const CaseFolder& one) {
   const Pose2D pose = compose(detection.pose, detection.view->reference_in_anchor);
   const auto judged = judge({{pose, 1, false, {}}}, target.instances, one.diameter);
   return judged.front().correct;
 }
 
 /// The best detections of different places, of sorted ones.
-std::vector<Detection> best_of_places(const std::vector<Detection>& detections) {
-  std::vector<Detection> places;
+std::vector<decision::Detection> best_of_places(
+    const std::vector<decision::Detection>& detections) {
+  std::vector<decision::Detection> places;
   for (const auto& one : detections)
-    if (std::none_of(places.begin(), places.end(), [&](const Detection& other) {
+    if (std::none_of(places.begin(), places.end(), [&](const decision::Detection& other) {
           return cv::norm(one.pose.position() - other.pose.position()) <
-                 kSamePlace * one.view->shape.radius();
+                 decision::kSamePlace * one.view->shape.radius();
         }))
       places.push_back(one);
   return places;
@@ -57,11 +58,11 @@ class Rows {
   }
 
   void add_case(const fs::path& set, const CaseFolder& one) {
-    const PreparedObject object(object_of(one), mbncc::Engine::kFast);
+    const prepared::PreparedObject object(object_of(one), prepared::Engine::kFast);
     for (const auto& target : one.targets) {
-      const ScenePicture scene(read_picture(target.picture), object.top_level());
-      auto detections = search_object(object, scene, {}, SearchMode::kTwice);
-      apply_clutter_penalty(detections);
+      const scene::ScenePicture scene(read_picture(target.picture), object.top_level());
+      auto detections = search::search_object(object, scene, {}, search::SearchMode::kTwice);
+      decision::apply_clutter_penalty(detections);
       for (const auto& detection : best_of_places(detections))
         add(set, one, target, scene, detection);
     }
@@ -69,15 +70,16 @@ class Rows {
 
  private:
   void add(const fs::path& set, const CaseFolder& one, const Target& target,
-           const ScenePicture& scene, const Detection& detection) {
-    const PreparedView& view = *detection.view;
-    const Evidence e = gather_evidence(view.fine, scene.levels[0], detection.pose, detection.size);
+           const scene::ScenePicture& scene, const decision::Detection& detection) {
+    const prepared::PreparedView& view = *detection.view;
+    const evidence::Evidence e =
+        evidence::gather_evidence(view.fine, scene.levels[0], detection.pose, detection.size);
     const double area = view.shape.area();
     out_ << set.string() << ',' << one.name << ',' << target.name << ','
-         << is_right(detection, target, one) << ',' << area << ',' << log_odds(e, area) << ','
-         << detection.log_odds - log_odds(e, area) << ',' << e.contour_coverage << ',' << e.gradient
-         << ',' << e.trimmed_residual << ',' << e.histogram << ',' << e.shading_free_ncc << ','
-         << e.texture << ',' << e.visible << ',' << e.cast << '\n';
+         << is_right(detection, target, one) << ',' << area << ',' << evidence::log_odds(e, area)
+         << ',' << detection.log_odds - evidence::log_odds(e, area) << ',' << e.contour_coverage
+         << ',' << e.gradient << ',' << e.trimmed_residual << ',' << e.histogram << ','
+         << e.shading_free_ncc << ',' << e.texture << ',' << e.visible << ',' << e.cast << '\n';
   }
 
   std::ofstream out_;

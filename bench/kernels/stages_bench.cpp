@@ -60,7 +60,7 @@ void yardstick_cut(benchmark::State& state) {
 
 void pyramid(benchmark::State& state) {
   const Cell cell(90);
-  for (auto _ : state) benchmark::DoNotOptimize(build_pyramid(cell.target, 3));
+  for (auto _ : state) benchmark::DoNotOptimize(imaging::build_pyramid(cell.target, 3));
 }
 
 void similarity_at_a_pose(benchmark::State& state) {

@@ -18,7 +18,7 @@ void PolarEngine::teach(const cv::Mat& picture, const cv::Mat& map, cv::Point2d 
 std::vector<Found> PolarEngine::find(const cv::Mat& picture) {
   cv::Mat grey;
   cv::cvtColor(picture, grey, cv::COLOR_BGR2GRAY);
-  const auto levels = build_pyramid(grey, search_->top_level());
+  const auto levels = imaging::build_pyramid(grey, search_->top_level());
   if (static_cast<int>(levels.size()) <= search_->top_level()) return {};
   std::vector<Found> found;
   for (const auto& peak : search_->find(levels, {{0, 0}, grey.size()})) {

@@ -157,8 +157,9 @@ class Mutator {
     std::string list = "advice: [&a " + std::string(static_cast<std::size_t>(any(32000)), 'a');
     for (int aliases = any(9000); aliases > 0; --aliases) list += ",*a";
     text.replace(at, text.find("symmetry:", at) - at, list + "]\n  ");
-    return text.size() < PngLimits::kMaxText ? text
-                                             : with_line(text.substr(0, PngLimits::kMaxText / 2));
+    return text.size() < library::PngLimits::kMaxText
+               ? text
+               : with_line(text.substr(0, library::PngLimits::kMaxText / 2));
   }
 
   std::vector<std::string> lines_of(const std::string& text) {
@@ -232,14 +233,14 @@ Bytes object_bytes(Mutator& mutator) {
   const ObjectModel model = mutator.model();
   std::vector<cv::Rect> rectangles;
   cv::Mat rgba = drawn(model, rectangles);
-  std::string text = write_description(model, rectangles);
+  std::string text = library::write_description(model, rectangles);
   const int kind = mutator.any(16);
   if (kind < 6) text = mutator.text(text);
   if (kind == 6) rgba.at<cv::Vec4b>(0, 0)[3] = static_cast<uchar>(mutator.any(256));
   if (kind == 7) rgba = rgba.rowRange(0, 1 + mutator.any(rgba.rows)).clone();
   Bytes bytes;
   try {
-    bytes = encode_png(rgba, "mbncc", text);
+    bytes = library::encode_png(rgba, "mbncc", text);
   } catch (const std::invalid_argument&) {  // text that no PNG takes
     bytes = {text.begin(), text.end()};
   }

@@ -17,7 +17,7 @@ std::vector<std::uint8_t> file_from(fuzz::Pieces& pieces) {
   const std::string content = pieces.rest();
   if (raw) return {content.begin(), content.end()};
   const cv::Mat rgba(6, 5, CV_8UC4, cv::Scalar::all(255));
-  return encode_png(rgba, "mbncc", content.substr(0, PngLimits::kMaxText - 1));
+  return library::encode_png(rgba, "mbncc", content.substr(0, library::PngLimits::kMaxText - 1));
 }
 
 }  // namespace

@@ -32,25 +32,26 @@ double mean_error(const cv::Mat& a, const cv::Mat& b) {
 
 TEST(PhotometricFit, RecoversGainOffsetAndPlane) {
   const cv::Mat after = test::texture(kSize, kTable, 20, 1);
-  const ChannelLight made{0.12, 0.06, -0.04, 5};
-  const cv::Mat before = apply_light(after, {made, made, made});
-  const Light found = fit_light(before, after, all_of(kSize), true);
-  EXPECT_LT(mean_error(apply_light(after, found), before), 0.3);
+  const change::ChannelLight made{0.12, 0.06, -0.04, 5};
+  const cv::Mat before = change::apply_light(after, {made, made, made});
+  const change::Light found = change::fit_light(before, after, all_of(kSize), true);
+  EXPECT_LT(mean_error(change::apply_light(after, found), before), 0.3);
 }
 
 TEST(PhotometricFit, IgnoresAForeignQuarter) {
   const cv::Mat after = test::texture(kSize, kTable, 20, 1);
   cv::Mat before = after * 1.1;
   before(cv::Rect(0, 0, 120, 100)).setTo(cv::Scalar(250, 10, 10));
-  const Light found = fit_light(before, after, all_of(kSize), false);
+  const change::Light found = change::fit_light(before, after, all_of(kSize), false);
   const cv::Rect rest(120, 100, 120, 100);
-  EXPECT_LT(mean_error(apply_light(after, found)(rest), before(rest)), 0.5);
+  EXPECT_LT(mean_error(change::apply_light(after, found)(rest), before(rest)), 0.5);
 }
 
 TEST(PhotometricFit, TooFewPixelsGiveTheIdentity) {
   const cv::Mat after = test::texture(kSize, kTable, 20, 1);
-  const Light found = fit_light(after * 2, after, cv::Mat::zeros(kSize, CV_8UC1), true);
-  EXPECT_EQ(mean_error(apply_light(after, found), after), 0);
+  const change::Light found =
+      change::fit_light(after * 2, after, cv::Mat::zeros(kSize, CV_8UC1), true);
+  EXPECT_EQ(mean_error(change::apply_light(after, found), after), 0);
 }
 
 class Shift : public testing::TestWithParam<cv::Point2d> {};
@@ -59,10 +60,10 @@ TEST_P(Shift, IsFoundToAFiftiethOfAPixel) {
   const cv::Mat wide = test::texture({300, 260}, kTable, 20, 3);
   const cv::Rect inner(30, 30, 240, 200);
   // undo_shift(after, s)(x) = after(x + s) = before(x).
-  const cv::Mat after = undo_shift(wide, -GetParam())(inner);
+  const cv::Mat after = change::undo_shift(wide, -GetParam())(inner);
   const cv::Mat b = floats(test::exposed(wide(inner), 5)), a = floats(test::exposed(after, 6));
-  const cv::Point2d found =
-      estimate_shift(smooth_luminance(b), smooth_luminance(a), all_of(kSize), 8);
+  const cv::Point2d found = change::estimate_shift(change::smooth_luminance(b),
+                                                   change::smooth_luminance(a), all_of(kSize), 8);
   EXPECT_NEAR(found.x, GetParam().x, 0.02);
   EXPECT_NEAR(found.y, GetParam().y, 0.02);
 }
@@ -74,14 +75,16 @@ INSTANTIATE_TEST_SUITE_P(Camera, Shift,
 TEST(CameraShift, IsZeroWhereNothingMoved) {
   const cv::Mat scene = test::texture(kSize, kTable, 20, 3);
   const cv::Mat b = floats(test::exposed(scene, 5)), a = floats(test::exposed(scene, 6));
-  EXPECT_EQ(estimate_shift(smooth_luminance(b), smooth_luminance(a), all_of(kSize), 8),
+  EXPECT_EQ(change::estimate_shift(change::smooth_luminance(b), change::smooth_luminance(a),
+                                   all_of(kSize), 8),
             cv::Point2d());
 }
 
 TEST(CameraShift, LongerThanAllowedIsLeftAlone) {
   const cv::Mat wide = test::texture({300, 260}, kTable, 20, 3, 8);
   const cv::Mat b = wide(cv::Rect(30, 30, 240, 200)), a = wide(cv::Rect(26, 30, 240, 200));
-  EXPECT_EQ(estimate_shift(smooth_luminance(b), smooth_luminance(a), all_of(kSize), 2),
+  EXPECT_EQ(change::estimate_shift(change::smooth_luminance(b), change::smooth_luminance(a),
+                                   all_of(kSize), 2),
             cv::Point2d());
 }
 
@@ -90,8 +93,8 @@ TEST(AlignPictures, RingNeverCountsTheRegionOrAMovedNeighbour) {
   cv::Mat before = drawn.lesson.before.clone();
   const cv::Rect neighbour(200, 110, 20, 20);
   before(neighbour).setTo(cv::Scalar(20, 20, 20));
-  const AlignedPair pair = align_pictures(before, drawn.lesson.after, drawn.lesson.region,
-                                          cv::Mat::zeros(before.size(), CV_8UC1), 8);
+  const change::AlignedPair pair = change::align_pictures(
+      before, drawn.lesson.after, drawn.lesson.region, cv::Mat::zeros(before.size(), CV_8UC1), 8);
   const auto trusted_in = [&](const cv::Rect& rect) {
     const cv::Rect inside = (rect - pair.window.tl()) & cv::Rect({0, 0}, pair.window.size());
     return cv::countNonZero(pair.trusted(inside));
@@ -104,11 +107,11 @@ TEST(AlignPictures, RingNeverCountsTheRegionOrAMovedNeighbour) {
 TEST(NoiseModel, LearnsTheNoiseOfBothPictures) {
   for (const double sigma : {1.5, 4.0}) {
     const cv::Mat scene(kSize, CV_32FC3, kTable);
-    AlignedPair pair;
+    change::AlignedPair pair;
     pair.before = floats(test::exposed(scene, 1, 1, sigma));
     pair.after = floats(test::exposed(scene, 2, 1, sigma));
     pair.trusted = all_of(kSize);
-    const NoiseModel noise = learn_noise(pair);
+    const likelihood::NoiseModel noise = likelihood::learn_noise(pair);
     const double both = std::sqrt(2.0) * sigma;
     EXPECT_NEAR(noise.variance[1][115 / 16], both * both, 0.25 * both * both);
     EXPECT_LT(noise.tail, 1.6);
@@ -116,11 +119,11 @@ TEST(NoiseModel, LearnsTheNoiseOfBothPictures) {
 }
 
 TEST(NoiseModel, EdgesMayDifferMore) {
-  AlignedPair pair;
+  change::AlignedPair pair;
   pair.after = test::texture(kSize, kTable, 40, 3, 1.5);
-  pair.before = undo_shift(pair.after, {0.25, 0.1});
+  pair.before = change::undo_shift(pair.after, {0.25, 0.1});
   pair.trusted = all_of(kSize);
-  const cv::Mat variance = learn_noise(pair).variance_picture(pair.after);
+  const cv::Mat variance = likelihood::learn_noise(pair).variance_picture(pair.after);
   double low = 0, high = 0;
   cv::minMaxLoc(variance.reshape(1), &low, &high);
   EXPECT_GT(high, 3 * low);
@@ -135,16 +138,17 @@ TEST(NoiseModel, KnowsWhichWayTheNoiseGoes) {
   random.fill(own, cv::RNG::NORMAL, 0, 0.7);
   cv::Mat grey;
   cv::merge(std::vector<cv::Mat>(3, common), grey);
-  AlignedPair pair;
+  change::AlignedPair pair;
   pair.after = cv::Mat(kSize, CV_32FC3, kTable);
   pair.before = pair.after + grey + own;
   pair.trusted = all_of(kSize);
-  const NoiseModel noise = learn_noise(pair);
+  const likelihood::NoiseModel noise = likelihood::learn_noise(pair);
   EXPECT_GT(noise.correlation(0, 1), 0.7);
   const cv::Mat variance = noise.variance_picture(pair.after);
   const auto distance = [&](const cv::Scalar& change) {
     const cv::Mat changed = pair.after + change;
-    return cv::mean(normalized_difference(changed, pair.after, variance, noise.correlation))[0];
+    return cv::mean(
+        likelihood::normalized_difference(changed, pair.after, variance, noise.correlation))[0];
   };
   EXPECT_GT(distance({10, 0, -10}), 3 * distance({8, 8, 8}));
   EXPECT_NEAR(distance({8, 8, 8}), distance({-8, -8, -8}), 1e-3 * distance({8, 8, 8}));
@@ -152,11 +156,11 @@ TEST(NoiseModel, KnowsWhichWayTheNoiseGoes) {
 
 TEST(NoiseModel, IndependentChannelsStayIndependent) {
   const cv::Mat scene(kSize, CV_32FC3, kTable);
-  AlignedPair pair;
+  change::AlignedPair pair;
   pair.before = floats(test::exposed(scene, 1, 1, 3));
   pair.after = floats(test::exposed(scene, 2, 1, 3));
   pair.trusted = all_of(kSize);
-  const NoiseModel noise = learn_noise(pair);
+  const likelihood::NoiseModel noise = likelihood::learn_noise(pair);
   for (const auto& [i, j] : {std::pair(0, 1), std::pair(0, 2), std::pair(1, 2)})
     EXPECT_NEAR(noise.correlation(i, j), 0, 0.1);
 }

@@ -14,11 +14,11 @@ class ArrivalsTest : public testing::Test {
  protected:
   cv::Mat arrivals(const std::vector<cv::Rect>& before, const std::vector<cv::Rect>& after,
                    const cv::Mat& changed) const {
-    return find_arrivals(test::picture_with(before, 11), test::picture_with(after, 12), changed,
-                         platform_);
+    return change::find_arrivals(test::picture_with(before, 11), test::picture_with(after, 12),
+                                 changed, platform_);
   }
 
-  const ColourMixture platform_ = ColourMixture::fit(
+  const change::ColourMixture platform_ = change::ColourMixture::fit(
       test::picture_with({}, 13), cv::Mat(test::kPlatformSize, CV_8UC1, cv::Scalar(255)));
 };
 
@@ -67,8 +67,8 @@ TEST_F(ArrivalsTest, DeparturesAreWhatLeft) {
     return picture8;
   };
   const auto left = [&](const std::vector<cv::Rect>& before, const std::vector<cv::Rect>& after) {
-    return cv::countNonZero(departures(bytes(before, 11), bytes(after, 12), test::map_of({kLeft})) >
-                            0);
+    return cv::countNonZero(
+        change::departures(bytes(before, 11), bytes(after, 12), test::map_of({kLeft})) > 0);
   };
   EXPECT_EQ(left({kLeft}, {}), kLeft.area());
   EXPECT_EQ(left({}, {kLeft}), 0);
@@ -83,10 +83,10 @@ TEST_F(ArrivalsTest, EdgesTellWhereColoursDoNot) {
   // Each grey is as likely as the other.
   cv::Mat both = bare.clone();
   both(cv::Rect(0, 0, 160, 60)).setTo(cv::Scalar::all(150));
-  const ColourMixture platform =
-      ColourMixture::fit(both, cv::Mat(test::kPlatformSize, CV_8UC1, cv::Scalar(255)));
-  EXPECT_GT(departure_scores(shown, bare, labels, 2, platform)[1], 1.5);
-  EXPECT_LT(departure_scores(bare, shown, labels, 2, platform)[1], -1.5);
+  const change::ColourMixture platform =
+      change::ColourMixture::fit(both, cv::Mat(test::kPlatformSize, CV_8UC1, cv::Scalar(255)));
+  EXPECT_GT(change::departure_scores(shown, bare, labels, 2, platform)[1], 1.5);
+  EXPECT_LT(change::departure_scores(bare, shown, labels, 2, platform)[1], -1.5);
 }
 
 }  // namespace

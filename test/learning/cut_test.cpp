@@ -13,11 +13,11 @@
 namespace mbncc {
 namespace {
 
-Smoothness random_smoothness(cv::Size size, cv::RNG& random) {
-  Smoothness smoothness;
+segmentation::Smoothness random_smoothness(cv::Size size, cv::RNG& random) {
+  segmentation::Smoothness smoothness;
   smoothness.strength = 3;
   for (std::size_t k = 0; k < smoothness.weights.size(); ++k) {
-    const int dx = Smoothness::kDx[k], dy = Smoothness::kDy[k];
+    const int dx = segmentation::Smoothness::kDx[k], dy = segmentation::Smoothness::kDy[k];
     smoothness.weights[k] = cv::Mat::zeros(size, CV_32FC1);
     for (int y = -dy; y < size.height; ++y)
       for (int x = std::max(0, -dx); x < size.width - std::max(0, dx); ++x)
@@ -26,7 +26,8 @@ Smoothness random_smoothness(cv::Size size, cv::RNG& random) {
   return smoothness;
 }
 
-double energy(const cv::Mat& map, const cv::Mat& unary, const Smoothness& smoothness) {
+double energy(const cv::Mat& map, const cv::Mat& unary,
+              const segmentation::Smoothness& smoothness) {
   double sum = 0;
   for (int y = 0; y < map.rows; ++y)
     for (int x = 0; x < map.cols; ++x) {
@@ -34,7 +35,8 @@ double energy(const cv::Mat& map, const cv::Mat& unary, const Smoothness& smooth
       for (std::size_t k = 0; k < smoothness.weights.size(); ++k) {
         const float weight = smoothness.weights[k].at<float>(y, x);
         if (weight > 0 &&
-            map.at<uchar>(y, x) != map.at<uchar>(y + Smoothness::kDy[k], x + Smoothness::kDx[k]))
+            map.at<uchar>(y, x) != map.at<uchar>(y + segmentation::Smoothness::kDy[k],
+                                                 x + segmentation::Smoothness::kDx[k]))
           sum += weight;
       }
     }
@@ -42,7 +44,7 @@ double energy(const cv::Mat& map, const cv::Mat& unary, const Smoothness& smooth
 }
 
 // The oracle tries every map.
-double least_energy(const cv::Mat& unary, const Smoothness& smoothness) {
+double least_energy(const cv::Mat& unary, const segmentation::Smoothness& smoothness) {
   const int pixels = static_cast<int>(unary.total());
   double least = 1e9;
   cv::Mat map(unary.size(), CV_8UC1);
@@ -60,11 +62,13 @@ TEST(Smoothness, ARimIsFreeAndTheRestAsBefore) {
   cv::Mat mask = nothing.clone(), apart = nothing.clone();
   mask(cv::Rect(2, 1, 4, 5)).setTo(255);
   apart(cv::Rect(7, 1, 2, 6)).setTo(255);
-  const Smoothness before = random_smoothness(size, random), after = with_free_rim(before, mask);
+  const segmentation::Smoothness before = random_smoothness(size, random),
+                                 after = segmentation::with_free_rim(before, mask);
   EXPECT_GT(energy(mask, even, before), 0);
   EXPECT_EQ(energy(mask, even, after), 0);
   EXPECT_EQ(energy(apart, even, after), energy(apart, even, before));
-  EXPECT_EQ(energy(mask, even, with_free_rim(before, nothing)), energy(mask, even, before));
+  EXPECT_EQ(energy(mask, even, segmentation::with_free_rim(before, nothing)),
+            energy(mask, even, before));
 }
 
 TEST(GraphCut, FindsTheLeastEnergyOfAllMaps) {
@@ -73,8 +77,8 @@ TEST(GraphCut, FindsTheLeastEnergyOfAllMaps) {
     for (int trial = 0; trial < 20; ++trial) {
       cv::Mat unary(size, CV_32FC1);
       random.fill(unary, cv::RNG::NORMAL, 0, 4);
-      const Smoothness smoothness = random_smoothness(size, random);
-      const cv::Mat map = minimum_cut(unary, smoothness);
+      const segmentation::Smoothness smoothness = random_smoothness(size, random);
+      const cv::Mat map = segmentation::minimum_cut(unary, smoothness);
       EXPECT_NEAR(energy(map, unary, smoothness), least_energy(unary, smoothness), 1e-3);
     }
 }
@@ -85,14 +89,16 @@ TEST(GraphCut, HalfResolutionKeepsTheEnergyOfBlocks) {
   for (const cv::Size size : {cv::Size(8, 6), cv::Size(7, 5)}) {
     cv::Mat unary(size, CV_32FC1), blocks((size.height + 1) / 2, (size.width + 1) / 2, CV_8UC1);
     random.fill(unary, cv::RNG::NORMAL, 0, 4);
-    const Smoothness smoothness = random_smoothness(size, random);
+    const segmentation::Smoothness smoothness = random_smoothness(size, random);
     for (int trial = 0; trial < 10; ++trial) {
       random.fill(blocks, cv::RNG::UNIFORM, 0, 2);
       blocks *= 255;
       cv::Mat map;
       cv::resize(blocks, map, blocks.size() * 2, 0, 0, cv::INTER_NEAREST);
       EXPECT_NEAR(energy(map(cv::Rect({0, 0}, size)).clone(), unary, smoothness),
-                  energy(blocks, half_resolution(unary), half_resolution(smoothness)), 1e-3);
+                  energy(blocks, segmentation::half_resolution(unary),
+                         segmentation::half_resolution(smoothness)),
+                  1e-3);
     }
   }
 }
@@ -103,12 +109,12 @@ TEST(GraphCut, RefiningACoarseCutComesCloseToTheLeastEnergy) {
     cv::Mat unary(size, CV_32FC1);
     random.fill(unary, cv::RNG::NORMAL, 0, 6);
     cv::GaussianBlur(unary, unary, {}, 2);
-    const Smoothness smoothness = random_smoothness(size, random);
-    cv::Mat map = coarse_cut(unary, half_resolution(smoothness));
+    const segmentation::Smoothness smoothness = random_smoothness(size, random);
+    cv::Mat map = segmentation::coarse_cut(unary, segmentation::half_resolution(smoothness));
     const double coarse = energy(map, unary, smoothness);
-    refine_cut(unary, smoothness, map);
+    segmentation::refine_cut(unary, smoothness, map);
     const double refined = energy(map, unary, smoothness);
-    const double least = energy(minimum_cut(unary, smoothness), unary, smoothness);
+    const double least = energy(segmentation::minimum_cut(unary, smoothness), unary, smoothness);
     EXPECT_LE(refined, coarse + 1e-3);
     EXPECT_GE(refined, least - 1e-3);
     EXPECT_LE(refined - least, 0.1 * (coarse - least) + 1e-3);
@@ -121,11 +127,13 @@ TEST(GraphCut, ATiltedCutIsTheCutOfTheTiltedPreferences) {
     for (const float tilt : {-2.F, 2.F}) {
       cv::Mat unary(size, CV_32FC1);
       random.fill(unary, cv::RNG::NORMAL, 0, 4);
-      const Smoothness smoothness = random_smoothness(size, random);
-      const Smoothness half = half_resolution(smoothness);
-      const cv::Mat tilted = tilted_coarse_cut(coarse_cut(unary, half), unary, tilt, half);
+      const segmentation::Smoothness smoothness = random_smoothness(size, random);
+      const segmentation::Smoothness half = segmentation::half_resolution(smoothness);
+      const cv::Mat tilted =
+          segmentation::tilted_coarse_cut(segmentation::coarse_cut(unary, half), unary, tilt, half);
       EXPECT_NEAR(energy(tilted, unary + tilt, smoothness),
-                  energy(coarse_cut(unary + tilt, half), unary + tilt, smoothness), 1e-2);
+                  energy(segmentation::coarse_cut(unary + tilt, half), unary + tilt, smoothness),
+                  1e-2);
     }
 }
 
@@ -134,8 +142,8 @@ TEST(ColourMixture, PrefersItsOwnColours) {
   cv::Mat picture = test::texture(size, cv::Scalar(40, 60, 200), 5, 1);
   test::texture(size, cv::Scalar(200, 60, 40), 5, 2)(cv::Rect(0, 0, 30, 60))
       .copyTo(picture(cv::Rect(0, 0, 30, 60)));
-  const ColourMixture mixture =
-      ColourMixture::fit(picture, cv::Mat(size, CV_8UC1, cv::Scalar(255)));
+  const change::ColourMixture mixture =
+      change::ColourMixture::fit(picture, cv::Mat(size, CV_8UC1, cv::Scalar(255)));
   const float between = mixture.density({120, 60, 120});
   EXPECT_GT(mixture.density({40, 60, 200}), 100 * between);
   EXPECT_GT(mixture.density({200, 60, 40}), 100 * between);
@@ -144,8 +152,8 @@ TEST(ColourMixture, PrefersItsOwnColours) {
 TEST(ColourMixture, GivesPicturesTheDensitiesOfTheirPixels) {
   const cv::Size size(40, 30);
   const cv::Mat picture = test::texture(size, cv::Scalar(40, 60, 200), 30, 1);
-  const ColourMixture mixture =
-      ColourMixture::fit(picture, cv::Mat(size, CV_8UC1, cv::Scalar(255)));
+  const change::ColourMixture mixture =
+      change::ColourMixture::fit(picture, cv::Mat(size, CV_8UC1, cv::Scalar(255)));
   const cv::Mat densities = mixture.densities(picture);
   for (const cv::Point at : {cv::Point(0, 0), cv::Point(39, 29), cv::Point(17, 4)}) {
     const float density = mixture.density(picture.at<cv::Vec3f>(at));
@@ -155,7 +163,8 @@ TEST(ColourMixture, GivesPicturesTheDensitiesOfTheirPixels) {
 
 TEST(ColourMixture, OfTooFewPixelsIsEmpty) {
   const cv::Mat picture(10, 10, CV_32FC3, cv::Scalar(1, 2, 3));
-  const ColourMixture mixture = ColourMixture::fit(picture, cv::Mat::zeros(10, 10, CV_8UC1));
+  const change::ColourMixture mixture =
+      change::ColourMixture::fit(picture, cv::Mat::zeros(10, 10, CV_8UC1));
   EXPECT_TRUE(mixture.empty());
   EXPECT_EQ(mixture.density({1, 2, 3}), 0);
 }
@@ -170,8 +179,8 @@ TEST(ArrivalTest, TellsTheNewPlaceFromTheOldOne) {
   changed = cv::Mat::zeros(size, CV_8UC1);
   changed(left).setTo(255);
   changed(right).setTo(255);
-  const ColourMixture colours = ColourMixture::fit(platform, ~changed);
-  const cv::Mat arrivals = find_arrivals(before, after, changed, colours);
+  const change::ColourMixture colours = change::ColourMixture::fit(platform, ~changed);
+  const cv::Mat arrivals = change::find_arrivals(before, after, changed, colours);
   EXPECT_EQ(cv::countNonZero(arrivals(right)), right.area());
   EXPECT_EQ(cv::countNonZero(arrivals), right.area());
 }
@@ -186,7 +195,8 @@ TEST(ArrivalTest, WhatLeftOutweighsWhatMayHaveArrived) {
   test::texture(gripper.size(), cv::Scalar(97, 107, 112), 14, 2, 2).copyTo(after(gripper));
   cv::Mat changed = cv::Mat::zeros(size, CV_8UC1);
   for (const cv::Rect& rect : {left, right, gripper}) changed(rect).setTo(255);
-  const cv::Mat weights = departures(test::exposed(before, 3), test::exposed(after, 4), changed);
+  const cv::Mat weights =
+      change::departures(test::exposed(before, 3), test::exposed(after, 4), changed);
   EXPECT_EQ(cv::countNonZero(weights(right)), 0);
   EXPECT_EQ(cv::countNonZero(weights(gripper)), gripper.area());
   const std::vector<cv::Rect> places = changed_places(weights, false);
@@ -198,7 +208,7 @@ TEST(CleanMap, KeepsNearAndLargePiecesOnly) {
   cv::Mat map = cv::Mat::zeros(100, 100, CV_8UC1);
   const cv::Rect body(10, 10, 30, 30), near(42, 10, 8, 30), far(80, 80, 8, 8);
   for (const cv::Rect& rect : {body, near, far}) map(rect).setTo(255);
-  keep_main_groups(map, {});
+  segmentation::keep_main_groups(map, {});
   EXPECT_EQ(cv::countNonZero(map(body)), body.area());
   EXPECT_EQ(cv::countNonZero(map(near)), near.area()) << "a gap of two pixels does not part them";
   EXPECT_EQ(cv::countNonZero(map(far)), 0);
@@ -210,7 +220,7 @@ TEST(CleanMap, KeepsASmallGroupThatIsWanted) {
   map(cv::Rect(50, 50, 5, 5)).setTo(255);
   wanted.at<uchar>(52, 52) = 255;
   const cv::Mat all = map.clone();
-  keep_main_groups(map, {}, wanted);
+  segmentation::keep_main_groups(map, {}, wanted);
   EXPECT_EQ(cv::norm(map, all, cv::NORM_INF), 0);
 }
 
@@ -219,7 +229,7 @@ TEST(CleanMap, SpecksGoAndThinPartsStay) {
   cv::line(map, {5, 5}, {14, 14}, cv::Scalar(255));
   const cv::Mat thin = map.clone();
   map(cv::Rect(25, 20, 3, 2)).setTo(255);
-  remove_specks(map, 8);
+  segmentation::remove_specks(map, 8);
   EXPECT_EQ(cv::countNonZero(map != thin), 0);
 }
 
@@ -228,7 +238,7 @@ TEST(CleanMap, FillsSpecksButNotHoles) {
   map(cv::Rect(10, 10, 60, 60)).setTo(255);
   const cv::Rect speck(20, 20, 3, 3), hole(40, 40, 12, 12), bay(10, 60, 5, 2);
   for (const cv::Rect& rect : {speck, hole, bay}) map(rect).setTo(0);
-  fill_holes(map, 12);
+  segmentation::fill_holes(map, 12);
   EXPECT_EQ(cv::countNonZero(map(speck)), speck.area());
   EXPECT_EQ(cv::countNonZero(map(hole)), 0);
   EXPECT_EQ(cv::countNonZero(map(bay)), 0) << "open to the outside";

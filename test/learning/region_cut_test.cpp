@@ -43,7 +43,7 @@ cv::Mat scene(const cv::Scalar& colour) {
 TEST(PredictedPlatform, FollowsTheLightAndLeavesNeighboursOut) {
   cv::Mat picture = scene({40, 40, 200});
   picture(cv::Rect(48, 60, 6, 40)).setTo(cv::Scalar(10, 200, 10));
-  const AlignedPair pair = predict_platform(picture, kRegion);
+  const change::AlignedPair pair = likelihood::predict_platform(picture, kRegion);
   cv::Mat wanted, difference;
   table()(pair.window).convertTo(wanted, CV_32F);
   cv::absdiff(pair.after, wanted, difference);
@@ -89,7 +89,7 @@ TEST(RimPreference, HalfOfEachSideDecides) {
   };
   mixed(kObject.x - 1, 0.3F);
   mixed(kObject.x, 0.7F);
-  const RimPreference rim = rim_preference(before, after, truth(), 1);
+  const likelihood::RimPreference rim = likelihood::rim_preference(before, after, truth(), 1);
   const int y = kObject.y + kObject.height / 2;
   EXPECT_LT(rim.log_odds.at<float>(y, kObject.x - 1), -1);
   EXPECT_GT(rim.log_odds.at<float>(y, kObject.x), 1);
@@ -98,10 +98,10 @@ TEST(RimPreference, HalfOfEachSideDecides) {
 
 TEST(RimPreference, TellsNothingBetweenEqualSidesOrOfAThirdColour) {
   cv::Mat before(kSize, CV_32FC3, cv::Scalar(180, 180, 180)), after = before.clone();
-  EXPECT_EQ(cv::countNonZero(rim_preference(before, after, truth(), 1).told), 0);
+  EXPECT_EQ(cv::countNonZero(likelihood::rim_preference(before, after, truth(), 1).told), 0);
   before(kObject).setTo(cv::Scalar(40, 40, 220));
   before(cv::Rect(kObject.x, kObject.y, 1, kObject.height)).setTo(cv::Scalar(20, 220, 20));
-  const RimPreference rim = rim_preference(before, after, truth(), 1);
+  const likelihood::RimPreference rim = likelihood::rim_preference(before, after, truth(), 1);
   EXPECT_EQ(rim.told.at<uchar>(kObject.y + 20, kObject.x), 0);
 }
 

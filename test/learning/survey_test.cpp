@@ -54,10 +54,10 @@ class SurveyLimits : public testing::Test {
  protected:
   bool ends_lesson(const ChangeSurvey& survey) const {
     try {
-      check_camera_still(survey, config_);
-      check_one_change(survey, config_);
+      teaching::check_camera_still(survey, config_);
+      teaching::check_one_change(survey, config_);
       return false;
-    } catch (const LessonEnded& ended) {
+    } catch (const teaching::LessonEnded& ended) {
       EXPECT_EQ(ended.error(), LearnError::kChangeTooLarge);
       return true;
     }

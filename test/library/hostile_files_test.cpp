@@ -81,7 +81,7 @@ TEST(HostileFiles, AppendedRemovedAndShuffledBytesAreRefused) {
 // A sound PNG around any description.
 Bytes with_description(const std::string& text) {
   cv::Mat rgba(6, 5, CV_8UC4, cv::Scalar::all(255));
-  return encode_png(rgba, "mbncc", text);
+  return library::encode_png(rgba, "mbncc", text);
 }
 
 std::string sound_description() {
@@ -92,7 +92,7 @@ std::string sound_description() {
   ObjectModel model;
   model.name = model.label = "wrench";
   model.views = {view};
-  return write_description(model, {{0, 0, 5, 6}});
+  return library::write_description(model, {{0, 0, 5, 6}});
 }
 
 TEST(HostileFiles, DescriptionsAreChecked) {
@@ -178,10 +178,13 @@ TEST(HostileFiles, ADeclaredSymmetryIsOptionalAndChecked) {
 
 TEST(HostileFiles, PicturesOfOtherKindsAreRefused) {
   const std::string text = sound_description();
-  EXPECT_TRUE(is_refused(encode_png(cv::Mat(6, 5, CV_8UC4, cv::Scalar::all(255)), "other", text)));
+  EXPECT_TRUE(
+      is_refused(library::encode_png(cv::Mat(6, 5, CV_8UC4, cv::Scalar::all(255)), "other", text)));
   // Half-transparent: no map says "half".
-  EXPECT_TRUE(is_refused(encode_png(cv::Mat(6, 5, CV_8UC4, cv::Scalar::all(128)), "mbncc", text)));
-  EXPECT_TRUE(is_refused(encode_png(cv::Mat(6, 5, CV_8UC4, cv::Scalar::all(0)), "mbncc", text)));
+  EXPECT_TRUE(
+      is_refused(library::encode_png(cv::Mat(6, 5, CV_8UC4, cv::Scalar::all(128)), "mbncc", text)));
+  EXPECT_TRUE(
+      is_refused(library::encode_png(cv::Mat(6, 5, CV_8UC4, cv::Scalar::all(0)), "mbncc", text)));
 }
 
 std::uint32_t crc_of(const Bytes& bytes, std::size_t from, std::size_t to) {
@@ -239,7 +242,7 @@ TEST(HostileFiles, AliasesAreRefusedBeforeTheyAreExpanded) {
   const auto at = text.find(advice);
   ASSERT_NE(at, std::string::npos) << text;
   std::string bomb = "advice: [&a " + std::string(32000, 'a');
-  while (text.size() + bomb.size() < PngLimits::kMaxText - 100) bomb += ",*a";
+  while (text.size() + bomb.size() < library::PngLimits::kMaxText - 100) bomb += ",*a";
   text.replace(at, advice.size(), bomb + "]");
   EXPECT_TRUE(is_refused_within_memory_bound(with_description(text)));
   try {
@@ -258,7 +261,7 @@ TEST(HostileFiles, BombsStayWithinTheMemoryBound) {
   std::string text = sound_description();
   text.replace(text.find("[0, 0, 5, 6]"), 12, "[0, 0, 2896, 2896]");
   text.replace(text.find("[640, 480]"), 10, "[3000, 3000]");
-  const Bytes bomb = encode_png(cv::Mat::zeros(2896, 2896, CV_8UC4), "mbncc", text);
+  const Bytes bomb = library::encode_png(cv::Mat::zeros(2896, 2896, CV_8UC4), "mbncc", text);
   EXPECT_LT(bomb.size(), 100000u);
   EXPECT_TRUE(is_refused_within_memory_bound(bomb));
 }

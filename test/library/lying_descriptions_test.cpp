@@ -25,21 +25,22 @@ YAML::Node sound() {
   model.min_score = 0.5;
   model.symmetry = 2;
   model.grasp = Grasp{{0.1, 0.2, 0}, {0, 0, 0.6, 0.8}};
-  for_each_number(model.quality,
-                  [](const char*, double& value, double low, double) { value = low; });
+  library::for_each_number(model.quality,
+                           [](const char*, double& value, double low, double) { value = low; });
   View view;
   view.template_image = cv::Mat::zeros(kHeight, kWidth, CV_8UC3);
   view.map = cv::Mat(kHeight, kWidth, CV_8UC1, cv::Scalar(255));
   view.picture_size = {640, 480};
   model.views = {view, view};
   return YAML::Load(
-      write_description(model, {{0, 0, kWidth, kHeight}, {0, kHeight, kWidth, kHeight}}));
+      library::write_description(model, {{0, 0, kWidth, kHeight}, {0, kHeight, kWidth, kHeight}}));
 }
 
 bool is_refused(const YAML::Node& description, int views = 2) {
   const cv::Mat rgba(views * kHeight, kWidth, CV_8UC4, cv::Scalar::all(255));
   try {
-    decode_object(encode_png(rgba, "mbncc", YAML::Dump(description)), "/library/wrench.png");
+    decode_object(library::encode_png(rgba, "mbncc", YAML::Dump(description)),
+                  "/library/wrench.png");
     return false;
   } catch (const FileError& error) {
     EXPECT_FALSE(error.reason().empty());
@@ -100,7 +101,7 @@ std::vector<Number> numbers() {
     for (const char* i : {"0", "1"}) all.push_back({{"views", view, "picture_size", i}, 6, 1e6});
   }
   Quality any;
-  for_each_number(any, [&all](const char* key, double, double low, double high) {
+  library::for_each_number(any, [&all](const char* key, double, double low, double high) {
     all.push_back({{"quality", key}, low, high});
   });
   return all;
@@ -208,7 +209,7 @@ TEST(LyingDescriptions, ThereAreNoMoreViewsThanAllowed) {
     description["views"].push_back(view);
   };
   int views = 2;
-  while (views < static_cast<int>(kMaxViews)) add_view(views++);
+  while (views < static_cast<int>(library::kMaxViews)) add_view(views++);
   EXPECT_FALSE(is_refused(description, views));
   add_view(views++);
   EXPECT_TRUE(is_refused(description, views));

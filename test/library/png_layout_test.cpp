@@ -104,7 +104,7 @@ TEST_F(PngLayout, OneDescriptionAndNoMore) {
 TEST_F(PngLayout, TextsAreBounded) {
   auto all = chunks();
   Bytes& text = chunk(all, "iTXt").data;
-  text.insert(text.end(), PngLimits::kMaxText, '\n');
+  text.insert(text.end(), library::PngLimits::kMaxText, '\n');
   expect_refused(file_of(all), "too long");
 }
 

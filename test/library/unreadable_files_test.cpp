@@ -46,10 +46,10 @@ std::vector<std::uint8_t> newer_format(const ObjectModel& model) {
   std::vector<cv::Rect> rectangles;
   const cv::Size size = model.views.front().map.size();
   rectangles.emplace_back(cv::Point(), size);
-  std::string text = write_description(model, rectangles);
+  std::string text = library::write_description(model, rectangles);
   const std::string format = "format: " + std::to_string(kObjectFileVersion);
   text.replace(text.find(format), format.size(), "format: 77");
-  return encode_png(cv::Mat(size, CV_8UC4, cv::Scalar::all(255)), "mbncc", text);
+  return library::encode_png(cv::Mat(size, CV_8UC4, cv::Scalar::all(255)), "mbncc", text);
 }
 
 TEST(ObjectLibrary, FilesOfANewerFormatAreReportedAndLeftAlone) {
@@ -73,7 +73,7 @@ TEST(ObjectLibrary, FilesOfANewerFormatAreReportedAndLeftAlone) {
   EXPECT_THROW(library.save(wrench, Existing::kReplace), FileError);
   EXPECT_THROW(library.edit("wrench", [](ObjectModel&) {}), FileError);
   EXPECT_THROW(library.remove("wrench"), FileError);
-  EXPECT_EQ(read_regular_file(folder / "wrench.png", bytes.size()).bytes, bytes);
+  EXPECT_EQ(library::read_regular_file(folder / "wrench.png", bytes.size()).bytes, bytes);
   EXPECT_TRUE(library.quarantine().empty());
 }
 

@@ -14,13 +14,15 @@ namespace {
 class DecisionTest : public ::testing::Test {
  protected:
   const test::LearningPicture source_{1};
-  const PreparedObject object_{test::object_from(source_, {58, 60, 0}), Engine::kFast};
-  const PreparedObject other_{test::object_from(source_, {58, 60, 0}, "other"), Engine::kFast};
+  const prepared::PreparedObject object_{test::object_from(source_, {58, 60, 0}),
+                                         prepared::Engine::kFast};
+  const prepared::PreparedObject other_{test::object_from(source_, {58, 60, 0}, "other"),
+                                        prepared::Engine::kFast};
   const SearchConfig config_{};
 
   /// Certain, with a distinct outline, and accurate to a tenth of a pixel.
-  Detection sound() const {
-    Detection detection;
+  decision::Detection sound() const {
+    decision::Detection detection;
     detection.object = &object_;
     detection.view = &object_.views.front();
     detection.pose = {100, 100, 0};
@@ -31,51 +33,56 @@ class DecisionTest : public ::testing::Test {
     return detection;
   }
 
-  Detection changed(const std::function<void(Detection&)>& change) const {
-    Detection detection = sound();
+  decision::Detection changed(const std::function<void(decision::Detection&)>& change) const {
+    decision::Detection detection = sound();
     change(detection);
     return detection;
   }
 
-  static Selection select(const std::vector<Detection>& detections, const SearchConfig& config,
-                          std::optional<double> min_score, int max_instances) {
-    return select_matches(detections, {config, min_score, max_instances, {}, {}, 0});
+  static decision::Selection select(const std::vector<decision::Detection>& detections,
+                                    const SearchConfig& config, std::optional<double> min_score,
+                                    int max_instances) {
+    return decision::select_matches(detections, {config, min_score, max_instances, {}, {}, 0});
   }
 
-  Selection select(const std::vector<Detection>& detections,
-                   std::optional<double> min_score = std::nullopt, int max_instances = 10) const {
+  decision::Selection select(const std::vector<decision::Detection>& detections,
+                             std::optional<double> min_score = std::nullopt,
+                             int max_instances = 10) const {
     return select(detections, config_, min_score, max_instances);
   }
 
   /// Of the only detection of a picture.
-  Match match_of(const Detection& detection) const { return select({detection}).matches.at(0); }
+  Match match_of(const decision::Detection& detection) const {
+    return select({detection}).matches.at(0);
+  }
 };
 
 TEST_F(DecisionTest, WhatIsBeyondDoubtIsGraspable) {
   const Match match = match_of(sound());
   EXPECT_TRUE(match.graspable);
   EXPECT_FALSE(match.ambiguous);
-  EXPECT_NEAR(match.margin_place, kNoCompetitor, 1e-9);
-  EXPECT_NEAR(match.margin_angle, kNoCompetitor, 1e-9);
+  EXPECT_NEAR(match.margin_place, decision::kNoCompetitor, 1e-9);
+  EXPECT_NEAR(match.margin_angle, decision::kNoCompetitor, 1e-9);
 }
 
 TEST_F(DecisionTest, WhatMayBeSomethingElseIsAmbiguous) {
-  const std::vector<std::function<void(Detection&)>> doubts{
-      [](Detection& d) { d.colour_difference = 0.25; },
-      [](Detection& d) { d.size_alternative = true; },
-      [](Detection& d) { d.mirror_alternative = true; }};
+  const std::vector<std::function<void(decision::Detection&)>> doubts{
+      [](decision::Detection& d) { d.colour_difference = 0.25; },
+      [](decision::Detection& d) { d.size_alternative = true; },
+      [](decision::Detection& d) { d.mirror_alternative = true; }};
   for (std::size_t i = 0; i < doubts.size(); ++i) {
     const Match match = match_of(changed(doubts[i]));
     EXPECT_FALSE(match.graspable) << i;
     EXPECT_TRUE(match.ambiguous) << i;
   }
-  EXPECT_TRUE(match_of(changed([](Detection& d) { d.colour_difference = 0.19; })).graspable);
+  EXPECT_TRUE(
+      match_of(changed([](decision::Detection& d) { d.colour_difference = 0.19; })).graspable);
 }
 
 TEST_F(DecisionTest, WhatIsNotKnownWellIsNotGrasped) {
   const double place = config_.max_place_deviation, angle = to_radians(config_.max_angle_deviation);
   const auto with = [&](double x, double y, double theta) {
-    return match_of(changed([&](Detection& d) {
+    return match_of(changed([&](decision::Detection& d) {
       d.pose = {0, 0, 0};
       d.covariance = d.cautious = cv::Matx33d::diag({x * x, y * y, theta * theta});
     }));
@@ -92,8 +99,8 @@ TEST_F(DecisionTest, WhatIsNotKnownWellIsNotGrasped) {
 TEST_F(DecisionTest, ARoundObjectsAngleDoesNotMatter) {
   auto model = std::make_shared<ObjectModel>(*test::object_from(source_, {58, 60, 0}));
   model->symmetry = 0;
-  const PreparedObject round(model, Engine::kFast);
-  const Match match = match_of(changed([&](Detection& d) {
+  const prepared::PreparedObject round(model, prepared::Engine::kFast);
+  const Match match = match_of(changed([&](decision::Detection& d) {
     d.object = &round;
     d.view = &round.views.front();
     d.covariance(2, 2) = 1e-3;
@@ -104,7 +111,7 @@ TEST_F(DecisionTest, ARoundObjectsAngleDoesNotMatter) {
 
 TEST_F(DecisionTest, AnOutlineThatLiesBetterElsewhereIsNotGrasped) {
   const auto at = [&](double elsewhere) {
-    return match_of(changed([&](Detection& d) { d.contour_alternative = elsewhere; }));
+    return match_of(changed([&](decision::Detection& d) { d.contour_alternative = elsewhere; }));
   };
   EXPECT_TRUE(at(0.04).graspable);
   EXPECT_FALSE(at(0.06).graspable);
@@ -112,7 +119,7 @@ TEST_F(DecisionTest, AnOutlineThatLiesBetterElsewhereIsNotGrasped) {
 
 TEST_F(DecisionTest, MostOfTheObjectHasToBeInThePicture) {
   const auto seen = [&](double part) {
-    return match_of(changed([&](Detection& d) { d.visible = part; })).graspable;
+    return match_of(changed([&](decision::Detection& d) { d.visible = part; })).graspable;
   };
   EXPECT_TRUE(seen(config_.min_visible));
   EXPECT_FALSE(seen(config_.min_visible - 0.01));
@@ -121,8 +128,8 @@ TEST_F(DecisionTest, MostOfTheObjectHasToBeInThePicture) {
 TEST_F(DecisionTest, GraspableAsksForTheConfirmScore) {
   SearchConfig strict;
   strict.confirm_score = 0.9999;
-  const Detection likely = changed([](Detection& d) { d.log_odds = 6; });
-  const Selection selected = select({likely}, strict, std::nullopt, 1);
+  const decision::Detection likely = changed([](decision::Detection& d) { d.log_odds = 6; });
+  const decision::Selection selected = select({likely}, strict, std::nullopt, 1);
   EXPECT_LT(selected.matches.at(0).score, strict.confirm_score);
   EXPECT_FALSE(selected.matches[0].graspable);
   EXPECT_FALSE(selected.matches[0].ambiguous);
@@ -130,12 +137,12 @@ TEST_F(DecisionTest, GraspableAsksForTheConfirmScore) {
 
 TEST_F(DecisionTest, AnotherObjectAtThePlaceMakesAmbiguous) {
   for (const double behind : {5.0, 7.0}) {
-    const Detection rival = changed([&](Detection& d) {
+    const decision::Detection rival = changed([&](decision::Detection& d) {
       d.object = &other_;
       d.view = &other_.views.front();
       d.log_odds -= behind;
     });
-    const Selection selected = select({sound(), rival});
+    const decision::Selection selected = select({sound(), rival});
     ASSERT_EQ(selected.matches.size(), 1u) << "one place, one object";
     EXPECT_NEAR(selected.matches[0].margin_place, behind, 1e-9);
     EXPECT_EQ(selected.matches[0].graspable, behind > config_.min_margin_place);
@@ -148,34 +155,37 @@ TEST_F(DecisionTest, AnotherObjectAtThePlaceMakesAmbiguous) {
 
 TEST_F(DecisionTest, OfSeveralCompetitorsTheBestCounts) {
   const auto turned = [&](double degrees, double behind) {
-    return changed([&](Detection& d) {
+    return changed([&](decision::Detection& d) {
       d.pose.theta = to_radians(degrees);
       d.log_odds -= behind;
     });
   };
-  for (const auto& angles : {std::vector<Detection>{sound(), turned(40, 9), turned(90, 8)},
-                             std::vector<Detection>{sound(), turned(90, 8), turned(40, 9)}})
+  for (const auto& angles :
+       {std::vector<decision::Detection>{sound(), turned(40, 9), turned(90, 8)},
+        std::vector<decision::Detection>{sound(), turned(90, 8), turned(40, 9)}})
     EXPECT_NEAR(select(angles).matches.at(0).margin_angle, 8, 1e-9);
 }
 
 TEST_F(DecisionTest, FarBehindAnInstanceOutsideTheRegionItMayBeALike) {
-  const Detection likely = changed([](Detection& d) { d.log_odds = 8; });
+  const decision::Detection likely = changed([](decision::Detection& d) { d.log_odds = 8; });
   for (const double elsewhere : {8.0, 25.0}) {
-    AcceptanceSettings acceptance{config_, std::nullopt, 1, {}, {{"object", elsewhere}}, 0};
-    EXPECT_EQ(select_matches({likely}, acceptance).matches.at(0).graspable, elsewhere < 10);
+    decision::AcceptanceSettings acceptance{config_, std::nullopt, 1, {}, {{"object", elsewhere}},
+                                            0};
+    EXPECT_EQ(decision::select_matches({likely}, acceptance).matches.at(0).graspable,
+              elsewhere < 10);
   }
 }
 
 TEST_F(DecisionTest, ABetterObjectAtThePlaceMakesAmbiguousToo) {
   // Its score is lower because its outline is less distinct, although its uncalibrated odds are
   // higher.
-  const Detection better = changed([&](Detection& d) {
+  const decision::Detection better = changed([&](decision::Detection& d) {
     d.object = &other_;
     d.view = &other_.views.front();
     d.log_odds += 0.5;
     d.contour_alternative = 0.08;
   });
-  const Selection selected = select({sound(), better});
+  const decision::Selection selected = select({sound(), better});
   ASSERT_EQ(selected.matches.size(), 1u);
   EXPECT_EQ(selected.matches[0].name, "object");
   EXPECT_NEAR(selected.matches[0].margin_place, -0.5, 1e-9);
@@ -184,48 +194,50 @@ TEST_F(DecisionTest, ABetterObjectAtThePlaceMakesAmbiguousToo) {
 
 TEST_F(DecisionTest, AnotherAngleAtThePlaceMakesAmbiguous) {
   for (const double degrees : {5.0, 15.0, 90.0}) {
-    const Detection turned = changed([&](Detection& d) {
+    const decision::Detection turned = changed([&](decision::Detection& d) {
       d.pose.theta = to_radians(degrees);
       d.log_odds -= 3;
     });
     const Match match = select({sound(), turned}).matches.at(0);
     EXPECT_EQ(match.graspable, degrees < 10) << degrees;
     EXPECT_EQ(match.ambiguous, degrees > 10) << degrees;
-    EXPECT_NEAR(match.margin_angle, degrees < 10 ? kNoCompetitor : 3, 1e-9);
+    EXPECT_NEAR(match.margin_angle, degrees < 10 ? decision::kNoCompetitor : 3, 1e-9);
   }
 }
 
 TEST_F(DecisionTest, AnUnexplainedPlaceAsLikelyMakesAmbiguous) {
-  const Detection elsewhere = changed([](Detection& d) {
+  const decision::Detection elsewhere = changed([](decision::Detection& d) {
     d.pose.x += 300;
     d.log_odds -= 2;
   });
   const Match alone = select({sound(), elsewhere}, std::nullopt, 1).matches.at(0);
   EXPECT_NEAR(alone.margin_place, 2, 1e-9);
   EXPECT_TRUE(alone.ambiguous);
-  const Selection both = select({sound(), elsewhere});
+  const decision::Selection both = select({sound(), elsewhere});
   ASSERT_EQ(both.matches.size(), 2u);
   for (const Match& match : both.matches) EXPECT_TRUE(match.graspable) << "an instance each";
   EXPECT_TRUE(both.rivals.empty());
 }
 
 TEST_F(DecisionTest, OfThePlacesClaimedTwiceTheBetterStays) {
-  const Detection shifted = changed([](Detection& d) {
+  const decision::Detection shifted = changed([](decision::Detection& d) {
     d.pose.x += 3;
     d.log_odds += 1;
   });
-  const Selection selected = select({sound(), shifted});
+  const decision::Selection selected = select({sound(), shifted});
   ASSERT_EQ(selected.matches.size(), 1u);
   EXPECT_NEAR(selected.matches[0].pose.x, match_of(shifted).pose.x, 1e-9);
 }
 
 TEST_F(DecisionTest, MapsThatShareMoreThanAQuarterClaimOnePlace) {
-  const MapFootprint& shape = object_.views.front().shape;
+  const templates::MapFootprint& shape = object_.views.front().shape;
   double apart = 0;
-  const auto common = [&] { return overlap(shape, {100, 100, 0}, shape, {100 + apart, 100, 0}); };
+  const auto common = [&] {
+    return templates::overlap(shape, {100, 100, 0}, shape, {100 + apart, 100, 0});
+  };
   while (common() > 0.5) ++apart;
   ASSERT_GT(common(), config_.max_overlap);
-  const Detection beside = changed([&](Detection& d) {
+  const decision::Detection beside = changed([&](decision::Detection& d) {
     d.pose.x += apart;
     d.log_odds -= 1;
   });
@@ -233,8 +245,9 @@ TEST_F(DecisionTest, MapsThatShareMoreThanAQuarterClaimOnePlace) {
 }
 
 TEST_F(DecisionTest, NoMoreInstancesThanAskedFor) {
-  std::vector<Detection> row;
-  for (int k = 0; k < 4; ++k) row.push_back(changed([&](Detection& d) { d.pose.x += 300 * k; }));
+  std::vector<decision::Detection> row;
+  for (int k = 0; k < 4; ++k)
+    row.push_back(changed([&](decision::Detection& d) { d.pose.x += 300 * k; }));
   EXPECT_EQ(select(row).matches.size(), 4u);
   EXPECT_EQ(select(row, std::nullopt, 3).matches.size(), 3u);
 }
@@ -242,8 +255,8 @@ TEST_F(DecisionTest, NoMoreInstancesThanAskedFor) {
 TEST_F(DecisionTest, ARequestsScoreGoesBeforeTheObjectsOwnAndTheConfigs) {
   auto model = std::make_shared<ObjectModel>(*test::object_from(source_, {58, 60, 0}));
   model->min_score = 0.9;
-  const PreparedObject choosy(model, Engine::kFast);
-  Detection detection = changed([](Detection& d) { d.log_odds = 1; });
+  const prepared::PreparedObject choosy(model, prepared::Engine::kFast);
+  decision::Detection detection = changed([](decision::Detection& d) { d.log_odds = 1; });
   const double score = match_of(detection).score;
   ASSERT_GT(score, config_.min_score);
   ASSERT_LT(score, 0.98);
@@ -256,8 +269,9 @@ TEST_F(DecisionTest, ARequestsScoreGoesBeforeTheObjectsOwnAndTheConfigs) {
 }
 
 TEST_F(DecisionTest, TheReferencePointMovesWithTheAnchorsAngleAndSize) {
-  const PreparedObject off(test::object_from(source_, {98, 60, 0.5}), Engine::kFast);
-  Detection detection = sound();
+  const prepared::PreparedObject off(test::object_from(source_, {98, 60, 0.5}),
+                                     prepared::Engine::kFast);
+  decision::Detection detection = sound();
   detection.object = &off;
   detection.view = &off.views.front();
   detection.covariance = detection.cautious = cv::Matx33d::diag({0, 0, 1e-4});
@@ -279,10 +293,10 @@ TEST_F(DecisionTest, TheReferencePointMovesWithTheAnchorsAngleAndSize) {
 TEST_F(DecisionTest, AnglesOfTwoViewsAreComparedInTheObjectsFrame) {
   auto model = std::make_shared<ObjectModel>(*test::object_from(source_, {58, 60, 0}));
   model->views.push_back(test::object_from(source_, {58, 60, 1.2})->views.front());
-  const PreparedObject two(model, Engine::kFast);
+  const prepared::PreparedObject two(model, prepared::Engine::kFast);
   ASSERT_EQ(two.views.size(), 2u);
   const auto seen = [&](int view, double object_angle, double log_odds) {
-    Detection detection = sound();
+    decision::Detection detection = sound();
     detection.object = &two;
     detection.view = &two.views[view];
     detection.pose.theta = object_angle - two.views[view].reference_in_anchor.theta;
@@ -290,7 +304,7 @@ TEST_F(DecisionTest, AnglesOfTwoViewsAreComparedInTheObjectsFrame) {
     return detection;
   };
   EXPECT_NEAR(select({seen(0, 0.3, 20), seen(1, 0.3, 17)}).matches.at(0).margin_angle,
-              kNoCompetitor, 1e-9);
+              decision::kNoCompetitor, 1e-9);
   EXPECT_NEAR(select({seen(0, 0.3, 20), seen(1, 0.8, 17)}).matches.at(0).margin_angle, 3, 1e-9);
 }
 

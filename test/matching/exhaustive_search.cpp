@@ -13,10 +13,10 @@ namespace mbncc {
 namespace {
 
 /// Every grid pose that reaches the threshold.
-std::vector<Candidate> all_poses(const MaskedTemplate& points, const cv::Mat& grey,
-                                 const ExhaustiveSettings& settings) {
+std::vector<templates::Candidate> all_poses(const MaskedTemplate& points, const cv::Mat& grey,
+                                            const ExhaustiveSettings& settings) {
   const int rotations = std::max(1, static_cast<int>(std::ceil(2 * kPi / settings.angle_step)));
-  std::vector<Candidate> poses;
+  std::vector<templates::Candidate> poses;
   for (int k = 0; k < rotations; ++k)
     for (int y = 0; y < grey.rows; y += settings.position_step)
       for (int x = 0; x < grey.cols; x += settings.position_step) {
@@ -25,19 +25,20 @@ std::vector<Candidate> all_poses(const MaskedTemplate& points, const cv::Mat& gr
         if (found.value >= settings.min_similarity && found.visible >= settings.min_visible)
           poses.push_back({pose, 0, found.value});
       }
-  sort_by_value(poses);
+  templates::sort_by_value(poses);
   return poses;
 }
 
-std::vector<Candidate> without_overlaps(const std::vector<Candidate>& poses,
-                                        const MapFootprint& shape,
-                                        const ExhaustiveSettings& settings) {
-  std::vector<Candidate> kept;
+std::vector<templates::Candidate> without_overlaps(const std::vector<templates::Candidate>& poses,
+                                                   const templates::MapFootprint& shape,
+                                                   const ExhaustiveSettings& settings) {
+  std::vector<templates::Candidate> kept;
   for (const auto& pose : poses) {
     if (static_cast<int>(kept.size()) >= settings.max_instances) break;
-    const bool covered = std::any_of(kept.begin(), kept.end(), [&](const Candidate& better) {
-      return overlap(shape, pose.pose, shape, better.pose) > settings.max_overlap;
-    });
+    const bool covered =
+        std::any_of(kept.begin(), kept.end(), [&](const templates::Candidate& better) {
+          return templates::overlap(shape, pose.pose, shape, better.pose) > settings.max_overlap;
+        });
     if (!covered) kept.push_back(pose);
   }
   return kept;
@@ -49,10 +50,10 @@ std::vector<Match> find_exhaustively(const ObjectModel& object, const cv::Mat& p
                                      const ExhaustiveSettings& settings) {
   validate(object);
   const View& view = object.views.front();
-  const cv::Mat searched = grey_picture(picture);
-  const cv::Mat learned = grey_picture(view.template_image);
+  const cv::Mat searched = scene::grey_picture(picture);
+  const cv::Mat learned = scene::grey_picture(view.template_image);
   const cv::Point2d anchor = excircle(view.map).centre;
-  const MapFootprint shape(view.map, anchor);
+  const templates::MapFootprint shape(view.map, anchor);
   const auto poses = all_poses(masked_template(learned, view.map, anchor), searched, settings);
   const Pose2D reference{view.reference.x - view.origin.x - anchor.x,
                          view.reference.y - view.origin.y - anchor.y, view.reference.theta};

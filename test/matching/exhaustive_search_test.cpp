@@ -107,7 +107,7 @@ TEST(PolarSearch, EveryRegionFindsTheLessonAgain) {
     const PolarSearch search(view, region);
     const cv::Point2d learned = search.centre() + cv::Point2d(view.origin);
     const cv::Rect near(cv::Point(learned) - cv::Point(12, 12), cv::Size(24, 24));
-    const auto found = search.find(build_pyramid(grey, search.top_level()), near);
+    const auto found = search.find(imaging::build_pyramid(grey, search.top_level()), near);
     ASSERT_FALSE(found.empty());
     EXPECT_LT(cv::norm(found.front().pose.position() - learned), 0.6);
     EXPECT_LT(angle_distance(found.front().pose.theta, 0), to_radians(1));

@@ -11,8 +11,8 @@ namespace mbncc::test {
 
 /// All of it, where `light` turns the template's colour at x, y [px] into the picture's.
 template <class Light>
-SurfaceSample sample_of(const SurfaceTemplate& surface, const Light& light) {
-  SurfaceSample sample;
+templates::SurfaceSample sample_of(const templates::SurfaceTemplate& surface, const Light& light) {
+  templates::SurfaceSample sample;
   sample.inside.assign(surface.padded(), 0.f);
   std::fill_n(sample.inside.begin(), surface.size(), 1.f);
   for (std::size_t c = 0; c < sample.planes.size(); ++c) {

@@ -13,8 +13,9 @@ namespace {
 
 class VerificationTest : public test::MatcherTest {
  protected:
-  const PreparedObject object_{test::object_from(source_, reference_), Engine::kFast};
-  const PreparedView& view_ = object_.views.front();
+  const prepared::PreparedObject object_{test::object_from(source_, reference_),
+                                         prepared::Engine::kFast};
+  const prepared::PreparedView& view_ = object_.views.front();
   const Pose2D truth_{170, 120, 0.8};
 
   static cv::Mat scene_with(const test::LearningPicture& source, const Pose2D& pose) {
@@ -29,53 +30,56 @@ class VerificationTest : public test::MatcherTest {
   }
 
   /// The best detection for a pose hypothesis of the anchor.
-  Detection judged(const ScenePicture& scene, const Pose2D& anchor, double odds) const {
-    PoseHypothesis hypothesis = score_as_is(view_, scene, anchor);
+  decision::Detection judged(const scene::ScenePicture& scene, const Pose2D& anchor,
+                             double odds) const {
+    search::PoseHypothesis hypothesis = search::score_as_is(view_, scene, anchor);
     hypothesis.odds = odds;
     hypothesis.refining = 4;
-    return verify(object_, view_, scene, {hypothesis}).at(0);
+    return search::verify(object_, view_, scene, {hypothesis}).at(0);
   }
 };
 
 TEST_F(VerificationTest, NothingSpeaksAgainstTheTruth) {
-  const ScenePicture scene(scene_with(source_, truth_), object_.top_level());
-  const Detection found = judged(scene, anchor_at(truth_), 12);
+  const scene::ScenePicture scene(scene_with(source_, truth_), object_.top_level());
+  const decision::Detection found = judged(scene, anchor_at(truth_), 12);
   EXPECT_LT(found.colour_difference, 0.1);
   EXPECT_FALSE(found.size_alternative);
   EXPECT_FALSE(found.mirror_alternative);
   EXPECT_DOUBLE_EQ(found.log_odds, 12);
   EXPECT_DOUBLE_EQ(found.visible, 1);
   EXPECT_LT(found.contour_alternative, -0.1);
-  EXPECT_DOUBLE_EQ(found.contour_alternative,
-                   better_elsewhere(view_.fine.contour, scene.levels[0], found.pose, found.size));
-  const Refined refined = refine(view_.dense, scene.levels[0], anchor_at(truth_), 4);
+  EXPECT_DOUBLE_EQ(
+      found.contour_alternative,
+      evidence::better_elsewhere(view_.fine.contour, scene.levels[0], found.pose, found.size));
+  const refinement::Refined refined =
+      refinement::refine(view_.dense, scene.levels[0], anchor_at(truth_), 4);
   EXPECT_EQ(found.covariance, refined.covariance);
   EXPECT_EQ(found.pose.position(), refined.pose.position());
 }
 
 TEST_F(VerificationTest, OfWhatIsUnlikelyNothingIsKnown) {
-  const ScenePicture scene(scene_with(source_, truth_), object_.top_level());
-  const Detection found = judged(scene, anchor_at(truth_), -3);
+  const scene::ScenePicture scene(scene_with(source_, truth_), object_.top_level());
+  const decision::Detection found = judged(scene, anchor_at(truth_), -3);
   EXPECT_GE(found.covariance(0, 0), 1e4);
   EXPECT_GE(found.covariance(1, 1), 1e4);
   EXPECT_GT(found.covariance(2, 2), 4 * kPi);
-  EXPECT_DOUBLE_EQ(found.contour_alternative, kNotExamined);
+  EXPECT_DOUBLE_EQ(found.contour_alternative, decision::kNotExamined);
 }
 
 TEST_F(VerificationTest, AnotherSizeIsTold) {
   for (const double size : {0.92, 1.08}) {
     cv::Mat resized;
     cv::resize(scene_with(source_, truth_), resized, {}, size, size, cv::INTER_AREA);
-    const ScenePicture scene(resized, object_.top_level());
+    const scene::ScenePicture scene(resized, object_.top_level());
     const Pose2D there{(truth_.x + 0.5) * size - 0.5, (truth_.y + 0.5) * size - 0.5, truth_.theta};
-    const Detection found = judged(scene, anchor_at(there, size), 1);
+    const decision::Detection found = judged(scene, anchor_at(there, size), 1);
     EXPECT_TRUE(found.size_alternative) << size;
   }
 }
 
 TEST_F(VerificationTest, TheMirrorImageIsToldAndCosts) {
-  const ScenePicture scene(scene_with(test::mirrored(source_), truth_), object_.top_level());
-  const Detection found = judged(scene, {truth_.x, truth_.y, 0}, 10);
+  const scene::ScenePicture scene(scene_with(test::mirrored(source_), truth_), object_.top_level());
+  const decision::Detection found = judged(scene, {truth_.x, truth_.y, 0}, 10);
   EXPECT_TRUE(found.mirror_alternative);
   EXPECT_LT(found.colour_difference, 0.15) << "no colour differs";
   EXPECT_LT(found.log_odds, 8);
@@ -89,14 +93,16 @@ TEST_F(VerificationTest, AMirrorImageThatDiffersSlightlyIsTold) {
                cv::Scalar(0));
   const test::LearningPicture plate(3, map);
   const test::LearningPicture mirrored = test::mirrored(plate);
-  const PreparedObject object(test::object_from(plate, {60, 60, 0}), Engine::kFast);
-  const PreparedView& view = object.views.front();
+  const prepared::PreparedObject object(test::object_from(plate, {60, 60, 0}),
+                                        prepared::Engine::kFast);
+  const prepared::PreparedView& view = object.views.front();
   for (const bool over : {false, true}) {
-    const ScenePicture scene(scene_with(over ? mirrored : plate, truth_), object.top_level());
-    PoseHypothesis found =
-        score_as_is(view, scene, compose(truth_, inverse(view.reference_in_anchor)));
+    const scene::ScenePicture scene(scene_with(over ? mirrored : plate, truth_),
+                                    object.top_level());
+    search::PoseHypothesis found =
+        search::score_as_is(view, scene, compose(truth_, inverse(view.reference_in_anchor)));
     found.odds = 12;
-    EXPECT_EQ(verify(object, view, scene, {found}).at(0).mirror_alternative, over);
+    EXPECT_EQ(search::verify(object, view, scene, {found}).at(0).mirror_alternative, over);
   }
 }
 
@@ -114,12 +120,13 @@ TEST_F(VerificationTest, APlainSurfaceDoesNotDriftAlongItsShading) {
     plain.surface.copyTo(plain.picture, plain.map);
     return plain;
   };
-  const PreparedObject object(test::object_from(shaded(spot), reference_), Engine::kFast);
-  const PreparedView& view = object.views.front();
+  const prepared::PreparedObject object(test::object_from(shaded(spot), reference_),
+                                        prepared::Engine::kFast);
+  const prepared::PreparedView& view = object.views.front();
   const Pose2D anchor = compose(truth_, inverse(view.reference_in_anchor));
   for (const cv::Point2d off : {cv::Point2d(8, 0), {0, 8}}) {
-    const ScenePicture scene(scene_with(shaded(spot + off), truth_), object.top_level());
-    const PoseHypothesis found = multistart_align(view, scene, anchor);
+    const scene::ScenePicture scene(scene_with(shaded(spot + off), truth_), object.top_level());
+    const search::PoseHypothesis found = search::multistart_align(view, scene, anchor);
     EXPECT_LT(cv::norm(found.pose.position() - anchor.position()), 0.5) << off;
   }
 }
@@ -131,14 +138,15 @@ TEST_F(VerificationTest, APartOfAnotherColourIsTold) {
     for (int x = y / 6 % 2 * 6; x + 6 <= 120; x += 12)
       chequered.surface(cv::Rect(x, y, 6, 6)) = cv::Scalar(40, 40, 170);
   chequered.surface.copyTo(chequered.picture, chequered.map);
-  const PreparedObject object(test::object_from(chequered, reference_), Engine::kFast);
-  const PreparedView& view = object.views.front();
+  const prepared::PreparedObject object(test::object_from(chequered, reference_),
+                                        prepared::Engine::kFast);
+  const prepared::PreparedView& view = object.views.front();
   const auto difference_in = [&](const test::LearningPicture& shown) {
-    const ScenePicture scene(scene_with(shown, truth_), object.top_level());
-    PoseHypothesis hypothesis =
-        score_as_is(view, scene, compose(truth_, inverse(view.reference_in_anchor)));
+    const scene::ScenePicture scene(scene_with(shown, truth_), object.top_level());
+    search::PoseHypothesis hypothesis =
+        search::score_as_is(view, scene, compose(truth_, inverse(view.reference_in_anchor)));
     hypothesis.odds = 12;
-    return verify(object, view, scene, {hypothesis}).at(0).colour_difference;
+    return search::verify(object, view, scene, {hypothesis}).at(0).colour_difference;
   };
   EXPECT_LT(difference_in(chequered), 0.1);
   test::LearningPicture tinted = chequered;

@@ -7,7 +7,7 @@
 #include <thread>
 #include <vector>
 
-namespace mbncc {
+namespace mbncc::numeric {
 namespace {
 
 TEST(Lazy, IsMadeOnceForAllCopiesAndThreads) {
@@ -31,4 +31,4 @@ TEST(Lazy, WithoutAMakerIsEmpty) {
 }
 
 }  // namespace
-}  // namespace mbncc
+}  // namespace mbncc::numeric

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <random>
 
-namespace mbncc::test {
+namespace mbncc::numeric {
 namespace {
 
 /// By its definition.
@@ -36,4 +36,4 @@ TEST(WeightedMedian, OfNothingIsZero) {
 }
 
 }  // namespace
-}  // namespace mbncc::test
+}  // namespace mbncc::numeric

@@ -6,7 +6,7 @@
 
 #include "simd/point_kernels.hpp"
 
-namespace mbncc {
+namespace mbncc::imaging {
 namespace {
 
 using Logarithms = std::array<float, 256>;
@@ -52,4 +52,4 @@ double overlap(const ChromaHistogram& a, const ChromaHistogram& b) {
   return common;
 }
 
-}  // namespace mbncc
+}  // namespace mbncc::imaging

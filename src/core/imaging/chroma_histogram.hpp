@@ -5,7 +5,7 @@
 #include <array>
 #include <vector>
 
-namespace mbncc {
+namespace mbncc::imaging {
 
 constexpr int kChromaSide = 8;
 
@@ -19,4 +19,4 @@ ChromaHistogram chroma_histogram(const std::array<std::vector<float>, 3>& planes
 /// Histogram intersection [0..1].
 double overlap(const ChromaHistogram& a, const ChromaHistogram& b);
 
-}  // namespace mbncc
+}  // namespace mbncc::imaging

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numeric>
 
-namespace mbncc {
+namespace mbncc::imaging {
 namespace {
 
 constexpr double kDark = 12;    // [grey levels] added before taking logarithms
@@ -109,4 +109,4 @@ ClassPictures::ClassPictures(const std::vector<cv::Mat>& pyramid) {
   if (!levels_.empty()) shares_ = colour_shares(levels_.front());
 }
 
-}  // namespace mbncc
+}  // namespace mbncc::imaging

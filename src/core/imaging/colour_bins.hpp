@@ -5,7 +5,7 @@
 #include <opencv2/core.hpp>
 #include <vector>
 
-namespace mbncc {
+namespace mbncc::imaging {
 
 constexpr int kChromaClasses = 16;     ///< of ln R/G, and of ln B/G
 constexpr int kBrightnessClasses = 8;  ///< of the mean logarithm of the channels
@@ -37,4 +37,4 @@ class ClassPictures {
   ColourShares shares_;
 };
 
-}  // namespace mbncc
+}  // namespace mbncc::imaging

@@ -10,7 +10,7 @@
 
 #include "simd/kernels.hpp"
 
-namespace mbncc {
+namespace mbncc::imaging {
 namespace {
 
 constexpr int kChannels = 3;
@@ -119,4 +119,4 @@ void smooth_and_find_edges(const cv::Mat& picture, const cv::Rect& region, doubl
   }
 }
 
-}  // namespace mbncc
+}  // namespace mbncc::imaging

@@ -4,7 +4,7 @@
 
 #include <opencv2/core.hpp>
 
-namespace mbncc {
+namespace mbncc::imaging {
 
 /// Largest length of an edge vector.
 constexpr int kEdgeScale = 127;
@@ -23,4 +23,4 @@ cv::Mat strongest_gradient(const cv::Mat& picture);
 void smooth_and_find_edges(const cv::Mat& picture, const cv::Rect& region, double sigma,
                            cv::Mat smooth, cv::Mat edges);
 
-}  // namespace mbncc
+}  // namespace mbncc::imaging

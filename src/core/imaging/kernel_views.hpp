@@ -8,7 +8,7 @@
 #include "mbncc/geometry.hpp"
 #include "simd/point_kernels.hpp"
 
-namespace mbncc {
+namespace mbncc::imaging {
 
 /// `picture` has 8-bit channels and outlives the view.
 inline kernels::Picture8 view_of(const cv::Mat& picture) {
@@ -22,4 +22,4 @@ inline kernels::Placement placement_of(const Pose2D& pose, double scale = 1) {
           static_cast<float>(pose.y)};
 }
 
-}  // namespace mbncc
+}  // namespace mbncc::imaging

@@ -3,7 +3,7 @@
 
 #include "simd/kernels.hpp"
 
-namespace mbncc {
+namespace mbncc::imaging {
 
 void PaddedPicture::fill(const cv::Mat& grey, int margin) {
   margin_ = margin;
@@ -31,4 +31,4 @@ void PaddedPicture::fill_row(const uchar* row, std::size_t start) {
   }
 }
 
-}  // namespace mbncc
+}  // namespace mbncc::imaging

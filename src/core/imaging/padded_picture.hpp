@@ -6,7 +6,7 @@
 #include <opencv2/core.hpp>
 #include <vector>
 
-namespace mbncc {
+namespace mbncc::imaging {
 
 /// The picture with replicated borders for kernels, and running sums along its rows.
 class PaddedPicture {
@@ -30,4 +30,4 @@ class PaddedPicture {
   int margin_ = 0, stride_ = 0;
 };
 
-}  // namespace mbncc
+}  // namespace mbncc::imaging

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <opencv2/imgproc.hpp>
 
-namespace mbncc {
+namespace mbncc::imaging {
 
 std::vector<cv::Mat> build_pyramid(const cv::Mat& picture, int top) {
   std::vector<cv::Mat> levels;
@@ -26,4 +26,4 @@ void build_pyramid(const cv::Mat& picture, int top, std::vector<cv::Mat>& levels
   levels.resize(count);
 }
 
-}  // namespace mbncc
+}  // namespace mbncc::imaging

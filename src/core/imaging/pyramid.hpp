@@ -7,7 +7,7 @@
 
 #include "mbncc/geometry.hpp"
 
-namespace mbncc {
+namespace mbncc::imaging {
 
 constexpr int kSmallestLevel = 4;  ///< [px] least width and height of a level above 0
 
@@ -40,4 +40,4 @@ inline Pose2D from_level(const Pose2D& pose, int level) {
   return {position.x, position.y, pose.theta};
 }
 
-}  // namespace mbncc
+}  // namespace mbncc::imaging

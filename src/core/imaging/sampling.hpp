@@ -4,7 +4,7 @@
 
 #include <opencv2/core.hpp>
 
-namespace mbncc {
+namespace mbncc::imaging {
 
 /// One grey picture, interpolated.
 class GreySampler {
@@ -62,4 +62,4 @@ class ColourSampler {
   float right_, bottom_;
 };
 
-}  // namespace mbncc
+}  // namespace mbncc::imaging

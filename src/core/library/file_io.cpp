@@ -10,7 +10,7 @@
 #include <memory>
 #include <system_error>
 
-namespace mbncc {
+namespace mbncc::library {
 namespace {
 
 constexpr mode_t kFileMode = 0644;
@@ -223,4 +223,4 @@ std::vector<std::string> entries_of(const std::string& folder) {
   return names;
 }
 
-}  // namespace mbncc
+}  // namespace mbncc::library

@@ -12,7 +12,7 @@
 
 #include "mbncc/error.hpp"
 
-namespace mbncc {
+namespace mbncc::library {
 
 /// An error in a file's content, not of the system: such files go to quarantine.
 class ContentError : public FileError {
@@ -110,4 +110,4 @@ bool path_exists(const std::string& path);
 /// Names of a folder's entries, sorted.
 std::vector<std::string> entries_of(const std::string& folder);
 
-}  // namespace mbncc
+}  // namespace mbncc::library

@@ -8,9 +8,9 @@ namespace mbncc {
 namespace {
 
 // Moves an unreadable file to the quarantine; false if this is not permitted.
-bool move_to_quarantine(const LibraryFolder& folder, const std::string& file) {
+bool move_to_quarantine(const library::LibraryFolder& folder, const std::string& file) {
   try {
-    LockedFolder(folder).quarantine_unreadable(file);
+    library::LockedFolder(folder).quarantine_unreadable(file);
     return true;
   } catch (const FileError&) {
     return false;
@@ -19,10 +19,10 @@ bool move_to_quarantine(const LibraryFolder& folder, const std::string& file) {
 
 }  // namespace
 
-std::shared_ptr<const LibrarySnapshot> LibraryCache::load(const LibraryFolder& folder) {
+std::shared_ptr<const LibrarySnapshot> LibraryCache::load(const library::LibraryFolder& folder) {
   auto snapshot = std::make_shared<LibrarySnapshot>();
   std::map<std::string, Entry> entries;
-  for (const auto& file : object_files(folder)) {
+  for (const auto& file : library::object_files(folder)) {
     const auto entry = load_file(folder, file, *snapshot);
     if (!entry) continue;
     if (entry->object)
@@ -36,35 +36,36 @@ std::shared_ptr<const LibrarySnapshot> LibraryCache::load(const LibraryFolder& f
 }
 
 // None: the file is gone, by another writer or into the quarantine.
-std::optional<LibraryCache::Entry> LibraryCache::load_file(const LibraryFolder& folder,
+std::optional<LibraryCache::Entry> LibraryCache::load_file(const library::LibraryFolder& folder,
                                                            const std::string& file,
                                                            LibrarySnapshot& snapshot) const {
   const std::string path = folder.path + "/" + file;
-  const auto stamp = stamp_of(path);
+  const auto stamp = library::stamp_of(path);
   if (!stamp) return std::nullopt;
   const auto known = entries_.find(file);
   if (known != entries_.end() && known->second.stamp == *stamp) return known->second;
   try {
-    check_file_name(folder, file);
-    const FileContent content = read_regular_file(path, PngLimits::kMaxBytes);
+    library::check_file_name(folder, file);
+    const library::FileContent content =
+        library::read_regular_file(path, library::PngLimits::kMaxBytes);
     return Entry{content.stamp,
                  std::make_shared<const ObjectModel>(decode_object(content.bytes, path)), ""};
-  } catch (const ContentError& error) {
+  } catch (const library::ContentError& error) {
     if (!move_to_quarantine(folder, file)) return Entry{*stamp, nullptr, error.reason()};
     snapshot.quarantined.push_back({file, error.reason(), true});
     return std::nullopt;
   } catch (const FileError& error) {
-    if (!path_exists(path)) return std::nullopt;
+    if (!library::path_exists(path)) return std::nullopt;
     return Entry{*stamp, nullptr, error.reason()};
   }
 }
 
-bool LibraryCache::is_stale(const LibraryFolder& folder) const {
-  const auto files = object_files(folder);
+bool LibraryCache::is_stale(const library::LibraryFolder& folder) const {
+  const auto files = library::object_files(folder);
   if (files.size() != entries_.size()) return true;
   for (const auto& file : files) {
     const auto known = entries_.find(file);
-    const auto stamp = stamp_of(folder.path + "/" + file);
+    const auto stamp = library::stamp_of(folder.path + "/" + file);
     if (known == entries_.end() || !stamp || !(known->second.stamp == *stamp)) return true;
   }
   return false;

@@ -14,19 +14,19 @@ namespace mbncc {
 class LibraryCache {
  public:
   /// Reads new and changed files and quarantines unreadable ones.
-  std::shared_ptr<const LibrarySnapshot> load(const LibraryFolder& folder);
+  std::shared_ptr<const LibrarySnapshot> load(const library::LibraryFolder& folder);
 
   /// True when the folder differs from what was last loaded.
-  bool is_stale(const LibraryFolder& folder) const;
+  bool is_stale(const library::LibraryFolder& folder) const;
 
  private:
   struct Entry {
-    FileStamp stamp;
+    library::FileStamp stamp;
     std::shared_ptr<const ObjectModel> object;  // null: unreadable and left in place
     std::string reason;                         // why it is unreadable
   };
 
-  std::optional<Entry> load_file(const LibraryFolder& folder, const std::string& file,
+  std::optional<Entry> load_file(const library::LibraryFolder& folder, const std::string& file,
                                  LibrarySnapshot& snapshot) const;
 
   std::map<std::string, Entry> entries_;  // by file name

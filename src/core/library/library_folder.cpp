@@ -15,7 +15,7 @@
 #include "library/png_codec.hpp"
 #include "mbncc/library/object_file.hpp"
 
-namespace mbncc {
+namespace mbncc::library {
 namespace {
 
 using namespace std::chrono_literals;
@@ -218,4 +218,4 @@ void LockedFolder::quarantine(const std::string& file, const std::string& reason
   folder_sync.sync();
 }
 
-}  // namespace mbncc
+}  // namespace mbncc::library

@@ -13,7 +13,7 @@
 #include "mbncc/library/object_library.hpp"
 #include "mbncc/object_model.hpp"
 
-namespace mbncc {
+namespace mbncc::library {
 
 constexpr const char* kReasonEnding = ".reason.txt";
 
@@ -79,4 +79,4 @@ class LockedFolder {
   FileDescriptor lock_;
 };
 
-}  // namespace mbncc
+}  // namespace mbncc::library

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <optional>
 
-namespace mbncc {
+namespace mbncc::library {
 namespace {
 
 bool differ(const Pose2D& a, const Pose2D& b) {
@@ -52,4 +52,4 @@ ObjectModel deep_copy(const ObjectModel& model) {
   return copy;
 }
 
-}  // namespace mbncc
+}  // namespace mbncc::library

@@ -4,7 +4,7 @@
 
 #include "mbncc/object_model.hpp"
 
-namespace mbncc {
+namespace mbncc::library {
 
 /// A copy that shares no pixels.
 ObjectModel deep_copy(const ObjectModel& model);
@@ -12,4 +12,4 @@ ObjectModel deep_copy(const ObjectModel& model);
 /// True when views, references, scale, height, declared symmetry or grasp differ.
 bool moves_poses(const ObjectModel& before, const ObjectModel& after);
 
-}  // namespace mbncc
+}  // namespace mbncc::library

@@ -40,9 +40,9 @@ cv::Mat draw_rgba(const std::vector<View>& views, const std::vector<cv::Rect>& r
 }
 
 std::string checked_description(const ObjectModel& model, const std::vector<cv::Rect>& rectangles) {
-  const std::string text = write_description(model, rectangles);
+  const std::string text = library::write_description(model, rectangles);
   try {
-    read_description(text);
+    library::read_description(text);
   } catch (const std::exception& error) {
     throw std::invalid_argument(std::string("the object cannot be stored: ") + error.what());
   }
@@ -76,7 +76,7 @@ void read_view_row(const std::vector<std::uint8_t>& rgba, View& view, int row) {
   }
 }
 
-void read_views(PngReader& reader, ObjectDescription& description) {
+void read_views(library::PngReader& reader, library::ObjectDescription& description) {
   check_stacked(description.rectangles, reader.size());
   std::vector<std::uint8_t> row(4 * static_cast<std::size_t>(reader.size().width));
   for (auto& view : description.model.views) {
@@ -94,8 +94,8 @@ void read_views(PngReader& reader, ObjectDescription& description) {
 
 ObjectModel decode(const std::vector<std::uint8_t>& bytes, const std::string& name) {
   if (!is_valid_name(name)) throw std::runtime_error("the file's name is no valid object name");
-  PngReader reader(bytes, kTextKey);
-  ObjectDescription description = read_description(reader.text());
+  library::PngReader reader(bytes, kTextKey);
+  library::ObjectDescription description = library::read_description(reader.text());
   description.model.name = name;
   read_views(reader, description);
   validate(description.model);
@@ -107,10 +107,10 @@ ObjectModel decode(const std::vector<std::uint8_t>& bytes, const std::string& na
 std::vector<std::uint8_t> encode_object(const ObjectModel& model) {
   validate(model);
   const auto rectangles = stack(model.views);
-  if (!PngLimits::hold(canvas_of(rectangles)))
+  if (!library::PngLimits::hold(canvas_of(rectangles)))
     throw std::invalid_argument("the object's views are too large to be stored in one file");
-  return encode_png(draw_rgba(model.views, rectangles), kTextKey,
-                    checked_description(model, rectangles));
+  return library::encode_png(draw_rgba(model.views, rectangles), kTextKey,
+                             checked_description(model, rectangles));
 }
 
 ObjectModel decode_object(const std::vector<std::uint8_t>& bytes, const std::string& path) {
@@ -120,15 +120,15 @@ ObjectModel decode_object(const std::vector<std::uint8_t>& bytes, const std::str
     throw FileError(path, "not enough memory to read it");
   } catch (const cv::Exception& error) {
     throw FileError(path, error.what());
-  } catch (const NewerFormat& error) {
+  } catch (const library::NewerFormat& error) {
     throw FileError(path, error.what());
   } catch (const std::exception& error) {
-    throw ContentError(path, error.what());
+    throw library::ContentError(path, error.what());
   }
 }
 
 ObjectModel read_object_file(const std::string& path) {
-  return decode_object(read_regular_file(path, PngLimits::kMaxBytes).bytes, path);
+  return decode_object(library::read_regular_file(path, library::PngLimits::kMaxBytes).bytes, path);
 }
 
 }  // namespace mbncc

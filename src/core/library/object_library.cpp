@@ -26,8 +26,8 @@ namespace {
                                           " of '" + name + "'; it has " + known);
 }
 
-void refuse_taken(const LibraryFolder& folder, const std::string& name) {
-  if (path_exists(folder.object_file(name)))
+void refuse_taken(const library::LibraryFolder& folder, const std::string& name) {
+  if (library::path_exists(folder.object_file(name)))
     throw NameError(LearnError::kNameTaken, "the library has an object '" + name + "' already");
 }
 
@@ -43,13 +43,13 @@ ObjectModel read_newest(const std::map<std::uint32_t, std::string>& revisions) {
   for (auto revision = revisions.rbegin(); std::next(revision) != revisions.rend(); ++revision) {
     try {
       return read_object_file(revision->second);
-    } catch (const ContentError&) {  // an older one may do
+    } catch (const library::ContentError&) {  // an older one may do
     }
   }
   return read_object_file(revisions.begin()->second);
 }
 
-std::unique_ptr<ObjectModel> read_known(LockedFolder& locked, const std::string& name) {
+std::unique_ptr<ObjectModel> read_known(library::LockedFolder& locked, const std::string& name) {
   auto stored = locked.read(name);
   if (!stored) refuse_unknown(name);
   return stored;
@@ -66,7 +66,7 @@ std::shared_ptr<const ObjectModel> LibrarySnapshot::find(const std::string& name
 ObjectLibrary::ObjectLibrary(std::string folder)
     : folder_(std::move(folder)), cache_(std::make_unique<LibraryCache>()) {
   if (folder_.empty()) throw FileError("''", "a library needs a folder");
-  make_folder(folder_);
+  library::make_folder(folder_);
 }
 
 ObjectLibrary::~ObjectLibrary() = default;
@@ -82,16 +82,16 @@ bool ObjectLibrary::changed_on_disk() const {
 }
 
 void ObjectLibrary::check_storage() const {
-  mbncc::check_storage({folder_});
+  library::check_storage({folder_});
 }
 
 std::vector<QuarantinedFile> ObjectLibrary::quarantine() const {
-  return quarantined_files({folder_});
+  return library::quarantined_files({folder_});
 }
 
 ObjectModel ObjectLibrary::save(ObjectModel model, Existing existing) {
   validate(model);
-  LockedFolder locked({folder_});
+  library::LockedFolder locked({folder_});
   if (existing == Existing::kRefuse) refuse_taken({folder_}, model.name);
   const auto old = locked.read(model.name);
   model.revision = locked.next_revision(model.name, old.get());
@@ -101,12 +101,12 @@ ObjectModel ObjectLibrary::save(ObjectModel model, Existing existing) {
 
 ObjectModel ObjectLibrary::edit(const std::string& name,
                                 const std::function<void(ObjectModel&)>& change) {
-  LockedFolder locked({folder_});
+  library::LockedFolder locked({folder_});
   const auto old = read_known(locked, name);
-  ObjectModel model = deep_copy(*old);
+  ObjectModel model = library::deep_copy(*old);
   change(model);
   model.name = name;
-  const bool new_revision = moves_poses(*old, model);
+  const bool new_revision = library::moves_poses(*old, model);
   model.revision = new_revision ? locked.next_revision(name, old.get()) : old->revision;
   locked.write(model, new_revision ? old.get() : nullptr);
   return model;
@@ -115,7 +115,7 @@ ObjectModel ObjectLibrary::edit(const std::string& name,
 // Two atomic steps: the description under the old name, then the name.
 ObjectModel ObjectLibrary::rename(const std::string& name, const std::string& new_name,
                                   const std::string& label) {
-  LockedFolder locked({folder_});
+  library::LockedFolder locked({folder_});
   ObjectModel model = *read_known(locked, name);
   const bool moves = !new_name.empty() && new_name != name;
   if (moves) {
@@ -133,14 +133,14 @@ ObjectModel ObjectLibrary::rename(const std::string& name, const std::string& ne
 }
 
 void ObjectLibrary::remove(const std::string& name) {
-  LockedFolder locked({folder_});
+  library::LockedFolder locked({folder_});
   locked.discard(*read_known(locked, name));
 }
 
 ObjectModel ObjectLibrary::restore(const std::string& name, std::uint32_t revision) {
   refuse_invalid(name);
-  LockedFolder locked({folder_});
-  const auto revisions = trashed_revisions({folder_}, name);
+  library::LockedFolder locked({folder_});
+  const auto revisions = library::trashed_revisions({folder_}, name);
   if (revision != 0 ? revisions.count(revision) == 0 : revisions.empty())
     refuse_missing(name, revision, revisions);
   ObjectModel model =

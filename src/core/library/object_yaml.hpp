@@ -10,7 +10,7 @@
 
 #include "mbncc/object_model.hpp"
 
-namespace mbncc {
+namespace mbncc::library {
 
 constexpr int kMaxViews = 64;                          ///< of one object
 constexpr std::uint32_t kMaxRevision = 2'000'000'000;  ///< that a file may have
@@ -34,4 +34,4 @@ class NewerFormat : public std::runtime_error {
 /// write_description() writes, NewerFormat when a later version may have written it.
 ObjectDescription read_description(const std::string& text);
 
-}  // namespace mbncc
+}  // namespace mbncc::library

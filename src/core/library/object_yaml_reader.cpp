@@ -13,7 +13,7 @@
 #include "mbncc/library/object_file.hpp"
 #include "mbncc/symmetry.hpp"
 
-namespace mbncc {
+namespace mbncc::library {
 namespace {
 
 constexpr double kLargest = 1e9;     // bound of every number except times; far beyond any picture
@@ -173,4 +173,4 @@ ObjectDescription read_description(const std::string& text) {
   }
 }
 
-}  // namespace mbncc
+}  // namespace mbncc::library

@@ -11,7 +11,7 @@
 #include "mbncc/library/object_file.hpp"
 #include "mbncc/symmetry.hpp"
 
-namespace mbncc {
+namespace mbncc::library {
 namespace {
 
 void put(YAML::Emitter& out, const char* key, double value) {
@@ -93,4 +93,4 @@ std::string write_description(const ObjectModel& model, const std::vector<cv::Re
   return out.c_str();
 }
 
-}  // namespace mbncc
+}  // namespace mbncc::library

@@ -15,7 +15,7 @@
 struct png_struct_def;
 struct png_info_def;
 
-namespace mbncc {
+namespace mbncc::library {
 
 /// Bytes that are not a PNG of the accepted kind.
 class PngError : public std::runtime_error {
@@ -83,4 +83,4 @@ class PngReader {
   std::string text_;
 };
 
-}  // namespace mbncc
+}  // namespace mbncc::library

@@ -6,7 +6,7 @@
 
 #include "library/png_codec.hpp"
 
-namespace mbncc {
+namespace mbncc::library {
 
 void PngReader::on_error(png_structp png, const char* message) {
   auto* reader = static_cast<PngReader*>(png_get_error_ptr(png));
@@ -100,4 +100,4 @@ void PngReader::finish() {
   if (position_ != bytes_.size()) throw PngError("there are bytes after the picture's end");
 }
 
-}  // namespace mbncc
+}  // namespace mbncc::library

@@ -7,7 +7,7 @@
 
 #include "library/png_codec.hpp"
 
-namespace mbncc {
+namespace mbncc::library {
 namespace {
 
 struct Sink {
@@ -82,4 +82,4 @@ std::vector<std::uint8_t> encode_png(const cv::Mat& rgba, const std::string& key
   return std::move(sink.bytes);
 }
 
-}  // namespace mbncc
+}  // namespace mbncc::library

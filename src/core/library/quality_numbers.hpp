@@ -4,7 +4,7 @@
 
 #include "mbncc/object_model.hpp"
 
-namespace mbncc {
+namespace mbncc::library {
 
 /// Calls visit(key, value, lowest, highest) for each.
 template <class SomeQuality, class Visitor>
@@ -23,4 +23,4 @@ void for_each_number(SomeQuality& quality, Visitor&& visit) {
   visit("search_time", quality.search_time, 0.0, 1e9);
 }
 
-}  // namespace mbncc
+}  // namespace mbncc::library

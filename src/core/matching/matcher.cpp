@@ -19,7 +19,7 @@ namespace mbncc {
 namespace {
 
 using Clock = std::chrono::steady_clock;
-using ObjectList = std::vector<std::shared_ptr<const PreparedObject>>;
+using ObjectList = std::vector<std::shared_ptr<const prepared::PreparedObject>>;
 
 double seconds_since(Clock::time_point start) {
   return std::chrono::duration<double>(Clock::now() - start).count();
@@ -47,16 +47,18 @@ int top_level(const ObjectList& objects) {
   return top;
 }
 
-SearchMode mode_for(std::size_t objects, const SearchRequest& request, const SearchConfig& config) {
-  if (objects > kFewObjects && config.engine != "polar") return SearchMode::kGated;
-  return std::max(objects, request.among) > kFewObjects ? SearchMode::kSparing : SearchMode::kTwice;
+search::SearchMode mode_for(std::size_t objects, const SearchRequest& request,
+                            const SearchConfig& config) {
+  if (objects > kFewObjects && config.engine != "polar") return search::SearchMode::kGated;
+  return std::max(objects, request.among) > kFewObjects ? search::SearchMode::kSparing
+                                                        : search::SearchMode::kTwice;
 }
 
 /// Search results per object.
 struct SearchState {
   explicit SearchState(std::size_t objects) : found(objects), searched(objects, 0) {}
 
-  std::vector<std::vector<Detection>> found;
+  std::vector<std::vector<decision::Detection>> found;
   std::vector<char> searched;  ///< 0: not searched in time
 };
 
@@ -72,8 +74,8 @@ void note_searched(const ObjectList& objects, const SearchState& findings, Searc
   result.budget_exceeded = result.searched.size() < objects.size();
 }
 
-std::vector<Detection> all_of(const SearchState& findings) {
-  std::vector<Detection> all;
+std::vector<decision::Detection> all_of(const SearchState& findings) {
+  std::vector<decision::Detection> all;
   for (const auto& found : findings.found) all.insert(all.end(), found.begin(), found.end());
   return all;
 }
@@ -94,24 +96,25 @@ std::vector<Footprint> occupied_by_others(const SearchState& findings, std::size
 
 /// Verifies each object at the places of others, because a search may miss a look-alike, which
 /// would then not compete.
-void compare_in_place(const std::vector<Comparison>& comparisons, const SearchRequest& request,
-                      SearchState& findings) {
-  std::vector<std::vector<Detection>> more(comparisons.size());
+void compare_in_place(const std::vector<prepared::Comparison>& comparisons,
+                      const SearchRequest& request, SearchState& findings) {
+  std::vector<std::vector<decision::Detection>> more(comparisons.size());
   for (std::size_t i = 0; i < comparisons.size(); ++i) {
     if (!findings.searched[i]) continue;
     auto occupied = occupied_by_others(findings, i);
     occupied.insert(occupied.end(), request.occupied.begin(), request.occupied.end());
-    more[i] = search_occupied(*comparisons[i].object, *comparisons[i].scene, request.roi, occupied,
-                              findings.found[i]);
+    more[i] = search::search_occupied(*comparisons[i].object, *comparisons[i].scene, request.roi,
+                                      occupied, findings.found[i]);
   }
   for (std::size_t i = 0; i < comparisons.size(); ++i)
     findings.found[i].insert(findings.found[i].end(), more[i].begin(), more[i].end());
 }
 
 /// The picture for comparisons in colour; null: none.
-const ScenePicture* in_colour(const std::vector<Comparison>& comparisons) {
-  const auto at = std::find_if(comparisons.begin(), comparisons.end(),
-                               [](const Comparison& one) { return one.object->coloured; });
+const scene::ScenePicture* in_colour(const std::vector<prepared::Comparison>& comparisons) {
+  const auto at =
+      std::find_if(comparisons.begin(), comparisons.end(),
+                   [](const prepared::Comparison& one) { return one.object->coloured; });
   return at == comparisons.end() ? nullptr : at->scene.get();
 }
 
@@ -121,14 +124,14 @@ struct Matcher::Implementation {
   SearchConfig config;
   ObjectList objects;
   std::map<std::string, std::string> unsearchable;  // reasons by name, of enabled objects
-  mutable ScenePool scenes;
+  mutable scene::ScenePool scenes;
 
   /// As it was prepared before; null: not yet.
-  std::shared_ptr<const PreparedObject> known(const ObjectModel* object) const;
+  std::shared_ptr<const prepared::PreparedObject> known(const ObjectModel* object) const;
 
   /// Throws the exceptions of the preparation.
-  std::shared_ptr<const PreparedObject> prepare(const std::shared_ptr<const ObjectModel>& object,
-                                                bool for_one_search) const;
+  std::shared_ptr<const prepared::PreparedObject> prepare(
+      const std::shared_ptr<const ObjectModel>& object, bool for_one_search) const;
 
   /// The requested objects; the reasons of the others go to `result.skipped`.
   ObjectList wanted(const SearchRequest& request, SearchResult& result) const;
@@ -138,22 +141,23 @@ struct Matcher::Implementation {
   SearchState search(const ObjectList& wanted, const cv::Mat& picture, const SearchRequest& request,
                      Clock::time_point start) const;
 
-  AcceptanceSettings acceptance(const SearchRequest& request, std::size_t objects) const;
+  decision::AcceptanceSettings acceptance(const SearchRequest& request, std::size_t objects) const;
 };
 
-std::shared_ptr<const PreparedObject> Matcher::Implementation::known(
+std::shared_ptr<const prepared::PreparedObject> Matcher::Implementation::known(
     const ObjectModel* object) const {
   const auto at = std::find_if(objects.begin(), objects.end(),
                                [&](const auto& other) { return other->model.get() == object; });
   return at == objects.end() ? nullptr : *at;
 }
 
-std::shared_ptr<const PreparedObject> Matcher::Implementation::prepare(
+std::shared_ptr<const prepared::PreparedObject> Matcher::Implementation::prepare(
     const std::shared_ptr<const ObjectModel>& object, bool for_one_search) const {
-  const Engine engine = config.engine == "polar" ? Engine::kPolar : Engine::kFast;
+  const prepared::Engine engine =
+      config.engine == "polar" ? prepared::Engine::kPolar : prepared::Engine::kFast;
   auto prepared = known(object.get());
   if (!prepared)
-    prepared = std::make_shared<const PreparedObject>(object, engine, config.scale_range);
+    prepared = std::make_shared<const prepared::PreparedObject>(object, engine, config.scale_range);
   if (!for_one_search) prepared->make_rotations();
   return prepared;
 }
@@ -186,34 +190,35 @@ ObjectList Matcher::Implementation::wanted(const SearchRequest& request,
 SearchState Matcher::Implementation::search(const ObjectList& wanted, const cv::Mat& picture,
                                             const SearchRequest& request,
                                             Clock::time_point start) const {
-  const SearchMode mode = mode_for(wanted.size(), request, config);
+  const search::SearchMode mode = mode_for(wanted.size(), request, config);
   SearchState findings(wanted.size());
-  const auto search_all = [&](const std::vector<Comparison>& compared) {
+  const auto search_all = [&](const std::vector<prepared::Comparison>& compared) {
     in_parallel(wanted.size(), config.threads, [&](std::size_t i) {
       const bool first = i == 0;  // otherwise a short budget would never find anything
       if (!first && config.time_budget > 0 && seconds_since(start) > config.time_budget) return;
-      findings.found[i] = search_object(*compared[i].object, *compared[i].scene, request.roi, mode);
+      findings.found[i] =
+          search::search_object(*compared[i].object, *compared[i].scene, request.roi, mode);
       findings.searched[i] = 1;
     });
     compare_in_place(compared, request, findings);
   };
-  const auto shown = comparisons(wanted, picture, scenes);
+  const auto shown = prepared::comparisons(wanted, picture, scenes);
   search_all(shown);
-  const ScenePicture* coloured = in_colour(shown);
-  if (mode != SearchMode::kGated || coloured == nullptr) return findings;
-  if (const auto cast = colour_cast(findings.found, *coloured))
-    search_all(comparisons(wanted, without_cast(picture, *cast), scenes));
+  const scene::ScenePicture* coloured = in_colour(shown);
+  if (mode != search::SearchMode::kGated || coloured == nullptr) return findings;
+  if (const auto cast = search::colour_cast(findings.found, *coloured))
+    search_all(prepared::comparisons(wanted, search::without_cast(picture, *cast), scenes));
   return findings;
 }
 
-AcceptanceSettings Matcher::Implementation::acceptance(const SearchRequest& request,
-                                                       std::size_t objects) const {
+decision::AcceptanceSettings Matcher::Implementation::acceptance(const SearchRequest& request,
+                                                                 std::size_t objects) const {
   return {config,
           request.min_score >= 0 ? std::make_optional(request.min_score) : std::nullopt,
           request.max_instances > 0 ? request.max_instances : config.max_instances,
           request.clutter,
           request.elsewhere,
-          multiple_testing_penalty(std::max(objects, request.among))};
+          decision::multiple_testing_penalty(std::max(objects, request.among))};
 }
 
 std::vector<std::string> names_at_limit(const std::vector<Match>& matches, int most) {
@@ -278,7 +283,7 @@ cv::Mat Matcher::score_map(const cv::Mat& picture, const SearchRequest& request)
     for (const auto& view : object->views) {
       const int level = view.kernels.level;
       if (level == 0 || level > scene->top_level() || view.kernels.kernels->empty()) continue;
-      const cv::Mat coarse = coarse_similarity(view.kernels, scene->grey[level]);
+      const cv::Mat coarse = proposal::coarse_similarity(view.kernels, scene->grey[level]);
       cv::Mat full;
       cv::resize(coarse, full, best.size(), 0, 0, cv::INTER_LINEAR);
       best = cv::max(best, full);
@@ -292,8 +297,8 @@ SearchResult Matcher::find(const cv::Mat& picture, const SearchRequest& request)
   const ObjectList objects = implementation_->wanted(request, result);
   const SearchState findings = implementation_->search(objects, picture, request, start);
   note_searched(objects, findings, result);
-  Selection selection =
-      select_matches(all_of(findings), implementation_->acceptance(request, objects.size()));
+  decision::Selection selection = decision::select_matches(
+      all_of(findings), implementation_->acceptance(request, objects.size()));
   result.matches = std::move(selection.matches);
   result.limited = names_at_limit(
       result.matches, implementation_->acceptance(request, objects.size()).max_instances);

@@ -31,11 +31,11 @@ std::vector<std::uint8_t> bytes_of(const YAML::Node& node) {
 std::vector<std::uint8_t> encode(const cv::Mat& picture) {
   cv::Mat rgba;
   cv::cvtColor(picture, rgba, cv::COLOR_BGR2RGBA);
-  return encode_png(rgba, kVersionKey, kNoText);
+  return library::encode_png(rgba, kVersionKey, kNoText);
 }
 
 cv::Mat decode(const std::vector<std::uint8_t>& bytes) {
-  PngReader reader(bytes, kVersionKey);
+  library::PngReader reader(bytes, kVersionKey);
   cv::Mat rgba(reader.size(), CV_8UC4), picture;
   for (int y = 0; y < rgba.rows; ++y) reader.read_row(rgba.ptr(y));
   reader.finish();
@@ -98,11 +98,11 @@ void write_miss(const std::string& path, const SavedMiss& miss) {
   const std::string folder = slash == std::string::npos ? "." : path.substr(0, slash + 1);
   const std::string name = slash == std::string::npos ? path : path.substr(slash + 1);
   const std::string text = out.c_str();
-  write_file_atomically(folder, name, {text.begin(), text.end()});
+  library::write_file_atomically(folder, name, {text.begin(), text.end()});
 }
 
 SavedMiss read_miss(const std::string& path) {
-  const auto content = read_regular_file(path, kLargestFile);
+  const auto content = library::read_regular_file(path, kLargestFile);
   try {
     return parse(YAML::Load(std::string(content.bytes.begin(), content.bytes.end())), path);
   } catch (const FileError&) {

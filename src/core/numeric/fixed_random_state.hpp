@@ -4,7 +4,7 @@
 
 #include <opencv2/core.hpp>
 
-namespace mbncc {
+namespace mbncc::numeric {
 
 /// Restores the caller's state at the end.
 class FixedRandomState {
@@ -18,4 +18,4 @@ class FixedRandomState {
   cv::RNG saved_;
 };
 
-}  // namespace mbncc
+}  // namespace mbncc::numeric

@@ -7,7 +7,7 @@
 #include <mutex>
 #include <utility>
 
-namespace mbncc {
+namespace mbncc::numeric {
 
 /// Computed on first access by any thread, or by make(); copies share it.
 template <class Value>
@@ -41,4 +41,4 @@ class Lazy {
   std::shared_ptr<Shared> shared_;
 };
 
-}  // namespace mbncc
+}  // namespace mbncc::numeric

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "numeric/normal_equations.hpp"
 
-namespace mbncc {
+namespace mbncc::numeric {
 
 NormalEquations& NormalEquations::operator+=(const NormalEquations& other) {
   information += other.information;
@@ -29,4 +29,4 @@ NormalEquations marginalised_over_shift_and_turn(const NormalEquations& pull, do
   return {0.5 * (information + information.t()), share * pull.vector};
 }
 
-}  // namespace mbncc
+}  // namespace mbncc::numeric

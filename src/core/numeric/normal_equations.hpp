@@ -4,7 +4,7 @@
 
 #include <opencv2/core.hpp>
 
-namespace mbncc {
+namespace mbncc::numeric {
 
 /// Of a template's frame: shift along x and y [px at level], turn [rad], stretch [1].
 using Motion = cv::Vec4d;
@@ -25,4 +25,4 @@ NormalEquations marginalised_over_shift(const NormalEquations& pull, double devi
 NormalEquations marginalised_over_shift_and_turn(const NormalEquations& pull, double deviation,
                                                  double radius);
 
-}  // namespace mbncc
+}  // namespace mbncc::numeric

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-namespace mbncc {
+namespace mbncc::numeric {
 namespace {
 
 /// Solution of normal equations: shift and rotation, as an arc [px] at the rim.
@@ -46,4 +46,4 @@ double RandomEffects::variance() const {
   return weight > 0 ? std::max(0.0, unclaimed / weight) : 0;
 }
 
-}  // namespace mbncc
+}  // namespace mbncc::numeric

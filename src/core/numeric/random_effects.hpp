@@ -6,7 +6,7 @@
 
 #include "numeric/normal_equations.hpp"
 
-namespace mbncc {
+namespace mbncc::numeric {
 
 class RandomEffects {
  public:
@@ -24,4 +24,4 @@ class RandomEffects {
   std::vector<NormalEquations> pulls_;
 };
 
-}  // namespace mbncc
+}  // namespace mbncc::numeric

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <numeric>
 
-namespace mbncc {
+namespace mbncc::numeric {
 namespace {
 
 double weight_of(std::vector<Weighted>::const_iterator first,
@@ -37,4 +37,4 @@ float weighted_median(std::vector<Weighted>& values) {
   return first->first;
 }
 
-}  // namespace mbncc
+}  // namespace mbncc::numeric

@@ -5,11 +5,11 @@
 #include <utility>
 #include <vector>
 
-namespace mbncc {
+namespace mbncc::numeric {
 
 using Weighted = std::pair<float, float>;  ///< value, weight > 0
 
 /// The least value that half of the weight does not exceed; 0 for none. Reorders `values`.
 float weighted_median(std::vector<Weighted>& values);
 
-}  // namespace mbncc
+}  // namespace mbncc::numeric

@@ -7,17 +7,17 @@
 
 #include "simd/kernels.hpp"
 
-namespace mbncc {
+namespace mbncc::kernels {
 
 /// `count` rounded up to whole lanes.
 inline std::size_t whole_lanes(std::size_t count) {
-  return (count + kernels::kLanes - 1) / kernels::kLanes * kernels::kLanes;
+  return (count + kLanes - 1) / kLanes * kLanes;
 }
 
 /// Scalar product with `b`, which has as many values.
 inline double product(const std::vector<float>& a, const float* b) {
   float sum = 0;
-  kernels::dots(a.data(), a.size(), 1, b, static_cast<int>(a.size()), &sum);
+  dots(a.data(), a.size(), 1, b, static_cast<int>(a.size()), &sum);
   return sum;
 }
 
@@ -26,8 +26,7 @@ template <std::size_t kPairs>
 std::array<float, kPairs> products(const std::array<const float*, kPairs>& a,
                                    const std::array<const float*, kPairs>& b, std::size_t count) {
   std::array<float, kPairs> found;
-  kernels::dot_pairs(a.data(), b.data(), static_cast<int>(kPairs), static_cast<int>(count),
-                     found.data());
+  dot_pairs(a.data(), b.data(), static_cast<int>(kPairs), static_cast<int>(count), found.data());
   return found;
 }
 
@@ -36,4 +35,4 @@ inline void subtract(std::vector<float>& from, double factor, const float* what)
   for (std::size_t i = 0; i < from.size(); ++i) from[i] -= static_cast<float>(factor) * what[i];
 }
 
-}  // namespace mbncc
+}  // namespace mbncc::kernels

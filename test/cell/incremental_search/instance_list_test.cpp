@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace mbncc {
+namespace mbncc::incremental_search {
 namespace {
 
 constexpr double kReach = 10;  // [px]
@@ -151,4 +151,4 @@ TEST_F(KnownInstancesTest, OneOfAnEarlierPictureIsReplacedWithoutAComparison) {
 }
 
 }  // namespace
-}  // namespace mbncc
+}  // namespace mbncc::incremental_search

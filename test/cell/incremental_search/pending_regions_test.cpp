@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace mbncc {
+namespace mbncc::incremental_search {
 namespace {
 
 const cv::Rect kHere(10, 10, 50, 50), kThere(300, 200, 40, 40);
@@ -68,4 +68,4 @@ TEST(PendingRegions, ForgottenObjectsOweNothing) {
 }
 
 }  // namespace
-}  // namespace mbncc
+}  // namespace mbncc::incremental_search

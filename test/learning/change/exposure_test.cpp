@@ -6,7 +6,7 @@
 #include "learning/pictures.hpp"
 #include "mbncc/learning/change.hpp"
 
-namespace mbncc {
+namespace mbncc::change {
 namespace {
 
 const cv::Size kSize(160, 120);
@@ -68,4 +68,4 @@ TEST(Exposure, FewPixelsTellNone) {
 }
 
 }  // namespace
-}  // namespace mbncc
+}  // namespace mbncc::change

@@ -6,7 +6,7 @@
 #include "learning/pictures.hpp"
 #include "mbncc/learning/learn_object.hpp"
 
-namespace mbncc {
+namespace mbncc::change {
 namespace {
 
 constexpr float kSigma = 2.8F;  // of the difference of two exposed() pictures
@@ -69,4 +69,4 @@ TEST(MovedNeighbour, IsNoPartOfTheObject) {
 }
 
 }  // namespace
-}  // namespace mbncc
+}  // namespace mbncc::change

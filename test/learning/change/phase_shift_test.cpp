@@ -7,7 +7,7 @@
 
 #include "learning/change/camera_shift.hpp"
 
-namespace mbncc {
+namespace mbncc::change {
 namespace {
 
 cv::Mat ground(const cv::Size& size) {
@@ -57,4 +57,4 @@ TEST(PhaseShift, OfTheSamePictureIsNone) {
 }
 
 }  // namespace
-}  // namespace mbncc
+}  // namespace mbncc::change

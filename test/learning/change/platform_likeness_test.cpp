@@ -5,7 +5,7 @@
 
 #include "learning/pictures.hpp"
 
-namespace mbncc {
+namespace mbncc::change {
 namespace {
 
 class PlatformLikeness : public testing::Test {
@@ -37,4 +37,4 @@ TEST_F(PlatformLikeness, ThePartThatShowsThePlatform) {
 }
 
 }  // namespace
-}  // namespace mbncc
+}  // namespace mbncc::change

@@ -9,7 +9,7 @@
 #include <random>
 #include <vector>
 
-namespace mbncc {
+namespace mbncc::change {
 namespace {
 
 using Draw = float (*)(std::mt19937&);
@@ -54,4 +54,4 @@ TEST(QuantileOfNone, IsZero) {
 }
 
 }  // namespace
-}  // namespace mbncc
+}  // namespace mbncc::change

@@ -5,7 +5,7 @@
 
 #include "learning/pictures.hpp"
 
-namespace mbncc {
+namespace mbncc::change {
 namespace {
 
 constexpr double kWhite = 255;
@@ -79,4 +79,4 @@ TEST(TextureChange, WhatStaysInOnePictureStays) {
 }
 
 }  // namespace
-}  // namespace mbncc
+}  // namespace mbncc::change

@@ -8,7 +8,7 @@
 #include "mbncc/learning/change.hpp"
 #include "mbncc/learning/change_cut.hpp"
 
-namespace mbncc {
+namespace mbncc::likelihood {
 namespace {
 
 const cv::Size kSize(120, 100);
@@ -60,4 +60,4 @@ TEST(FaintChange, ADimLessonIsLearnedAsAWhole) {
 }
 
 }  // namespace
-}  // namespace mbncc
+}  // namespace mbncc::likelihood

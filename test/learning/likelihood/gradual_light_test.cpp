@@ -8,7 +8,7 @@
 #include "mbncc/learning/change.hpp"
 #include "mbncc/learning/change_cut.hpp"
 
-namespace mbncc {
+namespace mbncc::likelihood {
 namespace {
 
 const cv::Size kSize(140, 120);
@@ -118,4 +118,4 @@ TEST(GradualLight, AShadowOfTheObjectsColourIsNoPartOfTheMap) {
 }
 
 }  // namespace
-}  // namespace mbncc
+}  // namespace mbncc::likelihood

@@ -5,7 +5,7 @@
 
 #include <opencv2/imgproc.hpp>
 
-namespace mbncc {
+namespace mbncc::likelihood {
 namespace {
 
 constexpr float kNone = -3;
@@ -69,4 +69,4 @@ TEST(LineEvidence, TurnsWithThePicture) {
 }
 
 }  // namespace
-}  // namespace mbncc
+}  // namespace mbncc::likelihood

@@ -6,7 +6,7 @@
 
 #include <algorithm>
 
-namespace mbncc {
+namespace mbncc::quality {
 namespace {
 
 class VerdictTest : public testing::Test {
@@ -173,4 +173,4 @@ TEST_F(VerdictTest, WhatRefusesGoesBeforeWarningsAndTheyDoNotSoftenIt) {
 }
 
 }  // namespace
-}  // namespace mbncc
+}  // namespace mbncc::quality

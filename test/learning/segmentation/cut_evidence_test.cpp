@@ -8,7 +8,7 @@
 #include "learning/segmentation/half_smoothness.hpp"
 #include "learning/segmentation/map_measures.hpp"
 
-namespace mbncc {
+namespace mbncc::segmentation {
 namespace {
 
 const cv::Size kSize(80, 60);
@@ -127,4 +127,4 @@ TEST(MapMeasures, EveryBorderIsOne) {
 }
 
 }  // namespace
-}  // namespace mbncc
+}  // namespace mbncc::segmentation

@@ -6,7 +6,7 @@
 
 #include "learning/pictures.hpp"
 
-namespace mbncc {
+namespace mbncc::segmentation {
 namespace {
 
 constexpr int kSide = 60;
@@ -76,4 +76,4 @@ TEST(ExclusionVotes, NoneWithoutAStrokeOrWithoutARest) {
 }
 
 }  // namespace
-}  // namespace mbncc
+}  // namespace mbncc::segmentation

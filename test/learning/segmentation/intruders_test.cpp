@@ -9,7 +9,7 @@
 #include "mbncc/learning/change.hpp"
 #include "mbncc/learning/change_cut.hpp"
 
-namespace mbncc {
+namespace mbncc::segmentation {
 namespace {
 
 // A lesson whose picture after shows something plain on `places`.
@@ -54,14 +54,14 @@ class FindIntruders : public testing::Test {
  protected:
   cv::Mat intruders(const std::vector<cv::Rect>& before, const std::vector<cv::Rect>& after,
                     const cv::Mat& changed, const cv::Mat& entry) const {
-    NoiseModel noise;
+    likelihood::NoiseModel noise;
     for (auto& channel : noise.variance) channel.fill(8);
     return find_intruders(test::picture_with(before, 11), test::picture_with(after, 12), changed,
                           entry, platform_, noise);
   }
 
   const cv::Rect arm_{0, 50, 60, 20};
-  const ColourMixture platform_ = ColourMixture::fit(
+  const change::ColourMixture platform_ = change::ColourMixture::fit(
       test::picture_with({}, 13), cv::Mat(test::kPlatformSize, CV_8UC1, cv::Scalar(255)));
 };
 
@@ -116,4 +116,4 @@ TEST(Intruders, AnObjectThatSticksOutOfTheRegionIsNone) {
 }
 
 }  // namespace
-}  // namespace mbncc
+}  // namespace mbncc::segmentation

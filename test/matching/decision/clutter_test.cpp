@@ -6,16 +6,18 @@
 #include "matching/pictures.hpp"
 #include "mbncc/matching/matcher.hpp"
 
-namespace mbncc {
+namespace mbncc::decision {
 namespace {
 
 class ClutterTest : public ::testing::Test {
  protected:
   const test::LearningPicture source_{1};
-  const PreparedObject object_{test::object_from(source_, {58, 60, 0}), Engine::kFast};
-  const PreparedObject other_{test::object_from(source_, {58, 60, 0}, "other"), Engine::kFast};
+  const prepared::PreparedObject object_{test::object_from(source_, {58, 60, 0}),
+                                         prepared::Engine::kFast};
+  const prepared::PreparedObject other_{test::object_from(source_, {58, 60, 0}, "other"),
+                                        prepared::Engine::kFast};
 
-  static Detection at(const PreparedObject& object, double x, double log_odds) {
+  static Detection at(const prepared::PreparedObject& object, double x, double log_odds) {
     Detection detection;
     detection.object = &object;
     detection.view = &object.views.front();
@@ -95,4 +97,4 @@ TEST_F(ClutterTest, ManyObjectsAreEachLessLikely) {
 }
 
 }  // namespace
-}  // namespace mbncc
+}  // namespace mbncc::decision

@@ -8,7 +8,7 @@
 
 #include "matching/decision/margins.hpp"
 
-namespace mbncc {
+namespace mbncc::decision {
 namespace {
 
 class ConclusionTest : public ::testing::Test {
@@ -159,4 +159,4 @@ TEST_F(ConclusionTest, APartOutside) {
 }
 
 }  // namespace
-}  // namespace mbncc
+}  // namespace mbncc::decision

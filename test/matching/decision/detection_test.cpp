@@ -7,13 +7,14 @@
 #include "matching/search/pose_hypothesis.hpp"
 #include "matching/surface_sample.hpp"
 
-namespace mbncc {
+namespace mbncc::decision {
 namespace {
 
 class RotationTest : public ::testing::Test {
  protected:
   const test::LearningPicture source_{1};
-  const PreparedObject object_{test::object_from(source_, {58, 60, 0}), Engine::kFast};
+  const prepared::PreparedObject object_{test::object_from(source_, {58, 60, 0}),
+                                         prepared::Engine::kFast};
 
   Detection at(double x, double theta, double log_odds, double rotation_odds) const {
     Detection detection;
@@ -44,44 +45,46 @@ TEST_F(RotationTest, OtherPlacesAndHopelessPosesStayAsTheyAre) {
 }
 
 TEST(RotationOdds, UnexplainedColoursTellEqualCorrelationsApart) {
-  Evidence right, wrong;
+  evidence::Evidence right, wrong;
   right.contour_score = wrong.contour_score = 0.7;
   right.shading_free_ncc = wrong.shading_free_ncc = 0.97;
   right.log_residual = 1.6;
   wrong.log_residual = 2.1;
-  EXPECT_GT(rotation_odds(right), rotation_odds(wrong) + 4);
+  EXPECT_GT(evidence::rotation_odds(right), evidence::rotation_odds(wrong) + 4);
 }
 
 TEST(RotationOdds, WhatLightLeavesUnexplainedOfBrightnessDecides) {
-  EXPECT_GT(rotation_odds(Evidence(), 1.5), rotation_odds(Evidence(), 2) + 5);
+  EXPECT_GT(evidence::rotation_odds(evidence::Evidence(), 1.5),
+            evidence::rotation_odds(evidence::Evidence(), 2) + 5);
 }
 
 TEST(BetterTurned, IsWhatLightLeavesAlone) {
-  PoseHypothesis shaded, true_to_colour;
+  search::PoseHypothesis shaded, true_to_colour;
   shaded.pose.theta = 0.06;
   shaded.odds = 7;
   shaded.evidence.log_residual = 2.1;
   true_to_colour.odds = 5;
   true_to_colour.evidence.log_residual = 1.6;
-  EXPECT_DOUBLE_EQ(better_rotation(shaded, true_to_colour).pose.theta, 0);
-  EXPECT_DOUBLE_EQ(better_rotation(true_to_colour, shaded).pose.theta, 0);
+  EXPECT_DOUBLE_EQ(search::better_rotation(shaded, true_to_colour).pose.theta, 0);
+  EXPECT_DOUBLE_EQ(search::better_rotation(true_to_colour, shaded).pose.theta, 0);
 }
 
 class SurfaceTest : public ::testing::Test {
  protected:
   const test::LearningPicture source_{1};
-  const PreparedObject object_{test::object_from(source_, {58, 60, 0}), Engine::kFast};
-  const SurfaceTemplate& surface_ = object_.views.front().fine.surface;
+  const prepared::PreparedObject object_{test::object_from(source_, {58, 60, 0}),
+                                         prepared::Engine::kFast};
+  const templates::SurfaceTemplate& surface_ = object_.views.front().fine.surface;
 
   /// Of the template's own colours times `gain`, `slope` [grey levels / px] brighter to the right.
-  SurfaceTemplate::Residual residual_of(float gain, float slope) const {
+  templates::SurfaceTemplate::Residual residual_of(float gain, float slope) const {
     return surface_.residual(test::sample_of(
         surface_, [&](float colour, float x, float) { return gain * colour + slope * x; }));
   }
 };
 
 TEST_F(SurfaceTest, NothingIsUnexplainedUnderAnotherGainAndShading) {
-  const SurfaceTemplate::Residual same = residual_of(1, 0);
+  const templates::SurfaceTemplate::Residual same = residual_of(1, 0);
   EXPECT_LT(surface_.unexplained(same), 1);
   EXPECT_LT(surface_.unexplained(residual_of(0.8, 0.3)), 2) << "gain and slope are no object";
   EXPECT_GT(surface_.unexplained(residual_of(-1, 0)), 20 * surface_.unexplained(same) + 100);
@@ -89,4 +92,4 @@ TEST_F(SurfaceTest, NothingIsUnexplainedUnderAnotherGainAndShading) {
 }
 
 }  // namespace
-}  // namespace mbncc
+}  // namespace mbncc::decision

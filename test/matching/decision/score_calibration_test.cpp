@@ -5,7 +5,7 @@
 
 #include "matching/decision/margins.hpp"
 
-namespace mbncc {
+namespace mbncc::decision {
 namespace {
 
 constexpr double kFirm = -0.2, kAsGoodElsewhere = 0.03;  // agreement
@@ -64,4 +64,4 @@ TEST(Convincing, FarBehindAnotherInstanceItMayBeALike) {
 }
 
 }  // namespace
-}  // namespace mbncc
+}  // namespace mbncc::decision

@@ -5,13 +5,14 @@
 
 #include "matching/pictures.hpp"
 
-namespace mbncc {
+namespace mbncc::decision {
 namespace {
 
 class SelectionTest : public ::testing::Test {
  protected:
   const test::LearningPicture source_{1};
-  const PreparedObject object_{test::object_from(source_, {58, 60, 0}), Engine::kFast};
+  const prepared::PreparedObject object_{test::object_from(source_, {58, 60, 0}),
+                                         prepared::Engine::kFast};
   const SearchConfig config_{};
 
   /// Known to a tenth of a pixel.
@@ -63,4 +64,4 @@ TEST_F(SelectionTest, WhatIsNotConvincingIsNotAmbiguous) {
 }
 
 }  // namespace
-}  // namespace mbncc
+}  // namespace mbncc::decision

@@ -10,7 +10,7 @@
 #include "matching/scene/scene_picture.hpp"
 #include "mbncc/matching/matcher.hpp"
 
-namespace mbncc {
+namespace mbncc::evidence {
 namespace {
 
 const cv::Scalar kSteel(150, 150, 150), kRed(40, 40, 170), kBlack(30, 30, 30),
@@ -60,16 +60,16 @@ class ColourPartsTest : public ::testing::Test {
   /// Where it was learned.
   static ColourDifference difference_in(const cv::Mat& picture,
                                         std::shared_ptr<ObjectModel> model) {
-    const PreparedObject object(std::move(model), Engine::kFast);
-    const PreparedView& view = object.views.front();
-    const ScenePicture scene(picture, 0);
-    const SceneLevel& level = scene.levels[0];
+    const prepared::PreparedObject object(std::move(model), prepared::Engine::kFast);
+    const prepared::PreparedView& view = object.views.front();
+    const scene::ScenePicture scene(picture, 0);
+    const scene::SceneLevel& level = scene.levels[0];
     const Pose2D at = compose({150, 72, 0}, inverse(view.reference_in_anchor));
-    SurfaceSample sample;
-    ContourSample contour;
+    templates::SurfaceSample sample;
+    templates::ContourSample contour;
     level.prepare();
     view.fine.surface.sample(level, at, sample);
-    read_contour(view.fine.contour, level.edges, at, 1, contour);
+    templates::read_contour(view.fine.contour, level.edges, at, 1, contour);
     return view.parts.worst_differences(view.fine.surface, sample, contour,
                                         ground_beside(view.fine.contour, level, at));
   }
@@ -182,4 +182,4 @@ TEST_F(ColourPartsTest, ALookAlikeIsNoDetection) {
 }
 
 }  // namespace
-}  // namespace mbncc
+}  // namespace mbncc::evidence

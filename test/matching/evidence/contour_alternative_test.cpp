@@ -9,7 +9,7 @@
 #include "matching/prepared/prepared_object.hpp"
 #include "matching/search/verification.hpp"
 
-namespace mbncc {
+namespace mbncc::evidence {
 namespace {
 
 class OutlineElsewhere : public test::MatcherTest {
@@ -18,9 +18,10 @@ class OutlineElsewhere : public test::MatcherTest {
   const Pose2D truth_{170, 120, 0.8};
 
   double better_than(const Pose2D& reference) const {
-    const PreparedObject object(test::object_from(source_, reference_), Engine::kFast);
-    const PreparedView& view = object.views.front();
-    return better_elsewhere(view.fine.contour, SceneLevel(scene_, 0),
+    const prepared::PreparedObject object(test::object_from(source_, reference_),
+                                          prepared::Engine::kFast);
+    const prepared::PreparedView& view = object.views.front();
+    return better_elsewhere(view.fine.contour, scene::SceneLevel(scene_, 0),
                             compose(reference, inverse(view.reference_in_anchor)), 1);
   }
 
@@ -47,10 +48,11 @@ TEST_F(OutlineElsewhere, TheTruthIsBetterThanAPlaceNearIt) {
 
 TEST_F(OutlineElsewhere, ItIsBetterByWhatThePlaceItselfIs) {
   test::place(scene_, source_, reference_.position(), truth_);
-  const PreparedObject object(test::object_from(source_, reference_), Engine::kFast);
-  const PreparedView& view = object.views.front();
-  const ContourTemplate& contour = view.fine.contour;
-  const SceneLevel scene(scene_, 0);
+  const prepared::PreparedObject object(test::object_from(source_, reference_),
+                                        prepared::Engine::kFast);
+  const prepared::PreparedView& view = object.views.front();
+  const templates::ContourTemplate& contour = view.fine.contour;
+  const scene::SceneLevel scene(scene_, 0);
   scene.prepare();
   ContourAlignment agreement(contour, scene);
   const Pose2D anchor = compose(truth_, inverse(view.reference_in_anchor));
@@ -67,12 +69,13 @@ TEST_F(OutlineElsewhere, ItIsBetterByWhatThePlaceItselfIs) {
 
 TEST_F(OutlineElsewhere, ACandidateIsShiftedOntoTheEdges) {
   test::place(scene_, source_, reference_.position(), truth_);
-  const PreparedObject object(test::object_from(source_, reference_), Engine::kFast);
-  const PreparedView& view = object.views.front();
+  const prepared::PreparedObject object(test::object_from(source_, reference_),
+                                        prepared::Engine::kFast);
+  const prepared::PreparedView& view = object.views.front();
   const Pose2D anchor = compose(truth_, inverse(view.reference_in_anchor));
-  const Candidate start{{anchor.x + 5, anchor.y - 4, anchor.theta}, 0, 0};
-  const Candidate shifted =
-      shifted_onto_edges(view.templates[0].contour, SceneLevel(scene_, 0), start);
+  const templates::Candidate start{{anchor.x + 5, anchor.y - 4, anchor.theta}, 0, 0};
+  const templates::Candidate shifted =
+      shifted_onto_edges(view.templates[0].contour, scene::SceneLevel(scene_, 0), start);
   EXPECT_LE(std::abs(shifted.pose.x - anchor.x), 1.01);
   EXPECT_LE(std::abs(shifted.pose.y - anchor.y), 1.01);
   EXPECT_EQ(shifted.pose.theta, anchor.theta);
@@ -81,13 +84,15 @@ TEST_F(OutlineElsewhere, ACandidateIsShiftedOntoTheEdges) {
 
 TEST_F(OutlineElsewhere, APoseThatItsOutlineContradictsIsTold) {
   test::place(scene_, source_, reference_.position(), truth_);
-  const PreparedObject object(test::object_from(source_, reference_), Engine::kFast);
-  const PreparedView& view = object.views.front();
-  const ScenePicture scene(scene_, object.top_level());
+  const prepared::PreparedObject object(test::object_from(source_, reference_),
+                                        prepared::Engine::kFast);
+  const prepared::PreparedView& view = object.views.front();
+  const scene::ScenePicture scene(scene_, object.top_level());
   const Pose2D anchor = compose(truth_, inverse(view.reference_in_anchor));
-  PoseHypothesis beside = score_as_is(view, scene, {anchor.x + 5, anchor.y - 3, anchor.theta});
+  search::PoseHypothesis beside =
+      search::score_as_is(view, scene, {anchor.x + 5, anchor.y - 3, anchor.theta});
   beside.odds = 5;
-  const auto judged = verify(object, view, scene, {beside});
+  const auto judged = search::verify(object, view, scene, {beside});
   ASSERT_EQ(judged.size(), 1u);
   EXPECT_GT(judged[0].contour_alternative, kContradicts);
 }
@@ -109,4 +114,4 @@ TEST_F(OutlineElsewhere, ASurfaceThatItsOutlineContradictsIsNeverGraspable) {
 }
 
 }  // namespace
-}  // namespace mbncc
+}  // namespace mbncc::evidence

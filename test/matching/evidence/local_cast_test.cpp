@@ -11,26 +11,27 @@
 #include "matching/search/colour_cast.hpp"
 #include "matching/surface_sample.hpp"
 
-namespace mbncc {
+namespace mbncc::evidence {
 namespace {
 
 class LocalCastTest : public test::MatcherTest {
  protected:
-  const PreparedObject object_{test::object_from(source_, reference_), Engine::kFast};
-  const PreparedView& view_ = object_.views.front();
+  const prepared::PreparedObject object_{test::object_from(source_, reference_),
+                                         prepared::Engine::kFast};
+  const prepared::PreparedView& view_ = object_.views.front();
 
   /// Of the lesson itself, in light of another colour.
   Evidence evidence_in(const ColourCast& light) const {
-    const cv::Mat picture = without_cast(source_.picture, {-light.blue, -light.red});
+    const cv::Mat picture = search::without_cast(source_.picture, {-light.blue, -light.red});
     const Pose2D anchor{view_.anchor.x + object_.model->views.front().origin.x,
                         view_.anchor.y + object_.model->views.front().origin.y, 0};
-    return gather_evidence(view_.fine, SceneLevel(picture, 0), anchor);
+    return gather_evidence(view_.fine, scene::SceneLevel(picture, 0), anchor);
   }
 };
 
 // The kernels look colours up in tables.
 TEST_F(LocalCastTest, ColoursWithoutItStayColours) {
-  SurfaceSample sample =
+  templates::SurfaceSample sample =
       test::sample_of(view_.fine.surface, [](float, float, float) { return 250.f; });
   take_out(ColourCast{-0.3, -0.3}, sample);
   for (const auto& plane : sample.planes)
@@ -47,4 +48,4 @@ TEST_F(LocalCastTest, IsTakenOutAtItsPrice) {
 }
 
 }  // namespace
-}  // namespace mbncc
+}  // namespace mbncc::evidence

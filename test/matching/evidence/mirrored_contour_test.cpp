@@ -4,7 +4,7 @@
 #include "matching/matcher_fixture.hpp"
 #include "matching/prepared/prepared_object.hpp"
 
-namespace mbncc {
+namespace mbncc::evidence {
 namespace {
 
 /// An angle with legs of 70 and 52 px, 24 px wide, as in test::angle_map(), and its mirror images.
@@ -29,9 +29,10 @@ class TurnedOverTest : public test::MatcherTest {
 
   double better_at(const Pose2D& pose, const test::LearningPicture& taught,
                    const cv::Mat& scene) const {
-    const PreparedObject object(test::object_from(taught, {60, 60, 0}), Engine::kFast);
-    const PreparedView& view = object.views.front();
-    return view.mirrored_contour.better(view.fine.contour, SceneLevel(scene, 0),
+    const prepared::PreparedObject object(test::object_from(taught, {60, 60, 0}),
+                                          prepared::Engine::kFast);
+    const prepared::PreparedView& view = object.views.front();
+    return view.mirrored_contour.better(view.fine.contour, scene::SceneLevel(scene, 0),
                                         compose(pose, inverse(view.reference_in_anchor)), 1);
   }
 };
@@ -75,13 +76,15 @@ TEST_F(TurnedOverTest, AnOutlineThatIsItsOwnMirrorImageAgreesAsWell) {
   map(cv::Rect(30, 40, 60, 40)) = 255;
   const test::LearningPicture plate(3, map);
   EXPECT_NEAR(better_at(truth_, plate, scene_with(plate, truth_)), 0, 0.04);
-  const PreparedObject object(test::object_from(plate, {60, 60, 0}), Engine::kFast);
+  const prepared::PreparedObject object(test::object_from(plate, {60, 60, 0}),
+                                        prepared::Engine::kFast);
   EXPECT_EQ(object.views.front().mirrored_contour.limit(), kMirrored);
 }
 
 TEST_F(TurnedOverTest, ASlightDifferenceIsToldWhereTheLessonTellsIt) {
   const test::LearningPicture plate = cut_plate();
-  const PreparedObject object(test::object_from(plate, {60, 60, 0}), Engine::kFast);
+  const prepared::PreparedObject object(test::object_from(plate, {60, 60, 0}),
+                                        prepared::Engine::kFast);
   const double limit = object.views.front().mirrored_contour.limit();
   const double over = better_at(truth_, plate, scene_with(test::mirrored(plate), truth_));
   EXPECT_GT(over, limit);
@@ -91,4 +94,4 @@ TEST_F(TurnedOverTest, ASlightDifferenceIsToldWhereTheLessonTellsIt) {
 }
 
 }  // namespace
-}  // namespace mbncc
+}  // namespace mbncc::evidence

@@ -10,7 +10,7 @@
 #include "matching/prepared/prepared_object.hpp"
 #include "matching/surface_sample.hpp"
 
-namespace mbncc {
+namespace mbncc::evidence {
 namespace {
 
 class LitSurfaceTest : public ::testing::Test {
@@ -18,9 +18,10 @@ class LitSurfaceTest : public ::testing::Test {
   using Light = std::function<float(float colour, float x, float y)>;
 
   const test::LearningPicture source_{1};
-  const PreparedObject object_{test::object_from(source_, {58, 60, 0}), Engine::kFast};
-  const PreparedView& view_ = object_.views.front();
-  const SurfaceTemplate& surface_ = view_.fine.surface;
+  const prepared::PreparedObject object_{test::object_from(source_, {58, 60, 0}),
+                                         prepared::Engine::kFast};
+  const prepared::PreparedView& view_ = object_.views.front();
+  const templates::SurfaceTemplate& surface_ = view_.fine.surface;
 
   /// Of the template's own colours in that light.
   double misfit_in(const Light& light) const {
@@ -58,4 +59,4 @@ TEST_F(LitSurfaceTest, NothingIsComparedWhereNothingIsSeen) {
 }
 
 }  // namespace
-}  // namespace mbncc
+}  // namespace mbncc::evidence

@@ -5,7 +5,7 @@
 #include "matching/prepared/prepared_object.hpp"
 #include "matching/search/verification.hpp"
 
-namespace mbncc {
+namespace mbncc::evidence {
 namespace {
 
 class TornOutline : public test::MatcherTest {
@@ -26,13 +26,14 @@ class TornOutline : public test::MatcherTest {
   }
 
   double better(const cv::Mat& picture, const Pose2D& pose) const {
-    return better_torn(view_.fine.contour, SceneLevel(picture, 0), anchor_at(pose), 1);
+    return better_torn(view_.fine.contour, scene::SceneLevel(picture, 0), anchor_at(pose), 1);
   }
 
   cv::Mat scene_ = test::texture({320, 240}, 77, 5);
   const Pose2D truth_{170, 120, 1.5};
-  const PreparedObject object_{test::object_from(source_, reference_), Engine::kFast};
-  const PreparedView& view_ = object_.views.front();
+  const prepared::PreparedObject object_{test::object_from(source_, reference_),
+                                         prepared::Engine::kFast};
+  const prepared::PreparedView& view_ = object_.views.front();
 };
 
 TEST_F(TornOutline, WhatLiesTogetherIsNotTorn) {
@@ -58,19 +59,21 @@ TEST_F(TornOutline, ItIsToldOfWhatLiesTurnedBetweenTheParts) {
   const cv::Mat picture = torn(scene_, cvRound(anchor.y), kWay);
   for (const double turn : {-0.09, 0.09}) {
     const Pose2D between{anchor.x + kWay / 2, anchor.y, anchor.theta + turn};
-    EXPECT_GT(better_torn(view_.fine.contour, SceneLevel(picture, 0), between, 1), 0.2) << turn;
+    EXPECT_GT(better_torn(view_.fine.contour, scene::SceneLevel(picture, 0), between, 1), 0.2)
+        << turn;
   }
 }
 
 TEST_F(TornOutline, ADetectionKnows) {
   const Pose2D anchor = anchor_at(truth_);
   for (const double way : {0., 6.}) {
-    const ScenePicture scene(torn(scene_, cvRound(anchor.y), way), object_.top_level());
-    PoseHypothesis found = score_as_is(view_, scene, {anchor.x + way / 2, anchor.y, anchor.theta});
+    const scene::ScenePicture scene(torn(scene_, cvRound(anchor.y), way), object_.top_level());
+    search::PoseHypothesis found =
+        search::score_as_is(view_, scene, {anchor.x + way / 2, anchor.y, anchor.theta});
     found.odds = 12;
-    EXPECT_EQ(verify(object_, view_, scene, {found}).at(0).torn, way > 0);
+    EXPECT_EQ(search::verify(object_, view_, scene, {found}).at(0).torn, way > 0);
   }
 }
 
 }  // namespace
-}  // namespace mbncc
+}  // namespace mbncc::evidence

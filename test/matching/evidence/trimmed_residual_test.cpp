@@ -7,19 +7,20 @@
 #include "matching/prepared/prepared_object.hpp"
 #include "matching/surface_sample.hpp"
 
-namespace mbncc {
+namespace mbncc::evidence {
 namespace {
 
 class TrimmedResidualTest : public ::testing::Test {
  protected:
   const test::LearningPicture source_{1};
-  const PreparedObject object_{test::object_from(source_, {58, 60, 0}), Engine::kFast};
-  const SurfaceTemplate& surface_ = object_.views.front().fine.surface;
+  const prepared::PreparedObject object_{test::object_from(source_, {58, 60, 0}),
+                                         prepared::Engine::kFast};
+  const templates::SurfaceTemplate& surface_ = object_.views.front().fine.surface;
 
   /// Of the template's colours that `light` turns into a picture's.
   template <class Light>
   double residual(const Light& light) const {
-    return trimmed_residual(block_sums(surface_, test::sample_of(surface_, light)));
+    return trimmed_residual(templates::block_sums(surface_, test::sample_of(surface_, light)));
   }
 };
 
@@ -38,10 +39,11 @@ TEST_F(TrimmedResidualTest, WhatCoversAThirdDecidesNothing) {
 
 TEST_F(TrimmedResidualTest, WithoutPartsThereIsNone) {
   EXPECT_LT(trimmed_residual({}), 0);
-  SurfaceSample outside = test::sample_of(surface_, [](float, float, float) { return 0.f; });
+  templates::SurfaceSample outside =
+      test::sample_of(surface_, [](float, float, float) { return 0.f; });
   std::fill(outside.inside.begin(), outside.inside.end(), 0.f);
-  EXPECT_LT(trimmed_residual(block_sums(surface_, outside)), 0);
+  EXPECT_LT(trimmed_residual(templates::block_sums(surface_, outside)), 0);
 }
 
 }  // namespace
-}  // namespace mbncc
+}  // namespace mbncc::evidence

@@ -7,7 +7,7 @@
 #include "matching/pictures.hpp"
 #include "matching/prepared/prepared_object.hpp"
 
-namespace mbncc {
+namespace mbncc::prepared {
 namespace {
 
 const cv::Scalar kPlatform(150, 150, 150), kPaint(50, 90, 160);
@@ -243,4 +243,4 @@ TEST_F(MarkedBar, DeclaredNoneKeepsTheAngleStrict) {
 }
 
 }  // namespace
-}  // namespace mbncc
+}  // namespace mbncc::prepared

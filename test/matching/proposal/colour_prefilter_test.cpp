@@ -7,7 +7,7 @@
 #include "matching/pictures.hpp"
 #include "matching/template/map_geometry.hpp"
 
-namespace mbncc {
+namespace mbncc::proposal {
 namespace {
 
 /// A texture of another mean colour, `tint` (b, g, r) grey levels away.
@@ -24,11 +24,12 @@ class ColourGateTest : public ::testing::Test {
   ColourGateTest() { source_.surface = tinted(source_.map.size(), 1, {-60, 0, 60}); }
 
   ColourPrefilter gate() const {
-    return {source_.surface, source_.map, anchor_, MapGeometry(source_.map).mean_width()};
+    return {source_.surface, source_.map, anchor_,
+            templates::MapGeometry(source_.map).mean_width()};
   }
 
-  static ClassPictures classes_of(const cv::Mat& scene) {
-    return ClassPictures(build_pyramid(scene, ClassPictures::kLast));
+  static imaging::ClassPictures classes_of(const cv::Mat& scene) {
+    return imaging::ClassPictures(imaging::build_pyramid(scene, imaging::ClassPictures::kLast));
   }
 
   static double part_of(const SearchMask& places, cv::Size size) {
@@ -63,7 +64,7 @@ TEST_F(ColourGateTest, AlwaysLeavesSomething) {
 
 TEST_F(ColourGateTest, SmallPicturesAreNotGated) {
   const cv::Mat scene = tinted({16, 16}, 13, {60, 0, -60});
-  EXPECT_TRUE(gate().places(ClassPictures(build_pyramid(scene, 0))).everywhere());
+  EXPECT_TRUE(gate().places(imaging::ClassPictures(imaging::build_pyramid(scene, 0))).everywhere());
 }
 
 TEST(SearchMask, PositionsOfAnyLevelFallIntoTheirCells) {
@@ -101,4 +102,4 @@ TEST(SearchMask, SpansCoverWhatIsWantedInWholeGroups) {
 }
 
 }  // namespace
-}  // namespace mbncc
+}  // namespace mbncc::proposal

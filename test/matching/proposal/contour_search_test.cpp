@@ -11,7 +11,7 @@
 #include "matching/proposal/response_peaks.hpp"
 #include "matching/template/map_geometry.hpp"
 
-namespace mbncc {
+namespace mbncc::proposal {
 namespace {
 
 const cv::Point2d kAnchor{60, 60};
@@ -22,8 +22,8 @@ class EdgeSearchTest : public ::testing::Test {
                         OutlinePart part = OutlinePart::kWhole) const {
     cv::Mat level = picture;
     for (int k = 0; k < bank_.level(); ++k) cv::pyrDown(level, level);
-    return edge_search(bank_, SceneLevel(level, bank_.level()), {{0, 0}, level.size()}, foremost,
-                       most, {}, {}, part);
+    return edge_search(bank_, scene::SceneLevel(level, bank_.level()), {{0, 0}, level.size()},
+                       foremost, most, {}, {}, part);
   }
 
   /// The ground with a bright object at `truth`.
@@ -36,7 +36,7 @@ class EdgeSearchTest : public ::testing::Test {
   }
 
   /// The best response of a pose at `truth`; 0 if there is none.
-  double response_at(const Pose2D& truth, const std::vector<Candidate>& poses) const {
+  double response_at(const Pose2D& truth, const std::vector<templates::Candidate>& poses) const {
     const double side = 1 << bank_.level();
     double best = 0;
     for (const auto& found : poses)
@@ -46,14 +46,14 @@ class EdgeSearchTest : public ::testing::Test {
     return best;
   }
 
-  static std::vector<double> values(const std::vector<Candidate>& poses) {
+  static std::vector<double> values(const std::vector<templates::Candidate>& poses) {
     std::vector<double> values;
     for (const auto& pose : poses) values.push_back(pose.value);
     return values;
   }
 
   const test::LearningPicture source_{1};
-  const ContourBank bank_{MapGeometry(source_.map), kAnchor};
+  const ContourBank bank_{templates::MapGeometry(source_.map), kAnchor};
   const cv::Mat ground_ = test::texture({320, 240}, 5);
 };
 
@@ -98,9 +98,10 @@ TEST_F(EdgeSearchTest, TheForemostOfAQuarterTurnLieApart) {
 
 TEST_F(EdgeSearchTest, APlaceIsProposedAtManyRotations) {
   const auto poses = search(ground_, 20000, 20000).poses;
-  const auto here = std::count_if(poses.begin(), poses.end(), [](const Candidate& candidate) {
-    return std::abs(candidate.pose.x - 40) < 3 && std::abs(candidate.pose.y - 30) < 3;
-  });
+  const auto here =
+      std::count_if(poses.begin(), poses.end(), [](const templates::Candidate& candidate) {
+        return std::abs(candidate.pose.x - 40) < 3 && std::abs(candidate.pose.y - 30) < 3;
+      });
   EXPECT_GT(here, 6);
 }
 
@@ -125,4 +126,4 @@ TEST_F(EdgeSearchTest, ACoveredPartDoesNotLowerTheBestThreeQuarters) {
 }
 
 }  // namespace
-}  // namespace mbncc
+}  // namespace mbncc::proposal

@@ -8,7 +8,7 @@
 
 #include "mbncc/geometry.hpp"
 
-namespace mbncc {
+namespace mbncc::proposal {
 namespace {
 
 constexpr double kThickness = 10;  // [px]
@@ -48,4 +48,4 @@ TEST_P(BarKernels, CoverTheBarAtEveryAngle) {
 INSTANTIATE_TEST_SUITE_P(Lengths, BarKernels, testing::Values(120, 1000));
 
 }  // namespace
-}  // namespace mbncc
+}  // namespace mbncc::proposal

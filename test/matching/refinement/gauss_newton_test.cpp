@@ -9,7 +9,7 @@
 #include "matching/prepared/prepared_object.hpp"
 #include "matching/refinement/gauss_newton.hpp"
 
-namespace mbncc {
+namespace mbncc::refinement {
 namespace {
 
 class ClimbTest : public ::testing::Test {
@@ -37,14 +37,14 @@ class ClimbTest : public ::testing::Test {
     Laid(bool textured, const Pose2D& truth)
         : source(lesson(textured)),
           object(test::object_from(source, {kReference.x, kReference.y, 0})),
-          view(object->views.front(), Engine::kFast),
+          view(object->views.front(), prepared::Engine::kFast),
           scene(scene_with(source, textured, truth), 0),
           anchor(compose(truth, inverse(view.reference_in_anchor))) {}
 
     test::LearningPicture source;
     std::shared_ptr<const ObjectModel> object;
-    PreparedView view;
-    SceneLevel scene;
+    prepared::PreparedView view;
+    scene::SceneLevel scene;
     Pose2D anchor;
   };
 
@@ -90,8 +90,8 @@ TEST_F(ClimbTest, ContoursAreFollowedWithoutTheSurface) {
 TEST_F(ClimbTest, NeverGetsWorse) {
   const test::LearningPicture source = lesson(true);
   const auto object = test::object_from(source, {kReference.x, kReference.y, 0});
-  const PreparedView view(object->views.front(), Engine::kFast);
-  const SceneLevel scene(test::texture({200, 160}, 43), 0);
+  const prepared::PreparedView view(object->views.front(), prepared::Engine::kFast);
+  const scene::SceneLevel scene(test::texture({200, 160}, 43), 0);
   for (int k = 0; k < 20; ++k) {
     const Pose2D start{40.0 + 6 * k, 50.0 + 3 * k, 0.3 * k};
     EXPECT_GE(align(view.fine, scene, start, 6).value, align(view.fine, scene, start, 0).value);
@@ -99,4 +99,4 @@ TEST_F(ClimbTest, NeverGetsWorse) {
 }
 
 }  // namespace
-}  // namespace mbncc
+}  // namespace mbncc::refinement

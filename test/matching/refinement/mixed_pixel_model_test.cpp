@@ -9,7 +9,7 @@
 #include "matching/pictures.hpp"
 #include "matching/prepared/prepared_object.hpp"
 
-namespace mbncc {
+namespace mbncc::refinement {
 namespace {
 
 const cv::Size kSize{80, 70};
@@ -62,8 +62,9 @@ class RenderingTest : public ::testing::Test {
   RenderingTest() {
     const cv::Mat share = coverage_at(kLearned);
     map_ = share >= 0.5;
-    view_ = std::make_unique<PreparedView>(
-        crop_view(seen(cv::Mat(kSize, CV_8UC3, kSand), kLearned), map_, kLearned), Engine::kFast);
+    view_ = std::make_unique<prepared::PreparedView>(
+        crop_view(seen(cv::Mat(kSize, CV_8UC3, kSand), kLearned), map_, kLearned),
+        prepared::Engine::kFast);
   }
 
   /// Of the rendering that shows the object at `truth`.
@@ -73,7 +74,7 @@ class RenderingTest : public ::testing::Test {
 
   /// Fits from around the truth and expects to arrive there.
   void expect_found(const cv::Mat& picture, const Pose2D& truth) const {
-    const SceneLevel scene(picture, 0);
+    const scene::SceneLevel scene(picture, 0);
     const Pose2D wanted = anchor_at(truth);
     for (int k = 0; k < 8; ++k) {
       const double direction = k * kPi / 4;
@@ -87,7 +88,7 @@ class RenderingTest : public ::testing::Test {
 
   static const Pose2D kLearned;
   cv::Mat map_;
-  std::unique_ptr<PreparedView> view_;
+  std::unique_ptr<prepared::PreparedView> view_;
 };
 
 const Pose2D RenderingTest::kLearned{38.3, 31.8, 0.3};
@@ -120,7 +121,7 @@ TEST_F(RenderingTest, ExplainsTheObjectInAnyLightAndNothingElse) {
   const cv::Mat ground = test::texture(kSize, 5, 5);
   const Pose2D truth{40.2, 35.7, -1.1};
   for (const Light& light : {Light{}, Light{1.3, 0, 0}, Light{0.8, 15, 0}, Light{1, 0, 25}}) {
-    const SceneLevel scene(seen(ground, truth, light), 0);
+    const scene::SceneLevel scene(seen(ground, truth, light), 0);
     const MixedPixelFit here = fit(view_->rendering, scene, anchor_at(truth));
     EXPECT_LT(here.misfit, std::log(9.));
     const MixedPixelFit elsewhere = fit(view_->rendering, scene, anchor_at({18, 18, 2}));
@@ -132,7 +133,7 @@ TEST_F(RenderingTest, TellsBrightness) {
   const cv::Mat ground(kSize, CV_8UC3, cv::Scalar::all(190));
   const Pose2D truth{39.5, 36.2, 1.7};
   for (const double gain : {0.7, 1.0, 1.35}) {
-    const SceneLevel scene(seen(ground, truth, {gain, 0, 0}), 0);
+    const scene::SceneLevel scene(seen(ground, truth, {gain, 0, 0}), 0);
     EXPECT_NEAR(fit(view_->rendering, scene, anchor_at(truth)).brightness, std::log(gain), 0.1);
   }
 }
@@ -157,7 +158,7 @@ TEST_F(RenderingTest, AxesOfColourKeepLengthsAndGreyIsBrightness) {
 }
 
 TEST_F(RenderingTest, StaysWhereNothingIsSeen) {
-  const SceneLevel scene(cv::Mat(kSize, CV_8UC3, kSand), 0);
+  const scene::SceneLevel scene(cv::Mat(kSize, CV_8UC3, kSand), 0);
   for (const Pose2D& start : {Pose2D{-60, 30, 1}, Pose2D{79, 69, 0}, Pose2D{1e9, 0, 0}}) {
     const Pose2D found = fit(view_->rendering, scene, start).pose;
     EXPECT_EQ(found.x, start.x);
@@ -167,11 +168,12 @@ TEST_F(RenderingTest, StaysWhereNothingIsSeen) {
 
 TEST_F(RenderingTest, LargeObjectsHaveNone) {
   const test::LearningPicture source(3);
-  const PreparedView large(crop_view(source.picture, source.map, {60, 60, 0}), Engine::kFast);
+  const prepared::PreparedView large(crop_view(source.picture, source.map, {60, 60, 0}),
+                                     prepared::Engine::kFast);
   EXPECT_EQ(large.rendering.padded(), 0u);
-  const SceneLevel scene(source.picture, 0);
+  const scene::SceneLevel scene(source.picture, 0);
   EXPECT_EQ(fit(large.rendering, scene, {3, 4, 5}).pose.y, 4);
 }
 
 }  // namespace
-}  // namespace mbncc
+}  // namespace mbncc::refinement

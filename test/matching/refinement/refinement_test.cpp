@@ -12,7 +12,7 @@
 #include "matching/refinement/illumination_bias.hpp"
 #include "numeric/random_effects.hpp"
 
-namespace mbncc {
+namespace mbncc::refinement {
 namespace {
 
 using test::LearningPicture;
@@ -24,7 +24,7 @@ class RefinementTest : public ::testing::Test {
   RefinementTest()
       : source_(41),
         object_(test::object_from(source_, {kReference.x, kReference.y, 0})),
-        view_(object_->views.front(), Engine::kFast) {}
+        view_(object_->views.front(), prepared::Engine::kFast) {}
 
   /// The object at `truth` on another texture, with noise.
   cv::Mat scene_with(const Pose2D& truth, std::uint64_t seed = 42, double noise = 3) const {
@@ -64,13 +64,13 @@ class RefinementTest : public ::testing::Test {
   }
 
   Refined refined(const cv::Mat& scene, const Pose2D& start, int iterations = 5) const {
-    return refine(view_.dense, SceneLevel(scene, 0), start, iterations);
+    return refine(view_.dense, scene::SceneLevel(scene, 0), start, iterations);
   }
 
   static const cv::Point2d kReference;
   LearningPicture source_;
   std::shared_ptr<ObjectModel> object_;
-  PreparedView view_;
+  prepared::PreparedView view_;
 };
 
 const cv::Point2d RefinementTest::kReference{58, 60};
@@ -146,9 +146,9 @@ TEST_F(RefinementTest, ShadingIsSeenInTheClaim) {
   cv::Mat shaded = even.clone();
   for (int x = 0; x < shaded.cols; ++x) shaded.col(x) *= 0.4 + 1.2 * x / shaded.cols;
   const Refined found = refined(shaded, anchor_at(truth));
-  const SceneLevel scene(shaded, 0);
-  const SurfaceTemplate& surface = view_.dense.object.surface;
-  SurfaceSample sample;
+  const scene::SceneLevel scene(shaded, 0);
+  const templates::SurfaceTemplate& surface = view_.dense.object.surface;
+  templates::SurfaceSample sample;
   scene.prepare();
   surface.sample(scene, found.pose, sample);
   const IlluminationBias light(surface, sample, 1);
@@ -165,12 +165,13 @@ TEST_F(RefinementTest, TheClaimTurnsWithTheObject) {
   LearningPicture strip(5, map);
   strip.surface.setTo(cv::Scalar(60, 80, 160));
   strip.surface.copyTo(strip.picture, map);
-  const PreparedView view(test::object_from(strip, {60, 58, 0})->views.front(), Engine::kFast);
+  const prepared::PreparedView view(test::object_from(strip, {60, 58, 0})->views.front(),
+                                    prepared::Engine::kFast);
   const auto claim = [&](double theta) {
     cv::Mat scene = test::texture({220, 180}, 42, 4);
     test::place(scene, strip, {60, 58}, {110, 90, theta});
     const Pose2D anchor = compose({110, 90, theta}, inverse(view.reference_in_anchor));
-    return refine(view.dense, SceneLevel(with_noise(scene, 3, 3), 0), anchor, 5).covariance;
+    return refine(view.dense, scene::SceneLevel(with_noise(scene, 3, 3), 0), anchor, 5).covariance;
   };
   const cv::Matx33d along_x = claim(0), along_y = claim(kPi / 2);
   EXPECT_GT(along_x(0, 0), 1.3 * along_x(1, 1));
@@ -231,18 +232,18 @@ TEST_F(RefinementTest, KnowsNothingOutsideThePicture) {
 }
 
 TEST(DisagreementTest, TellsHowFarApartBeyondTheClaims) {
-  const auto pull_to = [](const Motion& motion, double information) {
-    NormalEquations pull;
+  const auto pull_to = [](const numeric::Motion& motion, double information) {
+    numeric::NormalEquations pull;
     pull.information = information * cv::Matx44d::diag({1, 1, 400, 400});
     pull.vector = pull.information * motion;
     return pull;
   };
-  const Motion there(0.3, -0.2, 0.01, 0);
-  RandomEffects agreed(20), apart(20), ignorant(20);
+  const numeric::Motion there(0.3, -0.2, 0.01, 0);
+  numeric::RandomEffects agreed(20), apart(20), ignorant(20);
   for (const double information : {100.0, 400.0, 900.0}) {
     agreed.add(pull_to(there, information));
-    apart.add(pull_to(there + Motion(0.5, 0, 0, 0) * (information == 900), information));
-    ignorant.add(pull_to(there + Motion(0.5, 0, 0, 0) * (information == 900),
+    apart.add(pull_to(there + numeric::Motion(0.5, 0, 0, 0) * (information == 900), information));
+    ignorant.add(pull_to(there + numeric::Motion(0.5, 0, 0, 0) * (information == 900),
                          information == 900 ? information : 1e-6));
   }
   EXPECT_DOUBLE_EQ(agreed.variance(), 0);
@@ -252,12 +253,13 @@ TEST(DisagreementTest, TellsHowFarApartBeyondTheClaims) {
 }
 
 TEST(MotionPullTest, WhatIsLooseTellsLessOfThePlaceAndAsMuchOfNothing) {
-  NormalEquations pull;
+  numeric::NormalEquations pull;
   pull.information = cv::Matx44d(50, 3, 8, 2, 3, 40, -5, 1, 8, -5, 900, 4, 2, 1, 4, 700);
-  const Motion motion(0.2, -0.1, 0.01, 0.02);
+  const numeric::Motion motion(0.2, -0.1, 0.01, 0.02);
   pull.vector = pull.information * motion;
-  EXPECT_LT(cv::norm(marginalised_over_shift(pull, 1e-6).information - pull.information), 1e-6);
-  const NormalEquations loose = marginalised_over_shift(pull, 0.5);
+  EXPECT_LT(cv::norm(numeric::marginalised_over_shift(pull, 1e-6).information - pull.information),
+            1e-6);
+  const numeric::NormalEquations loose = numeric::marginalised_over_shift(pull, 0.5);
   EXPECT_LT(loose.information(0, 0), 1 / (0.5 * 0.5));
   EXPECT_LT(loose.information(1, 1), 1 / (0.5 * 0.5));
   // The rotation is known only up to the correlated shift.
@@ -267,15 +269,15 @@ TEST(MotionPullTest, WhatIsLooseTellsLessOfThePlaceAndAsMuchOfNothing) {
 }
 
 TEST(MotionPullTest, WhatIsLooseThroughoutTellsLessOfEverything) {
-  NormalEquations pull;
+  numeric::NormalEquations pull;
   pull.information = cv::Matx44d(50, 3, 8, 2, 3, 40, -5, 1, 8, -5, 90000, 4, 2, 1, 4, 70000);
-  const Motion motion(0.2, -0.1, 0.01, 0.02);
+  const numeric::Motion motion(0.2, -0.1, 0.01, 0.02);
   pull.vector = pull.information * motion;
-  const NormalEquations loose = marginalised_over_shift_and_turn(pull, 0.5, 20);
+  const numeric::NormalEquations loose = numeric::marginalised_over_shift_and_turn(pull, 0.5, 20);
   for (int k = 0; k < 4; ++k)
     EXPECT_LT(loose.information(k, k), (k < 2 ? 1.0 : 20.0 * 20.0) / (0.5 * 0.5)) << k;
   EXPECT_LT(cv::norm(loose.information * motion - loose.vector), 1e-9);
 }
 
 }  // namespace
-}  // namespace mbncc
+}  // namespace mbncc::refinement

@@ -7,7 +7,7 @@
 #include <opencv2/core.hpp>
 #include <stdexcept>
 
-namespace mbncc {
+namespace mbncc::scene {
 namespace {
 
 constexpr int kTop = 2;
@@ -93,4 +93,4 @@ TEST(ScenePool, BearsPicturesThatCannotBeSearched) {
 }
 
 }  // namespace
-}  // namespace mbncc
+}  // namespace mbncc::scene

@@ -7,20 +7,21 @@
 
 #include "matching/pictures.hpp"
 
-namespace mbncc {
+namespace mbncc::search {
 namespace {
 
 class ColourCastTest : public ::testing::Test {
  protected:
   static constexpr int kObjects = 3;
   std::vector<test::LearningPicture> sources_;
-  std::vector<PreparedObject> objects_;
+  std::vector<prepared::PreparedObject> objects_;
   cv::Mat picture_ = test::texture({480, 240}, 50, 4);
 
   ColourCastTest() {
     for (int k = 0; k < kObjects; ++k) {
       sources_.emplace_back(static_cast<std::uint64_t>(k));
-      objects_.emplace_back(test::object_from(sources_.back(), {58, 60, 0}), Engine::kFast);
+      objects_.emplace_back(test::object_from(sources_.back(), {58, 60, 0}),
+                            prepared::Engine::kFast);
       test::place(picture_, sources_.back(), anchor(k), pose(k));
     }
   }
@@ -31,10 +32,10 @@ class ColourCastTest : public ::testing::Test {
   }
   static Pose2D pose(int k) { return {90.0 + 150 * k, 120, 0.7 * k}; }
 
-  std::vector<std::vector<Detection>> found(int count, double log_odds = 6) const {
-    std::vector<std::vector<Detection>> all;
+  std::vector<std::vector<decision::Detection>> found(int count, double log_odds = 6) const {
+    std::vector<std::vector<decision::Detection>> all;
     for (std::size_t k = 0; k < static_cast<std::size_t>(count); ++k) {
-      Detection detection;
+      decision::Detection detection;
       detection.object = &objects_[k];
       detection.view = &objects_[k].views.front();
       detection.pose = pose(static_cast<int>(k));
@@ -50,7 +51,7 @@ class ColourCastTest : public ::testing::Test {
 };
 
 TEST_F(ColourCastTest, TellsTheGainsOfBlueAndRed) {
-  const ScenePicture scene(cast(picture_, 0.9, 1.1), 0);
+  const scene::ScenePicture scene(cast(picture_, 0.9, 1.1), 0);
   const auto told = colour_cast(found(kObjects), scene);
   ASSERT_TRUE(told);
   EXPECT_NEAR(std::exp(told->blue), 0.9, 0.015);
@@ -58,13 +59,14 @@ TEST_F(ColourCastTest, TellsTheGainsOfBlueAndRed) {
 }
 
 TEST_F(ColourCastTest, TellsNothingOfLightAsItWas) {
-  EXPECT_FALSE(colour_cast(found(kObjects), ScenePicture(picture_, 0)));
+  EXPECT_FALSE(colour_cast(found(kObjects), scene::ScenePicture(picture_, 0)));
   const cv::Mat darker = 0.8 * picture_;
-  EXPECT_FALSE(colour_cast(found(kObjects), ScenePicture(darker, 0))) << "brightness is no colour";
+  EXPECT_FALSE(colour_cast(found(kObjects), scene::ScenePicture(darker, 0)))
+      << "brightness is no colour";
 }
 
 TEST_F(ColourCastTest, BelievesNeitherOneAloneNorUnlikelyOnes) {
-  const ScenePicture scene(cast(picture_, 0.9, 1.1), 0);
+  const scene::ScenePicture scene(cast(picture_, 0.9, 1.1), 0);
   EXPECT_FALSE(colour_cast(found(1), scene));
   EXPECT_FALSE(colour_cast(found(kObjects, 0), scene));
   EXPECT_FALSE(colour_cast({}, scene));
@@ -74,7 +76,7 @@ TEST_F(ColourCastTest, BelievesNoneWhereTheyDisagree) {
   cv::Mat mixed = picture_.clone();
   cast(picture_, 0.8, 1.2)(cv::Rect(0, 0, 165, 240)).copyTo(mixed(cv::Rect(0, 0, 165, 240)));
   cast(picture_, 1.2, 0.8)(cv::Rect(165, 0, 150, 240)).copyTo(mixed(cv::Rect(165, 0, 150, 240)));
-  EXPECT_FALSE(colour_cast(found(kObjects), ScenePicture(mixed, 0)));
+  EXPECT_FALSE(colour_cast(found(kObjects), scene::ScenePicture(mixed, 0)));
 }
 
 TEST_F(ColourCastTest, ABalancedPictureIsAsItWas) {
@@ -84,4 +86,4 @@ TEST_F(ColourCastTest, ABalancedPictureIsAsItWas) {
 }
 
 }  // namespace
-}  // namespace mbncc
+}  // namespace mbncc::search

@@ -6,7 +6,7 @@
 
 #include "matching/pictures.hpp"
 
-namespace mbncc {
+namespace mbncc::search {
 namespace {
 
 const cv::Scalar kTint{-60, 0, 60};
@@ -16,18 +16,18 @@ class ColourRankingTest : public ::testing::Test {
   ColourRankingTest() {
     source_.surface += kTint;
     source_.surface.copyTo(source_.picture, source_.map);
-    object_ =
-        std::make_unique<PreparedObject>(test::object_from(source_, {60, 60, 0}), Engine::kFast);
+    object_ = std::make_unique<prepared::PreparedObject>(test::object_from(source_, {60, 60, 0}),
+                                                         prepared::Engine::kFast);
     cv::Mat picture = test::texture({320, 240}, 9, 4) - 0.5 * kTint;
     test::place(picture, source_, view().anchor, truth_);
-    scene_ = std::make_unique<ScenePicture>(picture, object_->top_level());
+    scene_ = std::make_unique<scene::ScenePicture>(picture, object_->top_level());
   }
 
-  const PreparedView& view() const { return object_->views.front(); }
+  const prepared::PreparedView& view() const { return object_->views.front(); }
 
   /// Poses over all the picture; the second last one is true, and of all of them last by edges.
-  std::vector<Candidate> poses() const {
-    std::vector<Candidate> poses;
+  std::vector<templates::Candidate> poses() const {
+    std::vector<templates::Candidate> poses;
     for (int x = 40; x <= 280; x += 20)
       for (int y = 40; y <= 200; y += 20)
         poses.push_back({{double(x), double(y), 0.1 * x}, 0, 0.6});
@@ -35,14 +35,14 @@ class ColourRankingTest : public ::testing::Test {
     return poses;
   }
 
-  bool is_truth(const Candidate& candidate) const {
+  bool is_truth(const templates::Candidate& candidate) const {
     return cv::norm(candidate.pose.position() - truth_.position()) < 1e-9;
   }
 
   const Pose2D truth_{170, 110, 0.7};
   test::LearningPicture source_{1};
-  std::unique_ptr<PreparedObject> object_;
-  std::unique_ptr<ScenePicture> scene_;
+  std::unique_ptr<prepared::PreparedObject> object_;
+  std::unique_ptr<scene::ScenePicture> scene_;
 };
 
 TEST_F(ColourRankingTest, TheObjectsColoursLiftItsPoseAboveBetterEdges) {
@@ -65,7 +65,7 @@ TEST_F(ColourRankingTest, MoreThanThereAreIsAll) {
 }
 
 TEST_F(ColourRankingTest, InAPictureTooSmallForColoursEdgesDecide) {
-  const ScenePicture small(test::texture({16, 16}, 3), 0);
+  const scene::ScenePicture small(test::texture({16, 16}, 3), 0);
   auto all = poses();
   all[7].value = 0.7;
   const auto best = best_by_colours(view(), small, all, 5);
@@ -74,4 +74,4 @@ TEST_F(ColourRankingTest, InAPictureTooSmallForColoursEdgesDecide) {
 }
 
 }  // namespace
-}  // namespace mbncc
+}  // namespace mbncc::search

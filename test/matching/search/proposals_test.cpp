@@ -9,7 +9,7 @@
 
 #include "matching/pictures.hpp"
 
-namespace mbncc {
+namespace mbncc::search {
 namespace {
 
 const cv::Point2d kReference{60, 60};
@@ -21,17 +21,17 @@ class ProposalsTest : public ::testing::Test {
   ProposalsTest() {
     source_.surface.setTo(kColour);
     source_.surface.copyTo(source_.picture, source_.map);
-    object_ = std::make_unique<PreparedObject>(
-        test::object_from(source_, {kReference.x, kReference.y, 0}), Engine::kFast);
+    object_ = std::make_unique<prepared::PreparedObject>(
+        test::object_from(source_, {kReference.x, kReference.y, 0}), prepared::Engine::kFast);
     free_ = test::texture({320, 240}, 40);
     test::place(free_, source_, kReference, kTruth);
   }
 
   /// The highest value of a proposal at the true pose; 0 if there is none.
   double value_at_truth(const cv::Mat& picture) const {
-    const PreparedView& view = object_->views.front();
-    const ScenePicture scene(picture, object_->top_level());
-    const SearchMask everywhere;
+    const prepared::PreparedView& view = object_->views.front();
+    const scene::ScenePicture scene(picture, object_->top_level());
+    const proposal::SearchMask everywhere;
     const Proposals proposals(view, scene, {{0, 0}, picture.size()}, everywhere);
     const Pose2D anchor = compose(kTruth, inverse(view.reference_in_anchor));
     double best = 0;
@@ -45,7 +45,7 @@ class ProposalsTest : public ::testing::Test {
   }
 
   test::LearningPicture source_{1};
-  std::unique_ptr<PreparedObject> object_;
+  std::unique_ptr<prepared::PreparedObject> object_;
   cv::Mat free_;
 };
 
@@ -59,4 +59,4 @@ TEST_F(ProposalsTest, TheVisiblePartKeepsItsValueWhereTheRestIsCovered) {
 }
 
 }  // namespace
-}  // namespace mbncc
+}  // namespace mbncc::search

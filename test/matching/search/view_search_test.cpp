@@ -9,7 +9,7 @@
 #include "matching/pictures.hpp"
 #include "matching/search/object_search.hpp"
 
-namespace mbncc {
+namespace mbncc::search {
 namespace {
 
 const cv::Point2d kReference{52, 60};
@@ -38,14 +38,16 @@ class ViewSearchTest : public ::testing::Test {
  protected:
   ViewSearchTest() : ViewSearchTest(hook()) {}
   explicit ViewSearchTest(const test::LearningPicture& source)
-      : source_(source), object_(test::object_from(source_, {52, 60, 0}), Engine::kFast) {}
+      : source_(source),
+        object_(test::object_from(source_, {52, 60, 0}), prepared::Engine::kFast) {}
 
-  std::vector<Detection> search(const cv::Mat& picture, SearchMode mode) const {
-    return search_view(object_, object_.views.front(), ScenePicture(picture, object_.top_level()),
-                       {{0, 0}, picture.size()}, mode);
+  std::vector<decision::Detection> search(const cv::Mat& picture, SearchMode mode) const {
+    return search_view(object_, object_.views.front(),
+                       scene::ScenePicture(picture, object_.top_level()), {{0, 0}, picture.size()},
+                       mode);
   }
 
-  static bool lies_at(const Detection& detection, const Pose2D& truth) {
+  static bool lies_at(const decision::Detection& detection, const Pose2D& truth) {
     const Pose2D pose = compose(detection.pose, detection.view->reference_in_anchor);
     return cv::norm(pose.position() - truth.position()) < 2 &&
            angle_distance(pose.theta, truth.theta) < to_radians(4.);
@@ -76,13 +78,13 @@ class ViewSearchTest : public ::testing::Test {
       test::place(picture, source_, kReference, truth);
       const auto detections = search(picture, mode);
       found += std::any_of(detections.begin(), detections.end(),
-                           [&](const Detection& one) { return lies_at(one, truth); });
+                           [&](const decision::Detection& one) { return lies_at(one, truth); });
     }
     return found;
   }
 
   test::LearningPicture source_;
-  PreparedObject object_;
+  prepared::PreparedObject object_;
 };
 
 TEST_F(ViewSearchTest, ASecondLookFindsColoursThatEdgesHide) {
@@ -123,30 +125,32 @@ TEST_F(WhiskeredPlateTest, MeetsItsHalfTurnWhereThePlateCoversItself) {
   const Pose2D truth{150, 120, 0.8};
   cv::Mat picture = test::texture({320, 240}, 77, 5);
   test::place(picture, source_, kReference, truth);
-  const PreparedView& view = object_.views.front();
+  const prepared::PreparedView& view = object_.views.front();
   const cv::Point anchor = compose(truth, inverse(view.reference_in_anchor)).position();
   const auto found =
-      search_view(object_, view, ScenePicture(picture, object_.top_level()),
+      search_view(object_, view, scene::ScenePicture(picture, object_.top_level()),
                   {anchor - cv::Point(10, 10), cv::Size(21, 21)}, SearchMode::kTwice);
   const cv::Point2d middle = cv::Point2d(49.5, 59.5) - kReference;  // of the plate
   const Pose2D half = compose(truth, {2 * middle.x, 2 * middle.y, kPi});
   ASSERT_FALSE(found.empty());
   EXPECT_TRUE(lies_at(found.front(), truth));
-  EXPECT_TRUE(std::any_of(found.begin(), found.end(), [&](const Detection& one) {
+  EXPECT_TRUE(std::any_of(found.begin(), found.end(), [&](const decision::Detection& one) {
     return lies_at(one, half);
   })) << "the search proposes nothing there";
 }
 
 TEST(SearchOccupied, AnObjectIsJudgedWhereAnotherOfItsSizeLies) {
   const test::LearningPicture source(1);
-  const PreparedObject object(test::object_from(source, {52, 60, 0}), Engine::kFast);
-  const PreparedView& view = object.views.front();
+  const prepared::PreparedObject object(test::object_from(source, {52, 60, 0}),
+                                        prepared::Engine::kFast);
+  const prepared::PreparedView& view = object.views.front();
   cv::Mat picture = test::texture({320, 240}, 77, 5);
   const Pose2D truth{150, 120, 0.8};
   test::place(picture, source, kReference, truth);
-  const ScenePicture scene(picture, object.top_level());
+  const scene::ScenePicture scene(picture, object.top_level());
   const Pose2D anchor = compose(truth, inverse(view.reference_in_anchor));
-  const auto judged = [&](double size, const cv::Rect& roi, const std::vector<Detection>& found) {
+  const auto judged = [&](double size, const cv::Rect& roi,
+                          const std::vector<decision::Detection>& found) {
     const Footprint there{{anchor.position(), size * view.shape.radius()},
                           size * size * cv::contourArea(view.outline)};
     return search_occupied(object, scene, roi, {there}, found);
@@ -156,7 +160,7 @@ TEST(SearchOccupied, AnObjectIsJudgedWhereAnotherOfItsSizeLies) {
   EXPECT_LT(cv::norm(detections.front().pose.position() - anchor.position()), 1);
   EXPECT_LT(angle_distance(detections.front().pose.theta, anchor.theta), to_radians(1.));
   EXPECT_TRUE(judged(1, {}, detections).empty()) << "found already";
-  std::vector<Detection> neighbour{detections.front()};
+  std::vector<decision::Detection> neighbour{detections.front()};
   neighbour.front().pose.x += 0.5 * view.shape.radius();
   EXPECT_FALSE(judged(1, {}, neighbour).empty()) << "a neighbour that covers it in part";
   EXPECT_TRUE(judged(1.3, {}, {}).empty()) << "larger things are no look-alikes";
@@ -164,4 +168,4 @@ TEST(SearchOccupied, AnObjectIsJudgedWhereAnotherOfItsSizeLies) {
 }
 
 }  // namespace
-}  // namespace mbncc
+}  // namespace mbncc::search

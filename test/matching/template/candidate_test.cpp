@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace mbncc {
+namespace mbncc::templates {
 namespace {
 
 Candidate at(double x, double degrees, double value) {
@@ -61,4 +61,4 @@ TEST(SuppressionTest, RotationsAtOnePlaceLeaveRoomForOtherPlaces) {
 }
 
 }  // namespace
-}  // namespace mbncc
+}  // namespace mbncc::templates

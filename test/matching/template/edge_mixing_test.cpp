@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace mbncc {
+namespace mbncc::templates {
 namespace {
 
 const cv::Size kSize{80, 60};
@@ -40,4 +40,4 @@ TEST(AlphaMatte, WithoutBackgroundThereIsNoMixture) {
 
 /// Colours of the template and at the same place before other backgrounds.
 }  // namespace
-}  // namespace mbncc
+}  // namespace mbncc::templates

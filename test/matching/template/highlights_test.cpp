@@ -6,7 +6,7 @@
 #include "matching/prepared/prepared_object.hpp"
 #include "mbncc/matching/matcher.hpp"
 
-namespace mbncc {
+namespace mbncc::templates {
 namespace {
 
 const cv::Rect kSpot(40, 70, 30, 14);  // [px] a seventh of the object
@@ -20,9 +20,9 @@ class HighlightsTest : public ::testing::Test {
     auto model = std::make_shared<ObjectModel>();
     model->name = "object";
     model->views.push_back(crop_view(learned, test::angle_map(), {58, 60, 0}));
-    const PreparedObject object(model, Engine::kFast);
-    const PreparedView& view = object.views.front();
-    const SceneLevel scene(picture, 0);
+    const prepared::PreparedObject object(model, prepared::Engine::kFast);
+    const prepared::PreparedView& view = object.views.front();
+    const scene::SceneLevel scene(picture, 0);
     scene.prepare();
     SurfaceSample sample;
     const Pose2D anchor = compose({58, 60, 0}, inverse(view.reference_in_anchor));
@@ -74,4 +74,4 @@ TEST_F(HighlightsTest, DoNotKeepAnObjectFromTheGrasp) {
 }
 
 }  // namespace
-}  // namespace mbncc
+}  // namespace mbncc::templates

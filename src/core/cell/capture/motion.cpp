@@ -7,7 +7,7 @@
 
 #include "learning/change/statistics.hpp"
 
-namespace mbncc {
+namespace mbncc::capture {
 namespace {
 
 constexpr int kWidth = 160;             // [px]
@@ -19,7 +19,7 @@ constexpr int kLeastPatch = 3;          // [px] small pixels, after opening
 
 float median_of(const cv::Mat& values) {
   std::vector<float> all = values.reshape(1, 1);
-  return median(all);
+  return change::median(all);
 }
 
 }  // namespace
@@ -44,10 +44,10 @@ bool has_moved(const cv::Mat& a, const cv::Mat& b) {
   const cv::Mat ratio = (b + 8) / (a + 8);
   const float gain = median_of(ratio);
   const cv::Mat difference = cv::abs(b + 8 - gain * (a + 8));
-  const double noise = deviation_of_mad(median_of(difference));
+  const double noise = change::deviation_of_mad(median_of(difference));
   cv::Mat moved = difference > std::clamp(kNoiseFactor * noise, kLeastDifference, kSureDifference);
   cv::morphologyEx(moved, moved, cv::MORPH_OPEN, cv::getStructuringElement(cv::MORPH_RECT, {2, 2}));
   return cv::countNonZero(moved) >= kLeastPatch;
 }
 
-}  // namespace mbncc
+}  // namespace mbncc::capture

@@ -4,7 +4,7 @@
 
 #include <opencv2/core.hpp>
 
-namespace mbncc {
+namespace mbncc::capture {
 
 /// Small grey version (CV_32FC1, about 160 px wide) of a CV_8UC3 picture, for has_moved().
 cv::Mat motion_picture(const cv::Mat& picture);
@@ -13,4 +13,4 @@ cv::Mat motion_picture(const cv::Mat& picture);
 /// exposure is not motion.
 bool has_moved(const cv::Mat& a, const cv::Mat& b);
 
-}  // namespace mbncc
+}  // namespace mbncc::capture

@@ -44,8 +44,8 @@ void SceneWatch::update(double stamp, const cv::Mat& picture) {
   if (stamp < last_stamp_ || picture.size() != size_) reset();
   last_stamp_ = stamp;
   size_ = picture.size();
-  const cv::Mat small = motion_picture(picture);
-  if (anchor_.empty() || has_moved(anchor_, small)) {
+  const cv::Mat small = capture::motion_picture(picture);
+  if (anchor_.empty() || capture::has_moved(anchor_, small)) {
     end_period();
     begin_candidate(stamp, small);
   } else if (still_ || stamp - anchor_stamp_ >= still_time_) {

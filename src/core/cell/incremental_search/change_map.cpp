@@ -50,7 +50,7 @@ cv::Scalar median_gain(const cv::Mat& cells, const cv::Mat& base) {
     for (int i = 0; i < count; i += kStride)
       ratios.push_back(static_cast<float>((now[i * channels + channel] + kDark) /
                                           (then[i * channels + channel] + kDark)));
-    gain[channel] = median(ratios);
+    gain[channel] = change::median(ratios);
   }
   return gain;
 }
@@ -105,7 +105,8 @@ double threshold_of(const cv::Mat& cells, const cv::Mat& base, const cv::Scalar&
   for (int i = 0; i < count; i += kStride)
     differences.push_back(
         static_cast<float>(std::abs(now[i] + kDark - gain[i % channels] * (then[i] + kDark))));
-  return std::clamp<double>(kNoiseFactor * median(differences), kLeastDifference, kSureDifference);
+  return std::clamp<double>(kNoiseFactor * change::median(differences), kLeastDifference,
+                            kSureDifference);
 }
 
 cv::Rect in_pixels(const cv::Rect& cells) {
@@ -139,7 +140,7 @@ struct Patches {
     count = cv::connectedComponentsWithStats(joined, labels, statistics, centroids);
   }
 
-  cv::Rect box(int label) const { return box_of_component(statistics, label); }
+  cv::Rect box(int label) const { return change::box_of_component(statistics, label); }
 
   cv::Mat labels, statistics;
   int count;  // label 0 is not a patch

@@ -6,7 +6,7 @@
 #include <opencv2/imgproc.hpp>
 #include <utility>
 
-namespace mbncc {
+namespace mbncc::incremental_search {
 namespace {
 
 constexpr double kOverhang = 0.35;  // of the radius: reference point to change, at most
@@ -324,4 +324,4 @@ cv::Rect FrameSearch::touching(const cv::Rect& box, const std::string& name) con
   return grown(box, cvCeil(memory_.sought.at(name).radius)) & search_.whole();
 }
 
-}  // namespace mbncc
+}  // namespace mbncc::incremental_search

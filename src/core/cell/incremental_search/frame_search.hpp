@@ -11,7 +11,7 @@
 #include "cell/incremental_search/search_memory.hpp"
 #include "mbncc/config/video_config.hpp"
 
-namespace mbncc {
+namespace mbncc::incremental_search {
 
 class FrameSearch {
  public:
@@ -61,4 +61,4 @@ class FrameSearch {
   RegionSearch search_;
 };
 
-}  // namespace mbncc
+}  // namespace mbncc::incremental_search

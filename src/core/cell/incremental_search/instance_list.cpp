@@ -7,7 +7,7 @@
 
 #include "matching/decision/conclusion.hpp"
 
-namespace mbncc {
+namespace mbncc::incremental_search {
 namespace {
 
 cv::Mat filled(const std::vector<cv::Point2f>& outline, const cv::Rect& box) {
@@ -56,7 +56,7 @@ Match Known::judged(const std::vector<std::string>& names, const SearchConfig& c
   const auto open = std::find_if(names.begin(), names.end(), is_open);
   if (open != names.end()) result.doubts.push_back({false, "not yet compared with " + *open});
   if (!compared_elsewhere) result.doubts.push_back({false, "not yet compared with other places"});
-  conclude(result, config);
+  decision::conclude(result, config);
   // The margin to an object that was not searched is unknown.
   if (open != names.end() || !compared_elsewhere)
     result.margin_place = std::min(0., result.margin_place);
@@ -132,4 +132,4 @@ bool InstanceList::is_explained(const Rival& rival) const {
   });
 }
 
-}  // namespace mbncc
+}  // namespace mbncc::incremental_search

@@ -11,7 +11,7 @@
 
 #include "mbncc/matching/matcher.hpp"
 
-namespace mbncc {
+namespace mbncc::incremental_search {
 
 struct Known {
   /// From the last search at its place; its competitors are those of the same object nearby.
@@ -91,4 +91,4 @@ class InstanceList {
   std::vector<Known> known_;
 };
 
-}  // namespace mbncc
+}  // namespace mbncc::incremental_search

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <utility>
 
-namespace mbncc {
+namespace mbncc::incremental_search {
 namespace {
 
 constexpr double kLeastReach = 16;   // [px]
@@ -75,4 +75,4 @@ std::vector<std::string> ObjectSchedule::unavailable() const {
   return names;
 }
 
-}  // namespace mbncc
+}  // namespace mbncc::incremental_search

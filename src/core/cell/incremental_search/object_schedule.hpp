@@ -9,7 +9,7 @@
 
 #include "mbncc/object_model.hpp"
 
-namespace mbncc {
+namespace mbncc::incremental_search {
 
 struct Sought {
   static constexpr double kNever = -1e18;  ///< [s] before any stamp
@@ -54,4 +54,4 @@ class ObjectSchedule {
   std::map<std::string, Sought> sought_;
 };
 
-}  // namespace mbncc
+}  // namespace mbncc::incremental_search

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-namespace mbncc {
+namespace mbncc::incremental_search {
 namespace {
 
 constexpr double kWaste = 1.3;  // area of a joint region relative to that of its parts
@@ -54,4 +54,4 @@ bool PendingRegions::is_open(const cv::Rect& region) const {
                      [&](const Pending& one) { return !(one.region & region).empty(); });
 }
 
-}  // namespace mbncc
+}  // namespace mbncc::incremental_search

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-namespace mbncc {
+namespace mbncc::incremental_search {
 
 class PendingRegions {
  public:
@@ -41,4 +41,4 @@ class PendingRegions {
   std::vector<Pending> pending_;  // oldest first
 };
 
-}  // namespace mbncc
+}  // namespace mbncc::incremental_search

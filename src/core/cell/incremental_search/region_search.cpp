@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-namespace mbncc {
+namespace mbncc::incremental_search {
 namespace {
 
 constexpr int kMargin = 12;          // [px] about what is looked at
@@ -67,4 +67,4 @@ cv::Rect RegionSearch::crop_about(const cv::Rect& region, double radius) const {
   return crop.area() < kMostCrop * whole().area() ? crop : whole();
 }
 
-}  // namespace mbncc
+}  // namespace mbncc::incremental_search

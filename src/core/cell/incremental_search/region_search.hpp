@@ -10,7 +10,7 @@
 
 #include "mbncc/matching/matcher.hpp"
 
-namespace mbncc {
+namespace mbncc::incremental_search {
 
 /// Searches of one picture, which `matcher` and `picture` outlive.
 class RegionSearch {
@@ -48,4 +48,4 @@ class RegionSearch {
 /// `rect` with `by` [px] more on every side.
 cv::Rect grown(const cv::Rect& rect, int by);
 
-}  // namespace mbncc
+}  // namespace mbncc::incremental_search

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-namespace mbncc {
+namespace mbncc::incremental_search {
 namespace {
 
 void keep_best(int most, std::vector<Match>& matches) {
@@ -46,4 +46,4 @@ SearchResult report_of(const SearchMemory& memory, const SearchConfig& config,
   return result;
 }
 
-}  // namespace mbncc
+}  // namespace mbncc::incremental_search

@@ -11,7 +11,7 @@
 #include "cell/incremental_search/pending_regions.hpp"
 #include "mbncc/cell/change_map.hpp"
 
-namespace mbncc {
+namespace mbncc::incremental_search {
 
 struct SearchMemory {
   SearchMemory(const SearchRequest& asked, const SearchConfig& config)
@@ -35,4 +35,4 @@ struct SearchMemory {
 SearchResult report_of(const SearchMemory& memory, const SearchConfig& config,
                        bool budget_exceeded);
 
-}  // namespace mbncc
+}  // namespace mbncc::incremental_search

@@ -29,7 +29,7 @@ struct VideoSearch::State {
     return picture == size && same_request(memory.request, request) && same_limits(limits, config);
   }
 
-  SearchMemory memory;
+  incremental_search::SearchMemory memory;
   SearchConfig limits;
   cv::Size size;
 };
@@ -49,7 +49,7 @@ SearchResult VideoSearch::find(const Matcher& matcher, double stamp, const cv::M
   const auto start = Clock::now();
   const bool anew = !state_ || !state_->serves(request, matcher.config(), picture.size());
   if (anew) state_ = std::make_unique<State>(request, matcher.config(), picture.size());
-  FrameSearch look(state_->memory, config_, matcher, stamp, picture);
+  incremental_search::FrameSearch look(state_->memory, config_, matcher, stamp, picture);
   SearchResult result = anew ? look.look_everywhere() : look.look_at_changes();
   result.search_time = std::chrono::duration<double>(Clock::now() - start).count();
   return result;

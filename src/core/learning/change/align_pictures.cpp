@@ -11,7 +11,7 @@
 #include "learning/change/statistics.hpp"
 #include "learning/change/strips.hpp"
 
-namespace mbncc {
+namespace mbncc::change {
 namespace {
 
 constexpr int kLeastRing = 40;          // [px] width of the ring
@@ -140,4 +140,4 @@ AlignedPair align_pictures(const cv::Mat& before, const cv::Mat& after, const cv
   return alignment.result();
 }
 
-}  // namespace mbncc
+}  // namespace mbncc::change

@@ -4,7 +4,7 @@
 
 #include <opencv2/core.hpp>
 
-namespace mbncc {
+namespace mbncc::change {
 
 struct AlignedPair {
   cv::Rect window;    ///< [px] of the pictures: the region and a ring of platform around it
@@ -19,4 +19,4 @@ struct AlignedPair {
 AlignedPair align_pictures(const cv::Mat& before, const cv::Mat& after, const cv::Rect& region,
                            const cv::Mat& changed, double max_shift);
 
-}  // namespace mbncc
+}  // namespace mbncc::change

@@ -8,7 +8,7 @@
 
 #include "learning/change/survey_size.hpp"
 
-namespace mbncc {
+namespace mbncc::change {
 namespace {
 
 constexpr float kLogCap = 4;                // of one pixel's evidence
@@ -150,4 +150,4 @@ cv::Mat departures(const cv::Mat& before, const cv::Mat& after, const cv::Mat& c
   return result;
 }
 
-}  // namespace mbncc
+}  // namespace mbncc::change

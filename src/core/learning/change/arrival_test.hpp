@@ -7,7 +7,7 @@
 
 #include "learning/change/colour_mixture.hpp"
 
-namespace mbncc {
+namespace mbncc::change {
 
 /// 255 on the connected patches of `changed` (CV_8UC1) that are certain arrivals and score clearly
 /// lower than the best other patch. Pictures are CV_32FC3, aligned; `platform` is the colour
@@ -27,4 +27,4 @@ std::vector<double> departure_scores(const cv::Mat& before, const cv::Mat& after
 /// picture before, so a lesson on it would teach bare platform. Computed at about 320 pixels width.
 cv::Mat departures(const cv::Mat& before, const cv::Mat& after, const cv::Mat& changed);
 
-}  // namespace mbncc
+}  // namespace mbncc::change

@@ -10,7 +10,7 @@
 #include "learning/change/statistics.hpp"
 #include "learning/change/strips.hpp"
 
-namespace mbncc {
+namespace mbncc::change {
 namespace {
 
 constexpr double kEnough = 8000;              // samples
@@ -187,4 +187,4 @@ cv::Point2d estimate_shift(const cv::Mat& before, const cv::Mat& after, const cv
   return fit.cost_of(shift).value < kClearGain * fit.cost_of({}).value ? shift : cv::Point2d();
 }
 
-}  // namespace mbncc
+}  // namespace mbncc::change

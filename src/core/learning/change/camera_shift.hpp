@@ -4,7 +4,7 @@
 
 #include <opencv2/core.hpp>
 
-namespace mbncc {
+namespace mbncc::change {
 
 /// Luminance of a CV_32FC3 picture, lightly smoothed (sigma 1.5): input of the shift estimation.
 cv::Mat smooth_luminance(const cv::Mat& picture);
@@ -18,4 +18,4 @@ cv::Point2d estimate_shift(const cv::Mat& before, const cv::Mat& after, const cv
 /// `picture` (floats) moved so that it shows at x what it showed at x + shift.
 cv::Mat undo_shift(const cv::Mat& picture, const cv::Point2d& shift);
 
-}  // namespace mbncc
+}  // namespace mbncc::change

@@ -31,7 +31,7 @@ constexpr double kBlackLevel = 10;      // [grey levels] possible black level of
 // CV_32FC1 of a CV_8UC3 picture times `gain` per channel.
 cv::Mat grey_of(const cv::Mat& picture, const cv::Scalar& gain) {
   cv::Mat grey(picture.size(), CV_32FC1), strip;
-  for_each_strip(picture.rows, [&](const cv::Range& rows) {
+  change::for_each_strip(picture.rows, [&](const cv::Range& rows) {
     cv::multiply(picture.rowRange(rows), gain, strip, 1, CV_32F);
     cv::Mat part = grey.rowRange(rows);
     cv::cvtColor(strip, part, cv::COLOR_BGR2GRAY);
@@ -48,9 +48,9 @@ double mean_difference(const cv::Mat& before, const cv::Mat& after) {
 
 // By phase correlation, used only if it explains the pictures.
 cv::Point2d coarse_shift(const cv::Mat& before, const cv::Mat& after) {
-  const cv::Point2d shift = phase_shift(before, after);
+  const cv::Point2d shift = change::phase_shift(before, after);
   const cv::Rect inner(before.cols / 4, before.rows / 4, before.cols / 2, before.rows / 2);
-  const cv::Mat moved = undo_shift(after, shift);
+  const cv::Mat moved = change::undo_shift(after, shift);
   const bool explains = mean_difference(before(inner), moved(inner)) <
                         kClearGain * mean_difference(before(inner), after(inner));
   return explains ? shift : cv::Point2d();
@@ -60,7 +60,7 @@ cv::Point2d coarse_shift(const cv::Mat& before, const cv::Mat& after) {
 // 3 x 3.
 cv::Mat difference_of(const cv::Mat& before, const cv::Mat& after, const cv::Scalar& gain) {
   cv::Mat difference(before.size(), CV_32FC1), b, a;
-  for_each_strip(before.rows, [&](const cv::Range& rows) {
+  change::for_each_strip(before.rows, [&](const cv::Range& rows) {
     before.rowRange(rows).convertTo(b, CV_32F);
     cv::multiply(after.rowRange(rows), gain, a, 1, CV_32F);
     cv::absdiff(b, a, a);
@@ -77,7 +77,7 @@ float change_threshold(const cv::Mat& difference) {
   for (int y = 0; y < difference.rows; y += kSampling)
     for (int x = 0; x < difference.cols; x += kSampling)
       values.push_back(difference.at<float>(y, x));
-  return std::clamp(kNoiseFactor * median(values), kLeastDifference, kSureDifference);
+  return std::clamp(kNoiseFactor * change::median(values), kLeastDifference, kSureDifference);
 }
 
 struct Patch {
@@ -95,7 +95,7 @@ std::vector<Patch> joined_patches(const cv::Mat& changed, cv::Mat& labels) {
   const int count = cv::connectedComponentsWithStats(joined, labels, stats, centres, 8, CV_32S);
   std::vector<Patch> patches;
   for (int i = 1; i < count; ++i)
-    patches.push_back({box_of_component(stats, i), stats.at<int>(i, cv::CC_STAT_AREA)});
+    patches.push_back({change::box_of_component(stats, i), stats.at<int>(i, cv::CC_STAT_AREA)});
   return patches;
 }
 
@@ -109,30 +109,31 @@ double exposure_change(double gain, double contrast, double brightness) {
 
 cv::Rect with_margin(const cv::Rect& box, bool noisy) {
   const double part = noisy ? kNoisyMargin : kMargin;
-  return grown(box, std::max(8, static_cast<int>(part * std::max(box.width, box.height))));
+  return change::grown(box, std::max(8, static_cast<int>(part * std::max(box.width, box.height))));
 }
 
 }  // namespace
 
 ChangeSurvey survey_change(const cv::Mat& before, const cv::Mat& after) {
-  const cv::Mat b = survey_sized(before);
-  cv::Mat a = survey_sized(after);
+  const cv::Mat b = change::survey_sized(before);
+  cv::Mat a = change::survey_sized(after);
   ChangeSurvey survey;
-  const Exposure exposure = exposure_of(b, a);
+  const change::Exposure exposure = change::exposure_of(b, a);
   survey.unevenness = exposure.unevenness;
   cv::Scalar light(exposure.gain[0], exposure.gain[1], exposure.gain[2]);
   const cv::Mat grey_before = grey_of(b, cv::Scalar::all(1));
   cv::Mat grey_after = grey_of(a, light);
   const cv::Point2d shift = coarse_shift(grey_before, grey_after);
-  survey.shift = shift / survey_scale(before.cols);
+  survey.shift = shift / change::survey_scale(before.cols);
   if (shift != cv::Point2d()) {
     cv::Mat lit;
     cv::multiply(a, light, lit, 1, CV_32F);
-    a = undo_shift(lit, shift);
+    a = change::undo_shift(lit, shift);
     light = cv::Scalar::all(1);
     grey_after = grey_of(a, light);
   }
-  const TextureChange texture = texture_change(grey_before, grey_after, 255 * exposure.mean);
+  const change::TextureChange texture =
+      change::texture_change(grey_before, grey_after, 255 * exposure.mean);
   survey.displaced = texture.displaced;
   survey.exposure = exposure_change(exposure.mean, texture.contrast, cv::mean(grey_after)[0]);
 

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-namespace mbncc {
+namespace mbncc::change {
 namespace {
 
 constexpr int kMostComponents = 5;
@@ -205,4 +205,4 @@ float ColourMixture::density(const cv::Vec3f& colour) const {
   return sum;
 }
 
-}  // namespace mbncc
+}  // namespace mbncc::change

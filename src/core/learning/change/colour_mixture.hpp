@@ -5,7 +5,7 @@
 #include <opencv2/core.hpp>
 #include <vector>
 
-namespace mbncc {
+namespace mbncc::change {
 
 class ColourMixture {
  public:
@@ -36,4 +36,4 @@ class ColourMixture {
   std::vector<Component> components_;
 };
 
-}  // namespace mbncc
+}  // namespace mbncc::change

@@ -8,7 +8,7 @@
 
 #include "learning/change/statistics.hpp"
 
-namespace mbncc {
+namespace mbncc::change {
 namespace {
 
 constexpr int kSampling = 2;  // [px]
@@ -63,4 +63,4 @@ Exposure exposure_of(const cv::Mat& before, const cv::Mat& after) {
   return exposure;
 }
 
-}  // namespace mbncc
+}  // namespace mbncc::change

@@ -4,7 +4,7 @@
 
 #include <opencv2/core.hpp>
 
-namespace mbncc {
+namespace mbncc::change {
 
 struct Exposure {
   cv::Vec3f gain{1, 1, 1};  ///< gain that makes the picture after as bright as the one before
@@ -16,4 +16,4 @@ struct Exposure {
 /// pictures are CV_8UC3 and of one size.
 Exposure exposure_of(const cv::Mat& before, const cv::Mat& after);
 
-}  // namespace mbncc
+}  // namespace mbncc::change

@@ -4,7 +4,7 @@
 
 #include <opencv2/imgproc.hpp>
 
-namespace mbncc {
+namespace mbncc::change {
 
 /// Rounded sizes; `interpolation` is one of cv::InterpolationFlags.
 inline cv::Mat half_size(const cv::Mat& picture, int interpolation) {
@@ -13,4 +13,4 @@ inline cv::Mat half_size(const cv::Mat& picture, int interpolation) {
   return half;
 }
 
-}  // namespace mbncc
+}  // namespace mbncc::change

@@ -8,7 +8,7 @@
 
 #include "learning/change/half_size.hpp"
 
-namespace mbncc {
+namespace mbncc::change {
 namespace {
 
 // All lengths are pixels of the halved pictures.
@@ -111,4 +111,4 @@ cv::Mat moved_neighbours(const cv::Mat& before, const cv::Mat& after, const cv::
   return result & changed;
 }
 
-}  // namespace mbncc
+}  // namespace mbncc::change

@@ -4,7 +4,7 @@
 
 #include <opencv2/core.hpp>
 
-namespace mbncc {
+namespace mbncc::change {
 
 /// 255 on the pixels of `changed` (CV_8UC1) whose surroundings in `before` are found within about
 /// 16 pixels in `after`, displaced like their neighbours. Pictures are CV_32FC3, aligned; `sigma`
@@ -12,4 +12,4 @@ namespace mbncc {
 cv::Mat moved_neighbours(const cv::Mat& before, const cv::Mat& after, const cv::Mat& changed,
                          float sigma);
 
-}  // namespace mbncc
+}  // namespace mbncc::change

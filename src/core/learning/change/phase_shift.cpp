@@ -5,7 +5,7 @@
 #include <limits>
 #include <vector>
 
-namespace mbncc {
+namespace mbncc::change {
 namespace {
 
 constexpr int kAround = 2;  // [px] of a peak used for its sub-pixel position
@@ -96,4 +96,4 @@ cv::Point2d phase_shift(const cv::Mat& before, const cv::Mat& after) {
   return -peak_of(correlation);
 }
 
-}  // namespace mbncc
+}  // namespace mbncc::change

@@ -7,7 +7,7 @@
 
 #include "learning/change/statistics.hpp"
 
-namespace mbncc {
+namespace mbncc::change {
 namespace {
 
 constexpr int kFinestStep = 3;        // [px] sampling of the pictures
@@ -139,4 +139,4 @@ cv::Mat apply_light(const cv::Mat& after, const Light& light, const cv::Range& r
   return lit;
 }
 
-}  // namespace mbncc
+}  // namespace mbncc::change

@@ -7,7 +7,7 @@
 
 #include "learning/change/colour_mixture.hpp"
 
-namespace mbncc {
+namespace mbncc::change {
 namespace {
 
 constexpr double kSmoothing = 1;  // [px]
@@ -43,4 +43,4 @@ double platform_likeness(const cv::Mat& before, const cv::Mat& after, const cv::
   return cv::countNonZero(alike & object) / static_cast<double>(cv::countNonZero(object));
 }
 
-}  // namespace mbncc
+}  // namespace mbncc::change

@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <cstring>
 
-namespace mbncc {
+namespace mbncc::change {
 namespace {
 
 constexpr std::size_t kFew = 200;  // values that are sorted directly
@@ -71,4 +71,4 @@ float quantile(std::vector<float>& values, double q) {
   return *at;
 }
 
-}  // namespace mbncc
+}  // namespace mbncc::change

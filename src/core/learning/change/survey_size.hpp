@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <opencv2/imgproc.hpp>
 
-namespace mbncc {
+namespace mbncc::change {
 
 constexpr int kSurveyWidth = 320;  ///< [px]
 
@@ -22,4 +22,4 @@ inline cv::Mat survey_sized(const cv::Mat& picture) {
   return small;
 }
 
-}  // namespace mbncc
+}  // namespace mbncc::change

@@ -9,7 +9,7 @@
 
 #include "learning/change/statistics.hpp"
 
-namespace mbncc {
+namespace mbncc::change {
 namespace {
 
 constexpr int kTextureBox = 15;       // [px] texture is compared in such squares
@@ -79,4 +79,4 @@ TextureChange texture_change(const cv::Mat& before, const cv::Mat& after, double
           contrasts.size() < kFewest ? 1 : median(contrasts)};
 }
 
-}  // namespace mbncc
+}  // namespace mbncc::change

@@ -5,7 +5,7 @@
 
 #include <opencv2/core.hpp>
 
-namespace mbncc {
+namespace mbncc::change {
 
 struct TextureChange {
   /// Part of the textured squares [0..1] that do not correlate with the other picture. Light and
@@ -23,4 +23,4 @@ struct TextureChange {
 /// which has been made as bright.
 TextureChange texture_change(const cv::Mat& before, const cv::Mat& after, double white);
 
-}  // namespace mbncc
+}  // namespace mbncc::change

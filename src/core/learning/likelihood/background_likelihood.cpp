@@ -10,7 +10,7 @@
 #include "learning/likelihood/normalized_difference.hpp"
 #include "learning/likelihood/texture_loss.hpp"
 
-namespace mbncc {
+namespace mbncc::likelihood {
 namespace {
 
 constexpr float kStudentFreedom = 30;       // tails of the unchanged term
@@ -172,7 +172,8 @@ float log_uniform_colour() {
 }
 
 BackgroundLikelihood background_likelihood(const cv::Mat& before, const cv::Mat& after,
-                                           const NoiseModel& noise, const ColourMixture& platform,
+                                           const NoiseModel& noise,
+                                           const change::ColourMixture& platform,
                                            float darkest_shadow) {
   const cv::Mat variance = noise.variance_picture(after), light = remaining_light(before, after);
   const cv::Mat lost = texture_loss(before, after, plausible(light, darkest_shadow), variance);
@@ -198,4 +199,4 @@ BackgroundLikelihood background_likelihood(const cv::Mat& before, const cv::Mat&
   return result;
 }
 
-}  // namespace mbncc
+}  // namespace mbncc::likelihood

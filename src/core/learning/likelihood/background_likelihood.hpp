@@ -7,7 +7,7 @@
 #include "learning/change/colour_mixture.hpp"
 #include "learning/likelihood/noise_model.hpp"
 
-namespace mbncc {
+namespace mbncc::likelihood {
 
 /// Densities are relative to that of a colour drawn uniformly from all 8-bit colours.
 struct BackgroundLikelihood {
@@ -24,7 +24,8 @@ constexpr float kDarkestShadow =
 /// `before` and `after` are CV_32FC3, aligned. `platform` is the ring's colour mixture; it may be
 /// empty.
 BackgroundLikelihood background_likelihood(const cv::Mat& before, const cv::Mat& after,
-                                           const NoiseModel& noise, const ColourMixture& platform,
+                                           const NoiseModel& noise,
+                                           const change::ColourMixture& platform,
                                            float darkest_shadow = kDarkestShadow);
 
-}  // namespace mbncc
+}  // namespace mbncc::likelihood

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <opencv2/imgproc.hpp>
 
-namespace mbncc {
+namespace mbncc::likelihood {
 namespace {
 
 constexpr float kFreedom = 3;       // channels: the mean squared distance of what is explained
@@ -58,4 +58,4 @@ cv::Mat faint_change(const Misfit& misfit, const cv::Mat& after, const cv::Mat& 
   return faint & wide;
 }
 
-}  // namespace mbncc
+}  // namespace mbncc::likelihood

@@ -4,7 +4,7 @@
 
 #include <opencv2/core.hpp>
 
-namespace mbncc {
+namespace mbncc::likelihood {
 
 /// Squared distances of the picture before from what would explain it [variances], CV_32FC1.
 struct Misfit {
@@ -17,4 +17,4 @@ struct Misfit {
 cv::Mat faint_change(const Misfit& misfit, const cv::Mat& after, const cv::Mat& variance,
                      float tail, const cv::Mat& sure);
 
-}  // namespace mbncc
+}  // namespace mbncc::likelihood

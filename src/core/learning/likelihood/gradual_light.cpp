@@ -6,7 +6,7 @@
 #include <opencv2/imgproc.hpp>
 #include <vector>
 
-namespace mbncc {
+namespace mbncc::likelihood {
 namespace {
 
 constexpr double kBlur = 1.2;          // [px]
@@ -136,4 +136,4 @@ cv::Mat gradual_light(const cv::Mat& before, const cv::Mat& after, const cv::Mat
           (texture_loss < 0));
 }
 
-}  // namespace mbncc
+}  // namespace mbncc::likelihood

@@ -5,7 +5,7 @@
 
 #include <opencv2/core.hpp>
 
-namespace mbncc {
+namespace mbncc::likelihood {
 
 /// [grey levels / px] Slope of `before` minus `after` in the light of `before`: root of the squares
 /// summed over the channels. Both CV_32FC3 of one size; CV_32FC1.
@@ -24,4 +24,4 @@ cv::Mat barrier_from_frame(const cv::Mat& heights, const cv::Mat& closed = {});
 cv::Mat gradual_light(const cv::Mat& before, const cv::Mat& after, const cv::Mat& changed,
                       const cv::Mat& texture_loss, float sigma);
 
-}  // namespace mbncc
+}  // namespace mbncc::likelihood

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <opencv2/core/hal/intrin.hpp>
 
-namespace mbncc {
+namespace mbncc::likelihood {
 namespace {
 
 constexpr int kDirections = 8;
@@ -88,4 +88,4 @@ LineEvidence line_evidence(const cv::Mat& preference) {
   return {best.parts.colRange(0, preference.cols), best.gaps.colRange(0, preference.cols)};
 }
 
-}  // namespace mbncc
+}  // namespace mbncc::likelihood

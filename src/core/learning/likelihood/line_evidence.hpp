@@ -4,7 +4,7 @@
 
 #include <opencv2/core.hpp>
 
-namespace mbncc {
+namespace mbncc::likelihood {
 
 /// Of every pixel, CV_32FC1; -3 where there is none.
 struct LineEvidence {
@@ -16,4 +16,4 @@ struct LineEvidence {
 /// than 3. Structures 9 px or more wide are not lines.
 LineEvidence line_evidence(const cv::Mat& preference);
 
-}  // namespace mbncc
+}  // namespace mbncc::likelihood

@@ -7,7 +7,7 @@
 
 #include "learning/change/align_pictures.hpp"
 
-namespace mbncc {
+namespace mbncc::likelihood {
 
 /// Variance of before - after on unchanged platform:
 ///   sigma(channel, brightness)^2 + gradient_part |gradient|^2,
@@ -34,6 +34,6 @@ struct NoiseModel {
 };
 
 /// Learns the model from the trusted pixels of the pair.
-NoiseModel learn_noise(const AlignedPair& pair);
+NoiseModel learn_noise(const change::AlignedPair& pair);
 
-}  // namespace mbncc
+}  // namespace mbncc::likelihood

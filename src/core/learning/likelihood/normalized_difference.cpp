@@ -5,7 +5,7 @@
 #include <cmath>
 #include <vector>
 
-namespace mbncc {
+namespace mbncc::likelihood {
 namespace {
 
 constexpr float kFarNeighbour = 6;  // a neighbour's distance counts no more than this
@@ -52,4 +52,4 @@ void pool(cv::Mat& values) {
   }
 }
 
-}  // namespace mbncc
+}  // namespace mbncc::likelihood

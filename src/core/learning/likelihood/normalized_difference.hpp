@@ -4,7 +4,7 @@
 
 #include <opencv2/core.hpp>
 
-namespace mbncc {
+namespace mbncc::likelihood {
 
 /// Squared Mahalanobis distance between the pictures (CV_32FC3) per pixel, CV_32FC1.
 cv::Mat normalized_difference(const cv::Mat& before, const cv::Mat& predicted,
@@ -17,4 +17,4 @@ constexpr float kPooledPart = 0.7F;
 /// much larger distances have little weight, so that a change does not spread beyond its border.
 void pool(cv::Mat& values);
 
-}  // namespace mbncc
+}  // namespace mbncc::likelihood

@@ -7,7 +7,7 @@
 #include "learning/likelihood/background_likelihood.hpp"
 #include "learning/likelihood/line_evidence.hpp"
 
-namespace mbncc {
+namespace mbncc::likelihood {
 namespace {
 
 constexpr float kAnyColour = 0.05F;  // part of the object's pixels in colours not seen yet
@@ -31,7 +31,7 @@ cv::Mat rim_of(const cv::Mat& map) {
 
 }  // namespace
 
-cv::Mat relative_density(const ColourMixture& mixture, const cv::Mat& picture) {
+cv::Mat relative_density(const change::ColourMixture& mixture, const cv::Mat& picture) {
   return mixture.densities(picture) * std::exp(-log_uniform_colour());
 }
 
@@ -48,7 +48,7 @@ cv::Mat colour_weights(const cv::Mat& changed, const cv::Mat& map) {
 
 // Blur and pooling spread change over the outline, so pixels at a known outline need higher
 // log-odds.
-cv::Mat object_preference(const cv::Mat& before, const ColourMixture& object,
+cv::Mat object_preference(const cv::Mat& before, const change::ColourMixture& object,
                           const cv::Mat& background, const cv::Mat& last_map) {
   cv::Mat preference;
   cv::log((1 - kAnyColour) * relative_density(object, before) + kAnyColour, preference);
@@ -60,4 +60,4 @@ cv::Mat object_preference(const cv::Mat& before, const ColourMixture& object,
   return cv::max(cv::min(preference, kHighestPreference), -kHighestPreference);
 }
 
-}  // namespace mbncc
+}  // namespace mbncc::likelihood

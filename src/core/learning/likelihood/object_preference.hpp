@@ -6,12 +6,12 @@
 
 #include "learning/change/colour_mixture.hpp"
 
-namespace mbncc {
+namespace mbncc::likelihood {
 
 constexpr float kHighestPreference = 60;
 
 /// Density of each pixel of `picture` (CV_32FC3) relative to the uniform one, CV_32FC1.
-cv::Mat relative_density(const ColourMixture& mixture, const cv::Mat& picture);
+cv::Mat relative_density(const change::ColourMixture& mixture, const cv::Mat& picture);
 
 /// Weights of the pixels of `map` (CV_8UC1) for the object's colours, CV_32FC1 [0..1]. `changed`
 /// is BackgroundLikelihood's.
@@ -20,7 +20,7 @@ cv::Mat colour_weights(const cv::Mat& changed, const cv::Mat& map);
 /// Log-odds of the object in `before` (CV_32FC3), CV_32FC1 of at most +-kHighestPreference.
 /// `background` is BackgroundLikelihood's log_ratio, `last_map` the cut before (CV_8UC1), empty
 /// when there was none.
-cv::Mat object_preference(const cv::Mat& before, const ColourMixture& object,
+cv::Mat object_preference(const cv::Mat& before, const change::ColourMixture& object,
                           const cv::Mat& background, const cv::Mat& last_map);
 
-}  // namespace mbncc
+}  // namespace mbncc::likelihood

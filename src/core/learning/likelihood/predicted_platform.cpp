@@ -8,7 +8,7 @@
 #include "learning/change/rectangles.hpp"
 #include "learning/change/statistics.hpp"
 
-namespace mbncc {
+namespace mbncc::likelihood {
 namespace {
 
 constexpr int kLeastRing = 12;          // [px] width of the ring
@@ -62,7 +62,7 @@ std::vector<float> misfits(const std::vector<Sample>& samples, const Surface& su
 }
 
 float spread_of(std::vector<float> misfits) {
-  return std::max(kLeastSpread, deviation_of_mad(median(misfits)));
+  return std::max(kLeastSpread, change::deviation_of_mad(change::median(misfits)));
 }
 
 Surface reweighted(const std::vector<Sample>& samples, const std::vector<float>& misfits,
@@ -87,7 +87,7 @@ cv::Vec3f median_colour(const std::vector<Sample>& samples) {
   for (int c = 0; c < 3; ++c) {
     std::vector<float> values;
     for (const Sample& sample : samples) values.push_back(sample.colour[c]);
-    colour[c] = median(values);
+    colour[c] = change::median(values);
   }
   return colour;
 }
@@ -105,11 +105,11 @@ Surface fit_surface(const std::vector<Sample>& samples) {
 
 }  // namespace
 
-AlignedPair predict_platform(const cv::Mat& before, const cv::Rect& region) {
+change::AlignedPair predict_platform(const cv::Mat& before, const cv::Rect& region) {
   const int width =
       std::max(kLeastRing, static_cast<int>(kRingPart * std::max(region.width, region.height)));
-  AlignedPair pair;
-  pair.window = grown(region, width) & cv::Rect({0, 0}, before.size());
+  change::AlignedPair pair;
+  pair.window = change::grown(region, width) & cv::Rect({0, 0}, before.size());
   before(pair.window).convertTo(pair.before, CV_32F);
   cv::Mat ring(pair.window.size(), CV_8UC1, cv::Scalar(255));
   ring(region - pair.window.tl()).setTo(0);
@@ -130,4 +130,4 @@ AlignedPair predict_platform(const cv::Mat& before, const cv::Rect& region) {
   return pair;
 }
 
-}  // namespace mbncc
+}  // namespace mbncc::likelihood

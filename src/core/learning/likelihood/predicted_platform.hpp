@@ -7,11 +7,11 @@
 
 #include "learning/change/align_pictures.hpp"
 
-namespace mbncc {
+namespace mbncc::likelihood {
 
 /// `before` (CV_8UC3) and, as `after`, the second-degree surface that fits the colours of the ring
 /// around `region` best (least squares with Tukey's weights). `trusted` are the ring's pixels that
 /// it explains; all of the ring where it explains less than half.
-AlignedPair predict_platform(const cv::Mat& before, const cv::Rect& region);
+change::AlignedPair predict_platform(const cv::Mat& before, const cv::Rect& region);
 
-}  // namespace mbncc
+}  // namespace mbncc::likelihood

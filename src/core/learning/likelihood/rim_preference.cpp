@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <opencv2/imgproc.hpp>
 
-namespace mbncc {
+namespace mbncc::likelihood {
 namespace {
 
 constexpr int kReach = 2;              // [px] half the width of the rim
@@ -96,4 +96,4 @@ RimPreference rim_preference(const cv::Mat& before, const cv::Mat& platform, con
   return rim;
 }
 
-}  // namespace mbncc
+}  // namespace mbncc::likelihood

@@ -5,7 +5,7 @@
 
 #include <opencv2/core.hpp>
 
-namespace mbncc {
+namespace mbncc::likelihood {
 
 /// Log-odds of object against background, CV_32FC1 of the images' size.
 struct RimPreference {
@@ -20,4 +20,4 @@ struct RimPreference {
 RimPreference rim_preference(const cv::Mat& before, const cv::Mat& platform, const cv::Mat& map,
                              float sigma);
 
-}  // namespace mbncc
+}  // namespace mbncc::likelihood

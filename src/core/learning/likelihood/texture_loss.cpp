@@ -3,7 +3,7 @@
 
 #include <opencv2/imgproc.hpp>
 
-namespace mbncc {
+namespace mbncc::likelihood {
 namespace {
 
 constexpr int kFine = 7;            // [px] texture is the deviation from the mean over this square
@@ -55,4 +55,4 @@ cv::Mat texture_loss(const cv::Mat& before, const cv::Mat& after, const cv::Mat&
   return kSamples / 2 * loss;
 }
 
-}  // namespace mbncc
+}  // namespace mbncc::likelihood

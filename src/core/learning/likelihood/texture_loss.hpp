@@ -5,7 +5,7 @@
 
 #include <opencv2/core.hpp>
 
-namespace mbncc {
+namespace mbncc::likelihood {
 
 /// Log-odds, per pixel, that the texture of `after` is covered in `before` rather than dimmed by
 /// the factor `light` (CV_32FC1); about 0 without texture. `before`, `after` and `variance`, that
@@ -13,4 +13,4 @@ namespace mbncc {
 cv::Mat texture_loss(const cv::Mat& before, const cv::Mat& after, const cv::Mat& light,
                      const cv::Mat& variance);
 
-}  // namespace mbncc
+}  // namespace mbncc::likelihood

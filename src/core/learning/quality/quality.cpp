@@ -38,17 +38,18 @@ Quality assess_quality(const ObjectModel& object, const cv::Mat& before, const c
                        const std::optional<CutEvidence>& evidence, const LearningConfig& config,
                        const SearchConfig& search) {
   const View& view = object.views.front();
-  const cv::Rect around = surroundings(view);
+  const cv::Rect around = segmentation::surroundings(view);
   const cv::Mat map = map_within(view, around);
   Quality quality;
-  measure_map(before(around), map, quality);
-  if (!changed.empty()) quality.change_agreement = change_agreement(changed(around), map);
+  segmentation::measure_map(before(around), map, quality);
+  if (!changed.empty())
+    quality.change_agreement = segmentation::change_agreement(changed(around), map);
   const MeasuredSymmetry measured = measure_symmetry(view);
   quality.symmetry = object.symmetry.value_or(measured.certain);
-  search_itself(with_known_symmetry(object, quality.symmetry), before, search, quality);
-  const RotationProfile profile(view, before);
+  quality::search_itself(with_known_symmetry(object, quality.symmetry), before, search, quality);
+  const quality::RotationProfile profile(view, before);
   quality.angle_halfwidth = profile.fall_to((quality.self_score + quality.runner_up) / 2);
-  decide(quality, touches_border(map), evidence, config, search);
+  quality::decide(quality, segmentation::touches_border(map), evidence, config, search);
   if (!object.symmetry && measured.possible != measured.certain)
     propose(measured.possible, quality);
   return quality;

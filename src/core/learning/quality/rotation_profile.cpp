@@ -9,7 +9,7 @@
 #include "learning/change/rectangles.hpp"
 #include "mbncc/matching/similarity.hpp"
 
-namespace mbncc {
+namespace mbncc::quality {
 namespace {
 
 constexpr int kEnoughPoints = 300;  // the profile needs no more
@@ -35,16 +35,17 @@ RotationProfile::RotationProfile(const View& view, const cv::Mat& picture) {
   const cv::Point2d centre = centroid(view.map);
   const int reach = static_cast<int>(2 * excircle(view.map).radius) + 4;
   cv::Mat part;
-  const cv::Rect around = grown(cv::Rect(cv::Point(centre) + view.origin, cv::Size(1, 1)), reach) &
-                          cv::Rect({0, 0}, picture.size());
+  const cv::Rect around =
+      change::grown(cv::Rect(cv::Point(centre) + view.origin, cv::Size(1, 1)), reach) &
+      cv::Rect({0, 0}, picture.size());
   const cv::Mat map = map_within(view, around);
   cv::cvtColor(picture(around), part, cv::COLOR_BGR2GRAY);
   const cv::Point2d anchor = centre + cv::Point2d(view.origin - around.tl());
 
   const int level = level_for(cv::countNonZero(map));
   const MaskedTemplate points = points_of(part, map, anchor, level);
-  const cv::Mat at_level = build_pyramid(part, level).back();
-  const cv::Point2d pivot = to_level(anchor, level);
+  const cv::Mat at_level = imaging::build_pyramid(part, level).back();
+  const cv::Point2d pivot = imaging::to_level(anchor, level);
   for (int step = 0; step < kSteps; ++step) {
     const Pose2D turned{pivot.x, pivot.y, 2 * kPi * step / kSteps};
     similarity_.push_back(mbncc::similarity(points, at_level, turned).value);
@@ -65,4 +66,4 @@ double RotationProfile::fall_to(double level) const {
   return kPi;
 }
 
-}  // namespace mbncc
+}  // namespace mbncc::quality

@@ -6,7 +6,7 @@
 
 #include "mbncc/object_model.hpp"
 
-namespace mbncc {
+namespace mbncc::quality {
 
 /// Self-similarity of an object under rotation about its centroid.
 class RotationProfile {
@@ -23,4 +23,4 @@ class RotationProfile {
   std::vector<double> similarity_;  ///< [-1..1] per step
 };
 
-}  // namespace mbncc
+}  // namespace mbncc::quality

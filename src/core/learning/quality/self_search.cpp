@@ -7,7 +7,7 @@
 #include "learning/change/half_size.hpp"
 #include "mbncc/matching/matcher.hpp"
 
-namespace mbncc {
+namespace mbncc::quality {
 namespace {
 
 constexpr double kSamePlace = 0.25;    // of the excircle's radius: nearer is the object itself
@@ -38,10 +38,10 @@ struct Reduced {
 Reduced reduced(const View& view, const cv::Mat& picture) {
   Reduced result{picture, view, 1};
   while (excircle(result.view.map).radius >= 2 * kEnoughRadius) {
-    const cv::Mat map = half_size(full_size_map(result.view), cv::INTER_AREA) > 127;
+    const cv::Mat map = change::half_size(full_size_map(result.view), cv::INTER_AREA) > 127;
     if (cv::countNonZero(map) == 0) break;
     result.scale /= 2;
-    result.picture = half_size(result.picture, cv::INTER_AREA);
+    result.picture = change::half_size(result.picture, cv::INTER_AREA);
     const Pose2D& reference = result.view.reference;
     result.view = crop_view(result.picture, map,
                             {(reference.x - 0.5) / 2, (reference.y - 0.5) / 2, reference.theta});
@@ -72,4 +72,4 @@ void search_itself(const ObjectModel& object, const cv::Mat& picture, const Sear
   quality.search_time = found.search_time;
 }
 
-}  // namespace mbncc
+}  // namespace mbncc::quality

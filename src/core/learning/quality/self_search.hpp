@@ -7,10 +7,10 @@
 #include "mbncc/config/search_config.hpp"
 #include "mbncc/object_model.hpp"
 
-namespace mbncc {
+namespace mbncc::quality {
 
 /// Fills in self_score, self_error, runner_up and search_time. `object` has one view at least.
 void search_itself(const ObjectModel& object, const cv::Mat& picture, const SearchConfig& search,
                    Quality& quality);
 
-}  // namespace mbncc
+}  // namespace mbncc::quality

@@ -8,7 +8,7 @@
 #include <limits>
 #include <string>
 
-namespace mbncc {
+namespace mbncc::quality {
 namespace {
 
 constexpr double kAlike = 0.7;      // of its own score, above which something else looks the same
@@ -172,9 +172,13 @@ void decide(Quality& quality, bool touches_border, const std::optional<CutEviden
   note_symmetry(quality.symmetry, charges);
 }
 
+}  // namespace mbncc::quality
+
+namespace mbncc {
+
 LearnError error_of(const Quality& quality) {
   if (quality.verdict != Verdict::kBad) return LearnError::kSuccess;
-  return reason_of(quality.reasons.front()).error;
+  return quality::reason_of(quality.reasons.front()).error;
 }
 
 }  // namespace mbncc

@@ -7,10 +7,10 @@
 #include "mbncc/config/search_config.hpp"
 #include "mbncc/learning/quality.hpp"
 
-namespace mbncc {
+namespace mbncc::quality {
 
 /// Fills in verdict, reasons and advice from the figures of `quality`.
 void decide(Quality& quality, bool touches_border, const std::optional<CutEvidence>& evidence,
             const LearningConfig& config, const SearchConfig& search);
 
-}  // namespace mbncc
+}  // namespace mbncc::quality

@@ -35,26 +35,27 @@ constexpr int kCheckedBox = 7;  // [px] square about a painted pixel
 constexpr int kSpeck = 8;       // [px] smaller changed patches are noise
 // Light that a shadow leaves at least [0..1]. A grey object looks like platform in another light;
 // but an object was taken away, so what shadows explain is bounded until something is left.
-constexpr std::array<float, 4> kDarkestShadows{kDarkestShadow, 0.5F, 0.7F, 0.9F};
+constexpr std::array<float, 4> kDarkestShadows{likelihood::kDarkestShadow, 0.5F, 0.7F, 0.9F};
 
 // Data of one cut. All pictures have the crop's size and own their memory, because the pair's
 // pictures are much larger and a cut lives as long as its lesson.
 class Cutter {
  public:
-  Cutter(const AlignedPair& pair, const cv::Rect& crop, const cv::Rect& region)
+  Cutter(const change::AlignedPair& pair, const cv::Rect& crop, const cv::Rect& region)
       : window_(pair.window),
         crop_(crop),
         before_(pair.before(crop - pair.window.tl()).clone()),
         after_(pair.after(crop - pair.window.tl()).clone()),
         inside_(cv::Mat::zeros(crop.size(), CV_8UC1)),
-        noise_(learn_noise(pair)),
-        platform_(ColourMixture::fit(pair.before, pair.trusted)) {
+        noise_(likelihood::learn_noise(pair)),
+        platform_(change::ColourMixture::fit(pair.before, pair.trusted)) {
     inside_(region - crop.tl()).setTo(255);
   }
 
-  void explain_background(float darkest_shadow = kDarkestShadow) {
-    background_ = background_likelihood(before_, after_, noise_, platform_, darkest_shadow);
-    shadow_like_ = darkest_shadow > kDarkestShadow;
+  void explain_background(float darkest_shadow = likelihood::kDarkestShadow) {
+    background_ =
+        likelihood::background_likelihood(before_, after_, noise_, platform_, darkest_shadow);
+    shadow_like_ = darkest_shadow > likelihood::kDarkestShadow;
   }
 
   // The changed pixels that the foreground's colours are first learned from.
@@ -62,15 +63,15 @@ class Cutter {
   // nothing can have moved or arrived.
   bool seed(const cv::Mat& surveyed) {
     map_ = (background_.changed > 0.5) & inside_;
-    remove_specks(map_, kSpeck);
+    segmentation::remove_specks(map_, kSpeck);
     if (!surveyed.empty()) exclude_others(surveyed);
-    keep_main_groups(map_, background_.changed);
+    segmentation::keep_main_groups(map_, background_.changed);
     return cv::countNonZero(map_) >= kFewestPixels;
   }
 
   void weigh_edges() {
-    smoothness_ = smoothness(before_, after_, noise_);
-    half_ = half_resolution(smoothness_);
+    smoothness_ = segmentation::smoothness(before_, after_, noise_);
+    half_ = segmentation::half_resolution(smoothness_);
   }
 
   void cut() {
@@ -79,25 +80,26 @@ class Cutter {
   }
 
   // Of `smoothness`, half_ is the one at half resolution.
-  void cut_by_unary(const Smoothness& smoothness) {
-    coarse_ = coarse_cut(unary_, half_);
+  void cut_by_unary(const segmentation::Smoothness& smoothness) {
+    coarse_ = segmentation::coarse_cut(unary_, half_);
     cv::Mat next = coarse_.clone();
-    refine_cut(unary_, smoothness, next);
+    segmentation::refine_cut(unary_, smoothness, next);
     if (cv::countNonZero(next) < kFewestPixels) return;
-    keep_main_groups(next, cv::min(unary_, kHighestPreference), kept_);
+    segmentation::keep_main_groups(next, cv::min(unary_, likelihood::kHighestPreference), kept_);
     map_ = next;
   }
 
   // Blur, demosaicing and compression spread the change over the outline.
   void cut_rim() {
-    const RimPreference rim = rim_preference(before_, after_, map_, noise_.sigma(1));
+    const likelihood::RimPreference rim =
+        likelihood::rim_preference(before_, after_, map_, noise_.sigma(1));
     unary_ = unary_ + rim.log_odds;
-    unary_.setTo(-kHighestPreference, ~inside_);
+    unary_.setTo(-likelihood::kHighestPreference, ~inside_);
     cut_by_unary(smoothness_);
   }
 
   void clean() {
-    map_ = clean_map(map_, cv::min(unary_, kHighestPreference), kept_);
+    map_ = segmentation::clean_map(map_, cv::min(unary_, likelihood::kHighestPreference), kept_);
     if (!include_.empty()) map_ = (map_ | include_) & ~exclude_;
   }
 
@@ -111,11 +113,13 @@ class Cutter {
     next.inside_ = cv::Mat(inside_ | next.include_);
     // A part that a stroke separates stays part of the object.
     next.kept_ = next.include_ | (map_ & ~next.exclude_);
-    next.unary_ = cv::Mat(unary_ - exclusion_votes({before_, after_, unary_, map_}, next.exclude_));
+    next.unary_ = cv::Mat(
+        unary_ - segmentation::exclusion_votes({before_, after_, unary_, map_}, next.exclude_));
     next.unary_.setTo(kForced, next.include_);
     next.unary_.setTo(-kForced, next.exclude_);
-    const Smoothness free = with_free_rim(with_free_rim(smoothness_, next.include_), next.exclude_);
-    next.half_ = half_resolution(free);
+    const segmentation::Smoothness free = segmentation::with_free_rim(
+        segmentation::with_free_rim(smoothness_, next.include_), next.exclude_);
+    next.half_ = segmentation::half_resolution(free);
     next.cut_by_unary(free);
     next.clean();
     return next;
@@ -144,7 +148,7 @@ class Cutter {
 
   CutEvidence evidence() const {
     const cv::Mat room = intruders_.empty() ? inside_ : cv::Mat(inside_ & ~intruders_);
-    CutEvidence evidence = cut_evidence(
+    CutEvidence evidence = segmentation::cut_evidence(
         {map_, coarse_, room, unary_, background_.changed, kept_, intruders_, confirmed()},
         smoothness_, half_);
     evidence.shadow_like = shadow_like_;
@@ -165,16 +169,16 @@ class Cutter {
   void exclude_others(const cv::Mat& surveyed) {
     if (cv::countNonZero((background_.changed > 0.5) & ~inside_) >= kFewestPixels) {
       exclude_moved_neighbours();
-      exclude_intruders(reaching_border(surveyed(window_))(crop_ - window_.tl()));
+      exclude_intruders(segmentation::reaching_border(surveyed(window_))(crop_ - window_.tl()));
     }
-    exclude(find_arrivals(before_, after_, map_, platform_));
+    exclude(change::find_arrivals(before_, after_, map_, platform_));
   }
 
   // The object lies inside the region; this and the next are searched only where the change extends
   // beyond it.
   void exclude_moved_neighbours() {
     const cv::Mat changed = background_.changed > 0.5;
-    const cv::Mat moved = moved_neighbours(before_, after_, changed, noise_.sigma(1));
+    const cv::Mat moved = change::moved_neighbours(before_, after_, changed, noise_.sigma(1));
     map_.setTo(0, moved);
     background_.changed.setTo(0, moved);
     background_.log_ratio.setTo(kArrivalUnary, moved);
@@ -183,17 +187,17 @@ class Cutter {
   // Pixels covered by an intruder afterwards can be classified only by colour.
   void exclude_intruders(const cv::Mat& from_afar) {
     const cv::Mat changed = background_.changed > 0.5;
-    intruders_ =
-        find_intruders(before_, after_, changed, changed & ~inside_ & from_afar, platform_, noise_);
+    intruders_ = segmentation::find_intruders(before_, after_, changed,
+                                              changed & ~inside_ & from_afar, platform_, noise_);
     if (cv::countNonZero(intruders_) == 0) return;
     map_.setTo(0, intruders_);
-    remove_specks(map_, kSpeck);
+    segmentation::remove_specks(map_, kSpeck);
     cv::Mat rim;
     cv::dilate(intruders_, rim, cv::getStructuringElement(cv::MORPH_ELLIPSE, {5, 5}));
     intruders_ |= rim & ~map_;
     background_.changed.setTo(0, intruders_);
     cv::Mat platform;
-    cv::log(relative_density(platform_, before_) + 1e-3, platform);
+    cv::log(likelihood::relative_density(platform_, before_) + 1e-3, platform);
     platform = cv::min(platform + kCovered, kArrivalUnary);
     platform.copyTo(background_.log_ratio, intruders_);
   }
@@ -213,23 +217,23 @@ class Cutter {
 
   // Of the object's colours that the map shows now.
   cv::Mat next_unary() const {
-    const ColourMixture object =
-        ColourMixture::fit(before_, map_, colour_weights(background_.changed, map_));
-    cv::Mat unary = object_preference(before_, object, background_.log_ratio,
-                                      coarse_.empty() ? cv::Mat() : map_);
+    const change::ColourMixture object = change::ColourMixture::fit(
+        before_, map_, likelihood::colour_weights(background_.changed, map_));
+    cv::Mat unary = likelihood::object_preference(before_, object, background_.log_ratio,
+                                                  coarse_.empty() ? cv::Mat() : map_);
     if (!other_view_.empty()) unary = clipped(unary) + other_view_;
-    unary.setTo(-kHighestPreference, ~inside_);
+    unary.setTo(-likelihood::kHighestPreference, ~inside_);
     return unary;
   }
 
   cv::Rect window_;  // of the aligned pair
   cv::Rect crop_;
   cv::Mat before_, after_, inside_;
-  NoiseModel noise_;
-  ColourMixture platform_;
-  BackgroundLikelihood background_;
-  bool shadow_like_ = false;      // see CutEvidence
-  Smoothness smoothness_, half_;  // half_: at half resolution
+  likelihood::NoiseModel noise_;
+  change::ColourMixture platform_;
+  likelihood::BackgroundLikelihood background_;
+  bool shadow_like_ = false;                    // see CutEvidence
+  segmentation::Smoothness smoothness_, half_;  // half_: at half resolution
   cv::Mat unary_, coarse_, map_;
   cv::Mat intruders_;          // empty, or of the crop's size
   cv::Mat other_view_;         // empty, or of the crop's size
@@ -250,7 +254,7 @@ ChangeCut result_of(const std::shared_ptr<const Cutter>& cutter, const cv::Size&
 
 cv::Rect crop_of(const cv::Rect& region, const cv::Size& picture) {
   const int margin = std::max(6, std::max(region.width, region.height) / 20);
-  return grown(region, margin) & cv::Rect({0, 0}, picture);
+  return change::grown(region, margin) & cv::Rect({0, 0}, picture);
 }
 
 ChangeCut cut(const std::shared_ptr<Cutter>& cutter, const cv::Size& size, int iterations,
@@ -275,7 +279,7 @@ ChangeCut change_cut(const cv::Mat& before, const cv::Mat& after, const cv::Rect
                      const cv::Mat& changed, int iterations, int max_shift,
                      const BeforeCut& before_cut) {
   const auto cutter =
-      std::make_shared<Cutter>(align_pictures(before, after, region, changed, max_shift),
+      std::make_shared<Cutter>(change::align_pictures(before, after, region, changed, max_shift),
                                crop_of(region, before.size()), region);
   const auto leaves_an_object = [&](float darkest_shadow) {
     cutter->explain_background(darkest_shadow);
@@ -288,7 +292,7 @@ ChangeCut change_cut(const cv::Mat& before, const cv::Mat& after, const cv::Rect
 
 ChangeCut region_cut(const cv::Mat& before, const cv::Rect& region, int iterations,
                      const BeforeCut& before_cut) {
-  const auto cutter = std::make_shared<Cutter>(predict_platform(before, region),
+  const auto cutter = std::make_shared<Cutter>(likelihood::predict_platform(before, region),
                                                crop_of(region, before.size()), region);
   cutter->explain_background();
   if (!cutter->seed(cv::Mat())) return nothing(before.size());

@@ -6,7 +6,7 @@
 #include <set>
 #include <vector>
 
-namespace mbncc {
+namespace mbncc::segmentation {
 namespace {
 
 constexpr double kKeptWeight = 0.18;   // of the heaviest group
@@ -88,4 +88,4 @@ cv::Mat clean_map(const cv::Mat& raw, const cv::Mat& weight, const cv::Mat& want
   return smooth;
 }
 
-}  // namespace mbncc
+}  // namespace mbncc::segmentation

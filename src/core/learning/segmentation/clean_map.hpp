@@ -4,7 +4,7 @@
 
 #include <opencv2/core.hpp>
 
-namespace mbncc {
+namespace mbncc::segmentation {
 
 /// Removes the groups of pieces (pieces nearer than `gap` pixels form a group) that have less than
 /// a quarter of the largest weight and contain no `wanted` pixel. `weight` is CV_32FC1 (negative
@@ -21,4 +21,4 @@ void fill_holes(cv::Mat& map, int area);
 /// of the map.
 cv::Mat clean_map(const cv::Mat& raw, const cv::Mat& weight = {}, const cv::Mat& wanted = {});
 
-}  // namespace mbncc
+}  // namespace mbncc::segmentation

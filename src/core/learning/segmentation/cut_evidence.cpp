@@ -8,7 +8,7 @@
 #include "learning/segmentation/graph_cut.hpp"
 #include "learning/segmentation/map_measures.hpp"
 
-namespace mbncc {
+namespace mbncc::segmentation {
 namespace {
 
 constexpr float kBalanceShift = 2;  // log-odds per pixel by which the re-cuts are tilted
@@ -105,4 +105,4 @@ CutEvidence cut_evidence(const FinishedCut& cut, const Smoothness& smoothness,
   return evidence;
 }
 
-}  // namespace mbncc
+}  // namespace mbncc::segmentation

@@ -7,7 +7,7 @@
 #include "learning/segmentation/smoothness.hpp"
 #include "mbncc/learning/quality.hpp"
 
-namespace mbncc {
+namespace mbncc::segmentation {
 
 /// Pictures of one crop.
 struct FinishedCut {
@@ -34,4 +34,4 @@ double edge_clarity(const CutEvidence& evidence);
 CutEvidence cut_evidence(const FinishedCut& cut, const Smoothness& smoothness,
                          const Smoothness& half);
 
-}  // namespace mbncc
+}  // namespace mbncc::segmentation

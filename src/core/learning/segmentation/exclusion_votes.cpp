@@ -7,7 +7,7 @@
 #include <opencv2/imgproc.hpp>
 #include <vector>
 
-namespace mbncc {
+namespace mbncc::segmentation {
 namespace {
 
 constexpr int kBox = 3;               // [px] colours are averaged over this square
@@ -189,4 +189,4 @@ cv::Mat exclusion_votes(const CutPictures& cut, const cv::Mat& excluded) {
   return votes;
 }
 
-}  // namespace mbncc
+}  // namespace mbncc::segmentation

@@ -4,7 +4,7 @@
 
 #include <opencv2/core.hpp>
 
-namespace mbncc {
+namespace mbncc::segmentation {
 
 /// A cut with its input; pictures of one crop.
 struct CutPictures {
@@ -20,4 +20,4 @@ struct CutPictures {
 /// its outline. 0 on other pixels.
 cv::Mat exclusion_votes(const CutPictures& cut, const cv::Mat& excluded);
 
-}  // namespace mbncc
+}  // namespace mbncc::segmentation

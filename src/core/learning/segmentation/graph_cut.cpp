@@ -8,7 +8,7 @@
 
 #include "learning/segmentation/half_smoothness.hpp"
 
-namespace mbncc {
+namespace mbncc::segmentation {
 namespace {
 
 constexpr int kBand = 4;         // [px] on either side of a coarse outline
@@ -133,4 +133,4 @@ void refine_cut(const cv::Mat& unary, const Smoothness& smoothness, cv::Mat& map
   PartialCut(unary, smoothness, uncertain_band(map, unary), map).run();
 }
 
-}  // namespace mbncc
+}  // namespace mbncc::segmentation

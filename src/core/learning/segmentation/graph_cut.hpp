@@ -6,7 +6,7 @@
 
 #include "learning/segmentation/smoothness.hpp"
 
-namespace mbncc {
+namespace mbncc::segmentation {
 
 /// The map (0/255) with the least energy: sum of -unary over the object's pixels plus the weights
 /// across its outline. `unary` is CV_32FC1, positive where a pixel prefers to be object.
@@ -24,4 +24,4 @@ cv::Mat tilted_coarse_cut(const cv::Mat& coarse, const cv::Mat& unary, float til
 /// always the minimum, in a fraction of the time.
 void refine_cut(const cv::Mat& unary, const Smoothness& smoothness, cv::Mat& map);
 
-}  // namespace mbncc
+}  // namespace mbncc::segmentation

@@ -3,7 +3,7 @@
 
 #include <cstddef>
 
-namespace mbncc {
+namespace mbncc::segmentation {
 namespace {
 
 cv::Size half_size(const cv::Size& size) {
@@ -67,4 +67,4 @@ Smoothness half_resolution(const Smoothness& smoothness) {
   return half;
 }
 
-}  // namespace mbncc
+}  // namespace mbncc::segmentation

@@ -6,7 +6,7 @@
 
 #include "learning/segmentation/smoothness.hpp"
 
-namespace mbncc {
+namespace mbncc::segmentation {
 
 /// Sums of 2 x 2 blocks; an odd last row or column forms blocks of its own.
 cv::Mat half_resolution(const cv::Mat& unary);
@@ -14,4 +14,4 @@ cv::Mat half_resolution(const cv::Mat& unary);
 /// Weights between blocks: the sums of the weights of the pixel edges between them.
 Smoothness half_resolution(const Smoothness& smoothness);
 
-}  // namespace mbncc
+}  // namespace mbncc::segmentation

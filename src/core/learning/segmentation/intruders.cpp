@@ -10,7 +10,7 @@
 #include "learning/segmentation/graph_cut.hpp"
 #include "learning/segmentation/smoothness.hpp"
 
-namespace mbncc {
+namespace mbncc::segmentation {
 namespace {
 
 constexpr double kDepartureScore = 1.5;  // from which on something left rather than came
@@ -21,8 +21,10 @@ constexpr float kPlatformLogOdds = 2;    // largest log-odds from a similarity t
 constexpr float kPlatformWeight = 0.5F;
 constexpr float kCertain = 30;  // unary of certain pixels
 
-cv::Mat log_density(const ColourMixture& mixture, const cv::Mat& picture, float any_colour) {
-  cv::Mat relative = mixture.densities(picture) * std::exp(-log_uniform_colour()), logarithm;
+cv::Mat log_density(const change::ColourMixture& mixture, const cv::Mat& picture,
+                    float any_colour) {
+  cv::Mat relative = mixture.densities(picture) * std::exp(-likelihood::log_uniform_colour()),
+          logarithm;
   cv::log(relative + any_colour, logarithm);
   return logarithm;
 }
@@ -32,10 +34,10 @@ cv::Mat bounded(const cv::Mat& values, float limit) {
 }
 
 cv::Mat without_departures(const cv::Mat& before, const cv::Mat& after, const cv::Mat& entry,
-                           const ColourMixture& platform) {
+                           const change::ColourMixture& platform) {
   cv::Mat kept = cv::Mat::zeros(entry.size(), CV_8UC1), labels;
   const int count = cv::connectedComponents(entry, labels, 8, CV_32S);
-  const auto scores = departure_scores(before, after, labels, count, platform);
+  const auto scores = change::departure_scores(before, after, labels, count, platform);
   for (int i = 1; i < count; ++i) {
     const cv::Mat patch = labels == i;
     if (scores[i] < kDepartureScore && cv::countNonZero(patch) >= kFewestPixels) kept |= patch;
@@ -66,10 +68,10 @@ cv::Mat reaching_border(const cv::Mat& changed) {
 }
 
 cv::Mat find_intruders(const cv::Mat& before, const cv::Mat& after, const cv::Mat& changed,
-                       const cv::Mat& entry, const ColourMixture& platform,
-                       const NoiseModel& noise) {
+                       const cv::Mat& entry, const change::ColourMixture& platform,
+                       const likelihood::NoiseModel& noise) {
   const cv::Mat seeds = without_departures(before, after, entry, platform);
-  const ColourMixture arrived = ColourMixture::fit(after, seeds);
+  const change::ColourMixture arrived = change::ColourMixture::fit(after, seeds);
   if (arrived.empty() || platform.empty()) return cv::Mat::zeros(entry.size(), CV_8UC1);
   const cv::Mat platform_after = log_density(platform, after, 1e-4F);
   cv::Mat unary = bounded(log_density(arrived, after, kAnyColour) - platform_after, kColourVoice) +
@@ -82,4 +84,4 @@ cv::Mat find_intruders(const cv::Mat& before, const cv::Mat& after, const cv::Ma
   return connected_to(seeds, minimum_cut(unary, smoothness(after, before, noise)));
 }
 
-}  // namespace mbncc
+}  // namespace mbncc::segmentation

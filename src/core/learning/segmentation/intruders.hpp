@@ -7,7 +7,7 @@
 #include "learning/change/colour_mixture.hpp"
 #include "learning/likelihood/noise_model.hpp"
 
-namespace mbncc {
+namespace mbncc::segmentation {
 
 /// The connected patches of `changed` (CV_8UC1) that reach its border, so they entered from
 /// outside.
@@ -18,7 +18,7 @@ cv::Mat reaching_border(const cv::Mat& changed);
 /// `after` are CV_32FC3, aligned, `changed` is CV_8UC1; `platform` is the colour mixture of the
 /// ring.
 cv::Mat find_intruders(const cv::Mat& before, const cv::Mat& after, const cv::Mat& changed,
-                       const cv::Mat& entry, const ColourMixture& platform,
-                       const NoiseModel& noise);
+                       const cv::Mat& entry, const change::ColourMixture& platform,
+                       const likelihood::NoiseModel& noise);
 
-}  // namespace mbncc
+}  // namespace mbncc::segmentation

@@ -6,7 +6,7 @@
 
 #include "learning/change/rectangles.hpp"
 
-namespace mbncc {
+namespace mbncc::segmentation {
 namespace {
 
 constexpr int kReach = 12;        // [px] surroundings of the map that count
@@ -52,13 +52,14 @@ double edge_agreement(const cv::Mat& picture, const cv::Mat& grey, const cv::Mat
 }
 
 cv::Rect surroundings(const cv::Mat& map) {
-  return grown(cv::boundingRect(map), kReach) & cv::Rect({0, 0}, map.size());
+  return change::grown(cv::boundingRect(map), kReach) & cv::Rect({0, 0}, map.size());
 }
 
 }  // namespace
 
 cv::Rect surroundings(const View& view) {
-  return grown({view.origin, view.map.size()}, kReach) & cv::Rect({0, 0}, view.picture_size);
+  return change::grown({view.origin, view.map.size()}, kReach) &
+         cv::Rect({0, 0}, view.picture_size);
 }
 
 cv::Mat outline_pixels(const cv::Mat& map) {
@@ -91,4 +92,4 @@ bool touches_border(const cv::Mat& map) {
          0;
 }
 
-}  // namespace mbncc
+}  // namespace mbncc::segmentation

@@ -6,7 +6,7 @@
 
 #include "mbncc/object_model.hpp"
 
-namespace mbncc {
+namespace mbncc::segmentation {
 
 /// [px] Part of the learning picture that is enough for what follows. A map pixel that lies on this
 /// part's border lies on the picture's.
@@ -24,4 +24,4 @@ bool touches_border(const cv::Mat& map);
 /// Outermost map pixels.
 cv::Mat outline_pixels(const cv::Mat& map);
 
-}  // namespace mbncc
+}  // namespace mbncc::segmentation

@@ -46,7 +46,7 @@ cv::Rect grabcut_crop(const cv::Rect& region, const cv::Size& picture) {
 
 cv::Mat repeatable_grabcut(const cv::Mat& picture, const cv::Mat& mask, int iterations,
                            const BeforeCut& before_cut) {
-  const FixedRandomState fixed;
+  const numeric::FixedRandomState fixed;
   cv::Mat classes = mask.clone(), background, foreground;
   for (int i = 0; i < iterations; ++i) {
     if (before_cut) before_cut(i);

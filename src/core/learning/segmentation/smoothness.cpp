@@ -6,7 +6,7 @@
 #include <cstdlib>
 #include <numeric>
 
-namespace mbncc {
+namespace mbncc::segmentation {
 namespace {
 
 constexpr float kStrength = 16;         // gamma
@@ -71,7 +71,7 @@ Contrasts measure(const cv::Mat& before, const cv::Mat& after, const cv::Vec3f& 
 }
 
 // Precision of the mismatch of two edges: each is a difference of two noisy pixels in each picture.
-cv::Vec3f edge_precision(const NoiseModel& noise) {
+cv::Vec3f edge_precision(const likelihood::NoiseModel& noise) {
   cv::Vec3f precision;
   for (int c = 0; c < 3; ++c) precision[c] = 1 / (24 * noise.sigma(c) * noise.sigma(c));
   return precision;
@@ -79,7 +79,8 @@ cv::Vec3f edge_precision(const NoiseModel& noise) {
 
 }  // namespace
 
-Smoothness smoothness(const cv::Mat& before, const cv::Mat& after, const NoiseModel& noise) {
+Smoothness smoothness(const cv::Mat& before, const cv::Mat& after,
+                      const likelihood::NoiseModel& noise) {
   Contrasts contrasts = measure(before, after, edge_precision(noise));
   const float beta = static_cast<float>(kSharpness / std::max(1e-3, contrasts.mean));
   Smoothness result;
@@ -111,4 +112,4 @@ Smoothness with_free_rim(const Smoothness& smoothness, const cv::Mat& mask) {
   return result;
 }
 
-}  // namespace mbncc
+}  // namespace mbncc::segmentation

@@ -7,7 +7,7 @@
 
 #include "learning/likelihood/noise_model.hpp"
 
-namespace mbncc {
+namespace mbncc::segmentation {
 
 /// Weights of the edges to the left, upper left, upper and upper right neighbour, CV_32FC1, 0 where
 /// there is none. Low weights attract the outline.
@@ -21,9 +21,10 @@ struct Smoothness {
 
 /// The paper's contrast term, gamma exp(-beta |z_m - z_n|^2) / dist(m, n), on `before`, weakened
 /// where `after` shows the same edge: that one belongs to the platform. Both CV_32FC3, aligned.
-Smoothness smoothness(const cv::Mat& before, const cv::Mat& after, const NoiseModel& noise);
+Smoothness smoothness(const cv::Mat& before, const cv::Mat& after,
+                      const likelihood::NoiseModel& noise);
 
 /// A copy whose outline costs nothing along the rim of `mask` (CV_8UC1 of the pictures' size).
 Smoothness with_free_rim(const Smoothness& smoothness, const cv::Mat& mask);
 
-}  // namespace mbncc
+}  // namespace mbncc::segmentation

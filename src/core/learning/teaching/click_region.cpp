@@ -8,7 +8,7 @@
 #include "learning/segmentation/cut_evidence.hpp"
 #include "mbncc/learning/change_cut.hpp"
 
-namespace mbncc {
+namespace mbncc::teaching {
 namespace {
 
 constexpr double kSquareStep = 0.8;   // sides of consecutive squares
@@ -58,7 +58,8 @@ std::optional<ClickedRegion> stable_region(const cv::Mat& picture, const cv::Poi
     const cv::Mat piece = piece_at(cut.map, click);
     const int area = cv::countNonZero(piece);
     if (area > 0)
-      candidates.push_back({region, piece(region).clone(), area, edge_clarity(cut.evidence)});
+      candidates.push_back(
+          {region, piece(region).clone(), area, segmentation::edge_clarity(cut.evidence)});
   }
   const auto worth = [&](const Candidate& one) {
     return one.clarity + kAgreement * agreeing(one, candidates);
@@ -96,4 +97,4 @@ cv::Mat change_at_click(const cv::Mat& changed, const cv::Point2d& click) {
   return changed & piece_at(joined, click);
 }
 
-}  // namespace mbncc
+}  // namespace mbncc::teaching

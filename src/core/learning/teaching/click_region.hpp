@@ -6,7 +6,7 @@
 #include <optional>
 #include <vector>
 
-namespace mbncc {
+namespace mbncc::teaching {
 
 /// Squares [px] with their centre at `click`, the first `largest` wide, each .8 times as wide as
 /// the one before, down to 20 pixels; clipped to `room`, without those of which less than 10 pixels
@@ -32,4 +32,4 @@ cv::Mat piece_at(const cv::Mat& mask, const cv::Point2d& click);
 /// The same of `changed`, pieces less than 9 pixels apart taken as one.
 cv::Mat change_at_click(const cv::Mat& changed, const cv::Point2d& click);
 
-}  // namespace mbncc
+}  // namespace mbncc::teaching

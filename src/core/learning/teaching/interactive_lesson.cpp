@@ -15,7 +15,7 @@ constexpr std::size_t kMostStates = 65;  // each holds the lesson's pictures' ma
 struct InteractiveLesson::Implementation {
   LearningConfig config;
   SearchConfig search;
-  std::vector<LessonState> states;  // the lesson, and each edit in force
+  std::vector<teaching::LessonState> states;  // the lesson, and each edit in force
 };
 
 InteractiveLesson::InteractiveLesson(const Lesson& lesson, const LearningConfig& config,
@@ -23,9 +23,9 @@ InteractiveLesson::InteractiveLesson(const Lesson& lesson, const LearningConfig&
     : implementation_(std::make_unique<Implementation>()) {
   implementation_->config = config;
   implementation_->search = search;
-  LessonState state;
+  teaching::LessonState state;
   state.lesson = lesson;
-  run_lesson(state, config, search, observer);
+  teaching::run_lesson(state, config, search, observer);
   implementation_->states.push_back(std::move(state));
 }
 
@@ -38,8 +38,8 @@ const LearnResult& InteractiveLesson::result() const {
 }
 
 LearnResult InteractiveLesson::edit(const LessonEdit& edit, const StageObserver& observer) {
-  LessonState state = implementation_->states.back();
-  run_edit(state, edit, implementation_->config, implementation_->search, observer);
+  teaching::LessonState state = implementation_->states.back();
+  teaching::run_edit(state, edit, implementation_->config, implementation_->search, observer);
   if (!state.result.has_model) return state.result;
   auto& states = implementation_->states;
   states.push_back(std::move(state));

@@ -10,7 +10,7 @@
 #include "learning/teaching/lesson_progress.hpp"
 #include "mbncc/symmetry.hpp"
 
-namespace mbncc {
+namespace mbncc::teaching {
 namespace {
 
 constexpr int kSmallestPicture = 32;      // [px]
@@ -171,4 +171,4 @@ void check_map(const cv::Mat& map, const cv::Rect& room) {
   if (filled >= kFullPart * room.area()) throw LessonEnded(LearnError::kSegmentationFull);
 }
 
-}  // namespace mbncc
+}  // namespace mbncc::teaching

@@ -7,7 +7,7 @@
 #include "mbncc/learning/change.hpp"
 #include "mbncc/learning/learn_object.hpp"
 
-namespace mbncc {
+namespace mbncc::teaching {
 
 /// Corners of an outline, and points of all strokes of one edit together. An outline is compared
 /// with itself edge by edge.
@@ -38,4 +38,4 @@ void check_one_change(const ChangeSurvey& survey, const LearningConfig& config);
 /// Throws LessonEnded if the map is empty or full. `room` is the area that it could have filled.
 void check_map(const cv::Mat& map, const cv::Rect& room);
 
-}  // namespace mbncc
+}  // namespace mbncc::teaching

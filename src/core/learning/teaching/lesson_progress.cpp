@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-namespace mbncc {
+namespace mbncc::teaching {
 
 void LessonProgress::report(Stage stage, double progress, const std::string& message,
                             const Picture& picture) {
@@ -13,4 +13,4 @@ void LessonProgress::report(Stage stage, double progress, const std::string& mes
     throw LessonEnded(LearnError::kCancelled);
 }
 
-}  // namespace mbncc
+}  // namespace mbncc::teaching

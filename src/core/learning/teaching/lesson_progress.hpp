@@ -10,7 +10,7 @@
 
 #include "mbncc/learning/learn_object.hpp"
 
-namespace mbncc {
+namespace mbncc::teaching {
 
 /// Ends a lesson that cannot continue; caught only in learn_object().
 class LessonEnded : public std::runtime_error {
@@ -43,4 +43,4 @@ class LessonProgress {
   double highest_ = 0;
 };
 
-}  // namespace mbncc
+}  // namespace mbncc::teaching

@@ -10,14 +10,14 @@
 #include "learning/teaching/lesson_progress.hpp"
 #include "mbncc/learning/change.hpp"
 
-namespace mbncc {
+namespace mbncc::teaching {
 namespace {
 
 // Without a given place, the object is at the patch with the largest evidence of a departure,
 // because a gripper may have changed a larger area.
 cv::Rect departed_from(const Lesson& lesson, ChangeSurvey& survey) {
   const bool changed = cv::countNonZero(survey.changed) > 0;
-  const cv::Mat left = departures(lesson.before, lesson.after, survey.changed);
+  const cv::Mat left = change::departures(lesson.before, lesson.after, survey.changed);
   survey.changed = cv::Mat(left > 0);  // the one surveyed is kept
   const std::vector<cv::Rect> places = changed_places(left, survey.noisy);
   if (changed && places.empty())
@@ -97,4 +97,4 @@ RegionOfLesson region_of(const Lesson& lesson, const LearningConfig& config) {
   return region;
 }
 
-}  // namespace mbncc
+}  // namespace mbncc::teaching

@@ -6,7 +6,7 @@
 
 #include "mbncc/learning/learn_object.hpp"
 
-namespace mbncc {
+namespace mbncc::teaching {
 
 /// All maps are CV_8UC1 of the picture's size, 0/255.
 struct RegionOfLesson {
@@ -25,4 +25,4 @@ bool is_without_place(const Lesson& lesson);
 /// kSegmentationEmpty when a click in one picture shows no object.
 RegionOfLesson region_of(const Lesson& lesson, const LearningConfig& config);
 
-}  // namespace mbncc
+}  // namespace mbncc::teaching

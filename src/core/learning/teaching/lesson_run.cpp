@@ -13,7 +13,7 @@
 #include "mbncc/learning/change.hpp"
 #include "mbncc/learning/quality.hpp"
 
-namespace mbncc {
+namespace mbncc::teaching {
 namespace {
 
 constexpr double kRefines = 0.75;  // agreement of two views, above which both contribute to the map
@@ -247,4 +247,4 @@ void run_edit(LessonState& state, const LessonEdit& edit, const LearningConfig& 
   });
 }
 
-}  // namespace mbncc
+}  // namespace mbncc::teaching

@@ -10,7 +10,7 @@
 #include "learning/teaching/segmenter.hpp"
 #include "mbncc/learning/interactive_lesson.hpp"
 
-namespace mbncc {
+namespace mbncc::teaching {
 
 /// State of a lesson. Copies share pictures, which are never modified.
 struct LessonState {
@@ -31,4 +31,4 @@ void run_lesson(LessonState& state, const LearningConfig& config, const SearchCo
 void run_edit(LessonState& state, const LessonEdit& edit, const LearningConfig& config,
               const SearchConfig& search, const StageObserver& observer);
 
-}  // namespace mbncc
+}  // namespace mbncc::teaching

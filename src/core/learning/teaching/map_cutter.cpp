@@ -12,7 +12,7 @@
 #include "learning/teaching/stage_pictures.hpp"
 #include "learning/teaching/step_timer.hpp"
 
-namespace mbncc {
+namespace mbncc::teaching {
 namespace {
 
 constexpr int kClickMargin = 6;      // [px] about the clicked piece
@@ -24,11 +24,11 @@ constexpr double kAlike = 0.35;      // part of a map that looks like the platfo
 // Whether a map without a clear edge looks like the platform: more than the object changed.
 bool is_mostly_platform(const Segmentation& found, const SegmentationTask& task) {
   return found.evidence && found.evidence->boundary_contrast < kClear &&
-         platform_likeness(task.before, task.after, found.map) > kAlike;
+         change::platform_likeness(task.before, task.after, found.map) > kAlike;
 }
 
 bool has_clear_edge(const Segmentation& found) {
-  return !found.evidence || edge_clarity(*found.evidence) >= kClear;
+  return !found.evidence || segmentation::edge_clarity(*found.evidence) >= kClear;
 }
 
 template <class Steps>
@@ -129,7 +129,7 @@ Segmentation MapCutter::clicked(const Segmentation& found) {
   const cv::Rect box = cv::boundingRect(piece);
   const int margin =
       std::max(kClickMargin, static_cast<int>(kClickPart * std::max(box.width, box.height)));
-  task_.region = grown(box, margin) & usable_region(lesson_);
+  task_.region = change::grown(box, margin) & usable_region(lesson_);
   Segmentation alone = segment_once();
   alone.map = piece_at(alone.map, *lesson_.click);
   check_map(alone.map, task_.region);
@@ -155,7 +155,7 @@ bool MapCutter::widen(const Segmentation& found) {
   if (!lesson_.outline.empty() || !found.evidence) return false;
   if (found.evidence->region_touch <= kTouching) return false;
   const int margin = std::max(task_.region.width, task_.region.height) / 2;
-  const cv::Rect wider = grown(task_.region, margin) & usable_region(lesson_);
+  const cv::Rect wider = change::grown(task_.region, margin) & usable_region(lesson_);
   if (wider == task_.region) return false;
   task_.region = wider;
   return true;
@@ -174,4 +174,4 @@ Segmentation MapCutter::cut_again(const Segmentation& cut, const Marks& marks) {
   return segmentation;
 }
 
-}  // namespace mbncc
+}  // namespace mbncc::teaching

@@ -12,7 +12,7 @@
 #include "learning/teaching/segmenter.hpp"
 #include "mbncc/learning/learn_object.hpp"
 
-namespace mbncc {
+namespace mbncc::teaching {
 
 /// Whether the region may grow if the map touches its edge.
 enum class Room { kStays, kMayGrow };
@@ -67,4 +67,4 @@ class MapCutter {
   double agreement_ = 1;  // as in RegionOfLesson
 };
 
-}  // namespace mbncc
+}  // namespace mbncc::teaching

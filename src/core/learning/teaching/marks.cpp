@@ -7,7 +7,7 @@
 #include "learning/teaching/lesson_checks.hpp"
 #include "learning/teaching/lesson_progress.hpp"
 
-namespace mbncc {
+namespace mbncc::teaching {
 namespace {
 
 constexpr double kWidestStroke = 1000;  // [px]
@@ -94,4 +94,4 @@ cv::Mat overpainted(const cv::Mat& map, const Marks& marks) {
   return (map | marks.include) & ~marks.exclude;
 }
 
-}  // namespace mbncc
+}  // namespace mbncc::teaching

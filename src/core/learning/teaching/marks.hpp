@@ -6,7 +6,7 @@
 
 #include "mbncc/learning/interactive_lesson.hpp"
 
-namespace mbncc {
+namespace mbncc::teaching {
 
 /// CV_8UC1 of the picture's size, 255 where painted; they do not overlap. Both empty: no marks.
 struct Marks {
@@ -23,4 +23,4 @@ Marks painted(const Marks& marks, const LessonEdit& edit, const cv::Size& pictur
 /// `map` with the strokes painted into it.
 cv::Mat overpainted(const cv::Mat& map, const Marks& marks);
 
-}  // namespace mbncc
+}  // namespace mbncc::teaching

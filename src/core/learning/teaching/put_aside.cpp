@@ -14,7 +14,7 @@
 #include "mbncc/learning/change_cut.hpp"
 #include "mbncc/matching/matcher.hpp"
 
-namespace mbncc {
+namespace mbncc::teaching {
 namespace {
 
 constexpr int kGap = 9;                 // [px] pieces nearer than this are joined
@@ -43,15 +43,15 @@ std::vector<Place> places_of(const cv::Mat& patches, double area) {
   const int count =
       cv::connectedComponentsWithStats(joined(all), labels, stats, centres, 8, CV_32S);
   const cv::Rect picture({0, 0}, patches.size());
-  const cv::Rect inner = grown(picture, -1 - patches.cols / kSurveyWidth);
+  const cv::Rect inner = change::grown(picture, -1 - patches.cols / change::kSurveyWidth);
   std::vector<Place> places;
   for (int i = 1; i < count; ++i) {
     const double part = stats.at<int>(i, cv::CC_STAT_AREA) / area;
     if (part < kSmallestPart || part > kLargestPart) continue;
-    const cv::Rect box = box_of_component(stats, i) + all.tl();
+    const cv::Rect box = change::box_of_component(stats, i) + all.tl();
     const int margin = std::max(8, std::max(box.width, box.height) * 15 / 100);
     places.push_back(
-        {grown(box, margin) & picture, (box & inner) == box, std::abs(std::log(part))});
+        {change::grown(box, margin) & picture, (box & inner) == box, std::abs(std::log(part))});
   }
   std::sort(places.begin(), places.end(),
             [](const Place& a, const Place& b) { return a.unlikeness < b.unlikeness; });
@@ -63,7 +63,7 @@ std::vector<Place> places_of(const cv::Mat& patches, double area) {
 // be taken for a departure. Other changes that reach the border are probably a gripper.
 std::vector<Place> places_to_try(const cv::Mat& changed, const SegmentationTask& task,
                                  double area) {
-  const cv::Mat left = departures(task.before, task.after, changed) > 0;
+  const cv::Mat left = change::departures(task.before, task.after, changed) > 0;
   std::vector<Place> places = places_of(changed & ~left, area);
   for (const Place& uncertain : places_of(changed & left, area))
     if (uncertain.within) places.push_back(uncertain);
@@ -138,7 +138,7 @@ std::optional<NewPlace> look_at(const cv::Rect& place, const SegmentationTask& t
 // Patches of `changed` that do not touch the map and have at least this part of its area, pieces
 // nearby included; empty when there are none.
 cv::Mat patches_elsewhere(const cv::Mat& changed, const cv::Mat& map, double least_part) {
-  const double scale = survey_scale(changed.cols);
+  const double scale = change::survey_scale(changed.cols);
   const int gap = cvRound(kGap * scale / 2) * 2 + 1;
   const cv::Mat disc = cv::getStructuringElement(cv::MORPH_ELLIPSE, {gap, gap});
   cv::Mat patches, vacated, labels, stats, centres, elsewhere;
@@ -190,11 +190,12 @@ std::vector<cv::Rect> large_parts(const cv::Mat& map) {
   std::vector<cv::Rect> parts;
   for (int i = 1; i < count; ++i) {
     if (stats.at<int>(i, cv::CC_STAT_AREA) < kSmallestPart * largest) continue;
-    parts.push_back(grown(box_of_component(stats, i), kPartMargin) & cv::Rect({0, 0}, map.size()));
+    parts.push_back(change::grown(change::box_of_component(stats, i), kPartMargin) &
+                    cv::Rect({0, 0}, map.size()));
   }
   if (parts.size() < 2) return {};
   parts.resize(std::min(parts.size(), kOthersTried));
   return parts;
 }
 
-}  // namespace mbncc
+}  // namespace mbncc::teaching

@@ -10,7 +10,7 @@
 #include "mbncc/config/search_config.hpp"
 #include "mbncc/object_model.hpp"
 
-namespace mbncc {
+namespace mbncc::teaching {
 
 struct NewPlace {
   Pose2D motion;         ///< [px],[rad] transforms points of the object from before to after
@@ -32,4 +32,4 @@ std::vector<cv::Rect> places_elsewhere(const cv::Mat& changed, const cv::Mat& ma
 /// piece. Each may be a place of its own.
 std::vector<cv::Rect> large_parts(const cv::Mat& map);
 
-}  // namespace mbncc
+}  // namespace mbncc::teaching

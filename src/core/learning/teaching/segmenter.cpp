@@ -9,7 +9,7 @@
 #include "mbncc/learning/change_cut.hpp"
 #include "mbncc/learning/sb_grabcut.hpp"
 
-namespace mbncc {
+namespace mbncc::teaching {
 namespace {
 
 // The cuts take the middle part of a lesson.
@@ -36,18 +36,18 @@ cv::Mat grabcut_again(const cv::Mat& map, const Marks& marks, const Segmentation
   labels.setTo(cv::GC_BGD, marks.exclude);
   cv::Mat result = cv::Mat::zeros(map.size(), CV_8UC1);
   repeatable_grabcut(task.before(crop), labels(crop), 1).copyTo(result(crop));
-  return overpainted(clean_map(result), marks);
+  return overpainted(segmentation::clean_map(result), marks);
 }
 
 // Colours alone give no measure of a cut's reliability.
 Segmentation unverified(const cv::Mat& raw, const SegmentationTask& task) {
-  const cv::Mat map = clean_map(raw);
+  const cv::Mat map = segmentation::clean_map(raw);
   cv::Mat inside = cv::Mat::zeros(map.size(), CV_8UC1);
   inside(task.region).setTo(255);
   CutEvidence evidence;
   evidence.verified = false;
-  evidence.region_touch = region_touch(map, inside);
-  evidence.region_span = region_span(map, inside);
+  evidence.region_touch = segmentation::region_touch(map, inside);
+  evidence.region_span = segmentation::region_span(map, inside);
   const auto cut_again = [map, evidence, task](const Marks& marks) -> Segmentation {
     return {grabcut_again(map, marks, task), evidence, {}, {}};
   };
@@ -121,4 +121,4 @@ Segmenter segmenter_of(const std::string& method, bool has_after) {
   throw std::invalid_argument("unknown learning method '" + method + "'");
 }
 
-}  // namespace mbncc
+}  // namespace mbncc::teaching

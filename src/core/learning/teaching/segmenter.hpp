@@ -12,7 +12,7 @@
 #include "mbncc/config/learning_config.hpp"
 #include "mbncc/learning/quality.hpp"
 
-namespace mbncc {
+namespace mbncc::teaching {
 
 /// Input of a segmenter. All pictures have one size, the region lies inside.
 struct SegmentationTask {
@@ -40,4 +40,4 @@ using Segmenter =
 /// Throws std::invalid_argument for an unknown method.
 Segmenter segmenter_of(const std::string& method, bool has_after);
 
-}  // namespace mbncc
+}  // namespace mbncc::teaching

@@ -4,7 +4,7 @@
 #include <opencv2/imgproc.hpp>
 #include <vector>
 
-namespace mbncc {
+namespace mbncc::teaching {
 namespace {
 
 const cv::Scalar kTint(0, 0, 255);     // bgr
@@ -29,4 +29,4 @@ cv::Mat outlined(const cv::Mat& picture, const cv::Mat& map) {
   return drawn;
 }
 
-}  // namespace mbncc
+}  // namespace mbncc::teaching

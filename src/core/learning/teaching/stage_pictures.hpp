@@ -4,7 +4,7 @@
 
 #include <opencv2/core.hpp>
 
-namespace mbncc {
+namespace mbncc::teaching {
 
 /// `picture` with the pixels of `mask` (CV_8UC1) tinted and the region framed.
 cv::Mat tinted(const cv::Mat& picture, const cv::Mat& mask, const cv::Rect& region);
@@ -12,4 +12,4 @@ cv::Mat tinted(const cv::Mat& picture, const cv::Mat& mask, const cv::Rect& regi
 /// `picture` with the outline of `map` drawn.
 cv::Mat outlined(const cv::Mat& picture, const cv::Mat& map);
 
-}  // namespace mbncc
+}  // namespace mbncc::teaching

@@ -7,7 +7,7 @@
 #include <string>
 #include <utility>
 
-namespace mbncc {
+namespace mbncc::teaching {
 
 /// Adds the wall time of its lifetime to timings[step], in milliseconds, also when the step throws.
 class StepTimer {
@@ -28,4 +28,4 @@ class StepTimer {
   Clock::time_point start_ = Clock::now();
 };
 
-}  // namespace mbncc
+}  // namespace mbncc::teaching

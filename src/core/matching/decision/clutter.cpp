@@ -10,7 +10,7 @@
 
 #include "mbncc/matching/matcher.hpp"
 
-namespace mbncc {
+namespace mbncc::decision {
 namespace {
 
 // Fitted together with the weights of log_odds().
@@ -77,4 +77,4 @@ double multiple_testing_penalty(std::size_t count) {
   return std::log(std::max(1.0, static_cast<double>(count) / kFewObjects));
 }
 
-}  // namespace mbncc
+}  // namespace mbncc::decision

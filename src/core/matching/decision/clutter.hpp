@@ -8,7 +8,7 @@
 
 #include "matching/decision/detection.hpp"
 
-namespace mbncc {
+namespace mbncc::decision {
 
 /// Number of places used to measure clutter, including the best one.
 constexpr std::size_t kCluttered = 10;
@@ -33,4 +33,4 @@ std::map<std::string, double> apply_clutter_penalty(std::vector<Detection>& dete
 /// mean more chance matches, and few of the objects are present.
 double multiple_testing_penalty(std::size_t count);
 
-}  // namespace mbncc
+}  // namespace mbncc::decision

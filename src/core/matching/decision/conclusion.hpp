@@ -8,7 +8,7 @@
 #include "mbncc/config/search_config.hpp"
 #include "mbncc/matching/matcher.hpp"
 
-namespace mbncc {
+namespace mbncc::decision {
 
 /// Reasons against grasping `match`, found as `detection`, without competitors. `cautious`: the
 /// covariance used for the grasp conditions. `instance_margin`: see margins.hpp.
@@ -19,4 +19,4 @@ std::vector<Doubt> doubts_about(const Match& match, const Detection& detection,
 /// Sets margin_place, graspable, ambiguous and reasons by score, competitors and doubts.
 void conclude(Match& match, const SearchConfig& config);
 
-}  // namespace mbncc
+}  // namespace mbncc::decision

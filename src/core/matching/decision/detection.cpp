@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace mbncc {
+namespace mbncc::decision {
 
 bool at_one_place(const Detection& a, const Detection& b) {
   constexpr double kApart = 0.4;  // of the radius
@@ -40,4 +40,4 @@ std::vector<Detection> resolve_rotations(std::vector<Detection> detections) {
   return compared;
 }
 
-}  // namespace mbncc
+}  // namespace mbncc::decision

@@ -8,7 +8,7 @@
 #include "matching/prepared/prepared_object.hpp"
 #include "mbncc/geometry.hpp"
 
-namespace mbncc {
+namespace mbncc::decision {
 
 /// [agreement] For a detection whose outline was not tested at other places, because its score is
 /// low or it is not the best at its place.
@@ -16,8 +16,8 @@ constexpr double kNotExamined = 4;
 
 /// A pose with its evidence, refined if it may be reported.
 struct Detection {
-  const PreparedObject* object = nullptr;
-  const PreparedView* view = nullptr;
+  const prepared::PreparedObject* object = nullptr;
+  const prepared::PreparedView* view = nullptr;
   Pose2D pose;                                ///< of the anchor [px]
   double size = 1;                            ///< of the detection, relative to the view
   cv::Matx33d covariance;                     ///< of pose
@@ -50,4 +50,4 @@ bool at_one_place(const Detection& a, const Detection& b);
 /// log-odds, and the others keep their differences in rotation_odds. Returns best first.
 std::vector<Detection> resolve_rotations(std::vector<Detection> detections);
 
-}  // namespace mbncc
+}  // namespace mbncc::decision

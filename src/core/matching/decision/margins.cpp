@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-namespace mbncc {
+namespace mbncc::decision {
 namespace {
 
 constexpr double kOtherAngle = to_radians(10);
@@ -36,7 +36,7 @@ double margin_to(const Detection& detection, const Detection* other) {
 }  // namespace
 
 bool overlapping(const Detection& a, const Detection& b, double most) {
-  return overlap(a.view->shape, a.pose, b.view->shape, b.pose) > most;
+  return templates::overlap(a.view->shape, a.pose, b.view->shape, b.pose) > most;
 }
 
 double angle_margin(const Detection& detection, const std::vector<Detection>& all,
@@ -80,4 +80,4 @@ const Detection* competing_object(const Detection& detection, const std::vector<
   });
 }
 
-}  // namespace mbncc
+}  // namespace mbncc::decision

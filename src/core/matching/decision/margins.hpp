@@ -8,7 +8,7 @@
 
 #include "matching/decision/detection.hpp"
 
-namespace mbncc {
+namespace mbncc::decision {
 
 /// [log-odds] Margin without a competitor.
 constexpr double kNoCompetitor = 20;
@@ -35,4 +35,4 @@ const Detection* competing_place(const Detection& detection, const std::vector<D
 const Detection* competing_object(const Detection& detection, const std::vector<Detection>& all,
                                   double max_overlap);
 
-}  // namespace mbncc
+}  // namespace mbncc::decision

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-namespace mbncc {
+namespace mbncc::decision {
 
 double calibration(const Detection& detection, double angle_margin, double instance_margin) {
   constexpr double kUsual = 0.42;
@@ -26,4 +26,4 @@ bool is_convincing(const Detection& detection, double instance_margin) {
   return odds >= kCertain || (odds >= kLikely && detection.shading_free_ncc >= kTexture);
 }
 
-}  // namespace mbncc
+}  // namespace mbncc::decision

@@ -4,7 +4,7 @@
 
 #include "matching/decision/detection.hpp"
 
-namespace mbncc {
+namespace mbncc::decision {
 
 /// Log-odds to add, fitted to the correctness of detections. They increase with the distinctness of
 /// the outline's fit and with the margin to other rotations, and decrease with the lead of another
@@ -18,4 +18,4 @@ double calibration(const Detection& detection, double angle_margin, double insta
 /// images, and for a detection with lower odds than another instance.
 bool is_convincing(const Detection& detection, double instance_margin);
 
-}  // namespace mbncc
+}  // namespace mbncc::decision

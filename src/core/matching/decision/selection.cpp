@@ -9,10 +9,11 @@
 #include "matching/decision/margins.hpp"
 #include "matching/decision/score_calibration.hpp"
 
-namespace mbncc {
+namespace mbncc::decision {
 namespace {
 
-int count_of(const std::vector<const Detection*>& accepted, const PreparedObject* object) {
+int count_of(const std::vector<const Detection*>& accepted,
+             const prepared::PreparedObject* object) {
   return static_cast<int>(
       std::count_if(accepted.begin(), accepted.end(),
                     [object](const Detection* other) { return other->object == object; }));
@@ -84,7 +85,7 @@ Match to_match(const Detection& detection, const std::vector<Detection>& all,
                const AcceptanceSettings& acceptance) {
   const SearchConfig& config = acceptance.config;
   const ObjectModel& model = *detection.object->model;
-  const PreparedView& view = *detection.view;
+  const prepared::PreparedView& view = *detection.view;
   Match match;
   match.name = model.name;
   match.revision = model.revision;
@@ -141,4 +142,4 @@ Selection select_matches(std::vector<Detection> detections, const AcceptanceSett
   return selection;
 }
 
-}  // namespace mbncc
+}  // namespace mbncc::decision

@@ -11,7 +11,7 @@
 #include "mbncc/config/search_config.hpp"
 #include "mbncc/matching/matcher.hpp"
 
-namespace mbncc {
+namespace mbncc::decision {
 
 /// Thresholds of one call.
 struct AcceptanceSettings {
@@ -36,4 +36,4 @@ double acceptance_score(const Detection& detection, const SearchConfig& config);
 /// margins to the others, and converts them to matches.
 Selection select_matches(std::vector<Detection> detections, const AcceptanceSettings& acceptance);
 
-}  // namespace mbncc
+}  // namespace mbncc::decision

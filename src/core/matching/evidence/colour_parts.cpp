@@ -10,10 +10,10 @@
 #include "numeric/fixed_random_state.hpp"
 #include "numeric/weighted_median.hpp"
 
-namespace mbncc {
+namespace mbncc::evidence {
 namespace {
 
-constexpr int kChannels = SurfaceTemplate::kChannels;
+constexpr int kChannels = templates::SurfaceTemplate::kChannels;
 constexpr int kParts = 7;
 using Planes = std::array<std::vector<float>, kChannels>;
 
@@ -29,7 +29,7 @@ cv::Point2f chroma(float blue, float green, float red, float dark) {
 
 /// For each point the part that its colour belongs to; brightness has less weight, because light
 /// changes it.
-std::vector<int> parts_of(const SurfaceTemplate& surface) {
+std::vector<int> parts_of(const templates::SurfaceTemplate& surface) {
   constexpr float kDark = 20, kChroma = 2, kBrightness = 0.3f;
   const int count = static_cast<int>(surface.size());
   const auto& planes = surface.planes;
@@ -41,7 +41,7 @@ std::vector<int> parts_of(const SurfaceTemplate& surface) {
     row[1] = c.y;
     row[2] = kBrightness * std::log(brightness(planes, i) + kDark);
   }
-  const FixedRandomState fixed;
+  const numeric::FixedRandomState fixed;
   cv::kmeans(colours, std::min(kParts, count), labels,
              {cv::TermCriteria::COUNT | cv::TermCriteria::EPS, 20, 1e-3}, 2, cv::KMEANS_PP_CENTERS);
   return {labels.begin<int>(), labels.end<int>()};
@@ -49,7 +49,7 @@ std::vector<int> parts_of(const SurfaceTemplate& surface) {
 
 /// The visible part: its chroma difference and its weight.
 struct PartSeen {
-  std::vector<Weighted> red, blue;
+  std::vector<numeric::Weighted> red, blue;
   double points = 0, weight = 0;
 
   /// Whether enough of the part is visible, and the part is large enough among `all` points.
@@ -76,7 +76,7 @@ std::vector<PartSeen> by_part(const std::vector<int>& part_of, const std::vector
 }
 
 /// For each point the compact part that it belongs to.
-std::vector<int> blocks_of(const SurfaceTemplate& surface) {
+std::vector<int> blocks_of(const templates::SurfaceTemplate& surface) {
   std::vector<int> blocks;
   for (std::size_t k = 0; k < surface.block_ends.size(); ++k)
     blocks.resize(surface.block_ends[k], static_cast<int>(k));
@@ -93,8 +93,8 @@ cv::Point2f unexplained(const cv::Point2f& off, const cv::Point2f& ground_off) {
 
 }  // namespace
 
-cv::Vec3f ground_beside(const ContourTemplate& contour, const SceneLevel& scene, const Pose2D& pose,
-                        double scale) {
+cv::Vec3f ground_beside(const templates::ContourTemplate& contour, const scene::SceneLevel& scene,
+                        const Pose2D& pose, double scale) {
   constexpr float kBeside = 4;  // [px]
   scene.prepare_around(pose, scale * contour.radius());
   Planes colours;
@@ -114,8 +114,8 @@ cv::Vec3f ground_beside(const ContourTemplate& contour, const SceneLevel& scene,
   return ground;
 }
 
-ColourParts::ColourParts(const SurfaceTemplate& surface, const ContourTemplate& contour,
-                         const cv::Vec3f& ground)
+ColourParts::ColourParts(const templates::SurfaceTemplate& surface,
+                         const templates::ContourTemplate& contour, const cv::Vec3f& ground)
     : ground_(ground) {
   constexpr float kBeside = 1.5f;    // distances to the nearest contour point, ...
   constexpr float kSlack = 3;        // [px] ... and a little
@@ -138,12 +138,12 @@ ColourParts::ColourParts(const SurfaceTemplate& surface, const ContourTemplate& 
 }
 
 /// Weights [0..1] of the points: part of the nearby contour points that are found.
-std::vector<float> ColourParts::witnessed(const SurfaceSample& sample,
-                                          const ContourSample& contour) const {
+std::vector<float> ColourParts::witnessed(const templates::SurfaceSample& sample,
+                                          const templates::ContourSample& contour) const {
   constexpr float kNone = 0.45f, kFull = 0.8f;
   std::vector<float> weights(sample.inside.size(), 0.f), clear(contour.seen);
   for (std::size_t i = 0; i < clear.size(); ++i)
-    if (!is_clear(contour.response[i])) clear[i] = 0;
+    if (!templates::is_clear(contour.response[i])) clear[i] = 0;
   int k = 0;
   for (std::size_t i = 0; i < colour_.size(); ++i) {
     float found = 0, seen = 0;
@@ -158,9 +158,9 @@ std::vector<float> ColourParts::witnessed(const SurfaceSample& sample,
   return weights;
 }
 
-ColourDifference ColourParts::worst_differences(const SurfaceTemplate& surface,
-                                                const SurfaceSample& sample,
-                                                const ContourSample& contour,
+ColourDifference ColourParts::worst_differences(const templates::SurfaceTemplate& surface,
+                                                const templates::SurfaceSample& sample,
+                                                const templates::ContourSample& contour,
                                                 const cv::Vec3f& ground) const {
   constexpr float kDark = 30;       // [grey levels]
   constexpr float kUnseen = 0.02f;  // weight of points without found contour points for the light
@@ -186,7 +186,8 @@ ColourDifference ColourParts::worst_differences(const SurfaceTemplate& surface,
     double worst = 0;
     for (auto& part : by_part(part_of, off, weights)) {
       if (!part.tells(surface.size())) continue;
-      const cv::Point2f typical(weighted_median(part.red), weighted_median(part.blue));
+      const cv::Point2f typical(numeric::weighted_median(part.red),
+                                numeric::weighted_median(part.blue));
       worst = std::max(worst, cv::norm(unexplained(typical, ground_off)));
     }
     return worst;
@@ -194,4 +195,4 @@ ColourDifference ColourParts::worst_differences(const SurfaceTemplate& surface,
   return {worst_of(colour_), worst_of(block_)};
 }
 
-}  // namespace mbncc
+}  // namespace mbncc::evidence

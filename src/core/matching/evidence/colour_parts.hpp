@@ -10,11 +10,11 @@
 #include "matching/template/contour_template.hpp"
 #include "matching/template/surface_template.hpp"
 
-namespace mbncc {
+namespace mbncc::evidence {
 
 /// Median colour (b, g, r) slightly outside the contour [scale times as large] at `pose`.
-cv::Vec3f ground_beside(const ContourTemplate& contour, const SceneLevel& scene, const Pose2D& pose,
-                        double scale = 1);
+cv::Vec3f ground_beside(const templates::ContourTemplate& contour, const scene::SceneLevel& scene,
+                        const Pose2D& pose, double scale = 1);
 
 /// [0..2] Chroma difference (ln R/G, ln B/G) of the most different part to its lesson in the light
 /// of the picture.
@@ -28,7 +28,7 @@ class ColourParts {
   ColourParts() = default;
 
   /// `ground` is the lesson's.
-  ColourParts(const SurfaceTemplate& surface, const ContourTemplate& contour,
+  ColourParts(const templates::SurfaceTemplate& surface, const templates::ContourTemplate& contour,
               const cv::Vec3f& ground);
 
   bool empty() const { return colour_.empty(); }
@@ -36,11 +36,14 @@ class ColourParts {
   /// Uses only points near a found contour, because an occluder hides the contour as well.
   /// Differences explained by another `ground` that shines through are subtracted, because learned
   /// maps contain some background.
-  ColourDifference worst_differences(const SurfaceTemplate& surface, const SurfaceSample& sample,
-                                     const ContourSample& contour, const cv::Vec3f& ground) const;
+  ColourDifference worst_differences(const templates::SurfaceTemplate& surface,
+                                     const templates::SurfaceSample& sample,
+                                     const templates::ContourSample& contour,
+                                     const cv::Vec3f& ground) const;
 
  private:
-  std::vector<float> witnessed(const SurfaceSample& sample, const ContourSample& contour) const;
+  std::vector<float> witnessed(const templates::SurfaceSample& sample,
+                               const templates::ContourSample& contour) const;
 
   cv::Vec3f ground_;                ///< of the lesson
   std::vector<int> colour_;         ///< of each point: the parts of one colour each
@@ -49,4 +52,4 @@ class ColourParts {
   std::vector<int> witnesses_end_;  ///< of each point, in `witnesses_`
 };
 
-}  // namespace mbncc
+}  // namespace mbncc::evidence

@@ -1,17 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "matching/evidence/contour_alignment.hpp"
 
-namespace mbncc {
+namespace mbncc::evidence {
 
-Candidate shifted_onto_edges(const ContourTemplate& contour, const SceneLevel& scene,
-                             const Candidate& candidate) {
+templates::Candidate shifted_onto_edges(const templates::ContourTemplate& contour,
+                                        const scene::SceneLevel& scene,
+                                        const templates::Candidate& candidate) {
   constexpr double kStep = 2;    // [px] small enough not to skip an edge
   constexpr int kFarthest = 3;   // steps
   constexpr double kSlack = 10;  // [px] more than the distance to the farthest place
   const Pose2D& pose = candidate.pose;
   scene.prepare_around(pose, contour.radius() + kSlack);
   ContourAlignment agreement(contour, scene);
-  Candidate best = candidate;
+  templates::Candidate best = candidate;
   best.value = -1;
   for (int i = -kFarthest; i <= kFarthest; ++i)
     for (int j = -kFarthest; j <= kFarthest; ++j) {
@@ -22,4 +23,4 @@ Candidate shifted_onto_edges(const ContourTemplate& contour, const SceneLevel& s
   return best;
 }
 
-}  // namespace mbncc
+}  // namespace mbncc::evidence

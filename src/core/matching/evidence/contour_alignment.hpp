@@ -8,7 +8,7 @@
 #include "matching/template/candidate.hpp"
 #include "matching/template/contour_template.hpp"
 
-namespace mbncc {
+namespace mbncc::evidence {
 
 struct AlignedContourPose {
   Pose2D pose;
@@ -18,13 +18,14 @@ struct AlignedContourPose {
 class ContourAlignment {
  public:
   /// For a contour `scale` times as large, at poses whose surroundings are prepared in the picture.
-  ContourAlignment(const ContourTemplate& contour, const SceneLevel& scene, double scale = 1)
+  ContourAlignment(const templates::ContourTemplate& contour, const scene::SceneLevel& scene,
+                   double scale = 1)
       : contour_(contour), scene_(scene), scale_(scale) {}
 
   /// See contour_agreement().
   double at(const Pose2D& pose) {
-    read_contour(contour_, scene_.edges, pose, 1, sample_, scale_);
-    return contour_agreement(contour_, sample_);
+    templates::read_contour(contour_, scene_.edges, pose, 1, sample_, scale_);
+    return templates::contour_agreement(contour_, sample_);
   }
 
   /// The best pose that up to `steps` steps of a pixel along x, y, or the rim reach from `start`,
@@ -53,15 +54,16 @@ class ContourAlignment {
   }
 
  private:
-  const ContourTemplate& contour_;
-  const SceneLevel& scene_;
+  const templates::ContourTemplate& contour_;
+  const scene::SceneLevel& scene_;
   double scale_;
-  ContourSample sample_;
+  templates::ContourSample sample_;
 };
 
 /// At the place within 6 px along x and y [px at level] where a contour agrees best with the edges,
 /// at the same rotation; that agreement is its value.
-Candidate shifted_onto_edges(const ContourTemplate& contour, const SceneLevel& scene,
-                             const Candidate& candidate);
+templates::Candidate shifted_onto_edges(const templates::ContourTemplate& contour,
+                                        const scene::SceneLevel& scene,
+                                        const templates::Candidate& candidate);
 
-}  // namespace mbncc
+}  // namespace mbncc::evidence

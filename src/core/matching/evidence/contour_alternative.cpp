@@ -6,10 +6,10 @@
 
 #include "matching/evidence/contour_alignment.hpp"
 
-namespace mbncc {
+namespace mbncc::evidence {
 
-double better_elsewhere(const ContourTemplate& contour, const SceneLevel& scene, const Pose2D& pose,
-                        double scale) {
+double better_elsewhere(const templates::ContourTemplate& contour, const scene::SceneLevel& scene,
+                        const Pose2D& pose, double scale) {
   constexpr double kNearest = 2.9;    // [px] nearer poses are the same place within its accuracy
   constexpr double kStep = 2;         // [px] small enough not to skip an edge
   constexpr int kFarthest = 3;        // steps along x and y
@@ -35,4 +35,4 @@ double better_elsewhere(const ContourTemplate& contour, const SceneLevel& scene,
   return best - here;
 }
 
-}  // namespace mbncc
+}  // namespace mbncc::evidence

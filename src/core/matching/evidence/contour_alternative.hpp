@@ -5,14 +5,14 @@
 #include "matching/scene/scene_level.hpp"
 #include "matching/template/contour_template.hpp"
 
-namespace mbncc {
+namespace mbncc::evidence {
 
 /// [agreement] A larger advantage of another place contradicts the pose.
 constexpr double kContradicts = 0.05;
 
 /// [-2..2] Advantage in contour_agreement() of places 3 to about 10 px away from `pose`, slightly
 /// rotated, over `pose` itself, for the contour `scale` times as large. Approximate if negative.
-double better_elsewhere(const ContourTemplate& contour, const SceneLevel& scene, const Pose2D& pose,
-                        double scale);
+double better_elsewhere(const templates::ContourTemplate& contour, const scene::SceneLevel& scene,
+                        const Pose2D& pose, double scale);
 
-}  // namespace mbncc
+}  // namespace mbncc::evidence

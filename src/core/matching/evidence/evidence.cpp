@@ -11,7 +11,7 @@
 #include "matching/evidence/trimmed_residual.hpp"
 #include "simd/lanes.hpp"
 
-namespace mbncc {
+namespace mbncc::evidence {
 namespace {
 
 constexpr double kLargeArea = 1800;      // [px] beyond it, size no longer reduces chance matches
@@ -21,22 +21,24 @@ double log_trimmed(double residual) {
   return std::log(residual + 3);
 }
 
-double gradient_agreement(const SurfaceTemplate& surface, const SurfaceSample& sample,
-                          const cv::Mat& edges, const Pose2D& pose, double scale) {
+double gradient_agreement(const templates::SurfaceTemplate& surface,
+                          const templates::SurfaceSample& sample, const cv::Mat& edges,
+                          const Pose2D& pose, double scale) {
   thread_local std::vector<float> agreements;
   agreements.resize(surface.padded());
-  kernels::edge_agreements(view_of(edges),
+  kernels::edge_agreements(imaging::view_of(edges),
                            {surface.x.data(), surface.y.data(), static_cast<int>(surface.padded())},
                            surface.gradient_x.data(), surface.gradient_y.data(),
-                           placement_of(pose, scale), agreements.data());
-  return product(agreements, sample.inside.data()) /
-         (kEdgeScale * (surface.gradient_total + static_cast<double>(surface.size())));
+                           imaging::placement_of(pose, scale), agreements.data());
+  return kernels::product(agreements, sample.inside.data()) /
+         (imaging::kEdgeScale * (surface.gradient_total + static_cast<double>(surface.size())));
 }
 
-Evidence contour_evidence(const PoseTemplate& object, const PoseSample& sample) {
+Evidence contour_evidence(const templates::PoseTemplate& object,
+                          const templates::PoseSample& sample) {
   Evidence evidence;
-  evidence.contour_score = contour_agreement(object.contour, sample.contour);
-  evidence.contour_coverage = contour_found(object.contour, sample.contour);
+  evidence.contour_score = templates::contour_agreement(object.contour, sample.contour);
+  evidence.contour_coverage = templates::contour_found(object.contour, sample.contour);
   evidence.texture = object.surface.texture();
   evidence.visible = static_cast<double>(sample.surface.visible) /
                      static_cast<double>(std::max<std::size_t>(1, object.surface.size()));
@@ -45,30 +47,31 @@ Evidence contour_evidence(const PoseTemplate& object, const PoseSample& sample) 
 
 /// The input read at a pose.
 struct Reading {
-  const PoseTemplate& object;
-  const SceneLevel& scene;
+  const templates::PoseTemplate& object;
+  const scene::SceneLevel& scene;
   const Pose2D& pose;
   double scale;
 };
 
 /// `trimmed` is the residual of the sample's parts.
-Evidence evidence_of(const Reading& reading, const PoseSample& sample, double trimmed) {
+Evidence evidence_of(const Reading& reading, const templates::PoseSample& sample, double trimmed) {
   constexpr double kNoise = 9;  // [grey^2]
-  const SurfaceTemplate& surface = reading.object.surface;
-  const SurfaceSample& seen = sample.surface;
+  const templates::SurfaceTemplate& surface = reading.object.surface;
+  const templates::SurfaceSample& seen = sample.surface;
   Evidence evidence = contour_evidence(reading.object, sample);
   evidence.gradient =
       gradient_agreement(surface, seen, reading.scene.edges, reading.pose, reading.scale);
   if (trimmed >= 0) evidence.trimmed_residual = log_trimmed(trimmed);
-  evidence.histogram = overlap(surface.histogram, chroma_histogram(seen.planes, seen.inside));
+  evidence.histogram =
+      imaging::overlap(surface.histogram, imaging::chroma_histogram(seen.planes, seen.inside));
   evidence.shading_free_ncc = surface.correlation(sample.residual, kNoise);
   evidence.log_residual = std::log(std::sqrt(surface.unexplained(sample.residual)) + 2);
   return evidence;
 }
 
-Evidence evidence_without(const ColourCast& cast, const Reading& reading, const PoseSample& sample,
-                          double trimmed) {
-  thread_local PoseSample freed;
+Evidence evidence_without(const ColourCast& cast, const Reading& reading,
+                          const templates::PoseSample& sample, double trimmed) {
+  thread_local templates::PoseSample freed;
   freed = sample;
   take_out(cast, freed.surface);
   freed.residual = reading.object.surface.residual(freed.surface);
@@ -86,20 +89,20 @@ double cast_penalty(double cast) {
 
 }  // namespace
 
-Evidence gather_evidence(const PoseTemplate& object, const SceneLevel& scene, const Pose2D& pose,
-                         double scale) {
-  thread_local PoseSample sample;
+Evidence gather_evidence(const templates::PoseTemplate& object, const scene::SceneLevel& scene,
+                         const Pose2D& pose, double scale) {
+  thread_local templates::PoseSample sample;
   sample.read(object, scene, pose, 1, scale);
   return gather_evidence(object, scene, pose, sample, scale);
 }
 
-Evidence gather_evidence(const PoseTemplate& object, const SceneLevel& scene, const Pose2D& pose,
-                         const PoseSample& sample, double scale) {
+Evidence gather_evidence(const templates::PoseTemplate& object, const scene::SceneLevel& scene,
+                         const Pose2D& pose, const templates::PoseSample& sample, double scale) {
   constexpr double kLeastCast = 0.05;  // ln of the gains; less is noise
   constexpr double kOtherGain = 6;     // log-odds that other features may gain without the cast
   if (!sample.surface.suffices()) return contour_evidence(object, sample);
   const Reading reading{object, scene, pose, scale};
-  auto blocks = block_sums(object.surface, sample.surface);
+  auto blocks = templates::block_sums(object.surface, sample.surface);
   const double trimmed = trimmed_residual(blocks);
   const ColourCast cast = bounded(local_cast(blocks).value_or(ColourCast{}));
   const Evidence as_seen = evidence_of(reading, sample, trimmed);
@@ -139,4 +142,4 @@ double rotation_odds(const Evidence& evidence, double misfit) {
   return 57 * evidence.contour_score + 12 * evidence.gradient - 10.7 * misfit;
 }
 
-}  // namespace mbncc
+}  // namespace mbncc::evidence

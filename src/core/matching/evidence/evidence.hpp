@@ -5,7 +5,7 @@
 
 #include "matching/template/pose_sample.hpp"
 
-namespace mbncc {
+namespace mbncc::evidence {
 
 /// Residual where there is nothing to compare.
 constexpr double kNoFit = 5;
@@ -28,12 +28,12 @@ struct Evidence {
 };
 
 /// Of the object `scale` times as large as the template.
-Evidence gather_evidence(const PoseTemplate& object, const SceneLevel& scene, const Pose2D& pose,
-                         double scale = 1);
+Evidence gather_evidence(const templates::PoseTemplate& object, const scene::SceneLevel& scene,
+                         const Pose2D& pose, double scale = 1);
 
 /// From the data read at the pose.
-Evidence gather_evidence(const PoseTemplate& object, const SceneLevel& scene, const Pose2D& pose,
-                         const PoseSample& sample, double scale = 1);
+Evidence gather_evidence(const templates::PoseTemplate& object, const scene::SceneLevel& scene,
+                         const Pose2D& pose, const templates::PoseSample& sample, double scale = 1);
 
 /// Fused log-odds that the object of `area` [px] lies at the pose: a logistic model of the
 /// evidence. Small objects are matched by chance more often and need more.
@@ -46,4 +46,4 @@ double rotation_odds(const Evidence& evidence);
 /// The same, more accurate, if the surface's `misfit` (PhotometricResidual) is known as well.
 double rotation_odds(const Evidence& evidence, double misfit);
 
-}  // namespace mbncc
+}  // namespace mbncc::evidence

@@ -3,7 +3,7 @@
 
 #include <cstddef>
 
-namespace mbncc {
+namespace mbncc::evidence {
 
 // Weighted least squares, reweighted by the misfits.
 GainOffset fit_gain_offset(const std::array<std::vector<float>, 3>& learned,
@@ -41,4 +41,4 @@ GainOffset fit_gain_offset(const std::array<std::vector<float>, 3>& learned,
   return light;
 }
 
-}  // namespace mbncc
+}  // namespace mbncc::evidence

@@ -6,7 +6,7 @@
 #include <array>
 #include <vector>
 
-namespace mbncc {
+namespace mbncc::evidence {
 
 /// One gain and offset for the whole object and all channels.
 struct GainOffset {
@@ -24,4 +24,4 @@ GainOffset fit_gain_offset(const std::array<std::vector<float>, 3>& learned,
                            const std::array<std::vector<float>, 3>& seen,
                            const std::vector<float>& weights);
 
-}  // namespace mbncc
+}  // namespace mbncc::evidence

@@ -4,11 +4,11 @@
 #include <algorithm>
 #include <limits>
 
-namespace mbncc {
+namespace mbncc::evidence {
 namespace {
 
 /// Neither dark nor clipped.
-bool is_told_by(const BlockSums::Channels& sums, double count) {
+bool is_told_by(const templates::BlockSums::Channels& sums, double count) {
   constexpr double kDark = 24, kClipped = 245;
   return std::all_of(sums.begin(), sums.end(),
                      [&](double sum) { return sum >= kDark * count && sum <= kClipped * count; });
@@ -50,7 +50,7 @@ ColourCast tightest_half(const std::vector<ColourCast>& casts) {
 
 }  // namespace
 
-std::optional<ColourCast> local_cast(const std::vector<BlockSums>& blocks) {
+std::optional<ColourCast> local_cast(const std::vector<templates::BlockSums>& blocks) {
   std::vector<ColourCast> casts;
   for (const auto& [count, learned, seen, learned_square, seen_square, product] : blocks) {
     if (count == 0 || !is_told_by(learned, count) || !is_told_by(seen, count)) continue;
@@ -67,24 +67,24 @@ ColourCast bounded(const ColourCast& cast) {
   return {std::clamp(cast.blue, -kMost, kMost), std::clamp(cast.red, -kMost, kMost)};
 }
 
-void take_out(const ColourCast& cast, SurfaceSample& sample) {
+void take_out(const ColourCast& cast, templates::SurfaceSample& sample) {
   constexpr float kWhite = 255;
   const cv::Vec3d gains = cast.gains();
-  for (int c = 0; c < SurfaceTemplate::kChannels; ++c) {
+  for (int c = 0; c < templates::SurfaceTemplate::kChannels; ++c) {
     const auto factor = static_cast<float>(1 / gains[c]);
     for (auto& value : sample.planes[c]) value = std::min(kWhite, value * factor);
     sample.means[c] = std::min<double>(kWhite, sample.means[c] * factor);
   }
 }
 
-void take_out(const ColourCast& cast, std::vector<BlockSums>& blocks) {
+void take_out(const ColourCast& cast, std::vector<templates::BlockSums>& blocks) {
   const cv::Vec3d gains = cast.gains();
   for (auto& block : blocks)
-    for (int c = 0; c < SurfaceTemplate::kChannels; ++c) {
+    for (int c = 0; c < templates::SurfaceTemplate::kChannels; ++c) {
       block.seen[c] /= gains[c];
       block.product[c] /= gains[c];
       block.seen_square[c] /= gains[c] * gains[c];
     }
 }
 
-}  // namespace mbncc
+}  // namespace mbncc::evidence

@@ -9,7 +9,7 @@
 
 #include "matching/template/block_sums.hpp"
 
-namespace mbncc {
+namespace mbncc::evidence {
 
 /// ln of the gains of a picture's blue and red against its green.
 struct ColourCast {
@@ -22,13 +22,13 @@ struct ColourCast {
 
 /// Mean over the half of the surface's compact parts that agree best, of those neither dark nor
 /// clipped, so that occluded parts have no influence; none if no part is usable.
-std::optional<ColourCast> local_cast(const std::vector<BlockSums>& blocks);
+std::optional<ColourCast> local_cast(const std::vector<templates::BlockSums>& blocks);
 
 /// The cast limited to plausible light; larger differences are another colour.
 ColourCast bounded(const ColourCast& cast);
 
 /// Removes the cast; colours stay in [0..255].
-void take_out(const ColourCast& cast, SurfaceSample& sample);
-void take_out(const ColourCast& cast, std::vector<BlockSums>& blocks);
+void take_out(const ColourCast& cast, templates::SurfaceSample& sample);
+void take_out(const ColourCast& cast, std::vector<templates::BlockSums>& blocks);
 
-}  // namespace mbncc
+}  // namespace mbncc::evidence

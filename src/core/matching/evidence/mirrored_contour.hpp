@@ -7,7 +7,7 @@
 #include "matching/scene/scene_level.hpp"
 #include "matching/template/contour_template.hpp"
 
-namespace mbncc {
+namespace mbncc::evidence {
 
 /// [agreement] Advantage that a mirrored outline does not reach by chance.
 constexpr double kMirrored = 0.04;
@@ -17,12 +17,13 @@ class MirroredContour {
   MirroredContour() = default;
 
   /// For an object whose `contour` lies at `home` [px] in `lesson`.
-  MirroredContour(const ContourTemplate& contour, const SceneLevel& lesson, const Pose2D& home);
+  MirroredContour(const templates::ContourTemplate& contour, const scene::SceneLevel& lesson,
+                  const Pose2D& home);
 
   /// [-2..2] Advantage in agreement of the mirrored outline, `scale` times as large, over `contour`
   /// at `pose`, minus that in the lesson, because an outline can be its own mirror image.
-  double better(const ContourTemplate& contour, const SceneLevel& scene, const Pose2D& pose,
-                double scale) const;
+  double better(const templates::ContourTemplate& contour, const scene::SceneLevel& scene,
+                const Pose2D& pose, double scale) const;
 
   /// [agreement] A larger advantage means that the object lies on its other side. Half of the
   /// mirrored outline's deficit in the lesson; if that is small, kMirrored, which chance does not
@@ -30,10 +31,10 @@ class MirroredContour {
   double limit() const { return limit_; }
 
  private:
-  ContourTemplate mirrored_;
+  templates::ContourTemplate mirrored_;
   std::vector<Pose2D> poses_;  ///< of the mirrored outline, at its best fit to the object's
   double usual_ = 0;           ///< advantage in the lesson
   double limit_ = kMirrored;
 };
 
-}  // namespace mbncc
+}  // namespace mbncc::evidence

@@ -6,10 +6,10 @@
 
 #include "simd/lanes.hpp"
 
-namespace mbncc {
+namespace mbncc::evidence {
 namespace {
 
-constexpr int kChannels = SurfaceTemplate::kChannels;
+constexpr int kChannels = templates::SurfaceTemplate::kChannels;
 
 /// Iteratively reweights points by their residuals until the variance converges. Returns the
 /// variance [grey^2] of the weighted `residual`.
@@ -23,8 +23,8 @@ double weigh(const std::vector<float>& residual, const std::vector<float>& insid
   for (std::size_t i = 0; i < squares.size(); ++i) squares[i] = residual[i] * residual[i];
   double variance = 0;
   for (int pass = 0; pass < kPasses; ++pass) {
-    const auto [total, sum] = products<2>({weights.data(), weights.data()},
-                                          {inside.data(), squares.data()}, squares.size());
+    const auto [total, sum] = kernels::products<2>({weights.data(), weights.data()},
+                                                   {inside.data(), squares.data()}, squares.size());
     variance = sum / std::max(1e-6f, total) + kQuantised;
     const float scale = 1 / (kUsual * static_cast<float>(variance));
     for (std::size_t i = 0; i < squares.size(); ++i)
@@ -36,7 +36,7 @@ double weigh(const std::vector<float>& residual, const std::vector<float>& insid
 }  // namespace
 
 /// Shading multiplies a colour, except for the camera's offset.
-PhotometricResidual::PhotometricResidual(const SurfaceTemplate& surface)
+PhotometricResidual::PhotometricResidual(const templates::SurfaceTemplate& surface)
     : count_(surface.basis.size() + 1), points_(static_cast<double>(surface.size())) {
   constexpr double kAdded = 30;  // [grey]
   for (auto& part : direction_) part.assign(surface.padded(), 0.f);
@@ -52,7 +52,7 @@ PhotometricResidual::PhotometricResidual(const SurfaceTemplate& surface)
   }
 }
 
-double PhotometricResidual::misfit(const SurfaceSample& sample) const {
+double PhotometricResidual::misfit(const templates::SurfaceSample& sample) const {
   constexpr int kFits = 3;
   if (count_ == 0 || !sample.suffices()) return 0;
   thread_local std::vector<float> seen, weights, residual;
@@ -67,7 +67,7 @@ double PhotometricResidual::misfit(const SurfaceSample& sample) const {
   return std::log(variance + 1) / 2;
 }
 
-void PhotometricResidual::read_brightness(const SurfaceSample& sample,
+void PhotometricResidual::read_brightness(const templates::SurfaceSample& sample,
                                           std::vector<float>& seen) const {
   seen.resize(padded());
   const auto& d = direction_;
@@ -90,7 +90,7 @@ PhotometricResidual::Light PhotometricResidual::light(const std::vector<float>& 
     kernels::dots(term(k), padded(), count_ - k, weighted.data(), static_cast<int>(padded()), sums);
     for (int j = k; j < count_; ++j) products(k, j) = products(j, k) = sums[j - k];
     products(k, k) += kLeast;
-    right[k] = product(seen, weighted.data());
+    right[k] = kernels::product(seen, weighted.data());
   }
   products(count_ - 1, count_ - 1) += kGainPrior * points_;
   right[count_ - 1] += kGainPrior * points_;
@@ -98,7 +98,7 @@ PhotometricResidual::Light PhotometricResidual::light(const std::vector<float>& 
 }
 
 void PhotometricResidual::subtract(const Light& light, std::vector<float>& values) const {
-  for (int k = 0; k < count_; ++k) mbncc::subtract(values, light[k], term(k));
+  for (int k = 0; k < count_; ++k) kernels::subtract(values, light[k], term(k));
 }
 
-}  // namespace mbncc
+}  // namespace mbncc::evidence

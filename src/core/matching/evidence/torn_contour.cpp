@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numeric>
 
-namespace mbncc {
+namespace mbncc::evidence {
 namespace {
 
 constexpr int kTurns = 4;       // to each side, ...
@@ -18,8 +18,8 @@ constexpr double kSlack = 24;   // [px] more than the motion of any point
 
 class TornOutline {
  public:
-  TornOutline(const ContourTemplate& contour, const SceneLevel& scene, const Pose2D& pose,
-              double scale)
+  TornOutline(const templates::ContourTemplate& contour, const scene::SceneLevel& scene,
+              const Pose2D& pose, double scale)
       : contour_(contour), scene_(scene), pose_(pose), scale_(scale), order_(contour.size()) {
     const double c = std::cos(pose.theta), s = std::sin(pose.theta);
     std::iota(order_.begin(), order_.end(), 0);
@@ -47,7 +47,7 @@ class TornOutline {
   void read(int turn, int shift) {
     const double angle = turn * kArc / std::max(1.0, scale_ * contour_.radius());
     const Pose2D pose{pose_.x + shift * kShift, pose_.y, pose_.theta + angle};
-    read_contour(contour_, scene_.edges, pose, 1, sample_, scale_);
+    templates::read_contour(contour_, scene_.edges, pose, 1, sample_, scale_);
     Sums& sums = responses_[kShifts + shift];
     sums.assign(1, 0);
     for (const std::size_t i : order_) sums.push_back(sums.back() + sample_.response[i]);
@@ -80,21 +80,21 @@ class TornOutline {
     return best;
   }
 
-  const ContourTemplate& contour_;
-  const SceneLevel& scene_;
+  const templates::ContourTemplate& contour_;
+  const scene::SceneLevel& scene_;
   Pose2D pose_;
   double scale_;
   std::vector<std::size_t> order_;  // of the points, from the picture's top down
-  ContourSample sample_;
+  templates::ContourSample sample_;
   std::array<Sums, 2 * kShifts + 1> responses_;
   float visible_ = 1;
 };
 
 }  // namespace
 
-double better_torn(const ContourTemplate& contour, const SceneLevel& scene, const Pose2D& pose,
-                   double scale) {
+double better_torn(const templates::ContourTemplate& contour, const scene::SceneLevel& scene,
+                   const Pose2D& pose, double scale) {
   return TornOutline(contour, scene, pose, scale).better();
 }
 
-}  // namespace mbncc
+}  // namespace mbncc::evidence

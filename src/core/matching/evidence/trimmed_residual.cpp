@@ -9,10 +9,10 @@
 
 #include "matching/template/sample_points.hpp"
 
-namespace mbncc {
+namespace mbncc::evidence {
 namespace {
 
-constexpr int kChannels = SurfaceTemplate::kChannels;
+constexpr int kChannels = templates::SurfaceTemplate::kChannels;
 constexpr double kLeastPoints = 4;  // of a part that is compared
 
 struct Gain {
@@ -24,7 +24,7 @@ struct Sums {
   double count = 0, t = 0, s = 0, tt = 0, ts = 0, ss = 0;
 
   Sums() = default;
-  explicit Sums(const BlockSums& block) : count(kChannels * block.count) {
+  explicit Sums(const templates::BlockSums& block) : count(kChannels * block.count) {
     for (int c = 0; c < kChannels; ++c) {
       t += block.learned[c];
       s += block.seen[c];
@@ -64,7 +64,7 @@ struct Sums {
 /// The parts of a surface, at most as many as SamplePoints has.
 class Parts {
  public:
-  explicit Parts(const std::vector<BlockSums>& all) {
+  explicit Parts(const std::vector<templates::BlockSums>& all) {
     for (const auto& one : all)
       if (one.count >= kLeastPoints) parts_[count_++] = Sums(one);
   }
@@ -79,7 +79,7 @@ class Parts {
 
   /// The sum of the five of eight with the smallest residuals in a light.
   Sums best_explained(const Gain& gain) const {
-    std::array<std::pair<double, std::size_t>, kMostBlocks> sorted;
+    std::array<std::pair<double, std::size_t>, templates::kMostBlocks> sorted;
     for (std::size_t i = 0; i < count_; ++i) sorted[i] = {parts_[i].square(gain), i};
     const auto kept = static_cast<std::ptrdiff_t>((count_ * 5 + 7) / 8);
     std::nth_element(sorted.begin(), sorted.begin() + kept - 1, sorted.begin() + count_);
@@ -89,14 +89,14 @@ class Parts {
   }
 
  private:
-  std::array<Sums, kMostBlocks> parts_;
+  std::array<Sums, templates::kMostBlocks> parts_;
   std::size_t count_ = 0;
 };
 
 }  // namespace
 
 // The best of three local fits: from the light of all parts, and from that of either half.
-double trimmed_residual(const std::vector<BlockSums>& blocks) {
+double trimmed_residual(const std::vector<templates::BlockSums>& blocks) {
   constexpr int kSteps = 2;
   const Parts parts(blocks);
   if (parts.count() == 0) return -1;
@@ -115,4 +115,4 @@ double trimmed_residual(const std::vector<BlockSums>& blocks) {
   return std::sqrt(std::max(0.0, least));
 }
 
-}  // namespace mbncc
+}  // namespace mbncc::evidence

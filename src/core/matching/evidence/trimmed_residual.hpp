@@ -7,11 +7,11 @@
 
 #include "matching/template/block_sums.hpp"
 
-namespace mbncc {
+namespace mbncc::evidence {
 
 /// Root mean square [grey levels] of the colour differences in the five of eight parts that one
 /// gain and one offset fit best (least trimmed squares, Rousseeuw 1984); negative if no part lies
 /// in the picture.
-double trimmed_residual(const std::vector<BlockSums>& blocks);
+double trimmed_residual(const std::vector<templates::BlockSums>& blocks);
 
-}  // namespace mbncc
+}  // namespace mbncc::evidence

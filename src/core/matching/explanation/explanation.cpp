@@ -55,30 +55,32 @@ std::string covering(const std::vector<Match>& matches, const std::string& name,
 }
 
 /// The terms of the score of a pose at `scale` of the view's.
-void take_evidence(const PreparedView& view, const ScenePicture& scene, const Pose2D& anchor,
-                   double scale, Explanation& explanation) {
-  const Evidence seen = gather_evidence(view.fine, scene.levels[0], anchor, scale);
-  const double area = view.shape.area(), together = log_odds(seen, area);
-  const auto add = [&](const char* name, double value, double Evidence::*member, double perfect) {
-    Evidence better = seen;
+void take_evidence(const prepared::PreparedView& view, const scene::ScenePicture& scene,
+                   const Pose2D& anchor, double scale, Explanation& explanation) {
+  const evidence::Evidence seen =
+      evidence::gather_evidence(view.fine, scene.levels[0], anchor, scale);
+  const double area = view.shape.area(), together = evidence::log_odds(seen, area);
+  const auto add = [&](const char* name, double value, double evidence::Evidence::*member,
+                       double perfect) {
+    evidence::Evidence better = seen;
     better.*member = perfect;
-    explanation.parts.push_back({name, value, log_odds(better, area) - together});
+    explanation.parts.push_back({name, value, evidence::log_odds(better, area) - together});
   };
   // Residual of two pictures of one object that differ only by noise.
   const double kEqual = std::log(6.0);
-  add("outline found", seen.contour_coverage, &Evidence::contour_coverage, 1);
-  add("directions of texture", seen.gradient, &Evidence::gradient, 1);
+  add("outline found", seen.contour_coverage, &evidence::Evidence::contour_coverage, 1);
+  add("directions of texture", seen.gradient, &evidence::Evidence::gradient, 1);
   add("difference of colours [grey levels]", std::exp(seen.trimmed_residual) - 3,
-      &Evidence::trimmed_residual, std::min(kEqual, seen.trimmed_residual));
-  add("colours as a whole", seen.histogram, &Evidence::histogram, 1);
-  add("colours without shading", seen.shading_free_ncc, &Evidence::shading_free_ncc, 1);
-  add("part of the surface compared", seen.visible, &Evidence::visible, 1);
-  add("cast of the light", seen.cast, &Evidence::cast, 0);
+      &evidence::Evidence::trimmed_residual, std::min(kEqual, seen.trimmed_residual));
+  add("colours as a whole", seen.histogram, &evidence::Evidence::histogram, 1);
+  add("colours without shading", seen.shading_free_ncc, &evidence::Evidence::shading_free_ncc, 1);
+  add("part of the surface compared", seen.visible, &evidence::Evidence::visible, 1);
+  add("cast of the light", seen.cast, &evidence::Evidence::cast, 0);
   explanation.evidence = together;
 }
 
 /// The pose of the view's anchor that shows the object frame at `pose` and `scale` of the view's.
-Pose2D anchor_of(const PreparedView& view, const Pose2D& pose, double scale) {
+Pose2D anchor_of(const prepared::PreparedView& view, const Pose2D& pose, double scale) {
   const Pose2D& reference = view.reference_in_anchor;
   const double theta = pose.theta - reference.theta;
   const cv::Point2d lever = scale * rotate(reference.position(), theta);
@@ -86,7 +88,7 @@ Pose2D anchor_of(const PreparedView& view, const Pose2D& pose, double scale) {
 }
 
 /// The view that explains a pose best.
-void take_best_evidence(const PreparedObject& object, const ScenePicture& scene,
+void take_best_evidence(const prepared::PreparedObject& object, const scene::ScenePicture& scene,
                         Explanation& explanation) {
   Explanation best;
   best.evidence = -std::numeric_limits<double>::max();
@@ -146,10 +148,11 @@ class Explainer {
     const auto clutter = searched_.usual.clutter.find(model->name);
     if (clutter != searched_.usual.clutter.end()) explanation.clutter = clutter->second;
     const double min_score = model->min_score.value_or(config_.min_score);
-    const Engine engine = config_.engine == "polar" ? Engine::kPolar : Engine::kFast;
+    const prepared::Engine engine =
+        config_.engine == "polar" ? prepared::Engine::kPolar : prepared::Engine::kFast;
     const auto prepared =
-        std::make_shared<const PreparedObject>(model, engine, config_.scale_range);
-    const auto [object, scene] = comparisons({prepared}, picture_, scenes_).front();
+        std::make_shared<const prepared::PreparedObject>(model, engine, config_.scale_range);
+    const auto [object, scene] = prepared::comparisons({prepared}, picture_, scenes_).front();
     if (const Match* match = best_at(searched_.usual.matches, model->name, place_)) {
       explanation.outcome = match->graspable ? Outcome::kGraspable : Outcome::kReported;
       take_match(*match, config_, min_score, explanation);
@@ -172,12 +175,12 @@ class Explainer {
 
  private:
   /// The best pose near the place, whether or not the search proposes one.
-  void judge_at(const PreparedObject& object, const ScenePicture& scene,
+  void judge_at(const prepared::PreparedObject& object, const scene::ScenePicture& scene,
                 Explanation& explanation) const {
     explanation.log_odds = -std::numeric_limits<double>::infinity();
     for (const auto& view : object.views) {
       if (view.polar) continue;
-      for (const auto& one : judge_places(object, view, scene, {place_})) {
+      for (const auto& one : search::judge_places(object, view, scene, {place_})) {
         const double odds = one.log_odds - explanation.clutter;
         if (odds <= explanation.log_odds) continue;
         explanation.log_odds = odds;
@@ -195,7 +198,7 @@ class Explainer {
   cv::Mat picture_;
   cv::Point2d place_;
   Searched searched_;
-  ScenePool scenes_;
+  scene::ScenePool scenes_;
 };
 
 Models asked_for(const Models& objects, const std::vector<std::string>& names) {

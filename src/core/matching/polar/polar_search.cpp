@@ -34,7 +34,7 @@ cv::Mat disc(cv::Size size, const Circle& circle) {
 
 /// Pixels of a coarser level that the region covers in full.
 cv::Mat region_at(const cv::Mat& region, int level) {
-  return build_pyramid(region, level).back() == 255;
+  return imaging::build_pyramid(region, level).back() == 255;
 }
 
 void sort_best_first(std::vector<PolarPose>& poses, std::size_t most) {
@@ -73,12 +73,12 @@ PolarSearch::PolarSearch(const View& view, PolarRegion region) {
     throw std::invalid_argument("it is too large for the paper's matching; use the fast engine");
   centre_ = circle.centre;
   const cv::Mat counted = region == PolarRegion::kMap ? view.map : disc(view.map.size(), circle);
-  const auto pyramid = build_pyramid(grey, kTopLevel);
+  const auto pyramid = imaging::build_pyramid(grey, kTopLevel);
   for (std::size_t level = 0; level < pyramid.size(); ++level) {
     const int l = static_cast<int>(level);
     const double radius = circle.radius / (1 << l);
     if (l > 0 && radius < kSmallestRadius) break;
-    templates_.emplace_back(pyramid[level], region_at(counted, l), to_level(centre_, l),
+    templates_.emplace_back(pyramid[level], region_at(counted, l), imaging::to_level(centre_, l),
                             PolarGrid::of(std::max(1.0, radius)));
   }
 }
@@ -126,7 +126,7 @@ std::vector<PolarPose> PolarSearch::scan(const cv::Mat& grey, int level,
 PolarPose PolarSearch::refined(const cv::Mat& grey, int level, const PolarPose& coarse) const {
   constexpr int kReach = 2;  // [px] and columns around the result of the coarser level
   const PolarTemplate& object = templates_[level];
-  const cv::Point2d middle = from_level(coarse.pose.position(), 1);
+  const cv::Point2d middle = imaging::from_level(coarse.pose.position(), 1);
   const int shift = cvRound(coarse.pose.theta * object.grid().angles / (2 * kPi));
   PolarPose best{{}, -2};
   for (int dy = -kReach; dy <= kReach; ++dy)

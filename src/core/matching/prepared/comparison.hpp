@@ -8,18 +8,18 @@
 #include "matching/prepared/prepared_object.hpp"
 #include "matching/scene/scene_pool.hpp"
 
-namespace mbncc {
+namespace mbncc::prepared {
 
 /// An object and a picture as they are compared: in grey if either has no colour.
 struct Comparison {
   const PreparedObject* object;  ///< lives as long as the given one
-  std::shared_ptr<const ScenePicture> scene;
+  std::shared_ptr<const scene::ScenePicture> scene;
 };
 
 /// In the order of the objects; objects with the same comparison share a scene. The pool must
 /// outlive them.
 std::vector<Comparison> comparisons(
     const std::vector<std::shared_ptr<const PreparedObject>>& objects, const cv::Mat& picture,
-    ScenePool& scenes);
+    scene::ScenePool& scenes);
 
-}  // namespace mbncc
+}  // namespace mbncc::prepared

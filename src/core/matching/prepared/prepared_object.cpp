@@ -8,7 +8,7 @@
 #include "imaging/pyramid.hpp"
 #include "mbncc/matching/symmetry.hpp"
 
-namespace mbncc {
+namespace mbncc::prepared {
 namespace {
 
 constexpr double kRendered = 700;   // [px] area below which mixed pixels determine the pose
@@ -22,7 +22,7 @@ cv::Mat grey_of(const View& view) {
 
 bool shows_colour(const ObjectModel& model) {
   return std::none_of(model.views.begin(), model.views.end(),
-                      [](const View& view) { return is_grey(view.template_image); });
+                      [](const View& view) { return scene::is_grey(view.template_image); });
 }
 
 View as_grey(const View& view) {
@@ -66,14 +66,14 @@ View rescaled(const View& view, double scale) {
 
 /// All levels up to `top`: build_pyramid() has fewer for maps only a few pixels wide.
 std::vector<cv::Mat> whole_pyramid(const cv::Mat& picture, int top) {
-  const int least = kSmallestLevel << top;
+  const int least = imaging::kSmallestLevel << top;
   cv::Mat wide;
   cv::copyMakeBorder(picture, wide, 0, std::max(0, least - picture.rows), 0,
                      std::max(0, least - picture.cols), cv::BORDER_REPLICATE);
-  return build_pyramid(wide, top);
+  return imaging::build_pyramid(wide, top);
 }
 
-PoseTemplate resized_by(double factor, PoseTemplate object) {
+templates::PoseTemplate resized_by(double factor, templates::PoseTemplate object) {
   object.surface.resize(factor);
   object.contour.resize(factor);
   return object;
@@ -107,9 +107,9 @@ bool same_outline(const View& a, const View& b) {
 /// Light does not rotate with the object, so it resembles the view learned at the nearest rotation
 /// most. Views of the same outline divide the rotations: each is searched half-way to its
 /// neighbours plus a small overlap.
-AngleRange sector_of(const View& view, const std::vector<View>& all) {
+proposal::AngleRange sector_of(const View& view, const std::vector<View>& all) {
   constexpr double kBeyond = to_radians(12.), kAlike = to_radians(20.);
-  AngleRange sector;
+  proposal::AngleRange sector;
   for (const auto& other : all) {
     if (&other == &view || !same_outline(other, view)) continue;
     const double apart = wrap_angle(other.reference.theta - view.reference.theta);
@@ -135,7 +135,7 @@ struct PreparedView::Source {
         grey(grey_of(learned)),
         inner(without_rim(learned.map)),
         anchor(excircle(learned.map).centre),
-        surface(continued_outwards(learned.template_image, learned.map)) {}
+        surface(templates::continued_outwards(learned.template_image, learned.map)) {}
 
   const View& view;
   cv::Mat grey, inner;
@@ -154,31 +154,34 @@ PreparedView::PreparedView(const Source& source, Engine engine)
       shape(source.view.map, anchor),
       geometry(source.view.map),
       gate(source.surface, source.view.map, anchor, geometry.mean_width()),
-      kernels(rotated_kernels(source.grey, source.view.map, anchor)),
+      kernels(proposal::rotated_kernels(source.grey, source.view.map, anchor)),
       edges(geometry, anchor),
       points(masked_template(source.grey, source.view.map, anchor)) {
   const int top = std::max(kernels.level, edges.level());
   const auto surfaces = whole_pyramid(source.surface, top);
   const auto pictures = whole_pyramid(source.view.template_image, top);
   for (int level = 0; level < static_cast<int>(surfaces.size()); ++level) {
-    const SceneLevel continued(surfaces[level], level), picture(pictures[level], level);
+    const scene::SceneLevel continued(surfaces[level], level), picture(pictures[level], level);
     continued.prepare();
-    const SurfaceTemplate::Source from{continued, picture, geometry, source.view.map.size(), level};
-    const auto edge = ContourTemplate::edge_of(geometry, level);
+    const templates::SurfaceTemplate::Source from{continued, picture, geometry,
+                                                  source.view.map.size(), level};
+    const auto edge = templates::ContourTemplate::edge_of(geometry, level);
     const auto prepare = [&](std::size_t surface_points, std::size_t contour_points) {
-      return PoseTemplate{SurfaceTemplate(from, anchor, surface_points),
-                          ContourTemplate(edge, anchor, level, contour_points)};
+      return templates::PoseTemplate{
+          templates::SurfaceTemplate(from, anchor, surface_points),
+          templates::ContourTemplate(edge, anchor, level, contour_points)};
     };
     rough.push_back(prepare(48, 32));
     templates.push_back(prepare(112, 64));
     if (level > 0) continue;
     fine = prepare(640, 200);
-    parts = ColourParts(fine.surface, fine.contour,
-                        ground_beside(fine.contour, picture, {anchor.x, anchor.y, 0}));
-    lit = PhotometricResidual(fine.surface);
-    mirrored_contour = MirroredContour(fine.contour, picture, {anchor.x, anchor.y, 0});
-    dense = RefinementTemplate(prepare(2500, 200), continued);
-    if (shape.area() < kRendered) rendering = MixedPixelModel(from, anchor);
+    parts = evidence::ColourParts(
+        fine.surface, fine.contour,
+        evidence::ground_beside(fine.contour, picture, {anchor.x, anchor.y, 0}));
+    lit = evidence::PhotometricResidual(fine.surface);
+    mirrored_contour = evidence::MirroredContour(fine.contour, picture, {anchor.x, anchor.y, 0});
+    dense = refinement::RefinementTemplate(prepare(2500, 200), continued);
+    if (shape.area() < kRendered) rendering = refinement::MixedPixelModel(from, anchor);
   }
   resized = {resized_by(1 - kOtherSize, fine), resized_by(1 + kOtherSize, fine)};
   if (engine == Engine::kPolar) polar.emplace(source.view);
@@ -190,7 +193,7 @@ PreparedObject::PreparedObject(std::shared_ptr<const ObjectModel> object, Engine
                                double scale_range)
     : PreparedObject(object, engine, scale_range, shows_colour(*object)) {
   if (coloured)
-    in_grey = Lazy<std::shared_ptr<const PreparedObject>>([object, engine, scale_range] {
+    in_grey = numeric::Lazy<std::shared_ptr<const PreparedObject>>([object, engine, scale_range] {
       return std::shared_ptr<const PreparedObject>(
           new PreparedObject(object, engine, scale_range, false));
     });
@@ -225,4 +228,4 @@ void PreparedObject::make_rotations() const {
   }
 }
 
-}  // namespace mbncc
+}  // namespace mbncc::prepared

@@ -23,7 +23,7 @@
 #include "mbncc/object_model.hpp"
 #include "numeric/lazy.hpp"
 
-namespace mbncc {
+namespace mbncc::prepared {
 
 /// Search engine for poses.
 enum class Engine { kFast, kPolar };
@@ -37,27 +37,30 @@ class PreparedView {
   int top_level() const { return static_cast<int>(templates.size()) - 1; }
 
   double scale = 1;
-  AngleRange sector;   ///< rotations relative to its lesson that are searched with this view
+  proposal::AngleRange
+      sector;          ///< rotations relative to its lesson that are searched with this view
   cv::Point2d anchor;  ///< [px] in the view's crop
   Pose2D reference_in_anchor;  ///< [px],[rad] object frame as seen from the anchor
-  MapFootprint shape;
-  MapGeometry geometry;
-  ColourPrefilter gate;
-  TemplateBank kernels;
-  ContourBank edges;
-  std::vector<PoseTemplate> rough;      ///< per level: for pruning the coarse searches' candidates
-  std::vector<PoseTemplate> templates;  ///< per level, small, for dozens of candidates
-  PoseTemplate fine;                    ///< at full resolution, for the last few candidates
-  ColourParts parts;                    ///< of `fine`
-  PhotometricResidual lit;              ///< of `fine`
-  std::array<PoseTemplate, 2> resized;  ///< `fine`, smaller and larger, for the test of other sizes
-  MirroredContour mirrored_contour;     ///< its outline, mirrored
-  RefinementTemplate dense;             ///< at full resolution, for sub-pixel refinement
-  MixedPixelModel rendering;            ///< of a small object, for its pose
-  MaskedTemplate points;                ///< all map pixels at full resolution
-  std::optional<PolarSearch> polar;     ///< with Engine::kPolar
-  int symmetry = 1;                     ///< declared, otherwise measured
-  std::vector<cv::Point2f> outline;     ///< [px] largest outline in the object frame
+  templates::MapFootprint shape;
+  templates::MapGeometry geometry;
+  proposal::ColourPrefilter gate;
+  proposal::TemplateBank kernels;
+  proposal::ContourBank edges;
+  std::vector<templates::PoseTemplate>
+      rough;  ///< per level: for pruning the coarse searches' candidates
+  std::vector<templates::PoseTemplate> templates;  ///< per level, small, for dozens of candidates
+  templates::PoseTemplate fine;       ///< at full resolution, for the last few candidates
+  evidence::ColourParts parts;        ///< of `fine`
+  evidence::PhotometricResidual lit;  ///< of `fine`
+  std::array<templates::PoseTemplate, 2>
+      resized;  ///< `fine`, smaller and larger, for the test of other sizes
+  evidence::MirroredContour mirrored_contour;  ///< its outline, mirrored
+  refinement::RefinementTemplate dense;        ///< at full resolution, for sub-pixel refinement
+  refinement::MixedPixelModel rendering;       ///< of a small object, for its pose
+  MaskedTemplate points;                       ///< all map pixels at full resolution
+  std::optional<PolarSearch> polar;            ///< with Engine::kPolar
+  int symmetry = 1;                            ///< declared, otherwise measured
+  std::vector<cv::Point2f> outline;            ///< [px] largest outline in the object frame
 
  private:
   struct Source;
@@ -78,11 +81,11 @@ struct PreparedObject {
   bool coloured;  ///< the views show colour
   std::vector<PreparedView> views;
   /// The same in grey, for grey pictures; null if the views are grey.
-  Lazy<std::shared_ptr<const PreparedObject>> in_grey;
+  numeric::Lazy<std::shared_ptr<const PreparedObject>> in_grey;
 
  private:
   PreparedObject(std::shared_ptr<const ObjectModel> object, Engine engine, double scale_range,
                  bool coloured);
 };
 
-}  // namespace mbncc
+}  // namespace mbncc::prepared

@@ -6,7 +6,7 @@
 #include <functional>
 #include <opencv2/imgproc.hpp>
 
-namespace mbncc {
+namespace mbncc::prepared {
 namespace {
 
 constexpr double kRadius = 48;             // [px] larger objects are compared at this size
@@ -255,4 +255,4 @@ double SelfComparison::noise_of_mark() const {
          passed_by(std::hypot(kSmoothing, width) / map_.scale());
 }
 
-}  // namespace mbncc
+}  // namespace mbncc::prepared

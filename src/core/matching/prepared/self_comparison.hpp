@@ -8,7 +8,7 @@
 
 #include "mbncc/object_model.hpp"
 
-namespace mbncc {
+namespace mbncc::prepared {
 
 /// A view's map on a square canvas of bounded size, its centroid in the middle.
 class CentredMap {
@@ -80,4 +80,4 @@ class SelfComparison {
   double texture_ = 0, noise_ = 0;
 };
 
-}  // namespace mbncc
+}  // namespace mbncc::prepared

@@ -52,12 +52,12 @@ class Measurement {
 
   Repeats after(double angle) {
     if (!surface_) surface_.emplace(view_, map_);
-    const TurnDifference difference = surface_->difference(angle);
+    const prepared::TurnDifference difference = surface_->difference(angle);
     if (is_sure(difference)) return Repeats::kSurely;
     return is_near(difference) ? Repeats::kNearly : Repeats::kNot;
   }
 
-  bool is_sure(const TurnDifference& difference) const {
+  bool is_sure(const prepared::TurnDifference& difference) const {
     const double radius = map_.radius();
     // The edge of a map is inaccurate by a fraction of a pixel, which matters more for small
     // objects.
@@ -69,15 +69,15 @@ class Measurement {
            difference.mark <= std::hypot(kSureMark, surface_->noise_of_mark(), drawn);
   }
 
-  bool is_near(const TurnDifference& difference) const {
+  bool is_near(const prepared::TurnDifference& difference) const {
     return difference.overlap >= kNearOverlap &&
            difference.outline <= kNearOutline * map_.radius() &&
            (difference.mark <= kNearMark || difference.rest <= kNearRest * surface_->texture());
   }
 
   const View& view_;
-  CentredMap map_;
-  std::optional<SelfComparison> surface_;
+  prepared::CentredMap map_;
+  std::optional<prepared::SelfComparison> surface_;
 };
 
 }  // namespace

@@ -4,7 +4,7 @@
 
 #include "mbncc/geometry.hpp"
 
-namespace mbncc {
+namespace mbncc::proposal {
 
 struct AngleRange {
   double low = -2 * kPi, high = 2 * kPi;  ///< [rad] about 0; all by default
@@ -15,4 +15,4 @@ struct AngleRange {
   }
 };
 
-}  // namespace mbncc
+}  // namespace mbncc::proposal

@@ -10,7 +10,7 @@
 #include "imaging/pyramid.hpp"
 #include "simd/kernels.hpp"
 
-namespace mbncc {
+namespace mbncc::proposal {
 namespace {
 
 constexpr int kUnit = ColourPrefilter::kUnit;
@@ -24,7 +24,8 @@ constexpr double kFewest = 0.02, kMostPlaces = 0.2;  // parts of the picture tha
 constexpr int kRowStep = 2;  // [cells]: places within one cell of the tested ones remain, too
 
 /// Log-likelihood ratio per class of object to picture.
-std::vector<std::int8_t> compare(const ColourShares& object, const ColourShares& scene) {
+std::vector<std::int8_t> compare(const imaging::ColourShares& object,
+                                 const imaging::ColourShares& scene) {
   constexpr float kNever = 1e-6f;
   std::vector<std::int8_t> ratios(object.size());
   for (std::size_t i = 0; i < object.size(); ++i) {
@@ -62,7 +63,7 @@ cv::Mat running_sums(const cv::Mat& cells, int margin) {
 int level_for_width(double mean_width) {
   constexpr double kAcross = 3;  // [px at the level] so that some are not mixed with the background
   const int level = static_cast<int>(std::floor(std::log2(mean_width / kAcross)));
-  return std::clamp(level, ClassPictures::kFirst, ClassPictures::kLast);
+  return std::clamp(level, imaging::ClassPictures::kFirst, imaging::ClassPictures::kLast);
 }
 
 int level_for_area(double area) {
@@ -102,13 +103,13 @@ ColourPrefilter::ColourPrefilter(const cv::Mat& surface, const cv::Mat& map, cv:
           std::clamp(level_for_area(cv::countNonZero(map)), class_level_, class_level_ + 2),
           level_for_reach(std::max(map.cols, map.rows) / 2.0))) {
   constexpr int kRotations = 16;
-  const cv::Mat level = build_pyramid(surface, class_level_).back();
+  const cv::Mat level = imaging::build_pyramid(surface, class_level_).back();
   cv::Mat inside;
   cv::resize(map, inside, level.size(), 0, 0, cv::INTER_AREA);
   const cv::Mat whole = inside >= 250;
   constexpr int kFewPixels = 15;
-  shares_ = colour_shares(colour_classes(level),
-                          cv::countNonZero(whole) >= kFewPixels ? whole : inside >= 128);
+  shares_ = imaging::colour_shares(imaging::colour_classes(level),
+                                   cv::countNonZero(whole) >= kFewPixels ? whole : inside >= 128);
   const TemplateBank bank = turned_maps(map, anchor, cell_level_, kRotations);
   rotations_ = bank.kernels;
   radius_ = bank.radius;
@@ -145,11 +146,11 @@ cv::Mat ColourPrefilter::best_of_rotations(const cv::Mat& classes,
 }
 
 ColourPrefilter::LogLikelihoodRatios ColourPrefilter::log_likelihood_ratios(
-    const ClassPictures& scene) const {
+    const imaging::ClassPictures& scene) const {
   return compare(shares_, scene.shares());
 }
 
-SearchMask ColourPrefilter::places(const ClassPictures& scene) const {
+SearchMask ColourPrefilter::places(const imaging::ClassPictures& scene) const {
   if (scene.last_level() < class_level_) return {};
   const cv::Mat& classes = scene.at(class_level_);
   if (std::min(classes.cols, classes.rows) >> (cell_level_ - class_level_) == 0) return {};
@@ -164,4 +165,4 @@ SearchMask ColourPrefilter::places(const ClassPictures& scene) const {
   return {best >= enough, cell_level_};
 }
 
-}  // namespace mbncc
+}  // namespace mbncc::proposal

@@ -11,7 +11,7 @@
 #include "matching/proposal/search_mask.hpp"
 #include "matching/proposal/template_bank.hpp"
 
-namespace mbncc {
+namespace mbncc::proposal {
 
 class ColourPrefilter {
  public:
@@ -27,20 +27,20 @@ class ColourPrefilter {
 
   /// Places where the colours under the map are more likely the object's than the picture's.
   /// Everywhere if the object's colours are common in the picture.
-  SearchMask places(const ClassPictures& scene) const;
+  SearchMask places(const imaging::ClassPictures& scene) const;
 
   /// Per class of colour, the log-likelihood ratio [1/kUnit] of object to picture.
   using LogLikelihoodRatios = std::vector<std::int8_t>;
   static constexpr int kUnit = 16;
-  LogLikelihoodRatios log_likelihood_ratios(const ClassPictures& scene) const;
+  LogLikelihoodRatios log_likelihood_ratios(const imaging::ClassPictures& scene) const;
 
  private:
   cv::Mat best_of_rotations(const cv::Mat& classes, const LogLikelihoodRatios& ratios) const;
 
   int class_level_, cell_level_;
-  ColourShares shares_;
-  Lazy<std::vector<RotatedKernel>> rotations_;  // at cell_level_
-  int radius_ = 0;                              // [cells]
+  imaging::ColourShares shares_;
+  numeric::Lazy<std::vector<RotatedKernel>> rotations_;  // at cell_level_
+  int radius_ = 0;                                       // [cells]
 };
 
-}  // namespace mbncc
+}  // namespace mbncc::proposal

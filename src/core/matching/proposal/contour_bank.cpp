@@ -9,10 +9,10 @@
 #include "matching/template/contour_template.hpp"
 #include "mbncc/geometry.hpp"
 
-namespace mbncc {
+namespace mbncc::proposal {
 namespace {
 
-constexpr int kOrientations = ResponseMaps::kOrientations;
+constexpr int kOrientations = scene::ResponseMaps::kOrientations;
 
 constexpr std::size_t kPoints = 64;  // of the contour
 constexpr double kSmallest = 20;     // [px] diameter at the coarse level
@@ -56,7 +56,7 @@ bool looks_round(const std::vector<ContourBank::Rotation>& rotations) {
 
 /// The points' indices in their order around the outline's centre. A run of them is what something
 /// may cover: both sides of a narrow part, which lie far apart along the outline.
-std::vector<std::size_t> in_order_around(const ContourTemplate& contour) {
+std::vector<std::size_t> in_order_around(const templates::ContourTemplate& contour) {
   std::vector<std::size_t> order(contour.size());
   std::iota(order.begin(), order.end(), 0);
   const auto mean = [&](const auto& values) {
@@ -78,13 +78,15 @@ int coarse_level(double diameter, double width) {
 
 }  // namespace
 
-ContourBank::ContourBank(const MapGeometry& map, cv::Point2d anchor) {
-  const ContourTemplate whole(ContourTemplate::edge_of(map, 0), anchor, 0, 4000);
+ContourBank::ContourBank(const templates::MapGeometry& map, cv::Point2d anchor) {
+  const templates::ContourTemplate whole(templates::ContourTemplate::edge_of(map, 0), anchor, 0,
+                                         4000);
   double reach = 1;
   for (std::size_t i = 0; i < whole.size(); ++i)
     reach = std::max<double>(reach, std::hypot(whole.x[i], whole.y[i]));
   level_ = coarse_level(2 * reach, map.mean_width());
-  const ContourTemplate contour(ContourTemplate::edge_of(map, level_), anchor, level_, kPoints);
+  const templates::ContourTemplate contour(templates::ContourTemplate::edge_of(map, level_), anchor,
+                                           level_, kPoints);
   const std::vector<std::size_t> around = in_order_around(contour);
   radius_ = static_cast<int>(std::ceil(reach / (1 << level_))) + 1;
   const double rim = 2 * kPi * reach / (1 << level_);
@@ -106,4 +108,4 @@ ContourBank::ContourBank(const MapGeometry& map, cv::Point2d anchor) {
   round_ = looks_round(rotations_);
 }
 
-}  // namespace mbncc
+}  // namespace mbncc::proposal

@@ -7,13 +7,13 @@
 
 #include "matching/template/map_geometry.hpp"
 
-namespace mbncc {
+namespace mbncc::proposal {
 
 /// The contour at all rotations at one pyramid level.
 class ContourBank {
  public:
   /// `anchor` [px, level 0]; the level is chosen by the contour's size.
-  ContourBank(const MapGeometry& map, cv::Point2d anchor);
+  ContourBank(const templates::MapGeometry& map, cv::Point2d anchor);
 
   struct Point {
     int x, y;         ///< [px] relative to the anchor's pixel
@@ -35,4 +35,4 @@ class ContourBank {
   bool round_ = false;
 };
 
-}  // namespace mbncc
+}  // namespace mbncc::proposal

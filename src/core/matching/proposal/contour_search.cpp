@@ -11,10 +11,10 @@
 #include "matching/scene/response_maps.hpp"
 #include "simd/kernels.hpp"
 
-namespace mbncc {
+namespace mbncc::proposal {
 namespace {
 
-constexpr int kStep = ResponseMaps::kStep;
+constexpr int kStep = scene::ResponseMaps::kStep;
 constexpr int kUnit = kernels::kMaxResponse;  // response 1 in the maps
 constexpr int kBand = PeakFinder::kBand;
 
@@ -36,7 +36,7 @@ int whole(int count, int group) {
 
 class EdgeSearch {
  public:
-  EdgeSearch(const ContourBank& bank, const SceneLevel& scene, const cv::Rect& roi,
+  EdgeSearch(const ContourBank& bank, const scene::SceneLevel& scene, const cv::Rect& roi,
              const AngleRange& sector, const SearchMask& places, OutlinePart part)
       : bank_(bank),
         scale_(kUnit * share(part) * static_cast<double>(bank.rotations().front().points.size())),
@@ -130,22 +130,23 @@ class EdgeSearch {
     return foremost;
   }
 
-  Candidate candidate(const ResponsePeak& peak) const {
+  templates::Candidate candidate(const ResponsePeak& peak) const {
     const Pose2D pose{double(first_.x + kStep * peak.x()), double(first_.y + kStep * peak.y()),
                       bank_.rotations()[peak.rotation()].angle};
     return {pose, bank_.level(), peak.sum() / scale_};
   }
 
   /// Of the first `most` poses.
-  static std::vector<Candidate> different_places(const std::vector<Candidate>& found,
-                                                 std::size_t most) {
+  static std::vector<templates::Candidate> different_places(
+      const std::vector<templates::Candidate>& found, std::size_t most) {
     constexpr std::size_t kEnough = 250;
-    std::vector<Candidate> places;
+    std::vector<templates::Candidate> places;
     for (std::size_t i = 0; i < std::min(most, found.size()) && places.size() < kEnough; ++i) {
-      const Candidate& candidate = found[i];
-      const bool known = std::any_of(places.begin(), places.end(), [&](const Candidate& place) {
-        return place.pose.x == candidate.pose.x && place.pose.y == candidate.pose.y;
-      });
+      const templates::Candidate& candidate = found[i];
+      const bool known =
+          std::any_of(places.begin(), places.end(), [&](const templates::Candidate& place) {
+            return place.pose.x == candidate.pose.x && place.pose.y == candidate.pose.y;
+          });
       if (!known) places.push_back(candidate);
     }
     return places;
@@ -156,18 +157,18 @@ class EdgeSearch {
   cv::Point first_;  // [px] first position, even
   cv::Size size_;    // of the positions
   cv::Mat wanted_;   // CV_8UC1, the positions searched; whole groups and bands
-  std::shared_ptr<const ResponseMaps> maps_;
+  std::shared_ptr<const scene::ResponseMaps> maps_;
   std::array<PeakFinder, 16> sectors_;
 };
 
 }  // namespace
 
-EdgeCandidates edge_search(const ContourBank& bank, const SceneLevel& scene, const cv::Rect& roi,
-                           std::size_t foremost, std::size_t most, const AngleRange& sector,
-                           const SearchMask& places, OutlinePart part) {
+EdgeCandidates edge_search(const ContourBank& bank, const scene::SceneLevel& scene,
+                           const cv::Rect& roi, std::size_t foremost, std::size_t most,
+                           const AngleRange& sector, const SearchMask& places, OutlinePart part) {
   const cv::Rect region = roi & cv::Rect({0, 0}, scene.size());
   if (region.empty()) return {};
   return EdgeSearch(bank, scene, region, sector, places, part).run(foremost, most);
 }
 
-}  // namespace mbncc
+}  // namespace mbncc::proposal

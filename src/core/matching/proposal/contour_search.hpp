@@ -12,11 +12,11 @@
 #include "matching/scene/scene_level.hpp"
 #include "matching/template/candidate.hpp"
 
-namespace mbncc {
+namespace mbncc::proposal {
 
 struct EdgeCandidates {
-  std::vector<Candidate> poses;  ///< value: mean response [-1..1]
-  std::vector<Candidate>
+  std::vector<templates::Candidate> poses;  ///< value: mean response [-1..1]
+  std::vector<templates::Candidate>
       round_places;  ///< places where the contour does not determine the rotation
 };
 
@@ -28,8 +28,9 @@ enum class OutlinePart {
 
 /// The best `most` poses in `roi` [px at the bank's level], `sector` and `places`, the best
 /// `foremost` of them first and in order. `scene` is that level.
-EdgeCandidates edge_search(const ContourBank& bank, const SceneLevel& scene, const cv::Rect& roi,
-                           std::size_t foremost, std::size_t most, const AngleRange& sector = {},
-                           const SearchMask& places = {}, OutlinePart part = OutlinePart::kWhole);
+EdgeCandidates edge_search(const ContourBank& bank, const scene::SceneLevel& scene,
+                           const cv::Rect& roi, std::size_t foremost, std::size_t most,
+                           const AngleRange& sector = {}, const SearchMask& places = {},
+                           OutlinePart part = OutlinePart::kWhole);
 
-}  // namespace mbncc
+}  // namespace mbncc::proposal

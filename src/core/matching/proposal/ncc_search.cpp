@@ -9,7 +9,7 @@
 #include "mbncc/matching/similarity.hpp"
 #include "simd/kernels.hpp"
 
-namespace mbncc {
+namespace mbncc::proposal {
 namespace {
 
 /// A rotated kernel as offsets into a padded picture: pairs of adjacent pixels, and runs.
@@ -39,7 +39,7 @@ struct KernelOffsets {
 class CoarseSearch {
  public:
   /// `picture` has a margin of more than the bank's radius; `roi` lies in it.
-  CoarseSearch(const TemplateBank& bank, const PaddedPicture& picture, const cv::Rect& roi,
+  CoarseSearch(const TemplateBank& bank, const imaging::PaddedPicture& picture, const cv::Rect& roi,
                const AngleRange& sector = {}, const SearchMask& places = {})
       : bank_(bank),
         roi_(roi),
@@ -53,7 +53,7 @@ class CoarseSearch {
     best_.setTo(-1);
   }
 
-  std::vector<Candidate> run(const CoarseSettings& settings) {
+  std::vector<templates::Candidate> run(const CoarseSettings& settings) {
     correlate(settings.min_similarity);
     return rotations_at(best_places(settings), settings);
   }
@@ -108,8 +108,8 @@ class CoarseSearch {
                       kernel.runs(), squares_.data(), count);
   }
 
-  std::vector<Candidate> best_places(const CoarseSettings& settings) const {
-    std::vector<Candidate> places;
+  std::vector<templates::Candidate> best_places(const CoarseSettings& settings) const {
+    std::vector<templates::Candidate> places;
     cv::Mat highest;
     cv::dilate(best_, highest, cv::Mat());
     for (int y = 0; y < best_.rows; ++y)
@@ -119,15 +119,15 @@ class CoarseSearch {
           places.push_back({{static_cast<double>(x + roi_.x), static_cast<double>(y + roi_.y), 0},
                             bank_.level,
                             best_.at<float>(y, x)});
-    sort_by_value(places);
+    templates::sort_by_value(places);
     if (places.size() > static_cast<std::size_t>(settings.max_places))
       places.resize(settings.max_places);
     return places;
   }
 
-  std::vector<Candidate> rotations_at(const std::vector<Candidate>& places,
-                                      const CoarseSettings& settings) const {
-    std::vector<Candidate> candidates;
+  std::vector<templates::Candidate> rotations_at(const std::vector<templates::Candidate>& places,
+                                                 const CoarseSettings& settings) const {
+    std::vector<templates::Candidate> candidates;
     const std::size_t count = offsets_.size();
     std::vector<double> values(count);
     for (const auto& place : places) {
@@ -166,7 +166,7 @@ class CoarseSearch {
   const TemplateBank& bank_;
   cv::Rect roi_;
   cv::Mat wanted_;  // CV_8UC1, roi's size: positions searched
-  const PaddedPicture& picture_;
+  const imaging::PaddedPicture& picture_;
   std::vector<KernelOffsets> offsets_;
   cv::Mat best_;  // CV_32FC1, roi's size: largest similarity over the rotations
   std::array<std::int32_t, kBlock> numerators_{};
@@ -176,17 +176,19 @@ class CoarseSearch {
 
 }  // namespace
 
-std::vector<Candidate> coarse_search(const TemplateBank& bank, const PaddedPicture& picture,
-                                     const cv::Rect& roi, const CoarseSettings& settings,
-                                     const AngleRange& sector, const SearchMask& places) {
+std::vector<templates::Candidate> coarse_search(const TemplateBank& bank,
+                                                const imaging::PaddedPicture& picture,
+                                                const cv::Rect& roi, const CoarseSettings& settings,
+                                                const AngleRange& sector,
+                                                const SearchMask& places) {
   if (roi.empty()) return {};
   return CoarseSearch(bank, picture, roi, sector, places).run(settings);
 }
 
 cv::Mat coarse_similarity(const TemplateBank& bank, const cv::Mat& grey) {
-  PaddedPicture picture;
+  imaging::PaddedPicture picture;
   picture.fill(grey, bank.radius + 1);
   return CoarseSearch(bank, picture, {{0, 0}, grey.size()}).correlate(0).clone();
 }
 
-}  // namespace mbncc
+}  // namespace mbncc::proposal

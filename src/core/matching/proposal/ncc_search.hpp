@@ -11,7 +11,7 @@
 #include "matching/proposal/template_bank.hpp"
 #include "matching/template/candidate.hpp"
 
-namespace mbncc {
+namespace mbncc::proposal {
 
 struct CoarseSettings {
   double min_similarity = 0.3;   ///< [-1..1] of a candidate
@@ -22,12 +22,15 @@ struct CoarseSettings {
 /// Local maxima over positions in `roi` [px at the bank's level] and `places` and over rotations in
 /// `sector`. `picture` is that level, with a margin of more than the bank's radius; `roi` lies in
 /// it.
-std::vector<Candidate> coarse_search(const TemplateBank& bank, const PaddedPicture& picture,
-                                     const cv::Rect& roi, const CoarseSettings& settings = {},
-                                     const AngleRange& sector = {}, const SearchMask& places = {});
+std::vector<templates::Candidate> coarse_search(const TemplateBank& bank,
+                                                const imaging::PaddedPicture& picture,
+                                                const cv::Rect& roi,
+                                                const CoarseSettings& settings = {},
+                                                const AngleRange& sector = {},
+                                                const SearchMask& places = {});
 
 /// CV_32FC1 of grey's size: the largest similarity over all rotations at each position; negative
 /// values are not computed. `grey` is the bank's level, CV_8UC1.
 cv::Mat coarse_similarity(const TemplateBank& bank, const cv::Mat& grey);
 
-}  // namespace mbncc
+}  // namespace mbncc::proposal

@@ -5,7 +5,7 @@
 
 #include "simd/clones.hpp"
 
-namespace mbncc {
+namespace mbncc::proposal {
 namespace {
 
 /// 1 in `marked` where a value of `row` is at least `least` and no neighbour exceeds it, of
@@ -71,7 +71,7 @@ void PeakFinder::set_width(int width) {
 }
 
 void PeakFinder::add_rotation(const ContourBank::Rotation& rotation, std::size_t label,
-                              const ResponseMaps& maps) {
+                              const scene::ResponseMaps& maps) {
   for (const auto& point : rotation.points)
     offsets_.push_back(maps.offset(point.orientation, point.x, point.y) - maps.offset(0, 0, 0));
   labels_of_rotations_.push_back(static_cast<std::int16_t>(label));
@@ -112,4 +112,4 @@ void PeakFinder::add_peaks(std::int16_t least, int y, std::vector<ResponsePeak>&
   }
 }
 
-}  // namespace mbncc
+}  // namespace mbncc::proposal

@@ -9,7 +9,7 @@
 #include "matching/scene/response_maps.hpp"
 #include "simd/kernels.hpp"
 
-namespace mbncc {
+namespace mbncc::proposal {
 
 /// A peak's position and rotation, packed so that sorted peaks are best first, then in the order of
 /// rotations and places.
@@ -48,7 +48,7 @@ class PeakFinder {
   void set_parts(int parts) { parts_ = parts; }
 
   void add_rotation(const ContourBank::Rotation& rotation, std::size_t label,
-                    const ResponseMaps& maps);
+                    const scene::ResponseMaps& maps);
 
   /// Advances to the next band; keeps the last rows of this one as its neighbours.
   void next_band();
@@ -76,4 +76,4 @@ class PeakFinder {
   std::vector<std::uint8_t> marked_;         // 1: peaks of a row
 };
 
-}  // namespace mbncc
+}  // namespace mbncc::proposal

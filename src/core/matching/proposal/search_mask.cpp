@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-namespace mbncc {
+namespace mbncc::proposal {
 
 cv::Mat SearchMask::of_positions(int level, cv::Point first, int step, cv::Size count) const {
   cv::Mat positions(count, CV_8UC1, cv::Scalar(255));
@@ -36,4 +36,4 @@ std::vector<Span> covering_spans(const uchar* row, int count, int group) {
   return spans;
 }
 
-}  // namespace mbncc
+}  // namespace mbncc::proposal

@@ -5,7 +5,7 @@
 #include <opencv2/core.hpp>
 #include <vector>
 
-namespace mbncc {
+namespace mbncc::proposal {
 
 class SearchMask {
  public:
@@ -34,4 +34,4 @@ struct Span {
 /// itself a number of whole groups, or fewer than one.
 std::vector<Span> covering_spans(const uchar* row, int count, int group);
 
-}  // namespace mbncc
+}  // namespace mbncc::proposal

@@ -11,7 +11,7 @@
 #include "mbncc/geometry.hpp"
 #include "simd/kernels.hpp"
 
-namespace mbncc {
+namespace mbncc::proposal {
 namespace {
 
 constexpr int kTopLevel = 5;
@@ -35,10 +35,10 @@ struct Source {
 
 Source turning_source(const cv::Mat& grey, const cv::Mat& map, cv::Point2d anchor, int level) {
   const int finer = std::min(level, static_cast<int>(std::log2(kOversampling)));
-  const MapLevel source = map_level(grey, map, level - finer);
+  const templates::MapLevel source = templates::map_level(grey, map, level - finer);
   cv::Mat both;
   cv::merge(std::vector<cv::Mat>{source.coverage, source.values.mul(source.coverage)}, both);
-  return {source.coverage, both, to_level(anchor, level - finer), 1 << finer};
+  return {source.coverage, both, imaging::to_level(anchor, level - finer), 1 << finer};
 }
 
 /// Samples of the square `tile` of fine pixels may lie in a picture of `size`.
@@ -158,9 +158,10 @@ RotatedKernel turned_map(const Source& source, double angle, int radius) {
 }
 
 /// `count` rotations, evenly over a turn.
-Lazy<std::vector<RotatedKernel>> turned_by(RotatedKernel (*turn)(const Source&, double, int),
-                                           const Source& source, int radius, int count) {
-  return Lazy<std::vector<RotatedKernel>>([=] {
+numeric::Lazy<std::vector<RotatedKernel>> turned_by(RotatedKernel (*turn)(const Source&, double,
+                                                                          int),
+                                                    const Source& source, int radius, int count) {
+  return numeric::Lazy<std::vector<RotatedKernel>>([=] {
     std::vector<RotatedKernel> kernels;
     for (int k = 0; k < count; ++k) kernels.push_back(turn(source, 2 * kPi * k / count, radius));
     return kernels;
@@ -195,4 +196,4 @@ TemplateBank turned_maps(const cv::Mat& map, cv::Point2d anchor, int level, int 
   return bank;
 }
 
-}  // namespace mbncc
+}  // namespace mbncc::proposal

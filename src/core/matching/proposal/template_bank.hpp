@@ -8,7 +8,7 @@
 
 #include "numeric/lazy.hpp"
 
-namespace mbncc {
+namespace mbncc::proposal {
 
 /// One rotation of the template; only pixels well inside the map.
 struct RotatedKernel {
@@ -27,7 +27,7 @@ struct RotatedKernel {
 struct TemplateBank {
   int level = 0;   ///< of the pyramid
   int radius = 0;  ///< [px at level] no pixel lies farther from the anchor in x or y
-  Lazy<std::vector<RotatedKernel>> kernels;  ///< evenly over a turn
+  numeric::Lazy<std::vector<RotatedKernel>> kernels;  ///< evenly over a turn
 
   /// Thin objects would be correlated at finer levels, which costs up to a yardstick and found
   /// nothing in drawn pictures.
@@ -43,4 +43,4 @@ TemplateBank rotated_kernels(const cv::Mat& grey, const cv::Mat& map, cv::Point2
 /// parts of them where the map is narrower than a pixel. Without weights.
 TemplateBank turned_maps(const cv::Mat& map, cv::Point2d anchor, int level, int count);
 
-}  // namespace mbncc
+}  // namespace mbncc::proposal

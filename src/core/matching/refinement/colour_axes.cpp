@@ -7,10 +7,10 @@
 
 #include "simd/lanes.hpp"
 
-namespace mbncc {
+namespace mbncc::refinement {
 namespace {
 
-constexpr int kChannels = SurfaceTemplate::kChannels;
+constexpr int kChannels = templates::SurfaceTemplate::kChannels;
 
 /// Valid until the next call.
 const std::vector<float>& multiplied(const std::vector<float>& a, const float* b) {
@@ -22,14 +22,14 @@ const std::vector<float>& multiplied(const std::vector<float>& a, const float* b
 
 /// Scales to unit length; nearly zero vectors become zero.
 void normalise(std::vector<float>& row) {
-  const double square = product(row, row.data());
+  const double square = kernels::product(row, row.data());
   const float scale = square < 1e-6 ? 0.f : static_cast<float>(1 / std::sqrt(square));
   for (auto& value : row) value *= scale;
 }
 
 }  // namespace
 
-ColourAxes::ColourAxes(const SurfaceTemplate& surface, const SceneLevel& picture)
+ColourAxes::ColourAxes(const templates::SurfaceTemplate& surface, const scene::SceneLevel& picture)
     : count_(static_cast<double>(surface.size())) {
   choose_directions(surface);
   const auto slopes = surface.slopes_in(picture);
@@ -41,7 +41,7 @@ ColourAxes::ColourAxes(const SurfaceTemplate& surface, const SceneLevel& picture
 }
 
 /// Shading multiplies a colour, except for the camera's offset.
-void ColourAxes::choose_directions(const SurfaceTemplate& surface) {
+void ColourAxes::choose_directions(const templates::SurfaceTemplate& surface) {
   constexpr double kAdded = 30;  // [grey] also steadies the axes of dark points
   for (auto& axis : axes_)
     for (auto& part : axis.direction) part.assign(surface.padded(), 0.f);
@@ -56,7 +56,7 @@ void ColourAxes::choose_directions(const SurfaceTemplate& surface) {
   }
 }
 
-void ColourAxes::add_even(int axis, const SurfaceTemplate& surface) {
+void ColourAxes::add_even(int axis, const templates::SurfaceTemplate& surface) {
   auto& even = axes_[axis].even;
   even.assign(surface.padded(), 0.f);
   for (int c = 0; c < kChannels; ++c)
@@ -66,16 +66,16 @@ void ColourAxes::add_even(int axis, const SurfaceTemplate& surface) {
   normalise(even);
 }
 
-void ColourAxes::add_shown(int axis, const SurfaceTemplate& surface) {
-  SurfaceSample own;
+void ColourAxes::add_shown(int axis, const templates::SurfaceTemplate& surface) {
+  templates::SurfaceSample own;
   own.planes = surface.planes;
   remainder(axis, surface.basis, own, axes_[axis].shown);
 }
 
-void ColourAxes::add_slopes(int axis, const SurfaceTemplate& surface,
-                            const SurfaceTemplate::Slopes& slopes) {
+void ColourAxes::add_slopes(int axis, const templates::SurfaceTemplate& surface,
+                            const templates::SurfaceTemplate::Slopes& slopes) {
   Axis& own = axes_[axis];
-  std::array<std::vector<float>, kMotionParts> rows;
+  std::array<std::vector<float>, numeric::kMotionParts> rows;
   for (auto& row : rows) row.assign(surface.padded(), 0.f);
   for (std::size_t i = 0; i < surface.size(); ++i) {
     for (int c = 0; c < kChannels; ++c)
@@ -85,14 +85,15 @@ void ColourAxes::add_slopes(int axis, const SurfaceTemplate& surface,
   }
   for (auto& row : rows) {
     surface.basis.project_out(row);
-    subtract(row, product(row, own.even.data()), own.even.data());
+    kernels::subtract(row, kernels::product(row, own.even.data()), own.even.data());
     own.slopes.insert(own.slopes.end(), row.begin(), row.end());
   }
   const auto end = own.slopes.begin() + static_cast<std::ptrdiff_t>(2 * surface.padded());
   own.energy = std::inner_product(own.slopes.begin(), end, own.slopes.begin(), 0.0);
 }
 
-void ColourAxes::remainder(int axis, const ShadingBasis& shading, const SurfaceSample& sample,
+void ColourAxes::remainder(int axis, const templates::ShadingBasis& shading,
+                           const templates::SurfaceSample& sample,
                            std::vector<float>& values) const {
   const Axis& own = axes_[axis];
   values = multiplied(sample.planes[0], own.direction[0].data());
@@ -100,7 +101,7 @@ void ColourAxes::remainder(int axis, const ShadingBasis& shading, const SurfaceS
     for (std::size_t i = 0; i < values.size(); ++i)
       values[i] += sample.planes[c][i] * own.direction[c][i];
   shading.project_out(values);
-  subtract(values, product(values, own.even.data()), own.even.data());
+  kernels::subtract(values, kernels::product(values, own.even.data()), own.even.data());
 }
 
 double ColourAxes::noise(const std::array<std::vector<float>, kAxes>& remainders,
@@ -108,8 +109,8 @@ double ColourAxes::noise(const std::array<std::vector<float>, kAxes>& remainders
   double noise = 0;
   for (int axis = kBrightness + 1; axis < kAxes; ++axis) {
     const auto& seen = multiplied(weights, axes_[axis].shown.data());
-    const double energy = product(seen, axes_[axis].shown.data());
-    noise += energy - product(seen, remainders[axis].data()) / gain;
+    const double energy = kernels::product(seen, axes_[axis].shown.data());
+    noise += energy - kernels::product(seen, remainders[axis].data()) / gain;
   }
   const double values = (kAxes - 1) * std::accumulate(weights.begin(), weights.end(), 1e-6);
   return std::max(0.0, noise / values);
@@ -121,24 +122,24 @@ double ColourAxes::reliability(int axis, double noise) const {
   return std::max(kLeast, 1 - 2 * count_ * kSlopeNoise * noise / (axes_[axis].energy + 1e-9));
 }
 
-NormalEquations ColourAxes::pull(int axis, const std::vector<float>& remainder,
-                                 const std::vector<float>& weights) const {
+numeric::NormalEquations ColourAxes::pull(int axis, const std::vector<float>& remainder,
+                                          const std::vector<float>& weights) const {
   const auto& slopes = axes_[axis].slopes;
   const std::size_t stride = weights.size();
   const auto along_slopes = [&](const std::vector<float>& values) {
-    std::array<float, kMotionParts> products;
-    kernels::dots(slopes.data(), stride, kMotionParts, values.data(), static_cast<int>(stride),
-                  products.data());
+    std::array<float, numeric::kMotionParts> products;
+    kernels::dots(slopes.data(), stride, numeric::kMotionParts, values.data(),
+                  static_cast<int>(stride), products.data());
     return products;
   };
-  NormalEquations pull;
+  numeric::NormalEquations pull;
   const auto vector = along_slopes(multiplied(weights, remainder.data()));
-  for (int j = 0; j < kMotionParts; ++j) {
+  for (int j = 0; j < numeric::kMotionParts; ++j) {
     pull.vector[j] = vector[j];
     const auto row = along_slopes(multiplied(weights, &slopes[j * stride]));
-    for (int k = 0; k < kMotionParts; ++k) pull.information(j, k) = row[k];
+    for (int k = 0; k < numeric::kMotionParts; ++k) pull.information(j, k) = row[k];
   }
   return pull;
 }
 
-}  // namespace mbncc
+}  // namespace mbncc::refinement

@@ -9,7 +9,7 @@
 #include "matching/template/surface_template.hpp"
 #include "numeric/normal_equations.hpp"
 
-namespace mbncc {
+namespace mbncc::refinement {
 
 class ColourAxes {
  public:
@@ -19,12 +19,12 @@ class ColourAxes {
   ColourAxes() = default;
 
   /// Of the points of `surface`, whose slopes are read from `picture`.
-  ColourAxes(const SurfaceTemplate& surface, const SceneLevel& picture);
+  ColourAxes(const templates::SurfaceTemplate& surface, const scene::SceneLevel& picture);
 
   /// Residual of `sample` along an axis after template, smooth shading and an even tint, one value
   /// per point, padded.
-  void remainder(int axis, const ShadingBasis& shading, const SurfaceSample& sample,
-                 std::vector<float>& values) const;
+  void remainder(int axis, const templates::ShadingBasis& shading,
+                 const templates::SurfaceSample& sample, std::vector<float>& values) const;
 
   /// Mean square [grey^2] of the lesson's noise orthogonal to brightness: the template's part that
   /// is missing in a picture with these residuals and `gain` times its contrast.
@@ -36,25 +36,27 @@ class ColourAxes {
 
   /// Normal equations summed over the points with their `weights`, from these residuals and the
   /// slopes; to be divided by the variance of the residuals.
-  NormalEquations pull(int axis, const std::vector<float>& remainder,
-                       const std::vector<float>& weights) const;
+  numeric::NormalEquations pull(int axis, const std::vector<float>& remainder,
+                                const std::vector<float>& weights) const;
 
  private:
   struct Axis {
-    std::array<std::vector<float>, SurfaceTemplate::kChannels> direction;  // unit, of b, g, r
+    std::array<std::vector<float>, templates::SurfaceTemplate::kChannels>
+        direction;              // unit, of b, g, r
     std::vector<float> even;    // unit row: the template along brightness, white light across it
     std::vector<float> shown;   // by the template; nothing along brightness
     std::vector<float> slopes;  // kMotionParts rows, orthogonal to shading and `even`
     double energy = 0;          // of the slopes along x and y
   };
 
-  void choose_directions(const SurfaceTemplate& surface);
-  void add_even(int axis, const SurfaceTemplate& surface);
-  void add_shown(int axis, const SurfaceTemplate& surface);
-  void add_slopes(int axis, const SurfaceTemplate& surface, const SurfaceTemplate::Slopes& slopes);
+  void choose_directions(const templates::SurfaceTemplate& surface);
+  void add_even(int axis, const templates::SurfaceTemplate& surface);
+  void add_shown(int axis, const templates::SurfaceTemplate& surface);
+  void add_slopes(int axis, const templates::SurfaceTemplate& surface,
+                  const templates::SurfaceTemplate::Slopes& slopes);
 
   std::array<Axis, kAxes> axes_;
   double count_ = 0;  // of points
 };
 
-}  // namespace mbncc
+}  // namespace mbncc::refinement

@@ -7,19 +7,19 @@
 #include "matching/template/contour_template.hpp"
 #include "numeric/normal_equations.hpp"
 
-namespace mbncc {
+namespace mbncc::refinement {
 
 class ContourMotion {
  public:
   ContourMotion() = default;
-  explicit ContourMotion(const ContourTemplate& contour);
+  explicit ContourMotion(const templates::ContourTemplate& contour);
 
   /// Normal equations of the found edges, for independent errors of 1 px per point.
-  NormalEquations pull(const ContourSample& sample) const;
+  numeric::NormalEquations pull(const templates::ContourSample& sample) const;
 
  private:
   std::size_t padded_ = 0;
   std::vector<float> rows_;  // kMotionParts of padded_ values
 };
 
-}  // namespace mbncc
+}  // namespace mbncc::refinement

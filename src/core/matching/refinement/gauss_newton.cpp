@@ -5,7 +5,7 @@
 #include "matching/refinement/gauss_newton.hpp"
 #include "simd/kernels.hpp"
 
-namespace mbncc {
+namespace mbncc::refinement {
 namespace {
 
 constexpr double kNoise = 60;        // [grey^2] regularises plain surfaces
@@ -15,12 +15,13 @@ constexpr int kReach = 2;            // [px] search range for edges along the no
 
 /// Adds the normal equations of the surface: the motion that explains the residual by the
 /// template's slopes.
-void add_surface_pull(const SurfaceTemplate& surface, const SurfaceSample& sample,
-                      double correlation, ContourPull& pull) {
+void add_surface_pull(const templates::SurfaceTemplate& surface,
+                      const templates::SurfaceSample& sample, double correlation,
+                      templates::ContourPull& pull) {
   constexpr int kRows = 4;
   cv::Vec3d right;
   double common = 0;
-  for (int c = 0; c < SurfaceTemplate::kChannels; ++c) {
+  for (int c = 0; c < templates::SurfaceTemplate::kChannels; ++c) {
     float products[kRows];
     kernels::dots(surface.slopes[c].data(), surface.padded(), kRows, sample.planes[c].data(),
                   static_cast<int>(surface.padded()), products);
@@ -51,7 +52,7 @@ cv::Vec3d bounded(const cv::Vec3d& step, double radius) {
 /// The alignment of one template in one picture.
 class Aligner {
  public:
-  Aligner(const PoseTemplate& object, const SceneLevel& scene)
+  Aligner(const templates::PoseTemplate& object, const scene::SceneLevel& scene)
       : object_(object), scene_(scene), sample_(shared_sample()) {}
 
   AlignedPose run(const Pose2D& start, int iterations) {
@@ -72,13 +73,13 @@ class Aligner {
   ScoredPose run_to_evidence(const Pose2D& start, int iterations) {
     const Pose2D best = run(start, iterations).pose;
     if (!at_best_) sample_.read(object_, scene_, best, 1);
-    return {best, gather_evidence(object_, scene_, best, sample_)};
+    return {best, evidence::gather_evidence(object_, scene_, best, sample_)};
   }
 
  private:
   /// Reused by the next alignment, to avoid allocations.
-  static PoseSample& shared_sample() {
-    thread_local PoseSample sample;
+  static templates::PoseSample& shared_sample() {
+    thread_local templates::PoseSample sample;
     return sample;
   }
 
@@ -90,52 +91,53 @@ class Aligner {
     sample_.read(object_, scene_, pose, reach);
     if (!sample_.surface.suffices()) return false;
     correlation_ = object_.surface.correlation(sample_.residual, kNoise);
-    value_ = contour_agreement(object_.contour, sample_.contour) + correlation_;
+    value_ = templates::contour_agreement(object_.contour, sample_.contour) + correlation_;
     return true;
   }
 
   cv::Vec3d next_step() {
-    ContourPull pull = contour_pull(object_.contour, sample_.contour);
+    templates::ContourPull pull = templates::contour_pull(object_.contour, sample_.contour);
     add_surface_pull(object_.surface, sample_.surface, correlation_, pull);
     return bounded(damped(pull.hessian, radius()).inv() * pull.gradient, radius());
   }
 
-  const PoseTemplate& object_;
-  const SceneLevel& scene_;
-  PoseSample& sample_;                   // at the last linearisation
+  const templates::PoseTemplate& object_;
+  const scene::SceneLevel& scene_;
+  templates::PoseSample& sample_;        // at the last linearisation
   double correlation_ = 0, value_ = -2;  // there
   bool at_best_ = false;                 // it is the best one
 };
 
 }  // namespace
 
-AlignedPose align(const PoseTemplate& object, const SceneLevel& scene, const Pose2D& start,
-                  int iterations) {
+AlignedPose align(const templates::PoseTemplate& object, const scene::SceneLevel& scene,
+                  const Pose2D& start, int iterations) {
   return Aligner(object, scene).run(start, iterations);
 }
 
-AlignedPose align_contour(const PoseTemplate& object, const SceneLevel& scene, const Pose2D& start,
-                          int iterations) {
-  thread_local ContourSample sample;
+AlignedPose align_contour(const templates::PoseTemplate& object, const scene::SceneLevel& scene,
+                          const Pose2D& start, int iterations) {
+  thread_local templates::ContourSample sample;
   const double radius = object.contour.radius();
   AlignedPose best{start, -2};
   Pose2D pose = start;
   for (int k = 0;; ++k) {
     scene.prepare_around(pose, object.reach());
     // The last reading is only for its value, which does not depend on distant edges.
-    read_contour(object.contour, scene.edges, pose, k == iterations ? 1 : kReach, sample);
-    const double value = contour_agreement(object.contour, sample);
+    templates::read_contour(object.contour, scene.edges, pose, k == iterations ? 1 : kReach,
+                            sample);
+    const double value = templates::contour_agreement(object.contour, sample);
     if (value > best.value) best = {pose, value};
     if (k == iterations) return best;
-    const ContourPull pull = contour_pull(object.contour, sample);
+    const templates::ContourPull pull = templates::contour_pull(object.contour, sample);
     const cv::Vec3d step = bounded(damped(pull.hessian, radius).inv() * pull.gradient, radius);
     pose = compose(pose, inverse(Pose2D{step[0], step[1], step[2]}));
   }
 }
 
-ScoredPose align_and_score(const PoseTemplate& object, const SceneLevel& scene, const Pose2D& start,
-                           int iterations) {
+ScoredPose align_and_score(const templates::PoseTemplate& object, const scene::SceneLevel& scene,
+                           const Pose2D& start, int iterations) {
   return Aligner(object, scene).run_to_evidence(start, iterations);
 }
 
-}  // namespace mbncc
+}  // namespace mbncc::refinement

@@ -4,7 +4,7 @@
 
 #include "matching/evidence/evidence.hpp"
 
-namespace mbncc {
+namespace mbncc::refinement {
 
 /// A pose reached by alignment.
 struct AlignedPose {
@@ -15,21 +15,21 @@ struct AlignedPose {
 /// Gauss-Newton maximisation of contour agreement plus correlation without shading, from `start`
 /// [px at the templates' level], at most `iterations` steps. Returns the best pose reached, `start`
 /// itself if none is better.
-AlignedPose align(const PoseTemplate& object, const SceneLevel& scene, const Pose2D& start,
-                  int iterations);
+AlignedPose align(const templates::PoseTemplate& object, const scene::SceneLevel& scene,
+                  const Pose2D& start, int iterations);
 
 /// Maximisation of only the contour agreement, `iterations` steps; `value` is that agreement.
-AlignedPose align_contour(const PoseTemplate& object, const SceneLevel& scene, const Pose2D& start,
-                          int iterations);
+AlignedPose align_contour(const templates::PoseTemplate& object, const scene::SceneLevel& scene,
+                          const Pose2D& start, int iterations);
 
 /// A reached pose with its evidence, computed from the last reading.
 struct ScoredPose {
   Pose2D pose;
-  Evidence evidence;
+  evidence::Evidence evidence;
 };
 
 /// Like align().
-ScoredPose align_and_score(const PoseTemplate& object, const SceneLevel& scene, const Pose2D& start,
-                           int iterations);
+ScoredPose align_and_score(const templates::PoseTemplate& object, const scene::SceneLevel& scene,
+                           const Pose2D& start, int iterations);
 
-}  // namespace mbncc
+}  // namespace mbncc::refinement

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace mbncc {
+namespace mbncc::refinement {
 namespace {
 
 /// Displacement by light: [px] in even light, and a share of that by shading.
@@ -22,11 +22,12 @@ constexpr double kEven = 0.03;  // [px^2] gradients of even light displace nothi
 
 }  // namespace
 
-IlluminationBias::IlluminationBias(const SurfaceTemplate& surface, const SurfaceSample& seen,
-                                   double contrast) {
-  const SurfaceDifference difference = surface.difference(seen, contrast);
-  const double slope = (surface.slope_product(0, 0) + surface.slope_product(1, 1)) /
-                       (2 * SurfaceTemplate::kChannels * static_cast<double>(surface.size()));
+IlluminationBias::IlluminationBias(const templates::SurfaceTemplate& surface,
+                                   const templates::SurfaceSample& seen, double contrast) {
+  const templates::SurfaceDifference difference = surface.difference(seen, contrast);
+  const double slope =
+      (surface.slope_product(0, 0) + surface.slope_product(1, 1)) /
+      (2 * templates::SurfaceTemplate::kChannels * static_cast<double>(surface.size()));
   shading_ = std::max(0.0, difference.shading / (contrast * contrast) / (slope + kPlain) - kEven);
 }
 
@@ -43,4 +44,4 @@ cv::Matx33d IlluminationBias::of_pose(double radius) const {
   return cv::Matx33d::diag({place, place, kRim.variance(shading_) / (radius * radius)});
 }
 
-}  // namespace mbncc
+}  // namespace mbncc::refinement

@@ -6,7 +6,7 @@
 
 #include "matching/template/surface_template.hpp"
 
-namespace mbncc {
+namespace mbncc::refinement {
 
 /// Light displaces the pose by a part of the visible shading, and this error does not average out.
 /// Fitted to drawn scenes under a lamp, in diffuse light and in even light.
@@ -15,7 +15,8 @@ class IlluminationBias {
   IlluminationBias() = default;
 
   /// For a surface seen with `contrast`, the picture's relative to the template's.
-  IlluminationBias(const SurfaceTemplate& surface, const SurfaceSample& seen, double contrast);
+  IlluminationBias(const templates::SurfaceTemplate& surface, const templates::SurfaceSample& seen,
+                   double contrast);
 
   double of_brightness() const;  ///< [px] deviation
   double of_contour() const;     ///< [px] likewise
@@ -27,4 +28,4 @@ class IlluminationBias {
   double shading_ = 0;  // [px^2] variance of the displacement by a difference in shading
 };
 
-}  // namespace mbncc
+}  // namespace mbncc::refinement

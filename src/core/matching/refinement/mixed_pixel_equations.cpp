@@ -6,7 +6,7 @@
 
 #include "simd/lanes.hpp"
 
-namespace mbncc {
+namespace mbncc::refinement {
 namespace {
 
 constexpr int kLight = MixedPixelModel::kLight;
@@ -119,4 +119,4 @@ void MixedPixelEquations::subtract(const Light& light, std::vector<float>& resid
   }
 }
 
-}  // namespace mbncc
+}  // namespace mbncc::refinement

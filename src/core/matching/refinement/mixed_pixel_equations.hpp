@@ -10,7 +10,7 @@
 #include "matching/refinement/mixed_pixel_model.hpp"
 #include "matching/refinement/mixed_pixel_sample.hpp"
 
-namespace mbncc {
+namespace mbncc::refinement {
 
 class MixedPixelEquations {
  public:
@@ -54,4 +54,4 @@ class MixedPixelEquations {
   std::vector<float> weights_, inside_;
 };
 
-}  // namespace mbncc
+}  // namespace mbncc::refinement

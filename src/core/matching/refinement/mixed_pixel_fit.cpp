@@ -9,7 +9,7 @@
 #include "matching/refinement/mixed_pixel_sample.hpp"
 #include "simd/lanes.hpp"
 
-namespace mbncc {
+namespace mbncc::refinement {
 namespace {
 
 constexpr int kAxes = MixedPixelEquations::kAxes, kMotion = MixedPixelEquations::kMotion;
@@ -18,7 +18,7 @@ constexpr int kAxes = MixedPixelEquations::kAxes, kMotion = MixedPixelEquations:
 /// axis of colour with many outliers.
 class MixedPixelFitter {
  public:
-  MixedPixelFitter(const MixedPixelModel& object, const SceneLevel& scene)
+  MixedPixelFitter(const MixedPixelModel& object, const scene::SceneLevel& scene)
       : object_(object), scene_(scene), equations_(object) {}
 
   MixedPixelFit run(const Pose2D& start) {
@@ -67,7 +67,7 @@ class MixedPixelFitter {
   bool linearise(const Pose2D& pose) {
     read_rendering(object_, scene_, pose, seen_);
     equations_.read(seen_);
-    seen_points_ = product(seen_.inside, seen_.inside.data());
+    seen_points_ = kernels::product(seen_.inside, seen_.inside.data());
     return 2 * seen_points_ >= object_.size;
   }
 
@@ -93,7 +93,7 @@ class MixedPixelFitter {
   }
 
   const MixedPixelModel& object_;
-  const SceneLevel& scene_;
+  const scene::SceneLevel& scene_;
   MixedPixelEquations equations_;
   MixedPixelSample seen_;
   std::optional<Pose2D> slopes_at_;
@@ -152,7 +152,7 @@ double MixedPixelFitter::weigh() {
       weights[i] = telling * telling;
       saturated[i] = square / (1 + square);
     }
-    misfit += product(saturated, seen_.inside.data());
+    misfit += kernels::product(saturated, seen_.inside.data());
   }
   return misfit / (kAxes * seen_points_);
 }
@@ -185,8 +185,9 @@ double MixedPixelFitter::brightness() const {
 
 }  // namespace
 
-MixedPixelFit fit(const MixedPixelModel& object, const SceneLevel& scene, const Pose2D& start) {
+MixedPixelFit fit(const MixedPixelModel& object, const scene::SceneLevel& scene,
+                  const Pose2D& start) {
   return object.padded() == 0 ? MixedPixelFit{start} : MixedPixelFitter(object, scene).run(start);
 }
 
-}  // namespace mbncc
+}  // namespace mbncc::refinement

@@ -6,7 +6,7 @@
 
 #include "simd/lanes.hpp"
 
-namespace mbncc {
+namespace mbncc::refinement {
 namespace {
 
 constexpr float kNowhere = -1e6f;     // lies outside of every picture
@@ -20,8 +20,8 @@ cv::Vec3f colour_near(const cv::Mat& picture, cv::Point at) {
 }
 
 /// The object's own colour at a pixel of the learning picture.
-cv::Vec3f unmixed_colour(const SurfaceTemplate::Source& source, cv::Point pixel,
-                         const EdgeMixing& mixture) {
+cv::Vec3f unmixed_colour(const templates::SurfaceTemplate::Source& source, cv::Point pixel,
+                         const templates::EdgeMixing& mixture) {
   constexpr float kTold = 0.35f;  // share from which on it can be separated from the background
   if (mixture.share < kTold) return colour_near(source.surface.colour, pixel);
   cv::Vec3f background;
@@ -35,8 +35,8 @@ cv::Vec3f unmixed_colour(const SurfaceTemplate::Source& source, cv::Point pixel,
 }
 
 /// Vector inwards, longer near the edge: models the shading of a bevel.
-cv::Point2f bevel_at(const SurfaceTemplate::Source& source, cv::Point pixel,
-                     const EdgeMixing& mixture) {
+cv::Point2f bevel_at(const templates::SurfaceTemplate::Source& source, cv::Point pixel,
+                     const templates::EdgeMixing& mixture) {
   constexpr float kDepth = 2.5f;  // [px]
   const bool on_map = cv::Rect({0, 0}, source.map_size).contains(pixel);
   const float depth = on_map ? source.map.depth(pixel) : 0;
@@ -60,22 +60,23 @@ bool MixedPixelModel::is_mixed(const Site& site) {
   return site.share <= kPure;
 }
 
-MixedPixelModel::MixedPixelModel(const SurfaceTemplate::Source& source, cv::Point2d anchor) {
+MixedPixelModel::MixedPixelModel(const templates::SurfaceTemplate::Source& source,
+                                 cv::Point2d anchor) {
   source.picture.prepare();
   const auto sites = sites_of(source, anchor);
   place(sites);
   lay_out_light(sites);
 }
 
-std::vector<MixedPixelModel::Site> MixedPixelModel::sites_of(const SurfaceTemplate::Source& source,
-                                                             cv::Point2d anchor) {
-  const AlphaMatte matte(source.map, source.level);
+std::vector<MixedPixelModel::Site> MixedPixelModel::sites_of(
+    const templates::SurfaceTemplate::Source& source, cv::Point2d anchor) {
+  const templates::AlphaMatte matte(source.map, source.level);
   const cv::Point2f origin(anchor);
   std::vector<Site> sites;
   for (int y = -matte.room(); y < source.map_size.height + matte.room(); ++y)
     for (int x = -matte.room(); x < source.map_size.width + matte.room(); ++x) {
       const cv::Point pixel(x, y);
-      const EdgeMixing mixture = matte.at(pixel);
+      const templates::EdgeMixing mixture = matte.at(pixel);
       if (mixture.share < kLeastShare) continue;
       sites.push_back({cv::Point2f(pixel) - origin,
                        {mixture.beyond[0] - origin, mixture.beyond[1] - origin},
@@ -89,7 +90,7 @@ std::vector<MixedPixelModel::Site> MixedPixelModel::sites_of(const SurfaceTempla
 
 void MixedPixelModel::place(const std::vector<Site>& sites) {
   size = static_cast<double>(sites.size());
-  background.assign(whole_lanes(sites.size()), 0.f);
+  background.assign(kernels::whole_lanes(sites.size()), 0.f);
   for (auto* places : {&points, &beyond[0], &beyond[1]})
     for (auto& coordinate : *places) coordinate.assign(padded(), kNowhere);
   const auto put = [this](SearchMask& places, std::size_t i, cv::Point2f at) {
@@ -97,8 +98,8 @@ void MixedPixelModel::place(const std::vector<Site>& sites) {
     places[1][i] = at.y;
     reach = std::max(reach, cv::norm(at));
   };
-  mixed =
-      whole_lanes(static_cast<std::size_t>(std::count_if(sites.begin(), sites.end(), is_mixed)));
+  mixed = kernels::whole_lanes(
+      static_cast<std::size_t>(std::count_if(sites.begin(), sites.end(), is_mixed)));
   for (std::size_t i = 0; i < sites.size(); ++i) {
     put(points, i, sites[i].at);
     radius = std::max(radius, cv::norm(sites[i].at));
@@ -143,4 +144,4 @@ void MixedPixelModel::turn_to_axes(float* colours, std::size_t count) {
   }
 }
 
-}  // namespace mbncc
+}  // namespace mbncc::refinement

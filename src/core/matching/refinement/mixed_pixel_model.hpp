@@ -11,10 +11,10 @@
 #include "matching/template/edge_mixing.hpp"
 #include "matching/template/surface_template.hpp"
 
-namespace mbncc {
+namespace mbncc::refinement {
 
 struct MixedPixelModel {
-  static constexpr int kChannels = SurfaceTemplate::kChannels;
+  static constexpr int kChannels = templates::SurfaceTemplate::kChannels;
   /// Gain of the colours, an offset per axis, two of shading across the object, two of its rim.
   static constexpr int kLight = 8;
   /// The terms of an axis of colour, because shading affects only brightness.
@@ -24,7 +24,7 @@ struct MixedPixelModel {
   MixedPixelModel() = default;
 
   /// The object at full resolution, about `anchor` [px].
-  MixedPixelModel(const SurfaceTemplate::Source& source, cv::Point2d anchor);
+  MixedPixelModel(const templates::SurfaceTemplate::Source& source, cv::Point2d anchor);
 
   std::size_t padded() const { return background.size(); }  ///< points, in whole lanes
 
@@ -50,7 +50,8 @@ struct MixedPixelModel {
  private:
   struct Site;
   static bool is_mixed(const Site& site);
-  static std::vector<Site> sites_of(const SurfaceTemplate::Source& source, cv::Point2d anchor);
+  static std::vector<Site> sites_of(const templates::SurfaceTemplate::Source& source,
+                                    cv::Point2d anchor);
   void place(const std::vector<Site>& sites);
   void lay_out_light(const std::vector<Site>& sites);
 };
@@ -64,6 +65,7 @@ struct MixedPixelFit {
 
 /// At the pose near `start` [px] with the smallest residual in a picture at full resolution; at
 /// `start` itself, without a result, if too little is visible.
-MixedPixelFit fit(const MixedPixelModel& object, const SceneLevel& scene, const Pose2D& start);
+MixedPixelFit fit(const MixedPixelModel& object, const scene::SceneLevel& scene,
+                  const Pose2D& start);
 
-}  // namespace mbncc
+}  // namespace mbncc::refinement

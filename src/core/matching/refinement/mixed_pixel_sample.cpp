@@ -6,7 +6,7 @@
 
 #include "imaging/kernel_views.hpp"
 
-namespace mbncc {
+namespace mbncc::refinement {
 namespace {
 
 constexpr int kChannels = MixedPixelModel::kChannels;
@@ -27,11 +27,11 @@ void unmix(const float* __restrict part, const float* __restrict one, const floa
 
 }  // namespace
 
-void read_rendering(const MixedPixelModel& object, const SceneLevel& scene, const Pose2D& pose,
-                    MixedPixelSample& reading) {
+void read_rendering(const MixedPixelModel& object, const scene::SceneLevel& scene,
+                    const Pose2D& pose, MixedPixelSample& reading) {
   const std::size_t padded = object.padded(), mixed = object.mixed;
-  const kernels::Picture8 picture = view_of(scene.colour);
-  const kernels::Placement placement = placement_of(pose);
+  const kernels::Picture8 picture = imaging::view_of(scene.colour);
+  const kernels::Placement placement = imaging::placement_of(pose);
   reading.values.resize(kChannels * padded);
   reading.inside.resize(padded);
   float* const own = reading.values.data();
@@ -57,4 +57,4 @@ void read_rendering(const MixedPixelModel& object, const SceneLevel& scene, cons
   MixedPixelModel::turn_to_axes(own, padded);
 }
 
-}  // namespace mbncc
+}  // namespace mbncc::refinement

@@ -6,7 +6,7 @@
 
 #include "matching/refinement/mixed_pixel_model.hpp"
 
-namespace mbncc {
+namespace mbncc::refinement {
 
 struct MixedPixelSample {
   std::vector<float> values;  ///< per axis of colour and point; 0 outside of the picture
@@ -14,7 +14,7 @@ struct MixedPixelSample {
 };
 
 /// Reads a picture that has been prepared around `pose`.
-void read_rendering(const MixedPixelModel& object, const SceneLevel& scene, const Pose2D& pose,
-                    MixedPixelSample& reading);
+void read_rendering(const MixedPixelModel& object, const scene::SceneLevel& scene,
+                    const Pose2D& pose, MixedPixelSample& reading);
 
-}  // namespace mbncc
+}  // namespace mbncc::refinement

@@ -9,7 +9,7 @@
 #include "matching/refinement/surface_residuals.hpp"
 #include "numeric/random_effects.hpp"
 
-namespace mbncc {
+namespace mbncc::refinement {
 namespace {
 
 constexpr int kReach = 2;               // [px] search range for edges along the normals, ...
@@ -24,7 +24,7 @@ constexpr double kFixedScale = 1e-6;    // deviation that fixes the scale
 
 class Refiner {
  public:
-  Refiner(const RefinementTemplate& object, const SceneLevel& scene, const Pose2D& start)
+  Refiner(const RefinementTemplate& object, const scene::SceneLevel& scene, const Pose2D& start)
       : object_(object), scene_(scene), start_(start), pose_(start) {}
 
   Refined run(int iterations) {
@@ -42,8 +42,8 @@ class Refiner {
 
  private:
   struct Samples {
-    SurfaceSample surface;
-    ContourSample contour;
+    templates::SurfaceSample surface;
+    templates::ContourSample contour;
     SurfaceResiduals remainders;
   };
 
@@ -59,7 +59,7 @@ class Refiner {
     scale_deviation_ = scale_deviation;
     for (int k = 0; linearise(); ++k) {
       if (k == iterations) return true;
-      Motion step = solution(scale_deviation_);
+      numeric::Motion step = solution(scale_deviation_);
       if (scale_deviation_ == kFixedScale) step[3] = 0;
       move(step);
       if (length_of(step) < kSmallStep) return true;  // the reading would not change
@@ -69,15 +69,17 @@ class Refiner {
 
   bool linearise();
   double halves_apart();
-  NormalEquations half_pull(double x, double y);
+  numeric::NormalEquations half_pull(double x, double y);
   double gain() const;
-  NormalEquations edges_pull(const ContourSample& sample) const;
+  numeric::NormalEquations edges_pull(const templates::ContourSample& sample) const;
   void read_edges(int reach) {
-    read_contour(object_.object.contour, scene_.edges, pose_, reach, samples_.contour, scale_);
+    templates::read_contour(object_.object.contour, scene_.edges, pose_, reach, samples_.contour,
+                            scale_);
   }
-  std::array<NormalEquations, ColourAxes::kAxes> axis_pulls(const std::vector<float>& weights);
-  NormalEquations as_far_as_it_agrees(const NormalEquations& colour,
-                                      const NormalEquations& edges) const;
+  std::array<numeric::NormalEquations, ColourAxes::kAxes> axis_pulls(
+      const std::vector<float>& weights);
+  numeric::NormalEquations as_far_as_it_agrees(const numeric::NormalEquations& colour,
+                                               const numeric::NormalEquations& edges) const;
 
   cv::Matx44d information(double scale_deviation) const {
     cv::Matx44d prior = cv::Matx44d::diag({kLeast, kLeast, kLeast * radius() * radius(), 0});
@@ -85,8 +87,8 @@ class Refiner {
     return pull_.information + prior;
   }
 
-  Motion solution(double scale_deviation) const {
-    Motion towards = pull_.vector;
+  numeric::Motion solution(double scale_deviation) const {
+    numeric::Motion towards = pull_.vector;
     towards[3] += (scale_ - 1) / (scale_deviation * scale_deviation);
     return information(scale_deviation).inv() * towards;
   }
@@ -97,15 +99,15 @@ class Refiner {
     return off > std::max(kLeastScale, kScaleDeviations * deviation);
   }
 
-  void move(const Motion& step) {
+  void move(const numeric::Motion& step) {
     const double bound = std::min(1.0, kFarthest / (length_of(step) + 1e-9));
-    const Motion bounded = step * bound;
+    const numeric::Motion bounded = step * bound;
     scale_ /= 1 + bounded[3];
     pose_.theta -= bounded[2];
     pose_ = compose(pose_, {-scale_ * bounded[0], -scale_ * bounded[1], 0});
   }
 
-  double length_of(const Motion& step) const {
+  double length_of(const numeric::Motion& step) const {
     return std::max(std::hypot(step[0], step[1]), std::hypot(step[2], step[3]) * radius());
   }
 
@@ -119,19 +121,19 @@ class Refiner {
   static constexpr double kLeast = 1e-4;  // [1/px^2] prior information
 
   const RefinementTemplate& object_;
-  const SceneLevel& scene_;
+  const scene::SceneLevel& scene_;
   Pose2D start_, pose_;
   double scale_ = 1, scale_deviation_ = kFixedScale;
   Samples& samples_ = samples();
-  NormalEquations pull_, edges_;   // at the last linearisation
-  double contrast_ = 1;            // there
-  double unclaimed_ = 0;           // [px^2] their random-effects variance, there
-  IlluminationBias displacement_;  // there
+  numeric::NormalEquations pull_, edges_;  // at the last linearisation
+  double contrast_ = 1;                    // there
+  double unclaimed_ = 0;                   // [px^2] their random-effects variance, there
+  IlluminationBias displacement_;          // there
 };
 
 /// Builds the normal equations of surface and contour at the pose. False if too little is visible.
 bool Refiner::linearise() {
-  const PoseTemplate& object = object_.object;
+  const templates::PoseTemplate& object = object_.object;
   scene_.prepare_around(pose_, object.reach() * scale_);
   object.surface.sample(scene_, pose_, samples_.surface, scale_);
   if (!samples_.surface.suffices()) return false;
@@ -141,11 +143,11 @@ bool Refiner::linearise() {
   edges_ = edges_pull(samples_.contour);
   samples_.remainders.read(object_.axes, object.surface, samples_.surface);
   const auto axes = axis_pulls(samples_.remainders.weights);
-  RandomEffects all(radius());
+  numeric::RandomEffects all(radius());
   all.add(edges_);
   for (const auto& axis : axes) all.add(axis);
   unclaimed_ = all.variance();
-  NormalEquations colour = axes[1];
+  numeric::NormalEquations colour = axes[1];
   colour += axes[2];
   pull_ = edges_;
   pull_ += axes[ColourAxes::kBrightness];
@@ -154,18 +156,18 @@ bool Refiner::linearise() {
 }
 
 /// Normal equations of one half of the object, on one side of a direction in the template's frame.
-NormalEquations Refiner::half_pull(double x, double y) {
+numeric::NormalEquations Refiner::half_pull(double x, double y) {
   const auto on_side = [&](double px, double py) { return px * x + py * y > 0; };
-  const PoseTemplate& object = object_.object;
-  ContourSample contour = samples_.contour;
+  const templates::PoseTemplate& object = object_.object;
+  templates::ContourSample contour = samples_.contour;
   for (std::size_t i = 0; i < object.contour.size(); ++i)
     if (!on_side(object.contour.x[i], object.contour.y[i])) contour.pull[i] = contour.moment[i] = 0;
-  NormalEquations pull = edges_pull(contour);
+  numeric::NormalEquations pull = edges_pull(contour);
   std::vector<float> weights = samples_.remainders.weights;
   for (std::size_t i = 0; i < object.surface.size(); ++i)
     if (!on_side(object.surface.x[i], object.surface.y[i])) weights[i] = 0;
   const auto axes = axis_pulls(weights);
-  NormalEquations colour = axes[1];
+  numeric::NormalEquations colour = axes[1];
   colour += axes[2];
   pull += axes[ColourAxes::kBrightness];
   pull += as_far_as_it_agrees(colour, edges_);
@@ -179,7 +181,7 @@ double Refiner::halves_apart() {
   const double c = std::cos(pose_.theta), s = std::sin(pose_.theta);
   double most = 0;
   for (const auto& [x, y] : {std::make_pair(c, -s), std::make_pair(s, c)}) {
-    RandomEffects halves(radius());
+    numeric::RandomEffects halves(radius());
     halves.add(half_pull(x, y));
     halves.add(half_pull(-x, -y));
     most = std::max(most, halves.variance());
@@ -187,23 +189,23 @@ double Refiner::halves_apart() {
   return most;
 }
 
-NormalEquations Refiner::edges_pull(const ContourSample& sample) const {
+numeric::NormalEquations Refiner::edges_pull(const templates::ContourSample& sample) const {
   constexpr double kScatter = 0.8;         // [px] of one contour point
   constexpr double kCorrelatedPoints = 2;  // neighbours on the contour that scatter alike
   const double scatter = kScatter * kScatter * kCorrelatedPoints;
-  NormalEquations edges = object_.contour_motion.pull(sample);
+  numeric::NormalEquations edges = object_.contour_motion.pull(sample);
   edges.information *= 1 / scatter;
   edges.vector *= 1 / scatter;
-  return marginalised_over_shift(edges, displacement_.of_contour());
+  return numeric::marginalised_over_shift(edges, displacement_.of_contour());
 }
 
-std::array<NormalEquations, ColourAxes::kAxes> Refiner::axis_pulls(
+std::array<numeric::NormalEquations, ColourAxes::kAxes> Refiner::axis_pulls(
     const std::vector<float>& weights) {
   constexpr double kCorrelatedValues = 4;  // neighbours' noise is alike, by smoothing
   const SurfaceResiduals& remainders = samples_.remainders;
   const auto variances = remainders.variances();
   const double lesson_noise = object_.axes.noise(remainders.values, remainders.weights, contrast_);
-  std::array<NormalEquations, ColourAxes::kAxes> pulls;
+  std::array<numeric::NormalEquations, ColourAxes::kAxes> pulls;
   for (int axis = 0; axis < ColourAxes::kAxes; ++axis) {
     pulls[axis] = object_.axes.pull(axis, remainders.values[axis], weights);
     const double noise = kCorrelatedValues * variances[axis];
@@ -211,26 +213,27 @@ std::array<NormalEquations, ColourAxes::kAxes> Refiner::axis_pulls(
     pulls[axis].information *= share * share / noise;
     pulls[axis].vector *= share / noise;
   }
-  NormalEquations& brightness = pulls[ColourAxes::kBrightness];
-  brightness = marginalised_over_shift(brightness, displacement_.of_brightness());
+  numeric::NormalEquations& brightness = pulls[ColourAxes::kBrightness];
+  brightness = numeric::marginalised_over_shift(brightness, displacement_.of_brightness());
   return pulls;
 }
 
 /// Cameras blur and displace colour, some by pixels; estimated from its distance to the contour.
-NormalEquations Refiner::as_far_as_it_agrees(const NormalEquations& colour,
-                                             const NormalEquations& edges) const {
+numeric::NormalEquations Refiner::as_far_as_it_agrees(const numeric::NormalEquations& colour,
+                                                      const numeric::NormalEquations& edges) const {
   constexpr double kUsual = 0.3;  // [px] apart
-  RandomEffects two(radius());
+  numeric::RandomEffects two(radius());
   two.add(colour);
   two.add(edges);
   const double apart = std::sqrt(2 * two.variance());
-  return apart > kUsual ? marginalised_over_shift_and_turn(colour, apart, radius()) : colour;
+  return apart > kUsual ? numeric::marginalised_over_shift_and_turn(colour, apart, radius())
+                        : colour;
 }
 
 /// Of the picture's contrast by the template's.
 double Refiner::gain() const {
   constexpr double kPrior = 20;  // [grey^2] pulls that of plain surfaces to 1
-  const SurfaceTemplate& surface = object_.object.surface;
+  const templates::SurfaceTemplate& surface = object_.object.surface;
   const double energy = surface.mean_projected_energy();
   const double common = surface.contrast(samples_.surface) * energy;
   return std::clamp((common + kPrior) / (energy + kPrior), 0.3, 2.0);
@@ -250,7 +253,8 @@ cv::Matx33d Refiner::covariance(double unclaimed) const {
 
 }  // namespace
 
-RefinementTemplate::RefinementTemplate(PoseTemplate made, const SceneLevel& picture)
+RefinementTemplate::RefinementTemplate(templates::PoseTemplate made,
+                                       const scene::SceneLevel& picture)
     : object(std::move(made)), axes(object.surface, picture), contour_motion(object.contour) {}
 
 Refined unknown_accuracy(const Pose2D& pose) {
@@ -259,9 +263,9 @@ Refined unknown_accuracy(const Pose2D& pose) {
   return {pose, 1, unknown, unknown};
 }
 
-Refined refine(const RefinementTemplate& object, const SceneLevel& scene, const Pose2D& start,
-               int iterations) {
+Refined refine(const RefinementTemplate& object, const scene::SceneLevel& scene,
+               const Pose2D& start, int iterations) {
   return Refiner(object, scene, start).run(iterations);
 }
 
-}  // namespace mbncc
+}  // namespace mbncc::refinement

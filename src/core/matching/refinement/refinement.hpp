@@ -9,15 +9,15 @@
 #include "matching/refinement/contour_motion.hpp"
 #include "mbncc/geometry.hpp"
 
-namespace mbncc {
+namespace mbncc::refinement {
 
 /// An object at full resolution.
 struct RefinementTemplate {
   RefinementTemplate() = default;
   /// `picture` is the one that the surface was made from.
-  RefinementTemplate(PoseTemplate made, const SceneLevel& picture);
+  RefinementTemplate(templates::PoseTemplate made, const scene::SceneLevel& picture);
 
-  PoseTemplate object;
+  templates::PoseTemplate object;
   ColourAxes axes;
   ContourMotion contour_motion;
 };
@@ -36,7 +36,7 @@ Refined unknown_accuracy(const Pose2D& pose);
 /// the covariance alone) over the residuals of the surface along its colour axes and of the
 /// contour. Light may displace each of them, and relief the brightness; these shifts along x and y
 /// are marginalised. The scale is 1 unless another one is significant.
-Refined refine(const RefinementTemplate& object, const SceneLevel& scene, const Pose2D& start,
-               int iterations);
+Refined refine(const RefinementTemplate& object, const scene::SceneLevel& scene,
+               const Pose2D& start, int iterations);
 
-}  // namespace mbncc
+}  // namespace mbncc::refinement

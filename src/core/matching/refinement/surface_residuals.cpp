@@ -3,10 +3,10 @@
 
 #include <algorithm>
 
-namespace mbncc {
+namespace mbncc::refinement {
 
-void SurfaceResiduals::read(const ColourAxes& axes, const SurfaceTemplate& surface,
-                            const SurfaceSample& sample) {
+void SurfaceResiduals::read(const ColourAxes& axes, const templates::SurfaceTemplate& surface,
+                            const templates::SurfaceSample& sample) {
   constexpr float kUsual = 4;  // mean squares, in variances, that halve the weight
   for (int axis = 0; axis < ColourAxes::kAxes; ++axis)
     axes.remainder(axis, surface.basis, sample, values[axis]);
@@ -36,4 +36,4 @@ SurfaceResiduals::Variances SurfaceResiduals::variances() const {
   return found;
 }
 
-}  // namespace mbncc
+}  // namespace mbncc::refinement

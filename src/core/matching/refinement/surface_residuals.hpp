@@ -8,7 +8,7 @@
 #include "matching/refinement/colour_axes.hpp"
 #include "matching/template/surface_template.hpp"
 
-namespace mbncc {
+namespace mbncc::refinement {
 
 struct SurfaceResiduals {
   using Variances = std::array<double, ColourAxes::kAxes>;
@@ -17,10 +17,11 @@ struct SurfaceResiduals {
   std::vector<float> weights;  ///< [0..1] of the points
 
   /// Reads the values and weights the points: covered or glossy ones have little weight.
-  void read(const ColourAxes& axes, const SurfaceTemplate& surface, const SurfaceSample& sample);
+  void read(const ColourAxes& axes, const templates::SurfaceTemplate& surface,
+            const templates::SurfaceSample& sample);
 
   /// [grey^2] Along the axes, the same across brightness.
   Variances variances() const;
 };
 
-}  // namespace mbncc
+}  // namespace mbncc::refinement

@@ -5,7 +5,7 @@
 #include <memory>
 #include <mutex>
 
-namespace mbncc {
+namespace mbncc::scene {
 
 /// `Padded` has fill(source, margin), which reuses its memory, and margin(). Thread-safe.
 template <class Padded>
@@ -34,4 +34,4 @@ class PaddedCache {
   bool valid_ = false;
 };
 
-}  // namespace mbncc
+}  // namespace mbncc::scene

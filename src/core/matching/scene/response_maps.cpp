@@ -6,7 +6,7 @@
 
 #include "simd/kernels.hpp"
 
-namespace mbncc {
+namespace mbncc::scene {
 namespace {
 
 constexpr int kOrientations = ResponseMaps::kOrientations;
@@ -88,4 +88,4 @@ void ResponseMaps::make_room(cv::Size size, int margin) {
                  kUnseen);
 }
 
-}  // namespace mbncc
+}  // namespace mbncc::scene

@@ -6,7 +6,7 @@
 #include <opencv2/core.hpp>
 #include <vector>
 
-namespace mbncc {
+namespace mbncc::scene {
 
 /// Response maps per orientation, spread to the neighbouring pixels and padded. Each is stored as
 /// four maps of every second pixel, so that adjacent search positions are adjacent in memory.
@@ -41,4 +41,4 @@ class ResponseMaps {
   std::vector<std::int8_t> values_;
 };
 
-}  // namespace mbncc
+}  // namespace mbncc::scene

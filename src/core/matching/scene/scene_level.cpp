@@ -5,7 +5,7 @@
 
 #include "imaging/gradient_orientation.hpp"
 
-namespace mbncc {
+namespace mbncc::scene {
 namespace {
 
 constexpr int kTile = 64;  // [px]
@@ -60,9 +60,9 @@ void SceneLevel::prepare_tile(int column, int row) const {
   auto& ready = tiles_->ready[row * tile_columns_ + column];
   if (ready.load(std::memory_order_relaxed)) return;
   const cv::Rect tile(column * kTile, row * kTile, kTile, kTile);
-  smooth_and_find_edges(picture_, tile & cv::Rect({0, 0}, size()), level_ == 0 ? 0.9 : 0.6, colour,
-                        edges);
+  imaging::smooth_and_find_edges(picture_, tile & cv::Rect({0, 0}, size()), level_ == 0 ? 0.9 : 0.6,
+                                 colour, edges);
   ready.store(true, std::memory_order_release);
 }
 
-}  // namespace mbncc
+}  // namespace mbncc::scene

@@ -12,7 +12,7 @@
 #include "matching/scene/response_maps.hpp"
 #include "mbncc/geometry.hpp"
 
-namespace mbncc {
+namespace mbncc::scene {
 
 /// At full resolution only a small part of a picture is needed, around the candidates of coarser
 /// levels. Tiles are therefore prepared on demand, once each. Thread-safe.
@@ -58,4 +58,4 @@ class SceneLevel {
   std::unique_ptr<PaddedCache<ResponseMaps>> responses_;
 };
 
-}  // namespace mbncc
+}  // namespace mbncc::scene

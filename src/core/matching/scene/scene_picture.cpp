@@ -7,7 +7,7 @@
 
 #include "imaging/pyramid.hpp"
 
-namespace mbncc {
+namespace mbncc::scene {
 namespace {
 
 void check_type(const cv::Mat& picture) {
@@ -52,19 +52,19 @@ void ScenePicture::show(const cv::Mat& picture, int top_level) {
   check(picture);
   const bool in_colour = picture.type() == CV_8UC3;
   cv::cvtColor(picture, converted_, in_colour ? cv::COLOR_BGR2GRAY : cv::COLOR_GRAY2BGR);
-  build_pyramid(in_colour ? converted_ : picture, top_level, grey);
-  build_pyramid(in_colour ? picture : converted_, top_level, colours_);
+  imaging::build_pyramid(in_colour ? converted_ : picture, top_level, grey);
+  imaging::build_pyramid(in_colour ? picture : converted_, top_level, colours_);
   levels.resize(colours_.size());
   padded_.resize(grey.size());
   for (std::size_t level = 0; level < levels.size(); ++level) {
     levels[level].show(colours_[level], static_cast<int>(level));
-    if (!padded_[level]) padded_[level] = std::make_unique<PaddedCache<PaddedPicture>>();
+    if (!padded_[level]) padded_[level] = std::make_unique<PaddedCache<imaging::PaddedPicture>>();
     padded_[level]->forget();
   }
   classes_.reset();
 }
 
-const ClassPictures& ScenePicture::classes() const {
+const imaging::ClassPictures& ScenePicture::classes() const {
   const std::lock_guard<std::mutex> lock(sorting_);
   if (!classes_) classes_.emplace(colours_);
   return *classes_;
@@ -76,4 +76,4 @@ void ScenePicture::forget() {
   if (!levels.empty()) levels.front().forget();
 }
 
-}  // namespace mbncc
+}  // namespace mbncc::scene

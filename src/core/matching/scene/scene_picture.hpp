@@ -13,7 +13,7 @@
 #include "matching/scene/padded_cache.hpp"
 #include "matching/scene/scene_level.hpp"
 
-namespace mbncc {
+namespace mbncc::scene {
 
 /// `picture` as grey: CV_8UC3 (bgr) or CV_8UC1, at least 16 x 16; else std::invalid_argument.
 cv::Mat grey_picture(const cv::Mat& picture);
@@ -34,12 +34,12 @@ struct ScenePicture {
   cv::Size size() const { return grey.front().size(); }
 
   /// Of grey[level], with a margin of at least `margin` [px].
-  std::shared_ptr<const PaddedPicture> padded(int level, int margin) const {
+  std::shared_ptr<const imaging::PaddedPicture> padded(int level, int margin) const {
     return padded_[level]->get(grey[level], margin);
   }
 
   /// Input of the colour prefilters. Thread-safe.
-  const ClassPictures& classes() const;
+  const imaging::ClassPictures& classes() const;
 
   std::vector<cv::Mat> grey;       ///< CV_8UC1 pyramid
   std::vector<SceneLevel> levels;  ///< as many
@@ -47,9 +47,9 @@ struct ScenePicture {
  private:
   cv::Mat converted_;  // from colour to grey or back
   std::vector<cv::Mat> colours_;
-  std::vector<std::unique_ptr<PaddedCache<PaddedPicture>>> padded_;
+  std::vector<std::unique_ptr<PaddedCache<imaging::PaddedPicture>>> padded_;
   mutable std::mutex sorting_;
-  mutable std::optional<ClassPictures> classes_;
+  mutable std::optional<imaging::ClassPictures> classes_;
 };
 
-}  // namespace mbncc
+}  // namespace mbncc::scene

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "matching/scene/scene_pool.hpp"
 
-namespace mbncc {
+namespace mbncc::scene {
 
 std::shared_ptr<const ScenePicture> ScenePool::show(const cv::Mat& picture, int top_level) {
   const auto place = lend();
@@ -21,4 +21,4 @@ std::list<ScenePicture>::iterator ScenePool::lend() {
   return lent_.begin();
 }
 
-}  // namespace mbncc
+}  // namespace mbncc::scene

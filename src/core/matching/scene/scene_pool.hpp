@@ -8,7 +8,7 @@
 
 #include "matching/scene/scene_picture.hpp"
 
-namespace mbncc {
+namespace mbncc::scene {
 
 /// New memory from the system would cost a fifth of a search. Thread-safe; the pool must outlive
 /// its scenes.
@@ -25,4 +25,4 @@ class ScenePool {
   std::list<ScenePicture> idle_, lent_;
 };
 
-}  // namespace mbncc
+}  // namespace mbncc::scene

@@ -6,30 +6,32 @@
 
 #include "matching/refinement/gauss_newton.hpp"
 
-namespace mbncc {
+namespace mbncc::search {
 
-double candidate_odds(const PreparedView& view, const ScenePicture& scene, int level,
-                      const Pose2D& pose) {
-  return log_odds(gather_evidence(view.templates[level], scene.levels[level], pose),
-                  view.shape.area());
+double candidate_odds(const prepared::PreparedView& view, const scene::ScenePicture& scene,
+                      int level, const Pose2D& pose) {
+  return evidence::log_odds(
+      evidence::gather_evidence(view.templates[level], scene.levels[level], pose),
+      view.shape.area());
 }
 
-std::vector<Candidate> rotation_peaks(const PoseTemplate& object, const SceneLevel& scene,
-                                      const Candidate& place, double arc) {
+std::vector<templates::Candidate> rotation_peaks(const templates::PoseTemplate& object,
+                                                 const scene::SceneLevel& scene,
+                                                 const templates::Candidate& place, double arc) {
   const double rim = 2 * kPi * object.surface.radius();
   const int count = std::max(24, static_cast<int>(std::ceil(rim / arc)));
-  std::vector<Candidate> turned(count, place);
+  std::vector<templates::Candidate> turned(count, place);
   for (int k = 0; k < count; ++k) {
     turned[k].pose.theta = wrap_angle(place.pose.theta + 2 * kPi * k / count);
-    turned[k].value = align(object, scene, turned[k].pose, 0).value;
+    turned[k].value = refinement::align(object, scene, turned[k].pose, 0).value;
   }
-  std::vector<Candidate> peaks;
+  std::vector<templates::Candidate> peaks;
   for (int k = 0; k < count; ++k)
     if (turned[k].value >= turned[(k + 1) % count].value &&
         turned[k].value > turned[(k + count - 1) % count].value)
       peaks.push_back(turned[k]);
-  sort_by_value(peaks);
+  templates::sort_by_value(peaks);
   return peaks;
 }
 
-}  // namespace mbncc
+}  // namespace mbncc::search

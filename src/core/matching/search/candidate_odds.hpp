@@ -8,16 +8,17 @@
 #include "matching/scene/scene_picture.hpp"
 #include "matching/template/candidate.hpp"
 
-namespace mbncc {
+namespace mbncc::search {
 
 /// Log-odds that `view` lies at `pose` [px at level].
-double candidate_odds(const PreparedView& view, const ScenePicture& scene, int level,
-                      const Pose2D& pose);
+double candidate_odds(const prepared::PreparedView& view, const scene::ScenePicture& scene,
+                      int level, const Pose2D& pose);
 
 /// Local maxima of the agreement with `object` at a place over a full turn, in steps of `arc` [px]
 /// at the rim, best first. `scene` is the place's level; the candidates' values are those of
 /// align().
-std::vector<Candidate> rotation_peaks(const PoseTemplate& object, const SceneLevel& scene,
-                                      const Candidate& place, double arc);
+std::vector<templates::Candidate> rotation_peaks(const templates::PoseTemplate& object,
+                                                 const scene::SceneLevel& scene,
+                                                 const templates::Candidate& place, double arc);
 
-}  // namespace mbncc
+}  // namespace mbncc::search

@@ -4,19 +4,20 @@
 #include <algorithm>
 #include <cmath>
 
-namespace mbncc {
+namespace mbncc::search {
 namespace {
 
 constexpr double kLikely = 3;          // log-odds of a detection used for the estimate
 constexpr double kAlike = 0.06;        // ln gain between those that agree
 constexpr double kNoticeable = 0.055;  // ln gain from which on a picture is balanced
 
-std::optional<ColourCast> cast_at(const Detection& detection, const ScenePicture& scene) {
-  const PoseTemplate& object = detection.view->fine;
-  SurfaceSample sample;
+std::optional<evidence::ColourCast> cast_at(const decision::Detection& detection,
+                                            const scene::ScenePicture& scene) {
+  const templates::PoseTemplate& object = detection.view->fine;
+  templates::SurfaceSample sample;
   scene.levels[0].prepare_around(detection.pose, object.reach());
   object.surface.sample(scene.levels[0], detection.pose, sample);
-  return local_cast(block_sums(object.surface, sample));
+  return evidence::local_cast(templates::block_sums(object.surface, sample));
 }
 
 double median(std::vector<double> values) {
@@ -25,7 +26,7 @@ double median(std::vector<double> values) {
   return *middle;
 }
 
-ColourCast median(const std::vector<ColourCast>& casts) {
+evidence::ColourCast median(const std::vector<evidence::ColourCast>& casts) {
   std::vector<double> blue, red;
   for (const auto& cast : casts) {
     blue.push_back(cast.blue);
@@ -36,28 +37,29 @@ ColourCast median(const std::vector<ColourCast>& casts) {
 
 }  // namespace
 
-std::optional<ColourCast> colour_cast(const std::vector<std::vector<Detection>>& found,
-                                      const ScenePicture& scene) {
-  std::vector<ColourCast> casts;
+std::optional<evidence::ColourCast> colour_cast(
+    const std::vector<std::vector<decision::Detection>>& found, const scene::ScenePicture& scene) {
+  std::vector<evidence::ColourCast> casts;
   for (const auto& own : found)
     if (!own.empty() && own.front().object->coloured && own.front().log_odds >= kLikely)
       if (const auto cast = cast_at(own.front(), scene)) casts.push_back(*cast);
   if (casts.size() < 2) return std::nullopt;
-  const ColourCast middle = median(casts);
-  const auto agreeing = std::count_if(casts.begin(), casts.end(), [&](const ColourCast& cast) {
-    return std::hypot(cast.blue - middle.blue, cast.red - middle.red) <= kAlike;
-  });
+  const evidence::ColourCast middle = median(casts);
+  const auto agreeing =
+      std::count_if(casts.begin(), casts.end(), [&](const evidence::ColourCast& cast) {
+        return std::hypot(cast.blue - middle.blue, cast.red - middle.red) <= kAlike;
+      });
   const bool agreed = agreeing >= 2 && 2 * static_cast<std::size_t>(agreeing) > casts.size();
   if (!agreed || std::max(std::abs(middle.blue), std::abs(middle.red)) < kNoticeable)
     return std::nullopt;
   return middle;
 }
 
-cv::Mat without_cast(const cv::Mat& picture, const ColourCast& cast) {
+cv::Mat without_cast(const cv::Mat& picture, const evidence::ColourCast& cast) {
   const cv::Vec3d gains = cast.gains();
   cv::Mat balanced;
   cv::multiply(picture, cv::Scalar(1 / gains[0], 1, 1 / gains[2]), balanced);
   return balanced;
 }
 
-}  // namespace mbncc
+}  // namespace mbncc::search

@@ -9,14 +9,14 @@
 #include "matching/decision/detection.hpp"
 #include "matching/evidence/local_cast.hpp"
 
-namespace mbncc {
+namespace mbncc::search {
 
 /// Estimate from the best detection of each object; each entry of `found` is one object's, best
 /// first. None if there is no cast, or fewer than two likely detections agree.
-std::optional<ColourCast> colour_cast(const std::vector<std::vector<Detection>>& found,
-                                      const ScenePicture& scene);
+std::optional<evidence::ColourCast> colour_cast(
+    const std::vector<std::vector<decision::Detection>>& found, const scene::ScenePicture& scene);
 
 /// `picture`, CV_8UC3 (bgr), without the cast.
-cv::Mat without_cast(const cv::Mat& picture, const ColourCast& cast);
+cv::Mat without_cast(const cv::Mat& picture, const evidence::ColourCast& cast);
 
-}  // namespace mbncc
+}  // namespace mbncc::search

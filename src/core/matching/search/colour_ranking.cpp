@@ -5,7 +5,7 @@
 #include <cmath>
 #include <cstdint>
 
-namespace mbncc {
+namespace mbncc::search {
 namespace {
 
 constexpr double kWeight = 0.2;  // weight of a colour log-odds relative to a mean response
@@ -13,12 +13,12 @@ constexpr double kWeight = 0.2;  // weight of a colour log-odds relative to a me
 /// Colour log-likelihood of an object in a picture.
 class ColourLikelihood {
  public:
-  ColourLikelihood(const PreparedView& view, const ScenePicture& scene, int level)
+  ColourLikelihood(const prepared::PreparedView& view, const scene::ScenePicture& scene, int level)
       : classes_(scene.classes().at(view.gate.level())),
         ratios_(view.gate.log_likelihood_ratios(scene.classes())),
         to_class_(static_cast<float>(1 << level) / static_cast<float>(1 << view.gate.level())) {
     constexpr std::size_t kStep = 3;  // every third point suffices
-    const SurfaceTemplate& surface = view.rough[level].surface;
+    const templates::SurfaceTemplate& surface = view.rough[level].surface;
     for (std::size_t i = 0; i < surface.size(); i += kStep)
       points_.push_back(to_class_ * cv::Point2f(surface.x[i], surface.y[i]));
   }
@@ -38,29 +38,33 @@ class ColourLikelihood {
       sum += ratios_[classes_.at<std::uint16_t>(row, column)];
     }
     return static_cast<double>(sum) /
-           (static_cast<double>(points_.size()) * ColourPrefilter::kUnit);
+           (static_cast<double>(points_.size()) * proposal::ColourPrefilter::kUnit);
   }
 
  private:
   const cv::Mat& classes_;
-  ColourPrefilter::LogLikelihoodRatios ratios_;
+  proposal::ColourPrefilter::LogLikelihoodRatios ratios_;
   float to_class_;                   // from the poses' level
   std::vector<cv::Point2f> points_;  // [px at the classes' level]
 };
 
 }  // namespace
 
-std::vector<Candidate> best_by_colours(const PreparedView& view, const ScenePicture& scene,
-                                       std::vector<Candidate> poses, std::size_t most) {
+std::vector<templates::Candidate> best_by_colours(const prepared::PreparedView& view,
+                                                  const scene::ScenePicture& scene,
+                                                  std::vector<templates::Candidate> poses,
+                                                  std::size_t most) {
   if (!poses.empty() && scene.classes().last_level() >= view.gate.level()) {
     const ColourLikelihood likelihood(view, scene, poses.front().level);
     for (auto& candidate : poses) candidate.value += kWeight * likelihood.mean(candidate.pose);
   }
   const auto end = poses.begin() + static_cast<std::ptrdiff_t>(std::min(most, poses.size()));
   std::partial_sort(poses.begin(), end, poses.end(),
-                    [](const Candidate& a, const Candidate& b) { return a.value > b.value; });
+                    [](const templates::Candidate& a, const templates::Candidate& b) {
+                      return a.value > b.value;
+                    });
   poses.erase(end, poses.end());
   return poses;
 }
 
-}  // namespace mbncc
+}  // namespace mbncc::search

@@ -9,12 +9,14 @@
 #include "matching/scene/scene_picture.hpp"
 #include "matching/template/candidate.hpp"
 
-namespace mbncc {
+namespace mbncc::search {
 
 /// Of poses at one level, valued by their mean response [-1..1], the `most` best by response plus
 /// colour log-odds, best first, with that sum as value. In pictures too small for colours, only the
 /// response is used.
-std::vector<Candidate> best_by_colours(const PreparedView& view, const ScenePicture& scene,
-                                       std::vector<Candidate> poses, std::size_t most);
+std::vector<templates::Candidate> best_by_colours(const prepared::PreparedView& view,
+                                                  const scene::ScenePicture& scene,
+                                                  std::vector<templates::Candidate> poses,
+                                                  std::size_t most);
 
-}  // namespace mbncc
+}  // namespace mbncc::search

@@ -8,17 +8,20 @@
 #include "matching/search/view_search.hpp"
 #include "mbncc/matching/matcher.hpp"
 
-namespace mbncc {
+namespace mbncc::search {
 
 /// Detections of `object` whose reference points lie in `roi` [px] (empty: the whole picture),
 /// those of all views compared with each other.
-std::vector<Detection> search_object(const PreparedObject& object, const ScenePicture& scene,
-                                     const cv::Rect& roi, SearchMode mode);
+std::vector<decision::Detection> search_object(const prepared::PreparedObject& object,
+                                               const scene::ScenePicture& scene,
+                                               const cv::Rect& roi, SearchMode mode);
 
 /// Detections of `object` in `roi`, as above, at places of other objects of its size that are not
 /// in `found`, the detections of the same object.
-std::vector<Detection> search_occupied(const PreparedObject& object, const ScenePicture& scene,
-                                       const cv::Rect& roi, const std::vector<Footprint>& occupied,
-                                       const std::vector<Detection>& found);
+std::vector<decision::Detection> search_occupied(const prepared::PreparedObject& object,
+                                                 const scene::ScenePicture& scene,
+                                                 const cv::Rect& roi,
+                                                 const std::vector<Footprint>& occupied,
+                                                 const std::vector<decision::Detection>& found);
 
-}  // namespace mbncc
+}  // namespace mbncc::search

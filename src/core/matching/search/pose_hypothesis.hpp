@@ -7,7 +7,7 @@
 #include "matching/scene/scene_picture.hpp"
 #include "mbncc/geometry.hpp"
 
-namespace mbncc {
+namespace mbncc::search {
 
 /// Log-odds below which no pose became a detection.
 constexpr double kWorthRefining = -4;
@@ -15,24 +15,25 @@ constexpr double kWorthRefining = -4;
 /// A pose at full resolution with the evidence for it.
 struct PoseHypothesis {
   Pose2D pose;
-  Evidence evidence;
+  evidence::Evidence evidence;
   double odds = 0;    ///< log-odds that the object lies here
   double pixels = 0;  ///< log-odds added by the mixed pixels of a small object
   int refining = 0;   ///< steps that its refinement may take
 };
 
 /// The evidence for a pose without alignment.
-PoseHypothesis score_as_is(const PreparedView& view, const ScenePicture& scene, const Pose2D& pose);
+PoseHypothesis score_as_is(const prepared::PreparedView& view, const scene::ScenePicture& scene,
+                           const Pose2D& pose);
 
 /// The better of two poses at one place by light-independent features, as in resolve_rotations().
 PoseHypothesis better_rotation(const PoseHypothesis& a, const PoseHypothesis& b);
 
 /// The best pose that alignments from this one and slightly turned ones reach.
-PoseHypothesis multistart_align(const PreparedView& view, const ScenePicture& scene,
-                                const Pose2D& pose);
+PoseHypothesis multistart_align(const prepared::PreparedView& view,
+                                const scene::ScenePicture& scene, const Pose2D& pose);
 
 /// A multi-start aligned pose; for a small object, then fitted with all of its pixels.
-PoseHypothesis finalised(const PreparedView& view, const ScenePicture& scene,
+PoseHypothesis finalised(const prepared::PreparedView& view, const scene::ScenePicture& scene,
                          const PoseHypothesis& start);
 
-}  // namespace mbncc
+}  // namespace mbncc::search

@@ -10,37 +10,37 @@
 #include "matching/scene/scene_picture.hpp"
 #include "matching/template/candidate.hpp"
 
-namespace mbncc {
+namespace mbncc::search {
 
 /// Poses of a view, best first, whose anchors lie in `roi` [px] and `places`.
 class Proposals {
  public:
-  Proposals(const PreparedView& view, const ScenePicture& scene, const cv::Rect& roi,
-            const SearchMask& places)
+  Proposals(const prepared::PreparedView& view, const scene::ScenePicture& scene,
+            const cv::Rect& roi, const proposal::SearchMask& places)
       : view_(view), scene_(scene), roi_(roi), places_(places) {}
 
   /// Searches by contours: at most `most` poses, and `round_places` places whose rotation the
   /// surface must determine.
   void follow_edges(std::size_t most, std::size_t round_places);
   /// The best `most` places by rotated correlation, except at one of the finest levels.
-  std::vector<Candidate> by_correlation(int most) const;
+  std::vector<templates::Candidate> by_correlation(int most) const;
   /// The first `most` contour proposals, and those at round places.
-  std::vector<Candidate> by_edges(std::size_t most) const;
+  std::vector<templates::Candidate> by_edges(std::size_t most) const;
   /// The `most` poses with the best colours and three quarters of the contour: the fourth may be
   /// covered.
-  std::vector<Candidate> by_visible_part(std::size_t most) const;
+  std::vector<templates::Candidate> by_visible_part(std::size_t most) const;
 
   /// Whether the place of `pose` [px] is among the first `count` contour proposals.
   bool foremost_by_edges(const Pose2D& pose, std::size_t count) const;
 
  private:
-  void add_rotations_by_surface(const Candidate& place);
+  void add_rotations_by_surface(const templates::Candidate& place);
 
-  const PreparedView& view_;
-  const ScenePicture& scene_;
+  const prepared::PreparedView& view_;
+  const scene::ScenePicture& scene_;
   cv::Rect roi_;
-  const SearchMask& places_;
-  std::vector<Candidate> edges_, round_;
+  const proposal::SearchMask& places_;
+  std::vector<templates::Candidate> edges_, round_;
 };
 
-}  // namespace mbncc
+}  // namespace mbncc::search

@@ -8,7 +8,7 @@
 #include "matching/refinement/gauss_newton.hpp"
 #include "matching/search/candidate_odds.hpp"
 
-namespace mbncc {
+namespace mbncc::search {
 namespace {
 
 /// Log-odds below which no candidate became a detection or a relevant competitor.
@@ -17,19 +17,20 @@ struct PruningThresholds {
 };
 constexpr PruningThresholds kThresholds{-20, -12, -8, -6};
 
-void step_down(std::vector<Candidate>& candidates) {
+void step_down(std::vector<templates::Candidate>& candidates) {
   for (auto& candidate : candidates) {
-    candidate.pose = from_level(candidate.pose, 1);
+    candidate.pose = imaging::from_level(candidate.pose, 1);
     --candidate.level;
   }
 }
 
 class PyramidTracker {
  public:
-  PyramidTracker(const PreparedView& view, const ScenePicture& scene, const SearchBudget& budget)
+  PyramidTracker(const prepared::PreparedView& view, const scene::ScenePicture& scene,
+                 const SearchBudget& budget)
       : view_(view), scene_(scene), budget_(budget) {}
 
-  std::vector<Candidate> run(std::vector<Candidate> candidates) const {
+  std::vector<templates::Candidate> run(std::vector<templates::Candidate> candidates) const {
     if (candidates.empty()) return {};
     int level = enter(candidates);
     align(level, 3, candidates);
@@ -43,7 +44,7 @@ class PyramidTracker {
  private:
   /// Scores proposals, first with a coarse template, because reading the surface is expensive and
   /// most are wrong. Returns the level at which the best enter.
-  int enter(std::vector<Candidate>& candidates) const {
+  int enter(std::vector<templates::Candidate>& candidates) const {
     int level = candidates.front().level;
     // Objects hardly two pixels wide cannot be scored.
     const bool finer = level > 0 && view_.geometry.mean_width() < budget_.width * (1 << level);
@@ -56,11 +57,11 @@ class PyramidTracker {
     else
       keep_those_on_edges(level, candidates);
     score(view_.rough[level], finer ? 2 : is_narrow() ? 1 : 0, candidates);
-    suppress(candidates, {budget_.judged});
-    drop_below(kThresholds.roughly, candidates);
+    templates::suppress(candidates, {budget_.judged});
+    templates::drop_below(kThresholds.roughly, candidates);
     score(view_.templates[level], 0, candidates);
-    suppress(candidates, {budget_.entering, kHopeless});
-    drop_below(kThresholds.entering, candidates);
+    templates::suppress(candidates, {budget_.entering, kHopeless});
+    templates::drop_below(kThresholds.entering, candidates);
     return level;
   }
 
@@ -72,58 +73,60 @@ class PyramidTracker {
   }
 
   /// Keeps the best by the contour alone.
-  void keep_those_on_edges(int level, std::vector<Candidate>& candidates) const {
+  void keep_those_on_edges(int level, std::vector<templates::Candidate>& candidates) const {
     if (candidates.size() <= budget_.on_edges) return;
     for (auto& candidate : candidates)
       candidate.value =
-          align_contour(view_.rough[level], scene_.levels[level], candidate.pose, 0).value;
-    sort_by_value(candidates);
+          refinement::align_contour(view_.rough[level], scene_.levels[level], candidate.pose, 0)
+              .value;
+    templates::sort_by_value(candidates);
     candidates.resize(budget_.on_edges);
   }
 
   /// Aligns proposals of a narrow outline with nearby edges, because steps are as wide as the
   /// object.
-  void follow_contours(int level, std::vector<Candidate>& candidates) const {
+  void follow_contours(int level, std::vector<templates::Candidate>& candidates) const {
     constexpr int kSteps = 3;
     for (auto& candidate : candidates) {
-      const AlignedPose on_edges =
-          align_contour(view_.rough[level], scene_.levels[level], candidate.pose, kSteps);
+      const refinement::AlignedPose on_edges = refinement::align_contour(
+          view_.rough[level], scene_.levels[level], candidate.pose, kSteps);
       candidate.pose = on_edges.pose;
       candidate.value = on_edges.value;
     }
-    suppress(candidates, {budget_.on_edges, Suppression::kUnlimited, Suppression::kUnlimited,
-                          alike_at(level, 1)});
+    templates::suppress(candidates, {budget_.on_edges, templates::Suppression::kUnlimited,
+                                     templates::Suppression::kUnlimited, alike_at(level, 1)});
   }
 
   /// Aligns the candidates in `iterations` steps and computes their log-odds.
-  void score(const PoseTemplate& object, int iterations, std::vector<Candidate>& candidates) const {
+  void score(const templates::PoseTemplate& object, int iterations,
+             std::vector<templates::Candidate>& candidates) const {
     for (auto& candidate : candidates) {
-      const ScoredPose reached =
-          align_and_score(object, scene_.levels[candidate.level], candidate.pose, iterations);
+      const refinement::ScoredPose reached = refinement::align_and_score(
+          object, scene_.levels[candidate.level], candidate.pose, iterations);
       candidate.pose = reached.pose;
-      candidate.value = log_odds(reached.evidence, view_.shape.area());
+      candidate.value = evidence::log_odds(reached.evidence, view_.shape.area());
     }
   }
 
-  void align(int level, int iterations, std::vector<Candidate>& candidates) const {
+  void align(int level, int iterations, std::vector<templates::Candidate>& candidates) const {
     score(view_.templates[level], iterations, candidates);
     const auto kept = static_cast<std::size_t>(budget_.kept * static_cast<double>(most_at(level)));
-    suppress(candidates,
-             {kept, kHopeless, apart_at(level), alike_at(level, level == 0 ? 1.5 : 1.0)});
-    drop_below(level > 0 ? kThresholds.aligned : kThresholds.finally, candidates);
+    templates::suppress(
+        candidates, {kept, kHopeless, apart_at(level), alike_at(level, level == 0 ? 1.5 : 1.0)});
+    templates::drop_below(level > 0 ? kThresholds.aligned : kThresholds.finally, candidates);
   }
 
   double radius_at(int level) const { return view_.shape.radius() / (1 << level); }
-  double apart_at(int level) const { return kSamePlace * radius_at(level); }
+  double apart_at(int level) const { return decision::kSamePlace * radius_at(level); }
 
   /// Rotations of a round object are one candidate. Other measured symmetries may be broken by a
   /// print.
-  DuplicateRadius alike_at(int level, double distance) const {
+  templates::DuplicateRadius alike_at(int level, double distance) const {
     return {distance, radius_at(level), view_.symmetry == 0 ? 0 : 1};
   }
 
-  const PreparedView& view_;
-  const ScenePicture& scene_;
+  const prepared::PreparedView& view_;
+  const scene::ScenePicture& scene_;
   const SearchBudget& budget_;
 };
 
@@ -133,9 +136,11 @@ std::size_t most_at(int level) {
   return level == 0 ? 8 : level == 1 ? 12 : 20;
 }
 
-std::vector<Candidate> track_down(const PreparedView& view, const ScenePicture& scene,
-                                  const SearchBudget& budget, std::vector<Candidate> proposed) {
+std::vector<templates::Candidate> track_down(const prepared::PreparedView& view,
+                                             const scene::ScenePicture& scene,
+                                             const SearchBudget& budget,
+                                             std::vector<templates::Candidate> proposed) {
   return PyramidTracker(view, scene, budget).run(std::move(proposed));
 }
 
-}  // namespace mbncc
+}  // namespace mbncc::search

@@ -9,7 +9,7 @@
 #include "matching/search/search_budget.hpp"
 #include "matching/template/candidate.hpp"
 
-namespace mbncc {
+namespace mbncc::search {
 
 /// Largest number of candidates kept at `level`.
 std::size_t most_at(int level);
@@ -17,7 +17,9 @@ std::size_t most_at(int level);
 /// Scores the proposals of one level and refines them level by level. Proposals of a thin
 /// object enter one level finer, as `budget` says. Returns the candidates at full resolution, best
 /// first.
-std::vector<Candidate> track_down(const PreparedView& view, const ScenePicture& scene,
-                                  const SearchBudget& budget, std::vector<Candidate> proposed);
+std::vector<templates::Candidate> track_down(const prepared::PreparedView& view,
+                                             const scene::ScenePicture& scene,
+                                             const SearchBudget& budget,
+                                             std::vector<templates::Candidate> proposed);
 
-}  // namespace mbncc
+}  // namespace mbncc::search

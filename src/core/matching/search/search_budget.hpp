@@ -4,7 +4,7 @@
 
 #include <cstddef>
 
-namespace mbncc {
+namespace mbncc::search {
 
 /// Budget for candidates. Defaults: those of the first search.
 struct SearchBudget {
@@ -73,4 +73,4 @@ constexpr std::size_t kSeveral = 2;
 /// penalty.
 constexpr double kFound = 3;
 
-}  // namespace mbncc
+}  // namespace mbncc::search

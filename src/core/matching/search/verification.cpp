@@ -7,29 +7,31 @@
 #include "matching/evidence/contour_alternative.hpp"
 #include "matching/evidence/torn_contour.hpp"
 
-namespace mbncc {
+namespace mbncc::search {
 namespace {
 
 constexpr double kReportable = -2.2;  // log-odds: a score of .1
 
 /// Colour difference of an object at a pose of log-odds `odds`.
-ColourDifference colour_difference(const PreparedView& view, const SceneLevel& scene,
-                                   const Refined& found, double odds) {
+evidence::ColourDifference colour_difference(const prepared::PreparedView& view,
+                                             const scene::SceneLevel& scene,
+                                             const refinement::Refined& found, double odds) {
   if (odds <= kWorthRefining) return {};
-  thread_local SurfaceSample sample;
-  thread_local ContourSample contour;
-  const SurfaceTemplate& surface = view.fine.surface;
+  thread_local templates::SurfaceSample sample;
+  thread_local templates::ContourSample contour;
+  const templates::SurfaceTemplate& surface = view.fine.surface;
   scene.prepare_around(found.pose, view.fine.reach() * found.scale);
   surface.sample(scene, found.pose, sample, found.scale);
-  read_contour(view.fine.contour, scene.edges, found.pose, 1, contour, found.scale);
+  templates::read_contour(view.fine.contour, scene.edges, found.pose, 1, contour, found.scale);
   return view.parts.worst_differences(
-      surface, sample, contour, ground_beside(view.fine.contour, scene, found.pose, found.scale));
+      surface, sample, contour,
+      evidence::ground_beside(view.fine.contour, scene, found.pose, found.scale));
 }
 
 /// Log-odds penalty of a mirrored outline that fits better by this much.
 double mirror_penalty(double better) {
   constexpr double kSteepness = 100;
-  return kSteepness * std::max(0.0, better - kMirrored);
+  return kSteepness * std::max(0.0, better - evidence::kMirrored);
 }
 
 /// Log-odds penalty of a part of another colour. Fitted to drawn scenes and to photographs of
@@ -40,82 +42,90 @@ double colour_penalty(double difference) {
 }
 
 /// Log-odds at the refined scale, if they are higher.
-double odds_at(const PreparedView& view, const ScenePicture& scene, const PoseHypothesis& found,
-               const Refined& place) {
+double odds_at(const prepared::PreparedView& view, const scene::ScenePicture& scene,
+               const PoseHypothesis& found, const refinement::Refined& place) {
   if (place.scale == 1) return found.odds;
-  const Evidence evidence = gather_evidence(view.fine, scene.levels[0], place.pose, place.scale);
-  return std::max(found.odds, log_odds(evidence, view.shape.area()));
+  const evidence::Evidence evidence =
+      evidence::gather_evidence(view.fine, scene.levels[0], place.pose, place.scale);
+  return std::max(found.odds, evidence::log_odds(evidence, view.shape.area()));
 }
 
 /// Whether another size fits better than `odds`, or the scale differs from the learned one by more
 /// than heights and tilts cause.
-bool fits_another_size(const PreparedView& view, const ScenePicture& scene, const Refined& place,
-                       double odds) {
+bool fits_another_size(const prepared::PreparedView& view, const scene::ScenePicture& scene,
+                       const refinement::Refined& place, double odds) {
   constexpr int kIterations = 3;
   constexpr double kUsual = 0.065;
   if (std::abs(place.scale - 1) > kUsual) return true;
-  const SceneLevel& picture = scene.levels[0];
-  return std::any_of(view.resized.begin(), view.resized.end(), [&](const PoseTemplate& resized) {
-    const ScoredPose reached = align_and_score(resized, picture, place.pose, kIterations);
-    return log_odds(reached.evidence, view.shape.area()) > odds;
-  });
+  const scene::SceneLevel& picture = scene.levels[0];
+  return std::any_of(view.resized.begin(), view.resized.end(),
+                     [&](const templates::PoseTemplate& resized) {
+                       const refinement::ScoredPose reached =
+                           refinement::align_and_score(resized, picture, place.pose, kIterations);
+                       return evidence::log_odds(reached.evidence, view.shape.area()) > odds;
+                     });
 }
 
 /// Advantage in agreement of the mirrored outline at a pose: the object lies on its other side, or
 /// its mirror image lies there.
-double mirror_advantage(const PreparedView& view, const ScenePicture& scene, const Refined& place) {
+double mirror_advantage(const prepared::PreparedView& view, const scene::ScenePicture& scene,
+                        const refinement::Refined& place) {
   return view.mirrored_contour.better(view.fine.contour, scene.levels[0], place.pose, place.scale);
 }
 
-Refined refined(const PreparedView& view, const ScenePicture& scene, const PoseHypothesis& found) {
-  if (found.odds <= kWorthRefining) return unknown_accuracy(found.pose);
-  return refine(view.dense, scene.levels[0], found.pose, found.refining);
+refinement::Refined refined(const prepared::PreparedView& view, const scene::ScenePicture& scene,
+                            const PoseHypothesis& found) {
+  if (found.odds <= kWorthRefining) return refinement::unknown_accuracy(found.pose);
+  return refinement::refine(view.dense, scene.levels[0], found.pose, found.refining);
 }
 
 /// Log-odds against other rotations at the same place; the smallest value if the pose cannot be
 /// reported.
-double odds_of_rotation(const PreparedView& view, const SceneLevel& scene,
+double odds_of_rotation(const prepared::PreparedView& view, const scene::SceneLevel& scene,
                         const PoseHypothesis& found) {
   constexpr double kNone = -1000;
-  thread_local SurfaceSample sample;
-  if (found.odds <= kReportable - kComparable) return kNone;
+  thread_local templates::SurfaceSample sample;
+  if (found.odds <= kReportable - decision::kComparable) return kNone;
   scene.prepare_around(found.pose, view.fine.reach());
   view.fine.surface.sample(scene, found.pose, sample);
-  return rotation_odds(found.evidence, view.lit.misfit(sample));
+  return evidence::rotation_odds(found.evidence, view.lit.misfit(sample));
 }
 
 /// The detection before refinement.
-Detection unrefined(const PreparedObject& object, const PreparedView& view,
-                    const ScenePicture& scene, const PoseHypothesis& found) {
-  Detection detection;
+decision::Detection unrefined(const prepared::PreparedObject& object,
+                              const prepared::PreparedView& view, const scene::ScenePicture& scene,
+                              const PoseHypothesis& found) {
+  decision::Detection detection;
   detection.object = &object;
   detection.view = &view;
   detection.pose = found.pose;
   detection.pose.theta = wrap_angle(found.pose.theta);
-  detection.covariance = detection.cautious = unknown_accuracy(found.pose).covariance;
+  detection.covariance = detection.cautious = refinement::unknown_accuracy(found.pose).covariance;
   detection.log_odds = found.odds + found.pixels;
   detection.shading_free_ncc = found.evidence.shading_free_ncc;
   detection.rotation_odds = odds_of_rotation(view, scene.levels[0], found);
   return detection;
 }
 
-void read_similarity(Detection& detection, const ScenePicture& scene) {
+void read_similarity(decision::Detection& detection, const scene::ScenePicture& scene) {
   const Similarity read = similarity(detection.view->points, scene.grey[0], detection.pose);
   detection.similarity = read.value;
   detection.visible = read.visible;
 }
 
 /// Refines the pose and tests the alternatives.
-void refine(Detection& detection, const ScenePicture& scene, const PoseHypothesis& found) {
-  const PreparedView& view = *detection.view;
-  const Refined place = refined(view, scene, found);
+void refine(decision::Detection& detection, const scene::ScenePicture& scene,
+            const PoseHypothesis& found) {
+  const prepared::PreparedView& view = *detection.view;
+  const refinement::Refined place = refined(view, scene, found);
   detection.pose = place.pose;
   detection.pose.theta = wrap_angle(place.pose.theta);
   detection.size = place.scale;
   detection.covariance = place.covariance;
   detection.cautious = place.cautious;
   const double odds = odds_at(view, scene, found, place);
-  const ColourDifference difference = colour_difference(view, scene.levels[0], place, found.odds);
+  const evidence::ColourDifference difference =
+      colour_difference(view, scene.levels[0], place, found.odds);
   detection.colour_difference = std::max(difference.colour, difference.block);
   const double mirrored = found.odds > kWorthRefining ? mirror_advantage(view, scene, place) : 0;
   detection.mirror_alternative = mirrored > view.mirrored_contour.limit();
@@ -123,28 +133,32 @@ void refine(Detection& detection, const ScenePicture& scene, const PoseHypothesi
       odds + found.pixels - colour_penalty(difference.colour) - mirror_penalty(mirrored);
   detection.size_alternative =
       detection.log_odds > 0 && fits_another_size(view, scene, place, odds);
-  detection.torn = detection.log_odds > 0 && better_torn(view.fine.contour, scene.levels[0],
-                                                         detection.pose, detection.size) > kTorn;
+  detection.torn = detection.log_odds > 0 &&
+                   evidence::better_torn(view.fine.contour, scene.levels[0], detection.pose,
+                                         detection.size) > evidence::kTorn;
 }
 
 /// For the best of the sorted detections at each place, computes the advantage of the outline at
 /// nearby places, because shading displaces a plain surface by pixels.
-void find_contour_alternatives(const PreparedView& view, const ScenePicture& scene,
-                               std::vector<Detection>& compared) {
+void find_contour_alternatives(const prepared::PreparedView& view, const scene::ScenePicture& scene,
+                               std::vector<decision::Detection>& compared) {
   for (auto one = compared.begin(); one != compared.end(); ++one) {
     if (one->log_odds <= kReportable) break;
-    if (std::none_of(compared.begin(), one,
-                     [&](const Detection& better) { return at_one_place(*one, better); }))
+    if (std::none_of(compared.begin(), one, [&](const decision::Detection& better) {
+          return decision::at_one_place(*one, better);
+        }))
       one->contour_alternative =
-          better_elsewhere(view.fine.contour, scene.levels[0], one->pose, one->size);
+          evidence::better_elsewhere(view.fine.contour, scene.levels[0], one->pose, one->size);
   }
 }
 
 }  // namespace
 
-std::vector<Detection> verify(const PreparedObject& object, const PreparedView& view,
-                              const ScenePicture& scene, const std::vector<PoseHypothesis>& found) {
-  std::vector<Detection> detections;
+std::vector<decision::Detection> verify(const prepared::PreparedObject& object,
+                                        const prepared::PreparedView& view,
+                                        const scene::ScenePicture& scene,
+                                        const std::vector<PoseHypothesis>& found) {
+  std::vector<decision::Detection> detections;
   for (const auto& one : found) {
     detections.push_back(unrefined(object, view, scene, one));
     detections.back().number = detections.size() - 1;
@@ -153,10 +167,11 @@ std::vector<Detection> verify(const PreparedObject& object, const PreparedView& 
   // can make another the best, so they are refined one after the other.
   std::vector<char> refined(found.size(), 0);
   for (;;) {
-    auto compared = resolve_rotations(detections);
-    const auto next = std::find_if(compared.begin(), compared.end(), [&](const Detection& one) {
-      return !refined[one.number] && one.log_odds > kReportable;
-    });
+    auto compared = decision::resolve_rotations(detections);
+    const auto next =
+        std::find_if(compared.begin(), compared.end(), [&](const decision::Detection& one) {
+          return !refined[one.number] && one.log_odds > kReportable;
+        });
     if (next != compared.end()) {
       refined[next->number] = 1;
       refine(detections[next->number], scene, found[next->number]);
@@ -168,4 +183,4 @@ std::vector<Detection> verify(const PreparedObject& object, const PreparedView& 
   }
 }
 
-}  // namespace mbncc
+}  // namespace mbncc::search

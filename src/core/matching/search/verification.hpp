@@ -8,10 +8,12 @@
 #include "matching/scene/scene_picture.hpp"
 #include "matching/search/pose_hypothesis.hpp"
 
-namespace mbncc {
+namespace mbncc::search {
 
 /// Compares poses of a view, best first. Only poses that may be reported are refined.
-std::vector<Detection> verify(const PreparedObject& object, const PreparedView& view,
-                              const ScenePicture& scene, const std::vector<PoseHypothesis>& found);
+std::vector<decision::Detection> verify(const prepared::PreparedObject& object,
+                                        const prepared::PreparedView& view,
+                                        const scene::ScenePicture& scene,
+                                        const std::vector<PoseHypothesis>& found);
 
-}  // namespace mbncc
+}  // namespace mbncc::search

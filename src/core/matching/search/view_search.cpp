@@ -14,7 +14,7 @@
 #include "matching/search/search_budget.hpp"
 #include "matching/search/verification.hpp"
 
-namespace mbncc {
+namespace mbncc::search {
 namespace {
 
 constexpr std::size_t kFinal = 3;        // places whose other angles are tried, ...
@@ -27,18 +27,18 @@ constexpr double kOutclassed = 8;  // log-odds behind the best: not aligned agai
 
 /// A view with a part of the rotations gets proportionally fewer candidates.
 template <class Count>
-Count part_of(Count count, const AngleRange& sector) {
+Count part_of(Count count, const proposal::AngleRange& sector) {
   const double share = std::min(1.0, (sector.high - sector.low) / (2 * kPi));
   return static_cast<Count>(std::ceil(share * count));
 }
 
-SearchBudget for_sector(SearchBudget budget, const AngleRange& sector) {
+SearchBudget for_sector(SearchBudget budget, const proposal::AngleRange& sector) {
   for (auto* count : {&budget.edge_poses, &budget.on_edges, &budget.judged, &budget.entering})
     *count = part_of(*count, sector);
   return budget;
 }
 
-FirstSearch for_sector(FirstSearch first, const AngleRange& sector) {
+FirstSearch for_sector(FirstSearch first, const proposal::AngleRange& sector) {
   first.budget = for_sector(first.budget, sector);
   first.correlated_places = part_of(first.correlated_places, sector);
   return first;
@@ -46,8 +46,9 @@ FirstSearch for_sector(FirstSearch first, const AngleRange& sector) {
 
 class ViewSearch {
  public:
-  ViewSearch(const PreparedObject& object, const PreparedView& view, const ScenePicture& scene,
-             const cv::Rect& roi, SearchMode mode, const SearchMask& places)
+  ViewSearch(const prepared::PreparedObject& object, const prepared::PreparedView& view,
+             const scene::ScenePicture& scene, const cv::Rect& roi, SearchMode mode,
+             const proposal::SearchMask& places)
       : object_(object),
         view_(view),
         scene_(scene),
@@ -57,121 +58,126 @@ class ViewSearch {
         first_(for_sector(is_sparing(mode) ? kAmongMany : FirstSearch(), view.sector)),
         proposals_(view, scene, roi, places) {}
 
-  std::vector<Detection> run() {
+  std::vector<decision::Detection> run() {
     if (view_.polar) return judge_polar();
     if (view_.top_level() > scene_.top_level()) return {};
     proposals_.follow_edges(first_.budget.edge_poses, first_.round_places);
-    std::vector<Candidate> candidates = best_by_edges();
+    std::vector<templates::Candidate> candidates = best_by_edges();
     if (everywhere_ && !sure(candidates))
       merge(track_down(view_, scene_, first_.budget,
                        proposals_.by_correlation(first_.correlated_places)),
             candidates);
     if (mode_ == SearchMode::kTwice) search_again(candidates);
-    suppress(candidates, {most_at(0), kNoRival, apart()});
+    templates::suppress(candidates, {most_at(0), kNoRival, apart()});
     try_other_angles(candidates);
     return judge_all(candidates);
   }
 
-  std::vector<Detection> run_at(const std::vector<cv::Point2d>& centres) const {
-    std::vector<Candidate> candidates;
+  std::vector<decision::Detection> run_at(const std::vector<cv::Point2d>& centres) const {
+    std::vector<templates::Candidate> candidates;
     for (const auto& centre : centres) {
       const auto turned = turned_at({{centre.x, centre.y, 0}, 0, 0});
       candidates.insert(candidates.end(), turned.begin(), turned.end());
     }
-    sort_by_value(candidates);
-    drop_below(kWorthRefining, candidates);
-    return candidates.empty() ? std::vector<Detection>{} : judge_all(candidates);
+    templates::sort_by_value(candidates);
+    templates::drop_below(kWorthRefining, candidates);
+    return candidates.empty() ? std::vector<decision::Detection>{} : judge_all(candidates);
   }
 
  private:
-  std::vector<Candidate> best_by_edges() const {
+  std::vector<templates::Candidate> best_by_edges() const {
     return track_down(view_, scene_, first_.budget, proposals_.by_edges(first_.budget.edge_poses));
   }
 
-  std::vector<Candidate> best_by_visible_part(SearchBudget budget) const {
+  std::vector<templates::Candidate> best_by_visible_part(SearchBudget budget) const {
     budget = for_sector(budget, view_.sector);
     return track_down(view_, scene_, budget, proposals_.by_visible_part(budget.edge_poses));
   }
 
   /// Used if nothing was found, or so many that there may be more.
-  void search_again(std::vector<Candidate>& candidates) const {
+  void search_again(std::vector<templates::Candidate>& candidates) const {
     if (!found(candidates))
       merge(best_by_visible_part(kSecondSearch), candidates);
     else if (several(candidates))
       merge(best_by_visible_part(kFurtherInstances), candidates);
   }
 
-  void merge(const std::vector<Candidate>& more, std::vector<Candidate>& candidates) const {
+  void merge(const std::vector<templates::Candidate>& more,
+             std::vector<templates::Candidate>& candidates) const {
     candidates.insert(candidates.end(), more.begin(), more.end());
-    suppress(candidates, {2 * most_at(0), Suppression::kUnlimited, apart(), alike()});
+    templates::suppress(candidates,
+                        {2 * most_at(0), templates::Suppression::kUnlimited, apart(), alike()});
   }
 
-  double apart() const { return kSamePlace * view_.shape.radius(); }
-  DuplicateRadius alike() const { return {1.5, view_.shape.radius()}; }
+  double apart() const { return decision::kSamePlace * view_.shape.radius(); }
+  templates::DuplicateRadius alike() const { return {1.5, view_.shape.radius()}; }
 
   /// Whether one of the sorted candidates is likely, no other place is, and it was among the first
   /// contour proposals, which would then also contain a further instance.
-  bool sure(const std::vector<Candidate>& candidates) const {
-    const auto places = best_places(candidates, apart(), 2);
+  bool sure(const std::vector<templates::Candidate>& candidates) const {
+    const auto places = templates::best_places(candidates, apart(), 2);
     if (places.empty() || places[0].value < kCertain) return false;
     if (places.size() > 1 && places[1].value >= kSecond) return false;
     return proposals_.foremost_by_edges(places[0].pose, kForemost);
   }
 
   /// Whether one of the sorted candidates is likely, including the clutter penalty.
-  bool found(const std::vector<Candidate>& candidates) const {
+  bool found(const std::vector<templates::Candidate>& candidates) const {
     std::vector<double> odds;
-    for (const auto& place : best_places(candidates, apart(), kCluttered))
+    for (const auto& place : templates::best_places(candidates, apart(), decision::kCluttered))
       odds.push_back(place.value);
-    return !odds.empty() && odds.front() - clutter_penalty(odds) >= kFound;
+    return !odds.empty() && odds.front() - decision::clutter_penalty(odds) >= kFound;
   }
 
   /// Whether several of the sorted candidates are certain instances; further ones may be covered.
-  bool several(const std::vector<Candidate>& candidates) const {
-    const auto places = best_places(candidates, apart(), kSeveral);
-    return places.size() == kSeveral && places.back().value >= kInstance;
+  bool several(const std::vector<templates::Candidate>& candidates) const {
+    const auto places = templates::best_places(candidates, apart(), kSeveral);
+    return places.size() == kSeveral && places.back().value >= decision::kInstance;
   }
 
   /// Adds the best other rotations at the best places and wherever an instance is likely:
   /// competitors for the margin, and sometimes the true pose. Each place keeps its best competitor,
   /// even with low odds.
-  void try_other_angles(std::vector<Candidate>& candidates) const {
-    std::vector<Candidate> needed;
-    const auto places = best_places(candidates, 0.5 * view_.shape.radius(), kMostPlaces);
+  void try_other_angles(std::vector<templates::Candidate>& candidates) const {
+    std::vector<templates::Candidate> needed;
+    const auto places = templates::best_places(candidates, 0.5 * view_.shape.radius(), kMostPlaces);
     for (std::size_t i = 0; i < places.size(); ++i) {
       if (i >= kFinal && places[i].value < kLikely) break;
       const auto turned = turned_at(places[i]);
       candidates.insert(candidates.end(), turned.begin(), turned.end());
-      const auto rival = std::find_if(turned.begin(), turned.end(), [&](const Candidate& other) {
-        return angle_distance(other.pose.theta, places[i].pose.theta, view_.symmetry) > kOtherAngle;
-      });
+      const auto rival =
+          std::find_if(turned.begin(), turned.end(), [&](const templates::Candidate& other) {
+            return angle_distance(other.pose.theta, places[i].pose.theta, view_.symmetry) >
+                   kOtherAngle;
+          });
       needed.push_back(places[i]);
       if (rival != turned.end()) needed.push_back(*rival);
     }
-    suppress(candidates, {most_at(0), kNoRival, apart(), alike()});
+    templates::suppress(candidates, {most_at(0), kNoRival, apart(), alike()});
     candidates.insert(candidates.end(), needed.begin(), needed.end());
-    suppress(candidates, {candidates.size(),
-                          Suppression::kUnlimited,
-                          Suppression::kUnlimited,
-                          {kSamePose, view_.shape.radius()}});
+    templates::suppress(candidates, {candidates.size(),
+                                     templates::Suppression::kUnlimited,
+                                     templates::Suppression::kUnlimited,
+                                     {kSamePose, view_.shape.radius()}});
   }
 
   /// The best other rotations at a place, best first.
-  std::vector<Candidate> turned_at(const Candidate& place) const {
+  std::vector<templates::Candidate> turned_at(const templates::Candidate& place) const {
     constexpr std::size_t kMost = 3;
     auto peaks = rotation_peaks(view_.rough[0], scene_.levels[0], place, 2);
-    std::vector<Candidate> turned = reached_from(peaks, kMost);
+    std::vector<templates::Candidate> turned = reached_from(peaks, kMost);
     peaks.insert(peaks.begin(), half_turned(place));
     const auto shifted = reached_from(shifted_onto_edges(peaks), kMost);
     turned.insert(turned.end(), shifted.begin(), shifted.end());
-    suppress(turned, {kMost, Suppression::kUnlimited, Suppression::kUnlimited, alike()});
+    templates::suppress(turned, {kMost, templates::Suppression::kUnlimited,
+                                 templates::Suppression::kUnlimited, alike()});
     return turned;
   }
 
   /// Half a turn about the map's centroid, where an elongated object covers itself best; this may
   /// be farther than the shifts reach.
-  Candidate half_turned(const Candidate& place) const {
-    const SurfaceTemplate& surface = view_.templates[0].surface;
+  templates::Candidate half_turned(const templates::Candidate& place) const {
+    const templates::SurfaceTemplate& surface = view_.templates[0].surface;
     const auto mean = [&](const std::vector<float>& values) {
       return std::accumulate(values.begin(), values.begin() + surface.size(), 0.0) /
              static_cast<double>(surface.size());
@@ -181,30 +187,32 @@ class ViewSearch {
 
   /// The first of these, shifted to the best fit of their outlines, best first: if shading
   /// displaced one rotation by pixels, the other is displaced in the opposite direction.
-  std::vector<Candidate> shifted_onto_edges(std::vector<Candidate> peaks) const {
+  std::vector<templates::Candidate> shifted_onto_edges(
+      std::vector<templates::Candidate> peaks) const {
     constexpr std::size_t kMost = 6;
     if (peaks.size() > kMost) peaks.resize(kMost);
     for (auto& peak : peaks)
-      peak = mbncc::shifted_onto_edges(view_.templates[0].contour, scene_.levels[0], peak);
-    sort_by_value(peaks);
+      peak = evidence::shifted_onto_edges(view_.templates[0].contour, scene_.levels[0], peak);
+    templates::sort_by_value(peaks);
     return peaks;
   }
 
   /// The aligned poses of the first `most` of them, by log-odds.
-  std::vector<Candidate> reached_from(std::vector<Candidate> starts, std::size_t most) const {
+  std::vector<templates::Candidate> reached_from(std::vector<templates::Candidate> starts,
+                                                 std::size_t most) const {
     constexpr int kIterations = 5;
     if (starts.size() > most) starts.resize(most);
     for (auto& start : starts) {
-      const ScoredPose reached =
-          align_and_score(view_.templates[0], scene_.levels[0], start.pose, kIterations);
+      const refinement::ScoredPose reached = refinement::align_and_score(
+          view_.templates[0], scene_.levels[0], start.pose, kIterations);
       start.pose = reached.pose;
-      start.value = log_odds(reached.evidence, view_.shape.area());
+      start.value = evidence::log_odds(reached.evidence, view_.shape.area());
     }
     return starts;
   }
 
   /// The paper's poses without alignment, with their evidence.
-  std::vector<Detection> judge_polar() const {
+  std::vector<decision::Detection> judge_polar() const {
     std::vector<PoseHypothesis> found;
     if (view_.polar->top_level() <= scene_.top_level())
       for (const auto& one : view_.polar->find(scene_.grey, roi_))
@@ -212,11 +220,12 @@ class ViewSearch {
     return verify(object_, view_, scene_, found);
   }
 
-  std::vector<Detection> judge_all(const std::vector<Candidate>& candidates) const {
+  std::vector<decision::Detection> judge_all(
+      const std::vector<templates::Candidate>& candidates) const {
     std::vector<PoseHypothesis> found;
     std::vector<Pose2D> reached;
     for (std::size_t i = 0; i < candidates.size(); ++i) {
-      const Candidate& candidate = candidates[i];
+      const templates::Candidate& candidate = candidates[i];
       if (i >= kPolished || candidate.value <= first_.promising ||
           candidate.value <= candidates.front().value - kOutclassed) {
         found.push_back(score_as_is(view_, scene_, candidate.pose));
@@ -239,9 +248,9 @@ class ViewSearch {
     });
   }
 
-  const PreparedObject& object_;
-  const PreparedView& view_;
-  const ScenePicture& scene_;
+  const prepared::PreparedObject& object_;
+  const prepared::PreparedView& view_;
+  const scene::ScenePicture& scene_;
   cv::Rect roi_;
   bool everywhere_;
   SearchMode mode_;
@@ -251,16 +260,18 @@ class ViewSearch {
 
 }  // namespace
 
-std::vector<Detection> search_view(const PreparedObject& object, const PreparedView& view,
-                                   const ScenePicture& scene, const cv::Rect& roi, SearchMode mode,
-                                   const SearchMask& places) {
+std::vector<decision::Detection> search_view(const prepared::PreparedObject& object,
+                                             const prepared::PreparedView& view,
+                                             const scene::ScenePicture& scene, const cv::Rect& roi,
+                                             SearchMode mode, const proposal::SearchMask& places) {
   return ViewSearch(object, view, scene, roi, mode, places).run();
 }
 
-std::vector<Detection> judge_places(const PreparedObject& object, const PreparedView& view,
-                                    const ScenePicture& scene,
-                                    const std::vector<cv::Point2d>& centres) {
+std::vector<decision::Detection> judge_places(const prepared::PreparedObject& object,
+                                              const prepared::PreparedView& view,
+                                              const scene::ScenePicture& scene,
+                                              const std::vector<cv::Point2d>& centres) {
   return ViewSearch(object, view, scene, {}, SearchMode::kQuick, {}).run_at(centres);
 }
 
-}  // namespace mbncc
+}  // namespace mbncc::search

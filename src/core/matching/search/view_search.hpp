@@ -7,7 +7,7 @@
 
 #include "matching/decision/detection.hpp"
 
-namespace mbncc {
+namespace mbncc::search {
 
 /// What to do if a view is not found at once.
 enum class SearchMode {
@@ -24,14 +24,17 @@ inline bool is_sparing(SearchMode mode) {
 
 /// Candidates of `view` whose anchors lie in `roi` [px] and `places`, refined to full resolution,
 /// best first. Several may describe one place, because other angles are needed for the margin.
-std::vector<Detection> search_view(const PreparedObject& object, const PreparedView& view,
-                                   const ScenePicture& scene, const cv::Rect& roi, SearchMode mode,
-                                   const SearchMask& places = {});
+std::vector<decision::Detection> search_view(const prepared::PreparedObject& object,
+                                             const prepared::PreparedView& view,
+                                             const scene::ScenePicture& scene, const cv::Rect& roi,
+                                             SearchMode mode,
+                                             const proposal::SearchMask& places = {});
 
 /// The best poses of `view` near places [px], whether or not a search proposes them, to compare
 /// look-alikes at the places of other objects.
-std::vector<Detection> judge_places(const PreparedObject& object, const PreparedView& view,
-                                    const ScenePicture& scene,
-                                    const std::vector<cv::Point2d>& centres);
+std::vector<decision::Detection> judge_places(const prepared::PreparedObject& object,
+                                              const prepared::PreparedView& view,
+                                              const scene::ScenePicture& scene,
+                                              const std::vector<cv::Point2d>& centres);
 
-}  // namespace mbncc
+}  // namespace mbncc::search

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "matching/template/block_sums.hpp"
 
-namespace mbncc {
+namespace mbncc::templates {
 
 std::vector<BlockSums> block_sums(const SurfaceTemplate& surface, const SurfaceSample& sample) {
   std::vector<BlockSums> blocks;
@@ -32,4 +32,4 @@ std::vector<BlockSums> block_sums(const SurfaceTemplate& surface, const SurfaceS
   return blocks;
 }
 
-}  // namespace mbncc
+}  // namespace mbncc::templates

@@ -7,7 +7,7 @@
 
 #include "matching/template/surface_template.hpp"
 
-namespace mbncc {
+namespace mbncc::templates {
 
 /// Sums of one compact part over its points inside the picture, by channel (b, g, r).
 struct BlockSums {
@@ -22,4 +22,4 @@ struct BlockSums {
 /// At most kMostBlocks.
 std::vector<BlockSums> block_sums(const SurfaceTemplate& surface, const SurfaceSample& sample);
 
-}  // namespace mbncc
+}  // namespace mbncc::templates

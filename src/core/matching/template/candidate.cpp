@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace mbncc {
+namespace mbncc::templates {
 namespace {
 
 constexpr double kLikely = 0;  // log-odds
@@ -59,4 +59,4 @@ std::vector<Candidate> best_places(const std::vector<Candidate>& candidates, dou
   return places;
 }
 
-}  // namespace mbncc
+}  // namespace mbncc::templates

@@ -7,7 +7,7 @@
 
 #include "mbncc/geometry.hpp"
 
-namespace mbncc {
+namespace mbncc::templates {
 
 struct Candidate {
   Pose2D pose;       ///< of the anchor [px of `level`], rotation against the learning picture
@@ -47,4 +47,4 @@ void drop_below(double floor, std::vector<Candidate>& candidates);
 std::vector<Candidate> best_places(const std::vector<Candidate>& candidates, double apart,
                                    std::size_t most);
 
-}  // namespace mbncc
+}  // namespace mbncc::templates

@@ -8,7 +8,7 @@
 #include "imaging/pyramid.hpp"
 #include "simd/lanes.hpp"
 
-namespace mbncc {
+namespace mbncc::templates {
 namespace {
 
 constexpr int kMotions = 3, kProducts = 6;
@@ -24,7 +24,7 @@ ContourTemplate::ContourTemplate(const std::vector<EdgePoint>& edge, cv::Point2d
   const double side = 1 << level;
   const auto wanted = static_cast<std::size_t>(static_cast<double>(edge.size()) / side);
   count_ = std::min({most, std::max<std::size_t>(8, wanted), edge.size()});
-  const std::size_t lanes = whole_lanes(count_);
+  const std::size_t lanes = kernels::whole_lanes(count_);
   constexpr float kNowhere = -1e6f;
   x.assign(lanes, kNowhere);
   y.assign(lanes, kNowhere);
@@ -59,19 +59,19 @@ void read_contour(const ContourTemplate& contour, const cv::Mat& edges, const Po
   for (auto* values : {&sample.response, &sample.seen, &sample.pull, &sample.moment})
     values->resize(lanes);
   kernels::read_along_normals(
-      view_of(edges), {contour.x.data(), contour.y.data(), static_cast<int>(lanes)},
-      contour.normal_x.data(), contour.normal_y.data(), placement_of(pose, scale), reach,
+      imaging::view_of(edges), {contour.x.data(), contour.y.data(), static_cast<int>(lanes)},
+      contour.normal_x.data(), contour.normal_y.data(), imaging::placement_of(pose, scale), reach,
       {sample.response.data(), sample.seen.data(), sample.pull.data(), sample.moment.data()});
 }
 
 double contour_agreement(const ContourTemplate& contour, const ContourSample& sample) {
-  const double visible = product(contour.ones, sample.seen.data());
+  const double visible = kernels::product(contour.ones, sample.seen.data());
   if (visible < 4 || 4 * visible < static_cast<double>(contour.size())) return -1;
-  return product(contour.ones, sample.response.data()) / visible;
+  return kernels::product(contour.ones, sample.response.data()) / visible;
 }
 
 double contour_found(const ContourTemplate& contour, const ContourSample& sample) {
-  const double visible = product(contour.ones, sample.seen.data());
+  const double visible = kernels::product(contour.ones, sample.seen.data());
   const auto found = std::count_if(sample.response.begin(), sample.response.end(), is_clear);
   return static_cast<double>(found) / std::max(1.0, visible);
 }
@@ -96,4 +96,4 @@ ContourPull contour_pull(const ContourTemplate& contour, const ContourSample& sa
   return pull;
 }
 
-}  // namespace mbncc
+}  // namespace mbncc::templates

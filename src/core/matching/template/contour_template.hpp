@@ -8,7 +8,7 @@
 #include "matching/template/map_geometry.hpp"
 #include "mbncc/geometry.hpp"
 
-namespace mbncc {
+namespace mbncc::templates {
 
 struct ContourTemplate {
   ContourTemplate() = default;
@@ -77,4 +77,4 @@ struct ContourPull {
 };
 ContourPull contour_pull(const ContourTemplate& contour, const ContourSample& sample);
 
-}  // namespace mbncc
+}  // namespace mbncc::templates

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace mbncc {
+namespace mbncc::templates {
 namespace {
 
 constexpr float kBackground = 0.12f;  // largest share of the object in a background pixel
@@ -50,4 +50,4 @@ EdgeMixing AlphaMatte::at(cv::Point pixel) const {
   return mixture;
 }
 
-}  // namespace mbncc
+}  // namespace mbncc::templates

@@ -9,7 +9,7 @@
 
 #include "matching/template/map_geometry.hpp"
 
-namespace mbncc {
+namespace mbncc::templates {
 
 /// Mixture of a pixel on the map.
 struct EdgeMixing {
@@ -33,4 +33,4 @@ class AlphaMatte {
   cv::Mat share_;  // CV_32FC1, with `room_` pixels around the map
 };
 
-}  // namespace mbncc
+}  // namespace mbncc::templates

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace mbncc {
+namespace mbncc::templates {
 
 MapFootprint::MapFootprint(const cv::Mat& map, cv::Point2d anchor) : map_(map), anchor_(anchor) {
   constexpr std::size_t kSamples = 400;
@@ -44,4 +44,4 @@ double overlap(const MapFootprint& a, const Pose2D& pose_a, const MapFootprint& 
   return static_cast<double>(common) / static_cast<double>(a.sample_.size());
 }
 
-}  // namespace mbncc
+}  // namespace mbncc::templates

@@ -7,7 +7,7 @@
 
 #include "mbncc/geometry.hpp"
 
-namespace mbncc {
+namespace mbncc::templates {
 
 class MapFootprint {
  public:
@@ -36,4 +36,4 @@ class MapFootprint {
 double overlap(const MapFootprint& a, const Pose2D& pose_a, const MapFootprint& b,
                const Pose2D& pose_b);
 
-}  // namespace mbncc
+}  // namespace mbncc::templates

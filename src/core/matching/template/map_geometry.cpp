@@ -5,7 +5,7 @@
 #include <cmath>
 #include <opencv2/imgproc.hpp>
 
-namespace mbncc {
+namespace mbncc::templates {
 namespace {
 
 constexpr float kTiny = 1e-6f;
@@ -134,4 +134,4 @@ cv::Mat continued_outwards(const cv::Mat& picture, const cv::Mat& map) {
   return result;
 }
 
-}  // namespace mbncc
+}  // namespace mbncc::templates

@@ -5,7 +5,7 @@
 #include <opencv2/core.hpp>
 #include <vector>
 
-namespace mbncc {
+namespace mbncc::templates {
 
 /// A point of the map's edge.
 struct EdgePoint {
@@ -42,4 +42,4 @@ class MapGeometry {
 /// not mix background into the object.
 cv::Mat continued_outwards(const cv::Mat& picture, const cv::Mat& map);
 
-}  // namespace mbncc
+}  // namespace mbncc::templates

@@ -7,7 +7,7 @@
 #include "imaging/pyramid.hpp"
 #include "mbncc/geometry.hpp"
 
-namespace mbncc {
+namespace mbncc::templates {
 namespace {
 
 // Padding for whole squares at the right and bottom edge, because the pyramid drops odd rows and
@@ -32,10 +32,10 @@ MapLevel map_level(const cv::Mat& grey, const cv::Mat& map, int level) {
   weighted = weighted.mul(weight);
   const int side = 1 << level;
   MapLevel result;
-  result.coverage = build_pyramid(padded_to_squares(weight, side), level).back();
-  result.values = build_pyramid(padded_to_squares(weighted, side), level).back();
+  result.coverage = imaging::build_pyramid(padded_to_squares(weight, side), level).back();
+  result.values = imaging::build_pyramid(padded_to_squares(weighted, side), level).back();
   result.values /= cv::max(result.coverage, 1e-6);
   return result;
 }
 
-}  // namespace mbncc
+}  // namespace mbncc::templates

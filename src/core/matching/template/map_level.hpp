@@ -4,7 +4,7 @@
 
 #include <opencv2/core.hpp>
 
-namespace mbncc {
+namespace mbncc::templates {
 
 struct MapLevel {
   cv::Mat values;    ///< CV_32FC1 mean grey value of the map pixels within each pixel
@@ -14,4 +14,4 @@ struct MapLevel {
 /// `grey` CV_8UC1 and `map` binary of the same size; else std::invalid_argument.
 MapLevel map_level(const cv::Mat& grey, const cv::Mat& map, int level);
 
-}  // namespace mbncc
+}  // namespace mbncc::templates

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "matching/template/pose_sample.hpp"
 
-namespace mbncc {
+namespace mbncc::templates {
 
-void PoseSample::read(const PoseTemplate& object, const SceneLevel& scene, const Pose2D& pose,
-                      int reach, double scale) {
+void PoseSample::read(const PoseTemplate& object, const scene::SceneLevel& scene,
+                      const Pose2D& pose, int reach, double scale) {
   scene.prepare_around(pose, scale * object.reach());
   object.surface.sample(scene, pose, surface, scale);
   read_contour(object.contour, scene.edges, pose, reach, contour, scale);
   if (surface.suffices()) residual = object.surface.residual(surface);
 }
 
-}  // namespace mbncc
+}  // namespace mbncc::templates

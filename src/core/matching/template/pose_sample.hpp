@@ -7,7 +7,7 @@
 #include "matching/template/contour_template.hpp"
 #include "matching/template/surface_template.hpp"
 
-namespace mbncc {
+namespace mbncc::templates {
 
 /// Surface and contour of one view at one pyramid level.
 struct PoseTemplate {
@@ -25,8 +25,8 @@ struct PoseSample {
 
   /// Reads the picture at `pose`, the object `scale` times as large as the template, edges up to
   /// `reach` [px] along the contour's normals.
-  void read(const PoseTemplate& object, const SceneLevel& scene, const Pose2D& pose, int reach,
-            double scale = 1);
+  void read(const PoseTemplate& object, const scene::SceneLevel& scene, const Pose2D& pose,
+            int reach, double scale = 1);
 };
 
-}  // namespace mbncc
+}  // namespace mbncc::templates

@@ -6,13 +6,13 @@
 
 #include "imaging/pyramid.hpp"
 
-namespace mbncc {
+namespace mbncc::templates {
 namespace {
 
 using Points = std::vector<SurfacePoint>;
 
 cv::Point2f at_level(cv::Point2f place, int level) {
-  return cv::Point2f(to_level(cv::Point2d(place), level));
+  return cv::Point2f(imaging::to_level(cv::Point2d(place), level));
 }
 
 /// Middles of the level's pixels that lie deeper than `depth` [px at level 0] in the map.
@@ -86,4 +86,4 @@ SamplePoints choose_surface_points(const MapGeometry& map, cv::Size size, int le
   return chosen;
 }
 
-}  // namespace mbncc
+}  // namespace mbncc::templates

@@ -7,7 +7,7 @@
 
 #include "matching/template/map_geometry.hpp"
 
-namespace mbncc {
+namespace mbncc::templates {
 
 struct SurfacePoint {
   cv::Point2f at;      ///< [px at level] in the template picture
@@ -28,4 +28,4 @@ struct SamplePoints {
 SamplePoints choose_surface_points(const MapGeometry& map, cv::Size size, int level,
                                    std::size_t most);
 
-}  // namespace mbncc
+}  // namespace mbncc::templates

@@ -5,7 +5,7 @@
 
 #include "simd/lanes.hpp"
 
-namespace mbncc {
+namespace mbncc::templates {
 namespace {
 
 /// Function `k` at a point whose place, in radii, is (u, v). The most important come first: small
@@ -45,9 +45,9 @@ ShadingBasis::ShadingBasis(const std::vector<SurfacePoint>& points, const std::v
 
 /// Residual of `values` after projection on the previous rows, unless it is negligible.
 void ShadingBasis::add(std::vector<float> values) {
-  const double before = product(values, values.data());
+  const double before = kernels::product(values, values.data());
   for (int pass = 0; pass < 2; ++pass) project_out(values);
-  const double after = product(values, values.data());
+  const double after = kernels::product(values, values.data());
   if (after < 1e-3 * before || after < 1e-9) return;
   for (auto& value : values) value /= static_cast<float>(std::sqrt(after));
   rows_.insert(rows_.end(), values.begin(), values.end());
@@ -55,11 +55,12 @@ void ShadingBasis::add(std::vector<float> values) {
 }
 
 void ShadingBasis::project_out(std::vector<float>& values) const {
-  for (int k = 0; k < size_; ++k) subtract(values, product(values, row(k)), row(k));
+  for (int k = 0; k < size_; ++k)
+    kernels::subtract(values, kernels::product(values, row(k)), row(k));
 }
 
 void ShadingBasis::products(const float* values, float* products) const {
   kernels::dots(rows_.data(), padded_, size_, values, static_cast<int>(padded_), products);
 }
 
-}  // namespace mbncc
+}  // namespace mbncc::templates

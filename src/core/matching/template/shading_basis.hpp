@@ -6,7 +6,7 @@
 
 #include "matching/template/sample_points.hpp"
 
-namespace mbncc {
+namespace mbncc::templates {
 
 /// Shading and gloss near the edge depend on the light, not on the object: functions of the
 /// position and of the distance to the edge, to be projected out of template and picture.
@@ -39,4 +39,4 @@ class ShadingBasis {
   std::vector<float> rows_;  // size_ orthonormal rows of padded_ values
 };
 
-}  // namespace mbncc
+}  // namespace mbncc::templates

@@ -38,8 +38,8 @@ struct Moments {
 MaskedTemplate masked_template(const cv::Mat& grey, const cv::Mat& map, cv::Point2d anchor,
                                int level) {
   constexpr float kInside = 0.5f;
-  const MapLevel at_level = map_level(grey, map, level);
-  const cv::Point2d origin = to_level(anchor, level);
+  const templates::MapLevel at_level = templates::map_level(grey, map, level);
+  const cv::Point2d origin = imaging::to_level(anchor, level);
   MaskedTemplate points;
   for (int y = 0; y < at_level.values.rows; ++y) {
     for (int x = 0; x < at_level.values.cols; ++x) {
@@ -54,7 +54,7 @@ MaskedTemplate masked_template(const cv::Mat& grey, const cv::Mat& map, cv::Poin
 
 Similarity similarity(const MaskedTemplate& points, const cv::Mat& grey, const Pose2D& pose,
                       double noise_variance) {
-  const GreySampler picture(grey);
+  const imaging::GreySampler picture(grey);
   const float c = static_cast<float>(std::cos(pose.theta));
   const float s = static_cast<float>(std::sin(pose.theta));
   const float x0 = static_cast<float>(pose.x), y0 = static_cast<float>(pose.y);

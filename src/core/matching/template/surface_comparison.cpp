@@ -7,14 +7,14 @@
 #include "simd/clones.hpp"
 #include "simd/lanes.hpp"
 
-namespace mbncc {
+namespace mbncc::templates {
 
 namespace {
 
 /// Counts the points that are compared; the others get their mean colour.
 void fill_left_out(SurfaceSample& sample) {
   const float* counts = sample.inside.data();
-  const auto [count, blue, green, red] = products<4>(
+  const auto [count, blue, green, red] = kernels::products<4>(
       {counts, counts, counts, counts},
       {counts, sample.planes[0].data(), sample.planes[1].data(), sample.planes[2].data()},
       sample.inside.size());
@@ -70,12 +70,13 @@ void SurfaceTemplate::leave_out_highlights(SurfaceSample& sample) const {
   }
 }
 
-void SurfaceTemplate::sample(const SceneLevel& scene, const Pose2D& pose, SurfaceSample& sample,
-                             double scale) const {
+void SurfaceTemplate::sample(const scene::SceneLevel& scene, const Pose2D& pose,
+                             SurfaceSample& sample, double scale) const {
   for (auto* values : {&sample.planes[0], &sample.planes[1], &sample.planes[2], &sample.inside})
     values->resize(padded());
-  kernels::sample_colours(view_of(scene.colour), {x.data(), y.data(), static_cast<int>(padded())},
-                          placement_of(pose, scale),
+  kernels::sample_colours(imaging::view_of(scene.colour),
+                          {x.data(), y.data(), static_cast<int>(padded())},
+                          imaging::placement_of(pose, scale),
                           {sample.planes[0].data(), sample.planes[1].data(),
                            sample.planes[2].data(), sample.inside.data()});
   sample.points = size();
@@ -86,9 +87,10 @@ void SurfaceTemplate::sample(const SceneLevel& scene, const Pose2D& pose, Surfac
 SurfaceTemplate::Residual SurfaceTemplate::residual(const SurfaceSample& sample) const {
   const float *blue = sample.planes[0].data(), *green = sample.planes[1].data(),
               *red = sample.planes[2].data();
-  const auto common = products<3>({projected[0].data(), projected[1].data(), projected[2].data()},
-                                  {blue, green, red}, padded());
-  const auto energy = products<3>({blue, green, red}, {blue, green, red}, padded());
+  const auto common =
+      kernels::products<3>({projected[0].data(), projected[1].data(), projected[2].data()},
+                           {blue, green, red}, padded());
+  const auto energy = kernels::products<3>({blue, green, red}, {blue, green, red}, padded());
   float in_basis[ShadingBasis::kMostRows];
   Residual residual;
   for (int c = 0; c < kChannels; ++c) {
@@ -119,8 +121,8 @@ SurfaceDifference SurfaceTemplate::difference(const SurfaceSample& sample, doubl
   double rest = 0, shading = 0;
   for (int c = 0; c < kChannels; ++c) {
     std::vector<float> difference = sample.planes[c];
-    subtract(difference, gain, planes[c].data());
-    rest += product(difference, difference.data());
+    kernels::subtract(difference, gain, planes[c].data());
+    rest += kernels::product(difference, difference.data());
     float products[ShadingBasis::kMostRows];
     basis.products(difference.data(), products);
     for (int k = 0; k < basis.size(); ++k) rest -= products[k] * products[k];
@@ -132,7 +134,8 @@ SurfaceDifference SurfaceTemplate::difference(const SurfaceSample& sample, doubl
 
 double SurfaceTemplate::contrast(const SurfaceSample& sample) const {
   double common = 0;
-  for (int c = 0; c < kChannels; ++c) common += product(projected[c], sample.planes[c].data());
+  for (int c = 0; c < kChannels; ++c)
+    common += kernels::product(projected[c], sample.planes[c].data());
   return common / std::max(projected_energy, 1e-6);
 }
 
@@ -140,4 +143,4 @@ double SurfaceTemplate::mean_projected_energy() const {
   return projected_energy / (kChannels * static_cast<double>(size()));
 }
 
-}  // namespace mbncc
+}  // namespace mbncc::templates

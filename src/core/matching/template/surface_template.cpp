@@ -10,7 +10,7 @@
 #include "imaging/sampling.hpp"
 #include "simd/lanes.hpp"
 
-namespace mbncc {
+namespace mbncc::templates {
 namespace {
 
 constexpr float kNowhere = -1e6f;  // lies outside of every picture
@@ -21,7 +21,7 @@ SurfaceTemplate::SurfaceTemplate(const Source& source, cv::Point2d anchor, std::
   SamplePoints chosen = choose_surface_points(source.map, source.map_size, source.level, most);
   points_ = std::move(chosen.points);
   block_ends = std::move(chosen.block_ends);
-  place_points(to_level(anchor, source.level));
+  place_points(imaging::to_level(anchor, source.level));
   read_colours(source.surface);
   measure_texture();
   read_gradients(source.surface);
@@ -31,7 +31,7 @@ SurfaceTemplate::SurfaceTemplate(const Source& source, cv::Point2d anchor, std::
 }
 
 void SurfaceTemplate::place_points(cv::Point2d origin) {
-  x.assign(whole_lanes(size()), kNowhere);
+  x.assign(kernels::whole_lanes(size()), kNowhere);
   y = x;
   for (std::size_t i = 0; i < size(); ++i) {
     x[i] = static_cast<float>(points_[i].at.x - origin.x);
@@ -46,8 +46,8 @@ void SurfaceTemplate::resize(double factor) {
   radius_ *= factor;
 }
 
-void SurfaceTemplate::read_colours(const SceneLevel& picture) {
-  const ColourSampler colour_at(picture.colour);
+void SurfaceTemplate::read_colours(const scene::SceneLevel& picture) {
+  const imaging::ColourSampler colour_at(picture.colour);
   const auto right = static_cast<float>(picture.size().width) - 1.02f;
   const auto bottom = static_cast<float>(picture.size().height) - 1.02f;
   for (auto* values : {&planes[0], &planes[1], &planes[2], &brightness})
@@ -63,7 +63,7 @@ void SurfaceTemplate::read_colours(const SceneLevel& picture) {
     }
     ones[i] = 1;
   }
-  histogram = chroma_histogram(planes, ones);
+  histogram = imaging::chroma_histogram(planes, ones);
 }
 
 void SurfaceTemplate::measure_texture() {
@@ -72,16 +72,16 @@ void SurfaceTemplate::measure_texture() {
   double variance = 0;
   for (const auto& plane : planes) {
     const double mean = std::accumulate(plane.begin(), plane.end(), 0.0) / count;
-    variance += (product(plane, plane.data()) / count - mean * mean) / kChannels;
+    variance += (kernels::product(plane, plane.data()) / count - mean * mean) / kChannels;
   }
   texture_ = variance / (variance + kPlain);
 }
 
-void SurfaceTemplate::read_gradients(const SceneLevel& picture) {
+void SurfaceTemplate::read_gradients(const scene::SceneLevel& picture) {
   constexpr float kNoise = 2.5f;  // [grey levels per pixel]
   gradient_x.assign(padded(), 0.f);
   gradient_y.assign(padded(), 0.f);
-  const cv::Mat gradients = strongest_gradient(picture.colour);
+  const cv::Mat gradients = imaging::strongest_gradient(picture.colour);
   for (std::size_t i = 0; i < size(); ++i) {
     const SurfacePoint& point = points_[i];
     if (point.depth <= 2.5f) continue;
@@ -101,31 +101,33 @@ void SurfaceTemplate::project() {
   for (int c = 0; c < kChannels; ++c) {
     projected[c] = planes[c];
     basis.project_out(projected[c]);
-    projected_energy += product(projected[c], projected[c].data());
+    projected_energy += kernels::product(projected[c], projected[c].data());
   }
 }
 
-void SurfaceTemplate::read_slopes(const SceneLevel& picture) {
+void SurfaceTemplate::read_slopes(const scene::SceneLevel& picture) {
   auto slopes_of = slopes_in(picture);
   for (auto& channel : slopes_of)
     for (auto& row : channel) basis.project_out(row);
   for (int k = 0; k < kMotions; ++k) {
     double along = 0;
-    for (int c = 0; c < kChannels; ++c) along += product(slopes_of[c][k], projected[c].data());
     for (int c = 0; c < kChannels; ++c)
-      subtract(slopes_of[c][k], along / (projected_energy + 1e-6), projected[c].data());
+      along += kernels::product(slopes_of[c][k], projected[c].data());
+    for (int c = 0; c < kChannels; ++c)
+      kernels::subtract(slopes_of[c][k], along / (projected_energy + 1e-6), projected[c].data());
   }
   for (int c = 0; c < kChannels; ++c) {
     const auto& rows = slopes_of[c];
     for (const auto& row : rows) slopes[c].insert(slopes[c].end(), row.begin(), row.end());
     slopes[c].insert(slopes[c].end(), projected[c].begin(), projected[c].end());
     for (int j = 0; j < kMotions; ++j)
-      for (int k = 0; k < kMotions; ++k) slope_product(j, k) += product(rows[j], rows[k].data());
+      for (int k = 0; k < kMotions; ++k)
+        slope_product(j, k) += kernels::product(rows[j], rows[k].data());
   }
 }
 
-SurfaceTemplate::Slopes SurfaceTemplate::slopes_in(const SceneLevel& picture) const {
-  const ColourSampler colour_at(picture.colour);
+SurfaceTemplate::Slopes SurfaceTemplate::slopes_in(const scene::SceneLevel& picture) const {
+  const imaging::ColourSampler colour_at(picture.colour);
   Slopes slopes_of;
   for (auto& channel : slopes_of)
     for (auto& row : channel) row.assign(padded(), 0.f);
@@ -145,4 +147,4 @@ SurfaceTemplate::Slopes SurfaceTemplate::slopes_in(const SceneLevel& picture) co
   return slopes_of;
 }
 
-}  // namespace mbncc
+}  // namespace mbncc::templates

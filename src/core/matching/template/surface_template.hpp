@@ -13,7 +13,7 @@
 #include "matching/template/shading_basis.hpp"
 #include "mbncc/geometry.hpp"
 
-namespace mbncc {
+namespace mbncc::templates {
 
 /// Colours of a picture at the points of a surface: one plane per channel (b, g, r).
 struct SurfaceSample {
@@ -40,8 +40,9 @@ class SurfaceTemplate {
 
   /// Input of a template at one pyramid level.
   struct Source {
-    const SceneLevel& surface;  ///< the learning picture with the object extrapolated outwards
-    const SceneLevel& picture;  ///< the learning picture as it is
+    const scene::SceneLevel&
+        surface;  ///< the learning picture with the object extrapolated outwards
+    const scene::SceneLevel& picture;  ///< the learning picture as it is
     const MapGeometry& map;
     cv::Size map_size;
     int level;
@@ -57,14 +58,14 @@ class SurfaceTemplate {
   static constexpr int kMotions = 3;
   using Slopes = std::array<std::array<std::vector<float>, kMotions>, kChannels>;
   /// In the picture that the template was made from; 0 at its border.
-  Slopes slopes_in(const SceneLevel& picture) const;
+  Slopes slopes_in(const scene::SceneLevel& picture) const;
 
   std::size_t size() const { return points_.size(); }
   std::size_t padded() const { return x.size(); }  ///< size() in whole lanes
 
   /// Reads the colours at `pose`, the surface `scale` times as large as the template. Points
   /// outside the picture, and highlights, are not compared: they take the mean of the others.
-  void sample(const SceneLevel& scene, const Pose2D& pose, SurfaceSample& sample,
+  void sample(const scene::SceneLevel& scene, const Pose2D& pose, SurfaceSample& sample,
               double scale = 1) const;
 
   /// Residual of the colours after the basis is projected out of template and picture.
@@ -112,19 +113,19 @@ class SurfaceTemplate {
   std::vector<float> gradient_x, gradient_y;
   double gradient_total = 0;
 
-  ChromaHistogram histogram{};
+  imaging::ChromaHistogram histogram{};
 
  private:
   void place_points(cv::Point2d origin);
-  void read_colours(const SceneLevel& picture);
+  void read_colours(const scene::SceneLevel& picture);
   void measure_texture();
-  void read_gradients(const SceneLevel& picture);
+  void read_gradients(const scene::SceneLevel& picture);
   void project();
-  void read_slopes(const SceneLevel& picture);
+  void read_slopes(const scene::SceneLevel& picture);
   void leave_out_highlights(SurfaceSample& sample) const;
 
   std::vector<SurfacePoint> points_;
   double radius_ = 1, texture_ = 0;
 };
 
-}  // namespace mbncc
+}  // namespace mbncc::templates
