@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""Keeps the layers apart: a file includes only its own layer or lower ones, the core knows no ROS.
+"""Keeps the layers apart: a file includes only its own layer or lower ones, the core knows no ROS,
+and its private code is in the namespace of its folder.
 
 usage: layers_test.py SOURCE_DIR LIBMBNCC
 """
@@ -34,12 +35,18 @@ FOLDERS = {
     'nodelets': 20, 'cli': 20, 'console': 20,
 }
 NODELETS = 20
+# Private code of a folder of the core is in mbncc::<last part of its name>, except in these.
+NAMESPACES = {'base': 'mbncc', 'matching': 'mbncc', 'miss': 'mbncc', 'simd': 'mbncc::kernels',
+              'matching/template': 'mbncc::templates'}
+# A public header declares LibraryCache; clones.hpp only defines macros.
+NAMESPACE_OF_FILE = {'library_cache.hpp': 'mbncc', 'library_cache.cpp': 'mbncc', 'clones.hpp': None}
 # Public headers lie in one folder per layer; its private folders and all above may include them.
 PUBLIC = {'matching': 3, 'learning': 13, 'cell': 18}
 CORE_LIBRARIES = ('opencv2/core', 'opencv2/imgproc', 'opencv2/ximgproc', 'Eigen/', 'png.h',
                   'yaml-cpp/')
 SYSTEM_HEADERS = ('sys/', 'unistd.h', 'fcntl.h', 'dirent.h', 'immintrin.h')
 INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]', re.MULTILINE)
+NAMESPACE = re.compile(r'^namespace (mbncc[\w:]*) {', re.MULTILINE)
 FORBIDDEN_CALLS = re.compile(r'\b(std::cout|std::cerr|std::clog|printf\s*\(|puts\s*\(|abort\s*\(|'
                              r'exit\s*\()')
 ROS_LIBRARIES = ('libros', 'libtf', 'libnodelet', 'libcv_bridge', 'libimage_transport',
@@ -85,6 +92,16 @@ def without_comments(text):
     return re.sub(r'//[^\n]*|/\*.*?\*/|"(?:\\.|[^"\\\n])*"', '', text, flags=re.DOTALL)
 
 
+def namespace_of(path, root, folder):
+    """Namespace of a file of src/core; a .cpp that implements a public header has the header's."""
+    own = NAMESPACES.get(folder, 'mbncc::' + folder.split('/')[-1])
+    if path.suffix == '.cpp':
+        quoted = [name for bracket, name in INCLUDE.findall(path.read_text()) if bracket == '"']
+        if quoted and quoted[0].startswith('mbncc/'):
+            own = NAMESPACE.search((root / 'include' / quoted[0]).read_text()).group(1)
+    return NAMESPACE_OF_FILE.get(path.name, own)
+
+
 def faults_of(path, root):
     own = folder_of_file(path, root)
     if own is None:
@@ -110,6 +127,12 @@ def faults_of(path, root):
     if core:
         for call in FORBIDDEN_CALLS.findall(without_comments(text)):
             yield f'the core must not call {call}'
+    if core and not public:
+        expected, opened = namespace_of(path, root, own), NAMESPACE.findall(text)
+        if path.suffix == '.cpp':
+            opened = opened[:1]
+        if set(opened) != {expected} - {None}:
+            yield f'opens {" and ".join(opened) or "no namespace"} instead of {expected}'
     if path.suffix == '.hpp' and 'using namespace' in text:
         yield 'no "using namespace" in a header'
 
