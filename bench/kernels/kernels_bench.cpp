@@ -96,9 +96,10 @@ void strongest_of_three(benchmark::State& state, const kernels::Table& table) {
 void edge_vectors(benchmark::State& state, const kernels::Table& table) {
   const int count = static_cast<int>(state.range(0));
   const auto gradients = numbers<std::int16_t>(2 * static_cast<std::size_t>(count), -1024, 1024);
+  const auto colours = numbers<std::uint8_t>(3 * static_cast<std::size_t>(count), 0, 255);
   std::vector<std::int8_t> edges(2 * static_cast<std::size_t>(count));
   for (auto _ : state) {
-    table.edge_vectors_row(gradients.data(), edges.data(), count);
+    table.edge_vectors_row(gradients.data(), colours.data(), edges.data(), count);
     benchmark::DoNotOptimize(edges.data());
   }
   state.SetItemsProcessed(state.iterations() * count);

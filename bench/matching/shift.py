@@ -77,6 +77,10 @@ def gain(*factors):
     return change
 
 
+def dim(target):
+    target.image = target.image * .4 + target.random.normal(0, 1.5, target.image.shape).astype(np.float32)
+
+
 def edge_at(target, distance, depth):
     """A shadow beyond a straight edge that passes an object (the middle, where there is none)."""
     height, width = target.image.shape[:2]
@@ -239,7 +243,7 @@ def ordinary_day(target):
 
 
 KINDS = {'none': lambda target: None,
-         'colour11': gain(.9, 1, 1.1), 'colour12': gain(.8, 1, 1.2), 'gain18': gain(1.8, 1.8, 1.8),
+         'colour11': gain(.9, 1, 1.1), 'colour12': gain(.8, 1, 1.2), 'gain18': gain(1.8, 1.8, 1.8), 'dim': dim,
          'shadow_across': shadow_across, 'shadow_on': shadow_on, 'gloss': gloss, 'covered': covered,
          'defocus2': disc(2), 'defocus3': disc(3), 'grey_target': grey, 'grey_lesson': lambda target: None,
          'scale90': scale(.9), 'scale95': scale(.95), 'scale105': scale(1.05), 'scale110': scale(1.1),

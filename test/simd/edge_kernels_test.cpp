@@ -184,10 +184,13 @@ TEST_P(Kernels, StrongestOfThreeEqualsReference) {
 
 TEST_P(Kernels, EdgeVectorsEqualReference) {
   const auto gradients = random_values<std::int16_t>(2 * count() + misalignment(), -1024, 1024);
+  const auto colours = random_values<std::uint8_t>(3 * count() + misalignment(), 0, 255);
   std::vector<std::int8_t> expected(2 * count()), actual(2 * count());
-  reference().edge_vectors_row(gradients.data() + misalignment(), expected.data(), count());
+  reference().edge_vectors_row(gradients.data() + misalignment(), colours.data() + misalignment(),
+                               expected.data(), count());
   for (const auto& target : targets()) {
-    target.table->edge_vectors_row(gradients.data() + misalignment(), actual.data(), count());
+    target.table->edge_vectors_row(gradients.data() + misalignment(),
+                                   colours.data() + misalignment(), actual.data(), count());
     EXPECT_EQ(expected, actual) << target.name;
   }
 }

@@ -53,7 +53,7 @@ class Region {
     const std::uint8_t* rows[] = {row(y - 1), row(y), row(y + 1)};
     kernels::slopes(rows, along_x_.data(), along_y_.data(), static_cast<int>(values));
     kernels::strongest_of_three(along_x_.data(), along_y_.data(), gradient_.data(), region_.width);
-    kernels::edge_vectors(gradient_.data(), edges, region_.width);
+    kernels::edge_vectors(gradient_.data(), row(y), edges, region_.width);
   }
 
  private:

@@ -16,7 +16,9 @@ cv::Mat strongest_gradient(const cv::Mat& picture);
 /// Writes the `region` of two pictures of the size of `picture` (CV_8UC3):
 /// `smooth` (CV_8UC3) is `picture` under a Gaussian of `sigma` [px] over 5 x 5 pixels;
 /// `edges` (CV_8SC2) has for a strongest gradient of `smooth` of magnitude m [grey levels per
-/// pixel] and direction a the vector kEdgeScale m / (m + 6) (cos 2a, sin 2a). Its scalar product
+/// pixel] and direction a, where the brightest channel of `smooth` is v, the vector
+/// kEdgeScale m / (m + 2.5 + v / 80) (cos 2a, sin 2a). Light scales m and v alike, so an edge is
+/// almost as long in a shadow as in the light; the 2.5 suppress noise. The vector's scalar product
 /// with (cos 2b, sin 2b) is the response to an edge whose normal has direction b: positive when
 /// aligned, negative when crossing, near zero where there is little gradient. Clutter averages to
 /// zero. The picture's border is replicated; the result does not depend on the region.

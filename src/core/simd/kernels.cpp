@@ -150,8 +150,9 @@ void strongest_of_three(const std::int16_t* along_x, const std::int16_t* along_y
   active().table->strongest_of_three_row(along_x, along_y, out, count);
 }
 
-void edge_vectors(const std::int16_t* gradients, std::int8_t* edges, int count) {
-  active().table->edge_vectors_row(gradients, edges, count);
+void edge_vectors(const std::int16_t* gradients, const std::uint8_t* colours, std::int8_t* edges,
+                  int count) {
+  active().table->edge_vectors_row(gradients, colours, edges, count);
 }
 
 void dots(const float* rows, std::size_t stride, int row_count, const float* vector, int count,

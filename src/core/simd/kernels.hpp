@@ -69,8 +69,8 @@ struct ResponseTerms {
 void best_responses(const std::int8_t* maps, int stride, const ResponseTerms& terms,
                     std::int16_t* best, std::int16_t* labels, int row_step, int count);
 
-/// Responses of `count` edge vectors (see edge_picture.hpp) to edges whose normals have directions
-/// of 0, 1, 2 and 3 eighths of a half turn, scaled to kMaxResponse.
+/// Responses of `count` edge vectors (see gradient_orientation.hpp) to edges whose normals have
+/// directions of 0, 1, 2 and 3 eighths of a half turn, scaled to kMaxResponse.
 void edge_responses(const std::int8_t* edges, std::int8_t* const* responses, int count);
 
 /// Largest values within one pixel in three adjacent rows: even[i] about pixel 2 i, odd[i] about
@@ -97,8 +97,14 @@ void slopes(const std::uint8_t* const* rows, std::int16_t* along_x, std::int16_t
 void strongest_of_three(const std::int16_t* along_x, const std::int16_t* along_y, std::int16_t* out,
                         int count);
 
-/// Edge vectors (see edge_picture.hpp) of `count` gradient pairs in eighths of a grey level.
-void edge_vectors(const std::int16_t* gradients, std::int8_t* edges, int count);
+/// Gradient [eighths of a level per pixel] with half of the largest edge vector: kDarkEdge where
+/// the picture is black, and kEdgeContrast more per level of the brightest channel.
+constexpr float kDarkEdge = 20, kEdgeContrast = 0.1f;
+
+/// Edge vectors (see gradient_orientation.hpp) of `count` gradient pairs in eighths of a level,
+/// at pixels of these colours (interleaved triples).
+void edge_vectors(const std::int16_t* gradients, const std::uint8_t* colours, std::int8_t* edges,
+                  int count);
 
 /// Lanes in which dots() and dot_pairs() add up, and then in halves: the first eight plus the last
 /// eight, and so on. Vectors are padded with zeros to a multiple of it.

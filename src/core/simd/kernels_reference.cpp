@@ -141,13 +141,16 @@ void strongest_of_three_reference(const std::int16_t* along_x, const std::int16_
   }
 }
 
-void edge_vectors_reference(const std::int16_t* gradients, std::int8_t* edges, int count) {
+void edge_vectors_reference(const std::int16_t* gradients, const std::uint8_t* colours,
+                            std::int8_t* edges, int count) {
   for (int i = 0; i < count; ++i) {
     const float x = gradients[2 * i], y = gradients[2 * i + 1];
     const float square = x * x + y * y;
     const float magnitude = std::sqrt(square);
-    // kEdgeScale m / (m + 6) / m^2 with m in eighths; the small term keeps 0 / 0 away.
-    const float scale = 127.f / ((magnitude + 48.f) * (magnitude + 1e-6f));
+    const int brightest = *std::max_element(colours + 3 * i, colours + 3 * i + 3);
+    const float half = kDarkEdge + kEdgeContrast * static_cast<float>(brightest);
+    // The small term keeps 0 / 0 away.
+    const float scale = 127.f / ((magnitude + half) * (magnitude + 1e-6f));
     edges[2 * i] = static_cast<std::int8_t>((x * x - y * y) * scale);
     edges[2 * i + 1] = static_cast<std::int8_t>(2.f * x * y * scale);
   }

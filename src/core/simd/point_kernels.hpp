@@ -42,8 +42,8 @@ struct NormalReadings {
   float* moment;    ///< `pull` times the mean distance [px] along the normal of the responses
 };
 
-/// Responses of an edge picture (edge_picture.hpp) to edges across the unit normals, at whole
-/// pixels up to `reach` along them. `picture` has at least 3 x 3 pixels.
+/// Responses of an edge picture (gradient_orientation.hpp) to edges across the unit normals, at
+/// whole pixels up to `reach` along them. `picture` has at least 3 x 3 pixels.
 void read_along_normals(const Picture8& picture, const Points& points, const float* normal_x,
                         const float* normal_y, const Placement& placement, int reach,
                         const NormalReadings& readings);

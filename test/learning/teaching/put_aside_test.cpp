@@ -76,7 +76,7 @@ TEST_P(PutAside, StaysKnownThroughEdits) {
 
 // Where platform hides a part of it now, the map of the place that it left stays as it was.
 TEST_P(PutAside, RefinesNothingWhereTheMapsDisagree) {
-  const cv::Rect hidden(255, 60, 60, 110);
+  const cv::Rect hidden(200, 60, 120, 54);
   test::exposed(drawn_.platform, 14)(hidden).copyTo(drawn_.lesson.after(hidden));
   const LearnResult result = learn_object(drawn_.lesson);
   ASSERT_TRUE(result.put_aside) << result.message;

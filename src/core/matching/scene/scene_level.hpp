@@ -39,7 +39,7 @@ class SceneLevel {
 
   // Valid only where prepared.
   cv::Mat colour;  ///< CV_8UC3, smoothed
-  cv::Mat edges;   ///< CV_8SC2, see edge_picture.hpp
+  cv::Mat edges;   ///< CV_8SC2, see gradient_orientation.hpp
 
  private:
   struct Tiles {
