@@ -9,6 +9,7 @@
 #include <mutex>
 #include <string>
 #include <thread>
+#include <utility>
 
 #include "mbncc/config/rectify_config.hpp"
 #include "nodelets/camera/rectifier.hpp"
@@ -48,10 +49,16 @@ class RectifyNodelet : public GuardedNodelet {
 
   void stop() override {
     report_.reset();
-    publisher_.shutdown();
     if (camera_) camera_->set_active(false);
     mailbox_.close();
-    if (worker_.joinable()) worker_.join();
+    if (worker_.joinable()) worker_.join();  // it publishes
+    image_transport::Publisher closing;
+    {
+      // A subscriber may come or go at the same time.
+      const std::lock_guard<std::mutex> lock(mutex_);
+      std::swap(closing, publisher_);
+    }
+    closing.shutdown();
     camera_.reset();
   }
 
