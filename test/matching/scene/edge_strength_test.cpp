@@ -2,6 +2,7 @@
 // Lengths of edge vectors under different light.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <opencv2/core.hpp>
