@@ -78,7 +78,7 @@ class ColourPartsTest : public ::testing::Test {
 TEST_F(ColourPartsTest, TheObjectItselfDiffersLittleInAnyLight) {
   EXPECT_LT(difference_in(picture_with(kRed, 2)), 0.04);
   for (const auto& [factor, offset] :
-       {std::pair(0.6, 40), std::pair(0.8, -10), std::pair(1.1, 0)}) {
+       {std::pair(0.6, 40), std::pair(0.8, -10), std::pair(1.1, 0), std::pair(0.3, 0)}) {
     cv::Mat picture;
     picture_with(kRed, 3).convertTo(picture, -1, factor, offset);
     EXPECT_LT(difference_in(picture), 0.1) << factor << ' ' << offset;
@@ -88,6 +88,22 @@ TEST_F(ColourPartsTest, TheObjectItselfDiffersLittleInAnyLight) {
 TEST_F(ColourPartsTest, APartOfAnotherColourDiffers) {
   EXPECT_GT(difference_in(picture_with(kBlack, 2)), 0.3);
   EXPECT_GT(difference_in(picture_with({40, 150, 40}, 2)), 0.3);
+}
+
+TEST_F(ColourPartsTest, APartOfAnotherColourDiffersAsMuchInDimLight) {
+  const cv::Scalar orange(40, 100, 170);
+  cv::Mat dim;
+  picture_with(orange, 2).convertTo(dim, -1, 0.35);
+  EXPECT_NEAR(difference_in(dim), difference_in(picture_with(orange, 2)), 0.05);
+}
+
+TEST_F(ColourPartsTest, APlainSurfaceInDimLightHasItsOwnColour) {
+  cv::Mat map = cv::Mat::zeros(150, 300, CV_8UC1), dim;
+  map(tool_) = 255;
+  cv::Mat plain(150, 300, CV_8UC3, kTable);
+  plain(tool_) = cv::Scalar(60, 90, 120);
+  plain.convertTo(dim, -1, 0.4);
+  EXPECT_LT(difference_in(dim, object_of(plain, map)).colour, 0.05);
 }
 
 TEST_F(ColourPartsTest, ACompactPartOfAnotherColourDiffersWhateverItsColoursWere) {

@@ -162,16 +162,17 @@ ColourDifference ColourParts::worst_differences(const templates::SurfaceTemplate
                                                 const templates::SurfaceSample& sample,
                                                 const templates::ContourSample& contour,
                                                 const cv::Vec3f& ground) const {
-  constexpr float kDark = 30;       // [grey levels]
+  constexpr float kDark = 30;       // [grey levels] of the lesson
   constexpr float kUnseen = 0.02f;  // weight of points without found contour points for the light
   if (empty() || !sample.suffices()) return {};
   const std::vector<float> weights = witnessed(sample, contour);
   std::vector<float> lit = sample.inside;
   for (std::size_t i = 0; i < lit.size(); ++i) lit[i] *= weights[i] + kUnseen;
   const GainOffset light = fit_gain_offset(surface.planes, sample.planes, lit);
+  const float dark = kDark * static_cast<float>(light.factor);  // so that dim light tells as much
   const auto chroma_off = [&](const cv::Vec3f& learned, const cv::Vec3f& seen) {
-    return chroma(light.of(learned[0]), light.of(learned[1]), light.of(learned[2]), kDark) -
-           chroma(seen[0], seen[1], seen[2], kDark);
+    return chroma(light.of(learned[0]), light.of(learned[1]), light.of(learned[2]), dark) -
+           chroma(seen[0], seen[1], seen[2], dark);
   };
   std::vector<cv::Point2f> off(surface.size());
   for (std::size_t i = 0; i < off.size(); ++i) {

@@ -11,9 +11,10 @@ GainOffset fit_gain_offset(const std::array<std::vector<float>, 3>& learned,
                            const std::vector<float>& weights) {
   constexpr int kChannels = 3;
   constexpr int kPasses = 4;
-  constexpr double kPrior = 300;  // [grey^2] pulls the factor of plain surfaces to 1
-  constexpr double kUsual = 400;  // [grey^2] that halves a point's weight
-  constexpr double kLeast = 0.55, kMost = 1.5;
+  constexpr double kPrior = 0.02;  // weight of an offset of 0: light multiplies, glare and haze add
+  constexpr double kUsual = 400;   // [grey^2] that halves a point's weight
+  constexpr double kLeast = 0.15, kMost = 4;
+  constexpr double kBlack = 1;  // [grey^2] weight of a factor of 1: black surfaces do not tell it
   GainOffset light;
   for (int pass = 0; pass < kPasses; ++pass) {
     double total = 0, t = 0, s = 0, tt = 0, ts = 0;
@@ -33,10 +34,10 @@ GainOffset fit_gain_offset(const std::array<std::vector<float>, 3>& learned,
         ts += weight * learned[c][i] * seen[c][i];
       }
     }
-    const double prior = kPrior * total;
-    const double factor = (ts - t * s / total + prior) / (tt - t * t / total + prior);
+    const double damped = (1 + kPrior) * total, black = kBlack * total;
+    const double factor = (ts - t * s / damped + black) / (tt - t * t / damped + black);
     light.factor = std::clamp(factor, kLeast, kMost);
-    light.offset = (s - light.factor * t) / total;
+    light.offset = (s - light.factor * t) / damped;
   }
   return light;
 }
