@@ -244,9 +244,6 @@ INSTANTIATE_TEST_SUITE_P(
     testing::Values(
         // A search of its region proposes the twin nowhere near.
         Sequence{"that_a_search_passes_over", 313},
-        // A smaller look-alike is taken for an object of which two more lie in the picture: this
-        // one is far behind those, which is no merit of the smaller one.
-        Sequence{"far_behind_its_other_instances", 547},
         // Three lie on top of each other: the look-alike is found at one of them only.
         Sequence{"found_at_a_neighbour", 1073},
         // An instance replaces its look-alike, which was found in darker pictures.

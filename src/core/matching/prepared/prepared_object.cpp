@@ -11,7 +11,6 @@
 namespace mbncc::prepared {
 namespace {
 
-constexpr double kRendered = 700;   // [px] area below which mixed pixels determine the pose
 constexpr double kOtherSize = 0.1;  // larger than the effect of heights and tilts
 
 cv::Mat grey_of(const View& view) {
@@ -181,7 +180,6 @@ PreparedView::PreparedView(const Source& source, Engine engine)
     lit = evidence::PhotometricResidual(fine.surface);
     mirrored_contour = evidence::MirroredContour(fine.contour, picture, {anchor.x, anchor.y, 0});
     dense = refinement::RefinementTemplate(prepare(2500, 200), continued);
-    if (shape.area() < kRendered) rendering = refinement::MixedPixelModel(from, anchor);
   }
   resized = {resized_by(1 - kOtherSize, fine), resized_by(1 + kOtherSize, fine)};
   if (engine == Engine::kPolar) polar.emplace(source.view);

@@ -15,7 +15,6 @@
 #include "matching/proposal/colour_prefilter.hpp"
 #include "matching/proposal/contour_search.hpp"
 #include "matching/proposal/template_bank.hpp"
-#include "matching/refinement/mixed_pixel_model.hpp"
 #include "matching/refinement/refinement.hpp"
 #include "matching/template/map_footprint.hpp"
 #include "mbncc/matching/polar_search.hpp"
@@ -56,7 +55,6 @@ class PreparedView {
       resized;  ///< `fine`, smaller and larger, for the test of other sizes
   evidence::MirroredContour mirrored_contour;  ///< its outline, mirrored
   refinement::RefinementTemplate dense;        ///< at full resolution, for sub-pixel refinement
-  refinement::MixedPixelModel rendering;       ///< of a small object, for its pose
   MaskedTemplate points;                       ///< all map pixels at full resolution
   std::optional<PolarSearch> polar;            ///< with Engine::kPolar
   int symmetry = 1;                            ///< declared, otherwise measured

@@ -14,38 +14,16 @@ bool same_pose(const Pose2D& a, const Pose2D& b, double radius) {
          angle_distance(a.theta, b.theta) * radius < kSame;
 }
 
-PoseHypothesis without_pixels(const prepared::PreparedView& view,
-                              const refinement::ScoredPose& reached) {
+PoseHypothesis hypothesis(const prepared::PreparedView& view,
+                          const refinement::ScoredPose& reached) {
   return {reached.pose, reached.evidence, evidence::log_odds(reached.evidence, view.shape.area())};
-}
-
-PoseHypothesis without_pixels(const prepared::PreparedView& view, const scene::ScenePicture& scene,
-                              const Pose2D& pose) {
-  return without_pixels(view, {pose, evidence::gather_evidence(view.fine, scene.levels[0], pose)});
-}
-
-/// Log-odds added by the mixed-pixel fit `rendered` of a small object of `area` [px], at the pose
-/// of `evidence`.
-double rendering_odds(const evidence::Evidence& evidence, const refinement::MixedPixelFit& rendered,
-                      double area) {
-  // Fitted by logistic regression to the same poses after log_odds() and the discount for clutter;
-  // minus .85, because a right place at a wrong angle is wrong, too. Another brightness counts
-  // against the object, but exposure may also change.
-  constexpr double kBrighter = 0.4;
-  return 4.85 - 4.22 * rendered.misfit - 6.35 * std::min(std::abs(rendered.brightness), kBrighter) -
-         0.89 * evidence.contour_coverage + 1.38 * evidence.trimmed_residual +
-         3.07 * evidence.histogram - 1.95 * evidence.shading_free_ncc + 0.37 * std::log(area);
 }
 
 }  // namespace
 
 PoseHypothesis score_as_is(const prepared::PreparedView& view, const scene::ScenePicture& scene,
                            const Pose2D& pose) {
-  PoseHypothesis found = without_pixels(view, scene, pose);
-  if (view.rendering.padded() > 0 && found.odds > kWorthRefining)
-    found.pixels = rendering_odds(
-        found.evidence, refinement::fit(view.rendering, scene.levels[0], pose), view.shape.area());
-  return found;
+  return hypothesis(view, {pose, evidence::gather_evidence(view.fine, scene.levels[0], pose)});
 }
 
 PoseHypothesis better_rotation(const PoseHypothesis& a, const PoseHypothesis& b) {
@@ -58,10 +36,11 @@ PoseHypothesis multistart_align(const prepared::PreparedView& view,
                                 const scene::ScenePicture& scene, const Pose2D& pose) {
   constexpr double kArc = 2.5;  // [px] between the starts at the rim
   constexpr int kIterations = 6;
+  constexpr int kRefining = 4;
   const double radius = view.shape.radius();
   const refinement::ScoredPose first =
       refinement::align_and_score(view.fine, scene.levels[0], pose, kIterations);
-  PoseHypothesis best = without_pixels(view, first);
+  PoseHypothesis best = hypothesis(view, first);
   bool elsewhere = false;
   for (const int turn : {-1, 1, -2, 2}) {
     if (std::abs(turn) > 1 && !elsewhere) break;
@@ -70,24 +49,10 @@ PoseHypothesis multistart_align(const prepared::PreparedView& view,
     const Pose2D reached = refinement::align(view.fine, scene.levels[0], start, kIterations).pose;
     if (same_pose(reached, first.pose, radius)) continue;
     elsewhere = true;
-    best = better_rotation(best, without_pixels(view, scene, reached));
+    best = better_rotation(best, score_as_is(view, scene, reached));
   }
+  best.refining = kRefining;
   return best;
-}
-
-PoseHypothesis finalised(const prepared::PreparedView& view, const scene::ScenePicture& scene,
-                         const PoseHypothesis& start) {
-  constexpr int kRefining = 4;
-  PoseHypothesis found = start;
-  if (view.rendering.padded() == 0) {
-    found.refining = kRefining;
-  } else if (start.odds > kWorthRefining) {
-    const refinement::MixedPixelFit rendered =
-        refinement::fit(view.rendering, scene.levels[0], start.pose);
-    found = without_pixels(view, scene, rendered.pose);
-    found.pixels = rendering_odds(found.evidence, rendered, view.shape.area());
-  }
-  return found;
 }
 
 }  // namespace mbncc::search

@@ -16,9 +16,8 @@ constexpr double kWorthRefining = -4;
 struct PoseHypothesis {
   Pose2D pose;
   evidence::Evidence evidence;
-  double odds = 0;    ///< log-odds that the object lies here
-  double pixels = 0;  ///< log-odds added by the mixed pixels of a small object
-  int refining = 0;   ///< steps that its refinement may take
+  double odds = 0;   ///< log-odds that the object lies here
+  int refining = 0;  ///< steps that its refinement may take
 };
 
 /// The evidence for a pose without alignment.
@@ -31,9 +30,5 @@ PoseHypothesis better_rotation(const PoseHypothesis& a, const PoseHypothesis& b)
 /// The best pose that alignments from this one and slightly turned ones reach.
 PoseHypothesis multistart_align(const prepared::PreparedView& view,
                                 const scene::ScenePicture& scene, const Pose2D& pose);
-
-/// A multi-start aligned pose; for a small object, then fitted with all of its pixels.
-PoseHypothesis finalised(const prepared::PreparedView& view, const scene::ScenePicture& scene,
-                         const PoseHypothesis& start);
 
 }  // namespace mbncc::search

@@ -101,7 +101,7 @@ decision::Detection unrefined(const prepared::PreparedObject& object,
   detection.pose = found.pose;
   detection.pose.theta = wrap_angle(found.pose.theta);
   detection.covariance = detection.cautious = refinement::unknown_accuracy(found.pose).covariance;
-  detection.log_odds = found.odds + found.pixels;
+  detection.log_odds = found.odds;
   detection.shading_free_ncc = found.evidence.shading_free_ncc;
   detection.rotation_odds = odds_of_rotation(view, scene.levels[0], found);
   return detection;
@@ -129,8 +129,7 @@ void refine(decision::Detection& detection, const scene::ScenePicture& scene,
   detection.colour_difference = std::max(difference.colour, difference.block);
   const double mirrored = found.odds > kWorthRefining ? mirror_advantage(view, scene, place) : 0;
   detection.mirror_alternative = mirrored > view.mirrored_contour.limit();
-  detection.log_odds =
-      odds + found.pixels - colour_penalty(difference.colour) - mirror_penalty(mirrored);
+  detection.log_odds = odds - colour_penalty(difference.colour) - mirror_penalty(mirrored);
   detection.size_alternative =
       detection.log_odds > 0 && fits_another_size(view, scene, place, odds);
   detection.torn = detection.log_odds > 0 &&

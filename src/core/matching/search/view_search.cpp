@@ -234,7 +234,7 @@ class ViewSearch {
       const PoseHypothesis top = multistart_align(view_, scene_, candidate.pose);
       if (is_one_of(reached, top.pose)) continue;
       reached.push_back(top.pose);
-      found.push_back(finalised(view_, scene_, top));
+      found.push_back(top);
     }
     return verify(object_, view_, scene_, found);
   }

@@ -87,16 +87,6 @@ cv::Point2f MapGeometry::inward(cv::Point pixel) const {
   return unit(slope_x_.at<float>(pixel), slope_y_.at<float>(pixel));
 }
 
-cv::Mat MapGeometry::blurred(double sigma, int room) const {
-  const cv::Mat map = map_(cv::Rect({kBorder, kBorder}, depth_.size()));
-  cv::Mat soft;
-  cv::copyMakeBorder(map, soft, room, room, room, room, cv::BORDER_CONSTANT | cv::BORDER_ISOLATED,
-                     cv::Scalar(0));
-  soft.convertTo(soft, CV_32F, 1.0 / 255);
-  cv::GaussianBlur(soft, soft, {}, sigma);
-  return soft;
-}
-
 std::vector<EdgePoint> MapGeometry::edge(double smoothing) const {
   cv::Mat soft, slope_x, slope_y;
   map_.convertTo(soft, CV_32F, 1.0 / 255);

@@ -23,9 +23,6 @@ class MapGeometry {
   /// Unit vector from a map pixel away from the nearest edge.
   cv::Point2f inward(cv::Point pixel) const;
 
-  /// The map as CV_32FC1 [0..1], blurred by `sigma` [px], with `room` [px] around it.
-  cv::Mat blurred(double sigma, int room) const;
-
   /// Mean width [px]: that of a long strip with this area and edge length.
   double mean_width() const { return mean_width_; }
 
