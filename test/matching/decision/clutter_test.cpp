@@ -61,6 +61,13 @@ TEST_F(ClutterTest, InstancesBeyondDoubtAreNoLikes) {
   EXPECT_LT(detections[4].log_odds, 4) << "and it might be a like";
 }
 
+TEST_F(ClutterTest, LikesBehindManyPlacesCount) {
+  std::vector<Detection> detections;
+  for (int k = 0; k < 20; ++k) detections.push_back(at(object_, 100 + 200 * k, 9 - 0.25 * k));
+  apply_clutter_penalty(detections);
+  EXPECT_LT(detections[0].log_odds, 1) << "a pattern: as many uncertain places as likely ones";
+}
+
 TEST_F(ClutterTest, LikesBesideInstancesStayUnlikely) {
   std::vector<Detection> detections{at(object_, 100, 15), at(object_, 300, 3), at(object_, 500, 3),
                                     at(object_, 700, 3)};

@@ -24,7 +24,7 @@ bool same_place(const Detection& a, const Detection& b) {
 }
 
 /// Log-odds of the best detections of different places, best first.
-std::vector<double> odds_of_places(std::vector<const Detection*> detections, std::size_t most) {
+std::vector<double> odds_of_places(std::vector<const Detection*> detections) {
   std::stable_sort(
       detections.begin(), detections.end(),
       [](const Detection* a, const Detection* b) { return a->log_odds > b->log_odds; });
@@ -34,7 +34,6 @@ std::vector<double> odds_of_places(std::vector<const Detection*> detections, std
       return same_place(*detection, *other);
     });
     if (!known) places.push_back(detection);
-    if (places.size() == most) break;
   }
   std::vector<double> odds;
   for (const Detection* place : places) odds.push_back(place->log_odds);
@@ -67,8 +66,7 @@ std::map<std::string, double> apply_clutter_penalty(std::vector<Detection>& dete
     of_object[detection.object->model->name].push_back(&detection);
   std::map<std::string, double> discounts = least;
   for (const auto& [name, own] : of_object)
-    discounts[name] =
-        std::max(discounts[name], rarity + clutter_penalty(odds_of_places(own, kCluttered)));
+    discounts[name] = std::max(discounts[name], rarity + clutter_penalty(odds_of_places(own)));
   for (auto& detection : detections) detection.log_odds -= discounts[detection.object->model->name];
   return discounts;
 }

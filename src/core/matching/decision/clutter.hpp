@@ -10,15 +10,13 @@
 
 namespace mbncc::decision {
 
-/// Number of places used to measure clutter, including the best one.
-constexpr std::size_t kCluttered = 10;
 /// Log-odds from which on a place is an instance, not clutter.
 constexpr double kInstance = 8;
 /// [radii] Nearer detections are of one place.
 constexpr double kSamePlace = 0.7;
 
 /// Log-odds penalty for similar places elsewhere, except other instances. `odds` are those of
-/// the best detections of up to kCluttered different places, best first.
+/// the best detections of different places, best first.
 double clutter_penalty(const std::vector<double>& odds);
 
 /// Lowers the log-odds of every object's detections by its clutter penalty: if several places

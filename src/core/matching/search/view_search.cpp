@@ -124,7 +124,7 @@ class ViewSearch {
   /// Whether one of the sorted candidates is likely, including the clutter penalty.
   bool found(const std::vector<templates::Candidate>& candidates) const {
     std::vector<double> odds;
-    for (const auto& place : templates::best_places(candidates, apart(), decision::kCluttered))
+    for (const auto& place : templates::best_places(candidates, apart(), candidates.size()))
       odds.push_back(place.value);
     return !odds.empty() && odds.front() - decision::clutter_penalty(odds) >= kFound;
   }
