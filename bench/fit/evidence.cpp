@@ -64,14 +64,14 @@ class Rows {
       auto detections = search::search_object(object, scene, {}, search::SearchMode::kTwice);
       decision::apply_clutter_penalty(detections);
       for (const auto& detection : best_of_places(detections))
-        add(set, one, target, scene, detection);
+        add(set, one, target, scene, object.views[detection.view_number], detection);
     }
   }
 
  private:
   void add(const fs::path& set, const CaseFolder& one, const Target& target,
-           const scene::ScenePicture& scene, const decision::Detection& detection) {
-    const prepared::PreparedView& view = *detection.view;
+           const scene::ScenePicture& scene, const prepared::PreparedView& view,
+           const decision::Detection& detection) {
     const evidence::Evidence e =
         evidence::gather_evidence(view.fine, scene.levels[0], detection.pose, detection.size);
     const double area = view.shape.area();

@@ -7,6 +7,7 @@
 #include "matching/decision/margins.hpp"
 #include "matching/decision/selection.hpp"
 #include "matching/pictures.hpp"
+#include "matching/prepared/prepared_object.hpp"
 
 namespace mbncc {
 namespace {
@@ -23,7 +24,7 @@ class DecisionTest : public ::testing::Test {
   /// Certain, with a distinct outline, and accurate to a tenth of a pixel.
   decision::Detection sound() const {
     decision::Detection detection;
-    detection.object = &object_;
+    detection.object = object_.model.get();
     detection.view = &object_.views.front();
     detection.pose = {100, 100, 0};
     detection.covariance = detection.cautious = cv::Matx33d::diag({0.01, 0.01, 1e-6});
@@ -101,7 +102,7 @@ TEST_F(DecisionTest, ARoundObjectsAngleDoesNotMatter) {
   model->symmetry = 0;
   const prepared::PreparedObject round(model, prepared::Engine::kFast);
   const Match match = match_of(changed([&](decision::Detection& d) {
-    d.object = &round;
+    d.object = round.model.get();
     d.view = &round.views.front();
     d.covariance(2, 2) = 1e-3;
   }));
@@ -138,7 +139,7 @@ TEST_F(DecisionTest, GraspableAsksForTheConfirmScore) {
 TEST_F(DecisionTest, AnotherObjectAtThePlaceMakesAmbiguous) {
   for (const double behind : {5.0, 7.0}) {
     const decision::Detection rival = changed([&](decision::Detection& d) {
-      d.object = &other_;
+      d.object = other_.model.get();
       d.view = &other_.views.front();
       d.log_odds -= behind;
     });
@@ -180,7 +181,7 @@ TEST_F(DecisionTest, ABetterObjectAtThePlaceMakesAmbiguousToo) {
   // Its score is lower because its outline is less distinct, although its uncalibrated odds are
   // higher.
   const decision::Detection better = changed([&](decision::Detection& d) {
-    d.object = &other_;
+    d.object = other_.model.get();
     d.view = &other_.views.front();
     d.log_odds += 0.5;
     d.contour_alternative = 0.08;
@@ -262,7 +263,7 @@ TEST_F(DecisionTest, ARequestsScoreGoesBeforeTheObjectsOwnAndTheConfigs) {
   ASSERT_LT(score, 0.98);
   EXPECT_TRUE(select({detection}, 0.99).matches.empty());
   model->min_score = score + 0.01;
-  detection.object = &choosy;
+  detection.object = choosy.model.get();
   detection.view = &choosy.views.front();
   EXPECT_TRUE(select({detection}).matches.empty());
   EXPECT_EQ(select({detection}, 0.1).matches.size(), 1u);
@@ -272,7 +273,7 @@ TEST_F(DecisionTest, TheReferencePointMovesWithTheAnchorsAngleAndSize) {
   const prepared::PreparedObject off(test::object_from(source_, {98, 60, 0.5}),
                                      prepared::Engine::kFast);
   decision::Detection detection = sound();
-  detection.object = &off;
+  detection.object = off.model.get();
   detection.view = &off.views.front();
   detection.covariance = detection.cautious = cv::Matx33d::diag({0, 0, 1e-4});
   const Match match = match_of(detection);
@@ -297,7 +298,7 @@ TEST_F(DecisionTest, AnglesOfTwoViewsAreComparedInTheObjectsFrame) {
   ASSERT_EQ(two.views.size(), 2u);
   const auto seen = [&](int view, double object_angle, double log_odds) {
     decision::Detection detection = sound();
-    detection.object = &two;
+    detection.object = two.model.get();
     detection.view = &two.views[view];
     detection.pose.theta = object_angle - two.views[view].reference_in_anchor.theta;
     detection.log_odds = log_odds;

@@ -110,14 +110,6 @@ void compare_in_place(const std::vector<prepared::Comparison>& comparisons,
     findings.found[i].insert(findings.found[i].end(), more[i].begin(), more[i].end());
 }
 
-/// The picture for comparisons in colour; null: none.
-const scene::ScenePicture* in_colour(const std::vector<prepared::Comparison>& comparisons) {
-  const auto at =
-      std::find_if(comparisons.begin(), comparisons.end(),
-                   [](const prepared::Comparison& one) { return one.object->coloured; });
-  return at == comparisons.end() ? nullptr : at->scene.get();
-}
-
 }  // namespace
 
 struct Matcher::Implementation {
@@ -204,9 +196,8 @@ SearchState Matcher::Implementation::search(const ObjectList& wanted, const cv::
   };
   const auto shown = prepared::comparisons(wanted, picture, scenes);
   search_all(shown);
-  const scene::ScenePicture* coloured = in_colour(shown);
-  if (mode != search::SearchMode::kGated || coloured == nullptr) return findings;
-  if (const auto cast = search::colour_cast(findings.found, *coloured))
+  if (mode != search::SearchMode::kGated) return findings;
+  if (const auto cast = search::colour_cast(shown, findings.found))
     search_all(prepared::comparisons(wanted, search::without_cast(picture, *cast), scenes));
   return findings;
 }

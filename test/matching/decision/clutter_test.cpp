@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "matching/pictures.hpp"
+#include "matching/prepared/prepared_object.hpp"
 #include "mbncc/matching/matcher.hpp"
 
 namespace mbncc::decision {
@@ -19,7 +20,7 @@ class ClutterTest : public ::testing::Test {
 
   static Detection at(const prepared::PreparedObject& object, double x, double log_odds) {
     Detection detection;
-    detection.object = &object;
+    detection.object = object.model.get();
     detection.view = &object.views.front();
     detection.pose = {x, 100, 0};
     detection.log_odds = log_odds;

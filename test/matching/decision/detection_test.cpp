@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "matching/pictures.hpp"
+#include "matching/prepared/prepared_object.hpp"
 #include "matching/search/pose_hypothesis.hpp"
 #include "matching/surface_sample.hpp"
 
@@ -18,7 +19,7 @@ class RotationTest : public ::testing::Test {
 
   Detection at(double x, double theta, double log_odds, double rotation_odds) const {
     Detection detection;
-    detection.object = &object_;
+    detection.object = object_.model.get();
     detection.view = &object_.views.front();
     detection.pose = {x, 100, theta};
     detection.log_odds = log_odds;

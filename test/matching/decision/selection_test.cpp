@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "matching/pictures.hpp"
+#include "matching/prepared/prepared_object.hpp"
 
 namespace mbncc::decision {
 namespace {
@@ -18,7 +19,7 @@ class SelectionTest : public ::testing::Test {
   /// Known to a tenth of a pixel.
   Detection detection_of(double log_odds, double projected, double elsewhere = 0) const {
     Detection detection;
-    detection.object = &object_;
+    detection.object = object_.model.get();
     detection.view = &object_.views.front();
     detection.pose = {100, 100, 0};
     detection.covariance = detection.cautious = cv::Matx33d::diag({0.01, 0.01, 1e-6});

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "matching/pictures.hpp"
+#include "matching/prepared/prepared_object.hpp"
 
 namespace mbncc::search {
 namespace {
@@ -32,11 +33,11 @@ class ColourCastTest : public ::testing::Test {
   }
   static Pose2D pose(int k) { return {90.0 + 150 * k, 120, 0.7 * k}; }
 
-  std::vector<std::vector<decision::Detection>> found(int count, double log_odds = 6) const {
+  std::vector<std::vector<decision::Detection>> found(int count, double log_odds) const {
     std::vector<std::vector<decision::Detection>> all;
     for (std::size_t k = 0; k < static_cast<std::size_t>(count); ++k) {
       decision::Detection detection;
-      detection.object = &objects_[k];
+      detection.object = objects_[k].model.get();
       detection.view = &objects_[k].views.front();
       detection.pose = pose(static_cast<int>(k));
       detection.log_odds = log_odds;
@@ -45,38 +46,46 @@ class ColourCastTest : public ::testing::Test {
     return all;
   }
 
+  /// The estimate from the first `count` objects in `picture`.
+  std::optional<evidence::ColourCast> told(const cv::Mat& picture, int count = kObjects,
+                                           double log_odds = 6) const {
+    const auto scene = std::make_shared<const scene::ScenePicture>(picture, 0);
+    std::vector<prepared::Comparison> compared;
+    for (int k = 0; k < count; ++k)
+      compared.push_back({&objects_[static_cast<std::size_t>(k)], scene});
+    return colour_cast(compared, found(count, log_odds));
+  }
+
   static cv::Mat cast(const cv::Mat& picture, double blue, double red) {
     return without_cast(picture, {-std::log(blue), -std::log(red)});
   }
 };
 
 TEST_F(ColourCastTest, TellsTheGainsOfBlueAndRed) {
-  const scene::ScenePicture scene(cast(picture_, 0.9, 1.1), 0);
-  const auto told = colour_cast(found(kObjects), scene);
-  ASSERT_TRUE(told);
-  EXPECT_NEAR(std::exp(told->blue), 0.9, 0.015);
-  EXPECT_NEAR(std::exp(told->red), 1.1, 0.015);
+  const auto gains = told(cast(picture_, 0.9, 1.1));
+  ASSERT_TRUE(gains);
+  EXPECT_NEAR(std::exp(gains->blue), 0.9, 0.015);
+  EXPECT_NEAR(std::exp(gains->red), 1.1, 0.015);
 }
 
 TEST_F(ColourCastTest, TellsNothingOfLightAsItWas) {
-  EXPECT_FALSE(colour_cast(found(kObjects), scene::ScenePicture(picture_, 0)));
+  EXPECT_FALSE(told(picture_));
   const cv::Mat darker = 0.8 * picture_;
-  EXPECT_FALSE(colour_cast(found(kObjects), scene::ScenePicture(darker, 0)))
-      << "brightness is no colour";
+  EXPECT_FALSE(told(darker)) << "brightness is no colour";
 }
 
 TEST_F(ColourCastTest, BelievesNeitherOneAloneNorUnlikelyOnes) {
-  const scene::ScenePicture scene(cast(picture_, 0.9, 1.1), 0);
-  EXPECT_FALSE(colour_cast(found(1), scene));
-  EXPECT_FALSE(colour_cast(found(kObjects, 0), scene));
-  EXPECT_FALSE(colour_cast({}, scene));
+  const cv::Mat reddish = cast(picture_, 0.9, 1.1);
+  EXPECT_FALSE(told(reddish, 1));
+  EXPECT_FALSE(told(reddish, kObjects, 0));
+  EXPECT_FALSE(told(reddish, 0));
 }
 
 TEST_F(ColourCastTest, BelievesNoneWhereTheyDisagree) {
   cv::Mat mixed = picture_.clone();
   cast(picture_, 0.8, 1.2)(cv::Rect(0, 0, 165, 240)).copyTo(mixed(cv::Rect(0, 0, 165, 240)));
   cast(picture_, 1.2, 0.8)(cv::Rect(165, 0, 150, 240)).copyTo(mixed(cv::Rect(165, 0, 150, 240)));
-  EXPECT_FALSE(colour_cast(found(kObjects), scene::ScenePicture(mixed, 0)));
+  EXPECT_FALSE(told(mixed));
 }
 
 TEST_F(ColourCastTest, ABalancedPictureIsAsItWas) {

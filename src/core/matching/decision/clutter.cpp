@@ -62,12 +62,11 @@ std::map<std::string, double> apply_clutter_penalty(std::vector<Detection>& dete
                                                     const std::map<std::string, double>& least,
                                                     double rarity) {
   std::map<std::string, std::vector<const Detection*>> of_object;
-  for (const auto& detection : detections)
-    of_object[detection.object->model->name].push_back(&detection);
+  for (const auto& detection : detections) of_object[detection.object->name].push_back(&detection);
   std::map<std::string, double> discounts = least;
   for (const auto& [name, own] : of_object)
     discounts[name] = std::max(discounts[name], rarity + clutter_penalty(odds_of_places(own)));
-  for (auto& detection : detections) detection.log_odds -= discounts[detection.object->model->name];
+  for (auto& detection : detections) detection.log_odds -= discounts[detection.object->name];
   return discounts;
 }
 

@@ -5,8 +5,9 @@
 #include <opencv2/core.hpp>
 #include <vector>
 
-#include "matching/prepared/prepared_object.hpp"
+#include "matching/template/view_frame.hpp"
 #include "mbncc/geometry.hpp"
+#include "mbncc/object_model.hpp"
 
 namespace mbncc::decision {
 
@@ -16,24 +17,25 @@ constexpr double kNotExamined = 4;
 
 /// A pose with its evidence, refined if it may be reported.
 struct Detection {
-  const prepared::PreparedObject* object = nullptr;
-  const prepared::PreparedView* view = nullptr;
-  Pose2D pose;                                ///< of the anchor [px]
-  double size = 1;                            ///< of the detection, relative to the view
-  cv::Matx33d covariance;                     ///< of pose
-  cv::Matx33d cautious;                       ///< the same for the grasp conditions, see Refined
-  double log_odds = 0;                        ///< that the object lies here
-  double similarity = 0;                      ///< [-1..1]
-  double visible = 1;                         ///< [0..1]
-  double colour_difference = 0;               ///< [0..2] see ColourDifference, the larger one
-  bool size_alternative = false;              ///< it fits better at another size
-  bool mirror_alternative = false;            ///< its mirrored outline fits better
-  bool torn = false;                          ///< two displaced parts of its outline fit better
-  double contour_alternative = kNotExamined;  ///< see better_elsewhere()
-  double calibration = 0;                     ///< log-odds, see calibration()
-  double shading_free_ncc = 0;                ///< [-1..1] see Evidence
-  double rotation_odds = 0;                   ///< against other rotations here, see rotation_odds()
-  std::size_t number = 0;                     ///< index among the poses verified together
+  const ObjectModel* object = nullptr;
+  const templates::ViewFrame* view = nullptr;  ///< in which it was found
+  std::size_t view_number = 0;                 ///< of the prepared object's views
+  Pose2D pose;                                 ///< of the anchor [px]
+  double size = 1;                             ///< of the detection, relative to the view
+  cv::Matx33d covariance;                      ///< of pose
+  cv::Matx33d cautious;                        ///< the same for the grasp conditions, see Refined
+  double log_odds = 0;                         ///< that the object lies here
+  double similarity = 0;                       ///< [-1..1]
+  double visible = 1;                          ///< [0..1]
+  double colour_difference = 0;                ///< [0..2] see ColourDifference, the larger one
+  bool size_alternative = false;               ///< it fits better at another size
+  bool mirror_alternative = false;             ///< its mirrored outline fits better
+  bool torn = false;                           ///< two displaced parts of its outline fit better
+  double contour_alternative = kNotExamined;   ///< see better_elsewhere()
+  double calibration = 0;                      ///< log-odds, see calibration()
+  double shading_free_ncc = 0;                 ///< [-1..1] see Evidence
+  double rotation_odds = 0;  ///< against other rotations here, see rotation_odds()
+  std::size_t number = 0;    ///< index among the poses verified together
 
   /// Log-odds that the pose is right.
   double calibrated() const { return log_odds + calibration; }

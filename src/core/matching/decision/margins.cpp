@@ -55,7 +55,7 @@ double instance_margin(const Detection& detection, const std::vector<Detection>&
       detection, best_competitor(detection, all, [&](const Detection& other) {
         return same_object(other, detection) && !overlapping(detection, other, max_overlap);
       }));
-  const auto best = elsewhere.find(detection.object->model->name);
+  const auto best = elsewhere.find(detection.object->name);
   return best == elsewhere.end() ? margin : std::min(margin, detection.log_odds - best->second);
 }
 

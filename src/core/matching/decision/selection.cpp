@@ -12,8 +12,7 @@
 namespace mbncc::decision {
 namespace {
 
-int count_of(const std::vector<const Detection*>& accepted,
-             const prepared::PreparedObject* object) {
+int count_of(const std::vector<const Detection*>& accepted, const ObjectModel* object) {
   return static_cast<int>(
       std::count_if(accepted.begin(), accepted.end(),
                     [object](const Detection* other) { return other->object == object; }));
@@ -21,7 +20,7 @@ int count_of(const std::vector<const Detection*>& accepted,
 
 double min_score_of(const Detection& detection, const AcceptanceSettings& acceptance) {
   if (acceptance.min_score) return *acceptance.min_score;
-  return detection.object->model->min_score.value_or(acceptance.config.min_score);
+  return detection.object->min_score.value_or(acceptance.config.min_score);
 }
 
 std::vector<const Detection*> accept(const std::vector<Detection>& detections,
@@ -76,7 +75,7 @@ std::vector<cv::Point2f> outline_at(const Detection& detection) {
 
 /// `other` on the scale of `match`, which is of `detection`.
 Competitor competitor_of(const Match& match, const Detection& detection, const Detection& other) {
-  return {other.object->model->name, object_pose(other).position(),
+  return {other.object->name, object_pose(other).position(),
           match.log_odds - (detection.log_odds - other.log_odds)};
 }
 
@@ -84,8 +83,8 @@ Match to_match(const Detection& detection, const std::vector<Detection>& all,
                const std::vector<const Detection*>& accepted,
                const AcceptanceSettings& acceptance) {
   const SearchConfig& config = acceptance.config;
-  const ObjectModel& model = *detection.object->model;
-  const prepared::PreparedView& view = *detection.view;
+  const ObjectModel& model = *detection.object;
+  const templates::ViewFrame& view = *detection.view;
   Match match;
   match.name = model.name;
   match.revision = model.revision;
@@ -116,7 +115,7 @@ std::vector<Rival> rivals_of(const std::vector<const Detection*>& accepted,
   std::vector<Rival> rivals;
   for (const auto& detection : detections)
     if (std::find(accepted.begin(), accepted.end(), &detection) == accepted.end())
-      rivals.push_back({detection.object->model->name, object_pose(detection).position(),
+      rivals.push_back({detection.object->name, object_pose(detection).position(),
                         detection.log_odds, outline_at(detection)});
   return rivals;
 }

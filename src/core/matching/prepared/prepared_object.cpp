@@ -148,9 +148,12 @@ PreparedView::PreparedView(const View& view, Engine engine, double scale)
 }
 
 PreparedView::PreparedView(const Source& source, Engine engine)
-    : anchor(source.anchor),
-      reference_in_anchor(reference_in_crop(source.view, anchor)),
-      shape(source.view.map, anchor),
+    : ViewFrame{1,
+                reference_in_crop(source.view, source.anchor),
+                mbncc::templates::MapFootprint(source.view.map, source.anchor),
+                1,
+                {}},
+      anchor(source.anchor),
       geometry(source.view.map),
       gate(source.surface, source.view.map, anchor, geometry.mean_width()),
       kernels(proposal::rotated_kernels(source.grey, source.view.map, anchor)),

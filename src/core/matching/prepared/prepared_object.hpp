@@ -16,7 +16,7 @@
 #include "matching/proposal/contour_search.hpp"
 #include "matching/proposal/template_bank.hpp"
 #include "matching/refinement/refinement.hpp"
-#include "matching/template/map_footprint.hpp"
+#include "matching/template/view_frame.hpp"
 #include "mbncc/matching/polar_search.hpp"
 #include "mbncc/matching/similarity.hpp"
 #include "mbncc/object_model.hpp"
@@ -27,20 +27,17 @@ namespace mbncc::prepared {
 /// Search engine for poses.
 enum class Engine { kFast, kPolar };
 
-/// One view, in the frame of its anchor: the centre of the map's excircle.
-class PreparedView {
+/// One view, with the templates that the searches need.
+class PreparedView : public mbncc::templates::ViewFrame {
  public:
   /// Of an object seen `scale` times as large as it was learned.
   PreparedView(const View& view, Engine engine, double scale = 1);
 
   int top_level() const { return static_cast<int>(templates.size()) - 1; }
 
-  double scale = 1;
   proposal::AngleRange
       sector;          ///< rotations relative to its lesson that are searched with this view
   cv::Point2d anchor;  ///< [px] in the view's crop
-  Pose2D reference_in_anchor;  ///< [px],[rad] object frame as seen from the anchor
-  templates::MapFootprint shape;
   templates::MapGeometry geometry;
   proposal::ColourPrefilter gate;
   proposal::TemplateBank kernels;
@@ -57,8 +54,6 @@ class PreparedView {
   refinement::RefinementTemplate dense;        ///< at full resolution, for sub-pixel refinement
   MaskedTemplate points;                       ///< all map pixels at full resolution
   std::optional<PolarSearch> polar;            ///< with Engine::kPolar
-  int symmetry = 1;                            ///< declared, otherwise measured
-  std::vector<cv::Point2f> outline;            ///< [px] largest outline in the object frame
 
  private:
   struct Source;

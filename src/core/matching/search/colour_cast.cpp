@@ -12,11 +12,12 @@ constexpr double kAlike = 0.06;        // ln gain between those that agree
 constexpr double kNoticeable = 0.055;  // ln gain from which on a picture is balanced
 
 std::optional<evidence::ColourCast> cast_at(const decision::Detection& detection,
-                                            const scene::ScenePicture& scene) {
-  const templates::PoseTemplate& object = detection.view->fine;
+                                            const prepared::Comparison& compared) {
+  const templates::PoseTemplate& object = compared.object->views[detection.view_number].fine;
+  const scene::SceneLevel& scene = compared.scene->levels[0];
   templates::SurfaceSample sample;
-  scene.levels[0].prepare_around(detection.pose, object.reach());
-  object.surface.sample(scene.levels[0], detection.pose, sample);
+  scene.prepare_around(detection.pose, object.reach());
+  object.surface.sample(scene, detection.pose, sample);
   return evidence::local_cast(templates::block_sums(object.surface, sample));
 }
 
@@ -38,11 +39,15 @@ evidence::ColourCast median(const std::vector<evidence::ColourCast>& casts) {
 }  // namespace
 
 std::optional<evidence::ColourCast> colour_cast(
-    const std::vector<std::vector<decision::Detection>>& found, const scene::ScenePicture& scene) {
+    const std::vector<prepared::Comparison>& compared,
+    const std::vector<std::vector<decision::Detection>>& found) {
   std::vector<evidence::ColourCast> casts;
-  for (const auto& own : found)
-    if (!own.empty() && own.front().object->coloured && own.front().log_odds >= kLikely)
-      if (const auto cast = cast_at(own.front(), scene)) casts.push_back(*cast);
+  for (std::size_t i = 0; i < compared.size(); ++i) {
+    if (!compared[i].object->coloured || found[i].empty()) continue;
+    const decision::Detection& best = found[i].front();
+    if (best.log_odds < kLikely) continue;
+    if (const auto cast = cast_at(best, compared[i])) casts.push_back(*cast);
+  }
   if (casts.size() < 2) return std::nullopt;
   const evidence::ColourCast middle = median(casts);
   const auto agreeing =

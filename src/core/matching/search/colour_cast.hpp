@@ -8,13 +8,15 @@
 
 #include "matching/decision/detection.hpp"
 #include "matching/evidence/local_cast.hpp"
+#include "matching/prepared/comparison.hpp"
 
 namespace mbncc::search {
 
-/// Estimate from the best detection of each object; each entry of `found` is one object's, best
-/// first. None if there is no cast, or fewer than two likely detections agree.
+/// Estimate from the best detection of each object compared in colour; `found` has one entry per
+/// comparison, best first. None if there is no cast, or fewer than two likely detections agree.
 std::optional<evidence::ColourCast> colour_cast(
-    const std::vector<std::vector<decision::Detection>>& found, const scene::ScenePicture& scene);
+    const std::vector<prepared::Comparison>& compared,
+    const std::vector<std::vector<decision::Detection>>& found);
 
 /// `picture`, CV_8UC3 (bgr), without the cast.
 cv::Mat without_cast(const cv::Mat& picture, const evidence::ColourCast& cast);

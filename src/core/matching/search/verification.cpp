@@ -96,8 +96,9 @@ decision::Detection unrefined(const prepared::PreparedObject& object,
                               const prepared::PreparedView& view, const scene::ScenePicture& scene,
                               const PoseHypothesis& found) {
   decision::Detection detection;
-  detection.object = &object;
+  detection.object = object.model.get();
   detection.view = &view;
+  detection.view_number = static_cast<std::size_t>(&view - object.views.data());
   detection.pose = found.pose;
   detection.pose.theta = wrap_angle(found.pose.theta);
   detection.covariance = detection.cautious = refinement::unknown_accuracy(found.pose).covariance;
@@ -107,16 +108,16 @@ decision::Detection unrefined(const prepared::PreparedObject& object,
   return detection;
 }
 
-void read_similarity(decision::Detection& detection, const scene::ScenePicture& scene) {
-  const Similarity read = similarity(detection.view->points, scene.grey[0], detection.pose);
+void read_similarity(const prepared::PreparedView& view, const scene::ScenePicture& scene,
+                     decision::Detection& detection) {
+  const Similarity read = similarity(view.points, scene.grey[0], detection.pose);
   detection.similarity = read.value;
   detection.visible = read.visible;
 }
 
 /// Refines the pose and tests the alternatives.
-void refine(decision::Detection& detection, const scene::ScenePicture& scene,
-            const PoseHypothesis& found) {
-  const prepared::PreparedView& view = *detection.view;
+void refine(const prepared::PreparedView& view, const scene::ScenePicture& scene,
+            const PoseHypothesis& found, decision::Detection& detection) {
   const refinement::Refined place = refined(view, scene, found);
   detection.pose = place.pose;
   detection.pose.theta = wrap_angle(place.pose.theta);
@@ -173,11 +174,11 @@ std::vector<decision::Detection> verify(const prepared::PreparedObject& object,
         });
     if (next != compared.end()) {
       refined[next->number] = 1;
-      refine(detections[next->number], scene, found[next->number]);
+      refine(view, scene, found[next->number], detections[next->number]);
       continue;
     }
     find_contour_alternatives(view, scene, compared);
-    for (auto& one : compared) read_similarity(one, scene);
+    for (auto& one : compared) read_similarity(view, scene, one);
     return compared;
   }
 }

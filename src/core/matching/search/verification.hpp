@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "matching/decision/detection.hpp"
+#include "matching/prepared/prepared_object.hpp"
 #include "matching/scene/scene_picture.hpp"
 #include "matching/search/pose_hypothesis.hpp"
 

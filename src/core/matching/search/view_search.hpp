@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "matching/decision/detection.hpp"
+#include "matching/prepared/prepared_object.hpp"
 
 namespace mbncc::search {
 
