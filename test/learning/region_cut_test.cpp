@@ -8,6 +8,7 @@
 #include "learning/likelihood/predicted_platform.hpp"
 #include "learning/likelihood/rim_preference.hpp"
 #include "learning/pictures.hpp"
+#include "learning/teaching/segmenter.hpp"
 #include "mbncc/learning/change_cut.hpp"
 
 namespace mbncc {
@@ -103,6 +104,42 @@ TEST(RimPreference, TellsNothingBetweenEqualSidesOrOfAThirdColour) {
   before(cv::Rect(kObject.x, kObject.y, 1, kObject.height)).setTo(cv::Scalar(20, 220, 20));
   const likelihood::RimPreference rim = likelihood::rim_preference(before, after, truth(), 1);
   EXPECT_EQ(rim.told.at<uchar>(kObject.y + 20, kObject.x), 0);
+}
+
+// On squares of two colours, side in px.
+cv::Mat scene_on_squares(int side) {
+  cv::Mat picture = table();
+  for (int y = 0; y < kSize.height; y += side)
+    for (int x = 0; x < kSize.width; x += side)
+      if ((x / side + y / side) % 2 == 1)
+        picture(cv::Rect(x, y, side, side) & cv::Rect({0, 0}, kSize)).setTo(cv::Scalar(50, 70, 60));
+  picture(kObject).setTo(cv::Scalar(40, 40, 200));
+  cv::GaussianBlur(picture, picture, {}, 0.8);
+  return test::exposed(picture, 5);
+}
+
+// The default method on one picture.
+teaching::Segmentation cut_of(const cv::Mat& picture, const cv::Rect& region) {
+  const StageObserver silent;
+  teaching::LessonProgress progress(silent);
+  teaching::SegmentationTask task;
+  task.before = picture;
+  task.region = region;
+  return teaching::segmenter_of("auto", false)(task, {}, progress);
+}
+
+TEST(OnePicture, TheCutWithTheClearerOutlineIsTaken) {
+  const teaching::Segmentation small = cut_of(scene_on_squares(20), kRegion);
+  EXPECT_GT(test::iou(small.map, truth()), 0.95) << "GrabCut takes squares for the object";
+  const teaching::Segmentation large = cut_of(scene_on_squares(60), {62, 52, 66, 56});
+  EXPECT_GT(test::iou(large.map, truth()), 0.85) << "the region cut takes a square for the object";
+}
+
+TEST(OnePicture, AMapIsAsStableAsTheTwoCutsAgree) {
+  const teaching::Segmentation plain = cut_of(scene({40, 40, 200}), kRegion);
+  EXPECT_GT(plain.evidence->stability, 0.9);
+  EXPECT_FALSE(plain.evidence->verified);
+  EXPECT_LT(cut_of(scene_on_squares(20), kRegion).evidence->stability, 0.8);
 }
 
 }  // namespace

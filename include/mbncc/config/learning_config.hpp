@@ -9,8 +9,8 @@
 namespace mbncc {
 
 struct LearningConfig {
-  std::string method = "auto";  ///< auto: change_cut with an after picture, else region_cut
-  int iterations = 2;           ///< graph cuts of every method
+  std::string method = "auto";              ///< one of those below
+  int iterations = 2;                       ///< graph cuts of every method
   std::string superpixel_method = "seeds";  ///< of sb_grabcut: seeds or slic
   int superpixels = 1600;   ///< sb_grabcut: superpixels requested in the region's crop
   double min_area = 80;     ///< [px] smaller maps are refused
@@ -26,7 +26,10 @@ struct LearningConfig {
     visit(FieldInfo{"method",
                     Allowed::one_of({"auto", "change_cut", "region_cut", "sb_grabcut",
                                      "grabcut_rect", "grabcut_mask"}),
-                    "", "segmentation; auto: change_cut with an after picture, else region_cut"},
+                    "",
+                    "segmentation; auto: change_cut with an after picture, else the clearer of "
+                    "region_cut and "
+                    "grabcut_rect"},
           self.method);
     visit(FieldInfo{"iterations", Allowed::range(1, 20), "", "graph cuts of every method"},
           self.iterations);

@@ -82,9 +82,13 @@ TEST_F(VerdictTest, EverySignalIsARisk) {
   CutEvidence lost = unverified;
   lost.region_span = 0.2;
   EXPECT_GT(risk_with(lost), risk_with(unverified) + 0.1);
+  CutEvidence disputed = unverified;
+  disputed.stability = 0.3;
+  EXPECT_GT(risk_with(disputed), risk_with(unverified) + 0.1);
   Quality off_edges = sound();
   off_edges.edge_agreement = 0.3;
   EXPECT_GT(1 - decided(off_edges).outline_probability, usual + 0.1);
+  EXPECT_GT(1 - decided(off_edges, unverified).outline_probability, risk_with(unverified) + 0.3);
 }
 
 TEST_F(VerdictTest, WhatTheCutTellsIsNotGood) {

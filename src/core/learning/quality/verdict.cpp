@@ -108,21 +108,27 @@ class Charges {
 constexpr double kGoodRisk = 0.2;
 constexpr double kBadRisk = 0.5;
 
-// Risk that the map's IoU with the object's silhouette is below .8: a logistic regression on drawn
-// lessons, drawn lessons with the faults of real cameras, and lessons from photographs
-// (docs/decisions/0011-verdict.md).
+// Risk that the map's IoU with the object's silhouette is below .8: logistic regressions, one for
+// lessons by change and one for one picture, on drawn lessons, drawn lessons with the faults of
+// real cameras, and lessons from photographs (docs/decisions/0011-verdict.md).
 struct OutlineRisk {
-  double instability, weakness, change, span;  // log-odds
+  double usual, instability, weakness, change, span;  // log-odds
 
-  OutlineRisk(const CutEvidence& evidence, double edge_agreement)
-      : instability(7.7 * (1 - evidence.stability)),
-        weakness(1.75 * (1 - evidence.boundary_contrast) + 2.4 * (1 - edge_agreement)),
-        change(1.6 * std::min(evidence.change_outside, 0.3) +
-               0.9 * std::min(evidence.change_beside, 0.5)),
-        span(evidence.verified ? 0 : 0.3 + 1.4 * (1 - evidence.region_span)) {}
+  static OutlineRisk by_change(const CutEvidence& evidence, double edge_agreement) {
+    return {
+        -2.5, 7.7 * (1 - evidence.stability),
+        1.75 * (1 - evidence.boundary_contrast) + 2.4 * (1 - edge_agreement),
+        1.6 * std::min(evidence.change_outside, 0.3) + 0.9 * std::min(evidence.change_beside, 0.5),
+        0};
+  }
+
+  static OutlineRisk of_one_picture(const CutEvidence& evidence, double edge_agreement) {
+    return {-2.2, 3.1 * (1 - evidence.stability), 4.2 * (1 - edge_agreement), 0,
+            2.5 * (1 - evidence.region_span)};
+  }
 
   double probability() const {
-    return 1 / (1 + std::exp(2.5 - instability - weakness - change - span));
+    return 1 / (1 + std::exp(-usual - instability - weakness - change - span));
   }
 
   // The measure that deviates most from a typical good lesson.
@@ -137,7 +143,9 @@ void weigh_evidence(const CutEvidence& evidence, Quality& quality, Charges& char
   charges.above("touches_region_edge", evidence.cut_off, 0.06, kNever);
   charges.above("change_outside_region", evidence.change_outside, 0.1, 0.5);
   charges.above("change_left_out", evidence.change_beside, 0.08, kNever);
-  const OutlineRisk risk(evidence, quality.edge_agreement);
+  const OutlineRisk risk = evidence.verified
+                               ? OutlineRisk::by_change(evidence, quality.edge_agreement)
+                               : OutlineRisk::of_one_picture(evidence, quality.edge_agreement);
   quality.outline_probability = 1 - risk.probability();
   charges.above(risk.main_reason(), risk.probability(), kGoodRisk, kBadRisk);
   // Where a shadow ends is not known if it crosses the region's edge; an object lies inside.

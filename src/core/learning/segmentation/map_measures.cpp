@@ -79,6 +79,16 @@ void measure_map(const cv::Mat& picture, const cv::Mat& map, Quality& quality) {
   quality.edge_agreement = edge_agreement(picture(box), grey, part);
 }
 
+double edge_agreement(const cv::Mat& picture, const cv::Mat& map) {
+  const cv::Rect box = surroundings(map);
+  return box.empty() ? 0 : edge_agreement(picture(box), grey_of(picture(box)), map(box));
+}
+
+double map_iou(const cv::Mat& a, const cv::Mat& b) {
+  const int either = cv::countNonZero(a | b);
+  return either == 0 ? 0 : cv::countNonZero(a & b) / static_cast<double>(either);
+}
+
 double change_agreement(const cv::Mat& changed, const cv::Mat& map) {
   const cv::Rect box = surroundings(map);
   const cv::Mat change = changed(box), part = map(box);

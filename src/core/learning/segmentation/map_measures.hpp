@@ -15,6 +15,12 @@ cv::Rect surroundings(const View& view);
 /// Fills in area, fill, contrast and edge_agreement. `map` has the picture's size.
 void measure_map(const cv::Mat& picture, const cv::Mat& map, Quality& quality);
 
+/// Part [0..1] of the outline with an edge of `picture` (CV_8UC3) within a pixel; 0 for no map.
+double edge_agreement(const cv::Mat& picture, const cv::Mat& map);
+
+/// IoU [0..1] of two maps of one size (CV_8UC1); 0 if both are empty.
+double map_iou(const cv::Mat& a, const cv::Mat& b);
+
 /// IoU of the map with the changed pixels around it (CV_8UC1).
 double change_agreement(const cv::Mat& changed, const cv::Mat& map);
 

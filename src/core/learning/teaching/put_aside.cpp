@@ -10,6 +10,7 @@
 #include "learning/change/arrival_test.hpp"
 #include "learning/change/rectangles.hpp"
 #include "learning/change/survey_size.hpp"
+#include "learning/segmentation/map_measures.hpp"
 #include "mbncc/learning/change.hpp"
 #include "mbncc/learning/change_cut.hpp"
 #include "mbncc/matching/matcher.hpp"
@@ -75,11 +76,6 @@ cv::Matx23d matrix_of(const Pose2D& motion) {
   return {c, -s, motion.x, s, c, motion.y};
 }
 
-double agreement(const cv::Mat& a, const cv::Mat& b) {
-  const int either = cv::countNonZero(a | b);
-  return either == 0 ? 0 : cv::countNonZero(a & b) / static_cast<double>(either);
-}
-
 class PutAsideSearch {
  public:
   PutAsideSearch(const ObjectModel& object, const cv::Mat& map, const SearchConfig& search)
@@ -101,7 +97,7 @@ class PutAsideSearch {
       const Pose2D motion = compose(match.pose, inverse(centre_));
       cv::Mat moved;
       cv::warpAffine(map_, moved, matrix_of(motion), map_.size(), cv::INTER_NEAREST);
-      const double agreed = agreement(moved, cut.map);
+      const double agreed = segmentation::map_iou(moved, cut.map);
       if (agreed < (best ? best->agreement : kLeastAgreement)) continue;
       best = NewPlace{motion, agreed, seen_from_before(cut.preference(), matrix_of(motion))};
     }

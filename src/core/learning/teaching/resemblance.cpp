@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <opencv2/imgproc.hpp>
 
+#include "learning/segmentation/map_measures.hpp"
 #include "mbncc/matching/matcher.hpp"
 
 namespace mbncc {
@@ -19,7 +20,7 @@ double agreement(const Match& match, const cv::Mat& map) {
   const std::vector<cv::Point> corners(match.outline.begin(), match.outline.end());
   if (corners.empty()) return 0;
   cv::fillPoly(found, std::vector<std::vector<cv::Point>>{corners}, cv::Scalar(255));
-  return cv::countNonZero(found & map) / static_cast<double>(cv::countNonZero(found | map));
+  return segmentation::map_iou(found, map);
 }
 
 std::vector<Match> matches_of(std::vector<std::shared_ptr<const ObjectModel>> objects,

@@ -6,6 +6,7 @@
 
 #include "learning/segmentation/clean_map.hpp"
 #include "learning/segmentation/cut_evidence.hpp"
+#include "learning/segmentation/map_measures.hpp"
 #include "mbncc/learning/change_cut.hpp"
 #include "mbncc/learning/sb_grabcut.hpp"
 
@@ -17,12 +18,18 @@ double segment_progress(int iteration, int iterations) {
   return 0.2 + 0.6 * iteration / iterations;
 }
 
-BeforeCut report_cuts(const LearningConfig& config, LessonProgress& progress) {
-  return [&config, &progress](int iteration) {
-    progress.report(Stage::kSegment, segment_progress(iteration, config.iterations),
-                    "Segmenting the object, round " + std::to_string(iteration + 1) + " of " +
-                        std::to_string(config.iterations) + ".");
+// `earlier` cuts of `all` were reported before.
+BeforeCut report_cuts(LessonProgress& progress, int earlier, int all) {
+  return [&progress, earlier, all](int iteration) {
+    const int number = earlier + iteration;
+    progress.report(Stage::kSegment, segment_progress(number, all),
+                    "Segmenting the object, round " + std::to_string(number + 1) + " of " +
+                        std::to_string(all) + ".");
   };
+}
+
+BeforeCut report_cuts(const LearningConfig& config, LessonProgress& progress) {
+  return report_cuts(progress, 0, config.iterations);
 }
 
 // Colours around the map and the marks, one GrabCut round.
@@ -100,19 +107,46 @@ Segmentation by_change_cut(const SegmentationTask& task, const LearningConfig& c
   return segmentation_of(cut);
 }
 
-Segmentation by_region_cut(const SegmentationTask& task, const LearningConfig& config,
-                           LessonProgress& progress) {
-  Segmentation result = segmentation_of(
-      region_cut(task.before, task.region, config.iterations, report_cuts(config, progress)));
+Segmentation region_cut_of(const SegmentationTask& task, int iterations,
+                           const BeforeCut& before_cut) {
+  Segmentation result =
+      segmentation_of(region_cut(task.before, task.region, iterations, before_cut));
   if (result.evidence) result.evidence->verified = false;
   result.cut_with = nullptr;
   return result;
 }
 
+Segmentation by_region_cut(const SegmentationTask& task, const LearningConfig& config,
+                           LessonProgress& progress) {
+  return region_cut_of(task, config.iterations, report_cuts(config, progress));
+}
+
+// Part of the outline on image edges, the region's own edge excluded.
+double edge_part(const Segmentation& found, const SegmentationTask& task) {
+  return segmentation::edge_agreement(task.before, found.map) - found.evidence->region_touch;
+}
+
+// One picture does not show whether the platform is one smooth surface, which the region cut
+// assumes, or many colours, which GrabCut learns: the cut with the clearer outline is right more
+// often. Where the two disagree, the map is uncertain (docs/decisions/0008-region-cut.md).
+Segmentation by_clearer_outline(const SegmentationTask& task, const LearningConfig& config,
+                                LessonProgress& progress) {
+  const int rounds = config.iterations;
+  Segmentation smooth = region_cut_of(task, rounds, report_cuts(progress, 0, 2 * rounds));
+  Segmentation colours = unverified(
+      grabcut_rect(task.before, task.region, rounds, report_cuts(progress, rounds, 2 * rounds)),
+      task);
+  const bool smoother = edge_part(smooth, task) >= edge_part(colours, task);
+  const double agreement = segmentation::map_iou(smooth.map, colours.map);
+  Segmentation& clearer = smoother ? smooth : colours;
+  clearer.evidence->stability = agreement;
+  return clearer;
+}
+
 }  // namespace
 
 Segmenter segmenter_of(const std::string& method, bool has_after) {
-  if (method == "auto") return segmenter_of(has_after ? "change_cut" : "region_cut", has_after);
+  if (method == "auto") return has_after ? by_change_cut : by_clearer_outline;
   if (method == "change_cut") return by_change_cut;
   if (method == "region_cut") return by_region_cut;
   if (method == "sb_grabcut") return by_sb_grabcut;
