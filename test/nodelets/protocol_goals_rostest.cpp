@@ -39,10 +39,11 @@ TEST_F(Protocol, TeachesByRegionOutlineAndMask) {
   plain_table.setTo(cv::Scalar(150, 155, 160), ~scene_.true_map(part_));
   Goal goal = given("by_region");
   goal.mode = Goal::ROI;
-  goal.roi = to_msg(cv::Rect(100, 60, 120, 120));
+  goal.roi = to_msg(cv::Rect(100, 60, 60, 120));
   const Result doubtful = teacher_.teach(goal);
-  EXPECT_EQ(doubtful.error_code, Result::QUALITY_BAD) << "the table looks like the part";
+  EXPECT_EQ(doubtful.error_code, Result::QUALITY_BAD) << "the region cuts the part in two";
   EXPECT_FALSE(doubtful.hint.empty());
+  goal.roi = to_msg(cv::Rect(100, 60, 120, 120));
   goal.before = encode_picture(plain_table);
   EXPECT_EQ(teacher_.teach(goal).error_code, Result::SUCCESS);
   goal = given("by_mask");
