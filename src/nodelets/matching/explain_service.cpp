@@ -49,9 +49,10 @@ sensor_msgs::Image ExplainService::live_picture() const {
 }
 
 void ExplainService::explain(const Request& request, Response& response) const {
-  const Decoded decoded = decode_picture(is_given(request.image) ? request.image : live_picture());
-  if (!decoded) throw std::runtime_error(decoded.fault);
   const MatchingNodeConfig config = tools_.config();
+  const Decoded decoded = decode_picture(is_given(request.image) ? request.image : live_picture(),
+                                         config.pictures.white_level);
+  if (!decoded) throw std::runtime_error(decoded.fault);
   SavedMiss miss;
   miss.picture = decoded.picture;
   miss.place = {request.place.x, request.place.y};
@@ -61,8 +62,10 @@ void ExplainService::explain(const Request& request, Response& response) const {
     if (object->views.front().picture_size == miss.picture.size())
       miss.objects.push_back(object);
     else if (object->enabled)
-      miss.lines.push_back("'" + object->name +
-                           "' is not searched: it was learned in pictures of another size.");
+      miss.lines.push_back(
+          "'" + object->name +
+          "' is not searched: it was learned in pictures of another size. Teach it "
+          "again at this size.");
   }
   const cv::Rect roi = parse_roi(config.search_roi);
   if (!roi.empty() && !cv::Rect2d(roi).contains(miss.place))

@@ -14,7 +14,7 @@ struct SearchStatistics {
   std::uint64_t arrived = 0;    ///< pictures
   std::uint64_t overtaken = 0;  ///< replaced by newer ones before they were searched
   std::uint64_t searched = 0;
-  std::uint64_t refused = 0;  ///< encoding or layout
+  std::uint64_t refused = 0;  ///< encoding, layout, or search_roi outside
   std::uint64_t failed = 0;   ///< searches that ended in an exception
   std::uint64_t badly_stamped = 0;
   std::string last_fault;   ///< of a refused or badly stamped picture

@@ -5,6 +5,7 @@
 
 #include <utility>
 
+#include "mbncc/error.hpp"
 #include "nodelets/conversion/images.hpp"
 #include "nodelets/matching/search_roi.hpp"
 
@@ -61,7 +62,11 @@ void SearchWorker::search(const sensor_msgs::Image& image) {
   const Decoded decoded = decode_picture(image, tools_.settings.initial().pictures.white_level);
   if (!decoded) return refuse(decoded.fault);
   const MatchingNodeConfig settings = tools_.settings.get();
-  request_.roi = roi_in(parse_roi(settings.search_roi), decoded.picture.size());
+  try {
+    request_.roi = roi_in(parse_roi(settings.search_roi), decoded.picture.size());
+  } catch (const ConfigError& error) {
+    return refuse(error.what());
+  }
   tools_.pipeline.configure(settings);
   const ReceivedPicture received{
       decoded.picture, image.header,
