@@ -125,10 +125,16 @@ void RosLink::take_detections(const mbncc_vision::DetectedObjectArray& detection
         return picture->header.stamp == detections.header.stamp;
       });
   if (searched == newest_.end() || (*searched)->width != detections.image_width) return;
-  const QImage picture = to_qimage(small(to_rgb(**searched)));
+  const QImage picture = to_qimage(small(live_rgb(**searched)));
   if (picture.isNull()) return;
   note_shown(*searched);
   Q_EMIT searched_heard(picture, size_of(**searched), detections);
+}
+
+cv::Mat RosLink::live_rgb(const sensor_msgs::Image& message) const {
+  int white_level = 0;
+  node_.getParamCached(matching_ + "/white_level", white_level);
+  return to_rgb(message, white_level);
 }
 
 void RosLink::note_shown(const sensor_msgs::ImageConstPtr& message) {
@@ -146,7 +152,7 @@ void RosLink::take_picture(const sensor_msgs::ImageConstPtr& message) {
   while (newest_.size() > 2 &&
          (newest_.size() > kPicturesKept || newest_.size() * message->data.size() > kBytesKept))
     newest_.pop_front();
-  cv::Mat picture = small(to_rgb(*message));
+  cv::Mat picture = small(live_rgb(*message));
   if (picture.empty()) return;
   note_shown(message);
   if (changes_wanted_)
@@ -227,7 +233,7 @@ void RosLink::find_all() {
     Q_EMIT all_found(answered && call.response.success,
                      answered ? QString::fromStdString(call.response.message)
                               : "the matching nodelet does not answer",
-                     to_qimage(small(to_rgb(*shown))), size_of(*shown), call.response.detections);
+                     to_qimage(small(live_rgb(*shown))), size_of(*shown), call.response.detections);
   });
 }
 

@@ -115,6 +115,8 @@ class RosLink : public QObject {
   void subscribe_lesson(ros::NodeHandle& node);
   void subscribe_cell(ros::NodeHandle& node);
   void take_picture(const sensor_msgs::ImageConstPtr& message);
+  /// A camera's picture, as bright as matching takes it.
+  cv::Mat live_rgb(const sensor_msgs::Image& message) const;
   sensor_msgs::ImageConstPtr shown();
   void note_shown(const sensor_msgs::ImageConstPtr& message);
   void take_detections(const mbncc_vision::DetectedObjectArray& detections);

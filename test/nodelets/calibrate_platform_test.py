@@ -17,6 +17,7 @@ from importlib.machinery import SourceFileLoader
 import cv2
 import numpy as np
 import yaml
+from cv_bridge import CvBridge
 
 from drawn_chessboard import COLUMNS, MATRIX, PLACE, ROWS, SQUARE, TURN, camera_yaml, chessboard, project
 
@@ -106,6 +107,15 @@ class CalibratePlatformTest(unittest.TestCase):
         camera.see_through(types.SimpleNamespace(x_offset=0, y_offset=0, width=0, height=0), np.array([1, 1]))
         self.assertEqual(camera.size, (640, 480))
         self.assertTrue(np.array_equal(camera.matrix, MATRIX))
+
+    def test_live_pictures_of_16_bits_are_as_bright_as_the_white_level_says(self):
+        grey = chessboard()
+        deep = np.round(grey * (4095 / 255)).astype(np.uint16)
+        for encoding, numbers in (("mono16", deep), ("16UC1", deep), ("mono8", grey)):
+            picture = calibrate_platform.to_bgr(CvBridge().cv2_to_imgmsg(numbers, encoding), 4095)
+            self.assertTrue(np.array_equal(picture, cv2.cvtColor(grey, cv2.COLOR_GRAY2BGR)), encoding)
+        with self.assertRaises(calibrate_platform.Fault):
+            calibrate_platform.to_bgr(CvBridge().cv2_to_imgmsg(deep, "16UC1"), 0)
 
     def test_faults_are_sentences(self):
         cv2.imwrite(self.path("empty.png"), np.full((480, 640), 128, np.uint8))

@@ -2,6 +2,7 @@
 #include "console/picture/pictures.hpp"
 
 #include <cv_bridge/cv_bridge.h>
+#include <sensor_msgs/image_encodings.h>
 
 #include <algorithm>
 #include <opencv2/imgproc.hpp>
@@ -10,6 +11,9 @@
 namespace mbncc::console {
 namespace {
 
+namespace encodings = sensor_msgs::image_encodings;
+
+constexpr int kFullRange = 65535;  // of 16 bits
 constexpr int kSquare = 8;         // [px] of the checkerboard
 constexpr int kShownWidth = 1600;  // [px]
 constexpr int kSampled = 8;        // [px] between samples for the light
@@ -48,12 +52,27 @@ cv::Mat in_light_of(const cv::Mat& first, const cv::Mat& picture) {
   return lit;
 }
 
+/// Of 16 bits. 16UC1 does not say how bright its numbers are.
+cv::Mat deep_to_rgb(const sensor_msgs::Image& message, int white_level) {
+  if (message.encoding == encodings::TYPE_16UC1) {
+    if (white_level == 0) return {};
+    sensor_msgs::Image named = message;
+    named.encoding = encodings::MONO16;
+    return deep_to_rgb(named, white_level);
+  }
+  cv::Mat picture;
+  const double white = white_level == 0 ? kFullRange : white_level;
+  cv_bridge::toCvCopy(message, encodings::RGB16)->image.convertTo(picture, CV_8U, 255 / white);
+  return picture;
+}
+
 }  // namespace
 
-cv::Mat to_rgb(const sensor_msgs::Image& message) {
+cv::Mat to_rgb(const sensor_msgs::Image& message, int white_level) {
   if (message.width == 0 || message.height == 0) return {};
   try {
-    return cv_bridge::toCvCopy(message, "rgb8")->image;
+    const bool deep = encodings::bitDepth(message.encoding) == 16;
+    return deep ? deep_to_rgb(message, white_level) : cv_bridge::toCvCopy(message, "rgb8")->image;
   } catch (const std::exception&) {
     return {};
   }

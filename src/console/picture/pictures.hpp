@@ -8,8 +8,9 @@
 
 namespace mbncc::console {
 
-/// Empty if the message is empty or has an unsupported encoding.
-cv::Mat to_rgb(const sensor_msgs::Image& message);
+/// Empty if the message is empty or has an unsupported encoding. `white_level` of 16 bits becomes
+/// 255; 0: 65535, and 16UC1 is unsupported.
+cv::Mat to_rgb(const sensor_msgs::Image& message, int white_level = 0);
 
 /// `picture`, scaled down if it is larger than needed.
 cv::Mat small(const cv::Mat& picture);

@@ -31,6 +31,21 @@ TEST(Pictures, GreyBecomesColour) {
   EXPECT_EQ(to_rgb(message(4, 3, "mono8", 1, 7)).type(), CV_8UC3);
 }
 
+TEST(Pictures, Of16BitsAreAsBrightAsTheWhiteLevelSays) {
+  const auto brightness = [](const char* encoding, int white_level) {
+    auto picture = message(4, 4, encoding, 2, 0);
+    for (std::size_t i = 1; i < picture.data.size(); i += 2) picture.data[i] = 8;  // 2048 each
+    const cv::Mat shown = to_rgb(picture, white_level);
+    return shown.empty() ? -1 : static_cast<int>(shown.at<cv::Vec3b>(1, 1)[0]);
+  };
+  for (const char* encoding : {"mono16", "bayer_rggb16"}) {
+    EXPECT_EQ(brightness(encoding, 4095), 128) << encoding;
+    EXPECT_EQ(brightness(encoding, 0), 8) << encoding;
+  }
+  EXPECT_EQ(brightness("16UC1", 4095), 128);
+  EXPECT_EQ(brightness("16UC1", 0), -1);
+}
+
 TEST(Pictures, LargeOnesAreShrunk) {
   EXPECT_EQ(small(cv::Mat(2048, 2448, CV_8UC3)).cols, 1600);
   EXPECT_EQ(small(cv::Mat(480, 640, CV_8UC3)).cols, 640);
