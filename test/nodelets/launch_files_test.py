@@ -95,6 +95,36 @@ class Console(unittest.TestCase):
         self.assertIn("-f usb_cam", self.of("rviz:=true", "frame:=usb_cam").args)
 
 
+class Pictures(unittest.TestCase):
+    WANTED = {"image_transport": "compressed", "white_level": 4095, "max_info_age": 1e9, "tf_wait": 0.05}
+    ARGUMENTS = ["image_transport:=compressed", "white_level:=4095", "max_info_age:=1e9", "tf_wait:=0.05"]
+
+    def of(self, nodelet, name, *arguments):
+        loaded = parameters(name, *arguments)
+        return {key: loaded[nodelet + "/" + key] for key in self.WANTED if nodelet + "/" + key in loaded}
+
+    def test_are_read_as_asked_for(self):
+        learning = {key: value for key, value in self.WANTED.items() if key != "tf_wait"}
+        for name, cell in (("cell.launch", ""), ("cells.launch", "/left"), ("vision.launch", "")):
+            self.assertEqual(self.of(cell + "/learning", name, *self.ARGUMENTS), learning)
+            self.assertEqual(self.of(cell + "/matching", name, *self.ARGUMENTS), self.WANTED)
+        self.assertEqual(self.of("/right/matching", "cells.launch", *self.ARGUMENTS), self.WANTED)
+        replayed = self.of("/matching", "replay.launch", "bag:=x.bag", *self.ARGUMENTS[:2])
+        self.assertEqual((replayed["image_transport"], replayed["white_level"]), ("compressed", 4095))
+
+    def test_of_the_rectify_nodelet_are_plain(self):
+        arguments = ["cell.launch", "rectify:=true"] + self.ARGUMENTS
+        rectify = {key: value for key, value in self.WANTED.items() if key != "tf_wait"}
+        self.assertEqual(self.of("/rectify", *arguments), rectify)
+        for nodelet in ("/learning", "/matching"):
+            read = self.of(nodelet, *arguments)
+            self.assertEqual((read["image_transport"], read["white_level"], read["max_info_age"]), ("raw", 0, 1e9))
+
+    def test_are_read_as_the_files_say_otherwise(self):
+        self.assertEqual(self.of("/matching", "cell.launch"),
+                         {"image_transport": "raw", "white_level": 0, "max_info_age": 60, "tf_wait": 0})
+
+
 class Frames(unittest.TestCase):
     def test_are_those_asked_for(self):
         loaded = parameters("cell.launch", "target_frame:=base_link", "gripper_frame:=tool0")
