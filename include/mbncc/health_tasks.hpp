@@ -7,6 +7,7 @@ namespace mbncc {
 constexpr char kPicturesTask[] = "pictures";  ///< of the camera
 constexpr char kLearningTask[] = "learning";
 constexpr char kMatchingTask[] = "matching";
+constexpr char kVisionTask[] = "vision_msgs";
 
 /// Key of a number in the reports of learning and matching.
 constexpr char kQuarantinedKey[] = "files quarantined";

@@ -28,7 +28,7 @@ def main():
         os.environ.update(HOME=home, ROS_HOME=home, ROS_LOG_DIR=home, ROS_NAMESPACE="left",
                           ROS_MASTER_URI="http://localhost:%d" % port)
         cell = subprocess.Popen(["roslaunch", "-p", str(port), "mbncc_vision", "cell.launch", "simulated:=true",
-                                 "rectify:=true", "library:=" + home + "/library"])
+                                 "rectify:=true", "vision_msgs:=true", "library:=" + home + "/library"])
         try:
             # The master is roslaunch's; init_node waits for it.
             rospy.init_node("diagnostics_test", disable_signals=True)

@@ -1,11 +1,11 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""Every nodelet of the package loads from the install space.
+"""Every nodelet of the package loads from the install space; the one of vision_msgs tells if they are missing.
 
 usage: install_space_test.py CMAKE BUILD_FOLDER
 
 Installs into a temporary prefix, starts a master on a port of its own and loads each nodelet of
-the installed nodelet_plugins.xml with an environment that knows only the system and that prefix.
+the installed plugin descriptions with an environment that knows only the system and that prefix.
 """
 import os
 import subprocess
@@ -13,6 +13,8 @@ import sys
 import tempfile
 import xml.etree.ElementTree
 import xmlrpc.client
+
+import rospkg
 
 from own_master import free_port, nodelet_program, published, stop, wait_for
 
@@ -38,15 +40,20 @@ def environment(prefix, home, port):
 
 
 def load(name, env, master):
-    """Loads one nodelet; it must come up, stay and end by itself on SIGINT."""
+    """Loads one nodelet; it must come up, stay and end by itself on SIGINT. Returns what it said."""
     node = "probe_" + name.split("/")[1]  # parameters stay on the server under this name
     command = [nodelet_program(), "standalone", name, "__name:=" + node] + ARGUMENTS.get(name, [])
-    process = subprocess.Popen(command, env=env)
+    process = subprocess.Popen(command, env=env, stderr=subprocess.PIPE, text=True)
     # Each nodelet publishes diagnostics or pictures once it has been initialised.
     wait_for(lambda: any("/" + node in nodes and topic in ("/diagnostics", "/image_raw")
                          for topic, nodes in published(master).items()), process, name)
     stop(process)
     print("%s: loaded" % name, flush=True)
+    return process.stderr.read()
+
+
+def names_of(plugins):
+    return [plugin.get("name") for plugin in xml.etree.ElementTree.parse(plugins).iter("class")]
 
 
 def main():
@@ -64,11 +71,13 @@ def main():
                                 env=env, stdout=subprocess.DEVNULL)
         try:
             wait_for(lambda: "/rosout_agg" in published(master), core, "roscore")
-            plugins = xml.etree.ElementTree.parse(os.path.join(share, "nodelet_plugins.xml"))
-            names = [plugin.get("name") for plugin in plugins.iter("class")]
+            names = names_of(os.path.join(share, "nodelet_plugins.xml"))
             assert len(names) >= 3, "the plugin description names too few nodelets"
             for name in names:
                 load(name, env, master)
+            said = load(*names_of(os.path.join(share, "vision_plugins.xml")), env, master)
+            missing = "vision_msgs" not in rospkg.RosPack().list()
+            assert said.count("built without vision_msgs") == (1 if missing else 0), said
         finally:
             stop(core)
 

@@ -4,10 +4,14 @@
 #include <vision_msgs/VisionInfo.h>
 #include <pluginlib/class_list_macros.hpp>
 
+#include <cstdint>
+#include <memory>
 #include <mutex>
 #include <string>
 
+#include "mbncc/health_tasks.hpp"
 #include "nodelets/common/guarded_nodelet.hpp"
+#include "nodelets/common/health_report.hpp"
 #include "nodelets/vision/vision_messages.hpp"
 
 namespace mbncc::nodelets {
@@ -28,9 +32,12 @@ class VisionNodelet : public GuardedNodelet {
         handle.advertise<vision_msgs::Detection3DArray>("detections_3d", 10, changed, changed);
     info_ = handle.advertise<vision_msgs::VisionInfo>("vision_info", 1, true);
     tell_names();
+    report_ = std::make_unique<HealthReport>(node(), private_node(), getName(), "none", kVisionTask,
+                                             [this](auto& status) { diagnose(status); });
   }
 
   void stop() override {
+    report_.reset();
     const std::lock_guard<std::mutex> lock(mutex_);
     subscriber_.shutdown();
   }
@@ -55,6 +62,16 @@ class VisionNodelet : public GuardedNodelet {
                                ids_.names().at(object_id(object.name)).c_str());
     detections_2d_.publish(to_detections_2d(*detections, ids_));
     detections_3d_.publish(to_detections_3d(*detections, ids_));
+    ++published_;
+  }
+
+  /// Whether detections are to be relied upon is told by the matching nodelet.
+  void diagnose(diagnostic_updater::DiagnosticStatusWrapper& status) {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    status.summary(diagnostic_msgs::DiagnosticStatus::OK,
+                   subscriber_ ? "publishing" : "idle: no subscriber");
+    status.add("published", published_);
+    status.add("objects named", ids_.names().size());
   }
 
   void tell_names() {
@@ -75,6 +92,8 @@ class VisionNodelet : public GuardedNodelet {
   ros::Publisher detections_2d_, detections_3d_, info_;
   ObjectIds ids_;
   int version_ = 0;
+  std::uint64_t published_ = 0;
+  std::unique_ptr<HealthReport> report_;
 };
 
 }  // namespace mbncc::nodelets
