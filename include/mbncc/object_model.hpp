@@ -71,6 +71,7 @@ struct ObjectModel {
   bool enabled = true;         ///< searched for
   std::uint32_t revision = 1;  ///< +1 at every re-learning, added view or edit that moves poses
   double learned_at = 0;       ///< [s] since 1970-01-01 UTC
+  std::string taught_by;       ///< cell of that lesson, a label; "": unknown
   double metres_per_pixel = Quality::kUnknown;  ///< on the top face; NaN: learned without scale
   double object_height = 0;  ///< [m] top face above the platform, 0 .. kLongestLength
   std::optional<Grasp> grasp;

@@ -11,6 +11,7 @@
 #include "mbncc/config/matching_node_config.hpp"
 #include "mbncc/config/rectify_config.hpp"
 #include "mbncc/config/simulated_camera_config.hpp"
+#include "mbncc/library/object_library.hpp"
 
 namespace mbncc::test {
 namespace {
@@ -52,6 +53,16 @@ TEST_F(LibraryCommands, ListAndShowDescribeObjects) {
   EXPECT_EQ(object["views"].size(), 1u);
   EXPECT_TRUE(object["quality"]["verdict"]);
   EXPECT_EQ(on_library("show", {"--name", "nut"}).code, 1);
+}
+
+TEST_F(LibraryCommands, TheCellThatTaughtAnObjectIsShown) {
+  EXPECT_EQ(on_library("show", {"--name", "part"}).out.find(" by "), std::string::npos);
+  ObjectLibrary(folder_.library()).edit("part", [](ObjectModel& object) {
+    object.taught_by = "robot7/left";
+  });
+  EXPECT_TRUE(on_library("show", {"--name", "part"}).prints(" by robot7/left, enabled"));
+  const YAML::Node object = YAML::Load(on_library("show", {"--name", "part", "--json"}).out);
+  EXPECT_EQ(object["taught_by"].as<std::string>(), "robot7/left");
 }
 
 TEST_F(LibraryCommands, ASymmetryIsDeclaredAndShown) {

@@ -21,6 +21,7 @@ YAML::Node sound() {
   ObjectModel model;
   model.name = model.label = "wrench";
   model.learned_at = 1.7e9;
+  model.taught_by = "robot7/left";
   model.metres_per_pixel = 0.001;
   model.min_score = 0.5;
   model.symmetry = 2;
@@ -109,7 +110,7 @@ std::vector<Number> numbers() {
 
 TEST(LyingDescriptions, TheTruthIsTaken) {
   EXPECT_FALSE(is_refused(sound()));
-  for (const char* optional : {"metres_per_pixel", "min_score", "symmetry", "grasp"}) {
+  for (const char* optional : {"taught_by", "metres_per_pixel", "min_score", "symmetry", "grasp"}) {
     YAML::Node description = sound();
     description.remove(optional);
     EXPECT_FALSE(is_refused(description)) << "without " << optional;
@@ -142,7 +143,7 @@ TEST(LyingDescriptions, TextsAreTexts) {
   const std::string long_label(201, 'x');
   for (const char* lie :
        {"[a]", "{}", "\"a\\nb\"", "\"a\\u0007b\"", "\"\\x7f\"", long_label.c_str()})
-    expect_refused({"label"}, lie);
+    for (const char* key : {"label", "taught_by"}) expect_refused({key}, lie);
   for (const char* lie : {"perhaps", "2", "[true]", "{}", "~", "''"})
     expect_refused({"enabled"}, lie);
   for (const char* lie : {"EXCELLENT", "good", "''", "[GOOD]", "{}", "~", "0"})

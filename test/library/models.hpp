@@ -58,6 +58,7 @@ inline ObjectModel random_model(unsigned seed, const std::string& name = "wrench
   if (unit(random) < 0.5) model.quality.outline_probability = unit(random);
   model.quality.search_time = unit(random);
   constexpr int kDeclarable[] = {0, 1, 2, 3, 4, 6};
+  if (seed % 3 == 0) model.taught_by = "robot \"7\"/left";
   if (seed % 2 == 0) model.symmetry = kDeclarable[seed / 2 % 6];
   for (unsigned i = 0; i <= random() % 4; ++i)
     model.views.push_back(random_view(random, largest_side));
@@ -101,6 +102,7 @@ inline void expect_equal(const ObjectModel& a, const ObjectModel& b) {
   EXPECT_EQ(a.label, b.label);
   EXPECT_EQ(a.enabled, b.enabled);
   EXPECT_EQ(a.learned_at, b.learned_at);
+  EXPECT_EQ(a.taught_by, b.taught_by);
   expect_same_number(a.metres_per_pixel, b.metres_per_pixel);
   EXPECT_EQ(a.object_height, b.object_height);
   ASSERT_EQ(a.grasp.has_value(), b.grasp.has_value());

@@ -6,6 +6,9 @@
 #include <mbncc_vision/LearnedObjectArray.h>
 #include <ros/ros.h>
 #include <std_srvs/SetBool.h>
+#include <unistd.h>
+
+#include <string>
 
 #include "nodelets/call_service.hpp"
 #include "nodelets/spin_until.hpp"
@@ -71,6 +74,9 @@ TEST(Cells, ShareALibraryAndNothingElse) {
   const auto lesson = teacher.teach(goal);
   ASSERT_EQ(lesson.error_code, Teacher::Result::SUCCESS) << lesson.message;
   EXPECT_TRUE(spin_until([&] { return library && library->objects.size() == 1; }));
+  char host[256] = {};
+  ASSERT_EQ(::gethostname(host, sizeof host - 1), 0);
+  EXPECT_EQ(lesson.object.taught_by, std::string(host) + "/left");
   EXPECT_TRUE(spin_until([&] { return left.sees("left_object_part_0"); }));
   EXPECT_TRUE(spin_until([&] { return right.sees("right_object_part_0"); }))
       << "taught in the other cell";

@@ -57,6 +57,7 @@ TEST_F(Metric, ObjectAndGraspAreWhereTheyAreInTheWorld) {
   const auto lesson = teacher.await(id).result;
   ASSERT_EQ(lesson.error_code, Teacher::Result::SUCCESS) << lesson.message;
   EXPECT_NEAR(lesson.object.metres_per_pixel, 0.7 / 340, 1e-6);
+  EXPECT_EQ(lesson.object.taught_by, "line 3, left") << "as the nodelet's cell_name says";
   ASSERT_TRUE(lesson.object.has_grasp) << lesson.message;
   const Pose2D gripper_in_drawing = compose(inverse(shown), kGripper);
 

@@ -19,6 +19,7 @@ struct LearningNodeConfig {
   double learn_timeout = 120;                         ///< [s] of a lesson whose goal sets none
   double still_time = 0.5;    ///< [s] without motion after which a scene is still
   int max_objects = 1000;     ///< largest number of objects in the library
+  std::string cell_name;      ///< stored with what it teaches; "": host name and namespace
   std::string gripper_frame;  ///< tf frame that mark_grasp records; "": refused
 
   template <class Self, class Visitor>
@@ -38,6 +39,10 @@ struct LearningNodeConfig {
     visit(FieldInfo{"max_objects", Allowed::range(1, 100000), "",
                     "largest number of objects in the library"},
           self.max_objects);
+    visit(FieldInfo{"cell_name", Allowed::frame(), "",
+                    "name of this cell, stored as taught_by with each object that it teaches; "
+                    "empty: the host name and the namespace"},
+          self.cell_name);
     visit(FieldInfo{"gripper_frame", Allowed::frame(), "",
                     "tf frame of the gripper that mark_grasp records; empty: mark_grasp refuses"},
           self.gripper_frame);

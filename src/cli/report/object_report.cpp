@@ -79,7 +79,7 @@ void write_object(JsonWriter& json, const ObjectModel& object) {
   json.begin_object();
   json.member("name", object.name).member("label", object.label);
   json.member("enabled", object.enabled).member("revision", object.revision);
-  json.member("learned_at", object.learned_at);
+  json.member("learned_at", object.learned_at).member("taught_by", object.taught_by);
   json.member("metres_per_pixel", object.metres_per_pixel);
   json.member("object_height", object.object_height);
   json.member("symmetry", symmetry_text(object.symmetry));
@@ -95,7 +95,8 @@ void write_object(JsonWriter& json, const ObjectModel& object) {
 void print_object(std::ostream& out, const ObjectModel& object) {
   const Quality& quality = object.quality;
   out << object.name << " (" << object.label << ")\n"
-      << "  revision " << object.revision << ", learned " << time_text(object.learned_at) << ", "
+      << "  revision " << object.revision << ", learned " << time_text(object.learned_at)
+      << (object.taught_by.empty() ? "" : " by " + object.taught_by) << ", "
       << (object.enabled ? "enabled" : "disabled: not searched") << '\n';
   for (std::size_t i = 0; i < object.views.size(); ++i) print_view(out, i + 1, object.views[i]);
   out << "  scale " << number_or_unknown(object.metres_per_pixel, "m/px") << ", height "

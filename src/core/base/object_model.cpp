@@ -148,6 +148,8 @@ void validate(const ObjectModel& model) {
       "an object's name is a letter, then letters, digits or underscores, 64 characters at most");
   require(is_valid_label(model.label),
           "an object's label must be printable UTF-8 of at most 200 bytes");
+  require(is_valid_label(model.taught_by),
+          "the name of an object's cell must be printable UTF-8 of at most 200 bytes");
   require(is_printable(model.quality), "a lesson's reasons and advice must be printable UTF-8");
   require(model.quality.confusable_with.empty() || is_valid_name(model.quality.confusable_with),
           "what an object is confusable with must be an object's name");

@@ -147,6 +147,7 @@ ObjectDescription read_root(const YAML::Node& root) {
   model.enabled = root["enabled"].as<bool>();
   model.revision = static_cast<std::uint32_t>(whole(root["revision"], "revision", 1, kMaxRevision));
   model.learned_at = number(root, "learned_at", 0, kLatestTime);
+  if (root["taught_by"]) model.taught_by = root["taught_by"].as<std::string>();
   model.object_height = number(root, "object_height", 0, kLargest);
   model.metres_per_pixel = number_or_unknown(root, "metres_per_pixel", 0, kLargest);
   if (root["min_score"]) model.min_score = number(root, "min_score", 0, 1);

@@ -80,6 +80,7 @@ std::string write_description(const ObjectModel& model, const std::vector<cv::Re
   out << YAML::Key << "enabled" << YAML::Value << model.enabled;
   put(out, "revision", model.revision);
   put(out, "learned_at", model.learned_at);
+  if (!model.taught_by.empty()) put(out, "taught_by", model.taught_by);
   put(out, "object_height", model.object_height);
   put(out, "metres_per_pixel", model.metres_per_pixel);
   if (model.min_score) put(out, "min_score", *model.min_score);

@@ -135,6 +135,7 @@ mbncc_vision::LearnedObject to_msg(const ObjectModel& model, bool with_thumbnail
   message.revision = model.revision;
   message.views = static_cast<std::uint32_t>(model.views.size());
   if (model.learned_at > 0) message.learned_at.fromSec(model.learned_at);
+  message.taught_by = model.taught_by;
   message.enabled = model.enabled;
   message.metres_per_pixel = model.metres_per_pixel;
   message.object_height = model.object_height;

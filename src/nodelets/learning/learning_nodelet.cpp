@@ -5,6 +5,7 @@
 #include <std_srvs/Trigger.h>
 #include <tf2_ros/buffer.h>
 #include <tf2_ros/transform_listener.h>
+#include <unistd.h>
 #include <pluginlib/class_list_macros.hpp>
 
 #include <memory>
@@ -12,7 +13,9 @@
 
 #include "mbncc/config/learning_node_config.hpp"
 #include "mbncc/config/matching_node_config.hpp"
+#include "mbncc/error.hpp"
 #include "mbncc/health_tasks.hpp"
+#include "mbncc/label.hpp"
 #include "mbncc/matching/matcher.hpp"
 #include "nodelets/common/camera_input.hpp"
 #include "nodelets/common/guarded_nodelet.hpp"
@@ -36,6 +39,19 @@ namespace {
 /// The matching nodelet's parameters, below the private namespace, because a lesson is evaluated
 /// with the search that will be used for its object.
 constexpr char kSearchNamespace[] = "matching";
+
+std::string host_name() {
+  char name[256] = {};
+  return ::gethostname(name, sizeof name - 1) == 0 ? name : "unknown";
+}
+
+/// The configured name, otherwise one that tells cells of one network apart.
+std::string cell_name(const std::string& configured, const std::string& name_space) {
+  if (!is_valid_label(configured))
+    throw ConfigError("parameter 'cell_name' must be printable UTF-8 of at most 200 bytes");
+  if (!configured.empty()) return configured;
+  return host_name() + (name_space == "/" ? "" : name_space);
+}
 
 }  // namespace
 
@@ -84,6 +100,7 @@ class LearningNodelet : public GuardedNodelet {
 void LearningNodelet::start() {
   ros::NodeHandle own_node = node();
   read_parameters(private_node(), field_rows(config_), {kSearchNamespace});
+  config_.cell_name = cell_name(config_.cell_name, own_node.getNamespace());
   MatchingNodeConfig matching;
   read_parameters(ros::NodeHandle(private_node(), kSearchNamespace), field_rows(matching));
   search_ = matching.search;
@@ -186,7 +203,8 @@ mbncc_vision::LearnObjectResult LearningNodelet::teach(LessonClient& client) {
       [this](const cv::Mat& picture) { picture_publisher_.publish(encode_picture(picture)); },
       [this](const mbncc_vision::LearnObjectResult& draft) { draft_publisher_.publish(draft); },
       [this](const ObjectModel& model, const cv::Mat& picture) { show_scores(model, picture); },
-      *gauge_};
+      *gauge_,
+      config_.cell_name};
   const auto result = LessonRun(client, tools).run();
   const bool learned = result.error_code == mbncc_vision::LearnObjectResult::SUCCESS;
   if (learned) gauge_->clear();

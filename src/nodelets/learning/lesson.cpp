@@ -120,6 +120,7 @@ LessonRun::Result LessonRun::store() {
   tell(Feedback::STORE, kChecked, "Storing '" + name_ + "'.");
   ObjectModel model = learned_.object;
   model.learned_at = ros::Time::now().toSec();
+  model.taught_by = tools_.cell_name;
   // tf or camera_info may have arrived slightly later than the picture.
   if (!calibration_.platform) calibrate_before();
   try {

@@ -37,6 +37,7 @@ struct LessonTools {
   std::function<void(const mbncc_vision::LearnObjectResult&)> show_draft;
   std::function<void(const ObjectModel&, const cv::Mat& picture)> show_score_map;
   const LessonGauge& gauge;
+  std::string cell_name;  ///< stored with the object
 };
 
 /// A picture to learn from, CV_8UC3.

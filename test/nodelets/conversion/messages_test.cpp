@@ -18,6 +18,7 @@ ObjectModel plate() {
   model.label = "Plate";
   model.revision = 3;
   model.learned_at = 1000.5;
+  model.taught_by = "robot7/left";
   model.metres_per_pixel = 0.0005;
   model.object_height = 0.01;
   View view;
@@ -37,6 +38,7 @@ TEST(LearnedObjectMessage, CarriesTheModel) {
   EXPECT_EQ(message.revision, 3u);
   EXPECT_EQ(message.views, 1u);
   EXPECT_DOUBLE_EQ(message.learned_at.toSec(), 1000.5);
+  EXPECT_EQ(message.taught_by, "robot7/left");
   EXPECT_EQ(message.image_width, 640u);
   EXPECT_EQ(message.image_height, 480u);
   EXPECT_FALSE(message.has_grasp);
