@@ -42,7 +42,7 @@ std::vector<std::string> drop_unfit(const LibrarySnapshot& library,
       fitting.push_back(object->name);
     else
       dropped.push_back(object->name + ": learned in pictures of " + text(learned) +
-                        ", this one is " + text(size));
+                        ", this one is " + text(size) + "; teach it again at this size");
   }
   names = fitting;
   return dropped;

@@ -52,7 +52,8 @@ TEST_F(LiveMatcherTest, SkipsObjectsOfOtherPictureSizesWithASentence) {
   EXPECT_EQ(found.searched, std::vector<std::string>{"here"});
   ASSERT_EQ(found.skipped.size(), 1u);
   EXPECT_EQ(found.skipped.front(),
-            "elsewhere: learned in pictures of 320 x 240, this one is 160 x 120");
+            "elsewhere: learned in pictures of 320 x 240, this one is 160 x 120; teach it again at "
+            "this size");
 }
 
 TEST_F(LiveMatcherTest, AnotherConfirmScoreHoldsForTheNextSearch) {
