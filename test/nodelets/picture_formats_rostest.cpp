@@ -38,6 +38,7 @@ constexpr double kFocalLength = 200;   // [px]
 constexpr double kDistance = 0.5;      // [m] of the platform
 constexpr double kMostPixels = 0.3;    // [px] error of a position in the picture
 constexpr double kMostAngle = 0.02;    // [rad]
+constexpr double kMostColour = 20;     // [grey levels] 8 to 12 by a mosaic and the drawing
 constexpr double kMostMisfit = 0.001;  // [px] from the pose in metres to that in the picture
 
 sim::SceneConfig scene_config() {
@@ -172,6 +173,20 @@ class PictureFormats : public testing::Test {
     EXPECT_NEAR(wrap_angle(found.image_pose.theta - expected_.theta), 0, kMostAngle);
   }
 
+  /// Of the next live picture, at the part's place.
+  mbncc_vision::ExplainPlace::Response explain(const sensor_msgs::Image& image) {
+    mbncc_vision::ExplainPlace call;
+    call.request.place.x = expected_.x;
+    call.request.place.y = expected_.y;
+    const auto answer =
+        std::async(std::launch::async, [&] { return call_service("matching/explain", call); });
+    EXPECT_TRUE(spin_until([&] {
+      publish(image);
+      return answer.wait_for(std::chrono::seconds(0)) == std::future_status::ready;
+    }));
+    return call.response;
+  }
+
   /// Until STALE says why no picture is usable.
   std::string refusal_of(const sensor_msgs::Image& image) {
     EXPECT_TRUE(spin_until([&] {
@@ -205,18 +220,10 @@ TEST_P(GreyPictures, Of12BitsAreFoundAndExplained) {
   load();
   const auto image = message_of(with_12_bits(grey(shown_)), GetParam());
   expect_place(find(image, info_of(kSize)));
-  mbncc_vision::ExplainPlace explain;
-  explain.request.place.x = expected_.x;
-  explain.request.place.y = expected_.y;
-  const auto answer =
-      std::async(std::launch::async, [&] { return call_service("matching/explain", explain); });
-  EXPECT_TRUE(spin_until([&] {
-    publish(image);
-    return answer.wait_for(std::chrono::seconds(0)) == std::future_status::ready;
-  }));
-  EXPECT_TRUE(explain.response.success) << explain.response.message;
-  EXPECT_NE(explain.response.message.find("found, and may be grasped"), std::string::npos)
-      << explain.response.message;
+  const auto explained = explain(image);
+  EXPECT_TRUE(explained.success) << explained.message;
+  EXPECT_NE(explained.message.find("found, and may be grasped"), std::string::npos)
+      << explained.message;
 }
 
 INSTANTIATE_TEST_SUITE_P(Encodings, GreyPictures, testing::Values("mono16", "16UC1"));
@@ -236,6 +243,12 @@ TEST_F(PictureFormats, ABayerMosaicOf12BitsHasItsColours) {
   load();
   const auto image = message_of(with_12_bits(rggb_mosaic(shown_)), "bayer_rggb16");
   expect_place(find(image, info_of(kSize)));
+  const Decoded drawn = decode_picture(explain(image).picture);
+  ASSERT_EQ(drawn.picture.size(), kSize) << drawn.fault;
+  cv::Mat difference;
+  cv::absdiff(drawn.picture, shown_, difference);
+  const cv::Scalar mean = cv::mean(difference);
+  EXPECT_LT(std::max(mean[0], mean[2]), kMostColour) << "blue and red in their places";
 }
 
 TEST_F(PictureFormats, APartOfTheSensorHasItsPlaceOnIt) {
