@@ -316,6 +316,20 @@ TEST_F(PictureFormats, ARegionOutsideThePictureIsRefused) {
   EXPECT_EQ(statuses_, std::set<int>{DetectedObjectArray::STALE});
 }
 
+TEST_F(PictureFormats, AnotherSizeIsToldWithTheRemedy) {
+  teach(false);
+  load();
+  cv::Mat larger;
+  cv::resize(shown_, larger, {}, 2, 2);
+  const auto image = message_of(larger, "bgr8");
+  ASSERT_TRUE(is_answered(publish(image, info_of(larger.size()))));
+  ASSERT_EQ(array_->skipped.size(), 1u);
+  EXPECT_NE(array_->skipped[0].find("teach it again at this size"), std::string::npos)
+      << array_->skipped[0];
+  const std::string message = explain(image).message;
+  EXPECT_NE(message.find("Teach it again at this size"), std::string::npos) << message;
+}
+
 // Stamps that double precision holds exactly: of 32 pictures a second, 24 are three in four.
 TEST_F(PictureFormats, TheRateIsThatOfTheStamps) {
   ros::param::set("/matching/max_rate", 24.0);

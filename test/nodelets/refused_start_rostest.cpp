@@ -65,6 +65,7 @@ TEST_F(RefusedStart, UnknownParameter) {
 TEST_F(RefusedStart, ValueOutOfRange) {
   expect_refusal("SimulatedCameraNodelet", "gain", 1000.0, "0.05 .. 4");
   expect_refusal("LearningNodelet", "still_time", -1.0, "'still_time'");
+  expect_refusal("LearningNodelet", "cell_name", std::string(201, 'x'), "'cell_name'");
   expect_refusal("MatchingNodelet", "min_score", 7, "/part: parameter 'min_score': value '7'");
   expect_refusal("MatchingNodelet", "min_score", 7, "0 .. 1");
   expect_refusal("MatchingNodelet", "confirm_frames", 9,
