@@ -35,7 +35,7 @@ std::string library_folder(const Arguments& arguments) {
 
 ObjectLibrary existing_library(const Arguments& arguments) {
   const std::string folder = library_folder(arguments);
-  if (!std::filesystem::is_directory(folder))
+  if (!std::filesystem::exists(folder))
     throw FileError(folder, "there is no such library folder; 'mbncc learn' makes one");
   return ObjectLibrary(folder);
 }

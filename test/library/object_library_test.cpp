@@ -27,8 +27,19 @@ TEST(ObjectLibrary, CreatesItsFolder) {
   TemporaryFolder folder;
   ObjectLibrary library(folder / "new");
   EXPECT_TRUE(library.load()->objects.empty());
-  EXPECT_THROW(ObjectLibrary(folder / "missing/parent"), FileError);
   EXPECT_THROW(ObjectLibrary(""), FileError);
+}
+
+TEST(ObjectLibrary, CreatesTheParentsOfItsFolderToo) {
+  TemporaryFolder folder;
+  for (const char* path : {"a/b/library", "c/library/"}) {
+    ObjectLibrary library(folder / path);
+    library.save(random_model(1), Existing::kRefuse);
+    EXPECT_TRUE(std::filesystem::exists(folder / path + "/wrench.png")) << path;
+  }
+  EXPECT_THROW(ObjectLibrary(folder / "a/b/library/wrench.png"), FileError);
+  EXPECT_THROW(ObjectLibrary(folder / "a/b/library/wrench.png/inside"), FileError);
+  EXPECT_THROW(ObjectLibrary("/proc/none/library"), FileError);
 }
 
 TEST(ObjectLibrary, LoadsWhatWasSavedSortedByName) {

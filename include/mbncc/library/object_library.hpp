@@ -54,7 +54,7 @@ struct LibrarySnapshot {
 /// not emptied. One instance serves one thread at a time.
 class ObjectLibrary {
  public:
-  /// Opens `folder`, creating it (not its parents) when missing.
+  /// Opens `folder`, creating it and its parents when missing.
   explicit ObjectLibrary(std::string folder);
   ~ObjectLibrary();
   ObjectLibrary(ObjectLibrary&&) noexcept;

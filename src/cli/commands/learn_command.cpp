@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <filesystem>
 #include <iostream>
 #include <string>
 #include <utility>
@@ -111,11 +112,13 @@ ExitCode run(const Arguments& arguments) {
   if (arguments.has("--method"))
     assign_field(field_rows(settings.lesson()), "method", arguments.get("--method"));
   const LearnResult result = result_of(arguments, settings);
-  if (arguments.has("--json")) write_lesson(std::cout, result);
-  if (arguments.has("--stages"))
-    std::cerr << "mbncc: wrote the steps to " << arguments.get("--stages") << '\n';
-  if (result.error == LearnError::kSuccess) {
-    if (!arguments.has("--json")) print_lesson(std::cout, result);
+  const bool stored = result.error == LearnError::kSuccess;
+  const std::string file =
+      stored ? std::filesystem::path(library_folder(arguments)) / (result.object.name + ".png")
+             : std::filesystem::path();
+  if (arguments.has("--json")) write_lesson(std::cout, result, file);
+  if (stored) {
+    if (!arguments.has("--json")) print_lesson(std::cout, result, file);
     return kDone;
   }
   std::cerr << "mbncc: '" << result.object.name << "' was not stored: " << result.message << ' '
