@@ -130,6 +130,30 @@ TEST_F(LibraryCommands, CheckRepairsFromTheTrashAndSaysSo) {
 
 TEST_F(LibraryCommands, CommandsOnOneFileWarnOfBrokenOthers) {
   std::ofstream(folder_.library() + "/broken.png") << "no picture";
+TEST_F(LibraryCommands, PicturesOfTheUserStayWhereTheyAre) {
+  std::filesystem::create_directory(folder_ / "photos");
+  folder_.write("photos/target.png", cv::imread(folder_ / "target.png"));
+  const std::string photo = folder_ / "photos/target.png";
+  for (const std::string command : {"list", "find"}) {
+    const ToolRun run =
+        run_tool(std::vector<std::string>{command, "--library", folder_ / "photos"} +
+                 std::vector<std::string>(command == "find" ? 1 : 0, photo));
+    EXPECT_EQ(run.code, 1);
+    EXPECT_TRUE(run.says("the library has no objects; teach one first")) << run.err;
+    EXPECT_EQ(run.err.find(photo + ": not an object; left where it is\n"),
+              run.err.rfind("not an object") - photo.size() - 2)
+        << "once: " << run.err;
+  }
+  EXPECT_TRUE(std::filesystem::exists(photo));
+  folder_.write("library/photo.png", cv::imread(folder_ / "target.png"));
+  const ToolRun check = on_library("check");
+  EXPECT_EQ(check.code, 0) << check.err;
+  EXPECT_TRUE(check.says("photo.png: not an object; left where it is")) << check.err;
+  const ToolRun lesson = run_tool(folder_.lesson("photo"));
+  EXPECT_EQ(lesson.code, 1);
+  EXPECT_TRUE(lesson.says("A picture that is not an object has this name")) << lesson.err;
+}
+
   const ToolRun list = on_library("list");
   EXPECT_EQ(list.code, 0);
   EXPECT_TRUE(list.says("broken.png")) << list.err;

@@ -39,7 +39,7 @@ void print_json(const LibrarySnapshot& snapshot) {
 ExitCode run(const Arguments& arguments) {
   settings_from(arguments);
   ObjectLibrary library = existing_library(arguments);
-  const auto snapshot = load_reporting(library);
+  const auto snapshot = load_objects(library);
   if (arguments.has("--json"))
     print_json(*snapshot);
   else

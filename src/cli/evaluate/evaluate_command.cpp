@@ -111,9 +111,7 @@ ExitCode run(const Arguments& arguments) {
   const Tolerance tolerance = tolerance_of(arguments);
   const Truth truth = read_truth(arguments.get("--truth"));
   ObjectLibrary library = existing_library(arguments);
-  const auto snapshot = load_reporting(library);
-  if (snapshot->objects.empty())
-    throw std::runtime_error(library.folder() + ": the library has no objects; teach one first");
+  const auto snapshot = load_objects(library);
   check_names(truth, *snapshot, arguments.get("--truth"));
   Matcher matcher(settings_from(arguments).search());
   matcher.set_objects(snapshot->objects);

@@ -50,6 +50,14 @@ TEST(CheckStoring, NamesMustFitWhatIsAskedFor) {
       EXPECT_EQ(error_of(name, storing, library), LearnError::kNameInvalid) << name;
 }
 
+TEST(CheckStoring, APictureThatIsNoObjectKeepsItsName) {
+  LibrarySnapshot library = library_of({named("cup")});
+  library.other_pictures = {"photo.png"};
+  for (const Storing storing : {Storing::kNew, Storing::kReplace})
+    EXPECT_EQ(error_of("photo", storing, library), LearnError::kNameTaken);
+  EXPECT_EQ(error_of("box", Storing::kNew, library), LearnError::kSuccess);
+}
+
 TEST(CheckStoring, AFurtherViewBringsNothingThatContradictsTheObject) {
   ObjectModel cup = named("cup");
   cup.object_height = 0.05;

@@ -79,6 +79,11 @@ std::optional<Refusal> check_storing(const Lesson& lesson, Storing storing,
   if (!is_valid_label(lesson.label))
     return Refusal(LearnError::kNameInvalid, "The label is not usable.",
                    "Give printable UTF-8 of at most 200 bytes.");
+  const auto& others = library.other_pictures;
+  if (std::find(others.begin(), others.end(), lesson.name + ".png") != others.end())
+    return Refusal(LearnError::kNameTaken,
+                   "A picture that is not an object has this name in the library's folder.",
+                   "Choose another name, or move the picture away.");
   const auto stored = library.find(lesson.name);
   if (stored && storing == Storing::kNew)
     return Refusal(LearnError::kNameTaken, "The library already holds '" + lesson.name + "'.");
