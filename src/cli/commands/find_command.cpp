@@ -84,9 +84,7 @@ ExitCode run(const Arguments& arguments) {
     }
     progress.step();
   }
-  report->finish();
-  if (arguments.has("--overlay"))
-    std::cerr << "mbncc: wrote the annotated pictures to " << arguments.get("--overlay") << '\n';
+  overlay.tell();
   return code;
 }
 
