@@ -101,14 +101,15 @@ std::optional<Refusal> add_view(ObjectModel& stored, const ObjectModel& learned,
       return Refusal(
           LearnError::kAlreadyKnown,
           "'" + stored.name + "' already has this view: the object lies as in that picture.",
-          "Turn the object, lay it on another side or change the light; then teach the "
-          "view again.");
+          "Turn the object a little or change the light; then teach the view again. Another side "
+          "is taught under its own name.");
   const auto reference = shared_reference(stored, view, picture, search);
   if (!reference)
     return Refusal(LearnError::kNotDistinct,
                    "The stored object was not found in the new picture, so the new view cannot "
                    "share its frame.",
-                   "Show it in a pose closer to the stored views, or use overwrite.");
+                   "A further view shows the same side, turned a little or in other light. Teach "
+                   "another side under its own name, or use overwrite.");
   view.reference = *reference;
   stored.views.push_back(view);
   stored.quality = learned.quality;

@@ -101,7 +101,9 @@ std::string advice_on(const Explanation& explanation) {
       [](const ScorePart& a, const ScorePart& b) { return a.lacking < b.lacking; });
   const std::string most =
       worst == explanation.parts.end() ? "" : " Most is lacking in: " + worst->name + ".";
-  return "If the object lies here, teach a further view in this position, or improve the light." +
+  return "If the object lies here with the taught side up, teach a further view in this position, "
+         "or "
+         "improve the light; another side is taught under its own name." +
          most;
 }
 
