@@ -117,4 +117,16 @@ std::optional<Refusal> add_view(ObjectModel& stored, const ObjectModel& learned,
   return {};
 }
 
+void note_refused_view(ObjectModel& learned, const ObjectModel& stored, const cv::Mat& picture,
+                       const SearchConfig& search) {
+  ObjectModel tried = stored;
+  const auto refusal = add_view(tried, learned, picture, search);
+  if (!refusal) return;
+  Quality& quality = learned.quality;
+  quality.verdict = Verdict::kBad;
+  quality.reasons.insert(quality.reasons.begin(), "view_refused");
+  quality.advice.insert(quality.advice.begin(),
+                        "It cannot be added. " + refusal->message + " " + refusal->hint);
+}
+
 }  // namespace mbncc
