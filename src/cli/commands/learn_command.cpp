@@ -10,6 +10,7 @@
 #include "cli/report/lesson_report.hpp"
 #include "cli/report/stage_writer.hpp"
 #include "cli/settings.hpp"
+#include "cli/terminal/progress.hpp"
 #include "mbncc/error.hpp"
 #include "mbncc/learning/interactive_lesson.hpp"
 #include "mbncc/learning/lesson_storage.hpp"
@@ -68,7 +69,11 @@ void learn_and_store(const Arguments& arguments, Settings& settings, LearnResult
   const Storing storing = storing_of(arguments);
   // Checked before the lesson, which would otherwise run in vain.
   if (const auto refusal = check_storing(lesson, storing, *known)) throw *refusal;
-  result = learn(lesson, edit, settings, stages.observer());
+  {
+    Progress progress("", 1);
+    result = learn(lesson, edit, settings, stages.observer(progress));
+  }
+  stages.tell();
   if (!may_store(result, arguments)) return;
   note_resemblance(result.object, lesson.before, known->objects, settings.search());
   result.object = store(library, storing, result.object, lesson.before, settings.search());
