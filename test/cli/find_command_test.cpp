@@ -144,7 +144,11 @@ TEST_F(FindCommand, ThresholdsComeFromOptionsAndSettings) {
   const ToolRun wrong = find({"--config", folder_ / "wrong.yaml", target});
   EXPECT_EQ(wrong.code, 2);
   EXPECT_TRUE(wrong.says("did you mean 'min_score'?"));
-  EXPECT_EQ(find({"--config", folder_ / "none.yaml", target}).code, 1);
+  const ToolRun missing = find({"--config", folder_ / "none.yaml", target});
+  EXPECT_EQ(missing.code, 1);
+  EXPECT_TRUE(missing.says("none.yaml: there is no such file\n")) << missing.err;
+  const ToolRun inside = find({"--config", folder_.path(), target});
+  EXPECT_TRUE(inside.says(folder_.path() + ": a folder; give a file")) << inside.err;
 }
 
 TEST_F(FindCommand, UnknownNamesAndMissingLibrariesAreRefused) {

@@ -23,8 +23,9 @@ Lesson read_lesson(const Arguments& arguments) {
   try {
     return lesson_from(arguments);
   } catch (const FileError& error) {
-    throw Refusal(LearnError::kNoImage, std::string(error.what()) + ".",
-                  "Give PNG or JPEG pictures of 8 bits and at least 32 x 32 pixels.");
+    Refusal refusal(LearnError::kNoImage, std::string(error.what()) + ".");
+    refusal.hint.clear();  // the file's own sentence says what to do
+    throw refusal;
   }
 }
 
@@ -126,8 +127,8 @@ ExitCode run(const Arguments& arguments) {
     if (!arguments.has("--json")) print_lesson(std::cout, result, file);
     return kDone;
   }
-  std::cerr << "mbncc: '" << result.object.name << "' was not stored: " << result.message << ' '
-            << result.hint << '\n';
+  std::cerr << "mbncc: '" << result.object.name << "' was not stored: " << result.message
+            << (result.hint.empty() ? "" : " ") << result.hint << '\n';
   return kFailed;
 }
 

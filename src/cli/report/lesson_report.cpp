@@ -4,6 +4,7 @@
 #include <iomanip>
 
 #include "cli/report/json_writer.hpp"
+#include "cli/report/numbers.hpp"
 #include "cli/report/object_report.hpp"
 
 namespace mbncc::cli {
@@ -58,7 +59,7 @@ void print_lesson(std::ostream& out, const LearnResult& result, const std::strin
       << result.timings_ms.at("total") << " ms\n  stored in " << file << '\n';
   if (result.put_aside)
     out << "  put aside to (" << result.put_aside->pose.x << ", " << result.put_aside->pose.y
-        << "), " << to_degrees(result.put_aside->pose.theta) << " deg\n";
+        << "), " << unsigned_zero(to_degrees(result.put_aside->pose.theta), 1) << " deg\n";
   for (const auto& advice : object.quality.advice) out << "  " << advice << '\n';
 }
 

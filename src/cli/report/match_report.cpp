@@ -5,6 +5,7 @@
 #include <map>
 
 #include "cli/report/json_writer.hpp"
+#include "cli/report/numbers.hpp"
 
 namespace mbncc::cli {
 namespace {
@@ -109,7 +110,8 @@ class PlainReport : public MatchReport {
            << "; there may be more, raise --max-instances\n";
     for (const auto& match : result.matches) {
       out_ << "  " << match.name << " at (" << std::setprecision(2) << match.pose.x << ", "
-           << match.pose.y << "), " << to_degrees(match.pose.theta) << " deg, score " << match.score
+           << match.pose.y << "), " << unsigned_zero(to_degrees(match.pose.theta), 2)
+           << " deg, score " << match.score
            << (match.graspable   ? ""
                : match.ambiguous ? ", ambiguous, do not grasp: "
                                  : ", too uncertain to grasp: ")

@@ -191,6 +191,9 @@ class LessonRun {
     return region != cv::Rect() && (given & picture) != given;
   }
 
+  // In one picture a click beside the object cuts out the platform.
+  bool took_the_platform() const { return lesson_.click && lesson_.after.empty(); }
+
   void conclude(LearnError error) {
     if (error == LearnError::kTouchesBorder && region_reaches_out()) {
       result_.error = LearnError::kRegionInvalid;
@@ -204,6 +207,10 @@ class LessonRun {
     result_.message = message_of(error);
     result_.hint = hint_of(error);
     if (error != LearnError::kSuccess) result_.hint = result_.object.quality.advice.front();
+    if (error == LearnError::kTouchesBorder && took_the_platform()) {
+      result_.message = "What was clicked reaches the picture's border.";
+      result_.hint = "Click on the object itself, or move it fully into view.";
+    }
   }
 
   LessonState& state_;
@@ -226,7 +233,7 @@ void conclude(LearnResult& result, Steps&& steps) {
   } catch (const LessonEnded& ended) {
     result.error = ended.error();
     result.message = ended.what();
-    result.hint = hint_of(ended.error());
+    result.hint = ended.hint();
     result.has_model = false;
   }
 }
