@@ -148,6 +148,17 @@ TEST(LearnErrors, WhatWasGivenIsNamedWithItsRemedy) {
   EXPECT_EQ(told(lesson), "The region is the whole picture. Draw it close around the object.");
 }
 
+TEST(LearnErrors, ARegionInsideTheObjectIsTold) {
+  DrawnLesson drawn = draw_lesson({160, 120}, {320, 240});
+  Lesson lesson = drawn.lesson;
+  lesson.after = cv::Mat();
+  for (const int side : {40, 50}) {
+    lesson.region = {160 - side / 2, 120 - side / 2, side, side};
+    EXPECT_EQ(learn_object(lesson).error, LearnError::kQualityBad);
+    EXPECT_EQ(learn_object(lesson).hint, "The region may cut the object off: draw it larger.");
+  }
+}
+
 TEST(LearnErrors, AClickOnThePlatformIsToldFromAnObjectAtTheBorder) {
   DrawnLesson drawn = draw_lesson({30, 100});
   drawn.lesson.region = {};
