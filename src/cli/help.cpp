@@ -7,7 +7,7 @@
 namespace mbncc::cli {
 namespace {
 
-constexpr int kColumn = 25;  // [characters] of an option and its value
+constexpr std::size_t kColumn = 25;  // [characters] of an option and its value
 
 std::string written(const Option& option) {
   return option.value.empty() ? option.name : option.name + " " + option.value;
@@ -35,9 +35,9 @@ void print_help(std::ostream& out, const Command& command) {
   out << " [OPTIONS]" << (command.operand.empty() ? "" : " " + command.operand + "...") << "\n\n";
   for (const auto& option : command.options) {
     const std::string name = written(option);
-    out << "  " << std::left << std::setw(kColumn) << name << ' ';
-    if (static_cast<int>(name.size()) > kColumn) out << "\n   " << std::string(kColumn, ' ');
-    out << option.meaning << (option.repeatable ? " (repeatable)" : "") << '\n';
+    out << "  " << std::left << std::setw(static_cast<int>(kColumn)) << name
+        << (name.size() > kColumn ? "\n" + std::string(kColumn + 3, ' ') : " ") << option.meaning
+        << (option.repeatable ? " (repeatable)" : "") << '\n';
   }
   if (!command.remarks.empty()) out << '\n' << command.remarks;
 }

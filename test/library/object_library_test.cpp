@@ -38,7 +38,12 @@ TEST(ObjectLibrary, CreatesTheParentsOfItsFolderToo) {
     EXPECT_TRUE(std::filesystem::exists(folder / path + "/wrench.png")) << path;
   }
   EXPECT_THROW(ObjectLibrary(folder / "a/b/library/wrench.png"), FileError);
-  EXPECT_THROW(ObjectLibrary(folder / "a/b/library/wrench.png/inside"), FileError);
+  try {
+    ObjectLibrary(folder / "a/b/library/wrench.png/in/side");
+    ADD_FAILURE() << "a library in a file";
+  } catch (const FileError& error) {
+    EXPECT_EQ(error.path(), folder / "a/b/library/wrench.png") << "what is no folder is named";
+  }
   EXPECT_THROW(ObjectLibrary("/proc/none/library"), FileError);
 }
 

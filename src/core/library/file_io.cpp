@@ -177,7 +177,7 @@ void make_folder(const std::string& folder) {
   if (::mkdir(folder.c_str(), kFolderMode) == 0) return;
   int code = errno;
   const std::string parent = std::filesystem::path(folder).parent_path().string();
-  if (code == ENOENT && !parent.empty()) {
+  if ((code == ENOENT || code == ENOTDIR) && !parent.empty()) {
     make_folder(parent);
     if (::mkdir(folder.c_str(), kFolderMode) == 0) return;
     code = errno;
