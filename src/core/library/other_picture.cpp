@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "library/other_picture.hpp"
 
-#include <zlib.h>
-
 #include <algorithm>
 #include <array>
 #include <cstring>
@@ -22,13 +20,29 @@ std::uint32_t number_at(const std::uint8_t* bytes) {
          (std::uint32_t{bytes[2]} << 8) | bytes[3];
 }
 
+// CRC-32 of the PNG specification, annex D.
+std::uint32_t checksum(const std::uint8_t* bytes, std::size_t count) {
+  static const auto table = [] {
+    std::array<std::uint32_t, 256> entries{};
+    for (std::uint32_t i = 0; i < entries.size(); ++i) {
+      entries[i] = i;
+      for (int bit = 0; bit < 8; ++bit)
+        entries[i] = (entries[i] >> 1) ^ ((entries[i] & 1) != 0 ? 0xedb88320 : 0);
+    }
+    return entries;
+  }();
+  std::uint32_t sum = 0xffffffff;
+  for (std::size_t i = 0; i < count; ++i) sum = table[(sum ^ bytes[i]) & 0xff] ^ (sum >> 8);
+  return ~sum;
+}
+
 struct Chunk {
   const std::uint8_t* start;  // of the length
   std::size_t length;         // [bytes] of the data
 
   bool is(const char* type) const { return std::memcmp(start + 4, type, 4) == 0; }
   bool is_intact() const {
-    return ::crc32(0, start + 4, static_cast<uInt>(length + 4)) == number_at(start + 8 + length);
+    return checksum(start + 4, length + 4) == number_at(start + 8 + length);
   }
   bool describes_an_object() const {
     const std::size_t key = std::strlen(kTextKey) + 1;  // the null byte ends a keyword
