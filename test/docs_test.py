@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""Checks that the documents' references exist: linked files and headings, tests, launch files and their arguments.
+"""Checks that the documents' references exist: linked files and headings, tests, launch files and their arguments,
+and that the messages of a lesson in docs/console.md stand in the sources.
 
 usage: docs_test.py SOURCE_DIR
 """
@@ -15,6 +16,10 @@ TEST = re.compile(r'`(?:All/)?([A-Z]\w*)?\.([A-Z]\w+|\*)`')  # also `.Case`, of 
 PYTHON_TEST = re.compile(r'`(test_\w+)`')
 DEFINED = re.compile(r'\b(?:TEST|TEST_F|TEST_P)\(\s*(\w+)\s*,\s*(\w+)\s*\)')
 LAUNCH = re.compile(r'\b(?:roslaunch (?:mbncc_vision )?)(\w+\.launch)((?:[ \t]+\w+:=[^\s`]+)*)')
+
+
+SENTENCE_END = re.compile(r'(?<=[.:]) (?=[A-Z\'])')
+VARIABLE = re.compile(r"'\w+'|\b(?:GOOD|MARGINAL|BAD)\b|\d[\d.]*")  # in a message: name, verdict, number
 
 
 def defined_tests(root):
@@ -66,6 +71,31 @@ def launch_faults(root, text):
             yield f'{launch} has no argument {name}'
 
 
+def literals_of(root):
+    """All sources with the parts of their string literals joined."""
+    sources = [path for folder in ('src', 'include') for path in sorted((root / folder).rglob('*.[ch]pp'))]
+    return '\n'.join(re.sub(r'"\s*"', '', path.read_text()) for path in sources)
+
+
+def quoted_messages(text):
+    """The last column of the table of messages."""
+    table = text.split('## Messages of a lesson')[1].split('\n## ')[0]
+    rows = [line.strip('| ').split(' | ') for line in table.splitlines() if line.startswith('|')]
+    return [row[-1] for row in rows[2:]]
+
+
+def message_faults(text, literals):
+    messages = quoted_messages(text)
+    if not messages:
+        yield 'quotes no message of a lesson'
+    for message in messages:
+        for sentence in SENTENCE_END.split(message):
+            for part in VARIABLE.split(sentence):
+                words = part.strip(' .')
+                if words not in literals:
+                    yield f'quotes "{message}", but "{words}" stands in no source'
+
+
 def faults_of(path, root, tests, python_tests):
     text = path.read_text()
     yield from link_faults(path, text)
@@ -75,10 +105,13 @@ def faults_of(path, root, tests, python_tests):
 
 def main():
     root = pathlib.Path(sys.argv[1]).resolve()
+    literals = literals_of(root)
     documents = [root / 'README.md', root / 'bench' / 'README.md', *sorted((root / 'docs').rglob('*.md'))]
     tests, python_tests = defined_tests(root), defined_python_tests(root)
     faults = [f'{path.relative_to(root)} {fault}'
               for path in documents for fault in faults_of(path, root, tests, python_tests)]
+    console = root / 'docs' / 'console.md'
+    faults += [f'docs/console.md {fault}' for fault in message_faults(console.read_text(), literals)]
     print('\n'.join(faults) or f'{len(documents)} documents have valid references')
     return 1 if faults or not tests else 0
 

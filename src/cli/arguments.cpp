@@ -17,6 +17,12 @@ const Option& known_option(const std::vector<Option>& options, const std::string
   throw UsageError("unknown option '" + name + "'" + did_you_mean(name, names));
 }
 
+/// "bash or zsh" for "bash|zsh".
+std::string in_words(std::string choices) {
+  const auto bar = choices.find('|');
+  return bar == std::string::npos ? choices : choices.replace(bar, 1, " or ");
+}
+
 bool looks_like_option(const std::string& word) {
   return word.size() > 1 && word[0] == '-' &&
          (word[1] == '-' || std::isdigit(static_cast<unsigned char>(word[1])) == 0);
@@ -65,7 +71,8 @@ void Arguments::check_complete(const std::vector<Option>& options,
       throw UsageError(option.name + " " + option.value + " is missing");
   if (operand.empty() && !operands_.empty())
     throw UsageError("'" + operands_.front() + "' is not expected here");
-  if (!operand.empty() && operands_.empty()) throw UsageError("no " + operand + " is given");
+  if (!operand.empty() && operands_.empty())
+    throw UsageError("nothing to work on is given; give " + in_words(operand));
 }
 
 std::string Arguments::get(const std::string& option, const std::string& otherwise) const {

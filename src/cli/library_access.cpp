@@ -35,7 +35,7 @@ std::string library_folder(const Arguments& arguments) {
 
 ObjectLibrary existing_library(const Arguments& arguments) {
   const std::string folder = library_folder(arguments);
-  if (!std::filesystem::is_directory(folder))
+  if (!std::filesystem::exists(folder))
     throw FileError(folder, "there is no such library folder; 'mbncc learn' makes one");
   return ObjectLibrary(folder);
 }
@@ -45,6 +45,16 @@ std::shared_ptr<const LibrarySnapshot> load_reporting(ObjectLibrary& library) {
   for (const auto& file : snapshot->quarantined)
     std::cerr << "mbncc: warning: " << library.folder() << '/' << file.file << ": " << file.reason
               << (file.moved ? "; moved to .quarantine\n" : "; left in place\n");
+  for (const auto& file : snapshot->other_pictures)
+    std::cerr << "mbncc: warning: " << library.folder() << '/' << file
+              << ": not an object; left where it is\n";
+  return snapshot;
+}
+
+std::shared_ptr<const LibrarySnapshot> load_objects(ObjectLibrary& library) {
+  auto snapshot = load_reporting(library);
+  if (snapshot->objects.empty())
+    throw std::runtime_error(library.folder() + ": the library has no objects; teach one first");
   return snapshot;
 }
 

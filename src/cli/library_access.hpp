@@ -16,8 +16,11 @@ std::string library_folder(const Arguments& arguments);
 /// create a new library.
 ObjectLibrary existing_library(const Arguments& arguments);
 
-/// Its content; files that cannot be read are reported on stderr.
+/// Its content; files that cannot be read or are no objects are reported on stderr.
 std::shared_ptr<const LibrarySnapshot> load_reporting(ObjectLibrary& library);
+
+/// The same of a library with objects; throws std::runtime_error if there are none.
+std::shared_ptr<const LibrarySnapshot> load_objects(ObjectLibrary& library);
 
 /// The object given by --name. Throws std::invalid_argument listing the known names.
 std::shared_ptr<const ObjectModel> named_object(const LibrarySnapshot& snapshot,

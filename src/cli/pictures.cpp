@@ -120,6 +120,17 @@ bool is_drawn(const cv::Mat& grey) {
   return unused >= 256 - kFew || between <= (1 - kShare) * static_cast<double>(grey.total());
 }
 
+/// Refuses a path through a file, whose name the system's own error leaves out.
+void refuse_file_in(const std::filesystem::path& folder) {
+  std::filesystem::path walked;
+  std::error_code ignored;
+  for (const auto& part : folder) {
+    walked /= part;
+    if (std::filesystem::is_regular_file(walked, ignored))
+      throw FileError(walked.string(), "is a file; give a folder");
+  }
+}
+
 }  // namespace
 
 cv::Mat read_picture(const std::string& path) {
@@ -141,6 +152,7 @@ void write_picture(const std::string& path, const cv::Mat& picture) {
   namespace fs = std::filesystem;
   std::vector<std::uint8_t> bytes;
   cv::imencode(".png", picture, bytes);
+  refuse_file_in(fs::path(path).parent_path());
   std::error_code error;
   const bool device = fs::exists(path, error) && !fs::is_regular_file(path, error);
   // Writes a temporary file and renames it, so that an old file stays until the new one is
@@ -156,6 +168,7 @@ void write_picture(const std::string& path, const cv::Mat& picture) {
 }
 
 void make_output_folder(const std::string& folder) {
+  refuse_file_in(folder);
   std::error_code error;
   std::filesystem::create_directories(folder, error);
   if (error || !std::filesystem::is_directory(folder))

@@ -287,7 +287,7 @@ void ConsoleWidget::ask_about_name(const std::string& name) {
         [this, name] {
           begin({What::kReplace, name});
         }},
-       {"&Add view", "Teach it from another side or in other light as well",
+       {"&Add view", "Teach this side in other light or a little turned as well",
         [this, name] {
           begin({What::kView, name});
         }},
@@ -330,8 +330,8 @@ void ConsoleWidget::end_lesson(const mbncc_vision::LearnObjectActionResult& resu
 void ConsoleWidget::offer_next_view(const std::string& name) {
   const bool goes_on = !viewed_.empty();
   const std::string question =
-      goes_on ? " Lay '" + name + "' on another side or in other light, then press Space."
-              : " Is it to be found from another side as well?";
+      goes_on ? " Turn '" + name + "' a little or change the light, then press Space."
+              : " Is it to be found in other light as well?";
   lesson_bar_->ask(
       {lesson_.level(), lesson_.detail() + question},
       {{goes_on ? "Ne&xt view (Space)" : "Teach anothe&r view",

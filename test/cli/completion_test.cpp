@@ -35,6 +35,19 @@ TEST(Completion, OffersCommandsOptionsChoicesNamesAndFiles) {
       completed(folder, "mbncc find --library '" + std::string(folder / "library") + "' --name ''"),
       " wrench \n");
   EXPECT_EQ(completed(folder, "mbncc show --name n"), " nut \n");
+  // bash gives the equals sign as a word of its own, zsh does not.
+  const std::string library = folder / "library";
+  EXPECT_EQ(completed(folder, "mbncc show --library = '" + library + "' --name w"), " wrench \n");
+  EXPECT_EQ(completed(folder, "mbncc show '--library=" + library + "' --name w"), " wrench \n");
+  EXPECT_EQ(completed(folder, "mbncc find --library = '" + library + "/wr'"),
+            " " + library + "/wrench.png \n");
+  EXPECT_EQ(completed(folder, "mbncc find '--library=" + library + "/wr'"),
+            " --library=" + library + "/wrench.png \n");
+  EXPECT_EQ(completed(folder, "mbncc find --engine = po"), " polar \n");
+  EXPECT_EQ(completed(folder, "mbncc find --engine ="), " fast polar \n");
+  EXPECT_EQ(completed(folder, "mbncc learn --symmetry ro"), " round \n");
+  EXPECT_EQ(completed(folder, "mbncc learn --method r"), " region_cut \n");
+  EXPECT_EQ(completed(folder, "mbncc completion ''"), " bash zsh \n");
   const std::string file = folder / "library/wr";
   EXPECT_EQ(completed(folder, "mbncc find '" + file + "'"), " " + file + "ench.png \n");
 }

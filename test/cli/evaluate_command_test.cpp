@@ -49,10 +49,36 @@ TEST_F(EvaluateCommand, WritesAPageWithPicturesOfFaults) {
 }
 
 TEST_F(EvaluateCommand, WrongTruthGetsASentence) {
-  EXPECT_TRUE(evaluate("picture,x\n").says("no column 'image'"));
+  EXPECT_TRUE(evaluate("x,y\n").says("no column 'image'"));
   EXPECT_TRUE(evaluate("image,x,y\ntarget.png,12,left\n").says("line 2: y is no number: 'left'"));
   EXPECT_TRUE(evaluate("image,name,x,y\ntarget.png,nut,1,2\n").says("no object 'nut'"));
   EXPECT_EQ(evaluate("").code, 1);
+}
+
+TEST_F(EvaluateCommand, AShareOfNothingIsNoNumber) {
+  const ToolRun run = evaluate("image,x,y\nempty.png,,\n", {"--set", "min_score=1"});
+  EXPECT_EQ(run.code, 0) << run.err;
+  EXPECT_TRUE(run.prints("recall: - (0 of 0), graspable - (0 of 0)")) << run.out;
+  EXPECT_TRUE(run.prints("precision: - (0 of 0)")) << run.out;
+  EXPECT_TRUE(run.prints("position - px median")) << run.out;
+  const ToolRun json = evaluate("image,x,y\nempty.png,,\n", {"--set", "min_score=1", "--json"});
+  const YAML::Node figures = YAML::Load(split(json.out, '\n').back());
+  for (const char* key : {"recall", "precision", "precision_graspable", "place_median_px"})
+    EXPECT_TRUE(figures[key].IsNull()) << key;
+}
+
+TEST_F(EvaluateCommand, UnknownColumnsAreRefused) {
+  const ToolRun run = evaluate("image,name,x,y,theta_dge\ntarget.png,part,195,125,70\n");
+  EXPECT_EQ(run.code, 1);
+  EXPECT_TRUE(run.says("its column 'theta_dge' is unknown; did you mean 'theta_deg'?")) << run.err;
+}
+
+TEST_F(EvaluateCommand, ListedPicturesThatWereNotGivenAreNamed) {
+  const std::string truth = std::string(kRight) + "lost.png,part,1,2,3\n";
+  EXPECT_TRUE(evaluate(truth).says("1 listed pictures were not given: lost.png\n"));
+  const ToolRun json = evaluate(truth, {"--json"});
+  EXPECT_EQ(YAML::Load(split(json.out, '\n').back())["not_given"].as<int>(), 1);
+  EXPECT_FALSE(evaluate(kRight).says("not given"));
 }
 
 TEST_F(EvaluateCommand, AnUnreadablePictureIsCountedAndTheOthersSearched) {

@@ -48,8 +48,9 @@ TEST_F(FindCommand, CsvHasARowPerDetectionAndOnePerEmptyPicture) {
 TEST_F(FindCommand, JsonHoldsWhatADetectionHolds) {
   const ToolRun run = find({"--json", folder_ / "target.png", folder_ / "empty.png"});
   ASSERT_EQ(run.code, 0) << run.err;
-  const YAML::Node pictures = YAML::Load(run.out);
-  ASSERT_EQ(pictures.size(), 2u);
+  const auto lines = split(run.out, '\n');
+  ASSERT_EQ(lines.size(), 2u) << "one picture a line";
+  const YAML::Node pictures[] = {YAML::Load(lines[0]), YAML::Load(lines[1])};
   EXPECT_EQ(pictures[0]["width"].as<int>(), LessonFolder::kWidth);
   ASSERT_EQ(pictures[0]["objects"].size(), 1u);
   const YAML::Node object = pictures[0]["objects"][0];
@@ -143,7 +144,11 @@ TEST_F(FindCommand, ThresholdsComeFromOptionsAndSettings) {
   const ToolRun wrong = find({"--config", folder_ / "wrong.yaml", target});
   EXPECT_EQ(wrong.code, 2);
   EXPECT_TRUE(wrong.says("did you mean 'min_score'?"));
-  EXPECT_EQ(find({"--config", folder_ / "none.yaml", target}).code, 1);
+  const ToolRun missing = find({"--config", folder_ / "none.yaml", target});
+  EXPECT_EQ(missing.code, 1);
+  EXPECT_TRUE(missing.says("none.yaml: there is no such file\n")) << missing.err;
+  const ToolRun inside = find({"--config", folder_.path(), target});
+  EXPECT_TRUE(inside.says(folder_.path() + ": a folder; give a file")) << inside.err;
 }
 
 TEST_F(FindCommand, UnknownNamesAndMissingLibrariesAreRefused) {

@@ -167,7 +167,9 @@ TEST(LearnCommand, AddedViewsShareOneObjectFrame) {
   const auto left = ObjectLibrary(folder.library()).load()->find("part");
   ASSERT_EQ(left->views.size(), 1u);
   EXPECT_NEAR(left->views[0].reference.x, 195, 1.5);
-  EXPECT_TRUE(run_tool(forget + Words{"1"}).says("only view"));
+  EXPECT_TRUE(run_tool(forget + Words{"1"})
+                  .says("'part' has no other view; use 'mbncc forget --name part'"));
+  EXPECT_TRUE(run_tool(forget + Words{"2"}).says("there is no view 2; it has one view"));
 }
 
 TEST(LearnCommand, AViewOfAnotherObjectIsNotAdded) {
@@ -184,6 +186,7 @@ TEST(LearnCommand, AViewOfAnotherObjectIsNotAdded) {
                 folder / "other.png", "--map", folder / "other_map.png", "--add-view"});
   EXPECT_EQ(run.code, 1);
   EXPECT_TRUE(run.says("was not found in the new picture")) << run.err;
+  EXPECT_TRUE(run.says("Teach another side under its own name, or use --overwrite.")) << run.err;
   EXPECT_EQ(ObjectLibrary(folder.library()).load()->find("part")->views.size(), 1u);
 }
 
@@ -233,12 +236,30 @@ TEST(LearnCommand, UnusablePicturesAndRegionsStoreNothing) {
   std::ofstream(folder / "text.png") << "no picture";
   const Words start = {"learn", "--library", folder.library(), "--name", "part"};
   const std::vector<std::pair<Words, std::string>> table = {
-      {{"--before", folder / "none.png", "--roi", "1,1,50,50"}, "there is no such file"},
-      {{"--before", folder / "text.png", "--roi", "1,1,50,50"}, "neither a PNG nor a JPEG"},
+      {{"--before", folder / "none.png", "--roi", "1,1,50,50"}, "there is no such file.\n"},
+      {{"--before", folder.path(), "--roi", "1,1,50,50"}, "a folder; give the pictures in it.\n"},
+      {{"--before", folder / "text.png", "--roi", "1,1,50,50"}, "convert it to PNG.\n"},
+      {{"--before", folder / "before.png", "--map", folder / "before.png"},
+       "white on the object and black elsewhere.\n"},
       {{"--before", folder / "before.png", "--map", folder / "small.png"}, "100 x 100 pixels"},
       {{"--before", folder / "before.png", "--after", folder / "small.png"}, "100 x 100 pixels"},
-      {{"--before", folder / "before.png", "--map", folder / "black.png"}, "was not stored"},
-      {{"--before", folder / "before.png", "--roi", "400,10,50,50"}, "region"},
+      {{"--before", folder / "before.png", "--map", folder / "black.png"},
+       "The map is black everywhere. Paint the object white.\n"},
+      {{"--before", folder / "before.png", "--roi", "400,10,50,50"},
+       "The region does not lie in the picture."},
+      {{"--before", folder / "before.png", "--roi", "0,0,320,240"},
+       "The region is the whole picture. Draw it close around the object.\n"},
+      {{"--before", folder / "before.png", "--roi", "120,100,5,5"},
+       "The region is only 5 x 5 px. Give at least 8 x 8 px.\n"},
+      {{"--before", folder / "before.png", "--roi", "120,100,20,20"},
+       "The region (roi) may cut the object off: draw it larger"},
+      {{"--before", folder / "before.png", "--click", "400,10"},
+       "Give a point inside the picture of 320 x 240 px.\n"},
+      {{"--before", folder / "before.png", "--click", "290,20"},
+       "No object stands out at the click. Click on the object itself"},
+      {{"--before", folder / "before.png", "--map", folder / "map.png", "--include",
+        "400,10,410,10"},
+       "Give a point inside the picture of 320 x 240 px.\n"},
       {{"--before", folder / "after.png", "--after", folder / "empty.png"}, "no difference"},
   };
   for (const auto& [words, sentence] : table) {
@@ -251,12 +272,56 @@ TEST(LearnCommand, UnusablePicturesAndRegionsStoreNothing) {
   }
 }
 
-TEST(LearnCommand, LibraryThatCannotBeWrittenIsReported) {
+TEST(LearnCommand, OutputFoldersThatAreFilesAreRefusedAndNothingIsSaidToBeWritten) {
+  const LessonFolder folder;
+  for (const char* inside : {"map.png", "map.png/deeper"}) {
+    const ToolRun run = run_tool(folder.lesson("part") + Words{"--stages", folder / inside});
+    EXPECT_EQ(run.code, 1);
+    EXPECT_TRUE(run.says(folder / "map.png: is a file; give a folder")) << run.err;
+    EXPECT_FALSE(run.says("wrote")) << run.err;
+  }
+  const ToolRun written = run_tool(folder.lesson("part") + Words{"--stages", folder / "stages"});
+  EXPECT_TRUE(written.says("pictures of the steps to " + (folder / "stages"))) << written.err;
+  const Words find{"find", "--library", folder.library(), "--overlay"};
+  const ToolRun overlay = run_tool(find + Words{folder / "map.png", folder / "target.png"});
+  EXPECT_TRUE(overlay.says("is a file; give a folder")) << overlay.err;
+  const ToolRun none = run_tool(find + Words{folder / "marked", folder / "none.png"});
+  EXPECT_FALSE(none.says("wrote")) << none.err;
+  const ToolRun map = run_tool({"map", "--library", folder.library(), "--name", "part", "--out",
+                                folder / "map.png/out.png"});
+  EXPECT_TRUE(map.says("map.png: is a file; give a folder")) << map.err;
+}
+
+TEST(LearnCommand, ALibraryThatIsAFileIsRefused) {
   const LessonFolder folder;
   std::ofstream(folder.library()) << "a file where the folder should be";
-  const ToolRun run = run_tool(folder.lesson("part"));
-  EXPECT_EQ(run.code, 1);
-  EXPECT_TRUE(run.says(folder.library())) << run.err;
+  for (const Words& words : {folder.lesson("part"), Words{"list", "--library", folder.library()}}) {
+    const ToolRun run = run_tool(words);
+    EXPECT_EQ(run.code, 1);
+    EXPECT_TRUE(run.says(folder.library() + ": is a file; give a folder")) << run.err;
+  }
+}
+
+TEST(LearnCommand, TheDefaultLibraryIsMadeWithItsParentsAndItsFileIsNamed) {
+  const LessonFolder folder;
+  const std::string home = ::getenv("HOME") == nullptr ? "" : ::getenv("HOME");
+  ASSERT_EQ(::setenv("HOME", (folder / "home").c_str(), 1), 0);
+  const Words lesson = {"learn", "--name",          "part", "--before", folder / "before.png",
+                        "--map", folder / "map.png"};
+  const ToolRun missing = run_tool({"list"});
+  const ToolRun plain = run_tool(lesson), json = run_tool(lesson + Words{"--overwrite", "--json"});
+  const ToolRun list = run_tool({"list"});
+  ASSERT_EQ(::setenv("HOME", home.c_str(), 1), 0);
+  const std::string file = folder / "home/.ros/mbncc_library/part.png";
+  EXPECT_TRUE(missing.says("'mbncc learn' makes one")) << missing.err;
+  ASSERT_EQ(plain.code, 0) << plain.err;
+  EXPECT_TRUE(plain.prints("stored in " + file + "\n")) << plain.out;
+  EXPECT_EQ(YAML::Load(json.out)["file"].as<std::string>(), file);
+  EXPECT_TRUE(std::filesystem::exists(file));
+  EXPECT_TRUE(list.prints("part ")) << list.err;
+  using std::filesystem::perms;
+  EXPECT_EQ(std::filesystem::status(folder / "home/.ros").permissions() & perms::others_write,
+            perms::none);
 }
 
 }  // namespace

@@ -45,9 +45,11 @@ TEST_F(LibraryCommands, MapComesBackAtFullSize) {
 
 TEST_F(LibraryCommands, ListAndShowDescribeObjects) {
   EXPECT_TRUE(on_library("list").prints("part"));
-  const YAML::Node list = YAML::Load(on_library("list", {"--json"}).out);
-  ASSERT_EQ(list.size(), 1u);
-  EXPECT_EQ(list[0]["name"].as<std::string>(), "part");
+  ASSERT_EQ(run_tool(folder_.lesson("twin")).code, 0);
+  const auto lines = split(on_library("list", {"--json"}).out, '\n');
+  ASSERT_EQ(lines.size(), 2u) << "one object a line";
+  EXPECT_EQ(YAML::Load(lines[0])["name"].as<std::string>(), "part");
+  EXPECT_EQ(YAML::Load(lines[1])["name"].as<std::string>(), "twin");
   EXPECT_TRUE(on_library("show", {"--name", "part"}).prints("verdict"));
   const YAML::Node object = YAML::Load(on_library("show", {"--name", "part", "--json"}).out);
   EXPECT_EQ(object["views"].size(), 1u);
@@ -81,7 +83,7 @@ TEST_F(LibraryCommands, ASymmetryIsDeclaredAndShown) {
   EXPECT_NE(shown().find("symmetry round, declared"), std::string::npos) << shown();
   EXPECT_TRUE(on_library("list").prints("round"));
   const YAML::Node list = YAML::Load(on_library("list", {"--json"}).out);
-  EXPECT_EQ(list[0]["symmetry"].as<std::string>(), "round");
+  EXPECT_EQ(list["symmetry"].as<std::string>(), "round");
   EXPECT_EQ(on_library("edit", {"--name", "nut", "--symmetry", "2"}).code, 1);
   EXPECT_EQ(on_library("edit", {"--name", "part", "--symmetry", "auto"}).code, 0);
   EXPECT_NE(shown().find("symmetry none, as measured"), std::string::npos) << shown();
@@ -126,6 +128,30 @@ TEST_F(LibraryCommands, CheckRepairsFromTheTrashAndSaysSo) {
   EXPECT_FALSE(on_library("check", {"--repair"}).prints("brought")) << "once is enough";
   std::filesystem::remove_all(folder_.library() + "/.quarantine");
   EXPECT_EQ(on_library("check").code, 0);
+}
+
+TEST_F(LibraryCommands, PicturesOfTheUserStayWhereTheyAre) {
+  std::filesystem::create_directory(folder_ / "photos");
+  folder_.write("photos/target.png", cv::imread(folder_ / "target.png"));
+  const std::string photo = folder_ / "photos/target.png";
+  for (const std::string command : {"list", "find"}) {
+    const ToolRun run =
+        run_tool(std::vector<std::string>{command, "--library", folder_ / "photos"} +
+                 std::vector<std::string>(command == "find" ? 1 : 0, photo));
+    EXPECT_EQ(run.code, 1);
+    EXPECT_TRUE(run.says("the library has no objects; teach one first")) << run.err;
+    EXPECT_EQ(run.err.find(photo + ": not an object; left where it is\n"),
+              run.err.rfind("not an object") - photo.size() - 2)
+        << "once: " << run.err;
+  }
+  EXPECT_TRUE(std::filesystem::exists(photo));
+  folder_.write("library/photo.png", cv::imread(folder_ / "target.png"));
+  const ToolRun check = on_library("check");
+  EXPECT_EQ(check.code, 0) << check.err;
+  EXPECT_TRUE(check.says("photo.png: not an object; left where it is")) << check.err;
+  const ToolRun lesson = run_tool(folder_.lesson("photo"));
+  EXPECT_EQ(lesson.code, 1);
+  EXPECT_TRUE(lesson.says("A picture that is not an object has this name")) << lesson.err;
 }
 
 TEST_F(LibraryCommands, CommandsOnOneFileWarnOfBrokenOthers) {

@@ -5,6 +5,8 @@
 
 #include <sstream>
 
+#include "cli/report/stage_writer.hpp"
+
 namespace mbncc::cli {
 namespace {
 
@@ -17,6 +19,19 @@ TEST(Progress, TellsHowFarTheWorkIsAndLeavesNothingBehind) {
     EXPECT_NE(out.str().find("searched 4 of 4, 0 s left"), std::string::npos);
   }
   EXPECT_EQ(out.str().substr(out.str().size() - 4), "\r\x1b[K");
+}
+
+TEST(Progress, OfOneLongItemNamesTheStep) {
+  std::ostringstream out;
+  Progress progress("", 1, out, true, 0);
+  StageWriter stages("");
+  const StageObserver observer = stages.observer(progress);
+  EXPECT_TRUE(observer(Stage::kSegment, 0.5, "Segmenting the object.", {}));
+  EXPECT_NE(out.str().find("[###############---------------] Segmenting the object., "),
+            std::string::npos)
+      << out.str();
+  Progress to_a_file("", 1, out, false, 0);
+  EXPECT_FALSE(stages.observer(to_a_file)) << "nobody would see the steps";
 }
 
 TEST(Progress, SaysNothingOfShortWorkAndToFiles) {

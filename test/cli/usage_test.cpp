@@ -23,11 +23,12 @@ TEST(Usage, WrongUsageGetsASentenceAndExitCode2) {
       {{"help", "lern"}, "did you mean 'learn'?"},
       {{"frobnicate"}, "unknown command 'frobnicate'\nTry"},
       {{"explain", "--library", "L", "i.png"}, "--at x,y is missing"},
-      {{"explain", "--library", "L", "--at", "1", "i.png"}, "--at needs pairs of numbers x,y"},
+      {{"explain", "--library", "L", "--at", "1", "i.png"}, "--at needs x,y: two numbers"},
+      {{"explain", "--library", "L", "--at", "1,2,3,4", "i.png"}, "--at needs x,y: two numbers"},
       {{"explain", "--library", "L", "--at", "1,2", "i.png", "j.png"}, "one picture, not 2"},
-      {{"replay"}, "no FILE.miss is given"},
+      {{"replay"}, "nothing to work on is given; give FILE.miss\n"},
       {{"evaluate", "--library", "L", "i.png"}, "--truth TRUTH.csv is missing"},
-      {{"completion"}, "no SHELL is given"},
+      {{"completion"}, "nothing to work on is given; give bash or zsh\n"},
       {{"completion", "fish"}, "bash or zsh, not 'fish'"},
       {{"list", "--libary", "L"}, "did you mean '--library'?"},
       {{"list", "--colour", "red"}, "unknown option '--colour'\nTry"},
@@ -40,7 +41,7 @@ TEST(Usage, WrongUsageGetsASentenceAndExitCode2) {
       {{"show", "--library", "L"}, "--name NAME is missing"},
       {{"map", "--library", "L", "--name", "n"}, "--out map.png is missing"},
       {{"restore", "--library", "L", "--name", "n", "--revision", "x"}, "--revision needs"},
-      {find, "no IMAGE is given"},
+      {find, "nothing to work on is given; give IMAGE\n"},
       {find + std::vector<std::string>{"--csv", "--json", "i.png"}, "exclude each other"},
       {find + std::vector<std::string>{"--min-score", "2", "i.png"}, "0 .. 1"},
       {find + std::vector<std::string>{"--min-score", "nan", "i.png"}, "0 .. 1"},
@@ -92,6 +93,9 @@ TEST(Usage, EveryCommandExplainsItself) {
     EXPECT_TRUE(one.prints("--config FILE.yaml"));
     EXPECT_TRUE(one.prints("--set key=value"));
   }
+  // Columns are as wide as the longest name.
+  EXPECT_TRUE(all.prints("\n  completion  print a script")) << all.out;
+  EXPECT_TRUE(all.prints("\n  learn       learn an object")) << all.out;
   EXPECT_EQ(run_tool({"help", "learn"}).out, run_tool({"learn", "--help"}).out);
   EXPECT_EQ(run_tool({"help"}).out, all.out);
   EXPECT_EQ(run_tool({"--version"}).out.rfind("mbncc ", 0), 0u);

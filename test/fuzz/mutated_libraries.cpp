@@ -86,8 +86,8 @@ void check_find(const LibrarySnapshot& library, const std::string& folder,
   Names words{"--library", folder, "--json", picture};
   words.insert(words.end(), settings.begin(), settings.end());
   const YAML::Node report = YAML::Load(printed_by(cli::find_command(), words));
-  const auto searched = report[0]["searched"].as<Names>();
-  const auto skipped = report[0]["skipped"].as<Names>();
+  const auto searched = report["searched"].as<Names>();
+  const auto skipped = report["skipped"].as<Names>();
   for (const auto& object : library.objects)
     if (object->enabled && !holds(searched, object->name))
       fail("find does not search for " + object->name + ": " +

@@ -117,6 +117,59 @@ TEST(LearnErrors, MapEmptyOrFull) {
   EXPECT_EQ(error_for(drawn.lesson), LearnError::kSegmentationFull);
 }
 
+// The sentence that a person reads of a refused lesson.
+std::string told(const Lesson& lesson) {
+  const LearnResult result = learn_object(lesson);
+  return result.message + " " + result.hint;
+}
+
+TEST(LearnErrors, WhatWasGivenIsNamedWithItsRemedy) {
+  DrawnLesson drawn = draw_lesson();
+  Lesson lesson = drawn.lesson;
+  const std::string size =
+      std::to_string(lesson.before.cols) + " x " + std::to_string(lesson.before.rows);
+  lesson.map = cv::Mat::zeros(drawn.truth.size(), CV_8UC1);
+  EXPECT_EQ(told(lesson), "The map is black everywhere. Paint the object white.");
+  lesson.map.setTo(255);
+  EXPECT_EQ(told(lesson),
+            "The map is white nearly everywhere. Paint everything but the object black.");
+  lesson = drawn.lesson;
+  lesson.click = cv::Point2d(-1, 5);
+  EXPECT_EQ(told(lesson),
+            "The click does not lie in the picture. Give a point inside the picture "
+            "of " +
+                size + " px.");
+  lesson = drawn.lesson;
+  lesson.region = {100, 90, 5, 5};
+  EXPECT_EQ(told(lesson), "The region is only 5 x 5 px. Give at least 8 x 8 px.");
+  lesson.region = {{0, 0}, lesson.before.size()};
+  EXPECT_EQ(learn_object(lesson).error, LearnError::kSuccess) << "the change shows the object";
+  lesson.after = cv::Mat();
+  EXPECT_EQ(told(lesson), "The region is the whole picture. Draw it close around the object.");
+}
+
+TEST(LearnErrors, ARegionInsideTheObjectIsTold) {
+  DrawnLesson drawn = draw_lesson({160, 120}, {320, 240});
+  Lesson lesson = drawn.lesson;
+  lesson.after = cv::Mat();
+  for (const int side : {40, 50}) {
+    lesson.region = {160 - side / 2, 120 - side / 2, side, side};
+    EXPECT_EQ(learn_object(lesson).error, LearnError::kQualityBad);
+    EXPECT_EQ(learn_object(lesson).hint, "The region may cut the object off: draw it larger.");
+  }
+}
+
+TEST(LearnErrors, AClickOnThePlatformIsToldFromAnObjectAtTheBorder) {
+  DrawnLesson drawn = draw_lesson({30, 100});
+  drawn.lesson.region = {};
+  drawn.lesson.click = cv::Point2d(30, 100);
+  EXPECT_EQ(told(drawn.lesson).find("What was clicked"), std::string::npos);
+  drawn.lesson.after = cv::Mat();
+  const LearnResult result = learn_object(drawn.lesson);
+  ASSERT_EQ(result.error, LearnError::kTouchesBorder);
+  EXPECT_EQ(result.message, "What was clicked reaches the picture's border.");
+}
+
 TEST(LearnErrors, TouchesBorder) {
   const DrawnLesson drawn = draw_lesson({30, 100});
   const LearnResult result = learn_object(drawn.lesson);

@@ -27,8 +27,24 @@ TEST(ObjectLibrary, CreatesItsFolder) {
   TemporaryFolder folder;
   ObjectLibrary library(folder / "new");
   EXPECT_TRUE(library.load()->objects.empty());
-  EXPECT_THROW(ObjectLibrary(folder / "missing/parent"), FileError);
   EXPECT_THROW(ObjectLibrary(""), FileError);
+}
+
+TEST(ObjectLibrary, CreatesTheParentsOfItsFolderToo) {
+  TemporaryFolder folder;
+  for (const char* path : {"a/b/library", "c/library/"}) {
+    ObjectLibrary library(folder / path);
+    library.save(random_model(1), Existing::kRefuse);
+    EXPECT_TRUE(std::filesystem::exists(folder / path + "/wrench.png")) << path;
+  }
+  EXPECT_THROW(ObjectLibrary(folder / "a/b/library/wrench.png"), FileError);
+  try {
+    ObjectLibrary(folder / "a/b/library/wrench.png/in/side");
+    ADD_FAILURE() << "a library in a file";
+  } catch (const FileError& error) {
+    EXPECT_EQ(error.path(), folder / "a/b/library/wrench.png") << "what is no folder is named";
+  }
+  EXPECT_THROW(ObjectLibrary("/proc/none/library"), FileError);
 }
 
 TEST(ObjectLibrary, LoadsWhatWasSavedSortedByName) {

@@ -41,6 +41,12 @@ TEST(ObjectLibrary, UnreadableFilesAreQuarantinedAndTheRestLoads) {
   EXPECT_EQ(library.quarantine()[0].reason, snapshot->quarantined[0].reason);
 }
 
+void write(const std::string& path, const std::vector<std::uint8_t>& bytes) {
+  std::ofstream(path, std::ios::binary)
+      .write(reinterpret_cast<const char*>(bytes.data()),
+             static_cast<std::streamsize>(bytes.size()));
+}
+
 // The file of an object as a later version of this package may write it.
 std::vector<std::uint8_t> newer_format(const ObjectModel& model) {
   std::vector<cv::Rect> rectangles;
@@ -59,9 +65,7 @@ TEST(ObjectLibrary, FilesOfANewerFormatAreReportedAndLeftAlone) {
   ObjectModel wrench = random_model(2);
   wrench.views.resize(1);
   const auto bytes = newer_format(wrench);
-  std::ofstream(folder / "wrench.png", std::ios::binary)
-      .write(reinterpret_cast<const char*>(bytes.data()),
-             static_cast<std::streamsize>(bytes.size()));
+  write(folder / "wrench.png", bytes);
   const auto snapshot = library.load();
   EXPECT_EQ(snapshot->objects.size(), 1u);
   ASSERT_EQ(snapshot->quarantined.size(), 1u);
@@ -75,6 +79,61 @@ TEST(ObjectLibrary, FilesOfANewerFormatAreReportedAndLeftAlone) {
   EXPECT_THROW(library.remove("wrench"), FileError);
   EXPECT_EQ(library::read_regular_file(folder / "wrench.png", bytes.size()).bytes, bytes);
   EXPECT_TRUE(library.quarantine().empty());
+}
+
+std::vector<std::uint8_t> photograph() {
+  const cv::Mat picture(40, 60, CV_8UC4, cv::Scalar::all(200));
+  return library::encode_png(picture, "Software", "a camera");
+}
+
+TEST(ObjectLibrary, PicturesThatAreNoObjectsStayInPlace) {
+  TemporaryFolder folder;
+  ObjectLibrary library(folder.path());
+  library.save(random_model(1), Existing::kRefuse);
+  const auto photo = photograph();
+  for (const char* name : {"photo.png", "IMG 1.edited.png"}) write(folder / name, photo);
+  for (int round = 0; round < 2; ++round) {
+    const auto snapshot = library.load();
+    EXPECT_EQ(snapshot->objects.size(), 1u);
+    EXPECT_TRUE(snapshot->quarantined.empty());
+    EXPECT_EQ(snapshot->other_pictures,
+              (std::vector<std::string>{"IMG 1.edited.png", "photo.png"}));
+  }
+  EXPECT_TRUE(library.quarantine().empty());
+  EXPECT_FALSE(library.changed_on_disk());
+  EXPECT_EQ(library::read_regular_file(folder / "photo.png", photo.size()).bytes, photo);
+}
+
+TEST(ObjectLibrary, APictureThatIsNoObjectIsNeitherReplacedNorMovedByItsName) {
+  TemporaryFolder folder;
+  ObjectLibrary library(folder.path());
+  library.save(random_model(1, "nut"), Existing::kRefuse);
+  const auto photo = photograph();
+  write(folder / "wrench.png", photo);
+  EXPECT_THROW(library.save(random_model(1), Existing::kRefuse), FileError);
+  EXPECT_THROW(library.save(random_model(1), Existing::kReplace), FileError);
+  EXPECT_THROW(library.edit("wrench", [](ObjectModel&) {}), FileError);
+  EXPECT_THROW(library.remove("wrench"), FileError);
+  EXPECT_THROW(library.rename("nut", "wrench", ""), FileError);
+  EXPECT_EQ(library::read_regular_file(folder / "wrench.png", photo.size()).bytes, photo);
+}
+
+TEST(ObjectLibrary, DamagedPicturesAndDamagedObjectsAreQuarantined) {
+  TemporaryFolder folder;
+  ObjectLibrary library(folder.path());
+  auto cut = photograph(), flipped = photograph(), object = encode_object(random_model(1));
+  cut.resize(cut.size() - 4);
+  flipped[flipped.size() / 2] ^= 1;
+  object[object.size() / 2] ^= 1;
+  write(folder / "cut.png", cut);
+  write(folder / "flipped.png", flipped);
+  write(folder / "object.png", object);
+  // Sound as a picture, but what it says of an object is wrong.
+  write(folder / "claim.png",
+        library::encode_png(cv::Mat(9, 9, CV_8UC4, cv::Scalar::all(9)), "mbncc", "format: 1"));
+  const auto snapshot = library.load();
+  EXPECT_TRUE(snapshot->other_pictures.empty());
+  EXPECT_EQ(library.quarantine().size(), 4u);
 }
 
 TEST(ObjectLibrary, ReplacingAnUnreadableFileQuarantinesIt) {

@@ -62,6 +62,20 @@ TEST_F(ExplanationTest, NamesTheThresholdThatFailed) {
   EXPECT_FALSE(explanation.checks[0].passed);
 }
 
+TEST_F(ExplanationTest, ANarrowFailureIsVisibleInItsDigits) {
+  Explanation explanation = at(truth_.position());
+  explanation.checks = {{"confirm_score", 0.99996, 1, false, false},
+                        {"min_score", 0.75, 0.5, true, true}};
+  EXPECT_TRUE(says(explanation, "confirm_score 1.00000 FAILED with 0.99996"))
+      << lines_of(explanation)[3];
+  EXPECT_TRUE(says(explanation, "min_score 0.50 passed with 0.75"));
+  explanation.outcome = Outcome::kRejected;
+  explanation.score = 0.4999;
+  explanation.checks = {{"min_score", 0.4999, 0.5, false, true}};
+  EXPECT_TRUE(says(explanation, "score 0.4999: not reported"));
+  EXPECT_TRUE(says(explanation, "below min_score 0.5000."));
+}
+
 TEST_F(ExplanationTest, JudgesAPlaceThatNoSearchProposes) {
   const Explanation explanation = at({20, 20});
   EXPECT_LT(explanation.score, 0.3);

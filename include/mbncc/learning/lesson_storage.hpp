@@ -48,4 +48,9 @@ std::optional<Refusal> check_storing(const Lesson& lesson, Storing storing,
 std::optional<Refusal> add_view(ObjectModel& stored, const ObjectModel& learned,
                                 const cv::Mat& picture, const SearchConfig& search = {});
 
+/// If add_view() would refuse the view, the verdict becomes BAD for the reason "view_refused", with
+/// its sentences as the first advice, so that the operator reads them before the work on a view.
+void note_refused_view(ObjectModel& learned, const ObjectModel& stored, const cv::Mat& picture,
+                       const SearchConfig& search = {});
+
 }  // namespace mbncc

@@ -41,6 +41,7 @@ struct QuarantinedFile {
 struct LibrarySnapshot {
   std::vector<std::shared_ptr<const ObjectModel>> objects;  ///< sorted by name
   std::vector<QuarantinedFile> quarantined;                 ///< by this load
+  std::vector<std::string> other_pictures;  ///< PNG files that are no objects and stay in place
 
   std::shared_ptr<const ObjectModel> find(const std::string& name) const;  ///< null: unknown
 };
@@ -54,7 +55,7 @@ struct LibrarySnapshot {
 /// not emptied. One instance serves one thread at a time.
 class ObjectLibrary {
  public:
-  /// Opens `folder`, creating it (not its parents) when missing.
+  /// Opens `folder`, creating it and its parents when missing.
   explicit ObjectLibrary(std::string folder);
   ~ObjectLibrary();
   ObjectLibrary(ObjectLibrary&&) noexcept;
@@ -63,7 +64,8 @@ class ObjectLibrary {
   const std::string& folder() const { return folder_; }
 
   /// Reads all files; moves unreadable ones to `.quarantine/` with their reason and loads the
-  /// others. Objects whose file has not changed since the last load keep their pointer.
+  /// others. An intact PNG file that is no object stays in place, and its name is not available.
+  /// Objects whose file has not changed since the last load keep their pointer.
   std::shared_ptr<const LibrarySnapshot> load();
 
   /// True when a file was added, changed or removed since the last load() of this instance.

@@ -52,6 +52,8 @@ ExitCode run(const Arguments& arguments) {
   std::cout << snapshot->objects.size() << " readable, " << faulty.size() << " unreadable\n";
   for (const auto& file : faulty)
     std::cerr << (file.moved ? ".quarantine/" : "") << file.file << ": " << file.reason << '\n';
+  for (const auto& file : snapshot->other_pictures)
+    std::cerr << file << ": not an object; left where it is\n";
   if (faulty.empty()) return kDone;
   const bool moved =
       std::any_of(faulty.begin(), faulty.end(), [](auto& file) { return file.moved; });

@@ -39,9 +39,7 @@ std::unique_ptr<MatchReport> report_for(const Arguments& arguments) {
 
 Matcher prepared_matcher(const Arguments& arguments, const SearchConfig& search) {
   ObjectLibrary library = existing_library(arguments);
-  const auto snapshot = load_reporting(library);
-  if (snapshot->objects.empty())
-    throw std::runtime_error(library.folder() + ": the library has no objects; teach one first");
+  const auto snapshot = load_objects(library);
   for (const auto& name : arguments.all("--name")) named_object(*snapshot, name);
   Matcher matcher(search);
   matcher.set_objects(snapshot->objects);
@@ -86,9 +84,7 @@ ExitCode run(const Arguments& arguments) {
     }
     progress.step();
   }
-  report->finish();
-  if (arguments.has("--overlay"))
-    std::cerr << "mbncc: wrote the annotated pictures to " << arguments.get("--overlay") << '\n';
+  overlay.tell();
   return code;
 }
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <iostream>
+#include <stdexcept>
 
 #include "cli/command.hpp"
 #include "cli/library_access.hpp"
@@ -12,8 +13,12 @@ namespace {
 
 ExitCode forget_view(ObjectLibrary& library, const std::string& name, const std::string& text) {
   const int number = parse_whole("--view", text, 1);
-  const auto left = library.edit(
-      name, [number](ObjectModel& model) { remove_view(model, static_cast<std::size_t>(number)); });
+  const auto left = library.edit(name, [&](ObjectModel& model) {
+    if (number == 1 && model.views.size() == 1)
+      throw std::invalid_argument("'" + name + "' has no other view; use 'mbncc forget --name " +
+                                  name + "'");
+    remove_view(model, static_cast<std::size_t>(number));
+  });
   std::cout << "forgot view " << number << " of '" << name << "'; " << left.views.size()
             << " left; 'mbncc restore' restores it\n";
   return kDone;

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <filesystem>
 #include <iostream>
 #include <string>
 #include <utility>
@@ -9,6 +10,7 @@
 #include "cli/report/lesson_report.hpp"
 #include "cli/report/stage_writer.hpp"
 #include "cli/settings.hpp"
+#include "cli/terminal/progress.hpp"
 #include "mbncc/error.hpp"
 #include "mbncc/learning/interactive_lesson.hpp"
 #include "mbncc/learning/lesson_storage.hpp"
@@ -21,8 +23,9 @@ Lesson read_lesson(const Arguments& arguments) {
   try {
     return lesson_from(arguments);
   } catch (const FileError& error) {
-    throw Refusal(LearnError::kNoImage, std::string(error.what()) + ".",
-                  "Give PNG or JPEG pictures of 8 bits and at least 32 x 32 pixels.");
+    Refusal refusal(LearnError::kNoImage, std::string(error.what()) + ".");
+    refusal.hint.clear();  // the file's own sentence says what to do
+    throw refusal;
   }
 }
 
@@ -67,7 +70,11 @@ void learn_and_store(const Arguments& arguments, Settings& settings, LearnResult
   const Storing storing = storing_of(arguments);
   // Checked before the lesson, which would otherwise run in vain.
   if (const auto refusal = check_storing(lesson, storing, *known)) throw *refusal;
-  result = learn(lesson, edit, settings, stages.observer());
+  {
+    Progress progress("", 1);
+    result = learn(lesson, edit, settings, stages.observer(progress));
+  }
+  stages.tell();
   if (!may_store(result, arguments)) return;
   note_resemblance(result.object, lesson.before, known->objects, settings.search());
   result.object = store(library, storing, result.object, lesson.before, settings.search());
@@ -111,15 +118,17 @@ ExitCode run(const Arguments& arguments) {
   if (arguments.has("--method"))
     assign_field(field_rows(settings.lesson()), "method", arguments.get("--method"));
   const LearnResult result = result_of(arguments, settings);
-  if (arguments.has("--json")) write_lesson(std::cout, result);
-  if (arguments.has("--stages"))
-    std::cerr << "mbncc: wrote the steps to " << arguments.get("--stages") << '\n';
-  if (result.error == LearnError::kSuccess) {
-    if (!arguments.has("--json")) print_lesson(std::cout, result);
+  const bool stored = result.error == LearnError::kSuccess;
+  const std::string file =
+      stored ? std::filesystem::path(library_folder(arguments)) / (result.object.name + ".png")
+             : std::filesystem::path();
+  if (arguments.has("--json")) write_lesson(std::cout, result, file);
+  if (stored) {
+    if (!arguments.has("--json")) print_lesson(std::cout, result, file);
     return kDone;
   }
-  std::cerr << "mbncc: '" << result.object.name << "' was not stored: " << result.message << ' '
-            << result.hint << '\n';
+  std::cerr << "mbncc: '" << result.object.name << "' was not stored: " << result.message
+            << (result.hint.empty() ? "" : " ") << result.hint << '\n';
   return kFailed;
 }
 

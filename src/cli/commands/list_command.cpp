@@ -30,16 +30,16 @@ void print_table(const LibrarySnapshot& snapshot) {
 }
 
 void print_json(const LibrarySnapshot& snapshot) {
-  JsonWriter json(std::cout);
-  json.begin_array();
-  for (const auto& object : snapshot.objects) write_object(json, *object);
-  json.end_array();
+  for (const auto& object : snapshot.objects) {
+    JsonWriter json(std::cout);
+    write_object(json, *object);
+  }
 }
 
 ExitCode run(const Arguments& arguments) {
   settings_from(arguments);
   ObjectLibrary library = existing_library(arguments);
-  const auto snapshot = load_reporting(library);
+  const auto snapshot = load_objects(library);
   if (arguments.has("--json"))
     print_json(*snapshot);
   else

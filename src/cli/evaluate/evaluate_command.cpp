@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <iostream>
+#include <set>
 
 #include "cli/command.hpp"
 #include "cli/evaluate/evaluation.hpp"
@@ -42,6 +43,25 @@ std::vector<std::string> pictures_of(const std::vector<std::string>& operands, c
   return pictures;
 }
 
+/// Listed pictures that are not among the given ones, sorted.
+std::vector<std::string> not_given(const Truth& truth, const std::vector<std::string>& pictures) {
+  std::set<std::string> given;
+  for (const auto& picture : pictures)
+    given.insert(std::filesystem::path(picture).filename().string());
+  std::vector<std::string> missing;
+  for (const auto& [image, instances] : truth)
+    if (given.count(image) == 0) missing.push_back(image);
+  return missing;
+}
+
+void tell_not_given(const std::vector<std::string>& missing) {
+  constexpr std::size_t kNamed = 5;
+  if (missing.empty()) return;
+  std::cerr << "mbncc: warning: " << missing.size() << " listed pictures were not given:";
+  for (std::size_t i = 0; i < std::min(kNamed, missing.size()); ++i) std::cerr << ' ' << missing[i];
+  std::cerr << (missing.size() > kNamed ? " ...\n" : "\n");
+}
+
 void write_json(const std::string& image, const Comparison& comparison) {
   JsonWriter json(std::cout);
   json.begin_object().member("image", image);
@@ -65,9 +85,10 @@ void write_json(const std::string& image, const Comparison& comparison) {
   json.end_array().end_object();
 }
 
-void write_json(const Figures& figures) {
+void write_json(const Figures& figures, std::size_t not_given) {
   JsonWriter json(std::cout);
   json.begin_object().member("pictures", figures.pictures).member("instances", figures.instances);
+  json.member("not_given", static_cast<int>(not_given));
   json.member("recall", figures.recall()).member("precision", figures.precision());
   json.member("recall_graspable", figures.recall_graspable());
   json.member("precision_graspable", figures.precision_graspable());
@@ -111,15 +132,15 @@ ExitCode run(const Arguments& arguments) {
   const Tolerance tolerance = tolerance_of(arguments);
   const Truth truth = read_truth(arguments.get("--truth"));
   ObjectLibrary library = existing_library(arguments);
-  const auto snapshot = load_reporting(library);
-  if (snapshot->objects.empty())
-    throw std::runtime_error(library.folder() + ": the library has no objects; teach one first");
+  const auto snapshot = load_objects(library);
   check_names(truth, *snapshot, arguments.get("--truth"));
   Matcher matcher(settings_from(arguments).search());
   matcher.set_objects(snapshot->objects);
   EvaluationPage page(arguments.get("--page"));
   Figures figures;
   const auto pictures = pictures_of(arguments.operands(), truth);
+  const auto missing = not_given(truth, pictures);
+  tell_not_given(missing);
   {
     Progress progress("evaluated", pictures.size());
     for (const auto& image : pictures) {
@@ -144,7 +165,7 @@ ExitCode run(const Arguments& arguments) {
     }
   }
   if (arguments.has("--json"))
-    write_json(figures);
+    write_json(figures, missing.size());
   else
     for (const auto& sentence : sentences_of(figures)) std::cout << sentence << '\n';
   const std::string written = page.finish(figures);

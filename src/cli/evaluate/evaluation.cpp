@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace mbncc::cli {
 namespace {
@@ -14,8 +15,10 @@ double angle_error(double a, double b, int symmetry) {
   return std::abs(std::remainder(a - b, sector));
 }
 
+constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+
 double share(int part, int whole) {
-  return whole == 0 ? 1 : static_cast<double>(part) / whole;
+  return whole == 0 ? kNone : static_cast<double>(part) / whole;
 }
 
 }  // namespace
@@ -81,7 +84,7 @@ double Figures::precision_graspable() const {
 }
 
 double quantile(std::vector<double> values, double part) {
-  if (values.empty()) return 0;
+  if (values.empty()) return kNone;
   std::sort(values.begin(), values.end());
   const auto at = static_cast<std::size_t>(std::lround(part * double(values.size() - 1)));
   return values[at];

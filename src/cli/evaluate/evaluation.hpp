@@ -35,13 +35,13 @@ struct Figures {
   double seconds = 0;                              ///< of searching
 
   void add(const Comparison& comparison, double search_time);
-  double recall() const;               ///< [0..1] of the instances, 1 without any
+  double recall() const;               ///< [0..1] of the instances, NaN without any
   double recall_graspable() const;     ///< the same for graspable detections
-  double precision() const;            ///< [0..1] of the detections, 1 without any
+  double precision() const;            ///< [0..1] of the detections, NaN without any
   double precision_graspable() const;  ///< the same for graspable detections
 };
 
-/// The quantile `part` of the sorted values; 0 for none.
+/// The quantile `part` of the sorted values; NaN for none.
 double quantile(std::vector<double> values, double part);
 
 }  // namespace mbncc::cli

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cli/evaluate/evaluation_page.hpp"
 
+#include <cmath>
 #include <fstream>
 #include <iomanip>
 #include <sstream>
@@ -17,13 +18,14 @@ namespace {
 constexpr double kArm = 14;  // [px] of the cross at a true place
 
 std::string number(double value, int digits) {
+  if (std::isnan(value)) return "-";
   std::ostringstream text;
   text << std::fixed << std::setprecision(digits) << value;
   return text.str();
 }
 
 std::string percent(double part) {
-  return number(100 * part, 1) + " %";
+  return std::isnan(part) ? "-" : number(100 * part, 1) + " %";
 }
 
 std::string escaped(const std::string& text) {

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cli/evaluate/truth.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
 
+#include "mbncc/did_you_mean.hpp"
 #include "mbncc/error.hpp"
 
 namespace mbncc::cli {
@@ -19,10 +21,18 @@ std::vector<std::string> cells_of(std::string line) {
   return cells;
 }
 
+const std::vector<std::string> kColumns = {"image", "name", "x", "y", "theta_deg"};
+
 class Columns {
  public:
   Columns(const std::string& path, const std::vector<std::string>& header) : path_(path) {
-    for (std::size_t i = 0; i < header.size(); ++i) places_[header[i]] = i;
+    for (std::size_t i = 0; i < header.size(); ++i) {
+      if (std::find(kColumns.begin(), kColumns.end(), header[i]) == kColumns.end())
+        throw FileError(path, "its column '" + header[i] + "' is unknown" +
+                                  did_you_mean(header[i], kColumns) +
+                                  "; give image,name,x,y,theta_deg");
+      places_[header[i]] = i;
+    }
     for (const char* needed : {"image", "x", "y"})
       if (places_.count(needed) == 0)
         throw FileError(path, std::string("its first line has no column '") + needed +

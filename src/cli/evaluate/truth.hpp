@@ -19,8 +19,8 @@ struct TrueInstance {
 using Truth = std::map<std::string, std::vector<TrueInstance>>;
 
 /// Reads CSV with a header: image, x, y [px], theta_deg, and name if the library has several
-/// objects; further columns are ignored, a row with empty x is a picture without objects. Throws
-/// FileError that names the line.
+/// objects; a row with empty x is a picture without objects. Throws FileError that names the line
+/// or the unknown column.
 Truth read_truth(const std::string& path);
 
 }  // namespace mbncc::cli

@@ -18,9 +18,7 @@ SavedMiss asked(const Arguments& arguments) {
   miss.search = settings_from(arguments).search();
   miss.place = parse_point("--at", arguments.get("--at"));
   ObjectLibrary library = existing_library(arguments);
-  const auto snapshot = load_reporting(library);
-  if (snapshot->objects.empty())
-    throw std::runtime_error(library.folder() + ": the library has no objects; teach one first");
+  const auto snapshot = load_objects(library);
   miss.objects = snapshot->objects;
   miss.names = arguments.all("--name");
   for (const auto& name : miss.names) named_object(*snapshot, name);

@@ -41,7 +41,7 @@ std::string quoted(std::string_view text) {
 
 void JsonWriter::separate() {
   if (!after_key_ && !empty_.empty()) {
-    if (!empty_.back()) out_ << (list_ && empty_.size() == 1 ? ",\n" : ", ");
+    if (!empty_.back()) out_ << ", ";
     empty_.back() = false;
   }
   after_key_ = false;
@@ -49,7 +49,6 @@ void JsonWriter::separate() {
 
 JsonWriter& JsonWriter::begin(char bracket) {
   separate();
-  if (empty_.empty()) list_ = bracket == '[';
   out_ << bracket;
   empty_.push_back(true);
   return *this;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Writes one JSON document incrementally, with one object of a list per line.
+// Writes one JSON document incrementally, on one line.
 #pragma once
 
 #include <cstdint>
@@ -44,7 +44,6 @@ class JsonWriter {
   std::ostream& out_;
   std::vector<bool> empty_;  // per open bracket: nothing written in it yet
   bool after_key_ = false;
-  bool list_ = false;  // the document is one
 };
 
 }  // namespace mbncc::cli

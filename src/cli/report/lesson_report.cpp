@@ -4,6 +4,7 @@
 #include <iomanip>
 
 #include "cli/report/json_writer.hpp"
+#include "cli/report/numbers.hpp"
 #include "cli/report/object_report.hpp"
 
 namespace mbncc::cli {
@@ -27,7 +28,7 @@ void write_put_aside(JsonWriter& json, const PutAside& put_aside) {
 
 }  // namespace
 
-void write_lesson(std::ostream& out, const LearnResult& result) {
+void write_lesson(std::ostream& out, const LearnResult& result, const std::string& file) {
   const ObjectModel& object = result.object;
   JsonWriter json(out);
   json.begin_object().member("name", object.name);
@@ -39,7 +40,7 @@ void write_lesson(std::ostream& out, const LearnResult& result) {
     json.member("revision", object.revision);
     write_quality(json.key("quality"), object.quality);
   }
-  json.member("stored", result.error == LearnError::kSuccess);
+  json.member("stored", result.error == LearnError::kSuccess).member("file", file);
   json.member("error_code", static_cast<int>(result.error))
       .member("error", to_string(result.error));
   json.member("message", result.message).member("hint", result.hint);
@@ -48,17 +49,17 @@ void write_lesson(std::ostream& out, const LearnResult& result) {
   json.end_object().end_object();
 }
 
-void print_lesson(std::ostream& out, const LearnResult& result) {
+void print_lesson(std::ostream& out, const LearnResult& result, const std::string& file) {
   const ObjectModel& object = result.object;
   const View& view = object.views.back();
   out << "learned '" << object.name << "', revision " << object.revision << ": "
       << to_string(object.quality.verdict) << std::fixed << std::setprecision(1)
       << "\n  reference (" << view.reference.x << ", " << view.reference.y << "), excircle radius "
       << excircle(view.map).radius << " px, area " << cv::countNonZero(view.map) << " px, "
-      << result.timings_ms.at("total") << " ms\n";
+      << result.timings_ms.at("total") << " ms\n  stored in " << file << '\n';
   if (result.put_aside)
     out << "  put aside to (" << result.put_aside->pose.x << ", " << result.put_aside->pose.y
-        << "), " << to_degrees(result.put_aside->pose.theta) << " deg\n";
+        << "), " << unsigned_zero(to_degrees(result.put_aside->pose.theta), 1) << " deg\n";
   for (const auto& advice : object.quality.advice) out << "  " << advice << '\n';
 }
 

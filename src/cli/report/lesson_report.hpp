@@ -3,12 +3,15 @@
 #pragma once
 
 #include <ostream>
+#include <string>
 
 #include "mbncc/learning/learn_object.hpp"
 
 namespace mbncc::cli {
 
-void write_lesson(std::ostream& out, const LearnResult& result);
-void print_lesson(std::ostream& out, const LearnResult& result);
+/// `file`: where the object was stored; "": it was not.
+void write_lesson(std::ostream& out, const LearnResult& result, const std::string& file);
+/// Of a lesson that was stored in `file`.
+void print_lesson(std::ostream& out, const LearnResult& result, const std::string& file);
 
 }  // namespace mbncc::cli

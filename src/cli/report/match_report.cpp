@@ -5,6 +5,7 @@
 #include <map>
 
 #include "cli/report/json_writer.hpp"
+#include "cli/report/numbers.hpp"
 
 namespace mbncc::cli {
 namespace {
@@ -59,43 +60,42 @@ class CsvReport : public MatchReport {
 
 class JsonReport : public MatchReport {
  public:
-  explicit JsonReport(std::ostream& out) : json_(out) { json_.begin_array(); }
+  explicit JsonReport(std::ostream& out) : out_(out) {}
 
   void add(const std::string& image, const cv::Size& size, const SearchResult& result) override {
-    json_.begin_object().member("image", image);
-    json_.member("width", size.width).member("height", size.height);
-    json_.member("ms", 1000 * result.search_time);
-    json_.member("searched", result.searched).member("skipped", result.skipped);
-    json_.member("budget_exceeded", result.budget_exceeded).member("limited", result.limited);
+    JsonWriter json(out_);
+    json.begin_object().member("image", image);
+    json.member("width", size.width).member("height", size.height);
+    json.member("ms", 1000 * result.search_time);
+    json.member("searched", result.searched).member("skipped", result.skipped);
+    json.member("budget_exceeded", result.budget_exceeded).member("limited", result.limited);
     InstanceCounter instances;
-    json_.key("objects").begin_array();
-    for (const auto& match : result.matches) write(match, instances.next(match.name));
-    json_.end_array().end_object();
+    json.key("objects").begin_array();
+    for (const auto& match : result.matches) write(json, match, instances.next(match.name));
+    json.end_array().end_object();
   }
-
-  void finish() override { json_.end_array(); }
 
  private:
-  void write(const Match& match, int instance) {
-    json_.begin_object().member("name", match.name).member("revision", match.revision);
-    json_.member("instance", instance);
-    json_.member("x", match.pose.x).member("y", match.pose.y);
-    json_.member("theta_deg", to_degrees(match.pose.theta)).member("theta", match.pose.theta);
-    json_.member("scale", match.scale).member("score", match.score);
-    json_.member("similarity", match.similarity);
-    json_.member("margin_place", match.margin_place).member("margin_angle", match.margin_angle);
-    json_.member("visible", match.visible).member("symmetry", match.symmetry);
-    json_.member("graspable", match.graspable).member("ambiguous", match.ambiguous);
-    json_.member("reasons", match.reasons);
-    json_.key("covariance").begin_array();
-    for (const double value : match.covariance.val) json_.value(value);
-    json_.end_array().key("outline").begin_array();
+  static void write(JsonWriter& json, const Match& match, int instance) {
+    json.begin_object().member("name", match.name).member("revision", match.revision);
+    json.member("instance", instance);
+    json.member("x", match.pose.x).member("y", match.pose.y);
+    json.member("theta_deg", to_degrees(match.pose.theta)).member("theta", match.pose.theta);
+    json.member("scale", match.scale).member("score", match.score);
+    json.member("similarity", match.similarity);
+    json.member("margin_place", match.margin_place).member("margin_angle", match.margin_angle);
+    json.member("visible", match.visible).member("symmetry", match.symmetry);
+    json.member("graspable", match.graspable).member("ambiguous", match.ambiguous);
+    json.member("reasons", match.reasons);
+    json.key("covariance").begin_array();
+    for (const double value : match.covariance.val) json.value(value);
+    json.end_array().key("outline").begin_array();
     for (const auto& point : match.outline)
-      json_.begin_array().value(double{point.x}).value(double{point.y}).end_array();
-    json_.end_array().end_object();
+      json.begin_array().value(double{point.x}).value(double{point.y}).end_array();
+    json.end_array().end_object();
   }
 
-  JsonWriter json_;
+  std::ostream& out_;
 };
 
 class PlainReport : public MatchReport {
@@ -110,7 +110,8 @@ class PlainReport : public MatchReport {
            << "; there may be more, raise --max-instances\n";
     for (const auto& match : result.matches) {
       out_ << "  " << match.name << " at (" << std::setprecision(2) << match.pose.x << ", "
-           << match.pose.y << "), " << to_degrees(match.pose.theta) << " deg, score " << match.score
+           << match.pose.y << "), " << unsigned_zero(to_degrees(match.pose.theta), 2)
+           << " deg, score " << match.score
            << (match.graspable   ? ""
                : match.ambiguous ? ", ambiguous, do not grasp: "
                                  : ", too uncertain to grasp: ")

@@ -17,13 +17,12 @@ class MatchReport {
 
   /// `image` as given on the command line.
   virtual void add(const std::string& image, const cv::Size& size, const SearchResult& result) = 0;
-  virtual void finish() {}
 };
 
 /// Header, then a row per detection, or one with empty fields for a picture without any.
 std::unique_ptr<MatchReport> csv_report(std::ostream& out);
 
-/// One array with an object per picture.
+/// One line per picture, each an object.
 std::unique_ptr<MatchReport> json_report(std::ostream& out);
 
 /// Lines for people.

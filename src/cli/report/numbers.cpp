@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cli/report/numbers.hpp"
 
+#include <algorithm>
 #include <array>
 #include <charconv>
+#include <cmath>
 #include <sstream>
 
 #include "cli/arguments.hpp"
@@ -49,10 +51,9 @@ std::vector<cv::Point2f> parse_points(const std::string& option, const std::stri
 }
 
 cv::Point2f parse_point(const std::string& option, const std::string& text) {
-  const auto points = parse_points(option, text);
-  if (points.size() != 1)
-    throw UsageError(option + " needs one point x,y in pixels, not '" + text + "'");
-  return points.front();
+  if (std::count(text.begin(), text.end(), ',') != 1)
+    throw UsageError(option + " needs x,y: two numbers in pixels, not '" + text + "'");
+  return parse_points(option, text).front();
 }
 
 int parse_whole(const std::string& option, const std::string& text, int lowest) {
@@ -67,6 +68,10 @@ double parse_number(const std::string& option, const std::string& text, double l
   double value = 0;
   parse_field({option, Allowed::range(low, high), "", ""}, text, value);
   return value;
+}
+
+double unsigned_zero(double value, int digits) {
+  return std::abs(value) < 0.5 * std::pow(10, -digits) ? 0 : value;
 }
 
 }  // namespace mbncc::cli

@@ -23,4 +23,7 @@ int parse_whole(const std::string& option, const std::string& text, int lowest);
 /// A number in [low, high]. Throws ConfigError naming the option.
 double parse_number(const std::string& option, const std::string& text, double low, double high);
 
+/// `value`, but 0 where so many digits after the point would show -0.
+double unsigned_zero(double value, int digits);
+
 }  // namespace mbncc::cli

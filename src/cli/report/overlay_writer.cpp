@@ -2,6 +2,7 @@
 #include "cli/report/overlay_writer.hpp"
 
 #include <filesystem>
+#include <iostream>
 
 #include "cli/pictures.hpp"
 #include "mbncc/matching/overlay.hpp"
@@ -17,9 +18,15 @@ void OverlayWriter::write(const std::string& image, const cv::Mat& picture,
   if (folder_.empty()) return;
   const std::string stem = folder_ + "/" + std::filesystem::path(image).stem().string();
   std::string path = stem + "_overlay.png";
-  for (int i = 2; !written_.insert(path).second; ++i)
+  for (int i = 2; written_.count(path) > 0; ++i)
     path = stem + "_" + std::to_string(i) + "_overlay.png";
   write_picture(path, draw_matches(picture, matches));
+  written_.insert(path);
+}
+
+void OverlayWriter::tell() const {
+  if (!written_.empty())
+    std::cerr << "mbncc: wrote " << written_.size() << " annotated pictures to " << folder_ << '\n';
 }
 
 }  // namespace mbncc::cli

@@ -19,6 +19,9 @@ class OverlayWriter {
   /// Writes `folder/<image>_overlay.png`, numbered if several pictures have the same file name.
   void write(const std::string& image, const cv::Mat& picture, const std::vector<Match>& matches);
 
+  /// Says on stderr what was written.
+  void tell() const;
+
  private:
   std::string folder_;
   std::set<std::string> written_;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cli/report/stage_writer.hpp"
 
+#include <iostream>
+
 #include "cli/pictures.hpp"
 
 namespace mbncc::cli {
@@ -24,14 +26,20 @@ StageWriter::StageWriter(std::string folder) : folder_(std::move(folder)) {
   if (!folder_.empty()) make_output_folder(folder_);
 }
 
-StageObserver StageWriter::observer() {
-  if (folder_.empty()) return {};
-  return [this](Stage stage, double, const std::string&, const cv::Mat& picture) {
-    if (!picture.empty())
+StageObserver StageWriter::observer(Progress& progress) {
+  if (folder_.empty() && !progress.on_terminal()) return {};
+  return [&](Stage stage, double part, const std::string& message, const cv::Mat& picture) {
+    progress.show(part, message);
+    if (!folder_.empty() && !picture.empty())
       write_picture(folder_ + "/" + std::to_string(++count_) + "_" + name_of(stage) + ".png",
                     picture);
     return true;
   };
+}
+
+void StageWriter::tell() const {
+  if (count_ > 0)
+    std::cerr << "mbncc: wrote " << count_ << " pictures of the steps to " << folder_ << '\n';
 }
 
 }  // namespace mbncc::cli

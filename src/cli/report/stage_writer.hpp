@@ -4,6 +4,7 @@
 
 #include <string>
 
+#include "cli/terminal/progress.hpp"
 #include "mbncc/learning/learn_object.hpp"
 
 namespace mbncc::cli {
@@ -13,8 +14,11 @@ class StageWriter {
   /// Creates the folder; "" writes nothing.
   explicit StageWriter(std::string folder);
 
-  /// Valid as long as this writer.
-  StageObserver observer();
+  /// Shows the steps on `progress` as well. Valid as long as both; empty if nobody would see them.
+  StageObserver observer(Progress& progress);
+
+  /// Says on stderr what was written.
+  void tell() const;
 
  private:
   std::string folder_;

@@ -23,31 +23,45 @@ std::string names_of(const std::vector<Command>& commands) {
   return names + "help";
 }
 
-// Values of --name are the files of the folder given by --library, or of the nodelets' folder.
+// bash splits --option=value at the equals sign, zsh does not. Values of --name are the files of
+// the folder given by --library, or of the nodelets' folder.
 constexpr const char* kFunction = R"sh(_mbncc() {
-  local word=${COMP_WORDS[COMP_CWORD]} before=${COMP_WORDS[COMP_CWORD-1]} library=$HOME/.ros/mbncc_library i
+  local word=${COMP_WORDS[COMP_CWORD]} before=${COMP_WORDS[COMP_CWORD-1]} library=$HOME/.ros/mbncc_library start= i
   for ((i = 1; i < COMP_CWORD; i++)); do
-    [ "${COMP_WORDS[i]}" = --library ] && library=${COMP_WORDS[i+1]/#\~/$HOME}
+    case "${COMP_WORDS[i]}" in
+      --library) library=${COMP_WORDS[i+1]}; [ "$library" = = ] && library=${COMP_WORDS[i+2]} ;;
+      --library=*) library=${COMP_WORDS[i]#--library=} ;;
+    esac
   done
+  library=${library/#\~/$HOME}
+  if [ "$word" = = ]; then
+    word=
+  elif [ "$before" = = ]; then
+    before=${COMP_WORDS[COMP_CWORD-2]}
+  elif [ "${word#--*=}" != "$word" ]; then
+    start=${word%%=*}= before=${word%%=*} word=${word#--*=}
+  fi
   COMPREPLY=()
   if [ "$COMP_CWORD" -eq 1 ] || [ "$before" = help ]; then
-    COMPREPLY=($(compgen -W "$(_mbncc_words commands)" -- "$word"))
+    COMPREPLY=($(compgen -P "$start" -W "$(_mbncc_words commands)" -- "$word"))
     return
   fi
   if [ "$before" = --name ]; then
-    COMPREPLY=($(compgen -W "$(cd "$library" 2>/dev/null && for f in *.png; do echo "${f%.png}"; done)" -- "$word"))
+    COMPREPLY=($(compgen -P "$start" -W "$(cd "$library" 2>/dev/null && for f in *.png; do echo "${f%.png}"; done)" -- "$word"))
     return
   fi
-  local values=
+  local values= operands=$(_mbncc_words "${COMP_WORDS[1]} operand")
   [ "${before#-}" != "$before" ] && values=$(_mbncc_words "${COMP_WORDS[1]} $before")
   if [ "$values" = ANY ]; then
     return
   elif [ -n "$values" ] && [ "$values" != FILE ]; then
-    COMPREPLY=($(compgen -W "$values" -- "$word"))
+    COMPREPLY=($(compgen -P "$start" -W "$values" -- "$word"))
   elif [ -z "$values" ] && [ "${word#-}" != "$word" ]; then
-    COMPREPLY=($(compgen -W "$(_mbncc_words "${COMP_WORDS[1]}")" -- "$word"))
+    COMPREPLY=($(compgen -P "$start" -W "$(_mbncc_words "${COMP_WORDS[1]}")" -- "$word"))
+  elif [ -z "$values" ] && [ -n "$operands" ]; then
+    COMPREPLY=($(compgen -W "$operands" -- "$word"))
   else
-    COMPREPLY=($(compgen -f -- "$word"))
+    COMPREPLY=($(compgen -P "$start" -f -- "$word"))
   fi
 }
 complete -o filenames -F _mbncc mbncc
@@ -68,6 +82,9 @@ void print_words(std::ostream& out, const std::vector<Command>& commands) {
                                          : choices)
           << "\" ;;\n";
     }
+    if (!names_a_path(command.operand) && !choices_of(command.operand).empty())
+      out << "    \"" << command.name << " operand\") echo \"" << choices_of(command.operand)
+          << "\" ;;\n";
     out << "    " << command.name << ") echo \"" << options << "\" ;;\n";
   }
   out << "  esac\n}\n";

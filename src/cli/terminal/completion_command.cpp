@@ -20,7 +20,7 @@ Command completion_command() {
   return {"completion",
           "print a script that completes commands, options and names in bash or zsh",
           {},
-          "SHELL",
+          "bash|zsh",
           "Now: source <(mbncc completion bash). Permanently: add that line to ~/.bashrc, with zsh "
           "to\n ~/.zshrc.\n",
           run};

@@ -3,6 +3,7 @@
 
 #include <unistd.h>
 
+#include <algorithm>
 #include <cmath>
 #include <iostream>
 #include <utility>
@@ -12,7 +13,8 @@ namespace {
 
 constexpr double kPatience = 2;   // [s] before the first output
 constexpr double kRefresh = 0.2;  // [s] between two updates
-constexpr int kWidth = 30;        // [characters] of the bar
+constexpr double kLeastPart = 0.01;
+constexpr int kWidth = 30;  // [characters] of the bar
 constexpr const char* kEraseLine = "\r\x1b[K";
 
 }  // namespace
@@ -36,19 +38,23 @@ double Progress::seconds() const {
 
 void Progress::step() {
   ++done_;
-  if (!terminal_ || seconds() < patience_) return;
-  if (drawn_at_ >= 0 && seconds() - drawn_at_ < kRefresh && done_ < count_) return;
-  draw();
+  const double part = count_ == 0 ? 1 : static_cast<double>(done_) / static_cast<double>(count_);
+  show(part, what_ + ' ' + std::to_string(done_) + " of " + std::to_string(count_));
 }
 
-void Progress::draw() {
+void Progress::show(double part, const std::string& what) {
+  if (!terminal_ || seconds() < patience_) return;
+  if (drawn_at_ >= 0 && seconds() - drawn_at_ < kRefresh && part < 1) return;
+  draw(part, what);
+}
+
+void Progress::draw(double part, const std::string& what) {
   drawn_at_ = seconds();
-  const double part = count_ == 0 ? 1 : static_cast<double>(done_) / static_cast<double>(count_);
   const int full = static_cast<int>(std::lround(kWidth * part));
-  const auto left = std::lround(seconds() * (1 - part) / part);
+  const auto left = std::lround(seconds() * (1 - part) / std::max(part, kLeastPart));
   out_ << kEraseLine << '[' << std::string(static_cast<std::size_t>(full), '#')
-       << std::string(static_cast<std::size_t>(kWidth - full), '-') << "] " << what_ << ' ' << done_
-       << " of " << count_ << ", " << left << " s left" << std::flush;
+       << std::string(static_cast<std::size_t>(kWidth - full), '-') << "] " << what << ", " << left
+       << " s left" << std::flush;
 }
 
 }  // namespace mbncc::cli

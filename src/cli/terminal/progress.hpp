@@ -24,9 +24,14 @@ class Progress {
   /// Counts one finished item.
   void step();
 
+  /// Of one long item: the part that is done, [0..1], and what is being done.
+  void show(double part, const std::string& what);
+
+  bool on_terminal() const { return terminal_; }
+
  private:
   double seconds() const;
-  void draw();
+  void draw(double part, const std::string& what);
 
   const std::string what_;
   const std::size_t count_;

@@ -47,8 +47,8 @@ LibraryStrip::LibraryStrip(QWidget* parent)
       search_(new QLineEdit),
       list_(new QListWidget),
       symmetry_(make_symmetry_box("At which angles the chosen object counts as the same")),
-      view_(make_button("Teach &view",
-                        "Teach the chosen object from another side or in other light", "Alt+V")),
+      view_(make_button("Teach &view", "Teach the chosen object in other light or a little turned",
+                        "Alt+V")),
       enable_(make_button("&Disable", "Search for the chosen object, or not", "Alt+D")),
       rename_(make_button("Re&name", "Write a new name below its picture", "F2")),
       delete_(

@@ -23,17 +23,21 @@ constexpr std::array<Entry, 25> kEntries{{
      "Give a region of at least 8 x 8 pixels inside the picture; an outline needs three corners "
      "and must not cross itself."},
     {LearnError::kNoChange, "NO_CHANGE", "The pictures before and after show no difference.",
-     "Take the object away between the two pictures, and check that the region covers it."},
+     "Take away the object alone, and let a region (roi), if one is given, cover the place where "
+     "it "
+     "lay."},
     {LearnError::kChangeTooLarge, "CHANGE_TOO_LARGE",
      "Nearly everything changed between the pictures.",
      "Keep light, exposure and camera still while the object is taken away, then teach again."},
     {LearnError::kNotStill, "NOT_STILL", "The scene did not come to rest.",
      "Move arm and hands out of the picture and wait for the message."},
     {LearnError::kSegmentationEmpty, "SEGMENTATION_EMPTY", "No object stands out in the region.",
-     "Put the object on a background of another colour, or mark it by an outline."},
+     "The region (roi) may cut the object off: draw it larger; or put the object on a background "
+     "of "
+     "another colour."},
     {LearnError::kSegmentationFull, "SEGMENTATION_FULL",
      "The whole region was segmented as object.",
-     "Give a larger region with background on every side."},
+     "The region (roi) may cut the object off: draw it larger, with background on every side."},
     {LearnError::kTouchesBorder, "TOUCHES_BORDER", "The object touches the picture's border.",
      "Move the object fully into view and teach again."},
     {LearnError::kTooSmall, "TOO_SMALL", "The object is too small for reliable detection.",
@@ -63,9 +67,11 @@ constexpr std::array<Entry, 25> kEntries{{
      "data length that fit."},
     {LearnError::kBusy, "BUSY", "Another lesson is running.", "Wait for it to end, or cancel it."},
     {LearnError::kNameUnknown, "NAME_UNKNOWN", "The library does not know this name.",
-     "List the objects, and teach the first view without add_view."},
+     "Choose a name of the library, or teach the object as a new one, without add_view."},
     {LearnError::kImageMismatch, "IMAGE_MISMATCH", "The pictures differ in size.",
-     "Give before, after and mask of the same camera and size."},
+     "Teach again without changing the camera's picture size; given pictures and maps must have "
+     "the "
+     "same size."},
     {LearnError::kQualityBad, "QUALITY_BAD", "The lesson is not good enough to store.",
      "Follow the advice, or set allow_bad to store it anyway."},
     {LearnError::kInternal, "INTERNAL", "An unexpected error ended the lesson.",

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <filesystem>
 #include <iomanip>
 #include <limits>
 #include <locale>
@@ -138,6 +139,9 @@ void assign_field(const std::vector<FieldRow>& rows, const std::string& key,
 }
 
 void load_yaml_file(const std::vector<FieldRow>& rows, const std::string& path) {
+  if (!std::filesystem::exists(path)) throw FileError(path, "there is no such file");
+  if (std::filesystem::is_directory(path))
+    throw FileError(path, "a folder; give a file of lines `key: value`");
   YAML::Node root;
   try {
     root = YAML::LoadFile(path);

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <filesystem>
 #include <memory>
 #include <system_error>
 
@@ -174,10 +175,16 @@ void FolderSync::sync() {
 
 void make_folder(const std::string& folder) {
   if (::mkdir(folder.c_str(), kFolderMode) == 0) return;
-  const int code = errno;
+  int code = errno;
+  const std::string parent = std::filesystem::path(folder).parent_path().string();
+  if ((code == ENOENT || code == ENOTDIR) && !parent.empty()) {
+    make_folder(parent);
+    if (::mkdir(folder.c_str(), kFolderMode) == 0) return;
+    code = errno;
+  }
   struct stat status {};
-  if (::stat(folder.c_str(), &status) == 0 && S_ISDIR(status.st_mode)) return;
-  fail(folder, "cannot create the folder", code);
+  if (::stat(folder.c_str(), &status) != 0) fail(folder, "cannot create the folder", code);
+  if (!S_ISDIR(status.st_mode)) throw FileError(folder, "is a file; give a folder");
 }
 
 bool is_inner_folder(const std::string& folder) {

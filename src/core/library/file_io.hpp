@@ -88,7 +88,7 @@ class FolderSync {
   FileDescriptor file_;
 };
 
-/// Creates the folder when it is missing.
+/// Creates the folder and its parents when they are missing. Refuses a file of this name.
 void make_folder(const std::string& folder);
 
 /// The same for a folder inside the library: a symbolic link is refused, because it may point

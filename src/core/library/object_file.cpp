@@ -10,7 +10,6 @@
 namespace mbncc {
 namespace {
 
-constexpr const char* kTextKey = "mbncc";
 constexpr int kBgrAndMapToRgba[] = {2, 0, 1, 1, 0, 2, 3, 3};
 
 std::vector<cv::Rect> stack(const std::vector<View>& views) {
@@ -94,7 +93,7 @@ void read_views(library::PngReader& reader, library::ObjectDescription& descript
 
 ObjectModel decode(const std::vector<std::uint8_t>& bytes, const std::string& name) {
   if (!is_valid_name(name)) throw std::runtime_error("the file's name is no valid object name");
-  library::PngReader reader(bytes, kTextKey);
+  library::PngReader reader(bytes, library::kTextKey);
   library::ObjectDescription description = library::read_description(reader.text());
   description.model.name = name;
   read_views(reader, description);
@@ -109,7 +108,7 @@ std::vector<std::uint8_t> encode_object(const ObjectModel& model) {
   const auto rectangles = stack(model.views);
   if (!library::PngLimits::hold(canvas_of(rectangles)))
     throw std::invalid_argument("the object's views are too large to be stored in one file");
-  return library::encode_png(draw_rgba(model.views, rectangles), kTextKey,
+  return library::encode_png(draw_rgba(model.views, rectangles), library::kTextKey,
                              checked_description(model, rectangles));
 }
 

@@ -27,8 +27,9 @@ namespace {
 }
 
 void refuse_taken(const library::LibraryFolder& folder, const std::string& name) {
-  if (library::path_exists(folder.object_file(name)))
-    throw NameError(LearnError::kNameTaken, "the library has an object '" + name + "' already");
+  if (!library::path_exists(folder.object_file(name))) return;
+  library::refuse_other_picture(folder.object_file(name));
+  throw NameError(LearnError::kNameTaken, "the library has an object '" + name + "' already");
 }
 
 void refuse_invalid(const std::string& name) {

@@ -12,6 +12,7 @@
 
 namespace mbncc::library {
 
+constexpr const char* kTextKey = "mbncc";              ///< of the text chunk that holds it
 constexpr int kMaxViews = 64;                          ///< of one object
 constexpr std::uint32_t kMaxRevision = 2'000'000'000;  ///< that a file may have
 

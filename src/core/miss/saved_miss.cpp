@@ -103,12 +103,16 @@ void write_miss(const std::string& path, const SavedMiss& miss) {
 
 SavedMiss read_miss(const std::string& path) {
   const auto content = library::read_regular_file(path, kLargestFile);
+  const std::string text(content.bytes.begin(), content.bytes.end());
+  if (text.rfind(kVersionKey, 0) != 0)
+    throw FileError(path,
+                    "no saved miss; give a file of 'Save this miss' or 'mbncc explain --save'");
   try {
-    return parse(YAML::Load(std::string(content.bytes.begin(), content.bytes.end())), path);
+    return parse(YAML::Load(text), path);
   } catch (const FileError&) {
     throw;
   } catch (const std::exception& error) {
-    throw FileError(path, std::string("no saved miss: ") + error.what());
+    throw FileError(path, std::string("a damaged saved miss: ") + error.what());
   }
 }
 

@@ -98,11 +98,17 @@ void LessonRun::take_draft() {
   if (!learned_.has_model) return;
   note_resemblance(learned_.object, before_.picture, tools_.library.snapshot()->objects,
                    tools_.search);
+  if (goal_.add_view) note_view();
   leave_if_interrupted();
   tools_.show_preview(preview(learned_.object));
   tools_.show_draft(
       describe(outcome(learned_.error, learned_.message, learned_.hint), learned_.object));
   tools_.show_score_map(learned_.object, before_.picture);
+}
+
+void LessonRun::note_view() {
+  if (const auto stored = tools_.library.snapshot()->find(name_))
+    note_refused_view(learned_.object, *stored, before_.picture, tools_.search);
 }
 
 void LessonRun::judge() const {

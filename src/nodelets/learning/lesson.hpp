@@ -82,6 +82,7 @@ class LessonRun {
   Lesson lesson_of(const cv::Mat& after) const;
   void learn();
   void take_draft();
+  void note_view();
   StageObserver observer();
   bool lies_there_yet() const;
   void judge() const;

@@ -50,6 +50,14 @@ TEST(CheckStoring, NamesMustFitWhatIsAskedFor) {
       EXPECT_EQ(error_of(name, storing, library), LearnError::kNameInvalid) << name;
 }
 
+TEST(CheckStoring, APictureThatIsNoObjectKeepsItsName) {
+  LibrarySnapshot library = library_of({named("cup")});
+  library.other_pictures = {"photo.png"};
+  for (const Storing storing : {Storing::kNew, Storing::kReplace})
+    EXPECT_EQ(error_of("photo", storing, library), LearnError::kNameTaken);
+  EXPECT_EQ(error_of("box", Storing::kNew, library), LearnError::kSuccess);
+}
+
 TEST(CheckStoring, AFurtherViewBringsNothingThatContradictsTheObject) {
   ObjectModel cup = named("cup");
   cup.object_height = 0.05;
@@ -185,6 +193,25 @@ TEST_F(AddView, RefusesAnotherObjectAndChangesNothing) {
   const auto refusal = add_view(stored, learned(other, picture), picture);
   ASSERT_TRUE(refusal);
   EXPECT_EQ(refusal->error, LearnError::kNotDistinct);
+  EXPECT_NE(refusal->hint.find("Teach another side under its own name"), std::string::npos);
+  EXPECT_EQ(stored.views.size(), 1u);
+}
+
+TEST_F(AddView, ARefusalIsToldBeforeItIsAsked) {
+  const auto first = placed(5, {200, 200, 0}), other = placed(77, {420, 260, 0});
+  const auto moved = placed(5, {420, 260, 2});
+  const ObjectModel stored = learned(first, scene_.render({first}, 1));
+  const cv::Mat wrong = scene_.render({other}, 2), right = scene_.render({moved}, 3);
+  ObjectModel lesson = learned(other, wrong);
+  note_refused_view(lesson, stored, wrong);
+  EXPECT_EQ(lesson.quality.verdict, Verdict::kBad);
+  EXPECT_EQ(lesson.quality.reasons, std::vector<std::string>{"view_refused"});
+  EXPECT_NE(lesson.quality.advice.at(0).find("was not found in the new picture"),
+            std::string::npos);
+  lesson = learned(moved, right);
+  note_refused_view(lesson, stored, right);
+  EXPECT_EQ(lesson.quality.verdict, Verdict::kGood);
+  EXPECT_TRUE(lesson.quality.advice.empty());
   EXPECT_EQ(stored.views.size(), 1u);
 }
 

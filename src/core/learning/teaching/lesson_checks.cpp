@@ -19,8 +19,9 @@ constexpr int kLargestPicture = 1 << 15;  // [px] largest side of a picture
 constexpr double kFullPart = 0.98;        // of the room, from which on a map is everything
 constexpr double kDisplaced = 0.6;        // part of the texture that only a moved camera displaces
 
-void require(bool condition, LearnError error, const std::string& message) {
-  if (!condition) throw LessonEnded(error, message);
+void require(bool condition, LearnError error, const std::string& message,
+             const std::string& hint = "") {
+  if (!condition) throw LessonEnded(error, message, hint);
 }
 
 std::string size_text(const cv::Size& size) {
@@ -96,12 +97,17 @@ void check_lesson(const Lesson& lesson) {
           "The declared symmetry must be 1 (none), 2, 3, 4, 6 or 0 (round).");
   require(
       !lesson.click || cv::Rect2d({0, 0}, cv::Size2d(lesson.before.size())).contains(*lesson.click),
-      LearnError::kRegionInvalid, "The click does not lie in the picture.");
+      LearnError::kRegionInvalid, "The click does not lie in the picture.",
+      point_inside(lesson.before.size()));
   require(
       !lesson.map.empty() || !lesson.outline.empty() || lesson.click || !lesson.after.empty() ||
           lesson.region != cv::Rect(),
       LearnError::kRegionInvalid,
       "The object's place is not given: there is no map, outline, click, region or picture after.");
+}
+
+std::string point_inside(const cv::Size& picture) {
+  return "Give a point inside the picture of " + size_text(picture) + " px.";
 }
 
 bool is_near_picture(const cv::Point2d& point) {
@@ -111,6 +117,9 @@ bool is_near_picture(const cv::Point2d& point) {
 cv::Rect usable_region(const Lesson& lesson) {
   const cv::Rect& given = lesson.region;
   if (given == cv::Rect()) return {{0, 0}, lesson.before.size()};
+  const int shorter = std::min(given.width, given.height);
+  require(shorter <= 0 || shorter >= kSmallestRegion, LearnError::kRegionInvalid,
+          "The region is only " + size_text(given.size()) + " px.", "Give at least 8 x 8 px.");
   // Very large numbers would overflow cv::Rect.
   const auto clipped = [](int start, int length, int limit) {
     const std::int64_t low = std::max<std::int64_t>(start, 0);
@@ -163,6 +172,19 @@ void check_one_change(const ChangeSurvey& survey, const LearningConfig& config) 
   require(survey.unevenness <= config.max_light_change, kError,
           "The light comes from another direction in the second picture.");
   require(survey.fraction <= config.max_change, kError, "");
+}
+
+void check_given_map(const cv::Mat& map) {
+  const int filled = cv::countNonZero(map);
+  require(filled > 0, LearnError::kSegmentationEmpty, "The map is black everywhere.",
+          "Paint the object white.");
+  require(filled < kFullPart * static_cast<double>(map.total()), LearnError::kSegmentationFull,
+          "The map is white nearly everywhere.", "Paint everything but the object black.");
+}
+
+void refuse_click() {
+  throw LessonEnded(LearnError::kSegmentationEmpty, "No object stands out at the click.",
+                    "Click on the object itself, or draw a region (roi) around it.");
 }
 
 void check_map(const cv::Mat& map, const cv::Rect& room) {

@@ -21,6 +21,9 @@ void check_lesson(const Lesson& lesson);
 /// LessonEnded(kRegionInvalid) when less than 8 x 8 pixels remain.
 cv::Rect usable_region(const Lesson& lesson);
 
+/// "Give a point inside the picture of 640 x 480 px."
+std::string point_inside(const cv::Size& picture);
+
 /// False for values that are not finite or beyond the largest picture size.
 bool is_near_picture(const cv::Point2d& point);
 
@@ -34,6 +37,12 @@ void check_camera_still(const ChangeSurvey& survey, const LearningConfig& config
 /// Throws LessonEnded(kChangeTooLarge) when the change does not tell where the object was: the
 /// light was switched, or most of the scene changed.
 void check_one_change(const ChangeSurvey& survey, const LearningConfig& config);
+
+/// Throws LessonEnded if a map that the user painted is empty or full.
+void check_given_map(const cv::Mat& map);
+
+/// Throws LessonEnded(kSegmentationEmpty): nothing was cut out at the click.
+[[noreturn]] void refuse_click();
 
 /// Throws LessonEnded if the map is empty or full. `room` is the area that it could have filled.
 void check_map(const cv::Mat& map, const cv::Rect& room);

@@ -15,14 +15,19 @@ namespace mbncc::teaching {
 /// Ends a lesson that cannot continue; caught only in learn_object().
 class LessonEnded : public std::runtime_error {
  public:
-  /// `message` replaces the error's default text.
-  explicit LessonEnded(LearnError error, const std::string& message = "")
-      : std::runtime_error(message.empty() ? message_of(error) : message), error_(error) {}
+  /// `message` and `hint` replace the error's default texts.
+  explicit LessonEnded(LearnError error, const std::string& message = "",
+                       const std::string& hint = "")
+      : std::runtime_error(message.empty() ? message_of(error) : message),
+        error_(error),
+        hint_(hint.empty() ? hint_of(error) : hint) {}
 
   LearnError error() const { return error_; }
+  const std::string& hint() const { return hint_; }
 
  private:
   LearnError error_;
+  std::string hint_;
 };
 
 /// Reports steps to the observer, with monotonic progress and ordered stages.

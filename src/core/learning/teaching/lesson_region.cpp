@@ -57,7 +57,7 @@ void narrow_to_click(const Lesson& lesson, const LearningConfig& config, RegionO
   if (lesson.after.empty()) {
     if (lesson.region != cv::Rect()) return;
     const auto clicked = stable_region(lesson.before, *lesson.click, config.iterations);
-    if (!clicked) throw LessonEnded(LearnError::kSegmentationEmpty);
+    if (!clicked) refuse_click();
     region.approximate = clicked->map;
     region.room = clicked->square;
     region.agreement = clicked->agreement;
@@ -78,6 +78,14 @@ void approximate(const Lesson& lesson, const LearningConfig& config, RegionOfLes
   if (cv::countNonZero(region.approximate) == 0) throw LessonEnded(LearnError::kNoChange);
 }
 
+// One picture tells the object from the background beside the region.
+void check_background(const Lesson& lesson, const cv::Rect& room) {
+  if (!lesson.after.empty() || !lesson.outline.empty() || lesson.region == cv::Rect()) return;
+  if (room.size() == lesson.before.size())
+    throw LessonEnded(LearnError::kRegionInvalid, "The region is the whole picture.",
+                      "Draw it close around the object.");
+}
+
 }  // namespace
 
 bool is_without_place(const Lesson& lesson) {
@@ -87,6 +95,7 @@ bool is_without_place(const Lesson& lesson) {
 RegionOfLesson region_of(const Lesson& lesson, const LearningConfig& config) {
   RegionOfLesson region;
   region.room = usable_region(lesson);
+  check_background(lesson, region.room);
   if (!lesson.after.empty()) survey(lesson, config, region);
   if (lesson.outline.empty()) {
     approximate(lesson, config, region);

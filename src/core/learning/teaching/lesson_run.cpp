@@ -17,6 +17,7 @@ namespace mbncc::teaching {
 namespace {
 
 constexpr double kRefines = 0.75;  // agreement of two views, above which both contribute to the map
+constexpr double kCutOff = 0.1;    // part of a map's outline on the region's edge
 constexpr double kDoubted = 0.2;   // change outside the region above which a map is not GOOD
 
 bool refines(const NewPlace& place) {
@@ -191,6 +192,15 @@ class LessonRun {
     return region != cv::Rect() && (given & picture) != given;
   }
 
+  // In one picture nothing shows how far the object reaches beyond the region.
+  bool may_be_cut_off() const {
+    return lesson_.region != cv::Rect() && lesson_.after.empty() && result_.evidence &&
+           result_.evidence->region_touch > kCutOff;
+  }
+
+  // In one picture a click beside the object cuts out the platform.
+  bool took_the_platform() const { return lesson_.click && lesson_.after.empty(); }
+
   void conclude(LearnError error) {
     if (error == LearnError::kTouchesBorder && region_reaches_out()) {
       result_.error = LearnError::kRegionInvalid;
@@ -204,6 +214,12 @@ class LessonRun {
     result_.message = message_of(error);
     result_.hint = hint_of(error);
     if (error != LearnError::kSuccess) result_.hint = result_.object.quality.advice.front();
+    if (error != LearnError::kSuccess && may_be_cut_off())
+      result_.hint = "The region may cut the object off: draw it larger.";
+    if (error == LearnError::kTouchesBorder && took_the_platform()) {
+      result_.message = "What was clicked reaches the picture's border.";
+      result_.hint = "Click on the object itself, or move it fully into view.";
+    }
   }
 
   LessonState& state_;
@@ -226,7 +242,7 @@ void conclude(LearnResult& result, Steps&& steps) {
   } catch (const LessonEnded& ended) {
     result.error = ended.error();
     result.message = ended.what();
-    result.hint = hint_of(ended.error());
+    result.hint = ended.hint();
     result.has_model = false;
   }
 }

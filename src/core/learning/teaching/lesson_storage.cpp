@@ -79,6 +79,11 @@ std::optional<Refusal> check_storing(const Lesson& lesson, Storing storing,
   if (!is_valid_label(lesson.label))
     return Refusal(LearnError::kNameInvalid, "The label is not usable.",
                    "Give printable UTF-8 of at most 200 bytes.");
+  const auto& others = library.other_pictures;
+  if (std::find(others.begin(), others.end(), lesson.name + ".png") != others.end())
+    return Refusal(LearnError::kNameTaken,
+                   "A picture that is not an object has this name in the library's folder.",
+                   "Choose another name, or move the picture away.");
   const auto stored = library.find(lesson.name);
   if (stored && storing == Storing::kNew)
     return Refusal(LearnError::kNameTaken, "The library already holds '" + lesson.name + "'.");
@@ -96,19 +101,32 @@ std::optional<Refusal> add_view(ObjectModel& stored, const ObjectModel& learned,
       return Refusal(
           LearnError::kAlreadyKnown,
           "'" + stored.name + "' already has this view: the object lies as in that picture.",
-          "Turn the object, lay it on another side or change the light; then teach the "
-          "view again.");
+          "Turn the object a little or change the light; then teach the view again. Another side "
+          "is taught under its own name.");
   const auto reference = shared_reference(stored, view, picture, search);
   if (!reference)
     return Refusal(LearnError::kNotDistinct,
                    "The stored object was not found in the new picture, so the new view cannot "
                    "share its frame.",
-                   "Show it in a pose closer to the stored views, or use overwrite.");
+                   "A further view shows the same side, turned a little or in other light. Teach "
+                   "another side under its own name, or use overwrite.");
   view.reference = *reference;
   stored.views.push_back(view);
   stored.quality = learned.quality;
   declare_symmetry(stored, stored.symmetry);
   return {};
+}
+
+void note_refused_view(ObjectModel& learned, const ObjectModel& stored, const cv::Mat& picture,
+                       const SearchConfig& search) {
+  ObjectModel tried = stored;
+  const auto refusal = add_view(tried, learned, picture, search);
+  if (!refusal) return;
+  Quality& quality = learned.quality;
+  quality.verdict = Verdict::kBad;
+  quality.reasons.insert(quality.reasons.begin(), "view_refused");
+  quality.advice.insert(quality.advice.begin(),
+                        "It cannot be added. " + refusal->message + " " + refusal->hint);
 }
 
 }  // namespace mbncc

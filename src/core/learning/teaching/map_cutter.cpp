@@ -49,7 +49,10 @@ MapCutter::MapCutter(const Lesson& lesson, const LearningConfig& config, LessonP
 
 // A given map is used unchanged, and so is an outline unless a method for its refinement is given.
 Segmentation MapCutter::acquire_map() {
-  if (!lesson_.map.empty()) return accept(lesson_.map > 127);
+  if (!lesson_.map.empty()) {
+    check_given_map(lesson_.map > 127);
+    return accept(lesson_.map > 127);
+  }
   if (!lesson_.outline.empty() && config_.method == "auto") return accept(outline_map(lesson_));
   mark_region();
   return segment(Room::kMayGrow);
@@ -124,6 +127,7 @@ std::optional<Segmentation> MapCutter::segment_square() {
 // region.
 Segmentation MapCutter::clicked(const Segmentation& found) {
   const cv::Mat piece = piece_at(found.map, *lesson_.click);
+  if (cv::countNonZero(piece) == 0) refuse_click();
   check_map(piece, task_.region);
   if (cv::countNonZero(piece) == cv::countNonZero(found.map)) return found;
   const cv::Rect box = cv::boundingRect(piece);

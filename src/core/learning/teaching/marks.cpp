@@ -57,7 +57,7 @@ void require_within(const LessonEdit::Line& line, double width, const cv::Size& 
   const double reach = std::max(0.5, width / 2);
   if (right->x < -reach || left->x > picture.width - 1 + reach || bottom->y < -reach ||
       top->y > picture.height - 1 + reach)
-    throw LessonEnded(LearnError::kRegionInvalid, kOutside);
+    throw LessonEnded(LearnError::kRegionInvalid, kOutside, point_inside(picture));
 }
 
 cv::Mat canvas_of(const std::vector<LessonEdit::Line>& lines, double width, const cv::Size& size) {

@@ -23,6 +23,15 @@ std::string number(double value, int digits) {
   return text.str();
 }
 
+// After the point: two, or as many as tell a value from a threshold that it fails narrowly.
+int digits_telling(double value, double threshold) {
+  constexpr int kMost = 15;
+  int digits = 2;
+  while (digits < kMost && value != threshold && number(value, digits) == number(threshold, digits))
+    ++digits;
+  return digits;
+}
+
 std::string place_of(const Explanation& explanation) {
   return "(" + number(explanation.pose.x, 1) + ", " + number(explanation.pose.y, 1) + "), " +
          number(to_degrees(explanation.pose.theta), 1) + " deg";
@@ -35,8 +44,11 @@ const Check* failed_to_report(const Explanation& explanation) {
 }
 
 std::string verdict_of(const Explanation& explanation) {
+  const Check* unreported = failed_to_report(explanation);
+  const int digits =
+      unreported == nullptr ? 2 : digits_telling(explanation.score, unreported->threshold);
   const std::string head = "'" + explanation.name + "' at " + place_of(explanation) + ", score " +
-                           number(explanation.score, 2) + ": ";
+                           number(explanation.score, digits) + ": ";
   switch (explanation.outcome) {
     case Outcome::kGraspable:
       return head + "found, and may be grasped.";
@@ -46,9 +58,9 @@ std::string verdict_of(const Explanation& explanation) {
     case Outcome::kRejected:
       if (!explanation.covered_by.empty())
         return head + "not reported, since '" + explanation.covered_by + "' takes the place.";
-      if (const Check* check = failed_to_report(explanation))
+      if (unreported != nullptr)
         return head + "not reported, since the score is below min_score " +
-               number(check->threshold, 2) + ".";
+               number(unreported->threshold, digits) + ".";
       return head + "not reported, since better ones reach max_instances or overlap it.";
     default:
       return head + "not found, no proposal of the search at this place" +
@@ -77,10 +89,12 @@ std::string sum_of(const Explanation& explanation) {
 
 std::string checks_of(const Explanation& explanation) {
   std::string text = "Thresholds:";
-  for (const auto& check : explanation.checks)
+  for (const auto& check : explanation.checks) {
+    const int digits = digits_telling(check.value, check.threshold);
     text += (&check == &explanation.checks.front() ? " " : "; ") + check.name + " " +
-            number(check.threshold, 2) + " " + (check.passed ? "passed" : "FAILED") + " with " +
-            number(check.value, 2);
+            number(check.threshold, digits) + " " + (check.passed ? "passed" : "FAILED") +
+            " with " + number(check.value, digits);
+  }
   return text + ".";
 }
 
@@ -101,7 +115,9 @@ std::string advice_on(const Explanation& explanation) {
       [](const ScorePart& a, const ScorePart& b) { return a.lacking < b.lacking; });
   const std::string most =
       worst == explanation.parts.end() ? "" : " Most is lacking in: " + worst->name + ".";
-  return "If the object lies here, teach a further view in this position, or improve the light." +
+  return "If the object lies here with the taught side up, teach a further view in this position, "
+         "or "
+         "improve the light; another side is taught under its own name." +
          most;
 }
 
