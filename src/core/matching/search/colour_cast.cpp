@@ -45,7 +45,7 @@ std::optional<evidence::ColourCast> colour_cast(
   for (std::size_t i = 0; i < compared.size(); ++i) {
     if (!compared[i].object->coloured || found[i].empty()) continue;
     const decision::Detection& best = found[i].front();
-    if (best.log_odds < kLikely) continue;
+    if (best.log_odds() < kLikely) continue;
     if (const auto cast = cast_at(best, compared[i])) casts.push_back(*cast);
   }
   if (casts.size() < 2) return std::nullopt;
