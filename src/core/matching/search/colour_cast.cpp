@@ -16,8 +16,7 @@ std::optional<evidence::ColourCast> cast_at(const decision::Detection& detection
   const templates::PoseTemplate& object = compared.object->views[detection.view_number].fine;
   const scene::SceneLevel& scene = compared.scene->levels[0];
   templates::SurfaceSample sample;
-  scene.prepare_around(detection.pose, object.reach());
-  object.surface.sample(scene, detection.pose, sample);
+  object.surface.sample(scene.around(detection.pose, object.reach()), detection.pose, sample);
   return evidence::local_cast(templates::block_sums(object.surface, sample));
 }
 

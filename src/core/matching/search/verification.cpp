@@ -20,9 +20,9 @@ evidence::ColourDifference colour_difference(const prepared::PreparedView& view,
   thread_local templates::SurfaceSample sample;
   thread_local templates::ContourSample contour;
   const templates::SurfaceTemplate& surface = view.fine.surface;
-  scene.prepare_around(found.pose, view.fine.reach() * found.scale);
-  surface.sample(scene, found.pose, sample, found.scale);
-  templates::read_contour(view.fine.contour, scene.edges, found.pose, 1, contour, found.scale);
+  const scene::PreparedPixels pixels = scene.around(found.pose, view.fine.reach() * found.scale);
+  surface.sample(pixels, found.pose, sample, found.scale);
+  templates::read_contour(view.fine.contour, pixels.edges, found.pose, 1, contour, found.scale);
   return view.parts.worst_differences(
       surface, sample, contour,
       evidence::ground_beside(view.fine.contour, scene, found.pose, found.scale));
@@ -86,8 +86,7 @@ double odds_of_rotation(const prepared::PreparedView& view, const scene::SceneLe
   constexpr double kNone = -1000;
   thread_local templates::SurfaceSample sample;
   if (found.odds <= kReportable - decision::kComparable) return kNone;
-  scene.prepare_around(found.pose, view.fine.reach());
-  view.fine.surface.sample(scene, found.pose, sample);
+  view.fine.surface.sample(scene.around(found.pose, view.fine.reach()), found.pose, sample);
   return evidence::rotation_odds(found.evidence, view.lit.misfit(sample));
 }
 
