@@ -77,7 +77,7 @@ class Rows {
     const double area = view.shape.area();
     out_ << set.string() << ',' << one.name << ',' << target.name << ','
          << is_right(detection, target, one) << ',' << area << ',' << evidence::log_odds(e, area)
-         << ',' << detection.log_odds - evidence::log_odds(e, area) << ',' << e.contour_coverage
+         << ',' << detection.log_odds() - evidence::log_odds(e, area) << ',' << e.contour_coverage
          << ',' << e.gradient << ',' << e.trimmed_residual << ',' << e.histogram << ','
          << e.shading_free_ncc << ',' << e.texture << ',' << e.visible << ',' << e.cast << '\n';
   }

@@ -28,7 +28,7 @@ class DecisionTest : public ::testing::Test {
     detection.view = &object_.views.front();
     detection.pose = {100, 100, 0};
     detection.covariance = detection.cautious = cv::Matx33d::diag({0.01, 0.01, 1e-6});
-    detection.log_odds = 20;
+    detection.odds.best_at_place = 20;
     detection.shading_free_ncc = 0.9;
     detection.contour_alternative = -0.15;
     return detection;
@@ -129,7 +129,8 @@ TEST_F(DecisionTest, MostOfTheObjectHasToBeInThePicture) {
 TEST_F(DecisionTest, GraspableAsksForTheConfirmScore) {
   SearchConfig strict;
   strict.confirm_score = 0.9999;
-  const decision::Detection likely = changed([](decision::Detection& d) { d.log_odds = 6; });
+  const decision::Detection likely =
+      changed([](decision::Detection& d) { d.odds.best_at_place = 6; });
   const decision::Selection selected = select({likely}, strict, std::nullopt, 1);
   EXPECT_LT(selected.matches.at(0).score, strict.confirm_score);
   EXPECT_FALSE(selected.matches[0].graspable);
@@ -141,7 +142,7 @@ TEST_F(DecisionTest, AnotherObjectAtThePlaceMakesAmbiguous) {
     const decision::Detection rival = changed([&](decision::Detection& d) {
       d.object = other_.model.get();
       d.view = &other_.views.front();
-      d.log_odds -= behind;
+      d.odds.best_at_place -= behind;
     });
     const decision::Selection selected = select({sound(), rival});
     ASSERT_EQ(selected.matches.size(), 1u) << "one place, one object";
@@ -150,7 +151,8 @@ TEST_F(DecisionTest, AnotherObjectAtThePlaceMakesAmbiguous) {
     EXPECT_EQ(selected.matches[0].ambiguous, behind < config_.min_margin_place);
     ASSERT_EQ(selected.rivals.size(), 1u) << "it competes for the place";
     EXPECT_EQ(selected.rivals[0].name, "other");
-    EXPECT_NEAR(selected.matches[0].uncalibrated() - selected.rivals[0].log_odds, behind, 1e-9);
+    EXPECT_NEAR(selected.matches[0].odds.uncalibrated() - selected.rivals[0].log_odds(), behind,
+                1e-9);
   }
 }
 
@@ -158,7 +160,7 @@ TEST_F(DecisionTest, OfSeveralCompetitorsTheBestCounts) {
   const auto turned = [&](double degrees, double behind) {
     return changed([&](decision::Detection& d) {
       d.pose.theta = to_radians(degrees);
-      d.log_odds -= behind;
+      d.odds.best_at_place -= behind;
     });
   };
   for (const auto& angles :
@@ -168,7 +170,8 @@ TEST_F(DecisionTest, OfSeveralCompetitorsTheBestCounts) {
 }
 
 TEST_F(DecisionTest, FarBehindAnInstanceOutsideTheRegionItMayBeALike) {
-  const decision::Detection likely = changed([](decision::Detection& d) { d.log_odds = 8; });
+  const decision::Detection likely =
+      changed([](decision::Detection& d) { d.odds.best_at_place = 8; });
   for (const double elsewhere : {8.0, 25.0}) {
     decision::AcceptanceSettings acceptance{config_, std::nullopt, 1, {}, {{"object", elsewhere}},
                                             0};
@@ -183,7 +186,7 @@ TEST_F(DecisionTest, ABetterObjectAtThePlaceMakesAmbiguousToo) {
   const decision::Detection better = changed([&](decision::Detection& d) {
     d.object = other_.model.get();
     d.view = &other_.views.front();
-    d.log_odds += 0.5;
+    d.odds.best_at_place += 0.5;
     d.contour_alternative = 0.08;
   });
   const decision::Selection selected = select({sound(), better});
@@ -197,7 +200,7 @@ TEST_F(DecisionTest, AnotherAngleAtThePlaceMakesAmbiguous) {
   for (const double degrees : {5.0, 15.0, 90.0}) {
     const decision::Detection turned = changed([&](decision::Detection& d) {
       d.pose.theta = to_radians(degrees);
-      d.log_odds -= 3;
+      d.odds.best_at_place -= 3;
     });
     const Match match = select({sound(), turned}).matches.at(0);
     EXPECT_EQ(match.graspable, degrees < 10) << degrees;
@@ -209,7 +212,7 @@ TEST_F(DecisionTest, AnotherAngleAtThePlaceMakesAmbiguous) {
 TEST_F(DecisionTest, AnUnexplainedPlaceAsLikelyMakesAmbiguous) {
   const decision::Detection elsewhere = changed([](decision::Detection& d) {
     d.pose.x += 300;
-    d.log_odds -= 2;
+    d.odds.best_at_place -= 2;
   });
   const Match alone = select({sound(), elsewhere}, std::nullopt, 1).matches.at(0);
   EXPECT_NEAR(alone.margin_place, 2, 1e-9);
@@ -223,7 +226,7 @@ TEST_F(DecisionTest, AnUnexplainedPlaceAsLikelyMakesAmbiguous) {
 TEST_F(DecisionTest, OfThePlacesClaimedTwiceTheBetterStays) {
   const decision::Detection shifted = changed([](decision::Detection& d) {
     d.pose.x += 3;
-    d.log_odds += 1;
+    d.odds.best_at_place += 1;
   });
   const decision::Selection selected = select({sound(), shifted});
   ASSERT_EQ(selected.matches.size(), 1u);
@@ -240,7 +243,7 @@ TEST_F(DecisionTest, MapsThatShareMoreThanAQuarterClaimOnePlace) {
   ASSERT_GT(common(), config_.max_overlap);
   const decision::Detection beside = changed([&](decision::Detection& d) {
     d.pose.x += apart;
-    d.log_odds -= 1;
+    d.odds.best_at_place -= 1;
   });
   EXPECT_EQ(select({sound(), beside}).matches.size(), 1u);
 }
@@ -257,7 +260,7 @@ TEST_F(DecisionTest, ARequestsScoreGoesBeforeTheObjectsOwnAndTheConfigs) {
   auto model = std::make_shared<ObjectModel>(*test::object_from(source_, {58, 60, 0}));
   model->min_score = 0.9;
   const prepared::PreparedObject choosy(model, prepared::Engine::kFast);
-  decision::Detection detection = changed([](decision::Detection& d) { d.log_odds = 1; });
+  decision::Detection detection = changed([](decision::Detection& d) { d.odds.best_at_place = 1; });
   const double score = match_of(detection).score;
   ASSERT_GT(score, config_.min_score);
   ASSERT_LT(score, 0.98);
@@ -301,7 +304,7 @@ TEST_F(DecisionTest, AnglesOfTwoViewsAreComparedInTheObjectsFrame) {
     detection.object = two.model.get();
     detection.view = &two.views[view];
     detection.pose.theta = object_angle - two.views[view].reference_in_anchor.theta;
-    detection.log_odds = log_odds;
+    detection.odds.best_at_place = log_odds;
     return detection;
   };
   EXPECT_NEAR(select({seen(0, 0.3, 20), seen(1, 0.3, 17)}).matches.at(0).margin_angle,

@@ -85,15 +85,20 @@ TEST_F(ExplanationTest, JudgesAPlaceThatNoSearchProposes) {
 
 TEST_F(ExplanationTest, ASumOfItsParts) {
   const Explanation explanation = at(truth_.position());
-  EXPECT_NEAR(explanation.evidence - explanation.clutter + explanation.rest(), explanation.log_odds,
-              1e-9);
+  const LogOdds& odds = explanation.odds;
+  EXPECT_GT(odds.evidence, 3);
+  EXPECT_NEAR(odds.evidence - odds.colour - odds.mirror + odds.rotations() - odds.clutter +
+                  odds.calibration,
+              odds.total(), 1e-9);
+  EXPECT_NEAR(explanation.score, 1 / (1 + std::exp(-odds.total())), 1e-9);
 }
 
 TEST_F(ExplanationTest, OfAGreyPictureIsInGrey) {
   cv::Mat grey;
   cv::cvtColor(picture_, grey, cv::COLOR_BGR2GRAY);
   const auto explanation = explain_place({object_}, {}, grey, truth_.position()).at(0);
-  EXPECT_NEAR(explanation.rest(), 0, 2);
+  EXPECT_LT(explanation.odds.colour, 2);
+  EXPECT_NEAR(explanation.odds.rotations(), 0, 1e-9);
 }
 
 TEST_F(ExplanationTest, IsOfTheSizeSeen) {
@@ -103,7 +108,7 @@ TEST_F(ExplanationTest, IsOfTheSizeSeen) {
   const cv::Point2d there = kScale * truth_.position();
   const auto explanation = explain_place({object_}, {}, larger, there).at(0);
   EXPECT_NEAR(explanation.scale, kScale, 0.01);
-  EXPECT_GT(explanation.evidence, at(truth_.position()).evidence - 1);
+  EXPECT_GT(explanation.odds.evidence, at(truth_.position()).odds.evidence - 1);
 }
 
 TEST_F(ExplanationTest, NamesLightOfAnotherColour) {

@@ -113,7 +113,7 @@ TEST_F(MatcherTest, WhatWasNotReportedIsARival) {
   ASSERT_EQ(result.matches.size(), 1u);
   ASSERT_FALSE(result.rivals.empty());
   EXPECT_EQ(result.rivals[0].name, "object");
-  EXPECT_GT(result.rivals[0].log_odds, 0);
+  EXPECT_GT(result.rivals[0].log_odds(), 0);
 }
 
 TEST_F(MatcherTest, TellsObjectsApart) {

@@ -45,7 +45,7 @@ TEST_F(VerificationTest, NothingSpeaksAgainstTheTruth) {
   EXPECT_LT(found.colour_difference, 0.1);
   EXPECT_FALSE(found.size_alternative);
   EXPECT_FALSE(found.mirror_alternative);
-  EXPECT_DOUBLE_EQ(found.log_odds, 12);
+  EXPECT_DOUBLE_EQ(found.log_odds(), 12);
   EXPECT_DOUBLE_EQ(found.visible, 1);
   EXPECT_LT(found.contour_alternative, -0.1);
   EXPECT_DOUBLE_EQ(
@@ -82,7 +82,7 @@ TEST_F(VerificationTest, TheMirrorImageIsToldAndCosts) {
   const decision::Detection found = judged(scene, {truth_.x, truth_.y, 0}, 10);
   EXPECT_TRUE(found.mirror_alternative);
   EXPECT_LT(found.colour_difference, 0.15) << "no colour differs";
-  EXPECT_LT(found.log_odds, 8);
+  EXPECT_LT(found.log_odds(), 8);
 }
 
 // A plate without the tip of a corner, its only difference to its mirror image.

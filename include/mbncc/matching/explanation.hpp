@@ -43,19 +43,13 @@ struct Explanation {
   Pose2D pose;       ///< [px],[rad] the best one near the place
   double scale = 1;  ///< relative to the learning picture
   double score = 0;  ///< [0..1]; if it was not proposed: before the comparison with others
-  double log_odds = 0;
+  LogOdds odds;
   std::vector<cv::Point2f> outline;  ///< [px]
   std::vector<ScorePart> parts;      ///< empty with the engine polar
-  double evidence = 0;               ///< log-odds, sum of all terms
-  double clutter = 0;                ///< log-odds subtracted for look-alikes elsewhere
   std::vector<Check> checks;
   std::vector<std::string> reasons;     ///< reasons against grasping, the most important first
   std::vector<Competitor> competitors;  ///< as of Match
   std::string covered_by;               ///< the object with a higher score at the place; "": none
-
-  /// log_odds = evidence - clutter + rest(): colours of parts, mirror image, other rotations,
-  /// calibration.
-  double rest() const { return log_odds - evidence + clutter; }
 };
 
 /// Explains `place` [px] in `picture` for a search of all enabled `objects`, the most likely first;

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "mbncc/config/search_config.hpp"
+#include "mbncc/matching/log_odds.hpp"
 #include "mbncc/object_model.hpp"
 
 namespace mbncc {
@@ -38,8 +39,7 @@ struct Match {
   cv::Matx33d covariance;  ///< of pose: x, y, theta [px^2, px rad, rad^2]; 100 px and a full turn
                            ///< if the pose is too unlikely to be measured
   double score = 0;        ///< [0..1] acceptance score
-  double log_odds = 0;     ///< that the object lies here; the score is its logistic
-  double calibration = 0;  ///< part of log_odds that comparisons with competitors omit
+  LogOdds odds;            ///< that the object lies here
   double similarity = 0;   ///< [-1..1] normalized cross correlation weighted by the map
   /// The best other place of the same object that is no reported instance, and the best other
   /// object here.
@@ -59,15 +59,17 @@ struct Match {
   bool fresh = true;  ///< found in this picture; otherwise in an earlier one with unchanged pixels
   std::vector<cv::Point2f> outline;  ///< [px] largest outline of the map in this picture
 
-  double uncalibrated() const { return log_odds - calibration; }
+  double log_odds() const { return odds.total(); }
 };
 
 /// A candidate that was considered and not reported.
 struct Rival {
   std::string name;
   cv::Point2d position;              ///< [px] of its reference point
-  double log_odds = 0;               ///< comparable with Match::uncalibrated()
+  LogOdds odds;                      ///< without calibration
   std::vector<cv::Point2f> outline;  ///< [px] as of Match
+
+  double log_odds() const { return odds.uncalibrated(); }
 };
 
 /// Largest number of requested objects for which a search without result is repeated thoroughly.

@@ -24,8 +24,10 @@ void write(JsonWriter& json, const Explanation& one) {
   json.member("name", one.name).member("outcome", word_of(one.outcome));
   json.member("x", one.pose.x).member("y", one.pose.y);
   json.member("theta_deg", to_degrees(one.pose.theta));
-  json.member("score", one.score).member("log_odds", one.log_odds);
-  json.member("evidence", one.evidence).member("clutter", -one.clutter).member("rest", one.rest());
+  json.member("score", one.score).member("log_odds", one.odds.total());
+  json.member("evidence", one.odds.evidence).member("colour", -one.odds.colour);
+  json.member("mirror", -one.odds.mirror).member("rotations", one.odds.rotations());
+  json.member("clutter", -one.odds.clutter).member("calibration", one.odds.calibration);
   json.key("parts").begin_array();
   for (const auto& part : one.parts) {
     json.begin_object().member("name", part.name).member("value", part.value);

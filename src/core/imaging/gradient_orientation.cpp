@@ -109,7 +109,7 @@ cv::Mat strongest_gradient(const cv::Mat& picture) {
 }
 
 void smooth_and_find_edges(const cv::Mat& picture, const cv::Rect& region, double sigma,
-                           cv::Mat smooth, cv::Mat edges) {
+                           cv::Mat& smooth, cv::Mat& edges) {
   Region work(picture, region, sigma);
   work.smooth();
   for (int y = 0; y < region.height; ++y) {

@@ -23,6 +23,6 @@ cv::Mat strongest_gradient(const cv::Mat& picture);
 /// aligned, negative when crossing, near zero where there is little gradient. Clutter averages to
 /// zero. The picture's border is replicated; the result does not depend on the region.
 void smooth_and_find_edges(const cv::Mat& picture, const cv::Rect& region, double sigma,
-                           cv::Mat smooth, cv::Mat edges);
+                           cv::Mat& smooth, cv::Mat& edges);
 
 }  // namespace mbncc::imaging

@@ -87,7 +87,7 @@ std::vector<Footprint> occupied_by_others(const SearchState& findings, std::size
   for (std::size_t i = 0; i < findings.found.size(); ++i) {
     if (i == own) continue;
     for (const auto& one : findings.found[i])
-      if (one.log_odds > kLikely)
+      if (one.log_odds() > kLikely)
         footprints.push_back(
             {{one.pose.position(), one.view->shape.radius()}, cv::contourArea(one.view->outline)});
   }

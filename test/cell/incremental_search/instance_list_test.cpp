@@ -14,7 +14,7 @@ Known known_at(double x, const std::string& name = "one", double log_odds = 20) 
   Known known;
   known.match.name = name;
   known.match.pose = {x, 100, 0};
-  known.match.log_odds = log_odds;
+  known.match.odds.best_at_place = log_odds;
   known.match.score = 0.9;
   known.match.margin_angle = 20;
   for (const cv::Point2d corner : {cv::Point2d(-20, -20), {20, -20}, {20, 20}, {-20, 20}})
@@ -91,16 +91,16 @@ TEST_F(KnownInstancesTest, WhatASearchFindsAtThePlaceCompetes) {
 // A whole search compares only uncalibrated evidence, without the calibration by the outline's fit
 // and by other instances.
 TEST_F(KnownInstancesTest, CalibrationIsNoPartOfTheComparison) {
-  Known firm = known_at(100);
-  firm.match.calibration = -4;
+  Known firm = known_at(100, "one", 24);
+  firm.match.odds.calibration = -4;
   known_.admit(firm, kReach);
-  Match behind_another = known_at(300, "one", 15).match;
-  behind_another.calibration = -6;
+  Match behind_another = known_at(300, "one", 21).match;
+  behind_another.odds.calibration = -6;
   compare_with({rival_at(100, "other", 20), rival_of(behind_another)});
   EXPECT_NEAR(judged(known_.all()[0]).margin_place, 3, 1e-9) << "of 24 to 21";
-  Known loose = known_at(102, "other", 23);
+  Known loose = known_at(102, "other", 21);
   loose.match.score = 0.95;
-  loose.match.calibration = 2;
+  loose.match.odds.calibration = 2;
   known_.admit(loose, kReach);
   ASSERT_EQ(known_.all().size(), 1u);
   EXPECT_NEAR(judged(known_.all()[0]).margin_place, -3, 1e-9) << "of 21 to 24";

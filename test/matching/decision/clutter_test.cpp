@@ -23,7 +23,7 @@ class ClutterTest : public ::testing::Test {
     detection.object = object.model.get();
     detection.view = &object.views.front();
     detection.pose = {x, 100, 0};
-    detection.log_odds = log_odds;
+    detection.odds.best_at_place = log_odds;
     return detection;
   }
 };
@@ -31,14 +31,14 @@ class ClutterTest : public ::testing::Test {
 TEST_F(ClutterTest, OnePlaceAloneLosesNothing) {
   std::vector<Detection> detections{at(object_, 100, 4), at(object_, 101, 3)};
   apply_clutter_penalty(detections);
-  EXPECT_DOUBLE_EQ(detections[0].log_odds, 4);
-  EXPECT_DOUBLE_EQ(detections[1].log_odds, 3);
+  EXPECT_DOUBLE_EQ(detections[0].log_odds(), 4);
+  EXPECT_DOUBLE_EQ(detections[1].log_odds(), 3);
 }
 
 TEST_F(ClutterTest, HopelessPlacesCostNothing) {
   std::vector<Detection> detections{at(object_, 100, 4), at(object_, 400, -30)};
   apply_clutter_penalty(detections);
-  EXPECT_DOUBLE_EQ(detections[0].log_odds, 4);
+  EXPECT_DOUBLE_EQ(detections[0].log_odds(), 4);
 }
 
 TEST_F(ClutterTest, LikesElsewhereCostEachMore) {
@@ -48,9 +48,9 @@ TEST_F(ClutterTest, LikesElsewhereCostEachMore) {
     detections.push_back(at(object_, 100 + 200 * k, 1));
     auto discounted = detections;
     apply_clutter_penalty(discounted);
-    EXPECT_LT(discounted[0].log_odds, before);
-    EXPECT_DOUBLE_EQ(discounted[0].log_odds - discounted[1].log_odds, 3) << "margins stay";
-    before = discounted[0].log_odds;
+    EXPECT_LT(discounted[0].log_odds(), before);
+    EXPECT_DOUBLE_EQ(discounted[0].log_odds() - discounted[1].log_odds(), 3) << "margins stay";
+    before = discounted[0].log_odds();
   }
 }
 
@@ -58,30 +58,30 @@ TEST_F(ClutterTest, InstancesBeyondDoubtAreNoLikes) {
   std::vector<Detection> detections{at(object_, 100, 15), at(object_, 300, 12), at(object_, 500, 9),
                                     at(object_, 700, 10), at(object_, 900, 4)};
   apply_clutter_penalty(detections);
-  EXPECT_GT(detections[4].log_odds, 0) << "covered, it is still one more of them";
-  EXPECT_LT(detections[4].log_odds, 4) << "and it might be a like";
+  EXPECT_GT(detections[4].log_odds(), 0) << "covered, it is still one more of them";
+  EXPECT_LT(detections[4].log_odds(), 4) << "and it might be a like";
 }
 
 TEST_F(ClutterTest, LikesBehindManyPlacesCount) {
   std::vector<Detection> detections;
   for (int k = 0; k < 20; ++k) detections.push_back(at(object_, 100 + 200 * k, 9 - 0.25 * k));
   apply_clutter_penalty(detections);
-  EXPECT_LT(detections[0].log_odds, 1) << "a pattern: as many uncertain places as likely ones";
+  EXPECT_LT(detections[0].log_odds(), 1) << "a pattern: as many uncertain places as likely ones";
 }
 
 TEST_F(ClutterTest, LikesBesideInstancesStayUnlikely) {
   std::vector<Detection> detections{at(object_, 100, 15), at(object_, 300, 3), at(object_, 500, 3),
                                     at(object_, 700, 3)};
   apply_clutter_penalty(detections);
-  EXPECT_GT(detections[0].log_odds, 5);
-  EXPECT_LT(detections[1].log_odds, 0);
+  EXPECT_GT(detections[0].log_odds(), 5);
+  EXPECT_LT(detections[1].log_odds(), 0);
 }
 
 TEST_F(ClutterTest, WhatTheWholePictureToldIsTakenOffAtLeast) {
   std::vector<Detection> detections{at(object_, 100, 4), at(other_, 300, 4)};
   const auto taken = apply_clutter_penalty(detections, {{"object", 2.5}, {"gone", 1}});
-  EXPECT_DOUBLE_EQ(detections[0].log_odds, 1.5);
-  EXPECT_DOUBLE_EQ(detections[1].log_odds, 4);
+  EXPECT_DOUBLE_EQ(detections[0].log_odds(), 1.5);
+  EXPECT_DOUBLE_EQ(detections[1].log_odds(), 4);
   EXPECT_DOUBLE_EQ(taken.at("object"), 2.5);
   EXPECT_DOUBLE_EQ(taken.at("gone"), 1) << "and is handed on";
 }
@@ -89,8 +89,8 @@ TEST_F(ClutterTest, WhatTheWholePictureToldIsTakenOffAtLeast) {
 TEST_F(ClutterTest, OtherObjectsAreNoLikes) {
   std::vector<Detection> detections{at(object_, 100, 4), at(other_, 300, 4)};
   apply_clutter_penalty(detections);
-  EXPECT_DOUBLE_EQ(detections[0].log_odds, 4);
-  EXPECT_DOUBLE_EQ(detections[1].log_odds, 4);
+  EXPECT_DOUBLE_EQ(detections[0].log_odds(), 4);
+  EXPECT_DOUBLE_EQ(detections[1].log_odds(), 4);
 }
 
 TEST_F(ClutterTest, ManyObjectsAreEachLessLikely) {
@@ -99,8 +99,8 @@ TEST_F(ClutterTest, ManyObjectsAreEachLessLikely) {
   EXPECT_LT(multiple_testing_penalty(10), multiple_testing_penalty(40));
   std::vector<Detection> detections{at(object_, 100, 4), at(object_, 101, 3)};
   const auto taken = apply_clutter_penalty(detections, {}, 1.5);
-  EXPECT_DOUBLE_EQ(detections[0].log_odds, 2.5);
-  EXPECT_DOUBLE_EQ(detections[1].log_odds, 1.5);
+  EXPECT_DOUBLE_EQ(detections[0].log_odds(), 2.5);
+  EXPECT_DOUBLE_EQ(detections[1].log_odds(), 1.5);
   EXPECT_DOUBLE_EQ(taken.at("object"), 1.5);
 }
 

@@ -16,10 +16,10 @@ class ConclusionTest : public ::testing::Test {
   ConclusionTest() {
     match_.name = "key";
     match_.score = 0.99;
-    match_.log_odds = 12;
+    match_.odds.best_at_place = 12;
     match_.margin_angle = kNoCompetitor;
     match_.covariance = cv::Matx33d::diag({0.01, 0.01, 1e-6});
-    detection_.log_odds = 12;
+    detection_.odds.best_at_place = 12;
     detection_.contour_alternative = 0;
   }
 
@@ -100,12 +100,12 @@ TEST_F(ConclusionTest, AnOutlineThatFitsBesideIt) {
 }
 
 TEST_F(ConclusionTest, WeakEvidence) {
-  detection_.log_odds = 4;
+  detection_.odds.best_at_place = 4;
   expect_refused("evidence too weak", false);
 }
 
 TEST_F(ConclusionTest, AWeakOneFarBehindAnotherInstance) {
-  detection_.log_odds = 8;
+  detection_.odds.best_at_place = 8;
   verify(-2.9);
   EXPECT_TRUE(match_.graspable);
   verify(-3.1);
@@ -142,8 +142,9 @@ TEST_F(ConclusionTest, AMarginThatNoneReachesLeavesNothingGraspable) {
 TEST_F(ConclusionTest, WhatIsNoNumberIsADoubt) {
   const Match match = match_;
   const Detection detection = detection_;
-  for (double* value : {&match_.score, &match_.visible, &match_.margin_angle, &match_.log_odds,
-                        &detection_.colour_difference, &detection_.contour_alternative}) {
+  for (double* value :
+       {&match_.score, &match_.visible, &match_.margin_angle, &match_.odds.best_at_place,
+        &detection_.colour_difference, &detection_.contour_alternative}) {
     match_.competitors = {{"far", {1, 2}, 0}};
     *value = std::nan("");
     verify();

@@ -22,7 +22,7 @@ class RotationTest : public ::testing::Test {
     detection.object = object_.model.get();
     detection.view = &object_.views.front();
     detection.pose = {x, 100, theta};
-    detection.log_odds = log_odds;
+    detection.odds.best_at_place = log_odds;
     detection.rotation_odds = rotation_odds;
     return detection;
   }
@@ -32,17 +32,17 @@ TEST_F(RotationTest, WhatLightLeavesAloneDecidesAtOnePlace) {
   const auto compared = resolve_rotations({at(100, 0, 6, 40), at(101, 3, 5, 43)});
   ASSERT_EQ(compared.size(), 2u);
   EXPECT_DOUBLE_EQ(compared[0].pose.theta, 3);
-  EXPECT_DOUBLE_EQ(compared[0].log_odds, 6) << "the place is as likely as before";
-  EXPECT_DOUBLE_EQ(compared[1].log_odds, 3) << "the margin is that of the rotations";
+  EXPECT_DOUBLE_EQ(compared[0].log_odds(), 6) << "the place is as likely as before";
+  EXPECT_DOUBLE_EQ(compared[1].log_odds(), 3) << "the margin is that of the rotations";
 }
 
 TEST_F(RotationTest, OtherPlacesAndHopelessPosesStayAsTheyAre) {
   const auto compared =
       resolve_rotations({at(100, 0, 6, 40), at(100, 2, -9, 50), at(400, 1, 2, 60)});
   ASSERT_EQ(compared.size(), 3u);
-  EXPECT_DOUBLE_EQ(compared[0].log_odds, 6);
-  EXPECT_DOUBLE_EQ(compared[1].log_odds, 2);
-  EXPECT_DOUBLE_EQ(compared[2].log_odds, -9);
+  EXPECT_DOUBLE_EQ(compared[0].log_odds(), 6);
+  EXPECT_DOUBLE_EQ(compared[1].log_odds(), 2);
+  EXPECT_DOUBLE_EQ(compared[2].log_odds(), -9);
 }
 
 TEST(RotationOdds, UnexplainedColoursTellEqualCorrelationsApart) {

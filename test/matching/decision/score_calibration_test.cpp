@@ -12,7 +12,7 @@ constexpr double kFirm = -0.2, kAsGoodElsewhere = 0.03;  // agreement
 
 Detection detection_of(double log_odds, double elsewhere = kFirm, double projected = 0) {
   Detection detection;
-  detection.log_odds = log_odds;
+  detection.odds.best_at_place = log_odds;
   detection.contour_alternative = elsewhere;
   detection.shading_free_ncc = projected;
   return detection;

@@ -23,7 +23,7 @@ class SelectionTest : public ::testing::Test {
     detection.view = &object_.views.front();
     detection.pose = {100, 100, 0};
     detection.covariance = detection.cautious = cv::Matx33d::diag({0.01, 0.01, 1e-6});
-    detection.log_odds = log_odds;
+    detection.odds.best_at_place = log_odds;
     detection.shading_free_ncc = projected;
     detection.contour_alternative = elsewhere;
     return detection;
@@ -53,7 +53,7 @@ TEST_F(SelectionTest, ScoresKnowHowFirmlyAnOutlineLies) {
 TEST_F(SelectionTest, ANearRotationLowersTheScoreAndLeavesTheMargin) {
   Detection one = detection_of(4, 0.4), turned = one;
   turned.pose.theta = 1;
-  turned.log_odds = 3;
+  turned.odds.best_at_place = 3;
   const auto selected = select_matches({one, turned}, {config_, std::nullopt, 1, {}, {}, 0});
   ASSERT_EQ(selected.matches.size(), 1U);
   EXPECT_LT(selected.matches[0].score, match_of(4, 0.4).score);

@@ -67,9 +67,8 @@ class ColourPartsTest : public ::testing::Test {
     const Pose2D at = compose({150, 72, 0}, inverse(view.reference_in_anchor));
     templates::SurfaceSample sample;
     templates::ContourSample contour;
-    level.prepare();
-    view.fine.surface.sample(level, at, sample);
-    templates::read_contour(view.fine.contour, level.edges, at, 1, contour);
+    view.fine.surface.sample(level.whole(), at, sample);
+    templates::read_contour(view.fine.contour, level.whole().edges, at, 1, contour);
     return view.parts.worst_differences(view.fine.surface, sample, contour,
                                         ground_beside(view.fine.contour, level, at));
   }

@@ -53,8 +53,7 @@ TEST_F(OutlineElsewhere, ItIsBetterByWhatThePlaceItselfIs) {
   const prepared::PreparedView& view = object.views.front();
   const templates::ContourTemplate& contour = view.fine.contour;
   const scene::SceneLevel scene(scene_, 0);
-  scene.prepare();
-  ContourAlignment agreement(contour, scene);
+  ContourAlignment agreement(contour, scene.whole());
   const Pose2D anchor = compose(truth_, inverse(view.reference_in_anchor));
   const double best = agreement.aligned(anchor, 1).agreement;
   const double turn = 2 / contour.radius();  // two pixels at the rim

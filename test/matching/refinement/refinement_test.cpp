@@ -149,8 +149,7 @@ TEST_F(RefinementTest, ShadingIsSeenInTheClaim) {
   const scene::SceneLevel scene(shaded, 0);
   const templates::SurfaceTemplate& surface = view_.dense.object.surface;
   templates::SurfaceSample sample;
-  scene.prepare();
-  surface.sample(scene, found.pose, sample);
+  surface.sample(scene.whole(), found.pose, sample);
   const IlluminationBias light(surface, sample, 1);
   const double place = light.of_pose(surface.radius())(0, 0);
   EXPECT_GT(place, refined(even, anchor_at(truth)).covariance(0, 0));

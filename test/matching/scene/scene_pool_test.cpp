@@ -31,8 +31,8 @@ void expect_as_if_fresh(const ScenePicture& scene, const cv::Mat& picture) {
     const auto maps = scene.levels[level].responses(kMargin);
     const auto expected = fresh.levels[level].responses(kMargin);
     EXPECT_TRUE(equal(scene.grey[level], fresh.grey[level]));
-    EXPECT_TRUE(equal(scene.levels[level].colour, fresh.levels[level].colour));
-    EXPECT_TRUE(equal(scene.levels[level].edges, fresh.levels[level].edges));
+    EXPECT_TRUE(equal(scene.levels[level].whole().colour, fresh.levels[level].whole().colour));
+    EXPECT_TRUE(equal(scene.levels[level].whole().edges, fresh.levels[level].whole().edges));
     const cv::Size size = scene.grey[level].size();
     for (int k = 0; k < ResponseMaps::kOrientations; ++k)
       for (int y = -kMargin; y < size.height + kMargin; ++y)

@@ -40,7 +40,7 @@ class ColourCastTest : public ::testing::Test {
       detection.object = objects_[k].model.get();
       detection.view = &objects_[k].views.front();
       detection.pose = pose(static_cast<int>(k));
-      detection.log_odds = log_odds;
+      detection.odds.best_at_place = log_odds;
       all.push_back({detection});
     }
     return all;

@@ -23,10 +23,9 @@ class HighlightsTest : public ::testing::Test {
     const prepared::PreparedObject object(model, prepared::Engine::kFast);
     const prepared::PreparedView& view = object.views.front();
     const scene::SceneLevel scene(picture, 0);
-    scene.prepare();
     SurfaceSample sample;
     const Pose2D anchor = compose({58, 60, 0}, inverse(view.reference_in_anchor));
-    view.fine.surface.sample(scene, anchor, sample);
+    view.fine.surface.sample(scene.whole(), anchor, sample);
     return static_cast<double>(sample.visible) / static_cast<double>(sample.points);
   }
 

@@ -99,8 +99,8 @@ std::map<std::string, double> FrameSearch::best_outside(
   for (const auto& one : memory_.known.all()) {
     const bool asked = std::find(names.begin(), names.end(), one.match.name) != names.end();
     if (!asked || !(one.box() & region).empty()) continue;
-    const auto entry = best.try_emplace(one.match.name, one.match.uncalibrated()).first;
-    entry->second = std::max(entry->second, one.match.uncalibrated());
+    const auto entry = best.try_emplace(one.match.name, one.match.odds.uncalibrated()).first;
+    entry->second = std::max(entry->second, one.match.odds.uncalibrated());
   }
   return best;
 }

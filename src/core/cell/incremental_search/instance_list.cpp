@@ -26,7 +26,7 @@ double distance(const Match& a, const Match& b) {
 /// `uncalibrated` log-odds on the scale of `match`.
 Competitor competitor_of(const Match& match, const std::string& name, const cv::Point2d& position,
                          double uncalibrated) {
-  return {name, position, uncalibrated + match.calibration};
+  return {name, position, uncalibrated + match.odds.calibration};
 }
 
 }  // namespace
@@ -36,7 +36,7 @@ cv::Rect Known::box() const {
 }
 
 void Known::take_comparisons(const Known& before) {
-  const double gain = before.looks > 0 ? match.log_odds - before.match.log_odds : 0;
+  const double gain = before.looks > 0 ? match.log_odds() - before.match.log_odds() : 0;
   compared_elsewhere = before.compared_elsewhere;
   elsewhere = before.elsewhere;
   others = before.others;
@@ -64,7 +64,7 @@ Match Known::judged(const std::vector<std::string>& names, const SearchConfig& c
 }
 
 Rival rival_of(const Match& match) {
-  return {match.name, match.pose.position(), match.uncalibrated(), match.outline};
+  return {match.name, match.pose.position(), match.odds.without_calibration(), match.outline};
 }
 
 double outline_overlap(const std::vector<cv::Point2f>& a, const std::vector<cv::Point2f>& b) {
@@ -106,8 +106,8 @@ Known* InstanceList::admit(Known found, double reach) {
   // The log-odds of one that was found in an earlier picture are no comparison.
   for (const auto& one : take(covers))
     if (one.match.name != match.name && one.match.fresh)
-      found.others[one.match.name] =
-          competitor_of(match, one.match.name, one.match.pose.position(), one.match.uncalibrated());
+      found.others[one.match.name] = competitor_of(match, one.match.name, one.match.pose.position(),
+                                                   one.match.odds.uncalibrated());
   known_.push_back(std::move(found));
   return &known_.back();
 }
@@ -122,7 +122,7 @@ void InstanceList::compare(Known& known, const Rival& rival) const {
     if (compared == known.others.end()) return;
     best = &compared->second;
   }
-  const auto competitor = competitor_of(known.match, rival.name, rival.position, rival.log_odds);
+  const auto competitor = competitor_of(known.match, rival.name, rival.position, rival.log_odds());
   if (!*best || competitor.log_odds > (*best)->log_odds) *best = competitor;
 }
 

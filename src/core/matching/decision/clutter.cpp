@@ -13,7 +13,7 @@
 namespace mbncc::decision {
 namespace {
 
-// Fitted together with the weights of log_odds().
+// Fitted together with the weights of the evidence model.
 constexpr std::size_t kPlaces = 3;  // number of places used
 constexpr double kWeight = 0.85;
 constexpr double kNothing = -6, kObvious = 5;  // log-odds: bounds of a place's contribution
@@ -27,7 +27,7 @@ bool same_place(const Detection& a, const Detection& b) {
 std::vector<double> odds_of_places(std::vector<const Detection*> detections) {
   std::stable_sort(
       detections.begin(), detections.end(),
-      [](const Detection* a, const Detection* b) { return a->log_odds > b->log_odds; });
+      [](const Detection* a, const Detection* b) { return a->log_odds() > b->log_odds(); });
   std::vector<const Detection*> places;
   for (const Detection* detection : detections) {
     const bool known = std::any_of(places.begin(), places.end(), [&](const Detection* other) {
@@ -36,7 +36,7 @@ std::vector<double> odds_of_places(std::vector<const Detection*> detections) {
     if (!known) places.push_back(detection);
   }
   std::vector<double> odds;
-  for (const Detection* place : places) odds.push_back(place->log_odds);
+  for (const Detection* place : places) odds.push_back(place->log_odds());
   return odds;
 }
 
@@ -66,7 +66,7 @@ std::map<std::string, double> apply_clutter_penalty(std::vector<Detection>& dete
   std::map<std::string, double> discounts = least;
   for (const auto& [name, own] : of_object)
     discounts[name] = std::max(discounts[name], rarity + clutter_penalty(odds_of_places(own)));
-  for (auto& detection : detections) detection.log_odds -= discounts[detection.object->name];
+  for (auto& detection : detections) detection.odds.clutter = discounts[detection.object->name];
   return discounts;
 }
 

@@ -74,7 +74,7 @@ std::vector<Doubt> doubts_about(const Match& match, const Detection& detection,
 
 void conclude(Match& match, const SearchConfig& config) {
   const Competitor* best = best_of(match.competitors);
-  const double margin = best ? match.log_odds - best->log_odds : kNoCompetitor;
+  const double margin = best ? match.log_odds() - best->log_odds : kNoCompetitor;
   match.margin_place = margin > kNoCompetitor ? kNoCompetitor : margin;
   bool ambiguous = !(match.margin_place >= config.min_margin_place);
   match.reasons.clear();

@@ -11,13 +11,9 @@ bool at_one_place(const Detection& a, const Detection& b) {
   return cv::norm(a.pose.position() - b.pose.position()) <= kApart * b.view->shape.radius();
 }
 
-double Detection::score() const {
-  return 1 / (1 + std::exp(-calibrated()));
-}
-
 std::vector<Detection> resolve_rotations(std::vector<Detection> detections) {
   const auto better = [](const Detection& a, const Detection& b) {
-    return a.log_odds > b.log_odds;
+    return a.log_odds() > b.log_odds();
   };
   std::stable_sort(detections.begin(), detections.end(), better);
   std::vector<Detection> compared;
@@ -25,13 +21,14 @@ std::vector<Detection> resolve_rotations(std::vector<Detection> detections) {
     const Detection best = detections.front();
     const auto others =
         std::stable_partition(detections.begin(), detections.end(), [&](const Detection& one) {
-          return one.log_odds >= best.log_odds - kComparable && at_one_place(one, best);
+          return one.log_odds() >= best.log_odds() - kComparable && at_one_place(one, best);
         });
     double most = best.rotation_odds;
     for (auto one = detections.begin(); one != others; ++one)
       most = std::max(most, one->rotation_odds);
     for (auto one = detections.begin(); one != others; ++one) {
-      one->log_odds = best.log_odds - (most - one->rotation_odds);
+      one->odds.best_at_place = best.log_odds();
+      one->odds.rotation = most - one->rotation_odds;
       compared.push_back(*one);
     }
     detections.erase(detections.begin(), others);

@@ -7,6 +7,7 @@
 
 #include "matching/template/view_frame.hpp"
 #include "mbncc/geometry.hpp"
+#include "mbncc/matching/log_odds.hpp"
 #include "mbncc/object_model.hpp"
 
 namespace mbncc::decision {
@@ -24,7 +25,7 @@ struct Detection {
   double size = 1;                             ///< of the detection, relative to the view
   cv::Matx33d covariance;                      ///< of pose
   cv::Matx33d cautious;                        ///< the same for the grasp conditions, see Refined
-  double log_odds = 0;                         ///< that the object lies here
+  LogOdds odds;                                ///< that the object lies here
   double similarity = 0;                       ///< [-1..1]
   double visible = 1;                          ///< [0..1]
   double colour_difference = 0;                ///< [0..2] see ColourDifference, the larger one
@@ -32,14 +33,12 @@ struct Detection {
   bool mirror_alternative = false;             ///< its mirrored outline fits better
   bool torn = false;                           ///< two displaced parts of its outline fit better
   double contour_alternative = kNotExamined;   ///< see better_elsewhere()
-  double calibration = 0;                      ///< log-odds, see calibration()
   double shading_free_ncc = 0;                 ///< [-1..1] see Evidence
   double rotation_odds = 0;  ///< against other rotations here, see rotation_odds()
   std::size_t number = 0;    ///< index among the poses verified together
 
-  /// Log-odds that the pose is right.
-  double calibrated() const { return log_odds + calibration; }
-  double score() const;  ///< [0..1]
+  /// Without calibration.
+  double log_odds() const { return odds.uncalibrated(); }
 };
 
 /// Rotations at one place compete if their log-odds are within this of the best one.

@@ -24,13 +24,13 @@ const Detection* best_competitor(const Detection& detection, const std::vector<D
                                  Predicate&& competes) {
   const Detection* best = nullptr;
   for (const auto& other : all)
-    if (&other != &detection && (!best || other.log_odds > best->log_odds) && competes(other))
+    if (&other != &detection && (!best || other.log_odds() > best->log_odds()) && competes(other))
       best = &other;
   return best;
 }
 
 double margin_to(const Detection& detection, const Detection* other) {
-  return other ? std::min(kNoCompetitor, detection.log_odds - other->log_odds) : kNoCompetitor;
+  return other ? std::min(kNoCompetitor, detection.log_odds() - other->log_odds()) : kNoCompetitor;
 }
 
 }  // namespace
@@ -56,7 +56,7 @@ double instance_margin(const Detection& detection, const std::vector<Detection>&
         return same_object(other, detection) && !overlapping(detection, other, max_overlap);
       }));
   const auto best = elsewhere.find(detection.object->name);
-  return best == elsewhere.end() ? margin : std::min(margin, detection.log_odds - best->second);
+  return best == elsewhere.end() ? margin : std::min(margin, detection.log_odds() - best->second);
 }
 
 const Detection* competing_place(const Detection& detection, const std::vector<Detection>& all,

@@ -20,9 +20,9 @@ bool is_convincing(const Detection& detection, double instance_margin) {
   constexpr double kTexture = 0.6;                    // correlation without shading
   constexpr double kLoose = 0.01, kLooseCertain = 7;  // agreement; log-odds
   constexpr double kBehind = 3, kLikeCertain = 9;     // log-odds
-  if (detection.contour_alternative > kLoose && detection.log_odds < kLooseCertain) return false;
-  if (instance_margin < -kBehind && detection.log_odds < kLikeCertain) return false;
-  const double odds = detection.calibrated();
+  if (detection.contour_alternative > kLoose && detection.log_odds() < kLooseCertain) return false;
+  if (instance_margin < -kBehind && detection.log_odds() < kLikeCertain) return false;
+  const double odds = detection.odds.total();
   return odds >= kCertain || (odds >= kLikely && detection.shading_free_ncc >= kTexture);
 }
 

@@ -49,7 +49,7 @@ cv::Matx33d moved_to_reference(const cv::Matx33d& covariance, cv::Point2d lever)
 void calibrate(std::vector<Detection>& detections, const AcceptanceSettings& acceptance) {
   const double max_overlap = acceptance.config.max_overlap;
   for (auto& detection : detections)
-    detection.calibration =
+    detection.odds.calibration =
         calibration(detection, angle_margin(detection, detections, max_overlap),
                     instance_margin(detection, detections, acceptance.elsewhere, max_overlap));
 }
@@ -76,7 +76,7 @@ std::vector<cv::Point2f> outline_at(const Detection& detection) {
 /// `other` on the scale of `match`, which is of `detection`.
 Competitor competitor_of(const Match& match, const Detection& detection, const Detection& other) {
   return {other.object->name, object_pose(other).position(),
-          match.log_odds - (detection.log_odds - other.log_odds)};
+          match.log_odds() - (detection.log_odds() - other.log_odds())};
 }
 
 Match to_match(const Detection& detection, const std::vector<Detection>& all,
@@ -93,8 +93,7 @@ Match to_match(const Detection& detection, const std::vector<Detection>& all,
   match.covariance = moved_to_reference(detection.covariance, lever);
   match.scale = view.scale * detection.size;
   match.score = acceptance_score(detection, config);
-  match.log_odds = detection.calibrated();
-  match.calibration = detection.calibration;
+  match.odds = detection.odds;
   match.similarity = detection.similarity;
   for (const Detection* other : {competing_place(detection, all, accepted, config.max_overlap),
                                  competing_object(detection, all, config.max_overlap)})
@@ -113,17 +112,19 @@ Match to_match(const Detection& detection, const std::vector<Detection>& all,
 std::vector<Rival> rivals_of(const std::vector<const Detection*>& accepted,
                              const std::vector<Detection>& detections) {
   std::vector<Rival> rivals;
-  for (const auto& detection : detections)
-    if (std::find(accepted.begin(), accepted.end(), &detection) == accepted.end())
-      rivals.push_back({detection.object->name, object_pose(detection).position(),
-                        detection.log_odds, outline_at(detection)});
+  for (const auto& detection : detections) {
+    if (std::find(accepted.begin(), accepted.end(), &detection) != accepted.end()) continue;
+    rivals.push_back({detection.object->name, object_pose(detection).position(),
+                      detection.odds.without_calibration(), outline_at(detection)});
+  }
   return rivals;
 }
 
 }  // namespace
 
 double acceptance_score(const Detection& detection, const SearchConfig& config) {
-  return config.accept_by == "similarity" ? std::max(0.0, detection.similarity) : detection.score();
+  return config.accept_by == "similarity" ? std::max(0.0, detection.similarity)
+                                          : detection.odds.score();
 }
 
 Selection select_matches(std::vector<Detection> detections, const AcceptanceSettings& acceptance) {

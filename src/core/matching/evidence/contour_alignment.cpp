@@ -10,8 +10,7 @@ templates::Candidate shifted_onto_edges(const templates::ContourTemplate& contou
   constexpr int kFarthest = 3;   // steps
   constexpr double kSlack = 10;  // [px] more than the distance to the farthest place
   const Pose2D& pose = candidate.pose;
-  scene.prepare_around(pose, contour.radius() + kSlack);
-  ContourAlignment agreement(contour, scene);
+  ContourAlignment agreement(contour, scene.around(pose, contour.radius() + kSlack));
   templates::Candidate best = candidate;
   best.value = -1;
   for (int i = -kFarthest; i <= kFarthest; ++i)

@@ -17,14 +17,14 @@ struct AlignedContourPose {
 
 class ContourAlignment {
  public:
-  /// For a contour `scale` times as large, at poses whose surroundings are prepared in the picture.
-  ContourAlignment(const templates::ContourTemplate& contour, const scene::SceneLevel& scene,
+  /// For a contour `scale` times as large, at poses whose surroundings `pixels` contains.
+  ContourAlignment(const templates::ContourTemplate& contour, const scene::PreparedPixels& pixels,
                    double scale = 1)
-      : contour_(contour), scene_(scene), scale_(scale) {}
+      : contour_(contour), pixels_(pixels), scale_(scale) {}
 
   /// See contour_agreement().
   double at(const Pose2D& pose) {
-    templates::read_contour(contour_, scene_.edges, pose, 1, sample_, scale_);
+    templates::read_contour(contour_, pixels_.edges, pose, 1, sample_, scale_);
     return templates::contour_agreement(contour_, sample_);
   }
 
@@ -55,7 +55,7 @@ class ContourAlignment {
 
  private:
   const templates::ContourTemplate& contour_;
-  const scene::SceneLevel& scene_;
+  scene::PreparedPixels pixels_;
   double scale_;
   templates::ContourSample sample_;
 };

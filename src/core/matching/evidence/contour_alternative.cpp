@@ -16,8 +16,7 @@ double better_elsewhere(const templates::ContourTemplate& contour, const scene::
   constexpr double kWorse = 0.1;      // difference in agreement that alignment does not make up for
   constexpr int kAlignmentSteps = 4;  // steps of a pixel
   constexpr double kSlack = 20;       // [px] more than the distance to the farthest place
-  scene.prepare_around(pose, scale * contour.radius() + kSlack);
-  ContourAlignment agreement(contour, scene, scale);
+  ContourAlignment agreement(contour, scene.around(pose, scale * contour.radius() + kSlack), scale);
   const auto elsewhere = [&](const Pose2D& other) {
     return std::hypot(other.x - pose.x, other.y - pose.y) >= kNearest;
   };

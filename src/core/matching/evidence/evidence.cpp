@@ -51,6 +51,8 @@ struct Reading {
   const scene::SceneLevel& scene;
   const Pose2D& pose;
   double scale;
+
+  const cv::Mat& edges() const { return scene.around(pose, scale * object.reach()).edges; }
 };
 
 /// `trimmed` is the residual of the sample's parts.
@@ -60,7 +62,7 @@ Evidence evidence_of(const Reading& reading, const templates::PoseSample& sample
   const templates::SurfaceSample& seen = sample.surface;
   Evidence evidence = contour_evidence(reading.object, sample);
   evidence.gradient =
-      gradient_agreement(surface, seen, reading.scene.edges, reading.pose, reading.scale);
+      gradient_agreement(surface, seen, reading.edges(), reading.pose, reading.scale);
   if (trimmed >= 0) evidence.trimmed_residual = log_trimmed(trimmed);
   evidence.histogram =
       imaging::overlap(surface.histogram, imaging::chroma_histogram(seen.planes, seen.inside));

@@ -25,11 +25,11 @@ templates::ContourTemplate mirrored(templates::ContourTemplate contour) {
 
 /// The rotations about `home` with the best contour agreement, over a full turn, best first.
 std::vector<templates::Candidate> best_turns(const templates::ContourTemplate& contour,
-                                             const scene::SceneLevel& scene, const Pose2D& home,
-                                             std::size_t most) {
+                                             const scene::PreparedPixels& pixels,
+                                             const Pose2D& home, std::size_t most) {
   constexpr double kArc = 2;  // [px] at the rim between rotations
   const int count = std::max(24, static_cast<int>(std::ceil(2 * kPi * contour.radius() / kArc)));
-  ContourAlignment agreement(contour, scene);
+  ContourAlignment agreement(contour, pixels);
   std::vector<templates::Candidate> turned;
   for (int k = 0; k < count; ++k) {
     const Pose2D pose{home.x, home.y, home.theta + 2 * kPi * k / count};
@@ -48,8 +48,7 @@ MirroredContour::MirroredContour(const templates::ContourTemplate& contour,
                                  const scene::SceneLevel& lesson, const Pose2D& home)
     : mirrored_(mirrored(contour)) {
   constexpr std::size_t kShifted = 8, kKept = 2;
-  lesson.prepare();
-  auto turned = best_turns(mirrored_, lesson, home, kShifted);
+  auto turned = best_turns(mirrored_, lesson.whole(), home, kShifted);
   for (auto& one : turned) one = shifted_onto_edges(mirrored_, lesson, one);
   templates::sort_by_value(turned);
   for (std::size_t k = 0; k < std::min(kKept, turned.size()); ++k)
@@ -63,9 +62,9 @@ double MirroredContour::better(const templates::ContourTemplate& contour,
                                const scene::SceneLevel& scene, const Pose2D& pose,
                                double scale) const {
   constexpr double kSlack = 24;  // [px] more than the motion of any outline
-  scene.prepare_around(pose, scale * contour.radius() + kSlack);
-  const double own = ContourAlignment(contour, scene, scale).aligned(pose, kSettling).agreement;
-  ContourAlignment over(mirrored_, scene, scale);
+  const scene::PreparedPixels pixels = scene.around(pose, scale * contour.radius() + kSlack);
+  const double own = ContourAlignment(contour, pixels, scale).aligned(pose, kSettling).agreement;
+  ContourAlignment over(mirrored_, pixels, scale);
   double most = -1;
   for (const auto& there : poses_) {
     const Pose2D start = compose(pose, there);

@@ -20,7 +20,11 @@ class TornOutline {
  public:
   TornOutline(const templates::ContourTemplate& contour, const scene::SceneLevel& scene,
               const Pose2D& pose, double scale)
-      : contour_(contour), scene_(scene), pose_(pose), scale_(scale), order_(contour.size()) {
+      : contour_(contour),
+        pixels_(scene.around(pose, scale * contour.radius() + kSlack)),
+        pose_(pose),
+        scale_(scale),
+        order_(contour.size()) {
     const double c = std::cos(pose.theta), s = std::sin(pose.theta);
     std::iota(order_.begin(), order_.end(), 0);
     std::sort(order_.begin(), order_.end(), [&](std::size_t a, std::size_t b) {
@@ -29,7 +33,6 @@ class TornOutline {
   }
 
   double better() {
-    scene_.prepare_around(pose_, scale_ * contour_.radius() + kSlack);
     double whole = -1, torn = -1;
     for (int turn = -kTurns; turn <= kTurns; ++turn) {
       for (int shift = -kShifts; shift <= kShifts; ++shift) read(turn, shift);
@@ -47,7 +50,7 @@ class TornOutline {
   void read(int turn, int shift) {
     const double angle = turn * kArc / std::max(1.0, scale_ * contour_.radius());
     const Pose2D pose{pose_.x + shift * kShift, pose_.y, pose_.theta + angle};
-    templates::read_contour(contour_, scene_.edges, pose, 1, sample_, scale_);
+    templates::read_contour(contour_, pixels_.edges, pose, 1, sample_, scale_);
     Sums& sums = responses_[kShifts + shift];
     sums.assign(1, 0);
     for (const std::size_t i : order_) sums.push_back(sums.back() + sample_.response[i]);
@@ -81,7 +84,7 @@ class TornOutline {
   }
 
   const templates::ContourTemplate& contour_;
-  const scene::SceneLevel& scene_;
+  scene::PreparedPixels pixels_;
   Pose2D pose_;
   double scale_;
   std::vector<std::size_t> order_;  // of the points, from the picture's top down

@@ -19,10 +19,6 @@ using Models = std::vector<std::shared_ptr<const ObjectModel>>;
 
 constexpr int kAllInstances = 1000;
 
-double score_of(double log_odds) {
-  return 1 / (1 + std::exp(-log_odds));
-}
-
 /// Whether the place lies inside this outline.
 bool lies_at(const std::vector<cv::Point2f>& outline, cv::Point2d place) {
   if (outline.size() < 3) return false;
@@ -37,7 +33,7 @@ const Thing* best_at(const std::vector<Thing>& things, const std::string& name, 
   const Thing* best = nullptr;
   for (const auto& thing : things)
     if (thing.name == name && lies_at(thing.outline, place) &&
-        (best == nullptr || thing.log_odds > best->log_odds))
+        (best == nullptr || thing.log_odds() > best->log_odds()))
       best = &thing;
   return best;
 }
@@ -54,9 +50,9 @@ std::string covering(const std::vector<Match>& matches, const std::string& name,
   return "";
 }
 
-/// The terms of the score of a pose at `scale` of the view's.
-void take_evidence(const prepared::PreparedView& view, const scene::ScenePicture& scene,
-                   const Pose2D& anchor, double scale, Explanation& explanation) {
+/// The terms of the evidence of a pose at `scale` of the view's. Returns their sum.
+double take_evidence(const prepared::PreparedView& view, const scene::ScenePicture& scene,
+                     const Pose2D& anchor, double scale, std::vector<ScorePart>& parts) {
   const evidence::Evidence seen =
       evidence::gather_evidence(view.fine, scene.levels[0], anchor, scale);
   const double area = view.shape.area(), together = evidence::log_odds(seen, area);
@@ -64,7 +60,7 @@ void take_evidence(const prepared::PreparedView& view, const scene::ScenePicture
                        double perfect) {
     evidence::Evidence better = seen;
     better.*member = perfect;
-    explanation.parts.push_back({name, value, evidence::log_odds(better, area) - together});
+    parts.push_back({name, value, evidence::log_odds(better, area) - together});
   };
   // Residual of two pictures of one object that differ only by noise.
   const double kEqual = std::log(6.0);
@@ -76,7 +72,7 @@ void take_evidence(const prepared::PreparedView& view, const scene::ScenePicture
   add("colours without shading", seen.shading_free_ncc, &evidence::Evidence::shading_free_ncc, 1);
   add("part of the surface compared", seen.visible, &evidence::Evidence::visible, 1);
   add("cast of the light", seen.cast, &evidence::Evidence::cast, 0);
-  explanation.evidence = together;
+  return together;
 }
 
 /// The pose of the view's anchor that shows the object frame at `pose` and `scale` of the view's.
@@ -90,17 +86,17 @@ Pose2D anchor_of(const prepared::PreparedView& view, const Pose2D& pose, double 
 /// The view that explains a pose best.
 void take_best_evidence(const prepared::PreparedObject& object, const scene::ScenePicture& scene,
                         Explanation& explanation) {
-  Explanation best;
-  best.evidence = -std::numeric_limits<double>::max();
+  double best = -std::numeric_limits<double>::max();
   for (const auto& view : object.views) {
     if (view.polar) return;
-    Explanation one;
+    std::vector<ScorePart> parts;
     const double scale = explanation.scale / view.scale;
-    take_evidence(view, scene, anchor_of(view, explanation.pose, scale), scale, one);
-    if (one.evidence > best.evidence) best = one;
+    const double evidence =
+        take_evidence(view, scene, anchor_of(view, explanation.pose, scale), scale, parts);
+    if (evidence <= best) continue;
+    best = evidence;
+    explanation.parts = parts;
   }
-  explanation.parts = best.parts;
-  explanation.evidence = best.evidence;
 }
 
 void take_match(const Match& match, const SearchConfig& config, double min_score,
@@ -108,7 +104,7 @@ void take_match(const Match& match, const SearchConfig& config, double min_score
   explanation.pose = match.pose;
   explanation.scale = match.scale;
   explanation.score = match.score;
-  explanation.log_odds = match.log_odds;
+  explanation.odds = match.odds;
   explanation.outline = match.outline;
   explanation.reasons = match.reasons;
   explanation.competitors = match.competitors;
@@ -145,8 +141,6 @@ class Explainer {
   Explanation of(const std::shared_ptr<const ObjectModel>& model) {
     Explanation explanation;
     explanation.name = model->name;
-    const auto clutter = searched_.usual.clutter.find(model->name);
-    if (clutter != searched_.usual.clutter.end()) explanation.clutter = clutter->second;
     const double min_score = model->min_score.value_or(config_.min_score);
     const prepared::Engine engine =
         config_.engine == "polar" ? prepared::Engine::kPolar : prepared::Engine::kFast;
@@ -162,8 +156,8 @@ class Explainer {
     } else if (const Rival* rival = best_at(searched_.usual.rivals, model->name, place_)) {
       explanation.outcome = Outcome::kRejected;
       judge_at(*object, *scene, explanation);
-      explanation.log_odds = rival->log_odds;
-      explanation.score = score_of(rival->log_odds);
+      explanation.odds = rival->odds;
+      explanation.score = rival->odds.score();
     } else {
       judge_at(*object, *scene, explanation);
     }
@@ -177,13 +171,15 @@ class Explainer {
   /// The best pose near the place, whether or not the search proposes one.
   void judge_at(const prepared::PreparedObject& object, const scene::ScenePicture& scene,
                 Explanation& explanation) const {
-    explanation.log_odds = -std::numeric_limits<double>::infinity();
+    const auto clutter = searched_.usual.clutter.find(object.model->name);
+    explanation.odds.best_at_place = -std::numeric_limits<double>::infinity();
     for (const auto& view : object.views) {
       if (view.polar) continue;
       for (const auto& one : search::judge_places(object, view, scene, {place_})) {
-        const double odds = one.log_odds - explanation.clutter;
-        if (odds <= explanation.log_odds) continue;
-        explanation.log_odds = odds;
+        LogOdds odds = one.odds;
+        odds.clutter = clutter == searched_.usual.clutter.end() ? 0 : clutter->second;
+        if (odds.total() <= explanation.odds.total()) continue;
+        explanation.odds = odds;
         explanation.scale = view.scale;
         explanation.pose = compose(one.pose, view.reference_in_anchor);
         explanation.outline.clear();
@@ -191,7 +187,7 @@ class Explainer {
           explanation.outline.emplace_back(transform(explanation.pose, cv::Point2d(point)));
       }
     }
-    explanation.score = score_of(explanation.log_odds);
+    explanation.score = explanation.odds.score();
   }
 
   SearchConfig config_;
@@ -234,7 +230,7 @@ std::vector<Explanation> explain_place(const Models& objects, const SearchConfig
   for (const auto& object : asked) explanations.push_back(explainer.of(object));
   std::stable_sort(
       explanations.begin(), explanations.end(),
-      [](const Explanation& a, const Explanation& b) { return a.log_odds > b.log_odds; });
+      [](const Explanation& a, const Explanation& b) { return a.odds.total() > b.odds.total(); });
   return explanations;
 }
 

@@ -81,10 +81,12 @@ std::string evidence_of(const Explanation& explanation) {
 }
 
 std::string sum_of(const Explanation& explanation) {
-  return "Log-odds: evidence " + number(explanation.evidence, 1) + ", look-alikes elsewhere " +
-         number(-explanation.clutter, 1) +
-         ", colours of parts, mirror image, other angles and calibration " +
-         number(explanation.rest(), 1) + "; together " + number(explanation.log_odds, 1) + ".";
+  const LogOdds& odds = explanation.odds;
+  return "Log-odds: evidence " + number(odds.evidence, 1) + ", colours of parts " +
+         number(-odds.colour, 1) + ", mirror image " + number(-odds.mirror, 1) + ", other angles " +
+         number(odds.rotations(), 1) + ", look-alikes elsewhere " + number(-odds.clutter, 1) +
+         ", calibration " + number(odds.calibration, 1) + "; together " + number(odds.total(), 1) +
+         ".";
 }
 
 std::string checks_of(const Explanation& explanation) {
@@ -100,8 +102,8 @@ std::string checks_of(const Explanation& explanation) {
 
 std::string rival_of(const Explanation& explanation, const Competitor& rival) {
   return "Rival: '" + rival.name + "' at (" + number(rival.position.x, 0) + ", " +
-         number(rival.position.y, 0) + "), " + number(explanation.log_odds - rival.log_odds, 1) +
-         " log-odds behind.";
+         number(rival.position.y, 0) + "), " +
+         number(explanation.odds.total() - rival.log_odds, 1) + " log-odds behind.";
 }
 
 std::string advice_on(const Explanation& explanation) {

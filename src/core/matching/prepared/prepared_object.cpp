@@ -11,6 +11,15 @@
 namespace mbncc::prepared {
 namespace {
 
+/// Points of a template, at most.
+struct PointCounts {
+  std::size_t surface, contour;
+};
+constexpr PointCounts kRoughPoints{48, 32};     // ranks proposals
+constexpr PointCounts kTrackedPoints{112, 64};  // alignment at each level
+constexpr PointCounts kVerifiedPoints{640, 200};
+constexpr PointCounts kRefinedPoints{2500, 200};
+
 constexpr double kOtherSize = 0.1;  // larger than the effect of heights and tilts
 
 cv::Mat grey_of(const View& view) {
@@ -164,25 +173,23 @@ PreparedView::PreparedView(const Source& source, Engine engine)
   const auto pictures = whole_pyramid(source.view.template_image, top);
   for (int level = 0; level < static_cast<int>(surfaces.size()); ++level) {
     const scene::SceneLevel continued(surfaces[level], level), picture(pictures[level], level);
-    continued.prepare();
-    const templates::SurfaceTemplate::Source from{continued, picture, geometry,
+    const templates::SurfaceTemplate::Source from{continued.whole(), geometry,
                                                   source.view.map.size(), level};
     const auto edge = templates::ContourTemplate::edge_of(geometry, level);
-    const auto prepare = [&](std::size_t surface_points, std::size_t contour_points) {
-      return templates::PoseTemplate{
-          templates::SurfaceTemplate(from, anchor, surface_points),
-          templates::ContourTemplate(edge, anchor, level, contour_points)};
+    const auto prepare = [&](const PointCounts& most) {
+      return templates::PoseTemplate{templates::SurfaceTemplate(from, anchor, most.surface),
+                                     templates::ContourTemplate(edge, anchor, level, most.contour)};
     };
-    rough.push_back(prepare(48, 32));
-    templates.push_back(prepare(112, 64));
+    rough.push_back(prepare(kRoughPoints));
+    templates.push_back(prepare(kTrackedPoints));
     if (level > 0) continue;
-    fine = prepare(640, 200);
+    fine = prepare(kVerifiedPoints);
     parts = evidence::ColourParts(
         fine.surface, fine.contour,
         evidence::ground_beside(fine.contour, picture, {anchor.x, anchor.y, 0}));
     lit = evidence::PhotometricResidual(fine.surface);
     mirrored_contour = evidence::MirroredContour(fine.contour, picture, {anchor.x, anchor.y, 0});
-    dense = refinement::RefinementTemplate(prepare(2500, 200), continued);
+    dense = refinement::RefinementTemplate(prepare(kRefinedPoints), continued.whole());
   }
   resized = {resized_by(1 - kOtherSize, fine), resized_by(1 + kOtherSize, fine)};
   if (engine == Engine::kPolar) polar.emplace(source.view);

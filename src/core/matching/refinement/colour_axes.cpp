@@ -29,7 +29,8 @@ void normalise(std::vector<float>& row) {
 
 }  // namespace
 
-ColourAxes::ColourAxes(const templates::SurfaceTemplate& surface, const scene::SceneLevel& picture)
+ColourAxes::ColourAxes(const templates::SurfaceTemplate& surface,
+                       const scene::PreparedPixels& picture)
     : count_(static_cast<double>(surface.size())) {
   choose_directions(surface);
   const auto slopes = surface.slopes_in(picture);

@@ -19,7 +19,7 @@ class ColourAxes {
   ColourAxes() = default;
 
   /// Of the points of `surface`, whose slopes are read from `picture`.
-  ColourAxes(const templates::SurfaceTemplate& surface, const scene::SceneLevel& picture);
+  ColourAxes(const templates::SurfaceTemplate& surface, const scene::PreparedPixels& picture);
 
   /// Residual of `sample` along an axis after template, smooth shading and an even tint, one value
   /// per point, padded.

@@ -122,10 +122,9 @@ AlignedPose align_contour(const templates::PoseTemplate& object, const scene::Sc
   AlignedPose best{start, -2};
   Pose2D pose = start;
   for (int k = 0;; ++k) {
-    scene.prepare_around(pose, object.reach());
     // The last reading is only for its value, which does not depend on distant edges.
-    templates::read_contour(object.contour, scene.edges, pose, k == iterations ? 1 : kReach,
-                            sample);
+    templates::read_contour(object.contour, scene.around(pose, object.reach()).edges, pose,
+                            k == iterations ? 1 : kReach, sample);
     const double value = templates::contour_agreement(object.contour, sample);
     if (value > best.value) best = {pose, value};
     if (k == iterations) return best;

@@ -72,8 +72,11 @@ class Refiner {
   numeric::NormalEquations half_pull(double x, double y);
   double gain() const;
   numeric::NormalEquations edges_pull(const templates::ContourSample& sample) const;
+  scene::PreparedPixels pixels() const {
+    return scene_.around(pose_, object_.object.reach() * scale_);
+  }
   void read_edges(int reach) {
-    templates::read_contour(object_.object.contour, scene_.edges, pose_, reach, samples_.contour,
+    templates::read_contour(object_.object.contour, pixels().edges, pose_, reach, samples_.contour,
                             scale_);
   }
   std::array<numeric::NormalEquations, ColourAxes::kAxes> axis_pulls(
@@ -134,8 +137,7 @@ class Refiner {
 /// Builds the normal equations of surface and contour at the pose. False if too little is visible.
 bool Refiner::linearise() {
   const templates::PoseTemplate& object = object_.object;
-  scene_.prepare_around(pose_, object.reach() * scale_);
-  object.surface.sample(scene_, pose_, samples_.surface, scale_);
+  object.surface.sample(pixels(), pose_, samples_.surface, scale_);
   if (!samples_.surface.suffices()) return false;
   contrast_ = gain();
   displacement_ = IlluminationBias(object.surface, samples_.surface, contrast_);
@@ -254,7 +256,7 @@ cv::Matx33d Refiner::covariance(double unclaimed) const {
 }  // namespace
 
 RefinementTemplate::RefinementTemplate(templates::PoseTemplate made,
-                                       const scene::SceneLevel& picture)
+                                       const scene::PreparedPixels& picture)
     : object(std::move(made)), axes(object.surface, picture), contour_motion(object.contour) {}
 
 Refined unknown_accuracy(const Pose2D& pose) {

@@ -23,8 +23,8 @@ SceneLevel::SceneLevel(const cv::Mat& picture, int level) : SceneLevel() {
 }
 
 void SceneLevel::show(const cv::Mat& picture, int level) {
-  colour.create(picture.size(), CV_8UC3);
-  edges.create(picture.size(), CV_8SC2);
+  colour_.create(picture.size(), CV_8UC3);
+  edges_.create(picture.size(), CV_8SC2);
   picture_ = picture;
   level_ = level;
   tile_columns_ = tiles_along(picture.cols);
@@ -34,17 +34,22 @@ void SceneLevel::show(const cv::Mat& picture, int level) {
 }
 
 std::shared_ptr<const ResponseMaps> SceneLevel::responses(int margin) const {
-  prepare();
-  return responses_->get(edges, margin);
+  return responses_->get(whole().edges, margin);
 }
 
-void SceneLevel::prepare_around(const Pose2D& pose, double reach) const {
+PreparedPixels SceneLevel::whole() const {
+  prepare(cv::Rect({0, 0}, size()));
+  return {colour_, edges_};
+}
+
+PreparedPixels SceneLevel::around(const Pose2D& pose, double reach) const {
   constexpr int kSlack = 8;
   constexpr double kFar = 1e6;  // outside every picture
-  if (!(std::abs(pose.x) < kFar && std::abs(pose.y) < kFar)) return;
+  if (!(std::abs(pose.x) < kFar && std::abs(pose.y) < kFar)) return {colour_, edges_};
   const int radius = static_cast<int>(std::ceil(reach)) + kSlack;
   const cv::Point middle(cvFloor(pose.x), cvFloor(pose.y));
   prepare(cv::Rect(middle.x - radius, middle.y - radius, 2 * radius + 1, 2 * radius + 1));
+  return {colour_, edges_};
 }
 
 void SceneLevel::prepare(const cv::Rect& region) const {
@@ -61,7 +66,7 @@ void SceneLevel::prepare_tile(int column, int row) const {
   if (ready.load(std::memory_order_relaxed)) return;
   const cv::Rect tile(column * kTile, row * kTile, kTile, kTile);
   imaging::smooth_and_find_edges(picture_, tile & cv::Rect({0, 0}, size()), level_ == 0 ? 0.9 : 0.6,
-                                 colour, edges);
+                                 colour_, edges_);
   ready.store(true, std::memory_order_release);
 }
 

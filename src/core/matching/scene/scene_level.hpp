@@ -14,6 +14,15 @@
 
 namespace mbncc::scene {
 
+/// Pixels of a level that are prepared at a place; SceneLevel gives no others. Valid until another
+/// picture is shown.
+struct PreparedPixels {
+  const cv::Mat& colour;  ///< CV_8UC3, smoothed
+  const cv::Mat& edges;   ///< CV_8SC2, see gradient_orientation.hpp
+
+  cv::Size size() const { return colour.size(); }
+};
+
 /// At full resolution only a small part of a picture is needed, around the candidates of coarser
 /// levels. Tiles are therefore prepared on demand, once each. Thread-safe.
 class SceneLevel {
@@ -27,19 +36,14 @@ class SceneLevel {
   /// Releases the picture and keeps the memory.
   void forget() { picture_.release(); }
 
-  cv::Size size() const { return colour.size(); }
+  cv::Size size() const { return colour_.size(); }
 
-  /// Prepares the whole picture.
-  void prepare() const { prepare(cv::Rect({0, 0}, size())); }
-  /// Prepares the surroundings of `pose` within `reach` [px] plus some slack.
-  void prepare_around(const Pose2D& pose, double reach) const;
+  PreparedPixels whole() const;
+  /// The surroundings of `pose` within `reach` [px] plus some slack.
+  PreparedPixels around(const Pose2D& pose, double reach) const;
 
   /// Of all of its edges, with a margin of at least `margin` [px].
   std::shared_ptr<const ResponseMaps> responses(int margin) const;
-
-  // Valid only where prepared.
-  cv::Mat colour;  ///< CV_8UC3, smoothed
-  cv::Mat edges;   ///< CV_8SC2, see gradient_orientation.hpp
 
  private:
   struct Tiles {
@@ -53,6 +57,8 @@ class SceneLevel {
   void prepare_tile(int column, int row) const;
 
   cv::Mat picture_;
+  // Written tile by tile, under the lock of tiles_; a tile is read only when it is marked as ready.
+  mutable cv::Mat colour_, edges_;
   int level_ = 0, tile_columns_ = 0;
   std::unique_ptr<Tiles> tiles_;
   std::unique_ptr<PaddedCache<ResponseMaps>> responses_;

@@ -16,8 +16,7 @@ std::optional<evidence::ColourCast> cast_at(const decision::Detection& detection
   const templates::PoseTemplate& object = compared.object->views[detection.view_number].fine;
   const scene::SceneLevel& scene = compared.scene->levels[0];
   templates::SurfaceSample sample;
-  scene.prepare_around(detection.pose, object.reach());
-  object.surface.sample(scene, detection.pose, sample);
+  object.surface.sample(scene.around(detection.pose, object.reach()), detection.pose, sample);
   return evidence::local_cast(templates::block_sums(object.surface, sample));
 }
 
@@ -45,7 +44,7 @@ std::optional<evidence::ColourCast> colour_cast(
   for (std::size_t i = 0; i < compared.size(); ++i) {
     if (!compared[i].object->coloured || found[i].empty()) continue;
     const decision::Detection& best = found[i].front();
-    if (best.log_odds < kLikely) continue;
+    if (best.log_odds() < kLikely) continue;
     if (const auto cast = cast_at(best, compared[i])) casts.push_back(*cast);
   }
   if (casts.size() < 2) return std::nullopt;

@@ -59,7 +59,7 @@ std::vector<decision::Detection> search_object(const prepared::PreparedObject& o
   const auto found = search_views(object, scene, roi, SearchMode::kQuick);
   const bool enough = std::any_of(
       found.begin(), found.end(),
-      [](const decision::Detection& detection) { return detection.log_odds >= kFound; });
+      [](const decision::Detection& detection) { return detection.log_odds() >= kFound; });
   return enough ? found : search_views(object, scene, roi, mode);
 }
 

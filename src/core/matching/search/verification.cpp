@@ -20,9 +20,9 @@ evidence::ColourDifference colour_difference(const prepared::PreparedView& view,
   thread_local templates::SurfaceSample sample;
   thread_local templates::ContourSample contour;
   const templates::SurfaceTemplate& surface = view.fine.surface;
-  scene.prepare_around(found.pose, view.fine.reach() * found.scale);
-  surface.sample(scene, found.pose, sample, found.scale);
-  templates::read_contour(view.fine.contour, scene.edges, found.pose, 1, contour, found.scale);
+  const scene::PreparedPixels pixels = scene.around(found.pose, view.fine.reach() * found.scale);
+  surface.sample(pixels, found.pose, sample, found.scale);
+  templates::read_contour(view.fine.contour, pixels.edges, found.pose, 1, contour, found.scale);
   return view.parts.worst_differences(
       surface, sample, contour,
       evidence::ground_beside(view.fine.contour, scene, found.pose, found.scale));
@@ -86,8 +86,7 @@ double odds_of_rotation(const prepared::PreparedView& view, const scene::SceneLe
   constexpr double kNone = -1000;
   thread_local templates::SurfaceSample sample;
   if (found.odds <= kReportable - decision::kComparable) return kNone;
-  scene.prepare_around(found.pose, view.fine.reach());
-  view.fine.surface.sample(scene, found.pose, sample);
+  view.fine.surface.sample(scene.around(found.pose, view.fine.reach()), found.pose, sample);
   return evidence::rotation_odds(found.evidence, view.lit.misfit(sample));
 }
 
@@ -102,7 +101,7 @@ decision::Detection unrefined(const prepared::PreparedObject& object,
   detection.pose = found.pose;
   detection.pose.theta = wrap_angle(found.pose.theta);
   detection.covariance = detection.cautious = refinement::unknown_accuracy(found.pose).covariance;
-  detection.log_odds = found.odds;
+  detection.odds = log_odds_of_pose(found.odds);
   detection.shading_free_ncc = found.evidence.shading_free_ncc;
   detection.rotation_odds = odds_of_rotation(view, scene.levels[0], found);
   return detection;
@@ -130,10 +129,11 @@ void refine(const prepared::PreparedView& view, const scene::ScenePicture& scene
   detection.colour_difference = std::max(difference.colour, difference.block);
   const double mirrored = found.odds > kWorthRefining ? mirror_advantage(view, scene, place) : 0;
   detection.mirror_alternative = mirrored > view.mirrored_contour.limit();
-  detection.log_odds = odds - colour_penalty(difference.colour) - mirror_penalty(mirrored);
+  detection.odds =
+      log_odds_of_pose(odds, colour_penalty(difference.colour), mirror_penalty(mirrored));
   detection.size_alternative =
-      detection.log_odds > 0 && fits_another_size(view, scene, place, odds);
-  detection.torn = detection.log_odds > 0 &&
+      detection.log_odds() > 0 && fits_another_size(view, scene, place, odds);
+  detection.torn = detection.log_odds() > 0 &&
                    evidence::better_torn(view.fine.contour, scene.levels[0], detection.pose,
                                          detection.size) > evidence::kTorn;
 }
@@ -143,7 +143,7 @@ void refine(const prepared::PreparedView& view, const scene::ScenePicture& scene
 void find_contour_alternatives(const prepared::PreparedView& view, const scene::ScenePicture& scene,
                                std::vector<decision::Detection>& compared) {
   for (auto one = compared.begin(); one != compared.end(); ++one) {
-    if (one->log_odds <= kReportable) break;
+    if (one->log_odds() <= kReportable) break;
     if (std::none_of(compared.begin(), one, [&](const decision::Detection& better) {
           return decision::at_one_place(*one, better);
         }))
@@ -170,7 +170,7 @@ std::vector<decision::Detection> verify(const prepared::PreparedObject& object,
     auto compared = decision::resolve_rotations(detections);
     const auto next =
         std::find_if(compared.begin(), compared.end(), [&](const decision::Detection& one) {
-          return !refined[one.number] && one.log_odds > kReportable;
+          return !refined[one.number] && one.log_odds() > kReportable;
         });
     if (next != compared.end()) {
       refined[next->number] = 1;

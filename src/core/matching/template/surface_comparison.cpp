@@ -70,11 +70,11 @@ void SurfaceTemplate::leave_out_highlights(SurfaceSample& sample) const {
   }
 }
 
-void SurfaceTemplate::sample(const scene::SceneLevel& scene, const Pose2D& pose,
+void SurfaceTemplate::sample(const scene::PreparedPixels& pixels, const Pose2D& pose,
                              SurfaceSample& sample, double scale) const {
   for (auto* values : {&sample.planes[0], &sample.planes[1], &sample.planes[2], &sample.inside})
     values->resize(padded());
-  kernels::sample_colours(imaging::view_of(scene.colour),
+  kernels::sample_colours(imaging::view_of(pixels.colour),
                           {x.data(), y.data(), static_cast<int>(padded())},
                           imaging::placement_of(pose, scale),
                           {sample.planes[0].data(), sample.planes[1].data(),

@@ -22,12 +22,12 @@ SurfaceTemplate::SurfaceTemplate(const Source& source, cv::Point2d anchor, std::
   points_ = std::move(chosen.points);
   block_ends = std::move(chosen.block_ends);
   place_points(imaging::to_level(anchor, source.level));
-  read_colours(source.surface);
+  read_colours(source.pixels);
   measure_texture();
-  read_gradients(source.surface);
+  read_gradients(source.pixels);
   basis = ShadingBasis(points_, x, y, radius_);
   project();
-  read_slopes(source.surface);
+  read_slopes(source.pixels);
 }
 
 void SurfaceTemplate::place_points(cv::Point2d origin) {
@@ -46,7 +46,7 @@ void SurfaceTemplate::resize(double factor) {
   radius_ *= factor;
 }
 
-void SurfaceTemplate::read_colours(const scene::SceneLevel& picture) {
+void SurfaceTemplate::read_colours(const scene::PreparedPixels& picture) {
   const imaging::ColourSampler colour_at(picture.colour);
   const auto right = static_cast<float>(picture.size().width) - 1.02f;
   const auto bottom = static_cast<float>(picture.size().height) - 1.02f;
@@ -77,7 +77,7 @@ void SurfaceTemplate::measure_texture() {
   texture_ = variance / (variance + kPlain);
 }
 
-void SurfaceTemplate::read_gradients(const scene::SceneLevel& picture) {
+void SurfaceTemplate::read_gradients(const scene::PreparedPixels& picture) {
   constexpr float kNoise = 2.5f;  // [grey levels per pixel]
   gradient_x.assign(padded(), 0.f);
   gradient_y.assign(padded(), 0.f);
@@ -105,7 +105,7 @@ void SurfaceTemplate::project() {
   }
 }
 
-void SurfaceTemplate::read_slopes(const scene::SceneLevel& picture) {
+void SurfaceTemplate::read_slopes(const scene::PreparedPixels& picture) {
   auto slopes_of = slopes_in(picture);
   for (auto& channel : slopes_of)
     for (auto& row : channel) basis.project_out(row);
@@ -126,7 +126,7 @@ void SurfaceTemplate::read_slopes(const scene::SceneLevel& picture) {
   }
 }
 
-SurfaceTemplate::Slopes SurfaceTemplate::slopes_in(const scene::SceneLevel& picture) const {
+SurfaceTemplate::Slopes SurfaceTemplate::slopes_in(const scene::PreparedPixels& picture) const {
   const imaging::ColourSampler colour_at(picture.colour);
   Slopes slopes_of;
   for (auto& channel : slopes_of)

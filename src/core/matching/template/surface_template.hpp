@@ -40,9 +40,7 @@ class SurfaceTemplate {
 
   /// Input of a template at one pyramid level.
   struct Source {
-    const scene::SceneLevel&
-        surface;  ///< the learning picture with the object extrapolated outwards
-    const scene::SceneLevel& picture;  ///< the learning picture as it is
+    scene::PreparedPixels pixels;  ///< the learning picture, the object extrapolated outwards
     const MapGeometry& map;
     cv::Size map_size;
     int level;
@@ -58,14 +56,14 @@ class SurfaceTemplate {
   static constexpr int kMotions = 3;
   using Slopes = std::array<std::array<std::vector<float>, kMotions>, kChannels>;
   /// In the picture that the template was made from; 0 at its border.
-  Slopes slopes_in(const scene::SceneLevel& picture) const;
+  Slopes slopes_in(const scene::PreparedPixels& picture) const;
 
   std::size_t size() const { return points_.size(); }
   std::size_t padded() const { return x.size(); }  ///< size() in whole lanes
 
   /// Reads the colours at `pose`, the surface `scale` times as large as the template. Points
   /// outside the picture, and highlights, are not compared: they take the mean of the others.
-  void sample(const scene::SceneLevel& scene, const Pose2D& pose, SurfaceSample& sample,
+  void sample(const scene::PreparedPixels& pixels, const Pose2D& pose, SurfaceSample& sample,
               double scale = 1) const;
 
   /// Residual of the colours after the basis is projected out of template and picture.
@@ -117,11 +115,11 @@ class SurfaceTemplate {
 
  private:
   void place_points(cv::Point2d origin);
-  void read_colours(const scene::SceneLevel& picture);
+  void read_colours(const scene::PreparedPixels& picture);
   void measure_texture();
-  void read_gradients(const scene::SceneLevel& picture);
+  void read_gradients(const scene::PreparedPixels& picture);
   void project();
-  void read_slopes(const scene::SceneLevel& picture);
+  void read_slopes(const scene::PreparedPixels& picture);
   void leave_out_highlights(SurfaceSample& sample) const;
 
   std::vector<SurfacePoint> points_;

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The named terms that add up to the log-odds of a detection.
+#pragma once
+
+#include <cmath>
+
+namespace mbncc {
+
+/// Log-odds that an object lies at a pose. Terms are added to `evidence` or subtracted from it, as
+/// their comments state.
+struct LogOdds {
+  double evidence = 0;  ///< of the features at the pose (docs/decisions/0019-evidence-model.md)
+  double colour = 0;    ///< subtracted: a part of another colour (0023)
+  double mirror = 0;    ///< subtracted: the mirrored outline fits better (0024)
+  double best_at_place = 0;  ///< of_pose() of the best rotation at this place (0022)
+  double rotation = 0;       ///< subtracted: the lead of the best rotation at this place (0022)
+  double clutter = 0;        ///< subtracted: similar places elsewhere, many objects (0028)
+  double calibration = 0;    ///< added: margins, fit of the outline nearby (0028)
+
+  /// Of the pose alone, without comparison with others.
+  double of_pose() const { return evidence - colour - mirror; }
+  /// What comparison with the other rotations at the place adds.
+  double rotations() const { return best_at_place - rotation - of_pose(); }
+  /// Comparable between detections of one image.
+  double uncalibrated() const { return best_at_place - rotation - clutter; }
+  LogOdds without_calibration() const {
+    LogOdds odds = *this;
+    odds.calibration = 0;
+    return odds;
+  }
+  double total() const { return uncalibrated() + calibration; }
+  /// [0..1] total() as a probability.
+  double score() const { return 1 / (1 + std::exp(-total())); }
+};
+
+/// Log-odds of a pose that was not compared with others.
+inline LogOdds log_odds_of_pose(double evidence, double colour_penalty = 0,
+                                double mirror_penalty = 0) {
+  LogOdds odds;
+  odds.evidence = evidence;
+  odds.colour = colour_penalty;
+  odds.mirror = mirror_penalty;
+  odds.best_at_place = odds.of_pose();
+  return odds;
+}
+
+}  // namespace mbncc
