@@ -12,6 +12,7 @@
 #include "learning/change/moved_neighbour.hpp"
 #include "learning/change/rectangles.hpp"
 #include "learning/likelihood/background_likelihood.hpp"
+#include "learning/likelihood/coloured_shadow.hpp"
 #include "learning/likelihood/object_preference.hpp"
 #include "learning/likelihood/predicted_platform.hpp"
 #include "learning/likelihood/rim_preference.hpp"
@@ -30,6 +31,7 @@ constexpr float kViewLogOdds = 8;    // highest unary of one of two views
 constexpr float kForced = 1000;      // unary of painted pixels
 constexpr float kArrivalUnary = 12;  // log-likelihood ratio given to arrivals
 constexpr int kFewestPixels = 30;    // least pixels of a seed
+constexpr double kLeastOwn = 0.5;    // part of a map that a shadow leaves to the object, at least
 constexpr float kCovered = 2;   // log-likelihood ratio of pixels that an intruder covers afterwards
 constexpr int kCheckedBox = 7;  // [px] square about a painted pixel
 constexpr int kSpeck = 8;       // [px] smaller changed patches are noise
@@ -56,6 +58,7 @@ class Cutter {
     background_ =
         likelihood::background_likelihood(before_, after_, noise_, platform_, darkest_shadow);
     shadow_like_ = darkest_shadow > likelihood::kDarkestShadow;
+    coloured_shadow_ = likelihood::coloured_shadow(before_, after_, noise_.sigma(1));
   }
 
   // The changed pixels that the foreground's colours are first learned from.
@@ -215,10 +218,17 @@ class Cutter {
     return confirmed;
   }
 
+  // The part of the map that the object's colours are learned from: without shadows, unless most of
+  // it has the shadowed platform's colour, because the object itself may have it.
+  cv::Mat own_colours() const {
+    const cv::Mat own = map_ & ~coloured_shadow_;
+    return cv::countNonZero(own) < kLeastOwn * cv::countNonZero(map_) ? map_ : own;
+  }
+
   // Of the object's colours that the map shows now.
   cv::Mat next_unary() const {
     const change::ColourMixture object = change::ColourMixture::fit(
-        before_, map_, likelihood::colour_weights(background_.changed, map_));
+        before_, own_colours(), likelihood::colour_weights(background_.changed, map_));
     cv::Mat unary = likelihood::object_preference(before_, object, background_.log_ratio,
                                                   coarse_.empty() ? cv::Mat() : map_);
     if (!other_view_.empty()) unary = clipped(unary) + other_view_;
@@ -232,6 +242,7 @@ class Cutter {
   likelihood::NoiseModel noise_;
   change::ColourMixture platform_;
   likelihood::BackgroundLikelihood background_;
+  cv::Mat coloured_shadow_;                     // CV_8UC1
   bool shadow_like_ = false;                    // see CutEvidence
   segmentation::Smoothness smoothness_, half_;  // half_: at half resolution
   cv::Mat unary_, coarse_, map_;

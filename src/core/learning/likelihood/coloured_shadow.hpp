@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Hard shadows on a platform with a colour of its own. Things are seldom of the same hue; black and
+// grey ones are common, so on a grey platform darkness alone distinguishes nothing.
+#pragma once
+
+#include <opencv2/core.hpp>
+
+namespace mbncc::likelihood {
+
+/// CV_8UC1, 255 where `before` is darker than `after`, and its colour is that of `after` in less
+/// light rather than grey. Both CV_32FC3; `sigma` [grey levels] the noise of a channel's
+/// difference.
+cv::Mat coloured_shadow(const cv::Mat& before, const cv::Mat& after, float sigma);
+
+}  // namespace mbncc::likelihood
