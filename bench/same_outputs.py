@@ -16,20 +16,20 @@ import subprocess
 import sys
 import tempfile
 
-TIMES = re.compile(r"^(ms|timings_ms|search_time|learned_at)$")
+PASSING = re.compile(r"^(ms|timings_ms|search_time|learned_at|file)$")  # times and temporary folders
 
 
-def without_times(value):
+def lasting(value):
     if isinstance(value, dict):
-        return {key: without_times(entry) for key, entry in value.items() if not TIMES.match(key)}
-    return [without_times(entry) for entry in value] if isinstance(value, list) else value
+        return {key: lasting(entry) for key, entry in value.items() if not PASSING.match(key)}
+    return [lasting(entry) for entry in value] if isinstance(value, list) else value
 
 
 def output_of(command):
-    """Exit code and standard output, JSON without times."""
+    """Exit code and standard output; lines of JSON without times."""
     done = subprocess.run([str(word) for word in command], stdout=subprocess.PIPE, stderr=subprocess.DEVNULL)
     try:
-        return done.returncode, without_times(json.loads(done.stdout.decode() or "null"))
+        return done.returncode, [lasting(json.loads(line)) for line in done.stdout.decode().splitlines()]
     except ValueError:
         return done.returncode, done.stdout
 

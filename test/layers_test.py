@@ -39,7 +39,8 @@ NAMESPACES = {'base': 'mbncc', 'matching': 'mbncc', 'miss': 'mbncc', 'simd': 'mb
               'matching/template': 'mbncc::templates'}
 # A public header declares LibraryCache; clones.hpp only defines macros.
 NAMESPACE_OF_FILE = {'library_cache.hpp': 'mbncc', 'library_cache.cpp': 'mbncc', 'clones.hpp': None}
-# Public headers lie in one folder per layer; its private folders and all above may include them.
+# Public headers lie in one folder per layer. Those without an implementation hold data: the layer's private folders
+# and all above may include them. The others stand as high as the folder that implements them.
 PUBLIC = {'matching': 3, 'learning': 13, 'cell': 18}
 CORE_LIBRARIES = ('opencv2/core', 'opencv2/imgproc', 'opencv2/ximgproc', 'Eigen/', 'png.h',
                   'yaml-cpp/')
@@ -80,11 +81,26 @@ def folder_of_header(name):
     return parts[1] if len(parts) > 2 and (parts[1] in FOLDERS or parts[1] in PUBLIC) else 'base'
 
 
-def height_of_header(name):
-    folder = folder_of_header(name)
-    if folder is None or not name.startswith('mbncc/'):
-        return FOLDERS.get(folder)
-    return PUBLIC.get(folder, FOLDERS.get(folder))
+def first_own_header(path):
+    quoted = [name for bracket, name in INCLUDE.findall(path.read_text()) if bracket == '"']
+    return quoted[0] if quoted else ''
+
+
+class PublicHeaders:
+    """How high each header of include/ stands."""
+
+    def __init__(self, root):
+        self.implemented = {}
+        for path in (root / 'src/core').rglob('*.cpp'):
+            header, folder = first_own_header(path), folder_of_file(path, root)
+            if header.startswith('mbncc/') and path.stem == pathlib.Path(header).stem and folder:
+                self.implemented[header] = FOLDERS[folder]
+
+    def height_of(self, name):
+        folder = folder_of_header(name)
+        if name in self.implemented or not name.startswith('mbncc/'):
+            return self.implemented.get(name, FOLDERS.get(folder))
+        return PUBLIC.get(folder, FOLDERS.get(folder))
 
 
 def without_comments(text):
@@ -95,19 +111,19 @@ def namespace_of(path, root, folder):
     """Namespace of a file of src/core; a .cpp that implements a public header has the header's."""
     own = NAMESPACES.get(folder, 'mbncc::' + folder.split('/')[-1])
     if path.suffix == '.cpp':
-        quoted = [name for bracket, name in INCLUDE.findall(path.read_text()) if bracket == '"']
-        if quoted and quoted[0].startswith('mbncc/'):
-            own = NAMESPACE.search((root / 'include' / quoted[0]).read_text()).group(1)
+        header = first_own_header(path)
+        if header.startswith('mbncc/'):
+            own = NAMESPACE.search((root / 'include' / header).read_text()).group(1)
     return NAMESPACE_OF_FILE.get(path.name, own)
 
 
-def faults_of(path, root):
+def faults_of(path, root, headers):
     own = folder_of_file(path, root)
     if own is None:
         yield 'stands in no folder that this test knows'
         return
     public = 'include' in path.relative_to(root).parts
-    height = PUBLIC.get(own, FOLDERS.get(own)) if public else FOLDERS[own]
+    height = headers.height_of(str(path.relative_to(root / 'include'))) if public else FOLDERS[own]
     text = path.read_text()
     core = height < NODELETS
     for bracket, name in INCLUDE.findall(text):
@@ -121,7 +137,7 @@ def faults_of(path, root):
         if other is None or other == own:
             continue
         allowed = height if name.startswith('mbncc/') else height - 1
-        if height_of_header(name) > allowed:
+        if headers.height_of(name) > allowed:
             yield f'{own} must not include {name} of {other}'
     if core:
         for call in FORBIDDEN_CALLS.findall(without_comments(text)):
@@ -139,8 +155,9 @@ def faults_of(path, root):
 def main():
     root, library = pathlib.Path(sys.argv[1]).resolve(), sys.argv[2]
     files = [path for folder in ('include', 'src') for path in sorted((root / folder).rglob('*.?pp'))]
+    headers = PublicHeaders(root)
     faults = [f'{path.relative_to(root)}: {fault}' for path in files
-              for fault in faults_of(path, root)]
+              for fault in faults_of(path, root, headers)]
     listed = (root / 'docs/architecture.md').read_text()
     faults += [f'docs/architecture.md does not tell of {folder}' for folder, height in FOLDERS.items()
                if f"| `src/{'' if height == NODELETS else 'core/'}{folder}` |" not in listed]

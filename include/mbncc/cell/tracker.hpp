@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "mbncc/matching/matcher.hpp"
+#include "mbncc/matching/match.hpp"
 
 namespace mbncc {
 

@@ -7,7 +7,7 @@
 #include <functional>
 #include <opencv2/core.hpp>
 
-#include "mbncc/learning/quality.hpp"
+#include "mbncc/learning/cut_evidence.hpp"
 #include "mbncc/learning/sb_grabcut.hpp"
 
 namespace mbncc {

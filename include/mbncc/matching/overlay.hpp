@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "mbncc/drawing.hpp"
-#include "mbncc/matching/matcher.hpp"
+#include "mbncc/matching/match.hpp"
 
 namespace mbncc {
 

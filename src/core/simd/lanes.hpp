@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Arithmetic on vectors padded with zeros to whole lanes (see polar/kernels.hpp).
+// Arithmetic on vectors padded with zeros to whole lanes (see kernels.hpp).
 #pragma once
 
 #include <array>

@@ -93,7 +93,7 @@ TEST_F(OutlineElsewhere, APoseThatItsOutlineContradictsIsTold) {
   beside.odds = 5;
   const auto judged = search::verify(object, view, scene, {beside});
   ASSERT_EQ(judged.size(), 1u);
-  EXPECT_GT(judged[0].contour_alternative, kContradicts);
+  EXPECT_GT(judged[0].contour_alternative, 0.05) << "too much for a grasp";
 }
 
 TEST_F(OutlineElsewhere, ASurfaceThatItsOutlineContradictsIsNeverGraspable) {

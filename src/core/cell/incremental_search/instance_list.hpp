@@ -9,7 +9,8 @@
 #include <string>
 #include <vector>
 
-#include "mbncc/matching/matcher.hpp"
+#include "mbncc/config/search_config.hpp"
+#include "mbncc/matching/match.hpp"
 
 namespace mbncc::incremental_search {
 

@@ -10,6 +10,7 @@
 #include "cell/incremental_search/object_schedule.hpp"
 #include "cell/incremental_search/pending_regions.hpp"
 #include "mbncc/cell/change_map.hpp"
+#include "mbncc/matching/matcher.hpp"
 
 namespace mbncc::incremental_search {
 

@@ -5,7 +5,7 @@
 #include <opencv2/core.hpp>
 
 #include "learning/segmentation/smoothness.hpp"
-#include "mbncc/learning/quality.hpp"
+#include "mbncc/learning/cut_evidence.hpp"
 
 namespace mbncc::segmentation {
 

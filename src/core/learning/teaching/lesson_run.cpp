@@ -10,7 +10,6 @@
 #include "learning/teaching/put_aside.hpp"
 #include "learning/teaching/stage_pictures.hpp"
 #include "learning/teaching/step_timer.hpp"
-#include "mbncc/learning/change.hpp"
 #include "mbncc/learning/quality.hpp"
 
 namespace mbncc::teaching {

@@ -10,7 +10,7 @@
 #include "learning/teaching/lesson_progress.hpp"
 #include "learning/teaching/marks.hpp"
 #include "mbncc/config/learning_config.hpp"
-#include "mbncc/learning/quality.hpp"
+#include "mbncc/learning/cut_evidence.hpp"
 
 namespace mbncc::teaching {
 

@@ -8,7 +8,7 @@
 #include <map>
 #include <numeric>
 
-#include "mbncc/matching/matcher.hpp"
+#include "mbncc/matching/match.hpp"
 
 namespace mbncc::decision {
 namespace {

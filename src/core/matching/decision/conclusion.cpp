@@ -8,12 +8,12 @@
 
 #include "matching/decision/margins.hpp"
 #include "matching/decision/score_calibration.hpp"
-#include "matching/evidence/contour_alternative.hpp"
 
 namespace mbncc::decision {
 namespace {
 
 constexpr double kForeignColour = 0.2;  // chroma difference of a foreign part
+constexpr double kContradicts = 0.05;   // [agreement] advantage of another place over the pose
 
 std::string number(double value, int digits) {
   std::ostringstream text;
@@ -63,7 +63,7 @@ std::vector<Doubt> doubts_about(const Match& match, const Detection& detection,
     doubts.push_back({false, "score " + number(match.score, 2) + " is below confirm_score"});
   if (detection.contour_alternative >= kNotExamined)
     doubts.push_back({false, "too unlikely to be examined"});
-  else if (!(detection.contour_alternative <= evidence::kContradicts))
+  else if (!(detection.contour_alternative <= kContradicts))
     doubts.push_back({false, "outline fits better beside it"});
   if (!is_convincing(detection, instance_margin)) doubts.push_back({false, "evidence too weak"});
   doubt_deviations(match, cautious, config, doubts);

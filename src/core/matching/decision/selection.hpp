@@ -9,7 +9,7 @@
 
 #include "matching/decision/detection.hpp"
 #include "mbncc/config/search_config.hpp"
-#include "mbncc/matching/matcher.hpp"
+#include "mbncc/matching/match.hpp"
 
 namespace mbncc::decision {
 

@@ -7,9 +7,6 @@
 
 namespace mbncc::evidence {
 
-/// [agreement] A larger advantage of another place contradicts the pose.
-constexpr double kContradicts = 0.05;
-
 /// [-2..2] Advantage in contour_agreement() of places 3 to about 10 px away from `pose`, slightly
 /// rotated, over `pose` itself, for the contour `scale` times as large. Approximate if negative.
 double better_elsewhere(const templates::ContourTemplate& contour, const scene::SceneLevel& scene,

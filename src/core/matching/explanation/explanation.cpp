@@ -8,6 +8,7 @@
 #include <optional>
 #include <stdexcept>
 
+#include "matching/evidence/evidence.hpp"
 #include "matching/prepared/comparison.hpp"
 #include "matching/search/view_search.hpp"
 

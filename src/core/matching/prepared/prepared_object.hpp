@@ -8,12 +8,11 @@
 #include <vector>
 
 #include "matching/evidence/colour_parts.hpp"
-#include "matching/evidence/evidence.hpp"
 #include "matching/evidence/mirrored_contour.hpp"
 #include "matching/evidence/photometric_residual.hpp"
 #include "matching/proposal/angle_range.hpp"
 #include "matching/proposal/colour_prefilter.hpp"
-#include "matching/proposal/contour_search.hpp"
+#include "matching/proposal/contour_bank.hpp"
 #include "matching/proposal/template_bank.hpp"
 #include "matching/refinement/refinement.hpp"
 #include "matching/template/view_frame.hpp"

@@ -4,9 +4,9 @@
 
 #include <opencv2/core.hpp>
 
-#include "matching/evidence/evidence.hpp"
 #include "matching/refinement/colour_axes.hpp"
 #include "matching/refinement/contour_motion.hpp"
+#include "matching/template/pose_sample.hpp"
 #include "mbncc/geometry.hpp"
 
 namespace mbncc::refinement {

@@ -15,8 +15,8 @@ class ResponseMaps {
   static constexpr int kOrientations = 8;  ///< of a half turn
   static constexpr int kStep = 2;  ///< [px] between positions: responses are spread by one pixel
 
-  /// `edges` is an edge_picture(); `margin` [px] is even. Reuses the memory of the last ones, and
-  /// keeps their margin if that was larger.
+  /// `edges` is as of smooth_and_find_edges(); `margin` [px] is even. Reuses the memory of the last
+  /// ones, and keeps their margin if that was larger.
   void fill(const cv::Mat& edges, int margin);
 
   int margin() const { return margin_; }

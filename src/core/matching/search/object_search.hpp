@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "matching/search/view_search.hpp"
-#include "mbncc/matching/matcher.hpp"
+#include "mbncc/matching/match.hpp"
 
 namespace mbncc::search {
 

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <cstdlib>
 
+#include "matching/refinement/gauss_newton.hpp"
+
 namespace mbncc::search {
 namespace {
 

@@ -2,8 +2,8 @@
 // A pose hypothesis at full resolution, aligned by contour and surface.
 #pragma once
 
+#include "matching/evidence/evidence.hpp"
 #include "matching/prepared/prepared_object.hpp"
-#include "matching/refinement/gauss_newton.hpp"
 #include "matching/scene/scene_picture.hpp"
 #include "mbncc/geometry.hpp"
 

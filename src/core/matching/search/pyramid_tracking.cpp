@@ -6,7 +6,6 @@
 #include "imaging/pyramid.hpp"
 #include "matching/decision/clutter.hpp"
 #include "matching/refinement/gauss_newton.hpp"
-#include "matching/search/candidate_odds.hpp"
 
 namespace mbncc::search {
 namespace {

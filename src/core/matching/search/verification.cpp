@@ -6,6 +6,7 @@
 
 #include "matching/evidence/contour_alternative.hpp"
 #include "matching/evidence/torn_contour.hpp"
+#include "matching/refinement/gauss_newton.hpp"
 
 namespace mbncc::search {
 namespace {

@@ -46,8 +46,8 @@ struct ContourSample {
   std::vector<float> response, seen, pull, moment;  ///< as long as the contour's vectors
 };
 
-/// Reads `edges`, an edge_picture(), at `pose`, up to `reach` [px] along the normals, the contour
-/// `scale` times (near 1) as large as the template.
+/// Reads `edges`, as of smooth_and_find_edges(), at `pose`, up to `reach` [px] along the normals,
+/// the contour `scale` times (near 1) as large as the template.
 void read_contour(const ContourTemplate& contour, const cv::Mat& edges, const Pose2D& pose,
                   int reach, ContourSample& sample, double scale = 1);
 

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// How reliable a cut is.
+#pragma once
+
+namespace mbncc {
+
+/// Measures of a cut's reliability.
+struct CutEvidence {
+  double region_touch = 0;  ///< [0..1] part of the outline that lies on the region's edge
+  double cut_off =
+      0;  ///< [0..1] part of the outline beside an intruder, or beside change outside the region
+  double region_span =
+      1;  ///< [0..1] extent of the map's box relative to the region's, in the worse direction
+  double change_outside = 0;  ///< [0..1] changed part of the strip around the region
+  double change_beside = 0;   ///< [map's area] certain change in the region outside the map
+  double stability =
+      1;  ///< [0..1] least IoU with cuts of shifted balance; of one picture: with the other method
+  double boundary_contrast = 1;  ///< [0..1] strength of the picture edges along the outline
+  bool shadow_like = false;      ///< a shadow of the platform would look like the object
+  bool verified = true;  ///< false: cut from one picture, without confirmation by a second one
+};
+
+}  // namespace mbncc

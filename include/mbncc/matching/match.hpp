@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Instances of learned objects found in an image.
+#pragma once
+
+#include <cstdint>
+#include <opencv2/core.hpp>
+#include <string>
+#include <vector>
+
+#include "mbncc/geometry.hpp"
+#include "mbncc/matching/log_odds.hpp"
+
+namespace mbncc {
+
+/// A competitor of a match: another object at its place, or another place of the same object.
+struct Competitor {
+  std::string name;
+  cv::Point2d position;  ///< [px] of its reference point
+  double log_odds = 0;   ///< on the scale of the competing match
+};
+
+/// A reason against grasping a match.
+struct Doubt {
+  bool ambiguous =
+      false;  ///< another pose may be the right one; otherwise this one is too uncertain
+  std::string text;
+};
+
+/// One instance of a learned object in one picture.
+struct Match {
+  std::string name;
+  std::uint32_t revision = 0;
+  Pose2D pose;  ///< [px],[rad] object frame: reference point and direction
+  double scale =
+      1;  ///< relative to the learning picture; the searched one unless another is significant
+  cv::Matx33d covariance;  ///< of pose: x, y, theta [px^2, px rad, rad^2]; 100 px and a full turn
+                           ///< if the pose is too unlikely to be measured
+  double score = 0;        ///< [0..1] acceptance score
+  LogOdds odds;            ///< that the object lies here
+  double similarity = 0;   ///< [-1..1] normalized cross correlation weighted by the map
+  /// The best other place of the same object that is no reported instance, and the best other
+  /// object here.
+  std::vector<Competitor> competitors;
+  /// Log-odds to the best competitor; 20: none was found.
+  double margin_place = 0;
+  /// Log-odds to the best other angle here (more than 10 degrees off, symmetry aside).
+  double margin_angle = 0;
+  double visible = 1;         ///< [0..1] part of the map inside the picture
+  int symmetry = 1;           ///< 1: none, 2: 180 deg ..., 0: round
+  std::vector<Doubt> doubts;  ///< for this pose, without competitors
+  /// All conditions for a grasp hold in this picture: score, margins, visible part, standard
+  /// deviations, colours of parts, size, and the fit of the outline elsewhere or mirrored.
+  bool graspable = false;
+  bool ambiguous = false;            ///< the score suffices, but another pose may be the right one
+  std::vector<std::string> reasons;  ///< why it is not graspable; empty if it is
+  bool fresh = true;  ///< found in this picture; otherwise in an earlier one with unchanged pixels
+  std::vector<cv::Point2f> outline;  ///< [px] largest outline of the map in this picture
+
+  double log_odds() const { return odds.total(); }
+};
+
+/// A candidate that was considered and not reported.
+struct Rival {
+  std::string name;
+  cv::Point2d position;              ///< [px] of its reference point
+  LogOdds odds;                      ///< without calibration
+  std::vector<cv::Point2f> outline;  ///< [px] as of Match
+
+  double log_odds() const { return odds.uncalibrated(); }
+};
+
+/// The place and size of an outline.
+struct Footprint {
+  Circle circle;    ///< [px] of its bounding box
+  double area = 0;  ///< [px] within it, holes included
+};
+
+/// Largest number of requested objects for which a search without result is repeated thoroughly.
+constexpr std::size_t kFewObjects = 4;
+
+}  // namespace mbncc
