@@ -9,8 +9,8 @@ namespace mbncc {
 struct VideoConfig {
   double sweep_time = 60;  ///< [s] period in which every object is searched once in the whole
                            ///< picture, even without change; 0: all objects in every picture
-  double effort =
-      0.8;  ///< largest effort per picture, in searches of one object in a whole picture
+  double max_search_cost =
+      0.8;  ///< of a changed picture, in searches of one object in a whole picture
 
   template <class Self, class Visitor>
   static void fields(Self& self, Visitor&& visit) {
@@ -18,10 +18,10 @@ struct VideoConfig {
                     "without change, period in which every object is searched once; 0: every "
                     "picture is searched completely"},
           self.sweep_time);
-    visit(FieldInfo{"effort", Allowed::range(0.1, 1000), "",
-                    "largest effort for a changed picture, in searches of one object in a whole "
+    visit(FieldInfo{"max_search_cost", Allowed::range(0.1, 1000), "",
+                    "largest cost of a changed picture, in searches of one object in a whole "
                     "picture; the rest is postponed to the next pictures"},
-          self.effort);
+          self.max_search_cost);
   }
 };
 

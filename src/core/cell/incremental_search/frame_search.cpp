@@ -212,7 +212,7 @@ void FrameSearch::sweep() {
   if (next.empty()) return;
   const double turn = config_.sweep_time / static_cast<double>(memory_.sought.all().size());
   const bool due = stamp_ - memory_.last_sweep >= turn;
-  const bool urgent = memory_.sought.at(next).urgent && search_.spent() < config_.effort;
+  const bool urgent = memory_.sought.at(next).urgent && search_.spent() < config_.max_search_cost;
   if (due) memory_.last_sweep = stamp_;
   if (due || urgent) sweep_for(next);
 }
@@ -231,10 +231,10 @@ void FrameSearch::sweep_for(const std::string& name) {
   compare(result, search_.whole());
 }
 
-/// Within the effort, for objects of at least this urgency.
+/// Within max_search_cost, for objects of at least this urgency.
 void FrameSearch::search_pending(Urgency least) {
   const auto urgency = [this](const std::string& name) { return urgency_of(name); };
-  while (search_.spent() < config_.effort) {
+  while (search_.spent() < config_.max_search_cost) {
     const auto due = memory_.pending.next(urgency);
     if (!due || urgency_of(due->name) > least) return;
     look_at_uncompared(due->name, due->region);
@@ -262,11 +262,11 @@ FrameSearch::Urgency FrameSearch::urgency_of(const std::string& name) const {
   return memory_.known.shows(name) ? kSeen : kUnseen;
 }
 
-/// Within the effort, instances with motion around them are also compared with all objects.
+/// Within max_search_cost, instances with motion around them are also compared with all objects.
 void FrameSearch::compare_touched() {
   for (const auto& name : memory_.sought.names())
     for (std::size_t i = 0; i < memory_.known.all().size(); ++i) {
-      if (search_.spent() >= config_.effort) return;
+      if (search_.spent() >= config_.max_search_cost) return;
       const Known& one = memory_.known.all()[i];
       if (one.match.name == name || one.others.count(name) > 0) continue;
       const cv::Rect region = touching(one.box(), name);
