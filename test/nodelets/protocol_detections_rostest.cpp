@@ -99,7 +99,7 @@ TEST_F(Protocol, FindsWithoutCalibrationInPixelsOnlyAndSendsNoTf) {
   EXPECT_NEAR(object.image_pose.y, lesson.object.reference.y, 1);
   EXPECT_FALSE(object.pose_valid);
   EXPECT_TRUE(std::isnan(object.pose.pose.position.x));
-  EXPECT_EQ(object.child_frame_id, "");
+  EXPECT_EQ(object.child_frame_id + object.stable_frame_id, "");
   EXPECT_EQ(transforms_heard_, 0);
 
   EXPECT_TRUE(edit("part", EditObject::Request::DISABLE).success);

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "nodelets/conversion/object_frames.hpp"
 
-#include <cmath>
 #include <string>
 #include <vector>
 
@@ -9,12 +8,6 @@
 
 namespace mbncc::nodelets {
 namespace {
-
-bool is_finite(const geometry_msgs::Pose& pose) {
-  return std::isfinite(pose.position.x + pose.position.y + pose.position.z) &&
-         std::isfinite(pose.orientation.x + pose.orientation.y + pose.orientation.z +
-                       pose.orientation.w);
-}
 
 geometry_msgs::TransformStamped transform_of(const ros::Time& stamp, const std::string& parent,
                                              const std::string& child,
@@ -38,7 +31,6 @@ std::vector<geometry_msgs::TransformStamped> ObjectFrames::of(
   std::vector<geometry_msgs::TransformStamped> transforms;
   if (stamp <= last_) return transforms;
   for (const auto& object : detections.objects) {
-    if (!object.pose_valid || !is_finite(object.pose.pose)) continue;
     const auto add = [&](const ros::Time& at, const std::string& frame) {
       transforms.push_back(transform_of(at, detections.header.frame_id, frame, object.pose.pose));
       if (object.has_grasp && is_finite(object.grasp))

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "nodelets/conversion/pose_algebra.hpp"
 
+#include <cmath>
+
 #include <tf2/LinearMath/Transform.h>
 #include <tf2_geometry_msgs/tf2_geometry_msgs.h>
 
@@ -27,6 +29,12 @@ geometry_msgs::Pose compose(const geometry_msgs::Pose& b_in_a, const geometry_ms
 
 geometry_msgs::Pose inverse(const geometry_msgs::Pose& b_in_a) {
   return pose_of(transform_of(b_in_a).inverse());
+}
+
+bool is_finite(const geometry_msgs::Pose& pose) {
+  return std::isfinite(pose.position.x + pose.position.y + pose.position.z) &&
+         std::isfinite(pose.orientation.x + pose.orientation.y + pose.orientation.z +
+                       pose.orientation.w);
 }
 
 geometry_msgs::Pose half_turn_about_x() {

@@ -12,6 +12,9 @@ geometry_msgs::Pose compose(const geometry_msgs::Pose& b_in_a, const geometry_ms
 /// The pose of A in B, from that of B in A.
 geometry_msgs::Pose inverse(const geometry_msgs::Pose& b_in_a);
 
+/// Whether no coordinate is infinite or NaN.
+bool is_finite(const geometry_msgs::Pose& pose);
+
 /// Half a turn about x, which reverses the frame's y and z axes.
 geometry_msgs::Pose half_turn_about_x();
 

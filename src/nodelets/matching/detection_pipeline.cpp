@@ -72,13 +72,7 @@ void note_age(DetectedObjectArray& array, const ros::Time& now) {
     if (object.state != DetectedObject::CONFIRMED || now <= object.valid_until) continue;
     object.state = DetectedObject::NEW;
     object.reasons = {"older than valid_until when it was published"};
-    withhold_frames(object);
   }
-}
-
-void withhold_frames(DetectedObject& object) {
-  object.child_frame_id.clear();
-  object.stable_frame_id.clear();
 }
 
 DetectionPipeline::DetectionPipeline(const MatchingNodeConfig& config, const LiveMatcher& matcher,
@@ -164,8 +158,7 @@ DetectedObject DetectionPipeline::describe(const TrackedMatch& tracked, const Ob
   if (model->grasp) object.grasp = compose(object.pose.pose, to_msg(*model->grasp));
   if (config_.object_frame_z == "out") turn_over(object);
   const std::string frame = config_.tf_prefix + "object_" + match.name;
-  if (tracked.state == TrackState::kConfirmed)
-    object.child_frame_id = frame + "_" + std::to_string(tracked.frame_index);
+  object.child_frame_id = frame + "_" + std::to_string(tracked.frame_index);
   if (tracked.is_best) object.stable_frame_id = frame;
   return object;
 }
@@ -195,8 +188,8 @@ std::string DetectionPipeline::to_target_frame(DetectedObjectArray& array) const
     array.header.frame_id = config_.target_frame;
     return "";
   } catch (const tf2::TransformException& error) {
-    // A frame must not change its parent between camera and target_frame, so none is sent.
-    for (auto& object : array.objects) withhold_frames(object);
+    // The status is TF_UNAVAILABLE then, and no frame is sent: a frame must not change its parent
+    // between camera and target_frame.
     return "target_frame: " + tf_fault(error);
   }
 }

@@ -44,9 +44,6 @@ TrackerConfig tracker_config(const MatchingNodeConfig& config);
 /// Fills in the latency at `now`; objects that have become too old are no longer confirmed.
 void note_age(mbncc_vision::DetectedObjectArray& array, const ros::Time& now);
 
-/// No tf frame is sent for the object.
-void withhold_frames(mbncc_vision::DetectedObject& object);
-
 /// Searches one picture after the other.
 class PictureSearch {
  public:

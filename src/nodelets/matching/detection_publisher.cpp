@@ -6,6 +6,7 @@
 #include <visualization_msgs/MarkerArray.h>
 
 #include "nodelets/conversion/images.hpp"
+#include "nodelets/matching/frame_permission.hpp"
 #include "nodelets/matching/graspable.hpp"
 #include "nodelets/matching/markers.hpp"
 #include "nodelets/matching/overlay.hpp"
@@ -46,12 +47,10 @@ double DetectionPublisher::publish(Detections detections, const cv::Mat& picture
                                    const ScoreMap& score_map, const Extras& extras) {
   DetectedObjectArray& array = detections.array;
   note_age(array, ros::Time::now());
-  if (!extras.tf)
-    for (auto& object : array.objects) withhold_frames(object);
+  keep_permitted_frames(array, extras.tf);
   detections_.publish(array);
   poses_.publish(confirmed_poses(array));
-  const auto transforms =
-      extras.tf ? frames_.of(array) : std::vector<geometry_msgs::TransformStamped>{};
+  const auto transforms = frames_.of(array);
   if (!transforms.empty()) broadcaster_.sendTransform(transforms);
   if (markers_.getNumSubscribers() > 0) markers_.publish(to_markers(array));
   publish_pictures(array, picture, score_map, extras.scores_under_overlay);

@@ -9,6 +9,7 @@
 #include "mbncc/cell/stamp_gate.hpp"
 #include "nodelets/conversion/images.hpp"
 #include "nodelets/conversion/messages.hpp"
+#include "nodelets/matching/frame_permission.hpp"
 #include "nodelets/matching/search_roi.hpp"
 
 namespace mbncc::nodelets {
@@ -77,13 +78,9 @@ void keep_named(DetectedObjectArray& array, const std::vector<std::string>& name
   }
 }
 
-/// Every call tracks its own instances, without numbers and frames, which would be confused with
-/// those of the stream.
+/// Every call tracks its own instances, whose numbers would be confused with those of the stream.
 void leave_unnumbered(DetectedObjectArray& array) {
-  for (auto& object : array.objects) {
-    object.instance_id = 0;
-    object.child_frame_id.clear();
-  }
+  for (auto& object : array.objects) object.instance_id = 0;
 }
 
 /// Keeps the subscription to live pictures.
@@ -150,6 +147,7 @@ bool FindService::on_call(Request& request, Response& response) {
     keep_named(detections.array, request.names, *detections.library);
     leave_unnumbered(detections.array);
     note_age(detections.array, ros::Time::now());
+    keep_permitted_frames(detections.array, false);
     response.detections = detections.array;
     response.success = true;
     response.message = response.detections.message;

@@ -71,15 +71,11 @@ TEST_F(ObjectFramesTest, AnInstanceThatMovesIsInterpolated) {
   EXPECT_NEAR(x_at("object_key", 1.5), 3.5, 1e-9);
 }
 
-TEST_F(ObjectFramesTest, NothingIsSentTwiceForAStampNorWithoutAFinitePoseOrAName) {
+TEST_F(ObjectFramesTest, NothingIsSentTwiceForAStampNorWithoutAName) {
   show(1, {confirmed(1, 3)});
   EXPECT_EQ(sent_, 2);
   show(1, {confirmed(1, 3)});
   show(0.5, {confirmed(1, 3)});
-  show(2, {confirmed(1, std::numeric_limits<double>::quiet_NaN())});
-  mbncc_vision::DetectedObject unknown = confirmed(1, 3);
-  unknown.pose_valid = false;
-  show(3, {unknown});
   mbncc_vision::DetectedObject nameless = confirmed(1, 3);
   nameless.child_frame_id.clear();
   nameless.stable_frame_id.clear();

@@ -12,7 +12,8 @@
 
 namespace mbncc::teaching {
 
-/// Ends a lesson that cannot continue; caught only in learn_object().
+/// Ends a lesson or a correction that cannot continue. The caller of the steps turns it into a
+/// LearnResult; it does not leave the core.
 class LessonEnded : public std::runtime_error {
  public:
   /// `message` and `hint` replace the error's default texts.

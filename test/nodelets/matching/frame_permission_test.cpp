@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A frame is sent for what may be grasped, and for nothing else.
+#include "nodelets/matching/frame_permission.hpp"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+namespace mbncc::nodelets {
+namespace {
+
+using mbncc_vision::DetectedObject;
+using mbncc_vision::DetectedObjectArray;
+
+DetectedObjectArray graspable_one() {
+  DetectedObject object;
+  object.state = DetectedObject::CONFIRMED;
+  object.pose_valid = true;
+  object.pose.pose.orientation.w = 1;
+  object.child_frame_id = "object_key_0";
+  object.stable_frame_id = "object_key";
+  DetectedObjectArray array;
+  array.status = DetectedObjectArray::OK;
+  array.objects.push_back(object);
+  return array;
+}
+
+/// The frames left, joined.
+std::string frames_left(DetectedObjectArray array, bool wanted = true) {
+  keep_permitted_frames(array, wanted);
+  return array.objects[0].child_frame_id + array.objects[0].stable_frame_id;
+}
+
+TEST(FramePermission, WhatMayBeGraspedHasItsFrames) {
+  EXPECT_EQ(frames_left(graspable_one()), "object_key_0object_key");
+  DetectedObjectArray late = graspable_one();
+  late.status = DetectedObjectArray::BUDGET_EXCEEDED;
+  EXPECT_EQ(frames_left(late), "object_key_0object_key");
+}
+
+TEST(FramePermission, NothingElseHas) {
+  EXPECT_EQ(frames_left(graspable_one(), false), "") << "not wanted";
+  for (const auto status :
+       {DetectedObjectArray::STALE, DetectedObjectArray::UNCALIBRATED,
+        DetectedObjectArray::TF_UNAVAILABLE, DetectedObjectArray::SEARCH_FAILED}) {
+    DetectedObjectArray array = graspable_one();
+    array.status = status;
+    EXPECT_EQ(frames_left(array), "") << int(status);
+  }
+  for (const auto state : {DetectedObject::NEW, DetectedObject::AMBIGUOUS}) {
+    DetectedObjectArray array = graspable_one();
+    array.objects[0].state = state;
+    EXPECT_EQ(frames_left(array), "") << int(state);
+  }
+  DetectedObjectArray pixels = graspable_one();
+  pixels.objects[0].pose_valid = false;
+  EXPECT_EQ(frames_left(pixels), "");
+  constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+  DetectedObjectArray nowhere = graspable_one();
+  nowhere.objects[0].pose.pose.position.y = kNaN;
+  EXPECT_EQ(frames_left(nowhere), "");
+  DetectedObjectArray unturned = graspable_one();
+  unturned.objects[0].pose.pose.orientation.z = kNaN;
+  EXPECT_EQ(frames_left(unturned), "");
+}
+
+TEST(FramePermission, EachObjectIsJudgedByItself) {
+  DetectedObjectArray array = graspable_one();
+  array.objects.push_back(array.objects[0]);
+  array.objects[0].state = DetectedObject::NEW;
+  keep_permitted_frames(array, true);
+  EXPECT_EQ(array.objects[0].child_frame_id, "");
+  EXPECT_EQ(array.objects[1].child_frame_id, "object_key_0");
+}
+
+}  // namespace
+}  // namespace mbncc::nodelets
