@@ -2,12 +2,14 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Latency and CPU time of a running cell: 30 pictures a second of 640 x 480, five objects, one manager.
 
-usage: latency.py PATH/TO/mbncc [--seconds S] [--rate HZ] [--play]
+usage: latency.py PATH/TO/mbncc [--seconds S] [--rate HZ] [--play] [--recorded N]
 (in a shell that has sourced the build; starts its own master)
 
 Teaches five drawn objects, plays the simulated cell, and prints what detected_objects says of itself, the lag of
 tf behind the pictures' stamps, and the CPU time of the nodelets: searching, with ~enable false, and with the learning
-nodelet alone watching the still scene. The simulated camera runs in a process of its own and is not counted.
+nodelet alone watching the still scene. The simulated camera runs in a process of its own and is not counted. With
+--recorded its pictures are recorded first, at 15 Hz, and played by the camera nodelet, which holds rates that drawing
+does not.
 """
 import argparse
 import os
@@ -20,20 +22,31 @@ import time
 
 import numpy as np
 
-LAUNCH = """<launch>
-  <node pkg="nodelet" type="nodelet" name="camera" args="standalone mbncc_vision/SimulatedCameraNodelet">
+SIMULATED = """
+  <node pkg="nodelet" type="nodelet" name="camera" clear_params="true" args="standalone mbncc_vision/SimulatedCameraNodelet">
     <param name="frame_rate" value="{rate}"/>
     <param name="auto_play" value="{play}"/>
     <param name="object_seed" value="1"/>
     <param name="seed" value="1"/>
   </node>
+"""
+
+RECORDED = """
+  <node pkg="nodelet" type="nodelet" name="camera" clear_params="true" args="standalone mbncc_vision/CameraNodelet">
+    <param name="source" value="{pictures}"/>
+    <param name="frame_rate" value="{rate}"/>
+    <param name="loop" value="true"/>
+    <param name="camera_info_url" value="file://{pictures}/camera.yaml"/>
+  </node>
+"""
+
+CELL = """
   <include file="$(find mbncc_vision)/launch/cell.launch">
     <arg name="camera" value="false"/>
     <arg name="library" value="{library}"/>
     <arg name="learning" value="{learning}"/>
     <arg name="platform_distance" value="0.6"/>
   </include>
-</launch>
 """
 
 
@@ -47,6 +60,39 @@ def teach(tool, folder):
                         pictures + "/before.png", "--after", pictures + "/after.png"], check=True,
                        stdout=subprocess.DEVNULL)
     return library
+
+
+def calibration_of(info):
+    def matrix(name, values, rows):
+        return "%s: {rows: %d, cols: %d, data: %s}" % (name, rows, len(values) // rows, list(values))
+    return "\n".join(["image_width: %d" % info.width, "image_height: %d" % info.height, "camera_name: camera",
+                      matrix("camera_matrix", info.K, 3), "distortion_model: plumb_bob",
+                      matrix("distortion_coefficients", info.D or [0] * 5, 1), matrix("rectification_matrix", info.R, 3),
+                      matrix("projection_matrix", info.P, 3), ""])
+
+
+def record(folder, count):
+    """Pictures and camera.yaml of the simulated camera that is running."""
+    import cv2
+    import rospy
+    from cv_bridge import CvBridge
+    from sensor_msgs.msg import CameraInfo, Image
+    os.makedirs(folder)
+    rospy.init_node("latency", anonymous=True)
+    info = rospy.wait_for_message("camera_info", CameraInfo, 60)
+    with open(os.path.join(folder, "camera.yaml"), "w", encoding="utf-8") as file:
+        file.write(calibration_of(info))
+    bridge, written = CvBridge(), []
+
+    def keep(message):
+        if len(written) < count:
+            written.append(os.path.join(folder, "%06d.bmp" % len(written)))
+            cv2.imwrite(written[-1], bridge.imgmsg_to_cv2(message, "bgr8"))
+
+    heard = rospy.Subscriber("image_raw", Image, keep, queue_size=10)
+    while len(written) < count:
+        time.sleep(0.1)
+    heard.unregister()
 
 
 def cpu_seconds(pid):
@@ -76,11 +122,11 @@ def measure(seconds):
     from std_srvs.srv import SetBool
     from tf2_msgs.msg import TFMessage
     from mbncc_vision.msg import DetectedObjectArray
-    rospy.init_node("latency")
+    from sensor_msgs.msg import CameraInfo
+    rospy.init_node("latency", anonymous=True)
     arrays, lags, shown = [], [], []
     heard = rospy.Subscriber("detected_objects", DetectedObjectArray, arrays.append, queue_size=100)
-    seen = rospy.Subscriber("camera/truth", DetectedObjectArray, lambda truth: shown.append(truth.header.stamp),
-                            queue_size=100)
+    seen = rospy.Subscriber("camera_info", CameraInfo, lambda info: shown.append(info.header.stamp), queue_size=100)
     # The newest of a message: when another instance takes over a stable frame, an older one comes with it.
     rospy.Subscriber("/tf", TFMessage, lambda message: lags.append(
         (rospy.Time.now() - max(t.header.stamp for t in message.transforms)).to_sec()), queue_size=100)
@@ -107,7 +153,7 @@ def measure(seconds):
     enable = rospy.ServiceProxy("matching/enable", SetBool)
     enable(False)
     time.sleep(1)
-    watching = share_of_core(pid, seconds)
+    watching = share_of_core(pid, min(20, seconds))
     print("CPU of the manager, searching: %.0f %%; ~enable false, learning watches the scene: %.1f %%" %
           (100 * searching, 100 * watching))
 
@@ -121,10 +167,10 @@ def measure_idle(seconds):
     print("~enable false, no learning nodelet: %.2f %%" % (100 * share_of_core(manager_pid(), seconds)))
 
 
-def run_cell(port, folder, settings, measurement):
+def run(port, folder, content, measurement):
     launch = os.path.join(folder, "latency.launch")
     with open(launch, "w", encoding="utf-8") as file:
-        file.write(LAUNCH.format(**settings))
+        file.write("<launch>" + content + "</launch>\n")
     cell = subprocess.Popen(["roslaunch", "-p", str(port), launch], stdout=subprocess.DEVNULL)
     try:
         time.sleep(5)
@@ -140,6 +186,7 @@ def main():
     parser.add_argument("--seconds", type=float, default=20, help="of each measurement (20)")
     parser.add_argument("--rate", type=float, default=30, help="pictures a second (30)")
     parser.add_argument("--play", action="store_true", help="the arm moves the object; without it, the scene is still")
+    parser.add_argument("--recorded", type=int, default=0, help="pictures to record first; 0: draw them on the way (0)")
     arguments = parser.parse_args()
     with socket.socket() as probe:
         probe.bind(("localhost", 0))
@@ -152,9 +199,15 @@ def main():
             import rosgraph
             while not rosgraph.is_master_online():
                 time.sleep(0.2)
-            settings = {"library": library, "rate": arguments.rate, "play": str(arguments.play).lower()}
-            run_cell(port, folder, dict(settings, learning="true"), lambda: measure(arguments.seconds))
-            run_cell(port, folder, dict(settings, learning="false"), lambda: measure_idle(min(20, arguments.seconds)))
+            settings = {"library": library, "rate": arguments.rate, "play": str(arguments.play).lower(),
+                        "pictures": os.path.join(folder, "pictures")}
+            if arguments.recorded:
+                run(port, folder, SIMULATED.format(**dict(settings, rate=15)),
+                    lambda: record(settings["pictures"], arguments.recorded))
+            cell = (RECORDED if arguments.recorded else SIMULATED) + CELL
+            run(port, folder, cell.format(learning="true", **settings), lambda: measure(arguments.seconds))
+            run(port, folder, cell.format(learning="false", **settings),
+                lambda: measure_idle(min(20, arguments.seconds)))
         finally:
             master.send_signal(signal.SIGINT)
             master.wait(30)
