@@ -1,11 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // mbncc: teaches, finds and manages objects without a ROS graph.
-#include <malloc.h>
-#include <sys/mman.h>
-
 #include <algorithm>
-#include <cstdint>
-#include <cstdlib>
 #include <exception>
 #include <iostream>
 #include <opencv2/core/utility.hpp>
@@ -86,37 +81,10 @@ ExitCode run_guarded(const std::vector<std::string>& words) {
   return kFailed;
 }
 
-// The tool runs one lesson or search, which repeatedly allocates pictures of the same sizes.
-// Returning each to the system costs a page fault per 4 KiB when the next one is written.
-void keep_freed_memory() {
-#ifdef M_MMAP_THRESHOLD
-  constexpr int kLargestKept = 32 << 20;   // [bytes] of one picture, the most that glibc allows
-  constexpr int kLargestTail = 256 << 20;  // [bytes] at the end of the heap
-  mallopt(M_MMAP_THRESHOLD, kLargestKept);
-  mallopt(M_TRIM_THRESHOLD, kLargestTail);
-#endif
-}
-
-// A few large pages for a lesson's first pictures cost less than thousands of small ones. Nothing
-// is allocated yet, and without large pages nothing changes.
-void ask_for_large_pages() {
-#ifdef MADV_HUGEPAGE
-  constexpr std::uintptr_t kPage = 2 << 20;  // [bytes]
-  constexpr std::size_t kRoom = 16 << 20;    // [bytes] at the end of the heap
-  void* const room = std::malloc(kRoom);
-  const auto begin = reinterpret_cast<std::uintptr_t>(room);
-  const auto first = (begin + kPage - 1) / kPage * kPage, last = (begin + kRoom) / kPage * kPage;
-  if (room) madvise(reinterpret_cast<void*>(first), last - first, MADV_HUGEPAGE);
-  std::free(room);
-#endif
-}
-
 }  // namespace
 }  // namespace mbncc::cli
 
 int main(int count, char** words) {
-  mbncc::cli::keep_freed_memory();
-  mbncc::cli::ask_for_large_pages();
   cv::setNumThreads(1);  // starting OpenCV's threads would take longer than they save here
   return mbncc::cli::run_guarded({words + 1, words + count});
 }
