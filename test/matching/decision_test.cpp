@@ -206,6 +206,10 @@ TEST_F(DecisionTest, AnotherAngleAtThePlaceMakesAmbiguous) {
     EXPECT_EQ(match.graspable, degrees < 10) << degrees;
     EXPECT_EQ(match.ambiguous, degrees > 10) << degrees;
     EXPECT_NEAR(match.margin_angle, degrees < 10 ? decision::kNoCompetitor : 3, 1e-9);
+    ASSERT_EQ(match.other_angle.has_value(), degrees >= 10);
+    if (match.other_angle) {
+      EXPECT_NEAR(angle_distance(*match.other_angle, match.pose.theta), to_radians(degrees), 1e-9);
+    }
   }
 }
 

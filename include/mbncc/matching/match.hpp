@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <opencv2/core.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -45,9 +46,10 @@ struct Match {
   double margin_place = 0;
   /// Log-odds to the best other angle here (more than 10 degrees off, symmetry aside).
   double margin_angle = 0;
-  double visible = 1;         ///< [0..1] part of the map inside the picture
-  int symmetry = 1;           ///< 1: none, 2: 180 deg ..., 0: round
-  std::vector<Doubt> doubts;  ///< for this pose, without competitors
+  std::optional<double> other_angle;  ///< [rad] of the object frame there; empty: none was found
+  double visible = 1;                 ///< [0..1] part of the map inside the picture
+  int symmetry = 1;                   ///< 1: none, 2: 180 deg ..., 0: round
+  std::vector<Doubt> doubts;          ///< for this pose, without competitors
   /// All conditions for a grasp hold in this picture: score, margins, visible part, standard
   /// deviations, colours of parts, size, and the fit of the outline elsewhere or mirrored.
   bool graspable = false;

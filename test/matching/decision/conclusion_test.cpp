@@ -62,6 +62,8 @@ TEST_F(ConclusionTest, NamesTheBestCompetitor) {
 TEST_F(ConclusionTest, AnOpenAngle) {
   match_.margin_angle = 2.5;
   expect_refused("angle open (margin 2.5)", true);
+  match_.other_angle = to_radians(270);
+  expect_refused("angle open (margin 2.5 to -90 degrees)", true);
 }
 
 TEST_F(ConclusionTest, AnotherColour) {

@@ -37,6 +37,11 @@ std::string text_of(const Competitor& competitor, double margin) {
          number(competitor.position.y, 0) + " (margin " + number(margin, 1) + ")";
 }
 
+std::string other_angle_of(const Match& match) {
+  if (!match.other_angle) return "";
+  return " to " + number(to_degrees(wrap_angle(*match.other_angle)), 0) + " degrees";
+}
+
 /// The one with the highest log-odds; null: none.
 const Competitor* best_of(const std::vector<Competitor>& competitors) {
   const auto best = std::max_element(
@@ -53,7 +58,8 @@ std::vector<Doubt> doubts_about(const Match& match, const Detection& detection,
   // Negated comparisons, so that NaN counts as a reason.
   std::vector<Doubt> doubts;
   if (!(match.margin_angle >= config.min_margin_angle))
-    doubts.push_back({true, "angle open (margin " + number(match.margin_angle, 1) + ")"});
+    doubts.push_back({true, "angle open (margin " + number(match.margin_angle, 1) +
+                                other_angle_of(match) + ")"});
   if (!(detection.colour_difference <= kForeignColour))
     doubts.push_back({true, "colour of a part differs"});
   if (detection.mirror_alternative) doubts.push_back({true, "mirrored fits as well"});

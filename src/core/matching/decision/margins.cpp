@@ -39,14 +39,19 @@ bool overlapping(const Detection& a, const Detection& b, double most) {
   return templates::overlap(a.view->shape, a.pose, b.view->shape, b.pose) > most;
 }
 
+const Detection* competing_angle(const Detection& detection, const std::vector<Detection>& all,
+                                 double max_overlap) {
+  return best_competitor(detection, all, [&](const Detection& other) {
+    return same_object(other, detection) &&
+           angle_distance(object_angle(other), object_angle(detection), detection.view->symmetry) >
+               kOtherAngle &&
+           overlapping(detection, other, max_overlap);
+  });
+}
+
 double angle_margin(const Detection& detection, const std::vector<Detection>& all,
                     double max_overlap) {
-  return margin_to(detection, best_competitor(detection, all, [&](const Detection& other) {
-                     return same_object(other, detection) &&
-                            angle_distance(object_angle(other), object_angle(detection),
-                                           detection.view->symmetry) > kOtherAngle &&
-                            overlapping(detection, other, max_overlap);
-                   }));
+  return margin_to(detection, competing_angle(detection, all, max_overlap));
 }
 
 double instance_margin(const Detection& detection, const std::vector<Detection>& all,

@@ -16,6 +16,10 @@ constexpr double kNoCompetitor = 20;
 /// Whether two detections overlap by more than this part of the smaller map.
 bool overlapping(const Detection& a, const Detection& b, double most);
 
+/// The best other rotation of the same object at the detection's place; null: none.
+const Detection* competing_angle(const Detection& detection, const std::vector<Detection>& all,
+                                 double max_overlap);
+
 /// Margin to the best other rotation of the same object at the detection's place, negative where
 /// that one is better.
 double angle_margin(const Detection& detection, const std::vector<Detection>& all,

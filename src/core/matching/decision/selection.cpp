@@ -99,6 +99,8 @@ Match to_match(const Detection& detection, const std::vector<Detection>& all,
                                  competing_object(detection, all, config.max_overlap)})
     if (other) match.competitors.push_back(competitor_of(match, detection, *other));
   match.margin_angle = angle_margin(detection, all, config.max_overlap);
+  if (const Detection* turned = competing_angle(detection, all, config.max_overlap))
+    match.other_angle = object_pose(*turned).theta;
   match.visible = detection.visible;
   match.symmetry = view.symmetry;
   match.outline = outline_at(detection);
