@@ -7,8 +7,8 @@ namespace mbncc {
 /// Measures of a cut's reliability.
 struct CutEvidence {
   double region_touch = 0;  ///< [0..1] part of the outline that lies on the region's edge
-  double cut_off =
-      0;  ///< [0..1] part of the outline beside an intruder, or beside change outside the region
+  double cut_off = 0;  ///< [0..1] part of the outline beside an intruder, or beside pixels outside
+                       ///< the region that look like the object
   double region_span =
       1;  ///< [0..1] extent of the map's box relative to the region's, in the worse direction
   double change_outside = 0;  ///< [0..1] changed part of the strip around the region

@@ -93,7 +93,7 @@ TEST_F(VerdictTest, EverySignalIsARisk) {
 
 TEST_F(VerdictTest, WhatTheCutTellsIsNotGood) {
   CutEvidence touch, outside, beside, unverified;
-  touch.cut_off = 0.07;
+  touch.cut_off = 0.04;
   outside.change_outside = 0.11;
   beside.change_beside = 0.09;
   unverified.verified = false;

@@ -98,6 +98,19 @@ DrawnLesson draw_faint_hook() {
   return drawn;
 }
 
+TEST(ChangeCut, TheObjectIsCutOffWhereItContinuesNotWhereAShadowDoes) {
+  DrawnLesson drawn = draw_lesson();
+  cv::Rect& region = drawn.lesson.region;
+  region = cv::boundingRect(drawn.truth);
+  EXPECT_EQ(cut(drawn.lesson).evidence.cut_off, 0) << "close around it";
+  const cv::Rect right(region.br().x, region.y, 30, region.height);
+  cv::Mat(drawn.scene, right) *= 0.5;
+  drawn.lesson.before = test::exposed(drawn.scene, 11);
+  EXPECT_LT(cut(drawn.lesson).evidence.cut_off, 0.03) << "with a shadow beside the region";
+  region.width = region.width * 7 / 10;
+  EXPECT_GT(cut(drawn.lesson).evidence.cut_off, 0.1);
+}
+
 TEST(ChangeCut, AThinFaintHookIsKept) {
   const DrawnLesson drawn = draw_faint_hook();
   EXPECT_GT(test::iou(cut(drawn.lesson).map, drawn.truth), 0.8);

@@ -42,6 +42,7 @@ class CutEvidenceTest : public testing::Test {
     cut.inside = map_of(region_);
     cut.unary = unary_;
     cut.changed = changed_;
+    cut.object_like = object_like_;
     cut.intruders = intruders_;
     return cut_evidence(cut, smoothness_, half_);
   }
@@ -57,6 +58,7 @@ class CutEvidenceTest : public testing::Test {
   Smoothness smoothness_ = even();
   const Smoothness half_ = half_resolution(even());
   cv::Mat unary_ = cv::Mat(kSize, CV_32FC1, cv::Scalar(-8));
+  cv::Mat object_like_ = map_of(kObject);
   cv::Mat changed_ = cv::Mat_<float>(map_of(kObject)) / 255;
 };
 
@@ -98,11 +100,13 @@ TEST_F(CutEvidenceTest, AMapAtItsRegionsEdgeIsTold) {
 TEST_F(CutEvidenceTest, AnObjectThatTheRegionCutsOffIsTold) {
   prefer(8, -8);
   region_ = cv::Rect(10, 10, kObject.br().x - 10, 40);  // ends where the object does
-  EXPECT_EQ(evidence().cut_off, 0) << "the change ends there, too";
+  EXPECT_EQ(evidence().cut_off, 0) << "it ends there, too";
   changed_(cv::Rect(kObject.br().x, kObject.y, 10, kObject.height)).setTo(1);
+  EXPECT_EQ(evidence().cut_off, 0) << "a change that does not look like it";
+  object_like_(cv::Rect(kObject.br().x, kObject.y, 10, kObject.height)).setTo(255);
   EXPECT_NEAR(evidence().cut_off, kObject.height / 96., 0.07) << "one side of the outline";
   region_ = kRegion;
-  EXPECT_EQ(evidence().cut_off, 0) << "change beside it in the region";
+  EXPECT_EQ(evidence().cut_off, 0) << "beside it in the region";
   intruders_ = map_of({kObject.x, kObject.br().y + 1, kObject.width, 5});
   EXPECT_NEAR(evidence().cut_off, kObject.width / 96., 0.07) << "it may lie below an intruder";
 }

@@ -140,7 +140,7 @@ struct OutlineRisk {
 };
 
 void weigh_evidence(const CutEvidence& evidence, Quality& quality, Charges& charges) {
-  charges.above("touches_region_edge", evidence.cut_off, 0.06, kNever);
+  charges.above("touches_region_edge", evidence.cut_off, 0.03, kNever);
   charges.above("change_outside_region", evidence.change_outside, 0.1, 0.5);
   charges.above("change_left_out", evidence.change_beside, 0.08, kNever);
   const OutlineRisk risk = evidence.verified

@@ -30,6 +30,7 @@ namespace {
 constexpr float kViewLogOdds = 8;    // highest unary of one of two views
 constexpr float kForced = 1000;      // unary of painted pixels
 constexpr float kArrivalUnary = 12;  // log-likelihood ratio given to arrivals
+constexpr float kSurelyObject = 5;   // unary
 constexpr int kFewestPixels = 30;    // least pixels of a seed
 constexpr double kLeastOwn = 0.5;    // part of a map that a shadow leaves to the object, at least
 constexpr float kCovered = 2;   // log-likelihood ratio of pixels that an intruder covers afterwards
@@ -78,7 +79,9 @@ class Cutter {
   }
 
   void cut() {
-    unary_ = next_unary();
+    unary_ = preference();
+    object_like_ = unary_ > kSurelyObject;
+    unary_.setTo(-likelihood::kHighestPreference, ~inside_);
     cut_by_unary(smoothness_);
   }
 
@@ -151,9 +154,10 @@ class Cutter {
 
   CutEvidence evidence() const {
     const cv::Mat room = intruders_.empty() ? inside_ : cv::Mat(inside_ & ~intruders_);
-    CutEvidence evidence = segmentation::cut_evidence(
-        {map_, coarse_, room, unary_, background_.changed, kept_, intruders_, confirmed()},
-        smoothness_, half_);
+    CutEvidence evidence =
+        segmentation::cut_evidence({map_, coarse_, room, unary_, background_.changed, object_like_,
+                                    kept_, intruders_, confirmed()},
+                                   smoothness_, half_);
     evidence.shadow_like = shadow_like_;
     return evidence;
   }
@@ -225,14 +229,13 @@ class Cutter {
     return cv::countNonZero(own) < kLeastOwn * cv::countNonZero(map_) ? map_ : own;
   }
 
-  // Of the object's colours that the map shows now.
-  cv::Mat next_unary() const {
+  // For the object, by the colours that the map shows now, outside the region as well.
+  cv::Mat preference() const {
     const change::ColourMixture object = change::ColourMixture::fit(
         before_, own_colours(), likelihood::colour_weights(background_.changed, map_));
     cv::Mat unary = likelihood::object_preference(before_, object, background_.log_ratio,
                                                   coarse_.empty() ? cv::Mat() : map_);
     if (!other_view_.empty()) unary = clipped(unary) + other_view_;
-    unary.setTo(-likelihood::kHighestPreference, ~inside_);
     return unary;
   }
 
@@ -246,6 +249,7 @@ class Cutter {
   bool shadow_like_ = false;                    // see CutEvidence
   segmentation::Smoothness smoothness_, half_;  // half_: at half resolution
   cv::Mat unary_, coarse_, map_;
+  cv::Mat object_like_;        // see FinishedCut
   cv::Mat intruders_;          // empty, or of the crop's size
   cv::Mat other_view_;         // empty, or of the crop's size
   cv::Mat include_, exclude_;  // both empty, or both of the crop's size

@@ -13,6 +13,7 @@ namespace {
 
 constexpr float kBalanceShift = 2;  // log-odds per pixel by which the re-cuts are tilted
 constexpr float kSurelyChanged = 0.7F;
+constexpr int kAdjoining = 5;  // [px] square about a pixel of the outline
 constexpr int kBeside = 7;  // [px] square about a pixel of the map: its rim is no change beside it
 
 double part(const cv::Mat& of, const cv::Mat& among) {
@@ -47,11 +48,11 @@ double change_beside(const FinishedCut& cut) {
   return cv::countNonZero(beside) / std::max(1.0, static_cast<double>(cv::countNonZero(cut.map)));
 }
 
-// The object may continue beyond the region where the change does, and below an intruder.
+// The object may continue beyond the region where pixels look like it, and below an intruder.
 double cut_off(const FinishedCut& cut) {
-  cv::Mat beyond = (cut.changed > kSurelyChanged) & ~cut.inside;
+  cv::Mat beyond = cut.object_like & ~cut.inside;
   if (!cut.intruders.empty()) beyond |= cut.intruders;
-  cv::dilate(beyond, beyond, cv::Mat::ones(kBeside, kBeside, CV_8U));
+  cv::dilate(beyond, beyond, cv::Mat::ones(kAdjoining, kAdjoining, CV_8U));
   return part(beyond, outline_pixels(cut.map));
 }
 

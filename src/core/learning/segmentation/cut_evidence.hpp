@@ -11,14 +11,15 @@ namespace mbncc::segmentation {
 
 /// Pictures of one crop.
 struct FinishedCut {
-  cv::Mat map;        ///< CV_8UC1
-  cv::Mat coarse;     ///< CV_8UC1, the cut of `unary` at half resolution
-  cv::Mat inside;     ///< CV_8UC1, 255 in the region
-  cv::Mat unary;      ///< CV_32FC1, what the last cut minimised
-  cv::Mat changed;    ///< CV_32FC1, as in BackgroundLikelihood
-  cv::Mat kept;       ///< CV_8UC1 or empty: groups of pixels that lie there are the object's
-  cv::Mat intruders;  ///< CV_8UC1 or empty: covered afterwards by something from outside
-  cv::Mat confirmed;  ///< CV_8UC1 or empty: the operator has painted there
+  cv::Mat map;          ///< CV_8UC1
+  cv::Mat coarse;       ///< CV_8UC1, the cut of `unary` at half resolution
+  cv::Mat inside;       ///< CV_8UC1, 255 in the region
+  cv::Mat unary;        ///< CV_32FC1, what the last cut minimised
+  cv::Mat changed;      ///< CV_32FC1, as in BackgroundLikelihood
+  cv::Mat object_like;  ///< CV_8UC1, surely object as by `unary`, but outside the region as well
+  cv::Mat kept;         ///< CV_8UC1 or empty: groups of pixels that lie there are the object's
+  cv::Mat intruders;    ///< CV_8UC1 or empty: covered afterwards by something from outside
+  cv::Mat confirmed;    ///< CV_8UC1 or empty: the operator has painted there
 };
 
 /// Part [0..1] of the map's outline within two pixels of the region's edge, or beyond.
