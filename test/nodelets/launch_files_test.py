@@ -144,6 +144,23 @@ class Frames(unittest.TestCase):
         self.assertEqual((loaded["/matching/target_frame"], loaded["/learning/gripper_frame"]), ("", ""))
 
 
+class OwnCamera(unittest.TestCase):
+    """The example of a cell with a driver and frames of its own."""
+
+    def test_names_topics_and_frames_to_the_cell(self):
+        arguments = ["../examples/launch/own_camera.launch", "image:=/cell7/cam/image_raw",
+                     "camera_frame:=cell7_cam_optical", "base_frame:=robot_base", "camera_pose:=0.5 0 1.2 1 0 0 0",
+                     "platform_distance:=0.8"]
+        nodes = {node.name: node for node in load(*arguments).nodes}
+        self.assertNotIn("camera", nodes)
+        self.assertEqual(nodes["camera_in_base"].args, "0.5 0 1.2 1 0 0 0 robot_base cell7_cam_optical")
+        for name in ("learning", "matching"):
+            self.assertEqual(dict(nodes[name].remap_args), {"image_raw": "/cell7/cam/image_raw",
+                                                            "camera_info": "/cell7/cam/camera_info"})
+        loaded = parameters(*arguments)
+        self.assertEqual((loaded["/matching/target_frame"], loaded["/matching/platform_distance"]), ("robot_base", 0.8))
+
+
 class Settings(unittest.TestCase):
     def test_of_a_file_are_read_for_a_replay_as_for_a_cell(self):
         with tempfile.NamedTemporaryFile("w", suffix=".yaml") as file:
