@@ -1,6 +1,7 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: BSD-3-Clause
 """Teaches the object of the simulated cell and compares the examples' output with the truth at each place."""
+import atexit
 import math
 import re
 import subprocess
@@ -124,7 +125,6 @@ def main():
         error = printer.check(stamp, compose(grasp, reference), 0.3 - HEIGHT)
         worst["print_poses.py"] = max(worst.get("print_poses.py", 0), error)
         check_body(at["collision_object"])
-    printer.stop()
     for topic, error in sorted(worst.items()):
         print("%s: %.3f mm at worst of %d places" % (topic, 1000 * error, PLACES))
     assert max(worst.values()) < TOLERANCE
@@ -136,6 +136,7 @@ class Printer:
     def __init__(self):
         self._program = subprocess.Popen(["rosrun", "mbncc_vision_examples", "print_poses.py"], stdout=subprocess.PIPE,
                                          universal_newlines=True)
+        atexit.register(self.stop)  # also if a check fails
 
     def check(self, stamp, pose, depth):
         """Returns the error of the position, [m], in the first line about a picture after `stamp`."""
