@@ -1,7 +1,10 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: BSD-3-Clause
 """Teaches the object of the simulated cell and compares the examples' output with the truth at each place."""
+import atexit
 import math
+import re
+import subprocess
 import sys
 import threading
 import time
@@ -104,6 +107,7 @@ def main():
     gripper = relative(shown, (0.01, 0.02, 0))
     reference = relative(gripper_of(known), (0, 0, 0))  # the object frame as seen from the gripper
     worst = {}
+    printer = Printer()
     for _ in range(PLACES):
         truth = session.truth_at_rest(session.order("put_next"))
         stamp = truth.header.stamp
@@ -118,10 +122,36 @@ def main():
             worst[topic] = max(worst.get(topic, 0), error)
             assert abs(found.position.z - depth) < TOLERANCE, (topic, found)
             assert turn(planar(found)[2] - pose[2]) < 0.5, (topic, found, pose)
+        error = printer.check(stamp, compose(grasp, reference), 0.3 - HEIGHT)
+        worst["print_poses.py"] = max(worst.get("print_poses.py", 0), error)
         check_body(at["collision_object"])
     for topic, error in sorted(worst.items()):
         print("%s: %.3f mm at worst of %d places" % (topic, 1000 * error, PLACES))
     assert max(worst.values()) < TOLERANCE
+
+
+class Printer:
+    """The example that prints poses."""
+
+    def __init__(self):
+        self._program = subprocess.Popen(["rosrun", "mbncc_vision_examples", "print_poses.py"], stdout=subprocess.PIPE,
+                                         universal_newlines=True)
+        atexit.register(self.stop)  # also if a check fails
+
+    def check(self, stamp, pose, depth):
+        """Returns the error of the position, [m], in the first line about a picture after `stamp`."""
+        for line in self._program.stdout:
+            if "yaw" not in line:  # rospy's log
+                continue
+            taken, x, y, z, yaw = (float(number) for number in re.findall(r"-?\d+\.\d+", line))
+            if taken > stamp.to_sec() + 1e-3:
+                assert abs(z - depth) < TOLERANCE and turn(math.radians(yaw) - pose[2]) < 0.5, (line, pose)
+                return math.hypot(x - pose[0], y - pose[1])
+        sys.exit("print_poses.py has ended")
+
+    def stop(self):
+        self._program.terminate()
+        self._program.wait(DEADLINE)
 
 
 def gripper_of(known):

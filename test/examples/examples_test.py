@@ -18,7 +18,7 @@ from install_space_test import environment  # noqa: E402
 from own_master import free_port, stop, wait_for  # noqa: E402
 
 MOST_LINES = 59
-PROGRAMS = ("grasp_controller", "grasp_controller.py", "planning_scene.py", "vision_consumer.py")
+PROGRAMS = ("grasp_controller", "grasp_controller.py", "planning_scene.py", "print_poses.py", "vision_consumer.py")
 LAUNCH = """<launch>
   <include file="$(find mbncc_vision)/launch/cell.launch">
     <arg name="simulated" value="true"/>

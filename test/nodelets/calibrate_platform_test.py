@@ -12,10 +12,12 @@ import sys
 import tempfile
 import types
 import unittest
+import unittest.mock
 from importlib.machinery import SourceFileLoader
 
 import cv2
 import numpy as np
+import rospy
 import yaml
 from cv_bridge import CvBridge
 
@@ -116,6 +118,15 @@ class CalibratePlatformTest(unittest.TestCase):
             self.assertTrue(np.array_equal(picture, cv2.cvtColor(grey, cv2.COLOR_GRAY2BGR)), encoding)
         with self.assertRaises(calibrate_platform.Fault):
             calibrate_platform.to_bgr(CvBridge().cv2_to_imgmsg(deep, "16UC1"), 0)
+
+    def test_topics_that_bring_nothing_are_named(self):
+        with unittest.mock.patch("rosgraph.is_master_online", return_value=True), \
+                unittest.mock.patch("rospy.init_node"), \
+                unittest.mock.patch("rospy.resolve_name", side_effect=lambda name: "/cell7/" + name), \
+                unittest.mock.patch("rospy.wait_for_message", side_effect=rospy.ROSException("timeout")):
+            with self.assertRaisesRegex(calibrate_platform.Fault, "on /cell7/image_raw .* on /cell7/camera_info; .*"
+                                        "image_raw:=TOPIC camera_info:=TOPIC"):
+                calibrate_platform.live(types.SimpleNamespace(points=None, count=1))
 
     def test_faults_are_sentences(self):
         cv2.imwrite(self.path("empty.png"), np.full((480, 640), 128, np.uint8))

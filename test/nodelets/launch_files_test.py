@@ -109,8 +109,8 @@ class Pictures(unittest.TestCase):
             self.assertEqual(self.of(cell + "/learning", name, *self.ARGUMENTS), learning)
             self.assertEqual(self.of(cell + "/matching", name, *self.ARGUMENTS), self.WANTED)
         self.assertEqual(self.of("/right/matching", "cells.launch", *self.ARGUMENTS), self.WANTED)
-        replayed = self.of("/matching", "replay.launch", "bag:=x.bag", *self.ARGUMENTS[:2])
-        self.assertEqual((replayed["image_transport"], replayed["white_level"]), ("compressed", 4095))
+        self.assertEqual(self.of("/learning", "replay.launch", "bag:=x.bag", *self.ARGUMENTS), learning)
+        self.assertEqual(self.of("/matching", "replay.launch", "bag:=x.bag", *self.ARGUMENTS), self.WANTED)
 
     def test_of_the_rectify_nodelet_are_plain(self):
         arguments = ["cell.launch", "rectify:=true"] + self.ARGUMENTS
@@ -127,9 +127,11 @@ class Pictures(unittest.TestCase):
 
 class Frames(unittest.TestCase):
     def test_are_those_asked_for(self):
-        loaded = parameters("cell.launch", "target_frame:=base_link", "gripper_frame:=tool0")
-        self.assertEqual(loaded["/matching/target_frame"], "base_link")
-        self.assertEqual(loaded["/learning/gripper_frame"], "tool0")
+        for name in (["cell.launch"], ["replay.launch", "bag:=x.bag"]):
+            loaded = parameters(*name, "target_frame:=base_link", "gripper_frame:=tool0", "tf_prefix:=left_")
+            self.assertEqual(loaded["/matching/target_frame"], "base_link")
+            self.assertEqual(loaded["/matching/tf_prefix"], "left_")
+            self.assertEqual(loaded["/learning/gripper_frame"], "tool0")
 
     def test_of_poses_are_the_same_wherever_pictures_come_from(self):
         for arguments, matching in ((["cells.launch"], "/left/matching"), (["cells.launch"], "/right/matching"),
@@ -140,6 +142,33 @@ class Frames(unittest.TestCase):
     def test_are_those_of_the_files_otherwise(self):
         loaded = parameters("cell.launch")
         self.assertEqual((loaded["/matching/target_frame"], loaded["/learning/gripper_frame"]), ("", ""))
+
+
+class OwnCamera(unittest.TestCase):
+    """The example of a cell with a driver and frames of its own."""
+
+    def test_names_topics_and_frames_to_the_cell(self):
+        arguments = ["../examples/launch/own_camera.launch", "image:=/cell7/cam/image_raw",
+                     "camera_frame:=cell7_cam_optical", "base_frame:=robot_base", "camera_pose:=0.5 0 1.2 1 0 0 0",
+                     "platform_distance:=0.8"]
+        nodes = {node.name: node for node in load(*arguments).nodes}
+        self.assertNotIn("camera", nodes)
+        self.assertEqual(nodes["camera_in_base"].args, "0.5 0 1.2 1 0 0 0 robot_base cell7_cam_optical")
+        for name in ("learning", "matching"):
+            self.assertEqual(dict(nodes[name].remap_args), {"image_raw": "/cell7/cam/image_raw",
+                                                            "camera_info": "/cell7/cam/camera_info"})
+        loaded = parameters(*arguments)
+        self.assertEqual((loaded["/matching/target_frame"], loaded["/matching/platform_distance"]), ("robot_base", 0.8))
+
+
+class Settings(unittest.TestCase):
+    def test_of_a_file_are_read_for_a_replay_as_for_a_cell(self):
+        with tempfile.NamedTemporaryFile("w", suffix=".yaml") as file:
+            file.write("{min_score: 0.625, still_time: 0.75}")
+            file.flush()
+            for name in (["cell.launch"], ["replay.launch", "bag:=x.bag"]):
+                loaded = parameters(*name, "matching_config:=" + file.name, "learning_config:=" + file.name)
+                self.assertEqual((loaded["/matching/min_score"], loaded["/learning/still_time"]), (0.625, 0.75))
 
 
 class Manager(unittest.TestCase):

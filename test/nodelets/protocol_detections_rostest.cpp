@@ -65,6 +65,26 @@ TEST_F(Protocol, DiagnosticsTellThatNoPictureIsUsable) {
   }));
 }
 
+TEST_F(Protocol, DiagnosticsTellByHowMuchAPictureIsLate) {
+  const ros::WallTimer playing = node_.createWallTimer(ros::WallDuration(0.1), [this](const auto&) {
+    sensor_msgs::Image image = before_;
+    image.header.stamp = ros::Time::now() - ros::Duration(10000);
+    images_.publish(image);
+  });
+  EXPECT_TRUE(spin_until([this] {
+    return health_is("matching", diagnostic_msgs::DiagnosticStatus::ERROR,
+                     "no usable picture: a picture's stamp is late, by 1e+04 s; ");
+  }));
+}
+
+TEST_F(Protocol, DiagnosticsNameTheTopicThatHasNoPublisher) {
+  images_.shutdown();
+  EXPECT_TRUE(spin_until([this] {
+    return health_is("matching", diagnostic_msgs::DiagnosticStatus::ERROR,
+                     "no publisher of pictures on /image_raw; ");
+  }));
+}
+
 TEST_F(Protocol, AMissingLibraryFolderIsAnErrorAndRefusesGoals) {
   std::string folder;
   ASSERT_TRUE(ros::param::get("learning/library_path", folder));

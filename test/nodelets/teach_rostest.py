@@ -69,6 +69,9 @@ class Teach(unittest.TestCase):
         code, said = self.lesson("perhaps\nn\n", "declined")
         self.assertEqual(code, 1, said)
         self.assertIn("y/n", said)
+        code, said = self.lesson("", "unanswered")
+        self.assertEqual(code, 1, said)
+        self.assertIn("no answer on the standard input, so it is not stored; --yes stores", said)
         self.assertEqual(known_names(), ["agreed"])
         self.assertEqual(rospy.ServiceProxy("list_objects", ListObjects)().objects[0].symmetry,
                          LearnObjectGoal.SYMMETRY_ROUND)

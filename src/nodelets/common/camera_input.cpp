@@ -12,6 +12,10 @@ namespace {
 
 constexpr std::chrono::seconds kSilence{5};  // after which pictures have stopped
 
+std::string nobody_publishes(const std::string& topic) {
+  return "no publisher of pictures on " + topic + "; start the camera, or check the image topic";
+}
+
 }  // namespace
 
 CameraInput::CameraInput(ros::NodeHandle node, const std::string& transport, double max_info_age,
@@ -87,7 +91,7 @@ std::string CameraInput::fault() const {
   const std::lock_guard<std::mutex> lock(mutex_);
   if (!transport_fault_.empty()) return transport_fault_;
   if (!images_) return "";
-  if (images_.getNumPublishers() == 0) return kNobodyPublishes;
+  if (images_.getNumPublishers() == 0) return nobody_publishes(images_.getTopic());
   return Clock::now() - image_came_ > kSilence ? kPicturesStopped : "";
 }
 

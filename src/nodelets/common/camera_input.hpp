@@ -15,16 +15,13 @@
 
 namespace mbncc::nodelets {
 
-/// Message if publishers() is 0.
-constexpr char kNobodyPublishes[] =
-    "no publisher of pictures; start the camera, or check the image topic";
-
 /// Message if no picture has arrived for some time.
 constexpr char kPicturesStopped[] = "pictures have stopped; check the camera and its cable";
 
 /// Message if camera_info_for() is null.
 constexpr char kNoCameraInfo[] =
-    "no camera_info of this picture's size and frame has come within max_info_age; check its topic";
+    "no camera_info of this picture's size and frame has come within max_info_age; compare "
+    "its topic, size and frame_id with those of the pictures";
 
 class CameraInput {
  public:

@@ -32,9 +32,16 @@ void wait_for_transform(const tf2_ros::Buffer& tf, const std::string& target,
 }
 
 std::string tf_fault(const tf2::TransformException& error) {
-  const std::string words = error.what();
-  const bool lags = words.find("into the future") != std::string::npos;
-  return words + (lags ? "; a robot's tf that lags behind is waited for with tf_wait" : "");
+  std::string words = error.what();
+  words.erase(words.find_last_not_of(" .") + 1);  // of tf's own sentence
+  if (words.find("into the future") != std::string::npos)
+    return words + "; a robot's tf that lags behind is waited for with tf_wait";
+  const bool unconnected = dynamic_cast<const tf2::LookupException*>(&error) != nullptr ||
+                           dynamic_cast<const tf2::ConnectivityException*>(&error) != nullptr;
+  return words + (unconnected
+                      ? "; publish the transforms between camera and robot (a fixed camera: "
+                        "static_transform_publisher), or correct the frame's name"
+                      : "");
 }
 
 }  // namespace mbncc::nodelets

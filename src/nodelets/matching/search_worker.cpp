@@ -3,6 +3,8 @@
 
 #include <ros/console.h>
 
+#include <cmath>
+#include <cstdio>
 #include <utility>
 
 #include "mbncc/error.hpp"
@@ -12,6 +14,23 @@
 namespace mbncc::nodelets {
 
 using mbncc_vision::DetectedObjectArray;
+
+namespace {
+
+/// `age` [s] of the picture by this machine's clock.
+std::string stamp_fault(StampGate::Verdict verdict, double age) {
+  std::string fault = std::string("a picture's stamp is ") + to_string(verdict);
+  if (verdict == StampGate::Verdict::kLate || verdict == StampGate::Verdict::kAhead) {
+    char seconds[32];
+    std::snprintf(seconds, sizeof seconds, ", by %.3g s", std::abs(age));
+    fault += seconds;
+  }
+  return fault +
+         "; compare the clocks, check use_sim_time, max_age and max_ahead, and play bags by "
+         "replay.launch";
+}
+
+}  // namespace
 
 SearchWorker::SearchWorker(const SearchTools& tools)
     : tools_(tools),
@@ -93,14 +112,14 @@ void SearchWorker::publish(const Detections& detections, const cv::Mat& picture)
 
 bool SearchWorker::admit(const std_msgs::Header& header) {
   using Verdict = StampGate::Verdict;
-  const Verdict verdict = gate_.judge(header.stamp.toSec(), ros::Time::now().toSec());
+  const double now = ros::Time::now().toSec();
+  const Verdict verdict = gate_.judge(header.stamp.toSec(), now);
   if (verdict == Verdict::kRestarted) {
     start_over();
   } else if (verdict != Verdict::kFresh) {
-    statistics_.change([verdict](SearchStatistics& statistics) {
+    statistics_.change([&](SearchStatistics& statistics) {
       ++statistics.badly_stamped;
-      statistics.last_fault = std::string("a picture's stamp is ") + to_string(verdict) +
-                              "; compare the clocks, and check use_sim_time, max_age and max_ahead";
+      statistics.last_fault = stamp_fault(verdict, now - header.stamp.toSec());
     });
     return false;
   }

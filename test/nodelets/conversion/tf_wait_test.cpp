@@ -75,6 +75,25 @@ std::string fault_at(const tf2_ros::Buffer& tf, const ros::Time& stamp) {
   }
 }
 
+TEST(TfFault, NamesTheRemedyForFramesThatAreNotConnected) {
+  const std::string remedy = "; publish the transforms";
+  tf2_ros::Buffer tf;
+  EXPECT_NE(fault_at(tf, kStamp).find("does not exist" + remedy), std::string::npos)
+      << fault_at(tf, kStamp);
+  geometry_msgs::TransformStamped other = base_to_camera(kStamp);
+  tf.setTransform(other, "robot");
+  other.header.frame_id = "world";
+  other.child_frame_id = "table";
+  tf.setTransform(other, "robot");
+  try {
+    tf.lookupTransform("base", "table", kStamp);
+    FAIL();
+  } catch (const tf2::TransformException& error) {
+    EXPECT_NE(tf_fault(error).find(remedy), std::string::npos) << tf_fault(error);
+  }
+  EXPECT_EQ(fault_at(tf, kStamp - ros::Duration(1)).find(remedy), std::string::npos);
+}
+
 TEST(TfFault, NamesTheRemedyOnlyWhereWaitingHelps) {
   tf2_ros::Buffer tf;
   EXPECT_EQ(fault_at(tf, kStamp).find("tf_wait"), std::string::npos) << "nobody knows the frames";
