@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What the operator does with the library: edits and their undo, export, import, earlier revisions.
+// What the operator does with the library: edits and their undo, export, import, what the
+// trash has.
 #pragma once
 
 #ifndef Q_MOC_RUN
@@ -40,6 +41,8 @@ class LibraryController : public QObject {
   void export_object(const QString& name);
   void import_object();
   void show_history(const QString& name);
+  void show_deleted();
+  void restore(const QString& name, std::uint32_t revision);
 
   RosLink& ros_;
   LibraryStrip& strip_;

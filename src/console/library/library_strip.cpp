@@ -54,7 +54,7 @@ LibraryStrip::LibraryStrip(QWidget* parent)
       delete_(
           make_button("De&lete", "Take it out of the library; Undo edit brings it back", "Alt+L")),
       undo_(make_button("Undo &edit", "Take the last change of the library back", "Alt+E")),
-      more_(make_button("M&ore", "Export, import, earlier revisions", "Alt+O")) {
+      more_(make_button("M&ore", "Export, import, earlier revisions, deleted objects", "Alt+O")) {
   search_->setPlaceholderText("search the library");
   search_->setClearButtonEnabled(true);
   list_->setViewMode(QListView::IconMode);
@@ -92,9 +92,11 @@ QMenu* LibraryStrip::make_menu() {
   export_ = menu->addAction("Export the chosen object as a file ...");
   auto* import = menu->addAction("Import an object from a file ...");
   history_ = menu->addAction("Earlier revisions of the chosen object ...");
+  auto* deleted = menu->addAction("Deleted objects ...");
   connect(export_, &QAction::triggered, [this] { Q_EMIT export_wanted(chosen()); });
   connect(import, &QAction::triggered, this, &LibraryStrip::import_wanted);
   connect(history_, &QAction::triggered, [this] { Q_EMIT history_wanted(chosen()); });
+  connect(deleted, &QAction::triggered, this, &LibraryStrip::deleted_wanted);
   return menu;
 }
 

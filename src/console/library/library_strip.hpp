@@ -39,6 +39,7 @@ class LibraryStrip : public QWidget {
   void export_wanted(QString name);
   void import_wanted();
   void history_wanted(QString name);
+  void deleted_wanted();
 
  private:
   QListWidgetItem* make_item(const mbncc_vision::LearnedObject& object);
