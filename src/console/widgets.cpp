@@ -81,4 +81,12 @@ void show_level(QLabel* label, Level level, const QString& text) {
                            .arg(colour_of(level), ink_on(level)));
 }
 
+void show_alarm(QLabel* label, Level level) {
+  const bool alarming = level == Level::kBad || level == Level::kDoubtful;
+  label->setStyleSheet(
+      alarming ? QString("background: %1; color: %2; font-weight: bold; padding: 0px 6px")
+                     .arg(colour_of(level), ink_on(level))
+               : "");
+}
+
 }  // namespace mbncc::console

@@ -39,4 +39,7 @@ void choose_symmetry(QComboBox* box, std::uint8_t value);
 /// Symbol and `text`, in the level's colour.
 void show_level(QLabel* label, Level level, const QString& text);
 
+/// Colours a sentence that complains; others stay plain.
+void show_alarm(QLabel* label, Level level);
+
 }  // namespace mbncc::console

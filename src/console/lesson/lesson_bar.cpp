@@ -134,11 +134,7 @@ void LessonBar::take_keyboard() {
 void LessonBar::show_detail(const Notice::Line& line) {
   detail_->setText(QString::fromStdString(line.text));
   detail_->setToolTip(detail_->text());
-  const bool alarming = line.level == Level::kBad || line.level == Level::kDoubtful;
-  detail_->setStyleSheet(
-      alarming ? QString("background: %1; color: %2; font-weight: bold; padding: 0px 6px")
-                     .arg(colour_of(line.level), ink_on(line.level))
-               : "");
+  show_alarm(detail_, line.level);
 }
 
 mbncc_vision::LearnObjectGoal LessonBar::goal() const {

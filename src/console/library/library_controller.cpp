@@ -35,6 +35,8 @@ void LibraryController::take_edit(const Edit& request, bool success, const QStri
   undoing_ = false;
   if (success)
     Q_EMIT edited();
+  else if (request.command == Edit::RENAME)
+    strip_.complain("Not renamed: " + message);
   else
     Q_EMIT told(false, "Library: " + message);
   if (success && request.command == Edit::RENAME)
