@@ -235,6 +235,8 @@ void ConsoleWidget::connect_library() {
     const auto enabled = std::count_if(objects.begin(), objects.end(),
                                        [](const auto& object) { return object.enabled; });
     lamps_.take_library(objects.size(), static_cast<std::size_t>(enabled));
+    if (lesson_.take_library(objects)) withdraw_question();
+    show_lesson();
   });
   connect(library_, &LibraryController::told, this, &ConsoleWidget::tell);
   connect(library_, &LibraryController::edited, this, [this] { lesson_bar_->clear_notice(); });
