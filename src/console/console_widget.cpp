@@ -281,6 +281,7 @@ void ConsoleWidget::ask_about_name(const std::string& name) {
   lesson_bar_->clear_notice();
   const std::string other = free_name(name, library_->library().names());
   lesson_bar_->ask(
+      "The name is taken",
       {Level::kUnknown, "'" + name +
                             "' is in the library already. Replace it, add a view to "
                             "it, or teach this one under the new name '" +
@@ -335,7 +336,7 @@ void ConsoleWidget::offer_next_view(const std::string& name) {
       goes_on ? " Turn '" + name + "' a little or change the light, then press Space."
               : " Is it to be found in other light as well?";
   lesson_bar_->ask(
-      {lesson_.level(), lesson_.detail() + question},
+      "", {lesson_.level(), lesson_.detail() + question},
       {{goes_on ? "Ne&xt view (Space)" : "Teach anothe&r view",
         "Lay the object down in another position before you press this",
         [this, name] {
