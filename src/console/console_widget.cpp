@@ -379,6 +379,7 @@ void ConsoleWidget::connect_explanation() {
   connect(picture_, &PictureView::place_chosen, this, [this](QPointF place) {
     lesson_bar_->clear_notice();
     explanation_->ask();
+    explained_caption_ = still_caption();
     side_->setCurrentWidget(explanation_);
     ros_.explain(place);
   });
@@ -391,8 +392,10 @@ void ConsoleWidget::connect_explanation() {
   connect(threshold_controller_, &ThresholdController::found, this, [this] {
     if (!lesson_.may_teach()) return;
     side_->setCurrentWidget(threshold_pane_);
-    threshold_controller_->begin(strip_->chosen());
+    threshold_controller_->begin(strip_->chosen(), library_->library());
   });
+  connect(threshold_controller_, &ThresholdController::own_wanted, library_,
+          &LibraryController::set_threshold);
   connect(threshold_pane_, &ThresholdPane::closed, this, &ConsoleWidget::end_explanation);
   connect(explanation_, &ExplainPane::closed, this, &ConsoleWidget::end_explanation);
 }
@@ -432,7 +435,7 @@ void ConsoleWidget::ask_for_place() {
 void ConsoleWidget::show_explanation(bool success, const QString& lines, const QImage& picture) {
   if (!explains()) return;
   explanation_->show_answer(success, lines);
-  if (!picture.isNull()) picture_->show_picture(picture, picture.size(), {}, "Why, in one picture");
+  if (!picture.isNull()) picture_->show_picture(picture, picture.size(), {}, explained_caption_);
 }
 
 void ConsoleWidget::end_explanation() {

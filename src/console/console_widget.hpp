@@ -78,6 +78,7 @@ class ConsoleWidget : public QWidget {
   void show_lesson();
   void show_draft();
   void end_review();
+  QString live_caption(bool searched) const;
   void show_live(const QImage& picture, QSize size,
                  const mbncc_vision::DetectedObjectArray* detections);
 
@@ -90,6 +91,7 @@ class ConsoleWidget : public QWidget {
   LivePicture live_;
   double detections_at_ = -1e9, detections_age_ = 0, picture_at_ = -1e9;
   QImage lesson_picture_;  // of the draft, without annotations
+  QString explained_caption_, origin_warning_;
 
   LampRow* lamp_row_;
   LessonBar* lesson_bar_;

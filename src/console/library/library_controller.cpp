@@ -8,6 +8,17 @@
 #include "console/library/trash_dialog.hpp"
 
 namespace mbncc::console {
+namespace {
+
+QString threshold_sentence(const mbncc_vision::EditObject::Request& request) {
+  const QString name = QString::fromStdString(request.name);
+  if (request.clear) return "'" + name + "' has no min_score of its own any more.";
+  return QString("'%1' has its own min_score now, %2. Undo edit takes it back.")
+      .arg(name)
+      .arg(static_cast<double>(request.min_score), 0, 'f', 2);
+}
+
+}  // namespace
 
 LibraryController::LibraryController(RosLink& ros, LibraryStrip& strip, QObject* parent)
     : QObject(parent), ros_(ros), strip_(strip) {
@@ -50,6 +61,12 @@ void LibraryController::take_edit(const Edit& request, bool success, const QStri
   else if (success)
     library_.done(request);
   strip_.show_objects(library_);
+  if (success && request.command == Edit::SET_THRESHOLD)
+    Q_EMIT told(true, threshold_sentence(request));
+}
+
+void LibraryController::set_threshold(const QString& name, double min_score) {
+  ros_.edit(library_.set_threshold(name.toStdString(), min_score));
 }
 
 void LibraryController::undo() {

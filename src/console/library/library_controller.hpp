@@ -25,6 +25,8 @@ class LibraryController : public QObject {
   const LibraryModel& library() const { return library_; }
   /// A lesson changed the object, which "Undo edit" can take back.
   void retaught(const std::string& name) { library_.retaught(name); }
+  /// Gives the object its own min_score, 0: none.
+  void set_threshold(const QString& name, double min_score);
 
  Q_SIGNALS:
   /// The answer to what the operator did.

@@ -5,6 +5,7 @@
 #include <QMouseEvent>
 #include <QPainter>
 #include <QPainterPath>
+#include <QTime>
 #include <QWheelEvent>
 #include <algorithm>
 #include <cmath>
@@ -58,6 +59,10 @@ std::vector<cv::Point2f> points_of(const geometry_msgs::Polygon& polygon) {
 
 }  // namespace
 
+QString still_caption() {
+  return "Still picture of " + QTime::currentTime().toString("hh:mm:ss");
+}
+
 PictureView::PictureView(QWidget* parent) : QWidget(parent) {
   setMinimumSize(320, 240);
   setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
@@ -71,17 +76,23 @@ void PictureView::show_picture(const QImage& picture, QSize size, const std::vec
   picture_ = picture;
   size_ = size;
   marks_ = marks;
-  caption_ = caption;
+  set_caption(caption);
   outdated_ = false;
   fit();
   update();
   if (reshaped) Q_EMIT shape_changed();
 }
 
+void PictureView::set_caption(const QString& caption) {
+  if (caption == caption_) return;
+  caption_ = caption;
+  setAccessibleDescription(caption);
+}
+
 void PictureView::show_age(const QString& warning) {
   if (picture_.isNull()) return;
   outdated_ = true;
-  caption_ = warning;
+  set_caption(warning);
   update();
 }
 

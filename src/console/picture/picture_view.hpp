@@ -17,6 +17,9 @@
 
 namespace mbncc::console {
 
+/// "Still picture of 12:03:05": now, so that it is not taken for a live one.
+QString still_caption();
+
 class PictureView : public QWidget {
   Q_OBJECT
 
@@ -70,6 +73,7 @@ class PictureView : public QWidget {
 
  private:
   void fit();
+  void set_caption(const QString& caption);
   void show_cursor();
   QPointF on_widget(cv::Point2d picture) const;
   cv::Point2f on_picture(const QPointF& widget) const;
