@@ -29,6 +29,7 @@ using What = TeachingWish::What;
 constexpr int kTick = 200;       // [ms]
 constexpr int kSideWidth = 400;  // [px] at least
 constexpr double kStep = 1.25;   // of the picture's size, by a key
+constexpr const char* kLessonCaption = "Still picture: before the object left";
 
 // As the preview draws them.
 double axes_length(const QSize& picture) {
@@ -255,6 +256,10 @@ void ConsoleWidget::connect_cell() {
   });
   connect(&ros_, &RosLink::diagnostics_heard, this,
           [this](const auto& diagnostics) { lamps_.take_diagnostics(diagnostics, now()); });
+  connect(&ros_, &RosLink::origin_heard, this, [this](const QString& warning) {
+    origin_warning_ = warning;
+    lamps_.take_origin(warning.toStdString());
+  });
   connect(&ros_, &RosLink::picture_heard, this, [this](const QImage& picture, QSize size) {
     picture_at_ = now();
     lamps_.take_picture(now());
@@ -411,7 +416,7 @@ void ConsoleWidget::connect_calibration() {
   connect(&ros_, &RosLink::calibration_kept, calibration_, &CalibrationPane::show_kept);
   connect(&ros_, &RosLink::picture_heard, this, [this](const QImage& picture, QSize size) {
     if (side_->currentWidget() != calibration_) return;
-    picture_->show_picture(picture, size, calibration_->take(picture, size), "Live");
+    picture_->show_picture(picture, size, calibration_->take(picture, size), live_caption(false));
   });
 }
 
@@ -517,9 +522,15 @@ void ConsoleWidget::show_draft() {
   const QImage preview = to_qimage(to_rgb(draft.preview));
   picture_->tool().set_axes(draft.object.reference, axes_length(preview.size()));
   if (lesson_picture_.size() == preview.size())
-    picture_->show_picture(lesson_picture_, preview.size(), marks_of(draft), "");
+    picture_->show_picture(lesson_picture_, preview.size(), marks_of(draft), kLessonCaption);
   else
-    picture_->show_picture(preview, preview.size(), {}, "");
+    picture_->show_picture(preview, preview.size(), {}, kLessonCaption);
+}
+
+QString ConsoleWidget::live_caption(bool searched) const {
+  if (!origin_warning_.isEmpty()) return origin_warning_;
+  if (lesson_.waits_for_scene()) return "Live, changes tinted orange";
+  return searched ? QString("Live, %1 s old").arg(detections_age_, 0, 'f', 1) : "Live";
 }
 
 void ConsoleWidget::show_live(const QImage& picture, QSize size,
@@ -528,9 +539,7 @@ void ConsoleWidget::show_live(const QImage& picture, QSize size,
   const bool teaching = lesson_.phase() == LessonModel::Phase::kRunning;
   if (!live_.take(detections != nullptr, teaching, now())) return;
   picture_->show_picture(picture, size, detections ? marks_of(*detections) : std::vector<Mark>{},
-                         lesson_.waits_for_scene() ? "Live, changes tinted orange"
-                         : detections ? QString("Live, %1 s old").arg(detections_age_, 0, 'f', 1)
-                                      : QString("Live"));
+                         live_caption(detections != nullptr));
 }
 
 }  // namespace mbncc::console

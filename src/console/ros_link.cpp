@@ -155,6 +155,8 @@ void RosLink::take_picture(const sensor_msgs::ImageConstPtr& message) {
   cv::Mat picture = small(live_rgb(*message));
   if (picture.empty()) return;
   note_shown(message);
+  origin_.take(message, ros::Time::now());
+  Q_EMIT origin_heard(QString::fromStdString(origin_.warning()));
   if (changes_wanted_)
     picture = tint_.tint(picture);
   else

@@ -19,6 +19,7 @@
 #include <sensor_msgs/CameraInfo.h>
 #include <sensor_msgs/Image.h>
 
+#include "console/picture/picture_origin.hpp"
 #include "console/picture/pictures.hpp"
 #include "console/thresholds/threshold_preview.hpp"
 #endif
@@ -94,6 +95,8 @@ class RosLink : public QObject {
   void diagnostics_heard(diagnostic_msgs::DiagnosticArray diagnostics);
   /// A picture of the camera, possibly scaled down, and its original size [px].
   void picture_heard(QImage picture, QSize size);
+  /// Why the camera's pictures are not live; "": they are. Precedes each picture_heard().
+  void origin_heard(QString warning);
   /// The same for a picture with `detections`.
   void searched_heard(QImage picture, QSize size, mbncc_vision::DetectedObjectArray detections);
   /// The learning picture of the lesson's draft.
@@ -132,6 +135,7 @@ class RosLink : public QObject {
   ros::NodeHandle node_;
   int goals_ = 0;
   std::atomic<bool> changes_wanted_{false};
+  PictureOrigin origin_;                           // of the spinner's thread
   ChangeTint tint_;                                // of the spinner's thread
   std::deque<sensor_msgs::ImageConstPtr> newest_;  // of the spinner's thread, in order
   std::mutex shown_mutex_;
