@@ -29,6 +29,7 @@ using What = TeachingWish::What;
 constexpr int kTick = 200;       // [ms]
 constexpr int kSideWidth = 400;  // [px] at least
 constexpr double kStep = 1.25;   // of the picture's size, by a key
+constexpr const char* kRegionTip = "Draw a box; nothing is searched outside of it";
 constexpr const char* kLessonCaption = "Still picture: before the object left";
 
 // As the preview draws them.
@@ -63,6 +64,7 @@ ConsoleWidget::ConsoleWidget(const Names& names, QWidget* parent)
   connect_cell();
   connect_explanation();
   connect_calibration();
+  connect_region();
   connect(&timer_, &QTimer::timeout, this, &ConsoleWidget::look_at_clock);
   timer_.start(kTick);
   look_at_clock();
@@ -126,6 +128,8 @@ QWidget* ConsoleWidget::make_picture_bar() {
   row->addStretch(1);
   thresholds_ = make_button("Thresholds", "The effect of other thresholds in this picture", "S");
   camera_ = make_button("Camera", "Focus, exposure and calibration", "K");
+  region_ = make_button("Search region", kRegionTip, "G");
+  row->addWidget(region_);
   row->addWidget(camera_);
   row->addWidget(thresholds_);
   row->addWidget(why_);
@@ -162,6 +166,7 @@ void ConsoleWidget::make_shortcuts() {
   on_key(Qt::CTRL + Qt::Key_N, this, [this] { lesson_bar_->take_keyboard(); });
   on_key(Qt::Key_W, this, [this] { ask_for_place(); });
   on_key(Qt::Key_K, this, [this] { camera_->click(); });
+  on_key(Qt::Key_G, this, [this] { region_->click(); });
   on_key(Qt::Key_S, this, [this] { begin_thresholds(); });
   on_key(Qt::Key_H, this, [this] { marks_->toggle(); });
   for (const int key : {Qt::Key_Plus, Qt::Key_Equal})
@@ -420,6 +425,38 @@ void ConsoleWidget::connect_calibration() {
   });
 }
 
+void ConsoleWidget::connect_region() {
+  connect(region_, &QPushButton::clicked, this, &ConsoleWidget::ask_for_region);
+  connect(picture_, &PictureView::region_chosen, this, [this](const QRect& region) {
+    lesson_bar_->clear_notice();
+    ros_.set_search_region(region);
+  });
+  connect(&ros_, &RosLink::search_region_heard, this, &ConsoleWidget::show_region);
+  connect(&ros_, &RosLink::search_region_set, this, &ConsoleWidget::tell);
+}
+
+/// The same button takes the region away.
+void ConsoleWidget::ask_for_region() {
+  if (!lesson_.may_teach()) return;
+  end_explanation();
+  if (!searched_.isEmpty()) return ros_.set_search_region({});
+  picture_->ask_for_place(false);
+  picture_->ask_for_region(true);
+  picture_->setFocus();
+  lesson_bar_->say({Level::kUnknown,
+                    "Draw a box around all places where objects are to be found, by the mouse, or "
+                    "by arrow keys and Space at two corners; Esc cancels."},
+                   now());
+}
+
+void ConsoleWidget::show_region(const QRect& region) {
+  searched_ = region;
+  relabel(region_, region.isEmpty() ? "Search region" : "Search everywhere");
+  region_->setToolTip(QString(region.isEmpty() ? kRegionTip : "Search the whole picture again") +
+                      " (G)");
+  show_lesson();
+}
+
 bool ConsoleWidget::explains() const {
   return side_->currentWidget() == explanation_ || side_->currentWidget() == calibration_ ||
          side_->currentWidget() == threshold_pane_;
@@ -428,6 +465,7 @@ bool ConsoleWidget::explains() const {
 void ConsoleWidget::ask_for_place() {
   if (!lesson_.may_teach()) return;
   end_explanation();
+  picture_->ask_for_region(false);
   picture_->ask_for_place(true);
   picture_->setFocus();
   lesson_bar_->say({Level::kUnknown,
@@ -461,6 +499,8 @@ void ConsoleWidget::escape() {
     end_explanation();
   else if (picture_->asks_for_place())
     picture_->ask_for_place(false);
+  else if (picture_->asks_for_region())
+    picture_->ask_for_region(false);
   else if (lesson_.draft() && !picture_->give_up())
     review_->choose_tool(Tool::kNone);
   else if (!lesson_.draft())
@@ -492,13 +532,16 @@ void ConsoleWidget::show_lesson() {
   review_->show_lesson(lesson_);
   strip_->setEnabled(lesson_.phase() != LessonModel::Phase::kNoServer);
   strip_->allow_teaching(lesson_.may_teach());
-  for (auto* button : {why_, thresholds_}) button->setEnabled(lesson_.may_teach());
+  for (auto* button : {why_, thresholds_, region_}) button->setEnabled(lesson_.may_teach());
+  if (!lesson_.may_teach() && picture_->asks_for_region()) picture_->ask_for_region(false);
   // A camera is calibrated before the cell is complete.
   const bool idle = lesson_.may_teach() || lesson_.phase() == LessonModel::Phase::kNoServer;
   camera_->setEnabled(idle);
   if (!idle) end_explanation();
   picture_->show_waiting(lesson_.waiting());
   ros_.show_changes(lesson_.waits_for_scene());
+  const bool searches = !lesson_.draft() && side_->currentWidget() != calibration_;
+  picture_->show_region(searches ? searched_ : QRect());
   space_->setEnabled(!viewed_.empty() && lesson_.may_teach() && !picture_->asks_for_place());
   if (lesson_.draft_number() == draft_shown_) return;
   draft_shown_ = lesson_.draft_number();

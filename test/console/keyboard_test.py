@@ -137,6 +137,12 @@ class KeyboardTest(unittest.TestCase):
         self.keys("Escape")
         wait_for(lambda: not self.teacher.mouse.sees("Back to live"), "the live picture is back")
 
+    def test_6_a_search_region_is_drawn(self):
+        self.keys("g", "space", *["Right"] * 8, *["Down"] * 8, "space")
+        self.teacher.mouse.window("Search everywhere")
+        self.keys("g")
+        self.teacher.mouse.window("Search region")
+
 
 class Report(unittest.TextTestResult):
     def addError(self, test, error):
