@@ -520,11 +520,18 @@ void ConsoleWidget::look_at_clock() {
   }
   lamp_row_->show_lamps(lamps_.look(now()));
   if (now() - detections_at_ > Lamps::kSilence) detections_->clear_rows();
-  // An old picture must not be mistaken for the live one.
-  if (!lesson_.draft() && !explains() && live_.age(now()) > Lamps::kSilence)
-    picture_->show_age(QString("OLD PICTURE: nothing has arrived for %1 s")
-                           .arg(static_cast<int>(live_.age(now()))));
+  warn_of_old_picture();
   show_lesson();
+}
+
+/// It must not be mistaken for the live one.
+void ConsoleWidget::warn_of_old_picture() {
+  const bool calibrates = side_->currentWidget() == calibration_;
+  if (lesson_.draft() || (explains() && !calibrates)) return;
+  const double age = calibrates ? now() - picture_at_ : live_.age(now());
+  if (age > Lamps::kSilence)
+    picture_->show_age(
+        QString("OLD PICTURE: nothing has arrived for %1 s").arg(static_cast<int>(age)));
 }
 
 void ConsoleWidget::show_lesson() {

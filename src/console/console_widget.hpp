@@ -78,6 +78,7 @@ class ConsoleWidget : public QWidget {
   void end_explanation();
   void begin_thresholds();
   void look_at_clock();
+  void warn_of_old_picture();
   void show_lesson();
   void show_draft();
   void end_review();

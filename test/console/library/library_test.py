@@ -80,6 +80,13 @@ class LibraryTest(unittest.TestCase):
         self.report.wait_until_silent("name has no spaces")
         self.assertEqual(set(self.teacher.names()), {"angle", "clamp"})
 
+    def test_2b_the_question_about_a_taken_name_has_its_headline(self):
+        self.mouse.write("name", "clamp")
+        self.mouse.click_until("Teach", lambda: self.mouse.sees("Replace it"), "it is asked")
+        self.report.wait_until_says("The name is taken")
+        self.mouse.press("Escape")
+        self.report.wait_until_silent("The name is taken")
+
     def test_3_an_object_that_was_deleted_in_an_earlier_session_is_restored_from_the_trash(self):
         self.delete("angle")
         self.session.reopen_console()

@@ -1,6 +1,6 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""The picture: whether it is live, and the part of it that is searched.
+"""The picture: whether it is live, the part of it that is searched, and where a board was.
 
 usage: picture_test.py SCRIPTS_FOLDER PLUGIN_FOLDER
 """
@@ -12,8 +12,9 @@ import unittest
 SCRIPTS, PLUGINS = sys.argv[1:3]
 del sys.argv[1:]
 sys.path[:0] = [SCRIPTS, str(pathlib.Path(__file__).parents[1] / "layout")]
+from console_boards import Boards  # noqa: E402
 from console_operator import Teacher  # noqa: E402
-from console_session import Session, wait_for  # noqa: E402
+from console_session import Session, end  # noqa: E402
 from layout_report import LayoutReport  # noqa: E402
 
 WIDTH, HEIGHT = 400, 300
@@ -77,6 +78,15 @@ class PictureTest(unittest.TestCase):
         self.report.wait_until_says("Still picture of")
         self.mouse.press("Escape")
         self.report.wait_until_silent("Still picture of")
+
+    def test_5_the_boards_of_a_calibration_and_their_fields_are_drawn(self):
+        end(self.session.cell)
+        self.mouse.click("Camera")
+        self.report.wait_until_says("OLD PICTURE: nothing has arrived for")
+        Boards().show_all()
+        self.report.wait_until_says("15 of 16 fields, 12 boards")
+        self.mouse.click("Start anew")
+        self.report.wait_until_silent("15 of 16 fields, 12 boards")
 
 
 class Report(unittest.TextTestResult):
