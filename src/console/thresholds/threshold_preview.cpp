@@ -59,7 +59,7 @@ ThresholdPreview::Counts ThresholdPreview::count(const Thresholds& thresholds,
 
 std::string ThresholdPreview::summary(const Thresholds& wanted, const std::string& object) const {
   const Counts then = count(wanted, object), now = count(now_, object);
-  return "In this picture" + (object.empty() ? "" : " of '" + object + "'") + ": reported " +
+  return (object.empty() ? "In this picture" : "'" + object + "' in this picture") + ": reported " +
          std::to_string(then.reported) + " (now " + std::to_string(now.reported) + "), graspable " +
          std::to_string(then.graspable) + " (now " + std::to_string(now.graspable) + ").";
 }

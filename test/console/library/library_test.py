@@ -102,7 +102,7 @@ class LibraryTest(unittest.TestCase):
         self.mouse.click("library", at=FIRST)
         self.mouse.click_until("Thresholds", lambda: self.mouse.sees("confirm_score"), "it shows them")
         self.mouse.click("one object", at=(8, 8))
-        self.report.wait_until_says("In this picture of 'clamp': reported 1 (now 1)")
+        self.report.wait_until_says("'clamp' in this picture: reported 1 (now 1)")
 
     def set_least(self):
         self.mouse.focus_window()

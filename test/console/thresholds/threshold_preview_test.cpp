@@ -31,11 +31,11 @@ TEST(ThresholdPreview, AnObjectsOwnThresholdHoldsForItAlone) {
   now.own["part"] = 0.8;
   const ThresholdPreview preview(array, now);
   EXPECT_EQ(preview.summary(now, "part"),
-            "In this picture of 'part': reported 0 (now 0), graspable 0 (now 0).");
+            "'part' in this picture: reported 0 (now 0), graspable 0 (now 0).");
   Thresholds wanted = now;
   wanted.own["part"] = 0.4;
   EXPECT_EQ(preview.summary(wanted, "part"),
-            "In this picture of 'part': reported 1 (now 0), graspable 0 (now 0).");
+            "'part' in this picture: reported 1 (now 0), graspable 0 (now 0).");
   EXPECT_EQ(preview.summary(wanted), "In this picture: reported 2 (now 1), graspable 0 (now 0).");
   wanted.own.clear();
   wanted.min_score = 0.7;
