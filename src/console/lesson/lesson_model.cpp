@@ -217,7 +217,8 @@ std::string LessonModel::detail() const {
   // The advice stands beside the picture.
   if (phase_ == Phase::kReview && draft_ && detail_ == question_)
     return "Verdict " + word_of_verdict(draft_->object.quality.verdict) +
-           ". Accept, correct or reject the outline.";
+           (may_accept() ? ". Accept, correct or reject the outline."
+                         : ". Correct or reject the outline, or tick that you have checked it.");
   if (!camera_alive_ && phase_ == Phase::kReady)
     return detail_ + " No picture arrives: check the camera's cable and driver before you teach.";
   return detail_;

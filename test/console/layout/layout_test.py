@@ -70,6 +70,7 @@ class LayoutTest(unittest.TestCase):
         self.fits("review, a tool in hand")
         self.cut_until_bad(draft)
         self.mouse.window("insist")
+        self.report.wait_until_says("Correct or reject the outline, or tick that you have checked it.")
         self.fits("review, verdict BAD")
         self.teacher.press("Reject")
         self.fits("rejected")
