@@ -80,7 +80,16 @@ class LibraryTest(unittest.TestCase):
         self.report.wait_until_silent("name has no spaces")
         self.assertEqual(set(self.teacher.names()), {"angle", "clamp"})
 
-    def test_2b_the_question_about_a_taken_name_has_its_headline(self):
+    def test_2b_an_explanation_names_the_objects_that_are_disabled(self):
+        self.mouse.click("library", at=FIRST)
+        self.mouse.click_until("Disable", lambda: not self.teacher.names()["angle"], "it is disabled")
+        self.mouse.click(r"Why not found here\?")
+        self.mouse.drag([(200, 150)], (CAMERA["width"], CAMERA["height"]))
+        self.report.wait_until_says("Not searched, because disabled: 'angle'. Enable what lies here.")
+        self.mouse.click("Back to live")
+        self.mouse.click_until("Enable", lambda: self.teacher.names()["angle"], "it is enabled")
+
+    def test_2c_the_question_about_a_taken_name_has_its_headline(self):
         self.mouse.write("name", "clamp")
         self.mouse.click_until("Teach", lambda: self.mouse.sees("Replace it"), "it is asked")
         self.report.wait_until_says("The name is taken")
