@@ -70,12 +70,17 @@ class Mouse:
             raise SessionFailed("clicked '%s' in vain until %s" % (name, what))
         return value
 
-    def write(self, name, text):
-        """Into a field; without a window manager nothing else gives it the keyboard."""
-        self.click(name)
+    @staticmethod
+    def focus_window():
+        """Gives the keyboard to the console, as a window manager does."""
         top = xdotool("search", "--onlyvisible", "--name", "RViz|mbncc console")
         if top:
             xdotool("windowfocus", "--sync", top[0])
+
+    def write(self, name, text):
+        """Into a field."""
+        self.click(name)
+        self.focus_window()
         self.click(name)
         xdotool("key", "ctrl+a")
         xdotool("type", "--delay", "20", text)
@@ -102,12 +107,12 @@ class Newest:
     def __init__(self, topic, kind):
         import rospy
         self._lock = threading.Lock()
-        self._message, self._count = None, 0
+        self._message, self._count, self._at = None, 0, time.monotonic()
         rospy.Subscriber(topic, kind, self._take, queue_size=10)
 
     def _take(self, message):
         with self._lock:
-            self._message, self._count = message, self._count + 1
+            self._message, self._count, self._at = message, self._count + 1, time.monotonic()
 
     def get(self):
         with self._lock:
@@ -116,6 +121,11 @@ class Newest:
     def count(self):
         with self._lock:
             return self._count
+
+    def silent_for(self):
+        """[s] since the last message."""
+        with self._lock:
+            return time.monotonic() - self._at
 
     def wait(self, fits, what, patience=PATIENCE):
         return wait_for(lambda: self.get() if self.get() is not None and fits(self.get()) else None, what,
@@ -184,6 +194,7 @@ class Teacher:
         self.wait_for_stage(LearnObjectFeedback.WAIT_CONFIRM)
         # Stage and draft are messages of different topics.
         wait_for(lambda: self.draft.count() > self._drafts, "the lesson shows its draft")
+        self.mouse.window("Reject")
         return self.draft.get()
 
     def press(self, name):

@@ -64,7 +64,8 @@ class Session:
         reader, writer = os.pipe()
         # Without -noreset the display resets after its last window and refuses clients meanwhile.
         self.start(["Xvfb", "-displayfd", str(writer), "-screen", "0", self._size + "x24",
-                     "+extension", "GLX", "-nolisten", "tcp", "-noreset"], pass_fds=[writer])
+                     "+extension", "GLX", "-nolisten", "tcp", "-noreset", "-fbdir", str(self.folder)],
+                   pass_fds=[writer])
         os.close(writer)
         with os.fdopen(reader) as numbers:
             number = numbers.readline().strip()

@@ -29,6 +29,8 @@ using What = TeachingWish::What;
 constexpr int kTick = 200;       // [ms]
 constexpr int kSideWidth = 400;  // [px] at least
 constexpr double kStep = 1.25;   // of the picture's size, by a key
+constexpr const char* kRegionTip = "Draw a box; nothing is searched outside of it";
+constexpr const char* kLessonCaption = "Still picture: before the object left";
 
 // As the preview draws them.
 double axes_length(const QSize& picture) {
@@ -62,6 +64,7 @@ ConsoleWidget::ConsoleWidget(const Names& names, QWidget* parent)
   connect_cell();
   connect_explanation();
   connect_calibration();
+  connect_region();
   connect(&timer_, &QTimer::timeout, this, &ConsoleWidget::look_at_clock);
   timer_.start(kTick);
   look_at_clock();
@@ -125,6 +128,8 @@ QWidget* ConsoleWidget::make_picture_bar() {
   row->addStretch(1);
   thresholds_ = make_button("Thresholds", "The effect of other thresholds in this picture", "S");
   camera_ = make_button("Camera", "Focus, exposure and calibration", "K");
+  region_ = make_button("Search region", kRegionTip, "G");
+  row->addWidget(region_);
   row->addWidget(camera_);
   row->addWidget(thresholds_);
   row->addWidget(why_);
@@ -161,6 +166,7 @@ void ConsoleWidget::make_shortcuts() {
   on_key(Qt::CTRL + Qt::Key_N, this, [this] { lesson_bar_->take_keyboard(); });
   on_key(Qt::Key_W, this, [this] { ask_for_place(); });
   on_key(Qt::Key_K, this, [this] { camera_->click(); });
+  on_key(Qt::Key_G, this, [this] { region_->click(); });
   on_key(Qt::Key_S, this, [this] { begin_thresholds(); });
   on_key(Qt::Key_H, this, [this] { marks_->toggle(); });
   for (const int key : {Qt::Key_Plus, Qt::Key_Equal})
@@ -235,6 +241,8 @@ void ConsoleWidget::connect_library() {
     const auto enabled = std::count_if(objects.begin(), objects.end(),
                                        [](const auto& object) { return object.enabled; });
     lamps_.take_library(objects.size(), static_cast<std::size_t>(enabled));
+    if (lesson_.take_library(objects)) withdraw_question();
+    show_lesson();
   });
   connect(library_, &LibraryController::told, this, &ConsoleWidget::tell);
   connect(library_, &LibraryController::edited, this, [this] { lesson_bar_->clear_notice(); });
@@ -253,6 +261,10 @@ void ConsoleWidget::connect_cell() {
   });
   connect(&ros_, &RosLink::diagnostics_heard, this,
           [this](const auto& diagnostics) { lamps_.take_diagnostics(diagnostics, now()); });
+  connect(&ros_, &RosLink::origin_heard, this, [this](const QString& warning) {
+    origin_warning_ = warning;
+    lamps_.take_origin(warning.toStdString());
+  });
   connect(&ros_, &RosLink::picture_heard, this, [this](const QImage& picture, QSize size) {
     picture_at_ = now();
     lamps_.take_picture(now());
@@ -279,6 +291,7 @@ void ConsoleWidget::ask_about_name(const std::string& name) {
   lesson_bar_->clear_notice();
   const std::string other = free_name(name, library_->library().names());
   lesson_bar_->ask(
+      "The name is taken",
       {Level::kUnknown, "'" + name +
                             "' is in the library already. Replace it, add a view to "
                             "it, or teach this one under the new name '" +
@@ -333,7 +346,7 @@ void ConsoleWidget::offer_next_view(const std::string& name) {
       goes_on ? " Turn '" + name + "' a little or change the light, then press Space."
               : " Is it to be found in other light as well?";
   lesson_bar_->ask(
-      {lesson_.level(), lesson_.detail() + question},
+      "", {lesson_.level(), lesson_.detail() + question},
       {{goes_on ? "Ne&xt view (Space)" : "Teach anothe&r view",
         "Lay the object down in another position before you press this",
         [this, name] {
@@ -376,6 +389,7 @@ void ConsoleWidget::connect_explanation() {
   connect(picture_, &PictureView::place_chosen, this, [this](QPointF place) {
     lesson_bar_->clear_notice();
     explanation_->ask();
+    explained_caption_ = still_caption();
     side_->setCurrentWidget(explanation_);
     ros_.explain(place);
   });
@@ -388,8 +402,10 @@ void ConsoleWidget::connect_explanation() {
   connect(threshold_controller_, &ThresholdController::found, this, [this] {
     if (!lesson_.may_teach()) return;
     side_->setCurrentWidget(threshold_pane_);
-    threshold_controller_->begin(strip_->chosen());
+    threshold_controller_->begin(strip_->chosen(), library_->library());
   });
+  connect(threshold_controller_, &ThresholdController::own_wanted, library_,
+          &LibraryController::set_threshold);
   connect(threshold_pane_, &ThresholdPane::closed, this, &ConsoleWidget::end_explanation);
   connect(explanation_, &ExplainPane::closed, this, &ConsoleWidget::end_explanation);
 }
@@ -405,8 +421,40 @@ void ConsoleWidget::connect_calibration() {
   connect(&ros_, &RosLink::calibration_kept, calibration_, &CalibrationPane::show_kept);
   connect(&ros_, &RosLink::picture_heard, this, [this](const QImage& picture, QSize size) {
     if (side_->currentWidget() != calibration_) return;
-    picture_->show_picture(picture, size, calibration_->take(picture, size), "Live");
+    picture_->show_picture(picture, size, calibration_->take(picture, size), live_caption(false));
   });
+}
+
+void ConsoleWidget::connect_region() {
+  connect(region_, &QPushButton::clicked, this, &ConsoleWidget::ask_for_region);
+  connect(picture_, &PictureView::region_chosen, this, [this](const QRect& region) {
+    lesson_bar_->clear_notice();
+    ros_.set_search_region(region);
+  });
+  connect(&ros_, &RosLink::search_region_heard, this, &ConsoleWidget::show_region);
+  connect(&ros_, &RosLink::search_region_set, this, &ConsoleWidget::tell);
+}
+
+/// The same button takes the region away.
+void ConsoleWidget::ask_for_region() {
+  if (!lesson_.may_teach()) return;
+  end_explanation();
+  if (!searched_.isEmpty()) return ros_.set_search_region({});
+  picture_->ask_for_place(false);
+  picture_->ask_for_region(true);
+  picture_->setFocus();
+  lesson_bar_->say({Level::kUnknown,
+                    "Draw a box around all places where objects are to be found, by the mouse, or "
+                    "by arrow keys and Space at two corners; Esc cancels."},
+                   now());
+}
+
+void ConsoleWidget::show_region(const QRect& region) {
+  searched_ = region;
+  relabel(region_, region.isEmpty() ? "Search region" : "Search everywhere");
+  region_->setToolTip(QString(region.isEmpty() ? kRegionTip : "Search the whole picture again") +
+                      " (G)");
+  show_lesson();
 }
 
 bool ConsoleWidget::explains() const {
@@ -417,6 +465,7 @@ bool ConsoleWidget::explains() const {
 void ConsoleWidget::ask_for_place() {
   if (!lesson_.may_teach()) return;
   end_explanation();
+  picture_->ask_for_region(false);
   picture_->ask_for_place(true);
   picture_->setFocus();
   lesson_bar_->say({Level::kUnknown,
@@ -429,7 +478,7 @@ void ConsoleWidget::ask_for_place() {
 void ConsoleWidget::show_explanation(bool success, const QString& lines, const QImage& picture) {
   if (!explains()) return;
   explanation_->show_answer(success, lines);
-  if (!picture.isNull()) picture_->show_picture(picture, picture.size(), {}, "Why, in one picture");
+  if (!picture.isNull()) picture_->show_picture(picture, picture.size(), {}, explained_caption_);
 }
 
 void ConsoleWidget::end_explanation() {
@@ -450,6 +499,8 @@ void ConsoleWidget::escape() {
     end_explanation();
   else if (picture_->asks_for_place())
     picture_->ask_for_place(false);
+  else if (picture_->asks_for_region())
+    picture_->ask_for_region(false);
   else if (lesson_.draft() && !picture_->give_up())
     review_->choose_tool(Tool::kNone);
   else if (!lesson_.draft())
@@ -469,11 +520,18 @@ void ConsoleWidget::look_at_clock() {
   }
   lamp_row_->show_lamps(lamps_.look(now()));
   if (now() - detections_at_ > Lamps::kSilence) detections_->clear_rows();
-  // An old picture must not be mistaken for the live one.
-  if (!lesson_.draft() && !explains() && live_.age(now()) > Lamps::kSilence)
-    picture_->show_age(QString("OLD PICTURE: nothing has arrived for %1 s")
-                           .arg(static_cast<int>(live_.age(now()))));
+  warn_of_old_picture();
   show_lesson();
+}
+
+/// It must not be mistaken for the live one.
+void ConsoleWidget::warn_of_old_picture() {
+  const bool calibrates = side_->currentWidget() == calibration_;
+  if (lesson_.draft() || (explains() && !calibrates)) return;
+  const double age = calibrates ? now() - picture_at_ : live_.age(now());
+  if (age > Lamps::kSilence)
+    picture_->show_age(
+        QString("OLD PICTURE: nothing has arrived for %1 s").arg(static_cast<int>(age)));
 }
 
 void ConsoleWidget::show_lesson() {
@@ -481,13 +539,16 @@ void ConsoleWidget::show_lesson() {
   review_->show_lesson(lesson_);
   strip_->setEnabled(lesson_.phase() != LessonModel::Phase::kNoServer);
   strip_->allow_teaching(lesson_.may_teach());
-  for (auto* button : {why_, thresholds_}) button->setEnabled(lesson_.may_teach());
+  for (auto* button : {why_, thresholds_, region_}) button->setEnabled(lesson_.may_teach());
+  if (!lesson_.may_teach() && picture_->asks_for_region()) picture_->ask_for_region(false);
   // A camera is calibrated before the cell is complete.
   const bool idle = lesson_.may_teach() || lesson_.phase() == LessonModel::Phase::kNoServer;
   camera_->setEnabled(idle);
   if (!idle) end_explanation();
   picture_->show_waiting(lesson_.waiting());
   ros_.show_changes(lesson_.waits_for_scene());
+  const bool searches = !lesson_.draft() && side_->currentWidget() != calibration_;
+  picture_->show_region(searches ? searched_ : QRect());
   space_->setEnabled(!viewed_.empty() && lesson_.may_teach() && !picture_->asks_for_place());
   if (lesson_.draft_number() == draft_shown_) return;
   draft_shown_ = lesson_.draft_number();
@@ -511,9 +572,15 @@ void ConsoleWidget::show_draft() {
   const QImage preview = to_qimage(to_rgb(draft.preview));
   picture_->tool().set_axes(draft.object.reference, axes_length(preview.size()));
   if (lesson_picture_.size() == preview.size())
-    picture_->show_picture(lesson_picture_, preview.size(), marks_of(draft), "");
+    picture_->show_picture(lesson_picture_, preview.size(), marks_of(draft), kLessonCaption);
   else
-    picture_->show_picture(preview, preview.size(), {}, "");
+    picture_->show_picture(preview, preview.size(), {}, kLessonCaption);
+}
+
+QString ConsoleWidget::live_caption(bool searched) const {
+  if (!origin_warning_.isEmpty()) return origin_warning_;
+  if (lesson_.waits_for_scene()) return "Live, changes tinted orange";
+  return searched ? QString("Live, %1 s old").arg(detections_age_, 0, 'f', 1) : "Live";
 }
 
 void ConsoleWidget::show_live(const QImage& picture, QSize size,
@@ -522,9 +589,7 @@ void ConsoleWidget::show_live(const QImage& picture, QSize size,
   const bool teaching = lesson_.phase() == LessonModel::Phase::kRunning;
   if (!live_.take(detections != nullptr, teaching, now())) return;
   picture_->show_picture(picture, size, detections ? marks_of(*detections) : std::vector<Mark>{},
-                         lesson_.waits_for_scene() ? "Live, changes tinted orange"
-                         : detections ? QString("Live, %1 s old").arg(detections_age_, 0, 'f', 1)
-                                      : QString("Live"));
+                         live_caption(detections != nullptr));
 }
 
 }  // namespace mbncc::console

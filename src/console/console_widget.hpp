@@ -53,6 +53,7 @@ class ConsoleWidget : public QWidget {
   void connect_cell();
   void connect_explanation();
   void connect_calibration();
+  void connect_region();
   bool explains() const;
 
   double now() const { return clock_.elapsed() / 1000.0; }
@@ -71,13 +72,17 @@ class ConsoleWidget : public QWidget {
   void take_tool(Tool tool);
   void escape();
   void ask_for_place();
+  void ask_for_region();
+  void show_region(const QRect& region);
   void show_explanation(bool success, const QString& lines, const QImage& picture);
   void end_explanation();
   void begin_thresholds();
   void look_at_clock();
+  void warn_of_old_picture();
   void show_lesson();
   void show_draft();
   void end_review();
+  QString live_caption(bool searched) const;
   void show_live(const QImage& picture, QSize size,
                  const mbncc_vision::DetectedObjectArray* detections);
 
@@ -89,7 +94,9 @@ class ConsoleWidget : public QWidget {
   int draft_shown_ = 0;
   LivePicture live_;
   double detections_at_ = -1e9, detections_age_ = 0, picture_at_ = -1e9;
+  QRect searched_;         // [px] region; empty: the whole picture
   QImage lesson_picture_;  // of the draft, without annotations
+  QString explained_caption_, origin_warning_;
 
   LampRow* lamp_row_;
   LessonBar* lesson_bar_;
@@ -104,7 +111,7 @@ class ConsoleWidget : public QWidget {
   QWidget* cell_page_;
   LibraryController* library_;
   ThresholdController* threshold_controller_;
-  QPushButton *marks_, *fit_, *why_, *thresholds_, *camera_;
+  QPushButton *marks_, *fit_, *why_, *thresholds_, *camera_, *region_;
   QShortcut* space_ = nullptr;
   QTimer timer_;
   RosLink ros_;  // last member: its threads end before the objects that they call

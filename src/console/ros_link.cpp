@@ -10,6 +10,7 @@
 #include <std_srvs/Trigger.h>
 
 #include <algorithm>
+#include <cstdio>
 #include <utility>
 
 namespace mbncc::console {
@@ -21,9 +22,27 @@ const char* const kUnreachable = "the learning nodelet does not answer";
 constexpr std::size_t kPicturesKept = 30, kBytesKept = std::size_t{96} << 20;
 
 constexpr float kHardlyAny = 0.02f;  // score
+const char* const kSearchRegion = "search_roi";
 
 QSize size_of(const sensor_msgs::Image& message) {
   return {static_cast<int>(message.width), static_cast<int>(message.height)};
+}
+
+/// As the parameter search_roi; "": the whole picture.
+std::string text_of(const QRect& region) {
+  if (region.isEmpty()) return "";
+  return std::to_string(region.x()) + "," + std::to_string(region.y()) + "," +
+         std::to_string(region.width()) + "," + std::to_string(region.height());
+}
+
+QRect region_of(const dynamic_reconfigure::Config& config) {
+  for (const auto& parameter : config.strs) {
+    int x = 0, y = 0, width = 0, height = 0;
+    if (parameter.name == kSearchRegion &&
+        std::sscanf(parameter.value.c_str(), "%d,%d,%d,%d", &x, &y, &width, &height) == 4)
+      return {x, y, width, height};
+  }
+  return {};
 }
 
 void announce_types() {
@@ -72,6 +91,7 @@ void RosLink::connect_to(const Names& names) {
   cancel_publisher_ = node_.advertise<actionlib_msgs::GoalID>("learn_object/cancel", 5);
   subscribe_lesson(node_);
   subscribe_cell(node_);
+  subscribe_settings(node_);
   spinner_.start();
 }
 
@@ -118,6 +138,13 @@ void RosLink::subscribe_cell(ros::NodeHandle& node) {
       "image_raw", 1, [this](const sensor_msgs::ImageConstPtr& m) { take_picture(m); }));
 }
 
+void RosLink::subscribe_settings(ros::NodeHandle& node) {
+  subscribers_.push_back(node.subscribe<dynamic_reconfigure::Config>(
+      matching_ + "/parameter_updates", 5, [this](const dynamic_reconfigure::ConfigConstPtr& m) {
+        Q_EMIT search_region_heard(region_of(*m));
+      }));
+}
+
 void RosLink::take_detections(const mbncc_vision::DetectedObjectArray& detections) {
   Q_EMIT detections_heard(detections, (ros::Time::now() - detections.header.stamp).toSec());
   const auto searched =
@@ -155,6 +182,8 @@ void RosLink::take_picture(const sensor_msgs::ImageConstPtr& message) {
   cv::Mat picture = small(live_rgb(*message));
   if (picture.empty()) return;
   note_shown(message);
+  origin_.take(message, ros::Time::now());
+  Q_EMIT origin_heard(QString::fromStdString(origin_.warning()));
   if (changes_wanted_)
     picture = tint_.tint(picture);
   else
@@ -258,6 +287,21 @@ void RosLink::set_thresholds(const Thresholds& thresholds) {
     Q_EMIT thresholds_set(answered, answered ? "The matcher uses the new thresholds from now on; "
                                                "set them in config/matching.yaml to keep them."
                                              : "the matching nodelet does not answer");
+  });
+}
+
+void RosLink::set_search_region(const QRect& region) {
+  later([this, region] {
+    dynamic_reconfigure::Reconfigure call;
+    auto& parameter = call.request.config.strs.emplace_back();
+    parameter.name = kSearchRegion;
+    parameter.value = text_of(region);
+    const bool answered = this->call(matching_ + "/set_parameters", call);
+    if (!answered) return Q_EMIT search_region_set(false, "the matching nodelet does not answer");
+    const bool taken = region_of(call.response.config) == region;
+    Q_EMIT search_region_set(taken, !taken             ? "the matcher refused the search region"
+                                    : region.isEmpty() ? "The whole picture is searched."
+                                                       : "Only the region is searched.");
   });
 }
 

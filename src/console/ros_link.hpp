@@ -6,6 +6,7 @@
 #ifndef Q_MOC_RUN
 #include <actionlib_msgs/GoalStatusArray.h>
 #include <diagnostic_msgs/DiagnosticArray.h>
+#include <dynamic_reconfigure/Config.h>
 #include <mbncc_vision/ConfirmLearning.h>
 #include <mbncc_vision/DetectedObjectArray.h>
 #include <mbncc_vision/EditObject.h>
@@ -19,6 +20,7 @@
 #include <sensor_msgs/CameraInfo.h>
 #include <sensor_msgs/Image.h>
 
+#include "console/picture/picture_origin.hpp"
 #include "console/picture/pictures.hpp"
 #include "console/thresholds/threshold_preview.hpp"
 #endif
@@ -26,6 +28,7 @@
 #include <QImage>
 #include <QObject>
 #include <QPointF>
+#include <QRect>
 #include <QString>
 #include <atomic>
 #include <condition_variable>
@@ -75,6 +78,8 @@ class RosLink : public QObject {
   /// The matching nodelet's thresholds from the parameter server.
   Thresholds thresholds() const;
   void set_thresholds(const Thresholds& thresholds);
+  /// Limits the search to `region` [px]; an empty one: the whole picture.
+  void set_search_region(const QRect& region);
   /// Sends a calibration to the camera.
   void keep_calibration(const sensor_msgs::CameraInfo& calibration);
   /// Saves the last explanation in a file.
@@ -94,6 +99,8 @@ class RosLink : public QObject {
   void diagnostics_heard(diagnostic_msgs::DiagnosticArray diagnostics);
   /// A picture of the camera, possibly scaled down, and its original size [px].
   void picture_heard(QImage picture, QSize size);
+  /// Why the camera's pictures are not live; "": they are. Precedes each picture_heard().
+  void origin_heard(QString warning);
   /// The same for a picture with `detections`.
   void searched_heard(QImage picture, QSize size, mbncc_vision::DetectedObjectArray detections);
   /// The learning picture of the lesson's draft.
@@ -110,10 +117,14 @@ class RosLink : public QObject {
   void all_found(bool success, QString message, QImage picture, QSize size,
                  mbncc_vision::DetectedObjectArray detections);
   void thresholds_set(bool success, QString message);
+  /// [px] that is searched; empty: the whole picture. On connecting and after every change.
+  void search_region_heard(QRect region);
+  void search_region_set(bool success, QString message);
 
  private:
   void subscribe_lesson(ros::NodeHandle& node);
   void subscribe_cell(ros::NodeHandle& node);
+  void subscribe_settings(ros::NodeHandle& node);
   void take_picture(const sensor_msgs::ImageConstPtr& message);
   /// A camera's picture, as bright as matching takes it.
   cv::Mat live_rgb(const sensor_msgs::Image& message) const;
@@ -132,6 +143,7 @@ class RosLink : public QObject {
   ros::NodeHandle node_;
   int goals_ = 0;
   std::atomic<bool> changes_wanted_{false};
+  PictureOrigin origin_;                           // of the spinner's thread
   ChangeTint tint_;                                // of the spinner's thread
   std::deque<sensor_msgs::ImageConstPtr> newest_;  // of the spinner's thread, in order
   std::mutex shown_mutex_;

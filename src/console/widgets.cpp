@@ -12,21 +12,19 @@ namespace {
 /// Names a widget's window once it exists; Qt itself names only top-level windows.
 class WindowNamer : public QObject {
  public:
-  WindowNamer(QWidget* widget, QString title) : QObject(widget), title_(std::move(title)) {
-    widget->installEventFilter(this);
-  }
+  explicit WindowNamer(QWidget* widget) : QObject(widget) { widget->installEventFilter(this); }
 
   bool eventFilter(QObject* object, QEvent* event) override {
-    const auto* widget = static_cast<QWidget*>(object);
     const auto type = event->type();
     if (type == QEvent::Show || type == QEvent::WinIdChange || type == QEvent::EnabledChange)
-      if (auto* window = widget->windowHandle())
-        window->setTitle(widget->isEnabled() ? title_ : title_ + " (disabled)");
+      name(*static_cast<QWidget*>(object));
     return false;
   }
 
- private:
-  const QString title_;
+  static void name(const QWidget& widget) {
+    if (auto* window = widget.windowHandle())
+      window->setTitle("mbncc:" + widget.objectName() + (widget.isEnabled() ? "" : " (disabled)"));
+  }
 };
 
 }  // namespace
@@ -36,7 +34,7 @@ void name_window(QWidget* widget, const QString& title) {
   if (!qEnvironmentVariableIsSet("MBNCC_CONSOLE_NATIVE")) return;
   widget->setAttribute(Qt::WA_DontCreateNativeAncestors);
   widget->setAttribute(Qt::WA_NativeWindow);
-  new WindowNamer(widget, "mbncc:" + title);
+  new WindowNamer(widget);
 }
 
 QPushButton* make_button(const QString& text, const QString& tip, const QString& keys) {
@@ -44,6 +42,12 @@ QPushButton* make_button(const QString& text, const QString& tip, const QString&
   button->setToolTip(keys.isEmpty() ? tip : tip + " (" + keys + ")");
   name_window(button, QString(text).remove('&'));
   return button;
+}
+
+void relabel(QPushButton* button, const QString& text) {
+  button->setText(text);
+  button->setObjectName(QString(text).remove('&'));
+  if (button->testAttribute(Qt::WA_NativeWindow)) WindowNamer::name(*button);
 }
 
 QScrollArea* make_scroll_area(QWidget* content) {
@@ -75,6 +79,14 @@ void show_level(QLabel* label, Level level, const QString& text) {
   label->setStyleSheet(QString("QLabel { background: %1; color: %2; font-weight: bold; "
                                "border-radius: 4px; padding: 3px 8px; }")
                            .arg(colour_of(level), ink_on(level)));
+}
+
+void show_alarm(QLabel* label, Level level) {
+  const bool alarming = level == Level::kBad || level == Level::kDoubtful;
+  label->setStyleSheet(
+      alarming ? QString("background: %1; color: %2; font-weight: bold; padding: 0px 6px")
+                     .arg(colour_of(level), ink_on(level))
+               : "");
 }
 
 }  // namespace mbncc::console

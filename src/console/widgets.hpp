@@ -22,6 +22,9 @@ void name_window(QWidget* widget, const QString& title);
 /// in the order in which they were given one.
 QPushButton* make_button(const QString& text, const QString& tip, const QString& keys = "");
 
+/// Another text for a button whose meaning has changed, and another name for its window.
+void relabel(QPushButton* button, const QString& text);
+
 /// `content` with scroll bars where there is too little room for it: widgets that get too little
 /// paint over their neighbours.
 QScrollArea* make_scroll_area(QWidget* content);
@@ -35,5 +38,8 @@ void choose_symmetry(QComboBox* box, std::uint8_t value);
 
 /// Symbol and `text`, in the level's colour.
 void show_level(QLabel* label, Level level, const QString& text);
+
+/// Colours a sentence that complains; others stay plain.
+void show_alarm(QLabel* label, Level level);
 
 }  // namespace mbncc::console

@@ -12,7 +12,7 @@ import unittest
 SCRIPTS, PLUGINS = sys.argv[1:3]
 del sys.argv[1:]
 sys.path[:0] = [SCRIPTS, str(pathlib.Path(__file__).parent / "layout")]
-from console_operator import Teacher, xdotool  # noqa: E402
+from console_operator import Teacher  # noqa: E402
 from console_session import Session, wait_for  # noqa: E402
 from layout_report import LayoutReport  # noqa: E402
 
@@ -29,8 +29,7 @@ class KeyboardTest(unittest.TestCase):
         cls.session.__enter__()
         cls.addClassCleanup(cls.session.__exit__)
         cls.teacher = Teacher()
-        # What a window manager does.
-        xdotool("windowfocus", "--sync", xdotool("search", "--onlyvisible", "--name", "^mbncc console$")[0])
+        cls.teacher.mouse.focus_window()
 
     def setUp(self):
         if not self.teacher.truth.get().objects:
@@ -137,6 +136,12 @@ class KeyboardTest(unittest.TestCase):
         self.teacher.mouse.window("Save this miss")
         self.keys("Escape")
         wait_for(lambda: not self.teacher.mouse.sees("Back to live"), "the live picture is back")
+
+    def test_6_a_search_region_is_drawn(self):
+        self.keys("g", "space", *["Right"] * 8, *["Down"] * 8, "space")
+        self.teacher.mouse.window("Search everywhere")
+        self.keys("g")
+        self.teacher.mouse.window("Search region")
 
 
 class Report(unittest.TextTestResult):

@@ -70,6 +70,22 @@ BoardCalibration::Seen BoardCalibration::take(const cv::Mat& picture) {
   return Seen::kTaken;
 }
 
+std::vector<cv::Point2f> BoardCalibration::outline_of(
+    const std::vector<cv::Point2f>& corners) const {
+  const auto columns = static_cast<std::size_t>(board_.columns);
+  return {corners.front(), corners[columns - 1], corners.back(), corners[corners.size() - columns]};
+}
+
+std::vector<std::vector<cv::Point2f>> BoardCalibration::outlines() const {
+  std::vector<std::vector<cv::Point2f>> outlines;
+  for (const auto& view : views_) outlines.push_back(outline_of(view));
+  return outlines;
+}
+
+std::vector<cv::Point2f> BoardCalibration::outline() const {
+  return corners_.empty() ? corners_ : outline_of(corners_);
+}
+
 bool BoardCalibration::suffices() const {
   return views_.size() >= kViews && covered() >= kCovered;
 }

@@ -38,6 +38,13 @@ class BoardCalibration {
   const std::vector<cv::Point2f>& corners() const { return corners_; }
   std::size_t views() const { return views_.size(); }
   int covered() const { return static_cast<int>(fields_.size()); }
+  /// Covered fields, numbered row by row.
+  const std::set<int>& fields() const { return fields_; }
+  /// [px] of the recorded boards: their outer inner corners, in order around the board.
+  std::vector<std::vector<cv::Point2f>> outlines() const;
+  /// [px] outline of the last visible board; empty: none.
+  std::vector<cv::Point2f> outline() const;
+  cv::Size size() const { return size_; }
   /// There are enough views, and they cover the picture.
   bool suffices() const;
   /// The next instruction.
@@ -52,6 +59,8 @@ class BoardCalibration {
   Result solve() const;
 
  private:
+  std::vector<cv::Point2f> outline_of(const std::vector<cv::Point2f>& corners) const;
+
   Board board_;
   cv::Size size_;
   std::vector<cv::Point2f> corners_;

@@ -5,6 +5,7 @@
 #include <QHBoxLayout>
 #include <QVBoxLayout>
 
+#include "console/calibration/coverage_view.hpp"
 #include "console/widgets.hpp"
 
 namespace mbncc::console {
@@ -28,6 +29,7 @@ CalibrationPane::CalibrationPane(QWidget* parent)
       columns_(make_count(Board().columns, "inner corners along the board")),
       rows_(make_count(Board().rows, "inner corners across the board")),
       square_(new QDoubleSpinBox),
+      coverage_(new CoverageView),
       picture_text_(new QLabel),
       board_text_(new QLabel),
       result_text_(new QLabel),
@@ -60,7 +62,7 @@ CalibrationPane::CalibrationPane(QWidget* parent)
   all->addLayout(board);
   all->addWidget(board_text_);
   all->addWidget(result_text_);
-  all->addStretch(1);
+  all->addWidget(coverage_, 1);
   all->addLayout(buttons);
   for (auto* box : {columns_, rows_})
     connect(box, QOverload<int>::of(&QSpinBox::valueChanged), this, &CalibrationPane::start_anew);
@@ -82,6 +84,7 @@ void CalibrationPane::start_anew() {
   const Board board{columns_->value(), rows_->value(), square_->value() / 1000};
   calibration_ = BoardCalibration(board, {size_.width(), size_.height()});
   marks_.clear();
+  coverage_->show_coverage(calibration_);
   result_text_->clear();
   compute_->setEnabled(false);
   keep_->setEnabled(false);
@@ -101,15 +104,13 @@ std::vector<Mark> CalibrationPane::take(const QImage& picture, QSize size) {
   picture_text_->setText(QString::fromStdString(check_.advice()));
   const auto seen = calibration_.take(pixels);
   board_text_->setText(QString::fromStdString(calibration_.advice(seen)));
+  if (seen == BoardCalibration::Seen::kTaken) coverage_->show_coverage(calibration_);
   compute_->setEnabled(calibration_.views() >= kFewest);
   marks_.clear();
   if (calibration_.corners().empty()) return marks_;
   Mark mark;
-  const auto& corners = calibration_.corners();
-  const auto columns = static_cast<std::size_t>(columns_->value());
-  mark.outlines = {
-      {corners.front(), corners[columns - 1], corners.back(), corners[corners.size() - columns]}};
-  mark.origin = corners.front();
+  mark.outlines = {calibration_.outline()};
+  mark.origin = calibration_.corners().front();
   mark.level = seen == BoardCalibration::Seen::kTaken ? Level::kGood : Level::kUnknown;
   mark.label = seen == BoardCalibration::Seen::kTaken ? "taken" : "board";
   marks_ = {mark};

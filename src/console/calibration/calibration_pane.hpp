@@ -18,6 +18,8 @@
 
 namespace mbncc::console {
 
+class CoverageView;
+
 class CalibrationPane : public QWidget {
   Q_OBJECT
 
@@ -45,6 +47,7 @@ class CalibrationPane : public QWidget {
   QElapsedTimer since_look_;
   QSpinBox *columns_, *rows_;
   QDoubleSpinBox* square_;
+  CoverageView* coverage_;
   QLabel *picture_text_, *board_text_, *result_text_;
   QPushButton *compute_, *keep_, *anew_;
 };

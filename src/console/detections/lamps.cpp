@@ -51,7 +51,8 @@ std::string Lamps::complaint(const std::string& task, double now) const {
 }
 
 Lamp Lamps::camera(double now) const {
-  if (now - picture_at_ <= kSilence) return {"Camera", Level::kGood, ""};
+  if (now - picture_at_ <= kSilence)
+    return {"Camera", origin_warning_.empty() ? Level::kGood : Level::kDoubtful, origin_warning_};
   const std::string said = complaint(kPicturesTask, now);
   return {"Camera", Level::kBad,
           said.empty() ? "no picture arrives; check cable, driver and topic" : said};

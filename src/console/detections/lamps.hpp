@@ -31,6 +31,8 @@ class Lamps {
   explicit Lamps(std::string cell = "/") : cell_(std::move(cell)) {}
 
   void take_picture(double now) { picture_at_ = now; }
+  /// Why the pictures are not live; "": they are.
+  void take_origin(const std::string& warning) { origin_warning_ = warning; }
   void take_detections(const mbncc_vision::DetectedObjectArray& detections, double now);
   void take_library(std::size_t objects, std::size_t enabled);
   /// Whether the nodelet that manages the library is gone.
@@ -58,7 +60,7 @@ class Lamps {
   std::uint8_t status_ = 0;
   std::string status_message_;
   std::optional<std::size_t> objects_, enabled_;
-  std::string quarantined_;
+  std::string quarantined_, origin_warning_;
   std::map<std::string, Health> health_;  // of this cell, by task
 };
 

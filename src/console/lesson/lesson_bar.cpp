@@ -114,14 +114,19 @@ void LessonBar::show_lesson(const LessonModel& lesson, double now) {
   teach_->setEnabled(lesson.may_teach());
   cancel_->setEnabled(lesson.may_cancel());
   mark_->setEnabled(marks_allowed_ && lesson.phase() != LessonModel::Phase::kNoServer);
-  headline_->setText(QString::fromStdString(lesson.headline()));
+  const bool asked = choices_->offers();
+  headline_->setText(asked && !question_headline_.isEmpty()
+                         ? question_headline_
+                         : QString::fromStdString(lesson.headline()));
   const Notice::Line told{lesson.level(), lesson.detail()};
-  show_detail(notice_.over(choices_->offers() ? question_ : told, now));
+  show_detail(notice_.over(asked ? question_ : told, now));
   time_left_->setText(QString::fromStdString(lesson.time_left(now)));
   progress_->setValue(static_cast<int>(kWholeBar * lesson.progress()));
 }
 
-void LessonBar::ask(const Notice::Line& question, const std::vector<ChoiceRow::Answer>& answers) {
+void LessonBar::ask(const QString& headline, const Notice::Line& question,
+                    const std::vector<ChoiceRow::Answer>& answers) {
+  question_headline_ = headline;
   question_ = question;
   choices_->offer(answers, mark_);
 }
@@ -134,11 +139,7 @@ void LessonBar::take_keyboard() {
 void LessonBar::show_detail(const Notice::Line& line) {
   detail_->setText(QString::fromStdString(line.text));
   detail_->setToolTip(detail_->text());
-  const bool alarming = line.level == Level::kBad || line.level == Level::kDoubtful;
-  detail_->setStyleSheet(
-      alarming ? QString("background: %1; color: %2; font-weight: bold; padding: 0px 6px")
-                     .arg(colour_of(line.level), ink_on(line.level))
-               : "");
+  show_alarm(detail_, line.level);
 }
 
 mbncc_vision::LearnObjectGoal LessonBar::goal() const {

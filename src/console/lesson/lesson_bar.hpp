@@ -31,8 +31,10 @@ class LessonBar : public QWidget {
   void set_name(const std::string& name);
   /// Whether Mark grasp is possible; `reason`: why not.
   void allow_marks(bool allowed, const QString& reason);
-  /// Asks in the place of the lesson's own sentence, until it is answered or withdrawn.
-  void ask(const Notice::Line& question, const std::vector<ChoiceRow::Answer>& answers);
+  /// Asks in the place of the lesson's own sentence, until it is answered or withdrawn. `headline`
+  /// takes the place of the lesson's; "": that stays.
+  void ask(const QString& headline, const Notice::Line& question,
+           const std::vector<ChoiceRow::Answer>& answers);
   void withdraw_question() { choices_->clear(); }
   /// Gives the keyboard to the name.
   void take_keyboard();
@@ -57,7 +59,8 @@ class LessonBar : public QWidget {
   void tidy_name(const QString& typed);
 
   Notice notice_;
-  Notice::Line question_;  // counts while there are answers
+  Notice::Line question_;  // counts while there are answers, as does its headline
+  QString question_headline_;
   QLineEdit* name_;
   QDoubleSpinBox* height_;
   QComboBox* symmetry_;

@@ -51,8 +51,7 @@ bool LessonModel::under_way() const {
 
 void LessonModel::take_status(const actionlib_msgs::GoalStatusArray& status, double now) {
   heard_ = now;
-  if (phase_ == Phase::kNoServer)
-    end("Ready", "Put the object on the platform, keep still, press Teach.", Level::kGood);
+  if (phase_ == Phase::kNoServer) get_ready();
   const auto alive = std::find_if(status.status_list.begin(), status.status_list.end(), is_alive);
   if (alive != status.status_list.end()) {
     // A lesson started by another client, or by this window before it was closed.
@@ -107,6 +106,19 @@ void LessonModel::take_result(const mbncc_vision::LearnObjectActionResult& resul
   end(stored ? "Learned" : "Nothing was stored",
       stored || outcome.hint.empty() ? outcome.message : outcome.message + " " + outcome.hint,
       level_of_end(outcome));
+  if (stored) learned_ = Learned{outcome.object.name, outcome.object.revision};
+}
+
+bool LessonModel::take_library(const std::vector<mbncc_vision::LearnedObject>& objects) {
+  if (phase_ != Phase::kReady || !learned_) return false;
+  const bool listed = std::any_of(objects.begin(), objects.end(), [&](const auto& object) {
+    return object.name == learned_->name && object.revision == learned_->revision;
+  });
+  // A list may be older than the result.
+  learned_->listed |= listed;
+  if (listed || !learned_->listed) return false;
+  get_ready();
+  return true;
 }
 
 void LessonModel::begin(const std::string& goal, double now) {
@@ -124,6 +136,7 @@ void LessonModel::join(const std::string& goal, double now) {
   deadline_ = -1;
   goal_seen_ = now;
   unheard_ = true;
+  learned_.reset();
   corrections_ = -1;
   words_.clear();
   asked_.reset();
@@ -204,7 +217,8 @@ std::string LessonModel::detail() const {
   // The advice stands beside the picture.
   if (phase_ == Phase::kReview && draft_ && detail_ == question_)
     return "Verdict " + word_of_verdict(draft_->object.quality.verdict) +
-           ". Accept, correct or reject the outline.";
+           (may_accept() ? ". Accept, correct or reject the outline."
+                         : ". Correct or reject the outline, or tick that you have checked it.");
   if (!camera_alive_ && phase_ == Phase::kReady)
     return detail_ + " No picture arrives: check the camera's cable and driver before you teach.";
   return detail_;
@@ -212,6 +226,10 @@ std::string LessonModel::detail() const {
 
 std::string LessonModel::time_left(double now) const {
   return under_way() && deadline_ >= 0 ? console::time_left(std::max(0.0, deadline_ - now)) : "";
+}
+
+void LessonModel::get_ready() {
+  end("Ready", "Put the object on the platform, keep still, press Teach.", Level::kGood);
 }
 
 void LessonModel::end(const std::string& headline, const std::string& detail, Level level) {
@@ -225,6 +243,7 @@ void LessonModel::end(const std::string& headline, const std::string& detail, Le
   insisted_ = false;
   words_.clear();
   asked_.reset();
+  learned_.reset();
 }
 
 }  // namespace mbncc::console

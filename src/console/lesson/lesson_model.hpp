@@ -7,10 +7,12 @@
 #include <mbncc_vision/LearnObjectActionFeedback.h>
 #include <mbncc_vision/LearnObjectActionResult.h>
 #include <mbncc_vision/LearnQuality.h>
+#include <mbncc_vision/LearnedObject.h>
 
 #include <deque>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "console/words.hpp"
 
@@ -40,6 +42,9 @@ class LessonModel {
   void take_feedback(const mbncc_vision::LearnObjectActionFeedback& feedback, double now);
   void take_draft(const mbncc_vision::LearnObjectResult& draft);
   void take_result(const mbncc_vision::LearnObjectActionResult& result, double now);
+  /// The library's objects. Returns true if the object that was learned last has been deleted,
+  /// renamed or replaced, so that the lesson's result is withdrawn.
+  bool take_library(const std::vector<mbncc_vision::LearnedObject>& objects);
 
   /// The operator pressed Teach; `goal` is the id of the goal that is sent.
   void begin(const std::string& goal, double now);
@@ -91,7 +96,15 @@ class LessonModel {
   void show_draft(const std::optional<mbncc_vision::LearnObjectResult>& draft);
   void count_corrections(bool success);
   void end(const std::string& headline, const std::string& detail, Level level);
+  void get_ready();
   bool under_way() const;
+
+  /// The object that the last lesson stored.
+  struct Learned {
+    std::string name;
+    std::uint32_t revision = 0;
+    bool listed = false;  // the library has told of it
+  };
 
   Phase phase_ = Phase::kNoServer;
   std::string goal_;
@@ -112,6 +125,7 @@ class LessonModel {
   int corrections_ = 0;        // of the draft; < 0: unknown, the lesson was joined in review
   std::optional<mbncc_vision::LearnObjectResult> draft_, newest_draft_;
   int draft_number_ = 0;
+  std::optional<Learned> learned_;
 };
 
 }  // namespace mbncc::console

@@ -3,11 +3,22 @@
 
 #include <QFileDialog>
 
-#include "console/library/history_dialog.hpp"
 #include "console/library/library_files.hpp"
 #include "console/library/library_strip.hpp"
+#include "console/library/trash_dialog.hpp"
 
 namespace mbncc::console {
+namespace {
+
+QString threshold_sentence(const mbncc_vision::EditObject::Request& request) {
+  const QString name = QString::fromStdString(request.name);
+  if (request.clear) return "'" + name + "' has no min_score of its own any more.";
+  return QString("'%1' has its own min_score now, %2. Undo edit takes it back.")
+      .arg(name)
+      .arg(static_cast<double>(request.min_score), 0, 'f', 2);
+}
+
+}  // namespace
 
 LibraryController::LibraryController(RosLink& ros, LibraryStrip& strip, QObject* parent)
     : QObject(parent), ros_(ros), strip_(strip) {
@@ -27,6 +38,7 @@ LibraryController::LibraryController(RosLink& ros, LibraryStrip& strip, QObject*
   connect(&strip, &LibraryStrip::export_wanted, this, &LibraryController::export_object);
   connect(&strip, &LibraryStrip::import_wanted, this, &LibraryController::import_object);
   connect(&strip, &LibraryStrip::history_wanted, this, &LibraryController::show_history);
+  connect(&strip, &LibraryStrip::deleted_wanted, this, &LibraryController::show_deleted);
 }
 
 void LibraryController::take_edit(const Edit& request, bool success, const QString& message) {
@@ -34,6 +46,8 @@ void LibraryController::take_edit(const Edit& request, bool success, const QStri
   undoing_ = false;
   if (success)
     Q_EMIT edited();
+  else if (request.command == Edit::RENAME)
+    strip_.complain("Not renamed: " + message);
   else
     Q_EMIT told(false, "Library: " + message);
   if (success && request.command == Edit::RENAME)
@@ -47,6 +61,12 @@ void LibraryController::take_edit(const Edit& request, bool success, const QStri
   else if (success)
     library_.done(request);
   strip_.show_objects(library_);
+  if (success && request.command == Edit::SET_THRESHOLD)
+    Q_EMIT told(true, threshold_sentence(request));
+}
+
+void LibraryController::set_threshold(const QString& name, double min_score) {
+  ros_.edit(library_.set_threshold(name.toStdString(), min_score));
 }
 
 void LibraryController::undo() {
@@ -82,20 +102,39 @@ void LibraryController::import_object() {
 
 void LibraryController::show_history(const QString& name) {
   try {
-    auto* dialog = new HistoryDialog(
-        name, earlier_revisions(folder_.toStdString(), name.toStdString()), &strip_);
-    connect(dialog, &HistoryDialog::revision_wanted, this, [this, name](int number) {
-      Edit request;
-      request.name = name.toStdString();
-      request.command = Edit::RESTORE;
-      request.revision = static_cast<std::uint32_t>(number);
-      library_.retaught(request.name);
-      ros_.edit(request);
-    });
+    const auto revisions = earlier_revisions(folder_.toStdString(), name.toStdString());
+    auto* dialog =
+        new TrashDialog("Earlier revisions of " + name,
+                        revisions.empty() ? "There are none yet: a revision is kept whenever the "
+                                            "object is taught again or its frame is moved."
+                                          : "The newest is on top.",
+                        &strip_);
+    for (const auto& revision : revisions)
+      dialog->add(revision, QString::fromStdString(revision.text));
+    connect(dialog, &TrashDialog::restore_wanted, this, &LibraryController::restore);
     dialog->open();
   } catch (const std::exception& error) {
     Q_EMIT told(false, error.what());
   }
+}
+
+void LibraryController::show_deleted() {
+  try {
+    const auto objects = deleted_objects(folder_.toStdString());
+    auto* dialog = new TrashDialog(
+        "Deleted objects",
+        objects.empty() ? "No object is deleted." : "Each is shown as it was last.", &strip_);
+    for (const auto& object : objects)
+      dialog->add(object, QString::fromStdString(object.name + "\n" + object.text));
+    connect(dialog, &TrashDialog::restore_wanted, this, &LibraryController::restore);
+    dialog->open();
+  } catch (const std::exception& error) {
+    Q_EMIT told(false, error.what());
+  }
+}
+
+void LibraryController::restore(const QString& name, std::uint32_t revision) {
+  ros_.edit(library_.restore(name.toStdString(), revision));
 }
 
 }  // namespace mbncc::console

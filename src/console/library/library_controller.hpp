@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What the operator does with the library: edits and their undo, export, import, earlier revisions.
+// What the operator does with the library: edits and their undo, export, import, what the
+// trash has.
 #pragma once
 
 #ifndef Q_MOC_RUN
@@ -24,6 +25,8 @@ class LibraryController : public QObject {
   const LibraryModel& library() const { return library_; }
   /// A lesson changed the object, which "Undo edit" can take back.
   void retaught(const std::string& name) { library_.retaught(name); }
+  /// Gives the object its own min_score, 0: none.
+  void set_threshold(const QString& name, double min_score);
 
  Q_SIGNALS:
   /// The answer to what the operator did.
@@ -40,6 +43,8 @@ class LibraryController : public QObject {
   void export_object(const QString& name);
   void import_object();
   void show_history(const QString& name);
+  void show_deleted();
+  void restore(const QString& name, std::uint32_t revision);
 
   RosLink& ros_;
   LibraryStrip& strip_;

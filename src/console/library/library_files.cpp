@@ -4,8 +4,11 @@
 #include <algorithm>
 #include <ctime>
 #include <filesystem>
+#include <functional>
+#include <map>
 #include <opencv2/imgproc.hpp>
 #include <stdexcept>
+#include <utility>
 
 #include "mbncc/library/object_file.hpp"
 #include "mbncc/library/object_library.hpp"
@@ -30,6 +33,38 @@ std::string date_of(double seconds) {
   return text;
 }
 
+Revision revision_of(const ObjectModel& model) {
+  Revision revision;
+  revision.name = model.name;
+  revision.number = model.revision;
+  cv::cvtColor(model.views.front().template_image, revision.picture, cv::COLOR_BGR2RGB);
+  revision.text = "revision " + std::to_string(model.revision) + ", " + date_of(model.learned_at) +
+                  ", " + std::to_string(model.views.size()) + " view(s), " +
+                  to_string(model.quality.verdict);
+  return revision;
+}
+
+/// Of the objects whose name is `wanted`, newest first; without files that cannot be read.
+std::vector<Revision> trash_of(const std::string& folder,
+                               const std::function<bool(const std::string&)>& wanted) {
+  check_folder(folder);
+  std::vector<Revision> revisions;
+  const fs::path trash = fs::path(folder) / ".trash";
+  if (!fs::is_directory(trash)) return revisions;
+  for (const auto& entry : fs::directory_iterator(trash)) {
+    const std::string file = entry.path().filename().string();
+    if (entry.path().extension() != ".png" || !wanted(file.substr(0, file.find('.')))) continue;
+    try {
+      revisions.push_back(revision_of(read_object_file(entry.path().string())));
+    } catch (const std::exception&) {
+      continue;
+    }
+  }
+  std::sort(revisions.begin(), revisions.end(),
+            [](const Revision& a, const Revision& b) { return a.number > b.number; });
+  return revisions;
+}
+
 }  // namespace
 
 void export_object(const std::string& folder, const std::string& name, const std::string& file) {
@@ -48,28 +83,19 @@ std::string import_object(const std::string& folder, const std::string& file) {
 }
 
 std::vector<Revision> earlier_revisions(const std::string& folder, const std::string& name) {
-  check_folder(folder);
-  std::vector<Revision> revisions;
-  const fs::path trash = fs::path(folder) / ".trash";
-  if (!fs::is_directory(trash)) return revisions;
-  for (const auto& entry : fs::directory_iterator(trash)) {
-    const std::string file = entry.path().filename().string();
-    if (file.rfind(name + ".", 0) != 0 || entry.path().extension() != ".png") continue;
-    try {
-      const ObjectModel model = read_object_file(entry.path().string());
-      Revision& revision = revisions.emplace_back();
-      revision.number = model.revision;
-      cv::cvtColor(model.views.front().template_image, revision.picture, cv::COLOR_BGR2RGB);
-      revision.text = "revision " + std::to_string(model.revision) + ", " +
-                      date_of(model.learned_at) + ", " + std::to_string(model.views.size()) +
-                      " view(s), " + to_string(model.quality.verdict);
-    } catch (const std::exception&) {
-      continue;
-    }
-  }
-  std::sort(revisions.begin(), revisions.end(),
-            [](const Revision& a, const Revision& b) { return a.number > b.number; });
-  return revisions;
+  return trash_of(folder, [&](const std::string& of) { return of == name; });
+}
+
+std::vector<Revision> deleted_objects(const std::string& folder) {
+  std::map<std::string, Revision> newest;
+  const auto is_gone = [&](const std::string& name) {
+    return !fs::exists(fs::path(folder) / (name + ".png"));
+  };
+  for (auto& revision : trash_of(folder, is_gone))
+    newest.try_emplace(revision.name, std::move(revision));
+  std::vector<Revision> objects;
+  for (auto& [name, revision] : newest) objects.push_back(std::move(revision));
+  return objects;
 }
 
 }  // namespace mbncc::console

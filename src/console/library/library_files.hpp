@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Export and import of objects as single files, and their earlier revisions. Works if the library's
-// folder is on this computer.
+// Export and import of objects as single files; earlier revisions and deleted objects. Works if the
+// library's folder is on this computer.
 #pragma once
 
 #include <cstdint>
@@ -12,6 +12,7 @@ namespace mbncc::console {
 
 /// One revision in the trash.
 struct Revision {
+  std::string name;  ///< of the object
   std::uint32_t number = 0;
   cv::Mat picture;   ///< CV_8UC3 rgb, the first view
   std::string text;  ///< when it was learned, views, verdict
@@ -25,5 +26,8 @@ std::string import_object(const std::string& folder, const std::string& file);
 
 /// Newest first; without files that cannot be read.
 std::vector<Revision> earlier_revisions(const std::string& folder, const std::string& name);
+
+/// The newest readable revision of every object that is in the trash alone, by name.
+std::vector<Revision> deleted_objects(const std::string& folder);
 
 }  // namespace mbncc::console

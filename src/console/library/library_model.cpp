@@ -54,8 +54,7 @@ LibraryModel::Request LibraryModel::remove(const std::string& name) {
 }
 
 LibraryModel::Request LibraryModel::declare(const std::string& name, std::uint8_t symmetry) {
-  for (const auto& object : objects_)
-    if (object.name == name) declared_before_[name] = object.symmetry;
+  record(name);
   Request request;
   request.name = name;
   request.command = Request::SET_SYMMETRY;
@@ -63,8 +62,33 @@ LibraryModel::Request LibraryModel::declare(const std::string& name, std::uint8_
   return request;
 }
 
+LibraryModel::Request LibraryModel::restore(const std::string& name, std::uint32_t revision) {
+  record(name);
+  Request request;
+  request.name = name;
+  request.command = Request::RESTORE;
+  request.revision = revision;
+  return request;
+}
+
+LibraryModel::Request LibraryModel::set_threshold(const std::string& name, double min_score) {
+  record(name);
+  Request request;
+  request.name = name;
+  request.command = Request::SET_THRESHOLD;
+  request.min_score = static_cast<float>(min_score);
+  request.clear = min_score <= 0;
+  return request;
+}
+
+void LibraryModel::record(const std::string& name) {
+  const auto* object = find(name);
+  before_[name] = object != nullptr ? *object : mbncc_vision::LearnedObject();
+}
+
 void LibraryModel::done(const Request& request) {
   Request inverse = request;
+  const auto& before = before_[request.name];
   switch (request.command) {
     case Request::ENABLE:
       inverse.command = Request::DISABLE;
@@ -78,8 +102,16 @@ void LibraryModel::done(const Request& request) {
     case Request::DELETE:
       inverse.command = Request::RESTORE;
       break;
+    case Request::RESTORE:
+      if (before.revision == 0) inverse.command = Request::DELETE;
+      inverse.revision = before.revision;
+      break;
+    case Request::SET_THRESHOLD:
+      inverse.min_score = before.min_score;
+      inverse.clear = !(before.min_score > 0);
+      break;
     case Request::SET_SYMMETRY:
-      inverse.symmetry = declared_before_[request.name];
+      inverse.symmetry = before.symmetry;
       break;
     default:
       return;
@@ -99,6 +131,10 @@ std::string LibraryModel::undo_text() const {
       return "Undo: rename to '" + last.new_name + "'";
     case Request::SET_SYMMETRY:
       return "Undo: symmetry of '" + last.name + "'";
+    case Request::SET_THRESHOLD:
+      return "Undo: min_score of '" + last.name + "'";
+    case Request::DELETE:
+      return "Undo: delete '" + last.name + "' again";
     default:
       return last.revision == 0 ? "Undo: bring '" + last.name + "' back"
                                 : "Undo: bring revision " + std::to_string(last.revision) +

@@ -24,6 +24,10 @@ class LibraryModel {
   static Request remove(const std::string& name);
   /// `symmetry` is one of LearnObjectGoal's SYMMETRY_...; records the current one for undo().
   Request declare(const std::string& name, std::uint8_t symmetry);
+  /// Restores a revision from the trash; records the object's present one for undo().
+  Request restore(const std::string& name, std::uint32_t revision);
+  /// Sets the object's own min_score, 0: the matcher's; records the present one for undo().
+  Request set_threshold(const std::string& name, double min_score);
 
   /// The object of that name; null: none.
   const mbncc_vision::LearnedObject* find(const std::string& name) const;
@@ -42,8 +46,10 @@ class LibraryModel {
   void undone() { undo_.pop_back(); }
 
  private:
+  void record(const std::string& name);
+
   std::vector<mbncc_vision::LearnedObject> objects_;
-  std::map<std::string, std::uint8_t> declared_before_;
+  std::map<std::string, mbncc_vision::LearnedObject> before_;  // a recorded edit; revision 0: none
   std::vector<Request> undo_;
 };
 

@@ -46,6 +46,7 @@ LibraryStrip::LibraryStrip(QWidget* parent)
     : QWidget(parent),
       search_(new QLineEdit),
       list_(new QListWidget),
+      complaint_(new QLabel),
       symmetry_(make_symmetry_box("At which angles the chosen object counts as the same")),
       view_(make_button("Teach &view", "Teach the chosen object in other light or a little turned",
                         "Alt+V")),
@@ -54,7 +55,7 @@ LibraryStrip::LibraryStrip(QWidget* parent)
       delete_(
           make_button("De&lete", "Take it out of the library; Undo edit brings it back", "Alt+L")),
       undo_(make_button("Undo &edit", "Take the last change of the library back", "Alt+E")),
-      more_(make_button("M&ore", "Export, import, earlier revisions", "Alt+O")) {
+      more_(make_button("M&ore", "Export, import, earlier revisions, deleted objects", "Alt+O")) {
   search_->setPlaceholderText("search the library");
   search_->setClearButtonEnabled(true);
   list_->setViewMode(QListView::IconMode);
@@ -66,6 +67,9 @@ LibraryStrip::LibraryStrip(QWidget* parent)
   list_->setMinimumHeight(kIcon.height() + 34);
   name_window(list_, "library");
   name_window(search_, "search");
+  complaint_->setWordWrap(true);
+  show_alarm(complaint_, Level::kDoubtful);
+  complain("");
   lay_out();
   connect_buttons();
   show_choice();
@@ -83,6 +87,7 @@ void LibraryStrip::lay_out() {
   all->setSpacing(3);
   all->addWidget(search_);
   all->addWidget(list_, 1);
+  all->addWidget(complaint_);
   all->addLayout(first);
   all->addLayout(second);
 }
@@ -92,9 +97,11 @@ QMenu* LibraryStrip::make_menu() {
   export_ = menu->addAction("Export the chosen object as a file ...");
   auto* import = menu->addAction("Import an object from a file ...");
   history_ = menu->addAction("Earlier revisions of the chosen object ...");
+  auto* deleted = menu->addAction("Deleted objects ...");
   connect(export_, &QAction::triggered, [this] { Q_EMIT export_wanted(chosen()); });
   connect(import, &QAction::triggered, this, &LibraryStrip::import_wanted);
   connect(history_, &QAction::triggered, [this] { Q_EMIT history_wanted(chosen()); });
+  connect(deleted, &QAction::triggered, this, &LibraryStrip::deleted_wanted);
   return menu;
 }
 
@@ -109,6 +116,9 @@ void LibraryStrip::connect_buttons() {
     Q_EMIT edit_wanted(LibraryModel::enable(chosen().toStdString(), !enabled));
   });
   connect(rename_, &QPushButton::clicked, [this] { list_->editItem(list_->currentItem()); });
+  for (auto* button : {view_, enable_, rename_, delete_, undo_})
+    connect(button, &QPushButton::clicked, [this] { complain(""); });
+  connect(list_, &QListWidget::itemClicked, [this] { complain(""); });
   connect(delete_, &QPushButton::clicked,
           [this] { Q_EMIT edit_wanted(LibraryModel::remove(chosen().toStdString())); });
   connect(undo_, &QPushButton::clicked, this, &LibraryStrip::undo_wanted);
@@ -185,19 +195,37 @@ void LibraryStrip::show_choice() {
   choose_symmetry(symmetry_, static_cast<std::uint8_t>(
                                  any ? list_->currentItem()->data(kSymmetryRole).toUInt() : 0));
   const bool enabled = !any || list_->currentItem()->data(kEnabledRole).toBool();
-  enable_->setText(enabled ? "&Disable" : "Ena&ble");
+  relabel(enable_, enabled ? "&Disable" : "Ena&ble");
+}
+
+bool LibraryStrip::is_listed(const QString& name) const {
+  for (int row = 0; row < list_->count(); ++row)
+    if (list_->item(row)->data(kNameRole) == name) return true;
+  return false;
 }
 
 void LibraryStrip::take_new_name(QListWidgetItem* item) {
   if (filling_) return;
-  const QString name = item->data(kNameRole).toString(),
-                wanted = QString::fromStdString(usable_name(item->text().toStdString()).name);
-  if (item->text() == name) return;
+  const QString name = item->data(kNameRole).toString(), typed = item->text();
+  if (typed == name) return complain("");
   filling_ = true;
   item->setText(name);  // until the library says otherwise
   filling_ = false;
-  if (wanted.isEmpty() || wanted == name) return;
-  Q_EMIT edit_wanted(LibraryModel::rename(name.toStdString(), wanted.toStdString()));
+  const TypedName tidy = usable_name(typed.toStdString());
+  const QString wanted = QString::fromStdString(tidy.name);
+  if (wanted.isEmpty())
+    return complain(
+        "Not renamed: a name begins with a letter and has only letters a to z, digits and _.");
+  if (wanted != name && is_listed(wanted))
+    return complain("Not renamed: '" + wanted + "' is in the library already. Give another name.");
+  complain(QString::fromStdString(tidy.complaint));
+  if (wanted != name)
+    Q_EMIT edit_wanted(LibraryModel::rename(name.toStdString(), wanted.toStdString()));
+}
+
+void LibraryStrip::complain(const QString& sentence) {
+  complaint_->setText(sentence);
+  complaint_->setVisible(!sentence.isEmpty());
 }
 
 }  // namespace mbncc::console

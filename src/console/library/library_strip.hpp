@@ -8,6 +8,7 @@
 #endif
 
 #include <QComboBox>
+#include <QLabel>
 #include <QLineEdit>
 #include <QListWidget>
 #include <QMenu>
@@ -29,6 +30,8 @@ class LibraryStrip : public QWidget {
   /// Key of the selected object, "" for none.
   QString chosen() const;
   void allow_teaching(bool allowed);
+  /// What is wrong with a new name, below the list; "": nothing. The next edit clears it.
+  void complain(const QString& sentence);
 
  Q_SIGNALS:
   void edit_wanted(mbncc_vision::EditObject::Request request);
@@ -39,6 +42,7 @@ class LibraryStrip : public QWidget {
   void export_wanted(QString name);
   void import_wanted();
   void history_wanted(QString name);
+  void deleted_wanted();
 
  private:
   QListWidgetItem* make_item(const mbncc_vision::LearnedObject& object);
@@ -48,9 +52,11 @@ class LibraryStrip : public QWidget {
   void show_choice();
   void filter();
   void take_new_name(QListWidgetItem* item);
+  bool is_listed(const QString& name) const;
 
   QLineEdit* search_;
   QListWidget* list_;
+  QLabel* complaint_;
   QComboBox* symmetry_;
   QPushButton *view_, *enable_, *rename_, *delete_, *undo_, *more_;
   QAction *export_, *history_;

@@ -24,8 +24,11 @@ Mark mark_of(const DetectedObject& object) {
   mark.level = level_of_state(object.state);
   char score[16];
   std::snprintf(score, sizeof score, " %.2f ", object.score);
-  mark.label = std::string(symbol_of(mark.level)) + " " + object.name + " #" +
-               std::to_string(object.instance_id) + score + word_of_state(object.state);
+  // A single picture has no instances.
+  const std::string number =
+      object.instance_id == 0 ? "" : " #" + std::to_string(object.instance_id);
+  mark.label = std::string(symbol_of(mark.level)) + " " + object.name + number + score +
+               word_of_state(object.state);
   return mark;
 }
 

@@ -5,6 +5,7 @@
 #include <QMouseEvent>
 #include <QPainter>
 #include <QPainterPath>
+#include <QTime>
 #include <QWheelEvent>
 #include <algorithm>
 #include <cmath>
@@ -58,6 +59,10 @@ std::vector<cv::Point2f> points_of(const geometry_msgs::Polygon& polygon) {
 
 }  // namespace
 
+QString still_caption() {
+  return "Still picture of " + QTime::currentTime().toString("hh:mm:ss");
+}
+
 PictureView::PictureView(QWidget* parent) : QWidget(parent) {
   setMinimumSize(320, 240);
   setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
@@ -71,17 +76,23 @@ void PictureView::show_picture(const QImage& picture, QSize size, const std::vec
   picture_ = picture;
   size_ = size;
   marks_ = marks;
-  caption_ = caption;
+  set_caption(caption);
   outdated_ = false;
   fit();
   update();
   if (reshaped) Q_EMIT shape_changed();
 }
 
+void PictureView::set_caption(const QString& caption) {
+  if (caption == caption_) return;
+  caption_ = caption;
+  setAccessibleDescription(caption);
+}
+
 void PictureView::show_age(const QString& warning) {
   if (picture_.isNull()) return;
   outdated_ = true;
-  caption_ = warning;
+  set_caption(warning);
   update();
 }
 
@@ -95,6 +106,22 @@ void PictureView::ask_for_place(bool wanted) {
   asking_ = wanted && !picture_.isNull();
   pen_.reset();
   show_cursor();
+  update();
+}
+
+void PictureView::ask_for_region(bool wanted) {
+  asking_region_ = wanted && !picture_.isNull();
+  tool_.choose(asking_region_ ? Tool::kRegion : Tool::kNone);
+  // Where the keyboard starts to draw.
+  const cv::Size size = size_of(size_);
+  pen_ = cv::Point2f(static_cast<float>(size.width) / 4, static_cast<float>(size.height) / 4);
+  show_cursor();
+  update();
+}
+
+void PictureView::show_region(const QRect& region) {
+  if (region == region_) return;
+  region_ = region;
   update();
 }
 
@@ -172,7 +199,12 @@ void PictureView::choose_place(cv::Point2f at) {
 
 void PictureView::finish_mark(cv::Point2f at) {
   const auto correction = tool_.release(at, size_of(size_));
-  if (correction) Q_EMIT corrected(*correction);
+  if (!correction) return;
+  if (!asking_region_) return Q_EMIT corrected(*correction);
+  ask_for_region(false);
+  const auto& roi = correction->roi;
+  Q_EMIT region_chosen({static_cast<int>(roi.x_offset), static_cast<int>(roi.y_offset),
+                        static_cast<int>(roi.width), static_cast<int>(roi.height)});
 }
 
 void PictureView::show_cursor() {
@@ -209,6 +241,7 @@ void PictureView::paintEvent(QPaintEvent*) {
   if (outdated_) painter.fillRect(rect(), QColor(110, 110, 110, 190));
   painter.setRenderHint(QPainter::Antialiasing);
   if (marks_shown_ && !outdated_) {
+    paint_region(painter);
     paint_marks(painter);
     paint_labels(painter);
   }
@@ -233,6 +266,21 @@ void PictureView::paint_focus(QPainter& painter) const {
   painter.setBrush(Qt::NoBrush);
   painter.setPen(QPen(palette().highlight(), 2));
   painter.drawRect(rect().adjusted(1, 1, -1, -1));
+}
+
+/// What is not searched is darker.
+void PictureView::paint_region(QPainter& painter) const {
+  if (region_.isEmpty()) return;
+  const QRectF box(on_widget({region_.x() - 0.5, region_.y() - 0.5}),
+                   on_widget({region_.right() + 0.5, region_.bottom() + 0.5}));
+  QPainterPath outside;
+  outside.addRect(rect());
+  QPainterPath inside;
+  inside.addRect(box);
+  painter.fillPath(outside.subtracted(inside), QColor(0, 0, 0, 110));
+  painter.setBrush(Qt::NoBrush);
+  painter.setPen(QPen(kRegion, 2, Qt::DashLine));
+  painter.drawRect(box);
 }
 
 void PictureView::paint_marks(QPainter& painter) const {

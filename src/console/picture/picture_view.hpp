@@ -10,12 +10,16 @@
 #endif
 
 #include <QImage>
+#include <QRect>
 #include <QWidget>
 #include <deque>
 #include <optional>
 #include <vector>
 
 namespace mbncc::console {
+
+/// "Still picture of 12:03:05": now, so that it is not taken for a live one.
+QString still_caption();
 
 class PictureView : public QWidget {
   Q_OBJECT
@@ -36,6 +40,11 @@ class PictureView : public QWidget {
   /// The next click asks about its place instead of drawing, until this is cancelled.
   void ask_for_place(bool wanted);
   bool asks_for_place() const { return asking_; }
+  /// The next box that is drawn is a search region, until this is cancelled.
+  void ask_for_region(bool wanted);
+  bool asks_for_region() const { return asking_region_; }
+  /// [px] of the camera's picture, outside of which nothing is searched; empty: none.
+  void show_region(const QRect& region);
   /// Discards an unfinished stroke; false if there is none.
   bool give_up();
 
@@ -57,6 +66,8 @@ class PictureView : public QWidget {
   void shape_changed();
   /// [px] of the camera's picture.
   void place_chosen(QPointF place);
+  /// [px] of the camera's picture.
+  void region_chosen(QRect region);
 
  protected:
   void paintEvent(QPaintEvent* event) override;
@@ -70,6 +81,7 @@ class PictureView : public QWidget {
 
  private:
   void fit();
+  void set_caption(const QString& caption);
   void show_cursor();
   QPointF on_widget(cv::Point2d picture) const;
   cv::Point2f on_picture(const QPointF& widget) const;
@@ -77,6 +89,7 @@ class PictureView : public QWidget {
   void paint_labels(QPainter& painter) const;
   void paint_axes(QPainter& painter, cv::Point2d origin, double theta, double length,
                   bool grips) const;
+  void paint_region(QPainter& painter) const;
   void paint_tool(QPainter& painter) const;
   void paint_stroke(QPainter& painter, const std::vector<cv::Point2f>& points, double width,
                     Tool tool) const;
@@ -95,7 +108,8 @@ class PictureView : public QWidget {
   std::vector<Mark> marks_;
   std::deque<MarkingTool::Request> waiting_;
   QString caption_;
-  bool outdated_ = false, marks_shown_ = true, asking_ = false;
+  bool outdated_ = false, marks_shown_ = true, asking_ = false, asking_region_ = false;
+  QRect region_;
   std::optional<QPointF> dragged_from_;
   std::optional<cv::Point2f> pen_;  // [px] of the picture, once the keyboard has moved it
   PictureFrame frame_;

@@ -16,7 +16,8 @@ ThresholdController::ThresholdController(RosLink& ros, ThresholdPane& pane, Pict
               Q_EMIT told(false, "Thresholds: " + message);
               return;
             }
-            preview_ = ThresholdPreview(detections, ros_.thresholds());
+            found_ = detections;
+            caption_ = still_caption();
             picture_ = image;
             size_ = size;
             Q_EMIT found();
@@ -30,27 +31,29 @@ void ThresholdController::ask() {
   ros_.find_all();
 }
 
-void ThresholdController::begin(const QString& object) {
-  pane_.begin(preview_.now(), object);
+void ThresholdController::begin(const QString& object, const LibraryModel& library) {
+  Thresholds now = ros_.thresholds();
+  for (const auto& known : library.objects())
+    if (known.min_score > 0) now.own[known.name] = static_cast<double>(known.min_score);
+  preview_ = ThresholdPreview(found_, now);
+  pane_.begin(now, object);
   show();
 }
 
 void ThresholdController::show() {
   const Thresholds wanted = pane_.wanted();
-  pane_.show_summary(QString::fromStdString(preview_.summary(wanted)));
-  view_.show_picture(picture_, size_, preview_.marks(wanted), "One picture");
+  pane_.show_summary(
+      QString::fromStdString(preview_.summary(wanted, pane_.object().toStdString())));
+  view_.show_picture(picture_, size_, preview_.marks(wanted), caption_);
 }
 
-void ThresholdController::apply(const QString& object) {
-  if (object.isEmpty()) {
-    ros_.set_thresholds(pane_.wanted());
-  } else {
-    mbncc_vision::EditObject::Request request;
-    request.name = object.toStdString();
-    request.command = mbncc_vision::EditObject::Request::SET_THRESHOLD;
-    request.min_score = static_cast<float>(pane_.wanted().min_score);
-    ros_.edit(request);
-  }
+void ThresholdController::apply() {
+  const std::string object = pane_.object().toStdString();
+  const Thresholds wanted = pane_.wanted();
+  if (object.empty())
+    ros_.set_thresholds(wanted);
+  else
+    Q_EMIT own_wanted(pane_.object(), wanted.own.count(object) ? wanted.own.at(object) : 0);
   Q_EMIT applied();
 }
 

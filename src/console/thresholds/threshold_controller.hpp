@@ -3,6 +3,7 @@
 #pragma once
 
 #ifndef Q_MOC_RUN
+#include "console/library/library_model.hpp"
 #include "console/ros_link.hpp"
 #include "console/thresholds/threshold_preview.hpp"
 #endif
@@ -25,24 +26,29 @@ class ThresholdController : public QObject {
 
   /// Asks the matcher for all it finds in the picture shown; found() follows, or told().
   void ask();
-  /// Shows what was found; `object`: the one whose min_score may be set alone, "": none.
-  void begin(const QString& object);
+  /// Shows what was found; `object`: the one whose min_score may be set alone, "": none. The
+  /// objects' own thresholds are those of `library`.
+  void begin(const QString& object, const LibraryModel& library);
 
  Q_SIGNALS:
   void found();
   void applied();
+  /// The object's own min_score; 0: none any more.
+  void own_wanted(QString object, double min_score);
   void told(bool success, QString sentence);
 
  private:
   void show();
-  void apply(const QString& object);
+  void apply();
 
   RosLink& ros_;
   ThresholdPane& pane_;
   PictureView& view_;
   ThresholdPreview preview_;
+  mbncc_vision::DetectedObjectArray found_;
   QImage picture_;
   QSize size_;
+  QString caption_;
 };
 
 }  // namespace mbncc::console

@@ -7,6 +7,7 @@
 #include "console/thresholds/threshold_preview.hpp"
 #endif
 
+#include <QCheckBox>
 #include <QLabel>
 #include <QPushButton>
 #include <QRadioButton>
@@ -25,21 +26,26 @@ class ThresholdPane : public QWidget {
   void begin(const Thresholds& now, const QString& object);
   void show_summary(const QString& summary) { summary_->setText(summary); }
   Thresholds wanted() const;
+  /// The object whose min_score is set alone; "": the matcher's thresholds are set.
+  QString object() const { return one_->isChecked() ? object_ : QString(); }
 
  Q_SIGNALS:
   void moved();
-  /// `object`: only its min_score; "": the matcher's thresholds.
-  void apply_wanted(QString object);
+  void apply_wanted();
   void closed();
 
  private:
+  void lay_out();
+  void set_scope();
   void tell();
 
   QLabel *min_text_, *confirm_text_, *summary_;
   QSlider *min_, *confirm_;
   QRadioButton *all_, *one_;
+  QCheckBox* inherit_;   // the matcher's min_score for that object
   QLabel* object_text_;  // whose
   QString object_;
+  Thresholds now_;
 };
 
 }  // namespace mbncc::console

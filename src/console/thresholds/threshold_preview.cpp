@@ -6,10 +6,19 @@
 namespace mbncc::console {
 namespace {
 
-// The matcher's reason that depends on confirm_score.
-constexpr const char* kScoreReason = "is below confirm_score";
+/// Whether a reason of the matcher holds in this picture with any confirm_score. The other ones
+/// are the score, other pictures and the age of this one.
+bool stays(const std::string& reason) {
+  return reason.find("is below confirm_score") == std::string::npos &&
+         reason.rfind("graspable in ", 0) != 0 && reason.rfind("older than valid_until", 0) != 0;
+}
 
 }  // namespace
+
+double Thresholds::min_score_of(const std::string& object) const {
+  const auto found = own.find(object);
+  return found == own.end() ? min_score : found->second;
+}
 
 ThresholdPreview::ThresholdPreview(const mbncc_vision::DetectedObjectArray& all,
                                    const Thresholds& now)
@@ -17,15 +26,13 @@ ThresholdPreview::ThresholdPreview(const mbncc_vision::DetectedObjectArray& all,
 
 bool ThresholdPreview::reported(const mbncc_vision::DetectedObject& object,
                                 const Thresholds& thresholds) {
-  return object.score >= thresholds.min_score;
+  return object.score >= thresholds.min_score_of(object.name);
 }
 
 bool ThresholdPreview::graspable(const mbncc_vision::DetectedObject& object,
                                  const Thresholds& thresholds) {
   return reported(object, thresholds) && object.score >= thresholds.confirm_score &&
-         std::all_of(object.reasons.begin(), object.reasons.end(), [](const std::string& reason) {
-           return reason.find(kScoreReason) != std::string::npos;
-         });
+         std::none_of(object.reasons.begin(), object.reasons.end(), stays);
 }
 
 std::vector<Mark> ThresholdPreview::marks(const Thresholds& wanted) const {
@@ -39,20 +46,22 @@ std::vector<Mark> ThresholdPreview::marks(const Thresholds& wanted) const {
   return marks_of(shown);
 }
 
-ThresholdPreview::Counts ThresholdPreview::count(const Thresholds& thresholds) const {
+ThresholdPreview::Counts ThresholdPreview::count(const Thresholds& thresholds,
+                                                 const std::string& name) const {
   Counts counts;
   for (const auto& object : all_.objects) {
+    if (!name.empty() && object.name != name) continue;
     counts.reported += reported(object, thresholds) ? 1 : 0;
     counts.graspable += graspable(object, thresholds) ? 1 : 0;
   }
   return counts;
 }
 
-std::string ThresholdPreview::summary(const Thresholds& wanted) const {
-  const Counts then = count(wanted), now = count(now_);
-  return "In this picture: reported " + std::to_string(then.reported) + " (now " +
-         std::to_string(now.reported) + "), graspable " + std::to_string(then.graspable) +
-         " (now " + std::to_string(now.graspable) + ").";
+std::string ThresholdPreview::summary(const Thresholds& wanted, const std::string& object) const {
+  const Counts then = count(wanted, object), now = count(now_, object);
+  return (object.empty() ? "In this picture" : "'" + object + "' in this picture") + ": reported " +
+         std::to_string(then.reported) + " (now " + std::to_string(now.reported) + "), graspable " +
+         std::to_string(then.graspable) + " (now " + std::to_string(now.graspable) + ").";
 }
 
 }  // namespace mbncc::console

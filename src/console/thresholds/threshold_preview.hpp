@@ -4,6 +4,7 @@
 
 #include <mbncc_vision/DetectedObjectArray.h>
 
+#include <map>
 #include <string>
 #include <vector>
 
@@ -12,7 +13,10 @@
 namespace mbncc::console {
 
 struct Thresholds {
-  double min_score = 0.5, confirm_score = 0.7;
+  double min_score = 0.5, confirm_score = 0.7;  ///< the matcher's
+  std::map<std::string, double> own{};          ///< min_score of objects that have their own
+
+  double min_score_of(const std::string& object) const;
 };
 
 class ThresholdPreview {
@@ -24,8 +28,9 @@ class ThresholdPreview {
   /// The detections reported with the thresholds `wanted`, graspable ones as kGood.
   std::vector<Mark> marks(const Thresholds& wanted) const;
 
-  /// "Reported: 3 (now 2), graspable: 1 (now 1)".
-  std::string summary(const Thresholds& wanted) const;
+  /// "In this picture: reported 3 (now 2), graspable 1 (now 1)."; `object`: its detections alone,
+  /// "": all.
+  std::string summary(const Thresholds& wanted, const std::string& object = "") const;
 
   const Thresholds& now() const { return now_; }
 
@@ -33,7 +38,7 @@ class ThresholdPreview {
   struct Counts {
     int reported = 0, graspable = 0;
   };
-  Counts count(const Thresholds& thresholds) const;
+  Counts count(const Thresholds& thresholds, const std::string& object) const;
   static bool reported(const mbncc_vision::DetectedObject& object, const Thresholds& thresholds);
   static bool graspable(const mbncc_vision::DetectedObject& object, const Thresholds& thresholds);
 

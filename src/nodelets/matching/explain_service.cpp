@@ -18,6 +18,15 @@ constexpr double kPatience = 5;        // [s] for the next live picture
 constexpr std::size_t kExplained = 3;  // objects, the likeliest
 constexpr const char* kFolder = ".misses";
 
+/// What lies there may be an object that is not searched.
+void add_disabled(SavedMiss& miss) {
+  std::string names;
+  for (const auto& object : miss.objects)
+    if (!object->enabled) names += (names.empty() ? "'" : ", '") + object->name + "'";
+  if (!names.empty())
+    miss.lines.push_back("Not searched, because disabled: " + names + ". Enable what lies here.");
+}
+
 }  // namespace
 
 ExplainService::ExplainService(ros::NodeHandle private_node, const ExplainTools& tools)
@@ -74,6 +83,7 @@ void ExplainService::explain(const Request& request, Response& response) const {
   if (explanations.empty())
     miss.lines.push_back("The library has no enabled object of this camera: teach or enable one.");
   for (const auto& line : lines_of(explanations, kExplained)) miss.lines.push_back(line);
+  if (!explanations.empty()) add_disabled(miss);
   for (const auto& line : miss.lines)
     response.message += (response.message.empty() ? "" : "\n") + line;
   response.picture = encode_picture(draw_explanation(miss.picture, miss.place, explanations));

@@ -118,14 +118,24 @@ Peak peak_of(const cv::Mat& scores, const cv::Mat& mask = {}) {
   return peak;
 }
 
-void name_peak(cv::Mat& picture, const Peak& peak, const char* text, int radius) {
+/// Beside the peak, and below or above `taken` if that is there; returns where it is.
+cv::Rect name_peak(cv::Mat& picture, const Peak& peak, const char* text, int radius,
+                   const cv::Rect& taken = {}) {
   const Letters letters(2 * picture.cols);
-  const int x = std::min(peak.place.x + radius + 4, picture.cols - letters.width_of(text) - 2);
-  const cv::Point at(x, std::max(peak.place.y, letters.height + 2));
+  const cv::Size size(letters.width_of(text), letters.height + letters.baseline);
+  cv::Rect box({std::min(peak.place.x + radius + 4, picture.cols - size.width - 2),
+                std::max(peak.place.y - letters.height, 2)},
+               size);
+  if (!(box & taken).empty()) {
+    box.y = taken.br().y + 2;
+    if (box.br().y > picture.rows) box.y = taken.y - 2 - size.height;
+  }
+  const cv::Point at(box.x, box.y + letters.height);
   Letters shade = letters;
   shade.stroke += 2;
   shade.write(picture, text, at, cv::Scalar::all(0));
   letters.write(picture, text, at, kInk);
+  return box;
 }
 
 }  // namespace
@@ -153,11 +163,11 @@ cv::Mat draw_score_map(const cv::Mat& scores, double radius) {
   const Peak second = peak_of(scores, elsewhere);
   const int mark = std::max(6, drawn.cols / 25), stroke = drawn.cols / 320 + 1;
   cv::circle(drawn, best.place, mark, kInk, stroke, cv::LINE_AA);
-  name_peak(drawn, best, "object", mark);
+  const cv::Rect label = name_peak(drawn, best, "object", mark);
   if (second.score <= 0) return drawn;
   const cv::Point half(mark, mark);
   cv::rectangle(drawn, second.place - half, second.place + half, kInk, stroke);
-  name_peak(drawn, second, "next best", mark);
+  name_peak(drawn, second, "next best", mark, label);
   return drawn;
 }
 

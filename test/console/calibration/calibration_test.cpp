@@ -55,6 +55,21 @@ TEST(BoardCalibration, FindsTheCameraThatDrewTheBoards) {
   EXPECT_EQ(result.info.width, 640u);
 }
 
+TEST(BoardCalibration, TellsWhereTheBoardsWere) {
+  BoardCalibration calibration(kBoard, kPicture);
+  EXPECT_TRUE(calibration.outlines().empty());
+  EXPECT_TRUE(calibration.outline().empty());
+  ASSERT_EQ(calibration.take(board_at({0, 0, 0}, {-0.2, -0.15, 0.8})), Seen::kTaken);
+  ASSERT_EQ(calibration.outlines().size(), 1u);
+  const auto outline = calibration.outlines()[0];
+  ASSERT_EQ(outline.size(), 4u);
+  EXPECT_EQ(outline, calibration.outline());
+  // Around the board, not across it.
+  EXPECT_NEAR(cv::norm(outline[1] - outline[0]), cv::norm(outline[2] - outline[3]), 2);
+  EXPECT_EQ(static_cast<int>(calibration.fields().size()), calibration.covered());
+  EXPECT_EQ(calibration.fields().count(0), 0u) << "the corner of the picture";
+}
+
 TEST(BoardCalibration, TheSamePictureIsTakenOnce) {
   BoardCalibration calibration(kBoard, kPicture);
   const cv::Mat picture = board_at({0.2, 0.1, 0}, {-0.09, -0.06, 0.6});

@@ -69,6 +69,16 @@ diagnostic_msgs::DiagnosticArray complaint_of(const std::string& node, const std
   return diagnostics;
 }
 
+TEST(Lamps, PicturesThatAreNotLiveAreTold) {
+  Lamps lamps;
+  lamps.take_picture(10);
+  lamps.take_origin("THE SAME PICTURE");
+  EXPECT_EQ(lamps.look(11)[kCamera].level, Level::kDoubtful);
+  EXPECT_EQ(lamps.look(11)[kCamera].reason, "THE SAME PICTURE");
+  lamps.take_origin("");
+  EXPECT_EQ(lamps.look(11)[kCamera].level, Level::kGood);
+}
+
 TEST(Lamps, TheCameraSaysItselfWhatIsWrong) {
   Lamps lamps = well(10);
   lamps.take_diagnostics(complaint_of("camera", "/dev/video0 is gone"), 13);

@@ -2,7 +2,8 @@
 // Looks at the widgets of a running Qt program for what is cut off, covered or out of reach. Qt
 // loads it with QT_QPA_GENERIC_PLUGINS=layoutcheck and this library's folder's parent in
 // QT_PLUGIN_PATH. Several times a second it writes the file MBNCC_LAYOUT_REPORT: {"looks": how many
-// so far, "focus": who has the keyboard, "complaints": [...]}.
+// so far, "focus": who has the keyboard, "texts": what labels and painted widgets say,
+// "complaints": [...]}.
 #include <QAbstractButton>
 #include <QAbstractScrollArea>
 #include <QAbstractSpinBox>
@@ -166,6 +167,19 @@ class Look {
   QJsonArray complaints_;
 };
 
+/// What is written in the windows; a widget that paints describes it for a screen reader.
+QJsonArray texts() {
+  QJsonArray texts;
+  for (const auto* widget : QApplication::allWidgets()) {
+    if (!widget->isVisible()) continue;
+    const auto* label = qobject_cast<const QLabel*>(widget);
+    for (const auto& text :
+         {label != nullptr ? label->text() : "", widget->accessibleDescription()})
+      if (!text.isEmpty()) texts << text;
+  }
+  return texts;
+}
+
 class LayoutCheck : public QObject {
  public:
   LayoutCheck() {
@@ -179,6 +193,7 @@ class LayoutCheck : public QObject {
     if (!file.open(QIODevice::WriteOnly)) return;
     file.write(QJsonDocument(QJsonObject{{"looks", ++looks_},
                                          {"focus", name_of(QApplication::focusWidget())},
+                                         {"texts", texts()},
                                          {"complaints", Look().complaints()}})
                    .toJson());
     file.commit();

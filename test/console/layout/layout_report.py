@@ -17,10 +17,19 @@ class LayoutReport:
         try:
             return json.loads(self._path.read_text())
         except (OSError, ValueError):
-            return {"looks": 0, "focus": "", "complaints": ["nothing was looked at"]}
+            return {"looks": 0, "focus": "", "texts": [], "complaints": ["nothing was looked at"]}
 
     def focus(self):
         return self.newest()["focus"]
+
+    def says(self, part):
+        return any(part in text for text in self.newest()["texts"])
+
+    def wait_until_says(self, part, patience=10):
+        wait_for(lambda: self.says(part), "the console says '%s'" % part, patience)
+
+    def wait_until_silent(self, part, patience=10):
+        wait_for(lambda: not self.says(part), "the console no longer says '%s'" % part, patience)
 
     def complaints(self, patience=10):
         """Of two looks from now on, and later, until there are none or `patience` is over."""

@@ -70,6 +70,7 @@ class LayoutTest(unittest.TestCase):
         self.fits("review, a tool in hand")
         self.cut_until_bad(draft)
         self.mouse.window("insist")
+        self.report.wait_until_says("Correct or reject the outline, or tick that you have checked it.")
         self.fits("review, verdict BAD")
         self.teacher.press("Reject")
         self.fits("rejected")
@@ -102,9 +103,17 @@ class LayoutTest(unittest.TestCase):
         self.mouse.click("library", at=(40, 40))
         self.mouse.click_until("Thresholds", lambda: self.mouse.sees("confirm_score"), "it shows them")
         self.fits("thresholds")
+        self.mouse.click("one object", at=(8, 8))
+        self.fits("thresholds of one object")
         self.mouse.press("Escape")
         self.mouse.click_until("Delete", lambda: LONGEST not in self.teacher.names(), "it is deleted")
         self.fits("deleted")
+        self.mouse.click("More")
+        for key in ("Up", "Return"):
+            self.mouse.press(key)
+        self.mouse.window("Restore( .disabled.)?")
+        self.fits("deleted objects")
+        self.mouse.press("Escape")
 
     def test_3_library(self):
         self.teacher.order("put_next", lies=True)
@@ -121,6 +130,12 @@ class LayoutTest(unittest.TestCase):
         self.mouse.window("Restore( .disabled.)?")
         self.fits("earlier revisions")
         self.mouse.press("Escape")
+        self.mouse.focus_window()
+        self.mouse.click("Rename")
+        self.mouse.type("12")
+        self.mouse.press("Return")
+        self.report.wait_until_says("Not renamed")
+        self.fits("a new name is refused")
 
     def test_4_explanations(self):
         self.mouse.click_until("Why not found here\\?", lambda: True, "it asks for the place")
@@ -133,6 +148,15 @@ class LayoutTest(unittest.TestCase):
         self.mouse.click_until("Save this miss", lambda: any(misses.glob("*.miss")), "it is saved")
         self.fits("the miss is saved")
         self.mouse.press("Escape")
+
+    def test_4b_search_region(self):
+        self.mouse.click_until("Search region", lambda: self.report.says("Draw a box around"), "it asks for a box")
+        self.fits("a search region is asked for")
+        self.mouse.drag([(20, 20), (60, 60), (90, 80)], (CAMERA["width"], CAMERA["height"]))
+        self.mouse.window("Search everywhere")
+        self.fits("a search region")
+        self.mouse.click("Search everywhere")
+        self.mouse.window("Search region")
 
     def test_5_camera(self):
         self.mouse.click_until("Camera", lambda: self.mouse.sees("Compute"), "it helps with the camera")

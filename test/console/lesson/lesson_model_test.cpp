@@ -123,5 +123,45 @@ TEST(LessonModel, ADeadCameraIsNamedBeforeAndInALesson) {
   EXPECT_EQ(lesson.headline(), "Keep the scene still");
 }
 
+mbncc_vision::LearnedObject listed(const std::string& name, std::uint32_t revision) {
+  mbncc_vision::LearnedObject object;
+  object.name = name;
+  object.revision = revision;
+  return object;
+}
+
+LessonModel learned(const std::string& name, std::uint32_t revision) {
+  LessonModel lesson = ready();
+  lesson.begin("goal", 0);
+  auto end = result(Result::SUCCESS);
+  end.result.object = listed(name, revision);
+  lesson.take_result(end, 1);
+  return lesson;
+}
+
+TEST(LessonModel, AResultIsWithdrawnWhenItsObjectIsGone) {
+  LessonModel lesson = learned("part", 1);
+  EXPECT_FALSE(lesson.take_library({listed("other", 1)})) << "the list may be an older one";
+  EXPECT_FALSE(lesson.take_library({listed("other", 1), listed("part", 1)}));
+  EXPECT_EQ(lesson.headline(), "Learned");
+  EXPECT_TRUE(lesson.take_library({listed("other", 1)}));
+  EXPECT_EQ(lesson.headline(), "Ready");
+  EXPECT_FALSE(lesson.take_library({})) << "once";
+}
+
+TEST(LessonModel, AResultIsWithdrawnWhenAnotherRevisionTakesItsPlace) {
+  LessonModel lesson = learned("part", 2);
+  EXPECT_FALSE(lesson.take_library({listed("part", 2)}));
+  EXPECT_TRUE(lesson.take_library({listed("part", 3)}));
+}
+
+TEST(LessonModel, ARunningLessonKeepsItsWords) {
+  LessonModel lesson = learned("part", 1);
+  EXPECT_FALSE(lesson.take_library({listed("part", 1)}));
+  lesson.begin("next", 2);
+  EXPECT_FALSE(lesson.take_library({}));
+  EXPECT_EQ(lesson.phase(), Phase::kRunning);
+}
+
 }  // namespace
 }  // namespace mbncc::console

@@ -61,8 +61,10 @@ TEST(LessonReview, ABadDraftIsAcceptedOnlyOnTheOperatorsWord) {
   EXPECT_FALSE(lesson.may_accept());
   EXPECT_TRUE(lesson.may_decide());
   EXPECT_TRUE(lesson.must_insist());
+  EXPECT_NE(lesson.detail().find("tick that you have checked it"), std::string::npos);
   lesson.insist(true);
   EXPECT_TRUE(lesson.may_accept());
+  EXPECT_NE(lesson.detail().find("Accept, correct or reject"), std::string::npos);
   lesson.take_draft(draft(Result::QUALITY_BAD));
   EXPECT_FALSE(lesson.may_accept());
 }

@@ -47,5 +47,17 @@ TEST_F(LibraryFiles, ReplacedRevisionsAreListedNewestFirst) {
   EXPECT_FALSE(revisions[0].picture.empty());
 }
 
+TEST_F(LibraryFiles, DeletedObjectsAreListedOnceAsTheyWereLast) {
+  library_.save(test::random_model(2, "other"), ObjectLibrary::Existing::kRefuse);
+  library_.save(test::random_model(1, "part"), ObjectLibrary::Existing::kReplace);
+  library_.save(test::random_model(2, "other"), ObjectLibrary::Existing::kReplace);
+  EXPECT_TRUE(deleted_objects(library_.folder()).empty()) << "both have earlier revisions only";
+  library_.remove("part");
+  const auto objects = deleted_objects(library_.folder());
+  ASSERT_EQ(objects.size(), 1u);
+  EXPECT_EQ(objects[0].name, "part");
+  EXPECT_EQ(objects[0].number, 2u);
+}
+
 }  // namespace
 }  // namespace mbncc::console

@@ -51,6 +51,38 @@ TEST(LibraryModel, UndoGoesBackStepByStep) {
   EXPECT_FALSE(library.can_undo());
 }
 
+TEST(LibraryModel, WhatTheTrashGaveBackGoesThereAgain) {
+  LibraryModel library;
+  library.done(library.restore("a", 3));
+  EXPECT_EQ(library.undo().command, Request::DELETE) << "it was deleted before";
+  EXPECT_EQ(library.undo_text(), "Undo: delete 'a' again");
+  mbncc_vision::LearnedObject object;
+  object.name = "a";
+  object.revision = 4;
+  library.set_objects({object});
+  library.done(library.restore("a", 3));
+  EXPECT_EQ(library.undo().command, Request::RESTORE);
+  EXPECT_EQ(library.undo().revision, 4u);
+}
+
+TEST(LibraryModel, AnOwnThresholdGoesBackToTheOneBefore) {
+  LibraryModel library;
+  mbncc_vision::LearnedObject object;
+  object.name = "a";
+  library.set_objects({object});
+  library.done(library.set_threshold("a", 0.4));
+  EXPECT_EQ(library.undo().command, Request::SET_THRESHOLD);
+  EXPECT_TRUE(library.undo().clear) << "it had none";
+  EXPECT_EQ(library.undo_text(), "Undo: min_score of 'a'");
+  object.min_score = 0.4f;
+  library.set_objects({object});
+  const auto request = library.set_threshold("a", 0);
+  EXPECT_TRUE(request.clear);
+  library.done(request);
+  EXPECT_FALSE(library.undo().clear);
+  EXPECT_FLOAT_EQ(library.undo().min_score, 0.4f);
+}
+
 TEST(LibraryModel, WhatALessonReplacedCanBeBroughtBack) {
   LibraryModel library;
   mbncc_vision::LearnedObject object;

@@ -23,6 +23,34 @@ TEST(ThresholdPreview, CountsWhatOtherThresholdsWouldReport) {
   EXPECT_NE(marks[1].level, Level::kGood);
 }
 
+TEST(ThresholdPreview, AnObjectsOwnThresholdHoldsForItAlone) {
+  auto array = found({0.6f, 0.6f});
+  array.objects[0].name = "part";
+  array.objects[1].name = "other";
+  Thresholds now{0.5, 0.7};
+  now.own["part"] = 0.8;
+  const ThresholdPreview preview(array, now);
+  EXPECT_EQ(preview.summary(now, "part"),
+            "'part' in this picture: reported 0 (now 0), graspable 0 (now 0).");
+  Thresholds wanted = now;
+  wanted.own["part"] = 0.4;
+  EXPECT_EQ(preview.summary(wanted, "part"),
+            "'part' in this picture: reported 1 (now 0), graspable 0 (now 0).");
+  EXPECT_EQ(preview.summary(wanted), "In this picture: reported 2 (now 1), graspable 0 (now 0).");
+  wanted.own.clear();
+  wanted.min_score = 0.7;
+  EXPECT_EQ(preview.summary(wanted), "In this picture: reported 0 (now 1), graspable 0 (now 0).");
+}
+
+TEST(ThresholdPreview, OtherPicturesDoNotCount) {
+  auto array = found({0.9f, 0.9f});
+  array.objects[0].reasons = {"graspable in 1 of the last 5 pictures, 3 needed"};
+  array.objects[1].reasons = {"older than valid_until when it was published"};
+  const ThresholdPreview preview(array, {0.5, 0.7});
+  EXPECT_EQ(preview.summary({0.5, 0.95}),
+            "In this picture: reported 2 (now 2), graspable 0 (now 2).");
+}
+
 TEST(ThresholdPreview, NoThresholdMakesADoubtfulOneGraspable) {
   auto array = found({0.6f, 0.6f});
   array.objects[0].reasons = {"score 0.60 is below confirm_score"};

@@ -117,6 +117,19 @@ TEST(ScoreMap, MarksTheBestPlaceAndTheNextElsewhere) {
   EXPECT_FALSE(differs({150, 150, 100, 50}));
 }
 
+TEST(ScoreMap, ItsLabelsDoNotCoverEachOther) {
+  cv::Mat scores(200, 640, CV_32FC1, cv::Scalar(0));
+  scores.at<float>(100, 300) = 0.9f;
+  const cv::Mat alone = draw_score_map(scores, 30);
+  scores.at<float>(100, 240) = 0.5f;
+  const cv::Mat both = draw_score_map(scores, 30);
+  cv::Mat changed;
+  cv::absdiff(alone, both, changed);
+  // Right of the ring, where "object" stands, and "next best" would stand beside its square.
+  EXPECT_EQ(cv::sum(changed(cv::Rect(332, 80, 40, 20))), cv::Scalar());
+  EXPECT_GT(cv::sum(changed(cv::Rect(270, 105, 100, 60)))[0], 0) << "below it";
+}
+
 TEST(Markers, TheOutlineIsInMetresInTheObjectsFrame) {
   const auto markers = to_markers(one(DetectedObject::CONFIRMED)).markers;
   const auto outline = std::find_if(markers.begin(), markers.end(),
