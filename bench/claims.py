@@ -41,7 +41,7 @@ def learning_claims(figures):
         Claim("11", "It takes less than 10 s", slowest < SLOWEST,
               "slowest median lesson of all methods: %.0f ms" % slowest),
         Claim("9 to 11", "Scribbles are slightly better still", scribbles > own, "%.3f" % scribbles),
-        Claim("ours", "The picture after the grasp as evidence (change_cut) does better than all of them",
+        Claim("ours", "The image after the grasp as evidence (change_cut) does better than all of them",
               change > max(own, scribbles, *rivals.values()), "%.3f" % change),
     ]
 

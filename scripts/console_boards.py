@@ -10,27 +10,27 @@ WIDTH, HEIGHT = 640, 480
 MATRIX = numpy.array([[FOCAL_LENGTH, 0, WIDTH / 2], [0, FOCAL_LENGTH, HEIGHT / 2], [0, 0, 1]])
 BOARD = (9, 6, 0.025)  # inner corners and squares [m], as the console proposes them
 PLACES = 12
-SHOWN, RATE = 12, 10   # pictures of each place, and of a second
+SHOWN, RATE = 12, 10   # images of each place, and of a second
 
 
 def drawn_board(turn, place):
     columns, rows, square = BOARD
-    picture = numpy.full((HEIGHT, WIDTH), 200, numpy.uint8)
+    image = numpy.full((HEIGHT, WIDTH), 200, numpy.uint8)
     for row in range(-1, rows):
         for column in range(-1, columns):
             if (row + column) % 2:
                 corners = [((column + x) * square, (row + y) * square, 0.0)
                            for x, y in ((0, 0), (1, 0), (1, 1), (0, 1))]
                 pixels = cv2.projectPoints(numpy.array(corners), turn, place, MATRIX, None)[0]
-                cv2.fillConvexPoly(picture, numpy.round(pixels * 256).astype(numpy.int32), 20, cv2.LINE_AA, 8)
-    return picture
+                cv2.fillConvexPoly(image, numpy.round(pixels * 256).astype(numpy.int32), 20, cv2.LINE_AA, 8)
+    return image
 
 
 class Boards:
     def __init__(self):
         import rospy
         from sensor_msgs.msg import Image
-        self._pictures = rospy.Publisher("/image_raw", Image, queue_size=1)
+        self._images = rospy.Publisher("/image_raw", Image, queue_size=1)
 
     def show_all(self):
         """In one place after the other, each turned differently; as an operator moves the board."""
@@ -39,11 +39,11 @@ class Boards:
             self._show(drawn_board(numpy.array((0.3 * (i % 3 - 1), 0.3 * (i // 4 - 1), 0.05 * i)),
                                    numpy.array((x - 0.1, y - 0.06, 0.5 + 0.01 * i))))
 
-    def _show(self, picture):
+    def _show(self, image):
         import rospy
         from sensor_msgs.msg import Image
-        message = Image(height=HEIGHT, width=WIDTH, encoding="mono8", step=WIDTH, data=picture.tobytes())
+        message = Image(height=HEIGHT, width=WIDTH, encoding="mono8", step=WIDTH, data=image.tobytes())
         for _ in range(SHOWN):
             message.header.stamp = rospy.Time.now()
-            self._pictures.publish(message)
+            self._images.publish(message)
             time.sleep(1 / RATE)

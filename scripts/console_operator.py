@@ -86,12 +86,12 @@ class Mouse:
         xdotool("type", "--delay", "20", text)
         self.actions -= 1
 
-    def drag(self, points, picture):
-        """A stroke over `points` [px] of a picture of size `picture` in the picture view."""
-        window = self.window("picture")
+    def drag(self, points, image):
+        """A stroke over `points` [px] of an image of size `image` in the image view."""
+        window = self.window("image")
         width, height = self.size(window)
-        scale = min(width / picture[0], height / picture[1])
-        left, top = (width - scale * picture[0]) / 2, (height - scale * picture[1]) / 2
+        scale = min(width / image[0], height / image[1])
+        left, top = (width - scale * image[0]) / 2, (height - scale * image[1]) / 2
         spots = [(round(left + scale * (x + 0.5)), round(top + scale * (y + 0.5))) for x, y in points]
         xdotool("mousemove", "--window", window, *spots[0], "mousedown", 1)
         for spot in spots[1:]:
@@ -163,7 +163,7 @@ class Teacher:
         wait_for(lambda: self.stage() in stages, "the lesson reaches a stage of %s" % (stages,))
 
     def order(self, name, lies, halfway=lambda: None):
-        """Sends the arm, and waits until it is out of the picture again."""
+        """Sends the arm, and waits until it is out of the image again."""
         wait_for(lambda: self._arm[name]().success, "the arm obeys")
         self.truth.wait(lambda m: m.message == "carry", "the arm has the object")
         halfway()

@@ -6,7 +6,7 @@ import numpy
 from console_session import SessionFailed, wait_for
 
 HEADER, COLOUR = 25, 12  # [words] of the header; [bytes] of an entry of the colour map
-NOISE = 30               # [grey levels] of the live picture
+NOISE = 30               # [grey levels] of the live image
 STEADY = 0.995           # of the pixels
 
 
@@ -20,7 +20,7 @@ def screen(folder):
 
 
 def settled_screen(folder, patience=5):
-    """The screen once the window has drawn itself: two pictures in succession are the same but for noise."""
+    """The screen once the window has drawn itself: two images in succession are the same but for noise."""
     last = [screen(folder)]
 
     def settled():
@@ -30,5 +30,5 @@ def settled_screen(folder, patience=5):
     try:
         wait_for(settled, "the window has drawn itself", patience)
     except SessionFailed:
-        pass  # something moves in the live picture
+        pass  # something moves in the live image
     return last[0]

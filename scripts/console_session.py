@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """A simulated cell and its console on a display of their own.
 
-Shared by the console's test and by scripts/make_console_pictures; needs Xvfb.
+Shared by the console's test and by scripts/make_console_images; needs Xvfb.
 """
 import os
 import pathlib

@@ -3,7 +3,7 @@
 """Teaches the object of the simulated cell and finds it again at places the arm puts it down.
 
 Runs against demo.launch with auto_play:=false. Prints the lesson's feedback and each found pose
-beside its true one, writes an overlay picture, and exits 0 when the object was learned and found
+beside its true one, writes an overlay image, and exits 0 when the object was learned and found
 at five poses or more within 1.5 px and 1.5 degrees, else 1.
 """
 import argparse
@@ -141,7 +141,7 @@ class Demo:
             removal.set()
 
     def confirmed(self, detections, since):
-        """The surest confirmed instance of our object in a picture taken since then."""
+        """The surest confirmed instance of our object in an image taken since then."""
         if detections.header.stamp <= since:
             return None
         fitting = [found for found in detections.objects
@@ -177,17 +177,17 @@ class Demo:
     def save_overlay(self, path):
         now = rospy.Time.now()
         message = self.overlay.wait(lambda image: image.header.stamp >= now, self.timeout,
-                                    "an overlay picture")
-        picture = numpy.frombuffer(message.data, numpy.uint8).reshape(message.height, -1, 3)
-        if not cv2.imwrite(path, picture):
+                                    "an overlay image")
+        image = numpy.frombuffer(message.data, numpy.uint8).reshape(message.height, -1, 3)
+        if not cv2.imwrite(path, image):
             raise DemoFailed("cannot write %s" % path)
-        print("Overlay picture: " + path)
+        print("Overlay image: " + path)
 
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__,
                                      formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--overlay", default="demo_overlay.png", help="picture to write")
+    parser.add_argument("--overlay", default="demo_overlay.png", help="image to write")
     parser.add_argument("--poses", type=int, default=6, help="places to find the object at")
     parser.add_argument("--name", default="demo_object", help="name to teach it under")
     parser.add_argument("--timeout", type=float, default=60, help="[s] patience with each step")

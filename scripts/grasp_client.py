@@ -19,7 +19,7 @@ from mbncc_vision.msg import DetectedObject, DetectedObjectArray, LearnedObjectA
 
 STATES = {DetectedObject.NEW: "new: not seen often enough yet",
           DetectedObject.AMBIGUOUS: "ambiguous: something else scores too close",
-          DetectedObject.HELD: "held: not seen in the last picture"}
+          DetectedObject.HELD: "held: not seen in the last image"}
 
 
 def array_fault(array):

@@ -9,8 +9,8 @@ namespace {
 bool has_left(const Outcome& outcome, const Demonstration& demonstration) {
   const LearnResult& learned = outcome.learned;
   return !learned.has_model ||
-         part_put_down(full_size_map(learned.object.views.front()), demonstration.before().picture,
-                       demonstration.after().picture) < kMostPutDown;
+         part_put_down(full_size_map(learned.object.views.front()), demonstration.before().image,
+                       demonstration.after().image) < kMostPutDown;
 }
 
 Outcome timed_out() {
@@ -32,7 +32,7 @@ Outcome Demo::run() {
   for (int i = 0; i < kPatience; ++i) {
     const auto step = demonstration.look(cell_.watch.still());
     if (step == Demonstration::Step::kReady) {
-      Outcome outcome = learn(demonstration.before().picture, demonstration.after().picture);
+      Outcome outcome = learn(demonstration.before().image, demonstration.after().image);
       if (outcome.learned.error != LearnError::kNoChange && has_left(outcome, demonstration))
         return outcome;
       demonstration.go_on();
@@ -68,7 +68,7 @@ Outcome Demo::already_moved() {
   cell_.rest(12);
   const auto after = cell_.watch.still(), before = cell_.watch.before_change();
   if (!after || !before) return timed_out();
-  return learn(before->picture, after->picture);
+  return learn(before->image, after->image);
 }
 
 Outcome Demo::learn(const cv::Mat& before, const cv::Mat& after) const {

@@ -15,7 +15,7 @@ enum class Way { kTakenAway, kPutAside, kAlreadyMoved, kPutDownFirst };
 
 struct Outcome {
   LearnResult learned;
-  Pose2D shown;  ///< where the object lay in the picture before
+  Pose2D shown;  ///< where the object lay in the image before
   bool timed_out = false;
 };
 

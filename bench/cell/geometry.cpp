@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Accuracy in metres in the simulated cell with a strong lens: taught at one place, found at
-// others, in raw, rectified and undistorted-by-us pictures, for objects of several heights.
+// others, in raw, rectified and undistorted-by-us images, for objects of several heights.
 #include <filesystem>
 #include <iostream>
 
@@ -41,10 +41,10 @@ SimulatedCameraConfig camera_config(double distortion) {
   return config;
 }
 
-/// How pictures reach the search.
+/// How images reach the search.
 struct Way {
   std::string name;
-  bool distorted;  ///< the camera gives raw pictures
+  bool distorted;  ///< the camera gives raw images
   bool undone;     ///< and the rectifier undoes the lens
 };
 
@@ -64,14 +64,14 @@ class Cell {
   Cell(std::uint64_t seed, const SimulatedCameraConfig& config, const Way& way)
       : config_(config), way_(way), optics_(config), scene_(scene_config(seed)) {}
 
-  cv::Mat picture(const std::vector<sim::Placed>& placed, std::uint64_t frame) {
+  cv::Mat image(const std::vector<sim::Placed>& placed, std::uint64_t frame) {
     const cv::Mat straight = scene_.render(placed, frame);
     if (!way_.distorted) return straight;
     const cv::Mat raw = optics_.distort(straight);
-    return way_.undone ? rectifier_.rectify(raw, optics_.camera_info()).picture : raw;
+    return way_.undone ? rectifier_.rectify(raw, optics_.camera_info()).image : raw;
   }
 
-  /// Metric pose of what is seen at a pixel pose of this way's pictures.
+  /// Metric pose of what is seen at a pixel pose of this way's images.
   std::optional<PlatformPose> lift(const Pose2D& pose, const cv::Matx33d& covariance,
                                    double height) const {
     const auto& info = optics_.camera_info();
@@ -80,7 +80,7 @@ class Cell {
     return Platform(*rays, plane_at(config_.platform_distance)).lift(pose, covariance, height);
   }
 
-  /// Metric pose of a place in the undistorted picture.
+  /// Metric pose of a place in the undistorted image.
   PlatformPose truth(const Pose2D& pose, double height) const {
     const Platform platform(rays_of(optics_.pinhole()), plane_at(config_.platform_distance));
     return *platform.lift(pose, cv::Matx33d::zeros(), height);
@@ -142,8 +142,8 @@ void measure(Cell& cell, std::uint64_t seed, double height, Tally& tally) {
                      {620.3, 470.6, kLearnedTheta}};
   Lesson lesson;
   lesson.name = "part";
-  lesson.before = cell.picture({placed}, 1);
-  lesson.after = cell.picture({}, 2);
+  lesson.before = cell.image({placed}, 1);
+  lesson.after = cell.image({}, 2);
   const LearnResult learned = learn_object(lesson);
   if (learned.error != LearnError::kSuccess) {
     ++tally.untaught;
@@ -158,7 +158,7 @@ void measure(Cell& cell, std::uint64_t seed, double height, Tally& tally) {
     placed.pose = {random.uniform(170., 1110.), random.uniform(170., 790.),
                    random.uniform(-kPi, kPi)};
     ++tally.poses;
-    const auto found = matcher.find(cell.picture({placed}, 10 + i)).matches;
+    const auto found = matcher.find(cell.image({placed}, 10 + i)).matches;
     if (found.empty() || !found.front().graspable) continue;
     const auto lifted = cell.lift(found.front().pose, found.front().covariance, height);
     if (lifted)
@@ -194,7 +194,7 @@ void benchmark(const cv::CommandLineParser& options) {
   const SimulatedCameraConfig config = camera_config(options.get<double>("distortion"));
   constexpr int kKinds = sizeof kHeights / sizeof *kHeights;
   const int objects = std::max(1, poses / kPosesPerObject / kKinds);
-  Table table{{"pictures", "height mm", "poses", "graspable", "median mm", "95 % mm", "worst mm",
+  Table table{{"images", "height mm", "poses", "graspable", "median mm", "95 % mm", "worst mm",
                "median deg", "95 % deg", "grasp median mm", "grasp 95 % mm", "error/sigma"},
               {}};
   for (const auto& way : kWays) {

@@ -1,14 +1,14 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""Latency and CPU time of a running cell: 30 pictures a second of 640 x 480, five objects, one manager.
+"""Latency and CPU time of a running cell: 30 images a second of 640 x 480, five objects, one manager.
 
 usage: latency.py PATH/TO/mbncc [--seconds S] [--rate HZ] [--play] [--recorded N]
 (in a shell that has sourced the build; starts its own master)
 
 Teaches five drawn objects, plays the simulated cell, and prints what detected_objects says of itself, the lag of
-tf behind the pictures' stamps, and the CPU time of the nodelets: searching, with ~enable false, and with the learning
+tf behind the images' stamps, and the CPU time of the nodelets: searching, with ~enable false, and with the learning
 nodelet alone watching the still scene. The simulated camera runs in a process of its own and is not counted. With
---recorded its pictures are recorded first, at 15 Hz, and played by the camera nodelet, which holds rates that drawing
+--recorded its images are recorded first, at 15 Hz, and played by the camera nodelet, which holds rates that drawing
 does not.
 """
 import argparse
@@ -33,10 +33,10 @@ SIMULATED = """
 
 RECORDED = """
   <node pkg="nodelet" type="nodelet" name="camera" clear_params="true" args="standalone mbncc_vision/CameraNodelet">
-    <param name="source" value="{pictures}"/>
+    <param name="source" value="{images}"/>
     <param name="frame_rate" value="{rate}"/>
     <param name="loop" value="true"/>
-    <param name="camera_info_url" value="file://{pictures}/camera.yaml"/>
+    <param name="camera_info_url" value="file://{images}/camera.yaml"/>
   </node>
 """
 
@@ -53,11 +53,11 @@ CELL = """
 def teach(tool, folder):
     library = os.path.join(folder, "library")
     for seed in range(1, 6):
-        pictures = os.path.join(folder, "cell%d" % seed)
-        subprocess.run([tool, "simulate", "--out", pictures, "--seed", str(seed), "--count", "1"], check=True,
+        images = os.path.join(folder, "cell%d" % seed)
+        subprocess.run([tool, "simulate", "--out", images, "--seed", str(seed), "--count", "1"], check=True,
                        stdout=subprocess.DEVNULL)
         subprocess.run([tool, "learn", "--library", library, "--name", "part%d" % seed, "--allow-bad", "--before",
-                        pictures + "/before.png", "--after", pictures + "/after.png"], check=True,
+                        images + "/before.png", "--after", images + "/after.png"], check=True,
                        stdout=subprocess.DEVNULL)
     return library
 
@@ -72,7 +72,7 @@ def calibration_of(info):
 
 
 def record(folder, count):
-    """Pictures and camera.yaml of the simulated camera that is running."""
+    """Images and camera.yaml of the simulated camera that is running."""
     import cv2
     import rospy
     from cv_bridge import CvBridge
@@ -137,16 +137,16 @@ def measure(seconds):
     pid = manager_pid()
     del arrays[:], lags[:], shown[:]
     searching = share_of_core(pid, seconds)
-    print("| of | pictures | p50 ms | p99 ms | worst ms |\n|---|---:|---:|---:|---:|")
+    print("| of | images | p50 ms | p99 ms | worst ms |\n|---|---:|---:|---:|---:|")
     line("search time", [array.search_time for array in arrays])
     line("latency, stamp to publishing", [array.latency for array in arrays])
     line("tf lag, stamp to arrival here", lags or [np.nan])
-    print("\npictures searched per second: %.1f" % (len(arrays) / seconds))
+    print("\nimages searched per second: %.1f" % (len(arrays) / seconds))
     seen.unregister()
-    time.sleep(1)  # for the answers to the last pictures
+    time.sleep(1)  # for the answers to the last images
     heard.unregister()
     answered = {array.header.stamp for array in arrays}
-    print("pictures without an answer: %d of %d" % (len([stamp for stamp in shown if stamp not in answered]), len(shown)))
+    print("images without an answer: %d of %d" % (len([stamp for stamp in shown if stamp not in answered]), len(shown)))
     typical = np.median([array.search_time for array in arrays])
     print("latency by the median search time: p50 %.1f, p99 %.1f" %
           tuple(np.percentile([array.latency for array in arrays], [50, 99]) / typical))
@@ -184,9 +184,9 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("tool", help="the built mbncc")
     parser.add_argument("--seconds", type=float, default=20, help="of each measurement (20)")
-    parser.add_argument("--rate", type=float, default=30, help="pictures a second (30)")
+    parser.add_argument("--rate", type=float, default=30, help="images a second (30)")
     parser.add_argument("--play", action="store_true", help="the arm moves the object; without it, the scene is still")
-    parser.add_argument("--recorded", type=int, default=0, help="pictures to record first; 0: draw them on the way (0)")
+    parser.add_argument("--recorded", type=int, default=0, help="images to record first; 0: draw them on the way (0)")
     arguments = parser.parse_args()
     with socket.socket() as probe:
         probe.bind(("localhost", 0))
@@ -200,10 +200,10 @@ def main():
             while not rosgraph.is_master_online():
                 time.sleep(0.2)
             settings = {"library": library, "rate": arguments.rate, "play": str(arguments.play).lower(),
-                        "pictures": os.path.join(folder, "pictures")}
+                        "images": os.path.join(folder, "images")}
             if arguments.recorded:
                 run(port, folder, SIMULATED.format(**dict(settings, rate=15)),
-                    lambda: record(settings["pictures"], arguments.recorded))
+                    lambda: record(settings["images"], arguments.recorded))
             cell = (RECORDED if arguments.recorded else SIMULATED) + CELL
             run(port, folder, cell.format(learning="true", **settings), lambda: measure(arguments.seconds))
             run(port, folder, cell.format(learning="false", **settings),

@@ -26,18 +26,18 @@ LessonCell::LessonCell(std::uint64_t seed, cv::RNG& random)
 
 void LessonCell::show(const std::optional<sim::Arm>& intruder) {
   const sim::CellFrame frame = script_.frame();
-  const cv::Mat picture = scene_.render(frame.placed, frames_, intruder ? intruder : frame.arm);
+  const cv::Mat image = scene_.render(frame.placed, frames_, intruder ? intruder : frame.arm);
   const double t = static_cast<double>(frames_++);
   const double light =
       1 + drift_ * t / kPatience + kFlicker * std::sin(phase_ + 2.1 * t) + random_.gaussian(0.003);
   cv::Mat lit;
-  picture.convertTo(lit, -1, light);
+  image.convertTo(lit, -1, light);
   watch.update(1000 + kFrameTime * t, lit);
   script_.step();
 }
 
-void LessonCell::rest(int pictures) {
-  for (int i = 0; i < pictures; ++i) show();
+void LessonCell::rest(int images) {
+  for (int i = 0; i < images; ++i) show();
 }
 
 void LessonCell::finish_motion() {

@@ -12,24 +12,24 @@
 
 namespace mbncc::bench {
 
-constexpr int kPatience = 400;  ///< pictures until a lesson times out
+constexpr int kPatience = 400;  ///< images until a lesson times out
 
-/// The cell and its camera, one picture at a time. `random` must outlive it.
+/// The cell and its camera, one image at a time. `random` must outlive it.
 class LessonCell {
  public:
   LessonCell(std::uint64_t seed, cv::RNG& random);
 
-  /// The next picture goes to `watch`; `intruder` hides the story's own arm.
+  /// The next image goes to `watch`; `intruder` hides the story's own arm.
   void show(const std::optional<sim::Arm>& intruder = {});
 
-  void rest(int pictures);
+  void rest(int images);
   void finish_motion();
 
   /// An arm reaches in from below, pauses, and leaves again.
   void reach_in();
 
   cv::Mat map_of(const Pose2D& pose) const { return scene_.true_map({object_, pose}); }
-  cv::Mat picture() { return scene_.render(script_.frame().placed, 77777 + frames_++); }
+  cv::Mat image() { return scene_.render(script_.frame().placed, 77777 + frames_++); }
   sim::CellScript& script() { return script_; }
 
   SceneWatch watch{0.5};

@@ -37,7 +37,7 @@ bool is_found_next(LessonCell& cell, const Outcome& outcome) {
   cell.finish_motion();
   Matcher matcher;
   matcher.set_objects({std::make_shared<ObjectModel>(outcome.learned.object)});
-  const auto matches = matcher.find(cell.picture()).matches;
+  const auto matches = matcher.find(cell.image()).matches;
   if (matches.empty()) return false;
   const Pose2D reference = outcome.learned.object.views.front().reference;
   const Pose2D expected =

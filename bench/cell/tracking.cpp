@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Identity of two equal objects that pass each other again and again, one's width apart, with
-// dropped pictures: how often are they swapped, lost, confirmed?
+// dropped images: how often are they swapped, lost, confirmed?
 #include <filesystem>
 #include <iostream>
 #include <map>
@@ -15,14 +15,14 @@ namespace {
 constexpr const char* kOptions =
     "{@out     |     | folder for tracking.csv }"
     "{runs     | 100 | runs of each condition }"
-    "{pictures | 300 | of a run }"
+    "{images | 300 | of a run }"
     "{help h   |     | this text }";
 
 constexpr double kRate = 30, kNoise = 0.3, kRadius = 40;  // [Hz], [px], [px]
 
 struct Condition {
-  double speed;   ///< [px] a picture, each object
-  double missed;  ///< share of the pictures
+  double speed;   ///< [px] an image, each object
+  double missed;  ///< share of the images
   bool whole;     ///< dropped as a whole; else one object is missed
 };
 
@@ -43,11 +43,11 @@ Match match_at(double x, double y) {
   return match;
 }
 
-void run(const Condition& condition, int pictures, std::uint64_t seed, Tally& tally) {
+void run(const Condition& condition, int images, std::uint64_t seed, Tally& tally) {
   cv::RNG random(seed);
   InstanceTracker tracker;
   std::map<std::uint32_t, int> owners;
-  for (int i = 0; i < pictures; ++i) {
+  for (int i = 0; i < images; ++i) {
     const double phase = std::fmod(i * condition.speed, 600.);
     const double way = std::abs(phase - 300);  // there and back
     const bool dropped = random.uniform(0., 1.) < condition.missed;
@@ -73,18 +73,18 @@ void run(const Condition& condition, int pictures, std::uint64_t seed, Tally& ta
 
 void benchmark(const cv::CommandLineParser& options) {
   const std::filesystem::path out = output_folder(options.get<std::string>("@out"));
-  const int runs = options.get<int>("runs"), pictures = options.get<int>("pictures");
+  const int runs = options.get<int>("runs"), images = options.get<int>("images");
   Table table{
-      {"px a picture", "missed", "of these", "runs", "swaps", "identities a run", "confirmed"}, {}};
+      {"px an image", "missed", "of these", "runs", "swaps", "identities a run", "confirmed"}, {}};
   for (const double speed : {0., 5., 10.})
     for (const double missed : {0., 0.2, 0.4})
       for (const bool whole : {true, false}) {
         if (missed == 0 && !whole) continue;
         Tally tally;
         for (int i = 1; i <= runs; ++i)
-          run({speed, missed, whole}, pictures, static_cast<std::uint64_t>(i), tally);
+          run({speed, missed, whole}, images, static_cast<std::uint64_t>(i), tally);
         table.rows.push_back({to_text(speed, 0), to_text(missed, 1),
-                              whole ? "whole pictures" : "single objects", std::to_string(runs),
+                              whole ? "whole images" : "single objects", std::to_string(runs),
                               std::to_string(tally.swaps),
                               to_text(static_cast<double>(tally.identities) / runs, 2),
                               to_text(static_cast<double>(tally.confirmed) / tally.seen, 3)});

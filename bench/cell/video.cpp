@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Watching a workshop: what a still scene, single changes and a long video cost, and what is found
-// in it, with a library of taught objects of which some lie in the picture.
+// in it, with a library of taught objects of which some lie in the image.
 #include <filesystem>
 #include <iostream>
 #include <optional>
@@ -17,9 +17,9 @@ namespace {
 
 constexpr const char* kOptions =
     "{@out    |      | folder for video.csv }"
-    "{frames  | 3000 | pictures of the video }"
+    "{frames  | 3000 | images of the video }"
     "{objects | 40   | taught objects }"
-    "{lying   | 12   | of these, in the picture }"
+    "{lying   | 12   | of these, in the image }"
     "{seed    | 1    | draws objects and story }"
     "{help h  |      | this text }";
 
@@ -53,11 +53,11 @@ void measure_still(Workshop& workshop, double yardstick, Table& table) {
   std::vector<double> still, whole;
   for (int i = 0; i < 900; ++i) still.push_back(workshop.show());
   for (int i = 0; i < 5; ++i) whole.push_back(workshop.search_whole());
-  table.rows.push_back(cost_row("every picture searched whole", whole, yardstick));
+  table.rows.push_back(cost_row("every image searched whole", whole, yardstick));
   table.rows.push_back(cost_row("still scene", still, yardstick));
 }
 
-/// What `change` does to the first object costs, in the pictures until nothing is owed any more.
+/// What `change` does to the first object costs, in the images until nothing is owed any more.
 template <class Change>
 void measure_change(Workshop& workshop, const std::string& what, double yardstick, Table& table,
                     Table& delays, const Change& change) {
@@ -83,7 +83,7 @@ void measure_change(Workshop& workshop, const std::string& what, double yardstic
 
 struct Tally {
   int visible = 0, found = 0, reported = 0, right = 0, graspable = 0, graspable_right = 0;
-  int longest = 0;  ///< [pictures] that a visible object was overlooked
+  int longest = 0;  ///< [images] that a visible object was overlooked
   int whole_visible = 0, whole_found = 0, whole_reported = 0;
 };
 
@@ -151,11 +151,10 @@ void benchmark(const cv::CommandLineParser& options) {
   Workshop workshop(objects, lying, options.get<int>("seed"));
   const double yardstick = yardstick_ms();
   std::cout << "Yardstick " << to_text(yardstick, 1) << " ms.\n";
-  Table costs{{"pictures", "n", "mean ms", "median ms", "99 % ms", "mean ratio", "median ratio",
+  Table costs{{"images", "n", "mean ms", "median ms", "99 % ms", "mean ratio", "median ratio",
                "99 % ratio"},
               {}};
-  Table delays{{"one object", "median pictures until found", "most", "until graspable", "most"},
-               {}};
+  Table delays{{"one object", "median images until found", "most", "until graspable", "most"}, {}};
   measure_still(workshop, yardstick, costs);
   auto& first = workshop.lying().front();
   measure_change(workshop, "moved", yardstick, costs, delays, [&]() -> Lying& {

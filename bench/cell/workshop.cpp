@@ -12,7 +12,7 @@ namespace {
 constexpr double kArmHalf = 80;   // [px] with its shadow
 constexpr double kMostShift = 3;  // [px]
 constexpr double kMostTurn = to_radians(3);
-constexpr int kBeats = 60, kGone = 44;  // pictures of a round, and until the arm is gone
+constexpr int kBeats = 60, kGone = 44;  // images of a round, and until the arm is gone
 const cv::Size kSize(640, 480);
 
 sim::SceneObject drawing_of(int index, int seed) {
@@ -66,19 +66,19 @@ Pose2D Workshop::free_pose(const sim::SceneObject& drawing, int self) {
                                        reach + 0.6 * one.placed.object.diameter;
     if (free) return pose;
   }
-  throw std::runtime_error("the objects do not fit into the picture");
+  throw std::runtime_error("the objects do not fit into the image");
 }
 
 double Workshop::show(double light, const std::optional<sim::Arm>& arm) {
   std::vector<sim::Placed> placed;
   for (const auto& one : lying_) placed.push_back(one.placed);
-  picture_ = scene_.render(placed, frames_, arm) * light;
+  image_ = scene_.render(placed, frames_, arm) * light;
   const double stamp = kFrameTime * static_cast<double>(frames_++);
-  return cpu_ms_of([&] { result_ = video_.find(matcher_, stamp, picture_); });
+  return cpu_ms_of([&] { result_ = video_.find(matcher_, stamp, image_); });
 }
 
 double Workshop::search_whole() {
-  return cpu_ms_of([&] { whole_ = matcher_.find(picture_); });
+  return cpu_ms_of([&] { whole_ = matcher_.find(image_); });
 }
 
 const Match* Workshop::right_one(const SearchResult& result, const Lying& one) const {

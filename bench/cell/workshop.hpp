@@ -15,12 +15,12 @@ namespace mbncc::bench {
 
 constexpr double kFrameTime = 1. / 30;  // [s]
 
-/// An object in the picture.
+/// An object in the image.
 struct Lying {
   int index;
   sim::Placed placed;
   bool held = false;
-  int overlooked = 0;  ///< pictures in a row
+  int overlooked = 0;  ///< images in a row
 };
 
 /// The workshop, its camera and who watches it.
@@ -34,10 +34,10 @@ class Workshop {
   /// A place where nothing lies; the object itself does not count.
   Pose2D free_pose(const sim::SceneObject& drawing, int self = -1);
 
-  /// Renders and searches the next picture; thread CPU ms of the search.
+  /// Renders and searches the next image; thread CPU ms of the search.
   double show(double light = 1, const std::optional<sim::Arm>& arm = {});
 
-  /// Searches the same picture whole; thread CPU ms.
+  /// Searches the same image whole; thread CPU ms.
   double search_whole();
 
   /// Within 3 px and 3 degrees; null: not found.
@@ -55,18 +55,18 @@ class Workshop {
   Matcher matcher_;
   VideoSearch video_;
   std::vector<Lying> lying_;
-  cv::Mat picture_;
+  cv::Mat image_;
   SearchResult result_, whole_;
   std::uint64_t frames_ = 0;
 };
 
-/// Every 60 pictures an arm comes from below, and carries an object elsewhere, or only reaches over
+/// Every 60 images an arm comes from below, and carries an object elsewhere, or only reaches over
 /// some.
 class Story {
  public:
   explicit Story(Workshop& workshop) : workshop_(workshop) {}
 
-  /// The arm in the next picture; what it holds has been moved.
+  /// The arm in the next image; what it holds has been moved.
   std::optional<sim::Arm> step();
 
  private:

@@ -33,7 +33,7 @@ std::vector<double> numbers_of(const fs::path& path, std::size_t count) {
 
 cv::Mat read_map(const fs::path& path) {
   const cv::Mat grey = cv::imread(path.string(), cv::IMREAD_GRAYSCALE);
-  if (grey.empty()) throw std::runtime_error("cannot read the picture '" + path.string() + "'");
+  if (grey.empty()) throw std::runtime_error("cannot read the image '" + path.string() + "'");
   return grey > 127;
 }
 
@@ -46,14 +46,14 @@ Instance instance_of(const CsvRow& row) {
   return instance;
 }
 
-std::vector<Target> pictures_in(const fs::path& folder) {
+std::vector<Target> images_in(const fs::path& folder) {
   std::vector<Target> targets;
   for (const auto& entry : fs::directory_iterator(folder)) {
     const auto& path = entry.path();
     if (path.extension() != ".png" || path.stem().string().rfind("target_", 0) != 0) continue;
     auto& target = targets.emplace_back();
     target.name = path.stem().string();
-    target.picture = path;
+    target.image = path;
   }
   std::sort(targets.begin(), targets.end(),
             [](const Target& a, const Target& b) { return a.name < b.name; });
@@ -61,7 +61,7 @@ std::vector<Target> pictures_in(const fs::path& folder) {
 }
 
 std::vector<Target> read_targets(const fs::path& folder) {
-  auto targets = pictures_in(folder);
+  auto targets = images_in(folder);
   std::map<std::string, Target*> by_name;
   for (auto& target : targets) by_name[target.name] = &target;
   if (fs::exists(folder / "gt.csv"))
@@ -105,9 +105,8 @@ CaseFolder read_case(const fs::path& folder) {
   CaseFolder result;
   result.name = folder.filename().string();
   result.folder = folder;
-  result.before = read_picture(folder / "learn_before.png");
-  if (fs::exists(folder / "learn_after.png"))
-    result.after = read_picture(folder / "learn_after.png");
+  result.before = read_image(folder / "learn_before.png");
+  if (fs::exists(folder / "learn_after.png")) result.after = read_image(folder / "learn_after.png");
   if (fs::exists(folder / "roi.txt")) {
     const auto roi = numbers_of(folder / "roi.txt", 4);
     result.region = cv::Rect(cvRound(roi[0]), cvRound(roi[1]), cvRound(roi[2]), cvRound(roi[3]));
@@ -133,10 +132,10 @@ int symmetry_of(const std::vector<std::string>& tags) {
   return 1;
 }
 
-cv::Mat read_picture(const fs::path& path) {
-  cv::Mat picture = cv::imread(path.string(), cv::IMREAD_COLOR);
-  if (picture.empty()) throw std::runtime_error("cannot read the picture '" + path.string() + "'");
-  return picture;
+cv::Mat read_image(const fs::path& path) {
+  cv::Mat image = cv::imread(path.string(), cv::IMREAD_COLOR);
+  if (image.empty()) throw std::runtime_error("cannot read the image '" + path.string() + "'");
+  return image;
 }
 
 }  // namespace mbncc::bench

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A case of an evaluation set: one object's learning pictures with its true map, and pictures to
+// A case of an evaluation set: one object's learning images with its true map, and images to
 // search with the true poses (see bench/README.md for the files).
 #pragma once
 
@@ -14,15 +14,15 @@ namespace mbncc::bench {
 
 /// Where the object lies in a target.
 struct Instance {
-  Pose2D pose;       ///< [px],[rad] of the reference point; rotation against the learning picture
+  Pose2D pose;       ///< [px],[rad] of the reference point; rotation against the learning image
   int symmetry = 1;  ///< 1: none, 2: 180 degrees ..., 0: round
   std::vector<std::string> tags;
 };
 
-/// One picture to search.
+/// One image to search.
 struct Target {
   std::string name;
-  std::filesystem::path picture;
+  std::filesystem::path image;
   std::vector<Instance> instances;  ///< empty: the object is absent
   std::vector<std::string> tags;
 };
@@ -50,7 +50,7 @@ CaseFolder read_case(const std::filesystem::path& folder);
 /// Symmetry of an object tagged "sym:<period in degrees, 0 = any angle>".
 int symmetry_of(const std::vector<std::string>& tags);
 
-/// CV_8UC3; throws std::runtime_error when the file is no picture.
-cv::Mat read_picture(const std::filesystem::path& path);
+/// CV_8UC3; throws std::runtime_error when the file is no image.
+cv::Mat read_image(const std::filesystem::path& path);
 
 }  // namespace mbncc::bench

@@ -13,7 +13,7 @@ class MatchYardstick {
   void run();
 
  private:
-  cv::Mat picture_, template_, scores_;
+  cv::Mat image_, template_, scores_;
 };
 
 /// One cv::grabCut by rectangle, two iterations, on 200 x 200 pixels of smoothed noise.
@@ -23,7 +23,7 @@ class CutYardstick {
   void run();
 
  private:
-  cv::Mat picture_, labels_, background_, foreground_;
+  cv::Mat image_, labels_, background_, foreground_;
 };
 
 }  // namespace mbncc::bench

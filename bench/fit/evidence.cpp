@@ -60,7 +60,7 @@ class Rows {
   void add_case(const fs::path& set, const CaseFolder& one) {
     const prepared::PreparedObject object(object_of(one), prepared::Engine::kFast);
     for (const auto& target : one.targets) {
-      const scene::ScenePicture scene(read_picture(target.picture), object.top_level());
+      const scene::SceneImage scene(read_image(target.image), object.top_level());
       auto detections = search::search_object(object, scene, {}, search::SearchMode::kTwice);
       decision::apply_clutter_penalty(detections);
       for (const auto& detection : best_of_places(detections))
@@ -70,7 +70,7 @@ class Rows {
 
  private:
   void add(const fs::path& set, const CaseFolder& one, const Target& target,
-           const scene::ScenePicture& scene, const prepared::PreparedView& view,
+           const scene::SceneImage& scene, const prepared::PreparedView& view,
            const decision::Detection& detection) {
     const evidence::Evidence e =
         evidence::gather_evidence(view.fine, scene.levels[0], detection.pose, detection.size);

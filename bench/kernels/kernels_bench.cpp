@@ -10,7 +10,7 @@
 namespace mbncc::bench {
 namespace {
 
-constexpr int kStride = 160;  // a row of a 640 x 480 picture at a quarter of the resolution
+constexpr int kStride = 160;  // a row of a 640 x 480 image at a quarter of the resolution
 constexpr int kRows = 120;
 constexpr int kCount = 2 * kernels::kPositions;  // positions of a row worked on at a time
 
@@ -23,7 +23,7 @@ std::vector<Number> numbers(std::size_t count, int low, int high) {
   return result;
 }
 
-/// Offsets of a square template of `terms` pixels in a picture of kStride columns.
+/// Offsets of a square template of `terms` pixels in an image of kStride columns.
 std::vector<std::int32_t> square_offsets(int terms) {
   int side = 1;
   while (side * side < terms) ++side;
@@ -34,14 +34,14 @@ std::vector<std::int32_t> square_offsets(int terms) {
 
 void correlate(benchmark::State& state, const kernels::Table& table) {
   const int pairs = static_cast<int>(state.range(0)), count = kCount;
-  const auto picture =
-      numbers<std::int16_t>(kStride * kRows, -kernels::kMaxPicture, kernels::kMaxPicture);
+  const auto image =
+      numbers<std::int16_t>(kStride * kRows, -kernels::kMaxImage, kernels::kMaxImage);
   const auto weights = numbers<std::int16_t>(2 * static_cast<std::size_t>(pairs),
                                              -kernels::kMaxWeight, kernels::kMaxWeight);
   const auto offsets = square_offsets(pairs);
   std::vector<std::int32_t> sums(static_cast<std::size_t>(count));
   for (auto _ : state) {
-    table.correlate_row(picture.data(), offsets.data(), weights.data(), pairs, sums.data(), count);
+    table.correlate_row(image.data(), offsets.data(), weights.data(), pairs, sums.data(), count);
     benchmark::DoNotOptimize(sums.data());
   }
   state.SetItemsProcessed(state.iterations() * 2 * pairs * count);  // multiply-adds

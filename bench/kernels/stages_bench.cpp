@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Whole stages on a simulated picture, beside the OpenCV calls that times are divided by.
+// Whole stages on a simulated image, beside the OpenCV calls that times are divided by.
 #include <benchmark/benchmark.h>
 
 #include <memory>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Ways of cutting an object out of its picture, behind one interface.
+// Ways of cutting an object out of its image, behind one interface.
 #pragma once
 
 #include <functional>
@@ -12,8 +12,8 @@
 namespace mbncc::bench {
 
 struct Cut {
-  cv::Mat map;           ///< CV_8UC1 of the picture's size; empty when the lesson was refused
-  double map_ms = 0;     ///< thread CPU time from pictures to map
+  cv::Mat map;           ///< CV_8UC1 of the image's size; empty when the lesson was refused
+  double map_ms = 0;     ///< thread CPU time from images to map
   double lesson_ms = 0;  ///< thread CPU time of the whole lesson, verdict included; NaN: no lesson
   std::string outcome;   ///< "GOOD", "MARGINAL", "BAD", or the name of the error
 };

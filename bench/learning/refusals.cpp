@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Pictures of changed scenes: nothing was taken away, the light was switched, the camera was
+// Images of changed scenes: nothing was taken away, the light was switched, the camera was
 // pushed. None of these lessons may lead to a stored map, unless the light was switched, a region
 // shows the object and its map is right.
 #include <algorithm>
@@ -17,9 +17,9 @@
 namespace mbncc::bench {
 namespace {
 
-cv::Mat with_noise(const cv::Mat& picture, double gain, cv::RNG& random) {
-  cv::Mat values, noise(picture.size(), CV_32FC3), result;
-  picture.convertTo(values, CV_32F, gain);
+cv::Mat with_noise(const cv::Mat& image, double gain, cv::RNG& random) {
+  cv::Mat values, noise(image.size(), CV_32FC3), result;
+  image.convertTo(values, CV_32F, gain);
   random.fill(noise, cv::RNG::NORMAL, 0, 2.5);
   values += noise;
   values.convertTo(result, CV_8U);

@@ -28,13 +28,13 @@ constexpr const char* kOptions =
     "{targets  | 0           | the first so many targets only; 0: all }"
     "{red      | 1           | the targets' red channel is multiplied by this }"
     "{blue     | 1           | and their blue channel by this }"
-    "{repeat   | 1           | larger pictures for their time: each target so many times across and"
+    "{repeat   | 1           | larger images for their time: each target so many times across and"
     " down; the copies count as false }"
     "{help h   |             | this text }";
 
 /// What is searched, and the truth: instances of each target by object.
 struct Scene {
-  std::vector<cv::Mat> pictures;
+  std::vector<cv::Mat> images;
   std::vector<std::map<std::string, std::vector<Instance>>> truth;
   std::map<std::string, double> diameters;
   std::vector<std::shared_ptr<const ObjectModel>> objects;
@@ -43,13 +43,13 @@ struct Scene {
 struct Totals {
   Tally tally;
   std::vector<double> cpu_ms, wall_ms, yardstick_ms;
-  std::vector<std::vector<Match>> matches;  // per picture
+  std::vector<std::vector<Match>> matches;  // per image
 };
 
-cv::Mat target_picture(const fs::path& file, const cv::CommandLineParser& options) {
+cv::Mat target_image(const fs::path& file, const cv::CommandLineParser& options) {
   const int times = options.get<int>("repeat");
   return cv::repeat(
-      tinted(read_picture(file), options.get<double>("red"), options.get<double>("blue")), times,
+      tinted(read_image(file), options.get<double>("red"), options.get<double>("blue")), times,
       times);
 }
 
@@ -63,8 +63,8 @@ Scene read_scene(const cv::CommandLineParser& options) {
     scene.diameters[name] = one.diameter;
     scene.truth.resize(std::max(scene.truth.size(), one.targets.size()));
     for (std::size_t i = 0; i < one.targets.size(); ++i) {
-      if (scene.pictures.size() == i && (most == 0 || i < most))
-        scene.pictures.push_back(target_picture(one.targets[i].picture, options));
+      if (scene.images.size() == i && (most == 0 || i < most))
+        scene.images.push_back(target_image(one.targets[i].image, options));
       scene.truth[i][name] = one.targets[i].instances;
     }
   }
@@ -72,16 +72,16 @@ Scene read_scene(const cv::CommandLineParser& options) {
 }
 
 /// Every object's detections are judged by themselves; those of objects made up are all wrong.
-void judge_matches(const Scene& scene, std::size_t picture, const std::vector<std::string>& names,
+void judge_matches(const Scene& scene, std::size_t image, const std::vector<std::string>& names,
                    const std::vector<Match>& matches, double ms, Tally& tally) {
   std::map<std::string, std::vector<Found>> found;
   for (const auto& name : names) found[name];
   for (const auto& match : matches)
     found[match.name].push_back({match.pose, match.score, match.graspable, match.covariance});
   for (const auto& [name, own] : found) {
-    const auto truth = scene.truth[picture].find(name);
+    const auto truth = scene.truth[image].find(name);
     const auto instances =
-        truth == scene.truth[picture].end() ? std::vector<Instance>{} : truth->second;
+        truth == scene.truth[image].end() ? std::vector<Instance>{} : truth->second;
     const double diameter = instances.empty() ? 0 : scene.diameters.at(name);
     tally.add(judge(own, instances, diameter), instances.size(), ms);
   }
@@ -103,10 +103,10 @@ Totals run(const Scene& scene, std::size_t objects, int threads) {
   for (const auto& object : library) names.push_back(object->name);
   MatchYardstick yardstick;
   Totals totals;
-  for (std::size_t i = 0; i < scene.pictures.size(); ++i) {
+  for (std::size_t i = 0; i < scene.images.size(); ++i) {
     totals.yardstick_ms.push_back(cpu_ms_of([&] { yardstick.run(); }));
     const double start = process_cpu_ms();
-    const SearchResult result = matcher.find(scene.pictures[i]);
+    const SearchResult result = matcher.find(scene.images[i]);
     totals.cpu_ms.push_back(process_cpu_ms() - start);
     totals.wall_ms.push_back(1e3 * result.search_time);
     judge_matches(scene, i, names, result.matches, totals.cpu_ms.back(), totals.tally);

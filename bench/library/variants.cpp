@@ -12,9 +12,9 @@ constexpr std::array<std::array<int, 3>, 6> kOrders{
     {{0, 1, 2}, {1, 2, 0}, {2, 0, 1}, {0, 2, 1}, {2, 1, 0}, {1, 0, 2}}};
 constexpr std::size_t kVariants = 4 * kOrders.size();
 
-cv::Mat recoloured(const cv::Mat& picture, const std::array<int, 3>& order, bool inverted) {
+cv::Mat recoloured(const cv::Mat& image, const std::array<int, 3>& order, bool inverted) {
   std::array<cv::Mat, 3> channels, exchanged;
-  cv::split(picture, channels.data());
+  cv::split(image, channels.data());
   for (std::size_t c = 0; c < channels.size(); ++c)
     exchanged[c] = channels[static_cast<std::size_t>(order[c])];
   cv::Mat result;
@@ -59,9 +59,9 @@ std::vector<Object> library_of(const std::vector<Object>& objects, std::size_t c
   return library;
 }
 
-cv::Mat tinted(const cv::Mat& picture, double red, double blue) {
+cv::Mat tinted(const cv::Mat& image, double red, double blue) {
   cv::Mat result;
-  cv::multiply(picture, cv::Scalar(blue, 1, red), result);
+  cv::multiply(image, cv::Scalar(blue, 1, red), result);
   return result;
 }
 

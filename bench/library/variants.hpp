@@ -15,11 +15,11 @@ namespace mbncc::bench {
 std::shared_ptr<const ObjectModel> object_of(const CaseFolder& one);
 
 /// `count` objects, or as many as can be made: first those given, then their mirror images with
-/// colour channels exchanged and brightness turned round, which lie in no picture.
+/// colour channels exchanged and brightness turned round, which lie in no image.
 std::vector<std::shared_ptr<const ObjectModel>> library_of(
     const std::vector<std::shared_ptr<const ObjectModel>>& objects, std::size_t count);
 
-/// `picture` as under light of another colour: red and blue times these factors.
-cv::Mat tinted(const cv::Mat& picture, double red, double blue);
+/// `image` as under light of another colour: red and blue times these factors.
+cv::Mat tinted(const cv::Mat& image, double red, double blue);
 
 }  // namespace mbncc::bench

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What every matching engine of the benchmark does: it is shown one object and finds it in
-// pictures.
+// images.
 #pragma once
 
 #include <memory>
@@ -26,10 +26,10 @@ class Engine {
   virtual ~Engine() = default;
 
   /// Replaces the object. `picture` is CV_8UC3, `map` CV_8UC1 of its size (255 on the object).
-  virtual void teach(const cv::Mat& picture, const cv::Mat& map, cv::Point2d reference) = 0;
+  virtual void teach(const cv::Mat& image, const cv::Mat& map, cv::Point2d reference) = 0;
 
   /// Every detection worth a look, weak ones too: thresholds are set afterwards.
-  virtual std::vector<Found> find(const cv::Mat& picture) = 0;
+  virtual std::vector<Found> find(const cv::Mat& image) = 0;
 
   /// The threshold it ships with; none: the benchmark takes the one with the best F1.
   virtual std::optional<double> threshold() const { return {}; }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Matching engines on the same pictures in the same run, one thread, true maps given.
+// Matching engines on the same images in the same run, one thread, true maps given.
 #include <filesystem>
 #include <iostream>
 #include <opencv2/imgproc.hpp>
@@ -62,14 +62,14 @@ std::vector<Instance> rescaled(std::vector<Instance> instances, double scale) {
   return instances;
 }
 
-cv::Mat rescaled(const cv::Mat& picture, double scale) {
-  if (scale == 1) return picture;
+cv::Mat rescaled(const cv::Mat& image, double scale) {
+  if (scale == 1) return image;
   cv::Mat result;
-  cv::resize(picture, result, {}, scale, scale, scale < 1 ? cv::INTER_AREA : cv::INTER_CUBIC);
+  cv::resize(image, result, {}, scale, scale, scale < 1 ? cv::INTER_AREA : cv::INTER_CUBIC);
   return result;
 }
 
-/// Engines and yardstick take turns on every picture, so that a slow minute of the machine hits
+/// Engines and yardstick take turns on every image, so that a slow minute of the machine hits
 /// all.
 void run_case(const CaseFolder& one, const Tolerance& tolerance, double scale, const fs::path& out,
               Run& run) {
@@ -78,12 +78,12 @@ void run_case(const CaseFolder& one, const Tolerance& tolerance, double scale, c
   for (auto& contestant : run.contestants)
     contestant.engine->teach(one.before, one.map, one.reference);
   for (const auto& target : one.targets) {
-    const cv::Mat picture = rescaled(read_picture(target.picture), scale);
+    const cv::Mat image = rescaled(read_image(target.image), scale);
     const auto instances = rescaled(target.instances, scale);
     run.yardstick_ms.push_back(cpu_ms_of([&] { yardstick.run(); }));
     for (auto& contestant : run.contestants) {
       std::vector<Found> found;
-      const double ms = cpu_ms_of([&] { found = contestant.engine->find(picture); });
+      const double ms = cpu_ms_of([&] { found = contestant.engine->find(image); });
       contestant.tally.add(judge(found, instances, scale * one.diameter, tolerance), target, ms);
       predictions[contestant.name].add(target.name, found, ms);
     }

@@ -22,9 +22,9 @@ double similarity_or_nothing(double value) {
 
 /// Masked NCC at every place the template fits in; flat places, where OpenCV divides by zero, get
 /// -1.
-cv::Mat similarities(const cv::Mat& picture, const cv::Mat& template_image, const cv::Mat& mask) {
+cv::Mat similarities(const cv::Mat& image, const cv::Mat& template_image, const cv::Mat& mask) {
   cv::Mat result;
-  cv::matchTemplate(picture, template_image, result, cv::TM_CCOEFF_NORMED, mask);
+  cv::matchTemplate(image, template_image, result, cv::TM_CCOEFF_NORMED, mask);
   result.forEach<float>(
       [](float& value, const int*) { value = static_cast<float>(similarity_or_nothing(value)); });
   return result;
@@ -45,23 +45,22 @@ cv::Point2d subpixel(const cv::Mat& scores, cv::Point at) {
           at.y + vertex(value(at.x, at.y - 1), middle, value(at.x, at.y + 1))};
 }
 
-cv::Mat level_of(const cv::Mat& picture, int level) {
-  cv::Mat result = picture;
+cv::Mat level_of(const cv::Mat& image, int level) {
+  cv::Mat result = image;
   for (int i = 0; i < level; ++i) cv::pyrDown(result, result);
   return result;
 }
 
-cv::Mat grey_of(const cv::Mat& picture) {
+cv::Mat grey_of(const cv::Mat& image) {
   cv::Mat grey;
-  cv::cvtColor(picture, grey, cv::COLOR_BGR2GRAY);
+  cv::cvtColor(image, grey, cv::COLOR_BGR2GRAY);
   return grey;
 }
 
 }  // namespace
 
-void MaskedTemplateEngine::teach(const cv::Mat& picture, const cv::Mat& map,
-                                 cv::Point2d reference) {
-  template_ = grey_of(picture);
+void MaskedTemplateEngine::teach(const cv::Mat& image, const cv::Mat& map, cv::Point2d reference) {
+  template_ = grey_of(image);
   mask_ = map.clone();
   const Circle circle = excircle(map);
   radius_ = circle.radius;
@@ -99,10 +98,10 @@ MaskedTemplateEngine::Rotated MaskedTemplateEngine::rotated(int level, double th
 }
 
 std::vector<MaskedTemplateEngine::Peak> MaskedTemplateEngine::coarse_peaks(
-    const cv::Mat& picture) const {
+    const cv::Mat& image) const {
   cv::Mat best, index;
   for (std::size_t i = 0; i < coarse_.size(); ++i) {
-    const cv::Mat scores = similarities(picture, coarse_[i].template_image, coarse_[i].mask);
+    const cv::Mat scores = similarities(image, coarse_[i].template_image, coarse_[i].mask);
     if (best.empty()) {
       best = cv::Mat(scores.size(), CV_32F, cv::Scalar(-2));
       index = cv::Mat(scores.size(), CV_32S);
@@ -126,7 +125,7 @@ std::vector<MaskedTemplateEngine::Peak> MaskedTemplateEngine::coarse_peaks(
   return peaks;
 }
 
-MaskedTemplateEngine::Peak MaskedTemplateEngine::refined(const cv::Mat& picture, int level,
+MaskedTemplateEngine::Peak MaskedTemplateEngine::refined(const cv::Mat& image, int level,
                                                          const Peak& peak) const {
   const double step = angle_step(level);
   Peak best{peak.position, peak.theta, -1};
@@ -138,10 +137,10 @@ MaskedTemplateEngine::Peak MaskedTemplateEngine::refined(const cv::Mat& picture,
     const cv::Point centre(cvRound(peak.position.x), cvRound(peak.position.y));
     const cv::Rect window =
         cv::Rect(centre.x - reach, centre.y - reach, 2 * reach + 1, 2 * reach + 1) &
-        cv::Rect({0, 0}, picture.size());
+        cv::Rect({0, 0}, image.size());
     by_angle.push_back(-1);
     if (window.width < kernel.mask.cols || window.height < kernel.mask.rows) continue;
-    const cv::Mat scores = similarities(picture(window), kernel.template_image, kernel.mask);
+    const cv::Mat scores = similarities(image(window), kernel.template_image, kernel.mask);
     cv::Point at;
     cv::minMaxLoc(scores, nullptr, &by_angle.back(), nullptr, &at);
     if (by_angle.back() <= best.score) continue;
@@ -156,8 +155,8 @@ MaskedTemplateEngine::Peak MaskedTemplateEngine::refined(const cv::Mat& picture,
   return best;
 }
 
-std::vector<Found> MaskedTemplateEngine::find(const cv::Mat& picture) {
-  const cv::Mat grey = grey_of(picture);
+std::vector<Found> MaskedTemplateEngine::find(const cv::Mat& image) {
+  const cv::Mat grey = grey_of(image);
   const cv::Mat coarse = level_of(grey, coarse_level_);
   if (coarse.cols < coarse_[0].mask.cols || coarse.rows < coarse_[0].mask.rows) return {};
   std::vector<Peak> peaks = coarse_peaks(coarse);

@@ -11,8 +11,8 @@ namespace mbncc::bench {
 
 class MaskedTemplateEngine : public Engine {
  public:
-  void teach(const cv::Mat& picture, const cv::Mat& map, cv::Point2d reference) override;
-  std::vector<Found> find(const cv::Mat& picture) override;
+  void teach(const cv::Mat& image, const cv::Mat& map, cv::Point2d reference) override;
+  std::vector<Found> find(const cv::Mat& image) override;
 
  private:
   /// Template and mask about the centre of the excircle, at one pyramid level and rotation.
@@ -29,8 +29,8 @@ class MaskedTemplateEngine : public Engine {
 
   Rotated rotated(int level, double theta) const;
   double angle_step(int level) const;
-  std::vector<Peak> coarse_peaks(const cv::Mat& picture) const;
-  Peak refined(const cv::Mat& picture, int level, const Peak& peak) const;
+  std::vector<Peak> coarse_peaks(const cv::Mat& image) const;
+  Peak refined(const cv::Mat& image, int level, const Peak& peak) const;
 
   cv::Mat template_, mask_;  // CV_8UC1 crops about the excircle, full resolution
   double radius_ = 0;        // [px] of the excircle

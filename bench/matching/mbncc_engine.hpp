@@ -9,8 +9,8 @@ namespace mbncc::bench {
 
 class MbnccEngine : public Engine {
  public:
-  void teach(const cv::Mat& picture, const cv::Mat& map, cv::Point2d reference) override;
-  std::vector<Found> find(const cv::Mat& picture) override;
+  void teach(const cv::Mat& image, const cv::Mat& map, cv::Point2d reference) override;
+  std::vector<Found> find(const cv::Mat& image) override;
   std::optional<double> threshold() const override { return matcher_.config().min_score; }
 
  private:

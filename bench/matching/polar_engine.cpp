@@ -8,16 +8,16 @@
 
 namespace mbncc::bench {
 
-void PolarEngine::teach(const cv::Mat& picture, const cv::Mat& map, cv::Point2d reference) {
-  const View view = crop_view(picture, map, {reference.x, reference.y, 0});
+void PolarEngine::teach(const cv::Mat& image, const cv::Mat& map, cv::Point2d reference) {
+  const View view = crop_view(image, map, {reference.x, reference.y, 0});
   search_.emplace(view, region_);
   lever_ = reference - (search_->centre() + cv::Point2d(view.origin));
   apart_ = excircle(map).radius / 2;
 }
 
-std::vector<Found> PolarEngine::find(const cv::Mat& picture) {
+std::vector<Found> PolarEngine::find(const cv::Mat& image) {
   cv::Mat grey;
-  cv::cvtColor(picture, grey, cv::COLOR_BGR2GRAY);
+  cv::cvtColor(image, grey, cv::COLOR_BGR2GRAY);
   const auto levels = imaging::build_pyramid(grey, search_->top_level());
   if (static_cast<int>(levels.size()) <= search_->top_level()) return {};
   std::vector<Found> found;

@@ -15,8 +15,8 @@ class PolarEngine : public Engine {
  public:
   explicit PolarEngine(PolarRegion region) : region_(region) {}
 
-  void teach(const cv::Mat& picture, const cv::Mat& map, cv::Point2d reference) override;
-  std::vector<Found> find(const cv::Mat& picture) override;
+  void teach(const cv::Mat& image, const cv::Mat& map, cv::Point2d reference) override;
+  std::vector<Found> find(const cv::Mat& image) override;
 
  private:
   PolarRegion region_;

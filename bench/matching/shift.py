@@ -8,7 +8,7 @@ usage: shift.py SET OUT KIND [--seed N]
   KIND  colour11, colour12       gains of red x1.1 and blue x.9; x1.2 and x.8
         gain18                   gain of 1.8, clipped
         dim                      gain of .4, and noise of 1.5 grey levels
-        shadow_across            the edge of a shadow (.55) through the picture, 30 to 80 px from an object
+        shadow_across            the edge of a shadow (.55) through the image, 30 to 80 px from an object
         shadow_on                ... through an object's middle
         gloss                    a white spot on 15 % of each object
         covered                  a hand on 20 to 30 % of each object

@@ -54,10 +54,10 @@ void run_case(const fs::path& folder, const std::string& kind, std::vector<Conte
   std::vector<Tally> own(contestants.size());
   for (auto& contestant : contestants) contestant.engine->teach(one.before, one.map, one.reference);
   for (const auto& target : one.targets) {
-    const cv::Mat picture = read_picture(target.picture);
+    const cv::Mat image = read_image(target.image);
     for (std::size_t i = 0; i < contestants.size(); ++i) {
       std::vector<Found> found;
-      const double ms = cpu_ms_of([&] { found = contestants[i].engine->find(picture); });
+      const double ms = cpu_ms_of([&] { found = contestants[i].engine->find(image); });
       const auto judged = judge(found, target.instances, one.diameter);
       contestants[i].all.add(judged, target.instances.size(), ms);
       own[i].add(judged, target.instances.size(), ms);

@@ -31,17 +31,17 @@ Pairs unexplained(const Pairs& pairs, const cv::Mat& inliers) {
 
 SiftEngine::SiftEngine() : sift_(cv::SIFT::create()) {}
 
-void SiftEngine::teach(const cv::Mat& picture, const cv::Mat& map, cv::Point2d reference) {
-  sift_->detectAndCompute(picture, map, points_, descriptors_);
+void SiftEngine::teach(const cv::Mat& image, const cv::Mat& map, cv::Point2d reference) {
+  sift_->detectAndCompute(image, map, points_, descriptors_);
   reference_ = reference;
 }
 
-std::vector<Found> SiftEngine::find(const cv::Mat& picture) {
+std::vector<Found> SiftEngine::find(const cv::Mat& image) {
   std::vector<cv::KeyPoint> seen;
   cv::Mat descriptors;
-  sift_->detectAndCompute(picture, cv::noArray(), seen, descriptors);
+  sift_->detectAndCompute(image, cv::noArray(), seen, descriptors);
   if (points_.size() < 2 || seen.empty()) return {};
-  // From the picture to the object, so that several instances may claim the same learned point.
+  // From the image to the object, so that several instances may claim the same learned point.
   std::vector<std::vector<cv::DMatch>> matches;
   cv::BFMatcher(cv::NORM_L2).knnMatch(descriptors, descriptors_, matches, 2);
   Pairs pairs;

@@ -14,8 +14,8 @@ class SiftEngine : public Engine {
  public:
   SiftEngine();
 
-  void teach(const cv::Mat& picture, const cv::Mat& map, cv::Point2d reference) override;
-  std::vector<Found> find(const cv::Mat& picture) override;
+  void teach(const cv::Mat& image, const cv::Mat& map, cv::Point2d reference) override;
+  std::vector<Found> find(const cv::Mat& image) override;
 
  private:
   cv::Ptr<cv::SIFT> sift_;

@@ -26,19 +26,19 @@ constexpr const char* kOptions =
     "{views    | 1,2,4 | comma separated: numbers of views; the largest tells what is searched }"
     "{help h   |       | this text }";
 
-/// The object as it lies in a target; none when it is not wholly in the picture.
+/// The object as it lies in a target; none when it is not wholly in the image.
 std::optional<View> view_in(const Target& target, const CaseFolder& one) {
   if (target.instances.size() != 1) return {};
   const Pose2D& pose = target.instances.front().pose;
-  const cv::Mat picture = read_picture(target.picture);
+  const cv::Mat image = read_image(target.image);
   const double c = std::cos(pose.theta), s = std::sin(pose.theta);
   const cv::Point2d r = one.reference;
   const cv::Matx23d motion(c, -s, pose.x - c * r.x + s * r.y, s, c, pose.y - s * r.x - c * r.y);
   cv::Mat map;
-  cv::warpAffine(one.map, map, motion, picture.size());
+  cv::warpAffine(one.map, map, motion, image.size());
   map = map > 127;
   if (cv::countNonZero(map) < 0.98 * cv::countNonZero(one.map)) return {};
-  return crop_view(picture, map, pose);
+  return crop_view(image, map, pose);
 }
 
 struct Lesson {
@@ -80,11 +80,11 @@ void run_case(const CaseFolder& one, std::vector<Run>& runs, std::vector<double>
   }
   MatchYardstick yardstick;
   for (const auto& target : lesson.targets) {
-    const cv::Mat picture = read_picture(target.picture);
+    const cv::Mat image = read_image(target.image);
     yardstick_ms.push_back(cpu_ms_of([&] { yardstick.run(); }));
     for (std::size_t i = 0; i < runs.size(); ++i) {
       SearchResult result;
-      const double ms = cpu_ms_of([&] { result = matchers[i].find(picture); });
+      const double ms = cpu_ms_of([&] { result = matchers[i].find(image); });
       std::vector<Found> found;
       for (const auto& match : result.matches)
         found.push_back({match.pose, match.score, match.graspable, match.covariance});

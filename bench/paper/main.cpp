@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The paper's matching experiments (doi 10.1177/1687814017728839, Figs. 12 to 16) in the simulated
 // cell: MB-NCC against PP-NCC with incircle and excircle, at the true place of the object, and at
-// every place of a picture that also shows a piece of wastepaper.
+// every place of an image that also shows a piece of wastepaper.
 #include <algorithm>
 #include <filesystem>
 #include <iostream>
@@ -21,18 +21,18 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* kOptions =
-    "{@out   |   | folder for the figures' CSV files and pictures }"
+    "{@out   |   | folder for the figures' CSV files and images }"
     "{help h |   | this text }";
 
 constexpr double kDiameter = 110;             // [px]
 constexpr double kElongations[] = {1, 2, 4};  // the paper: square, irregular, elongated
 constexpr int kBackgrounds = 6;
 constexpr const char* kVariants[] = {"mbncc", "incircle", "excircle"};
-constexpr int kStep = 2;  // [px] of the half-size picture
+constexpr int kStep = 2;  // [px] of the half-size image
 const cv::Point2d kWastepaper{450, 230};
 const Pose2D kPlace{320, 240, 0};
 
-/// A template in polar form, and where its centre lies in the learning picture.
+/// A template in polar form, and where its centre lies in the learning image.
 struct Variant {
   cv::Point2d centre;
   PolarTemplate object;
@@ -103,7 +103,7 @@ void compare(double elongation, Results& results) {
   }
 }
 
-/// Best similarity over all rotations at every kStep-th pixel of a half-size picture.
+/// Best similarity over all rotations at every kStep-th pixel of a half-size image.
 cv::Mat best_by_place(const Variant& variant, const cv::Mat& grey) {
   cv::Mat scores(grey.rows / kStep, grey.cols / kStep, CV_32FC1);
   for (int row = 0; row < scores.rows; ++row)
@@ -117,7 +117,7 @@ cv::Mat best_by_place(const Variant& variant, const cv::Mat& grey) {
   return scores;
 }
 
-/// Largest score within `radius` cells of a place; NaN-free, since the place lies in the picture.
+/// Largest score within `radius` cells of a place; NaN-free, since the place lies in the image.
 double peak_near(const cv::Mat& scores, cv::Point2d place, double radius, bool inside) {
   cv::Mat mask(scores.size(), CV_8UC1, cv::Scalar(inside ? 0 : 255));
   cv::circle(mask, place, cvRound(radius), cv::Scalar(inside ? 255 : 0), cv::FILLED);
@@ -126,9 +126,9 @@ double peak_near(const cv::Mat& scores, cv::Point2d place, double radius, bool i
   return best;
 }
 
-cv::Mat half_grey(const cv::Mat& picture) {
+cv::Mat half_grey(const cv::Mat& image) {
   cv::Mat grey, half;
-  cv::cvtColor(picture, grey, cv::COLOR_BGR2GRAY);
+  cv::cvtColor(image, grey, cv::COLOR_BGR2GRAY);
   cv::pyrDown(grey, half);
   return half;
 }
@@ -145,13 +145,13 @@ void compare_places(const fs::path& out) {
   sim::SceneConfig config;
   config.seed = 2;
   placed.pose = {190, 250, 0.7};
-  cv::Mat picture = sim::Scene(config).render({placed}, 2);
-  draw_wastepaper(picture, kWastepaper, kDiameter, 3);
-  cv::imwrite((out / "wastepaper.png").string(), picture);
+  cv::Mat image = sim::Scene(config).render({placed}, 2);
+  draw_wastepaper(image, kWastepaper, kDiameter, 3);
+  cv::imwrite((out / "wastepaper.png").string(), image);
   const double cells = 1 / (2.0 * kStep), radius = kDiameter / 2 * cells;
   Table table{{"variant", "object", "wastepaper", "elsewhere"}, {}};
   for (std::size_t i = 0; i < templates.size(); ++i) {
-    const cv::Mat scores = best_by_place(templates[i], half_grey(picture));
+    const cv::Mat scores = best_by_place(templates[i], half_grey(image));
     cv::Mat levels;
     scores.convertTo(levels, CV_8UC1, 255);
     cv::imwrite((out / ("scores_" + std::string(kVariants[i]) + ".png")).string(), levels);

@@ -20,7 +20,7 @@ namespace fs = std::filesystem;
 constexpr const char* kOptions =
     "{@out    |   | folder for the cases }"
     "{cases   | 8 | so many objects }"
-    "{targets | 4 | pictures to search with each; the last one lacks the object }"
+    "{targets | 4 | images to search with each; the last one lacks the object }"
     "{seed    | 1 | draws everything }"
     "{help h  |   | this text }";
 
@@ -32,7 +32,7 @@ struct Cell {
   sim::SceneObject object;
   cv::RNG random;
 
-  /// A place whose circle lies in the `column`-th third of the picture.
+  /// A place whose circle lies in the `column`-th third of the image.
   Pose2D place(int column, double diameter) {
     const double width = scene.config().size.width / 3.0, reach = 0.6 * diameter;
     const double low = column * width + reach, high = (column + 1) * width - reach;
@@ -61,8 +61,8 @@ std::vector<sim::Placed> neighbours_of(Cell& cell) {
   return neighbours;
 }
 
-void save(const fs::path& path, const cv::Mat& picture) {
-  if (!cv::imwrite(path.string(), picture))
+void save(const fs::path& path, const cv::Mat& image) {
+  if (!cv::imwrite(path.string(), image))
     throw std::runtime_error("cannot write '" + path.string() + "'");
 }
 

@@ -25,13 +25,13 @@ std::vector<cv::Point2d> rim(cv::Point2d centre, double radius, cv::RNG& random)
 
 }  // namespace
 
-void draw_wastepaper(cv::Mat& picture, cv::Point2d centre, double diameter, std::uint64_t seed) {
+void draw_wastepaper(cv::Mat& image, cv::Point2d centre, double diameter, std::uint64_t seed) {
   cv::RNG random(seed);
   const auto outer = rim(centre, diameter / 2, random);
   const auto inner = rim(centre, diameter / 4, random);
   const auto facet = [&](cv::Point2d a, cv::Point2d b, cv::Point2d c) {
     const std::vector<cv::Point> corners{a, b, c};
-    cv::fillConvexPoly(picture, corners, cv::Scalar::all(random.uniform(kDarkest, kBrightest)),
+    cv::fillConvexPoly(image, corners, cv::Scalar::all(random.uniform(kDarkest, kBrightest)),
                        cv::LINE_AA);
   };
   for (int i = 0; i < kCorners; ++i) {

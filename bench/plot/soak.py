@@ -1,6 +1,6 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""Memory, open files and threads over the pictures of long runs.
+"""Memory, open files and threads over the images of long runs.
 
 usage: soak.py OUT.png TITLE=FILE.csv ...   (files written by `soak` and by MBNCC_SOAK_CSV)
 """
@@ -34,7 +34,7 @@ def main():
             if column in run:
                 axis.plot(thousands, run[column], label=label, linewidth=1, **style)
         axis.set_ylim(0)
-        axis.set_xlabel("pictures [1000]")
+        axis.set_xlabel("images [1000]")
         axis.set_title(title, fontsize=9)
         axis.legend(fontsize=7)
     figure.tight_layout()

@@ -27,7 +27,7 @@ namespace fs = std::filesystem;
 
 constexpr const char* kOptions =
     "{@set       |        | folders that hold cases at any depth, comma separated }"
-    "{by         | region | how the object is shown: region, none, click (with the picture after);"
+    "{by         | region | how the object is shown: region, none, click (with the image after);"
     " point (a click without it); box<percent> (without it; the true bounding box made so much "
     "larger); hand (the true map) }"
     "{method     | auto   | of learn_object; otsu, otsu_grabcut and opencv_grabcut: baselines }"
@@ -41,7 +41,7 @@ struct Way {
 };
 
 struct Outcome {
-  cv::Mat map;  // CV_8UC1 of the picture's size
+  cv::Mat map;  // CV_8UC1 of the image's size
   LearnResult result;
   double ms = 0;
 };
@@ -75,10 +75,10 @@ cv::Point2f click_of(const CaseFolder& one) {
   return innermost;
 }
 
-cv::Rect enlarged(const cv::Rect& box, double percent, const cv::Size& picture) {
+cv::Rect enlarged(const cv::Rect& box, double percent, const cv::Size& image) {
   const int across = cvRound(box.width * percent / 200), down = cvRound(box.height * percent / 200);
   return cv::Rect(box.x - across, box.y - down, box.width + 2 * across, box.height + 2 * down) &
-         cv::Rect({0, 0}, picture);
+         cv::Rect({0, 0}, image);
 }
 
 Lesson lesson_of(const CaseFolder& one, const std::string& by) {

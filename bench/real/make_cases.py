@@ -4,12 +4,12 @@
 
 MIRROR/OWNER+NAME holds a git repository (bare, in `repo`, or with `.git`), e.g. of
 `git clone --bare https://github.com/OWNER/NAME MIRROR/OWNER+NAME`. Every CASES_DIR/SOURCE.yaml
-names one repository at one commit, its pictures and the true outlines:
+names one repository at one commit, its images and the true outlines:
 
   source, repository (OWNER/NAME), commit, licence, half (tune or report), truth (how made, how
-  good), scale (factor the pictures are resized by; a case may have its own), new (a source not
+  good), scale (factor the images are resized by; a case may have its own), new (a source not
   used before), and cases: name, before, after (paths), before_frame, after_frame (of videos,
-  from 0), outline, holes (lists of polygons of the resized picture), roi (x y width height),
+  from 0), outline, holes (lists of polygons of the resized image), roi (x y width height),
   click (x y), alike (objects that look the same share it), note
 
 Written are
@@ -50,28 +50,28 @@ def frame_of(data, number, suffix):
         for _ in range(number):
             if not video.grab():
                 raise Missing("the video has no frame {}".format(number))
-        good, picture = video.read()
+        good, image = video.read()
         if not good:
             raise Missing("the video has no frame {}".format(number))
-        return picture
+        return image
 
 
 @functools.lru_cache(maxsize=8)
-def picture_of(git, commit, path, frame, scale):
+def image_of(git, commit, path, frame, scale):
     shown = subprocess.run(["git", "--git-dir", str(git), "show", "{}:{}".format(commit, path)],
                            stdout=subprocess.PIPE, stderr=subprocess.DEVNULL)
     if shown.returncode:
         raise Missing("{} has no {} at {}".format(git, path, commit[:10]))
     if frame is None:
-        picture = cv2.imdecode(np.frombuffer(shown.stdout, np.uint8), cv2.IMREAD_COLOR)
+        image = cv2.imdecode(np.frombuffer(shown.stdout, np.uint8), cv2.IMREAD_COLOR)
     else:
-        picture = frame_of(shown.stdout, frame, Path(path).suffix)
-    if picture is None:
-        raise Missing("{} at {} is not a picture".format(path, commit[:10]))
+        image = frame_of(shown.stdout, frame, Path(path).suffix)
+    if image is None:
+        raise Missing("{} at {} is not an image".format(path, commit[:10]))
     if scale != 1:
-        size = (round(picture.shape[1] * scale), round(picture.shape[0] * scale))
-        picture = cv2.resize(picture, size, interpolation=cv2.INTER_AREA)
-    return picture
+        size = (round(image.shape[1] * scale), round(image.shape[0] * scale))
+        image = cv2.resize(image, size, interpolation=cv2.INTER_AREA)
+    return image
 
 
 def filled(shape, polygon):
@@ -97,10 +97,10 @@ def mask_of(shape, outline, holes):
 def make_case(git, source, case, folder):
     scale = case.get("scale", source.get("scale", 1))
 
-    def picture(which):
-        return picture_of(git, source["commit"], case[which], case.get(which + "_frame"), scale)
+    def image(which):
+        return image_of(git, source["commit"], case[which], case.get(which + "_frame"), scale)
 
-    before, after = picture("before"), picture("after")
+    before, after = image("before"), image("after")
     if before.shape != after.shape:
         raise Missing("{} and {} differ in size".format(case["before"], case["after"]))
     folder.mkdir(parents=True, exist_ok=True)

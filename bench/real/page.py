@@ -26,12 +26,12 @@ def case_folders(sets):
             for root in sets for path in pathlib.Path(root).rglob('learn_before.png')}
 
 
-def outlined(picture, masks_and_colours):
+def outlined(image, masks_and_colours):
     for mask, colour in masks_and_colours:
-        large = cv2.resize(mask, (picture.shape[1], picture.shape[0]), interpolation=cv2.INTER_NEAREST)
+        large = cv2.resize(mask, (image.shape[1], image.shape[0]), interpolation=cv2.INTER_NEAREST)
         contours, _ = cv2.findContours(large, cv2.RETR_LIST, cv2.CHAIN_APPROX_NONE)
-        cv2.drawContours(picture, contours, -1, colour, 1)
-    return picture
+        cv2.drawContours(image, contours, -1, colour, 1)
+    return image
 
 
 def strip(folder, learned):
@@ -46,8 +46,8 @@ def strip(folder, learned):
     scale = HEIGHT / before[rows, columns].shape[0]
     size = (max(1, round(before[rows, columns].shape[1] * scale)), HEIGHT)
 
-    def enlarged(picture):
-        return cv2.resize(picture[rows, columns], size, interpolation=cv2.INTER_CUBIC if scale > 1 else cv2.INTER_AREA)
+    def enlarged(image):
+        return cv2.resize(image[rows, columns], size, interpolation=cv2.INTER_CUBIC if scale > 1 else cv2.INTER_AREA)
 
     shown = outlined(enlarged(before), [(truth[rows, columns], (0, 220, 0)), (learned[rows, columns], (0, 0, 255))])
     parts = [enlarged(before), shown] + ([enlarged(after)] if after is not None else [])

@@ -36,13 +36,13 @@ sim::Placed stranger(cv::RNG& random) {
 }
 
 /// Its pixels under the object's map come from a larger stranger lying above it.
-void resurface(const sim::Scene& scene, const sim::Placed& placed, cv::Mat& picture,
+void resurface(const sim::Scene& scene, const sim::Placed& placed, cv::Mat& image,
                cv::RNG& random) {
   sim::Placed cover = stranger(random);
   cover.pose = placed.pose;
   cover.object.diameter = 2.5 * placed.object.diameter;
   cover.object.elongation = 1;
-  scene.render({cover}, random.next()).copyTo(picture, scene.true_map(placed));
+  scene.render({cover}, random.next()).copyTo(image, scene.true_map(placed));
 }
 
 }  // namespace
@@ -68,19 +68,18 @@ std::vector<Taught> teach(int count, int seed) {
   return taught;
 }
 
-cv::Mat empty_picture(cv::RNG& random) {
-  cv::Mat picture(kSize, CV_8UC3, cv::Scalar::all(0));
+cv::Mat empty_image(cv::RNG& random) {
+  cv::Mat image(kSize, CV_8UC3, cv::Scalar::all(0));
   const int kind = random.uniform(0, 3);
   if (kind == 1)
-    picture.setTo(
-        cv::Scalar(random.uniform(0, 256), random.uniform(0, 256), random.uniform(0, 256)));
+    image.setTo(cv::Scalar(random.uniform(0, 256), random.uniform(0, 256), random.uniform(0, 256)));
   if (kind == 2) {
-    picture.setTo(cv::Scalar::all(random.uniform(60, 200)));
+    image.setTo(cv::Scalar::all(random.uniform(60, 200)));
     cv::Mat noise(kSize, CV_8UC3);
     random.fill(noise, cv::RNG::NORMAL, 0, random.uniform(2., 60.));
-    picture += noise;
+    image += noise;
   }
-  return picture;
+  return image;
 }
 
 cv::Mat other_scene(cv::RNG& random) {
@@ -115,9 +114,9 @@ const char* to_string(Likeness likeness) {
   }
 }
 
-cv::Mat recoloured(const cv::Mat& picture) {
+cv::Mat recoloured(const cv::Mat& image) {
   std::array<cv::Mat, 3> channels;
-  cv::split(picture, channels.data());
+  cv::split(image, channels.data());
   std::rotate(channels.begin(), channels.begin() + 1, channels.end());
   cv::Mat exchanged;
   cv::merge(channels.data(), channels.size(), exchanged);
@@ -138,12 +137,11 @@ cv::Mat scene_with_likeness(const Taught& object, Likeness likeness, cv::RNG& ra
     const double factor = random.uniform(1.15, 1.35);
     placed.object.diameter *= random.uniform(0, 2) == 0 ? factor : 1 / factor;
   }
-  cv::Mat picture = scene.render({stranger(random), placed}, random.next());
-  if (likeness == Likeness::kMirrored) cv::flip(picture, picture, 1);
-  if (likeness == Likeness::kRecoloured)
-    recoloured(picture).copyTo(picture, scene.true_map(placed));
-  if (likeness == Likeness::kResurfaced) resurface(scene, placed, picture, random);
-  return picture;
+  cv::Mat image = scene.render({stranger(random), placed}, random.next());
+  if (likeness == Likeness::kMirrored) cv::flip(image, image, 1);
+  if (likeness == Likeness::kRecoloured) recoloured(image).copyTo(image, scene.true_map(placed));
+  if (likeness == Likeness::kResurfaced) resurface(scene, placed, image, random);
+  return image;
 }
 
 }  // namespace mbncc::bench

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Pictures that lack an object: other scenes, nothing at all, and its likes.
+// Images that lack an object: other scenes, nothing at all, and its likes.
 #pragma once
 
 #include <memory>
@@ -21,11 +21,11 @@ struct Taught {
 /// `count` objects of 35 to 110 px, drawn by `seed`. Those whose lesson is refused are left out.
 std::vector<Taught> teach(int count, int seed);
 
-/// Pictures are CV_8UC3 of this size.
+/// Images are CV_8UC3 of this size.
 constexpr int kDecoyWidth = 640, kDecoyHeight = 480;
 
 /// Black, of one colour, or pure noise.
-cv::Mat empty_picture(cv::RNG& random);
+cv::Mat empty_image(cv::RNG& random);
 
 /// Another platform in other light with three to seven objects drawn nowhere else.
 cv::Mat other_scene(cv::RNG& random);
@@ -42,9 +42,9 @@ const char* to_string(Likeness likeness);
 /// larger or smaller.
 cv::Mat scene_with_likeness(const Taught& object, Likeness likeness, cv::RNG& random);
 
-/// The picture with red, green and blue exchanged: whatever was taught by colour is something else
+/// The image with red, green and blue exchanged: whatever was taught by colour is something else
 /// in it.
-cv::Mat recoloured(const cv::Mat& picture);
+cv::Mat recoloured(const cv::Mat& image);
 
 /// Mean difference of the channels under the map: below some 30 recolouring changes too little.
 double colourfulness(const View& view);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Pictures without the object: how many detections are reported all the same, and how many of them
+// Images without the object: how many detections are reported all the same, and how many of them
 // could be grasped, at the thresholds as shipped.
 #include <filesystem>
 #include <iostream>
@@ -18,67 +18,67 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* kOptions =
-    "{@out        |      | folder for the pictures in which something could be grasped }"
-    "{photographs |      | set of photographed cases (bench/README.md); none: drawn pictures alone "
+    "{@out        |      | folder for the images in which something could be grasped }"
+    "{photographs |      | set of photographed cases (bench/README.md); none: drawn images alone "
     "}"
-    "{scenes      | 2000 | drawn pictures of other scenes }"
+    "{scenes      | 2000 | drawn images of other scenes }"
     "{parts       | 1500 | parts of photographs }"
-    "{likes       | 1000 | pictures with a look-alike }"
-    "{empty       | 1000 | black, plain and noisy pictures }"
-    "{objects     | 40   | taught objects; every picture is searched for four of them }"
+    "{likes       | 1000 | images with a look-alike }"
+    "{empty       | 1000 | black, plain and noisy images }"
+    "{objects     | 40   | taught objects; every image is searched for four of them }"
     "{seed        | 1    | draws everything }"
     "{help h      |      | this text }";
 
-constexpr int kPerPicture = 4;     // objects searched for, each alone
+constexpr int kPerImage = 4;       // objects searched for, each alone
 constexpr double kColourful = 30;  // [grey levels] less cannot be told by colour
 
 using Object = std::shared_ptr<const ObjectModel>;
 
 struct Count {
-  int pictures = 0, searches = 0, found = 0, graspable = 0;
+  int images = 0, searches = 0, found = 0, graspable = 0;
 };
 
 class Trials {
  public:
   explicit Trials(fs::path out) : out_(std::move(out)) {}
 
-  void search(const std::string& kind, const cv::Mat& picture, const std::vector<Object>& objects) {
+  void search(const std::string& kind, const cv::Mat& image, const std::vector<Object>& objects) {
     Count& count = counts_[kind];
-    ++count.pictures;
+    ++count.images;
     for (const auto& object : objects) {
       Matcher matcher;
       matcher.set_objects({object});
       ++count.searches;
       int graspable = 0;
-      for (const auto& match : matcher.find(picture).matches) {
+      for (const auto& match : matcher.find(image).matches) {
         ++count.found;
         graspable += match.graspable;
-        if (match.graspable) describe(kind, count.pictures, match);
+        if (match.graspable) describe(kind, count.images, match);
       }
       count.graspable += graspable;
-      if (graspable > 0) keep(kind + "_" + std::to_string(count.pictures), picture, *object);
+      if (graspable > 0) keep(kind + "_" + std::to_string(count.images), image, *object);
     }
   }
 
   Table table() const {
-    Table table{{"pictures of", "pictures", "searches", "detections", "graspable"}, {}};
+    Table table{{"images of", "images", "searches", "detections", "graspable"}, {}};
     for (const auto& [kind, count] : counts_)
-      table.rows.push_back({kind, std::to_string(count.pictures), std::to_string(count.searches),
+      table.rows.push_back({kind, std::to_string(count.images), std::to_string(count.searches),
                             std::to_string(count.found), std::to_string(count.graspable)});
     return table;
   }
 
  private:
-  void describe(const std::string& kind, int picture, const Match& match) {
-    std::cout << kind << '_' << picture << ' ' << match.name << " at " << match.pose.x << ' '
+  void describe(const std::string& kind, int image, const Match& match) {
+    std::cout << kind << '_' << image << ' ' << match.name << " at " << match.pose.x << ' '
               << match.pose.y << ' ' << to_degrees(match.pose.theta) << " score " << match.score
               << " similarity " << match.similarity << " margins " << match.margin_place << ' '
               << match.margin_angle << std::endl;
   }
 
-  void keep(const std::string& name, const cv::Mat& picture, const ObjectModel& object) const {
+  void keep(const std::string& name, const cv::Mat& image, const ObjectModel& object) const {
     const std::string start = (out_ / (name + "_" + object.name)).string();
-    cv::imwrite(start + "_picture.png", picture);
+    cv::imwrite(start + "_image.png", image);
     cv::imwrite(start + "_template.png", object.views[0].template_image);
     cv::imwrite(start + "_map.png", object.views[0].map);
   }
@@ -94,8 +94,7 @@ class Turns {
 
   std::vector<Object> next() {
     std::vector<Object> objects;
-    for (int i = 0; i < kPerPicture; ++i)
-      objects.push_back(taught_[next_++ % taught_.size()].model);
+    for (int i = 0; i < kPerImage; ++i) objects.push_back(taught_[next_++ % taught_.size()].model);
     return objects;
   }
 
@@ -119,29 +118,29 @@ Object object_of(const CaseFolder& one) {
 }
 
 /// Drawn objects are in no photograph.
-void search_parts(const std::vector<CaseFolder>& cases, int pictures, Turns& turns, Trials& trials,
+void search_parts(const std::vector<CaseFolder>& cases, int images, Turns& turns, Trials& trials,
                   cv::RNG& random) {
   std::vector<cv::Mat> photographs;
   for (const auto& one : cases) {
     photographs.push_back(one.before);
-    for (const auto& target : one.targets) photographs.push_back(read_picture(target.picture));
+    for (const auto& target : one.targets) photographs.push_back(read_image(target.image));
   }
-  for (int i = 0; i < pictures && !photographs.empty(); ++i)
+  for (int i = 0; i < images && !photographs.empty(); ++i)
     trials.search("photographs, objects drawn",
                   part_of(photographs[static_cast<std::size_t>(i) % photographs.size()], random),
                   turns.next());
 }
 
-/// The photographed objects: in pictures that lack them, and in those of themselves with exchanged
+/// The photographed objects: in images that lack them, and in those of themselves with exchanged
 /// colours.
-void search_photographed(const std::vector<CaseFolder>& cases, int pictures, Trials& trials,
+void search_photographed(const std::vector<CaseFolder>& cases, int images, Trials& trials,
                          cv::RNG& random) {
   for (const auto& one : cases) {
     const Object object = object_of(one);
     const bool colourful = colourfulness(object->views[0]) > kColourful;
     for (const auto& target : one.targets) {
-      const cv::Mat photograph = read_picture(target.picture);
-      for (int i = 0; i < pictures; ++i) {
+      const cv::Mat photograph = read_image(target.image);
+      for (int i = 0; i < images; ++i) {
         const cv::Mat part = part_of(photograph, random);
         if (target.instances.empty())
           trials.search("photographs that lack the object", part, {object});
@@ -152,11 +151,10 @@ void search_photographed(const std::vector<CaseFolder>& cases, int pictures, Tri
   }
 }
 
-void search_likes(const std::vector<Taught>& taught, int pictures, Trials& trials,
-                  cv::RNG& random) {
+void search_likes(const std::vector<Taught>& taught, int images, Trials& trials, cv::RNG& random) {
   constexpr Likeness kAll[] = {Likeness::kMirrored, Likeness::kRecoloured, Likeness::kResurfaced,
                                Likeness::kResized};
-  for (int i = 0, drawn = 0; i < pictures; ++drawn) {
+  for (int i = 0, drawn = 0; i < images; ++drawn) {
     const Taught& object = taught[static_cast<std::size_t>(drawn / 4) % taught.size()];
     const Likeness likeness = kAll[drawn % 4];
     if (likeness == Likeness::kRecoloured && colourfulness(object.model->views[0]) < kColourful)
@@ -175,7 +173,7 @@ void benchmark(const cv::CommandLineParser& options) {
   Trials trials(output_folder(options.get<std::string>("@out")));
   Turns turns(taught);
   for (int i = 0; i < options.get<int>("empty"); ++i)
-    trials.search("nothing", empty_picture(random), turns.next());
+    trials.search("nothing", empty_image(random), turns.next());
   for (int i = 0; i < options.get<int>("scenes"); ++i)
     trials.search("other scenes", other_scene(random), turns.next());
   search_likes(taught, options.get<int>("likes"), trials, random);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Pictures in which something is wrong with the object: torn between two moments, mirrored, another
+// Images in which something is wrong with the object: torn between two moments, mirrored, another
 // surface, half covered, glossy, another object upon it. Whatever is called graspable in them has
 // to be right.
 #include <filesystem>
@@ -21,11 +21,11 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* kOptions =
-    "{@out   |   | folder for the pictures in which a wrong pose could be grasped }"
+    "{@out   |   | folder for the images in which a wrong pose could be grasped }"
     "{@sets  |   | folders of sets (bench/README.md), with commas between them }"
-    "{each   | 2 | pictures of each kind per instance }"
+    "{each   | 2 | images of each kind per instance }"
     "{most   | 0 | cases per set; 0: all }"
-    "{seed   | 1 | draws what is done to the pictures }"
+    "{seed   | 1 | draws what is done to the images }"
     "{help h |   | this text }";
 
 /// A target with one instance of an object, and another object to spoil it with.
@@ -33,17 +33,17 @@ struct Scene {
   const CaseFolder& object;
   const CaseFolder& other;
   const Instance& instance;
-  cv::Mat picture;
+  cv::Mat image;
   bool has_mirror_image = false;  ///< of the object, beside it
 };
 
-/// What was done to a picture, and where the object may rightly be found in it.
+/// What was done to an image, and where the object may rightly be found in it.
 struct Spoiled {
-  cv::Mat picture;
+  cv::Mat image;
   std::vector<Pose2D> poses;  ///< any between two of them, too; empty: nowhere
 };
 
-/// [px] from the learning picture of a case to a target.
+/// [px] from the learning image of a case to a target.
 cv::Matx23d placing(const CaseFolder& object, const Pose2D& pose) {
   const double c = std::cos(pose.theta), s = std::sin(pose.theta);
   const cv::Point2d r = object.reference;
@@ -56,51 +56,51 @@ cv::Mat placed_map(const CaseFolder& object, const Pose2D& pose, cv::Size size) 
   return map > 127;
 }
 
-cv::Mat placed_picture(const CaseFolder& object, const Pose2D& pose, cv::Size size) {
-  cv::Mat picture;
-  cv::warpAffine(object.before, picture, placing(object, pose), size, cv::INTER_LINEAR,
+cv::Mat placed_image(const CaseFolder& object, const Pose2D& pose, cv::Size size) {
+  cv::Mat image;
+  cv::warpAffine(object.before, image, placing(object, pose), size, cv::INTER_LINEAR,
                  cv::BORDER_REFLECT);
-  return picture;
+  return image;
 }
 
 Spoiled untouched(const Scene& scene, cv::RNG&) {
-  return {scene.picture, {scene.instance.pose}};
+  return {scene.image, {scene.instance.pose}};
 }
 
 /// Rows from somewhere within the object on show it 4 to 10 px farther on.
 Spoiled torn(const Scene& scene, cv::RNG& random) {
   const cv::Rect box =
-      cv::boundingRect(placed_map(scene.object, scene.instance.pose, scene.picture.size()));
+      cv::boundingRect(placed_map(scene.object, scene.instance.pose, scene.image.size()));
   const double way = random.uniform(4., 10.) * (random.uniform(0, 2) == 0 ? 1 : -1);
   const int from = box.y + cvRound(random.uniform(0.3, 0.7) * box.height);
-  Spoiled spoiled{scene.picture.clone(), {scene.instance.pose, scene.instance.pose}};
+  Spoiled spoiled{scene.image.clone(), {scene.instance.pose, scene.instance.pose}};
   cv::Mat moved;
-  cv::warpAffine(scene.picture, moved, cv::Matx23d(1, 0, way, 0, 1, 0), scene.picture.size(),
+  cv::warpAffine(scene.image, moved, cv::Matx23d(1, 0, way, 0, 1, 0), scene.image.size(),
                  cv::INTER_LINEAR, cv::BORDER_REPLICATE);
-  moved.rowRange(from, moved.rows).copyTo(spoiled.picture.rowRange(from, moved.rows));
+  moved.rowRange(from, moved.rows).copyTo(spoiled.image.rowRange(from, moved.rows));
   spoiled.poses.back().x += way;
   return spoiled;
 }
 
 Spoiled mirrored(const Scene& scene, cv::RNG&) {
   Spoiled spoiled;
-  cv::flip(scene.picture, spoiled.picture, 1);
+  cv::flip(scene.image, spoiled.image, 1);
   return spoiled;
 }
 
-/// The other object's learning picture within the outline.
+/// The other object's learning image within the outline.
 Spoiled other_print(const Scene& scene, cv::RNG& random) {
-  Spoiled spoiled{scene.picture.clone(), {}};
+  Spoiled spoiled{scene.image.clone(), {}};
   Pose2D pose = scene.instance.pose;
   pose.theta = random.uniform(-kPi, kPi);
-  placed_picture(scene.other, pose, scene.picture.size())
-      .copyTo(spoiled.picture, placed_map(scene.object, scene.instance.pose, scene.picture.size()));
+  placed_image(scene.other, pose, scene.image.size())
+      .copyTo(spoiled.image, placed_map(scene.object, scene.instance.pose, scene.image.size()));
   return spoiled;
 }
 
-/// What lies elsewhere in the picture, over half of the object.
+/// What lies elsewhere in the image, over half of the object.
 Spoiled half_covered(const Scene& scene, cv::RNG& random) {
-  const cv::Size size = scene.picture.size();
+  const cv::Size size = scene.image.size();
   const Pose2D& pose = scene.instance.pose;
   const double angle = random.uniform(-kPi, kPi), far = 4.0 * (size.width + size.height);
   const cv::Point2d along(std::cos(angle), std::sin(angle)), across(-along.y, along.x);
@@ -114,18 +114,18 @@ Spoiled half_covered(const Scene& scene, cv::RNG& random) {
   cv::fillPoly(side, std::vector<std::vector<cv::Point>>{half}, cv::Scalar(255));
   const cv::Matx23d shift(1, 0, random.uniform(-0.5, 0.5) * size.width, 0, 1,
                           random.uniform(-0.5, 0.5) * size.height);
-  cv::warpAffine(scene.picture, cover, shift, size, cv::INTER_LINEAR, cv::BORDER_WRAP);
-  Spoiled spoiled{scene.picture.clone(), {pose}};
+  cv::warpAffine(scene.image, cover, shift, size, cv::INTER_LINEAR, cv::BORDER_WRAP);
+  Spoiled spoiled{scene.image.clone(), {pose}};
   cv::Mat covered;
   cv::dilate(placed_map(scene.object, pose, size), covered, cv::Mat::ones(9, 9, CV_8UC1));
-  cover.copyTo(spoiled.picture, covered & side);
+  cover.copyTo(spoiled.image, covered & side);
   return spoiled;
 }
 
 /// White spots over some 15 % of the object.
 Spoiled glossy(const Scene& scene, cv::RNG& random) {
   constexpr int kSpots = 3;
-  const cv::Size size = scene.picture.size();
+  const cv::Size size = scene.image.size();
   const cv::Mat map = placed_map(scene.object, scene.instance.pose, size);
   std::vector<cv::Point> inside;
   cv::findNonZero(map, inside);
@@ -138,7 +138,7 @@ Spoiled glossy(const Scene& scene, cv::RNG& random) {
   cv::GaussianBlur(light, light, {}, std::max(0.5, 0.3 * radius));
   light.setTo(0, ~map);
   cv::cvtColor(light, light, cv::COLOR_GRAY2BGR);
-  return {scene.picture + light, {scene.instance.pose}};
+  return {scene.image + light, {scene.instance.pose}};
 }
 
 /// The other object on top, off its middle.
@@ -147,9 +147,9 @@ Spoiled stacked(const Scene& scene, cv::RNG& random) {
   const double angle = random.uniform(-kPi, kPi);
   const Pose2D pose{scene.instance.pose.x + off * std::cos(angle),
                     scene.instance.pose.y + off * std::sin(angle), random.uniform(-kPi, kPi)};
-  Spoiled spoiled{scene.picture.clone(), {scene.instance.pose}};
-  placed_picture(scene.other, pose, scene.picture.size())
-      .copyTo(spoiled.picture, placed_map(scene.other, pose, scene.picture.size()));
+  Spoiled spoiled{scene.image.clone(), {scene.instance.pose}};
+  placed_image(scene.other, pose, scene.image.size())
+      .copyTo(spoiled.image, placed_map(scene.other, pose, scene.image.size()));
   return spoiled;
 }
 
@@ -188,7 +188,7 @@ bool is_right(const Match& match, const Spoiled& spoiled, const Scene& scene) {
 }
 
 struct Count {
-  int pictures = 0, right = 0, wrong = 0, sure_wrong = 0;
+  int images = 0, right = 0, wrong = 0, sure_wrong = 0;
 };
 
 class Trials {
@@ -207,9 +207,9 @@ class Trials {
   }
 
   Table table() const {
-    Table table{{"what was done", "pictures", "graspable right", "wrong", "wrong above .99"}, {}};
+    Table table{{"what was done", "images", "graspable right", "wrong", "wrong above .99"}, {}};
     for (const auto& [kind, count] : counts_)
-      table.rows.push_back({kind, std::to_string(count.pictures), std::to_string(count.right),
+      table.rows.push_back({kind, std::to_string(count.images), std::to_string(count.right),
                             std::to_string(count.wrong), std::to_string(count.sure_wrong)});
     return table;
   }
@@ -222,8 +222,8 @@ class Trials {
     for (int i = 0; i < each; ++i) {
       const Spoiled spoiled = spoil(scene, random_);
       Count& count = counts_[kind];
-      ++count.pictures;
-      for (const auto& match : matcher.find(spoiled.picture).matches) {
+      ++count.images;
+      for (const auto& match : matcher.find(spoiled.image).matches) {
         if (!match.graspable) continue;
         const bool right = is_right(match, spoiled, scene);
         count.right += right ? 1 : 0;
@@ -241,7 +241,7 @@ class Trials {
               << to_degrees(match.pose.theta) << " for " << scene.instance.pose.x << ' '
               << scene.instance.pose.y << ' ' << to_degrees(scene.instance.pose.theta) << " score "
               << match.score << std::endl;
-    cv::imwrite((out_ / (name + ".png")).string(), spoiled.picture);
+    cv::imwrite((out_ / (name + ".png")).string(), spoiled.image);
   }
 
   fs::path out_;
@@ -265,7 +265,7 @@ void spoil_set(const fs::path& set, std::size_t most, int each, Trials& trials) 
     for (const auto& target : object.targets)
       if (target.instances.size() == 1)
         trials.spoil({object, cases[(i + 1) % cases.size()], target.instances.front(),
-                      read_picture(target.picture),
+                      read_image(target.image),
                       std::count(target.tags.begin(), target.tags.end(), "mirror") > 0},
                      matcher, one_sided, each);
   }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Plane geometry: poses in the picture, circles around a map.
+// Plane geometry: poses in the image, circles around a map.
 // Axes: x right, y down, pixel centres at integers. theta > 0 turns x towards y, which is clockwise
 // on screen and right-handed about the optical axis (REP 103).
 #pragma once
@@ -8,7 +8,7 @@
 
 namespace mbncc {
 
-/// Position and rotation angle in a picture.
+/// Position and rotation angle in an image.
 struct Pose2D {
   double x = 0;      ///< [px]
   double y = 0;      ///< [px]
@@ -17,7 +17,7 @@ struct Pose2D {
   cv::Point2d position() const { return {x, y}; }
 };
 
-/// A circle in picture coordinates.
+/// A circle in image coordinates.
 struct Circle {
   cv::Point2d centre;  ///< [px]
   double radius = 0;   ///< [px]
@@ -43,7 +43,7 @@ double angle_distance(double a, double b, int symmetry = 1);
 /// `point` rotated clockwise by `theta` about the origin.
 cv::Point2d rotate(cv::Point2d point, double theta);
 
-/// Point given in the frame of `pose`, expressed in the picture: R(theta) point + (x, y).
+/// Point given in the frame of `pose`, expressed in the image: R(theta) point + (x, y).
 cv::Point2d transform(const Pose2D& pose, cv::Point2d point);
 
 /// transform() of many points with one pose.
@@ -76,7 +76,7 @@ Circle excircle(const cv::Mat& map);
 /// pixel.
 Circle incircle(const cv::Mat& map);
 
-/// True when `map` is a non-empty CV_8UC1 picture of zeros and 255s.
+/// True when `map` is a non-empty CV_8UC1 image of zeros and 255s.
 bool is_binary_map(const cv::Mat& map);
 
 }  // namespace mbncc

@@ -4,7 +4,7 @@
 
 namespace mbncc {
 
-constexpr char kPicturesTask[] = "pictures";  ///< of the camera
+constexpr char kImagesTask[] = "pictures";  ///< of the camera
 constexpr char kLearningTask[] = "learning";
 constexpr char kMatchingTask[] = "matching";
 constexpr char kVisionTask[] = "vision_msgs";

@@ -34,9 +34,9 @@ struct Quality {
       kUnknown;  ///< [0..1] IoU with the before/after difference; NaN: no after
   double outline_probability = kUnknown;  ///< [0..1] probability that the map's IoU with the object
                                           ///< is .8 or more; NaN: the map was given
-  double self_score = 0;        ///< [0..1] score of the object in the picture it was learned from
+  double self_score = 0;        ///< [0..1] score of the object in the image it was learned from
   double self_error = 0;        ///< [px] distance of that detection from the reference point
-  double runner_up = 0;         ///< [0..1] best score elsewhere in that picture
+  double runner_up = 0;         ///< [0..1] best score elsewhere in that image
   double angle_halfwidth = 0;   ///< [rad] rotation at which the score falls half-way to runner_up
   int symmetry = 1;             ///< 1: none, 2: 180 deg, 3: 120 deg, ... 0: round
   std::string confusable_with;  ///< stored name that scores highest on this object, or ""
@@ -47,16 +47,16 @@ struct Quality {
 /// Larger lengths of objects and grasps are refused. [m]
 constexpr double kLongestLength = 10;
 
-/// References farther from their picture's corner, in x or y, are refused. [px]
+/// References farther from their image's corner, in x or y, are refused. [px]
 constexpr double kFarthestReference = 1 << 17;
 
-/// One picture that the object was learned from, cropped to the excircle of its map and a margin.
+/// One image that the object was learned from, cropped to the excircle of its map and a margin.
 struct View {
-  cv::Mat template_image;  ///< CV_8UC3 bgr, the learning picture around the object
+  cv::Mat template_image;  ///< CV_8UC3 bgr, the learning image around the object
   cv::Mat map;             ///< CV_8UC1, 255 on the object, 0 elsewhere; same size
-  cv::Point origin;        ///< [px] top left corner of the crop in the learning picture
-  cv::Size picture_size;   ///< [px] of the learning picture, within PictureLimits
-  Pose2D reference;        ///< [px],[rad] object frame in the learning picture
+  cv::Point origin;        ///< [px] top left corner of the crop in the learning image
+  cv::Size image_size;     ///< [px] of the learning image, within ImageLimits
+  Pose2D reference;        ///< [px],[rad] object frame in the learning image
 };
 
 /// Gripper pose relative to the object frame.
@@ -84,13 +84,12 @@ struct ObjectModel {
 /// Names are used as file names and tf frames: [A-Za-z][A-Za-z0-9_]{0,63}.
 bool is_valid_name(const std::string& name);
 
-/// Cuts a view out of a learning picture: the bounding box of the map's excircle plus `margin`
-/// pixels, clipped to the picture. `picture` is CV_8UC3, `map` a non-empty binary map of the same
+/// Cuts a view out of a learning image: the bounding box of the map's excircle plus `margin`
+/// pixels, clipped to the image. `picture` is CV_8UC3, `map` a non-empty binary map of the same
 /// size. Throws std::invalid_argument if their sizes differ.
-View crop_view(const cv::Mat& picture, const cv::Mat& map, const Pose2D& reference,
-               int margin = 12);
+View crop_view(const cv::Mat& image, const cv::Mat& map, const Pose2D& reference, int margin = 12);
 
-/// The view's map at full size, in learning picture coordinates.
+/// The view's map at full size, in learning image coordinates.
 cv::Mat full_size_map(const View& view);
 
 /// `part` [px] of that.
@@ -100,7 +99,7 @@ cv::Mat map_within(const View& view, const cv::Rect& part);
 /// object frame's directions. [px]
 std::vector<std::vector<cv::Point2f>> outlines(const View& view);
 
-/// Moves the object frame: `reference` is its new pose in the first learning picture. The frames of
+/// Moves the object frame: `reference` is its new pose in the first learning image. The frames of
 /// further views move along, and a grasp is expressed in the new frame, for a camera that points
 /// straight down. Throws std::invalid_argument if it is not finite, or if a grasp is set but the
 /// scale is unknown, because the grasp would then be wrong.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Polar pictures (the paper, doi 10.1177/1687814017728839): a disc in polar coordinates, where a
+// Polar images (the paper, doi 10.1177/1687814017728839): a disc in polar coordinates, where a
 // rotation of the disc is a shift of columns.
 #pragma once
 
@@ -26,17 +26,17 @@ struct PolarImage {
   cv::Mat values;  ///< CV_32FC1, grid.rings x grid.angles
 };
 
-/// The disc of `picture` (CV_8UC1 or CV_32FC1) around `centre` [px], interpolated. The picture's
+/// The disc of `image` (CV_8UC1 or CV_32FC1) around `centre` [px], interpolated. The image's
 /// border is replicated.
-PolarImage polar_image(const cv::Mat& picture, cv::Point2d centre, const PolarGrid& grid);
+PolarImage polar_image(const cv::Mat& image, cv::Point2d centre, const PolarGrid& grid);
 
 /// A template in polar form with its weights: the ring's radius inside the region, because outer
 /// rings cover more area, and 0 outside.
 class PolarTemplate {
  public:
-  /// `picture` as above; `region` CV_8UC1 of the same size, non-zero for pixels that are
+  /// `image` as above; `region` CV_8UC1 of the same size, non-zero for pixels that are
   /// correlated. Samples that touch a pixel outside the region have no weight.
-  PolarTemplate(const cv::Mat& picture, const cv::Mat& region, cv::Point2d centre,
+  PolarTemplate(const cv::Mat& image, const cv::Mat& region, cv::Point2d centre,
                 const PolarGrid& grid);
 
   const PolarGrid& grid() const { return grid_; }

@@ -2,7 +2,7 @@
 #include "cli/lesson_arguments.hpp"
 
 #include "cli/command.hpp"
-#include "cli/pictures.hpp"
+#include "cli/images.hpp"
 #include "cli/report/numbers.hpp"
 #include "mbncc/symmetry.hpp"
 
@@ -11,11 +11,11 @@ namespace mbncc::cli {
 std::vector<Option> lesson_options() {
   return {library_option(),
           name_option(),
-          {"--before", "B.png", "picture with the object, PNG or JPEG", true},
+          {"--before", "B.png", "image with the object, PNG or JPEG", true},
           {"--after", "A.png", "the same scene without the object"},
           {"--roi", "x,y,w,h", "approximate region of the object in pixels"},
           {"--click", "x,y", "a point on the object in pixels"},
-          {"--map", "M.png", "complete map of the picture's size, white on the object"},
+          {"--map", "M.png", "complete map of the image's size, white on the object"},
           {"--method", "auto|change_cut|region_cut|sb_grabcut|grabcut_rect|grabcut_mask",
            "of segmentation; change_cut needs --after; default: auto"},
           {"--include", "x,y[,x,y...]", "a stroke on the object", false, true},
@@ -25,9 +25,9 @@ std::vector<Option> lesson_options() {
           {"--height", "METRES", "of the object's top face above the platform; default: 0"},
           {"--symmetry", "auto|none|2|3|4|6|round", "equal angles in a turn; default: auto"},
           {"--overwrite", "", "replace the object of this name, if there is one"},
-          {"--add-view", "", "add a picture to the object of this name"},
+          {"--add-view", "", "add an image to the object of this name"},
           {"--allow-bad", "", "store it even if the verdict is BAD"},
-          {"--stages", "DIR", "write pictures of the steps"},
+          {"--stages", "DIR", "write images of the steps"},
           json_option()};
 }
 
@@ -43,7 +43,7 @@ void check_lesson_arguments(const Arguments& arguments) {
     throw UsageError("--stroke-width needs --include or --exclude");
   symmetry_from(arguments);
   if (arguments.get("--method") == "change_cut" && !arguments.has("--after"))
-    throw UsageError("--method change_cut needs --after, a picture without the object");
+    throw UsageError("--method change_cut needs --after, an image without the object");
 }
 
 Lesson lesson_from(const Arguments& arguments) {
@@ -54,8 +54,8 @@ Lesson lesson_from(const Arguments& arguments) {
   lesson.symmetry = symmetry_from(arguments);
   if (arguments.has("--roi")) lesson.region = parse_rectangle("--roi", arguments.get("--roi"));
   if (arguments.has("--click")) lesson.click = parse_point("--click", arguments.get("--click"));
-  lesson.before = read_picture(arguments.get("--before"));
-  if (arguments.has("--after")) lesson.after = read_picture(arguments.get("--after"));
+  lesson.before = read_image(arguments.get("--before"));
+  if (arguments.has("--after")) lesson.after = read_image(arguments.get("--after"));
   if (arguments.has("--map")) lesson.map = read_map(arguments.get("--map"));
   return lesson;
 }

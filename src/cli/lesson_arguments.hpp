@@ -15,7 +15,7 @@ std::vector<Option> lesson_options();
 /// Throws UsageError for contradictory options.
 void check_lesson_arguments(const Arguments& arguments);
 
-/// Reads the pictures. Throws UsageError, FileError.
+/// Reads the images. Throws UsageError, FileError.
 Lesson lesson_from(const Arguments& arguments);
 
 /// The declared symmetry; none: auto. Throws UsageError.

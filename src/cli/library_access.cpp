@@ -45,7 +45,7 @@ std::shared_ptr<const LibrarySnapshot> load_reporting(ObjectLibrary& library) {
   for (const auto& file : snapshot->quarantined)
     std::cerr << "mbncc: warning: " << library.folder() << '/' << file.file << ": " << file.reason
               << (file.moved ? "; moved to .quarantine\n" : "; left in place\n");
-  for (const auto& file : snapshot->other_pictures)
+  for (const auto& file : snapshot->other_images)
     std::cerr << "mbncc: warning: " << library.folder() << '/' << file
               << ": not an object; left where it is\n";
   return snapshot;

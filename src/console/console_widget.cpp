@@ -9,12 +9,12 @@
 #include "console/detections/detections_view.hpp"
 #include "console/detections/lamp_row.hpp"
 #include "console/explain/explain_pane.hpp"
+#include "console/image/image_view.hpp"
 #include "console/lesson/lesson_bar.hpp"
 #include "console/lesson/object_name.hpp"
 #include "console/lesson/review_pane.hpp"
 #include "console/library/library_controller.hpp"
 #include "console/library/library_strip.hpp"
-#include "console/picture/picture_view.hpp"
 #include "console/thresholds/threshold_controller.hpp"
 #include "console/thresholds/threshold_pane.hpp"
 #include "console/widgets.hpp"
@@ -28,13 +28,13 @@ using What = TeachingWish::What;
 
 constexpr int kTick = 200;       // [ms]
 constexpr int kSideWidth = 400;  // [px] at least
-constexpr double kStep = 1.25;   // of the picture's size, by a key
+constexpr double kStep = 1.25;   // of the image's size, by a key
 constexpr const char* kRegionTip = "Draw a box; nothing is searched outside of it";
-constexpr const char* kLessonCaption = "Still picture: before the object left";
+constexpr const char* kLessonCaption = "Still image: before the object left";
 
 // As the preview draws them.
-double axes_length(const QSize& picture) {
-  return std::max(30.0, picture.width() / 16.0);
+double axes_length(const QSize& image) {
+  return std::max(30.0, image.width() / 16.0);
 }
 
 }  // namespace
@@ -43,7 +43,7 @@ ConsoleWidget::ConsoleWidget(const Names& names, QWidget* parent)
     : QWidget(parent),
       lamp_row_(new LampRow),
       lesson_bar_(new LessonBar),
-      picture_(new PictureView),
+      image_(new ImageView),
       review_(new ReviewPane),
       explanation_(new ExplainPane),
       threshold_pane_(new ThresholdPane),
@@ -53,9 +53,9 @@ ConsoleWidget::ConsoleWidget(const Names& names, QWidget* parent)
       side_(new QStackedWidget),
       cell_page_(new QWidget) {
   library_ = new LibraryController(ros_, *strip_, this);
-  threshold_controller_ = new ThresholdController(ros_, *threshold_pane_, *picture_, this);
+  threshold_controller_ = new ThresholdController(ros_, *threshold_pane_, *image_, this);
   clock_.start();
-  live_ = LivePicture(now());
+  live_ = LiveImage(now());
   lay_out();
   make_shortcuts();
   connect_lesson();
@@ -76,12 +76,12 @@ ConsoleWidget::ConsoleWidget(const Names& names, QWidget* parent)
 
 ConsoleWidget::~ConsoleWidget() = default;
 
-// The picture takes the remaining space.
+// The image takes the remaining space.
 void ConsoleWidget::lay_out() {
   auto* left = new QVBoxLayout;
   left->setSpacing(3);
-  left->addWidget(picture_, 1);
-  left->addWidget(make_picture_bar());
+  left->addWidget(image_, 1);
+  left->addWidget(make_image_bar());
   auto* cell = new QVBoxLayout(cell_page_);
   cell->setContentsMargins(0, 0, 0, 0);
   cell->addWidget(detections_, 1);
@@ -93,8 +93,7 @@ void ConsoleWidget::lay_out() {
   side_->addWidget(calibration_);
   side_->setFixedWidth(kSideWidth);
   // Not amid the layout that tells of it.
-  connect(picture_, &PictureView::shape_changed, this, &ConsoleWidget::fit_side,
-          Qt::QueuedConnection);
+  connect(image_, &ImageView::shape_changed, this, &ConsoleWidget::fit_side, Qt::QueuedConnection);
   auto* middle = new QHBoxLayout;
   middle->addLayout(left, 1);
   middle->addWidget(side_);
@@ -106,27 +105,27 @@ void ConsoleWidget::lay_out() {
   all->addLayout(middle, 1);
 }
 
-/// What the picture's shape leaves beside it.
+/// What the image's shape leaves beside it.
 void ConsoleWidget::fit_side() {
-  const QSize shape = picture_->shape();
+  const QSize shape = image_->shape();
   if (shape.isEmpty()) return;
-  const int both = picture_->width() + side_->width();
-  const int left = both - picture_->height() * shape.width() / shape.height();
+  const int both = image_->width() + side_->width();
+  const int left = both - image_->height() * shape.width() / shape.height();
   side_->setFixedWidth(std::clamp(left, kSideWidth, std::max(kSideWidth, both / 2)));
 }
 
-QWidget* ConsoleWidget::make_picture_bar() {
+QWidget* ConsoleWidget::make_image_bar() {
   auto* bar = new QWidget;
-  marks_ = make_button("Hide marks", "Outlines and labels hide the picture below them", "H");
+  marks_ = make_button("Hide marks", "Outlines and labels hide the image below them", "H");
   marks_->setCheckable(true);
   fit_ = make_button("Show all", "The wheel or + zooms, dragging or arrow keys pan", "0");
-  why_ = make_button("Why not found here?", "Then click the place in the picture", "W");
+  why_ = make_button("Why not found here?", "Then click the place in the image", "W");
   auto* row = new QHBoxLayout(bar);
   row->setContentsMargins(0, 0, 0, 0);
   row->addWidget(marks_);
   row->addWidget(fit_);
   row->addStretch(1);
-  thresholds_ = make_button("Thresholds", "The effect of other thresholds in this picture", "S");
+  thresholds_ = make_button("Thresholds", "The effect of other thresholds in this image", "S");
   camera_ = make_button("Camera", "Focus, exposure and calibration", "K");
   region_ = make_button("Search region", kRegionTip, "G");
   row->addWidget(region_);
@@ -135,8 +134,8 @@ QWidget* ConsoleWidget::make_picture_bar() {
   row->addWidget(why_);
   connect(thresholds_, &QPushButton::clicked, this, &ConsoleWidget::begin_thresholds);
   connect(why_, &QPushButton::clicked, this, &ConsoleWidget::ask_for_place);
-  connect(marks_, &QPushButton::toggled, [this](bool hidden) { picture_->show_marks(!hidden); });
-  connect(fit_, &QPushButton::clicked, picture_, &PictureView::show_all);
+  connect(marks_, &QPushButton::toggled, [this](bool hidden) { image_->show_marks(!hidden); });
+  connect(fit_, &QPushButton::clicked, image_, &ImageView::show_all);
   return bar;
 }
 
@@ -148,7 +147,7 @@ QShortcut* ConsoleWidget::on_key(const QKeySequence& keys, QWidget* where,
   return shortcut;
 }
 
-// Letter keys act only in the picture, so that names can be typed.
+// Letter keys act only in the image, so that names can be typed.
 void ConsoleWidget::make_shortcuts() {
   const struct {
     int key;
@@ -170,17 +169,17 @@ void ConsoleWidget::make_shortcuts() {
   on_key(Qt::Key_S, this, [this] { begin_thresholds(); });
   on_key(Qt::Key_H, this, [this] { marks_->toggle(); });
   for (const int key : {Qt::Key_Plus, Qt::Key_Equal})
-    on_key(key, this, [this] { picture_->enlarge(kStep); });
-  on_key(Qt::Key_Minus, this, [this] { picture_->enlarge(1 / kStep); });
-  on_key(Qt::Key_0, this, [this] { picture_->show_all(); });
-  space_ = on_key(Qt::Key_Space, picture_, [this] { next_view(); });
+    on_key(key, this, [this] { image_->enlarge(kStep); });
+  on_key(Qt::Key_Minus, this, [this] { image_->enlarge(1 / kStep); });
+  on_key(Qt::Key_0, this, [this] { image_->show_all(); });
+  space_ = on_key(Qt::Key_Space, image_, [this] { next_view(); });
   space_->setEnabled(false);
 }
 
 void ConsoleWidget::take_tool(Tool tool) {
   if (!lesson_.draft()) return;
   review_->choose_tool(tool);
-  picture_->setFocus();
+  image_->setFocus();
 }
 
 void ConsoleWidget::connect_lesson() {
@@ -200,8 +199,8 @@ void ConsoleWidget::connect_lesson() {
     send_next();
     show_lesson();
   });
-  connect(&ros_, &RosLink::lesson_picture_heard, this,
-          [this](const QImage& picture) { lesson_picture_ = picture; });
+  connect(&ros_, &RosLink::lesson_image_heard, this,
+          [this](const QImage& image) { lesson_image_ = image; });
   connect(&ros_, &RosLink::draft_heard, this, [this](const auto& draft) {
     lesson_.take_draft(draft);
     show_lesson();
@@ -222,18 +221,18 @@ void ConsoleWidget::connect_operator() {
   connect(lesson_bar_, &LessonBar::cancel_wanted, this, [this] { ros_.cancel(lesson_.goal()); });
   connect(lesson_bar_, &LessonBar::mark_wanted, this, [this] { ros_.mark_grasp(); });
   connect(lesson_bar_, &LessonBar::name_edited, this, &ConsoleWidget::withdraw_question);
-  connect(picture_, &PictureView::corrected, this, &ConsoleWidget::send);
+  connect(image_, &ImageView::corrected, this, &ConsoleWidget::send);
   connect(review_, &ReviewPane::decided, this, &ConsoleWidget::send_word);
   connect(review_, &ReviewPane::insisted, this, [this](bool insisted) {
     lesson_.insist(insisted);
     show_lesson();
   });
   connect(review_, &ReviewPane::tool_chosen, this, [this](int tool) {
-    picture_->tool().choose(static_cast<Tool>(tool));
-    picture_->update();
+    image_->tool().choose(static_cast<Tool>(tool));
+    image_->update();
   });
   connect(review_, &ReviewPane::stroke_width_chosen, this,
-          [this](int width) { picture_->tool().set_stroke_width(width); });
+          [this](int width) { image_->tool().set_stroke_width(width); });
 }
 
 void ConsoleWidget::connect_library() {
@@ -265,14 +264,14 @@ void ConsoleWidget::connect_cell() {
     origin_warning_ = warning;
     lamps_.take_origin(warning.toStdString());
   });
-  connect(&ros_, &RosLink::picture_heard, this, [this](const QImage& picture, QSize size) {
-    picture_at_ = now();
-    lamps_.take_picture(now());
-    show_live(picture, size, nullptr);
+  connect(&ros_, &RosLink::image_heard, this, [this](const QImage& image, QSize size) {
+    image_at_ = now();
+    lamps_.take_image(now());
+    show_live(image, size, nullptr);
   });
   connect(&ros_, &RosLink::searched_heard, this,
-          [this](const QImage& picture, QSize size, const auto& detections) {
-            show_live(picture, size, &detections);
+          [this](const QImage& image, QSize size, const auto& detections) {
+            show_live(image, size, &detections);
           });
 }
 
@@ -319,7 +318,7 @@ void ConsoleWidget::begin(const TeachingWish& wish) {
   lesson_bar_->clear_notice();
   lesson_bar_->withdraw_question();
   lesson_.begin(ros_.teach(goal_of(wish, lesson_bar_->goal())), now());
-  picture_->setFocus();
+  image_->setFocus();
   show_lesson();
 }
 
@@ -375,7 +374,7 @@ void ConsoleWidget::send_word(int command) {
   if (command == Confirm::ACCEPT && !lesson_.may_accept()) return;
   if (command == Confirm::UNDO && !lesson_.may_undo()) return;
   // Before its button is disabled and hands the keyboard to whatever comes next.
-  if (command != Confirm::UNDO) picture_->setFocus();
+  if (command != Confirm::UNDO) image_->setFocus();
   Confirm request;
   request.command = static_cast<std::uint8_t>(command);
   send(request);
@@ -386,7 +385,7 @@ void ConsoleWidget::send_next() {
 }
 
 void ConsoleWidget::connect_explanation() {
-  connect(picture_, &PictureView::place_chosen, this, [this](QPointF place) {
+  connect(image_, &ImageView::place_chosen, this, [this](QPointF place) {
     lesson_bar_->clear_notice();
     explanation_->ask();
     explained_caption_ = still_caption();
@@ -419,15 +418,15 @@ void ConsoleWidget::connect_calibration() {
   connect(calibration_, &CalibrationPane::keep_wanted, this,
           [this](const auto& calibration) { ros_.keep_calibration(calibration); });
   connect(&ros_, &RosLink::calibration_kept, calibration_, &CalibrationPane::show_kept);
-  connect(&ros_, &RosLink::picture_heard, this, [this](const QImage& picture, QSize size) {
+  connect(&ros_, &RosLink::image_heard, this, [this](const QImage& image, QSize size) {
     if (side_->currentWidget() != calibration_) return;
-    picture_->show_picture(picture, size, calibration_->take(picture, size), live_caption(false));
+    image_->show_image(image, size, calibration_->take(image, size), live_caption(false));
   });
 }
 
 void ConsoleWidget::connect_region() {
   connect(region_, &QPushButton::clicked, this, &ConsoleWidget::ask_for_region);
-  connect(picture_, &PictureView::region_chosen, this, [this](const QRect& region) {
+  connect(image_, &ImageView::region_chosen, this, [this](const QRect& region) {
     lesson_bar_->clear_notice();
     ros_.set_search_region(region);
   });
@@ -440,9 +439,9 @@ void ConsoleWidget::ask_for_region() {
   if (!lesson_.may_teach()) return;
   end_explanation();
   if (!searched_.isEmpty()) return ros_.set_search_region({});
-  picture_->ask_for_place(false);
-  picture_->ask_for_region(true);
-  picture_->setFocus();
+  image_->ask_for_place(false);
+  image_->ask_for_region(true);
+  image_->setFocus();
   lesson_bar_->say({Level::kUnknown,
                     "Draw a box around all places where objects are to be found, by the mouse, or "
                     "by arrow keys and Space at two corners; Esc cancels."},
@@ -452,7 +451,7 @@ void ConsoleWidget::ask_for_region() {
 void ConsoleWidget::show_region(const QRect& region) {
   searched_ = region;
   relabel(region_, region.isEmpty() ? "Search region" : "Search everywhere");
-  region_->setToolTip(QString(region.isEmpty() ? kRegionTip : "Search the whole picture again") +
+  region_->setToolTip(QString(region.isEmpty() ? kRegionTip : "Search the whole image again") +
                       " (G)");
   show_lesson();
 }
@@ -465,9 +464,9 @@ bool ConsoleWidget::explains() const {
 void ConsoleWidget::ask_for_place() {
   if (!lesson_.may_teach()) return;
   end_explanation();
-  picture_->ask_for_region(false);
-  picture_->ask_for_place(true);
-  picture_->setFocus();
+  image_->ask_for_region(false);
+  image_->ask_for_place(true);
+  image_->setFocus();
   lesson_bar_->say({Level::kUnknown,
                     "Click the middle of the object that should be found, or go there by the arrow "
                     "keys and press Space; Esc cancels."},
@@ -475,15 +474,15 @@ void ConsoleWidget::ask_for_place() {
   show_lesson();
 }
 
-void ConsoleWidget::show_explanation(bool success, const QString& lines, const QImage& picture) {
+void ConsoleWidget::show_explanation(bool success, const QString& lines, const QImage& image) {
   if (!explains()) return;
   explanation_->show_answer(success, lines);
-  if (!picture.isNull()) picture_->show_picture(picture, picture.size(), {}, explained_caption_);
+  if (!image.isNull()) image_->show_image(image, image.size(), {}, explained_caption_);
 }
 
 void ConsoleWidget::end_explanation() {
   if (!explains()) return;
-  picture_->setFocus();
+  image_->setFocus();
   side_->setCurrentWidget(cell_page_);
 }
 
@@ -497,21 +496,21 @@ void ConsoleWidget::begin_thresholds() {
 void ConsoleWidget::escape() {
   if (explains())
     end_explanation();
-  else if (picture_->asks_for_place())
-    picture_->ask_for_place(false);
-  else if (picture_->asks_for_region())
-    picture_->ask_for_region(false);
-  else if (lesson_.draft() && !picture_->give_up())
+  else if (image_->asks_for_place())
+    image_->ask_for_place(false);
+  else if (image_->asks_for_region())
+    image_->ask_for_region(false);
+  else if (lesson_.draft() && !image_->give_up())
     review_->choose_tool(Tool::kNone);
   else if (!lesson_.draft())
     withdraw_question();
-  picture_->setFocus();
+  image_->setFocus();
 }
 
 void ConsoleWidget::look_at_clock() {
   const auto before = lesson_.phase();
   lesson_.look_at_clock(now());
-  lesson_.take_camera(now() - picture_at_ <= Lamps::kSilence);
+  lesson_.take_camera(now() - image_at_ <= Lamps::kSilence);
   // A server that hangs must not delay calls to its successor.
   if (lesson_.phase() == LessonModel::Phase::kNoServer && lesson_.phase() != before) {
     ros_.give_up();
@@ -520,18 +519,17 @@ void ConsoleWidget::look_at_clock() {
   }
   lamp_row_->show_lamps(lamps_.look(now()));
   if (now() - detections_at_ > Lamps::kSilence) detections_->clear_rows();
-  warn_of_old_picture();
+  warn_of_old_image();
   show_lesson();
 }
 
 /// It must not be mistaken for the live one.
-void ConsoleWidget::warn_of_old_picture() {
+void ConsoleWidget::warn_of_old_image() {
   const bool calibrates = side_->currentWidget() == calibration_;
   if (lesson_.draft() || (explains() && !calibrates)) return;
-  const double age = calibrates ? now() - picture_at_ : live_.age(now());
+  const double age = calibrates ? now() - image_at_ : live_.age(now());
   if (age > Lamps::kSilence)
-    picture_->show_age(
-        QString("OLD PICTURE: nothing has arrived for %1 s").arg(static_cast<int>(age)));
+    image_->show_age(QString("OLD IMAGE: nothing has arrived for %1 s").arg(static_cast<int>(age)));
 }
 
 void ConsoleWidget::show_lesson() {
@@ -540,20 +538,20 @@ void ConsoleWidget::show_lesson() {
   strip_->setEnabled(lesson_.phase() != LessonModel::Phase::kNoServer);
   strip_->allow_teaching(lesson_.may_teach());
   for (auto* button : {why_, thresholds_, region_}) button->setEnabled(lesson_.may_teach());
-  if (!lesson_.may_teach() && picture_->asks_for_region()) picture_->ask_for_region(false);
+  if (!lesson_.may_teach() && image_->asks_for_region()) image_->ask_for_region(false);
   // A camera is calibrated before the cell is complete.
   const bool idle = lesson_.may_teach() || lesson_.phase() == LessonModel::Phase::kNoServer;
   camera_->setEnabled(idle);
   if (!idle) end_explanation();
-  picture_->show_waiting(lesson_.waiting());
+  image_->show_waiting(lesson_.waiting());
   ros_.show_changes(lesson_.waits_for_scene());
   const bool searches = !lesson_.draft() && side_->currentWidget() != calibration_;
-  picture_->show_region(searches ? searched_ : QRect());
-  space_->setEnabled(!viewed_.empty() && lesson_.may_teach() && !picture_->asks_for_place());
+  image_->show_region(searches ? searched_ : QRect());
+  space_->setEnabled(!viewed_.empty() && lesson_.may_teach() && !image_->asks_for_place());
   if (lesson_.draft_number() == draft_shown_) return;
   draft_shown_ = lesson_.draft_number();
   const bool asked = lesson_.draft().has_value();
-  if (asked && side_->currentWidget() != review_) picture_->setFocus();
+  if (asked && side_->currentWidget() != review_) image_->setFocus();
   if (asked)
     side_->setCurrentWidget(review_);
   else if (side_->currentWidget() == review_)
@@ -563,18 +561,18 @@ void ConsoleWidget::show_lesson() {
 
 /// The keyboard must not go on to whatever follows the button that has gone.
 void ConsoleWidget::end_review() {
-  if (review_->isAncestorOf(focusWidget())) picture_->setFocus();
+  if (review_->isAncestorOf(focusWidget())) image_->setFocus();
   side_->setCurrentWidget(cell_page_);
 }
 
 void ConsoleWidget::show_draft() {
   const auto& draft = *lesson_.draft();
   const QImage preview = to_qimage(to_rgb(draft.preview));
-  picture_->tool().set_axes(draft.object.reference, axes_length(preview.size()));
-  if (lesson_picture_.size() == preview.size())
-    picture_->show_picture(lesson_picture_, preview.size(), marks_of(draft), kLessonCaption);
+  image_->tool().set_axes(draft.object.reference, axes_length(preview.size()));
+  if (lesson_image_.size() == preview.size())
+    image_->show_image(lesson_image_, preview.size(), marks_of(draft), kLessonCaption);
   else
-    picture_->show_picture(preview, preview.size(), {}, kLessonCaption);
+    image_->show_image(preview, preview.size(), {}, kLessonCaption);
 }
 
 QString ConsoleWidget::live_caption(bool searched) const {
@@ -583,13 +581,13 @@ QString ConsoleWidget::live_caption(bool searched) const {
   return searched ? QString("Live, %1 s old").arg(detections_age_, 0, 'f', 1) : "Live";
 }
 
-void ConsoleWidget::show_live(const QImage& picture, QSize size,
+void ConsoleWidget::show_live(const QImage& image, QSize size,
                               const mbncc_vision::DetectedObjectArray* detections) {
   if (lesson_.draft() || explains()) return;
   const bool teaching = lesson_.phase() == LessonModel::Phase::kRunning;
   if (!live_.take(detections != nullptr, teaching, now())) return;
-  picture_->show_picture(picture, size, detections ? marks_of(*detections) : std::vector<Mark>{},
-                         live_caption(detections != nullptr));
+  image_->show_image(image, size, detections ? marks_of(*detections) : std::vector<Mark>{},
+                     live_caption(detections != nullptr));
 }
 
 }  // namespace mbncc::console

@@ -5,10 +5,10 @@
 
 #ifndef Q_MOC_RUN
 #include "console/detections/lamps.hpp"
+#include "console/image/live_image.hpp"
 #include "console/lesson/lesson_model.hpp"
 #include "console/lesson/marking_tool.hpp"
 #include "console/lesson/teaching_wish.hpp"
-#include "console/picture/live_picture.hpp"
 #include "console/ros_link.hpp"
 #endif
 
@@ -29,7 +29,7 @@ class LampRow;
 class LessonBar;
 class LibraryController;
 class LibraryStrip;
-class PictureView;
+class ImageView;
 class ReviewPane;
 class ThresholdController;
 class ThresholdPane;
@@ -44,7 +44,7 @@ class ConsoleWidget : public QWidget {
  private:
   void lay_out();
   void fit_side();
-  QWidget* make_picture_bar();
+  QWidget* make_image_bar();
   void make_shortcuts();
   QShortcut* on_key(const QKeySequence& keys, QWidget* where, const std::function<void()>& act);
   void connect_lesson();
@@ -74,16 +74,16 @@ class ConsoleWidget : public QWidget {
   void ask_for_place();
   void ask_for_region();
   void show_region(const QRect& region);
-  void show_explanation(bool success, const QString& lines, const QImage& picture);
+  void show_explanation(bool success, const QString& lines, const QImage& image);
   void end_explanation();
   void begin_thresholds();
   void look_at_clock();
-  void warn_of_old_picture();
+  void warn_of_old_image();
   void show_lesson();
   void show_draft();
   void end_review();
   QString live_caption(bool searched) const;
-  void show_live(const QImage& picture, QSize size,
+  void show_live(const QImage& image, QSize size,
                  const mbncc_vision::DetectedObjectArray* detections);
 
   QElapsedTimer clock_;
@@ -92,15 +92,15 @@ class ConsoleWidget : public QWidget {
   TeachingWish wish_;   // of the running lesson
   std::string viewed_;  // object whose further views are being taught; "": none
   int draft_shown_ = 0;
-  LivePicture live_;
-  double detections_at_ = -1e9, detections_age_ = 0, picture_at_ = -1e9;
-  QRect searched_;         // [px] region; empty: the whole picture
-  QImage lesson_picture_;  // of the draft, without annotations
+  LiveImage live_;
+  double detections_at_ = -1e9, detections_age_ = 0, image_at_ = -1e9;
+  QRect searched_;       // [px] region; empty: the whole image
+  QImage lesson_image_;  // of the draft, without annotations
   QString explained_caption_, origin_warning_;
 
   LampRow* lamp_row_;
   LessonBar* lesson_bar_;
-  PictureView* picture_;
+  ImageView* image_;
   ReviewPane* review_;
   ExplainPane* explanation_;
   ThresholdPane* threshold_pane_;

@@ -18,8 +18,8 @@ namespace {
 
 const char* const kUnreachable = "the learning nodelet does not answer";
 
-// Pictures waiting for their detections.
-constexpr std::size_t kPicturesKept = 30, kBytesKept = std::size_t{96} << 20;
+// Images waiting for their detections.
+constexpr std::size_t kImagesKept = 30, kBytesKept = std::size_t{96} << 20;
 
 constexpr float kHardlyAny = 0.02f;  // score
 const char* const kSearchRegion = "search_roi";
@@ -28,7 +28,7 @@ QSize size_of(const sensor_msgs::Image& message) {
   return {static_cast<int>(message.width), static_cast<int>(message.height)};
 }
 
-/// As the parameter search_roi; "": the whole picture.
+/// As the parameter search_roi; "": the whole image.
 std::string text_of(const QRect& region) {
   if (region.isEmpty()) return "";
   return std::to_string(region.x()) + "," + std::to_string(region.y()) + "," +
@@ -60,9 +60,9 @@ void announce_types() {
 
 }  // namespace
 
-QImage to_qimage(const cv::Mat& picture) {
-  if (picture.empty()) return {};
-  return QImage(picture.data, picture.cols, picture.rows, static_cast<int>(picture.step),
+QImage to_qimage(const cv::Mat& image) {
+  if (image.empty()) return {};
+  return QImage(image.data, image.cols, image.rows, static_cast<int>(image.step),
                 QImage::Format_RGB888)
       .copy();
 }
@@ -115,7 +115,7 @@ void RosLink::subscribe_lesson(ros::NodeHandle& node) {
       [this](const mbncc_vision::LearnObjectResultConstPtr& m) { Q_EMIT draft_heard(*m); }));
   hear(node.subscribe<sensor_msgs::Image>("learn_object/picture", 1,
                                           [this](const sensor_msgs::ImageConstPtr& m) {
-                                            Q_EMIT lesson_picture_heard(to_qimage(to_rgb(*m)));
+                                            Q_EMIT lesson_image_heard(to_qimage(to_rgb(*m)));
                                           }));
   hear(node.subscribe<sensor_msgs::Image>("learn_object/score_map", 1,
                                           [this](const sensor_msgs::ImageConstPtr& m) {
@@ -135,7 +135,7 @@ void RosLink::subscribe_cell(ros::NodeHandle& node) {
       "/diagnostics", 20,
       [this](const diagnostic_msgs::DiagnosticArrayConstPtr& m) { Q_EMIT diagnostics_heard(*m); }));
   hear(node.subscribe<sensor_msgs::Image>(
-      "image_raw", 1, [this](const sensor_msgs::ImageConstPtr& m) { take_picture(m); }));
+      "image_raw", 1, [this](const sensor_msgs::ImageConstPtr& m) { take_image(m); }));
 }
 
 void RosLink::subscribe_settings(ros::NodeHandle& node) {
@@ -148,14 +148,14 @@ void RosLink::subscribe_settings(ros::NodeHandle& node) {
 void RosLink::take_detections(const mbncc_vision::DetectedObjectArray& detections) {
   Q_EMIT detections_heard(detections, (ros::Time::now() - detections.header.stamp).toSec());
   const auto searched =
-      std::find_if(newest_.begin(), newest_.end(), [&](const sensor_msgs::ImageConstPtr& picture) {
-        return picture->header.stamp == detections.header.stamp;
+      std::find_if(newest_.begin(), newest_.end(), [&](const sensor_msgs::ImageConstPtr& image) {
+        return image->header.stamp == detections.header.stamp;
       });
   if (searched == newest_.end() || (*searched)->width != detections.image_width) return;
-  const QImage picture = to_qimage(small(live_rgb(**searched)));
-  if (picture.isNull()) return;
+  const QImage image = to_qimage(small(live_rgb(**searched)));
+  if (image.isNull()) return;
   note_shown(*searched);
-  Q_EMIT searched_heard(picture, size_of(**searched), detections);
+  Q_EMIT searched_heard(image, size_of(**searched), detections);
 }
 
 cv::Mat RosLink::live_rgb(const sensor_msgs::Image& message) const {
@@ -174,21 +174,21 @@ sensor_msgs::ImageConstPtr RosLink::shown() {
   return shown_;
 }
 
-void RosLink::take_picture(const sensor_msgs::ImageConstPtr& message) {
+void RosLink::take_image(const sensor_msgs::ImageConstPtr& message) {
   newest_.push_back(message);
   while (newest_.size() > 2 &&
-         (newest_.size() > kPicturesKept || newest_.size() * message->data.size() > kBytesKept))
+         (newest_.size() > kImagesKept || newest_.size() * message->data.size() > kBytesKept))
     newest_.pop_front();
-  cv::Mat picture = small(live_rgb(*message));
-  if (picture.empty()) return;
+  cv::Mat image = small(live_rgb(*message));
+  if (image.empty()) return;
   note_shown(message);
   origin_.take(message, ros::Time::now());
   Q_EMIT origin_heard(QString::fromStdString(origin_.warning()));
   if (changes_wanted_)
-    picture = tint_.tint(picture);
+    image = tint_.tint(image);
   else
     tint_.reset();
-  Q_EMIT picture_heard(to_qimage(picture), size_of(*message));
+  Q_EMIT image_heard(to_qimage(image), size_of(*message));
 }
 
 std::string RosLink::teach(const mbncc_vision::LearnObjectGoal& goal) {
@@ -254,7 +254,7 @@ void RosLink::explain(QPointF place) {
 
 void RosLink::find_all() {
   later([this, shown = shown()] {
-    if (!shown) return Q_EMIT all_found(false, "no picture has come yet", {}, {}, {});
+    if (!shown) return Q_EMIT all_found(false, "no image has come yet", {}, {}, {});
     mbncc_vision::FindObjects call;
     call.request.image = *shown;
     call.request.min_score = kHardlyAny;
@@ -300,7 +300,7 @@ void RosLink::set_search_region(const QRect& region) {
     if (!answered) return Q_EMIT search_region_set(false, "the matching nodelet does not answer");
     const bool taken = region_of(call.response.config) == region;
     Q_EMIT search_region_set(taken, !taken             ? "the matcher refused the search region"
-                                    : region.isEmpty() ? "The whole picture is searched."
+                                    : region.isEmpty() ? "The whole image is searched."
                                                        : "Only the region is searched.");
   });
 }

@@ -20,8 +20,8 @@
 #include <sensor_msgs/CameraInfo.h>
 #include <sensor_msgs/Image.h>
 
-#include "console/picture/picture_origin.hpp"
-#include "console/picture/pictures.hpp"
+#include "console/image/image_origin.hpp"
+#include "console/image/images.hpp"
 #include "console/thresholds/threshold_preview.hpp"
 #endif
 
@@ -71,14 +71,14 @@ class RosLink : public QObject {
   /// Why grasps cannot be marked in this cell; "" if they can. Queries the parameter server.
   std::string why_no_grasps() const;
   void list_objects();
-  /// Explains why objects are found at `place` [px] in the newest picture or not.
+  /// Explains why objects are found at `place` [px] in the newest image or not.
   void explain(QPointF place);
-  /// All detections in the newest picture with minimal thresholds.
+  /// All detections in the newest image with minimal thresholds.
   void find_all();
   /// The matching nodelet's thresholds from the parameter server.
   Thresholds thresholds() const;
   void set_thresholds(const Thresholds& thresholds);
-  /// Limits the search to `region` [px]; an empty one: the whole picture.
+  /// Limits the search to `region` [px]; an empty one: the whole image.
   void set_search_region(const QRect& region);
   /// Sends a calibration to the camera.
   void keep_calibration(const sensor_msgs::CameraInfo& calibration);
@@ -87,7 +87,7 @@ class RosLink : public QObject {
   /// Aborts a call that waits for an answer; it fails.
   void give_up();
 
-  /// Live pictures are tinted where they differ from the next one.
+  /// Live images are tinted where they differ from the next one.
   void show_changes(bool wanted) { changes_wanted_ = wanted; }
 
  Q_SIGNALS:
@@ -97,27 +97,27 @@ class RosLink : public QObject {
   void draft_heard(mbncc_vision::LearnObjectResult draft);
   void detections_heard(mbncc_vision::DetectedObjectArray detections, double age);
   void diagnostics_heard(diagnostic_msgs::DiagnosticArray diagnostics);
-  /// A picture of the camera, possibly scaled down, and its original size [px].
-  void picture_heard(QImage picture, QSize size);
-  /// Why the camera's pictures are not live; "": they are. Precedes each picture_heard().
+  /// An image of the camera, possibly scaled down, and its original size [px].
+  void image_heard(QImage image, QSize size);
+  /// Why the camera's images are not live; "": they are. Precedes each image_heard().
   void origin_heard(QString warning);
-  /// The same for a picture with `detections`.
-  void searched_heard(QImage picture, QSize size, mbncc_vision::DetectedObjectArray detections);
-  /// The learning picture of the lesson's draft.
-  void lesson_picture_heard(QImage picture);
-  void score_map_heard(QImage picture);
+  /// The same for an image with `detections`.
+  void searched_heard(QImage image, QSize size, mbncc_vision::DetectedObjectArray detections);
+  /// The learning image of the lesson's draft.
+  void lesson_image_heard(QImage image);
+  void score_map_heard(QImage image);
   void objects_listed(std::vector<mbncc_vision::LearnedObject> objects, QString folder);
   void confirmed(bool success, QString message);
   void edited(mbncc_vision::EditObject::Request request, bool success, QString message);
   void grasp_marked(bool success, QString message);
-  /// `picture`: with the explanation drawn in.
-  void explained(bool success, QString lines, QImage picture);
+  /// `image`: with the explanation drawn in.
+  void explained(bool success, QString lines, QImage image);
   void explained_saved(QString file);
   void calibration_kept(bool success, QString message);
-  void all_found(bool success, QString message, QImage picture, QSize size,
+  void all_found(bool success, QString message, QImage image, QSize size,
                  mbncc_vision::DetectedObjectArray detections);
   void thresholds_set(bool success, QString message);
-  /// [px] that is searched; empty: the whole picture. On connecting and after every change.
+  /// [px] that is searched; empty: the whole image. On connecting and after every change.
   void search_region_heard(QRect region);
   void search_region_set(bool success, QString message);
 
@@ -125,8 +125,8 @@ class RosLink : public QObject {
   void subscribe_lesson(ros::NodeHandle& node);
   void subscribe_cell(ros::NodeHandle& node);
   void subscribe_settings(ros::NodeHandle& node);
-  void take_picture(const sensor_msgs::ImageConstPtr& message);
-  /// A camera's picture, as bright as matching takes it.
+  void take_image(const sensor_msgs::ImageConstPtr& message);
+  /// A camera's image, as bright as matching takes it.
   cv::Mat live_rgb(const sensor_msgs::Image& message) const;
   sensor_msgs::ImageConstPtr shown();
   void note_shown(const sensor_msgs::ImageConstPtr& message);
@@ -143,7 +143,7 @@ class RosLink : public QObject {
   ros::NodeHandle node_;
   int goals_ = 0;
   std::atomic<bool> changes_wanted_{false};
-  PictureOrigin origin_;                           // of the spinner's thread
+  ImageOrigin origin_;                             // of the spinner's thread
   ChangeTint tint_;                                // of the spinner's thread
   std::deque<sensor_msgs::ImageConstPtr> newest_;  // of the spinner's thread, in order
   std::mutex shown_mutex_;
@@ -159,7 +159,7 @@ class RosLink : public QObject {
   std::thread worker_;
 };
 
-/// A copy of `picture`, CV_8UC3 rgb; null if it is empty.
-QImage to_qimage(const cv::Mat& picture);
+/// A copy of `image`, CV_8UC3 rgb; null if it is empty.
+QImage to_qimage(const cv::Mat& image);
 
 }  // namespace mbncc::console

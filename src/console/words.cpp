@@ -68,7 +68,7 @@ std::string headline_of(std::uint8_t stage) {
     case Feedback::WAIT_REMOVAL:
       return "Take the object away";
     case Feedback::WAIT_STILL:
-      return "Clear the picture, then keep still";
+      return "Clear the image, then keep still";
     case Feedback::REGION:
       return "Finding the change";
     case Feedback::SEGMENT:

@@ -17,7 +17,7 @@ const char* symbol_of(Level level);
 /// "#rrggbb" of a background, from Okabe and Ito's palette: blue, orange, vermilion, grey.
 const char* colour_of(Level level);
 
-/// "#rrggbb" of a line over a picture: as colour_of(), lighter.
+/// "#rrggbb" of a line over an image: as colour_of(), lighter.
 const char* bright_colour_of(Level level);
 
 /// "#rrggbb" of text on that background, with a contrast ratio of at least 4.5 (WCAG 2, AA).

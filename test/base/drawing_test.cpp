@@ -16,11 +16,11 @@ Marking triangle(double x, double y) {
   return marking;
 }
 
-TEST(DrawMarkings, LeavesThePictureItselfAlone) {
-  const cv::Mat picture(100, 120, CV_8UC3, cv::Scalar::all(30)), before = picture.clone();
-  const cv::Mat drawn = draw_markings(picture, {triangle(40, 50)});
-  EXPECT_EQ(cv::norm(picture, before, cv::NORM_INF), 0);
-  EXPECT_GT(cv::norm(picture, drawn, cv::NORM_INF), 0);
+TEST(DrawMarkings, LeavesTheImageItselfAlone) {
+  const cv::Mat image(100, 120, CV_8UC3, cv::Scalar::all(30)), before = image.clone();
+  const cv::Mat drawn = draw_markings(image, {triangle(40, 50)});
+  EXPECT_EQ(cv::norm(image, before, cv::NORM_INF), 0);
+  EXPECT_GT(cv::norm(image, drawn, cv::NORM_INF), 0);
 }
 
 TEST(DrawMarkings, DrawsXRedAndYGreenDownwards) {
@@ -32,25 +32,25 @@ TEST(DrawMarkings, DrawsXRedAndYGreenDownwards) {
   EXPECT_EQ(drawn.at<cv::Vec3b>(100, 80), cv::Vec3b(0, 0, 0));
 }
 
-TEST(DrawMarkings, TakesGreyPicturesAndNoOtherKind) {
+TEST(DrawMarkings, TakesGreyImagesAndNoOtherKind) {
   EXPECT_EQ(draw_markings(cv::Mat::zeros(50, 50, CV_8UC1), {triangle(5, 5)}).type(), CV_8UC3);
   EXPECT_THROW(draw_markings(cv::Mat::zeros(50, 50, CV_16UC1), {}), std::invalid_argument);
   EXPECT_THROW(draw_markings(cv::Mat(), {}), std::invalid_argument);
 }
 
-TEST(DrawMarkings, SurvivesMarksOutsideAndTinyPictures) {
+TEST(DrawMarkings, SurvivesMarksOutsideAndTinyImages) {
   for (const double far : {-1e9, -50.0, 60.0, 1e9})
     EXPECT_NO_THROW(draw_markings(cv::Mat::zeros(16, 16, CV_8UC3), {triangle(far, far)}));
 }
 
 TEST(DrawMarkings, TheEndOfALongCaptionIsSeen) {
-  const cv::Mat picture(200, 300, CV_8UC3, cv::Scalar::all(90));
+  const cv::Mat image(200, 300, CV_8UC3, cv::Scalar::all(90));
   Marking marking;
   marking.pose = {150, 100, 0};
   marking.caption = std::string(64, 'w') + " MARGINAL";
-  const cv::Mat bad = draw_markings(picture, {marking});
+  const cv::Mat bad = draw_markings(image, {marking});
   marking.caption = std::string(64, 'w') + " GOOD";
-  EXPECT_GT(cv::norm(bad, draw_markings(picture, {marking}), cv::NORM_INF), 0);
+  EXPECT_GT(cv::norm(bad, draw_markings(image, {marking}), cv::NORM_INF), 0);
 }
 
 TEST(MarkingOfView, LiesAtTheLearningPose) {
@@ -58,7 +58,7 @@ TEST(MarkingOfView, LiesAtTheLearningPose) {
   view.map = cv::Mat::zeros(40, 40, CV_8UC1);
   view.map(cv::Rect(10, 12, 11, 9)).setTo(255);
   view.origin = {100, 200};
-  view.picture_size = {640, 480};
+  view.image_size = {640, 480};
   view.reference = {115, 216, 0.3};
   const Marking marking = marking_of(view, {}, "plate");
   ASSERT_EQ(marking.outlines.size(), 1u);

@@ -99,7 +99,7 @@ TEST(Maps, IncircleHoldsMapPixelsOnly) {
   EXPECT_NEAR(circle.radius, 10.5, 0.01);
   EXPECT_NEAR(circle.centre.x, 20, 0.01);
   cv::Mat full(20, 20, CV_8UC1, cv::Scalar(255));
-  EXPECT_LE(incircle(full).radius, 10) << "what lies beyond the picture is no map";
+  EXPECT_LE(incircle(full).radius, 10) << "what lies beyond the image is no map";
 }
 
 TEST(Maps, EmptyOnesAreRefused) {

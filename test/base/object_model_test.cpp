@@ -12,7 +12,7 @@ namespace {
 
 const cv::Size kSize(160, 120);
 
-cv::Mat picture() {
+cv::Mat image() {
   cv::Mat noise(kSize, CV_8UC3);
   cv::RNG(3).fill(noise, cv::RNG::UNIFORM, 0, 256);
   return noise;
@@ -28,7 +28,7 @@ ObjectModel sound_model() {
   ObjectModel model;
   model.name = "wrench";
   model.label = "Wrench 10";
-  model.views = {crop_view(picture(), disc({70, 60}, 20), {70, 60, 0})};
+  model.views = {crop_view(image(), disc({70, 60}, 20), {70, 60, 0})};
   return model;
 }
 
@@ -42,28 +42,28 @@ TEST(Names, AreSafeAsFilesAndFrames) {
     EXPECT_FALSE(is_valid_name(name)) << name;
 }
 
-TEST(CropView, KeepsPicturePlaceAndMap) {
+TEST(CropView, KeepsImagePlaceAndMap) {
   for (const cv::Point centre : {cv::Point(70, 60), cv::Point(21, 21), cv::Point(139, 99)}) {
     const cv::Mat map = disc(centre, 20);
-    const View view = crop_view(picture(), map, {1, 2, 3});
+    const View view = crop_view(image(), map, {1, 2, 3});
     const cv::Rect crop(view.origin, view.map.size());
-    EXPECT_EQ(cv::norm(view.template_image, picture()(crop), cv::NORM_INF), 0);
+    EXPECT_EQ(cv::norm(view.template_image, image()(crop), cv::NORM_INF), 0);
     EXPECT_EQ(cv::norm(full_size_map(view), map, cv::NORM_INF), 0);
     for (const cv::Rect part : {cv::Rect(0, 0, 40, 30), cv::Rect(25, 20, 60, 50)})
       EXPECT_EQ(cv::norm(map_within(view, part), map(part), cv::NORM_INF), 0);
-    EXPECT_EQ(view.picture_size, kSize);
+    EXPECT_EQ(view.image_size, kSize);
   }
-  EXPECT_THROW(crop_view(picture(), cv::Mat::zeros(5, 5, CV_8UC1), {}), std::invalid_argument);
-  EXPECT_THROW(crop_view(picture(), cv::Mat::zeros(kSize, CV_8UC1), {}), std::invalid_argument);
+  EXPECT_THROW(crop_view(image(), cv::Mat::zeros(5, 5, CV_8UC1), {}), std::invalid_argument);
+  EXPECT_THROW(crop_view(image(), cv::Mat::zeros(kSize, CV_8UC1), {}), std::invalid_argument);
 }
 
 TEST(Outlines, LieInTheObjectFrame) {
-  View view = crop_view(picture(), disc({70, 60}, 20), {70, 60, kPi / 2});
+  View view = crop_view(image(), disc({70, 60}, 20), {70, 60, kPi / 2});
   const auto round = outlines(view);
   ASSERT_EQ(round.size(), 1u);
   for (const auto& point : round[0]) EXPECT_NEAR(cv::norm(point), 20, 1.5);
   view.reference = {70 - 100, 60, kPi / 2};
-  // The disc lies at picture x +100, which is -y in a frame turned by 90 degrees.
+  // The disc lies at image x +100, which is -y in a frame turned by 90 degrees.
   const auto moved = outlines(view);
   cv::Point2f mean;
   for (const auto& point : moved[0]) mean += point;
@@ -72,8 +72,8 @@ TEST(Outlines, LieInTheObjectFrame) {
   EXPECT_NEAR(mean.y, -100, 2);
 }
 
-/// Gripper pose in the picture: position [px] and angle about z [rad].
-Pose2D gripper_in_picture(const ObjectModel& model) {
+/// Gripper pose in the image: position [px] and angle about z [rad].
+Pose2D gripper_in_image(const ObjectModel& model) {
   const auto& p = model.grasp->position;
   const auto& q = model.grasp->orientation;
   return compose(
@@ -85,9 +85,9 @@ TEST(MoveReference, TheGraspStaysWhereItIs) {
   ObjectModel model = sound_model();
   model.metres_per_pixel = 0.002;
   model.grasp = Grasp{{{0.01, -0.03, -0.1}}, {{0, 0, std::sin(0.2), std::cos(0.2)}}};
-  const Pose2D before = gripper_in_picture(model);
+  const Pose2D before = gripper_in_image(model);
   move_reference(model, {33, 44, 1.1});
-  const Pose2D after = gripper_in_picture(model);
+  const Pose2D after = gripper_in_image(model);
   EXPECT_NEAR(after.x, before.x, 1e-9);
   EXPECT_NEAR(after.y, before.y, 1e-9);
   EXPECT_NEAR(angle_distance(after.theta, before.theta), 0, 1e-9);
@@ -136,10 +136,10 @@ TEST(Validate, NamesEachBrokenRule) {
       },
       [](ObjectModel& model) { model.views[0].reference.y = 1e9; },
       [](ObjectModel& model) {
-        model.views[0].picture_size = {1000000, 480};
+        model.views[0].image_size = {1000000, 480};
       },
       [](ObjectModel& model) {
-        model.views[0].picture_size = {16384, 16384};
+        model.views[0].image_size = {16384, 16384};
       },
       [](ObjectModel& model) { model.views.clear(); },
       [](ObjectModel& model) { model.object_height = -1; },

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// From pictures to metres with the claimed covariance, in a simulated cell whose truth is known.
+// From images to metres with the claimed covariance, in a simulated cell whose truth is known.
 #include <gtest/gtest.h>
 
 #include <random>

@@ -24,7 +24,7 @@ TEST(InstanceTracker, ConfirmsByKOfN) {
   }
 }
 
-TEST(InstanceTracker, MissedPicturesCountAgainstConfirmation) {
+TEST(InstanceTracker, MissedImagesCountAgainstConfirmation) {
   InstanceTracker tracker;
   for (int i = 0; i < 4; ++i) tracker.update(i, {match_at(100, 100)});
   for (int i = 4; i < 7; ++i) EXPECT_TRUE(tracker.update(i, {}).empty());
@@ -92,7 +92,7 @@ TEST(InstanceTracker, RoundObjectsDoNotTurn) {
 TEST(InstanceTracker, TellsWhyAnInstanceIsNotConfirmed) {
   InstanceTracker tracker({3, 5, 10, 0.5, 10});
   EXPECT_EQ(tracker.update(0, {match_at(100, 100)})[0].reasons,
-            std::vector<std::string>{"graspable in 1 of the last 5 pictures, 3 needed"});
+            std::vector<std::string>{"graspable in 1 of the last 5 images, 3 needed"});
   tracker.update(1, {match_at(100, 100)});
   EXPECT_TRUE(tracker.update(2, {match_at(100, 100)})[0].reasons.empty());
   Match doubtful = ambiguous_at(100, 100);
@@ -100,7 +100,7 @@ TEST(InstanceTracker, TellsWhyAnInstanceIsNotConfirmed) {
   EXPECT_EQ(tracker.update(3, {doubtful})[0].reasons, doubtful.reasons);
   const auto held = tracker.update(4, {});
   ASSERT_EQ(held.size(), 1u);
-  EXPECT_EQ(held[0].reasons, std::vector<std::string>{"not seen in this picture"});
+  EXPECT_EQ(held[0].reasons, std::vector<std::string>{"not seen in this image"});
 }
 
 TEST(InstanceTracker, AfterAnInterruptionInstancesKeepTheirIdsAndAreConfirmedAnew) {

@@ -51,7 +51,7 @@ TEST_F(VideoSearchTest, WhereALookAlikeIsForgottenTheOtherIsFoundAndGraspable) {
   }
 }
 
-TEST_F(VideoSearchTest, WithoutSweepsEveryPictureIsSearchedWhole) {
+TEST_F(VideoSearchTest, WithoutSweepsEveryImageIsSearchedWhole) {
   video_ = VideoSearch({0, 2.0});
   put(0, kLeft);
   for (int i = 0; i < 3; ++i) EXPECT_TRUE(show().matches.at(0).fresh);
@@ -63,7 +63,7 @@ TEST_F(VideoSearchTest, AnotherRequestBeginsAnew) {
   show_many(2);
   SearchRequest request;
   request.names = {name(1)};
-  const auto result = video_.find(matcher_, kFrameTime * frames_, picture_, request);
+  const auto result = video_.find(matcher_, kFrameTime * frames_, image_, request);
   ASSERT_EQ(result.matches.size(), 1u);
   EXPECT_EQ(result.matches[0].name, name(1));
   EXPECT_EQ(result.searched, request.names);
@@ -85,7 +85,7 @@ TEST_F(VideoSearchTest, UnknownNamesAreSkippedAloud) {
   request.names = {"nobody"};
   put(0, kLeft);
   show();
-  const auto result = video_.find(matcher_, kFrameTime * frames_, picture_, request);
+  const auto result = video_.find(matcher_, kFrameTime * frames_, image_, request);
   ASSERT_EQ(result.skipped.size(), 1u);
   EXPECT_NE(result.skipped[0].find("nobody"), std::string::npos);
 }

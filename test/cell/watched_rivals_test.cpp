@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // An instance that the video search calls graspable is also graspable in a search of the whole
-// picture: drawn sequences of look-alikes, with late and lost pictures and little effort for each.
+// image: drawn sequences of look-alikes, with late and lost images and little effort for each.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -13,10 +13,10 @@
 namespace mbncc {
 namespace {
 
-const cv::Size kSmall(208, 160);       // [px]
-constexpr int kPicturesOfAStory = 60;  // shown to one VideoSearch
-constexpr double kNear = 4;            // [px] the whole search has it there, too
-// Variation of a margin by noise from picture to picture.
+const cv::Size kSmall(208, 160);     // [px]
+constexpr int kImagesOfAStory = 60;  // shown to one VideoSearch
+constexpr double kNear = 4;          // [px] the whole search has it there, too
+// Variation of a margin by noise from image to image.
 constexpr double kNoise = 3;  // log-odds
 
 /// Of the environment.
@@ -62,15 +62,15 @@ class Story {
     for (int i = random_.uniform(1, 4); i > 0; --i) put();
   }
 
-  /// Shows the next picture; true where the watch calls something graspable that the whole search
+  /// Shows the next image; true where the watch calls something graspable that the whole search
   /// denies.
   bool step() {
     for (int unseen = random_.uniform(0, 10) == 0 ? random_.uniform(1, 6) : 1; unseen > 0; --unseen)
       happen();
     now_ += random_.uniform(0, 8) == 0 ? random_.uniform(0.1, 2.0) : 1. / 30;
-    picture_ = scene_->render(placed_, static_cast<std::uint64_t>(frames_++), arm_) * gain_;
-    result_ = video_.find(matcher_, now_, picture_);
-    whole_ = count_graspable() > 0 ? matcher_.find(picture_) : SearchResult{};
+    image_ = scene_->render(placed_, static_cast<std::uint64_t>(frames_++), arm_) * gain_;
+    result_ = video_.find(matcher_, now_, image_);
+    whole_ = count_graspable() > 0 ? matcher_.find(image_) : SearchResult{};
     return std::any_of(result_.matches.begin(), result_.matches.end(), [this](const Match& match) {
       return match.graspable && is_denied(match) && !is_overlooked(match);
     });
@@ -202,18 +202,17 @@ class Story {
   std::optional<sim::Arm> arm_;
   double gain_ = 1, now_ = 0;
   int frames_ = 0;
-  cv::Mat picture_;
+  cv::Mat image_;
   SearchResult result_, whole_;
 };
 
-/// Shows `pictures` of stories from `first` on. Returns how many instances were graspable.
-int show(int first, int pictures) {
+/// Shows `images` of stories from `first` on. Returns how many instances were graspable.
+int show(int first, int images) {
   int graspable = 0;
-  for (int shown = 0, story = first; shown < pictures; ++story) {
+  for (int shown = 0, story = first; shown < images; ++story) {
     Story cell(static_cast<std::uint64_t>(story));
-    for (int i = 0; i < kPicturesOfAStory && shown < pictures; ++i, ++shown) {
-      if (cell.step())
-        ADD_FAILURE() << "story " << story << ", picture " << i << '\n' << cell.text();
+    for (int i = 0; i < kImagesOfAStory && shown < images; ++i, ++shown) {
+      if (cell.step()) ADD_FAILURE() << "story " << story << ", image " << i << '\n' << cell.text();
       graspable += cell.count_graspable();
     }
   }
@@ -221,9 +220,9 @@ int show(int first, int pictures) {
 }
 
 TEST(WatchedRivals, NothingIsGraspableThatAWholeSearchDenies) {
-  const int pictures = number("MBNCC_PICTURES", 400);
-  const int graspable = show(number("MBNCC_FIRST_STORY", 1), pictures);
-  std::cout << pictures << " pictures, " << graspable << " graspable instances\n";
+  const int images = number("MBNCC_IMAGES", 400);
+  const int graspable = show(number("MBNCC_FIRST_STORY", 1), images);
+  std::cout << images << " images, " << graspable << " graspable instances\n";
   EXPECT_GT(graspable, 0);
 }
 
@@ -236,7 +235,7 @@ struct Sequence {
 class WatchedSequence : public testing::TestWithParam<Sequence> {};
 
 TEST_P(WatchedSequence, TheLookAlikeCompetes) {
-  EXPECT_GT(show(GetParam().story, kPicturesOfAStory), 0);
+  EXPECT_GT(show(GetParam().story, kImagesOfAStory), 0);
 }
 
 INSTANTIATE_TEST_SUITE_P(
@@ -246,8 +245,8 @@ INSTANTIATE_TEST_SUITE_P(
         Sequence{"that_a_search_passes_over", 313},
         // Three lie on top of each other: the look-alike is found at one of them only.
         Sequence{"found_at_a_neighbour", 1073},
-        // An instance replaces its look-alike, which was found in darker pictures.
-        Sequence{"of_an_earlier_picture", 2881}),
+        // An instance replaces its look-alike, which was found in darker images.
+        Sequence{"of_an_earlier_image", 2881}),
     [](const auto& one) { return std::string(one.param.name); });
 
 }  // namespace

@@ -35,7 +35,7 @@ inline sim::SceneConfig scene_config() {
   return config;
 }
 
-/// Three taught objects of which some lie in the picture.
+/// Three taught objects of which some lie in the image.
 class VideoSearchTest : public ::testing::Test {
  protected:
   VideoSearchTest() {
@@ -51,8 +51,8 @@ class VideoSearchTest : public ::testing::Test {
   void put(int i, const Pose2D& pose) { placed_.push_back({drawing(i), pose}); }
 
   SearchResult show(const std::optional<sim::Arm>& arm = {}, double gain = 1) {
-    picture_ = scene_.render(placed_, frames_, arm) * gain;
-    return video_.find(matcher_, kFrameTime * frames_++, picture_);
+    image_ = scene_.render(placed_, frames_, arm) * gain;
+    return video_.find(matcher_, kFrameTime * frames_++, image_);
   }
 
   SearchResult show_many(int count) {
@@ -76,7 +76,7 @@ class VideoSearchTest : public ::testing::Test {
   VideoSearch video_;
   sim::Scene scene_{scene_config()};
   std::vector<sim::Placed> placed_;
-  cv::Mat picture_;
+  cv::Mat image_;
   int frames_ = 0;
 };
 

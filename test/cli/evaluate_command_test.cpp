@@ -27,22 +27,22 @@ constexpr const char* kRight = "image,name,x,y,theta_deg\ntarget.png,part,195,12
 TEST_F(EvaluateCommand, CountsWhatIsFound) {
   const ToolRun run = evaluate(kRight);
   EXPECT_EQ(run.code, 0) << run.err;
-  EXPECT_TRUE(run.prints("2 pictures with 1 instances")) << run.out;
+  EXPECT_TRUE(run.prints("2 images with 1 instances")) << run.out;
   EXPECT_TRUE(run.prints("recall: 100.0 % (1 of 1)"));
   EXPECT_TRUE(run.prints("0 wrong grasps"));
 }
 
-TEST_F(EvaluateCommand, WritesAPageWithPicturesOfFaults) {
+TEST_F(EvaluateCommand, WritesAPageWithImagesOfFaults) {
   const ToolRun run =
       evaluate("image,x,y\ntarget.png,30,30\n", {"--page", folder_ / "page", "--json"});
   EXPECT_EQ(run.code, 0) << run.err;
   EXPECT_TRUE(run.says("wrote " + (folder_ / "page/index.html")));
   const std::string page = content_of_file(folder_ / "page/index.html");
   EXPECT_NE(page.find("recall: 0.0 %"), std::string::npos) << page;
-  EXPECT_NE(page.find("picture_1.png"), std::string::npos);
-  EXPECT_FALSE(cv::imread(folder_ / "page/picture_1.png").empty());
+  EXPECT_NE(page.find("image_1.png"), std::string::npos);
+  EXPECT_FALSE(cv::imread(folder_ / "page/image_1.png").empty());
   const auto lines = split(run.out, '\n');
-  ASSERT_EQ(lines.size(), 3u) << "a line per picture, the figures last";
+  ASSERT_EQ(lines.size(), 3u) << "a line per image, the figures last";
   EXPECT_EQ(YAML::Load(lines[0])["missed"].size(), 1u);
   EXPECT_EQ(YAML::Load(lines[0])["wrong"].size(), 1u);
   EXPECT_EQ(YAML::Load(lines[2])["recall"].as<double>(), 0);
@@ -73,18 +73,18 @@ TEST_F(EvaluateCommand, UnknownColumnsAreRefused) {
   EXPECT_TRUE(run.says("its column 'theta_dge' is unknown; did you mean 'theta_deg'?")) << run.err;
 }
 
-TEST_F(EvaluateCommand, ListedPicturesThatWereNotGivenAreNamed) {
+TEST_F(EvaluateCommand, ListedImagesThatWereNotGivenAreNamed) {
   const std::string truth = std::string(kRight) + "lost.png,part,1,2,3\n";
-  EXPECT_TRUE(evaluate(truth).says("1 listed pictures were not given: lost.png\n"));
+  EXPECT_TRUE(evaluate(truth).says("1 listed images were not given: lost.png\n"));
   const ToolRun json = evaluate(truth, {"--json"});
   EXPECT_EQ(YAML::Load(split(json.out, '\n').back())["not_given"].as<int>(), 1);
   EXPECT_FALSE(evaluate(kRight).says("not given"));
 }
 
-TEST_F(EvaluateCommand, AnUnreadablePictureIsCountedAndTheOthersSearched) {
+TEST_F(EvaluateCommand, AnUnreadableImageIsCountedAndTheOthersSearched) {
   const ToolRun run = evaluate(kRight, {folder_ / "none.png"});
   EXPECT_EQ(run.code, 1);
-  EXPECT_TRUE(run.prints("1 pictures could not be read"));
+  EXPECT_TRUE(run.prints("1 images could not be read"));
   EXPECT_TRUE(run.prints("recall: 100.0 % (1 of 1)"));
 }
 

@@ -58,7 +58,7 @@ TEST_F(ExplainCommand, PrintsAnObjectOnALine) {
 TEST_F(ExplainCommand, RefusesWithASentence) {
   const ToolRun outside = run_tool(explain("9999,5"));
   EXPECT_EQ(outside.code, 1);
-  EXPECT_TRUE(outside.says("does not lie in the picture of 320 x 240 px"));
+  EXPECT_TRUE(outside.says("does not lie in the image of 320 x 240 px"));
   EXPECT_EQ(run_tool(explain() + std::vector<std::string>{"--name", "none"}).code, 1);
   const ToolRun broken = run_tool({"replay", folder_ / "target.png", folder_ / "nothing"});
   EXPECT_EQ(broken.code, 1);

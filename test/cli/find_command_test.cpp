@@ -26,7 +26,7 @@ class FindCommand : public testing::Test {
   int learned_ = -1;
 };
 
-TEST_F(FindCommand, CsvHasARowPerDetectionAndOnePerEmptyPicture) {
+TEST_F(FindCommand, CsvHasARowPerDetectionAndOnePerEmptyImage) {
   const ToolRun run = find({"--csv", folder_ / "target.png", folder_ / "empty.png"});
   ASSERT_EQ(run.code, 0) << run.err;
   const auto lines = split(run.out, '\n');
@@ -49,17 +49,17 @@ TEST_F(FindCommand, JsonHoldsWhatADetectionHolds) {
   const ToolRun run = find({"--json", folder_ / "target.png", folder_ / "empty.png"});
   ASSERT_EQ(run.code, 0) << run.err;
   const auto lines = split(run.out, '\n');
-  ASSERT_EQ(lines.size(), 2u) << "one picture a line";
-  const YAML::Node pictures[] = {YAML::Load(lines[0]), YAML::Load(lines[1])};
-  EXPECT_EQ(pictures[0]["width"].as<int>(), LessonFolder::kWidth);
-  ASSERT_EQ(pictures[0]["objects"].size(), 1u);
-  const YAML::Node object = pictures[0]["objects"][0];
+  ASSERT_EQ(lines.size(), 2u) << "one image a line";
+  const YAML::Node images[] = {YAML::Load(lines[0]), YAML::Load(lines[1])};
+  EXPECT_EQ(images[0]["width"].as<int>(), LessonFolder::kWidth);
+  ASSERT_EQ(images[0]["objects"].size(), 1u);
+  const YAML::Node object = images[0]["objects"][0];
   for (const char* key : {"name", "revision", "instance", "x", "y", "theta_deg", "scale", "score",
                           "similarity", "margin_place", "margin_angle", "visible", "symmetry",
                           "graspable", "ambiguous", "reasons", "covariance", "outline"})
     EXPECT_TRUE(object[key]) << key;
   EXPECT_EQ(object["covariance"].size(), 9u);
-  EXPECT_EQ(pictures[1]["objects"].size(), 0u);
+  EXPECT_EQ(images[1]["objects"].size(), 0u);
 }
 
 TEST_F(FindCommand, JsonIsUtf8WhateverTheNameOfTheFile) {
@@ -70,22 +70,22 @@ TEST_F(FindCommand, JsonIsUtf8WhateverTheNameOfTheFile) {
   EXPECT_TRUE(run.prints("caf\xc3\xa9_\\ufffd\\ufffd.png\"")) << run.out;
 }
 
-TEST_F(FindCommand, UnreadablePicturesDoNotStopTheOthers) {
-  const cv::Mat picture = cv::imread(folder_ / "target.png");
+TEST_F(FindCommand, UnreadableImagesDoNotStopTheOthers) {
+  const cv::Mat image = cv::imread(folder_ / "target.png");
   cv::Mat deep;
-  picture.convertTo(deep, CV_16UC3, 256);
+  image.convertTo(deep, CV_16UC3, 256);
   folder_.write("deep.png", deep);
-  folder_.write("whole.jpg", picture);
+  folder_.write("whole.jpg", image);
   for (const char* name : {"whole.jpg", "target.png"}) {
     const std::string bytes = content_of_file(folder_ / name);
     std::ofstream(folder_ / ("cut_" + std::string(name)), std::ios::binary)
         << bytes.substr(0, bytes.size() / 2);
   }
-  folder_.write("one.png", picture(cv::Rect(0, 0, 1, 1)));
+  folder_.write("one.png", image(cv::Rect(0, 0, 1, 1)));
   std::string huge = content_of_file(folder_ / "target.png");
   huge.replace(16, 8, std::string("\0\0\x1f\x40\0\0\x1f\x41", 8));  // 8000 x 8001
   std::ofstream(folder_ / "huge.png", std::ios::binary) << huge;
-  std::ofstream(folder_ / "text.png") << "no picture";
+  std::ofstream(folder_ / "text.png") << "no image";
   std::ofstream(folder_ / "nothing.png");
   const ToolRun run =
       find({"--csv", folder_ / "none.png", folder_ / "deep.png", folder_ / "cut_target.png",
@@ -98,18 +98,18 @@ TEST_F(FindCommand, UnreadablePicturesDoNotStopTheOthers) {
        {"none.png: there is no such file", "deep.png: 16 bits per channel",
         "cut_target.png: the file is cut short", "cut_whole.jpg: the file is cut short",
         "text.png: neither a PNG nor a JPEG", "nothing.png: the file is empty",
-        "one.png: a picture to search must have at least 16 x 16 pixels",
-        "huge.png: the picture has more than 64 million pixels", ": a folder; give",
+        "one.png: an image to search must have at least 16 x 16 pixels",
+        "huge.png: the image has more than 64 million pixels", ": a folder; give",
         "/dev/null: not a regular file"})
     EXPECT_TRUE(run.says(sentence)) << sentence << "\n" << run.err;
 }
 
-TEST_F(FindCommand, PicturesWithAlphaAndGreyPicturesAreSearched) {
-  cv::Mat picture = cv::imread(folder_ / "target.png"), grey;
+TEST_F(FindCommand, ImagesWithAlphaAndGreyImagesAreSearched) {
+  cv::Mat image = cv::imread(folder_ / "target.png"), grey;
   std::vector<cv::Mat> planes;
-  cv::split(picture, planes);
+  cv::split(image, planes);
   grey = planes[1].clone();
-  planes.push_back(cv::Mat(picture.size(), CV_8UC1, cv::Scalar(7)));
+  planes.push_back(cv::Mat(image.size(), CV_8UC1, cv::Scalar(7)));
   cv::Mat transparent;
   cv::merge(planes, transparent);
   folder_.write("transparent.png", transparent);
@@ -164,9 +164,9 @@ TEST_F(FindCommand, UnknownNamesAndMissingLibrariesAreRefused) {
                   .says("has no objects"));
 }
 
-TEST_F(FindCommand, AnyPictureSizeIsSearched) {
-  const cv::Mat picture = cv::imread(folder_ / "target.png");
-  folder_.write("part_of_it.png", picture(cv::Rect(60, 30, 230, 190)));
+TEST_F(FindCommand, AnyImageSizeIsSearched) {
+  const cv::Mat image = cv::imread(folder_ / "target.png");
+  folder_.write("part_of_it.png", image(cv::Rect(60, 30, 230, 190)));
   const ToolRun run = find({"--csv", folder_ / "part_of_it.png"});
   EXPECT_EQ(run.code, 0);
   EXPECT_TRUE(run.prints("part_of_it.png,part,0,")) << run.out;

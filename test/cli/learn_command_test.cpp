@@ -53,7 +53,7 @@ TEST(LearnCommand, APhotographIsNoMap) {
             0);
 }
 
-TEST(LearnCommand, LearnsFromTheDifferenceOfTwoPictures) {
+TEST(LearnCommand, LearnsFromTheDifferenceOfTwoImages) {
   const LessonFolder folder;
   const ToolRun run = run_tool({"learn", "--library", folder.library(), "--name", "part",
                                 "--before", folder / "before.png", "--after", folder / "after.png",
@@ -185,7 +185,7 @@ TEST(LearnCommand, AViewOfAnotherObjectIsNotAdded) {
       run_tool({"learn", "--library", folder.library(), "--name", "part", "--before",
                 folder / "other.png", "--map", folder / "other_map.png", "--add-view"});
   EXPECT_EQ(run.code, 1);
-  EXPECT_TRUE(run.says("was not found in the new picture")) << run.err;
+  EXPECT_TRUE(run.says("was not found in the new image")) << run.err;
   EXPECT_TRUE(run.says("Teach another side under its own name, or use --overwrite.")) << run.err;
   EXPECT_EQ(ObjectLibrary(folder.library()).load()->find("part")->views.size(), 1u);
 }
@@ -229,15 +229,15 @@ TEST(LearnCommand, FoldersThatCannotBeMadeAreReportedInJsonToo) {
   }
 }
 
-TEST(LearnCommand, UnusablePicturesAndRegionsStoreNothing) {
+TEST(LearnCommand, UnusableImagesAndRegionsStoreNothing) {
   const LessonFolder folder;
   folder.write("small.png", cv::Mat(100, 100, CV_8UC3, cv::Scalar::all(90)));
   folder.write("black.png", cv::Mat::zeros(240, 320, CV_8UC1));
-  std::ofstream(folder / "text.png") << "no picture";
+  std::ofstream(folder / "text.png") << "no image";
   const Words start = {"learn", "--library", folder.library(), "--name", "part"};
   const std::vector<std::pair<Words, std::string>> table = {
       {{"--before", folder / "none.png", "--roi", "1,1,50,50"}, "there is no such file.\n"},
-      {{"--before", folder.path(), "--roi", "1,1,50,50"}, "a folder; give the pictures in it.\n"},
+      {{"--before", folder.path(), "--roi", "1,1,50,50"}, "a folder; give the images in it.\n"},
       {{"--before", folder / "text.png", "--roi", "1,1,50,50"}, "convert it to PNG.\n"},
       {{"--before", folder / "before.png", "--map", folder / "before.png"},
        "white on the object and black elsewhere.\n"},
@@ -246,20 +246,20 @@ TEST(LearnCommand, UnusablePicturesAndRegionsStoreNothing) {
       {{"--before", folder / "before.png", "--map", folder / "black.png"},
        "The map is black everywhere. Paint the object white.\n"},
       {{"--before", folder / "before.png", "--roi", "400,10,50,50"},
-       "The region does not lie in the picture."},
+       "The region does not lie in the image."},
       {{"--before", folder / "before.png", "--roi", "0,0,320,240"},
-       "The region is the whole picture. Draw it close around the object.\n"},
+       "The region is the whole image. Draw it close around the object.\n"},
       {{"--before", folder / "before.png", "--roi", "120,100,5,5"},
        "The region is only 5 x 5 px. Give at least 8 x 8 px.\n"},
       {{"--before", folder / "before.png", "--roi", "120,100,20,20"},
        "The region (roi) may cut the object off: draw it larger"},
       {{"--before", folder / "before.png", "--click", "400,10"},
-       "Give a point inside the picture of 320 x 240 px.\n"},
+       "Give a point inside the image of 320 x 240 px.\n"},
       {{"--before", folder / "before.png", "--click", "290,20"},
        "No object stands out at the click. Click on the object itself"},
       {{"--before", folder / "before.png", "--map", folder / "map.png", "--include",
         "400,10,410,10"},
-       "Give a point inside the picture of 320 x 240 px.\n"},
+       "Give a point inside the image of 320 x 240 px.\n"},
       {{"--before", folder / "after.png", "--after", folder / "empty.png"}, "no difference"},
   };
   for (const auto& [words, sentence] : table) {
@@ -281,7 +281,7 @@ TEST(LearnCommand, OutputFoldersThatAreFilesAreRefusedAndNothingIsSaidToBeWritte
     EXPECT_FALSE(run.says("wrote")) << run.err;
   }
   const ToolRun written = run_tool(folder.lesson("part") + Words{"--stages", folder / "stages"});
-  EXPECT_TRUE(written.says("pictures of the steps to " + (folder / "stages"))) << written.err;
+  EXPECT_TRUE(written.says("images of the steps to " + (folder / "stages"))) << written.err;
   const Words find{"find", "--library", folder.library(), "--overlay"};
   const ToolRun overlay = run_tool(find + Words{folder / "map.png", folder / "target.png"});
   EXPECT_TRUE(overlay.says("is a file; give a folder")) << overlay.err;

@@ -104,7 +104,7 @@ TEST_F(LibraryCommands, ForgottenObjectsCanBeRestored) {
 
 TEST_F(LibraryCommands, CheckReportsUnreadableFilesUntilTheyAreGone) {
   EXPECT_EQ(on_library("check").code, 0);
-  std::ofstream(folder_.library() + "/broken.png") << "no picture";
+  std::ofstream(folder_.library() + "/broken.png") << "no image";
   for (int round = 0; round < 2; ++round) {
     const ToolRun check = on_library("check");
     EXPECT_EQ(check.code, 1);
@@ -118,7 +118,7 @@ TEST_F(LibraryCommands, CheckReportsUnreadableFilesUntilTheyAreGone) {
 TEST_F(LibraryCommands, CheckRepairsFromTheTrashAndSaysSo) {
   ASSERT_EQ(run_tool(folder_.lesson("part") + std::vector<std::string>{"--overwrite"}).code, 0);
   for (const std::string name : {"part", "stranger"})
-    std::ofstream(folder_.library() + "/" + name + ".png") << "no picture";
+    std::ofstream(folder_.library() + "/" + name + ".png") << "no image";
   const ToolRun check = on_library("check", {"--repair"});
   EXPECT_EQ(check.code, 1) << "the quarantine is not empty";
   EXPECT_TRUE(check.prints("brought 'part' from the trash as revision 2")) << check.out;
@@ -130,7 +130,7 @@ TEST_F(LibraryCommands, CheckRepairsFromTheTrashAndSaysSo) {
   EXPECT_EQ(on_library("check").code, 0);
 }
 
-TEST_F(LibraryCommands, PicturesOfTheUserStayWhereTheyAre) {
+TEST_F(LibraryCommands, ImagesOfTheUserStayWhereTheyAre) {
   std::filesystem::create_directory(folder_ / "photos");
   folder_.write("photos/target.png", cv::imread(folder_ / "target.png"));
   const std::string photo = folder_ / "photos/target.png";
@@ -151,11 +151,11 @@ TEST_F(LibraryCommands, PicturesOfTheUserStayWhereTheyAre) {
   EXPECT_TRUE(check.says("photo.png: not an object; left where it is")) << check.err;
   const ToolRun lesson = run_tool(folder_.lesson("photo"));
   EXPECT_EQ(lesson.code, 1);
-  EXPECT_TRUE(lesson.says("A picture that is not an object has this name")) << lesson.err;
+  EXPECT_TRUE(lesson.says("An image that is not an object has this name")) << lesson.err;
 }
 
 TEST_F(LibraryCommands, CommandsOnOneFileWarnOfBrokenOthers) {
-  std::ofstream(folder_.library() + "/broken.png") << "no picture";
+  std::ofstream(folder_.library() + "/broken.png") << "no image";
   const ToolRun list = on_library("list");
   EXPECT_EQ(list.code, 0);
   EXPECT_TRUE(list.says("broken.png")) << list.err;

@@ -11,19 +11,19 @@ namespace mbncc::test {
 namespace {
 
 // The guide's first example, as a newcomer types it.
-TEST(SimulateCommand, DrawsPicturesThatTeachAndAreFound) {
+TEST(SimulateCommand, DrawsImagesThatTeachAndAreFound) {
   TemporaryFolder folder;
-  const std::string pictures = folder / "pictures/", library = folder / "library";
-  ASSERT_EQ(run_tool({"simulate", "--out", pictures, "--count", "2"}).code, 0);
+  const std::string images = folder / "images/", library = folder / "library";
+  ASSERT_EQ(run_tool({"simulate", "--out", images, "--count", "2"}).code, 0);
   ASSERT_EQ(run_tool({"learn", "--library", library, "--name", "wrench", "--before",
-                      pictures + "before.png", "--after", pictures + "after.png"})
+                      images + "before.png", "--after", images + "after.png"})
                 .code,
             0);
-  const ToolRun run = run_tool({"find", "--library", library, "--csv", pictures + "target_000.png",
-                                pictures + "target_001.png"});
+  const ToolRun run = run_tool({"find", "--library", library, "--csv", images + "target_000.png",
+                                images + "target_001.png"});
   ASSERT_EQ(run.code, 0) << run.err;
   const auto found = split(run.out, '\n'),
-             truth = split(content_of_file(pictures + "truth.csv"), '\n');
+             truth = split(content_of_file(images + "truth.csv"), '\n');
   ASSERT_EQ(found.size(), 3u) << run.out;
   ASSERT_EQ(truth.size(), 3u);
   for (std::size_t i = 1; i < found.size(); ++i) {
@@ -36,15 +36,15 @@ TEST(SimulateCommand, DrawsPicturesThatTeachAndAreFound) {
 
 TEST(SimulateCommand, ObeysTheSimulatedCamerasParameters) {
   TemporaryFolder folder;
-  const std::string pictures = folder / "pictures/";
+  const std::string images = folder / "images/";
   const ToolRun run =
-      run_tool({"simulate", "--out", pictures, "--count", "1", "--set", "width=320", "--set",
+      run_tool({"simulate", "--out", images, "--count", "1", "--set", "width=320", "--set",
                 "height=200", "--set", "neighbours=0", "--set", "object_diameter=60"});
   ASSERT_EQ(run.code, 0) << run.err;
-  EXPECT_EQ(cv::imread(pictures + "before.png").size(), cv::Size(320, 200));
+  EXPECT_EQ(cv::imread(images + "before.png").size(), cv::Size(320, 200));
 }
 
-TEST(SimulateCommand, TheSeedDrawsOtherPictures) {
+TEST(SimulateCommand, TheSeedDrawsOtherImages) {
   TemporaryFolder folder;
   for (const std::string seed : {"1", "2"})
     ASSERT_EQ(run_tool({"simulate", "--out", folder / seed, "--count", "1", "--seed", seed}).code,
@@ -57,7 +57,7 @@ TEST(SimulateCommand, TheSeedDrawsOtherPictures) {
 TEST(SimulateCommand, WhatDoesNotFitIsRefused) {
   TemporaryFolder folder;
   const ToolRun run =
-      run_tool({"simulate", "--out", folder / "pictures", "--set", "object_diameter=900"});
+      run_tool({"simulate", "--out", folder / "images", "--set", "object_diameter=900"});
   EXPECT_EQ(run.code, 1);
   EXPECT_TRUE(run.says("object_diameter")) << run.err;
 }

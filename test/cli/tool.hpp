@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Runs the built tool, and draws pictures for it.
+// Runs the built tool, and draws images for it.
 #pragma once
 
 #include <fcntl.h>
@@ -64,7 +64,7 @@ inline ToolRun run_tool(const std::vector<std::string>& words) {
   return run;
 }
 
-/// A folder with pictures of a lesson and of later scenes.
+/// A folder with images of a lesson and of later scenes.
 class LessonFolder : public TemporaryFolder {
  public:
   static constexpr int kWidth = 320, kHeight = 240;
@@ -77,8 +77,8 @@ class LessonFolder : public TemporaryFolder {
     write("empty.png", scene().render({}, 4));
   }
 
-  void write(const std::string& name, const cv::Mat& picture) const {
-    if (!cv::imwrite(*this / name, picture)) throw std::runtime_error("cannot write " + name);
+  void write(const std::string& name, const cv::Mat& image) const {
+    if (!cv::imwrite(*this / name, image)) throw std::runtime_error("cannot write " + name);
   }
 
   std::string library() const { return *this / "library"; }

@@ -25,7 +25,7 @@ TEST(Usage, WrongUsageGetsASentenceAndExitCode2) {
       {{"explain", "--library", "L", "i.png"}, "--at x,y is missing"},
       {{"explain", "--library", "L", "--at", "1", "i.png"}, "--at needs x,y: two numbers"},
       {{"explain", "--library", "L", "--at", "1,2,3,4", "i.png"}, "--at needs x,y: two numbers"},
-      {{"explain", "--library", "L", "--at", "1,2", "i.png", "j.png"}, "one picture, not 2"},
+      {{"explain", "--library", "L", "--at", "1,2", "i.png", "j.png"}, "one image, not 2"},
       {{"replay"}, "nothing to work on is given; give FILE.miss\n"},
       {{"evaluate", "--library", "L", "i.png"}, "--truth TRUTH.csv is missing"},
       {{"completion"}, "nothing to work on is given; give bash or zsh\n"},

@@ -51,7 +51,7 @@ class ConsoleTest(unittest.TestCase):
         self.teacher.found.wait(self.is_at_its_true_place, "the object is found")
 
     def is_at_its_true_place(self, detections):
-        # Whether it is also confirmed depends on the machine's load: old pictures confirm nothing.
+        # Whether it is also confirmed depends on the machine's load: old images confirm nothing.
         true = self.teacher.truth.get().objects
         return bool(true) and any(
             o.name == "bracket" and math.hypot(o.image_pose.x - true[0].image_pose.x,
@@ -69,10 +69,10 @@ class ConsoleTest(unittest.TestCase):
     def test_3_a_stroke_corrects_the_outline_and_undo_takes_it_back(self):
         first = self.teach("corrected")
         reference = first.object.reference
-        picture = (first.preview.width, first.preview.height)
+        image = (first.preview.width, first.preview.height)
         self.teacher.mouse.click("Cut")
         stroke = [(reference.x - 12 + 2 * i, reference.y - 30 + 5 * i) for i in range(13)]
-        cut = self.teacher.correct(lambda: self.teacher.mouse.drag(stroke, picture))
+        cut = self.teacher.correct(lambda: self.teacher.mouse.drag(stroke, image))
         self.assertLess(cut.object.quality.area, first.object.quality.area - 50)
         back = self.teacher.correct(lambda: self.teacher.mouse.click("Undo mark"))
         self.assertEqual(back.map.data, first.map.data)
@@ -81,17 +81,17 @@ class ConsoleTest(unittest.TestCase):
     def test_3b_a_double_click_draws_nothing_and_escape_puts_the_tool_down(self):
         first = self.teach("untouched")
         reference = first.object.reference
-        picture = (first.preview.width, first.preview.height)
+        image = (first.preview.width, first.preview.height)
         self.assertTrue(self.teacher.feedback.get().feedback.remaining.is_zero(), "a review has no deadline")
         self.teacher.mouse.click("Cut")
-        self.teacher.mouse.click("picture")
-        self.teacher.mouse.click("picture")
+        self.teacher.mouse.click("image")
+        self.teacher.mouse.click("image")
         drafts = self.teacher.draft.count()
         self.teacher.mouse.press("Escape")
         stroke = [(reference.x - 12 + 2 * i, reference.y - 30 + 5 * i) for i in range(13)]
-        self.teacher.mouse.drag(stroke, picture)
+        self.teacher.mouse.drag(stroke, image)
         self.teacher.mouse.press("c")  # the tool's key
-        cut = self.teacher.correct(lambda: self.teacher.mouse.drag(stroke, picture))
+        cut = self.teacher.correct(lambda: self.teacher.mouse.drag(stroke, image))
         self.assertEqual(self.teacher.draft.count(), drafts + 1, "nothing but the last stroke")
         self.assertLess(cut.object.quality.area, first.object.quality.area - 50)
         self.teacher.mouse.press("space")
@@ -101,11 +101,11 @@ class ConsoleTest(unittest.TestCase):
     def test_3c_strokes_drawn_while_one_is_computed_are_all_carried_out(self):
         first = self.teach("hurried")
         reference = first.object.reference
-        picture = (first.preview.width, first.preview.height)
+        image = (first.preview.width, first.preview.height)
         self.teacher.mouse.click("Cut")
         count = self.teacher.draft.count()
         for shift in (-14, 0, 14):
-            self.teacher.mouse.drag([(reference.x + shift, reference.y - 20 + 10 * i) for i in range(5)], picture)
+            self.teacher.mouse.drag([(reference.x + shift, reference.y - 20 + 10 * i) for i in range(5)], image)
         wait_for(lambda: self.teacher.draft.count() >= count + 3, "three corrections are carried out")
         self.teacher.press("Reject")
 
@@ -129,7 +129,7 @@ class ConsoleTest(unittest.TestCase):
         misses = self.session.folder / "library" / ".misses"
         self.teacher.mouse.click_until("Save this miss", lambda: any(misses.glob("*.miss")), "it is saved")
         self.teacher.mouse.press("Escape")
-        wait_for(lambda: not self.teacher.mouse.sees("Back to live"), "the live picture is back")
+        wait_for(lambda: not self.teacher.mouse.sees("Back to live"), "the live image is back")
 
     def test_3f_other_thresholds_are_tried_and_applied(self):
         import rospy

@@ -46,7 +46,7 @@ class KeyboardTest(unittest.TestCase):
         count = self.teacher.feedback.count()
         self.keys(*keys)
         wait_for(lambda: self.teacher.feedback.count() > count, "a lesson begins")
-        self.has_keyboard("picture")
+        self.has_keyboard("image")
 
     def ends_by(self, *keys):
         count = self.teacher.result.count()
@@ -89,7 +89,7 @@ class KeyboardTest(unittest.TestCase):
         wait_for(lambda: not self.teacher.mouse.sees("Accept .disabled."), "it may be accepted")
         result = self.ends_by("ctrl+Return")
         self.assertEqual(result.error_code, LearnObjectResult.SUCCESS, result.message)
-        self.has_keyboard("picture")
+        self.has_keyboard("image")
 
     def test_2_accept_is_reached_by_tab(self):
         from mbncc_vision.msg import LearnObjectResult
@@ -101,7 +101,7 @@ class KeyboardTest(unittest.TestCase):
             self.has_keyboard(name)
         result = self.ends_by("space")
         self.assertEqual(result.error_code, LearnObjectResult.SUCCESS, result.message)
-        self.has_keyboard("picture")
+        self.has_keyboard("image")
         count = self.teacher.feedback.count()
         self.keys("space", "Return")
         self.name("other")
@@ -123,7 +123,7 @@ class KeyboardTest(unittest.TestCase):
         result = self.ends_by("ctrl+Return")
         self.assertEqual(result.error_code, LearnObjectResult.SUCCESS, result.message)
         self.teacher.order("put_next", lies=True)
-        self.has_keyboard("picture")
+        self.has_keyboard("image")
         self.teacher.mouse.window("Next view .Space.")
         self.begins_by("space")
         result = self.ends_by("alt+c")
@@ -135,7 +135,7 @@ class KeyboardTest(unittest.TestCase):
         self.keys("w", "Right", "space")
         self.teacher.mouse.window("Save this miss")
         self.keys("Escape")
-        wait_for(lambda: not self.teacher.mouse.sees("Back to live"), "the live picture is back")
+        wait_for(lambda: not self.teacher.mouse.sees("Back to live"), "the live image is back")
 
     def test_6_a_search_region_is_drawn(self):
         self.keys("g", "space", *["Right"] * 8, *["Down"] * 8, "space")

@@ -72,7 +72,7 @@ class Session:
         return self.wait(rests, "the object at rest")["camera/truth"]
 
     def order(self, name):
-        """Calls a service of the arm until it obeys; returns the stamp of a picture after that."""
+        """Calls a service of the arm until it obeys; returns the stamp of an image after that."""
         rospy.wait_for_service("camera/" + name, DEADLINE)
         call = rospy.ServiceProxy("camera/" + name, Trigger)
         self.wait(lambda newest: call().success, name)
@@ -139,7 +139,7 @@ class Printer:
         atexit.register(self.stop)  # also if a check fails
 
     def check(self, stamp, pose, depth):
-        """Returns the error of the position, [m], in the first line about a picture after `stamp`."""
+        """Returns the error of the position, [m], in the first line about an image after `stamp`."""
         for line in self._program.stdout:
             if "yaw" not in line:  # rospy's log
                 continue

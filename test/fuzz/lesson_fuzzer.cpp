@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Requests of a lesson: name, region, outline, click, strokes and reference with arbitrary numbers,
-// on a small picture. A lesson must end with a model or a reason.
+// on a small image. A lesson must end with a model or a reason.
 #include <cstring>
 
 #include "fuzz/fuzzer.hpp"
@@ -12,7 +12,7 @@ namespace {
 
 template <class Number>
 Number number_from(fuzz::Pieces& pieces) {
-  // Mostly near the picture, sometimes anything.
+  // Mostly near the image, sometimes anything.
   const int kind = pieces.byte();
   if (kind < 200) return static_cast<Number>(kind - 20);
   Number number = 0;
@@ -31,7 +31,7 @@ std::vector<Point> points_from(fuzz::Pieces& pieces) {
   return points;
 }
 
-cv::Mat picture(bool with_object) {
+cv::Mat image(bool with_object) {
   cv::Mat scene(48, 64, CV_8UC3);
   cv::RNG(1).fill(scene, cv::RNG::UNIFORM, 90, 120);
   if (with_object) scene(cv::Rect(20, 14, 24, 18)).setTo(cv::Scalar(30, 40, 200));
@@ -47,8 +47,8 @@ Lesson lesson_from(fuzz::Pieces& pieces) {
   const int ways = pieces.byte();
   Lesson lesson;
   lesson.name = (ways & 1) != 0 ? pieces.text(pieces.byte()) : "part";
-  lesson.before = picture(true);
-  if ((ways & 2) != 0) lesson.after = picture(false);
+  lesson.before = image(true);
+  if ((ways & 2) != 0) lesson.after = image(false);
   if ((ways & 4) != 0) lesson.region = rectangle_from(pieces);
   if ((ways & 8) != 0) lesson.outline = points_from<cv::Point2f>(pieces);
   if ((ways & 16) != 0)

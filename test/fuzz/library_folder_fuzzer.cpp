@@ -23,7 +23,7 @@ std::vector<std::uint8_t> sound_object(std::uint32_t revision) {
   View view;
   view.template_image = cv::Mat::zeros(6, 5, CV_8UC3);
   view.map = cv::Mat(6, 5, CV_8UC1, cv::Scalar(255));
-  view.picture_size = {640, 480};
+  view.image_size = {640, 480};
   ObjectModel model;
   model.name = model.label = "sound";
   model.revision = revision + 1;

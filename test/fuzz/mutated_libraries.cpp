@@ -19,7 +19,7 @@
 #include <sstream>
 
 #include "cli/command.hpp"
-#include "cli/pictures.hpp"
+#include "cli/images.hpp"
 #include "cli/settings.hpp"
 #include "fuzz/mutated_library.hpp"
 #include "nodelets/matching/live_matcher.hpp"
@@ -41,7 +41,7 @@ struct Outcome {
   std::string fault;  // "": none
 
   static constexpr const char* kCounts[] = {"accepted", "refused", "searched live",
-                                            "of another picture size", "disabled"};
+                                            "of another image size", "disabled"};
   int& accepted() { return counts[0]; }
   int& refused() { return counts[1]; }
   int& searched_live() { return counts[2]; }
@@ -80,10 +80,10 @@ std::string printed_by(const cli::Command& command, const Names& words) {
   return out.str();
 }
 
-/// Every enabled object of the library is searched for, whatever picture it was learned in.
-void check_find(const LibrarySnapshot& library, const std::string& folder,
-                const std::string& picture, const Names& settings) {
-  Names words{"--library", folder, "--json", picture};
+/// Every enabled object of the library is searched for, whatever image it was learned in.
+void check_find(const LibrarySnapshot& library, const std::string& folder, const std::string& image,
+                const Names& settings) {
+  Names words{"--library", folder, "--json", image};
   words.insert(words.end(), settings.begin(), settings.end());
   const YAML::Node report = YAML::Load(printed_by(cli::find_command(), words));
   const auto searched = report["searched"].as<Names>();
@@ -94,7 +94,7 @@ void check_find(const LibrarySnapshot& library, const std::string& folder,
            (skipped.empty() ? "no reason" : skipped.front()));
 }
 
-/// Searched and found names: of a single picture, or of the next two of a video.
+/// Searched and found names: of a single image, or of the next two of a video.
 struct Looks {
   Names searched, found;
 
@@ -106,29 +106,29 @@ struct Looks {
 
 class Watcher {
  public:
-  Watcher(const nodelets::LiveMatcher& matcher, const cv::Mat& picture, bool as_video)
-      : matcher_(matcher), picture_(picture), as_video_(as_video) {}
+  Watcher(const nodelets::LiveMatcher& matcher, const cv::Mat& image, bool as_video)
+      : matcher_(matcher), image_(image), as_video_(as_video) {}
 
   Looks look() {
     Looks looks;
-    if (!as_video_) looks.add(matcher_.find(picture_, {}).result);
+    if (!as_video_) looks.add(matcher_.find(image_, {}).result);
     for (int k = 0; as_video_ && k < 2; ++k)
-      looks.add(matcher_.watch(video_, stamp_ += 0.1, picture_, {}).result);
+      looks.add(matcher_.watch(video_, stamp_ += 0.1, image_, {}).result);
     return looks;
   }
 
  private:
   const nodelets::LiveMatcher& matcher_;
-  const cv::Mat& picture_;
+  const cv::Mat& image_;
   bool as_video_;
   VideoSearch video_{VideoConfig()};
   double stamp_ = 1;
 };
 
-void check_searched(const LibrarySnapshot& library, const Looks& looks, cv::Size picture,
+void check_searched(const LibrarySnapshot& library, const Looks& looks, cv::Size image,
                     Outcome& outcome) {
   for (const auto& object : library.objects) {
-    const bool fits = object->views.front().picture_size == picture;
+    const bool fits = object->views.front().image_size == image;
     if (!object->enabled)
       ++outcome.disabled();
     else if (!fits)
@@ -154,16 +154,16 @@ void take_away(const std::string& folder, bool disable) {
   }
 }
 
-void check_live(const LibrarySnapshot& library, const std::string& folder, const cv::Mat& picture,
+void check_live(const LibrarySnapshot& library, const std::string& folder, const cv::Mat& image,
                 unsigned seed, Outcome& outcome) {
   SearchConfig config;
   config.threads = 1 + static_cast<int>(seed % 8 / 7);
   nodelets::LiveMatcher matcher(config, folder);
-  Watcher watcher(matcher, picture, seed % 4 < 2);
+  Watcher watcher(matcher, image, seed % 4 < 2);
   const Looks before = watcher.look();
-  check_searched(library, before, picture.size(), outcome);
+  check_searched(library, before, image.size(), outcome);
   if (!holds(before.found, fuzz::kSound)) fail("the sound object is not found");
-  if (seed % 16 == 0) matcher.score_map(picture);
+  if (seed % 16 == 0) matcher.score_map(image);
   take_away(folder, seed % 2 == 0);
   // A mutant more, too, that was not there when the search began.
   fuzz::make_mutants(folder, seed + 1);
@@ -189,7 +189,7 @@ void bound_memory_and_time() {
   ::alarm(10 * kPatience);  // where it waits for ever
 }
 
-Outcome outcome_of(const std::string& folder, const std::string& picture_path, unsigned seed) {
+Outcome outcome_of(const std::string& folder, const std::string& image_path, unsigned seed) {
   Outcome outcome;
   try {
     bound_memory_and_time();
@@ -204,9 +204,9 @@ Outcome outcome_of(const std::string& folder, const std::string& picture_path, u
     } catch (const FileError&) {  // the quarantine is no folder
     }
     if (snapshot->find(fuzz::kSound) == nullptr) fail("the sound object is lost");
-    check_find(*snapshot, folder, picture_path,
+    check_find(*snapshot, folder, image_path,
                seed % 8 == 0 ? Names{"--set", "scale_range=0.05"} : Names{});
-    check_live(*snapshot, folder, cli::read_picture(picture_path), seed, outcome);
+    check_live(*snapshot, folder, cli::read_image(image_path), seed, outcome);
   } catch (const std::exception& error) {
     outcome.fault = error.what();
   }
@@ -214,13 +214,13 @@ Outcome outcome_of(const std::string& folder, const std::string& picture_path, u
 }
 
 /// In a child, which leaves its outcome in a pipe: counts, then the fault.
-Outcome run(const std::string& picture_path, unsigned seed) {
+Outcome run(const std::string& image_path, unsigned seed) {
   const test::TemporaryFolder folder;
   int ends[2];
   if (::pipe(ends) != 0) fail("no pipe");
   const pid_t child = ::fork();
   if (child == 0) {
-    const Outcome outcome = outcome_of(folder.path(), picture_path, seed);
+    const Outcome outcome = outcome_of(folder.path(), image_path, seed);
     std::ostringstream text;
     for (const int count : outcome.counts) text << count << ' ';
     text << outcome.fault.substr(0, 2000);
@@ -251,13 +251,13 @@ Outcome run(const std::string& picture_path, unsigned seed) {
 }
 
 /// The sound object on plain ground.
-cv::Mat picture_of_sound(const std::string& folder) {
+cv::Mat image_of_sound(const std::string& folder) {
   fuzz::make_mutated_library(folder, 0);
   const auto sound = ObjectLibrary(folder).load()->find(fuzz::kSound);
   const View& view = sound->views.front();
-  cv::Mat picture(fuzz::kPictureHeight, fuzz::kPictureWidth, CV_8UC3, cv::Scalar(90, 100, 110));
-  view.template_image.copyTo(picture(cv::Rect({30, 20}, view.map.size())));
-  return picture;
+  cv::Mat image(fuzz::kImageHeight, fuzz::kImageWidth, CV_8UC3, cv::Scalar(90, 100, 110));
+  view.template_image.copyTo(image(cv::Rect({30, 20}, view.map.size())));
+  return image;
 }
 
 }  // namespace
@@ -272,12 +272,12 @@ int main(int argc, char** argv) {
   ::mallopt(M_ARENA_MAX, 1);
   cv::setNumThreads(1);
   const test::TemporaryFolder sound;
-  const test::TemporaryFolder pictures;
-  cli::write_picture(pictures / "picture.png", picture_of_sound(sound.path()));
+  const test::TemporaryFolder images;
+  cli::write_image(images / "image.png", image_of_sound(sound.path()));
   Outcome total;
   std::map<std::string, int> faults;
   for (int seed = first; seed < first + count; ++seed) {
-    const Outcome outcome = run(pictures / "picture.png", static_cast<unsigned>(seed));
+    const Outcome outcome = run(images / "image.png", static_cast<unsigned>(seed));
     for (std::size_t i = 0; i < total.counts.size(); ++i) total.counts[i] += outcome.counts[i];
     if ((seed - first + 1) % 1000 == 0) std::cout << seed - first + 1 << " done" << std::endl;
     if (outcome.fault.empty()) continue;

@@ -11,9 +11,9 @@
 
 #include "library/object_yaml.hpp"
 #include "library/png_codec.hpp"
+#include "mbncc/image_limits.hpp"
 #include "mbncc/library/object_file.hpp"
 #include "mbncc/library/object_library.hpp"
-#include "mbncc/picture_limits.hpp"
 #include "support/searched_map.hpp"
 
 namespace mbncc::fuzz {
@@ -65,8 +65,8 @@ class Mutator {
                                 random_())
                     ->views.front();
     const int limits = any(8);
-    if (limits < 5) fit_into_picture(view);
-    if (limits == 6) view.picture_size = {PictureLimits::kMostSide, 3900};
+    if (limits < 5) fit_into_image(view);
+    if (limits == 6) view.image_size = {ImageLimits::kMostSide, 3900};
     if (any(8) == 0) view.reference = far_reference();
     return view;
   }
@@ -132,12 +132,12 @@ class Mutator {
     return size;
   }
 
-  static void fit_into_picture(View& view) {
-    const cv::Size picture(kPictureWidth, kPictureHeight);
-    if (view.map.cols > picture.width || view.map.rows > picture.height) return;
-    view.picture_size = picture;
-    view.origin.x = std::min(view.origin.x, picture.width - view.map.cols);
-    view.origin.y = std::min(view.origin.y, picture.height - view.map.rows);
+  static void fit_into_image(View& view) {
+    const cv::Size image(kImageWidth, kImageHeight);
+    if (view.map.cols > image.width || view.map.rows > image.height) return;
+    view.image_size = image;
+    view.origin.x = std::min(view.origin.x, image.width - view.map.cols);
+    view.origin.y = std::min(view.origin.y, image.height - view.map.rows);
   }
 
   Pose2D far_reference() {
@@ -288,7 +288,7 @@ void make_mutated_library(const std::string& folder, unsigned seed) {
                                test::Border::kNone, 4, 20, 7);
   sound->name = sound->label = kSound;
   View& view = sound->views.front();
-  view.picture_size = {kPictureWidth, kPictureHeight};
+  view.image_size = {kImageWidth, kImageHeight};
   cv::GaussianBlur(view.template_image, view.template_image, {}, 2);
   view.template_image = 4 * (view.template_image - cv::Scalar::all(104));
   view.template_image.setTo(cv::Scalar(90, 100, 110), view.map == 0);

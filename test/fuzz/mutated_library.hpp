@@ -9,8 +9,8 @@ namespace mbncc::fuzz {
 /// One object of every such library is sound.
 constexpr const char* kSound = "victim";
 
-/// [px] of the picture that it is learned in.
-constexpr int kPictureWidth = 80, kPictureHeight = 60;
+/// [px] of the image that it is learned in.
+constexpr int kImageWidth = 80, kImageHeight = 60;
 
 /// Fills the empty folder with the sound object and one or two mutated files or folders, all by the
 /// seed.

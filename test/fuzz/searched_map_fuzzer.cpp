@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Objects of any map, learned and looked for anywhere in small pictures: whatever a library's file
+// Objects of any map, learned and looked for anywhere in small images: whatever a library's file
 // may hold is searched for.
 #include "fuzz/fuzzer.hpp"
 #include "support/searched_map.hpp"
@@ -9,7 +9,7 @@ using namespace mbncc;
 namespace {
 
 int side_from(fuzz::Pieces& pieces) {
-  // Mostly small, sometimes as long as pictures are.
+  // Mostly small, sometimes as long as images are.
   const int low = pieces.byte(), high = pieces.byte();
   return high < 200 ? 1 + low % 48 : 1 + (low | (high - 200) << 8);
 }
@@ -50,6 +50,6 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const cv::Size shown(width, 16 + pieces.byte() % 96);
   const auto model = test::object_of(map_from(pieces), learned, margin, room, 1);
   if (model->views.front().map.cols == 1) fuzz::planted_bug(size);
-  test::check_search(config, model, test::picture_of(model->views.front(), shown, seen, 1));
+  test::check_search(config, model, test::image_of(model->views.front(), shown, seen, 1));
   return 0;
 }

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Light, camera shift and noise between two pictures of one scene.
-#include "learning/change/align_pictures.hpp"
+// Light, camera shift and noise between two images of one scene.
+#include "learning/change/align_images.hpp"
 
 #include <gtest/gtest.h>
 
 #include "learning/change/camera_shift.hpp"
 #include "learning/change/photometric_fit.hpp"
+#include "learning/images.hpp"
 #include "learning/likelihood/noise_model.hpp"
 #include "learning/likelihood/normalized_difference.hpp"
-#include "learning/pictures.hpp"
 
 namespace mbncc {
 namespace {
@@ -20,9 +20,9 @@ cv::Mat all_of(cv::Size size) {
   return cv::Mat(size, CV_8UC1, cv::Scalar(255));
 }
 
-cv::Mat floats(const cv::Mat& picture) {
+cv::Mat floats(const cv::Mat& image) {
   cv::Mat values;
-  picture.convertTo(values, CV_32F);
+  image.convertTo(values, CV_32F);
   return values;
 }
 
@@ -88,12 +88,12 @@ TEST(CameraShift, LongerThanAllowedIsLeftAlone) {
             cv::Point2d());
 }
 
-TEST(AlignPictures, RingNeverCountsTheRegionOrAMovedNeighbour) {
+TEST(AlignImages, RingNeverCountsTheRegionOrAMovedNeighbour) {
   const test::DrawnLesson drawn = test::draw_lesson({120, 100}, {320, 240});
   cv::Mat before = drawn.lesson.before.clone();
   const cv::Rect neighbour(200, 110, 20, 20);
   before(neighbour).setTo(cv::Scalar(20, 20, 20));
-  const change::AlignedPair pair = change::align_pictures(
+  const change::AlignedPair pair = change::align_images(
       before, drawn.lesson.after, drawn.lesson.region, cv::Mat::zeros(before.size(), CV_8UC1), 8);
   const auto trusted_in = [&](const cv::Rect& rect) {
     const cv::Rect inside = (rect - pair.window.tl()) & cv::Rect({0, 0}, pair.window.size());
@@ -104,7 +104,7 @@ TEST(AlignPictures, RingNeverCountsTheRegionOrAMovedNeighbour) {
   EXPECT_GT(cv::countNonZero(pair.trusted), 0.3 * pair.window.area());
 }
 
-TEST(NoiseModel, LearnsTheNoiseOfBothPictures) {
+TEST(NoiseModel, LearnsTheNoiseOfBothImages) {
   for (const double sigma : {1.5, 4.0}) {
     const cv::Mat scene(kSize, CV_32FC3, kTable);
     change::AlignedPair pair;
@@ -123,7 +123,7 @@ TEST(NoiseModel, EdgesMayDifferMore) {
   pair.after = test::texture(kSize, kTable, 40, 3, 1.5);
   pair.before = change::undo_shift(pair.after, {0.25, 0.1});
   pair.trusted = all_of(kSize);
-  const cv::Mat variance = likelihood::learn_noise(pair).variance_picture(pair.after);
+  const cv::Mat variance = likelihood::learn_noise(pair).variance_image(pair.after);
   double low = 0, high = 0;
   cv::minMaxLoc(variance.reshape(1), &low, &high);
   EXPECT_GT(high, 3 * low);
@@ -144,7 +144,7 @@ TEST(NoiseModel, KnowsWhichWayTheNoiseGoes) {
   pair.trusted = all_of(kSize);
   const likelihood::NoiseModel noise = likelihood::learn_noise(pair);
   EXPECT_GT(noise.correlation(0, 1), 0.7);
-  const cv::Mat variance = noise.variance_picture(pair.after);
+  const cv::Mat variance = noise.variance_image(pair.after);
   const auto distance = [&](const cv::Scalar& change) {
     const cv::Mat changed = pair.after + change;
     return cv::mean(

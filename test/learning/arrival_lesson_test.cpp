@@ -21,7 +21,7 @@ class Arrival : public testing::TestWithParam<int> {
     return config;
   }
 
-  cv::Mat picture() {
+  cv::Mat image() {
     while (!script_.at_rest()) script_.step();
     return scene_.render(script_.frame().placed, frame_++);
   }
@@ -36,19 +36,19 @@ class Arrival : public testing::TestWithParam<int> {
 
 TEST_P(Arrival, WhatWasPutDownIsNotLearned) {
   script_.take_away();
-  lesson_.before = picture();
+  lesson_.before = image();
   script_.put_next();
-  lesson_.after = picture();
+  lesson_.after = image();
   const LearnResult result = learn_object(lesson_);
   EXPECT_EQ(result.error, LearnError::kNoChange);
   EXPECT_FALSE(result.has_model);
 }
 
 TEST_P(Arrival, AnObjectPutAsideIsLearnedWhereItLay) {
-  lesson_.before = picture();
+  lesson_.before = image();
   const cv::Mat truth = true_map();
   script_.put_next();
-  lesson_.after = picture();
+  lesson_.after = image();
   const LearnResult result = learn_object(lesson_);
   ASSERT_TRUE(result.has_model) << result.message;
   const cv::Mat map = full_size_map(result.object.views.front());

@@ -14,12 +14,12 @@ class ArrivalsTest : public testing::Test {
  protected:
   cv::Mat arrivals(const std::vector<cv::Rect>& before, const std::vector<cv::Rect>& after,
                    const cv::Mat& changed) const {
-    return change::find_arrivals(test::picture_with(before, 11), test::picture_with(after, 12),
-                                 changed, platform_);
+    return change::find_arrivals(test::image_with(before, 11), test::image_with(after, 12), changed,
+                                 platform_);
   }
 
   const change::ColourMixture platform_ = change::ColourMixture::fit(
-      test::picture_with({}, 13), cv::Mat(test::kPlatformSize, CV_8UC1, cv::Scalar(255)));
+      test::image_with({}, 13), cv::Mat(test::kPlatformSize, CV_8UC1, cv::Scalar(255)));
 };
 
 TEST_F(ArrivalsTest, WhatCameIsToldFromWhatLeft) {
@@ -62,9 +62,9 @@ TEST_F(ArrivalsTest, ArrivalsAreChangedPixelsAlone) {
 
 TEST_F(ArrivalsTest, DeparturesAreWhatLeft) {
   const auto bytes = [this](const std::vector<cv::Rect>& places, int seed) {
-    cv::Mat picture8;
-    test::picture_with(places, seed).convertTo(picture8, CV_8U);
-    return picture8;
+    cv::Mat image8;
+    test::image_with(places, seed).convertTo(image8, CV_8U);
+    return image8;
   };
   const auto left = [&](const std::vector<cv::Rect>& before, const std::vector<cv::Rect>& after) {
     return cv::countNonZero(

@@ -4,7 +4,7 @@
 
 #include <limits>
 
-#include "learning/pictures.hpp"
+#include "learning/images.hpp"
 #include "mbncc/learning/learn_object.hpp"
 
 namespace mbncc {
@@ -38,7 +38,7 @@ TEST(Click, OneOfTwoNeighboursThatLeft) {
   EXPECT_GT(iou(map_of(learn_object(drawn.lesson)), drawn.truth), 0.9);
 }
 
-// The cloth under the object moved meanwhile, but for the picture's border.
+// The cloth under the object moved meanwhile, but for the image's border.
 TEST(Click, OnAPlatformThatChangedAsWell) {
   const cv::Size size(320, 240);
   const auto drawn = draw_lesson({160, 120}, size);
@@ -68,7 +68,7 @@ TEST(Click, FarFromAllChangeIsRefused) {
   EXPECT_EQ(learn_object(drawn.lesson).error, LearnError::kNoChange);
 }
 
-TEST(Click, FindsAPlainlyVisibleObjectInOnePicture) {
+TEST(Click, FindsAPlainlyVisibleObjectInOneImage) {
   auto drawn = draw_lesson();
   drawn.lesson.after = cv::Mat();
   drawn.lesson.region = {};
@@ -80,7 +80,7 @@ TEST(Click, FindsAPlainlyVisibleObjectInOnePicture) {
 }
 
 // A click does not tell whether the disc is meant or the plate below it.
-TEST(Click, InOnePictureTheMapOfFewSquaresIsUnstable) {
+TEST(Click, InOneImageTheMapOfFewSquaresIsUnstable) {
   Lesson lesson;
   lesson.name = "object";
   cv::Mat scene = test::texture({320, 240}, cv::Scalar(105, 115, 120), 4, 1);
@@ -104,14 +104,14 @@ TEST(Click, OutsideTheRegionIsRefused) {
   }
 }
 
-TEST(Click, InARegionOfOnePictureTheRegionTellsTheSize) {
+TEST(Click, InARegionOfOneImageTheRegionTellsTheSize) {
   auto drawn = draw_lesson({160, 120}, {320, 240});
   drawn.lesson.after = cv::Mat();
   drawn.lesson.click = cv::Point2d(155, 120);
   EXPECT_GT(iou(map_of(learn_object(drawn.lesson)), drawn.truth), 0.8);
 }
 
-TEST(Click, OutsideThePictureIsRefused) {
+TEST(Click, OutsideTheImageIsRefused) {
   auto drawn = draw_lesson();
   drawn.lesson.click = cv::Point2d(-1, 20);
   EXPECT_EQ(learn_object(drawn.lesson).error, LearnError::kRegionInvalid);

@@ -4,7 +4,7 @@
 
 #include "learning/change/arrival_test.hpp"
 #include "learning/change/colour_mixture.hpp"
-#include "learning/pictures.hpp"
+#include "learning/images.hpp"
 #include "learning/segmentation/clean_map.hpp"
 #include "learning/segmentation/graph_cut.hpp"
 #include "learning/segmentation/half_smoothness.hpp"
@@ -139,32 +139,32 @@ TEST(GraphCut, ATiltedCutIsTheCutOfTheTiltedPreferences) {
 
 TEST(ColourMixture, PrefersItsOwnColours) {
   const cv::Size size(60, 60);
-  cv::Mat picture = test::texture(size, cv::Scalar(40, 60, 200), 5, 1);
+  cv::Mat image = test::texture(size, cv::Scalar(40, 60, 200), 5, 1);
   test::texture(size, cv::Scalar(200, 60, 40), 5, 2)(cv::Rect(0, 0, 30, 60))
-      .copyTo(picture(cv::Rect(0, 0, 30, 60)));
+      .copyTo(image(cv::Rect(0, 0, 30, 60)));
   const change::ColourMixture mixture =
-      change::ColourMixture::fit(picture, cv::Mat(size, CV_8UC1, cv::Scalar(255)));
+      change::ColourMixture::fit(image, cv::Mat(size, CV_8UC1, cv::Scalar(255)));
   const float between = mixture.density({120, 60, 120});
   EXPECT_GT(mixture.density({40, 60, 200}), 100 * between);
   EXPECT_GT(mixture.density({200, 60, 40}), 100 * between);
 }
 
-TEST(ColourMixture, GivesPicturesTheDensitiesOfTheirPixels) {
+TEST(ColourMixture, GivesImagesTheDensitiesOfTheirPixels) {
   const cv::Size size(40, 30);
-  const cv::Mat picture = test::texture(size, cv::Scalar(40, 60, 200), 30, 1);
+  const cv::Mat image = test::texture(size, cv::Scalar(40, 60, 200), 30, 1);
   const change::ColourMixture mixture =
-      change::ColourMixture::fit(picture, cv::Mat(size, CV_8UC1, cv::Scalar(255)));
-  const cv::Mat densities = mixture.densities(picture);
+      change::ColourMixture::fit(image, cv::Mat(size, CV_8UC1, cv::Scalar(255)));
+  const cv::Mat densities = mixture.densities(image);
   for (const cv::Point at : {cv::Point(0, 0), cv::Point(39, 29), cv::Point(17, 4)}) {
-    const float density = mixture.density(picture.at<cv::Vec3f>(at));
+    const float density = mixture.density(image.at<cv::Vec3f>(at));
     EXPECT_NEAR(densities.at<float>(at), density, 1e-4 * density);
   }
 }
 
 TEST(ColourMixture, OfTooFewPixelsIsEmpty) {
-  const cv::Mat picture(10, 10, CV_32FC3, cv::Scalar(1, 2, 3));
+  const cv::Mat image(10, 10, CV_32FC3, cv::Scalar(1, 2, 3));
   const change::ColourMixture mixture =
-      change::ColourMixture::fit(picture, cv::Mat::zeros(10, 10, CV_8UC1));
+      change::ColourMixture::fit(image, cv::Mat::zeros(10, 10, CV_8UC1));
   EXPECT_TRUE(mixture.empty());
   EXPECT_EQ(mixture.density({1, 2, 3}), 0);
 }

@@ -6,7 +6,7 @@
 
 #include <limits>
 
-#include "learning/pictures.hpp"
+#include "learning/images.hpp"
 
 namespace mbncc {
 namespace {
@@ -43,7 +43,7 @@ TEST(LearnErrors, ImageMismatch) {
   EXPECT_EQ(error_for(lesson), LearnError::kImageMismatch);
 }
 
-TEST(LearnErrors, ChangeCutNeedsAPictureAfter) {
+TEST(LearnErrors, ChangeCutNeedsAnImageAfter) {
   DrawnLesson drawn = draw_lesson();
   drawn.lesson.after = cv::Mat();
   LearningConfig config;
@@ -136,7 +136,7 @@ TEST(LearnErrors, WhatWasGivenIsNamedWithItsRemedy) {
   lesson = drawn.lesson;
   lesson.click = cv::Point2d(-1, 5);
   EXPECT_EQ(told(lesson),
-            "The click does not lie in the picture. Give a point inside the picture "
+            "The click does not lie in the image. Give a point inside the image "
             "of " +
                 size + " px.");
   lesson = drawn.lesson;
@@ -145,7 +145,7 @@ TEST(LearnErrors, WhatWasGivenIsNamedWithItsRemedy) {
   lesson.region = {{0, 0}, lesson.before.size()};
   EXPECT_EQ(learn_object(lesson).error, LearnError::kSuccess) << "the change shows the object";
   lesson.after = cv::Mat();
-  EXPECT_EQ(told(lesson), "The region is the whole picture. Draw it close around the object.");
+  EXPECT_EQ(told(lesson), "The region is the whole image. Draw it close around the object.");
 }
 
 TEST(LearnErrors, ARegionInsideTheObjectIsTold) {
@@ -167,7 +167,7 @@ TEST(LearnErrors, AClickOnThePlatformIsToldFromAnObjectAtTheBorder) {
   drawn.lesson.after = cv::Mat();
   const LearnResult result = learn_object(drawn.lesson);
   ASSERT_EQ(result.error, LearnError::kTouchesBorder);
-  EXPECT_EQ(result.message, "What was clicked reaches the picture's border.");
+  EXPECT_EQ(result.message, "What was clicked reaches the image's border.");
 }
 
 TEST(LearnErrors, TouchesBorder) {
@@ -185,7 +185,7 @@ TEST(LearnErrors, ARegionThatReachesOutIsToldFromAnObjectAtTheBorder) {
   drawn.lesson.region = {-40, 40, 130, 130};
   const LearnResult result = learn_object(drawn.lesson);
   EXPECT_EQ(result.error, LearnError::kRegionInvalid);
-  EXPECT_NE(result.message.find("reaches out of the picture"), std::string::npos);
+  EXPECT_NE(result.message.find("reaches out of the image"), std::string::npos);
 }
 
 TEST(LearnErrors, TooSmall) {

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "learning/pictures.hpp"
+#include "learning/images.hpp"
 
 namespace mbncc {
 namespace {
@@ -16,7 +16,7 @@ TEST(LearnObject, ReportsStagesInOrderWithRisingProgress) {
   const DrawnLesson drawn = draw_lesson();
   Stage last_stage = Stage::kRegion;
   double last_progress = 0;
-  int pictures = 0;
+  int images = 0;
   learn_object(drawn.lesson, {}, {},
                [&](Stage stage, double progress, const std::string& message, const cv::Mat& step) {
                  EXPECT_GE(stage, last_stage);
@@ -24,7 +24,7 @@ TEST(LearnObject, ReportsStagesInOrderWithRisingProgress) {
                  EXPECT_FALSE(message.empty());
                  if (!step.empty()) {
                    EXPECT_EQ(step.type(), CV_8UC3);
-                   ++pictures;
+                   ++images;
                  }
                  last_stage = stage;
                  last_progress = progress;
@@ -32,7 +32,7 @@ TEST(LearnObject, ReportsStagesInOrderWithRisingProgress) {
                });
   EXPECT_EQ(last_stage, Stage::kQuality);
   EXPECT_EQ(last_progress, 1);
-  EXPECT_GE(pictures, 3);
+  EXPECT_GE(images, 3);
 }
 
 TEST(LearnObject, CanBeCancelledAtEveryStep) {

@@ -5,9 +5,9 @@
 
 #include <opencv2/imgproc.hpp>
 
+#include "learning/images.hpp"
 #include "learning/likelihood/predicted_platform.hpp"
 #include "learning/likelihood/rim_preference.hpp"
-#include "learning/pictures.hpp"
 #include "learning/teaching/segmenter.hpp"
 #include "mbncc/learning/change_cut.hpp"
 
@@ -25,26 +25,26 @@ cv::Mat truth() {
 
 // A table whose light falls off to the right and downwards.
 cv::Mat table() {
-  cv::Mat picture(kSize, CV_32FC3);
+  cv::Mat image(kSize, CV_32FC3);
   for (int y = 0; y < kSize.height; ++y)
     for (int x = 0; x < kSize.width; ++x) {
       const float light = 200 - x / 3.F - y * y / 400.F;
-      picture.at<cv::Vec3f>(y, x) = cv::Vec3f(light - 20, light, light + 20);
+      image.at<cv::Vec3f>(y, x) = cv::Vec3f(light - 20, light, light + 20);
     }
-  return picture;
+  return image;
 }
 
 cv::Mat scene(const cv::Scalar& colour) {
-  cv::Mat picture = table();
-  picture(kObject).setTo(colour);
-  cv::GaussianBlur(picture, picture, {}, 0.8);
-  return test::exposed(picture, 3);
+  cv::Mat image = table();
+  image(kObject).setTo(colour);
+  cv::GaussianBlur(image, image, {}, 0.8);
+  return test::exposed(image, 3);
 }
 
 TEST(PredictedPlatform, FollowsTheLightAndLeavesNeighboursOut) {
-  cv::Mat picture = scene({40, 40, 200});
-  picture(cv::Rect(48, 60, 6, 40)).setTo(cv::Scalar(10, 200, 10));
-  const change::AlignedPair pair = likelihood::predict_platform(picture, kRegion);
+  cv::Mat image = scene({40, 40, 200});
+  image(cv::Rect(48, 60, 6, 40)).setTo(cv::Scalar(10, 200, 10));
+  const change::AlignedPair pair = likelihood::predict_platform(image, kRegion);
   cv::Mat wanted, difference;
   table()(pair.window).convertTo(wanted, CV_32F);
   cv::absdiff(pair.after, wanted, difference);
@@ -75,9 +75,9 @@ TEST(RegionCut, OfAnEmptyTableIsEmpty) {
 }
 
 TEST(RegionCut, WithoutARingThereIsStillAnAnswer) {
-  const cv::Mat picture = scene({40, 40, 200});
-  const ChangeCut cut = region_cut(picture, {0, 0, kSize.width, kSize.height}, 2);
-  EXPECT_EQ(cut.map.size(), picture.size());
+  const cv::Mat image = scene({40, 40, 200});
+  const ChangeCut cut = region_cut(image, {0, 0, kSize.width, kSize.height}, 2);
+  EXPECT_EQ(cut.map.size(), image.size());
 }
 
 // A rim pixel belongs to the side whose colour makes up more of it.
@@ -108,34 +108,34 @@ TEST(RimPreference, TellsNothingBetweenEqualSidesOrOfAThirdColour) {
 
 // On squares of two colours, side in px.
 cv::Mat scene_on_squares(int side) {
-  cv::Mat picture = table();
+  cv::Mat image = table();
   for (int y = 0; y < kSize.height; y += side)
     for (int x = 0; x < kSize.width; x += side)
       if ((x / side + y / side) % 2 == 1)
-        picture(cv::Rect(x, y, side, side) & cv::Rect({0, 0}, kSize)).setTo(cv::Scalar(50, 70, 60));
-  picture(kObject).setTo(cv::Scalar(40, 40, 200));
-  cv::GaussianBlur(picture, picture, {}, 0.8);
-  return test::exposed(picture, 5);
+        image(cv::Rect(x, y, side, side) & cv::Rect({0, 0}, kSize)).setTo(cv::Scalar(50, 70, 60));
+  image(kObject).setTo(cv::Scalar(40, 40, 200));
+  cv::GaussianBlur(image, image, {}, 0.8);
+  return test::exposed(image, 5);
 }
 
-// The default method on one picture.
-teaching::Segmentation cut_of(const cv::Mat& picture, const cv::Rect& region) {
+// The default method on one image.
+teaching::Segmentation cut_of(const cv::Mat& image, const cv::Rect& region) {
   const StageObserver silent;
   teaching::LessonProgress progress(silent);
   teaching::SegmentationTask task;
-  task.before = picture;
+  task.before = image;
   task.region = region;
   return teaching::segmenter_of("auto", false)(task, {}, progress);
 }
 
-TEST(OnePicture, TheCutWithTheClearerOutlineIsTaken) {
+TEST(OneImage, TheCutWithTheClearerOutlineIsTaken) {
   const teaching::Segmentation small = cut_of(scene_on_squares(20), kRegion);
   EXPECT_GT(test::iou(small.map, truth()), 0.95) << "GrabCut takes squares for the object";
   const teaching::Segmentation large = cut_of(scene_on_squares(60), {62, 52, 66, 56});
   EXPECT_GT(test::iou(large.map, truth()), 0.85) << "the region cut takes a square for the object";
 }
 
-TEST(OnePicture, AMapIsAsStableAsTheTwoCutsAgree) {
+TEST(OneImage, AMapIsAsStableAsTheTwoCutsAgree) {
   const teaching::Segmentation plain = cut_of(scene({40, 40, 200}), kRegion);
   EXPECT_GT(plain.evidence->stability, 0.9);
   EXPECT_FALSE(plain.evidence->verified);

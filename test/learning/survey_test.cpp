@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Measures of a survey of two pictures, and the limits that end a lesson.
+// Measures of a survey of two images, and the limits that end a lesson.
 #include <gtest/gtest.h>
 
-#include "learning/pictures.hpp"
+#include "learning/images.hpp"
 #include "learning/teaching/lesson_checks.hpp"
 #include "learning/teaching/lesson_progress.hpp"
 #include "mbncc/learning/change.hpp"

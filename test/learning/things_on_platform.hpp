@@ -1,18 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Pictures of a drawn platform with plain things on it.
+// Images of a drawn platform with plain things on it.
 #pragma once
 
 #include <opencv2/core.hpp>
 #include <vector>
 
-#include "learning/pictures.hpp"
+#include "learning/images.hpp"
 
 namespace mbncc::test {
 
 const cv::Size kPlatformSize(160, 120);  // [px]
 
-/// CV_32FC3 picture of the platform with something plain on `places`.
-inline cv::Mat picture_with(const std::vector<cv::Rect>& places, int seed) {
+/// CV_32FC3 image of the platform with something plain on `places`.
+inline cv::Mat image_with(const std::vector<cv::Rect>& places, int seed) {
   cv::Mat radiance = texture(kPlatformSize, cv::Scalar(105, 115, 120), 8, 1), values;
   for (const auto& place : places) radiance(place).setTo(cv::Scalar(40, 60, 190));
   exposed(radiance, seed).convertTo(values, CV_32F);

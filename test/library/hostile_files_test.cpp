@@ -88,7 +88,7 @@ std::string sound_description() {
   View view;
   view.template_image = cv::Mat::zeros(6, 5, CV_8UC3);
   view.map = cv::Mat(6, 5, CV_8UC1, cv::Scalar(255));
-  view.picture_size = {640, 480};
+  view.image_size = {640, 480};
   ObjectModel model;
   model.name = model.label = "wrench";
   model.views = {view};
@@ -176,7 +176,7 @@ TEST(HostileFiles, ADeclaredSymmetryIsOptionalAndChecked) {
   }
 }
 
-TEST(HostileFiles, PicturesOfOtherKindsAreRefused) {
+TEST(HostileFiles, ImagesOfOtherKindsAreRefused) {
   const std::string text = sound_description();
   EXPECT_TRUE(
       is_refused(library::encode_png(cv::Mat(6, 5, CV_8UC4, cv::Scalar::all(255)), "other", text)));
@@ -257,7 +257,7 @@ TEST(HostileFiles, BombsStayWithinTheMemoryBound) {
   EXPECT_TRUE(is_refused_within_memory_bound(claiming_size(60000, 60000)));
   EXPECT_TRUE(is_refused_within_memory_bound(claiming_size(8192, 1024)));
   EXPECT_TRUE(is_refused_within_memory_bound(claiming_size(0, 10)));
-  // The largest accepted picture, all transparent: no object, but some kilobytes claim 32 MB.
+  // The largest accepted image, all transparent: no object, but some kilobytes claim 32 MB.
   std::string text = sound_description();
   text.replace(text.find("[0, 0, 5, 6]"), 12, "[0, 0, 2896, 2896]");
   text.replace(text.find("[640, 480]"), 10, "[3000, 3000]");

@@ -99,7 +99,7 @@ TEST(LibraryProcesses, KillsAtRandomMomentsLoseNothing) {
 TEST(LibraryProcesses, ReadersWithoutWritePermissionLoad) {
   TemporaryFolder folder;
   ObjectLibrary(folder.path()).save(random_model(1), Existing::kRefuse);
-  std::ofstream(folder / "broken.png") << "not a picture";
+  std::ofstream(folder / "broken.png") << "not an image";
   ::chmod(folder.path().c_str(), 0555);
   const pid_t child = in_process([&folder] {
     if (::geteuid() == 0 && ::setuid(kNobody) != 0) return false;  // root may write everywhere

@@ -31,7 +31,7 @@ YAML::Node sound() {
   View view;
   view.template_image = cv::Mat::zeros(kHeight, kWidth, CV_8UC3);
   view.map = cv::Mat(kHeight, kWidth, CV_8UC1, cv::Scalar(255));
-  view.picture_size = {640, 480};
+  view.image_size = {640, 480};
   model.views = {view, view};
   return YAML::Load(
       library::write_description(model, {{0, 0, kWidth, kHeight}, {0, kHeight, kWidth, kHeight}}));
@@ -186,7 +186,7 @@ TEST(LyingDescriptions, WhatIsNeededIsThere) {
   for (const char* key : {"position", "orientation"}) expect_refused_without({"grasp", key});
 }
 
-TEST(LyingDescriptions, ViewsLieInThePictureAndInTheirLessons) {
+TEST(LyingDescriptions, ViewsLieInTheImageAndInTheirLessons) {
   for (const char* lie : {"[0, 0, 5, 5]", "[0, 0, 5, 7]", "[0, 0, 6, 6]", "[0, 0, 4, 0]",
                           "[0, 0, 0, 6]", "[1, 0, 4, 6]", "[0, 1, 5, 6]", "[0, 6, 5, 6]",
                           "[0, 0, 5, -6]", "[0, 0, 5, 1000000]", "[0, 0, 1000000, 6]"})

@@ -27,7 +27,7 @@ inline View random_view(std::mt19937& random, int largest_side = 60) {
   view.map *= 255;
   view.map.at<std::uint8_t>(0, 0) = 255;
   view.origin = {between(0, 500), between(0, 400)};
-  view.picture_size = cv::Size(view.origin) + size + cv::Size(between(0, 50), between(0, 50));
+  view.image_size = cv::Size(view.origin) + size + cv::Size(between(0, 50), between(0, 50));
   std::normal_distribution<double> normal(0, 100);
   view.reference = {normal(random), normal(random), normal(random) / 100};
   return view;
@@ -77,7 +77,7 @@ inline void expect_equal(const View& a, const View& b) {
   EXPECT_TRUE(same_pixels(a.template_image, b.template_image));
   EXPECT_TRUE(same_pixels(a.map, b.map));
   EXPECT_EQ(a.origin, b.origin);
-  EXPECT_EQ(a.picture_size, b.picture_size);
+  EXPECT_EQ(a.image_size, b.image_size);
   EXPECT_EQ(a.reference.x, b.reference.x);
   EXPECT_EQ(a.reference.y, b.reference.y);
   EXPECT_EQ(a.reference.theta, b.reference.theta);

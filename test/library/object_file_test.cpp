@@ -52,7 +52,7 @@ TEST(ObjectFile, RefusesMorePixelsThanItWouldRead) {
   View large;
   large.template_image = cv::Mat::zeros(3000, 3000, CV_8UC3);
   large.map = cv::Mat(3000, 3000, CV_8UC1, cv::Scalar(255));
-  large.picture_size = {3000, 3000};
+  large.image_size = {3000, 3000};
   model.views = {large};
   EXPECT_THROW(encode_object(model), std::invalid_argument);
 }

@@ -160,7 +160,7 @@ TEST(ObjectLibrary, ForeignFilesInTheTrashBlockNoName) {
   // Of 32 bits the largest number, the largest that a file may have, and one beyond both.
   std::filesystem::create_directory(folder / ".trash");
   for (const char* revision : {"4294967295", "2000000000", "99999999999"})
-    std::ofstream(folder / (".trash/wrench." + std::string(revision) + ".png")) << "no picture";
+    std::ofstream(folder / (".trash/wrench." + std::string(revision) + ".png")) << "no image";
   EXPECT_EQ(library.save(random_model(2), Existing::kReplace).revision, 2u);
   EXPECT_EQ(library.save(random_model(3), Existing::kReplace).revision, 3u);
   EXPECT_EQ(library.load()->find("wrench")->revision, 3u);
@@ -189,7 +189,7 @@ TEST(ObjectLibrary, ALinkInThePlaceOfTheTrashIsNotFollowed) {
   EXPECT_TRUE(refused([&] { library.remove("wrench"); }));
   EXPECT_TRUE(refused([&] { library.restore("wrench"); }));
   EXPECT_TRUE(refused([&] { library.quarantine(); }));
-  std::ofstream(folder / "broken.png") << "no picture";
+  std::ofstream(folder / "broken.png") << "no image";
   const auto snapshot = library.load();
   expect_equal(*snapshot->find("wrench"), random_model(1));
   ASSERT_EQ(snapshot->quarantined.size(), 1u);

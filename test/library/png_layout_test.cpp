@@ -86,10 +86,10 @@ TEST_F(PngLayout, TheFileAsItIsIsTaken) {
   EXPECT_EQ(fault_of(file_of(chunks())), "");
 }
 
-TEST_F(PngLayout, NothingFollowsThePicture) {
+TEST_F(PngLayout, NothingFollowsTheImage) {
   Bytes bytes = file_of(chunks());
   bytes.push_back(0);
-  expect_refused(bytes, "bytes after the picture's end");
+  expect_refused(bytes, "bytes after the image's end");
 }
 
 TEST_F(PngLayout, OneDescriptionAndNoMore) {
@@ -126,7 +126,7 @@ TEST_F(PngLayout, PixelsAreRgbaOfEightBitsWithoutInterlacing) {
                                   std::pair(kColourType, 0), std::pair(kInterlace, 1)}) {
     auto all = chunks();
     chunk(all, "IHDR").data[at] = static_cast<std::uint8_t>(value);
-    expect_refused(file_of(all), "not an 8-bit RGBA picture without interlacing");
+    expect_refused(file_of(all), "not an 8-bit RGBA image without interlacing");
   }
 }
 

@@ -25,7 +25,7 @@ TEST(ObjectLibrary, UnreadableFilesAreQuarantinedAndTheRestLoads) {
   TemporaryFolder folder;
   ObjectLibrary library(folder.path());
   library.save(random_model(1), Existing::kRefuse);
-  std::ofstream(folder / "broken.png") << "not a picture";
+  std::ofstream(folder / "broken.png") << "not an image";
   std::ofstream(folder / "notes.txt") << "not the library's concern";
   const auto snapshot = library.load();
   ASSERT_EQ(snapshot->objects.size(), 1u);
@@ -82,11 +82,11 @@ TEST(ObjectLibrary, FilesOfANewerFormatAreReportedAndLeftAlone) {
 }
 
 std::vector<std::uint8_t> photograph() {
-  const cv::Mat picture(40, 60, CV_8UC4, cv::Scalar::all(200));
-  return library::encode_png(picture, "Software", "a camera");
+  const cv::Mat image(40, 60, CV_8UC4, cv::Scalar::all(200));
+  return library::encode_png(image, "Software", "a camera");
 }
 
-TEST(ObjectLibrary, PicturesThatAreNoObjectsStayInPlace) {
+TEST(ObjectLibrary, ImagesThatAreNoObjectsStayInPlace) {
   TemporaryFolder folder;
   ObjectLibrary library(folder.path());
   library.save(random_model(1), Existing::kRefuse);
@@ -96,15 +96,14 @@ TEST(ObjectLibrary, PicturesThatAreNoObjectsStayInPlace) {
     const auto snapshot = library.load();
     EXPECT_EQ(snapshot->objects.size(), 1u);
     EXPECT_TRUE(snapshot->quarantined.empty());
-    EXPECT_EQ(snapshot->other_pictures,
-              (std::vector<std::string>{"IMG 1.edited.png", "photo.png"}));
+    EXPECT_EQ(snapshot->other_images, (std::vector<std::string>{"IMG 1.edited.png", "photo.png"}));
   }
   EXPECT_TRUE(library.quarantine().empty());
   EXPECT_FALSE(library.changed_on_disk());
   EXPECT_EQ(library::read_regular_file(folder / "photo.png", photo.size()).bytes, photo);
 }
 
-TEST(ObjectLibrary, APictureThatIsNoObjectIsNeitherReplacedNorMovedByItsName) {
+TEST(ObjectLibrary, AnImageThatIsNoObjectIsNeitherReplacedNorMovedByItsName) {
   TemporaryFolder folder;
   ObjectLibrary library(folder.path());
   library.save(random_model(1, "nut"), Existing::kRefuse);
@@ -118,7 +117,7 @@ TEST(ObjectLibrary, APictureThatIsNoObjectIsNeitherReplacedNorMovedByItsName) {
   EXPECT_EQ(library::read_regular_file(folder / "wrench.png", photo.size()).bytes, photo);
 }
 
-TEST(ObjectLibrary, DamagedPicturesAndDamagedObjectsAreQuarantined) {
+TEST(ObjectLibrary, DamagedImagesAndDamagedObjectsAreQuarantined) {
   TemporaryFolder folder;
   ObjectLibrary library(folder.path());
   auto cut = photograph(), flipped = photograph(), object = encode_object(random_model(1));
@@ -128,18 +127,18 @@ TEST(ObjectLibrary, DamagedPicturesAndDamagedObjectsAreQuarantined) {
   write(folder / "cut.png", cut);
   write(folder / "flipped.png", flipped);
   write(folder / "object.png", object);
-  // Sound as a picture, but what it says of an object is wrong.
+  // Sound as an image, but what it says of an object is wrong.
   write(folder / "claim.png",
         library::encode_png(cv::Mat(9, 9, CV_8UC4, cv::Scalar::all(9)), "mbncc", "format: 1"));
   const auto snapshot = library.load();
-  EXPECT_TRUE(snapshot->other_pictures.empty());
+  EXPECT_TRUE(snapshot->other_images.empty());
   EXPECT_EQ(library.quarantine().size(), 4u);
 }
 
 TEST(ObjectLibrary, ReplacingAnUnreadableFileQuarantinesIt) {
   TemporaryFolder folder;
   ObjectLibrary library(folder.path());
-  std::ofstream(folder / "wrench.png") << "not a picture";
+  std::ofstream(folder / "wrench.png") << "not an image";
   library.save(random_model(1), Existing::kReplace);
   expect_equal(*library.load()->find("wrench"), random_model(1));
   EXPECT_EQ(library.quarantine().size(), 1u);

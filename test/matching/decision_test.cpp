@@ -6,7 +6,7 @@
 
 #include "matching/decision/margins.hpp"
 #include "matching/decision/selection.hpp"
-#include "matching/pictures.hpp"
+#include "matching/images.hpp"
 #include "matching/prepared/prepared_object.hpp"
 
 namespace mbncc {
@@ -14,7 +14,7 @@ namespace {
 
 class DecisionTest : public ::testing::Test {
  protected:
-  const test::LearningPicture source_{1};
+  const test::LearningImage source_{1};
   const prepared::PreparedObject object_{test::object_from(source_, {58, 60, 0}),
                                          prepared::Engine::kFast};
   const prepared::PreparedObject other_{test::object_from(source_, {58, 60, 0}, "other"),
@@ -52,7 +52,7 @@ class DecisionTest : public ::testing::Test {
     return select(detections, config_, min_score, max_instances);
   }
 
-  /// Of the only detection of a picture.
+  /// Of the only detection of an image.
   Match match_of(const decision::Detection& detection) const {
     return select({detection}).matches.at(0);
   }
@@ -118,7 +118,7 @@ TEST_F(DecisionTest, AnOutlineThatLiesBetterElsewhereIsNotGrasped) {
   EXPECT_FALSE(at(0.06).graspable);
 }
 
-TEST_F(DecisionTest, MostOfTheObjectHasToBeInThePicture) {
+TEST_F(DecisionTest, MostOfTheObjectHasToBeInTheImage) {
   const auto seen = [&](double part) {
     return match_of(changed([&](decision::Detection& d) { d.visible = part; })).graspable;
   };

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "matching/scene/scene_picture.hpp"
+#include "matching/scene/scene_image.hpp"
 #include "matching/template/candidate.hpp"
 #include "matching/template/map_footprint.hpp"
 #include "mbncc/matching/similarity.hpp"
@@ -46,12 +46,12 @@ std::vector<templates::Candidate> without_overlaps(const std::vector<templates::
 
 }  // namespace
 
-std::vector<Match> find_exhaustively(const ObjectModel& object, const cv::Mat& picture,
+std::vector<Match> find_exhaustively(const ObjectModel& object, const cv::Mat& image,
                                      const ExhaustiveSettings& settings) {
   validate(object);
   const View& view = object.views.front();
-  const cv::Mat searched = scene::grey_picture(picture);
-  const cv::Mat learned = scene::grey_picture(view.template_image);
+  const cv::Mat searched = scene::grey_image(image);
+  const cv::Mat learned = scene::grey_image(view.template_image);
   const cv::Point2d anchor = excircle(view.map).centre;
   const templates::MapFootprint shape(view.map, anchor);
   const auto poses = all_poses(masked_template(learned, view.map, anchor), searched, settings);

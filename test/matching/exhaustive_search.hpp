@@ -14,7 +14,7 @@ struct ExhaustiveSettings {
   double min_similarity = 0.5;        ///< [-1..1] of a detection
   double angle_step = to_radians(3);  ///< [rad]
   int position_step = 1;              ///< [px]
-  double min_visible = 0.5;           ///< [0..1] part of the map inside the picture
+  double min_visible = 0.5;           ///< [0..1] part of the map inside the image
   int max_instances = 10;
   double max_overlap = 0.25;  ///< [0..1] of two maps, as part of the smaller
 };
@@ -22,7 +22,7 @@ struct ExhaustiveSettings {
 /// Detections of the object's first view, most similar first; score is the similarity. Poses are
 /// grid points: off by up to half a step. Fields that need evidence keep their defaults. Throws as
 /// Matcher does.
-std::vector<Match> find_exhaustively(const ObjectModel& object, const cv::Mat& picture,
+std::vector<Match> find_exhaustively(const ObjectModel& object, const cv::Mat& image,
                                      const ExhaustiveSettings& settings = {});
 
 }  // namespace mbncc

@@ -7,7 +7,7 @@
 #include <ostream>
 
 #include "imaging/pyramid.hpp"
-#include "matching/pictures.hpp"
+#include "matching/images.hpp"
 #include "mbncc/matching/polar_search.hpp"
 
 namespace mbncc {
@@ -32,7 +32,7 @@ void PrintTo(const Case& one, std::ostream* out) {
 
 class AgainstExhaustive : public ::testing::TestWithParam<Case> {
  protected:
-  const test::LearningPicture source_{GetParam().seed, small_map()};
+  const test::LearningImage source_{GetParam().seed, small_map()};
   const Pose2D reference_{27, 31, 0.3};
   const std::shared_ptr<ObjectModel> object_ = test::object_from(source_, reference_);
   const Pose2D truth_ = GetParam().truth;
@@ -87,8 +87,8 @@ INSTANTIATE_TEST_SUITE_P(Scenes, AgainstExhaustive,
                                            Case{22, {45.7, 28.1, -2.2}}, Case{23, {44, 36, 3.1}},
                                            Case{24, {33.3, 25.5, 1.6}}));
 
-TEST(ExhaustiveSearch, FlatPicturesHoldNothing) {
-  const test::LearningPicture source(31, small_map());
+TEST(ExhaustiveSearch, FlatImagesHoldNothing) {
+  const test::LearningImage source(31, small_map());
   const auto object = test::object_from(source, {27, 31, 0});
   ExhaustiveSettings settings;
   settings.angle_step = to_radians(30);
@@ -97,11 +97,11 @@ TEST(ExhaustiveSearch, FlatPicturesHoldNothing) {
 }
 
 TEST(PolarSearch, EveryRegionFindsTheLessonAgain) {
-  const test::LearningPicture source(32);
+  const test::LearningImage source(32);
   const auto object = test::object_from(source, {58, 60, 0});
   const View& view = object->views.front();
   cv::Mat grey;
-  cv::cvtColor(source.picture, grey, cv::COLOR_BGR2GRAY);
+  cv::cvtColor(source.image, grey, cv::COLOR_BGR2GRAY);
   for (const PolarRegion region :
        {PolarRegion::kMap, PolarRegion::kIncircle, PolarRegion::kExcircle}) {
     const PolarSearch search(view, region);

@@ -13,7 +13,7 @@ using Outcome = Explanation::Outcome;
 class ExplanationTest : public test::MatcherTest {
  protected:
   Explanation at(cv::Point2d place, const SearchConfig& config = {}) {
-    return explain_place({object_}, config, picture_, place).at(0);
+    return explain_place({object_}, config, image_, place).at(0);
   }
 
   static bool says(const Explanation& explanation, const std::string& text) {
@@ -25,7 +25,7 @@ class ExplanationTest : public test::MatcherTest {
 
   const std::shared_ptr<const ObjectModel> object_ = test::object_from(source_, reference_);
   const Pose2D truth_{150, 110, 0.7};
-  const cv::Mat picture_ = scene();
+  const cv::Mat image_ = scene();
 
  private:
   cv::Mat scene() const {
@@ -37,7 +37,7 @@ class ExplanationTest : public test::MatcherTest {
 
 TEST_F(ExplanationTest, OfWhatIsFoundIsTheMatchItself) {
   Matcher matcher = matcher_of({object_});
-  const auto found = matcher.find(picture_).matches;
+  const auto found = matcher.find(image_).matches;
   ASSERT_EQ(found.size(), 1u);
   const Explanation explanation = at(truth_.position());
   EXPECT_EQ(explanation.outcome, found[0].graspable ? Outcome::kGraspable : Outcome::kReported);
@@ -93,9 +93,9 @@ TEST_F(ExplanationTest, ASumOfItsParts) {
   EXPECT_NEAR(explanation.score, 1 / (1 + std::exp(-odds.total())), 1e-9);
 }
 
-TEST_F(ExplanationTest, OfAGreyPictureIsInGrey) {
+TEST_F(ExplanationTest, OfAGreyImageIsInGrey) {
   cv::Mat grey;
-  cv::cvtColor(picture_, grey, cv::COLOR_BGR2GRAY);
+  cv::cvtColor(image_, grey, cv::COLOR_BGR2GRAY);
   const auto explanation = explain_place({object_}, {}, grey, truth_.position()).at(0);
   EXPECT_LT(explanation.odds.colour, 2);
   EXPECT_NEAR(explanation.odds.rotations(), 0, 1e-9);
@@ -104,7 +104,7 @@ TEST_F(ExplanationTest, OfAGreyPictureIsInGrey) {
 TEST_F(ExplanationTest, IsOfTheSizeSeen) {
   constexpr double kScale = 1.05;
   cv::Mat larger;
-  cv::resize(picture_, larger, {}, kScale, kScale, cv::INTER_CUBIC);
+  cv::resize(image_, larger, {}, kScale, kScale, cv::INTER_CUBIC);
   const cv::Point2d there = kScale * truth_.position();
   const auto explanation = explain_place({object_}, {}, larger, there).at(0);
   EXPECT_NEAR(explanation.scale, kScale, 0.01);
@@ -114,7 +114,7 @@ TEST_F(ExplanationTest, IsOfTheSizeSeen) {
 TEST_F(ExplanationTest, NamesLightOfAnotherColour) {
   const cv::Scalar gains(0.85, 1, 1.2);
   cv::Mat redder;
-  cv::multiply(picture_, gains, redder);
+  cv::multiply(image_, gains, redder);
   const auto explanation = explain_place({object_}, {}, redder, truth_.position()).at(0);
   const auto cast = std::find_if(explanation.parts.begin(), explanation.parts.end(),
                                  [](const auto& part) { return part.name == "cast of the light"; });
@@ -125,7 +125,7 @@ TEST_F(ExplanationTest, NamesLightOfAnotherColour) {
 TEST_F(ExplanationTest, TheBetterObjectTakesThePlace) {
   auto twin = std::make_shared<ObjectModel>(*object_);
   twin->name = "twin";
-  const auto explanations = explain_place({object_, twin}, {}, picture_, truth_.position());
+  const auto explanations = explain_place({object_, twin}, {}, image_, truth_.position());
   ASSERT_EQ(explanations.size(), 2u);
   const bool covered = explanations[1].covered_by == explanations[0].name;
   const bool rivals = !explanations[0].competitors.empty();
@@ -135,19 +135,19 @@ TEST_F(ExplanationTest, TheBetterObjectTakesThePlace) {
 TEST_F(ExplanationTest, RefusesWhatCannotBeExplained) {
   EXPECT_THROW(at({-1, 5}), std::invalid_argument);
   EXPECT_THROW(at({1e6, 5}), std::invalid_argument);
-  EXPECT_THROW(explain_place({object_}, {}, picture_, {5, 5}, {"unknown"}), std::invalid_argument);
+  EXPECT_THROW(explain_place({object_}, {}, image_, {5, 5}, {"unknown"}), std::invalid_argument);
   auto disabled = std::make_shared<ObjectModel>(*object_);
   disabled->enabled = false;
-  EXPECT_THROW(explain_place({disabled}, {}, picture_, {5, 5}, {disabled->name}),
+  EXPECT_THROW(explain_place({disabled}, {}, image_, {5, 5}, {disabled->name}),
                std::invalid_argument);
-  EXPECT_TRUE(explain_place({disabled}, {}, picture_, {5, 5}).empty());
+  EXPECT_TRUE(explain_place({disabled}, {}, image_, {5, 5}).empty());
 }
 
 TEST_F(ExplanationTest, IsDrawn) {
-  const auto explanations = explain_place({object_}, {}, picture_, truth_.position());
-  const cv::Mat drawn = draw_explanation(picture_, truth_.position(), explanations);
-  EXPECT_EQ(drawn.size(), picture_.size());
-  EXPECT_GT(cv::norm(drawn, picture_, cv::NORM_INF), 0);
+  const auto explanations = explain_place({object_}, {}, image_, truth_.position());
+  const cv::Mat drawn = draw_explanation(image_, truth_.position(), explanations);
+  EXPECT_EQ(drawn.size(), image_.size());
+  EXPECT_GT(cv::norm(drawn, image_, cv::NORM_INF), 0);
 }
 
 }  // namespace

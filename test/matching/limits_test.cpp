@@ -2,13 +2,13 @@
 // Limits of a search: time, thresholds set at run time, and very narrow objects.
 #include <gtest/gtest.h>
 
-#include "matching/pictures.hpp"
+#include "matching/images.hpp"
 #include "mbncc/matching/matcher.hpp"
 
 namespace mbncc {
 namespace {
 
-using test::LearningPicture;
+using test::LearningImage;
 using test::object_from;
 using test::place;
 using test::texture;
@@ -27,7 +27,7 @@ class Limits : public ::testing::Test {
     place(scene_, sources_[0], kReference.position(), {230.3, 130.4, -1.7});
   }
 
-  std::vector<LearningPicture> sources_;
+  std::vector<LearningImage> sources_;
   std::vector<std::shared_ptr<const ObjectModel>> models_;
   cv::Mat scene_;
 };
@@ -60,7 +60,7 @@ TEST_F(Limits, NarrowObjectsAreFoundUnderNoiseAndInAnotherLight) {
   cv::Mat map = cv::Mat::zeros(120, 120, CV_8UC1);
   map(cv::Rect(35, 25, 5, 70)) = 255;
   map(cv::Rect(35, 90, 52, 5)) = 255;
-  const LearningPicture strip(7, map);
+  const LearningImage strip(7, map);
   const Pose2D reference{50, 75, 0};
   Matcher matcher;
   matcher.set_objects({object_from(strip, reference)});

@@ -6,7 +6,7 @@
 namespace mbncc {
 namespace {
 
-using test::LearningPicture;
+using test::LearningImage;
 using test::object_from;
 using test::place;
 using test::texture;
@@ -16,9 +16,9 @@ using ManyObjects = test::MatcherTest;
 TEST_F(ManyObjects, ThreadsDoNotChangeTheResult) {
   std::vector<std::shared_ptr<const ObjectModel>> objects;
   for (int k = 0; k < 5; ++k)
-    objects.push_back(object_from(LearningPicture(k), reference_, "object" + std::to_string(k)));
+    objects.push_back(object_from(LearningImage(k), reference_, "object" + std::to_string(k)));
   cv::Mat scene = texture({320, 240}, 67, 4);
-  place(scene, LearningPicture(3), reference_.position(), {120, 100, 2});
+  place(scene, LearningImage(3), reference_.position(), {120, 100, 2});
   SearchConfig config;
   const SearchResult alone = matcher_of(objects, config).find(scene);
   config.threads = 3;
@@ -34,11 +34,11 @@ TEST_F(ManyObjects, ThreadsDoNotChangeTheResult) {
 TEST_F(ManyObjects, AnObjectAmongManyIsFoundWhereItIsFoundAlone) {
   std::vector<std::shared_ptr<const ObjectModel>> objects;
   for (int k = 0; k < 6; ++k)
-    objects.push_back(object_from(LearningPicture(k), reference_, "object" + std::to_string(k)));
+    objects.push_back(object_from(LearningImage(k), reference_, "object" + std::to_string(k)));
   for (int k = 0; k < 6; ++k) {
     const Pose2D truth{120, 100, 0.9 * k};
     cv::Mat scene = texture({320, 240}, 71 + static_cast<unsigned>(k), 4);
-    place(scene, LearningPicture(k), reference_.position(), truth);
+    place(scene, LearningImage(k), reference_.position(), truth);
     const SearchResult all = matcher_of(objects).find(scene);
     const SearchResult alone = matcher_of({objects[static_cast<std::size_t>(k)]}).find(scene);
     ASSERT_EQ(alone.matches.size(), 1u);
@@ -52,10 +52,10 @@ TEST_F(ManyObjects, AnObjectAmongManyIsFoundWhereItIsFoundAlone) {
 TEST_F(ManyObjects, ManyObjectsAreFoundInLightOfAnotherColour) {
   std::vector<std::shared_ptr<const ObjectModel>> objects;
   for (int k = 0; k < 6; ++k)
-    objects.push_back(object_from(LearningPicture(k), reference_, "object" + std::to_string(k)));
+    objects.push_back(object_from(LearningImage(k), reference_, "object" + std::to_string(k)));
   cv::Mat scene = texture({480, 240}, 72, 4);
   for (int k = 0; k < 3; ++k)
-    place(scene, LearningPicture(k), reference_.position(), {90.0 + 150 * k, 120, 1.1 * k});
+    place(scene, LearningImage(k), reference_.position(), {90.0 + 150 * k, 120, 1.1 * k});
   cv::multiply(scene, cv::Scalar(0.85, 1, 1.15), scene);
   EXPECT_EQ(matcher_of(objects).find(scene).matches.size(), 3u);
 }
@@ -64,7 +64,7 @@ TEST_F(ManyObjects, LookAlikesAreAmbiguousAmongMany) {
   std::vector<std::shared_ptr<const ObjectModel>> objects{
       object_from(source_, reference_, "twin"), object_from(source_, reference_, "other")};
   for (int k = 2; k < 6; ++k)
-    objects.push_back(object_from(LearningPicture(k), reference_, "object" + std::to_string(k)));
+    objects.push_back(object_from(LearningImage(k), reference_, "object" + std::to_string(k)));
   cv::Mat scene = texture({320, 240}, 73, 4);
   place(scene, source_, reference_.position(), {160, 120, 0.9});
   const SearchResult result = matcher_of(objects).find(scene);
@@ -78,7 +78,7 @@ TEST_F(ManyObjects, AShortTimeBudgetSkipsObjectsByName) {
   config.time_budget = 1e-9;
   std::vector<std::shared_ptr<const ObjectModel>> objects;
   for (int k = 0; k < 6; ++k)
-    objects.push_back(object_from(LearningPicture(k), reference_, "object" + std::to_string(k)));
+    objects.push_back(object_from(LearningImage(k), reference_, "object" + std::to_string(k)));
   const SearchResult result = matcher_of(objects, config).find(texture({320, 240}, 74, 4));
   EXPECT_TRUE(result.budget_exceeded);
   EXPECT_EQ(result.searched, std::vector<std::string>{"object0"});

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Maps of every shape, including thin and long ones that fill their crop or touch a picture's
+// Maps of every shape, including thin and long ones that fill their crop or touch an image's
 // border: every valid library file must be searched without a fault.
 #include <gtest/gtest.h>
 
@@ -37,8 +37,8 @@ void check(const Case& one, const SearchConfig& config = {}) {
   const int longer = std::max(one.size.width, one.size.height);
   const int room = std::min(one.size.area() % 40, (kLongest - longer) / 2 - one.margin);
   const auto model = object_of(map_of(one.shape, one.size, 3), one.learned, one.margin, room, 5);
-  const cv::Mat picture = picture_of(model->views.front(), {97, 66}, one.seen, 7);
-  EXPECT_NO_THROW(check_search(config, model, picture));
+  const cv::Mat image = image_of(model->views.front(), {97, 66}, one.seen, 7);
+  EXPECT_NO_THROW(check_search(config, model, image));
 }
 
 TEST(MapShapes, LinesThatFillTheirCrop) {
@@ -88,15 +88,15 @@ TEST(MapShapes, AnObjectThatCannotBePreparedIsSkippedWithAReason) {
   matcher.set_objects({large, small});
   EXPECT_EQ(matcher.objects().size(), 1u);
   ASSERT_EQ(matcher.unsearchable().count("object"), 1u);
-  const cv::Mat picture = picture_of(small->views.front(), {97, 66}, Border::kNone, 7);
-  const SearchResult result = matcher.find(picture);
+  const cv::Mat image = image_of(small->views.front(), {97, 66}, Border::kNone, 7);
+  const SearchResult result = matcher.find(image);
   EXPECT_EQ(result.searched, std::vector<std::string>{"small"});
   ASSERT_EQ(result.skipped.size(), 1u);
   EXPECT_EQ(result.skipped.front().rfind("object: cannot be searched for: it is too large", 0), 0u)
       << result.skipped.front();
   SearchRequest request;
   request.names = {"object"};
-  EXPECT_EQ(matcher.find(picture, request).skipped, result.skipped);
+  EXPECT_EQ(matcher.find(image, request).skipped, result.skipped);
 }
 
 }  // namespace

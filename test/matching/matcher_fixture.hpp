@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "matching/pictures.hpp"
+#include "matching/images.hpp"
 #include "mbncc/matching/matcher.hpp"
 
 namespace mbncc::test {
@@ -18,7 +18,7 @@ inline constexpr double kAngleTolerance = to_radians(0.5);  // [rad]
 
 class MatcherTest : public ::testing::Test {
  protected:
-  const LearningPicture source_{1};
+  const LearningImage source_{1};
   const Pose2D reference_{58, 60, 0};
 
   Matcher matcher_of(std::vector<std::shared_ptr<const ObjectModel>> objects,

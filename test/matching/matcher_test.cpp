@@ -12,7 +12,7 @@
 namespace mbncc {
 namespace {
 
-using test::LearningPicture;
+using test::LearningImage;
 using test::MatcherTest;
 using test::object_from;
 using test::place;
@@ -117,7 +117,7 @@ TEST_F(MatcherTest, WhatWasNotReportedIsARival) {
 }
 
 TEST_F(MatcherTest, TellsObjectsApart) {
-  const LearningPicture other(2);
+  const LearningImage other(2);
   const Matcher matcher = matcher_of(
       {object_from(source_, reference_, "first"), object_from(other, reference_, "second")});
   cv::Mat scene = texture({320, 240}, 62, 4);
@@ -253,16 +253,16 @@ TEST_F(MatcherTest, FindsNothingWhereThereIsNothing) {
   const Matcher matcher = this->matcher();
   cv::Mat noise(240, 320, CV_8UC3);
   cv::RNG(5).fill(noise, cv::RNG::UNIFORM, 0, 256);
-  const std::vector<cv::Mat> pictures{cv::Mat::zeros(240, 320, CV_8UC3),
-                                      cv::Mat(240, 320, CV_8UC3, cv::Scalar(90, 120, 130)),
-                                      noise,
-                                      texture({320, 240}, 65, 4),
-                                      cv::Mat::zeros(16, 16, CV_8UC1),
-                                      texture({17, 33}, 66)};
-  for (const auto& picture : pictures) EXPECT_TRUE(matcher.find(picture).matches.empty());
+  const std::vector<cv::Mat> images{cv::Mat::zeros(240, 320, CV_8UC3),
+                                    cv::Mat(240, 320, CV_8UC3, cv::Scalar(90, 120, 130)),
+                                    noise,
+                                    texture({320, 240}, 65, 4),
+                                    cv::Mat::zeros(16, 16, CV_8UC1),
+                                    texture({17, 33}, 66)};
+  for (const auto& image : images) EXPECT_TRUE(matcher.find(image).matches.empty());
 }
 
-TEST_F(MatcherTest, RefusesPicturesItCannotSearch) {
+TEST_F(MatcherTest, RefusesImagesItCannotSearch) {
   const Matcher matcher = this->matcher();
   EXPECT_THROW(matcher.find(cv::Mat()), std::invalid_argument);
   EXPECT_THROW(matcher.find(cv::Mat::zeros(15, 64, CV_8UC3)), std::invalid_argument);
@@ -273,7 +273,7 @@ TEST_F(MatcherTest, SeveralViewsGiveOnePoseWithoutRivalsAtEveryRotation) {
   const auto view_at = [&](const Pose2D& pose, unsigned seed) {
     cv::Mat scene = texture({240, 240}, seed, 4), map = cv::Mat::zeros(240, 240, CV_8UC1);
     place(scene, source_, reference_.position(), pose);
-    LearningPicture white = source_;
+    LearningImage white = source_;
     white.surface = cv::Mat(white.map.size(), CV_8UC1, cv::Scalar(255));
     place(map, white, reference_.position(), pose);
     return crop_view(scene, map, pose);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The sample of a surface in a simulated picture.
+// The sample of a surface in a simulated image.
 #pragma once
 
 #include <algorithm>
@@ -9,7 +9,7 @@
 
 namespace mbncc::test {
 
-/// All of it, where `light` turns the template's colour at x, y [px] into the picture's.
+/// All of it, where `light` turns the template's colour at x, y [px] into the image's.
 template <class Light>
 templates::SurfaceSample sample_of(const templates::SurfaceTemplate& surface, const Light& light) {
   templates::SurfaceSample sample;

@@ -18,7 +18,7 @@ class VerificationTest : public test::MatcherTest {
   const prepared::PreparedView& view_ = object_.views.front();
   const Pose2D truth_{170, 120, 0.8};
 
-  static cv::Mat scene_with(const test::LearningPicture& source, const Pose2D& pose) {
+  static cv::Mat scene_with(const test::LearningImage& source, const Pose2D& pose) {
     cv::Mat scene = test::texture({320, 240}, 77, 5);
     test::place(scene, source, {58, 60}, pose);
     return scene;
@@ -30,7 +30,7 @@ class VerificationTest : public test::MatcherTest {
   }
 
   /// The best detection for a pose hypothesis of the anchor.
-  decision::Detection judged(const scene::ScenePicture& scene, const Pose2D& anchor,
+  decision::Detection judged(const scene::SceneImage& scene, const Pose2D& anchor,
                              double odds) const {
     search::PoseHypothesis hypothesis = search::score_as_is(view_, scene, anchor);
     hypothesis.odds = odds;
@@ -40,7 +40,7 @@ class VerificationTest : public test::MatcherTest {
 };
 
 TEST_F(VerificationTest, NothingSpeaksAgainstTheTruth) {
-  const scene::ScenePicture scene(scene_with(source_, truth_), object_.top_level());
+  const scene::SceneImage scene(scene_with(source_, truth_), object_.top_level());
   const decision::Detection found = judged(scene, anchor_at(truth_), 12);
   EXPECT_LT(found.colour_difference, 0.1);
   EXPECT_FALSE(found.size_alternative);
@@ -58,7 +58,7 @@ TEST_F(VerificationTest, NothingSpeaksAgainstTheTruth) {
 }
 
 TEST_F(VerificationTest, OfWhatIsUnlikelyNothingIsKnown) {
-  const scene::ScenePicture scene(scene_with(source_, truth_), object_.top_level());
+  const scene::SceneImage scene(scene_with(source_, truth_), object_.top_level());
   const decision::Detection found = judged(scene, anchor_at(truth_), -3);
   EXPECT_GE(found.covariance(0, 0), 1e4);
   EXPECT_GE(found.covariance(1, 1), 1e4);
@@ -70,7 +70,7 @@ TEST_F(VerificationTest, AnotherSizeIsTold) {
   for (const double size : {0.92, 1.08}) {
     cv::Mat resized;
     cv::resize(scene_with(source_, truth_), resized, {}, size, size, cv::INTER_AREA);
-    const scene::ScenePicture scene(resized, object_.top_level());
+    const scene::SceneImage scene(resized, object_.top_level());
     const Pose2D there{(truth_.x + 0.5) * size - 0.5, (truth_.y + 0.5) * size - 0.5, truth_.theta};
     const decision::Detection found = judged(scene, anchor_at(there, size), 1);
     EXPECT_TRUE(found.size_alternative) << size;
@@ -78,7 +78,7 @@ TEST_F(VerificationTest, AnotherSizeIsTold) {
 }
 
 TEST_F(VerificationTest, TheMirrorImageIsToldAndCosts) {
-  const scene::ScenePicture scene(scene_with(test::mirrored(source_), truth_), object_.top_level());
+  const scene::SceneImage scene(scene_with(test::mirrored(source_), truth_), object_.top_level());
   const decision::Detection found = judged(scene, {truth_.x, truth_.y, 0}, 10);
   EXPECT_TRUE(found.mirror_alternative);
   EXPECT_LT(found.colour_difference, 0.15) << "no colour differs";
@@ -91,14 +91,13 @@ TEST_F(VerificationTest, AMirrorImageThatDiffersSlightlyIsTold) {
   map(cv::Rect(10, 25, 100, 70)) = 255;
   cv::fillPoly(map, std::vector<std::vector<cv::Point>>{{{110, 25}, {105, 25}, {110, 30}}},
                cv::Scalar(0));
-  const test::LearningPicture plate(3, map);
-  const test::LearningPicture mirrored = test::mirrored(plate);
+  const test::LearningImage plate(3, map);
+  const test::LearningImage mirrored = test::mirrored(plate);
   const prepared::PreparedObject object(test::object_from(plate, {60, 60, 0}),
                                         prepared::Engine::kFast);
   const prepared::PreparedView& view = object.views.front();
   for (const bool over : {false, true}) {
-    const scene::ScenePicture scene(scene_with(over ? mirrored : plate, truth_),
-                                    object.top_level());
+    const scene::SceneImage scene(scene_with(over ? mirrored : plate, truth_), object.top_level());
     search::PoseHypothesis found =
         search::score_as_is(view, scene, compose(truth_, inverse(view.reference_in_anchor)));
     found.odds = 12;
@@ -110,14 +109,14 @@ TEST_F(VerificationTest, AMirrorImageThatDiffersSlightlyIsTold) {
 TEST_F(VerificationTest, APlainSurfaceDoesNotDriftAlongItsShading) {
   const cv::Point2d spot(50, 75);
   const auto shaded = [&](cv::Point2d bright) {
-    test::LearningPicture plain = source_;
+    test::LearningImage plain = source_;
     for (int y = 0; y < 120; ++y)
       for (int x = 0; x < 120; ++x) {
         const double off = cv::norm(cv::Point2d(x, y) - bright) / 18;
         plain.surface.at<cv::Vec3b>(y, x) =
             cv::Vec3b::all(cv::saturate_cast<uchar>(90 + 80 * std::exp(-off * off)));
       }
-    plain.surface.copyTo(plain.picture, plain.map);
+    plain.surface.copyTo(plain.image, plain.map);
     return plain;
   };
   const prepared::PreparedObject object(test::object_from(shaded(spot), reference_),
@@ -125,7 +124,7 @@ TEST_F(VerificationTest, APlainSurfaceDoesNotDriftAlongItsShading) {
   const prepared::PreparedView& view = object.views.front();
   const Pose2D anchor = compose(truth_, inverse(view.reference_in_anchor));
   for (const cv::Point2d off : {cv::Point2d(8, 0), {0, 8}}) {
-    const scene::ScenePicture scene(scene_with(shaded(spot + off), truth_), object.top_level());
+    const scene::SceneImage scene(scene_with(shaded(spot + off), truth_), object.top_level());
     const search::PoseHypothesis found = search::multistart_align(view, scene, anchor);
     EXPECT_LT(cv::norm(found.pose.position() - anchor.position()), 0.5) << off;
   }
@@ -133,23 +132,23 @@ TEST_F(VerificationTest, APlainSurfaceDoesNotDriftAlongItsShading) {
 
 // Its colours, each of which occurs all over it, are right but in one compact part.
 TEST_F(VerificationTest, APartOfAnotherColourIsTold) {
-  test::LearningPicture chequered = source_;
+  test::LearningImage chequered = source_;
   for (int y = 0; y < 120; y += 6)
     for (int x = y / 6 % 2 * 6; x + 6 <= 120; x += 12)
       chequered.surface(cv::Rect(x, y, 6, 6)) = cv::Scalar(40, 40, 170);
-  chequered.surface.copyTo(chequered.picture, chequered.map);
+  chequered.surface.copyTo(chequered.image, chequered.map);
   const prepared::PreparedObject object(test::object_from(chequered, reference_),
                                         prepared::Engine::kFast);
   const prepared::PreparedView& view = object.views.front();
-  const auto difference_in = [&](const test::LearningPicture& shown) {
-    const scene::ScenePicture scene(scene_with(shown, truth_), object.top_level());
+  const auto difference_in = [&](const test::LearningImage& shown) {
+    const scene::SceneImage scene(scene_with(shown, truth_), object.top_level());
     search::PoseHypothesis hypothesis =
         search::score_as_is(view, scene, compose(truth_, inverse(view.reference_in_anchor)));
     hypothesis.odds = 12;
     return search::verify(object, view, scene, {hypothesis}).at(0).colour_difference;
   };
   EXPECT_LT(difference_in(chequered), 0.1);
-  test::LearningPicture tinted = chequered;
+  test::LearningImage tinted = chequered;
   cv::Mat part = tinted.surface(cv::Rect(35, 25, 24, 30));
   cv::multiply(part, cv::Scalar(0.6, 1, 0.7), part);
   EXPECT_GT(difference_in(tinted), 0.2);

@@ -14,8 +14,8 @@ namespace {
 class SavedMissTest : public test::MatcherTest {
  protected:
   SavedMissTest() {
-    miss_.picture = test::texture({320, 240}, 77, 5);
-    test::place(miss_.picture, source_, reference_.position(), {150, 110, 0.7});
+    miss_.image = test::texture({320, 240}, 77, 5);
+    test::place(miss_.image, source_, reference_.position(), {150, 110, 0.7});
     miss_.place = {150.25, 110};
     miss_.search.min_score = 0.875;
     miss_.objects = {test::object_from(source_, reference_, "part")};
@@ -38,7 +38,7 @@ class SavedMissTest : public test::MatcherTest {
 TEST_F(SavedMissTest, ComesBackAndIsExplainedAlike) {
   write_miss(path(), miss_);
   const SavedMiss read = read_miss(path());
-  EXPECT_EQ(cv::norm(read.picture, miss_.picture, cv::NORM_INF), 0);
+  EXPECT_EQ(cv::norm(read.image, miss_.image, cv::NORM_INF), 0);
   EXPECT_EQ(read.place, miss_.place);
   EXPECT_EQ(read.search.min_score, miss_.search.min_score);
   EXPECT_EQ(read.lines, miss_.lines);
@@ -55,7 +55,7 @@ TEST_F(SavedMissTest, AnotherFileIsRefusedWithItsPath) {
   write_miss(path(), miss_);
   const std::string whole = text();
   for (const std::string& broken :
-       {std::string(), std::string("picture: 7\n"), std::string("%PNG\x01"), whole.substr(0, 3000),
+       {std::string(), std::string("image: 7\n"), std::string("%PNG\x01"), whole.substr(0, 3000),
         "mbncc_miss: 99" + whole.substr(whole.find('\n'))}) {
     rewrite(broken);
     try {

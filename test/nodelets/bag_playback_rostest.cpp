@@ -20,7 +20,7 @@
 
 #include "nodelets/call_service.hpp"
 #include "nodelets/conversion/images.hpp"
-#include "nodelets/drawn_pictures.hpp"
+#include "nodelets/drawn_images.hpp"
 #include "nodelets/spin_until.hpp"
 #include "nodelets/teacher.hpp"
 #include "support/temporary_folder.hpp"
@@ -31,8 +31,8 @@ namespace {
 using mbncc_vision::DetectedObject;
 using mbncc_vision::DetectedObjectArray;
 
-constexpr int kPlaces = 12, kPicturesPerPlace = 8;
-constexpr double kInterval = 0.2;  // [s] between pictures
+constexpr int kPlaces = 12, kImagesPerPlace = 8;
+constexpr double kInterval = 0.2;  // [s] between images
 constexpr double kDistance = 0.5;  // [m]
 const ros::Time kStart(1000);
 
@@ -53,7 +53,7 @@ class BagPlayback : public testing::Test {
         });
   }
 
-  // Random sub-pixel places and angles, well inside the picture.
+  // Random sub-pixel places and angles, well inside the image.
   static std::vector<Pose2D> places() {
     std::mt19937 random(3);
     std::uniform_real_distribution<double> x(70, 330), y(70, 230), theta(-kPi, kPi);
@@ -67,14 +67,14 @@ class BagPlayback : public testing::Test {
     bag.setCompression(rosbag::compression::LZ4);
     std::uint64_t frame = 100;
     for (const auto& place : places()) {
-      for (int i = 0; i < kPicturesPerPlace; ++i, ++frame) {
+      for (int i = 0; i < kImagesPerPlace; ++i, ++frame) {
         std_msgs::Header header;
         header.stamp = kStart + ros::Duration(kInterval * static_cast<double>(frame - 100));
         header.frame_id = "camera";
         truth_[header.stamp] = place;
         bag.write("camera_info", header.stamp, drawn_camera_info(header));
         bag.write("image_raw", header.stamp,
-                  encode_picture(scene_.render({placed_at(place)}, frame), header));
+                  encode_image(scene_.render({placed_at(place)}, frame), header));
       }
     }
   }
@@ -84,8 +84,8 @@ class BagPlayback : public testing::Test {
     EXPECT_TRUE(teacher.connect());
     Teacher::Goal goal;
     goal.name = "part";
-    goal.before = encode_picture(scene_.render({placed_at(learned_at_)}, 1));
-    goal.after = encode_picture(scene_.render({}, 2));
+    goal.before = encode_image(scene_.render({placed_at(learned_at_)}, 1));
+    goal.after = encode_image(scene_.render({}, 2));
     const auto lesson = teacher.teach(goal);
     ASSERT_EQ(lesson.error_code, Teacher::Result::SUCCESS) << lesson.message;
     const auto& reference = lesson.object.reference;
@@ -94,12 +94,12 @@ class BagPlayback : public testing::Test {
 
   bool matching_knows_the_part() {
     mbncc_vision::FindObjects find;
-    find.request.image = encode_picture(scene_.render({placed_at(learned_at_)}, 3));
+    find.request.image = encode_image(scene_.render({placed_at(learned_at_)}, 3));
     return call_service("find_objects", find) && find.response.success &&
            find.response.detections.searched == std::vector<std::string>{"part"};
   }
 
-  // Plays the whole bag until its last picture was searched.
+  // Plays the whole bag until its last image was searched.
   void play(const std::string& path) {
     const std::string command = "rosbag play --clock --quiet --delay 1 " + path + " > /dev/null";
     auto playing = std::async(std::launch::async, [&] { return std::system(command.c_str()); });
@@ -107,12 +107,12 @@ class BagPlayback : public testing::Test {
     EXPECT_TRUE(spin_until([&] { return !arrays_.empty() && arrays_.back()->header.stamp == last; },
                            std::chrono::seconds(120)));
     EXPECT_EQ(playing.get(), 0);
-    // The first pictures may overtake the first calibration.
+    // The first images may overtake the first calibration.
     while (!arrays_.empty() && arrays_.front()->status == DetectedObjectArray::UNCALIBRATED)
       arrays_.erase(arrays_.begin());
   }
 
-  // Position of the taught reference point in the picture of this stamp.
+  // Position of the taught reference point in the image of this stamp.
   Pose2D expected(const ros::Time& stamp) const {
     return compose(compose(truth_.at(stamp), inverse(learned_at_)), reference_);
   }
@@ -157,7 +157,7 @@ class BagPlayback : public testing::Test {
   std::map<ros::Time, const DetectedObject*> confirmed_;
 };
 
-TEST_F(BagPlayback, FindsEveryPoseAndSendsTfOnceAtThePicturesStamp) {
+TEST_F(BagPlayback, FindsEveryPoseAndSendsTfOnceAtTheImagesStamp) {
   const test::TemporaryFolder folder;
   record(folder / "cell.bag");
   teach();
@@ -168,8 +168,8 @@ TEST_F(BagPlayback, FindsEveryPoseAndSendsTfOnceAtThePicturesStamp) {
   std::set<ros::Time> stamps;
   std::set<double> places_found;
   for (const auto& array : arrays_) {
-    ASSERT_EQ(truth_.count(array->header.stamp), 1u) << "a stamp that no picture has";
-    EXPECT_TRUE(stamps.insert(array->header.stamp).second) << "two arrays for a picture";
+    ASSERT_EQ(truth_.count(array->header.stamp), 1u) << "a stamp that no image has";
+    EXPECT_TRUE(stamps.insert(array->header.stamp).second) << "two arrays for an image";
     expect_true(*array);
     if (!array->objects.empty()) places_found.insert(truth_[array->header.stamp].x);
   }

@@ -110,12 +110,12 @@ class CalibratePlatformTest(unittest.TestCase):
         self.assertEqual(camera.size, (640, 480))
         self.assertTrue(np.array_equal(camera.matrix, MATRIX))
 
-    def test_live_pictures_of_16_bits_are_as_bright_as_the_white_level_says(self):
+    def test_live_images_of_16_bits_are_as_bright_as_the_white_level_says(self):
         grey = chessboard()
         deep = np.round(grey * (4095 / 255)).astype(np.uint16)
         for encoding, numbers in (("mono16", deep), ("16UC1", deep), ("mono8", grey)):
-            picture = calibrate_platform.to_bgr(CvBridge().cv2_to_imgmsg(numbers, encoding), 4095)
-            self.assertTrue(np.array_equal(picture, cv2.cvtColor(grey, cv2.COLOR_GRAY2BGR)), encoding)
+            image = calibrate_platform.to_bgr(CvBridge().cv2_to_imgmsg(numbers, encoding), 4095)
+            self.assertTrue(np.array_equal(image, cv2.cvtColor(grey, cv2.COLOR_GRAY2BGR)), encoding)
         with self.assertRaises(calibrate_platform.Fault):
             calibrate_platform.to_bgr(CvBridge().cv2_to_imgmsg(deep, "16UC1"), 0)
 

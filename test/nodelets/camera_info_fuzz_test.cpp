@@ -29,7 +29,7 @@ constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 
 using sensor_msgs::CameraInfo;
 
-/// One message, the picture that it came with, and the platform.
+/// One message, the image that it came with, and the platform.
 struct Case {
   CameraInfo info;
   bool rectified = false;
@@ -46,7 +46,7 @@ bool is(double value, double wanted) {
   return std::abs(value - wanted) <= kTolerance;
 }
 
-/// The pixel of the sensor; none where the picture is not the message's.
+/// The pixel of the sensor; none where the image is not the message's.
 std::optional<cv::Point2d> on_sensor(const Case& c, cv::Point2d pixel) {
   const auto& roi = c.info.roi;
   const bool none = roi.x_offset + roi.y_offset + roi.width + roi.height == 0;
@@ -135,7 +135,7 @@ std::optional<cv::Vec3d> raw_ray(const CameraInfo& info, cv::Point2d pixel) {
   const auto& k = info.K;
   if (!is_possible(k[0], k[4], k[2], k[5], info)) return {};
   if (!is(k[1], 0) || !is(k[3], 0) || !is(k[6], 0) || !is(k[7], 0) || !is(k[8], 1)) return {};
-  // A raw picture's rays are those of the frame only when nothing turns it.
+  // A raw image's rays are those of the frame only when nothing turns it.
   const std::array<double, 9> one{1, 0, 0, 0, 1, 0, 0, 0, 1};
   bool same = true, none = true;
   for (std::size_t i = 0; i < 9; ++i) {

@@ -22,21 +22,21 @@
 namespace mbncc::nodelets {
 namespace {
 
-/// Picture `number` is of this grey all over.
+/// Image `number` is of this grey all over.
 int grey_of(int number) {
   return 20 + 15 * number;
 }
 
-cv::Mat picture_of(int number) {
+cv::Mat image_of(int number) {
   return cv::Mat(48, 64, CV_8UC3, cv::Scalar::all(grey_of(number)));
 }
 
-void write_pictures(const std::string& folder, int count) {
+void write_images(const std::string& folder, int count) {
   std::filesystem::create_directories(folder);
   char name[32];
   for (int i = 0; i < count; ++i) {
     std::snprintf(name, sizeof name, "/%03d.png", i);
-    cv::imwrite(folder + name, picture_of(i));
+    cv::imwrite(folder + name, image_of(i));
   }
 }
 
@@ -84,10 +84,10 @@ class Camera : public testing::Test {
   nodelet::Loader loader_{false};
 };
 
-TEST_F(Camera, PublishesEveryPictureOfAFolderInOrder) {
-  write_pictures(folder_ / "pictures", 12);
-  std::ofstream(folder_ / "pictures/notes.txt") << "not a picture";
-  set("source", folder_ / "pictures");
+TEST_F(Camera, PublishesEveryImageOfAFolderInOrder) {
+  write_images(folder_ / "images", 12);
+  std::ofstream(folder_ / "images/notes.txt") << "not an image";
+  set("source", folder_ / "images");
   set("frame_rate", 50.0);
   set("frame_id", std::string("eye"));
   ASSERT_TRUE(load());
@@ -106,10 +106,10 @@ TEST_F(Camera, PublishesEveryPictureOfAFolderInOrder) {
   EXPECT_EQ(info_->K[0], 0) << "not calibrated";
 }
 
-TEST_F(Camera, LoopsAndSkipsUnreadablePictures) {
-  write_pictures(folder_ / "pictures", 2);
-  std::ofstream(folder_ / "pictures/001a.png") << "rubbish";
-  set("source", folder_ / "pictures");
+TEST_F(Camera, LoopsAndSkipsUnreadableImages) {
+  write_images(folder_ / "images", 2);
+  std::ofstream(folder_ / "images/001a.png") << "rubbish";
+  set("source", folder_ / "images");
   set("frame_rate", 100.0);
   set("loop", true);
   ASSERT_TRUE(load());
@@ -122,7 +122,7 @@ TEST_F(Camera, WaitsForAMissingFolder) {
   set("frame_rate", 50.0);
   ASSERT_TRUE(load());
   ASSERT_TRUE(spin_until([this] { return state_.find("no such folder") != std::string::npos; }));
-  write_pictures(folder_ / "hidden", 5);
+  write_images(folder_ / "hidden", 5);
   std::filesystem::rename(folder_ / "hidden", folder_ / "later");
   ASSERT_TRUE(spin_until([this] { return received_.size() >= 5; }));
   EXPECT_EQ(grey(0), grey_of(0));
@@ -134,7 +134,7 @@ TEST_F(Camera, PlaysAVideo) {
     cv::VideoWriter writer(path, cv::CAP_OPENCV_MJPEG, cv::VideoWriter::fourcc('M', 'J', 'P', 'G'),
                            25, {64, 48});
     ASSERT_TRUE(writer.isOpened());
-    for (int i = 0; i < 8; ++i) writer.write(picture_of(i));
+    for (int i = 0; i < 8; ++i) writer.write(image_of(i));
   }
   set("source", path);
   ASSERT_TRUE(load());
@@ -142,9 +142,9 @@ TEST_F(Camera, PlaysAVideo) {
   for (int i = 0; i < 8; ++i) EXPECT_NEAR(grey(i), grey_of(i), 4);
 }
 
-TEST_F(Camera, WithholdsFrozenPictures) {
-  write_pictures(folder_ / "pictures", 1);
-  set("source", folder_ / "pictures");
+TEST_F(Camera, WithholdsFrozenImages) {
+  write_images(folder_ / "images", 1);
+  set("source", folder_ / "images");
   set("frame_rate", 50.0);
   set("loop", true);
   set("detect_frozen", true);

@@ -60,13 +60,13 @@ TEST(Cells, ShareALibraryAndNothingElse) {
       "left/object_library", 1, [&](const auto& heard) { library = heard; });
   Teacher teacher("left");
   ASSERT_TRUE(teacher.connect());
-  const auto picture =
+  const auto image =
       ros::topic::waitForMessage<sensor_msgs::Image>("left/image_raw", ros::Duration(60));
-  ASSERT_TRUE(picture);
+  ASSERT_TRUE(image);
   Teacher::Goal goal;
   goal.name = "part";
   goal.mode = Teacher::Goal::ROI;
-  goal.before = *picture;
+  goal.before = *image;
   goal.roi.x_offset = 110;
   goal.roi.y_offset = 70;
   goal.roi.width = goal.roi.height = 100;

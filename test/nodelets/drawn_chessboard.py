@@ -19,7 +19,7 @@ def project(points):
 def chessboard():
     """Drawn three times finer, square by square with curved edges, then reduced."""
     fine = 3
-    picture = np.full((480 * fine, 640 * fine), 200, np.uint8)
+    image = np.full((480 * fine, 640 * fine), 200, np.uint8)
     for row in range(-1, ROWS):
         for column in range(-1, COLUMNS):
             if (row + column) % 2:
@@ -29,8 +29,8 @@ def chessboard():
                        [(column + 1 - t, row + 1) for t in side] + [(column, row + 1 - t) for t in side])
             pixels = project([(SQUARE * x, -SQUARE * y, 0) for x, y in outline])
             fixed = np.round(((pixels + 0.5) * fine - 0.5) * 256).astype(np.int32)
-            cv2.fillPoly(picture, [fixed], 30, cv2.LINE_AA, 8)
-    reduced = cv2.resize(picture, (640, 480), interpolation=cv2.INTER_AREA)
+            cv2.fillPoly(image, [fixed], 30, cv2.LINE_AA, 8)
+    reduced = cv2.resize(image, (640, 480), interpolation=cv2.INTER_AREA)
     noise = np.random.default_rng(1).normal(0, 2, reduced.shape)
     return np.clip(reduced + noise, 0, 255).astype(np.uint8)
 

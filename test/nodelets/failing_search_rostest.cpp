@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Searches that end in an exception or do not end, and pictures that cannot be searched:
+// Searches that end in an exception or do not end, and images that cannot be searched:
 // subscribers are informed each time. The test reports the longest delay.
 #include <gtest/gtest.h>
 #include <mbncc_vision/DetectedObjectArray.h>
@@ -32,12 +32,12 @@ using mbncc_vision::DetectedObjectArray;
 
 constexpr int kRounds = 100;
 
-/// Finds one confirmed object in every picture, or fails as configured.
-class InjectedSearch : public PictureSearch {
+/// Finds one confirmed object in every image, or fails as configured.
+class InjectedSearch : public ImageSearch {
  public:
   explicit InjectedSearch(const LiveMatcher& matcher) : matcher_(matcher) {}
 
-  Detections process(const ReceivedPicture& received, const SearchRequest&) override {
+  Detections process(const ReceivedImage& received, const SearchRequest&) override {
     if (const auto instead = injected()) instead();
     Detections detections{{}, matcher_.library()};
     detections.array.header = received.header;
@@ -110,19 +110,19 @@ class FailingSearch : public testing::Test {
     return config;
   }
 
-  /// The stamp of the picture that was handed over.
+  /// The stamp of the image that was handed over.
   ros::Time show(const std::string& encoding = "") {
     std_msgs::Header header;
     header.stamp = std::max(ros::Time::now(), last_stamp_ + ros::Duration(0, 1));
     header.frame_id = "camera";
     last_stamp_ = header.stamp;
-    auto image = encode_picture(cv::Mat(24, 32, CV_8UC3, cv::Scalar::all(90)), header);
+    auto image = encode_image(cv::Mat(24, 32, CV_8UC3, cv::Scalar::all(90)), header);
     if (!encoding.empty()) image.encoding = encoding;
     worker_.put(boost::make_shared<sensor_msgs::Image>(image));
     return header.stamp;
   }
 
-  /// The message about the picture of this stamp.
+  /// The message about the image of this stamp.
   DetectedObjectArray::ConstPtr about(const ros::Time& stamp) {
     DetectedObjectArray::ConstPtr found;
     EXPECT_TRUE(spin_until([&] {
@@ -177,8 +177,8 @@ TEST_F(FailingSearch, EndsInAStatusEveryTime) {
     EXPECT_EQ(array->header.frame_id, "camera");
     EXPECT_TRUE(spin_until([this] { return level() == DiagnosticStatus::ERROR; }));
     EXPECT_EQ(worker_.statistics().failed, static_cast<std::uint64_t>(round + 1));
-    EXPECT_GT(search_.resets(), resets) << "half a picture is forgotten";
-    EXPECT_EQ(placed_.count(failed), 0u) << "no tf of a picture that was not searched";
+    EXPECT_GT(search_.resets(), resets) << "half an image is forgotten";
+    EXPECT_EQ(placed_.count(failed), 0u) << "no tf of an image that was not searched";
     if (HasFailure()) return;
   }
   RecordProperty("longest_until_told_ms", static_cast<int>(1000 * longest));
@@ -195,8 +195,8 @@ TEST_F(FailingSearch, OneThatNeverEndsIsStale) {
   end.set_value();
 }
 
-// Pictures skipped by the rate limit must not hide failed searches.
-TEST_F(FailingSearch, RefusedPicturesAreStaleAtALowRate) {
+// Images skipped by the rate limit must not hide failed searches.
+TEST_F(FailingSearch, RefusedImagesAreStaleAtALowRate) {
   settings_.change([](MatchingNodeConfig& config) { config.max_rate = 0.5; });
   ASSERT_EQ(about(show())->objects.size(), 1u);
   const ros::WallTimer playing =

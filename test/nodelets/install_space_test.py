@@ -44,7 +44,7 @@ def load(name, env, master):
     node = "probe_" + name.split("/")[1]  # parameters stay on the server under this name
     command = [nodelet_program(), "standalone", name, "__name:=" + node] + ARGUMENTS.get(name, [])
     process = subprocess.Popen(command, env=env, stderr=subprocess.PIPE, text=True)
-    # Each nodelet publishes diagnostics or pictures once it has been initialised.
+    # Each nodelet publishes diagnostics or images once it has been initialised.
     wait_for(lambda: any("/" + node in nodes and topic in ("/diagnostics", "/image_raw")
                          for topic, nodes in published(master).items()), process, name)
     stop(process)

@@ -1,6 +1,6 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""Settings of the launch files, checked without a master: each picture uses its own calibration."""
+"""Settings of the launch files, checked without a master: each image uses its own calibration."""
 import glob
 import os
 import tempfile
@@ -35,7 +35,7 @@ class Rectified(unittest.TestCase):
         for nodelet in ("learning", "matching"):
             self.assertIs(loaded[cell + nodelet + "/rectified"], expected, (nodelet, name, arguments))
 
-    def test_a_camera_gives_raw_pictures(self):
+    def test_a_camera_gives_raw_images(self):
         self.expect(False, "cell.launch")
         self.expect(False, "cell.launch", "simulated:=true")
         self.expect(False, "demo.launch")
@@ -45,7 +45,7 @@ class Rectified(unittest.TestCase):
         self.expect(True, "cell.launch", "rectify:=true")
         self.expect(True, "cell.launch", "camera:=false", "rectify:=true", "image:=/front/image_raw")
 
-    def test_other_pictures_are_told_by_their_topic(self):
+    def test_other_images_are_told_by_their_topic(self):
         self.expect(False, "cell.launch", "camera:=false", "image:=/front/image_color")
         self.expect(True, "cell.launch", "camera:=false", "image:=/front/image_rect")
         self.expect(True, "cell.launch", "camera:=false", "image:=/front/image_rect_color")
@@ -70,7 +70,7 @@ class Calibration(unittest.TestCase):
         self.assertEqual(loaded["/right/camera/camera_name"], "right_camera")
 
 
-    def test_lies_beside_the_pictures(self):
+    def test_lies_beside_the_images(self):
         self.assertEqual(calibrations("cell.launch"), {"camera_info"})
         self.assertEqual(calibrations("cell.launch", "camera:=false", "image:=/usb_cam/image_raw"),
                          {"/usb_cam/camera_info"})
@@ -85,7 +85,7 @@ class Console(unittest.TestCase):
     def of(self, *arguments):
         return load("console.launch", *arguments).nodes[0]
 
-    def test_shows_the_pictures_and_the_frame_of_the_cell(self):
+    def test_shows_the_images_and_the_frame_of_the_cell(self):
         self.assertEqual(self.of().type, "console")
         for window in ("rviz:=false", "rviz:=true"):
             self.assertEqual(dict(self.of(window).remap_args), {"image_raw": "image_raw"})
@@ -95,7 +95,7 @@ class Console(unittest.TestCase):
         self.assertIn("-f usb_cam", self.of("rviz:=true", "frame:=usb_cam").args)
 
 
-class Pictures(unittest.TestCase):
+class Images(unittest.TestCase):
     WANTED = {"image_transport": "compressed", "white_level": 4095, "max_info_age": 1e9, "tf_wait": 0.05}
     ARGUMENTS = ["image_transport:=compressed", "white_level:=4095", "max_info_age:=1e9", "tf_wait:=0.05"]
 
@@ -133,7 +133,7 @@ class Frames(unittest.TestCase):
             self.assertEqual(loaded["/matching/tf_prefix"], "left_")
             self.assertEqual(loaded["/learning/gripper_frame"], "tool0")
 
-    def test_of_poses_are_the_same_wherever_pictures_come_from(self):
+    def test_of_poses_are_the_same_wherever_images_come_from(self):
         for arguments, matching in ((["cells.launch"], "/left/matching"), (["cells.launch"], "/right/matching"),
                                     (["replay.launch", "bag:=x.bag"], "/matching")):
             loaded = parameters(*arguments, "target_frame:=base_link")
@@ -172,7 +172,7 @@ class Settings(unittest.TestCase):
 
 
 class Manager(unittest.TestCase):
-    """Nodelets in a driver's manager get its pictures without a copy."""
+    """Nodelets in a driver's manager get its images without a copy."""
 
     def nodes(self, *arguments):
         return {node.name: node.args.split() for node in load(*arguments).nodes if node.type == "nodelet"}

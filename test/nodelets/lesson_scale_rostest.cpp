@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Metric data of a lesson from calibration and tf: scale and marked grasp. Pictures are given with
+// Metric data of a lesson from calibration and tf: scale and marked grasp. Images are given with
 // the goals; the test publishes tf.
 #include <gtest/gtest.h>
 #include <mbncc_vision/ConfirmLearning.h>
@@ -12,7 +12,7 @@
 
 #include "nodelets/call_service.hpp"
 #include "nodelets/conversion/images.hpp"
-#include "nodelets/drawn_pictures.hpp"
+#include "nodelets/drawn_images.hpp"
 #include "nodelets/teacher.hpp"
 
 namespace mbncc::nodelets {
@@ -79,10 +79,10 @@ class LessonScale : public testing::Test {
     Goal goal;
     goal.name = name;
     goal.mode = Goal::MASK;
-    goal.before = encode_picture(scene_.render({part}, 1));
+    goal.before = encode_image(scene_.render({part}, 1));
     goal.before.header.stamp = stamp_;
     goal.before.header.frame_id = "camera";
-    goal.mask = encode_picture(scene_.true_map(part));
+    goal.mask = encode_image(scene_.true_map(part));
     goal.camera_info = drawn_camera_info(goal.before.header);
     return goal;
   }

@@ -1,6 +1,6 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""The ROS master dies and comes back: who subscribes then gets pictures and detections.
+"""The ROS master dies and comes back: who subscribes then gets images and detections.
 
 usage: master_restart_test.py
 """

@@ -4,7 +4,7 @@
 
 usage: metres_setup_test.py
 
-The camera plays a picture of a chessboard. In place of camera_calibration's window, its service call is made.
+The camera plays an image of a chessboard. In place of camera_calibration's window, its service call is made.
 """
 import os
 import re
@@ -30,7 +30,7 @@ def run(env, *command):
 def start_cell(env, *arguments):
     home = env["HOME"]
     command = ["roslaunch", "-p", env["ROS_MASTER_URI"].rsplit(":", 1)[1], "mbncc_vision", "cell.launch",
-               "source:=" + home + "/pictures", "camera_config:=camera_config.yaml", "library:=" + home + "/library"]
+               "source:=" + home + "/images", "camera_config:=camera_config.yaml", "library:=" + home + "/library"]
     return subprocess.Popen(command + list(arguments), env=env, cwd=home)
 
 
@@ -90,8 +90,8 @@ def check_fixed_frame(env):
 
 
 def prepare(home):
-    os.mkdir(os.path.join(home, "pictures"))
-    cv2.imwrite(os.path.join(home, "pictures", "board.png"), chessboard())
+    os.mkdir(os.path.join(home, "images"))
+    cv2.imwrite(os.path.join(home, "images", "board.png"), chessboard())
     with open(os.path.join(home, "camera_config.yaml"), "w", encoding="utf-8") as file:
         yaml.safe_dump({"loop": True}, file)
 
@@ -122,7 +122,7 @@ def main():
         # rosrun finds no programs in a build folder inside the package.
         tool = os.path.join(env["CMAKE_PREFIX_PATH"].split(":")[0], "lib", "mbncc_vision", "mbncc")
         run(env, tool, "learn", "--library", "library", "--name", "corner", "--before",
-            "pictures/board.png", "--roi", "280,200,90,90", "--allow-bad")
+            "images/board.png", "--roi", "280,200,90,90", "--allow-bad")
         master, _ = start_master(env)
         try:
             set_up_metres(env)

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // All nodelets in one process, fed at full rate: teaching, edits, find_objects and camera_infos
-// that change beside matching, more pictures than can be searched, a long run. MBNCC_SOAK_FRAMES
-// and MBNCC_SOAK_MINUTES: searched pictures and time of the long run, the later of both;
+// that change beside matching, more images than can be searched, a long run. MBNCC_SOAK_FRAMES
+// and MBNCC_SOAK_MINUTES: searched images and time of the long run, the later of both;
 // MBNCC_SOAK_CSV: a file for memory, open files and threads over them.
 #include <gtest/gtest.h>
 #include <mbncc_vision/DetectedObjectArray.h>
@@ -31,7 +31,7 @@ namespace {
 using mbncc_vision::DetectedObjectArray;
 using test::StateHistory;
 
-// A picture that is lost in every lesson makes ten times as much.
+// An image that is lost in every lesson makes ten times as much.
 constexpr double kMostGrowthInUse = 2;  // [MB]
 constexpr double kMostGrowth = 5;       // [MB]
 // roscpp keeps connections to other nodes' XML-RPC servers for 30 s (XMLRPCManager), about as long
@@ -72,7 +72,7 @@ class Soak : public testing::Test {
     detections_ = node_.subscribe<DetectedObjectArray>(
         "detected_objects", 1000, [this](const DetectedObjectArray::ConstPtr& array) {
           if (array->status == DetectedObjectArray::STALE) return;
-          EXPECT_GT(array->header.stamp, last_stamp_) << "an older picture after a newer one";
+          EXPECT_GT(array->header.stamp, last_stamp_) << "an older image after a newer one";
           last_stamp_ = array->header.stamp;
           latencies_.push_back(array->latency);
           costs_.push_back(array->search_time);
@@ -93,7 +93,7 @@ class Soak : public testing::Test {
     ASSERT_TRUE(loader_.load(name, "mbncc_vision/" + type, {}, {})) << name;
   }
 
-  /// Lessons with given pictures follow each other; the nodelet's edits and reloads with them.
+  /// Lessons with given images follow each other; the nodelet's edits and reloads with them.
   void keep_teaching(Teacher& teacher) {
     if (!lesson_.empty() && !teacher.ended(lesson_)) return;
     if (!lesson_.empty()) {
@@ -121,7 +121,7 @@ class Soak : public testing::Test {
     if (call_service("edit_object", call) && call.response.success) ++edits_;
   }
 
-  /// In a given picture, while the camera publishes another calibration.
+  /// In a given image, while the camera publishes another calibration.
   void ask() {
     mbncc_vision::FindObjects call;
     call.request.image = before_;
@@ -140,7 +140,7 @@ class Soak : public testing::Test {
     infos_.publish(info);
   }
 
-  /// Pictures of this size are taught and shown.
+  /// Images of this size are taught and shown.
   void use_size(const cv::Size& size) {
     set("/camera/width", size.width);
     set("/camera/height", size.height);
@@ -149,8 +149,8 @@ class Soak : public testing::Test {
     const sim::Scene scene(config);
     const sim::Placed part{{11, size.height / 2.0, 1.6},
                            {size.width / 2.0, size.height / 2.0, 0.2}};
-    before_ = encode_picture(scene.render({part}, 1));
-    after_ = encode_picture(scene.render({}, 2));
+    before_ = encode_image(scene.render({part}, 1));
+    after_ = encode_image(scene.render({}, 2));
   }
 
   void record(const std::string& what) {
@@ -219,7 +219,7 @@ TEST_F(Soak, TeachingBesideMatchingStaysFlat) {
   EXPECT_LE(history.new_threads(), 0);
 }
 
-// 60 pictures a second of which each takes about a fifth of a second to search whole.
+// 60 images a second of which each takes about a fifth of a second to search whole.
 TEST_F(Soak, OverloadSearchesTheNewestAndKeepsNothing) {
   if (!test::process_is_visible()) GTEST_SKIP() << "/proc is not mounted";
   constexpr int kSearched = 40;
@@ -235,7 +235,7 @@ TEST_F(Soak, OverloadSearchesTheNewestAndKeepsNothing) {
   load("/camera", "SimulatedCameraNodelet");
   load("/matching", "MatchingNodelet");
   int published = 0;
-  const ros::Subscriber pictures = node_.subscribe<sensor_msgs::Image>(
+  const ros::Subscriber images = node_.subscribe<sensor_msgs::Image>(
       "image_raw", 1000, [&](const sensor_msgs::ImageConstPtr&) { ++published; });
   StateHistory history;
   ASSERT_TRUE(spin_until(

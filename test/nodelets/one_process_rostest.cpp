@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// In one process pictures are passed by pointer: every subscriber gets the published picture
-// itself, including rectified pictures.
+// In one process images are passed by pointer: every subscriber gets the published image
+// itself, including rectified images.
 #include <gtest/gtest.h>
 #include <nodelet/loader.h>
 #include <ros/ros.h>
@@ -14,7 +14,7 @@
 namespace mbncc::nodelets {
 namespace {
 
-/// Addresses of the pictures heard, by stamp.
+/// Addresses of the images heard, by stamp.
 class Listener {
  public:
   explicit Listener(const std::string& topic)
@@ -23,7 +23,7 @@ class Listener {
               heard_[image->header.stamp] = image;  // kept, so that no address is used again
             })) {}
 
-  /// Pictures that both have heard, and how many of them were one and the same.
+  /// Images that both have heard, and how many of them were one and the same.
   std::pair<int, int> shared_with(const Listener& other) const {
     int both = 0, same = 0;
     for (const auto& [stamp, image] : heard_) {
@@ -40,7 +40,7 @@ class Listener {
   ros::Subscriber subscriber_;
 };
 
-TEST(OneProcess, PicturesAreNotCopied) {
+TEST(OneProcess, ImagesAreNotCopied) {
   nodelet::Loader loader(false);
   ASSERT_TRUE(loader.load("/camera", "mbncc_vision/SimulatedCameraNodelet", {}, {}));
   ASSERT_TRUE(loader.load("/rectify", "mbncc_vision/RectifyNodelet", {}, {}));

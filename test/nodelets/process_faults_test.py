@@ -40,7 +40,7 @@ class Cell:
         self._started = []
         library = "_library_path:=" + os.path.join(home, "library")
         self.camera = self.start_nodelet(
-            "CameraNodelet", "_source:=" + os.path.join(home, "pictures"), "_loop:=true", "_frame_rate:=%d" % RATE,
+            "CameraNodelet", "_source:=" + os.path.join(home, "images"), "_loop:=true", "_frame_rate:=%d" % RATE,
             "_camera_info_url:=file://" + os.path.join(home, "camera.yaml"))
         self.matching = self.start_nodelet("MatchingNodelet", library, "_platform_distance:=0.5", "_max_age:=5")
         self.learning = self.start_nodelet("LearningNodelet", library)
@@ -120,7 +120,7 @@ def resident(process):
         return None
 
 
-def draw_pictures(home):
+def draw_images(home):
     """The part on its ground, and the ground alone."""
     import cv2
     import numpy
@@ -129,25 +129,25 @@ def draw_pictures(home):
     part = cv2.GaussianBlur(random.randint(0, 255, (70, 90, 3)).astype(numpy.uint8), (0, 0), 2)
     before = after.copy()
     before[80:150, 100:190] = cv2.convertScaleAbs(part, alpha=3, beta=-250)
-    os.mkdir(os.path.join(home, "pictures"))
+    os.mkdir(os.path.join(home, "images"))
     for number in range(20):
         noise = random.normal(0, 2, before.shape)
-        cv2.imwrite(os.path.join(home, "pictures", "%02d.png" % number), numpy.clip(before + noise, 0, 255))
+        cv2.imwrite(os.path.join(home, "images", "%02d.png" % number), numpy.clip(before + noise, 0, 255))
     with open(os.path.join(home, "camera.yaml"), "w") as calibration:
         calibration.write(CALIBRATION)
     return before, after
 
 
-def teach(cell, pictures, name):
-    """A lesson with given pictures; returns its result."""
+def teach(cell, images, name):
+    """A lesson with given images; returns its result."""
     import actionlib
     import rospy
     from mbncc_vision.msg import LearnObjectAction, LearnObjectGoal
     from sensor_msgs.msg import Image
     client = actionlib.SimpleActionClient("learn_object", LearnObjectAction)
     check(client.wait_for_server(rospy.Duration(DEADLINE)), "the lesson's server is there")
-    before, after = (Image(height=240, width=320, encoding="bgr8", step=960, data=picture.tobytes())
-                     for picture in pictures)
+    before, after = (Image(height=240, width=320, encoding="bgr8", step=960, data=image.tobytes())
+                     for image in images)
     client.send_goal(LearnObjectGoal(name=name, before=before, after=after, overwrite=True, allow_bad=True))
     # The state can be told before the result is there.
     cell.wait(lambda: client.get_result() is not None, "result of the lesson of " + name)
@@ -186,7 +186,7 @@ def stopped_subscriber(cell, home):
         sizes.append(resident(cell.matching))
     if sizes[0] is not None:
         growth = sizes[-1] - sizes[2]
-        print("subscriber stopped for %d pictures of 0.23 MB: memory %+.1f MB" % (8 * RATE // 2, growth))
+        print("subscriber stopped for %d images of 0.23 MB: memory %+.1f MB" % (8 * RATE // 2, growth))
         check(growth < MOST_GROWTH, "memory is flat beside a stopped subscriber")
     size = os.path.getsize(heard)
     slow.send_signal(signal.SIGCONT)
@@ -194,7 +194,7 @@ def stopped_subscriber(cell, home):
     stop(slow)
 
 
-def killed_client(cell, pictures):
+def killed_client(cell, images):
     """Its lesson ends at its time limit, and the next is taken."""
     client = cell.start(sys.executable, TEACH, "lonely", "--yes", "--timeout", str(LESSON_TIME),
                         stdout=subprocess.DEVNULL)
@@ -206,22 +206,22 @@ def killed_client(cell, pictures):
     check(cell.result.result.error_code != 0, "a lesson without a client stores nothing")
     print("client killed: its lesson ended %.2f s after its time limit" % (cell.ended - cell.deadline))
     started = time.monotonic()
-    check(teach(cell, pictures, "part").error_code == 0, "the next lesson is taken")
+    check(teach(cell, images, "part").error_code == 0, "the next lesson is taken")
     print("next lesson: stored after %.2f s" % (time.monotonic() - started))
 
 
 def run(home, env):
-    pictures = draw_pictures(home)
+    images = draw_images(home)
     cell = Cell(home, env)
     try:
         import rospy
         rospy.init_node("peer", disable_signals=True)
         cell.listen()
-        lesson = teach(cell, pictures, "part")
+        lesson = teach(cell, images, "part")
         check(lesson.error_code == 0, "the lesson is stored: " + lesson.message)
         stopped_camera(cell)
         stopped_subscriber(cell, home)
-        killed_client(cell, pictures)
+        killed_client(cell, images)
     finally:
         cell.end()
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A client of one cell that has neither calibration nor pictures but those the test gives it.
+// A client of one cell that has neither calibration nor images but those the test gives it.
 #pragma once
 
 #include <diagnostic_msgs/DiagnosticArray.h>
@@ -49,8 +49,8 @@ class Protocol : public testing::Test {
               if (status.name.find(nodelet) != std::string::npos) health_[nodelet] = status;
         });
     images_ = node_.advertise<sensor_msgs::Image>("image_raw", 1);
-    before_ = encode_picture(scene_.render({part_}, 1));
-    after_ = encode_picture(scene_.render({}, 2));
+    before_ = encode_image(scene_.render({part_}, 1));
+    after_ = encode_image(scene_.render({}, 2));
   }
 
   void SetUp() override {
@@ -72,13 +72,13 @@ class Protocol : public testing::Test {
     return goal;
   }
 
-  // Pictures of the part, without calibration, until the object goes.
+  // Images of the part, without calibration, until the object goes.
   ros::WallTimer play() {
     return node_.createWallTimer(ros::WallDuration(0.1), [this](const auto&) {
       std_msgs::Header header;
       header.stamp = ros::Time::now();
       header.frame_id = "camera";
-      images_.publish(encode_picture(scene_.render({part_}, ++frame_), header));
+      images_.publish(encode_image(scene_.render({part_}, ++frame_), header));
     });
   }
 

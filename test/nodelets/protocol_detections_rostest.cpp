@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Detections without pictures, without calibration, with malformed pictures, on request and
+// Detections without images, without calibration, with malformed images, on request and
 // disabled; settings at run time.
 #include <dynamic_reconfigure/Reconfigure.h>
 #include <mbncc_vision/FindObjects.h>
@@ -19,7 +19,7 @@
 namespace mbncc::nodelets {
 namespace {
 
-TEST_F(Protocol, SaysStaleWithoutPicturesAndLibraryEmptyWithThem) {
+TEST_F(Protocol, SaysStaleWithoutImagesAndLibraryEmptyWithThem) {
   ASSERT_TRUE(spin_until([this] { return status_is(DetectedObjectArray::STALE); }));
   EXPECT_TRUE(array_->objects.empty());
   std::size_t marks = 0;
@@ -36,8 +36,8 @@ TEST_F(Protocol, SaysStaleWithoutPicturesAndLibraryEmptyWithThem) {
   EXPECT_TRUE(spin_until([this] { return status_is(DetectedObjectArray::STALE); }));
 }
 
-TEST_F(Protocol, DiagnosticsTellThatPicturesHaveStopped) {
-  const std::string stopped = "pictures have stopped; check the camera and its cable";
+TEST_F(Protocol, DiagnosticsTellThatImagesHaveStopped) {
+  const std::string stopped = "images have stopped; check the camera and its cable";
   const auto is_error = [&](const std::string& nodelet) {
     return health_is(nodelet, diagnostic_msgs::DiagnosticStatus::ERROR, stopped);
   };
@@ -51,7 +51,7 @@ TEST_F(Protocol, DiagnosticsTellThatPicturesHaveStopped) {
   EXPECT_TRUE(spin_until([&] { return is_error("matching") && is_error("learning"); }));
 }
 
-TEST_F(Protocol, DiagnosticsTellThatNoPictureIsUsable) {
+TEST_F(Protocol, DiagnosticsTellThatNoImageIsUsable) {
   const ros::WallTimer playing = node_.createWallTimer(ros::WallDuration(0.1), [this](const auto&) {
     sensor_msgs::Image image = before_;
     image.header.stamp = ros::Time::now();
@@ -60,12 +60,12 @@ TEST_F(Protocol, DiagnosticsTellThatNoPictureIsUsable) {
   });
   EXPECT_TRUE(spin_until([this] {
     const auto level = diagnostic_msgs::DiagnosticStatus::ERROR;
-    return health_is("matching", level, "no usable picture: ") &&
-           health_is("learning", level, "no usable picture: ");
+    return health_is("matching", level, "no usable image: ") &&
+           health_is("learning", level, "no usable image: ");
   }));
 }
 
-TEST_F(Protocol, DiagnosticsTellByHowMuchAPictureIsLate) {
+TEST_F(Protocol, DiagnosticsTellByHowMuchAnImageIsLate) {
   const ros::WallTimer playing = node_.createWallTimer(ros::WallDuration(0.1), [this](const auto&) {
     sensor_msgs::Image image = before_;
     image.header.stamp = ros::Time::now() - ros::Duration(10000);
@@ -73,7 +73,7 @@ TEST_F(Protocol, DiagnosticsTellByHowMuchAPictureIsLate) {
   });
   EXPECT_TRUE(spin_until([this] {
     return health_is("matching", diagnostic_msgs::DiagnosticStatus::ERROR,
-                     "no usable picture: a picture's stamp is late, by 1e+04 s; ");
+                     "no usable image: an image's stamp is late, by 1e+04 s; ");
   }));
 }
 
@@ -81,7 +81,7 @@ TEST_F(Protocol, DiagnosticsNameTheTopicThatHasNoPublisher) {
   images_.shutdown();
   EXPECT_TRUE(spin_until([this] {
     return health_is("matching", diagnostic_msgs::DiagnosticStatus::ERROR,
-                     "no publisher of pictures on /image_raw; ");
+                     "no publisher of images on /image_raw; ");
   }));
 }
 
@@ -170,11 +170,11 @@ TEST_F(Protocol, FindsOnceOnRequest) {
   EXPECT_FALSE(find().success);
   request = {};
   request.timeout = ros::Duration(0.2);
-  EXPECT_FALSE(find().success) << "no live pictures";
+  EXPECT_FALSE(find().success) << "no live images";
   EXPECT_TRUE(edit("part", EditObject::Request::DELETE).success);
 }
 
-// Without pictures each call waits until its timeout; an excess call must not.
+// Without images each call waits until its timeout; an excess call must not.
 TEST_F(Protocol, ManyCallsAtATimeAreToldBusy) {
   constexpr int kCalls = 30;
   std::atomic<int> busy{0}, out_of_time{0}, ended{0};
@@ -235,7 +235,7 @@ TEST_F(Protocol, TakesSettingsAtRunTimeAndRefusesNonsense) {
   call<dynamic_reconfigure::Reconfigure>("matching/set_parameters", request);
 }
 
-TEST_F(Protocol, DrawsPicturesForWhoLooks) {
+TEST_F(Protocol, DrawsImagesForWhoLooks) {
   ASSERT_EQ(teacher_.teach(given("part")).error_code, Result::SUCCESS);
   const ros::WallTimer playing = play();
   sensor_msgs::Image::ConstPtr scores;
@@ -251,7 +251,7 @@ TEST_F(Protocol, DrawsPicturesForWhoLooks) {
   EXPECT_TRUE(edit("part", EditObject::Request::DELETE).success);
 }
 
-TEST_F(Protocol, BearsMalformedPictures) {
+TEST_F(Protocol, BearsMalformedImages) {
   const ros::WallTimer playing = play();
   ASSERT_TRUE(spin_until([this] { return images_.getNumSubscribers() > 0; }));
   for (const auto& spoil : std::vector<void (*)(sensor_msgs::Image&)>{

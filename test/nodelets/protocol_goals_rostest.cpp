@@ -44,11 +44,11 @@ TEST_F(Protocol, TeachesByRegionOutlineAndMask) {
   EXPECT_EQ(doubtful.error_code, Result::QUALITY_BAD) << "the region cuts the part in two";
   EXPECT_FALSE(doubtful.hint.empty());
   goal.roi = to_msg(cv::Rect(100, 60, 120, 120));
-  goal.before = encode_picture(plain_table);
+  goal.before = encode_image(plain_table);
   EXPECT_EQ(teacher_.teach(goal).error_code, Result::SUCCESS);
   goal = given("by_mask");
   goal.mode = Goal::MASK;
-  goal.mask = encode_picture(scene_.true_map(part_));
+  goal.mask = encode_image(scene_.true_map(part_));
   EXPECT_EQ(teacher_.teach(goal).error_code, Result::SUCCESS);
   goal = given("by_outline");
   goal.mode = Goal::OUTLINE;
@@ -58,13 +58,13 @@ TEST_F(Protocol, TeachesByRegionOutlineAndMask) {
   goal.mode = Goal::CLICK;
   goal.point.x = part_.pose.x;
   goal.point.y = part_.pose.y;
-  goal.before = encode_picture(plain_table);
+  goal.before = encode_image(plain_table);
   EXPECT_EQ(teacher_.teach(goal).error_code, Result::SUCCESS);
   EXPECT_EQ(names(), (std::vector<std::string>{"by_click", "by_mask", "by_outline", "by_region"}));
   for (const auto& name : names()) EXPECT_TRUE(edit(name, EditObject::Request::DELETE).success);
 }
 
-TEST_F(Protocol, RefusesPicturesThatLieOrDoNotFit) {
+TEST_F(Protocol, RefusesImagesThatLieOrDoNotFit) {
   Goal goal = given("part");
   goal.before.step += 1;
   EXPECT_EQ(teacher_.teach(goal).error_code, Result::ENCODING);
@@ -72,7 +72,7 @@ TEST_F(Protocol, RefusesPicturesThatLieOrDoNotFit) {
   goal.after.encoding = "32FC1";
   EXPECT_EQ(teacher_.teach(goal).error_code, Result::ENCODING);
   goal = given("part");
-  goal.after = encode_picture(cv::Mat(100, 100, CV_8UC3, cv::Scalar::all(9)));
+  goal.after = encode_image(cv::Mat(100, 100, CV_8UC3, cv::Scalar::all(9)));
   EXPECT_EQ(teacher_.teach(goal).error_code, Result::IMAGE_MISMATCH);
   goal = given("part");
   goal.after = goal.before;

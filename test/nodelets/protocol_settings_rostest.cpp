@@ -26,7 +26,7 @@ class RunTimeSettings : public Protocol {
     return array_ && array_->objects.size() == 1 && array_->objects[0].state == state;
   }
 
-  /// In a picture that is published from now on.
+  /// In an image that is published from now on.
   template <class Predicate>
   bool comes_to(const Predicate& predicate) {
     const int before = arrays_;

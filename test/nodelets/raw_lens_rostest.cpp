@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Metres from the raw pictures of a distorted camera, with a cell that is started as it is.
+// Metres from the raw images of a distorted camera, with a cell that is started as it is.
 #include <gtest/gtest.h>
 #include <ros/ros.h>
 #include <tf2/LinearMath/Quaternion.h>

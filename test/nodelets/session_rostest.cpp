@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A session with simulated clock and pictures: identities, accepted stamps, and the example
+// A session with simulated clock and images: identities, accepted stamps, and the example
 // consumer.
 #include <gtest/gtest.h>
 #include <mbncc_vision/DetectedObjectArray.h>
@@ -17,7 +17,7 @@
 
 #include "nodelets/call_service.hpp"
 #include "nodelets/conversion/images.hpp"
-#include "nodelets/drawn_pictures.hpp"
+#include "nodelets/drawn_images.hpp"
 #include "nodelets/spin_until.hpp"
 #include "nodelets/teacher.hpp"
 
@@ -37,7 +37,7 @@ class Session : public testing::Test {
  protected:
   Session() {
     clock_ = node_.advertise<rosgraph_msgs::Clock>("/clock", 1);
-    pictures_ = node_.advertise<sensor_msgs::Image>("image_raw", 5);
+    images_ = node_.advertise<sensor_msgs::Image>("image_raw", 5);
     infos_ = node_.advertise<sensor_msgs::CameraInfo>("camera_info", 5);
     detections_ = node_.subscribe<DetectedObjectArray>(
         "detected_objects", 100,
@@ -49,7 +49,7 @@ class Session : public testing::Test {
     set_clock(ros::Time(start_ += 1000));
     ASSERT_TRUE(spin_until([this] {
       set_clock(now_);
-      return ros::Time::now() == now_ && pictures_.getNumSubscribers() > 0 &&
+      return ros::Time::now() == now_ && images_.getNumSubscribers() > 0 &&
              detections_.getNumPublishers() > 0;
     }));
     teach();
@@ -68,13 +68,13 @@ class Session : public testing::Test {
     ASSERT_TRUE(teacher.connect());
     Teacher::Goal goal;
     goal.name = "part";
-    goal.before = encode_picture(scene_.render({placed_at({200.3, 150.6, 0})}, 1));
-    goal.after = encode_picture(scene_.render({}, 2));
+    goal.before = encode_image(scene_.render({placed_at({200.3, 150.6, 0})}, 1));
+    goal.after = encode_image(scene_.render({}, 2));
     const auto lesson = teacher.teach(goal);
     ASSERT_EQ(lesson.error_code, Teacher::Result::SUCCESS) << lesson.message;
     ASSERT_TRUE(spin_until([] {
       mbncc_vision::FindObjects find;
-      find.request.image = encode_picture(cv::Mat(300, 400, CV_8UC3, cv::Scalar::all(90)));
+      find.request.image = encode_image(cv::Mat(300, 400, CV_8UC3, cv::Scalar::all(90)));
       return call_service("find_objects", find) && find.response.success &&
              !find.response.detections.searched.empty();
     }));
@@ -88,7 +88,7 @@ class Session : public testing::Test {
     header.stamp = stamp;
     header.frame_id = "camera";
     infos_.publish(drawn_camera_info(header));
-    pictures_.publish(encode_picture(scene_.render(placed, frames_++), header));
+    images_.publish(encode_image(scene_.render(placed, frames_++), header));
   }
 
   DetectedObjectArray::ConstPtr array_of(const ros::Time& stamp) const {
@@ -97,7 +97,7 @@ class Session : public testing::Test {
     return nullptr;
   }
 
-  /// The next picture and its detections. On a busy machine one may be lost; then the following
+  /// The next image and its detections. On a busy machine one may be lost; then the following
   /// one.
   DetectedObjectArray::ConstPtr show(const std::vector<Pose2D>& poses) {
     for (int attempt = 0; attempt < 10; ++attempt) {
@@ -109,7 +109,7 @@ class Session : public testing::Test {
       };
       if (spin_until(answered, std::chrono::seconds(5))) return array_of(now_);
     }
-    ADD_FAILURE() << "no picture is answered";
+    ADD_FAILURE() << "no image is answered";
     return boost::make_shared<DetectedObjectArray>();
   }
 
@@ -126,7 +126,7 @@ class Session : public testing::Test {
   }
 
   ros::NodeHandle node_;
-  ros::Publisher clock_, pictures_, infos_;
+  ros::Publisher clock_, images_, infos_;
   ros::Subscriber detections_;
   std::vector<DetectedObjectArray::ConstPtr> arrays_;
   const sim::Scene scene_{drawn_scene()};
@@ -163,7 +163,7 @@ TEST_F(Session, EqualObjectsThatPassEachOtherKeepTheirIdentity) {
   EXPECT_EQ(nearest(*array, right(50))->child_frame_id, frames[1]);
 }
 
-TEST_F(Session, LateDuplicateAndFuturePicturesAreNotSearched) {
+TEST_F(Session, LateDuplicateAndFutureImagesAreNotSearched) {
   const Pose2D pose{150, 120, 0.5};
   show({pose});
   const ros::Time duplicate = now_;

@@ -52,7 +52,7 @@ class SimulatedCamera : public testing::Test {
   std::map<std::uint64_t, DetectedObjectArray::ConstPtr> stamps_;
 };
 
-TEST_F(SimulatedCamera, PublishesPicturesCalibrationAndTruthOfOneStamp) {
+TEST_F(SimulatedCamera, PublishesImagesCalibrationAndTruthOfOneStamp) {
   ASSERT_TRUE(spin_until([this] {
     return image_ && info_ && info_->header.stamp == image_->header.stamp &&
            stamps_.count(image_->header.stamp.toNSec()) == 1;

@@ -42,7 +42,7 @@ class SimulatedCell : public testing::Test {
     return truth_ && truth_->message == "rest" && truth_->objects.empty() != present;
   }
 
-  /// The confirmed instance of `name` in a picture taken after `stamp`; any when `name` is empty.
+  /// The confirmed instance of `name` in an image taken after `stamp`; any when `name` is empty.
   const DetectedObject* confirmed_since(const ros::Time& stamp,
                                         const std::string& name = "") const {
     if (!found_ || found_->header.stamp <= stamp) return nullptr;

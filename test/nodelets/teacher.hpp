@@ -92,7 +92,7 @@ class Teacher {
     return ended_[id];
   }
 
-  /// For many consecutive lessons: their results contain pictures. Late messages are ignored.
+  /// For many consecutive lessons: their results contain images. Late messages are ignored.
   void forget(const std::string& id) {
     sent_.erase(id);
     ended_.erase(id);

@@ -101,7 +101,7 @@ TEST(CellScript, NoTruthWhileCarried) {
   EXPECT_EQ(carried, 5);
 }
 
-TEST(CellScript, WaitingArmAndCarriedOffObjectAreOutOfThePicture) {
+TEST(CellScript, WaitingArmAndCarriedOffObjectAreOutOfTheImage) {
   CellScriptConfig config = on_request();
   config.leg_frames = 50;
   CellScript script(config);

@@ -28,7 +28,7 @@ bool identical(const cv::Mat& a, const cv::Mat& b) {
   return a.size() == b.size() && a.type() == b.type() && cv::norm(a, b, cv::NORM_INF) == 0;
 }
 
-TEST(Scene, SameSeedSamePicture) {
+TEST(Scene, SameSeedSameImage) {
   SceneConfig config;
   config.size = {160, 120};
   const Placed placed{object_of(3), {80.2, 60.7, 0.4}};
@@ -40,9 +40,9 @@ TEST(Scene, SameSeedSamePicture) {
 }
 
 /// Centroid of the area that an object really covers.
-cv::Point2d covered_centroid(const Placed& placed, cv::Size picture) {
+cv::Point2d covered_centroid(const Placed& placed, cv::Size image) {
   cv::Rect where;
-  const cv::Mat cover = coverage(draw_object(placed.object), placed.pose, picture, where);
+  const cv::Mat cover = coverage(draw_object(placed.object), placed.pose, image, where);
   const cv::Moments moments = cv::moments(cover);
   return {where.x + moments.m10 / moments.m00, where.y + moments.m01 / moments.m00};
 }
@@ -110,7 +110,7 @@ TEST(Scene, SurfaceFollowsSubPixelShifts) {
   }
 }
 
-TEST(Scene, TurningTheObjectTurnsItsPicture) {
+TEST(Scene, TurningTheObjectTurnsItsImage) {
   const Scene scene(quiet());
   const Placed placed{object_of(7), {120, 100, 0}}, turned{object_of(7), {120, 100, kPi / 2}};
   const cv::Mat a = scene.render({placed}), b = scene.render({turned});
@@ -174,14 +174,14 @@ TEST(Scene, ArmCoversWhatItReachesOver) {
   EXPECT_EQ(cv::mean(difference(cv::Rect(0, 0, 40, 200)))[1], 0);
 }
 
-TEST(Scene, ThingsOutsideThePictureAreLeftOut) {
+TEST(Scene, ThingsOutsideTheImageAreLeftOut) {
   const Scene scene(quiet());
   const Placed outside{object_of(1), {-500, 100, 0}};
   EXPECT_TRUE(identical(scene.render({outside}), scene.render({})));
   EXPECT_EQ(cv::countNonZero(scene.true_map(outside)), 0);
 }
 
-TEST(Scene, RefusesATinyPicture) {
+TEST(Scene, RefusesATinyImage) {
   SceneConfig config;
   config.size = {8, 8};
   EXPECT_THROW(Scene{config}, std::invalid_argument);

@@ -10,13 +10,13 @@ namespace {
 TEST_P(Kernels, CorrelateEqualsReference) {
   constexpr int kPairs = 21, kReach = 40;
   const int groups = whole_groups();
-  const auto picture =
-      random_values<std::int16_t>(groups + kReach + misalignment() + 1, -kMaxPicture, kMaxPicture);
+  const auto image =
+      random_values<std::int16_t>(groups + kReach + misalignment() + 1, -kMaxImage, kMaxImage);
   const auto offsets = random_values<std::int32_t>(kPairs, 0, kReach - 1);
   const auto weights = random_values<std::int16_t>(2 * kPairs, -kMaxWeight, kMaxWeight);
   const auto run = [&](const Table& table) {
     std::vector<std::int32_t> sums(groups);
-    table.correlate_row(picture.data() + misalignment(), offsets.data(), weights.data(), kPairs,
+    table.correlate_row(image.data() + misalignment(), offsets.data(), weights.data(), kPairs,
                         sums.data(), groups);
     return sums;
   };
@@ -26,15 +26,14 @@ TEST_P(Kernels, CorrelateEqualsReference) {
 
 TEST_P(Kernels, CorrelateBearsItsBounds) {
   constexpr int kPairs = 4;
-  const std::vector<std::int16_t> picture(whole_groups() + 1, -kMaxPicture);
+  const std::vector<std::int16_t> image(whole_groups() + 1, -kMaxImage);
   const std::vector<std::int32_t> offsets(kPairs, 0);
   const std::vector<std::int16_t> weights(2 * kPairs, kMaxWeight);
   for (const auto& target : targets()) {
     std::vector<std::int32_t> sums(whole_groups());
-    target.table->correlate_row(picture.data(), offsets.data(), weights.data(), kPairs, sums.data(),
+    target.table->correlate_row(image.data(), offsets.data(), weights.data(), kPairs, sums.data(),
                                 whole_groups());
-    EXPECT_EQ(sums,
-              std::vector<std::int32_t>(whole_groups(), -2 * kPairs * kMaxPicture * kMaxWeight))
+    EXPECT_EQ(sums, std::vector<std::int32_t>(whole_groups(), -2 * kPairs * kMaxImage * kMaxWeight))
         << target.name;
   }
 }

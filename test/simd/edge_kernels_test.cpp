@@ -112,9 +112,9 @@ TEST(EdgeResponses, StayWithinTheirBoundForAllEdgeVectors) {
 }
 
 TEST_P(Kernels, SpreadRowsEqualsReference) {
-  const auto picture = random_values<std::int8_t>(3 * (2 * count() + 3) + misalignment(), -15, 15);
+  const auto image = random_values<std::int8_t>(3 * (2 * count() + 3) + misalignment(), -15, 15);
   const std::int8_t* rows[3];
-  for (int k = 0; k < 3; ++k) rows[k] = picture.data() + misalignment() + k * (2 * count() + 3) + 1;
+  for (int k = 0; k < 3; ++k) rows[k] = image.data() + misalignment() + k * (2 * count() + 3) + 1;
   const auto run = [&](const Table& table) {
     std::vector<std::int8_t> even(count()), odd(count());
     table.spread_rows_row(rows, even.data(), odd.data(), count());
@@ -127,9 +127,9 @@ TEST_P(Kernels, SpreadRowsEqualsReference) {
 TEST_P(Kernels, SmoothingEqualsReference) {
   constexpr int kWeights[] = {114, 61, 10};
   const int width = count() + 12;
-  const auto picture = random_values<std::uint8_t>(5 * width + misalignment(), 0, 255);
+  const auto image = random_values<std::uint8_t>(5 * width + misalignment(), 0, 255);
   const std::uint8_t* rows[5];
-  for (int k = 0; k < 5; ++k) rows[k] = picture.data() + misalignment() + k * width;
+  for (int k = 0; k < 5; ++k) rows[k] = image.data() + misalignment() + k * width;
   const auto run = [&](const Table& table) {
     std::vector<std::uint16_t> sums(width);
     std::vector<std::uint8_t> smooth(count());
@@ -157,9 +157,9 @@ TEST_P(Kernels, SmoothingKeepsWhite) {
 
 TEST_P(Kernels, SlopesEqualReference) {
   const int width = count() + 6;
-  const auto picture = random_values<std::uint8_t>(3 * width + misalignment(), 0, 255);
+  const auto image = random_values<std::uint8_t>(3 * width + misalignment(), 0, 255);
   const std::uint8_t* rows[3];
-  for (int k = 0; k < 3; ++k) rows[k] = picture.data() + misalignment() + k * width + 3;
+  for (int k = 0; k < 3; ++k) rows[k] = image.data() + misalignment() + k * width + 3;
   const auto run = [&](const Table& table) {
     std::vector<std::int16_t> along_x(count()), along_y(count());
     table.slopes_row(rows, along_x.data(), along_y.data(), count());

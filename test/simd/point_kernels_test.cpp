@@ -12,7 +12,7 @@ namespace {
 
 constexpr int kRows = 37;
 
-/// Random points, partly outside of a random picture, at odd counts and row lengths.
+/// Random points, partly outside of a random image, at odd counts and row lengths.
 class PointKernels : public ::testing::TestWithParam<std::tuple<int, int>> {
  protected:
   PointKernels() : pixels_(static_cast<std::size_t>(kRows * step())) {
@@ -28,7 +28,7 @@ class PointKernels : public ::testing::TestWithParam<std::tuple<int, int>> {
   int count() const { return std::get<0>(GetParam()); }
   int columns() const { return std::get<1>(GetParam()); }
   int step() const { return 3 * columns() + 1; }
-  Picture8 picture() const { return {pixels_.data(), step(), columns(), kRows}; }
+  Image8 image() const { return {pixels_.data(), step(), columns(), kRows}; }
   Points points() const { return {x_.data(), y_.data(), count()}; }
 
   float random_float(float low, float high) {
@@ -56,7 +56,7 @@ TEST_P(PointKernels, ColoursEqualReference) {
     std::vector<float> planes(static_cast<std::size_t>(4 * count()));
     float* first = planes.data();
     const Colours colours{first, first + count(), first + 2 * count(), first + 3 * count()};
-    table->sample_colours_at(picture(), points(), placement, colours);
+    table->sample_colours_at(image(), points(), placement, colours);
     results.push_back(planes);
   }
   EXPECT_EQ(results[0], results[1]);
@@ -71,8 +71,8 @@ TEST_P(PointKernels, NormalsEqualReference) {
       float* first = read.data();
       const NormalReadings readings{first, first + count(), first + 2 * count(),
                                     first + 3 * count()};
-      table->read_along_normals_at(picture(), points(), normal_x_.data(), normal_y_.data(),
-                                   placement, reach, readings);
+      table->read_along_normals_at(image(), points(), normal_x_.data(), normal_y_.data(), placement,
+                                   reach, readings);
       results.push_back(read);
     }
     EXPECT_EQ(results[0], results[1]) << "reach " << reach;
@@ -82,9 +82,9 @@ TEST_P(PointKernels, NormalsEqualReference) {
 TEST_P(PointKernels, AgreementsEqualReference) {
   const Placement placement = random_placement();
   std::vector<float> expected(static_cast<std::size_t>(count())), actual = expected;
-  point_reference().edge_agreements_at(picture(), points(), normal_x_.data(), normal_y_.data(),
+  point_reference().edge_agreements_at(image(), points(), normal_x_.data(), normal_y_.data(),
                                        placement, expected.data());
-  vectorised_points().edge_agreements_at(picture(), points(), normal_x_.data(), normal_y_.data(),
+  vectorised_points().edge_agreements_at(image(), points(), normal_x_.data(), normal_y_.data(),
                                          placement, actual.data());
   EXPECT_EQ(expected, actual);
 }

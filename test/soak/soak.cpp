@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Simulates days of operation in minutes: repeats a sequence of small pictures through all state
-// that a nodelet keeps between pictures, with lessons, edits and clock jumps. Memory, open files
+// Simulates days of operation in minutes: repeats a sequence of small images through all state
+// that a nodelet keeps between images, with lessons, edits and clock jumps. Memory, open files
 // and threads must stay constant. usage: soak FRAMES [CSV]
 #include <cstdlib>
 #include <iostream>
 #include <opencv2/core/utility.hpp>
 
-#include "mbncc/cell/frozen_picture.hpp"
+#include "mbncc/cell/frozen_image.hpp"
 #include "mbncc/cell/pose_average.hpp"
 #include "mbncc/cell/scene_watch.hpp"
 #include "mbncc/cell/stamp_gate.hpp"
@@ -24,8 +24,8 @@ namespace {
 
 constexpr double kFrameTime = 1. / 30;                  // [s]
 constexpr double kMostGrowth = 5;                       // [MB]
-constexpr int kRest = 40, kMove = 12;                   // pictures of an object at rest, of the arm
-constexpr long kLessonEvery = 2000, kJumpEvery = 7000;  // pictures
+constexpr int kRest = 40, kMove = 12;                   // images of an object at rest, of the arm
+constexpr long kLessonEvery = 2000, kJumpEvery = 7000;  // images
 constexpr long kSamples = 400;
 
 sim::SceneConfig scene_config() {
@@ -42,17 +42,17 @@ class Story {
     reach(kFirst);
     rest(kSecond);
     reach(kSecond);
-    for (int i = 0; i < kRest; ++i) pictures_.push_back(draw({}, {}));
+    for (int i = 0; i < kRest; ++i) images_.push_back(draw({}, {}));
   }
 
-  const cv::Mat& picture(long frame) const {
-    return pictures_[static_cast<std::size_t>(frame) % pictures_.size()];
+  const cv::Mat& image(long frame) const {
+    return images_[static_cast<std::size_t>(frame) % images_.size()];
   }
 
   Lesson lesson() const {
     Lesson lesson;
-    lesson.before = pictures_.front();
-    lesson.after = pictures_.back();
+    lesson.before = images_.front();
+    lesson.after = images_.back();
     return lesson;
   }
 
@@ -61,20 +61,20 @@ class Story {
   static sim::Placed at(const Pose2D& pose) { return {{11, 45, 1.6}, pose}; }
 
   cv::Mat draw(const std::vector<sim::Placed>& placed, const std::optional<sim::Arm>& arm) {
-    return scene_.render(placed, pictures_.size() + 1, arm);
+    return scene_.render(placed, images_.size() + 1, arm);
   }
   void rest(const Pose2D& pose) {
-    for (int i = 0; i < kRest; ++i) pictures_.push_back(draw({at(pose)}, {}));
+    for (int i = 0; i < kRest; ++i) images_.push_back(draw({at(pose)}, {}));
   }
   void reach(const Pose2D& pose) {
     for (int i = 0; i < kMove; ++i) {
       const double y = pose.y + 10. * std::abs(kMove / 2 - i);
-      pictures_.push_back(draw({at(pose)}, sim::Arm{{pose.x, y, -kPi / 2}, 30}));
+      images_.push_back(draw({at(pose)}, sim::Arm{{pose.x, y, -kPi / 2}, 30}));
     }
   }
 
   const sim::Scene scene_{scene_config()};
-  std::vector<cv::Mat> pictures_;
+  std::vector<cv::Mat> images_;
 };
 
 class Cell {
@@ -83,12 +83,12 @@ class Cell {
     if (frame % kJumpEvery == kJumpEvery - 1) now_ = 1000;  // a bag that starts again
     now_ += kFrameTime;
     if (frame % kLessonEvery == 0) teach(frame / kLessonEvery);
-    // Copies, as pictures from a camera are.
-    const cv::Mat picture = story_.picture(frame).clone();
+    // Copies, as images from a camera are.
+    const cv::Mat image = story_.image(frame).clone();
     if (gate_.judge(now_, now_) == StampGate::Verdict::kRestarted) start_over();
-    if (frozen_.update(picture)) throw std::runtime_error("live pictures are called frozen");
-    watch_.update(now_, picture);
-    auto tracked = tracker_.update(now_, video_.find(matcher_, now_, picture).matches);
+    if (frozen_.update(image)) throw std::runtime_error("live images are called frozen");
+    watch_.update(now_, image);
+    auto tracked = tracker_.update(now_, video_.find(matcher_, now_, image).matches);
     average_.apply(tracked);
     for (const auto& match : tracked) confirmed_ += match.state == TrackState::kConfirmed;
   }
@@ -119,7 +119,7 @@ class Cell {
   ObjectLibrary library_{folder_.path()};
   Matcher matcher_;
   StampGate gate_{0.5, 0.1};
-  FrozenPicture frozen_;
+  FrozenImage frozen_;
   SceneWatch watch_;
   VideoSearch video_;
   InstanceTracker tracker_;
@@ -137,7 +137,7 @@ int run(long frames, const std::string& csv) {
     cell.show(frame);
     if (frame % every == 0) history.add(frame);
   }
-  std::cout << frames << " pictures, confirmed in " << cell.confirmed() << ": " << history.growth()
+  std::cout << frames << " images, confirmed in " << cell.confirmed() << ": " << history.growth()
             << " MB, " << history.new_files() << " open files and " << history.new_threads()
             << " threads more\n";
   const bool flat =

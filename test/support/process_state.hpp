@@ -50,7 +50,7 @@ inline ProcessState process_state() {
   return state;
 }
 
-/// States over the pictures of a long run; the first fifth is taken as the time to settle.
+/// States over the images of a long run; the first fifth is taken as the time to settle.
 class StateHistory {
  public:
   /// Samples are written to `csv` as they come, unless it is "".

@@ -14,7 +14,7 @@ namespace mbncc::test {
 enum class MapShape { kFull, kLine, kDiagonal, kFrame, kPixel, kScattered, kDisc };
 constexpr int kMapShapes = 7;
 
-/// Where in its learning picture an object lies.
+/// Where in its learning image an object lies.
 enum class Border { kNone, kLeft, kTop, kRight, kBottom };
 constexpr int kBorders = 5;
 
@@ -50,8 +50,8 @@ inline cv::Mat map_of(MapShape shape, cv::Size size, unsigned seed) {
   return map;
 }
 
-/// An object of that map with `margin` [px] of background in its crop, learned at a border of a
-/// picture that has `room` [px] on the other sides.
+/// An object of that map with `margin` [px] of background in its crop, learned at a border of an
+/// image that has `room` [px] on the other sides.
 inline std::shared_ptr<ObjectModel> object_of(const cv::Mat& map, Border border, int margin,
                                               int room, unsigned seed) {
   View view;
@@ -59,9 +59,9 @@ inline std::shared_ptr<ObjectModel> object_of(const cv::Mat& map, Border border,
   view.template_image.create(view.map.size(), CV_8UC3);
   cv::RNG(seed).fill(view.template_image, cv::RNG::UNIFORM, 0, 256);
   view.origin = {border == Border::kLeft ? 0 : room, border == Border::kTop ? 0 : room};
-  view.picture_size = view.map.size() + cv::Size(view.origin);
-  if (border != Border::kRight) view.picture_size.width += room;
-  if (border != Border::kBottom) view.picture_size.height += room;
+  view.image_size = view.map.size() + cv::Size(view.origin);
+  if (border != Border::kRight) view.image_size.width += room;
+  if (border != Border::kBottom) view.image_size.height += room;
   view.reference = {view.origin.x + 0.5 * view.map.cols, view.origin.y + 0.5 * view.map.rows, 0.3};
   auto model = std::make_shared<ObjectModel>();
   model->name = model->label = "object";
@@ -69,10 +69,10 @@ inline std::shared_ptr<ObjectModel> object_of(const cv::Mat& map, Border border,
   return model;
 }
 
-/// A picture of `size` with noise, and with the part of the object's crop that fits at a border.
-inline cv::Mat picture_of(const View& view, cv::Size size, Border border, unsigned seed) {
-  cv::Mat picture(size, CV_8UC3);
-  cv::RNG(seed + 1).fill(picture, cv::RNG::UNIFORM, 60, 200);
+/// An image of `size` with noise, and with the part of the object's crop that fits at a border.
+inline cv::Mat image_of(const View& view, cv::Size size, Border border, unsigned seed) {
+  cv::Mat image(size, CV_8UC3);
+  cv::RNG(seed + 1).fill(image, cv::RNG::UNIFORM, 60, 200);
   cv::Point corner((size.width - view.map.cols) / 2, (size.height - view.map.rows) / 2);
   if (border == Border::kLeft) corner.x = 0;
   if (border == Border::kTop) corner.y = 0;
@@ -80,22 +80,22 @@ inline cv::Mat picture_of(const View& view, cv::Size size, Border border, unsign
   if (border == Border::kBottom) corner.y = size.height - view.map.rows;
   const cv::Rect shown = cv::Rect(corner, view.map.size()) & cv::Rect({0, 0}, size);
   const cv::Rect part(shown.tl() - corner, shown.size());
-  if (!shown.empty()) view.template_image(part).copyTo(picture(shown));
-  return picture;
+  if (!shown.empty()) view.template_image(part).copyTo(image(shown));
+  return image;
 }
 
 /// Throws std::runtime_error if the object is not searched, or the result is implausible.
 inline void check_search(const SearchConfig& config, const std::shared_ptr<ObjectModel>& model,
-                         const cv::Mat& picture) {
+                         const cv::Mat& image) {
   Matcher matcher(config);
   matcher.set_objects({model});
   for (const auto& [name, reason] : matcher.unsearchable())
     throw std::runtime_error(name + ": " + reason);
-  matcher.score_map(picture);
+  matcher.score_map(image);
   for (const std::size_t among : {std::size_t{1}, kFewObjects + 1}) {
     SearchRequest request;
     request.among = among;
-    const SearchResult result = matcher.find(picture, request);
+    const SearchResult result = matcher.find(image, request);
     if (result.searched.size() != 1) throw std::runtime_error("the object was not searched for");
     for (const auto& match : result.matches)
       if (!std::isfinite(match.score + match.pose.x + match.pose.y + match.pose.theta))

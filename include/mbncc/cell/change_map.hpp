@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Detects where a picture differs from its state at the last search.
+// Detects where an image differs from its state at the last search.
 #pragma once
 
 #include <deque>
@@ -8,22 +8,22 @@
 
 namespace mbncc {
 
-/// Compares the pictures of one still camera by cells of kCell x kCell pixels with a reference that
+/// Compares the images of one still camera by cells of kCell x kCell pixels with a reference that
 /// stores each cell as it was last recorded. A global difference of exposure and slow drift of the
-/// light do not count as change. Costs about 0.1 ms per 640 x 480 picture in which nothing changes.
+/// light do not count as change. Costs about 0.1 ms per 640 x 480 image in which nothing changes.
 class ChangeMap {
  public:
   static constexpr int kCell = 4;  ///< [px]
 
-  /// Processes the next picture, stamped `stamp` [s], CV_8UC3 or CV_8UC1. The first one, or one of
+  /// Processes the next image, stamped `stamp` [s], CV_8UC3 or CV_8UC1. The first one, or one of
   /// another size or type, becomes the reference. Throws std::invalid_argument for another type or
-  /// an empty picture.
-  void update(double stamp, const cv::Mat& picture);
+  /// an empty image.
+  void update(double stamp, const cv::Mat& image);
 
   /// Clears the reference.
   void reset();
 
-  /// Whether the newest picture differs from the reference within `region` [px].
+  /// Whether the newest image differs from the reference within `region` [px].
   bool touches(const cv::Rect& region) const;
 
   /// Changed patches [px] that are at rest again, or have been changing for long. update() has
@@ -48,7 +48,7 @@ class ChangeMap {
   cv::Mat records_;              // CV_32FC3 or CV_32FC1, one pixel per cell
   std::deque<Earlier> earlier_;  // 8 bits, oldest first
   cv::Mat changed_;              // CV_8UC1, 255: differs from the reference
-  cv::Scalar gain_;              // of the newest picture relative to the reference, per channel
+  cv::Scalar gain_;              // of the newest image relative to the reference, per channel
   double calm_at_ = 0;           // [s] last time without a changing patch
   bool upset_ = false;
   std::vector<cv::Rect> settled_;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Selects the two pictures of a live lesson from a SceneWatch: the still scene before, and the
-// still scene in which something has changed inside the picture. The scene before is replaced when
+// Selects the two images of a live lesson from a SceneWatch: the still scene before, and the
+// still scene in which something has changed inside the image. The scene before is replaced when
 // it becomes useless because the light changed, a hand was in it, or the camera was moved.
 #pragma once
 
@@ -14,12 +14,12 @@ namespace mbncc {
 
 class Demonstration {
  public:
-  /// What the operator must do, or that both pictures are available.
+  /// What the operator must do, or that both images are available.
   enum class Step {
-    kWaitStill,    ///< keep out of the picture: the scene before is not still yet
+    kWaitStill,    ///< keep out of the image: the scene before is not still yet
     kWaitRemoval,  ///< take the object away
     kMoving,       ///< something moves
-    kAtBorder,     ///< something has come that reaches into the picture
+    kAtBorder,     ///< something has come that reaches into the image
     kReady
   };
 
@@ -27,22 +27,22 @@ class Demonstration {
   enum class Anew {
     kNot,
     kLight,       ///< the light has changed, nothing else
-    kEdgeLeft,    ///< what reached out of the picture at the start has left
-    kEverything,  ///< nearly the whole picture has changed
+    kEdgeLeft,    ///< what reached out of the image at the start has left
+    kEverything,  ///< nearly the whole image has changed
     kPutDown      ///< something was put down, or lies where it covers its old place
   };
 
   Demonstration() = default;
 
-  /// Starts from a given picture before; only the scene after is awaited.
-  explicit Demonstration(const cv::Mat& before) { before_.picture = before; }
+  /// Starts from a given image before; only the scene after is awaited.
+  explicit Demonstration(const cv::Mat& before) { before_.image = before; }
 
-  /// Processes the next picture; `still` is SceneWatch::still(). Pictures of another size than the
+  /// Processes the next image; `still` is SceneWatch::still(). Images of another size than the
   /// one before are ignored.
   Step look(const std::optional<StillShot>& still);
 
   /// Continues when no object has left: the operator is not done, or something was put down, which
-  /// then belongs to the scene before; a given picture stays. Call look() again.
+  /// then belongs to the scene before; a given image stays. Call look() again.
   void go_on();
 
   /// The last reason; kPutDown after go_on().
@@ -57,7 +57,7 @@ class Demonstration {
 
   StillShot before_, after_;
   std::uint64_t seen_ = 0;  // still period judged last
-  double compared_at_ = 0;  // [s] stamp of the picture judged last
+  double compared_at_ = 0;  // [s] stamp of the image judged last
   SceneChange change_ = SceneChange::kNone;
   Anew anew_ = Anew::kNot;
 };

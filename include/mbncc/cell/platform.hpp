@@ -13,7 +13,7 @@
 
 namespace mbncc {
 
-/// Direction (of any length, z > 0) of the ray seen at a pixel of the picture as received. The
+/// Direction (of any length, z > 0) of the ray seen at a pixel of the image as received. The
 /// function must correct lens distortion.
 using PixelToRay = std::function<cv::Vec3d(cv::Point2d)>;
 
@@ -23,16 +23,16 @@ struct PinholeCamera {
   double cx = 0, cy = 0;  ///< [px] principal point
 };
 
-/// Why this camera matrix (K, or the left 3x3 part of P) is implausible for pictures of the
+/// Why this camera matrix (K, or the left 3x3 part of P) is implausible for images of the
 /// `calibrated` size: a number that is not finite, a last row other than 0 0 1, skew, a focal
 /// length below a tenth or above a hundred times the longer side, pixels twice as long as wide, a
-/// principal point farther from the picture than half its size. "" if it is plausible.
+/// principal point farther from the image than half its size. "" if it is plausible.
 std::string fault_of_camera(const cv::Matx33d& matrix, cv::Size calibrated);
 
 /// The camera with such a matrix. None if fault_of_camera() reports a fault, or if the calibration
-/// was made for another picture size.
+/// was made for another image size.
 std::optional<PinholeCamera> usable_camera(const cv::Matx33d& matrix, cv::Size calibrated,
-                                           cv::Size picture);
+                                           cv::Size image);
 
 PixelToRay rays_of(const PinholeCamera& camera);
 
@@ -53,7 +53,7 @@ Plane plane_of(const cv::Matx44d& T_camera_platform);
 
 /// Pose of an object frame: origin at the reference point on the top face, z into the platform, x
 /// along the object's direction. If the camera points straight down, its yaw about z is the
-/// picture's theta.
+/// image's theta.
 struct PlatformPose {
   cv::Vec3d position;                 ///< [m]
   cv::Matx33d rotation;               ///< columns are the object's axes
@@ -64,7 +64,7 @@ class Platform {
  public:
   Platform(PixelToRay ray, const Plane& plane) : ray_(std::move(ray)), plane_(plane) {}
 
-  /// Converts a pose in the picture with its covariance (x, y, theta) to metres, for an object
+  /// Converts a pose in the image with its covariance (x, y, theta) to metres, for an object
   /// whose top face is `object_height` [m] above the platform. None when the ray does not meet that
   /// plane in front of the camera, 1 mm to 100 m away.
   std::optional<PlatformPose> lift(const Pose2D& pose, const cv::Matx33d& covariance,

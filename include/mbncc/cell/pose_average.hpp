@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Averages the poses of still instances over the last pictures.
+// Averages the poses of still instances over the last images.
 #pragma once
 
 #include <cstdint>
@@ -12,14 +12,14 @@
 namespace mbncc {
 
 /// Averaging restarts when an instance has moved: when its last poses show a trend beyond their
-/// scatter, or its angle jumps. The part of the covariance that scatters between pictures is
-/// divided by their number; the part that all pictures may share stays.
+/// scatter, or its angle jumps. The part of the covariance that scatters between images is
+/// divided by their number; the part that all images may share stays.
 class PoseAverage {
  public:
-  /// Averages over at most this many pictures. Throws std::invalid_argument below 1.
+  /// Averages over at most this many images. Throws std::invalid_argument below 1.
   explicit PoseAverage(int most);
 
-  /// Adds the instances of the next picture and replaces each pose by its mean. Held instances get
+  /// Adds the instances of the next image and replaces each pose by its mean. Held instances get
   /// their last mean; instances not listed are dropped.
   void apply(std::vector<TrackedMatch>& matches);
 

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Limits the number of pictures per second, and reaches the limit if enough pictures arrive.
+// Limits the number of images per second, and reaches the limit if enough images arrive.
 #pragma once
 
 namespace mbncc {
 
-/// A token bucket of at most two pictures: of 30 pictures a second, a limit of 20 passes two in
+/// A token bucket of at most two images: of 30 images a second, a limit of 20 passes two in
 /// three, and a limit of 30 passes all, also if they arrive unevenly.
 class RateLimit {
  public:
-  /// Whether a picture stamped `stamp` [s] may pass at `rate` [Hz]; 0: always.
+  /// Whether an image stamped `stamp` [s] may pass at `rate` [Hz]; 0: always.
   bool allows(double stamp, double rate) const;
 
   /// Records that it has passed.
@@ -22,7 +22,7 @@ class RateLimit {
 
   bool any_ = false;
   double last_ = 0;   // [s] stamp of the last one that passed
-  double saved_ = 0;  // pictures, after it
+  double saved_ = 0;  // images, after it
 };
 
 }  // namespace mbncc

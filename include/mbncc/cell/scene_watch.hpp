@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Classifies a live scene as still or moving, and selects still pictures from before and after an
-// object was taken away. Pictures of an arm that pauses in view are recognised by a change that
-// reaches the picture's edge.
+// Classifies a live scene as still or moving, and selects still images from before and after an
+// object was taken away. Images of an arm that pauses in view are recognised by a change that
+// reaches the image's edge.
 #pragma once
 
 #include <cstdint>
@@ -11,72 +11,72 @@
 
 namespace mbncc {
 
-/// A picture taken while the scene was still.
+/// An image taken while the scene was still.
 struct StillShot {
-  cv::Mat picture;           ///< as given to update()
+  cv::Mat image;             ///< as given to update()
   double stamp = 0;          ///< [s]
   std::uint64_t number = 0;  ///< counts the still periods, from 1
 };
 
 enum class SceneChange {
   kNone,
-  kInside,   ///< something came, went or moved inside the picture
-  kAtBorder  ///< the change reaches the picture's edge: an arm in view, or an object half outside
+  kInside,   ///< something came, went or moved inside the image
+  kAtBorder  ///< the change reaches the image's edge: an arm in view, or an object half outside
 };
 
-/// Coarse difference of two pictures of one camera.
+/// Coarse difference of two images of one camera.
 struct SceneDifference {
   SceneChange change = SceneChange::kNone;
-  cv::Mat changed;      ///< CV_8UC1 of the pictures' size, 255 where they differ beyond noise
-  double fraction = 0;  ///< [0..1] changed part of the picture
-  double exposure = 1;  ///< factor between the pictures, >= 1; compensated before the comparison
+  cv::Mat changed;      ///< CV_8UC1 of the images' size, 255 where they differ beyond noise
+  double fraction = 0;  ///< [0..1] changed part of the image
+  double exposure = 1;  ///< factor between the images, >= 1; compensated before the comparison
 };
 
-/// Compares two pictures of one camera (CV_8UC3, same size) coarsely. It decides when to analyse
+/// Compares two images of one camera (CV_8UC3, same size) coarsely. It decides when to analyse
 /// the change, not where the object is.
 SceneDifference scene_difference(const cv::Mat& before, const cv::Mat& after);
 
 /// Only its `change`.
 SceneChange scene_change(const cv::Mat& before, const cv::Mat& after);
 
-/// Processes every picture of one camera in turn, in about a millisecond each. Keeps references to
-/// the pictures, so they must not be modified afterwards.
+/// Processes every image of one camera in turn, in about a millisecond each. Keeps references to
+/// the images, so they must not be modified afterwards.
 class SceneWatch {
  public:
   /// The scene is still after `still_time` [s] without motion.
   explicit SceneWatch(double still_time = 0.5);
 
-  /// Processes the next picture, CV_8UC3. A stamp [s] that jumps back or another picture size
-  /// resets the watch. Throws std::invalid_argument for an empty picture or another type.
-  void update(double stamp, const cv::Mat& picture);
+  /// Processes the next image, CV_8UC3. A stamp [s] that jumps back or another image size
+  /// resets the watch. Throws std::invalid_argument for an empty image or another type.
+  void update(double stamp, const cv::Mat& image);
 
   /// Resets everything except the count of still periods.
   void reset();
 
-  /// A picture of the current still period, slightly delayed so that it shows no motion that is not
+  /// An image of the current still period, slightly delayed so that it shows no motion that is not
   /// yet detected; none while something moves.
   std::optional<StillShot> still() const;
 
-  /// The picture before, if the object has been taken away already: from the latest earlier still
-  /// period that differs from the current one inside the picture. None while something moves or if
+  /// The image before, if the object has been taken away already: from the latest earlier still
+  /// period that differs from the current one inside the image. None while something moves or if
   /// nothing has changed.
   std::optional<StillShot> before_change() const;
 
  private:
   void begin_candidate(double stamp, const cv::Mat& small);
-  void keep_shot(double stamp, const cv::Mat& picture);
+  void keep_shot(double stamp, const cv::Mat& image);
   void end_period();
 
   double still_time_;
   cv::Size size_;
   double last_stamp_ = 0;
-  cv::Mat anchor_;           // CV_32FC1 small picture that the next ones are compared with
+  cv::Mat anchor_;           // CV_32FC1 small image that the next ones are compared with
   double anchor_stamp_ = 0;  // [s] since when nothing has moved
   bool still_ = false;
   std::uint64_t periods_ = 0;
   StillShot waiting_;           // of the current period, to become settled_
   StillShot settled_;           // of the current period, old enough not to show the next motion
-  std::deque<StillShot> past_;  // settled pictures of earlier periods, oldest first
+  std::deque<StillShot> past_;  // settled images of earlier periods, oldest first
 };
 
 }  // namespace mbncc

@@ -8,7 +8,7 @@ namespace mbncc {
 
 /// [0..1] Part of the map's changed pixels that looked like the platform around the map before and
 /// no longer do. Near 0 if the object has left; about 0.5 if it was put down so near that its old
-/// and new place were segmented as one object. Pictures are CV_8UC3 of one size.
+/// and new place were segmented as one object. Images are CV_8UC3 of one size.
 double part_put_down(const cv::Mat& map, const cv::Mat& before, const cv::Mat& after);
 
 /// From this value of part_put_down() on, the map contains more than the object.

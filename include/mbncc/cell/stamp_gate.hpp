@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Decides by their stamps which pictures may be searched: each once, in order, neither old nor from
-// the future. Fails closed: a stale picture would move an arm to an old position.
+// Decides by their stamps which images may be searched: each once, in order, neither old nor from
+// the future. Fails closed: a stale image would move an arm to an old position.
 #pragma once
 
 namespace mbncc {
@@ -18,7 +18,7 @@ class StampGate {
   /// `max_age` and `max_ahead` [s].
   StampGate(double max_age, double max_ahead) : max_age_(max_age), max_ahead_(max_ahead) {}
 
-  /// Classifies a picture stamped `stamp` that arrives at `now` [s].
+  /// Classifies an image stamped `stamp` that arrives at `now` [s].
   Verdict judge(double stamp, double now);
 
  private:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Tracks matches across pictures: assigns instance ids and confirms instances that were graspable
+// Tracks matches across images: assigns instance ids and confirms instances that were graspable
 // often enough.
 #pragma once
 
@@ -14,7 +14,7 @@
 namespace mbncc {
 
 struct TrackerConfig {
-  int confirm_frames = 3;   ///< graspable pictures needed ...
+  int confirm_frames = 3;   ///< graspable images needed ...
   int confirm_window = 5;   ///< ... among this many of the last ones
   double hold_time = 0;     ///< [s] for which a lost instance is published as HELD; 0: never
   double max_age = 0.5;     ///< [s] that a pose stays valid
@@ -24,7 +24,7 @@ struct TrackerConfig {
 /// The numbers are those of msg/DetectedObject.msg.
 enum class TrackState : std::uint8_t { kNew = 0, kConfirmed = 1, kAmbiguous = 2, kHeld = 3 };
 
-/// An instance in the current picture.
+/// An instance in the current image.
 struct TrackedMatch {
   Match match;
   std::uint32_t instance_id = 0;  ///< from 1, never used again
@@ -33,7 +33,7 @@ struct TrackedMatch {
   /// The confirmed instance of its name that the tf frame object_<name> follows: the same one until
   /// it is no longer confirmed, then the one with the best score.
   bool is_best = false;
-  double valid_until = 0;            ///< [s] stamp of the picture it was detected in plus max_age
+  double valid_until = 0;            ///< [s] stamp of the image it was detected in plus max_age
   std::vector<std::string> reasons;  ///< why it is not confirmed; empty when it is
 };
 
@@ -48,11 +48,11 @@ class InstanceTracker {
   /// negative.
   explicit InstanceTracker(TrackerConfig config = {});
 
-  /// Changes the settings. Throws like the constructor and then changes nothing. Earlier pictures
-  /// are evaluated with the new settings from the next picture on.
+  /// Changes the settings. Throws like the constructor and then changes nothing. Earlier images
+  /// are evaluated with the new settings from the next image on.
   void configure(const TrackerConfig& config);
 
-  /// Adds the matches of the picture stamped `stamp` [s], in which all names were searched. Returns
+  /// Adds the matches of the image stamped `stamp` [s], in which all names were searched. Returns
   /// them in their order, then the held instances. An earlier stamp than the last one resets the
   /// tracker first.
   std::vector<TrackedMatch> update(double stamp, const std::vector<Match>& matches);
@@ -68,9 +68,9 @@ class InstanceTracker {
     TrackedMatch last;
     double seen_at = 0;          // [s]
     cv::Point2d velocity;        // [px/s] between the last two detections
-    std::deque<bool> graspable;  // of the last pictures, newest last
-    int missed = 0;              // pictures in a row
-    bool seen = false;           // in the current picture
+    std::deque<bool> graspable;  // of the last images, newest last
+    int missed = 0;              // images in a row
+    bool seen = false;           // in the current image
 
     double distance_to(const Match& match, double stamp) const;
   };

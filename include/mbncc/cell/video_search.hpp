@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Searches the pictures of one still camera only where they have changed.
+// Searches the images of one still camera only where they have changed.
 #pragma once
 
 #include <memory>
@@ -10,15 +10,15 @@
 
 namespace mbncc {
 
-/// Approximates Matcher::find() at a cost proportional to the change between the pictures:
+/// Approximates Matcher::find() at a cost proportional to the change between the images:
 /// - An instance whose pixels have not changed since its detection is reported again (Match::fresh
 /// is false). One whose pixels changed is searched again nearby, and dropped if it is not found.
 /// - A place that changed and is at rest again is searched for every object, missing ones first,
-/// with a bounded effort per picture. Until all have been searched there, nothing found at the
+/// with a bounded effort per image. Until all have been searched there, nothing found at the
 /// place is graspable, because another object may fit better.
-/// - Every object is searched in the whole picture once per sweep_time, in turn, which bounds how
+/// - Every object is searched in the whole image once per sweep_time, in turn, which bounds how
 /// long an instance can be overlooked.
-/// - If the camera is moved or the light switched, all instances are verified and the whole picture
+/// - If the camera is moved or the light switched, all instances are verified and the whole image
 /// is searched.
 class VideoSearch {
  public:
@@ -27,13 +27,13 @@ class VideoSearch {
   VideoSearch(VideoSearch&&) noexcept;
   VideoSearch& operator=(VideoSearch&&) noexcept;
 
-  /// The next picture, stamped `stamp` [s], not before the last one. The objects of `matcher` may
-  /// have changed since; another request, picture size or limit restarts the search. Objects with
+  /// The next image, stamped `stamp` [s], not before the last one. The objects of `matcher` may
+  /// have changed since; another request, image size or limit restarts the search. Objects with
   /// places still to be searched are listed in SearchResult::skipped. Throws as Matcher::find().
-  SearchResult find(const Matcher& matcher, double stamp, const cv::Mat& picture,
+  SearchResult find(const Matcher& matcher, double stamp, const cv::Mat& image,
                     const SearchRequest& request = {});
 
-  /// Drops all results; the next picture is searched completely.
+  /// Drops all results; the next image is searched completely.
   void reset();
 
  private:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Settings of the camera nodelet: where pictures come from and what is published with them.
+// Settings of the camera nodelet: where images come from and what is published with them.
 #pragma once
 
 #include <string>
@@ -17,26 +17,26 @@ struct CameraConfig {
   double exposure = -1;                ///< in the driver's unit; -1: unchanged
   double gain = -1;                    ///< in the driver's unit; -1: unchanged
   double white_balance = -1;           ///< [K]; -1: unchanged
-  bool detect_frozen = false;          ///< do not publish pictures that repeat exactly
+  bool detect_frozen = false;          ///< do not publish images that repeat exactly
   std::string camera_name = "camera";  ///< of the calibration
   std::string camera_info_url;         ///< of the calibration; "": the manager's default
-  std::string frame_id = "camera_optical_frame";  ///< of the pictures
+  std::string frame_id = "camera_optical_frame";  ///< of the images
 
   template <class Self, class Visitor>
   static void fields(Self& self, Visitor&& visit) {
     visit(FieldInfo{"source", Allowed::anything(), "",
-                    "device index or path, stream URL, folder of pictures, or video file"},
+                    "device index or path, stream URL, folder of images, or video file"},
           self.source);
     visit(FieldInfo{"frame_rate", Allowed::range(0, 1000), "Hz",
-                    "pictures per second, asked of a device; 0: the source's own, 10 for a folder"},
+                    "images per second, asked of a device; 0: the source's own, 10 for a folder"},
           self.frame_rate);
     visit(FieldInfo{"loop", Allowed::anything(), "", "restart a folder or video at its end"},
           self.loop);
     visit(FieldInfo{"width", Allowed::range(0, 16384), "px",
-                    "picture width asked of a device; 0: its default"},
+                    "image width asked of a device; 0: its default"},
           self.width);
     visit(FieldInfo{"height", Allowed::range(0, 16384), "px",
-                    "picture height asked of a device; 0: its default"},
+                    "image height asked of a device; 0: its default"},
           self.height);
     visit(FieldInfo{"exposure", Allowed::at_least(-1), "",
                     "exposure of a device in its driver's unit; -1: unchanged"},
@@ -48,7 +48,7 @@ struct CameraConfig {
                     "white balance of a device; -1: unchanged"},
           self.white_balance);
     visit(FieldInfo{"detect_frozen", Allowed::anything(), "",
-                    "do not publish pictures that repeat exactly, and reopen a device"},
+                    "do not publish images that repeat exactly, and reopen a device"},
           self.detect_frozen);
     visit(FieldInfo{"camera_name", Allowed::anything(), "",
                     "name in the calibration: letters, digits, underscores"},
@@ -57,7 +57,7 @@ struct CameraConfig {
         FieldInfo{"camera_info_url", Allowed::anything(), "",
                   "where the calibration is stored; empty: ~/.ros/camera_info/<camera_name>.yaml"},
         self.camera_info_url);
-    visit(FieldInfo{"frame_id", Allowed::frame(), "", "optical frame of the pictures"},
+    visit(FieldInfo{"frame_id", Allowed::frame(), "", "optical frame of the images"},
           self.frame_id);
   }
 };

@@ -14,11 +14,11 @@ struct LearningConfig {
   std::string superpixel_method = "seeds";  ///< of sb_grabcut: seeds or slic
   int superpixels = 1600;   ///< sb_grabcut: superpixels requested in the region's crop
   double min_area = 80;     ///< [px] smaller maps are refused
-  double max_change = 0.4;  ///< [0..1] changed part of the picture above which a lesson must show
+  double max_change = 0.4;  ///< [0..1] changed part of the image above which a lesson must show
                             ///< the object's place
   double max_exposure_change =
-      1.41;  ///< factor between the pictures above which a lesson must show the object's place
-  double max_light_change = 1.15;  ///< the same between the quarters of the picture
+      1.41;  ///< factor between the images above which a lesson must show the object's place
+  double max_light_change = 1.15;  ///< the same between the quarters of the image
   int max_shift = 8;  ///< [px] largest camera shift between before and after that is compensated
 
   template <class Self, class Visitor>
@@ -27,7 +27,7 @@ struct LearningConfig {
                     Allowed::one_of({"auto", "change_cut", "region_cut", "sb_grabcut",
                                      "grabcut_rect", "grabcut_mask"}),
                     "",
-                    "segmentation; auto: change_cut with an after picture, else the clearer of "
+                    "segmentation; auto: change_cut with an after image, else the clearer of "
                     "region_cut and "
                     "grabcut_rect"},
           self.method);
@@ -41,18 +41,16 @@ struct LearningConfig {
           self.superpixels);
     visit(FieldInfo{"min_area", Allowed::range(1, 1e6), "px", "smaller maps are refused"},
           self.min_area);
+    visit(FieldInfo{"max_change", Allowed::range(0.05, 1), "",
+                    "changed part of the image above which a lesson must show the object's place"},
+          self.max_change);
     visit(
-        FieldInfo{"max_change", Allowed::range(0.05, 1), "",
-                  "changed part of the picture above which a lesson must show the object's place"},
-        self.max_change);
-    visit(
-        FieldInfo{
-            "max_exposure_change", Allowed::range(1.05, 10), "",
-            "exposure factor between the pictures above which a lesson must show the object's "
-            "place"},
+        FieldInfo{"max_exposure_change", Allowed::range(1.05, 10), "",
+                  "exposure factor between the images above which a lesson must show the object's "
+                  "place"},
         self.max_exposure_change);
     visit(FieldInfo{"max_light_change", Allowed::range(1.05, 10), "",
-                    "the same between quarters of the picture"},
+                    "the same between quarters of the image"},
           self.max_light_change);
     visit(FieldInfo{"max_shift", Allowed::range(0, 64), "px",
                     "largest camera shift between before and after that is compensated"},

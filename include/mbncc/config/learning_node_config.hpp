@@ -5,8 +5,8 @@
 #include <string>
 
 #include "mbncc/config/field.hpp"
+#include "mbncc/config/image_config.hpp"
 #include "mbncc/config/learning_config.hpp"
-#include "mbncc/config/picture_config.hpp"
 #include "mbncc/config/platform_config.hpp"
 
 namespace mbncc {
@@ -14,7 +14,7 @@ namespace mbncc {
 struct LearningNodeConfig {
   LearningConfig learning;
   PlatformConfig platform;
-  PictureConfig pictures;
+  ImageConfig images;
   std::string library_path = "~/.ros/mbncc_library";  ///< folder of the learned objects
   double learn_timeout = 120;                         ///< [s] of a lesson whose goal sets none
   double still_time = 0.5;    ///< [s] without motion after which a scene is still
@@ -47,7 +47,7 @@ struct LearningNodeConfig {
                     "tf frame of the gripper that mark_grasp records; empty: mark_grasp refuses"},
           self.gripper_frame);
     PlatformConfig::fields(self.platform, visit);
-    PictureConfig::fields(self.pictures, visit);
+    ImageConfig::fields(self.images, visit);
   }
 };
 

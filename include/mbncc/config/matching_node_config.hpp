@@ -5,7 +5,7 @@
 #include <string>
 
 #include "mbncc/config/field.hpp"
-#include "mbncc/config/picture_config.hpp"
+#include "mbncc/config/image_config.hpp"
 #include "mbncc/config/platform_config.hpp"
 #include "mbncc/config/search_config.hpp"
 #include "mbncc/config/video_config.hpp"
@@ -16,23 +16,23 @@ struct MatchingNodeConfig {
   SearchConfig search;
   VideoConfig video;
   PlatformConfig platform;
-  PictureConfig pictures;
+  ImageConfig images;
   std::string library_path = "~/.ros/mbncc_library";  ///< folder of the learned objects
-  std::string search_roi;       ///< "x,y,width,height" [px] of reference points; "": whole picture
-  double max_rate = 0;          ///< [Hz] limit of searched pictures; 0: every picture that arrives
-  int confirm_frames = 3;       ///< graspable pictures needed ...
+  std::string search_roi;       ///< "x,y,width,height" [px] of reference points; "": whole image
+  double max_rate = 0;          ///< [Hz] limit of searched images; 0: every image that arrives
+  int confirm_frames = 3;       ///< graspable images needed ...
   int confirm_window = 5;       ///< ... among this many of the last ones
   double hold_time = 0;         ///< [s] for which a lost instance is published as HELD; 0: never
-  int average_frames = 10;      ///< pictures over which the pose of a still instance is averaged
-  double max_age = 0.5;         ///< [s] older pictures are dropped, older poses not confirmed
-  double max_ahead = 0.1;       ///< [s] pictures stamped further in the future are dropped
-  double stale_after = 1;       ///< [s] without a picture before STALE is published
+  int average_frames = 10;      ///< images over which the pose of a still instance is averaged
+  double max_age = 0.5;         ///< [s] older images are dropped, older poses not confirmed
+  double max_ahead = 0.1;       ///< [s] images stamped further in the future are dropped
+  double stale_after = 1;       ///< [s] without an image before STALE is published
   bool publish_tf = true;       ///< send tf frames of confirmed instances; counts as a subscriber
   bool show_score_map = false;  ///< draw the score map under the overlay
   std::string tf_prefix;        ///< prefix of every child frame
   std::string target_frame;     ///< frame of the published poses; "": the camera's
   std::string object_frame_z = "into";  ///< direction of the z axis of object frames: into or out
-  double tf_wait = 0;  ///< [s] for which a picture waits for the tf of its stamp; 0: no waiting
+  double tf_wait = 0;  ///< [s] for which an image waits for the tf of its stamp; 0: no waiting
 
   template <class Self, class Visitor>
   static void fields(Self& self, Visitor&& visit) {
@@ -45,28 +45,28 @@ struct MatchingNodeConfig {
                     "x,y,width,height that must contain the reference points; empty: everywhere"},
           self.search_roi);
     visit(FieldInfo{"max_rate", Allowed::range(0, 1000), "Hz",
-                    "limit of searched pictures per second; 0: every picture that arrives"},
+                    "limit of searched images per second; 0: every image that arrives"},
           self.max_rate);
     visit(FieldInfo{"confirm_frames", Allowed::range(1, 100), "",
-                    "an instance is confirmed if it is graspable in this many pictures"},
+                    "an instance is confirmed if it is graspable in this many images"},
           self.confirm_frames);
     visit(FieldInfo{"confirm_window", Allowed::range(1, 100), "",
-                    "number of last pictures in which confirm_frames counts"},
+                    "number of last images in which confirm_frames counts"},
           self.confirm_window);
     visit(FieldInfo{"hold_time", Allowed::range(0, 60), "s",
                     "a lost instance is published as HELD for this long; 0: never"},
           self.hold_time);
     visit(FieldInfo{"average_frames", Allowed::range(1, 100), "",
-                    "the pose of a still instance is averaged over at most this many pictures"},
+                    "the pose of a still instance is averaged over at most this many images"},
           self.average_frames);
     visit(FieldInfo{"max_age", Allowed::range(0.01, 3600), "s",
-                    "pictures older than this are dropped, and older poses are not confirmed"},
+                    "images older than this are dropped, and older poses are not confirmed"},
           self.max_age);
     visit(FieldInfo{"max_ahead", Allowed::range(0, 3600), "s",
-                    "pictures stamped further in the future are dropped"},
+                    "images stamped further in the future are dropped"},
           self.max_ahead);
     visit(FieldInfo{"stale_after", Allowed::range(0.1, 3600), "s",
-                    "time without a picture after which STALE is published"},
+                    "time without an image after which STALE is published"},
           self.stale_after);
     visit(FieldInfo{"publish_tf", Allowed::anything(), "",
                     "send a tf frame for every confirmed instance; counts as a subscriber"},
@@ -85,12 +85,11 @@ struct MatchingNodeConfig {
                     "of it, as grasp planners expect"},
           self.object_frame_z);
     visit(
-        FieldInfo{
-            "tf_wait", Allowed::range(0, 1), "s",
-            "time for which a picture waits for a robot's tf that lags behind; 0: no waiting"},
+        FieldInfo{"tf_wait", Allowed::range(0, 1), "s",
+                  "time for which an image waits for a robot's tf that lags behind; 0: no waiting"},
         self.tf_wait);
     PlatformConfig::fields(self.platform, visit);
-    PictureConfig::fields(self.pictures, visit);
+    ImageConfig::fields(self.images, visit);
   }
 };
 

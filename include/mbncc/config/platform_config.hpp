@@ -11,8 +11,8 @@ namespace mbncc {
 struct PlatformConfig {
   std::string platform_frame;    ///< tf frame whose x-y plane is the platform; "": use the distance
   double platform_distance = 0;  ///< [m] of the platform along the optical axis; 0: unknown
-  bool rectified = true;         ///< pictures are rectified: P of camera_info, else K and D
-  std::string camera_frame;      ///< optical frame; "": the pictures' frame_id
+  bool rectified = true;         ///< images are rectified: P of camera_info, else K and D
+  std::string camera_frame;      ///< optical frame; "": the images' frame_id
   double max_info_age = 60;      ///< [s] age after which a camera_info is no longer used
 
   template <class Self, class Visitor>
@@ -24,10 +24,10 @@ struct PlatformConfig {
                     "distance of the platform along the optical axis; 0: unknown"},
           self.platform_distance);
     visit(FieldInfo{"rectified", Allowed::anything(), "",
-                    "pictures are rectified: P of camera_info is used, otherwise K and D"},
+                    "images are rectified: P of camera_info is used, otherwise K and D"},
           self.rectified);
     visit(FieldInfo{"camera_frame", Allowed::frame(), "",
-                    "optical frame of the camera; empty: the pictures' frame_id"},
+                    "optical frame of the camera; empty: the images' frame_id"},
           self.camera_frame);
     visit(
         FieldInfo{"max_info_age", Allowed::at_least(0.1), "s", "an older camera_info is not used"},

@@ -5,17 +5,17 @@
 #include <string>
 
 #include "mbncc/config/field.hpp"
-#include "mbncc/config/picture_config.hpp"
+#include "mbncc/config/image_config.hpp"
 
 namespace mbncc {
 
 struct RectifyConfig {
-  PictureConfig pictures;
+  ImageConfig images;
   double max_info_age = 60;  ///< [s] age after which a camera_info is no longer used
 
   template <class Self, class Visitor>
   static void fields(Self& self, Visitor&& visit) {
-    PictureConfig::fields(self.pictures, visit);
+    ImageConfig::fields(self.images, visit);
     visit(
         FieldInfo{"max_info_age", Allowed::at_least(0.1), "s", "an older camera_info is not used"},
         self.max_info_age);

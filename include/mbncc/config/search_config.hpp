@@ -19,12 +19,12 @@ struct SearchConfig {
   double min_margin_angle = 6;        ///< log-odds to the best other angle at the place
   double max_place_deviation = 1.25;  ///< [px] largest standard deviation of a graspable position
   double max_angle_deviation = 1;     ///< [deg] largest standard deviation of a graspable angle
-  double min_visible = 0.6;           ///< [0..1] part of the map inside the picture
+  double min_visible = 0.6;           ///< [0..1] part of the map inside the image
   int max_instances = 50;             ///< per name
   double max_overlap =
       0.25;  ///< [0..1] of the smaller map, above which the weaker detection is dropped
   double scale_range = 0;  ///< [0..0.5] largest relative difference in size that is searched
-  double time_budget = 0;  ///< [s] per picture; 0: none
+  double time_budget = 0;  ///< [s] per image; 0: none
   int threads = 1;         ///< worker threads of a search
 
   template <class Self, class Visitor>
@@ -53,11 +53,10 @@ struct SearchConfig {
                     "graspable only up to this standard deviation of the angle"},
           self.max_angle_deviation);
     visit(FieldInfo{"min_visible", Allowed::range(0.1, 1), "",
-                    "graspable only with this part of the map inside the picture"},
+                    "graspable only with this part of the map inside the image"},
           self.min_visible);
-    visit(
-        FieldInfo{"max_instances", Allowed::range(1, 1000), "", "detections per name and picture"},
-        self.max_instances);
+    visit(FieldInfo{"max_instances", Allowed::range(1, 1000), "", "detections per name and image"},
+          self.max_instances);
     visit(FieldInfo{"max_overlap", Allowed::range(0, 1), "",
                     "overlap of two maps, as part of the smaller one, above which the weaker "
                     "detection is dropped"},
@@ -69,7 +68,7 @@ struct SearchConfig {
     visit(
         FieldInfo{
             "time_budget", Allowed::range(0, 3600), "s",
-            "search time per picture, after which the remaining objects are skipped; 0: no limit"},
+            "search time per image, after which the remaining objects are skipped; 0: no limit"},
         self.time_budget);
     visit(FieldInfo{"threads", Allowed::range(1, 256), "", "worker threads of a search"},
           self.threads);

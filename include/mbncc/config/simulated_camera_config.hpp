@@ -9,7 +9,7 @@
 namespace mbncc {
 
 struct SimulatedCameraConfig {
-  int width = 640;                 ///< [px] of the picture
+  int width = 640;                 ///< [px] of the image
   int height = 480;                ///< [px]
   int seed = 1;                    ///< seed of platform, neighbours, places and noise
   int object_seed = 1;             ///< seed of the object's outline and surface
@@ -17,26 +17,25 @@ struct SimulatedCameraConfig {
   double object_elongation = 1.6;  ///< ratio of the longest to the shortest extent
   int neighbours = 2;              ///< other objects that lie still
   double noise_sigma = 2;          ///< [grey levels]
-  double light_gradient = 0.1;     ///< [0..1] fall-off of the light across the picture
+  double light_gradient = 0.1;     ///< [0..1] fall-off of the light across the image
   double gain = 1;                 ///< exposure
   double frame_rate = 10;          ///< [Hz]
   bool auto_play = true;  ///< the arm moves automatically; otherwise on request by a service
   double rest_time = 6;   ///< [s] between two motions, with auto_play
   double leg_time = 1.5;  ///< [s] of one leg of a motion: reach, carry, retreat
   std::string object_name = "object";             ///< name of the object in ~truth
-  std::string frame_id = "camera_optical_frame";  ///< of pictures and truth
+  std::string frame_id = "camera_optical_frame";  ///< of images and truth
   double focal_length = 600;                      ///< [px]; 0: publish no calibration
   double distortion = 0;                          ///< k1 of the lens
-  double principal_x = 0;          ///< [px] principal point from the picture's middle
-  double principal_y = 0;          ///< [px]
-  double platform_distance = 0.6;  ///< [m] for the truth in metres
-  double object_height = 0;        ///< [m] of the object's top face, for the truth in metres
+  double principal_x = 0;                         ///< [px] principal point from the image's middle
+  double principal_y = 0;                         ///< [px]
+  double platform_distance = 0.6;                 ///< [m] for the truth in metres
+  double object_height = 0;  ///< [m] of the object's top face, for the truth in metres
 
   template <class Self, class Visitor>
   static void fields(Self& self, Visitor&& visit) {
-    visit(FieldInfo{"width", Allowed::range(64, 8192), "px", "width of the picture"}, self.width);
-    visit(FieldInfo{"height", Allowed::range(64, 8192), "px", "height of the picture"},
-          self.height);
+    visit(FieldInfo{"width", Allowed::range(64, 8192), "px", "width of the image"}, self.width);
+    visit(FieldInfo{"height", Allowed::range(64, 8192), "px", "height of the image"}, self.height);
     visit(FieldInfo{"seed", Allowed::at_least(0), "",
                     "seed of platform, neighbours, places and noise"},
           self.seed);
@@ -55,10 +54,10 @@ struct SimulatedCameraConfig {
                     "sensor noise at medium brightness"},
           self.noise_sigma);
     visit(FieldInfo{"light_gradient", Allowed::range(0, 1), "",
-                    "fall-off of the light across the picture"},
+                    "fall-off of the light across the image"},
           self.light_gradient);
     visit(FieldInfo{"gain", Allowed::range(0.05, 4), "", "exposure"}, self.gain);
-    visit(FieldInfo{"frame_rate", Allowed::range(0.1, 120), "Hz", "pictures per second"},
+    visit(FieldInfo{"frame_rate", Allowed::range(0.1, 120), "Hz", "images per second"},
           self.frame_rate);
     visit(
         FieldInfo{
@@ -73,7 +72,7 @@ struct SimulatedCameraConfig {
           self.leg_time);
     visit(FieldInfo{"object_name", Allowed::anything(), "", "name of the object in ~truth"},
           self.object_name);
-    visit(FieldInfo{"frame_id", Allowed::frame(), "", "optical frame of pictures and truth"},
+    visit(FieldInfo{"frame_id", Allowed::frame(), "", "optical frame of images and truth"},
           self.frame_id);
     visit(FieldInfo{"focal_length", Allowed::range(0, 100000), "px",
                     "focal length in camera_info; 0: publish no calibration"},
@@ -82,10 +81,10 @@ struct SimulatedCameraConfig {
                     "radial distortion k1 of the lens; below 0: barrel"},
           self.distortion);
     visit(FieldInfo{"principal_x", Allowed::range(-8192, 8192), "px",
-                    "principal point from the picture's middle"},
+                    "principal point from the image's middle"},
           self.principal_x);
     visit(FieldInfo{"principal_y", Allowed::range(-8192, 8192), "px",
-                    "principal point from the picture's middle"},
+                    "principal point from the image's middle"},
           self.principal_y);
     visit(FieldInfo{"platform_distance", Allowed::range(0.01, 100), "m",
                     "distance of the platform, for the truth in metres"},

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Settings of the search through the pictures of one still camera.
+// Settings of the search through the images of one still camera.
 #pragma once
 
 #include "mbncc/config/field.hpp"
@@ -7,20 +7,19 @@
 namespace mbncc {
 
 struct VideoConfig {
-  double sweep_time = 60;  ///< [s] period in which every object is searched once in the whole
-                           ///< picture, even without change; 0: all objects in every picture
-  double max_search_cost =
-      0.8;  ///< of a changed picture, in searches of one object in a whole picture
+  double sweep_time = 60;        ///< [s] period in which every object is searched once in the whole
+                                 ///< image, even without change; 0: all objects in every image
+  double max_search_cost = 0.8;  ///< of a changed image, in searches of one object in a whole image
 
   template <class Self, class Visitor>
   static void fields(Self& self, Visitor&& visit) {
     visit(FieldInfo{"sweep_time", Allowed::range(0, 3600), "s",
                     "without change, period in which every object is searched once; 0: every "
-                    "picture is searched completely"},
+                    "image is searched completely"},
           self.sweep_time);
     visit(FieldInfo{"max_search_cost", Allowed::range(0.1, 1000), "",
-                    "largest cost of a changed picture, in searches of one object in a whole "
-                    "picture; the rest is postponed to the next pictures"},
+                    "largest cost of a changed image, in searches of one object in a whole "
+                    "image; the rest is postponed to the next images"},
           self.max_search_cost);
   }
 };

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Change cut: a graph cut that separates the object from the platform in the picture before. The
-// platform's likelihood comes from the picture after, possibly shadowed; the cut follows edges that
+// Change cut: a graph cut that separates the object from the platform in the image before. The
+// platform's likelihood comes from the image after, possibly shadowed; the cut follows edges that
 // disappeared with the object.
 #pragma once
 
@@ -13,27 +13,27 @@
 namespace mbncc {
 
 struct ChangeCut {
-  cv::Mat map;  ///< CV_8UC1 of the pictures' size, 0/255; all 0 when nothing in the region changed
+  cv::Mat map;  ///< CV_8UC1 of the images' size, 0/255; all 0 when nothing in the region changed
   CutEvidence evidence;
-  /// Log-odds of object against platform used for the cut: CV_32FC1 of the pictures' size, within
+  /// Log-odds of object against platform used for the cut: CV_32FC1 of the images' size, within
   /// +-8, -8 outside the region. None when nothing had changed.
   std::function<cv::Mat()> preference;
 
   // Each call continues with one more cut; none if nothing had changed. The operator's strokes are
-  // hard constraints (CV_8UC1 of the pictures' size, 255 there).
+  // hard constraints (CV_8UC1 of the images' size, 255 there).
   std::function<ChangeCut(const cv::Mat& include, const cv::Mat& exclude)> cut_again;
   /// Adds another view's `preference`, warped onto this one.
   std::function<ChangeCut(const cv::Mat& preference)> cut_with;
 };
 
 /// `before` and `after` are CV_8UC3 of one size; `region` contains the object and lies inside the
-/// pictures. `changed` (CV_8UC1, from survey_change()) marks all changes coarsely. The camera may
+/// images. `changed` (CV_8UC1, from survey_change()) marks all changes coarsely. The camera may
 /// have moved by up to `max_shift` pixels.
 ChangeCut change_cut(const cv::Mat& before, const cv::Mat& after, const cv::Rect& region,
                      const cv::Mat& changed, int iterations, int max_shift,
                      const BeforeCut& before_cut = {});
 
-/// The same with one picture: the platform under the object is predicted from the ring around
+/// The same with one image: the platform under the object is predicted from the ring around
 /// `region`.
 ChangeCut region_cut(const cv::Mat& before, const cv::Rect& region, int iterations,
                      const BeforeCut& before_cut = {});

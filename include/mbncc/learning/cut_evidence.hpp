@@ -14,10 +14,10 @@ struct CutEvidence {
   double change_outside = 0;  ///< [0..1] changed part of the strip around the region
   double change_beside = 0;   ///< [map's area] certain change in the region outside the map
   double stability =
-      1;  ///< [0..1] least IoU with cuts of shifted balance; of one picture: with the other method
-  double boundary_contrast = 1;  ///< [0..1] strength of the picture edges along the outline
+      1;  ///< [0..1] least IoU with cuts of shifted balance; of one image: with the other method
+  double boundary_contrast = 1;  ///< [0..1] strength of the image edges along the outline
   bool shadow_like = false;      ///< a shadow of the platform would look like the object
-  bool verified = true;  ///< false: cut from one picture, without confirmation by a second one
+  bool verified = true;  ///< false: cut from one image, without confirmation by a second one
 };
 
 }  // namespace mbncc

@@ -14,7 +14,7 @@ namespace mbncc {
 
 /// One correction, as in srv/ConfirmLearning.srv. Fields that are not set change nothing.
 struct LessonEdit {
-  using Line = std::vector<cv::Point2f>;  ///< [px] in the learning picture
+  using Line = std::vector<cv::Point2f>;  ///< [px] in the learning image
 
   std::vector<Line> include;        ///< belongs to the object
   std::vector<Line> exclude;        ///< belongs to the background; overrides `include`
@@ -28,7 +28,7 @@ struct LessonEdit {
 /// outline was given, strokes are painted into it.
 class InteractiveLesson {
  public:
-  /// Learns as learn_object() does. The pictures of `lesson` are shared, not copied.
+  /// Learns as learn_object() does. The images of `lesson` are shared, not copied.
   explicit InteractiveLesson(const Lesson& lesson, const LearningConfig& config = {},
                              const SearchConfig& search = {}, const StageObserver& observer = {});
   ~InteractiveLesson();
@@ -38,7 +38,7 @@ class InteractiveLesson {
   /// Of the lesson and all edits in force.
   const LearnResult& result() const;
 
-  /// Segments and evaluates again. An edit that fails (strokes outside the picture, nothing left of
+  /// Segments and evaluates again. An edit that fails (strokes outside the image, nothing left of
   /// the object, cancelled, a first lesson without a map) changes nothing; its result gives the
   /// reason.
   LearnResult edit(const LessonEdit& edit, const StageObserver& observer = {});

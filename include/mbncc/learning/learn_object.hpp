@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// One lesson: computes an object model and its verdict from pictures and a region (the paper's
+// One lesson: computes an object model and its verdict from images and a region (the paper's
 // learning phase).
 #pragma once
 
@@ -19,11 +19,11 @@
 namespace mbncc {
 
 /// Input of a lesson. Exactly one indication of the object's place must be usable:
-/// a ready `map`, an `outline`, a `click`, a `region`, or an `after` picture.
+/// a ready `map`, an `outline`, a `click`, a `region`, or an `after` image.
 struct Lesson {
   cv::Mat before;   ///< CV_8UC3, the object lies on the platform
   cv::Mat after;    ///< CV_8UC3 of the same size, the object is gone; may be empty
-  cv::Rect region;  ///< [px] approximate region; empty: whole picture (needs `after`)
+  cv::Rect region;  ///< [px] approximate region; empty: whole image (needs `after`)
   std::vector<cv::Point2f> outline;  ///< [px] polygon on `before`
   std::optional<cv::Point2f> click;  ///< [px] a point on the object
   cv::Mat map;                       ///< CV_8UC1 of before's size, used unchanged
@@ -37,12 +37,12 @@ struct Lesson {
 /// Steps reported to an observer, in this order.
 enum class Stage { kRegion, kSegment, kQuality };
 
-/// Called at each step with the progress in [0..1] and a picture of the step (CV_8UC3, may be
+/// Called at each step with the progress in [0..1] and an image of the step (CV_8UC3, may be
 /// empty). Returning false ends the lesson with kCancelled within one graph cut.
 using StageObserver = std::function<bool(Stage stage, double progress, const std::string& message,
-                                         const cv::Mat& picture)>;
+                                         const cv::Mat& image)>;
 
-/// The object, put aside within the view of the picture after.
+/// The object, put aside within the view of the image after.
 struct PutAside {
   Pose2D pose;           ///< [px],[rad] of the object frame there
   double agreement = 0;  ///< [0..1] IoU of the learned map with the map segmented there

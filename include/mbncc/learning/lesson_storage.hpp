@@ -33,24 +33,24 @@ struct Refusal {
 enum class Storing {
   kNew,      ///< there must be none
   kReplace,  ///< it is replaced, if there is one
-  kAddView   ///< there must be one; the lesson's picture becomes its further view
+  kAddView   ///< there must be one; the lesson's image becomes its further view
 };
 
 /// Why a lesson of this name, label, height, symmetry and reference cannot be stored; none: it may
-/// start. A further view provides only the picture; all other values are those of the stored
+/// start. A further view provides only the image; all other values are those of the stored
 /// object.
 std::optional<Refusal> check_storing(const Lesson& lesson, Storing storing,
                                      const LibrarySnapshot& library);
 
-/// Adds the view of `learned`, taught by `picture`, to `stored`, in its frame and at its height;
+/// Adds the view of `learned`, taught by `image`, to `stored`, in its frame and at its height;
 /// the verdict is that of the newest view. Refuses and leaves `stored` unchanged if the stored
-/// object is not found in the picture.
+/// object is not found in the image.
 std::optional<Refusal> add_view(ObjectModel& stored, const ObjectModel& learned,
-                                const cv::Mat& picture, const SearchConfig& search = {});
+                                const cv::Mat& image, const SearchConfig& search = {});
 
 /// If add_view() would refuse the view, the verdict becomes BAD for the reason "view_refused", with
 /// its sentences as the first advice, so that the operator reads them before the work on a view.
-void note_refused_view(ObjectModel& learned, const ObjectModel& stored, const cv::Mat& picture,
+void note_refused_view(ObjectModel& learned, const ObjectModel& stored, const cv::Mat& image,
                        const SearchConfig& search = {});
 
 }  // namespace mbncc

@@ -13,9 +13,9 @@
 
 namespace mbncc {
 
-/// Evaluates `object` (one view, no quality yet) in its learning picture `before`, in which it is
+/// Evaluates `object` (one view, no quality yet) in its learning image `before`, in which it is
 /// also searched to measure how distinct it is. `changed` (CV_8UC1 of the same size, from
-/// survey_change()) is empty if there was no picture after. Reasons are ordered worst first.
+/// survey_change()) is empty if there was no image after. Reasons are ordered worst first.
 Quality assess_quality(const ObjectModel& object, const cv::Mat& before, const cv::Mat& changed,
                        const std::optional<CutEvidence>& evidence, const LearningConfig& config,
                        const SearchConfig& search);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// One object as one file: an 8-bit RGBA PNG (colour: the picture around the object, alpha: the map,
-// views stacked from top to bottom) with one text chunk "mbncc" that holds YAML. Any picture viewer
+// One object as one file: an 8-bit RGBA PNG (colour: the image around the object, alpha: the map,
+// views stacked from top to bottom) with one text chunk "mbncc" that holds YAML. Any image viewer
 // shows it.
 #pragma once
 

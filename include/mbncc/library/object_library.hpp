@@ -41,7 +41,7 @@ struct QuarantinedFile {
 struct LibrarySnapshot {
   std::vector<std::shared_ptr<const ObjectModel>> objects;  ///< sorted by name
   std::vector<QuarantinedFile> quarantined;                 ///< by this load
-  std::vector<std::string> other_pictures;  ///< PNG files that are no objects and stay in place
+  std::vector<std::string> other_images;  ///< PNG files that are no objects and stay in place
 
   std::shared_ptr<const ObjectModel> find(const std::string& name) const;  ///< null: unknown
 };

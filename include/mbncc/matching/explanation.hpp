@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Explains why objects are found at a place in a picture or not.
+// Explains why objects are found at a place in an image or not.
 #pragma once
 
 #include <memory>
@@ -41,7 +41,7 @@ struct Explanation {
   std::string name;
   Outcome outcome = Outcome::kNotProposed;
   Pose2D pose;       ///< [px],[rad] the best one near the place
-  double scale = 1;  ///< relative to the learning picture
+  double scale = 1;  ///< relative to the learning image
   double score = 0;  ///< [0..1]; if it was not proposed: before the comparison with others
   LogOdds odds;
   std::vector<cv::Point2f> outline;  ///< [px]
@@ -52,19 +52,19 @@ struct Explanation {
   std::string covered_by;               ///< the object with a higher score at the place; "": none
 };
 
-/// Explains `place` [px] in `picture` for a search of all enabled `objects`, the most likely first;
+/// Explains `place` [px] in `image` for a search of all enabled `objects`, the most likely first;
 /// only those of `names`, if there are any. Throws std::invalid_argument like Matcher::find(), for
-/// a place outside the picture, and for a name that is unknown or disabled.
+/// a place outside the image, and for a name that is unknown or disabled.
 std::vector<Explanation> explain_place(
     const std::vector<std::shared_ptr<const ObjectModel>>& objects, const SearchConfig& config,
-    const cv::Mat& picture, cv::Point2d place, const std::vector<std::string>& names = {});
+    const cv::Mat& image, cv::Point2d place, const std::vector<std::string>& names = {});
 
 /// Sentences, one per line: the result first, the remedy last.
 std::vector<std::string> lines_of(const Explanation& explanation);
 
-/// CV_8UC3 copy of `picture` with the place, the best pose of the first explanation and its
+/// CV_8UC3 copy of `image` with the place, the best pose of the first explanation and its
 /// competitors.
-cv::Mat draw_explanation(const cv::Mat& picture, cv::Point2d place,
+cv::Mat draw_explanation(const cv::Mat& image, cv::Point2d place,
                          const std::vector<Explanation>& explanations);
 
 }  // namespace mbncc

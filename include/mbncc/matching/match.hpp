@@ -27,13 +27,13 @@ struct Doubt {
   std::string text;
 };
 
-/// One instance of a learned object in one picture.
+/// One instance of a learned object in one image.
 struct Match {
   std::string name;
   std::uint32_t revision = 0;
   Pose2D pose;  ///< [px],[rad] object frame: reference point and direction
   double scale =
-      1;  ///< relative to the learning picture; the searched one unless another is significant
+      1;  ///< relative to the learning image; the searched one unless another is significant
   cv::Matx33d covariance;  ///< of pose: x, y, theta [px^2, px rad, rad^2]; 100 px and a full turn
                            ///< if the pose is too unlikely to be measured
   double score = 0;        ///< [0..1] acceptance score
@@ -47,16 +47,16 @@ struct Match {
   /// Log-odds to the best other angle here (more than 10 degrees off, symmetry aside).
   double margin_angle = 0;
   std::optional<double> other_angle;  ///< [rad] of the object frame there; empty: none was found
-  double visible = 1;                 ///< [0..1] part of the map inside the picture
+  double visible = 1;                 ///< [0..1] part of the map inside the image
   int symmetry = 1;                   ///< 1: none, 2: 180 deg ..., 0: round
   std::vector<Doubt> doubts;          ///< for this pose, without competitors
-  /// All conditions for a grasp hold in this picture: score, margins, visible part, standard
+  /// All conditions for a grasp hold in this image: score, margins, visible part, standard
   /// deviations, colours of parts, size, and the fit of the outline elsewhere or mirrored.
   bool graspable = false;
   bool ambiguous = false;            ///< the score suffices, but another pose may be the right one
   std::vector<std::string> reasons;  ///< why it is not graspable; empty if it is
-  bool fresh = true;  ///< found in this picture; otherwise in an earlier one with unchanged pixels
-  std::vector<cv::Point2f> outline;  ///< [px] largest outline of the map in this picture
+  bool fresh = true;  ///< found in this image; otherwise in an earlier one with unchanged pixels
+  std::vector<cv::Point2f> outline;  ///< [px] largest outline of the map in this image
 
   double log_odds() const { return odds.total(); }
 };

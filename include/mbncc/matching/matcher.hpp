@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Finds learned objects in a picture: position, rotation angle, score and covariance.
+// Finds learned objects in an image: position, rotation angle, score and covariance.
 #pragma once
 
 #include <cstdint>
@@ -18,17 +18,17 @@ namespace mbncc {
 /// A search request. Zero, empty or negative values select the configured ones.
 struct SearchRequest {
   std::vector<std::string> names;  ///< empty: all enabled objects
-  cv::Rect roi;                    ///< [px] must contain the reference points; empty: whole picture
+  cv::Rect roi;                    ///< [px] must contain the reference points; empty: whole image
   double min_score = -1;
   int max_instances = 0;
   /// Number of objects of the whole search if this request is a part of it, with objects searched
   /// one by one. Effort and scores are then those of a joint search.
   std::size_t among = 0;
-  /// For a search of a part of a picture, by name: the least log-odds subtracted from scores, from
-  /// SearchResult::clutter of the whole picture, and the uncalibrated log-odds of the best instance
+  /// For a search of a part of an image, by name: the least log-odds subtracted from scores, from
+  /// SearchResult::clutter of the whole image, and the uncalibrated log-odds of the best instance
   /// outside the part.
   std::map<std::string, double> clutter, elsewhere;
-  /// Instances of other objects in the picture: requested objects of similar size are always
+  /// Instances of other objects in the image: requested objects of similar size are always
   /// verified there as well.
   std::vector<Footprint> occupied;
 };
@@ -48,7 +48,7 @@ struct SearchResult {
 /// The names with `most` matches; none if only the best match is requested.
 std::vector<std::string> names_at_limit(const std::vector<Match>& matches, int most);
 
-/// Searches pictures for a set of objects. A learned point p appears at
+/// Searches images for a set of objects. A learned point p appears at
 /// (x, y) + R(theta - reference.theta) scale (p - reference).
 /// find() is const and may run in several threads; the setters must not run beside it.
 class Matcher {
@@ -80,12 +80,12 @@ class Matcher {
   /// `picture` is CV_8UC3 (bgr) or CV_8UC1, at least 16 x 16; else std::invalid_argument.
   /// A requested name that is unknown or disabled is listed in `skipped`, and so is an object that
   /// cannot be prepared.
-  SearchResult find(const cv::Mat& picture, const SearchRequest& request = {}) const;
+  SearchResult find(const cv::Mat& image, const SearchRequest& request = {}) const;
 
-  /// CV_32FC1 of the picture's size, 0 .. 1: at each place the largest similarity of any requested
+  /// CV_32FC1 of the image's size, 0 .. 1: at each place the largest similarity of any requested
   /// object over all rotations, in the coarse search, for display. Objects that are searched only
   /// by their contours have none.
-  cv::Mat score_map(const cv::Mat& picture, const SearchRequest& request = {}) const;
+  cv::Mat score_map(const cv::Mat& image, const SearchRequest& request = {}) const;
 
  private:
   struct Implementation;

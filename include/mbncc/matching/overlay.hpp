@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Draws matches into their picture.
+// Draws matches into their image.
 #pragma once
 
 #include <opencv2/core.hpp>
@@ -18,7 +18,7 @@ std::string brief_reason(const std::vector<std::string>& reasons);
 /// reason, or grey and "unsure".
 Marking marking_of(const Match& match);
 
-/// CV_8UC3 copy of `picture` with every match marked.
-cv::Mat draw_matches(const cv::Mat& picture, const std::vector<Match>& matches);
+/// CV_8UC3 copy of `image` with every match marked.
+cv::Mat draw_matches(const cv::Mat& image, const std::vector<Match>& matches);
 
 }  // namespace mbncc

@@ -21,7 +21,7 @@ enum class PolarRegion {
 
 /// A position and rotation of the view with its similarity.
 struct PolarPose {
-  Pose2D pose;            ///< [px],[rad] of the region's centre, relative to the learning picture
+  Pose2D pose;            ///< [px],[rad] of the region's centre, relative to the learning image
   double similarity = 0;  ///< [-1..1]
 };
 
@@ -37,7 +37,7 @@ class PolarSearch {
   int top_level() const { return static_cast<int>(templates_.size()) - 1; }
 
   /// Local maxima of the similarity with centres in `roi` [px], refined to full resolution, best
-  /// first. `levels` is the grey pyramid (build_pyramid()) of the picture searched.
+  /// first. `levels` is the grey pyramid (build_pyramid()) of the image searched.
   std::vector<PolarPose> find(const std::vector<cv::Mat>& levels, const cv::Rect& roi) const;
 
  private:

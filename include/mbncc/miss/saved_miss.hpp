@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// One file with the complete input of a failed search: picture, library, settings and place, so
-// that it can be repeated elsewhere. YAML with pictures and objects as base64; the first lines are
+// One file with the complete input of a failed search: image, library, settings and place, so
+// that it can be repeated elsewhere. YAML with images and objects as base64; the first lines are
 // a readable summary.
 #pragma once
 
@@ -19,7 +19,7 @@ namespace mbncc {
 constexpr int kMissFileVersion = 1;
 
 struct SavedMiss {
-  cv::Mat picture;                 ///< CV_8UC3, at most 8 million pixels
+  cv::Mat image;                   ///< CV_8UC3, at most 8 million pixels
   cv::Point2d place;               ///< [px] the place in question
   std::vector<std::string> names;  ///< names in question; empty: all enabled
   SearchConfig search;

@@ -10,7 +10,7 @@ namespace mbncc::sim {
 
 SceneConfig scene_config(const SimulatedCameraConfig& config);
 
-/// Times are converted to at least one picture at `frame_rate`.
+/// Times are converted to at least one image at `frame_rate`.
 CellScriptConfig script_config(const SimulatedCameraConfig& config);
 
 }  // namespace mbncc::sim

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The script of the simulated camera: an object lies on the platform, an arm takes it away and
-// later puts it down elsewhere, rotated. One step per picture; the same seed gives the same script.
+// later puts it down elsewhere, rotated. One step per image; the same seed gives the same script.
 #pragma once
 
 #include <cstdint>
@@ -14,13 +14,13 @@
 namespace mbncc::sim {
 
 struct CellScriptConfig {
-  cv::Size size{640, 480};  ///< [px] of the picture
+  cv::Size size{640, 480};  ///< [px] of the image
   std::uint64_t seed = 1;   ///< seed of places and neighbours
   SceneObject object;       ///< the one that is moved
   int neighbours = 2;       ///< other objects that lie still
   bool auto_play = true;    ///< moves automatically; otherwise only on request
-  int rest_frames = 50;     ///< pictures at rest between two motions, with auto_play
-  int leg_frames = 15;      ///< pictures of one leg of a motion: reach, carry, retreat
+  int rest_frames = 50;     ///< images at rest between two motions, with auto_play
+  int leg_frames = 15;      ///< images of one leg of a motion: reach, carry, retreat
 };
 
 enum class CellPhase { kRest, kReach, kCarry, kRetreat };
@@ -28,25 +28,25 @@ enum class CellPhase { kRest, kReach, kCarry, kRetreat };
 /// "rest", "reach", "carry" or "retreat".
 const char* to_string(CellPhase phase);
 
-/// Contents of one picture.
+/// Contents of one image.
 struct CellFrame {
   std::vector<Placed> placed;   ///< neighbours, and the object unless it is out of the cell
-  std::optional<Arm> arm;       ///< none: out of the picture
+  std::optional<Arm> arm;       ///< none: out of the image
   std::optional<Pose2D> truth;  ///< where the object lies; none while it is carried or out
   CellPhase phase = CellPhase::kRest;
 };
 
-/// Plays the script. It begins with the object at angle 0 in the middle of the picture. With
+/// Plays the script. It begins with the object at angle 0 in the middle of the image. With
 /// auto_play the object is repeatedly taken away and put down elsewhere.
 class CellScript {
  public:
-  /// Throws std::invalid_argument when the objects do not fit into the picture.
+  /// Throws std::invalid_argument when the objects do not fit into the image.
   explicit CellScript(CellScriptConfig config = {});
 
-  /// Contents of the current picture.
+  /// Contents of the current image.
   CellFrame frame() const;
 
-  /// Advances by one picture.
+  /// Advances by one image.
   void step();
 
   /// Begins to carry the object out. Returns false and does nothing unless it lies at rest.

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A simulated cell with known truth, reproducible from a seed: a textured platform, textured
 // irregular objects at sub-pixel poses, light, noise and an arm. Used by demo, tests and
-// benchmarks; the same seed gives the same pictures.
+// benchmarks; the same seed gives the same images.
 #pragma once
 
 #include <cstdint>
@@ -27,7 +27,7 @@ struct Placed {
   Pose2D pose;
 };
 
-/// A tapered robot arm with a two-finger gripper, seen from above, that reaches into the picture
+/// A tapered robot arm with a two-finger gripper, seen from above, that reaches into the image
 /// from outside.
 struct Arm {
   Pose2D grip;          ///< point between the finger tips; theta: direction the arm reaches in
@@ -38,21 +38,21 @@ struct SceneConfig {
   cv::Size size{640, 480};      ///< [px]
   std::uint64_t seed = 1;       ///< platform texture, light direction and noise
   double noise_sigma = 2;       ///< [grey levels] at medium brightness; grows with the signal
-  double light_gradient = 0.1;  ///< [0..1] fall-off of the light across the picture
+  double light_gradient = 0.1;  ///< [0..1] fall-off of the light across the image
   double gain = 1;              ///< exposure
   double blur_sigma = 0.6;      ///< [px] of the optics
 };
 
 class SceneCache;
 
-/// Renders pictures of the cell. The const functions may run in several threads.
+/// Renders images of the cell. The const functions may run in several threads.
 class Scene {
  public:
   explicit Scene(SceneConfig config = {});
 
   const SceneConfig& config() const { return config_; }
 
-  /// CV_8UC3 picture of the platform with `placed` on it, later ones on top, and the arm above all.
+  /// CV_8UC3 image of the platform with `placed` on it, later ones on top, and the arm above all.
   /// `frame` seeds the noise.
   cv::Mat render(const std::vector<Placed>& placed, std::uint64_t frame = 0,
                  const std::optional<Arm>& arm = std::nullopt) const;

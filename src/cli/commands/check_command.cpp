@@ -52,7 +52,7 @@ ExitCode run(const Arguments& arguments) {
   std::cout << snapshot->objects.size() << " readable, " << faulty.size() << " unreadable\n";
   for (const auto& file : faulty)
     std::cerr << (file.moved ? ".quarantine/" : "") << file.file << ": " << file.reason << '\n';
-  for (const auto& file : snapshot->other_pictures)
+  for (const auto& file : snapshot->other_images)
     std::cerr << file << ": not an object; left where it is\n";
   if (faulty.empty()) return kDone;
   const bool moved =

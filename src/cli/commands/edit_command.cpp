@@ -50,7 +50,7 @@ Command edit_command() {
            {"--min-score", "S", "least score to report it, instead of min_score; auto: min_score"}},
           "",
           "Equivalent angles do not compete, so an object can be graspable at any of them. auto: "
-          "as\n measured in the picture. none: the angle always matters. The old revision goes to\n"
+          "as\n measured in the image. none: the angle always matters. The old revision goes to\n"
           "the trash.\n",
           run};
 }

@@ -2,8 +2,8 @@
 #include <iostream>
 
 #include "cli/command.hpp"
+#include "cli/images.hpp"
 #include "cli/library_access.hpp"
-#include "cli/pictures.hpp"
 #include "cli/report/match_report.hpp"
 #include "cli/report/overlay_writer.hpp"
 #include "cli/settings.hpp"
@@ -46,18 +46,18 @@ Matcher prepared_matcher(const Arguments& arguments, const SearchConfig& search)
   return matcher;
 }
 
-SearchResult searched(const Matcher& matcher, const std::string& image, const cv::Mat& picture,
+SearchResult searched(const Matcher& matcher, const std::string& image_path, const cv::Mat& image,
                       const SearchRequest& request) {
   try {
-    return matcher.find(picture, request);
+    return matcher.find(image, request);
   } catch (const std::invalid_argument& error) {
-    throw FileError(image, error.what());
+    throw FileError(image_path, error.what());
   }
 }
 
-void warn_of_skipped(const std::string& image, const SearchResult& result) {
+void warn_of_skipped(const std::string& image_path, const SearchResult& result) {
   for (const auto& reason : result.skipped)
-    std::cerr << "mbncc: warning: " << image << ": not searched " << reason << '\n';
+    std::cerr << "mbncc: warning: " << image_path << ": not searched " << reason << '\n';
 }
 
 ExitCode run(const Arguments& arguments) {
@@ -71,13 +71,13 @@ ExitCode run(const Arguments& arguments) {
   ExitCode code = kDone;
   // On a terminal the printed lines already show the progress.
   Progress progress("searched", arguments.operands().size(), Progress::kQuietOutput);
-  for (const auto& image : arguments.operands()) {
+  for (const auto& image_path : arguments.operands()) {
     try {
-      const cv::Mat picture = read_picture(image);
-      const SearchResult result = searched(matcher, image, picture, request);
-      warn_of_skipped(image, result);
-      report->add(image, picture.size(), result);
-      overlay.write(image, picture, result.matches);
+      const cv::Mat image = read_image(image_path);
+      const SearchResult result = searched(matcher, image_path, image, request);
+      warn_of_skipped(image_path, result);
+      report->add(image_path, image.size(), result);
+      overlay.write(image_path, image, result.matches);
     } catch (const std::exception& error) {
       std::cerr << "mbncc: " << error.what() << '\n';
       code = kFailed;
@@ -92,19 +92,19 @@ ExitCode run(const Arguments& arguments) {
 
 Command find_command() {
   return {"find",
-          "find learned objects in pictures",
+          "find learned objects in images",
           {library_option(),
            {"--name", "NAME", "search for this object only", false, true},
            {"--min-score", "S", "least score of reported detections"},
-           {"--max-instances", "N", "detections per object and picture"},
+           {"--max-instances", "N", "detections per object and image"},
            {"--threads", "T", "worker threads"},
            {"--engine", "fast|polar", "polar: the paper's matching in the polar domain"},
            {"--csv", "", "print CSV"},
            json_option(),
-           {"--overlay", "DIR", "write each picture with its detections"}},
+           {"--overlay", "DIR", "write each image with its detections"}},
           "IMAGE",
           "x and y are the position of the object's reference point in pixels; theta is its "
-          "rotation,\n clockwise on screen. A picture that cannot be read is reported on stderr, "
+          "rotation,\n clockwise on screen. An image that cannot be read is reported on stderr, "
           "the others\n are searched, and the exit code is 1.\n",
           run};
 }

@@ -39,14 +39,14 @@ bool may_store(const LearnResult& result, const Arguments& arguments) {
 }
 
 ObjectModel store(ObjectLibrary& library, Storing storing, const ObjectModel& learned,
-                  const cv::Mat& picture, const SearchConfig& search) {
+                  const cv::Mat& image, const SearchConfig& search) {
   using Existing = ObjectLibrary::Existing;
   try {
     if (storing != Storing::kAddView)
       return library.save(learned,
                           storing == Storing::kReplace ? Existing::kReplace : Existing::kRefuse);
     return library.edit(learned.name, [&](ObjectModel& stored) {
-      if (const auto refusal = add_view(stored, learned, picture, search)) throw *refusal;
+      if (const auto refusal = add_view(stored, learned, image, search)) throw *refusal;
     });
   } catch (const std::exception& failure) {
     throw Refusal(failure);
@@ -136,10 +136,10 @@ ExitCode run(const Arguments& arguments) {
 
 Command learn_command() {
   return {"learn",
-          "learn an object from pictures and store it",
+          "learn an object from images and store it",
           lesson_options(),
           "",
-          "--after (a second picture without the object), --roi, --click or --map give the "
+          "--after (a second image without the object), --roi, --click or --map give the "
           "object's\n place. Strokes by --include and --exclude correct the outline.\n"
           "A verdict GOOD or MARGINAL is stored, BAD only with --allow-bad; --map is never "
           "refused\n for quality. Replaced revisions go to DIR/.trash.\n",

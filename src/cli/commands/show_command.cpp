@@ -28,7 +28,7 @@ Command show_command() {
           "describe one object",
           {library_option(), name_option(), json_option()},
           "",
-          "Its picture is DIR/NAME.png, which any image viewer shows.\n",
+          "Its image is DIR/NAME.png, which any image viewer shows.\n",
           run};
 }
 

@@ -4,7 +4,7 @@
 #include <iostream>
 
 #include "cli/command.hpp"
-#include "cli/pictures.hpp"
+#include "cli/images.hpp"
 #include "cli/report/numbers.hpp"
 #include "cli/settings.hpp"
 #include "cli/terminal/progress.hpp"
@@ -14,18 +14,18 @@
 namespace mbncc::cli {
 namespace {
 
-/// Plays the script until the arm is out of the picture.
+/// Plays the script until the arm is out of the image.
 void play_to_rest(sim::CellScript& script) {
   while (!script.at_rest()) script.step();
 }
 
-std::string picture_name(int index) {
+std::string image_name(int index) {
   char name[32];
   std::snprintf(name, sizeof name, "target_%03d.png", index);
   return name;
 }
 
-/// A simulated cell that writes the pictures of its camera.
+/// A simulated cell that writes the images of its camera.
 class RecordedCell {
  public:
   RecordedCell(std::string folder, const SimulatedCameraConfig& config)
@@ -37,14 +37,14 @@ class RecordedCell {
 
   void write(const std::string& name) {
     play_to_rest(script_);
-    write_picture(folder_ + "/" + name, scene_.render(script_.frame().placed, pictures_++));
+    write_image(folder_ + "/" + name, scene_.render(script_.frame().placed, images_++));
   }
 
  private:
   std::string folder_;
   sim::Scene scene_;
   sim::CellScript script_;
-  std::uint64_t pictures_ = 0;
+  std::uint64_t images_ = 0;
 };
 
 void write_lesson(RecordedCell& cell) {
@@ -58,9 +58,9 @@ void write_targets(RecordedCell& cell, int count, std::ostream& truth) {
   Progress progress("drawn", static_cast<std::size_t>(count));
   for (int i = 0; i < count; ++i) {
     cell.script().put_next();
-    cell.write(picture_name(i));
+    cell.write(image_name(i));
     const Pose2D pose = *cell.script().frame().truth;
-    truth << picture_name(i) << ',' << pose.x << ',' << pose.y << ',' << to_degrees(pose.theta)
+    truth << image_name(i) << ',' << pose.x << ',' << pose.y << ',' << to_degrees(pose.theta)
           << '\n';
     progress.step();
   }
@@ -96,14 +96,14 @@ ExitCode run(const Arguments& arguments) {
 
 Command simulate_command() {
   return {"simulate",
-          "write pictures of the simulated cell, to try the tool without a camera",
-          {{"--out", "DIR", "folder for the pictures", true},
+          "write images of the simulated cell, to try the tool without a camera",
+          {{"--out", "DIR", "folder for the images", true},
            {"--seed", "N", "seed of platform, object and poses (1)"},
-           {"--count", "N", "pictures to search (5)"}},
+           {"--count", "N", "images to search (5)"}},
           "",
           "before.png and after.png teach the object, target_*.png show it elsewhere, truth.csv "
           "gives\n its pose: the centroid of its outline and its angle relative to before.png. Of "
-          "the simulated\n camera's parameters, those of picture, object, neighbours, noise and "
+          "the simulated\n camera's parameters, those of image, object, neighbours, noise and "
           "light are used.\n",
           run};
 }

@@ -7,8 +7,8 @@
 #include "cli/command.hpp"
 #include "cli/evaluate/evaluation.hpp"
 #include "cli/evaluate/evaluation_page.hpp"
+#include "cli/images.hpp"
 #include "cli/library_access.hpp"
-#include "cli/pictures.hpp"
 #include "cli/report/json_writer.hpp"
 #include "cli/report/numbers.hpp"
 #include "cli/settings.hpp"
@@ -18,53 +18,52 @@
 namespace mbncc::cli {
 namespace {
 
-bool is_picture(const std::filesystem::path& path) {
+bool is_image(const std::filesystem::path& path) {
   std::string ending = path.extension().string();
   std::transform(ending.begin(), ending.end(), ending.begin(), ::tolower);
   return ending == ".png" || ending == ".jpg" || ending == ".jpeg";
 }
 
-/// The operands; a folder is replaced by its pictures, or by those that `truth` lists.
-std::vector<std::string> pictures_of(const std::vector<std::string>& operands, const Truth& truth) {
-  std::vector<std::string> pictures;
+/// The operands; a folder is replaced by its images, or by those that `truth` lists.
+std::vector<std::string> images_of(const std::vector<std::string>& operands, const Truth& truth) {
+  std::vector<std::string> images;
   for (const auto& operand : operands) {
     if (!std::filesystem::is_directory(operand)) {
-      pictures.push_back(operand);
+      images.push_back(operand);
       continue;
     }
     std::vector<std::string> inside;
     for (const auto& entry : std::filesystem::directory_iterator(operand))
-      if (is_picture(entry.path()) && truth.count(entry.path().filename().string()) > 0)
+      if (is_image(entry.path()) && truth.count(entry.path().filename().string()) > 0)
         inside.push_back(entry.path().string());
-    if (inside.empty()) throw FileError(operand, "none of its pictures is listed by --truth");
+    if (inside.empty()) throw FileError(operand, "none of its images is listed by --truth");
     std::sort(inside.begin(), inside.end());
-    pictures.insert(pictures.end(), inside.begin(), inside.end());
+    images.insert(images.end(), inside.begin(), inside.end());
   }
-  return pictures;
+  return images;
 }
 
-/// Listed pictures that are not among the given ones, sorted.
-std::vector<std::string> not_given(const Truth& truth, const std::vector<std::string>& pictures) {
+/// Listed images that are not among the given ones, sorted.
+std::vector<std::string> not_given(const Truth& truth, const std::vector<std::string>& images) {
   std::set<std::string> given;
-  for (const auto& picture : pictures)
-    given.insert(std::filesystem::path(picture).filename().string());
+  for (const auto& image : images) given.insert(std::filesystem::path(image).filename().string());
   std::vector<std::string> missing;
-  for (const auto& [image, instances] : truth)
-    if (given.count(image) == 0) missing.push_back(image);
+  for (const auto& [image_path, instances] : truth)
+    if (given.count(image_path) == 0) missing.push_back(image_path);
   return missing;
 }
 
 void tell_not_given(const std::vector<std::string>& missing) {
   constexpr std::size_t kNamed = 5;
   if (missing.empty()) return;
-  std::cerr << "mbncc: warning: " << missing.size() << " listed pictures were not given:";
+  std::cerr << "mbncc: warning: " << missing.size() << " listed images were not given:";
   for (std::size_t i = 0; i < std::min(kNamed, missing.size()); ++i) std::cerr << ' ' << missing[i];
   std::cerr << (missing.size() > kNamed ? " ...\n" : "\n");
 }
 
-void write_json(const std::string& image, const Comparison& comparison) {
+void write_json(const std::string& image_path, const Comparison& comparison) {
   JsonWriter json(std::cout);
-  json.begin_object().member("image", image);
+  json.begin_object().member("image", image_path);
   json.member("right", static_cast<int>(comparison.right.size()));
   json.key("missed").begin_array();
   for (const auto& one : comparison.missed)
@@ -87,7 +86,7 @@ void write_json(const std::string& image, const Comparison& comparison) {
 
 void write_json(const Figures& figures, std::size_t not_given) {
   JsonWriter json(std::cout);
-  json.begin_object().member("pictures", figures.pictures).member("instances", figures.instances);
+  json.begin_object().member("pictures", figures.images).member("instances", figures.instances);
   json.member("not_given", static_cast<int>(not_given));
   json.member("recall", figures.recall()).member("precision", figures.precision());
   json.member("recall_graspable", figures.recall_graspable());
@@ -100,12 +99,12 @@ void write_json(const Figures& figures, std::size_t not_given) {
   json.member("seconds", figures.seconds).end_object();
 }
 
-void print_faults(const std::string& image, const Comparison& comparison) {
+void print_faults(const std::string& image_path, const Comparison& comparison) {
   for (const auto& one : comparison.missed)
-    std::cout << "  " << image << ": missed " << one.name << " at (" << one.pose.x << ", "
+    std::cout << "  " << image_path << ": missed " << one.name << " at (" << one.pose.x << ", "
               << one.pose.y << ")\n";
   for (const auto& one : comparison.wrong)
-    std::cout << "  " << image << ": wrong " << one.name << " at (" << one.pose.x << ", "
+    std::cout << "  " << image_path << ": wrong " << one.name << " at (" << one.pose.x << ", "
               << one.pose.y << "), score " << one.score
               << (one.graspable ? ", GRASPABLE\n" : ", not graspable\n");
 }
@@ -120,7 +119,7 @@ Tolerance tolerance_of(const Arguments& arguments) {
 }
 
 void check_names(const Truth& truth, const LibrarySnapshot& library, const std::string& path) {
-  for (const auto& [image, instances] : truth)
+  for (const auto& [image_path, instances] : truth)
     for (const auto& one : instances) {
       if (one.name.empty() && library.objects.size() > 1)
         throw FileError(path, "it has no column 'name', but the library has several objects");
@@ -138,25 +137,25 @@ ExitCode run(const Arguments& arguments) {
   matcher.set_objects(snapshot->objects);
   EvaluationPage page(arguments.get("--page"));
   Figures figures;
-  const auto pictures = pictures_of(arguments.operands(), truth);
-  const auto missing = not_given(truth, pictures);
+  const auto images = images_of(arguments.operands(), truth);
+  const auto missing = not_given(truth, images);
   tell_not_given(missing);
   {
-    Progress progress("evaluated", pictures.size());
-    for (const auto& image : pictures) {
+    Progress progress("evaluated", images.size());
+    for (const auto& image_path : images) {
       try {
-        const cv::Mat picture = read_picture(image);
-        const SearchResult found = matcher.find(picture);
-        const auto listed = truth.find(std::filesystem::path(image).filename().string());
+        const cv::Mat image = read_image(image_path);
+        const SearchResult found = matcher.find(image);
+        const auto listed = truth.find(std::filesystem::path(image_path).filename().string());
         const Comparison comparison =
             compare(listed == truth.end() ? std::vector<TrueInstance>{} : listed->second,
                     found.matches, tolerance);
         figures.add(comparison, found.search_time);
-        page.add(image, picture, comparison);
+        page.add(image_path, image, comparison);
         if (arguments.has("--json"))
-          write_json(image, comparison);
+          write_json(image_path, comparison);
         else
-          print_faults(image, comparison);
+          print_faults(image_path, comparison);
       } catch (const std::exception& error) {
         std::cerr << "mbncc: " << error.what() << '\n';
         ++figures.unreadable;
@@ -178,17 +177,17 @@ ExitCode run(const Arguments& arguments) {
 Command evaluate_command() {
   return {
       "evaluate",
-      "search pictures of known content: recall, precision, errors, misses",
+      "search images of known content: recall, precision, errors, misses",
       {library_option(),
        {"--truth", "TRUTH.csv", "true poses: image,name,x,y,theta_deg", true},
        {"--place-tolerance", "PIXELS", "largest position error of a right detection; default: 5"},
        {"--angle-tolerance", "DEGREES", "largest angle error, modulo symmetry; default: 5"},
-       {"--page", "DIR", "write a page with the pictures of misses and wrong detections"},
+       {"--page", "DIR", "write a page with the images of misses and wrong detections"},
        json_option()},
       "IMAGE|DIR",
-      "A given picture that is not listed contains no object: detections in it are wrong. Of a\n "
-      "folder, only the listed pictures are used. Without the column name the library must hold\n "
-      "one object. --json prints an object per picture and line, the figures last.\n",
+      "A given image that is not listed contains no object: detections in it are wrong. Of a\n "
+      "folder, only the listed images are used. Without the column name the library must hold\n "
+      "one object. --json prints an object per image and line, the figures last.\n",
       run};
 }
 

@@ -57,7 +57,7 @@ void Figures::add(const Comparison& comparison, double search_time) {
     return static_cast<int>(std::count_if(matches.begin(), matches.end(),
                                           [](const Match& match) { return match.graspable; }));
   };
-  ++pictures;
+  ++images;
   instances += static_cast<int>(comparison.right.size() + comparison.missed.size());
   right += static_cast<int>(comparison.right.size());
   wrong += static_cast<int>(comparison.wrong.size());

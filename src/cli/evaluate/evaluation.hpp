@@ -16,7 +16,7 @@ struct Tolerance {
   double angle = to_radians(5.0);  ///< [rad], modulo symmetry
 };
 
-/// Of one picture.
+/// Of one image.
 struct Comparison {
   std::vector<TrueInstance> missed;
   std::vector<Match> right, wrong;
@@ -27,9 +27,9 @@ struct Comparison {
 Comparison compare(const std::vector<TrueInstance>& truth, const std::vector<Match>& matches,
                    const Tolerance& tolerance);
 
-/// Of all pictures.
+/// Of all images.
 struct Figures {
-  int pictures = 0, unreadable = 0, instances = 0;
+  int images = 0, unreadable = 0, instances = 0;
   int right = 0, wrong = 0, right_graspable = 0, wrong_graspable = 0;
   std::vector<double> place_errors, angle_errors;  ///< [px], [rad]
   double seconds = 0;                              ///< of searching

@@ -7,7 +7,7 @@
 #include <sstream>
 #include <utility>
 
-#include "cli/pictures.hpp"
+#include "cli/images.hpp"
 #include "mbncc/drawing.hpp"
 #include "mbncc/error.hpp"
 #include "mbncc/matching/overlay.hpp"
@@ -56,7 +56,7 @@ std::vector<std::string> sentences_of(const Figures& figures) {
   const int reported = figures.right + figures.wrong,
             graspable = figures.right_graspable + figures.wrong_graspable;
   std::vector<std::string> sentences = {
-      std::to_string(figures.pictures) + " pictures with " + std::to_string(figures.instances) +
+      std::to_string(figures.images) + " images with " + std::to_string(figures.instances) +
           " instances, searched in " + number(figures.seconds, 1) + " s",
       "recall: " + percent(figures.recall()) + of(figures.right, figures.instances) +
           ", graspable " + percent(figures.recall_graspable()) +
@@ -69,7 +69,7 @@ std::vector<std::string> sentences_of(const Figures& figures) {
           number(to_degrees(quantile(figures.angle_errors, 0.5)), 2) + " deg median, " +
           number(to_degrees(quantile(figures.angle_errors, 0.95)), 2) + " deg at 95 %"};
   if (figures.unreadable > 0)
-    sentences.push_back(std::to_string(figures.unreadable) + " pictures could not be read");
+    sentences.push_back(std::to_string(figures.unreadable) + " images could not be read");
   return sentences;
 }
 
@@ -77,17 +77,17 @@ EvaluationPage::EvaluationPage(std::string folder) : folder_(std::move(folder)) 
   if (!folder_.empty()) make_output_folder(folder_);
 }
 
-void EvaluationPage::add(const std::string& image, const cv::Mat& picture,
+void EvaluationPage::add(const std::string& image_path, const cv::Mat& image,
                          const Comparison& comparison) {
   if (folder_.empty() || (comparison.missed.empty() && comparison.wrong.empty())) return;
   std::vector<Match> found = comparison.right;
   found.insert(found.end(), comparison.wrong.begin(), comparison.wrong.end());
   std::vector<Marking> markings;
   for (const auto& missed : comparison.missed) markings.push_back(missed_marking(missed));
-  const std::string file = "picture_" + std::to_string(++pictures_) + ".png";
-  write_picture(folder_ + "/" + file, draw_markings(draw_matches(picture, found), markings));
-  rows_ += "<figure><img src=\"" + file + "\" width=\"640\"><figcaption>" + escaped(image) + ": " +
-           std::to_string(comparison.missed.size()) + " missed, " +
+  const std::string file = "image_" + std::to_string(++images_) + ".png";
+  write_image(folder_ + "/" + file, draw_markings(draw_matches(image, found), markings));
+  rows_ += "<figure><img src=\"" + file + "\" width=\"640\"><figcaption>" + escaped(image_path) +
+           ": " + std::to_string(comparison.missed.size()) + " missed, " +
            std::to_string(comparison.wrong.size()) + " wrong";
   for (const auto& match : comparison.wrong)
     rows_ += "; wrong: " + match.name + " " + number(match.score, 2) +

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The evaluation as a page with the pictures of errors.
+// The evaluation as a page with the images of errors.
 #pragma once
 
 #include <opencv2/core.hpp>
@@ -15,8 +15,8 @@ class EvaluationPage {
   /// "": none is written. Throws FileError.
   explicit EvaluationPage(std::string folder);
 
-  /// Adds a picture with a miss or a wrong detection.
-  void add(const std::string& image, const cv::Mat& picture, const Comparison& comparison);
+  /// Adds an image with a miss or a wrong detection.
+  void add(const std::string& image_path, const cv::Mat& image, const Comparison& comparison);
 
   /// Writes index.html; returns its path, "" for none.
   std::string finish(const Figures& figures) const;
@@ -24,7 +24,7 @@ class EvaluationPage {
  private:
   std::string folder_;
   std::string rows_;
-  int pictures_ = 0;
+  int images_ = 0;
 };
 
 /// One sentence per figure.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The true poses in the pictures of an evaluation.
+// The true poses in the images of an evaluation.
 #pragma once
 
 #include <map>
@@ -15,11 +15,11 @@ struct TrueInstance {
   Pose2D pose;       ///< [px],[rad] of the object frame
 };
 
-/// By file name, without folders. A picture that is not listed contains no object.
+/// By file name, without folders. An image that is not listed contains no object.
 using Truth = std::map<std::string, std::vector<TrueInstance>>;
 
 /// Reads CSV with a header: image, x, y [px], theta_deg, and name if the library has several
-/// objects; a row with empty x is a picture without objects. Throws FileError that names the line
+/// objects; a row with empty x is an image without objects. Throws FileError that names the line
 /// or the unknown column.
 Truth read_truth(const std::string& path);
 

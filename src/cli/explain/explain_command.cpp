@@ -3,8 +3,8 @@
 
 #include "cli/command.hpp"
 #include "cli/explain/explanation_report.hpp"
+#include "cli/images.hpp"
 #include "cli/library_access.hpp"
-#include "cli/pictures.hpp"
 #include "cli/report/numbers.hpp"
 #include "cli/settings.hpp"
 #include "mbncc/error.hpp"
@@ -22,14 +22,13 @@ SavedMiss asked(const Arguments& arguments) {
   miss.objects = snapshot->objects;
   miss.names = arguments.all("--name");
   for (const auto& name : miss.names) named_object(*snapshot, name);
-  miss.picture = read_picture(arguments.operands().front());
+  miss.image = read_image(arguments.operands().front());
   return miss;
 }
 
 ExitCode run(const Arguments& arguments) {
   if (arguments.operands().size() != 1)
-    throw UsageError("explain takes one picture, not " +
-                     std::to_string(arguments.operands().size()));
+    throw UsageError("explain takes one image, not " + std::to_string(arguments.operands().size()));
   SavedMiss miss = asked(arguments);
   const auto explanations = explain(miss);
   if (arguments.has("--json"))
@@ -37,8 +36,7 @@ ExitCode run(const Arguments& arguments) {
   else
     print_explanations(std::cout, explanations);
   if (arguments.has("--overlay")) {
-    write_picture(arguments.get("--overlay"),
-                  draw_explanation(miss.picture, miss.place, explanations));
+    write_image(arguments.get("--overlay"), draw_explanation(miss.image, miss.place, explanations));
     std::cerr << "mbncc: wrote " << arguments.get("--overlay") << '\n';
   }
   if (arguments.has("--save")) {
@@ -53,12 +51,12 @@ ExitCode run(const Arguments& arguments) {
 
 Command explain_command() {
   return {"explain",
-          "explain why objects are found at a place in a picture or not",
+          "explain why objects are found at a place in an image or not",
           {library_option(),
            {"--at", "x,y", "the place in pixels, on the object", true},
            {"--name", "NAME", "explain this object only", false, true},
-           {"--overlay", "FILE.png", "write the picture with place, best pose and competitors"},
-           {"--save", "FILE.miss", "store picture, library, settings and reason in one file"},
+           {"--overlay", "FILE.png", "write the image with place, best pose and competitors"},
+           {"--save", "FILE.miss", "store image, library, settings and reason in one file"},
            json_option()},
           "IMAGE",
           "Every enabled object is searched as by 'mbncc find'; then its best pose near the place "

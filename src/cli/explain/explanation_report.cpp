@@ -53,11 +53,11 @@ void print_explanations(std::ostream& out, const std::vector<Explanation>& expla
   for (const auto& line : lines_of(explanations, kExplained)) out << "  " << line << '\n';
 }
 
-void write_explanations(std::ostream& out, const std::string& picture, cv::Point2d place,
+void write_explanations(std::ostream& out, const std::string& image, cv::Point2d place,
                         const std::vector<Explanation>& explanations) {
   for (const auto& one : explanations) {
     JsonWriter json(out);
-    json.begin_object().member("image", picture);
+    json.begin_object().member("image", image);
     json.member("at_x", place.x).member("at_y", place.y);
     write(json, one);
     json.end_object();

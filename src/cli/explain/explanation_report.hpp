@@ -18,7 +18,7 @@ constexpr std::size_t kExplained = 3;
 void print_explanations(std::ostream& out, const std::vector<Explanation>& explanations);
 
 /// One JSON object per explanation and line.
-void write_explanations(std::ostream& out, const std::string& picture, cv::Point2d place,
+void write_explanations(std::ostream& out, const std::string& image, cv::Point2d place,
                         const std::vector<Explanation>& explanations);
 
 }  // namespace mbncc::cli

@@ -3,7 +3,7 @@
 
 #include "cli/command.hpp"
 #include "cli/explain/explanation_report.hpp"
-#include "cli/pictures.hpp"
+#include "cli/images.hpp"
 #include "cli/settings.hpp"
 #include "mbncc/miss/saved_miss.hpp"
 
@@ -41,7 +41,7 @@ Command replay_command() {
           "explain a saved miss again with this version",
           {json_option()},
           "FILE.miss",
-          "Picture, library and settings are those of the file, as written by the console's 'Save "
+          "Image, library and settings are those of the file, as written by the console's 'Save "
           "this miss'\n or by 'mbncc explain --save'. A file that cannot be read is reported, the "
           "others are\n run, and the exit code is 1.\n",
           run};

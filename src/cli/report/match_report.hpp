@@ -19,10 +19,10 @@ class MatchReport {
   virtual void add(const std::string& image, const cv::Size& size, const SearchResult& result) = 0;
 };
 
-/// Header, then a row per detection, or one with empty fields for a picture without any.
+/// Header, then a row per detection, or one with empty fields for an image without any.
 std::unique_ptr<MatchReport> csv_report(std::ostream& out);
 
-/// One line per picture, each an object.
+/// One line per image, each an object.
 std::unique_ptr<MatchReport> json_report(std::ostream& out);
 
 /// Lines for people.

@@ -22,8 +22,8 @@ void write_pose(JsonWriter& json, const Pose2D& pose) {
 
 void write_view(JsonWriter& json, const View& view) {
   json.begin_object();
-  json.member("picture_width", view.picture_size.width);
-  json.member("picture_height", view.picture_size.height);
+  json.member("picture_width", view.image_size.width);
+  json.member("picture_height", view.image_size.height);
   write_pose(json.key("reference"), view.reference);
   json.member("radius", excircle(view.map).radius);
   json.member("area", cv::countNonZero(view.map));
@@ -39,8 +39,8 @@ void write_grasp(JsonWriter& json, const Grasp& grasp) {
 }
 
 void print_view(std::ostream& out, std::size_t number, const View& view) {
-  out << "  view " << number << ": picture " << view.picture_size.width << " x "
-      << view.picture_size.height << " px, reference (" << std::fixed << std::setprecision(2)
+  out << "  view " << number << ": image " << view.image_size.width << " x "
+      << view.image_size.height << " px, reference (" << std::fixed << std::setprecision(2)
       << view.reference.x << ", " << view.reference.y << ") at " << to_degrees(view.reference.theta)
       << " deg, excircle radius " << excircle(view.map).radius << " px, area "
       << cv::countNonZero(view.map) << " px\n"

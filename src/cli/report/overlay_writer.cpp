@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <iostream>
 
-#include "cli/pictures.hpp"
+#include "cli/images.hpp"
 #include "mbncc/matching/overlay.hpp"
 
 namespace mbncc::cli {
@@ -13,20 +13,20 @@ OverlayWriter::OverlayWriter(std::string folder) : folder_(std::move(folder)) {
   if (!folder_.empty()) make_output_folder(folder_);
 }
 
-void OverlayWriter::write(const std::string& image, const cv::Mat& picture,
+void OverlayWriter::write(const std::string& image_path, const cv::Mat& image,
                           const std::vector<Match>& matches) {
   if (folder_.empty()) return;
-  const std::string stem = folder_ + "/" + std::filesystem::path(image).stem().string();
+  const std::string stem = folder_ + "/" + std::filesystem::path(image_path).stem().string();
   std::string path = stem + "_overlay.png";
   for (int i = 2; written_.count(path) > 0; ++i)
     path = stem + "_" + std::to_string(i) + "_overlay.png";
-  write_picture(path, draw_matches(picture, matches));
+  write_image(path, draw_matches(image, matches));
   written_.insert(path);
 }
 
 void OverlayWriter::tell() const {
   if (!written_.empty())
-    std::cerr << "mbncc: wrote " << written_.size() << " annotated pictures to " << folder_ << '\n';
+    std::cerr << "mbncc: wrote " << written_.size() << " annotated images to " << folder_ << '\n';
 }
 
 }  // namespace mbncc::cli

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Writes searched pictures with the matches drawn into them.
+// Writes searched images with the matches drawn into them.
 #pragma once
 
 #include <opencv2/core.hpp>
@@ -16,8 +16,9 @@ class OverlayWriter {
   /// Creates the folder; "" writes nothing.
   explicit OverlayWriter(std::string folder);
 
-  /// Writes `folder/<image>_overlay.png`, numbered if several pictures have the same file name.
-  void write(const std::string& image, const cv::Mat& picture, const std::vector<Match>& matches);
+  /// Writes `folder/<image>_overlay.png`, numbered if several images have the same file name.
+  void write(const std::string& image_path, const cv::Mat& image,
+             const std::vector<Match>& matches);
 
   /// Says on stderr what was written.
   void tell() const;

@@ -3,7 +3,7 @@
 
 #include <iostream>
 
-#include "cli/pictures.hpp"
+#include "cli/images.hpp"
 
 namespace mbncc::cli {
 namespace {
@@ -28,18 +28,17 @@ StageWriter::StageWriter(std::string folder) : folder_(std::move(folder)) {
 
 StageObserver StageWriter::observer(Progress& progress) {
   if (folder_.empty() && !progress.on_terminal()) return {};
-  return [&](Stage stage, double part, const std::string& message, const cv::Mat& picture) {
+  return [&](Stage stage, double part, const std::string& message, const cv::Mat& image) {
     progress.show(part, message);
-    if (!folder_.empty() && !picture.empty())
-      write_picture(folder_ + "/" + std::to_string(++count_) + "_" + name_of(stage) + ".png",
-                    picture);
+    if (!folder_.empty() && !image.empty())
+      write_image(folder_ + "/" + std::to_string(++count_) + "_" + name_of(stage) + ".png", image);
     return true;
   };
 }
 
 void StageWriter::tell() const {
   if (count_ > 0)
-    std::cerr << "mbncc: wrote " << count_ << " pictures of the steps to " << folder_ << '\n';
+    std::cerr << "mbncc: wrote " << count_ << " images of the steps to " << folder_ << '\n';
 }
 
 }  // namespace mbncc::cli

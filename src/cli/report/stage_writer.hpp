@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Writes the pictures of a lesson's steps into a folder.
+// Writes the images of a lesson's steps into a folder.
 #pragma once
 
 #include <string>

@@ -9,7 +9,7 @@
 namespace mbncc::console {
 namespace {
 
-constexpr double kOtherView = 0.06;  // of the picture's width: least motion of the corners
+constexpr double kOtherView = 0.06;  // of the image's width: least motion of the corners
 constexpr std::size_t kViews = 8;
 constexpr int kCovered = 12;  // fields
 
@@ -43,9 +43,9 @@ sensor_msgs::CameraInfo info_of(const cv::Mat& matrix, const cv::Mat& distortion
 
 }  // namespace
 
-BoardCalibration::Seen BoardCalibration::take(const cv::Mat& picture) {
+BoardCalibration::Seen BoardCalibration::take(const cv::Mat& image) {
   cv::Mat grey;
-  cv::cvtColor(picture, grey, cv::COLOR_RGB2GRAY);
+  cv::cvtColor(image, grey, cv::COLOR_RGB2GRAY);
   corners_.clear();
   std::vector<cv::Point2f> found;
   if (!cv::findChessboardCorners(
@@ -91,7 +91,7 @@ bool BoardCalibration::suffices() const {
 }
 
 std::string BoardCalibration::advice(Seen seen) const {
-  const std::string state = std::to_string(views_.size()) + " pictures taken, " +
+  const std::string state = std::to_string(views_.size()) + " images taken, " +
                             std::to_string(covered()) + " of " + std::to_string(kFields * kFields) +
                             " fields covered. ";
   if (seen == Seen::kNothing)

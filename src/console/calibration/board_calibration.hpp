@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Calibrates a camera from live pictures of a chessboard.
+// Calibrates a camera from live images of a chessboard.
 #pragma once
 
 #include <sensor_msgs/CameraInfo.h>
@@ -19,22 +19,22 @@ struct Board {
 
 class BoardCalibration {
  public:
-  /// Number of fields per side of the picture that the board should cover.
+  /// Number of fields per side of the image that the board should cover.
   static constexpr int kFields = 4;
 
   BoardCalibration() = default;
-  /// `size` [px] of the camera's pictures.
+  /// `size` [px] of the camera's images.
   BoardCalibration(const Board& board, cv::Size size) : board_(board), size_(size) {}
 
   enum class Seen {
     kNothing,  ///< no complete board
-    kKnown,    ///< too similar to a recorded picture
+    kKnown,    ///< too similar to a recorded image
     kTaken
   };
-  /// `picture`: CV_8UC3, possibly scaled down.
-  Seen take(const cv::Mat& picture);
+  /// `image`: CV_8UC3, possibly scaled down.
+  Seen take(const cv::Mat& image);
 
-  /// [px] corners of the last visible board in the camera's picture.
+  /// [px] corners of the last visible board in the camera's image.
   const std::vector<cv::Point2f>& corners() const { return corners_; }
   std::size_t views() const { return views_.size(); }
   int covered() const { return static_cast<int>(fields_.size()); }
@@ -45,7 +45,7 @@ class BoardCalibration {
   /// [px] outline of the last visible board; empty: none.
   std::vector<cv::Point2f> outline() const;
   cv::Size size() const { return size_; }
-  /// There are enough views, and they cover the picture.
+  /// There are enough views, and they cover the image.
   bool suffices() const;
   /// The next instruction.
   std::string advice(Seen seen) const;

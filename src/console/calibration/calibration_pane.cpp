@@ -30,17 +30,17 @@ CalibrationPane::CalibrationPane(QWidget* parent)
       rows_(make_count(Board().rows, "inner corners across the board")),
       square_(new QDoubleSpinBox),
       coverage_(new CoverageView),
-      picture_text_(new QLabel),
+      image_text_(new QLabel),
       board_text_(new QLabel),
       result_text_(new QLabel),
-      compute_(make_button("Comp&ute", "From the pictures recorded so far", "Alt+U")),
+      compute_(make_button("Comp&ute", "From the images recorded so far", "Alt+U")),
       keep_(make_button("&Keep", "The camera uses this calibration from now on", "Alt+K")),
-      anew_(make_button("&Start anew", "Discard the recorded pictures", "Alt+S")) {
+      anew_(make_button("&Start anew", "Discard the recorded images", "Alt+S")) {
   square_->setRange(0.5, 500);
   square_->setDecimals(2);
   square_->setValue(1000 * Board().square);
   square_->setSuffix(" mm squares");
-  for (auto* text : {picture_text_, board_text_, result_text_}) text->setWordWrap(true);
+  for (auto* text : {image_text_, board_text_, result_text_}) text->setWordWrap(true);
   QFont bold = result_text_->font();
   bold.setBold(true);
   result_text_->setFont(bold);
@@ -58,7 +58,7 @@ CalibrationPane::CalibrationPane(QWidget* parent)
   buttons->addWidget(close, 1, 1);
   auto* all = new QVBoxLayout(this);
   all->setContentsMargins(0, 0, 0, 0);
-  all->addWidget(picture_text_);
+  all->addWidget(image_text_);
   all->addLayout(board);
   all->addWidget(board_text_);
   all->addWidget(result_text_);
@@ -75,7 +75,7 @@ CalibrationPane::CalibrationPane(QWidget* parent)
 }
 
 void CalibrationPane::begin() {
-  check_ = PictureCheck();
+  check_ = ImageCheck();
   size_ = QSize();
   start_anew();
 }
@@ -90,18 +90,18 @@ void CalibrationPane::start_anew() {
   keep_->setEnabled(false);
 }
 
-std::vector<Mark> CalibrationPane::take(const QImage& picture, QSize size) {
+std::vector<Mark> CalibrationPane::take(const QImage& image, QSize size) {
   if (since_look_.isValid() && since_look_.elapsed() < kLookEvery) return marks_;
   since_look_.start();
   if (size != size_) {
     size_ = size;
     start_anew();
   }
-  const QImage rgb = picture.convertToFormat(QImage::Format_RGB888);
+  const QImage rgb = image.convertToFormat(QImage::Format_RGB888);
   const cv::Mat pixels(rgb.height(), rgb.width(), CV_8UC3, const_cast<uchar*>(rgb.bits()),
                        static_cast<std::size_t>(rgb.bytesPerLine()));
   check_.take(pixels);
-  picture_text_->setText(QString::fromStdString(check_.advice()));
+  image_text_->setText(QString::fromStdString(check_.advice()));
   const auto seen = calibration_.take(pixels);
   board_text_->setText(QString::fromStdString(calibration_.advice(seen)));
   if (seen == BoardCalibration::Seen::kTaken) coverage_->show_coverage(calibration_);
@@ -126,7 +126,7 @@ void CalibrationPane::compute() {
           .arg(result_.info.K[0], 0, 'f', 0)
           .arg(calibration_.suffices()
                    ? "Keep it, or continue."
-                   : "The pictures cover too little for a reliable calibration."));
+                   : "The images cover too little for a reliable calibration."));
   keep_->setEnabled(true);
 }
 

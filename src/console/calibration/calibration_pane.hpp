@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Focus, exposure and calibration of the camera from its live pictures.
+// Focus, exposure and calibration of the camera from its live images.
 #pragma once
 
 #ifndef Q_MOC_RUN
 #include "console/calibration/board_calibration.hpp"
-#include "console/calibration/picture_check.hpp"
-#include "console/picture/marks.hpp"
+#include "console/calibration/image_check.hpp"
+#include "console/image/marks.hpp"
 #endif
 
 #include <QDoubleSpinBox>
@@ -27,8 +27,8 @@ class CalibrationPane : public QWidget {
   explicit CalibrationPane(QWidget* parent = nullptr);
 
   void begin();
-  /// `size` [px] of the camera's picture; returns the marks to draw into it.
-  std::vector<Mark> take(const QImage& picture, QSize size);
+  /// `size` [px] of the camera's image; returns the marks to draw into it.
+  std::vector<Mark> take(const QImage& image, QSize size);
   void show_kept(bool success, const QString& message);
 
  Q_SIGNALS:
@@ -39,7 +39,7 @@ class CalibrationPane : public QWidget {
   void start_anew();
   void compute();
 
-  PictureCheck check_;
+  ImageCheck check_;
   BoardCalibration calibration_;
   BoardCalibration::Result result_;
   QSize size_;
@@ -48,7 +48,7 @@ class CalibrationPane : public QWidget {
   QSpinBox *columns_, *rows_;
   QDoubleSpinBox* square_;
   CoverageView* coverage_;
-  QLabel *picture_text_, *board_text_, *result_text_;
+  QLabel *image_text_, *board_text_, *result_text_;
   QPushButton *compute_, *keep_, *anew_;
 };
 

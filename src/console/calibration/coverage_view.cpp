@@ -15,12 +15,12 @@ constexpr int kFields = BoardCalibration::kFields;
 
 CoverageView::CoverageView(QWidget* parent) : QWidget(parent) {
   setMinimumSize(160, 120);
-  setToolTip("Ticked fields of the picture were covered by a board; outlines are the boards");
+  setToolTip("Ticked fields of the image were covered by a board; outlines are the boards");
   name_window(this, "coverage");
 }
 
 void CoverageView::show_coverage(const BoardCalibration& calibration) {
-  picture_ = calibration.size();
+  image_ = calibration.size();
   fields_ = calibration.fields();
   boards_ = calibration.outlines();
   setAccessibleDescription(QString("%1 of %2 fields, %3 boards")
@@ -30,15 +30,15 @@ void CoverageView::show_coverage(const BoardCalibration& calibration) {
   update();
 }
 
-/// The whole picture, as large as there is room.
+/// The whole image, as large as there is room.
 QRectF CoverageView::plan() const {
-  QSizeF shape(picture_.width, picture_.height);
+  QSizeF shape(image_.width, image_.height);
   shape.scale(size(), Qt::KeepAspectRatio);
   return {QPointF((width() - shape.width()) / 2, 0), shape};
 }
 
 void CoverageView::paintEvent(QPaintEvent*) {
-  if (picture_.empty()) return;
+  if (image_.empty()) return;
   QPainter painter(this);
   painter.setRenderHint(QPainter::Antialiasing);
   const QRectF plan = this->plan();
@@ -61,7 +61,7 @@ void CoverageView::paintEvent(QPaintEvent*) {
     QPolygonF outline;
     for (const auto& corner : board)
       outline << plan.topLeft() +
-                     QPointF(double(corner.x), double(corner.y)) * plan.width() / picture_.width;
+                     QPointF(double(corner.x), double(corner.y)) * plan.width() / image_.width;
     painter.drawPolygon(outline);
   }
 }

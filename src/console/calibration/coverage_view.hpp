@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A plan of the picture: the boards recorded so far, and which fields they cover.
+// A plan of the image: the boards recorded so far, and which fields they cover.
 #pragma once
 
 #ifndef Q_MOC_RUN
@@ -26,7 +26,7 @@ class CoverageView : public QWidget {
  private:
   QRectF plan() const;
 
-  cv::Size picture_;
+  cv::Size image_;
   std::set<int> fields_;
   std::vector<std::vector<cv::Point2f>> boards_;
 };

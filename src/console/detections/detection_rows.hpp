@@ -22,7 +22,7 @@ struct DetectionRow {
 /// Headings of the cells.
 const std::array<const char*, 7>& detection_headings();
 
-/// Millimetres on the platform if calibrated, otherwise pixels; `age` [s] of the picture.
+/// Millimetres on the platform if calibrated, otherwise pixels; `age` [s] of the image.
 std::vector<DetectionRow> detection_rows(const mbncc_vision::DetectedObjectArray& detections,
                                          double age);
 

@@ -51,11 +51,11 @@ std::string Lamps::complaint(const std::string& task, double now) const {
 }
 
 Lamp Lamps::camera(double now) const {
-  if (now - picture_at_ <= kSilence)
+  if (now - image_at_ <= kSilence)
     return {"Camera", origin_warning_.empty() ? Level::kGood : Level::kDoubtful, origin_warning_};
-  const std::string said = complaint(kPicturesTask, now);
+  const std::string said = complaint(kImagesTask, now);
   return {"Camera", Level::kBad,
-          said.empty() ? "no picture arrives; check cable, driver and topic" : said};
+          said.empty() ? "no image arrives; check cable, driver and topic" : said};
 }
 
 Lamp Lamps::calibration(double now) const {
@@ -87,7 +87,7 @@ Lamp Lamps::matcher(double now) const {
   switch (status_) {
     case DetectedObjectArray::STALE:
       return {"Matcher", Level::kBad,
-              status_message_.empty() ? "no new picture to search" : status_message_};
+              status_message_.empty() ? "no new image to search" : status_message_};
     case DetectedObjectArray::SEARCH_FAILED:
       return {"Matcher", Level::kBad, status_message_};
     case DetectedObjectArray::BUDGET_EXCEEDED:

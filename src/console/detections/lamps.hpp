@@ -30,8 +30,8 @@ class Lamps {
   /// `cell`: namespace of the cell's nodelets, "/" or "/left"; reports of other cells are ignored.
   explicit Lamps(std::string cell = "/") : cell_(std::move(cell)) {}
 
-  void take_picture(double now) { picture_at_ = now; }
-  /// Why the pictures are not live; "": they are.
+  void take_image(double now) { image_at_ = now; }
+  /// Why the images are not live; "": they are.
   void take_origin(const std::string& warning) { origin_warning_ = warning; }
   void take_detections(const mbncc_vision::DetectedObjectArray& detections, double now);
   void take_library(std::size_t objects, std::size_t enabled);
@@ -56,7 +56,7 @@ class Lamps {
   std::string complaint(const std::string& task, double now) const;
 
   std::string cell_;
-  double picture_at_ = -1e9, detections_at_ = -1e9;
+  double image_at_ = -1e9, detections_at_ = -1e9;
   std::uint8_t status_ = 0;
   std::string status_message_;
   std::optional<std::size_t> objects_, enabled_;

@@ -13,9 +13,9 @@ ExplainPane::ExplainPane(QWidget* parent)
       verdict_(new QLabel),
       lines_(new QLabel),
       saved_(new QLabel),
-      save_(make_button("Sa&ve this miss", "Picture, library, settings and reason in one file",
+      save_(make_button("Sa&ve this miss", "Image, library, settings and reason in one file",
                         "Alt+V")),
-      close_(make_button("&Back to live", "Show the camera's pictures again", "Esc")) {
+      close_(make_button("&Back to live", "Show the camera's images again", "Esc")) {
   QFont bold = verdict_->font();
   bold.setBold(true);
   verdict_->setFont(bold);

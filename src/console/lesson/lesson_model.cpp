@@ -209,18 +209,18 @@ bool LessonModel::waits_for_scene() const {
 std::string LessonModel::headline() const {
   if (!camera_alive_ && (phase_ == Phase::kReady || stage_ == Feedback::WAIT_IMAGE) &&
       phase_ != Phase::kNoServer)
-    return "No picture from the camera";
+    return "No image from the camera";
   return under_way() ? headline_of(stage_) : headline_;
 }
 
 std::string LessonModel::detail() const {
-  // The advice stands beside the picture.
+  // The advice stands beside the image.
   if (phase_ == Phase::kReview && draft_ && detail_ == question_)
     return "Verdict " + word_of_verdict(draft_->object.quality.verdict) +
            (may_accept() ? ". Accept, correct or reject the outline."
                          : ". Correct or reject the outline, or tick that you have checked it.");
   if (!camera_alive_ && phase_ == Phase::kReady)
-    return detail_ + " No picture arrives: check the camera's cable and driver before you teach.";
+    return detail_ + " No image arrives: check the camera's cable and driver before you teach.";
   return detail_;
 }
 

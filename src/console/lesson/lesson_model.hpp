@@ -56,7 +56,7 @@ class LessonModel {
   std::optional<Word> next_word();
   /// Corrections that are not yet part of a draft, the oldest first.
   std::deque<Word> waiting() const;
-  /// Whether the camera sends pictures.
+  /// Whether the camera sends images.
   void take_camera(bool alive) { camera_alive_ = alive; }
   /// The operator accepts the draft although it is BAD; valid until the next draft.
   void insist(bool insisted) { insisted_ = insisted; }

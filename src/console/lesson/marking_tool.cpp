@@ -69,11 +69,11 @@ void MarkingTool::move(cv::Point2f to) {
   }
 }
 
-std::optional<MarkingTool::Request> MarkingTool::release(cv::Point2f at, cv::Size picture) {
+std::optional<MarkingTool::Request> MarkingTool::release(cv::Point2f at, cv::Size image) {
   if (!drawing_) return {};
   if (at != points_.back()) move(at);
   drawing_ = false;
-  if (tool_ == Tool::kRegion) return region(picture);
+  if (tool_ == Tool::kRegion) return region(image);
   return tool_ == Tool::kAxes ? reference() : stroke();
 }
 
@@ -88,11 +88,11 @@ std::optional<MarkingTool::Request> MarkingTool::stroke() const {
   return request;
 }
 
-std::optional<MarkingTool::Request> MarkingTool::region(cv::Size picture) const {
+std::optional<MarkingTool::Request> MarkingTool::region(cv::Size image) const {
   if (points_.size() < 2) return {};
   const auto clamped = [](float v, int high) { return std::clamp(cvRound(v), 0, high); };
-  const cv::Point a(clamped(points_[0].x, picture.width), clamped(points_[0].y, picture.height));
-  const cv::Point b(clamped(points_[1].x, picture.width), clamped(points_[1].y, picture.height));
+  const cv::Point a(clamped(points_[0].x, image.width), clamped(points_[0].y, image.height));
+  const cv::Point b(clamped(points_[1].x, image.width), clamped(points_[1].y, image.height));
   const cv::Rect box(a, b);
   if (box.width < kMeant || box.height < kMeant) return {};
   Request request;

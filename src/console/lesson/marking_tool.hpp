@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Converts mouse input on the reviewed picture to corrections of the lesson.
+// Converts mouse input on the reviewed image to corrections of the lesson.
 #pragma once
 
 #include <geometry_msgs/Pose2D.h>
@@ -13,7 +13,7 @@ namespace mbncc::console {
 
 enum class Tool { kNone, kInclude, kExclude, kRegion, kAxes };
 
-/// All points are in pixels of the picture.
+/// All points are in pixels of the image.
 class MarkingTool {
  public:
   using Request = mbncc_vision::ConfirmLearning::Request;
@@ -32,7 +32,7 @@ class MarkingTool {
   void press(cv::Point2f at);
   void move(cv::Point2f to);
   /// The drawn correction; none if it is too small.
-  std::optional<Request> release(cv::Point2f at, cv::Size picture);
+  std::optional<Request> release(cv::Point2f at, cv::Size image);
 
   bool drawing() const { return drawing_; }
   /// Of the stroke, or the region's opposite corners.
@@ -43,7 +43,7 @@ class MarkingTool {
 
  private:
   std::optional<Request> stroke() const;
-  std::optional<Request> region(cv::Size picture) const;
+  std::optional<Request> region(cv::Size image) const;
   std::optional<Request> reference() const;
 
   Tool tool_ = Tool::kNone;

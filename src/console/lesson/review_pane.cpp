@@ -7,8 +7,8 @@
 #include <QHBoxLayout>
 #include <QVBoxLayout>
 
-#include "console/picture/pictures.hpp"
-#include "console/picture/scaled_picture.hpp"
+#include "console/image/images.hpp"
+#include "console/image/scaled_image.hpp"
 #include "console/ros_link.hpp"
 #include "console/widgets.hpp"
 
@@ -42,8 +42,8 @@ ReviewPane::ReviewPane(QWidget* parent)
       verdict_(new QLabel),
       numbers_(new QLabel),
       reasons_(new QLabel),
-      template_(new ScaledPicture(kTemplate)),
-      score_map_(new ScaledPicture(kScoreMap)),
+      template_(new ScaledImage(kTemplate)),
+      score_map_(new ScaledImage(kScoreMap)),
       insist_(new QCheckBox("I have checked it: store it although BAD")),
       accept_(make_button("&Accept", "Store the object", "Alt+A or Ctrl+Enter")),
       reject_(make_button("&Reject", "End the lesson; nothing is stored", "Alt+R")),
@@ -52,7 +52,7 @@ ReviewPane::ReviewPane(QWidget* parent)
       width_(new QSlider(Qt::Horizontal)) {
   template_->setToolTip("What was learned; the checkerboard is not part of it");
   score_map_->setToolTip(
-      "Where the picture resembles the object at a first look (yellow: much):\nring = the object, "
+      "Where the image resembles the object at a first look (yellow: much):\nring = the object, "
       "square = the next best place. The scores above judge all.");
   QFont large = verdict_->font();
   large.setPointSize(15);
@@ -78,16 +78,16 @@ ReviewPane::ReviewPane(QWidget* parent)
 }
 
 void ReviewPane::lay_out() {
-  auto* pictures = new QHBoxLayout;
-  pictures->addWidget(template_, 1);
-  pictures->addWidget(numbers_, 1);
+  auto* images = new QHBoxLayout;
+  images->addWidget(template_, 1);
+  images->addWidget(numbers_, 1);
   auto* word = new QHBoxLayout;
   word->addWidget(accept_);
   word->addWidget(reject_);
   auto* all = new QVBoxLayout(this);
   all->setContentsMargins(0, 0, 0, 0);
   all->addWidget(verdict_);
-  all->addLayout(pictures, 1);
+  all->addLayout(images, 1);
   all->addWidget(score_map_, 1);
   auto* advice = make_scroll_area(reasons_);
   advice->setObjectName("advice");
@@ -169,11 +169,11 @@ void ReviewPane::show_draft(const mbncc_vision::LearnObjectResult& draft) {
              QString::fromStdString(word_of_verdict(quality.verdict)));
   numbers_->setText(numbers_of(quality));
   reasons_->setText(reasons_of(quality));
-  template_->show_picture(to_qimage(on_checkerboard(to_rgb(draft.template_image), draft.map)));
+  template_->show_image(to_qimage(on_checkerboard(to_rgb(draft.template_image), draft.map)));
 }
 
 void ReviewPane::show_score_map(const QImage& map) {
-  score_map_->show_picture(map);
+  score_map_->show_image(map);
 }
 
 }  // namespace mbncc::console

@@ -17,7 +17,7 @@
 
 namespace mbncc::console {
 
-class ScaledPicture;
+class ScaledImage;
 
 class ReviewPane : public QWidget {
   Q_OBJECT
@@ -43,7 +43,7 @@ class ReviewPane : public QWidget {
   void put_tool_down();
 
   QLabel *verdict_, *numbers_, *reasons_;
-  ScaledPicture *template_, *score_map_;
+  ScaledImage *template_, *score_map_;
   QCheckBox* insist_;
   QPushButton *accept_, *reject_, *undo_;
   QButtonGroup* tools_;

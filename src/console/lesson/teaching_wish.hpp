@@ -14,7 +14,7 @@ struct TeachingWish {
   std::string name;  ///< "": the server chooses
 };
 
-/// Adapts the goal of a lesson to that choice. A further view provides only its picture; height and
+/// Adapts the goal of a lesson to that choice. A further view provides only its image; height and
 /// symmetry are those of the stored object.
 inline mbncc_vision::LearnObjectGoal goal_of(const TeachingWish& wish,
                                              mbncc_vision::LearnObjectGoal described) {

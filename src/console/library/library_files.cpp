@@ -37,7 +37,7 @@ Revision revision_of(const ObjectModel& model) {
   Revision revision;
   revision.name = model.name;
   revision.number = model.revision;
-  cv::cvtColor(model.views.front().template_image, revision.picture, cv::COLOR_BGR2RGB);
+  cv::cvtColor(model.views.front().template_image, revision.image, cv::COLOR_BGR2RGB);
   revision.text = "revision " + std::to_string(model.revision) + ", " + date_of(model.learned_at) +
                   ", " + std::to_string(model.views.size()) + " view(s), " +
                   to_string(model.quality.verdict);

@@ -14,7 +14,7 @@ namespace mbncc::console {
 struct Revision {
   std::string name;  ///< of the object
   std::uint32_t number = 0;
-  cv::Mat picture;   ///< CV_8UC3 rgb, the first view
+  cv::Mat image;     ///< CV_8UC3 rgb, the first view
   std::string text;  ///< when it was learned, views, verdict
 };
 

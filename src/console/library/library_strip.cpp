@@ -5,8 +5,8 @@
 #include <QPainter>
 #include <QVBoxLayout>
 
+#include "console/image/images.hpp"
 #include "console/lesson/object_name.hpp"
-#include "console/picture/pictures.hpp"
 #include "console/ros_link.hpp"
 #include "console/widgets.hpp"
 
@@ -20,10 +20,10 @@ constexpr QSize kIcon(64, 64);
 QPixmap icon_of(const mbncc_vision::LearnedObject& object) {
   QPixmap icon(kIcon);
   icon.fill(QColor("#303030"));
-  const QImage picture = to_qimage(to_rgb(object.thumbnail));
+  const QImage image = to_qimage(to_rgb(object.thumbnail));
   QPainter painter(&icon);
-  if (!picture.isNull()) {
-    const QImage scaled = picture.scaled(kIcon, Qt::KeepAspectRatio, Qt::SmoothTransformation);
+  if (!image.isNull()) {
+    const QImage scaled = image.scaled(kIcon, Qt::KeepAspectRatio, Qt::SmoothTransformation);
     painter.setOpacity(object.enabled ? 1 : 0.3);
     painter.drawImage((kIcon.width() - scaled.width()) / 2, (kIcon.height() - scaled.height()) / 2,
                       scaled);
@@ -51,7 +51,7 @@ LibraryStrip::LibraryStrip(QWidget* parent)
       view_(make_button("Teach &view", "Teach the chosen object in other light or a little turned",
                         "Alt+V")),
       enable_(make_button("&Disable", "Search for the chosen object, or not", "Alt+D")),
-      rename_(make_button("Re&name", "Write a new name below its picture", "F2")),
+      rename_(make_button("Re&name", "Write a new name below its image", "F2")),
       delete_(
           make_button("De&lete", "Take it out of the library; Undo edit brings it back", "Alt+L")),
       undo_(make_button("Undo &edit", "Take the last change of the library back", "Alt+E")),

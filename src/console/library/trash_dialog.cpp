@@ -44,7 +44,7 @@ TrashDialog::TrashDialog(const QString& title, const QString& text, QWidget* par
 }
 
 void TrashDialog::add(const Revision& revision, const QString& label) {
-  auto* item = new QListWidgetItem(QIcon(QPixmap::fromImage(to_qimage(revision.picture))), label);
+  auto* item = new QListWidgetItem(QIcon(QPixmap::fromImage(to_qimage(revision.image))), label);
   item->setData(kNameRole, QString::fromStdString(revision.name));
   item->setData(kNumberRole, revision.number);
   item->setToolTip(label);

@@ -19,7 +19,7 @@ class TrashDialog : public QDialog {
  public:
   TrashDialog(const QString& title, const QString& text, QWidget* parent = nullptr);
 
-  /// `label`: what is written beside the picture.
+  /// `label`: what is written beside the image.
   void add(const Revision& revision, const QString& label);
 
  Q_SIGNALS:

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "console/thresholds/threshold_controller.hpp"
 
-#include "console/picture/picture_view.hpp"
+#include "console/image/image_view.hpp"
 #include "console/thresholds/threshold_pane.hpp"
 
 namespace mbncc::console {
 
-ThresholdController::ThresholdController(RosLink& ros, ThresholdPane& pane, PictureView& picture,
+ThresholdController::ThresholdController(RosLink& ros, ThresholdPane& pane, ImageView& image,
                                          QObject* parent)
-    : QObject(parent), ros_(ros), pane_(pane), view_(picture) {
+    : QObject(parent), ros_(ros), pane_(pane), view_(image) {
   connect(&ros, &RosLink::all_found, this,
           [this](bool success, const QString& message, const QImage& image, QSize size,
                  const mbncc_vision::DetectedObjectArray& detections) {
@@ -18,7 +18,7 @@ ThresholdController::ThresholdController(RosLink& ros, ThresholdPane& pane, Pict
             }
             found_ = detections;
             caption_ = still_caption();
-            picture_ = image;
+            image_ = image;
             size_ = size;
             Q_EMIT found();
           });
@@ -44,7 +44,7 @@ void ThresholdController::show() {
   const Thresholds wanted = pane_.wanted();
   pane_.show_summary(
       QString::fromStdString(preview_.summary(wanted, pane_.object().toStdString())));
-  view_.show_picture(picture_, size_, preview_.marks(wanted), caption_);
+  view_.show_image(image_, size_, preview_.marks(wanted), caption_);
 }
 
 void ThresholdController::apply() {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Other thresholds tried on one picture of the cell, and applied.
+// Other thresholds tried on one image of the cell, and applied.
 #pragma once
 
 #ifndef Q_MOC_RUN
@@ -14,17 +14,17 @@
 
 namespace mbncc::console {
 
-class PictureView;
+class ImageView;
 class ThresholdPane;
 
 class ThresholdController : public QObject {
   Q_OBJECT
 
  public:
-  /// `ros`, `pane` and `picture` outlive it.
-  ThresholdController(RosLink& ros, ThresholdPane& pane, PictureView& picture, QObject* parent);
+  /// `ros`, `pane` and `image` outlive it.
+  ThresholdController(RosLink& ros, ThresholdPane& pane, ImageView& image, QObject* parent);
 
-  /// Asks the matcher for all it finds in the picture shown; found() follows, or told().
+  /// Asks the matcher for all it finds in the image shown; found() follows, or told().
   void ask();
   /// Shows what was found; `object`: the one whose min_score may be set alone, "": none. The
   /// objects' own thresholds are those of `library`.
@@ -43,10 +43,10 @@ class ThresholdController : public QObject {
 
   RosLink& ros_;
   ThresholdPane& pane_;
-  PictureView& view_;
+  ImageView& view_;
   ThresholdPreview preview_;
   mbncc_vision::DetectedObjectArray found_;
-  QImage picture_;
+  QImage image_;
   QSize size_;
   QString caption_;
 };

@@ -60,7 +60,7 @@ ThresholdPane::ThresholdPane(QWidget* parent)
 
 void ThresholdPane::lay_out() {
   auto* apply = make_button("Appl&y", "The matcher uses it from now on", "Alt+Y");
-  auto* close = make_button("&Close", "Nothing is changed; show the live pictures", "Esc");
+  auto* close = make_button("&Close", "Nothing is changed; show the live images", "Esc");
   connect(apply, &QPushButton::clicked, this, &ThresholdPane::apply_wanted);
   connect(close, &QPushButton::clicked, this, &ThresholdPane::closed);
   auto* row = new QHBoxLayout;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Threshold sliders with a preview of their effect in the current picture; for all objects, or
+// Threshold sliders with a preview of their effect in the current image; for all objects, or
 // min_score of one object.
 #pragma once
 

@@ -6,8 +6,8 @@
 namespace mbncc::console {
 namespace {
 
-/// Whether a reason of the matcher holds in this picture with any confirm_score. The other ones
-/// are the score, other pictures and the age of this one.
+/// Whether a reason of the matcher holds in this image with any confirm_score. The other ones
+/// are the score, other images and the age of this one.
 bool stays(const std::string& reason) {
   return reason.find("is below confirm_score") == std::string::npos &&
          reason.rfind("graspable in ", 0) != 0 && reason.rfind("older than valid_until", 0) != 0;
@@ -59,7 +59,7 @@ ThresholdPreview::Counts ThresholdPreview::count(const Thresholds& thresholds,
 
 std::string ThresholdPreview::summary(const Thresholds& wanted, const std::string& object) const {
   const Counts then = count(wanted, object), now = count(now_, object);
-  return (object.empty() ? "In this picture" : "'" + object + "' in this picture") + ": reported " +
+  return (object.empty() ? "In this image" : "'" + object + "' in this image") + ": reported " +
          std::to_string(then.reported) + " (now " + std::to_string(now.reported) + "), graspable " +
          std::to_string(then.graspable) + " (now " + std::to_string(now.graspable) + ").";
 }

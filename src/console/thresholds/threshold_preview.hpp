@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Preview of other thresholds in one picture.
+// Preview of other thresholds in one image.
 #pragma once
 
 #include <mbncc_vision/DetectedObjectArray.h>
@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "console/picture/marks.hpp"
+#include "console/image/marks.hpp"
 
 namespace mbncc::console {
 
@@ -28,7 +28,7 @@ class ThresholdPreview {
   /// The detections reported with the thresholds `wanted`, graspable ones as kGood.
   std::vector<Mark> marks(const Thresholds& wanted) const;
 
-  /// "In this picture: reported 3 (now 2), graspable 1 (now 1)."; `object`: its detections alone,
+  /// "In this image: reported 3 (now 2), graspable 1 (now 1)."; `object`: its detections alone,
   /// "": all.
   std::string summary(const Thresholds& wanted, const std::string& object = "") const;
 

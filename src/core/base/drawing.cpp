@@ -14,12 +14,12 @@ constexpr int kFont = cv::FONT_HERSHEY_SIMPLEX;
 // Vermilion and bluish green of Okabe and Ito's palette.
 const cv::Scalar kXColour(0, 94, 213), kYColour(115, 158, 0), kShade(0, 0, 0);
 
-// Strokes and letters that are legible at a third of the picture's size.
+// Strokes and letters that are legible at a third of the image's size.
 struct Pen {
-  explicit Pen(const cv::Mat& picture)
-      : stroke(std::max(1, cvRound(picture.cols / 320.0))),
-        axis(std::max(30.0, picture.cols / 16.0)),
-        letters(std::clamp(picture.cols / 700.0, 0.4, 4.0)) {}
+  explicit Pen(const cv::Mat& image)
+      : stroke(std::max(1, cvRound(image.cols / 320.0))),
+        axis(std::max(30.0, image.cols / 16.0)),
+        letters(std::clamp(image.cols / 700.0, 0.4, 4.0)) {}
 
   int stroke;      // [px]
   double axis;     // [px]
@@ -33,28 +33,28 @@ cv::Point fixed_point(cv::Point2d point) {
 }
 
 // Dark below, coloured above: visible on any background.
-void draw_outline(cv::Mat& picture, const std::vector<cv::Point2f>& outline,
-                  const cv::Scalar& colour, const Pen& pen) {
+void draw_outline(cv::Mat& image, const std::vector<cv::Point2f>& outline, const cv::Scalar& colour,
+                  const Pen& pen) {
   std::vector<cv::Point> corners;
   for (const auto& corner : outline) corners.push_back(fixed_point(corner));
   if (corners.empty()) return;
-  cv::polylines(picture, corners, true, kShade, pen.stroke + 2, cv::LINE_AA, kShift);
-  cv::polylines(picture, corners, true, colour, pen.stroke, cv::LINE_AA, kShift);
+  cv::polylines(image, corners, true, kShade, pen.stroke + 2, cv::LINE_AA, kShift);
+  cv::polylines(image, corners, true, colour, pen.stroke, cv::LINE_AA, kShift);
 }
 
-void draw_line(cv::Mat& picture, const Pose2D& pose, cv::Point2d from, cv::Point2d to,
+void draw_line(cv::Mat& image, const Pose2D& pose, cv::Point2d from, cv::Point2d to,
                const cv::Scalar& colour, const Pen& pen) {
-  cv::line(picture, fixed_point(transform(pose, from)), fixed_point(transform(pose, to)), colour,
+  cv::line(image, fixed_point(transform(pose, from)), fixed_point(transform(pose, to)), colour,
            pen.stroke + 1, cv::LINE_AA, kShift);
 }
 
 // The x axis has an arrow's head, so that the axes differ by more than their colour.
-void draw_axes(cv::Mat& picture, const Pose2D& pose, const Pen& pen) {
+void draw_axes(cv::Mat& image, const Pose2D& pose, const Pen& pen) {
   const double head = pen.axis / 4;
-  draw_line(picture, pose, {0, 0}, {0, pen.axis}, kYColour, pen);
-  draw_line(picture, pose, {0, 0}, {pen.axis, 0}, kXColour, pen);
-  draw_line(picture, pose, {pen.axis - head, -head}, {pen.axis, 0}, kXColour, pen);
-  draw_line(picture, pose, {pen.axis - head, head}, {pen.axis, 0}, kXColour, pen);
+  draw_line(image, pose, {0, 0}, {0, pen.axis}, kYColour, pen);
+  draw_line(image, pose, {0, 0}, {pen.axis, 0}, kXColour, pen);
+  draw_line(image, pose, {pen.axis - head, -head}, {pen.axis, 0}, kXColour, pen);
+  draw_line(image, pose, {pen.axis - head, head}, {pen.axis, 0}, kXColour, pen);
 }
 
 cv::Rect2d extent_of(const Marking& marking) {
@@ -65,7 +65,7 @@ cv::Rect2d extent_of(const Marking& marking) {
 }
 
 // A background above the outline, or below it if there is no space.
-cv::Rect plate_of(const Marking& marking, const cv::Size& text, const cv::Size& picture) {
+cv::Rect plate_of(const Marking& marking, const cv::Size& text, const cv::Size& image) {
   const cv::Rect2d extent = extent_of(marking);
   const int gap = text.height / 2;
   const double above = extent.y - gap - text.height;
@@ -73,8 +73,8 @@ cv::Rect plate_of(const Marking& marking, const cv::Size& text, const cv::Size& 
   const auto within = [](double v, int high) {
     return static_cast<int>(std::clamp(v, 0.0, static_cast<double>(std::max(0, high))));
   };
-  return {within(extent.x + extent.width / 2 - text.width / 2.0, picture.width - text.width),
-          within(wanted, picture.height - text.height), text.width, text.height};
+  return {within(extent.x + extent.width / 2 - text.width / 2.0, image.width - text.width),
+          within(wanted, image.height - text.height), text.width, text.height};
 }
 
 std::vector<std::string> lines_of(const std::string& caption) {
@@ -98,11 +98,11 @@ std::string shortened(const std::string& line, int width, const Pen& pen) {
   return kept;
 }
 
-void draw_caption(cv::Mat& picture, const Marking& marking, const Pen& pen) {
+void draw_caption(cv::Mat& image, const Marking& marking, const Pen& pen) {
   std::vector<std::string> lines = lines_of(marking.caption);
   if (lines.empty()) return;
   const int border = 2 * pen.stroke;
-  for (auto& line : lines) line = shortened(line, picture.cols - 2 * border, pen);
+  for (auto& line : lines) line = shortened(line, image.cols - 2 * border, pen);
   int baseline = 0, width = 0, height = 0;
   for (const auto& line : lines) {
     const cv::Size letters = cv::getTextSize(line, kFont, pen.letters, pen.stroke, &baseline);
@@ -111,11 +111,11 @@ void draw_caption(cv::Mat& picture, const Marking& marking, const Pen& pen) {
   }
   const int line_height = height + baseline;
   const cv::Size text(width + 2 * border, line_height * static_cast<int>(lines.size()) + border);
-  const cv::Rect plate = plate_of(marking, text, picture.size());
-  cv::rectangle(picture, plate, marking.colour, cv::FILLED);
+  const cv::Rect plate = plate_of(marking, text, image.size());
+  cv::rectangle(image, plate, marking.colour, cv::FILLED);
   cv::Point at = plate.tl() + cv::Point(border, border + height);
   for (const auto& line : lines) {
-    cv::putText(picture, line, at, kFont, pen.letters, kShade, pen.stroke, cv::LINE_AA);
+    cv::putText(image, line, at, kFont, pen.letters, kShade, pen.stroke, cv::LINE_AA);
     at.y += line_height;
   }
 }
@@ -141,11 +141,11 @@ cv::Scalar colour_of(Standing standing) {
   return {200, 200, 200};
 }
 
-cv::Mat draw_markings(const cv::Mat& picture, const std::vector<Marking>& markings) {
-  if (picture.empty() || (picture.type() != CV_8UC1 && picture.type() != CV_8UC3))
-    throw std::invalid_argument("markings are drawn on 8-bit grey or colour pictures");
-  cv::Mat drawn = picture.clone();
-  if (picture.type() == CV_8UC1) cv::cvtColor(picture, drawn, cv::COLOR_GRAY2BGR);
+cv::Mat draw_markings(const cv::Mat& image, const std::vector<Marking>& markings) {
+  if (image.empty() || (image.type() != CV_8UC1 && image.type() != CV_8UC3))
+    throw std::invalid_argument("markings are drawn on 8-bit grey or colour images");
+  cv::Mat drawn = image.clone();
+  if (image.type() == CV_8UC1) cv::cvtColor(image, drawn, cv::COLOR_GRAY2BGR);
   const Pen pen(drawn);
   for (const auto& marking : markings) {
     for (const auto& outline : marking.outlines) draw_outline(drawn, outline, marking.colour, pen);

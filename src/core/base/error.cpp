@@ -16,21 +16,21 @@ struct Entry {
 
 constexpr std::array<Entry, 25> kEntries{{
     {LearnError::kSuccess, "SUCCESS", "The object was learned.", "Nothing to do."},
-    {LearnError::kNoImage, "NO_IMAGE", "No usable picture arrived.",
-     "Check the camera and the image topic, or give a readable picture of at least 32 x 32 "
+    {LearnError::kNoImage, "NO_IMAGE", "No usable image arrived.",
+     "Check the camera and the image topic, or give a readable image of at least 32 x 32 "
      "pixels."},
-    {LearnError::kRegionInvalid, "REGION_INVALID", "The region does not lie in the picture.",
-     "Give a region of at least 8 x 8 pixels inside the picture; an outline needs three corners "
+    {LearnError::kRegionInvalid, "REGION_INVALID", "The region does not lie in the image.",
+     "Give a region of at least 8 x 8 pixels inside the image; an outline needs three corners "
      "and must not cross itself."},
-    {LearnError::kNoChange, "NO_CHANGE", "The pictures before and after show no difference.",
+    {LearnError::kNoChange, "NO_CHANGE", "The images before and after show no difference.",
      "Take away the object alone, and let a region (roi), if one is given, cover the place where "
      "it "
      "lay."},
     {LearnError::kChangeTooLarge, "CHANGE_TOO_LARGE",
-     "Nearly everything changed between the pictures.",
+     "Nearly everything changed between the images.",
      "Keep light, exposure and camera still while the object is taken away, then teach again."},
     {LearnError::kNotStill, "NOT_STILL", "The scene did not come to rest.",
-     "Move arm and hands out of the picture and wait for the message."},
+     "Move arm and hands out of the image and wait for the message."},
     {LearnError::kSegmentationEmpty, "SEGMENTATION_EMPTY", "No object stands out in the region.",
      "The region (roi) may cut the object off: draw it larger; or put the object on a background "
      "of "
@@ -38,7 +38,7 @@ constexpr std::array<Entry, 25> kEntries{{
     {LearnError::kSegmentationFull, "SEGMENTATION_FULL",
      "The whole region was segmented as object.",
      "The region (roi) may cut the object off: draw it larger, with background on every side."},
-    {LearnError::kTouchesBorder, "TOUCHES_BORDER", "The object touches the picture's border.",
+    {LearnError::kTouchesBorder, "TOUCHES_BORDER", "The object touches the image's border.",
      "Move the object fully into view and teach again."},
     {LearnError::kTooSmall, "TOO_SMALL", "The object is too small for reliable detection.",
      "Move the camera closer or use a higher resolution."},
@@ -62,14 +62,14 @@ constexpr std::array<Entry, 25> kEntries{{
      "Teach again when ready; nothing was stored."},
     {LearnError::kTimeout, "TIMEOUT", "The lesson ran out of time.",
      "Follow the messages sooner, or give a longer timeout."},
-    {LearnError::kEncoding, "ENCODING", "The picture's encoding or layout is not supported.",
+    {LearnError::kEncoding, "ENCODING", "The image's encoding or layout is not supported.",
      "Use mono8, mono16, bgr8, rgb8, bgra8, rgba8, bayer_*8, yuv422 or yuv422_yuy2 with a step and "
      "data length that fit."},
     {LearnError::kBusy, "BUSY", "Another lesson is running.", "Wait for it to end, or cancel it."},
     {LearnError::kNameUnknown, "NAME_UNKNOWN", "The library does not know this name.",
      "Choose a name of the library, or teach the object as a new one, without add_view."},
-    {LearnError::kImageMismatch, "IMAGE_MISMATCH", "The pictures differ in size.",
-     "Teach again without changing the camera's picture size; given pictures and maps must have "
+    {LearnError::kImageMismatch, "IMAGE_MISMATCH", "The images differ in size.",
+     "Teach again without changing the camera's image size; given images and maps must have "
      "the "
      "same size."},
     {LearnError::kQualityBad, "QUALITY_BAD", "The lesson is not good enough to store.",

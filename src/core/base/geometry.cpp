@@ -9,7 +9,7 @@
 namespace mbncc {
 namespace {
 
-// Bounding box of the map's pixels, which is small in most pictures.
+// Bounding box of the map's pixels, which is small in most images.
 cv::Rect box_of(const cv::Mat& map) {
   const cv::Rect box = map.empty() ? cv::Rect() : cv::boundingRect(map);
   if (box.empty()) throw std::invalid_argument("the map has no pixel");

@@ -6,8 +6,8 @@
 #include <opencv2/imgproc.hpp>
 #include <stdexcept>
 
+#include "mbncc/image_limits.hpp"
 #include "mbncc/label.hpp"
-#include "mbncc/picture_limits.hpp"
 #include "mbncc/symmetry.hpp"
 
 namespace mbncc {
@@ -60,15 +60,15 @@ Grasp seen_from(const Grasp& grasp, const Pose2D& frame, double metres_per_pixel
 
 void validate_view(const View& view) {
   require(view.template_image.type() == CV_8UC3 && !view.template_image.empty(),
-          "a view's template must be a non-empty 8-bit colour picture");
+          "a view's template must be a non-empty 8-bit colour image");
   require(is_binary_map(view.map) && view.map.size() == view.template_image.size(),
           "a view's map must be binary and of its template's size");
   require(cv::countNonZero(view.map) > 0, "a view's map is empty");
-  require(PictureLimits::hold(view.picture_size),
-          "a view's learning picture has at most 16384 pixels a side, 64 million in all");
+  require(ImageLimits::hold(view.image_size),
+          "a view's learning image has at most 16384 pixels a side, 64 million in all");
   const cv::Rect crop(view.origin, view.map.size());
-  require((crop & cv::Rect({0, 0}, view.picture_size)) == crop,
-          "a view's crop must lie in its learning picture");
+  require((crop & cv::Rect({0, 0}, view.image_size)) == crop,
+          "a view's crop must lie in its learning image");
   require(is_finite(view.reference) && is_near(view.reference),
           "a view's reference must be finite and within 131072 pixels");
 }
@@ -93,20 +93,20 @@ bool is_valid_name(const std::string& name) {
                      [](char c) { return is_letter(c) || is_digit(c) || c == '_'; });
 }
 
-View crop_view(const cv::Mat& picture, const cv::Mat& map, const Pose2D& reference, int margin) {
-  require(picture.type() == CV_8UC3 && picture.size() == map.size() && is_binary_map(map),
-          "crop_view needs a colour picture and a binary map of the same size");
+View crop_view(const cv::Mat& image, const cv::Mat& map, const Pose2D& reference, int margin) {
+  require(image.type() == CV_8UC3 && image.size() == map.size() && is_binary_map(map),
+          "crop_view needs a colour image and a binary map of the same size");
   const Circle circle = excircle(map);
   const double reach = circle.radius + margin;
   const cv::Point low(static_cast<int>(std::floor(circle.centre.x - reach)),
                       static_cast<int>(std::floor(circle.centre.y - reach)));
   const int side = static_cast<int>(std::ceil(2 * reach)) + 2;
   const cv::Rect crop = cv::Rect(low, cv::Size(side, side)) & cv::Rect({0, 0}, map.size());
-  return {picture(crop).clone(), map(crop).clone(), crop.tl(), picture.size(), reference};
+  return {image(crop).clone(), map(crop).clone(), crop.tl(), image.size(), reference};
 }
 
 cv::Mat full_size_map(const View& view) {
-  return map_within(view, {{0, 0}, view.picture_size});
+  return map_within(view, {{0, 0}, view.image_size});
 }
 
 cv::Mat map_within(const View& view, const cv::Rect& part) {

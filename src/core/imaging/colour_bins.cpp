@@ -68,13 +68,13 @@ void blur(ColourShares& shares, int count, int stride, double sigma) {
 
 }  // namespace
 
-cv::Mat colour_classes(const cv::Mat& picture) {
+cv::Mat colour_classes(const cv::Mat& image) {
   static const Tables tables;
-  cv::Mat classes(picture.size(), CV_16UC1);
-  for (int y = 0; y < picture.rows; ++y) {
-    const uchar* colours = picture.ptr(y);
+  cv::Mat classes(image.size(), CV_16UC1);
+  for (int y = 0; y < image.rows; ++y) {
+    const uchar* colours = image.ptr(y);
     auto* row = classes.ptr<std::uint16_t>(y);
-    for (int x = 0; x < picture.cols; ++x)
+    for (int x = 0; x < image.cols; ++x)
       row[x] = static_cast<std::uint16_t>(class_of(tables, colours + 3 * x));
   }
   return classes;
@@ -103,7 +103,7 @@ ColourShares colour_shares(const cv::Mat& classes, const cv::Mat& mask) {
   return shares;
 }
 
-ClassPictures::ClassPictures(const std::vector<cv::Mat>& pyramid) {
+ClassImages::ClassImages(const std::vector<cv::Mat>& pyramid) {
   for (int level = kFirst; level <= kLast && level < static_cast<int>(pyramid.size()); ++level)
     levels_.push_back(colour_classes(pyramid[level]));
   if (!levels_.empty()) shares_ = colour_shares(levels_.front());

@@ -14,19 +14,19 @@ constexpr int kColourClasses = kChromaClasses * kChromaClasses * kBrightnessClas
 /// One share per class; the sum is 1.
 using ColourShares = std::vector<float>;
 
-/// Class of each pixel, CV_16UC1, of a picture, CV_8UC3 (bgr).
-cv::Mat colour_classes(const cv::Mat& picture);
+/// Class of each pixel, CV_16UC1, of an image, CV_8UC3 (bgr).
+cv::Mat colour_classes(const cv::Mat& image);
 
 /// Of the pixels where `mask` is not 0; blurred by about one class, because light changes colours.
 ColourShares colour_shares(const cv::Mat& classes, const cv::Mat& mask = {});
 
-/// A picture's classes at some levels of its pyramid.
-class ClassPictures {
+/// An image's classes at some levels of its pyramid.
+class ClassImages {
  public:
   static constexpr int kFirst = 1, kLast = 3;  ///< levels, where there are as many
 
   /// `pyramid` from level 0 on, each CV_8UC3.
-  explicit ClassPictures(const std::vector<cv::Mat>& pyramid);
+  explicit ClassImages(const std::vector<cv::Mat>& pyramid);
 
   int last_level() const { return kFirst + static_cast<int>(levels_.size()) - 1; }
   const cv::Mat& at(int level) const { return levels_[level - kFirst]; }

@@ -25,11 +25,11 @@ std::array<int, kReach + 1> gaussian(double sigma) {
   return {256 - 2 * near - 2 * far, near, far};
 }
 
-/// One region of a picture; rows are computed from top to bottom.
+/// One region of an image; rows are computed from top to bottom.
 class Region {
  public:
-  Region(const cv::Mat& picture, const cv::Rect& region, double sigma)
-      : picture_(picture),
+  Region(const cv::Mat& image, const cv::Rect& region, double sigma)
+      : image_(image),
         region_(region),
         weights_(gaussian(sigma)),
         width_((region.width + 2) * kChannels),
@@ -66,26 +66,26 @@ class Region {
                               smooth_.data() + static_cast<std::size_t>(width_) * (y + 1), width_);
   }
 
-  /// A row of the picture from kReach + 1 pixels left of the region on.
+  /// A row of the image from kReach + 1 pixels left of the region on.
   const std::uint8_t* source_row(int y, int slot) {
-    const int row = std::clamp(region_.y + y, 0, picture_.rows - 1);
+    const int row = std::clamp(region_.y + y, 0, image_.rows - 1);
     const int first = region_.x - 1 - kReach, pixels = region_.width + 2 + 2 * kReach;
-    const std::uint8_t* from = picture_.ptr(row);
-    if (first >= 0 && first + pixels <= picture_.cols) return from + kChannels * first;
+    const std::uint8_t* from = image_.ptr(row);
+    if (first >= 0 && first + pixels <= image_.cols) return from + kChannels * first;
     auto& continued = continued_[slot];
     continued.resize(static_cast<std::size_t>(pixels) * kChannels);
-    const int left = std::max(0, -first), right = std::max(0, first + pixels - picture_.cols);
+    const int left = std::max(0, -first), right = std::max(0, first + pixels - image_.cols);
     const auto copy = [&](int to, int column, int count) {
       std::memcpy(&continued[static_cast<std::size_t>(kChannels) * to], from + kChannels * column,
                   static_cast<std::size_t>(kChannels) * count);
     };
     for (int x = 0; x < left; ++x) copy(x, 0, 1);
     copy(left, first + left, pixels - left - right);
-    for (int x = pixels - right; x < pixels; ++x) copy(x, picture_.cols - 1, 1);
+    for (int x = pixels - right; x < pixels; ++x) copy(x, image_.cols - 1, 1);
     return continued.data();
   }
 
-  const cv::Mat& picture_;
+  const cv::Mat& image_;
   cv::Rect region_;
   std::array<int, kReach + 1> weights_;
   int width_;  // values of a row of smooth_
@@ -97,20 +97,20 @@ class Region {
 
 }  // namespace
 
-cv::Mat strongest_gradient(const cv::Mat& picture) {
+cv::Mat strongest_gradient(const cv::Mat& image) {
   cv::Mat along_x, along_y;
-  cv::Sobel(picture, along_x, CV_16S, 1, 0);
-  cv::Sobel(picture, along_y, CV_16S, 0, 1);
-  cv::Mat gradient(picture.size(), CV_16SC2);
-  for (int y = 0; y < picture.rows; ++y)
+  cv::Sobel(image, along_x, CV_16S, 1, 0);
+  cv::Sobel(image, along_y, CV_16S, 0, 1);
+  cv::Mat gradient(image.size(), CV_16SC2);
+  for (int y = 0; y < image.rows; ++y)
     kernels::strongest_of_three(along_x.ptr<std::int16_t>(y), along_y.ptr<std::int16_t>(y),
-                                gradient.ptr<std::int16_t>(y), picture.cols);
+                                gradient.ptr<std::int16_t>(y), image.cols);
   return gradient;
 }
 
-void smooth_and_find_edges(const cv::Mat& picture, const cv::Rect& region, double sigma,
+void smooth_and_find_edges(const cv::Mat& image, const cv::Rect& region, double sigma,
                            cv::Mat& smooth, cv::Mat& edges) {
-  Region work(picture, region, sigma);
+  Region work(image, region, sigma);
   work.smooth();
   for (int y = 0; y < region.height; ++y) {
     std::memcpy(smooth.ptr(region.y + y) + kChannels * region.x, work.row(y),

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Orientation and strength of the colour edges of a picture, independent of which side is brighter.
+// Orientation and strength of the colour edges of an image, independent of which side is brighter.
 #pragma once
 
 #include <opencv2/core.hpp>
@@ -11,18 +11,18 @@ constexpr int kEdgeScale = 127;
 
 /// CV_16SC2: gradient of the channel with the strongest one, in eighths of a grey level per pixel.
 /// `picture` is CV_8UC3.
-cv::Mat strongest_gradient(const cv::Mat& picture);
+cv::Mat strongest_gradient(const cv::Mat& image);
 
-/// Writes the `region` of two pictures of the size of `picture` (CV_8UC3):
-/// `smooth` (CV_8UC3) is `picture` under a Gaussian of `sigma` [px] over 5 x 5 pixels;
+/// Writes the `region` of two images of the size of `image` (CV_8UC3):
+/// `smooth` (CV_8UC3) is `image` under a Gaussian of `sigma` [px] over 5 x 5 pixels;
 /// `edges` (CV_8SC2) has for a strongest gradient of `smooth` of magnitude m [grey levels per
 /// pixel] and direction a, where the brightest channel of `smooth` is v, the vector
 /// kEdgeScale m / (m + 2.5 + v / 80) (cos 2a, sin 2a). Light scales m and v alike, so an edge is
 /// almost as long in a shadow as in the light; the 2.5 suppress noise. The vector's scalar product
 /// with (cos 2b, sin 2b) is the response to an edge whose normal has direction b: positive when
 /// aligned, negative when crossing, near zero where there is little gradient. Clutter averages to
-/// zero. The picture's border is replicated; the result does not depend on the region.
-void smooth_and_find_edges(const cv::Mat& picture, const cv::Rect& region, double sigma,
+/// zero. The image's border is replicated; the result does not depend on the region.
+void smooth_and_find_edges(const cv::Mat& image, const cv::Rect& region, double sigma,
                            cv::Mat& smooth, cv::Mat& edges);
 
 }  // namespace mbncc::imaging

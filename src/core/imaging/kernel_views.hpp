@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Converts pictures and poses for the point kernels.
+// Converts images and poses for the point kernels.
 #pragma once
 
 #include <cmath>
@@ -10,9 +10,9 @@
 
 namespace mbncc::imaging {
 
-/// `picture` has 8-bit channels and outlives the view.
-inline kernels::Picture8 view_of(const cv::Mat& picture) {
-  return {picture.data, static_cast<int>(picture.step), picture.cols, picture.rows};
+/// `image` has 8-bit channels and outlives the view.
+inline kernels::Image8 view_of(const cv::Mat& image) {
+  return {image.data, static_cast<int>(image.step), image.cols, image.rows};
 }
 
 /// For an object `scale` times as large as its points.

@@ -6,15 +6,15 @@
 
 namespace mbncc::imaging {
 
-std::vector<cv::Mat> build_pyramid(const cv::Mat& picture, int top) {
+std::vector<cv::Mat> build_pyramid(const cv::Mat& image, int top) {
   std::vector<cv::Mat> levels;
-  build_pyramid(picture, top, levels);
+  build_pyramid(image, top, levels);
   return levels;
 }
 
-void build_pyramid(const cv::Mat& picture, int top, std::vector<cv::Mat>& levels) {
+void build_pyramid(const cv::Mat& image, int top, std::vector<cv::Mat>& levels) {
   levels.resize(std::max<std::size_t>(levels.size(), top + 1));
-  levels[0] = picture;
+  levels[0] = image;
   std::size_t count = 1;
   for (; count <= static_cast<std::size_t>(top); ++count) {
     const cv::Mat& below = levels[count - 1];

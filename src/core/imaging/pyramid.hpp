@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Picture pyramid: level l has half the resolution of level l - 1.
+// Image pyramid: level l has half the resolution of level l - 1.
 #pragma once
 
 #include <opencv2/core.hpp>
@@ -11,12 +11,12 @@ namespace mbncc::imaging {
 
 constexpr int kSmallestLevel = 4;  ///< [px] least width and height of a level above 0
 
-/// Levels 0 (the picture itself, not copied) to `top`; each pixel is the mean of 2 x 2 pixels below
+/// Levels 0 (the image itself, not copied) to `top`; each pixel is the mean of 2 x 2 pixels below
 /// it, an odd last row or column is dropped. Stops before a level smaller than kSmallestLevel.
-/// `picture` has 8-bit or float channels.
-std::vector<cv::Mat> build_pyramid(const cv::Mat& picture, int top);
+/// `image` has 8-bit or float channels.
+std::vector<cv::Mat> build_pyramid(const cv::Mat& image, int top);
 /// The same into `levels`, reusing the memory of those above level 0.
-void build_pyramid(const cv::Mat& picture, int top, std::vector<cv::Mat>& levels);
+void build_pyramid(const cv::Mat& image, int top, std::vector<cv::Mat>& levels);
 
 /// Position of a point of level 0 in level `level`: pixel centres are at integers in both.
 inline cv::Point2d to_level(cv::Point2d point, int level) {

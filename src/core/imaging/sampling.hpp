@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Bilinear reading of 8-bit pictures.
+// Bilinear reading of 8-bit images.
 #pragma once
 
 #include <opencv2/core.hpp>
 
 namespace mbncc::imaging {
 
-/// One grey picture, interpolated.
+/// One grey image, interpolated.
 class GreySampler {
  public:
   explicit GreySampler(const cv::Mat& grey)
@@ -33,14 +33,14 @@ class GreySampler {
   float right_, bottom_;
 };
 
-/// Interpolated colour; false outside the picture.
+/// Interpolated colour; false outside the image.
 class ColourSampler {
  public:
-  explicit ColourSampler(const cv::Mat& picture)
-      : data_(picture.data),
-        step_(picture.step),
-        right_(static_cast<float>(picture.cols) - 1.01f),
-        bottom_(static_cast<float>(picture.rows) - 1.01f) {}
+  explicit ColourSampler(const cv::Mat& image)
+      : data_(image.data),
+        step_(image.step),
+        right_(static_cast<float>(image.cols) - 1.01f),
+        bottom_(static_cast<float>(image.rows) - 1.01f) {}
 
   bool operator()(float x, float y, float* colour) const {
     if (!(x >= 0 && y >= 0 && x < right_ && y < bottom_)) return false;

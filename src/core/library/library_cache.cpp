@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "library/library_cache.hpp"
 
-#include "library/other_picture.hpp"
+#include "library/other_image.hpp"
 #include "library/png_codec.hpp"
 #include "mbncc/library/object_file.hpp"
 
@@ -28,8 +28,8 @@ std::shared_ptr<const LibrarySnapshot> LibraryCache::load(const library::Library
     if (!entry) continue;
     if (entry->object)
       snapshot->objects.push_back(entry->object);
-    else if (entry->other_picture)
-      snapshot->other_pictures.push_back(file);
+    else if (entry->other_image)
+      snapshot->other_images.push_back(file);
     else
       snapshot->quarantined.push_back({file, entry->reason, false});
     entries[file] = *entry;
@@ -55,7 +55,7 @@ std::optional<LibraryCache::Entry> LibraryCache::load_file(const library::Librar
                  std::make_shared<const ObjectModel>(decode_object(content.bytes, path)), "",
                  false};
   } catch (const library::ContentError& error) {
-    if (library::is_other_picture(path)) return Entry{*stamp, nullptr, "", true};
+    if (library::is_other_image(path)) return Entry{*stamp, nullptr, "", true};
     if (!move_to_quarantine(folder, file)) return Entry{*stamp, nullptr, error.reason(), false};
     snapshot.quarantined.push_back({file, error.reason(), true});
     return std::nullopt;

@@ -24,7 +24,7 @@ class LibraryCache {
     library::FileStamp stamp;
     std::shared_ptr<const ObjectModel> object;  // null: unreadable and left in place
     std::string reason;                         // why it is unreadable
-    bool other_picture = false;                 // of the user: no object
+    bool other_image = false;                   // of the user: no object
   };
 
   std::optional<Entry> load_file(const library::LibraryFolder& folder, const std::string& file,

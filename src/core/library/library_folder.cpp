@@ -12,7 +12,7 @@
 #include <thread>
 
 #include "library/object_yaml.hpp"
-#include "library/other_picture.hpp"
+#include "library/other_image.hpp"
 #include "library/png_codec.hpp"
 #include "mbncc/library/object_file.hpp"
 
@@ -95,11 +95,11 @@ void check_file_name(const LibraryFolder& folder, const std::string& file) {
     throw ContentError(folder.path + "/" + file, "the file's name is no valid object name");
 }
 
-void refuse_other_picture(const std::string& object_file) {
-  if (is_other_picture(object_file))
+void refuse_other_image(const std::string& object_file) {
+  if (is_other_image(object_file))
     throw FileError(object_file,
-                    "a picture that is not an object has this name; choose another name or move "
-                    "the picture away");
+                    "an image that is not an object has this name; choose another name or move "
+                    "the image away");
 }
 
 std::vector<QuarantinedFile> quarantined_files(const LibraryFolder& folder) {
@@ -138,7 +138,7 @@ std::unique_ptr<ObjectModel> LockedFolder::read(const std::string& name) {
   try {
     return std::make_unique<ObjectModel>(read_object_file(folder_.object_file(name)));
   } catch (const ContentError& error) {
-    refuse_other_picture(folder_.object_file(name));
+    refuse_other_image(folder_.object_file(name));
     quarantine(name + kEnding, error.reason());
     return nullptr;
   }

@@ -33,8 +33,8 @@ std::vector<QuarantinedFile> quarantined_files(const LibraryFolder& folder);
 /// Names of the object files: *.png, except hidden ones.
 std::vector<std::string> object_files(const LibraryFolder& folder);
 
-/// Throws FileError if a picture that is no object has the name of an object's file.
-void refuse_other_picture(const std::string& object_file);
+/// Throws FileError if an image that is no object has the name of an object's file.
+void refuse_other_image(const std::string& object_file);
 
 /// Throws ContentError when such a file's name is not an object's name and ".png": "wrench.1.png"
 /// is no second wrench.
@@ -54,7 +54,7 @@ class LockedFolder {
   explicit LockedFolder(LibraryFolder folder);
 
   /// The stored object. Null when there is none; an unreadable file is quarantined and counts as
-  /// none. Throws FileError if a picture that is no object has the name.
+  /// none. Throws FileError if an image that is no object has the name.
   std::unique_ptr<ObjectModel> read(const std::string& name);
 
   /// One above every revision of `name`: that of `stored` (may be null) and those in the trash.

@@ -27,9 +27,8 @@ bool differ(const cv::Mat& a, const cv::Mat& b) {
 }
 
 bool differ(const View& a, const View& b) {
-  return a.origin != b.origin || a.picture_size != b.picture_size ||
-         differ(a.reference, b.reference) || differ(a.map, b.map) ||
-         differ(a.template_image, b.template_image);
+  return a.origin != b.origin || a.image_size != b.image_size || differ(a.reference, b.reference) ||
+         differ(a.map, b.map) || differ(a.template_image, b.template_image);
 }
 
 }  // namespace

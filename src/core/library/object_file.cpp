@@ -62,7 +62,7 @@ void check_stacked(const std::vector<cv::Rect>& rectangles, cv::Size canvas) {
       throw std::runtime_error("its views are not stacked from top to bottom");
     top += rectangle.height;
   }
-  if (top != canvas.height) throw std::runtime_error("its views do not fill the picture");
+  if (top != canvas.height) throw std::runtime_error("its views do not fill the image");
 }
 
 void read_view_row(const std::vector<std::uint8_t>& rgba, View& view, int row) {

@@ -28,7 +28,7 @@ namespace {
 
 void refuse_taken(const library::LibraryFolder& folder, const std::string& name) {
   if (!library::path_exists(folder.object_file(name))) return;
-  library::refuse_other_picture(folder.object_file(name));
+  library::refuse_other_image(folder.object_file(name));
   throw NameError(LearnError::kNameTaken, "the library has an object '" + name + "' already");
 }
 

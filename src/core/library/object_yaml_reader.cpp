@@ -16,7 +16,7 @@
 namespace mbncc::library {
 namespace {
 
-constexpr double kLargest = 1e9;     // bound of every number except times; far beyond any picture
+constexpr double kLargest = 1e9;     // bound of every number except times; far beyond any image
 constexpr double kLatestTime = 4e9;  // [s] since 1970; messages count seconds in 32 bits
 
 // The parser is recursive, so the nesting depth is limited; valid descriptions are not deep.
@@ -128,7 +128,7 @@ void read_view(const YAML::Node& node, ObjectDescription& description) {
   const auto reference = numbers<3>(node, "reference");
   View& view = description.model.views.emplace_back();
   view.origin = {origin[0], origin[1]};
-  view.picture_size = {size[0], size[1]};
+  view.image_size = {size[0], size[1]};
   view.reference = {reference[0], reference[1], reference[2]};
   description.rectangles.emplace_back(rectangle[0], rectangle[1], rectangle[2], rectangle[3]);
 }

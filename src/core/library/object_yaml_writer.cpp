@@ -41,7 +41,7 @@ void put_view(YAML::Emitter& out, const View& view, const cv::Rect& rectangle) {
   out << YAML::BeginMap;
   put(out, "rectangle", as_numbers(rectangle.x, rectangle.y, rectangle.width, rectangle.height));
   put(out, "origin", as_numbers(view.origin.x, view.origin.y));
-  put(out, "picture_size", as_numbers(view.picture_size.width, view.picture_size.height));
+  put(out, "picture_size", as_numbers(view.image_size.width, view.image_size.height));
   put(out, "reference", as_numbers(view.reference.x, view.reference.y, view.reference.theta));
   out << YAML::EndMap;
 }

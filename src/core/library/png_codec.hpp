@@ -44,7 +44,7 @@ std::vector<std::uint8_t> encode_png(const cv::Mat& rgba, const std::string& key
                                      const std::string& text);
 
 /// Reads an 8-bit RGBA PNG row by row, so that the caller can check size and text before it
-/// allocates the picture. Every member throws PngError.
+/// allocates the image. Every member throws PngError.
 class PngReader {
  public:
   /// Reads up to the pixels. `bytes` must outlive the reader.

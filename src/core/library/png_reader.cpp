@@ -70,11 +70,11 @@ void PngReader::destroy() {
 void PngReader::check_layout() {
   size_ = cv::Size(static_cast<int>(png_get_image_width(png_, info_)),
                    static_cast<int>(png_get_image_height(png_, info_)));
-  if (!PngLimits::hold(size_)) throw PngError("the picture is too large");
+  if (!PngLimits::hold(size_)) throw PngError("the image is too large");
   if (png_get_bit_depth(png_, info_) != 8 ||
       png_get_color_type(png_, info_) != PNG_COLOR_TYPE_RGB_ALPHA ||
       png_get_interlace_type(png_, info_) != PNG_INTERLACE_NONE)
-    throw PngError("not an 8-bit RGBA picture without interlacing");
+    throw PngError("not an 8-bit RGBA image without interlacing");
 }
 
 void PngReader::find_text(const std::string& key) {
@@ -97,7 +97,7 @@ void PngReader::read_row(std::uint8_t* row) {
 
 void PngReader::finish() {
   guarded([this] { png_read_end(png_, nullptr); });
-  if (position_ != bytes_.size()) throw PngError("there are bytes after the picture's end");
+  if (position_ != bytes_.size()) throw PngError("there are bytes after the image's end");
 }
 
 }  // namespace mbncc::library

@@ -80,7 +80,7 @@ std::vector<decision::Detection> all_of(const SearchState& findings) {
   return all;
 }
 
-/// The likely instances in the picture, except those of object `own`.
+/// The likely instances in the image, except those of object `own`.
 std::vector<Footprint> occupied_by_others(const SearchState& findings, std::size_t own) {
   constexpr double kLikely = 1;  // log-odds; lower ones never become graspable
   std::vector<Footprint> footprints;
@@ -128,9 +128,9 @@ struct Matcher::Implementation {
   /// The requested objects; the reasons of the others go to `result.skipped`.
   ObjectList wanted(const SearchRequest& request, SearchResult& result) const;
 
-  /// Searches `picture` for `wanted`, and again after removal of a colour cast estimated from the
+  /// Searches `image` for `wanted`, and again after removal of a colour cast estimated from the
   /// detections.
-  SearchState search(const ObjectList& wanted, const cv::Mat& picture, const SearchRequest& request,
+  SearchState search(const ObjectList& wanted, const cv::Mat& image, const SearchRequest& request,
                      Clock::time_point start) const;
 
   decision::AcceptanceSettings acceptance(const SearchRequest& request, std::size_t objects) const;
@@ -179,7 +179,7 @@ ObjectList Matcher::Implementation::wanted(const SearchRequest& request,
   return chosen;
 }
 
-SearchState Matcher::Implementation::search(const ObjectList& wanted, const cv::Mat& picture,
+SearchState Matcher::Implementation::search(const ObjectList& wanted, const cv::Mat& image,
                                             const SearchRequest& request,
                                             Clock::time_point start) const {
   const search::SearchMode mode = mode_for(wanted.size(), request, config);
@@ -194,11 +194,11 @@ SearchState Matcher::Implementation::search(const ObjectList& wanted, const cv::
     });
     compare_in_place(compared, request, findings);
   };
-  const auto shown = prepared::comparisons(wanted, picture, scenes);
+  const auto shown = prepared::comparisons(wanted, image, scenes);
   search_all(shown);
   if (mode != search::SearchMode::kGated) return findings;
   if (const auto cast = search::colour_cast(shown, findings.found))
-    search_all(prepared::comparisons(wanted, search::without_cast(picture, *cast), scenes));
+    search_all(prepared::comparisons(wanted, search::without_cast(image, *cast), scenes));
   return findings;
 }
 
@@ -265,10 +265,10 @@ void Matcher::set_limits(double min_score, int max_instances) {
   implementation_->config.max_instances = max_instances;
 }
 
-cv::Mat Matcher::score_map(const cv::Mat& picture, const SearchRequest& request) const {
+cv::Mat Matcher::score_map(const cv::Mat& image, const SearchRequest& request) const {
   SearchResult ignored;
   const ObjectList objects = implementation_->wanted(request, ignored);
-  const auto scene = implementation_->scenes.show(picture, top_level(objects));
+  const auto scene = implementation_->scenes.show(image, top_level(objects));
   cv::Mat best = cv::Mat::zeros(scene->size(), CV_32FC1);
   for (const auto& object : objects)
     for (const auto& view : object->views) {
@@ -282,11 +282,11 @@ cv::Mat Matcher::score_map(const cv::Mat& picture, const SearchRequest& request)
   return best;
 }
 
-SearchResult Matcher::find(const cv::Mat& picture, const SearchRequest& request) const {
+SearchResult Matcher::find(const cv::Mat& image, const SearchRequest& request) const {
   const auto start = Clock::now();
   SearchResult result;
   const ObjectList objects = implementation_->wanted(request, result);
-  const SearchState findings = implementation_->search(objects, picture, request, start);
+  const SearchState findings = implementation_->search(objects, image, request, start);
   note_searched(objects, findings, result);
   decision::Selection selection = decision::select_matches(
       all_of(findings), implementation_->acceptance(request, objects.size()));

@@ -29,10 +29,10 @@ Marking marking_of(const Match& match) {
   return marking;
 }
 
-cv::Mat draw_matches(const cv::Mat& picture, const std::vector<Match>& matches) {
+cv::Mat draw_matches(const cv::Mat& image, const std::vector<Match>& matches) {
   std::vector<Marking> markings;
   for (const auto& match : matches) markings.push_back(marking_of(match));
-  return draw_markings(picture, markings);
+  return draw_markings(image, markings);
 }
 
 }  // namespace mbncc

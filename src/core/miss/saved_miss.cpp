@@ -28,19 +28,19 @@ std::vector<std::uint8_t> bytes_of(const YAML::Node& node) {
   return {data.data(), data.data() + data.size()};
 }
 
-std::vector<std::uint8_t> encode(const cv::Mat& picture) {
+std::vector<std::uint8_t> encode(const cv::Mat& image) {
   cv::Mat rgba;
-  cv::cvtColor(picture, rgba, cv::COLOR_BGR2RGBA);
+  cv::cvtColor(image, rgba, cv::COLOR_BGR2RGBA);
   return library::encode_png(rgba, kVersionKey, kNoText);
 }
 
 cv::Mat decode(const std::vector<std::uint8_t>& bytes) {
   library::PngReader reader(bytes, kVersionKey);
-  cv::Mat rgba(reader.size(), CV_8UC4), picture;
+  cv::Mat rgba(reader.size(), CV_8UC4), image;
   for (int y = 0; y < rgba.rows; ++y) reader.read_row(rgba.ptr(y));
   reader.finish();
-  cv::cvtColor(rgba, picture, cv::COLOR_RGBA2BGR);
-  return picture;
+  cv::cvtColor(rgba, image, cv::COLOR_RGBA2BGR);
+  return image;
 }
 
 SavedMiss parse(const YAML::Node& root, const std::string& path) {
@@ -54,7 +54,7 @@ SavedMiss parse(const YAML::Node& root, const std::string& path) {
   const auto rows = field_rows(miss.search);
   for (const auto& setting : root["settings"])
     assign_field(rows, setting.first.as<std::string>(), setting.second.as<std::string>());
-  miss.picture = decode(bytes_of(root["picture"]));
+  miss.image = decode(bytes_of(root["picture"]));
   for (const auto& object : root["objects"]) {
     const auto name = object.first.as<std::string>();
     miss.objects.push_back(
@@ -66,7 +66,7 @@ SavedMiss parse(const YAML::Node& root, const std::string& path) {
 }  // namespace
 
 std::vector<Explanation> explain(const SavedMiss& miss) {
-  return explain_place(miss.objects, miss.search, miss.picture, miss.place, miss.names);
+  return explain_place(miss.objects, miss.search, miss.image, miss.place, miss.names);
 }
 
 std::vector<std::string> lines_of(const std::vector<Explanation>& explanations, std::size_t most) {
@@ -89,7 +89,7 @@ void write_miss(const std::string& path, const SavedMiss& miss) {
   for (const auto& row : field_rows(search))
     out << YAML::Key << row.info.name << YAML::Value << row.value;
   out << YAML::EndMap;
-  out << YAML::Key << "picture" << YAML::Value << binary(encode(miss.picture));
+  out << YAML::Key << "picture" << YAML::Value << binary(encode(miss.image));
   out << YAML::Key << "objects" << YAML::Value << YAML::BeginMap;
   for (const auto& object : miss.objects)
     out << YAML::Key << object->name << YAML::Value << binary(encode_object(*object));

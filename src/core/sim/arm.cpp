@@ -11,7 +11,7 @@ namespace mbncc::sim {
 namespace {
 
 // Sizes in px, along the arm backwards from the grip point.
-constexpr double kScale = 2;        // drawing pixels per picture pixel
+constexpr double kScale = 2;        // drawing pixels per image pixel
 constexpr double kFingerTip = 12;   // fingers reach beyond the grip point
 constexpr double kFingerBase = 58;  // where the palm begins
 constexpr double kFingerWidth = 16;

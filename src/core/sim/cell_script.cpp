@@ -10,9 +10,9 @@
 namespace mbncc::sim {
 namespace {
 
-constexpr double kBorder = 14;     // [px] between an object's circle and the picture's edge
+constexpr double kBorder = 14;     // [px] between an object's circle and the image's edge
 constexpr double kGap = 8;         // [px] between the circles of two objects
-constexpr double kBeyond = 260;    // [px] from the picture's edge to the waiting grip
+constexpr double kBeyond = 260;    // [px] from the image's edge to the waiting grip
 constexpr double kShoulder = 500;  // [px] from there to the arm's base
 
 /// Starts and stops gently: 0 -> 0, 1 -> 1.
@@ -48,7 +48,7 @@ Pose2D free_pose(cv::Size size, double reach, const std::vector<Placed>& others,
     if (clear_of(pose, reach, others)) return pose;
   }
   throw std::invalid_argument(
-      "the objects do not fit into the picture; lower object_diameter or neighbours, or enlarge "
+      "the objects do not fit into the image; lower object_diameter or neighbours, or enlarge "
       "width and height");
 }
 

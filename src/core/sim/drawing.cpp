@@ -13,8 +13,8 @@ namespace {
 
 constexpr double kShadowStrength = 0.4;
 
-/// Part of the picture that the drawing at `pose` can touch, grown by `margin`.
-cv::Rect footprint(const Drawing& drawing, const Pose2D& pose, int margin, cv::Size picture) {
+/// Part of the image that the drawing at `pose` can touch, grown by `margin`.
+cv::Rect footprint(const Drawing& drawing, const Pose2D& pose, int margin, cv::Size image) {
   const double right = drawing.cover.cols - drawing.origin.x;
   const double bottom = drawing.cover.rows - drawing.origin.y;
   cv::Point2d low(1e9, 1e9), high(-1e9, -1e9);
@@ -27,15 +27,15 @@ cv::Rect footprint(const Drawing& drawing, const Pose2D& pose, int margin, cv::S
   }
   const cv::Rect box(cv::Point(cvFloor(low.x) - margin, cvFloor(low.y) - margin),
                      cv::Point(cvCeil(high.x) + margin + 1, cvCeil(high.y) + margin + 1));
-  return box & cv::Rect({0, 0}, picture);
+  return box & cv::Rect({0, 0}, image);
 }
 
-/// Resamples `source` at `pose` as many times finer than the picture as it is drawn, then averages
+/// Resamples `source` at `pose` as many times finer than the image as it is drawn, then averages
 /// over each pixel's area.
 cv::Mat resample(const cv::Mat& source, const Drawing& drawing, const Pose2D& pose,
                  const cv::Rect& where) {
   const double s = drawing.scale, c = std::cos(pose.theta), sn = std::sin(pose.theta);
-  // Sample u of the fine grid lies at picture coordinate where.x + (u + 0.5) / s - 0.5.
+  // Sample u of the fine grid lies at image coordinate where.x + (u + 0.5) / s - 0.5.
   const cv::Point2d first(where.x + 0.5 / s - 0.5, where.y + 0.5 / s - 0.5);
   const cv::Point2d start = rotate(first - pose.position(), -pose.theta) * s + drawing.origin;
   const cv::Matx23d to_source(c, sn, start.x, -sn, c, start.y);
@@ -90,14 +90,14 @@ Drawing draw_object(const SceneObject& object) {
   return drawing;
 }
 
-cv::Mat coverage(const Drawing& drawing, const Pose2D& pose, cv::Size picture, cv::Rect& where) {
-  where = footprint(drawing, pose, 0, picture);
+cv::Mat coverage(const Drawing& drawing, const Pose2D& pose, cv::Size image, cv::Rect& where) {
+  where = footprint(drawing, pose, 0, image);
   return where.empty() ? cv::Mat() : resample(drawing.cover, drawing, pose, where);
 }
 
-void composite(const Drawing& drawing, const Pose2D& pose, double shadow_sigma, cv::Mat& picture) {
+void composite(const Drawing& drawing, const Pose2D& pose, double shadow_sigma, cv::Mat& image) {
   const int margin = cvCeil(3 * shadow_sigma);
-  const cv::Rect where = footprint(drawing, pose, margin, picture.size());
+  const cv::Rect where = footprint(drawing, pose, margin, image.size());
   if (where.empty()) return;
   const cv::Mat cover = resample(drawing.cover, drawing, pose, where);
   const cv::Mat colour = resample(drawing.colour, drawing, pose, where);
@@ -105,7 +105,7 @@ void composite(const Drawing& drawing, const Pose2D& pose, double shadow_sigma, 
   cv::Mat shadow;
   cv::warpAffine(cover, shadow, beside, cover.size());
   cv::GaussianBlur(shadow, shadow, {}, shadow_sigma);
-  cv::Mat part = picture(where);
+  cv::Mat part = image(where);
   const cv::Mat kept = (1 - kShadowStrength * shadow).mul(1 - cover);
   cv::Mat(part.mul(three_channels(kept)) + colour).copyTo(part);
 }

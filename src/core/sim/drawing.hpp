@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A sprite drawn once at higher resolution and composited into pictures at sub-pixel poses.
+// A sprite drawn once at higher resolution and composited into images at sub-pixel poses.
 #pragma once
 
 #include <opencv2/core.hpp>
@@ -13,7 +13,7 @@ struct Drawing {
   cv::Mat colour;      ///< CV_32FC3 [grey levels], times cover
   cv::Mat cover;       ///< CV_32FC1 [0..1]
   cv::Point2d origin;  ///< drawing pixel of the thing's origin
-  double scale = 4;    ///< drawing pixels per picture pixel, a whole number
+  double scale = 4;    ///< drawing pixels per image pixel, a whole number
 };
 
 Drawing draw_object(const SceneObject& object);
@@ -28,10 +28,10 @@ Drawing draw_finger();
 Drawing mirrored(const Drawing& drawing);
 
 /// CV_32FC1 [0..1] share of each pixel that the drawing at `pose` covers; `where` gets the part of
-/// the picture that it describes (empty when the drawing lies outside).
-cv::Mat coverage(const Drawing& drawing, const Pose2D& pose, cv::Size picture, cv::Rect& where);
+/// the image that it describes (empty when the drawing lies outside).
+cv::Mat coverage(const Drawing& drawing, const Pose2D& pose, cv::Size image, cv::Rect& where);
 
-/// Puts the drawing over `picture` (CV_32FC3) with a soft shadow beside it.
-void composite(const Drawing& drawing, const Pose2D& pose, double shadow_sigma, cv::Mat& picture);
+/// Puts the drawing over `image` (CV_32FC3) with a soft shadow beside it.
+void composite(const Drawing& drawing, const Pose2D& pose, double shadow_sigma, cv::Mat& image);
 
 }  // namespace mbncc::sim

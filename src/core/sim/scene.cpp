@@ -33,16 +33,16 @@ cv::Mat light_field(const SceneConfig& config) {
   return light;
 }
 
-/// Eight bit values of `picture` with sensor noise: a constant part and one whose variance grows
+/// Eight bit values of `image` with sensor noise: a constant part and one whose variance grows
 /// with the signal.
-cv::Mat sense(const cv::Mat& picture, double sigma, cv::RNG random) {
-  cv::Mat result(picture.size(), CV_8UC3), noise(1, picture.cols, CV_32FC3);
-  for (int y = 0; y < picture.rows; ++y) {
+cv::Mat sense(const cv::Mat& image, double sigma, cv::RNG random) {
+  cv::Mat result(image.size(), CV_8UC3), noise(1, image.cols, CV_32FC3);
+  for (int y = 0; y < image.rows; ++y) {
     random.fill(noise, cv::RNG::NORMAL, 0, sigma);
-    const float* signal = picture.ptr<float>(y);
+    const float* signal = image.ptr<float>(y);
     const float* deviate = noise.ptr<float>();
     uchar* value = result.ptr(y);
-    for (int i = 0; i < 3 * picture.cols; ++i) {
+    for (int i = 0; i < 3 * image.cols; ++i) {
       const float share = std::sqrt(0.5f + std::max(signal[i], 0.0f) * (0.5f / 128));
       value[i] = cv::saturate_cast<uchar>(signal[i] + deviate[i] * share);
     }
@@ -50,12 +50,12 @@ cv::Mat sense(const cv::Mat& picture, double sigma, cv::RNG random) {
   return result;
 }
 
-void draw_over(const Arm& arm, cv::Mat& picture) {
+void draw_over(const Arm& arm, cv::Mat& image) {
   static const Drawing body = draw_arm_body(), finger = draw_finger(), other = mirrored(finger);
   const double half = arm.opening / 2;
-  composite(finger, compose(arm.grip, {0, half, 0}), kArmShadow, picture);
-  composite(other, compose(arm.grip, {0, -half, 0}), kArmShadow, picture);
-  composite(body, arm.grip, kArmShadow, picture);
+  composite(finger, compose(arm.grip, {0, half, 0}), kArmShadow, image);
+  composite(other, compose(arm.grip, {0, -half, 0}), kArmShadow, image);
+  composite(body, arm.grip, kArmShadow, image);
 }
 
 }  // namespace
@@ -69,21 +69,21 @@ Scene::Scene(SceneConfig config) : config_(config), cache_(std::make_shared<Scen
 
 cv::Mat Scene::compose_at_rest(const std::vector<Placed>& placed) const {
   return cache_->composition(placed, [&] {
-    cv::Mat picture = platform_.clone();
+    cv::Mat image = platform_.clone();
     for (const auto& thing : placed)
-      composite(*cache_->drawing(thing.object), thing.pose, kContactShadow, picture);
-    return picture;
+      composite(*cache_->drawing(thing.object), thing.pose, kContactShadow, image);
+    return image;
   });
 }
 
 cv::Mat Scene::render(const std::vector<Placed>& placed, std::uint64_t frame,
                       const std::optional<Arm>& arm) const {
-  cv::Mat picture = compose_at_rest(placed);
+  cv::Mat image = compose_at_rest(placed);
   if (arm) {
-    picture = picture.clone();
-    draw_over(*arm, picture);
+    image = image.clone();
+    draw_over(*arm, image);
   }
-  cv::Mat lit = picture.mul(light_);
+  cv::Mat lit = image.mul(light_);
   if (config_.blur_sigma > 0) cv::GaussianBlur(lit, lit, {}, config_.blur_sigma);
   return sense(lit, config_.noise_sigma, generator(mix(config_.seed, 6), frame));
 }

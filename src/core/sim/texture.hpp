@@ -15,7 +15,7 @@ cv::Mat fractal_noise(cv::Size size, double coarsest, double finest, cv::RNG& ra
 cv::Mat platform_texture(cv::Size size, std::uint64_t seed);
 
 /// CV_32FC3 [grey levels] painted surface: two colours in patches, bands, printed marks, wear.
-/// `scale` is the number of texture pixels per picture pixel.
+/// `scale` is the number of texture pixels per image pixel.
 cv::Mat object_texture(cv::Size size, double scale, std::uint64_t seed);
 
 /// bgr colour [grey levels] of hue [0..360), saturation [0..1] and value [0..255].

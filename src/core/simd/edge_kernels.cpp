@@ -45,10 +45,10 @@ void place_normals(const float* __restrict px, const float* __restrict py,
 
 /// `near`: the reading counts as best response.
 MBNCC_CLONES
-void read_step(const Picture8& picture, int count, float step, bool near, NormalGroup& group) {
-  const float right = static_cast<float>(picture.columns) - 1.01f;
-  const float bottom = static_cast<float>(picture.rows) - 1.01f;
-  const int stride = picture.step;
+void read_step(const Image8& image, int count, float step, bool near, NormalGroup& group) {
+  const float right = static_cast<float>(image.columns) - 1.01f;
+  const float bottom = static_cast<float>(image.rows) - 1.01f;
+  const int stride = image.step;
   float offset[kGroup], inside[kGroup];
   std::int32_t at[kGroup];
   for (int i = 0; i < count; ++i) {
@@ -63,8 +63,7 @@ void read_step(const Picture8& picture, int count, float step, bool near, Normal
     at[i] = row * stride + 2 * column;
   }
   std::uint32_t edges[kGroup];
-  for (int i = 0; i < count; ++i)
-    edges[i] = *reinterpret_cast<const EdgeWord*>(picture.data + at[i]);
+  for (int i = 0; i < count; ++i) edges[i] = *reinterpret_cast<const EdgeWord*>(image.data + at[i]);
   const float allowance = near ? 0.f : -4.f;
   for (int i = 0; i < count; ++i) {
     const float edge_x = x_of(edges[i]), edge_y = y_of(edges[i]);
@@ -91,15 +90,15 @@ void report_normals(const NormalGroup& group, int count, float* __restrict respo
 }
 
 MBNCC_CLONES
-void edge_agreements_group(const Picture8& picture, const float* __restrict px,
+void edge_agreements_group(const Image8& image, const float* __restrict px,
                            const float* __restrict py, const float* __restrict dx,
                            const float* __restrict dy, int count, const Placement& placement,
                            float* __restrict agreements) {
   const float cosine = placement.cosine, sine = placement.sine, x0 = placement.x, y0 = placement.y;
   const float double_cosine = cosine * cosine - sine * sine, double_sine = 2.f * cosine * sine;
-  const auto right = static_cast<float>(picture.columns - 1);
-  const auto bottom = static_cast<float>(picture.rows - 1);
-  const int stride = picture.step;
+  const auto right = static_cast<float>(image.columns - 1);
+  const auto bottom = static_cast<float>(image.rows - 1);
+  const int stride = image.step;
   std::int32_t at[kGroup];
   std::uint32_t edges[kGroup];
   for (int i = 0; i < count; ++i) {
@@ -109,8 +108,7 @@ void edge_agreements_group(const Picture8& picture, const float* __restrict px,
     const int row = static_cast<int>(held(y, 0, bottom));
     at[i] = row * stride + 2 * column;
   }
-  for (int i = 0; i < count; ++i)
-    edges[i] = *reinterpret_cast<const EdgeWord*>(picture.data + at[i]);
+  for (int i = 0; i < count; ++i) edges[i] = *reinterpret_cast<const EdgeWord*>(image.data + at[i]);
   for (int i = 0; i < count; ++i) {
     const float edge_x = x_of(edges[i]), edge_y = y_of(edges[i]);
     const float turned_x = double_cosine * dx[i] - double_sine * dy[i];
@@ -121,26 +119,25 @@ void edge_agreements_group(const Picture8& picture, const float* __restrict px,
 
 }  // namespace
 
-void read_along_normals_vectorised(const Picture8& picture, const Points& points,
-                                   const float* normal_x, const float* normal_y,
-                                   const Placement& placement, int reach,
+void read_along_normals_vectorised(const Image8& image, const Points& points, const float* normal_x,
+                                   const float* normal_y, const Placement& placement, int reach,
                                    const NormalReadings& readings) {
   NormalGroup group;
   for (int k = 0; k < points.count; k += kGroup) {
     const int count = std::min(kGroup, points.count - k);
     place_normals(points.x + k, points.y + k, normal_x + k, normal_y + k, count, placement, group);
     for (int step = -reach; step <= reach; ++step)
-      read_step(picture, count, static_cast<float>(step), step >= -1 && step <= 1, group);
+      read_step(image, count, static_cast<float>(step), step >= -1 && step <= 1, group);
     report_normals(group, count, readings.response + k, readings.seen + k, readings.pull + k,
                    readings.moment + k);
   }
 }
 
-void edge_agreements_vectorised(const Picture8& picture, const Points& points,
-                                const float* direction_x, const float* direction_y,
-                                const Placement& placement, float* agreements) {
+void edge_agreements_vectorised(const Image8& image, const Points& points, const float* direction_x,
+                                const float* direction_y, const Placement& placement,
+                                float* agreements) {
   for (int k = 0; k < points.count; k += kGroup)
-    edge_agreements_group(picture, points.x + k, points.y + k, direction_x + k, direction_y + k,
+    edge_agreements_group(image, points.x + k, points.y + k, direction_x + k, direction_y + k,
                           std::min(kGroup, points.count - k), placement, agreements + k);
 }
 

@@ -97,9 +97,9 @@ const Target& active() {
   return target;
 }
 
-void correlate(const std::int16_t* picture, const std::int32_t* offsets,
-               const std::int16_t* weights, int pairs, std::int32_t* sums, int count) {
-  active().table->correlate_row(picture, offsets, weights, pairs, sums, count);
+void correlate(const std::int16_t* image, const std::int32_t* offsets, const std::int16_t* weights,
+               int pairs, std::int32_t* sums, int count) {
+  active().table->correlate_row(image, offsets, weights, pairs, sums, count);
 }
 
 void sum_runs(const std::int32_t* prefix, const std::int32_t* begins, const std::int32_t* ends,

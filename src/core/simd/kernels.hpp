@@ -17,14 +17,14 @@ constexpr int kPositions = 32;
 /// ... and best_responses() on this many rows of them.
 constexpr int kResponseRows = 4;
 /// Bounds of correlate().
-constexpr int kMaxPicture = 128;
+constexpr int kMaxImage = 128;
 constexpr int kMaxWeight = 63;
 
-/// sums[x] = sum_k weights[2 k] picture[offsets[k] + x] + weights[2 k + 1] picture[offsets[k] + x +
-/// 1] for x in [0, count), `count` a multiple of kPositions. `pairs` is at most 2^16; |picture| <=
-/// kMaxPicture, |weight| <= kMaxWeight.
-void correlate(const std::int16_t* picture, const std::int32_t* offsets,
-               const std::int16_t* weights, int pairs, std::int32_t* sums, int count);
+/// sums[x] = sum_k weights[2 k] image[offsets[k] + x] + weights[2 k + 1] image[offsets[k] + x +
+/// 1] for x in [0, count), `count` a multiple of kPositions. `pairs` is at most 2^16; |image| <=
+/// kMaxImage, |weight| <= kMaxWeight.
+void correlate(const std::int16_t* image, const std::int32_t* offsets, const std::int16_t* weights,
+               int pairs, std::int32_t* sums, int count);
 
 /// sums[x] = sum_r prefix[ends[r] + x] - prefix[begins[r] + x] for x in [0, count): totals over
 /// runs of pixels from running sums along the rows. The totals must fit into 31 bits.
@@ -98,7 +98,7 @@ void strongest_of_three(const std::int16_t* along_x, const std::int16_t* along_y
                         int count);
 
 /// Gradient [eighths of a level per pixel] with half of the largest edge vector: kDarkEdge where
-/// the picture is black, and kEdgeContrast more per level of the brightest channel.
+/// the image is black, and kEdgeContrast more per level of the brightest channel.
 constexpr float kDarkEdge = 20, kEdgeContrast = 0.1f;
 
 /// Edge vectors (see gradient_orientation.hpp) of `count` gradient pairs in eighths of a level,

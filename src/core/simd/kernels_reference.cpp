@@ -9,13 +9,13 @@
 namespace mbncc::kernels {
 namespace {
 
-void correlate_reference(const std::int16_t* picture, const std::int32_t* offsets,
+void correlate_reference(const std::int16_t* image, const std::int32_t* offsets,
                          const std::int16_t* weights, int pairs, std::int32_t* sums, int count) {
   for (int x = 0; x < count; ++x) {
     sums[x] = 0;
     for (int k = 0; k < pairs; ++k)
-      sums[x] += weights[2 * k] * picture[offsets[k] + x] +
-                 weights[2 * k + 1] * picture[offsets[k] + x + 1];
+      sums[x] +=
+          weights[2 * k] * image[offsets[k] + x] + weights[2 * k + 1] * image[offsets[k] + x + 1];
   }
 }
 

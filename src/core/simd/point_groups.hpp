@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The vectorised kernels that read pictures at points; point_kernels.hpp tells what they do.
+// The vectorised kernels that read images at points; point_kernels.hpp tells what they do.
 #pragma once
 
 #include "simd/point_kernels.hpp"
@@ -16,16 +16,15 @@ inline float held(float value, float least, float most) {
   return above < most ? above : most;
 }
 
-void sample_colours_vectorised(const Picture8& picture, const Points& points,
+void sample_colours_vectorised(const Image8& image, const Points& points,
                                const Placement& placement, const Colours& colours);
 
-void read_along_normals_vectorised(const Picture8& picture, const Points& points,
-                                   const float* normal_x, const float* normal_y,
-                                   const Placement& placement, int reach,
+void read_along_normals_vectorised(const Image8& image, const Points& points, const float* normal_x,
+                                   const float* normal_y, const Placement& placement, int reach,
                                    const NormalReadings& readings);
 
-void edge_agreements_vectorised(const Picture8& picture, const Points& points,
-                                const float* direction_x, const float* direction_y,
-                                const Placement& placement, float* agreements);
+void edge_agreements_vectorised(const Image8& image, const Points& points, const float* direction_x,
+                                const float* direction_y, const Placement& placement,
+                                float* agreements);
 
 }  // namespace mbncc::kernels

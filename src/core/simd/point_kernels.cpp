@@ -41,21 +41,21 @@ const PointTable& vectorised_points() {
   return table;
 }
 
-void sample_colours(const Picture8& picture, const Points& points, const Placement& placement,
+void sample_colours(const Image8& image, const Points& points, const Placement& placement,
                     const Colours& colours) {
-  active_points().sample_colours_at(picture, points, placement, colours);
+  active_points().sample_colours_at(image, points, placement, colours);
 }
 
-void read_along_normals(const Picture8& picture, const Points& points, const float* normal_x,
+void read_along_normals(const Image8& image, const Points& points, const float* normal_x,
                         const float* normal_y, const Placement& placement, int reach,
                         const NormalReadings& readings) {
-  active_points().read_along_normals_at(picture, points, normal_x, normal_y, placement, reach,
+  active_points().read_along_normals_at(image, points, normal_x, normal_y, placement, reach,
                                         readings);
 }
 
-void edge_agreements(const Picture8& picture, const Points& points, const float* direction_x,
+void edge_agreements(const Image8& image, const Points& points, const float* direction_x,
                      const float* direction_y, const Placement& placement, float* agreements) {
-  active_points().edge_agreements_at(picture, points, direction_x, direction_y, placement,
+  active_points().edge_agreements_at(image, points, direction_x, direction_y, placement,
                                      agreements);
 }
 

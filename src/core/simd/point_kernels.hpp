@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The innermost loops over the points of an object at a pose, as kernels.hpp has those over the
-// rows of a picture. Every version gives the same bits.
+// rows of an image. Every version gives the same bits.
 #pragma once
 
 #include <cstdint>
@@ -12,8 +12,8 @@ struct Placement {
   float cosine, sine, x, y;
 };
 
-/// An 8-bit picture with interleaved channels.
-struct Picture8 {
+/// An 8-bit image with interleaved channels.
+struct Image8 {
   const std::uint8_t* data;
   int step;  ///< [bytes] of a row
   int columns, rows;
@@ -26,15 +26,15 @@ struct Points {
 };
 
 struct Colours {
-  float *blue, *green, *red;  ///< 0 outside the picture
-  float* inside;              ///< 1 inside, 0 outside the picture
+  float *blue, *green, *red;  ///< 0 outside the image
+  float* inside;              ///< 1 inside, 0 outside the image
 };
 
-/// Colours of a three-channel picture between its pixels, at least 2 x 2 of them.
-void sample_colours(const Picture8& picture, const Points& points, const Placement& placement,
+/// Colours of a three-channel image between its pixels, at least 2 x 2 of them.
+void sample_colours(const Image8& image, const Points& points, const Placement& placement,
                     const Colours& colours);
 
-/// What the edges near one contour point say; all 0 where the picture ends.
+/// What the edges near one contour point say; all 0 where the image ends.
 struct NormalReadings {
   float* response;  ///< [-1..1] largest within one pixel along the normal
   float* seen;      ///< 1 where `response` was read
@@ -42,15 +42,15 @@ struct NormalReadings {
   float* moment;    ///< `pull` times the mean distance [px] along the normal of the responses
 };
 
-/// Responses of an edge picture (gradient_orientation.hpp) to edges across the unit normals, at
-/// whole pixels up to `reach` along them. `picture` has at least 3 x 3 pixels.
-void read_along_normals(const Picture8& picture, const Points& points, const float* normal_x,
+/// Responses of an edge image (gradient_orientation.hpp) to edges across the unit normals, at
+/// whole pixels up to `reach` along them. `image` has at least 3 x 3 pixels.
+void read_along_normals(const Image8& image, const Points& points, const float* normal_x,
                         const float* normal_y, const Placement& placement, int reach,
                         const NormalReadings& readings);
 
 /// agreements[i] = scalar product [edge scale] of direction i, turned by twice the placement's
-/// angle, with the edge vector nearest to point i; points outside the picture are moved to its rim.
-void edge_agreements(const Picture8& picture, const Points& points, const float* direction_x,
+/// angle, with the edge vector nearest to point i; points outside the image are moved to its rim.
+void edge_agreements(const Image8& image, const Points& points, const float* direction_x,
                      const float* direction_y, const Placement& placement, float* agreements);
 
 /// cells[i] = side * cell(log[r] - log[g]) + cell(log[b] - log[g]) with

@@ -24,31 +24,30 @@ float between(float from, float to, float part) {
   return from + part * (to - from);
 }
 
-float colour_at(const Picture8& picture, Place place, int channel) {
+float colour_at(const Image8& image, Place place, int channel) {
   const int column = static_cast<int>(place.x), row = static_cast<int>(place.y);
   const float fx = place.x - static_cast<float>(column), fy = place.y - static_cast<float>(row);
-  const std::uint8_t* above = picture.data + row * picture.step + 3 * column + channel;
-  const std::uint8_t* below = above + picture.step;
+  const std::uint8_t* above = image.data + row * image.step + 3 * column + channel;
+  const std::uint8_t* below = above + image.step;
   return between(between(above[0], above[3], fx), between(below[0], below[3], fx), fy);
 }
 
-void sample_colours_reference(const Picture8& picture, const Points& points,
-                              const Placement& placement, const Colours& colours) {
-  const float right = static_cast<float>(picture.columns) - 1.01f;
-  const float bottom = static_cast<float>(picture.rows) - 1.01f;
+void sample_colours_reference(const Image8& image, const Points& points, const Placement& placement,
+                              const Colours& colours) {
+  const float right = static_cast<float>(image.columns) - 1.01f;
+  const float bottom = static_cast<float>(image.rows) - 1.01f;
   for (int i = 0; i < points.count; ++i) {
     const Place place = placed(points, i, placement);
     const bool inside = place.x >= 0 && place.y >= 0 && place.x <= right && place.y <= bottom;
     colours.inside[i] = inside ? 1 : 0;
-    colours.blue[i] = inside ? colour_at(picture, place, 0) : 0;
-    colours.green[i] = inside ? colour_at(picture, place, 1) : 0;
-    colours.red[i] = inside ? colour_at(picture, place, 2) : 0;
+    colours.blue[i] = inside ? colour_at(image, place, 0) : 0;
+    colours.green[i] = inside ? colour_at(image, place, 1) : 0;
+    colours.red[i] = inside ? colour_at(image, place, 2) : 0;
   }
 }
 
-void read_along_normals_reference(const Picture8& picture, const Points& points,
-                                  const float* normal_x, const float* normal_y,
-                                  const Placement& placement, int reach,
+void read_along_normals_reference(const Image8& image, const Points& points, const float* normal_x,
+                                  const float* normal_y, const Placement& placement, int reach,
                                   const NormalReadings& readings) {
   for (int i = 0; i < points.count; ++i) {
     const Place place = placed(points, i, placement);
@@ -59,12 +58,12 @@ void read_along_normals_reference(const Picture8& picture, const Points& points,
     for (int step = -reach; step <= reach; ++step) {
       const float x = place.x + static_cast<float>(step) * normal.x + 0.5f;
       const float y = place.y + static_cast<float>(step) * normal.y + 0.5f;
-      if (x < 1 || y < 1 || x > static_cast<float>(picture.columns) - 1.01f ||
-          y > static_cast<float>(picture.rows) - 1.01f)
+      if (x < 1 || y < 1 || x > static_cast<float>(image.columns) - 1.01f ||
+          y > static_cast<float>(image.rows) - 1.01f)
         continue;
       const int column = static_cast<int>(x), row = static_cast<int>(y);
       const auto* edge =
-          reinterpret_cast<const std::int8_t*>(picture.data + row * picture.step) + 2 * column;
+          reinterpret_cast<const std::int8_t*>(image.data + row * image.step) + 2 * column;
       const float response = double_x * edge[0] + double_y * edge[1];
       if (std::abs(step) <= 1) best = std::max(best, response);
       const float offset = (static_cast<float>(column) - place.x) * normal.x +
@@ -81,20 +80,20 @@ void read_along_normals_reference(const Picture8& picture, const Points& points,
   }
 }
 
-void edge_agreements_reference(const Picture8& picture, const Points& points,
-                               const float* direction_x, const float* direction_y,
-                               const Placement& placement, float* agreements) {
+void edge_agreements_reference(const Image8& image, const Points& points, const float* direction_x,
+                               const float* direction_y, const Placement& placement,
+                               float* agreements) {
   const float cosine = placement.cosine * placement.cosine - placement.sine * placement.sine;
   const float sine = 2.f * placement.cosine * placement.sine;
   for (int i = 0; i < points.count; ++i) {
     const Place place = placed(points, i, placement);
     const Place direction = turned(direction_x[i], direction_y[i], cosine, sine);
     const int column =
-        static_cast<int>(std::clamp(place.x + 0.5f, 0.f, static_cast<float>(picture.columns - 1)));
+        static_cast<int>(std::clamp(place.x + 0.5f, 0.f, static_cast<float>(image.columns - 1)));
     const int row =
-        static_cast<int>(std::clamp(place.y + 0.5f, 0.f, static_cast<float>(picture.rows - 1)));
+        static_cast<int>(std::clamp(place.y + 0.5f, 0.f, static_cast<float>(image.rows - 1)));
     const auto* edge =
-        reinterpret_cast<const std::int8_t*>(picture.data + row * picture.step) + 2 * column;
+        reinterpret_cast<const std::int8_t*>(image.data + row * image.step) + 2 * column;
     agreements[i] = direction.x * edge[0] + direction.y * edge[1];
   }
 }

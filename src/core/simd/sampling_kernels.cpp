@@ -11,13 +11,13 @@ namespace {
 using Word = std::uint32_t __attribute__((aligned(1), may_alias));
 
 MBNCC_CLONES
-void sample_group(const Picture8& picture, const float* __restrict px, const float* __restrict py,
+void sample_group(const Image8& image, const float* __restrict px, const float* __restrict py,
                   int count, const Placement& placement, float* __restrict blue,
                   float* __restrict green, float* __restrict red, float* __restrict inside) {
   const float cosine = placement.cosine, sine = placement.sine, x0 = placement.x, y0 = placement.y;
-  const float right = static_cast<float>(picture.columns) - 1.01f;
-  const float bottom = static_cast<float>(picture.rows) - 1.01f;
-  const int step = picture.step;
+  const float right = static_cast<float>(image.columns) - 1.01f;
+  const float bottom = static_cast<float>(image.rows) - 1.01f;
+  const int step = image.step;
   float fx[kGroup], fy[kGroup];
   std::int32_t at[kGroup];
   for (int i = 0; i < count; ++i) {
@@ -32,9 +32,9 @@ void sample_group(const Picture8& picture, const float* __restrict px, const flo
   }
   std::uint32_t a[kGroup], b[kGroup], c[kGroup], d[kGroup];
   for (int i = 0; i < count; ++i) {
-    const std::uint8_t* above = picture.data + at[i];
+    const std::uint8_t* above = image.data + at[i];
     const std::uint8_t* below = above + step;
-    // The right neighbour is read one byte early, so that no byte beyond the picture is touched.
+    // The right neighbour is read one byte early, so that no byte beyond the image is touched.
     a[i] = *reinterpret_cast<const Word*>(above);
     b[i] = *reinterpret_cast<const Word*>(above + 2);
     c[i] = *reinterpret_cast<const Word*>(below);
@@ -58,10 +58,10 @@ void sample_group(const Picture8& picture, const float* __restrict px, const flo
 
 }  // namespace
 
-void sample_colours_vectorised(const Picture8& picture, const Points& points,
+void sample_colours_vectorised(const Image8& image, const Points& points,
                                const Placement& placement, const Colours& colours) {
   for (int k = 0; k < points.count; k += kGroup)
-    sample_group(picture, points.x + k, points.y + k, std::min(kGroup, points.count - k), placement,
+    sample_group(image, points.x + k, points.y + k, std::min(kGroup, points.count - k), placement,
                  colours.blue + k, colours.green + k, colours.red + k, colours.inside + k);
 }
 

@@ -24,9 +24,9 @@ void CameraHealth::describe(diagnostic_updater::DiagnosticStatusWrapper& status)
   status.summary(level_, state_);
   status.addf("rate [Hz]", "%.2f", rate);
   status.add("published", counts_.published);
-  status.add("unreadable pictures", counts_.unreadable);
-  status.add("frozen pictures", counts_.frozen);
-  status.add("pictures without a new stamp", counts_.unstamped);
+  status.add("unreadable images", counts_.unreadable);
+  status.add("frozen images", counts_.frozen);
+  status.add("images without a new stamp", counts_.unstamped);
   status.add("failures of the source", counts_.failures);
 }
 

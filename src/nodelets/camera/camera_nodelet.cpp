@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Publishes the pictures of a device, stream, folder or video with their calibration.
+// Publishes the images of a device, stream, folder or video with their calibration.
 #include <camera_info_manager/camera_info_manager.h>
 #include <image_transport/image_transport.h>
 #include <ros/ros.h>
@@ -34,8 +34,8 @@ class CameraNodelet : public GuardedNodelet {
   SourcePlayer::World world();
 
   void work();
-  std::unique_ptr<PictureSource> open() const;
-  void publish(const cv::Mat& picture, const ros::Time& stamp);
+  std::unique_ptr<ImageSource> open() const;
+  void publish(const cv::Mat& image, const ros::Time& stamp);
   void pause(SourcePlayer::Seconds time);
   bool stopping();
   void diagnose(diagnostic_updater::DiagnosticStatusWrapper& status);
@@ -67,13 +67,13 @@ void CameraNodelet::start() {
   if (config_.source.empty())
     throw ConfigError(
         "parameter 'source' is empty; give a device index or path, a stream URL, a "
-        "folder of pictures or a video file");
+        "folder of images or a video file");
   start_calibration();
   image_transport::ImageTransport transport(node());
   camera_ = transport.advertiseCamera("image_raw", 5);
   player_ = std::make_unique<SourcePlayer>(config_, world());
   report_ = std::make_unique<HealthReport>(node(), private_node(), getName(),
-                                           without_secrets(config_.source), kPicturesTask,
+                                           without_secrets(config_.source), kImagesTask,
                                            [this](auto& status) { diagnose(status); });
   worker_ = std::thread(&CameraNodelet::work, this);
 }
@@ -99,7 +99,7 @@ SourcePlayer::World CameraNodelet::world() {
       [] { return ros::Time::now(); },
       [] { return SourcePlayer::Clock::now(); },
       [this](SourcePlayer::Seconds time) { pause(time); },
-      [this](const cv::Mat& picture, const ros::Time& stamp) { publish(picture, stamp); },
+      [this](const cv::Mat& image, const ros::Time& stamp) { publish(image, stamp); },
   };
 }
 
@@ -107,24 +107,24 @@ void CameraNodelet::work() {
   while (!stopping()) player_->step();
 }
 
-std::unique_ptr<PictureSource> CameraNodelet::open() const {
+std::unique_ptr<ImageSource> CameraNodelet::open() const {
   std::vector<std::string> refused;
-  auto source = open_picture_source(config_, refused);
+  auto source = open_image_source(config_, refused);
   for (const auto& sentence : refused) NODELET_WARN("%s", sentence.c_str());
   return source;
 }
 
-void CameraNodelet::publish(const cv::Mat& picture, const ros::Time& stamp) {
+void CameraNodelet::publish(const cv::Mat& image, const ros::Time& stamp) {
   std_msgs::Header header;
   header.stamp = stamp;
   header.frame_id = config_.frame_id;
   const auto info = boost::make_shared<sensor_msgs::CameraInfo>(calibration_->getCameraInfo());
   info->header = header;
   if (!calibration_->isCalibrated()) {
-    info->width = static_cast<std::uint32_t>(picture.cols);
-    info->height = static_cast<std::uint32_t>(picture.rows);
+    info->width = static_cast<std::uint32_t>(image.cols);
+    info->height = static_cast<std::uint32_t>(image.rows);
   }
-  camera_.publish(boost::make_shared<sensor_msgs::Image>(encode_picture(picture, header)), info);
+  camera_.publish(boost::make_shared<sensor_msgs::Image>(encode_image(image, header)), info);
 }
 
 void CameraNodelet::pause(SourcePlayer::Seconds time) {

@@ -9,7 +9,7 @@
 namespace mbncc::nodelets {
 namespace {
 
-/// R may rotate the pictures, as rectification does.
+/// R may rotate the images, as rectification does.
 std::string fault_of(sensor_msgs::CameraInfo info, cv::Size size) {
   const std::string fault = fault_of_calibration(info, true, size);
   if (!fault.empty()) return fault;
@@ -19,11 +19,11 @@ std::string fault_of(sensor_msgs::CameraInfo info, cv::Size size) {
 
 }  // namespace
 
-Rectified Rectifier::rectify(const cv::Mat& picture, const sensor_msgs::CameraInfo& info) {
-  Rectified rectified{{}, fault_of(info, picture.size())};
+Rectified Rectifier::rectify(const cv::Mat& image, const sensor_msgs::CameraInfo& info) {
+  Rectified rectified{{}, fault_of(info, image.size())};
   if (!rectified) return rectified;
-  take_over(info, picture.size());
-  cv::remap(picture, rectified.picture, places_, fractions_, cv::INTER_LINEAR);
+  take_over(info, image.size());
+  cv::remap(image, rectified.image, places_, fractions_, cv::INTER_LINEAR);
   return rectified;
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Corrects lens distortion: converts a raw picture to one with the camera matrix P of camera_info.
+// Corrects lens distortion: converts a raw image to one with the camera matrix P of camera_info.
 #pragma once
 
 #include <sensor_msgs/CameraInfo.h>
@@ -9,9 +9,9 @@
 
 namespace mbncc::nodelets {
 
-/// A rectified picture, or why there is none.
+/// A rectified image, or why there is none.
 struct Rectified {
-  cv::Mat picture;    ///< CV_8UC3
+  cv::Mat image;      ///< CV_8UC3
   std::string fault;  ///< message with the remedy
 
   explicit operator bool() const { return fault.empty(); }
@@ -19,14 +19,14 @@ struct Rectified {
 
 class Rectifier {
  public:
-  /// `picture` is CV_8UC3. The first picture of a calibration takes longer.
-  Rectified rectify(const cv::Mat& picture, const sensor_msgs::CameraInfo& info);
+  /// `picture` is CV_8UC3. The first image of a calibration takes longer.
+  Rectified rectify(const cv::Mat& image, const sensor_msgs::CameraInfo& info);
 
  private:
   void take_over(const sensor_msgs::CameraInfo& info, cv::Size size);
 
   sensor_msgs::CameraInfo info_;  // calibration of the maps, without its header
-  cv::Mat places_, fractions_;    // coordinates in the raw picture, for cv::remap
+  cv::Mat places_, fractions_;    // coordinates in the raw image, for cv::remap
 };
 
 }  // namespace mbncc::nodelets

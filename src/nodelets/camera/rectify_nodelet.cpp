@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Publishes rectified pictures of a camera while there is a subscriber.
+// Publishes rectified images of a camera while there is a subscriber.
 #include <image_transport/image_transport.h>
 #include <ros/ros.h>
 #include <pluginlib/class_list_macros.hpp>
@@ -30,8 +30,8 @@ class RectifyNodelet : public GuardedNodelet {
   void start() override {
     read_parameters(private_node(), field_rows(config_));
     camera_ = std::make_unique<CameraInput>(
-        node(), config_.pictures.image_transport, config_.max_info_age,
-        [this](const sensor_msgs::ImageConstPtr& image) { mailbox_.put(image); });
+        node(), config_.images.image_transport, config_.max_info_age,
+        [this](const sensor_msgs::ImageConstPtr& message) { mailbox_.put(message); });
     worker_ = std::thread([this] { work(); });
     image_transport::ImageTransport transport(node());
     const image_transport::SubscriberStatusCallback changed = [this](const auto&) {
@@ -68,31 +68,31 @@ class RectifyNodelet : public GuardedNodelet {
   }
 
   void work() {
-    while (const auto image = mailbox_.take()) {
+    while (const auto message = mailbox_.take()) {
       try {
-        note(publish(**image));
+        note(publish(**message));
       } catch (const std::exception& error) {
         note(error.what());
       }
     }
   }
 
-  /// Why the picture was not published; "" if it was.
-  std::string publish(const sensor_msgs::Image& image) {
-    const Decoded decoded = decode_picture(image, config_.pictures.white_level);
+  /// Why the image was not published; "" if it was.
+  std::string publish(const sensor_msgs::Image& message) {
+    const Decoded decoded = decode_image(message, config_.images.white_level);
     if (!decoded) return decoded.fault;
-    const auto info = camera_->camera_info_for(image.header.frame_id, decoded.picture.size());
+    const auto info = camera_->camera_info_for(message.header.frame_id, decoded.image.size());
     if (!info) return kNoCameraInfo;
-    const Rectified rectified = rectifier_.rectify(decoded.picture, *info);
+    const Rectified rectified = rectifier_.rectify(decoded.image, *info);
     if (!rectified) return rectified.fault;
     publisher_.publish(
-        boost::make_shared<sensor_msgs::Image>(encode_picture(rectified.picture, image.header)));
+        boost::make_shared<sensor_msgs::Image>(encode_image(rectified.image, message.header)));
     return "";
   }
 
   void note(const std::string& fault) {
     const std::lock_guard<std::mutex> lock(mutex_);
-    if (!fault.empty() && fault != fault_) NODELET_WARN("picture not rectified: %s", fault.c_str());
+    if (!fault.empty() && fault != fault_) NODELET_WARN("image not rectified: %s", fault.c_str());
     fault_ = fault;
     ++(fault.empty() ? published_ : refused_);
   }

@@ -47,7 +47,7 @@ class SimulatedCameraNodelet : public GuardedNodelet {
     health_.set_state(diagnostic_msgs::DiagnosticStatus::OK, "open");
     report_ =
         std::make_unique<HealthReport>(node(), private_node(), getName(), "simulated cell",
-                                       kPicturesTask, [this](auto& status) { diagnose(status); });
+                                       kImagesTask, [this](auto& status) { diagnose(status); });
     timer_ = handle.createWallTimer(ros::WallDuration(1 / config_.frame_rate),
                                     &SimulatedCameraNodelet::on_timer, this);
   }
@@ -61,17 +61,17 @@ class SimulatedCameraNodelet : public GuardedNodelet {
     // A simulated clock that does not advance gives no new stamp.
     if (header.stamp == last_stamp_) return health_.count(&Counts::unstamped);
     last_stamp_ = header.stamp;
-    publish_picture(frame, header);
+    publish_image(frame, header);
     truth_.publish(truth_of(frame, header));
   }
 
-  void publish_picture(const sim::CellFrame& frame, const std_msgs::Header& header) {
+  void publish_image(const sim::CellFrame& frame, const std_msgs::Header& header) {
     ++frames_;
     if (camera_.getNumSubscribers() == 0) return;
-    const cv::Mat picture = optics_->distort(scene_->render(frame.placed, frames_, frame.arm));
+    const cv::Mat image = optics_->distort(scene_->render(frame.placed, frames_, frame.arm));
     const auto info = boost::make_shared<sensor_msgs::CameraInfo>(optics_->camera_info());
     info->header = header;
-    camera_.publish(boost::make_shared<sensor_msgs::Image>(encode_picture(picture, header)), info);
+    camera_.publish(boost::make_shared<sensor_msgs::Image>(encode_image(image, header)), info);
     health_.count(&Counts::published);
   }
 

@@ -43,7 +43,7 @@ void SourcePlayer::step() {
 void SourcePlayer::try_step() {
   if (at_end_) return world_.pause(kLongestRetry);
   if (!source_) open();
-  // A folder or video waits for a subscriber and for the clock, so that no picture is lost.
+  // A folder or video waits for a subscriber and for the clock, so that no image is lost.
   if (!source_->is_live() && (!world_.has_listener() || !has_new_stamp()))
     return world_.pause(kGlance);
   play();
@@ -79,10 +79,10 @@ void SourcePlayer::play() {
   retry_ = kFirstRetry;
   if (stamp.isZero() || stamp == last_stamp_) return health_.count(&Counts::unstamped);
   if (!world_.has_listener()) return;
-  const cv::Mat picture = retrieve();
-  if (picture.empty() || is_frozen(picture)) return;
+  const cv::Mat image = retrieve();
+  if (image.empty() || is_frozen(image)) return;
   last_stamp_ = stamp;
-  world_.publish(picture, stamp);
+  world_.publish(image, stamp);
   health_.count(&Counts::published);
 }
 
@@ -92,7 +92,7 @@ void SourcePlayer::end() {
   ROS_INFO("%s is at its end", name_.c_str());
 }
 
-/// Empty, with a warning, if the picture cannot be read.
+/// Empty, with a warning, if the image cannot be read.
 cv::Mat SourcePlayer::retrieve() {
   try {
     return source_->retrieve();
@@ -103,20 +103,20 @@ cv::Mat SourcePlayer::retrieve() {
   }
 }
 
-bool SourcePlayer::is_frozen(const cv::Mat& picture) {
+bool SourcePlayer::is_frozen(const cv::Mat& image) {
   if (!config_.detect_frozen) return false;
-  if (!frozen_.update(picture)) {
+  if (!frozen_.update(image)) {
     if (std::exchange(withholding_, false)) health_.set_state(DiagnosticStatus::OK, "open");
     return false;
   }
   health_.count(&Counts::frozen);
-  if (source_->is_live()) throw FileError(name_, "the picture is frozen");
+  if (source_->is_live()) throw FileError(name_, "the image is frozen");
   if (!std::exchange(withholding_, true)) withhold();
   return true;
 }
 
 void SourcePlayer::withhold() {
-  const std::string sentence = name_ + ": the picture is frozen and not published";
+  const std::string sentence = name_ + ": the image is frozen and not published";
   health_.set_state(DiagnosticStatus::ERROR, sentence);
   ROS_WARN("%s", sentence.c_str());
 }
@@ -125,7 +125,7 @@ void SourcePlayer::wait_until_due() {
   const double wanted = config_.frame_rate > 0 ? config_.frame_rate : source_->rate();
   const Clock::time_point now = world_.steady_time();
   if (due_ > now) world_.pause(due_ - now);
-  // A delay is not made up by faster pictures.
+  // A delay is not made up by faster images.
   due_ = std::max(due_, now) + ticks(Seconds(1 / (wanted > 0 ? wanted : kFolderRate)));
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Manages a camera's picture source: opens it, plays it at its rate, and reopens it after a
+// Manages a camera's image source: opens it, plays it at its rate, and reopens it after a
 // failure.
 #pragma once
 
@@ -11,10 +11,10 @@
 #include <opencv2/core.hpp>
 #include <string>
 
-#include "mbncc/cell/frozen_picture.hpp"
+#include "mbncc/cell/frozen_image.hpp"
 #include "mbncc/config/camera_config.hpp"
 #include "nodelets/camera/camera_health.hpp"
-#include "nodelets/camera/picture_source.hpp"
+#include "nodelets/camera/image_source.hpp"
 
 namespace mbncc::nodelets {
 
@@ -26,18 +26,18 @@ class SourcePlayer {
   /// Callbacks of a player, called only in step().
   struct World {
     /// Opens the source; throws FileError when it cannot be opened now.
-    std::function<std::unique_ptr<PictureSource>()> open;
+    std::function<std::unique_ptr<ImageSource>()> open;
     std::function<bool()> has_listener;
     std::function<ros::Time()> time;  ///< for stamps; zero before a simulated clock has begun
     std::function<Clock::time_point()> steady_time;  ///< for the rate
     std::function<void(Seconds)> pause;              ///< may return early to end the player
     /// Takes CV_8UC1 or CV_8UC3.
-    std::function<void(const cv::Mat& picture, const ros::Time& stamp)> publish;
+    std::function<void(const cv::Mat& image, const ros::Time& stamp)> publish;
   };
 
   SourcePlayer(const CameraConfig& config, World world);
 
-  /// One attempt to open the source, one picture, or one pause. Errors are reported by log and
+  /// One attempt to open the source, one image, or one pause. Errors are reported by log and
   /// health(), and the source is reopened after a pause of .5 s that doubles up to 8 s.
   void step();
 
@@ -54,7 +54,7 @@ class SourcePlayer {
   void play();
   void end();
   cv::Mat retrieve();
-  bool is_frozen(const cv::Mat& picture);
+  bool is_frozen(const cv::Mat& image);
   void withhold();
   void wait_until_due();
 
@@ -62,9 +62,9 @@ class SourcePlayer {
   const std::string name_;  // of the source in sentences
   const World world_;
   CameraHealth health_;
-  std::unique_ptr<PictureSource> source_;
-  FrozenPicture frozen_;
-  bool withholding_ = false;  // since the picture is frozen
+  std::unique_ptr<ImageSource> source_;
+  FrozenImage frozen_;
+  bool withholding_ = false;  // since the image is frozen
   Seconds retry_;
   Clock::time_point due_;
   ros::Time last_stamp_;

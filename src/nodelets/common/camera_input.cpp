@@ -10,10 +10,10 @@
 namespace mbncc::nodelets {
 namespace {
 
-constexpr std::chrono::seconds kSilence{5};  // after which pictures have stopped
+constexpr std::chrono::seconds kSilence{5};  // after which images have stopped
 
 std::string nobody_publishes(const std::string& topic) {
-  return "no publisher of pictures on " + topic + "; start the camera, or check the image topic";
+  return "no publisher of images on " + topic + "; start the camera, or check the image topic";
 }
 
 }  // namespace
@@ -92,7 +92,7 @@ std::string CameraInput::fault() const {
   if (!transport_fault_.empty()) return transport_fault_;
   if (!images_) return "";
   if (images_.getNumPublishers() == 0) return nobody_publishes(images_.getTopic());
-  return Clock::now() - image_came_ > kSilence ? kPicturesStopped : "";
+  return Clock::now() - image_came_ > kSilence ? kImagesStopped : "";
 }
 
 sensor_msgs::CameraInfoConstPtr CameraInput::camera_info() const {
@@ -103,7 +103,7 @@ sensor_msgs::CameraInfoConstPtr CameraInput::camera_info() const {
 sensor_msgs::CameraInfoConstPtr CameraInput::camera_info_for(const std::string& frame_id,
                                                              cv::Size size) const {
   const auto info = camera_info();
-  return info && picture_size(*info) == size && info->header.frame_id == frame_id ? info : nullptr;
+  return info && image_size(*info) == size && info->header.frame_id == frame_id ? info : nullptr;
 }
 
 }  // namespace mbncc::nodelets

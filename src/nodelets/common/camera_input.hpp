@@ -15,20 +15,20 @@
 
 namespace mbncc::nodelets {
 
-/// Message if no picture has arrived for some time.
-constexpr char kPicturesStopped[] = "pictures have stopped; check the camera and its cable";
+/// Message if no image has arrived for some time.
+constexpr char kImagesStopped[] = "images have stopped; check the camera and its cable";
 
 /// Message if camera_info_for() is null.
 constexpr char kNoCameraInfo[] =
-    "no camera_info of this picture's size and frame has come within max_info_age; compare "
-    "its topic, size and frame_id with those of the pictures";
+    "no camera_info of this image's size and frame has come within max_info_age; compare "
+    "its topic, size and frame_id with those of the images";
 
 class CameraInput {
  public:
   using Callback = std::function<void(const sensor_msgs::ImageConstPtr&)>;
 
   /// `transport`: raw, compressed ...; if its plugin is not installed, this is logged once, no
-  /// picture arrives, and fault() gives the reason. Pictures are passed to `callback` on the node's
+  /// image arrives, and fault() gives the reason. Images are passed to `callback` on the node's
   /// callback thread. A calibration is valid for `max_info_age` [s] of the steady clock after its
   /// arrival.
   CameraInput(ros::NodeHandle node, const std::string& transport, double max_info_age,
@@ -41,17 +41,17 @@ class CameraInput {
     set_active([active] { return active; });
   }
 
-  /// Number of publishers of the picture topic.
+  /// Number of publishers of the image topic.
   std::uint32_t publishers() const;
 
-  /// The fault of the picture stream, with the remedy: no transport plugin, no publisher, or
-  /// pictures have stopped. "" if pictures arrive or are not subscribed to.
+  /// The fault of the image stream, with the remedy: no transport plugin, no publisher, or
+  /// images have stopped. "" if images arrive or are not subscribed to.
   std::string fault() const;
 
   /// The last received calibration; null if none is valid.
   sensor_msgs::CameraInfoConstPtr camera_info() const;
 
-  /// The same for pictures of this size and frame.
+  /// The same for images of this size and frame.
   sensor_msgs::CameraInfoConstPtr camera_info_for(const std::string& frame_id, cv::Size size) const;
 
  private:
@@ -67,7 +67,7 @@ class CameraInput {
   const std::string transport_name_;
   const std::chrono::duration<double> max_info_age_;
   const Callback callback_;
-  std::mutex switching_;  // guards active_; locked before mutex_, and never in a picture callback
+  std::mutex switching_;  // guards active_; locked before mutex_, and never in an image callback
   bool active_ = false;
   mutable std::mutex mutex_;  // of what follows
   std::string transport_fault_;

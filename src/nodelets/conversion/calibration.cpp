@@ -36,7 +36,7 @@ Calibration over_platform(const PixelToRay& ray, const PlatformConfig& config,
   const cv::Point2d middle((size.width - 1) / 2.0, (size.height - 1) / 2.0);
   if (calibration.platform->meet(middle, 0)) return calibration;
   return uncalibrated(
-      "platform: the picture's middle shows no place of it 1 mm to 100 m before the camera; check "
+      "platform: the image's middle shows no place of it 1 mm to 100 m before the camera; check "
       "camera_info, platform_frame and the camera's frame");
 }
 
@@ -55,7 +55,7 @@ Calibration calibrate(const PlatformConfig& config, const sensor_msgs::CameraInf
   if (!has_platform(config))
     return uncalibrated("set platform_frame or platform_distance to get poses in metres");
   if (camera_frame_of(config, header).empty())
-    return uncalibrated("pictures name no frame_id; let the camera set one, or set camera_frame");
+    return uncalibrated("images name no frame_id; let the camera set one, or set camera_frame");
   if (info == nullptr) return uncalibrated(kNoCameraInfo);
   try {
     const std::string fault = fault_of_calibration(*info, config.rectified, size);

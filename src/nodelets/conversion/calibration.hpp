@@ -25,10 +25,10 @@ struct Calibration {
 /// Whether poses in metres are wanted.
 bool has_platform(const PlatformConfig& config);
 
-/// Optical frame of a picture: the configured one, otherwise the picture's.
+/// Optical frame of an image: the configured one, otherwise the image's.
 std::string camera_frame_of(const PlatformConfig& config, const std_msgs::Header& header);
 
-/// Calibration of one picture of `size`. `info` may be null. Never waits for tf.
+/// Calibration of one image of `size`. `info` may be null. Never waits for tf.
 Calibration calibrate(const PlatformConfig& config, const sensor_msgs::CameraInfo* info,
                       const std_msgs::Header& header, cv::Size size, const tf2_ros::Buffer& tf);
 

@@ -20,11 +20,11 @@ constexpr double kSameTurn = 1e-6;             // likewise, where there should b
 constexpr double kNoBaseline = 1e-6;           // [px m]
 constexpr char kRemedy[] = "; calibrate the camera";
 
-/// The pixels of the sensor that form a picture.
+/// The pixels of the sensor that form an image.
 struct Window {
   cv::Rect region;   // [px] of the sensor
   cv::Size binning;  // binning factors
-  cv::Size picture;
+  cv::Size image;
 };
 
 std::optional<Window> window_of(const CameraInfo& info) {
@@ -55,7 +55,7 @@ cv::Matx33d p_of(const CameraInfo& info) {
   return {p[0], p[1], p[2], p[4], p[5], p[6], p[8], p[9], p[10]};
 }
 
-/// The sensor's camera in pixels of the picture; a binned pixel's centre is the centre of its
+/// The sensor's camera in pixels of the image; a binned pixel's centre is the centre of its
 /// sensor pixels.
 PinholeCamera seen_through(const Window& window, const cv::Matx33d& matrix) {
   const double x = window.binning.width, y = window.binning.height;
@@ -80,7 +80,7 @@ bool is_rotation(const cv::Matx33d& matrix) {
 }
 
 bool is_straight(const CameraInfo& info) {
-  // A fisheye's pictures are distorted even with zero coefficients.
+  // A fisheye's images are distorted even with zero coefficients.
   return info.distortion_model != models::EQUIDISTANT &&
          std::all_of(info.D.begin(), info.D.end(), [](double value) { return value == 0; });
 }
@@ -95,7 +95,7 @@ std::string fault_of_distortion(const CameraInfo& info) {
   if (model == models::EQUIDISTANT) counts = {4};
   if (counts.empty())
     return "camera_info's distortion_model is none of plumb_bob, rational_polynomial, equidistant; "
-           "calibrate with one of them, or give rectified pictures";
+           "calibrate with one of them, or give rectified images";
   if (std::find(counts.begin(), counts.end(), count) == counts.end())
     return "camera_info: D holds " + std::to_string(count) + " numbers, but " + model + " has " +
            std::to_string(counts.front()) + kRemedy;
@@ -108,7 +108,7 @@ std::string fault_of_raw(const CameraInfo& info, cv::Size sensor) {
   const std::string fault = fault_of_camera(k_of(info), sensor);
   if (!fault.empty()) return "camera_info: in K " + fault + kRemedy;
   if (!is_close(rectification_of(info), cv::Matx33d::eye(), kSameTurn))
-    return "camera_info: R turns the pictures, as of a stereo pair; give rectified pictures";
+    return "camera_info: R turns the images, as of a stereo pair; give rectified images";
   return fault_of_distortion(info);
 }
 
@@ -120,7 +120,7 @@ std::string fault_of_rectified(const CameraInfo& info, cv::Size sensor) {
   for (const int i : {3, 7, 11})
     if (!(std::abs(info.P[static_cast<std::size_t>(i)]) <= kNoBaseline))
       return "camera_info: P is that of a stereo pair's second camera, whose frame is the first "
-             "one's; give pictures of the first camera, or raw ones";
+             "one's; give images of the first camera, or raw ones";
   return "";
 }
 
@@ -130,18 +130,18 @@ std::string text(cv::Size size) {
 
 }  // namespace
 
-cv::Size picture_size(const CameraInfo& info) {
+cv::Size image_size(const CameraInfo& info) {
   const auto window = window_of(info);
-  return window ? window->picture : cv::Size();
+  return window ? window->image : cv::Size();
 }
 
 std::string fault_of_calibration(const CameraInfo& info, bool rectified, cv::Size size) {
   const auto window = window_of(info);
   if (!window)
     return "camera_info: width, height, roi and binning contradict each other; check the driver";
-  if (window->picture != size)
-    return "camera_info is that of pictures of " + text(window->picture) + ", these are " +
-           text(size) + "; calibrate the camera at this size";
+  if (window->image != size)
+    return "camera_info is that of images of " + text(window->image) + ", these are " + text(size) +
+           "; calibrate the camera at this size";
   const cv::Size sensor(static_cast<int>(info.width), static_cast<int>(info.height));
   return rectified ? fault_of_rectified(info, sensor) : fault_of_raw(info, sensor);
 }

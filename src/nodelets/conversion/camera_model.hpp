@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// camera_info, checked for plausibility, in pixels of the received picture: its region of interest
+// camera_info, checked for plausibility, in pixels of the received image: its region of interest
 // and binning are applied as CameraInfo.msg defines them.
 #pragma once
 
@@ -13,26 +13,26 @@
 
 namespace mbncc::nodelets {
 
-/// The camera of raw pictures.
+/// The camera of raw images.
 struct Lens {
   PinholeCamera camera;
   std::vector<double> distortion;  ///< as OpenCV takes it; empty: none
   bool is_fisheye = false;         ///< of cv::fisheye, CameraInfo's "equidistant"
 };
 
-/// Size of the pictures that come with the calibration: the region of interest, binned. Empty if
+/// Size of the images that come with the calibration: the region of interest, binned. Empty if
 /// the message contradicts itself.
-cv::Size picture_size(const sensor_msgs::CameraInfo& info);
+cv::Size image_size(const sensor_msgs::CameraInfo& info);
 
-/// Why the calibration cannot be used for pictures of `size`, by P if they are `rectified`,
+/// Why the calibration cannot be used for images of `size`, by P if they are `rectified`,
 /// otherwise by K and D: one message with a remedy. "" if it can be used.
 std::string fault_of_calibration(const sensor_msgs::CameraInfo& info, bool rectified,
                                  cv::Size size);
 
-/// Of a calibration without fault in raw pictures.
+/// Of a calibration without fault in raw images.
 Lens lens_of(const sensor_msgs::CameraInfo& info);
 
-/// Of a calibration without fault in rectified pictures.
+/// Of a calibration without fault in rectified images.
 PinholeCamera rectified_camera_of(const sensor_msgs::CameraInfo& info);
 
 /// Rotation of the rectified camera relative to the raw one; the identity if R is empty.

@@ -8,14 +8,14 @@
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 
+#include "mbncc/image_limits.hpp"
 #include "mbncc/label.hpp"
-#include "mbncc/picture_limits.hpp"
 
 namespace mbncc::nodelets {
 namespace {
 
-constexpr std::uint32_t kLargestSide = PictureLimits::kMostSide;  // [px]
-constexpr std::uint64_t kMostPixels = PictureLimits::kMostPixels;
+constexpr std::uint32_t kLargestSide = ImageLimits::kMostSide;  // [px]
+constexpr std::uint64_t kMostPixels = ImageLimits::kMostPixels;
 constexpr std::size_t kLongestFrame = 255;  // [bytes] of the frame's name
 constexpr int kCopy = -1;                   // no colour conversion
 constexpr int kFullRange = 65535;           // of 16 bits
@@ -77,9 +77,9 @@ std::string layout_fault(const sensor_msgs::Image& message, const Encoding& enco
   const std::string size = std::to_string(message.width) + " x " + std::to_string(message.height);
   if (message.width < 2 || message.height < 2 || message.width > kLargestSide ||
       message.height > kLargestSide)
-    return "a picture of " + size + " pixels is not usable; send 2 .. 16384 a side";
+    return "an image of " + size + " pixels is not usable; send 2 .. 16384 a side";
   if (std::uint64_t{message.width} * message.height > kMostPixels)
-    return "a picture of " + size + " pixels is not usable; send 64 million at most";
+    return "an image of " + size + " pixels is not usable; send 64 million at most";
   if (message.header.frame_id.size() > kLongestFrame)
     return "a frame_id of " + std::to_string(message.header.frame_id.size()) +
            " bytes is not usable; send 255 at most";
@@ -87,7 +87,7 @@ std::string layout_fault(const sensor_msgs::Image& message, const Encoding& enco
     return "frame_id '" + printable(message.header.frame_id) +
            "' contains characters that are not printable; correct the driver";
   if (is_yuv(encoding) && message.width % 2 != 0)
-    return "a " + message.encoding + " picture of odd width " + std::to_string(message.width) +
+    return "a " + message.encoding + " image of odd width " + std::to_string(message.width) +
            " is not usable; send an even width";
   const std::uint64_t row = std::uint64_t{message.width} * CV_ELEM_SIZE(encoding.type);
   if (message.step < row)
@@ -120,14 +120,14 @@ cv::Mat in_native_order(const cv::Mat& view, bool is_bigendian) {
 
 cv::Mat to_bgr(const sensor_msgs::Image& message, const Encoding& encoding, int white_level) {
   const cv::Mat view = in_native_order(view_of(message, encoding), message.is_bigendian != 0);
-  cv::Mat picture;
+  cv::Mat image;
   if (encoding.conversion == kCopy)
-    view.copyTo(picture);
+    view.copyTo(image);
   else
-    cv::cvtColor(view, picture, encoding.conversion);
+    cv::cvtColor(view, image, encoding.conversion);
   const double white = white_level == 0 ? kFullRange : white_level;
-  if (picture.depth() == CV_16U) picture.convertTo(picture, CV_8U, 255 / white);
-  return picture;
+  if (image.depth() == CV_16U) image.convertTo(image, CV_8U, 255 / white);
+  return image;
 }
 
 Decoded unknown_encoding(const std::string& name) {
@@ -140,14 +140,14 @@ Decoded unknown_encoding(const std::string& name) {
 
 }  // namespace
 
-Decoded decode_picture(const sensor_msgs::Image& message, int white_level) {
+Decoded decode_image(const sensor_msgs::Image& message, int white_level) {
   const Encoding* encoding = find_encoding(message.encoding);
   if (encoding == nullptr) return unknown_encoding(message.encoding);
   Decoded decoded;
   decoded.fault = layout_fault(message, *encoding);
   if (message.encoding == kUnscaled && white_level == 0)
     decoded.fault = "encoding '16UC1' does not say how bright its numbers are; set white_level";
-  if (decoded.fault.empty()) decoded.picture = to_bgr(message, *encoding, white_level);
+  if (decoded.fault.empty()) decoded.image = to_bgr(message, *encoding, white_level);
   return decoded;
 }
 
@@ -161,7 +161,7 @@ Decoded decode_map(const sensor_msgs::Image& message) {
     return decoded;
   }
   decoded.fault = layout_fault(message, *encoding);
-  if (decoded.fault.empty()) decoded.picture = view_of(message, *encoding) >= 128;
+  if (decoded.fault.empty()) decoded.image = view_of(message, *encoding) >= 128;
   return decoded;
 }
 
@@ -170,27 +170,27 @@ bool is_given(const sensor_msgs::Image& message) {
          !message.encoding.empty();
 }
 
-sensor_msgs::Image encode_picture(const cv::Mat& picture, const std_msgs::Header& header) {
+sensor_msgs::Image encode_image(const cv::Mat& image, const std_msgs::Header& header) {
   sensor_msgs::Image message;
   message.header = header;
-  if (picture.empty()) return message;
-  CV_Assert(picture.type() == CV_8UC3 || picture.type() == CV_8UC1);
-  const std::size_t row = picture.cols * picture.elemSize();
-  message.height = static_cast<std::uint32_t>(picture.rows);
-  message.width = static_cast<std::uint32_t>(picture.cols);
-  message.encoding = picture.type() == CV_8UC3 ? "bgr8" : "mono8";
+  if (image.empty()) return message;
+  CV_Assert(image.type() == CV_8UC3 || image.type() == CV_8UC1);
+  const std::size_t row = image.cols * image.elemSize();
+  message.height = static_cast<std::uint32_t>(image.rows);
+  message.width = static_cast<std::uint32_t>(image.cols);
+  message.encoding = image.type() == CV_8UC3 ? "bgr8" : "mono8";
   message.step = static_cast<std::uint32_t>(row);
-  message.data.resize(row * picture.rows);
-  for (int y = 0; y < picture.rows; ++y)
-    std::memcpy(message.data.data() + row * y, picture.ptr(y), row);
+  message.data.resize(row * image.rows);
+  for (int y = 0; y < image.rows; ++y)
+    std::memcpy(message.data.data() + row * y, image.ptr(y), row);
   return message;
 }
 
-sensor_msgs::CompressedImage encode_jpeg(const cv::Mat& picture, const std_msgs::Header& header) {
+sensor_msgs::CompressedImage encode_jpeg(const cv::Mat& image, const std_msgs::Header& header) {
   sensor_msgs::CompressedImage message;
   message.header = header;
   message.format = "bgr8; jpeg compressed bgr8";
-  cv::imencode(".jpg", picture, message.data, {cv::IMWRITE_JPEG_QUALITY, 80});
+  cv::imencode(".jpg", image, message.data, {cv::IMWRITE_JPEG_QUALITY, 80});
   return message;
 }
 

@@ -147,11 +147,11 @@ mbncc_vision::LearnedObject to_msg(const ObjectModel& model, bool with_thumbnail
   message.quality = to_msg(model.quality);
   if (model.views.empty()) return message;
   const View& view = model.views.front();
-  message.image_width = static_cast<std::uint32_t>(view.picture_size.width);
-  message.image_height = static_cast<std::uint32_t>(view.picture_size.height);
+  message.image_width = static_cast<std::uint32_t>(view.image_size.width);
+  message.image_height = static_cast<std::uint32_t>(view.image_size.height);
   message.reference = to_msg(view.reference);
   message.outline = largest_outline(view);
-  if (with_thumbnail) message.thumbnail = encode_picture(thumbnail_of(view));
+  if (with_thumbnail) message.thumbnail = encode_image(thumbnail_of(view));
   return message;
 }
 

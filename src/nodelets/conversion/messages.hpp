@@ -27,10 +27,10 @@ geometry_msgs::PoseWithCovariance to_msg(const PlatformPose& pose);
 sensor_msgs::RegionOfInterest to_msg(const cv::Rect& region);
 mbncc_vision::LearnQuality to_msg(const Quality& quality);
 
-/// `with_thumbnail`: adds a picture of at most 160 px of the first view.
+/// `with_thumbnail`: adds an image of at most 160 px of the first view.
 mbncc_vision::LearnedObject to_msg(const ObjectModel& model, bool with_thumbnail);
 
-/// The part of the message known from the picture alone: metric pose NaN, state NEW or AMBIGUOUS,
+/// The part of the message known from the image alone: metric pose NaN, state NEW or AMBIGUOUS,
 /// no instance. `size` is filled in from `model` (may be null: NaN).
 mbncc_vision::DetectedObject to_msg(const Match& match, const ObjectModel* model);
 
@@ -44,7 +44,7 @@ std::optional<Grasp> from_msg(const geometry_msgs::Pose& grasp);
 /// None if a corner is not finite.
 std::optional<std::vector<cv::Point2f>> from_msg(const geometry_msgs::Polygon& polygon);
 
-/// Empty for 0 x 0; none if it is not inside a picture of `size`, or has one side of 0.
+/// Empty for 0 x 0; none if it is not inside an image of `size`, or has one side of 0.
 std::optional<cv::Rect> from_msg(const sensor_msgs::RegionOfInterest& region, cv::Size size);
 
 /// A declared symmetry as one of LearnObject's constants SYMMETRY_..., none as SYMMETRY_AUTO.

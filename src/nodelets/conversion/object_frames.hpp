@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The tf frames of confirmed instances: all of one picture together, at its stamp, and never twice
+// The tf frames of confirmed instances: all of one image together, at its stamp, and never twice
 // for a stamp.
 #pragma once
 

@@ -17,7 +17,7 @@ constexpr double kMostSideways = 0.1;  // [rad] by which a lens rotates a direct
 constexpr int kIterations = 100;  // OpenCV's default of 5 leaves an error of a tenth of a pixel
 constexpr int kSteps = 64;        // from the optical axis to a ray
 
-/// Rays through the pixels of a raw picture, directions in the optical frame.
+/// Rays through the pixels of a raw image, directions in the optical frame.
 class DistortedRays {
  public:
   explicit DistortedRays(Lens lens) : lens_(std::move(lens)), k_(matrix_of(lens_.camera)) {}

@@ -11,7 +11,7 @@
 
 namespace mbncc::nodelets {
 
-/// Rays of a picture of `size`: by P if it is `rectified`, otherwise by K with the distortion D
+/// Rays of an image of `size`: by P if it is `rectified`, otherwise by K with the distortion D
 /// corrected. A raw pixel whose distortion cannot be inverted has a ray that is not finite. None if
 /// fault_of_calibration() reports a fault.
 std::optional<PixelToRay> rays_of(const sensor_msgs::CameraInfo& info, bool rectified,

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Waits for a robot's tf, which arrives slightly later than the pictures of its camera.
+// Waits for a robot's tf, which arrives slightly later than the images of its camera.
 #pragma once
 
 #include <ros/time.h>

@@ -8,7 +8,7 @@
 namespace mbncc::nodelets {
 namespace {
 
-constexpr int kWidth = 320;          // [px] pictures are compared at
+constexpr int kWidth = 320;          // [px] images are compared at
 constexpr int kTile = 64;            // [px]
 constexpr double kTexture = 2.5;     // [grey levels] deviation of a tile that can be followed
 constexpr double kFollowed = 0.25;   // response of the phase correlation, for a tile to count
@@ -16,10 +16,10 @@ constexpr double kMoved = 0.5;       // [px] at that width; less is a camera tha
 constexpr int kFewest = 3;           // tiles to tell by
 constexpr double kNearlyAll = 0.75;  // of the tiles that can be followed
 
-cv::Mat comparable(const cv::Mat& picture) {
+cv::Mat comparable(const cv::Mat& image) {
   cv::Mat grey, small;
-  cv::cvtColor(picture, grey, cv::COLOR_BGR2GRAY);
-  const double scale = std::min(1.0, double{kWidth} / picture.cols);
+  cv::cvtColor(image, grey, cv::COLOR_BGR2GRAY);
+  const double scale = std::min(1.0, double{kWidth} / image.cols);
   cv::resize(grey, small, {}, scale, scale, cv::INTER_AREA);
   small.convertTo(small, CV_32F);
   return small;
@@ -31,7 +31,7 @@ bool has_texture(const cv::Mat& tile) {
   return deviation[0] > kTexture;
 }
 
-/// cv::phaseCorrelate() multiplies its pictures by the window where they are.
+/// cv::phaseCorrelate() multiplies its images by the window where they are.
 cv::Point2d displacement(const cv::Mat& from, const cv::Mat& to, const cv::Mat& window,
                          double* response = nullptr) {
   return cv::phaseCorrelate(from.clone(), to.clone(), window, response);
@@ -49,7 +49,7 @@ bool camera_moved(const cv::Mat& before, const cv::Mat& after) {
   cv::createHanningWindow(window, was.size(), CV_32F);
   const cv::Point2d whole = displacement(was, is, window);
   cv::createHanningWindow(window, {kTile, kTile}, CV_32F);
-  // Tiles are followed from where the whole picture went and from where they were.
+  // Tiles are followed from where the whole image went and from where they were.
   int moved = 0, stood = 0;
   const cv::Point coarse(cvRound(whole.x), cvRound(whole.y));
   const cv::Rect seen = overlap(is.size(), coarse);

@@ -23,12 +23,12 @@
 #include "nodelets/common/parameters.hpp"
 #include "nodelets/conversion/images.hpp"
 #include "nodelets/learning/confirmation.hpp"
+#include "nodelets/learning/image_feed.hpp"
 #include "nodelets/learning/interrupt_watch.hpp"
 #include "nodelets/learning/lesson.hpp"
 #include "nodelets/learning/lesson_gauge.hpp"
 #include "nodelets/learning/lesson_goal.hpp"
 #include "nodelets/learning/lesson_server.hpp"
-#include "nodelets/learning/picture_feed.hpp"
 #include "nodelets/library/library_services.hpp"
 #include "nodelets/library/shared_library.hpp"
 #include "nodelets/matching/overlay.hpp"
@@ -64,10 +64,10 @@ class LearningNodelet : public GuardedNodelet {
   void stop() override;
   void open_library(ros::NodeHandle& node);
   void tell_library(const std::string& folder, const LibrarySnapshot& snapshot);
-  void start_pictures(ros::NodeHandle& node);
+  void start_images(ros::NodeHandle& node);
   void start_lessons(ros::NodeHandle& node);
   mbncc_vision::LearnObjectResult teach(LessonClient& client);
-  void show_scores(const ObjectModel& model, const cv::Mat& picture);
+  void show_scores(const ObjectModel& model, const cv::Mat& image);
   bool mark_grasp(std_srvs::Trigger::Request& request, std_srvs::Trigger::Response& response);
   bool confirm(mbncc_vision::ConfirmLearning::Request& request,
                mbncc_vision::ConfirmLearning::Response& response);
@@ -76,12 +76,12 @@ class LearningNodelet : public GuardedNodelet {
 
   LearningNodeConfig config_;
   SearchConfig search_;
-  ros::Publisher preview_publisher_, picture_publisher_, draft_publisher_, stage_publisher_,
+  ros::Publisher preview_publisher_, image_publisher_, draft_publisher_, stage_publisher_,
       score_publisher_;
   std::unique_ptr<LibraryPublisher> library_publisher_;
   std::shared_ptr<SharedLibrary> library_;
   std::unique_ptr<LibraryServices> library_services_;
-  std::unique_ptr<PictureFeed> pictures_;
+  std::unique_ptr<ImageFeed> images_;
   std::unique_ptr<CameraInput> camera_;
   tf2_ros::Buffer tf_buffer_;
   std::unique_ptr<tf2_ros::TransformListener> tf_listener_;
@@ -105,7 +105,7 @@ void LearningNodelet::start() {
   read_parameters(ros::NodeHandle(private_node(), kSearchNamespace), field_rows(matching));
   search_ = matching.search;
   open_library(own_node);
-  start_pictures(own_node);
+  start_images(own_node);
   start_lessons(own_node);
   report_ =
       std::make_unique<HealthReport>(own_node, private_node(), getName(), "none", kLearningTask,
@@ -123,7 +123,7 @@ void LearningNodelet::stop() {
   library_services_.reset();
   library_publisher_.reset();
   preview_publisher_.shutdown();
-  picture_publisher_.shutdown();
+  image_publisher_.shutdown();
   draft_publisher_.shutdown();
   stage_publisher_.shutdown();
   score_publisher_.shutdown();
@@ -156,22 +156,22 @@ void LearningNodelet::look_for_changes() {
   }
 }
 
-void LearningNodelet::start_pictures(ros::NodeHandle& node) {
+void LearningNodelet::start_images(ros::NodeHandle& node) {
   tf_listener_ = std::make_unique<tf2_ros::TransformListener>(tf_buffer_);
-  pictures_ = std::make_unique<PictureFeed>(config_.still_time, config_.pictures.white_level);
+  images_ = std::make_unique<ImageFeed>(config_.still_time, config_.images.white_level);
   camera_ = std::make_unique<CameraInput>(
-      node, config_.pictures.image_transport, config_.platform.max_info_age,
-      [this](const sensor_msgs::ImageConstPtr& image) { pictures_->put(image); });
+      node, config_.images.image_transport, config_.platform.max_info_age,
+      [this](const sensor_msgs::ImageConstPtr& message) { images_->put(message); });
   gauge_ =
       std::make_unique<LessonGauge>(config_.platform, config_.gripper_frame, *camera_, tf_buffer_);
-  // Always subscribed, because already_moved needs pictures from before the goal.
+  // Always subscribed, because already_moved needs images from before the goal.
   camera_->set_active(true);
 }
 
 void LearningNodelet::start_lessons(ros::NodeHandle& node) {
   const std::string action = node.resolveName("learn_object");  // which may be remapped
   preview_publisher_ = node.advertise<sensor_msgs::Image>(action + "/preview", 1, true);
-  picture_publisher_ = node.advertise<sensor_msgs::Image>(action + "/picture", 1, true);
+  image_publisher_ = node.advertise<sensor_msgs::Image>(action + "/picture", 1, true);
   draft_publisher_ = node.advertise<mbncc_vision::LearnObjectResult>(action + "/draft", 1, true);
   score_publisher_ = node.advertise<sensor_msgs::Image>(action + "/score_map", 1);
   stage_publisher_ = node.advertise<sensor_msgs::Image>(action + "/stage_image", 1);
@@ -193,16 +193,16 @@ void LearningNodelet::start_lessons(ros::NodeHandle& node) {
 
 mbncc_vision::LearnObjectResult LearningNodelet::teach(LessonClient& client) {
   const LessonTools tools{
-      *pictures_,
+      *images_,
       *library_,
       confirmation_,
       config_.learning,
       search_,
-      [this](const cv::Mat& picture) { stage_publisher_.publish(encode_picture(picture)); },
-      [this](const cv::Mat& picture) { preview_publisher_.publish(encode_picture(picture)); },
-      [this](const cv::Mat& picture) { picture_publisher_.publish(encode_picture(picture)); },
+      [this](const cv::Mat& image) { stage_publisher_.publish(encode_image(image)); },
+      [this](const cv::Mat& image) { preview_publisher_.publish(encode_image(image)); },
+      [this](const cv::Mat& image) { image_publisher_.publish(encode_image(image)); },
       [this](const mbncc_vision::LearnObjectResult& draft) { draft_publisher_.publish(draft); },
-      [this](const ObjectModel& model, const cv::Mat& picture) { show_scores(model, picture); },
+      [this](const ObjectModel& model, const cv::Mat& image) { show_scores(model, image); },
       *gauge_,
       config_.cell_name};
   const auto result = LessonRun(client, tools).run();
@@ -212,19 +212,19 @@ mbncc_vision::LearnObjectResult LearningNodelet::teach(LessonClient& client) {
   return result;
 }
 
-/// Score map of the new object in its learning picture; only with a subscriber.
-void LearningNodelet::show_scores(const ObjectModel& model, const cv::Mat& picture) {
+/// Score map of the new object in its learning image; only with a subscriber.
+void LearningNodelet::show_scores(const ObjectModel& model, const cv::Mat& image) {
   if (score_publisher_.getNumSubscribers() == 0) return;
   Matcher matcher(search_);
   matcher.set_objects({std::make_shared<const ObjectModel>(model)});
   const double radius = model.views.back().template_image.cols / 2.0;
-  score_publisher_.publish(encode_picture(draw_score_map(matcher.score_map(picture), radius)));
+  score_publisher_.publish(encode_image(draw_score_map(matcher.score_map(image), radius)));
 }
 
 bool LearningNodelet::mark_grasp(std_srvs::Trigger::Request&,
                                  std_srvs::Trigger::Response& response) {
   try {
-    gauge_->mark(pictures_->look().header);
+    gauge_->mark(images_->look().header);
     response.success = true;
     response.message = lessons_->busy() ? "marked; stored with the running lesson"
                                         : "marked; stored with the next lesson, if that is "
@@ -244,19 +244,19 @@ bool LearningNodelet::confirm(mbncc_vision::ConfirmLearning::Request& request,
 
 void LearningNodelet::diagnose(diagnostic_updater::DiagnosticStatusWrapper& status) {
   using diagnostic_msgs::DiagnosticStatus;
-  const PictureFeed::View view = pictures_->look();
+  const ImageFeed::View view = images_->look();
   const auto library = library_->snapshot();
   const std::string fault = library_->fault().empty() ? camera_->fault() : library_->fault();
   if (!fault.empty())
     status.summary(DiagnosticStatus::ERROR, fault);
   else if (view.newest_refused)
-    status.summary(DiagnosticStatus::ERROR, "no usable picture: " + view.fault);
-  else if (!view.any_picture)
-    status.summary(DiagnosticStatus::ERROR, "no picture has come yet");
+    status.summary(DiagnosticStatus::ERROR, "no usable image: " + view.fault);
+  else if (!view.any_image)
+    status.summary(DiagnosticStatus::ERROR, "no image has come yet");
   else
     status.summary(DiagnosticStatus::OK, lessons_->busy() ? "teaching" : "idle");
   status.add("scene", view.still ? "still" : "moving");
-  status.add("pictures refused", view.refused);
+  status.add("images refused", view.refused);
   status.add("last fault", view.fault);
   status.add("library", library_->folder());
   status.add("objects", library->objects.size());

@@ -25,7 +25,7 @@ std::uint8_t feedback_stage(Stage stage) {
   return stage == Stage::kSegment ? Feedback::SEGMENT : Feedback::QUALITY;
 }
 
-// Box around the map in the learning picture. [px]
+// Box around the map in the learning image. [px]
 cv::Rect place_of(const View& view) {
   return cv::boundingRect(view.map) + view.origin;
 }
@@ -48,7 +48,7 @@ LessonRun::Result LessonRun::run() {
 }
 
 LessonRun::Result LessonRun::teach_and_store() {
-  take_pictures();
+  take_images();
   learn();
   // No object has left: the coarse comparison was wrong, or something was put down, which belongs
   // to the scene before from now on.
@@ -58,14 +58,14 @@ LessonRun::Result LessonRun::teach_and_store() {
   }
   if (lies_there_yet())
     fail(LearnError::kNoChange, "The object was put down where it covers its old place.",
-         "Put it farther away, or take it out of the picture.");
+         "Put it farther away, or take it out of the image.");
   if (goal_.confirm && learned_.has_model) return review();
   judge();
   return store();
 }
 
 Lesson LessonRun::lesson_of(const cv::Mat& after) const {
-  GoalLesson made = to_lesson(goal_, name_, before_.picture, after);
+  GoalLesson made = to_lesson(goal_, name_, before_.image, after);
   if (made.fault) throw LessonEnded{*made.fault};
   return made.lesson;
 }
@@ -74,19 +74,19 @@ Lesson LessonRun::lesson_of(const cv::Mat& after) const {
 bool LessonRun::lies_there_yet() const {
   if (!learned_.has_model || goal_.mode != Goal::CHANGE) return false;
   const cv::Mat map = full_size_map(learned_.object.views.front());
-  return part_put_down(map, before_.picture, after_.picture) >= kMostPutDown;
+  return part_put_down(map, before_.image, after_.image) >= kMostPutDown;
 }
 
 void LessonRun::learn() {
-  draft_.emplace(lesson_of(after_.picture), tools_.config, tools_.search, observer());
-  tools_.show_picture(before_.picture);
+  draft_.emplace(lesson_of(after_.image), tools_.config, tools_.search, observer());
+  tools_.show_image(before_.image);
   take_draft();
 }
 
 StageObserver LessonRun::observer() {
-  return [this](Stage stage, double progress, const std::string& message, const cv::Mat& picture) {
+  return [this](Stage stage, double progress, const std::string& message, const cv::Mat& image) {
     tell(feedback_stage(stage), kTaken + (kLearned - kTaken) * progress, message);
-    if (!picture.empty()) tools_.show_stage(picture);
+    if (!image.empty()) tools_.show_stage(image);
     return !client_.interruption();
   };
 }
@@ -96,19 +96,19 @@ void LessonRun::take_draft() {
   leave_if_interrupted();
   learned_ = draft_->result();
   if (!learned_.has_model) return;
-  note_resemblance(learned_.object, before_.picture, tools_.library.snapshot()->objects,
+  note_resemblance(learned_.object, before_.image, tools_.library.snapshot()->objects,
                    tools_.search);
   if (goal_.add_view) note_view();
   leave_if_interrupted();
   tools_.show_preview(preview(learned_.object));
   tools_.show_draft(
       describe(outcome(learned_.error, learned_.message, learned_.hint), learned_.object));
-  tools_.show_score_map(learned_.object, before_.picture);
+  tools_.show_score_map(learned_.object, before_.image);
 }
 
 void LessonRun::note_view() {
   if (const auto stored = tools_.library.snapshot()->find(name_))
-    note_refused_view(learned_.object, *stored, before_.picture, tools_.search);
+    note_refused_view(learned_.object, *stored, before_.image, tools_.search);
 }
 
 void LessonRun::judge() const {
@@ -127,7 +127,7 @@ LessonRun::Result LessonRun::store() {
   ObjectModel model = learned_.object;
   model.learned_at = ros::Time::now().toSec();
   model.taught_by = tools_.cell_name;
-  // tf or camera_info may have arrived slightly later than the picture.
+  // tf or camera_info may have arrived slightly later than the image.
   if (!calibration_.platform) calibrate_before();
   try {
     std::string lacking;
@@ -180,7 +180,7 @@ ObjectModel LessonRun::save(ObjectModel model, std::string& lacking) const {
   return tools_.library.change([&](ObjectLibrary& library) {
     if (storing == Storing::kAddView)
       return library.edit(name_, [&](ObjectModel& stored) {
-        if (const auto refusal = add_view(stored, model, before_.picture, tools_.search))
+        if (const auto refusal = add_view(stored, model, before_.image, tools_.search))
           throw LessonEnded{outcome(*refusal)};
         lacking = measure(stored);
       });
@@ -193,15 +193,15 @@ ObjectModel LessonRun::save(ObjectModel model, std::string& lacking) const {
 LessonRun::Result LessonRun::describe(Result result, const ObjectModel& model) const {
   const View& view = model.views.back();
   result.object = to_msg(model, true);
-  result.map = encode_picture(view.map);
-  result.template_image = encode_picture(view.template_image);
-  result.preview = encode_picture(preview(model), before_.header);
+  result.map = encode_image(view.map);
+  result.template_image = encode_image(view.template_image);
+  result.preview = encode_image(preview(model), before_.header);
   return result;
 }
 
 cv::Mat LessonRun::preview(const ObjectModel& model) const {
   const std::string caption = model.name + " " + to_string(model.quality.verdict);
-  return draw_markings(before_.picture, {marking_of(model.views.back(), model.quality, caption)});
+  return draw_markings(before_.image, {marking_of(model.views.back(), model.quality, caption)});
 }
 
 void LessonRun::tell(std::uint8_t stage, double progress, const std::string& message,

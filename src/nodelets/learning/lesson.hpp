@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// One lesson over the action: pictures, segmentation, review by the operator, storing.
+// One lesson over the action: images, segmentation, review by the operator, storing.
 #pragma once
 
 #include <mbncc_vision/LearnObjectResult.h>
@@ -16,16 +16,16 @@
 #include "mbncc/config/search_config.hpp"
 #include "mbncc/learning/interactive_lesson.hpp"
 #include "nodelets/learning/confirmation.hpp"
+#include "nodelets/learning/image_feed.hpp"
 #include "nodelets/learning/lesson_gauge.hpp"
 #include "nodelets/learning/lesson_server.hpp"
-#include "nodelets/learning/picture_feed.hpp"
 #include "nodelets/library/shared_library.hpp"
 
 namespace mbncc::nodelets {
 
 /// Dependencies of a lesson; all outlive the lesson.
 struct LessonTools {
-  PictureFeed& pictures;
+  ImageFeed& images;
   SharedLibrary& library;
   Confirmation& confirmation;
   LearningConfig config;
@@ -33,16 +33,16 @@ struct LessonTools {
   std::function<void(const cv::Mat&)> show_stage;
   std::function<void(const cv::Mat&)> show_preview;
   std::function<void(const cv::Mat&)>
-      show_picture;  ///< without annotations, published before its draft
+      show_image;  ///< without annotations, published before its draft
   std::function<void(const mbncc_vision::LearnObjectResult&)> show_draft;
-  std::function<void(const ObjectModel&, const cv::Mat& picture)> show_score_map;
+  std::function<void(const ObjectModel&, const cv::Mat& image)> show_score_map;
   const LessonGauge& gauge;
   std::string cell_name;  ///< stored with the object
 };
 
-/// A picture to learn from, CV_8UC3.
-struct LessonPicture {
-  cv::Mat picture;
+/// An image to learn from, CV_8UC3.
+struct LessonImage {
+  cv::Mat image;
   std_msgs::Header header;
   std::uint64_t number = 0;  ///< number of its still period; 0: given with the goal
 };
@@ -51,7 +51,7 @@ class LessonRun {
  public:
   LessonRun(LessonClient& client, const LessonTools& tools);
 
-  /// Failures of pictures, region, operator and library are reported in the result.
+  /// Failures of images, region, operator and library are reported in the result.
   mbncc_vision::LearnObjectResult run();
 
  private:
@@ -61,22 +61,22 @@ class LessonRun {
 
   Result teach_and_store();
 
-  // Pictures.
-  void take_pictures();
+  // Images.
+  void take_images();
   void take_already_moved();
   bool waits_for_change() const;
-  void take_before(const LessonPicture& picture);
+  void take_before(const LessonImage& image);
   void calibrate_before();
-  LessonPicture given(const sensor_msgs::Image& image, const std::string& what) const;
+  LessonImage given(const sensor_msgs::Image& message, const std::string& what) const;
   void wait_for_before();
   void wait_for_change();
   Step demonstrate(const std::optional<StillShot>& still);
   void wait_on();
-  void watch(const std::function<Step(const PictureFeed::View&)>& look);
+  void watch(const std::function<Step(const ImageFeed::View&)>& look);
   void say(Step step);
-  void say_silence(const PictureFeed::View& view);
+  void say_silence(const ImageFeed::View& view);
   void ask_operator_to(std::uint8_t stage, double progress, const std::string& sentence);
-  [[noreturn]] void fail_waiting(LearnError interruption, const PictureFeed::View& view) const;
+  [[noreturn]] void fail_waiting(LearnError interruption, const ImageFeed::View& view) const;
 
   // Learning.
   Lesson lesson_of(const cv::Mat& after) const;
@@ -116,11 +116,11 @@ class LessonRun {
   const std::string name_;
   const ros::Time started_;
   Demonstration demonstration_;
-  bool camera_moved_ = false;  // which is why the picture before is of no use
-  double followed_at_ = 0;     // [s] stamp of the picture in which the camera was last looked for
+  bool camera_moved_ = false;  // which is why the image before is of no use
+  double followed_at_ = 0;     // [s] stamp of the image in which the camera was last looked for
   std::string asked_for_;      // of the operator, the last time
-  LessonPicture before_, after_;
-  Calibration calibration_;  // of the picture before
+  LessonImage before_, after_;
+  Calibration calibration_;  // of the image before
   std::optional<InteractiveLesson> draft_;
   LearnResult learned_;  // the draft's, compared with the library
 };

@@ -26,23 +26,23 @@ LessonGauge::LessonGauge(const PlatformConfig& config, const std::string& grippe
                          const CameraInput& camera, const tf2_ros::Buffer& tf)
     : config_(config), camera_(camera), tf_(tf), mark_(tf, gripper_frame) {}
 
-void LessonGauge::mark(const std_msgs::Header& newest_picture) {
+void LessonGauge::mark(const std_msgs::Header& newest_image) {
   const auto info = camera_.camera_info();
-  std_msgs::Header header = newest_picture;
-  // Checks that there is a platform; the lesson uses it at its picture's stamp.
+  std_msgs::Header header = newest_image;
+  // Checks that there is a platform; the lesson uses it at its image's stamp.
   header.stamp = ros::Time(0);
-  const cv::Size size = info ? picture_size(*info) : cv::Size();
+  const cv::Size size = info ? image_size(*info) : cv::Size();
   const Calibration calibration = calibrate(config_, info.get(), header, size, tf_);
   if (!calibration.platform)
     throw std::runtime_error("no grasp can be marked without scale: " + calibration.fault);
-  // Relative to the platform, the grasp stays valid if the camera moves after its picture.
+  // Relative to the platform, the grasp stays valid if the camera moves after its image.
   const bool on_platform = !config_.platform_frame.empty();
   mark_.record(on_platform ? config_.platform_frame : camera_frame_of(config_, header),
                ros::Time::now());
 }
 
-Calibration LessonGauge::calibrate_picture(const sensor_msgs::CameraInfo& given,
-                                           const std_msgs::Header& header, cv::Size size) const {
+Calibration LessonGauge::calibrate_image(const sensor_msgs::CameraInfo& given,
+                                         const std_msgs::Header& header, cv::Size size) const {
   const auto live = camera_.camera_info_for(header.frame_id, size);
   return calibrate(config_, given.width != 0 ? &given : live.get(), header, size, tf_);
 }

@@ -34,15 +34,15 @@ class LessonGauge {
 
   /// Stores the gripper's current pose until a lesson is stored. Throws std::runtime_error with a
   /// message if it cannot become a grasp.
-  void mark(const std_msgs::Header& newest_picture);
+  void mark(const std_msgs::Header& newest_image);
 
-  /// The platform at the time of a lesson's picture. Call this when the picture is taken, because
+  /// The platform at the time of a lesson's image. Call this when the image is taken, because
   /// tf stores some seconds and a lesson lasts minutes. `given`: sent with the goal; empty: the
   /// live one is used.
-  Calibration calibrate_picture(const sensor_msgs::CameraInfo& given,
-                                const std_msgs::Header& header, cv::Size size) const;
+  Calibration calibrate_image(const sensor_msgs::CameraInfo& given, const std_msgs::Header& header,
+                              cv::Size size) const;
 
-  /// Of an object that lies at `reference` in the picture that was calibrated, its top face
+  /// Of an object that lies at `reference` in the image that was calibrated, its top face
   /// `object_height` [m] above the platform. Grasps marked before `since` belong to another
   /// demonstration.
   LessonMeasures measure(const Calibration& calibration, const ros::Time& since,

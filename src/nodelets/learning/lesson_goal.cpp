@@ -20,7 +20,7 @@ bool is_empty(const sensor_msgs::RegionOfInterest& roi) {
   return roi.width == 0 && roi.height == 0;
 }
 
-// Without pictures.
+// Without images.
 Lesson described(const Goal& goal, const std::string& name) {
   Lesson lesson;
   lesson.name = name;
@@ -45,7 +45,7 @@ Fault check_symmetry(const Goal& goal) {
 Fault check_storable(const Goal& goal, const LibrarySnapshot& library, int max_objects) {
   if (goal.overwrite && goal.add_view)
     return outcome(LearnError::kNameTaken, "Both overwrite and add_view are set.",
-                   "Set one of them: overwrite replaces the object, add_view adds a picture.");
+                   "Set one of them: overwrite replaces the object, add_view adds an image.");
   const Lesson lesson = described(goal, goal.add_view ? goal.name : name_for(goal, library));
   if (const auto refusal = check_storing(lesson, storing_of(goal), library))
     return outcome(*refusal);
@@ -142,8 +142,8 @@ GoalLesson to_lesson(const Goal& goal, const std::string& name, const cv::Mat& b
     const Decoded mask = decode_map(goal.mask);
     if (!mask)
       made.fault = outcome(LearnError::kEncoding, "Mask: " + mask.fault + ".",
-                           "Send mono8 of the picture's size, with 255 on the object.");
-    lesson.map = mask.picture;
+                           "Send mono8 of the image's size, with 255 on the object.");
+    lesson.map = mask.image;
   }
   const bool mismatch = (!lesson.after.empty() && lesson.after.size() != before.size()) ||
                         (!lesson.map.empty() && lesson.map.size() != before.size());

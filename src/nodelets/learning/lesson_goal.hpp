@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Checks a LearnObject goal before the operator moves anything, then combines it with pictures to a
+// Checks a LearnObject goal before the operator moves anything, then combines it with images to a
 // lesson.
 #pragma once
 
@@ -31,7 +31,7 @@ Storing storing_of(const mbncc_vision::LearnObjectGoal& goal);
 /// The goal's name, or the first free object_<n> for "".
 std::string name_for(const mbncc_vision::LearnObjectGoal& goal, const LibrarySnapshot& library);
 
-/// The lesson of a goal that passed check_goal(), with these pictures (CV_8UC3; `after` is empty if
+/// The lesson of a goal that passed check_goal(), with these images (CV_8UC3; `after` is empty if
 /// the mode needs none). On failure `fault` contains the result.
 struct GoalLesson {
   Lesson lesson;

@@ -53,8 +53,7 @@ LessonEdit edit_of(const Request& request, cv::Size size, bool further_view) {
   edit.exclude = lines_of(request.exclude);
   edit.stroke_width = request.stroke_width;
   const auto region = from_msg(request.roi, size);
-  if (!region)
-    throw std::invalid_argument("the new roi does not lie in the picture; draw it inside");
+  if (!region) throw std::invalid_argument("the new roi does not lie in the image; draw it inside");
   edit.region = *region;
   if (request.set_reference) {
     edit.reference = from_msg(request.reference);
@@ -127,7 +126,7 @@ void LessonRun::carry_out(const Request& command, Response& response) {
 void LessonRun::edit(const Confirmation::Request& command, Response& response) {
   response.success = false;
   try {
-    const LessonEdit edit = edit_of(command, before_.picture.size(), goal_.add_view);
+    const LessonEdit edit = edit_of(command, before_.image.size(), goal_.add_view);
     const LearnResult edited = draft_->edit(edit, observer());
     response.message = edited.message;
     response.success = edited.has_model;

@@ -49,10 +49,10 @@ void LessonClient::tell(mbncc_vision::LearnObjectFeedback feedback) {
   handle_.publishFeedback(feedback);
 }
 
-void LessonActionServer::forget_pictures() {
+void LessonActionServer::forget_images() {
   const boost::recursive_mutex::scoped_lock lock(lock_);
   for (auto& tracked : status_list_)
-    if (!tracked.handle_destruction_time_.isZero()) tracked.goal_ = without_pictures_;
+    if (!tracked.handle_destruction_time_.isZero()) tracked.goal_ = without_images_;
 }
 
 LessonServer::LessonServer(ros::NodeHandle node, const std::string& name, double default_timeout,
@@ -108,7 +108,7 @@ bool LessonServer::reserve(const std::shared_ptr<LessonClient>& client) {
 }
 
 void LessonServer::on_goal(LessonClient::Handle handle) {
-  server_.forget_pictures();
+  server_.forget_images();
   const auto goal = handle.getGoal();
   if (const auto refused = refusal(*goal)) return handle.setRejected(*refused, refused->message);
   const auto client =
@@ -130,7 +130,7 @@ void LessonServer::on_cancel(LessonClient::Handle handle) {
 
 void LessonServer::work() {
   for (;;) {
-    server_.forget_pictures();
+    server_.forget_images();
     std::shared_ptr<LessonClient> client;
     {
       std::unique_lock<std::mutex> lock(mutex_);

@@ -54,17 +54,17 @@ class LessonClient {
   float progress_ = 0;
 };
 
-/// actionlib stores goals for seconds after their end for late clients. Goals contain pictures, and
+/// actionlib stores goals for seconds after their end for late clients. Goals contain images, and
 /// hundreds may be sent.
 class LessonActionServer : public actionlib::ActionServer<mbncc_vision::LearnObjectAction> {
  public:
   using actionlib::ActionServer<mbncc_vision::LearnObjectAction>::ActionServer;
 
   /// Only id and status of goals without references stay.
-  void forget_pictures();
+  void forget_images();
 
  private:
-  const boost::shared_ptr<const ActionGoal> without_pictures_ = boost::make_shared<ActionGoal>();
+  const boost::shared_ptr<const ActionGoal> without_images_ = boost::make_shared<ActionGoal>();
 };
 
 class LessonServer {

@@ -6,7 +6,7 @@
 
 namespace mbncc::nodelets {
 
-/// Progress of a whole lesson at the end of taking pictures, of learning, of the operator's check.
+/// Progress of a whole lesson at the end of taking images, of learning, of the operator's check.
 constexpr double kTaken = 0.3, kLearned = 0.9, kChecked = 0.95;
 
 /// Ends a lesson from any depth; caught only in LessonRun::run().

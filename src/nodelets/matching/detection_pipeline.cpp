@@ -89,8 +89,7 @@ void DetectionPipeline::configure(const MatchingNodeConfig& config) {
   config_ = config;
 }
 
-Detections DetectionPipeline::process(const ReceivedPicture& received,
-                                      const SearchRequest& request) {
+Detections DetectionPipeline::process(const ReceivedImage& received, const SearchRequest& request) {
   return describe(received, track(received, request));
 }
 
@@ -105,30 +104,29 @@ void DetectionPipeline::reset() {
   tracker_.reset();
 }
 
-TrackedPicture DetectionPipeline::track(const ReceivedPicture& received,
-                                        const SearchRequest& request) {
+TrackedImage DetectionPipeline::track(const ReceivedImage& received, const SearchRequest& request) {
   const double stamp = received.header.stamp.toSec();
-  TrackedPicture tracked{config_.video.sweep_time > 0
-                             ? matcher_.watch(video_, stamp, received.picture, request)
-                             : matcher_.find(received.picture, request),
-                         {}};
+  TrackedImage tracked{config_.video.sweep_time > 0
+                           ? matcher_.watch(video_, stamp, received.image, request)
+                           : matcher_.find(received.image, request),
+                       {}};
   tracked.matches = tracker_.update(stamp, tracked.found.result.matches);
   average_.apply(tracked.matches);
   return tracked;
 }
 
-Detections DetectionPipeline::describe(const ReceivedPicture& received,
-                                       const TrackedPicture& tracked) const {
+Detections DetectionPipeline::describe(const ReceivedImage& received,
+                                       const TrackedImage& tracked) const {
   const SearchResult& result = tracked.found.result;
   wait_for_tf(received.header);
   const Calibration calibration = calibrate(config_.platform, received.camera_info.get(),
-                                            received.header, received.picture.size(), tf_);
+                                            received.header, received.image.size(), tf_);
   Detections detections{{}, tracked.found.library};
   DetectedObjectArray& array = detections.array;
   array.header = received.header;
   array.header.frame_id = camera_frame_of(config_.platform, received.header);
-  array.image_width = static_cast<std::uint32_t>(received.picture.cols);
-  array.image_height = static_cast<std::uint32_t>(received.picture.rows);
+  array.image_width = static_cast<std::uint32_t>(received.image.cols);
+  array.image_height = static_cast<std::uint32_t>(received.image.rows);
   array.searched = result.searched;
   array.skipped = result.skipped;
   array.search_time = static_cast<float>(result.search_time);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Processes a picture to its DetectedObjectArray: search, tracking, conversion to metres, message.
+// Processes an image to its DetectedObjectArray: search, tracking, conversion to metres, message.
 #pragma once
 
 #include <mbncc_vision/DetectedObjectArray.h>
@@ -19,21 +19,21 @@
 
 namespace mbncc::nodelets {
 
-/// The detections in one picture, before conversion to messages.
-struct TrackedPicture {
+/// The detections in one image, before conversion to messages.
+struct TrackedImage {
   Found found;
   std::vector<TrackedMatch> matches;
 };
 
-/// The messages about a picture; the library provides the grasps.
+/// The messages about an image; the library provides the grasps.
 struct Detections {
   mbncc_vision::DetectedObjectArray array;
   SharedLibrary::Snapshot library;
 };
 
-/// A picture with its stamp, frame and calibration.
-struct ReceivedPicture {
-  cv::Mat picture;  ///< CV_8UC3
+/// An image with its stamp, frame and calibration.
+struct ReceivedImage {
+  cv::Mat image;  ///< CV_8UC3
   std_msgs::Header header;
   sensor_msgs::CameraInfoConstPtr camera_info;  ///< null: none fits
 };
@@ -44,15 +44,15 @@ TrackerConfig tracker_config(const MatchingNodeConfig& config);
 /// Fills in the latency at `now`; objects that have become too old are no longer confirmed.
 void note_age(mbncc_vision::DetectedObjectArray& array, const ros::Time& now);
 
-/// Searches one picture after the other.
-class PictureSearch {
+/// Searches one image after the other.
+class ImageSearch {
  public:
-  virtual ~PictureSearch() = default;
+  virtual ~ImageSearch() = default;
 
-  /// Applies from the next picture on. Throws std::invalid_argument if the tracker refuses it.
+  /// Applies from the next image on. Throws std::invalid_argument if the tracker refuses it.
   virtual void configure(const MatchingNodeConfig& config) = 0;
 
-  virtual Detections process(const ReceivedPicture& received, const SearchRequest& request) = 0;
+  virtual Detections process(const ReceivedImage& received, const SearchRequest& request) = 0;
 
   /// Invalidates earlier detections: every instance must be confirmed again. One that has not moved
   /// keeps its id.
@@ -62,7 +62,7 @@ class PictureSearch {
   virtual void reset() = 0;
 };
 
-class DetectionPipeline : public PictureSearch {
+class DetectionPipeline : public ImageSearch {
  public:
   /// `matcher` and `tf` outlive the pipeline.
   DetectionPipeline(const MatchingNodeConfig& config, const LiveMatcher& matcher,
@@ -71,13 +71,13 @@ class DetectionPipeline : public PictureSearch {
   /// The settings of video search and averaging stay those of the constructor.
   void configure(const MatchingNodeConfig& config) override;
 
-  Detections process(const ReceivedPicture& received, const SearchRequest& request) override;
+  Detections process(const ReceivedImage& received, const SearchRequest& request) override;
 
   /// The two halves of process().
-  TrackedPicture track(const ReceivedPicture& received, const SearchRequest& request);
-  Detections describe(const ReceivedPicture& received, const TrackedPicture& tracked) const;
+  TrackedImage track(const ReceivedImage& received, const SearchRequest& request);
+  Detections describe(const ReceivedImage& received, const TrackedImage& tracked) const;
 
-  /// The next picture is searched completely.
+  /// The next image is searched completely.
   void interrupt() override;
 
   void reset() override;

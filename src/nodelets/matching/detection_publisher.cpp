@@ -43,7 +43,7 @@ bool DetectionPublisher::has_listeners() const {
   return false;
 }
 
-double DetectionPublisher::publish(Detections detections, const cv::Mat& picture,
+double DetectionPublisher::publish(Detections detections, const cv::Mat& image,
                                    const ScoreMap& score_map, const Extras& extras) {
   DetectedObjectArray& array = detections.array;
   note_age(array, ros::Time::now());
@@ -53,24 +53,24 @@ double DetectionPublisher::publish(Detections detections, const cv::Mat& picture
   const auto transforms = frames_.of(array);
   if (!transforms.empty()) broadcaster_.sendTransform(transforms);
   if (markers_.getNumSubscribers() > 0) markers_.publish(to_markers(array));
-  publish_pictures(array, picture, score_map, extras.scores_under_overlay);
+  publish_images(array, image, score_map, extras.scores_under_overlay);
   return array.latency;
 }
 
-void DetectionPublisher::publish_pictures(const DetectedObjectArray& array, const cv::Mat& picture,
-                                          const ScoreMap& score_map, bool scores_under_overlay) {
+void DetectionPublisher::publish_images(const DetectedObjectArray& array, const cv::Mat& image,
+                                        const ScoreMap& score_map, bool scores_under_overlay) {
   const bool overlay = overlay_.getNumSubscribers() > 0;
   const bool jpeg = overlay_jpeg_.getNumSubscribers() > 0;
   const bool scores = score_map_.getNumSubscribers() > 0;
   if (!overlay && !jpeg && !scores) return;
   cv::Mat coloured;
   if (scores || scores_under_overlay) coloured = colour_score_map(score_map());
-  if (scores) score_map_.publish(encode_picture(coloured, array.header));
+  if (scores) score_map_.publish(encode_image(coloured, array.header));
   if (!overlay && !jpeg) return;
-  cv::Mat ground = picture;
-  if (scores_under_overlay) cv::addWeighted(picture, 0.5, coloured, 0.5, 0, ground);
+  cv::Mat ground = image;
+  if (scores_under_overlay) cv::addWeighted(image, 0.5, coloured, 0.5, 0, ground);
   const cv::Mat drawn = draw_detections(ground, array);
-  if (overlay) overlay_.publish(encode_picture(drawn, array.header));
+  if (overlay) overlay_.publish(encode_image(drawn, array.header));
   if (jpeg) overlay_jpeg_.publish(encode_jpeg(drawn, array.header));
 }
 

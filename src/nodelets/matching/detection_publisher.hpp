@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Publishes everything about a searched picture: detections, tf, overlay, markers, and the messages
-// without objects if pictures stop or cannot be searched.
+// Publishes everything about a searched image: detections, tf, overlay, markers, and the messages
+// without objects if images stop or cannot be searched.
 #pragma once
 
 #include <geometry_msgs/PoseArray.h>
@@ -26,10 +26,10 @@ class DetectionPublisher {
   DetectionPublisher(ros::NodeHandle node, ros::NodeHandle private_node,
                      const std::function<void()>& listeners_changed);
 
-  /// Whether there is a subscriber to detections, markers or one of the pictures.
+  /// Whether there is a subscriber to detections, markers or one of the images.
   bool has_listeners() const;
 
-  /// Largest similarity at each place of a picture, CV_32FC1; computed only with a subscriber.
+  /// Largest similarity at each place of an image, CV_32FC1; computed only with a subscriber.
   using ScoreMap = std::function<cv::Mat()>;
 
   struct Extras {
@@ -39,7 +39,7 @@ class DetectionPublisher {
 
   /// Objects that have become too old during the search are no longer confirmed. Returns the
   /// latency [s].
-  double publish(Detections detections, const cv::Mat& picture, const ScoreMap& score_map,
+  double publish(Detections detections, const cv::Mat& image, const ScoreMap& score_map,
                  const Extras& extras);
 
   /// Publishes an array without objects, of status STALE or SEARCH_FAILED, which invalidates
@@ -51,8 +51,8 @@ class DetectionPublisher {
   void reset() { frames_.reset(); }
 
  private:
-  void publish_pictures(const mbncc_vision::DetectedObjectArray& array, const cv::Mat& picture,
-                        const ScoreMap& score_map, bool scores_under_overlay);
+  void publish_images(const mbncc_vision::DetectedObjectArray& array, const cv::Mat& image,
+                      const ScoreMap& score_map, bool scores_under_overlay);
 
   ros::Publisher detections_, poses_, overlay_, overlay_jpeg_, score_map_, markers_;
   tf2_ros::TransformBroadcaster broadcaster_;

@@ -14,7 +14,7 @@
 namespace mbncc::nodelets {
 namespace {
 
-constexpr double kPatience = 5;        // [s] for the next live picture
+constexpr double kPatience = 5;        // [s] for the next live image
 constexpr std::size_t kExplained = 3;  // objects, the likeliest
 constexpr const char* kFolder = ".misses";
 
@@ -47,34 +47,33 @@ bool ExplainService::on_call(Request& request, Response& response) {
   return true;
 }
 
-sensor_msgs::Image ExplainService::live_picture() const {
-  tools_.pictures.enter();
+sensor_msgs::Image ExplainService::live_image() const {
+  tools_.images.enter();
   tools_.wants_changed();
-  const auto picture = tools_.pictures.next(ros::Time(), kPatience);
-  tools_.pictures.leave();
+  const auto image = tools_.images.next(ros::Time(), kPatience);
+  tools_.images.leave();
   tools_.wants_changed();
-  if (!picture) throw std::runtime_error("no picture came from the camera; check it, or send one");
-  return *picture;
+  if (!image) throw std::runtime_error("no image came from the camera; check it, or send one");
+  return *image;
 }
 
 void ExplainService::explain(const Request& request, Response& response) const {
   const MatchingNodeConfig config = tools_.config();
-  const Decoded decoded = decode_picture(is_given(request.image) ? request.image : live_picture(),
-                                         config.pictures.white_level);
+  const Decoded decoded = decode_image(is_given(request.image) ? request.image : live_image(),
+                                       config.images.white_level);
   if (!decoded) throw std::runtime_error(decoded.fault);
   SavedMiss miss;
-  miss.picture = decoded.picture;
+  miss.image = decoded.image;
   miss.place = {request.place.x, request.place.y};
   miss.names = request.names;
   miss.search = config.search;
   for (const auto& object : tools_.matcher.library()->objects) {
-    if (object->views.front().picture_size == miss.picture.size())
+    if (object->views.front().image_size == miss.image.size())
       miss.objects.push_back(object);
     else if (object->enabled)
-      miss.lines.push_back(
-          "'" + object->name +
-          "' is not searched: it was learned in pictures of another size. Teach it "
-          "again at this size.");
+      miss.lines.push_back("'" + object->name +
+                           "' is not searched: it was learned in images of another size. Teach it "
+                           "again at this size.");
   }
   const cv::Rect roi = parse_roi(config.search_roi);
   if (!roi.empty() && !cv::Rect2d(roi).contains(miss.place))
@@ -86,7 +85,7 @@ void ExplainService::explain(const Request& request, Response& response) const {
   if (!explanations.empty()) add_disabled(miss);
   for (const auto& line : miss.lines)
     response.message += (response.message.empty() ? "" : "\n") + line;
-  response.picture = encode_picture(draw_explanation(miss.picture, miss.place, explanations));
+  response.picture = encode_image(draw_explanation(miss.image, miss.place, explanations));
   if (request.save) response.file = save(miss);
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The ~explain service: explains why objects are found at a place in a picture or not.
+// The ~explain service: explains why objects are found at a place in an image or not.
 #pragma once
 
 #include <mbncc_vision/ExplainPlace.h>
@@ -12,8 +12,8 @@
 
 #include "mbncc/config/matching_node_config.hpp"
 #include "mbncc/miss/saved_miss.hpp"
+#include "nodelets/matching/image_wait.hpp"
 #include "nodelets/matching/live_matcher.hpp"
-#include "nodelets/matching/picture_wait.hpp"
 
 namespace mbncc::nodelets {
 
@@ -21,8 +21,8 @@ namespace mbncc::nodelets {
 struct ExplainTools {
   std::function<MatchingNodeConfig()> config;
   const LiveMatcher& matcher;
-  PictureWait& pictures;
-  std::function<void()> wants_changed;  ///< called when a live picture is needed, or no longer
+  ImageWait& images;
+  std::function<void()> wants_changed;  ///< called when a live image is needed, or no longer
 };
 
 class ExplainService {
@@ -36,7 +36,7 @@ class ExplainService {
  private:
   bool on_call(Request& request, Response& response);
   void explain(const Request& request, Response& response) const;
-  sensor_msgs::Image live_picture() const;
+  sensor_msgs::Image live_image() const;
   /// Returns the file.
   std::string save(const SavedMiss& miss) const;
 

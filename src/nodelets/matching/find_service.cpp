@@ -29,7 +29,7 @@ constexpr int kMostCalls = 4;  // at a time
 }
 
 [[noreturn]] void refuse_future() {
-  refuse("the picture is stamped in the future; compare the clocks");
+  refuse("the image is stamped in the future; compare the clocks");
 }
 
 [[noreturn]] void refuse_busy() {
@@ -45,7 +45,7 @@ SearchRequest search_request(const Request& request, const MatchingNodeConfig& c
     if (!is_valid_name(name))
       refuse("invalid object name; give a letter, then letters, digits or underscores");
   const auto roi = from_msg(request.roi, size);
-  if (!roi) refuse("roi does not lie in the picture; give a region inside it, or none");
+  if (!roi) refuse("roi does not lie in the image; give a region inside it, or none");
   search.roi = roi->empty() ? roi_in(parse_roi(config.search_roi), size) : *roi;
   if (request.min_score > 1)
     refuse("min_score lies above 1; give 0 .. 1, or 0 for the configured one");
@@ -83,15 +83,15 @@ void leave_unnumbered(DetectedObjectArray& array) {
   for (auto& object : array.objects) object.instance_id = 0;
 }
 
-/// Keeps the subscription to live pictures.
+/// Keeps the subscription to live images.
 class Listening {
  public:
   explicit Listening(const FindTools& tools) : tools_(tools) {
-    tools_.pictures.enter();
+    tools_.images.enter();
     tools_.wants_changed();
   }
   ~Listening() {
-    tools_.pictures.leave();
+    tools_.images.leave();
     tools_.wants_changed();
   }
 
@@ -164,7 +164,7 @@ Detections FindService::find(const Request& request) {
                                            std::chrono::duration<double>(timeout_of(request)));
   if (request.frames > kMostFrames) refuse("frames lies above 100; ask for fewer");
   MatchingNodeConfig config = tools_.settings.get();
-  config.video.sweep_time = 0;  // a single request, so the picture is searched completely
+  config.video.sweep_time = 0;  // a single request, so the image is searched completely
   config.average_frames = static_cast<int>(std::max(1u, request.frames));
   DetectionPipeline pipeline(config, tools_.matcher, tools_.tf);
   return is_given(request.image) ? find_given(request, config, pipeline, deadline)
@@ -173,15 +173,15 @@ Detections FindService::find(const Request& request) {
 
 Detections FindService::find_given(const Request& request, const MatchingNodeConfig& config,
                                    DetectionPipeline& pipeline, Clock::time_point deadline) {
-  const Decoded decoded = decode_picture(request.image, config.pictures.white_level);
+  const Decoded decoded = decode_image(request.image, config.images.white_level);
   if (!decoded) refuse("image: " + decoded.fault);
   const bool has_info = request.camera_info.width != 0;
   const double ahead = (request.image.header.stamp - ros::Time::now()).toSec();
   if (ahead > config.max_ahead) refuse_future();
-  const ReceivedPicture received{
-      decoded.picture, request.image.header,
+  const ReceivedImage received{
+      decoded.image, request.image.header,
       has_info ? boost::make_shared<sensor_msgs::CameraInfo>(request.camera_info) : nullptr};
-  const auto search = search_request(request, config, decoded.picture.size());
+  const auto search = search_request(request, config, decoded.image.size());
   const auto lock = turn(deadline);
   return pipeline.process(received, search);
 }
@@ -191,32 +191,32 @@ Detections FindService::find_live(const Request& request, const MatchingNodeConf
   const Listening listening(tools_);
   ros::Time after = ros::Time::now();
   StampGate gate(config.max_age, config.max_ahead);
-  ReceivedPicture received;
-  TrackedPicture tracked;
+  ReceivedImage received;
+  TrackedImage tracked;
   for (std::uint32_t i = 0; i < std::max(1u, request.frames); ++i) {
     StampGate::Verdict verdict;
     do {
-      received = next_picture(after, config.pictures.white_level, deadline);
+      received = next_image(after, config.images.white_level, deadline);
       after = received.header.stamp;
       verdict = gate.judge(after.toSec(), ros::Time::now().toSec());
       if (verdict == StampGate::Verdict::kAhead) refuse_future();
     } while (verdict != StampGate::Verdict::kFresh);
-    const auto search = search_request(request, config, received.picture.size());
+    const auto search = search_request(request, config, received.image.size());
     const auto lock = turn(deadline);
     tracked = pipeline.track(received, search);
   }
   return pipeline.describe(received, tracked);
 }
 
-ReceivedPicture FindService::next_picture(const ros::Time& after, int white_level,
-                                          Clock::time_point deadline) const {
+ReceivedImage FindService::next_image(const ros::Time& after, int white_level,
+                                      Clock::time_point deadline) const {
   const double left = std::chrono::duration<double>(deadline - Clock::now()).count();
-  const auto image = tools_.pictures.next(after, left);
-  if (!image) refuse("no picture came in time; check the camera and the image topic");
-  const Decoded decoded = decode_picture(*image, white_level);
+  const auto message = tools_.images.next(after, left);
+  if (!message) refuse("no image came in time; check the camera and the image topic");
+  const Decoded decoded = decode_image(*message, white_level);
   if (!decoded) refuse(decoded.fault);
-  return {decoded.picture, image->header,
-          tools_.camera.camera_info_for(image->header.frame_id, decoded.picture.size())};
+  return {decoded.image, message->header,
+          tools_.camera.camera_info_for(message->header.frame_id, decoded.image.size())};
 }
 
 std::unique_lock<std::timed_mutex> FindService::turn(Clock::time_point deadline) {

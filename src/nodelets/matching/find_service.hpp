@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The find_objects service: one search in a given picture or in the next live ones.
+// The find_objects service: one search in a given image or in the next live ones.
 #pragma once
 
 #include <mbncc_vision/FindObjects.h>
@@ -15,9 +15,9 @@
 
 #include "nodelets/common/camera_input.hpp"
 #include "nodelets/matching/detection_pipeline.hpp"
+#include "nodelets/matching/image_wait.hpp"
 #include "nodelets/matching/live_matcher.hpp"
 #include "nodelets/matching/live_settings.hpp"
-#include "nodelets/matching/picture_wait.hpp"
 
 namespace mbncc::nodelets {
 
@@ -27,8 +27,8 @@ struct FindTools {
   const LiveMatcher& matcher;
   const tf2_ros::Buffer& tf;
   const CameraInput& camera;
-  PictureWait& pictures;
-  /// Called when a live picture is needed, or no longer.
+  ImageWait& images;
+  /// Called when a live image is needed, or no longer.
   std::function<void()> wants_changed;
 };
 
@@ -42,7 +42,7 @@ class FindService {
   /// As close().
   ~FindService() { close(); }
 
-  /// Accepts no more calls and waits for running ones; PictureWait::close() ends their waiting.
+  /// Accepts no more calls and waits for running ones; ImageWait::close() ends their waiting.
   void close();
 
  private:
@@ -54,8 +54,8 @@ class FindService {
                         DetectionPipeline& pipeline, Clock::time_point deadline);
   Detections find_live(const Request& request, const MatchingNodeConfig& config,
                        DetectionPipeline& pipeline, Clock::time_point deadline);
-  ReceivedPicture next_picture(const ros::Time& after, int white_level,
-                               Clock::time_point deadline) const;
+  ReceivedImage next_image(const ros::Time& after, int white_level,
+                           Clock::time_point deadline) const;
   std::unique_lock<std::timed_mutex> turn(Clock::time_point deadline);
 
   const FindTools tools_;

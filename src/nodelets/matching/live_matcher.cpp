@@ -24,7 +24,7 @@ bool same_values(SearchConfig a, SearchConfig b) {
       [](const FieldRow& row, const FieldRow& other) { return row.value == other.value; });
 }
 
-// Removes objects that cannot be searched, or were learned in pictures of another size, from
+// Removes objects that cannot be searched, or were learned in images of another size, from
 // `names`.
 std::vector<std::string> drop_unfit(const LibrarySnapshot& library,
                                     const std::map<std::string, std::string>& unsearchable,
@@ -34,14 +34,14 @@ std::vector<std::string> drop_unfit(const LibrarySnapshot& library,
     if (!library.find(name)) fitting.push_back(name);  // the matcher says that it is unknown
   for (const auto& object : library.objects) {
     if (!wanted(names, object->name) || (names.empty() && !object->enabled)) continue;
-    const cv::Size learned = object->views.front().picture_size;
+    const cv::Size learned = object->views.front().image_size;
     const auto fault = unsearchable.find(object->name);
     if (fault != unsearchable.end())
       dropped.push_back(object->name + ": " + fault->second);
     else if (learned == size)
       fitting.push_back(object->name);
     else
-      dropped.push_back(object->name + ": learned in pictures of " + text(learned) +
+      dropped.push_back(object->name + ": learned in images of " + text(learned) +
                         ", this one is " + text(size) + "; teach it again at this size");
   }
   names = fitting;
@@ -55,35 +55,33 @@ LiveMatcher::LiveMatcher(const SearchConfig& config, const std::string& library_
         take_over(snapshot);
       }) {}
 
-Found LiveMatcher::find(const cv::Mat& picture, SearchRequest request) const {
+Found LiveMatcher::find(const cv::Mat& image, SearchRequest request) const {
   const std::shared_lock<std::shared_mutex> lock(mutex_);
   if (!unreadable_.empty()) return nothing_found(request.names);
   Found found;
   found.library = searched_;
-  const auto dropped =
-      drop_unfit(*searched_, matcher_.unsearchable(), picture.size(), request.names);
+  const auto dropped = drop_unfit(*searched_, matcher_.unsearchable(), image.size(), request.names);
   // An empty list would mean all objects.
   sort_by_turn(request.names);
-  if (!request.names.empty()) found.result = matcher_.find(picture, request);
+  if (!request.names.empty()) found.result = matcher_.find(image, request);
   note_searched(found.result.searched);
   found.result.skipped.insert(found.result.skipped.end(), dropped.begin(), dropped.end());
   return found;
 }
 
-Found LiveMatcher::watch(VideoSearch& video, double stamp, const cv::Mat& picture,
+Found LiveMatcher::watch(VideoSearch& video, double stamp, const cv::Mat& image,
                          SearchRequest request) const {
   const std::shared_lock<std::shared_mutex> lock(mutex_);
   if (!unreadable_.empty()) return nothing_found(request.names);
   Found found;
   found.library = searched_;
   const std::vector<std::string> asked = request.names;
-  const auto dropped =
-      drop_unfit(*searched_, matcher_.unsearchable(), picture.size(), request.names);
+  const auto dropped = drop_unfit(*searched_, matcher_.unsearchable(), image.size(), request.names);
   const bool any = !request.names.empty();
   // Another request would restart the video search; taught or deleted objects do not change the
   // request.
   if (dropped.empty()) request.names = asked;
-  if (any) found.result = video.find(matcher_, stamp, picture, request);
+  if (any) found.result = video.find(matcher_, stamp, image, request);
   found.result.skipped.insert(found.result.skipped.end(), dropped.begin(), dropped.end());
   return found;
 }
@@ -113,9 +111,9 @@ void LiveMatcher::note_searched(const std::vector<std::string>& names) const {
   for (const auto& name : names) last_turn_[name] = turns_;
 }
 
-cv::Mat LiveMatcher::score_map(const cv::Mat& picture) const {
+cv::Mat LiveMatcher::score_map(const cv::Mat& image) const {
   const std::shared_lock<std::shared_mutex> lock(mutex_);
-  return matcher_.score_map(picture);
+  return matcher_.score_map(image);
 }
 
 bool LiveMatcher::configure(const SearchConfig& config) {

@@ -31,18 +31,17 @@ class LiveMatcher {
   /// max_instances changes, the objects are prepared again, which takes some milliseconds each.
   bool configure(const SearchConfig& config);
 
-  /// Searches objects learned in pictures of this size; the others, and those that cannot be
+  /// Searches objects learned in images of this size; the others, and those that cannot be
   /// searched, are listed as skipped. The least recently searched come first, so that a time budget
   /// does not exclude any. Nothing is searched while the library cannot be read, because deleted
   /// objects must not be found. Thread-safe.
-  Found find(const cv::Mat& picture, SearchRequest request) const;
+  Found find(const cv::Mat& image, SearchRequest request) const;
 
-  /// As find(), with the next picture, stamped `stamp` [s], of the video searched by `video`.
-  Found watch(VideoSearch& video, double stamp, const cv::Mat& picture,
-              SearchRequest request) const;
+  /// As find(), with the next image, stamped `stamp` [s], of the video searched by `video`.
+  Found watch(VideoSearch& video, double stamp, const cv::Mat& image, SearchRequest request) const;
 
   /// See Matcher::score_map(), for all enabled objects. Thread-safe.
-  cv::Mat score_map(const cv::Mat& picture) const;
+  cv::Mat score_map(const cv::Mat& image) const;
 
   /// Checks the library folder for changes; `always`: reads it in any case. Throws FileError; then
   /// find() finds nothing until the folder can be read again.

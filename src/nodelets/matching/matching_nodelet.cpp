@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Finds learned objects in the camera's pictures. Wiring only.
+// Finds learned objects in the camera's images. Wiring only.
 #include <mbncc_vision/LearnedObjectArray.h>
 #include <mbncc_vision/ListObjects.h>
 #include <ros/callback_queue.h>
@@ -27,9 +27,9 @@
 #include "nodelets/matching/detection_publisher.hpp"
 #include "nodelets/matching/explain_service.hpp"
 #include "nodelets/matching/find_service.hpp"
+#include "nodelets/matching/image_wait.hpp"
 #include "nodelets/matching/live_matcher.hpp"
 #include "nodelets/matching/live_settings.hpp"
-#include "nodelets/matching/picture_wait.hpp"
 #include "nodelets/matching/search_roi.hpp"
 #include "nodelets/matching/search_worker.hpp"
 
@@ -81,7 +81,7 @@ class MatchingNodelet : public GuardedNodelet {
   tf2_ros::Buffer tf_buffer_;
   std::unique_ptr<tf2_ros::TransformListener> tf_listener_;
   std::unique_ptr<DetectionPublisher> publisher_;
-  PictureWait picture_wait_;
+  ImageWait image_wait_;
   std::unique_ptr<CameraInput> camera_;
   std::unique_ptr<DetectionPipeline> pipeline_;
   std::unique_ptr<SearchWorker> worker_;
@@ -114,7 +114,7 @@ void MatchingNodelet::stop() {
   library_timer_.stop();
   silence_timer_.stop();
   report_.reset();
-  picture_wait_.close();
+  image_wait_.close();
   side_spinner_.stop();
   find_service_.reset();
   roi_subscriber_.shutdown();
@@ -146,7 +146,7 @@ void MatchingNodelet::open_library() {
 void MatchingNodelet::start_search() {
   tf_listener_ = std::make_unique<tf2_ros::TransformListener>(tf_buffer_);
   camera_ = std::make_unique<CameraInput>(
-      node(), settings_->initial().pictures.image_transport,
+      node(), settings_->initial().images.image_transport,
       settings_->initial().platform.max_info_age,
       [this](const sensor_msgs::ImageConstPtr& image) { on_image(image); });
   publisher_ =
@@ -159,11 +159,11 @@ void MatchingNodelet::start_search() {
 void MatchingNodelet::start_services() {
   ros::NodeHandle side_private_node = private_node();
   side_private_node.setCallbackQueue(&side_queue_);
-  const FindTools tools{*settings_, *matcher_,     tf_buffer_,
-                        *camera_,   picture_wait_, [this] { listen_as_wanted(); }};
+  const FindTools tools{*settings_, *matcher_,   tf_buffer_,
+                        *camera_,   image_wait_, [this] { listen_as_wanted(); }};
   find_service_ = std::make_unique<FindService>(node(), tools);
   explain_service_ = std::make_unique<ExplainService>(
-      private_node(), ExplainTools{[this] { return settings_->get(); }, *matcher_, picture_wait_,
+      private_node(), ExplainTools{[this] { return settings_->get(); }, *matcher_, image_wait_,
                                    [this] { listen_as_wanted(); }});
   enable_server_ = private_node().advertiseService("enable", &MatchingNodelet::enable, this);
   reconfigure_ = std::make_unique<Reconfigure>(
@@ -174,7 +174,7 @@ void MatchingNodelet::start_services() {
 }
 
 void MatchingNodelet::start_watching() {
-  // A wall timer, because a simulated clock may stop, which also stops pictures.
+  // A wall timer, because a simulated clock may stop, which also stops images.
   silence_timer_ = node().createWallTimer(
       ros::WallDuration(0.1), [this](const auto&) { worker_->look_for_silence(wanted()); });
   report_ = std::make_unique<HealthReport>(node(), private_node(), getName(), "none", kMatchingTask,
@@ -187,11 +187,11 @@ bool MatchingNodelet::wanted() const {
 
 void MatchingNodelet::listen_as_wanted() {
   if (publisher_ && camera_)
-    camera_->set_active([this] { return wanted() || picture_wait_.wanted(); });
+    camera_->set_active([this] { return wanted() || image_wait_.wanted(); });
 }
 
 void MatchingNodelet::on_image(const sensor_msgs::ImageConstPtr& image) {
-  picture_wait_.offer(image);
+  image_wait_.offer(image);
   if (wanted()) worker_->put(image);
 }
 

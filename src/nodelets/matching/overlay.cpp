@@ -61,8 +61,8 @@ struct Letters {
     int ignored = 0;
     return cv::getTextSize(text, kFont, size, stroke, &ignored).width;
   }
-  void write(cv::Mat& picture, const std::string& text, cv::Point at, const cv::Scalar& ink) const {
-    cv::putText(picture, text, at, kFont, size, ink, stroke, cv::LINE_AA);
+  void write(cv::Mat& image, const std::string& text, cv::Point at, const cv::Scalar& ink) const {
+    cv::putText(image, text, at, kFont, size, ink, stroke, cv::LINE_AA);
   }
 
   double size;
@@ -78,7 +78,7 @@ std::string age_of(const mbncc_vision::DetectedObjectArray& detections) {
 constexpr std::uint8_t kExplained[] = {DetectedObject::CONFIRMED, DetectedObject::AMBIGUOUS,
                                        DetectedObject::NEW};
 
-/// Scaled to the picture's width.
+/// Scaled to the image's width.
 Letters letters_of_legend(int width, const std::string& age) {
   const Letters letters(width);
   int needed = letters.width_of(age) + letters.height;
@@ -87,12 +87,12 @@ Letters letters_of_legend(int width, const std::string& age) {
   return needed <= width ? letters : Letters(double(width) * width / needed);
 }
 
-cv::Mat with_legend(const cv::Mat& picture, const mbncc_vision::DetectedObjectArray& detections) {
+cv::Mat with_legend(const cv::Mat& image, const mbncc_vision::DetectedObjectArray& detections) {
   const std::string age = age_of(detections);
-  const Letters letters = letters_of_legend(picture.cols, age);
+  const Letters letters = letters_of_legend(image.cols, age);
   const int line = 2 * letters.height;
   cv::Mat shown;
-  cv::copyMakeBorder(picture, shown, 0, line, 0, 0, cv::BORDER_CONSTANT, cv::Scalar::all(30));
+  cv::copyMakeBorder(image, shown, 0, line, 0, 0, cv::BORDER_CONSTANT, cv::Scalar::all(30));
   const int foot = shown.rows - line / 4;
   int x = letters.height / 2;
   for (const std::uint8_t state : kExplained) {
@@ -119,32 +119,31 @@ Peak peak_of(const cv::Mat& scores, const cv::Mat& mask = {}) {
 }
 
 /// Beside the peak, and below or above `taken` if that is there; returns where it is.
-cv::Rect name_peak(cv::Mat& picture, const Peak& peak, const char* text, int radius,
+cv::Rect name_peak(cv::Mat& image, const Peak& peak, const char* text, int radius,
                    const cv::Rect& taken = {}) {
-  const Letters letters(2 * picture.cols);
+  const Letters letters(2 * image.cols);
   const cv::Size size(letters.width_of(text), letters.height + letters.baseline);
-  cv::Rect box({std::min(peak.place.x + radius + 4, picture.cols - size.width - 2),
+  cv::Rect box({std::min(peak.place.x + radius + 4, image.cols - size.width - 2),
                 std::max(peak.place.y - letters.height, 2)},
                size);
   if (!(box & taken).empty()) {
     box.y = taken.br().y + 2;
-    if (box.br().y > picture.rows) box.y = taken.y - 2 - size.height;
+    if (box.br().y > image.rows) box.y = taken.y - 2 - size.height;
   }
   const cv::Point at(box.x, box.y + letters.height);
   Letters shade = letters;
   shade.stroke += 2;
-  shade.write(picture, text, at, cv::Scalar::all(0));
-  letters.write(picture, text, at, kInk);
+  shade.write(image, text, at, cv::Scalar::all(0));
+  letters.write(image, text, at, kInk);
   return box;
 }
 
 }  // namespace
 
-cv::Mat draw_detections(const cv::Mat& picture,
-                        const mbncc_vision::DetectedObjectArray& detections) {
+cv::Mat draw_detections(const cv::Mat& image, const mbncc_vision::DetectedObjectArray& detections) {
   std::vector<Marking> markings;
   for (const auto& object : detections.objects) markings.push_back(marking_of(object));
-  return with_legend(draw_markings(picture, markings), detections);
+  return with_legend(draw_markings(image, markings), detections);
 }
 
 cv::Mat colour_score_map(const cv::Mat& scores) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Detections drawn into their picture.
+// Detections drawn into their image.
 #pragma once
 
 #include <mbncc_vision/DetectedObjectArray.h>
@@ -12,11 +12,10 @@ namespace mbncc::nodelets {
 /// Of DetectedObject::state.
 const char* word_of(std::uint8_t state);
 
-/// CV_8UC3: a copy of `picture` with outline, axes, name, instance, score and state of every object
-/// (blue confirmed, orange ambiguous, grey otherwise), and a legend with the picture's age below
+/// CV_8UC3: a copy of `image` with outline, axes, name, instance, score and state of every object
+/// (blue confirmed, orange ambiguous, grey otherwise), and a legend with the image's age below
 /// it.
-cv::Mat draw_detections(const cv::Mat& picture,
-                        const mbncc_vision::DetectedObjectArray& detections);
+cv::Mat draw_detections(const cv::Mat& image, const mbncc_vision::DetectedObjectArray& detections);
 
 /// CV_8UC3 of a score map (CV_32FC1, 0 .. 1): dark blue is 0, yellow is 1.
 cv::Mat colour_score_map(const cv::Mat& scores);

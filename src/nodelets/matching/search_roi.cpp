@@ -20,12 +20,12 @@ cv::Rect parse_roi(const std::string& text) {
   return roi;
 }
 
-cv::Rect roi_in(const cv::Rect& roi, cv::Size picture) {
+cv::Rect roi_in(const cv::Rect& roi, cv::Size image) {
   if (roi.empty()) return roi;
-  const cv::Rect inside = roi & cv::Rect({}, picture);
+  const cv::Rect inside = roi & cv::Rect({}, image);
   if (inside.empty())
-    throw ConfigError("parameter 'search_roi' lies outside the picture of " +
-                      std::to_string(picture.width) + " x " + std::to_string(picture.height) +
+    throw ConfigError("parameter 'search_roi' lies outside the image of " +
+                      std::to_string(image.width) + " x " + std::to_string(image.height) +
                       "; give one that overlaps it, or nothing");
   return inside;
 }

@@ -7,12 +7,12 @@
 
 namespace mbncc::nodelets {
 
-/// Reads "x,y,width,height" [px]; "" is the empty rectangle: the whole picture. Throws ConfigError
+/// Reads "x,y,width,height" [px]; "" is the empty rectangle: the whole image. Throws ConfigError
 /// that names the text and the allowed values.
 cv::Rect parse_roi(const std::string& text);
 
-/// The part of `roi` inside a picture of this size. Throws ConfigError if there is none, because
+/// The part of `roi` inside an image of this size. Throws ConfigError if there is none, because
 /// nothing could be found.
-cv::Rect roi_in(const cv::Rect& roi, cv::Size picture);
+cv::Rect roi_in(const cv::Rect& roi, cv::Size image);
 
 }  // namespace mbncc::nodelets

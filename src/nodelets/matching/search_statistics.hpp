@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Statistics of the picture stream for the diagnostics.
+// Statistics of the image stream for the diagnostics.
 #pragma once
 
 #include <diagnostic_updater/DiagnosticStatusWrapper.h>
@@ -11,15 +11,15 @@
 namespace mbncc::nodelets {
 
 struct SearchStatistics {
-  std::uint64_t arrived = 0;    ///< pictures
+  std::uint64_t arrived = 0;    ///< images
   std::uint64_t overtaken = 0;  ///< replaced by newer ones before they were searched
   std::uint64_t searched = 0;
   std::uint64_t refused = 0;  ///< encoding, layout, or search_roi outside
   std::uint64_t failed = 0;   ///< searches that ended in an exception
   std::uint64_t badly_stamped = 0;
-  std::string last_fault;   ///< of a refused or badly stamped picture
+  std::string last_fault;   ///< of a refused or badly stamped image
   double search_time = 0;   ///< [s] of the last search
-  double latency = 0;       ///< [s] from the last picture's stamp to its publication
+  double latency = 0;       ///< [s] from the last image's stamp to its publication
   std::string message;      ///< of the last array; empty: no fault
   bool unreliable = false;  ///< the last array was STALE or SEARCH_FAILED
 };
@@ -42,11 +42,11 @@ inline void summarize(diagnostic_updater::DiagnosticStatusWrapper& status, const
 
 inline void add_to(diagnostic_updater::DiagnosticStatusWrapper& status,
                    const SearchStatistics& statistics) {
-  status.add("pictures arrived", statistics.arrived);
-  status.add("pictures searched", statistics.searched);
-  status.add("pictures overtaken by newer ones", statistics.overtaken);
-  status.add("pictures refused", statistics.refused);
-  status.add("pictures badly stamped", statistics.badly_stamped);
+  status.add("images arrived", statistics.arrived);
+  status.add("images searched", statistics.searched);
+  status.add("images overtaken by newer ones", statistics.overtaken);
+  status.add("images refused", statistics.refused);
+  status.add("images badly stamped", statistics.badly_stamped);
   status.add("searches failed", statistics.failed);
   status.add("last fault", statistics.last_fault);
   status.add("search time [s]", statistics.search_time);

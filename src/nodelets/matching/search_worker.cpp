@@ -17,9 +17,9 @@ using mbncc_vision::DetectedObjectArray;
 
 namespace {
 
-/// `age` [s] of the picture by this machine's clock.
+/// `age` [s] of the image by this machine's clock.
 std::string stamp_fault(StampGate::Verdict verdict, double age) {
-  std::string fault = std::string("a picture's stamp is ") + to_string(verdict);
+  std::string fault = std::string("an image's stamp is ") + to_string(verdict);
   if (verdict == StampGate::Verdict::kLate || verdict == StampGate::Verdict::kAhead) {
     char seconds[32];
     std::snprintf(seconds, sizeof seconds, ", by %.3g s", std::abs(age));
@@ -44,8 +44,8 @@ SearchWorker::~SearchWorker() {
   worker_.join();
 }
 
-void SearchWorker::put(const sensor_msgs::ImageConstPtr& image) {
-  const bool overtaken = mailbox_.put(image);
+void SearchWorker::put(const sensor_msgs::ImageConstPtr& message) {
+  const bool overtaken = mailbox_.put(message);
   statistics_.change([overtaken](SearchStatistics& statistics) {
     ++statistics.arrived;
     statistics.overtaken += overtaken ? 1 : 0;
@@ -63,42 +63,42 @@ void SearchWorker::begin_anew() {
 }
 
 void SearchWorker::work() {
-  while (const auto image = mailbox_.take()) {
+  while (const auto message = mailbox_.take()) {
     searching_ = true;
     try {
-      search(**image);
+      search(**message);
     } catch (const std::exception& error) {
-      fail(**image, error.what());
+      fail(**message, error.what());
     }
     searching_ = false;
   }
 }
 
-void SearchWorker::search(const sensor_msgs::Image& image) {
+void SearchWorker::search(const sensor_msgs::Image& message) {
   const unsigned era = era_;
   if (std::exchange(pipeline_era_, era) != era) tools_.pipeline.interrupt();
-  if (!admit(image.header)) return;
-  const Decoded decoded = decode_picture(image, tools_.settings.initial().pictures.white_level);
+  if (!admit(message.header)) return;
+  const Decoded decoded = decode_image(message, tools_.settings.initial().images.white_level);
   if (!decoded) return refuse(decoded.fault);
   const MatchingNodeConfig settings = tools_.settings.get();
   try {
-    request_.roi = roi_in(parse_roi(settings.search_roi), decoded.picture.size());
+    request_.roi = roi_in(parse_roi(settings.search_roi), decoded.image.size());
   } catch (const ConfigError& error) {
     return refuse(error.what());
   }
   tools_.pipeline.configure(settings);
-  const ReceivedPicture received{
-      decoded.picture, image.header,
-      tools_.camera.camera_info_for(image.header.frame_id, decoded.picture.size())};
+  const ReceivedImage received{
+      decoded.image, message.header,
+      tools_.camera.camera_info_for(message.header.frame_id, decoded.image.size())};
   const Detections detections = tools_.pipeline.process(received, request_);
-  if (era == era_) publish(detections, decoded.picture);
+  if (era == era_) publish(detections, decoded.image);
 }
 
-void SearchWorker::publish(const Detections& detections, const cv::Mat& picture) {
+void SearchWorker::publish(const Detections& detections, const cv::Mat& image) {
   const MatchingNodeConfig settings = tools_.settings.get();
-  const double latency = tools_.publisher.publish(detections, picture,
-                                                  [&] { return tools_.matcher.score_map(picture); },
-                                                  {settings.publish_tf, settings.show_score_map});
+  const double latency =
+      tools_.publisher.publish(detections, image, [&] { return tools_.matcher.score_map(image); },
+                               {settings.publish_tf, settings.show_score_map});
   note_answer(detections.array.header.stamp);
   statistics_.change([&](SearchStatistics& statistics) {
     ++statistics.searched;
@@ -140,11 +140,11 @@ void SearchWorker::refuse(const std::string& fault) {
     ++statistics.refused;
     return std::exchange(statistics.last_fault, fault) != fault;
   });
-  if (news) ROS_WARN("picture refused: %s", fault.c_str());
+  if (news) ROS_WARN("image refused: %s", fault.c_str());
 }
 
-void SearchWorker::fail(const sensor_msgs::Image& image, const std::string& reason) {
-  tools_.pipeline.reset();  // the video search may have processed only a part of the picture
+void SearchWorker::fail(const sensor_msgs::Image& message, const std::string& reason) {
+  tools_.pipeline.reset();  // the video search may have processed only a part of the image
   const std::string sentence =
       "the search failed: " + reason + "; if this recurs, report it with the log";
   const bool news = statistics_.change([&sentence](SearchStatistics& statistics) {
@@ -154,8 +154,8 @@ void SearchWorker::fail(const sensor_msgs::Image& image, const std::string& reas
   });
   if (news) ROS_ERROR("%s", sentence.c_str());
   if (pipeline_era_ != era_) return;
-  tools_.publisher.publish_fault(DetectedObjectArray::SEARCH_FAILED, image.header, sentence);
-  note_answer(image.header.stamp);
+  tools_.publisher.publish_fault(DetectedObjectArray::SEARCH_FAILED, message.header, sentence);
+  note_answer(message.header.stamp);
 }
 
 void SearchWorker::note_answer(const ros::Time& stamp) {
@@ -180,11 +180,11 @@ void SearchWorker::look_for_silence(bool expected) {
 
 std::string SearchWorker::reason_of_silence() const {
   if (searching_)
-    return "no picture was searched within stale_after; search fewer objects, or raise stale_after";
+    return "no image was searched within stale_after; search fewer objects, or raise stale_after";
   const std::string fault = statistics_.get().last_fault;
-  if (tools_.camera.publishers() > 0 && !fault.empty()) return "no usable picture: " + fault;
+  if (tools_.camera.publishers() > 0 && !fault.empty()) return "no usable image: " + fault;
   const std::string stream = tools_.camera.fault();
-  return stream.empty() ? kPicturesStopped : stream;
+  return stream.empty() ? kImagesStopped : stream;
 }
 
 }  // namespace mbncc::nodelets

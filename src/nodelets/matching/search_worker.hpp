@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Searches the picture stream on a separate thread: the newest picture, each once, none too old.
+// Searches the image stream on a separate thread: the newest image, each once, none too old.
 #pragma once
 
 #include <ros/time.h>
@@ -25,7 +25,7 @@ namespace mbncc::nodelets {
 struct SearchTools {
   const LiveSettings& settings;
   const LiveMatcher& matcher;
-  PictureSearch& pipeline;
+  ImageSearch& pipeline;
   const CameraInput& camera;
   DetectionPublisher& publisher;
 };
@@ -35,27 +35,27 @@ class SearchWorker {
   explicit SearchWorker(const SearchTools& tools);
   ~SearchWorker();
 
-  /// Passes a picture on; never blocks, a newer one replaces an older one.
-  void put(const sensor_msgs::ImageConstPtr& image);
+  /// Passes an image on; never blocks, a newer one replaces an older one.
+  void put(const sensor_msgs::ImageConstPtr& message);
 
-  /// Called periodically: publishes STALE if expected pictures do not arrive.
+  /// Called periodically: publishes STALE if expected images do not arrive.
   void look_for_silence(bool expected);
 
-  /// Invalidates earlier detections and pictures that are not published yet. The time without
-  /// pictures counts from now.
+  /// Invalidates earlier detections and images that are not published yet. The time without
+  /// images counts from now.
   void begin_anew();
 
   SearchStatistics statistics() const { return statistics_.get(); }
 
  private:
   void work();
-  void search(const sensor_msgs::Image& image);
-  void publish(const Detections& detections, const cv::Mat& picture);
+  void search(const sensor_msgs::Image& message);
+  void publish(const Detections& detections, const cv::Mat& image);
   bool admit(const std_msgs::Header& header);
   void start_over();
   void refuse(const std::string& fault);
   void note_answer(const ros::Time& stamp);
-  void fail(const sensor_msgs::Image& image, const std::string& reason);
+  void fail(const sensor_msgs::Image& message, const std::string& reason);
   std::string reason_of_silence() const;
 
   const SearchTools tools_;
@@ -68,7 +68,7 @@ class SearchWorker {
   unsigned pipeline_era_ = 0;
   SearchRequest request_;
   StampGate gate_;
-  RateLimit rate_;  // of pictures with a published message
+  RateLimit rate_;  // of images with a published message
   std::thread worker_;
 };
 

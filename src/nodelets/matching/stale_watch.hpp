@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Detects that pictures have stopped, by the steady clock because a simulated one may stop.
+// Detects that images have stopped, by the steady clock because a simulated one may stop.
 #pragma once
 
 #include <chrono>
@@ -11,7 +11,7 @@ class StaleWatch {
  public:
   using Clock = std::chrono::steady_clock;
 
-  /// Reports `stale_after` [s] without pictures, and repeats it every second; the time counts from
+  /// Reports `stale_after` [s] without images, and repeats it every second; the time counts from
   /// now.
   explicit StaleWatch(double stale_after) : stale_after_(stale_after) { restart(); }
 

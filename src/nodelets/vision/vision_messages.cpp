@@ -43,7 +43,7 @@ Point turned(double x, double y, double theta) {
   return {c * x - s * y, s * x + c * y};
 }
 
-vision_msgs::BoundingBox2D box_in_picture(const DetectedObject& object) {
+vision_msgs::BoundingBox2D box_in_image(const DetectedObject& object) {
   const auto& pose = object.image_pose;
   std::vector<Point> outline;
   for (const auto& corner : object.outline.points)
@@ -128,7 +128,7 @@ vision_msgs::Detection2DArray to_detections_2d(const DetectedObjectArray& detect
   return array_of<vision_msgs::Detection2DArray>(
       detections.header, confirmed(detections), ids,
       [&](vision_msgs::Detection2D& detection, const DetectedObject& object) {
-        detection.bbox = box_in_picture(object);
+        detection.bbox = box_in_image(object);
         if (is_reliable(detections) && object.pose_valid) detection.results[0].pose = object.pose;
       });
 }

@@ -10,7 +10,7 @@ namespace {
 
 using Step = Demonstration::Step;
 
-/// Still pictures of a small cell.
+/// Still images of a small cell.
 class DemonstrationTest : public testing::Test {
  protected:
   static sim::SceneConfig scene_config() {
@@ -61,7 +61,7 @@ TEST_F(DemonstrationTest, WhatWasPutDownBelongsToTheSceneBefore) {
   EXPECT_EQ(demonstration.after().number, 3u);
 }
 
-TEST_F(DemonstrationTest, AGivenPictureBeforeStays) {
+TEST_F(DemonstrationTest, AGivenImageBeforeStays) {
   Demonstration demonstration(scene_.render({part_}, 77));
   EXPECT_EQ(demonstration.look(shot({part_})), Step::kWaitRemoval);
   EXPECT_EQ(demonstration.look(shot({})), Step::kReady);
@@ -79,11 +79,11 @@ TEST_F(DemonstrationTest, AHandThatWasThereAtTheStartAndLeftIsNoObject) {
   EXPECT_EQ(demonstration.before().number, 2u);
 }
 
-TEST_F(DemonstrationTest, AnotherLightTakesThePictureAnew) {
+TEST_F(DemonstrationTest, AnotherLightTakesTheImageAnew) {
   Demonstration demonstration;
   demonstration.look(shot({part_}));
   StillShot dim = shot({part_});
-  dim.picture *= 0.5;
+  dim.image *= 0.5;
   EXPECT_EQ(demonstration.look(dim), Step::kWaitRemoval);
   EXPECT_EQ(demonstration.anew(), Demonstration::Anew::kLight);
   EXPECT_EQ(demonstration.before().number, 2u);
@@ -94,28 +94,28 @@ TEST_F(DemonstrationTest, LightThatChangesInAStillPeriodIsNoticed) {
   const StillShot first = shot({part_});
   demonstration.look(first);
   StillShot dim = first;
-  dim.picture = cv::Mat(0.5 * first.picture);  // beside it, not in its place
+  dim.image = cv::Mat(0.5 * first.image);  // beside it, not in its place
   dim.stamp += 2;
   EXPECT_EQ(demonstration.look(dim), Step::kWaitRemoval);
   EXPECT_EQ(demonstration.anew(), Demonstration::Anew::kLight);
 }
 
-TEST_F(DemonstrationTest, AnotherSceneTakesThePictureAnew) {
+TEST_F(DemonstrationTest, AnotherSceneTakesTheImageAnew) {
   Demonstration demonstration;
   demonstration.look(shot({part_}));
   StillShot other = shot({part_});
-  cv::randu(other.picture, 0, 255);
+  cv::randu(other.image, 0, 255);
   EXPECT_EQ(demonstration.look(other), Step::kWaitRemoval);
   EXPECT_EQ(demonstration.anew(), Demonstration::Anew::kEverything);
   EXPECT_EQ(demonstration.look(shot({part_})), Step::kWaitRemoval);
   EXPECT_EQ(demonstration.look(shot({})), Step::kReady);
 }
 
-TEST_F(DemonstrationTest, PicturesOfAnotherSizeDoNotCount) {
+TEST_F(DemonstrationTest, ImagesOfAnotherSizeDoNotCount) {
   Demonstration demonstration;
   demonstration.look(shot({part_}));
   StillShot other = shot({});
-  other.picture = other.picture(cv::Rect(0, 0, 100, 100));
+  other.image = other.image(cv::Rect(0, 0, 100, 100));
   EXPECT_EQ(demonstration.look(other), Step::kWaitRemoval);
 }
 

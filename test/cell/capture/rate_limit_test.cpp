@@ -6,7 +6,7 @@
 namespace mbncc {
 namespace {
 
-/// Pictures that pass in 100 s, which come at `camera` [Hz], each early or late by up to `jitter`
+/// Images that pass in 100 s, which come at `camera` [Hz], each early or late by up to `jitter`
 /// of a period.
 int passed(double camera, double limit, double jitter = 0) {
   RateLimit rate;

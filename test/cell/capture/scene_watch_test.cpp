@@ -11,16 +11,16 @@ namespace {
 
 constexpr double kFrameTime = 0.1;  // [s]
 
-/// A small simulated cell whose pictures a watch sees.
+/// A small simulated cell whose images a watch sees.
 class Cell {
  public:
   explicit Cell(double noise = 3) : scene_(scene_config(noise)), script_(script_config()) {}
 
-  /// Shows the next `count` pictures of the script.
+  /// Shows the next `count` images of the script.
   void show(int count, std::optional<double> gain = {}) {
     for (int i = 0; i < count; ++i) {
       const sim::CellFrame frame = script_.frame();
-      show_picture(scene_.render(frame.placed, frames_, frame.arm) * gain.value_or(1));
+      show_image(scene_.render(frame.placed, frames_, frame.arm) * gain.value_or(1));
       script_.step();
     }
   }
@@ -33,15 +33,15 @@ class Cell {
   /// Shows the resting cell with an arm that reaches over it.
   void show_arm(int count, cv::Point2d grip) {
     for (int i = 0; i < count; ++i)
-      show_picture(
+      show_image(
           scene_.render(script_.frame().placed, frames_, sim::Arm{{grip.x, grip.y, -kPi / 2}}));
   }
 
-  void show_picture(const cv::Mat& picture) {
-    watch.update(1000 + kFrameTime * static_cast<double>(frames_++), picture);
+  void show_image(const cv::Mat& image) {
+    watch.update(1000 + kFrameTime * static_cast<double>(frames_++), image);
   }
 
-  cv::Mat picture_at_rest() const { return scene_.render(script_.frame().placed, 12345); }
+  cv::Mat image_at_rest() const { return scene_.render(script_.frame().placed, 12345); }
 
   SceneWatch watch{0.5};
   sim::CellScript& script() { return script_; }
@@ -77,14 +77,14 @@ TEST(SceneWatch, BecomesStillAfterTheStillTime) {
   EXPECT_FALSE(cell.watch.before_change());
 }
 
-// The motion that comes next may have begun in the newest pictures.
-TEST(SceneWatch, WhatIsHandedOverIsNeverOfTheNewestPictures) {
+// The motion that comes next may have begun in the newest images.
+TEST(SceneWatch, WhatIsHandedOverIsNeverOfTheNewestImages) {
   constexpr double kStill = 1;
   SceneWatch watch(kStill);
-  const cv::Mat picture(60, 80, CV_8UC3, cv::Scalar::all(100));
+  const cv::Mat image(60, 80, CV_8UC3, cv::Scalar::all(100));
   double first = 0;
   for (double stamp = 10; stamp < 16; stamp += 0.1) {
-    watch.update(stamp, picture);
+    watch.update(stamp, image);
     if (!watch.still()) continue;
     if (first == 0) first = stamp;
     EXPECT_LE(watch.still()->stamp, std::max(first, stamp - kStill / 2) + 1e-9) << stamp;
@@ -102,7 +102,7 @@ TEST(SceneWatch, StaysStillUnderNoiseAndFlicker) {
 TEST(SceneWatch, HandsOverBeforeAndAfter) {
   Cell cell;
   cell.show(10);
-  const cv::Mat before_truth = cell.picture_at_rest();
+  const cv::Mat before_truth = cell.image_at_rest();
   ASSERT_TRUE(cell.script().take_away());
   cell.show(6);
   EXPECT_FALSE(cell.watch.still());
@@ -113,21 +113,21 @@ TEST(SceneWatch, HandsOverBeforeAndAfter) {
   const auto before = cell.watch.before_change();
   ASSERT_TRUE(before);
   EXPECT_LT(before->number, cell.watch.still()->number);
-  EXPECT_EQ(scene_change(before->picture, before_truth), SceneChange::kNone);
-  EXPECT_EQ(scene_change(cell.watch.still()->picture, cell.picture_at_rest()), SceneChange::kNone);
-  EXPECT_EQ(scene_change(before->picture, cell.watch.still()->picture), SceneChange::kInside);
+  EXPECT_EQ(scene_change(before->image, before_truth), SceneChange::kNone);
+  EXPECT_EQ(scene_change(cell.watch.still()->image, cell.image_at_rest()), SceneChange::kNone);
+  EXPECT_EQ(scene_change(before->image, cell.watch.still()->image), SceneChange::kInside);
 }
 
-TEST(SceneWatch, StillPicturesShowNothingOfTheMotion) {
+TEST(SceneWatch, StillImagesShowNothingOfTheMotion) {
   for (std::uint64_t start = 0; start < 5; ++start) {
     Cell cell(0);
     cell.show(10 + static_cast<int>(start));
-    const cv::Mat truth = cell.picture_at_rest();
+    const cv::Mat truth = cell.image_at_rest();
     ASSERT_TRUE(cell.script().take_away());
     cell.show_motion();
     cell.show(10);
     ASSERT_TRUE(cell.watch.before_change());
-    EXPECT_EQ(cv::norm(cell.watch.before_change()->picture, truth, cv::NORM_INF), 0);
+    EXPECT_EQ(cv::norm(cell.watch.before_change()->image, truth, cv::NORM_INF), 0);
   }
 }
 
@@ -147,18 +147,18 @@ TEST(SceneWatch, ArmThatComesAndGoesIsNoChange) {
 TEST(SceneWatch, PausingArmIsToldByTheBorder) {
   Cell cell;
   cell.show(10);
-  const cv::Mat before = cell.watch.still()->picture;
+  const cv::Mat before = cell.watch.still()->image;
   for (int y = 300; y > 100; y -= 40) cell.show_arm(1, {160.0, double(y)});
   cell.show_arm(10, {160.0, 100.0});
   ASSERT_TRUE(cell.watch.still()) << "the arm pauses";
-  EXPECT_EQ(scene_change(before, cell.watch.still()->picture), SceneChange::kAtBorder);
+  EXPECT_EQ(scene_change(before, cell.watch.still()->image), SceneChange::kAtBorder);
   EXPECT_FALSE(cell.watch.before_change());
 }
 
 TEST(SceneWatch, BeforeChangeSkipsThePausingArm) {
   Cell cell;
   cell.show(10);
-  const cv::Mat truth = cell.picture_at_rest();
+  const cv::Mat truth = cell.image_at_rest();
   for (int y = 300; y > 100; y -= 40) cell.show_arm(1, {160.0, double(y)});
   cell.show_arm(10, {160.0, 100.0});
   ASSERT_TRUE(cell.watch.still());
@@ -166,7 +166,7 @@ TEST(SceneWatch, BeforeChangeSkipsThePausingArm) {
   cell.show_motion();
   cell.show(10);
   ASSERT_TRUE(cell.watch.before_change());
-  EXPECT_EQ(scene_change(cell.watch.before_change()->picture, truth), SceneChange::kNone);
+  EXPECT_EQ(scene_change(cell.watch.before_change()->image, truth), SceneChange::kNone);
 }
 
 TEST(SceneWatch, SlowMotionAddsUp) {
@@ -181,17 +181,17 @@ TEST(SceneWatch, ClockJumpAndNewSizeStartAnew) {
   Cell cell;
   cell.show(10);
   ASSERT_TRUE(cell.watch.still());
-  cell.watch.update(5, cell.picture_at_rest());
+  cell.watch.update(5, cell.image_at_rest());
   EXPECT_FALSE(cell.watch.still());
-  cell.watch.update(6, cell.picture_at_rest());
+  cell.watch.update(6, cell.image_at_rest());
   ASSERT_TRUE(cell.watch.still());
   EXPECT_EQ(cell.watch.still()->number, 2u) << "numbers go on";
   EXPECT_FALSE(cell.watch.before_change());
-  cell.watch.update(7, cell.picture_at_rest()(cv::Rect(0, 0, 300, 200)));
+  cell.watch.update(7, cell.image_at_rest()(cv::Rect(0, 0, 300, 200)));
   EXPECT_FALSE(cell.watch.still());
 }
 
-TEST(SceneWatch, LargePicturesAreWatchedAsSmallOnes) {
+TEST(SceneWatch, LargeImagesAreWatchedAsSmallOnes) {
   const cv::Size size(2592, 1944);
   cv::Mat before(size, CV_8UC3), after;
   cv::theRNG().state = 3;
@@ -200,20 +200,20 @@ TEST(SceneWatch, LargePicturesAreWatchedAsSmallOnes) {
   after(cv::Rect(1200, 900, 300, 300)).setTo(cv::Scalar(40, 160, 200));
   SceneWatch watch(0.3);
   double now = 1000;
-  const auto show = [&](const cv::Mat& picture) {
-    for (int i = 0; i < 6; ++i) watch.update(now += kFrameTime, picture);
+  const auto show = [&](const cv::Mat& image) {
+    for (int i = 0; i < 6; ++i) watch.update(now += kFrameTime, image);
   };
   show(before);
   ASSERT_TRUE(watch.still());
-  EXPECT_EQ(watch.still()->picture.size(), size);
+  EXPECT_EQ(watch.still()->image.size(), size);
   show(after);
   ASSERT_TRUE(watch.still());
   EXPECT_EQ(watch.still()->number, 2u) << "the change was seen";
   ASSERT_TRUE(watch.before_change());
-  EXPECT_EQ(cv::norm(watch.before_change()->picture, before, cv::NORM_INF), 0);
+  EXPECT_EQ(cv::norm(watch.before_change()->image, before, cv::NORM_INF), 0);
 }
 
-TEST(SceneWatch, RefusesUnusablePictures) {
+TEST(SceneWatch, RefusesUnusableImages) {
   SceneWatch watch;
   EXPECT_THROW(watch.update(1, cv::Mat()), std::invalid_argument);
   EXPECT_THROW(watch.update(1, cv::Mat(10, 10, CV_8UC1)), std::invalid_argument);

@@ -40,7 +40,7 @@ TEST_F(SecondLook, LightThatDriftsMakesNoDifference) {
   EXPECT_LT(part_put_down(scene_.true_map(shown_), before_, darker), 0.15);
 }
 
-TEST_F(SecondLook, RefusesPicturesOfOtherKinds) {
+TEST_F(SecondLook, RefusesImagesOfOtherKinds) {
   EXPECT_THROW(part_put_down(scene_.true_map(shown_), before_, cv::Mat()), std::invalid_argument);
 }
 

@@ -11,13 +11,13 @@ namespace {
 
 using Verdict = StampGate::Verdict;
 
-TEST(StampGate, PassesPicturesInOrder) {
+TEST(StampGate, PassesImagesInOrder) {
   StampGate gate(0.5, 0.1);
   for (double stamp = 100; stamp < 102; stamp += 0.033)
     EXPECT_EQ(gate.judge(stamp, stamp + 0.02), Verdict::kFresh);
 }
 
-TEST(StampGate, DropsRepeatedAndOvertakenPictures) {
+TEST(StampGate, DropsRepeatedAndOvertakenImages) {
   StampGate gate(0.5, 0.1);
   EXPECT_EQ(gate.judge(100, 100), Verdict::kFresh);
   EXPECT_EQ(gate.judge(100, 100.01), Verdict::kRepeated);
@@ -25,7 +25,7 @@ TEST(StampGate, DropsRepeatedAndOvertakenPictures) {
   EXPECT_EQ(gate.judge(100.03, 100.03), Verdict::kFresh);
 }
 
-TEST(StampGate, DropsOldPicturesAndThoseFromTheFuture) {
+TEST(StampGate, DropsOldImagesAndThoseFromTheFuture) {
   StampGate gate(0.5, 0.1);
   EXPECT_EQ(gate.judge(99.4, 100), Verdict::kLate);
   EXPECT_EQ(gate.judge(99.6, 100), Verdict::kFresh);
@@ -40,7 +40,7 @@ TEST(StampGate, TellsOnceThatTheClockJumpedBack) {
   EXPECT_EQ(gate.judge(90.1, 90.1), Verdict::kFresh);
 }
 
-TEST(StampGate, TellsOfTheJumpOnTheFirstUsablePicture) {
+TEST(StampGate, TellsOfTheJumpOnTheFirstUsableImage) {
   StampGate gate(0.5, 0.1);
   EXPECT_EQ(gate.judge(100, 100), Verdict::kFresh);
   EXPECT_EQ(gate.judge(100, 90), Verdict::kAhead);
@@ -61,7 +61,7 @@ TEST(StampGate, EveryVerdictHasAWordOfItsOwn) {
   EXPECT_EQ(words.size(), 5u);
 }
 
-TEST(StampGate, DropsAnUnstampedPicture) {
+TEST(StampGate, DropsAnUnstampedImage) {
   StampGate gate(0.5, 0.1);
   EXPECT_EQ(gate.judge(0, 100), Verdict::kLate);
   StampGate start(0.5, 0.1);

@@ -9,27 +9,27 @@ namespace mbncc {
 namespace {
 
 cv::Mat platform() {
-  cv::Mat coarse(30, 40, CV_8UC3), picture;
+  cv::Mat coarse(30, 40, CV_8UC3), image;
   cv::RNG random(5);
   random.fill(coarse, cv::RNG::UNIFORM, 60, 200);
-  cv::resize(coarse, picture, {320, 240}, 0, 0, cv::INTER_CUBIC);
-  return picture;
+  cv::resize(coarse, image, {320, 240}, 0, 0, cv::INTER_CUBIC);
+  return image;
 }
 
 class ChangeMapTest : public ::testing::Test {
  protected:
-  void show(const cv::Mat& picture) {
-    cv::Mat noise(picture.size(), CV_16SC3), noisy;
+  void show(const cv::Mat& image) {
+    cv::Mat noise(image.size(), CV_16SC3), noisy;
     random_.fill(noise, cv::RNG::NORMAL, 0, 3);
-    picture.convertTo(noisy, CV_16S);
+    image.convertTo(noisy, CV_16S);
     cv::Mat(noisy + noise).convertTo(noisy, CV_8U);
     map_.update(stamp_ += 1. / 30, noisy);
   }
 
   static cv::Mat with_patch(const cv::Rect& patch) {
-    cv::Mat picture = platform();
-    picture(patch) = cv::Scalar(20, 30, 40);
-    return picture;
+    cv::Mat image = platform();
+    image(patch) = cv::Scalar(20, 30, 40);
+    return image;
   }
 
   bool is_calm() const { return !map_.touches({0, 0, 320, 240}) && map_.settled().empty(); }
@@ -53,7 +53,7 @@ TEST_F(ChangeMapTest, FlickerIsNoChange) {
   }
 }
 
-TEST_F(ChangeMapTest, LightThatDriftsSlowlyAcrossThePictureIsNoChange) {
+TEST_F(ChangeMapTest, LightThatDriftsSlowlyAcrossTheImageIsNoChange) {
   cv::Mat ramp(240, 320, CV_32FC3);
   for (int x = 0; x < 320; ++x) ramp.col(x).setTo(cv::Scalar::all((x - 160) / 160.));
   for (int i = 0; i < 200; ++i) {
@@ -122,7 +122,7 @@ TEST_F(ChangeMapTest, AnotherSizeBeginsAnew) {
   EXPECT_FALSE(map_.touches({0, 0, 160, 120}));
 }
 
-TEST_F(ChangeMapTest, GreyPicturesServeToo) {
+TEST_F(ChangeMapTest, GreyImagesServeToo) {
   cv::Mat grey;
   cv::cvtColor(platform(), grey, cv::COLOR_BGR2GRAY);
   map_.update(stamp_ += 1, grey);
@@ -131,7 +131,7 @@ TEST_F(ChangeMapTest, GreyPicturesServeToo) {
   EXPECT_TRUE(map_.touches({40, 40, 60, 60}));
 }
 
-TEST_F(ChangeMapTest, RefusesWhatIsNoPicture) {
+TEST_F(ChangeMapTest, RefusesWhatIsNoImage) {
   EXPECT_THROW(map_.update(0, {}), std::invalid_argument);
   EXPECT_THROW(map_.update(0, cv::Mat(10, 10, CV_32FC1)), std::invalid_argument);
 }

@@ -140,7 +140,7 @@ TEST_F(KnownInstancesTest, OfTwoAtOnePlaceTheBetterStaysAndKnowsTheOther) {
   EXPECT_EQ(known_.admit(weaker, kReach), nullptr);
 }
 
-TEST_F(KnownInstancesTest, OneOfAnEarlierPictureIsReplacedWithoutAComparison) {
+TEST_F(KnownInstancesTest, OneOfAnEarlierImageIsReplacedWithoutAComparison) {
   Known earlier = known_at(102, "other", 10);
   earlier.match.score = 0.8;
   earlier.match.fresh = false;

@@ -10,11 +10,11 @@
 namespace mbncc {
 namespace {
 
-TEST_F(VideoSearchTest, FirstPictureIsSearchedAsAnyOther) {
+TEST_F(VideoSearchTest, FirstImageIsSearchedAsAnyOther) {
   put(0, kLeft);
   put(1, kRight);
   const SearchResult result = show();
-  const SearchResult plain = matcher_.find(picture_);
+  const SearchResult plain = matcher_.find(image_);
   ASSERT_EQ(result.matches.size(), plain.matches.size());
   for (std::size_t i = 0; i < plain.matches.size(); ++i) {
     EXPECT_EQ(result.matches[i].name, plain.matches[i].name);
@@ -54,7 +54,7 @@ TEST_F(VideoSearchTest, EveryObjectIsSweptInTime) {
   EXPECT_GE(fresh[1], 1);
 }
 
-TEST_F(VideoSearchTest, MovingObjectIsFoundInEveryPicture) {
+TEST_F(VideoSearchTest, MovingObjectIsFoundInEveryImage) {
   put(0, kLeft);
   put(1, kRight);
   show_many(5);
@@ -112,7 +112,7 @@ TEST_F(VideoSearchTest, AnObjectIsFoundWhoseReferencePointLiesBesideIt) {
   EXPECT_TRUE(found);
 }
 
-TEST_F(VideoSearchTest, ObjectTakenAwayIsGoneInTheSamePicture) {
+TEST_F(VideoSearchTest, ObjectTakenAwayIsGoneInTheSameImage) {
   put(0, kLeft);
   put(1, kRight);
   show_many(5);
@@ -145,7 +145,7 @@ TEST_F(VideoSearchTest, PushedCameraIsSearchedAnew) {
   put(0, kLeft);
   put(1, kRight);
   show_many(5);
-  const cv::Mat still = picture_;
+  const cv::Mat still = image_;
   cv::Mat pushed;
   cv::warpAffine(still, pushed, cv::Matx23d(1, 0, 13, 0, 1, 8), kSize, cv::INTER_LINEAR,
                  cv::BORDER_REPLICATE);

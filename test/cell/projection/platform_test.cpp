@@ -85,7 +85,7 @@ TEST(Platform, PointsLieOnTheTiltedPlane) {
   EXPECT_NEAR((pose->position - origin).dot(up), 0.05, 1e-12);
 }
 
-TEST(Platform, RotationIsProperAndFollowsTheDirectionInThePicture) {
+TEST(Platform, RotationIsProperAndFollowsTheDirectionInTheImage) {
   const Pose2D seen{420, 77, 1.2};
   const auto pose = tilted(0.3).lift(seen, kCovariance, 0);
   ASSERT_TRUE(pose);
@@ -183,8 +183,8 @@ TEST(Platform, WhatNoLensHasIsNamed) {
   EXPECT_EQ(fault(0, 0, 600), "");
   EXPECT_EQ(fault(0, 0, 1000), "");
   EXPECT_NE(fault(0, 0, 1300), "") << "twice the other";
-  EXPECT_NE(fault(1, 1, 63), "") << "a tenth of the picture";
-  EXPECT_NE(fault(1, 1, 64001), "") << "a hundred pictures";
+  EXPECT_NE(fault(1, 1, 63), "") << "a tenth of the image";
+  EXPECT_NE(fault(1, 1, 64001), "") << "a hundred images";
   EXPECT_EQ(fault(0, 2, -320), "");
   EXPECT_EQ(fault(0, 2, 960), "");
   for (const double beside : {-321., 961., 1e9}) EXPECT_NE(fault(0, 2, beside), "") << beside;

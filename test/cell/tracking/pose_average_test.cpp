@@ -25,7 +25,7 @@ Pose2D noisy(const Pose2D& pose, cv::RNG& random) {
           wrap_angle(pose.theta + random.gaussian(kSigmaAngle))};
 }
 
-/// The tracked instance after one more picture with this pose.
+/// The tracked instance after one more image with this pose.
 Match averaged(PoseAverage& average, const Pose2D& pose, std::uint32_t id = 1) {
   std::vector<TrackedMatch> matches{seen(id, pose)};
   average.apply(matches);
@@ -35,12 +35,12 @@ Match averaged(PoseAverage& average, const Pose2D& pose, std::uint32_t id = 1) {
 TEST(PoseAverage, NormalisedErrorOfStillInstancesIsAboutOne) {
   cv::RNG random(7);
   double sum = 0, error = 0;
-  constexpr int kTrials = 400, kPictures = 10;
+  constexpr int kTrials = 400, kImages = 10;
   for (int trial = 0; trial < kTrials; ++trial) {
-    PoseAverage average(kPictures);
+    PoseAverage average(kImages);
     const Pose2D truth{100, 50, kPi - 0.001};
     Match last;
-    for (int i = 0; i < kPictures; ++i) last = averaged(average, noisy(truth, random));
+    for (int i = 0; i < kImages; ++i) last = averaged(average, noisy(truth, random));
     sum += std::pow(last.pose.x - truth.x, 2) / last.covariance(0, 0);
     error += std::pow(last.pose.x - truth.x, 2);
     EXPECT_LT(angle_distance(last.pose.theta, truth.theta), 5 * kSigmaAngle);
@@ -49,7 +49,7 @@ TEST(PoseAverage, NormalisedErrorOfStillInstancesIsAboutOne) {
   EXPECT_LT(std::sqrt(error / kTrials), 0.6 * kSigma);
 }
 
-TEST(PoseAverage, WhatAllPicturesShareStaysInTheCovariance) {
+TEST(PoseAverage, WhatAllImagesShareStaysInTheCovariance) {
   PoseAverage average(10);
   Match last;
   for (int i = 0; i < 10; ++i) last = averaged(average, {100, 50, 1});
@@ -69,7 +69,7 @@ TEST(PoseAverage, AMovingInstanceDoesNotLagBehind) {
   }
 }
 
-// So slow that no picture jumps: a mean of ten would lie half of their way behind.
+// So slow that no image jumps: a mean of ten would lie half of their way behind.
 TEST(PoseAverage, ACreepingInstanceDoesNotLagBehind) {
   PoseAverage average(10);
   for (int i = 0; i < 40; ++i)
@@ -88,7 +88,7 @@ TEST(PoseAverage, AnotherAngleBeginsAnewHoweverLittleIsClaimed) {
   EXPECT_NEAR(last.pose.theta, to_radians(20), 1e-12);
 }
 
-TEST(PoseAverage, WhatWasNotFoundInThisPictureAddsNothing) {
+TEST(PoseAverage, WhatWasNotFoundInThisImageAddsNothing) {
   PoseAverage average(10);
   averaged(average, {10, 20, 0});
   averaged(average, {10.2, 20, 0});
@@ -131,7 +131,7 @@ TEST(PoseAverage, HeldInstancesKeepTheirMeanAndMissingOnesAreForgotten) {
   EXPECT_DOUBLE_EQ(averaged(average, {10.2, 20, 0}).pose.x, 10.2);
 }
 
-TEST(PoseAverage, OnePictureIsItself) {
+TEST(PoseAverage, OneImageIsItself) {
   PoseAverage average(1);
   averaged(average, {10, 20, 0});
   EXPECT_DOUBLE_EQ(averaged(average, {10.1, 20, 0}).pose.x, 10.1);

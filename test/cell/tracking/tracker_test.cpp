@@ -120,14 +120,14 @@ TEST(InstanceTracker, IdsAreNeverUsedAgain) {
   }
 }
 
-/// Two equal objects that pass each other again and again, one's width apart, at 5 px a picture.
+/// Two equal objects that pass each other again and again, one's width apart, at 5 px an image.
 class Passing {
  public:
   explicit Passing(std::uint64_t seed) : random_(seed) {}
 
-  /// Pictures are dropped as a whole, or one object is missed, in a fifth of the cases.
-  void run(int pictures, bool whole) {
-    for (int i = 0; i < pictures; ++i) {
+  /// Images are dropped as a whole, or one object is missed, in a fifth of the cases.
+  void run(int images, bool whole) {
+    for (int i = 0; i < images; ++i) {
       const double way = 5 * std::abs((i % 120) - 60);  // there and back
       std::vector<Match> matches;
       std::vector<int> objects;

@@ -7,7 +7,7 @@
 #include <opencv2/imgproc.hpp>
 
 #include "console/calibration/board_calibration.hpp"
-#include "console/calibration/picture_check.hpp"
+#include "console/calibration/image_check.hpp"
 
 namespace mbncc::console {
 namespace {
@@ -15,11 +15,11 @@ namespace {
 using Seen = BoardCalibration::Seen;
 
 const Board kBoard{7, 5, 0.03};
-const cv::Size kPicture(640, 480);
+const cv::Size kImage(640, 480);
 const cv::Matx33d kMatrix(600, 0, 315, 0, 600, 245, 0, 0, 1);
 
 cv::Mat board_at(const cv::Vec3d& turn, const cv::Vec3d& place) {
-  cv::Mat picture(kPicture, CV_8UC3, cv::Scalar::all(200));
+  cv::Mat image(kImage, CV_8UC3, cv::Scalar::all(200));
   for (int row = -1; row < kBoard.rows; ++row)
     for (int column = -1; column < kBoard.columns; ++column) {
       if ((row + column) % 2 == 0) continue;
@@ -31,13 +31,13 @@ cv::Mat board_at(const cv::Vec3d& turn, const cv::Vec3d& place) {
       std::vector<cv::Point> fixed;
       for (const auto& point : seen)
         fixed.emplace_back(cvRound(point.x * 256), cvRound(point.y * 256));
-      cv::fillConvexPoly(picture, fixed, cv::Scalar::all(20), cv::LINE_AA, 8);
+      cv::fillConvexPoly(image, fixed, cv::Scalar::all(20), cv::LINE_AA, 8);
     }
-  return picture;
+  return image;
 }
 
 TEST(BoardCalibration, FindsTheCameraThatDrewTheBoards) {
-  BoardCalibration calibration(kBoard, kPicture);
+  BoardCalibration calibration(kBoard, kImage);
   int taken = 0;
   for (int i = 0; i < 12; ++i) {
     const cv::Vec3d turn(0.4 * ((i % 3) - 1), 0.4 * ((i / 3) % 3 - 1), 0.1 * i);
@@ -56,7 +56,7 @@ TEST(BoardCalibration, FindsTheCameraThatDrewTheBoards) {
 }
 
 TEST(BoardCalibration, TellsWhereTheBoardsWere) {
-  BoardCalibration calibration(kBoard, kPicture);
+  BoardCalibration calibration(kBoard, kImage);
   EXPECT_TRUE(calibration.outlines().empty());
   EXPECT_TRUE(calibration.outline().empty());
   ASSERT_EQ(calibration.take(board_at({0, 0, 0}, {-0.2, -0.15, 0.8})), Seen::kTaken);
@@ -67,25 +67,25 @@ TEST(BoardCalibration, TellsWhereTheBoardsWere) {
   // Around the board, not across it.
   EXPECT_NEAR(cv::norm(outline[1] - outline[0]), cv::norm(outline[2] - outline[3]), 2);
   EXPECT_EQ(static_cast<int>(calibration.fields().size()), calibration.covered());
-  EXPECT_EQ(calibration.fields().count(0), 0u) << "the corner of the picture";
+  EXPECT_EQ(calibration.fields().count(0), 0u) << "the corner of the image";
 }
 
-TEST(BoardCalibration, TheSamePictureIsTakenOnce) {
-  BoardCalibration calibration(kBoard, kPicture);
-  const cv::Mat picture = board_at({0.2, 0.1, 0}, {-0.09, -0.06, 0.6});
-  EXPECT_EQ(calibration.take(picture), Seen::kTaken);
-  EXPECT_EQ(calibration.take(picture), Seen::kKnown);
+TEST(BoardCalibration, TheSameImageIsTakenOnce) {
+  BoardCalibration calibration(kBoard, kImage);
+  const cv::Mat image = board_at({0.2, 0.1, 0}, {-0.09, -0.06, 0.6});
+  EXPECT_EQ(calibration.take(image), Seen::kTaken);
+  EXPECT_EQ(calibration.take(image), Seen::kKnown);
   EXPECT_EQ(calibration.views(), 1u);
   EXPECT_FALSE(calibration.suffices());
   EXPECT_NE(calibration.advice(Seen::kKnown).find("not covered yet"), std::string::npos);
 }
 
-TEST(BoardCalibration, AShrunkPictureTellsTheCamerasPixels) {
-  BoardCalibration whole(kBoard, kPicture), shrunk(kBoard, kPicture);
-  const cv::Mat picture = board_at({0.2, 0.1, 0}, {-0.09, -0.06, 0.6});
+TEST(BoardCalibration, AShrunkImageTellsTheCamerasPixels) {
+  BoardCalibration whole(kBoard, kImage), shrunk(kBoard, kImage);
+  const cv::Mat image = board_at({0.2, 0.1, 0}, {-0.09, -0.06, 0.6});
   cv::Mat half;
-  cv::resize(picture, half, {}, 0.5, 0.5, cv::INTER_AREA);
-  ASSERT_EQ(whole.take(picture), Seen::kTaken);
+  cv::resize(image, half, {}, 0.5, 0.5, cv::INTER_AREA);
+  ASSERT_EQ(whole.take(image), Seen::kTaken);
   ASSERT_EQ(shrunk.take(half), Seen::kTaken);
   // The order of the board's ends is not defined.
   EXPECT_LT(std::min(cv::norm(whole.corners().front() - shrunk.corners().front()),
@@ -94,24 +94,24 @@ TEST(BoardCalibration, AShrunkPictureTellsTheCamerasPixels) {
 }
 
 TEST(BoardCalibration, WithoutABoardNothingIsTaken) {
-  BoardCalibration calibration(kBoard, kPicture);
-  EXPECT_EQ(calibration.take(cv::Mat(kPicture, CV_8UC3, cv::Scalar::all(90))), Seen::kNothing);
+  BoardCalibration calibration(kBoard, kImage);
+  EXPECT_EQ(calibration.take(cv::Mat(kImage, CV_8UC3, cv::Scalar::all(90))), Seen::kNothing);
   EXPECT_NE(calibration.advice(Seen::kNothing).find("7 x 5"), std::string::npos);
 }
 
-TEST(PictureCheck, TellsBlurFromSharpnessAndBurntFromDark) {
+TEST(ImageCheck, TellsBlurFromSharpnessAndBurntFromDark) {
   const cv::Mat sharp = board_at({0.2, 0.1, 0}, {-0.09, -0.06, 0.6});
   cv::Mat blurred;
   cv::GaussianBlur(sharp, blurred, {}, 3);
-  PictureCheck check;
+  ImageCheck check;
   check.take(sharp);
   EXPECT_DOUBLE_EQ(check.sharpness(), 1);
   check.take(blurred);
   EXPECT_LT(check.sharpness(), 0.6);
   EXPECT_NE(check.advice().find("turn the focus ring back"), std::string::npos);
-  check.take(cv::Mat(kPicture, CV_8UC3, cv::Scalar::all(255)));
+  check.take(cv::Mat(kImage, CV_8UC3, cv::Scalar::all(255)));
   EXPECT_NE(check.advice().find("shorten the exposure"), std::string::npos);
-  check.take(cv::Mat(kPicture, CV_8UC3, cv::Scalar::all(10)));
+  check.take(cv::Mat(kImage, CV_8UC3, cv::Scalar::all(10)));
   EXPECT_NE(check.advice().find("Too dark"), std::string::npos);
 }
 

@@ -21,7 +21,7 @@ DetectedObjectArray array(std::uint8_t status, const std::string& message = "") 
 
 Lamps well(double now) {
   Lamps lamps;
-  lamps.take_picture(now);
+  lamps.take_image(now);
   lamps.take_detections(array(DetectedObjectArray::OK), now);
   lamps.take_library(2, 1);
   return lamps;
@@ -63,18 +63,18 @@ TEST(Lamps, SilenceIsNoticedWithinThreeSeconds) {
 diagnostic_msgs::DiagnosticArray complaint_of(const std::string& node, const std::string& message) {
   diagnostic_msgs::DiagnosticArray diagnostics;
   auto& status = diagnostics.status.emplace_back();
-  status.name = node + ": " + kPicturesTask;
+  status.name = node + ": " + kImagesTask;
   status.level = diagnostic_msgs::DiagnosticStatus::ERROR;
   status.message = message;
   return diagnostics;
 }
 
-TEST(Lamps, PicturesThatAreNotLiveAreTold) {
+TEST(Lamps, ImagesThatAreNotLiveAreTold) {
   Lamps lamps;
-  lamps.take_picture(10);
-  lamps.take_origin("THE SAME PICTURE");
+  lamps.take_image(10);
+  lamps.take_origin("THE SAME IMAGE");
   EXPECT_EQ(lamps.look(11)[kCamera].level, Level::kDoubtful);
-  EXPECT_EQ(lamps.look(11)[kCamera].reason, "THE SAME PICTURE");
+  EXPECT_EQ(lamps.look(11)[kCamera].reason, "THE SAME IMAGE");
   lamps.take_origin("");
   EXPECT_EQ(lamps.look(11)[kCamera].level, Level::kGood);
 }

@@ -114,11 +114,11 @@ TEST(LessonModel, AnAnswerAfterTheEndChangesNothing) {
 TEST(LessonModel, ADeadCameraIsNamedBeforeAndInALesson) {
   LessonModel lesson = ready();
   lesson.take_camera(false);
-  EXPECT_EQ(lesson.headline(), "No picture from the camera");
+  EXPECT_EQ(lesson.headline(), "No image from the camera");
   EXPECT_NE(lesson.detail().find("cable"), std::string::npos);
   lesson.begin("goal", 0);
   lesson.take_feedback(feedback(Feedback::WAIT_IMAGE), 1);
-  EXPECT_EQ(lesson.headline(), "No picture from the camera");
+  EXPECT_EQ(lesson.headline(), "No image from the camera");
   lesson.take_camera(true);
   EXPECT_EQ(lesson.headline(), "Keep the scene still");
 }

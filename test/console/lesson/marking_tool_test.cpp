@@ -6,12 +6,12 @@
 namespace mbncc::console {
 namespace {
 
-const cv::Size kPicture(640, 480);
+const cv::Size kImage(640, 480);
 
 std::optional<MarkingTool::Request> drag(MarkingTool& tool, std::vector<cv::Point2f> way) {
   tool.press(way.front());
   for (const auto& point : way) tool.move(point);
-  return tool.release(way.back(), kPicture);
+  return tool.release(way.back(), kImage);
 }
 
 TEST(MarkingTool, DrawsNothingUnlessChosen) {
@@ -51,10 +51,10 @@ TEST(MarkingTool, WhatIsBeingDrawnCanBeGivenUp) {
   tool.press({10, 10});
   tool.move({50, 50});
   EXPECT_TRUE(tool.give_up());
-  EXPECT_FALSE(tool.release({50, 50}, kPicture));
+  EXPECT_FALSE(tool.release({50, 50}, kImage));
 }
 
-TEST(MarkingTool, ARegionIsTheSameFromAnyCornerAndStaysInThePicture) {
+TEST(MarkingTool, ARegionIsTheSameFromAnyCornerAndStaysInTheImage) {
   for (const auto& way :
        std::vector<std::vector<cv::Point2f>>{{{100, 50}, {900, 200}}, {{900, 200}, {100, 50}}}) {
     MarkingTool tool;

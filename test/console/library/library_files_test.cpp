@@ -44,7 +44,7 @@ TEST_F(LibraryFiles, ReplacedRevisionsAreListedNewestFirst) {
   ASSERT_EQ(revisions.size(), 2u);
   EXPECT_EQ(revisions[0].number, 2u);
   EXPECT_EQ(revisions[1].number, 1u);
-  EXPECT_FALSE(revisions[0].picture.empty());
+  EXPECT_FALSE(revisions[0].image.empty());
 }
 
 TEST_F(LibraryFiles, DeletedObjectsAreListedOnceAsTheyWereLast) {

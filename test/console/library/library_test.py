@@ -1,6 +1,6 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""The library beside the picture: messages that go when they no longer hold, new names, objects from the trash, own thresholds.
+"""The library beside the image: messages that go when they no longer hold, new names, objects from the trash, own thresholds.
 
 usage: library_test.py SCRIPTS_FOLDER PLUGIN_FOLDER
 """
@@ -111,7 +111,7 @@ class LibraryTest(unittest.TestCase):
         self.mouse.click("library", at=FIRST)
         self.mouse.click_until("Thresholds", lambda: self.mouse.sees("confirm_score"), "it shows them")
         self.mouse.click("one object", at=(8, 8))
-        self.report.wait_until_says("'clamp' in this picture: reported 1 (now 1)")
+        self.report.wait_until_says("'clamp' in this image: reported 1 (now 1)")
 
     def set_least(self):
         self.mouse.focus_window()

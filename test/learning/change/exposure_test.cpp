@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "learning/pictures.hpp"
+#include "learning/images.hpp"
 #include "mbncc/learning/change.hpp"
 
 namespace mbncc::change {
@@ -15,7 +15,7 @@ cv::Mat platform() {
   return test::texture(kSize, cv::Scalar(105, 115, 120), 14, 1);
 }
 
-/// The platform with `gain` on the part of the picture that `quarter` is.
+/// The platform with `gain` on the part of the image that `quarter` is.
 cv::Mat lit(const cv::Rect& part, double gain) {
   cv::Mat radiance = platform();
   radiance(part) *= gain;

@@ -3,19 +3,19 @@
 
 #include <gtest/gtest.h>
 
-#include "learning/pictures.hpp"
+#include "learning/images.hpp"
 #include "mbncc/learning/learn_object.hpp"
 
 namespace mbncc::change {
 namespace {
 
-constexpr float kSigma = 2.8F;  // of the difference of two exposed() pictures
+constexpr float kSigma = 2.8F;  // of the difference of two exposed() images
 const cv::Size kSize(240, 200);
 const cv::Rect kThing(60, 60, 60, 50);
 
-cv::Mat floats(const cv::Mat& picture) {
+cv::Mat floats(const cv::Mat& image) {
   cv::Mat values;
-  picture.convertTo(values, CV_32F);
+  image.convertTo(values, CV_32F);
   return values;
 }
 

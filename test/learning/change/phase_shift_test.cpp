@@ -17,13 +17,13 @@ cv::Mat ground(const cv::Size& size) {
   return texture;
 }
 
-cv::Mat noisy(const cv::Mat& picture, int seed) {
-  cv::Mat noise(picture.size(), CV_32FC1);
+cv::Mat noisy(const cv::Mat& image, int seed) {
+  cv::Mat noise(image.size(), CV_32FC1);
   cv::RNG(seed).fill(noise, cv::RNG::NORMAL, 0, 2);
-  return picture + noise;
+  return image + noise;
 }
 
-// Of pictures whose sizes are quickly transformed, even and odd, and of others.
+// Of images whose sizes are quickly transformed, even and odd, and of others.
 TEST(PhaseShift, IsThatOfOpenCv) {
   for (const cv::Size size : {cv::Size(320, 240), cv::Size(225, 135), cv::Size(157, 211)}) {
     const cv::Mat wide = ground(size + cv::Size(20, 20));
@@ -50,10 +50,10 @@ TEST(PhaseShift, IsUndone) {
             0.3 * cv::norm(before(inner), after(inner), cv::NORM_L1));
 }
 
-TEST(PhaseShift, OfTheSamePictureIsNone) {
-  const cv::Mat picture = ground({160, 120});
-  EXPECT_LT(cv::norm(phase_shift(picture, noisy(picture, 3))), 0.05);
-  EXPECT_EQ(phase_shift(cv::Mat::zeros(picture.size(), CV_32FC1), picture), cv::Point2d());
+TEST(PhaseShift, OfTheSameImageIsNone) {
+  const cv::Mat image = ground({160, 120});
+  EXPECT_LT(cv::norm(phase_shift(image, noisy(image, 3))), 0.05);
+  EXPECT_EQ(phase_shift(cv::Mat::zeros(image.size(), CV_32FC1), image), cv::Point2d());
 }
 
 }  // namespace

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "learning/pictures.hpp"
+#include "learning/images.hpp"
 
 namespace mbncc::change {
 namespace {

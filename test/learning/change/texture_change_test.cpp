@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "learning/pictures.hpp"
+#include "learning/images.hpp"
 
 namespace mbncc::change {
 namespace {
@@ -19,10 +19,10 @@ cv::Mat grey(double brightness, double contrast, int seed = 1, double grain = 3)
   return one;
 }
 
-cv::Mat noisy(const cv::Mat& picture, double sigma, int seed) {
-  cv::Mat noise(picture.size(), CV_32FC1);
+cv::Mat noisy(const cv::Mat& image, double sigma, int seed) {
+  cv::Mat noise(image.size(), CV_32FC1);
   cv::RNG(seed).fill(noise, cv::RNG::NORMAL, 0, sigma);
-  return picture + noise;
+  return image + noise;
 }
 
 TEST(TextureChange, ContrastKnowsAGainAndNoOffset) {
@@ -51,8 +51,8 @@ TEST(TextureChange, ContrastIsNotReadNearWhite) {
   EXPECT_NEAR(texture_change(before, after, kWhite).contrast, gain, 0.05);
 }
 
-TEST(TextureChange, WhiteOfThePictureAfterIsAsBrightAsItWasMade) {
-  // Clipped in the picture after and then darkened, so that it no longer looks white.
+TEST(TextureChange, WhiteOfTheImageAfterIsAsBrightAsItWasMade) {
+  // Clipped in the image after and then darkened, so that it no longer looks white.
   const cv::Mat before = grey(170, 15);
   const cv::Mat clipped = cv::min(before * 1.4, kWhite) / 1.4;
   EXPECT_DOUBLE_EQ(texture_change(before, clipped, kWhite / 1.4).contrast, 1) << "nothing is told";
@@ -70,7 +70,7 @@ TEST(TextureChange, TextureThatMovedIsDisplaced) {
   EXPECT_GT(texture_change(grey(120, 15, 1), grey(120, 15, 2), kWhite).displaced, 0.7);
 }
 
-TEST(TextureChange, WhatStaysInOnePictureStays) {
+TEST(TextureChange, WhatStaysInOneImageStays) {
   // An object removed from a plain table takes its texture with it.
   cv::Mat after(kSize, CV_32FC1, cv::Scalar(120));
   grey(120, 15)(cv::Rect(0, 90, 160, 30)).copyTo(after(cv::Rect(0, 90, 160, 30)));

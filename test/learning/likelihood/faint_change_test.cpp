@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "learning/pictures.hpp"
+#include "learning/images.hpp"
 #include "mbncc/learning/change.hpp"
 #include "mbncc/learning/change_cut.hpp"
 
@@ -43,7 +43,7 @@ TEST(FaintChange, NoiseAndShadowsAreNone) {
   EXPECT_EQ(cv::countNonZero(faint(patch, none, 45)), 0);
 }
 
-TEST(FaintChange, NarrowOnesAndThoseOfBrightPicturesAreLeftToTheirPixels) {
+TEST(FaintChange, NarrowOnesAndThoseOfBrightImagesAreLeftToTheirPixels) {
   const cv::Mat gap = distances(kGap, 1.2F), patch = distances(kPatch, 1.2F);
   EXPECT_LT(cv::countNonZero(faint(gap, gap, 45)), 0.2 * kGap.area());
   EXPECT_EQ(cv::countNonZero(faint(patch, patch, 200)), 0);

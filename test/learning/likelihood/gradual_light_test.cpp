@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "learning/pictures.hpp"
+#include "learning/images.hpp"
 #include "mbncc/learning/change.hpp"
 #include "mbncc/learning/change_cut.hpp"
 
@@ -22,9 +22,9 @@ cv::Mat light(double part, double blur) {
   return light;
 }
 
-cv::Mat lit(const cv::Mat& picture, const cv::Mat& light) {
+cv::Mat lit(const cv::Mat& image, const cv::Mat& light) {
   cv::Mat channels[3], result;
-  cv::split(picture, channels);
+  cv::split(image, channels);
   for (cv::Mat& channel : channels) channel = channel.mul(light);
   cv::merge(channels, 3, result);
   return result;

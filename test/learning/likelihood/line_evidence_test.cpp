@@ -33,7 +33,7 @@ TEST(LineEvidence, BridgesAPixelThatLooksLikePlatform) {
 
 TEST(LineEvidence, GapsArePartsOfTheOtherSide) {
   const cv::Mat part = drawn({20, 30}, {60, 30}, 3, 2);
-  const cv::Rect inner(20, 15, 40, 30);  // beyond the picture there is platform, for both sides
+  const cv::Rect inner(20, 15, 40, 30);  // beyond the image there is platform, for both sides
   const cv::Mat difference = line_evidence(-part).gaps(inner) - line_evidence(part).parts(inner);
   EXPECT_LT(cv::norm(difference, cv::NORM_INF), 1e-5);
   EXPECT_EQ(line_evidence(part).gaps.at<float>(30, 40), kNone);
@@ -51,7 +51,7 @@ TEST(LineEvidence, NoPixelCountsMuch) {
   EXPECT_LT(line_evidence(preference).parts.at<float>(30, 40), 0);
 }
 
-TEST(LineEvidence, SmallAndBorderedPicturesHaveTheirOwnSize) {
+TEST(LineEvidence, SmallAndBorderedImagesHaveTheirOwnSize) {
   for (const cv::Size size : {cv::Size(1, 1), cv::Size(3, 40), cv::Size(5, 5)}) {
     const LineEvidence lines = line_evidence(cv::Mat::ones(size, CV_32FC1));
     for (const cv::Mat& one : {lines.parts, lines.gaps}) {
@@ -61,7 +61,7 @@ TEST(LineEvidence, SmallAndBorderedPicturesHaveTheirOwnSize) {
   }
 }
 
-TEST(LineEvidence, TurnsWithThePicture) {
+TEST(LineEvidence, TurnsWithTheImage) {
   cv::Mat preference = drawn({10, 20}, {60, 45}, 3, 1.5F), turned;
   cv::rotate(line_evidence(preference).parts, turned, cv::ROTATE_180);
   cv::rotate(preference, preference, cv::ROTATE_180);

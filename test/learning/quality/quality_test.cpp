@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-#include "learning/pictures.hpp"
+#include "learning/images.hpp"
 #include "mbncc/learning/change.hpp"
 
 namespace mbncc {
@@ -14,17 +14,17 @@ namespace {
 using test::draw_lesson;
 using test::DrawnLesson;
 
-ObjectModel model_of(const cv::Mat& picture, const cv::Mat& map) {
+ObjectModel model_of(const cv::Mat& image, const cv::Mat& map) {
   const cv::Point2d centre = centroid(map);
   ObjectModel object;
   object.name = "thing";
-  object.views = {crop_view(picture, map, {centre.x, centre.y, 0})};
+  object.views = {crop_view(image, map, {centre.x, centre.y, 0})};
   return object;
 }
 
-Quality quality_of(const cv::Mat& picture, const cv::Mat& map,
+Quality quality_of(const cv::Mat& image, const cv::Mat& map,
                    const std::optional<CutEvidence>& evidence = std::nullopt) {
-  return assess_quality(model_of(picture, map), picture, cv::Mat(), evidence, {}, {});
+  return assess_quality(model_of(image, map), image, cv::Mat(), evidence, {}, {});
 }
 
 bool has_reason(const Quality& quality, const std::string& key) {
@@ -47,7 +47,7 @@ TEST(Quality, OfAGoodMap) {
   EXPECT_LT(quality.fill, 0.9);
   EXPECT_NEAR(quality.contrast, 22, 8);
   EXPECT_GT(quality.edge_agreement, 0.7);
-  EXPECT_TRUE(std::isnan(quality.change_agreement)) << "there was no picture after";
+  EXPECT_TRUE(std::isnan(quality.change_agreement)) << "there was no image after";
   EXPECT_GT(quality.self_score, 0.9);
   EXPECT_LT(quality.self_error, 0.2);
   EXPECT_LT(quality.runner_up, 0.5);
@@ -109,7 +109,7 @@ TEST(Quality, ShiftedMapLosesItsEdges) {
 }
 
 // It will be found as well: this is reported, but no fault of the map.
-TEST(Quality, ATwinInThePictureIsNoted) {
+TEST(Quality, ATwinInTheImageIsNoted) {
   DrawnLesson drawn = draw_lesson({60, 60}, {320, 240});
   cv::Mat twin = drawn.lesson.before(cv::Rect(10, 20, 100, 80)).clone();
   twin.copyTo(drawn.lesson.before(cv::Rect(180, 130, 100, 80)));
@@ -122,16 +122,15 @@ TEST(Quality, ATwinInThePictureIsNoted) {
 
 TEST(Quality, SymmetriesAreNotedButNoFault) {
   const cv::Size size(240, 200);
-  cv::Mat picture = test::exposed(test::texture(size, cv::Scalar(110, 110, 110), 10, 5), 6);
+  cv::Mat image = test::exposed(test::texture(size, cv::Scalar(110, 110, 110), 10, 5), 6);
   // A bar whose right half is its left half turned.
   const cv::Rect bar(70, 80, 100, 41), left(70, 80, 50, 41), right(120, 80, 50, 41);
   cv::Mat map = cv::Mat::zeros(size, CV_8UC1), turned;
   map(bar).setTo(255);
-  test::exposed(test::texture(left.size(), cv::Scalar(60, 90, 190), 40, 7), 8)
-      .copyTo(picture(left));
-  cv::rotate(picture(left), turned, cv::ROTATE_180);
-  turned.copyTo(picture(right));
-  const Quality quality = quality_of(picture, map);
+  test::exposed(test::texture(left.size(), cv::Scalar(60, 90, 190), 40, 7), 8).copyTo(image(left));
+  cv::rotate(image(left), turned, cv::ROTATE_180);
+  turned.copyTo(image(right));
+  const Quality quality = quality_of(image, map);
   EXPECT_EQ(quality.symmetry, 2);
   EXPECT_TRUE(has_reason(quality, "symmetric_180"));
   EXPECT_EQ(quality.verdict, Verdict::kGood);
@@ -144,18 +143,18 @@ TEST(Quality, NearSymmetriesAreProposedUntilTheyAreDeclared) {
   scene.setTo(cv::Scalar(60, 90, 190), map);
   cv::circle(scene, {140, 100}, 4, cv::Scalar(90, 120, 220), cv::FILLED);
   cv::GaussianBlur(scene, scene, {}, 0.7);
-  const cv::Mat picture = test::exposed(scene, 6);
-  const Quality quality = quality_of(picture, map);
+  const cv::Mat image = test::exposed(scene, 6);
+  const Quality quality = quality_of(image, map);
   EXPECT_EQ(quality.symmetry, 1);
   ASSERT_TRUE(has_reason(quality, "nearly_round"));
   EXPECT_EQ(quality.reasons.size(), quality.advice.size());
   EXPECT_NE(quality.advice.back().find("declare symmetry round"), std::string::npos);
   EXPECT_EQ(error_of(quality), LearnError::kSuccess);
 
-  ObjectModel object = model_of(picture, map);
+  ObjectModel object = model_of(image, map);
   for (const int declared : {1, 0}) {
     object.symmetry = declared;
-    const Quality told = assess_quality(object, picture, cv::Mat(), std::nullopt, {}, {});
+    const Quality told = assess_quality(object, image, cv::Mat(), std::nullopt, {}, {});
     EXPECT_EQ(told.symmetry, declared);
     EXPECT_FALSE(has_reason(told, "nearly_round"));
     EXPECT_EQ(has_reason(told, "round"), declared == 0);
@@ -164,11 +163,10 @@ TEST(Quality, NearSymmetriesAreProposedUntilTheyAreDeclared) {
 
 TEST(Quality, RoundObjectsHaveNoAngle) {
   const cv::Size size(240, 200);
-  cv::Mat picture = test::exposed(test::texture(size, cv::Scalar(110, 110, 110), 10, 5), 6);
+  cv::Mat image = test::exposed(test::texture(size, cv::Scalar(110, 110, 110), 10, 5), 6);
   for (int radius = 40; radius > 0; radius -= 10)
-    cv::circle(picture, {120, 100}, radius, cv::Scalar::all(radius % 20 == 0 ? 220 : 40),
-               cv::FILLED);
-  const Quality quality = quality_of(picture, disc_map(size, {120, 100}, 40));
+    cv::circle(image, {120, 100}, radius, cv::Scalar::all(radius % 20 == 0 ? 220 : 40), cv::FILLED);
+  const Quality quality = quality_of(image, disc_map(size, {120, 100}, 40));
   EXPECT_EQ(quality.symmetry, 0);
   EXPECT_TRUE(has_reason(quality, "round"));
 }

@@ -20,7 +20,7 @@ cv::Mat map_of(const cv::Rect& place) {
   return map;
 }
 
-/// Of pictures without an edge: neighbours agree at little cost.
+/// Of images without an edge: neighbours agree at little cost.
 Smoothness even() {
   Smoothness smoothness;
   smoothness.strength = 0.1F;

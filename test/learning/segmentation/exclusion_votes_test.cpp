@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "learning/pictures.hpp"
+#include "learning/images.hpp"
 
 namespace mbncc::segmentation {
 namespace {
@@ -19,8 +19,8 @@ cv::Mat mask_of(const cv::Rect& area) {
 }
 
 // Half of the map is the platform in a deep shadow, less certain than the other half, which is red.
-CutPictures drawn_cut() {
-  CutPictures cut;
+CutImages drawn_cut() {
+  CutImages cut;
   const cv::Size size(kSide, kSide);
   cut.after = test::texture(size, cv::Scalar(60, 130, 60), 4, 1);
   cut.before = cut.after.clone();
@@ -52,7 +52,7 @@ TEST(ExclusionVotes, ADotIsEnough) {
 
 // An undecided appearance: a grey that is neither the stroke's nor the object's.
 TEST(ExclusionVotes, OutermostPixelsAreDoubtedMore) {
-  CutPictures cut = drawn_cut();
+  CutImages cut = drawn_cut();
   const cv::Rect grey(10, 32, 20, 8);  // beyond the map's edge at 15 as well
   test::texture(grey.size(), cv::Scalar(30, 45, 100), 4, 5).copyTo(cut.before(grey));
   const cv::Mat votes = exclusion_votes(cut, mask_of(kStroke));
@@ -62,14 +62,14 @@ TEST(ExclusionVotes, OutermostPixelsAreDoubtedMore) {
 }
 
 TEST(ExclusionVotes, ConcernTheMapAlone) {
-  const CutPictures cut = drawn_cut();
+  const CutImages cut = drawn_cut();
   const cv::Mat votes = exclusion_votes(cut, mask_of(kStroke));
   EXPECT_EQ(cv::norm(votes, cv::NORM_INF, ~cut.map), 0);
   EXPECT_LE(cv::norm(votes, cv::NORM_INF), 10);
 }
 
 TEST(ExclusionVotes, NoneWithoutAStrokeOrWithoutARest) {
-  const CutPictures cut = drawn_cut();
+  const CutImages cut = drawn_cut();
   EXPECT_EQ(cv::norm(exclusion_votes(cut, mask_of({})), cv::NORM_INF), 0);
   EXPECT_EQ(cv::norm(exclusion_votes(cut, cut.map), cv::NORM_INF), 0);
   EXPECT_EQ(cv::norm(exclusion_votes(cut, mask_of({0, 0, kSide, kSide})), cv::NORM_INF), 0);

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "learning/pictures.hpp"
+#include "learning/images.hpp"
 #include "learning/things_on_platform.hpp"
 #include "mbncc/learning/change.hpp"
 #include "mbncc/learning/change_cut.hpp"
@@ -12,7 +12,7 @@
 namespace mbncc::segmentation {
 namespace {
 
-// A lesson whose picture after shows something plain on `places`.
+// A lesson whose image after shows something plain on `places`.
 struct Intrusion {
   test::DrawnLesson drawn = test::draw_lesson();
   cv::Mat place = cv::Mat::zeros(drawn.truth.size(), CV_8UC1);
@@ -56,13 +56,13 @@ class FindIntruders : public testing::Test {
                     const cv::Mat& changed, const cv::Mat& entry) const {
     likelihood::NoiseModel noise;
     for (auto& channel : noise.variance) channel.fill(8);
-    return find_intruders(test::picture_with(before, 11), test::picture_with(after, 12), changed,
-                          entry, platform_, noise);
+    return find_intruders(test::image_with(before, 11), test::image_with(after, 12), changed, entry,
+                          platform_, noise);
   }
 
   const cv::Rect arm_{0, 50, 60, 20};
   const change::ColourMixture platform_ = change::ColourMixture::fit(
-      test::picture_with({}, 13), cv::Mat(test::kPlatformSize, CV_8UC1, cv::Scalar(255)));
+      test::image_with({}, 13), cv::Mat(test::kPlatformSize, CV_8UC1, cv::Scalar(255)));
 };
 
 TEST_F(FindIntruders, AreWhatCame) {

@@ -6,7 +6,7 @@
 #include <string>
 #include <tuple>
 
-#include "learning/pictures.hpp"
+#include "learning/images.hpp"
 #include "mbncc/learning/sb_grabcut.hpp"
 
 namespace mbncc {
@@ -16,10 +16,10 @@ class AnySize : public testing::TestWithParam<std::tuple<std::string, cv::Size>>
 
 TEST_P(AnySize, LabelsRunFromZeroToCount) {
   const auto& [method, size] = GetParam();
-  const cv::Mat picture = test::exposed(test::texture(size, cv::Scalar(100, 110, 120), 20, 1), 2);
+  const cv::Mat image = test::exposed(test::texture(size, cv::Scalar(100, 110, 120), 20, 1), 2);
   for (const int wanted : {1, 50, 100000}) {
-    const Superpixels superpixels = superpixels_of(picture, method, wanted);
-    ASSERT_EQ(superpixels.labels.size(), picture.size());
+    const Superpixels superpixels = superpixels_of(image, method, wanted);
+    ASSERT_EQ(superpixels.labels.size(), image.size());
     double low = 0, high = 0;
     cv::minMaxLoc(superpixels.labels, &low, &high);
     EXPECT_GE(low, 0);
@@ -45,11 +45,11 @@ TEST(Superpixels, RefuseAnUnknownMethod) {
 }
 
 TEST(Superpixels, SimplifyingEvensOutTextureAndKeepsTheMean) {
-  const cv::Mat picture =
+  const cv::Mat image =
       test::exposed(test::texture({120, 90}, cv::Scalar(100, 110, 120), 20, 1, 1), 2);
-  const cv::Mat simple = simplify_superpixels(picture, seeds_superpixels(picture, 100));
+  const cv::Mat simple = simplify_superpixels(image, seeds_superpixels(image, 100));
   cv::Scalar mean_before, deviation_before, mean_after, deviation_after;
-  cv::meanStdDev(picture, mean_before, deviation_before);
+  cv::meanStdDev(image, mean_before, deviation_before);
   cv::meanStdDev(simple, mean_after, deviation_after);
   EXPECT_LT(deviation_after[0], deviation_before[0]);
   EXPECT_NEAR(mean_after[0], mean_before[0], 1);
@@ -68,12 +68,11 @@ TEST(Superpixels, InsideIsTheMajority) {
 }
 
 TEST(Grabcut, TakesMasksThatLackASide) {
-  const cv::Mat picture =
-      test::exposed(test::texture({40, 40}, cv::Scalar(100, 110, 120), 20, 1), 2);
+  const cv::Mat image = test::exposed(test::texture({40, 40}, cv::Scalar(100, 110, 120), 20, 1), 2);
   const cv::Mat background(40, 40, CV_8UC1, cv::Scalar(cv::GC_BGD));
   const cv::Mat foreground(40, 40, CV_8UC1, cv::Scalar(cv::GC_PR_FGD));
-  EXPECT_EQ(cv::countNonZero(repeatable_grabcut(picture, background, 2)), 0);
-  EXPECT_EQ(cv::countNonZero(repeatable_grabcut(picture, foreground, 2)), 1600);
+  EXPECT_EQ(cv::countNonZero(repeatable_grabcut(image, background, 2)), 0);
+  EXPECT_EQ(cv::countNonZero(repeatable_grabcut(image, foreground, 2)), 1600);
 }
 
 TEST(Grabcut, LeavesTheRandomStateAlone) {

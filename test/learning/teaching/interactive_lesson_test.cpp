@@ -7,7 +7,7 @@
 #include <limits>
 #include <string>
 
-#include "learning/pictures.hpp"
+#include "learning/images.hpp"
 
 namespace mbncc {
 namespace {

@@ -50,9 +50,9 @@ TEST(CheckStoring, NamesMustFitWhatIsAskedFor) {
       EXPECT_EQ(error_of(name, storing, library), LearnError::kNameInvalid) << name;
 }
 
-TEST(CheckStoring, APictureThatIsNoObjectKeepsItsName) {
+TEST(CheckStoring, AnImageThatIsNoObjectKeepsItsName) {
   LibrarySnapshot library = library_of({named("cup")});
-  library.other_pictures = {"photo.png"};
+  library.other_images = {"photo.png"};
   for (const Storing storing : {Storing::kNew, Storing::kReplace})
     EXPECT_EQ(error_of("photo", storing, library), LearnError::kNameTaken);
   EXPECT_EQ(error_of("box", Storing::kNew, library), LearnError::kSuccess);
@@ -122,7 +122,7 @@ TEST(RefusalByTheLibrary, OnlyNamesAreToBlameForNames) {
   EXPECT_NE(crowded.hint.find("fewer"), std::string::npos);
   cup.views[0].template_image = cv::Mat::zeros(4000, 4000, CV_8UC3);
   cup.views[0].map = cv::Mat(4000, 4000, CV_8UC1, cv::Scalar(255));
-  cup.views[0].picture_size = {5000, 5000};
+  cup.views[0].image_size = {5000, 5000};
   const Refusal large = refusal_by([&] { library.save(cup, Existing::kReplace); });
   EXPECT_EQ(large.error, LearnError::kStorage) << large.message;
 
@@ -140,9 +140,9 @@ class AddView : public testing::Test {
     return {object, pose};
   }
 
-  ObjectModel learned(const sim::Placed& object, const cv::Mat& picture) const {
+  ObjectModel learned(const sim::Placed& object, const cv::Mat& image) const {
     ObjectModel model = named("part");
-    model.views = {crop_view(picture, scene_.true_map(object), {1, 2, 3})};
+    model.views = {crop_view(image, scene_.true_map(object), {1, 2, 3})};
     return model;
   }
 
@@ -156,12 +156,12 @@ TEST_F(AddView, TakesFrameHeightAndSymmetryOfTheStoredObject) {
   stored.object_height = 0.05;
   stored.symmetry = 2;
   stored.grasp = Grasp{{0.1, 0.2, 0.3}, {0, 0, 0, 1}};
-  const cv::Mat picture = scene_.render({second}, 2);
-  ObjectModel lesson = learned(second, picture);
+  const cv::Mat image = scene_.render({second}, 2);
+  ObjectModel lesson = learned(second, image);
   lesson.quality.verdict = Verdict::kMarginal;
   lesson.quality.reasons = {"nearly_round"};
   lesson.quality.advice = {"Declare it."};
-  ASSERT_FALSE(add_view(stored, lesson, picture));
+  ASSERT_FALSE(add_view(stored, lesson, image));
   ASSERT_EQ(stored.views.size(), 2u);
   EXPECT_NEAR(stored.views[1].reference.x, 420, 1);
   EXPECT_NEAR(stored.views[1].reference.y, 260, 1);
@@ -189,8 +189,8 @@ TEST_F(AddView, RefusesWhatIsStoredAlready) {
 TEST_F(AddView, RefusesAnotherObjectAndChangesNothing) {
   const auto first = placed(5, {200, 200, 0}), other = placed(77, {420, 260, 0});
   ObjectModel stored = learned(first, scene_.render({first}, 1));
-  const cv::Mat picture = scene_.render({other}, 2);
-  const auto refusal = add_view(stored, learned(other, picture), picture);
+  const cv::Mat image = scene_.render({other}, 2);
+  const auto refusal = add_view(stored, learned(other, image), image);
   ASSERT_TRUE(refusal);
   EXPECT_EQ(refusal->error, LearnError::kNotDistinct);
   EXPECT_NE(refusal->hint.find("Teach another side under its own name"), std::string::npos);
@@ -206,8 +206,7 @@ TEST_F(AddView, ARefusalIsToldBeforeItIsAsked) {
   note_refused_view(lesson, stored, wrong);
   EXPECT_EQ(lesson.quality.verdict, Verdict::kBad);
   EXPECT_EQ(lesson.quality.reasons, std::vector<std::string>{"view_refused"});
-  EXPECT_NE(lesson.quality.advice.at(0).find("was not found in the new picture"),
-            std::string::npos);
+  EXPECT_NE(lesson.quality.advice.at(0).find("was not found in the new image"), std::string::npos);
   lesson = learned(moved, right);
   note_refused_view(lesson, stored, right);
   EXPECT_EQ(lesson.quality.verdict, Verdict::kGood);

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <opencv2/imgproc.hpp>
 
-#include "learning/pictures.hpp"
+#include "learning/images.hpp"
 #include "mbncc/learning/interactive_lesson.hpp"
 
 namespace mbncc {

@@ -19,10 +19,10 @@ const sim::Scene& scene() {
   return drawn;
 }
 
-ObjectModel learned(const std::string& name, const sim::Placed& object, const cv::Mat& picture) {
+ObjectModel learned(const std::string& name, const sim::Placed& object, const cv::Mat& image) {
   ObjectModel model;
   model.name = model.label = name;
-  model.views = {crop_view(picture, scene().true_map(object),
+  model.views = {crop_view(image, scene().true_map(object),
                            {object.pose.x, object.pose.y, object.pose.theta})};
   return model;
 }
@@ -43,7 +43,7 @@ TEST(Resemblance, ViewsOfOneObjectGetOneFrame) {
 TEST(Resemblance, AnotherObjectInTheMapIsNoView) {
   const auto first = placed(5, {200, 200, 0}), other = placed(77, {200, 200, 0});
   const cv::Mat before = scene().render({first}, 1);
-  // The stored object is in the picture, but at another place.
+  // The stored object is in the image, but at another place.
   const cv::Mat later = scene().render({other, placed(5, {450, 300, 1})}, 2);
   const ObjectModel stored = learned("part", first, before);
   EXPECT_FALSE(shared_reference(stored, learned("part", other, later).views[0], later));
@@ -51,12 +51,12 @@ TEST(Resemblance, AnotherObjectInTheMapIsNoView) {
 
 TEST(Resemblance, TheMostSimilarKnownObjectIsNoted) {
   const auto first = placed(5, {200, 200, 0}), other = placed(77, {430, 250, 0});
-  const cv::Mat picture = scene().render({first, other}, 1);
+  const cv::Mat image = scene().render({first, other}, 1);
   const auto known = [](const ObjectModel& model) {
     return std::make_shared<const ObjectModel>(model);
   };
   const std::vector<std::shared_ptr<const ObjectModel>> library = {
-      known(learned("other", other, picture)), known(learned("part", first, picture))};
+      known(learned("other", other, image)), known(learned("part", first, image))};
 
   const auto again = placed(5, {300, 320, 1.3});
   const cv::Mat later = scene().render({again}, 3);

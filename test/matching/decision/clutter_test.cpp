@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "matching/pictures.hpp"
+#include "matching/images.hpp"
 #include "matching/prepared/prepared_object.hpp"
 #include "mbncc/matching/matcher.hpp"
 
@@ -12,7 +12,7 @@ namespace {
 
 class ClutterTest : public ::testing::Test {
  protected:
-  const test::LearningPicture source_{1};
+  const test::LearningImage source_{1};
   const prepared::PreparedObject object_{test::object_from(source_, {58, 60, 0}),
                                          prepared::Engine::kFast};
   const prepared::PreparedObject other_{test::object_from(source_, {58, 60, 0}, "other"),
@@ -77,7 +77,7 @@ TEST_F(ClutterTest, LikesBesideInstancesStayUnlikely) {
   EXPECT_LT(detections[1].log_odds(), 0);
 }
 
-TEST_F(ClutterTest, WhatTheWholePictureToldIsTakenOffAtLeast) {
+TEST_F(ClutterTest, WhatTheWholeImageToldIsTakenOffAtLeast) {
   std::vector<Detection> detections{at(object_, 100, 4), at(other_, 300, 4)};
   const auto taken = apply_clutter_penalty(detections, {{"object", 2.5}, {"gone", 1}});
   EXPECT_DOUBLE_EQ(detections[0].log_odds(), 1.5);

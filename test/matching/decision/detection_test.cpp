@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "matching/pictures.hpp"
+#include "matching/images.hpp"
 #include "matching/prepared/prepared_object.hpp"
 #include "matching/search/pose_hypothesis.hpp"
 #include "matching/surface_sample.hpp"
@@ -13,7 +13,7 @@ namespace {
 
 class RotationTest : public ::testing::Test {
  protected:
-  const test::LearningPicture source_{1};
+  const test::LearningImage source_{1};
   const prepared::PreparedObject object_{test::object_from(source_, {58, 60, 0}),
                                          prepared::Engine::kFast};
 
@@ -72,7 +72,7 @@ TEST(BetterTurned, IsWhatLightLeavesAlone) {
 
 class SurfaceTest : public ::testing::Test {
  protected:
-  const test::LearningPicture source_{1};
+  const test::LearningImage source_{1};
   const prepared::PreparedObject object_{test::object_from(source_, {58, 60, 0}),
                                          prepared::Engine::kFast};
   const templates::SurfaceTemplate& surface_ = object_.views.front().fine.surface;

@@ -4,7 +4,7 @@
 
 #include <opencv2/imgproc.hpp>
 
-#include "matching/pictures.hpp"
+#include "matching/images.hpp"
 #include "mbncc/matching/matcher.hpp"
 
 namespace mbncc {
@@ -13,10 +13,10 @@ namespace {
 TEST(Margins, EveryInstanceMeetsItsOwnOtherAngles) {
   cv::Mat map = cv::Mat::zeros(60, 60, CV_8UC1);
   cv::circle(map, {30, 30}, 22, 255, cv::FILLED);
-  test::LearningPicture source(3, map);
+  test::LearningImage source(3, map);
   // Little texture: any angle would nearly do.
   source.surface.convertTo(source.surface, -1, 0.15, 120);
-  source.surface.copyTo(source.picture, map);
+  source.surface.copyTo(source.image, map);
   const Pose2D reference{30, 30, 0};
   Matcher matcher;
   matcher.set_objects({test::object_from(source, reference)});

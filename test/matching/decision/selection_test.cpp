@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "matching/pictures.hpp"
+#include "matching/images.hpp"
 #include "matching/prepared/prepared_object.hpp"
 
 namespace mbncc::decision {
@@ -11,7 +11,7 @@ namespace {
 
 class SelectionTest : public ::testing::Test {
  protected:
-  const test::LearningPicture source_{1};
+  const test::LearningImage source_{1};
   const prepared::PreparedObject object_{test::object_from(source_, {58, 60, 0}),
                                          prepared::Engine::kFast};
   const SearchConfig config_{};
@@ -29,7 +29,7 @@ class SelectionTest : public ::testing::Test {
     return detection;
   }
 
-  /// Of the only detection of a picture.
+  /// Of the only detection of an image.
   Match match_of(double log_odds, double projected, double elsewhere = 0) const {
     const auto selected = select_matches({detection_of(log_odds, projected, elsewhere)},
                                          {config_, std::nullopt, 1, {}, {}, 0});

@@ -5,9 +5,9 @@
 
 #include <opencv2/imgproc.hpp>
 
-#include "matching/pictures.hpp"
+#include "matching/images.hpp"
 #include "matching/prepared/prepared_object.hpp"
-#include "matching/scene/scene_picture.hpp"
+#include "matching/scene/scene_image.hpp"
 #include "mbncc/matching/matcher.hpp"
 
 namespace mbncc::evidence {
@@ -22,47 +22,44 @@ class ColourPartsTest : public ::testing::Test {
   static constexpr int kHandle = 60, kLength = 150, kWidth = 24;
   const cv::Rect tool_{75, 60, kLength, kWidth};
 
-  static void add_noise(cv::Mat& picture, std::uint64_t seed) {
-    cv::Mat noise(picture.size(), CV_16SC3), sum;
+  static void add_noise(cv::Mat& image, std::uint64_t seed) {
+    cv::Mat noise(image.size(), CV_16SC3), sum;
     cv::RNG(seed).fill(noise, cv::RNG::NORMAL, 0, 3);
-    picture.convertTo(sum, CV_16S);
+    image.convertTo(sum, CV_16S);
     sum += noise;
-    sum.convertTo(picture, CV_8U);
+    sum.convertTo(image, CV_8U);
   }
 
   /// With a marked head, so that half a turn looks different.
-  cv::Mat picture_with(const cv::Scalar& handle, std::uint64_t seed) const {
-    cv::Mat picture(150, 300, CV_8UC3, kTable);
-    picture(tool_) = kSteel;
-    picture(cv::Rect(tool_.tl(), cv::Size(kHandle, kWidth))) = handle;
-    cv::circle(picture, {tool_.br().x - 14, tool_.y + kWidth / 2}, 6, kBlack, cv::FILLED);
-    add_noise(picture, seed);
-    return picture;
+  cv::Mat image_with(const cv::Scalar& handle, std::uint64_t seed) const {
+    cv::Mat image(150, 300, CV_8UC3, kTable);
+    image(tool_) = kSteel;
+    image(cv::Rect(tool_.tl(), cv::Size(kHandle, kWidth))) = handle;
+    cv::circle(image, {tool_.br().x - 14, tool_.y + kWidth / 2}, 6, kBlack, cv::FILLED);
+    add_noise(image, seed);
+    return image;
   }
 
-  static std::shared_ptr<ObjectModel> object_of(const cv::Mat& picture, const cv::Mat& map) {
+  static std::shared_ptr<ObjectModel> object_of(const cv::Mat& image, const cv::Mat& map) {
     auto model = std::make_shared<ObjectModel>();
     model->name = "tool";
-    model->views.push_back(crop_view(picture, map, {150, 72, 0}));
+    model->views.push_back(crop_view(image, map, {150, 72, 0}));
     return model;
   }
 
   std::shared_ptr<ObjectModel> tool() const {
     cv::Mat map = cv::Mat::zeros(150, 300, CV_8UC1);
     map(tool_) = 255;
-    return object_of(picture_with(kRed, 1), map);
+    return object_of(image_with(kRed, 1), map);
   }
 
-  double difference_in(const cv::Mat& picture) const {
-    return difference_in(picture, tool()).colour;
-  }
+  double difference_in(const cv::Mat& image) const { return difference_in(image, tool()).colour; }
 
   /// Where it was learned.
-  static ColourDifference difference_in(const cv::Mat& picture,
-                                        std::shared_ptr<ObjectModel> model) {
+  static ColourDifference difference_in(const cv::Mat& image, std::shared_ptr<ObjectModel> model) {
     const prepared::PreparedObject object(std::move(model), prepared::Engine::kFast);
     const prepared::PreparedView& view = object.views.front();
-    const scene::ScenePicture scene(picture, 0);
+    const scene::SceneImage scene(image, 0);
     const scene::SceneLevel& level = scene.levels[0];
     const Pose2D at = compose({150, 72, 0}, inverse(view.reference_in_anchor));
     templates::SurfaceSample sample;
@@ -75,25 +72,25 @@ class ColourPartsTest : public ::testing::Test {
 };
 
 TEST_F(ColourPartsTest, TheObjectItselfDiffersLittleInAnyLight) {
-  EXPECT_LT(difference_in(picture_with(kRed, 2)), 0.04);
+  EXPECT_LT(difference_in(image_with(kRed, 2)), 0.04);
   for (const auto& [factor, offset] :
        {std::pair(0.6, 40), std::pair(0.8, -10), std::pair(1.1, 0), std::pair(0.3, 0)}) {
-    cv::Mat picture;
-    picture_with(kRed, 3).convertTo(picture, -1, factor, offset);
-    EXPECT_LT(difference_in(picture), 0.1) << factor << ' ' << offset;
+    cv::Mat image;
+    image_with(kRed, 3).convertTo(image, -1, factor, offset);
+    EXPECT_LT(difference_in(image), 0.1) << factor << ' ' << offset;
   }
 }
 
 TEST_F(ColourPartsTest, APartOfAnotherColourDiffers) {
-  EXPECT_GT(difference_in(picture_with(kBlack, 2)), 0.3);
-  EXPECT_GT(difference_in(picture_with({40, 150, 40}, 2)), 0.3);
+  EXPECT_GT(difference_in(image_with(kBlack, 2)), 0.3);
+  EXPECT_GT(difference_in(image_with({40, 150, 40}, 2)), 0.3);
 }
 
 TEST_F(ColourPartsTest, APartOfAnotherColourDiffersAsMuchInDimLight) {
   const cv::Scalar orange(40, 100, 170);
   cv::Mat dim;
-  picture_with(orange, 2).convertTo(dim, -1, 0.35);
-  EXPECT_NEAR(difference_in(dim), difference_in(picture_with(orange, 2)), 0.05);
+  image_with(orange, 2).convertTo(dim, -1, 0.35);
+  EXPECT_NEAR(difference_in(dim), difference_in(image_with(orange, 2)), 0.05);
 }
 
 TEST_F(ColourPartsTest, APlainSurfaceInDimLightHasItsOwnColour) {
@@ -108,7 +105,7 @@ TEST_F(ColourPartsTest, APlainSurfaceInDimLightHasItsOwnColour) {
 TEST_F(ColourPartsTest, ACompactPartOfAnotherColourDiffersWhateverItsColoursWere) {
   cv::Mat map = cv::Mat::zeros(150, 300, CV_8UC1);
   map(tool_) = 255;
-  cv::Mat chequered = picture_with(kRed, 1);
+  cv::Mat chequered = image_with(kRed, 1);
   for (int y = tool_.y; y < tool_.br().y; y += 6)
     for (int x = tool_.x + (y / 6 % 2) * 6; x + 6 <= tool_.br().x; x += 12)
       chequered(cv::Rect(x, y, 6, 6)) = kRed;
@@ -123,35 +120,35 @@ TEST_F(ColourPartsTest, ACompactPartOfAnotherColourDiffersWhateverItsColoursWere
 }
 
 TEST_F(ColourPartsTest, WhatLiesAcrossCoversTheContourAndDoesNotCount) {
-  cv::Mat picture = picture_with(kRed, 2);
-  cv::rectangle(picture, cv::Rect(tool_.x + 5, 20, 45, 110), cv::Scalar(60, 140, 60), cv::FILLED);
-  EXPECT_LT(difference_in(picture), 0.1);
+  cv::Mat image = image_with(kRed, 2);
+  cv::rectangle(image, cv::Rect(tool_.x + 5, 20, 45, 110), cv::Scalar(60, 140, 60), cv::FILLED);
+  EXPECT_LT(difference_in(image), 0.1);
 }
 
 TEST_F(ColourPartsTest, APartThatIsHalfCoveredIsToldToo) {
-  cv::Mat picture = picture_with(kBlack, 2);
-  cv::rectangle(picture, cv::Rect(tool_.x + 5, 20, 22, 110), cv::Scalar(60, 140, 60), cv::FILLED);
-  EXPECT_GT(difference_in(picture), 0.3);
+  cv::Mat image = image_with(kBlack, 2);
+  cv::rectangle(image, cv::Rect(tool_.x + 5, 20, 22, 110), cv::Scalar(60, 140, 60), cv::FILLED);
+  EXPECT_GT(difference_in(image), 0.3);
 }
 
 TEST_F(ColourPartsTest, TheGroundExplainsNoMoreThanAShareOfItself) {
   // Everything is more yellow: the table a little, the head by far more.
-  cv::Mat picture = picture_with(kRed, 2);
-  cv::Mat head = picture(cv::Rect(tool_.x + kHandle, tool_.y, kLength - kHandle, kWidth)).clone();
-  cv::multiply(picture, cv::Scalar(0.9, 1, 1), picture);
+  cv::Mat image = image_with(kRed, 2);
+  cv::Mat head = image(cv::Rect(tool_.x + kHandle, tool_.y, kLength - kHandle, kWidth)).clone();
+  cv::multiply(image, cv::Scalar(0.9, 1, 1), image);
   cv::multiply(head, cv::Scalar(0.55, 1, 1), head);
-  head.copyTo(picture(cv::Rect(tool_.x + kHandle, tool_.y, kLength - kHandle, kWidth)));
-  EXPECT_GT(difference_in(picture), 0.2);
+  head.copyTo(image(cv::Rect(tool_.x + kHandle, tool_.y, kLength - kHandle, kWidth)));
+  EXPECT_GT(difference_in(image), 0.2);
 }
 
 TEST_F(ColourPartsTest, GroundThatTheMapHoldsMayChange) {
   // A learned map with a strip of green platform along the tool, found on a red one.
   const cv::Scalar green(60, 150, 60), red(60, 60, 150);
   const auto on_ground = [&](const cv::Scalar& ground, std::uint64_t seed) {
-    cv::Mat picture(150, 300, CV_8UC3, ground);
-    picture(tool_) = kSteel;
-    add_noise(picture, seed);
-    return picture;
+    cv::Mat image(150, 300, CV_8UC3, ground);
+    image(tool_) = kSteel;
+    add_noise(image, seed);
+    return image;
   };
   const cv::Rect strip(tool_.x, tool_.br().y, tool_.width, 8);
   cv::Mat map = cv::Mat::zeros(150, 300, CV_8UC1);
@@ -162,12 +159,12 @@ TEST_F(ColourPartsTest, GroundThatTheMapHoldsMayChange) {
 TEST_F(ColourPartsTest, TheGroundBesideNarrowObjectsIsNoOtherColour) {
   const cv::Rect rod(75, 70, kLength, 2);
   const auto rod_on = [&](const cv::Scalar& ground, const cv::Scalar& colour, std::uint64_t seed) {
-    cv::Mat picture(150, 300, CV_8UC3, ground);
-    picture(rod) = kSteel;
-    picture(cv::Rect(rod.tl(), cv::Size(kHandle, rod.height))) = colour;
-    cv::GaussianBlur(picture, picture, {}, 0.8);
-    add_noise(picture, seed);
-    return picture;
+    cv::Mat image(150, 300, CV_8UC3, ground);
+    image(rod) = kSteel;
+    image(cv::Rect(rod.tl(), cv::Size(kHandle, rod.height))) = colour;
+    cv::GaussianBlur(image, image, {}, 0.8);
+    add_noise(image, seed);
+    return image;
   };
   cv::Mat map = cv::Mat::zeros(150, 300, CV_8UC1);
   map(rod) = 255;
@@ -179,21 +176,21 @@ TEST_F(ColourPartsTest, TheGroundBesideNarrowObjectsIsNoOtherColour) {
 }
 
 TEST_F(ColourPartsTest, TheThreadsRandomStateNeitherMattersNorChanges) {
-  const cv::Mat picture = picture_with(kRed, 2);
+  const cv::Mat image = image_with(kRed, 2);
   cv::theRNG().state = 77;
-  const double first = difference_in(picture);
+  const double first = difference_in(image);
   EXPECT_EQ(cv::theRNG().state, 77u);
   cv::theRNG().state = 12345;
-  EXPECT_EQ(difference_in(picture), first);
+  EXPECT_EQ(difference_in(image), first);
 }
 
 TEST_F(ColourPartsTest, ALookAlikeIsNoDetection) {
   Matcher matcher;
   matcher.set_objects({tool()});
-  const auto found = matcher.find(picture_with(kRed, 2)).matches;
+  const auto found = matcher.find(image_with(kRed, 2)).matches;
   ASSERT_EQ(found.size(), 1u);
   EXPECT_NEAR(found[0].pose.x, 150, 0.5);
-  EXPECT_TRUE(matcher.find(picture_with(kBlack, 2)).matches.empty());
+  EXPECT_TRUE(matcher.find(image_with(kBlack, 2)).matches.empty());
 }
 
 }  // namespace

@@ -26,8 +26,8 @@ class OutlineElsewhere : public test::MatcherTest {
   }
 
   /// The same outline with a surface displaced by `off` [px].
-  test::LearningPicture with_surface_moved(cv::Point2d off) const {
-    test::LearningPicture moved = source_;
+  test::LearningImage with_surface_moved(cv::Point2d off) const {
+    test::LearningImage moved = source_;
     cv::warpAffine(source_.surface, moved.surface, cv::Matx23d(1, 0, off.x, 0, 1, off.y),
                    source_.surface.size(), cv::INTER_LINEAR, cv::BORDER_REFLECT);
     return moved;
@@ -86,7 +86,7 @@ TEST_F(OutlineElsewhere, APoseThatItsOutlineContradictsIsTold) {
   const prepared::PreparedObject object(test::object_from(source_, reference_),
                                         prepared::Engine::kFast);
   const prepared::PreparedView& view = object.views.front();
-  const scene::ScenePicture scene(scene_, object.top_level());
+  const scene::SceneImage scene(scene_, object.top_level());
   const Pose2D anchor = compose(truth_, inverse(view.reference_in_anchor));
   search::PoseHypothesis beside =
       search::score_as_is(view, scene, {anchor.x + 5, anchor.y - 3, anchor.theta});

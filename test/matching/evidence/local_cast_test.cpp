@@ -22,10 +22,10 @@ class LocalCastTest : public test::MatcherTest {
 
   /// Of the lesson itself, in light of another colour.
   Evidence evidence_in(const ColourCast& light) const {
-    const cv::Mat picture = search::without_cast(source_.picture, {-light.blue, -light.red});
+    const cv::Mat image = search::without_cast(source_.image, {-light.blue, -light.red});
     const Pose2D anchor{view_.anchor.x + object_.model->views.front().origin.x,
                         view_.anchor.y + object_.model->views.front().origin.y, 0};
-    return gather_evidence(view_.fine, scene::SceneLevel(picture, 0), anchor);
+    return gather_evidence(view_.fine, scene::SceneLevel(image, 0), anchor);
   }
 };
 

@@ -12,22 +12,22 @@ class TurnedOverTest : public test::MatcherTest {
  protected:
   const Pose2D truth_{170, 120, 0.8};
 
-  static cv::Mat scene_with(const test::LearningPicture& source, const Pose2D& pose) {
+  static cv::Mat scene_with(const test::LearningImage& source, const Pose2D& pose) {
     cv::Mat scene = test::texture({320, 240}, 77, 5);
     test::place(scene, source, {60, 60}, pose);
     return scene;
   }
 
   /// A plate without the tip of one of its corners.
-  static test::LearningPicture cut_plate() {
+  static test::LearningImage cut_plate() {
     cv::Mat map = cv::Mat::zeros(120, 120, CV_8UC1);
     map(cv::Rect(30, 40, 60, 40)) = 255;
     cv::fillPoly(map, std::vector<std::vector<cv::Point>>{{{90, 40}, {86, 40}, {90, 44}}},
                  cv::Scalar(0));
-    return test::LearningPicture(3, map);
+    return test::LearningImage(3, map);
   }
 
-  double better_at(const Pose2D& pose, const test::LearningPicture& taught,
+  double better_at(const Pose2D& pose, const test::LearningImage& taught,
                    const cv::Mat& scene) const {
     const prepared::PreparedObject object(test::object_from(taught, {60, 60, 0}),
                                           prepared::Engine::kFast);
@@ -74,7 +74,7 @@ TEST_F(TurnedOverTest, BothOutlinesAreMeasuredWhereTheyLieBest) {
 TEST_F(TurnedOverTest, AnOutlineThatIsItsOwnMirrorImageAgreesAsWell) {
   cv::Mat map = cv::Mat::zeros(120, 120, CV_8UC1);
   map(cv::Rect(30, 40, 60, 40)) = 255;
-  const test::LearningPicture plate(3, map);
+  const test::LearningImage plate(3, map);
   EXPECT_NEAR(better_at(truth_, plate, scene_with(plate, truth_)), 0, 0.04);
   const prepared::PreparedObject object(test::object_from(plate, {60, 60, 0}),
                                         prepared::Engine::kFast);
@@ -82,7 +82,7 @@ TEST_F(TurnedOverTest, AnOutlineThatIsItsOwnMirrorImageAgreesAsWell) {
 }
 
 TEST_F(TurnedOverTest, ASlightDifferenceIsToldWhereTheLessonTellsIt) {
-  const test::LearningPicture plate = cut_plate();
+  const test::LearningImage plate = cut_plate();
   const prepared::PreparedObject object(test::object_from(plate, {60, 60, 0}),
                                         prepared::Engine::kFast);
   const double limit = object.views.front().mirrored_contour.limit();

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <functional>
 
-#include "matching/pictures.hpp"
+#include "matching/images.hpp"
 #include "matching/prepared/prepared_object.hpp"
 #include "matching/surface_sample.hpp"
 
@@ -17,7 +17,7 @@ class LitSurfaceTest : public ::testing::Test {
  protected:
   using Light = std::function<float(float colour, float x, float y)>;
 
-  const test::LearningPicture source_{1};
+  const test::LearningImage source_{1};
   const prepared::PreparedObject object_{test::object_from(source_, {58, 60, 0}),
                                          prepared::Engine::kFast};
   const prepared::PreparedView& view_ = object_.views.front();

@@ -13,10 +13,10 @@ class TornOutline : public test::MatcherTest {
   TornOutline() { test::place(scene_, source_, reference_.position(), truth_); }
 
   /// Rows from `from` on are displaced by `way` [px].
-  static cv::Mat torn(const cv::Mat& picture, int from, double way) {
-    cv::Mat moved, result = picture.clone();
-    cv::warpAffine(picture, moved, cv::Matx23d(1, 0, way, 0, 1, 0), picture.size(),
-                   cv::INTER_LINEAR, cv::BORDER_REPLICATE);
+  static cv::Mat torn(const cv::Mat& image, int from, double way) {
+    cv::Mat moved, result = image.clone();
+    cv::warpAffine(image, moved, cv::Matx23d(1, 0, way, 0, 1, 0), image.size(), cv::INTER_LINEAR,
+                   cv::BORDER_REPLICATE);
     moved.rowRange(from, moved.rows).copyTo(result.rowRange(from, moved.rows));
     return result;
   }
@@ -25,8 +25,8 @@ class TornOutline : public test::MatcherTest {
     return compose(pose, inverse(view_.reference_in_anchor));
   }
 
-  double better(const cv::Mat& picture, const Pose2D& pose) const {
-    return better_torn(view_.fine.contour, scene::SceneLevel(picture, 0), anchor_at(pose), 1);
+  double better(const cv::Mat& image, const Pose2D& pose) const {
+    return better_torn(view_.fine.contour, scene::SceneLevel(image, 0), anchor_at(pose), 1);
   }
 
   cv::Mat scene_ = test::texture({320, 240}, 77, 5);
@@ -56,10 +56,10 @@ TEST_F(TornOutline, PartsThatLieApartAreTold) {
 TEST_F(TornOutline, ItIsToldOfWhatLiesTurnedBetweenTheParts) {
   constexpr double kWay = 8;
   const Pose2D anchor = anchor_at(truth_);
-  const cv::Mat picture = torn(scene_, cvRound(anchor.y), kWay);
+  const cv::Mat image = torn(scene_, cvRound(anchor.y), kWay);
   for (const double turn : {-0.09, 0.09}) {
     const Pose2D between{anchor.x + kWay / 2, anchor.y, anchor.theta + turn};
-    EXPECT_GT(better_torn(view_.fine.contour, scene::SceneLevel(picture, 0), between, 1), 0.2)
+    EXPECT_GT(better_torn(view_.fine.contour, scene::SceneLevel(image, 0), between, 1), 0.2)
         << turn;
   }
 }
@@ -67,7 +67,7 @@ TEST_F(TornOutline, ItIsToldOfWhatLiesTurnedBetweenTheParts) {
 TEST_F(TornOutline, ADetectionKnows) {
   const Pose2D anchor = anchor_at(truth_);
   for (const double way : {0., 6.}) {
-    const scene::ScenePicture scene(torn(scene_, cvRound(anchor.y), way), object_.top_level());
+    const scene::SceneImage scene(torn(scene_, cvRound(anchor.y), way), object_.top_level());
     search::PoseHypothesis found =
         search::score_as_is(view_, scene, {anchor.x + way / 2, anchor.y, anchor.theta});
     found.odds = 12;

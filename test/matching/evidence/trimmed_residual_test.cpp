@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "matching/pictures.hpp"
+#include "matching/images.hpp"
 #include "matching/prepared/prepared_object.hpp"
 #include "matching/surface_sample.hpp"
 
@@ -12,12 +12,12 @@ namespace {
 
 class TrimmedResidualTest : public ::testing::Test {
  protected:
-  const test::LearningPicture source_{1};
+  const test::LearningImage source_{1};
   const prepared::PreparedObject object_{test::object_from(source_, {58, 60, 0}),
                                          prepared::Engine::kFast};
   const templates::SurfaceTemplate& surface_ = object_.views.front().fine.surface;
 
-  /// Of the template's colours that `light` turns into a picture's.
+  /// Of the template's colours that `light` turns into an image's.
   template <class Light>
   double residual(const Light& light) const {
     return trimmed_residual(templates::block_sums(surface_, test::sample_of(surface_, light)));

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "matching/pictures.hpp"
+#include "matching/images.hpp"
 #include "mbncc/geometry.hpp"
 
 namespace mbncc {
@@ -18,19 +18,19 @@ cv::Mat grey_texture(cv::Size size, std::uint64_t seed) {
   return grey;
 }
 
-/// `picture` turned by `theta` from x towards y about `centre`.
-cv::Mat turned(const cv::Mat& picture, cv::Point2d centre, double theta) {
+/// `image` turned by `theta` from x towards y about `centre`.
+cv::Mat turned(const cv::Mat& image, cv::Point2d centre, double theta) {
   const double c = std::cos(theta), s = std::sin(theta);
   const cv::Matx23d motion(c, -s, centre.x - c * centre.x + s * centre.y,  //
                            s, c, centre.y - s * centre.x - c * centre.y);
   cv::Mat result;
-  cv::warpAffine(picture, result, motion, picture.size(), cv::INTER_CUBIC, cv::BORDER_REFLECT);
+  cv::warpAffine(image, result, motion, image.size(), cv::INTER_CUBIC, cv::BORDER_REFLECT);
   return result;
 }
 
 class PolarTest : public ::testing::Test {
  protected:
-  const cv::Mat picture_ = grey_texture({121, 121}, 3);
+  const cv::Mat image_ = grey_texture({121, 121}, 3);
   const cv::Point2d centre_{60, 60};
   const PolarGrid grid_ = PolarGrid::of(36);
   const cv::Mat map_ = [] {
@@ -47,10 +47,10 @@ TEST_F(PolarTest, AWholeTurnHasStepsOfAtMostAPixel) {
 }
 
 TEST_F(PolarTest, TurningTheSceneShiftsTheColumns) {
-  const PolarImage still = polar_image(picture_, centre_, grid_);
+  const PolarImage still = polar_image(image_, centre_, grid_);
   for (const int shift : {1, 17, grid_.angles / 2, grid_.angles - 5}) {
     const double theta = 2 * kPi * shift / grid_.angles;
-    const PolarImage moved = polar_image(turned(picture_, centre_, theta), centre_, grid_);
+    const PolarImage moved = polar_image(turned(image_, centre_, theta), centre_, grid_);
     double difference = 0;
     for (int ring = 0; ring < grid_.rings; ++ring)
       for (int j = 0; j < grid_.angles; ++j)
@@ -61,9 +61,9 @@ TEST_F(PolarTest, TurningTheSceneShiftsTheColumns) {
 }
 
 TEST_F(PolarTest, TheSimilarityPeaksAtTheRotation) {
-  const PolarTemplate object(picture_, map_, centre_, grid_);
+  const PolarTemplate object(image_, map_, centre_, grid_);
   for (const int shift : {0, 3, 100, grid_.angles - 1}) {
-    const cv::Mat scene = turned(picture_, centre_, 2 * kPi * shift / grid_.angles);
+    const cv::Mat scene = turned(image_, centre_, 2 * kPi * shift / grid_.angles);
     const auto values = object.similarities(polar_image(scene, centre_, grid_));
     const auto best = std::max_element(values.begin(), values.end());
     EXPECT_EQ(best - values.begin(), shift);
@@ -72,7 +72,7 @@ TEST_F(PolarTest, TheSimilarityPeaksAtTheRotation) {
 }
 
 TEST_F(PolarTest, ARangeOfShiftsGivesTheSameValues) {
-  const PolarTemplate object(picture_, map_, centre_, grid_);
+  const PolarTemplate object(image_, map_, centre_, grid_);
   const PolarImage target = polar_image(grey_texture({121, 121}, 4), centre_, grid_);
   const auto all = object.similarities(target);
   const auto some = object.similarities(target, -3, 7);
@@ -80,37 +80,37 @@ TEST_F(PolarTest, ARangeOfShiftsGivesTheSameValues) {
 }
 
 TEST_F(PolarTest, PixelsOutsideTheMapHaveNoInfluence) {
-  cv::Mat other = grey_texture(picture_.size(), 5);
-  picture_.copyTo(other, map_);
+  cv::Mat other = grey_texture(image_.size(), 5);
+  image_.copyTo(other, map_);
   const PolarImage target = polar_image(grey_texture({121, 121}, 6), centre_, grid_);
-  EXPECT_EQ(PolarTemplate(picture_, map_, centre_, grid_).similarities(target),
+  EXPECT_EQ(PolarTemplate(image_, map_, centre_, grid_).similarities(target),
             PolarTemplate(other, map_, centre_, grid_).similarities(target));
 }
 
 TEST_F(PolarTest, GainAndOffsetHardlyMatter) {
-  const PolarTemplate object(picture_, map_, centre_, grid_);
+  const PolarTemplate object(image_, map_, centre_, grid_);
   cv::Mat brighter;
-  picture_.convertTo(brighter, CV_8U, 0.8, 30);
-  const auto plain = object.similarities(polar_image(picture_, centre_, grid_));
+  image_.convertTo(brighter, CV_8U, 0.8, 30);
+  const auto plain = object.similarities(polar_image(image_, centre_, grid_));
   const auto changed = object.similarities(polar_image(brighter, centre_, grid_));
   for (std::size_t k = 0; k < plain.size(); ++k) EXPECT_NEAR(plain[k], changed[k], 0.03);
 }
 
-TEST_F(PolarTest, FlatPicturesAndEmptyRegionsGiveZero) {
+TEST_F(PolarTest, FlatImagesAndEmptyRegionsGiveZero) {
   const PolarImage flat = polar_image(cv::Mat(121, 121, CV_8UC1, cv::Scalar(90)), centre_, grid_);
-  for (double value : PolarTemplate(picture_, map_, centre_, grid_).similarities(flat))
+  for (double value : PolarTemplate(image_, map_, centre_, grid_).similarities(flat))
     EXPECT_NEAR(value, 0, 1e-3);
-  const cv::Mat nothing = cv::Mat::zeros(picture_.size(), CV_8UC1);
-  for (double value : PolarTemplate(picture_, nothing, centre_, grid_).similarities(flat))
+  const cv::Mat nothing = cv::Mat::zeros(image_.size(), CV_8UC1);
+  for (double value : PolarTemplate(image_, nothing, centre_, grid_).similarities(flat))
     EXPECT_EQ(value, 0);
 }
 
-TEST_F(PolarTest, RefusesPicturesThatDoNotFit) {
+TEST_F(PolarTest, RefusesImagesThatDoNotFit) {
   EXPECT_THROW(polar_image(cv::Mat::zeros(9, 9, CV_8UC3), {4, 4}, grid_), std::invalid_argument);
-  EXPECT_THROW(PolarTemplate(picture_, cv::Mat::zeros(9, 9, CV_8UC1), centre_, grid_),
+  EXPECT_THROW(PolarTemplate(image_, cv::Mat::zeros(9, 9, CV_8UC1), centre_, grid_),
                std::invalid_argument);
-  const PolarTemplate object(picture_, map_, centre_, grid_);
-  EXPECT_THROW(object.similarities(polar_image(picture_, centre_, PolarGrid::of(20))),
+  const PolarTemplate object(image_, map_, centre_, grid_);
+  EXPECT_THROW(object.similarities(polar_image(image_, centre_, PolarGrid::of(20))),
                std::invalid_argument);
 }
 

@@ -3,8 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include "matching/images.hpp"
 #include "matching/matcher_fixture.hpp"
-#include "matching/pictures.hpp"
 #include "matching/prepared/prepared_object.hpp"
 
 namespace mbncc::prepared {
@@ -36,15 +36,15 @@ cv::Mat bar() {
 
 /// A plain object on a plain platform.
 cv::Mat painted(const cv::Mat& map) {
-  cv::Mat picture(map.size(), CV_8UC3, kPlatform);
-  picture.setTo(kPaint, map);
-  return picture;
+  cv::Mat image(map.size(), CV_8UC3, kPlatform);
+  image.setTo(kPaint, map);
+  return image;
 }
 
 /// As a camera sees it: blurred, lit from one side, with noise.
-cv::Mat photographed(const cv::Mat& picture, double noise = 2) {
+cv::Mat photographed(const cv::Mat& image, double noise = 2) {
   cv::Mat light, result;
-  picture.convertTo(light, CV_32F);
+  image.convertTo(light, CV_32F);
   cv::GaussianBlur(light, light, {}, 0.7);
   for (int y = 0; y < light.rows; ++y)
     for (int x = 0; x < light.cols; ++x)
@@ -56,8 +56,8 @@ cv::Mat photographed(const cv::Mat& picture, double noise = 2) {
   return result;
 }
 
-MeasuredSymmetry measured(const cv::Mat& picture, const cv::Mat& map) {
-  return measure_symmetry(crop_view(picture, map, {60, 60, 0}));
+MeasuredSymmetry measured(const cv::Mat& image, const cv::Mat& map) {
+  return measure_symmetry(crop_view(image, map, {60, 60, 0}));
 }
 
 TEST(Symmetry, PlainPolygonsRepeatPerCorner) {
@@ -83,12 +83,12 @@ TEST(Symmetry, LightAndNoiseOfACameraHideNone) {
 
 TEST(Symmetry, TextureBreaksIt) {
   const cv::Mat square = polygon(4, 40);
-  EXPECT_EQ(measured(test::LearningPicture(51, square).picture, square).possible, 1);
+  EXPECT_EQ(measured(test::LearningImage(51, square).image, square).possible, 1);
 }
 
 // A print, an oblique side and gloss look alike in one image, so only the operator can decide.
 TEST(Symmetry, ARoundOutlineIsLeftToTheOperatorWhateverItsTexture) {
-  const MeasuredSymmetry symmetry = measured(test::LearningPicture(51, disc()).picture, disc());
+  const MeasuredSymmetry symmetry = measured(test::LearningImage(51, disc()).image, disc());
   EXPECT_EQ(symmetry.certain, 1);
   EXPECT_EQ(symmetry.possible, 0);
 }
@@ -125,20 +125,20 @@ TEST(Symmetry, ANotchLeavesItToTheOperator) {
 
 // Half the bar a little lighter: no edge, but another end.
 TEST(Symmetry, AnEndOfAnotherShadeLeavesItToTheOperator) {
-  cv::Mat picture = painted(bar());
-  picture(cv::Rect(86, 45, 15, 31)).setTo(kPaint + cv::Scalar::all(25));
-  EXPECT_EQ(measured(photographed(picture), bar()).certain, 1);
+  cv::Mat image = painted(bar());
+  image(cv::Rect(86, 45, 15, 31)).setTo(kPaint + cv::Scalar::all(25));
+  EXPECT_EQ(measured(photographed(image), bar()).certain, 1);
 }
 
 // Its differences are too small for a mark, and no noise is that strong.
 TEST(Symmetry, FineGrainBreaksIt) {
-  cv::Mat grain(121, 121, CV_32FC3), picture;
+  cv::Mat grain(121, 121, CV_32FC3), image;
   cv::RNG(3).fill(grain, cv::RNG::NORMAL, 0, 12);
-  painted(bar()).convertTo(picture, CV_32F);
-  cv::add(picture, grain, picture, bar());
-  picture.convertTo(picture, CV_8U);
-  EXPECT_EQ(measured(picture, bar()).certain, 1);
-  EXPECT_EQ(measured(picture, bar()).possible, 2);
+  painted(bar()).convertTo(image, CV_32F);
+  cv::add(image, grain, image, bar());
+  image.convertTo(image, CV_8U);
+  EXPECT_EQ(measured(image, bar()).certain, 1);
+  EXPECT_EQ(measured(image, bar()).possible, 2);
 }
 
 TEST(Symmetry, ATaperedOutlineLeavesItToTheOperator) {
@@ -152,24 +152,24 @@ TEST(Symmetry, ATaperedOutlineLeavesItToTheOperator) {
 
 // The centroid of a map is no more accurate than its edge; the surface determines the centre.
 TEST(Symmetry, ARoughlyCutMapHidesNone) {
-  cv::Mat picture = painted(bar());
+  cv::Mat image = painted(bar());
   for (int x = 27; x < 60; x += 8) {
-    picture(cv::Rect(x, 50, 4, 12)).setTo(cv::Scalar::all(230));
-    picture(cv::Rect(120 - x - 3, 120 - 50 - 11, 4, 12)).setTo(cv::Scalar::all(230));
+    image(cv::Rect(x, 50, 4, 12)).setTo(cv::Scalar::all(230));
+    image(cv::Rect(120 - x - 3, 120 - 50 - 11, 4, 12)).setTo(cv::Scalar::all(230));
   }
   cv::Mat map = bar();
-  EXPECT_EQ(measured(photographed(picture, 1), map).certain, 2);
+  EXPECT_EQ(measured(photographed(image, 1), map).certain, 2);
   map.colRange(0, 22) = 0;
-  EXPECT_EQ(measured(photographed(picture, 1), map).certain, 2);
+  EXPECT_EQ(measured(photographed(image, 1), map).certain, 2);
 }
 
 TEST(Symmetry, GlossLeavesItToTheOperator) {
-  cv::Mat gloss = cv::Mat::zeros(121, 121, CV_8UC1), picture = painted(disc());
+  cv::Mat gloss = cv::Mat::zeros(121, 121, CV_8UC1), image = painted(disc());
   cv::circle(gloss, {50, 48}, 6, cv::Scalar(40), cv::FILLED);
   cv::GaussianBlur(gloss, gloss, {}, 2);
   cv::Mat added;
   cv::cvtColor(gloss, added, cv::COLOR_GRAY2BGR);
-  const MeasuredSymmetry symmetry = measured(photographed(picture + added), disc());
+  const MeasuredSymmetry symmetry = measured(photographed(image + added), disc());
   EXPECT_EQ(symmetry.certain, 1);
   EXPECT_EQ(symmetry.possible, 0);
 }
@@ -188,21 +188,21 @@ TEST(Symmetry, WhatIsDeclaredCounts) {
   EXPECT_THROW(PreparedObject(model, Engine::kFast), std::invalid_argument);
 }
 
-/// A bar with a faint mark, whose symmetry is left to the operator, found in its learning picture.
+/// A bar with a faint mark, whose symmetry is left to the operator, found in its learning image.
 class MarkedBar : public test::MatcherTest {
  protected:
   Match found(const cv::Mat& map, std::optional<int> declared) {
-    cv::Mat picture(240, 240, CV_8UC3, kPlatform), whole = cv::Mat::zeros(240, 240, CV_8UC1);
+    cv::Mat image(240, 240, CV_8UC3, kPlatform), whole = cv::Mat::zeros(240, 240, CV_8UC1);
     const cv::Rect place(60, 60, map.cols, map.rows);
     cv::Mat object = painted(map);
     cv::circle(object, {85, 60}, 3, kPaint + cv::Scalar::all(20), cv::FILLED);
-    photographed(object).copyTo(picture(place));
+    photographed(object).copyTo(image(place));
     map.copyTo(whole(place));
     auto model = std::make_shared<ObjectModel>();
     model->name = "marked";
-    model->views = {crop_view(picture, whole, {120, 120, 0})};
+    model->views = {crop_view(image, whole, {120, 120, 0})};
     model->symmetry = declared;
-    const auto matches = matcher_of({model}).find(picture).matches;
+    const auto matches = matcher_of({model}).find(image).matches;
     EXPECT_EQ(matches.size(), 1u);
     return matches.empty() ? Match() : matches.front();
   }
@@ -235,11 +235,11 @@ TEST_F(MarkedBar, DeclaredNoneKeepsTheAngleStrict) {
   model->name = "plain";
   model->views = {crop_view(plain, bar(), {60, 60, 0})};
   EXPECT_EQ(measure_symmetry(model->views.front()).certain, 2);
-  cv::Mat picture(240, 240, CV_8UC3, kPlatform);
-  photographed(plain).copyTo(picture(cv::Rect(60, 60, 121, 121)));
-  EXPECT_TRUE(matcher_of({model}).find(picture).matches.at(0).graspable);
+  cv::Mat image(240, 240, CV_8UC3, kPlatform);
+  photographed(plain).copyTo(image(cv::Rect(60, 60, 121, 121)));
+  EXPECT_TRUE(matcher_of({model}).find(image).matches.at(0).graspable);
   model->symmetry = 1;
-  EXPECT_FALSE(matcher_of({model}).find(picture).matches.at(0).graspable);
+  EXPECT_FALSE(matcher_of({model}).find(image).matches.at(0).graspable);
 }
 
 }  // namespace

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "imaging/pyramid.hpp"
-#include "matching/pictures.hpp"
+#include "matching/images.hpp"
 #include "matching/template/map_geometry.hpp"
 
 namespace mbncc::proposal {
@@ -19,7 +19,7 @@ class ColourGateTest : public ::testing::Test {
  protected:
   const cv::Size size_{320, 240};
   const cv::Point2d anchor_{60, 60};
-  test::LearningPicture source_{1};
+  test::LearningImage source_{1};
 
   ColourGateTest() { source_.surface = tinted(source_.map.size(), 1, {-60, 0, 60}); }
 
@@ -28,8 +28,8 @@ class ColourGateTest : public ::testing::Test {
             templates::MapGeometry(source_.map).mean_width()};
   }
 
-  static imaging::ClassPictures classes_of(const cv::Mat& scene) {
-    return imaging::ClassPictures(imaging::build_pyramid(scene, imaging::ClassPictures::kLast));
+  static imaging::ClassImages classes_of(const cv::Mat& scene) {
+    return imaging::ClassImages(imaging::build_pyramid(scene, imaging::ClassImages::kLast));
   }
 
   static double part_of(const SearchMask& places, cv::Size size) {
@@ -51,7 +51,7 @@ TEST_F(ColourGateTest, LeavesTheTruePlaceAndLittleElseAtAnyRotation) {
   }
 }
 
-TEST_F(ColourGateTest, LeavesEverythingWhereThePictureHasTheObjectsColoursAllOver) {
+TEST_F(ColourGateTest, LeavesEverythingWhereTheImageHasTheObjectsColoursAllOver) {
   cv::Mat scene = tinted(size_, 11, {-60, 0, 60});
   test::place(scene, source_, anchor_, {150, 120, 1});
   EXPECT_TRUE(gate().places(classes_of(scene)).everywhere());
@@ -62,9 +62,9 @@ TEST_F(ColourGateTest, AlwaysLeavesSomething) {
   EXPECT_GT(part_of(gate().places(classes_of(scene)), size_), 0.02);
 }
 
-TEST_F(ColourGateTest, SmallPicturesAreNotGated) {
+TEST_F(ColourGateTest, SmallImagesAreNotGated) {
   const cv::Mat scene = tinted({16, 16}, 13, {60, 0, -60});
-  EXPECT_TRUE(gate().places(imaging::ClassPictures(imaging::build_pyramid(scene, 0))).everywhere());
+  EXPECT_TRUE(gate().places(imaging::ClassImages(imaging::build_pyramid(scene, 0))).everywhere());
 }
 
 TEST(SearchMask, PositionsOfAnyLevelFallIntoTheirCells) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The coarse search by edges proposes poses over all of a picture.
+// The coarse search by edges proposes poses over all of an image.
 #include "matching/proposal/contour_search.hpp"
 
 #include <gtest/gtest.h>
@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <iterator>
 
-#include "matching/pictures.hpp"
+#include "matching/images.hpp"
 #include "matching/proposal/response_peaks.hpp"
 #include "matching/template/map_geometry.hpp"
 
@@ -18,9 +18,9 @@ const cv::Point2d kAnchor{60, 60};
 
 class EdgeSearchTest : public ::testing::Test {
  protected:
-  EdgeCandidates search(const cv::Mat& picture, std::size_t foremost, std::size_t most,
+  EdgeCandidates search(const cv::Mat& image, std::size_t foremost, std::size_t most,
                         OutlinePart part = OutlinePart::kWhole) const {
-    cv::Mat level = picture;
+    cv::Mat level = image;
     for (int k = 0; k < bank_.level(); ++k) cv::pyrDown(level, level);
     return edge_search(bank_, scene::SceneLevel(level, bank_.level()), {{0, 0}, level.size()},
                        foremost, most, {}, {}, part);
@@ -28,11 +28,11 @@ class EdgeSearchTest : public ::testing::Test {
 
   /// The ground with a bright object at `truth`.
   cv::Mat with_object(const Pose2D& truth) const {
-    cv::Mat picture = ground_.clone();
-    test::LearningPicture bright = source_;
+    cv::Mat image = ground_.clone();
+    test::LearningImage bright = source_;
     bright.surface.setTo(cv::Scalar::all(240));
-    test::place(picture, bright, kAnchor, truth);
-    return picture;
+    test::place(image, bright, kAnchor, truth);
+    return image;
   }
 
   /// The best response of a pose at `truth`; 0 if there is none.
@@ -52,7 +52,7 @@ class EdgeSearchTest : public ::testing::Test {
     return values;
   }
 
-  const test::LearningPicture source_{1};
+  const test::LearningImage source_{1};
   const ContourBank bank_{templates::MapGeometry(source_.map), kAnchor};
   const cv::Mat ground_ = test::texture({320, 240}, 5);
 };
@@ -116,8 +116,8 @@ TEST_F(EdgeSearchTest, ACoveredPartDoesNotLowerTheBestThreeQuarters) {
   cv::Mat covered = free.clone();
   covered(cv::Rect(90, 40, 130, 60)).setTo(120);
   const auto left = [&](OutlinePart part) {
-    const auto response = [&](const cv::Mat& picture) {
-      return response_at(truth, search(picture, 8000, 8000, part).poses);
+    const auto response = [&](const cv::Mat& image) {
+      return response_at(truth, search(image, 8000, 8000, part).poses);
     };
     return response(covered) / response(free);
   };

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "imaging/pyramid.hpp"
-#include "matching/pictures.hpp"
+#include "matching/images.hpp"
 #include "matching/prepared/prepared_object.hpp"
 #include "matching/refinement/gauss_newton.hpp"
 
@@ -15,17 +15,16 @@ namespace {
 class ClimbTest : public ::testing::Test {
  protected:
   /// An object with texture, or of one colour on a background of another.
-  static test::LearningPicture lesson(bool textured) {
-    test::LearningPicture source(41);
+  static test::LearningImage lesson(bool textured) {
+    test::LearningImage source(41);
     if (textured) return source;
     source.surface.setTo(cv::Scalar(60, 90, 170));
-    source.picture.setTo(cv::Scalar(150, 150, 150));
-    source.surface.copyTo(source.picture, source.map);
+    source.image.setTo(cv::Scalar(150, 150, 150));
+    source.surface.copyTo(source.image, source.map);
     return source;
   }
 
-  static cv::Mat scene_with(const test::LearningPicture& source, bool textured,
-                            const Pose2D& truth) {
+  static cv::Mat scene_with(const test::LearningImage& source, bool textured, const Pose2D& truth) {
     cv::Mat scene = textured ? test::texture({200, 160}, 42, 4)
                              : cv::Mat(160, 200, CV_8UC3, cv::Scalar(140, 140, 140));
     test::place(scene, source, kReference, truth);
@@ -41,7 +40,7 @@ class ClimbTest : public ::testing::Test {
           scene(scene_with(source, textured, truth), 0),
           anchor(compose(truth, inverse(view.reference_in_anchor))) {}
 
-    test::LearningPicture source;
+    test::LearningImage source;
     std::shared_ptr<const ObjectModel> object;
     prepared::PreparedView view;
     scene::SceneLevel scene;
@@ -88,7 +87,7 @@ TEST_F(ClimbTest, ContoursAreFollowedWithoutTheSurface) {
 }
 
 TEST_F(ClimbTest, NeverGetsWorse) {
-  const test::LearningPicture source = lesson(true);
+  const test::LearningImage source = lesson(true);
   const auto object = test::object_from(source, {kReference.x, kReference.y, 0});
   const prepared::PreparedView view(object->views.front(), prepared::Engine::kFast);
   const scene::SceneLevel scene(test::texture({200, 160}, 43), 0);

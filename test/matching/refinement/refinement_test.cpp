@@ -6,7 +6,7 @@
 
 #include <cmath>
 
-#include "matching/pictures.hpp"
+#include "matching/images.hpp"
 #include "matching/prepared/prepared_object.hpp"
 #include "matching/refinement/gauss_newton.hpp"
 #include "matching/refinement/illumination_bias.hpp"
@@ -15,7 +15,7 @@
 namespace mbncc::refinement {
 namespace {
 
-using test::LearningPicture;
+using test::LearningImage;
 
 class RefinementTest : public ::testing::Test {
  protected:
@@ -33,11 +33,11 @@ class RefinementTest : public ::testing::Test {
     return with_noise(scene, seed, noise);
   }
 
-  static cv::Mat with_noise(const cv::Mat& picture, std::uint64_t seed, double deviation) {
-    cv::Mat noise(picture.size(), CV_16SC3), noisy;
+  static cv::Mat with_noise(const cv::Mat& image, std::uint64_t seed, double deviation) {
+    cv::Mat noise(image.size(), CV_16SC3), noisy;
     cv::RNG random(seed + 7);
     random.fill(noise, cv::RNG::NORMAL, 0, deviation);
-    cv::add(picture, noise, noisy, {}, CV_8U);
+    cv::add(image, noise, noisy, {}, CV_8U);
     return noisy;
   }
 
@@ -68,7 +68,7 @@ class RefinementTest : public ::testing::Test {
   }
 
   static const cv::Point2d kReference;
-  LearningPicture source_;
+  LearningImage source_;
   std::shared_ptr<ObjectModel> object_;
   prepared::PreparedView view_;
 };
@@ -161,9 +161,9 @@ TEST_F(RefinementTest, TheClaimTurnsWithTheObject) {
   // Along a long strip the place is known less well than across.
   cv::Mat map = cv::Mat::zeros(120, 120, CV_8UC1);
   map(cv::Rect(15, 52, 90, 12)) = 255;
-  LearningPicture strip(5, map);
+  LearningImage strip(5, map);
   strip.surface.setTo(cv::Scalar(60, 80, 160));
-  strip.surface.copyTo(strip.picture, map);
+  strip.surface.copyTo(strip.image, map);
   const prepared::PreparedView view(test::object_from(strip, {60, 58, 0})->views.front(),
                                     prepared::Engine::kFast);
   const auto claim = [&](double theta) {
@@ -224,7 +224,7 @@ TEST_F(RefinementTest, StaysWhereItStartsWithoutSteps) {
   EXPECT_GT(found.covariance(0, 0), 0);
 }
 
-TEST_F(RefinementTest, KnowsNothingOutsideThePicture) {
+TEST_F(RefinementTest, KnowsNothingOutsideTheImage) {
   const Refined found = refined(scene_with({103.7, 82.6, 0.7}), {-500, 40, 0});
   EXPECT_GT(found.covariance(0, 0), 1000);
   EXPECT_GT(found.covariance(2, 2), 1);

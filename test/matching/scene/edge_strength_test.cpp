@@ -17,10 +17,10 @@ const cv::Size kSize(60, 40);
 
 /// Longest edge vector [0..1] of a step from `dark` to `bright` [levels].
 double step_response(double dark, double bright, const cv::Scalar& colour = {1, 1, 1}) {
-  cv::Mat picture(kSize, CV_8UC3, colour * dark);
-  picture.colRange(kSize.width / 2, kSize.width) = colour * bright;
+  cv::Mat image(kSize, CV_8UC3, colour * dark);
+  image.colRange(kSize.width / 2, kSize.width) = colour * bright;
   cv::Mat smooth(kSize, CV_8UC3), edges(kSize, CV_8SC2);
-  smooth_and_find_edges(picture, {{}, kSize}, kSigma, smooth, edges);
+  smooth_and_find_edges(image, {{}, kSize}, kSigma, smooth, edges);
   double longest = 0;
   for (int x = 0; x < kSize.width; ++x) {
     const auto edge = edges.at<cv::Vec<std::int8_t, 2>>(kSize.height / 2, x);

@@ -12,10 +12,10 @@ namespace {
 
 constexpr int kTop = 2;
 
-cv::Mat random_picture(cv::Size size, int type, std::uint64_t seed) {
-  cv::Mat picture(size, type);
-  cv::RNG(seed).fill(picture, cv::RNG::UNIFORM, 0, 256);
-  return picture;
+cv::Mat random_image(cv::Size size, int type, std::uint64_t seed) {
+  cv::Mat image(size, type);
+  cv::RNG(seed).fill(image, cv::RNG::UNIFORM, 0, 256);
+  return image;
 }
 
 bool equal(const cv::Mat& a, const cv::Mat& b) {
@@ -23,9 +23,9 @@ bool equal(const cv::Mat& a, const cv::Mat& b) {
 }
 
 /// All data of `scene` are as in a new scene.
-void expect_as_if_fresh(const ScenePicture& scene, const cv::Mat& picture) {
+void expect_as_if_fresh(const SceneImage& scene, const cv::Mat& image) {
   constexpr int kMargin = 20;
-  const ScenePicture fresh(picture, kTop);
+  const SceneImage fresh(image, kTop);
   ASSERT_EQ(scene.levels.size(), fresh.levels.size());
   for (std::size_t level = 0; level < fresh.levels.size(); ++level) {
     const auto maps = scene.levels[level].responses(kMargin);
@@ -46,19 +46,19 @@ void expect_as_if_fresh(const ScenePicture& scene, const cv::Mat& picture) {
   }
 }
 
-TEST(ScenePool, ShowsAPictureAsIfItWereTheFirst) {
+TEST(ScenePool, ShowsAnImageAsIfItWereTheFirst) {
   ScenePool pool;
   std::uint64_t seed = 1;
   for (const cv::Size size :
        {cv::Size(97, 64), cv::Size(97, 64), cv::Size(64, 97), cv::Size(40, 30)})
     for (const int type : {CV_8UC3, CV_8UC1, CV_8UC3}) {
-      const cv::Mat picture = random_picture(size, type, seed++);
-      expect_as_if_fresh(*pool.show(picture, kTop), picture);
+      const cv::Mat image = random_image(size, type, seed++);
+      expect_as_if_fresh(*pool.show(image, kTop), image);
     }
 }
 
 TEST(ScenePool, LargerMarginsAreNotForgottenTooSoon) {
-  const ScenePicture scene(random_picture({60, 50}, CV_8UC3, 3), 0);
+  const SceneImage scene(random_image({60, 50}, CV_8UC3, 3), 0);
   const auto narrow = scene.levels[0].responses(10);
   const std::int8_t before = narrow->data()[narrow->offset(2, 30, 20)];
   const auto wide = scene.levels[0].responses(50);
@@ -68,28 +68,28 @@ TEST(ScenePool, LargerMarginsAreNotForgottenTooSoon) {
   EXPECT_EQ(scene.levels[0].responses(10), wide);
 }
 
-TEST(ScenePool, LeavesTheCallersPicturesAlone) {
+TEST(ScenePool, LeavesTheCallersImagesAlone) {
   ScenePool pool;
-  const cv::Mat grey = random_picture({50, 40}, CV_8UC1, 1), kept = grey.clone();
+  const cv::Mat grey = random_image({50, 40}, CV_8UC1, 1), kept = grey.clone();
   pool.show(grey, kTop);
-  pool.show(random_picture({50, 40}, CV_8UC3, 2), kTop);
+  pool.show(random_image({50, 40}, CV_8UC3, 2), kTop);
   EXPECT_TRUE(equal(grey, kept));
 }
 
-TEST(ScenePool, PicturesShownAtATimeAreApart) {
+TEST(ScenePool, ImagesShownAtATimeAreApart) {
   ScenePool pool;
-  const cv::Mat first = random_picture({50, 40}, CV_8UC3, 1);
-  const cv::Mat second = random_picture({50, 40}, CV_8UC3, 2);
+  const cv::Mat first = random_image({50, 40}, CV_8UC3, 1);
+  const cv::Mat second = random_image({50, 40}, CV_8UC3, 2);
   const auto one = pool.show(first, kTop), other = pool.show(second, kTop);
   expect_as_if_fresh(*one, first);
   expect_as_if_fresh(*other, second);
 }
 
-TEST(ScenePool, BearsPicturesThatCannotBeSearched) {
+TEST(ScenePool, BearsImagesThatCannotBeSearched) {
   ScenePool pool;
   EXPECT_THROW(pool.show(cv::Mat(40, 40, CV_16UC1), kTop), std::invalid_argument);
-  const cv::Mat picture = random_picture({50, 40}, CV_8UC3, 1);
-  expect_as_if_fresh(*pool.show(picture, kTop), picture);
+  const cv::Mat image = random_image({50, 40}, CV_8UC3, 1);
+  expect_as_if_fresh(*pool.show(image, kTop), image);
 }
 
 }  // namespace

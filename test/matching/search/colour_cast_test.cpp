@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-#include "matching/pictures.hpp"
+#include "matching/images.hpp"
 #include "matching/prepared/prepared_object.hpp"
 
 namespace mbncc::search {
@@ -14,16 +14,16 @@ namespace {
 class ColourCastTest : public ::testing::Test {
  protected:
   static constexpr int kObjects = 3;
-  std::vector<test::LearningPicture> sources_;
+  std::vector<test::LearningImage> sources_;
   std::vector<prepared::PreparedObject> objects_;
-  cv::Mat picture_ = test::texture({480, 240}, 50, 4);
+  cv::Mat image_ = test::texture({480, 240}, 50, 4);
 
   ColourCastTest() {
     for (int k = 0; k < kObjects; ++k) {
       sources_.emplace_back(static_cast<std::uint64_t>(k));
       objects_.emplace_back(test::object_from(sources_.back(), {58, 60, 0}),
                             prepared::Engine::kFast);
-      test::place(picture_, sources_.back(), anchor(k), pose(k));
+      test::place(image_, sources_.back(), anchor(k), pose(k));
     }
   }
 
@@ -46,52 +46,52 @@ class ColourCastTest : public ::testing::Test {
     return all;
   }
 
-  /// The estimate from the first `count` objects in `picture`.
-  std::optional<evidence::ColourCast> told(const cv::Mat& picture, int count = kObjects,
+  /// The estimate from the first `count` objects in `image`.
+  std::optional<evidence::ColourCast> told(const cv::Mat& image, int count = kObjects,
                                            double log_odds = 6) const {
-    const auto scene = std::make_shared<const scene::ScenePicture>(picture, 0);
+    const auto scene = std::make_shared<const scene::SceneImage>(image, 0);
     std::vector<prepared::Comparison> compared;
     for (int k = 0; k < count; ++k)
       compared.push_back({&objects_[static_cast<std::size_t>(k)], scene});
     return colour_cast(compared, found(count, log_odds));
   }
 
-  static cv::Mat cast(const cv::Mat& picture, double blue, double red) {
-    return without_cast(picture, {-std::log(blue), -std::log(red)});
+  static cv::Mat cast(const cv::Mat& image, double blue, double red) {
+    return without_cast(image, {-std::log(blue), -std::log(red)});
   }
 };
 
 TEST_F(ColourCastTest, TellsTheGainsOfBlueAndRed) {
-  const auto gains = told(cast(picture_, 0.9, 1.1));
+  const auto gains = told(cast(image_, 0.9, 1.1));
   ASSERT_TRUE(gains);
   EXPECT_NEAR(std::exp(gains->blue), 0.9, 0.015);
   EXPECT_NEAR(std::exp(gains->red), 1.1, 0.015);
 }
 
 TEST_F(ColourCastTest, TellsNothingOfLightAsItWas) {
-  EXPECT_FALSE(told(picture_));
-  const cv::Mat darker = 0.8 * picture_;
+  EXPECT_FALSE(told(image_));
+  const cv::Mat darker = 0.8 * image_;
   EXPECT_FALSE(told(darker)) << "brightness is no colour";
 }
 
 TEST_F(ColourCastTest, BelievesNeitherOneAloneNorUnlikelyOnes) {
-  const cv::Mat reddish = cast(picture_, 0.9, 1.1);
+  const cv::Mat reddish = cast(image_, 0.9, 1.1);
   EXPECT_FALSE(told(reddish, 1));
   EXPECT_FALSE(told(reddish, kObjects, 0));
   EXPECT_FALSE(told(reddish, 0));
 }
 
 TEST_F(ColourCastTest, BelievesNoneWhereTheyDisagree) {
-  cv::Mat mixed = picture_.clone();
-  cast(picture_, 0.8, 1.2)(cv::Rect(0, 0, 165, 240)).copyTo(mixed(cv::Rect(0, 0, 165, 240)));
-  cast(picture_, 1.2, 0.8)(cv::Rect(165, 0, 150, 240)).copyTo(mixed(cv::Rect(165, 0, 150, 240)));
+  cv::Mat mixed = image_.clone();
+  cast(image_, 0.8, 1.2)(cv::Rect(0, 0, 165, 240)).copyTo(mixed(cv::Rect(0, 0, 165, 240)));
+  cast(image_, 1.2, 0.8)(cv::Rect(165, 0, 150, 240)).copyTo(mixed(cv::Rect(165, 0, 150, 240)));
   EXPECT_FALSE(told(mixed));
 }
 
-TEST_F(ColourCastTest, ABalancedPictureIsAsItWas) {
-  const cv::Mat back = without_cast(cast(picture_, 0.9, 1.1), {std::log(0.9), std::log(1.1)});
-  EXPECT_LT(cv::norm(back, picture_, cv::NORM_INF), 45) << "but where red was clipped";
-  EXPECT_LT(cv::norm(back, picture_, cv::NORM_L1) / static_cast<double>(3 * picture_.total()), 1);
+TEST_F(ColourCastTest, ABalancedImageIsAsItWas) {
+  const cv::Mat back = without_cast(cast(image_, 0.9, 1.1), {std::log(0.9), std::log(1.1)});
+  EXPECT_LT(cv::norm(back, image_, cv::NORM_INF), 45) << "but where red was clipped";
+  EXPECT_LT(cv::norm(back, image_, cv::NORM_L1) / static_cast<double>(3 * image_.total()), 1);
 }
 
 }  // namespace

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "matching/pictures.hpp"
+#include "matching/images.hpp"
 
 namespace mbncc::search {
 namespace {
@@ -15,17 +15,17 @@ class ColourRankingTest : public ::testing::Test {
  protected:
   ColourRankingTest() {
     source_.surface += kTint;
-    source_.surface.copyTo(source_.picture, source_.map);
+    source_.surface.copyTo(source_.image, source_.map);
     object_ = std::make_unique<prepared::PreparedObject>(test::object_from(source_, {60, 60, 0}),
                                                          prepared::Engine::kFast);
-    cv::Mat picture = test::texture({320, 240}, 9, 4) - 0.5 * kTint;
-    test::place(picture, source_, view().anchor, truth_);
-    scene_ = std::make_unique<scene::ScenePicture>(picture, object_->top_level());
+    cv::Mat image = test::texture({320, 240}, 9, 4) - 0.5 * kTint;
+    test::place(image, source_, view().anchor, truth_);
+    scene_ = std::make_unique<scene::SceneImage>(image, object_->top_level());
   }
 
   const prepared::PreparedView& view() const { return object_->views.front(); }
 
-  /// Poses over all the picture; the second last one is true, and of all of them last by edges.
+  /// Poses over all the image; the second last one is true, and of all of them last by edges.
   std::vector<templates::Candidate> poses() const {
     std::vector<templates::Candidate> poses;
     for (int x = 40; x <= 280; x += 20)
@@ -40,9 +40,9 @@ class ColourRankingTest : public ::testing::Test {
   }
 
   const Pose2D truth_{170, 110, 0.7};
-  test::LearningPicture source_{1};
+  test::LearningImage source_{1};
   std::unique_ptr<prepared::PreparedObject> object_;
-  std::unique_ptr<scene::ScenePicture> scene_;
+  std::unique_ptr<scene::SceneImage> scene_;
 };
 
 TEST_F(ColourRankingTest, TheObjectsColoursLiftItsPoseAboveBetterEdges) {
@@ -64,8 +64,8 @@ TEST_F(ColourRankingTest, MoreThanThereAreIsAll) {
   EXPECT_TRUE(best_by_colours(view(), *scene_, {}, 5).empty());
 }
 
-TEST_F(ColourRankingTest, InAPictureTooSmallForColoursEdgesDecide) {
-  const scene::ScenePicture small(test::texture({16, 16}, 3), 0);
+TEST_F(ColourRankingTest, InAnImageTooSmallForColoursEdgesDecide) {
+  const scene::SceneImage small(test::texture({16, 16}, 3), 0);
   auto all = poses();
   all[7].value = 0.7;
   const auto best = best_by_colours(view(), small, all, 5);

@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <memory>
 
-#include "matching/pictures.hpp"
+#include "matching/images.hpp"
 
 namespace mbncc::search {
 namespace {
@@ -20,7 +20,7 @@ class ProposalsTest : public ::testing::Test {
  protected:
   ProposalsTest() {
     source_.surface.setTo(kColour);
-    source_.surface.copyTo(source_.picture, source_.map);
+    source_.surface.copyTo(source_.image, source_.map);
     object_ = std::make_unique<prepared::PreparedObject>(
         test::object_from(source_, {kReference.x, kReference.y, 0}), prepared::Engine::kFast);
     free_ = test::texture({320, 240}, 40);
@@ -28,11 +28,11 @@ class ProposalsTest : public ::testing::Test {
   }
 
   /// The highest value of a proposal at the true pose; 0 if there is none.
-  double value_at_truth(const cv::Mat& picture) const {
+  double value_at_truth(const cv::Mat& image) const {
     const prepared::PreparedView& view = object_->views.front();
-    const scene::ScenePicture scene(picture, object_->top_level());
+    const scene::SceneImage scene(image, object_->top_level());
     const proposal::SearchMask everywhere;
-    const Proposals proposals(view, scene, {{0, 0}, picture.size()}, everywhere);
+    const Proposals proposals(view, scene, {{0, 0}, image.size()}, everywhere);
     const Pose2D anchor = compose(kTruth, inverse(view.reference_in_anchor));
     double best = 0;
     for (const auto& one : proposals.by_visible_part(200)) {
@@ -44,7 +44,7 @@ class ProposalsTest : public ::testing::Test {
     return best;
   }
 
-  test::LearningPicture source_{1};
+  test::LearningImage source_{1};
   std::unique_ptr<prepared::PreparedObject> object_;
   cv::Mat free_;
 };

@@ -6,7 +6,7 @@
 
 #include <algorithm>
 
-#include "matching/pictures.hpp"
+#include "matching/images.hpp"
 #include "matching/search/object_search.hpp"
 
 namespace mbncc::search {
@@ -16,13 +16,13 @@ const cv::Point2d kReference{52, 60};
 const cv::Scalar kBrown{100, 118, 140};
 
 /// A hook of one colour that busy grey ground has nowhere.
-test::LearningPicture hook(int width = 2) {
+test::LearningImage hook(int width = 2) {
   cv::Mat map = cv::Mat::zeros(120, 120, CV_8UC1);
   map(cv::Rect(45, 48, width, 22 + width)) = 255;
   map(cv::Rect(45, 70, 12 + width, width)) = 255;
-  test::LearningPicture source(1, map);
+  test::LearningImage source(1, map);
   source.surface.setTo(kBrown);
-  source.surface.copyTo(source.picture, source.map);
+  source.surface.copyTo(source.image, source.map);
   return source;
 }
 
@@ -37,14 +37,13 @@ cv::Mat busy_ground(std::uint64_t seed) {
 class ViewSearchTest : public ::testing::Test {
  protected:
   ViewSearchTest() : ViewSearchTest(hook()) {}
-  explicit ViewSearchTest(const test::LearningPicture& source)
+  explicit ViewSearchTest(const test::LearningImage& source)
       : source_(source),
         object_(test::object_from(source_, {52, 60, 0}), prepared::Engine::kFast) {}
 
-  std::vector<decision::Detection> search(const cv::Mat& picture, SearchMode mode) const {
+  std::vector<decision::Detection> search(const cv::Mat& image, SearchMode mode) const {
     return search_view(object_, object_.views.front(),
-                       scene::ScenePicture(picture, object_.top_level()), {{0, 0}, picture.size()},
-                       mode);
+                       scene::SceneImage(image, object_.top_level()), {{0, 0}, image.size()}, mode);
   }
 
   static bool lies_at(const decision::Detection& detection, const Pose2D& truth) {
@@ -53,37 +52,37 @@ class ViewSearchTest : public ::testing::Test {
            angle_distance(pose.theta, truth.theta) < to_radians(4.);
   }
 
-  /// Number of pictures, of twelve, whose best detection is at the true place.
+  /// Number of images, of twelve, whose best detection is at the true place.
   int found_by(SearchMode mode) const {
     int found = 0;
     for (unsigned k = 0; k < 12; ++k) {
-      cv::Mat picture = busy_ground(20 + k);
+      cv::Mat image = busy_ground(20 + k);
       const Pose2D truth{90.0 + 11 * k, 80.0 + 7 * k, 0.5 * k};
-      test::place(picture, source_, kReference, truth);
-      const auto detections = search(picture, mode);
+      test::place(image, source_, kReference, truth);
+      const auto detections = search(image, mode);
       found += !detections.empty() && lies_at(detections.front(), truth);
     }
     return found;
   }
 
-  /// Pictures, of twelve, where the object is found on busy ground and not only, twice, on plain.
+  /// Images, of twelve, where the object is found on busy ground and not only, twice, on plain.
   int found_third_by(SearchMode mode) const {
     int found = 0;
     for (unsigned k = 0; k < 12; ++k) {
-      cv::Mat picture = busy_ground(20 + k);
-      picture.colRange(0, 140).setTo(cv::Scalar::all(120));
-      test::place(picture, source_, kReference, {70, 60, 0.3});
-      test::place(picture, source_, kReference, {60, 170, 2.0});
+      cv::Mat image = busy_ground(20 + k);
+      image.colRange(0, 140).setTo(cv::Scalar::all(120));
+      test::place(image, source_, kReference, {70, 60, 0.3});
+      test::place(image, source_, kReference, {60, 170, 2.0});
       const Pose2D truth{190.0 + 6 * k, 80.0 + 7 * k, 0.5 * k};
-      test::place(picture, source_, kReference, truth);
-      const auto detections = search(picture, mode);
+      test::place(image, source_, kReference, truth);
+      const auto detections = search(image, mode);
       found += std::any_of(detections.begin(), detections.end(),
                            [&](const decision::Detection& one) { return lies_at(one, truth); });
     }
     return found;
   }
 
-  test::LearningPicture source_;
+  test::LearningImage source_;
   prepared::PreparedObject object_;
 };
 
@@ -107,13 +106,13 @@ TEST_F(WiderHookTest, BesideSeveralInstancesFurtherOnesAreLookedFor) {
 
 /// A plate with a half-turn symmetry except for a thin appendix, which moves the middle of its
 /// excircle by 20 px and its centroid by two.
-test::LearningPicture whiskered_plate() {
+test::LearningImage whiskered_plate() {
   cv::Mat map = cv::Mat::zeros(120, 140, CV_8UC1);
   map(cv::Rect(15, 48, 70, 24)) = 255;
   map(cv::Rect(85, 59, 40, 2)) = 255;
-  test::LearningPicture source(1, map);
+  test::LearningImage source(1, map);
   source.surface.setTo(kBrown);
-  source.surface.copyTo(source.picture, source.map);
+  source.surface.copyTo(source.image, source.map);
   return source;
 }
 
@@ -124,12 +123,12 @@ class WhiskeredPlateTest : public ViewSearchTest {
 
 TEST_F(WhiskeredPlateTest, MeetsItsHalfTurnWhereThePlateCoversItself) {
   const Pose2D truth{150, 120, 0.8};
-  cv::Mat picture = test::texture({320, 240}, 77, 5);
-  test::place(picture, source_, kReference, truth);
+  cv::Mat image = test::texture({320, 240}, 77, 5);
+  test::place(image, source_, kReference, truth);
   const prepared::PreparedView& view = object_.views.front();
   const cv::Point anchor = compose(truth, inverse(view.reference_in_anchor)).position();
   const auto found =
-      search_view(object_, view, scene::ScenePicture(picture, object_.top_level()),
+      search_view(object_, view, scene::SceneImage(image, object_.top_level()),
                   {anchor - cv::Point(10, 10), cv::Size(21, 21)}, SearchMode::kTwice);
   const cv::Point2d middle = cv::Point2d(49.5, 59.5) - kReference;  // of the plate
   const Pose2D half = compose(truth, {2 * middle.x, 2 * middle.y, kPi});
@@ -141,14 +140,14 @@ TEST_F(WhiskeredPlateTest, MeetsItsHalfTurnWhereThePlateCoversItself) {
 }
 
 TEST(SearchOccupied, AnObjectIsJudgedWhereAnotherOfItsSizeLies) {
-  const test::LearningPicture source(1);
+  const test::LearningImage source(1);
   const prepared::PreparedObject object(test::object_from(source, {52, 60, 0}),
                                         prepared::Engine::kFast);
   const prepared::PreparedView& view = object.views.front();
-  cv::Mat picture = test::texture({320, 240}, 77, 5);
+  cv::Mat image = test::texture({320, 240}, 77, 5);
   const Pose2D truth{150, 120, 0.8};
-  test::place(picture, source, kReference, truth);
-  const scene::ScenePicture scene(picture, object.top_level());
+  test::place(image, source, kReference, truth);
+  const scene::SceneImage scene(image, object.top_level());
   const Pose2D anchor = compose(truth, inverse(view.reference_in_anchor));
   const auto judged = [&](double size, const cv::Rect& roi,
                           const std::vector<decision::Detection>& found) {

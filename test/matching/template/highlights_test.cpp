@@ -2,7 +2,7 @@
 // What saturates the camera, and shows nothing of the object, is not compared.
 #include <gtest/gtest.h>
 
-#include "matching/pictures.hpp"
+#include "matching/images.hpp"
 #include "matching/prepared/prepared_object.hpp"
 #include "mbncc/matching/matcher.hpp"
 
@@ -13,51 +13,51 @@ const cv::Rect kSpot(40, 70, 30, 14);  // [px] a seventh of the object
 
 class HighlightsTest : public ::testing::Test {
  protected:
-  const test::LearningPicture source_{1};
+  const test::LearningImage source_{1};
 
-  /// Surface points of the object learned from `learned` that are compared in `picture`, of all.
-  static double compared(const cv::Mat& learned, const cv::Mat& picture) {
+  /// Surface points of the object learned from `learned` that are compared in `image`, of all.
+  static double compared(const cv::Mat& learned, const cv::Mat& image) {
     auto model = std::make_shared<ObjectModel>();
     model->name = "object";
     model->views.push_back(crop_view(learned, test::angle_map(), {58, 60, 0}));
     const prepared::PreparedObject object(model, prepared::Engine::kFast);
     const prepared::PreparedView& view = object.views.front();
-    const scene::SceneLevel scene(picture, 0);
+    const scene::SceneLevel scene(image, 0);
     SurfaceSample sample;
     const Pose2D anchor = compose({58, 60, 0}, inverse(view.reference_in_anchor));
     view.fine.surface.sample(scene.whole(), anchor, sample);
     return static_cast<double>(sample.visible) / static_cast<double>(sample.points);
   }
 
-  static cv::Mat with_spot(const cv::Mat& picture) {
-    cv::Mat glossy = picture.clone();
+  static cv::Mat with_spot(const cv::Mat& image) {
+    cv::Mat glossy = image.clone();
     glossy(kSpot) = cv::Scalar::all(255);
     return glossy;
   }
 };
 
 TEST_F(HighlightsTest, AreNotCompared) {
-  EXPECT_EQ(compared(source_.picture, source_.picture), 1);
-  const double left = compared(source_.picture, with_spot(source_.picture));
+  EXPECT_EQ(compared(source_.image, source_.image), 1);
+  const double left = compared(source_.image, with_spot(source_.image));
   EXPECT_LT(left, 0.95);
   EXPECT_GT(left, 0.7);
 }
 
 TEST_F(HighlightsTest, WhatWasWhiteInTheLessonIsNone) {
-  const cv::Mat white = with_spot(source_.picture);
+  const cv::Mat white = with_spot(source_.image);
   EXPECT_EQ(compared(white, white), 1);
 }
 
 TEST_F(HighlightsTest, WhatSaturatesInBrighterLightIsNone) {
-  cv::Mat pale = source_.picture.clone(), brighter;
+  cv::Mat pale = source_.image.clone(), brighter;
   pale(kSpot) = cv::Scalar::all(180);
   pale.convertTo(brighter, -1, 1.5);
   EXPECT_GT(compared(pale, brighter), 0.97);
 }
 
-TEST_F(HighlightsTest, OfAPictureThatIsSaturatedMostlyAllIsCompared) {
-  cv::Mat white(source_.picture.size(), CV_8UC3, cv::Scalar::all(255));
-  EXPECT_EQ(compared(source_.picture, white), 1) << "what a white table shows speaks against it";
+TEST_F(HighlightsTest, OfAnImageThatIsSaturatedMostlyAllIsCompared) {
+  cv::Mat white(source_.image.size(), CV_8UC3, cv::Scalar::all(255));
+  EXPECT_EQ(compared(source_.image, white), 1) << "what a white table shows speaks against it";
 }
 
 TEST_F(HighlightsTest, DoNotKeepAnObjectFromTheGrasp) {

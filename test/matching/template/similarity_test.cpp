@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "matching/pictures.hpp"
+#include "matching/images.hpp"
 
 namespace mbncc {
 namespace {
@@ -11,13 +11,13 @@ namespace {
 class SimilarityTest : public ::testing::Test {
  protected:
   static cv::Mat grey(const cv::Mat& colour) {
-    cv::Mat picture;
-    cv::cvtColor(colour, picture, cv::COLOR_BGR2GRAY);
-    return picture;
+    cv::Mat image;
+    cv::cvtColor(colour, image, cv::COLOR_BGR2GRAY);
+    return image;
   }
 
-  const test::LearningPicture source_{11};
-  const cv::Mat learned_ = grey(source_.picture);
+  const test::LearningImage source_{11};
+  const cv::Mat learned_ = grey(source_.image);
   const cv::Point2d anchor_{60, 60};
   const MaskedTemplate points_ = masked_template(learned_, source_.map, anchor_);
   const Pose2D home_{60, 60, 0};
@@ -70,10 +70,10 @@ TEST_F(SimilarityTest, CoarserLevelsKeepTheMapsWeight) {
   EXPECT_NEAR(static_cast<double>(coarse.size()) * 16, static_cast<double>(points_.size()), 400);
 }
 
-TEST_F(SimilarityTest, RefusesPicturesThatDoNotFit) {
+TEST_F(SimilarityTest, RefusesImagesThatDoNotFit) {
   EXPECT_THROW(masked_template(learned_, cv::Mat::zeros(5, 5, CV_8UC1), anchor_),
                std::invalid_argument);
-  EXPECT_THROW(masked_template(source_.picture, source_.map, anchor_), std::invalid_argument);
+  EXPECT_THROW(masked_template(source_.image, source_.map, anchor_), std::invalid_argument);
 }
 
 }  // namespace

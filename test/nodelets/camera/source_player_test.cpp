@@ -19,16 +19,16 @@ using Seconds = SourcePlayer::Seconds;
 /// A scripted camera, in a simulated environment whose clocks advance only in pauses.
 struct Story {
   bool live = false;
-  double rate = 0;      // [Hz]
-  int openings = 0;     // attempts so far
-  int refusals = 0;     // attempts that fail before one succeeds
-  int pictures = 1000;  // until the end
+  double rate = 0;    // [Hz]
+  int openings = 0;   // attempts so far
+  int refusals = 0;   // attempts that fail before one succeeds
+  int images = 1000;  // until the end
   int grabbed = 0, retrieved = 0;
   int fails_at = -1, unreadable = -1;  // numbers of grabs
-  bool same_picture = false;
+  bool same_image = false;
 };
 
-class ToldSource : public PictureSource {
+class ToldSource : public ImageSource {
  public:
   explicit ToldSource(Story& story) : story_(story) {}
 
@@ -37,13 +37,13 @@ class ToldSource : public PictureSource {
       ++story_.grabbed;
       throw FileError("camera", "it was unplugged");
     }
-    return story_.grabbed < story_.pictures && ++story_.grabbed > 0;
+    return story_.grabbed < story_.images && ++story_.grabbed > 0;
   }
 
   cv::Mat retrieve() override {
     ++story_.retrieved;
     if (story_.grabbed - 1 == story_.unreadable) throw FileError("camera", "rubbish");
-    return cv::Mat(4, 4, CV_8UC1, cv::Scalar(story_.same_picture ? 7 : story_.grabbed));
+    return cv::Mat(4, 4, CV_8UC1, cv::Scalar(story_.same_image ? 7 : story_.grabbed));
   }
 
   bool is_live() const override { return story_.live; }
@@ -59,7 +59,7 @@ class SourcePlayerTest : public testing::Test {
 
   SourcePlayer::World world() {
     SourcePlayer::World world;
-    world.open = [this]() -> std::unique_ptr<PictureSource> {
+    world.open = [this]() -> std::unique_ptr<ImageSource> {
       if (++story_.openings <= story_.refusals) throw FileError("camera", "no such device");
       return std::make_unique<ToldSource>(story_);
     };
@@ -70,8 +70,8 @@ class SourcePlayerTest : public testing::Test {
       pauses_.push_back(pause.count());
       steady_ += std::chrono::duration_cast<SourcePlayer::Clock::duration>(pause);
     };
-    world.publish = [this](const cv::Mat& picture, const ros::Time& stamp) {
-      published_.push_back(picture.at<uchar>(0, 0));
+    world.publish = [this](const cv::Mat& image, const ros::Time& stamp) {
+      published_.push_back(image.at<uchar>(0, 0));
       stamps_.push_back(stamp);
     };
     return world;
@@ -111,7 +111,7 @@ class SourcePlayerTest : public testing::Test {
   std::unique_ptr<SourcePlayer> player_;
 };
 
-TEST_F(SourcePlayerTest, PublishesPictureAfterPictureWithGrowingStamps) {
+TEST_F(SourcePlayerTest, PublishesImageAfterImageWithGrowingStamps) {
   play(5);
   EXPECT_EQ(published_, (std::vector<int>{1, 2, 3, 4, 5}));
   EXPECT_TRUE(std::is_sorted(stamps_.begin(), stamps_.end()));
@@ -129,7 +129,7 @@ TEST_F(SourcePlayerTest, TriesAgainAfterPausesThatDoubleUpToEightSeconds) {
   EXPECT_EQ(published_.size(), 1u);
 }
 
-TEST_F(SourcePlayerTest, APictureMakesTheNextRetrySoonAgain) {
+TEST_F(SourcePlayerTest, AnImageMakesTheNextRetrySoonAgain) {
   story_.live = true;
   story_.refusals = 3;
   story_.fails_at = 2;
@@ -176,7 +176,7 @@ TEST_F(SourcePlayerTest, ALiveSourceGetsNoStampTwice) {
   clock_runs_ = false;
   play(3);
   EXPECT_EQ(published_, std::vector<int>{1});
-  EXPECT_EQ(count("pictures without a new stamp"), "2");
+  EXPECT_EQ(count("images without a new stamp"), "2");
 }
 
 TEST_F(SourcePlayerTest, KeepsTheAskedPaceAndHurriesAfterNoDelay) {
@@ -197,29 +197,29 @@ TEST_F(SourcePlayerTest, TakesTheSourcesPaceOrTenHertz) {
   EXPECT_EQ(pauses_, (std::vector<double>{0.5, 0.5, 0.1}));
 }
 
-TEST_F(SourcePlayerTest, UnreadablePicturesAreCountedAndLeftOut) {
+TEST_F(SourcePlayerTest, UnreadableImagesAreCountedAndLeftOut) {
   story_.unreadable = 1;
   play(3);
   EXPECT_EQ(published_, (std::vector<int>{1, 3}));
-  EXPECT_EQ(count("unreadable pictures"), "1");
+  EXPECT_EQ(count("unreadable images"), "1");
 }
 
 TEST_F(SourcePlayerTest, TheEndIsSaidOnceAndLasts) {
-  story_.pictures = 2;
+  story_.images = 2;
   play(5);
   EXPECT_EQ(published_.size(), 2u);
   EXPECT_EQ(state(), "at its end");
   EXPECT_EQ(story_.openings, 1);
 }
 
-TEST_F(SourcePlayerTest, FrozenPicturesOfAFolderAreWithheld) {
+TEST_F(SourcePlayerTest, FrozenImagesOfAFolderAreWithheld) {
   config_.detect_frozen = true;
-  story_.same_picture = true;
+  story_.same_image = true;
   play(8);
   EXPECT_EQ(published_.size(), 4u);
-  EXPECT_EQ(count("frozen pictures"), "4");
+  EXPECT_EQ(count("frozen images"), "4");
   EXPECT_NE(state().find("frozen"), std::string::npos);
-  story_.same_picture = false;
+  story_.same_image = false;
   play(1);
   EXPECT_EQ(published_.size(), 5u);
   EXPECT_EQ(state(), "open");
@@ -227,7 +227,7 @@ TEST_F(SourcePlayerTest, FrozenPicturesOfAFolderAreWithheld) {
 
 TEST_F(SourcePlayerTest, ALiveSourceThatFreezesIsOpenedAgain) {
   config_.detect_frozen = true;
-  story_.live = story_.same_picture = true;
+  story_.live = story_.same_image = true;
   play(6);
   EXPECT_EQ(story_.openings, 2);
   EXPECT_EQ(pauses_, std::vector<double>{0.5});

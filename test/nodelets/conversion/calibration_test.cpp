@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// From camera_info and tf to metres: raw and rectified pictures, and calibrations that are none.
+// From camera_info and tf to metres: raw and rectified images, and calibrations that are none.
 #include "nodelets/conversion/calibration.hpp"
 
 #include <gtest/gtest.h>
@@ -47,7 +47,7 @@ PlatformConfig at_distance(bool rectified) {
   return config;
 }
 
-/// The pixel of a point [m] in the raw picture.
+/// The pixel of a point [m] in the raw image.
 cv::Point2d project(const cv::Vec3d& point, const sensor_msgs::CameraInfo& info) {
   std::vector<cv::Point2d> pixels;
   cv::projectPoints(std::vector<cv::Point3d>{cv::Point3d(point)}, cv::Vec3d(), cv::Vec3d(),
@@ -87,7 +87,7 @@ TEST(Rays, AreNotFiniteBehindAFold) {
   EXPECT_TRUE(std::isnan((*rays)({580 + 900 * 0.45, 530})[0]));
 }
 
-TEST(Calibration, RawAndRectifiedPicturesGiveTheSameMetres) {
+TEST(Calibration, RawAndRectifiedImagesGiveTheSameMetres) {
   const auto info = strong_lens();
   tf2_ros::Buffer tf;
   const auto raw = calibrate(at_distance(false), &info, header(), kSize, tf);
@@ -133,18 +133,18 @@ TEST(Calibration, RegionAndBinningAreThoseOfTheSensor) {
   info.binning_x = 2;
   info.binning_y = 3;
   const cv::Size size(400, 200);
-  EXPECT_EQ(picture_size(info), size);
+  EXPECT_EQ(image_size(info), size);
   tf2_ros::Buffer tf;
   const auto raw = calibrate(at_distance(false), &info, header(), size, tf);
   const auto rectified = calibrate(at_distance(true), &info, header(), size, tf);
   ASSERT_TRUE(raw.platform && rectified.platform) << raw.fault << rectified.fault;
-  const auto in_picture = [](cv::Point2d p) {
+  const auto in_image = [](cv::Point2d p) {
     return Pose2D{(p.x - 200 - 0.5) / 2, (p.y - 101 - 1) / 3, 0};
   };
   const cv::Vec3d point(0.12, -0.1, 0.8);
-  const auto a = raw.platform->lift(in_picture(project(point, info)), {}, 0);
+  const auto a = raw.platform->lift(in_image(project(point, info)), {}, 0);
   const auto b = rectified.platform->lift(
-      in_picture({800 * point[0] / point[2] + 600, 800 * point[1] / point[2] + 500}), {}, 0);
+      in_image({800 * point[0] / point[2] + 600, 800 * point[1] / point[2] + 500}), {}, 0);
   ASSERT_TRUE(a && b);
   EXPECT_LT(cv::norm(a->position - point), 1e-6);
   EXPECT_LT(cv::norm(b->position - point), 1e-9);
@@ -165,12 +165,12 @@ TEST(Calibration, AWindowThatContradictsItselfHasNoSize) {
                           [](auto& i) { i.binning_x = 1281; }}) {
     auto info = strong_lens();
     spoil(info);
-    EXPECT_TRUE(picture_size(info).empty());
+    EXPECT_TRUE(image_size(info).empty());
     EXPECT_FALSE(fault_of_calibration(info, true, {}).empty());
   }
 }
 
-TEST(Calibration, TakesThePlatformAtThePicturesStamp) {
+TEST(Calibration, TakesThePlatformAtTheImagesStamp) {
   tf2_ros::Buffer tf;
   PlatformConfig config;
   config.platform_frame = "platform";
@@ -295,8 +295,7 @@ TEST(Calibration, APlatformThatIsNotBeforeTheCameraIsNone) {
     tf.setTransform(transform, "test", true);
     const auto calibration = calibrate(config, &info, header(), kSize, tf);
     EXPECT_FALSE(calibration.platform) << z;
-    EXPECT_EQ(calibration.fault.rfind("platform: the picture's middle", 0), 0u)
-        << calibration.fault;
+    EXPECT_EQ(calibration.fault.rfind("platform: the image's middle", 0), 0u) << calibration.fault;
   }
   transform.transform.translation.z = 0.8;
   tf.setTransform(transform, "test", true);
@@ -314,7 +313,7 @@ SimulatedCameraConfig distorted_cell() {
   return config;
 }
 
-TEST(Rectifier, GivesTheUndistortedPictureBack) {
+TEST(Rectifier, GivesTheUndistortedImageBack) {
   const SimulatedOptics optics(distorted_cell());
   sim::SceneConfig scene_config;
   scene_config.size = {320, 240};
@@ -325,13 +324,13 @@ TEST(Rectifier, GivesTheUndistortedPictureBack) {
   ASSERT_TRUE(rectified) << rectified.fault;
   const cv::Rect inner(60, 40, 200, 160);
   cv::Mat difference;
-  cv::absdiff(rectified.picture(inner), straight(inner), difference);
+  cv::absdiff(rectified.image(inner), straight(inner), difference);
   EXPECT_LT(cv::mean(difference)[1], 3);
   cv::absdiff(raw(inner), straight(inner), difference);
   EXPECT_GT(cv::mean(difference)[1], 5) << "the lens shows";
 }
 
-/// The part of a raw picture, and the part of the rectified one that it gives.
+/// The part of a raw image, and the part of the rectified one that it gives.
 void expect_same_part(const sensor_msgs::CameraInfo& whole) {
   sim::SceneConfig scene_config;
   scene_config.size = {320, 240};
@@ -347,11 +346,11 @@ void expect_same_part(const sensor_msgs::CameraInfo& whole) {
   const Rectified of_part = rectifier.rectify(raw(part).clone(), info);
   ASSERT_TRUE(of_whole && of_part) << of_whole.fault << of_part.fault;
   cv::Mat difference;
-  cv::absdiff(of_whole.picture(part)(inner), of_part.picture(inner), difference);
+  cv::absdiff(of_whole.image(part)(inner), of_part.image(inner), difference);
   EXPECT_LT(cv::norm(difference, cv::NORM_INF), 2);
 }
 
-TEST(Rectifier, APartOfTheSensorGivesAPartOfThePicture) {
+TEST(Rectifier, APartOfTheSensorGivesAPartOfTheImage) {
   auto info = SimulatedOptics(distorted_cell()).camera_info();
   expect_same_part(info);
   info.R = {std::cos(0.03), -std::sin(0.03), 0, std::sin(0.03), std::cos(0.03), 0, 0, 0, 1};
@@ -363,9 +362,9 @@ TEST(Rectifier, APartOfTheSensorGivesAPartOfThePicture) {
 
 TEST(Rectifier, RefusesACalibrationOfAnotherSizeOrNone) {
   Rectifier rectifier;
-  const cv::Mat picture(240, 320, CV_8UC3, cv::Scalar::all(7));
-  EXPECT_FALSE(rectifier.rectify(picture, strong_lens()));
-  EXPECT_FALSE(rectifier.rectify(picture, {}));
+  const cv::Mat image(240, 320, CV_8UC3, cv::Scalar::all(7));
+  EXPECT_FALSE(rectifier.rectify(image, strong_lens()));
+  EXPECT_FALSE(rectifier.rectify(image, {}));
 }
 
 }  // namespace

@@ -22,7 +22,7 @@ sensor_msgs::Image message_of(const cv::Mat& memory, const std::string& encoding
   return message;
 }
 
-// A picture of one colour as a sensor with the pattern of `first_rows` (e.g. "rggb") sees it.
+// An image of one colour as a sensor with the pattern of `first_rows` (e.g. "rggb") sees it.
 cv::Mat mosaic(const std::string& first_rows) {
   cv::Mat memory(8, 10, CV_8UC1);
   for (int y = 0; y < memory.rows; ++y)
@@ -33,44 +33,44 @@ cv::Mat mosaic(const std::string& first_rows) {
   return memory;
 }
 
-void expect_colour(const cv::Mat& picture, const cv::Vec3b& expected, double tolerance) {
-  ASSERT_EQ(picture.type(), CV_8UC3);
-  EXPECT_LE(cv::norm(picture.at<cv::Vec3b>(4, 4), expected, cv::NORM_INF), tolerance);
+void expect_colour(const cv::Mat& image, const cv::Vec3b& expected, double tolerance) {
+  ASSERT_EQ(image.type(), CV_8UC3);
+  EXPECT_LE(cv::norm(image.at<cv::Vec3b>(4, 4), expected, cv::NORM_INF), tolerance);
 }
 
-TEST(DecodePicture, KeepsColoursOfEveryOrder) {
+TEST(DecodeImage, KeepsColoursOfEveryOrder) {
   cv::Mat bgr(8, 10, CV_8UC3, cv::Scalar(kColour[0], kColour[1], kColour[2])), other;
-  expect_colour(decode_picture(message_of(bgr, "bgr8")).picture, kColour, 0);
-  expect_colour(decode_picture(message_of(bgr, "8UC3")).picture, kColour, 0);
+  expect_colour(decode_image(message_of(bgr, "bgr8")).image, kColour, 0);
+  expect_colour(decode_image(message_of(bgr, "8UC3")).image, kColour, 0);
   cv::cvtColor(bgr, other, cv::COLOR_BGR2RGB);
-  expect_colour(decode_picture(message_of(other, "rgb8")).picture, kColour, 0);
+  expect_colour(decode_image(message_of(other, "rgb8")).image, kColour, 0);
   cv::cvtColor(bgr, other, cv::COLOR_BGR2BGRA);
-  expect_colour(decode_picture(message_of(other, "bgra8")).picture, kColour, 0);
+  expect_colour(decode_image(message_of(other, "bgra8")).image, kColour, 0);
   cv::cvtColor(bgr, other, cv::COLOR_BGR2RGBA);
-  expect_colour(decode_picture(message_of(other, "rgba8")).picture, kColour, 0);
+  expect_colour(decode_image(message_of(other, "rgba8")).image, kColour, 0);
 }
 
-TEST(DecodePicture, DemosaicsEveryPattern) {
+TEST(DecodeImage, DemosaicsEveryPattern) {
   for (const std::string pattern : {"rggb", "bggr", "gbrg", "grbg"}) {
     SCOPED_TRACE(pattern);
-    expect_colour(decode_picture(message_of(mosaic(pattern), "bayer_" + pattern + "8")).picture,
+    expect_colour(decode_image(message_of(mosaic(pattern), "bayer_" + pattern + "8")).image,
                   kColour, 1);
   }
 }
 
-TEST(DecodePicture, ReadsGreyOfEightAndSixteenBits) {
+TEST(DecodeImage, ReadsGreyOfEightAndSixteenBits) {
   const cv::Mat grey(8, 10, CV_8UC1, cv::Scalar(77));
-  expect_colour(decode_picture(message_of(grey, "mono8")).picture, {77, 77, 77}, 0);
-  expect_colour(decode_picture(message_of(grey, "8UC1")).picture, {77, 77, 77}, 0);
+  expect_colour(decode_image(message_of(grey, "mono8")).image, {77, 77, 77}, 0);
+  expect_colour(decode_image(message_of(grey, "8UC1")).image, {77, 77, 77}, 0);
   // Value 0x4d12 in both byte orders.
   auto little = message_of(cv::Mat(8, 10, CV_8UC2, cv::Scalar(0x12, 0x4d)), "mono16");
-  expect_colour(decode_picture(little).picture, {0x4d, 0x4d, 0x4d}, 0);
+  expect_colour(decode_image(little).image, {0x4d, 0x4d, 0x4d}, 0);
   auto big = message_of(cv::Mat(8, 10, CV_8UC2, cv::Scalar(0x4d, 0x12)), "mono16");
   big.is_bigendian = 1;
-  expect_colour(decode_picture(big).picture, {0x4d, 0x4d, 0x4d}, 0);
+  expect_colour(decode_image(big).image, {0x4d, 0x4d, 0x4d}, 0);
 }
 
-/// The same picture with the bytes of its numbers swapped.
+/// The same image with the bytes of its numbers swapped.
 sensor_msgs::Image swapped(sensor_msgs::Image message) {
   for (std::size_t i = 0; i + 1 < message.data.size(); i += 2)
     std::swap(message.data[i], message.data[i + 1]);
@@ -78,98 +78,96 @@ sensor_msgs::Image swapped(sensor_msgs::Image message) {
   return message;
 }
 
-TEST(DecodePicture, SixteenBitsAreAsBrightAsTheWhiteLevelSays) {
+TEST(DecodeImage, SixteenBitsAreAsBrightAsTheWhiteLevelSays) {
   const cv::Mat grey(8, 10, CV_16UC1, cv::Scalar(2000));
   for (const auto& [white, expected] :
        {std::pair(0, 8), {65535, 8}, {4095, 125}, {2000, 255}, {1000, 255}}) {
     const auto level = static_cast<uchar>(expected);
     const auto message = message_of(grey, "mono16");
-    expect_colour(decode_picture(message, white).picture, {level, level, level}, 0);
-    expect_colour(decode_picture(swapped(message), white).picture, {level, level, level}, 0);
+    expect_colour(decode_image(message, white).image, {level, level, level}, 0);
+    expect_colour(decode_image(swapped(message), white).image, {level, level, level}, 0);
   }
 }
 
-TEST(DecodePicture, SixteenBitsOfEveryOrderAndPattern) {
+TEST(DecodeImage, SixteenBitsOfEveryOrderAndPattern) {
   const cv::Mat bgr(8, 10, CV_16UC3, cv::Scalar(kColour[0], kColour[1], kColour[2]) * 16);
   cv::Mat other;
   const int white = 255 * 16;
-  expect_colour(decode_picture(message_of(bgr, "bgr16"), white).picture, kColour, 0);
+  expect_colour(decode_image(message_of(bgr, "bgr16"), white).image, kColour, 0);
   cv::cvtColor(bgr, other, cv::COLOR_BGR2RGB);
-  expect_colour(decode_picture(message_of(other, "rgb16"), white).picture, kColour, 0);
+  expect_colour(decode_image(message_of(other, "rgb16"), white).image, kColour, 0);
   cv::cvtColor(bgr, other, cv::COLOR_BGR2BGRA);
-  expect_colour(decode_picture(message_of(other, "bgra16"), white).picture, kColour, 0);
+  expect_colour(decode_image(message_of(other, "bgra16"), white).image, kColour, 0);
   cv::cvtColor(bgr, other, cv::COLOR_BGR2RGBA);
-  expect_colour(decode_picture(message_of(other, "rgba16"), white).picture, kColour, 0);
+  expect_colour(decode_image(message_of(other, "rgba16"), white).image, kColour, 0);
   for (const std::string pattern : {"rggb", "bggr", "gbrg", "grbg"}) {
     SCOPED_TRACE(pattern);
     cv::Mat deep;
     mosaic(pattern).convertTo(deep, CV_16UC1, 16);
     const auto message = message_of(deep, "bayer_" + pattern + "16");
-    expect_colour(decode_picture(message, white).picture, kColour, 1);
-    expect_colour(decode_picture(swapped(message), white).picture, kColour, 1);
+    expect_colour(decode_image(message, white).image, kColour, 1);
+    expect_colour(decode_image(swapped(message), white).image, kColour, 1);
   }
 }
 
-TEST(DecodePicture, NumbersWithoutAMeaningNeedTheirWhiteLevel) {
+TEST(DecodeImage, NumbersWithoutAMeaningNeedTheirWhiteLevel) {
   const auto message = message_of(cv::Mat(8, 10, CV_16UC1, cv::Scalar(500)), "16UC1");
-  EXPECT_NE(decode_picture(message).fault.find("white_level"), std::string::npos);
-  expect_colour(decode_picture(message, 1000).picture, {128, 128, 128}, 0);
+  EXPECT_NE(decode_image(message).fault.find("white_level"), std::string::npos);
+  expect_colour(decode_image(message, 1000).image, {128, 128, 128}, 0);
 }
 
-TEST(DecodePicture, HalfAPixelOfSixteenBitsIsRefused) {
+TEST(DecodeImage, HalfAPixelOfSixteenBitsIsRefused) {
   auto message = message_of(cv::Mat(8, 10, CV_16UC1, cv::Scalar(500)), "mono16");
   message.step += 1;
   message.data.resize(message.step * message.height);
-  EXPECT_NE(decode_picture(message).fault.find("odd"), std::string::npos);
+  EXPECT_NE(decode_image(message).fault.find("odd"), std::string::npos);
 }
 
 TEST(DecodeMap, OfSixteenBitsIsRefused) {
   EXPECT_FALSE(decode_map(message_of(cv::Mat(8, 10, CV_16UC1, cv::Scalar(500)), "mono16")));
 }
 
-TEST(DecodePicture, ReadsPackedYuv) {
+TEST(DecodeImage, ReadsPackedYuv) {
   // Studio range: luma 126 of 16..235 without chroma is the grey 128.
   expect_colour(
-      decode_picture(message_of(cv::Mat(8, 10, CV_8UC2, cv::Scalar(128, 126)), "yuv422")).picture,
+      decode_image(message_of(cv::Mat(8, 10, CV_8UC2, cv::Scalar(128, 126)), "yuv422")).image,
       {128, 128, 128}, 1);
   expect_colour(
-      decode_picture(message_of(cv::Mat(8, 10, CV_8UC2, cv::Scalar(126, 128)), "yuv422_yuy2"))
-          .picture,
+      decode_image(message_of(cv::Mat(8, 10, CV_8UC2, cv::Scalar(126, 128)), "yuv422_yuy2")).image,
       {128, 128, 128}, 1);
 }
 
-TEST(DecodePicture, SkipsThePaddingOfRows) {
+TEST(DecodeImage, SkipsThePaddingOfRows) {
   cv::Mat padded(8, 16, CV_8UC1, cv::Scalar(255));
   padded.colRange(0, 10).setTo(50);
   auto message = message_of(padded, "mono8");
   message.width = 10;
-  const Decoded decoded = decode_picture(message);
+  const Decoded decoded = decode_image(message);
   ASSERT_TRUE(decoded);
-  EXPECT_EQ(cv::norm(decoded.picture, cv::Mat(8, 10, CV_8UC3, cv::Scalar::all(50)), cv::NORM_INF),
-            0);
+  EXPECT_EQ(cv::norm(decoded.image, cv::Mat(8, 10, CV_8UC3, cv::Scalar::all(50)), cv::NORM_INF), 0);
 }
 
-TEST(DecodePicture, OwnsItsMemory) {
+TEST(DecodeImage, OwnsItsMemory) {
   auto message = message_of(cv::Mat(8, 10, CV_8UC3, cv::Scalar::all(9)), "bgr8");
-  const Decoded decoded = decode_picture(message);
+  const Decoded decoded = decode_image(message);
   std::fill(message.data.begin(), message.data.end(), 200);
-  expect_colour(decoded.picture, {9, 9, 9}, 0);
+  expect_colour(decoded.image, {9, 9, 9}, 0);
 }
 
-TEST(DecodePicture, NamesAnUnknownEncodingAndTheKnownOnes) {
+TEST(DecodeImage, NamesAnUnknownEncodingAndTheKnownOnes) {
   for (const std::string encoding : {"32FC1", "rgb32", "", "bayer_rggb12", "BGR8"}) {
     auto message = message_of(cv::Mat(8, 10, CV_8UC3, cv::Scalar::all(9)), encoding);
-    const Decoded decoded = decode_picture(message);
+    const Decoded decoded = decode_image(message);
     EXPECT_FALSE(decoded);
     EXPECT_NE(decoded.fault.find("'" + encoding + "'"), std::string::npos) << decoded.fault;
     EXPECT_NE(decoded.fault.find("yuv422_yuy2"), std::string::npos) << decoded.fault;
   }
 }
 
-TEST(DecodePicture, PrintsNoControlCharactersOfAnEncoding) {
+TEST(DecodeImage, PrintsNoControlCharactersOfAnEncoding) {
   auto message =
       message_of(cv::Mat(8, 10, CV_8UC3), std::string("a\x1b[31m\n") + std::string(9999, 'x'));
-  const std::string fault = decode_picture(message).fault;
+  const std::string fault = decode_image(message).fault;
   EXPECT_EQ(fault.find('\x1b'), std::string::npos);
   EXPECT_EQ(fault.find('\n'), std::string::npos);
   EXPECT_LT(fault.size(), 400u);
@@ -180,7 +178,7 @@ struct Lie {
   void (*tell)(sensor_msgs::Image&);
 };
 
-TEST(DecodePicture, RefusesALyingLayout) {
+TEST(DecodeImage, RefusesALyingLayout) {
   const Lie lies[] = {
       {"no width", [](auto& m) { m.width = 0; }},
       {"no height", [](auto& m) { m.height = 0; }},
@@ -240,7 +238,7 @@ TEST(DecodePicture, RefusesALyingLayout) {
   for (const auto& lie : lies) {
     auto message = message_of(cv::Mat(8, 10, CV_8UC3, cv::Scalar::all(9)), "bgr8");
     lie.tell(message);
-    const Decoded decoded = decode_picture(message);
+    const Decoded decoded = decode_image(message);
     EXPECT_FALSE(decoded) << lie.what;
     EXPECT_FALSE(decoded.fault.empty()) << lie.what;
   }
@@ -251,23 +249,23 @@ TEST(DecodeMap, ThresholdsGreyAndRefusesColour) {
   grey.colRange(5, 10).setTo(128);
   const Decoded decoded = decode_map(message_of(grey, "mono8"));
   ASSERT_TRUE(decoded);
-  EXPECT_EQ(cv::countNonZero(decoded.picture), 40);
-  EXPECT_EQ(cv::countNonZero(decoded.picture == 255), 40);
+  EXPECT_EQ(cv::countNonZero(decoded.image), 40);
+  EXPECT_EQ(cv::countNonZero(decoded.image == 255), 40);
   EXPECT_FALSE(decode_map(message_of(cv::Mat(8, 10, CV_8UC3), "bgr8")));
 }
 
-TEST(EncodePicture, ReadsBackBitForBit) {
-  cv::Mat picture(8, 10, CV_8UC3);
-  cv::randu(picture, 0, 256);
-  const cv::Mat part = picture(cv::Rect(2, 1, 5, 4));  // rows apart in memory
-  const Decoded decoded = decode_picture(encode_picture(part));
+TEST(EncodeImage, ReadsBackBitForBit) {
+  cv::Mat image(8, 10, CV_8UC3);
+  cv::randu(image, 0, 256);
+  const cv::Mat part = image(cv::Rect(2, 1, 5, 4));  // rows apart in memory
+  const Decoded decoded = decode_image(encode_image(part));
   ASSERT_TRUE(decoded);
-  EXPECT_EQ(cv::norm(decoded.picture, part, cv::NORM_INF), 0);
+  EXPECT_EQ(cv::norm(decoded.image, part, cv::NORM_INF), 0);
 }
 
-TEST(EncodePicture, OfNothingIsAnEmptyField) {
-  EXPECT_FALSE(is_given(encode_picture({})));
-  EXPECT_TRUE(is_given(encode_picture(cv::Mat::zeros(2, 2, CV_8UC1))));
+TEST(EncodeImage, OfNothingIsAnEmptyField) {
+  EXPECT_FALSE(is_given(encode_image({})));
+  EXPECT_TRUE(is_given(encode_image(cv::Mat::zeros(2, 2, CV_8UC1))));
 }
 
 }  // namespace

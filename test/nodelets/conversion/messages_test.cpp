@@ -26,7 +26,7 @@ ObjectModel plate() {
   view.map = cv::Mat::zeros(60, 200, CV_8UC1);
   view.map(cv::Rect(10, 10, 81, 41)).setTo(255);
   view.origin = {50, 60};
-  view.picture_size = {640, 480};
+  view.image_size = {640, 480};
   view.reference = {100, 90, 0};
   model.views.push_back(view);
   return model;
@@ -115,13 +115,13 @@ TEST(RegionOfInterest, ReadsBack) {
   EXPECT_EQ(from_msg(to_msg(region), {640, 480}), region);
 }
 
-TEST(RegionOfInterest, OfZeroTimesZeroIsTheWholePicture) {
+TEST(RegionOfInterest, OfZeroTimesZeroIsTheWholeImage) {
   const auto region = from_msg(sensor_msgs::RegionOfInterest{}, {640, 480});
   ASSERT_TRUE(region);
   EXPECT_TRUE(region->empty());
 }
 
-TEST(RegionOfInterest, OutsideThePictureIsRefused) {
+TEST(RegionOfInterest, OutsideTheImageIsRefused) {
   sensor_msgs::RegionOfInterest region;
   const auto refused = [&region](std::uint32_t x, std::uint32_t y, std::uint32_t w,
                                  std::uint32_t h) {

@@ -26,7 +26,7 @@ mbncc_vision::DetectedObject confirmed(std::uint32_t id, double x) {
 
 class ObjectFramesTest : public ::testing::Test {
  protected:
-  /// Shows a picture stamped `stamp` [s].
+  /// Shows an image stamped `stamp` [s].
   void show(double stamp, const std::vector<mbncc_vision::DetectedObject>& objects) {
     mbncc_vision::DetectedObjectArray array;
     array.header.stamp.fromSec(stamp);

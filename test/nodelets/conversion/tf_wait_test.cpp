@@ -11,7 +11,7 @@ namespace mbncc::nodelets {
 namespace {
 
 constexpr double kHour = 3600;  // [s]
-const ros::Time kStamp(10000);  // of the picture
+const ros::Time kStamp(10000);  // of the image
 
 geometry_msgs::TransformStamped base_to_camera(const ros::Time& stamp) {
   geometry_msgs::TransformStamped transform;

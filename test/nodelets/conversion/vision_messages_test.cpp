@@ -68,7 +68,7 @@ TEST(VisionMessages, AreThoseOfThePublicPackage) {
   EXPECT_STREQ(MD5Sum<vision_msgs::VisionInfo>::value(), "eee36f8dc558754ceb4ef619179d8b34");
 }
 
-TEST(VisionMessages, InThePictureTheBoxLiesAlongTheObject) {
+TEST(VisionMessages, InTheImageTheBoxLiesAlongTheObject) {
   const auto array = array_of(bar());
   const auto detections = to_detections_2d(array, ids_of(array));
   ASSERT_EQ(detections.detections.size(), 1u);
@@ -128,7 +128,7 @@ TEST(VisionMessages, WhatIsNotConfirmedIsLeftOut) {
   }
 }
 
-TEST(VisionMessages, WithoutMetresThePictureIsLeft) {
+TEST(VisionMessages, WithoutMetresTheImageIsLeft) {
   DetectedObject object = bar();
   object.pose_valid = false;
   object.pose.pose.position.x = std::nan("");

@@ -11,7 +11,7 @@ namespace mbncc::nodelets {
 namespace {
 
 const cv::Size kSize(640, 480);
-constexpr int kBeyond = 100;  // [px] of the cell on every side of the picture
+constexpr int kBeyond = 100;  // [px] of the cell on every side of the image
 
 /// What a camera sees of a larger cell.
 class CameraMotion : public testing::Test {
@@ -25,11 +25,11 @@ class CameraMotion : public testing::Test {
 
   cv::Mat seen(const cv::Mat& cell, cv::Point2d shift = {}, double degrees = 0, double zoom = 1) {
     cv::Mat motion = cv::getRotationMatrix2D({cell.cols / 2.f, cell.rows / 2.f}, degrees, zoom),
-            picture;
+            image;
     motion.at<double>(0, 2) += shift.x - kBeyond;
     motion.at<double>(1, 2) += shift.y - kBeyond;
-    cv::warpAffine(cell, picture, motion, kSize, cv::INTER_CUBIC);
-    return picture;
+    cv::warpAffine(cell, image, motion, kSize, cv::INTER_CUBIC);
+    return image;
   }
 
   const sim::Scene scene_{scene_config()};

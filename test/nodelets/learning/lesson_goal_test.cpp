@@ -145,15 +145,15 @@ TEST(NameFor, TakesTheFirstFreeNumber) {
 
 class ToLesson : public ::testing::Test {
  protected:
-  const cv::Mat picture_ = cv::Mat(48, 64, CV_8UC3, cv::Scalar::all(9));
+  const cv::Mat image_ = cv::Mat(48, 64, CV_8UC3, cv::Scalar::all(9));
   Goal goal_ = goal_named("cup");
 
-  GoalLesson made(const cv::Mat& after = {}) { return to_lesson(goal_, "cup", picture_, after); }
+  GoalLesson made(const cv::Mat& after = {}) { return to_lesson(goal_, "cup", image_, after); }
 };
 
-TEST_F(ToLesson, OfAChangeHasBothPictures) {
+TEST_F(ToLesson, OfAChangeHasBothImages) {
   goal_.object_height = 0.02;
-  const auto made = this->made(picture_.clone());
+  const auto made = this->made(image_.clone());
   EXPECT_FALSE(made.fault);
   EXPECT_FALSE(made.lesson.after.empty());
   EXPECT_TRUE(made.lesson.region.empty());
@@ -161,13 +161,13 @@ TEST_F(ToLesson, OfAChangeHasBothPictures) {
   EXPECT_FALSE(made.lesson.symmetry) << "goals of earlier clients declare nothing";
   EXPECT_FALSE(made.lesson.reference);
   goal_.symmetry = Goal::SYMMETRY_ROUND;
-  EXPECT_EQ(this->made(picture_.clone()).lesson.symmetry, 0);
+  EXPECT_EQ(this->made(image_.clone()).lesson.symmetry, 0);
 }
 
-TEST_F(ToLesson, OfARegionHasNoAfterPicture) {
+TEST_F(ToLesson, OfARegionHasNoAfterImage) {
   goal_.mode = Goal::ROI;
   goal_.roi = to_msg(cv::Rect(4, 5, 30, 20));
-  const auto made = this->made(picture_);
+  const auto made = this->made(image_);
   EXPECT_TRUE(made.lesson.after.empty());
   EXPECT_EQ(made.lesson.region, cv::Rect(4, 5, 30, 20));
   goal_.roi.width = 61;
@@ -175,18 +175,18 @@ TEST_F(ToLesson, OfARegionHasNoAfterPicture) {
   EXPECT_EQ(this->made().fault->error_code, Result::REGION_INVALID);
 }
 
-TEST_F(ToLesson, OfAMaskNeedsThePicturesSize) {
+TEST_F(ToLesson, OfAMaskNeedsTheImagesSize) {
   goal_.mode = Goal::MASK;
-  goal_.mask = encode_picture(cv::Mat::zeros(48, 64, CV_8UC1));
+  goal_.mask = encode_image(cv::Mat::zeros(48, 64, CV_8UC1));
   EXPECT_FALSE(made().fault);
-  EXPECT_EQ(made().lesson.map.size(), picture_.size());
-  goal_.mask = encode_picture(cv::Mat::zeros(48, 65, CV_8UC1));
+  EXPECT_EQ(made().lesson.map.size(), image_.size());
+  goal_.mask = encode_image(cv::Mat::zeros(48, 65, CV_8UC1));
   EXPECT_EQ(made().fault->error_code, Result::IMAGE_MISMATCH);
   goal_.mask.encoding = "32FC1";
   EXPECT_EQ(made().fault->error_code, Result::ENCODING);
 }
 
-TEST_F(ToLesson, RefusesPicturesOfTwoSizes) {
+TEST_F(ToLesson, RefusesImagesOfTwoSizes) {
   EXPECT_EQ(made(cv::Mat(40, 64, CV_8UC3)).fault->error_code, Result::IMAGE_MISMATCH);
 }
 

@@ -44,7 +44,7 @@ struct Way {
   const char* name;
   std::uint8_t stage;
   Show show;
-  bool given;    // both pictures come with the goal
+  bool given;    // both images come with the goal
   bool confirm;  // the operator is asked
   bool waits;    // the lesson stays in the stage by itself
 };
@@ -78,10 +78,10 @@ class LessonStages : public testing::TestWithParam<Way> {
     std_msgs::Header header;
     header.stamp = ros::Time::now();
     header.frame_id = "camera";
-    images_.publish(encode_picture(picture(), header));
+    images_.publish(encode_image(image(), header));
   }
 
-  cv::Mat picture() {
+  cv::Mat image() {
     if (show_ == Show::kTurned) return turned(before_);
     if (show_ == Show::kTurnedEmpty) return turned(after_);
     // Motion begins once the lesson has seen the scene before.
@@ -90,10 +90,10 @@ class LessonStages : public testing::TestWithParam<Way> {
   }
 
   /// As a camera sees it that was knocked against.
-  static cv::Mat turned(const cv::Mat& picture) {
+  static cv::Mat turned(const cv::Mat& image) {
     cv::Mat result;
-    const cv::Mat motion = cv::getRotationMatrix2D({picture.cols / 2.f, picture.rows / 2.f}, -3, 1);
-    cv::warpAffine(picture, result, motion, picture.size(), cv::INTER_CUBIC, cv::BORDER_REFLECT);
+    const cv::Mat motion = cv::getRotationMatrix2D({image.cols / 2.f, image.rows / 2.f}, -3, 1);
+    cv::warpAffine(image, result, motion, image.size(), cv::INTER_CUBIC, cv::BORDER_REFLECT);
     return result;
   }
 
@@ -113,8 +113,8 @@ class LessonStages : public testing::TestWithParam<Way> {
     goal.overwrite = true;
     goal.confirm = way.confirm;
     if (way.given) {
-      goal.before = encode_picture(before_);
-      goal.after = encode_picture(after_);
+      goal.before = encode_image(before_);
+      goal.after = encode_image(after_);
     }
     const std::string id = teacher_->send(goal);
     EXPECT_TRUE(spin_until([&] {
@@ -211,8 +211,8 @@ TEST_P(LessonSearch, JudgesByTheConfiguredOne) {
     Teacher::Goal goal;
     goal.name = "part";
     goal.overwrite = true;
-    goal.before = encode_picture(before_);
-    goal.after = encode_picture(after_);
+    goal.before = encode_image(before_);
+    goal.after = encode_image(after_);
     return teacher_->teach(goal).error_code;
   };
   EXPECT_EQ(verdict(), Result::SUCCESS);

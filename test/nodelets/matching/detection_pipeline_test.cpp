@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Messages about a picture, and the conditions to move an arm.
+// Messages about an image, and the conditions to move an arm.
 #include "nodelets/matching/detection_pipeline.hpp"
 
 #include <gtest/gtest.h>
@@ -26,27 +26,27 @@ const cv::Size kSize(320, 240);
 class DetectionPipelineTest : public testing::Test {
  protected:
   /// A textured angle on a plain platform, learned where it lies.
-  DetectionPipelineTest() : picture_(kSize, CV_8UC3, cv::Scalar(110, 110, 110)) {
+  DetectionPipelineTest() : image_(kSize, CV_8UC3, cv::Scalar(110, 110, 110)) {
     cv::Mat map = cv::Mat::zeros(kSize, CV_8UC1), texture(kSize, CV_8UC3);
     map(cv::Rect(130, 80, 24, 70)) = 255;
     map(cv::Rect(130, 126, 60, 24)) = 255;
     cv::RNG(3).fill(texture, cv::RNG::UNIFORM, 0, 256);
     cv::GaussianBlur(texture, texture, {}, 2);
     cv::normalize(texture, texture, 20, 235, cv::NORM_MINMAX);
-    texture.copyTo(picture_, map);
+    texture.copyTo(image_, map);
     ObjectModel model;
     model.name = model.label = "angle";
     model.object_height = 0.02;
     model.metres_per_pixel = 0.48 / 300;
     model.grasp = Grasp{{{0.01, 0.02, -0.1}}, {{0, 0, 0, 1}}};
-    model.views.push_back(crop_view(picture_, map, {150, 120, 0.3}));
+    model.views.push_back(crop_view(image_, map, {150, 120, 0.3}));
     ObjectLibrary(folder_.path()).save(model, ObjectLibrary::Existing::kRefuse);
     config_.platform.platform_distance = 0.5;
   }
 
-  ReceivedPicture received(int number) const {
-    ReceivedPicture received;
-    received.picture = picture_;
+  ReceivedImage received(int number) const {
+    ReceivedImage received;
+    received.image = image_;
     received.header.frame_id = "camera";
     received.header.stamp = ros::Time(100 + 0.1 * number);
     const auto info = boost::make_shared<sensor_msgs::CameraInfo>();
@@ -62,13 +62,13 @@ class DetectionPipelineTest : public testing::Test {
     return received;
   }
 
-  /// Messages about the last of several equal pictures, with the frames that may be sent.
-  DetectedObjectArray after(int pictures) {
+  /// Messages about the last of several equal images, with the frames that may be sent.
+  DetectedObjectArray after(int images) {
     const LiveMatcher matcher({}, folder_.path());
     DetectionPipeline pipeline(config_, matcher, tf_);
     DetectedObjectArray last;
-    for (int i = 0; i < pictures; ++i) {
-      ReceivedPicture next = received(i);
+    for (int i = 0; i < images; ++i) {
+      ReceivedImage next = received(i);
       if (!calibrated_) next.camera_info.reset();
       last = pipeline.process(next, {}).array;
     }
@@ -77,25 +77,25 @@ class DetectionPipelineTest : public testing::Test {
   }
 
   test::TemporaryFolder folder_;
-  cv::Mat picture_;
+  cv::Mat image_;
   MatchingNodeConfig config_;
   tf2_ros::Buffer tf_;
   bool calibrated_ = true;
 };
 
 TEST_F(DetectionPipelineTest, AFrameIsGivenOnceItIsConfirmed) {
-  for (const int pictures : {1, 2, 3}) {
-    const DetectedObjectArray array = after(pictures);
+  for (const int images : {1, 2, 3}) {
+    const DetectedObjectArray array = after(images);
     ASSERT_EQ(array.objects.size(), 1u);
     const DetectedObject& object = array.objects[0];
     EXPECT_EQ(array.status, DetectedObjectArray::OK) << array.message;
-    EXPECT_EQ(object.state, pictures < 3 ? DetectedObject::NEW : DetectedObject::CONFIRMED);
-    EXPECT_EQ(object.child_frame_id, pictures < 3 ? "" : "object_angle_0");
+    EXPECT_EQ(object.state, images < 3 ? DetectedObject::NEW : DetectedObject::CONFIRMED);
+    EXPECT_EQ(object.child_frame_id, images < 3 ? "" : "object_angle_0");
     EXPECT_TRUE(object.pose_valid);
     // The object's upper side lies 20 mm nearer than the platform.
     EXPECT_NEAR(object.pose.pose.position.z, 0.48, 1e-6);
     EXPECT_NEAR(object.pose.pose.position.x, (150 - 159.5) / 300 * 0.48, 1e-4);
-    EXPECT_NEAR(object.valid_until.toSec(), 100 + 0.1 * (pictures - 1) + config_.max_age, 1e-6);
+    EXPECT_NEAR(object.valid_until.toSec(), 100 + 0.1 * (images - 1) + config_.max_age, 1e-6);
   }
 }
 
@@ -120,7 +120,7 @@ TEST_F(DetectionPipelineTest, WithoutTheTargetFrameThereAreNoFrames) {
   EXPECT_EQ(array.objects[0].child_frame_id, "");
 }
 
-TEST_F(DetectionPipelineTest, PosesAreInTheTargetFrameAsItWasAtThePicturesStamp) {
+TEST_F(DetectionPipelineTest, PosesAreInTheTargetFrameAsItWasAtTheImagesStamp) {
   config_.target_frame = "base";
   geometry_msgs::TransformStamped transform;
   transform.header.frame_id = "base";

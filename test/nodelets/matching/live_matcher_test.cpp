@@ -13,24 +13,24 @@
 namespace mbncc::nodelets {
 namespace {
 
-cv::Mat plate_picture(cv::Size size) {
+cv::Mat plate_image(cv::Size size) {
   cv::RNG random(7);
-  cv::Mat picture(size, CV_8UC3);
-  random.fill(picture, cv::RNG::UNIFORM, 0, 256);
-  cv::GaussianBlur(picture, picture, {0, 0}, 3);
-  return picture;
+  cv::Mat image(size, CV_8UC3);
+  random.fill(image, cv::RNG::UNIFORM, 0, 256);
+  cv::GaussianBlur(image, image, {0, 0}, 3);
+  return image;
 }
 
-// A textured plate learned in a separate picture.
-ObjectModel plate(const std::string& name, cv::Size picture_size) {
-  const cv::Mat picture = plate_picture(picture_size);
-  cv::Mat map = cv::Mat::zeros(picture_size, CV_8UC1);
-  cv::ellipse(map, {picture_size.width / 2, picture_size.height / 2}, {30, 20}, 0, 0, 360, 255, -1);
+// A textured plate learned in a separate image.
+ObjectModel plate(const std::string& name, cv::Size image_size) {
+  const cv::Mat image = plate_image(image_size);
+  cv::Mat map = cv::Mat::zeros(image_size, CV_8UC1);
+  cv::ellipse(map, {image_size.width / 2, image_size.height / 2}, {30, 20}, 0, 0, 360, 255, -1);
   ObjectModel model;
   model.name = name;
   model.label = name;
   model.views.push_back(
-      crop_view(picture, map, {picture_size.width / 2.0, picture_size.height / 2.0, 0}));
+      crop_view(image, map, {image_size.width / 2.0, image_size.height / 2.0, 0}));
   return model;
 }
 
@@ -41,18 +41,18 @@ class LiveMatcherTest : public ::testing::Test {
   }
 
   test::TemporaryFolder folder_;
-  const cv::Mat picture_ = cv::Mat(120, 160, CV_8UC3, cv::Scalar::all(90));
+  const cv::Mat image_ = cv::Mat(120, 160, CV_8UC3, cv::Scalar::all(90));
 };
 
-TEST_F(LiveMatcherTest, SkipsObjectsOfOtherPictureSizesWithASentence) {
+TEST_F(LiveMatcherTest, SkipsObjectsOfOtherImageSizesWithASentence) {
   store(plate("here", {160, 120}));
   store(plate("elsewhere", {320, 240}));
   const LiveMatcher matcher({}, folder_.path());
-  const auto found = matcher.find(picture_, {}).result;
+  const auto found = matcher.find(image_, {}).result;
   EXPECT_EQ(found.searched, std::vector<std::string>{"here"});
   ASSERT_EQ(found.skipped.size(), 1u);
   EXPECT_EQ(found.skipped.front(),
-            "elsewhere: learned in pictures of 320 x 240, this one is 160 x 120; teach it again at "
+            "elsewhere: learned in images of 320 x 240, this one is 160 x 120; teach it again at "
             "this size");
 }
 
@@ -60,7 +60,7 @@ TEST_F(LiveMatcherTest, AnotherConfirmScoreHoldsForTheNextSearch) {
   store(plate("here", {160, 120}));
   LiveMatcher matcher({}, folder_.path());
   const auto complains = [&] {
-    const auto found = matcher.find(plate_picture({160, 120}), {}).result.matches;
+    const auto found = matcher.find(plate_image({160, 120}), {}).result.matches;
     EXPECT_EQ(found.size(), 1u);
     return !found.empty() && std::any_of(found[0].reasons.begin(), found[0].reasons.end(),
                                          [](const std::string& reason) {
@@ -80,7 +80,7 @@ TEST_F(LiveMatcherTest, AnotherConfirmScoreHoldsForTheNextSearch) {
 TEST_F(LiveMatcherTest, SearchesNothingWhenNoObjectFits) {
   store(plate("elsewhere", {320, 240}));
   const LiveMatcher matcher({}, folder_.path());
-  EXPECT_TRUE(matcher.find(picture_, {}).result.searched.empty());
+  EXPECT_TRUE(matcher.find(image_, {}).result.searched.empty());
 }
 
 TEST_F(LiveMatcherTest, SaysThatARequestedNameIsUnknown) {
@@ -88,7 +88,7 @@ TEST_F(LiveMatcherTest, SaysThatARequestedNameIsUnknown) {
   const LiveMatcher matcher({}, folder_.path());
   SearchRequest request;
   request.names = {"wrench"};
-  const auto found = matcher.find(picture_, request).result;
+  const auto found = matcher.find(image_, request).result;
   EXPECT_TRUE(found.searched.empty());
   ASSERT_EQ(found.skipped.size(), 1u);
   EXPECT_EQ(found.skipped.front().rfind("wrench", 0), 0u);
@@ -100,7 +100,7 @@ TEST_F(LiveMatcherTest, TakesOverChangesOfTheFolder) {
   store(plate("here", {160, 120}));
   matcher.refresh(false);
   EXPECT_EQ(matcher.library()->objects.size(), 1u);
-  EXPECT_EQ(matcher.find(picture_, {}).library, matcher.library());
+  EXPECT_EQ(matcher.find(image_, {}).library, matcher.library());
 }
 
 TEST_F(LiveMatcherTest, EveryObjectHasItsTurnWhenTimeIsShort) {
@@ -110,7 +110,7 @@ TEST_F(LiveMatcherTest, EveryObjectHasItsTurnWhenTimeIsShort) {
   const LiveMatcher matcher(config, folder_.path());
   std::vector<std::string> order;
   for (int i = 0; i < 6; ++i) {
-    const auto found = matcher.find(picture_, {}).result;
+    const auto found = matcher.find(image_, {}).result;
     ASSERT_EQ(found.searched.size(), 1u);
     EXPECT_EQ(found.skipped.size(), 2u);
     EXPECT_TRUE(found.budget_exceeded);
@@ -124,7 +124,7 @@ TEST_F(LiveMatcherTest, LeavesDisabledObjectsAlone) {
   model.enabled = false;
   store(model);
   const LiveMatcher matcher({}, folder_.path());
-  EXPECT_TRUE(matcher.find(picture_, {}).result.searched.empty());
+  EXPECT_TRUE(matcher.find(image_, {}).result.searched.empty());
 }
 
 // A map that the paper's matching cannot take: the others are searched, and it can be deleted.
@@ -145,33 +145,33 @@ TEST_F(LiveMatcherTest, AnObjectThatCannotBePreparedStopsNoOther) {
   EXPECT_EQ(matcher.fault().rfind("beam cannot be searched for: it is too large", 0), 0u)
       << matcher.fault();
   const auto names = [](const SearchResult& result) { return result.searched; };
-  const auto found = matcher.find(picture_, {}).result;
+  const auto found = matcher.find(image_, {}).result;
   EXPECT_EQ(names(found), std::vector<std::string>{"second"});
   ASSERT_EQ(found.skipped.size(), 1u);
   EXPECT_EQ(found.skipped.front().rfind("beam: cannot be searched for: ", 0), 0u);
   VideoSearch video(VideoConfig{});
   SearchRequest request;
   request.names = {"beam", "second"};
-  const auto watched = matcher.watch(video, 1, picture_, request).result;
+  const auto watched = matcher.watch(video, 1, image_, request).result;
   EXPECT_EQ(names(watched), std::vector<std::string>{"second"});
   EXPECT_EQ(watched.skipped, found.skipped);
   ObjectLibrary(folder_.path()).edit("second", [](ObjectModel& model) { model.enabled = false; });
   ObjectLibrary(folder_.path()).remove("beam");
   matcher.refresh(false);
   EXPECT_EQ(matcher.fault(), "");
-  EXPECT_TRUE(names(matcher.find(picture_, {}).result).empty());
+  EXPECT_TRUE(names(matcher.find(image_, {}).result).empty());
 }
 
 TEST_F(LiveMatcherTest, FindsNothingWhileTheLibraryCannotBeRead) {
   store(plate("here", {160, 120}));
   LiveMatcher matcher({}, folder_.path());
-  ASSERT_EQ(matcher.find(picture_, {}).result.searched.size(), 1u);
+  ASSERT_EQ(matcher.find(image_, {}).result.searched.size(), 1u);
   const std::string away = folder_.path() + ".away";
   std::filesystem::rename(folder_.path(), away);
   EXPECT_THROW(matcher.refresh(false), FileError);
   EXPECT_EQ(matcher.fault().rfind("the library cannot be read: ", 0), 0u) << matcher.fault();
   VideoSearch video(VideoConfig{});
-  for (const Found& found : {matcher.find(picture_, {}), matcher.watch(video, 1, picture_, {})}) {
+  for (const Found& found : {matcher.find(image_, {}), matcher.watch(video, 1, image_, {})}) {
     EXPECT_TRUE(found.result.searched.empty());
     ASSERT_EQ(found.result.skipped.size(), 1u);
     EXPECT_EQ(found.result.skipped.front(), "here: " + matcher.fault());
@@ -179,7 +179,7 @@ TEST_F(LiveMatcherTest, FindsNothingWhileTheLibraryCannotBeRead) {
   std::filesystem::rename(away, folder_.path());
   matcher.refresh(false);
   EXPECT_EQ(matcher.fault(), "");
-  EXPECT_EQ(matcher.find(picture_, {}).result.searched.size(), 1u);
+  EXPECT_EQ(matcher.find(image_, {}).result.searched.size(), 1u);
 }
 
 }  // namespace

@@ -43,18 +43,18 @@ mbncc_vision::DetectedObjectArray one(std::uint8_t state) {
   return array;
 }
 
-int count_of(const cv::Mat& picture, const cv::Scalar& colour) {
+int count_of(const cv::Mat& image, const cv::Scalar& colour) {
   cv::Mat same;
-  cv::inRange(picture, colour, colour, same);
+  cv::inRange(image, colour, colour, same);
   return cv::countNonZero(same);
 }
 
-TEST(Overlay, TheLegendLiesBelowThePicture) {
-  const cv::Mat picture(240, 320, CV_8UC3, cv::Scalar::all(120));
-  const cv::Mat drawn = draw_detections(picture, {});
-  EXPECT_EQ(drawn.cols, picture.cols);
-  EXPECT_GT(drawn.rows, picture.rows);
-  EXPECT_EQ(cv::norm(drawn.rowRange(0, picture.rows), picture, cv::NORM_INF), 0);
+TEST(Overlay, TheLegendLiesBelowTheImage) {
+  const cv::Mat image(240, 320, CV_8UC3, cv::Scalar::all(120));
+  const cv::Mat drawn = draw_detections(image, {});
+  EXPECT_EQ(drawn.cols, image.cols);
+  EXPECT_GT(drawn.rows, image.rows);
+  EXPECT_EQ(cv::norm(drawn.rowRange(0, image.rows), image, cv::NORM_INF), 0);
 }
 
 /// The legend's columns in which something is drawn.
@@ -67,12 +67,12 @@ cv::Mat written_columns(const cv::Mat& legend) {
 
 TEST(Overlay, TheAgeStandsApartFromTheLegend) {
   for (const int width : {320, 640, 800, 1280, 2448}) {
-    const cv::Mat picture(240, width, CV_8UC3, cv::Scalar::all(120));
+    const cv::Mat image(240, width, CV_8UC3, cv::Scalar::all(120));
     const auto legend = [&](float latency) {
       mbncc_vision::DetectedObjectArray array;
       array.latency = latency;
-      const cv::Mat drawn = draw_detections(picture, array);
-      return cv::Mat(drawn.rowRange(picture.rows, drawn.rows));
+      const cv::Mat drawn = draw_detections(image, array);
+      return cv::Mat(drawn.rowRange(image.rows, drawn.rows));
     };
     // The two differ in their first digit, the age's leftmost letter.
     const cv::Mat young = legend(0.01f), old = legend(8.01f);
@@ -85,12 +85,10 @@ TEST(Overlay, TheAgeStandsApartFromTheLegend) {
 }
 
 TEST(Overlay, TheStateGivesTheColour) {
-  const cv::Mat picture(240, 320, CV_8UC3, cv::Scalar::all(120));
+  const cv::Mat image(240, 320, CV_8UC3, cv::Scalar::all(120));
   const auto blue = colour_of(Standing::kGood), orange = colour_of(Standing::kDoubtful);
-  const cv::Mat confirmed =
-      draw_detections(picture, one(DetectedObject::CONFIRMED)).rowRange(0, 240);
-  const cv::Mat ambiguous =
-      draw_detections(picture, one(DetectedObject::AMBIGUOUS)).rowRange(0, 240);
+  const cv::Mat confirmed = draw_detections(image, one(DetectedObject::CONFIRMED)).rowRange(0, 240);
+  const cv::Mat ambiguous = draw_detections(image, one(DetectedObject::AMBIGUOUS)).rowRange(0, 240);
   EXPECT_GT(count_of(confirmed, blue), 100);
   EXPECT_EQ(count_of(confirmed, orange), 0);
   EXPECT_GT(count_of(ambiguous, orange), 100);

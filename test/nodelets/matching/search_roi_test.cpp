@@ -15,13 +15,13 @@ TEST(SearchRoi, ReadsFourNumbersOrNothing) {
     EXPECT_THROW(parse_roi(text), ConfigError) << text;
 }
 
-TEST(SearchRoi, IsThatPartOfItWhichThePictureHolds) {
+TEST(SearchRoi, IsThatPartOfItWhichTheImageHolds) {
   EXPECT_EQ(roi_in({10, 20, 30, 40}, {640, 480}), cv::Rect(10, 20, 30, 40));
   EXPECT_EQ(roi_in({600, 20, 100, 40}, {640, 480}), cv::Rect(600, 20, 40, 40));
   EXPECT_TRUE(roi_in({}, {640, 480}).empty()) << "everywhere";
 }
 
-TEST(SearchRoi, OutsideThePictureIsRefused) {
+TEST(SearchRoi, OutsideTheImageIsRefused) {
   EXPECT_THROW(roi_in({640, 0, 10, 10}, {640, 480}), ConfigError);
 }
 

@@ -6,20 +6,20 @@
 namespace mbncc {
 namespace {
 
-constexpr double kAgain = 1;             // [s] tolerated change of light in a still scene
-constexpr double kOtherLight = 1.15;     // exposure factor worth a new picture
-constexpr double kMostOfPicture = 0.45;  // changed part of the picture: another scene
+constexpr double kAgain = 1;           // [s] tolerated change of light in a still scene
+constexpr double kOtherLight = 1.15;   // exposure factor worth a new image
+constexpr double kMostOfImage = 0.45;  // changed part of the image: another scene
 
 /// Whether the difference was present before and has disappeared.
 bool has_left(const cv::Mat& changed, const StillShot& before, const StillShot& after) {
   constexpr double kMostly = 0.5;  // the uncovered part looks like an arrival
-  return part_put_down(changed, after.picture, before.picture) > kMostly;
+  return part_put_down(changed, after.image, before.image) > kMostly;
 }
 
 }  // namespace
 
 Demonstration::Step Demonstration::look(const std::optional<StillShot>& still) {
-  if (before_.picture.empty()) {
+  if (before_.image.empty()) {
     if (!still) return Step::kWaitStill;
     before_ = *still;
     seen_ = before_.number;
@@ -32,7 +32,7 @@ Demonstration::Step Demonstration::look(const std::optional<StillShot>& still) {
 /// A still period is evaluated at its begin, and periodically.
 Demonstration::Step Demonstration::judge(const StillShot& still) {
   const bool due = still.number > seen_ || still.stamp - compared_at_ >= kAgain;
-  if (due && still.picture.size() == before_.picture.size()) {
+  if (due && still.image.size() == before_.image.size()) {
     seen_ = still.number;
     compared_at_ = still.stamp;
     compare(still);
@@ -42,7 +42,7 @@ Demonstration::Step Demonstration::judge(const StillShot& still) {
 }
 
 void Demonstration::compare(const StillShot& still) {
-  const SceneDifference difference = scene_difference(before_.picture, still.picture);
+  const SceneDifference difference = scene_difference(before_.image, still.image);
   change_ = difference.change;
   if (change_ == SceneChange::kInside) after_ = still;
   const bool given = before_.number == 0;
@@ -50,7 +50,7 @@ void Demonstration::compare(const StillShot& still) {
   Anew why = Anew::kNot;
   if (change_ == SceneChange::kNone && difference.exposure > kOtherLight)
     why = Anew::kLight;
-  else if (difference.fraction > kMostOfPicture)
+  else if (difference.fraction > kMostOfImage)
     why = Anew::kEverything;
   else if (change_ == SceneChange::kAtBorder && has_left(difference.changed, before_, still))
     why = Anew::kEdgeLeft;

@@ -24,16 +24,16 @@ float median_of(const cv::Mat& values) {
 
 }  // namespace
 
-cv::Mat motion_picture(const cv::Mat& picture) {
-  // Area averages of a large picture are slow, and a quarter of its pixels suffices.
-  cv::Mat sampled = picture, small, grey, values;
-  if (picture.cols > kSampledWidth) {
-    const double share = static_cast<double>(kSampledWidth) / picture.cols;
-    cv::resize(picture, sampled, {}, share, share, cv::INTER_NEAREST);
+cv::Mat motion_image(const cv::Mat& image) {
+  // Area averages of a large image are slow, and a quarter of its pixels suffices.
+  cv::Mat sampled = image, small, grey, values;
+  if (image.cols > kSampledWidth) {
+    const double share = static_cast<double>(kSampledWidth) / image.cols;
+    cv::resize(image, sampled, {}, share, share, cv::INTER_NEAREST);
   }
-  const double scale = std::min(1.0, static_cast<double>(kWidth) / picture.cols);
-  const cv::Size size(std::max(1, cvRound(scale * picture.cols)),
-                      std::max(1, cvRound(scale * picture.rows)));
+  const double scale = std::min(1.0, static_cast<double>(kWidth) / image.cols);
+  const cv::Size size(std::max(1, cvRound(scale * image.cols)),
+                      std::max(1, cvRound(scale * image.rows)));
   cv::resize(sampled, small, size, 0, 0, cv::INTER_AREA);
   cv::cvtColor(small, grey, cv::COLOR_BGR2GRAY);
   grey.convertTo(values, CV_32F);

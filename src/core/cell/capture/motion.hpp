@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Detects motion between two pictures of a still camera.
+// Detects motion between two images of a still camera.
 #pragma once
 
 #include <opencv2/core.hpp>
 
 namespace mbncc::capture {
 
-/// Small grey version (CV_32FC1, about 160 px wide) of a CV_8UC3 picture, for has_moved().
-cv::Mat motion_picture(const cv::Mat& picture);
+/// Small grey version (CV_32FC1, about 160 px wide) of a CV_8UC3 image, for has_moved().
+cv::Mat motion_image(const cv::Mat& image);
 
 /// True when a patch of some pixels differs beyond the noise of the pair. A global difference of
 /// exposure is not motion.

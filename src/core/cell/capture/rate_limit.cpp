@@ -6,7 +6,7 @@
 namespace mbncc {
 namespace {
 
-constexpr double kMostSaved = 2.5;      // pictures; fewer would lose some if they arrive unevenly
+constexpr double kMostSaved = 2.5;      // images; fewer would lose some if they arrive unevenly
 constexpr double kRounding = 1 - 1e-6;  // of one
 
 }  // namespace

@@ -11,7 +11,7 @@ namespace mbncc {
 namespace {
 
 constexpr std::size_t kPeriodsKept = 8;
-constexpr double kBorderShare = 0.01;  // of the picture's width: counts as at the edge
+constexpr double kBorderShare = 0.01;  // of the image's width: counts as at the edge
 
 bool reaches_border(const cv::Mat& changed) {
   const int border = std::max(2, cvRound(kBorderShare * changed.cols));
@@ -38,18 +38,18 @@ SceneWatch::SceneWatch(double still_time) : still_time_(still_time) {
   if (!(still_time > 0)) throw std::invalid_argument("still_time must be above 0");
 }
 
-void SceneWatch::update(double stamp, const cv::Mat& picture) {
-  if (picture.empty() || picture.type() != CV_8UC3)
-    throw std::invalid_argument("the scene watch needs non-empty CV_8UC3 pictures");
-  if (stamp < last_stamp_ || picture.size() != size_) reset();
+void SceneWatch::update(double stamp, const cv::Mat& image) {
+  if (image.empty() || image.type() != CV_8UC3)
+    throw std::invalid_argument("the scene watch needs non-empty CV_8UC3 images");
+  if (stamp < last_stamp_ || image.size() != size_) reset();
   last_stamp_ = stamp;
-  size_ = picture.size();
-  const cv::Mat small = capture::motion_picture(picture);
+  size_ = image.size();
+  const cv::Mat small = capture::motion_image(image);
   if (anchor_.empty() || capture::has_moved(anchor_, small)) {
     end_period();
     begin_candidate(stamp, small);
   } else if (still_ || stamp - anchor_stamp_ >= still_time_) {
-    keep_shot(stamp, picture);
+    keep_shot(stamp, image);
   }
 }
 
@@ -66,16 +66,16 @@ void SceneWatch::begin_candidate(double stamp, const cv::Mat& small) {
   anchor_stamp_ = stamp;
 }
 
-void SceneWatch::keep_shot(double stamp, const cv::Mat& picture) {
+void SceneWatch::keep_shot(double stamp, const cv::Mat& image) {
   if (!still_) {
     still_ = true;
-    waiting_ = settled_ = {picture, stamp, ++periods_};
+    waiting_ = settled_ = {image, stamp, ++periods_};
     return;
   }
-  // The newest pictures may show the beginning of a motion that is not detected yet.
+  // The newest images may show the beginning of a motion that is not detected yet.
   if (stamp - waiting_.stamp >= still_time_ / 2) {
     settled_ = waiting_;
-    waiting_ = {picture, stamp, periods_};
+    waiting_ = {image, stamp, periods_};
   }
 }
 
@@ -94,7 +94,7 @@ std::optional<StillShot> SceneWatch::still() const {
 std::optional<StillShot> SceneWatch::before_change() const {
   if (!still_) return std::nullopt;
   const auto found = std::find_if(past_.rbegin(), past_.rend(), [this](const StillShot& shot) {
-    return scene_change(shot.picture, settled_.picture) == SceneChange::kInside;
+    return scene_change(shot.image, settled_.image) == SceneChange::kInside;
   });
   if (found == past_.rend()) return std::nullopt;
   return *found;

@@ -18,7 +18,7 @@ std::size_t bin_of(const cv::Vec3b& colour) {
                                   colour[2] >> kBits);
 }
 
-/// Colour histogram of the platform around a map, in both pictures.
+/// Colour histogram of the platform around a map, in both images.
 class PlatformColours {
  public:
   PlatformColours(const cv::Mat& ring, const cv::Mat& before, const cv::Mat& after) {
@@ -49,7 +49,7 @@ cv::Mat dilated(const cv::Mat& map, int side) {
 double part_put_down(const cv::Mat& map, const cv::Mat& before, const cv::Mat& after) {
   if (map.type() != CV_8UC1 || before.type() != CV_8UC3 || after.type() != CV_8UC3 ||
       map.size() != before.size() || map.size() != after.size())
-    throw std::invalid_argument("map and pictures must be of one size, CV_8UC1 and CV_8UC3");
+    throw std::invalid_argument("map and images must be of one size, CV_8UC1 and CV_8UC3");
   cv::Mat calm_before, calm_after;
   cv::blur(before, calm_before, {5, 5});
   cv::blur(after, calm_after, {5, 5});

@@ -15,7 +15,7 @@ namespace {
 constexpr double kLeastDifference = 4;  // [grey levels] of a cell's mean
 constexpr double kSureDifference = 16;  // [grey levels] beyond the noise of a cell's mean
 constexpr double kNoiseFactor = 8;      // median differences of cells
-constexpr float kFollow = 0.05F;        // [grey levels] drift of the reference per picture
+constexpr float kFollow = 0.05F;        // [grey levels] drift of the reference per image
 constexpr float kDark = 8;              // [grey levels] regularises ratios of dark cells
 constexpr int kStride = 37;             // stride of the cells used for gain and noise
 constexpr double kPatience = 1.5;       // [s] that a patch may keep changing
@@ -25,8 +25,8 @@ constexpr int kLeastCells = 2;          // of a patch
 constexpr int kStirring = 2;            // cells in motion that keep a patch changing
 constexpr double kUpset = 0.35;         // share of the cells
 
-cv::Mat cell_means(const cv::Mat& picture) {
-  cv::Mat cells = picture;
+cv::Mat cell_means(const cv::Mat& image) {
+  cv::Mat cells = image;
   for (int side = ChangeMap::kCell; side > 1; side /= 2) {
     const cv::Size half(cells.cols / 2, cells.rows / 2);
     cv::Mat next;
@@ -148,10 +148,10 @@ struct Patches {
 
 }  // namespace
 
-void ChangeMap::update(double stamp, const cv::Mat& picture) {
-  if (picture.empty() || (picture.type() != CV_8UC3 && picture.type() != CV_8UC1))
-    throw std::invalid_argument("a change map needs non-empty CV_8UC3 or CV_8UC1 pictures");
-  const cv::Mat cells = cell_means(picture);
+void ChangeMap::update(double stamp, const cv::Mat& image) {
+  if (image.empty() || (image.type() != CV_8UC3 && image.type() != CV_8UC1))
+    throw std::invalid_argument("a change map needs non-empty CV_8UC3 or CV_8UC1 images");
+  const cv::Mat cells = cell_means(image);
   settled_.clear();
   drop_outdated(stamp);
   if (cells.size() != records_.size() || cells.channels() != records_.channels()) {

@@ -31,16 +31,16 @@ bool is_within(const cv::Rect& inner, const cv::Rect& outer) {
 }  // namespace
 
 FrameSearch::FrameSearch(SearchMemory& memory, const VideoConfig& config, const Matcher& matcher,
-                         double stamp, const cv::Mat& picture)
+                         double stamp, const cv::Mat& image)
     : memory_(memory),
       config_(config),
       matcher_(matcher),
       stamp_(stamp),
-      search_(matcher, picture, one_by_one(matcher, memory.request)) {
+      search_(matcher, image, one_by_one(matcher, memory.request)) {
   give_up(memory_.sought.update(matcher.objects()));
   for (const auto& [name, sought] : memory_.sought.all())
     if (sought.swept_at == Sought::kNever) memory_.pending.add(name, search_.whole());
-  memory_.changes.update(stamp, picture);
+  memory_.changes.update(stamp, image);
 }
 
 /// Places occupied by objects that are no longer searched are evaluated again.
@@ -166,7 +166,7 @@ bool FrameSearch::is_in_motion(const cv::Rect& box) const {
 
 void FrameSearch::verify_touched() {
   const ChangeMap& changes = memory_.changes;
-  // Results obtained during motion are valid for that picture only.
+  // Results obtained during motion are valid for that image only.
   std::vector<Known> touched = memory_.known.take([&](const Known& one) {
     return changes.is_upset() || one.in_motion || changes.touches(one.box());
   });
@@ -247,8 +247,8 @@ void FrameSearch::search_pending(Urgency least) {
   }
 }
 
-/// Log-odds are comparable only within one picture, so the instances to be compared with a search
-/// of `region` for `name` are searched in this picture as well.
+/// Log-odds are comparable only within one image, so the instances to be compared with a search
+/// of `region` for `name` are searched in this image as well.
 void FrameSearch::look_at_uncompared(const std::string& name, const cv::Rect& region) {
   const auto uncompared = memory_.known.take([&](const Known& one) {
     return !one.match.fresh && one.match.name != name && one.others.count(name) == 0 &&
@@ -305,7 +305,7 @@ Known* FrameSearch::admit(const Match& match, const std::vector<Known>& before) 
   return admitted;
 }
 
-/// An instance at a new place is compared with all objects there, and with all of the picture.
+/// An instance at a new place is compared with all objects there, and with all of the image.
 void FrameSearch::announce(const Known& one) {
   Sought& own = memory_.sought.at(one.match.name);
   own.lost = false;

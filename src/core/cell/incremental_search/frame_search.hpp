@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Searches one picture of a video where needed.
+// Searches one image of a video where needed.
 #pragma once
 
 #include <map>
@@ -16,9 +16,9 @@ namespace mbncc::incremental_search {
 class FrameSearch {
  public:
   FrameSearch(SearchMemory& memory, const VideoConfig& config, const Matcher& matcher, double stamp,
-              const cv::Mat& picture);
+              const cv::Mat& image);
 
-  /// For the first picture, or after a complete change: searches everything at once.
+  /// For the first image, or after a complete change: searches everything at once.
   SearchResult look_everywhere();
 
   SearchResult look_at_changes();

@@ -103,7 +103,7 @@ Known* InstanceList::admit(Known found, double reach) {
     return covers(one) && !is_continued(one.match, match, reach) && one.match.score >= match.score;
   };
   if (std::any_of(known_.begin(), known_.end(), beats)) return nullptr;
-  // The log-odds of one that was found in an earlier picture are no comparison.
+  // The log-odds of one that was found in an earlier image are no comparison.
   for (const auto& one : take(covers))
     if (one.match.name != match.name && one.match.fresh)
       found.others[one.match.name] = competitor_of(match, one.match.name, one.match.pose.position(),

@@ -17,7 +17,7 @@ namespace mbncc::incremental_search {
 struct Known {
   /// From the last search at its place; its competitors are those of the same object nearby.
   Match match;
-  /// The last search of the whole picture for this object has compared it with other places.
+  /// The last search of the whole image for this object has compared it with other places.
   bool compared_elsewhere = false;
   std::optional<Competitor> elsewhere;  ///< the best of them
   /// By name, the objects searched at its place since its pixels changed, with the best one found

@@ -16,11 +16,11 @@ struct Sought {
 
   std::shared_ptr<const ObjectModel> model;
   double radius = 0;         ///< [px] of the map about the reference point
-  double swept_at = kNever;  ///< [s] searched for in the whole picture
+  double swept_at = kNever;  ///< [s] searched for in the whole image
   bool urgent = true;        ///< to be searched everywhere at once
   bool lost = false;         ///< an instance has gone missing
 
-  /// [px] that an instance may move between two pictures.
+  /// [px] that an instance may move between two images.
   double reach() const;
 };
 

@@ -8,7 +8,7 @@ namespace {
 
 constexpr int kMargin = 12;          // [px] about what is looked at
 constexpr int kGrid = 16;            // [px] crops begin at multiples, as pyramids like it
-constexpr double kMostCrop = 0.7;    // share of the picture above which all of it is searched
+constexpr double kMostCrop = 0.7;    // share of the image above which all of it is searched
 constexpr double kLeastCost = 0.25;  // of a search however small the crop, by that of the whole
 
 void shift(SearchResult& result, cv::Point by) {
@@ -52,7 +52,7 @@ SearchResult RegionSearch::find(const cv::Rect& region, const std::vector<std::s
     footprint.circle.centre -= cv::Point2d(crop.tl());
     request.occupied.push_back(footprint);
   }
-  result = matcher_.find(picture_(crop), request);
+  result = matcher_.find(image_(crop), request);
   shift(result, crop.tl());
   const double share = static_cast<double>(crop.area()) / whole().area();
   spent_ += static_cast<double>(names.size()) * (kLeastCost + (1 - kLeastCost) * share);

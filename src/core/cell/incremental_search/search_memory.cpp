@@ -31,7 +31,7 @@ SearchResult report_of(const SearchMemory& memory, const SearchConfig& config,
   SearchResult result;
   for (const auto& name : names)
     if (memory.pending.contains(name))
-      result.skipped.push_back(name + ": not yet searched where the picture changed");
+      result.skipped.push_back(name + ": not yet searched where the image changed");
     else
       result.searched.push_back(name);
   for (const auto& name : memory.sought.unavailable())

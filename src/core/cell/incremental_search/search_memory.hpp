@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// State of the video search between pictures: known instances and pending searches.
+// State of the video search between images: known instances and pending searches.
 #pragma once
 
 #include <map>
@@ -27,11 +27,11 @@ struct SearchMemory {
   InstanceList known;
   std::vector<Known> hidden;  ///< not found at their places while these were still changing
   PendingRegions pending;
-  std::map<std::string, double> clutter;  ///< by name, of the whole picture
+  std::map<std::string, double> clutter;  ///< by name, of the whole image
   double last_sweep = 0;                  ///< [s]
 };
 
-/// The result for a picture from the known instances: at most request.max_instances (0: config's)
+/// The result for an image from the known instances: at most request.max_instances (0: config's)
 /// per name, best first.
 SearchResult report_of(const SearchMemory& memory, const SearchConfig& config,
                        bool budget_exceeded);

@@ -22,11 +22,11 @@ bool same_limits(const SearchConfig& a, const SearchConfig& b) {
 }  // namespace
 
 struct VideoSearch::State {
-  State(const SearchRequest& request, const SearchConfig& config, cv::Size picture_size)
-      : memory(request, config), limits(config), size(picture_size) {}
+  State(const SearchRequest& request, const SearchConfig& config, cv::Size image_size)
+      : memory(request, config), limits(config), size(image_size) {}
 
-  bool serves(const SearchRequest& request, const SearchConfig& config, cv::Size picture) const {
-    return picture == size && same_request(memory.request, request) && same_limits(limits, config);
+  bool serves(const SearchRequest& request, const SearchConfig& config, cv::Size image) const {
+    return image == size && same_request(memory.request, request) && same_limits(limits, config);
   }
 
   incremental_search::SearchMemory memory;
@@ -43,13 +43,13 @@ void VideoSearch::reset() {
   state_.reset();
 }
 
-SearchResult VideoSearch::find(const Matcher& matcher, double stamp, const cv::Mat& picture,
+SearchResult VideoSearch::find(const Matcher& matcher, double stamp, const cv::Mat& image,
                                const SearchRequest& request) {
-  if (config_.sweep_time <= 0) return matcher.find(picture, request);
+  if (config_.sweep_time <= 0) return matcher.find(image, request);
   const auto start = Clock::now();
-  const bool anew = !state_ || !state_->serves(request, matcher.config(), picture.size());
-  if (anew) state_ = std::make_unique<State>(request, matcher.config(), picture.size());
-  incremental_search::FrameSearch look(state_->memory, config_, matcher, stamp, picture);
+  const bool anew = !state_ || !state_->serves(request, matcher.config(), image.size());
+  if (anew) state_ = std::make_unique<State>(request, matcher.config(), image.size());
+  incremental_search::FrameSearch look(state_->memory, config_, matcher, stamp, image);
   SearchResult result = anew ? look.look_everywhere() : look.look_at_changes();
   result.search_time = std::chrono::duration<double>(Clock::now() - start).count();
   return result;

@@ -10,10 +10,10 @@ namespace {
 
 constexpr double kSameAngle = to_radians(15);
 constexpr double kTrendFactor = 3;  // standard deviations of a significant trend
-constexpr double kClaims = 2;       // weight of the stated variance in pictures
+constexpr double kClaims = 2;       // weight of the stated variance in images
 constexpr double kJumpFactor = 4;   // standard deviations of a significant jump
 constexpr double kMostSurplus = 2;  // scatter by variance, of one coordinate
-// Smaller motions are ignored, and perfect pictures do not scatter.
+// Smaller motions are ignored, and perfect images do not scatter.
 const cv::Vec3d kLeastTrend(0.05, 0.05, to_radians(0.05));
 
 cv::Vec3d values_of(const Pose2D& pose) {
@@ -38,7 +38,7 @@ cv::Vec3d bends_of(const std::deque<Pose2D>& poses) {
   return sum;
 }
 
-/// Variance of a single pose, estimated from the pictures.
+/// Variance of a single pose, estimated from the images.
 cv::Vec3d scatter_of(const std::deque<Pose2D>& poses) {
   if (poses.size() > 2) return bends_of(poses) / (6.0 * static_cast<double>(poses.size() - 2));
   const cv::Vec3d step = values_of(poses.back()) - values_of(poses.front());
@@ -70,7 +70,7 @@ bool has_jumped(const std::deque<Pose2D>& poses, const cv::Matx33d& covariance) 
   return false;
 }
 
-/// Part of the covariance that remains after averaging `count` pictures; the scatter is estimated
+/// Part of the covariance that remains after averaging `count` images; the scatter is estimated
 /// from all three coordinates together.
 double remaining_share(const cv::Matx33d& covariance, const cv::Vec3d& scatter, double count) {
   double random = 0;
@@ -89,7 +89,7 @@ void move_to(const Pose2D& pose, Match& match) {
 }  // namespace
 
 PoseAverage::PoseAverage(int most) : most_(static_cast<std::size_t>(most)) {
-  if (most < 1) throw std::invalid_argument("an average needs at least one picture");
+  if (most < 1) throw std::invalid_argument("an average needs at least one image");
 }
 
 void PoseAverage::apply(std::vector<TrackedMatch>& matches) {

@@ -13,7 +13,7 @@ namespace {
 constexpr double kGateShare = 0.5;            // of the outline's radius
 constexpr double kLeastGate = 5;              // [px]
 constexpr double kLongestGuess = 0.5;         // [s] for which a motion is extrapolated
-constexpr double kAngleJump = to_radians(3);  // [rad] torn pictures cause larger errors
+constexpr double kAngleJump = to_radians(3);  // [rad] torn images cause larger errors
 
 /// Distance [px] within which a match continues an instance.
 double gate_of(const Match& match) {
@@ -76,7 +76,7 @@ std::vector<TrackedMatch> InstanceTracker::update(double stamp, const std::vecto
     if (track.seen || !is_held(track, stamp)) continue;
     result.push_back(track.last);
     result.back().state = TrackState::kHeld;
-    result.back().reasons = {"not seen in this picture"};
+    result.back().reasons = {"not seen in this image"};
   }
   choose_best(result);
   return result;
@@ -180,7 +180,7 @@ std::vector<std::string> InstanceTracker::reasons_of(const Track& track) const {
   if (!track.last.match.graspable) return track.last.match.reasons;
   const auto times = std::count(track.graspable.begin(), track.graspable.end(), true);
   return {"graspable in " + std::to_string(times) + " of the last " +
-          std::to_string(config_.confirm_window) + " pictures, " +
+          std::to_string(config_.confirm_window) + " images, " +
           std::to_string(config_.confirm_frames) + " needed"};
 }
 
@@ -198,7 +198,7 @@ bool InstanceTracker::is_held(const Track& track, double stamp) const {
   return config_.hold_time > 0 && stamp - track.seen_at <= config_.hold_time;
 }
 
-/// An instance is lost when it has been missed in a whole window of pictures and is not held.
+/// An instance is lost when it has been missed in a whole window of images and is not held.
 void InstanceTracker::drop_lost(double stamp) {
   const auto lost = std::stable_partition(tracks_.begin(), tracks_.end(), [&](const Track& track) {
     return track.missed < config_.confirm_window || is_held(track, stamp);

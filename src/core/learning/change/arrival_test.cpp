@@ -20,9 +20,9 @@ constexpr double kLoneArrivalScore = -0.5;  // the same, without another patch t
 constexpr int kSeam = 7;                    // [px]
 constexpr int kSmallestPatch = 20;          // [px]
 
-cv::Mat surveyed(const cv::Mat& picture) {
+cv::Mat surveyed(const cv::Mat& image) {
   cv::Mat values;
-  survey_sized(picture).convertTo(values, CV_32F);
+  survey_sized(image).convertTo(values, CV_32F);
   return values;
 }
 
@@ -37,9 +37,9 @@ cv::Mat exposed_as(const cv::Mat& before, const cv::Mat& after, const cv::Mat& u
 }
 
 // Grey edges, the strongest within a pixel.
-cv::Mat edge_strength(const cv::Mat& picture) {
+cv::Mat edge_strength(const cv::Mat& image) {
   cv::Mat grey, gx, gy, strength;
-  cv::cvtColor(picture, grey, cv::COLOR_BGR2GRAY);
+  cv::cvtColor(image, grey, cv::COLOR_BGR2GRAY);
   const cv::Mat central = (cv::Mat_<float>(1, 3) << -1, 0, 1);
   cv::filter2D(grey, gx, CV_32F, central);
   cv::filter2D(grey, gy, CV_32F, central.t());

@@ -13,17 +13,17 @@
 namespace mbncc::change {
 namespace {
 
-constexpr double kEnough = 8000;              // samples
-constexpr std::size_t kFewest = 200;          // samples
-constexpr std::size_t kSmallPicture = 10000;  // [px] coarsest size for the shift
-constexpr int kRounds = 6;                    // of Gauss-Newton, at each size
-constexpr double kLongestStep = 2;            // [px] range of the linearisation
-constexpr double kConverged = 0.01;           // [px]
-constexpr double kWorthwhile = 0.04;          // [px] smaller shifts are not interpolated
-constexpr double kClearGain = 0.98;           // of the cost without a shift
-constexpr double kLeastSpread = 0.3;          // [grey levels]
+constexpr double kEnough = 8000;            // samples
+constexpr std::size_t kFewest = 200;        // samples
+constexpr std::size_t kSmallImage = 10000;  // [px] coarsest size for the shift
+constexpr int kRounds = 6;                  // of Gauss-Newton, at each size
+constexpr double kLongestStep = 2;          // [px] range of the linearisation
+constexpr double kConverged = 0.01;         // [px]
+constexpr double kWorthwhile = 0.04;        // [px] smaller shifts are not interpolated
+constexpr double kClearGain = 0.98;         // of the cost without a shift
+constexpr double kLeastSpread = 0.3;        // [grey levels]
 
-// Both pictures and their comparable pixels, at one size.
+// Both images and their comparable pixels, at one size.
 struct Level {
   cv::Mat before, after;  // CV_32FC1
   cv::Mat trusted;        // CV_8UC1
@@ -37,16 +37,16 @@ Level coarser(const Level& level) {
 // Bilinear interpolation with the same sub-pixel offset for all pixels.
 class Shifted {
  public:
-  Shifted(const cv::Mat& picture, const cv::Point2d& shift)
-      : picture_(picture), left_(cvFloor(shift.x)), top_(cvFloor(shift.y)) {
+  Shifted(const cv::Mat& image, const cv::Point2d& shift)
+      : image_(image), left_(cvFloor(shift.x)), top_(cvFloor(shift.y)) {
     const auto u = static_cast<float>(shift.x - left_), v = static_cast<float>(shift.y - top_);
     weights_ = {(1 - u) * (1 - v), u * (1 - v), (1 - u) * v, u * v};
   }
 
   float operator()(int y, int x) const {
     const int row = y + top_, column = x + left_;
-    if (row >= 0 && row + 1 < picture_.rows && column >= 0 && column + 1 < picture_.cols)
-      return interpolated(picture_.ptr<float>(row) + column, picture_.ptr<float>(row + 1) + column);
+    if (row >= 0 && row + 1 < image_.rows && column >= 0 && column + 1 < image_.cols)
+      return interpolated(image_.ptr<float>(row) + column, image_.ptr<float>(row + 1) + column);
     return at_border(y, x);
   }
 
@@ -57,15 +57,15 @@ class Shifted {
   }
 
   float at_border(int y, int x) const {
-    const float* upper = picture_.ptr<float>(std::clamp(y + top_, 0, picture_.rows - 1));
-    const float* lower = picture_.ptr<float>(std::clamp(y + top_ + 1, 0, picture_.rows - 1));
-    const int near = std::clamp(x + left_, 0, picture_.cols - 1);
-    const int far = std::clamp(x + left_ + 1, 0, picture_.cols - 1);
+    const float* upper = image_.ptr<float>(std::clamp(y + top_, 0, image_.rows - 1));
+    const float* lower = image_.ptr<float>(std::clamp(y + top_ + 1, 0, image_.rows - 1));
+    const int near = std::clamp(x + left_, 0, image_.cols - 1);
+    const int far = std::clamp(x + left_ + 1, 0, image_.cols - 1);
     return weights_[0] * upper[near] + weights_[1] * upper[far] + weights_[2] * lower[near] +
            weights_[3] * lower[far];
   }
 
-  const cv::Mat& picture_;
+  const cv::Mat& image_;
   int left_, top_;
   cv::Vec4f weights_;
 };
@@ -75,7 +75,7 @@ struct Cost {
   double spread = 0;  // [grey levels]
 };
 
-// The shift between the pictures of one level.
+// The shift between the images of one level.
 class ShiftFit {
  public:
   explicit ShiftFit(const Level& level) : level_(level) {
@@ -148,17 +148,17 @@ cv::Mat cubic_kernel(double part) {
 // From coarse to fine, because in fine texture Gauss-Newton would converge to a local optimum.
 cv::Point2d shift_of(const Level& level) {
   cv::Point2d start;
-  if (level.before.total() > kSmallPicture) start = 2 * shift_of(coarser(level));
+  if (level.before.total() > kSmallImage) start = 2 * shift_of(coarser(level));
   const ShiftFit fit(level);
   return fit.usable() ? fit.refined(start) : start;
 }
 
 }  // namespace
 
-cv::Mat smooth_luminance(const cv::Mat& picture) {
-  cv::Mat luminance(picture.size(), CV_32FC1), strip;
-  for_each_strip(picture.rows, [&](const cv::Range& rows) {
-    picture.rowRange(rows).convertTo(strip, CV_32F);
+cv::Mat smooth_luminance(const cv::Mat& image) {
+  cv::Mat luminance(image.size(), CV_32FC1), strip;
+  for_each_strip(image.rows, [&](const cv::Range& rows) {
+    image.rowRange(rows).convertTo(strip, CV_32F);
     cv::Mat part = luminance.rowRange(rows);
     cv::cvtColor(strip, part, cv::COLOR_BGR2GRAY);
   });
@@ -166,12 +166,12 @@ cv::Mat smooth_luminance(const cv::Mat& picture) {
   return luminance;
 }
 
-cv::Mat undo_shift(const cv::Mat& picture, const cv::Point2d& shift) {
+cv::Mat undo_shift(const cv::Mat& image, const cv::Point2d& shift) {
   const cv::Point whole(cvFloor(shift.x), cvFloor(shift.y));
   const int margin = std::max(std::abs(whole.x), std::abs(whole.y)) + 3;
   cv::Mat wide, moved;
-  cv::copyMakeBorder(picture, wide, margin, margin, margin, margin, cv::BORDER_REPLICATE);
-  const cv::Mat shifted = wide(cv::Rect(whole + cv::Point(margin, margin), picture.size()));
+  cv::copyMakeBorder(image, wide, margin, margin, margin, margin, cv::BORDER_REPLICATE);
+  const cv::Mat shifted = wide(cv::Rect(whole + cv::Point(margin, margin), image.size()));
   cv::sepFilter2D(shifted, moved, -1, cubic_kernel(shift.x - whole.x),
                   cubic_kernel(shift.y - whole.y), {1, 1});
   return moved;

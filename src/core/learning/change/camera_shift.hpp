@@ -1,21 +1,21 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A small camera shift between two pictures.
+// A small camera shift between two images.
 #pragma once
 
 #include <opencv2/core.hpp>
 
 namespace mbncc::change {
 
-/// Luminance of a CV_32FC3 picture, lightly smoothed (sigma 1.5): input of the shift estimation.
-cv::Mat smooth_luminance(const cv::Mat& picture);
+/// Luminance of a CV_32FC3 image, lightly smoothed (sigma 1.5): input of the shift estimation.
+cv::Mat smooth_luminance(const cv::Mat& image);
 
 /// Displacement d [px] such that before(x) = after(x + d) on the `trusted` pixels (CV_8UC1), by
-/// robust Gauss-Newton from 0. (0, 0) unless it explains the pictures clearly better than no shift,
-/// and if it is longer than `max_shift`. Pictures from smooth_luminance().
+/// robust Gauss-Newton from 0. (0, 0) unless it explains the images clearly better than no shift,
+/// and if it is longer than `max_shift`. Images from smooth_luminance().
 cv::Point2d estimate_shift(const cv::Mat& before, const cv::Mat& after, const cv::Mat& trusted,
                            double max_shift);
 
-/// `picture` (floats) moved so that it shows at x what it showed at x + shift.
-cv::Mat undo_shift(const cv::Mat& picture, const cv::Point2d& shift);
+/// `image` (floats) moved so that it shows at x what it showed at x + shift.
+cv::Mat undo_shift(const cv::Mat& image, const cv::Point2d& shift);
 
 }  // namespace mbncc::change

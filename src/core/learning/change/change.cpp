@@ -28,25 +28,25 @@ constexpr int kGap = 9;                 // [px] pieces nearer than this are join
 constexpr int kSampling = 2;            // [px] of the survey, for medians
 constexpr double kBlackLevel = 10;      // [grey levels] possible black level of cameras
 
-// CV_32FC1 of a CV_8UC3 picture times `gain` per channel.
-cv::Mat grey_of(const cv::Mat& picture, const cv::Scalar& gain) {
-  cv::Mat grey(picture.size(), CV_32FC1), strip;
-  change::for_each_strip(picture.rows, [&](const cv::Range& rows) {
-    cv::multiply(picture.rowRange(rows), gain, strip, 1, CV_32F);
+// CV_32FC1 of a CV_8UC3 image times `gain` per channel.
+cv::Mat grey_of(const cv::Mat& image, const cv::Scalar& gain) {
+  cv::Mat grey(image.size(), CV_32FC1), strip;
+  change::for_each_strip(image.rows, [&](const cv::Range& rows) {
+    cv::multiply(image.rowRange(rows), gain, strip, 1, CV_32F);
     cv::Mat part = grey.rowRange(rows);
     cv::cvtColor(strip, part, cv::COLOR_BGR2GRAY);
   });
   return grey;
 }
 
-// Mean difference of two grey pictures; large ones count no more than kLeastDifference.
+// Mean difference of two grey images; large ones count no more than kLeastDifference.
 double mean_difference(const cv::Mat& before, const cv::Mat& after) {
   cv::Mat difference;
   cv::absdiff(before, after, difference);
   return cv::mean(cv::min(difference, kLeastDifference))[0];
 }
 
-// By phase correlation, used only if it explains the pictures.
+// By phase correlation, used only if it explains the images.
 cv::Point2d coarse_shift(const cv::Mat& before, const cv::Mat& after) {
   const cv::Point2d shift = change::phase_shift(before, after);
   const cv::Rect inner(before.cols / 4, before.rows / 4, before.cols / 2, before.rows / 2);
@@ -56,7 +56,7 @@ cv::Point2d coarse_shift(const cv::Mat& before, const cv::Mat& after) {
   return explains ? shift : cv::Point2d();
 }
 
-// Difference of the pictures, the one after times `gain`, summed over channels, averaged over
+// Difference of the images, the one after times `gain`, summed over channels, averaged over
 // 3 x 3.
 cv::Mat difference_of(const cv::Mat& before, const cv::Mat& after, const cv::Scalar& gain) {
   cv::Mat difference(before.size(), CV_32FC1), b, a;
@@ -99,7 +99,7 @@ std::vector<Patch> joined_patches(const cv::Mat& changed, cv::Mat& labels) {
   return patches;
 }
 
-// Factor >= 1 between pictures that have the mean `brightness` after compensation. In dark pictures
+// Factor >= 1 between images that have the mean `brightness` after compensation. In dark images
 // a black level looks like exposure, but does not change the contrast.
 double exposure_change(double gain, double contrast, double brightness) {
   const auto factor = [](double ratio) { return std::max(ratio, 1 / std::max(ratio, 1e-3)); };

@@ -46,15 +46,14 @@ struct Moments {
   }
 };
 
-std::vector<Sample> draw_samples(const cv::Mat& picture, const cv::Mat& mask,
-                                 const cv::Mat& weight) {
+std::vector<Sample> draw_samples(const cv::Mat& image, const cv::Mat& mask, const cv::Mat& weight) {
   const int step = std::max(1, cv::countNonZero(mask) / kMostSamples);
   std::vector<Sample> samples;
   int seen = 0;
-  for (int y = 0; y < picture.rows; ++y)
-    for (int x = 0; x < picture.cols; ++x)
+  for (int y = 0; y < image.rows; ++y)
+    for (int x = 0; x < image.cols; ++x)
       if (mask.at<uchar>(y, x) && seen++ % step == 0)
-        samples.push_back({picture.at<cv::Vec3f>(y, x),
+        samples.push_back({image.at<cv::Vec3f>(y, x),
                            weight.empty() ? 1 : std::max(kLeastWeight, weight.at<float>(y, x))});
   return samples;
 }
@@ -168,20 +167,19 @@ class MixtureFit {
   ColourMixture mixture_;
 };
 
-ColourMixture ColourMixture::fit(const cv::Mat& picture, const cv::Mat& mask,
-                                 const cv::Mat& weight) {
-  auto samples = draw_samples(picture, mask, weight);
+ColourMixture ColourMixture::fit(const cv::Mat& image, const cv::Mat& mask, const cv::Mat& weight) {
+  auto samples = draw_samples(image, mask, weight);
   if (samples.size() < kFewestSamples) return {};
   return MixtureFit(std::move(samples)).run();
 }
 
-cv::Mat ColourMixture::densities(const cv::Mat& picture) const {
-  cv::Mat sum = cv::Mat::zeros(picture.size(), CV_32FC1);
-  cv::Mat planes(3, picture.cols, CV_32FC1), part(1, picture.cols, CV_32FC1);
-  for (int y = 0; y < picture.rows; ++y) {
-    const auto* colours = picture.ptr<cv::Vec3f>(y);
+cv::Mat ColourMixture::densities(const cv::Mat& image) const {
+  cv::Mat sum = cv::Mat::zeros(image.size(), CV_32FC1);
+  cv::Mat planes(3, image.cols, CV_32FC1), part(1, image.cols, CV_32FC1);
+  for (int y = 0; y < image.rows; ++y) {
+    const auto* colours = image.ptr<cv::Vec3f>(y);
     auto *blue = planes.ptr<float>(0), *green = planes.ptr<float>(1), *red = planes.ptr<float>(2);
-    for (int x = 0; x < picture.cols; ++x) {
+    for (int x = 0; x < image.cols; ++x) {
       blue[x] = colours[x][0];
       green[x] = colours[x][1];
       red[x] = colours[x][2];
@@ -190,10 +188,10 @@ cv::Mat ColourMixture::densities(const cv::Mat& picture) const {
     auto* out = sum.ptr<float>(y);
     for (const auto& component : components_) {
       const Component gaussian = component;  // local copy that the loop cannot alias
-      for (int x = 0; x < picture.cols; ++x)
+      for (int x = 0; x < image.cols; ++x)
         logs[x] = gaussian.log_density(blue[x], green[x], red[x]);
       cv::exp(part, part);
-      for (int x = 0; x < picture.cols; ++x) out[x] += logs[x];
+      for (int x = 0; x < image.cols; ++x) out[x] += logs[x];
     }
   }
   return sum;

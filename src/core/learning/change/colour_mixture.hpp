@@ -9,18 +9,18 @@ namespace mbncc::change {
 
 class ColourMixture {
  public:
-  /// Fits up to five Gaussians to the pixels of `picture` (CV_32FC3) on `mask` (CV_8UC1), weighted
+  /// Fits up to five Gaussians to the pixels of `image` (CV_32FC3) on `mask` (CV_8UC1), weighted
   /// by `weight` (CV_32FC1; empty: all 1); at most about 3000 of them. The start is deterministic:
   /// the widest cluster is split along its main axis. Fewer than 20 pixels leave it empty.
-  static ColourMixture fit(const cv::Mat& picture, const cv::Mat& mask, const cv::Mat& weight = {});
+  static ColourMixture fit(const cv::Mat& image, const cv::Mat& mask, const cv::Mat& weight = {});
 
   bool empty() const { return components_.empty(); }
 
   /// Density of a colour. [1 / grey level^3]
   float density(const cv::Vec3f& colour) const;
 
-  /// Likewise of each pixel of a CV_32FC3 picture, CV_32FC1.
-  cv::Mat densities(const cv::Mat& picture) const;
+  /// Likewise of each pixel of a CV_32FC3 image, CV_32FC1.
+  cv::Mat densities(const cv::Mat& image) const;
 
  private:
   struct Component {

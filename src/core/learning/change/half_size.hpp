@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Pictures at half their size.
+// Images at half their size.
 #pragma once
 
 #include <opencv2/imgproc.hpp>
@@ -7,9 +7,9 @@
 namespace mbncc::change {
 
 /// Rounded sizes; `interpolation` is one of cv::InterpolationFlags.
-inline cv::Mat half_size(const cv::Mat& picture, int interpolation) {
+inline cv::Mat half_size(const cv::Mat& image, int interpolation) {
   cv::Mat half;
-  cv::resize(picture, half, {}, 0.5, 0.5, interpolation);
+  cv::resize(image, half, {}, 0.5, 0.5, interpolation);
   return half;
 }
 

@@ -11,7 +11,7 @@
 namespace mbncc::change {
 namespace {
 
-// All lengths are pixels of the halved pictures.
+// All lengths are pixels of the halved images.
 constexpr int kReach = 8;             // largest displacement of a neighbour
 constexpr int kPatch = 3;             // half the side of the squares that are compared
 constexpr int kStride = 2;            // of the squares
@@ -39,9 +39,9 @@ float mismatch(const cv::Mat& before, const cv::Point& p, const cv::Mat& after, 
 }
 
 // Sum of squares about the square's mean colour.
-float contrast_of(const cv::Mat& picture, const cv::Point& p) {
+float contrast_of(const cv::Mat& image, const cv::Point& p) {
   const cv::Mat square =
-      picture(cv::Rect(p.x - kPatch, p.y - kPatch, 2 * kPatch + 1, 2 * kPatch + 1));
+      image(cv::Rect(p.x - kPatch, p.y - kPatch, 2 * kPatch + 1, 2 * kPatch + 1));
   cv::Scalar mean, deviation;
   cv::meanStdDev(square, mean, deviation);
   return static_cast<float>(deviation.dot(deviation) * static_cast<double>(square.total()));

@@ -7,7 +7,7 @@
 namespace mbncc::change {
 
 /// 255 on the pixels of `changed` (CV_8UC1) whose surroundings in `before` are found within about
-/// 16 pixels in `after`, displaced like their neighbours. Pictures are CV_32FC3, aligned; `sigma`
+/// 16 pixels in `after`, displaced like their neighbours. Images are CV_32FC3, aligned; `sigma`
 /// [grey levels] is the noise of their difference.
 cv::Mat moved_neighbours(const cv::Mat& before, const cv::Mat& after, const cv::Mat& changed,
                          float sigma);

@@ -18,14 +18,14 @@ std::vector<float> half_hanning(int size) {
 }
 
 // Under a window whose square is Hanning's, in a frame of a size that is quickly transformed.
-cv::Mat windowed(const cv::Mat& picture) {
-  const auto across = half_hanning(picture.cols), down = half_hanning(picture.rows);
-  cv::Mat framed = cv::Mat::zeros(cv::getOptimalDFTSize(picture.rows),
-                                  cv::getOptimalDFTSize(picture.cols), CV_32FC1);
-  for (int y = 0; y < picture.rows; ++y) {
-    const auto* values = picture.ptr<float>(y);
+cv::Mat windowed(const cv::Mat& image) {
+  const auto across = half_hanning(image.cols), down = half_hanning(image.rows);
+  cv::Mat framed = cv::Mat::zeros(cv::getOptimalDFTSize(image.rows),
+                                  cv::getOptimalDFTSize(image.cols), CV_32FC1);
+  for (int y = 0; y < image.rows; ++y) {
+    const auto* values = image.ptr<float>(y);
     auto* out = framed.ptr<float>(y);
-    for (int x = 0; x < picture.cols; ++x) out[x] = values[x] * (down[y] * across[x]);
+    for (int x = 0; x < image.cols; ++x) out[x] = values[x] * (down[y] * across[x]);
   }
   return framed;
 }
@@ -52,7 +52,7 @@ void normalise_column(cv::Mat& spectrum, int x) {
   if (spectrum.rows % 2 == 0) normalise(spectrum.at<float>(spectrum.rows - 1, x));
 }
 
-// Normalises the spectrum of a real picture to its phases, packed as by cv::dft().
+// Normalises the spectrum of a real image to its phases, packed as by cv::dft().
 void keep_phases(cv::Mat& spectrum) {
   normalise_column(spectrum, 0);
   if (spectrum.cols % 2 == 0) normalise_column(spectrum, spectrum.cols - 1);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Phase correlation of two pictures.
+// Phase correlation of two images.
 #pragma once
 
 #include <opencv2/core.hpp>

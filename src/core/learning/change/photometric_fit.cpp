@@ -10,7 +10,7 @@
 namespace mbncc::change {
 namespace {
 
-constexpr int kFinestStep = 3;        // [px] sampling of the pictures
+constexpr int kFinestStep = 3;        // [px] sampling of the images
 constexpr double kEnough = 2000;      // samples
 constexpr std::size_t kFewest = 200;  // samples
 constexpr int kRounds = 5;            // of reweighting, at most

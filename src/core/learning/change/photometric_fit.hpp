@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Exposure and light between two pictures of a still scene: per channel, a gain that may vary
-// linearly across the picture, and an offset.
+// Exposure and light between two images of a still scene: per channel, a gain that may vary
+// linearly across the image, and an offset.
 #pragma once
 
 #include <array>
@@ -9,7 +9,7 @@
 namespace mbncc::change {
 
 /// before = after (1 + gain + gain_x u + gain_y v) + offset, with u, v in -0.5 .. 0.5 across the
-/// picture.
+/// image.
 struct ChannelLight {
   double gain = 0;
   double gain_x = 0;
@@ -19,7 +19,7 @@ struct ChannelLight {
 
 using Light = std::array<ChannelLight, 3>;
 
-/// Robust fit (Tukey weights) over the pixels of `trusted` (CV_8UC1); pictures are CV_8UC3 or
+/// Robust fit (Tukey weights) over the pixels of `trusted` (CV_8UC1); images are CV_8UC3 or
 /// CV_32FC3. Without `planar` the gain is constant. Fewer than 200 samples give the identity.
 Light fit_light(const cv::Mat& before, const cv::Mat& after, const cv::Mat& trusted, bool planar);
 

@@ -13,9 +13,9 @@ namespace {
 constexpr double kSmoothing = 1;  // [px]
 constexpr double kRare = 0.05;    // part of the platform's own pixels that counts as rare
 
-cv::Mat smoothed(const cv::Mat& picture, const cv::Rect& box) {
+cv::Mat smoothed(const cv::Mat& image, const cv::Rect& box) {
   cv::Mat values;
-  picture(box).convertTo(values, CV_32F);
+  image(box).convertTo(values, CV_32F);
   cv::GaussianBlur(values, values, {}, kSmoothing);
   return values;
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// How much of a changed area shows the platform in both pictures.
+// How much of a changed area shows the platform in both images.
 #pragma once
 
 #include <opencv2/core.hpp>

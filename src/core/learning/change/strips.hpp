@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Processing by strips of rows: writing whole float pictures to memory would cost more than
+// Processing by strips of rows: writing whole float images to memory would cost more than
 // computing them.
 #pragma once
 

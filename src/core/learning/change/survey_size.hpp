@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The size for the survey of whole pictures.
+// The size for the survey of whole images.
 #pragma once
 
 #include <algorithm>
@@ -9,16 +9,16 @@ namespace mbncc::change {
 
 constexpr int kSurveyWidth = 320;  ///< [px]
 
-/// From a picture of this width [px] to the survey's, which is never larger.
+/// From an image of this width [px] to the survey's, which is never larger.
 inline double survey_scale(int width) {
   return std::min(1.0, static_cast<double>(kSurveyWidth) / width);
 }
 
-/// `picture` at the survey's size.
-inline cv::Mat survey_sized(const cv::Mat& picture) {
-  const double scale = survey_scale(picture.cols);
+/// `image` at the survey's size.
+inline cv::Mat survey_sized(const cv::Mat& image) {
+  const double scale = survey_scale(image.cols);
   cv::Mat small;
-  cv::resize(picture, small, {}, scale, scale, cv::INTER_AREA);
+  cv::resize(image, small, {}, scale, scale, cv::INTER_AREA);
   return small;
 }
 

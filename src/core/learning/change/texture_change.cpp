@@ -20,7 +20,7 @@ constexpr double kWhite = 255;
 constexpr int kSampling = 4;          // [px] for the median of contrast
 constexpr std::size_t kFewest = 200;  // least number of samples of contrast
 
-// Means over small squares of a product of two pictures.
+// Means over small squares of a product of two images.
 cv::Mat mean_product(const cv::Mat& a, const cv::Mat& b) {
   cv::Mat mean = a.mul(b);
   cv::boxFilter(mean, mean, CV_32F, {kTextureBox, kTextureBox});

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Change of texture between two pictures, which distinguishes light and exposure from a moved
+// Change of texture between two images, which distinguishes light and exposure from a moved
 // camera.
 #pragma once
 
@@ -8,18 +8,18 @@
 namespace mbncc::change {
 
 struct TextureChange {
-  /// Part of the textured squares [0..1] that do not correlate with the other picture. Light and
+  /// Part of the textured squares [0..1] that do not correlate with the other image. Light and
   /// exposure keep the correlation of small squares; a moved camera does not. It displaces the
-  /// texture of both pictures, so the smaller part is returned: in a scene that was cleared, the
+  /// texture of both images, so the smaller part is returned: in a scene that was cleared, the
   /// remaining texture is unchanged.
   double displaced = 0;
   /// Median factor from the contrast of a square after to that before; 1 if too little is textured,
   /// or all of it is near white. Contrast depends on the gain but not on an offset, which in dark
-  /// pictures resembles a gain.
+  /// images resembles a gain.
   double contrast = 1;
 };
 
-/// Of grey pictures, CV_32FC1 and of one size; 255 is white in `before`, and `white` in `after`,
+/// Of grey images, CV_32FC1 and of one size; 255 is white in `before`, and `white` in `after`,
 /// which has been made as bright.
 TextureChange texture_change(const cv::Mat& before, const cv::Mat& after, double white);
 

@@ -49,7 +49,7 @@ cv::Mat remaining_light(const cv::Mat& before, const cv::Mat& after) {
   return light;
 }
 
-// Range of the light in a shadow, in the picture before or after.
+// Range of the light in a shadow, in the image before or after.
 cv::Mat plausible(const cv::Mat& light, float darkest) {
   return cv::max(cv::min(light, 1 / darkest), darkest);
 }
@@ -58,7 +58,7 @@ bool is_plausible(float light, float darkest) {
   return light >= darkest && light * darkest <= 1;
 }
 
-// Fit of a Gaussian around a predicted picture.
+// Fit of a Gaussian around a predicted image.
 struct Fit {
   cv::Mat distance;     // CV_32FC1, squared Mahalanobis
   cv::Mat determinant;  // CV_32FC1, of the covariance
@@ -175,7 +175,7 @@ BackgroundLikelihood background_likelihood(const cv::Mat& before, const cv::Mat&
                                            const NoiseModel& noise,
                                            const change::ColourMixture& platform,
                                            float darkest_shadow) {
-  const cv::Mat variance = noise.variance_picture(after), light = remaining_light(before, after);
+  const cv::Mat variance = noise.variance_image(after), light = remaining_light(before, after);
   const cv::Mat lost = texture_loss(before, after, plausible(light, darkest_shadow), variance);
   Fit unchanged = fit_unchanged(before, after, variance, noise.correlation);
   Fit shaded = fit_shadow(before, after, light, variance, noise.correlation);

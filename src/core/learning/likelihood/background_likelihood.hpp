@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Likelihood of the picture before given the unchanged, possibly shadowed platform.
+// Likelihood of the image before given the unchanged, possibly shadowed platform.
 #pragma once
 
 #include <opencv2/core.hpp>
@@ -19,7 +19,7 @@ struct BackgroundLikelihood {
 float log_uniform_colour();
 
 constexpr float kDarkestShadow =
-    0.3F;  ///< [0..1] light that a shadow, in either picture, leaves at least
+    0.3F;  ///< [0..1] light that a shadow, in either image, leaves at least
 
 /// `before` and `after` are CV_32FC3, aligned. `platform` is the ring's colour mixture; it may be
 /// empty.

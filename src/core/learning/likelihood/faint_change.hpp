@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Faint change that is not significant in single pixels, in noisy pictures with little light.
+// Faint change that is not significant in single pixels, in noisy images with little light.
 #pragma once
 
 #include <opencv2/core.hpp>
 
 namespace mbncc::likelihood {
 
-/// Squared distances of the picture before from what would explain it [variances], CV_32FC1.
+/// Squared distances of the image before from what would explain it [variances], CV_32FC1.
 struct Misfit {
   cv::Mat unchanged, shaded;
 };

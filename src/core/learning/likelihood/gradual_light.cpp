@@ -10,8 +10,8 @@ namespace mbncc::likelihood {
 namespace {
 
 constexpr double kBlur = 1.2;          // [px]
-constexpr float kDark = 4;             // [grey levels] added to both pictures
-constexpr float kMostLight = 5;        // factor between the pictures
+constexpr float kDark = 4;             // [grey levels] added to both images
+constexpr float kMostLight = 5;        // factor between the images
 constexpr int kGap = 5;                // [px] narrower gaps in an edge are closed
 constexpr float kFarLower = 0.3F;      // of the barrier around most of the change: light
 constexpr float kLower = 0.5F;         // likewise, a shadow that leaves texture visible
@@ -20,15 +20,15 @@ constexpr float kSteepestShadow = 20;  // [grey levels / px]
 constexpr float kNoBrighter = 5;       // [grey levels] that noise may add to a shadow
 constexpr float kNoiseSlope = 0.5F;    // [1 / px] slope that noise of deviation 1 may have
 
-cv::Mat smooth(const cv::Mat& picture) {
+cv::Mat smooth(const cv::Mat& image) {
   cv::Mat blurred;
-  cv::GaussianBlur(picture, blurred, {}, kBlur);
+  cv::GaussianBlur(image, blurred, {}, kBlur);
   return blurred + cv::Scalar::all(kDark);
 }
 
-cv::Mat derivative(const cv::Mat& picture, int across, int down) {
+cv::Mat derivative(const cv::Mat& image, int across, int down) {
   cv::Mat slope;
-  cv::Sobel(picture, slope, CV_32F, across, down, 3, 1.0 / 8);
+  cv::Sobel(image, slope, CV_32F, across, down, 3, 1.0 / 8);
   return slope;
 }
 

@@ -72,7 +72,7 @@ void take_lines(const cv::Mat& means, double angle, LineEvidence& best) {
 
 LineEvidence line_evidence(const cv::Mat& preference) {
   cv::Mat framed;
-  // Narrower pictures are worked on as kAtOnce wide: the frame has room.
+  // Narrower images are worked on as kAtOnce wide: the frame has room.
   const cv::Size worked(std::max(preference.cols, kAtOnce), preference.rows);
   LineEvidence best{cv::Mat(worked, CV_32FC1, cv::Scalar(-kMost)),
                     cv::Mat(worked, CV_32FC1, cv::Scalar(-kMost))};

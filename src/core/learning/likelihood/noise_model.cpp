@@ -12,7 +12,7 @@
 namespace mbncc::likelihood {
 namespace {
 
-constexpr float kLeastSigma = 0.6F;      // [grey levels] rounding to 8 bits in two pictures
+constexpr float kLeastSigma = 0.6F;      // [grey levels] rounding to 8 bits in two images
 constexpr float kUnknownSigma = 4;       // [grey levels] where the ring is too small to tell
 constexpr float kFlatGradient = 64;      // squared [grey levels / px]: below, no edge disturbs
 constexpr float kClipped = 252;          // [grey levels]
@@ -29,11 +29,11 @@ int brightness_bin(float value) {
   return std::clamp(static_cast<int>(value / NoiseModel::kBins), 0, NoiseModel::kBins - 1);
 }
 
-float squared_gradient(const cv::Mat& picture, int y, int x, int channel) {
+float squared_gradient(const cv::Mat& image, int y, int x, int channel) {
   const float gx =
-      (picture.at<cv::Vec3f>(y, x + 1)[channel] - picture.at<cv::Vec3f>(y, x - 1)[channel]) / 2;
+      (image.at<cv::Vec3f>(y, x + 1)[channel] - image.at<cv::Vec3f>(y, x - 1)[channel]) / 2;
   const float gy =
-      (picture.at<cv::Vec3f>(y + 1, x)[channel] - picture.at<cv::Vec3f>(y - 1, x)[channel]) / 2;
+      (image.at<cv::Vec3f>(y + 1, x)[channel] - image.at<cv::Vec3f>(y - 1, x)[channel]) / 2;
   return gx * gx + gy * gy;
 }
 
@@ -183,7 +183,7 @@ cv::Vec3f NoiseModel::variance_at(const cv::Mat& after, int y, int x) const {
   return result;
 }
 
-cv::Mat NoiseModel::variance_picture(const cv::Mat& after) const {
+cv::Mat NoiseModel::variance_image(const cv::Mat& after) const {
   cv::Mat result(after.size(), CV_32FC3);
   for (int y = 0; y < after.rows; ++y) {
     auto* out = result.ptr<cv::Vec3f>(y);

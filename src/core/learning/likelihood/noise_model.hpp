@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Noise model of two pictures of the same unchanged surface, estimated from the pictures.
+// Noise model of two images of the same unchanged surface, estimated from the images.
 #pragma once
 
 #include <array>
 #include <opencv2/core.hpp>
 
-#include "learning/change/align_pictures.hpp"
+#include "learning/change/align_images.hpp"
 
 namespace mbncc::likelihood {
 
@@ -27,7 +27,7 @@ struct NoiseModel {
   cv::Vec3f variance_at(const cv::Mat& after, int y, int x) const;
 
   /// Likewise for all pixels, CV_32FC3.
-  cv::Mat variance_picture(const cv::Mat& after) const;
+  cv::Mat variance_image(const cv::Mat& after) const;
 
   /// Standard deviation of a channel, averaged over brightness. [grey levels]
   float sigma(int channel) const;

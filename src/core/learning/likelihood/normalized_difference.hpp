@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Difference of two pictures in units of their noise.
+// Difference of two images in units of their noise.
 #pragma once
 
 #include <opencv2/core.hpp>
 
 namespace mbncc::likelihood {
 
-/// Squared Mahalanobis distance between the pictures (CV_32FC3) per pixel, CV_32FC1.
+/// Squared Mahalanobis distance between the images (CV_32FC3) per pixel, CV_32FC1.
 cv::Mat normalized_difference(const cv::Mat& before, const cv::Mat& predicted,
                               const cv::Mat& variance, const cv::Matx33f& correlation);
 

@@ -31,8 +31,8 @@ cv::Mat rim_of(const cv::Mat& map) {
 
 }  // namespace
 
-cv::Mat relative_density(const change::ColourMixture& mixture, const cv::Mat& picture) {
-  return mixture.densities(picture) * std::exp(-log_uniform_colour());
+cv::Mat relative_density(const change::ColourMixture& mixture, const cv::Mat& image) {
+  return mixture.densities(image) * std::exp(-log_uniform_colour());
 }
 
 // The object's colours are estimated from certainly changed pixels. Uncertain ones (the rim of a

@@ -10,8 +10,8 @@ namespace mbncc::likelihood {
 
 constexpr float kHighestPreference = 60;
 
-/// Density of each pixel of `picture` (CV_32FC3) relative to the uniform one, CV_32FC1.
-cv::Mat relative_density(const change::ColourMixture& mixture, const cv::Mat& picture);
+/// Density of each pixel of `image` (CV_32FC3) relative to the uniform one, CV_32FC1.
+cv::Mat relative_density(const change::ColourMixture& mixture, const cv::Mat& image);
 
 /// Weights of the pixels of `map` (CV_8UC1) for the object's colours, CV_32FC1 [0..1]. `changed`
 /// is BackgroundLikelihood's.

@@ -38,13 +38,13 @@ struct Sample {
   cv::Vec3f colour;
 };
 
-std::vector<Sample> samples_of(const cv::Mat& picture, const cv::Mat& ring) {
+std::vector<Sample> samples_of(const cv::Mat& image, const cv::Mat& ring) {
   const int step = std::max(1, cvRound(std::sqrt(cv::countNonZero(ring) / kSamples)));
   std::vector<Sample> samples;
   for (int y = 0; y < ring.rows; y += step)
     for (int x = 0; x < ring.cols; x += step)
       if (ring.at<uchar>(y, x))
-        samples.push_back({terms_at(ring.size(), x, y), picture.at<cv::Vec3f>(y, x)});
+        samples.push_back({terms_at(ring.size(), x, y), image.at<cv::Vec3f>(y, x)});
   return samples;
 }
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Predicts the platform under an object from the ring around it, as the picture after for a lesson
-// from one picture.
+// Predicts the platform under an object from the ring around it, as the image after for a lesson
+// from one image.
 #pragma once
 
 #include <opencv2/core.hpp>
 
-#include "learning/change/align_pictures.hpp"
+#include "learning/change/align_images.hpp"
 
 namespace mbncc::likelihood {
 

@@ -16,10 +16,10 @@ struct TexturePower {
   cv::Mat before, after, common, noise;  // CV_32FC1
 };
 
-cv::Mat fine_texture(const cv::Mat& picture) {
+cv::Mat fine_texture(const cv::Mat& image) {
   cv::Mat mean;
-  cv::blur(picture, mean, {kFine, kFine});
-  return picture - mean;
+  cv::blur(image, mean, {kFine, kFine});
+  return image - mean;
 }
 
 TexturePower measure(const cv::Mat& before, const cv::Mat& after, const cv::Mat& variance) {

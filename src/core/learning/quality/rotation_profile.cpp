@@ -20,7 +20,7 @@ int level_for(double area) {
   return level;
 }
 
-// Of the map's box, which starts where the whole picture's squares at that level do.
+// Of the map's box, which starts where the whole image's squares at that level do.
 MaskedTemplate points_of(const cv::Mat& grey, const cv::Mat& map, const cv::Point2d& anchor,
                          int level) {
   const cv::Rect tight = cv::boundingRect(map);
@@ -31,15 +31,15 @@ MaskedTemplate points_of(const cv::Mat& grey, const cv::Mat& map, const cv::Poin
 
 }  // namespace
 
-RotationProfile::RotationProfile(const View& view, const cv::Mat& picture) {
+RotationProfile::RotationProfile(const View& view, const cv::Mat& image) {
   const cv::Point2d centre = centroid(view.map);
   const int reach = static_cast<int>(2 * excircle(view.map).radius) + 4;
   cv::Mat part;
   const cv::Rect around =
       change::grown(cv::Rect(cv::Point(centre) + view.origin, cv::Size(1, 1)), reach) &
-      cv::Rect({0, 0}, picture.size());
+      cv::Rect({0, 0}, image.size());
   const cv::Mat map = map_within(view, around);
-  cv::cvtColor(picture(around), part, cv::COLOR_BGR2GRAY);
+  cv::cvtColor(image(around), part, cv::COLOR_BGR2GRAY);
   const cv::Point2d anchor = centre + cv::Point2d(view.origin - around.tl());
 
   const int level = level_for(cv::countNonZero(map));

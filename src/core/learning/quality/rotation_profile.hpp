@@ -11,8 +11,8 @@ namespace mbncc::quality {
 /// Self-similarity of an object under rotation about its centroid.
 class RotationProfile {
  public:
-  /// `picture` (CV_8UC3) shows the object of `view` where it was learned.
-  RotationProfile(const View& view, const cv::Mat& picture);
+  /// `image` (CV_8UC3) shows the object of `view` where it was learned.
+  RotationProfile(const View& view, const cv::Mat& image);
 
   /// Rotation [rad] at which the similarity has fallen to `level`; pi if it does not.
   double fall_to(double level) const;

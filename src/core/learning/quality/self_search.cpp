@@ -28,22 +28,22 @@ SearchConfig unhurried(SearchConfig search) {
   return search;
 }
 
-// The one view of an object and the picture it was learned from, as large as needed.
+// The one view of an object and the image it was learned from, as large as needed.
 struct Reduced {
-  cv::Mat picture;
+  cv::Mat image;
   View view;
   double scale = 1;  // of the learned view
 };
 
-Reduced reduced(const View& view, const cv::Mat& picture) {
-  Reduced result{picture, view, 1};
+Reduced reduced(const View& view, const cv::Mat& image) {
+  Reduced result{image, view, 1};
   while (excircle(result.view.map).radius >= 2 * kEnoughRadius) {
     const cv::Mat map = change::half_size(full_size_map(result.view), cv::INTER_AREA) > 127;
     if (cv::countNonZero(map) == 0) break;
     result.scale /= 2;
-    result.picture = change::half_size(result.picture, cv::INTER_AREA);
+    result.image = change::half_size(result.image, cv::INTER_AREA);
     const Pose2D& reference = result.view.reference;
-    result.view = crop_view(result.picture, map,
+    result.view = crop_view(result.image, map,
                             {(reference.x - 0.5) / 2, (reference.y - 0.5) / 2, reference.theta});
   }
   return result;
@@ -51,14 +51,14 @@ Reduced reduced(const View& view, const cv::Mat& picture) {
 
 }  // namespace
 
-void search_itself(const ObjectModel& object, const cv::Mat& picture, const SearchConfig& search,
+void search_itself(const ObjectModel& object, const cv::Mat& image, const SearchConfig& search,
                    Quality& quality) {
-  const Reduced small = reduced(object.views.front(), picture);
+  const Reduced small = reduced(object.views.front(), image);
   auto searched = std::make_shared<ObjectModel>(object);
   searched->views = {small.view};
   Matcher matcher(unhurried(search));
   matcher.set_objects({searched}, true);
-  const SearchResult found = matcher.find(small.picture, anything());
+  const SearchResult found = matcher.find(small.image, anything());
   const double near = std::max(kLeastSamePlace, kSamePlace * excircle(small.view.map).radius);
   for (const Match& match : found.matches) {
     const double distance = cv::norm(match.pose.position() - small.view.reference.position());

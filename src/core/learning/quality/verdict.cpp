@@ -33,13 +33,13 @@ constexpr std::array<Reason, 16> kReasons{{
     {"not_found_again", LearnError::kNotDistinct,
      "Turn the object's marked side up, or teach it on a plainer background."},
     {"not_distinct", LearnError::kNotDistinct,
-     "Something else in the picture looks the same and will also be found: take it away if it "
+     "Something else in the image looks the same and will also be found: take it away if it "
      "is "
      "another object."},
     {"touches_region_edge", LearnError::kQualityBad,
      "Draw a larger region, with platform on every side of the object."},
     {"change_outside_region", LearnError::kQualityBad,
-     "Move only this object between the pictures, and keep arm and hands out of both."},
+     "Move only this object between the images, and keep arm and hands out of both."},
     {"change_left_out", LearnError::kQualityBad,
      "Check whether a part of the object is missing in the map, or something else moved beside "
      "it."},
@@ -54,7 +54,7 @@ constexpr std::array<Reason, 16> kReasons{{
      "The map fills little of the region: draw the region close around the object, or draw its "
      "outline."},
     {"unverified_cut", LearnError::kQualityBad,
-     "Check the outline: one picture alone cannot confirm it. If possible, teach by change."},
+     "Check the outline: one image alone cannot confirm it. If possible, teach by change."},
     {"round", LearnError::kQualityBad,
      "The object does not show its angle: any angle may be reported."},
     {"symmetric", LearnError::kQualityBad,
@@ -109,7 +109,7 @@ constexpr double kGoodRisk = 0.2;
 constexpr double kBadRisk = 0.5;
 
 // Risk that the map's IoU with the object's silhouette is below .8: logistic regressions, one for
-// lessons by change and one for one picture, on drawn lessons, drawn lessons with the faults of
+// lessons by change and one for one image, on drawn lessons, drawn lessons with the faults of
 // real cameras, and lessons from photographs (docs/decisions/0011-verdict.md).
 struct OutlineRisk {
   double usual, instability, weakness, change, span;  // log-odds
@@ -122,7 +122,7 @@ struct OutlineRisk {
         0};
   }
 
-  static OutlineRisk of_one_picture(const CutEvidence& evidence, double edge_agreement) {
+  static OutlineRisk of_one_image(const CutEvidence& evidence, double edge_agreement) {
     return {-2.2, 3.1 * (1 - evidence.stability), 4.2 * (1 - edge_agreement), 0,
             2.5 * (1 - evidence.region_span)};
   }
@@ -145,7 +145,7 @@ void weigh_evidence(const CutEvidence& evidence, Quality& quality, Charges& char
   charges.above("change_left_out", evidence.change_beside, 0.08, kNever);
   const OutlineRisk risk = evidence.verified
                                ? OutlineRisk::by_change(evidence, quality.edge_agreement)
-                               : OutlineRisk::of_one_picture(evidence, quality.edge_agreement);
+                               : OutlineRisk::of_one_image(evidence, quality.edge_agreement);
   quality.outline_probability = 1 - risk.probability();
   charges.above(risk.main_reason(), risk.probability(), kGoodRisk, kBadRisk);
   // Where a shadow ends is not known if it crosses the region's edge; an object lies inside.

@@ -7,7 +7,7 @@
 #include <memory>
 #include <opencv2/imgproc.hpp>
 
-#include "learning/change/align_pictures.hpp"
+#include "learning/change/align_images.hpp"
 #include "learning/change/arrival_test.hpp"
 #include "learning/change/moved_neighbour.hpp"
 #include "learning/change/rectangles.hpp"
@@ -40,8 +40,8 @@ constexpr int kSpeck = 8;       // [px] smaller changed patches are noise
 // but an object was taken away, so what shadows explain is bounded until something is left.
 constexpr std::array<float, 4> kDarkestShadows{likelihood::kDarkestShadow, 0.5F, 0.7F, 0.9F};
 
-// Data of one cut. All pictures have the crop's size and own their memory, because the pair's
-// pictures are much larger and a cut lives as long as its lesson.
+// Data of one cut. All images have the crop's size and own their memory, because the pair's
+// images are much larger and a cut lives as long as its lesson.
 class Cutter {
  public:
   Cutter(const change::AlignedPair& pair, const cv::Rect& crop, const cv::Rect& region)
@@ -63,7 +63,7 @@ class Cutter {
   }
 
   // The changed pixels that the foreground's colours are first learned from.
-  // `surveyed` is the survey's change, of the whole picture; empty without a picture after, because
+  // `surveyed` is the survey's change, of the whole image; empty without an image after, because
   // nothing can have moved or arrived.
   bool seed(const cv::Mat& surveyed) {
     map_ = (background_.changed > 0.5) & inside_;
@@ -163,7 +163,7 @@ class Cutter {
   }
 
  private:
-  // Arrivals lie in the picture after: in the one before, they are platform.
+  // Arrivals lie in the image after: in the one before, they are platform.
   void exclude(cv::Mat arrivals) {
     if (cv::countNonZero(arrivals) == 0) return;
     map_.setTo(0, arrivals);
@@ -267,9 +267,9 @@ ChangeCut result_of(const std::shared_ptr<const Cutter>& cutter, const cv::Size&
           }};
 }
 
-cv::Rect crop_of(const cv::Rect& region, const cv::Size& picture) {
+cv::Rect crop_of(const cv::Rect& region, const cv::Size& image) {
   const int margin = std::max(6, std::max(region.width, region.height) / 20);
-  return change::grown(region, margin) & cv::Rect({0, 0}, picture);
+  return change::grown(region, margin) & cv::Rect({0, 0}, image);
 }
 
 ChangeCut cut(const std::shared_ptr<Cutter>& cutter, const cv::Size& size, int iterations,
@@ -294,7 +294,7 @@ ChangeCut change_cut(const cv::Mat& before, const cv::Mat& after, const cv::Rect
                      const cv::Mat& changed, int iterations, int max_shift,
                      const BeforeCut& before_cut) {
   const auto cutter =
-      std::make_shared<Cutter>(change::align_pictures(before, after, region, changed, max_shift),
+      std::make_shared<Cutter>(change::align_images(before, after, region, changed, max_shift),
                                crop_of(region, before.size()), region);
   const auto leaves_an_object = [&](float darkest_shadow) {
     cutter->explain_background(darkest_shadow);

@@ -9,7 +9,7 @@
 
 namespace mbncc::segmentation {
 
-/// Pictures of one crop.
+/// Images of one crop.
 struct FinishedCut {
   cv::Mat map;          ///< CV_8UC1
   cv::Mat coarse;       ///< CV_8UC1, the cut of `unary` at half resolution

@@ -29,7 +29,7 @@ constexpr float kHighestUnary = 15;
 constexpr float kSurest = 10;  // log-odds, so that no pixel is impossible
 constexpr float kOutermostBias = -1.1F, kInsideBias = -3.5F;
 
-// Colours of a pixel and their change against the picture after.
+// Colours of a pixel and their change against the image after.
 struct Appearance {
   cv::Vec3f colours, change;
 };
@@ -37,7 +37,7 @@ using Part = cv::Vec3f Appearance::*;
 
 class Looks {
  public:
-  explicit Looks(const CutPictures& cut) {
+  explicit Looks(const CutImages& cut) {
     cv::blur(cut.before, colours_, {kBox, kBox});
     cv::blur(cut.before - cut.after, change_, {kBox, kBox});
   }
@@ -145,7 +145,7 @@ void normalize(std::vector<Teacher>& teachers) {
 // Training samples: the stroke's pixels, and others with their estimated class. At first only the
 // more certain half of the others represents the object, because the rest may be wrong for the same
 // reason as the excluded pixels.
-std::vector<Teacher> find_teachers(const CutPictures& cut, const Looks& appearances,
+std::vector<Teacher> find_teachers(const CutImages& cut, const Looks& appearances,
                                    const cv::Mat& excluded, const cv::Mat& inside) {
   const cv::Mat rest = cut.map & ~excluded;
   const auto stroke = appearances.at(some_of(excluded, kMostSamples));
@@ -172,7 +172,7 @@ std::vector<Teacher> find_teachers(const CutPictures& cut, const Looks& appearan
 
 }  // namespace
 
-cv::Mat exclusion_votes(const CutPictures& cut, const cv::Mat& excluded) {
+cv::Mat exclusion_votes(const CutImages& cut, const cv::Mat& excluded) {
   cv::Mat votes = cv::Mat::zeros(cut.map.size(), CV_32FC1);
   const Looks appearances(cut);
   const cv::Mat inside = inside_of(cut.map);

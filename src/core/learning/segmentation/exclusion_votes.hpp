@@ -6,8 +6,8 @@
 
 namespace mbncc::segmentation {
 
-/// A cut with its input; pictures of one crop.
-struct CutPictures {
+/// A cut with its input; images of one crop.
+struct CutImages {
   cv::Mat before;  ///< CV_32FC3
   cv::Mat after;   ///< CV_32FC3, aligned with `before`
   cv::Mat unary;   ///< CV_32FC1, log-odds of object against platform
@@ -18,6 +18,6 @@ struct CutPictures {
 /// `excluded` ones (CV_8UC1 of the crop's size): positive where it resembles them and similar
 /// pixels more than the rest of the map, in colour and in change; less inside the map than along
 /// its outline. 0 on other pixels.
-cv::Mat exclusion_votes(const CutPictures& cut, const cv::Mat& excluded);
+cv::Mat exclusion_votes(const CutImages& cut, const cv::Mat& excluded);
 
 }  // namespace mbncc::segmentation

@@ -21,9 +21,8 @@ constexpr float kPlatformLogOdds = 2;    // largest log-odds from a similarity t
 constexpr float kPlatformWeight = 0.5F;
 constexpr float kCertain = 30;  // unary of certain pixels
 
-cv::Mat log_density(const change::ColourMixture& mixture, const cv::Mat& picture,
-                    float any_colour) {
-  cv::Mat relative = mixture.densities(picture) * std::exp(-likelihood::log_uniform_colour()),
+cv::Mat log_density(const change::ColourMixture& mixture, const cv::Mat& image, float any_colour) {
+  cv::Mat relative = mixture.densities(image) * std::exp(-likelihood::log_uniform_colour()),
           logarithm;
   cv::log(relative + any_colour, logarithm);
   return logarithm;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Detects what reaches into the region in the picture after: the gripper, an arm.
+// Detects what reaches into the region in the image after: the gripper, an arm.
 #pragma once
 
 #include <opencv2/core.hpp>

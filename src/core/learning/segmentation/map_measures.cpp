@@ -13,9 +13,9 @@ constexpr int kReach = 12;        // [px] surroundings of the map that count
 constexpr double kEdgeSlope = 8;  // [grey levels / px] an image edge, well above camera noise
 constexpr double kMiddleGrey = 128;
 
-cv::Mat grey_of(const cv::Mat& picture) {
+cv::Mat grey_of(const cv::Mat& image) {
   cv::Mat grey;
-  cv::cvtColor(picture, grey, cv::COLOR_BGR2GRAY);
+  cv::cvtColor(image, grey, cv::COLOR_BGR2GRAY);
   return grey;
 }
 
@@ -26,9 +26,9 @@ double contrast_under(const cv::Mat& grey, const cv::Mat& map) {
 }
 
 // Slope of the steepest channel. [grey levels / px]
-cv::Mat steepest_slope(const cv::Mat& picture) {
-  cv::Mat smooth, channels[3], slope = cv::Mat::zeros(picture.size(), CV_32FC1);
-  cv::GaussianBlur(picture, smooth, {3, 3}, 0);
+cv::Mat steepest_slope(const cv::Mat& image) {
+  cv::Mat smooth, channels[3], slope = cv::Mat::zeros(image.size(), CV_32FC1);
+  cv::GaussianBlur(image, smooth, {3, 3}, 0);
   cv::split(smooth, channels);
   for (const cv::Mat& channel : channels) {
     cv::Mat slope_x, slope_y, magnitude;
@@ -40,12 +40,12 @@ cv::Mat steepest_slope(const cv::Mat& picture) {
   return slope;
 }
 
-// Part of the outline with an image edge within a pixel. In a dark picture weaker edges count,
+// Part of the outline with an image edge within a pixel. In a dark image weaker edges count,
 // because contrast is relative to the light.
-double edge_agreement(const cv::Mat& picture, const cv::Mat& grey, const cv::Mat& map) {
+double edge_agreement(const cv::Mat& image, const cv::Mat& grey, const cv::Mat& map) {
   const double least = kEdgeSlope * std::clamp(cv::mean(grey)[0] / kMiddleGrey, 0.5, 1.0);
   cv::Mat slope;
-  cv::dilate(steepest_slope(picture), slope, cv::Mat());
+  cv::dilate(steepest_slope(image), slope, cv::Mat());
   const cv::Mat outline = outline_pixels(map);
   const int length = cv::countNonZero(outline);
   return length == 0 ? 0 : cv::countNonZero((slope > least) & outline) / double(length);
@@ -58,8 +58,7 @@ cv::Rect surroundings(const cv::Mat& map) {
 }  // namespace
 
 cv::Rect surroundings(const View& view) {
-  return change::grown({view.origin, view.map.size()}, kReach) &
-         cv::Rect({0, 0}, view.picture_size);
+  return change::grown({view.origin, view.map.size()}, kReach) & cv::Rect({0, 0}, view.image_size);
 }
 
 cv::Mat outline_pixels(const cv::Mat& map) {
@@ -69,19 +68,19 @@ cv::Mat outline_pixels(const cv::Mat& map) {
   return map & ~inner;
 }
 
-void measure_map(const cv::Mat& picture, const cv::Mat& map, Quality& quality) {
+void measure_map(const cv::Mat& image, const cv::Mat& map, Quality& quality) {
   const cv::Rect box = surroundings(map);
-  const cv::Mat grey = grey_of(picture(box)), part = map(box);
+  const cv::Mat grey = grey_of(image(box)), part = map(box);
   const double radius = std::max(0.5, excircle(part).radius + 0.5);  // out to the pixels' edges
   quality.area = cv::countNonZero(part);
   quality.fill = std::min(1.0, quality.area / (kPi * radius * radius));
   quality.contrast = contrast_under(grey, part);
-  quality.edge_agreement = edge_agreement(picture(box), grey, part);
+  quality.edge_agreement = edge_agreement(image(box), grey, part);
 }
 
-double edge_agreement(const cv::Mat& picture, const cv::Mat& map) {
+double edge_agreement(const cv::Mat& image, const cv::Mat& map) {
   const cv::Rect box = surroundings(map);
-  return box.empty() ? 0 : edge_agreement(picture(box), grey_of(picture(box)), map(box));
+  return box.empty() ? 0 : edge_agreement(image(box), grey_of(image(box)), map(box));
 }
 
 double map_iou(const cv::Mat& a, const cv::Mat& b) {

@@ -8,15 +8,15 @@
 
 namespace mbncc::segmentation {
 
-/// [px] Part of the learning picture that is enough for what follows. A map pixel that lies on this
-/// part's border lies on the picture's.
+/// [px] Part of the learning image that is enough for what follows. A map pixel that lies on this
+/// part's border lies on the image's.
 cv::Rect surroundings(const View& view);
 
-/// Fills in area, fill, contrast and edge_agreement. `map` has the picture's size.
-void measure_map(const cv::Mat& picture, const cv::Mat& map, Quality& quality);
+/// Fills in area, fill, contrast and edge_agreement. `map` has the image's size.
+void measure_map(const cv::Mat& image, const cv::Mat& map, Quality& quality);
 
-/// Part [0..1] of the outline with an edge of `picture` (CV_8UC3) within a pixel; 0 for no map.
-double edge_agreement(const cv::Mat& picture, const cv::Mat& map);
+/// Part [0..1] of the outline with an edge of `image` (CV_8UC3) within a pixel; 0 for no map.
+double edge_agreement(const cv::Mat& image, const cv::Mat& map);
 
 /// IoU [0..1] of two maps of one size (CV_8UC1); 0 if both are empty.
 double map_iou(const cv::Mat& a, const cv::Mat& b);
@@ -24,7 +24,7 @@ double map_iou(const cv::Mat& a, const cv::Mat& b);
 /// IoU of the map with the changed pixels around it (CV_8UC1).
 double change_agreement(const cv::Mat& changed, const cv::Mat& map);
 
-/// Whether a map pixel lies on the picture's border.
+/// Whether a map pixel lies on the image's border.
 bool touches_border(const cv::Mat& map);
 
 /// Outermost map pixels.

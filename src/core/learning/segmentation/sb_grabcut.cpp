@@ -37,51 +37,51 @@ cv::Mat at_full_size(const cv::Mat& crop_map, const cv::Rect& crop, const cv::Si
 
 }  // namespace
 
-cv::Rect grabcut_crop(const cv::Rect& region, const cv::Size& picture) {
+cv::Rect grabcut_crop(const cv::Rect& region, const cv::Size& image) {
   const int margin = std::max(10, std::max(region.width, region.height) / 4);
   const cv::Rect grown(region.x - margin, region.y - margin, region.width + 2 * margin,
                        region.height + 2 * margin);
-  return grown & cv::Rect({0, 0}, picture);
+  return grown & cv::Rect({0, 0}, image);
 }
 
-cv::Mat repeatable_grabcut(const cv::Mat& picture, const cv::Mat& mask, int iterations,
+cv::Mat repeatable_grabcut(const cv::Mat& image, const cv::Mat& mask, int iterations,
                            const BeforeCut& before_cut) {
   const numeric::FixedRandomState fixed;
   cv::Mat classes = mask.clone(), background, foreground;
   for (int i = 0; i < iterations; ++i) {
     if (before_cut) before_cut(i);
     if (!has_both_sides(classes)) break;
-    cv::grabCut(picture, classes, {}, background, foreground, 1,
+    cv::grabCut(image, classes, {}, background, foreground, 1,
                 i == 0 ? cv::GC_INIT_WITH_MASK : cv::GC_EVAL);
   }
   return foreground_of(classes);
 }
 
-cv::Mat sb_grabcut(const cv::Mat& picture, const cv::Rect& region, const cv::Mat& approximate,
+cv::Mat sb_grabcut(const cv::Mat& image, const cv::Rect& region, const cv::Mat& approximate,
                    const std::string& method, int superpixels, int iterations,
                    const BeforeCut& before_cut) {
-  const cv::Rect crop = grabcut_crop(region, picture.size());
-  const Superpixels cells = superpixels_of(picture(crop), method, superpixels);
+  const cv::Rect crop = grabcut_crop(region, image.size());
+  const Superpixels cells = superpixels_of(image(crop), method, superpixels);
   const cv::Mat probable = superpixels_inside(cells, approximate(crop));
-  const cv::Mat simplified = simplify_superpixels(picture(crop), cells);
+  const cv::Mat simplified = simplify_superpixels(image(crop), cells);
   const cv::Mat classes = initial_classes(probable, region - crop.tl());
   return at_full_size(repeatable_grabcut(simplified, classes, iterations, before_cut), crop,
-                      picture.size());
+                      image.size());
 }
 
-cv::Mat grabcut_rect(const cv::Mat& picture, const cv::Rect& region, int iterations,
+cv::Mat grabcut_rect(const cv::Mat& image, const cv::Rect& region, int iterations,
                      const BeforeCut& before_cut) {
-  cv::Mat whole_region = cv::Mat::zeros(picture.size(), CV_8UC1);
+  cv::Mat whole_region = cv::Mat::zeros(image.size(), CV_8UC1);
   whole_region(region).setTo(255);
-  return grabcut_mask(picture, region, whole_region, iterations, before_cut);
+  return grabcut_mask(image, region, whole_region, iterations, before_cut);
 }
 
-cv::Mat grabcut_mask(const cv::Mat& picture, const cv::Rect& region, const cv::Mat& approximate,
+cv::Mat grabcut_mask(const cv::Mat& image, const cv::Rect& region, const cv::Mat& approximate,
                      int iterations, const BeforeCut& before_cut) {
-  const cv::Rect crop = grabcut_crop(region, picture.size());
+  const cv::Rect crop = grabcut_crop(region, image.size());
   const cv::Mat classes = initial_classes(approximate(crop), region - crop.tl());
-  return at_full_size(repeatable_grabcut(picture(crop), classes, iterations, before_cut), crop,
-                      picture.size());
+  return at_full_size(repeatable_grabcut(image(crop), classes, iterations, before_cut), crop,
+                      image.size());
 }
 
 }  // namespace mbncc

@@ -11,7 +11,7 @@ namespace {
 
 constexpr float kStrength = 16;         // gamma
 constexpr float kSharpness = 2.5F;      // beta, for contrasts relative to their mean
-constexpr float kPlatformEdge = 0.02F;  // weight of the after picture's contrast [1 / grey level^2]
+constexpr float kPlatformEdge = 0.02F;  // weight of the after image's contrast [1 / grey level^2]
 constexpr float kMissing = -1;
 
 struct Contrasts {
@@ -25,7 +25,7 @@ class RowContrast {
   RowContrast(int width, const cv::Vec3f& precision)
       : precision_(precision), other_(1, width, CV_32FC1), alike_(1, width, CV_32FC1) {}
 
-  // Of `count` edges between pixels and their neighbours, in both pictures.
+  // Of `count` edges between pixels and their neighbours, in both images.
   void measure(const std::array<const cv::Vec3f*, 2>& before,
                const std::array<const cv::Vec3f*, 2>& after, int count, float* squares) {
     cv::Mat alike_row = alike_.colRange(0, count);
@@ -57,8 +57,8 @@ Contrasts measure(const cv::Mat& before, const cv::Mat& after, const cv::Vec3f& 
     const int dx = Smoothness::kDx[k], dy = Smoothness::kDy[k];
     const int begin = std::max(0, -dx), edges = before.cols - std::abs(dx);
     for (int y = -dy; y < before.rows; ++y) {
-      const auto ends = [&](const cv::Mat& picture) -> std::array<const cv::Vec3f*, 2> {
-        return {picture.ptr<cv::Vec3f>(y) + begin, picture.ptr<cv::Vec3f>(y + dy) + begin + dx};
+      const auto ends = [&](const cv::Mat& image) -> std::array<const cv::Vec3f*, 2> {
+        return {image.ptr<cv::Vec3f>(y) + begin, image.ptr<cv::Vec3f>(y + dy) + begin + dx};
       };
       auto* out = squares.ptr<float>(y) + begin;
       row.measure(ends(before), ends(after), edges, out);
@@ -70,7 +70,7 @@ Contrasts measure(const cv::Mat& before, const cv::Mat& after, const cv::Vec3f& 
   return contrasts;
 }
 
-// Precision of the mismatch of two edges: each is a difference of two noisy pixels in each picture.
+// Precision of the mismatch of two edges: each is a difference of two noisy pixels in each image.
 cv::Vec3f edge_precision(const likelihood::NoiseModel& noise) {
   cv::Vec3f precision;
   for (int c = 0; c < 3; ++c) precision[c] = 1 / (24 * noise.sigma(c) * noise.sigma(c));

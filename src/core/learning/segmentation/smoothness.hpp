@@ -24,7 +24,7 @@ struct Smoothness {
 Smoothness smoothness(const cv::Mat& before, const cv::Mat& after,
                       const likelihood::NoiseModel& noise);
 
-/// A copy whose outline costs nothing along the rim of `mask` (CV_8UC1 of the pictures' size).
+/// A copy whose outline costs nothing along the rim of `mask` (CV_8UC1 of the images' size).
 Smoothness with_free_rim(const Smoothness& smoothness, const cv::Mat& mask);
 
 }  // namespace mbncc::segmentation

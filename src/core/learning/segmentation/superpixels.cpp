@@ -19,7 +19,7 @@ constexpr int kPrior = 2;
 constexpr int kHistogramBins = 5;
 constexpr int kPasses = 4;
 constexpr int kSmallestCell = 16;  // [px]
-constexpr int kSmallestSide = 64;  // [px] SEEDS reads beyond its blocks on smaller pictures
+constexpr int kSmallestSide = 64;  // [px] SEEDS reads beyond its blocks on smaller images
 constexpr int kFewestAcross = 4;   // cells along the shorter side, for the same reason
 
 // SLIC: its authors' compactness, ten passes as they recommend, no fewer than 4 pixels a side.
@@ -27,15 +27,15 @@ constexpr float kCompactness = 10;
 constexpr int kSlicPasses = 10;
 constexpr int kSmallestSlicSide = 4;  // [px]
 
-void require_usable(const cv::Mat& picture) {
-  if (picture.type() != CV_8UC3 || picture.rows < 8 || picture.cols < 8)
-    throw std::invalid_argument("superpixels need a colour picture of at least 8 x 8");
+void require_usable(const cv::Mat& image) {
+  if (image.type() != CV_8UC3 || image.rows < 8 || image.cols < 8)
+    throw std::invalid_argument("superpixels need a colour image of at least 8 x 8");
 }
 
-cv::Mat padded_for_seeds(const cv::Mat& picture) {
+cv::Mat padded_for_seeds(const cv::Mat& image) {
   cv::Mat padded;
-  cv::copyMakeBorder(picture, padded, 0, std::max(0, kSmallestSide - picture.rows), 0,
-                     std::max(0, kSmallestSide - picture.cols), cv::BORDER_REPLICATE);
+  cv::copyMakeBorder(image, padded, 0, std::max(0, kSmallestSide - image.rows), 0,
+                     std::max(0, kSmallestSide - image.cols), cv::BORDER_REPLICATE);
   return padded;
 }
 
@@ -48,9 +48,9 @@ int seeds_count(const cv::Size& size, int wanted) {
 
 }  // namespace
 
-Superpixels seeds_superpixels(const cv::Mat& picture, int wanted) {
-  require_usable(picture);
-  const cv::Mat padded = padded_for_seeds(picture);
+Superpixels seeds_superpixels(const cv::Mat& image, int wanted) {
+  require_usable(image);
+  const cv::Mat padded = padded_for_seeds(image);
   cv::Mat lab;
   cv::cvtColor(padded, lab, cv::COLOR_BGR2Lab);
   const auto seeds = cv::ximgproc::createSuperpixelSEEDS(padded.cols, padded.rows, 3,
@@ -59,20 +59,20 @@ Superpixels seeds_superpixels(const cv::Mat& picture, int wanted) {
   seeds->iterate(lab, kPasses);
   Superpixels result;
   seeds->getLabels(result.labels);
-  result.labels = result.labels(cv::Rect({0, 0}, picture.size())).clone();
+  result.labels = result.labels(cv::Rect({0, 0}, image.size())).clone();
   result.count = seeds->getNumberOfSuperpixels();
   return result;
 }
 
-Superpixels slic_superpixels(const cv::Mat& picture, int wanted) {
-  require_usable(picture);
+Superpixels slic_superpixels(const cv::Mat& image, int wanted) {
+  require_usable(image);
   cv::Mat lab;
-  cv::cvtColor(picture, lab, cv::COLOR_BGR2Lab);
+  cv::cvtColor(image, lab, cv::COLOR_BGR2Lab);
   const int side =
-      static_cast<int>(std::lround(std::sqrt(picture.total() / std::max(1., 1. * wanted))));
+      static_cast<int>(std::lround(std::sqrt(image.total() / std::max(1., 1. * wanted))));
   const auto slic = cv::ximgproc::createSuperpixelSLIC(
       lab, cv::ximgproc::SLIC,
-      std::clamp(side, kSmallestSlicSide, std::min(picture.rows, picture.cols) / 2), kCompactness);
+      std::clamp(side, kSmallestSlicSide, std::min(image.rows, image.cols) / 2), kCompactness);
   slic->iterate(kSlicPasses);
   Superpixels result;
   slic->getLabels(result.labels);
@@ -80,17 +80,17 @@ Superpixels slic_superpixels(const cv::Mat& picture, int wanted) {
   return result;
 }
 
-Superpixels superpixels_of(const cv::Mat& picture, const std::string& method, int wanted) {
-  if (method == "seeds") return seeds_superpixels(picture, wanted);
-  if (method == "slic") return slic_superpixels(picture, wanted);
+Superpixels superpixels_of(const cv::Mat& image, const std::string& method, int wanted) {
+  if (method == "seeds") return seeds_superpixels(image, wanted);
+  if (method == "slic") return slic_superpixels(image, wanted);
   throw std::invalid_argument("unknown superpixels '" + method + "'");
 }
 
-cv::Mat simplify_superpixels(const cv::Mat& picture, const Superpixels& superpixels) {
+cv::Mat simplify_superpixels(const cv::Mat& image, const Superpixels& superpixels) {
   std::vector<cv::Vec4d> sums(superpixels.count, cv::Vec4d::all(0));
-  for (int y = 0; y < picture.rows; ++y)
-    for (int x = 0; x < picture.cols; ++x) {
-      const auto& colour = picture.at<cv::Vec3b>(y, x);
+  for (int y = 0; y < image.rows; ++y)
+    for (int x = 0; x < image.cols; ++x) {
+      const auto& colour = image.at<cv::Vec3b>(y, x);
       sums[superpixels.labels.at<int>(y, x)] += cv::Vec4d(colour[0], colour[1], colour[2], 1);
     }
   std::vector<cv::Vec3b> means(sums.size());
@@ -99,9 +99,9 @@ cv::Mat simplify_superpixels(const cv::Mat& picture, const Superpixels& superpix
     return cv::Vec3b(cv::saturate_cast<uchar>(sum[0] / n), cv::saturate_cast<uchar>(sum[1] / n),
                      cv::saturate_cast<uchar>(sum[2] / n));
   });
-  cv::Mat simplified(picture.size(), CV_8UC3);
-  for (int y = 0; y < picture.rows; ++y)
-    for (int x = 0; x < picture.cols; ++x)
+  cv::Mat simplified(image.size(), CV_8UC3);
+  for (int y = 0; y < image.rows; ++y)
+    for (int x = 0; x < image.cols; ++x)
       simplified.at<cv::Vec3b>(y, x) = means[superpixels.labels.at<int>(y, x)];
   return simplified;
 }

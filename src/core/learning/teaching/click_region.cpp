@@ -13,7 +13,7 @@ namespace {
 
 constexpr double kSquareStep = 0.8;   // sides of consecutive squares
 constexpr int kSmallestSquare = 20;   // [px]
-constexpr double kLargestPart = 0.6;  // of the picture's shorter side: the largest square
+constexpr double kLargestPart = 0.6;  // of the image's shorter side: the largest square
 constexpr double kSameArea = 1.25;    // factor up to which the maps of two squares agree
 constexpr double kAgreement = 0.1;    // of one more square, relative to clarity
 constexpr double kEnoughSquares = 6;  // which agree on most right maps and few wrong ones
@@ -49,12 +49,12 @@ std::vector<cv::Rect> squares_about(const cv::Point2d& click, double largest,
   return squares;
 }
 
-std::optional<ClickedRegion> stable_region(const cv::Mat& picture, const cv::Point2d& click,
+std::optional<ClickedRegion> stable_region(const cv::Mat& image, const cv::Point2d& click,
                                            int iterations) {
   std::vector<Candidate> candidates;
-  const double largest = kLargestPart * std::min(picture.cols, picture.rows);
-  for (const cv::Rect& region : squares_about(click, largest, {{0, 0}, picture.size()})) {
-    const ChangeCut cut = region_cut(picture, region, iterations);
+  const double largest = kLargestPart * std::min(image.cols, image.rows);
+  for (const cv::Rect& region : squares_about(click, largest, {{0, 0}, image.size()})) {
+    const ChangeCut cut = region_cut(image, region, iterations);
     const cv::Mat piece = piece_at(cut.map, click);
     const int area = cv::countNonZero(piece);
     if (area > 0)
@@ -68,7 +68,7 @@ std::optional<ClickedRegion> stable_region(const cv::Mat& picture, const cv::Poi
       std::max_element(candidates.begin(), candidates.end(),
                        [&](const Candidate& a, const Candidate& b) { return worth(a) < worth(b); });
   if (best == candidates.end()) return std::nullopt;
-  ClickedRegion found{best->region, cv::Mat::zeros(picture.size(), CV_8UC1),
+  ClickedRegion found{best->region, cv::Mat::zeros(image.size(), CV_8UC1),
                       std::min(1., agreeing(*best, candidates) / kEnoughSquares)};
   best->piece.copyTo(found.map(best->region));
   return found;

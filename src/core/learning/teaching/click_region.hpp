@@ -14,15 +14,15 @@ namespace mbncc::teaching {
 std::vector<cv::Rect> squares_about(const cv::Point2d& click, double largest, const cv::Rect& room);
 
 struct ClickedRegion {
-  cv::Rect square;       ///< [px] clipped to the picture
-  cv::Mat map;           ///< CV_8UC1 of the picture's size, 255 on the object
+  cv::Rect square;       ///< [px] clipped to the image
+  cv::Mat map;           ///< CV_8UC1 of the image's size, 255 on the object
   double agreement = 0;  ///< [0..1] squares that gave a map of this size; 1: six or more
 };
 
-/// The object at `click` in one picture (CV_8UC3): region_cut() in squares about it, and
+/// The object at `click` in one image (CV_8UC3): region_cut() in squares about it, and
 /// the map that most squares agree on and whose outline lies on clear edges; the idea of
 /// maximally stable extremal regions (Matas et al. 2002). None if no square has a map there.
-std::optional<ClickedRegion> stable_region(const cv::Mat& picture, const cv::Point2d& click,
+std::optional<ClickedRegion> stable_region(const cv::Mat& image, const cv::Point2d& click,
                                            int iterations);
 
 /// 255 on the connected piece of `mask` (CV_8UC1) at the click, or else nearest to it; all 0 where

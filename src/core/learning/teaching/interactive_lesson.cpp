@@ -8,7 +8,7 @@
 namespace mbncc {
 namespace {
 
-constexpr std::size_t kMostStates = 65;  // each holds the lesson's pictures' maps
+constexpr std::size_t kMostStates = 65;  // each holds the lesson's images' maps
 
 }  // namespace
 

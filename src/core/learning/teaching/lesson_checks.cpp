@@ -13,11 +13,11 @@
 namespace mbncc::teaching {
 namespace {
 
-constexpr int kSmallestPicture = 32;      // [px]
-constexpr int kSmallestRegion = 8;        // [px]
-constexpr int kLargestPicture = 1 << 15;  // [px] largest side of a picture
-constexpr double kFullPart = 0.98;        // of the room, from which on a map is everything
-constexpr double kDisplaced = 0.6;        // part of the texture that only a moved camera displaces
+constexpr int kSmallestImage = 32;      // [px]
+constexpr int kSmallestRegion = 8;      // [px]
+constexpr int kLargestImage = 1 << 15;  // [px] largest side of an image
+constexpr double kFullPart = 0.98;      // of the room, from which on a map is everything
+constexpr double kDisplaced = 0.6;      // part of the texture that only a moved camera displaces
 
 void require(bool condition, LearnError error, const std::string& message,
              const std::string& hint = "") {
@@ -28,21 +28,20 @@ std::string size_text(const cv::Size& size) {
   return std::to_string(size.width) + " x " + std::to_string(size.height);
 }
 
-void check_picture(const cv::Mat& picture, const std::string& which) {
-  require(!picture.empty() && picture.dims == 2, LearnError::kNoImage,
-          "The picture " + which + " is missing.");
-  require(picture.type() == CV_8UC3, LearnError::kNoImage,
-          "The picture " + which + " is not an 8-bit colour picture.");
-  require(picture.rows >= kSmallestPicture && picture.cols >= kSmallestPicture,
-          LearnError::kNoImage,
-          "The picture " + which + " is only " + size_text(picture.size()) + " pixels.");
-  require(picture.rows <= kLargestPicture && picture.cols <= kLargestPicture, LearnError::kNoImage,
-          "The picture " + which + " is too large: " + size_text(picture.size()) + " pixels.");
+void check_image(const cv::Mat& image, const std::string& which) {
+  require(!image.empty() && image.dims == 2, LearnError::kNoImage,
+          "The image " + which + " is missing.");
+  require(image.type() == CV_8UC3, LearnError::kNoImage,
+          "The image " + which + " is not an 8-bit colour image.");
+  require(image.rows >= kSmallestImage && image.cols >= kSmallestImage, LearnError::kNoImage,
+          "The image " + which + " is only " + size_text(image.size()) + " pixels.");
+  require(image.rows <= kLargestImage && image.cols <= kLargestImage, LearnError::kNoImage,
+          "The image " + which + " is too large: " + size_text(image.size()) + " pixels.");
 }
 
-void check_same_size(const cv::Mat& picture, const cv::Mat& before, const std::string& which) {
-  require(picture.size() == before.size(), LearnError::kImageMismatch,
-          "The " + which + " has " + size_text(picture.size()) + " pixels, the picture before " +
+void check_same_size(const cv::Mat& image, const cv::Mat& before, const std::string& which) {
+  require(image.size() == before.size(), LearnError::kImageMismatch,
+          "The " + which + " has " + size_text(image.size()) + " pixels, the image before " +
               size_text(before.size()) + ".");
 }
 
@@ -77,15 +76,15 @@ bool crosses_itself(const std::vector<cv::Point2f>& outline) {
 
 void check_lesson(const Lesson& lesson) {
   if (!is_valid_name(lesson.name)) throw LessonEnded(LearnError::kNameInvalid);
-  check_picture(lesson.before, "before");
+  check_image(lesson.before, "before");
   if (!lesson.after.empty()) {
-    check_picture(lesson.after, "after");
-    check_same_size(lesson.after, lesson.before, "picture after");
+    check_image(lesson.after, "after");
+    check_same_size(lesson.after, lesson.before, "image after");
   }
   if (!lesson.map.empty()) {
     check_same_size(lesson.map, lesson.before, "map");
     require(lesson.map.type() == CV_8UC1, LearnError::kImageMismatch,
-            "The map is not an 8-bit grey picture.");
+            "The map is not an 8-bit grey image.");
   }
   require(!lesson.reference || is_finite(*lesson.reference), LearnError::kRegionInvalid,
           "The reference point is not a number.");
@@ -97,21 +96,21 @@ void check_lesson(const Lesson& lesson) {
           "The declared symmetry must be 1 (none), 2, 3, 4, 6 or 0 (round).");
   require(
       !lesson.click || cv::Rect2d({0, 0}, cv::Size2d(lesson.before.size())).contains(*lesson.click),
-      LearnError::kRegionInvalid, "The click does not lie in the picture.",
+      LearnError::kRegionInvalid, "The click does not lie in the image.",
       point_inside(lesson.before.size()));
   require(
       !lesson.map.empty() || !lesson.outline.empty() || lesson.click || !lesson.after.empty() ||
           lesson.region != cv::Rect(),
       LearnError::kRegionInvalid,
-      "The object's place is not given: there is no map, outline, click, region or picture after.");
+      "The object's place is not given: there is no map, outline, click, region or image after.");
 }
 
-std::string point_inside(const cv::Size& picture) {
-  return "Give a point inside the picture of " + size_text(picture) + " px.";
+std::string point_inside(const cv::Size& image) {
+  return "Give a point inside the image of " + size_text(image) + " px.";
 }
 
-bool is_near_picture(const cv::Point2d& point) {
-  return std::abs(point.x) <= kLargestPicture && std::abs(point.y) <= kLargestPicture;
+bool is_near_image(const cv::Point2d& point) {
+  return std::abs(point.x) <= kLargestImage && std::abs(point.y) <= kLargestImage;
 }
 
 cv::Rect usable_region(const Lesson& lesson) {
@@ -142,8 +141,8 @@ cv::Mat outline_map(const Lesson& lesson) {
           "The outline has more than 4096 corners.");
   std::vector<cv::Point> corners;
   for (const auto& corner : lesson.outline) {
-    require(is_near_picture(corner), LearnError::kRegionInvalid,
-            "The outline does not lie in the picture.");
+    require(is_near_image(corner), LearnError::kRegionInvalid,
+            "The outline does not lie in the image.");
     corners.emplace_back(cvRound(corner.x * (1 << kFractionBits)),
                          cvRound(corner.y * (1 << kFractionBits)));
   }
@@ -153,24 +152,24 @@ cv::Mat outline_map(const Lesson& lesson) {
   cv::fillPoly(map, std::vector<std::vector<cv::Point>>{corners}, cv::Scalar(255), cv::LINE_8,
                kFractionBits);
   require(cv::countNonZero(map) > 0, LearnError::kRegionInvalid,
-          "The outline does not lie in the picture.");
+          "The outline does not lie in the image.");
   return map;
 }
 
 void check_camera_still(const ChangeSurvey& survey, const LearningConfig& config) {
   constexpr LearnError kError = LearnError::kChangeTooLarge;
   require(cv::norm(survey.shift) <= config.max_shift, kError,
-          "The camera moved between the pictures.");
+          "The camera moved between the images.");
   require(survey.displaced <= kDisplaced, kError,
-          "The scene moved under the camera between the pictures.");
+          "The scene moved under the camera between the images.");
 }
 
 void check_one_change(const ChangeSurvey& survey, const LearningConfig& config) {
   constexpr LearnError kError = LearnError::kChangeTooLarge;
   require(survey.exposure <= config.max_exposure_change, kError,
-          "The exposure or the light changed between the pictures.");
+          "The exposure or the light changed between the images.");
   require(survey.unevenness <= config.max_light_change, kError,
-          "The light comes from another direction in the second picture.");
+          "The light comes from another direction in the second image.");
   require(survey.fraction <= config.max_change, kError, "");
 }
 

@@ -17,21 +17,21 @@ constexpr std::size_t kMostPoints = 4096;
 /// REGION_INVALID.
 void check_lesson(const Lesson& lesson);
 
-/// The lesson's region clipped to the picture; the whole picture when none is given. Throws
+/// The lesson's region clipped to the image; the whole image when none is given. Throws
 /// LessonEnded(kRegionInvalid) when less than 8 x 8 pixels remain.
 cv::Rect usable_region(const Lesson& lesson);
 
-/// "Give a point inside the picture of 640 x 480 px."
-std::string point_inside(const cv::Size& picture);
+/// "Give a point inside the image of 640 x 480 px."
+std::string point_inside(const cv::Size& image);
 
-/// False for values that are not finite or beyond the largest picture size.
-bool is_near_picture(const cv::Point2d& point);
+/// False for values that are not finite or beyond the largest image size.
+bool is_near_image(const cv::Point2d& point);
 
 /// The outline filled. Throws LessonEnded(kRegionInvalid) when it crosses itself, has fewer than
 /// three or more than kMostPoints corners, or lies outside.
 cv::Mat outline_map(const Lesson& lesson);
 
-/// Throws LessonEnded(kChangeTooLarge) when the camera moved between the pictures.
+/// Throws LessonEnded(kChangeTooLarge) when the camera moved between the images.
 void check_camera_still(const ChangeSurvey& survey, const LearningConfig& config);
 
 /// Throws LessonEnded(kChangeTooLarge) when the change does not tell where the object was: the

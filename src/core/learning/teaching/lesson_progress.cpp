@@ -6,10 +6,10 @@
 namespace mbncc::teaching {
 
 void LessonProgress::report(Stage stage, double progress, const std::string& message,
-                            const Picture& picture) {
+                            const Image& image) {
   if (!observer_) return;
   highest_ = std::max(highest_, std::min(progress, 1.0));
-  if (!observer_(stage, highest_, message, picture ? picture() : cv::Mat()))
+  if (!observer_(stage, highest_, message, image ? image() : cv::Mat()))
     throw LessonEnded(LearnError::kCancelled);
 }
 

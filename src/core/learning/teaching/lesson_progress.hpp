@@ -36,13 +36,12 @@ class LessonProgress {
  public:
   explicit LessonProgress(const StageObserver& observer) : observer_(observer) {}
 
-  /// Makes the picture of a step; called only with an observer.
-  using Picture = std::function<cv::Mat()>;
+  /// Makes the image of a step; called only with an observer.
+  using Image = std::function<cv::Mat()>;
 
   /// Throws LessonEnded(kCancelled) when the observer asks to stop. `progress` is of the whole
   /// lesson, [0..1].
-  void report(Stage stage, double progress, const std::string& message,
-              const Picture& picture = {});
+  void report(Stage stage, double progress, const std::string& message, const Image& image = {});
 
  private:
   const StageObserver& observer_;

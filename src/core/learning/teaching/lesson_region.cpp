@@ -34,9 +34,9 @@ cv::Rect region_of_change(const Lesson& lesson, const ChangeSurvey& survey, cons
 }
 
 // Whether the operator shows where the object was, closer than the change does. The verdict then
-// tells whether the pictures were good enough.
+// tells whether the images were good enough.
 bool shows_place(const Lesson& lesson) {
-  constexpr double kPlacePart = 0.25;  // of the picture
+  constexpr double kPlacePart = 0.25;  // of the image
   return lesson.click || !lesson.outline.empty() ||
          (lesson.region != cv::Rect() &&
           usable_region(lesson).area() < kPlacePart * static_cast<double>(lesson.before.total()));
@@ -52,7 +52,7 @@ void survey(const Lesson& lesson, const LearningConfig& config, RegionOfLesson& 
   region.changed = survey.changed;
 }
 
-// The change there; in one picture without a region, what is cut alike in squares of many sizes.
+// The change there; in one image without a region, what is cut alike in squares of many sizes.
 void narrow_to_click(const Lesson& lesson, const LearningConfig& config, RegionOfLesson& region) {
   if (lesson.after.empty()) {
     if (lesson.region != cv::Rect()) return;
@@ -78,11 +78,11 @@ void approximate(const Lesson& lesson, const LearningConfig& config, RegionOfLes
   if (cv::countNonZero(region.approximate) == 0) throw LessonEnded(LearnError::kNoChange);
 }
 
-// One picture tells the object from the background beside the region.
+// One image tells the object from the background beside the region.
 void check_background(const Lesson& lesson, const cv::Rect& room) {
   if (!lesson.after.empty() || !lesson.outline.empty() || lesson.region == cv::Rect()) return;
   if (room.size() == lesson.before.size())
-    throw LessonEnded(LearnError::kRegionInvalid, "The region is the whole picture.",
+    throw LessonEnded(LearnError::kRegionInvalid, "The region is the whole image.",
                       "Draw it close around the object.");
 }
 

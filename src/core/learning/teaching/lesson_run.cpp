@@ -8,7 +8,7 @@
 #include "learning/teaching/lesson_region.hpp"
 #include "learning/teaching/map_cutter.hpp"
 #include "learning/teaching/put_aside.hpp"
-#include "learning/teaching/stage_pictures.hpp"
+#include "learning/teaching/stage_images.hpp"
 #include "learning/teaching/step_timer.hpp"
 #include "mbncc/learning/quality.hpp"
 
@@ -149,7 +149,7 @@ class LessonRun {
     lesson_.outline.clear();
     lesson_.click.reset();
     if (lesson_.after.empty() && config_.method == "change_cut")
-      throw LessonEnded(LearnError::kNoImage, "The method change_cut needs a picture after.");
+      throw LessonEnded(LearnError::kNoImage, "The method change_cut needs an image after.");
   }
 
   void make_model(const cv::Mat& map) {
@@ -187,26 +187,26 @@ class LessonRun {
   bool region_reaches_out() const {
     const cv::Rect& region = lesson_.region;
     const cv::Rect2d given(region.x, region.y, region.width, region.height);
-    const cv::Rect2d picture({0, 0}, cv::Size2d(lesson_.before.size()));
-    return region != cv::Rect() && (given & picture) != given;
+    const cv::Rect2d image({0, 0}, cv::Size2d(lesson_.before.size()));
+    return region != cv::Rect() && (given & image) != given;
   }
 
-  // In one picture nothing shows how far the object reaches beyond the region.
+  // In one image nothing shows how far the object reaches beyond the region.
   bool may_be_cut_off() const {
     return lesson_.region != cv::Rect() && lesson_.after.empty() && result_.evidence &&
            result_.evidence->region_touch > kCutOff;
   }
 
-  // In one picture a click beside the object cuts out the platform.
+  // In one image a click beside the object cuts out the platform.
   bool took_the_platform() const { return lesson_.click && lesson_.after.empty(); }
 
   void conclude(LearnError error) {
     if (error == LearnError::kTouchesBorder && region_reaches_out()) {
       result_.error = LearnError::kRegionInvalid;
       result_.message =
-          "The region reaches out of the picture, and what is left of it was taken "
-          "for the object up to the picture's border.";
-      result_.hint = "Give a region inside the picture with background on every side.";
+          "The region reaches out of the image, and what is left of it was taken "
+          "for the object up to the image's border.";
+      result_.hint = "Give a region inside the image with background on every side.";
       return;
     }
     result_.error = error;
@@ -216,7 +216,7 @@ class LessonRun {
     if (error != LearnError::kSuccess && may_be_cut_off())
       result_.hint = "The region may cut the object off: draw it larger.";
     if (error == LearnError::kTouchesBorder && took_the_platform()) {
-      result_.message = "What was clicked reaches the picture's border.";
+      result_.message = "What was clicked reaches the image's border.";
       result_.hint = "Click on the object itself, or move it fully into view.";
     }
   }

@@ -12,7 +12,7 @@
 
 namespace mbncc::teaching {
 
-/// State of a lesson. Copies share pictures, which are never modified.
+/// State of a lesson. Copies share images, which are never modified.
 struct LessonState {
   Lesson lesson;
   Marks marks;

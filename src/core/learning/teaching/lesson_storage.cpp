@@ -49,10 +49,10 @@ std::string hint_for(const std::exception& failure) {
 /// The object lies as in a stored view, in the same light, so the view adds nothing.
 bool shows_the_same(const View& one, const View& other) {
   constexpr double kSameMap = 0.9;  // of the larger map
-  constexpr double kNoise = 4;      // [grey levels] mean difference of two pictures of one scene
+  constexpr double kNoise = 4;      // [grey levels] mean difference of two images of one scene
   const cv::Rect place(one.origin, one.map.size()), other_place(other.origin, other.map.size());
   const cv::Rect common = place & other_place;
-  if (one.picture_size != other.picture_size || common.empty()) return false;
+  if (one.image_size != other.image_size || common.empty()) return false;
   const cv::Rect here = common - one.origin, there = common - other.origin;
   const cv::Mat both = one.map(here) & other.map(there);
   const int larger = std::max(cv::countNonZero(one.map), cv::countNonZero(other.map));
@@ -79,11 +79,11 @@ std::optional<Refusal> check_storing(const Lesson& lesson, Storing storing,
   if (!is_valid_label(lesson.label))
     return Refusal(LearnError::kNameInvalid, "The label is not usable.",
                    "Give printable UTF-8 of at most 200 bytes.");
-  const auto& others = library.other_pictures;
+  const auto& others = library.other_images;
   if (std::find(others.begin(), others.end(), lesson.name + ".png") != others.end())
     return Refusal(LearnError::kNameTaken,
-                   "A picture that is not an object has this name in the library's folder.",
-                   "Choose another name, or move the picture away.");
+                   "An image that is not an object has this name in the library's folder.",
+                   "Choose another name, or move the image away.");
   const auto stored = library.find(lesson.name);
   if (stored && storing == Storing::kNew)
     return Refusal(LearnError::kNameTaken, "The library already holds '" + lesson.name + "'.");
@@ -94,19 +94,19 @@ std::optional<Refusal> check_storing(const Lesson& lesson, Storing storing,
 }
 
 std::optional<Refusal> add_view(ObjectModel& stored, const ObjectModel& learned,
-                                const cv::Mat& picture, const SearchConfig& search) {
+                                const cv::Mat& image, const SearchConfig& search) {
   View view = learned.views.front();
   for (const auto& known : stored.views)
     if (shows_the_same(view, known))
       return Refusal(
           LearnError::kAlreadyKnown,
-          "'" + stored.name + "' already has this view: the object lies as in that picture.",
+          "'" + stored.name + "' already has this view: the object lies as in that image.",
           "Turn the object a little or change the light; then teach the view again. Another side "
           "is taught under its own name.");
-  const auto reference = shared_reference(stored, view, picture, search);
+  const auto reference = shared_reference(stored, view, image, search);
   if (!reference)
     return Refusal(LearnError::kNotDistinct,
-                   "The stored object was not found in the new picture, so the new view cannot "
+                   "The stored object was not found in the new image, so the new view cannot "
                    "share its frame.",
                    "A further view shows the same side, turned a little or in other light. Teach "
                    "another side under its own name, or use overwrite.");
@@ -117,10 +117,10 @@ std::optional<Refusal> add_view(ObjectModel& stored, const ObjectModel& learned,
   return {};
 }
 
-void note_refused_view(ObjectModel& learned, const ObjectModel& stored, const cv::Mat& picture,
+void note_refused_view(ObjectModel& learned, const ObjectModel& stored, const cv::Mat& image,
                        const SearchConfig& search) {
   ObjectModel tried = stored;
-  const auto refusal = add_view(tried, learned, picture, search);
+  const auto refusal = add_view(tried, learned, image, search);
   if (!refusal) return;
   Quality& quality = learned.quality;
   quality.verdict = Verdict::kBad;

@@ -9,7 +9,7 @@
 #include "learning/teaching/click_region.hpp"
 #include "learning/teaching/lesson_checks.hpp"
 #include "learning/teaching/lesson_region.hpp"
-#include "learning/teaching/stage_pictures.hpp"
+#include "learning/teaching/stage_images.hpp"
 #include "learning/teaching/step_timer.hpp"
 
 namespace mbncc::teaching {

@@ -45,7 +45,7 @@ class MapCutter {
   const SegmentationTask& task() const { return task_; }
   void set_task(const SegmentationTask& task) { task_ = task; }
 
-  /// All changes, arrivals included: CV_8UC1 of the picture's size; empty without a picture after.
+  /// All changes, arrivals included: CV_8UC1 of the image's size; empty without an image after.
   const cv::Mat& surveyed() const { return surveyed_; }
 
  private:

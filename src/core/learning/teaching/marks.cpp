@@ -13,12 +13,12 @@ namespace {
 constexpr double kWidestStroke = 1000;  // [px]
 constexpr int kFractionBits = 4;
 constexpr const char* kOutside =
-    "A stroke does not lie in the picture: points are pixels of the learning picture.";
+    "A stroke does not lie in the image: points are pixels of the learning image.";
 
 std::vector<cv::Point> fixed_point(const LessonEdit::Line& line) {
   std::vector<cv::Point> points;
   for (const auto& point : line) {
-    if (!is_near_picture(point)) throw LessonEnded(LearnError::kRegionInvalid, kOutside);
+    if (!is_near_image(point)) throw LessonEnded(LearnError::kRegionInvalid, kOutside);
     points.emplace_back(cvRound(point.x * (1 << kFractionBits)),
                         cvRound(point.y * (1 << kFractionBits)));
   }
@@ -48,16 +48,16 @@ std::size_t points_of(const std::vector<LessonEdit::Line>& lines) {
 }
 
 // A stroke that paints nothing is refused, because the operator would assume an effect.
-void require_within(const LessonEdit::Line& line, double width, const cv::Size& picture) {
+void require_within(const LessonEdit::Line& line, double width, const cv::Size& image) {
   if (line.empty()) return;
   const auto [left, right] = std::minmax_element(
       line.begin(), line.end(), [](const auto& a, const auto& b) { return a.x < b.x; });
   const auto [top, bottom] = std::minmax_element(
       line.begin(), line.end(), [](const auto& a, const auto& b) { return a.y < b.y; });
   const double reach = std::max(0.5, width / 2);
-  if (right->x < -reach || left->x > picture.width - 1 + reach || bottom->y < -reach ||
-      top->y > picture.height - 1 + reach)
-    throw LessonEnded(LearnError::kRegionInvalid, kOutside, point_inside(picture));
+  if (right->x < -reach || left->x > image.width - 1 + reach || bottom->y < -reach ||
+      top->y > image.height - 1 + reach)
+    throw LessonEnded(LearnError::kRegionInvalid, kOutside, point_inside(image));
 }
 
 cv::Mat canvas_of(const std::vector<LessonEdit::Line>& lines, double width, const cv::Size& size) {
@@ -74,7 +74,7 @@ cv::Mat canvas_of(const std::vector<LessonEdit::Line>& lines, double width, cons
 
 }  // namespace
 
-Marks painted(const Marks& marks, const LessonEdit& edit, const cv::Size& picture) {
+Marks painted(const Marks& marks, const LessonEdit& edit, const cv::Size& image) {
   if (edit.include.empty() && edit.exclude.empty()) return marks;
   if (!(edit.stroke_width >= 0 && edit.stroke_width <= kWidestStroke))
     throw LessonEnded(LearnError::kRegionInvalid,
@@ -82,8 +82,8 @@ Marks painted(const Marks& marks, const LessonEdit& edit, const cv::Size& pictur
   if (points_of(edit.include) + points_of(edit.exclude) > kMostPoints)
     throw LessonEnded(LearnError::kRegionInvalid, "The strokes have more than 4096 points.");
   Marks result;
-  result.exclude = canvas_of(edit.exclude, edit.stroke_width, picture);
-  result.include = canvas_of(edit.include, edit.stroke_width, picture) & ~result.exclude;
+  result.exclude = canvas_of(edit.exclude, edit.stroke_width, image);
+  result.include = canvas_of(edit.include, edit.stroke_width, image) & ~result.exclude;
   if (marks.empty()) return result;
   const cv::Mat older = ~(result.include | result.exclude);
   return {result.include | (marks.include & older), result.exclude | (marks.exclude & older)};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The operator's strokes on the learning picture.
+// The operator's strokes on the learning image.
 #pragma once
 
 #include <opencv2/core.hpp>
@@ -8,7 +8,7 @@
 
 namespace mbncc::teaching {
 
-/// CV_8UC1 of the picture's size, 255 where painted; they do not overlap. Both empty: no marks.
+/// CV_8UC1 of the image's size, 255 where painted; they do not overlap. Both empty: no marks.
 struct Marks {
   cv::Mat include;
   cv::Mat exclude;
@@ -17,8 +17,8 @@ struct Marks {
 };
 
 /// `marks` with the strokes of `edit` painted over them; `marks` itself is not changed. Throws
-/// LessonEnded(kRegionInvalid) for strokes that are no numbers, or far outside the picture.
-Marks painted(const Marks& marks, const LessonEdit& edit, const cv::Size& picture);
+/// LessonEnded(kRegionInvalid) for strokes that are no numbers, or far outside the image.
+Marks painted(const Marks& marks, const LessonEdit& edit, const cv::Size& image);
 
 /// `map` with the strokes painted into it.
 cv::Mat overpainted(const cv::Mat& map, const Marks& marks);

@@ -30,7 +30,7 @@ constexpr float kOutside = -4;           // log-odds of pixels outside the other
 
 struct Place {
   cv::Rect box;
-  bool within = true;     // it does not reach the picture's border
+  bool within = true;     // it does not reach the image's border
   double unlikeness = 0;  // of its area and the object's
 };
 
@@ -43,8 +43,8 @@ std::vector<Place> places_of(const cv::Mat& patches, double area) {
   if (all.empty()) return {};
   const int count =
       cv::connectedComponentsWithStats(joined(all), labels, stats, centres, 8, CV_32S);
-  const cv::Rect picture({0, 0}, patches.size());
-  const cv::Rect inner = change::grown(picture, -1 - patches.cols / change::kSurveyWidth);
+  const cv::Rect image({0, 0}, patches.size());
+  const cv::Rect inner = change::grown(image, -1 - patches.cols / change::kSurveyWidth);
   std::vector<Place> places;
   for (int i = 1; i < count; ++i) {
     const double part = stats.at<int>(i, cv::CC_STAT_AREA) / area;
@@ -52,7 +52,7 @@ std::vector<Place> places_of(const cv::Mat& patches, double area) {
     const cv::Rect box = change::box_of_component(stats, i) + all.tl();
     const int margin = std::max(8, std::max(box.width, box.height) * 15 / 100);
     places.push_back(
-        {change::grown(box, margin) & picture, (box & inner) == box, std::abs(std::log(part))});
+        {change::grown(box, margin) & image, (box & inner) == box, std::abs(std::log(part))});
   }
   std::sort(places.begin(), places.end(),
             [](const Place& a, const Place& b) { return a.unlikeness < b.unlikeness; });

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Finds the object in the picture after if it was put aside within the view.
+// Finds the object in the image after if it was put aside within the view.
 #pragma once
 
 #include <opencv2/core.hpp>
@@ -15,10 +15,10 @@ namespace mbncc::teaching {
 struct NewPlace {
   Pose2D motion;         ///< [px],[rad] transforms points of the object from before to after
   double agreement = 0;  ///< [0..1] IoU of the learned map there with a map segmented there
-  cv::Mat preference;    ///< CV_32FC1, that cut's, warped onto the picture before
+  cv::Mat preference;    ///< CV_32FC1, that cut's, warped onto the image before
 };
 
-/// Searches the object just learned (one view), with its `map` of the picture's size, at the other
+/// Searches the object just learned (one view), with its `map` of the image's size, at the other
 /// changes. `changed` is the survey's, including arrivals. None if the object is not found.
 std::optional<NewPlace> find_put_aside(const ObjectModel& object, const cv::Mat& map,
                                        const SegmentationTask& task, const cv::Mat& changed,

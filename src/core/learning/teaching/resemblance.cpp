@@ -24,11 +24,11 @@ double agreement(const Match& match, const cv::Mat& map) {
 }
 
 std::vector<Match> matches_of(std::vector<std::shared_ptr<const ObjectModel>> objects,
-                              const cv::Mat& picture, const SearchRequest& request,
+                              const cv::Mat& image, const SearchRequest& request,
                               const SearchConfig& search) {
   Matcher matcher(search);
   matcher.set_objects(std::move(objects));
-  return matcher.find(picture, request).matches;
+  return matcher.find(image, request).matches;
 }
 
 // Maps with the required IoU cannot differ more in area, nor much more in extent; other objects
@@ -58,14 +58,14 @@ void warn(Quality& quality) {
   quality.reasons.emplace_back("resembles_known");
   quality.advice.push_back("It looks like '" + quality.confusable_with +
                            "': the two may be confused. Teach a side that differs, or add "
-                           "this picture to '" +
+                           "this image to '" +
                            quality.confusable_with + "'.");
 }
 
 }  // namespace
 
 std::optional<Pose2D> shared_reference(const ObjectModel& stored, const View& view,
-                                       const cv::Mat& picture, const SearchConfig& search) {
+                                       const cv::Mat& image, const SearchConfig& search) {
   auto searched = std::make_shared<ObjectModel>(stored);
   searched->enabled = true;
   SearchRequest request;
@@ -75,7 +75,7 @@ std::optional<Pose2D> shared_reference(const ObjectModel& stored, const View& vi
   const cv::Mat map = full_size_map(view);
   std::optional<Pose2D> reference;
   double best = kLeastAgreement;
-  for (const auto& match : matches_of({searched}, picture, request, search)) {
+  for (const auto& match : matches_of({searched}, image, request, search)) {
     const double agreed = agreement(match, map);
     if (agreed < best) continue;
     best = agreed;
@@ -84,7 +84,7 @@ std::optional<Pose2D> shared_reference(const ObjectModel& stored, const View& vi
   return reference;
 }
 
-void note_resemblance(ObjectModel& object, const cv::Mat& picture,
+void note_resemblance(ObjectModel& object, const cv::Mat& image,
                       const std::vector<std::shared_ptr<const ObjectModel>>& known,
                       const SearchConfig& search) {
   const auto rivals = rivals_of(object, known);
@@ -94,7 +94,7 @@ void note_resemblance(ObjectModel& object, const cv::Mat& picture,
   SearchRequest request;
   request.roi = cv::Rect(view.origin, view.map.size());
   Quality& quality = object.quality;
-  for (const auto& match : matches_of(rivals, picture, request, search)) {
+  for (const auto& match : matches_of(rivals, image, request, search)) {
     if (match.score <= quality.confusable_score || agreement(match, map) < kLeastAgreement)
       continue;
     quality.confusable_with = match.name;

@@ -100,7 +100,7 @@ Segmentation segmentation_of(const ChangeCut& cut) {
 Segmentation by_change_cut(const SegmentationTask& task, const LearningConfig& config,
                            LessonProgress& progress) {
   if (task.after.empty())
-    throw LessonEnded(LearnError::kNoImage, "The method change_cut needs a picture after.");
+    throw LessonEnded(LearnError::kNoImage, "The method change_cut needs an image after.");
   const ChangeCut cut =
       change_cut(task.before, task.after, task.region, task.changed, config.iterations,
                  config.max_shift, report_cuts(config, progress));
@@ -126,7 +126,7 @@ double edge_part(const Segmentation& found, const SegmentationTask& task) {
   return segmentation::edge_agreement(task.before, found.map) - found.evidence->region_touch;
 }
 
-// One picture does not show whether the platform is one smooth surface, which the region cut
+// One image does not show whether the platform is one smooth surface, which the region cut
 // assumes, or many colours, which GrabCut learns: the cut with the clearer outline is right more
 // often. Where the two disagree, the map is uncertain (docs/decisions/0008-region-cut.md).
 Segmentation by_clearer_outline(const SegmentationTask& task, const LearningConfig& config,

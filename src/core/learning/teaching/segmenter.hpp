@@ -14,19 +14,19 @@
 
 namespace mbncc::teaching {
 
-/// Input of a segmenter. All pictures have one size, the region lies inside.
+/// Input of a segmenter. All images have one size, the region lies inside.
 struct SegmentationTask {
   cv::Mat before;       ///< CV_8UC3
   cv::Mat after;        ///< CV_8UC3, or empty
   cv::Rect region;      ///< [px] the object lies in here
   cv::Mat approximate;  ///< CV_8UC1, 255 on the paper's approximate region
-  cv::Mat changed;      ///< CV_8UC1, 255 where the pictures differ anywhere; empty without `after`
+  cv::Mat changed;      ///< CV_8UC1, 255 where the images differ anywhere; empty without `after`
 };
 
 struct Segmentation {
-  cv::Mat map;                          ///< CV_8UC1 of the picture's size, 0/255; may be all 0
+  cv::Mat map;                          ///< CV_8UC1 of the image's size, 0/255; may be all 0
   std::optional<CutEvidence> evidence;  ///< reliability measures of the cut, if available
-  /// A further cut with strokes of the picture's size as constraints; none if the map was given.
+  /// A further cut with strokes of the image's size as constraints; none if the map was given.
   std::function<Segmentation(const Marks& marks)> cut_again;
   /// A further cut that adds another view's log-odds per pixel, as in ChangeCut; none for other
   /// methods.
@@ -36,7 +36,7 @@ struct Segmentation {
 using Segmenter =
     std::function<Segmentation(const SegmentationTask&, const LearningConfig&, LessonProgress&)>;
 
-/// `method` as in LearningConfig; "auto" depends on the task having an `after` picture.
+/// `method` as in LearningConfig; "auto" depends on the task having an `after` image.
 /// Throws std::invalid_argument for an unknown method.
 Segmenter segmenter_of(const std::string& method, bool has_after);
 

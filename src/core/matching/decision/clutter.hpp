@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Clutter: similarity of the rest of the picture to the object.
+// Clutter: similarity of the rest of the image to the object.
 #pragma once
 
 #include <map>
@@ -27,7 +27,7 @@ std::map<std::string, double> apply_clutter_penalty(std::vector<Detection>& dete
                                                     const std::map<std::string, double>& least = {},
                                                     double rarity = 0);
 
-/// Log-odds penalty of every object if `count` objects are searched in one picture: more objects
+/// Log-odds penalty of every object if `count` objects are searched in one image: more objects
 /// mean more chance matches, and few of the objects are present.
 double multiple_testing_penalty(std::size_t count);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Compares the colours of an object's parts with a picture. Similar tools often differ only in the
+// Compares the colours of an object's parts with an image. Similar tools often differ only in the
 // colour of one part.
 #pragma once
 
@@ -17,7 +17,7 @@ cv::Vec3f ground_beside(const templates::ContourTemplate& contour, const scene::
                         const Pose2D& pose, double scale = 1);
 
 /// [0..2] Chroma difference (ln R/G, ln B/G) of the most different part to its lesson in the light
-/// of the picture.
+/// of the image.
 struct ColourDifference {
   double colour = 0;  ///< of the parts of one colour each: less sensitive to occlusion
   double block = 0;   ///< of compact parts: also sensitive to occlusion inside the outline

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Aligns an outline with the edges of a picture.
+// Aligns an outline with the edges of an image.
 #pragma once
 
 #include <algorithm>

@@ -24,7 +24,7 @@ struct Evidence {
   double texture = 0;            ///< [0..1] of the object
   double cast = 0;               ///< size of the ColourCast removed from the colours; 0: none
   double visible = 0;            ///< [0..1] part of the surface points that are compared: inside
-                                 ///< the picture, and no highlights
+                                 ///< the image, and no highlights
 };
 
 /// Of the object `scale` times as large as the template.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Light of an object in a picture, as a gain and an offset of its colours.
+// Light of an object in an image, as a gain and an offset of its colours.
 #pragma once
 
 #include <algorithm>

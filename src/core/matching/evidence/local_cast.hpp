@@ -11,7 +11,7 @@
 
 namespace mbncc::evidence {
 
-/// ln of the gains of a picture's blue and red against its green.
+/// ln of the gains of an image's blue and red against its green.
 struct ColourCast {
   double blue = 0, red = 0;
 

@@ -87,7 +87,7 @@ class TornOutline {
   scene::PreparedPixels pixels_;
   Pose2D pose_;
   double scale_;
-  std::vector<std::size_t> order_;  // of the points, from the picture's top down
+  std::vector<std::size_t> order_;  // of the points, from the image's top down
   templates::ContourSample sample_;
   std::array<Sums, 2 * kShifts + 1> responses_;
   float visible_ = 1;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Detects the outline of an object that moved while the rows of the picture were read.
+// Detects the outline of an object that moved while the rows of the image were read.
 #pragma once
 
 #include "matching/scene/scene_level.hpp"

@@ -44,7 +44,7 @@ struct Sums {
     return *this;
   }
 
-  /// Gain within bounds and offset that fit the template's colours to the picture's.
+  /// Gain within bounds and offset that fit the template's colours to the image's.
   Gain gain() const {
     constexpr double kPrior = 100;  // [grey^2] pulls the gain of plain surfaces to 1
     constexpr double kLeast = 0.65, kMost = 1.5;

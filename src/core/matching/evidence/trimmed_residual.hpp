@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Colour difference between the compact parts of a surface and a picture, in the light that fits
+// Colour difference between the compact parts of a surface and an image, in the light that fits
 // most of the parts: what covers some of them has no effect on the others.
 #pragma once
 
@@ -11,7 +11,7 @@ namespace mbncc::evidence {
 
 /// Root mean square [grey levels] of the colour differences in the five of eight parts that one
 /// gain and one offset fit best (least trimmed squares, Rousseeuw 1984); negative if no part lies
-/// in the picture.
+/// in the image.
 double trimmed_residual(const std::vector<templates::BlockSums>& blocks);
 
 }  // namespace mbncc::evidence

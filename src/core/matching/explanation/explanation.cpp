@@ -52,7 +52,7 @@ std::string covering(const std::vector<Match>& matches, const std::string& name,
 }
 
 /// The terms of the evidence of a pose at `scale` of the view's. Returns their sum.
-double take_evidence(const prepared::PreparedView& view, const scene::ScenePicture& scene,
+double take_evidence(const prepared::PreparedView& view, const scene::SceneImage& scene,
                      const Pose2D& anchor, double scale, std::vector<ScorePart>& parts) {
   const evidence::Evidence seen =
       evidence::gather_evidence(view.fine, scene.levels[0], anchor, scale);
@@ -63,7 +63,7 @@ double take_evidence(const prepared::PreparedView& view, const scene::ScenePictu
     better.*member = perfect;
     parts.push_back({name, value, evidence::log_odds(better, area) - together});
   };
-  // Residual of two pictures of one object that differ only by noise.
+  // Residual of two images of one object that differ only by noise.
   const double kEqual = std::log(6.0);
   add("outline found", seen.contour_coverage, &evidence::Evidence::contour_coverage, 1);
   add("directions of texture", seen.gradient, &evidence::Evidence::gradient, 1);
@@ -85,7 +85,7 @@ Pose2D anchor_of(const prepared::PreparedView& view, const Pose2D& pose, double 
 }
 
 /// The view that explains a pose best.
-void take_best_evidence(const prepared::PreparedObject& object, const scene::ScenePicture& scene,
+void take_best_evidence(const prepared::PreparedObject& object, const scene::SceneImage& scene,
                         Explanation& explanation) {
   double best = -std::numeric_limits<double>::max();
   for (const auto& view : object.views) {
@@ -119,24 +119,24 @@ void take_match(const Match& match, const SearchConfig& config, double min_score
   check("min_visible", match.visible, config.min_visible, false);
 }
 
-/// The search of the whole picture, as configured and without thresholds.
+/// The search of the whole image, as configured and without thresholds.
 struct Searched {
   SearchResult usual, all;
 };
 
 class Explainer {
  public:
-  Explainer(const Models& objects, const SearchConfig& config, const cv::Mat& picture,
+  Explainer(const Models& objects, const SearchConfig& config, const cv::Mat& image,
             cv::Point2d place)
       : config_(config), place_(place) {
     Matcher matcher(config);
     matcher.set_objects(objects, true);
-    searched_.usual = matcher.find(picture);
+    searched_.usual = matcher.find(image);
     SearchRequest all;
     all.min_score = 0;
     all.max_instances = kAllInstances;
-    searched_.all = matcher.find(picture, all);
-    picture_ = picture;
+    searched_.all = matcher.find(image, all);
+    image_ = image;
   }
 
   Explanation of(const std::shared_ptr<const ObjectModel>& model) {
@@ -147,7 +147,7 @@ class Explainer {
         config_.engine == "polar" ? prepared::Engine::kPolar : prepared::Engine::kFast;
     const auto prepared =
         std::make_shared<const prepared::PreparedObject>(model, engine, config_.scale_range);
-    const auto [object, scene] = prepared::comparisons({prepared}, picture_, scenes_).front();
+    const auto [object, scene] = prepared::comparisons({prepared}, image_, scenes_).front();
     if (const Match* match = best_at(searched_.usual.matches, model->name, place_)) {
       explanation.outcome = match->graspable ? Outcome::kGraspable : Outcome::kReported;
       take_match(*match, config_, min_score, explanation);
@@ -170,7 +170,7 @@ class Explainer {
 
  private:
   /// The best pose near the place, whether or not the search proposes one.
-  void judge_at(const prepared::PreparedObject& object, const scene::ScenePicture& scene,
+  void judge_at(const prepared::PreparedObject& object, const scene::SceneImage& scene,
                 Explanation& explanation) const {
     const auto clutter = searched_.usual.clutter.find(object.model->name);
     explanation.odds.best_at_place = -std::numeric_limits<double>::infinity();
@@ -192,7 +192,7 @@ class Explainer {
   }
 
   SearchConfig config_;
-  cv::Mat picture_;
+  cv::Mat image_;
   cv::Point2d place_;
   Searched searched_;
   scene::ScenePool scenes_;
@@ -219,14 +219,14 @@ Models asked_for(const Models& objects, const std::vector<std::string>& names) {
 }  // namespace
 
 std::vector<Explanation> explain_place(const Models& objects, const SearchConfig& config,
-                                       const cv::Mat& picture, cv::Point2d place,
+                                       const cv::Mat& image, cv::Point2d place,
                                        const std::vector<std::string>& names) {
   const Models asked = asked_for(objects, names);
-  if (!(place.x >= 0 && place.y >= 0 && place.x < picture.cols && place.y < picture.rows))
-    throw std::invalid_argument("the place does not lie in the picture of " +
-                                std::to_string(picture.cols) + " x " +
-                                std::to_string(picture.rows) + " px");
-  Explainer explainer(objects, config, picture, place);
+  if (!(place.x >= 0 && place.y >= 0 && place.x < image.cols && place.y < image.rows))
+    throw std::invalid_argument("the place does not lie in the image of " +
+                                std::to_string(image.cols) + " x " + std::to_string(image.rows) +
+                                " px");
+  Explainer explainer(objects, config, image, place);
   std::vector<Explanation> explanations;
   for (const auto& object : asked) explanations.push_back(explainer.of(object));
   std::stable_sort(

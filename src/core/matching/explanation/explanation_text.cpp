@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Explanations in sentences and as a picture.
+// Explanations in sentences and as an image.
 #include <algorithm>
 #include <cmath>
 #include <iomanip>
@@ -158,12 +158,12 @@ std::vector<std::string> lines_of(const Explanation& explanation) {
   return lines;
 }
 
-cv::Mat draw_explanation(const cv::Mat& picture, cv::Point2d place,
+cv::Mat draw_explanation(const cv::Mat& image, cv::Point2d place,
                          const std::vector<Explanation>& explanations) {
   std::vector<Marking> markings;
   if (!explanations.empty() && !explanations.front().outline.empty())
     markings.push_back(marking_of(explanations.front()));
-  cv::Mat drawn = draw_markings(picture, markings);
+  cv::Mat drawn = draw_markings(image, markings);
   const int arm = std::max(6, drawn.cols / 60), stroke = drawn.cols / 640 + 1;
   const cv::Scalar ink(255, 255, 255), shade(0, 0, 0);
   for (const auto& [colour, width] : {std::pair{shade, stroke + 2}, std::pair{ink, stroke}})

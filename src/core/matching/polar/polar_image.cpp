@@ -85,23 +85,23 @@ PolarGrid PolarGrid::of(double radius) {
   return {radius, rings, std::max(2 * kStep, angles)};
 }
 
-PolarImage polar_image(const cv::Mat& picture, cv::Point2d centre, const PolarGrid& grid) {
-  if (picture.type() != CV_8UC1 && picture.type() != CV_32FC1)
-    throw std::invalid_argument("a polar picture is made of a grey picture");
+PolarImage polar_image(const cv::Mat& image, cv::Point2d centre, const PolarGrid& grid) {
+  if (image.type() != CV_8UC1 && image.type() != CV_32FC1)
+    throw std::invalid_argument("a polar image is made of a grey image");
   cv::Mat source, x, y;
-  picture.convertTo(source, CV_32F);
+  image.convertTo(source, CV_32F);
   sampling_maps(centre, grid, x, y);
   PolarImage polar{grid, {}};
   cv::remap(source, polar.values, x, y, cv::INTER_LINEAR, cv::BORDER_REPLICATE);
   return polar;
 }
 
-PolarTemplate::PolarTemplate(const cv::Mat& picture, const cv::Mat& region, cv::Point2d centre,
+PolarTemplate::PolarTemplate(const cv::Mat& image, const cv::Mat& region, cv::Point2d centre,
                              const PolarGrid& grid)
     : grid_(grid), used_(grid.rings, 0) {
-  if (region.type() != CV_8UC1 || region.size() != picture.size())
-    throw std::invalid_argument("a polar template needs a region of its picture's size");
-  const cv::Mat values = polar_image(picture, centre, grid).values;
+  if (region.type() != CV_8UC1 || region.size() != image.size())
+    throw std::invalid_argument("a polar template needs a region of its image's size");
+  const cv::Mat values = polar_image(image, centre, grid).values;
   double sum = 0;
   for (int ring = 0; ring < grid.rings; ++ring) {
     const double radius = grid.ring_radius(ring);

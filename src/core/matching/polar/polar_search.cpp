@@ -13,7 +13,7 @@ namespace {
 
 constexpr double kSmallestRadius = 8;  // [px] at the coarsest level
 constexpr double kLargestRadius =
-    2048;  // [px] templates and their polar pictures grow with the square
+    2048;  // [px] templates and their polar images grow with the square
 constexpr int kTopLevel = 5;
 constexpr double kMinSimilarity = 0.3;   // of a candidate
 constexpr std::size_t kCandidates = 40;  // kept at the coarsest level
@@ -87,7 +87,7 @@ std::vector<PolarPose> PolarSearch::find(const std::vector<cv::Mat>& levels,
                                          const cv::Rect& roi) const {
   const int top = top_level();
   if (static_cast<int>(levels.size()) <= top)
-    throw std::invalid_argument("the picture's pyramid has too few levels for this object");
+    throw std::invalid_argument("the image's pyramid has too few levels for this object");
   auto poses = scan(levels[top], top, roi);
   for (int level = top - 1; level >= 0; --level) {
     for (auto& pose : poses) pose = refined(levels[level], level, pose);

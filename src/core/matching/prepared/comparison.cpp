@@ -6,20 +6,19 @@
 namespace mbncc::prepared {
 
 std::vector<Comparison> comparisons(
-    const std::vector<std::shared_ptr<const PreparedObject>>& objects, const cv::Mat& picture,
+    const std::vector<std::shared_ptr<const PreparedObject>>& objects, const cv::Mat& image,
     scene::ScenePool& scenes) {
-  const bool grey = scene::is_grey(picture);
+  const bool grey = scene::is_grey(image);
   std::vector<Comparison> all;
   int top = 0;
   for (const auto& object : objects) {
     all.push_back({grey && object->coloured ? object->in_grey->get() : object.get(), nullptr});
     top = std::max(top, all.back().object->top_level());
   }
-  std::shared_ptr<const scene::ScenePicture> colour_scene, grey_scene;
+  std::shared_ptr<const scene::SceneImage> colour_scene, grey_scene;
   for (auto& [object, scene] : all) {
     auto& shared = object->coloured ? colour_scene : grey_scene;
-    if (!shared)
-      shared = scenes.show(object->coloured ? picture : scene::grey_picture(picture), top);
+    if (!shared) shared = scenes.show(object->coloured ? image : scene::grey_image(image), top);
     scene = shared;
   }
   return all;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Pairs each object with the picture that it is compared with.
+// Pairs each object with the image that it is compared with.
 #pragma once
 
 #include <memory>
@@ -10,16 +10,16 @@
 
 namespace mbncc::prepared {
 
-/// An object and a picture as they are compared: in grey if either has no colour.
+/// An object and an image as they are compared: in grey if either has no colour.
 struct Comparison {
   const PreparedObject* object;  ///< lives as long as the given one
-  std::shared_ptr<const scene::ScenePicture> scene;
+  std::shared_ptr<const scene::SceneImage> scene;
 };
 
 /// In the order of the objects; objects with the same comparison share a scene. The pool must
 /// outlive them.
 std::vector<Comparison> comparisons(
-    const std::vector<std::shared_ptr<const PreparedObject>>& objects, const cv::Mat& picture,
+    const std::vector<std::shared_ptr<const PreparedObject>>& objects, const cv::Mat& image,
     scene::ScenePool& scenes);
 
 }  // namespace mbncc::prepared

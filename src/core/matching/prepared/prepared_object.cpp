@@ -73,11 +73,11 @@ View rescaled(const View& view, double scale) {
 }
 
 /// All levels up to `top`: build_pyramid() has fewer for maps only a few pixels wide.
-std::vector<cv::Mat> whole_pyramid(const cv::Mat& picture, int top) {
+std::vector<cv::Mat> whole_pyramid(const cv::Mat& image, int top) {
   const int least = imaging::kSmallestLevel << top;
   cv::Mat wide;
-  cv::copyMakeBorder(picture, wide, 0, std::max(0, least - picture.rows), 0,
-                     std::max(0, least - picture.cols), cv::BORDER_REPLICATE);
+  cv::copyMakeBorder(image, wide, 0, std::max(0, least - image.rows), 0,
+                     std::max(0, least - image.cols), cv::BORDER_REPLICATE);
   return imaging::build_pyramid(wide, top);
 }
 
@@ -136,7 +136,7 @@ int symmetry_of(const ObjectModel& model, const View& view) {
 
 }  // namespace
 
-/// Pictures from which all parts are computed.
+/// Images from which all parts are computed.
 struct PreparedView::Source {
   explicit Source(const View& learned)
       : view(learned),
@@ -170,9 +170,9 @@ PreparedView::PreparedView(const Source& source, Engine engine)
       points(masked_template(source.grey, source.view.map, anchor)) {
   const int top = std::max(kernels.level, edges.level());
   const auto surfaces = whole_pyramid(source.surface, top);
-  const auto pictures = whole_pyramid(source.view.template_image, top);
+  const auto images = whole_pyramid(source.view.template_image, top);
   for (int level = 0; level < static_cast<int>(surfaces.size()); ++level) {
-    const scene::SceneLevel continued(surfaces[level], level), picture(pictures[level], level);
+    const scene::SceneLevel continued(surfaces[level], level), image(images[level], level);
     const templates::SurfaceTemplate::Source from{continued.whole(), geometry,
                                                   source.view.map.size(), level};
     const auto edge = templates::ContourTemplate::edge_of(geometry, level);
@@ -186,9 +186,9 @@ PreparedView::PreparedView(const Source& source, Engine engine)
     fine = prepare(kVerifiedPoints);
     parts = evidence::ColourParts(
         fine.surface, fine.contour,
-        evidence::ground_beside(fine.contour, picture, {anchor.x, anchor.y, 0}));
+        evidence::ground_beside(fine.contour, image, {anchor.x, anchor.y, 0}));
     lit = evidence::PhotometricResidual(fine.surface);
-    mirrored_contour = evidence::MirroredContour(fine.contour, picture, {anchor.x, anchor.y, 0});
+    mirrored_contour = evidence::MirroredContour(fine.contour, image, {anchor.x, anchor.y, 0});
     dense = refinement::RefinementTemplate(prepare(kRefinedPoints), continued.whole());
   }
   resized = {resized_by(1 - kOtherSize, fine), resized_by(1 + kOtherSize, fine)};

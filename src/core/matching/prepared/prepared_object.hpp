@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Everything about an object that does not depend on the picture searched.
+// Everything about an object that does not depend on the image searched.
 #pragma once
 
 #include <array>
@@ -72,7 +72,7 @@ struct PreparedObject {
   std::shared_ptr<const ObjectModel> model;
   bool coloured;  ///< the views show colour
   std::vector<PreparedView> views;
-  /// The same in grey, for grey pictures; null if the views are grey.
+  /// The same in grey, for grey images; null if the views are grey.
   numeric::Lazy<std::shared_ptr<const PreparedObject>> in_grey;
 
  private:

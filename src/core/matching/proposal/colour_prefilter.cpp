@@ -19,11 +19,11 @@ constexpr float kOther = 0.03f;  // share of any other colours on an object
 
 constexpr double kTelling = 0.5;  // least mean log-odds of an object's own colours for prefiltering
 constexpr double kEnough = -0.4;  // mean log-odds of a place
-constexpr double kFewest = 0.02, kMostPlaces = 0.2;  // parts of the picture that remain
+constexpr double kFewest = 0.02, kMostPlaces = 0.2;  // parts of the image that remain
 
 constexpr int kRowStep = 2;  // [cells]: places within one cell of the tested ones remain, too
 
-/// Log-likelihood ratio per class of object to picture.
+/// Log-likelihood ratio per class of object to image.
 std::vector<std::int8_t> compare(const imaging::ColourShares& object,
                                  const imaging::ColourShares& scene) {
   constexpr float kNever = 1e-6f;
@@ -63,7 +63,7 @@ cv::Mat running_sums(const cv::Mat& cells, int margin) {
 int level_for_width(double mean_width) {
   constexpr double kAcross = 3;  // [px at the level] so that some are not mixed with the background
   const int level = static_cast<int>(std::floor(std::log2(mean_width / kAcross)));
-  return std::clamp(level, imaging::ClassPictures::kFirst, imaging::ClassPictures::kLast);
+  return std::clamp(level, imaging::ClassImages::kFirst, imaging::ClassImages::kLast);
 }
 
 int level_for_area(double area) {
@@ -146,11 +146,11 @@ cv::Mat ColourPrefilter::best_of_rotations(const cv::Mat& classes,
 }
 
 ColourPrefilter::LogLikelihoodRatios ColourPrefilter::log_likelihood_ratios(
-    const imaging::ClassPictures& scene) const {
+    const imaging::ClassImages& scene) const {
   return compare(shares_, scene.shares());
 }
 
-SearchMask ColourPrefilter::places(const imaging::ClassPictures& scene) const {
+SearchMask ColourPrefilter::places(const imaging::ClassImages& scene) const {
   if (scene.last_level() < class_level_) return {};
   const cv::Mat& classes = scene.at(class_level_);
   if (std::min(classes.cols, classes.rows) >> (cell_level_ - class_level_) == 0) return {};

@@ -15,7 +15,7 @@ namespace mbncc::proposal {
 
 class ColourPrefilter {
  public:
-  /// `surface` is the picture under `map`, continued outwards; `anchor` [px] as of the view.
+  /// `surface` is the image under `map`, continued outwards; `anchor` [px] as of the view.
   ColourPrefilter(const cv::Mat& surface, const cv::Mat& map, cv::Point2d anchor,
                   double mean_width);
 
@@ -25,14 +25,14 @@ class ColourPrefilter {
   /// The coarsest pyramid level that is used.
   int level() const { return class_level_; }
 
-  /// Places where the colours under the map are more likely the object's than the picture's.
-  /// Everywhere if the object's colours are common in the picture.
-  SearchMask places(const imaging::ClassPictures& scene) const;
+  /// Places where the colours under the map are more likely the object's than the image's.
+  /// Everywhere if the object's colours are common in the image.
+  SearchMask places(const imaging::ClassImages& scene) const;
 
-  /// Per class of colour, the log-likelihood ratio [1/kUnit] of object to picture.
+  /// Per class of colour, the log-likelihood ratio [1/kUnit] of object to image.
   using LogLikelihoodRatios = std::vector<std::int8_t>;
   static constexpr int kUnit = 16;
-  LogLikelihoodRatios log_likelihood_ratios(const imaging::ClassPictures& scene) const;
+  LogLikelihoodRatios log_likelihood_ratios(const imaging::ClassImages& scene) const;
 
  private:
   cv::Mat best_of_rotations(const cv::Mat& classes, const LogLikelihoodRatios& ratios) const;

@@ -12,7 +12,7 @@
 namespace mbncc::proposal {
 namespace {
 
-/// A rotated kernel as offsets into a padded picture: pairs of adjacent pixels, and runs.
+/// A rotated kernel as offsets into a padded image: pairs of adjacent pixels, and runs.
 struct KernelOffsets {
   KernelOffsets(const RotatedKernel& kernel, int stride)
       : pixels(static_cast<double>(kernel.pixels.size())), norm(kernel.norm) {
@@ -38,15 +38,15 @@ struct KernelOffsets {
 
 class CoarseSearch {
  public:
-  /// `picture` has a margin of more than the bank's radius; `roi` lies in it.
-  CoarseSearch(const TemplateBank& bank, const imaging::PaddedPicture& picture, const cv::Rect& roi,
+  /// `image` has a margin of more than the bank's radius; `roi` lies in it.
+  CoarseSearch(const TemplateBank& bank, const imaging::PaddedImage& image, const cv::Rect& roi,
                const AngleRange& sector = {}, const SearchMask& places = {})
       : bank_(bank),
         roi_(roi),
         wanted_(places.of_positions(bank.level, roi_.tl(), 1, roi_.size())),
-        picture_(picture) {
+        image_(image) {
     for (const auto& kernel : *bank.kernels) {
-      offsets_.emplace_back(kernel, picture_.stride());
+      offsets_.emplace_back(kernel, image_.stride());
       if (!sector.contains(kernel.angle)) offsets_.back().norm = 0;
     }
     best_.create(roi_.size(), CV_32FC1);
@@ -73,15 +73,15 @@ class CoarseSearch {
   static constexpr int kPart = 16;                        // of a block with a common decision
 
   /// All rotations at `count` positions of a row, into `best_`. A rotation is computed completely
-  /// only where its numerator can reach the threshold or the best so far, unless the picture's
+  /// only where its numerator can reach the threshold or the best so far, unless the image's
   /// variance under it is much smaller than under the last complete rotation.
   void correlate_block(int x, int y, int count, double threshold) {
     float* best = best_.ptr<float>(y) + x;
-    const std::size_t start = picture_.index(roi_.x + x, roi_.y + y);
+    const std::size_t start = image_.index(roi_.x + x, roi_.y + y);
     std::fill(gates_.begin(), gates_.end(), 0.f);
     for (const auto& kernel : offsets_) {
       if (kernel.norm <= 0) continue;
-      kernels::correlate(&picture_.pixels[start], kernel.offsets.data(), kernel.weights.data(),
+      kernels::correlate(&image_.pixels[start], kernel.offsets.data(), kernel.weights.data(),
                          kernel.pairs(), numerators_.data(), whole_groups(count));
       const float scale = 1 / static_cast<float>(kernel.norm);
       const kernels::Normalisation terms{scale, static_cast<float>(kernel.pixels),
@@ -102,9 +102,9 @@ class CoarseSearch {
   }
 
   void sum_block(const KernelOffsets& kernel, std::size_t start, int count) {
-    kernels::sum_runs(&picture_.sums[start], kernel.begins.data(), kernel.ends.data(),
-                      kernel.runs(), sums_.data(), count);
-    kernels::sum_runs(&picture_.squares[start], kernel.begins.data(), kernel.ends.data(),
+    kernels::sum_runs(&image_.sums[start], kernel.begins.data(), kernel.ends.data(), kernel.runs(),
+                      sums_.data(), count);
+    kernels::sum_runs(&image_.squares[start], kernel.begins.data(), kernel.ends.data(),
                       kernel.runs(), squares_.data(), count);
   }
 
@@ -132,7 +132,7 @@ class CoarseSearch {
     std::vector<double> values(count);
     for (const auto& place : places) {
       const std::size_t at =
-          picture_.index(static_cast<int>(place.pose.x), static_cast<int>(place.pose.y));
+          image_.index(static_cast<int>(place.pose.x), static_cast<int>(place.pose.y));
       for (std::size_t k = 0; k < count; ++k) values[k] = value_at(offsets_[k], at);
       for (std::size_t k = 0; k < count; ++k) {
         const double before = values[(k + count - 1) % count], after = values[(k + 1) % count];
@@ -152,12 +152,12 @@ class CoarseSearch {
     int numerator = 0;
     double sum = 0, square = 0;
     for (int k = 0; k < kernel.pairs(); ++k) {
-      const std::int16_t* from = &picture_.pixels[at + kernel.offsets[k]];
+      const std::int16_t* from = &image_.pixels[at + kernel.offsets[k]];
       numerator += kernel.weights[2 * k] * from[0] + kernel.weights[2 * k + 1] * from[1];
     }
     for (int r = 0; r < kernel.runs(); ++r) {
-      sum += picture_.sums[at + kernel.ends[r]] - picture_.sums[at + kernel.begins[r]];
-      square += picture_.squares[at + kernel.ends[r]] - picture_.squares[at + kernel.begins[r]];
+      sum += image_.sums[at + kernel.ends[r]] - image_.sums[at + kernel.begins[r]];
+      square += image_.squares[at + kernel.ends[r]] - image_.squares[at + kernel.begins[r]];
     }
     const double variance = square - sum * sum / kernel.pixels + kNoiseVariance * kernel.pixels;
     return numerator / (kernel.norm * std::sqrt(variance));
@@ -166,7 +166,7 @@ class CoarseSearch {
   const TemplateBank& bank_;
   cv::Rect roi_;
   cv::Mat wanted_;  // CV_8UC1, roi's size: positions searched
-  const imaging::PaddedPicture& picture_;
+  const imaging::PaddedImage& image_;
   std::vector<KernelOffsets> offsets_;
   cv::Mat best_;  // CV_32FC1, roi's size: largest similarity over the rotations
   std::array<std::int32_t, kBlock> numerators_{};
@@ -177,18 +177,18 @@ class CoarseSearch {
 }  // namespace
 
 std::vector<templates::Candidate> coarse_search(const TemplateBank& bank,
-                                                const imaging::PaddedPicture& picture,
+                                                const imaging::PaddedImage& image,
                                                 const cv::Rect& roi, const CoarseSettings& settings,
                                                 const AngleRange& sector,
                                                 const SearchMask& places) {
   if (roi.empty()) return {};
-  return CoarseSearch(bank, picture, roi, sector, places).run(settings);
+  return CoarseSearch(bank, image, roi, sector, places).run(settings);
 }
 
 cv::Mat coarse_similarity(const TemplateBank& bank, const cv::Mat& grey) {
-  imaging::PaddedPicture picture;
-  picture.fill(grey, bank.radius + 1);
-  return CoarseSearch(bank, picture, {{0, 0}, grey.size()}).correlate(0).clone();
+  imaging::PaddedImage image;
+  image.fill(grey, bank.radius + 1);
+  return CoarseSearch(bank, image, {{0, 0}, grey.size()}).correlate(0).clone();
 }
 
 }  // namespace mbncc::proposal

@@ -5,7 +5,7 @@
 #include <opencv2/core.hpp>
 #include <vector>
 
-#include "imaging/padded_picture.hpp"
+#include "imaging/padded_image.hpp"
 #include "matching/proposal/angle_range.hpp"
 #include "matching/proposal/search_mask.hpp"
 #include "matching/proposal/template_bank.hpp"
@@ -23,7 +23,7 @@ struct CoarseSettings {
 /// `sector`. `picture` is that level, with a margin of more than the bank's radius; `roi` lies in
 /// it.
 std::vector<templates::Candidate> coarse_search(const TemplateBank& bank,
-                                                const imaging::PaddedPicture& picture,
+                                                const imaging::PaddedImage& image,
                                                 const cv::Rect& roi,
                                                 const CoarseSettings& settings = {},
                                                 const AngleRange& sector = {},

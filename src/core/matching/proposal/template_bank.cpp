@@ -22,7 +22,7 @@ constexpr int kMostRadius = 256;   // [px] of the rotated template: limits its m
 constexpr float kCoverage = 0.6f;  // [0..1] of a pixel in the map
 constexpr double kArcStep = 2.6;   // [px] that the rim moves per rotation step
 constexpr int kOversampling = 4;   // samples per pixel side when turning
-constexpr int kWhole = 65;         // [px] pictures of more are turned ...
+constexpr int kWhole = 65;         // [px] images of more are turned ...
 constexpr int kTile = 16;          // ... in squares of that side, where the template is
 
 /// Template and map at a level finer than the coarse one, for rotation.
@@ -41,7 +41,7 @@ Source turning_source(const cv::Mat& grey, const cv::Mat& map, cv::Point2d ancho
   return {source.coverage, both, imaging::to_level(anchor, level - finer), 1 << finer};
 }
 
-/// Samples of the square `tile` of fine pixels may lie in a picture of `size`.
+/// Samples of the square `tile` of fine pixels may lie in an image of `size`.
 bool may_touch(const cv::Matx23d& to_source, const cv::Rect& tile, cv::Size size) {
   const cv::Point2d middle = 0.5 * cv::Point2d(tile.tl() + tile.br());
   const cv::Vec2d at = to_source * cv::Vec3d(middle.x, middle.y, 1);
@@ -50,23 +50,23 @@ bool may_touch(const cv::Matx23d& to_source, const cv::Rect& tile, cv::Size size
          at[1] < size.height + reach;
 }
 
-/// `picture` rotated about its anchor and averaged down to (2 radius + 1)^2 coarse pixels.
-cv::Mat turned(const cv::Mat& picture, const Source& source, double angle, int radius) {
+/// `image` rotated about its anchor and averaged down to (2 radius + 1)^2 coarse pixels.
+cv::Mat turned(const cv::Mat& image, const Source& source, double angle, int radius) {
   const int side = 2 * radius + 1, tile = side > kWhole ? kTile : side;
   const double middle = 0.5 * (side * source.samples - 1);
   const double c = std::cos(angle), s = std::sin(angle);
   const cv::Matx23d to_source(c, s, source.anchor.x - c * middle - s * middle,  //
                               -s, c, source.anchor.y + s * middle - c * middle);
-  cv::Mat coarse = cv::Mat::zeros(side, side, picture.type()), fine;
+  cv::Mat coarse = cv::Mat::zeros(side, side, image.type()), fine;
   for (int y = 0; y < side; y += tile)
     for (int x = 0; x < side; x += tile) {
       cv::Mat part = coarse(cv::Rect(x, y, tile, tile) & cv::Rect({0, 0}, coarse.size()));
       const cv::Rect samples(source.samples * cv::Point(x, y), part.size() * source.samples);
-      if (!may_touch(to_source, samples, picture.size())) continue;
+      if (!may_touch(to_source, samples, image.size())) continue;
       cv::Matx23d from_tile = to_source;
       from_tile(0, 2) += c * samples.x + s * samples.y;
       from_tile(1, 2) += c * samples.y - s * samples.x;
-      cv::warpAffine(picture, fine, from_tile, samples.size(),
+      cv::warpAffine(image, fine, from_tile, samples.size(),
                      cv::INTER_LINEAR | cv::WARP_INVERSE_MAP, cv::BORDER_CONSTANT, cv::Scalar(0));
       cv::resize(fine, part, part.size(), 0, 0, cv::INTER_AREA);
     }
@@ -74,7 +74,7 @@ cv::Mat turned(const cv::Mat& picture, const Source& source, double angle, int r
 }
 
 /// Rounds to weights of at most kMaxWeight and corrects the rounding error, so that the sum is
-/// exactly 0 and the picture's mean cancels.
+/// exactly 0 and the image's mean cancels.
 std::vector<std::int16_t> zero_sum_weights(const std::vector<float>& values) {
   double mean = 0;
   for (float value : values) mean += value / static_cast<double>(values.size());

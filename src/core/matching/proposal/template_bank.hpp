@@ -30,7 +30,7 @@ struct TemplateBank {
   numeric::Lazy<std::vector<RotatedKernel>> kernels;  ///< evenly over a turn
 
   /// Thin objects would be correlated at finer levels, which costs up to a yardstick and found
-  /// nothing in drawn pictures.
+  /// nothing in drawn images.
   bool searched() const { return level >= 2; }
 };
 

@@ -30,10 +30,10 @@ void normalise(std::vector<float>& row) {
 }  // namespace
 
 ColourAxes::ColourAxes(const templates::SurfaceTemplate& surface,
-                       const scene::PreparedPixels& picture)
+                       const scene::PreparedPixels& image)
     : count_(static_cast<double>(surface.size())) {
   choose_directions(surface);
-  const auto slopes = surface.slopes_in(picture);
+  const auto slopes = surface.slopes_in(image);
   for (int axis = 0; axis < kAxes; ++axis) {
     add_even(axis, surface);
     add_shown(axis, surface);

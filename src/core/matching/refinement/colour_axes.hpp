@@ -18,8 +18,8 @@ class ColourAxes {
 
   ColourAxes() = default;
 
-  /// Of the points of `surface`, whose slopes are read from `picture`.
-  ColourAxes(const templates::SurfaceTemplate& surface, const scene::PreparedPixels& picture);
+  /// Of the points of `surface`, whose slopes are read from `image`.
+  ColourAxes(const templates::SurfaceTemplate& surface, const scene::PreparedPixels& image);
 
   /// Residual of `sample` along an axis after template, smooth shading and an even tint, one value
   /// per point, padded.
@@ -27,7 +27,7 @@ class ColourAxes {
                  const templates::SurfaceSample& sample, std::vector<float>& values) const;
 
   /// Mean square [grey^2] of the lesson's noise orthogonal to brightness: the template's part that
-  /// is missing in a picture with these residuals and `gain` times its contrast.
+  /// is missing in an image with these residuals and `gain` times its contrast.
   double noise(const std::array<std::vector<float>, kAxes>& remainders,
                const std::vector<float>& weights, double gain) const;
 

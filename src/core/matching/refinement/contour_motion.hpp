@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Normal equations of a contour's distance to the edges of a picture.
+// Normal equations of a contour's distance to the edges of an image.
 #pragma once
 
 #include <vector>

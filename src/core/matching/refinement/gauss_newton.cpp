@@ -49,7 +49,7 @@ cv::Vec3d bounded(const cv::Vec3d& step, double radius) {
   return step * std::min(1.0, kMaxStep / (length_of(step, radius) + 1e-9));
 }
 
-/// The alignment of one template in one picture.
+/// The alignment of one template in one image.
 class Aligner {
  public:
   Aligner(const templates::PoseTemplate& object, const scene::SceneLevel& scene)
@@ -85,7 +85,7 @@ class Aligner {
 
   double radius() const { return object_.surface.radius(); }
 
-  /// Reads the picture at `pose`; false if too little is visible.
+  /// Reads the image at `pose`; false if too little is visible.
   bool linearise(const Pose2D& pose, int reach) {
     at_best_ = false;
     sample_.read(object_, scene_, pose, reach);

@@ -14,7 +14,7 @@ class IlluminationBias {
  public:
   IlluminationBias() = default;
 
-  /// For a surface seen with `contrast`, the picture's relative to the template's.
+  /// For a surface seen with `contrast`, the image's relative to the template's.
   IlluminationBias(const templates::SurfaceTemplate& surface, const templates::SurfaceSample& seen,
                    double contrast);
 

@@ -176,8 +176,8 @@ numeric::NormalEquations Refiner::half_pull(double x, double y) {
   return pull;
 }
 
-/// [px^2] Variance between halves of the object, split along the picture's rows and columns, beyond
-/// their covariances: in a picture torn while the object moved, a half is displaced.
+/// [px^2] Variance between halves of the object, split along the image's rows and columns, beyond
+/// their covariances: in an image torn while the object moved, a half is displaced.
 double Refiner::halves_apart() {
   read_edges(kFarReach);
   const double c = std::cos(pose_.theta), s = std::sin(pose_.theta);
@@ -232,7 +232,7 @@ numeric::NormalEquations Refiner::as_far_as_it_agrees(const numeric::NormalEquat
                         : colour;
 }
 
-/// Of the picture's contrast by the template's.
+/// Of the image's contrast by the template's.
 double Refiner::gain() const {
   constexpr double kPrior = 20;  // [grey^2] pulls that of plain surfaces to 1
   const templates::SurfaceTemplate& surface = object_.object.surface;
@@ -256,8 +256,8 @@ cv::Matx33d Refiner::covariance(double unclaimed) const {
 }  // namespace
 
 RefinementTemplate::RefinementTemplate(templates::PoseTemplate made,
-                                       const scene::PreparedPixels& picture)
-    : object(std::move(made)), axes(object.surface, picture), contour_motion(object.contour) {}
+                                       const scene::PreparedPixels& image)
+    : object(std::move(made)), axes(object.surface, image), contour_motion(object.contour) {}
 
 Refined unknown_accuracy(const Pose2D& pose) {
   constexpr double kPlace = 100;  // [px]

@@ -15,7 +15,7 @@ namespace mbncc::refinement {
 struct RefinementTemplate {
   RefinementTemplate() = default;
   /// `picture` is the one that the surface was made from.
-  RefinementTemplate(templates::PoseTemplate made, const scene::PreparedPixels& picture);
+  RefinementTemplate(templates::PoseTemplate made, const scene::PreparedPixels& image);
 
   templates::PoseTemplate object;
   ColourAxes axes;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Cache of padded data of a picture, shared by all searches of that picture.
+// Cache of padded data of an image, shared by all searches of that image.
 #pragma once
 
 #include <memory>
@@ -11,7 +11,7 @@ namespace mbncc::scene {
 template <class Padded>
 class PaddedCache {
  public:
-  /// With a margin of at least `margin` [px]. `source` is the same picture until forget().
+  /// With a margin of at least `margin` [px]. `source` is the same image until forget().
   template <class Source>
   std::shared_ptr<const Padded> get(const Source& source, int margin) {
     constexpr int kGrain = 16;  // few different margins, so that larger objects seldom need more
@@ -25,7 +25,7 @@ class PaddedCache {
     return padded_;
   }
 
-  /// The next request has another picture; the old one is no longer used.
+  /// The next request has another image; the old one is no longer used.
   void forget() { valid_ = false; }
 
  private:

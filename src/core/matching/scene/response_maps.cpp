@@ -77,7 +77,7 @@ void ResponseMaps::fill(const cv::Mat& edges, int margin) {
   }
 }
 
-/// The padding does not change between pictures.
+/// The padding does not change between images.
 void ResponseMaps::make_room(cv::Size size, int margin) {
   if (size == size_ && margin <= margin_) return;
   size_ = size;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Response maps of a picture's edges for each orientation, for the contour search (LINE-MOD).
+// Response maps of an image's edges for each orientation, for the contour search (LINE-MOD).
 #pragma once
 
 #include <cstdint>

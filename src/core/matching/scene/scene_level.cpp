@@ -18,18 +18,18 @@ int tiles_along(int pixels) {
 
 SceneLevel::SceneLevel() : responses_(std::make_unique<PaddedCache<ResponseMaps>>()) {}
 
-SceneLevel::SceneLevel(const cv::Mat& picture, int level) : SceneLevel() {
-  show(picture, level);
+SceneLevel::SceneLevel(const cv::Mat& image, int level) : SceneLevel() {
+  show(image, level);
 }
 
-void SceneLevel::show(const cv::Mat& picture, int level) {
-  colour_.create(picture.size(), CV_8UC3);
-  edges_.create(picture.size(), CV_8SC2);
-  picture_ = picture;
+void SceneLevel::show(const cv::Mat& image, int level) {
+  colour_.create(image.size(), CV_8UC3);
+  edges_.create(image.size(), CV_8SC2);
+  image_ = image;
   level_ = level;
-  tile_columns_ = tiles_along(picture.cols);
+  tile_columns_ = tiles_along(image.cols);
   tiles_ =
-      std::make_unique<Tiles>(static_cast<std::size_t>(tile_columns_) * tiles_along(picture.rows));
+      std::make_unique<Tiles>(static_cast<std::size_t>(tile_columns_) * tiles_along(image.rows));
   responses_->forget();
 }
 
@@ -44,7 +44,7 @@ PreparedPixels SceneLevel::whole() const {
 
 PreparedPixels SceneLevel::around(const Pose2D& pose, double reach) const {
   constexpr int kSlack = 8;
-  constexpr double kFar = 1e6;  // outside every picture
+  constexpr double kFar = 1e6;  // outside every image
   if (!(std::abs(pose.x) < kFar && std::abs(pose.y) < kFar)) return {colour_, edges_};
   const int radius = static_cast<int>(std::ceil(reach)) + kSlack;
   const cv::Point middle(cvFloor(pose.x), cvFloor(pose.y));
@@ -65,7 +65,7 @@ void SceneLevel::prepare_tile(int column, int row) const {
   auto& ready = tiles_->ready[row * tile_columns_ + column];
   if (ready.load(std::memory_order_relaxed)) return;
   const cv::Rect tile(column * kTile, row * kTile, kTile, kTile);
-  imaging::smooth_and_find_edges(picture_, tile & cv::Rect({0, 0}, size()), level_ == 0 ? 0.9 : 0.6,
+  imaging::smooth_and_find_edges(image_, tile & cv::Rect({0, 0}, size()), level_ == 0 ? 0.9 : 0.6,
                                  colour_, edges_);
   ready.store(true, std::memory_order_release);
 }

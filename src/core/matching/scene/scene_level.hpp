@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A picture at one pyramid level, smoothed and with its edges, computed lazily in tiles.
+// An image at one pyramid level, smoothed and with its edges, computed lazily in tiles.
 #pragma once
 
 #include <atomic>
@@ -15,7 +15,7 @@
 namespace mbncc::scene {
 
 /// Pixels of a level that are prepared at a place; SceneLevel gives no others. Valid until another
-/// picture is shown.
+/// image is shown.
 struct PreparedPixels {
   const cv::Mat& colour;  ///< CV_8UC3, smoothed
   const cv::Mat& edges;   ///< CV_8SC2, see gradient_orientation.hpp
@@ -23,18 +23,18 @@ struct PreparedPixels {
   cv::Size size() const { return colour.size(); }
 };
 
-/// At full resolution only a small part of a picture is needed, around the candidates of coarser
+/// At full resolution only a small part of an image is needed, around the candidates of coarser
 /// levels. Tiles are therefore prepared on demand, once each. Thread-safe.
 class SceneLevel {
  public:
   SceneLevel();
-  SceneLevel(const cv::Mat& picture, int level);
+  SceneLevel(const cv::Mat& image, int level);
 
-  /// Sets `picture`, CV_8UC3, reusing the memory of the last one; it is smoothed slightly against
+  /// Sets `image`, CV_8UC3, reusing the memory of the last one; it is smoothed slightly against
   /// noise, more at level 0.
-  void show(const cv::Mat& picture, int level);
-  /// Releases the picture and keeps the memory.
-  void forget() { picture_.release(); }
+  void show(const cv::Mat& image, int level);
+  /// Releases the image and keeps the memory.
+  void forget() { image_.release(); }
 
   cv::Size size() const { return colour_.size(); }
 
@@ -56,7 +56,7 @@ class SceneLevel {
   void prepare(const cv::Rect& region) const;
   void prepare_tile(int column, int row) const;
 
-  cv::Mat picture_;
+  cv::Mat image_;
   // Written tile by tile, under the lock of tiles_; a tile is read only when it is marked as ready.
   mutable cv::Mat colour_, edges_;
   int level_ = 0, tile_columns_ = 0;

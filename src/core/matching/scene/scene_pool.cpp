@@ -3,18 +3,18 @@
 
 namespace mbncc::scene {
 
-std::shared_ptr<const ScenePicture> ScenePool::show(const cv::Mat& picture, int top_level) {
+std::shared_ptr<const SceneImage> ScenePool::show(const cv::Mat& image, int top_level) {
   const auto place = lend();
-  const std::shared_ptr<ScenePicture> scene(&*place, [this, place](ScenePicture* shown) {
+  const std::shared_ptr<SceneImage> scene(&*place, [this, place](SceneImage* shown) {
     shown->forget();
     const std::lock_guard<std::mutex> lock(changing_);
     idle_.splice(idle_.begin(), lent_, place);
   });
-  scene->show(picture, top_level);
+  scene->show(image, top_level);
   return scene;
 }
 
-std::list<ScenePicture>::iterator ScenePool::lend() {
+std::list<SceneImage>::iterator ScenePool::lend() {
   const std::lock_guard<std::mutex> lock(changing_);
   if (idle_.empty()) idle_.emplace_back();
   lent_.splice(lent_.begin(), idle_, idle_.begin());

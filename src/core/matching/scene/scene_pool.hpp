@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Pool of memory for searched pictures.
+// Pool of memory for searched images.
 #pragma once
 
 #include <list>
 #include <memory>
 #include <mutex>
 
-#include "matching/scene/scene_picture.hpp"
+#include "matching/scene/scene_image.hpp"
 
 namespace mbncc::scene {
 
@@ -14,15 +14,15 @@ namespace mbncc::scene {
 /// its scenes.
 class ScenePool {
  public:
-  /// `picture` in the memory of an unused one, if there is any. See
-  /// ScenePicture::show().
-  std::shared_ptr<const ScenePicture> show(const cv::Mat& picture, int top_level);
+  /// `image` in the memory of an unused one, if there is any. See
+  /// SceneImage::show().
+  std::shared_ptr<const SceneImage> show(const cv::Mat& image, int top_level);
 
  private:
-  std::list<ScenePicture>::iterator lend();
+  std::list<SceneImage>::iterator lend();
 
   std::mutex changing_;
-  std::list<ScenePicture> idle_, lent_;
+  std::list<SceneImage> idle_, lent_;
 };
 
 }  // namespace mbncc::scene

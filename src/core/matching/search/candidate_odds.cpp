@@ -8,8 +8,8 @@
 
 namespace mbncc::search {
 
-double candidate_odds(const prepared::PreparedView& view, const scene::ScenePicture& scene,
-                      int level, const Pose2D& pose) {
+double candidate_odds(const prepared::PreparedView& view, const scene::SceneImage& scene, int level,
+                      const Pose2D& pose) {
   return evidence::log_odds(
       evidence::gather_evidence(view.templates[level], scene.levels[level], pose),
       view.shape.area());

@@ -5,14 +5,14 @@
 #include <vector>
 
 #include "matching/prepared/prepared_object.hpp"
-#include "matching/scene/scene_picture.hpp"
+#include "matching/scene/scene_image.hpp"
 #include "matching/template/candidate.hpp"
 
 namespace mbncc::search {
 
 /// Log-odds that `view` lies at `pose` [px at level].
-double candidate_odds(const prepared::PreparedView& view, const scene::ScenePicture& scene,
-                      int level, const Pose2D& pose);
+double candidate_odds(const prepared::PreparedView& view, const scene::SceneImage& scene, int level,
+                      const Pose2D& pose);
 
 /// Local maxima of the agreement with `object` at a place over a full turn, in steps of `arc` [px]
 /// at the rim, best first. `scene` is the place's level; the candidates' values are those of

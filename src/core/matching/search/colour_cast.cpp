@@ -9,7 +9,7 @@ namespace {
 
 constexpr double kLikely = 3;          // log-odds of a detection used for the estimate
 constexpr double kAlike = 0.06;        // ln gain between those that agree
-constexpr double kNoticeable = 0.055;  // ln gain from which on a picture is balanced
+constexpr double kNoticeable = 0.055;  // ln gain from which on an image is balanced
 
 std::optional<evidence::ColourCast> cast_at(const decision::Detection& detection,
                                             const prepared::Comparison& compared) {
@@ -59,10 +59,10 @@ std::optional<evidence::ColourCast> colour_cast(
   return middle;
 }
 
-cv::Mat without_cast(const cv::Mat& picture, const evidence::ColourCast& cast) {
+cv::Mat without_cast(const cv::Mat& image, const evidence::ColourCast& cast) {
   const cv::Vec3d gains = cast.gains();
   cv::Mat balanced;
-  cv::multiply(picture, cv::Scalar(1 / gains[0], 1, 1 / gains[2]), balanced);
+  cv::multiply(image, cv::Scalar(1 / gains[0], 1, 1 / gains[2]), balanced);
   return balanced;
 }
 

@@ -18,7 +18,7 @@ std::optional<evidence::ColourCast> colour_cast(
     const std::vector<prepared::Comparison>& compared,
     const std::vector<std::vector<decision::Detection>>& found);
 
-/// `picture`, CV_8UC3 (bgr), without the cast.
-cv::Mat without_cast(const cv::Mat& picture, const evidence::ColourCast& cast);
+/// `image`, CV_8UC3 (bgr), without the cast.
+cv::Mat without_cast(const cv::Mat& image, const evidence::ColourCast& cast);
 
 }  // namespace mbncc::search

@@ -10,10 +10,10 @@ namespace {
 
 constexpr double kWeight = 0.2;  // weight of a colour log-odds relative to a mean response
 
-/// Colour log-likelihood of an object in a picture.
+/// Colour log-likelihood of an object in an image.
 class ColourLikelihood {
  public:
-  ColourLikelihood(const prepared::PreparedView& view, const scene::ScenePicture& scene, int level)
+  ColourLikelihood(const prepared::PreparedView& view, const scene::SceneImage& scene, int level)
       : classes_(scene.classes().at(view.gate.level())),
         ratios_(view.gate.log_likelihood_ratios(scene.classes())),
         to_class_(static_cast<float>(1 << level) / static_cast<float>(1 << view.gate.level())) {
@@ -51,7 +51,7 @@ class ColourLikelihood {
 }  // namespace
 
 std::vector<templates::Candidate> best_by_colours(const prepared::PreparedView& view,
-                                                  const scene::ScenePicture& scene,
+                                                  const scene::SceneImage& scene,
                                                   std::vector<templates::Candidate> poses,
                                                   std::size_t most) {
   if (!poses.empty() && scene.classes().last_level() >= view.gate.level()) {

@@ -13,11 +13,11 @@ namespace {
 
 /// Possible anchors of a view whose reference point lies in `roi`.
 cv::Rect anchor_region(const cv::Rect& roi, const prepared::PreparedView& view, cv::Size size) {
-  const cv::Rect picture({0, 0}, size);
-  if (roi.empty()) return picture;
+  const cv::Rect image({0, 0}, size);
+  if (roi.empty()) return image;
   const int lever = static_cast<int>(std::ceil(cv::norm(view.reference_in_anchor.position())));
   return cv::Rect(roi.x - lever, roi.y - lever, roi.width + 2 * lever, roi.height + 2 * lever) &
-         picture;
+         image;
 }
 
 bool reference_within(const decision::Detection& detection, const cv::Rect& roi) {
@@ -27,7 +27,7 @@ bool reference_within(const decision::Detection& detection, const cv::Rect& roi)
 }
 
 std::vector<decision::Detection> search_views(const prepared::PreparedObject& object,
-                                              const scene::ScenePicture& scene, const cv::Rect& roi,
+                                              const scene::SceneImage& scene, const cv::Rect& roi,
                                               SearchMode mode) {
   const bool gated = mode == SearchMode::kGated;
   std::vector<decision::Detection> found;
@@ -53,8 +53,8 @@ bool is_alike(const prepared::PreparedView& view, const Footprint& other) {
 
 // An instance fits one of several views best, so the thorough search is used only if none finds it.
 std::vector<decision::Detection> search_object(const prepared::PreparedObject& object,
-                                               const scene::ScenePicture& scene,
-                                               const cv::Rect& roi, SearchMode mode) {
+                                               const scene::SceneImage& scene, const cv::Rect& roi,
+                                               SearchMode mode) {
   if (is_sparing(mode) || object.views.size() == 1) return search_views(object, scene, roi, mode);
   const auto found = search_views(object, scene, roi, SearchMode::kQuick);
   const bool enough = std::any_of(
@@ -64,7 +64,7 @@ std::vector<decision::Detection> search_object(const prepared::PreparedObject& o
 }
 
 std::vector<decision::Detection> search_occupied(const prepared::PreparedObject& object,
-                                                 const scene::ScenePicture& scene,
+                                                 const scene::SceneImage& scene,
                                                  const cv::Rect& roi,
                                                  const std::vector<Footprint>& occupied,
                                                  const std::vector<decision::Detection>& found) {

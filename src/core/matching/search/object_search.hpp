@@ -10,16 +10,16 @@
 
 namespace mbncc::search {
 
-/// Detections of `object` whose reference points lie in `roi` [px] (empty: the whole picture),
+/// Detections of `object` whose reference points lie in `roi` [px] (empty: the whole image),
 /// those of all views compared with each other.
 std::vector<decision::Detection> search_object(const prepared::PreparedObject& object,
-                                               const scene::ScenePicture& scene,
-                                               const cv::Rect& roi, SearchMode mode);
+                                               const scene::SceneImage& scene, const cv::Rect& roi,
+                                               SearchMode mode);
 
 /// Detections of `object` in `roi`, as above, at places of other objects of its size that are not
 /// in `found`, the detections of the same object.
 std::vector<decision::Detection> search_occupied(const prepared::PreparedObject& object,
-                                                 const scene::ScenePicture& scene,
+                                                 const scene::SceneImage& scene,
                                                  const cv::Rect& roi,
                                                  const std::vector<Footprint>& occupied,
                                                  const std::vector<decision::Detection>& found);

@@ -23,7 +23,7 @@ PoseHypothesis hypothesis(const prepared::PreparedView& view,
 
 }  // namespace
 
-PoseHypothesis score_as_is(const prepared::PreparedView& view, const scene::ScenePicture& scene,
+PoseHypothesis score_as_is(const prepared::PreparedView& view, const scene::SceneImage& scene,
                            const Pose2D& pose) {
   return hypothesis(view, {pose, evidence::gather_evidence(view.fine, scene.levels[0], pose)});
 }
@@ -34,8 +34,8 @@ PoseHypothesis better_rotation(const PoseHypothesis& a, const PoseHypothesis& b)
 
 // Narrow objects and shading cause side maxima. More distant starts are tried only if the near ones
 // converged elsewhere.
-PoseHypothesis multistart_align(const prepared::PreparedView& view,
-                                const scene::ScenePicture& scene, const Pose2D& pose) {
+PoseHypothesis multistart_align(const prepared::PreparedView& view, const scene::SceneImage& scene,
+                                const Pose2D& pose) {
   constexpr double kArc = 2.5;  // [px] between the starts at the rim
   constexpr int kIterations = 6;
   constexpr int kRefining = 4;

@@ -4,7 +4,7 @@
 
 #include "matching/evidence/evidence.hpp"
 #include "matching/prepared/prepared_object.hpp"
-#include "matching/scene/scene_picture.hpp"
+#include "matching/scene/scene_image.hpp"
 #include "mbncc/geometry.hpp"
 
 namespace mbncc::search {
@@ -21,14 +21,14 @@ struct PoseHypothesis {
 };
 
 /// The evidence for a pose without alignment.
-PoseHypothesis score_as_is(const prepared::PreparedView& view, const scene::ScenePicture& scene,
+PoseHypothesis score_as_is(const prepared::PreparedView& view, const scene::SceneImage& scene,
                            const Pose2D& pose);
 
 /// The better of two poses at one place by light-independent features, as in resolve_rotations().
 PoseHypothesis better_rotation(const PoseHypothesis& a, const PoseHypothesis& b);
 
 /// The best pose that alignments from this one and slightly turned ones reach.
-PoseHypothesis multistart_align(const prepared::PreparedView& view,
-                                const scene::ScenePicture& scene, const Pose2D& pose);
+PoseHypothesis multistart_align(const prepared::PreparedView& view, const scene::SceneImage& scene,
+                                const Pose2D& pose);
 
 }  // namespace mbncc::search

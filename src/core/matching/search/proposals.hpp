@@ -7,7 +7,7 @@
 
 #include "matching/prepared/prepared_object.hpp"
 #include "matching/proposal/search_mask.hpp"
-#include "matching/scene/scene_picture.hpp"
+#include "matching/scene/scene_image.hpp"
 #include "matching/template/candidate.hpp"
 
 namespace mbncc::search {
@@ -15,8 +15,8 @@ namespace mbncc::search {
 /// Poses of a view, best first, whose anchors lie in `roi` [px] and `places`.
 class Proposals {
  public:
-  Proposals(const prepared::PreparedView& view, const scene::ScenePicture& scene,
-            const cv::Rect& roi, const proposal::SearchMask& places)
+  Proposals(const prepared::PreparedView& view, const scene::SceneImage& scene, const cv::Rect& roi,
+            const proposal::SearchMask& places)
       : view_(view), scene_(scene), roi_(roi), places_(places) {}
 
   /// Searches by contours: at most `most` poses, and `round_places` places whose rotation the
@@ -37,7 +37,7 @@ class Proposals {
   void add_rotations_by_surface(const templates::Candidate& place);
 
   const prepared::PreparedView& view_;
-  const scene::ScenePicture& scene_;
+  const scene::SceneImage& scene_;
   cv::Rect roi_;
   const proposal::SearchMask& places_;
   std::vector<templates::Candidate> edges_, round_;

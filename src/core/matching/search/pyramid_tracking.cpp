@@ -25,7 +25,7 @@ void step_down(std::vector<templates::Candidate>& candidates) {
 
 class PyramidTracker {
  public:
-  PyramidTracker(const prepared::PreparedView& view, const scene::ScenePicture& scene,
+  PyramidTracker(const prepared::PreparedView& view, const scene::SceneImage& scene,
                  const SearchBudget& budget)
       : view_(view), scene_(scene), budget_(budget) {}
 
@@ -125,7 +125,7 @@ class PyramidTracker {
   }
 
   const prepared::PreparedView& view_;
-  const scene::ScenePicture& scene_;
+  const scene::SceneImage& scene_;
   const SearchBudget& budget_;
 };
 
@@ -136,7 +136,7 @@ std::size_t most_at(int level) {
 }
 
 std::vector<templates::Candidate> track_down(const prepared::PreparedView& view,
-                                             const scene::ScenePicture& scene,
+                                             const scene::SceneImage& scene,
                                              const SearchBudget& budget,
                                              std::vector<templates::Candidate> proposed) {
   return PyramidTracker(view, scene, budget).run(std::move(proposed));

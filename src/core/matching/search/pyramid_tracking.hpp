@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "matching/prepared/prepared_object.hpp"
-#include "matching/scene/scene_picture.hpp"
+#include "matching/scene/scene_image.hpp"
 #include "matching/search/search_budget.hpp"
 #include "matching/template/candidate.hpp"
 
@@ -18,7 +18,7 @@ std::size_t most_at(int level);
 /// object enter one level finer, as `budget` says. Returns the candidates at full resolution, best
 /// first.
 std::vector<templates::Candidate> track_down(const prepared::PreparedView& view,
-                                             const scene::ScenePicture& scene,
+                                             const scene::SceneImage& scene,
                                              const SearchBudget& budget,
                                              std::vector<templates::Candidate> proposed);
 

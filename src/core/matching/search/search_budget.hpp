@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// How many candidates the searches of an object in a picture follow, and when they end.
+// How many candidates the searches of an object in an image follow, and when they end.
 #pragma once
 
 #include <cstddef>

@@ -43,7 +43,7 @@ double colour_penalty(double difference) {
 }
 
 /// Log-odds at the refined scale, if they are higher.
-double odds_at(const prepared::PreparedView& view, const scene::ScenePicture& scene,
+double odds_at(const prepared::PreparedView& view, const scene::SceneImage& scene,
                const PoseHypothesis& found, const refinement::Refined& place) {
   if (place.scale == 1) return found.odds;
   const evidence::Evidence evidence =
@@ -53,28 +53,28 @@ double odds_at(const prepared::PreparedView& view, const scene::ScenePicture& sc
 
 /// Whether another size fits better than `odds`, or the scale differs from the learned one by more
 /// than heights and tilts cause.
-bool fits_another_size(const prepared::PreparedView& view, const scene::ScenePicture& scene,
+bool fits_another_size(const prepared::PreparedView& view, const scene::SceneImage& scene,
                        const refinement::Refined& place, double odds) {
   constexpr int kIterations = 3;
   constexpr double kUsual = 0.065;
   if (std::abs(place.scale - 1) > kUsual) return true;
-  const scene::SceneLevel& picture = scene.levels[0];
+  const scene::SceneLevel& image = scene.levels[0];
   return std::any_of(view.resized.begin(), view.resized.end(),
                      [&](const templates::PoseTemplate& resized) {
                        const refinement::ScoredPose reached =
-                           refinement::align_and_score(resized, picture, place.pose, kIterations);
+                           refinement::align_and_score(resized, image, place.pose, kIterations);
                        return evidence::log_odds(reached.evidence, view.shape.area()) > odds;
                      });
 }
 
 /// Advantage in agreement of the mirrored outline at a pose: the object lies on its other side, or
 /// its mirror image lies there.
-double mirror_advantage(const prepared::PreparedView& view, const scene::ScenePicture& scene,
+double mirror_advantage(const prepared::PreparedView& view, const scene::SceneImage& scene,
                         const refinement::Refined& place) {
   return view.mirrored_contour.better(view.fine.contour, scene.levels[0], place.pose, place.scale);
 }
 
-refinement::Refined refined(const prepared::PreparedView& view, const scene::ScenePicture& scene,
+refinement::Refined refined(const prepared::PreparedView& view, const scene::SceneImage& scene,
                             const PoseHypothesis& found) {
   if (found.odds <= kWorthRefining) return refinement::unknown_accuracy(found.pose);
   return refinement::refine(view.dense, scene.levels[0], found.pose, found.refining);
@@ -93,7 +93,7 @@ double odds_of_rotation(const prepared::PreparedView& view, const scene::SceneLe
 
 /// The detection before refinement.
 decision::Detection unrefined(const prepared::PreparedObject& object,
-                              const prepared::PreparedView& view, const scene::ScenePicture& scene,
+                              const prepared::PreparedView& view, const scene::SceneImage& scene,
                               const PoseHypothesis& found) {
   decision::Detection detection;
   detection.object = object.model.get();
@@ -108,7 +108,7 @@ decision::Detection unrefined(const prepared::PreparedObject& object,
   return detection;
 }
 
-void read_similarity(const prepared::PreparedView& view, const scene::ScenePicture& scene,
+void read_similarity(const prepared::PreparedView& view, const scene::SceneImage& scene,
                      decision::Detection& detection) {
   const Similarity read = similarity(view.points, scene.grey[0], detection.pose);
   detection.similarity = read.value;
@@ -116,7 +116,7 @@ void read_similarity(const prepared::PreparedView& view, const scene::ScenePictu
 }
 
 /// Refines the pose and tests the alternatives.
-void refine(const prepared::PreparedView& view, const scene::ScenePicture& scene,
+void refine(const prepared::PreparedView& view, const scene::SceneImage& scene,
             const PoseHypothesis& found, decision::Detection& detection) {
   const refinement::Refined place = refined(view, scene, found);
   detection.pose = place.pose;
@@ -141,7 +141,7 @@ void refine(const prepared::PreparedView& view, const scene::ScenePicture& scene
 
 /// For the best of the sorted detections at each place, computes the advantage of the outline at
 /// nearby places, because shading displaces a plain surface by pixels.
-void find_contour_alternatives(const prepared::PreparedView& view, const scene::ScenePicture& scene,
+void find_contour_alternatives(const prepared::PreparedView& view, const scene::SceneImage& scene,
                                std::vector<decision::Detection>& compared) {
   for (auto one = compared.begin(); one != compared.end(); ++one) {
     if (one->log_odds() <= kReportable) break;
@@ -157,7 +157,7 @@ void find_contour_alternatives(const prepared::PreparedView& view, const scene::
 
 std::vector<decision::Detection> verify(const prepared::PreparedObject& object,
                                         const prepared::PreparedView& view,
-                                        const scene::ScenePicture& scene,
+                                        const scene::SceneImage& scene,
                                         const std::vector<PoseHypothesis>& found) {
   std::vector<decision::Detection> detections;
   for (const auto& one : found) {

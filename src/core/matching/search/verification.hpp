@@ -6,7 +6,7 @@
 
 #include "matching/decision/detection.hpp"
 #include "matching/prepared/prepared_object.hpp"
-#include "matching/scene/scene_picture.hpp"
+#include "matching/scene/scene_image.hpp"
 #include "matching/search/pose_hypothesis.hpp"
 
 namespace mbncc::search {
@@ -14,7 +14,7 @@ namespace mbncc::search {
 /// Compares poses of a view, best first. Only poses that may be reported are refined.
 std::vector<decision::Detection> verify(const prepared::PreparedObject& object,
                                         const prepared::PreparedView& view,
-                                        const scene::ScenePicture& scene,
+                                        const scene::SceneImage& scene,
                                         const std::vector<PoseHypothesis>& found);
 
 }  // namespace mbncc::search

@@ -47,7 +47,7 @@ FirstSearch for_sector(FirstSearch first, const proposal::AngleRange& sector) {
 class ViewSearch {
  public:
   ViewSearch(const prepared::PreparedObject& object, const prepared::PreparedView& view,
-             const scene::ScenePicture& scene, const cv::Rect& roi, SearchMode mode,
+             const scene::SceneImage& scene, const cv::Rect& roi, SearchMode mode,
              const proposal::SearchMask& places)
       : object_(object),
         view_(view),
@@ -250,7 +250,7 @@ class ViewSearch {
 
   const prepared::PreparedObject& object_;
   const prepared::PreparedView& view_;
-  const scene::ScenePicture& scene_;
+  const scene::SceneImage& scene_;
   cv::Rect roi_;
   bool everywhere_;
   SearchMode mode_;
@@ -262,14 +262,14 @@ class ViewSearch {
 
 std::vector<decision::Detection> search_view(const prepared::PreparedObject& object,
                                              const prepared::PreparedView& view,
-                                             const scene::ScenePicture& scene, const cv::Rect& roi,
+                                             const scene::SceneImage& scene, const cv::Rect& roi,
                                              SearchMode mode, const proposal::SearchMask& places) {
   return ViewSearch(object, view, scene, roi, mode, places).run();
 }
 
 std::vector<decision::Detection> judge_places(const prepared::PreparedObject& object,
                                               const prepared::PreparedView& view,
-                                              const scene::ScenePicture& scene,
+                                              const scene::SceneImage& scene,
                                               const std::vector<cv::Point2d>& centres) {
   return ViewSearch(object, view, scene, {}, SearchMode::kQuick, {}).run_at(centres);
 }

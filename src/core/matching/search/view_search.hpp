@@ -12,7 +12,7 @@ namespace mbncc::search {
 
 /// What to do if a view is not found at once.
 enum class SearchMode {
-  kSparing,  ///< where many objects are searched, most are not in the picture ...
+  kSparing,  ///< where many objects are searched, most are not in the image ...
   kGated,    ///< ... and only where its colours are
   kQuick,    ///< where another view may find the object
   kTwice     ///< search again with more candidates and starts
@@ -27,7 +27,7 @@ inline bool is_sparing(SearchMode mode) {
 /// best first. Several may describe one place, because other angles are needed for the margin.
 std::vector<decision::Detection> search_view(const prepared::PreparedObject& object,
                                              const prepared::PreparedView& view,
-                                             const scene::ScenePicture& scene, const cv::Rect& roi,
+                                             const scene::SceneImage& scene, const cv::Rect& roi,
                                              SearchMode mode,
                                              const proposal::SearchMask& places = {});
 
@@ -35,7 +35,7 @@ std::vector<decision::Detection> search_view(const prepared::PreparedObject& obj
 /// look-alikes at the places of other objects.
 std::vector<decision::Detection> judge_places(const prepared::PreparedObject& object,
                                               const prepared::PreparedView& view,
-                                              const scene::ScenePicture& scene,
+                                              const scene::SceneImage& scene,
                                               const std::vector<cv::Point2d>& centres);
 
 }  // namespace mbncc::search

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Sums for comparing the colours of a surface's compact parts with a picture.
+// Sums for comparing the colours of a surface's compact parts with an image.
 #pragma once
 
 #include <array>
@@ -9,14 +9,14 @@
 
 namespace mbncc::templates {
 
-/// Sums of one compact part over its points inside the picture, by channel (b, g, r).
+/// Sums of one compact part over its points inside the image, by channel (b, g, r).
 struct BlockSums {
   using Channels = std::array<double, SurfaceTemplate::kChannels>;
 
   double count = 0;                          ///< points
-  Channels learned{}, seen{};                ///< colours of the template and of the picture
+  Channels learned{}, seen{};                ///< colours of the template and of the image
   Channels learned_square{}, seen_square{};  ///< their squares
-  Channels product{};                        ///< template times picture
+  Channels product{};                        ///< template times image
 };
 
 /// At most kMostBlocks.

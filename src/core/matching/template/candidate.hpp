@@ -10,7 +10,7 @@
 namespace mbncc::templates {
 
 struct Candidate {
-  Pose2D pose;       ///< of the anchor [px of `level`], rotation against the learning picture
+  Pose2D pose;       ///< of the anchor [px of `level`], rotation against the learning image
   int level = 0;     ///< of the pyramid
   double value = 0;  ///< ranking value; larger is better
 };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The map's edge as points with normals, compared with the edges of a picture.
+// The map's edge as points with normals, compared with the edges of an image.
 #pragma once
 
 #include <opencv2/core.hpp>
@@ -27,7 +27,7 @@ struct ContourTemplate {
   std::size_t size() const { return count_; }
   double radius() const { return radius_; }  ///< [px at level] of the farthest point
 
-  // All padded to whole lanes with points outside every picture.
+  // All padded to whole lanes with points outside every image.
   std::vector<float> x, y;                ///< [px at level] relative to the anchor
   std::vector<float> normal_x, normal_y;  ///< unit, outwards
   std::vector<float> ones;                ///< 1 at points, 0 in the padding

@@ -20,7 +20,7 @@ class MapFootprint {
   /// True when the map covers a point of the shape's frame.
   bool covers(cv::Point2d point) const;
 
-  /// Part [0..1] of the map that lies in a picture of `size`.
+  /// Part [0..1] of the map that lies in an image of `size`.
   double visible(const Pose2D& pose, cv::Size size) const;
 
  private:

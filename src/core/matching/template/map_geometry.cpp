@@ -110,12 +110,12 @@ std::vector<EdgePoint> MapGeometry::edge(double smoothing) const {
   return points;
 }
 
-cv::Mat continued_outwards(const cv::Mat& picture, const cv::Mat& map) {
-  cv::Mat weight, surface, result = picture.clone();
+cv::Mat continued_outwards(const cv::Mat& image, const cv::Mat& map) {
+  cv::Mat weight, surface, result = image.clone();
   map.convertTo(weight, CV_32F, 1.0 / 255);
-  picture.copyTo(surface, map);
+  image.copyTo(surface, map);
   surface.convertTo(surface, CV_32F);
-  result.setTo(cv::mean(picture, map), map == 0);
+  result.setTo(cv::mean(image, map), map == 0);
   // From far to near, so that the nearest surface overwrites others.
   for (const double reach : {12.0, 5.0, 2.0}) {
     const Spread spread = spread_out(surface, weight, reach);

@@ -35,8 +35,8 @@ class MapGeometry {
   double mean_width_ = 0;
 };
 
-/// `picture` (CV_8UC3) with the surface under `map` extrapolated outwards, so that smoothing does
+/// `image` (CV_8UC3) with the surface under `map` extrapolated outwards, so that smoothing does
 /// not mix background into the object.
-cv::Mat continued_outwards(const cv::Mat& picture, const cv::Mat& map);
+cv::Mat continued_outwards(const cv::Mat& image, const cv::Mat& map);
 
 }  // namespace mbncc::templates

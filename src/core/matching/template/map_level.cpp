@@ -12,12 +12,12 @@ namespace {
 
 // Padding for whole squares at the right and bottom edge, because the pyramid drops odd rows and
 // columns.
-cv::Mat padded_to_squares(const cv::Mat& picture, int side) {
-  const int right = (side - picture.cols % side) % side;
-  const int below = (side - picture.rows % side) % side;
+cv::Mat padded_to_squares(const cv::Mat& image, int side) {
+  const int right = (side - image.cols % side) % side;
+  const int below = (side - image.rows % side) % side;
   cv::Mat padded;
-  cv::copyMakeBorder(picture, padded, 0, std::max(below, 4 * side - picture.rows), 0,
-                     std::max(right, 4 * side - picture.cols), cv::BORDER_CONSTANT, cv::Scalar(0));
+  cv::copyMakeBorder(image, padded, 0, std::max(below, 4 * side - image.rows), 0,
+                     std::max(right, 4 * side - image.cols), cv::BORDER_CONSTANT, cv::Scalar(0));
   return padded;
 }
 
@@ -25,7 +25,7 @@ cv::Mat padded_to_squares(const cv::Mat& picture, int side) {
 
 MapLevel map_level(const cv::Mat& grey, const cv::Mat& map, int level) {
   if (grey.type() != CV_8UC1 || !is_binary_map(map) || grey.size() != map.size())
-    throw std::invalid_argument("a template needs a grey picture and a binary map of its size");
+    throw std::invalid_argument("a template needs a grey image and a binary map of its size");
   cv::Mat weight, weighted;
   map.convertTo(weight, CV_32F, 1.0 / 255);
   grey.convertTo(weighted, CV_32F);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Surface and contour of a picture at a candidate pose.
+// Surface and contour of an image at a candidate pose.
 #pragma once
 
 #include <algorithm>
@@ -23,7 +23,7 @@ struct PoseSample {
   ContourSample contour;
   SurfaceTemplate::Residual residual;  ///< of the surface, if enough is visible
 
-  /// Reads the picture at `pose`, the object `scale` times as large as the template, edges up to
+  /// Reads the image at `pose`, the object `scale` times as large as the template, edges up to
   /// `reach` [px] along the contour's normals.
   void read(const PoseTemplate& object, const scene::SceneLevel& scene, const Pose2D& pose,
             int reach, double scale = 1);

@@ -10,7 +10,7 @@
 namespace mbncc::templates {
 
 struct SurfacePoint {
-  cv::Point2f at;      ///< [px at level] in the template picture
+  cv::Point2f at;      ///< [px at level] in the template image
   float depth;         ///< [px at level 0] to the map's edge
   cv::Point2f inward;  ///< unit, away from the edge
 };
@@ -23,7 +23,7 @@ struct SamplePoints {
                                 ///< size, or fewer
 };
 
-/// At most `most` points of a map of `size`, spread evenly: away from the edge, where picture
+/// At most `most` points of a map of `size`, spread evenly: away from the edge, where image
 /// pixels mix with the background; everywhere on a narrow map.
 SamplePoints choose_surface_points(const MapGeometry& map, cv::Size size, int level,
                                    std::size_t most);

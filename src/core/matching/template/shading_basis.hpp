@@ -9,7 +9,7 @@
 namespace mbncc::templates {
 
 /// Shading and gloss near the edge depend on the light, not on the object: functions of the
-/// position and of the distance to the edge, to be projected out of template and picture.
+/// position and of the distance to the edge, to be projected out of template and image.
 class ShadingBasis {
  public:
   static constexpr int kMostRows = 12;

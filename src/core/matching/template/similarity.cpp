@@ -11,17 +11,17 @@
 namespace mbncc {
 namespace {
 
-/// Sums over the visible pairs of template and picture values.
+/// Sums over the visible pairs of template and image values.
 struct Moments {
   double count = 0, t = 0, s = 0, tt = 0, ss = 0, ts = 0;
 
-  void add(double template_value, double picture_value) {
+  void add(double template_value, double image_value) {
     count += 1;
     t += template_value;
-    s += picture_value;
+    s += image_value;
     tt += template_value * template_value;
-    ss += picture_value * picture_value;
-    ts += template_value * picture_value;
+    ss += image_value * image_value;
+    ts += template_value * image_value;
   }
 
   double correlation(double noise_variance) const {
@@ -54,7 +54,7 @@ MaskedTemplate masked_template(const cv::Mat& grey, const cv::Mat& map, cv::Poin
 
 Similarity similarity(const MaskedTemplate& points, const cv::Mat& grey, const Pose2D& pose,
                       double noise_variance) {
-  const imaging::GreySampler picture(grey);
+  const imaging::GreySampler image(grey);
   const float c = static_cast<float>(std::cos(pose.theta));
   const float s = static_cast<float>(std::sin(pose.theta));
   const float x0 = static_cast<float>(pose.x), y0 = static_cast<float>(pose.y);
@@ -62,7 +62,7 @@ Similarity similarity(const MaskedTemplate& points, const cv::Mat& grey, const P
   for (std::size_t i = 0; i < points.size(); ++i) {
     const float x = c * points.x[i] - s * points.y[i] + x0;
     const float y = s * points.x[i] + c * points.y[i] + y0;
-    if (picture.contains(x, y)) moments.add(points.values[i], picture(x, y));
+    if (image.contains(x, y)) moments.add(points.values[i], image(x, y));
   }
   Similarity result;
   if (points.size() == 0) return result;

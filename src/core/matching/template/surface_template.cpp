@@ -13,7 +13,7 @@
 namespace mbncc::templates {
 namespace {
 
-constexpr float kNowhere = -1e6f;  // lies outside of every picture
+constexpr float kNowhere = -1e6f;  // lies outside of every image
 
 }  // namespace
 
@@ -46,10 +46,10 @@ void SurfaceTemplate::resize(double factor) {
   radius_ *= factor;
 }
 
-void SurfaceTemplate::read_colours(const scene::PreparedPixels& picture) {
-  const imaging::ColourSampler colour_at(picture.colour);
-  const auto right = static_cast<float>(picture.size().width) - 1.02f;
-  const auto bottom = static_cast<float>(picture.size().height) - 1.02f;
+void SurfaceTemplate::read_colours(const scene::PreparedPixels& image) {
+  const imaging::ColourSampler colour_at(image.colour);
+  const auto right = static_cast<float>(image.size().width) - 1.02f;
+  const auto bottom = static_cast<float>(image.size().height) - 1.02f;
   for (auto* values : {&planes[0], &planes[1], &planes[2], &brightness})
     values->assign(padded(), 0.f);
   std::vector<float> ones(padded(), 0.f);
@@ -77,16 +77,16 @@ void SurfaceTemplate::measure_texture() {
   texture_ = variance / (variance + kPlain);
 }
 
-void SurfaceTemplate::read_gradients(const scene::PreparedPixels& picture) {
+void SurfaceTemplate::read_gradients(const scene::PreparedPixels& image) {
   constexpr float kNoise = 2.5f;  // [grey levels per pixel]
   gradient_x.assign(padded(), 0.f);
   gradient_y.assign(padded(), 0.f);
-  const cv::Mat gradients = imaging::strongest_gradient(picture.colour);
+  const cv::Mat gradients = imaging::strongest_gradient(image.colour);
   for (std::size_t i = 0; i < size(); ++i) {
     const SurfacePoint& point = points_[i];
     if (point.depth <= 2.5f) continue;
-    const int column = std::clamp(cvRound(point.at.x), 0, picture.size().width - 1);
-    const int row = std::clamp(cvRound(point.at.y), 0, picture.size().height - 1);
+    const int column = std::clamp(cvRound(point.at.x), 0, image.size().width - 1);
+    const int row = std::clamp(cvRound(point.at.y), 0, image.size().height - 1);
     const auto gradient = gradients.at<cv::Vec2s>(row, column);
     const float gx = gradient[0] / 8.f, gy = gradient[1] / 8.f;
     const float square = gx * gx + gy * gy + 1e-6f;
@@ -105,8 +105,8 @@ void SurfaceTemplate::project() {
   }
 }
 
-void SurfaceTemplate::read_slopes(const scene::PreparedPixels& picture) {
-  auto slopes_of = slopes_in(picture);
+void SurfaceTemplate::read_slopes(const scene::PreparedPixels& image) {
+  auto slopes_of = slopes_in(image);
   for (auto& channel : slopes_of)
     for (auto& row : channel) basis.project_out(row);
   for (int k = 0; k < kMotions; ++k) {
@@ -126,8 +126,8 @@ void SurfaceTemplate::read_slopes(const scene::PreparedPixels& picture) {
   }
 }
 
-SurfaceTemplate::Slopes SurfaceTemplate::slopes_in(const scene::PreparedPixels& picture) const {
-  const imaging::ColourSampler colour_at(picture.colour);
+SurfaceTemplate::Slopes SurfaceTemplate::slopes_in(const scene::PreparedPixels& image) const {
+  const imaging::ColourSampler colour_at(image.colour);
   Slopes slopes_of;
   for (auto& channel : slopes_of)
     for (auto& row : channel) row.assign(padded(), 0.f);

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "imaging/chroma_histogram.hpp"
-#include "matching/scene/scene_picture.hpp"
+#include "matching/scene/scene_image.hpp"
 #include "matching/template/map_geometry.hpp"
 #include "matching/template/sample_points.hpp"
 #include "matching/template/shading_basis.hpp"
@@ -15,10 +15,10 @@
 
 namespace mbncc::templates {
 
-/// Colours of a picture at the points of a surface: one plane per channel (b, g, r).
+/// Colours of an image at the points of a surface: one plane per channel (b, g, r).
 struct SurfaceSample {
   std::array<std::vector<float>, 3> planes;  ///< padded with zeros to whole lanes
-  std::vector<float> inside;      ///< 1: compared; 0: outside the picture, a highlight, or padding
+  std::vector<float> inside;      ///< 1: compared; 0: outside the image, a highlight, or padding
   std::array<double, 3> means{};  ///< of the planes inside
   std::size_t visible = 0, points = 0;  ///< inside, and in all
 
@@ -26,7 +26,7 @@ struct SurfaceSample {
   bool suffices() const { return visible >= 10 && 4 * visible >= points; }
 };
 
-/// Energy of a picture outside the template: mean squares [grey^2].
+/// Energy of an image outside the template: mean squares [grey^2].
 struct SurfaceDifference {
   double rest = 0;     ///< neither template nor basis
   double shading = 0;  ///< the basis without its constant
@@ -40,7 +40,7 @@ class SurfaceTemplate {
 
   /// Input of a template at one pyramid level.
   struct Source {
-    scene::PreparedPixels pixels;  ///< the learning picture, the object extrapolated outwards
+    scene::PreparedPixels pixels;  ///< the learning image, the object extrapolated outwards
     const MapGeometry& map;
     cv::Size map_size;
     int level;
@@ -55,21 +55,21 @@ class SurfaceTemplate {
   /// Per channel the derivatives of the colours by x, y and theta at the points.
   static constexpr int kMotions = 3;
   using Slopes = std::array<std::array<std::vector<float>, kMotions>, kChannels>;
-  /// In the picture that the template was made from; 0 at its border.
-  Slopes slopes_in(const scene::PreparedPixels& picture) const;
+  /// In the image that the template was made from; 0 at its border.
+  Slopes slopes_in(const scene::PreparedPixels& image) const;
 
   std::size_t size() const { return points_.size(); }
   std::size_t padded() const { return x.size(); }  ///< size() in whole lanes
 
   /// Reads the colours at `pose`, the surface `scale` times as large as the template. Points
-  /// outside the picture, and highlights, are not compared: they take the mean of the others.
+  /// outside the image, and highlights, are not compared: they take the mean of the others.
   void sample(const scene::PreparedPixels& pixels, const Pose2D& pose, SurfaceSample& sample,
               double scale = 1) const;
 
-  /// Residual of the colours after the basis is projected out of template and picture.
+  /// Residual of the colours after the basis is projected out of template and image.
   struct Residual {
     double common = 0;  ///< product of both, summed over points and channels [grey^2]
-    double energy = 0;  ///< of the picture's, likewise
+    double energy = 0;  ///< of the image's, likewise
   };
   Residual residual(const SurfaceSample& sample) const;
 
@@ -79,9 +79,9 @@ class SurfaceTemplate {
   /// Mean square [grey^2] of the residual after the template with a bounded gain.
   double unexplained(const Residual& residual) const;
 
-  /// Of the picture against `gain` times the template.
+  /// Of the image against `gain` times the template.
   SurfaceDifference difference(const SurfaceSample& sample, double gain = 1) const;
-  /// Gain of the picture relative to the template, without the basis.
+  /// Gain of the image relative to the template, without the basis.
   double contrast(const SurfaceSample& sample) const;
   /// Mean square [grey^2] of the template without the basis.
   double mean_projected_energy() const;
@@ -91,14 +91,14 @@ class SurfaceTemplate {
 
   double radius() const { return radius_; }  ///< [px at level] of the farthest point
 
-  // All vectors are padded to whole lanes: places with points outside every picture, values with
+  // All vectors are padded to whole lanes: places with points outside every image, values with
   // zeros.
   std::vector<float> x, y;                   ///< [px at level] relative to the anchor
   std::array<std::vector<float>, 3> planes;  ///< colours
   std::vector<float> brightness;             ///< sum of the channels
   std::vector<int> block_ends;  ///< points in order belong to compact parts of equal size
 
-  ShadingBasis basis;                           ///< projected out of template and picture
+  ShadingBasis basis;                           ///< projected out of template and image
   std::array<std::vector<float>, 3> projected;  ///< planes without the basis
   double projected_energy = 0;                  ///< sum of squares of `projected`
 
@@ -115,11 +115,11 @@ class SurfaceTemplate {
 
  private:
   void place_points(cv::Point2d origin);
-  void read_colours(const scene::PreparedPixels& picture);
+  void read_colours(const scene::PreparedPixels& image);
   void measure_texture();
-  void read_gradients(const scene::PreparedPixels& picture);
+  void read_gradients(const scene::PreparedPixels& image);
   void project();
-  void read_slopes(const scene::PreparedPixels& picture);
+  void read_slopes(const scene::PreparedPixels& image);
   void leave_out_highlights(SurfaceSample& sample) const;
 
   std::vector<SurfacePoint> points_;

@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Shows an image fitted in with marks over it, and takes the mouse, or arrow keys and Space, as a
+// marking tool. The wheel enlarges, dragging or arrow keys without a tool move what is enlarged.
+#pragma once
+
+#ifndef Q_MOC_RUN
+#include "console/image/image_frame.hpp"
+#include "console/image/marks.hpp"
+#include "console/lesson/marking_tool.hpp"
+#endif
+
+#include <QImage>
+#include <QRect>
+#include <QWidget>
+#include <deque>
+#include <optional>
+#include <vector>
+
+namespace mbncc::console {
+
+/// "Still image of 12:03:05": now, so that it is not taken for a live one.
+QString still_caption();
+
+class ImageView : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit ImageView(QWidget* parent = nullptr);
+
+  /// `size` [px] is that of the camera's image, which marks and tools refer to; `image` may be
+  /// a smaller copy. `caption` is written over it; "": none.
+  void show_image(const QImage& image, QSize size, const std::vector<Mark>& marks,
+                  const QString& caption);
+  /// The image is outdated: greys it out with a label until the next one.
+  void show_age(const QString& warning);
+  /// Shows queued corrections over the image.
+  void show_waiting(std::deque<MarkingTool::Request> waiting);
+
+  MarkingTool& tool() { return tool_; }
+  /// The next click asks about its place instead of drawing, until this is cancelled.
+  void ask_for_place(bool wanted);
+  bool asks_for_place() const { return asking_; }
+  /// The next box that is drawn is a search region, until this is cancelled.
+  void ask_for_region(bool wanted);
+  bool asks_for_region() const { return asking_region_; }
+  /// [px] of the camera's image, outside of which nothing is searched; empty: none.
+  void show_region(const QRect& region);
+  /// Discards an unfinished stroke; false if there is none.
+  bool give_up();
+
+  void show_marks(bool shown);
+  bool marks_shown() const { return marks_shown_; }
+  void enlarge(double factor);
+  void show_all();
+  /// [px] of the camera's image; empty: none was shown.
+  QSize shape() const { return size_; }
+
+  /// As shown; null if nothing is shown.
+  const QImage& image() const { return image_; }
+
+  QSize sizeHint() const override { return {640, 480}; }
+
+ Q_SIGNALS:
+  void corrected(mbncc_vision::ConfirmLearning::Request correction);
+  /// The image's shape, or the room for it.
+  void shape_changed();
+  /// [px] of the camera's image.
+  void place_chosen(QPointF place);
+  /// [px] of the camera's image.
+  void region_chosen(QRect region);
+
+ protected:
+  void paintEvent(QPaintEvent* event) override;
+  void keyPressEvent(QKeyEvent* event) override;
+  void mousePressEvent(QMouseEvent* event) override;
+  void mouseMoveEvent(QMouseEvent* event) override;
+  void mouseReleaseEvent(QMouseEvent* event) override;
+  void mouseDoubleClickEvent(QMouseEvent* event) override;
+  void wheelEvent(QWheelEvent* event) override;
+  void resizeEvent(QResizeEvent* event) override;
+
+ private:
+  void fit();
+  void set_caption(const QString& caption);
+  void show_cursor();
+  QPointF on_widget(cv::Point2d image) const;
+  cv::Point2f on_image(const QPointF& widget) const;
+  void paint_marks(QPainter& painter) const;
+  void paint_labels(QPainter& painter) const;
+  void paint_axes(QPainter& painter, cv::Point2d origin, double theta, double length,
+                  bool grips) const;
+  void paint_region(QPainter& painter) const;
+  void paint_tool(QPainter& painter) const;
+  void paint_stroke(QPainter& painter, const std::vector<cv::Point2f>& points, double width,
+                    Tool tool) const;
+  void paint_pen(QPainter& painter) const;
+  void paint_focus(QPainter& painter) const;
+  void paint_caption(QPainter& painter) const;
+  bool draws() const;
+  cv::Point2f pen() const;
+  void move_pen(QPoint way, float step);
+  void use_pen();
+  void choose_place(cv::Point2f at);
+  void finish_mark(cv::Point2f at);
+
+  QImage image_;
+  QSize size_;
+  std::vector<Mark> marks_;
+  std::deque<MarkingTool::Request> waiting_;
+  QString caption_;
+  bool outdated_ = false, marks_shown_ = true, asking_ = false, asking_region_ = false;
+  QRect region_;
+  std::optional<QPointF> dragged_from_;
+  std::optional<cv::Point2f> pen_;  // [px] of the image, once the keyboard has moved it
+  ImageFrame frame_;
+  MarkingTool tool_;
+};
+
+}  // namespace mbncc::console

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Selects the live image to show: the plain one, or the one with detections.
+#pragma once
+
+namespace mbncc::console {
+
+class LiveImage {
+ public:
+  explicit LiveImage(double now = 0) : shown_at_(now) {}
+
+  /// An image arrived; `searched`: with its detections. Returns true if it shall be shown: plain
+  /// images during a lesson, otherwise searched ones, or plain ones if those do not arrive. Times
+  /// are in seconds of any one clock.
+  bool take(bool searched, bool teaching, double now);
+
+  /// [s] since an image was shown.
+  double age(double now) const { return now - shown_at_; }
+
+ private:
+  double shown_at_;
+  double searched_at_ = -1e9;
+};
+
+}  // namespace mbncc::console

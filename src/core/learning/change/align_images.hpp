@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Aligns the image after with the one before: compensates camera shift and light.
+#pragma once
+
+#include <opencv2/core.hpp>
+
+namespace mbncc::change {
+
+struct AlignedPair {
+  cv::Rect window;    ///< [px] of the images: the region and a ring of platform around it
+  cv::Mat before;     ///< CV_32FC3, the window of `before`
+  cv::Mat after;      ///< CV_32FC3, the window of `after` in the camera pose and light of `before`
+  cv::Mat trusted;    ///< CV_8UC1, 255 on ring pixels that show unchanged platform
+  cv::Point2d shift;  ///< [px] that was compensated
+};
+
+/// `before` and `after` are CV_8UC3 of one size, `region` lies inside them and contains the change.
+/// `changed` is the survey's; it replaces the ring if the region leaves too little of it.
+AlignedPair align_images(const cv::Mat& before, const cv::Mat& after, const cv::Rect& region,
+                         const cv::Mat& changed, double max_shift);
+
+}  // namespace mbncc::change

@@ -1,0 +1,214 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Provides the images of a lesson: given with the goal, or live.
+#include <ros/time.h>
+
+#include <chrono>
+#include <thread>
+
+#include "nodelets/conversion/images.hpp"
+#include "nodelets/learning/camera_motion.hpp"
+#include "nodelets/learning/lesson.hpp"
+
+namespace mbncc::nodelets {
+namespace {
+
+using Feedback = mbncc_vision::LearnObjectFeedback;
+
+constexpr std::chrono::milliseconds kGlance{30};  // between two checks of the live scene
+constexpr int kGlancesPerWord = 15;               // between two messages to the operator
+
+constexpr double kSilentCamera = 2;  // [s] without an image before the operator is informed
+
+const char* const kCameraMoved =
+    "The camera has moved; the lesson goes on with the present image. Fasten the camera, see "
+    "that "
+    "the object lies in the image, then take it away.";
+const char* const kCameraMovedSinceGiven =
+    "The camera has moved since the image before was taken: put it back, or teach with a new "
+    "one.";
+
+const char* removal_sentence(Demonstration::Anew why) {
+  using Anew = Demonstration::Anew;
+  switch (why) {
+    case Anew::kLight:
+      return "The light has changed; the lesson continues with the current image. Take the "
+             "object "
+             "away now.";
+    case Anew::kEdgeLeft:
+      return "The arm or hand at the image's edge has left; the lesson continues with the "
+             "current image. If the object is gone as well, put it back fully into view; then "
+             "take it away.";
+    case Anew::kEverything:
+      return "Nearly everything has changed, as when the camera is moved; the lesson continues "
+             "with the current image. Make sure that the object is in view, then take it away.";
+    case Anew::kPutDown:
+      return "No object has left its place; what was put down now belongs to the scene. Take the "
+             "object farther away or out of the image.";
+    default:
+      return "Take the object away now.";
+  }
+}
+
+LessonImage image_of(const StillShot& shot, const std::string& frame_id) {
+  LessonImage image{shot.image, {}, shot.number};
+  image.header.stamp.fromSec(shot.stamp);
+  image.header.frame_id = frame_id;
+  return image;
+}
+
+}  // namespace
+
+void LessonRun::take_images() {
+  const bool change = goal_.mode == Goal::CHANGE;
+  if (is_given(goal_.before)) {
+    take_before(given(goal_.before, "before"));
+    demonstration_ = Demonstration(before_.image);
+  }
+  if (change && is_given(goal_.after)) after_ = given(goal_.after, "after");
+  if (change && goal_.already_moved && before_.image.empty()) return take_already_moved();
+  if (before_.image.empty()) wait_for_before();
+  if (change && after_.image.empty()) wait_for_change();
+}
+
+void LessonRun::take_before(const LessonImage& image) {
+  before_ = image;
+  calibrate_before();
+}
+
+void LessonRun::calibrate_before() {
+  calibration_ =
+      tools_.gauge.calibrate_image(goal_.camera_info, before_.header, before_.image.size());
+}
+
+bool LessonRun::waits_for_change() const {
+  return goal_.mode == Goal::CHANGE && !is_given(goal_.after) && !goal_.already_moved;
+}
+
+LessonImage LessonRun::given(const sensor_msgs::Image& message, const std::string& what) const {
+  const Decoded decoded = decode_image(message, tools_.images.white_level());
+  if (!decoded) fail(LearnError::kEncoding, "Image " + what + ": " + decoded.fault + ".");
+  return {decoded.image, message.header, 0};
+}
+
+void LessonRun::take_already_moved() {
+  if (after_.image.empty())
+    watch([this](const ImageFeed::View& view) {
+      if (!view.still) return Step::kWaitStill;
+      after_ = image_of(*view.still, view.header.frame_id);
+      return Step::kReady;
+    });
+  const auto before = tools_.images.before_change();
+  if (!before)
+    fail(LearnError::kNoChange, "Nothing in the camera's view has changed recently.",
+         "Teach without already_moved, and take the object away when asked.");
+  take_before(image_of(*before, after_.header.frame_id));
+}
+
+void LessonRun::wait_for_before() {
+  watch([this](const ImageFeed::View& view) {
+    if (demonstration_.look(view.still) == Step::kWaitStill) return Step::kWaitStill;
+    take_before(image_of(demonstration_.before(), view.header.frame_id));
+    return Step::kReady;
+  });
+}
+
+void LessonRun::wait_for_change() {
+  watch([this](const ImageFeed::View& view) {
+    if (view.still && view.still->image.size() != before_.image.size())
+      fail(LearnError::kImageMismatch);
+    const Step step = demonstrate(view.still);
+    if (demonstration_.before().image.data != before_.image.data)
+      take_before(image_of(demonstration_.before(), view.header.frame_id));
+    if (step == Step::kReady) after_ = image_of(demonstration_.after(), view.header.frame_id);
+    return step;
+  });
+}
+
+/// A moved camera makes the image before useless, as what has come over the edge does not.
+Demonstration::Step LessonRun::demonstrate(const std::optional<StillShot>& still) {
+  const cv::Mat was = demonstration_.before().image;
+  const Step step = demonstration_.look(still);
+  const cv::Mat is = demonstration_.before().image;
+  if (is.data != was.data) camera_moved_ = camera_moved(was, is);
+  if (step != Step::kAtBorder || still->stamp == followed_at_) return step;
+  followed_at_ = still->stamp;
+  camera_moved_ = camera_moved(is, still->image);
+  if (!camera_moved_ || is_given(goal_.before)) return step;
+  demonstration_ = Demonstration();
+  demonstration_.look(still);
+  return Step::kWaitRemoval;
+}
+
+void LessonRun::wait_on() {
+  camera_moved_ = camera_moved(before_.image, after_.image);
+  demonstration_.go_on();
+  if (!is_given(goal_.before))
+    take_before(image_of(demonstration_.before(), after_.header.frame_id));
+  wait_for_change();
+}
+
+void LessonRun::watch(const std::function<Step(const ImageFeed::View&)>& look) {
+  for (int glance = 0;; ++glance) {
+    const ImageFeed::View view = tools_.images.look();
+    if (const auto why = client_.interruption()) fail_waiting(*why, view);
+    const bool word_due = glance % kGlancesPerWord == 0;
+    if (view.any_image && view.silence > kSilentCamera) {
+      if (word_due) say_silence(view);
+    } else if (view.any_image) {
+      const Step step = look(view);
+      if (step == Step::kReady) return;
+      if (word_due) say(step);
+    } else if (word_due) {
+      tell(Feedback::WAIT_IMAGE, 0, "Waiting for an image from the camera.");
+    }
+    std::this_thread::sleep_for(kGlance);
+  }
+}
+
+void LessonRun::ask_operator_to(std::uint8_t stage, double progress, const std::string& sentence) {
+  asked_for_ = sentence;
+  tell(stage, progress, sentence, true);
+}
+
+void LessonRun::say_silence(const ImageFeed::View& view) {
+  ask_operator_to(Feedback::WAIT_IMAGE, 0,
+                  "The camera has sent no image for " +
+                      std::to_string(static_cast<int>(view.silence)) +
+                      " s: check its cable and driver. The lesson continues with the next image.");
+}
+
+void LessonRun::say(Step step) {
+  switch (step) {
+    case Step::kWaitStill:
+      return ask_operator_to(Feedback::WAIT_IMAGE, 0.02,
+                             "The scene moves: move arm and hands out and keep still.");
+    case Step::kMoving:
+      return ask_operator_to(Feedback::WAIT_STILL, 0.2,
+                             "Something moves: leave the image and keep still.");
+    case Step::kAtBorder:
+      return ask_operator_to(
+          Feedback::WAIT_STILL, 0.2,
+          camera_moved_
+              ? kCameraMovedSinceGiven
+              : "Something has come that reaches into the image over its edge: move it out.");
+    default:
+      return ask_operator_to(
+          Feedback::WAIT_REMOVAL, 0.1,
+          camera_moved_ ? kCameraMoved : removal_sentence(demonstration_.anew()));
+  }
+}
+
+void LessonRun::fail_waiting(LearnError interruption, const ImageFeed::View& view) const {
+  if (interruption != LearnError::kTimeout) fail(interruption);
+  if (!view.any_image)
+    fail(LearnError::kNoImage,
+         view.fault.empty() ? "" : "No usable image arrived: " + view.fault + ".");
+  const LearnError error = view.silence > kSilentCamera ? LearnError::kNoImage
+                           : view.still                 ? LearnError::kTimeout
+                                                        : LearnError::kNotStill;
+  if (asked_for_.empty()) fail(error);
+  fail(error, std::string(message_of(error)) + " Last message: " + asked_for_,
+       "Follow the last message, then teach again.");
+}
+
+}  // namespace mbncc::nodelets

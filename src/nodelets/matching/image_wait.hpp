@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Lets service calls wait for the next live image.
+#pragma once
+
+#include <ros/time.h>
+#include <sensor_msgs/Image.h>
+
+#include <condition_variable>
+#include <mutex>
+
+namespace mbncc::nodelets {
+
+class ImageWait {
+ public:
+  /// Camera side: passes every image on; stores it only while a call waits.
+  void offer(const sensor_msgs::ImageConstPtr& image);
+
+  /// Service side: images are wanted from enter() to leave().
+  void enter();
+  void leave();
+  bool wanted() const;
+
+  /// The next image stamped later than `after`; null if none arrives within `timeout` [s] by the
+  /// steady clock, or after close().
+  sensor_msgs::ImageConstPtr next(const ros::Time& after, double timeout);
+
+  /// Ends every wait, now and later.
+  void close();
+
+ private:
+  mutable std::mutex mutex_;
+  std::condition_variable offered_;
+  sensor_msgs::ImageConstPtr newest_;
+  int waiting_ = 0;
+  bool closed_ = false;
+};
+
+}  // namespace mbncc::nodelets
