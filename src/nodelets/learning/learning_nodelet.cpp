@@ -20,12 +20,12 @@
 #include "nodelets/common/camera_input.hpp"
 #include "nodelets/common/guarded_nodelet.hpp"
 #include "nodelets/common/health_report.hpp"
+#include "nodelets/common/interrupt_watch.hpp"
 #include "nodelets/common/parameters.hpp"
 #include "nodelets/conversion/images.hpp"
 #include "nodelets/learning/confirmation.hpp"
 #include "nodelets/learning/image_feed.hpp"
-#include "nodelets/learning/interrupt_watch.hpp"
-#include "nodelets/learning/lesson.hpp"
+#include "nodelets/learning/lesson_session.hpp"
 #include "nodelets/learning/lesson_gauge.hpp"
 #include "nodelets/learning/lesson_goal.hpp"
 #include "nodelets/learning/lesson_server.hpp"
@@ -192,20 +192,15 @@ void LearningNodelet::start_lessons(ros::NodeHandle& node) {
 }
 
 mbncc_vision::LearnObjectResult LearningNodelet::teach(LessonClient& client) {
-  const LessonTools tools{
-      *images_,
-      *library_,
-      confirmation_,
-      config_.learning,
-      search_,
+  const LessonDisplay display{
       [this](const cv::Mat& image) { stage_publisher_.publish(encode_image(image)); },
       [this](const cv::Mat& image) { preview_publisher_.publish(encode_image(image)); },
       [this](const cv::Mat& image) { image_publisher_.publish(encode_image(image)); },
       [this](const mbncc_vision::LearnObjectResult& draft) { draft_publisher_.publish(draft); },
-      [this](const ObjectModel& model, const cv::Mat& image) { show_scores(model, image); },
-      *gauge_,
-      config_.cell_name};
-  const auto result = LessonRun(client, tools).run();
+      [this](const ObjectModel& model, const cv::Mat& image) { show_scores(model, image); }};
+  const LessonTools tools{*images_,         *library_, confirmation_,     *gauge_,
+                          config_.learning, search_,   config_.cell_name, display};
+  const auto result = LessonSession(client, tools).run();
   const bool learned = result.error_code == mbncc_vision::LearnObjectResult::SUCCESS;
   if (learned) gauge_->clear();
   NODELET_INFO("%s %s", result.message.c_str(), learned ? "" : result.hint.c_str());

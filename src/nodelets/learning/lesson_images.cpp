@@ -1,18 +1,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Provides the images of a lesson: given with the goal, or live.
-#include <ros/time.h>
+#include "nodelets/learning/lesson_images.hpp"
+
+#include <mbncc_vision/LearnObjectFeedback.h>
 
 #include <chrono>
 #include <thread>
 
 #include "nodelets/conversion/images.hpp"
 #include "nodelets/learning/camera_motion.hpp"
-#include "nodelets/learning/lesson.hpp"
 
 namespace mbncc::nodelets {
 namespace {
 
 using Feedback = mbncc_vision::LearnObjectFeedback;
+using Goal = mbncc_vision::LearnObjectGoal;
 
 constexpr std::chrono::milliseconds kGlance{30};  // between two checks of the live scene
 constexpr int kGlancesPerWord = 15;               // between two messages to the operator
@@ -58,7 +59,11 @@ LessonImage image_of(const StillShot& shot, const std::string& frame_id) {
 
 }  // namespace
 
-void LessonRun::take_images() {
+LessonImages::LessonImages(const Goal& goal, ImageFeed& feed, const LessonGauge& gauge,
+                           LessonFeedback& feedback)
+    : goal_(goal), feed_(feed), gauge_(gauge), feedback_(feedback) {}
+
+void LessonImages::take() {
   const bool change = goal_.mode == Goal::CHANGE;
   if (is_given(goal_.before)) {
     take_before(given(goal_.before, "before"));
@@ -70,41 +75,45 @@ void LessonRun::take_images() {
   if (change && after_.image.empty()) wait_for_change();
 }
 
-void LessonRun::take_before(const LessonImage& image) {
+void LessonImages::take_before(const LessonImage& image) {
   before_ = image;
-  calibrate_before();
+  calibrate();
 }
 
-void LessonRun::calibrate_before() {
-  calibration_ =
-      tools_.gauge.calibrate_image(goal_.camera_info, before_.header, before_.image.size());
+void LessonImages::calibrate() {
+  calibration_ = gauge_.calibrate_image(goal_.camera_info, before_.header, before_.image.size());
 }
 
-bool LessonRun::waits_for_change() const {
+const Calibration& LessonImages::calibration() {
+  if (!calibration_.platform) calibrate();
+  return calibration_;
+}
+
+bool LessonImages::can_wait_on() const {
   return goal_.mode == Goal::CHANGE && !is_given(goal_.after) && !goal_.already_moved;
 }
 
-LessonImage LessonRun::given(const sensor_msgs::Image& message, const std::string& what) const {
-  const Decoded decoded = decode_image(message, tools_.images.white_level());
-  if (!decoded) fail(LearnError::kEncoding, "Image " + what + ": " + decoded.fault + ".");
+LessonImage LessonImages::given(const sensor_msgs::Image& message, const std::string& what) const {
+  const Decoded decoded = decode_image(message, feed_.white_level());
+  if (!decoded) end_lesson(LearnError::kEncoding, "Image " + what + ": " + decoded.fault + ".");
   return {decoded.image, message.header, 0};
 }
 
-void LessonRun::take_already_moved() {
+void LessonImages::take_already_moved() {
   if (after_.image.empty())
     watch([this](const ImageFeed::View& view) {
       if (!view.still) return Step::kWaitStill;
       after_ = image_of(*view.still, view.header.frame_id);
       return Step::kReady;
     });
-  const auto before = tools_.images.before_change();
+  const auto before = feed_.before_change();
   if (!before)
-    fail(LearnError::kNoChange, "Nothing in the camera's view has changed recently.",
-         "Teach without already_moved, and take the object away when asked.");
+    end_lesson(LearnError::kNoChange, "Nothing in the camera's view has changed recently.",
+               "Teach without already_moved, and take the object away when asked.");
   take_before(image_of(*before, after_.header.frame_id));
 }
 
-void LessonRun::wait_for_before() {
+void LessonImages::wait_for_before() {
   watch([this](const ImageFeed::View& view) {
     if (demonstration_.look(view.still) == Step::kWaitStill) return Step::kWaitStill;
     take_before(image_of(demonstration_.before(), view.header.frame_id));
@@ -112,10 +121,10 @@ void LessonRun::wait_for_before() {
   });
 }
 
-void LessonRun::wait_for_change() {
+void LessonImages::wait_for_change() {
   watch([this](const ImageFeed::View& view) {
     if (view.still && view.still->image.size() != before_.image.size())
-      fail(LearnError::kImageMismatch);
+      end_lesson(LearnError::kImageMismatch);
     const Step step = demonstrate(view.still);
     if (demonstration_.before().image.data != before_.image.data)
       take_before(image_of(demonstration_.before(), view.header.frame_id));
@@ -125,7 +134,7 @@ void LessonRun::wait_for_change() {
 }
 
 /// A moved camera makes the image before useless, as what has come over the edge does not.
-Demonstration::Step LessonRun::demonstrate(const std::optional<StillShot>& still) {
+LessonImages::Step LessonImages::demonstrate(const std::optional<StillShot>& still) {
   const cv::Mat was = demonstration_.before().image;
   const Step step = demonstration_.look(still);
   const cv::Mat is = demonstration_.before().image;
@@ -139,7 +148,7 @@ Demonstration::Step LessonRun::demonstrate(const std::optional<StillShot>& still
   return Step::kWaitRemoval;
 }
 
-void LessonRun::wait_on() {
+void LessonImages::wait_on() {
   camera_moved_ = camera_moved(before_.image, after_.image);
   demonstration_.go_on();
   if (!is_given(goal_.before))
@@ -147,10 +156,10 @@ void LessonRun::wait_on() {
   wait_for_change();
 }
 
-void LessonRun::watch(const std::function<Step(const ImageFeed::View&)>& look) {
+void LessonImages::watch(const std::function<Step(const ImageFeed::View&)>& look) {
   for (int glance = 0;; ++glance) {
-    const ImageFeed::View view = tools_.images.look();
-    if (const auto why = client_.interruption()) fail_waiting(*why, view);
+    const ImageFeed::View view = feed_.look();
+    if (const auto why = feedback_.interruption()) fail_waiting(*why, view);
     const bool word_due = glance % kGlancesPerWord == 0;
     if (view.any_image && view.silence > kSilentCamera) {
       if (word_due) say_silence(view);
@@ -159,56 +168,51 @@ void LessonRun::watch(const std::function<Step(const ImageFeed::View&)>& look) {
       if (step == Step::kReady) return;
       if (word_due) say(step);
     } else if (word_due) {
-      tell(Feedback::WAIT_IMAGE, 0, "Waiting for an image from the camera.");
+      feedback_.tell(Feedback::WAIT_IMAGE, 0, "Waiting for an image from the camera.");
     }
     std::this_thread::sleep_for(kGlance);
   }
 }
 
-void LessonRun::ask_operator_to(std::uint8_t stage, double progress, const std::string& sentence) {
-  asked_for_ = sentence;
-  tell(stage, progress, sentence, true);
+void LessonImages::say_silence(const ImageFeed::View& view) {
+  feedback_.ask(Feedback::WAIT_IMAGE, 0,
+                "The camera has sent no image for " +
+                    std::to_string(static_cast<int>(view.silence)) +
+                    " s: check its cable and driver. The lesson continues with the next image.");
 }
 
-void LessonRun::say_silence(const ImageFeed::View& view) {
-  ask_operator_to(Feedback::WAIT_IMAGE, 0,
-                  "The camera has sent no image for " +
-                      std::to_string(static_cast<int>(view.silence)) +
-                      " s: check its cable and driver. The lesson continues with the next image.");
-}
-
-void LessonRun::say(Step step) {
+void LessonImages::say(Step step) {
   switch (step) {
     case Step::kWaitStill:
-      return ask_operator_to(Feedback::WAIT_IMAGE, 0.02,
-                             "The scene moves: move arm and hands out and keep still.");
+      return feedback_.ask(Feedback::WAIT_IMAGE, 0.02,
+                           "The scene moves: move arm and hands out and keep still.");
     case Step::kMoving:
-      return ask_operator_to(Feedback::WAIT_STILL, 0.2,
-                             "Something moves: leave the image and keep still.");
+      return feedback_.ask(Feedback::WAIT_STILL, 0.2,
+                           "Something moves: leave the image and keep still.");
     case Step::kAtBorder:
-      return ask_operator_to(
+      return feedback_.ask(
           Feedback::WAIT_STILL, 0.2,
           camera_moved_
               ? kCameraMovedSinceGiven
               : "Something has come that reaches into the image over its edge: move it out.");
     default:
-      return ask_operator_to(
-          Feedback::WAIT_REMOVAL, 0.1,
-          camera_moved_ ? kCameraMoved : removal_sentence(demonstration_.anew()));
+      return feedback_.ask(Feedback::WAIT_REMOVAL, 0.1,
+                           camera_moved_ ? kCameraMoved : removal_sentence(demonstration_.anew()));
   }
 }
 
-void LessonRun::fail_waiting(LearnError interruption, const ImageFeed::View& view) const {
-  if (interruption != LearnError::kTimeout) fail(interruption);
+void LessonImages::fail_waiting(LearnError interruption, const ImageFeed::View& view) const {
+  if (interruption != LearnError::kTimeout) end_lesson(interruption);
   if (!view.any_image)
-    fail(LearnError::kNoImage,
-         view.fault.empty() ? "" : "No usable image arrived: " + view.fault + ".");
+    end_lesson(LearnError::kNoImage,
+               view.fault.empty() ? "" : "No usable image arrived: " + view.fault + ".");
   const LearnError error = view.silence > kSilentCamera ? LearnError::kNoImage
                            : view.still                 ? LearnError::kTimeout
                                                         : LearnError::kNotStill;
-  if (asked_for_.empty()) fail(error);
-  fail(error, std::string(message_of(error)) + " Last message: " + asked_for_,
-       "Follow the last message, then teach again.");
+  const std::string& request = feedback_.last_request();
+  if (request.empty()) end_lesson(error);
+  end_lesson(error, std::string(message_of(error)) + " Last message: " + request,
+             "Follow the last message, then teach again.");
 }
 
 }  // namespace mbncc::nodelets

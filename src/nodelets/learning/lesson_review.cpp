@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The operator's review of a lesson before it is stored: accept, reject, edit, undo.
+#include "nodelets/learning/lesson_review.hpp"
+
+#include <mbncc_vision/LearnObjectFeedback.h>
+
 #include <chrono>
 #include <stdexcept>
 #include <vector>
 
 #include "nodelets/conversion/messages.hpp"
-#include "nodelets/learning/lesson.hpp"
-#include "nodelets/learning/lesson_stages.hpp"
-#include "nodelets/learning/outcome.hpp"
 
 namespace mbncc::nodelets {
 namespace {
@@ -19,16 +19,6 @@ using Response = Confirmation::Response;
 // Interval at which the question is repeated, for consoles that join late and to update the
 // remaining time.
 constexpr std::chrono::milliseconds kReminder{1000};
-
-/// Accepts commands during the review; a call that is pending at its end is refused.
-class Review {
- public:
-  explicit Review(Confirmation& desk) : desk_(desk) { desk_.open(); }
-  ~Review() { desk_.close(); }
-
- private:
-  Confirmation& desk_;
-};
 
 std::string question_about(const Quality& quality) {
   std::string question = std::string("Verdict ") + to_string(quality.verdict) + ".";
@@ -71,75 +61,66 @@ LessonEdit edit_of(const Request& request, cv::Size size, bool further_view) {
 
 }  // namespace
 
-LessonRun::Result LessonRun::review() {
-  const Review review(tools_.confirmation);
-  client_.wait_for_operator();
+LessonReview::LessonReview(Confirmation& desk, LessonDraft& draft, LessonFeedback& feedback,
+                           cv::Size image, bool further_view)
+    : desk_(desk), draft_(draft), feedback_(feedback), image_(image), further_view_(further_view) {
+  desk_.open();
+}
+
+LessonReview::~LessonReview() {
+  desk_.close();
+}
+
+bool LessonReview::is_accepted() {
   for (;;) {
-    const Request command = ask_operator();
-    Response response;
-    if (command.command == Request::ACCEPT && may_be_stored()) {
-      const Result result = store();
-      response.success = result.error_code == Result::SUCCESS;
-      response.message = result.message;
-      response.quality = to_msg(learned_.object.quality);
-      tools_.confirmation.answer(response);
-      return result;
-    }
-    carry_out(command, response);
-    response.quality = to_msg(learned_.object.quality);
-    tools_.confirmation.answer(response);
-    if (command.command == Request::REJECT)
-      return describe(outcome(LearnError::kRejectedByOperator), learned_.object);
+    const Request command = next_command();
+    if (command.command == Request::ACCEPT && draft_.may_be_stored()) return true;
+    if (command.command == Request::REJECT) return false;
+    carry_out(command);
   }
 }
 
-Request LessonRun::ask_operator() {
+void LessonReview::answer(bool success, const std::string& message) {
+  Response response;
+  response.success = success;
+  response.message = message;
+  response.quality = to_msg(draft_.learned().object.quality);
+  desk_.answer(response);
+}
+
+Request LessonReview::next_command() {
   for (;;) {
-    tell(Feedback::WAIT_CONFIRM, kLearned, question_about(learned_.object.quality), true);
+    feedback_.ask(Feedback::WAIT_CONFIRM, kLearned,
+                  question_about(draft_.learned().object.quality));
     const auto command =
-        tools_.confirmation.next([this] { return client_.interruption().has_value(); }, kReminder);
-    leave_if_interrupted();
+        desk_.next([this] { return feedback_.interruption().has_value(); }, kReminder);
+    feedback_.leave_if_interrupted();
     if (command) return *command;
   }
 }
 
-void LessonRun::carry_out(const Request& command, Response& response) {
+void LessonReview::carry_out(const Request& command) {
   switch (command.command) {
     case Request::ACCEPT:
-      response.success = false;
-      response.message = "the verdict is BAD; edit or reject, or teach with allow_bad";
-      return;
-    case Request::REJECT:
-      response.success = true;
-      response.message = "rejected; nothing was stored";
-      return;
+      return answer(false, "the verdict is BAD; edit or reject, or teach with allow_bad");
     case Request::EDIT:
-      return edit(command, response);
-    case Request::UNDO:
-      return undo(response);
+      return edit(command);
+    case Request::UNDO: {
+      const bool undone = draft_.undo();
+      return answer(undone, undone ? "the last edit is undone" : "there is no edit to undo");
+    }
     default:
-      response.success = false;
-      response.message = "command " + std::to_string(command.command) + " does not exist";
+      return answer(false, "command " + std::to_string(command.command) + " does not exist");
   }
 }
 
-void LessonRun::edit(const Confirmation::Request& command, Response& response) {
-  response.success = false;
+void LessonReview::edit(const Request& command) {
   try {
-    const LessonEdit edit = edit_of(command, before_.image.size(), goal_.add_view);
-    const LearnResult edited = draft_->edit(edit, observer());
-    response.message = edited.message;
-    response.success = edited.has_model;
+    const LearnResult edited = draft_.edit(edit_of(command, image_, further_view_));
+    answer(edited.has_model, edited.message);
   } catch (const std::invalid_argument& fault) {
-    response.message = fault.what();
+    answer(false, fault.what());
   }
-  take_draft();
-}
-
-void LessonRun::undo(Response& response) {
-  response.success = draft_->undo();
-  response.message = response.success ? "the last edit is undone" : "there is no edit to undo";
-  take_draft();
 }
 
 }  // namespace mbncc::nodelets

@@ -4,9 +4,12 @@
 
 #include <mbncc_vision/LearnObjectResult.h>
 
+#include <opencv2/core.hpp>
 #include <string>
 
+#include "mbncc/learning/learn_object.hpp"
 #include "mbncc/learning/lesson_storage.hpp"
+#include "nodelets/learning/lesson_images.hpp"
 
 namespace mbncc::nodelets {
 
@@ -15,5 +18,15 @@ mbncc_vision::LearnObjectResult outcome(LearnError error, const std::string& mes
                                         const std::string& hint = "");
 
 mbncc_vision::LearnObjectResult outcome(const Refusal& refusal);
+
+/// With the object, where there is one, learned from `image`.
+mbncc_vision::LearnObjectResult outcome(const LearnResult& learned, const LessonImage& image);
+
+/// `result` with the object, its newest view's map and template, and the preview.
+mbncc_vision::LearnObjectResult with_object(mbncc_vision::LearnObjectResult result,
+                                            const ObjectModel& model, const LessonImage& image);
+
+/// The newest view drawn into its learning image. CV_8UC3
+cv::Mat preview_of(const ObjectModel& model, const cv::Mat& image);
 
 }  // namespace mbncc::nodelets

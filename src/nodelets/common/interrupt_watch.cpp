@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "nodelets/learning/interrupt_watch.hpp"
+#include "nodelets/common/interrupt_watch.hpp"
 
 #include <ros/init.h>
 

@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "nodelets/learning/lesson_draft.hpp"
+
+#include <mbncc_vision/LearnObjectFeedback.h>
+
+#include <opencv2/imgproc.hpp>
+#include <utility>
+
+#include "mbncc/cell/second_look.hpp"
+#include "mbncc/learning/resemblance.hpp"
+#include "nodelets/learning/lesson_goal.hpp"
+#include "nodelets/learning/outcome.hpp"
+
+namespace mbncc::nodelets {
+namespace {
+
+using Feedback = mbncc_vision::LearnObjectFeedback;
+using Goal = mbncc_vision::LearnObjectGoal;
+
+std::uint8_t feedback_stage(Stage stage) {
+  if (stage == Stage::kRegion) return Feedback::REGION;
+  return stage == Stage::kSegment ? Feedback::SEGMENT : Feedback::QUALITY;
+}
+
+/// Box around the map in the learning image. [px]
+cv::Rect place_of(const View& view) {
+  return cv::boundingRect(view.map) + view.origin;
+}
+
+}  // namespace
+
+LessonDraft::LessonDraft(const Goal& goal, std::string name, const LessonTools& tools,
+                         const LessonImages& images, LessonFeedback& feedback)
+    : goal_(goal), name_(std::move(name)), tools_(tools), images_(images), feedback_(feedback) {}
+
+Lesson LessonDraft::lesson() const {
+  GoalLesson made = to_lesson(goal_, name_, images_.before().image, images_.after().image);
+  if (made.fault) end_lesson(*made.fault);
+  return made.lesson;
+}
+
+void LessonDraft::learn() {
+  interactive_.emplace(lesson(), tools_.config, tools_.search, observer());
+  tools_.display.image(images_.before().image);
+  update();
+}
+
+LearnResult LessonDraft::edit(const LessonEdit& edit) {
+  LearnResult edited = interactive_->edit(edit, observer());
+  update();
+  return edited;
+}
+
+bool LessonDraft::undo() {
+  const bool undone = interactive_->undo();
+  update();
+  return undone;
+}
+
+bool LessonDraft::lies_there_yet() const {
+  if (!learned_.has_model || goal_.mode != Goal::CHANGE) return false;
+  const cv::Mat map = full_size_map(learned_.object.views.front());
+  return part_put_down(map, images_.before().image, images_.after().image) >= kMostPutDown;
+}
+
+bool LessonDraft::may_be_stored() const {
+  return learned_.error == LearnError::kSuccess || (learned_.has_model && goal_.allow_bad);
+}
+
+StageObserver LessonDraft::observer() {
+  return [this](Stage stage, double progress, const std::string& message, const cv::Mat& image) {
+    feedback_.tell(feedback_stage(stage), kTaken + (kLearned - kTaken) * progress, message);
+    if (!image.empty()) tools_.display.stage(image);
+    return !feedback_.interruption();
+  };
+}
+
+void LessonDraft::update() {
+  feedback_.leave_if_interrupted();
+  learned_ = interactive_->result();
+  feedback_.set_place({});
+  if (!learned_.has_model) return;
+  feedback_.set_place(place_of(learned_.object.views.front()));
+  note_resemblance(learned_.object, images_.before().image, tools_.library.snapshot()->objects,
+                   tools_.search);
+  if (goal_.add_view) note_refused_further_view();
+  feedback_.leave_if_interrupted();
+  tools_.display.preview(preview_of(learned_.object, images_.before().image));
+  tools_.display.draft(outcome(learned_, images_.before()));
+  tools_.display.score_map(learned_.object, images_.before().image);
+}
+
+void LessonDraft::note_refused_further_view() {
+  if (const auto stored = tools_.library.snapshot()->find(name_))
+    note_refused_view(learned_.object, *stored, images_.before().image, tools_.search);
+}
+
+}  // namespace mbncc::nodelets

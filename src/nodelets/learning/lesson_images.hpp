@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The images of a lesson: given with the goal, or live while the operator takes the object away.
+#pragma once
+
+#include <mbncc_vision/LearnObjectGoal.h>
+#include <sensor_msgs/Image.h>
+
+#include <cstdint>
+#include <functional>
+#include <opencv2/core.hpp>
+#include <optional>
+#include <string>
+
+#include "mbncc/cell/demonstration.hpp"
+#include "nodelets/learning/image_feed.hpp"
+#include "nodelets/learning/lesson_feedback.hpp"
+#include "nodelets/learning/lesson_gauge.hpp"
+
+namespace mbncc::nodelets {
+
+/// An image to learn from, CV_8UC3.
+struct LessonImage {
+  cv::Mat image;
+  std_msgs::Header header;
+  std::uint64_t number = 0;  ///< number of its still period; 0: given with the goal
+};
+
+class LessonImages {
+ public:
+  /// The arguments outlive it.
+  LessonImages(const mbncc_vision::LearnObjectGoal& goal, ImageFeed& feed, const LessonGauge& gauge,
+               LessonFeedback& feedback);
+
+  /// Returns when the goal's images are there; ends the lesson if they cannot be had.
+  void take();
+
+  /// Whether the image after can be replaced by a later one.
+  bool can_wait_on() const;
+
+  /// Waits for another change: those images show no departure, so that what was put down belongs
+  /// to the scene from now on.
+  void wait_on();
+
+  const LessonImage& before() const { return before_; }
+  const LessonImage& after() const { return after_; }  ///< empty: the goal's mode needs none
+
+  /// Of the image before. Looked up again while it is not known, because tf or camera_info may
+  /// arrive slightly later than the image.
+  const Calibration& calibration();
+
+ private:
+  using Step = Demonstration::Step;
+
+  LessonImage given(const sensor_msgs::Image& message, const std::string& what) const;
+  void take_already_moved();
+  void take_before(const LessonImage& image);
+  void calibrate();
+  void wait_for_before();
+  void wait_for_change();
+  Step demonstrate(const std::optional<StillShot>& still);
+  void watch(const std::function<Step(const ImageFeed::View&)>& look);
+  void say(Step step);
+  void say_silence(const ImageFeed::View& view);
+  [[noreturn]] void fail_waiting(LearnError interruption, const ImageFeed::View& view) const;
+
+  const mbncc_vision::LearnObjectGoal& goal_;
+  ImageFeed& feed_;
+  const LessonGauge& gauge_;
+  LessonFeedback& feedback_;
+  Demonstration demonstration_;
+  bool camera_moved_ = false;  // which is why the image before is of no use
+  double followed_at_ = 0;     // [s] stamp of the image in which the camera was last looked for
+  LessonImage before_, after_;
+  Calibration calibration_;  // of the image before
+};
+
+}  // namespace mbncc::nodelets

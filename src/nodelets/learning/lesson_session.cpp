@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "nodelets/learning/lesson_session.hpp"
+
+#include <mbncc_vision/LearnObjectFeedback.h>
+
+#include "nodelets/learning/lesson_goal.hpp"
+#include "nodelets/learning/lesson_review.hpp"
+#include "nodelets/learning/outcome.hpp"
+
+namespace mbncc::nodelets {
+
+LessonSession::LessonSession(LessonClient& client, const LessonTools& tools)
+    : client_(client),
+      tools_(tools),
+      goal_(client.goal()),
+      name_(name_for(goal_, *tools.library.snapshot())),
+      feedback_(client),
+      images_(goal_, tools.images, tools.gauge, feedback_),
+      draft_(goal_, name_, tools, images_, feedback_),
+      store_(goal_, name_, tools, images_) {}
+
+LessonSession::Result LessonSession::run() {
+  try {
+    return teach();
+  } catch (const LessonEnded& ended) {
+    return ended.result;
+  }
+}
+
+LessonSession::Result LessonSession::teach() {
+  images_.take();
+  draft_.learn();
+  // No object has left: the coarse comparison was wrong, or something was put down.
+  while ((draft_.learned().error == LearnError::kNoChange || draft_.lies_there_yet()) &&
+         images_.can_wait_on()) {
+    images_.wait_on();
+    draft_.learn();
+  }
+  if (draft_.lies_there_yet())
+    end_lesson(LearnError::kNoChange, "The object was put down where it covers its old place.",
+               "Put it farther away, or take it out of the image.");
+  if (goal_.confirm && draft_.learned().has_model) return review();
+  return draft_.may_be_stored() ? store() : outcome(draft_.learned(), images_.before());
+}
+
+LessonSession::Result LessonSession::review() {
+  LessonReview review(tools_.confirmation, draft_, feedback_, images_.before().image.size(),
+                      goal_.add_view);
+  client_.wait_for_operator();
+  if (!review.is_accepted()) {
+    review.answer(true, "rejected; nothing was stored");
+    return with_object(outcome(LearnError::kRejectedByOperator), draft_.learned().object,
+                       images_.before());
+  }
+  const Result result = store();
+  review.answer(result.error_code == Result::SUCCESS, result.message);
+  return result;
+}
+
+LessonSession::Result LessonSession::store() {
+  feedback_.leave_if_interrupted();
+  feedback_.tell(mbncc_vision::LearnObjectFeedback::STORE, kChecked, "Storing '" + name_ + "'.");
+  return store_.store(draft_.learned());
+}
+
+}  // namespace mbncc::nodelets

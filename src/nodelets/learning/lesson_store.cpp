@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "nodelets/learning/lesson_store.hpp"
+
+#include <cstdio>
+#include <utility>
+
+#include "nodelets/learning/lesson_feedback.hpp"
+#include "nodelets/learning/lesson_goal.hpp"
+#include "nodelets/learning/outcome.hpp"
+
+namespace mbncc::nodelets {
+namespace {
+
+/// Where the object was put aside; "": it was not found again.
+std::string second_view(const LearnResult& learned) {
+  const auto& seen = learned.put_aside;
+  if (!seen) return "";
+  const double turn = seen->pose.theta - learned.object.views.back().reference.theta;
+  char text[160];
+  std::snprintf(text, sizeof text,
+                " Found again where it was put aside: x %.1f, y %.1f, rotated by %.1f degrees; "
+                "both views agree by %.2f%s.",
+                seen->pose.x, seen->pose.y, to_degrees(wrap_angle(turn)), seen->agreement,
+                seen->refined ? " and both contribute to the map" : "");
+  return text;
+}
+
+}  // namespace
+
+LessonStore::LessonStore(const mbncc_vision::LearnObjectGoal& goal, std::string name,
+                         const LessonTools& tools, LessonImages& images)
+    : goal_(goal),
+      name_(std::move(name)),
+      tools_(tools),
+      images_(images),
+      started_(ros::Time::now()) {}
+
+mbncc_vision::LearnObjectResult LessonStore::store(const LearnResult& learned) {
+  ObjectModel model = learned.object;
+  model.learned_at = ros::Time::now().toSec();
+  model.taught_by = tools_.cell_name;
+  const Calibration calibration = images_.calibration();
+  try {
+    std::string lacking;
+    const ObjectModel stored = save(model, calibration, lacking);
+    const std::string message =
+        "Learned '" + name_ + "', verdict " + to_string(stored.quality.verdict) + ".";
+    return with_object(outcome(LearnError::kSuccess, message + second_view(learned) + lacking),
+                       stored, images_.before());
+  } catch (const std::exception& failure) {
+    return with_object(outcome(Refusal(failure)), model, images_.before());
+  }
+}
+
+ObjectModel LessonStore::save(ObjectModel model, const Calibration& calibration,
+                              std::string& lacking) const {
+  using Existing = ObjectLibrary::Existing;
+  const Storing storing = storing_of(goal_);
+  return tools_.library.change([&](ObjectLibrary& library) {
+    if (storing == Storing::kAddView)
+      return library.edit(name_, [&](ObjectModel& stored) {
+        if (const auto refusal = add_view(stored, model, images_.before().image, tools_.search))
+          end_lesson(outcome(*refusal));
+        lacking = measure(stored, calibration);
+      });
+    lacking = measure(model, calibration);
+    return library.save(model,
+                        storing == Storing::kReplace ? Existing::kReplace : Existing::kRefuse);
+  });
+}
+
+/// Uses the model's newest view, the one of this lesson; a known object keeps its scale. Returns a
+/// message about missing data.
+std::string LessonStore::measure(ObjectModel& model, const Calibration& calibration) const {
+  const bool live = images_.before().number > 0;
+  const LessonMeasures measures =
+      tools_.gauge.measure(calibration, live ? images_.before().header.stamp : started_,
+                           model.views.back().reference, model.object_height);
+  if (!goal_.add_view) model.metres_per_pixel = measures.metres_per_pixel;
+  if (measures.grasp) model.grasp = measures.grasp;
+  return lack(measures);
+}
+
+std::string LessonStore::lack(const LessonMeasures& measures) const {
+  if (measures.fault.empty() || (goal_.add_view && !measures.marked)) return "";
+  const std::string what = goal_.add_view    ? "The marked grasp was not stored"
+                           : measures.marked ? "Learned without scale and marked grasp"
+                                             : "Learned without scale";
+  return " " + what + ": " + measures.fault + ".";
+}
+
+}  // namespace mbncc::nodelets

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Stores what a lesson has learned, with its metric data.
+#pragma once
+
+#include <mbncc_vision/LearnObjectGoal.h>
+#include <mbncc_vision/LearnObjectResult.h>
+#include <ros/time.h>
+
+#include <string>
+
+#include "mbncc/learning/learn_object.hpp"
+#include "nodelets/learning/lesson_images.hpp"
+#include "nodelets/learning/lesson_tools.hpp"
+
+namespace mbncc::nodelets {
+
+class LessonStore {
+ public:
+  /// For a lesson that begins now; the references outlive it. `name` of the object.
+  LessonStore(const mbncc_vision::LearnObjectGoal& goal, std::string name, const LessonTools& tools,
+              LessonImages& images);
+
+  /// The result for the client, also of a failure.
+  mbncc_vision::LearnObjectResult store(const LearnResult& learned);
+
+ private:
+  std::string measure(ObjectModel& model, const Calibration& calibration) const;
+  std::string lack(const LessonMeasures& measures) const;
+  ObjectModel save(ObjectModel model, const Calibration& calibration, std::string& lacking) const;
+
+  const mbncc_vision::LearnObjectGoal& goal_;
+  const std::string name_;
+  const LessonTools& tools_;
+  LessonImages& images_;
+  const ros::Time started_;
+};
+
+}  // namespace mbncc::nodelets
