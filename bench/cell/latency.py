@@ -2,14 +2,14 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Latency and CPU time of a running cell: 30 images a second of 640 x 480, five objects, one manager.
 
-usage: latency.py PATH/TO/mbncc [--seconds S] [--rate HZ] [--play] [--recorded N]
+usage: latency.py PATH/TO/mbncc [--seconds S] [--rate HZ] [--play] [--recorded N] [--cells N]
 (in a shell that has sourced the build; starts its own master)
 
 Teaches five drawn objects, plays the simulated cell, and prints what detected_objects says of itself, the lag of
 tf behind the images' stamps, and the CPU time of the nodelets: searching, with ~enable false, and with the learning
 nodelet alone watching the still scene. The simulated camera runs in a process of its own and is not counted. With
 --recorded its images are recorded first, at 15 Hz, and played by the camera nodelet, which holds rates that drawing
-does not.
+does not. With --cells, so many cells run at once instead, each in a namespace with a manager of its own, and one library.
 """
 import argparse
 import os
@@ -101,8 +101,8 @@ def cpu_seconds(pid):
     return (int(fields[11]) + int(fields[12])) / os.sysconf("SC_CLK_TCK")
 
 
-def manager_pid():
-    listed = subprocess.run(["rosnode", "info", "/mbncc_manager"], capture_output=True, text=True, check=True)
+def manager_pid(cell=""):
+    listed = subprocess.run(["rosnode", "info", cell + "/mbncc_manager"], capture_output=True, text=True, check=True)
     return int(next(line.split()[1] for line in listed.stdout.splitlines() if line.startswith("Pid")))
 
 
@@ -167,6 +167,29 @@ def measure_idle(seconds):
     print("~enable false, no learning nodelet: %.2f %%" % (100 * share_of_core(manager_pid(), seconds)))
 
 
+def measure_cells(cells, seconds):
+    import rospy
+    from mbncc_vision.msg import DetectedObjectArray
+    rospy.init_node("latency", anonymous=True)
+    arrays = {cell: [] for cell in cells}
+    for cell in cells:
+        rospy.wait_for_service(cell + "/matching/enable", 60)
+        rospy.Subscriber(cell + "/detected_objects", DetectedObjectArray, arrays[cell].append, queue_size=100)
+    time.sleep(10)  # the first searches
+    pids = {cell: manager_pid(cell) for cell in cells}
+    for heard in arrays.values():
+        del heard[:]
+    begin = {cell: cpu_seconds(pids[cell]) for cell in cells}
+    time.sleep(seconds)
+    print("| cell | images per second | CPU of the manager | of which per image | latency p50 ms | p99 ms |\n"
+          "|---|---:|---:|---:|---:|---:|")
+    for cell in cells:
+        used, heard = cpu_seconds(pids[cell]) - begin[cell], list(arrays[cell])
+        print("| %s | %.1f | %.1f %% | %.2f ms | %.1f | %.1f |" %
+              (cell, len(heard) / seconds, 100 * used / seconds, 1e3 * used / max(1, len(heard)),
+               *(1e3 * np.percentile([array.latency for array in heard] or [np.nan], [50, 99]))))
+
+
 def run(port, folder, content, measurement):
     launch = os.path.join(folder, "latency.launch")
     with open(launch, "w", encoding="utf-8") as file:
@@ -186,6 +209,7 @@ def main():
     parser.add_argument("--seconds", type=float, default=20, help="of each measurement (20)")
     parser.add_argument("--rate", type=float, default=30, help="images a second (30)")
     parser.add_argument("--play", action="store_true", help="the arm moves the object; without it, the scene is still")
+    parser.add_argument("--cells", type=int, default=0, help="so many at once, only their cost; 0: one, in full (0)")
     parser.add_argument("--recorded", type=int, default=0, help="images to record first; 0: draw them on the way (0)")
     arguments = parser.parse_args()
     with socket.socket() as probe:
@@ -205,6 +229,12 @@ def main():
                 run(port, folder, SIMULATED.format(**dict(settings, rate=15)),
                     lambda: record(settings["images"], arguments.recorded))
             cell = (RECORDED if arguments.recorded else SIMULATED) + CELL
+            if arguments.cells:
+                names = ["/cell%d" % number for number in range(arguments.cells)]
+                groups = "".join('<group ns="%s">%s</group>' % (name, cell) for name in names)
+                run(port, folder, groups.format(learning="true", **settings),
+                    lambda: measure_cells(names, arguments.seconds))
+                return
             run(port, folder, cell.format(learning="true", **settings), lambda: measure(arguments.seconds))
             run(port, folder, cell.format(learning="false", **settings),
                 lambda: measure_idle(min(20, arguments.seconds)))

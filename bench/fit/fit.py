@@ -16,8 +16,8 @@ import numpy as np
 NAMES = ["contour_coverage", "gradient", "trimmed_residual", "histogram", "shading_free_ncc", "texture", "cast_penalty", "log_area", "outside", "one"]
 OF_SMALL = ["one", "contour_coverage", "gradient", "trimmed_residual", "histogram", "shading_free_ncc"]  # weights of their own
 LARGE_AREA, SMALL_AREA = 1800, 700  # as in evidence.cpp
-EDGES = [0.02, 0.15, 0.35, 0.65, 0.85, 0.98]  # of the ranges that the reliability is told in
-RIDGE = 0.05  # rows are many, features are alike: keeps weights from running away together
+EDGES = [0.02, 0.15, 0.35, 0.65, 0.85, 0.98]  # limits of the probability ranges in the reliability table
+RIDGE = 0.05  # rows are many, features are alike: prevents large weights of opposite sign
 
 
 def read_rows(path):
@@ -103,7 +103,7 @@ def plot(path, before, after):
     for name, table in (("current weights", before), ("fitted, sets left out", after)):
         axes.errorbar([row[0] for row in table], [row[1] for row in table], [row[2] for row in table], marker="o",
                       label=name)
-    axes.set_xlabel("probability told")
+    axes.set_xlabel("predicted probability")
     axes.set_ylabel("share that is right")
     axes.legend()
     figure.tight_layout()

@@ -25,7 +25,7 @@ class Engine {
  public:
   virtual ~Engine() = default;
 
-  /// Replaces the object. `picture` is CV_8UC3, `map` CV_8UC1 of its size (255 on the object).
+  /// Replaces the object. `image` is CV_8UC3, `map` CV_8UC1 of its size (255 on the object).
   virtual void teach(const cv::Mat& image, const cv::Mat& map, cv::Point2d reference) = 0;
 
   /// Every detection worth a look, weak ones too: thresholds are set afterwards.

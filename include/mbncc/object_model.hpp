@@ -85,7 +85,7 @@ struct ObjectModel {
 bool is_valid_name(const std::string& name);
 
 /// Cuts a view out of a learning image: the bounding box of the map's excircle plus `margin`
-/// pixels, clipped to the image. `picture` is CV_8UC3, `map` a non-empty binary map of the same
+/// pixels, clipped to the image. `image` is CV_8UC3, `map` a non-empty binary map of the same
 /// size. Throws std::invalid_argument if their sizes differ.
 View crop_view(const cv::Mat& image, const cv::Mat& map, const Pose2D& reference, int margin = 12);
 

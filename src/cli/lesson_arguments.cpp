@@ -4,9 +4,25 @@
 #include "cli/command.hpp"
 #include "cli/images.hpp"
 #include "cli/report/numbers.hpp"
+#include "mbncc/config/field.hpp"
+#include "mbncc/config/learning_config.hpp"
 #include "mbncc/symmetry.hpp"
 
 namespace mbncc::cli {
+namespace {
+
+/// "auto|change_cut|...": what LearningConfig allows.
+std::string segmentation_methods() {
+  LearningConfig config;
+  std::string methods;
+  for (const auto& row : field_rows(config))
+    if (row.info.name == "method")
+      for (const auto& choice : row.info.allowed.choices)
+        methods += (methods.empty() ? "" : "|") + choice;
+  return methods;
+}
+
+}  // namespace
 
 std::vector<Option> lesson_options() {
   return {library_option(),
@@ -16,7 +32,7 @@ std::vector<Option> lesson_options() {
           {"--roi", "x,y,w,h", "approximate region of the object in pixels"},
           {"--click", "x,y", "a point on the object in pixels"},
           {"--map", "M.png", "complete map of the image's size, white on the object"},
-          {"--method", "auto|change_cut|region_cut|sb_grabcut|grabcut_rect|grabcut_mask",
+          {"--method", segmentation_methods(),
            "of segmentation; change_cut needs --after; default: auto"},
           {"--include", "x,y[,x,y...]", "a stroke on the object", false, true},
           {"--exclude", "x,y[,x,y...]", "a stroke on the background", false, true},

@@ -254,7 +254,7 @@ void RosLink::explain(QPointF place) {
 
 void RosLink::find_all() {
   later([this, shown = shown()] {
-    if (!shown) return Q_EMIT all_found(false, "no image has come yet", {}, {}, {});
+    if (!shown) return Q_EMIT all_found(false, "no image received yet", {}, {}, {});
     mbncc_vision::FindObjects call;
     call.request.image = *shown;
     call.request.min_score = kHardlyAny;

@@ -77,7 +77,7 @@ class Matcher {
   /// Changes config().min_score [0..1] and config().max_instances (>= 1).
   void set_limits(double min_score, int max_instances);
 
-  /// `picture` is CV_8UC3 (bgr) or CV_8UC1, at least 16 x 16; else std::invalid_argument.
+  /// `image` is CV_8UC3 (bgr) or CV_8UC1, at least 16 x 16; else std::invalid_argument.
   /// A requested name that is unknown or disabled is listed in `skipped`, and so is an object that
   /// cannot be prepared.
   SearchResult find(const cv::Mat& image, const SearchRequest& request = {}) const;

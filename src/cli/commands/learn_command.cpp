@@ -15,6 +15,7 @@
 #include "mbncc/learning/interactive_lesson.hpp"
 #include "mbncc/learning/lesson_storage.hpp"
 #include "mbncc/learning/resemblance.hpp"
+#include "mbncc/library/object_file.hpp"
 
 namespace mbncc::cli {
 namespace {
@@ -119,9 +120,9 @@ ExitCode run(const Arguments& arguments) {
     assign_field(field_rows(settings.lesson()), "method", arguments.get("--method"));
   const LearnResult result = result_of(arguments, settings);
   const bool stored = result.error == LearnError::kSuccess;
-  const std::string file =
-      stored ? std::filesystem::path(library_folder(arguments)) / (result.object.name + ".png")
-             : std::filesystem::path();
+  const std::string file = stored ? std::filesystem::path(library_folder(arguments)) /
+                                        (result.object.name + kObjectFileEnding)
+                                  : std::filesystem::path();
   if (arguments.has("--json")) write_lesson(std::cout, result, file);
   if (stored) {
     if (!arguments.has("--json")) print_lesson(std::cout, result, file);

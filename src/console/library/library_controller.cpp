@@ -6,6 +6,7 @@
 #include "console/library/library_files.hpp"
 #include "console/library/library_strip.hpp"
 #include "console/library/trash_dialog.hpp"
+#include "mbncc/library/object_file.hpp"
 
 namespace mbncc::console {
 namespace {
@@ -77,7 +78,8 @@ void LibraryController::undo() {
 
 void LibraryController::export_object(const QString& name) {
   const QString file =
-      QFileDialog::getSaveFileName(&strip_, "Export " + name, name + ".png", "Objects (*.png)");
+      QFileDialog::getSaveFileName(&strip_, "Export " + name, name + kObjectFileEnding,
+                                   QString("Objects (*%1)").arg(kObjectFileEnding));
   if (file.isEmpty()) return;
   try {
     console::export_object(folder_.toStdString(), name.toStdString(), file.toStdString());

@@ -53,7 +53,8 @@ std::vector<Revision> trash_of(const std::string& folder,
   if (!fs::is_directory(trash)) return revisions;
   for (const auto& entry : fs::directory_iterator(trash)) {
     const std::string file = entry.path().filename().string();
-    if (entry.path().extension() != ".png" || !wanted(file.substr(0, file.find('.')))) continue;
+    if (entry.path().extension() != kObjectFileEnding || !wanted(file.substr(0, file.find('.'))))
+      continue;
     try {
       revisions.push_back(revision_of(read_object_file(entry.path().string())));
     } catch (const std::exception&) {
@@ -69,8 +70,9 @@ std::vector<Revision> trash_of(const std::string& folder,
 
 void export_object(const std::string& folder, const std::string& name, const std::string& file) {
   check_folder(folder);
-  read_object_file(folder + "/" + name + ".png");  // only valid objects are exported
-  fs::copy_file(folder + "/" + name + ".png", file, fs::copy_options::overwrite_existing);
+  read_object_file(folder + "/" + name + kObjectFileEnding);  // only valid objects are exported
+  fs::copy_file(folder + "/" + name + kObjectFileEnding, file,
+                fs::copy_options::overwrite_existing);
 }
 
 std::string import_object(const std::string& folder, const std::string& file) {
@@ -89,7 +91,7 @@ std::vector<Revision> earlier_revisions(const std::string& folder, const std::st
 std::vector<Revision> deleted_objects(const std::string& folder) {
   std::map<std::string, Revision> newest;
   const auto is_gone = [&](const std::string& name) {
-    return !fs::exists(fs::path(folder) / (name + ".png"));
+    return !fs::exists(fs::path(folder) / (name + kObjectFileEnding));
   };
   for (auto& revision : trash_of(folder, is_gone))
     newest.try_emplace(revision.name, std::move(revision));

@@ -10,7 +10,7 @@ namespace mbncc::imaging {
 constexpr int kEdgeScale = 127;
 
 /// CV_16SC2: gradient of the channel with the strongest one, in eighths of a grey level per pixel.
-/// `picture` is CV_8UC3.
+/// `image` is CV_8UC3.
 cv::Mat strongest_gradient(const cv::Mat& image);
 
 /// Writes the `region` of two images of the size of `image` (CV_8UC3):

@@ -14,14 +14,12 @@
 #include "library/object_yaml.hpp"
 #include "library/other_image.hpp"
 #include "library/png_codec.hpp"
-#include "mbncc/library/object_file.hpp"
 
 namespace mbncc::library {
 namespace {
 
 using namespace std::chrono_literals;
 
-constexpr const char* kEnding = ".png";
 constexpr std::size_t kMaxReason = 4096;  // [bytes]
 constexpr std::size_t kTrial = 1 << 20;   // [bytes] more than most objects need
 constexpr auto kLockPatience = 10s;
@@ -64,7 +62,7 @@ std::string free_path(const std::string& stem, const std::string& ending) {
 // that the library gave.
 std::uint32_t revision_in(const std::string& file, const std::string& name) {
   const std::string start = name + ".";
-  if (file.rfind(start, 0) != 0 || !ends_with(file, kEnding)) return 0;
+  if (file.rfind(start, 0) != 0 || !ends_with(file, kObjectFileEnding)) return 0;
   std::uint32_t revision = 0;
   const char* digits = file.data() + start.size();
   const auto read = std::from_chars(digits, file.data() + file.size(), revision);
@@ -86,12 +84,12 @@ std::string reason_beside(const std::string& path) {
 std::vector<std::string> object_files(const LibraryFolder& folder) {
   std::vector<std::string> files;
   for (const auto& name : entries_of(folder.path))
-    if (name.front() != '.' && ends_with(name, kEnding)) files.push_back(name);
+    if (name.front() != '.' && ends_with(name, kObjectFileEnding)) files.push_back(name);
   return files;
 }
 
 void check_file_name(const LibraryFolder& folder, const std::string& file) {
-  if (!is_valid_name(file.substr(0, file.rfind(kEnding))))
+  if (!is_valid_name(file.substr(0, file.rfind(kObjectFileEnding))))
     throw ContentError(folder.path + "/" + file, "the file's name is no valid object name");
 }
 
@@ -139,7 +137,7 @@ std::unique_ptr<ObjectModel> LockedFolder::read(const std::string& name) {
     return std::make_unique<ObjectModel>(read_object_file(folder_.object_file(name)));
   } catch (const ContentError& error) {
     refuse_other_image(folder_.object_file(name));
-    quarantine(name + kEnding, error.reason());
+    quarantine(name + kObjectFileEnding, error.reason());
     return nullptr;
   }
 }
@@ -163,7 +161,7 @@ void LockedFolder::write(const ObjectModel& model, const ObjectModel* keep_old) 
   const std::string in_trash = keep_old == nullptr ? "" : link_to_trash(*keep_old);
   const auto old = stamp_of(path);
   try {
-    write_file_atomically(folder_.path, model.name + kEnding, bytes);
+    write_file_atomically(folder_.path, model.name + kObjectFileEnding, bytes);
   } catch (...) {
     // If the new file is already in place, the trash contains the only old one.
     if (!in_trash.empty() && stamp_of(path) == old) ::unlink(in_trash.c_str());
@@ -176,8 +174,8 @@ std::string LockedFolder::link_to_trash(const ObjectModel& model) {
   make_inner_folder(folder_.trash());
   FolderSync trash_sync(folder_.trash());
   const std::string from = folder_.object_file(model.name);
-  const std::string to =
-      free_path(folder_.trash() + "/" + model.name + "." + std::to_string(model.revision), kEnding);
+  const std::string to = free_path(
+      folder_.trash() + "/" + model.name + "." + std::to_string(model.revision), kObjectFileEnding);
   if (::link(from.c_str(), to.c_str()) != 0) {
     // File systems without hard links get a copy.
     if (errno != EPERM && errno != EOPNOTSUPP && errno != EMLINK)
@@ -194,7 +192,7 @@ void LockedFolder::discard(const ObjectModel& model) {
   FolderSync trash_sync(folder_.trash()), folder_sync(folder_.path);
   rename_path(folder_.object_file(model.name),
               free_path(folder_.trash() + "/" + model.name + "." + std::to_string(model.revision),
-                        kEnding));
+                        kObjectFileEnding));
   trash_sync.sync();
   folder_sync.sync();
 }

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "library/file_io.hpp"
+#include "mbncc/library/object_file.hpp"
 #include "mbncc/library/object_library.hpp"
 #include "mbncc/object_model.hpp"
 
@@ -21,7 +22,9 @@ constexpr const char* kReasonEnding = ".reason.txt";
 struct LibraryFolder {
   std::string path;
 
-  std::string object_file(const std::string& name) const { return path + "/" + name + ".png"; }
+  std::string object_file(const std::string& name) const {
+    return path + "/" + name + kObjectFileEnding;
+  }
   std::string trash() const { return path + "/.trash"; }
   std::string quarantine() const { return path + "/.quarantine"; }
   std::string lock_file() const { return path + "/.lock"; }

@@ -57,8 +57,8 @@ SavedMiss parse(const YAML::Node& root, const std::string& path) {
   miss.image = decode(bytes_of(root["picture"]));
   for (const auto& object : root["objects"]) {
     const auto name = object.first.as<std::string>();
-    miss.objects.push_back(
-        std::make_shared<ObjectModel>(decode_object(bytes_of(object.second), name + ".png")));
+    miss.objects.push_back(std::make_shared<ObjectModel>(
+        decode_object(bytes_of(object.second), name + kObjectFileEnding)));
   }
   return miss;
 }

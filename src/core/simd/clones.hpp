@@ -2,7 +2,8 @@
 // Functions compiled once per instruction set; the loader picks the version the machine has.
 #pragma once
 
-// The loader's choice comes before a sanitizer is ready.
+// The loader selects the version before the sanitizer is initialised, so sanitized builds have one
+// version only.
 #if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && \
     !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
 #define MBNCC_CLONES __attribute__((target_clones("default", "avx2", "avx512f")))

@@ -19,7 +19,7 @@ struct Rectified {
 
 class Rectifier {
  public:
-  /// `picture` is CV_8UC3. The first image of a calibration takes longer.
+  /// `image` is CV_8UC3. The first image of a calibration takes longer.
   Rectified rectify(const cv::Mat& image, const sensor_msgs::CameraInfo& info);
 
  private:

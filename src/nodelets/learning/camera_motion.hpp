@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Tells a camera that was moved from things that were moved in front of it, so that the operator is
-// not told of an arm that is not there.
+// Distinguishes a moved camera from objects moved in front of it, so that the message to the
+// operator does not blame an arm.
 #pragma once
 
 #include <opencv2/core.hpp>

@@ -25,10 +25,10 @@
 #include "nodelets/conversion/images.hpp"
 #include "nodelets/learning/confirmation.hpp"
 #include "nodelets/learning/image_feed.hpp"
-#include "nodelets/learning/lesson_session.hpp"
 #include "nodelets/learning/lesson_gauge.hpp"
 #include "nodelets/learning/lesson_goal.hpp"
 #include "nodelets/learning/lesson_server.hpp"
+#include "nodelets/learning/lesson_session.hpp"
 #include "nodelets/library/library_services.hpp"
 #include "nodelets/library/shared_library.hpp"
 #include "nodelets/matching/overlay.hpp"
@@ -247,7 +247,7 @@ void LearningNodelet::diagnose(diagnostic_updater::DiagnosticStatusWrapper& stat
   else if (view.newest_refused)
     status.summary(DiagnosticStatus::ERROR, "no usable image: " + view.fault);
   else if (!view.any_image)
-    status.summary(DiagnosticStatus::ERROR, "no image has come yet");
+    status.summary(DiagnosticStatus::ERROR, "no image received yet");
   else
     status.summary(DiagnosticStatus::OK, lessons_->busy() ? "teaching" : "idle");
   status.add("scene", view.still ? "still" : "moving");

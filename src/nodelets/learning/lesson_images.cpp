@@ -21,9 +21,8 @@ constexpr int kGlancesPerWord = 15;               // between two messages to the
 constexpr double kSilentCamera = 2;  // [s] without an image before the operator is informed
 
 const char* const kCameraMoved =
-    "The camera has moved; the lesson goes on with the present image. Fasten the camera, see "
-    "that "
-    "the object lies in the image, then take it away.";
+    "The camera has moved; the lesson continues with the current image. Fasten the camera, make "
+    "sure that the object is in view, then take it away.";
 const char* const kCameraMovedSinceGiven =
     "The camera has moved since the image before was taken: put it back, or teach with a new "
     "one.";
@@ -185,16 +184,15 @@ void LessonImages::say(Step step) {
   switch (step) {
     case Step::kWaitStill:
       return feedback_.ask(Feedback::WAIT_IMAGE, 0.02,
-                           "The scene moves: move arm and hands out and keep still.");
+                           "Something moves in the image: move arm and hands out and keep still.");
     case Step::kMoving:
       return feedback_.ask(Feedback::WAIT_STILL, 0.2,
                            "Something moves: leave the image and keep still.");
     case Step::kAtBorder:
-      return feedback_.ask(
-          Feedback::WAIT_STILL, 0.2,
-          camera_moved_
-              ? kCameraMovedSinceGiven
-              : "Something has come that reaches into the image over its edge: move it out.");
+      return feedback_.ask(Feedback::WAIT_STILL, 0.2,
+                           camera_moved_
+                               ? kCameraMovedSinceGiven
+                               : "Something reaches into the image from its edge: move it out.");
     default:
       return feedback_.ask(Feedback::WAIT_REMOVAL, 0.1,
                            camera_moved_ ? kCameraMoved : removal_sentence(demonstration_.anew()));

@@ -15,7 +15,7 @@ namespace mbncc::incremental_search {
 /// Searches of one image, which `matcher` and `image` outlive.
 class RegionSearch {
  public:
-  /// `request` limits all searches and says how hard to look; its names do not count.
+  /// `request` limits all searches and sets the search effort; its names are ignored.
   RegionSearch(const Matcher& matcher, const cv::Mat& image, SearchRequest request)
       : matcher_(matcher), image_(image), request_(std::move(request)) {}
 

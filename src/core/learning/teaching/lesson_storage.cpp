@@ -6,6 +6,7 @@
 
 #include "mbncc/label.hpp"
 #include "mbncc/learning/resemblance.hpp"
+#include "mbncc/library/object_file.hpp"
 #include "mbncc/symmetry.hpp"
 
 namespace mbncc {
@@ -80,7 +81,7 @@ std::optional<Refusal> check_storing(const Lesson& lesson, Storing storing,
     return Refusal(LearnError::kNameInvalid, "The label is not usable.",
                    "Give printable UTF-8 of at most 200 bytes.");
   const auto& others = library.other_images;
-  if (std::find(others.begin(), others.end(), lesson.name + ".png") != others.end())
+  if (std::find(others.begin(), others.end(), lesson.name + kObjectFileEnding) != others.end())
     return Refusal(LearnError::kNameTaken,
                    "An image that is not an object has this name in the library's folder.",
                    "Choose another name, or move the image away.");

@@ -10,6 +10,8 @@ namespace mbncc::evidence {
 /// Residual where there is nothing to compare.
 constexpr double kNoFit = 5;
 
+/// A new member also belongs in log_odds(), in the explanation (explanation/explanation.cpp) and in
+/// bench/fit, which fits the weights.
 struct Evidence {
   double contour_score = -1;    ///< [-1..1] edges along the map's edge, see contour_agreement()
   double contour_coverage = 0;  ///< [0..1] part of the contour with a clear edge along it

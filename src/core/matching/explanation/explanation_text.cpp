@@ -63,7 +63,7 @@ std::string verdict_of(const Explanation& explanation) {
                number(unreported->threshold, digits) + ".";
       return head + "not reported, since better ones reach max_instances or overlap it.";
     default:
-      return head + "not found, no proposal of the search at this place" +
+      return head + "not found: the search proposed no pose at this place" +
              (explanation.covered_by.empty() ? "."
                                              : ", which '" + explanation.covered_by + "' takes.");
   }

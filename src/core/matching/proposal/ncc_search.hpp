@@ -20,7 +20,7 @@ struct CoarseSettings {
 };
 
 /// Local maxima over positions in `roi` [px at the bank's level] and `places` and over rotations in
-/// `sector`. `picture` is that level, with a margin of more than the bank's radius; `roi` lies in
+/// `sector`. `image` is that level, with a margin of more than the bank's radius; `roi` lies in
 /// it.
 std::vector<templates::Candidate> coarse_search(const TemplateBank& bank,
                                                 const imaging::PaddedImage& image,

@@ -14,7 +14,7 @@ namespace mbncc::refinement {
 /// An object at full resolution.
 struct RefinementTemplate {
   RefinementTemplate() = default;
-  /// `picture` is the one that the surface was made from.
+  /// `image` is the one that the surface was made from.
   RefinementTemplate(templates::PoseTemplate made, const scene::PreparedPixels& image);
 
   templates::PoseTemplate object;
