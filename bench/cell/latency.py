@@ -46,6 +46,7 @@ CELL = """
     <arg name="library" value="{library}"/>
     <arg name="learning" value="{learning}"/>
     <arg name="platform_distance" value="0.6"/>
+    <arg name="tf_prefix" value="{prefix}"/>
   </include>
 """
 
@@ -231,12 +232,13 @@ def main():
             cell = (RECORDED if arguments.recorded else SIMULATED) + CELL
             if arguments.cells:
                 names = ["/cell%d" % number for number in range(arguments.cells)]
-                groups = "".join('<group ns="%s">%s</group>' % (name, cell) for name in names)
-                run(port, folder, groups.format(learning="true", **settings),
+                groups = "".join('<group ns="%s">%s</group>' %
+                                 (name, cell.format(learning="true", prefix=name[1:] + "_", **settings)) for name in names)
+                run(port, folder, groups,
                     lambda: measure_cells(names, arguments.seconds))
                 return
-            run(port, folder, cell.format(learning="true", **settings), lambda: measure(arguments.seconds))
-            run(port, folder, cell.format(learning="false", **settings),
+            run(port, folder, cell.format(learning="true", prefix="", **settings), lambda: measure(arguments.seconds))
+            run(port, folder, cell.format(learning="false", prefix="", **settings),
                 lambda: measure_idle(min(20, arguments.seconds)))
         finally:
             master.send_signal(signal.SIGINT)
