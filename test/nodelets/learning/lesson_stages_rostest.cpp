@@ -193,7 +193,7 @@ TEST_P(LessonCamera, MovesAndTheLessonSaysSoAndGoesOn) {
   const std::string id = reach_stage(kWays[1]);
   show_ = Show::kTurned;
   EXPECT_TRUE(spin_until([&] {
-    return teacher_->last_feedback(id).message.find("The camera has moved; the lesson goes on") ==
+    return teacher_->last_feedback(id).message.find("The camera has moved; the lesson continues") ==
            0;
   })) << teacher_->last_feedback(id).message;
   show_ = Show::kTurnedEmpty;
