@@ -2,14 +2,15 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Latency and CPU time of a running cell: 30 images a second of 640 x 480, five objects, one manager.
 
-usage: latency.py PATH/TO/mbncc [--seconds S] [--rate HZ] [--play] [--recorded N] [--cells N]
+usage: latency.py PATH/TO/mbncc [--seconds S] [--rate HZ] [--play] [--recorded N] [--queue N] [--cells N]
 (in a shell that has sourced the build; starts its own master)
 
 Teaches five drawn objects, plays the simulated cell, and prints what detected_objects says of itself, the lag of
 tf behind the images' stamps, and the CPU time of the nodelets: searching, with ~enable false, and with the learning
 nodelet alone watching the still scene. The simulated camera runs in a process of its own and is not counted. With
 --recorded its images are recorded first, at 15 Hz, and played by the camera nodelet, which holds rates that drawing
-does not. With --cells, so many cells run at once instead, each in a namespace with a manager of its own, and one library.
+does not. --queue is the matching nodelet's queue_size. With --cells, so many cells run at once instead, each in a
+namespace with a manager of its own, and one library.
 """
 import argparse
 import os
@@ -48,6 +49,7 @@ CELL = """
     <arg name="platform_distance" value="0.6"/>
     <arg name="tf_prefix" value="{prefix}"/>
   </include>
+  <param name="matching/queue_size" value="{queue}"/>
 """
 
 
@@ -211,6 +213,7 @@ def main():
     parser.add_argument("--rate", type=float, default=30, help="images a second (30)")
     parser.add_argument("--play", action="store_true", help="the arm moves the object; without it, the scene is still")
     parser.add_argument("--cells", type=int, default=0, help="so many at once, only their cost; 0: one, in full (0)")
+    parser.add_argument("--queue", type=int, default=1, help="images that may wait for the search (1)")
     parser.add_argument("--recorded", type=int, default=0, help="images to record first; 0: draw them on the way (0)")
     arguments = parser.parse_args()
     with socket.socket() as probe:
@@ -225,7 +228,7 @@ def main():
             while not rosgraph.is_master_online():
                 time.sleep(0.2)
             settings = {"library": library, "rate": arguments.rate, "play": str(arguments.play).lower(),
-                        "images": os.path.join(folder, "images")}
+                        "queue": arguments.queue, "images": os.path.join(folder, "images")}
             if arguments.recorded:
                 run(port, folder, SIMULATED.format(**dict(settings, rate=15)),
                     lambda: record(settings["images"], arguments.recorded))

@@ -29,6 +29,7 @@ namespace {
 using mbncc_vision::DetectedObjectArray;
 
 const cv::Size kSize{160, 120};  // of the lesson
+constexpr int kBurst = 20;       // images at once
 const std::string kCameraFrame = "camera", kPlatformFrame = "platform";
 
 int images() {
@@ -64,8 +65,10 @@ class ImageFaults : public testing::Test {
     images_ = node_.advertise<sensor_msgs::Image>("image_raw", 1);
     infos_ = node_.advertise<sensor_msgs::CameraInfo>("camera_info", 1);
     detections_ = node_.subscribe<DetectedObjectArray>(
-        "detected_objects", 10, [this](const DetectedObjectArray::ConstPtr& array) {
-          if (array->status != DetectedObjectArray::STALE) array_ = array;
+        "detected_objects", kBurst, [this](const DetectedObjectArray::ConstPtr& array) {
+          if (array->status == DetectedObjectArray::STALE) return;
+          array_ = array;
+          ++answers_;
         });
     ros::param::set("/matching/library_path", folder_.path());
     ros::param::set("/matching/max_age", 10.0);  // a busy machine may search late
@@ -94,12 +97,18 @@ class ImageFaults : public testing::Test {
     }));
   }
 
-  /// Publishes an image and waits for its detections.
-  const DetectedObjectArray& show(const cv::Mat& image, bool with_camera_info = true) {
+  /// The header of the next image.
+  std_msgs::Header next_header() {
     std_msgs::Header header;
     header.stamp = std::max(ros::Time::now(), last_stamp_ + ros::Duration(0, 1));
     header.frame_id = kCameraFrame;
     last_stamp_ = header.stamp;
+    return header;
+  }
+
+  /// Publishes an image and waits for its detections.
+  const DetectedObjectArray& show(const cv::Mat& image, bool with_camera_info = true) {
+    const std_msgs::Header header = next_header();
     if (with_camera_info) infos_.publish(camera_info(header, image.size()));
     images_.publish(encode_image(image, header));
     EXPECT_TRUE(spin_until([&] { return array_ && array_->header.stamp == header.stamp; }))
@@ -115,6 +124,7 @@ class ImageFaults : public testing::Test {
   ros::Publisher images_, infos_;
   ros::Subscriber detections_;
   DetectedObjectArray::ConstPtr array_;
+  int answers_ = 0;
   ros::Time last_stamp_;
   std::unique_ptr<nodelet::Loader> loader_;
 };
@@ -135,6 +145,17 @@ TEST_F(ImageFaults, SwitchingResolutionIsBorne) {
     if (HasFailure()) return;
   }
   EXPECT_EQ(found, images()) << "found in every image of the lesson's size";
+}
+
+TEST_F(ImageFaults, AQueueAnswersEveryImageOfABurst) {
+  ros::param::set("/matching/queue_size", kBurst);
+  load();
+  show(part_there_);
+  const int before = answers_;
+  for (int i = 0; i < kBurst; ++i) images_.publish(encode_image(part_there_, next_header()));
+  EXPECT_TRUE(spin_until([&] { return answers_ == before + kBurst; }))
+      << answers_ - before << " of " << kBurst;
+  EXPECT_EQ(array_->header.stamp, last_stamp_) << "in their order";
 }
 
 TEST_F(ImageFaults, EmptyImagesShowNothing) {

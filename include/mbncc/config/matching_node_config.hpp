@@ -20,6 +20,7 @@ struct MatchingNodeConfig {
   std::string library_path = "~/.ros/mbncc_library";  ///< folder of the learned objects
   std::string search_roi;       ///< "x,y,width,height" [px] of reference points; "": whole image
   double max_rate = 0;          ///< [Hz] limit of searched images; 0: every image that arrives
+  int queue_size = 1;           ///< images that may wait for the search; 1: only the newest
   int confirm_frames = 3;       ///< graspable images needed ...
   int confirm_window = 5;       ///< ... among this many of the last ones
   double hold_time = 0;         ///< [s] for which a lost instance is published as HELD; 0: never
@@ -47,6 +48,10 @@ struct MatchingNodeConfig {
     visit(FieldInfo{"max_rate", Allowed::range(0, 1000), "Hz",
                     "limit of searched images per second; 0: every image that arrives"},
           self.max_rate);
+    visit(FieldInfo{"queue_size", Allowed::range(1, 100), "",
+                    "images that may wait for the search; 1: only the newest, for the freshest "
+                    "poses; more: images that come in a burst are all searched"},
+          self.queue_size);
     visit(FieldInfo{"confirm_frames", Allowed::range(1, 100), "",
                     "an instance is confirmed if it is graspable in this many images"},
           self.confirm_frames);

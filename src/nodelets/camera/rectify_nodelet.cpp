@@ -30,7 +30,7 @@ class RectifyNodelet : public GuardedNodelet {
   void start() override {
     read_parameters(private_node(), field_rows(config_));
     camera_ = std::make_unique<CameraInput>(
-        node(), config_.images.image_transport, config_.max_info_age,
+        node(), CameraInputConfig{config_.images.image_transport, config_.max_info_age},
         [this](const sensor_msgs::ImageConstPtr& message) { mailbox_.put(message); });
     worker_ = std::thread([this] { work(); });
     image_transport::ImageTransport transport(node());

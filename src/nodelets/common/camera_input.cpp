@@ -18,12 +18,10 @@ std::string nobody_publishes(const std::string& topic) {
 
 }  // namespace
 
-CameraInput::CameraInput(ros::NodeHandle node, const std::string& transport, double max_info_age,
-                         Callback callback)
+CameraInput::CameraInput(ros::NodeHandle node, CameraInputConfig config, Callback callback)
     : node_(std::move(node)),
       transport_(node_),
-      transport_name_(transport),
-      max_info_age_(max_info_age),
+      config_(std::move(config)),
       callback_(std::move(callback)) {}
 
 void CameraInput::set_active(const std::function<bool()>& wanted) {
@@ -63,15 +61,15 @@ void CameraInput::subscribe() {
 void CameraInput::subscribe_to_images() {
   try {
     images_ = transport_.subscribe(
-        "image_raw", 1,
+        "image_raw", config_.queue_size,
         [this](const sensor_msgs::ImageConstPtr& image) {
           note_image();
           callback_(image);
         },
-        ros::VoidPtr(), image_transport::TransportHints(transport_name_));
+        ros::VoidPtr(), image_transport::TransportHints(config_.transport));
   } catch (const image_transport::Exception&) {
-    transport_fault_ = "no plugin for image_transport '" + transport_name_ +
-                       "' is installed here; install " + transport_name_ +
+    transport_fault_ = "no plugin for image_transport '" + config_.transport +
+                       "' is installed here; install " + config_.transport +
                        "_image_transport, or set image_transport to raw";
     ROS_ERROR("%s: %s", node_.resolveName("image_raw").c_str(), transport_fault_.c_str());
   }
@@ -97,7 +95,8 @@ std::string CameraInput::fault() const {
 
 sensor_msgs::CameraInfoConstPtr CameraInput::camera_info() const {
   const std::lock_guard<std::mutex> lock(mutex_);
-  return Clock::now() - info_came_ <= max_info_age_ ? info_ : nullptr;
+  return Clock::now() - info_came_ <= std::chrono::duration<double>(config_.max_info_age) ? info_
+                                                                                          : nullptr;
 }
 
 sensor_msgs::CameraInfoConstPtr CameraInput::camera_info_for(const std::string& frame_id,

@@ -23,16 +23,19 @@ constexpr char kNoCameraInfo[] =
     "no camera_info of this image's size and frame has come within max_info_age; compare "
     "its topic, size and frame_id with those of the images";
 
+struct CameraInputConfig {
+  std::string transport;    ///< raw, compressed ...
+  double max_info_age = 0;  ///< [s] of the steady clock that a calibration is valid after arrival
+  int queue_size = 1;       ///< images that may wait for the callback
+};
+
 class CameraInput {
  public:
   using Callback = std::function<void(const sensor_msgs::ImageConstPtr&)>;
 
-  /// `transport`: raw, compressed ...; if its plugin is not installed, this is logged once, no
-  /// image arrives, and fault() gives the reason. Images are passed to `callback` on the node's
-  /// callback thread. A calibration is valid for `max_info_age` [s] of the steady clock after its
-  /// arrival.
-  CameraInput(ros::NodeHandle node, const std::string& transport, double max_info_age,
-              Callback callback);
+  /// If the transport's plugin is not installed, this is logged once, no image arrives, and
+  /// fault() gives the reason. Images are passed to `callback` on the node's callback thread.
+  CameraInput(ros::NodeHandle node, CameraInputConfig config, Callback callback);
 
   /// Subscribes or unsubscribes according to `wanted`; does nothing if unchanged. With calls from
   /// several threads, the last one decides.
@@ -64,8 +67,7 @@ class CameraInput {
 
   ros::NodeHandle node_;
   image_transport::ImageTransport transport_;
-  const std::string transport_name_;
-  const std::chrono::duration<double> max_info_age_;
+  const CameraInputConfig config_;
   const Callback callback_;
   std::mutex switching_;  // guards active_; locked before mutex_, and never in an image callback
   bool active_ = false;

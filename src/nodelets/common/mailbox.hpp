@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// One slot between threads: a new item replaces an older one, so writers never wait for a slow
-// reader.
+// A short queue between threads: when it is full, a new item displaces the oldest one, so writers
+// never wait for a slow reader.
 #pragma once
 
 #include <condition_variable>
+#include <cstddef>
+#include <deque>
 #include <mutex>
 #include <optional>
 #include <utility>
@@ -13,27 +15,33 @@ namespace mbncc::nodelets {
 template <class Item>
 class Mailbox {
  public:
-  /// True if an item that was not taken yet was replaced.
+  /// `size`: items that may wait, at least 1; with 1 the newest replaces an older one.
+  explicit Mailbox(std::size_t size = 1) : size_(size) {}
+
+  /// True if an item that was not taken yet was displaced.
   bool put(Item item) {
     const std::lock_guard<std::mutex> lock(mutex_);
-    const bool replaced = item_.has_value();
-    item_ = std::move(item);
+    const bool full = items_.size() >= size_;
+    if (full) items_.pop_front();
+    items_.push_back(std::move(item));
     filled_.notify_one();
-    return replaced;
+    return full;
   }
 
-  /// Waits for an item; none once closed.
+  /// Waits for the oldest item; none once closed.
   std::optional<Item> take() {
     std::unique_lock<std::mutex> lock(mutex_);
-    filled_.wait(lock, [this] { return closed_ || item_.has_value(); });
+    filled_.wait(lock, [this] { return closed_ || !items_.empty(); });
     if (closed_) return {};
-    return std::exchange(item_, std::nullopt);
+    std::optional<Item> item = std::move(items_.front());
+    items_.pop_front();
+    return item;
   }
 
-  /// Drops an item that was not taken yet.
+  /// Drops the items that were not taken yet.
   void clear() {
     const std::lock_guard<std::mutex> lock(mutex_);
-    item_.reset();
+    items_.clear();
   }
 
   /// Ends every take(), now and later.
@@ -46,7 +54,8 @@ class Mailbox {
  private:
   std::mutex mutex_;
   std::condition_variable filled_;
-  std::optional<Item> item_;
+  const std::size_t size_;
+  std::deque<Item> items_;
   bool closed_ = false;
 };
 

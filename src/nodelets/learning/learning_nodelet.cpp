@@ -160,7 +160,7 @@ void LearningNodelet::start_images(ros::NodeHandle& node) {
   tf_listener_ = std::make_unique<tf2_ros::TransformListener>(tf_buffer_);
   images_ = std::make_unique<ImageFeed>(config_.still_time, config_.images.white_level);
   camera_ = std::make_unique<CameraInput>(
-      node, config_.images.image_transport, config_.platform.max_info_age,
+      node, CameraInputConfig{config_.images.image_transport, config_.platform.max_info_age},
       [this](const sensor_msgs::ImageConstPtr& message) { images_->put(message); });
   gauge_ =
       std::make_unique<LessonGauge>(config_.platform, config_.gripper_frame, *camera_, tf_buffer_);

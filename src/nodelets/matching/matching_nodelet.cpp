@@ -145,13 +145,15 @@ void MatchingNodelet::open_library() {
 
 void MatchingNodelet::start_search() {
   tf_listener_ = std::make_unique<tf2_ros::TransformListener>(tf_buffer_);
+  const MatchingNodeConfig& config = settings_->initial();
   camera_ = std::make_unique<CameraInput>(
-      node(), settings_->initial().images.image_transport,
-      settings_->initial().platform.max_info_age,
+      node(),
+      CameraInputConfig{config.images.image_transport, config.platform.max_info_age,
+                        config.queue_size},
       [this](const sensor_msgs::ImageConstPtr& image) { on_image(image); });
   publisher_ =
       std::make_unique<DetectionPublisher>(node(), private_node(), [this] { listen_as_wanted(); });
-  pipeline_ = std::make_unique<DetectionPipeline>(settings_->initial(), *matcher_, tf_buffer_);
+  pipeline_ = std::make_unique<DetectionPipeline>(config, *matcher_, tf_buffer_);
   worker_ = std::make_unique<SearchWorker>(
       SearchTools{*settings_, *matcher_, *pipeline_, *camera_, *publisher_});
 }

@@ -35,6 +35,7 @@ std::string stamp_fault(StampGate::Verdict verdict, double age) {
 SearchWorker::SearchWorker(const SearchTools& tools)
     : tools_(tools),
       silence_(tools.settings.initial().stale_after),
+      mailbox_(tools.settings.initial().queue_size),
       gate_(tools.settings.initial().max_age, tools.settings.initial().max_ahead) {
   worker_ = std::thread([this] { work(); });
 }

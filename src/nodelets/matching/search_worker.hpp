@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Searches the image stream on a separate thread: the newest image, each once, none too old.
+// Searches the image stream on a separate thread: the newest images, each once, none too old.
 #pragma once
 
 #include <ros/time.h>
@@ -35,7 +35,7 @@ class SearchWorker {
   explicit SearchWorker(const SearchTools& tools);
   ~SearchWorker();
 
-  /// Passes an image on; never blocks, a newer one replaces an older one.
+  /// Passes an image on; never blocks. If queue_size images wait, the oldest is dropped.
   void put(const sensor_msgs::ImageConstPtr& message);
 
   /// Called periodically: publishes STALE if expected images do not arrive.
