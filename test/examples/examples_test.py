@@ -13,7 +13,7 @@ import subprocess
 import sys
 import tempfile
 
-sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), os.pardir, "nodelets"))
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), os.pardir, "nodelets", "process"))
 from install_space_test import environment  # noqa: E402
 from own_master import free_port, stop, wait_for  # noqa: E402
 

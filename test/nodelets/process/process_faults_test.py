@@ -17,7 +17,7 @@ import xmlrpc.client
 
 from own_master import DEADLINE, free_port, nodelet_program, published, stop, wait_for
 
-TEACH = os.path.join(os.path.dirname(__file__), "../../scripts/teach")
+TEACH = os.path.join(os.path.dirname(__file__), "../../../scripts/teach")
 RATE = 50  # [Hz] of the camera
 MOST_GROWTH = 5  # [MB]
 LESSON_TIME = 3  # [s] of the lesson whose client dies

@@ -4,7 +4,7 @@
 #include <mbncc_vision/FindObjects.h>
 #include <sensor_msgs/RegionOfInterest.h>
 
-#include "nodelets/protocol.hpp"
+#include "nodelets/protocol/protocol.hpp"
 
 namespace mbncc::nodelets {
 namespace {

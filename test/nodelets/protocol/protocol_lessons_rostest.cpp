@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "nodelets/conversion/messages.hpp"
-#include "nodelets/protocol.hpp"
+#include "nodelets/protocol/protocol.hpp"
 
 namespace mbncc::nodelets {
 namespace {

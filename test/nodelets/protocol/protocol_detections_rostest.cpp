@@ -14,7 +14,7 @@
 #include <thread>
 
 #include "nodelets/call_service.hpp"
-#include "nodelets/protocol.hpp"
+#include "nodelets/protocol/protocol.hpp"
 
 namespace mbncc::nodelets {
 namespace {

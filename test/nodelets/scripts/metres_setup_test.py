@@ -9,6 +9,7 @@ The camera plays an image of a chessboard. In place of camera_calibration's wind
 import os
 import re
 import subprocess
+import sys
 import tempfile
 import xmlrpc.client
 
@@ -17,7 +18,9 @@ import numpy as np
 import yaml
 
 from drawn_chessboard import COLUMNS, ROWS, SQUARE, camera_yaml, chessboard
-from own_master import free_port, start_master, stop, wait_for
+
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), os.pardir, "process"))
+from own_master import free_port, start_master, stop, wait_for  # noqa: E402
 
 CALIBRATED, UNCALIBRATED = "0", "2"  # DetectedObjectArray: OK and UNCALIBRATED
 

@@ -2,7 +2,7 @@
 // Reasons for refusing a lesson's goal, and lessons made from goals.
 
 #include "nodelets/conversion/messages.hpp"
-#include "nodelets/protocol.hpp"
+#include "nodelets/protocol/protocol.hpp"
 
 namespace mbncc::nodelets {
 namespace {

@@ -16,7 +16,7 @@ import xmlrpc.client
 
 from own_master import free_port, published, stop, wait_for
 
-UNIT = os.path.join(os.path.dirname(__file__), "../../docs/mbncc_vision.service")
+UNIT = os.path.join(os.path.dirname(__file__), "../../../docs/mbncc_vision.service")
 
 
 def service(state):

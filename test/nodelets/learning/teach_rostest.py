@@ -17,7 +17,7 @@ from std_srvs.srv import Trigger
 from mbncc_vision.msg import LearnObjectGoal
 from mbncc_vision.srv import ListObjects
 
-TEACH = os.path.join(os.path.dirname(os.path.realpath(__file__)), "..", "..", "scripts", "teach")
+TEACH = os.path.join(os.path.dirname(os.path.realpath(__file__)), "..", "..", "..", "scripts", "teach")
 PATIENCE = 60  # [s]
 
 
