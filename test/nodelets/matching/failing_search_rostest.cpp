@@ -148,7 +148,7 @@ class FailingSearch : public testing::Test {
   LiveSettings settings_{config()};
   const LiveMatcher matcher_{{}, folder_.path()};
   InjectedSearch search_{matcher_};
-  CameraInput camera_{node_, "raw", 60, [](const auto&) {}};
+  CameraInput camera_{node_, {"raw", 60}, [](const auto&) {}};
   DetectionPublisher publisher_{node_, ros::NodeHandle("~"), [] {}};
   SearchWorker worker_{SearchTools{settings_, matcher_, search_, camera_, publisher_}};
   ros::Subscriber detections_, transforms_;
