@@ -139,6 +139,7 @@ def measure(seconds):
         time.sleep(0.1)
     pid = manager_pid()
     del arrays[:], lags[:], shown[:]
+    begin = rospy.Time.now()  # of an image shown before it, the answer may have been deleted
     searching = share_of_core(pid, seconds)
     print("| of | images | p50 ms | p99 ms | worst ms |\n|---|---:|---:|---:|---:|")
     line("search time", [array.search_time for array in arrays])
@@ -149,7 +150,9 @@ def measure(seconds):
     time.sleep(1)  # for the answers to the last images
     heard.unregister()
     answered = {array.header.stamp for array in arrays}
-    print("images without an answer: %d of %d" % (len([stamp for stamp in shown if stamp not in answered]), len(shown)))
+    shown = [stamp for stamp in shown if stamp >= begin]
+    lost = [(stamp - begin).to_sec() for stamp in shown if stamp not in answered]
+    print("images without an answer: %d of %d%s" % (len(lost), len(shown), "".join(", at %.2f s" % s for s in lost)))
     typical = np.median([array.search_time for array in arrays])
     print("latency by the median search time: p50 %.1f, p99 %.1f" %
           tuple(np.percentile([array.latency for array in arrays], [50, 99]) / typical))

@@ -13,7 +13,8 @@ import sys
 
 import numpy as np
 
-NAMES = ["contour_coverage", "gradient", "trimmed_residual", "histogram", "shading_free_ncc", "texture", "cast_penalty", "log_area", "outside", "one"]
+READ = ["contour_coverage", "gradient", "trimmed_residual", "histogram", "shading_free_ncc", "texture"]  # columns of the file
+NAMES = READ + ["cast_penalty", "log_area", "outside", "one"]
 OF_SMALL = ["one", "contour_coverage", "gradient", "trimmed_residual", "histogram", "shading_free_ncc"]  # weights of their own
 LARGE_AREA, SMALL_AREA = 1800, 700  # as in evidence.cpp
 EDGES = [0.02, 0.15, 0.35, 0.65, 0.85, 0.98]  # limits of the probability ranges in the reliability table
@@ -24,7 +25,7 @@ def read_rows(path):
     """Features, what else the odds are made of, which are right, sets, and the weights that the rows were made with."""
     rows = list(csv.DictReader(open(path)))
     number = lambda name: np.array([float(row[name]) for row in rows])
-    features = {name: number(name) for name in NAMES[:6]}
+    features = {name: number(name) for name in READ}
     cast = number("cast")
     features["cast_penalty"] = np.where(cast > 0, 2 + 60 * cast**2, 0)  # as in evidence.cpp
     features["log_area"] = np.log(np.minimum(number("area"), LARGE_AREA))

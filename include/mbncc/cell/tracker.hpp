@@ -41,7 +41,8 @@ struct TrackedMatch {
 /// outline's radius of the instance's last or extrapolated position. If the angle jumps by more
 /// than 3 degrees (modulo symmetry), the instance continues but must be confirmed again. Of the
 /// equivalent angles of a symmetric object, the one nearest to the last is reported; a round object
-/// keeps its first angle.
+/// keeps its first angle. An instance is lost when it has been missed in confirm_window images in a
+/// row and is not held.
 class InstanceTracker {
  public:
   /// Throws std::invalid_argument when confirm_frames is not in 1 .. confirm_window or a time is

@@ -9,7 +9,7 @@
 namespace mbncc {
 
 struct LearningConfig {
-  std::string method = "auto";              ///< one of those below
+  std::string method = "auto";              ///< one of those below; teaching/segmenter.cpp runs it
   int iterations = 2;                       ///< graph cuts of every method
   std::string superpixel_method = "seeds";  ///< of sb_grabcut: seeds or slic
   int superpixels = 1600;   ///< sb_grabcut: superpixels requested in the region's crop

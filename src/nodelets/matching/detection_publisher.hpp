@@ -26,7 +26,7 @@ class DetectionPublisher {
   DetectionPublisher(ros::NodeHandle node, ros::NodeHandle private_node,
                      const std::function<void()>& listeners_changed);
 
-  /// Whether there is a subscriber to detections, markers or one of the images.
+  /// Whether any of the topics has a subscriber.
   bool has_listeners() const;
 
   /// Largest similarity at each place of an image, CV_32FC1; computed only with a subscriber.

@@ -198,7 +198,6 @@ bool InstanceTracker::is_held(const Track& track, double stamp) const {
   return config_.hold_time > 0 && stamp - track.seen_at <= config_.hold_time;
 }
 
-/// An instance is lost when it has been missed in a whole window of images and is not held.
 void InstanceTracker::drop_lost(double stamp) {
   const auto lost = std::stable_partition(tracks_.begin(), tracks_.end(), [&](const Track& track) {
     return track.missed < config_.confirm_window || is_held(track, stamp);
