@@ -30,6 +30,7 @@
 #include <QPointF>
 #include <QRect>
 #include <QString>
+#include <QStringList>
 #include <atomic>
 #include <condition_variable>
 #include <deque>
@@ -82,6 +83,9 @@ class RosLink : public QObject {
   void set_search_region(const QRect& region);
   /// Sends a calibration to the camera.
   void keep_calibration(const sensor_msgs::CameraInfo& calibration);
+  /// Arguments of calibrate_platform that name the cell's topics and frames. Queries the parameter
+  /// server.
+  QStringList camera_arguments() const;
   /// Saves the last explanation in a file.
   void save_explained();
   /// Aborts a call that waits for an answer; it fails.

@@ -35,7 +35,9 @@ CalibrationPane::CalibrationPane(QWidget* parent)
       result_text_(new QLabel),
       compute_(make_button("Comp&ute", "From the images recorded so far", "Alt+U")),
       keep_(make_button("&Keep", "The camera uses this calibration from now on", "Alt+K")),
-      anew_(make_button("&Start anew", "Discard the recorded images", "Alt+S")) {
+      anew_(make_button("&Start anew", "Discard the recorded images", "Alt+S")),
+      platform_(
+          make_button("Plat&form", "From the board that lies flat on the platform", "Alt+F")) {
   square_->setRange(0.5, 500);
   square_->setDecimals(2);
   square_->setValue(1000 * Board().square);
@@ -55,7 +57,8 @@ CalibrationPane::CalibrationPane(QWidget* parent)
   buttons->addWidget(compute_, 0, 0);
   buttons->addWidget(keep_, 0, 1);
   buttons->addWidget(anew_, 1, 0);
-  buttons->addWidget(close, 1, 1);
+  buttons->addWidget(platform_, 1, 1);
+  buttons->addWidget(close, 2, 0, 1, 2);
   auto* all = new QVBoxLayout(this);
   all->setContentsMargins(0, 0, 0, 0);
   all->addWidget(image_text_);
@@ -71,6 +74,9 @@ CalibrationPane::CalibrationPane(QWidget* parent)
   connect(compute_, &QPushButton::clicked, this, &CalibrationPane::compute);
   connect(anew_, &QPushButton::clicked, this, &CalibrationPane::start_anew);
   connect(keep_, &QPushButton::clicked, this, [this] { Q_EMIT keep_wanted(result_.info); });
+  connect(platform_, &QPushButton::clicked, this, &CalibrationPane::platform_wanted);
+  connect(&platform_calibration_, &PlatformCalibration::ended, this,
+          &CalibrationPane::show_platform);
   connect(close, &QPushButton::clicked, this, &CalibrationPane::closed);
 }
 
@@ -80,9 +86,12 @@ void CalibrationPane::begin() {
   start_anew();
 }
 
+Board CalibrationPane::board() const {
+  return {columns_->value(), rows_->value(), square_->value() / 1000};
+}
+
 void CalibrationPane::start_anew() {
-  const Board board{columns_->value(), rows_->value(), square_->value() / 1000};
-  calibration_ = BoardCalibration(board, {size_.width(), size_.height()});
+  calibration_ = BoardCalibration(board(), {size_.width(), size_.height()});
   marks_.clear();
   coverage_->show_coverage(calibration_);
   result_text_->clear();
@@ -131,10 +140,24 @@ void CalibrationPane::compute() {
 }
 
 void CalibrationPane::show_kept(bool success, const QString& message) {
-  result_text_->setText(
-      success ? "Stored. Next, calibrate the platform: run calibrate_platform with the board "
-                "lying on it."
-              : "Not kept: " + message);
+  result_text_->setText(success
+                            ? "Stored. Next, lay the board flat on the platform and press Platform."
+                            : "Not kept: " + message);
+}
+
+void CalibrationPane::calibrate_platform(const QStringList& camera) {
+  platform_->setEnabled(false);
+  result_text_->setText("The platform is being calibrated; leave the board where it lies.");
+  const Board shown = board();
+  platform_calibration_.begin(QStringList{"--chessboard",
+                                          QString("%1x%2").arg(shown.columns).arg(shown.rows),
+                                          "--square", QString::number(shown.square, 'g', 6)} +
+                              camera);
+}
+
+void CalibrationPane::show_platform(bool success, const QString& message) {
+  platform_->setEnabled(true);
+  result_text_->setText(success ? message : "Platform not calibrated: " + message);
 }
 
 }  // namespace mbncc::console

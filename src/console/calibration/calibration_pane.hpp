@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Focus, exposure and calibration of the camera from its live images.
+// Focus, exposure and calibration of the camera and of the platform from live images.
 #pragma once
 
 #ifndef Q_MOC_RUN
 #include "console/calibration/board_calibration.hpp"
 #include "console/calibration/image_check.hpp"
+#include "console/calibration/platform_calibration.hpp"
 #include "console/image/marks.hpp"
 #endif
 
@@ -30,18 +31,25 @@ class CalibrationPane : public QWidget {
   /// `size` [px] of the camera's image; returns the marks to draw into it.
   std::vector<Mark> take(const QImage& image, QSize size);
   void show_kept(bool success, const QString& message);
+  /// Starts the platform's calibration with the board that lies on it. `camera`: arguments of
+  /// calibrate_platform that name the cell's topics and frames.
+  void calibrate_platform(const QStringList& camera);
 
  Q_SIGNALS:
   void keep_wanted(sensor_msgs::CameraInfo calibration);
+  void platform_wanted();
   void closed();
 
  private:
+  Board board() const;
   void start_anew();
   void compute();
+  void show_platform(bool success, const QString& message);
 
   ImageCheck check_;
   BoardCalibration calibration_;
   BoardCalibration::Result result_;
+  PlatformCalibration platform_calibration_;
   QSize size_;
   std::vector<Mark> marks_;
   QElapsedTimer since_look_;
@@ -49,7 +57,7 @@ class CalibrationPane : public QWidget {
   QDoubleSpinBox* square_;
   CoverageView* coverage_;
   QLabel *image_text_, *board_text_, *result_text_;
-  QPushButton *compute_, *keep_, *anew_;
+  QPushButton *compute_, *keep_, *anew_, *platform_;
 };
 
 }  // namespace mbncc::console
