@@ -15,7 +15,7 @@ namespace mbncc {
 /// Format written by this version; newer ones are refused with a message and left unchanged.
 constexpr int kObjectFileVersion = 1;
 
-/// An object's file is its name and this, in the library, its trash and exports (the console's).
+/// An object's file is its name and this, in the library and its trash.
 constexpr const char* kObjectFileEnding = ".png";
 
 /// Bytes of the file. Throws std::invalid_argument when the model breaks the rules of

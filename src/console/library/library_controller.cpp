@@ -19,6 +19,10 @@ QString threshold_sentence(const mbncc_vision::EditObject::Request& request) {
       .arg(static_cast<double>(request.min_score), 0, 'f', 2);
 }
 
+QString object_files() {
+  return QString("Objects (*%1)").arg(kObjectFileEnding);
+}
+
 }  // namespace
 
 LibraryController::LibraryController(RosLink& ros, LibraryStrip& strip, QObject* parent)
@@ -77,9 +81,8 @@ void LibraryController::undo() {
 }
 
 void LibraryController::export_object(const QString& name) {
-  const QString file =
-      QFileDialog::getSaveFileName(&strip_, "Export " + name, name + kObjectFileEnding,
-                                   QString("Objects (*%1)").arg(kObjectFileEnding));
+  const QString file = QFileDialog::getSaveFileName(&strip_, "Export " + name,
+                                                    name + kObjectFileEnding, object_files());
   if (file.isEmpty()) return;
   try {
     console::export_object(folder_.toStdString(), name.toStdString(), file.toStdString());
@@ -90,7 +93,7 @@ void LibraryController::export_object(const QString& name) {
 }
 
 void LibraryController::import_object() {
-  const QString file = QFileDialog::getOpenFileName(&strip_, "Import", "", "Objects (*.png)");
+  const QString file = QFileDialog::getOpenFileName(&strip_, "Import", "", object_files());
   if (file.isEmpty()) return;
   try {
     const auto name = console::import_object(folder_.toStdString(), file.toStdString());

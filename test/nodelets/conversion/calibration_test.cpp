@@ -261,7 +261,7 @@ TEST(Calibration, WhatNoCameraHasIsNamed) {
       {false, [](auto& i) { i.distortion_model = "rational_polynomial"; }, "has 8"},
       {false, [](auto& i) { i.distortion_model = "equidistant"; }, "has 4"},
       {false, [](auto& i) { i.D[4] = kNan; }, "not finite"},
-      {false, [](auto& i) { i.distortion_model = "thin_prism"; }, "distortion_model"}};
+      {false, [](auto& i) { i.distortion_model = "some_lens"; }, "distortion_model"}};
   for (const Row& row : rows) {
     auto info = strong_lens();
     row.spoil(info);

@@ -222,7 +222,7 @@ class Generator {
   void spoil(Case& c) {
     using Spoil = std::function<void(Case&)>;
     static const std::vector<std::string> kModels{
-        "", "plumb_bob", "rational_polynomial", "equidistant", "thin_prism", "Plumb_Bob", "\n"};
+        "", "plumb_bob", "rational_polynomial", "equidistant", "some_lens", "Plumb_Bob", "\n"};
     const std::vector<Spoil> ways{
         [this](Case& d) { number_of(d.info) = special(); },
         [this](Case& d) { number_of(d.info) = special(); },

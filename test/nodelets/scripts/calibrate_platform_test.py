@@ -92,7 +92,7 @@ class CalibratePlatformTest(unittest.TestCase):
         done = self.call("--points", self.path("points.csv"))
         self.assertEqual(done.returncode, 0, done.stderr)
         self.expect_true_pose(1e-4, 0.01)
-        for model, count in (("equidistant", 5), ("thin_prism", 4)):
+        for model, count in (("equidistant", 5), ("some_lens", 4)):
             camera.update(distortion_model=model, distortion_coefficients={"data": [0.1] * count})
             self.write("camera.yaml", yaml.safe_dump(camera))
             done = self.call("--points", self.path("points.csv"))
