@@ -38,7 +38,7 @@ void PlatformCalibration::read_results(int code, QProcess::ExitStatus status) {
   const QStringList said = lines_of(process_.readAllStandardOutput());
   const QStringList faults = lines_of(process_.readAllStandardError());
   if (status == QProcess::NormalExit && code == 0 && !said.isEmpty())
-    Q_EMIT ended(true, said.first() + ". To use it, " + said.last() + ".");
+    Q_EMIT ended(true, "The " + said.first() + ". To use it, " + said.last() + ".");
   else
     Q_EMIT ended(false, faults.isEmpty() ? "calibrate_platform ended without a reason"
                                          : faults.last().section(": ", 1));
