@@ -2,6 +2,7 @@
 #include "console/calibration/platform_calibration.hpp"
 
 #include <QDir>
+#include <QRegularExpression>
 
 namespace mbncc::console {
 namespace {
@@ -16,6 +17,14 @@ QStringList lines_of(const QByteArray& output) {
   QStringList lines = QString::fromUtf8(output).split('\n');
   lines.removeAll("");
   return lines;
+}
+
+/// The lines about the pose, then how to use it; those in between name the files.
+QString sentences_of(QStringList said) {
+  const QString use = said.takeLast();
+  const QStringList files = said.filter(QRegularExpression("^wrote "));
+  for (const QString& file : files) said.removeAll(file);
+  return "The " + said.join("; ") + ". To use it, " + use + ".";
 }
 
 }  // namespace
@@ -38,7 +47,7 @@ void PlatformCalibration::read_results(int code, QProcess::ExitStatus status) {
   const QStringList said = lines_of(process_.readAllStandardOutput());
   const QStringList faults = lines_of(process_.readAllStandardError());
   if (status == QProcess::NormalExit && code == 0 && !said.isEmpty())
-    Q_EMIT ended(true, "The " + said.first() + ". To use it, " + said.last() + ".");
+    Q_EMIT ended(true, sentences_of(said));
   else
     Q_EMIT ended(false, faults.isEmpty() ? "calibrate_platform ended without a reason"
                                          : faults.last().section(": ", 1));

@@ -55,11 +55,11 @@ class CalibratePlatformTest(unittest.TestCase):
         turn = numbers[3:6] / max(np.sin(angle / 2), 1e-9) * angle
         return numbers[:3], cv2.Rodrigues(turn)[0], arguments[7:]
 
-    def expect_true_pose(self, place_within, turn_within):
+    def expect_true_pose(self, place_within, turn_within, true_turn=TURN, true_place=PLACE):
         place, rotation, frames = self.transform()
         self.assertEqual(frames, ["camera_optical_frame", "platform"])
-        self.assertLess(np.linalg.norm(place - PLACE), place_within)
-        off = cv2.Rodrigues(rotation.T @ cv2.Rodrigues(TURN)[0])[0]
+        self.assertLess(np.linalg.norm(place - true_place), place_within)
+        off = cv2.Rodrigues(rotation.T @ cv2.Rodrigues(true_turn)[0])[0]
         self.assertLess(np.degrees(np.linalg.norm(off)), turn_within)
 
     def test_chessboard(self):
@@ -70,6 +70,21 @@ class CalibratePlatformTest(unittest.TestCase):
         self.expect_true_pose(0.001, 0.3)
         with open(self.path("out/platform.yaml"), encoding="utf-8") as file:
             self.assertEqual(yaml.safe_load(file), {"platform_frame": "platform"})
+        self.assertIn("looks the same after half a turn", done.stdout)
+
+    def test_the_origin_is_the_same_corner_however_the_board_lies(self):
+        rows = 4
+        centre = np.array([(COLUMNS - 1) / 2, -(rows - 1) / 2, 0]) * SQUARE
+        for degrees in range(0, 360, 30):
+            about_z = cv2.Rodrigues(np.array([0, 0, np.radians(degrees)]))[0]
+            rotation = cv2.Rodrigues(TURN)[0] @ about_z
+            place, turn = np.array([0.01, 0, 0.62]) - rotation @ centre, cv2.Rodrigues(rotation)[0]
+            cv2.imwrite(self.path("board.png"), chessboard(rows, turn, place))
+            done = self.call("--chessboard", "%dx%d" % (COLUMNS, rows), "--square", str(SQUARE), "--image",
+                             self.path("board.png"))
+            self.assertEqual(done.returncode, 0, done.stderr)
+            self.assertNotIn("half a turn", done.stdout)
+            self.expect_true_pose(0.001, 0.5, turn, place)
 
     def test_measured_points(self):
         points = [(0, 0, 0), (0.2, 0, 0), (0.2, -0.15, 0), (0, -0.15, 0), (0.1, -0.07, 0.02)]

@@ -12,22 +12,22 @@ TURN = cv2.Rodrigues(cv2.Rodrigues(np.array([np.pi, 0, 0]))[0] @ cv2.Rodrigues(n
 PLACE = np.array([-0.10, -0.07, 0.62])
 
 
-def project(points):
-    return cv2.projectPoints(np.asarray(points, float), TURN, PLACE, MATRIX, DISTORTION)[0].reshape(-1, 2)
+def project(points, turn=TURN, place=PLACE):
+    return cv2.projectPoints(np.asarray(points, float), turn, place, MATRIX, DISTORTION)[0].reshape(-1, 2)
 
 
-def chessboard():
+def chessboard(rows=ROWS, turn=TURN, place=PLACE):
     """Drawn three times finer, square by square with curved edges, then reduced."""
     fine = 3
     image = np.full((480 * fine, 640 * fine), 200, np.uint8)
-    for row in range(-1, ROWS):
+    for row in range(-1, rows):
         for column in range(-1, COLUMNS):
             if (row + column) % 2:
                 continue
             side = np.linspace(0, 1, 20)
             outline = ([(column + t, row) for t in side] + [(column + 1, row + t) for t in side] +
                        [(column + 1 - t, row + 1) for t in side] + [(column, row + 1 - t) for t in side])
-            pixels = project([(SQUARE * x, -SQUARE * y, 0) for x, y in outline])
+            pixels = project([(SQUARE * x, -SQUARE * y, 0) for x, y in outline], turn, place)
             fixed = np.round(((pixels + 0.5) * fine - 0.5) * 256).astype(np.int32)
             cv2.fillPoly(image, [fixed], 30, cv2.LINE_AA, 8)
     reduced = cv2.resize(image, (640, 480), interpolation=cv2.INTER_AREA)
