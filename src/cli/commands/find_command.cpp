@@ -69,20 +69,22 @@ ExitCode run(const Arguments& arguments) {
   OverlayWriter overlay(arguments.get("--overlay"));
   const auto report = report_for(arguments);
   ExitCode code = kDone;
-  // On a terminal the printed lines already show the progress.
-  Progress progress("searched", arguments.operands().size(), Progress::kQuietOutput);
-  for (const auto& image_path : arguments.operands()) {
-    try {
-      const cv::Mat image = read_image(image_path);
-      const SearchResult result = searched(matcher, image_path, image, request);
-      warn_of_skipped(image_path, result);
-      report->add(image_path, image.size(), result);
-      overlay.write(image_path, image, result.matches);
-    } catch (const std::exception& error) {
-      std::cerr << "mbncc: " << error.what() << '\n';
-      code = kFailed;
+  {
+    // On a terminal the printed lines already show the progress.
+    Progress progress("searched", arguments.operands().size(), Progress::kQuietOutput);
+    for (const auto& image_path : arguments.operands()) {
+      try {
+        const cv::Mat image = read_image(image_path);
+        const SearchResult result = searched(matcher, image_path, image, request);
+        warn_of_skipped(image_path, result);
+        report->add(image_path, image.size(), result);
+        overlay.write(image_path, image, result.matches);
+      } catch (const std::exception& error) {
+        std::cerr << "mbncc: " << error.what() << '\n';
+        code = kFailed;
+      }
+      progress.step();
     }
-    progress.step();
   }
   overlay.tell();
   return code;

@@ -32,8 +32,9 @@ class ObjectFramesTest : public ::testing::Test {
     array.header.stamp.fromSec(stamp);
     array.header.frame_id = "camera";
     array.objects = objects;
-    for (const auto& transform : frames_.of(array)) {
+    for (auto& transform : frames_.of(array)) {
       ++sent_;
+      if (rounds_) transform.header.stamp.fromSec(transform.header.stamp.toSec());
       ASSERT_TRUE(buffer_.setTransform(transform, "test"));
     }
   }
@@ -45,6 +46,7 @@ class ObjectFramesTest : public ::testing::Test {
   ObjectFrames frames_;
   tf2::BufferCore buffer_;
   int sent_ = 0;
+  bool rounds_ = false;  // stamps, as Python's tf2 does
 };
 
 TEST_F(ObjectFramesTest, TheStableFrameFollowsOneInstanceBesideTheNumberedOnes) {
@@ -63,6 +65,17 @@ TEST_F(ObjectFramesTest, NoLookUpFindsTheStableFrameBetweenTwoInstances) {
   EXPECT_EQ(x_at("object_key", 1.5), 3);
   for (const double stamp : {2.001, 2.5, 3., 3.999, 4.})
     EXPECT_NEAR(x_at("object_key", stamp), 7, 1e-9) << stamp;
+}
+
+TEST_F(ObjectFramesTest, NeitherDoesALookUpInPythonWhoseStampsAreDoubles) {
+  rounds_ = true;
+  for (const double start : {1764000000.1, 1764000000.2, 1764000000.3}) {
+    show(start, {confirmed(1, 3)});
+    show(start + 0.03, {confirmed(2, 7)});
+    EXPECT_NEAR(x_at("object_key", start + 0.015), 7, 1e-9) << start;
+    frames_.reset();
+    buffer_.clear();
+  }
 }
 
 TEST_F(ObjectFramesTest, AnInstanceThatMovesIsInterpolated) {
