@@ -55,7 +55,9 @@ Calibration calibrate(const PlatformConfig& config, const sensor_msgs::CameraInf
   if (!has_platform(config))
     return uncalibrated("set platform_frame or platform_distance to get poses in metres");
   if (camera_frame_of(config, header).empty())
-    return uncalibrated("images name no frame_id; let the camera or the goal set header.frame_id, or set camera_frame");
+    return uncalibrated(
+        "images name no frame_id; let the camera or the goal set header.frame_id, or set "
+        "camera_frame");
   if (info == nullptr) return uncalibrated(kNoCameraInfo);
   try {
     const std::string fault = fault_of_calibration(*info, config.rectified, size);
