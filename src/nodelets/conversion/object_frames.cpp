@@ -9,9 +9,6 @@
 namespace mbncc::nodelets {
 namespace {
 
-// Python's tf2 keeps stamps as doubles, which tell 0.24 us apart at today's time.
-const ros::Duration kStep(0, 1000);
-
 geometry_msgs::TransformStamped transform_of(const ros::Time& stamp, const std::string& parent,
                                              const std::string& child,
                                              const geometry_msgs::Pose& pose) {
@@ -45,7 +42,7 @@ std::vector<geometry_msgs::TransformStamped> ObjectFrames::of(
     Followed& followed = followed_[object.stable_frame_id];
     // tf interpolates: without an earlier transform at the new pose, the frame would seem to move
     // from the last instance to this one.
-    const ros::Time next = followed.stamp + kStep;
+    const ros::Time next = followed.stamp + ros::Duration(0, kStep);
     if (followed.instance_id != 0 && followed.instance_id != object.instance_id && next < stamp)
       add(next, object.stable_frame_id);
     add(stamp, object.stable_frame_id);

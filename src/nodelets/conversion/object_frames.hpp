@@ -16,6 +16,10 @@ namespace mbncc::nodelets {
 
 class ObjectFrames {
  public:
+  /// [ns] after its last transform a stable frame is at another instance. Python's tf2 keeps stamps
+  /// as doubles, which tell 240 ns apart at today's time.
+  static constexpr int kStep = 1000;
+
   /// The frames child_frame_id and stable_frame_id of each object that has them, and ..._grasp
   /// under them if it has a finite grasp; none for a stamp that is not after the last one. Which
   /// objects have them, keep_permitted_frames() decides. A stable frame switches to another

@@ -20,6 +20,7 @@
 
 #include "nodelets/call_service.hpp"
 #include "nodelets/conversion/images.hpp"
+#include "nodelets/conversion/object_frames.hpp"
 #include "nodelets/drawn_images.hpp"
 #include "nodelets/spin_until.hpp"
 #include "nodelets/teacher.hpp"
@@ -182,7 +183,8 @@ TEST_F(BagPlayback, FindsEveryPoseAndSendsTfOnceAtTheImagesStamp) {
     EXPECT_TRUE(sent.emplace(transform.child_frame_id, transform.header.stamp).second)
         << "tf twice for a stamp";
     // The stable frame's first word on another instance; see ObjectFrames.
-    if (confirmed_.count(transform.header.stamp - ros::Duration(0, 1)) == 1) continue;
+    const ros::Duration step(0, ObjectFrames::kStep);
+    if (confirmed_.count(transform.header.stamp - step) == 1) continue;
     ASSERT_EQ(confirmed_.count(transform.header.stamp), 1u) << "tf without a confirmed detection";
     expect_true(transform);
   }
