@@ -10,6 +10,7 @@
 #include <sensor_msgs/Image.h>
 
 #include <array>
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <future>
@@ -113,6 +114,20 @@ class Session : public testing::Test {
     return boost::make_shared<DetectedObjectArray>();
   }
 
+  /// Shows images until the objects at all poses have frames.
+  DetectedObjectArray::ConstPtr show_until_framed(const std::vector<Pose2D>& poses) {
+    DetectedObjectArray::ConstPtr array;
+    const auto framed = [&](const Pose2D& pose) {
+      const DetectedObject* object = nearest(*array, pose);
+      return object != nullptr && !object->child_frame_id.empty();
+    };
+    for (int i = 0; i < 30; ++i) {
+      array = show(poses);
+      if (std::all_of(poses.begin(), poses.end(), framed)) break;
+    }
+    return array;
+  }
+
   static const DetectedObject* nearest(const DetectedObjectArray& array, const Pose2D& pose) {
     const DetectedObject* best = nullptr;
     double least = 10;
@@ -142,8 +157,7 @@ bool Session::taught_ = false;
 TEST_F(Session, EqualObjectsThatPassEachOtherKeepTheirIdentity) {
   const auto left = [](int i) { return Pose2D{60. + 5 * i, 110, 0.3}; };
   const auto right = [](int i) { return Pose2D{340. - 5 * i, 185, -0.8}; };
-  for (int i = 0; i < 4; ++i) show({left(0), right(0)});
-  auto array = show({left(0), right(0)});
+  auto array = show_until_framed({left(0), right(0)});
   ASSERT_EQ(array->objects.size(), 2u);
   const std::uint32_t ids[] = {nearest(*array, left(0))->instance_id,
                                nearest(*array, right(0))->instance_id};
@@ -157,7 +171,7 @@ TEST_F(Session, EqualObjectsThatPassEachOtherKeepTheirIdentity) {
     const DetectedObject* found[] = {nearest(*array, left(i)), nearest(*array, right(i))};
     for (int k : {0, 1}) EXPECT_TRUE(!found[k] || found[k]->instance_id == ids[k]) << i;
   }
-  for (int i = 0; i < 5; ++i) array = show({left(50), right(50)});
+  array = show_until_framed({left(50), right(50)});
   ASSERT_EQ(array->objects.size(), 2u);
   EXPECT_EQ(nearest(*array, left(50))->child_frame_id, frames[0]);
   EXPECT_EQ(nearest(*array, right(50))->child_frame_id, frames[1]);
