@@ -418,7 +418,7 @@ void ConsoleWidget::connect_calibration() {
   connect(calibration_, &CalibrationPane::keep_wanted, this,
           [this](const auto& calibration) { ros_.keep_calibration(calibration); });
   connect(calibration_, &CalibrationPane::platform_wanted, this,
-          [this] { calibration_->calibrate_platform(ros_.camera_arguments()); });
+          [this] { calibration_->calibrate_platform(ros_.images()); });
   connect(&ros_, &RosLink::calibration_kept, calibration_, &CalibrationPane::show_kept);
   connect(&ros_, &RosLink::image_heard, this, [this](const QImage& image, QSize size) {
     if (side_->currentWidget() != calibration_) return;

@@ -319,20 +319,9 @@ void RosLink::keep_calibration(const sensor_msgs::CameraInfo& calibration) {
   });
 }
 
-QStringList RosLink::camera_arguments() const {
-  const std::string image = node_.resolveName("image_raw");
-  const std::string::size_type last = image.rfind('/') + 1;
-  std::string frame = node_.getNamespace().substr(1);
-  std::replace(frame.begin(), frame.end(), '/', '_');
-  frame += frame.empty() ? "platform" : "_platform";
-  QStringList arguments{
-      QString::fromStdString("image_raw:=" + image),
-      QString::fromStdString("camera_info:=" + image.substr(0, last) + "camera_info"),
-      "--platform-frame", QString::fromStdString(frame)};
-  if (image.compare(last, 10, "image_rect") == 0) arguments += "--rectified";
-  const int white_level = node_.param(matching_ + "/white_level", 0);
-  if (white_level > 0) arguments += {"--white-level", QString::number(white_level)};
-  return arguments;
+CellImages RosLink::images() const {
+  return {node_.getNamespace(), node_.resolveName("image_raw"),
+          node_.param(matching_ + "/white_level", 0)};
 }
 
 void RosLink::save_explained() {

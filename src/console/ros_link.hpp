@@ -20,6 +20,7 @@
 #include <sensor_msgs/CameraInfo.h>
 #include <sensor_msgs/Image.h>
 
+#include "console/calibration/platform_calibration.hpp"
 #include "console/image/image_origin.hpp"
 #include "console/image/images.hpp"
 #include "console/thresholds/threshold_preview.hpp"
@@ -30,7 +31,6 @@
 #include <QPointF>
 #include <QRect>
 #include <QString>
-#include <QStringList>
 #include <atomic>
 #include <condition_variable>
 #include <deque>
@@ -83,9 +83,8 @@ class RosLink : public QObject {
   void set_search_region(const QRect& region);
   /// Sends a calibration to the camera.
   void keep_calibration(const sensor_msgs::CameraInfo& calibration);
-  /// Arguments of calibrate_platform that name the cell's topics and frames. Queries the parameter
-  /// server.
-  QStringList camera_arguments() const;
+  /// Where the cell's images come from. Queries the parameter server.
+  CellImages images() const;
   /// Saves the last explanation in a file.
   void save_explained();
   /// Aborts a call that waits for an answer; it fails.

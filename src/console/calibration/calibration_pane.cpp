@@ -146,14 +146,10 @@ void CalibrationPane::show_kept(bool success, const QString& message) {
                             : "Not kept: " + message);
 }
 
-void CalibrationPane::calibrate_platform(const QStringList& camera) {
+void CalibrationPane::calibrate_platform(const CellImages& images) {
   platform_->setEnabled(false);
   result_text_->setText("The platform is being calibrated; leave the board where it lies.");
-  const Board shown = board();
-  platform_calibration_.begin(QStringList{"--chessboard",
-                                          QString("%1x%2").arg(shown.columns).arg(shown.rows),
-                                          "--square", QString::number(shown.square, 'g', 6)} +
-                              camera);
+  platform_calibration_.begin(board(), images);
 }
 
 void CalibrationPane::show_platform(bool success, const QString& message) {

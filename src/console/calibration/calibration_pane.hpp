@@ -31,9 +31,8 @@ class CalibrationPane : public QWidget {
   /// `size` [px] of the camera's image; returns the marks to draw into it.
   std::vector<Mark> take(const QImage& image, QSize size);
   void show_kept(bool success, const QString& message);
-  /// Starts the platform's calibration with the board that lies on it. `camera`: arguments of
-  /// calibrate_platform that name the cell's topics and frames.
-  void calibrate_platform(const QStringList& camera);
+  /// Starts the platform's calibration with the board that lies on it.
+  void calibrate_platform(const CellImages& images);
 
  Q_SIGNALS:
   void keep_wanted(sensor_msgs::CameraInfo calibration);

@@ -3,14 +3,42 @@
 
 #include <QDir>
 #include <QRegularExpression>
+#include <QStringList>
+#include <algorithm>
 
 namespace mbncc::console {
 namespace {
 
-/// Of a platform frame: a cell's frame is named after its namespace, so each has its own.
-QString folder_of(const QString& frame) {
+/// Each cell has its own, named after its namespace.
+std::string frame_of(const std::string& cell) {
+  std::string name = cell.substr(1);
+  std::replace(name.begin(), name.end(), '/', '_');
+  return name.empty() ? "platform" : name + "_platform";
+}
+
+QString folder_of(const std::string& frame) {
   const QString home = qEnvironmentVariable("ROS_HOME", QDir::homePath() + "/.ros");
-  return home + "/mbncc_vision/" + frame;
+  return home + "/mbncc_vision/" + QString::fromStdString(frame);
+}
+
+/// Those of calibrate_platform; camera_info stands beside the images.
+QStringList arguments_of(const Board& board, const CellImages& images) {
+  const std::string frame = frame_of(images.cell);
+  const auto last = images.topic.rfind('/') + 1;
+  const std::string info = images.topic.substr(0, last) + "camera_info";
+  QStringList arguments{"--chessboard",
+                        QString("%1x%2").arg(board.columns).arg(board.rows),
+                        "--square",
+                        QString::number(board.square, 'g', 6),
+                        "--out",
+                        folder_of(frame),
+                        "--platform-frame",
+                        QString::fromStdString(frame),
+                        QString::fromStdString("image_raw:=" + images.topic),
+                        QString::fromStdString("camera_info:=" + info)};
+  if (images.topic.compare(last, 10, "image_rect") == 0) arguments += "--rectified";
+  if (images.white_level > 0) arguments += {"--white-level", QString::number(images.white_level)};
+  return arguments;
 }
 
 QStringList lines_of(const QByteArray& output) {
@@ -35,12 +63,10 @@ PlatformCalibration::PlatformCalibration(QObject* parent) : QObject(parent) {
   connect(&process_, &QProcess::errorOccurred, this, &PlatformCalibration::report_missing);
 }
 
-void PlatformCalibration::begin(const QStringList& arguments) {
+void PlatformCalibration::begin(const Board& board, const CellImages& images) {
   if (process_.state() != QProcess::NotRunning) return;
-  const int frame = arguments.indexOf("--platform-frame") + 1;
-  process_.start("rosrun", QStringList{"mbncc_vision", "calibrate_platform", "--out",
-                                       folder_of(arguments.value(frame))} +
-                               arguments);
+  process_.start("rosrun",
+                 QStringList{"mbncc_vision", "calibrate_platform"} + arguments_of(board, images));
 }
 
 void PlatformCalibration::read_results(int code, QProcess::ExitStatus status) {

@@ -5,9 +5,20 @@
 #include <QObject>
 #include <QProcess>
 #include <QString>
-#include <QStringList>
+
+#include <string>
+
+#ifndef Q_MOC_RUN
+#include "console/calibration/board_calibration.hpp"
+#endif
 
 namespace mbncc::console {
+
+struct CellImages {
+  std::string cell;     ///< namespace
+  std::string topic;    ///< their resolved name
+  int white_level = 0;  ///< as the matching nodelet's; 0: none
+};
 
 class PlatformCalibration : public QObject {
   Q_OBJECT
@@ -15,10 +26,10 @@ class PlatformCalibration : public QObject {
  public:
   explicit PlatformCalibration(QObject* parent = nullptr);
 
-  /// `arguments` of calibrate_platform without --out: the files go to ROS_HOME (~/.ros) of this
-  /// computer, where those of an earlier calibration of this platform are replaced. Ignored while
-  /// one runs.
-  void begin(const QStringList& arguments);
+  /// From the board that lies on the cell's platform. The files go to ROS_HOME (~/.ros) of this
+  /// computer, where those of an earlier calibration of the cell are replaced. Ignored while one
+  /// runs.
+  void begin(const Board& board, const CellImages& images);
 
  Q_SIGNALS:
   /// `message`: the pose and how to start the cell with it, or why there is none.
