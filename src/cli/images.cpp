@@ -27,6 +27,13 @@ std::string errno_text(int code) {
   return std::generic_category().message(code);
 }
 
+std::string remedy_for(const std::string& unwritable) {
+  const auto folder = std::filesystem::path(unwritable).parent_path();
+  return folder.empty() || std::filesystem::exists(folder)
+             ? "; check disk space and permissions"
+             : "; make its folder, or choose another one";
+}
+
 std::vector<std::uint8_t> read_bytes(const std::string& path) {
   std::error_code error;
   const auto status = std::filesystem::status(path, error);
@@ -55,7 +62,7 @@ void write_bytes(const std::string& file, const std::vector<std::uint8_t>& bytes
                static_cast<std::streamsize>(bytes.size()));
   stream.close();
   if (stream) return;
-  const std::string reason = "cannot be written: " + errno_text(errno);
+  const std::string reason = "cannot be written: " + errno_text(errno) + remedy_for(path);
   std::error_code ignored;
   if (file != path) std::filesystem::remove(file, ignored);
   throw FileError(path, reason);
@@ -162,7 +169,7 @@ void write_image(const std::string& path, const cv::Mat& image) {
   if (device) return;
   fs::rename(unfinished, path, error);
   if (!error) return;
-  const std::string reason = "cannot be written: " + error.message();
+  const std::string reason = "cannot be written: " + error.message() + remedy_for(path);
   fs::remove(unfinished, error);
   throw FileError(path, reason);
 }

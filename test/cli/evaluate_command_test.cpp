@@ -73,6 +73,14 @@ TEST_F(EvaluateCommand, UnknownColumnsAreRefused) {
   EXPECT_TRUE(run.says("its column 'theta_dge' is unknown; did you mean 'theta_deg'?")) << run.err;
 }
 
+TEST_F(EvaluateCommand, ATruthThatIsNoTextIsNotPrinted) {
+  const ToolRun run = evaluate("\x89PNG\r\n\x1a\n,x,y\n");
+  EXPECT_EQ(run.code, 1);
+  EXPECT_TRUE(run.says("truth.csv: no text; give a CSV file with the columns")) << run.err;
+  EXPECT_EQ(run.err.find('\x89'), std::string::npos);
+  EXPECT_EQ(evaluate("image,x,y\nübung.png,,\n").code, 0) << "names in UTF-8 are text";
+}
+
 TEST_F(EvaluateCommand, ListedImagesThatWereNotGivenAreNamed) {
   const std::string truth = std::string(kRight) + "lost.png,part,1,2,3\n";
   EXPECT_TRUE(evaluate(truth).says("1 listed images were not given: lost.png\n"));

@@ -36,7 +36,8 @@ TEST_F(LibraryCommands, MapComesBackAtFullSize) {
   EXPECT_EQ(cv::norm(out, map, cv::NORM_INF), 0);
   const ToolRun nowhere = on_library("map", {"--name", "part", "--out", folder_ / "no/out.png"});
   EXPECT_EQ(nowhere.code, 1);
-  EXPECT_TRUE(nowhere.says("cannot be written: No such file or directory")) << nowhere.err;
+  EXPECT_TRUE(nowhere.says("cannot be written: No such file or directory; make its folder"))
+      << nowhere.err;
   EXPECT_FALSE(std::filesystem::exists(folder_ / "out.png.part"));
   const ToolRun full = on_library("map", {"--name", "part", "--out", "/dev/full"});
   EXPECT_EQ(full.code, 1);
@@ -128,6 +129,14 @@ TEST_F(LibraryCommands, CheckRepairsFromTheTrashAndSaysSo) {
   EXPECT_FALSE(on_library("check", {"--repair"}).prints("brought")) << "once is enough";
   std::filesystem::remove_all(folder_.library() + "/.quarantine");
   EXPECT_EQ(on_library("check").code, 0);
+}
+
+TEST_F(LibraryCommands, WhatTheTrashDoesNotHoldIsToldWithTheTrashsFolder) {
+  const ToolRun run = on_library("restore", {"--name", "nosuch"});
+  EXPECT_EQ(run.code, 1);
+  EXPECT_TRUE(
+      run.says("no object 'nosuch'; its objects are the files of " + folder_.library() + "/.trash"))
+      << run.err;
 }
 
 TEST_F(LibraryCommands, ImagesOfTheUserStayWhereTheyAre) {

@@ -6,9 +6,11 @@
 #include <filesystem>
 #include <fstream>
 #include <sstream>
+#include <string_view>
 
 #include "mbncc/did_you_mean.hpp"
 #include "mbncc/error.hpp"
+#include "mbncc/utf8.hpp"
 
 namespace mbncc::cli {
 namespace {
@@ -22,6 +24,11 @@ std::vector<std::string> cells_of(std::string line) {
 }
 
 const std::vector<std::string> kColumns = {"image", "name", "x", "y", "theta_deg"};
+
+bool is_text(std::string_view line) {
+  while (const std::size_t length = utf8_length(line)) line.remove_prefix(length);
+  return line.empty();
+}
 
 class Columns {
  public:
@@ -68,6 +75,8 @@ Truth read_truth(const std::string& path) {
   std::ifstream file(path);
   std::string line;
   if (!file || !std::getline(file, line)) throw FileError(path, "cannot be read, or is empty");
+  if (!is_text(line))
+    throw FileError(path, "no text; give a CSV file with the columns image,name,x,y,theta_deg");
   const Columns columns(path, cells_of(line));
   Truth truth;
   for (int number = 2; std::getline(file, line); ++number) {

@@ -15,13 +15,15 @@ namespace {
   throw NameError(LearnError::kNameUnknown, "the library has no object '" + name + "'");
 }
 
-[[noreturn]] void refuse_missing(const std::string& name, std::uint32_t revision,
+[[noreturn]] void refuse_missing(const library::LibraryFolder& folder, const std::string& name,
+                                 std::uint32_t revision,
                                  const std::map<std::uint32_t, std::string>& revisions) {
   std::string known;
   for (const auto& [number, path] : revisions)
     known += (known.empty() ? "" : ", ") + std::to_string(number);
   throw NameError(LearnError::kNameUnknown,
-                  revisions.empty() ? "the trash has no object '" + name + "'"
+                  revisions.empty() ? "the trash has no object '" + name +
+                                          "'; its objects are the files of " + folder.trash()
                                     : "the trash has no revision " + std::to_string(revision) +
                                           " of '" + name + "'; it has " + known);
 }
@@ -143,7 +145,7 @@ ObjectModel ObjectLibrary::restore(const std::string& name, std::uint32_t revisi
   library::LockedFolder locked({folder_});
   const auto revisions = library::trashed_revisions({folder_}, name);
   if (revision != 0 ? revisions.count(revision) == 0 : revisions.empty())
-    refuse_missing(name, revision, revisions);
+    refuse_missing({folder_}, name, revision, revisions);
   ObjectModel model =
       revision != 0 ? read_object_file(revisions.at(revision)) : read_newest(revisions);
   const auto old = locked.read(name);
