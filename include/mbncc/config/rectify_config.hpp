@@ -11,11 +11,29 @@ namespace mbncc {
 
 struct RectifyConfig {
   ImageConfig images;
-  double max_info_age = 60;  ///< [s] age after which a camera_info is no longer used
+  bool top_view = false;       ///< publish what the camera would see from straight above
+  std::string platform_frame;  ///< tf frame whose x-y plane the top view looks down on
+  std::string camera_frame;    ///< optical frame; "": the images' frame_id
+  bool rectified = false;      ///< the received images are rectified: P counts, else K and D
+  double max_info_age = 60;    ///< [s] age after which a camera_info is no longer used
 
   template <class Self, class Visitor>
   static void fields(Self& self, Visitor&& visit) {
     ImageConfig::fields(self.images, visit);
+    visit(FieldInfo{"top_view", Allowed::anything(), "",
+                    "publish top_view/image_rect, which shows the platform as a fixed camera would "
+                    "from straight above; false: image_rect, only the lens is corrected"},
+          self.top_view);
+    visit(FieldInfo{"platform_frame", Allowed::frame(), "",
+                    "tf frame whose x-y plane is the platform; needed for the top view"},
+          self.platform_frame);
+    visit(FieldInfo{"camera_frame", Allowed::frame(), "",
+                    "optical frame of the camera; empty: the images' frame_id"},
+          self.camera_frame);
+    visit(FieldInfo{"rectified", Allowed::anything(), "",
+                    "for the top view: the images that come in are rectified, P of camera_info "
+                    "counts; otherwise K and D"},
+          self.rectified);
     visit(
         FieldInfo{"max_info_age", Allowed::at_least(0.1), "s", "an older camera_info is not used"},
         self.max_info_age);

@@ -27,6 +27,7 @@ struct SimulatedCameraConfig {
   std::string frame_id = "camera_optical_frame";  ///< of images and truth
   double focal_length = 600;                      ///< [px]; 0: publish no calibration
   double distortion = 0;                          ///< k1 of the lens
+  double tilt = 0;                                ///< [degrees] from straight down, about x
   double principal_x = 0;                         ///< [px] principal point from the image's middle
   double principal_y = 0;                         ///< [px]
   double platform_distance = 0.6;                 ///< [m] for the truth in metres
@@ -80,6 +81,10 @@ struct SimulatedCameraConfig {
     visit(FieldInfo{"distortion", Allowed::range(-1, 1), "",
                     "radial distortion k1 of the lens; below 0: barrel"},
           self.distortion);
+    visit(FieldInfo{"tilt", Allowed::range(-45, 45), "degrees",
+                    "from straight down, about the camera's x axis; above 0: it looks towards the "
+                    "image's upper edge"},
+          self.tilt);
     visit(FieldInfo{"principal_x", Allowed::range(-8192, 8192), "px",
                     "principal point from the image's middle"},
           self.principal_x);

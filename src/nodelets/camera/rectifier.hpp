@@ -1,32 +1,26 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Corrects lens distortion: converts a raw image to one with the camera matrix P of camera_info.
+// Shows what a camera sees as another one without distortion would, that stands at the same place.
 #pragma once
 
-#include <sensor_msgs/CameraInfo.h>
-
 #include <opencv2/core.hpp>
-#include <string>
+
+#include "mbncc/cell/top_view.hpp"
+#include "nodelets/conversion/camera_model.hpp"
 
 namespace mbncc::nodelets {
 
-/// A rectified image, or why there is none.
-struct Rectified {
-  cv::Mat image;      ///< CV_8UC3
-  std::string fault;  ///< message with the remedy
-
-  explicit operator bool() const { return fault.empty(); }
-};
-
 class Rectifier {
  public:
-  /// `image` is CV_8UC3. The first image of a calibration takes longer.
-  Rectified rectify(const cv::Mat& image, const sensor_msgs::CameraInfo& info);
+  /// The image, CV_8UC3, of a camera with this lens, as `wanted` shows it in the same size; black
+  /// where the lens shows nothing. The first image of a lens or camera takes longer.
+  cv::Mat rectify(const cv::Mat& image, const Lens& lens, const TurnedCamera& wanted);
 
  private:
-  void take_over(const sensor_msgs::CameraInfo& info, cv::Size size);
+  void prepare(const Lens& lens, const TurnedCamera& wanted, cv::Size size);
 
-  sensor_msgs::CameraInfo info_;  // calibration of the maps, without its header
-  cv::Mat places_, fractions_;    // coordinates in the raw image, for cv::remap
+  Lens lens_;                   // of the maps
+  TurnedCamera wanted_;         // likewise
+  cv::Mat places_, fractions_;  // coordinates in the raw image, for cv::remap
 };
 
 }  // namespace mbncc::nodelets

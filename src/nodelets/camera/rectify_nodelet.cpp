@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Publishes rectified images of a camera while there is a subscriber.
+// Publishes rectified images of a camera while there is a subscriber: image_rect, or with a
+// platform's frame top_view/image_rect and its camera_info.
 #include <image_transport/image_transport.h>
 #include <ros/ros.h>
 #include <pluginlib/class_list_macros.hpp>
@@ -12,6 +13,7 @@
 #include <utility>
 
 #include "mbncc/config/rectify_config.hpp"
+#include "nodelets/camera/rectified_view.hpp"
 #include "nodelets/camera/rectifier.hpp"
 #include "nodelets/common/camera_input.hpp"
 #include "nodelets/common/guarded_nodelet.hpp"
@@ -32,6 +34,10 @@ class RectifyNodelet : public GuardedNodelet {
     camera_ = std::make_unique<CameraInput>(
         node(), CameraInputConfig{config_.images.image_transport, config_.max_info_age},
         [this](const sensor_msgs::ImageConstPtr& message) { mailbox_.put(message); });
+    if (config_.top_view) {
+      top_view_ = std::make_unique<TopView>(config_);
+      infos_ = node().advertise<sensor_msgs::CameraInfo>("top_view/camera_info", 1);
+    }
     worker_ = std::thread([this] { work(); });
     image_transport::ImageTransport transport(node());
     const image_transport::SubscriberStatusCallback changed = [this](const auto&) {
@@ -40,7 +46,8 @@ class RectifyNodelet : public GuardedNodelet {
     {
       // The first subscriber may connect before the publisher is stored.
       const std::lock_guard<std::mutex> lock(mutex_);
-      publisher_ = transport.advertise("image_rect", 1, changed, changed);
+      publisher_ = transport.advertise(top_view_ ? "top_view/image_rect" : "image_rect", 1, changed,
+                                       changed);
     }
     report_ =
         std::make_unique<HealthReport>(node(), private_node(), getName(), "none", "rectifying",
@@ -83,11 +90,23 @@ class RectifyNodelet : public GuardedNodelet {
     if (!decoded) return decoded.fault;
     const auto info = camera_->camera_info_for(message.header.frame_id, decoded.image.size());
     if (!info) return kNoCameraInfo;
-    const Rectified rectified = rectifier_.rectify(decoded.image, *info);
-    if (!rectified) return rectified.fault;
-    publisher_.publish(
-        boost::make_shared<sensor_msgs::Image>(encode_image(rectified.image, message.header)));
+    const cv::Size size = decoded.image.size();
+    const RectifiedView view = top_view_ ? top_view_->view(*info, message.header, size)
+                                         : without_distortion(*info, message.header, size);
+    if (!view) return view.fault;
+    std_msgs::Header header = message.header;
+    header.frame_id = view.frame_id;
+    if (top_view_) publish_info(view, header, size);
+    const cv::Mat rectified = rectifier_.rectify(decoded.image, view.lens, view.wanted);
+    publisher_.publish(boost::make_shared<sensor_msgs::Image>(encode_image(rectified, header)));
     return "";
+  }
+
+  void publish_info(const RectifiedView& view, const std_msgs::Header& header, cv::Size size) {
+    const auto info =
+        boost::make_shared<sensor_msgs::CameraInfo>(camera_info_of(view.wanted.camera, size));
+    info->header = header;
+    infos_.publish(info);
   }
 
   void note(const std::string& fault) {
@@ -115,8 +134,10 @@ class RectifyNodelet : public GuardedNodelet {
   RectifyConfig config_;
   std::unique_ptr<CameraInput> camera_;
   Mailbox<sensor_msgs::ImageConstPtr> mailbox_;
-  Rectifier rectifier_;  // of the worker thread
-  std::mutex mutex_;     // guards what follows
+  std::unique_ptr<TopView> top_view_;  // of the worker thread, like the rectifier; null: not wanted
+  Rectifier rectifier_;
+  ros::Publisher infos_;
+  std::mutex mutex_;  // guards what follows
   image_transport::Publisher publisher_;
   std::string fault_;
   std::uint64_t published_ = 0, refused_ = 0;

@@ -68,7 +68,7 @@ class SimulatedCameraNodelet : public GuardedNodelet {
   void publish_image(const sim::CellFrame& frame, const std_msgs::Header& header) {
     ++frames_;
     if (camera_.getNumSubscribers() == 0) return;
-    const cv::Mat image = optics_->distort(scene_->render(frame.placed, frames_, frame.arm));
+    const cv::Mat image = optics_->expose(scene_->render(frame.placed, frames_, frame.arm));
     const auto info = boost::make_shared<sensor_msgs::CameraInfo>(optics_->camera_info());
     info->header = header;
     camera_.publish(boost::make_shared<sensor_msgs::Image>(encode_image(image, header)), info);
@@ -106,8 +106,10 @@ class SimulatedCameraNodelet : public GuardedNodelet {
   void add_metric_pose(const Pose2D& pose, mbncc_vision::DetectedObject& object) const {
     if (config_.focal_length == 0) return;
     const Platform platform(rays_of(optics_->pinhole()), plane_at(config_.platform_distance));
-    const auto lifted = platform.lift(pose, cv::Matx33d::zeros(), config_.object_height);
+    auto lifted = platform.lift(pose, cv::Matx33d::zeros(), config_.object_height);
     if (!lifted) return;
+    lifted->position = optics_->rotation().t() * lifted->position;
+    lifted->rotation = optics_->rotation().t() * lifted->rotation;
     object.pose_valid = true;
     object.pose.pose = to_msg(*lifted).pose;
   }

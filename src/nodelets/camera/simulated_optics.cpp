@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "nodelets/camera/simulated_optics.hpp"
 
+#include <cmath>
 #include <opencv2/calib3d.hpp>
 #include <opencv2/imgproc.hpp>
 #include <stdexcept>
+
+#include "nodelets/conversion/camera_model.hpp"
 
 namespace mbncc::nodelets {
 namespace {
@@ -14,26 +17,31 @@ PinholeCamera pinhole_of(const SimulatedCameraConfig& config) {
 }
 
 sensor_msgs::CameraInfo info_of(const SimulatedCameraConfig& config, const PinholeCamera& camera) {
-  sensor_msgs::CameraInfo info;
-  info.width = static_cast<std::uint32_t>(config.width);
-  info.height = static_cast<std::uint32_t>(config.height);
-  if (config.focal_length == 0) return info;
-  info.distortion_model = "plumb_bob";
-  info.D = {config.distortion, 0, 0, 0, 0};
-  info.K = {camera.fx, 0, camera.cx, 0, camera.fy, camera.cy, 0, 0, 1};
-  info.R = {1, 0, 0, 0, 1, 0, 0, 0, 1};
-  info.P = {camera.fx, 0, camera.cx, 0, 0, camera.fy, camera.cy, 0, 0, 0, 1, 0};
-  return info;
+  if (config.focal_length > 0) {
+    sensor_msgs::CameraInfo info = camera_info_of(camera, {config.width, config.height});
+    info.D[0] = config.distortion;
+    return info;
+  }
+  sensor_msgs::CameraInfo sizes;
+  sizes.width = static_cast<std::uint32_t>(config.width);
+  sizes.height = static_cast<std::uint32_t>(config.height);
+  return sizes;
 }
 
-cv::Mat undistorted_places(const sensor_msgs::CameraInfo& info) {
+/// Turned about the x axis.
+cv::Matx33d rotation_of(const SimulatedCameraConfig& config) {
+  const double angle = config.tilt * CV_PI / 180, c = std::cos(angle), s = std::sin(angle);
+  return {1, 0, 0, 0, c, -s, 0, s, c};
+}
+
+cv::Mat places_in_drawing(const sensor_msgs::CameraInfo& info, const cv::Matx33d& rotation) {
   const cv::Size size(static_cast<int>(info.width), static_cast<int>(info.height));
   cv::Mat raw(size, CV_32FC2), places;
   for (int y = 0; y < size.height; ++y)
     for (int x = 0; x < size.width; ++x)
       raw.at<cv::Vec2f>(y, x) = {static_cast<float>(x), static_cast<float>(y)};
   const cv::Matx33d k(info.K.data());
-  cv::undistortPoints(raw.reshape(2, size.area()), places, k, info.D, cv::noArray(), k,
+  cv::undistortPoints(raw.reshape(2, size.area()), places, k, info.D, rotation, k,
                       {cv::TermCriteria::COUNT | cv::TermCriteria::EPS, 100, 1e-9});
   return places.reshape(2, size.height);
 }
@@ -41,17 +49,18 @@ cv::Mat undistorted_places(const sensor_msgs::CameraInfo& info) {
 }  // namespace
 
 SimulatedOptics::SimulatedOptics(const SimulatedCameraConfig& config)
-    : camera_(pinhole_of(config)), info_(info_of(config, camera_)) {
-  if (config.distortion == 0) return;
+    : camera_(pinhole_of(config)), info_(info_of(config, camera_)), rotation_(rotation_of(config)) {
+  if (config.distortion == 0 && config.tilt == 0) return;
   if (config.focal_length == 0)
-    throw std::invalid_argument("parameter 'distortion' needs a focal_length above 0");
-  where_ = undistorted_places(info_);
+    throw std::invalid_argument("parameters 'distortion' and 'tilt' need a focal_length above 0");
+  where_ = places_in_drawing(info_, rotation_);
 }
 
-cv::Mat SimulatedOptics::distort(const cv::Mat& undistorted) const {
-  if (where_.empty()) return undistorted;
+cv::Mat SimulatedOptics::expose(const cv::Mat& drawing) const {
+  if (where_.empty()) return drawing;
   cv::Mat raw;
-  cv::remap(undistorted, raw, where_, cv::noArray(), cv::INTER_CUBIC, cv::BORDER_REFLECT_101);
+  // OpenCV's cubic kernel displaces edges by hundredths of a pixel.
+  cv::remap(drawing, raw, where_, cv::noArray(), cv::INTER_LANCZOS4, cv::BORDER_REFLECT_101);
   return raw;
 }
 

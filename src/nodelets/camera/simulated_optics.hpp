@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The simulated camera's lens: its calibration, and its distortion of an image.
+// The simulated camera's lens: its calibration, and what it makes of the drawn scene, which is seen
+// from straight above without distortion.
 #pragma once
 
 #include <sensor_msgs/CameraInfo.h>
@@ -18,17 +19,20 @@ class SimulatedOptics {
   /// Without header; without a focal length only the image's size.
   const sensor_msgs::CameraInfo& camera_info() const { return info_; }
 
-  /// The camera of the undistorted image.
+  /// The camera of the drawing.
   const PinholeCamera& pinhole() const { return camera_; }
 
-  /// The distorted version of an undistorted image, which is mirrored beyond its edges.
-  cv::Mat distort(const cv::Mat& undistorted) const;
+  /// From the frame of the camera to that of the drawing's camera.
+  const cv::Matx33d& rotation() const { return rotation_; }
+
+  /// The camera's image of the drawing, which is mirrored beyond its edges.
+  cv::Mat expose(const cv::Mat& drawing) const;
 
  private:
   PinholeCamera camera_;
   sensor_msgs::CameraInfo info_;
-  cv::Mat where_;  // CV_32FC2 position of each raw pixel in the undistorted image; empty: no
-                   // distortion
+  cv::Matx33d rotation_;
+  cv::Mat where_;  // CV_32FC2 position of each raw pixel in the drawing; empty: the same
 };
 
 }  // namespace mbncc::nodelets

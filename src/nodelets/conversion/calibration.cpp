@@ -11,13 +11,6 @@
 namespace mbncc::nodelets {
 namespace {
 
-Plane plane_through(const Eigen::Isometry3d& T_camera_platform) {
-  cv::Matx44d matrix;
-  for (int row = 0; row < 4; ++row)
-    for (int column = 0; column < 4; ++column) matrix(row, column) = T_camera_platform(row, column);
-  return plane_of(matrix);
-}
-
 Calibration uncalibrated(const std::string& fault) {
   return {{}, fault, {}};
 }
@@ -26,13 +19,13 @@ Calibration over_platform(const PixelToRay& ray, const PlatformConfig& config,
                           const std_msgs::Header& header, cv::Size size,
                           const tf2_ros::Buffer& tf) {
   Calibration calibration;
-  if (config.platform_frame.empty()) {
-    calibration.platform = Platform(ray, plane_at(config.platform_distance));
-  } else {
+  if (!config.platform_frame.empty())
     calibration.T_camera_platform = tf2::transformToEigen(
         tf.lookupTransform(camera_frame_of(config, header), config.platform_frame, header.stamp));
-    calibration.platform = Platform(ray, plane_through(*calibration.T_camera_platform));
-  }
+  const Plane plane = calibration.T_camera_platform ? plane_of(*calibration.T_camera_platform)
+                                                    : plane_at(config.platform_distance);
+  calibration.platform = Platform(ray, plane);
+  calibration.perspective = perspective_of(ray, plane, size);
   const cv::Point2d middle((size.width - 1) / 2.0, (size.height - 1) / 2.0);
   if (calibration.platform->meet(middle, 0)) return calibration;
   return uncalibrated(
@@ -48,6 +41,13 @@ std::string camera_frame_of(const PlatformConfig& config, const std_msgs::Header
 
 bool has_platform(const PlatformConfig& config) {
   return !config.platform_frame.empty() || config.platform_distance > 0;
+}
+
+Plane plane_of(const Eigen::Isometry3d& T_camera_platform) {
+  cv::Matx44d matrix;
+  for (int row = 0; row < 4; ++row)
+    for (int column = 0; column < 4; ++column) matrix(row, column) = T_camera_platform(row, column);
+  return mbncc::plane_of(matrix);
 }
 
 Calibration calibrate(const PlatformConfig& config, const sensor_msgs::CameraInfo* info,

@@ -12,6 +12,7 @@
 #include <string>
 
 #include "mbncc/cell/platform.hpp"
+#include "mbncc/cell/top_view.hpp"
 #include "mbncc/config/platform_config.hpp"
 
 namespace mbncc::nodelets {
@@ -20,6 +21,7 @@ struct Calibration {
   std::optional<Platform> platform;                    ///< none: poses only in pixels
   std::string fault;                                   ///< why there is none, with the remedy
   std::optional<Eigen::Isometry3d> T_camera_platform;  ///< of platform_frame, if it is set
+  Perspective perspective;                             ///< of the image
 };
 
 /// Whether poses in metres are wanted.
@@ -27,6 +29,9 @@ bool has_platform(const PlatformConfig& config);
 
 /// Optical frame of an image: the configured one, otherwise the image's.
 std::string camera_frame_of(const PlatformConfig& config, const std_msgs::Header& header);
+
+/// Plane through the frame's x and y axes. Throws like plane_of(cv::Matx44d).
+Plane plane_of(const Eigen::Isometry3d& T_camera_platform);
 
 /// Calibration of one image of `size`. `info` may be null. Never waits for tf.
 Calibration calibrate(const PlatformConfig& config, const sensor_msgs::CameraInfo* info,

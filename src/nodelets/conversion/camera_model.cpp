@@ -163,6 +163,18 @@ cv::Matx33d rectification_of(const CameraInfo& info) {
   return is_empty(r) ? cv::Matx33d::eye() : r;
 }
 
+CameraInfo camera_info_of(const PinholeCamera& camera, cv::Size size) {
+  CameraInfo info;
+  info.width = static_cast<std::uint32_t>(size.width);
+  info.height = static_cast<std::uint32_t>(size.height);
+  info.distortion_model = models::PLUMB_BOB;
+  info.D = {0, 0, 0, 0, 0};
+  info.K = {camera.fx, 0, camera.cx, 0, camera.fy, camera.cy, 0, 0, 1};
+  info.R = {1, 0, 0, 0, 1, 0, 0, 0, 1};
+  info.P = {camera.fx, 0, camera.cx, 0, 0, camera.fy, camera.cy, 0, 0, 0, 1, 0};
+  return info;
+}
+
 cv::Matx33d matrix_of(const PinholeCamera& camera) {
   return {camera.fx, 0, camera.cx, 0, camera.fy, camera.cy, 0, 0, 1};
 }

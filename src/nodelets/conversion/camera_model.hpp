@@ -39,6 +39,9 @@ PinholeCamera rectified_camera_of(const sensor_msgs::CameraInfo& info);
 /// Rotation of the rectified camera relative to the raw one; the identity if R is empty.
 cv::Matx33d rectification_of(const sensor_msgs::CameraInfo& info);
 
+/// Calibration without header of images of `size` without distortion.
+sensor_msgs::CameraInfo camera_info_of(const PinholeCamera& camera, cv::Size size);
+
 /// As OpenCV takes it.
 cv::Matx33d matrix_of(const PinholeCamera& camera);
 

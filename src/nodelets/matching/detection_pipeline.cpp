@@ -4,8 +4,11 @@
 #include <tf2_geometry_msgs/tf2_geometry_msgs.h>
 
 #include <algorithm>
+#include <iomanip>
+#include <sstream>
 #include <string>
 
+#include "mbncc/cell/top_view.hpp"
 #include "nodelets/conversion/messages.hpp"
 #include "nodelets/conversion/pose_algebra.hpp"
 #include "nodelets/conversion/tf_wait.hpp"
@@ -16,9 +19,22 @@ namespace {
 using mbncc_vision::DetectedObject;
 using mbncc_vision::DetectedObjectArray;
 
+constexpr double kNotableYawError = 0.25;  // [degrees]
+
 bool any_enabled(const LibrarySnapshot& library) {
   return std::any_of(library.objects.begin(), library.objects.end(),
                      [](const auto& object) { return object->enabled; });
+}
+
+/// Only a tilt that makes yaw less certain than the search usually does is worth a message.
+std::string advice_on_tilt(const Calibration& calibration) {
+  const double yaw = to_degrees(yaw_error_of(calibration.perspective));
+  if (yaw < kNotableYawError) return "";
+  std::ostringstream text;
+  text << std::fixed << std::setprecision(1) << "the camera is tilted by "
+       << to_degrees(calibration.perspective.tilt) << " degrees, which makes yaw uncertain by "
+       << yaw << " degrees; mount it upright, or start the cell with top_view:=true";
+  return text.str();
 }
 
 /// The most important status for a controller: a pose without metres or in a wrong frame would move
@@ -40,9 +56,9 @@ void set_status(DetectedObjectArray& array, const LibrarySnapshot& library,
     array.message = "time_budget exceeded; some objects were not searched";
   } else {
     array.status = DetectedObjectArray::OK;
-    if (!result.limited.empty())
-      array.message = "max_instances reached by " + result.limited.front() +
-                      "; there may be more of it, raise max_instances";
+    array.message = !result.limited.empty() ? "max_instances reached by " + result.limited.front() +
+                                                  "; there may be more of it, raise max_instances"
+                                            : advice_on_tilt(calibration);
   }
 }
 
@@ -147,7 +163,9 @@ DetectedObject DetectionPipeline::describe(const TrackedMatch& tracked, const Ob
   object.reasons = tracked.reasons;
   object.valid_until.fromSec(tracked.valid_until);
   if (!calibration.platform || model == nullptr) return object;
-  const auto pose = calibration.platform->lift(match.pose, match.covariance, model->object_height);
+  const cv::Matx33d covariance =
+      with_perspective(match.covariance, calibration.perspective, match.outline);
+  const auto pose = calibration.platform->lift(match.pose, covariance, model->object_height);
   if (!pose) return object;
   object.pose_valid = true;
   object.pose = to_msg(*pose);

@@ -9,7 +9,6 @@
 #include <opencv2/calib3d.hpp>
 
 #include "mbncc/sim/scene.hpp"
-#include "nodelets/camera/rectifier.hpp"
 #include "nodelets/camera/simulated_optics.hpp"
 #include "nodelets/conversion/camera_model.hpp"
 #include "nodelets/conversion/rays.hpp"
@@ -300,71 +299,6 @@ TEST(Calibration, APlatformThatIsNotBeforeTheCameraIsNone) {
   transform.transform.translation.z = 0.8;
   tf.setTransform(transform, "test", true);
   EXPECT_TRUE(calibrate(config, &info, header(), kSize, tf).platform);
-}
-
-SimulatedCameraConfig distorted_cell() {
-  SimulatedCameraConfig config;
-  config.width = 320;
-  config.height = 240;
-  config.focal_length = 225;
-  config.distortion = -0.3;
-  config.principal_x = 20;
-  config.principal_y = -15;
-  return config;
-}
-
-TEST(Rectifier, GivesTheUndistortedImageBack) {
-  const SimulatedOptics optics(distorted_cell());
-  sim::SceneConfig scene_config;
-  scene_config.size = {320, 240};
-  const cv::Mat straight = sim::Scene(scene_config).render({{{3, 80, 1.6}, {180, 130, 0.4}}});
-  const cv::Mat raw = optics.distort(straight);
-  Rectifier rectifier;
-  const Rectified rectified = rectifier.rectify(raw, optics.camera_info());
-  ASSERT_TRUE(rectified) << rectified.fault;
-  const cv::Rect inner(60, 40, 200, 160);
-  cv::Mat difference;
-  cv::absdiff(rectified.image(inner), straight(inner), difference);
-  EXPECT_LT(cv::mean(difference)[1], 3);
-  cv::absdiff(raw(inner), straight(inner), difference);
-  EXPECT_GT(cv::mean(difference)[1], 5) << "the lens shows";
-}
-
-/// The part of a raw image, and the part of the rectified one that it gives.
-void expect_same_part(const sensor_msgs::CameraInfo& whole) {
-  sim::SceneConfig scene_config;
-  scene_config.size = {320, 240};
-  const cv::Mat raw = sim::Scene(scene_config).render({{{3, 80, 1.6}, {180, 130, 0.4}}});
-  const cv::Rect part(40, 30, 200, 160), inner(30, 30, 140, 100);
-  auto info = whole;
-  info.roi.x_offset = 40;
-  info.roi.y_offset = 30;
-  info.roi.width = 200;
-  info.roi.height = 160;
-  Rectifier rectifier;
-  const Rectified of_whole = rectifier.rectify(raw, whole);
-  const Rectified of_part = rectifier.rectify(raw(part).clone(), info);
-  ASSERT_TRUE(of_whole && of_part) << of_whole.fault << of_part.fault;
-  cv::Mat difference;
-  cv::absdiff(of_whole.image(part)(inner), of_part.image(inner), difference);
-  EXPECT_LT(cv::norm(difference, cv::NORM_INF), 2);
-}
-
-TEST(Rectifier, APartOfTheSensorGivesAPartOfTheImage) {
-  auto info = SimulatedOptics(distorted_cell()).camera_info();
-  expect_same_part(info);
-  info.R = {std::cos(0.03), -std::sin(0.03), 0, std::sin(0.03), std::cos(0.03), 0, 0, 0, 1};
-  expect_same_part(info);
-  info.distortion_model = "equidistant";
-  info.D = {0.02, -0.01, 0, 0};
-  expect_same_part(info);
-}
-
-TEST(Rectifier, RefusesACalibrationOfAnotherSizeOrNone) {
-  Rectifier rectifier;
-  const cv::Mat image(240, 320, CV_8UC3, cv::Scalar::all(7));
-  EXPECT_FALSE(rectifier.rectify(image, strong_lens()));
-  EXPECT_FALSE(rectifier.rectify(image, {}));
 }
 
 }  // namespace

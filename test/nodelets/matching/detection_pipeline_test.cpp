@@ -111,6 +111,29 @@ TEST_F(DetectionPipelineTest, WithoutCalibrationThereAreNoMetresAndNoFrames) {
   EXPECT_EQ(array.objects[0].child_frame_id, "");
 }
 
+TEST_F(DetectionPipelineTest, ATiltedCameraIsToldAndMakesPosesLessCertain) {
+  const DetectedObjectArray upright = after(1);
+  ASSERT_EQ(upright.objects.size(), 1u);
+  EXPECT_EQ(upright.message, "");
+  config_.platform.platform_frame = "platform";
+  geometry_msgs::TransformStamped transform;
+  transform.header.frame_id = "camera";
+  transform.child_frame_id = "platform";
+  transform.transform.translation.z = 0.5;
+  transform.transform.rotation.x = std::sin(0.05);
+  transform.transform.rotation.w = std::cos(0.05);
+  tf_.setTransform(transform, "test", true);
+  const DetectedObjectArray tilted = after(1);
+  ASSERT_EQ(tilted.objects.size(), 1u);
+  EXPECT_EQ(tilted.status, DetectedObjectArray::OK);
+  EXPECT_NE(tilted.message.find("tilted by 5.7 degrees"), std::string::npos) << tilted.message;
+  EXPECT_NE(tilted.message.find("top_view:=true"), std::string::npos) << tilted.message;
+  const auto yaw_variance = [](const DetectedObjectArray& array) {
+    return array.objects[0].pose.covariance[35];
+  };
+  EXPECT_GT(yaw_variance(tilted), yaw_variance(upright) + 0.015 * 0.015);
+}
+
 TEST_F(DetectionPipelineTest, WithoutTheTargetFrameThereAreNoFrames) {
   config_.target_frame = "base";
   const DetectedObjectArray array = after(3);

@@ -63,6 +63,44 @@ class Rectified(unittest.TestCase):
             self.assertIs(loaded[key + "/rectified"], False, key)
 
 
+class TopView(unittest.TestCase):
+    def test_is_searched_with_a_calibration_and_a_frame_of_its_own(self):
+        config = load("cell.launch", "top_view:=true", "platform_frame:=table", "image:=/usb_cam/image_raw")
+        remaps = {node.name: dict(node.remap_args) for node in config.nodes}
+        for nodelet in ("learning", "matching"):
+            self.assertEqual(remaps[nodelet]["image_raw"], "top_view/image_rect", nodelet)
+            self.assertEqual(remaps[nodelet]["camera_info"], "top_view/camera_info", nodelet)
+            self.assertIs(config.params["/%s/rectified" % nodelet].value, True, nodelet)
+            self.assertEqual(config.params["/%s/camera_frame" % nodelet].value, "", nodelet)
+        self.assertEqual(remaps["rectify"]["image_raw"], "/usb_cam/image_raw")
+        self.assertEqual(remaps["rectify"]["camera_info"], "/usb_cam/camera_info")
+        self.assertIs(config.params["/rectify/top_view"].value, True)
+        self.assertEqual(config.params["/rectify/platform_frame"].value, "table")
+
+    def test_undistorts_raw_images_alone(self):
+        def rectified(*arguments):
+            return parameters("cell.launch", "top_view:=true", *arguments)["/rectify/rectified"]
+        self.assertIs(rectified(), False)
+        self.assertIs(rectified("rectify:=true"), False)
+        self.assertIs(rectified("image:=/usb_cam/image_rect"), True)
+        self.assertIs(rectified("image:=/straight", "rectified:=true"), True)
+        self.assertIs(rectified("image:=/image_rect", "rectified:=false"), False)
+
+    def test_of_two_cells_and_of_bags(self):
+        loaded = parameters("cells.launch", "top_view:=true")
+        for key in ("/left/rectify", "/right/rectify"):
+            self.assertIs(loaded[key + "/top_view"], True, key)
+        loaded = parameters("replay.launch", "bag:=x.bag", "top_view:=true", "platform_frame:=table")
+        self.assertIs(loaded["/rectify/top_view"], True)
+        self.assertEqual(loaded["/searched_image"], "top_view/image_rect")
+        self.assertEqual(parameters("replay.launch", "bag:=x.bag", "rectify:=true")["/searched_image"], "image_rect")
+
+    def test_is_off_unless_wanted(self):
+        loaded = parameters("cell.launch", "rectify:=true", "platform_frame:=table")
+        self.assertIs(loaded["/rectify/top_view"], False)
+        self.assertIs(loaded["/rectify/rectified"], False)
+
+
 class Calibration(unittest.TestCase):
     def test_of_two_cameras_does_not_go_to_one_file(self):
         loaded = parameters("cells.launch")
@@ -93,6 +131,16 @@ class Console(unittest.TestCase):
             self.assertEqual(dict(other.remap_args), {"image_raw": "/usb_cam/image_raw"})
         self.assertIn("-f camera_optical_frame", self.of("rviz:=true").args)
         self.assertIn("-f usb_cam", self.of("rviz:=true", "frame:=usb_cam").args)
+
+
+    def test_is_told_which_images_the_cell_searches(self):
+        def told(*arguments):
+            loaded = parameters("cell.launch", *arguments)
+            return loaded["/searched_image"], loaded["/camera_image"]
+        self.assertEqual(told(), ("image_raw", "image_raw"))
+        self.assertEqual(told("image:=/a/image_raw"), ("/a/image_raw", "/a/image_raw"))
+        self.assertEqual(told("rectify:=true"), ("image_rect", "image_raw"))
+        self.assertEqual(told("top_view:=true"), ("top_view/image_rect", "image_raw"))
 
 
 class Images(unittest.TestCase):
