@@ -23,6 +23,8 @@ constexpr std::size_t kImagesKept = 30, kBytesKept = std::size_t{96} << 20;
 
 constexpr float kHardlyAny = 0.02f;  // score
 const char* const kSearchRegion = "search_roi";
+const char* const kSearchedImages = "searched_image";  // parameters of cell.launch
+const char* const kCameraImages = "camera_image";
 
 QSize size_of(const sensor_msgs::Image& message) {
   return {static_cast<int>(message.width), static_cast<int>(message.height)};
@@ -74,6 +76,7 @@ RosLink::RosLink() : worker_([this] { work(); }) {
 RosLink::~RosLink() {
   spinner_.stop();
   subscribers_.clear();
+  images_.shutdown();
   {
     const std::lock_guard<std::mutex> lock(mutex_);
     stopping_ = true;
@@ -92,6 +95,7 @@ void RosLink::connect_to(const Names& names) {
   subscribe_lesson(node_);
   subscribe_cell(node_);
   subscribe_settings(node_);
+  follow_images();
   spinner_.start();
 }
 
@@ -132,10 +136,26 @@ void RosLink::subscribe_cell(ros::NodeHandle& node) {
       "object_library", 1,
       [this](const mbncc_vision::LearnedObjectArrayConstPtr&) { list_objects(); }));
   hear(node.subscribe<diagnostic_msgs::DiagnosticArray>(
-      "/diagnostics", 20,
-      [this](const diagnostic_msgs::DiagnosticArrayConstPtr& m) { Q_EMIT diagnostics_heard(*m); }));
-  hear(node.subscribe<sensor_msgs::Image>(
-      "image_raw", 1, [this](const sensor_msgs::ImageConstPtr& m) { take_image(m); }));
+      "/diagnostics", 20, [this](const diagnostic_msgs::DiagnosticArrayConstPtr& m) {
+        follow_images();
+        Q_EMIT diagnostics_heard(*m);
+      }));
+}
+
+std::string RosLink::image_topic(const std::string& parameter) const {
+  const std::string topic = node_.resolveName("image_raw");
+  const bool remapped = topic != node_.resolveName("image_raw", false);
+  std::string named;
+  if (remapped || !node_.getParamCached(parameter, named)) return topic;
+  return node_.resolveName(named);
+}
+
+void RosLink::follow_images() {
+  const std::string topic = image_topic(kSearchedImages);
+  if (images_ && images_.getTopic() == topic) return;
+  newest_.clear();
+  images_ = node_.subscribe<sensor_msgs::Image>(
+      topic, 1, [this](const sensor_msgs::ImageConstPtr& m) { take_image(m); });
 }
 
 void RosLink::subscribe_settings(ros::NodeHandle& node) {
@@ -306,6 +326,11 @@ void RosLink::set_search_region(const QRect& region) {
 }
 
 void RosLink::keep_calibration(const sensor_msgs::CameraInfo& calibration) {
+  if (image_topic(kSearchedImages) != image_topic(kCameraImages))
+    return Q_EMIT calibration_kept(
+        false,
+        "these images are rectified, which the camera's own are not; start the cell without "
+        "rectify and top_view to calibrate the lens");
   later([this, calibration] {
     sensor_msgs::SetCameraInfo call;
     call.request.camera_info = calibration;
@@ -320,7 +345,7 @@ void RosLink::keep_calibration(const sensor_msgs::CameraInfo& calibration) {
 }
 
 CellImages RosLink::images() const {
-  return {node_.getNamespace(), node_.resolveName("image_raw"),
+  return {node_.getNamespace(), image_topic(kCameraImages),
           node_.param(matching_ + "/white_level", 0)};
 }
 

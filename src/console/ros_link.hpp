@@ -128,6 +128,10 @@ class RosLink : public QObject {
   void subscribe_lesson(ros::NodeHandle& node);
   void subscribe_cell(ros::NodeHandle& node);
   void subscribe_settings(ros::NodeHandle& node);
+  /// The topic of images that a parameter of cell.launch names, unless image_raw is remapped.
+  std::string image_topic(const std::string& parameter) const;
+  /// Subscribes to the searched images, also when the cell starts later than the console.
+  void follow_images();
   void take_image(const sensor_msgs::ImageConstPtr& message);
   /// A camera's image, as bright as matching takes it.
   cv::Mat live_rgb(const sensor_msgs::Image& message) const;
@@ -142,6 +146,7 @@ class RosLink : public QObject {
   ros::CallbackQueue queue_;
   ros::AsyncSpinner spinner_{1, &queue_};
   std::vector<ros::Subscriber> subscribers_;
+  ros::Subscriber images_;  // of the spinner's thread, once it runs
   ros::Publisher goal_publisher_, cancel_publisher_;
   ros::NodeHandle node_;
   int goals_ = 0;

@@ -58,6 +58,18 @@ class ConsoleTest(unittest.TestCase):
                                                o.image_pose.y - true[0].image_pose.y) < PLACE
             for o in detections.objects)
 
+    def test_1_the_images_are_those_that_the_cell_searches(self):
+        import rosgraph
+        import rospy
+
+        def listeners(topic):
+            return dict(rosgraph.Master("/test").getSystemState()[1]).get(topic, [])
+        searched = rospy.get_param("/searched_image")
+        rospy.set_param("/searched_image", "top_view/image_rect")
+        wait_for(lambda: listeners("/top_view/image_rect"), "the console follows")
+        rospy.set_param("/searched_image", searched)
+        wait_for(lambda: not listeners("/top_view/image_rect"), "the console returns")
+
     def test_2_a_rejected_lesson_stores_nothing(self):
         from mbncc_vision.msg import LearnObjectResult
         known = self.teacher.names()
