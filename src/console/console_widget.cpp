@@ -10,6 +10,7 @@
 #include "console/detections/lamp_row.hpp"
 #include "console/explain/explain_pane.hpp"
 #include "console/image/image_view.hpp"
+#include "console/image/scaled_image.hpp"
 #include "console/lesson/lesson_bar.hpp"
 #include "console/lesson/object_name.hpp"
 #include "console/lesson/review_pane.hpp"

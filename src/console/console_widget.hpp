@@ -6,8 +6,8 @@
 #ifndef Q_MOC_RUN
 #include "console/detections/lamps.hpp"
 #include "console/image/live_image.hpp"
+#include "console/image/marking_tool.hpp"
 #include "console/lesson/lesson_model.hpp"
-#include "console/lesson/marking_tool.hpp"
 #include "console/lesson/teaching_wish.hpp"
 #include "console/ros_link.hpp"
 #endif

@@ -13,6 +13,8 @@
 #include <cstdio>
 #include <utility>
 
+#include "console/image/scaled_image.hpp"
+
 namespace mbncc::console {
 namespace {
 
@@ -61,13 +63,6 @@ void announce_types() {
 }
 
 }  // namespace
-
-QImage to_qimage(const cv::Mat& image) {
-  if (image.empty()) return {};
-  return QImage(image.data, image.cols, image.rows, static_cast<int>(image.step),
-                QImage::Format_RGB888)
-      .copy();
-}
 
 RosLink::RosLink() : worker_([this] { work(); }) {
   announce_types();

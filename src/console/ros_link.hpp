@@ -20,10 +20,9 @@
 #include <sensor_msgs/CameraInfo.h>
 #include <sensor_msgs/Image.h>
 
-#include "console/calibration/platform_calibration.hpp"
+#include "console/cell_settings.hpp"
 #include "console/image/image_origin.hpp"
 #include "console/image/images.hpp"
-#include "console/thresholds/threshold_preview.hpp"
 #endif
 
 #include <QImage>
@@ -166,8 +165,5 @@ class RosLink : public QObject {
   ros::ServiceClient under_way_;
   std::thread worker_;
 };
-
-/// A copy of `image`, CV_8UC3 rgb; null if it is empty.
-QImage to_qimage(const cv::Mat& image);
 
 }  // namespace mbncc::console

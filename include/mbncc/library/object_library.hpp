@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "mbncc/error.hpp"
+#include "mbncc/library/library_snapshot.hpp"
 #include "mbncc/object_model.hpp"
 
 namespace mbncc {
@@ -27,23 +28,6 @@ class NameError : public std::invalid_argument {
 
  private:
   LearnError code_;
-};
-
-/// A file that could not be read.
-struct QuarantinedFile {
-  std::string file;    ///< name within the library folder
-  std::string reason;  ///< one sentence
-  bool moved = true;   ///< to `.quarantine/`; false: left in place (no permission, a newer format,
-                       ///< or an error unrelated to the file's content)
-};
-
-/// Immutable snapshot of a library; may be shared between threads.
-struct LibrarySnapshot {
-  std::vector<std::shared_ptr<const ObjectModel>> objects;  ///< sorted by name
-  std::vector<QuarantinedFile> quarantined;                 ///< by this load
-  std::vector<std::string> other_images;  ///< PNG files that are no objects and stay in place
-
-  std::shared_ptr<const ObjectModel> find(const std::string& name) const;  ///< null: unknown
 };
 
 /// Writers work under an exclusive lock on the folder (flock), so one writes at a time, across

@@ -10,15 +10,10 @@
 
 #ifndef Q_MOC_RUN
 #include "console/calibration/board_calibration.hpp"
+#include "console/cell_settings.hpp"
 #endif
 
 namespace mbncc::console {
-
-struct CellImages {
-  std::string cell;     ///< namespace
-  std::string topic;    ///< their resolved name
-  int white_level = 0;  ///< as the matching nodelet's; 0: none
-};
 
 class PlatformCalibration : public QObject {
   Q_OBJECT

@@ -5,8 +5,8 @@
 
 #ifndef Q_MOC_RUN
 #include "console/image/image_frame.hpp"
+#include "console/image/marking_tool.hpp"
 #include "console/image/marks.hpp"
-#include "console/lesson/marking_tool.hpp"
 #endif
 
 #include <QImage>

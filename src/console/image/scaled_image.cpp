@@ -5,6 +5,13 @@
 
 namespace mbncc::console {
 
+QImage to_qimage(const cv::Mat& image) {
+  if (image.empty()) return {};
+  return QImage(image.data, image.cols, image.rows, static_cast<int>(image.step),
+                QImage::Format_RGB888)
+      .copy();
+}
+
 ScaledImage::ScaledImage(QSize least, QWidget* parent) : QWidget(parent) {
   setMinimumSize(least);
   setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);

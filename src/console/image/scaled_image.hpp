@@ -5,8 +5,12 @@
 #include <QImage>
 #include <QSize>
 #include <QWidget>
+#include <opencv2/core.hpp>
 
 namespace mbncc::console {
+
+/// A copy of `image`, CV_8UC3 rgb; null if it is empty.
+QImage to_qimage(const cv::Mat& image);
 
 class ScaledImage : public QWidget {
   Q_OBJECT

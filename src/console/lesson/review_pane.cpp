@@ -9,7 +9,6 @@
 
 #include "console/image/images.hpp"
 #include "console/image/scaled_image.hpp"
-#include "console/ros_link.hpp"
 #include "console/widgets.hpp"
 
 namespace mbncc::console {

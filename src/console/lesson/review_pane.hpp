@@ -4,8 +4,8 @@
 #pragma once
 
 #ifndef Q_MOC_RUN
+#include "console/image/marking_tool.hpp"
 #include "console/lesson/lesson_model.hpp"
-#include "console/lesson/marking_tool.hpp"
 #endif
 
 #include <QButtonGroup>

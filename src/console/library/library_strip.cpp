@@ -6,8 +6,8 @@
 #include <QVBoxLayout>
 
 #include "console/image/images.hpp"
+#include "console/image/scaled_image.hpp"
 #include "console/lesson/object_name.hpp"
-#include "console/ros_link.hpp"
 #include "console/widgets.hpp"
 
 namespace mbncc::console {

@@ -5,7 +5,7 @@
 #include <QLabel>
 #include <QVBoxLayout>
 
-#include "console/ros_link.hpp"
+#include "console/image/scaled_image.hpp"
 #include "console/widgets.hpp"
 
 namespace mbncc::console {

@@ -15,11 +15,6 @@ bool stays(const std::string& reason) {
 
 }  // namespace
 
-double Thresholds::min_score_of(const std::string& object) const {
-  const auto found = own.find(object);
-  return found == own.end() ? min_score : found->second;
-}
-
 ThresholdPreview::ThresholdPreview(const mbncc_vision::DetectedObjectArray& all,
                                    const Thresholds& now)
     : all_(all), now_(now) {}

@@ -4,20 +4,13 @@
 
 #include <mbncc_vision/DetectedObjectArray.h>
 
-#include <map>
 #include <string>
 #include <vector>
 
+#include "console/cell_settings.hpp"
 #include "console/image/marks.hpp"
 
 namespace mbncc::console {
-
-struct Thresholds {
-  double min_score = 0.5, confirm_score = 0.7;  ///< the matcher's
-  std::map<std::string, double> own{};          ///< min_score of objects that have their own
-
-  double min_score_of(const std::string& object) const;
-};
 
 class ThresholdPreview {
  public:

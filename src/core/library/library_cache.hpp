@@ -7,7 +7,7 @@
 #include <string>
 
 #include "library/library_folder.hpp"
-#include "mbncc/library/object_library.hpp"
+#include "mbncc/library/library_snapshot.hpp"
 
 namespace mbncc {
 

@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "library/file_io.hpp"
+#include "mbncc/library/library_snapshot.hpp"
 #include "mbncc/library/object_file.hpp"
-#include "mbncc/library/object_library.hpp"
 #include "mbncc/object_model.hpp"
 
 namespace mbncc::library {

@@ -60,12 +60,6 @@ std::unique_ptr<ObjectModel> read_known(library::LockedFolder& locked, const std
 
 }  // namespace
 
-std::shared_ptr<const ObjectModel> LibrarySnapshot::find(const std::string& name) const {
-  const auto found = std::find_if(objects.begin(), objects.end(),
-                                  [&name](const auto& object) { return object->name == name; });
-  return found == objects.end() ? nullptr : *found;
-}
-
 ObjectLibrary::ObjectLibrary(std::string folder)
     : folder_(std::move(folder)), cache_(std::make_unique<LibraryCache>()) {
   if (folder_.empty()) throw FileError("''", "a library needs a folder");

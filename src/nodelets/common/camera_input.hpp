@@ -18,11 +18,6 @@ namespace mbncc::nodelets {
 /// Message if no image has arrived for some time.
 constexpr char kImagesStopped[] = "images have stopped; check the camera and its cable";
 
-/// Message if camera_info_for() is null.
-constexpr char kNoCameraInfo[] =
-    "no camera_info of this image's size and frame has come within max_info_age; compare "
-    "its topic, size and frame_id with those of the images";
-
 struct CameraInputConfig {
   std::string transport;    ///< raw, compressed ...
   double max_info_age = 0;  ///< [s] of the steady clock that a calibration is valid after arrival

@@ -3,7 +3,6 @@
 
 #include <tf2_eigen/tf2_eigen.h>
 
-#include "nodelets/common/camera_input.hpp"
 #include "nodelets/conversion/camera_model.hpp"
 #include "nodelets/conversion/rays.hpp"
 #include "nodelets/conversion/tf_wait.hpp"

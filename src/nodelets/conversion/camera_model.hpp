@@ -21,6 +21,11 @@ struct Lens {
   bool is_fisheye = false;         ///< of cv::fisheye, CameraInfo's "equidistant"
 };
 
+/// Message if there is no calibration of an image.
+constexpr char kNoCameraInfo[] =
+    "no camera_info of this image's size and frame has come within max_info_age; compare "
+    "its topic, size and frame_id with those of the images";
+
 /// Size of the images that come with the calibration: the region of interest, binned. Empty if
 /// the message contradicts itself.
 cv::Size image_size(const sensor_msgs::CameraInfo& info);

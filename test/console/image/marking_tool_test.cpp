@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "console/lesson/marking_tool.hpp"
+#include "console/image/marking_tool.hpp"
 
 #include <gtest/gtest.h>
 
