@@ -5,6 +5,7 @@
 #include <opencv2/imgproc.hpp>
 #include <random>
 
+#include "mbncc/cell/image_distortion.hpp"
 #include "mbncc/cell/platform.hpp"
 #include "mbncc/cell/top_view.hpp"
 #include "mbncc/matching/matcher.hpp"
@@ -74,7 +75,7 @@ Pose2D pose_in(const Viewer& viewer, const Pose2D& pose) {
 /// What is learned and searched: images of a camera, as another one at its place shows them.
 struct Views {
   Viewer camera, shown;
-  Perspective stated;
+  ImageDistortion stated;
 
   /// Sharp in the camera, interpolated like rectified images in the other.
   cv::Mat of_drawing(const cv::Mat& drawing) const {
@@ -131,7 +132,7 @@ double normalised_error(double noise, const Views& views = {}) {
         continue;
       }
       const cv::Matx33d covariance =
-          with_perspective(found[0].covariance, views.stated, found[0].outline);
+          with_distortion(found[0].covariance, views.stated, found[0].outline);
       total += squared_error(*platform.lift(found[0].pose, covariance, kHeight),
                              *platform.lift(pose_in(viewer, placed.pose), {}, kHeight));
     }
@@ -149,7 +150,7 @@ TEST(MetricAccuracy, ErrorsAreAsLargeAsStated) {
 
 TEST(MetricAccuracy, ATiltedCamerasErrorsAreStated) {
   const Viewer camera = tilted(8);
-  const Perspective stated = perspective_of(rays_of(camera.camera), camera.plane(), kImage);
+  const ImageDistortion stated = distortion_of({rays_of(camera.camera), camera.plane()}, kImage);
   EXPECT_GT(normalised_error(2, {camera, camera, {}}), 3) << "not those of an upright one";
   EXPECT_LT(normalised_error(2, {camera, camera, stated}), 1.3);
 }

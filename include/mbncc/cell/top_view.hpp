@@ -6,7 +6,6 @@
 #pragma once
 
 #include <opencv2/core.hpp>
-#include <vector>
 
 #include "mbncc/cell/platform.hpp"
 
@@ -26,23 +25,5 @@ double tilt_of(const Plane& platform);
 /// angle. Throws std::invalid_argument with the remedy if the platform would lie outside usable
 /// images: a tilt above 60 degrees, or a principal point that fault_of_camera() refuses.
 TurnedCamera top_view(const PinholeCamera& camera, const Plane& platform, cv::Size size);
-
-/// By how much perspective changes an object's view within the images of a camera.
-struct Perspective {
-  double tilt = 0;   ///< [rad] of the camera; 0: it looks straight down, and nothing changes
-  double field = 0;  ///< tangent of the angle between the image's middle and its corner
-  double pixel = 0;  ///< likewise, per pixel of that distance
-};
-
-Perspective perspective_of(const PixelToRay& ray, const Plane& platform, cv::Size size);
-
-/// Standard deviation [rad] of the yaw that shifting and rotating a view gives, between two places
-/// anywhere in the image.
-double yaw_error_of(const Perspective& perspective);
-
-/// Adds what perspective makes uncertain to the covariance (x, y, theta) [px, rad] of a pose that
-/// was found by shifting and rotating a view. `outline` [px]: the object in the image.
-cv::Matx33d with_perspective(const cv::Matx33d& covariance, const Perspective& perspective,
-                             const std::vector<cv::Point2f>& outline);
 
 }  // namespace mbncc

@@ -3,6 +3,7 @@
 
 #include <tf2_eigen/tf2_eigen.h>
 
+#include "mbncc/cell/top_view.hpp"
 #include "nodelets/conversion/camera_model.hpp"
 #include "nodelets/conversion/rays.hpp"
 #include "nodelets/conversion/tf_wait.hpp"
@@ -11,7 +12,9 @@ namespace mbncc::nodelets {
 namespace {
 
 Calibration uncalibrated(const std::string& fault) {
-  return {{}, fault, {}};
+  Calibration calibration;
+  calibration.fault = fault;
+  return calibration;
 }
 
 Calibration over_platform(const PixelToRay& ray, const PlatformConfig& config,
@@ -24,7 +27,8 @@ Calibration over_platform(const PixelToRay& ray, const PlatformConfig& config,
   const Plane plane = calibration.T_camera_platform ? plane_of(*calibration.T_camera_platform)
                                                     : plane_at(config.platform_distance);
   calibration.platform = Platform(ray, plane);
-  calibration.perspective = perspective_of(ray, plane, size);
+  calibration.distortion = distortion_of(*calibration.platform, size);
+  calibration.tilt = tilt_of(plane);
   const cv::Point2d middle((size.width - 1) / 2.0, (size.height - 1) / 2.0);
   if (calibration.platform->meet(middle, 0)) return calibration;
   return uncalibrated(

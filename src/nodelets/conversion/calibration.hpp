@@ -11,8 +11,8 @@
 #include <optional>
 #include <string>
 
+#include "mbncc/cell/image_distortion.hpp"
 #include "mbncc/cell/platform.hpp"
-#include "mbncc/cell/top_view.hpp"
 #include "mbncc/config/platform_config.hpp"
 
 namespace mbncc::nodelets {
@@ -21,7 +21,8 @@ struct Calibration {
   std::optional<Platform> platform;                    ///< none: poses only in pixels
   std::string fault;                                   ///< why there is none, with the remedy
   std::optional<Eigen::Isometry3d> T_camera_platform;  ///< of platform_frame, if it is set
-  Perspective perspective;                             ///< of the image
+  ImageDistortion distortion;                          ///< of the image
+  double tilt = 0;  ///< [rad] of the optical axis against the platform's normal
 };
 
 /// Whether poses in metres are wanted.

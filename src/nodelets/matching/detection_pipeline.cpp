@@ -8,7 +8,7 @@
 #include <sstream>
 #include <string>
 
-#include "mbncc/cell/top_view.hpp"
+#include "mbncc/cell/image_distortion.hpp"
 #include "nodelets/conversion/messages.hpp"
 #include "nodelets/conversion/pose_algebra.hpp"
 #include "nodelets/conversion/tf_wait.hpp"
@@ -26,14 +26,16 @@ bool any_enabled(const LibrarySnapshot& library) {
                      [](const auto& object) { return object->enabled; });
 }
 
-/// Only a tilt that makes yaw less certain than the search usually does is worth a message.
-std::string advice_on_tilt(const Calibration& calibration) {
-  const double yaw = to_degrees(yaw_error_of(calibration.perspective));
+/// Only what makes yaw less certain than the search usually does is worth a message.
+std::string advice_on_distortion(const Calibration& calibration) {
+  const double yaw = to_degrees(yaw_error_of(calibration.distortion));
   if (yaw < kNotableYawError) return "";
   std::ostringstream text;
-  text << std::fixed << std::setprecision(1) << "the camera is tilted by "
-       << to_degrees(calibration.perspective.tilt) << " degrees, which makes yaw uncertain by "
-       << yaw << " degrees; mount it upright, or start the cell with top_view:=true";
+  text << std::fixed << std::setprecision(1) << "yaw is uncertain by " << yaw
+       << " degrees, because the image shows the platform tilted (by "
+       << to_degrees(calibration.tilt)
+       << " degrees) or distorted; start the cell with top_view:=true, which needs the platform's "
+          "frame, or with rectify:=true against distortion alone";
   return text.str();
 }
 
@@ -58,7 +60,7 @@ void set_status(DetectedObjectArray& array, const LibrarySnapshot& library,
     array.status = DetectedObjectArray::OK;
     array.message = !result.limited.empty() ? "max_instances reached by " + result.limited.front() +
                                                   "; there may be more of it, raise max_instances"
-                                            : advice_on_tilt(calibration);
+                                            : advice_on_distortion(calibration);
   }
 }
 
@@ -164,7 +166,7 @@ DetectedObject DetectionPipeline::describe(const TrackedMatch& tracked, const Ob
   object.valid_until.fromSec(tracked.valid_until);
   if (!calibration.platform || model == nullptr) return object;
   const cv::Matx33d covariance =
-      with_perspective(match.covariance, calibration.perspective, match.outline);
+      with_distortion(match.covariance, calibration.distortion, match.outline);
   const auto pose = calibration.platform->lift(match.pose, covariance, model->object_height);
   if (!pose) return object;
   object.pose_valid = true;

@@ -126,7 +126,7 @@ TEST_F(DetectionPipelineTest, ATiltedCameraIsToldAndMakesPosesLessCertain) {
   const DetectedObjectArray tilted = after(1);
   ASSERT_EQ(tilted.objects.size(), 1u);
   EXPECT_EQ(tilted.status, DetectedObjectArray::OK);
-  EXPECT_NE(tilted.message.find("tilted by 5.7 degrees"), std::string::npos) << tilted.message;
+  EXPECT_NE(tilted.message.find("tilted (by 5.7 degrees)"), std::string::npos) << tilted.message;
   EXPECT_NE(tilted.message.find("top_view:=true"), std::string::npos) << tilted.message;
   const auto yaw_variance = [](const DetectedObjectArray& array) {
     return array.objects[0].pose.covariance[35];

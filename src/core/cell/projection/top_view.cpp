@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <opencv2/imgproc.hpp>
 #include <stdexcept>
 #include <string>
 
@@ -11,11 +10,6 @@ namespace mbncc {
 namespace {
 
 constexpr double kMostTilt = 60;  // [degrees] where a pixel covers twice as much of the platform
-// Between random places and directions, for focal lengths of .5 to 2.3 image widths and tilts of 2
-// to 20 degrees, the root mean square is .9 of what these give (top_view_test.cpp).
-constexpr double kYawError = 0.3;        // per tangent of the tilt and of the field
-constexpr double kPositionError = 0.04;  // of the object's length, per tangents of tilt and length
-
 cv::Point2d middle_of(cv::Size size) {
   return {(size.width - 1) / 2.0, (size.height - 1) / 2.0};
 }
@@ -31,10 +25,6 @@ cv::Matx33d rotation_between(const cv::Vec3d& from, const cv::Vec3d& to) {
 /// Cosine of a ray's angle to the optical axis.
 double cosine(const cv::Vec3d& ray) {
   return ray[2] / cv::norm(ray);
-}
-
-double tangent_between(const cv::Vec3d& a, const cv::Vec3d& b) {
-  return cv::norm(a.cross(b)) / a.dot(b);
 }
 
 void refuse(double tilt, const std::string& why) {
@@ -65,35 +55,6 @@ TurnedCamera top_view(const PinholeCamera& camera, const Plane& platform, cv::Si
   if (!(turned_ray[2] > 0) || !fault_of_camera(matrix, size).empty())
     refuse(tilt, "so that its images show too little of what lies below it");
   return turned;
-}
-
-Perspective perspective_of(const PixelToRay& ray, const Plane& platform, cv::Size size) {
-  const cv::Vec3d middle = ray(middle_of(size));
-  Perspective perspective{tilt_of(platform), 0, 0};
-  for (const double x : {0.0, size.width - 1.0})
-    for (const double y : {0.0, size.height - 1.0}) {
-      const double angle = tangent_between(middle, ray({x, y}));
-      // Where a lens shows nothing, or behind the camera, it is as wide as can be.
-      perspective.field = angle >= 0 ? std::max(perspective.field, angle) : 1;
-    }
-  perspective.pixel = perspective.field / cv::norm(middle_of(size));
-  return perspective;
-}
-
-double yaw_error_of(const Perspective& perspective) {
-  const double across = std::abs(std::tan(perspective.tilt)) * perspective.field;
-  const double foreshortening = (1 / std::abs(std::cos(perspective.tilt)) - 1) / 2;
-  return std::hypot(kYawError * across, foreshortening);
-}
-
-cv::Matx33d with_perspective(const cv::Matx33d& covariance, const Perspective& perspective,
-                             const std::vector<cv::Point2f>& outline) {
-  const cv::Size2f size = outline.empty() ? cv::Size2f() : cv::minAreaRect(outline).size;
-  const double length = std::max(size.width, size.height);
-  const double position =
-      kPositionError * std::abs(std::tan(perspective.tilt)) * perspective.pixel * length * length;
-  const double yaw = yaw_error_of(perspective);
-  return covariance + cv::Matx33d::diag({position * position, position * position, yaw * yaw});
 }
 
 }  // namespace mbncc
