@@ -66,10 +66,9 @@ RectifiedView TopView::view(const sensor_msgs::CameraInfo& info, const std_msgs:
         tf2::transformToEigen(tf_.lookupTransform(camera, config_.platform_frame, header.stamp)));
     if (normal_ && degrees_between(*normal_, platform.normal) > kMoved)
       return refused(
-          "platform: its direction in the camera's frame has changed; a top view needs a camera "
-          "that "
-          "is fixed above its platform: start the cell again after a new calibration, or with "
-          "top_view:=false for a camera on the robot");
+          "platform: its direction in the camera's frame has changed; a top view needs a fixed "
+          "camera: start the cell again after a new calibration, or with top_view:=false for a "
+          "camera on the robot");
     RectifiedView view{received_lens(info, config_.rectified), {}, camera + "_top_view", ""};
     view.wanted =
         top_view(view.lens.camera, {platform.point, normal_.value_or(platform.normal)}, size);
