@@ -26,7 +26,8 @@ def parameters(name, *arguments):
 
 def calibrations(name, *arguments):
     """What the topic camera_info of each node of the package is called."""
-    return {dict(node.remap_args)["camera_info"] for node in load(name, *arguments).nodes if node.type == "nodelet"}
+    return {dict(node.remap_args)["camera_info"] for node in load(name, *arguments).nodes
+            if node.type == "nodelet" and node.args != "manager"}
 
 
 class Rectified(unittest.TestCase):
@@ -99,6 +100,17 @@ class TopView(unittest.TestCase):
         loaded = parameters("cell.launch", "rectify:=true", "platform_frame:=table")
         self.assertIs(loaded["/rectify/top_view"], False)
         self.assertIs(loaded["/rectify/rectified"], False)
+
+
+class Manager(unittest.TestCase):
+    def test_has_no_remappings_which_would_come_before_those_of_its_nodelets(self):
+        for name, arguments in (("cell.launch", ()), ("demo.launch", ()), ("cells.launch", ()),
+                                ("replay.launch", ("bag:=x.bag",))):
+            for more in ((), ("image:=/usb_cam/image_raw",)) if name in ("cell.launch", "replay.launch") else ((),):
+                managers = [node for node in load(name, *arguments, *more).nodes if node.args == "manager"]
+                self.assertTrue(managers)
+                for manager in managers:
+                    self.assertFalse({"image_raw", "camera_info"} & set(dict(manager.remap_args)), (name, more))
 
 
 class Calibration(unittest.TestCase):
