@@ -71,6 +71,7 @@ class CalibratePlatformTest(unittest.TestCase):
         with open(self.path("out/platform.yaml"), encoding="utf-8") as file:
             self.assertEqual(yaml.safe_load(file), {"platform_frame": "platform"})
         self.assertIn("looks the same after half a turn", done.stdout)
+        self.assertRegex(done.stdout, r"height uncertain by up to 0\.\d\d mm at the image's edge")
 
     def test_the_origin_is_the_same_corner_however_the_board_lies(self):
         rows = 4
@@ -85,6 +86,25 @@ class CalibratePlatformTest(unittest.TestCase):
             self.assertEqual(done.returncode, 0, done.stderr)
             self.assertNotIn("half a turn", done.stdout)
             self.expect_true_pose(0.001, 0.5, turn, place)
+
+    def test_states_how_uncertain_the_height_is(self):
+        points = calibrate_platform.board_points(COLUMNS, ROWS, SQUARE, 0)
+        camera = calibrate_platform.Camera(yaml.safe_load(camera_yaml()), False)
+        exact = project(points)
+        random = np.random.default_rng(5)
+        width, height = camera.size
+        rays = np.array([((x - MATRIX[0, 2]) / MATRIX[0, 0], (y - MATRIX[1, 2]) / MATRIX[1, 1], 1)
+                         for x in (0, width - 1) for y in (0, height - 1)])
+        normal = cv2.Rodrigues(TURN)[0][:, 2]
+        corners = rays * (normal @ PLACE / (rays @ normal))[:, None]
+        errors, stated = [], []
+        for _ in range(100):
+            rotation, place, _, error = calibrate_platform.solve(points, exact + random.normal(0, 0.1, exact.shape), camera)
+            errors.append((corners - place) @ rotation[:, 2])
+            stated.append(error)
+        ratio = np.sqrt(np.mean(np.square(errors), axis=0)).max() / np.mean(stated)
+        self.assertGreater(ratio, 0.7)
+        self.assertLess(ratio, 1.4)
 
     def test_measured_points(self):
         points = [(0, 0, 0), (0.2, 0, 0), (0.2, -0.15, 0), (0, -0.15, 0), (0.1, -0.07, 0.02)]

@@ -102,17 +102,6 @@ class TopView(unittest.TestCase):
         self.assertIs(loaded["/rectify/rectified"], False)
 
 
-class Manager(unittest.TestCase):
-    def test_has_no_remappings_which_would_come_before_those_of_its_nodelets(self):
-        for name, arguments in (("cell.launch", ()), ("demo.launch", ()), ("cells.launch", ()),
-                                ("replay.launch", ("bag:=x.bag",))):
-            for more in ((), ("image:=/usb_cam/image_raw",)) if name in ("cell.launch", "replay.launch") else ((),):
-                managers = [node for node in load(name, *arguments, *more).nodes if node.args == "manager"]
-                self.assertTrue(managers)
-                for manager in managers:
-                    self.assertFalse({"image_raw", "camera_info"} & set(dict(manager.remap_args)), (name, more))
-
-
 class Calibration(unittest.TestCase):
     def test_of_two_cameras_does_not_go_to_one_file(self):
         loaded = parameters("cells.launch")
@@ -245,6 +234,15 @@ class Manager(unittest.TestCase):
             apart = self.nodes(name, "one_manager:=false")
             self.assertNotIn("mbncc_manager", apart)
             self.assertEqual(apart["matching"], ["standalone", "mbncc_vision/MatchingNodelet"])
+
+    def test_has_no_remappings_which_would_come_before_those_of_its_nodelets(self):
+        for name, arguments in (("cell.launch", ()), ("demo.launch", ()), ("cells.launch", ()),
+                                ("replay.launch", ("bag:=x.bag",))):
+            for more in ((), ("image:=/usb_cam/image_raw",)) if name in ("cell.launch", "replay.launch") else ((),):
+                managers = [node for node in load(name, *arguments, *more).nodes if node.args == "manager"]
+                self.assertTrue(managers)
+                for manager in managers:
+                    self.assertFalse({"image_raw", "camera_info"} & set(dict(manager.remap_args)), (name, more))
 
     def test_may_be_the_drivers(self):
         for arguments in (["cell.launch", "camera:=false"], ["demo.launch"], ["replay.launch", "bag:=x.bag"],
