@@ -12,7 +12,7 @@ namespace {
 constexpr int kPlaces = 3;  // per side of the image
 // Between random places and directions of objects from slim to compact, under tilts of 2 to 20
 // degrees and of distorting lenses, the errors are .7 to 1.1 of these (image_distortion_test.cpp).
-constexpr double kYawError = 1.1;        // per shear: of both places, and of slim objects
+constexpr double kYawError = 1.1;         // per shear: of both places, and of slim objects
 constexpr double kPositionError = 0.032;  // per bend, of the object's squared length
 
 /// Root mean square of what is added.
