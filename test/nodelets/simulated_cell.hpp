@@ -11,6 +11,7 @@
 
 #include "nodelets/call_service.hpp"
 #include "nodelets/spin_until.hpp"
+#include "nodelets/teacher.hpp"
 
 namespace mbncc::nodelets {
 
@@ -35,6 +36,20 @@ class SimulatedCell : public testing::Test {
       return call_service(service, trigger) && trigger.response.success;
     })) << service;
     ASSERT_TRUE(spin_until([this] { return truth_ && truth_->message != "rest"; }));
+  }
+
+  /// Teaches the object that lies in the cell, which the arm takes away.
+  void teach(const std::string& name) {
+    Teacher teacher;
+    ASSERT_TRUE(teacher.connect());
+    ASSERT_TRUE(spin_until([this] { return rests(true); }));
+    Teacher::Goal goal;
+    goal.name = name;
+    const std::string id = teacher.send(goal);
+    ASSERT_TRUE(spin_until([&] { return teacher.heard(id, Teacher::Feedback::WAIT_REMOVAL); }));
+    order("camera/take_away");
+    const auto lesson = teacher.await(id).result;
+    ASSERT_EQ(lesson.error_code, Teacher::Result::SUCCESS) << lesson.message;
   }
 
   /// Whether the arm has left, with the object present or not.

@@ -9,7 +9,6 @@
 #include <functional>
 
 #include "nodelets/simulated_cell.hpp"
-#include "nodelets/teacher.hpp"
 
 namespace mbncc::nodelets {
 namespace {
@@ -49,16 +48,7 @@ class RawLens : public SimulatedCell {
 };
 
 TEST_F(RawLens, DoesNotMoveWhatIsFound) {
-  Teacher teacher;
-  ASSERT_TRUE(teacher.connect());
-  ASSERT_TRUE(spin_until([this] { return rests(true); }));
-  Teacher::Goal goal;
-  goal.name = "part";
-  const std::string id = teacher.send(goal);
-  ASSERT_TRUE(spin_until([&] { return teacher.heard(id, Teacher::Feedback::WAIT_REMOVAL); }));
-  order("camera/take_away");
-  const auto lesson = teacher.await(id).result;
-  ASSERT_EQ(lesson.error_code, Teacher::Result::SUCCESS) << lesson.message;
+  ASSERT_NO_FATAL_FAILURE(teach("part"));
   geometry_msgs::Pose seen;
   ASSERT_NO_FATAL_FAILURE(find_where([](double apart) { return apart < kNear; }, seen));
   const tf2::Vector3 near_axis = in_object(seen, true_pose());

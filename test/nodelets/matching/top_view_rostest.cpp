@@ -12,7 +12,6 @@
 
 #include "mbncc/geometry.hpp"
 #include "nodelets/simulated_cell.hpp"
-#include "nodelets/teacher.hpp"
 
 namespace mbncc::nodelets {
 namespace {
@@ -22,19 +21,6 @@ constexpr char kCamera[] = "camera_optical_frame";
 
 class TopView : public SimulatedCell {
  protected:
-  void teach() {
-    Teacher teacher;
-    ASSERT_TRUE(teacher.connect());
-    ASSERT_TRUE(spin_until([this] { return rests(true); }));
-    Teacher::Goal goal;
-    goal.name = "part";
-    const std::string id = teacher.send(goal);
-    ASSERT_TRUE(spin_until([&] { return teacher.heard(id, Teacher::Feedback::WAIT_REMOVAL); }));
-    order("camera/take_away");
-    const auto lesson = teacher.await(id).result;
-    ASSERT_EQ(lesson.error_code, Teacher::Result::SUCCESS) << lesson.message;
-  }
-
   /// The found object in the truth's frame, which is the camera's, at the next place.
   std::optional<Eigen::Isometry3d> offset_at_next_place() {
     order("camera/put_next");
@@ -58,7 +44,7 @@ class TopView : public SimulatedCell {
 };
 
 TEST_F(TopView, PosesOfATiltedCameraAreTheTrueOnesUntilItIsMoved) {
-  teach();
+  ASSERT_NO_FATAL_FAILURE(teach("part"));
   const auto first = offset_at_next_place();
   ASSERT_TRUE(first);
   for (int place = 1; place < kPlaces; ++place) {
