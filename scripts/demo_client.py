@@ -129,8 +129,8 @@ class Demo:
         if client.get_state() != GoalStatus.SUCCEEDED:
             raise DemoFailed("%s %s" % (result.message, result.hint))
         print("  %s Area %d px." % (result.message, result.object.quality.area))
-        for reason in result.object.quality.reasons:
-            print("  " + reason)
+        for advice in result.object.quality.advice:
+            print("  " + advice)
         # The reference point in the object's drawing, independent of the map's centroid.
         return compose(inverse(as_tuple(start.objects[0].image_pose)),
                        as_tuple(result.object.reference))
