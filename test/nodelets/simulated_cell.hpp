@@ -7,6 +7,7 @@
 #include <ros/ros.h>
 #include <std_srvs/Trigger.h>
 
+#include <functional>
 #include <string>
 
 #include "nodelets/call_service.hpp"
@@ -38,8 +39,9 @@ class SimulatedCell : public testing::Test {
     ASSERT_TRUE(spin_until([this] { return truth_ && truth_->message != "rest"; }));
   }
 
-  /// Teaches the object that lies in the cell, which the arm takes away.
-  void teach(const std::string& name) {
+  /// Teaches the object that lies in the cell, which the arm takes away after `before_removal`.
+  void teach(
+      const std::string& name, const std::function<void()>& before_removal = [] {}) {
     Teacher teacher;
     ASSERT_TRUE(teacher.connect());
     ASSERT_TRUE(spin_until([this] { return rests(true); }));
@@ -47,6 +49,7 @@ class SimulatedCell : public testing::Test {
     goal.name = name;
     const std::string id = teacher.send(goal);
     ASSERT_TRUE(spin_until([&] { return teacher.heard(id, Teacher::Feedback::WAIT_REMOVAL); }));
+    ASSERT_NO_FATAL_FAILURE(before_removal());
     order("camera/take_away");
     const auto lesson = teacher.await(id).result;
     ASSERT_EQ(lesson.error_code, Teacher::Result::SUCCESS) << lesson.message;

@@ -15,7 +15,6 @@
 
 #include "nodelets/call_service.hpp"
 #include "nodelets/simulated_cell.hpp"
-#include "nodelets/teacher.hpp"
 
 namespace mbncc::nodelets {
 namespace {
@@ -42,20 +41,12 @@ class Heard {
 class StandardOutputs : public SimulatedCell {
  protected:
   /// Teaches the object and marks the grasp, then puts the object down elsewhere.
-  void teach(const std::string& name) {
-    Teacher teacher;
-    ASSERT_TRUE(teacher.connect());
-    ASSERT_TRUE(spin_until([this] { return rests(true); }));
-    Teacher::Goal goal;
-    goal.name = name;
-    const std::string id = teacher.send(goal);
-    ASSERT_TRUE(spin_until([&] { return teacher.heard(id, Teacher::Feedback::WAIT_REMOVAL); }));
-    std_srvs::Trigger mark;
-    ASSERT_TRUE(call_service("mark_grasp", mark));
-    ASSERT_TRUE(mark.response.success) << mark.response.message;
-    order("camera/take_away");
-    const auto lesson = teacher.await(id).result;
-    ASSERT_EQ(lesson.error_code, Teacher::Result::SUCCESS) << lesson.message;
+  void teach_with_grasp(const std::string& name) {
+    ASSERT_NO_FATAL_FAILURE(teach(name, [] {
+      std_srvs::Trigger mark;
+      ASSERT_TRUE(call_service("mark_grasp", mark));
+      ASSERT_TRUE(mark.response.success) << mark.response.message;
+    }));
     order("camera/put_next");
     ASSERT_TRUE(spin_until([this] { return rests(true); }));
   }
@@ -74,7 +65,7 @@ class StandardOutputs : public SimulatedCell {
 };
 
 TEST_F(StandardOutputs, SayWhatDetectedObjectsSays) {
-  teach("part");
+  teach_with_grasp("part");
   const ros::Time since = truth_->header.stamp;
   ASSERT_TRUE(spin_until([&] { return confirmed_since(since) != nullptr; }));
   const DetectedObject object = *confirmed_since(since);

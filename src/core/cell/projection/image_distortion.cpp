@@ -35,13 +35,14 @@ struct Along {
   double bend = 0;  // [1/px]
 };
 
-std::optional<Along> along(const Platform& platform, cv::Point2d place, cv::Point2d step) {
-  const auto before = platform.meet(place - step, 0), at = platform.meet(place, 0),
-             after = platform.meet(place + step, 0);
-  if (!before || !at || !after) return {};
+/// `at` is where the platform is seen at `place`.
+std::optional<Along> along(const Platform& platform, cv::Point2d place, const cv::Vec3d& at,
+                           cv::Point2d step) {
+  const auto before = platform.meet(place - step, 0), after = platform.meet(place + step, 0);
+  if (!before || !after) return {};
   const double length = cv::norm(step);
   const cv::Vec3d slope = (*after - *before) / (2 * length);
-  const double change = cv::norm(*after + *before - 2 * *at) / (length * length);
+  const double change = cv::norm(*after + *before - 2 * at) / (length * length);
   return Along{slope, change / cv::norm(slope)};
 }
 
@@ -60,8 +61,10 @@ ImageDistortion distortion_of(const Platform& platform, cv::Size size) {
   for (int row = 0; row < kPlaces; ++row)
     for (int column = 0; column < kPlaces; ++column) {
       const cv::Point2d place((column + 0.5) * width, (row + 0.5) * height);
-      const auto x = along(platform, place, {width / 4, 0});
-      const auto y = along(platform, place, {0, height / 4});
+      const auto at = platform.meet(place, 0);
+      if (!at) continue;
+      const auto x = along(platform, place, *at, {width / 4, 0});
+      const auto y = along(platform, place, *at, {0, height / 4});
       if (!x || !y) continue;
       shear.add(shear_of(x->slope, y->slope));
       bend.add(x->bend);
