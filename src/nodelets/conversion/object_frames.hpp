@@ -22,7 +22,7 @@ class ObjectFrames {
 
   /// The frames child_frame_id and stable_frame_id of each object that has them, and ..._grasp
   /// under them if it has a finite grasp; none for a stamp that is not after the last one. Which
-  /// objects have them, keep_permitted_frames() decides. A stable frame switches to another
+  /// objects have them, permit_frames() decides. A stable frame switches to another
   /// instance in one step, so that a look-up between two stamps finds no intermediate pose.
   std::vector<geometry_msgs::TransformStamped> of(
       const mbncc_vision::DetectedObjectArray& detections);

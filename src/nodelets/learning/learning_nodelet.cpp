@@ -16,22 +16,20 @@
 #include "mbncc/error.hpp"
 #include "mbncc/health_tasks.hpp"
 #include "mbncc/label.hpp"
-#include "mbncc/matching/matcher.hpp"
 #include "nodelets/common/camera_input.hpp"
 #include "nodelets/common/guarded_nodelet.hpp"
 #include "nodelets/common/health_report.hpp"
 #include "nodelets/common/interrupt_watch.hpp"
 #include "nodelets/common/parameters.hpp"
-#include "nodelets/conversion/images.hpp"
 #include "nodelets/learning/confirmation.hpp"
 #include "nodelets/learning/image_feed.hpp"
+#include "nodelets/learning/lesson_display.hpp"
 #include "nodelets/learning/lesson_gauge.hpp"
 #include "nodelets/learning/lesson_goal.hpp"
 #include "nodelets/learning/lesson_server.hpp"
 #include "nodelets/learning/lesson_session.hpp"
 #include "nodelets/library/library_services.hpp"
 #include "nodelets/library/shared_library.hpp"
-#include "nodelets/matching/overlay.hpp"
 
 namespace mbncc::nodelets {
 namespace {
@@ -67,7 +65,6 @@ class LearningNodelet : public GuardedNodelet {
   void start_images(ros::NodeHandle& node);
   void start_lessons(ros::NodeHandle& node);
   mbncc_vision::LearnObjectResult teach(LessonClient& client);
-  void show_scores(const ObjectModel& model, const cv::Mat& image);
   bool mark_grasp(std_srvs::Trigger::Request& request, std_srvs::Trigger::Response& response);
   bool confirm(mbncc_vision::ConfirmLearning::Request& request,
                mbncc_vision::ConfirmLearning::Response& response);
@@ -76,8 +73,6 @@ class LearningNodelet : public GuardedNodelet {
 
   LearningNodeConfig config_;
   SearchConfig search_;
-  ros::Publisher preview_publisher_, image_publisher_, draft_publisher_, stage_publisher_,
-      score_publisher_;
   std::unique_ptr<LibraryPublisher> library_publisher_;
   std::shared_ptr<SharedLibrary> library_;
   std::unique_ptr<LibraryServices> library_services_;
@@ -86,6 +81,7 @@ class LearningNodelet : public GuardedNodelet {
   tf2_ros::Buffer tf_buffer_;
   std::unique_ptr<tf2_ros::TransformListener> tf_listener_;
   std::unique_ptr<LessonGauge> gauge_;
+  std::unique_ptr<LessonDisplay> display_;
   Confirmation confirmation_;
   // confirm_learning waits for the lesson's answer, so it has its own callback thread.
   ros::CallbackQueue confirm_queue_;
@@ -122,11 +118,7 @@ void LearningNodelet::stop() {
   confirm_server_.shutdown();
   library_services_.reset();
   library_publisher_.reset();
-  preview_publisher_.shutdown();
-  image_publisher_.shutdown();
-  draft_publisher_.shutdown();
-  stage_publisher_.shutdown();
-  score_publisher_.shutdown();
+  display_.reset();
   camera_.reset();
   tf_listener_.reset();  // before its buffer
 }
@@ -169,12 +161,8 @@ void LearningNodelet::start_images(ros::NodeHandle& node) {
 }
 
 void LearningNodelet::start_lessons(ros::NodeHandle& node) {
-  const std::string action = node.resolveName("learn_object");  // which may be remapped
-  preview_publisher_ = node.advertise<sensor_msgs::Image>(action + "/preview", 1, true);
-  image_publisher_ = node.advertise<sensor_msgs::Image>(action + "/picture", 1, true);
-  draft_publisher_ = node.advertise<mbncc_vision::LearnObjectResult>(action + "/draft", 1, true);
-  score_publisher_ = node.advertise<sensor_msgs::Image>(action + "/score_map", 1);
-  stage_publisher_ = node.advertise<sensor_msgs::Image>(action + "/stage_image", 1);
+  // The action's name may be remapped.
+  display_ = std::make_unique<LessonDisplay>(node, node.resolveName("learn_object"));
   ros::NodeHandle confirm_node = node;
   confirm_node.setCallbackQueue(&confirm_queue_);
   confirm_server_ =
@@ -192,28 +180,13 @@ void LearningNodelet::start_lessons(ros::NodeHandle& node) {
 }
 
 mbncc_vision::LearnObjectResult LearningNodelet::teach(LessonClient& client) {
-  const LessonDisplay display{
-      [this](const cv::Mat& image) { stage_publisher_.publish(encode_image(image)); },
-      [this](const cv::Mat& image) { preview_publisher_.publish(encode_image(image)); },
-      [this](const cv::Mat& image) { image_publisher_.publish(encode_image(image)); },
-      [this](const mbncc_vision::LearnObjectResult& draft) { draft_publisher_.publish(draft); },
-      [this](const ObjectModel& model, const cv::Mat& image) { show_scores(model, image); }};
-  const LessonTools tools{*images_,         *library_, confirmation_,     *gauge_,
-                          config_.learning, search_,   config_.cell_name, display};
+  const LessonTools tools{*images_,  *library_,        confirmation_, *gauge_,
+                          *display_, config_.learning, search_,       config_.cell_name};
   const auto result = LessonSession(client, tools).run();
   const bool learned = result.error_code == mbncc_vision::LearnObjectResult::SUCCESS;
   if (learned) gauge_->clear();
   NODELET_INFO("%s %s", result.message.c_str(), learned ? "" : result.hint.c_str());
   return result;
-}
-
-/// Score map of the new object in its learning image; only with a subscriber.
-void LearningNodelet::show_scores(const ObjectModel& model, const cv::Mat& image) {
-  if (score_publisher_.getNumSubscribers() == 0) return;
-  Matcher matcher(search_);
-  matcher.set_objects({std::make_shared<const ObjectModel>(model)});
-  const double radius = model.views.back().template_image.cols / 2.0;
-  score_publisher_.publish(encode_image(draw_score_map(matcher.score_map(image), radius)));
 }
 
 bool LearningNodelet::mark_grasp(std_srvs::Trigger::Request&,

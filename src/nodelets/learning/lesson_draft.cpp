@@ -41,7 +41,7 @@ Lesson LessonDraft::lesson() const {
 
 void LessonDraft::learn() {
   interactive_.emplace(lesson(), tools_.config, tools_.search, observer());
-  tools_.display.image(images_.before().image);
+  tools_.display.show_image(images_.before().image);
   update();
 }
 
@@ -70,7 +70,7 @@ bool LessonDraft::may_be_stored() const {
 StageObserver LessonDraft::observer() {
   return [this](Stage stage, double progress, const std::string& message, const cv::Mat& image) {
     feedback_.tell(feedback_stage(stage), kTaken + (kLearned - kTaken) * progress, message);
-    if (!image.empty()) tools_.display.stage(image);
+    if (!image.empty()) tools_.display.show_stage(image);
     return !feedback_.interruption();
   };
 }
@@ -85,9 +85,9 @@ void LessonDraft::update() {
                    tools_.search);
   if (goal_.add_view) note_refused_further_view();
   feedback_.leave_if_interrupted();
-  tools_.display.preview(preview_of(learned_.object, images_.before().image));
-  tools_.display.draft(outcome(learned_, images_.before()));
-  tools_.display.score_map(learned_.object, images_.before().image);
+  tools_.display.show_preview(preview_of(learned_.object, images_.before().image));
+  tools_.display.show_draft(outcome(learned_, images_.before()));
+  tools_.display.show_score_map(learned_.object, images_.before().image, tools_.search);
 }
 
 void LessonDraft::note_refused_further_view() {

@@ -6,8 +6,8 @@
 #include <chrono>
 #include <thread>
 
+#include "mbncc/cell/camera_motion.hpp"
 #include "nodelets/conversion/images.hpp"
-#include "nodelets/learning/camera_motion.hpp"
 
 namespace mbncc::nodelets {
 namespace {

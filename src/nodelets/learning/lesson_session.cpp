@@ -30,13 +30,15 @@ LessonSession::Result LessonSession::run() {
 LessonSession::Result LessonSession::teach() {
   images_.take();
   draft_.learn();
+  bool lies_there_yet = draft_.lies_there_yet();
   // No object has left: the coarse comparison was wrong, or something was put down.
-  while ((draft_.learned().error == LearnError::kNoChange || draft_.lies_there_yet()) &&
+  while ((lies_there_yet || draft_.learned().error == LearnError::kNoChange) &&
          images_.can_wait_on()) {
     images_.wait_on();
     draft_.learn();
+    lies_there_yet = draft_.lies_there_yet();
   }
-  if (draft_.lies_there_yet())
+  if (lies_there_yet)
     end_lesson(LearnError::kNoChange, "The object was put down where it covers its old place.",
                "Put it farther away, or take it out of the image.");
   if (goal_.confirm && draft_.learned().has_model) return review();
@@ -60,7 +62,7 @@ LessonSession::Result LessonSession::review() {
 LessonSession::Result LessonSession::store() {
   feedback_.leave_if_interrupted();
   feedback_.tell(mbncc_vision::LearnObjectFeedback::STORE, kChecked, "Storing '" + name_ + "'.");
-  return store_.store(draft_.learned());
+  return store_.store(draft_.learned(), images_.calibration());
 }
 
 }  // namespace mbncc::nodelets

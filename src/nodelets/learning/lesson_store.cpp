@@ -28,18 +28,18 @@ std::string second_view(const LearnResult& learned) {
 }  // namespace
 
 LessonStore::LessonStore(const mbncc_vision::LearnObjectGoal& goal, std::string name,
-                         const LessonTools& tools, LessonImages& images)
+                         const LessonTools& tools, const LessonImages& images)
     : goal_(goal),
       name_(std::move(name)),
       tools_(tools),
       images_(images),
       started_(ros::Time::now()) {}
 
-mbncc_vision::LearnObjectResult LessonStore::store(const LearnResult& learned) {
+mbncc_vision::LearnObjectResult LessonStore::store(const LearnResult& learned,
+                                                   const Calibration& calibration) {
   ObjectModel model = learned.object;
   model.learned_at = ros::Time::now().toSec();
   model.taught_by = tools_.cell_name;
-  const Calibration calibration = images_.calibration();
   try {
     std::string lacking;
     const ObjectModel stored = save(model, calibration, lacking);

@@ -18,10 +18,10 @@ class LessonStore {
  public:
   /// For a lesson that begins now; the references outlive it. `name` of the object.
   LessonStore(const mbncc_vision::LearnObjectGoal& goal, std::string name, const LessonTools& tools,
-              LessonImages& images);
+              const LessonImages& images);
 
-  /// The result for the client, also of a failure.
-  mbncc_vision::LearnObjectResult store(const LearnResult& learned);
+  /// The result for the client, also of a failure. `calibration` gives scale and grasp.
+  mbncc_vision::LearnObjectResult store(const LearnResult& learned, const Calibration& calibration);
 
  private:
   std::string measure(ObjectModel& model, const Calibration& calibration) const;
@@ -31,7 +31,7 @@ class LessonStore {
   const mbncc_vision::LearnObjectGoal& goal_;
   const std::string name_;
   const LessonTools& tools_;
-  LessonImages& images_;
+  const LessonImages& images_;
   const ros::Time started_;
 };
 

@@ -84,15 +84,6 @@ TrackerConfig tracker_config(const MatchingNodeConfig& config) {
   return tracker;
 }
 
-void note_age(DetectedObjectArray& array, const ros::Time& now) {
-  array.latency = static_cast<float>((now - array.header.stamp).toSec());
-  for (auto& object : array.objects) {
-    if (object.state != DetectedObject::CONFIRMED || now <= object.valid_until) continue;
-    object.state = DetectedObject::NEW;
-    object.reasons = {"older than valid_until when it was published"};
-  }
-}
-
 DetectionPipeline::DetectionPipeline(const MatchingNodeConfig& config, const LiveMatcher& matcher,
                                      const tf2_ros::Buffer& tf)
     : config_(config),

@@ -41,9 +41,6 @@ struct ReceivedImage {
 /// Settings of the tracker.
 TrackerConfig tracker_config(const MatchingNodeConfig& config);
 
-/// Fills in the latency at `now`; objects that have become too old are no longer confirmed.
-void note_age(mbncc_vision::DetectedObjectArray& array, const ros::Time& now);
-
 /// Searches one image after the other.
 class ImageSearch {
  public:

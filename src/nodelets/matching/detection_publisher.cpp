@@ -46,8 +46,7 @@ bool DetectionPublisher::has_listeners() const {
 double DetectionPublisher::publish(Detections detections, const cv::Mat& image,
                                    const ScoreMap& score_map, const Extras& extras) {
   DetectedObjectArray& array = detections.array;
-  note_age(array, ros::Time::now());
-  keep_permitted_frames(array, extras.tf);
+  permit_frames(array, ros::Time::now(), extras.tf);
   detections_.publish(array);
   poses_.publish(confirmed_poses(array));
   const auto transforms = frames_.of(array);

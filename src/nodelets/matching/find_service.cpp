@@ -146,8 +146,7 @@ bool FindService::on_call(Request& request, Response& response) {
     Detections detections = find(request);
     keep_named(detections.array, request.names, *detections.library);
     leave_unnumbered(detections.array);
-    note_age(detections.array, ros::Time::now());
-    keep_permitted_frames(detections.array, false);
+    permit_frames(detections.array, ros::Time::now(), false);
     response.detections = detections.array;
     response.success = true;
     response.message = response.detections.message;

@@ -7,8 +7,22 @@
 #include "nodelets/matching/graspable.hpp"
 
 namespace mbncc::nodelets {
+namespace {
 
-void keep_permitted_frames(mbncc_vision::DetectedObjectArray& array, bool wanted) {
+using mbncc_vision::DetectedObject;
+using mbncc_vision::DetectedObjectArray;
+
+// An object that has become too old by then is no longer confirmed.
+void note_age(DetectedObjectArray& array, const ros::Time& now) {
+  array.latency = static_cast<float>((now - array.header.stamp).toSec());
+  for (auto& object : array.objects) {
+    if (object.state != DetectedObject::CONFIRMED || now <= object.valid_until) continue;
+    object.state = DetectedObject::NEW;
+    object.reasons = {"older than valid_until when it was published"};
+  }
+}
+
+void keep_permitted_frames(DetectedObjectArray& array, bool wanted) {
   const ObjectList allowed = wanted ? graspable(array) : ObjectList();
   for (auto& object : array.objects) {
     const bool found = std::find(allowed.begin(), allowed.end(), &object) != allowed.end();
@@ -16,6 +30,13 @@ void keep_permitted_frames(mbncc_vision::DetectedObjectArray& array, bool wanted
     object.child_frame_id.clear();
     object.stable_frame_id.clear();
   }
+}
+
+}  // namespace
+
+void permit_frames(DetectedObjectArray& array, const ros::Time& now, bool wanted) {
+  note_age(array, now);
+  keep_permitted_frames(array, wanted);
 }
 
 }  // namespace mbncc::nodelets

@@ -27,7 +27,7 @@ DetectedObjectArray graspable_one() {
 
 /// The frames left, joined.
 std::string frames_left(DetectedObjectArray array, bool wanted = true) {
-  keep_permitted_frames(array, wanted);
+  permit_frames(array, ros::Time(), wanted);
   return array.objects[0].child_frame_id + array.objects[0].stable_frame_id;
 }
 
@@ -68,9 +68,23 @@ TEST(FramePermission, EachObjectIsJudgedByItself) {
   DetectedObjectArray array = graspable_one();
   array.objects.push_back(array.objects[0]);
   array.objects[0].state = DetectedObject::NEW;
-  keep_permitted_frames(array, true);
+  permit_frames(array, ros::Time(), true);
   EXPECT_EQ(array.objects[0].child_frame_id, "");
   EXPECT_EQ(array.objects[1].child_frame_id, "object_key_0");
+}
+
+TEST(FramePermission, WhatBecameTooOldIsNoLongerConfirmedAndHasNoFrame) {
+  DetectedObjectArray array = graspable_one();
+  array.header.stamp = ros::Time(100);
+  array.objects.push_back(array.objects[0]);
+  array.objects[0].valid_until = ros::Time(100.5);
+  array.objects[1].valid_until = ros::Time(100.2);
+  permit_frames(array, ros::Time(100.3), true);
+  EXPECT_NEAR(array.latency, 0.3, 1e-6);
+  EXPECT_EQ(array.objects[0].state, DetectedObject::CONFIRMED);
+  EXPECT_EQ(array.objects[0].child_frame_id, "object_key_0");
+  EXPECT_EQ(array.objects[1].state, DetectedObject::NEW);
+  EXPECT_EQ(array.objects[1].child_frame_id, "");
 }
 
 }  // namespace

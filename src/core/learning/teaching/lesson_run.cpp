@@ -233,7 +233,7 @@ class LessonRun {
 
 // Runs `steps` and converts the end of a lesson to values.
 template <class Steps>
-void conclude(LearnResult& result, Steps&& steps) {
+void run_to_result(LearnResult& result, Steps&& steps) {
   result = LearnResult();
   const StepTimer timer(result.timings_ms, "total");
   try {
@@ -250,13 +250,13 @@ void conclude(LearnResult& result, Steps&& steps) {
 
 void run_lesson(LessonState& state, const LearningConfig& config, const SearchConfig& search,
                 const StageObserver& observer) {
-  conclude(state.result, [&] { LessonRun(state, config, search, observer).learn(); });
+  run_to_result(state.result, [&] { LessonRun(state, config, search, observer).learn(); });
 }
 
 void run_edit(LessonState& state, const LessonEdit& edit, const LearningConfig& config,
               const SearchConfig& search, const StageObserver& observer) {
   const bool has_map = state.result.has_model;
-  conclude(state.result, [&] {
+  run_to_result(state.result, [&] {
     if (!has_map) throw LessonEnded(LearnError::kRegionInvalid, "There is no map to edit yet.");
     LessonRun(state, config, search, observer).edit(edit);
   });

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "nodelets/learning/camera_motion.hpp"
+#include "mbncc/cell/camera_motion.hpp"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 
 #include "mbncc/sim/scene.hpp"
 
-namespace mbncc::nodelets {
+namespace mbncc {
 namespace {
 
 const cv::Size kSize(640, 480);
@@ -79,4 +79,4 @@ TEST_F(CameraMotion, NothingIsToldWithoutTexture) {
 }
 
 }  // namespace
-}  // namespace mbncc::nodelets
+}  // namespace mbncc

@@ -5,10 +5,10 @@
 
 #include <opencv2/core.hpp>
 
-namespace mbncc::nodelets {
+namespace mbncc {
 
 /// Whether nearly all that can be followed from one image to the other has been displaced.
 /// CV_8UC3, of one size. Where there is too little texture to follow: false.
 bool camera_moved(const cv::Mat& before, const cv::Mat& after);
 
-}  // namespace mbncc::nodelets
+}  // namespace mbncc

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "nodelets/learning/camera_motion.hpp"
+#include "mbncc/cell/camera_motion.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <opencv2/imgproc.hpp>
 
-namespace mbncc::nodelets {
+namespace mbncc {
 namespace {
 
 constexpr int kWidth = 320;          // [px] images are compared at
@@ -69,4 +69,4 @@ bool camera_moved(const cv::Mat& before, const cv::Mat& after) {
   return moved >= kFewest && moved >= kNearlyAll * (moved + stood);
 }
 
-}  // namespace mbncc::nodelets
+}  // namespace mbncc
