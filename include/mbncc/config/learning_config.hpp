@@ -23,14 +23,15 @@ struct LearningConfig {
 
   template <class Self, class Visitor>
   static void fields(Self& self, Visitor&& visit) {
-    visit(FieldInfo{"method",
-                    Allowed::one_of({"auto", "change_cut", "region_cut", "sb_grabcut",
-                                     "grabcut_rect", "grabcut_mask"}),
-                    "",
-                    "segmentation; auto: change_cut with an after image, else the clearer of "
-                    "region_cut and "
-                    "grabcut_rect"},
-          self.method);
+    visit(
+        FieldInfo{"method",
+                  Allowed::one_of({"auto", "change_cut", "region_cut", "sb_grabcut", "grabcut_rect",
+                                   "grabcut_mask"}),
+                  "",
+                  "segmentation; auto: change_cut with an after image (grabcut_mask where that is "
+                  "clearer at the region's edge), else the clearer of region_cut and "
+                  "grabcut_rect"},
+        self.method);
     visit(FieldInfo{"iterations", Allowed::range(1, 20), "", "graph cuts of every method"},
           self.iterations);
     visit(FieldInfo{"superpixel_method", Allowed::one_of({"seeds", "slic"}), "",

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "learning/images.hpp"
+#include "mbncc/learning/interactive_lesson.hpp"
 
 namespace mbncc {
 namespace {
@@ -57,6 +58,49 @@ TEST(LearnObject, FindsTheRegionFromTheChange) {
   const LearnResult result = learn_object(drawn.lesson);
   ASSERT_EQ(result.error, LearnError::kSuccess) << result.message;
   EXPECT_GT(iou(learned_map(result), drawn.truth), 0.75);
+}
+
+// A shiny rail beside the object shows it once more, up to the edge of the drawn region.
+DrawnLesson draw_reflection() {
+  DrawnLesson drawn = draw_lesson();
+  const cv::Rect object(100, 70, 60, 60), reflection(72, 70, 28, 60);
+  drawn.truth.setTo(0);
+  drawn.truth(object).setTo(255);
+  drawn.platform = test::texture(drawn.platform.size(), cv::Scalar(150, 165, 170), 3, 1);
+  cv::Mat(drawn.platform, cv::Rect(60, 0, 40, 200)) -= cv::Scalar::all(40);
+  drawn.scene = drawn.platform.clone();
+  test::texture(drawn.scene.size(), cv::Scalar(190, 80, 40), 6, 2)(object).copyTo(
+      drawn.scene(object));
+  cv::Mat(drawn.scene, reflection) *= 0.55;
+  cv::Mat(drawn.scene, reflection) += 0.45 * cv::Scalar(190, 80, 40);
+  cv::GaussianBlur(drawn.scene, drawn.scene, {}, 0.7);
+  drawn.lesson.before = test::exposed(drawn.scene, 11);
+  drawn.lesson.after = test::exposed(drawn.platform, 12);
+  drawn.lesson.region = cv::Rect(78, 56, 98, 90);
+  return drawn;
+}
+
+TEST(LearnObject, AReflectionUpToTheRegionsEdgeIsLeftOut) {
+  const DrawnLesson drawn = draw_reflection();
+  const LearnResult by_change = learn_object(drawn.lesson, with_method("change_cut"));
+  EXPECT_LT(iou(learned_map(by_change), drawn.truth), 0.85) << "shows nothing";
+  const LearnResult result = learn_object(drawn.lesson);
+  EXPECT_GT(iou(learned_map(result), drawn.truth), 0.95);
+  ASSERT_TRUE(result.evidence);
+  EXPECT_TRUE(result.evidence->verified);
+  EXPECT_LT(result.evidence->stability, 0.85) << "the other cut took more";
+}
+
+TEST(LearnObject, AStrokeOnAMapWithoutItsReflectionKeepsWhatTheChangeConfirmed) {
+  const DrawnLesson drawn = draw_reflection();
+  InteractiveLesson lesson(drawn.lesson);
+  LessonEdit edit;
+  edit.exclude = {{{90, 75}, {90, 120}}};
+  edit.stroke_width = 5;
+  const LearnResult edited = lesson.edit(edit);
+  EXPECT_GT(iou(learned_map(edited), drawn.truth), 0.95);
+  ASSERT_TRUE(edited.evidence);
+  EXPECT_TRUE(edited.evidence->verified);
 }
 
 // The survey finds only the wedge, the cut the whole object.

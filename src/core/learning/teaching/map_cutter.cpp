@@ -85,9 +85,12 @@ Segmentation MapCutter::segment(Room room) {
 }
 
 Segmentation MapCutter::segment_region(Room room) {
-  Segmentation found = segment_once();
-  if (room == Room::kMayGrow && widen(found)) found = segment_once();
-  return found;
+  const cv::Rect wider = room == Room::kMayGrow ? wider_region() : task_.region;
+  if (wider == task_.region) return segment_once();
+  const Segmentation found = segment_once(Room::kMayGrow);
+  if (!found.evidence || found.evidence->region_touch <= kTouching) return found;
+  task_.region = wider;
+  return segment_once();
 }
 
 // The stability of such a map includes that it does not depend on the region's size.
@@ -144,25 +147,23 @@ std::optional<Segmentation> MapCutter::segment_if_possible(Room room) {
   return if_possible([&] { return segment(room); });
 }
 
-Segmentation MapCutter::segment_once() {
+Segmentation MapCutter::segment_once(Room room) {
   const StepTimer timer(timings_ms_, "segment");
+  SegmentationTask task = task_;
+  task.region_may_grow = room == Room::kMayGrow;
   Segmentation segmentation =
-      segmenter_of(config_.method, !task_.after.empty())(task_, config_, progress_);
+      segmenter_of(config_.method, !task.after.empty())(task, config_, progress_);
   check_map(segmentation.map, task_.region);
   progress_.report(Stage::kSegment, 0.8, "The object is segmented.",
                    [&] { return outlined(task_.before, segmentation.map); });
   return segmentation;
 }
 
-// A region that was not drawn may be too small. False if it cannot be widened.
-bool MapCutter::widen(const Segmentation& found) {
-  if (!lesson_.outline.empty() || !found.evidence) return false;
-  if (found.evidence->region_touch <= kTouching) return false;
+// A region that was not drawn may be too small; a drawn one stays.
+cv::Rect MapCutter::wider_region() const {
+  if (!lesson_.outline.empty()) return task_.region;
   const int margin = std::max(task_.region.width, task_.region.height) / 2;
-  const cv::Rect wider = change::grown(task_.region, margin) & usable_region(lesson_);
-  if (wider == task_.region) return false;
-  task_.region = wider;
-  return true;
+  return change::grown(task_.region, margin) & usable_region(lesson_);
 }
 
 Segmentation MapCutter::cut_again(const Segmentation& cut, const Marks& marks) {

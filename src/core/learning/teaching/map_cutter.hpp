@@ -50,13 +50,13 @@ class MapCutter {
 
  private:
   Segmentation accept(const cv::Mat& map);
-  Segmentation segment_once();
+  Segmentation segment_once(Room room = Room::kStays);
   Segmentation segment_region(Room room);
   Segmentation segment_clicked(Room room);
   std::optional<Segmentation> segment_square();
   Segmentation clicked_alone();
   Segmentation clicked(const Segmentation& found);
-  bool widen(const Segmentation& found);
+  cv::Rect wider_region() const;
 
   const Lesson& lesson_;
   const LearningConfig& config_;

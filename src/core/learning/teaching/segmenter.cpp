@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "learning/teaching/segmenter.hpp"
 
+#include <algorithm>
 #include <opencv2/imgproc.hpp>
 #include <stdexcept>
 
@@ -12,6 +13,9 @@
 
 namespace mbncc::teaching {
 namespace {
+
+constexpr double kSameObject = 0.5;  // least IoU of two cuts that show one object
+constexpr double kClearer = 0.02;    // further part of an outline that lies on image edges
 
 // The cuts take the middle part of a lesson.
 double segment_progress(int iteration, int iterations) {
@@ -46,19 +50,24 @@ cv::Mat grabcut_again(const cv::Mat& map, const Marks& marks, const Segmentation
   return overpainted(segmentation::clean_map(result), marks);
 }
 
-// Colours alone give no measure of a cut's reliability.
-Segmentation unverified(const cv::Mat& raw, const SegmentationTask& task) {
+// `evidence` is completed by what the map alone tells.
+Segmentation by_colours(const cv::Mat& raw, CutEvidence evidence, const SegmentationTask& task) {
   const cv::Mat map = segmentation::clean_map(raw);
   cv::Mat inside = cv::Mat::zeros(map.size(), CV_8UC1);
   inside(task.region).setTo(255);
-  CutEvidence evidence;
-  evidence.verified = false;
   evidence.region_touch = segmentation::region_touch(map, inside);
   evidence.region_span = segmentation::region_span(map, inside);
   const auto cut_again = [map, evidence, task](const Marks& marks) -> Segmentation {
     return {grabcut_again(map, marks, task), evidence, {}, {}};
   };
   return {map, evidence, cut_again, {}};
+}
+
+// Colours alone give no measure of a cut's reliability.
+Segmentation unverified(const cv::Mat& raw, const SegmentationTask& task) {
+  CutEvidence none;
+  none.verified = false;
+  return by_colours(raw, none, task);
 }
 
 Segmentation by_sb_grabcut(const SegmentationTask& task, const LearningConfig& config,
@@ -97,6 +106,28 @@ Segmentation segmentation_of(const ChangeCut& cut) {
   return result;
 }
 
+// Part of the outline on image edges, the region's own edge excluded.
+double edge_part(const Segmentation& found, const SegmentationTask& task) {
+  return segmentation::edge_agreement(task.before, found.map) - found.evidence->region_touch;
+}
+
+// A map that reaches the edge of its region contains a shadow or a reflection, or the region cuts
+// the object off. GrabCut, started from the change, takes its place where they mostly agree and its
+// outline is clearer (docs/decisions/0005-change-cut.md).
+Segmentation clearer_at_region_edge(const Segmentation& change, const SegmentationTask& task,
+                                    int rounds, const BeforeCut& before_cut) {
+  Segmentation colours =
+      by_colours(grabcut_mask(task.before, task.region, task.approximate, rounds, before_cut),
+                 *change.evidence, task);
+  const double agreement = segmentation::map_iou(change.map, colours.map);
+  if (agreement < kSameObject || edge_part(colours, task) < edge_part(change, task) + kClearer)
+    return change;
+  colours.evidence->stability = std::min(colours.evidence->stability, agreement);
+  colours.evidence->cut_off = std::min(colours.evidence->cut_off, colours.evidence->region_touch);
+  colours.cut_with = change.cut_with;
+  return colours;
+}
+
 Segmentation by_change_cut(const SegmentationTask& task, const LearningConfig& config,
                            LessonProgress& progress) {
   if (task.after.empty())
@@ -105,6 +136,14 @@ Segmentation by_change_cut(const SegmentationTask& task, const LearningConfig& c
       change_cut(task.before, task.after, task.region, task.changed, config.iterations,
                  config.max_shift, report_cuts(config, progress));
   return segmentation_of(cut);
+}
+
+Segmentation by_change(const SegmentationTask& task, const LearningConfig& config,
+                       LessonProgress& progress) {
+  const Segmentation cut = by_change_cut(task, config, progress);
+  if (!cut.cut_again || cut.evidence->region_touch == 0 || task.region_may_grow) return cut;
+  const int rounds = config.iterations;
+  return clearer_at_region_edge(cut, task, rounds, report_cuts(progress, rounds, 2 * rounds));
 }
 
 Segmentation region_cut_of(const SegmentationTask& task, int iterations,
@@ -119,11 +158,6 @@ Segmentation region_cut_of(const SegmentationTask& task, int iterations,
 Segmentation by_region_cut(const SegmentationTask& task, const LearningConfig& config,
                            LessonProgress& progress) {
   return region_cut_of(task, config.iterations, report_cuts(config, progress));
-}
-
-// Part of the outline on image edges, the region's own edge excluded.
-double edge_part(const Segmentation& found, const SegmentationTask& task) {
-  return segmentation::edge_agreement(task.before, found.map) - found.evidence->region_touch;
 }
 
 // One image does not show whether the platform is one smooth surface, which the region cut
@@ -146,7 +180,7 @@ Segmentation by_clearer_outline(const SegmentationTask& task, const LearningConf
 }  // namespace
 
 Segmenter segmenter_of(const std::string& method, bool has_after) {
-  if (method == "auto") return has_after ? by_change_cut : by_clearer_outline;
+  if (method == "auto") return has_after ? by_change : by_clearer_outline;
   if (method == "change_cut") return by_change_cut;
   if (method == "region_cut") return by_region_cut;
   if (method == "sb_grabcut") return by_sb_grabcut;
