@@ -246,7 +246,9 @@ INSTANTIATE_TEST_SUITE_P(
         // Three lie on top of each other: the look-alike is found at one of them only.
         Sequence{"found_at_a_neighbour", 1073},
         // An instance replaces its look-alike, which was found in darker images.
-        Sequence{"of_an_earlier_image", 2881}),
+        Sequence{"of_an_earlier_image", 2881},
+        // Only the look-alike was searched everywhere since more places resemble both.
+        Sequence{"with_more_clutter", 1621}),
     [](const auto& one) { return std::string(one.param.name); });
 
 }  // namespace

@@ -106,6 +106,20 @@ TEST_F(KnownInstancesTest, CalibrationIsNoPartOfTheComparison) {
   EXPECT_NEAR(judged(known_.all()[0]).margin_place, -3, 1e-9) << "of 21 to 24";
 }
 
+// The two objects were searched everywhere at different times, with other clutter in view.
+TEST_F(KnownInstancesTest, ARivalIsNoWorseByMoreClutter) {
+  known_.admit(known_at(100, "one", 24), kReach);
+  Match crowded = known_at(100, "other", 24).match;
+  crowded.odds.clutter = 7;
+  compare_with({rival_of(crowded)});
+  EXPECT_NEAR(judged(known_.all()[0]).margin_place, 0, 1e-9);
+  known_.all()[0].others.clear();
+  known_.all()[0].match.odds.clutter = 3;
+  Match alone = known_at(100, "other", 24).match;
+  compare_with({rival_of(alone)});
+  EXPECT_NEAR(judged(known_.all()[0]).margin_place, -3, 1e-9) << "nor worse by its own lack of it";
+}
+
 TEST_F(KnownInstancesTest, AnObjectThatWasNotSearchedForThereIsOpen) {
   known_.admit(known_at(100), kReach);
   compare_with({}, false);

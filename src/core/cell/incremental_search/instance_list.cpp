@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cell/incremental_search/instance_list.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <opencv2/imgproc.hpp>
 #include <utility>
@@ -23,10 +24,11 @@ double distance(const Match& a, const Match& b) {
   return cv::norm(a.pose.position() - b.pose.position());
 }
 
-/// `uncalibrated` log-odds on the scale of `match`.
-Competitor competitor_of(const Match& match, const std::string& name, const cv::Point2d& position,
-                         double uncalibrated) {
-  return {name, position, uncalibrated + match.odds.calibration};
+/// On the scale of `match`. The clutter of two objects comes from searches at different times, so
+/// the rival loses no more by it than the match does.
+Competitor competitor_of(const Match& match, const Rival& rival) {
+  const double less_clutter = std::max(0., rival.odds.clutter - match.odds.clutter);
+  return {rival.name, rival.position, rival.log_odds() + less_clutter + match.odds.calibration};
 }
 
 }  // namespace
@@ -106,8 +108,7 @@ Known* InstanceList::admit(Known found, double reach) {
   // The log-odds of one that was found in an earlier image are no comparison.
   for (const auto& one : take(covers))
     if (one.match.name != match.name && one.match.fresh)
-      found.others[one.match.name] = competitor_of(match, one.match.name, one.match.pose.position(),
-                                                   one.match.odds.uncalibrated());
+      found.others[one.match.name] = competitor_of(match, rival_of(one.match));
   known_.push_back(std::move(found));
   return &known_.back();
 }
@@ -122,7 +123,7 @@ void InstanceList::compare(Known& known, const Rival& rival) const {
     if (compared == known.others.end()) return;
     best = &compared->second;
   }
-  const auto competitor = competitor_of(known.match, rival.name, rival.position, rival.log_odds());
+  const auto competitor = competitor_of(known.match, rival);
   if (!*best || competitor.log_odds > (*best)->log_odds) *best = competitor;
 }
 
