@@ -71,6 +71,11 @@ TEST_F(ConclusionTest, AnotherColour) {
   expect_refused("colour of a part differs", true);
 }
 
+TEST_F(ConclusionTest, AnotherPrint) {
+  detection_.shared_edges = 0.89;
+  expect_refused("edges inside the outline differ", true);
+}
+
 TEST_F(ConclusionTest, ItsMirrorImage) {
   detection_.mirror_alternative = true;
   expect_refused("mirrored fits as well", true);

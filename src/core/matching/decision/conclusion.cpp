@@ -13,6 +13,7 @@ namespace mbncc::decision {
 namespace {
 
 constexpr double kForeignColour = 0.2;  // chroma difference of a foreign part
+constexpr double kSharedEdges = 0.9;    // part of the edges inside the outline that are the same
 constexpr double kContradicts = 0.05;   // [agreement] advantage of another place over the pose
 
 std::string number(double value, int digits) {
@@ -62,6 +63,8 @@ std::vector<Doubt> doubts_about(const Match& match, const Detection& detection,
                                 other_angle_of(match) + ")"});
   if (!(detection.colour_difference <= kForeignColour))
     doubts.push_back({true, "colour of a part differs"});
+  if (!(detection.shared_edges >= kSharedEdges))
+    doubts.push_back({true, "edges inside the outline differ"});
   if (detection.mirror_alternative) doubts.push_back({true, "mirrored fits as well"});
   if (detection.torn) doubts.push_back({false, "upper and lower part lie apart"});
   if (detection.size_alternative) doubts.push_back({true, "another size fits better"});

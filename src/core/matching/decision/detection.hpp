@@ -31,6 +31,7 @@ struct Detection {
   double colour_difference = 0;                ///< [0..2] see ColourDifference, the larger one
   bool size_alternative = false;               ///< it fits better at another size
   bool mirror_alternative = false;             ///< its mirrored outline fits better
+  double shared_edges = 1;                     ///< [0..1] see InteriorEdges::shared()
   bool torn = false;                           ///< two displaced parts of its outline fit better
   double contour_alternative = kNotExamined;   ///< see better_elsewhere()
   double shading_free_ncc = 0;                 ///< [-1..1] see Evidence

@@ -188,6 +188,7 @@ PreparedView::PreparedView(const Source& source, Engine engine)
         fine.surface, fine.contour,
         evidence::ground_beside(fine.contour, image, {anchor.x, anchor.y, 0}));
     lit = evidence::PhotometricResidual(fine.surface);
+    interior_edges = evidence::InteriorEdges(image, source.view.map, anchor);
     mirrored_contour = evidence::MirroredContour(fine.contour, image, {anchor.x, anchor.y, 0});
     dense = refinement::RefinementTemplate(prepare(kRefinedPoints), continued.whole());
   }

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "matching/evidence/colour_parts.hpp"
+#include "matching/evidence/interior_edges.hpp"
 #include "matching/evidence/mirrored_contour.hpp"
 #include "matching/evidence/photometric_residual.hpp"
 #include "matching/proposal/angle_range.hpp"
@@ -50,6 +51,7 @@ class PreparedView : public mbncc::templates::ViewFrame {
   std::array<templates::PoseTemplate, 2>
       resized;  ///< `fine`, smaller and larger, for the test of other sizes
   evidence::MirroredContour mirrored_contour;  ///< its outline, mirrored
+  evidence::InteriorEdges interior_edges;      ///< at full resolution
   refinement::RefinementTemplate dense;        ///< at full resolution, for sub-pixel refinement
   MaskedTemplate points;                       ///< all map pixels at full resolution
   std::optional<PolarSearch> polar;            ///< with Engine::kPolar

@@ -139,17 +139,20 @@ void refine(const prepared::PreparedView& view, const scene::SceneImage& scene,
                                          detection.size) > evidence::kTorn;
 }
 
-/// For the best of the sorted detections at each place, computes the advantage of the outline at
-/// nearby places, because shading displaces a plain surface by pixels.
-void find_contour_alternatives(const prepared::PreparedView& view, const scene::SceneImage& scene,
-                               std::vector<decision::Detection>& compared) {
+/// For the best of the sorted detections at each place, compares the edges inside its outline, and
+/// computes the advantage of the outline at nearby places, because shading displaces a plain
+/// surface by pixels.
+void examine_best_of_places(const prepared::PreparedView& view, const scene::SceneImage& scene,
+                            std::vector<decision::Detection>& compared) {
   for (auto one = compared.begin(); one != compared.end(); ++one) {
     if (one->log_odds() <= kReportable) break;
     if (std::none_of(compared.begin(), one, [&](const decision::Detection& better) {
           return decision::at_one_place(*one, better);
-        }))
+        })) {
       one->contour_alternative =
           evidence::better_elsewhere(view.fine.contour, scene.levels[0], one->pose, one->size);
+      one->shared_edges = view.interior_edges.shared(scene.levels[0], one->pose, one->size);
+    }
   }
 }
 
@@ -178,7 +181,7 @@ std::vector<decision::Detection> verify(const prepared::PreparedObject& object,
       refine(view, scene, found[next->number], detections[next->number]);
       continue;
     }
-    find_contour_alternatives(view, scene, compared);
+    examine_best_of_places(view, scene, compared);
     for (auto& one : compared) read_similarity(view, scene, one);
     return compared;
   }

@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "matching/evidence/interior_edges.hpp"
+
+#include "matching/matcher_fixture.hpp"
+#include "matching/prepared/prepared_object.hpp"
+
+namespace mbncc::evidence {
+namespace {
+
+using Dots = std::vector<cv::Point>;
+
+const Dots kTaught{{44, 50}, {72, 70}, {44, 70}};
+const Dots kOther{{60, 50}, {78, 52}, {58, 68}};
+
+/// A white tile of 64 x 44 px with black dots, in the middle of 120 x 120 pixels.
+test::LearningImage tile(const Dots& dots) {
+  cv::Mat map = cv::Mat::zeros(120, 120, CV_8UC1);
+  map(cv::Rect(28, 38, 64, 44)) = 255;
+  test::LearningImage image(3, map);
+  image.surface.setTo(cv::Scalar(215, 220, 218));
+  for (const auto& dot : dots)
+    cv::circle(image.surface, dot, 6, cv::Scalar(25, 22, 20), cv::FILLED, cv::LINE_AA);
+  cv::GaussianBlur(image.surface, image.surface, {}, 0.7);
+  image.surface.copyTo(image.image, map);
+  return image;
+}
+
+class InteriorEdgesTest : public test::MatcherTest {
+ protected:
+  const Pose2D truth_{170, 120, 0.8};
+
+  cv::Mat scene_with(const test::LearningImage& seen) const {
+    cv::Mat scene = test::texture({320, 240}, 77, 5);
+    test::place(scene, seen, {60, 60}, truth_);
+    return scene;
+  }
+
+  /// What the taught tile shares with `scene` at its true pose.
+  double shared(const cv::Mat& scene, double scale = 1) const {
+    const prepared::PreparedObject object(test::object_from(tile(kTaught), {60, 60, 0}),
+                                          prepared::Engine::kFast);
+    const prepared::PreparedView& view = object.views.front();
+    return view.interior_edges.shared(scene::SceneLevel(scene, 0),
+                                      compose(truth_, inverse(view.reference_in_anchor)), scale);
+  }
+};
+
+TEST_F(InteriorEdgesTest, TheSamePrintIsShared) {
+  const cv::Mat scene = scene_with(tile(kTaught));
+  EXPECT_GT(shared(scene), 0.97);
+  EXPECT_GT(shared(scene * 0.4), 0.97) << "in less light";
+  cv::Mat noise(scene.size(), CV_16SC3), noisy;
+  cv::RNG random(5);
+  random.fill(noise, cv::RNG::NORMAL, 0, 6);
+  cv::add(scene, noise, noisy, {}, CV_8U);
+  EXPECT_GT(shared(noisy), 0.97);
+}
+
+TEST_F(InteriorEdgesTest, AnotherPrintIsNot) {
+  EXPECT_LT(shared(scene_with(tile(kOther))), 0.6);
+  EXPECT_LT(shared(scene_with(tile({}))), 0.1) << "what the lesson shows is missing";
+}
+
+TEST_F(InteriorEdgesTest, WhatTheLessonLacksCountsToo) {
+  Dots more = kTaught;
+  more.emplace_back(76, 48);
+  EXPECT_LT(shared(scene_with(tile(more))), 0.9);
+}
+
+TEST_F(InteriorEdgesTest, APlainObjectDoesNotTell) {
+  const prepared::PreparedObject object(test::object_from(tile({}), {60, 60, 0}),
+                                        prepared::Engine::kFast);
+  const prepared::PreparedView& view = object.views.front();
+  EXPECT_EQ(view.interior_edges.shared(scene::SceneLevel(scene_with(tile({})), 0),
+                                       compose(truth_, inverse(view.reference_in_anchor)), 1),
+            1);
+}
+
+TEST_F(InteriorEdgesTest, ATenthLargerIsComparedAtThatSize) {
+  cv::Mat larger;
+  const cv::Mat about =
+      (cv::Mat_<double>(2, 3) << 1.1, 0, -0.1 * truth_.x, 0, 1.1, -0.1 * truth_.y);
+  cv::warpAffine(scene_with(tile(kTaught)), larger, about, {320, 240});
+  EXPECT_GT(shared(larger, 1.1), 0.97);
+}
+
+TEST_F(InteriorEdgesTest, ATileWithOtherDotsIsNotGraspable) {
+  const Matcher matcher = matcher_of({test::object_from(tile(kTaught), {60, 60, 0})});
+  const auto own = matcher.find(scene_with(tile(kTaught))).matches;
+  ASSERT_EQ(own.size(), 1U);
+  EXPECT_TRUE(own.front().graspable) << own.front().reasons.front();
+  Dots four = kTaught;
+  four.emplace_back(76, 48);
+  const auto others = matcher.find(scene_with(tile(four))).matches;
+  ASSERT_FALSE(others.empty());
+  EXPECT_FALSE(others.front().graspable);
+  EXPECT_EQ(others.front().reasons.front(), "edges inside the outline differ");
+}
+
+}  // namespace
+}  // namespace mbncc::evidence
