@@ -18,8 +18,9 @@ const cv::Point2d kAnchor{60, 60};
 
 class EdgeSearchTest : public ::testing::Test {
  protected:
-  EdgeCandidates search(const cv::Mat& image, std::size_t foremost, std::size_t most,
-                        OutlinePart part = OutlinePart::kWhole) const {
+  std::vector<templates::Candidate> search(const cv::Mat& image, std::size_t foremost,
+                                           std::size_t most,
+                                           OutlinePart part = OutlinePart::kWhole) const {
     cv::Mat level = image;
     for (int k = 0; k < bank_.level(); ++k) cv::pyrDown(level, level);
     return edge_search(bank_, scene::SceneLevel(level, bank_.level()), {{0, 0}, level.size()},
@@ -77,8 +78,8 @@ TEST(EdgePeaks, TheBestComeFirstWhateverSumsAreEqual) {
 }
 
 TEST_F(EdgeSearchTest, TheForemostComeFirstAndInOrder) {
-  auto all = values(search(ground_, 400, 400).poses);
-  auto some = values(search(ground_, 50, 400).poses);
+  auto all = values(search(ground_, 400, 400));
+  auto some = values(search(ground_, 50, 400));
   EXPECT_TRUE(std::is_sorted(some.rend() - 50, some.rend()));
   EXPECT_EQ(some.front(), *std::max_element(all.begin(), all.end()));
   std::sort(all.begin(), all.end());
@@ -87,7 +88,7 @@ TEST_F(EdgeSearchTest, TheForemostComeFirstAndInOrder) {
 }
 
 TEST_F(EdgeSearchTest, TheForemostOfAQuarterTurnLieApart) {
-  const auto poses = search(ground_, 50, 400).poses;
+  const auto poses = search(ground_, 50, 400);
   for (std::size_t i = 0; i < 50; ++i)
     for (std::size_t j = 0; j < i; ++j) {
       const bool beside = std::abs(poses[i].pose.x - poses[j].pose.x) < 3 &&
@@ -97,7 +98,7 @@ TEST_F(EdgeSearchTest, TheForemostOfAQuarterTurnLieApart) {
 }
 
 TEST_F(EdgeSearchTest, APlaceIsProposedAtManyRotations) {
-  const auto poses = search(ground_, 20000, 20000).poses;
+  const auto poses = search(ground_, 20000, 20000);
   const auto here =
       std::count_if(poses.begin(), poses.end(), [](const templates::Candidate& candidate) {
         return std::abs(candidate.pose.x - 40) < 3 && std::abs(candidate.pose.y - 30) < 3;
@@ -107,7 +108,7 @@ TEST_F(EdgeSearchTest, APlaceIsProposedAtManyRotations) {
 
 TEST_F(EdgeSearchTest, FindsAnObjectAmongTheForemost) {
   const Pose2D truth{150, 120, 1.2};
-  EXPECT_GT(response_at(truth, search(with_object(truth), 20, 20).poses), 0);
+  EXPECT_GT(response_at(truth, search(with_object(truth), 20, 20)), 0);
 }
 
 TEST_F(EdgeSearchTest, ACoveredPartDoesNotLowerTheBestThreeQuarters) {
@@ -117,7 +118,7 @@ TEST_F(EdgeSearchTest, ACoveredPartDoesNotLowerTheBestThreeQuarters) {
   covered(cv::Rect(90, 40, 130, 60)).setTo(120);
   const auto left = [&](OutlinePart part) {
     const auto response = [&](const cv::Mat& image) {
-      return response_at(truth, search(image, 8000, 8000, part).poses);
+      return response_at(truth, search(image, 8000, 8000, part));
     };
     return response(covered) / response(free);
   };

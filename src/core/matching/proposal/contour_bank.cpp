@@ -29,31 +29,6 @@ int orientation_of(float normal_x, float normal_y) {
   return ((bin % kOrientations) + kOrientations) % kOrientations;
 }
 
-/// Part of one rotation's points that coincide with another rotation, up to the spread.
-double common_part(const ContourBank::Rotation& one, const ContourBank::Rotation& other) {
-  const auto alike = [](const ContourBank::Point& a, const ContourBank::Point& b) {
-    const int turned = std::abs(a.orientation - b.orientation);
-    return std::abs(a.x - b.x) <= 1 && std::abs(a.y - b.y) <= 1 &&
-           std::min(turned, kOrientations - turned) <= 1;
-  };
-  const auto found =
-      std::count_if(one.points.begin(), one.points.end(), [&](const ContourBank::Point& point) {
-        return std::any_of(other.points.begin(), other.points.end(),
-                           [&](const ContourBank::Point& match) { return alike(point, match); });
-      });
-  return static_cast<double>(found) / static_cast<double>(one.points.size());
-}
-
-/// True if the contour is similar at most rotations.
-bool looks_round(const std::vector<ContourBank::Rotation>& rotations) {
-  constexpr double kAlike = 0.7;
-  const auto alike =
-      std::count_if(rotations.begin(), rotations.end(), [&](const ContourBank::Rotation& rotation) {
-        return common_part(rotation, rotations.front()) >= kAlike;
-      });
-  return 2 * static_cast<std::size_t>(alike) > rotations.size();
-}
-
 /// The points' indices in their order around the outline's centre. A run of them is what something
 /// may cover: both sides of a narrow part, which lie far apart along the outline.
 std::vector<std::size_t> in_order_around(const templates::ContourTemplate& contour) {
@@ -105,7 +80,6 @@ ContourBank::ContourBank(const templates::MapGeometry& map, cv::Point2d anchor) 
     }
     rotations_.push_back(rotation);
   }
-  round_ = looks_round(rotations_);
 }
 
 }  // namespace mbncc::proposal

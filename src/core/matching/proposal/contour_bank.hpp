@@ -27,12 +27,10 @@ class ContourBank {
   int level() const { return level_; }
   int radius() const { return radius_; }  ///< [px at level]
   const std::vector<Rotation>& rotations() const { return rotations_; }
-  bool round() const { return round_; }  ///< the contour does not determine the rotation
 
  private:
   int level_ = 0, radius_ = 0;
   std::vector<Rotation> rotations_;
-  bool round_ = false;
 };
 
 }  // namespace mbncc::proposal

@@ -59,7 +59,7 @@ class EdgeSearch {
         sectors_[k * sectors_.size() / rotations.size()].add_rotation(rotations[k], k, *maps_);
   }
 
-  EdgeCandidates run(std::size_t foremost, std::size_t most) {
+  std::vector<templates::Candidate> run(std::size_t foremost, std::size_t most) {
     auto least = static_cast<std::int16_t>(std::max(1.0, kMinResponse * scale_));
     thread_local std::vector<ResponsePeak> peaks;
     peaks.clear();
@@ -73,10 +73,9 @@ class EdgeSearch {
     }
     keep_best(peaks, most);
     put_foremost_first(peaks, foremost);
-    EdgeCandidates found;
-    found.poses.reserve(peaks.size());
-    for (const auto& peak : peaks) found.poses.push_back(candidate(peak));
-    if (bank_.round()) found.round_places = different_places(found.poses, foremost);
+    std::vector<templates::Candidate> found;
+    found.reserve(peaks.size());
+    for (const auto& peak : peaks) found.push_back(candidate(peak));
     return found;
   }
 
@@ -136,22 +135,6 @@ class EdgeSearch {
     return {pose, bank_.level(), peak.sum() / scale_};
   }
 
-  /// Of the first `most` poses.
-  static std::vector<templates::Candidate> different_places(
-      const std::vector<templates::Candidate>& found, std::size_t most) {
-    constexpr std::size_t kEnough = 250;
-    std::vector<templates::Candidate> places;
-    for (std::size_t i = 0; i < std::min(most, found.size()) && places.size() < kEnough; ++i) {
-      const templates::Candidate& candidate = found[i];
-      const bool known =
-          std::any_of(places.begin(), places.end(), [&](const templates::Candidate& place) {
-            return place.pose.x == candidate.pose.x && place.pose.y == candidate.pose.y;
-          });
-      if (!known) places.push_back(candidate);
-    }
-    return places;
-  }
-
   const ContourBank& bank_;
   double scale_;     // sum of responses that are 1
   cv::Point first_;  // [px] first position, even
@@ -163,9 +146,11 @@ class EdgeSearch {
 
 }  // namespace
 
-EdgeCandidates edge_search(const ContourBank& bank, const scene::SceneLevel& scene,
-                           const cv::Rect& roi, std::size_t foremost, std::size_t most,
-                           const AngleRange& sector, const SearchMask& places, OutlinePart part) {
+std::vector<templates::Candidate> edge_search(const ContourBank& bank,
+                                              const scene::SceneLevel& scene, const cv::Rect& roi,
+                                              std::size_t foremost, std::size_t most,
+                                              const AngleRange& sector, const SearchMask& places,
+                                              OutlinePart part) {
   const cv::Rect region = roi & cv::Rect({0, 0}, scene.size());
   if (region.empty()) return {};
   return EdgeSearch(bank, scene, region, sector, places, part).run(foremost, most);

@@ -14,12 +14,6 @@
 
 namespace mbncc::proposal {
 
-struct EdgeCandidates {
-  std::vector<templates::Candidate> poses;  ///< value: mean response [-1..1]
-  std::vector<templates::Candidate>
-      round_places;  ///< places where the contour does not determine the rotation
-};
-
 /// Part of an outline whose mean response counts.
 enum class OutlinePart {
   kWhole,
@@ -27,10 +21,12 @@ enum class OutlinePart {
 };
 
 /// The best `most` poses in `roi` [px at the bank's level], `sector` and `places`, the best
-/// `foremost` of them first and in order. `scene` is that level.
-EdgeCandidates edge_search(const ContourBank& bank, const scene::SceneLevel& scene,
-                           const cv::Rect& roi, std::size_t foremost, std::size_t most,
-                           const AngleRange& sector = {}, const SearchMask& places = {},
-                           OutlinePart part = OutlinePart::kWhole);
+/// `foremost` of them first and in order; value: mean response [-1..1]. `scene` is that level.
+std::vector<templates::Candidate> edge_search(const ContourBank& bank,
+                                              const scene::SceneLevel& scene, const cv::Rect& roi,
+                                              std::size_t foremost, std::size_t most,
+                                              const AngleRange& sector = {},
+                                              const SearchMask& places = {},
+                                              OutlinePart part = OutlinePart::kWhole);
 
 }  // namespace mbncc::proposal

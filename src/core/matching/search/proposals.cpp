@@ -24,28 +24,10 @@ cv::Rect at_level(const cv::Rect& roi, int level) {
 
 }  // namespace
 
-void Proposals::follow_edges(std::size_t most, std::size_t round_places) {
+void Proposals::follow_edges(std::size_t most) {
   const int level = view_.edges.level();
-  proposal::EdgeCandidates found = proposal::edge_search(
-      view_.edges, scene_.levels[level], at_level(roi_, level), most, most, view_.sector, places_);
-  edges_ = std::move(found.poses);
-  for (auto& place : found.round_places)
-    place.value = candidate_odds(view_, scene_, level, place.pose);
-  templates::suppress(found.round_places, {round_places, kHopeless});
-  for (const auto& place : found.round_places) add_rotations_by_surface(place);
-}
-
-/// The best rotations at a place by the surface.
-void Proposals::add_rotations_by_surface(const templates::Candidate& place) {
-  constexpr std::size_t kMost = 4;
-  auto peaks = rotation_peaks(view_.rough[place.level], scene_.levels[place.level], place, 1.5);
-  peaks.erase(std::remove_if(peaks.begin(), peaks.end(),
-                             [this](const templates::Candidate& peak) {
-                               return !view_.sector.contains(peak.pose.theta);
-                             }),
-              peaks.end());
-  if (peaks.size() > kMost) peaks.resize(kMost);
-  round_.insert(round_.end(), peaks.begin(), peaks.end());
+  edges_ = proposal::edge_search(view_.edges, scene_.levels[level], at_level(roi_, level), most,
+                                 most, view_.sector, places_);
 }
 
 std::vector<templates::Candidate> Proposals::by_correlation(int most) const {
@@ -68,18 +50,16 @@ bool Proposals::foremost_by_edges(const Pose2D& pose, std::size_t count) const {
 }
 
 std::vector<templates::Candidate> Proposals::by_edges(std::size_t most) const {
-  const auto count = static_cast<std::ptrdiff_t>(std::min(most, edges_.size()));
-  std::vector<templates::Candidate> proposed(edges_.begin(), edges_.begin() + count);
-  proposed.insert(proposed.end(), round_.begin(), round_.end());
-  return proposed;
+  return {edges_.begin(),
+          edges_.begin() + static_cast<std::ptrdiff_t>(std::min(most, edges_.size()))};
 }
 
 std::vector<templates::Candidate> Proposals::by_visible_part(std::size_t most) const {
   const int level = view_.edges.level();
-  const proposal::EdgeCandidates found =
+  const std::vector<templates::Candidate> found =
       proposal::edge_search(view_.edges, scene_.levels[level], at_level(roi_, level), 0, kRanked,
                             view_.sector, places_, proposal::OutlinePart::kThreeQuarters);
-  return best_by_colours(view_, scene_, found.poses, most);
+  return best_by_colours(view_, scene_, found, most);
 }
 
 }  // namespace mbncc::search

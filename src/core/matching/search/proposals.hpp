@@ -19,12 +19,11 @@ class Proposals {
             const proposal::SearchMask& places)
       : view_(view), scene_(scene), roi_(roi), places_(places) {}
 
-  /// Searches by contours: at most `most` poses, and `round_places` places whose rotation the
-  /// surface must determine.
-  void follow_edges(std::size_t most, std::size_t round_places);
+  /// Searches by contours: at most `most` poses.
+  void follow_edges(std::size_t most);
   /// The best `most` places by rotated correlation, except at one of the finest levels.
   std::vector<templates::Candidate> by_correlation(int most) const;
-  /// The first `most` contour proposals, and those at round places.
+  /// The first `most` contour proposals.
   std::vector<templates::Candidate> by_edges(std::size_t most) const;
   /// The `most` poses with the best colours and three quarters of the contour: the fourth may be
   /// covered.
@@ -34,13 +33,11 @@ class Proposals {
   bool foremost_by_edges(const Pose2D& pose, std::size_t count) const;
 
  private:
-  void add_rotations_by_surface(const templates::Candidate& place);
-
   const prepared::PreparedView& view_;
   const scene::SceneImage& scene_;
   cv::Rect roi_;
   const proposal::SearchMask& places_;
-  std::vector<templates::Candidate> edges_, round_;
+  std::vector<templates::Candidate> edges_;
 };
 
 }  // namespace mbncc::search

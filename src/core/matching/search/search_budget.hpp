@@ -41,9 +41,8 @@ constexpr SearchBudget kFurtherInstances = [] {
 /// Budget of the first search.
 struct FirstSearch {
   SearchBudget budget;
-  std::size_t round_places = 24;  ///< whose contour does not determine the rotation, at most
-  int correlated_places = 100;    ///< of the correlation, at most
-  double promising = -8;          ///< least log-odds for multi-start alignment
+  int correlated_places = 100;  ///< of the correlation, at most
+  double promising = -8;        ///< least log-odds for multi-start alignment
 };
 
 /// The first search of one object among many.
@@ -52,7 +51,6 @@ constexpr FirstSearch kAmongMany = [] {
   first.budget.edge_poses = first.budget.on_edges = 100;
   first.budget.judged = 24;
   first.budget.entering = 12;
-  first.round_places = 10;
   first.promising = -5;
   return first;
 }();

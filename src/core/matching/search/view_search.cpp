@@ -61,7 +61,7 @@ class ViewSearch {
   std::vector<decision::Detection> run() {
     if (view_.polar) return judge_polar();
     if (view_.top_level() > scene_.top_level()) return {};
-    proposals_.follow_edges(first_.budget.edge_poses, first_.round_places);
+    proposals_.follow_edges(first_.budget.edge_poses);
     std::vector<templates::Candidate> candidates = best_by_edges();
     if (everywhere_ && !sure(candidates))
       merge(track_down(view_, scene_, first_.budget,
