@@ -31,6 +31,7 @@ class DecisionTest : public ::testing::Test {
     detection.odds.best_at_place = 20;
     detection.shading_free_ncc = 0.9;
     detection.contour_alternative = -0.15;
+    detection.interior_difference = 0;
     return detection;
   }
 

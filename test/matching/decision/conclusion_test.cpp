@@ -21,6 +21,7 @@ class ConclusionTest : public ::testing::Test {
     match_.covariance = cv::Matx33d::diag({0.01, 0.01, 1e-6});
     detection_.odds.best_at_place = 12;
     detection_.contour_alternative = 0;
+    detection_.interior_difference = 0;
   }
 
   void verify(double instance_margin = kNoCompetitor) {
@@ -72,7 +73,7 @@ TEST_F(ConclusionTest, AnotherColour) {
 }
 
 TEST_F(ConclusionTest, AnotherPrint) {
-  detection_.shared_edges = 0.89;
+  detection_.interior_difference = 1.21;
   expect_refused("edges inside the outline differ", true);
 }
 
@@ -149,9 +150,9 @@ TEST_F(ConclusionTest, AMarginThatNoneReachesLeavesNothingGraspable) {
 TEST_F(ConclusionTest, WhatIsNoNumberIsADoubt) {
   const Match match = match_;
   const Detection detection = detection_;
-  for (double* value :
-       {&match_.score, &match_.visible, &match_.margin_angle, &match_.odds.best_at_place,
-        &detection_.colour_difference, &detection_.contour_alternative}) {
+  for (double* value : {&match_.score, &match_.visible, &match_.margin_angle,
+                        &match_.odds.best_at_place, &detection_.colour_difference,
+                        &detection_.contour_alternative, &detection_.interior_difference}) {
     match_.competitors = {{"far", {1, 2}, 0}};
     *value = std::nan("");
     verify();

@@ -26,6 +26,7 @@ class SelectionTest : public ::testing::Test {
     detection.odds.best_at_place = log_odds;
     detection.shading_free_ncc = projected;
     detection.contour_alternative = elsewhere;
+    detection.interior_difference = 0;
     return detection;
   }
 

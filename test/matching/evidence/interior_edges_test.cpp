@@ -10,7 +10,6 @@ namespace {
 using Dots = std::vector<cv::Point>;
 
 const Dots kTaught{{44, 50}, {72, 70}, {44, 70}};
-const Dots kOther{{60, 50}, {78, 52}, {58, 68}};
 
 /// A white tile of 64 x 44 px with black dots, in the middle of 120 x 120 pixels.
 test::LearningImage tile(const Dots& dots) {
@@ -35,53 +34,58 @@ class InteriorEdgesTest : public test::MatcherTest {
     return scene;
   }
 
-  /// What the taught tile shares with `scene` at its true pose.
-  double shared(const cv::Mat& scene, double scale = 1) const {
-    const prepared::PreparedObject object(test::object_from(tile(kTaught), {60, 60, 0}),
+  /// Of the taught tile and `scene` at its true pose.
+  double difference(const cv::Mat& scene, const Dots& taught = kTaught, double scale = 1) const {
+    const prepared::PreparedObject object(test::object_from(tile(taught), {60, 60, 0}),
                                           prepared::Engine::kFast);
     const prepared::PreparedView& view = object.views.front();
-    return view.interior_edges.shared(scene::SceneLevel(scene, 0),
-                                      compose(truth_, inverse(view.reference_in_anchor)), scale);
+    return view.interior_edges.difference(
+        scene::SceneLevel(scene, 0), compose(truth_, inverse(view.reference_in_anchor)), scale);
   }
 };
 
-TEST_F(InteriorEdgesTest, TheSamePrintIsShared) {
+TEST_F(InteriorEdgesTest, TheSamePrintDiffersLittle) {
   const cv::Mat scene = scene_with(tile(kTaught));
-  EXPECT_GT(shared(scene), 0.97);
-  EXPECT_GT(shared(scene * 0.4), 0.97) << "in less light";
+  EXPECT_LT(difference(scene), 0.3);
+  EXPECT_LT(difference(scene * 0.4), 0.3) << "in less light";
   cv::Mat noise(scene.size(), CV_16SC3), noisy;
   cv::RNG random(5);
   random.fill(noise, cv::RNG::NORMAL, 0, 6);
   cv::add(scene, noise, noisy, {}, CV_8U);
-  EXPECT_GT(shared(noisy), 0.97);
+  EXPECT_LT(difference(noisy), 0.3);
 }
 
-TEST_F(InteriorEdgesTest, AnotherPrintIsNot) {
-  EXPECT_LT(shared(scene_with(tile(kOther))), 0.6);
-  EXPECT_LT(shared(scene_with(tile({}))), 0.1) << "what the lesson shows is missing";
+// Each is one dot more or less, of one to nine.
+TEST_F(InteriorEdgesTest, OneDotMoreOrLessIsAnotherPrint) {
+  Dots dots{{60, 60}};
+  for (const cv::Point dot :
+       {cv::Point(42, 48), {60, 48}, {78, 48}, {42, 60}, {78, 60}, {42, 72}, {60, 72}, {78, 72}}) {
+    const Dots fewer = dots;
+    dots.push_back(dot);
+    EXPECT_GT(difference(scene_with(tile(dots)), fewer), 1.3) << dots.size();
+    EXPECT_GT(difference(scene_with(tile(fewer)), dots), 1.3) << dots.size();
+  }
 }
 
-TEST_F(InteriorEdgesTest, WhatTheLessonLacksCountsToo) {
+// A white tile may saturate as a whole, which is no highlight.
+TEST_F(InteriorEdgesTest, DotsOnASaturatedTileAreCompared) {
   Dots more = kTaught;
   more.emplace_back(76, 48);
-  EXPECT_LT(shared(scene_with(tile(more))), 0.9);
+  EXPECT_GT(difference(scene_with(tile(more)) * 1.3), 1.3);
+  EXPECT_LT(difference(scene_with(tile(kTaught)) * 1.3), 0.3);
 }
 
-TEST_F(InteriorEdgesTest, APlainObjectDoesNotTell) {
-  const prepared::PreparedObject object(test::object_from(tile({}), {60, 60, 0}),
-                                        prepared::Engine::kFast);
-  const prepared::PreparedView& view = object.views.front();
-  EXPECT_EQ(view.interior_edges.shared(scene::SceneLevel(scene_with(tile({})), 0),
-                                       compose(truth_, inverse(view.reference_in_anchor)), 1),
-            1);
+TEST_F(InteriorEdgesTest, PlainObjectsDoNotDiffer) {
+  EXPECT_EQ(difference(scene_with(tile({})), {}), 0);
 }
 
-TEST_F(InteriorEdgesTest, ATenthLargerIsComparedAtThatSize) {
+TEST_F(InteriorEdgesTest, AnotherSizeIsComparedAtThatSize) {
   cv::Mat larger;
   const cv::Mat about =
-      (cv::Mat_<double>(2, 3) << 1.1, 0, -0.1 * truth_.x, 0, 1.1, -0.1 * truth_.y);
+      (cv::Mat_<double>(2, 3) << 1.25, 0, -0.25 * truth_.x, 0, 1.25, -0.25 * truth_.y);
   cv::warpAffine(scene_with(tile(kTaught)), larger, about, {320, 240});
-  EXPECT_GT(shared(larger, 1.1), 0.97);
+  EXPECT_LT(difference(larger, kTaught, 1.25), 0.3);
+  EXPECT_GT(difference(larger), 0.5);
 }
 
 TEST_F(InteriorEdgesTest, ATileWithOtherDotsIsNotGraspable) {

@@ -13,7 +13,7 @@ namespace mbncc::decision {
 namespace {
 
 constexpr double kForeignColour = 0.2;  // chroma difference of a foreign part
-constexpr double kSharedEdges = 0.9;    // part of the edges inside the outline that are the same
+constexpr double kOtherPrint = 1.2;     // difference of the edges inside the outline
 constexpr double kContradicts = 0.05;   // [agreement] advantage of another place over the pose
 
 std::string number(double value, int digits) {
@@ -63,17 +63,19 @@ std::vector<Doubt> doubts_about(const Match& match, const Detection& detection,
                                 other_angle_of(match) + ")"});
   if (!(detection.colour_difference <= kForeignColour))
     doubts.push_back({true, "colour of a part differs"});
-  if (!(detection.shared_edges >= kSharedEdges))
-    doubts.push_back({true, "edges inside the outline differ"});
   if (detection.mirror_alternative) doubts.push_back({true, "mirrored fits as well"});
   if (detection.torn) doubts.push_back({false, "upper and lower part lie apart"});
   if (detection.size_alternative) doubts.push_back({true, "another size fits better"});
   if (!(match.score >= config.confirm_score))
     doubts.push_back({false, "score " + number(match.score, 2) + " is below confirm_score"});
-  if (detection.contour_alternative >= kNotExamined)
+  if (detection.contour_alternative >= kNotExamined) {
     doubts.push_back({false, "too unlikely to be examined"});
-  else if (!(detection.contour_alternative <= kContradicts))
-    doubts.push_back({false, "outline fits better beside it"});
+  } else {
+    if (!(detection.contour_alternative <= kContradicts))
+      doubts.push_back({false, "outline fits better beside it"});
+    if (!(detection.interior_difference <= kOtherPrint))
+      doubts.push_back({true, "edges inside the outline differ"});
+  }
   if (!is_convincing(detection, instance_margin)) doubts.push_back({false, "evidence too weak"});
   doubt_deviations(match, cautious, config, doubts);
   if (!(match.visible >= config.min_visible))

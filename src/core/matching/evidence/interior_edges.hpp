@@ -15,20 +15,27 @@ class InteriorEdges {
  public:
   InteriorEdges() = default;
 
-  /// `lesson` shows the view's crop, `map` CV_8UC1 of its size, `anchor` [px] in it.
+  /// `lesson` shows the view's crop, at least as large as `map` (CV_8UC1), `anchor` [px] in it.
   InteriorEdges(const scene::SceneLevel& lesson, const cv::Mat& map, cv::Point2d anchor);
 
-  /// [0..1] Part of the strong edges inside the outline, of the lesson and of the image together,
-  /// that the other shows as well; 1 where there are too few to tell. The object is `scale` times
-  /// as large as in the lesson, with its anchor at `pose`.
-  double shared(const scene::SceneLevel& scene, const Pose2D& pose, double scale) const;
+  /// The largest connected group of clear edges inside the outline that only the lesson or only the
+  /// image shows: its pixels, divided by the square root of the area inside. 0: all are shared, or
+  /// there are none. Edges of highlights, as SurfaceTemplate leaves them out, do not count. The
+  /// object is `scale` times as large as in the lesson, with its anchor at `pose`.
+  double difference(const scene::SceneLevel& scene, const Pose2D& pose, double scale) const;
 
  private:
+  cv::Mat compared(const cv::Mat& colour, const Pose2D& pose, double scale) const;
+  cv::Mat missing(const cv::Mat& edges, const cv::Mat& where, const Pose2D& pose,
+                  double scale) const;
+  cv::Mat added(const cv::Mat& edges, const cv::Mat& where, const Pose2D& pose, double scale) const;
+
+  cv::Mat colour_;  ///< CV_8UC3
   cv::Mat edges_;   ///< CV_8SC2, see gradient_orientation.hpp
-  cv::Mat inside_;  ///< CV_8UC1, 255 inside the outline without its surroundings
+  cv::Mat inside_;  ///< CV_8UC1, 255 inside the outline, a few pixels away from it
   cv::Point2d anchor_;
-  std::vector<cv::Point> strong_;  ///< [px] pixels of strong edges inside
-  double reach_ = 0;               ///< [px] no pixel inside lies farther from the anchor
+  std::vector<cv::Point> clear_;  ///< [px] pixels inside with a clear edge
+  double reach_ = 0;              ///< [px] no pixel inside lies farther from the anchor
 };
 
 }  // namespace mbncc::evidence

@@ -151,7 +151,8 @@ void examine_best_of_places(const prepared::PreparedView& view, const scene::Sce
         })) {
       one->contour_alternative =
           evidence::better_elsewhere(view.fine.contour, scene.levels[0], one->pose, one->size);
-      one->shared_edges = view.interior_edges.shared(scene.levels[0], one->pose, one->size);
+      one->interior_difference =
+          view.interior_edges.difference(scene.levels[0], one->pose, one->size);
     }
   }
 }
