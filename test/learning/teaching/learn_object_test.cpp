@@ -89,6 +89,7 @@ TEST(LearnObject, AReflectionUpToTheRegionsEdgeIsLeftOut) {
   ASSERT_TRUE(result.evidence);
   EXPECT_TRUE(result.evidence->verified);
   EXPECT_LT(result.evidence->stability, 0.85) << "the other cut took more";
+  EXPECT_GT(result.evidence->change_beside, 0.05) << "which is a change that the map leaves out";
 }
 
 TEST(LearnObject, AStrokeOnAMapWithoutItsReflectionKeepsWhatTheChangeConfirmed) {
@@ -101,6 +102,7 @@ TEST(LearnObject, AStrokeOnAMapWithoutItsReflectionKeepsWhatTheChangeConfirmed) 
   EXPECT_GT(iou(learned_map(edited), drawn.truth), 0.95);
   ASSERT_TRUE(edited.evidence);
   EXPECT_TRUE(edited.evidence->verified);
+  EXPECT_LT(edited.evidence->stability, 0.85) << "the other cut still took more";
 }
 
 // The survey finds only the wedge, the cut the whole object.

@@ -15,6 +15,7 @@ namespace mbncc::teaching {
 namespace {
 
 constexpr double kSameObject = 0.5;  // least IoU of two cuts that show one object
+constexpr int kBeside = 7;           // [px] square about a pixel of a map: its rim
 constexpr double kClearer = 0.02;    // further part of an outline that lies on image edges
 
 // The cuts take the middle part of a lesson.
@@ -51,12 +52,12 @@ cv::Mat grabcut_again(const cv::Mat& map, const Marks& marks, const Segmentation
 }
 
 // `evidence` is completed by what the map alone tells.
-Segmentation by_colours(const cv::Mat& raw, CutEvidence evidence, const SegmentationTask& task) {
-  const cv::Mat map = segmentation::clean_map(raw);
+Segmentation by_colours(const cv::Mat& map, CutEvidence evidence, const SegmentationTask& task) {
   cv::Mat inside = cv::Mat::zeros(map.size(), CV_8UC1);
   inside(task.region).setTo(255);
   evidence.region_touch = segmentation::region_touch(map, inside);
   evidence.region_span = segmentation::region_span(map, inside);
+  evidence.cut_off = std::min(evidence.cut_off, evidence.region_touch);
   const auto cut_again = [map, evidence, task](const Marks& marks) -> Segmentation {
     return {grabcut_again(map, marks, task), evidence, {}, {}};
   };
@@ -67,7 +68,7 @@ Segmentation by_colours(const cv::Mat& raw, CutEvidence evidence, const Segmenta
 Segmentation unverified(const cv::Mat& raw, const SegmentationTask& task) {
   CutEvidence none;
   none.verified = false;
-  return by_colours(raw, none, task);
+  return by_colours(segmentation::clean_map(raw), none, task);
 }
 
 Segmentation by_sb_grabcut(const SegmentationTask& task, const LearningConfig& config,
@@ -111,20 +112,32 @@ double edge_part(const Segmentation& found, const SegmentationTask& task) {
   return segmentation::edge_agreement(task.before, found.map) - found.evidence->region_touch;
 }
 
+// Of what the change cut took, the part of `map`'s size that `map` leaves out beyond its rim.
+double left_out(const cv::Mat& change, const cv::Mat& map) {
+  cv::Mat grown;
+  cv::dilate(map, grown, cv::Mat::ones(kBeside, kBeside, CV_8U));
+  return cv::countNonZero(change & ~grown) / std::max(1.0, double(cv::countNonZero(map)));
+}
+
 // A map that reaches the edge of its region contains a shadow or a reflection, or the region cuts
 // the object off. GrabCut, started from the change, takes its place where they mostly agree and its
 // outline is clearer (docs/decisions/0005-change-cut.md).
 Segmentation clearer_at_region_edge(const Segmentation& change, const SegmentationTask& task,
                                     int rounds, const BeforeCut& before_cut) {
-  Segmentation colours =
-      by_colours(grabcut_mask(task.before, task.region, task.approximate, rounds, before_cut),
-                 *change.evidence, task);
-  const double agreement = segmentation::map_iou(change.map, colours.map);
-  if (agreement < kSameObject || edge_part(colours, task) < edge_part(change, task) + kClearer)
-    return change;
-  colours.evidence->stability = std::min(colours.evidence->stability, agreement);
-  colours.evidence->cut_off = std::min(colours.evidence->cut_off, colours.evidence->region_touch);
-  colours.cut_with = change.cut_with;
+  if (change.evidence->region_touch == 0) return change;
+  const cv::Mat map = segmentation::clean_map(
+      grabcut_mask(task.before, task.region, task.approximate, rounds, before_cut));
+  const double agreement = segmentation::map_iou(change.map, map);
+  if (agreement < kSameObject) return change;
+  CutEvidence evidence = *change.evidence;
+  evidence.stability = std::min(evidence.stability, agreement);
+  evidence.change_beside = std::max(evidence.change_beside, left_out(change.map, map));
+  Segmentation colours = by_colours(map, evidence, task);
+  if (edge_part(colours, task) < edge_part(change, task) + kClearer) return change;
+  // Another view changes the cut, which is compared again.
+  colours.cut_with = [with = change.cut_with, task, rounds](const cv::Mat& preference) {
+    return clearer_at_region_edge(with(preference), task, rounds, {});
+  };
   return colours;
 }
 
@@ -141,7 +154,7 @@ Segmentation by_change_cut(const SegmentationTask& task, const LearningConfig& c
 Segmentation by_change(const SegmentationTask& task, const LearningConfig& config,
                        LessonProgress& progress) {
   const Segmentation cut = by_change_cut(task, config, progress);
-  if (!cut.cut_again || cut.evidence->region_touch == 0 || task.region_may_grow) return cut;
+  if (!cut.cut_again || task.region_may_grow) return cut;
   const int rounds = config.iterations;
   return clearer_at_region_edge(cut, task, rounds, report_cuts(progress, rounds, 2 * rounds));
 }

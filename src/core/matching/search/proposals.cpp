@@ -6,9 +6,7 @@
 #include "imaging/pyramid.hpp"
 #include "matching/proposal/contour_search.hpp"
 #include "matching/proposal/ncc_search.hpp"
-#include "matching/search/candidate_odds.hpp"
 #include "matching/search/colour_ranking.hpp"
-#include "matching/search/search_budget.hpp"
 
 namespace mbncc::search {
 namespace {
