@@ -6,8 +6,9 @@ SET is a folder that make_search_cases.py has made. Each object is taught by its
 (`mbncc learn --map`) with the settings as shipped, and searched in its targets (`mbncc find`). A
 detection is right within max(5 px, 5 % of the diameter) and 6 degrees, modulo the tag `sym:`, of
 an instance that no better one has taken; otherwise it is wrong, unless it lies in a place of
-ignore.csv (an object that is tilted, or hardly told from the taught one). Further arguments go to
-`mbncc find`. OUT.json holds every detection.
+ignore.csv (an object that is tilted, of another size, or shares part of its print with the taught
+one); graspable ones there have a column of their own. Further arguments go to `mbncc find`.
+OUT.json holds every detection.
 """
 import argparse
 import csv
@@ -36,7 +37,7 @@ def by_target(case, name):
 
 
 def run(command):
-    return subprocess.run([str(word) for word in command], stdout=subprocess.PIPE, text=True, check=False).stdout
+    return subprocess.run([str(word) for word in command], stdout=subprocess.PIPE, text=True, check=True).stdout
 
 
 def teach(mbncc, library, case):
@@ -74,11 +75,13 @@ def search(mbncc, case, arguments):
     """For each target of a case what was found, with its verdict, and how many were missed."""
     tags = json.loads((case / "meta.json").read_text())["tags"]
     period = next((float(tag[4:]) for tag in tags if tag.startswith("sym:")), 360)
-    targets = sorted(case.glob("target_*.png"))
+    targets = [case / (row["target"] + ".png") for row in rows_of(case / "targets.csv")]
     instances, ignored = by_target(case, "gt.csv"), by_target(case, "ignore.csv")
     with tempfile.TemporaryDirectory() as library:
         taught = teach(mbncc, library, case)
         lines = run([mbncc, "find", "--library", library, "--threads", "1", "--json", *arguments, *targets])
+    if len(lines.splitlines()) != len(targets):
+        raise SystemExit("%s: %d of %d targets were searched" % (case, len(lines.splitlines()), len(targets)))
     reference = [float(word) for word in (case / "ref.txt").read_text().split()]
     shift = (reference[0] - taught["reference"]["x"], reference[1] - taught["reference"]["y"])
     tolerance = max(LEAST_PX, PART_OF_DIAMETER * 2 * taught["radius"])
@@ -100,9 +103,9 @@ def row(name, results):
         return sum(found["verdict"] == verdict and (found["graspable"] or not graspable)
                    for result in results for found in result["objects"])
     right, wrong, missed = count("right"), count("wrong"), sum(result["missed"] for result in results)
-    return "| %s | %d | %.3f | %.3f | %d | %d | %.0f |" % (
+    return "| %s | %d | %.3f | %.3f | %d | %d | %d | %.0f |" % (
         name, right + missed, right / max(1, right + missed), right / max(1, right + wrong), count("right", True),
-        count("wrong", True), statistics.median(result["ms"] for result in results))
+        count("wrong", True), count("ignored", True), statistics.median(result["ms"] for result in results))
 
 
 def main():
@@ -115,8 +118,8 @@ def main():
     if not cases:
         parser.error("no SOURCE/CASE/gt.csv below %s" % options.set)
     results = [result for case in cases for result in search(options.mbncc, case, arguments)]
-    print("| source | instances | recall | precision | graspable right | wrong | ms median |")
-    print("|---|---:|---:|---:|---:|---:|---:|")
+    print("| source | instances | recall | precision | graspable right | wrong | ignored | ms median |")
+    print("|---|---:|---:|---:|---:|---:|---:|---:|")
     sources = defaultdict(list)
     for result in results:
         sources[result["source"]].append(result)

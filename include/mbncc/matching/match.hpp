@@ -51,9 +51,10 @@ struct Match {
   int symmetry = 1;                   ///< 1: none, 2: 180 deg ..., 0: round
   std::vector<Doubt> doubts;          ///< for this pose, without competitors
   /// All conditions for a grasp hold in this image: score, margins, visible part, standard
-  /// deviations, colours of parts, size, and the fit of the outline elsewhere or mirrored.
+  /// deviations, colours of parts, edges inside the outline, size, and the fit of the outline
+  /// elsewhere or mirrored.
   bool graspable = false;
-  bool ambiguous = false;            ///< the score suffices, but another pose may be the right one
+  bool ambiguous = false;            ///< the score suffices, but another pose or object may be there
   std::vector<std::string> reasons;  ///< why it is not graspable; empty if it is
   bool fresh = true;  ///< found in this image; otherwise in an earlier one with unchanged pixels
   std::vector<cv::Point2f> outline;  ///< [px] largest outline of the map in this image
