@@ -54,7 +54,7 @@ struct Match {
   /// deviations, colours of parts, edges inside the outline, size, and the fit of the outline
   /// elsewhere or mirrored.
   bool graspable = false;
-  bool ambiguous = false;            ///< the score suffices, but another pose or object may be there
+  bool ambiguous = false;  ///< the score suffices, but another pose or object may be there
   std::vector<std::string> reasons;  ///< why it is not graspable; empty if it is
   bool fresh = true;  ///< found in this image; otherwise in an earlier one with unchanged pixels
   std::vector<cv::Point2f> outline;  ///< [px] largest outline of the map in this image
