@@ -6,6 +6,7 @@
 #include <opencv2/imgproc.hpp>
 
 #include "imaging/gradient_orientation.hpp"
+#include "matching/template/surface_template.hpp"
 
 namespace mbncc::evidence {
 namespace {
@@ -15,9 +16,6 @@ constexpr int kSlack = 2;       // [px] between the two places of an edge
 constexpr float kClear = 0.5F;  // length of an edge vector
 constexpr float kFaint = 0.2F;  // length of the other's vector along the edge, at least
 
-// Highlights, as SurfaceTemplate::leave_out_highlights() has them.
-constexpr int kSaturated = 240;                         // [grey levels] every channel of them
-constexpr double kMaySaturate = 0.85 * 3 * kSaturated;  // brightness that saturates by itself
 constexpr int kBeside = 7;  // [px] square about a pixel of a highlight: its edge
 
 using Vector = cv::Vec<schar, 2>;
@@ -114,7 +112,7 @@ cv::Mat InteriorEdges::compared(const cv::Mat& colour, const Pose2D& pose, doubl
       const cv::Point at(cvRound(place.x), cvRound(place.y));
       if (!at.inside(image)) continue;
       const auto& pixel = colour.at<cv::Vec3b>(at);
-      if (std::min({pixel[0], pixel[1], pixel[2]}) >= kSaturated) {
+      if (std::min({pixel[0], pixel[1], pixel[2]}) >= templates::kSaturated) {
         saturated.at<uchar>(y, x) = 255;
         continue;
       }
@@ -127,7 +125,7 @@ cv::Mat InteriorEdges::compared(const cv::Mat& colour, const Pose2D& pose, doubl
   const double gain = seen / std::max(1.0, learned);
   for (int y = 0; y < inside_.rows; ++y)
     for (int x = 0; x < inside_.cols; ++x)
-      if (gain * brightness(colour_.at<cv::Vec3b>(y, x)) >= kMaySaturate)
+      if (gain * brightness(colour_.at<cv::Vec3b>(y, x)) >= templates::kMaySaturate)
         saturated.at<uchar>(y, x) = 0;
   cv::dilate(saturated, saturated, cv::Mat::ones(kBeside, kBeside, CV_8U));
   return inside_ & ~saturated;

@@ -35,8 +35,6 @@ struct Exposure {
   float learned = 0, seen = 0;    // brightness of the open ones
 };
 
-constexpr float kSaturated = 240;  // [grey levels] all channels of a highlight reach this
-
 MBNCC_CLONES
 Exposure exposure_of(const float* __restrict learned, const float* __restrict blue,
                      const float* __restrict green, const float* __restrict red,
@@ -58,7 +56,6 @@ Exposure exposure_of(const float* __restrict learned, const float* __restrict bl
 // What mirrors a lamp saturates the camera and shows nothing of the object. What is bright enough
 // in the lesson, in the light here, may saturate by itself.
 void SurfaceTemplate::leave_out_highlights(SurfaceSample& sample) const {
-  constexpr float kShare = 0.85F;  // of saturation: what should be brighter than this may saturate
   const auto& [blue, green, red] = sample.planes;
   const Exposure exposure = exposure_of(brightness.data(), blue.data(), green.data(), red.data(),
                                         sample.inside.data(), padded());
@@ -66,7 +63,7 @@ void SurfaceTemplate::leave_out_highlights(SurfaceSample& sample) const {
   const float gain = exposure.seen / std::max(1.F, exposure.learned);
   for (std::size_t i = 0; i < size(); ++i) {
     const bool saturated = std::min({blue[i], green[i], red[i]}) >= kSaturated;
-    if (saturated && gain * brightness[i] < kShare * kChannels * kSaturated) sample.inside[i] = 0;
+    if (saturated && gain * brightness[i] < kMaySaturate) sample.inside[i] = 0;
   }
 }
 

@@ -15,6 +15,11 @@
 
 namespace mbncc::templates {
 
+/// A highlight reaches kSaturated [grey levels] in all channels where the object, in the light of
+/// the image, would be darker than kMaySaturate (sum of the channels).
+constexpr float kSaturated = 240;
+constexpr float kMaySaturate = 0.85F * 3 * kSaturated;
+
 /// Colours of an image at the points of a surface: one plane per channel (b, g, r).
 struct SurfaceSample {
   std::array<std::vector<float>, 3> planes;  ///< padded with zeros to whole lanes
