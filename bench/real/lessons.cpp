@@ -28,8 +28,8 @@ namespace fs = std::filesystem;
 constexpr const char* kOptions =
     "{@set       |        | folders that hold cases at any depth, comma separated }"
     "{by         | region | how the object is shown: region, none, click (with the image after);"
-    " point (a click without it); box<percent> (without it; the true bounding box made so much "
-    "larger); hand (the true map) }"
+    " point (a click without it); region<percent>, box<percent> (with and without it; the true "
+    "bounding box made so much larger); hand (the true map) }"
     "{method     | auto   | of learn_object; otsu, otsu_grabcut and opencv_grabcut: baselines }"
     "{half       |        | only sources of this half (SOURCE.json): tune or report; empty: all }"
     "{out        |        | folder for cases.csv and the maps }"
@@ -89,14 +89,17 @@ Lesson lesson_of(const CaseFolder& one, const std::string& by) {
     lesson.map = one.map;
     return lesson;
   }
+  const auto box = [&](std::size_t digits) {
+    return enlarged(cv::boundingRect(one.map), std::stod(by.substr(digits)), one.map.size());
+  };
   if (by.rfind("box", 0) == 0) {
-    lesson.region = enlarged(cv::boundingRect(one.map), std::stod(by.substr(3)), one.map.size());
+    lesson.region = box(3);
     return lesson;
   }
   if (by == "click" || by == "point") lesson.click = click_of(one);
   if (by == "point") return lesson;
   lesson.after = one.after;
-  if (by == "region") lesson.region = one.region;
+  if (by.rfind("region", 0) == 0) lesson.region = by == "region" ? one.region : box(6);
   return lesson;
 }
 

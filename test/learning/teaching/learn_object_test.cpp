@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <opencv2/imgproc.hpp>
+
 #include "learning/images.hpp"
 #include "mbncc/learning/interactive_lesson.hpp"
 
@@ -122,6 +124,61 @@ TEST(LearnObject, WidensARegionThatNobodyDrew) {
   ASSERT_TRUE(result.has_model);
   EXPECT_GT(iou(learned_map(result), drawn.truth), 0.8);
   for (const auto& reason : result.object.quality.reasons) EXPECT_NE(reason, "touches_region_edge");
+}
+
+const cv::Rect kTile(90, 70, 80, 48);
+
+// A tile among others; the edges of its dots are as clear as its outline.
+DrawnLesson draw_tile(const cv::Rect& region) {
+  const cv::Scalar bright(215, 225, 230), dark(30, 30, 35);
+  const int gap = 7;
+  DrawnLesson drawn = draw_lesson();
+  drawn.truth.setTo(0);
+  drawn.truth(kTile).setTo(255);
+  drawn.platform = test::texture(drawn.platform.size(), cv::Scalar(60, 110, 70), 4, 1);
+  for (const int x : {-1, 0, 1})
+    for (const int y : {-1, 0, 1})
+      if (x != 0 || y != 0)
+        cv::rectangle(drawn.platform,
+                      kTile + cv::Point(x * (kTile.width + gap), y * (kTile.height + gap)), bright,
+                      cv::FILLED);
+  drawn.scene = drawn.platform.clone();
+  drawn.scene(kTile) = bright;
+  for (const int x : {106, 154}) cv::circle(drawn.scene, {x, 94}, 8, dark, cv::FILLED);
+  cv::GaussianBlur(drawn.scene, drawn.scene, {}, 0.7);
+  drawn.lesson.before = test::exposed(drawn.scene, 11);
+  drawn.lesson.after = test::exposed(drawn.platform, 12);
+  drawn.lesson.region = region;
+  return drawn;
+}
+
+cv::Rect smaller(const cv::Rect& rect, int margin) {
+  return {rect.x + margin, rect.y + margin, rect.width - 2 * margin, rect.height - 2 * margin};
+}
+
+TEST(LearnObject, ADrawnRegionMayBeTightOrSlightlyTooSmall) {
+  for (const int margin : {0, 3}) {
+    const DrawnLesson drawn = draw_tile(smaller(kTile, margin));
+    const LearnResult result = learn_object(drawn.lesson);
+    ASSERT_TRUE(result.has_model) << result.message;
+    EXPECT_GT(iou(learned_map(result), drawn.truth), 0.95) << margin;
+    EXPECT_EQ(result.object.quality.verdict, Verdict::kGood) << margin;
+  }
+}
+
+TEST(LearnObject, ATightBoxInOneImageShowsTheObjectNotItsPrint) {
+  DrawnLesson drawn = draw_tile(kTile);
+  drawn.lesson.after = cv::Mat();
+  const LearnResult result = learn_object(drawn.lesson);
+  ASSERT_TRUE(result.has_model) << result.message;
+  EXPECT_GT(iou(learned_map(result), drawn.truth), 0.9);
+}
+
+TEST(LearnObject, ARegionThatCutsTheObjectOffIsNoGoodLesson) {
+  const DrawnLesson drawn = draw_tile({kTile.x - 10, kTile.y - 10, kTile.width + 20, 24});
+  const LearnResult result = learn_object(drawn.lesson);
+  EXPECT_LT(iou(learned_map(result), drawn.truth), 0.6) << "the region hardly grows";
+  EXPECT_NE(result.object.quality.verdict, Verdict::kGood);
 }
 
 TEST(LearnObject, TakesAReadyMapAsItIs) {

@@ -18,6 +18,9 @@ namespace {
 constexpr int kClickMargin = 6;      // [px] about the clicked piece
 constexpr double kClickPart = 0.15;  // likewise, of its longer side
 constexpr double kTouching = 0.04;   // part of the outline on the region's edge that asks for more
+constexpr double kTight = 0.35;      // likewise, of a region that was drawn
+constexpr int kLeastTolerance = 2;   // [px] by which a drawn region may be too small on every side
+constexpr double kTolerance = 0.08;  // likewise, of its longer side
 constexpr double kClear = 0.8;       // boundary contrast and stability of clear edges
 constexpr double kAlike = 0.35;      // part of a map that looks like the platform
 
@@ -87,10 +90,13 @@ Segmentation MapCutter::segment(Room room) {
 Segmentation MapCutter::segment_region(Room room) {
   const cv::Rect wider = room == Room::kMayGrow ? wider_region() : task_.region;
   if (wider == task_.region) return segment_once();
-  const Segmentation found = segment_once(Room::kMayGrow);
-  if (!found.evidence || found.evidence->region_touch <= kTouching) return found;
-  task_.region = wider;
-  return segment_once();
+  const double largest_touch = lesson_.region == cv::Rect() ? kTouching : kTight;
+  const Segmentation found = segment_unless_touching(largest_touch);
+  if (found.evidence && found.evidence->region_touch > largest_touch) {
+    task_.region = wider;
+    return segment_once();
+  }
+  return checked(found);
 }
 
 // The stability of such a map includes that it does not depend on the region's size.
@@ -147,23 +153,38 @@ std::optional<Segmentation> MapCutter::segment_if_possible(Room room) {
   return if_possible([&] { return segment(room); });
 }
 
-Segmentation MapCutter::segment_once(Room room) {
-  const StepTimer timer(timings_ms_, "segment");
-  SegmentationTask task = task_;
-  task.region_may_grow = room == Room::kMayGrow;
-  Segmentation segmentation =
-      segmenter_of(config_.method, !task.after.empty())(task, config_, progress_);
-  check_map(segmentation.map, task_.region);
-  progress_.report(Stage::kSegment, 0.8, "The object is segmented.",
-                   [&] { return outlined(task_.before, segmentation.map); });
-  return segmentation;
+Segmentation MapCutter::segment_once() {
+  return checked(segment_unless_touching(1));
 }
 
-// A region that was not drawn may be too small; a drawn one stays.
+Segmentation MapCutter::segment_unless_touching(double largest_touch) {
+  const StepTimer timer(timings_ms_, "segment");
+  SegmentationTask task = task_;
+  task.largest_touch = largest_touch;
+  return segmenter_of(config_.method, !task.after.empty())(task, config_, progress_);
+}
+
+Segmentation MapCutter::checked(const Segmentation& found) {
+  check_map(found.map, task_.region);
+  progress_.report(Stage::kSegment, 0.8, "The object is segmented.",
+                   [&] { return outlined(task_.before, found.map); });
+  return found;
+}
+
+// A hand draws a region up to the object's edge or slightly inside it.
+cv::Rect MapCutter::widest_region() const {
+  const cv::Rect region = usable_region(lesson_);
+  if (lesson_.region == cv::Rect()) return region;
+  const int longer = std::max(region.width, region.height);
+  const int tolerance = std::max(kLeastTolerance, static_cast<int>(kTolerance * longer));
+  return change::grown(region, tolerance) & cv::Rect({0, 0}, lesson_.before.size());
+}
+
+// A region that was not drawn may be far too small, a drawn one hardly.
 cv::Rect MapCutter::wider_region() const {
   if (!lesson_.outline.empty()) return task_.region;
   const int margin = std::max(task_.region.width, task_.region.height) / 2;
-  return change::grown(task_.region, margin) & usable_region(lesson_);
+  return change::grown(task_.region, margin) & widest_region();
 }
 
 Segmentation MapCutter::cut_again(const Segmentation& cut, const Marks& marks) {

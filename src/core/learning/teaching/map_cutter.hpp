@@ -50,12 +50,15 @@ class MapCutter {
 
  private:
   Segmentation accept(const cv::Mat& map);
-  Segmentation segment_once(Room room = Room::kStays);
+  Segmentation segment_once();
+  Segmentation segment_unless_touching(double largest_touch);
+  Segmentation checked(const Segmentation& found);
   Segmentation segment_region(Room room);
   Segmentation segment_clicked(Room room);
   std::optional<Segmentation> segment_square();
   Segmentation clicked_alone();
   Segmentation clicked(const Segmentation& found);
+  cv::Rect widest_region() const;
   cv::Rect wider_region() const;
 
   const Lesson& lesson_;

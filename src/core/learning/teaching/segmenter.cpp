@@ -17,6 +17,7 @@ namespace {
 constexpr double kSameObject = 0.5;  // least IoU of two cuts that show one object
 constexpr int kBeside = 7;           // [px] square about a pixel of a map: its rim
 constexpr double kClearer = 0.02;    // further part of an outline that lies on image edges
+constexpr double kLeastSpan = 0.6;   // part of a region's width and height that an object fills
 
 // The cuts take the middle part of a lesson.
 double segment_progress(int iteration, int iterations) {
@@ -112,6 +113,13 @@ double edge_part(const Segmentation& found, const SegmentationTask& task) {
   return segmentation::edge_agreement(task.before, found.map) - found.evidence->region_touch;
 }
 
+// Of one image: a map that is much smaller than the region shows a part of the object.
+double edge_and_span(const Segmentation& found, const SegmentationTask& task, double touch_weight) {
+  return segmentation::edge_agreement(task.before, found.map) -
+         touch_weight * found.evidence->region_touch +
+         std::min(1.0, found.evidence->region_span / kLeastSpan);
+}
+
 // Of what the change cut took, the part of `map`'s size that `map` leaves out beyond its rim.
 double left_out(const cv::Mat& change, const cv::Mat& map) {
   cv::Mat grown;
@@ -154,7 +162,7 @@ Segmentation by_change_cut(const SegmentationTask& task, const LearningConfig& c
 Segmentation by_change(const SegmentationTask& task, const LearningConfig& config,
                        LessonProgress& progress) {
   const Segmentation cut = by_change_cut(task, config, progress);
-  if (!cut.cut_again || task.region_may_grow) return cut;
+  if (!cut.cut_again || cut.evidence->region_touch > task.largest_touch) return cut;
   const int rounds = config.iterations;
   return clearer_at_region_edge(cut, task, rounds, report_cuts(progress, rounds, 2 * rounds));
 }
@@ -183,11 +191,16 @@ Segmentation by_clearer_outline(const SegmentationTask& task, const LearningConf
   Segmentation colours = unverified(
       grabcut_rect(task.before, task.region, rounds, report_cuts(progress, rounds, 2 * rounds)),
       task);
-  const bool smoother = edge_part(smooth, task) >= edge_part(colours, task);
   const double agreement = segmentation::map_iou(smooth.map, colours.map);
-  Segmentation& clearer = smoother ? smooth : colours;
-  clearer.evidence->stability = agreement;
-  return clearer;
+  smooth.evidence->stability = colours.evidence->stability = agreement;
+  const auto clearer = [&](double touch_weight) {
+    return edge_and_span(smooth, task, touch_weight) >= edge_and_span(colours, task, touch_weight)
+               ? smooth
+               : colours;
+  };
+  // The object reaches the edge of a tight region, which a part of it does not.
+  const Segmentation filling = clearer(0);
+  return filling.evidence->region_touch > task.largest_touch ? filling : clearer(1);
 }
 
 }  // namespace

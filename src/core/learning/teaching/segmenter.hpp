@@ -21,7 +21,9 @@ struct SegmentationTask {
   cv::Rect region;      ///< [px] the object lies in here
   cv::Mat approximate;  ///< CV_8UC1, 255 on the paper's approximate region
   cv::Mat changed;      ///< CV_8UC1, 255 where the images differ anywhere; empty without `after`
-  bool region_may_grow = false;  ///< a map that reaches its edge will be cut again in a wider one
+  /// Of a map's outline on the region's edge [0..1]: if it is more, the caller cuts again in a
+  /// wider region.
+  double largest_touch = 1;
 };
 
 struct Segmentation {
