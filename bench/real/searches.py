@@ -3,11 +3,12 @@
 """Searches photographs for objects that were taught in others, and prints a table by source.
 
 SET is a folder that make_search_cases.py has made. Each object is taught by its true map
-(`mbncc learn --map`) with the settings as shipped, and searched in its targets (`mbncc find`). A
-detection is right within max(5 px, 5 % of the diameter) and 6 degrees, modulo the tag `sym:`, of
-an instance that no better one has taken; otherwise it is wrong, unless it lies in a place of
-ignore.csv (an object that is tilted, of another size, or shares part of its print with the taught
-one); graspable ones there have a column of their own. Further arguments go to `mbncc find`.
+(`mbncc learn --map`) and the symmetry that its tag `sym:` [degrees] declares, otherwise with the
+settings as shipped, and searched in its targets (`mbncc find`). A detection is right within
+max(5 px, 5 % of the diameter) and 6 degrees, modulo the symmetry, of an instance that no better one
+has taken; otherwise it is wrong, unless it lies in a place of ignore.csv (an object that is tilted,
+of another size, or shares part of its print with the taught one); graspable ones there have a
+column of their own. Further arguments go to `mbncc find`.
 OUT.json holds every detection.
 """
 import argparse
@@ -40,9 +41,10 @@ def run(command):
     return subprocess.run([str(word) for word in command], stdout=subprocess.PIPE, text=True, check=True).stdout
 
 
-def teach(mbncc, library, case):
+def teach(mbncc, library, case, period):
+    symmetry = {0: "round", 360: "auto"}.get(period) or str(round(360 / period))
     told = run([mbncc, "learn", "--library", library, "--name", "object", "--before", case / "learn_before.png",
-                "--map", case / "gt_mask.png", "--json", "--allow-bad"])
+                "--map", case / "gt_mask.png", "--symmetry", symmetry, "--json", "--allow-bad"])
     return json.loads(told[told.index("{"):])
 
 
@@ -78,7 +80,7 @@ def search(mbncc, case, arguments):
     targets = [case / (row["target"] + ".png") for row in rows_of(case / "targets.csv")]
     instances, ignored = by_target(case, "gt.csv"), by_target(case, "ignore.csv")
     with tempfile.TemporaryDirectory() as library:
-        taught = teach(mbncc, library, case)
+        taught = teach(mbncc, library, case, period)
         lines = run([mbncc, "find", "--library", library, "--threads", "1", "--json", *arguments, *targets])
     if len(lines.splitlines()) != len(targets):
         raise SystemExit("%s: %d of %d targets were searched" % (case, len(lines.splitlines()), len(targets)))
