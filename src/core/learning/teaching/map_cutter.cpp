@@ -19,6 +19,7 @@ constexpr int kClickMargin = 6;      // [px] about the clicked piece
 constexpr double kClickPart = 0.15;  // likewise, of its longer side
 constexpr double kTouching = 0.04;   // part of the outline on the region's edge that asks for more
 constexpr double kTight = 0.35;      // likewise, of a region that was drawn
+constexpr double kLeastSpan = 0.6;   // part of a drawn region's sides that the object fills
 constexpr int kLeastTolerance = 2;   // [px] by which a drawn region may be too small on every side
 constexpr double kTolerance = 0.08;  // likewise, of its longer side
 constexpr double kClear = 0.8;       // boundary contrast and stability of clear edges
@@ -161,6 +162,7 @@ Segmentation MapCutter::segment_unless_touching(double largest_touch) {
   const StepTimer timer(timings_ms_, "segment");
   SegmentationTask task = task_;
   task.largest_touch = largest_touch;
+  if (lesson_.region != cv::Rect() && !lesson_.click) task.least_span = kLeastSpan;
   return segmenter_of(config_.method, !task.after.empty())(task, config_, progress_);
 }
 

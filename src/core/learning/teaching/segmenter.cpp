@@ -17,7 +17,6 @@ namespace {
 constexpr double kSameObject = 0.5;  // least IoU of two cuts that show one object
 constexpr int kBeside = 7;           // [px] square about a pixel of a map: its rim
 constexpr double kClearer = 0.02;    // further part of an outline that lies on image edges
-constexpr double kLeastSpan = 0.6;   // part of a region's width and height that an object fills
 
 // The cuts take the middle part of a lesson.
 double segment_progress(int iteration, int iterations) {
@@ -113,11 +112,12 @@ double edge_part(const Segmentation& found, const SegmentationTask& task) {
   return segmentation::edge_agreement(task.before, found.map) - found.evidence->region_touch;
 }
 
-// Of one image: a map that is much smaller than the region shows a part of the object.
+// Of one image: a map that is much smaller than a drawn region shows a part of the object.
 double edge_and_span(const Segmentation& found, const SegmentationTask& task, double touch_weight) {
-  return segmentation::edge_agreement(task.before, found.map) -
-         touch_weight * found.evidence->region_touch +
-         std::min(1.0, found.evidence->region_span / kLeastSpan);
+  const double edges = segmentation::edge_agreement(task.before, found.map) -
+                       touch_weight * found.evidence->region_touch;
+  if (task.least_span == 0) return edges;
+  return edges + std::min(1.0, found.evidence->region_span / task.least_span);
 }
 
 // Of what the change cut took, the part of `map`'s size that `map` leaves out beyond its rim.
