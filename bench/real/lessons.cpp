@@ -89,8 +89,8 @@ Lesson lesson_of(const CaseFolder& one, const std::string& by) {
     lesson.map = one.map;
     return lesson;
   }
-  const auto box = [&](std::size_t digits) {
-    return enlarged(cv::boundingRect(one.map), std::stod(by.substr(digits)), one.map.size());
+  const auto box = [&](std::size_t prefix) {
+    return enlarged(cv::boundingRect(one.map), std::stod(by.substr(prefix)), one.map.size());
   };
   if (by.rfind("box", 0) == 0) {
     lesson.region = box(3);

@@ -71,7 +71,9 @@ TEST(RegionCut, IsNoLargerForALargerRegion) {
 }
 
 TEST(RegionCut, OfAnEmptyTableIsEmpty) {
-  EXPECT_EQ(cv::countNonZero(region_cut(test::exposed(table(), 4), kRegion, 2).map), 0);
+  const ChangeCut cut = region_cut(test::exposed(table(), 4), kRegion, 2);
+  EXPECT_EQ(cv::countNonZero(cut.map), 0);
+  EXPECT_EQ(cut.evidence.region_span, 0);
 }
 
 TEST(RegionCut, WithoutARingThereIsStillAnAnswer) {

@@ -174,6 +174,21 @@ TEST(LearnObject, ATightBoxInOneImageShowsTheObjectNotItsPrint) {
   EXPECT_GT(iou(learned_map(result), drawn.truth), 0.9);
 }
 
+// Grown, the region would be the whole image, which leaves no background.
+TEST(LearnObject, ATightRegionThatCannotGrowStays) {
+  DrawnLesson drawn = draw_lesson();
+  const cv::Rect board(10, 10, 220, 180);
+  const std::vector<cv::Point> octagon = {{50, 10},   {189, 10}, {229, 50}, {229, 149},
+                                          {189, 189}, {50, 189}, {10, 149}, {10, 50}};
+  cv::fillConvexPoly(drawn.scene, octagon, cv::Scalar(215, 225, 230));
+  drawn.lesson.before = test::exposed(drawn.scene, 11);
+  drawn.lesson.after = cv::Mat();
+  drawn.lesson.region = board;
+  const LearnResult result = learn_object(drawn.lesson);
+  ASSERT_TRUE(result.has_model) << result.message;
+  EXPECT_EQ(cv::boundingRect(learned_map(result)), board);
+}
+
 TEST(LearnObject, ARegionThatCutsTheObjectOffIsNoGoodLesson) {
   const DrawnLesson drawn = draw_tile({kTile.x - 10, kTile.y - 10, kTile.width + 20, 24});
   const LearnResult result = learn_object(drawn.lesson);

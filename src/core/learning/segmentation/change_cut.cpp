@@ -285,7 +285,9 @@ ChangeCut cut(const std::shared_ptr<Cutter>& cutter, const cv::Size& size, int i
 }
 
 ChangeCut nothing(const cv::Size& size) {
-  return {cv::Mat::zeros(size, CV_8UC1), {}, {}, {}, {}};
+  CutEvidence evidence;
+  evidence.region_span = 0;
+  return {cv::Mat::zeros(size, CV_8UC1), evidence, {}, {}, {}};
 }
 
 }  // namespace

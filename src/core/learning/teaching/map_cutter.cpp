@@ -21,7 +21,7 @@ constexpr double kTouching = 0.04;   // part of the outline on the region's edge
 constexpr double kTight = 0.35;      // likewise, of a region that was drawn
 constexpr double kLeastSpan = 0.6;   // part of a drawn region's sides that the object fills
 constexpr int kLeastTolerance = 2;   // [px] by which a drawn region may be too small on every side
-constexpr double kTolerance = 0.08;  // likewise, of its longer side
+constexpr double kTolerance = 0.08;  // likewise, of its width and height
 constexpr double kClear = 0.8;       // boundary contrast and stability of clear edges
 constexpr double kAlike = 0.35;      // part of a map that looks like the platform
 
@@ -91,13 +91,16 @@ Segmentation MapCutter::segment(Room room) {
 Segmentation MapCutter::segment_region(Room room) {
   const cv::Rect wider = room == Room::kMayGrow ? wider_region() : task_.region;
   if (wider == task_.region) return segment_once();
-  const double largest_touch = lesson_.region == cv::Rect() ? kTouching : kTight;
+  const cv::Rect first = task_.region;
+  const bool drawn = lesson_.region != cv::Rect() && first == usable_region(lesson_);
+  const double largest_touch = drawn ? kTight : kTouching;
   const Segmentation found = segment_unless_touching(largest_touch);
-  if (found.evidence && found.evidence->region_touch > largest_touch) {
-    task_.region = wider;
-    return segment_once();
-  }
-  return checked(found);
+  if (!found.evidence || found.evidence->region_touch <= largest_touch) return checked(found);
+  task_.region = wider;
+  if (!drawn) return segment_once();
+  if (const auto grown = if_possible([&] { return segment_once(); })) return *grown;
+  task_.region = first;
+  return segment_once();
 }
 
 // The stability of such a map includes that it does not depend on the region's size.
@@ -177,9 +180,12 @@ Segmentation MapCutter::checked(const Segmentation& found) {
 cv::Rect MapCutter::widest_region() const {
   const cv::Rect region = usable_region(lesson_);
   if (lesson_.region == cv::Rect()) return region;
-  const int longer = std::max(region.width, region.height);
-  const int tolerance = std::max(kLeastTolerance, static_cast<int>(kTolerance * longer));
-  return change::grown(region, tolerance) & cv::Rect({0, 0}, lesson_.before.size());
+  const auto tolerance = [](int length) {
+    return std::max(kLeastTolerance, static_cast<int>(kTolerance * length));
+  };
+  const cv::Point margin(tolerance(region.width), tolerance(region.height));
+  return cv::Rect(region.tl() - margin, region.br() + margin) &
+         cv::Rect({0, 0}, lesson_.before.size());
 }
 
 // A region that was not drawn may be far too small, a drawn one hardly.

@@ -112,10 +112,10 @@ double edge_part(const Segmentation& found, const SegmentationTask& task) {
   return segmentation::edge_agreement(task.before, found.map) - found.evidence->region_touch;
 }
 
-// Of one image: a map that is much smaller than a drawn region shows a part of the object.
-double edge_and_span(const Segmentation& found, const SegmentationTask& task, double touch_weight) {
-  const double edges = segmentation::edge_agreement(task.before, found.map) -
-                       touch_weight * found.evidence->region_touch;
+// Part of the outline on image edges, and how far the map spans a drawn region: a much smaller one
+// shows a part of the object.
+double edge_and_span(const Segmentation& found, const SegmentationTask& task) {
+  const double edges = segmentation::edge_agreement(task.before, found.map);
   if (task.least_span == 0) return edges;
   return edges + std::min(1.0, found.evidence->region_span / task.least_span);
 }
@@ -193,10 +193,10 @@ Segmentation by_clearer_outline(const SegmentationTask& task, const LearningConf
       task);
   const double agreement = segmentation::map_iou(smooth.map, colours.map);
   smooth.evidence->stability = colours.evidence->stability = agreement;
+  const double lead = edge_and_span(smooth, task) - edge_and_span(colours, task);
+  const double touches_more = smooth.evidence->region_touch - colours.evidence->region_touch;
   const auto clearer = [&](double touch_weight) {
-    return edge_and_span(smooth, task, touch_weight) >= edge_and_span(colours, task, touch_weight)
-               ? smooth
-               : colours;
+    return lead >= touch_weight * touches_more ? smooth : colours;
   };
   // The object reaches the edge of a tight region, which a part of it does not.
   const Segmentation filling = clearer(0);

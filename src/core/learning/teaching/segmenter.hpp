@@ -24,7 +24,7 @@ struct SegmentationTask {
   /// Of a map's outline on the region's edge [0..1]: if it is more, the caller cuts again in a
   /// wider region.
   double largest_touch = 1;
-  /// Part of the region's width and height [0..1] that the object fills at least; 0: unknown.
+  /// Part of the region's width and height [0..1] that the object probably fills; 0: unknown.
   double least_span = 0;
 };
 
