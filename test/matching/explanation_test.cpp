@@ -87,8 +87,8 @@ TEST_F(ExplanationTest, ASumOfItsParts) {
   const Explanation explanation = at(truth_.position());
   const LogOdds& odds = explanation.odds;
   EXPECT_GT(odds.evidence, 3);
-  EXPECT_NEAR(odds.evidence - odds.colour - odds.mirror + odds.rotations() - odds.clutter +
-                  odds.calibration,
+  EXPECT_NEAR(odds.evidence - odds.colour - odds.mirror - odds.print + odds.rotations() -
+                  odds.clutter + odds.calibration,
               odds.total(), 1e-9);
   EXPECT_NEAR(explanation.score, 1 / (1 + std::exp(-odds.total())), 1e-9);
 }

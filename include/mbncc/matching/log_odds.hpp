@@ -12,13 +12,14 @@ struct LogOdds {
   double evidence = 0;  ///< of the features at the pose (docs/decisions/0019-evidence-model.md)
   double colour = 0;    ///< subtracted: a part of another colour (0023)
   double mirror = 0;    ///< subtracted: the mirrored outline fits better (0024)
+  double print = 0;     ///< subtracted: edges inside the outline differ (0029)
   double best_at_place = 0;  ///< of_pose() of the best rotation at this place (0022)
   double rotation = 0;       ///< subtracted: the lead of the best rotation at this place (0022)
   double clutter = 0;        ///< subtracted: similar places elsewhere, many objects (0028)
   double calibration = 0;    ///< added: margins, fit of the outline nearby (0028)
 
   /// Of the pose alone, without comparison with others.
-  double of_pose() const { return evidence - colour - mirror; }
+  double of_pose() const { return evidence - colour - mirror - print; }
   /// What comparison with the other rotations at the place adds.
   double rotations() const { return best_at_place - rotation - of_pose(); }
   /// Comparable between detections of one image.
@@ -35,11 +36,12 @@ struct LogOdds {
 
 /// Log-odds of a pose that was not compared with others.
 inline LogOdds log_odds_of_pose(double evidence, double colour_penalty = 0,
-                                double mirror_penalty = 0) {
+                                double mirror_penalty = 0, double print_penalty = 0) {
   LogOdds odds;
   odds.evidence = evidence;
   odds.colour = colour_penalty;
   odds.mirror = mirror_penalty;
+  odds.print = print_penalty;
   odds.best_at_place = odds.of_pose();
   return odds;
 }

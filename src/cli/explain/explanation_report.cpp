@@ -26,7 +26,8 @@ void write(JsonWriter& json, const Explanation& one) {
   json.member("theta_deg", to_degrees(one.pose.theta));
   json.member("score", one.score).member("log_odds", one.odds.total());
   json.member("evidence", one.odds.evidence).member("colour", -one.odds.colour);
-  json.member("mirror", -one.odds.mirror).member("rotations", one.odds.rotations());
+  json.member("mirror", -one.odds.mirror).member("print", -one.odds.print);
+  json.member("rotations", one.odds.rotations());
   json.member("clutter", -one.odds.clutter).member("calibration", one.odds.calibration);
   json.key("parts").begin_array();
   for (const auto& part : one.parts) {

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "matching/evidence/interior_edges.hpp"
 
+#include <algorithm>
+#include <optional>
+
 #include "matching/matcher_fixture.hpp"
 #include "matching/prepared/prepared_object.hpp"
 
@@ -35,12 +38,29 @@ class InteriorEdgesTest : public test::MatcherTest {
   }
 
   /// Of the taught tile and `scene` at its true pose.
-  double difference(const cv::Mat& scene, const Dots& taught = kTaught, double scale = 1) const {
+  InteriorDifference differences(const cv::Mat& scene, const Dots& taught = kTaught,
+                                 double scale = 1) const {
     const prepared::PreparedObject object(test::object_from(tile(taught), {60, 60, 0}),
                                           prepared::Engine::kFast);
     const prepared::PreparedView& view = object.views.front();
-    return view.interior_edges.difference(
-        scene::SceneLevel(scene, 0), compose(truth_, inverse(view.reference_in_anchor)), scale);
+    return view.interior_edges.difference(scene::SceneLevel(scene, 0), view.fine.contour,
+                                          compose(truth_, inverse(view.reference_in_anchor)),
+                                          scale);
+  }
+
+  double difference(const cv::Mat& scene, const Dots& taught = kTaught, double scale = 1) const {
+    return differences(scene, taught, scale).largest;
+  }
+
+  /// The best match of the taught tile in an image of `seen`, whatever its score; none: nullopt.
+  static std::optional<Match> best_match(const cv::Mat& scene) {
+    SearchConfig config;
+    config.min_score = 1e-6;
+    Matcher matcher(config);
+    matcher.set_objects({test::object_from(tile(kTaught), {60, 60, 0})});
+    const auto matches = matcher.find(scene).matches;
+    if (matches.empty()) return {};
+    return matches.front();
   }
 };
 
@@ -84,10 +104,11 @@ TEST_F(InteriorEdgesTest, DotsOnASaturatedPartAreCompared) {
     const prepared::PreparedView& view = object.views.front();
     const auto difference_to = [&](const Dots& dots) {
       const cv::Mat scene = scene_with(seen(dots)) * 1.3;
-      return view.interior_edges.difference(scene::SceneLevel(scene, 0),
-                                            compose(truth_, inverse(view.reference_in_anchor)), 1);
+      const Pose2D pose = compose(truth_, inverse(view.reference_in_anchor));
+      return view.interior_edges.difference(scene::SceneLevel(scene, 0), view.fine.contour, pose, 1)
+          .largest;
     };
-    EXPECT_GT(difference_to(more), 1.3) << darker;
+    EXPECT_GT(difference_to(more), 3) << darker;
     EXPECT_LT(difference_to(kTaught), 0.3) << darker;
   }
 }
@@ -105,17 +126,49 @@ TEST_F(InteriorEdgesTest, AnotherSizeIsComparedAtThatSize) {
   EXPECT_GT(difference(larger), 0.5);
 }
 
-TEST_F(InteriorEdgesTest, ATileWithOtherDotsIsNotGraspable) {
-  const Matcher matcher = matcher_of({test::object_from(tile(kTaught), {60, 60, 0})});
-  const auto own = matcher.find(scene_with(tile(kTaught))).matches;
-  ASSERT_EQ(own.size(), 1U);
-  EXPECT_TRUE(own.front().graspable) << own.front().reasons.front();
+TEST_F(InteriorEdgesTest, WhatLiesAcrossTheOutlineIsNoPrint) {
+  cv::Mat scene = scene_with(tile(kTaught));
+  cv::line(scene, {212, 77}, {126, 160}, {30, 60, 140}, 5, cv::LINE_AA);
+  EXPECT_GT(differences(scene).largest, 1.3);
+  EXPECT_LT(differences(scene).enclosed, 0.3);
   Dots four = kTaught;
-  four.emplace_back(76, 48);
-  const auto others = matcher.find(scene_with(tile(four))).matches;
-  ASSERT_FALSE(others.empty());
-  EXPECT_FALSE(others.front().graspable);
-  EXPECT_EQ(others.front().reasons.front(), "edges inside the outline differ");
+  four.emplace_back(58, 60);
+  EXPECT_GT(differences(scene_with(tile(four))).enclosed, 1.3) << "a dot more";
+  EXPECT_GT(differences(scene_with(tile(kTaught)), four).enclosed, 1.3) << "a dot less";
+}
+
+TEST_F(InteriorEdgesTest, ADotUnderACoverIsNoPrint) {
+  const Dots corner{{46, 56}, {76, 64}};
+  cv::Mat scene = scene_with(tile(corner));
+  const cv::Point2d at = transform(truth_, cv::Point2d(34, 56) - cv::Point2d(60, 60));
+  cv::circle(scene, at, 24, {60, 110, 190}, cv::FILLED, cv::LINE_AA);
+  EXPECT_GT(differences(scene, corner).largest, 1.3);
+  EXPECT_LT(differences(scene, corner).enclosed, 0.3);
+  EXPECT_GT(differences(scene_with(tile({corner[1]})), corner).enclosed, 0.8) << "not covered";
+}
+
+TEST_F(InteriorEdgesTest, BeyondTheImageNothingDiffers) {
+  const cv::Mat scene = scene_with(tile(kTaught));
+  const auto right = static_cast<int>(truth_.x);
+  EXPECT_LT(difference(scene.colRange(0, right).clone()), 0.3) << "half of it";
+  cv::Mat far(scene.size(), scene.type(), cv::Scalar::all(90));
+  EXPECT_EQ(difference(far.colRange(0, 60).clone()), 0) << "none of it";
+}
+
+TEST_F(InteriorEdgesTest, ATileWithOtherDotsHasALowerScoreAndIsNotGraspable) {
+  const auto own = best_match(scene_with(tile(kTaught)));
+  ASSERT_TRUE(own);
+  EXPECT_TRUE(own->graspable) << own->reasons.front();
+  EXPECT_EQ(own->odds.print, 0);
+  Dots four = kTaught;
+  four.emplace_back(58, 60);
+  const auto other = best_match(scene_with(tile(four)));
+  ASSERT_TRUE(other);
+  EXPECT_FALSE(other->graspable);
+  EXPECT_GT(other->odds.print, 3);
+  EXPECT_EQ(
+      std::count(other->reasons.begin(), other->reasons.end(), "edges inside the outline differ"),
+      1);
 }
 
 }  // namespace

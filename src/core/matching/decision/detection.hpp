@@ -2,7 +2,6 @@
 // A verified pose, and the competition of rotations at one place.
 #pragma once
 
-#include <limits>
 #include <opencv2/core.hpp>
 #include <vector>
 
@@ -32,13 +31,12 @@ struct Detection {
   double colour_difference = 0;                ///< [0..2] see ColourDifference, the larger one
   bool size_alternative = false;               ///< it fits better at another size
   bool mirror_alternative = false;             ///< its mirrored outline fits better
-  /// See InteriorEdges::difference(); compared where the outline is tested at other places.
-  double interior_difference = std::numeric_limits<double>::infinity();
-  bool torn = false;                          ///< two displaced parts of its outline fit better
-  double contour_alternative = kNotExamined;  ///< see better_elsewhere()
-  double shading_free_ncc = 0;                ///< [-1..1] see Evidence
-  double rotation_odds = 0;                   ///< against other rotations here, see rotation_odds()
-  std::size_t number = 0;                     ///< index among the poses verified together
+  double interior_difference = 0;              ///< see InteriorDifference::largest
+  bool torn = false;                           ///< two displaced parts of its outline fit better
+  double contour_alternative = kNotExamined;   ///< see better_elsewhere()
+  double shading_free_ncc = 0;                 ///< [-1..1] see Evidence
+  double rotation_odds = 0;  ///< against other rotations here, see rotation_odds()
+  std::size_t number = 0;    ///< index among the poses verified together
 
   /// Without calibration.
   double log_odds() const { return odds.uncalibrated(); }

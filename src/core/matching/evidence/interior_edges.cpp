@@ -34,10 +34,11 @@ bool is_clear(const Vector& edge) {
   return dot(edge, edge) > kLength * kLength;
 }
 
-/// Of length 1, turned by the rotation of which `turn` is the double: angles of edges are doubled.
-cv::Vec2f direction_of(const Vector& edge, const cv::Vec2f& turn) {
-  const cv::Vec2f turned(dot(edge, {turn[0], -turn[1]}), dot(edge, {turn[1], turn[0]}));
-  return turned / std::sqrt(dot(edge, edge));
+/// Of length 1, turned by `angle` [rad]: angles of edges are doubled.
+cv::Vec2f direction_of(const Vector& edge, double angle) {
+  const auto c = static_cast<float>(std::cos(2 * angle)),
+             s = static_cast<float>(std::sin(2 * angle));
+  return cv::Vec2f(dot(edge, {c, -s}), dot(edge, {s, c})) / std::sqrt(dot(edge, edge));
 }
 
 /// Places around a pixel, the nearest first.
@@ -61,117 +62,148 @@ bool has_along(const cv::Mat& edges, const cv::Point& at, const cv::Vec2f& direc
   });
 }
 
-/// Pixels of the largest connected group.
-int largest_group(const cv::Mat& pixels) {
-  cv::Mat labels, stats, centres;
-  const int groups = cv::connectedComponentsWithStats(pixels, labels, stats, centres);
-  int largest = 0;
-  for (int i = 1; i < groups; ++i) largest = std::max(largest, stats.at<int>(i, cv::CC_STAT_AREA));
-  return largest;
+/// CV_8UC1: 255 within `where` where `edges`, turned by `angle` [rad], are clear and not in
+/// `others`.
+cv::Mat only_in(const cv::Mat& edges, double angle, const cv::Mat& others, const cv::Mat& where) {
+  cv::Mat pixels = cv::Mat::zeros(edges.size(), CV_8UC1);
+  for (int y = 0; y < edges.rows; ++y)
+    for (int x = 0; x < edges.cols; ++x) {
+      const Vector& edge = edges.at<Vector>(y, x);
+      if (where.at<uchar>(y, x) && is_clear(edge) &&
+          !has_along(others, {x, y}, direction_of(edge, angle)))
+        pixels.at<uchar>(y, x) = 255;
+    }
+  return pixels;
+}
+
+/// Whether most of the contour's points nearest to `at` [px about the anchor] are found.
+bool outline_is_found_beside(const cv::Point2d& at, const templates::ContourTemplate& contour,
+                             const templates::ContourSample& sample) {
+  constexpr double kBeside = 1.5;  // of the distance of the nearest
+  std::vector<double> distances(contour.size());
+  for (std::size_t k = 0; k < contour.size(); ++k)
+    distances[k] = std::hypot(contour.x[k] - at.x, contour.y[k] - at.y);
+  const double most = kBeside * *std::min_element(distances.begin(), distances.end());
+  double seen = 0, found = 0;
+  for (std::size_t k = 0; k < contour.size(); ++k) {
+    if (distances[k] > most) continue;
+    seen += sample.seen[k];
+    if (templates::is_clear(sample.response[k])) found += sample.seen[k];
+  }
+  return found > seen / 2;
+}
+
+struct Group {
+  int size = 0;          ///< [px]
+  bool reaches = false;  ///< the border of where edges are compared
+  cv::Point2d centre;
+};
+
+/// Connected groups of `pixels`, which lie within `where`.
+std::vector<Group> groups_of(const cv::Mat& pixels, const cv::Mat& where) {
+  cv::Mat labels, stats, centres, rim;
+  std::vector<Group> groups(cv::connectedComponentsWithStats(pixels, labels, stats, centres));
+  for (std::size_t i = 1; i < groups.size(); ++i) {
+    const int row = static_cast<int>(i);
+    groups[i].size = stats.at<int>(row, cv::CC_STAT_AREA);
+    groups[i].centre = {centres.at<double>(row, 0), centres.at<double>(row, 1)};
+  }
+  cv::dilate(~where, rim, cv::Mat::ones(2 * kSlack + 1, 2 * kSlack + 1, CV_8U));
+  for (int y = 0; y < rim.rows; ++y)
+    for (int x = 0; x < rim.cols; ++x)
+      if (rim.at<uchar>(y, x)) groups[labels.at<int>(y, x)].reaches = true;
+  return groups;
 }
 
 }  // namespace
 
 InteriorEdges::InteriorEdges(const scene::SceneLevel& lesson, const cv::Mat& map,
-                             cv::Point2d anchor)
-    : colour_(lesson.whole().colour.clone()),
-      edges_(lesson.whole().edges.clone()),
-      anchor_(anchor) {
-  cv::erode(map, inside_, cv::Mat::ones(2 * kRim + 1, 2 * kRim + 1, CV_8U), {-1, -1}, 1,
-            cv::BORDER_CONSTANT, cv::Scalar(0));
+                             cv::Point2d anchor) {
+  const cv::Rect box = cv::boundingRect(map);
+  colour_ = lesson.whole().colour(box).clone();
+  edges_ = lesson.whole().edges(box).clone();
+  anchor_ = anchor - cv::Point2d(box.tl());
+  cv::erode(map(box).clone(), inside_, cv::Mat::ones(2 * kRim + 1, 2 * kRim + 1, CV_8U), {-1, -1},
+            1, cv::BORDER_CONSTANT, cv::Scalar(0));
   for (int y = 0; y < inside_.rows; ++y)
-    for (int x = 0; x < inside_.cols; ++x) {
-      if (!inside_.at<uchar>(y, x)) continue;
-      reach_ = std::max(reach_, std::hypot(x - anchor.x, y - anchor.y));
-      if (is_clear(edges_.at<Vector>(y, x))) clear_.emplace_back(x, y);
-    }
+    for (int x = 0; x < inside_.cols; ++x)
+      if (inside_.at<uchar>(y, x))
+        reach_ = std::max(reach_, std::hypot(x - anchor_.x, y - anchor_.y));
 }
 
-double InteriorEdges::difference(const scene::SceneLevel& scene, const Pose2D& pose,
-                                 double scale) const {
+InteriorDifference InteriorEdges::difference(const scene::SceneLevel& scene,
+                                             const templates::ContourTemplate& contour,
+                                             const Pose2D& pose, double scale) const {
   const int area = cv::countNonZero(inside_);
-  if (area == 0) return 0;
-  const scene::PreparedPixels pixels = scene.around(pose, scale * reach_ + kSlack);
-  const cv::Mat where = compared(pixels.colour, pose, scale);
-  const int largest = std::max(largest_group(missing(pixels.edges, where, pose, scale)),
-                               largest_group(added(pixels.edges, where, pose, scale)));
-  return largest / std::sqrt(area);
+  if (area == 0) return {};
+  const scene::PreparedPixels image =
+      scene.around(pose, scale * std::max(reach_, contour.radius()) + kSlack);
+  const Seen seen = at_pose(image, pose, scale);
+  const cv::Mat where = without_highlights(seen);
+  const cv::Mat pixels = only_in(edges_, pose.theta, seen.edges, where & seen.inside) |
+                         only_in(seen.edges, -pose.theta, edges_, where);
+  int largest = 0, enclosed = 0;
+  templates::ContourSample outline;
+  for (const Group& group : groups_of(pixels, where)) {
+    largest = std::max(largest, group.size);
+    if (group.reaches || group.size <= enclosed) continue;
+    if (outline.response.empty())
+      templates::read_contour(contour, image.edges, pose, 1, outline, scale);
+    if (outline_is_found_beside(group.centre - anchor_, contour, outline)) enclosed = group.size;
+  }
+  return {largest / std::sqrt(area), enclosed / std::sqrt(area)};
 }
 
-/// CV_8UC1 in the lesson: 255 inside the outline, away from what saturates in the image though it
-/// would not in the image's light.
-cv::Mat InteriorEdges::compared(const cv::Mat& colour, const Pose2D& pose, double scale) const {
-  const cv::Rect image({0, 0}, colour.size());
+InteriorEdges::Seen InteriorEdges::at_pose(const scene::PreparedPixels& pixels, const Pose2D& pose,
+                                           double scale) const {
+  const int reach = static_cast<int>(std::ceil(scale * reach_)) + kSlack;
+  const cv::Rect box =
+      cv::Rect(cvRound(pose.x) - reach, cvRound(pose.y) - reach, 2 * reach + 1, 2 * reach + 1) &
+      cv::Rect({0, 0}, pixels.size());
+  if (box.empty())
+    return {cv::Mat::zeros(inside_.size(), CV_8UC3), cv::Mat::zeros(inside_.size(), CV_8SC2),
+            cv::Mat::zeros(inside_.size(), CV_8UC1)};
+  const Pose2D turn{0, 0, pose.theta};
+  const cv::Point2d x = transform(turn, {scale, 0}), y = transform(turn, {0, scale});
+  const cv::Point2d corner =
+      transform(pose, -scale * anchor_) - cv::Point2d(box.tl());  // the lesson's first pixel
+  const cv::Matx23d into_box(x.x, y.x, corner.x, x.y, y.y, corner.y);
+  const auto read = [&](const cv::Mat& image) {
+    cv::Mat read;
+    cv::warpAffine(image, read, into_box, inside_.size(), cv::INTER_NEAREST | cv::WARP_INVERSE_MAP);
+    return read;
+  };
+  return {read(pixels.colour(box)), read(pixels.edges(box)),
+          read(cv::Mat(box.size(), CV_8UC1, cv::Scalar(255)))};
+}
+
+/// CV_8UC1: 255 inside the outline, away from what saturates in the image though it would not in
+/// the image's light.
+cv::Mat InteriorEdges::without_highlights(const Seen& seen) const {
   cv::Mat saturated = cv::Mat::zeros(inside_.size(), CV_8UC1);
-  double learned = 0, seen = 0;
+  double learned = 0, bright = 0;
   int open = 0;
   for (int y = 0; y < inside_.rows; ++y)
     for (int x = 0; x < inside_.cols; ++x) {
-      if (!inside_.at<uchar>(y, x)) continue;
-      const cv::Point2d place = transform(pose, scale * (cv::Point2d(x, y) - anchor_));
-      const cv::Point at(cvRound(place.x), cvRound(place.y));
-      if (!at.inside(image)) continue;
-      const auto& pixel = colour.at<cv::Vec3b>(at);
+      if (!inside_.at<uchar>(y, x) || !seen.inside.at<uchar>(y, x)) continue;
+      const auto& pixel = seen.colour.at<cv::Vec3b>(y, x);
       if (std::min({pixel[0], pixel[1], pixel[2]}) >= templates::kSaturated) {
         saturated.at<uchar>(y, x) = 255;
         continue;
       }
       ++open;
       learned += brightness(colour_.at<cv::Vec3b>(y, x));
-      seen += brightness(pixel);
+      bright += brightness(pixel);
     }
   const int all = cv::countNonZero(saturated);
   if (all == 0 || open <= all) return inside_;
-  const double gain = seen / std::max(1.0, learned);
+  const double gain = bright / std::max(1.0, learned);
   for (int y = 0; y < inside_.rows; ++y)
     for (int x = 0; x < inside_.cols; ++x)
       if (gain * brightness(colour_.at<cv::Vec3b>(y, x)) >= templates::kMaySaturate)
         saturated.at<uchar>(y, x) = 0;
   cv::dilate(saturated, saturated, cv::Mat::ones(kBeside, kBeside, CV_8U));
   return inside_ & ~saturated;
-}
-
-/// CV_8UC1 in the lesson: 255 where its clear edges are not in the image's `edges`.
-cv::Mat InteriorEdges::missing(const cv::Mat& edges, const cv::Mat& where, const Pose2D& pose,
-                               double scale) const {
-  const cv::Rect image({0, 0}, edges.size());
-  const cv::Vec2f turn(static_cast<float>(std::cos(2 * pose.theta)),
-                       static_cast<float>(std::sin(2 * pose.theta)));
-  cv::Mat pixels = cv::Mat::zeros(inside_.size(), CV_8UC1);
-  for (const cv::Point& pixel : clear_) {
-    if (!where.at<uchar>(pixel)) continue;
-    const cv::Point2d seen = transform(pose, scale * (cv::Point2d(pixel) - anchor_));
-    const cv::Point at(cvRound(seen.x), cvRound(seen.y));
-    if (at.inside(image) && !has_along(edges, at, direction_of(edges_.at<Vector>(pixel), turn)))
-      pixels.at<uchar>(pixel) = 255;
-  }
-  return pixels;
-}
-
-/// CV_8UC1 about the pose in the image: 255 where its clear edges are not in the lesson.
-cv::Mat InteriorEdges::added(const cv::Mat& edges, const cv::Mat& where, const Pose2D& pose,
-                             double scale) const {
-  const cv::Rect lesson({0, 0}, inside_.size());
-  const cv::Vec2f turn(static_cast<float>(std::cos(2 * pose.theta)),
-                       static_cast<float>(-std::sin(2 * pose.theta)));
-  const Pose2D into_lesson = inverse(pose);
-  const int reach = static_cast<int>(std::ceil(scale * reach_));
-  const cv::Rect box =
-      cv::Rect(cvRound(pose.x) - reach, cvRound(pose.y) - reach, 2 * reach + 1, 2 * reach + 1) &
-      cv::Rect({0, 0}, edges.size());
-  cv::Mat pixels = cv::Mat::zeros(box.size(), CV_8UC1);
-  for (int y = 0; y < box.height; ++y)
-    for (int x = 0; x < box.width; ++x) {
-      const Vector& edge = edges.at<Vector>(box.y + y, box.x + x);
-      if (!is_clear(edge)) continue;
-      const cv::Point2d learned =
-          transform(into_lesson, cv::Point2d(box.x + x, box.y + y)) / scale + anchor_;
-      const cv::Point at(cvRound(learned.x), cvRound(learned.y));
-      if (at.inside(lesson) && where.at<uchar>(at) &&
-          !has_along(edges_, at, direction_of(edge, turn)))
-        pixels.at<uchar>(y, x) = 255;
-    }
-  return pixels;
 }
 
 }  // namespace mbncc::evidence

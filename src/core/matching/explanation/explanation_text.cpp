@@ -83,10 +83,10 @@ std::string evidence_of(const Explanation& explanation) {
 std::string sum_of(const Explanation& explanation) {
   const LogOdds& odds = explanation.odds;
   return "Log-odds: evidence " + number(odds.evidence, 1) + ", colours of parts " +
-         number(-odds.colour, 1) + ", mirror image " + number(-odds.mirror, 1) + ", other angles " +
-         number(odds.rotations(), 1) + ", look-alikes elsewhere " + number(-odds.clutter, 1) +
-         ", calibration " + number(odds.calibration, 1) + "; together " + number(odds.total(), 1) +
-         ".";
+         number(-odds.colour, 1) + ", mirror image " + number(-odds.mirror, 1) + ", print " +
+         number(-odds.print, 1) + ", other angles " + number(odds.rotations(), 1) +
+         ", look-alikes elsewhere " + number(-odds.clutter, 1) + ", calibration " +
+         number(odds.calibration, 1) + "; together " + number(odds.total(), 1) + ".";
 }
 
 std::string checks_of(const Explanation& explanation) {

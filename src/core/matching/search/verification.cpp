@@ -42,6 +42,12 @@ double colour_penalty(double difference) {
   return kSteepness * std::max(0.0, difference - kUsual);
 }
 
+/// Log-odds penalty of another print, see InteriorDifference::enclosed.
+double print_penalty(double enclosed) {
+  constexpr double kUsual = 0.8, kSteepness = 5;
+  return kSteepness * std::max(0.0, enclosed - kUsual);
+}
+
 /// Log-odds at the refined scale, if they are higher.
 double odds_at(const prepared::PreparedView& view, const scene::SceneImage& scene,
                const PoseHypothesis& found, const refinement::Refined& place) {
@@ -130,8 +136,14 @@ void refine(const prepared::PreparedView& view, const scene::SceneImage& scene,
   detection.colour_difference = std::max(difference.colour, difference.block);
   const double mirrored = found.odds > kWorthRefining ? mirror_advantage(view, scene, place) : 0;
   detection.mirror_alternative = mirrored > view.mirrored_contour.limit();
-  detection.odds =
-      log_odds_of_pose(odds, colour_penalty(difference.colour), mirror_penalty(mirrored));
+  const double colour = colour_penalty(difference.colour), mirror = mirror_penalty(mirrored);
+  detection.odds = log_odds_of_pose(odds, colour, mirror);
+  if (detection.log_odds() > kReportable) {
+    const evidence::InteriorDifference interior =
+        view.interior_edges.difference(scene.levels[0], view.fine.contour, place.pose, place.scale);
+    detection.interior_difference = interior.largest;
+    detection.odds = log_odds_of_pose(odds, colour, mirror, print_penalty(interior.enclosed));
+  }
   detection.size_alternative =
       detection.log_odds() > 0 && fits_another_size(view, scene, place, odds);
   detection.torn = detection.log_odds() > 0 &&
@@ -139,21 +151,17 @@ void refine(const prepared::PreparedView& view, const scene::SceneImage& scene,
                                          detection.size) > evidence::kTorn;
 }
 
-/// For the best of the sorted detections at each place, compares the edges inside its outline, and
-/// computes the advantage of the outline at nearby places, because shading displaces a plain
-/// surface by pixels.
+/// For the best of the sorted detections at each place, computes the advantage of the outline at
+/// nearby places, because shading displaces a plain surface by pixels.
 void examine_best_of_places(const prepared::PreparedView& view, const scene::SceneImage& scene,
                             std::vector<decision::Detection>& compared) {
   for (auto one = compared.begin(); one != compared.end(); ++one) {
     if (one->log_odds() <= kReportable) break;
     if (std::none_of(compared.begin(), one, [&](const decision::Detection& better) {
           return decision::at_one_place(*one, better);
-        })) {
+        }))
       one->contour_alternative =
           evidence::better_elsewhere(view.fine.contour, scene.levels[0], one->pose, one->size);
-      one->interior_difference =
-          view.interior_edges.difference(scene.levels[0], one->pose, one->size);
-    }
   }
 }
 
