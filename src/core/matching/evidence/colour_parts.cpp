@@ -117,20 +117,12 @@ cv::Vec3f ground_beside(const templates::ContourTemplate& contour, const scene::
 ColourParts::ColourParts(const templates::SurfaceTemplate& surface,
                          const templates::ContourTemplate& contour, const cv::Vec3f& ground)
     : ground_(ground) {
-  constexpr float kBeside = 1.5f;    // distances to the nearest contour point, ...
-  constexpr float kSlack = 3;        // [px] ... and a little
   constexpr std::size_t kMost = 24;  // contour points used per point
   if (surface.size() < kParts || contour.size() == 0) return;
   colour_ = parts_of(surface);
   block_ = blocks_of(surface);
-  std::vector<float> distances(contour.size());
   for (std::size_t i = 0; i < surface.size(); ++i) {
-    for (std::size_t k = 0; k < contour.size(); ++k)
-      distances[k] = std::hypot(contour.x[k] - surface.x[i], contour.y[k] - surface.y[i]);
-    const float reach = kBeside * *std::min_element(distances.begin(), distances.end()) + kSlack;
-    std::vector<int> beside;
-    for (std::size_t k = 0; k < contour.size(); ++k)
-      if (distances[k] <= reach) beside.push_back(static_cast<int>(k));
+    const std::vector<int> beside = templates::points_beside(contour, {surface.x[i], surface.y[i]});
     const std::size_t count = std::min(kMost, beside.size());
     for (std::size_t k = 0; k < count; ++k) witnesses_.push_back(beside[k * beside.size() / count]);
     witnesses_end_.push_back(static_cast<int>(witnesses_.size()));

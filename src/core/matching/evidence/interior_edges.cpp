@@ -76,17 +76,11 @@ cv::Mat only_in(const cv::Mat& edges, double angle, const cv::Mat& others, const
   return pixels;
 }
 
-/// Whether most of the contour's points nearest to `at` [px about the anchor] are found.
+/// Whether most of the contour is found beside `at` [px about the anchor].
 bool outline_is_found_beside(const cv::Point2d& at, const templates::ContourTemplate& contour,
                              const templates::ContourSample& sample) {
-  constexpr double kBeside = 1.5;  // of the distance of the nearest
-  std::vector<double> distances(contour.size());
-  for (std::size_t k = 0; k < contour.size(); ++k)
-    distances[k] = std::hypot(contour.x[k] - at.x, contour.y[k] - at.y);
-  const double most = kBeside * *std::min_element(distances.begin(), distances.end());
-  double seen = 0, found = 0;
-  for (std::size_t k = 0; k < contour.size(); ++k) {
-    if (distances[k] > most) continue;
+  float seen = 0, found = 0;
+  for (const int k : templates::points_beside(contour, at)) {
     seen += sample.seen[k];
     if (templates::is_clear(sample.response[k])) found += sample.seen[k];
   }

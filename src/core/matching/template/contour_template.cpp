@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 #include "imaging/kernel_views.hpp"
 #include "imaging/pyramid.hpp"
@@ -68,6 +69,20 @@ double contour_agreement(const ContourTemplate& contour, const ContourSample& sa
   const double visible = kernels::product(contour.ones, sample.seen.data());
   if (visible < 4 || 4 * visible < static_cast<double>(contour.size())) return -1;
   return kernels::product(contour.ones, sample.response.data()) / visible;
+}
+
+std::vector<int> points_beside(const ContourTemplate& contour, cv::Point2f at) {
+  constexpr float kBeside = 1.5F;  // distances to the nearest point, ...
+  constexpr float kSlack = 3;      // [px] ... and a little
+  std::vector<float> distances(contour.size());
+  for (std::size_t k = 0; k < contour.size(); ++k)
+    distances[k] = std::hypot(contour.x[k] - at.x, contour.y[k] - at.y);
+  std::vector<int> beside;
+  if (distances.empty()) return beside;
+  const float most = kBeside * *std::min_element(distances.begin(), distances.end()) + kSlack;
+  for (std::size_t k = 0; k < contour.size(); ++k)
+    if (distances[k] <= most) beside.push_back(static_cast<int>(k));
+  return beside;
 }
 
 double contour_found(const ContourTemplate& contour, const ContourSample& sample) {

@@ -61,6 +61,10 @@ inline bool is_clear(float response) {
   return response > kClear;
 }
 
+/// Indices of the contour's points that are about as near to `at` [px at level, relative to the
+/// anchor] as the nearest one. What covers `at` mostly hides them.
+std::vector<int> points_beside(const ContourTemplate& contour, cv::Point2f at);
+
 /// Part [0..1] of the visible contour where there is a clear edge along it.
 double contour_found(const ContourTemplate& contour, const ContourSample& sample);
 
