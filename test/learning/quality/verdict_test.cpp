@@ -92,12 +92,13 @@ TEST_F(VerdictTest, EverySignalIsARisk) {
 }
 
 TEST_F(VerdictTest, WhatTheCutTellsIsNotGood) {
-  CutEvidence touch, outside, beside, unverified;
+  CutEvidence touch, outside, beside, several, unverified;
   touch.cut_off = 0.04;
+  several.second_departure = 0.51;
   outside.change_outside = 0.11;
   beside.change_beside = 0.09;
   unverified.verified = false;
-  for (const CutEvidence& evidence : {touch, outside, beside, unverified})
+  for (const CutEvidence& evidence : {touch, outside, beside, several, unverified})
     EXPECT_EQ(verdict_with(evidence), Verdict::kMarginal);
   touch.cut_off = 1;
   beside.change_beside = 1;

@@ -2,6 +2,7 @@
 // Lessons whose object is put aside within the view.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <opencv2/imgproc.hpp>
 
@@ -199,6 +200,28 @@ TEST(PutAsideLesson, TwoThingsThatLeftAreNotGood) {
   const LearnResult result = learn_object(drawn.lesson);
   ASSERT_TRUE(result.has_model) << result.message;
   EXPECT_NE(result.object.quality.verdict, Verdict::kGood);
+}
+
+TEST(PutAsideLesson, OfTwoThingsThatLeftApartTheClickedOneIsMeant) {
+  auto drawn = test::draw_lesson(kOldPlace, kSize);
+  const cv::Mat other = test::wedge_map(kSize, {250, 120});
+  test::texture(kSize, cv::Scalar(60, 90, 190), 22, 4).copyTo(drawn.scene, other);
+  drawn.lesson.before = test::exposed(drawn.scene, 11);
+  drawn.lesson.region = {};
+  const auto open_choice = [](const LearnResult& result) {
+    const auto& reasons = result.object.quality.reasons;
+    return std::count(reasons.begin(), reasons.end(), "several_left");
+  };
+  const LearnResult guessed = learn_object(drawn.lesson);
+  ASSERT_TRUE(guessed.has_model) << guessed.message;
+  EXPECT_EQ(guessed.object.quality.verdict, Verdict::kMarginal);
+  EXPECT_EQ(open_choice(guessed), 1);
+  drawn.lesson.click = kOldPlace;
+  const LearnResult clicked = learn_object(drawn.lesson);
+  ASSERT_TRUE(clicked.has_model) << clicked.message;
+  EXPECT_EQ(clicked.object.quality.verdict, Verdict::kGood);
+  EXPECT_EQ(open_choice(clicked), 0);
+  EXPECT_GT(test::iou(test::map_of(clicked), drawn.truth), 0.93);
 }
 
 TEST(PutAsideLesson, AnObjectThatLeftIsNowhere) {

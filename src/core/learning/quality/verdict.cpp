@@ -24,7 +24,7 @@ struct Reason {
 };
 
 // Worst first.
-constexpr std::array<Reason, 16> kReasons{{
+constexpr std::array<Reason, 17> kReasons{{
     {"touches_image_border", LearnError::kTouchesBorder,
      "Move the object fully into view and teach again."},
     {"too_small", LearnError::kTooSmall, "Move the camera closer or use a higher resolution."},
@@ -43,6 +43,8 @@ constexpr std::array<Reason, 16> kReasons{{
     {"change_left_out", LearnError::kQualityBad,
      "Check whether a part of the object is missing in the map, or something else moved beside "
      "it."},
+    {"several_left", LearnError::kQualityBad,
+     "More than one object may have left: click on the one that is meant."},
     {"unstable_cut", LearnError::kQualityBad,
      "Check the outline and correct it by a stroke: a part of it is uncertain."},
     {"weak_boundary", LearnError::kQualityBad,
@@ -143,6 +145,7 @@ void weigh_evidence(const CutEvidence& evidence, Quality& quality, Charges& char
   charges.above("touches_region_edge", evidence.cut_off, 0.03, kNever);
   charges.above("change_outside_region", evidence.change_outside, 0.1, 0.5);
   charges.above("change_left_out", evidence.change_beside, 0.08, kNever);
+  charges.above("several_left", evidence.second_departure, 0.5, kNever);
   const OutlineRisk risk = evidence.verified
                                ? OutlineRisk::by_change(evidence, quality.edge_agreement)
                                : OutlineRisk::of_one_image(evidence, quality.edge_agreement);

@@ -15,14 +15,16 @@ namespace {
 
 // Without a given place, the object is at the patch with the largest evidence of a departure,
 // because a gripper may have changed a larger area.
-cv::Rect departed_from(const Lesson& lesson, ChangeSurvey& survey) {
+void find_departure(const Lesson& lesson, ChangeSurvey& survey, RegionOfLesson& region) {
   const bool changed = cv::countNonZero(survey.changed) > 0;
   const cv::Mat left = change::departures(lesson.before, lesson.after, survey.changed);
   survey.changed = cv::Mat(left > 0);  // the one surveyed is kept
   const std::vector<cv::Rect> places = changed_places(left, survey.noisy);
   if (changed && places.empty())
     throw LessonEnded(LearnError::kNoChange, "Something was put down, but nothing was taken away.");
-  return places.empty() ? cv::Rect() : places.front();
+  region.room = places.empty() ? cv::Rect() : places.front();
+  if (places.size() > 1)
+    region.second_departure = cv::sum(left(places[1]))[0] / cv::sum(left(places[0]))[0];
 }
 
 // A region that is far larger than the change inside it is reduced to save time.
@@ -47,8 +49,10 @@ void survey(const Lesson& lesson, const LearningConfig& config, RegionOfLesson& 
   check_camera_still(survey, config);
   if (!shows_place(lesson)) check_one_change(survey, config);
   region.surveyed = survey.changed;
-  region.room = is_without_place(lesson) ? departed_from(lesson, survey)
-                                         : region_of_change(lesson, survey, region.room);
+  if (is_without_place(lesson))
+    find_departure(lesson, survey, region);
+  else
+    region.room = region_of_change(lesson, survey, region.room);
   region.changed = survey.changed;
 }
 

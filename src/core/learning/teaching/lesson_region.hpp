@@ -10,11 +10,12 @@ namespace mbncc::teaching {
 
 /// All maps are CV_8UC1 of the image's size, 0/255.
 struct RegionOfLesson {
-  cv::Rect room;         ///< [px] the object lies in here
-  cv::Mat approximate;   ///< the paper's approximate region
-  cv::Mat changed;       ///< where something may have left; empty without an image after
-  cv::Mat surveyed;      ///< all changes, arrivals included; likewise
-  double agreement = 1;  ///< of a click in one image, as in ClickedRegion
+  cv::Rect room;                ///< [px] the object lies in here
+  cv::Mat approximate;          ///< the paper's approximate region
+  cv::Mat changed;              ///< where something may have left; empty without an image after
+  cv::Mat surveyed;             ///< all changes, arrivals included; likewise
+  double agreement = 1;         ///< of a click in one image, as in ClickedRegion
+  double second_departure = 0;  ///< as in CutEvidence
 };
 
 /// No place is given, so the largest departure is the object.

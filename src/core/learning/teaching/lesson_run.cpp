@@ -107,13 +107,16 @@ class LessonRun {
     if (state_.new_place || reconsider_place()) return;
     if (!state_.cut)
       state_.cut = cutter_.segment(Room::kMayGrow);  // throws the reason why there is none
-    doubt_parts(*state_.cut);
+    doubt_place(*state_.cut);
   }
 
-  // One part of a map may be the place where the object was put down.
-  static void doubt_parts(Segmentation& cut) {
-    if (!cut.evidence || large_parts(cut.map).empty()) return;
-    cut.evidence->change_outside = std::max(cut.evidence->change_outside, kDoubted);
+  // One part of a map may be the place where the object was put down, and if several objects left,
+  // another one may be meant.
+  void doubt_place(Segmentation& cut) const {
+    if (!cut.evidence) return;
+    cut.evidence->second_departure = cutter_.second_departure();
+    if (!large_parts(cut.map).empty())
+      cut.evidence->change_outside = std::max(cut.evidence->change_outside, kDoubted);
   }
 
   bool reconsider_place() {

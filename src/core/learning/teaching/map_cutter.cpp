@@ -75,6 +75,7 @@ void MapCutter::mark_region() {
   task_ = {lesson_.before, lesson_.after, region.room, region.approximate, region.changed};
   surveyed_ = region.surveyed;
   agreement_ = region.agreement;
+  second_departure_ = region.second_departure;
   progress_.report(Stage::kRegion, 0.1, "Marking the approximate region.",
                    [&] { return tinted(task_.before, task_.approximate, task_.region); });
 }

@@ -47,6 +47,7 @@ class MapCutter {
 
   /// All changes, arrivals included: CV_8UC1 of the image's size; empty without an image after.
   const cv::Mat& surveyed() const { return surveyed_; }
+  double second_departure() const { return second_departure_; }  ///< as in RegionOfLesson
 
  private:
   Segmentation accept(const cv::Mat& map);
@@ -67,7 +68,7 @@ class MapCutter {
   std::map<std::string, double>& timings_ms_;
   SegmentationTask task_;
   cv::Mat surveyed_;
-  double agreement_ = 1;  // as in RegionOfLesson
+  double agreement_ = 1, second_departure_ = 0;  // as in RegionOfLesson
 };
 
 }  // namespace mbncc::teaching
