@@ -133,8 +133,8 @@ InteriorDifference InteriorEdges::difference(const scene::SceneLevel& scene,
   const scene::PreparedPixels image =
       scene.around(pose, scale * std::max(reach_, contour.radius()) + kSlack);
   const Seen seen = at_pose(image, pose, scale);
-  const cv::Mat where = without_highlights(seen);
-  const cv::Mat pixels = only_in(edges_, pose.theta, seen.edges, where & seen.inside) |
+  const cv::Mat where = without_highlights(seen) & seen.inside;
+  const cv::Mat pixels = only_in(edges_, pose.theta, seen.edges, where) |
                          only_in(seen.edges, -pose.theta, edges_, where);
   int largest = 0, enclosed = 0;
   templates::ContourSample outline;
