@@ -12,7 +12,7 @@ struct LogOdds {
   double evidence = 0;  ///< of the features at the pose (docs/decisions/0019-evidence-model.md)
   double colour = 0;    ///< subtracted: a part of another colour (0023)
   double mirror = 0;    ///< subtracted: the mirrored outline fits better (0024)
-  double print = 0;     ///< subtracted: edges inside the outline differ (0029)
+  double print = 0;     ///< subtracted: edges inside the outline differ (0023)
   double best_at_place = 0;  ///< of_pose() of the best rotation at this place (0022)
   double rotation = 0;       ///< subtracted: the lead of the best rotation at this place (0022)
   double clutter = 0;        ///< subtracted: similar places elsewhere, many objects (0028)
@@ -24,6 +24,8 @@ struct LogOdds {
   double rotations() const { return best_at_place - rotation - of_pose(); }
   /// Comparable between detections of one image.
   double uncalibrated() const { return best_at_place - rotation - clutter; }
+  /// The same for a competing rotation or object: dirt, gloss or blur may have cost it its print.
+  double without_print() const { return uncalibrated() + print; }
   LogOdds without_calibration() const {
     LogOdds odds = *this;
     odds.calibration = 0;

@@ -120,6 +120,14 @@ TEST_F(KnownInstancesTest, ARivalIsNoWorseByMoreClutter) {
   EXPECT_NEAR(judged(known_.all()[0]).margin_place, -3, 1e-9) << "nor worse by its own lack of it";
 }
 
+TEST_F(KnownInstancesTest, ARivalsPrintDoesNotCountAgainstIt) {
+  known_.admit(known_at(100, "one", 24), kReach);
+  Match dirty = known_at(100, "other", 15).match;
+  dirty.odds.print = 9;
+  compare_with({rival_of(dirty)});
+  EXPECT_NEAR(judged(known_.all()[0]).margin_place, 0, 1e-9);
+}
+
 TEST_F(KnownInstancesTest, AnObjectThatWasNotSearchedForThereIsOpen) {
   known_.admit(known_at(100), kReach);
   compare_with({}, false);

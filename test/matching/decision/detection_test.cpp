@@ -36,6 +36,14 @@ TEST_F(RotationTest, WhatLightLeavesAloneDecidesAtOnePlace) {
   EXPECT_DOUBLE_EQ(compared[1].log_odds(), 3) << "the margin is that of the rotations";
 }
 
+TEST_F(RotationTest, GlossThatHidesAPrintTakesNoRotationOutOfTheComparison) {
+  Detection glossy = at(100, 0, -6, 43);
+  glossy.odds.print = 7;
+  const auto compared = resolve_rotations({glossy, at(100, 3, 6, 40)});
+  ASSERT_EQ(compared.size(), 2U);
+  EXPECT_DOUBLE_EQ(compared[0].pose.theta, 0);
+}
+
 TEST_F(RotationTest, OtherPlacesAndHopelessPosesStayAsTheyAre) {
   const auto compared =
       resolve_rotations({at(100, 0, 6, 40), at(100, 2, -9, 50), at(400, 1, 2, 60)});

@@ -61,6 +61,18 @@ TEST_F(SelectionTest, ANearRotationLowersTheScoreAndLeavesTheMargin) {
   EXPECT_DOUBLE_EQ(selected.matches[0].margin_angle, 1);
 }
 
+TEST_F(SelectionTest, AnotherObjectsPrintDoesNotCountAgainstIt) {
+  const prepared::PreparedObject other{test::object_from(test::LearningImage(2), {58, 60, 0}),
+                                       prepared::Engine::kFast};
+  Detection behind = detection_of(4, 0.8);
+  behind.object = other.model.get();
+  behind.odds.print = 9;
+  const auto selected =
+      select_matches({detection_of(15, 0.8), behind}, {config_, std::nullopt, 1, {}, {}, 0});
+  ASSERT_EQ(selected.matches.size(), 1U);
+  EXPECT_DOUBLE_EQ(selected.matches[0].margin_place, 2);
+}
+
 TEST_F(SelectionTest, WhatIsNotConvincingIsNotAmbiguous) {
   EXPECT_FALSE(match_of(3, 0.4).ambiguous) << "nothing else is as likely";
 }

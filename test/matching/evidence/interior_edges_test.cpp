@@ -52,7 +52,7 @@ class InteriorEdgesTest : public test::MatcherTest {
     return differences(scene, taught, scale).largest;
   }
 
-  /// The best match of the taught tile in an image of `seen`, whatever its score; none: nullopt.
+  /// The best match of the taught tile, whatever its score; none: nullopt.
   static std::optional<Match> best_match(const cv::Mat& scene) {
     SearchConfig config;
     config.min_score = 1e-6;
@@ -166,6 +166,10 @@ TEST_F(InteriorEdgesTest, ATileWithOtherDotsHasALowerScoreAndIsNotGraspable) {
   ASSERT_TRUE(other);
   EXPECT_FALSE(other->graspable);
   EXPECT_GT(other->odds.print, 3);
+  EXPECT_LT(other->score, own->score);
+  EXPECT_NEAR(other->odds.of_pose(),
+              other->odds.evidence - other->odds.colour - other->odds.mirror - other->odds.print,
+              1e-9);
   EXPECT_EQ(
       std::count(other->reasons.begin(), other->reasons.end(), "edges inside the outline differ"),
       1);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "learning/teaching/lesson_region.hpp"
 
+#include <algorithm>
 #include <opencv2/imgproc.hpp>
 #include <vector>
 
@@ -23,8 +24,10 @@ void find_departure(const Lesson& lesson, ChangeSurvey& survey, RegionOfLesson& 
   if (changed && places.empty())
     throw LessonEnded(LearnError::kNoChange, "Something was put down, but nothing was taken away.");
   region.room = places.empty() ? cv::Rect() : places.front();
-  if (places.size() > 1)
-    region.second_departure = cv::sum(left(places[1]))[0] / cv::sum(left(places[0]))[0];
+  if (places.size() < 2) return;
+  const double first = cv::sum(left(places[0]))[0];
+  left(places[0]).setTo(0);  // the boxes have margins, which may overlap
+  region.second_departure = std::min(1.0, cv::sum(left(places[1]))[0] / first);
 }
 
 // A region that is far larger than the change inside it is reduced to save time.

@@ -21,7 +21,8 @@ std::vector<Detection> resolve_rotations(std::vector<Detection> detections) {
     const Detection best = detections.front();
     const auto others =
         std::stable_partition(detections.begin(), detections.end(), [&](const Detection& one) {
-          return one.log_odds() >= best.log_odds() - kComparable && at_one_place(one, best);
+          return one.odds.without_print() >= best.log_odds() - kComparable &&
+                 at_one_place(one, best);
         });
     double most = best.rotation_odds;
     for (auto one = detections.begin(); one != others; ++one)

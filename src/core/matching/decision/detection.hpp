@@ -2,6 +2,7 @@
 // A verified pose, and the competition of rotations at one place.
 #pragma once
 
+#include <limits>
 #include <opencv2/core.hpp>
 #include <vector>
 
@@ -31,18 +32,20 @@ struct Detection {
   double colour_difference = 0;                ///< [0..2] see ColourDifference, the larger one
   bool size_alternative = false;               ///< it fits better at another size
   bool mirror_alternative = false;             ///< its mirrored outline fits better
-  double interior_difference = 0;              ///< see InteriorDifference::largest
-  bool torn = false;                           ///< two displaced parts of its outline fit better
-  double contour_alternative = kNotExamined;   ///< see better_elsewhere()
-  double shading_free_ncc = 0;                 ///< [-1..1] see Evidence
-  double rotation_odds = 0;  ///< against other rotations here, see rotation_odds()
-  std::size_t number = 0;    ///< index among the poses verified together
+  /// See InteriorDifference::largest; compared when the pose is refined.
+  double interior_difference = std::numeric_limits<double>::infinity();
+  bool torn = false;                          ///< two displaced parts of its outline fit better
+  double contour_alternative = kNotExamined;  ///< see better_elsewhere()
+  double shading_free_ncc = 0;                ///< [-1..1] see Evidence
+  double rotation_odds = 0;                   ///< against other rotations here, see rotation_odds()
+  std::size_t number = 0;                     ///< index among the poses verified together
 
   /// Without calibration.
   double log_odds() const { return odds.uncalibrated(); }
 };
 
-/// Rotations at one place compete if their log-odds are within this of the best one.
+/// Rotations at one place compete if their log-odds are within this of the best one. What another
+/// print costs does not count here, since gloss may be at its place at a wrong rotation alone.
 constexpr double kComparable = 8;
 
 /// Whether two detections are at one place.

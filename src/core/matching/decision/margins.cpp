@@ -24,7 +24,9 @@ const Detection* best_competitor(const Detection& detection, const std::vector<D
                                  Predicate&& competes) {
   const Detection* best = nullptr;
   for (const auto& other : all)
-    if (&other != &detection && (!best || other.log_odds() > best->log_odds()) && competes(other))
+    if (&other != &detection &&
+        (!best || log_odds_against(detection, other) > log_odds_against(detection, *best)) &&
+        competes(other))
       best = &other;
   return best;
 }
@@ -34,6 +36,10 @@ double margin_to(const Detection& detection, const Detection* other) {
 }
 
 }  // namespace
+
+double log_odds_against(const Detection& detection, const Detection& other) {
+  return same_object(other, detection) ? other.log_odds() : other.odds.without_print();
+}
 
 bool overlapping(const Detection& a, const Detection& b, double most) {
   return templates::overlap(a.view->shape, a.pose, b.view->shape, b.pose) > most;

@@ -13,6 +13,9 @@ namespace mbncc::decision {
 /// [log-odds] Margin without a competitor.
 constexpr double kNoCompetitor = 20;
 
+/// Of `other` as a competitor: another object's print does not count.
+double log_odds_against(const Detection& detection, const Detection& other);
+
 /// Whether two detections overlap by more than this part of the smaller map.
 bool overlapping(const Detection& a, const Detection& b, double most);
 

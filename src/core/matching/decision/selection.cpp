@@ -76,7 +76,7 @@ std::vector<cv::Point2f> outline_at(const Detection& detection) {
 /// `other` on the scale of `match`, which is of `detection`.
 Competitor competitor_of(const Match& match, const Detection& detection, const Detection& other) {
   return {other.object->name, object_pose(other).position(),
-          match.log_odds() - (detection.log_odds() - other.log_odds())};
+          match.log_odds() - (detection.log_odds() - log_odds_against(detection, other))};
 }
 
 Match to_match(const Detection& detection, const std::vector<Detection>& all,

@@ -4,7 +4,6 @@
 #pragma once
 
 #include <opencv2/core.hpp>
-#include <vector>
 
 #include "matching/scene/scene_level.hpp"
 #include "matching/template/contour_template.hpp"
@@ -17,8 +16,9 @@ namespace mbncc::evidence {
 /// edges are shared, or there are none.
 struct InteriorDifference {
   double largest = 0;
-  /// The same of groups that do not reach the outline, which is found beside them: of a print. What
-  /// covers a part of the object hides the outline, and its own edges reach it.
+  /// The same of groups that stay 2 px inside the compared area, where most of the outline beside
+  /// them is found: of a print. What covers a part of the object hides the outline beside it, or
+  /// the cover's edges cross the outline.
   double enclosed = 0;
 };
 

@@ -136,14 +136,11 @@ void refine(const prepared::PreparedView& view, const scene::SceneImage& scene,
   detection.colour_difference = std::max(difference.colour, difference.block);
   const double mirrored = found.odds > kWorthRefining ? mirror_advantage(view, scene, place) : 0;
   detection.mirror_alternative = mirrored > view.mirrored_contour.limit();
-  const double colour = colour_penalty(difference.colour), mirror = mirror_penalty(mirrored);
-  detection.odds = log_odds_of_pose(odds, colour, mirror);
-  if (detection.log_odds() > kReportable) {
-    const evidence::InteriorDifference interior =
-        view.interior_edges.difference(scene.levels[0], view.fine.contour, place.pose, place.scale);
-    detection.interior_difference = interior.largest;
-    detection.odds = log_odds_of_pose(odds, colour, mirror, print_penalty(interior.enclosed));
-  }
+  const evidence::InteriorDifference interior =
+      view.interior_edges.difference(scene.levels[0], view.fine.contour, place.pose, place.scale);
+  detection.interior_difference = interior.largest;
+  detection.odds = log_odds_of_pose(odds, colour_penalty(difference.colour),
+                                    mirror_penalty(mirrored), print_penalty(interior.enclosed));
   detection.size_alternative =
       detection.log_odds() > 0 && fits_another_size(view, scene, place, odds);
   detection.torn = detection.log_odds() > 0 &&
