@@ -24,8 +24,12 @@ struct LogOdds {
   double rotations() const { return best_at_place - rotation - of_pose(); }
   /// Comparable between detections of one image.
   double uncalibrated() const { return best_at_place - rotation - clutter; }
-  /// The same for a competing rotation or object: dirt, gloss or blur may have cost it its print.
+  /// The same without what a print costs: dirt, gloss or blur may have hidden it.
   double without_print() const { return uncalibrated() + print; }
+  /// As a competitor of a detection: another object's print does not count.
+  double as_competitor(bool same_object) const {
+    return same_object ? uncalibrated() : without_print();
+  }
   LogOdds without_calibration() const {
     LogOdds odds = *this;
     odds.calibration = 0;

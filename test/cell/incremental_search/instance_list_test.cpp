@@ -79,6 +79,13 @@ class KnownInstancesTest : public testing::Test {
     known_.compare("one", found, [covered](const cv::Rect&) { return covered; });
   }
 
+  /// Of the only known instance, compared with `rival` alone.
+  double margin_to(const Match& rival) {
+    known_.all()[0].others.clear();
+    compare_with({rival_of(rival)});
+    return judged(known_.all()[0]).margin_place;
+  }
+
   InstanceList known_{0.25};
 };
 
@@ -111,21 +118,17 @@ TEST_F(KnownInstancesTest, ARivalIsNoWorseByMoreClutter) {
   known_.admit(known_at(100, "one", 24), kReach);
   Match crowded = known_at(100, "other", 24).match;
   crowded.odds.clutter = 7;
-  compare_with({rival_of(crowded)});
-  EXPECT_NEAR(judged(known_.all()[0]).margin_place, 0, 1e-9);
-  known_.all()[0].others.clear();
+  EXPECT_NEAR(margin_to(crowded), 0, 1e-9);
   known_.all()[0].match.odds.clutter = 3;
-  Match alone = known_at(100, "other", 24).match;
-  compare_with({rival_of(alone)});
-  EXPECT_NEAR(judged(known_.all()[0]).margin_place, -3, 1e-9) << "nor worse by its own lack of it";
+  EXPECT_NEAR(margin_to(known_at(100, "other", 24).match), -3, 1e-9)
+      << "nor worse by its own lack of it";
 }
 
 TEST_F(KnownInstancesTest, ARivalsPrintDoesNotCountAgainstIt) {
   known_.admit(known_at(100, "one", 24), kReach);
   Match dirty = known_at(100, "other", 15).match;
   dirty.odds.print = 9;
-  compare_with({rival_of(dirty)});
-  EXPECT_NEAR(judged(known_.all()[0]).margin_place, 0, 1e-9);
+  EXPECT_NEAR(margin_to(dirty), 0, 1e-9);
 }
 
 TEST_F(KnownInstancesTest, AnObjectThatWasNotSearchedForThereIsOpen) {

@@ -38,7 +38,7 @@ double margin_to(const Detection& detection, const Detection* other) {
 }  // namespace
 
 double log_odds_against(const Detection& detection, const Detection& other) {
-  return same_object(other, detection) ? other.log_odds() : other.odds.without_print();
+  return other.odds.as_competitor(same_object(other, detection));
 }
 
 bool overlapping(const Detection& a, const Detection& b, double most) {

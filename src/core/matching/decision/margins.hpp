@@ -13,7 +13,7 @@ namespace mbncc::decision {
 /// [log-odds] Margin without a competitor.
 constexpr double kNoCompetitor = 20;
 
-/// Of `other` as a competitor: another object's print does not count.
+/// Of `other` as a competitor.
 double log_odds_against(const Detection& detection, const Detection& other);
 
 /// Whether two detections overlap by more than this part of the smaller map.
