@@ -34,12 +34,18 @@ bool is_clear(const Vector& edge) {
   return dot(edge, edge) > kLength * kLength;
 }
 
-/// Of length 1, turned by `angle` [rad]: angles of edges are doubled.
-cv::Vec2f direction_of(const Vector& edge, double angle) {
-  const auto c = static_cast<float>(std::cos(2 * angle)),
-             s = static_cast<float>(std::sin(2 * angle));
-  return cv::Vec2f(dot(edge, {c, -s}), dot(edge, {s, c})) / std::sqrt(dot(edge, edge));
-}
+/// A turn of edge vectors, whose angles are doubled.
+struct Turn {
+  explicit Turn(double angle)
+      : c(static_cast<float>(std::cos(2 * angle))), s(static_cast<float>(std::sin(2 * angle))) {}
+
+  /// Of length 1.
+  cv::Vec2f direction_of(const Vector& edge) const {
+    return cv::Vec2f(dot(edge, {c, -s}), dot(edge, {s, c})) / std::sqrt(dot(edge, edge));
+  }
+
+  float c, s;
+};
 
 /// Places around a pixel, the nearest first.
 std::vector<cv::Point> places_around() {
@@ -51,28 +57,43 @@ std::vector<cv::Point> places_around() {
   return places;
 }
 
-/// Whether `edges` have one of this direction near `at`.
-bool has_along(const cv::Mat& edges, const cv::Point& at, const cv::Vec2f& direction) {
-  static const std::vector<cv::Point> places = places_around();
-  const cv::Rect image({0, 0}, edges.size());
-  return std::any_of(places.begin(), places.end(), [&](const cv::Point& by) {
-    const cv::Point place = at + by;
-    return place.inside(image) &&
-           dot(edges.at<Vector>(place), direction) > kFaint * imaging::kEdgeScale;
-  });
-}
+/// Edges with a margin, in which other edges are looked up.
+class EdgesAround {
+ public:
+  explicit EdgesAround(const cv::Mat& edges) {
+    cv::copyMakeBorder(edges, edges_, kSlack, kSlack, kSlack, kSlack,
+                       cv::BORDER_CONSTANT | cv::BORDER_ISOLATED);
+    for (const auto& by : places_around())
+      offsets_.push_back(static_cast<std::ptrdiff_t>(by.y) * edges_.cols + by.x);
+  }
+
+  /// Whether there is one of this direction near (x, y).
+  bool has_along(int x, int y, const cv::Vec2f& direction) const {
+    const auto* at = edges_.ptr<Vector>(y + kSlack) + x + kSlack;
+    return std::any_of(offsets_.begin(), offsets_.end(), [&](std::ptrdiff_t offset) {
+      return dot(at[offset], direction) > kFaint * imaging::kEdgeScale;
+    });
+  }
+
+ private:
+  cv::Mat edges_;  // continuous
+  std::vector<std::ptrdiff_t> offsets_;
+};
 
 /// CV_8UC1: 255 within `where` where `edges`, turned by `angle` [rad], are clear and not in
 /// `others`.
 cv::Mat only_in(const cv::Mat& edges, double angle, const cv::Mat& others, const cv::Mat& where) {
+  const EdgesAround around(others);
+  const Turn turn(angle);
   cv::Mat pixels = cv::Mat::zeros(edges.size(), CV_8UC1);
-  for (int y = 0; y < edges.rows; ++y)
-    for (int x = 0; x < edges.cols; ++x) {
-      const Vector& edge = edges.at<Vector>(y, x);
-      if (where.at<uchar>(y, x) && is_clear(edge) &&
-          !has_along(others, {x, y}, direction_of(edge, angle)))
-        pixels.at<uchar>(y, x) = 255;
-    }
+  for (int y = 0; y < edges.rows; ++y) {
+    const auto* edge = edges.ptr<Vector>(y);
+    const uchar* compared = where.ptr(y);
+    uchar* pixel = pixels.ptr(y);
+    for (int x = 0; x < edges.cols; ++x)
+      if (compared[x] && is_clear(edge[x]) && !around.has_along(x, y, turn.direction_of(edge[x])))
+        pixel[x] = 255;
+  }
   return pixels;
 }
 
@@ -174,24 +195,20 @@ InteriorEdges::Seen InteriorEdges::at_pose(const scene::PreparedPixels& pixels, 
 /// CV_8UC1: 255 inside the outline, away from what saturates in the image though it would not in
 /// the image's light.
 cv::Mat InteriorEdges::without_highlights(const Seen& seen) const {
-  cv::Mat saturated = cv::Mat::zeros(inside_.size(), CV_8UC1);
-  double learned = 0, bright = 0;
-  int open = 0;
-  for (int y = 0; y < inside_.rows; ++y)
-    for (int x = 0; x < inside_.cols; ++x) {
-      if (!inside_.at<uchar>(y, x) || !seen.inside.at<uchar>(y, x)) continue;
-      const auto& pixel = seen.colour.at<cv::Vec3b>(y, x);
-      if (std::min({pixel[0], pixel[1], pixel[2]}) >= templates::kSaturated) {
-        saturated.at<uchar>(y, x) = 255;
-        continue;
-      }
-      ++open;
-      learned += brightness(colour_.at<cv::Vec3b>(y, x));
-      bright += brightness(pixel);
-    }
+  const cv::Scalar least = cv::Scalar::all(templates::kSaturated), most = cv::Scalar::all(255);
+  const cv::Mat shown = inside_ & seen.inside;
+  cv::Mat saturated;
+  cv::inRange(seen.colour, least, most, saturated);
+  saturated &= shown;
   const int all = cv::countNonZero(saturated);
-  if (all == 0 || open <= all) return inside_;
-  const double gain = bright / std::max(1.0, learned);
+  const cv::Mat open = shown & ~saturated;
+  const int shown_well = cv::countNonZero(open);
+  if (all == 0 || shown_well <= all) return inside_;
+  const auto sum = [&](const cv::Mat& colour) {
+    const cv::Scalar mean = cv::mean(colour, open);
+    return shown_well * (mean[0] + mean[1] + mean[2]);
+  };
+  const double gain = sum(seen.colour) / std::max(1.0, sum(colour_));
   for (int y = 0; y < inside_.rows; ++y)
     for (int x = 0; x < inside_.cols; ++x)
       if (gain * brightness(colour_.at<cv::Vec3b>(y, x)) >= templates::kMaySaturate)
