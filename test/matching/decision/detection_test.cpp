@@ -62,7 +62,24 @@ TEST(RotationOdds, UnexplainedColoursTellEqualCorrelationsApart) {
   EXPECT_GT(evidence::rotation_odds(right), evidence::rotation_odds(wrong) + 4);
 }
 
-TEST(RotationOdds, WhatLightLeavesUnexplainedOfBrightnessDecides) {
+TEST(RotationOdds, ContourAndColoursDecideBesideRatios) {
+  evidence::Evidence right, wrong;
+  right.contour_score = 0.8;
+  wrong.contour_score = 0.7;
+  EXPECT_GT(evidence::rotation_odds(right, 1), evidence::rotation_odds(wrong, 1) + 5);
+  wrong.contour_score = right.contour_score;
+  right.log_residual = 1.6;
+  wrong.log_residual = 2.1;
+  EXPECT_GT(evidence::rotation_odds(right, 1), evidence::rotation_odds(wrong, 1) + 3);
+}
+
+TEST(RotationOdds, ACastThatWasRemovedHasItsPrice) {
+  evidence::Evidence cast;
+  cast.cast = 0.1;
+  EXPECT_LT(evidence::rotation_odds(cast, 1), evidence::rotation_odds(evidence::Evidence(), 1) - 2);
+}
+
+TEST(RotationOdds, RatiosThatLightLeavesUnexplainedDecide) {
   EXPECT_GT(evidence::rotation_odds(evidence::Evidence(), 1.5),
             evidence::rotation_odds(evidence::Evidence(), 2) + 5);
 }

@@ -141,7 +141,8 @@ double rotation_odds(const Evidence& evidence) {
 
 double rotation_odds(const Evidence& evidence, double misfit) {
   // Fitted likewise.
-  return 57 * evidence.contour_score + 12 * evidence.gradient - 10.7 * misfit;
+  return 68 * evidence.contour_score - 9 * evidence.log_residual - 12 * misfit -
+         cast_penalty(evidence.cast);
 }
 
 }  // namespace mbncc::evidence

@@ -45,7 +45,7 @@ double log_odds(const Evidence& evidence, double area);
 /// do not rotate with the object, so only features independent of them are used.
 double rotation_odds(const Evidence& evidence);
 
-/// The same, more accurate, if the surface's `misfit` (PhotometricResidual) is known as well.
+/// The same, more accurate, if the surface's `misfit` (RatioResidual) is known as well.
 double rotation_odds(const Evidence& evidence, double misfit);
 
 }  // namespace mbncc::evidence

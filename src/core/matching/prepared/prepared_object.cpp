@@ -187,7 +187,7 @@ PreparedView::PreparedView(const Source& source, Engine engine)
     parts = evidence::ColourParts(
         fine.surface, fine.contour,
         evidence::ground_beside(fine.contour, image, {anchor.x, anchor.y, 0}));
-    lit = evidence::PhotometricResidual(fine.surface);
+    ratios = evidence::RatioResidual(fine.surface, shape.area());
     interior_edges = evidence::InteriorEdges(image, source.view.map, anchor);
     mirrored_contour = evidence::MirroredContour(fine.contour, image, {anchor.x, anchor.y, 0});
     dense = refinement::RefinementTemplate(prepare(kRefinedPoints), continued.whole());

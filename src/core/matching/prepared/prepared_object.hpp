@@ -10,7 +10,7 @@
 #include "matching/evidence/colour_parts.hpp"
 #include "matching/evidence/interior_edges.hpp"
 #include "matching/evidence/mirrored_contour.hpp"
-#include "matching/evidence/photometric_residual.hpp"
+#include "matching/evidence/ratio_residual.hpp"
 #include "matching/proposal/angle_range.hpp"
 #include "matching/proposal/colour_prefilter.hpp"
 #include "matching/proposal/contour_bank.hpp"
@@ -45,9 +45,9 @@ class PreparedView : public mbncc::templates::ViewFrame {
   std::vector<templates::PoseTemplate>
       rough;  ///< per level: for pruning the coarse searches' candidates
   std::vector<templates::PoseTemplate> templates;  ///< per level, small, for dozens of candidates
-  templates::PoseTemplate fine;       ///< at full resolution, for the last few candidates
-  evidence::ColourParts parts;        ///< of `fine`
-  evidence::PhotometricResidual lit;  ///< of `fine`
+  templates::PoseTemplate fine;    ///< at full resolution, for the last few candidates
+  evidence::ColourParts parts;     ///< of `fine`
+  evidence::RatioResidual ratios;  ///< of `fine`
   std::array<templates::PoseTemplate, 2>
       resized;  ///< `fine`, smaller and larger, for the test of other sizes
   evidence::MirroredContour mirrored_contour;  ///< its outline, mirrored

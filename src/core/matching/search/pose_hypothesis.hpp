@@ -24,7 +24,7 @@ struct PoseHypothesis {
 PoseHypothesis score_as_is(const prepared::PreparedView& view, const scene::SceneImage& scene,
                            const Pose2D& pose);
 
-/// The better of two poses at one place by light-independent features, as in resolve_rotations().
+/// The better of two poses at one place by light-independent features.
 PoseHypothesis better_rotation(const PoseHypothesis& a, const PoseHypothesis& b);
 
 /// The best pose that alignments from this one and slightly turned ones reach.

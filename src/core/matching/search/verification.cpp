@@ -94,7 +94,7 @@ double odds_of_rotation(const prepared::PreparedView& view, const scene::SceneLe
   thread_local templates::SurfaceSample sample;
   if (found.odds <= kReportable - decision::kComparable) return kNone;
   view.fine.surface.sample(scene.around(found.pose, view.fine.reach()), found.pose, sample);
-  return evidence::rotation_odds(found.evidence, view.lit.misfit(sample));
+  return evidence::rotation_odds(found.evidence, view.ratios.misfit(sample));
 }
 
 /// The detection before refinement.

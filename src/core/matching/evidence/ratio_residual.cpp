@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "matching/evidence/ratio_residual.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace mbncc::evidence {
+namespace {
+
+constexpr float kDark = 30;  // [grey levels] added, because noise dominates dark ratios
+
+}  // namespace
+
+RatioResidual::RatioResidual(const templates::SurfaceTemplate& surface, double area) {
+  constexpr double kNear = 1.5;  // sides of the map's area per point
+  const double square = kNear * kNear * area / static_cast<double>(surface.size());
+  for (std::size_t i = 0; i < surface.size(); ++i)
+    for (std::size_t j = i + 1; j < surface.size(); ++j) {
+      const double x = surface.x[i] - surface.x[j], y = surface.y[i] - surface.y[j];
+      if (x * x + y * y <= square) pairs_.emplace_back(i, j);
+    }
+  for (int c = 0; c < kChannels; ++c)
+    colours_[c].assign(surface.planes[c].begin(), surface.planes[c].begin() + surface.size());
+}
+
+double RatioResidual::misfit(const templates::SurfaceSample& sample) const {
+  constexpr float kPercent = 100, kNoise = 1;  // [%] of a camera
+  if (pairs_.empty() || !sample.suffices()) return 0;
+  double learned = 0, seen = 0;
+  for (int c = 0; c < kChannels; ++c)
+    for (std::size_t i = 0; i < colours_[c].size(); ++i) {
+      learned += sample.inside[i] * colours_[c][i];
+      seen += sample.inside[i] * sample.planes[c][i];
+    }
+  const auto dark = static_cast<float>(kDark * std::max(seen, 1.0) / std::max(learned, 1.0));
+  std::vector<float> differences, ratios(colours_[0].size());
+  for (int c = 0; c < kChannels; ++c) {
+    for (std::size_t i = 0; i < ratios.size(); ++i)
+      ratios[i] = std::log((sample.planes[c][i] + dark) / (colours_[c][i] + kDark));
+    for (const auto& [i, j] : pairs_)
+      if (sample.inside[i] > 0 && sample.inside[j] > 0)
+        differences.push_back(kPercent * std::abs(ratios[i] - ratios[j]));
+  }
+  if (differences.empty()) return 0;
+  const auto middle = differences.begin() + static_cast<std::ptrdiff_t>(differences.size() / 2);
+  std::nth_element(differences.begin(), middle, differences.end());
+  return std::log(std::hypot(kNoise, *middle));
+}
+
+}  // namespace mbncc::evidence
