@@ -73,12 +73,6 @@ TEST(RotationOdds, ContourAndColoursDecideBesideRatios) {
   EXPECT_GT(evidence::rotation_odds(right, 1), evidence::rotation_odds(wrong, 1) + 3);
 }
 
-TEST(RotationOdds, ACastThatWasRemovedHasItsPrice) {
-  evidence::Evidence cast;
-  cast.cast = 0.1;
-  EXPECT_LT(evidence::rotation_odds(cast, 1), evidence::rotation_odds(evidence::Evidence(), 1) - 2);
-}
-
 TEST(RotationOdds, RatiosThatLightLeavesUnexplainedDecide) {
   EXPECT_GT(evidence::rotation_odds(evidence::Evidence(), 1.5),
             evidence::rotation_odds(evidence::Evidence(), 2) + 5);

@@ -141,8 +141,7 @@ double rotation_odds(const Evidence& evidence) {
 
 double rotation_odds(const Evidence& evidence, double misfit) {
   // Fitted likewise.
-  return 68 * evidence.contour_score - 9 * evidence.log_residual - 12 * misfit -
-         cast_penalty(evidence.cast);
+  return 68 * evidence.contour_score - 9 * evidence.log_residual - 12 * misfit;
 }
 
 }  // namespace mbncc::evidence
