@@ -27,7 +27,7 @@ class RatioResidualTest : public ::testing::Test {
 
   /// Of the template's own colours in that light.
   double misfit_in(const Light& light) const {
-    return view_.ratios.misfit(test::sample_of(surface_, light));
+    return view_.ratios.misfit(surface_, test::sample_of(surface_, light));
   }
 };
 
@@ -69,12 +69,12 @@ TEST_F(RatioResidualTest, OnlyPointsThatAreComparedCount) {
   sample.visible =
       static_cast<std::size_t>(std::count(sample.inside.begin(), sample.inside.end(), 1.F));
   ASSERT_TRUE(sample.suffices());
-  EXPECT_LT(view_.ratios.misfit(sample), 0.01);
+  EXPECT_LT(view_.ratios.misfit(surface_, sample), 0.01);
 }
 
 TEST_F(RatioResidualTest, NothingIsComparedWhereNothingIsSeen) {
-  EXPECT_DOUBLE_EQ(view_.ratios.misfit({}), 0);
-  EXPECT_DOUBLE_EQ(RatioResidual().misfit({}), 0);
+  EXPECT_DOUBLE_EQ(view_.ratios.misfit(surface_, {}), 0);
+  EXPECT_DOUBLE_EQ(RatioResidual().misfit(surface_, {}), 0);
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 namespace mbncc::evidence {
 namespace {
 
+constexpr int kChannels = templates::SurfaceTemplate::kChannels;
 constexpr float kDark = 30;  // [grey levels] added, because noise dominates dark ratios
 
 }  // namespace
@@ -19,24 +20,23 @@ RatioResidual::RatioResidual(const templates::SurfaceTemplate& surface, double a
       const double x = surface.x[i] - surface.x[j], y = surface.y[i] - surface.y[j];
       if (x * x + y * y <= square) pairs_.emplace_back(i, j);
     }
-  for (int c = 0; c < kChannels; ++c)
-    colours_[c].assign(surface.planes[c].begin(), surface.planes[c].begin() + surface.size());
 }
 
-double RatioResidual::misfit(const templates::SurfaceSample& sample) const {
+double RatioResidual::misfit(const templates::SurfaceTemplate& surface,
+                             const templates::SurfaceSample& sample) const {
   constexpr float kPercent = 100, kNoise = 1;  // [%] of a camera
   if (pairs_.empty() || !sample.suffices()) return 0;
   double learned = 0, seen = 0;
   for (int c = 0; c < kChannels; ++c)
-    for (std::size_t i = 0; i < colours_[c].size(); ++i) {
-      learned += sample.inside[i] * colours_[c][i];
+    for (std::size_t i = 0; i < surface.size(); ++i) {
+      learned += sample.inside[i] * surface.planes[c][i];
       seen += sample.inside[i] * sample.planes[c][i];
     }
   const auto dark = static_cast<float>(kDark * std::max(seen, 1.0) / std::max(learned, 1.0));
-  std::vector<float> differences, ratios(colours_[0].size());
+  std::vector<float> differences, ratios(surface.size());
   for (int c = 0; c < kChannels; ++c) {
     for (std::size_t i = 0; i < ratios.size(); ++i)
-      ratios[i] = std::log((sample.planes[c][i] + dark) / (colours_[c][i] + kDark));
+      ratios[i] = std::log((sample.planes[c][i] + dark) / (surface.planes[c][i] + kDark));
     for (const auto& [i, j] : pairs_)
       if (sample.inside[i] > 0 && sample.inside[j] > 0)
         differences.push_back(kPercent * std::abs(ratios[i] - ratios[j]));

@@ -3,7 +3,6 @@
 // both by nearly the same factor (Land and McCann, "Lightness and retinex theory", JOSA 61, 1971).
 #pragma once
 
-#include <array>
 #include <utility>
 #include <vector>
 
@@ -19,16 +18,14 @@ class RatioResidual {
   /// `area` [px at level] of the map that the surface's points are spread over.
   RatioResidual(const templates::SurfaceTemplate& surface, double area);
 
-  /// ln of the median difference [%] between the ratios in a sample of that surface and in the
+  /// ln of the median difference [%] between the ratios in a `sample` of that `surface` and in the
   /// template, 1 at least. A common gain of the channels and smooth shading hardly change it. A
   /// shadow changes only the ratios across its edge; gloss and covers do not decide while they
   /// touch less than half of the pairs. 0 where nothing can be compared.
-  double misfit(const templates::SurfaceSample& sample) const;
+  double misfit(const templates::SurfaceTemplate& surface,
+                const templates::SurfaceSample& sample) const;
 
  private:
-  static constexpr int kChannels = templates::SurfaceTemplate::kChannels;
-
-  std::array<std::vector<float>, kChannels> colours_;       // of the template
   std::vector<std::pair<std::size_t, std::size_t>> pairs_;  // neighbours
 };
 

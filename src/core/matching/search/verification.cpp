@@ -93,8 +93,9 @@ double odds_of_rotation(const prepared::PreparedView& view, const scene::SceneLe
   constexpr double kNone = -1000;
   thread_local templates::SurfaceSample sample;
   if (found.odds <= kReportable - decision::kComparable) return kNone;
-  view.fine.surface.sample(scene.around(found.pose, view.fine.reach()), found.pose, sample);
-  return evidence::rotation_odds(found.evidence, view.ratios.misfit(sample));
+  const templates::SurfaceTemplate& surface = view.fine.surface;
+  surface.sample(scene.around(found.pose, view.fine.reach()), found.pose, sample);
+  return evidence::rotation_odds(found.evidence, view.ratios.misfit(surface, sample));
 }
 
 /// The detection before refinement.

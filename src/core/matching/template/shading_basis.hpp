@@ -22,9 +22,6 @@ class ShadingBasis {
 
   int size() const { return size_; }
 
-  /// Function `k`, as many values as padded points; the functions are orthonormal.
-  const float* row(int k) const { return &rows_[static_cast<std::size_t>(k) * padded_]; }
-
   /// Projects the functions out of `values`, one per point and padded.
   void project_out(std::vector<float>& values) const;
 
@@ -32,6 +29,8 @@ class ShadingBasis {
   void products(const float* values, float* products) const;
 
  private:
+  /// Function `k`, as many values as padded points; the functions are orthonormal.
+  const float* row(int k) const { return &rows_[static_cast<std::size_t>(k) * padded_]; }
   void add(std::vector<float> row);
 
   int size_ = 0;
