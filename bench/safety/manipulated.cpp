@@ -8,6 +8,7 @@
 #include <map>
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
+#include <set>
 #include <vector>
 
 #include "common/case_folder.hpp"
@@ -24,6 +25,7 @@ constexpr const char* kOptions =
     "{@out   |   | folder for the images in which a wrong pose could be grasped }"
     "{@sets  |   | folders of sets (bench/README.md), with commas between them }"
     "{each   | 2 | images of each kind per instance }"
+    "{kinds  |   | of what is done to the images, with commas between them; all if empty }"
     "{most   | 0 | cases per set; 0: all }"
     "{seed   | 1 | draws what is done to the images }"
     "{help h |   | this text }";
@@ -78,6 +80,29 @@ Spoiled torn(const Scene& scene, cv::RNG& random) {
   cv::warpAffine(scene.image, moved, cv::Matx23d(1, 0, way, 0, 1, 0), scene.image.size(),
                  cv::INTER_LINEAR, cv::BORDER_REPLICATE);
   moved.rowRange(from, moved.rows).copyTo(spoiled.image.rowRange(from, moved.rows));
+  spoiled.poses.back().x += way;
+  return spoiled;
+}
+
+/// The same of the object alone, on a background that stays.
+Spoiled torn_object(const Scene& scene, cv::RNG& random) {
+  const cv::Size size = scene.image.size();
+  const cv::Mat map = placed_map(scene.object, scene.instance.pose, size);
+  const cv::Rect box = cv::boundingRect(map);
+  const double way = random.uniform(4., 10.) * (random.uniform(0, 2) == 0 ? 1 : -1);
+  const int from = box.y + cvRound(random.uniform(0.3, 0.7) * box.height);
+  const cv::Matx23d shift(1, 0, way, 0, 1, 0);
+  cv::Mat moved, moved_map, whole, background, later;
+  cv::warpAffine(scene.image, moved, shift, size, cv::INTER_LINEAR, cv::BORDER_REPLICATE);
+  cv::warpAffine(map, moved_map, shift, size, cv::INTER_NEAREST);
+  cv::dilate(map, whole, cv::Mat::ones(5, 5, CV_8UC1));
+  cv::warpAffine(scene.image, background, cv::Matx23d(1, 0, box.width + 8, 0, 1, 0), size,
+                 cv::INTER_NEAREST, cv::BORDER_WRAP);
+  later = scene.image.clone();
+  background.copyTo(later, whole);
+  moved.copyTo(later, moved_map);
+  Spoiled spoiled{scene.image.clone(), {scene.instance.pose, scene.instance.pose}};
+  later.rowRange(from, size.height).copyTo(spoiled.image.rowRange(from, size.height));
   spoiled.poses.back().x += way;
   return spoiled;
 }
@@ -193,12 +218,14 @@ struct Count {
 
 class Trials {
  public:
-  Trials(fs::path out, int seed)
-      : out_(std::move(out)), random_(static_cast<std::uint64_t>(seed)) {}
+  /// Of these `kinds`; of all if there are none.
+  Trials(fs::path out, std::set<std::string> kinds, int seed)
+      : out_(std::move(out)), kinds_(std::move(kinds)), random_(static_cast<std::uint64_t>(seed)) {}
 
   void spoil(const Scene& scene, const Matcher& matcher, bool one_sided, int each) {
     run("untouched", scene, matcher, 1, untouched);
     run("torn", scene, matcher, each, torn);
+    run("object torn", scene, matcher, each, torn_object);
     if (one_sided && !scene.has_mirror_image) run("mirrored", scene, matcher, 1, mirrored);
     run("other print", scene, matcher, each, other_print);
     run("half covered", scene, matcher, each, half_covered);
@@ -219,6 +246,7 @@ class Trials {
 
   void run(const std::string& kind, const Scene& scene, const Matcher& matcher, int each,
            const Spoil& spoil) {
+    if (!kinds_.empty() && kinds_.count(kind) == 0) return;
     for (int i = 0; i < each; ++i) {
       const Spoiled spoiled = spoil(scene, random_);
       Count& count = counts_[kind];
@@ -245,6 +273,7 @@ class Trials {
   }
 
   fs::path out_;
+  std::set<std::string> kinds_;
   cv::RNG random_;
   std::map<std::string, Count> counts_;
   int kept_ = 0;
@@ -271,11 +300,19 @@ void spoil_set(const fs::path& set, std::size_t most, int each, Trials& trials) 
   }
 }
 
+/// Between commas.
+std::vector<std::string> parts_of(const std::string& list) {
+  std::vector<std::string> parts;
+  std::stringstream stream(list);
+  for (std::string part; std::getline(stream, part, ',');) parts.push_back(part);
+  return parts;
+}
+
 void benchmark(const cv::CommandLineParser& options) {
   const fs::path out = output_folder(options.get<std::string>("@out"));
-  Trials trials(out, options.get<int>("seed"));
-  std::stringstream sets(options.get<std::string>("@sets"));
-  for (std::string set; std::getline(sets, set, ',');)
+  const auto kinds = parts_of(options.get<std::string>("kinds"));
+  Trials trials(out, {kinds.begin(), kinds.end()}, options.get<int>("seed"));
+  for (const auto& set : parts_of(options.get<std::string>("@sets")))
     spoil_set(set, static_cast<std::size_t>(options.get<int>("most")), options.get<int>("each"),
               trials);
   save_csv((out / "manipulated.csv").string(), trials.table());

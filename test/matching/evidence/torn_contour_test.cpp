@@ -8,18 +8,18 @@
 namespace mbncc::evidence {
 namespace {
 
+/// Rows from `from` on are displaced by `way` [px].
+cv::Mat torn(const cv::Mat& image, int from, double way) {
+  cv::Mat moved, result = image.clone();
+  cv::warpAffine(image, moved, cv::Matx23d(1, 0, way, 0, 1, 0), image.size(), cv::INTER_LINEAR,
+                 cv::BORDER_REPLICATE);
+  moved.rowRange(from, moved.rows).copyTo(result.rowRange(from, moved.rows));
+  return result;
+}
+
 class TornOutline : public test::MatcherTest {
  protected:
   TornOutline() { test::place(scene_, source_, reference_.position(), truth_); }
-
-  /// Rows from `from` on are displaced by `way` [px].
-  static cv::Mat torn(const cv::Mat& image, int from, double way) {
-    cv::Mat moved, result = image.clone();
-    cv::warpAffine(image, moved, cv::Matx23d(1, 0, way, 0, 1, 0), image.size(), cv::INTER_LINEAR,
-                   cv::BORDER_REPLICATE);
-    moved.rowRange(from, moved.rows).copyTo(result.rowRange(from, moved.rows));
-    return result;
-  }
 
   Pose2D anchor_at(const Pose2D& pose) const {
     return compose(pose, inverse(view_.reference_in_anchor));
@@ -66,12 +66,40 @@ TEST_F(TornOutline, ItIsToldOfWhatLiesTurnedBetweenTheParts) {
 
 TEST_F(TornOutline, ADetectionKnows) {
   const Pose2D anchor = anchor_at(truth_);
-  for (const double way : {0., 6.}) {
-    const scene::SceneImage scene(torn(scene_, cvRound(anchor.y), way), object_.top_level());
+  const int middle = cvRound(anchor.y);
+  const auto is_torn = [&](const cv::Mat& image, double way) {
+    const scene::SceneImage scene(image, object_.top_level());
     search::PoseHypothesis found =
         search::score_as_is(view_, scene, {anchor.x + way / 2, anchor.y, anchor.theta});
     found.odds = 12;
-    EXPECT_EQ(search::verify(object_, view_, scene, {found}).at(0).torn, way > 0);
+    return search::verify(object_, view_, scene, {found}).at(0).torn;
+  };
+  EXPECT_FALSE(is_torn(scene_, 0));
+  EXPECT_TRUE(is_torn(torn(scene_, middle, 6), 6));
+  constexpr double kWay = 7;
+  cv::Mat later = test::texture(scene_.size(), 77, 5), image = scene_.clone();
+  test::place(later, source_, reference_.position(), {truth_.x + kWay, truth_.y, truth_.theta});
+  later.rowRange(middle, later.rows).copyTo(image.rowRange(middle, image.rows));
+  EXPECT_TRUE(is_torn(image, kWay)) << "by the outline, before a background that rests";
+}
+
+/// A narrow object, turned a little, lies as well on both parts of itself.
+TEST(TornBar, ADetectionKnowsByTheRowsOfTheImage) {
+  cv::Mat map = cv::Mat::zeros(120, 120, CV_8UC1), image = test::texture({320, 240}, 77, 5);
+  map(cv::Rect(52, 15, 16, 90)) = 255;
+  const test::LearningImage source(1, map);
+  const Pose2D reference{60, 60, 0}, truth{170, 120, 0};
+  test::place(image, source, reference.position(), truth);
+  const prepared::PreparedObject object(test::object_from(source, reference),
+                                        prepared::Engine::kFast);
+  const prepared::PreparedView& view = object.views.front();
+  for (const double way : {0., 4.}) {
+    const Pose2D between{truth.x + way / 2, truth.y, truth.theta - way / 90};
+    const scene::SceneImage scene(torn(image, 120, way), object.top_level());
+    search::PoseHypothesis found =
+        search::score_as_is(view, scene, compose(between, inverse(view.reference_in_anchor)));
+    found.odds = 12;
+    EXPECT_EQ(search::verify(object, view, scene, {found}).at(0).torn, way > 0) << way;
   }
 }
 

@@ -34,7 +34,7 @@ struct Detection {
   bool mirror_alternative = false;             ///< its mirrored outline fits better
   /// See InteriorDifference::largest; compared when the pose is refined.
   double interior_difference = std::numeric_limits<double>::infinity();
-  bool torn = false;                          ///< two displaced parts of its outline fit better
+  bool torn = false;                          ///< by the image's rows; told with the next one
   double contour_alternative = kNotExamined;  ///< see better_elsewhere()
   double shading_free_ncc = 0;                ///< [-1..1] see Evidence
   double rotation_odds = 0;                   ///< against other rotations here, see rotation_odds()

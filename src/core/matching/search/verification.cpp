@@ -6,6 +6,7 @@
 
 #include "matching/evidence/contour_alternative.hpp"
 #include "matching/evidence/torn_contour.hpp"
+#include "matching/evidence/torn_rows.hpp"
 #include "matching/refinement/gauss_newton.hpp"
 
 namespace mbncc::search {
@@ -144,22 +145,30 @@ void refine(const prepared::PreparedView& view, const scene::SceneImage& scene,
                                     mirror_penalty(mirrored), print_penalty(interior.enclosed));
   detection.size_alternative =
       detection.log_odds() > 0 && fits_another_size(view, scene, place, odds);
-  detection.torn = detection.log_odds() > 0 &&
-                   evidence::better_torn(view.fine.contour, scene.levels[0], detection.pose,
-                                         detection.size) > evidence::kTorn;
+}
+
+/// Tests the rows of the whole image, and those of the object before a background that rests.
+bool is_torn(const templates::ContourTemplate& contour, const scene::SceneImage& scene,
+             const decision::Detection& detection) {
+  const cv::Rect box = templates::bounding_box(contour, detection.pose, detection.size);
+  return evidence::has_torn_rows(scene.grey[0], box) ||
+         evidence::better_torn(contour, scene.levels[0], detection.pose, detection.size) >
+             evidence::kTorn;
 }
 
 /// For the best of the sorted detections at each place, computes the advantage of the outline at
-/// nearby places, because shading displaces a plain surface by pixels.
+/// nearby places, because shading displaces a plain surface by pixels, and whether it is torn.
 void examine_best_of_places(const prepared::PreparedView& view, const scene::SceneImage& scene,
                             std::vector<decision::Detection>& compared) {
   for (auto one = compared.begin(); one != compared.end(); ++one) {
     if (one->log_odds() <= kReportable) break;
-    if (std::none_of(compared.begin(), one, [&](const decision::Detection& better) {
+    if (std::any_of(compared.begin(), one, [&](const decision::Detection& better) {
           return decision::at_one_place(*one, better);
         }))
-      one->contour_alternative =
-          evidence::better_elsewhere(view.fine.contour, scene.levels[0], one->pose, one->size);
+      continue;
+    one->contour_alternative =
+        evidence::better_elsewhere(view.fine.contour, scene.levels[0], one->pose, one->size);
+    one->torn = is_torn(view.fine.contour, scene, *one);
   }
 }
 

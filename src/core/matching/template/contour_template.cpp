@@ -65,6 +65,14 @@ void read_contour(const ContourTemplate& contour, const cv::Mat& edges, const Po
       {sample.response.data(), sample.seen.data(), sample.pull.data(), sample.moment.data()});
 }
 
+cv::Rect bounding_box(const ContourTemplate& contour, const Pose2D& pose, double scale) {
+  const Transform to_image(pose);
+  std::vector<cv::Point2f> points;
+  for (std::size_t k = 0; k < contour.size(); ++k)
+    points.emplace_back(to_image(scale * cv::Point2d(contour.x[k], contour.y[k])));
+  return cv::boundingRect(points);
+}
+
 double contour_agreement(const ContourTemplate& contour, const ContourSample& sample) {
   const double visible = kernels::product(contour.ones, sample.seen.data());
   if (visible < 4 || 4 * visible < static_cast<double>(contour.size())) return -1;

@@ -51,6 +51,9 @@ struct ContourSample {
 void read_contour(const ContourTemplate& contour, const cv::Mat& edges, const Pose2D& pose,
                   int reach, ContourSample& sample, double scale = 1);
 
+/// [px] Of the contour at `pose`, `scale` times as large.
+cv::Rect bounding_box(const ContourTemplate& contour, const Pose2D& pose, double scale);
+
 /// Mean edge response [-1..1] along the contour, each point taking the best within one pixel along
 /// its normal; -1 where less than a quarter of the contour is visible.
 double contour_agreement(const ContourTemplate& contour, const ContourSample& sample);

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "matching/evidence/torn_rows.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <vector>
+
+namespace mbncc::evidence {
+namespace {
+
+constexpr int kSmallest = 3;          // [px] displacement; texture explains smaller ones
+constexpr int kLargest = 14;          // [px]
+constexpr double kPeak = 2;           // of the difference of two rows over those beside them
+constexpr double kUnexplained = 0.6;  // of it, when the lower row is displaced
+
+/// [grey^2] Mean square of the difference between a row's columns and those of the row below, `way`
+/// [px] farther on; at least that of rounding.
+double difference(const cv::Mat& grey, int row, cv::Range columns, int way) {
+  constexpr double kRounding = 1;
+  const int from = std::max(columns.start, -way), to = std::min(columns.end, grey.cols - way);
+  const uchar* upper = grey.ptr(row);
+  const uchar* lower = grey.ptr(row + 1) + way;
+  int squares = 0;
+  for (int x = from; x < to; ++x) squares += (lower[x] - upper[x]) * (lower[x] - upper[x]);
+  return kRounding + static_cast<double>(squares) / std::max(1, to - from);
+}
+
+double least_displaced(const cv::Mat& grey, int row, cv::Range columns) {
+  double least = std::numeric_limits<double>::infinity();
+  for (int way = kSmallest; way <= kLargest; ++way)
+    for (const int signed_way : {-way, way})
+      least = std::min(least, difference(grey, row, columns, signed_way));
+  return least;
+}
+
+}  // namespace
+
+bool has_torn_rows(const cv::Mat& grey, const cv::Rect& box) {
+  // Tears near the ends of an object hardly displace its pose. The surroundings are displaced, too.
+  const int outer = box.height / 5;
+  const cv::Rect around =
+      cv::Rect(box.x - box.width, box.y + outer - 1, 3 * box.width, box.height - 2 * outer + 3) &
+      cv::Rect({}, grey.size());
+  if (around.width <= 2 * kLargest) return false;
+  const cv::Range columns(around.x, around.x + around.width);
+  std::vector<double> differences;
+  for (int row = around.y; row + 1 < around.y + around.height; ++row)
+    differences.push_back(difference(grey, row, columns, 0));
+  for (std::size_t i = 1; i + 1 < differences.size(); ++i) {
+    const double peak = differences[i];
+    if (!(peak > kPeak * std::max(differences[i - 1], differences[i + 1]))) continue;
+    if (least_displaced(grey, around.y + static_cast<int>(i), columns) < kUnexplained * peak)
+      return true;
+  }
+  return false;
+}
+
+}  // namespace mbncc::evidence

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "matching/evidence/torn_rows.hpp"
+
+#include <gtest/gtest.h>
+
+#include <opencv2/imgproc.hpp>
+
+#include "matching/images.hpp"
+
+namespace mbncc::evidence {
+namespace {
+
+const cv::Size kSize(320, 240);
+const cv::Rect kBox(140, 90, 60, 50);
+
+cv::Mat textured() {
+  return test::texture(kSize, 77, 5);
+}
+
+/// A plain bright object, a little larger than kBox, on a plain platform with noise.
+cv::Mat plain() {
+  cv::Mat image(kSize, CV_8UC1, cv::Scalar(90)), noise(kSize, CV_16SC1);
+  cv::rectangle(image, kBox, cv::Scalar(200), cv::FILLED);
+  cv::GaussianBlur(image, image, {}, 0.8);
+  cv::RNG(5).fill(noise, cv::RNG::NORMAL, 0, 3);
+  cv::add(image, noise, image, {}, CV_8U);
+  return image;
+}
+
+cv::Mat grey(const cv::Mat& image) {
+  cv::Mat result = image;
+  if (image.channels() == 3) cv::cvtColor(image, result, cv::COLOR_BGR2GRAY);
+  return result;
+}
+
+/// Rows from `from` on are displaced by `way` [px].
+cv::Mat torn(const cv::Mat& image, int from, double way) {
+  cv::Mat moved, result = image.clone();
+  cv::warpAffine(image, moved, cv::Matx23d(1, 0, way, 0, 1, 0), image.size(), cv::INTER_LINEAR,
+                 cv::BORDER_REPLICATE);
+  moved.rowRange(from, moved.rows).copyTo(result.rowRange(from, moved.rows));
+  return result;
+}
+
+TEST(TornRows, AnIntactImageHasNone) {
+  EXPECT_FALSE(has_torn_rows(grey(textured()), kBox));
+  EXPECT_FALSE(has_torn_rows(plain(), kBox));
+}
+
+TEST(TornRows, AreToldWhereverTheTearIsWithinTheObject) {
+  for (const int from : {105, 115, 125})
+    for (const double way : {-12., -8., -4., 4., 8., 12.}) {
+      EXPECT_TRUE(has_torn_rows(grey(torn(textured(), from, way)), kBox)) << from << ' ' << way;
+      EXPECT_TRUE(has_torn_rows(torn(plain(), from, way), kBox)) << from << ' ' << way;
+    }
+}
+
+TEST(TornRows, DoNotConcernAnObjectElsewhere) {
+  for (const int from : {60, 180})
+    EXPECT_FALSE(has_torn_rows(grey(torn(textured(), from, 8)), kBox)) << from;
+}
+
+TEST(TornRows, AnEdgeAlongTheRowsIsNone) {
+  cv::Mat image = plain();
+  image.rowRange(115, kSize.height) += cv::Scalar(40);
+  EXPECT_FALSE(has_torn_rows(image, kBox));
+}
+
+/// Slanted lines are displaced at every row.
+TEST(TornRows, LinesThatRunFlatAreNone) {
+  cv::Mat image(kSize, CV_8UC1, cv::Scalar(90));
+  for (int y = -200; y < kSize.height; y += 15)
+    cv::line(image, {0, y}, {kSize.width, y + 60}, cv::Scalar(200), 2, cv::LINE_AA);
+  EXPECT_FALSE(has_torn_rows(image, kBox));
+}
+
+TEST(TornRows, AreToldOfWhatTheImageCutsOff) {
+  const cv::Mat image = grey(torn(textured(), 115, 8));
+  for (const int x : {-40, 300}) EXPECT_TRUE(has_torn_rows(image, {x, 90, 60, 50})) << x;
+  EXPECT_FALSE(has_torn_rows(image, {-400, -400, 60, 50}));
+  EXPECT_FALSE(has_torn_rows(image, {140, 115, 1, 1}));
+}
+
+}  // namespace
+}  // namespace mbncc::evidence
