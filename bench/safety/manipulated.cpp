@@ -178,18 +178,21 @@ Spoiled stacked(const Scene& scene, cv::RNG& random) {
   return spoiled;
 }
 
+cv::Point2d centroid(const cv::Mat& map) {
+  const cv::Moments moments = cv::moments(map, true);
+  return {moments.m10 / moments.m00, moments.m01 / moments.m00};
+}
+
 /// Its outline tells it from its mirror image, at any rotation.
 bool is_one_sided(const CaseFolder& object) {
   constexpr double kAlike = 0.85;  // of the area
-  cv::Mat flipped;
-  cv::flip(object.map, flipped, 1);
-  const double flipped_x = object.map.cols - 1 - object.reference.x;
-  for (int degrees = 0; degrees < 360; degrees += 3) {
-    CaseFolder mirror;
-    mirror.map = flipped;
-    mirror.reference = {flipped_x, object.reference.y};
-    const cv::Mat turned = placed_map(
-        mirror, {object.reference.x, object.reference.y, to_radians(degrees)}, object.map.size());
+  CaseFolder mirror;
+  cv::flip(object.map, mirror.map, 1);
+  mirror.reference = centroid(mirror.map);
+  const cv::Point2d own = centroid(object.map);
+  for (int degrees = 0; degrees < 360; ++degrees) {
+    const cv::Mat turned =
+        placed_map(mirror, {own.x, own.y, to_radians(degrees)}, object.map.size());
     const double both = cv::countNonZero(turned & object.map);
     const double any = cv::countNonZero(turned | object.map);
     if (both > kAlike * any) return false;
