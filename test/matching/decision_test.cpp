@@ -172,8 +172,8 @@ TEST_F(DecisionTest, OfSeveralCompetitorsTheBestCounts) {
 
 TEST_F(DecisionTest, FarBehindAnInstanceOutsideTheRegionItMayBeALike) {
   const decision::Detection likely =
-      changed([](decision::Detection& d) { d.odds.best_at_place = 8; });
-  for (const double elsewhere : {8.0, 25.0}) {
+      changed([](decision::Detection& d) { d.odds.best_at_place = 6; });
+  for (const double elsewhere : {6.0, 25.0}) {
     decision::AcceptanceSettings acceptance{config_, std::nullopt, 1, {}, {{"object", elsewhere}},
                                             0};
     EXPECT_EQ(decision::select_matches({likely}, acceptance).matches.at(0).graspable,

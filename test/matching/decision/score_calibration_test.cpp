@@ -10,11 +10,10 @@ namespace {
 
 constexpr double kFirm = -0.2, kAsGoodElsewhere = 0.03;  // agreement
 
-Detection detection_of(double log_odds, double elsewhere = kFirm, double projected = 0) {
+Detection detection_of(double log_odds, double elsewhere) {
   Detection detection;
   detection.odds.best_at_place = log_odds;
   detection.contour_alternative = elsewhere;
-  detection.shading_free_ncc = projected;
   return detection;
 }
 
@@ -41,26 +40,6 @@ TEST(Calibration, AFarBetterInstanceSpeaksAgainstItsLikes) {
 
 TEST(Calibration, WhatWasNotExaminedMayLieBetterElsewhere) {
   EXPECT_LE(calibration_of(kNotExamined), calibration_of(kAsGoodElsewhere));
-}
-
-TEST(Convincing, ALooseOutlineHasToBeTheMoreCertain) {
-  EXPECT_TRUE(is_convincing(detection_of(6), kNoCompetitor));
-  EXPECT_FALSE(is_convincing(detection_of(6, kAsGoodElsewhere, 0.9), kNoCompetitor));
-  EXPECT_TRUE(is_convincing(detection_of(8, kAsGoodElsewhere), kNoCompetitor));
-}
-
-TEST(Convincing, WithoutTextureItHasToBeNearlyCertain) {
-  EXPECT_FALSE(is_convincing(detection_of(5), kNoCompetitor));
-  EXPECT_TRUE(is_convincing(detection_of(5.5), kNoCompetitor));
-  EXPECT_TRUE(is_convincing(detection_of(3, kFirm, 0.6), kNoCompetitor));
-  EXPECT_FALSE(is_convincing(detection_of(5, kFirm, 0.5), kNoCompetitor));
-  EXPECT_FALSE(is_convincing(detection_of(2.9, kFirm, 0.9), kNoCompetitor));
-}
-
-TEST(Convincing, FarBehindAnotherInstanceItMayBeALike) {
-  EXPECT_TRUE(is_convincing(detection_of(8, kFirm, 0.9), -2));
-  EXPECT_FALSE(is_convincing(detection_of(8, kFirm, 0.9), -5));
-  EXPECT_TRUE(is_convincing(detection_of(10), -5)) << "certain, although possibly covered";
 }
 
 }  // namespace

@@ -7,7 +7,6 @@
 #include <sstream>
 
 #include "matching/decision/margins.hpp"
-#include "matching/decision/score_calibration.hpp"
 
 namespace mbncc::decision {
 namespace {
@@ -15,6 +14,7 @@ namespace {
 constexpr double kForeignColour = 0.2;  // chroma difference of a foreign part
 constexpr double kOtherPrint = 1.2;     // difference of the edges inside the outline
 constexpr double kContradicts = 0.05;   // [agreement] advantage of another place over the pose
+constexpr double kConvincing = 4;       // calibrated log-odds
 
 std::string number(double value, int digits) {
   std::ostringstream text;
@@ -54,8 +54,7 @@ const Competitor* best_of(const std::vector<Competitor>& competitors) {
 }  // namespace
 
 std::vector<Doubt> doubts_about(const Match& match, const Detection& detection,
-                                const cv::Matx33d& cautious, double instance_margin,
-                                const SearchConfig& config) {
+                                const cv::Matx33d& cautious, const SearchConfig& config) {
   // Negated comparisons, so that NaN counts as a reason.
   std::vector<Doubt> doubts;
   if (!(match.margin_angle >= config.min_margin_angle))
@@ -76,7 +75,7 @@ std::vector<Doubt> doubts_about(const Match& match, const Detection& detection,
     if (!(detection.interior_difference <= kOtherPrint))
       doubts.push_back({true, "edges inside the outline differ"});
   }
-  if (!is_convincing(detection, instance_margin)) doubts.push_back({false, "evidence too weak"});
+  if (!(detection.odds.total() >= kConvincing)) doubts.push_back({false, "evidence too weak"});
   doubt_deviations(match, cautious, config, doubts);
   if (!(match.visible >= config.min_visible))
     doubts.push_back({false, number(100 * (1 - match.visible), 0) + " % outside"});

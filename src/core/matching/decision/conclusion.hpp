@@ -11,10 +11,9 @@
 namespace mbncc::decision {
 
 /// Reasons against grasping `match`, found as `detection`, without competitors. `cautious`: the
-/// covariance used for the grasp conditions. `instance_margin`: see margins.hpp.
+/// covariance used for the grasp conditions.
 std::vector<Doubt> doubts_about(const Match& match, const Detection& detection,
-                                const cv::Matx33d& cautious, double instance_margin,
-                                const SearchConfig& config);
+                                const cv::Matx33d& cautious, const SearchConfig& config);
 
 /// Sets margin_place, graspable, ambiguous and reasons by score, competitors and doubts.
 void conclude(Match& match, const SearchConfig& config);

@@ -15,15 +15,4 @@ double calibration(const Detection& detection, double angle_margin, double insta
          kPerInstance * std::max(0.0, -instance_margin - kMuchBetter);
 }
 
-bool is_convincing(const Detection& detection, double instance_margin) {
-  constexpr double kCertain = 5.5, kLikely = 3;       // log-odds, calibrated
-  constexpr double kTexture = 0.6;                    // correlation without shading
-  constexpr double kLoose = 0.01, kLooseCertain = 7;  // agreement; log-odds
-  constexpr double kBehind = 3, kLikeCertain = 9;     // log-odds
-  if (detection.contour_alternative > kLoose && detection.log_odds() < kLooseCertain) return false;
-  if (instance_margin < -kBehind && detection.log_odds() < kLikeCertain) return false;
-  const double odds = detection.odds.total();
-  return odds >= kCertain || (odds >= kLikely && detection.shading_free_ncc >= kTexture);
-}
-
 }  // namespace mbncc::decision

@@ -12,10 +12,4 @@ namespace mbncc::decision {
 /// elsewhere.
 double calibration(const Detection& detection, double angle_margin, double instance_margin);
 
-/// Whether the evidence suffices for a grasp: nearly certain, or likely with visible texture,
-/// because mirror images and keys of another cut have the same outline and material. The
-/// requirement is stricter for an outline that fits as well a few pixels away, like those of mirror
-/// images, and for a detection with lower odds than another instance.
-bool is_convincing(const Detection& detection, double instance_margin);
-
 }  // namespace mbncc::decision

@@ -104,9 +104,8 @@ Match to_match(const Detection& detection, const std::vector<Detection>& all,
   match.visible = detection.visible;
   match.symmetry = view.symmetry;
   match.outline = outline_at(detection);
-  match.doubts = doubts_about(
-      match, detection, moved_to_reference(detection.cautious, lever),
-      instance_margin(detection, all, acceptance.elsewhere, config.max_overlap), config);
+  match.doubts =
+      doubts_about(match, detection, moved_to_reference(detection.cautious, lever), config);
   conclude(match, config);
   return match;
 }
