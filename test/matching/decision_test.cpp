@@ -29,7 +29,6 @@ class DecisionTest : public ::testing::Test {
     detection.pose = {100, 100, 0};
     detection.covariance = detection.cautious = cv::Matx33d::diag({0.01, 0.01, 1e-6});
     detection.odds.best_at_place = 20;
-    detection.shading_free_ncc = 0.9;
     detection.contour_alternative = -0.15;
     detection.interior_difference = 0;
     return detection;

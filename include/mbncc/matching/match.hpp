@@ -51,8 +51,8 @@ struct Match {
   int symmetry = 1;                   ///< 1: none, 2: 180 deg ..., 0: round
   std::vector<Doubt> doubts;          ///< for this pose, without competitors
   /// All conditions for a grasp hold in this image: score, margins, visible part, standard
-  /// deviations, colours of parts, edges inside the outline, size, and the fit of the outline
-  /// elsewhere or mirrored.
+  /// deviations, colours of parts, edges inside the outline, size, the fit of the outline
+  /// elsewhere, mirrored or torn, and a probability of .98.
   bool graspable = false;
   bool ambiguous = false;  ///< the score suffices, but another pose or object may be there
   std::vector<std::string> reasons;  ///< why it is not graspable; empty if it is

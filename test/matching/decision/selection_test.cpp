@@ -17,62 +17,61 @@ class SelectionTest : public ::testing::Test {
   const SearchConfig config_{};
 
   /// Known to a tenth of a pixel.
-  Detection detection_of(double log_odds, double projected, double elsewhere = 0) const {
+  Detection detection_of(double log_odds, double elsewhere = 0) const {
     Detection detection;
     detection.object = object_.model.get();
     detection.view = &object_.views.front();
     detection.pose = {100, 100, 0};
     detection.covariance = detection.cautious = cv::Matx33d::diag({0.01, 0.01, 1e-6});
     detection.odds.best_at_place = log_odds;
-    detection.shading_free_ncc = projected;
     detection.contour_alternative = elsewhere;
     detection.interior_difference = 0;
     return detection;
   }
 
   /// Of the only detection of an image.
-  Match match_of(double log_odds, double projected, double elsewhere = 0) const {
-    const auto selected = select_matches({detection_of(log_odds, projected, elsewhere)},
-                                         {config_, std::nullopt, 1, {}, {}, 0});
+  Match match_of(double log_odds, double elsewhere = 0) const {
+    const auto selected =
+        select_matches({detection_of(log_odds, elsewhere)}, {config_, std::nullopt, 1, {}, {}, 0});
     return selected.matches.at(0);
   }
 };
 
 TEST_F(SelectionTest, GraspableIsWhatIsNearlyCertain) {
-  EXPECT_TRUE(match_of(4, 0.3).graspable);
-  EXPECT_FALSE(match_of(3, 0.9).graspable) << "a mirror image, perhaps";
+  EXPECT_TRUE(match_of(4).graspable);
+  EXPECT_FALSE(match_of(3).graspable);
 }
 
 TEST_F(SelectionTest, ScoresKnowHowFirmlyAnOutlineLies) {
-  EXPECT_GT(match_of(3, 0.4, -0.15).score, match_of(3, 0.4, 0.05).score);
-  EXPECT_FALSE(match_of(20, 0.9, 0.06).graspable) << "it may lie a few pixels off";
-  EXPECT_FALSE(match_of(20, 0.9, kNotExamined).graspable);
+  EXPECT_GT(match_of(3, -0.15).score, match_of(3, 0.05).score);
+  EXPECT_FALSE(match_of(20, 0.06).graspable) << "it may lie a few pixels off";
+  EXPECT_FALSE(match_of(20, kNotExamined).graspable);
 }
 
 TEST_F(SelectionTest, ANearRotationLowersTheScoreAndLeavesTheMargin) {
-  Detection one = detection_of(4, 0.4), turned = one;
+  Detection one = detection_of(4), turned = one;
   turned.pose.theta = 1;
   turned.odds.best_at_place = 3;
   const auto selected = select_matches({one, turned}, {config_, std::nullopt, 1, {}, {}, 0});
   ASSERT_EQ(selected.matches.size(), 1U);
-  EXPECT_LT(selected.matches[0].score, match_of(4, 0.4).score);
+  EXPECT_LT(selected.matches[0].score, match_of(4).score);
   EXPECT_DOUBLE_EQ(selected.matches[0].margin_angle, 1);
 }
 
 TEST_F(SelectionTest, AnotherObjectsPrintDoesNotCountAgainstIt) {
   const prepared::PreparedObject other{test::object_from(test::LearningImage(2), {58, 60, 0}),
                                        prepared::Engine::kFast};
-  Detection behind = detection_of(4, 0.8);
+  Detection behind = detection_of(4);
   behind.object = other.model.get();
   behind.odds.print = 9;
   const auto selected =
-      select_matches({detection_of(15, 0.8), behind}, {config_, std::nullopt, 1, {}, {}, 0});
+      select_matches({detection_of(15), behind}, {config_, std::nullopt, 1, {}, {}, 0});
   ASSERT_EQ(selected.matches.size(), 1U);
   EXPECT_DOUBLE_EQ(selected.matches[0].margin_place, 2);
 }
 
 TEST_F(SelectionTest, WhatIsNotConvincingIsNotAmbiguous) {
-  EXPECT_FALSE(match_of(3, 0.4).ambiguous) << "nothing else is as likely";
+  EXPECT_FALSE(match_of(3).ambiguous) << "nothing else is as likely";
 }
 
 }  // namespace

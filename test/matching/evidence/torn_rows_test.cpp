@@ -74,6 +74,17 @@ TEST(TornRows, LinesThatRunFlatAreNone) {
   EXPECT_FALSE(has_torn_rows(image, kBox));
 }
 
+TEST(TornRows, ACheckeredPlatformIsNone) {
+  for (const int side : {6, 10, 14}) {
+    cv::Mat image(kSize, CV_8UC1);
+    for (int y = 0; y < image.rows; ++y)
+      for (int x = 0; x < image.cols; ++x)
+        image.at<uchar>(y, x) = (x / side + y / side) % 2 == 0 ? 90 : 200;
+    cv::GaussianBlur(image, image, {}, 0.8);
+    EXPECT_FALSE(has_torn_rows(image, kBox)) << side;
+  }
+}
+
 TEST(TornRows, AreToldOfWhatTheImageCutsOff) {
   const cv::Mat image = grey(torn(textured(), 115, 8));
   for (const int x : {-40, 300}) EXPECT_TRUE(has_torn_rows(image, {x, 90, 60, 50})) << x;

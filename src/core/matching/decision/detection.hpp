@@ -34,9 +34,8 @@ struct Detection {
   bool mirror_alternative = false;             ///< its mirrored outline fits better
   /// See InteriorDifference::largest; compared when the pose is refined.
   double interior_difference = std::numeric_limits<double>::infinity();
-  bool torn = false;                          ///< by the image's rows; told with the next one
+  bool torn = false;                          ///< rows or parts of its outline are displaced
   double contour_alternative = kNotExamined;  ///< see better_elsewhere()
-  double shading_free_ncc = 0;                ///< [-1..1] see Evidence
   double rotation_odds = 0;                   ///< against other rotations here, see rotation_odds()
   std::size_t number = 0;                     ///< index among the poses verified together
 

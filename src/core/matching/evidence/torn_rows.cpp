@@ -46,13 +46,14 @@ bool has_torn_rows(const cv::Mat& grey, const cv::Rect& box) {
   std::vector<double> differences;
   for (int row = around.y; row + 1 < around.y + around.height; ++row)
     differences.push_back(difference(grey, row, columns, 0));
+  int displaced = 0;
   for (std::size_t i = 1; i + 1 < differences.size(); ++i) {
     const double peak = differences[i];
     if (!(peak > kPeak * std::max(differences[i - 1], differences[i + 1]))) continue;
     if (least_displaced(grey, around.y + static_cast<int>(i), columns) < kUnexplained * peak)
-      return true;
+      ++displaced;
   }
-  return false;
+  return displaced == 1;  // several: a chequered or bricked platform
 }
 
 }  // namespace mbncc::evidence

@@ -111,7 +111,6 @@ decision::Detection unrefined(const prepared::PreparedObject& object,
   detection.pose.theta = wrap_angle(found.pose.theta);
   detection.covariance = detection.cautious = refinement::unknown_accuracy(found.pose).covariance;
   detection.odds = log_odds_of_pose(found.odds);
-  detection.shading_free_ncc = found.evidence.shading_free_ncc;
   detection.rotation_odds = odds_of_rotation(view, scene.levels[0], found);
   return detection;
 }
@@ -143,8 +142,9 @@ void refine(const prepared::PreparedView& view, const scene::SceneImage& scene,
   detection.interior_difference = interior.largest;
   detection.odds = log_odds_of_pose(odds, colour_penalty(difference.colour),
                                     mirror_penalty(mirrored), print_penalty(interior.enclosed));
+  // What is unlikely by itself is not tested, but may become the best rotation of a likely place.
   detection.size_alternative =
-      detection.log_odds() > 0 && fits_another_size(view, scene, place, odds);
+      detection.log_odds() <= 0 || fits_another_size(view, scene, place, odds);
 }
 
 /// Tests the rows of the whole image, and those of the object before a background that rests.

@@ -51,7 +51,7 @@ struct ContourSample {
 void read_contour(const ContourTemplate& contour, const cv::Mat& edges, const Pose2D& pose,
                   int reach, ContourSample& sample, double scale = 1);
 
-/// [px] Of the contour at `pose`, `scale` times as large.
+/// [px] The contour's box at `pose`, `scale` times as large.
 cv::Rect bounding_box(const ContourTemplate& contour, const Pose2D& pose, double scale);
 
 /// Mean edge response [-1..1] along the contour, each point taking the best within one pixel along
