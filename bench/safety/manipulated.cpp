@@ -69,42 +69,53 @@ Spoiled untouched(const Scene& scene, cv::RNG&) {
   return {scene.image, {scene.instance.pose}};
 }
 
-/// Rows from somewhere within the object on show it 4 to 10 px farther on.
-Spoiled torn(const Scene& scene, cv::RNG& random) {
-  const cv::Rect box =
-      cv::boundingRect(placed_map(scene.object, scene.instance.pose, scene.image.size()));
-  const double way = random.uniform(4., 10.) * (random.uniform(0, 2) == 0 ? 1 : -1);
-  const int from = box.y + cvRound(random.uniform(0.3, 0.7) * box.height);
-  Spoiled spoiled{scene.image.clone(), {scene.instance.pose, scene.instance.pose}};
+/// Rows from `from` on show what is `way` [px] farther on, `moved`.
+struct Tear {
+  int from;
+  double way;
+  cv::Matx23d shift;
   cv::Mat moved;
-  cv::warpAffine(scene.image, moved, cv::Matx23d(1, 0, way, 0, 1, 0), scene.image.size(),
-                 cv::INTER_LINEAR, cv::BORDER_REPLICATE);
-  moved.rowRange(from, moved.rows).copyTo(spoiled.image.rowRange(from, moved.rows));
-  spoiled.poses.back().x += way;
+};
+
+/// Somewhere within the object, by 4 to 10 px.
+Tear tear_within(const cv::Rect& box, const cv::Mat& image, cv::RNG& random) {
+  Tear tear;
+  tear.way = random.uniform(4., 10.) * (random.uniform(0, 2) == 0 ? 1 : -1);
+  tear.from = box.y + cvRound(random.uniform(0.3, 0.7) * box.height);
+  tear.shift = {1, 0, tear.way, 0, 1, 0};
+  cv::warpAffine(image, tear.moved, tear.shift, image.size(), cv::INTER_LINEAR,
+                 cv::BORDER_REPLICATE);
+  return tear;
+}
+
+/// The image up to the tear, `later` from there on.
+Spoiled torn_at(const Tear& tear, const Scene& scene, const cv::Mat& later) {
+  Spoiled spoiled{scene.image.clone(), {scene.instance.pose, scene.instance.pose}};
+  later.rowRange(tear.from, later.rows).copyTo(spoiled.image.rowRange(tear.from, later.rows));
+  spoiled.poses.back().x += tear.way;
   return spoiled;
 }
 
-/// The same of the object alone, on a background that stays.
+Spoiled torn(const Scene& scene, cv::RNG& random) {
+  const cv::Mat map = placed_map(scene.object, scene.instance.pose, scene.image.size());
+  const Tear tear = tear_within(cv::boundingRect(map), scene.image, random);
+  return torn_at(tear, scene, tear.moved);
+}
+
+/// The object alone, on a background that rests.
 Spoiled torn_object(const Scene& scene, cv::RNG& random) {
   const cv::Size size = scene.image.size();
   const cv::Mat map = placed_map(scene.object, scene.instance.pose, size);
   const cv::Rect box = cv::boundingRect(map);
-  const double way = random.uniform(4., 10.) * (random.uniform(0, 2) == 0 ? 1 : -1);
-  const int from = box.y + cvRound(random.uniform(0.3, 0.7) * box.height);
-  const cv::Matx23d shift(1, 0, way, 0, 1, 0);
-  cv::Mat moved, moved_map, whole, background, later;
-  cv::warpAffine(scene.image, moved, shift, size, cv::INTER_LINEAR, cv::BORDER_REPLICATE);
-  cv::warpAffine(map, moved_map, shift, size, cv::INTER_NEAREST);
+  const Tear tear = tear_within(box, scene.image, random);
+  cv::Mat moved_map, whole, background, later = scene.image.clone();
+  cv::warpAffine(map, moved_map, tear.shift, size, cv::INTER_NEAREST);
   cv::dilate(map, whole, cv::Mat::ones(5, 5, CV_8UC1));
   cv::warpAffine(scene.image, background, cv::Matx23d(1, 0, box.width + 8, 0, 1, 0), size,
                  cv::INTER_NEAREST, cv::BORDER_WRAP);
-  later = scene.image.clone();
   background.copyTo(later, whole);
-  moved.copyTo(later, moved_map);
-  Spoiled spoiled{scene.image.clone(), {scene.instance.pose, scene.instance.pose}};
-  later.rowRange(from, size.height).copyTo(spoiled.image.rowRange(from, size.height));
-  spoiled.poses.back().x += way;
-  return spoiled;
+  tear.moved.copyTo(later, moved_map);
+  return torn_at(tear, scene, later);
 }
 
 Spoiled mirrored(const Scene& scene, cv::RNG&) {

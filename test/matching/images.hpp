@@ -25,6 +25,15 @@ inline cv::Mat texture(cv::Size size, std::uint64_t seed, double grain = 3) {
   return image;
 }
 
+/// Rows from `from` on are displaced by `way` [px].
+inline cv::Mat torn(const cv::Mat& image, int from, double way) {
+  cv::Mat moved, result = image.clone();
+  cv::warpAffine(image, moved, cv::Matx23d(1, 0, way, 0, 1, 0), image.size(), cv::INTER_LINEAR,
+                 cv::BORDER_REPLICATE);
+  moved.rowRange(from, moved.rows).copyTo(result.rowRange(from, moved.rows));
+  return result;
+}
+
 /// An L-shaped map with no symmetry, about 70 px long, centred in 120 x 120 pixels.
 inline cv::Mat angle_map() {
   cv::Mat map = cv::Mat::zeros(120, 120, CV_8UC1);

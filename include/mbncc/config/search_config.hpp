@@ -37,9 +37,11 @@ struct SearchConfig {
           self.accept_by);
     visit(FieldInfo{"min_score", Allowed::range(0, 1), "", "least score of a reported detection"},
           self.min_score);
-    visit(FieldInfo{"confirm_score", Allowed::range(0, 1), "",
-                    "least score of a graspable detection"},
-          self.confirm_score);
+    visit(
+        FieldInfo{
+            "confirm_score", Allowed::range(0, 1), "",
+            "least score of a graspable detection; its probability is .98 or more in any case"},
+        self.confirm_score);
     visit(FieldInfo{"min_margin_place", Allowed::range(0, 100), "log-odds",
                     "graspable only with this margin to the best competitor elsewhere"},
           self.min_margin_place);

@@ -8,14 +8,7 @@
 namespace mbncc::evidence {
 namespace {
 
-/// Rows from `from` on are displaced by `way` [px].
-cv::Mat torn(const cv::Mat& image, int from, double way) {
-  cv::Mat moved, result = image.clone();
-  cv::warpAffine(image, moved, cv::Matx23d(1, 0, way, 0, 1, 0), image.size(), cv::INTER_LINEAR,
-                 cv::BORDER_REPLICATE);
-  moved.rowRange(from, moved.rows).copyTo(result.rowRange(from, moved.rows));
-  return result;
-}
+using test::torn;
 
 class TornOutline : public test::MatcherTest {
  protected:

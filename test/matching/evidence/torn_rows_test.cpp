@@ -10,6 +10,8 @@
 namespace mbncc::evidence {
 namespace {
 
+using test::torn;
+
 const cv::Size kSize(320, 240);
 const cv::Rect kBox(140, 90, 60, 50);
 
@@ -30,15 +32,6 @@ cv::Mat plain() {
 cv::Mat grey(const cv::Mat& image) {
   cv::Mat result = image;
   if (image.channels() == 3) cv::cvtColor(image, result, cv::COLOR_BGR2GRAY);
-  return result;
-}
-
-/// Rows from `from` on are displaced by `way` [px].
-cv::Mat torn(const cv::Mat& image, int from, double way) {
-  cv::Mat moved, result = image.clone();
-  cv::warpAffine(image, moved, cv::Matx23d(1, 0, way, 0, 1, 0), image.size(), cv::INTER_LINEAR,
-                 cv::BORDER_REPLICATE);
-  moved.rowRange(from, moved.rows).copyTo(result.rowRange(from, moved.rows));
   return result;
 }
 
