@@ -71,6 +71,27 @@ TEST_F(TurnedOverTest, BothOutlinesAreMeasuredWhereTheyLieBest) {
   }
 }
 
+TEST_F(TurnedOverTest, AnOutlineWithItsCentreFarFromItsMirrorImagesIsToldAsWell) {
+  // A flag: its pole covers that of its mirror image, whose centre is 36 px away then.
+  cv::Mat map = cv::Mat::zeros(120, 120, CV_8UC1);
+  map(cv::Rect(6, 52, 108, 16)) = 255;
+  map(cv::Rect(84, 68, 30, 50)) = 255;
+  const test::LearningImage flag(3, map);
+  const cv::Mat over = scene_with(test::mirrored(flag), truth_);
+  EXPECT_GT(better_at(truth_, flag, over), 0.1);
+  EXPECT_LT(better_at(truth_, flag, scene_with(flag, truth_)), -0.1);
+}
+
+TEST_F(TurnedOverTest, AHookIsToldWhereItsLongLegLiesTurnedByHalf) {
+  cv::Mat map = cv::Mat::zeros(120, 120, CV_8UC1);
+  map(cv::Rect(6, 52, 108, 16)) = 255;
+  map(cv::Rect(98, 68, 16, 24)) = 255;
+  const test::LearningImage hook(3, map);
+  EXPECT_GT(better_at({truth_.x, truth_.y, truth_.theta + kPi}, hook,
+                      scene_with(test::mirrored(hook), truth_)),
+            0.03);
+}
+
 TEST_F(TurnedOverTest, AnOutlineThatIsItsOwnMirrorImageAgreesAsWell) {
   cv::Mat map = cv::Mat::zeros(120, 120, CV_8UC1);
   map(cv::Rect(30, 40, 60, 40)) = 255;

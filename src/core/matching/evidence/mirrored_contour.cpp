@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "matching/evidence/closest_points.hpp"
 #include "matching/evidence/contour_alignment.hpp"
 
 namespace mbncc::evidence {
@@ -12,6 +13,7 @@ namespace {
 constexpr int kAlignmentSteps = 6;     // steps of a pixel that the mirrored outline may take, ...
 constexpr int kSettling = 2;           // ... and the object's own
 constexpr double kWorse = 0.2;         // difference in agreement that these do not make up for
+constexpr double kSame = 3;            // [px] apart, poses are one
 constexpr double kTold = 0.006;        // difference in agreement of another outline in the lesson
 constexpr double kLeastLimit = 0.005;  // agreement
 
@@ -23,36 +25,31 @@ templates::ContourTemplate mirrored(templates::ContourTemplate contour) {
   return contour;
 }
 
-/// The rotations about `home` with the best contour agreement, over a full turn, best first.
-std::vector<templates::Candidate> best_turns(const templates::ContourTemplate& contour,
-                                             const scene::PreparedPixels& pixels,
-                                             const Pose2D& home, std::size_t most) {
-  constexpr double kArc = 2;  // [px] at the rim between rotations
-  const int count = std::max(24, static_cast<int>(std::ceil(2 * kPi * contour.radius() / kArc)));
-  ContourAlignment agreement(contour, pixels);
-  std::vector<templates::Candidate> turned;
-  for (int k = 0; k < count; ++k) {
-    const Pose2D pose{home.x, home.y, home.theta + 2 * kPi * k / count};
-    turned.push_back({pose, 0, agreement.at(pose)});
+/// The poses of `contour` relative to `fixed` at which most of it lies there, best first.
+std::vector<Pose2D> best_overlays(const templates::ContourTemplate& contour,
+                                  const templates::ContourTemplate& fixed) {
+  constexpr int kStarts = 24;  // rotations
+  constexpr std::size_t kKept = 4;
+  const ClosestPoints closest(fixed);
+  std::vector<templates::Candidate> laid;
+  for (int k = 0; k < kStarts; ++k) {
+    const LaidContour one = closest.lay(contour, {0, 0, 2 * kPi * k / kStarts});
+    laid.push_back({one.pose, 0, one.covered});
   }
-  templates::suppress(turned, {most,
-                               templates::Suppression::kUnlimited,
-                               templates::Suppression::kUnlimited,
-                               {4 * kArc / 1.5, contour.radius()}});
-  return turned;
+  templates::suppress(laid, {kKept,
+                             templates::Suppression::kUnlimited,
+                             templates::Suppression::kUnlimited,
+                             {kSame, fixed.radius()}});
+  std::vector<Pose2D> poses;
+  for (const auto& one : laid) poses.push_back(one.pose);
+  return poses;
 }
 
 }  // namespace
 
 MirroredContour::MirroredContour(const templates::ContourTemplate& contour,
                                  const scene::SceneLevel& lesson, const Pose2D& home)
-    : mirrored_(mirrored(contour)) {
-  constexpr std::size_t kShifted = 8, kKept = 2;
-  auto turned = best_turns(mirrored_, lesson.whole(), home, kShifted);
-  for (auto& one : turned) one = shifted_onto_edges(mirrored_, lesson, one);
-  templates::sort_by_value(turned);
-  for (std::size_t k = 0; k < std::min(kKept, turned.size()); ++k)
-    poses_.push_back(compose(inverse(home), turned[k].pose));
+    : mirrored_(mirrored(contour)), poses_(best_overlays(mirrored_, contour)) {
   const double surplus = better(contour, lesson, home, 1);
   usual_ = std::max(0.0, surplus);
   if (surplus < -kTold) limit_ = std::clamp(-surplus / 2, kLeastLimit, kMirrored);

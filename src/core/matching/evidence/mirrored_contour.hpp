@@ -32,7 +32,7 @@ class MirroredContour {
 
  private:
   templates::ContourTemplate mirrored_;
-  std::vector<Pose2D> poses_;  ///< of the mirrored outline, at its best fit to the object's
+  std::vector<Pose2D> poses_;  ///< of the mirrored outline where most of it lies on the object's
   double usual_ = 0;           ///< advantage in the lesson
   double limit_ = kMirrored;
 };

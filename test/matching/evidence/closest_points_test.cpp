@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "matching/evidence/closest_points.hpp"
+
+#include <gtest/gtest.h>
+
+#include "matching/images.hpp"
+
+namespace mbncc::evidence {
+namespace {
+
+templates::ContourTemplate contour_of(const cv::Mat& map, cv::Point2d anchor) {
+  const templates::MapGeometry geometry(map);
+  return {templates::ContourTemplate::edge_of(geometry, 0), anchor, 0, 200};
+}
+
+cv::Mat angle_with_leg(int length) {
+  cv::Mat map = cv::Mat::zeros(120, 120, CV_8UC1);
+  map(cv::Rect(20, 20, 16, 80)) = 255;
+  map(cv::Rect(20, 84, length, 16)) = 255;
+  return map;
+}
+
+void expect_near(const Pose2D& pose, const Pose2D& wanted, double distance) {
+  EXPECT_NEAR(pose.x, wanted.x, distance);
+  EXPECT_NEAR(pose.y, wanted.y, distance);
+  EXPECT_NEAR(angle_distance(pose.theta, wanted.theta), 0, distance / 40);
+}
+
+TEST(ClosestPoints, AContourIsLaidUponItselfFromAWrongRotationAndPlace) {
+  const auto contour = contour_of(angle_with_leg(60), {50, 65});
+  const ClosestPoints closest(contour);
+  for (const Pose2D& start : {Pose2D{0, 0, 0}, Pose2D{9, -6, 0.2}, Pose2D{-5, 8, -0.25}}) {
+    const LaidContour laid = closest.lay(contour, start);
+    expect_near(laid.pose, {0, 0, 0}, 0.1);
+    EXPECT_GT(laid.covered, 0.95);
+  }
+}
+
+TEST(ClosestPoints, TheSameContourAboutAnotherPointIsMovedByTheirDistance) {
+  const auto fixed = contour_of(angle_with_leg(60), {50, 65});
+  const LaidContour laid =
+      ClosestPoints(fixed).lay(contour_of(angle_with_leg(60), {62, 56}), {0, 0, 0.1});
+  expect_near(laid.pose, {12, -9, 0}, 0.2);
+}
+
+TEST(ClosestPoints, WhatOneContourLacksDoesNotPullTheOther) {
+  const auto fixed = contour_of(angle_with_leg(60), {50, 65});
+  const LaidContour laid =
+      ClosestPoints(fixed).lay(contour_of(angle_with_leg(30), {50, 65}), {3, -4, 0.1});
+  expect_near(laid.pose, {0, 0, 0}, 0.3);
+  EXPECT_LT(laid.covered, 0.97);
+}
+
+TEST(ClosestPoints, EdgesOfOppositeDirectionsAreNoPairs) {
+  // A hole of the shape of a plate.
+  cv::Mat plate = cv::Mat::zeros(120, 120, CV_8UC1);
+  plate(cv::Rect(40, 40, 40, 30)) = 255;
+  const auto fixed = contour_of(plate, {60, 55});
+  auto hole = fixed;
+  for (auto* normals : {&hole.normal_x, &hole.normal_y})
+    for (float& along : *normals) along = -along;
+  EXPECT_NEAR(ClosestPoints(fixed).lay(hole, {0, 0, 0}).covered, 0, 0.1);
+}
+
+}  // namespace
+}  // namespace mbncc::evidence
