@@ -29,6 +29,20 @@ class VerificationTest : public test::MatcherTest {
     return compose(reference, inverse(Pose2D{lever.x, lever.y, view_.reference_in_anchor.theta}));
   }
 
+  static cv::Mat resized(const cv::Mat& image, double size) {
+    cv::Mat resized;
+    cv::resize(image, resized, {}, size, size, size < 1 ? cv::INTER_AREA : cv::INTER_CUBIC);
+    return resized;
+  }
+
+  scene::SceneImage resized_scene(double size) const {
+    return {resized(scene_with(source_, truth_), size), object_.top_level()};
+  }
+
+  Pose2D truth_in(double size) const {
+    return {(truth_.x + 0.5) * size - 0.5, (truth_.y + 0.5) * size - 0.5, truth_.theta};
+  }
+
   /// The best detection for a pose hypothesis of the anchor.
   decision::Detection judged(const scene::SceneImage& scene, const Pose2D& anchor,
                              double odds) const {
@@ -41,11 +55,11 @@ class VerificationTest : public test::MatcherTest {
 
 TEST_F(VerificationTest, NothingSpeaksAgainstTheTruth) {
   const scene::SceneImage scene(scene_with(source_, truth_), object_.top_level());
-  const decision::Detection found = judged(scene, anchor_at(truth_), 12);
+  const decision::Detection found = judged(scene, anchor_at(truth_), 30);
   EXPECT_LT(found.colour_difference, 0.1);
   EXPECT_FALSE(found.size_alternative);
   EXPECT_FALSE(found.mirror_alternative);
-  EXPECT_DOUBLE_EQ(found.log_odds(), 12);
+  EXPECT_DOUBLE_EQ(found.log_odds(), 30);
   EXPECT_DOUBLE_EQ(found.visible, 1);
   EXPECT_LT(found.contour_alternative, -0.1);
   EXPECT_DOUBLE_EQ(
@@ -66,15 +80,43 @@ TEST_F(VerificationTest, OfWhatIsUnlikelyNothingIsKnown) {
   EXPECT_DOUBLE_EQ(found.contour_alternative, decision::kNotExamined);
 }
 
-TEST_F(VerificationTest, AnotherSizeIsTold) {
-  for (const double size : {0.92, 1.08}) {
-    cv::Mat resized;
-    cv::resize(scene_with(source_, truth_), resized, {}, size, size, cv::INTER_AREA);
-    const scene::SceneImage scene(resized, object_.top_level());
-    const Pose2D there{(truth_.x + 0.5) * size - 0.5, (truth_.y + 0.5) * size - 0.5, truth_.theta};
-    const decision::Detection found = judged(scene, anchor_at(there, size), 1);
-    EXPECT_TRUE(found.size_alternative) << size;
+// Its edges are 4 px away at the learned size.
+TEST_F(VerificationTest, ALargeObjectIsFoundInASizeAsOfHeightsAndTilts) {
+  cv::Mat map = cv::Mat::zeros(240, 240, CV_8UC1);
+  map(cv::Rect(40, 70, 160, 100)) = 255;
+  const test::LearningImage plate(3, map);
+  const prepared::PreparedObject object(test::object_from(plate, {120, 120, 0}),
+                                        prepared::Engine::kFast);
+  const prepared::PreparedView& view = object.views.front();
+  cv::Mat image = test::texture({400, 400}, 77, 5);
+  test::place(image, plate, {120, 120}, {200, 200, 0.8});
+  for (const double size : {0.95, 1.05}) {
+    const scene::SceneImage scene(resized(image, size), object.top_level());
+    const cv::Point2d lever = size * view.reference_in_anchor.position();
+    const Pose2D there = compose({200.5 * size - 0.5, 200.5 * size - 0.5, 0.8},
+                                 inverse(Pose2D{lever.x, lever.y, 0}));
+    // As where one side of the object was aligned at the learned size.
+    search::PoseHypothesis hypothesis =
+        search::score_as_is(view, scene, {there.x + 2, there.y - 2, there.theta});
+    hypothesis.odds = 8;
+    hypothesis.refining = 4;
+    const decision::Detection found = search::verify(object, view, scene, {hypothesis}).at(0);
+    EXPECT_FALSE(found.size_alternative) << size;
+    EXPECT_NEAR(found.size, size, 0.005);
+    EXPECT_LT(cv::norm(found.pose.position() - there.position()), 0.5);
+    EXPECT_GT(found.log_odds(), 10) << "what is judged is judged at that size";
   }
+}
+
+TEST_F(VerificationTest, AnotherSizeIsTold) {
+  for (const double size : {0.85, 0.9, 0.92, 1.08, 1.1, 1.15})
+    EXPECT_TRUE(judged(resized_scene(size), anchor_at(truth_in(size), size), 1).size_alternative)
+        << size;
+}
+
+TEST_F(VerificationTest, OfWhatIsUnlikelyAnotherSizeIsNotExcluded) {
+  const scene::SceneImage scene(scene_with(source_, truth_), object_.top_level());
+  EXPECT_TRUE(judged(scene, anchor_at(truth_), -1).size_alternative);
 }
 
 TEST_F(VerificationTest, TheMirrorImageIsToldAndCosts) {

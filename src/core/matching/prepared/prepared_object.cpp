@@ -20,7 +20,7 @@ constexpr PointCounts kTrackedPoints{112, 64};  // alignment at each level
 constexpr PointCounts kVerifiedPoints{640, 200};
 constexpr PointCounts kRefinedPoints{2500, 200};
 
-constexpr double kOtherSize = 0.1;  // larger than the effect of heights and tilts
+constexpr double kOtherSize = 0.05;  // as heights and tilts cause
 
 cv::Mat grey_of(const View& view) {
   cv::Mat grey;
@@ -85,6 +85,10 @@ templates::PoseTemplate resized_by(double factor, templates::PoseTemplate object
   object.surface.resize(factor);
   object.contour.resize(factor);
   return object;
+}
+
+ResizedTemplates resized_twice(double change, const templates::PoseTemplate& object) {
+  return {1 + change, resized_by(1 + change, object), resized_by(1 + 2 * change, object)};
 }
 
 /// The searches tolerate 3 % in either direction. The learned scale comes first.
@@ -192,7 +196,7 @@ PreparedView::PreparedView(const Source& source, Engine engine)
     mirrored_contour = evidence::MirroredContour(fine.contour, image, {anchor.x, anchor.y, 0});
     dense = refinement::RefinementTemplate(prepare(kRefinedPoints), continued.whole());
   }
-  resized = {resized_by(1 - kOtherSize, fine), resized_by(1 + kOtherSize, fine)};
+  resized = {resized_twice(-kOtherSize, fine), resized_twice(kOtherSize, fine)};
   if (engine == Engine::kPolar) polar.emplace(source.view);
   const auto all = outlines(source.view);
   if (!all.empty()) outline = all.front();

@@ -27,6 +27,13 @@ namespace mbncc::prepared {
 /// Search engine for poses.
 enum class Engine { kFast, kPolar };
 
+/// An object in two sizes other than the learned one.
+struct ResizedTemplates {
+  double scale;                     ///< of `near`, as heights and tilts cause
+  templates::PoseTemplate near;     ///< in that size
+  templates::PoseTemplate farther;  ///< twice as far from the learned size
+};
+
 /// One view, with the templates that the searches need.
 class PreparedView : public mbncc::templates::ViewFrame {
  public:
@@ -45,11 +52,10 @@ class PreparedView : public mbncc::templates::ViewFrame {
   std::vector<templates::PoseTemplate>
       rough;  ///< per level: for pruning the coarse searches' candidates
   std::vector<templates::PoseTemplate> templates;  ///< per level, small, for dozens of candidates
-  templates::PoseTemplate fine;    ///< at full resolution, for the last few candidates
-  evidence::ColourParts parts;     ///< of `fine`
-  evidence::RatioResidual ratios;  ///< of `fine`
-  std::array<templates::PoseTemplate, 2>
-      resized;  ///< `fine`, smaller and larger, for the test of other sizes
+  templates::PoseTemplate fine;                ///< at full resolution, for the last few candidates
+  evidence::ColourParts parts;                 ///< of `fine`
+  evidence::RatioResidual ratios;              ///< of `fine`
+  std::array<ResizedTemplates, 2> resized;     ///< `fine`, smaller and larger
   evidence::MirroredContour mirrored_contour;  ///< its outline, mirrored
   evidence::InteriorEdges interior_edges;      ///< at full resolution
   refinement::RefinementTemplate dense;        ///< at full resolution, for sub-pixel refinement

@@ -24,15 +24,22 @@ constexpr double kFixedScale = 1e-6;    // deviation that fixes the scale
 
 class Refiner {
  public:
-  Refiner(const RefinementTemplate& object, const scene::SceneLevel& scene, const Pose2D& start)
-      : object_(object), scene_(scene), start_(start), pose_(start) {}
+  Refiner(const RefinementTemplate& object, const scene::SceneLevel& scene, const Pose2D& start,
+          double scale)
+      : object_(object),
+        scene_(scene),
+        start_(start),
+        pose_(start),
+        first_scale_(scale),
+        scale_(scale) {}
 
   Refined run(int iterations) {
     bool seen = approach(iterations, kFixedScale);
-    if (seen && iterations > 0 && scale_differs()) seen = approach(iterations, kScalePrior);
+    if (seen && iterations > 0 && (first_scale_ != 1 || scale_differs()))
+      seen = approach(iterations, kScalePrior);
     if (strayed()) {
       pose_ = start_;
-      scale_ = 1;
+      scale_ = first_scale_;
       seen = linearise();
     }
     if (!seen) return unknown_accuracy(pose_);
@@ -126,7 +133,7 @@ class Refiner {
   const RefinementTemplate& object_;
   const scene::SceneLevel& scene_;
   Pose2D start_, pose_;
-  double scale_ = 1, scale_deviation_ = kFixedScale;
+  double first_scale_, scale_, scale_deviation_ = kFixedScale;
   Samples& samples_ = samples();
   numeric::NormalEquations pull_, edges_;  // at the last linearisation
   double contrast_ = 1;                    // there
@@ -266,8 +273,8 @@ Refined unknown_accuracy(const Pose2D& pose) {
 }
 
 Refined refine(const RefinementTemplate& object, const scene::SceneLevel& scene,
-               const Pose2D& start, int iterations) {
-  return Refiner(object, scene, start).run(iterations);
+               const Pose2D& start, int iterations, double scale) {
+  return Refiner(object, scene, start, scale).run(iterations);
 }
 
 }  // namespace mbncc::refinement

@@ -35,8 +35,8 @@ Refined unknown_accuracy(const Pose2D& pose);
 /// Least squares from `start` [px, level 0], a pixel off at most, in up to `iterations` steps (0:
 /// the covariance alone) over the residuals of the surface along its colour axes and of the
 /// contour. Light may displace each of them, and relief the brightness; these shifts along x and y
-/// are marginalised. The scale is 1 unless another one is significant.
+/// are marginalised. From the `scale` 1, it stays 1 unless another one is significant.
 Refined refine(const RefinementTemplate& object, const scene::SceneLevel& scene,
-               const Pose2D& start, int iterations);
+               const Pose2D& start, int iterations, double scale = 1);
 
 }  // namespace mbncc::refinement

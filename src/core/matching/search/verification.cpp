@@ -49,29 +49,64 @@ double print_penalty(double enclosed) {
   return kSteepness * std::max(0.0, enclosed - kUsual);
 }
 
-/// Log-odds at the refined scale, if they are higher.
-double odds_at(const prepared::PreparedView& view, const scene::SceneImage& scene,
-               const PoseHypothesis& found, const refinement::Refined& place) {
-  if (place.scale == 1) return found.odds;
+/// A refined pose.
+struct RefinedPose {
+  refinement::Refined at;
+  double odds;  ///< log-odds there, or before the refinement if they are higher
+};
+
+RefinedPose with_odds(const prepared::PreparedView& view, const scene::SceneImage& scene,
+                      const PoseHypothesis& found, const refinement::Refined& place) {
+  if (place.scale == 1) return {place, found.odds};
   const evidence::Evidence evidence =
       evidence::gather_evidence(view.fine, scene.levels[0], place.pose, place.scale);
-  return std::max(found.odds, evidence::log_odds(evidence, view.shape.area()));
+  return {place, std::max(found.odds, evidence::log_odds(evidence, view.shape.area()))};
 }
 
-/// Whether another size fits better than `odds`, or the scale differs from the learned one by more
-/// than heights and tilts cause.
-bool fits_another_size(const prepared::PreparedView& view, const scene::SceneImage& scene,
-                       const refinement::Refined& place, double odds) {
+/// A pose reached by aligning the object in another size, with its log-odds.
+struct ResizedPose {
+  Pose2D pose;
+  double odds;
+};
+
+ResizedPose aligned_in(const templates::PoseTemplate& resized, const prepared::PreparedView& view,
+                       const scene::SceneImage& scene, const Pose2D& start) {
   constexpr int kIterations = 3;
+  const refinement::ScoredPose reached =
+      refinement::align_and_score(resized, scene.levels[0], start, kIterations);
+  return {reached.pose, evidence::log_odds(reached.evidence, view.shape.area())};
+}
+
+/// A pose at the size that fits best.
+struct SizedPose {
+  RefinedPose place;
+  /// The size differs by more than heights and tilts cause, or one that does fits better.
+  bool other_object = false;
+};
+
+/// Refines a pose that was found at the learned size from other sizes as well where they fit
+/// better, because a large object's edges are then out of the refinement's reach.
+SizedPose at_best_size(const prepared::PreparedView& view, const scene::SceneImage& scene,
+                       const PoseHypothesis& found, const RefinedPose& start) {
   constexpr double kUsual = 0.065;
-  if (std::abs(place.scale - 1) > kUsual) return true;
-  const scene::SceneLevel& image = scene.levels[0];
-  return std::any_of(view.resized.begin(), view.resized.end(),
-                     [&](const templates::PoseTemplate& resized) {
-                       const refinement::ScoredPose reached =
-                           refinement::align_and_score(resized, image, place.pose, kIterations);
-                       return evidence::log_odds(reached.evidence, view.shape.area()) > odds;
-                     });
+  SizedPose best{start};
+  for (const prepared::ResizedTemplates& resized : view.resized) {
+    bool fits = (start.at.scale - 1) * (resized.scale - 1) > 0;
+    if (start.at.scale == 1) {
+      const ResizedPose reached = aligned_in(resized.near, view, scene, start.at.pose);
+      fits = reached.odds > best.place.odds;
+      if (!fits) continue;
+      const RefinedPose again =
+          with_odds(view, scene, found,
+                    refinement::refine(view.dense, scene.levels[0], reached.pose, found.refining,
+                                       resized.scale));
+      if (again.odds > best.place.odds) best.place = again;
+    }
+    if (fits && aligned_in(resized.farther, view, scene, best.place.at.pose).odds > best.place.odds)
+      best.other_object = true;
+  }
+  if (std::abs(best.place.at.scale - 1) > kUsual) best.other_object = true;
+  return best;
 }
 
 /// Advantage in agreement of the mirrored outline at a pose: the object lies on its other side, or
@@ -122,16 +157,16 @@ void read_similarity(const prepared::PreparedView& view, const scene::SceneImage
   detection.visible = read.visible;
 }
 
-/// Refines the pose and tests the alternatives.
-void refine(const prepared::PreparedView& view, const scene::SceneImage& scene,
-            const PoseHypothesis& found, decision::Detection& detection) {
-  const refinement::Refined place = refined(view, scene, found);
+/// Reads all that is judged at a refined pose.
+void evaluate(const prepared::PreparedView& view, const scene::SceneImage& scene,
+              const PoseHypothesis& found, const RefinedPose& refined,
+              decision::Detection& detection) {
+  const refinement::Refined& place = refined.at;
   detection.pose = place.pose;
   detection.pose.theta = wrap_angle(place.pose.theta);
   detection.size = place.scale;
   detection.covariance = place.covariance;
   detection.cautious = place.cautious;
-  const double odds = odds_at(view, scene, found, place);
   const evidence::ColourDifference difference =
       colour_difference(view, scene.levels[0], place, found.odds);
   detection.colour_difference = std::max(difference.colour, difference.block);
@@ -140,11 +175,21 @@ void refine(const prepared::PreparedView& view, const scene::SceneImage& scene,
   const evidence::InteriorDifference interior =
       view.interior_edges.difference(scene.levels[0], view.fine.contour, place.pose, place.scale);
   detection.interior_difference = interior.largest;
-  detection.odds = log_odds_of_pose(odds, colour_penalty(difference.colour),
+  detection.odds = log_odds_of_pose(refined.odds, colour_penalty(difference.colour),
                                     mirror_penalty(mirrored), print_penalty(interior.enclosed));
+}
+
+/// Refines the pose and tests the alternatives.
+void refine(const prepared::PreparedView& view, const scene::SceneImage& scene,
+            const PoseHypothesis& found, decision::Detection& detection) {
+  const RefinedPose place = with_odds(view, scene, found, refined(view, scene, found));
+  evaluate(view, scene, found, place, detection);
   // What is unlikely by itself is not tested, but may become the best rotation of a likely place.
-  detection.size_alternative =
-      detection.log_odds() <= 0 || fits_another_size(view, scene, place, odds);
+  detection.size_alternative = true;
+  if (detection.log_odds() <= 0) return;
+  const SizedPose sized = at_best_size(view, scene, found, place);
+  if (sized.place.odds > place.odds) evaluate(view, scene, found, sized.place, detection);
+  detection.size_alternative = sized.other_object;
 }
 
 /// Tests the rows of the whole image, and those of the object before a background that rests.
