@@ -35,8 +35,12 @@ class Refiner {
 
   Refined run(int iterations) {
     bool seen = approach(iterations, kFixedScale);
-    if (seen && iterations > 0 && (first_scale_ != 1 || scale_differs()))
+    if (seen && iterations > 0 && scale_differs()) {
       seen = approach(iterations, kScalePrior);
+    } else if (scale_ != 1) {
+      scale_ = 1;
+      seen = approach(iterations, kFixedScale);
+    }
     if (strayed()) {
       pose_ = start_;
       scale_ = first_scale_;
@@ -103,8 +107,9 @@ class Refiner {
     return information(scale_deviation).inv() * towards;
   }
 
+  /// From 1, where the present solution lies.
   bool scale_differs() const {
-    const double off = std::abs(solution(kScalePrior)[3]);
+    const double off = std::abs(scale_ / (1 + solution(kScalePrior)[3]) - 1);
     const double deviation = std::sqrt(information(kScalePrior).inv()(3, 3));
     return off > std::max(kLeastScale, kScaleDeviations * deviation);
   }
