@@ -16,7 +16,7 @@ namespace {
 const cv::Size kSmall(208, 160);     // [px]
 constexpr int kImagesOfAStory = 60;  // shown to one VideoSearch
 constexpr double kNear = 4;          // [px] the whole search has it there, too
-constexpr double kSize = 0.02;       // accuracy of a match's scale
+constexpr double kSize = 0.02;       // relative error of a match's scale
 // Variation of a margin by noise from image to image.
 constexpr double kNoise = 3;  // log-odds
 
@@ -183,15 +183,18 @@ class Story {
       return a.seed == b.seed && a.diameter == b.diameter;
     };
     const sim::SceneObject drawing = drawn_as(match.name);
-    if (std::count_if(objects.begin(), objects.end(), [&](const auto& object) {
-          return same(drawn_as(object->name), drawing);
-        }) > 1)
-      return false;
-    return std::any_of(placed_.begin(), placed_.end(), [&](const sim::Placed& placed) {
-      const double size = match.scale * drawing.diameter / placed.object.diameter;
-      return placed.object.seed == drawing.seed && std::abs(size - 1) < kSize &&
-             cv::norm(placed.pose.position() - match.pose.position()) < kNear;
-    });
+    const auto others_like = [&](const sim::SceneObject& lying) {
+      return std::any_of(objects.begin(), objects.end(), [&](const auto& object) {
+        return object->name != match.name && same(drawn_as(object->name), lying);
+      });
+    };
+    return !others_like(drawing) &&
+           std::any_of(placed_.begin(), placed_.end(), [&](const sim::Placed& placed) {
+             const double size = match.scale * drawing.diameter / placed.object.diameter;
+             return placed.object.seed == drawing.seed && std::abs(size - 1) < kSize &&
+                    !others_like(placed.object) &&
+                    cv::norm(placed.pose.position() - match.pose.position()) < kNear;
+           });
   }
 
   cv::RNG random_;

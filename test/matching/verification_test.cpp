@@ -71,6 +71,15 @@ TEST_F(VerificationTest, NothingSpeaksAgainstTheTruth) {
   EXPECT_EQ(found.pose.position(), refined.pose.position());
 }
 
+TEST_F(VerificationTest, TheTruthIsOfTheLearnedSize) {
+  const scene::SceneImage scene(scene_with(source_, truth_), object_.top_level());
+  search::PoseHypothesis hypothesis = search::score_as_is(view_, scene, anchor_at(truth_));
+  hypothesis.refining = 4;
+  const decision::Detection found = search::verify(object_, view_, scene, {hypothesis}).at(0);
+  EXPECT_FALSE(found.size_alternative);
+  EXPECT_EQ(found.size, 1);
+}
+
 TEST_F(VerificationTest, OfWhatIsUnlikelyNothingIsKnown) {
   const scene::SceneImage scene(scene_with(source_, truth_), object_.top_level());
   const decision::Detection found = judged(scene, anchor_at(truth_), -3);

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "matching/images.hpp"
 
 namespace mbncc::evidence {
@@ -30,7 +32,7 @@ TEST(ClosestPoints, AContourIsLaidUponItselfFromAWrongRotationAndPlace) {
   const auto contour = contour_of(angle_with_leg(60), {50, 65});
   const ClosestPoints closest(contour);
   for (const Pose2D& start : {Pose2D{0, 0, 0}, Pose2D{9, -6, 0.2}, Pose2D{-5, 8, -0.25}}) {
-    const LaidContour laid = closest.lay(contour, start);
+    const RegisteredContour laid = closest.align(contour, start);
     expect_near(laid.pose, {0, 0, 0}, 0.1);
     EXPECT_GT(laid.covered, 0.95);
   }
@@ -38,17 +40,30 @@ TEST(ClosestPoints, AContourIsLaidUponItselfFromAWrongRotationAndPlace) {
 
 TEST(ClosestPoints, TheSameContourAboutAnotherPointIsMovedByTheirDistance) {
   const auto fixed = contour_of(angle_with_leg(60), {50, 65});
-  const LaidContour laid =
-      ClosestPoints(fixed).lay(contour_of(angle_with_leg(60), {62, 56}), {0, 0, 0.1});
+  const RegisteredContour laid =
+      ClosestPoints(fixed).align(contour_of(angle_with_leg(60), {62, 56}), {0, 0, 0.1});
   expect_near(laid.pose, {12, -9, 0}, 0.2);
 }
 
 TEST(ClosestPoints, WhatOneContourLacksDoesNotPullTheOther) {
   const auto fixed = contour_of(angle_with_leg(60), {50, 65});
-  const LaidContour laid =
-      ClosestPoints(fixed).lay(contour_of(angle_with_leg(30), {50, 65}), {3, -4, 0.1});
+  const RegisteredContour laid =
+      ClosestPoints(fixed).align(contour_of(angle_with_leg(30), {50, 65}), {3, -4, 0.1});
   expect_near(laid.pose, {0, 0, 0}, 0.3);
   EXPECT_LT(laid.covered, 0.97);
+}
+
+TEST(ClosestPoints, MapsOfAnyShapeAndSizeAreAligned) {
+  for (const cv::Size size : {cv::Size(1, 1), cv::Size(100, 1), cv::Size(1, 100),
+                              cv::Size(16384, 1), cv::Size(3000, 3000)}) {
+    cv::Mat map = cv::Mat::zeros(size + cv::Size(4, 4), CV_8UC1);
+    map(cv::Rect({2, 2}, size)) = 255;
+    const auto fixed = contour_of(map, {2 + size.width / 2., 2 + size.height / 2.});
+    const RegisteredContour aligned = ClosestPoints(fixed).align(fixed, {0, 0, 0});
+    EXPECT_GE(aligned.covered, 0) << size;
+    EXPECT_LE(aligned.covered, 1.0001) << size;
+    EXPECT_TRUE(std::isfinite(aligned.pose.x + aligned.pose.y + aligned.pose.theta)) << size;
+  }
 }
 
 TEST(ClosestPoints, EdgesOfOppositeDirectionsAreNoPairs) {
@@ -59,7 +74,7 @@ TEST(ClosestPoints, EdgesOfOppositeDirectionsAreNoPairs) {
   auto hole = fixed;
   for (auto* normals : {&hole.normal_x, &hole.normal_y})
     for (float& along : *normals) along = -along;
-  EXPECT_NEAR(ClosestPoints(fixed).lay(hole, {0, 0, 0}).covered, 0, 0.1);
+  EXPECT_NEAR(ClosestPoints(fixed).align(hole, {0, 0, 0}).covered, 0, 0.1);
 }
 
 }  // namespace

@@ -27,13 +27,16 @@ class TurnedOverTest : public test::MatcherTest {
     return test::LearningImage(3, map);
   }
 
-  double better_at(const Pose2D& pose, const test::LearningImage& taught,
-                   const cv::Mat& scene) const {
+  double better_at(const Pose2D& pose, const test::LearningImage& taught, const cv::Mat& scene,
+                   double scale = 1) const {
     const prepared::PreparedObject object(test::object_from(taught, {60, 60, 0}),
                                           prepared::Engine::kFast);
     const prepared::PreparedView& view = object.views.front();
-    return view.mirrored_contour.better(view.fine.contour, scene::SceneLevel(scene, 0),
-                                        compose(pose, inverse(view.reference_in_anchor)), 1);
+    const cv::Point2d lever = scale * view.reference_in_anchor.position();
+    const Pose2D anchor =
+        compose(pose, inverse(Pose2D{lever.x, lever.y, view.reference_in_anchor.theta}));
+    return view.mirrored_contour.better(view.fine.contour, scene::SceneLevel(scene, 0), anchor,
+                                        scale);
   }
 };
 
@@ -71,25 +74,38 @@ TEST_F(TurnedOverTest, BothOutlinesAreMeasuredWhereTheyLieBest) {
   }
 }
 
-TEST_F(TurnedOverTest, AnOutlineWithItsCentreFarFromItsMirrorImagesIsToldAsWell) {
-  // A flag: its pole covers that of its mirror image, whose centre is 36 px away then.
+/// A leg with a flag of this length below its right end.
+test::LearningImage flag_of(int length) {
   cv::Mat map = cv::Mat::zeros(120, 120, CV_8UC1);
   map(cv::Rect(6, 52, 108, 16)) = 255;
-  map(cv::Rect(84, 68, 30, 50)) = 255;
-  const test::LearningImage flag(3, map);
-  const cv::Mat over = scene_with(test::mirrored(flag), truth_);
-  EXPECT_GT(better_at(truth_, flag, over), 0.1);
-  EXPECT_LT(better_at(truth_, flag, scene_with(flag, truth_)), -0.1);
+  map(cv::Rect(98, 68, 16, length)) = 255;
+  return test::LearningImage(3, map);
 }
 
-TEST_F(TurnedOverTest, AHookIsToldWhereItsLongLegLiesTurnedByHalf) {
-  cv::Mat map = cv::Mat::zeros(120, 120, CV_8UC1);
-  map(cv::Rect(6, 52, 108, 16)) = 255;
-  map(cv::Rect(98, 68, 16, 24)) = 255;
-  const test::LearningImage hook(3, map);
-  EXPECT_GT(better_at({truth_.x, truth_.y, truth_.theta + kPi}, hook,
-                      scene_with(test::mirrored(hook), truth_)),
-            0.03);
+// Where its leg covers that of its mirror image, turned by half, their centres lie apart.
+TEST_F(TurnedOverTest, AFlagIsToldWhereItsLegLiesOnThatOfItsMirrorImage) {
+  const Pose2D turned{truth_.x, truth_.y, truth_.theta + kPi};
+  for (const int length : {16, 24, 36}) {
+    const test::LearningImage flag = flag_of(length);
+    const prepared::PreparedObject object(test::object_from(flag, {60, 60, 0}),
+                                          prepared::Engine::kFast);
+    EXPECT_GT(better_at(turned, flag, scene_with(test::mirrored(flag), truth_)),
+              object.views.front().mirrored_contour.limit())
+        << length;
+    EXPECT_LT(better_at(truth_, flag, scene_with(flag, truth_)), 0);
+  }
+}
+
+TEST_F(TurnedOverTest, TheOutlinesDistanceGrowsWithTheSize) {
+  const test::LearningImage flag = flag_of(36);
+  const cv::Mat scene = scene_with(test::mirrored(flag), truth_);
+  for (const double size : {0.92, 1.08}) {
+    cv::Mat resized;
+    cv::resize(scene, resized, {}, size, size, cv::INTER_LINEAR);
+    const Pose2D turned{(truth_.x + 0.5) * size - 0.5, (truth_.y + 0.5) * size - 0.5,
+                        truth_.theta + kPi};
+    EXPECT_GT(better_at(turned, flag, resized, size), kMirrored) << size;
+  }
 }
 
 TEST_F(TurnedOverTest, AnOutlineThatIsItsOwnMirrorImageAgreesAsWell) {

@@ -63,8 +63,9 @@ class RefinementTest : public ::testing::Test {
     return compose(truth, inverse(Pose2D{lever.x, lever.y, 0}));
   }
 
-  Refined refined(const cv::Mat& scene, const Pose2D& start, int iterations = 5) const {
-    return refine(view_.dense, scene::SceneLevel(scene, 0), start, iterations);
+  Refined refined(const cv::Mat& scene, const Pose2D& start, int iterations = 5,
+                  double scale = 1) const {
+    return refine(view_.dense, scene::SceneLevel(scene, 0), start, iterations, scale);
   }
 
   static const cv::Point2d kReference;
@@ -211,6 +212,26 @@ TEST_F(RefinementTest, TellsTheScaleWhereItDiffers) {
     EXPECT_NEAR(found.scale, scale, 0.004);
     EXPECT_LT(cv::norm(found.pose.position() - anchor.position()), 0.12) << "scale " << scale;
   }
+}
+
+TEST_F(RefinementTest, StartsFromAnotherScale) {
+  const Pose2D truth{103.7, 82.6, 0.7};
+  for (const double scale : {0.95, 1., 1.05})
+    for (const double from : {0.95, 1.05}) {
+      if (std::abs(from - scale) > 0.06) continue;
+      cv::Mat scene;
+      cv::resize(scene_with(truth, 42, 0), scene, {}, scale, scale,
+                 scale < 1 ? cv::INTER_AREA : cv::INTER_CUBIC);
+      const Pose2D there{(truth.x + 0.5) * scale - 0.5, (truth.y + 0.5) * scale - 0.5, truth.theta};
+      const Pose2D anchor = anchor_at(there, scale);
+      const Refined found =
+          refined(with_noise(scene, 9, 3), {anchor.x + 0.4, anchor.y, anchor.theta}, 12, from);
+      if (scale == 1)
+        EXPECT_EQ(found.scale, 1) << from;
+      else
+        EXPECT_NEAR(found.scale, scale, 0.004) << from;
+      EXPECT_LT(cv::norm(found.pose.position() - anchor.position()), 0.12) << scale << ' ' << from;
+    }
 }
 
 TEST_F(RefinementTest, StaysWhereItStartsWithoutSteps) {

@@ -30,7 +30,7 @@ struct Detection {
   double similarity = 0;                       ///< [-1..1]
   double visible = 1;                          ///< [0..1]
   double colour_difference = 0;                ///< [0..2] see ColourDifference, the larger one
-  bool size_alternative = false;               ///< it fits better at another size
+  bool size_alternative = false;               ///< its size is not as of heights and tilts
   bool mirror_alternative = false;             ///< its mirrored outline fits better
   /// See InteriorDifference::largest; compared when the pose is refined.
   double interior_difference = std::numeric_limits<double>::infinity();

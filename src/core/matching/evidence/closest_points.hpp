@@ -1,17 +1,21 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Lays one outline upon another by iterated closest points: Besl, McKay, A method for registration
-// of 3-D shapes, IEEE PAMI 14(2), 1992, with distances along the normals.
+// Aligns one outline with another by iterated closest points: Besl and McKay, A method for
+// registration of 3-D shapes, IEEE PAMI 14(2), 1992; with distances along the normals as in Chen
+// and Medioni, Object modelling by registration of multiple range images, Image and Vision
+// Computing 10(3), 1992.
 #pragma once
 
+#include <cstddef>
 #include <opencv2/core.hpp>
 
 #include "matching/template/contour_template.hpp"
+#include "mbncc/geometry.hpp"
 
 namespace mbncc::evidence {
 
-struct LaidContour {
+struct RegisteredContour {
   Pose2D pose;     ///< of the moved contour, relative to the fixed one
-  double covered;  ///< [-1..1] part of the moved contour that lies on the fixed one
+  double covered;  ///< [0..1] part of the moved contour that lies on the fixed one
 };
 
 class ClosestPoints {
@@ -19,19 +23,20 @@ class ClosestPoints {
   /// `fixed` must outlive it.
   explicit ClosestPoints(const templates::ContourTemplate& fixed);
 
-  /// The pose reached from `start` at which most of `moved`, a contour of about the same size,
-  /// covers the fixed one.
-  LaidContour lay(const templates::ContourTemplate& moved, const Pose2D& start) const;
+  /// Of the poses on the way from `start` to a local optimum, the one at which most of `moved`, a
+  /// contour of about the same size, lies on the fixed one.
+  RegisteredContour align(const templates::ContourTemplate& moved, const Pose2D& start) const;
 
  private:
   struct Step;
 
   std::size_t nearest(cv::Point2d place) const;
-  Step step_at(const templates::ContourTemplate& moved, const Pose2D& pose) const;
+  Step step_at(const templates::ContourTemplate& moved, const Pose2D& pose, double farthest) const;
 
   const templates::ContourTemplate& fixed_;
-  int half_;      // [px] of the grid, about the anchor
-  cv::Mat grid_;  // CV_32S, index of the point nearest to each pixel
+  double cell_;      // [px] side
+  int half_;         // [cells] of the grid, about the anchor
+  cv::Mat nearest_;  // CV_32S, of each cell: index of the nearest point
 };
 
 }  // namespace mbncc::evidence

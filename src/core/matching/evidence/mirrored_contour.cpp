@@ -6,6 +6,7 @@
 
 #include "matching/evidence/closest_points.hpp"
 #include "matching/evidence/contour_alignment.hpp"
+#include "matching/template/candidate.hpp"
 
 namespace mbncc::evidence {
 namespace {
@@ -25,7 +26,8 @@ templates::ContourTemplate mirrored(templates::ContourTemplate contour) {
   return contour;
 }
 
-/// The poses of `contour` relative to `fixed` at which most of it lies there, best first.
+/// The poses of `contour` relative to `fixed` that iterated closest points reach from rotations
+/// about the anchor, best first.
 std::vector<Pose2D> best_overlays(const templates::ContourTemplate& contour,
                                   const templates::ContourTemplate& fixed) {
   constexpr int kStarts = 24;  // rotations
@@ -33,7 +35,7 @@ std::vector<Pose2D> best_overlays(const templates::ContourTemplate& contour,
   const ClosestPoints closest(fixed);
   std::vector<templates::Candidate> laid;
   for (int k = 0; k < kStarts; ++k) {
-    const LaidContour one = closest.lay(contour, {0, 0, 2 * kPi * k / kStarts});
+    const RegisteredContour one = closest.align(contour, {0, 0, 2 * kPi * k / kStarts});
     laid.push_back({one.pose, 0, one.covered});
   }
   templates::suppress(laid, {kKept,
@@ -58,13 +60,16 @@ MirroredContour::MirroredContour(const templates::ContourTemplate& contour,
 double MirroredContour::better(const templates::ContourTemplate& contour,
                                const scene::SceneLevel& scene, const Pose2D& pose,
                                double scale) const {
-  constexpr double kSlack = 24;  // [px] more than the motion of any outline
-  const scene::PreparedPixels pixels = scene.around(pose, scale * contour.radius() + kSlack);
-  const double own = ContourAlignment(contour, pixels, scale).aligned(pose, kSettling).agreement;
-  ContourAlignment over(mirrored_, pixels, scale);
+  constexpr double kSlack = 10;  // [px] more than the alignment's steps and the edges' search
+  const auto around = [&](const Pose2D& place) {
+    return scene.around(place, scale * contour.radius() + kSlack);
+  };
+  const double own =
+      ContourAlignment(contour, around(pose), scale).aligned(pose, kSettling).agreement;
   double most = -1;
   for (const auto& there : poses_) {
-    const Pose2D start = compose(pose, there);
+    const Pose2D start = compose(pose, {scale * there.x, scale * there.y, there.theta});
+    ContourAlignment over(mirrored_, around(start), scale);
     const double agreement = over.at(start);
     most = std::max(most, agreement > own - kWorse ? over.aligned(start, kAlignmentSteps).agreement
                                                    : agreement);

@@ -20,7 +20,7 @@ constexpr PointCounts kTrackedPoints{112, 64};  // alignment at each level
 constexpr PointCounts kVerifiedPoints{640, 200};
 constexpr PointCounts kRefinedPoints{2500, 200};
 
-constexpr double kOtherSize = 0.05;  // as heights and tilts cause
+constexpr double kNearSize = 0.05;  // relative change of size, as heights and tilts cause
 
 cv::Mat grey_of(const View& view) {
   cv::Mat grey;
@@ -87,7 +87,7 @@ templates::PoseTemplate resized_by(double factor, templates::PoseTemplate object
   return object;
 }
 
-ResizedTemplates resized_twice(double change, const templates::PoseTemplate& object) {
+ResizedTemplates resized_templates(double change, const templates::PoseTemplate& object) {
   return {1 + change, resized_by(1 + change, object), resized_by(1 + 2 * change, object)};
 }
 
@@ -196,7 +196,7 @@ PreparedView::PreparedView(const Source& source, Engine engine)
     mirrored_contour = evidence::MirroredContour(fine.contour, image, {anchor.x, anchor.y, 0});
     dense = refinement::RefinementTemplate(prepare(kRefinedPoints), continued.whole());
   }
-  resized = {resized_twice(-kOtherSize, fine), resized_twice(kOtherSize, fine)};
+  resized = {resized_templates(-kNearSize, fine), resized_templates(kNearSize, fine)};
   if (engine == Engine::kPolar) polar.emplace(source.view);
   const auto all = outlines(source.view);
   if (!all.empty()) outline = all.front();

@@ -103,7 +103,8 @@ class Refiner {
 
   numeric::Motion solution(double scale_deviation) const {
     numeric::Motion towards = pull_.vector;
-    towards[3] += (scale_ - 1) / (scale_deviation * scale_deviation);
+    if (scale_deviation != kFixedScale)
+      towards[3] += (scale_ - 1) / (scale_deviation * scale_deviation);
     return information(scale_deviation).inv() * towards;
   }
 

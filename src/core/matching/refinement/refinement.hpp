@@ -35,7 +35,8 @@ Refined unknown_accuracy(const Pose2D& pose);
 /// Least squares from `start` [px, level 0], a pixel off at most, in up to `iterations` steps (0:
 /// the covariance alone) over the residuals of the surface along its colour axes and of the
 /// contour. Light may displace each of them, and relief the brightness; these shifts along x and y
-/// are marginalised. Starts from `scale`; the refined one is 1 unless another one is significant.
+/// are marginalised. The scale, `scale` at the start, is 1 unless another one is significant. If
+/// the steps lead too far away, pose and scale are those of the start.
 Refined refine(const RefinementTemplate& object, const scene::SceneLevel& scene,
                const Pose2D& start, int iterations, double scale = 1);
 

@@ -80,29 +80,32 @@ ResizedPose aligned_in(const templates::PoseTemplate& resized, const prepared::P
 /// A pose at the size that fits best.
 struct SizedPose {
   RefinedPose place;
-  /// The size differs by more than heights and tilts cause, or one that does fits better.
+  /// The size differs by more than heights and tilts cause, or such a size fits better.
   bool other_object = false;
 };
 
 /// Refines a pose that was found at the learned size from other sizes as well where they fit
-/// better, because a large object's edges are then out of the refinement's reach.
+/// better, because a large object's edges are then out of the refinement's reach. Farther sizes are
+/// tested only on a side where a nearer one fits better than the learned size.
 SizedPose at_best_size(const prepared::PreparedView& view, const scene::SceneImage& scene,
                        const PoseHypothesis& found, const RefinedPose& start) {
-  constexpr double kUsual = 0.065;
+  constexpr double kUsual = 0.065;  // relative change of size by heights and tilts, at most
   SizedPose best{start};
   for (const prepared::ResizedTemplates& resized : view.resized) {
-    bool fits = (start.at.scale - 1) * (resized.scale - 1) > 0;
+    RefinedPose from = start;
     if (start.at.scale == 1) {
       const ResizedPose reached = aligned_in(resized.near, view, scene, start.at.pose);
-      fits = reached.odds > best.place.odds;
-      if (!fits) continue;
+      if (reached.odds <= start.odds) continue;
       const RefinedPose again =
           with_odds(view, scene, found,
                     refinement::refine(view.dense, scene.levels[0], reached.pose, found.refining,
                                        resized.scale));
-      if (again.odds > best.place.odds) best.place = again;
+      if (again.odds > from.odds) from = again;
+    } else if ((start.at.scale - 1) * (resized.scale - 1) < 0) {
+      continue;
     }
-    if (fits && aligned_in(resized.farther, view, scene, best.place.at.pose).odds > best.place.odds)
+    if (from.odds > best.place.odds) best.place = from;
+    if (aligned_in(resized.farther, view, scene, from.at.pose).odds > best.place.odds)
       best.other_object = true;
   }
   if (std::abs(best.place.at.scale - 1) > kUsual) best.other_object = true;
