@@ -234,6 +234,26 @@ TEST_F(RefinementTest, StartsFromAnotherScale) {
     }
 }
 
+// At the learned size, its edges are 3 to 5 px away.
+TEST_F(RefinementTest, ALargePlainObjectInAnotherSizeNeedsAStartThere) {
+  cv::Mat map = cv::Mat::zeros(240, 240, CV_8UC1);
+  map(cv::Rect(30, 60, 180, 120)) = 255;
+  LearningImage plate(3, map);
+  plate.surface.convertTo(plate.surface, -1, 0.02, 120);
+  plate.surface.copyTo(plate.image, map);
+  const auto object = test::object_from(plate, {120, 120, 0});
+  const prepared::PreparedView view(object->views.front(), prepared::Engine::kFast);
+  cv::Mat image = test::texture({400, 400}, 77, 5), scene;
+  test::place(image, plate, {120, 120}, {200, 200, 0.8});
+  cv::resize(image, scene, {}, 0.95, 0.95, cv::INTER_AREA);
+  const cv::Point2d lever = 0.95 * view.reference_in_anchor.position();
+  const Pose2D anchor =
+      compose({200.5 * 0.95 - 0.5, 200.5 * 0.95 - 0.5, 0.8}, inverse(Pose2D{lever.x, lever.y, 0}));
+  const scene::SceneLevel level(scene, 0);
+  EXPECT_EQ(refine(view.dense, level, anchor, 12).scale, 1);
+  EXPECT_NEAR(refine(view.dense, level, anchor, 12, 0.94).scale, 0.95, 0.004);
+}
+
 TEST_F(RefinementTest, StaysWhereItStartsWithoutSteps) {
   const Pose2D truth{103.7, 82.6, 0.7};
   const Pose2D start{104.1, 82.2, 0.71};
