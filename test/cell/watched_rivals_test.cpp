@@ -253,7 +253,9 @@ INSTANTIATE_TEST_SUITE_P(
         // An instance replaces its look-alike, which was found in darker images.
         Sequence{"of_an_earlier_image", 2881},
         // Only the look-alike was searched everywhere since more places resemble both.
-        Sequence{"with_more_clutter", 1621}),
+        Sequence{"with_more_clutter", 1621},
+        // The refinement of one name only reaches the size in which the object appears.
+        Sequence{"in_another_size", 20871}),
     [](const auto& one) { return std::string(one.param.name); });
 
 }  // namespace

@@ -10,6 +10,7 @@ namespace mbncc {
 /// their comments state.
 struct LogOdds {
   double evidence = 0;  ///< of the features at the pose (docs/decisions/0019-evidence-model.md)
+  double resized = 0;   ///< part of evidence that refinement in another size added (0029)
   double colour = 0;    ///< subtracted: a part of another colour (0023)
   double mirror = 0;    ///< subtracted: the mirrored outline fits better (0024)
   double print = 0;     ///< subtracted: edges inside the outline differ (0023)
@@ -26,9 +27,14 @@ struct LogOdds {
   double uncalibrated() const { return best_at_place - rotation - clutter; }
   /// The same without what a print costs: dirt, gloss or blur may have hidden it.
   double without_print() const { return uncalibrated() + print; }
-  /// As a competitor of a detection: another object's print does not count.
-  double as_competitor(bool same_object) const {
-    return same_object ? uncalibrated() : without_print();
+  /// Of `other` as a competitor of this detection. Another object's print does not count. Where
+  /// this detection gained more by another size, neither that gain counts nor what else was
+  /// subtracted at the other's pose: which of two look-alikes reaches a size depends on where their
+  /// refinements start.
+  double of_competitor(const LogOdds& other, bool same_object) const {
+    if (same_object) return other.uncalibrated();
+    const double gain = resized - other.resized;
+    return other.without_print() + (gain > 0 ? gain + other.colour + other.mirror : 0);
   }
   LogOdds without_calibration() const {
     LogOdds odds = *this;

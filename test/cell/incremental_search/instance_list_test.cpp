@@ -131,6 +131,13 @@ TEST_F(KnownInstancesTest, ARivalsPrintDoesNotCountAgainstIt) {
   EXPECT_NEAR(margin_to(dirty), 0, 1e-9);
 }
 
+TEST_F(KnownInstancesTest, WhatAnotherSizeGainedDoesNotCountAgainstARival) {
+  Known resized = known_at(100, "one", 24);
+  resized.match.odds.resized = 5;
+  known_.admit(resized, kReach);
+  EXPECT_NEAR(margin_to(known_at(100, "other", 15).match), 4, 1e-9);
+}
+
 TEST_F(KnownInstancesTest, AnObjectThatWasNotSearchedForThereIsOpen) {
   known_.admit(known_at(100), kReach);
   compare_with({}, false);

@@ -70,6 +70,25 @@ TEST_F(SelectionTest, AnotherObjectsPrintDoesNotCountAgainstIt) {
   EXPECT_DOUBLE_EQ(selected.matches[0].margin_place, 2);
 }
 
+// Of two look-alikes, the refinement of one may reach the size in which the object appears, and
+// that of the other may not.
+TEST_F(SelectionTest, WhatAnotherSizeGainedDoesNotCountAgainstAnotherObject) {
+  const prepared::PreparedObject other{test::object_from(test::LearningImage(2), {58, 60, 0}),
+                                       prepared::Engine::kFast};
+  Detection resized = detection_of(15), behind = detection_of(7);
+  resized.odds.resized = 3;
+  behind.object = other.model.get();
+  behind.odds.colour = 2;
+  behind.odds.mirror = 1;
+  const auto margin = [&] {
+    const auto selected = select_matches({resized, behind}, {config_, std::nullopt, 1, {}, {}, 0});
+    return selected.matches.at(0).margin_place;
+  };
+  EXPECT_DOUBLE_EQ(margin(), 2);
+  behind.odds.resized = 3;
+  EXPECT_DOUBLE_EQ(margin(), 8) << "both are in another size";
+}
+
 TEST_F(SelectionTest, WhatIsNotConvincingIsNotAmbiguous) {
   EXPECT_FALSE(match_of(3).ambiguous) << "nothing else is as likely";
 }

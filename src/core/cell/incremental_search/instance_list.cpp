@@ -28,7 +28,7 @@ double distance(const Match& a, const Match& b) {
 /// the rival loses no more by it than the match does.
 Competitor competitor_of(const Match& match, const Rival& rival) {
   const double less_clutter = std::max(0., rival.odds.clutter - match.odds.clutter);
-  const double odds = rival.odds.as_competitor(rival.name == match.name);
+  const double odds = match.odds.of_competitor(rival.odds, rival.name == match.name);
   return {rival.name, rival.position, odds + less_clutter + match.odds.calibration};
 }
 

@@ -38,7 +38,7 @@ double margin_to(const Detection& detection, const Detection* other) {
 }  // namespace
 
 double log_odds_against(const Detection& detection, const Detection& other) {
-  return other.odds.as_competitor(same_object(other, detection));
+  return detection.odds.of_competitor(other.odds, same_object(other, detection));
 }
 
 bool overlapping(const Detection& a, const Detection& b, double most) {

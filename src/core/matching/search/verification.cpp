@@ -180,6 +180,7 @@ void evaluate(const prepared::PreparedView& view, const scene::SceneImage& scene
   detection.interior_difference = interior.largest;
   detection.odds = log_odds_of_pose(refined.odds, colour_penalty(difference.colour),
                                     mirror_penalty(mirrored), print_penalty(interior.enclosed));
+  detection.odds.resized = refined.odds - found.odds;
 }
 
 /// Refines the pose and tests the alternatives.
