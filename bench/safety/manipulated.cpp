@@ -1,14 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Images in which something is wrong with the object: torn between two moments, mirrored, another
 // surface, half covered, glossy, another object upon it. Whatever is called graspable in them has
-// to be right.
+// to be right. Of a drawn object that looks the same after part of a turn, the truth may state no
+// symmetry; such poses are counted apart.
 #include <filesystem>
-#include <functional>
 #include <iostream>
 #include <map>
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 #include <set>
+#include <stdexcept>
+#include <string_view>
 #include <vector>
 
 #include "common/case_folder.hpp"
@@ -218,60 +220,90 @@ double distance_to_way(cv::Point2d point, cv::Point2d from, cv::Point2d to) {
   return cv::norm(point - from - part * way);
 }
 
-bool is_right(const Match& match, const Spoiled& spoiled, const Scene& scene) {
+/// Up to rotations by `symmetry`.
+bool is_right(const Match& match, const Spoiled& spoiled, const Scene& scene, double symmetry) {
   if (spoiled.poses.empty()) return false;
   const double near = std::max(3.0, 0.03 * scene.object.diameter);
   const Pose2D &a = spoiled.poses.front(), &b = spoiled.poses.back();
   return distance_to_way(match.pose.position(), a.position(), b.position()) <= near &&
-         angle_distance(match.pose.theta, a.theta, scene.instance.symmetry) <= to_radians(3);
+         angle_distance(match.pose.theta, a.theta, symmetry) <= to_radians(3);
 }
 
 struct Count {
   int images = 0, right = 0, wrong = 0, sure_wrong = 0;
+  int turned = 0;  ///< right but for a rotation that the match states to be a symmetry
 };
+
+/// What is done to an image.
+struct Kind {
+  std::string_view name;
+  Spoiled (*spoil)(const Scene& scene, cv::RNG& random);
+  bool varies = true;  ///< with each draw
+};
+
+constexpr std::string_view kMirrored = "mirrored";
+constexpr Kind kKinds[] = {{"untouched", untouched, false},
+                           {"torn", torn},
+                           {"object torn", torn_object},
+                           {kMirrored, mirrored, false},
+                           {"other print", other_print},
+                           {"half covered", half_covered},
+                           {"glossy", glossy},
+                           {"stacked", stacked}};
+
+std::string known_kinds() {
+  std::string names;
+  for (const Kind& kind : kKinds) names.append(names.empty() ? "" : ", ").append(kind.name);
+  return names;
+}
 
 class Trials {
  public:
-  /// Of these `kinds`; of all if there are none.
+  /// Of these `kinds`; of all if there are none. Throws std::invalid_argument for an unknown one.
   Trials(fs::path out, std::set<std::string> kinds, int seed)
-      : out_(std::move(out)), kinds_(std::move(kinds)), random_(static_cast<std::uint64_t>(seed)) {}
+      : out_(std::move(out)), kinds_(std::move(kinds)), random_(static_cast<std::uint64_t>(seed)) {
+    for (const auto& name : kinds_)
+      if (std::none_of(std::begin(kKinds), std::end(kKinds),
+                       [&](const Kind& kind) { return kind.name == name; }))
+        throw std::invalid_argument("unknown kind '" + name + "'; known are " + known_kinds());
+  }
 
   void spoil(const Scene& scene, const Matcher& matcher, bool one_sided, int each) {
-    run("untouched", scene, matcher, 1, untouched);
-    run("torn", scene, matcher, each, torn);
-    run("object torn", scene, matcher, each, torn_object);
-    if (one_sided && !scene.has_mirror_image) run("mirrored", scene, matcher, 1, mirrored);
-    run("other print", scene, matcher, each, other_print);
-    run("half covered", scene, matcher, each, half_covered);
-    run("glossy", scene, matcher, each, glossy);
-    run("stacked", scene, matcher, each, stacked);
+    for (const Kind& kind : kKinds) {
+      if (!kinds_.empty() && kinds_.count(std::string(kind.name)) == 0) continue;
+      if (kind.name == kMirrored && (!one_sided || scene.has_mirror_image)) continue;
+      run(kind, scene, matcher, kind.varies ? each : 1);
+    }
   }
 
   Table table() const {
-    Table table{{"what was done", "images", "graspable right", "wrong", "wrong above .99"}, {}};
+    Table table{{"what was done", "images", "graspable right", "turned by a stated symmetry",
+                 "wrong", "wrong above .99"},
+                {}};
     for (const auto& [kind, count] : counts_)
       table.rows.push_back({kind, std::to_string(count.images), std::to_string(count.right),
-                            std::to_string(count.wrong), std::to_string(count.sure_wrong)});
+                            std::to_string(count.turned), std::to_string(count.wrong),
+                            std::to_string(count.sure_wrong)});
     return table;
   }
 
  private:
-  using Spoil = std::function<Spoiled(const Scene&, cv::RNG&)>;
-
-  void run(const std::string& kind, const Scene& scene, const Matcher& matcher, int each,
-           const Spoil& spoil) {
-    if (!kinds_.empty() && kinds_.count(kind) == 0) return;
-    for (int i = 0; i < each; ++i) {
-      const Spoiled spoiled = spoil(scene, random_);
-      Count& count = counts_[kind];
+  void run(const Kind& kind, const Scene& scene, const Matcher& matcher, int draws) {
+    for (int i = 0; i < draws; ++i) {
+      const Spoiled spoiled = kind.spoil(scene, random_);
+      Count& count = counts_[std::string(kind.name)];
       ++count.images;
       for (const auto& match : matcher.find(spoiled.image).matches) {
         if (!match.graspable) continue;
-        const bool right = is_right(match, spoiled, scene);
-        count.right += right ? 1 : 0;
-        count.wrong += right ? 0 : 1;
-        count.sure_wrong += !right && match.score > 0.99 ? 1 : 0;
-        if (!right) keep(kind, scene, spoiled, match);
+        if (is_right(match, spoiled, scene, scene.instance.symmetry)) {
+          ++count.right;
+        } else if (is_right(match, spoiled, scene, match.symmetry)) {
+          ++count.turned;
+        } else {
+          ++count.wrong;
+          count.sure_wrong += match.score > 0.99 ? 1 : 0;
+          keep(std::string(kind.name), scene, spoiled, match);
+        }
       }
     }
   }
