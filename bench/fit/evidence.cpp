@@ -54,7 +54,7 @@ class Rows {
     if (!out_) throw std::runtime_error("cannot write " + file.string());
     out_ << "set,case,target,right,area,odds,offset,contour_coverage,gradient,trimmed_residual,"
             "histogram,shading_free_ncc,"
-            "texture,visible,cast\n";
+            "texture,compared,cast\n";
   }
 
   void add_case(const fs::path& set, const CaseFolder& one) {
@@ -73,13 +73,13 @@ class Rows {
            const scene::SceneImage& scene, const prepared::PreparedView& view,
            const decision::Detection& detection) {
     const evidence::Evidence e =
-        evidence::gather_evidence(view.fine, scene.levels[0], detection.pose, detection.size);
+        evidence::gather_evidence(view.fine, scene.levels[0], detection.pose, detection.scale);
     const double area = view.shape.area();
     out_ << set.string() << ',' << one.name << ',' << target.name << ','
          << is_right(detection, target, one) << ',' << area << ',' << evidence::log_odds(e, area)
          << ',' << detection.log_odds() - evidence::log_odds(e, area) << ',' << e.contour_coverage
          << ',' << e.gradient << ',' << e.trimmed_residual << ',' << e.histogram << ','
-         << e.shading_free_ncc << ',' << e.texture << ',' << e.visible << ',' << e.cast << '\n';
+         << e.shading_free_ncc << ',' << e.texture << ',' << e.compared << ',' << e.cast << '\n';
   }
 
   std::ofstream out_;

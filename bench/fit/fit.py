@@ -29,7 +29,7 @@ def read_rows(path):
     cast = number("cast")
     features["cast_penalty"] = np.where(cast > 0, 2 + 60 * cast**2, 0)  # as in evidence.cpp
     features["log_area"] = np.log(np.minimum(number("area"), LARGE_AREA))
-    features["outside"], features["one"] = 1 - number("visible"), np.ones(len(rows))
+    features["outside"], features["one"] = 1 - number("compared"), np.ones(len(rows))
     small = np.maximum(0, np.log(SMALL_AREA / number("area")))
     columns = np.stack([features[name] for name in NAMES] + [small * features[name] for name in OF_SMALL], 1)
     odds = number("odds")

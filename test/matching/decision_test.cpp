@@ -290,7 +290,7 @@ TEST_F(DecisionTest, TheReferencePointMovesWithTheAnchorsAngleAndSize) {
   EXPECT_NEAR(match.covariance(1, 1), 1e-4 * lever.x * lever.x, 1e-9);
   EXPECT_NEAR(match.covariance(1, 2), 1e-4 * lever.x, 1e-9);
   EXPECT_NEAR(match.covariance(0, 2), -1e-4 * lever.y, 1e-9);
-  detection.size = 1.1;
+  detection.scale = 1.1;
   const Match larger = match_of(detection);
   EXPECT_NEAR(cv::norm(larger.pose.position() - detection.pose.position()), 1.1 * cv::norm(lever),
               1e-9);

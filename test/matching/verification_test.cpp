@@ -64,7 +64,7 @@ TEST_F(VerificationTest, NothingSpeaksAgainstTheTruth) {
   EXPECT_LT(found.contour_alternative, -0.1);
   EXPECT_DOUBLE_EQ(
       found.contour_alternative,
-      evidence::better_elsewhere(view_.fine.contour, scene.levels[0], found.pose, found.size));
+      evidence::advantage_elsewhere(view_.fine.contour, scene.levels[0], found.pose, found.scale));
   const refinement::Refined refined =
       refinement::refine(view_.dense, scene.levels[0], anchor_at(truth_), 4);
   EXPECT_EQ(found.covariance, refined.covariance);
@@ -77,7 +77,7 @@ TEST_F(VerificationTest, TheTruthIsOfTheLearnedSize) {
   hypothesis.refining = 4;
   const decision::Detection found = search::verify(object_, view_, scene, {hypothesis}).at(0);
   EXPECT_FALSE(found.size_alternative);
-  EXPECT_EQ(found.size, 1);
+  EXPECT_EQ(found.scale, 1);
 }
 
 TEST_F(VerificationTest, OfWhatIsUnlikelyNothingIsKnown) {
@@ -114,7 +114,7 @@ TEST_F(VerificationTest, ALargeObjectIsFoundInASizeAsOfHeightsAndTilts) {
     hypothesis.refining = 4;
     const decision::Detection found = search::verify(object, view, scene, {hypothesis}).at(0);
     EXPECT_FALSE(found.size_alternative) << size;
-    EXPECT_NEAR(found.size, size, 0.005);
+    EXPECT_NEAR(found.scale, size, 0.005);
     EXPECT_LT(cv::norm(found.pose.position() - there.position()), 0.5);
     EXPECT_GT(found.log_odds(), 10) << "what is judged is judged at that size";
   }

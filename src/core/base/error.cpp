@@ -24,8 +24,7 @@ constexpr std::array<Entry, 25> kEntries{{
      "and must not cross itself."},
     {LearnError::kNoChange, "NO_CHANGE", "The images before and after show no difference.",
      "Take away the object alone, and let a region (roi), if one is given, cover the place where "
-     "it "
-     "lay."},
+     "it lay."},
     {LearnError::kChangeTooLarge, "CHANGE_TOO_LARGE",
      "Nearly everything changed between the images.",
      "Keep light, exposure and camera still while the object is taken away, then teach again."},
@@ -33,8 +32,7 @@ constexpr std::array<Entry, 25> kEntries{{
      "Move arm and hands out of the image and wait for the message."},
     {LearnError::kSegmentationEmpty, "SEGMENTATION_EMPTY", "No object stands out in the region.",
      "The region (roi) may cut the object off: draw it larger; or put the object on a background "
-     "of "
-     "another colour."},
+     "of another colour."},
     {LearnError::kSegmentationFull, "SEGMENTATION_FULL",
      "The whole region was segmented as object.",
      "The region (roi) may cut the object off: draw it larger, with background on every side."},
@@ -70,8 +68,7 @@ constexpr std::array<Entry, 25> kEntries{{
      "Choose a name of the library, or teach the object as a new one, without add_view."},
     {LearnError::kImageMismatch, "IMAGE_MISMATCH", "The images differ in size.",
      "Teach again without changing the camera's image size; given images and maps must have "
-     "the "
-     "same size."},
+     "the same size."},
     {LearnError::kQualityBad, "QUALITY_BAD", "The lesson is not good enough to store.",
      "Follow the advice, or set allow_bad to store it anyway."},
     {LearnError::kInternal, "INTERNAL", "An unexpected error ended the lesson.",

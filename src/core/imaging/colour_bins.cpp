@@ -29,16 +29,16 @@ struct Tables {
 };
 
 /// `value` / kFine, held within [0, count).
-int held(int value, int count) {
+int clamped(int value, int count) {
   return static_cast<int>(static_cast<unsigned>(std::clamp(value, 0, kFine * count - 1)) / kFine);
 }
 
 int class_of(const Tables& tables, const uchar* colour) {
   constexpr int kMiddle = kFine * kChromaClasses / 2;
   const int reference = tables.chroma[colour[1]] - kMiddle;
-  const int red = held(tables.chroma[colour[2]] - reference, kChromaClasses);
-  const int blue = held(tables.chroma[colour[0]] - reference, kChromaClasses);
-  const int brightness = held(
+  const int red = clamped(tables.chroma[colour[2]] - reference, kChromaClasses);
+  const int blue = clamped(tables.chroma[colour[0]] - reference, kChromaClasses);
+  const int brightness = clamped(
       tables.brightness[colour[0]] + tables.brightness[colour[1]] + tables.brightness[colour[2]],
       kBrightnessClasses);
   return (red * kChromaClasses + blue) * kBrightnessClasses + brightness;

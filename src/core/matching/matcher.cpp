@@ -272,9 +272,9 @@ cv::Mat Matcher::score_map(const cv::Mat& image, const SearchRequest& request) c
   cv::Mat best = cv::Mat::zeros(scene->size(), CV_32FC1);
   for (const auto& object : objects)
     for (const auto& view : object->views) {
-      const int level = view.kernels.level;
-      if (level == 0 || level > scene->top_level() || view.kernels.kernels->empty()) continue;
-      const cv::Mat coarse = proposal::coarse_similarity(view.kernels, scene->grey[level]);
+      const int level = view.template_bank.level;
+      if (level == 0 || level > scene->top_level() || view.template_bank.kernels->empty()) continue;
+      const cv::Mat coarse = proposal::coarse_similarity(view.template_bank, scene->grey[level]);
       cv::Mat full;
       cv::resize(coarse, full, best.size(), 0, 0, cv::INTER_LINEAR);
       best = cv::max(best, full);

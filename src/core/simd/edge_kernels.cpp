@@ -54,9 +54,9 @@ void read_step(const Image8& image, int count, float step, bool near, NormalGrou
   for (int i = 0; i < count; ++i) {
     const float x = group.x[i] + step * group.normal_x[i] + 0.5f;
     const float y = group.y[i] + step * group.normal_y[i] + 0.5f;
-    const float held_x = held(x, 1, right), held_y = held(y, 1, bottom);
-    const float in_x = held_x == x ? 1.f : 0.f, in_y = held_y == y ? 1.f : 0.f;
-    const int column = static_cast<int>(held_x), row = static_cast<int>(held_y);
+    const float inside_x = clamped(x, 1, right), inside_y = clamped(y, 1, bottom);
+    const float in_x = inside_x == x ? 1.f : 0.f, in_y = inside_y == y ? 1.f : 0.f;
+    const int column = static_cast<int>(inside_x), row = static_cast<int>(inside_y);
     inside[i] = in_x * in_y;
     offset[i] = (static_cast<float>(column) - group.x[i]) * group.normal_x[i] +
                 (static_cast<float>(row) - group.y[i]) * group.normal_y[i];
@@ -104,8 +104,8 @@ void edge_agreements_group(const Image8& image, const float* __restrict px,
   for (int i = 0; i < count; ++i) {
     const float x = cosine * px[i] - sine * py[i] + x0 + 0.5f;
     const float y = sine * px[i] + cosine * py[i] + y0 + 0.5f;
-    const int column = static_cast<int>(held(x, 0, right));
-    const int row = static_cast<int>(held(y, 0, bottom));
+    const int column = static_cast<int>(clamped(x, 0, right));
+    const int row = static_cast<int>(clamped(y, 0, bottom));
     at[i] = row * stride + 2 * column;
   }
   for (int i = 0; i < count; ++i) edges[i] = *reinterpret_cast<const EdgeWord*>(image.data + at[i]);

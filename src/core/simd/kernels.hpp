@@ -118,9 +118,10 @@ void dots(const float* rows, std::size_t stride, int row_count, const float* vec
 /// products[k] = sum_i a[k][i] b[k][i] for k in [0, pairs), i as above.
 void dot_pairs(const float* const* a, const float* const* b, int pairs, int count, float* products);
 
-/// One set of kernels. A new one: its declaration above and its entry here; the loop in a file that
-/// row_kernels.inc includes, and its entry there at the same place; the call in kernels.cpp;
-/// formula and entry in kernels_reference.cpp.
+/// One set of row kernels. A new kernel: its declaration above and its entry here; the loop in a
+/// file that row_kernels.inc includes, and its entry there at the same place; the call in
+/// kernels.cpp; formula and entry in kernels_reference.cpp; a test in test/simd and a benchmark in
+/// bench/kernels/kernels_bench.cpp.
 struct Table {
   decltype(&correlate) correlate_row;
   decltype(&sum_runs) sum_runs_row;

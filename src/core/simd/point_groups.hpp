@@ -11,7 +11,7 @@ namespace mbncc::kernels {
 constexpr int kGroup = 64;
 
 /// `value`, or the bound that it lies beyond.
-inline float held(float value, float least, float most) {
+inline float clamped(float value, float least, float most) {
   const float above = value > least ? value : least;
   return above < most ? above : most;
 }

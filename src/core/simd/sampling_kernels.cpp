@@ -22,12 +22,12 @@ void sample_group(const Image8& image, const float* __restrict px, const float* 
   std::int32_t at[kGroup];
   for (int i = 0; i < count; ++i) {
     const float x = cosine * px[i] - sine * py[i] + x0, y = sine * px[i] + cosine * py[i] + y0;
-    const float held_x = held(x, 0, right), held_y = held(y, 0, bottom);
-    const float in_x = held_x == x ? 1.f : 0.f, in_y = held_y == y ? 1.f : 0.f;
-    const int column = static_cast<int>(held_x), row = static_cast<int>(held_y);
+    const float inside_x = clamped(x, 0, right), inside_y = clamped(y, 0, bottom);
+    const float in_x = inside_x == x ? 1.f : 0.f, in_y = inside_y == y ? 1.f : 0.f;
+    const int column = static_cast<int>(inside_x), row = static_cast<int>(inside_y);
     inside[i] = in_x * in_y;
-    fx[i] = held_x - static_cast<float>(column);
-    fy[i] = held_y - static_cast<float>(row);
+    fx[i] = inside_x - static_cast<float>(column);
+    fy[i] = inside_y - static_cast<float>(row);
     at[i] = row * step + 3 * column;
   }
   std::uint32_t a[kGroup], b[kGroup], c[kGroup], d[kGroup];

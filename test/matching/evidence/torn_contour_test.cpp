@@ -19,7 +19,7 @@ class TornOutline : public test::MatcherTest {
   }
 
   double better(const cv::Mat& image, const Pose2D& pose) const {
-    return better_torn(view_.fine.contour, scene::SceneLevel(image, 0), anchor_at(pose), 1);
+    return advantage_torn(view_.fine.contour, scene::SceneLevel(image, 0), anchor_at(pose), 1);
   }
 
   cv::Mat scene_ = test::texture({320, 240}, 77, 5);
@@ -52,7 +52,7 @@ TEST_F(TornOutline, ItIsToldOfWhatLiesTurnedBetweenTheParts) {
   const cv::Mat image = torn(scene_, cvRound(anchor.y), kWay);
   for (const double turn : {-0.09, 0.09}) {
     const Pose2D between{anchor.x + kWay / 2, anchor.y, anchor.theta + turn};
-    EXPECT_GT(better_torn(view_.fine.contour, scene::SceneLevel(image, 0), between, 1), 0.2)
+    EXPECT_GT(advantage_torn(view_.fine.contour, scene::SceneLevel(image, 0), between, 1), 0.2)
         << turn;
   }
 }

@@ -34,8 +34,7 @@ constexpr std::array<Reason, 17> kReasons{{
      "Turn the object's marked side up, or teach it on a plainer background."},
     {"not_distinct", LearnError::kNotDistinct,
      "Something else in the image looks the same and will also be found: take it away if it "
-     "is "
-     "another object."},
+     "is another object."},
     {"touches_region_edge", LearnError::kQualityBad,
      "Draw a larger region, with platform on every side of the object."},
     {"change_outside_region", LearnError::kQualityBad,

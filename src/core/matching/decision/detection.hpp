@@ -13,8 +13,8 @@
 
 namespace mbncc::decision {
 
-/// [agreement] For a detection whose outline was not tested at other places, because its score is
-/// low or it is not the best at its place.
+/// Beyond any advantage_elsewhere(): for a detection whose outline was not tested at other places,
+/// because its score is low or it is not the best at its place.
 constexpr double kNotExamined = 4;
 
 /// A pose with its evidence, refined if it may be reported.
@@ -23,7 +23,7 @@ struct Detection {
   const templates::ViewFrame* view = nullptr;  ///< in which it was found
   std::size_t view_number = 0;                 ///< of the prepared object's views
   Pose2D pose;                                 ///< of the anchor [px]
-  double size = 1;                             ///< of the detection, relative to the view
+  double scale = 1;                            ///< of the detection, relative to the view
   cv::Matx33d covariance;                      ///< of pose
   cv::Matx33d cautious;                        ///< the same for the grasp conditions, see Refined
   LogOdds odds;                                ///< that the object lies here
@@ -35,7 +35,7 @@ struct Detection {
   /// See InteriorDifference::largest; compared when the pose is refined.
   double interior_difference = std::numeric_limits<double>::infinity();
   bool torn = false;                          ///< rows or parts of its outline are displaced
-  double contour_alternative = kNotExamined;  ///< see better_elsewhere()
+  double contour_alternative = kNotExamined;  ///< see advantage_elsewhere()
   double rotation_odds = 0;                   ///< against other rotations here, see rotation_odds()
   std::size_t number = 0;                     ///< index among the poses verified together
 

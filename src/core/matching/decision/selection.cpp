@@ -56,7 +56,7 @@ void calibrate(std::vector<Detection>& detections, const AcceptanceSettings& acc
 
 /// [px] the reference point relative to the anchor of the detection.
 cv::Point2d lever_of(const Detection& detection) {
-  return detection.size * detection.view->reference_in_anchor.position();
+  return detection.scale * detection.view->reference_in_anchor.position();
 }
 
 /// Of the object's frame.
@@ -69,7 +69,7 @@ std::vector<cv::Point2f> outline_at(const Detection& detection) {
   const Pose2D pose = object_pose(detection);
   std::vector<cv::Point2f> outline;
   for (const auto& point : detection.view->outline)
-    outline.emplace_back(transform(pose, detection.size * cv::Point2d(point)));
+    outline.emplace_back(transform(pose, detection.scale * cv::Point2d(point)));
   return outline;
 }
 
@@ -91,7 +91,7 @@ Match to_match(const Detection& detection, const std::vector<Detection>& all,
   match.pose = object_pose(detection);
   const cv::Point2d lever = rotate(lever_of(detection), detection.pose.theta);
   match.covariance = moved_to_reference(detection.covariance, lever);
-  match.scale = view.scale * detection.size;
+  match.scale = view.scale * detection.scale;
   match.score = acceptance_score(detection, config);
   match.odds = detection.odds;
   match.similarity = detection.similarity;

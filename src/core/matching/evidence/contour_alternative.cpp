@@ -8,8 +8,8 @@
 
 namespace mbncc::evidence {
 
-double better_elsewhere(const templates::ContourTemplate& contour, const scene::SceneLevel& scene,
-                        const Pose2D& pose, double scale) {
+double advantage_elsewhere(const templates::ContourTemplate& contour,
+                           const scene::SceneLevel& scene, const Pose2D& pose, double scale) {
   constexpr double kNearest = 2.9;    // [px] nearer poses are the same place within its accuracy
   constexpr double kStep = 2;         // [px] small enough not to skip an edge
   constexpr int kFarthest = 3;        // steps along x and y

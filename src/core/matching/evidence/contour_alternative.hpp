@@ -9,7 +9,7 @@ namespace mbncc::evidence {
 
 /// [-2..2] Advantage in contour_agreement() of places 3 to about 10 px away from `pose`, slightly
 /// rotated, over `pose` itself, for the contour `scale` times as large. Approximate if negative.
-double better_elsewhere(const templates::ContourTemplate& contour, const scene::SceneLevel& scene,
-                        const Pose2D& pose, double scale);
+double advantage_elsewhere(const templates::ContourTemplate& contour,
+                           const scene::SceneLevel& scene, const Pose2D& pose, double scale);
 
 }  // namespace mbncc::evidence

@@ -40,8 +40,8 @@ Evidence contour_evidence(const templates::PoseTemplate& object,
   evidence.contour_score = templates::contour_agreement(object.contour, sample.contour);
   evidence.contour_coverage = templates::contour_found(object.contour, sample.contour);
   evidence.texture = object.surface.texture();
-  evidence.visible = static_cast<double>(sample.surface.visible) /
-                     static_cast<double>(std::max<std::size_t>(1, object.surface.size()));
+  evidence.compared = static_cast<double>(sample.surface.visible) /
+                      static_cast<double>(std::max<std::size_t>(1, object.surface.size()));
   return evidence;
 }
 
@@ -126,7 +126,7 @@ double log_odds(const Evidence& evidence, double area) {
   return 18.9 * evidence.contour_coverage + 17.3 * evidence.gradient -
          kTrimmedWeight * evidence.trimmed_residual + 6.68 * evidence.histogram +
          9.35 * evidence.shading_free_ncc - 8.29 * evidence.texture +
-         0.99 * std::log(std::min(area, kLargeArea)) - 16.5 * (1 - evidence.visible) -
+         0.99 * std::log(std::min(area, kLargeArea)) - 16.5 * (1 - evidence.compared) -
          cast_penalty(evidence.cast) - 12.4 +
          small * (1.17 + 12.35 * evidence.contour_coverage - 23.8 * evidence.gradient -
                   4.32 * evidence.trimmed_residual - 4.09 * evidence.histogram +

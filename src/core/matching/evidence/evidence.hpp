@@ -25,7 +25,7 @@ struct Evidence {
                                  ///< without shading and gloss
   double texture = 0;            ///< [0..1] of the object
   double cast = 0;               ///< size of the ColourCast removed from the colours; 0: none
-  double visible = 0;            ///< [0..1] part of the surface points that are compared: inside
+  double compared = 0;           ///< [0..1] part of the surface points that are compared: inside
                                  ///< the image, and no highlights
 };
 
@@ -45,7 +45,8 @@ double log_odds(const Evidence& evidence, double area);
 /// do not rotate with the object, so only features independent of them are used.
 double rotation_odds(const Evidence& evidence);
 
-/// The same, more accurate, if the surface's `misfit` (RatioResidual) is known as well.
+/// More accurate where the surface's `misfit` (RatioResidual) is known as well; another scale, not
+/// comparable with the above.
 double rotation_odds(const Evidence& evidence, double misfit);
 
 }  // namespace mbncc::evidence

@@ -52,14 +52,14 @@ std::vector<Pose2D> best_overlays(const templates::ContourTemplate& contour,
 MirroredContour::MirroredContour(const templates::ContourTemplate& contour,
                                  const scene::SceneLevel& lesson, const Pose2D& home)
     : mirrored_(mirrored(contour)), poses_(best_overlays(mirrored_, contour)) {
-  const double surplus = better(contour, lesson, home, 1);
+  const double surplus = advantage(contour, lesson, home, 1);
   usual_ = std::max(0.0, surplus);
   if (surplus < -kTold) limit_ = std::clamp(-surplus / 2, kLeastLimit, kMirrored);
 }
 
-double MirroredContour::better(const templates::ContourTemplate& contour,
-                               const scene::SceneLevel& scene, const Pose2D& pose,
-                               double scale) const {
+double MirroredContour::advantage(const templates::ContourTemplate& contour,
+                                  const scene::SceneLevel& scene, const Pose2D& pose,
+                                  double scale) const {
   constexpr double kSlack = 10;  // [px] more than the alignment's steps and the edges' search
   const auto around = [&](const Pose2D& place) {
     return scene.around(place, scale * contour.radius() + kSlack);

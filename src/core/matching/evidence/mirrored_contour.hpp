@@ -22,8 +22,8 @@ class MirroredContour {
 
   /// [-2..2] Advantage in agreement of the mirrored outline, `scale` times as large, over `contour`
   /// at `pose`, minus that in the lesson, because an outline can be its own mirror image.
-  double better(const templates::ContourTemplate& contour, const scene::SceneLevel& scene,
-                const Pose2D& pose, double scale) const;
+  double advantage(const templates::ContourTemplate& contour, const scene::SceneLevel& scene,
+                   const Pose2D& pose, double scale) const;
 
   /// [agreement] A larger advantage means that the object lies on its other side. Half of the
   /// mirrored outline's deficit in the lesson; if that is small, kMirrored, which chance does not

@@ -32,7 +32,7 @@ class TornOutline {
     });
   }
 
-  double better() {
+  double advantage() {
     double whole = -1, torn = -1;
     for (int turn = -kTurns; turn <= kTurns; ++turn) {
       for (int shift = -kShifts; shift <= kShifts; ++shift) read(turn, shift);
@@ -95,9 +95,9 @@ class TornOutline {
 
 }  // namespace
 
-double better_torn(const templates::ContourTemplate& contour, const scene::SceneLevel& scene,
-                   const Pose2D& pose, double scale) {
-  return TornOutline(contour, scene, pose, scale).better();
+double advantage_torn(const templates::ContourTemplate& contour, const scene::SceneLevel& scene,
+                      const Pose2D& pose, double scale) {
+  return TornOutline(contour, scene, pose, scale).advantage();
 }
 
 }  // namespace mbncc::evidence

@@ -13,7 +13,7 @@ constexpr double kTorn = 0.0275;
 /// [-2..2] Advantage in agreement of an outline, `scale` times as large as the template, near
 /// `pose`, if its upper and lower rows are displaced by some pixels along x at the same rotation.
 /// The best pose of a torn outline is rotated relative to both of its parts.
-double better_torn(const templates::ContourTemplate& contour, const scene::SceneLevel& scene,
-                   const Pose2D& pose, double scale);
+double advantage_torn(const templates::ContourTemplate& contour, const scene::SceneLevel& scene,
+                      const Pose2D& pose, double scale);
 
 }  // namespace mbncc::evidence

@@ -71,7 +71,7 @@ double take_evidence(const prepared::PreparedView& view, const scene::SceneImage
       &evidence::Evidence::trimmed_residual, std::min(kEqual, seen.trimmed_residual));
   add("colours as a whole", seen.histogram, &evidence::Evidence::histogram, 1);
   add("colours without shading", seen.shading_free_ncc, &evidence::Evidence::shading_free_ncc, 1);
-  add("part of the surface compared", seen.visible, &evidence::Evidence::visible, 1);
+  add("part of the surface compared", seen.compared, &evidence::Evidence::compared, 1);
   add("cast of the light", seen.cast, &evidence::Evidence::cast, 0);
   return together;
 }

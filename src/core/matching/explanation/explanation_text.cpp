@@ -100,10 +100,10 @@ std::string checks_of(const Explanation& explanation) {
   return text + ".";
 }
 
-std::string rival_of(const Explanation& explanation, const Competitor& rival) {
-  return "Rival: '" + rival.name + "' at (" + number(rival.position.x, 0) + ", " +
-         number(rival.position.y, 0) + "), " +
-         number(explanation.odds.total() - rival.log_odds, 1) + " log-odds behind.";
+std::string competitor_of(const Explanation& explanation, const Competitor& competitor) {
+  return "Competitor: '" + competitor.name + "' at (" + number(competitor.position.x, 0) + ", " +
+         number(competitor.position.y, 0) + "), " +
+         number(explanation.odds.total() - competitor.log_odds, 1) + " log-odds behind.";
 }
 
 std::string advice_on(const Explanation& explanation) {
@@ -118,8 +118,7 @@ std::string advice_on(const Explanation& explanation) {
   const std::string most =
       worst == explanation.parts.end() ? "" : " Most is lacking in: " + worst->name + ".";
   return "If the object lies here with the taught side up, teach a further view in this position, "
-         "or "
-         "improve the light; another side is taught under its own name." +
+         "or improve the light; another side is taught under its own name." +
          most;
 }
 
@@ -151,7 +150,8 @@ std::vector<std::string> lines_of(const Explanation& explanation) {
     lines.push_back(sum_of(explanation));
   }
   if (!explanation.checks.empty()) lines.push_back(checks_of(explanation));
-  for (const auto& rival : explanation.competitors) lines.push_back(rival_of(explanation, rival));
+  for (const auto& competitor : explanation.competitors)
+    lines.push_back(competitor_of(explanation, competitor));
   for (std::size_t i = 0; i < explanation.reasons.size(); ++i)
     lines.push_back("Against grasping: " + explanation.reasons[i] + ".");
   lines.push_back(advice_on(explanation));
@@ -169,8 +169,9 @@ cv::Mat draw_explanation(const cv::Mat& image, cv::Point2d place,
   for (const auto& [colour, width] : {std::pair{shade, stroke + 2}, std::pair{ink, stroke}})
     cv::drawMarker(drawn, place, colour, cv::MARKER_CROSS, 2 * arm, width, cv::LINE_AA);
   if (explanations.empty()) return drawn;
-  for (const auto& rival : explanations.front().competitors) {
-    cv::circle(drawn, rival.position, arm, colour_of(Standing::kDoubtful), stroke + 1, cv::LINE_AA);
+  for (const auto& competitor : explanations.front().competitors) {
+    cv::circle(drawn, competitor.position, arm, colour_of(Standing::kDoubtful), stroke + 1,
+               cv::LINE_AA);
   }
   return drawn;
 }

@@ -168,11 +168,11 @@ PreparedView::PreparedView(const Source& source, Engine engine)
                 {}},
       anchor(source.anchor),
       geometry(source.view.map),
-      gate(source.surface, source.view.map, anchor, geometry.mean_width()),
-      kernels(proposal::rotated_kernels(source.grey, source.view.map, anchor)),
-      edges(geometry, anchor),
+      colour_prefilter(source.surface, source.view.map, anchor, geometry.mean_width()),
+      template_bank(proposal::rotated_kernels(source.grey, source.view.map, anchor)),
+      contour_bank(geometry, anchor),
       points(masked_template(source.grey, source.view.map, anchor)) {
-  const int top = std::max(kernels.level, edges.level());
+  const int top = std::max(template_bank.level, contour_bank.level());
   const auto surfaces = whole_pyramid(source.surface, top);
   const auto images = whole_pyramid(source.view.template_image, top);
   for (int level = 0; level < static_cast<int>(surfaces.size()); ++level) {
@@ -229,15 +229,15 @@ PreparedObject::PreparedObject(std::shared_ptr<const ObjectModel> object, Engine
 int PreparedObject::top_level() const {
   int top = 0;
   for (const auto& view : views)
-    top = std::max(
-        {top, view.top_level(), view.gate.level(), view.polar ? view.polar->top_level() : 0});
+    top = std::max({top, view.top_level(), view.colour_prefilter.level(),
+                    view.polar ? view.polar->top_level() : 0});
   return top;
 }
 
 void PreparedObject::make_rotations() const {
   for (const auto& view : views) {
-    if (view.kernels.searched()) view.kernels.kernels.make();
-    view.gate.make_rotations();
+    if (view.template_bank.searched()) view.template_bank.kernels.make();
+    view.colour_prefilter.make_rotations();
   }
 }
 

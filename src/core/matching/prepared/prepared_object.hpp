@@ -46,9 +46,9 @@ class PreparedView : public mbncc::templates::ViewFrame {
       sector;          ///< rotations relative to its lesson that are searched with this view
   cv::Point2d anchor;  ///< [px] in the view's crop
   templates::MapGeometry geometry;
-  proposal::ColourPrefilter gate;
-  proposal::TemplateBank kernels;
-  proposal::ContourBank edges;
+  proposal::ColourPrefilter colour_prefilter;
+  proposal::TemplateBank template_bank;
+  proposal::ContourBank contour_bank;
   std::vector<templates::PoseTemplate>
       rough;  ///< per level: for pruning the coarse searches' candidates
   std::vector<templates::PoseTemplate> templates;  ///< per level, small, for dozens of candidates

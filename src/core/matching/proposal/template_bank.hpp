@@ -29,8 +29,8 @@ struct TemplateBank {
   int radius = 0;  ///< [px at level] no pixel lies farther from the anchor in x or y
   numeric::Lazy<std::vector<RotatedKernel>> kernels;  ///< evenly over a turn
 
-  /// Thin objects would be correlated at finer levels, which costs up to a yardstick and found
-  /// nothing in drawn images.
+  /// Thin objects would be correlated at finer levels, which takes up to the time of one
+  /// cv::matchTemplate and found nothing in drawn images.
   bool searched() const { return level >= 2; }
 };
 

@@ -14,9 +14,10 @@ constexpr double kWeight = 0.2;  // weight of a colour log-odds relative to a me
 class ColourLikelihood {
  public:
   ColourLikelihood(const prepared::PreparedView& view, const scene::SceneImage& scene, int level)
-      : classes_(scene.classes().at(view.gate.level())),
-        ratios_(view.gate.log_likelihood_ratios(scene.classes())),
-        to_class_(static_cast<float>(1 << level) / static_cast<float>(1 << view.gate.level())) {
+      : classes_(scene.classes().at(view.colour_prefilter.level())),
+        ratios_(view.colour_prefilter.log_likelihood_ratios(scene.classes())),
+        to_class_(static_cast<float>(1 << level) /
+                  static_cast<float>(1 << view.colour_prefilter.level())) {
     constexpr std::size_t kStep = 3;  // every third point suffices
     const templates::SurfaceTemplate& surface = view.rough[level].surface;
     for (std::size_t i = 0; i < surface.size(); i += kStep)
@@ -54,7 +55,7 @@ std::vector<templates::Candidate> best_by_colours(const prepared::PreparedView& 
                                                   const scene::SceneImage& scene,
                                                   std::vector<templates::Candidate> poses,
                                                   std::size_t most) {
-  if (!poses.empty() && scene.classes().last_level() >= view.gate.level()) {
+  if (!poses.empty() && scene.classes().last_level() >= view.colour_prefilter.level()) {
     const ColourLikelihood likelihood(view, scene, poses.front().level);
     for (auto& candidate : poses) candidate.value += kWeight * likelihood.mean(candidate.pose);
   }

@@ -34,7 +34,7 @@ std::vector<decision::Detection> search_views(const prepared::PreparedObject& ob
   for (const auto& view : object.views) {
     const auto detections =
         search_view(object, view, scene, anchor_region(roi, view, scene.size()), mode,
-                    gated ? view.gate.places(scene.classes()) : proposal::SearchMask{});
+                    gated ? view.colour_prefilter.places(scene.classes()) : proposal::SearchMask{});
     std::copy_if(
         detections.begin(), detections.end(), std::back_inserter(found),
         [&](const decision::Detection& detection) { return reference_within(detection, roi); });

@@ -23,24 +23,25 @@ cv::Rect at_level(const cv::Rect& roi, int level) {
 }  // namespace
 
 void Proposals::follow_edges(std::size_t most) {
-  const int level = view_.edges.level();
-  edges_ = proposal::edge_search(view_.edges, scene_.levels[level], at_level(roi_, level), most,
-                                 most, view_.sector, places_);
+  const int level = view_.contour_bank.level();
+  edges_ = proposal::edge_search(view_.contour_bank, scene_.levels[level], at_level(roi_, level),
+                                 most, most, view_.sector, places_);
 }
 
 std::vector<templates::Candidate> Proposals::by_correlation(int most) const {
-  const int level = view_.kernels.level;
-  if (!view_.kernels.searched()) return {};  // only contours are used
+  const int level = view_.template_bank.level;
+  if (!view_.template_bank.searched()) return {};  // only contours are used
   proposal::CoarseSettings settings;
   settings.max_places = most;
   const cv::Rect inside = at_level(roi_, level) & cv::Rect({0, 0}, scene_.grey[level].size());
-  return proposal::coarse_search(view_.kernels, *scene_.padded(level, view_.kernels.radius + 1),
-                                 inside, settings, view_.sector, places_);
+  return proposal::coarse_search(view_.template_bank,
+                                 *scene_.padded(level, view_.template_bank.radius + 1), inside,
+                                 settings, view_.sector, places_);
 }
 
 bool Proposals::foremost_by_edges(const Pose2D& pose, std::size_t count) const {
   constexpr double kNear = 2.5;  // [px at the edges' level]
-  const cv::Point2d place = imaging::to_level(pose.position(), view_.edges.level());
+  const cv::Point2d place = imaging::to_level(pose.position(), view_.contour_bank.level());
   const auto end = edges_.begin() + static_cast<std::ptrdiff_t>(std::min(count, edges_.size()));
   return std::any_of(edges_.begin(), end, [&](const templates::Candidate& proposed) {
     return cv::norm(proposed.pose.position() - place) < kNear;
@@ -53,10 +54,10 @@ std::vector<templates::Candidate> Proposals::by_edges(std::size_t most) const {
 }
 
 std::vector<templates::Candidate> Proposals::by_visible_part(std::size_t most) const {
-  const int level = view_.edges.level();
+  const int level = view_.contour_bank.level();
   const std::vector<templates::Candidate> found =
-      proposal::edge_search(view_.edges, scene_.levels[level], at_level(roi_, level), 0, kRanked,
-                            view_.sector, places_, proposal::OutlinePart::kThreeQuarters);
+      proposal::edge_search(view_.contour_bank, scene_.levels[level], at_level(roi_, level), 0,
+                            kRanked, view_.sector, places_, proposal::OutlinePart::kThreeQuarters);
   return best_by_colours(view_, scene_, found, most);
 }
 

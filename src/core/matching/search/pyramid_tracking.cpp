@@ -67,7 +67,7 @@ class PyramidTracker {
   /// Whether the view is narrower than a step of the contour search.
   bool is_narrow() const {
     constexpr double kSteps = 2;  // of the contour search's places
-    const double step = 2 * (1 << view_.edges.level());
+    const double step = 2 * (1 << view_.contour_bank.level());
     return view_.geometry.mean_width() < std::min(budget_.narrow, kSteps * step);
   }
 

@@ -10,8 +10,8 @@ namespace mbncc::search {
 struct SearchBudget {
   std::size_t edge_poses = 400;  ///< poses of the contour search, at most
   std::size_t on_edges = 200;    ///< of them the best by contour, at most
-  std::size_t judged = 96;       ///< of them and others at a level by all features, at most
-  std::size_t entering = 48;     ///< candidates that enter at a level, at most
+  std::size_t judged = 96;       ///< candidates scored by all features at the first level, at most
+  std::size_t entering = 48;     ///< of them the best that are aligned there, at most
   double width = 0;              ///< [px at level] objects narrower enter one level finer
   double narrow = 0;             ///< [px] contours of narrower objects are aligned first
   double kept = 1;               ///< candidates at each level, times most_at()

@@ -116,7 +116,8 @@ SizedPose at_best_size(const prepared::PreparedView& view, const scene::SceneIma
 /// its mirror image lies there.
 double mirror_advantage(const prepared::PreparedView& view, const scene::SceneImage& scene,
                         const refinement::Refined& place) {
-  return view.mirrored_contour.better(view.fine.contour, scene.levels[0], place.pose, place.scale);
+  return view.mirrored_contour.advantage(view.fine.contour, scene.levels[0], place.pose,
+                                         place.scale);
 }
 
 refinement::Refined refined(const prepared::PreparedView& view, const scene::SceneImage& scene,
@@ -167,7 +168,7 @@ void evaluate(const prepared::PreparedView& view, const scene::SceneImage& scene
   const refinement::Refined& place = refined.at;
   detection.pose = place.pose;
   detection.pose.theta = wrap_angle(place.pose.theta);
-  detection.size = place.scale;
+  detection.scale = place.scale;
   detection.covariance = place.covariance;
   detection.cautious = place.cautious;
   const evidence::ColourDifference difference =
@@ -199,9 +200,9 @@ void refine(const prepared::PreparedView& view, const scene::SceneImage& scene,
 /// Tests the rows of the whole image, and those of the object before a background that rests.
 bool is_torn(const templates::ContourTemplate& contour, const scene::SceneImage& scene,
              const decision::Detection& detection) {
-  const cv::Rect box = templates::bounding_box(contour, detection.pose, detection.size);
+  const cv::Rect box = templates::bounding_box(contour, detection.pose, detection.scale);
   return evidence::has_torn_rows(scene.grey[0], box) ||
-         evidence::better_torn(contour, scene.levels[0], detection.pose, detection.size) >
+         evidence::advantage_torn(contour, scene.levels[0], detection.pose, detection.scale) >
              evidence::kTorn;
 }
 
@@ -216,7 +217,7 @@ void examine_best_of_places(const prepared::PreparedView& view, const scene::Sce
         }))
       continue;
     one->contour_alternative =
-        evidence::better_elsewhere(view.fine.contour, scene.levels[0], one->pose, one->size);
+        evidence::advantage_elsewhere(view.fine.contour, scene.levels[0], one->pose, one->scale);
     one->torn = is_torn(view.fine.contour, scene, *one);
   }
 }

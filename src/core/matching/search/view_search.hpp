@@ -10,12 +10,12 @@
 
 namespace mbncc::search {
 
-/// What to do if a view is not found at once.
+/// How thoroughly and where a view is searched.
 enum class SearchMode {
-  kSparing,  ///< where many objects are searched, most are not in the image ...
-  kGated,    ///< ... and only where its colours are
-  kQuick,    ///< where another view may find the object
-  kTwice     ///< search again with more candidates and starts
+  kSparing,  ///< with few candidates: of many objects, most are not in the image
+  kGated,    ///< the same, only where the object's colours are
+  kQuick,    ///< once: another view may find the object
+  kTwice     ///< again with more candidates and starts if it is not found at once
 };
 
 /// For searches whose objects are mostly absent.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Sums for comparing the colours of a surface's compact parts with an image.
+// Sums for comparing the colours of a surface's blocks (SamplePoints) with an image.
 #pragma once
 
 #include <array>
@@ -9,7 +9,7 @@
 
 namespace mbncc::templates {
 
-/// Sums of one compact part over its points inside the image, by channel (b, g, r).
+/// Sums of one block over its points inside the image, by channel (b, g, r).
 struct BlockSums {
   using Channels = std::array<double, SurfaceTemplate::kChannels>;
 

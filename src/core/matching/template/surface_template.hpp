@@ -101,7 +101,7 @@ class SurfaceTemplate {
   std::vector<float> x, y;                   ///< [px at level] relative to the anchor
   std::array<std::vector<float>, 3> planes;  ///< colours
   std::vector<float> brightness;             ///< sum of the channels
-  std::vector<int> block_ends;  ///< points in order belong to compact parts of equal size
+  std::vector<int> block_ends;               ///< see SamplePoints
 
   ShadingBasis basis;                           ///< projected out of template and image
   std::array<std::vector<float>, 3> projected;  ///< planes without the basis
