@@ -5,6 +5,7 @@
 #include <opencv2/imgproc.hpp>
 #include <vector>
 
+#include "imaging/noise.hpp"
 #include "learning/change/camera_shift.hpp"
 #include "learning/change/photometric_fit.hpp"
 #include "learning/change/rectangles.hpp"
@@ -89,10 +90,10 @@ class Alignment {
  public:
   Alignment(const cv::Mat& before, const cv::Mat& after, const cv::Rect& window,
             const cv::Mat& ring)
-      : before_(before(window)), window_(window), ring_(ring) {
+      : before_(imaging::without_noise(before(window))), window_(window), ring_(ring) {
     // A margin keeps replicated borders out of the window when a shift is compensated.
     source_window_ = grown(window, 10) & cv::Rect({0, 0}, after.size());
-    source_ = after(source_window_);
+    source_ = imaging::without_noise(after(source_window_));
     moved_ = source_(window_ - source_window_.tl());
     trusted_ = ring_;
   }

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "imaging/noise.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cstdlib>
+#include <opencv2/imgproc.hpp>
+#include <vector>
+
+namespace mbncc::imaging {
+namespace {
+
+constexpr double kLeast = 2.5;  // [grey levels] compressed images have less and are kept
+constexpr double kEdge = 3;     // deviations of the noise: larger differences are edges
+constexpr double kReach = 1;    // [px] deviation of the smoothing
+constexpr int kSquare = 5;      // [px] its side
+
+const cv::Matx33f kFinest(1, -2, 1, -2, 4, -2, 1, -2, 1);
+
+/// Of the absolute values of CV_16SC1 `values` below 16 * 256.
+int median_size(const cv::Mat& values) {
+  std::array<int, 16 * 256> counts{};
+  for (int y = 0; y < values.rows; ++y) {
+    const auto* row = values.ptr<short>(y);
+    for (int x = 0; x < values.cols; ++x) ++counts[std::abs(row[x])];
+  }
+  const int half = static_cast<int>(values.total() / 2);
+  int median = 0;
+  for (int below = counts[0]; below <= half; below += counts[++median]) {
+  }
+  return median;
+}
+
+}  // namespace
+
+double noise_deviation(const cv::Mat& image) {
+  constexpr double kNormalMedian = 0.6745;  // of a normal distribution's absolute values
+  std::vector<cv::Mat> channels;
+  cv::split(image, channels);
+  int most = 0;
+  cv::Mat finest;
+  for (const cv::Mat& channel : channels) {
+    cv::filter2D(channel, finest, CV_16S, kFinest);
+    most = std::max(most, median_size(finest));
+  }
+  return most / (kNormalMedian * cv::norm(kFinest));
+}
+
+cv::Mat without_noise(const cv::Mat& image) {
+  const double noise = noise_deviation(image);
+  if (noise < kLeast) return image;
+  cv::Mat smooth;
+  cv::bilateralFilter(image, smooth, kSquare, kEdge * noise, kReach);
+  return smooth;
+}
+
+}  // namespace mbncc::imaging
