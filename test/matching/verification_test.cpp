@@ -78,6 +78,7 @@ TEST_F(VerificationTest, TheTruthIsOfTheLearnedSize) {
   const decision::Detection found = search::verify(object_, view_, scene, {hypothesis}).at(0);
   EXPECT_FALSE(found.size_alternative);
   EXPECT_EQ(found.scale, 1);
+  EXPECT_EQ(found.odds.resized, 0);
 }
 
 TEST_F(VerificationTest, OfWhatIsUnlikelyNothingIsKnown) {
@@ -117,6 +118,7 @@ TEST_F(VerificationTest, ALargeObjectIsFoundInASizeAsOfHeightsAndTilts) {
     EXPECT_NEAR(found.scale, size, 0.005);
     EXPECT_LT(cv::norm(found.pose.position() - there.position()), 0.5);
     EXPECT_GT(found.log_odds(), 10) << "what is judged is judged at that size";
+    EXPECT_DOUBLE_EQ(found.odds.resized, found.odds.evidence - hypothesis.odds);
   }
 }
 

@@ -10,11 +10,11 @@ namespace mbncc {
 /// their comments state.
 struct LogOdds {
   double evidence = 0;  ///< of the features at the pose (docs/decisions/0019-evidence-model.md)
-  double resized = 0;   ///< part of evidence that refinement in another size added (0029)
   double colour = 0;    ///< subtracted: a part of another colour (0023)
   double mirror = 0;    ///< subtracted: the mirrored outline fits better (0024)
   double print = 0;     ///< subtracted: edges inside the outline differ (0023)
   double best_at_place = 0;  ///< of_pose() of the best rotation at this place (0022)
+  double resized = 0;        ///< part of best_at_place that refinement in another size added (0032)
   double rotation = 0;       ///< subtracted: the lead of the best rotation at this place (0022)
   double clutter = 0;        ///< subtracted: similar places elsewhere, many objects (0028)
   double calibration = 0;    ///< added: margins, fit of the outline nearby (0028)
@@ -27,14 +27,15 @@ struct LogOdds {
   double uncalibrated() const { return best_at_place - rotation - clutter; }
   /// The same without what a print costs: dirt, gloss or blur may have hidden it.
   double without_print() const { return uncalibrated() + print; }
-  /// Of `other` as a competitor of this detection. Another object's print does not count. Where
-  /// this detection gained more by another size, neither that gain counts nor what else was
-  /// subtracted at the other's pose: which of two look-alikes reaches a size depends on where their
-  /// refinements start.
+  /// Of `other` as a competitor of this detection. Another object's print does not count. What this
+  /// detection gained more by another size does not count either, and where the other one gained
+  /// nothing, its colour and mirrored outline were compared in the wrong size: which of two
+  /// look-alikes reaches a size depends on where their refinements start.
   double of_competitor(const LogOdds& other, bool same_object) const {
     if (same_object) return other.uncalibrated();
-    const double gain = resized - other.resized;
-    return other.without_print() + (gain > 0 ? gain + other.colour + other.mirror : 0);
+    if (resized <= other.resized) return other.without_print();
+    const double wrong_size = other.resized > 0 ? 0 : other.colour + other.mirror;
+    return other.without_print() + resized - other.resized + wrong_size;
   }
   LogOdds without_calibration() const {
     LogOdds odds = *this;

@@ -36,6 +36,15 @@ TEST_F(RotationTest, WhatLightLeavesAloneDecidesAtOnePlace) {
   EXPECT_DOUBLE_EQ(compared[1].log_odds(), 3) << "the margin is that of the rotations";
 }
 
+TEST_F(RotationTest, WhatThePlaceGainedByAnotherSizeGoesToTheBestRotation) {
+  Detection resized = at(100, 0, 6, 40);
+  resized.odds.resized = 2;
+  const auto compared = resolve_rotations({resized, at(101, 3, 5, 43)});
+  ASSERT_EQ(compared.size(), 2u);
+  EXPECT_DOUBLE_EQ(compared[0].pose.theta, 3);
+  EXPECT_DOUBLE_EQ(compared[0].odds.resized, 2);
+}
+
 TEST_F(RotationTest, GlossThatHidesAPrintTakesNoRotationOutOfTheComparison) {
   Detection glossy = at(100, 0, -6, 43);
   glossy.odds.print = 7;

@@ -84,9 +84,11 @@ TEST_F(SelectionTest, WhatAnotherSizeGainedDoesNotCountAgainstAnotherObject) {
     const auto selected = select_matches({resized, behind}, {config_, std::nullopt, 1, {}, {}, 0});
     return selected.matches.at(0).margin_place;
   };
-  EXPECT_DOUBLE_EQ(margin(), 2);
-  behind.odds.resized = 3;
-  EXPECT_DOUBLE_EQ(margin(), 8) << "both are in another size";
+  EXPECT_DOUBLE_EQ(margin(), 2) << "the other is judged in the wrong size";
+  behind.odds.resized = 2;
+  EXPECT_DOUBLE_EQ(margin(), 7) << "both are in another size";
+  behind.odds.resized = 4;
+  EXPECT_DOUBLE_EQ(margin(), 8) << "the other gained more";
 }
 
 TEST_F(SelectionTest, WhatIsNotConvincingIsNotAmbiguous) {

@@ -29,6 +29,7 @@ std::vector<Detection> resolve_rotations(std::vector<Detection> detections) {
       most = std::max(most, one->rotation_odds);
     for (auto one = detections.begin(); one != others; ++one) {
       one->odds.best_at_place = best.log_odds();
+      one->odds.resized = best.odds.resized;
       one->odds.rotation = most - one->rotation_odds;
       compared.push_back(*one);
     }
