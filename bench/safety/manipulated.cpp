@@ -3,6 +3,7 @@
 // surface, half covered, glossy, another object upon it. Whatever is called graspable in them has
 // to be right. Of a drawn object that looks the same after part of a turn, the truth may state no
 // symmetry; such poses are counted apart.
+#include <algorithm>
 #include <filesystem>
 #include <iostream>
 #include <map>
@@ -299,6 +300,7 @@ class Trials {
           ++count.right;
         } else if (is_right(match, spoiled, scene, match.symmetry)) {
           ++count.turned;
+          keep(std::string(kind.name) + " turned", scene, spoiled, match);
         } else {
           ++count.wrong;
           count.sure_wrong += match.score > 0.99 ? 1 : 0;
