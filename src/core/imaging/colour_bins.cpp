@@ -28,7 +28,7 @@ struct Tables {
   }
 };
 
-/// `value` / kFine, held within [0, count).
+/// `value` / kFine within [0, count).
 int clamped(int value, int count) {
   return static_cast<int>(static_cast<unsigned>(std::clamp(value, 0, kFine * count - 1)) / kFine);
 }

@@ -46,11 +46,10 @@ double noise_deviation(const cv::Mat& image) {
   return most / (kNormalMedian * cv::norm(kFinest));
 }
 
-cv::Mat without_noise(const cv::Mat& image) {
-  const double noise = noise_deviation(image);
-  if (noise < kLeast) return image;
+cv::Mat without_noise(const cv::Mat& image, double deviation) {
+  if (deviation < kLeast) return image;
   cv::Mat smooth;
-  cv::bilateralFilter(image, smooth, kSquare, kEdge * noise, kReach);
+  cv::bilateralFilter(image, smooth, kSquare, kEdge * deviation, kReach);
   return smooth;
 }
 

@@ -11,8 +11,8 @@ namespace mbncc::imaging {
 /// noise; compressed images have little.
 double noise_deviation(const cv::Mat& image);
 
-/// `image` smoothed between its edges (bilateral filter, Tomasi and Manduchi 1998) as far as it is
-/// noisy; `image` itself where it is not.
-cv::Mat without_noise(const cv::Mat& image);
+/// `image` smoothed between its edges (bilateral filter, Tomasi and Manduchi 1998) by as much as
+/// `deviation` [grey levels] of noise asks for; `image` itself where that is little.
+cv::Mat without_noise(const cv::Mat& image, double deviation);
 
 }  // namespace mbncc::imaging

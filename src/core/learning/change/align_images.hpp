@@ -9,7 +9,7 @@ namespace mbncc::change {
 struct AlignedPair {
   cv::Rect window;    ///< [px] of the images: the region and a ring of platform around it
   cv::Mat before;     ///< CV_32FC3, the window of `before` without its noise
-  cv::Mat after;      ///< CV_32FC3, the window of `after` in the camera pose and light of `before`
+  cv::Mat after;      ///< CV_32FC3, likewise of `after`, in the camera pose and light of `before`
   cv::Mat trusted;    ///< CV_8UC1, 255 on ring pixels that show unchanged platform
   cv::Point2d shift;  ///< [px] that was compensated
 };

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "learning/likelihood/predicted_platform.hpp"
-#include "imaging/noise.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -112,7 +111,8 @@ change::AlignedPair predict_platform(const cv::Mat& before, const cv::Rect& regi
       std::max(kLeastRing, static_cast<int>(kRingPart * std::max(region.width, region.height)));
   change::AlignedPair pair;
   pair.window = change::grown(region, width) & cv::Rect({0, 0}, before.size());
-  imaging::without_noise(before(pair.window)).convertTo(pair.before, CV_32F);
+  const cv::Mat shown = before(pair.window);
+  imaging::without_noise(shown, imaging::noise_deviation(shown)).convertTo(pair.before, CV_32F);
   cv::Mat ring(pair.window.size(), CV_8UC1, cv::Scalar(255));
   ring(region - pair.window.tl()).setTo(0);
   const std::vector<Sample> samples = samples_of(pair.before, ring);
