@@ -46,6 +46,14 @@ TEST(Noise, IsThatOfTheNoisiestChannel) {
   EXPECT_NEAR(noise_deviation(image), 8, 0.8);
 }
 
+TEST(Noise, IsMeasuredUnderTheMaskAlone) {
+  cv::Mat image = noisy(with_edge(), 8), mask = cv::Mat::zeros(kSize, CV_8UC1);
+  with_edge()(kBright).copyTo(image(kBright));
+  mask(kBright).setTo(255);
+  EXPECT_EQ(noise_deviation(image, mask), 0);
+  EXPECT_NEAR(noise_deviation(image, ~mask), 8, 0.8);
+}
+
 TEST(Noise, LittleIsKept) {
   const cv::Mat image = noisy(with_edge(), 2);
   EXPECT_EQ(without_noise(image, 2).data, image.data);

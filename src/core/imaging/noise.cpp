@@ -17,23 +17,27 @@ constexpr int kSquare = 5;      // [px] its side
 
 const cv::Matx33f kFinest(1, -2, 1, -2, 4, -2, 1, -2, 1);
 
-/// Of the absolute values of CV_16SC1 `values` below 16 * 256.
-int median_size(const cv::Mat& values) {
+/// Of the absolute values of CV_16SC1 `values` below 16 * 256, where `mask` is set or empty.
+int median_size(const cv::Mat& values, const cv::Mat& mask) {
   std::array<int, 16 * 256> counts{};
+  int all = 0;
   for (int y = 0; y < values.rows; ++y) {
     const auto* row = values.ptr<short>(y);
-    for (int x = 0; x < values.cols; ++x) ++counts[std::abs(row[x])];
+    for (int x = 0; x < values.cols; ++x) {
+      if (!mask.empty() && mask.at<uchar>(y, x) == 0) continue;
+      ++counts[std::abs(row[x])];
+      ++all;
+    }
   }
-  const int half = static_cast<int>(values.total() / 2);
   int median = 0;
-  for (int below = counts[0]; below <= half; below += counts[++median]) {
+  for (int seen = counts[0]; seen < (all + 1) / 2; seen += counts[++median]) {
   }
   return median;
 }
 
 }  // namespace
 
-double noise_deviation(const cv::Mat& image) {
+double noise_deviation(const cv::Mat& image, const cv::Mat& mask) {
   constexpr double kNormalMedian = 0.6745;  // of a normal distribution's absolute values
   std::vector<cv::Mat> channels;
   cv::split(image, channels);
@@ -41,7 +45,7 @@ double noise_deviation(const cv::Mat& image) {
   cv::Mat finest;
   for (const cv::Mat& channel : channels) {
     cv::filter2D(channel, finest, CV_16S, kFinest);
-    most = std::max(most, median_size(finest));
+    most = std::max(most, median_size(finest, mask));
   }
   return most / (kNormalMedian * cv::norm(kFinest));
 }

@@ -6,6 +6,8 @@
 #include <functional>
 #include <opencv2/imgproc.hpp>
 
+#include "imaging/noise.hpp"
+
 namespace mbncc::prepared {
 namespace {
 
@@ -64,14 +66,11 @@ cv::Mat shrunk(const cv::Mat& values, const cv::Mat& by) {
   return above + below;
 }
 
-/// [grey levels] standard deviation of the finest structure (Immerkaer 1996), by its median.
+/// [grey levels]
 double noise_of(const View& view) {
-  cv::Mat grey, fine;
+  cv::Mat grey;
   cv::cvtColor(view.template_image, grey, cv::COLOR_BGR2GRAY);
-  const cv::Mat kernel = (cv::Mat_<float>(3, 3) << 1, -2, 1, -2, 4, -2, 1, -2, 1);
-  cv::filter2D(grey, fine, CV_32F, kernel);
-  constexpr double kNormalMedian = 0.6745;
-  return upper_quantile(cv::abs(fine), view.map, 0.5) / (cv::norm(kernel) * kNormalMedian);
+  return imaging::noise_deviation(grey, view.map);
 }
 
 /// Part of white noise's deviation that passes a Gaussian of `width` [px].
