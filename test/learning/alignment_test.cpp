@@ -104,29 +104,6 @@ TEST(AlignImages, RingNeverCountsTheRegionOrAMovedNeighbour) {
   EXPECT_GT(cv::countNonZero(pair.trusted), 0.3 * pair.window.area());
 }
 
-/// [grey levels]
-double noise_in(const cv::Mat& image, const cv::Mat& radiance) {
-  return cv::norm(image, radiance, cv::NORM_L2) /
-         std::sqrt(3.0 * static_cast<double>(image.total()));
-}
-
-TEST(AlignImages, NoiseOfBothImagesIsRemoved) {
-  const cv::Mat table(kSize, CV_32FC3, kTable);
-  const change::AlignedPair pair =
-      change::align_images(test::exposed(table, 1, 1, 8), test::exposed(table, 2, 1, 8),
-                           {100, 80, 40, 40}, cv::Mat::zeros(kSize, CV_8UC1), 8);
-  for (const cv::Mat& image : {pair.before, pair.after})
-    EXPECT_LT(noise_in(image, table(pair.window)), 0.7 * 8);
-}
-
-TEST(AlignImages, FineTextureOfOneImageIsNoNoise) {
-  const cv::Mat table = test::texture(kSize, kTable, 30, 1, 6);
-  const change::AlignedPair pair =
-      change::align_images(test::exposed(table, 1, 1, 1), test::exposed(table, 2, 1, 8),
-                           {100, 80, 40, 40}, cv::Mat::zeros(kSize, CV_8UC1), 8);
-  EXPECT_GT(noise_in(pair.after, table(pair.window)), 0.9 * 8);
-}
-
 TEST(NoiseModel, LearnsTheNoiseOfBothImages) {
   for (const double sigma : {1.5, 4.0}) {
     const cv::Mat scene(kSize, CV_32FC3, kTable);

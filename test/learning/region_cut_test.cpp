@@ -57,13 +57,6 @@ TEST(PredictedPlatform, FollowsTheLightAndLeavesNeighboursOut) {
   EXPECT_EQ(pair.trusted.at<uchar>(platform), 255);
 }
 
-TEST(PredictedPlatform, NoiseOfTheImageIsRemoved) {
-  const change::AlignedPair pair =
-      likelihood::predict_platform(test::exposed(table(), 3, 1, 8), kRegion);
-  EXPECT_LT(cv::norm(pair.before, table()(pair.window), cv::NORM_L2),
-            0.7 * 8 * std::sqrt(3.0 * pair.window.area()));
-}
-
 TEST(RegionCut, CutsAPlainObjectOnAPlainTable) {
   for (const cv::Scalar& colour : {cv::Scalar(40, 40, 200), cv::Scalar(30, 30, 30),
                                    cv::Scalar(250, 250, 250), cv::Scalar(120, 160, 190)}) {

@@ -39,16 +39,6 @@ TEST(ChangeCut, ExposureIsNoChange) {
   EXPECT_GT(test::iou(cut(drawn.lesson).map, plain), 0.95);
 }
 
-TEST(ChangeCut, AFaintObjectIsCutOutOfNoise) {
-  constexpr double kNoise = 10;    // [grey levels] of a cheap camera in the dark
-  constexpr double kFaint = 0.25;  // of the usual contrast
-  DrawnLesson drawn = draw_lesson();
-  drawn.scene = kFaint * drawn.scene + (1 - kFaint) * drawn.platform;
-  drawn.lesson.before = test::exposed(drawn.scene, 11, 1, kNoise);
-  drawn.lesson.after = test::exposed(drawn.platform, 12, 1, kNoise);
-  EXPECT_GT(test::iou(cut(drawn.lesson).map, drawn.truth), 0.7);
-}
-
 TEST(ChangeCut, AShadowIsNotTheObject) {
   DrawnLesson drawn = draw_lesson();
   cv::Mat shadow, softened;

@@ -5,7 +5,6 @@
 #include <opencv2/imgproc.hpp>
 #include <vector>
 
-#include "imaging/noise.hpp"
 #include "learning/change/camera_shift.hpp"
 #include "learning/change/photometric_fit.hpp"
 #include "learning/change/rectangles.hpp"
@@ -90,14 +89,10 @@ class Alignment {
  public:
   Alignment(const cv::Mat& before, const cv::Mat& after, const cv::Rect& window,
             const cv::Mat& ring)
-      : window_(window), ring_(ring) {
-    // What is fine texture in one of them only is no noise of the camera.
-    const double noise =
-        std::min(imaging::noise_deviation(before(window)), imaging::noise_deviation(after(window)));
-    before_ = imaging::without_noise(before(window), noise);
+      : before_(before(window)), window_(window), ring_(ring) {
     // A margin keeps replicated borders out of the window when a shift is compensated.
     source_window_ = grown(window, 10) & cv::Rect({0, 0}, after.size());
-    source_ = imaging::without_noise(after(source_window_), noise);
+    source_ = after(source_window_);
     moved_ = source_(window_ - source_window_.tl());
     trusted_ = ring_;
   }

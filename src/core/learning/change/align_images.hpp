@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Aligns the image after with the one before: compensates camera shift and light. Removes noise.
+// Aligns the image after with the one before: compensates camera shift and light.
 #pragma once
 
 #include <opencv2/core.hpp>
@@ -8,8 +8,8 @@ namespace mbncc::change {
 
 struct AlignedPair {
   cv::Rect window;    ///< [px] of the images: the region and a ring of platform around it
-  cv::Mat before;     ///< CV_32FC3, the window of `before` without its noise
-  cv::Mat after;      ///< CV_32FC3, likewise of `after`, in the camera pose and light of `before`
+  cv::Mat before;     ///< CV_32FC3, the window of `before`
+  cv::Mat after;      ///< CV_32FC3, the window of `after` in the camera pose and light of `before`
   cv::Mat trusted;    ///< CV_8UC1, 255 on ring pixels that show unchanged platform
   cv::Point2d shift;  ///< [px] that was compensated
 };

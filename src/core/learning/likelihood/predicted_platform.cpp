@@ -5,7 +5,6 @@
 #include <cmath>
 #include <vector>
 
-#include "imaging/noise.hpp"
 #include "learning/change/rectangles.hpp"
 #include "learning/change/statistics.hpp"
 
@@ -111,8 +110,7 @@ change::AlignedPair predict_platform(const cv::Mat& before, const cv::Rect& regi
       std::max(kLeastRing, static_cast<int>(kRingPart * std::max(region.width, region.height)));
   change::AlignedPair pair;
   pair.window = change::grown(region, width) & cv::Rect({0, 0}, before.size());
-  const cv::Mat shown = before(pair.window);
-  imaging::without_noise(shown, imaging::noise_deviation(shown)).convertTo(pair.before, CV_32F);
+  before(pair.window).convertTo(pair.before, CV_32F);
   cv::Mat ring(pair.window.size(), CV_8UC1, cv::Scalar(255));
   ring(region - pair.window.tl()).setTo(0);
   const std::vector<Sample> samples = samples_of(pair.before, ring);

@@ -6,8 +6,6 @@
 #include <functional>
 #include <opencv2/imgproc.hpp>
 
-#include "imaging/noise.hpp"
-
 namespace mbncc::prepared {
 namespace {
 
@@ -66,11 +64,14 @@ cv::Mat shrunk(const cv::Mat& values, const cv::Mat& by) {
   return above + below;
 }
 
-/// [grey levels]
+/// [grey levels] standard deviation of the finest structure (Immerkaer 1996), by its median.
 double noise_of(const View& view) {
-  cv::Mat grey;
+  cv::Mat grey, fine;
   cv::cvtColor(view.template_image, grey, cv::COLOR_BGR2GRAY);
-  return imaging::noise_deviation(grey, view.map);
+  const cv::Mat kernel = (cv::Mat_<float>(3, 3) << 1, -2, 1, -2, 4, -2, 1, -2, 1);
+  cv::filter2D(grey, fine, CV_32F, kernel);
+  constexpr double kNormalMedian = 0.6745;
+  return upper_quantile(cv::abs(fine), view.map, 0.5) / (cv::norm(kernel) * kNormalMedian);
 }
 
 /// Part of white noise's deviation that passes a Gaussian of `width` [px].
