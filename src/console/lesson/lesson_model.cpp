@@ -172,6 +172,15 @@ std::deque<LessonModel::Word> LessonModel::waiting() const {
   return drawn;
 }
 
+bool LessonModel::may_undo() const {
+  if (!may_correct()) return false;
+  if (corrections_ < 0) return true;
+  int expected = corrections_;
+  for (const auto& word : waiting())
+    expected += (word.command == Word::EDIT) - (word.command == Word::UNDO);
+  return expected > 0;
+}
+
 void LessonModel::take_answer(bool success, const std::string& message) {
   if (!under_way()) return;
   count_corrections(success);
@@ -185,10 +194,22 @@ void LessonModel::take_answer(bool success, const std::string& message) {
 void LessonModel::count_corrections(bool success) {
   if (!asked_) return;
   if (asked_->command == Word::EDIT && success && corrections_ >= 0) ++corrections_;
+  if (asked_->command == Word::EDIT && !success) withdraw_undo_of_refused();
   if (asked_->command != Word::UNDO) return;
   // The server refuses if there is nothing to undo.
   if (!success) corrections_ = 0;
   if (success && corrections_ > 0) --corrections_;
+}
+
+/// The undo that was meant for a refused correction would take back an earlier one.
+void LessonModel::withdraw_undo_of_refused() {
+  int later = 0;
+  for (auto word = words_.begin(); word != words_.end(); ++word) {
+    if (word->command == Word::EDIT) ++later;
+    if (word->command != Word::UNDO || later-- > 0) continue;
+    words_.erase(word);
+    return;
+  }
 }
 
 void LessonModel::look_at_clock(double now) {

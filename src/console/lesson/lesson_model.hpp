@@ -73,8 +73,8 @@ class LessonModel {
   bool may_accept() const { return may_decide() && draft_ && (acceptable_ || insisted_); }
   /// The draft may be corrected, also while a correction is computed.
   bool may_correct() const { return draft_.has_value(); }
-  /// There may be a correction to undo.
-  bool may_undo() const { return may_correct() && corrections_ != 0; }
+  /// There may be a correction to undo, among them those that are not answered yet.
+  bool may_undo() const;
   bool must_insist() const { return draft_.has_value() && !acceptable_; }
   /// The lesson waits for the scene, so its changes are shown.
   bool waits_for_scene() const;
@@ -95,6 +95,7 @@ class LessonModel {
   void join(const std::string& goal, double now);
   void show_draft(const std::optional<mbncc_vision::LearnObjectResult>& draft);
   void count_corrections(bool success);
+  void withdraw_undo_of_refused();
   void end(const std::string& headline, const std::string& detail, Level level);
   void get_ready();
   bool under_way() const;
@@ -122,7 +123,7 @@ class LessonModel {
   bool camera_alive_ = true;
   std::deque<Word> words_;     // not sent yet
   std::optional<Word> asked_;  // sent, not answered
-  int corrections_ = 0;        // of the draft; < 0: unknown, the lesson was joined in review
+  int corrections_ = 0;        // answered ones; < 0: unknown, the lesson was joined in review
   std::optional<mbncc_vision::LearnObjectResult> draft_, newest_draft_;
   int draft_number_ = 0;
   std::optional<Learned> learned_;

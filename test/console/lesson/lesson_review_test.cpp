@@ -163,6 +163,34 @@ TEST(LessonReview, UndoIsOfferedWhereThereIsSomethingToTakeBack) {
   EXPECT_FALSE(lesson.may_undo());
 }
 
+TEST(LessonReview, ACorrectionMayBeUndoneBeforeItIsAnswered) {
+  LessonModel lesson = in_review();
+  lesson.want(word(LessonModel::Word::EDIT));
+  EXPECT_TRUE(lesson.may_undo()) << "it waits";
+  lesson.next_word();
+  EXPECT_TRUE(lesson.may_undo()) << "it is computed";
+  lesson.want(word(LessonModel::Word::UNDO));
+  EXPECT_FALSE(lesson.may_undo()) << "its undo waits already";
+  lesson.take_answer(true, "");
+  EXPECT_FALSE(lesson.may_undo());
+  EXPECT_EQ(lesson.next_word()->command, LessonModel::Word::UNDO);
+}
+
+TEST(LessonReview, TheUndoOfARefusedCorrectionTakesNoEarlierOneBack) {
+  LessonModel lesson = in_review();
+  decide(lesson);
+  lesson.take_answer(true, "");
+  lesson.want(word(LessonModel::Word::EDIT));
+  lesson.next_word();
+  lesson.want(word(LessonModel::Word::EDIT));
+  lesson.want(word(LessonModel::Word::UNDO));
+  lesson.want(word(LessonModel::Word::UNDO));
+  lesson.take_answer(false, "A stroke outside of the image.");
+  ASSERT_EQ(lesson.waiting().size(), 2u) << "the later correction and its own undo";
+  EXPECT_EQ(lesson.waiting().front().command, LessonModel::Word::EDIT);
+  EXPECT_TRUE(lesson.may_undo()) << "the first correction";
+}
+
 TEST(LessonReview, AJoinedReviewMayHoldCorrections) {
   LessonModel lesson;
   lesson.take_draft(draft(Result::SUCCESS));
