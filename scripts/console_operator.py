@@ -50,6 +50,13 @@ class Mouse:
         xdotool("type", "--delay", "20", text)
         self.actions += 1
 
+    def choose_from_menu(self, name, *keys):
+        """Keys reach a menu only once it is shown."""
+        self.click(name)
+        self.window(name.lower())
+        for key in keys:
+            self.press(key)
+
     @staticmethod
     def sees(name):
         """Whether the console shows a part of that name now."""

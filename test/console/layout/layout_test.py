@@ -108,9 +108,7 @@ class LayoutTest(unittest.TestCase):
         self.mouse.press("Escape")
         self.mouse.click_until("Delete", lambda: LONGEST not in self.teacher.names(), "it is deleted")
         self.fits("deleted")
-        self.mouse.click("More")
-        for key in ("Up", "Return"):
-            self.mouse.press(key)
+        self.mouse.choose_from_menu("More", "Up", "Return")
         self.mouse.window("Restore( .disabled.)?")
         self.fits("deleted objects")
         self.mouse.press("Escape")
@@ -123,7 +121,7 @@ class LayoutTest(unittest.TestCase):
         self.fits("found")
         self.mouse.click("library", at=(40, 40))
         self.fits("library")
-        self.mouse.click("More")
+        self.mouse.choose_from_menu("More")
         self.fits("menu")
         for key in ("Down", "Down", "Down", "Return"):
             self.mouse.press(key)

@@ -100,9 +100,7 @@ class LibraryTest(unittest.TestCase):
         self.delete("angle")
         self.session.reopen_console()
         self.mouse.window("library")
-        self.mouse.click("More")
-        for key in ("Up", "Return"):
-            self.mouse.press(key)
+        self.mouse.choose_from_menu("More", "Up", "Return")
         self.mouse.click_until("Restore", lambda: "angle" in self.teacher.names(), "it is back")
         self.mouse.click_until("Undo edit", lambda: "angle" not in self.teacher.names(), "it is deleted again")
         self.assertIn("clamp", self.teacher.names())
