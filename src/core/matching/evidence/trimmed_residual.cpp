@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <utility>
 
 #include "matching/template/sample_points.hpp"
@@ -71,9 +70,9 @@ class Parts {
 
   std::size_t count() const { return count_; }
 
-  Sums sum(std::size_t begin, std::size_t end) const {
+  Sums sum() const {
     Sums sum;
-    for (std::size_t i = begin; i < end; ++i) sum += parts_[i];
+    for (std::size_t i = 0; i < count_; ++i) sum += parts_[i];
     return sum;
   }
 
@@ -95,24 +94,13 @@ class Parts {
 
 }  // namespace
 
-// The best of three local fits: from the light of all parts, and from that of either half.
 double trimmed_residual(const std::vector<templates::BlockSums>& blocks) {
   constexpr int kSteps = 2;
   const Parts parts(blocks);
   if (parts.count() == 0) return -1;
-  double least = std::numeric_limits<double>::infinity();
-  const auto improve_from = [&](std::size_t begin, std::size_t end) {
-    Sums kept = parts.sum(begin, end);
-    for (int step = 0; step < kSteps; ++step) kept = parts.best_explained(kept.gain());
-    least = std::min(least, kept.square(kept.gain()));
-  };
-  const std::size_t half = parts.count() / 2;
-  improve_from(0, parts.count());
-  if (half > 0) {
-    improve_from(0, half);
-    improve_from(half, parts.count());
-  }
-  return std::sqrt(std::max(0.0, least));
+  Sums kept = parts.sum();
+  for (int step = 0; step < kSteps; ++step) kept = parts.best_explained(kept.gain());
+  return std::sqrt(std::max(0.0, kept.square(kept.gain())));
 }
 
 }  // namespace mbncc::evidence

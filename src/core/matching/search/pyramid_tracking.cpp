@@ -31,7 +31,8 @@ class PyramidTracker {
 
   std::vector<templates::Candidate> run(std::vector<templates::Candidate> candidates) const {
     if (candidates.empty()) return {};
-    int level = enter(candidates);
+    int level = candidates.front().level;
+    enter(level, candidates);
     align(level, 3, candidates);
     for (; level > 0; --level) {
       step_down(candidates);
@@ -42,33 +43,15 @@ class PyramidTracker {
 
  private:
   /// Scores proposals, first with a coarse template, because reading the surface is expensive and
-  /// most are wrong. Returns the level at which the best enter.
-  int enter(std::vector<templates::Candidate>& candidates) const {
-    int level = candidates.front().level;
-    // Objects hardly two pixels wide cannot be scored.
-    const bool finer = level > 0 && view_.geometry.mean_width() < budget_.width * (1 << level);
-    if (finer) {
-      step_down(candidates);
-      --level;
-    }
-    if (is_narrow())
-      follow_contours(level, candidates);
-    else
-      keep_those_on_edges(level, candidates);
-    score(view_.rough[level], finer ? 2 : is_narrow() ? 1 : 0, candidates);
+  /// most are wrong.
+  void enter(int level, std::vector<templates::Candidate>& candidates) const {
+    keep_those_on_edges(level, candidates);
+    score(view_.rough[level], 0, candidates);
     templates::suppress(candidates, {budget_.judged});
     templates::drop_below(kThresholds.roughly, candidates);
     score(view_.templates[level], 0, candidates);
     templates::suppress(candidates, {budget_.entering, kHopeless});
     templates::drop_below(kThresholds.entering, candidates);
-    return level;
-  }
-
-  /// Whether the view is narrower than a step of the contour search.
-  bool is_narrow() const {
-    constexpr double kSteps = 2;  // of the contour search's places
-    const double step = 2 * (1 << view_.contour_bank.level());
-    return view_.geometry.mean_width() < std::min(budget_.narrow, kSteps * step);
   }
 
   /// Keeps the best by the contour alone.
@@ -80,20 +63,6 @@ class PyramidTracker {
               .value;
     templates::sort_by_value(candidates);
     candidates.resize(budget_.on_edges);
-  }
-
-  /// Aligns proposals of a narrow outline with nearby edges, because steps are as wide as the
-  /// object.
-  void follow_contours(int level, std::vector<templates::Candidate>& candidates) const {
-    constexpr int kSteps = 3;
-    for (auto& candidate : candidates) {
-      const refinement::AlignedPose on_edges = refinement::align_contour(
-          view_.rough[level], scene_.levels[level], candidate.pose, kSteps);
-      candidate.pose = on_edges.pose;
-      candidate.value = on_edges.value;
-    }
-    templates::suppress(candidates, {budget_.on_edges, templates::Suppression::kUnlimited,
-                                     templates::Suppression::kUnlimited, alike_at(level, 1)});
   }
 
   /// Aligns the candidates in `iterations` steps and computes their log-odds.

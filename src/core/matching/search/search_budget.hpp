@@ -12,8 +12,6 @@ struct SearchBudget {
   std::size_t on_edges = 200;    ///< of them the best by contour, at most
   std::size_t judged = 96;       ///< candidates scored by all features at the first level, at most
   std::size_t entering = 48;     ///< of them the best that are aligned there, at most
-  double width = 0;              ///< [px at level] objects narrower enter one level finer
-  double narrow = 0;             ///< [px] contours of narrower objects are aligned first
   double kept = 1;               ///< candidates at each level, times most_at()
 };
 
@@ -23,18 +21,7 @@ constexpr SearchBudget kSecondSearch = [] {
   budget.edge_poses = budget.on_edges = 200;
   budget.judged = 100;
   budget.entering = 64;
-  budget.width = 3;
-  budget.narrow = 5;
   budget.kept = 2;
-  return budget;
-}();
-
-/// The second search for further instances of an object.
-constexpr SearchBudget kFurtherInstances = [] {
-  SearchBudget budget = kSecondSearch;
-  budget.edge_poses = budget.on_edges = 100;
-  budget.judged = 64;
-  budget.entering = 24;
   return budget;
 }();
 
@@ -63,9 +50,6 @@ constexpr double kNoRival = 12;   ///< at full resolution
 constexpr double kCertain = 3;         ///< the best has at least these log-odds, ...
 constexpr double kSecond = -1;         ///< any other place less than these, ...
 constexpr std::size_t kForemost = 60;  ///< and the best was among so many first proposals.
-
-/// Further instances are searched if this many are certain.
-constexpr std::size_t kSeveral = 2;
 
 /// The second search is skipped if the best candidate has these log-odds, minus the clutter
 /// penalty.

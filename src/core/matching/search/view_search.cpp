@@ -67,7 +67,8 @@ class ViewSearch {
       merge(track_down(view_, scene_, first_.budget,
                        proposals_.by_correlation(first_.correlated_places)),
             candidates);
-    if (mode_ == SearchMode::kTwice) search_again(candidates);
+    if (mode_ == SearchMode::kTwice && !found(candidates))
+      merge(best_by_visible_part(), candidates);
     templates::suppress(candidates, {most_at(0), kNoRival, apart()});
     try_other_angles(candidates);
     return judge_all(candidates);
@@ -89,17 +90,9 @@ class ViewSearch {
     return track_down(view_, scene_, first_.budget, proposals_.by_edges(first_.budget.edge_poses));
   }
 
-  std::vector<templates::Candidate> best_by_visible_part(SearchBudget budget) const {
-    budget = for_sector(budget, view_.sector);
+  std::vector<templates::Candidate> best_by_visible_part() const {
+    const SearchBudget budget = for_sector(kSecondSearch, view_.sector);
     return track_down(view_, scene_, budget, proposals_.by_visible_part(budget.edge_poses));
-  }
-
-  /// Used if nothing was found, or so many that there may be more.
-  void search_again(std::vector<templates::Candidate>& candidates) const {
-    if (!found(candidates))
-      merge(best_by_visible_part(kSecondSearch), candidates);
-    else if (several(candidates))
-      merge(best_by_visible_part(kFurtherInstances), candidates);
   }
 
   void merge(const std::vector<templates::Candidate>& more,
@@ -127,12 +120,6 @@ class ViewSearch {
     for (const auto& place : templates::best_places(candidates, apart(), candidates.size()))
       odds.push_back(place.value);
     return !odds.empty() && odds.front() - decision::clutter_penalty(odds) >= kFound;
-  }
-
-  /// Whether several of the sorted candidates are certain instances; further ones may be covered.
-  bool several(const std::vector<templates::Candidate>& candidates) const {
-    const auto places = templates::best_places(candidates, apart(), kSeveral);
-    return places.size() == kSeveral && places.back().value >= decision::kInstance;
   }
 
   /// Adds the best other rotations at the best places and wherever an instance is likely:
