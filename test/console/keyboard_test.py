@@ -40,7 +40,7 @@ class KeyboardTest(unittest.TestCase):
             self.teacher.mouse.press(key)
 
     def has_keyboard(self, name):
-        wait_for(lambda: self.report.focus() == name, "'%s' has the keyboard" % name, 10)
+        wait_for(lambda: self.report.focus() == name, "'%s' has the keyboard" % name)
 
     def begins_by(self, *keys):
         count = self.teacher.feedback.count()

@@ -4,7 +4,7 @@ import json
 import os
 import pathlib
 
-from console_session import SessionFailed, wait_for
+from console_session import PATIENCE, SessionFailed, wait_for
 
 
 class LayoutReport:
@@ -25,10 +25,10 @@ class LayoutReport:
     def says(self, part):
         return any(part in text for text in self.newest()["texts"])
 
-    def wait_until_says(self, part, patience=10):
+    def wait_until_says(self, part, patience=PATIENCE):
         wait_for(lambda: self.says(part), "the console says '%s'" % part, patience)
 
-    def wait_until_silent(self, part, patience=10):
+    def wait_until_silent(self, part, patience=PATIENCE):
         wait_for(lambda: not self.says(part), "the console no longer says '%s'" % part, patience)
 
     def complaints(self, patience=10):
