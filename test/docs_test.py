@@ -104,6 +104,8 @@ def faults_of(path, root, tests, python_tests):
 
 
 def main():
+    if len(sys.argv) != 2:
+        sys.exit(__doc__)
     root = pathlib.Path(sys.argv[1]).resolve()
     literals = literals_of(root)
     documents = [root / 'README.md', root / 'bench' / 'README.md', *sorted((root / 'docs').rglob('*.md'))]

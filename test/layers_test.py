@@ -153,6 +153,8 @@ def faults_of(path, root, headers):
 
 
 def main():
+    if len(sys.argv) != 3:
+        sys.exit(__doc__)
     root, library = pathlib.Path(sys.argv[1]).resolve(), sys.argv[2]
     files = [path for folder in ('include', 'src') for path in sorted((root / folder).rglob('*.?pp'))]
     headers = PublicHeaders(root)

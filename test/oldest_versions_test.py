@@ -99,6 +99,8 @@ def check_itself():
 
 
 def main():
+    if len(sys.argv) != 2:
+        sys.exit(__doc__)
     root = pathlib.Path(sys.argv[1]).resolve()
     files = [path for folder in FOLDERS for path in sorted((root / folder).rglob('*')) if path.is_file()]
     files.append(root / 'CMakeLists.txt')

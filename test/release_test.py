@@ -28,6 +28,8 @@ def lacks_licence(path):
 
 
 def main():
+    if len(sys.argv) != 2:
+        sys.exit(__doc__)
     root = pathlib.Path(sys.argv[1])
     package, examples = (parse_package(str(root / folder)) for folder in ('.', 'examples'))
     warnings = []

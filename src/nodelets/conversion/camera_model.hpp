@@ -14,7 +14,8 @@
 namespace mbncc::nodelets {
 
 /// The camera of raw images, of the models plumb_bob, rational_polynomial or equidistant.
-/// scripts/calibrate_platform reads them as well; docs/interfaces.md names them.
+/// rays.cpp, camera/rectifier.cpp, scripts/calibrate_platform and camera_info_fuzz_test.cpp tell
+/// them apart as well; docs/interfaces.md names them.
 struct Lens {
   PinholeCamera camera;
   std::vector<double> distortion;  ///< as OpenCV takes it; empty: none
