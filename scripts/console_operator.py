@@ -51,11 +51,14 @@ class Mouse:
         self.actions += 1
 
     def choose_from_menu(self, name, *keys):
-        """Keys reach a menu only once it is shown."""
-        self.click(name)
-        self.window(name.lower())
+        """Opens a menu and presses keys in it, which reach it only once it is shown."""
+        self.open_menu(name)
         for key in keys:
             self.press(key)
+
+    def open_menu(self, name):
+        self.click(name)
+        self.window("menu of " + name)
 
     @staticmethod
     def sees(name):

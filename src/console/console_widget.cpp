@@ -207,11 +207,15 @@ void ConsoleWidget::connect_lesson() {
     show_lesson();
   });
   connect(&ros_, &RosLink::result_heard, this, &ConsoleWidget::end_lesson);
-  connect(&ros_, &RosLink::confirmed, this, [this](bool success, const QString& message) {
-    lesson_.take_answer(success, message.toStdString());
-    send_next();
-    show_lesson();
-  });
+  connect(&ros_, &RosLink::confirmed, this,
+          [this](bool answered, bool success, const QString& message) {
+            if (answered)
+              lesson_.take_answer(success, message.toStdString());
+            else
+              lesson_.take_no_answer(message.toStdString());
+            send_next();
+            show_lesson();
+          });
   connect(&ros_, &RosLink::grasp_marked, this,
           [this](bool success, const QString& message) { tell(success, "Grasp: " + message); });
   connect(&ros_, &RosLink::score_map_heard, review_, &ReviewPane::show_score_map);

@@ -227,7 +227,7 @@ void RosLink::confirm(const mbncc_vision::ConfirmLearning::Request& request) {
     mbncc_vision::ConfirmLearning call;
     call.request = request;
     const bool answered = this->call("confirm_learning", call);
-    Q_EMIT confirmed(answered && call.response.success,
+    Q_EMIT confirmed(answered, call.response.success,
                      answered ? QString::fromStdString(call.response.message) : kUnreachable);
   });
 }

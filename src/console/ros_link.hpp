@@ -109,7 +109,7 @@ class RosLink : public QObject {
   void lesson_image_heard(QImage image);
   void score_map_heard(QImage image);
   void objects_listed(std::vector<mbncc_vision::LearnedObject> objects, QString folder);
-  void confirmed(bool success, QString message);
+  void confirmed(bool answered, bool success, QString message);
   void edited(mbncc_vision::EditObject::Request request, bool success, QString message);
   void grasp_marked(bool success, QString message);
   /// `image`: with the explanation drawn in.

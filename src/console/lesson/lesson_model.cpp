@@ -176,14 +176,26 @@ bool LessonModel::may_undo() const {
   if (!may_correct()) return false;
   if (corrections_ < 0) return true;
   int expected = corrections_;
-  for (const auto& word : waiting())
-    expected += (word.command == Word::EDIT) - (word.command == Word::UNDO);
+  for (const auto& word : waiting()) {
+    if (word.command == Word::EDIT) ++expected;
+    if (word.command == Word::UNDO) expected = std::max(0, expected - 1);
+  }
   return expected > 0;
 }
 
 void LessonModel::take_answer(bool success, const std::string& message) {
   if (!under_way()) return;
   count_corrections(success);
+  go_on(success, message);
+}
+
+void LessonModel::take_no_answer(const std::string& message) {
+  if (!under_way()) return;
+  corrections_ = -1;
+  go_on(false, message);
+}
+
+void LessonModel::go_on(bool success, const std::string& message) {
   asked_.reset();
   if (phase_ != Phase::kDeciding && phase_ != Phase::kReview) return;
   phase_ = Phase::kReview;

@@ -62,6 +62,8 @@ class LessonModel {
   void insist(bool insisted) { insisted_ = insisted; }
   /// The server's answer to the command.
   void take_answer(bool success, const std::string& message);
+  /// The server may have carried out the word, or not.
+  void take_no_answer(const std::string& message);
   /// Call this several times per second.
   void look_at_clock(double now);
 
@@ -73,7 +75,7 @@ class LessonModel {
   bool may_accept() const { return may_decide() && draft_ && (acceptable_ || insisted_); }
   /// The draft may be corrected, also while a correction is computed.
   bool may_correct() const { return draft_.has_value(); }
-  /// There may be a correction to undo, among them those that are not answered yet.
+  /// There may be a correction to undo; those that are not answered yet count.
   bool may_undo() const;
   bool must_insist() const { return draft_.has_value() && !acceptable_; }
   /// The lesson waits for the scene, so its changes are shown.
@@ -95,6 +97,7 @@ class LessonModel {
   void join(const std::string& goal, double now);
   void show_draft(const std::optional<mbncc_vision::LearnObjectResult>& draft);
   void count_corrections(bool success);
+  void go_on(bool success, const std::string& message);
   void withdraw_undo_of_refused();
   void end(const std::string& headline, const std::string& detail, Level level);
   void get_ready();
@@ -123,7 +126,7 @@ class LessonModel {
   bool camera_alive_ = true;
   std::deque<Word> words_;     // not sent yet
   std::optional<Word> asked_;  // sent, not answered
-  int corrections_ = 0;        // answered ones; < 0: unknown, the lesson was joined in review
+  int corrections_ = 0;        // accepted by the server; < 0: unknown
   std::optional<mbncc_vision::LearnObjectResult> draft_, newest_draft_;
   int draft_number_ = 0;
   std::optional<Learned> learned_;

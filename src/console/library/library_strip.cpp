@@ -94,7 +94,7 @@ void LibraryStrip::lay_out() {
 
 QMenu* LibraryStrip::make_menu() {
   auto* menu = new QMenu(this);
-  name_window(menu, "more");
+  name_window(menu, "menu of More");
   export_ = menu->addAction("Export the chosen object as a file ...");
   auto* import = menu->addAction("Import an object from a file ...");
   history_ = menu->addAction("Earlier revisions of the chosen object ...");

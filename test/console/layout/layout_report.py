@@ -31,7 +31,7 @@ class LayoutReport:
     def wait_until_silent(self, part, patience=PATIENCE):
         wait_for(lambda: not self.says(part), "the console no longer says '%s'" % part, patience)
 
-    def complaints(self, patience=10):
+    def complaints(self, patience=10):  # a layout settles within it, or never
         """Of two looks from now on, and later, until there are none or `patience` is over."""
         first = self.newest()["looks"]
         wait_for(lambda: self.newest()["looks"] >= first + 2, "the widgets are looked at")

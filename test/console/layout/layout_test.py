@@ -121,7 +121,7 @@ class LayoutTest(unittest.TestCase):
         self.fits("found")
         self.mouse.click("library", at=(40, 40))
         self.fits("library")
-        self.mouse.choose_from_menu("More")
+        self.mouse.open_menu("More")
         self.fits("menu")
         for key in ("Down", "Down", "Down", "Return"):
             self.mouse.press(key)

@@ -8,6 +8,14 @@
 namespace mbncc::console {
 namespace {
 
+LessonModel joined_in_review() {
+  LessonModel lesson;
+  lesson.take_draft(draft(Result::SUCCESS));
+  lesson.take_status(status("goal"), 0);
+  lesson.take_feedback(feedback(Feedback::WAIT_CONFIRM), 1);
+  return lesson;
+}
+
 TEST(LessonReview, JoinsALessonInReview) {
   LessonModel lesson;
   lesson.take_draft(draft(Result::SUCCESS));  // kept by the server for those who come late
@@ -191,11 +199,42 @@ TEST(LessonReview, TheUndoOfARefusedCorrectionTakesNoEarlierOneBack) {
   EXPECT_TRUE(lesson.may_undo()) << "the first correction";
 }
 
+TEST(LessonReview, AnUndoBelongsToTheCorrectionBeforeIt) {
+  using Word = LessonModel::Word;
+  LessonModel lesson = in_review();
+  decide(lesson);
+  for (const auto command : {Word::EDIT, Word::UNDO}) lesson.want(word(command));
+  lesson.take_answer(false, "A stroke outside of the image.");
+  EXPECT_EQ(lesson.waiting().size(), 2u) << "the undo is the later correction's";
+  lesson = in_review();
+  decide(lesson);
+  for (const auto command : {Word::UNDO, Word::EDIT, Word::UNDO}) lesson.want(word(command));
+  lesson.take_answer(false, "A stroke outside of the image.");
+  ASSERT_EQ(lesson.waiting().size(), 2u);
+  EXPECT_EQ(lesson.waiting().front().command, Word::EDIT);
+}
+
+TEST(LessonReview, WithoutAnAnswerThereMayBeACorrection) {
+  LessonModel lesson = in_review();
+  decide(lesson);
+  lesson.want(word(LessonModel::Word::UNDO));
+  lesson.take_no_answer("The learning nodelet does not answer.");
+  EXPECT_EQ(lesson.waiting().size(), 1u) << "it may have been carried out";
+  EXPECT_TRUE(lesson.may_undo());
+  EXPECT_EQ(lesson.level(), Level::kBad);
+}
+
+TEST(LessonReview, SurplusUndosDoNotCountAgainstALaterCorrection) {
+  LessonModel lesson = joined_in_review();
+  for (int i = 0; i < 3; ++i) lesson.want(word(LessonModel::Word::UNDO));
+  lesson.want(word(LessonModel::Word::EDIT));
+  lesson.next_word();
+  lesson.take_answer(false, "there is no edit to undo");
+  EXPECT_TRUE(lesson.may_undo());
+}
+
 TEST(LessonReview, AJoinedReviewMayHoldCorrections) {
-  LessonModel lesson;
-  lesson.take_draft(draft(Result::SUCCESS));
-  lesson.take_status(status("goal"), 0);
-  lesson.take_feedback(feedback(Feedback::WAIT_CONFIRM), 1);
+  LessonModel lesson = joined_in_review();
   EXPECT_TRUE(lesson.may_undo());
   lesson.want(word(LessonModel::Word::UNDO));
   lesson.next_word();
