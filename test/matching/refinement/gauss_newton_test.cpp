@@ -73,19 +73,6 @@ TEST_F(ClimbTest, FindsBackFromNearby) {
   }
 }
 
-TEST_F(ClimbTest, ContoursAreFollowedWithoutTheSurface) {
-  const Laid laid(false, {98.2, 80.6, -1.2});
-  for (int k = 0; k < 8; ++k) {
-    const Pose2D start = beside(laid.anchor, k);
-    const AlignedPose there = align_contour(laid.view.rough[0], laid.scene, start, 3);
-    EXPECT_LT(cv::norm(there.pose.position() - laid.anchor.position()), 0.8) << "direction " << k;
-    EXPECT_LT(angle_distance(there.pose.theta, laid.anchor.theta), 1.5 * kDegree);
-    const AlignedPose unmoved = align_contour(laid.view.rough[0], laid.scene, start, 0);
-    EXPECT_EQ(unmoved.pose.x, start.x);
-    EXPECT_GE(there.value, unmoved.value);
-  }
-}
-
 TEST_F(ClimbTest, NeverGetsWorse) {
   const test::LearningImage source = lesson(true);
   const auto object = test::object_from(source, {kReference.x, kReference.y, 0});

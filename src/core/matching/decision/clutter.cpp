@@ -17,6 +17,7 @@ namespace {
 constexpr std::size_t kPlaces = 3;  // number of places used
 constexpr double kWeight = 0.85;
 constexpr double kNothing = -6, kObvious = 5;  // log-odds: bounds of a place's contribution
+constexpr double kInstance = 8;  // log-odds from which on a place is an instance, not clutter
 
 bool same_place(const Detection& a, const Detection& b) {
   return cv::norm(a.pose.position() - b.pose.position()) <

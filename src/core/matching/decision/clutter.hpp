@@ -10,8 +10,6 @@
 
 namespace mbncc::decision {
 
-/// Log-odds from which on a place is an instance, not clutter.
-constexpr double kInstance = 8;
 /// [radii] Nearer detections are of one place.
 constexpr double kSamePlace = 0.7;
 

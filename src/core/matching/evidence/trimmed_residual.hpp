@@ -10,8 +10,8 @@
 namespace mbncc::evidence {
 
 /// Root mean square [grey levels] of the colour differences in the five of eight parts that one
-/// gain and one offset fit best (least trimmed squares, Rousseeuw 1984); negative if no part lies
-/// in the image.
+/// gain and one offset fit best (least trimmed squares, Rousseeuw 1984, by two steps from the light
+/// of all parts: a local optimum); negative if no part lies in the image.
 double trimmed_residual(const std::vector<templates::BlockSums>& blocks);
 
 }  // namespace mbncc::evidence

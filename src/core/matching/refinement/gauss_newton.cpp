@@ -115,25 +115,6 @@ AlignedPose align(const templates::PoseTemplate& object, const scene::SceneLevel
   return Aligner(object, scene).run(start, iterations);
 }
 
-AlignedPose align_contour(const templates::PoseTemplate& object, const scene::SceneLevel& scene,
-                          const Pose2D& start, int iterations) {
-  thread_local templates::ContourSample sample;
-  const double radius = object.contour.radius();
-  AlignedPose best{start, -2};
-  Pose2D pose = start;
-  for (int k = 0;; ++k) {
-    // The last reading is only for its value, which does not depend on distant edges.
-    templates::read_contour(object.contour, scene.around(pose, object.reach()).edges, pose,
-                            k == iterations ? 1 : kReach, sample);
-    const double value = templates::contour_agreement(object.contour, sample);
-    if (value > best.value) best = {pose, value};
-    if (k == iterations) return best;
-    const templates::ContourPull pull = templates::contour_pull(object.contour, sample);
-    const cv::Vec3d step = bounded(damped(pull.hessian, radius).inv() * pull.gradient, radius);
-    pose = compose(pose, inverse(Pose2D{step[0], step[1], step[2]}));
-  }
-}
-
 ScoredPose align_and_score(const templates::PoseTemplate& object, const scene::SceneLevel& scene,
                            const Pose2D& start, int iterations) {
   return Aligner(object, scene).run_to_evidence(start, iterations);

@@ -18,10 +18,6 @@ struct AlignedPose {
 AlignedPose align(const templates::PoseTemplate& object, const scene::SceneLevel& scene,
                   const Pose2D& start, int iterations);
 
-/// Maximisation of only the contour agreement, `iterations` steps; `value` is that agreement.
-AlignedPose align_contour(const templates::PoseTemplate& object, const scene::SceneLevel& scene,
-                          const Pose2D& start, int iterations);
-
 /// A reached pose with its evidence, computed from the last reading.
 struct ScoredPose {
   Pose2D pose;

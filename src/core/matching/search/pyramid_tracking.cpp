@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "matching/search/pyramid_tracking.hpp"
 
-#include <algorithm>
+#include <utility>
 
 #include "imaging/pyramid.hpp"
 #include "matching/decision/clutter.hpp"
@@ -57,10 +57,14 @@ class PyramidTracker {
   /// Keeps the best by the contour alone.
   void keep_those_on_edges(int level, std::vector<templates::Candidate>& candidates) const {
     if (candidates.size() <= budget_.on_edges) return;
-    for (auto& candidate : candidates)
-      candidate.value =
-          refinement::align_contour(view_.rough[level], scene_.levels[level], candidate.pose, 0)
-              .value;
+    const templates::PoseTemplate& object = view_.rough[level];
+    templates::ContourSample sample;
+    for (auto& candidate : candidates) {
+      const scene::PreparedPixels pixels =
+          scene_.levels[level].around(candidate.pose, object.reach());
+      templates::read_contour(object.contour, pixels.edges, candidate.pose, 1, sample);
+      candidate.value = templates::contour_agreement(object.contour, sample);
+    }
     templates::sort_by_value(candidates);
     candidates.resize(budget_.on_edges);
   }

@@ -14,9 +14,8 @@ namespace mbncc::search {
 /// Largest number of candidates kept at `level`.
 std::size_t most_at(int level);
 
-/// Scores the proposals of one level and refines them level by level. Proposals of a thin
-/// object enter one level finer, as `budget` says. Returns the candidates at full resolution, best
-/// first.
+/// Scores the proposals of one level and refines them level by level. Returns the candidates at
+/// full resolution, best first.
 std::vector<templates::Candidate> track_down(const prepared::PreparedView& view,
                                              const scene::SceneImage& scene,
                                              const SearchBudget& budget,

@@ -8,9 +8,9 @@
 #include "matching/decision/clutter.hpp"
 #include "matching/evidence/contour_alignment.hpp"
 #include "matching/refinement/gauss_newton.hpp"
-#include "matching/search/candidate_odds.hpp"
 #include "matching/search/proposals.hpp"
 #include "matching/search/pyramid_tracking.hpp"
+#include "matching/search/rotation_peaks.hpp"
 #include "matching/search/search_budget.hpp"
 #include "matching/search/verification.hpp"
 

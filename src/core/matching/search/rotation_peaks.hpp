@@ -1,18 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Score of a candidate at its pyramid level.
+// The rotations in which an object may lie at a place.
 #pragma once
 
 #include <vector>
 
-#include "matching/prepared/prepared_object.hpp"
-#include "matching/scene/scene_image.hpp"
+#include "matching/scene/scene_level.hpp"
 #include "matching/template/candidate.hpp"
+#include "matching/template/pose_sample.hpp"
 
 namespace mbncc::search {
-
-/// Log-odds that `view` lies at `pose` [px at level].
-double candidate_odds(const prepared::PreparedView& view, const scene::SceneImage& scene, int level,
-                      const Pose2D& pose);
 
 /// Local maxima of the agreement with `object` at a place over a full turn, in steps of `arc` [px]
 /// at the rim, best first. `scene` is the place's level; the candidates' values are those of

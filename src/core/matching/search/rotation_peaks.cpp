@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "matching/search/candidate_odds.hpp"
+#include "matching/search/rotation_peaks.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -7,13 +7,6 @@
 #include "matching/refinement/gauss_newton.hpp"
 
 namespace mbncc::search {
-
-double candidate_odds(const prepared::PreparedView& view, const scene::SceneImage& scene, int level,
-                      const Pose2D& pose) {
-  return evidence::log_odds(
-      evidence::gather_evidence(view.templates[level], scene.levels[level], pose),
-      view.shape.area());
-}
 
 std::vector<templates::Candidate> rotation_peaks(const templates::PoseTemplate& object,
                                                  const scene::SceneLevel& scene,
