@@ -5,6 +5,7 @@
 
 #include "imaging/pyramid.hpp"
 #include "matching/decision/clutter.hpp"
+#include "matching/evidence/contour_alignment.hpp"
 #include "matching/refinement/gauss_newton.hpp"
 
 namespace mbncc::search {
@@ -58,13 +59,11 @@ class PyramidTracker {
   void keep_those_on_edges(int level, std::vector<templates::Candidate>& candidates) const {
     if (candidates.size() <= budget_.on_edges) return;
     const templates::PoseTemplate& object = view_.rough[level];
-    templates::ContourSample sample;
-    for (auto& candidate : candidates) {
-      const scene::PreparedPixels pixels =
-          scene_.levels[level].around(candidate.pose, object.reach());
-      templates::read_contour(object.contour, pixels.edges, candidate.pose, 1, sample);
-      candidate.value = templates::contour_agreement(object.contour, sample);
-    }
+    for (auto& candidate : candidates)
+      candidate.value =
+          evidence::ContourAlignment(object.contour,
+                                     scene_.levels[level].around(candidate.pose, object.reach()))
+              .at(candidate.pose);
     templates::sort_by_value(candidates);
     candidates.resize(budget_.on_edges);
   }
