@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <opencv2/imgproc.hpp>
 
 #include "imaging/kernel_views.hpp"
 #include "imaging/pyramid.hpp"
