@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Light, camera shift and noise between two images of one scene.
-#include "learning/change/align_images.hpp"
+#include "learning/alignment/align_images.hpp"
 
 #include <gtest/gtest.h>
 
-#include "learning/change/camera_shift.hpp"
-#include "learning/change/photometric_fit.hpp"
+#include "learning/alignment/camera_shift.hpp"
+#include "learning/alignment/image_shift.hpp"
+#include "learning/alignment/photometric_fit.hpp"
 #include "learning/images.hpp"
 #include "learning/likelihood/noise_model.hpp"
 #include "learning/likelihood/normalized_difference.hpp"
@@ -32,26 +33,26 @@ double mean_error(const cv::Mat& a, const cv::Mat& b) {
 
 TEST(PhotometricFit, RecoversGainOffsetAndPlane) {
   const cv::Mat after = test::texture(kSize, kTable, 20, 1);
-  const change::ChannelLight made{0.12, 0.06, -0.04, 5};
-  const cv::Mat before = change::apply_light(after, {made, made, made});
-  const change::Light found = change::fit_light(before, after, all_of(kSize), true);
-  EXPECT_LT(mean_error(change::apply_light(after, found), before), 0.3);
+  const alignment::ChannelLight made{0.12, 0.06, -0.04, 5};
+  const cv::Mat before = alignment::apply_light(after, {made, made, made});
+  const alignment::Light found = alignment::fit_light(before, after, all_of(kSize), true);
+  EXPECT_LT(mean_error(alignment::apply_light(after, found), before), 0.3);
 }
 
 TEST(PhotometricFit, IgnoresAForeignQuarter) {
   const cv::Mat after = test::texture(kSize, kTable, 20, 1);
   cv::Mat before = after * 1.1;
   before(cv::Rect(0, 0, 120, 100)).setTo(cv::Scalar(250, 10, 10));
-  const change::Light found = change::fit_light(before, after, all_of(kSize), false);
+  const alignment::Light found = alignment::fit_light(before, after, all_of(kSize), false);
   const cv::Rect rest(120, 100, 120, 100);
-  EXPECT_LT(mean_error(change::apply_light(after, found)(rest), before(rest)), 0.5);
+  EXPECT_LT(mean_error(alignment::apply_light(after, found)(rest), before(rest)), 0.5);
 }
 
 TEST(PhotometricFit, TooFewPixelsGiveTheIdentity) {
   const cv::Mat after = test::texture(kSize, kTable, 20, 1);
-  const change::Light found =
-      change::fit_light(after * 2, after, cv::Mat::zeros(kSize, CV_8UC1), true);
-  EXPECT_EQ(mean_error(change::apply_light(after, found), after), 0);
+  const alignment::Light found =
+      alignment::fit_light(after * 2, after, cv::Mat::zeros(kSize, CV_8UC1), true);
+  EXPECT_EQ(mean_error(alignment::apply_light(after, found), after), 0);
 }
 
 class Shift : public testing::TestWithParam<cv::Point2d> {};
@@ -60,10 +61,10 @@ TEST_P(Shift, IsFoundToAFiftiethOfAPixel) {
   const cv::Mat wide = test::texture({300, 260}, kTable, 20, 3);
   const cv::Rect inner(30, 30, 240, 200);
   // undo_shift(after, s)(x) = after(x + s) = before(x).
-  const cv::Mat after = change::undo_shift(wide, -GetParam())(inner);
+  const cv::Mat after = alignment::undo_shift(wide, -GetParam())(inner);
   const cv::Mat b = floats(test::exposed(wide(inner), 5)), a = floats(test::exposed(after, 6));
-  const cv::Point2d found = change::estimate_shift(change::smooth_luminance(b),
-                                                   change::smooth_luminance(a), all_of(kSize), 8);
+  const cv::Point2d found = alignment::estimate_shift(
+      alignment::smooth_luminance(b), alignment::smooth_luminance(a), all_of(kSize), 8);
   EXPECT_NEAR(found.x, GetParam().x, 0.02);
   EXPECT_NEAR(found.y, GetParam().y, 0.02);
 }
@@ -75,16 +76,16 @@ INSTANTIATE_TEST_SUITE_P(Camera, Shift,
 TEST(CameraShift, IsZeroWhereNothingMoved) {
   const cv::Mat scene = test::texture(kSize, kTable, 20, 3);
   const cv::Mat b = floats(test::exposed(scene, 5)), a = floats(test::exposed(scene, 6));
-  EXPECT_EQ(change::estimate_shift(change::smooth_luminance(b), change::smooth_luminance(a),
-                                   all_of(kSize), 8),
+  EXPECT_EQ(alignment::estimate_shift(alignment::smooth_luminance(b),
+                                      alignment::smooth_luminance(a), all_of(kSize), 8),
             cv::Point2d());
 }
 
 TEST(CameraShift, LongerThanAllowedIsLeftAlone) {
   const cv::Mat wide = test::texture({300, 260}, kTable, 20, 3, 8);
   const cv::Mat b = wide(cv::Rect(30, 30, 240, 200)), a = wide(cv::Rect(26, 30, 240, 200));
-  EXPECT_EQ(change::estimate_shift(change::smooth_luminance(b), change::smooth_luminance(a),
-                                   all_of(kSize), 2),
+  EXPECT_EQ(alignment::estimate_shift(alignment::smooth_luminance(b),
+                                      alignment::smooth_luminance(a), all_of(kSize), 2),
             cv::Point2d());
 }
 
@@ -93,7 +94,7 @@ TEST(AlignImages, RingNeverCountsTheRegionOrAMovedNeighbour) {
   cv::Mat before = drawn.lesson.before.clone();
   const cv::Rect neighbour(200, 110, 20, 20);
   before(neighbour).setTo(cv::Scalar(20, 20, 20));
-  const change::AlignedPair pair = change::align_images(
+  const alignment::AlignedPair pair = alignment::align_images(
       before, drawn.lesson.after, drawn.lesson.region, cv::Mat::zeros(before.size(), CV_8UC1), 8);
   const auto trusted_in = [&](const cv::Rect& rect) {
     const cv::Rect inside = (rect - pair.window.tl()) & cv::Rect({0, 0}, pair.window.size());
@@ -107,7 +108,7 @@ TEST(AlignImages, RingNeverCountsTheRegionOrAMovedNeighbour) {
 TEST(NoiseModel, LearnsTheNoiseOfBothImages) {
   for (const double sigma : {1.5, 4.0}) {
     const cv::Mat scene(kSize, CV_32FC3, kTable);
-    change::AlignedPair pair;
+    alignment::AlignedPair pair;
     pair.before = floats(test::exposed(scene, 1, 1, sigma));
     pair.after = floats(test::exposed(scene, 2, 1, sigma));
     pair.trusted = all_of(kSize);
@@ -119,9 +120,9 @@ TEST(NoiseModel, LearnsTheNoiseOfBothImages) {
 }
 
 TEST(NoiseModel, EdgesMayDifferMore) {
-  change::AlignedPair pair;
+  alignment::AlignedPair pair;
   pair.after = test::texture(kSize, kTable, 40, 3, 1.5);
-  pair.before = change::undo_shift(pair.after, {0.25, 0.1});
+  pair.before = alignment::undo_shift(pair.after, {0.25, 0.1});
   pair.trusted = all_of(kSize);
   const cv::Mat variance = likelihood::learn_noise(pair).variance_image(pair.after);
   double low = 0, high = 0;
@@ -138,7 +139,7 @@ TEST(NoiseModel, KnowsWhichWayTheNoiseGoes) {
   random.fill(own, cv::RNG::NORMAL, 0, 0.7);
   cv::Mat grey;
   cv::merge(std::vector<cv::Mat>(3, common), grey);
-  change::AlignedPair pair;
+  alignment::AlignedPair pair;
   pair.after = cv::Mat(kSize, CV_32FC3, kTable);
   pair.before = pair.after + grey + own;
   pair.trusted = all_of(kSize);
@@ -156,7 +157,7 @@ TEST(NoiseModel, KnowsWhichWayTheNoiseGoes) {
 
 TEST(NoiseModel, IndependentChannelsStayIndependent) {
   const cv::Mat scene(kSize, CV_32FC3, kTable);
-  change::AlignedPair pair;
+  alignment::AlignedPair pair;
   pair.before = floats(test::exposed(scene, 1, 1, 3));
   pair.after = floats(test::exposed(scene, 2, 1, 3));
   pair.trusted = all_of(kSize);

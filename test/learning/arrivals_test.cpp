@@ -2,7 +2,9 @@
 // Which changed patches are of something that came.
 #include <gtest/gtest.h>
 
-#include "learning/change/arrival_test.hpp"
+#include "learning/change/arrivals.hpp"
+#include "learning/change/departure_scores.hpp"
+#include "learning/change/departures.hpp"
 #include "learning/things_on_platform.hpp"
 
 namespace mbncc {

@@ -2,8 +2,9 @@
 // Colour mixture, arrival test, graph cut and clean-up.
 #include <gtest/gtest.h>
 
-#include "learning/change/arrival_test.hpp"
+#include "learning/change/arrivals.hpp"
 #include "learning/change/colour_mixture.hpp"
+#include "learning/change/departures.hpp"
 #include "learning/images.hpp"
 #include "learning/segmentation/clean_map.hpp"
 #include "learning/segmentation/graph_cut.hpp"

@@ -44,7 +44,7 @@ cv::Mat scene(const cv::Scalar& colour) {
 TEST(PredictedPlatform, FollowsTheLightAndLeavesNeighboursOut) {
   cv::Mat image = scene({40, 40, 200});
   image(cv::Rect(48, 60, 6, 40)).setTo(cv::Scalar(10, 200, 10));
-  const change::AlignedPair pair = likelihood::predict_platform(image, kRegion);
+  const alignment::AlignedPair pair = likelihood::predict_platform(image, kRegion);
   cv::Mat wanted, difference;
   table()(pair.window).convertTo(wanted, CV_32F);
   cv::absdiff(pair.after, wanted, difference);

@@ -4,7 +4,6 @@
 #pragma once
 
 #include <opencv2/core.hpp>
-#include <vector>
 
 namespace mbncc {
 
@@ -21,14 +20,5 @@ struct ChangeSurvey {
 /// Compares two CV_8UC3 images of one size at about 320 pixels width. Exposure per channel and
 /// camera shift are compensated before the comparison.
 ChangeSurvey survey_change(const cv::Mat& before, const cv::Mat& after);
-
-/// Bounding box, with a margin (a wide one where the survey is noisy), of the groups of changed
-/// pixels inside `within` that are at least `least_part` of the largest one; empty when nothing
-/// changed there.
-cv::Rect changed_region(const ChangeSurvey& survey, const cv::Rect& within, double least_part);
-
-/// Bounding boxes, with the same margin, of all groups of pixels whose weight (CV_32FC1) is above
-/// 0, the heaviest group first.
-std::vector<cv::Rect> changed_places(const cv::Mat& weights, bool noisy);
 
 }  // namespace mbncc

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "learning/change/phase_shift.hpp"
+#include "learning/alignment/phase_shift.hpp"
 
 #include <gtest/gtest.h>
 
 #include <opencv2/imgproc.hpp>
 
-#include "learning/change/camera_shift.hpp"
+#include "learning/alignment/camera_shift.hpp"
 
 namespace mbncc::change {
 namespace {

@@ -5,7 +5,7 @@
 #include <opencv2/imgproc.hpp>
 #include <vector>
 
-#include "learning/change/statistics.hpp"
+#include "numeric/order_statistics.hpp"
 
 namespace mbncc::capture {
 namespace {
@@ -19,7 +19,7 @@ constexpr int kLeastPatch = 3;          // [px] small pixels, after opening
 
 float median_of(const cv::Mat& values) {
   std::vector<float> all = values.reshape(1, 1);
-  return change::median(all);
+  return numeric::median(all);
 }
 
 }  // namespace
@@ -44,7 +44,7 @@ bool has_moved(const cv::Mat& a, const cv::Mat& b) {
   const cv::Mat ratio = (b + 8) / (a + 8);
   const float gain = median_of(ratio);
   const cv::Mat difference = cv::abs(b + 8 - gain * (a + 8));
-  const double noise = change::deviation_of_mad(median_of(difference));
+  const double noise = numeric::deviation_of_mad(median_of(difference));
   cv::Mat moved = difference > std::clamp(kNoiseFactor * noise, kLeastDifference, kSureDifference);
   cv::morphologyEx(moved, moved, cv::MORPH_OPEN, cv::getStructuringElement(cv::MORPH_RECT, {2, 2}));
   return cv::countNonZero(moved) >= kLeastPatch;

@@ -6,8 +6,8 @@
 #include <opencv2/imgproc.hpp>
 #include <stdexcept>
 
-#include "learning/change/rectangles.hpp"
-#include "learning/change/statistics.hpp"
+#include "imaging/rectangles.hpp"
+#include "numeric/order_statistics.hpp"
 
 namespace mbncc {
 namespace {
@@ -50,7 +50,7 @@ cv::Scalar median_gain(const cv::Mat& cells, const cv::Mat& base) {
     for (int i = 0; i < count; i += kStride)
       ratios.push_back(static_cast<float>((now[i * channels + channel] + kDark) /
                                           (then[i * channels + channel] + kDark)));
-    gain[channel] = change::median(ratios);
+    gain[channel] = numeric::median(ratios);
   }
   return gain;
 }
@@ -105,7 +105,7 @@ double threshold_of(const cv::Mat& cells, const cv::Mat& base, const cv::Scalar&
   for (int i = 0; i < count; i += kStride)
     differences.push_back(
         static_cast<float>(std::abs(now[i] + kDark - gain[i % channels] * (then[i] + kDark))));
-  return std::clamp<double>(kNoiseFactor * change::median(differences), kLeastDifference,
+  return std::clamp<double>(kNoiseFactor * numeric::median(differences), kLeastDifference,
                             kSureDifference);
 }
 
@@ -140,7 +140,7 @@ struct Patches {
     count = cv::connectedComponentsWithStats(joined, labels, statistics, centroids);
   }
 
-  cv::Rect box(int label) const { return change::box_of_component(statistics, label); }
+  cv::Rect box(int label) const { return imaging::box_of_component(statistics, label); }
 
   cv::Mat labels, statistics;
   int count;  // label 0 is not a patch

@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "learning/change/statistics.hpp"
+#include "numeric/order_statistics.hpp"
 
 namespace mbncc::change {
 namespace {
@@ -33,7 +33,7 @@ cv::Vec3f exposure_ratio(Ratios& ratios) {
   constexpr std::size_t kFewest = 100;
   cv::Vec3f gain(1, 1, 1);
   for (int c = 0; c < 3; ++c)
-    if (ratios[c].size() > kFewest) gain[c] = median(ratios[c]);
+    if (ratios[c].size() > kFewest) gain[c] = numeric::median(ratios[c]);
   return gain;
 }
 

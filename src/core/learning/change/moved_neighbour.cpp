@@ -6,7 +6,7 @@
 #include <opencv2/imgproc.hpp>
 #include <vector>
 
-#include "learning/change/half_size.hpp"
+#include "imaging/half_size.hpp"
 
 namespace mbncc::change {
 namespace {
@@ -94,8 +94,9 @@ bool in_company(const Motion& motion, const std::vector<Motion>& all) {
 
 cv::Mat moved_neighbours(const cv::Mat& before, const cv::Mat& after, const cv::Mat& changed,
                          float sigma) {
-  const cv::Mat b = half_size(before, cv::INTER_AREA), a = half_size(after, cv::INTER_AREA);
-  const cv::Mat marked = half_size(changed, cv::INTER_NEAREST);
+  const cv::Mat b = imaging::half_size(before, cv::INTER_AREA),
+                a = imaging::half_size(after, cv::INTER_AREA);
+  const cv::Mat marked = imaging::half_size(changed, cv::INTER_NEAREST);
   const NeighbourSearch search(b, a, sigma);
   std::vector<Motion> motions;
   for (int y = kPatch; y < b.rows - kPatch; y += kStride)

@@ -7,7 +7,7 @@
 #include <opencv2/imgproc.hpp>
 #include <vector>
 
-#include "learning/change/statistics.hpp"
+#include "numeric/order_statistics.hpp"
 
 namespace mbncc::change {
 namespace {
@@ -76,7 +76,7 @@ TextureChange texture_change(const cv::Mat& before, const cv::Mat& after, double
     }
   }
   return {std::min(textured_before.displaced_part(), textured_after.displaced_part()),
-          contrasts.size() < kFewest ? 1 : median(contrasts)};
+          contrasts.size() < kFewest ? 1 : numeric::median(contrasts)};
 }
 
 }  // namespace mbncc::change

@@ -6,8 +6,8 @@
 #include <numeric>
 #include <vector>
 
-#include "learning/change/statistics.hpp"
 #include "learning/likelihood/normalized_difference.hpp"
+#include "numeric/order_statistics.hpp"
 
 namespace mbncc::likelihood {
 namespace {
@@ -37,7 +37,7 @@ float squared_gradient(const cv::Mat& image, int y, int x, int channel) {
   return gx * gx + gy * gy;
 }
 
-void collect_pixel(const change::AlignedPair& pair, int y, int x, Differences& differences) {
+void collect_pixel(const alignment::AlignedPair& pair, int y, int x, Differences& differences) {
   for (int c = 0; c < 3; ++c) {
     const float a = pair.after.at<cv::Vec3f>(y, x)[c], b = pair.before.at<cv::Vec3f>(y, x)[c];
     if (a > kClipped && b > kClipped) continue;
@@ -52,7 +52,7 @@ void collect_pixel(const change::AlignedPair& pair, int y, int x, Differences& d
 
 // Visits about `enough` trusted pixels, none on the window's border.
 template <class Visit>
-void for_each_trusted(const change::AlignedPair& pair, int enough, Visit&& visit) {
+void for_each_trusted(const alignment::AlignedPair& pair, int enough, Visit&& visit) {
   const int step =
       std::max(2, static_cast<int>(cv::countNonZero(pair.trusted) / static_cast<double>(enough)));
   int seen = 0;
@@ -63,7 +63,7 @@ void for_each_trusted(const change::AlignedPair& pair, int enough, Visit&& visit
   }
 }
 
-Differences collect(const change::AlignedPair& pair) {
+Differences collect(const alignment::AlignedPair& pair) {
   Differences differences;
   for_each_trusted(pair, 12000, [&](int y, int x) { collect_pixel(pair, y, x, differences); });
   return differences;
@@ -71,8 +71,8 @@ Differences collect(const change::AlignedPair& pair) {
 
 // The median of integer differences is coarse, so the 68 % quantile is used as well.
 float robust_sigma(std::vector<float>& differences) {
-  return std::max({kLeastSigma, change::deviation_of_mad(change::median(differences)),
-                   change::quantile(differences, 0.683)});
+  return std::max({kLeastSigma, numeric::deviation_of_mad(numeric::median(differences)),
+                   numeric::quantile(differences, 0.683)});
 }
 
 // Bins with few samples are regularised by the whole channel and by their neighbours.
@@ -113,7 +113,7 @@ float gradient_part(const std::vector<cv::Vec2f>& sloped, float sigma) {
   for (std::size_t k = 0; k < classes.size(); ++k) {
     if (classes[k].size() <= 40) continue;
     const auto n = static_cast<double>(classes[k].size());
-    const double variance = change::quantile(classes[k], 0.6) / kQuantileOfChi2;
+    const double variance = numeric::quantile(classes[k], 0.6) / kQuantileOfChi2;
     const double gradient = gradients[k] / n;
     numerator += n * std::max(0.0, variance - sigma * sigma) * gradient;
     denominator += n * gradient * gradient;
@@ -123,7 +123,7 @@ float gradient_part(const std::vector<cv::Vec2f>& sloped, float sigma) {
 }
 
 // Differences in units of their deviations.
-cv::Vec3f deviations_at(const change::AlignedPair& pair, const NoiseModel& noise, int y, int x) {
+cv::Vec3f deviations_at(const alignment::AlignedPair& pair, const NoiseModel& noise, int y, int x) {
   cv::Vec3f result = pair.before.at<cv::Vec3f>(y, x) - pair.after.at<cv::Vec3f>(y, x);
   const cv::Vec3f variance = noise.variance_at(pair.after, y, x);
   for (int c = 0; c < 3; ++c) result[c] /= std::sqrt(variance[c]);
@@ -132,7 +132,7 @@ cv::Vec3f deviations_at(const change::AlignedPair& pair, const NoiseModel& noise
 
 // Correlation of the channels' differences. Outliers are excluded; a tenth of
 // independent noise keeps the matrix well conditioned.
-cv::Matx33f channel_correlation(const change::AlignedPair& pair, const NoiseModel& noise) {
+cv::Matx33f channel_correlation(const alignment::AlignedPair& pair, const NoiseModel& noise) {
   constexpr float kFarthest = 18.75F;   // squared deviations, over the three channels
   constexpr double kPriorSamples = 50;  // of independent channels
   constexpr double kCorrelatedPart = 0.9;
@@ -151,7 +151,7 @@ cv::Matx33f channel_correlation(const change::AlignedPair& pair, const NoiseMode
 }
 
 // JPEG and demosaicing leave tails heavier than a normal distribution's.
-float tail_factor(const change::AlignedPair& pair, const NoiseModel& noise) {
+float tail_factor(const alignment::AlignedPair& pair, const NoiseModel& noise) {
   const cv::Matx33f precision = noise.correlation.inv(cv::DECOMP_CHOLESKY);
   std::vector<float> values;
   for_each_trusted(pair, 1200, [&](int y, int x) {
@@ -166,7 +166,7 @@ float tail_factor(const change::AlignedPair& pair, const NoiseModel& noise) {
     values.push_back((1 - kPooledPart) * here + kPooledPart * mean);
   });
   if (values.size() <= 50) return 1;
-  return std::clamp(change::quantile(values, 0.9) / kPooledQuantile, 1.F, 4.F);
+  return std::clamp(numeric::quantile(values, 0.9) / kPooledQuantile, 1.F, 4.F);
 }
 
 }  // namespace
@@ -197,7 +197,7 @@ float NoiseModel::sigma(int channel) const {
   return std::sqrt(std::accumulate(bins.begin(), bins.end(), 0.F) / kBins);
 }
 
-NoiseModel learn_noise(const change::AlignedPair& pair) {
+NoiseModel learn_noise(const alignment::AlignedPair& pair) {
   Differences differences = collect(pair);
   NoiseModel noise;
   for (int c = 0; c < 3; ++c)

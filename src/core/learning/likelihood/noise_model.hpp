@@ -5,7 +5,7 @@
 #include <array>
 #include <opencv2/core.hpp>
 
-#include "learning/change/align_images.hpp"
+#include "learning/alignment/align_images.hpp"
 
 namespace mbncc::likelihood {
 
@@ -34,6 +34,6 @@ struct NoiseModel {
 };
 
 /// Learns the model from the trusted pixels of the pair.
-NoiseModel learn_noise(const change::AlignedPair& pair);
+NoiseModel learn_noise(const alignment::AlignedPair& pair);
 
 }  // namespace mbncc::likelihood

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <vector>
 
-#include "learning/change/rectangles.hpp"
-#include "learning/change/statistics.hpp"
+#include "imaging/rectangles.hpp"
+#include "numeric/order_statistics.hpp"
 
 namespace mbncc::likelihood {
 namespace {
@@ -62,7 +62,7 @@ std::vector<float> misfits(const std::vector<Sample>& samples, const Surface& su
 }
 
 float spread_of(std::vector<float> misfits) {
-  return std::max(kLeastSpread, change::deviation_of_mad(change::median(misfits)));
+  return std::max(kLeastSpread, numeric::deviation_of_mad(numeric::median(misfits)));
 }
 
 Surface reweighted(const std::vector<Sample>& samples, const std::vector<float>& misfits,
@@ -87,7 +87,7 @@ cv::Vec3f median_colour(const std::vector<Sample>& samples) {
   for (int c = 0; c < 3; ++c) {
     std::vector<float> values;
     for (const Sample& sample : samples) values.push_back(sample.colour[c]);
-    colour[c] = change::median(values);
+    colour[c] = numeric::median(values);
   }
   return colour;
 }
@@ -105,11 +105,11 @@ Surface fit_surface(const std::vector<Sample>& samples) {
 
 }  // namespace
 
-change::AlignedPair predict_platform(const cv::Mat& before, const cv::Rect& region) {
+alignment::AlignedPair predict_platform(const cv::Mat& before, const cv::Rect& region) {
   const int width =
       std::max(kLeastRing, static_cast<int>(kRingPart * std::max(region.width, region.height)));
-  change::AlignedPair pair;
-  pair.window = change::grown(region, width) & cv::Rect({0, 0}, before.size());
+  alignment::AlignedPair pair;
+  pair.window = imaging::grown(region, width) & cv::Rect({0, 0}, before.size());
   before(pair.window).convertTo(pair.before, CV_32F);
   cv::Mat ring(pair.window.size(), CV_8UC1, cv::Scalar(255));
   ring(region - pair.window.tl()).setTo(0);

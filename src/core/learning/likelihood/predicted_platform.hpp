@@ -5,13 +5,13 @@
 
 #include <opencv2/core.hpp>
 
-#include "learning/change/align_images.hpp"
+#include "learning/alignment/align_images.hpp"
 
 namespace mbncc::likelihood {
 
 /// `before` (CV_8UC3) and, as `after`, the second-degree surface that fits the colours of the ring
 /// around `region` best (least squares with Tukey's weights). `trusted` are the ring's pixels that
 /// it explains; all of the ring where it explains less than half.
-change::AlignedPair predict_platform(const cv::Mat& before, const cv::Rect& region);
+alignment::AlignedPair predict_platform(const cv::Mat& before, const cv::Rect& region);
 
 }  // namespace mbncc::likelihood

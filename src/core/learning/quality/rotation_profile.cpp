@@ -6,7 +6,7 @@
 #include <opencv2/imgproc.hpp>
 
 #include "imaging/pyramid.hpp"
-#include "learning/change/rectangles.hpp"
+#include "imaging/rectangles.hpp"
 #include "mbncc/matching/similarity.hpp"
 
 namespace mbncc::quality {
@@ -36,7 +36,7 @@ RotationProfile::RotationProfile(const View& view, const cv::Mat& image) {
   const int reach = static_cast<int>(2 * excircle(view.map).radius) + 4;
   cv::Mat part;
   const cv::Rect around =
-      change::grown(cv::Rect(cv::Point(centre) + view.origin, cv::Size(1, 1)), reach) &
+      imaging::grown(cv::Rect(cv::Point(centre) + view.origin, cv::Size(1, 1)), reach) &
       cv::Rect({0, 0}, image.size());
   const cv::Mat map = map_within(view, around);
   cv::cvtColor(image(around), part, cv::COLOR_BGR2GRAY);

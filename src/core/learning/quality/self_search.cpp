@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <memory>
 
-#include "learning/change/half_size.hpp"
+#include "imaging/half_size.hpp"
 #include "mbncc/matching/matcher.hpp"
 
 namespace mbncc::quality {
@@ -38,10 +38,10 @@ struct Reduced {
 Reduced reduced(const View& view, const cv::Mat& image) {
   Reduced result{image, view, 1};
   while (excircle(result.view.map).radius >= 2 * kEnoughRadius) {
-    const cv::Mat map = change::half_size(full_size_map(result.view), cv::INTER_AREA) > 127;
+    const cv::Mat map = imaging::half_size(full_size_map(result.view), cv::INTER_AREA) > 127;
     if (cv::countNonZero(map) == 0) break;
     result.scale /= 2;
-    result.image = change::half_size(result.image, cv::INTER_AREA);
+    result.image = imaging::half_size(result.image, cv::INTER_AREA);
     const Pose2D& reference = result.view.reference;
     result.view = crop_view(result.image, map,
                             {(reference.x - 0.5) / 2, (reference.y - 0.5) / 2, reference.theta});

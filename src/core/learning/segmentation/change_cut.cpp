@@ -7,10 +7,10 @@
 #include <memory>
 #include <opencv2/imgproc.hpp>
 
-#include "learning/change/align_images.hpp"
-#include "learning/change/arrival_test.hpp"
+#include "imaging/rectangles.hpp"
+#include "learning/alignment/align_images.hpp"
+#include "learning/change/arrivals.hpp"
 #include "learning/change/moved_neighbour.hpp"
-#include "learning/change/rectangles.hpp"
 #include "learning/likelihood/background_likelihood.hpp"
 #include "learning/likelihood/coloured_shadow.hpp"
 #include "learning/likelihood/object_preference.hpp"
@@ -44,7 +44,7 @@ constexpr std::array<float, 4> kDarkestShadows{likelihood::kDarkestShadow, 0.5F,
 // images are much larger and a cut lives as long as its lesson.
 class Cutter {
  public:
-  Cutter(const change::AlignedPair& pair, const cv::Rect& crop, const cv::Rect& region)
+  Cutter(const alignment::AlignedPair& pair, const cv::Rect& crop, const cv::Rect& region)
       : window_(pair.window),
         crop_(crop),
         before_(pair.before(crop - pair.window.tl()).clone()),
@@ -269,7 +269,7 @@ ChangeCut result_of(const std::shared_ptr<const Cutter>& cutter, const cv::Size&
 
 cv::Rect crop_of(const cv::Rect& region, const cv::Size& image) {
   const int margin = std::max(6, std::max(region.width, region.height) / 20);
-  return change::grown(region, margin) & cv::Rect({0, 0}, image);
+  return imaging::grown(region, margin) & cv::Rect({0, 0}, image);
 }
 
 ChangeCut cut(const std::shared_ptr<Cutter>& cutter, const cv::Size& size, int iterations,
@@ -296,7 +296,7 @@ ChangeCut change_cut(const cv::Mat& before, const cv::Mat& after, const cv::Rect
                      const cv::Mat& changed, int iterations, int max_shift,
                      const BeforeCut& before_cut) {
   const auto cutter =
-      std::make_shared<Cutter>(change::align_images(before, after, region, changed, max_shift),
+      std::make_shared<Cutter>(alignment::align_images(before, after, region, changed, max_shift),
                                crop_of(region, before.size()), region);
   const auto leaves_an_object = [&](float darkest_shadow) {
     cutter->explain_background(darkest_shadow);

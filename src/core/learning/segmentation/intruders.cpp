@@ -5,7 +5,7 @@
 #include <opencv2/imgproc.hpp>
 #include <vector>
 
-#include "learning/change/arrival_test.hpp"
+#include "learning/change/departure_scores.hpp"
 #include "learning/likelihood/background_likelihood.hpp"
 #include "learning/segmentation/graph_cut.hpp"
 #include "learning/segmentation/smoothness.hpp"

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <opencv2/imgproc.hpp>
 
-#include "learning/change/rectangles.hpp"
+#include "imaging/rectangles.hpp"
 
 namespace mbncc::segmentation {
 namespace {
@@ -52,13 +52,13 @@ double edge_agreement(const cv::Mat& image, const cv::Mat& grey, const cv::Mat& 
 }
 
 cv::Rect surroundings(const cv::Mat& map) {
-  return change::grown(cv::boundingRect(map), kReach) & cv::Rect({0, 0}, map.size());
+  return imaging::grown(cv::boundingRect(map), kReach) & cv::Rect({0, 0}, map.size());
 }
 
 }  // namespace
 
 cv::Rect surroundings(const View& view) {
-  return change::grown({view.origin, view.map.size()}, kReach) & cv::Rect({0, 0}, view.image_size);
+  return imaging::grown({view.origin, view.map.size()}, kReach) & cv::Rect({0, 0}, view.image_size);
 }
 
 cv::Mat outline_pixels(const cv::Mat& map) {

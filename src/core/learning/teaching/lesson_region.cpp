@@ -5,7 +5,8 @@
 #include <opencv2/imgproc.hpp>
 #include <vector>
 
-#include "learning/change/arrival_test.hpp"
+#include "learning/change/changed_places.hpp"
+#include "learning/change/departures.hpp"
 #include "learning/teaching/click_region.hpp"
 #include "learning/teaching/lesson_checks.hpp"
 #include "learning/teaching/lesson_progress.hpp"
@@ -20,7 +21,7 @@ void find_departure(const Lesson& lesson, ChangeSurvey& survey, RegionOfLesson& 
   const bool changed = cv::countNonZero(survey.changed) > 0;
   const cv::Mat left = change::departures(lesson.before, lesson.after, survey.changed);
   survey.changed = cv::Mat(left > 0);  // the one surveyed is kept
-  const std::vector<cv::Rect> places = changed_places(left, survey.noisy);
+  const std::vector<cv::Rect> places = change::changed_places(left, survey.noisy);
   if (changed && places.empty())
     throw LessonEnded(LearnError::kNoChange, "Something was put down, but nothing was taken away.");
   region.room = places.empty() ? cv::Rect() : places.front();
@@ -34,7 +35,7 @@ void find_departure(const Lesson& lesson, ChangeSurvey& survey, RegionOfLesson& 
 cv::Rect region_of_change(const Lesson& lesson, const ChangeSurvey& survey, const cv::Rect& room) {
   constexpr int kFarLarger = 4;
   if (lesson.click) return room;
-  const cv::Rect narrow = changed_region(survey, room, 0.1);
+  const cv::Rect narrow = change::changed_region(survey, room, 0.1);
   return !narrow.empty() && room.area() > kFarLarger * narrow.area() ? narrow : room;
 }
 
@@ -73,7 +74,7 @@ void narrow_to_click(const Lesson& lesson, const LearningConfig& config, RegionO
   region.approximate = change_at_click(region.approximate, *lesson.click);
   ChangeSurvey clicked;
   clicked.changed = region.approximate;
-  const cv::Rect room = changed_region(clicked, {{0, 0}, lesson.before.size()}, 0);
+  const cv::Rect room = change::changed_region(clicked, {{0, 0}, lesson.before.size()}, 0);
   if (!room.empty()) region.room = room;
 }
 

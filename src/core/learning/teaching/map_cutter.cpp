@@ -3,8 +3,8 @@
 
 #include <algorithm>
 
+#include "imaging/rectangles.hpp"
 #include "learning/change/platform_likeness.hpp"
-#include "learning/change/rectangles.hpp"
 #include "learning/segmentation/cut_evidence.hpp"
 #include "learning/teaching/click_region.hpp"
 #include "learning/teaching/lesson_checks.hpp"
@@ -147,7 +147,7 @@ Segmentation MapCutter::clicked(const Segmentation& found) {
   const cv::Rect box = cv::boundingRect(piece);
   const int margin =
       std::max(kClickMargin, static_cast<int>(kClickPart * std::max(box.width, box.height)));
-  task_.region = change::grown(box, margin) & usable_region(lesson_);
+  task_.region = imaging::grown(box, margin) & usable_region(lesson_);
   Segmentation alone = segment_once();
   alone.map = piece_at(alone.map, *lesson_.click);
   check_map(alone.map, task_.region);
@@ -193,7 +193,7 @@ cv::Rect MapCutter::widest_region() const {
 cv::Rect MapCutter::wider_region() const {
   if (!lesson_.outline.empty()) return task_.region;
   const int margin = std::max(task_.region.width, task_.region.height) / 2;
-  return change::grown(task_.region, margin) & widest_region();
+  return imaging::grown(task_.region, margin) & widest_region();
 }
 
 Segmentation MapCutter::cut_again(const Segmentation& cut, const Marks& marks) {

@@ -7,8 +7,9 @@
 #include <opencv2/imgproc.hpp>
 #include <vector>
 
-#include "learning/change/arrival_test.hpp"
-#include "learning/change/rectangles.hpp"
+#include "imaging/rectangles.hpp"
+#include "learning/change/changed_places.hpp"
+#include "learning/change/departures.hpp"
 #include "learning/change/survey_size.hpp"
 #include "learning/segmentation/map_measures.hpp"
 #include "mbncc/learning/change.hpp"
@@ -44,15 +45,15 @@ std::vector<Place> places_of(const cv::Mat& patches, double area) {
   const int count =
       cv::connectedComponentsWithStats(joined(all), labels, stats, centres, 8, CV_32S);
   const cv::Rect image({0, 0}, patches.size());
-  const cv::Rect inner = change::grown(image, -1 - patches.cols / change::kSurveyWidth);
+  const cv::Rect inner = imaging::grown(image, -1 - patches.cols / change::kSurveyWidth);
   std::vector<Place> places;
   for (int i = 1; i < count; ++i) {
     const double part = stats.at<int>(i, cv::CC_STAT_AREA) / area;
     if (part < kSmallestPart || part > kLargestPart) continue;
-    const cv::Rect box = change::box_of_component(stats, i) + all.tl();
+    const cv::Rect box = imaging::box_of_component(stats, i) + all.tl();
     const int margin = std::max(8, std::max(box.width, box.height) * 15 / 100);
     places.push_back(
-        {change::grown(box, margin) & image, (box & inner) == box, std::abs(std::log(part))});
+        {imaging::grown(box, margin) & image, (box & inner) == box, std::abs(std::log(part))});
   }
   std::sort(places.begin(), places.end(),
             [](const Place& a, const Place& b) { return a.unlikeness < b.unlikeness; });
@@ -173,7 +174,7 @@ std::optional<NewPlace> find_put_aside(const ObjectModel& object, const cv::Mat&
 std::vector<cv::Rect> places_elsewhere(const cv::Mat& changed, const cv::Mat& map) {
   const cv::Mat elsewhere = patches_elsewhere(changed, map, kOtherPart);
   if (elsewhere.empty()) return {};
-  std::vector<cv::Rect> places = changed_places(cv::Mat_<float>(elsewhere), false);
+  std::vector<cv::Rect> places = change::changed_places(cv::Mat_<float>(elsewhere), false);
   places.resize(std::min(places.size(), kOthersTried));
   return places;
 }
@@ -186,7 +187,7 @@ std::vector<cv::Rect> large_parts(const cv::Mat& map) {
   std::vector<cv::Rect> parts;
   for (int i = 1; i < count; ++i) {
     if (stats.at<int>(i, cv::CC_STAT_AREA) < kSmallestPart * largest) continue;
-    parts.push_back(change::grown(change::box_of_component(stats, i), kPartMargin) &
+    parts.push_back(imaging::grown(imaging::box_of_component(stats, i), kPartMargin) &
                     cv::Rect({0, 0}, map.size()));
   }
   if (parts.size() < 2) return {};

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "learning/change/phase_shift.hpp"
+#include "learning/alignment/phase_shift.hpp"
 
 #include <cmath>
 #include <limits>
 #include <vector>
 
-namespace mbncc::change {
+namespace mbncc::alignment {
 namespace {
 
 constexpr int kAround = 2;  // [px] of a peak used for its sub-pixel position
@@ -96,4 +96,4 @@ cv::Point2d phase_shift(const cv::Mat& before, const cv::Mat& after) {
   return -peak_of(correlation);
 }
 
-}  // namespace mbncc::change
+}  // namespace mbncc::alignment

@@ -4,11 +4,11 @@
 
 #include <opencv2/core.hpp>
 
-namespace mbncc::change {
+namespace mbncc::alignment {
 
 /// [px] Shift of `after` relative to `before`, up to half their size, for undo_shift(). Both are
 /// CV_32FC1 of one size. Like cv::phaseCorrelate() with a Hanning window, in a quarter of its
 /// memory.
 cv::Point2d phase_shift(const cv::Mat& before, const cv::Mat& after);
 
-}  // namespace mbncc::change
+}  // namespace mbncc::alignment

@@ -4,7 +4,7 @@
 
 #include <opencv2/core.hpp>
 
-namespace mbncc::change {
+namespace mbncc::alignment {
 
 struct AlignedPair {
   cv::Rect window;    ///< [px] of the images: the region and a ring of platform around it
@@ -19,4 +19,4 @@ struct AlignedPair {
 AlignedPair align_images(const cv::Mat& before, const cv::Mat& after, const cv::Rect& region,
                          const cv::Mat& changed, double max_shift);
 
-}  // namespace mbncc::change
+}  // namespace mbncc::alignment

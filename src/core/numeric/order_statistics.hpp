@@ -4,7 +4,7 @@
 
 #include <vector>
 
-namespace mbncc::change {
+namespace mbncc::numeric {
 
 /// Value below which the part `q` [0..1] of `values` lies; 0 for none. No value may be NaN.
 /// Reorders `values`.
@@ -20,4 +20,4 @@ inline float deviation_of_mad(float mad) {
   return 1.4826F * mad;
 }
 
-}  // namespace mbncc::change
+}  // namespace mbncc::numeric

@@ -1,17 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "learning/change/align_images.hpp"
+#include "learning/alignment/align_images.hpp"
 
 #include <algorithm>
 #include <opencv2/imgproc.hpp>
 #include <vector>
 
-#include "learning/change/camera_shift.hpp"
-#include "learning/change/photometric_fit.hpp"
-#include "learning/change/rectangles.hpp"
-#include "learning/change/statistics.hpp"
-#include "learning/change/strips.hpp"
+#include "imaging/rectangles.hpp"
+#include "imaging/strips.hpp"
+#include "learning/alignment/camera_shift.hpp"
+#include "learning/alignment/image_shift.hpp"
+#include "learning/alignment/photometric_fit.hpp"
+#include "numeric/order_statistics.hpp"
 
-namespace mbncc::change {
+namespace mbncc::alignment {
 namespace {
 
 constexpr int kLeastRing = 40;          // [px] width of the ring
@@ -33,7 +34,8 @@ cv::Mat glare_of(const cv::Mat& before, const cv::Mat& after) {
 // Pixels where the platform should look the same in both images.
 cv::Mat ring_of(const cv::Rect& window, const cv::Rect& region, const cv::Mat& changed) {
   cv::Mat ring(window.size(), CV_8UC1, cv::Scalar(255));
-  const cv::Rect inner = (grown(region, 4) - window.tl()) & cv::Rect({0, 0}, window.size());
+  const cv::Rect inner =
+      (imaging::grown(region, 4) - window.tl()) & cv::Rect({0, 0}, window.size());
   ring(inner).setTo(0);
   if (cv::countNonZero(ring) >= kLeastTrusted * window.area()) return ring;
   cv::Mat near_change;
@@ -45,7 +47,7 @@ cv::Mat ring_of(const cv::Rect& window, const cv::Rect& region, const cv::Mat& c
 // x 7.
 cv::Mat remaining_difference(const cv::Mat& before, const cv::Mat& after, const Light& light) {
   cv::Mat difference(before.size(), CV_32FC1);
-  for_each_strip(before.rows, [&](const cv::Range& rows) {
+  imaging::for_each_strip(before.rows, [&](const cv::Range& rows) {
     cv::Mat lit = apply_light(after, light, rows), part = difference.rowRange(rows);
     cv::absdiff(floats(before.rowRange(rows)), lit, lit);
     cv::transform(lit, part, cv::Matx13f(1, 1, 1));
@@ -61,7 +63,7 @@ cv::Mat without_changed_blobs(const cv::Mat& difference, const cv::Mat& ring) {
   for (int y = 0; y < ring.rows; y += 3)
     for (int x = 0; x < ring.cols; x += 3)
       if (ring.at<uchar>(y, x)) values.push_back(difference.at<float>(y, x));
-  cv::Mat blobs = difference > std::max(12.F, 3.5F * median(values));
+  cv::Mat blobs = difference > std::max(12.F, 3.5F * numeric::median(values));
   cv::dilate(blobs, blobs, cv::getStructuringElement(cv::MORPH_ELLIPSE, {9, 9}));
   const cv::Mat quiet = ring & ~blobs;
   return cv::countNonZero(quiet) > 0.3 * cv::countNonZero(ring) ? quiet : ring;
@@ -91,7 +93,7 @@ class Alignment {
             const cv::Mat& ring)
       : before_(before(window)), window_(window), ring_(ring) {
     // A margin keeps replicated borders out of the window when a shift is compensated.
-    source_window_ = grown(window, 10) & cv::Rect({0, 0}, after.size());
+    source_window_ = imaging::grown(window, 10) & cv::Rect({0, 0}, after.size());
     source_ = after(source_window_);
     moved_ = source_(window_ - source_window_.tl());
     trusted_ = ring_;
@@ -132,7 +134,7 @@ class Alignment {
 AlignedPair align_images(const cv::Mat& before, const cv::Mat& after, const cv::Rect& region,
                          const cv::Mat& changed, double max_shift) {
   const int ring_width = std::max(kLeastRing, std::max(region.width, region.height) / 2);
-  const cv::Rect window = grown(region, ring_width) & cv::Rect({0, 0}, before.size());
+  const cv::Rect window = imaging::grown(region, ring_width) & cv::Rect({0, 0}, before.size());
   const cv::Mat ring = ring_of(window, region, changed) & ~glare_of(before(window), after(window));
   Alignment alignment(before, after, window, ring);
   alignment.fit_light_to_ring();
@@ -140,4 +142,4 @@ AlignedPair align_images(const cv::Mat& before, const cv::Mat& after, const cv::
   return alignment.result();
 }
 
-}  // namespace mbncc::change
+}  // namespace mbncc::alignment

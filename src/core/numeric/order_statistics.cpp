@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "learning/change/statistics.hpp"
+#include "numeric/order_statistics.hpp"
 
 #include <algorithm>
 #include <array>
@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <cstring>
 
-namespace mbncc::change {
+namespace mbncc::numeric {
 namespace {
 
 constexpr std::size_t kFew = 200;  // values that are sorted directly
@@ -71,4 +71,4 @@ float quantile(std::vector<float>& values, double q) {
   return *at;
 }
 
-}  // namespace mbncc::change
+}  // namespace mbncc::numeric

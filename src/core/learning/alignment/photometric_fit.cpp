@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "learning/change/photometric_fit.hpp"
+#include "learning/alignment/photometric_fit.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <vector>
 
-#include "learning/change/statistics.hpp"
+#include "numeric/order_statistics.hpp"
 
-namespace mbncc::change {
+namespace mbncc::alignment {
 namespace {
 
 constexpr int kFinestStep = 3;        // [px] sampling of the images
@@ -55,7 +55,8 @@ float spread_of(const std::vector<Sample>& samples, const cv::Vec4d& light) {
   residuals.reserve(samples.size());
   for (const auto& sample : samples)
     residuals.push_back(static_cast<float>(std::abs(sample.residual(light))));
-  return deviation_of_mad(std::max(static_cast<float>(kLeastSpread), median(residuals)));
+  return numeric::deviation_of_mad(
+      std::max(static_cast<float>(kLeastSpread), numeric::median(residuals)));
 }
 
 // Weak priors per sample keep terms at 0 that the scene cannot separate.
@@ -87,7 +88,7 @@ float median_difference(const std::vector<Sample>& samples) {
   std::vector<float> differences;
   differences.reserve(samples.size());
   for (const auto& sample : samples) differences.push_back(static_cast<float>(sample.difference));
-  return median(differences);
+  return numeric::median(differences);
 }
 
 // Largest difference of two lights on a pixel of medium brightness. [grey levels]
@@ -139,4 +140,4 @@ cv::Mat apply_light(const cv::Mat& after, const Light& light, const cv::Range& r
   return lit;
 }
 
-}  // namespace mbncc::change
+}  // namespace mbncc::alignment

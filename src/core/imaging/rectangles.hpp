@@ -4,7 +4,7 @@
 
 #include <opencv2/imgproc.hpp>
 
-namespace mbncc::change {
+namespace mbncc::imaging {
 
 /// `rect` with `margin` pixels added on every side.
 inline cv::Rect grown(const cv::Rect& rect, int margin) {
@@ -18,4 +18,4 @@ inline cv::Rect box_of_component(const cv::Mat& stats, int label) {
           values[cv::CC_STAT_HEIGHT]};
 }
 
-}  // namespace mbncc::change
+}  // namespace mbncc::imaging

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "learning/change/statistics.hpp"
+#include "numeric/order_statistics.hpp"
 
 #include <gtest/gtest.h>
 
@@ -9,7 +9,7 @@
 #include <random>
 #include <vector>
 
-namespace mbncc::change {
+namespace mbncc::numeric {
 namespace {
 
 using Draw = float (*)(std::mt19937&);
@@ -38,7 +38,7 @@ TEST_P(Quantile, IsTheValueOfThatRank) {
     std::sort(sorted.begin(), sorted.end());
     for (const double part : {0.0, 0.1, 0.5, 0.683, 0.999, 1.0}) {
       const auto rank = std::min(count - 1, static_cast<std::size_t>(part * count));
-      EXPECT_EQ(quantile(values, part), sorted[rank]) << count << " values, " << part;
+      EXPECT_EQ(numeric::quantile(values, part), sorted[rank]) << count << " values, " << part;
     }
     std::sort(values.begin(), values.end());
     EXPECT_EQ(values, sorted);
@@ -50,8 +50,8 @@ INSTANTIATE_TEST_SUITE_P(Draws, Quantile,
 
 TEST(QuantileOfNone, IsZero) {
   std::vector<float> none;
-  EXPECT_EQ(quantile(none, 0.5), 0);
+  EXPECT_EQ(numeric::quantile(none, 0.5), 0);
 }
 
 }  // namespace
-}  // namespace mbncc::change
+}  // namespace mbncc::numeric

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <opencv2/core.hpp>
 
-namespace mbncc::change {
+namespace mbncc::imaging {
 
 /// Calls use(cv::Range) for strips that make up `height` rows.
 template <class Use>
@@ -15,4 +15,4 @@ void for_each_strip(int height, Use&& use) {
   for (int y = 0; y < height; y += kStrip) use(cv::Range(y, std::min(y + kStrip, height)));
 }
 
-}  // namespace mbncc::change
+}  // namespace mbncc::imaging

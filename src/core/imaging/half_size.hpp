@@ -4,7 +4,7 @@
 
 #include <opencv2/imgproc.hpp>
 
-namespace mbncc::change {
+namespace mbncc::imaging {
 
 /// Rounded sizes; `interpolation` is one of cv::InterpolationFlags.
 inline cv::Mat half_size(const cv::Mat& image, int interpolation) {
@@ -13,4 +13,4 @@ inline cv::Mat half_size(const cv::Mat& image, int interpolation) {
   return half;
 }
 
-}  // namespace mbncc::change
+}  // namespace mbncc::imaging

@@ -6,7 +6,7 @@
 #include <array>
 #include <opencv2/core.hpp>
 
-namespace mbncc::change {
+namespace mbncc::alignment {
 
 /// before = after (1 + gain + gain_x u + gain_y v) + offset, with u, v in -0.5 .. 0.5 across the
 /// image.
@@ -27,4 +27,4 @@ Light fit_light(const cv::Mat& before, const cv::Mat& after, const cv::Mat& trus
 cv::Mat apply_light(const cv::Mat& after, const Light& light,
                     const cv::Range& rows = cv::Range::all());
 
-}  // namespace mbncc::change
+}  // namespace mbncc::alignment

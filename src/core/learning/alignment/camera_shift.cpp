@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "learning/change/camera_shift.hpp"
+#include "learning/alignment/camera_shift.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <opencv2/imgproc.hpp>
 #include <vector>
 
-#include "learning/change/half_size.hpp"
-#include "learning/change/statistics.hpp"
-#include "learning/change/strips.hpp"
+#include "imaging/half_size.hpp"
+#include "imaging/strips.hpp"
+#include "numeric/order_statistics.hpp"
 
-namespace mbncc::change {
+namespace mbncc::alignment {
 namespace {
 
 constexpr double kEnough = 8000;            // samples
@@ -30,8 +30,9 @@ struct Level {
 };
 
 Level coarser(const Level& level) {
-  return {half_size(level.before, cv::INTER_AREA), half_size(level.after, cv::INTER_AREA),
-          half_size(level.trusted, cv::INTER_NEAREST)};
+  return {imaging::half_size(level.before, cv::INTER_AREA),
+          imaging::half_size(level.after, cv::INTER_AREA),
+          imaging::half_size(level.trusted, cv::INTER_NEAREST)};
 }
 
 // Bilinear interpolation with the same sub-pixel offset for all pixels.
@@ -94,7 +95,8 @@ class ShiftFit {
     for (const auto& at : samples_)
       residuals.push_back(std::abs(level_.before.at<float>(at) - after(at.y, at.x)));
     Cost cost;
-    cost.spread = std::max<double>(kLeastSpread, deviation_of_mad(median(residuals)));
+    cost.spread =
+        std::max<double>(kLeastSpread, numeric::deviation_of_mad(numeric::median(residuals)));
     for (const float r : residuals) cost.value += std::min<double>(r, 3 * cost.spread);
     cost.value /= static_cast<double>(residuals.size());
     return cost;
@@ -138,13 +140,6 @@ class ShiftFit {
   std::vector<cv::Point> samples_;
 };
 
-// Catmull and Rom's, which moves slopes by exactly `part` of a pixel; OpenCV's cubic does not.
-cv::Mat cubic_kernel(double part) {
-  const double t = part, tt = t * t, ttt = tt * t;
-  return (cv::Mat_<float>(1, 4) << (-t + 2 * tt - ttt) / 2, (2 - 5 * tt + 3 * ttt) / 2,
-          (t + 4 * tt - 3 * ttt) / 2, (ttt - tt) / 2);
-}
-
 // From coarse to fine, because in fine texture Gauss-Newton would converge to a local optimum.
 cv::Point2d shift_of(const Level& level) {
   cv::Point2d start;
@@ -157,24 +152,13 @@ cv::Point2d shift_of(const Level& level) {
 
 cv::Mat smooth_luminance(const cv::Mat& image) {
   cv::Mat luminance(image.size(), CV_32FC1), strip;
-  for_each_strip(image.rows, [&](const cv::Range& rows) {
+  imaging::for_each_strip(image.rows, [&](const cv::Range& rows) {
     image.rowRange(rows).convertTo(strip, CV_32F);
     cv::Mat part = luminance.rowRange(rows);
     cv::cvtColor(strip, part, cv::COLOR_BGR2GRAY);
   });
   cv::GaussianBlur(luminance, luminance, {}, 1.5);
   return luminance;
-}
-
-cv::Mat undo_shift(const cv::Mat& image, const cv::Point2d& shift) {
-  const cv::Point whole(cvFloor(shift.x), cvFloor(shift.y));
-  const int margin = std::max(std::abs(whole.x), std::abs(whole.y)) + 3;
-  cv::Mat wide, moved;
-  cv::copyMakeBorder(image, wide, margin, margin, margin, margin, cv::BORDER_REPLICATE);
-  const cv::Mat shifted = wide(cv::Rect(whole + cv::Point(margin, margin), image.size()));
-  cv::sepFilter2D(shifted, moved, -1, cubic_kernel(shift.x - whole.x),
-                  cubic_kernel(shift.y - whole.y), {1, 1});
-  return moved;
 }
 
 cv::Point2d estimate_shift(const cv::Mat& before, const cv::Mat& after, const cv::Mat& trusted,
@@ -187,4 +171,4 @@ cv::Point2d estimate_shift(const cv::Mat& before, const cv::Mat& after, const cv
   return fit.cost_of(shift).value < kClearGain * fit.cost_of({}).value ? shift : cv::Point2d();
 }
 
-}  // namespace mbncc::change
+}  // namespace mbncc::alignment

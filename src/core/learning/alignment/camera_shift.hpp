@@ -4,7 +4,7 @@
 
 #include <opencv2/core.hpp>
 
-namespace mbncc::change {
+namespace mbncc::alignment {
 
 /// Luminance of a CV_32FC3 image, lightly smoothed (sigma 1.5): input of the shift estimation.
 cv::Mat smooth_luminance(const cv::Mat& image);
@@ -15,7 +15,4 @@ cv::Mat smooth_luminance(const cv::Mat& image);
 cv::Point2d estimate_shift(const cv::Mat& before, const cv::Mat& after, const cv::Mat& trusted,
                            double max_shift);
 
-/// `image` (floats) moved so that it shows at x what it showed at x + shift.
-cv::Mat undo_shift(const cv::Mat& image, const cv::Point2d& shift);
-
-}  // namespace mbncc::change
+}  // namespace mbncc::alignment
