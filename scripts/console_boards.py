@@ -12,7 +12,7 @@ MATRIX = numpy.array([[FOCAL_LENGTH, 0, WIDTH / 2], [0, FOCAL_LENGTH, HEIGHT / 2
 BOARD = (9, 6, 0.025)  # inner corners and squares [m], as the console proposes them
 LAID_DOWN = (-0.1, -0.06, 0.6)  # [m] first inner corner of the board on the platform
 PLACES = 12
-SHOWN, RATE = 12, 10   # images of each place, and of a second
+SHOWN, RATE = 12, 10   # images per place and per second
 
 
 def drawn_board(turn, place):
@@ -37,14 +37,14 @@ class Boards:
         self._lying = threading.Event()
 
     def show_all(self):
-        """In one place after the other, each turned differently; as an operator moves the board."""
+        """Shows the board at one place after another, each rotated differently, as an operator moves it."""
         for i in range(PLACES):
             x, y = (i % 4 - 1.5) * 0.09, (i // 4 - 1) * 0.07
             self._show(drawn_board(numpy.array((0.3 * (i % 3 - 1), 0.3 * (i // 4 - 1), 0.05 * i)),
                                    numpy.array((x - 0.1, y - 0.06, 0.5 + 0.01 * i))))
 
     def lay_down(self):
-        """On the platform, with the camera's calibration, until take_up()."""
+        """Shows the board on the platform, with the camera's calibration, until take_up()."""
         board = drawn_board(numpy.zeros(3), numpy.array(LAID_DOWN))
         self._lying.set()
         threading.Thread(target=self._show_lying, args=(board,), daemon=True).start()

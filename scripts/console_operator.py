@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Operates the console by xdotool as fast as the lesson allows; needs xdotool."""
+"""Operates the console with xdotool as fast as the lesson allows."""
 import subprocess
 import threading
 import time
@@ -21,7 +21,7 @@ class Mouse:
 
     @staticmethod
     def window(name):
-        """Of a part that takes clicks."""
+        """The window of a part that accepts clicks."""
         found = wait_for(lambda: xdotool("search", "--onlyvisible", "--name", "^mbncc:%s$" % name),
                          "the console shows '%s', enabled" % name)
         return found[-1]
@@ -40,12 +40,12 @@ class Mouse:
         self.actions += 1
 
     def press(self, key):
-        """A key, where the keyboard is."""
+        """Presses a key in the focused part."""
         xdotool("key", key)
         self.actions += 1
 
     def type(self, text):
-        """Where the keyboard is."""
+        """Replaces the text of the focused field."""
         xdotool("key", "ctrl+a")
         xdotool("type", "--delay", "20", text)
         self.actions += 1
@@ -66,7 +66,7 @@ class Mouse:
         return bool(xdotool("search", "--onlyvisible", "--name", r"^mbncc:%s( \(disabled\))?$" % name))
 
     def click_until(self, name, predicate, what, patience=PATIENCE):
-        """Clicks again where the console was not ready for the click; counts as one action."""
+        """Clicks again if the console was not ready for the click; counts as one action."""
         before, value = self.actions, None
         deadline = time.monotonic() + patience
         while not value and time.monotonic() < deadline:
@@ -82,13 +82,13 @@ class Mouse:
 
     @staticmethod
     def focus_window():
-        """Gives the keyboard to the console, as a window manager does."""
+        """Gives the console the keyboard focus, as a window manager does."""
         top = xdotool("search", "--onlyvisible", "--name", "RViz|mbncc console")
         if top:
             xdotool("windowfocus", "--sync", top[0])
 
     def write(self, name, text):
-        """Into a field."""
+        """Replaces the text of a field."""
         self.click(name)
         self.focus_window()
         self.click(name)
@@ -161,7 +161,7 @@ class Teacher:
         for arm in self._arm.values():
             arm.wait_for_service(PATIENCE)
         self._drafts = 0
-        # The console, not this program, must have the server's ear.
+        # The console itself, not only this program, must be connected to the server.
         self.mouse.window("Teach")
         self.truth.wait(lambda m: bool(m.objects), "the simulated camera works")
 
@@ -173,7 +173,7 @@ class Teacher:
         wait_for(lambda: self.stage() in stages, "the lesson reaches a stage of %s" % (stages,))
 
     def order(self, name, lies, halfway=lambda: None):
-        """Sends the arm, and waits until it is out of the image again."""
+        """Moves the arm and waits until it has left the image."""
         wait_for(lambda: self._arm[name]().success, "the arm obeys")
         self.truth.wait(lambda m: m.message == "carry", "the arm has the object")
         halfway()

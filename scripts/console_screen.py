@@ -20,7 +20,7 @@ def screen(folder):
 
 
 def settled_screen(folder, patience=5):
-    """The screen once the window has drawn itself: two images in succession are the same but for noise."""
+    """The screen once the window has drawn itself: two successive images are equal except for noise."""
     last = [screen(folder)]
 
     def settled():

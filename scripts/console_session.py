@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""A simulated cell and its console on a display of their own.
+"""A simulated cell and its console on a separate display.
 
 Shared by the console's test and by scripts/make_console_images; needs Xvfb.
 """
@@ -11,12 +11,12 @@ import subprocess
 import tempfile
 import time
 
-PATIENCE = 60  # [s] for whatever must happen on a busy machine
+PATIENCE = 60  # [s] allowed for each step on a busy machine
 GLANCE = 0.1   # [s] between two checks
 
 
 class SessionFailed(Exception):
-    """Ends the session with a sentence."""
+    """Ends the session with a message."""
 
 
 def wait_for(predicate, what, patience=PATIENCE):
@@ -119,7 +119,7 @@ class Session:
 
 
 def end(program):
-    """roslaunch needs an interrupt to take its nodes along."""
+    """Interrupts the process, because roslaunch stops its nodes only then."""
     if program.poll() is None:
         os.killpg(program.pid, signal.SIGINT)
     try:

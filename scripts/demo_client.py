@@ -31,7 +31,7 @@ NEEDED = 5  # poses found
 
 
 class DemoFailed(Exception):
-    """Ends the demo with a sentence."""
+    """Ends the demo with a message."""
 
 
 def compose(outer, inner):

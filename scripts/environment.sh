@@ -5,15 +5,15 @@
 MBNCC_ROOT="$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)"
 MBNCC_BUILD="${MBNCC_BUILD:-$MBNCC_ROOT/build}"
 
-# ROS's Python modules belong to the system's interpreter; another one may stand ahead of it on PATH.
+# ROS's Python modules belong to the system's interpreter; another one may precede it on PATH.
 export PATH="/usr/bin:$PATH"
 export LC_ALL="${LC_ALL:-C.UTF-8}"
 # A fresh machine may be unable to resolve its own name.
 export ROS_HOSTNAME="${ROS_HOSTNAME:-localhost}"
 export ROSCONSOLE_STDOUT_LINE_BUFFERED=1
 
-# Some ROS set-up files read variables that are not set. The caller's options hold again afterwards; a
-# subshell that asks for them (set +o) would be told that errexit is off.
+# Some ROS set-up files read variables that are not set. The caller's options are restored afterwards; a
+# subshell that asked for them (set +o) would see errexit as off.
 source_leniently() {
   local options="$-"
   set +eu

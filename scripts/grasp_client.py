@@ -32,7 +32,7 @@ def array_fault(array):
         return "no poses in metres: " + array.message
     if array.status == DetectedObjectArray.TF_UNAVAILABLE:
         return "not in the wanted frame: " + array.message
-    # Also of a status that this program does not know yet.
+    # This also covers a status that this program does not know yet.
     if array.status not in (DetectedObjectArray.OK, DetectedObjectArray.BUDGET_EXCEEDED):
         return "not to be relied upon: " + array.message
     return None
@@ -92,7 +92,7 @@ class GraspClient:
 
     def wait(self, name, timeout):
         """(object, its array's header) that may be grasped now, or (None, reasons)."""
-        # The steady clock: a simulated one may stand still.
+        # The steady clock, because a simulated one may stop.
         deadline = time.monotonic() + timeout
         reasons = ["nothing comes on %s; is the cell running, and its matching enabled?"
                    % rospy.resolve_name("detected_objects")]
