@@ -4,24 +4,13 @@
 #pragma once
 
 #include <memory>
-#include <opencv2/core.hpp>
-#include <optional>
-#include <vector>
 
-#include "mbncc/learning/learn_object.hpp"
+#include "mbncc/config/learning_config.hpp"
+#include "mbncc/config/search_config.hpp"
+#include "mbncc/learning/lesson.hpp"
+#include "mbncc/learning/lesson_edit.hpp"
 
 namespace mbncc {
-
-/// One correction, as in srv/ConfirmLearning.srv. Fields that are not set change nothing.
-struct LessonEdit {
-  using Line = std::vector<cv::Point2f>;  ///< [px] in the learning image
-
-  std::vector<Line> include;        ///< belongs to the object
-  std::vector<Line> exclude;        ///< belongs to the background; overrides `include`
-  double stroke_width = 0;          ///< [px] of the lines, at most 1000; 0: closed areas
-  cv::Rect region;                  ///< [px] new approximate region; empty: as before
-  std::optional<Pose2D> reference;  ///< [px],[rad] object frame
-};
 
 /// Strokes accumulate over the edits; later ones override earlier ones. Every edit starts from the
 /// first cut with all strokes so far, so the same edits give an identical map. If the map or the

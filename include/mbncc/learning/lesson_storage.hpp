@@ -10,7 +10,7 @@
 
 #include "mbncc/config/search_config.hpp"
 #include "mbncc/error.hpp"
-#include "mbncc/learning/learn_object.hpp"
+#include "mbncc/learning/lesson.hpp"
 #include "mbncc/library/object_library.hpp"
 #include "mbncc/object_model.hpp"
 

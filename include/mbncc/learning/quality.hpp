@@ -7,7 +7,6 @@
 
 #include "mbncc/config/learning_config.hpp"
 #include "mbncc/config/search_config.hpp"
-#include "mbncc/error.hpp"
 #include "mbncc/learning/cut_evidence.hpp"
 #include "mbncc/object_model.hpp"
 
@@ -19,8 +18,5 @@ namespace mbncc {
 Quality assess_quality(const ObjectModel& object, const cv::Mat& before, const cv::Mat& changed,
                        const std::optional<CutEvidence>& evidence, const LearningConfig& config,
                        const SearchConfig& search);
-
-/// Error code of a BAD verdict: the code of its worst reason, kQualityBad if the reason has none.
-LearnError error_of(const Quality& quality);
 
 }  // namespace mbncc

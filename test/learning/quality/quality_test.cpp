@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "learning/images.hpp"
+#include "learning/teaching/lesson_checks.hpp"
 #include "mbncc/learning/change.hpp"
 
 namespace mbncc {
@@ -149,7 +150,7 @@ TEST(Quality, NearSymmetriesAreProposedUntilTheyAreDeclared) {
   ASSERT_TRUE(has_reason(quality, "nearly_round"));
   EXPECT_EQ(quality.reasons.size(), quality.advice.size());
   EXPECT_NE(quality.advice.back().find("declare symmetry round"), std::string::npos);
-  EXPECT_EQ(error_of(quality), LearnError::kSuccess);
+  EXPECT_EQ(teaching::error_of(quality), LearnError::kSuccess);
 
   ObjectModel object = model_of(image, map);
   for (const int declared : {1, 0}) {

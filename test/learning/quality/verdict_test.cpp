@@ -6,6 +6,8 @@
 
 #include <algorithm>
 
+#include "learning/teaching/lesson_checks.hpp"
+
 namespace mbncc::quality {
 namespace {
 
@@ -52,7 +54,7 @@ TEST_F(VerdictTest, WhatNothingSpeaksAgainstIsGood) {
   EXPECT_EQ(quality.verdict, Verdict::kGood);
   EXPECT_TRUE(quality.reasons.empty());
   EXPECT_EQ(decided(sound(), std::nullopt).verdict, Verdict::kGood);
-  EXPECT_EQ(error_of(quality), LearnError::kSuccess);
+  EXPECT_EQ(teaching::error_of(quality), LearnError::kSuccess);
 }
 
 TEST_F(VerdictTest, ARiskOfAFifthIsNotGoodAndOneOfAHalfIsBad) {
@@ -121,7 +123,7 @@ TEST_F(VerdictTest, WhatLooksLikeAShadowHasToLieInsideTheRegion) {
 TEST_F(VerdictTest, AnObjectCutByTheBorderIsRefused) {
   const Quality quality = decided(sound(), CutEvidence(), true);
   EXPECT_EQ(quality.verdict, Verdict::kBad);
-  EXPECT_EQ(error_of(quality), LearnError::kTouchesBorder);
+  EXPECT_EQ(teaching::error_of(quality), LearnError::kTouchesBorder);
 }
 
 TEST_F(VerdictTest, SmallObjectsWarnAndSmallerOnesAreRefused) {
@@ -132,7 +134,7 @@ TEST_F(VerdictTest, SmallObjectsWarnAndSmallerOnesAreRefused) {
   EXPECT_EQ(verdict_of(quality), Verdict::kMarginal);
   quality.area = learning_.min_area - 1;
   EXPECT_EQ(verdict_of(quality), Verdict::kBad);
-  EXPECT_EQ(error_of(decided(quality)), LearnError::kTooSmall);
+  EXPECT_EQ(teaching::error_of(decided(quality)), LearnError::kTooSmall);
 }
 
 TEST_F(VerdictTest, APlainSurfaceCountsIfTheObjectIsNotFoundAgain) {
@@ -140,9 +142,9 @@ TEST_F(VerdictTest, APlainSurfaceCountsIfTheObjectIsNotFoundAgain) {
   quality.contrast = 1;
   EXPECT_EQ(verdict_of(quality), Verdict::kGood);
   quality.self_score = search_.min_score - 0.01;
-  EXPECT_EQ(error_of(decided(quality)), LearnError::kLowTexture);
+  EXPECT_EQ(teaching::error_of(decided(quality)), LearnError::kLowTexture);
   quality.contrast = 6;
-  EXPECT_EQ(error_of(decided(quality)), LearnError::kNotDistinct);
+  EXPECT_EQ(teaching::error_of(decided(quality)), LearnError::kNotDistinct);
 }
 
 TEST_F(VerdictTest, WhatIsNotFoundAgainIsRefused) {
@@ -151,7 +153,7 @@ TEST_F(VerdictTest, WhatIsNotFoundAgainIsRefused) {
   EXPECT_EQ(verdict_of(quality), Verdict::kMarginal);
   quality.self_score = search_.min_score - 0.01;
   EXPECT_EQ(verdict_of(quality), Verdict::kBad);
-  EXPECT_EQ(error_of(decided(quality)), LearnError::kNotDistinct);
+  EXPECT_EQ(teaching::error_of(decided(quality)), LearnError::kNotDistinct);
 }
 
 TEST_F(VerdictTest, WhatLooksTheSameIsToldFromSeventyPercentOn) {
@@ -174,7 +176,7 @@ TEST_F(VerdictTest, WhatRefusesGoesBeforeWarningsAndTheyDoNotSoftenIt) {
   EXPECT_EQ(quality.verdict, Verdict::kBad);
   ASSERT_GE(quality.reasons.size(), 3u);
   EXPECT_EQ(quality.reasons.front(), "change_outside_region");
-  EXPECT_EQ(error_of(quality), LearnError::kQualityBad);
+  EXPECT_EQ(teaching::error_of(quality), LearnError::kQualityBad);
 }
 
 }  // namespace

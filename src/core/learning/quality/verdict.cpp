@@ -16,51 +16,42 @@ constexpr double kPlain = 6;        // [grey levels] deviation under the map of 
 constexpr double kCrossing = 0.05;  // [0..1] part of the outline on the region's edge
 constexpr double kNever = std::numeric_limits<double>::infinity();  // as a limit
 
-// Reasons against a lesson. A key may have its own error code for the action's result.
+// Reasons against a lesson.
 struct Reason {
   const char* key;
-  LearnError error;
   const char* advice;
 };
 
 // Worst first.
 constexpr std::array<Reason, 17> kReasons{{
-    {"touches_image_border", LearnError::kTouchesBorder,
-     "Move the object fully into view and teach again."},
-    {"too_small", LearnError::kTooSmall, "Move the camera closer or use a higher resolution."},
-    {"low_texture", LearnError::kLowTexture,
-     "Turn the object's marked side up or improve the light."},
-    {"not_found_again", LearnError::kNotDistinct,
-     "Turn the object's marked side up, or teach it on a plainer background."},
-    {"not_distinct", LearnError::kNotDistinct,
+    {"touches_image_border", "Move the object fully into view and teach again."},
+    {"too_small", "Move the camera closer or use a higher resolution."},
+    {"low_texture", "Turn the object's marked side up or improve the light."},
+    {"not_found_again", "Turn the object's marked side up, or teach it on a plainer background."},
+    {"not_distinct",
      "Something else in the image looks the same and will also be found: take it away if it "
      "is another object."},
-    {"touches_region_edge", LearnError::kQualityBad,
-     "Draw a larger region, with platform on every side of the object."},
-    {"change_outside_region", LearnError::kQualityBad,
+    {"touches_region_edge", "Draw a larger region, with platform on every side of the object."},
+    {"change_outside_region",
      "Move only this object between the images, and keep arm and hands out of both."},
-    {"change_left_out", LearnError::kQualityBad,
+    {"change_left_out",
      "Check whether a part of the object is missing in the map, or something else moved beside "
      "it."},
-    {"several_left", LearnError::kQualityBad,
-     "More than one object may have left: click on the one that is meant."},
-    {"unstable_cut", LearnError::kQualityBad,
-     "Check the outline and correct it by a stroke: a part of it is uncertain."},
-    {"weak_boundary", LearnError::kQualityBad,
+    {"several_left", "More than one object may have left: click on the one that is meant."},
+    {"unstable_cut", "Check the outline and correct it by a stroke: a part of it is uncertain."},
+    {"weak_boundary",
      "Check the outline where the object looks like the background, and correct it by a stroke."},
-    {"shadow_like", LearnError::kQualityBad,
+    {"shadow_like",
      "The object is as grey as a shadow of the platform: check the outline, or teach it on a "
      "platform of another colour."},
-    {"little_of_region", LearnError::kQualityBad,
+    {"little_of_region",
      "The map fills little of the region: draw the region close around the object, or draw its "
      "outline."},
-    {"unverified_cut", LearnError::kQualityBad,
+    {"unverified_cut",
      "Check the outline: one image alone cannot confirm it. If possible, teach by change."},
-    {"round", LearnError::kQualityBad,
-     "The object does not show its angle: any angle may be reported."},
-    {"symmetric", LearnError::kQualityBad,
-     "The object looks the same after part of a turn: the angle is known up to that."},
-    {"", LearnError::kQualityBad, ""},
+    {"round", "The object does not show its angle: any angle may be reported."},
+    {"symmetric", "The object looks the same after part of a turn: the angle is known up to that."},
+    {"", ""},
 }};
 
 const Reason& reason_of(const std::string& key) {
@@ -183,12 +174,3 @@ void decide(Quality& quality, bool touches_border, const std::optional<CutEviden
 }
 
 }  // namespace mbncc::quality
-
-namespace mbncc {
-
-LearnError error_of(const Quality& quality) {
-  if (quality.verdict != Verdict::kBad) return LearnError::kSuccess;
-  return quality::reason_of(quality.reasons.front()).error;
-}
-
-}  // namespace mbncc

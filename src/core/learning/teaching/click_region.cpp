@@ -6,6 +6,7 @@
 #include <opencv2/imgproc.hpp>
 
 #include "learning/segmentation/cut_evidence.hpp"
+#include "learning/teaching/lesson_progress.hpp"
 #include "mbncc/learning/change_cut.hpp"
 
 namespace mbncc::teaching {
@@ -95,6 +96,11 @@ cv::Mat change_at_click(const cv::Mat& changed, const cv::Point2d& click) {
   cv::morphologyEx(changed, joined, cv::MORPH_CLOSE,
                    cv::getStructuringElement(cv::MORPH_ELLIPSE, {kGap, kGap}));
   return changed & piece_at(joined, click);
+}
+
+void refuse_click() {
+  throw LessonEnded(LearnError::kSegmentationEmpty, "No object stands out at the click.",
+                    "Click on the object itself, or draw a region (roi) around it.");
 }
 
 }  // namespace mbncc::teaching

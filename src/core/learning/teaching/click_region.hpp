@@ -32,4 +32,7 @@ cv::Mat piece_at(const cv::Mat& mask, const cv::Point2d& click);
 /// The same of `changed`, pieces less than 9 pixels apart taken as one.
 cv::Mat change_at_click(const cv::Mat& changed, const cv::Point2d& click);
 
+/// Throws LessonEnded(kSegmentationEmpty): nothing was cut out at the click.
+[[noreturn]] void refuse_click();
+
 }  // namespace mbncc::teaching

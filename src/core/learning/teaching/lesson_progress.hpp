@@ -8,7 +8,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "mbncc/learning/learn_object.hpp"
+#include "mbncc/learning/lesson.hpp"
 
 namespace mbncc::teaching {
 
@@ -30,6 +30,12 @@ class LessonEnded : public std::runtime_error {
   LearnError error_;
   std::string hint_;
 };
+
+/// Throws LessonEnded unless the condition holds.
+inline void require(bool condition, LearnError error, const std::string& message,
+                    const std::string& hint = "") {
+  if (!condition) throw LessonEnded(error, message, hint);
+}
 
 /// Reports steps to the observer, with monotonic progress and ordered stages.
 class LessonProgress {

@@ -2,6 +2,7 @@
 #include "learning/teaching/lesson_region.hpp"
 
 #include <algorithm>
+#include <cstdint>
 #include <opencv2/imgproc.hpp>
 #include <vector>
 
@@ -14,6 +15,28 @@
 
 namespace mbncc::teaching {
 namespace {
+
+constexpr int kSmallestRegion = 8;  // [px]
+constexpr double kDisplaced = 0.6;  // part of the texture that only a moved camera displaces
+
+double cross(const cv::Point2d& a, const cv::Point2d& b) {
+  return a.x * b.y - a.y * b.x;
+}
+
+bool segments_cross(const cv::Point2d& a, const cv::Point2d& b, const cv::Point2d& c,
+                    const cv::Point2d& d) {
+  return cross(b - a, c - a) * cross(b - a, d - a) < 0 &&
+         cross(d - c, a - c) * cross(d - c, b - c) < 0;
+}
+
+bool crosses_itself(const std::vector<cv::Point2f>& outline) {
+  const std::size_t n = outline.size();
+  const auto corner = [&](std::size_t i) { return cv::Point2d(outline[i % n]); };
+  for (std::size_t i = 0; i < n; ++i)
+    for (std::size_t j = i + 2; j < n; ++j)
+      if (segments_cross(corner(i), corner(i + 1), corner(j), corner(j + 1))) return true;
+  return false;
+}
 
 // Without a given place, the object is at the patch with the largest evidence of a departure,
 // because a gripper may have changed a larger area.
@@ -96,8 +119,64 @@ void check_background(const Lesson& lesson, const cv::Rect& room) {
 
 }  // namespace
 
-bool is_without_place(const Lesson& lesson) {
-  return lesson.region == cv::Rect() && !lesson.click;
+cv::Rect usable_region(const Lesson& lesson) {
+  const cv::Rect& given = lesson.region;
+  if (given == cv::Rect()) return {{0, 0}, lesson.before.size()};
+  const int shorter = std::min(given.width, given.height);
+  require(shorter <= 0 || shorter >= kSmallestRegion, LearnError::kRegionInvalid,
+          "The region is only " + size_text(given.size()) + " px.", "Give at least 8 x 8 px.");
+  // Very large numbers would overflow cv::Rect.
+  const auto clipped = [](int start, int length, int limit) {
+    const std::int64_t low = std::max<std::int64_t>(start, 0);
+    const std::int64_t high = std::min<std::int64_t>(std::int64_t{start} + length, limit);
+    return cv::Range(static_cast<int>(std::min<std::int64_t>(low, limit)), static_cast<int>(high));
+  };
+  const cv::Range columns = clipped(given.x, given.width, lesson.before.cols);
+  const cv::Range rows = clipped(given.y, given.height, lesson.before.rows);
+  require(
+      columns.end - columns.start >= kSmallestRegion && rows.end - rows.start >= kSmallestRegion,
+      LearnError::kRegionInvalid, "");
+  return {columns.start, rows.start, columns.end - columns.start, rows.end - rows.start};
+}
+
+cv::Mat outline_map(const Lesson& lesson) {
+  constexpr int kFractionBits = 4;
+  require(lesson.outline.size() >= 3, LearnError::kRegionInvalid,
+          "The outline has fewer than three corners.");
+  require(lesson.outline.size() <= kMostPoints, LearnError::kRegionInvalid,
+          "The outline has more than 4096 corners.");
+  std::vector<cv::Point> corners;
+  for (const auto& corner : lesson.outline) {
+    require(is_near_image(corner), LearnError::kRegionInvalid,
+            "The outline does not lie in the image.");
+    corners.emplace_back(cvRound(corner.x * (1 << kFractionBits)),
+                         cvRound(corner.y * (1 << kFractionBits)));
+  }
+  require(!crosses_itself(lesson.outline), LearnError::kRegionInvalid,
+          "The outline crosses itself.");
+  cv::Mat map = cv::Mat::zeros(lesson.before.size(), CV_8UC1);
+  cv::fillPoly(map, std::vector<std::vector<cv::Point>>{corners}, cv::Scalar(255), cv::LINE_8,
+               kFractionBits);
+  require(cv::countNonZero(map) > 0, LearnError::kRegionInvalid,
+          "The outline does not lie in the image.");
+  return map;
+}
+
+void check_camera_still(const ChangeSurvey& survey, const LearningConfig& config) {
+  constexpr LearnError kError = LearnError::kChangeTooLarge;
+  require(cv::norm(survey.shift) <= config.max_shift, kError,
+          "The camera moved between the images.");
+  require(survey.displaced <= kDisplaced, kError,
+          "The scene moved under the camera between the images.");
+}
+
+void check_one_change(const ChangeSurvey& survey, const LearningConfig& config) {
+  constexpr LearnError kError = LearnError::kChangeTooLarge;
+  require(survey.exposure <= config.max_exposure_change, kError,
+          "The exposure or the light changed between the images.");
+  require(survey.unevenness <= config.max_light_change, kError,
+          "The light comes from another direction in the second image.");
+  require(survey.fraction <= config.max_change, kError, "");
 }
 
 RegionOfLesson region_of(const Lesson& lesson, const LearningConfig& config) {

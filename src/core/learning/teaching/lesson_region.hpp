@@ -4,7 +4,9 @@
 
 #include <opencv2/core.hpp>
 
-#include "mbncc/learning/learn_object.hpp"
+#include "mbncc/config/learning_config.hpp"
+#include "mbncc/learning/change.hpp"
+#include "mbncc/learning/lesson.hpp"
 
 namespace mbncc::teaching {
 
@@ -19,7 +21,24 @@ struct RegionOfLesson {
 };
 
 /// No place is given, so the largest departure is the object.
-bool is_without_place(const Lesson& lesson);
+inline bool is_without_place(const Lesson& lesson) {
+  return lesson.region == cv::Rect() && !lesson.click;
+}
+
+/// The lesson's region clipped to the image; the whole image when none is given. Throws
+/// LessonEnded(kRegionInvalid) when less than 8 x 8 pixels remain.
+cv::Rect usable_region(const Lesson& lesson);
+
+/// The outline filled. Throws LessonEnded(kRegionInvalid) when it crosses itself, has fewer than
+/// three or more than kMostPoints corners, or lies outside.
+cv::Mat outline_map(const Lesson& lesson);
+
+/// Throws LessonEnded(kChangeTooLarge) when the camera moved between the images.
+void check_camera_still(const ChangeSurvey& survey, const LearningConfig& config);
+
+/// Throws LessonEnded(kChangeTooLarge) when the change does not tell where the object was: the
+/// light was switched, or most of the scene changed.
+void check_one_change(const ChangeSurvey& survey, const LearningConfig& config);
 
 /// For a lesson that passed check_lesson(). Throws LessonEnded: kRegionInvalid, kChangeTooLarge for
 /// images that cannot be compared, kNoChange when nothing was taken away there,

@@ -8,7 +8,10 @@
 #include "learning/teaching/marks.hpp"
 #include "learning/teaching/put_aside.hpp"
 #include "learning/teaching/segmenter.hpp"
-#include "mbncc/learning/interactive_lesson.hpp"
+#include "mbncc/config/learning_config.hpp"
+#include "mbncc/config/search_config.hpp"
+#include "mbncc/learning/lesson.hpp"
+#include "mbncc/learning/lesson_edit.hpp"
 
 namespace mbncc::teaching {
 

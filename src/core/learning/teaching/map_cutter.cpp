@@ -7,7 +7,6 @@
 #include "learning/change/platform_likeness.hpp"
 #include "learning/segmentation/cut_evidence.hpp"
 #include "learning/teaching/click_region.hpp"
-#include "learning/teaching/lesson_checks.hpp"
 #include "learning/teaching/lesson_region.hpp"
 #include "learning/teaching/stage_images.hpp"
 #include "learning/teaching/step_timer.hpp"
@@ -24,6 +23,7 @@ constexpr int kLeastTolerance = 2;   // [px] by which a drawn region may be too 
 constexpr double kTolerance = 0.08;  // likewise, of its width and height
 constexpr double kClear = 0.8;       // boundary contrast and stability of clear edges
 constexpr double kAlike = 0.35;      // part of a map that looks like the platform
+constexpr double kFullPart = 0.98;   // of the room, from which on a map is everything
 
 // Whether a map without a clear edge looks like the platform: more than the object changed.
 bool is_mostly_platform(const Segmentation& found, const SegmentationTask& task) {
@@ -33,6 +33,22 @@ bool is_mostly_platform(const Segmentation& found, const SegmentationTask& task)
 
 bool has_clear_edge(const Segmentation& found) {
   return !found.evidence || segmentation::edge_clarity(*found.evidence) >= kClear;
+}
+
+// A map that the user painted.
+void check_given_map(const cv::Mat& map) {
+  const int filled = cv::countNonZero(map);
+  require(filled > 0, LearnError::kSegmentationEmpty, "The map is black everywhere.",
+          "Paint the object white.");
+  require(filled < kFullPart * static_cast<double>(map.total()), LearnError::kSegmentationFull,
+          "The map is white nearly everywhere.", "Paint everything but the object black.");
+}
+
+// `room` is the area that the map could have filled.
+void check_map(const cv::Mat& map, const cv::Rect& room) {
+  const int filled = cv::countNonZero(map);
+  if (filled == 0) throw LessonEnded(LearnError::kSegmentationEmpty);
+  if (filled >= kFullPart * room.area()) throw LessonEnded(LearnError::kSegmentationFull);
 }
 
 template <class Steps>

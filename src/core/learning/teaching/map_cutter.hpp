@@ -10,7 +10,8 @@
 #include "learning/teaching/lesson_progress.hpp"
 #include "learning/teaching/marks.hpp"
 #include "learning/teaching/segmenter.hpp"
-#include "mbncc/learning/learn_object.hpp"
+#include "mbncc/config/learning_config.hpp"
+#include "mbncc/learning/lesson.hpp"
 
 namespace mbncc::teaching {
 

@@ -4,7 +4,7 @@
 
 #include <opencv2/core.hpp>
 
-#include "mbncc/learning/interactive_lesson.hpp"
+#include "mbncc/learning/lesson_edit.hpp"
 
 namespace mbncc::teaching {
 

@@ -3,8 +3,8 @@
 #include <gtest/gtest.h>
 
 #include "learning/images.hpp"
-#include "learning/teaching/lesson_checks.hpp"
 #include "learning/teaching/lesson_progress.hpp"
+#include "learning/teaching/lesson_region.hpp"
 #include "mbncc/learning/change.hpp"
 
 namespace mbncc {

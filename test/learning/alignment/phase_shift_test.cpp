@@ -5,9 +5,9 @@
 
 #include <opencv2/imgproc.hpp>
 
-#include "learning/alignment/camera_shift.hpp"
+#include "learning/alignment/image_shift.hpp"
 
-namespace mbncc::change {
+namespace mbncc::alignment {
 namespace {
 
 cv::Mat ground(const cv::Size& size) {
@@ -57,4 +57,4 @@ TEST(PhaseShift, OfTheSameImageIsNone) {
 }
 
 }  // namespace
-}  // namespace mbncc::change
+}  // namespace mbncc::alignment

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "learning/change/arrivals.hpp"
+#include "learning/change/changed_places.hpp"
 #include "learning/change/colour_mixture.hpp"
 #include "learning/change/departures.hpp"
 #include "learning/images.hpp"
@@ -200,7 +201,7 @@ TEST(ArrivalTest, WhatLeftOutweighsWhatMayHaveArrived) {
       change::departures(test::exposed(before, 3), test::exposed(after, 4), changed);
   EXPECT_EQ(cv::countNonZero(weights(right)), 0);
   EXPECT_EQ(cv::countNonZero(weights(gripper)), gripper.area());
-  const std::vector<cv::Rect> places = changed_places(weights, false);
+  const std::vector<cv::Rect> places = change::changed_places(weights, false);
   ASSERT_EQ(places.size(), 2U);
   EXPECT_EQ(places.front(), cv::Rect(22, 32, 56, 56));
 }
