@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What the console reads about its cell from the parameter server.
+// Settings of the cell that the console reads from the parameter server.
 #pragma once
 
 #include <map>
@@ -10,13 +10,13 @@ namespace mbncc::console {
 /// The camera's own images.
 struct CellImages {
   std::string cell;     ///< namespace
-  std::string topic;    ///< their resolved name
+  std::string topic;    ///< their resolved topic name
   int white_level = 0;  ///< as the matching nodelet's; 0: none
 };
 
 struct Thresholds {
-  double min_score = 0.5, confirm_score = 0.7;  ///< the matcher's
-  std::map<std::string, double> own{};          ///< min_score of objects that have their own
+  double min_score = 0.5, confirm_score = 0.7;  ///< of the matcher
+  std::map<std::string, double> own{};          ///< min_score of the objects that have their own
 
   double min_score_of(const std::string& object) const {
     const auto found = own.find(object);

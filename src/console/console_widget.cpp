@@ -29,11 +29,11 @@ using What = TeachingWish::What;
 
 constexpr int kTick = 200;       // [ms]
 constexpr int kSideWidth = 400;  // [px] at least
-constexpr double kStep = 1.25;   // of the image's size, by a key
+constexpr double kStep = 1.25;   // zoom factor per key press
 constexpr const char* kRegionTip = "Draw a box; nothing is searched outside of it";
 constexpr const char* kLessonCaption = "Still image: before the object left";
 
-// As the preview draws them.
+// The same length as in the lesson's preview.
 double axes_length(const QSize& image) {
   return std::max(30.0, image.width() / 16.0);
 }
@@ -77,7 +77,7 @@ ConsoleWidget::ConsoleWidget(const Names& names, QWidget* parent)
 
 ConsoleWidget::~ConsoleWidget() = default;
 
-// The image takes the remaining space.
+// The image takes all space that the other widgets leave.
 void ConsoleWidget::lay_out() {
   auto* left = new QVBoxLayout;
   left->setSpacing(3);
@@ -93,7 +93,7 @@ void ConsoleWidget::lay_out() {
   side_->addWidget(threshold_pane_);
   side_->addWidget(calibration_);
   side_->setFixedWidth(kSideWidth);
-  // Not amid the layout that tells of it.
+  // Queued, because the signal is emitted while the layout is being computed.
   connect(image_, &ImageView::shape_changed, this, &ConsoleWidget::fit_side, Qt::QueuedConnection);
   auto* middle = new QHBoxLayout;
   middle->addLayout(left, 1);
@@ -106,7 +106,7 @@ void ConsoleWidget::lay_out() {
   all->addLayout(middle, 1);
 }
 
-/// What the image's shape leaves beside it.
+/// Gives the side pane the width that the image's aspect ratio leaves free.
 void ConsoleWidget::fit_side() {
   const QSize shape = image_->shape();
   if (shape.isEmpty()) return;
@@ -148,7 +148,7 @@ QShortcut* ConsoleWidget::on_key(const QKeySequence& keys, QWidget* where,
   return shortcut;
 }
 
-// Letter keys act only in the image, so that names can be typed.
+// Letter keys act only while the image has the focus, so that names can be typed.
 void ConsoleWidget::make_shortcuts() {
   const struct {
     int key;
@@ -187,7 +187,7 @@ void ConsoleWidget::connect_lesson() {
   connect(&ros_, &RosLink::status_heard, this, [this](const auto& status) {
     const bool was_gone = lesson_.phase() == LessonModel::Phase::kNoServer;
     lesson_.take_status(status, now());
-    // A restarted nodelet may have other objects.
+    // A restarted nodelet may have other objects in its library.
     if (was_gone) {
       ros_.list_objects();
       const std::string lacking = ros_.why_no_grasps();
@@ -343,7 +343,7 @@ void ConsoleWidget::end_lesson(const mbncc_vision::LearnObjectActionResult& resu
   if (!viewed_.empty()) offer_next_view(viewed_);
 }
 
-/// Space starts the next view only while views are taught.
+/// Space starts the next view only while views of an object are being taught.
 void ConsoleWidget::offer_next_view(const std::string& name) {
   const bool goes_on = !viewed_.empty();
   const std::string question =
@@ -378,7 +378,8 @@ void ConsoleWidget::send(const Confirm& request) {
 void ConsoleWidget::send_word(int command) {
   if (command == Confirm::ACCEPT && !lesson_.may_accept()) return;
   if (command == Confirm::UNDO && !lesson_.may_undo()) return;
-  // Before its button is disabled and hands the keyboard to whatever comes next.
+  // Move the focus first: the button is about to be disabled, and Qt would pass the focus to the
+  // next widget.
   if (command != Confirm::UNDO) image_->setFocus();
   Confirm request;
   request.command = static_cast<std::uint8_t>(command);
@@ -441,7 +442,7 @@ void ConsoleWidget::connect_region() {
   connect(&ros_, &RosLink::search_region_set, this, &ConsoleWidget::tell);
 }
 
-/// The same button takes the region away.
+/// The same button sets the region and clears it.
 void ConsoleWidget::ask_for_region() {
   if (!lesson_.may_teach()) return;
   end_explanation();
@@ -499,7 +500,7 @@ void ConsoleWidget::begin_thresholds() {
   threshold_controller_->ask();
 }
 
-/// What is being drawn goes first, then the tool, then a question.
+/// Cancels one thing per key press: an unfinished stroke first, then the tool, then a question.
 void ConsoleWidget::escape() {
   if (explains())
     end_explanation();
@@ -518,7 +519,7 @@ void ConsoleWidget::look_at_clock() {
   const auto before = lesson_.phase();
   lesson_.look_at_clock(now());
   lesson_.take_camera(now() - image_at_ <= Lamps::kSilence);
-  // A server that hangs must not delay calls to its successor.
+  // A call that waits for a hung server must not delay calls to its successor.
   if (lesson_.phase() == LessonModel::Phase::kNoServer && lesson_.phase() != before) {
     ros_.give_up();
     lamps_.forget_library();
@@ -530,7 +531,7 @@ void ConsoleWidget::look_at_clock() {
   show_lesson();
 }
 
-/// It must not be mistaken for the live one.
+/// An outdated image must not be mistaken for a live one.
 void ConsoleWidget::warn_of_old_image() {
   const bool calibrates = side_->currentWidget() == calibration_;
   if (lesson_.draft() || (explains() && !calibrates)) return;
@@ -546,7 +547,7 @@ void ConsoleWidget::show_lesson() {
   strip_->allow_teaching(lesson_.may_teach());
   for (auto* button : {why_, thresholds_, region_}) button->setEnabled(lesson_.may_teach());
   if (!lesson_.may_teach() && image_->asks_for_region()) image_->ask_for_region(false);
-  // A camera is calibrated before the cell is complete.
+  // A camera can be calibrated before the rest of the cell is running.
   const bool idle = lesson_.may_teach() || lesson_.phase() == LessonModel::Phase::kNoServer;
   camera_->setEnabled(idle);
   if (!idle) end_explanation();
@@ -566,7 +567,7 @@ void ConsoleWidget::show_lesson() {
   if (asked) show_draft();
 }
 
-/// The keyboard must not go on to whatever follows the button that has gone.
+/// The focus must not move to the widget after the button that was hidden.
 void ConsoleWidget::end_review() {
   if (review_->isAncestorOf(focusWidget())) image_->setFocus();
   side_->setCurrentWidget(cell_page_);

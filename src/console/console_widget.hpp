@@ -57,7 +57,7 @@ class ConsoleWidget : public QWidget {
   bool explains() const;
 
   double now() const { return clock_.elapsed() / 1000.0; }
-  /// The answer to an action outside the lesson.
+  /// Shows the result of an action outside the lesson.
   void tell(bool success, const QString& sentence);
   void want_lesson();
   void ask_about_name(const std::string& name);
@@ -114,7 +114,7 @@ class ConsoleWidget : public QWidget {
   QPushButton *marks_, *fit_, *why_, *thresholds_, *camera_, *region_;
   QShortcut* space_ = nullptr;
   QTimer timer_;
-  RosLink ros_;  // last member: its threads end before the objects that they call
+  RosLink ros_;  // last member, so that its threads end before the objects that they call
 };
 
 }  // namespace mbncc::console

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A notice besides the lesson's own message, such as the library's refusal. The lesson sends
-// messages several times a second, so without a minimum time the notice could not be read.
+// A notice that replaces the lesson's own message, such as the library's refusal. The lesson sends
+// messages several times per second, so without a minimum time the notice could not be read.
 #pragma once
 
 #include <string>
@@ -21,9 +21,9 @@ class Notice {
 
   /// Replaces an earlier notice.
   void post(const Line& line, double now);
-  /// The notice is out of date.
+  /// Removes a notice that is out of date.
   void clear() { until_ = -1; }
-  /// The text to show while the lesson's message is `lesson`.
+  /// The text to show: the notice, or the lesson's message `lesson`.
   const Line& over(const Line& lesson, double now) const;
 
  private:

@@ -20,10 +20,10 @@ namespace {
 
 const char* const kUnreachable = "the learning nodelet does not answer";
 
-// Images waiting for their detections.
+// Limits for images that wait for their detections.
 constexpr std::size_t kImagesKept = 30, kBytesKept = std::size_t{96} << 20;
 
-constexpr float kHardlyAny = 0.02f;  // score
+constexpr float kHardlyAny = 0.02f;  // minimum score
 const char* const kSearchRegion = "search_roi";
 const char* const kSearchedImages = "searched_image";  // parameters of cell.launch
 const char* const kCameraImages = "camera_image";
@@ -32,7 +32,7 @@ QSize size_of(const sensor_msgs::Image& message) {
   return {static_cast<int>(message.width), static_cast<int>(message.height)};
 }
 
-/// As the parameter search_roi; "": the whole image.
+/// Text as in the parameter search_roi; "": the whole image.
 std::string text_of(const QRect& region) {
   if (region.isEmpty()) return "";
   return std::to_string(region.x()) + "," + std::to_string(region.y()) + "," +
@@ -372,7 +372,8 @@ void RosLink::list_objects() {
 
 template <class Service>
 bool RosLink::call(const std::string& name, Service& service) {
-  // Its own connection, because only that can be shut down while an answer is awaited.
+  // Each call has its own connection, because a call that waits for its answer can only be aborted
+  // by shutting down the connection.
   auto client = node_.serviceClient<Service>(name, true);
   {
     const std::lock_guard<std::mutex> lock(mutex_);

@@ -45,7 +45,7 @@ namespace mbncc::console {
 /// Names of the cell's nodelets; relative names resolve in the namespace of RViz.
 struct Names {
   std::string cell;                   ///< namespace of the cell; "": that of the console
-  std::string matching = "matching";  ///< private names of the matching nodelet
+  std::string matching = "matching";  ///< name of the matching nodelet, for its private names
 };
 
 class RosLink : public QObject {
@@ -73,23 +73,23 @@ class RosLink : public QObject {
   void list_objects();
   /// Explains why objects are found at `place` [px] in the newest image or not.
   void explain(QPointF place);
-  /// All detections in the newest image with minimal thresholds.
+  /// Finds all detections in the newest image with minimal thresholds.
   void find_all();
-  /// The matching nodelet's thresholds from the parameter server.
+  /// Reads the matching nodelet's thresholds from the parameter server.
   Thresholds thresholds() const;
   void set_thresholds(const Thresholds& thresholds);
   /// Limits the search to `region` [px]; an empty one: the whole image.
   void set_search_region(const QRect& region);
   /// Sends a calibration to the camera.
   void keep_calibration(const sensor_msgs::CameraInfo& calibration);
-  /// Where the cell's images come from. Queries the parameter server.
+  /// The source of the cell's images. Queries the parameter server.
   CellImages images() const;
   /// Saves the last explanation in a file.
   void save_explained();
   /// Aborts a call that waits for an answer; it fails.
   void give_up();
 
-  /// Live images are tinted where they differ from the next one.
+  /// Tints live images where they differ from the first image that arrives after this call.
   void show_changes(bool wanted) { changes_wanted_ = wanted; }
 
  Q_SIGNALS:
@@ -101,7 +101,8 @@ class RosLink : public QObject {
   void diagnostics_heard(diagnostic_msgs::DiagnosticArray diagnostics);
   /// An image of the camera, possibly scaled down, and its original size [px].
   void image_heard(QImage image, QSize size);
-  /// Why the camera's images are not live; "": they are. Precedes each image_heard().
+  /// `warning`: why the camera's images are not live; "" if they are. Emitted before each
+  /// image_heard().
   void origin_heard(QString warning);
   /// The same for an image with `detections`.
   void searched_heard(QImage image, QSize size, mbncc_vision::DetectedObjectArray detections);
@@ -112,14 +113,15 @@ class RosLink : public QObject {
   void confirmed(bool answered, bool success, QString message);
   void edited(mbncc_vision::EditObject::Request request, bool success, QString message);
   void grasp_marked(bool success, QString message);
-  /// `image`: with the explanation drawn in.
+  /// `image`: the image with the explanation drawn into it.
   void explained(bool success, QString lines, QImage image);
   void explained_saved(QString file);
   void calibration_kept(bool success, QString message);
   void all_found(bool success, QString message, QImage image, QSize size,
                  mbncc_vision::DetectedObjectArray detections);
   void thresholds_set(bool success, QString message);
-  /// [px] that is searched; empty: the whole image. On connecting and after every change.
+  /// `region` [px] that is searched; empty: the whole image. Emitted on connecting and after every
+  /// change.
   void search_region_heard(QRect region);
   void search_region_set(bool success, QString message);
 
@@ -127,12 +129,12 @@ class RosLink : public QObject {
   void subscribe_lesson(ros::NodeHandle& node);
   void subscribe_cell(ros::NodeHandle& node);
   void subscribe_settings(ros::NodeHandle& node);
-  /// The topic of images that a parameter of cell.launch names, unless image_raw is remapped.
+  /// The topic that a parameter of cell.launch names, unless image_raw is remapped.
   std::string image_topic(const std::string& parameter) const;
-  /// Subscribes to the searched images, also when the cell starts later than the console.
+  /// Subscribes to the searched images, even if the cell starts later than the console.
   void follow_images();
   void take_image(const sensor_msgs::ImageConstPtr& message);
-  /// A camera's image, as bright as matching takes it.
+  /// A camera's image with the brightness that the matching nodelet uses.
   cv::Mat live_rgb(const sensor_msgs::Image& message) const;
   sensor_msgs::ImageConstPtr shown();
   void note_shown(const sensor_msgs::ImageConstPtr& message);
@@ -145,17 +147,17 @@ class RosLink : public QObject {
   ros::CallbackQueue queue_;
   ros::AsyncSpinner spinner_{1, &queue_};
   std::vector<ros::Subscriber> subscribers_;
-  ros::Subscriber images_;  // of the spinner's thread, once it runs
+  ros::Subscriber images_;  // used only by the spinner's thread once that runs
   ros::Publisher goal_publisher_, cancel_publisher_;
   ros::NodeHandle node_;
   int goals_ = 0;
   std::atomic<bool> changes_wanted_{false};
-  ImageOrigin origin_;                             // of the spinner's thread
-  ChangeTint tint_;                                // of the spinner's thread
-  std::deque<sensor_msgs::ImageConstPtr> newest_;  // of the spinner's thread, in order
+  ImageOrigin origin_;                             // used only by the spinner's thread
+  ChangeTint tint_;                                // used only by the spinner's thread
+  std::deque<sensor_msgs::ImageConstPtr> newest_;  // in order; used only by the spinner's thread
   std::mutex shown_mutex_;
   sensor_msgs::ImageConstPtr shown_;               // the newest one delivered
-  mbncc_vision::ExplainPlace::Request explained_;  // of the worker's thread
+  mbncc_vision::ExplainPlace::Request explained_;  // used only by the worker's thread
   std::string learning_ = "learning", matching_;
 
   std::mutex mutex_;

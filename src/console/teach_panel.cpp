@@ -15,7 +15,7 @@ TeachPanel::TeachPanel(QWidget* parent) : rviz::Panel(parent) {
 }
 
 void TeachPanel::onInitialize() {
-  // RViz loads the configuration, with the names, right after this.
+  // Deferred, because RViz loads the configuration, which holds the names, after the constructor.
   QTimer::singleShot(0, this, [this] { begin(); });
 }
 

@@ -9,7 +9,7 @@ namespace mbncc::console {
 
 namespace {
 
-/// Names a widget's window once it exists; Qt itself names only top-level windows.
+/// Names a widget's X window once it exists; Qt itself names only top-level windows.
 class WindowNamer : public QObject {
  public:
   explicit WindowNamer(QWidget* widget) : QObject(widget) { widget->installEventFilter(this); }

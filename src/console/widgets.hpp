@@ -18,28 +18,28 @@ namespace mbncc::console {
 /// " (disabled)" appended while it is disabled, so that xdotool finds it.
 void name_window(QWidget* widget, const QString& title);
 
-/// `keys`: shown in the tip, such as "Alt+T". Without a parent: Tab goes through a layout's widgets
-/// in the order in which they were given one.
+/// `keys` appear in the tooltip, such as "Alt+T". Without a parent, Tab visits a layout's widgets
+/// in the order in which they got their parent.
 QPushButton* make_button(const QString& text, const QString& tip, const QString& keys = "");
 
-/// Another text for a button whose meaning has changed, and another name for its window.
+/// Changes the text of a button whose meaning has changed, and the name of its window.
 void relabel(QPushButton* button, const QString& text);
 
-/// `content` with scroll bars where there is too little room for it: widgets that get too little
+/// `content` with scroll bars if there is too little space for it: widgets with too little space
 /// paint over their neighbours.
 QScrollArea* make_scroll_area(QWidget* content);
 
-/// The choices of symmetry_choices(), their values as data.
+/// A box with the texts of symmetry_choices(), and their values as data.
 QComboBox* make_symmetry_box(const QString& tip);
 
-/// The value chosen there, and its choice.
+/// The value chosen in such a box, and its choice.
 std::uint8_t chosen_symmetry(const QComboBox* box);
 void choose_symmetry(QComboBox* box, std::uint8_t value);
 
-/// Symbol and `text`, in the level's colour.
+/// Shows symbol and `text` in the level's colour.
 void show_level(QLabel* label, Level level, const QString& text);
 
-/// Colours a sentence that complains; others stay plain.
+/// Colours a sentence that reports a problem; others stay plain.
 void show_alarm(QLabel* label, Level level);
 
 }  // namespace mbncc::console

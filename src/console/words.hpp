@@ -17,7 +17,7 @@ const char* symbol_of(Level level);
 /// "#rrggbb" of a background, from Okabe and Ito's palette: blue, orange, vermilion, grey.
 const char* colour_of(Level level);
 
-/// "#rrggbb" of a line over an image: as colour_of(), lighter.
+/// "#rrggbb" of a line over an image: a lighter colour_of().
 const char* bright_colour_of(Level level);
 
 /// "#rrggbb" of text on that background, with a contrast ratio of at least 4.5 (WCAG 2, AA).
@@ -26,11 +26,11 @@ const char* ink_on(Level level);
 /// The operator's task in a stage of LearnObjectFeedback, in a few words.
 std::string headline_of(std::uint8_t stage);
 
-/// Of LearnQuality::verdict.
+/// Level of LearnQuality::verdict.
 Level level_of_verdict(std::uint8_t verdict);
 std::string word_of_verdict(std::uint8_t verdict);
 
-/// Of DetectedObject::state.
+/// Level of DetectedObject::state.
 Level level_of_state(std::uint8_t state);
 std::string word_of_state(std::uint8_t state);
 

@@ -9,9 +9,9 @@
 namespace mbncc::console {
 namespace {
 
-constexpr double kOtherView = 0.06;  // of the image's width: least motion of the corners
+constexpr double kOtherView = 0.06;  // of the width: least motion of the corners between views
 constexpr std::size_t kViews = 8;
-constexpr int kCovered = 12;  // fields
+constexpr int kCovered = 12;  // [fields] minimum number covered
 
 double distance(const std::vector<cv::Point2f>& a, const std::vector<cv::Point2f>& b) {
   double sum = 0;

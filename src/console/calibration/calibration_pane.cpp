@@ -43,7 +43,7 @@ CalibrationPane::CalibrationPane(QWidget* parent)
   square_->setValue(1000 * Board().square);
   square_->setSuffix(" mm squares");
   for (auto* text : {image_text_, board_text_, result_text_}) text->setWordWrap(true);
-  result_text_->setTextInteractionFlags(Qt::TextSelectableByMouse);  // it names a folder
+  result_text_->setTextInteractionFlags(Qt::TextSelectableByMouse);  // a path to copy
   QFont bold = result_text_->font();
   bold.setBold(true);
   result_text_->setFont(bold);

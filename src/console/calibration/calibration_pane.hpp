@@ -28,10 +28,10 @@ class CalibrationPane : public QWidget {
   explicit CalibrationPane(QWidget* parent = nullptr);
 
   void begin();
-  /// `size` [px] of the camera's image; returns the marks to draw into it.
+  /// `size` [px] of the camera's image; returns the marks to draw over it.
   std::vector<Mark> take(const QImage& image, QSize size);
   void show_kept(bool success, const QString& message);
-  /// Starts the platform's calibration with the board that lies on it.
+  /// Starts the platform's calibration with the board that lies on the platform.
   void calibrate_platform(const CellImages& images);
 
  Q_SIGNALS:

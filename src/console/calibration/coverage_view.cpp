@@ -30,7 +30,7 @@ void CoverageView::show_coverage(const BoardCalibration& calibration) {
   update();
 }
 
-/// The whole image, as large as there is room.
+/// The rectangle that shows the whole image, as large as the widget allows.
 QRectF CoverageView::plan() const {
   QSizeF shape(image_.width, image_.height);
   shape.scale(size(), Qt::KeepAspectRatio);
@@ -52,7 +52,7 @@ void CoverageView::paintEvent(QPaintEvent*) {
     painter.setBrush(covered ? kCovered : kGround);
     painter.drawRect(box);
     painter.setPen(Qt::white);
-    // Not by colour alone.
+    // Covered fields are not shown by colour alone.
     if (covered) painter.drawText(box, Qt::AlignCenter, QString::fromUtf8("\u2714"));
   }
   painter.setBrush(Qt::NoBrush);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A plan of the image: the boards recorded so far, and which fields they cover.
+// A plan of the image with the boards recorded so far and the fields that they cover.
 #pragma once
 
 #ifndef Q_MOC_RUN

@@ -8,10 +8,10 @@
 namespace mbncc::console {
 namespace {
 
-constexpr int kBurnt = 250;          // [grey levels]
-constexpr double kMostBurnt = 0.01;  // of the pixels
-constexpr double kDark = 0.15;       // mean brightness
-constexpr double kSharp = 0.9;       // of the best
+constexpr int kBurnt = 250;          // [grey levels] overexposed from here on
+constexpr double kMostBurnt = 0.01;  // [0..1] fraction of the pixels
+constexpr double kDark = 0.15;       // [0..1] mean brightness
+constexpr double kSharp = 0.9;       // fraction of the best sharpness
 
 }  // namespace
 
@@ -22,7 +22,7 @@ void ImageCheck::take(const cv::Mat& image) {
   cv::Scalar mean, deviation, edge_mean, edge_deviation;
   cv::meanStdDev(grey, mean, deviation);
   cv::meanStdDev(edges, edge_mean, edge_deviation);
-  // Normalised by the contrast, so that the exposure has no influence.
+  // Normalised by the contrast, so that the exposure has no effect.
   now_ = edge_deviation[0] / (deviation[0] + 1);
   best_ = std::max(best_, now_);
   brightness_ = mean[0] / 255;

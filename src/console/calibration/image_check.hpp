@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Whether the camera's image is sharp and well exposed.
+// Checks whether the camera's image is sharp and well exposed.
 #pragma once
 
 #include <opencv2/core.hpp>
@@ -12,9 +12,9 @@ class ImageCheck {
   /// `image`: CV_8UC3.
   void take(const cv::Mat& image);
 
-  /// [0..1] of the sharpest image since the start; 0 without any.
+  /// Sharpness [0..1] relative to the sharpest image since the start; 0 before the first image.
   double sharpness() const { return best_ > 0 ? now_ / best_ : 0; }
-  /// [0..1] part of the overexposed pixels.
+  /// [0..1] fraction of overexposed pixels.
   double burnt() const { return burnt_; }
   /// [0..1] mean brightness.
   double brightness() const { return brightness_; }

@@ -9,7 +9,7 @@
 namespace mbncc::console {
 namespace {
 
-/// Each cell has its own, named after its namespace.
+/// Name of the platform's frame. Each cell has its own, named after its namespace.
 std::string frame_of(const std::string& cell) {
   std::string name = cell.substr(1);
   std::replace(name.begin(), name.end(), '/', '_');
@@ -21,7 +21,7 @@ QString folder_of(const std::string& frame) {
   return home + "/mbncc_vision/" + QString::fromStdString(frame);
 }
 
-/// Those of calibrate_platform; camera_info stands beside the images.
+/// Arguments of calibrate_platform; camera_info is in the namespace of the images.
 QStringList arguments_of(const Board& board, const CellImages& images) {
   const std::string frame = frame_of(images.cell);
   const auto last = images.topic.rfind('/') + 1;
@@ -47,7 +47,8 @@ QStringList lines_of(const QByteArray& output) {
   return lines;
 }
 
-/// The lines about the pose, then how to use it; those in between name the files.
+/// The first lines of the output describe the pose, the last one how to use it; those in between
+/// name the files.
 QString sentences_of(QStringList said) {
   const QString use = said.takeLast();
   const QStringList files = said.filter(QRegularExpression("^wrote "));

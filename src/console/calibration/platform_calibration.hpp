@@ -21,13 +21,13 @@ class PlatformCalibration : public QObject {
  public:
   explicit PlatformCalibration(QObject* parent = nullptr);
 
-  /// From the board that lies on the cell's platform. The files go to ROS_HOME (~/.ros) of this
-  /// computer, where those of an earlier calibration of the cell are replaced. Ignored while one
-  /// runs.
+  /// Calibrates from the board that lies on the cell's platform. The files go to ROS_HOME (~/.ros)
+  /// on this computer and replace those of an earlier calibration of the cell. Ignored while a
+  /// calibration is running.
   void begin(const Board& board, const CellImages& images);
 
  Q_SIGNALS:
-  /// `message`: the pose and how to start the cell with it, or why there is none.
+  /// `message`: the pose and how to start the cell with it, or why the calibration failed.
   void ended(bool success, QString message);
 
  private:

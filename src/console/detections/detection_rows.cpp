@@ -18,7 +18,7 @@ std::string text(const char* format, Values... values) {
   return buffer;
 }
 
-/// With one decimal, and without a minus sign for zero.
+/// Text with one decimal, and without a minus sign for zero.
 std::string tenths(double value) {
   const double rounded = std::round(10 * value) / 10;
   return text("%.1f", rounded == 0 ? 0.0 : rounded);

@@ -16,13 +16,14 @@ struct DetectionRow {
   /// name, state, x, y, angle, score, age.
   std::array<std::string, 7> cells;
   Level level = Level::kUnknown;
-  std::string reasons;  ///< why it is not confirmed, one reason per line
+  std::string reasons;  ///< why the object is not confirmed, one reason per line
 };
 
-/// Headings of the cells.
+/// Headings of the columns.
 const std::array<const char*, 7>& detection_headings();
 
-/// Millimetres on the platform if calibrated, otherwise pixels; `age` [s] of the image.
+/// Positions are in millimetres on the platform if the camera is calibrated, otherwise in pixels;
+/// `age` [s] of the image.
 std::vector<DetectionRow> detection_rows(const mbncc_vision::DetectedObjectArray& detections,
                                          double age);
 

@@ -30,7 +30,7 @@ DetectionsView::DetectionsView(QWidget* parent) : QTableWidget(parent) {
   setEditTriggers(NoEditTriggers);
   setSelectionMode(NoSelection);
   setFocusPolicy(Qt::NoFocus);
-  // The age is shown with the image.
+  // The last column, the age, is hidden because the age is shown with the image.
   setColumnHidden(columnCount() - 1, true);
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The current detections.
+// The table of current detections.
 #pragma once
 
 #ifndef Q_MOC_RUN

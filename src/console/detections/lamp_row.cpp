@@ -31,7 +31,7 @@ void LampRow::show_lamps(const std::array<Lamp, 4>& lamps) {
   }
   const QString all =
       reasons.isEmpty() ? "Camera, calibration, library and matcher are OK." : reasons.join("; ");
-  // Words that do not fit at a line's end leave a gap there.
+  // A line is not filled completely, because words wrap.
   constexpr double kFilled = 1.8;
   const int room = static_cast<int>(kFilled * reasons_->width());
   reasons_->setText(reasons_->fontMetrics().elidedText(all, Qt::ElideRight, room));

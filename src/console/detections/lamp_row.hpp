@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The cell's lamps, and the reasons of those that report a fault.
+// The cell's status lamps, and the reasons of those that report a fault.
 #pragma once
 
 #ifndef Q_MOC_RUN

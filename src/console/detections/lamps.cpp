@@ -8,7 +8,8 @@ namespace {
 
 using mbncc_vision::DetectedObjectArray;
 
-/// Source of a report: "left/camera: pictures" is the task "pictures" of a node in "/left".
+/// Source of a report: "left/camera: pictures" is the task "pictures" of a node in the namespace
+/// "/left".
 struct Reporter {
   std::string space, task;
 };

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Lamps of the cell: camera, calibration, library, matcher; each with the reason if it is not blue.
+// Status lamps of the cell: camera, calibration, library, matcher; each with a reason unless it is
+// blue.
 #pragma once
 
 #include <diagnostic_msgs/DiagnosticArray.h>
@@ -24,18 +25,18 @@ struct Lamp {
 /// All times are seconds of one steady clock.
 class Lamps {
  public:
-  /// A part without a report for this time is gone.
+  /// A component that sends no report for this time counts as stopped. [s]
   static constexpr double kSilence = 2.0;
 
   /// `cell`: namespace of the cell's nodelets, "/" or "/left"; reports of other cells are ignored.
   explicit Lamps(std::string cell = "/") : cell_(std::move(cell)) {}
 
   void take_image(double now) { image_at_ = now; }
-  /// Why the images are not live; "": they are.
+  /// `warning`: why the images are not live; "" if they are.
   void take_origin(const std::string& warning) { origin_warning_ = warning; }
   void take_detections(const mbncc_vision::DetectedObjectArray& detections, double now);
   void take_library(std::size_t objects, std::size_t enabled);
-  /// Whether the nodelet that manages the library is gone.
+  /// Call this when the nodelet that manages the library has stopped.
   void forget_library() { objects_.reset(); }
   void take_diagnostics(const diagnostic_msgs::DiagnosticArray& diagnostics, double now);
 
@@ -52,7 +53,7 @@ class Lamps {
   Lamp calibration(double now) const;
   Lamp library() const;
   Lamp matcher(double now) const;
-  /// The fault that the part reports; "" if there is none, or no report.
+  /// The fault that the component reports; "" if there is none, or no report.
   std::string complaint(const std::string& task, double now) const;
 
   std::string cell_;
@@ -61,7 +62,7 @@ class Lamps {
   std::string status_message_;
   std::optional<std::size_t> objects_, enabled_;
   std::string quarantined_, origin_warning_;
-  std::map<std::string, Health> health_;  // of this cell, by task
+  std::map<std::string, Health> health_;  // reports of this cell, by task
 };
 
 }  // namespace mbncc::console

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The explanation why an object is found at a place or not, and the buttons for it.
+// Explains why an object is found at a place or not, with buttons to ask and to save.
 #pragma once
 
 #include <QLabel>
@@ -14,11 +14,12 @@ class ExplainPane : public QWidget {
  public:
   explicit ExplainPane(QWidget* parent = nullptr);
 
-  /// The question was sent.
+  /// Call this when the question has been sent.
   void ask();
-  /// Lines of the answer, the result first; `answered`: false if it is the reason of a failure.
+  /// Lines of the answer, the result first; `answered` is false if they give the reason of a
+  /// failure.
   void show_answer(bool answered, const QString& lines);
-  /// The miss was saved in a file.
+  /// Call this when the miss has been saved in a file.
   void show_saved(const QString& file);
 
  Q_SIGNALS:

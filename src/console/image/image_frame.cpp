@@ -38,7 +38,7 @@ cv::Point2d ImageFrame::to_widget(cv::Point2d image) const {
 void ImageFrame::zoom(double factor, cv::Point2d about) {
   const cv::Point2d kept = to_image(about);
   zoom_ = std::clamp(zoom_ * factor, 1.0, kLargestZoom);
-  // The point under the mouse stays there.
+  // The point under the mouse stays at its position.
   const cv::Point2d middle(widget_.width / 2.0, widget_.height / 2.0);
   centre_ = kept + cv::Point2d(0.5, 0.5) - (about - middle) / scale();
   stay_inside();
@@ -50,7 +50,7 @@ void ImageFrame::pan(cv::Point2d by) {
   stay_inside();
 }
 
-// A side that fits completely is centred.
+// An axis along which the whole image fits is centred.
 void ImageFrame::stay_inside() {
   const auto inside = [this](double at, int image, int widget) {
     const double half = widget / scale() / 2;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The position of an image in a widget: completely fitted, or zoomed.
+// The position of an image in a widget: fitted completely, or zoomed in.
 #pragma once
 
 #include <opencv2/core.hpp>
@@ -9,7 +9,7 @@ namespace mbncc::console {
 class ImageFrame {
  public:
   void set_sizes(cv::Size image, cv::Size widget);
-  /// Zooms by `factor` about a point of the widget, at least to the fitted size.
+  /// Zooms by `factor` about a point of the widget, but never below the fitted size.
   void zoom(double factor, cv::Point2d about);
   void show_all() { zoom_ = 1; }
   /// Pans the zoomed image by widget pixels, within its edges.
@@ -28,7 +28,7 @@ class ImageFrame {
   cv::Size image_{1, 1}, widget_{1, 1};
   double fit_ = 1;
   double zoom_ = 1;
-  cv::Point2d centre_{0.5, 0.5};  // [px] of the image, in the middle of the widget
+  cv::Point2d centre_{0.5, 0.5};  // [px] image point in the middle of the widget
 };
 
 }  // namespace mbncc::console

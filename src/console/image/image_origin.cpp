@@ -19,7 +19,7 @@ std::string date_of(const ros::Time& stamp) {
 }  // namespace
 
 void ImageOrigin::take(const sensor_msgs::ImageConstPtr& image, ros::Time now) {
-  // The noise of live images differs within the first bytes.
+  // Comparing is cheap: the noise makes live images differ within the first bytes.
   const bool equal = last_ && image->data == last_->data;
   equal_ = equal ? equal_ + 1 : 0;
   if (!equal) since_ = now;

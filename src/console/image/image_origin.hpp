@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Whether the images that arrive are live: a frozen camera repeats one, a recording has old
-// stamps.
+// Detects images that are not live: a frozen camera repeats one image, a recording has old stamps.
 #pragma once
 
 #include <sensor_msgs/Image.h>
@@ -11,21 +10,21 @@ namespace mbncc::console {
 
 class ImageOrigin {
  public:
-  /// Images that are stamped this long ago are recorded. [s]
+  /// Images whose stamp is older than this are recorded. [s]
   static constexpr double kOld = 10;
-  /// So many equal images in a row, for so long [s], are one image.
+  /// Images count as frozen after this many equal ones in a row for this long [s].
   static constexpr int kEqual = 5;
   static constexpr double kStill = 2;
 
-  /// The next image, which arrives at `now`.
+  /// Takes the next image, which arrived at `now`.
   void take(const sensor_msgs::ImageConstPtr& image, ros::Time now);
 
-  /// "": the images are live.
+  /// Why the images are not live; "" if they are.
   std::string warning() const;
 
  private:
   sensor_msgs::ImageConstPtr last_;
-  int equal_ = 0;  // images in a row, before the last one
+  int equal_ = 0;  // number of preceding images that equal the last one
   ros::Time since_, now_;
 };
 

@@ -19,12 +19,12 @@ namespace {
 
 const QColor kInclude("#56b4e9"), kExclude("#d55e00"), kRegion("#f0e442");
 const QColor kX("#d55e00"), kY("#009e73");
-constexpr double kAxes = 34;               // [px] of the widget, of a mark's axes
-constexpr int kNotch = 240;                // of the wheel, that enlarges to the double
+constexpr double kAxes = 34;               // [px] of the widget, length of a mark's axes
+constexpr int kNotch = 240;                // wheel units that double the size
 constexpr double kOutline = 1.5;           // [px] of the widget
-constexpr double kPen = 9;                 // [px] of the widget, of the pen's arms
-constexpr double kPan = 60;                // [px] of the widget, by a key
-constexpr float kStep = 6, kFineStep = 1;  // [px] of the image, of the pen by a key
+constexpr double kPen = 9;                 // [px] of the widget, length of the pen's arms
+constexpr double kPan = 60;                // [px] of the widget, pan per key press
+constexpr float kStep = 6, kFineStep = 1;  // [px] of the image, pen motion per key press
 
 cv::Size size_of(const QSize& size) {
   return {size.width(), size.height()};
@@ -35,7 +35,7 @@ QColor colour_of_tool(Tool tool) {
   return tool == Tool::kExclude ? kExclude : kRegion;
 }
 
-/// Of an arrow key; null: it is none.
+/// Direction of an arrow key; null for other keys.
 QPoint way_of(int key) {
   switch (key) {
     case Qt::Key_Left:
@@ -112,7 +112,7 @@ void ImageView::ask_for_place(bool wanted) {
 void ImageView::ask_for_region(bool wanted) {
   asking_region_ = wanted && !image_.isNull();
   tool_.choose(asking_region_ ? Tool::kRegion : Tool::kNone);
-  // Where the keyboard starts to draw.
+  // The keyboard starts to draw here.
   const cv::Size size = size_of(size_);
   pen_ = cv::Point2f(static_cast<float>(size.width) / 4, static_cast<float>(size.height) / 4);
   show_cursor();
@@ -147,7 +147,7 @@ void ImageView::show_all() {
   update();
 }
 
-// By the keyboard: what is enlarged is moved, or the pen, while there is something to do with one.
+// Arrow keys move the pen while a tool is active, otherwise the zoomed image.
 void ImageView::keyPressEvent(QKeyEvent* event) {
   const QPoint way = way_of(event->key());
   if (!way.isNull() && !draws())
@@ -181,7 +181,7 @@ void ImageView::move_pen(QPoint way, float step) {
   tool_.move(*pen_);
 }
 
-/// Sets it down, or lifts it.
+/// Puts the pen down, or lifts it.
 void ImageView::use_pen() {
   pen_ = pen();
   if (asking_)
@@ -251,7 +251,7 @@ void ImageView::paintEvent(QPaintEvent*) {
   if (hasFocus()) paint_focus(painter);
 }
 
-/// Where the keyboard draws.
+/// Draws the cross at which the keyboard draws.
 void ImageView::paint_pen(QPainter& painter) const {
   if (!draws() || !hasFocus()) return;
   const QPointF at = on_widget(pen());
@@ -268,7 +268,7 @@ void ImageView::paint_focus(QPainter& painter) const {
   painter.drawRect(rect().adjusted(1, 1, -1, -1));
 }
 
-/// What is not searched is darker.
+/// The part that is not searched is drawn darker.
 void ImageView::paint_region(QPainter& painter) const {
   if (region_.isEmpty()) return;
   const QRectF box(on_widget({region_.x() - 0.5, region_.y() - 0.5}),
@@ -296,7 +296,7 @@ void ImageView::paint_marks(QPainter& painter) const {
     painter.setPen(QPen(Qt::black, kOutline + 1.5));
     painter.drawPath(path);
     QPen pen(QColor(bright_colour_of(mark.level)), kOutline);
-    // Not by colour alone.
+    // Unknown states are not marked by colour alone.
     if (mark.level == Level::kUnknown) pen.setStyle(Qt::DashLine);
     painter.setPen(pen);
     painter.drawPath(path);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Shows an image fitted in with marks over it, and takes the mouse, or arrow keys and Space, as a
-// marking tool. The wheel enlarges, dragging or arrow keys without a tool move what is enlarged.
+// Shows an image fitted to the widget with marks over it, and takes the mouse, or arrow keys and
+// Space, as a marking tool. The wheel zooms; without a tool, dragging or arrow keys pan the zoomed
+// image.
 #pragma once
 
 #ifndef Q_MOC_RUN
@@ -18,7 +19,8 @@
 
 namespace mbncc::console {
 
-/// "Still image of 12:03:05": now, so that it is not taken for a live one.
+/// "Still image of 12:03:05", with the current time, so that the image is not mistaken for a live
+/// one.
 QString still_caption();
 
 class ImageView : public QWidget {
@@ -27,23 +29,23 @@ class ImageView : public QWidget {
  public:
   explicit ImageView(QWidget* parent = nullptr);
 
-  /// `size` [px] is that of the camera's image, which marks and tools refer to; `image` may be
-  /// a smaller copy. `caption` is written over it; "": none.
+  /// `size` [px] of the camera's image, which marks and tools refer to; `image` may be a smaller
+  /// copy. `caption` is written over it; "": none.
   void show_image(const QImage& image, QSize size, const std::vector<Mark>& marks,
                   const QString& caption);
-  /// The image is outdated: greys it out with a label until the next one.
+  /// Greys out an outdated image and labels it until the next one arrives.
   void show_age(const QString& warning);
   /// Shows queued corrections over the image.
   void show_waiting(std::deque<MarkingTool::Request> waiting);
 
   MarkingTool& tool() { return tool_; }
-  /// The next click asks about its place instead of drawing, until this is cancelled.
+  /// The next click chooses a place instead of drawing, until this is cancelled.
   void ask_for_place(bool wanted);
   bool asks_for_place() const { return asking_; }
-  /// The next box that is drawn is a search region, until this is cancelled.
+  /// The next box drawn becomes the search region, until this is cancelled.
   void ask_for_region(bool wanted);
   bool asks_for_region() const { return asking_region_; }
-  /// [px] of the camera's image, outside of which nothing is searched; empty: none.
+  /// Search region [px] in the camera's image; empty: the whole image.
   void show_region(const QRect& region);
   /// Discards an unfinished stroke; false if there is none.
   bool give_up();
@@ -52,21 +54,21 @@ class ImageView : public QWidget {
   bool marks_shown() const { return marks_shown_; }
   void enlarge(double factor);
   void show_all();
-  /// [px] of the camera's image; empty: none was shown.
+  /// Size [px] of the camera's image; empty if none was shown.
   QSize shape() const { return size_; }
 
-  /// As shown; null if nothing is shown.
+  /// The image as shown; null if nothing is shown.
   const QImage& image() const { return image_; }
 
   QSize sizeHint() const override { return {640, 480}; }
 
  Q_SIGNALS:
   void corrected(mbncc_vision::ConfirmLearning::Request correction);
-  /// The image's shape, or the room for it.
+  /// The size of the image or of the widget has changed.
   void shape_changed();
-  /// [px] of the camera's image.
+  /// `place` [px] in the camera's image.
   void place_chosen(QPointF place);
-  /// [px] of the camera's image.
+  /// `region` [px] in the camera's image.
   void region_chosen(QRect region);
 
  protected:

@@ -13,10 +13,10 @@ namespace {
 
 namespace encodings = sensor_msgs::image_encodings;
 
-constexpr int kFullRange = 65535;  // of 16 bits
+constexpr int kFullRange = 65535;  // maximum of 16 bits
 constexpr int kSquare = 8;         // [px] of the checkerboard
 constexpr int kShownWidth = 1600;  // [px]
-constexpr int kSampled = 8;        // [px] between samples for the light
+constexpr int kSampled = 8;        // [px] between the samples for the change of light
 constexpr double kChanged = 24;    // [grey levels] in any channel, after smoothing
 const cv::Scalar kTint(230, 159, 0);
 
@@ -34,7 +34,7 @@ cv::Mat smoothed(const cv::Mat& image) {
   return result;
 }
 
-/// `image` in the light of `first`: the median factor of each channel is compensated.
+/// `image` with the brightness and colour of `first`: each channel is scaled by the median ratio.
 cv::Mat in_light_of(const cv::Mat& first, const cv::Mat& image) {
   cv::Scalar factors;
   for (int channel = 0; channel < 3; ++channel) {
@@ -52,7 +52,7 @@ cv::Mat in_light_of(const cv::Mat& first, const cv::Mat& image) {
   return lit;
 }
 
-/// Of 16 bits. 16UC1 does not say how bright its numbers are.
+/// Converts 16-bit images. 16UC1 does not define its white level, so it needs `white_level`.
 cv::Mat deep_to_rgb(const sensor_msgs::Image& message, int white_level) {
   if (message.encoding == encodings::TYPE_16UC1) {
     if (white_level == 0) return {};

@@ -8,8 +8,8 @@ namespace mbncc::console {
 namespace {
 
 constexpr int kGap = 4;      // [px] between an object and its label
-constexpr int kRings = 6;    // distances that are tried
-constexpr double kFar = 20;  // [px^2] of overlap that a pixel of distance outweighs
+constexpr int kRings = 6;    // number of distances that are tried
+constexpr double kFar = 20;  // [px^2] overlap that costs as much as one more ring of distance
 
 cv::Rect moved_inside(cv::Rect label, const cv::Rect& room) {
   label.x = std::max(room.x, std::min(label.x, room.br().x - label.width));
@@ -17,7 +17,7 @@ cv::Rect moved_inside(cv::Rect label, const cv::Rect& room) {
   return label;
 }
 
-/// Above, below, right and left of the object, then at its corners, `away` [px] from it.
+/// Positions above, below, right and left of the object, then at its corners, `away` [px] from it.
 std::vector<cv::Rect> places_about(const LabelledThing& thing, int away) {
   const cv::Rect& box = thing.box;
   const cv::Size& size = thing.label;

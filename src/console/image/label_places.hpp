@@ -13,8 +13,8 @@ struct LabelledThing {
   cv::Size label;  ///< its label's size
 };
 
-/// A place for each label inside `room`, unless it is too small. Each is as near to its object as
-/// the others allow.
+/// A position for each label, inside `room` unless that is too small, and as near to its object as
+/// the other labels and objects allow.
 std::vector<cv::Rect> place_labels(const std::vector<LabelledThing>& things, const cv::Rect& room);
 
 }  // namespace mbncc::console

@@ -4,7 +4,7 @@
 namespace mbncc::console {
 namespace {
 
-constexpr double kSearchedFresh = 1;  // [s] before age() reports an old image
+constexpr double kSearchedFresh = 1;  // [s] without a searched image before plain ones are shown
 
 }  // namespace
 

@@ -8,12 +8,12 @@ class LiveImage {
  public:
   explicit LiveImage(double now = 0) : shown_at_(now) {}
 
-  /// An image arrived; `searched`: with its detections. Returns true if it shall be shown: plain
-  /// images during a lesson, otherwise searched ones, or plain ones if those do not arrive. Times
-  /// are in seconds of any one clock.
+  /// Call this for each image; `searched`: with its detections. Returns true if the image shall be
+  /// shown: plain images during a lesson, otherwise searched ones, or plain ones if no searched
+  /// ones arrive. Times are in seconds of any one clock.
   bool take(bool searched, bool teaching, double now);
 
-  /// [s] since an image was shown.
+  /// [s] since the last image was shown.
   double age(double now) const { return now - shown_at_; }
 
  private:

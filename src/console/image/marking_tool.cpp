@@ -10,7 +10,7 @@ namespace {
 
 constexpr float kStep = 1.5f;     // [px] between two points of a stroke
 constexpr double kMeant = 3;      // [px] shorter drags are ignored
-constexpr double kGrabTip = 0.5;  // of the axes' length around the tip
+constexpr double kGrabTip = 0.5;  // of the axes' length: radius in which the tip is grabbed
 
 geometry_msgs::Polygon polygon_of(const std::vector<cv::Point2f>& points) {
   geometry_msgs::Polygon polygon;

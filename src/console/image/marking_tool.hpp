@@ -35,9 +35,9 @@ class MarkingTool {
   std::optional<Request> release(cv::Point2f at, cv::Size image);
 
   bool drawing() const { return drawing_; }
-  /// Of the stroke, or the region's opposite corners.
+  /// Points of the stroke, or two opposite corners of the region.
   const std::vector<cv::Point2f>& points() const { return points_; }
-  /// As they are dragged.
+  /// The axes as they are being dragged.
   const geometry_msgs::Pose2D& axes() const { return axes_; }
   double axes_length() const { return axes_length_; }
 

@@ -24,7 +24,7 @@ Mark mark_of(const DetectedObject& object) {
   mark.level = level_of_state(object.state);
   char score[16];
   std::snprintf(score, sizeof score, " %.2f ", object.score);
-  // A single image has no instances.
+  // Detections in a single image have no instance number.
   const std::string number =
       object.instance_id == 0 ? "" : " #" + std::to_string(object.instance_id);
   mark.label = std::string(symbol_of(mark.level)) + " " + object.name + number + score +
@@ -32,7 +32,7 @@ Mark mark_of(const DetectedObject& object) {
   return mark;
 }
 
-/// Computed from the map's pixels.
+/// Contours of the map's pixels.
 std::vector<std::vector<cv::Point>> outlines_of(const sensor_msgs::Image& map) {
   if (map.width == 0 || map.data.size() < std::size_t{map.step} * map.height) return {};
   const cv::Mat pixels(static_cast<int>(map.height), static_cast<int>(map.width), CV_8UC1,
@@ -54,7 +54,7 @@ std::vector<Mark> marks_of(const mbncc_vision::LearnObjectResult& draft) {
   const auto parts = outlines_of(draft.map);
   const auto outline = points_of(draft.object.outline);
   if (parts.empty() || outline.empty()) return {};
-  // The message gives the position of the largest outline, which locates the map.
+  // The message gives the position of the largest outline only; it locates the map in the image.
   const auto largest = std::max_element(
       parts.begin(), parts.end(),
       [](const auto& a, const auto& b) { return cv::contourArea(a) < cv::contourArea(b); });

@@ -22,7 +22,7 @@ struct Mark {
   std::string label;  ///< UTF-8, one line
 };
 
-/// One for each detected object.
+/// One mark for each detected object.
 std::vector<Mark> marks_of(const mbncc_vision::DetectedObjectArray& detections);
 
 /// Outline and frame of a lesson's draft, with all parts and holes of its map; none without a map.

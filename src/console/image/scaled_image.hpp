@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// An image as large as its room allows, on a dark ground.
+// A widget with an image as large as its space allows, on a dark background.
 #pragma once
 
 #include <QImage>
@@ -9,7 +9,7 @@
 
 namespace mbncc::console {
 
-/// A copy of `image`, CV_8UC3 rgb; null if it is empty.
+/// A copy of `image` (CV_8UC3 rgb); null if `image` is empty.
 QImage to_qimage(const cv::Mat& image);
 
 class ScaledImage : public QWidget {
@@ -18,7 +18,7 @@ class ScaledImage : public QWidget {
  public:
   explicit ScaledImage(QSize least, QWidget* parent = nullptr);
 
-  /// A null image changes nothing.
+  /// Ignores a null image.
   void show_image(const QImage& image);
 
  protected:

@@ -26,7 +26,7 @@ void ChoiceRow::offer(const std::vector<Answer>& answers, QWidget* previous) {
 }
 
 void ChoiceRow::clear() {
-  // The clicked button is still in its handler.
+  // The clicked button is still in its handler, so it must not be deleted here.
   for (auto* button : buttons_) {
     button->hide();
     button->deleteLater();
@@ -35,7 +35,7 @@ void ChoiceRow::clear() {
 }
 
 void ChoiceRow::take_keyboard() {
-  // As if by a key, so that it is seen where the keyboard is.
+  // Qt::TabFocusReason makes the focus frame visible.
   if (offers()) buttons_.back()->setFocus(Qt::TabFocusReason);
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The answers to a question beside the lesson as buttons: what to do about a name that is taken, or
-// whether another view follows. Its height stays, so that nothing below moves.
+// The answers to a question about the lesson as buttons: what to do about a name that is taken, or
+// whether another view follows. The row keeps its height, so that nothing below moves.
 #pragma once
 
 #include <QHBoxLayout>
@@ -22,11 +22,11 @@ class ChoiceRow : public QWidget {
 
   explicit ChoiceRow(QWidget* parent = nullptr);
 
-  /// Takes the place of the answers before; Tab reaches them from `previous`.
+  /// Replaces the earlier answers; Tab reaches them from `previous`.
   void offer(const std::vector<Answer>& answers, QWidget* previous);
   void clear();
   bool offers() const { return !buttons_.empty(); }
-  /// Gives the keyboard to the last answer.
+  /// Gives the focus to the last answer.
   void take_keyboard();
 
  private:

@@ -44,7 +44,8 @@ LessonBar::LessonBar(QWidget* parent)
   height_->setSuffix(" mm high");
   height_->setDecimals(1);
   detail_->setWordWrap(true);
-  // Two lines, so that widgets below do not move; longer sentences are in the tooltip.
+  // The height of two lines is fixed, so that the widgets below do not move; the tooltip shows
+  // longer sentences completely.
   detail_->setFixedHeight(2 * detail_->fontMetrics().lineSpacing() + 4);
   detail_->setAlignment(Qt::AlignTop | Qt::AlignLeft);
   progress_->setRange(0, kWholeBar);
@@ -148,7 +149,7 @@ mbncc_vision::LearnObjectGoal LessonBar::goal() const {
   goal.object_height = height_->value() / 1000;
   goal.symmetry = chosen_symmetry(symmetry_);
   goal.confirm = true;
-  goal.allow_bad = true;  // after its own question
+  goal.allow_bad = true;  // the operator has been asked separately
   return goal;
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Name, height, Teach; the current instruction, the progress and the remaining time.
+// The bar for a lesson: name, height, Teach; the current instruction, progress and remaining time.
 #pragma once
 
 #ifndef Q_MOC_RUN
@@ -29,22 +29,23 @@ class LessonBar : public QWidget {
   void show_lesson(const LessonModel& lesson, double now);
   mbncc_vision::LearnObjectGoal goal() const;
   void set_name(const std::string& name);
-  /// Whether Mark grasp is possible; `reason`: why not.
+  /// Whether Mark grasp is possible; `reason`: why it is not.
   void allow_marks(bool allowed, const QString& reason);
-  /// Asks in the place of the lesson's own sentence, until it is answered or withdrawn. `headline`
-  /// takes the place of the lesson's; "": that stays.
+  /// Shows a question instead of the lesson's own sentence, until it is answered or withdrawn.
+  /// `headline` replaces the lesson's headline; "" keeps that.
   void ask(const QString& headline, const Notice::Line& question,
            const std::vector<ChoiceRow::Answer>& answers);
   void withdraw_question() { choices_->clear(); }
-  /// Gives the keyboard to the name.
+  /// Gives the focus to the name.
   void take_keyboard();
-  /// Gives it to the last answer.
+  /// Gives the focus to the last answer.
   void give_keyboard_to_answers() { choices_->take_keyboard(); }
-  /// What was said beside the lesson is out of date.
+  /// Clears the notice when it is out of date.
   void clear_notice() { notice_.clear(); }
   /// Clears the name and the declared symmetry after a lesson.
   void clear_name();
-  /// A notice, such as the library's refusal; replaces the lesson's own message for some seconds.
+  /// Shows a notice, such as the library's refusal, instead of the lesson's own message for some
+  /// seconds.
   void say(const Notice::Line& line, double now);
 
  Q_SIGNALS:
@@ -59,7 +60,7 @@ class LessonBar : public QWidget {
   void tidy_name(const QString& typed);
 
   Notice notice_;
-  Notice::Line question_;  // counts while there are answers, as does its headline
+  Notice::Line question_;  // shown while there are answers, as is its headline
   QString question_headline_;
   QLineEdit* name_;
   QDoubleSpinBox* height_;

@@ -54,7 +54,7 @@ void LessonModel::take_status(const actionlib_msgs::GoalStatusArray& status, dou
   if (phase_ == Phase::kNoServer) get_ready();
   const auto alive = std::find_if(status.status_list.begin(), status.status_list.end(), is_alive);
   if (alive != status.status_list.end()) {
-    // A lesson started by another client, or by this window before it was closed.
+    // The lesson was started by another client, or by this window before it was closed.
     if (!under_way()) {
       join(alive->goal_id.id, now);
       detail_ = "A lesson is running.";
@@ -78,7 +78,8 @@ void LessonModel::take_feedback(const mbncc_vision::LearnObjectActionFeedback& f
                      feedback.feedback.message == question_;
   if (again) return;
   question_ = asked ? feedback.feedback.message : "";
-  // An earlier draft belongs to an earlier lesson, unless this one was joined in review.
+  // A draft received before the first feedback belongs to an earlier lesson, unless this lesson was
+  // joined in review.
   if (std::exchange(unheard_, false) && !asked) {
     newest_draft_.reset();
     corrections_ = 0;
@@ -94,7 +95,8 @@ void LessonModel::take_draft(const Result& draft) {
   newest_draft_ = draft;
   acceptable_ = draft.error_code == Result::SUCCESS;
   insisted_ = false;
-  // A correction passes through the stages again before the operator is asked again.
+  // After a correction, the lesson passes through its stages again before it asks the operator
+  // again.
   if (draft_ || phase_ == Phase::kReview) show_draft(newest_draft_);
 }
 
@@ -114,7 +116,7 @@ bool LessonModel::take_library(const std::vector<mbncc_vision::LearnedObject>& o
   const bool listed = std::any_of(objects.begin(), objects.end(), [&](const auto& object) {
     return object.name == learned_->name && object.revision == learned_->revision;
   });
-  // A list may be older than the result.
+  // The list may have been sent before the result.
   learned_->listed |= listed;
   if (listed || !learned_->listed) return false;
   get_ready();
@@ -122,7 +124,7 @@ bool LessonModel::take_library(const std::vector<mbncc_vision::LearnedObject>& o
 }
 
 void LessonModel::begin(const std::string& goal, double now) {
-  newest_draft_.reset();  // of another lesson
+  newest_draft_.reset();  // it belongs to another lesson
   join(goal, now);
   corrections_ = 0;
 }
@@ -208,12 +210,12 @@ void LessonModel::count_corrections(bool success) {
   if (asked_->command == Word::EDIT && success && corrections_ >= 0) ++corrections_;
   if (asked_->command == Word::EDIT && !success) withdraw_undo_of_refused();
   if (asked_->command != Word::UNDO) return;
-  // The server refuses if there is nothing to undo.
+  // A refused undo means that there is nothing to undo.
   if (!success) corrections_ = 0;
   if (success && corrections_ > 0) --corrections_;
 }
 
-/// The undo that was meant for a refused correction would take back an earlier one.
+/// Removes the undo that was meant for the refused correction; it would undo an earlier one.
 void LessonModel::withdraw_undo_of_refused() {
   int later = 0;
   for (auto word = words_.begin(); word != words_.end(); ++word) {
@@ -247,7 +249,7 @@ std::string LessonModel::headline() const {
 }
 
 std::string LessonModel::detail() const {
-  // The advice stands beside the image.
+  // The advice is shown beside the image, so it is not repeated here.
   if (phase_ == Phase::kReview && draft_ && detail_ == question_)
     return "Verdict " + word_of_verdict(draft_->object.quality.verdict) +
            (may_accept() ? ". Accept, correct or reject the outline."

@@ -30,7 +30,7 @@ class ReviewPane : public QWidget {
   void choose_tool(Tool tool);
 
  Q_SIGNALS:
-  /// ACCEPT, REJECT or UNDO of ConfirmLearning.
+  /// `command` of ConfirmLearning: ACCEPT, REJECT or UNDO.
   void decided(int command);
   void insisted(bool insisted);
   void tool_chosen(int tool);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What the operator does with the library: edits and their undo, export, import, what the
-// trash has.
+// Carries out the operator's actions on the library: edits and their undo, export, import, and
+// restoring from the trash.
 #pragma once
 
 #ifndef Q_MOC_RUN
@@ -19,20 +19,20 @@ class LibraryController : public QObject {
   Q_OBJECT
 
  public:
-  /// `ros` and `strip` outlive it.
+  /// `ros` and `strip` must outlive it.
   LibraryController(RosLink& ros, LibraryStrip& strip, QObject* parent);
 
   const LibraryModel& library() const { return library_; }
-  /// A lesson changed the object, which "Undo edit" can take back.
+  /// A lesson changed the object; "Undo edit" can revert this.
   void retaught(const std::string& name) { library_.retaught(name); }
-  /// Gives the object its own min_score, 0: none.
+  /// Gives the object its own min_score; 0 removes it.
   void set_threshold(const QString& name, double min_score);
 
  Q_SIGNALS:
-  /// The answer to what the operator did.
+  /// The result of an action of the operator.
   void told(bool success, QString sentence);
   void edited();
-  /// A name is gone that a question may be about.
+  /// A name no longer exists; a pending question may refer to it.
   void name_gone();
 
  private:

@@ -44,7 +44,7 @@ Revision revision_of(const ObjectModel& model) {
   return revision;
 }
 
-/// Of the objects whose name is `wanted`, newest first; without files that cannot be read.
+/// Revisions of the objects named `wanted`, newest first; unreadable files are left out.
 std::vector<Revision> trash_of(const std::string& folder,
                                const std::function<bool(const std::string&)>& wanted) {
   check_folder(folder);

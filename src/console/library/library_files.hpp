@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Export and import of objects as single files; earlier revisions and deleted objects. Works if the
-// library's folder is on this computer.
+// Export and import of objects as single files; earlier revisions and deleted objects. Works only
+// if the library's folder is on this computer.
 #pragma once
 
 #include <cstdint>
@@ -21,13 +21,13 @@ struct Revision {
 /// These functions throw std::exceptions with a message; `folder` is the library's.
 void export_object(const std::string& folder, const std::string& name, const std::string& file);
 
-/// Returns its name in the library; refuses an existing name.
+/// Returns the object's name in the library; refuses an existing name.
 std::string import_object(const std::string& folder, const std::string& file);
 
-/// Newest first; without files that cannot be read.
+/// Newest first; unreadable files are left out.
 std::vector<Revision> earlier_revisions(const std::string& folder, const std::string& name);
 
-/// The newest readable revision of every object that is in the trash alone, by name.
+/// The newest readable revision of every object that exists only in the trash, by name.
 std::vector<Revision> deleted_objects(const std::string& folder);
 
 }  // namespace mbncc::console

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The library strip: the known objects, and edits with undo.
+// Model of the library strip: the known objects, and edits with undo.
 #pragma once
 
 #include <mbncc_vision/EditObject.h>
@@ -24,9 +24,9 @@ class LibraryModel {
   static Request remove(const std::string& name);
   /// `symmetry` is one of LearnObjectGoal's SYMMETRY_...; records the current one for undo().
   Request declare(const std::string& name, std::uint8_t symmetry);
-  /// Restores a revision from the trash; records the object's present one for undo().
+  /// Restores a revision from the trash; records the object's current one for undo().
   Request restore(const std::string& name, std::uint32_t revision);
-  /// Sets the object's own min_score, 0: the matcher's; records the present one for undo().
+  /// Sets the object's own min_score; 0: the matcher's applies. Records the current one for undo().
   Request set_threshold(const std::string& name, double min_score);
 
   /// The object of that name; null: none.

@@ -29,7 +29,7 @@ QPixmap icon_of(const mbncc_vision::LearnedObject& object) {
                       scaled);
     painter.setOpacity(1);
   }
-  // The verdict's lamp in the corner.
+  // The corner shows the verdict's level.
   const Level level = level_of_verdict(object.quality.verdict);
   painter.fillRect(0, 0, 20, 20, QColor(colour_of(level)));
   painter.setPen(QColor(ink_on(level)));
@@ -123,7 +123,7 @@ void LibraryStrip::connect_buttons() {
   connect(delete_, &QPushButton::clicked,
           [this] { Q_EMIT edit_wanted(LibraryModel::remove(chosen().toStdString())); });
   connect(undo_, &QPushButton::clicked, this, &LibraryStrip::undo_wanted);
-  // Emitted only for changes by the operator, not by show_choice().
+  // QComboBox::activated is emitted only for changes by the operator, not by show_choice().
   connect(symmetry_, QOverload<int>::of(&QComboBox::activated), [this] {
     const auto known = list_->currentItem()->data(kSymmetryRole).toUInt();
     if (chosen_symmetry(symmetry_) != known)
@@ -210,7 +210,7 @@ void LibraryStrip::take_new_name(QListWidgetItem* item) {
   const QString name = item->data(kNameRole).toString(), typed = item->text();
   if (typed == name) return complain("");
   filling_ = true;
-  item->setText(name);  // until the library says otherwise
+  item->setText(name);  // shows the old name until the library confirms the new one
   filling_ = false;
   const TypedName tidy = usable_name(typed.toStdString());
   const QString wanted = QString::fromStdString(tidy.name);

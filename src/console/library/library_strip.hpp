@@ -27,17 +27,17 @@ class LibraryStrip : public QWidget {
   void show_objects(const LibraryModel& library);
   /// Selects an object once it is listed.
   void choose(const QString& name);
-  /// Key of the selected object, "" for none.
+  /// Name of the selected object; "" for none.
   QString chosen() const;
   void allow_teaching(bool allowed);
-  /// What is wrong with a new name, below the list; "": nothing. The next edit clears it.
+  /// Shows what is wrong with a new name below the list; "": nothing. The next edit clears it.
   void complain(const QString& sentence);
 
  Q_SIGNALS:
   void edit_wanted(mbncc_vision::EditObject::Request request);
   void symmetry_wanted(QString name, std::uint8_t symmetry);
   void undo_wanted();
-  /// A further view of the object shall be taught.
+  /// The operator wants to teach a further view of the object.
   void view_wanted(QString name);
   void export_wanted(QString name);
   void import_wanted();

@@ -12,7 +12,7 @@ namespace mbncc::console {
 namespace {
 
 constexpr int kNameRole = Qt::UserRole, kNumberRole = Qt::UserRole + 1;
-constexpr QSize kSize(700, 440);  // the longest name fits in
+constexpr QSize kSize(700, 440);  // wide enough for the longest name
 
 }  // namespace
 

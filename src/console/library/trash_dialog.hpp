@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Lists what the trash has and restores one: earlier revisions of an object, or deleted objects.
+// Lists the contents of the trash and restores one: earlier revisions of an object, or deleted
+// objects.
 #pragma once
 
 #ifndef Q_MOC_RUN
@@ -19,7 +20,7 @@ class TrashDialog : public QDialog {
  public:
   TrashDialog(const QString& title, const QString& text, QWidget* parent = nullptr);
 
-  /// `label`: what is written beside the image.
+  /// `label`: the text beside the image.
   void add(const Revision& revision, const QString& label);
 
  Q_SIGNALS:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Other thresholds tried on one image of the cell, and applied.
+// Tries other thresholds on one image of the cell, and applies them.
 #pragma once
 
 #ifndef Q_MOC_RUN
@@ -21,19 +21,19 @@ class ThresholdController : public QObject {
   Q_OBJECT
 
  public:
-  /// `ros`, `pane` and `image` outlive it.
+  /// `ros`, `pane` and `image` must outlive it.
   ThresholdController(RosLink& ros, ThresholdPane& pane, ImageView& image, QObject* parent);
 
-  /// Asks the matcher for all it finds in the image shown; found() follows, or told().
+  /// Asks the matcher for everything it finds in the image shown; found() or told() follows.
   void ask();
-  /// Shows what was found; `object`: the one whose min_score may be set alone, "": none. The
-  /// objects' own thresholds are those of `library`.
+  /// Shows the detections. `object`: the one whose min_score may be set separately; "": none. The
+  /// objects' own thresholds are taken from `library`.
   void begin(const QString& object, const LibraryModel& library);
 
  Q_SIGNALS:
   void found();
   void applied();
-  /// The object's own min_score; 0: none any more.
+  /// The object's own min_score; 0 removes it.
   void own_wanted(QString object, double min_score);
   void told(bool success, QString sentence);
 

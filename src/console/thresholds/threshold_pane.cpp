@@ -87,7 +87,7 @@ void ThresholdPane::begin(const Thresholds& now, const QString& object) {
   set_scope();
 }
 
-/// The slider shows what holds now for all objects, or for the chosen one.
+/// The slider shows the current value, for all objects or for the chosen one.
 void ThresholdPane::set_scope() {
   const bool one = one_->isChecked();
   const std::string name = object_.toStdString();

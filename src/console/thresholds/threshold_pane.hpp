@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Threshold sliders with a preview of their effect in the current image; for all objects, or
+// Threshold sliders with a preview of their effect in the current image, for all objects or for the
 // min_score of one object.
 #pragma once
 
@@ -22,11 +22,11 @@ class ThresholdPane : public QWidget {
  public:
   explicit ThresholdPane(QWidget* parent = nullptr);
 
-  /// `object`: the one that can get its own threshold; "": none is chosen.
+  /// `object`: the one that can get its own threshold; "" if none is chosen.
   void begin(const Thresholds& now, const QString& object);
   void show_summary(const QString& summary) { summary_->setText(summary); }
   Thresholds wanted() const;
-  /// The object whose min_score is set alone; "": the matcher's thresholds are set.
+  /// The object whose min_score is being set; "" if the matcher's thresholds are.
   QString object() const { return one_->isChecked() ? object_ : QString(); }
 
  Q_SIGNALS:
@@ -42,8 +42,8 @@ class ThresholdPane : public QWidget {
   QLabel *min_text_, *confirm_text_, *summary_;
   QSlider *min_, *confirm_;
   QRadioButton *all_, *one_;
-  QCheckBox* inherit_;   // the matcher's min_score for that object
-  QLabel* object_text_;  // whose
+  QCheckBox* inherit_;   // use the matcher's min_score for that object
+  QLabel* object_text_;  // names that object
   QString object_;
   Thresholds now_;
 };

@@ -6,7 +6,7 @@
 namespace mbncc::console {
 namespace {
 
-/// Whether a reason of the matcher holds in this image with any confirm_score. The other ones
+/// Whether the matcher gives this reason in this image with any confirm_score. The other reasons
 /// are the score, other images and the age of this one.
 bool stays(const std::string& reason) {
   return reason.find("is below confirm_score") == std::string::npos &&

@@ -15,14 +15,14 @@ namespace mbncc::console {
 class ThresholdPreview {
  public:
   ThresholdPreview() = default;
-  /// All detections with minimal thresholds, and the current thresholds.
+  /// `all`: all detections with minimal thresholds; `now`: the current thresholds.
   ThresholdPreview(const mbncc_vision::DetectedObjectArray& all, const Thresholds& now);
 
   /// The detections reported with the thresholds `wanted`, graspable ones as kGood.
   std::vector<Mark> marks(const Thresholds& wanted) const;
 
-  /// "In this image: reported 3 (now 2), graspable 1 (now 1)."; `object`: its detections alone,
-  /// "": all.
+  /// "In this image: reported 3 (now 2), graspable 1 (now 1)."; `object`: counts only its
+  /// detections, "": all.
   std::string summary(const Thresholds& wanted, const std::string& object = "") const;
 
   const Thresholds& now() const { return now_; }

@@ -14,7 +14,7 @@
 
 namespace {
 
-constexpr int kGlance = 200;  // [ms] between checks whether ROS shall shut down
+constexpr int kGlance = 200;  // [ms] between checks whether ROS is shutting down
 
 }  // namespace
 
@@ -33,12 +33,12 @@ int main(int argc, char** argv) {
   ros::NodeHandle keeps_the_node_running;
   QMainWindow window;
   window.setWindowTitle("mbncc console");
-  // A screen that is too small scrolls instead of pushing buttons off it.
+  // On a screen that is too small, the window scrolls, so that all buttons stay reachable.
   auto* area = mbncc::console::make_scroll_area(new mbncc::console::ConsoleWidget(
       {words.value("cell").toStdString(), words.value("matching").toStdString()}));
   area->setFocusPolicy(Qt::NoFocus);
   window.setCentralWidget(area);
-  // Where no window manager maximizes it, too.
+  // For systems without a window manager that maximizes the window.
   window.setGeometry(QGuiApplication::primaryScreen()->availableGeometry());
   window.showMaximized();
   QTimer watch;
