@@ -17,7 +17,7 @@ const Option& known_option(const std::vector<Option>& options, const std::string
   throw UsageError("unknown option '" + name + "'" + did_you_mean(name, names));
 }
 
-/// "bash or zsh" for "bash|zsh".
+/// Turns "bash|zsh" into "bash or zsh".
 std::string in_words(std::string choices) {
   const auto bar = choices.find('|');
   return bar == std::string::npos ? choices : choices.replace(bar, 1, " or ");

@@ -26,14 +26,14 @@ struct Option {
 /// The values given for a command's options, and its operands.
 class Arguments {
  public:
-  /// Throws UsageError for unknown, repeated, incomplete or missing options. With `operand` empty
+  /// Throws UsageError for unknown, repeated, incomplete or missing options. If `operand` is empty,
   /// no operands are accepted, otherwise at least one is needed.
   Arguments(const std::vector<Option>& options, const std::string& operand,
             const std::vector<std::string>& words);
 
   bool has(const std::string& option) const { return values_.count(option) != 0; }
 
-  /// Last value of the option, or `otherwise`.
+  /// Last value of the option, or `otherwise` if it is not given.
   std::string get(const std::string& option, const std::string& otherwise = "") const;
 
   /// All values of the option, in order.

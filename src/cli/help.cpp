@@ -7,7 +7,7 @@
 namespace mbncc::cli {
 namespace {
 
-constexpr std::size_t kColumn = 25;  // [characters] of an option and its value
+constexpr std::size_t kColumn = 25;  // [characters] width of the column for an option and its value
 
 std::string written(const Option& option) {
   return option.value.empty() ? option.name : option.name + " " + option.value;

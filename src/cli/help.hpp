@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Help texts, made from the commands' own descriptions.
+// Help texts, generated from the commands' own descriptions.
 #pragma once
 
 #include <ostream>

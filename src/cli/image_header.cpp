@@ -22,7 +22,7 @@ class Reader {
   std::size_t position() const { return position_; }
   void seek(std::size_t position) { position_ = position; }
 
-  /// Big-endian number of `count` bytes.
+  /// Reads a big-endian number of `count` bytes.
   std::uint32_t number(int count) {
     std::uint32_t value = 0;
     for (int i = 0; i < count; ++i) {
@@ -37,8 +37,8 @@ class Reader {
   std::size_t position_ = 0;
 };
 
-// Orientation in the first directory of EXIF data (TIFF 6.0), [begin, end) of `bytes`; 1: none
-// there.
+// Orientation in the first directory of EXIF data (TIFF 6.0) in the range [begin, end) of `bytes`;
+// 1 if there is none.
 int orientation_in(const std::vector<std::uint8_t>& bytes, std::size_t begin, std::size_t end) {
   constexpr std::uint32_t kOrientation = 0x0112, kEntry = 12;
   end = std::min(end, bytes.size());
@@ -61,10 +61,10 @@ int orientation_in(const std::vector<std::uint8_t>& bytes, std::size_t begin, st
   return 1;
 }
 
-// Of the chunk eXIf, which stands before the pixels' end.
+// Reads the orientation from the chunk eXIf, which precedes the end of the pixel data.
 int png_orientation(const std::vector<std::uint8_t>& bytes) {
   constexpr std::uint8_t kName[] = {'e', 'X', 'I', 'f'};
-  constexpr std::size_t kFrame = 12;  // [bytes] of a chunk: length, name, checksum
+  constexpr std::size_t kFrame = 12;  // [bytes] of a chunk besides its data: length, name, checksum
   Reader reader(bytes);
   for (std::size_t chunk = sizeof kPngSignature; chunk + kFrame <= bytes.size();) {
     reader.seek(chunk);
@@ -77,7 +77,7 @@ int png_orientation(const std::vector<std::uint8_t>& bytes) {
   return 1;
 }
 
-// Of a segment APP1; 1: it holds none.
+// Reads the orientation from an APP1 segment; 1 if it contains none.
 int jpeg_orientation(const std::vector<std::uint8_t>& bytes, std::size_t begin, std::size_t end) {
   constexpr std::uint8_t kName[] = {'E', 'x', 'i', 'f', 0, 0};
   if (end > bytes.size() || begin + sizeof kName > end) return 1;
@@ -88,7 +88,7 @@ int jpeg_orientation(const std::vector<std::uint8_t>& bytes, std::size_t begin, 
 
 ImageHeader png_header(const std::vector<std::uint8_t>& bytes) {
   Reader reader(bytes);
-  reader.seek(16);  // signature, then length and name of the first chunk, IHDR
+  reader.seek(16);  // skips the signature, and length and name of the first chunk, IHDR
   ImageHeader header;
   header.width = reader.number(4);
   header.height = reader.number(4);
@@ -107,7 +107,7 @@ bool stands_alone(std::uint8_t marker) {
   return marker == kTemporary || (marker >= kFirstRestart && marker <= kStartOfImage);
 }
 
-// To the next marker; in a scan, 0xff 0x00 is a byte of data.
+// Advances to the next marker; within a scan, 0xff 0x00 is a data byte.
 std::uint8_t next_marker(Reader& reader) {
   while (!reader.at_end()) {
     if (reader.number(1) != kMarker) continue;

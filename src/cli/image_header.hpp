@@ -12,7 +12,7 @@ struct ImageHeader {
   std::uint32_t height = 0;  ///< [px]
   int bits = 0;              ///< per channel
   int orientation = 1;       ///< EXIF orientation: 1 as captured, 2 .. 8 mirrored or rotated
-  bool complete = false;     ///< the image is complete
+  bool complete = false;     ///< the file contains the whole image
 };
 
 /// Throws std::runtime_error with a message if the bytes are neither PNG nor JPEG or end within

@@ -80,7 +80,7 @@ void check_header(const ImageHeader& header, const std::string& path) {
   if (!header.complete) throw FileError(path, "the file is cut short");
 }
 
-// A gripper is calibrated to the sensor's rows and columns, whatever the camera's orientation.
+// Grippers are calibrated to the sensor's rows and columns, so the orientation is not applied.
 void tell_of_orientation(const ImageHeader& header, const std::string& path) {
   if (header.orientation != 1)
     std::cerr << "mbncc: warning: " << path << ": its EXIF orientation (" << header.orientation
@@ -106,7 +106,7 @@ cv::Mat decode(const std::string& path) {
 
 bool is_colourful(const cv::Mat& image) {
   constexpr int kSpread = 24;      // [grey levels] between the channels of a pixel
-  constexpr double kShare = 0.01;  // of the pixels
+  constexpr double kShare = 0.01;  // [0..1] fraction of the pixels
   std::vector<cv::Mat> channels;
   cv::split(image, channels);
   const cv::Mat most = cv::max(cv::max(channels[0], channels[1]), channels[2]);
@@ -114,11 +114,12 @@ bool is_colourful(const cv::Mat& image) {
   return cv::countNonZero(most - least > kSpread) > kShare * static_cast<double>(image.total());
 }
 
-// Few values, as in a drawing, or black and white except for smooth edges and JPEG noise.
+// True for a few grey values, as in a drawing, or for black and white except for smooth edges and
+// JPEG noise.
 bool is_drawn(const cv::Mat& grey) {
   constexpr int kFew = 16;
-  constexpr int kBlack = 64, kWhite = 192;  // [grey levels] below, and from which on
-  constexpr double kShare = 0.8;            // of the pixels
+  constexpr int kBlack = 64, kWhite = 192;  // [grey levels] black is below, white at or above
+  constexpr double kShare = 0.8;            // [0..1] fraction of the pixels
   std::array<int, 256> counts{};
   for (int y = 0; y < grey.rows; ++y)
     for (int x = 0; x < grey.cols; ++x) ++counts[grey.at<uchar>(y, x)];
@@ -127,7 +128,8 @@ bool is_drawn(const cv::Mat& grey) {
   return unused >= 256 - kFew || between <= (1 - kShare) * static_cast<double>(grey.total());
 }
 
-/// Refuses a path through a file, whose name the system's own error leaves out.
+/// Reports a file in the middle of the path by name; the system's error message does not contain
+/// it.
 void refuse_file_in(const std::filesystem::path& folder) {
   std::filesystem::path walked;
   std::error_code ignored;
@@ -162,7 +164,7 @@ void write_image(const std::string& path, const cv::Mat& image) {
   refuse_file_in(fs::path(path).parent_path());
   std::error_code error;
   const bool device = fs::exists(path, error) && !fs::is_regular_file(path, error);
-  // Writes a temporary file and renames it, so that an old file stays until the new one is
+  // Writes a temporary file and renames it, so that an old file is kept until the new one is
   // complete.
   const std::string unfinished = device ? path : path + ".part";
   write_bytes(unfinished, bytes, path);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Images in and out of files.
+// Reads and writes images.
 #pragma once
 
 #include <opencv2/core.hpp>
@@ -7,19 +7,19 @@
 
 namespace mbncc::cli {
 
-/// CV_8UC3 image from a PNG or JPEG file of at most 8 bits per channel; grey becomes colour,
-/// transparency is dropped. Rows and columns are the sensor's: an EXIF orientation is not applied
-/// but reported on stderr. Throws FileError with a remedy.
+/// CV_8UC3 image from a PNG or JPEG file with at most 8 bits per channel; grey becomes colour,
+/// transparency is dropped. Rows and columns are those of the sensor: an EXIF orientation is not
+/// applied but reported on stderr. Throws FileError with a remedy.
 cv::Mat read_image(const std::string& path);
 
-/// CV_8UC1 map of zeros and 255s, thresholded at half of the range. Throws FileError, also for a
-/// photograph, because a map has two grey values.
+/// CV_8UC1 map with values 0 and 255, thresholded at half of the range. Throws FileError, also for
+/// a photograph, because a map has only two grey values.
 cv::Mat read_map(const std::string& path);
 
 /// Writes a PNG file. Throws FileError.
 void write_image(const std::string& path, const cv::Mat& image);
 
-/// Creates the folder and its parents when missing. Throws FileError.
+/// Creates the folder and its parents if they are missing. Throws FileError.
 void make_output_folder(const std::string& folder);
 
 }  // namespace mbncc::cli

@@ -11,7 +11,7 @@
 namespace mbncc::cli {
 namespace {
 
-/// "auto|change_cut|...": what LearningConfig allows.
+/// "auto|change_cut|...": the values that LearningConfig allows.
 std::string segmentation_methods() {
   LearningConfig config;
   std::string methods;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The options of `mbncc learn`.
+// Reads the options of `mbncc learn`.
 #pragma once
 
 #include <optional>
@@ -15,13 +15,13 @@ std::vector<Option> lesson_options();
 /// Throws UsageError for contradictory options.
 void check_lesson_arguments(const Arguments& arguments);
 
-/// Reads the images. Throws UsageError, FileError.
+/// Reads the images of the lesson. Throws UsageError, FileError.
 Lesson lesson_from(const Arguments& arguments);
 
-/// The declared symmetry; none: auto. Throws UsageError.
+/// The declared symmetry; none for "auto". Throws UsageError.
 std::optional<int> symmetry_from(const Arguments& arguments);
 
-/// The strokes; none without any. Throws UsageError.
+/// The strokes; none if no strokes are given. Throws UsageError.
 std::optional<LessonEdit> edit_from(const Arguments& arguments);
 
 }  // namespace mbncc::cli

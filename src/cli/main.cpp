@@ -85,6 +85,6 @@ ExitCode run_guarded(const std::vector<std::string>& words) {
 }  // namespace mbncc::cli
 
 int main(int count, char** words) {
-  cv::setNumThreads(1);  // starting OpenCV's threads would take longer than they save here
+  cv::setNumThreads(1);  // starting OpenCV's threads would take longer than they save
   return mbncc::cli::run_guarded({words + 1, words + count});
 }

@@ -33,7 +33,7 @@ bool taken(const FieldRow& row, const std::string& text, std::exception_ptr& ref
   }
 }
 
-// Sets every row that accepts the text; returns the first refusal if none does.
+// Sets every row that accepts the text; rethrows the first error if none does.
 void assign_any(const std::vector<FieldRow>& rows, const std::string& text) {
   std::exception_ptr refusal;
   bool any = false;
@@ -41,7 +41,7 @@ void assign_any(const std::vector<FieldRow>& rows, const std::string& text) {
   if (!any) std::rethrow_exception(refusal);
 }
 
-// One row for every name.
+// Merges the rows that have the same name.
 std::vector<FieldRow> merged(const std::vector<FieldRow>& rows) {
   std::map<std::string, std::vector<FieldRow>> by_name;
   for (const auto& row : rows) by_name[row.info.name].push_back(row);
@@ -53,7 +53,7 @@ std::vector<FieldRow> merged(const std::vector<FieldRow>& rows) {
   return result;
 }
 
-// --config and --set, into these rows.
+// Applies --config and --set to these rows.
 void assign_given(const Arguments& arguments, const std::vector<FieldRow>& rows) {
   if (arguments.has("--config")) load_yaml_file(rows, arguments.get("--config"));
   for (const auto& pair : arguments.all("--set")) {
@@ -63,7 +63,7 @@ void assign_given(const Arguments& arguments, const std::vector<FieldRow>& rows)
   }
 }
 
-// The rows whose names are not listed yet, because a nodelet's list repeats those of the core.
+// The rows whose names are not yet listed; a nodelet's list repeats those of the core.
 std::vector<FieldRow> without(const std::vector<FieldRow>& listed, std::vector<FieldRow> rows) {
   const auto is_listed = [&listed](const FieldRow& row) {
     return std::any_of(listed.begin(), listed.end(),

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Every parameter of the package: one list serves --config, --set and `mbncc params`.
+// All parameters of the package; the same list serves --config, --set and `mbncc params`.
 #pragma once
 
 #include <string>
@@ -14,7 +14,7 @@
 
 namespace mbncc::cli {
 
-/// The settings of the nodelets contain those of the core.
+/// The settings of the nodelets include those of the core.
 struct Settings {
   MatchingNodeConfig matching;
   LearningNodeConfig learning;
@@ -35,16 +35,16 @@ struct SettingsSection {
 /// All parameters by part. `settings` must outlive the rows.
 std::vector<SettingsSection> sections_of(Settings& settings);
 
-/// --config and --set.
+/// The options --config and --set.
 std::vector<Option> settings_options();
 
-/// Defaults, changed by --config FILE and then by --set key=value. A parameter of several parts,
-/// each with its own range, is set in every part that accepts the value. Throws UsageError,
-/// ConfigError (no part accepts it), FileError.
+/// The defaults, changed by --config FILE and then by --set key=value. A parameter that several
+/// parts share, each with its own range, is set in every part that accepts the value. Throws
+/// UsageError, ConfigError (if no part accepts the value), FileError.
 Settings settings_from(const Arguments& arguments);
 
-/// Only the simulated camera's parameters: a value that it does not accept is refused even if other
-/// parts accept it.
+/// Sets only the simulated camera's parameters: a value that it does not accept is refused even if
+/// other parts accept it.
 SimulatedCameraConfig simulated_camera_from(const Arguments& arguments);
 
 }  // namespace mbncc::cli

@@ -9,7 +9,7 @@
 namespace mbncc::cli {
 namespace {
 
-// Files moved by this check are in the quarantine too.
+// Includes the files that this check has moved to the quarantine.
 std::vector<QuarantinedFile> faulty_files(const ObjectLibrary& library,
                                           const LibrarySnapshot& snapshot) {
   auto faulty = library.quarantine();
@@ -18,14 +18,14 @@ std::vector<QuarantinedFile> faulty_files(const ObjectLibrary& library,
   return faulty;
 }
 
-// "bracket" for "bracket.png" and for "bracket.png.2", a second file of that name in the
+// "bracket" for "bracket.png" and for "bracket.png.2", which is a second file of that name in the
 // quarantine.
 std::string object_of(const QuarantinedFile& file) {
   return file.file.substr(0, file.file.find('.'));
 }
 
-// The newest stored revision of every object whose file is unreadable and that is missing in the
-// library.
+// Restores the newest stored revision of every object whose file is unreadable and that is missing
+// in the library.
 void bring_back(const std::vector<QuarantinedFile>& faulty, ObjectLibrary& library) {
   for (const auto& file : faulty) {
     const std::string name = object_of(file);

@@ -13,7 +13,7 @@
 namespace mbncc::cli {
 namespace {
 
-/// None: the search's own.
+/// Returns none if the search's own min_score applies.
 std::optional<double> min_score_from(const Arguments& arguments) {
   const std::string text = arguments.get("--min-score", "auto");
   if (text == "auto") return {};

@@ -14,7 +14,7 @@
 namespace mbncc::cli {
 namespace {
 
-// Options that set a parameter of another name.
+// Applies the options that set a parameter with a different name.
 void apply_options(const Arguments& arguments, SearchConfig& search) {
   const auto rows = field_rows(search);
   for (const auto& [option, key] :
@@ -26,7 +26,7 @@ void apply_options(const Arguments& arguments, SearchConfig& search) {
 SearchRequest request_from(const Arguments& arguments, const SearchConfig& search) {
   SearchRequest request;
   request.names = arguments.all("--name");
-  // A threshold on the command line overrides the objects' own.
+  // A threshold on the command line overrides the thresholds of the objects.
   if (arguments.has("--min-score")) request.min_score = search.min_score;
   return request;
 }
@@ -70,7 +70,7 @@ ExitCode run(const Arguments& arguments) {
   const auto report = report_for(arguments);
   ExitCode code = kDone;
   {
-    // On a terminal the printed lines already show the progress.
+    // On a terminal, the printed lines already show the progress.
     Progress progress("searched", arguments.operands().size(), Progress::kQuietOutput);
     for (const auto& image_path : arguments.operands()) {
       try {

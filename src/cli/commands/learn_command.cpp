@@ -25,7 +25,7 @@ Lesson read_lesson(const Arguments& arguments) {
     return lesson_from(arguments);
   } catch (const FileError& error) {
     Refusal refusal(LearnError::kNoImage, std::string(error.what()) + ".");
-    refusal.hint.clear();  // the file's own sentence says what to do
+    refusal.hint.clear();  // the message of the FileError already says what to do
     throw refusal;
   }
 }
@@ -54,7 +54,8 @@ ObjectModel store(ObjectLibrary& library, Storing storing, const ObjectModel& le
   }
 }
 
-// The result of a correction replaces that of the lesson: if it fails, nothing is stored.
+// The result of a correction replaces that of the lesson; if the correction fails, nothing is
+// stored.
 LearnResult learn(const Lesson& lesson, const std::optional<LessonEdit>& edit, Settings& settings,
                   const StageObserver& observer) {
   InteractiveLesson learned(lesson, settings.lesson(), settings.search(), observer);
@@ -69,7 +70,7 @@ void learn_and_store(const Arguments& arguments, Settings& settings, LearnResult
   ObjectLibrary library(library_folder(arguments));
   const auto known = load_reporting(library);
   const Storing storing = storing_of(arguments);
-  // Checked before the lesson, which would otherwise run in vain.
+  // Checked before the lesson, so that a lesson that cannot be stored is not computed.
   if (const auto refusal = check_storing(lesson, storing, *known)) throw *refusal;
   {
     Progress progress("", 1);
@@ -88,7 +89,7 @@ void refuse(const Refusal& refusal, LearnResult& result) {
   result.hint = refusal.hint;
 }
 
-/// The core's hints name fields of a goal, which are options here.
+/// The core's hints name fields of a goal; here, the corresponding options are named.
 std::string in_options(std::string hint) {
   const std::pair<const char*, const char*> options[] = {
       {"overwrite", "--overwrite"}, {"add_view", "--add-view"}, {"allow_bad", "--allow-bad"}};

@@ -14,7 +14,7 @@
 namespace mbncc::cli {
 namespace {
 
-/// Plays the script until the arm is out of the image.
+/// Plays the script until the arm has left the image.
 void play_to_rest(sim::CellScript& script) {
   while (!script.at_rest()) script.step();
 }
@@ -25,7 +25,7 @@ std::string image_name(int index) {
   return name;
 }
 
-/// A simulated cell that writes the images of its camera.
+/// Runs a simulated cell and writes the images of its camera.
 class RecordedCell {
  public:
   RecordedCell(std::string folder, const SimulatedCameraConfig& config)
@@ -66,7 +66,7 @@ void write_targets(RecordedCell& cell, int count, std::ostream& truth) {
   }
 }
 
-/// The script moves only on request and is drawn from one seed.
+/// The script moves only on request and depends only on the seed.
 SimulatedCameraConfig cell_of(const Arguments& arguments) {
   SimulatedCameraConfig config = simulated_camera_from(arguments);
   config.auto_play = false;

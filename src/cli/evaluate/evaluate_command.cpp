@@ -24,7 +24,7 @@ bool is_image(const std::filesystem::path& path) {
   return ending == ".png" || ending == ".jpg" || ending == ".jpeg";
 }
 
-/// The operands; a folder is replaced by its images, or by those that `truth` lists.
+/// The operands, with each folder replaced by its images, or by those that `truth` lists.
 std::vector<std::string> images_of(const std::vector<std::string>& operands, const Truth& truth) {
   std::vector<std::string> images;
   for (const auto& operand : operands) {
@@ -43,7 +43,7 @@ std::vector<std::string> images_of(const std::vector<std::string>& operands, con
   return images;
 }
 
-/// Listed images that are not among the given ones, sorted.
+/// Images that `truth` lists but that were not given, sorted.
 std::vector<std::string> not_given(const Truth& truth, const std::vector<std::string>& images) {
   std::set<std::string> given;
   for (const auto& image : images) given.insert(std::filesystem::path(image).filename().string());

@@ -8,7 +8,8 @@
 namespace mbncc::cli {
 namespace {
 
-/// [rad] between two angles modulo a symmetry of `symmetry` equal angles per turn; 0: always 0.
+/// Angle [rad] between two angles modulo a symmetry of `symmetry` equal angles per turn; 0: always
+/// 0.
 double angle_error(double a, double b, int symmetry) {
   if (symmetry == 0) return 0;
   const double sector = 2 * kPi / symmetry;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Compares detections with the truth.
+// Compares detections with the true poses.
 #pragma once
 
 #include <string>
@@ -10,38 +10,38 @@
 
 namespace mbncc::cli {
 
-/// Largest errors of a right detection.
+/// Largest errors of a correct detection.
 struct Tolerance {
   double place = 5;                ///< [px]
   double angle = to_radians(5.0);  ///< [rad], modulo symmetry
 };
 
-/// Of one image.
+/// Result for one image.
 struct Comparison {
   std::vector<TrueInstance> missed;
   std::vector<Match> right, wrong;
-  std::vector<double> place_errors, angle_errors;  ///< of the right ones [px], [rad]
+  std::vector<double> place_errors, angle_errors;  ///< of the correct ones [px], [rad]
 };
 
-/// Each true instance is matched with at most one detection, the best first.
+/// Matches each true instance with at most one detection, the best detection first.
 Comparison compare(const std::vector<TrueInstance>& truth, const std::vector<Match>& matches,
                    const Tolerance& tolerance);
 
-/// Of all images.
+/// Results summed over all images.
 struct Figures {
   int images = 0, unreadable = 0, instances = 0;
   int right = 0, wrong = 0, right_graspable = 0, wrong_graspable = 0;
   std::vector<double> place_errors, angle_errors;  ///< [px], [rad]
-  double seconds = 0;                              ///< of searching
+  double seconds = 0;                              ///< of all searches
 
   void add(const Comparison& comparison, double search_time);
-  double recall() const;               ///< [0..1] of the instances, NaN without any
+  double recall() const;               ///< [0..1] of the instances; NaN if there are none
   double recall_graspable() const;     ///< the same for graspable detections
-  double precision() const;            ///< [0..1] of the detections, NaN without any
+  double precision() const;            ///< [0..1] of the detections; NaN if there are none
   double precision_graspable() const;  ///< the same for graspable detections
 };
 
-/// The quantile `part` of the sorted values; NaN for none.
+/// The quantile `part` [0..1] of the values; NaN if there are none.
 double quantile(std::vector<double> values, double part);
 
 }  // namespace mbncc::cli

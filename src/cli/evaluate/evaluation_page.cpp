@@ -15,7 +15,7 @@
 namespace mbncc::cli {
 namespace {
 
-constexpr double kArm = 14;  // [px] of the cross at a true place
+constexpr double kArm = 14;  // [px] arm length of the cross at a true position
 
 std::string number(double value, int digits) {
   if (std::isnan(value)) return "-";

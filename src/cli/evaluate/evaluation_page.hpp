@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The evaluation as a page with the images of errors.
+// Writes the evaluation as an HTML page with the images that contain errors.
 #pragma once
 
 #include <opencv2/core.hpp>
@@ -12,13 +12,13 @@ namespace mbncc::cli {
 
 class EvaluationPage {
  public:
-  /// "": none is written. Throws FileError.
+  /// With "" nothing is written. Throws FileError.
   explicit EvaluationPage(std::string folder);
 
-  /// Adds an image with a miss or a wrong detection.
+  /// Adds an image with a missed instance or a wrong detection.
   void add(const std::string& image_path, const cv::Mat& image, const Comparison& comparison);
 
-  /// Writes index.html; returns its path, "" for none.
+  /// Writes index.html and returns its path; "" if nothing is written.
   std::string finish(const Figures& figures) const;
 
  private:

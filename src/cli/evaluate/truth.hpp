@@ -11,15 +11,15 @@
 namespace mbncc::cli {
 
 struct TrueInstance {
-  std::string name;  ///< "": the file names none
+  std::string name;  ///< "": the file does not name the object
   Pose2D pose;       ///< [px],[rad] of the object frame
 };
 
-/// By file name, without folders. An image that is not listed contains no object.
+/// True instances by file name, without folders. An image that is not listed contains no object.
 using Truth = std::map<std::string, std::vector<TrueInstance>>;
 
-/// Reads CSV with a header: image, x, y [px], theta_deg, and name if the library has several
-/// objects; a row with empty x is an image without objects. Throws FileError that names the line
+/// Reads a CSV file with a header: image, x, y [px], theta_deg, and name if the library has several
+/// objects; a row with an empty x is an image without objects. Throws FileError that names the line
 /// or the unknown column.
 Truth read_truth(const std::string& path);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Explanations on the terminal.
+// Prints explanations.
 #pragma once
 
 #include <opencv2/core.hpp>
@@ -11,13 +11,13 @@
 
 namespace mbncc::cli {
 
-/// Number of explained objects, the likeliest first.
+/// Number of explanations that are printed, the likeliest first.
 constexpr std::size_t kExplained = 3;
 
-/// Lines for people.
+/// Prints human-readable lines.
 void print_explanations(std::ostream& out, const std::vector<Explanation>& explanations);
 
-/// One JSON object per explanation and line.
+/// Prints one JSON object per explanation, each on its own line.
 void write_explanations(std::ostream& out, const std::string& image, cv::Point2d place,
                         const std::vector<Explanation>& explanations);
 

@@ -20,7 +20,7 @@ std::string escaped(char c) {
   return escape;
 }
 
-// JSON is UTF-8, but names of files are arbitrary bytes: invalid ones become the replacement
+// JSON is UTF-8, but file names are arbitrary bytes: invalid bytes become the replacement
 // character.
 std::string quoted(std::string_view text) {
   std::string result = "\"";

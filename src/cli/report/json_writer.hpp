@@ -18,14 +18,14 @@ class JsonWriter {
   JsonWriter& begin_array() { return begin('['); }
   JsonWriter& end_array() { return end(']'); }
 
-  /// Name of the next value within an object.
+  /// Sets the name of the next value within an object.
   JsonWriter& key(const std::string& name);
 
   JsonWriter& value(double number);  ///< null for NaN and infinities
   JsonWriter& value(int number) { return raw(std::to_string(number)); }
   JsonWriter& value(std::uint32_t number) { return raw(std::to_string(number)); }
   JsonWriter& value(bool truth) { return raw(truth ? "true" : "false"); }
-  /// Bytes that are no UTF-8 become U+FFFD.
+  /// Bytes that are not valid UTF-8 become U+FFFD.
   JsonWriter& value(const std::string& text);
   JsonWriter& value(const char* text) { return value(std::string(text)); }
   JsonWriter& value(const std::vector<std::string>& texts);
@@ -42,7 +42,7 @@ class JsonWriter {
   void separate();
 
   std::ostream& out_;
-  std::vector<bool> empty_;  // per open bracket: nothing written in it yet
+  std::vector<bool> empty_;  // per open bracket: nothing has been written in it yet
   bool after_key_ = false;
 };
 

@@ -10,7 +10,7 @@
 namespace mbncc::cli {
 namespace {
 
-// The view that this lesson made: the newest one of the object.
+// Writes the view that this lesson added, which is the newest one of the object.
 void write_view(JsonWriter& json, const View& view) {
   json.key("reference").begin_object();
   json.member("x", view.reference.x).member("y", view.reference.y);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The outcome of a lesson in words and in JSON.
+// Prints the outcome of a lesson as text and as JSON.
 #pragma once
 
 #include <ostream>
@@ -9,9 +9,9 @@
 
 namespace mbncc::cli {
 
-/// `file`: where the object was stored; "": it was not.
+/// `file`: where the object was stored; "" if it was not stored.
 void write_lesson(std::ostream& out, const LearnResult& result, const std::string& file);
-/// Of a lesson that was stored in `file`.
+/// Prints a lesson that was stored in `file`.
 void print_lesson(std::ostream& out, const LearnResult& result, const std::string& file);
 
 }  // namespace mbncc::cli

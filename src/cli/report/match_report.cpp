@@ -10,7 +10,7 @@
 namespace mbncc::cli {
 namespace {
 
-// Counts instances per name, from 0.
+// Counts the instances of each name, starting at 0.
 class InstanceCounter {
  public:
   int next(const std::string& name) { return counts_[name]++; }

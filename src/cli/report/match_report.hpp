@@ -15,17 +15,17 @@ class MatchReport {
  public:
   virtual ~MatchReport() = default;
 
-  /// `image` as given on the command line.
+  /// `image` is the path as given on the command line.
   virtual void add(const std::string& image, const cv::Size& size, const SearchResult& result) = 0;
 };
 
-/// Header, then a row per detection, or one with empty fields for an image without any.
+/// A header, then one row per detection; an image without detections gets a row with empty fields.
 std::unique_ptr<MatchReport> csv_report(std::ostream& out);
 
-/// One line per image, each an object.
+/// One JSON object per image, each on its own line.
 std::unique_ptr<MatchReport> json_report(std::ostream& out);
 
-/// Lines for people.
+/// Human-readable lines.
 std::unique_ptr<MatchReport> plain_report(std::ostream& out);
 
 }  // namespace mbncc::cli

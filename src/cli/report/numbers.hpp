@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Numbers in option values.
+// Parses numbers in option values.
 #pragma once
 
 #include <opencv2/core.hpp>
@@ -8,22 +8,22 @@
 
 namespace mbncc::cli {
 
-/// "x,y,w,h" with w, h > 0. Throws UsageError naming the option.
+/// Parses "x,y,w,h" with w, h > 0. Throws UsageError that names the option.
 cv::Rect parse_rectangle(const std::string& option, const std::string& text);
 
-/// "x,y". Throws UsageError naming the option.
+/// Parses "x,y". Throws UsageError that names the option.
 cv::Point2f parse_point(const std::string& option, const std::string& text);
 
-/// "x,y[,x,y...]". Throws UsageError naming the option.
+/// Parses "x,y[,x,y...]". Throws UsageError that names the option.
 std::vector<cv::Point2f> parse_points(const std::string& option, const std::string& text);
 
-/// A whole number of at least `lowest`. Throws UsageError naming the option.
+/// Parses an integer of at least `lowest`. Throws UsageError that names the option.
 int parse_whole(const std::string& option, const std::string& text, int lowest);
 
-/// A number in [low, high]. Throws ConfigError naming the option.
+/// Parses a number in [low, high]. Throws ConfigError that names the option.
 double parse_number(const std::string& option, const std::string& text, double low, double high);
 
-/// `value`, but 0 where so many digits after the point would show -0.
+/// `value`, or 0 if it would be printed as -0 with this number of decimals.
 double unsigned_zero(double value, int digits);
 
 }  // namespace mbncc::cli

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A learned object in words and in JSON.
+// Prints a learned object as text and as JSON.
 #pragma once
 
 #include <ostream>

@@ -13,14 +13,14 @@ namespace mbncc::cli {
 
 class OverlayWriter {
  public:
-  /// Creates the folder; "" writes nothing.
+  /// Creates the folder; with "" nothing is written.
   explicit OverlayWriter(std::string folder);
 
   /// Writes `folder/<image>_overlay.png`, numbered if several images have the same file name.
   void write(const std::string& image_path, const cv::Mat& image,
              const std::vector<Match>& matches);
 
-  /// Says on stderr what was written.
+  /// Reports on stderr what was written.
   void tell() const;
 
  private:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Writes the images of a lesson's steps into a folder.
+// Writes the images of a lesson's stages into a folder.
 #pragma once
 
 #include <string>
@@ -11,13 +11,14 @@ namespace mbncc::cli {
 
 class StageWriter {
  public:
-  /// Creates the folder; "" writes nothing.
+  /// Creates the folder; with "" nothing is written.
   explicit StageWriter(std::string folder);
 
-  /// Shows the steps on `progress` as well. Valid as long as both; empty if nobody would see them.
+  /// Also shows the stages on `progress`. The observer is valid as long as this object and
+  /// `progress`; it is empty if nothing would be written or shown.
   StageObserver observer(Progress& progress);
 
-  /// Says on stderr what was written.
+  /// Reports on stderr what was written.
   void tell() const;
 
  private:

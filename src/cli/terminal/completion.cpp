@@ -9,7 +9,7 @@ bool names_a_path(const std::string& value) {
          value.find("FILE") != std::string::npos || value.find(".csv") != std::string::npos;
 }
 
-/// "a|b|c" are choices.
+/// Values of the form "a|b|c" are choices.
 std::string choices_of(std::string value) {
   if (value.find('|') == std::string::npos) return "";
   for (auto& c : value)
@@ -23,8 +23,8 @@ std::string names_of(const std::vector<Command>& commands) {
   return names + "help";
 }
 
-// bash splits --option=value at the equals sign, zsh does not. Values of --name are the files of
-// the folder given by --library, or of the nodelets' folder.
+// bash splits --option=value at the equals sign, zsh does not. The values of --name are the files
+// in the folder given by --library, or in the nodelets' folder.
 constexpr const char* kFunction = R"sh(_mbncc() {
   local word=${COMP_WORDS[COMP_CWORD]} before=${COMP_WORDS[COMP_CWORD-1]} library=$HOME/.ros/mbncc_library start= i
   for ((i = 1; i < COMP_CWORD; i++)); do

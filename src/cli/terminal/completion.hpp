@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Shell completion, made from the commands' own descriptions.
+// Shell completion, generated from the commands' own descriptions.
 #pragma once
 
 #include <ostream>
@@ -10,8 +10,8 @@
 
 namespace mbncc::cli {
 
-/// A script for `shell`, "bash" or "zsh", without other dependencies. Throws
-/// UsageError for another one.
+/// Prints a self-contained script for `shell`, "bash" or "zsh". Throws UsageError for any other
+/// shell.
 void print_completion(std::ostream& out, const std::string& shell,
                       const std::vector<Command>& commands);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Progress of a long command on a terminal.
+// Shows the progress of a long command on a terminal.
 #pragma once
 
 #include <chrono>
@@ -9,13 +9,13 @@
 
 namespace mbncc::cli {
 
-/// Rewrites one line of stderr, if it is a terminal, after two seconds.
+/// Rewrites one line of stderr if stderr is a terminal, starting after two seconds.
 class Progress {
  public:
-  enum Where { kAlways, kQuietOutput };  ///< kQuietOutput: not if stdout is a terminal, too
+  enum Where { kAlways, kQuietOutput };  ///< kQuietOutput: only if stdout is not a terminal
 
   Progress(std::string what, std::size_t count, Where where = kAlways);
-  /// `terminal`: whether `out` is one.
+  /// `terminal`: whether `out` is a terminal.
   Progress(std::string what, std::size_t count, std::ostream& out, bool terminal, double patience);
   ~Progress();
   Progress(const Progress&) = delete;
@@ -24,7 +24,7 @@ class Progress {
   /// Counts one finished item.
   void step();
 
-  /// Of one long item: the part that is done, [0..1], and what is being done.
+  /// Shows the progress of one long item: the fraction done [0..1] and the current step.
   void show(double part, const std::string& what);
 
   bool on_terminal() const { return terminal_; }
