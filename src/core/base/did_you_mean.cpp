@@ -7,7 +7,7 @@
 namespace mbncc {
 namespace {
 
-// Levenshtein distance, row by row.
+// Levenshtein distance, computed row by row.
 int edit_distance(const std::string& a, const std::string& b) {
   std::vector<int> row(b.size() + 1);
   std::iota(row.begin(), row.end(), 0);
@@ -27,7 +27,7 @@ int edit_distance(const std::string& a, const std::string& b) {
 
 std::string did_you_mean(const std::string& word, const std::vector<std::string>& known) {
   std::string nearest;
-  int fewest = 2 + static_cast<int>(word.size()) / 4;  // beyond what a typing error changes
+  int fewest = 2 + static_cast<int>(word.size()) / 4;  // more than a typing error changes
   for (const auto& candidate : known) {
     const int edits = edit_distance(candidate, word);
     if (edits >= fewest) continue;

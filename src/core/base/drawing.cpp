@@ -11,10 +11,10 @@ namespace {
 
 constexpr int kShift = 4;  // OpenCV's sub-pixel bits
 constexpr int kFont = cv::FONT_HERSHEY_SIMPLEX;
-// Vermilion and bluish green of Okabe and Ito's palette.
+// Vermilion and bluish green from Okabe and Ito's palette.
 const cv::Scalar kXColour(0, 94, 213), kYColour(115, 158, 0), kShade(0, 0, 0);
 
-// Strokes and letters that are legible at a third of the image's size.
+// Strokes and letters that remain legible when the image is scaled down to a third.
 struct Pen {
   explicit Pen(const cv::Mat& image)
       : stroke(std::max(1, cvRound(image.cols / 320.0))),
@@ -32,7 +32,7 @@ cv::Point fixed_point(cv::Point2d point) {
   return {cvRound(bounded(point.x)), cvRound(bounded(point.y))};
 }
 
-// Dark below, coloured above: visible on any background.
+// Drawn dark and wide first, then in colour, so that it is visible on any background.
 void draw_outline(cv::Mat& image, const std::vector<cv::Point2f>& outline, const cv::Scalar& colour,
                   const Pen& pen) {
   std::vector<cv::Point> corners;
@@ -48,7 +48,7 @@ void draw_line(cv::Mat& image, const Pose2D& pose, cv::Point2d from, cv::Point2d
            pen.stroke + 1, cv::LINE_AA, kShift);
 }
 
-// The x axis has an arrow's head, so that the axes differ by more than their colour.
+// The x axis has an arrowhead, so that the axes differ by more than their colour.
 void draw_axes(cv::Mat& image, const Pose2D& pose, const Pen& pen) {
   const double head = pen.axis / 4;
   draw_line(image, pose, {0, 0}, {0, pen.axis}, kYColour, pen);
@@ -64,7 +64,7 @@ cv::Rect2d extent_of(const Marking& marking) {
   return extent;
 }
 
-// A background above the outline, or below it if there is no space.
+// The caption's background, above the outline, or below it if there is no space.
 cv::Rect plate_of(const Marking& marking, const cv::Size& text, const cv::Size& image) {
   const cv::Rect2d extent = extent_of(marking);
   const int gap = text.height / 2;
@@ -151,7 +151,7 @@ cv::Mat draw_markings(const cv::Mat& image, const std::vector<Marking>& markings
     for (const auto& outline : marking.outlines) draw_outline(drawn, outline, marking.colour, pen);
     draw_axes(drawn, marking.pose, pen);
   }
-  // Captions come last, so that no outline crosses them.
+  // Captions are drawn last, so that no outline crosses them.
   for (const auto& marking : markings) draw_caption(drawn, marking, pen);
   return drawn;
 }

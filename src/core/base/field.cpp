@@ -39,7 +39,7 @@ double number_of(const std::string& text) {
   return value;
 }
 
-// The shortest text that reads back to the same value, with a point whatever the locale.
+// The shortest text that reads back as the same value, with a decimal point in any locale.
 std::string number_text(double value) {
   std::ostringstream text;
   for (const int digits : {15, 16, 17}) {
@@ -101,7 +101,8 @@ void parse_field(const FieldInfo& info, const std::string& text, double& value) 
   std::istringstream stream(text);
   stream.imbue(std::locale::classic());
   double parsed = 0;
-  // An int or double, then nothing: "1e3" is a number, "1 m" and "nan" are not.
+  // Accepts an int or double that is not followed by anything: "1e3" is a number, "1 m" and "nan"
+  // are not.
   if (!(stream >> parsed) || stream.peek() != std::istringstream::traits_type::eof())
     refuse(info, text, "a number " + info.allowed.to_string());
   check_allowed(info, parsed);

@@ -9,14 +9,14 @@
 namespace mbncc {
 namespace {
 
-// Bounding box of the map's pixels, which is small in most images.
+// Bounding box of the map's pixels, which is much smaller than most images.
 cv::Rect box_of(const cv::Mat& map) {
   const cv::Rect box = map.empty() ? cv::Rect() : cv::boundingRect(map);
   if (box.empty()) throw std::invalid_argument("the map has no pixel");
   return box;
 }
 
-// The corners of the pixels' convex hull, which determine the circle around them.
+// The corners of the pixels' convex hull, which determine the smallest enclosing circle.
 std::vector<cv::Point> hull_corners(const cv::Mat& map) {
   const cv::Rect box = box_of(map);
   std::vector<cv::Point> row_ends, corners;

@@ -19,7 +19,7 @@ struct Range {
 constexpr Range kUnprintable[] = {{0x00, 0x1f},     {0x7f, 0x9f},     {0x61c, 0x61c},
                                   {0x200e, 0x200f}, {0x2028, 0x202e}, {0x2066, 0x2069}};
 
-// Of the UTF-8 bytes of one character.
+// Code point encoded by the UTF-8 bytes of one character.
 char32_t code_point(std::string_view bytes) {
   constexpr unsigned kFirstBits[] = {0, 0x7f, 0x1f, 0x0f, 0x07};
   char32_t code = static_cast<unsigned char>(bytes[0]) & kFirstBits[bytes.size()];

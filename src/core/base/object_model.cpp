@@ -32,7 +32,7 @@ bool is_sound(const Grasp& grasp) {
   double square = 0, norm = 0;
   for (const double value : grasp.position) square += value * value;
   for (const double value : grasp.orientation) norm += value * value;
-  return std::sqrt(square) <= kLongestLength && std::abs(norm - 1) < 1e-3;  // no NaN
+  return std::sqrt(square) <= kLongestLength && std::abs(norm - 1) < 1e-3;  // false for NaN
 }
 
 bool is_near(const Pose2D& reference) {
@@ -47,7 +47,7 @@ bool is_printable(const Quality& quality) {
   return all(quality.reasons) && all(quality.advice);
 }
 
-/// The grasp in a frame at `frame` [px] in the old one, rotated about z.
+/// The grasp relative to a frame that lies at `frame` [px] in the old frame and is rotated about z.
 Grasp seen_from(const Grasp& grasp, const Pose2D& frame, double metres_per_pixel) {
   const cv::Point2d way(grasp.position[0] - metres_per_pixel * frame.x,
                         grasp.position[1] - metres_per_pixel * frame.y);

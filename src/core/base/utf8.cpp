@@ -9,7 +9,7 @@ bool lies_in(char byte, unsigned low, unsigned high) {
   return value >= low && value <= high;
 }
 
-// Number of bytes of a character with this first byte; 0: invalid first byte.
+// Number of bytes of a character that starts with this byte; 0 if the byte is invalid.
 std::size_t promised_length(char first) {
   if (lies_in(first, 0x00, 0x7f)) return 1;
   if (lies_in(first, 0xc2, 0xdf)) return 2;
@@ -17,7 +17,7 @@ std::size_t promised_length(char first) {
   return lies_in(first, 0xf0, 0xf4) ? 4 : 0;
 }
 
-// The second byte must exclude overlong forms, surrogates, and code points beyond U+10FFFF.
+// The second byte rules out overlong forms, surrogates, and code points beyond U+10FFFF.
 bool may_follow(char first, char second) {
   switch (static_cast<unsigned char>(first)) {
     case 0xe0:

@@ -32,7 +32,7 @@ ChromaHistogram chroma_histogram(const std::array<std::vector<float>, 3>& planes
   kernels::chroma_cells({logarithms().data(), kReach, kChromaSide}, planes[0].data(),
                         planes[1].data(), planes[2].data(), static_cast<int>(inside.size()),
                         cells.data());
-  // Neighbours often fall into one cell; interleaved counters avoid dependent additions.
+  // Neighbours often fall into the same cell; interleaved counters avoid dependent additions.
   std::array<ChromaHistogram, 4> parts{};
   for (std::size_t i = 0; i < inside.size(); i += parts.size())
     for (std::size_t k = 0; k < parts.size(); ++k) parts[k][cells[i + k]] += inside[i + k];

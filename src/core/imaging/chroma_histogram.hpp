@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Histogram of chroma, independent of brightness.
+// Histogram of chroma, which is independent of brightness.
 #pragma once
 
 #include <array>
@@ -9,10 +9,10 @@ namespace mbncc::imaging {
 
 constexpr int kChromaSide = 8;
 
-/// Shares of (ln R/G, ln B/G), regularised in dark areas.
+/// Fractions of pixels per cell of (ln R/G, ln B/G), regularised in dark areas.
 using ChromaHistogram = std::array<float, kChromaSide * kChromaSide>;
 
-/// Of the points where `inside` is 1 (elsewhere 0). `planes` are b, g, r.
+/// Histogram of the points where `inside` is 1 (0 elsewhere). `planes` are b, g, r.
 ChromaHistogram chroma_histogram(const std::array<std::vector<float>, 3>& planes,
                                  const std::vector<float>& inside);
 

@@ -10,7 +10,7 @@ namespace mbncc::imaging {
 namespace {
 
 constexpr double kDark = 12;    // [grey levels] added before taking logarithms
-constexpr double kReach = 0.6;  // of the logarithms of R/G and B/G
+constexpr double kReach = 0.6;  // range of ln R/G and ln B/G
 constexpr int kFine = 1024;     // units of the tables below per class
 
 /// Logarithms of the channels in units of a class: of chroma, and of brightness per channel.
@@ -28,7 +28,7 @@ struct Tables {
   }
 };
 
-/// `value` / kFine within [0, count).
+/// `value` / kFine, clamped to [0, count).
 int clamped(int value, int count) {
   return static_cast<int>(static_cast<unsigned>(std::clamp(value, 0, kFine * count - 1)) / kFine);
 }
@@ -44,8 +44,8 @@ int class_of(const Tables& tables, const uchar* colour) {
   return (red * kChromaClasses + blue) * kBrightnessClasses + brightness;
 }
 
-/// Smooths shares along one dimension: `count` classes, `stride` apart. Shares at the ends stay
-/// there.
+/// Smooths the shares along one dimension: `count` classes, `stride` apart. Nothing is lost at the
+/// ends.
 void blur(ColourShares& shares, int count, int stride, double sigma) {
   constexpr int kWidest = 4;
   std::array<float, kWidest + 1> weights{};
@@ -82,7 +82,7 @@ cv::Mat colour_classes(const cv::Mat& image) {
 
 ColourShares colour_shares(const cv::Mat& classes, const cv::Mat& mask) {
   constexpr double kChromaBlur = 1.2, kBrightnessBlur = 0.8;  // [classes]
-  // Neighbours are often of one class; interleaved counters avoid dependent additions.
+  // Neighbours are often of the same class; interleaved counters avoid dependent additions.
   std::array<std::vector<int>, 4> counts;
   for (auto& part : counts) part.assign(kColourClasses, 0);
   for (int y = 0; y < classes.rows; ++y) {

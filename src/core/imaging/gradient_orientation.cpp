@@ -14,9 +14,9 @@ namespace mbncc::imaging {
 namespace {
 
 constexpr int kChannels = 3;
-constexpr int kReach = 2;  // [px] of the smoothing
+constexpr int kReach = 2;  // [px] reach of the smoothing
 
-/// Weights of the pixel itself and of those one and two pixels away, in 256ths.
+/// Weights in 256ths of the pixel itself and of those one and two pixels away.
 std::array<int, kReach + 1> gaussian(double sigma) {
   const double one = std::exp(-0.5 / (sigma * sigma)), two = std::exp(-2 / (sigma * sigma));
   const double scale = 256 / (1 + 2 * one + 2 * two);
@@ -40,7 +40,7 @@ class Region {
     for (int y = -1; y <= region_.height; ++y) smooth_row(y);
   }
 
-  /// Row of `region_`, from its first pixel on; one more pixel lies on each side.
+  /// Row of `region_` from its first pixel on; there is one more pixel on each side.
   const std::uint8_t* row(int y) const {
     return &smooth_[static_cast<std::size_t>(width_) * (y + 1) + kChannels];
   }
@@ -66,7 +66,7 @@ class Region {
                               smooth_.data() + static_cast<std::size_t>(width_) * (y + 1), width_);
   }
 
-  /// A row of the image from kReach + 1 pixels left of the region on.
+  /// A row of the image, starting kReach + 1 pixels left of the region.
   const std::uint8_t* source_row(int y, int slot) {
     const int row = std::clamp(region_.y + y, 0, image_.rows - 1);
     const int first = region_.x - 1 - kReach, pixels = region_.width + 2 + 2 * kReach;
@@ -88,7 +88,7 @@ class Region {
   const cv::Mat& image_;
   cv::Rect region_;
   std::array<int, kReach + 1> weights_;
-  int width_;  // values of a row of smooth_
+  int width_;  // number of values in a row of smooth_
   std::vector<std::uint16_t> columns_;
   std::vector<std::uint8_t> smooth_;
   std::array<std::vector<std::uint8_t>, 2 * kReach + 1> continued_;

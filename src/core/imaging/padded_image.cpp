@@ -11,7 +11,7 @@ void PaddedImage::fill(const cv::Mat& grey, int margin) {
   cv::Mat bordered;
   cv::copyMakeBorder(grey, bordered, margin, margin, margin, margin + 1, cv::BORDER_REPLICATE);
   const auto size = static_cast<std::size_t>(bordered.rows) * stride_;
-  pixels.resize(size + kernels::kPositions);  // whole groups are read
+  pixels.resize(size + kernels::kPositions);  // the kernels read whole groups
   sums.resize(size);
   squares.resize(size);
   for (int y = 0; y < bordered.rows; ++y)

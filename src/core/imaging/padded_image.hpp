@@ -8,10 +8,10 @@
 
 namespace mbncc::imaging {
 
-/// The image with replicated borders for kernels, and running sums along its rows.
+/// The image with replicated borders for the kernels, and running sums along its rows.
 class PaddedImage {
  public:
-  /// `grey` is CV_8UC1. Reuses the memory of the last one.
+  /// `grey` is CV_8UC1. Reuses the memory of the previous image.
   void fill(const cv::Mat& grey, int margin);
 
   int margin() const { return margin_; }
@@ -22,7 +22,7 @@ class PaddedImage {
   }
 
   std::vector<std::int16_t> pixels;         ///< minus a middle grey, to fit the kernels' range
-  std::vector<std::int32_t> sums, squares;  ///< of the pixels left of each
+  std::vector<std::int32_t> sums, squares;  ///< of the pixels to the left of each
 
  private:
   void fill_row(const uchar* row, std::size_t start);

@@ -11,14 +11,14 @@ namespace mbncc::imaging {
 
 constexpr int kSmallestLevel = 4;  ///< [px] least width and height of a level above 0
 
-/// Levels 0 (the image itself, not copied) to `top`; each pixel is the mean of 2 x 2 pixels below
-/// it, an odd last row or column is dropped. Stops before a level smaller than kSmallestLevel.
-/// `image` has 8-bit or float channels.
+/// Levels 0 (the image itself, not copied) to `top`; each pixel is the mean of 2 x 2 pixels of the
+/// level below; an odd last row or column is dropped. Stops before a level would be smaller than
+/// kSmallestLevel. `image` has 8-bit or float channels.
 std::vector<cv::Mat> build_pyramid(const cv::Mat& image, int top);
-/// The same into `levels`, reusing the memory of those above level 0.
+/// Builds the same pyramid in `levels`, reusing the memory of the levels above 0.
 void build_pyramid(const cv::Mat& image, int top, std::vector<cv::Mat>& levels);
 
-/// Position of a point of level 0 in level `level`: pixel centres are at integers in both.
+/// Position in level `level` of a point of level 0: pixel centres are at integers in both.
 inline cv::Point2d to_level(cv::Point2d point, int level) {
   const double side = 1 << level;
   return {(point.x + 0.5) / side - 0.5, (point.y + 0.5) / side - 0.5};

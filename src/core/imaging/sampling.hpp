@@ -6,7 +6,7 @@
 
 namespace mbncc::imaging {
 
-/// One grey image, interpolated.
+/// Interpolated grey value.
 class GreySampler {
  public:
   explicit GreySampler(const cv::Mat& grey)
@@ -14,12 +14,12 @@ class GreySampler {
 
   bool contains(float x, float y) const { return x >= 0 && y >= 0 && x <= right_ && y <= bottom_; }
 
-  /// Value at a point that is contained.
+  /// Value at a point inside the image.
   float operator()(float x, float y) const {
     const int column = static_cast<int>(x), row = static_cast<int>(y);
     const float fx = x - static_cast<float>(column), fy = y - static_cast<float>(row);
     const uchar* p = data_ + row * step_ + column;
-    // On the last row or column the neighbour beyond has weight 0 and is not read.
+    // On the last row or column, the neighbour beyond has weight 0 and is not read.
     const std::size_t right = static_cast<float>(column) < right_ ? 1 : 0;
     const std::size_t below = static_cast<float>(row) < bottom_ ? step_ : 0;
     const float top = p[0] + fx * (p[right] - p[0]);

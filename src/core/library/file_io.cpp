@@ -47,7 +47,7 @@ void sync_file(int descriptor, const std::string& path) {
     fail(path, "cannot be made safe on the disk", errno);
 }
 
-// A temporary file that is removed unless it was renamed to its place.
+// A temporary file that is removed unless it has been renamed to its final name.
 class TemporaryFile {
  public:
   explicit TemporaryFile(const std::string& folder)
@@ -103,7 +103,7 @@ FileDescriptor::~FileDescriptor() {
 
 int FileDescriptor::close() {
   if (descriptor_ < 0) return 0;
-  // Not repeated after EINTR, because Linux has already released the descriptor.
+  // close() is not repeated after EINTR, because Linux has already released the descriptor.
   const int result = ::close(descriptor_);
   descriptor_ = -1;
   return result != 0 && errno != EINTR ? errno : 0;
@@ -122,7 +122,7 @@ bool FileStamp::operator==(const FileStamp& other) const {
 }
 
 FileContent read_regular_file(const std::string& path, std::size_t max_bytes) {
-  // O_NONBLOCK: opening a FIFO must not wait for a writer.
+  // With O_NONBLOCK, opening a FIFO does not wait for a writer.
   const FileDescriptor file(repeat_interrupted(
       [&] { return ::open(path.c_str(), O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC); }));
   if (!file.is_open()) {
@@ -167,7 +167,7 @@ FolderSync::FolderSync(const std::string& folder)
 }
 
 void FolderSync::sync() {
-  // Some network file systems do not sync folders and say EINVAL.
+  // Some network file systems cannot sync folders and return EINVAL.
   const int result = repeat_interrupted([&] { return ::fsync(file_.get()); });
   if (result != 0 && errno != EINVAL)
     fail(folder_, "the change is made but not yet safe on the disk", errno);

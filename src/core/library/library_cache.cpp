@@ -38,7 +38,7 @@ std::shared_ptr<const LibrarySnapshot> LibraryCache::load(const library::Library
   return snapshot;
 }
 
-// None: the file is gone, by another writer or into the quarantine.
+// Returns none if another writer has removed the file or it was moved to the quarantine.
 std::optional<LibraryCache::Entry> LibraryCache::load_file(const library::LibraryFolder& folder,
                                                            const std::string& file,
                                                            LibrarySnapshot& snapshot) const {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Cache of a library folder, so that the next load reads only changed files.
+// Caches a library folder, so that the next load reads only changed files.
 #pragma once
 
 #include <map>
@@ -16,7 +16,7 @@ class LibraryCache {
   /// Reads new and changed files and quarantines unreadable ones.
   std::shared_ptr<const LibrarySnapshot> load(const library::LibraryFolder& folder);
 
-  /// True when the folder differs from what was last loaded.
+  /// True if the folder differs from what was last loaded.
   bool is_stale(const library::LibraryFolder& folder) const;
 
  private:
@@ -24,7 +24,7 @@ class LibraryCache {
     library::FileStamp stamp;
     std::shared_ptr<const ObjectModel> object;  // null: unreadable and left in place
     std::string reason;                         // why it is unreadable
-    bool other_image = false;                   // of the user: no object
+    bool other_image = false;                   // an image of the user, not an object
   };
 
   std::optional<Entry> load_file(const library::LibraryFolder& folder, const std::string& file,

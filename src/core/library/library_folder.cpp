@@ -37,7 +37,7 @@ FileDescriptor open_lock(const LibraryFolder& folder) {
   return FileDescriptor(descriptor);
 }
 
-// Polls, so that a stopped writer does not block others forever.
+// Polls with a time limit, so that a stopped writer does not block others forever.
 void lock(const FileDescriptor& file, const LibraryFolder& folder) {
   const auto deadline = std::chrono::steady_clock::now() + kLockPatience;
   while (::flock(file.get(), LOCK_EX | LOCK_NB) != 0) {
@@ -51,15 +51,15 @@ void lock(const FileDescriptor& file, const LibraryFolder& folder) {
   }
 }
 
-// A path that is free: `stem` + `ending`, or with a number between them.
+// A free path: `stem` + `ending`, or with a number between them.
 std::string free_path(const std::string& stem, const std::string& ending) {
   std::string path = stem + ending;
   for (int i = 2; path_exists(path); ++i) path = stem + "." + std::to_string(i) + ending;
   return path;
 }
 
-// Revision of a file of the trash, `name.<revision>.png` or `name.<revision>.<n>.png`; 0: not one
-// that the library gave.
+// Revision of a file in the trash, `name.<revision>.png` or `name.<revision>.<n>.png`; 0 if the
+// library has not named it.
 std::uint32_t revision_in(const std::string& file, const std::string& name) {
   const std::string start = name + ".";
   if (file.rfind(start, 0) != 0 || !ends_with(file, kObjectFileEnding)) return 0;
@@ -149,7 +149,7 @@ std::uint32_t LockedFolder::next_revision(const std::string& name,
   const std::uint32_t largest = std::max(last, trashed.empty() ? 0 : trashed.rbegin()->first);
   if (largest < kMaxRevision) return largest + 1;
   // Regular use does not reach this number. A foreign file must not block the name, so the smallest
-  // free number is used.
+  // free revision is used.
   std::uint32_t free = 1;
   while (free == last || trashed.count(free) != 0) ++free;
   return free;
@@ -163,13 +163,13 @@ void LockedFolder::write(const ObjectModel& model, const ObjectModel* keep_old) 
   try {
     write_file_atomically(folder_.path, model.name + kObjectFileEnding, bytes);
   } catch (...) {
-    // If the new file is already in place, the trash contains the only old one.
+    // If the new file is already in place, the trash contains the only copy of the old one.
     if (!in_trash.empty() && stamp_of(path) == old) ::unlink(in_trash.c_str());
     throw;
   }
 }
 
-// The old file is linked into the trash before it is replaced, so that it always exists.
+// The old file is linked into the trash before it is replaced, so that it exists at all times.
 std::string LockedFolder::link_to_trash(const ObjectModel& model) {
   make_inner_folder(folder_.trash());
   FolderSync trash_sync(folder_.trash());
@@ -177,7 +177,7 @@ std::string LockedFolder::link_to_trash(const ObjectModel& model) {
   const std::string to = free_path(
       folder_.trash() + "/" + model.name + "." + std::to_string(model.revision), kObjectFileEnding);
   if (::link(from.c_str(), to.c_str()) != 0) {
-    // File systems without hard links get a copy.
+    // File systems without hard links get a copy instead.
     if (errno != EPERM && errno != EOPNOTSUPP && errno != EMLINK)
       throw FileError(to, "cannot keep the old revision: " + errno_text(errno));
     const auto content = read_regular_file(from, PngLimits::kMaxBytes);
@@ -215,7 +215,7 @@ void LockedFolder::quarantine_unreadable(const std::string& file) {
 void LockedFolder::quarantine(const std::string& file, const std::string& reason) {
   make_inner_folder(folder_.quarantine());
   const std::string to = free_path(folder_.quarantine() + "/" + file, "");
-  // The reason is written first, so that no file is there without one.
+  // The reason is written first, so that no quarantined file lacks one.
   const std::string text = reason + "\n";
   write_file_atomically(folder_.quarantine(), to.substr(to.find_last_of('/') + 1) + kReasonEnding,
                         {text.begin(), text.end()});

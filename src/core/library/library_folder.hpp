@@ -30,51 +30,51 @@ struct LibraryFolder {
   std::string lock_file() const { return path + "/.lock"; }
 };
 
-/// The contents of the quarantine with the reasons.
+/// The contents of the quarantine with their reasons.
 std::vector<QuarantinedFile> quarantined_files(const LibraryFolder& folder);
 
 /// Names of the object files: *.png, except hidden ones.
 std::vector<std::string> object_files(const LibraryFolder& folder);
 
-/// Throws FileError if an image that is no object has the name of an object's file.
+/// Throws FileError if the file of this name is an image but not an object.
 void refuse_other_image(const std::string& object_file);
 
-/// Throws ContentError when such a file's name is not an object's name and ".png": "wrench.1.png"
-/// is no second wrench.
+/// Throws ContentError if the file's name is not an object's name followed by ".png":
+/// "wrench.1.png" is not a second wrench.
 void check_file_name(const LibraryFolder& folder, const std::string& file);
 
-/// Revisions of `name` in the trash and their paths. Throws FileError when the trash is no folder.
+/// Revisions of `name` in the trash and their paths. Throws FileError if the trash is not a folder.
 std::map<std::uint32_t, std::string> trashed_revisions(const LibraryFolder& folder,
                                                        const std::string& name);
 
 /// See ObjectLibrary::check_storage().
 void check_storage(const LibraryFolder& folder);
 
-/// Exclusive access for one writer. Construction waits for the lock, 10 s at most, and removes
-/// leftovers of a crashed writer. Throws FileError.
+/// Exclusive access for one writer. The constructor waits for the lock for at most 10 s and removes
+/// the leftovers of a crashed writer. Throws FileError.
 class LockedFolder {
  public:
   explicit LockedFolder(LibraryFolder folder);
 
-  /// The stored object. Null when there is none; an unreadable file is quarantined and counts as
-  /// none. Throws FileError if an image that is no object has the name.
+  /// The stored object; null if there is none. An unreadable file is quarantined and counts as
+  /// none. Throws FileError if the file of this name is an image but not an object.
   std::unique_ptr<ObjectModel> read(const std::string& name);
 
-  /// One above every revision of `name`: that of `stored` (may be null) and those in the trash.
-  /// The smallest free one if that would exceed the limit.
+  /// One above every revision of `name`: that of `stored` (may be null) and those in the trash. The
+  /// smallest free revision if the result would exceed the limit.
   std::uint32_t next_revision(const std::string& name, const ObjectModel* stored) const;
 
-  /// Stores the model as it is. With `keep_old` the file that it replaces goes to the trash under
-  /// that revision; when storing fails it does not.
+  /// Stores the model as it is. With `keep_old`, the file that it replaces is moved to the trash
+  /// under that revision, unless storing fails.
   void write(const ObjectModel& model, const ObjectModel* keep_old);
 
   /// Moves the object to the trash.
   void discard(const ObjectModel& model);
 
-  /// Gives the file another name, which must be free.
+  /// Renames the object's file; the new name must be free.
   void rename(const std::string& name, const std::string& new_name);
 
-  /// Moves `file` to the quarantine if it is still unreadable, now that nobody can replace it.
+  /// Moves `file` to the quarantine if it is still unreadable under the lock.
   void quarantine_unreadable(const std::string& file);
 
  private:

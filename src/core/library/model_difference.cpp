@@ -17,7 +17,7 @@ bool differ(const std::optional<Grasp>& a, const std::optional<Grasp>& b) {
   return a && (a->position != b->position || a->orientation != b->orientation);
 }
 
-// NaN stands for unknown, so two of them are equal.
+// NaN means unknown, so two NaNs are equal.
 bool differ(double a, double b) {
   return a != b && !(std::isnan(a) && std::isnan(b));
 }

@@ -48,7 +48,7 @@ std::string checked_description(const ObjectModel& model, const std::vector<cv::
   return text;
 }
 
-// The file's name up to its first dot, so that "wrench.3.png" in the trash belongs to wrench.
+// The file's name up to its first dot, so that "wrench.3.png" in the trash belongs to "wrench".
 std::string name_of(const std::string& path) {
   const std::string file = path.substr(path.find_last_of('/') + 1);
   return file.substr(0, file.find('.'));

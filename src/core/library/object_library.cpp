@@ -41,12 +41,12 @@ void refuse_invalid(const std::string& name) {
                                                   "digits or underscores, 64 characters at most");
 }
 
-/// The newest of these that can be read.
+/// The newest readable one of these revisions.
 ObjectModel read_newest(const std::map<std::uint32_t, std::string>& revisions) {
   for (auto revision = revisions.rbegin(); std::next(revision) != revisions.rend(); ++revision) {
     try {
       return read_object_file(revision->second);
-    } catch (const library::ContentError&) {  // an older one may do
+    } catch (const library::ContentError&) {  // try an older revision
     }
   }
   return read_object_file(revisions.begin()->second);
@@ -109,7 +109,7 @@ ObjectModel ObjectLibrary::edit(const std::string& name,
   return model;
 }
 
-// Two atomic steps: the description under the old name, then the name.
+// Two atomic steps: first the description under the old name, then the name.
 ObjectModel ObjectLibrary::rename(const std::string& name, const std::string& new_name,
                                   const std::string& label) {
   library::LockedFolder locked({folder_});

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The description of an object file: everything of an ObjectModel but its name and its pixels.
+// The description in an object file: an ObjectModel without its name and its pixels.
 #pragma once
 
 #include <cstdint>
@@ -12,9 +12,9 @@
 
 namespace mbncc::library {
 
-constexpr const char* kTextKey = "mbncc";              ///< of the text chunk that holds it
+constexpr const char* kTextKey = "mbncc";              ///< keyword of its text chunk
 constexpr int kMaxViews = 64;                          ///< of one object
-constexpr std::uint32_t kMaxRevision = 2'000'000'000;  ///< that a file may have
+constexpr std::uint32_t kMaxRevision = 2'000'000'000;  ///< of any file
 
 /// A model whose views have no pixels yet, and their rectangles in the file.
 struct ObjectDescription {
@@ -31,8 +31,8 @@ class NewerFormat : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// Throws std::runtime_error with one clear sentence when the text is not what
-/// write_description() writes, NewerFormat when a later version may have written it.
+/// Throws NewerFormat if a later version may have written the text, and std::runtime_error with one
+/// clear sentence if it is not what write_description() writes.
 ObjectDescription read_description(const std::string& text);
 
 }  // namespace mbncc::library

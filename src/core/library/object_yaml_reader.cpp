@@ -16,10 +16,10 @@
 namespace mbncc::library {
 namespace {
 
-constexpr double kLargest = 1e9;     // bound of every number except times; far beyond any image
+constexpr double kLargest = 1e9;     // bound of all numbers except times; far beyond any image
 constexpr double kLatestTime = 4e9;  // [s] since 1970; messages count seconds in 32 bits
 
-// The parser is recursive, so the nesting depth is limited; valid descriptions are not deep.
+// The parser is recursive, so the nesting depth is limited; valid descriptions are shallow.
 void refuse_deep_nesting(const std::string& text) {
   const auto structural = std::count_if(text.begin(), text.end(), [](char c) {
     return c == '[' || c == '{' || c == '-' || c == '?';
@@ -27,7 +27,7 @@ void refuse_deep_nesting(const std::string& text) {
   if (structural > 2000) throw std::runtime_error("its description is nested too deeply");
 }
 
-// Written descriptions have no aliases; when read, each alias would repeat its anchor's text.
+// write_description() writes no aliases; when read, each alias would repeat its anchor's text.
 class AliasRefusal : public YAML::EventHandler {
  public:
   void OnAlias(const YAML::Mark&, YAML::anchor_t) override {
@@ -54,7 +54,7 @@ void refuse_aliases(const std::string& text) {
   parser.HandleNextDocument(refusal);
 }
 
-// Numbers pass through the field functions: exact, independent of the locale, checked for range.
+// Numbers are parsed by the field functions: exact, independent of the locale, range-checked.
 double number(const YAML::Node& node, const char* key, Allowed allowed) {
   double value = 0;
   parse_field({key, std::move(allowed), "", ""}, node.as<std::string>(), value);

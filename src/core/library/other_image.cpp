@@ -20,7 +20,7 @@ std::uint32_t number_at(const std::uint8_t* bytes) {
          (std::uint32_t{bytes[2]} << 8) | bytes[3];
 }
 
-// CRC-32 of the PNG specification, annex D.
+// CRC-32 as in the PNG specification, annex D.
 std::uint32_t checksum(const std::uint8_t* bytes, std::size_t count) {
   static const auto table = [] {
     std::array<std::uint32_t, 256> entries{};
@@ -45,7 +45,7 @@ struct Chunk {
     return checksum(start + 4, length + 4) == number_at(start + 8 + length);
   }
   bool describes_an_object() const {
-    const std::size_t key = std::strlen(kTextKey) + 1;  // the null byte ends a keyword
+    const std::size_t key = std::strlen(kTextKey) + 1;  // a null byte terminates the keyword
     return (is("tEXt") || is("zTXt") || is("iTXt")) && length >= key &&
            std::memcmp(start + 8, kTextKey, key) == 0;
   }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// PNG with one text chunk, in memory, through libpng: strict about sizes, checksums and layout.
-// libpng reports errors by longjmp; these classes turn them into exceptions without jumping over a
-// destructor.
+// Reads and writes PNG with one text chunk, in memory, through libpng: strict about sizes,
+// checksums and layout. libpng reports errors by longjmp; these classes turn them into exceptions
+// without jumping over a destructor.
 #pragma once
 
 #include <csetjmp>
@@ -23,7 +23,7 @@ class PngError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// Bounds that hold for reading and writing.
+/// Limits for reading and writing.
 struct PngLimits {
   static constexpr int kMaxWidth = 8192;    ///< [px]
   static constexpr int kMaxHeight = 65500;  ///< [px]
@@ -39,7 +39,7 @@ struct PngLimits {
 };
 
 /// Encodes `rgba` (CV_8UC4, R first) with the UTF-8 `text` under `key`. Throws
-/// std::invalid_argument when the limits do not hold.
+/// std::invalid_argument if a limit is exceeded.
 std::vector<std::uint8_t> encode_png(const cv::Mat& rgba, const std::string& key,
                                      const std::string& text);
 
@@ -47,7 +47,7 @@ std::vector<std::uint8_t> encode_png(const cv::Mat& rgba, const std::string& key
 /// allocates the image. Every member throws PngError.
 class PngReader {
  public:
-  /// Reads up to the pixels. `bytes` must outlive the reader.
+  /// Reads everything up to the pixels. `bytes` must outlive the reader.
   PngReader(const std::vector<std::uint8_t>& bytes, const std::string& key);
   ~PngReader();
   PngReader(const PngReader&) = delete;
@@ -59,7 +59,7 @@ class PngReader {
   /// Next row: 4 * size().width bytes, R G B A.
   void read_row(std::uint8_t* row);
 
-  /// To be called after the last row: checks all that follows the pixels.
+  /// Call this after the last row: checks everything that follows the pixels.
   void finish();
 
  private:

@@ -23,8 +23,8 @@ void PngReader::on_read(png_structp png, png_bytep data, std::size_t length) {
   reader->position_ += length;
 }
 
-// Runs calls into libpng. An error in them jumps back here, over frames that own nothing, and goes
-// on as an exception.
+// Runs calls into libpng. An error in them jumps back here, over frames without destructors, and is
+// rethrown as an exception.
 template <class Calls>
 void PngReader::guarded(Calls&& calls) {
   if (setjmp(jump_) != 0) throw PngError(message_);

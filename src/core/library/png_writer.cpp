@@ -24,7 +24,8 @@ struct Sink {
 
 void on_warning(png_structp, const char*) {}
 
-// libpng is C: an exception must not pass through it, so lack of memory becomes its own error.
+// libpng is C: an exception must not pass through it, so lack of memory is reported as a libpng
+// error.
 void on_write(png_structp png, png_bytep data, std::size_t length) {
   auto* sink = static_cast<Sink*>(png_get_io_ptr(png));
   bool stored = true;
@@ -50,7 +51,7 @@ struct Writer {
   png_infop info;
 };
 
-// Called between setjmp and longjmp: owns nothing that needs a destructor.
+// Called between setjmp and longjmp, so it must not own anything that needs a destructor.
 void write_all(png_structp png, png_infop info, const cv::Mat& rgba, png_text* text) {
   png_set_IHDR(png, info, static_cast<png_uint_32>(rgba.cols), static_cast<png_uint_32>(rgba.rows),
                8, PNG_COLOR_TYPE_RGB_ALPHA, PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT,
@@ -70,7 +71,7 @@ std::vector<std::uint8_t> encode_png(const cv::Mat& rgba, const std::string& key
   Sink sink;
   Writer writer(sink);
   if (writer.info == nullptr) throw std::bad_alloc();
-  std::string key_copy = key, text_copy = text;  // libpng wants them writable
+  std::string key_copy = key, text_copy = text;  // libpng needs them writable
   png_text chunk{};
   chunk.compression = PNG_ITXT_COMPRESSION_NONE;
   chunk.key = key_copy.data();

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The numbers of a verdict, in one list for writing and reading.
+// The numbers of a quality in one list, which is used for writing and reading.
 #pragma once
 
 #include "mbncc/object_model.hpp"
 
 namespace mbncc::library {
 
-/// Calls visit(key, value, lowest, highest) for each.
+/// Calls visit(key, value, lowest, highest) for each number.
 template <class SomeQuality, class Visitor>
 void for_each_number(SomeQuality& quality, Visitor&& visit) {
   visit("area", quality.area, 0.0, 1e9);

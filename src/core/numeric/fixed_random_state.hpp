@@ -6,7 +6,7 @@
 
 namespace mbncc::numeric {
 
-/// Restores the caller's state at the end.
+/// The destructor restores the caller's state.
 class FixedRandomState {
  public:
   FixedRandomState() : saved_(cv::theRNG()) { cv::setRNGSeed(1); }

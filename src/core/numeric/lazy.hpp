@@ -9,7 +9,7 @@
 
 namespace mbncc::numeric {
 
-/// Computed on first access by any thread, or by make(); copies share it.
+/// The value is computed on first access by any thread, or by make(); copies share it.
 template <class Value>
 class Lazy {
  public:

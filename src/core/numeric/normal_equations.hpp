@@ -6,11 +6,12 @@
 
 namespace mbncc::numeric {
 
-/// Of a template's frame: shift along x and y [px at level], turn [rad], stretch [1].
+/// Motion of a template's frame: shift along x and y [px at level], rotation [rad], scale change
+/// [1].
 using Motion = cv::Vec4d;
 constexpr int kMotionParts = 4;
 
-/// Normal equations of a motion, in units of its information: information * motion = vector.
+/// Normal equations of a motion: information * motion = vector.
 struct NormalEquations {
   cv::Matx44d information;
   Motion vector;
@@ -18,10 +19,11 @@ struct NormalEquations {
   NormalEquations& operator+=(const NormalEquations& other);
 };
 
-/// The same, marginalised over an unknown shift of this `deviation` [px] along x and y.
+/// The equations, marginalised over an unknown shift of this `deviation` [px] along x and y.
 NormalEquations marginalised_over_shift(const NormalEquations& pull, double deviation);
 
-/// The same, also marginalised over a rotation and a stretch by as much at `radius` [px].
+/// The equations, also marginalised over a rotation and a scaling that move points at `radius` [px]
+/// by as much.
 NormalEquations marginalised_over_shift_and_turn(const NormalEquations& pull, double deviation,
                                                  double radius);
 

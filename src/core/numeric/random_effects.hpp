@@ -10,13 +10,13 @@ namespace mbncc::numeric {
 
 class RandomEffects {
  public:
-  /// `radius` [px] of the object: makes rotations comparable with shifts.
+  /// `radius` [px] of the object; it makes rotations comparable with shifts.
   explicit RandomEffects(double radius) : radius_(radius) {}
 
   void add(const NormalEquations& pull) { pulls_.push_back(pull); }
 
-  /// [px^2] Variance between the estimates' shifts and rotations beyond their covariances
-  /// (DerSimonian and Laird's random effects).
+  /// Variance [px^2] between the estimates' shifts and rotations in excess of their covariances
+  /// (random-effects model of DerSimonian and Laird).
   double variance() const;
 
  private:

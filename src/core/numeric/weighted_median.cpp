@@ -15,7 +15,7 @@ double weight_of(std::vector<Weighted>::const_iterator first,
 
 }  // namespace
 
-// By selection, without sorting all values.
+// Uses selection, so that not all values have to be sorted.
 float weighted_median(std::vector<Weighted>& values) {
   if (values.empty()) return 0;
   double left = weight_of(values.begin(), values.end()) / 2;

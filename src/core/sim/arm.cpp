@@ -12,7 +12,7 @@ namespace {
 
 // Sizes in px, along the arm backwards from the grip point.
 constexpr double kScale = 2;        // drawing pixels per image pixel
-constexpr double kFingerTip = 12;   // fingers reach beyond the grip point
+constexpr double kFingerTip = 12;   // the fingers extend beyond the grip point
 constexpr double kFingerBase = 58;  // where the palm begins
 constexpr double kFingerWidth = 16;
 constexpr double kPalmEnd = 92;  // where the tube begins
@@ -52,7 +52,7 @@ void draw_tube(Drawing& drawing) {
   }
 }
 
-/// Fills the box between two corners, px about the thing's origin.
+/// Fills the box between two corners, in px relative to the origin of the thing.
 void fill_box(Drawing& drawing, cv::Point2d low, cv::Point2d high, double grey) {
   const cv::Rect box(cv::Point(drawing.origin + low * kScale),
                      cv::Point(drawing.origin + high * kScale));
@@ -60,7 +60,7 @@ void fill_box(Drawing& drawing, cv::Point2d low, cv::Point2d high, double grey) 
   cv::rectangle(drawing.colour, box, cv::Scalar::all(grey), cv::FILLED);
 }
 
-/// Dark rings where the tube's links meet.
+/// Draws dark rings where the links of the tube meet.
 void draw_rings(Drawing& drawing) {
   for (double at = 140; at < kLength; at += 170) {
     const int first = cvRound(drawing.origin.x - (at + 9) * kScale);
@@ -70,7 +70,7 @@ void draw_rings(Drawing& drawing) {
   }
 }
 
-/// Brushed metal: grey noise where the drawing covers.
+/// Adds the grey noise of brushed metal to the covered pixels.
 void add_wear(Drawing& drawing) {
   cv::RNG random = generator(1, 4);
   const cv::Mat wear = fractal_noise(drawing.cover.size(), 64, 2, random).mul(drawing.cover, 5.0);

@@ -13,9 +13,9 @@ namespace {
 constexpr double kBorder = 14;     // [px] between an object's circle and the image's edge
 constexpr double kGap = 8;         // [px] between the circles of two objects
 constexpr double kBeyond = 260;    // [px] from the image's edge to the waiting grip
-constexpr double kShoulder = 500;  // [px] from there to the arm's base
+constexpr double kShoulder = 500;  // [px] from there to the base of the arm
 
-/// Starts and stops gently: 0 -> 0, 1 -> 1.
+/// Smooth step from (0, 0) to (1, 1).
 double smooth(double progress) {
   return progress * progress * (3 - 2 * progress);
 }
@@ -25,8 +25,8 @@ Pose2D between(const Pose2D& a, const Pose2D& b, double share) {
           a.theta + share * wrap_angle(b.theta - a.theta)};
 }
 
-/// The outline's centroid lies inside the excircle, so no point is farther away than its diameter;
-/// in practice 0.6 of it.
+/// Radius about the centroid that contains the outline. The centroid lies inside the excircle, so
+/// the diameter is an upper bound; in practice 0.6 of it is enough.
 double reach_of(const SceneObject& object) {
   return 0.6 * object.diameter;
 }
@@ -38,7 +38,7 @@ bool clear_of(const Pose2D& pose, double reach, const std::vector<Placed>& other
   });
 }
 
-/// A free pose drawn uniformly. Throws std::invalid_argument if none is found.
+/// A free pose, uniformly distributed. Throws std::invalid_argument if none is found.
 Pose2D free_pose(cv::Size size, double reach, const std::vector<Placed>& others, cv::RNG random) {
   const double margin = reach + kBorder;
   for (int attempt = 0; attempt < 1000 && 2 * margin < std::min(size.width, size.height);
@@ -78,7 +78,7 @@ CellScript::CellScript(CellScriptConfig config) : config_(config) {
 }
 
 void CellScript::place_neighbours() {
-  // The first place is kept free by a stand-in.
+  // A stand-in keeps the object's first place free.
   std::vector<Placed> taken{{config_.object, *place_}};
   for (int i = 0; i < config_.neighbours; ++i) {
     SceneObject object;
@@ -88,7 +88,7 @@ void CellScript::place_neighbours() {
     taken.push_back({object, free_pose(config_.size, reach_of(object), taken, random)});
   }
   neighbours_.assign(taken.begin() + 1, taken.end());
-  // Refuses a cell without a further free place before the script begins.
+  // Throws before the script begins if the cell has no further free place.
   free_pose(config_.size, reach_of(config_.object), neighbours_, generator(config_.seed, 11));
 }
 

@@ -30,8 +30,8 @@ cv::Rect footprint(const Drawing& drawing, const Pose2D& pose, int margin, cv::S
   return box & cv::Rect({0, 0}, image);
 }
 
-/// Resamples `source` at `pose` as many times finer than the image as it is drawn, then averages
-/// over each pixel's area.
+/// Resamples `source` at `pose` on a grid that is finer than the image by the drawing's scale, then
+/// averages over the area of each pixel.
 cv::Mat resample(const cv::Mat& source, const Drawing& drawing, const Pose2D& pose,
                  const cv::Rect& where) {
   const double s = drawing.scale, c = std::cos(pose.theta), sn = std::sin(pose.theta);
@@ -82,7 +82,8 @@ Drawing draw_object(const SceneObject& object) {
   for (auto& point : outline) point = drawing.origin + point * drawing.scale;
   drawing.cover = cv::Mat::zeros(size, CV_32FC1);
   fill_inside(outline, drawing.cover);
-  // The centroid of the rasterised shape, which differs by a fraction of a drawing pixel.
+  // The centroid of the rasterised shape differs from that of the outline by a fraction of a
+  // drawing pixel.
   const cv::Moments moments = cv::moments(drawing.cover);
   drawing.origin = {moments.m10 / moments.m00, moments.m01 / moments.m00};
   drawing.colour = object_texture(size, drawing.scale, object.seed);

@@ -94,7 +94,7 @@ void shift(Outline& outline, cv::Point2d by) {
   for (auto& point : outline) point += by;
 }
 
-/// Turns the longest extent to x and scales y to the wanted elongation.
+/// Rotates the longest extent to x and scales y to the given elongation.
 void stretch(Outline& outline, double elongation) {
   const cv::RotatedRect box = cv::minAreaRect(as_float(outline));
   const bool upright = box.size.height > box.size.width;

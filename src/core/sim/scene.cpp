@@ -15,9 +15,10 @@ namespace mbncc::sim {
 namespace {
 
 constexpr double kContactShadow = 4;  // [px] blur of the shadow of things on the platform
-constexpr double kArmShadow = 14;     // [px] the arm is higher up
+constexpr double kArmShadow = 14;     // [px] wider, because the arm is higher up
 
-/// CV_32FC3 light falling off by `gradient` from edge to edge in a direction drawn by the seed.
+/// CV_32FC3 light that falls off by `gradient` from edge to edge, in a direction that depends on
+/// the seed.
 cv::Mat light_field(const SceneConfig& config) {
   cv::RNG random = generator(config.seed, 5);
   const cv::Point2d direction = rotate({1, 0}, random.uniform(0.0, 2 * kPi));
@@ -33,8 +34,8 @@ cv::Mat light_field(const SceneConfig& config) {
   return light;
 }
 
-/// Eight bit values of `image` with sensor noise: a constant part and one whose variance grows
-/// with the signal.
+/// 8-bit values of `image` with sensor noise: a constant part, and a part whose variance grows with
+/// the signal.
 cv::Mat sense(const cv::Mat& image, double sigma, cv::RNG random) {
   cv::Mat result(image.size(), CV_8UC3), noise(1, image.cols, CV_32FC3);
   for (int y = 0; y < image.rows; ++y) {

@@ -13,14 +13,14 @@
 
 namespace mbncc::sim {
 
-/// Thread-safe.
+/// This class is thread-safe.
 class SceneCache {
  public:
-  /// The object's drawing, drawn at its first use.
+  /// The object's drawing; it is drawn on first use.
   std::shared_ptr<const Drawing> drawing(const SceneObject& object);
 
-  /// The platform with `placed` on it as `compose` makes it, unless it is the same as last time.
-  /// Not to be written to.
+  /// The platform with `placed` on it, computed by `compose` unless `placed` is the same as last
+  /// time. The result must not be modified.
   cv::Mat composition(const std::vector<Placed>& placed, const std::function<cv::Mat()>& compose);
 
  private:

@@ -7,11 +7,11 @@
 
 namespace mbncc::sim {
 
-/// CV_32FC1 noise of mean 0 and standard deviation 1: octaves from `coarsest` px features down to
-/// `finest` px, whose amplitude falls with the square root of the feature size.
+/// CV_32FC1 noise of mean 0 and standard deviation 1: octaves with features from `coarsest` down to
+/// `finest` [px]; the amplitude is proportional to the square root of the feature size.
 cv::Mat fractal_noise(cv::Size size, double coarsest, double finest, cv::RNG& random);
 
-/// CV_32FC3 [grey levels] worn work table: stains, grain, scratches and specks.
+/// CV_32FC3 [grey levels] surface of a worn work table: stains, grain, scratches and specks.
 cv::Mat platform_texture(cv::Size size, std::uint64_t seed);
 
 /// CV_32FC3 [grey levels] painted surface: two colours in patches, bands, printed marks, wear.

@@ -7,7 +7,7 @@
 namespace mbncc::kernels {
 namespace {
 
-// An edge vector: x and y, a signed byte each, at any address.
+// An edge vector: x and y, one signed byte each, unaligned.
 using EdgeWord = std::uint16_t __attribute__((aligned(1), may_alias));
 
 inline float x_of(std::uint32_t edge) {
@@ -18,7 +18,7 @@ inline float y_of(std::uint32_t edge) {
   return static_cast<float>(static_cast<std::int32_t>(edge << 16) >> 24);
 }
 
-/// Contour points on their way through read_along_normals().
+/// A group of contour points in read_along_normals().
 struct NormalGroup {
   float x[kGroup], y[kGroup], normal_x[kGroup], normal_y[kGroup], double_x[kGroup],
       double_y[kGroup];
@@ -43,7 +43,7 @@ void place_normals(const float* __restrict px, const float* __restrict py,
   }
 }
 
-/// `near`: the reading counts as best response.
+/// `near`: the reading counts for the best response.
 MBNCC_CLONES
 void read_step(const Image8& image, int count, float step, bool near, NormalGroup& group) {
   const float right = static_cast<float>(image.columns) - 1.01f;

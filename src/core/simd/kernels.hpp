@@ -2,8 +2,8 @@
 // The innermost loops of the search, on plain pointers. Every version of a kernel gives the same
 // bits: integers, or floats added in a fixed order without fused multiply-add.
 // MBNCC_KERNELS in the environment selects a target by name: reference (the formulas of
-// kernels_reference.cpp), baseline, avx2 or avx512; without it the last one the machine has is
-// used.
+// kernels_reference.cpp), baseline, avx2 or avx512; by default, the last one that the machine
+// supports is used.
 #pragma once
 
 #include <cstddef>
@@ -12,11 +12,11 @@
 
 namespace mbncc::kernels {
 
-/// correlate() and best_responses() work on whole groups of this many positions ...
+/// correlate() and best_responses() process whole groups of this many positions ...
 constexpr int kPositions = 32;
-/// ... and best_responses() on this many rows of them.
+/// ... and best_responses() processes this many rows of them.
 constexpr int kResponseRows = 4;
-/// Bounds of correlate().
+/// Bounds on the input of correlate().
 constexpr int kMaxImage = 128;
 constexpr int kMaxWeight = 63;
 
@@ -26,8 +26,8 @@ constexpr int kMaxWeight = 63;
 void correlate(const std::int16_t* image, const std::int32_t* offsets, const std::int16_t* weights,
                int pairs, std::int32_t* sums, int count);
 
-/// sums[x] = sum_r prefix[ends[r] + x] - prefix[begins[r] + x] for x in [0, count): totals over
-/// runs of pixels from running sums along the rows. The totals must fit into 31 bits.
+/// sums[x] = sum_r prefix[ends[r] + x] - prefix[begins[r] + x] for x in [0, count): sums over runs
+/// of pixels, computed from running sums along the rows. The sums must fit into 31 bits.
 void sum_runs(const std::int32_t* prefix, const std::int32_t* begins, const std::int32_t* ends,
               int runs, std::int32_t* sums, int count);
 
@@ -37,9 +37,9 @@ bool any_above(const std::int32_t* values, float scale, const float* gates, int 
 /// Constants of normalise().
 struct Normalisation {
   float scale;   ///< 1 / norm of the kernel's weights
-  float pixels;  ///< of the kernel
+  float pixels;  ///< number of the kernel's pixels
   float noise;   ///< [grey^2] added to the energy under the kernel
-  float floor;   ///< correlation that is of interest
+  float floor;   ///< lowest correlation of interest
 };
 
 /// With energy = squares[x] - sums[x]^2 / pixels + noise:
@@ -53,19 +53,19 @@ void normalise(const std::int32_t* numerators, const std::int32_t* sums,
 constexpr int kMaxResponse = 15;
 constexpr int kTermGroup = 8;
 
-/// Where the responses to an outline at several rotations lie.
+/// Positions of the responses to an outline at several rotations.
 struct ResponseTerms {
   const std::int32_t* offsets;  ///< rotations x count, relative to a position
-  int count;                    ///< per rotation, at most 2000
+  int count;                    ///< terms per rotation, at most 2000
   const std::int16_t* labels;   ///< of the rotations
   int rotations;
-  int parts = 1;  ///< equal runs of a rotation's terms, of which the least is left out; 1: none is
+  int parts = 1;  ///< equal runs of a rotation's terms, of which the lowest is left out; 1: none is
 };
 
 /// best[y row_step + x] = max(0, sum_k maps[y stride + x + offsets[r count + k]] over the rotations
-/// r), and the same of labels is that of the first rotation that reaches it (0 where none exceeds
+/// r), and labels is the label of the first rotation that attains this value (0 where none exceeds
 /// 0), for x in [0, count), `count` a multiple of kPositions, y in [0, kResponseRows); |maps| <=
-/// kMaxResponse. With several parts, a sum is that of all but the least of its parts.
+/// kMaxResponse. With several parts, the lowest part is left out of each sum.
 void best_responses(const std::int8_t* maps, int stride, const ResponseTerms& terms,
                     std::int16_t* best, std::int16_t* labels, int row_step, int count);
 
@@ -73,32 +73,32 @@ void best_responses(const std::int8_t* maps, int stride, const ResponseTerms& te
 /// directions of 0, 1, 2 and 3 eighths of a half turn, scaled to kMaxResponse.
 void edge_responses(const std::int8_t* edges, std::int8_t* const* responses, int count);
 
-/// Largest values within one pixel in three adjacent rows: even[i] about pixel 2 i, odd[i] about
-/// pixel 2 i + 1, for i in [0, count). The rows are read from -1 to 2 count.
+/// Maxima over a neighbourhood of one pixel in three adjacent rows: even[i] around pixel 2 i,
+/// odd[i] around pixel 2 i + 1, for i in [0, count). The rows are read from -1 to 2 count.
 void spread_rows(const std::int8_t* const* rows, std::int8_t* even, std::int8_t* odd, int count);
 
-/// Symmetric smoothing in 256ths, weights[0] for the middle, [1] and [2] for the neighbours one and
-/// two away; weights[0] + 2 weights[1] + 2 weights[2] = 256, none negative. Down the columns of
-/// five rows, without rounding ...
+/// Symmetric smoothing in 256ths, weights[0] for the centre, [1] and [2] for the neighbours at
+/// distances one and two; weights[0] + 2 weights[1] + 2 weights[2] = 256, none negative. First down
+/// the columns of five rows, without rounding ...
 void smooth_columns(const std::uint8_t* const* rows, const int* weights, std::uint16_t* sums,
                     int count);
-/// ... then along the row, whose neighbours are 3 values apart (interleaved channels), rounded.
-/// `sums` is read from -6 to count + 6.
+/// ... then along the row, whose neighbours are 3 values apart (interleaved channels), with
+/// rounding. `sums` is read from -6 to count + 6.
 void smooth_along_row(const std::uint16_t* sums, const int* weights, std::uint8_t* smooth,
                       int count);
 
-/// Sobel slopes of three adjacent rows of interleaved triples, read from -3 to count + 3, in
+/// Sobel gradients of three adjacent rows of interleaved triples, read from -3 to count + 3, in
 /// eighths of a level per pixel.
 void slopes(const std::uint8_t* const* rows, std::int16_t* along_x, std::int16_t* along_y,
             int count);
 
 /// For interleaved triples of gradients along x and y: out[2 i], out[2 i + 1] are those of the
-/// channel with the largest magnitude (the first of equals). |gradient| <= 1024.
+/// channel with the largest magnitude (the first one of equals). |gradient| <= 1024.
 void strongest_of_three(const std::int16_t* along_x, const std::int16_t* along_y, std::int16_t* out,
                         int count);
 
-/// Gradient [eighths of a level per pixel] with half of the largest edge vector: kDarkEdge where
-/// the image is black, and kEdgeContrast more per level of the brightest channel.
+/// Gradient [eighths of a level per pixel] that gives half of the largest edge vector: kDarkEdge
+/// where the image is black, and kEdgeContrast more per level of the brightest channel.
 constexpr float kDarkEdge = 20, kEdgeContrast = 0.1f;
 
 /// Edge vectors (see gradient_orientation.hpp) of `count` gradient pairs in eighths of a level,
@@ -106,8 +106,9 @@ constexpr float kDarkEdge = 20, kEdgeContrast = 0.1f;
 void edge_vectors(const std::int16_t* gradients, const std::uint8_t* colours, std::int8_t* edges,
                   int count);
 
-/// Lanes in which dots() and dot_pairs() add up, and then in halves: the first eight plus the last
-/// eight, and so on. Vectors are padded with zeros to a multiple of it.
+/// Number of lanes in which dots() and dot_pairs() accumulate. The lanes are then added in halves:
+/// the first eight plus the last eight, and so on. Vectors are padded with zeros to a multiple of
+/// kLanes.
 constexpr int kLanes = 16;
 
 /// products[k] = sum_i rows[k stride + i] vector[i] for i in [0, count), k in [0, row_count).
@@ -115,13 +116,13 @@ constexpr int kLanes = 16;
 void dots(const float* rows, std::size_t stride, int row_count, const float* vector, int count,
           float* products);
 
-/// products[k] = sum_i a[k][i] b[k][i] for k in [0, pairs), i as above.
+/// products[k] = sum_i a[k][i] b[k][i] for k in [0, pairs), i as in dots().
 void dot_pairs(const float* const* a, const float* const* b, int pairs, int count, float* products);
 
-/// One set of row kernels. A new kernel: its declaration above and its entry here; the loop in a
-/// file that row_kernels.inc includes, and its entry there at the same place; the call in
-/// kernels.cpp; formula and entry in kernels_reference.cpp; a test in test/simd and a benchmark in
-/// bench/kernels/kernels_bench.cpp.
+/// One set of row kernels. To add a kernel: declare it above and add its entry here; put the loop
+/// in a file that row_kernels.inc includes, and its entry there at the same position; add the call
+/// in kernels.cpp, formula and entry in kernels_reference.cpp, a test in test/simd and a benchmark
+/// in bench/kernels/kernels_bench.cpp.
 struct Table {
   decltype(&correlate) correlate_row;
   decltype(&sum_runs) sum_runs_row;
@@ -144,12 +145,12 @@ struct Target {
   const Table* table;
 };
 
-/// The formulas, written down plainly.
+/// The formulas as plain code.
 const Table& reference();
-/// What this machine can run, the reference first, the fastest last.
+/// The targets that this machine supports, the reference first, the fastest last.
 const std::vector<Target>& targets();
-/// The fastest, or the one that the environment names. Throws std::invalid_argument when it names
-/// one that is not among targets().
+/// The fastest target, or the one that the environment names. Throws std::invalid_argument if it
+/// names one that is not among targets().
 const Target& active();
 
 }  // namespace mbncc::kernels

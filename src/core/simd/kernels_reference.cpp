@@ -149,7 +149,7 @@ void edge_vectors_reference(const std::int16_t* gradients, const std::uint8_t* c
     const float magnitude = std::sqrt(square);
     const int brightest = *std::max_element(colours + 3 * i, colours + 3 * i + 3);
     const float half = kDarkEdge + kEdgeContrast * static_cast<float>(brightest);
-    // The small term keeps 0 / 0 away.
+    // The small term avoids 0 / 0.
     const float scale = 127.f / ((magnitude + half) * (magnitude + 1e-6f));
     edges[2 * i] = static_cast<std::int8_t>((x * x - y * y) * scale);
     edges[2 * i + 1] = static_cast<std::int8_t>(2.f * x * y * scale);

@@ -14,7 +14,7 @@ inline std::size_t whole_lanes(std::size_t count) {
   return (count + kLanes - 1) / kLanes * kLanes;
 }
 
-/// Scalar product with `b`, which has as many values.
+/// Scalar product with `b`, which has the same number of values.
 inline double product(const std::vector<float>& a, const float* b) {
   float sum = 0;
   dots(a.data(), a.size(), 1, b, static_cast<int>(a.size()), &sum);
@@ -30,7 +30,7 @@ std::array<float, kPairs> products(const std::array<const float*, kPairs>& a,
   return found;
 }
 
-/// from -= factor * what.
+/// Computes from -= factor * what.
 inline void subtract(std::vector<float>& from, double factor, const float* what) {
   for (std::size_t i = 0; i < from.size(); ++i) from[i] -= static_cast<float>(factor) * what[i];
 }

@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The vectorised kernels that read images at points; point_kernels.hpp tells what they do.
+// The vectorised kernels that read images at points; point_kernels.hpp documents them.
 #pragma once
 
 #include "simd/point_kernels.hpp"
 
 namespace mbncc::kernels {
 
-/// Points go through the stages of a kernel in groups whose intermediate values stay in the cache:
-/// the arithmetic before and after the reading of pixels is what the compiler can vectorise.
+/// Points pass through the stages of a kernel in groups whose intermediate values stay in the
+/// cache: the compiler can vectorise only the arithmetic before and after the reading of pixels.
 constexpr int kGroup = 64;
 
-/// `value`, or the bound that it lies beyond.
+/// `value` limited to [least, most].
 inline float clamped(float value, float least, float most) {
   const float above = value > least ? value : least;
   return above < most ? above : most;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The innermost loops over the points of an object at a pose, as kernels.hpp has those over the
+// The innermost loops over the points of an object at a pose; kernels.hpp contains those over the
 // rows of an image. Every version gives the same bits.
 #pragma once
 
@@ -30,26 +30,27 @@ struct Colours {
   float* inside;              ///< 1 inside, 0 outside the image
 };
 
-/// Colours of a three-channel image between its pixels, at least 2 x 2 of them.
+/// Interpolated colours of a three-channel image of at least 2 x 2 pixels.
 void sample_colours(const Image8& image, const Points& points, const Placement& placement,
                     const Colours& colours);
 
-/// What the edges near one contour point say; all 0 where the image ends.
+/// Edge readings near one contour point; all 0 where the image ends.
 struct NormalReadings {
-  float* response;  ///< [-1..1] largest within one pixel along the normal
+  float* response;  ///< [-1..1] largest response within one pixel along the normal
   float* seen;      ///< 1 where `response` was read
   float* pull;      ///< [0..1] largest response within reach
   float* moment;    ///< `pull` times the mean distance [px] along the normal of the responses
 };
 
-/// Responses of an edge image (gradient_orientation.hpp) to edges across the unit normals, at
+/// Responses of an edge image (gradient_orientation.hpp) to edges across the unit normals, read at
 /// whole pixels up to `reach` along them. `image` has at least 3 x 3 pixels.
 void read_along_normals(const Image8& image, const Points& points, const float* normal_x,
                         const float* normal_y, const Placement& placement, int reach,
                         const NormalReadings& readings);
 
-/// agreements[i] = scalar product [edge scale] of direction i, turned by twice the placement's
-/// angle, with the edge vector nearest to point i; points outside the image are moved to its rim.
+/// agreements[i] = scalar product [edge scale] of direction i, rotated by twice the placement's
+/// angle, with the edge vector nearest to point i; points outside the image are moved to its
+/// border.
 void edge_agreements(const Image8& image, const Points& points, const float* direction_x,
                      const float* direction_y, const Placement& placement, float* agreements);
 
@@ -72,7 +73,7 @@ struct PointTable {
   decltype(&chroma_cells) chroma_cells_of;
 };
 
-/// The formulas, written down plainly.
+/// The formulas as plain code.
 const PointTable& point_reference();
 /// The vectorised loops.
 const PointTable& vectorised_points();

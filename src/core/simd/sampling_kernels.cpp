@@ -7,7 +7,7 @@
 namespace mbncc::kernels {
 namespace {
 
-// Pixels are read as whole words, at any address.
+// Pixels are read as whole words, unaligned.
 using Word = std::uint32_t __attribute__((aligned(1), may_alias));
 
 MBNCC_CLONES
@@ -34,7 +34,7 @@ void sample_group(const Image8& image, const float* __restrict px, const float* 
   for (int i = 0; i < count; ++i) {
     const std::uint8_t* above = image.data + at[i];
     const std::uint8_t* below = above + step;
-    // The right neighbour is read one byte early, so that no byte beyond the image is touched.
+    // The right neighbour is read one byte early, so that no byte beyond the image is read.
     a[i] = *reinterpret_cast<const Word*>(above);
     b[i] = *reinterpret_cast<const Word*>(above + 2);
     c[i] = *reinterpret_cast<const Word*>(below);
