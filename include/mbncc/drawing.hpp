@@ -14,7 +14,7 @@ namespace mbncc {
 /// Meaning of a colour.
 enum class Standing { kGood, kDoubtful, kBad, kUnsure };
 
-/// bgr: blue, orange, vermilion, grey; of the colour-blind safe palette of Okabe and Ito.
+/// bgr: blue, orange, vermilion, grey from the colour-blind safe palette of Okabe and Ito.
 cv::Scalar colour_of(Standing standing);
 
 /// One annotation in an image.

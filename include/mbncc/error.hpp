@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Error reporting of the core: misuse throws std::invalid_argument, a file that cannot be read or
-// written throws FileError, and expected outcomes of a lesson are LearnError values.
+// written throws FileError, and expected failures of a lesson are LearnError values.
 #pragma once
 
 #include <stdexcept>
@@ -22,8 +22,8 @@ class FileError : public std::runtime_error {
   std::string reason_;
 };
 
-/// A parameter that is unknown, mistyped or out of range; `what()` names key, value and the allowed
-/// values.
+/// A parameter that is unknown, of the wrong type or out of range; `what()` names the key, the
+/// value and the allowed values.
 class ConfigError : public std::invalid_argument {
  public:
   using std::invalid_argument::invalid_argument;
@@ -61,10 +61,10 @@ enum class LearnError : int {
 /// Name as spelled in action/LearnObject.action, e.g. "NO_CHANGE".
 const char* to_string(LearnError error);
 
-/// One sentence for the operator: what happened.
+/// One sentence for the operator that says what happened.
 const char* message_of(LearnError error);
 
-/// One sentence for the operator: what to do about it.
+/// One sentence for the operator that says what to do about it.
 const char* hint_of(LearnError error);
 
 }  // namespace mbncc

@@ -35,18 +35,17 @@ constexpr double to_radians(double degrees) {
 /// Angle wrapped into (-pi, pi].
 double wrap_angle(double radians);
 
-/// Smallest difference of two angles under a rotational symmetry.
-/// `symmetry` counts the equal positions in a turn (1: none, 2: 180 degrees ...); 0 means round,
-/// difference 0.
+/// Smallest difference of two angles under a rotational symmetry. `symmetry` is the number of equal
+/// positions in a turn (1: none, 2: 180 degrees ...); 0 means round, with difference 0.
 double angle_distance(double a, double b, int symmetry = 1);
 
 /// `point` rotated clockwise by `theta` about the origin.
 cv::Point2d rotate(cv::Point2d point, double theta);
 
-/// Point given in the frame of `pose`, expressed in the image: R(theta) point + (x, y).
+/// Maps a point from the frame of `pose` to the image: R(theta) point + (x, y).
 cv::Point2d transform(const Pose2D& pose, cv::Point2d point);
 
-/// transform() of many points with one pose.
+/// Applies transform() with one pose to many points.
 class Transform {
  public:
   explicit Transform(const Pose2D& pose);
@@ -59,24 +58,24 @@ class Transform {
   double cos_, sin_, x_, y_;
 };
 
-/// Pose of the inner frame in the outer one's parent: transform(compose(a, b), p) = transform(a,
-/// transform(b, p)).
+/// Pose of the inner frame in the parent of the outer one: transform(compose(a, b), p) =
+/// transform(a, transform(b, p)).
 Pose2D compose(const Pose2D& outer, const Pose2D& inner);
 
 Pose2D inverse(const Pose2D& pose);
 
-/// Mean position of the non-zero pixels. Throws std::invalid_argument when `map` has none.
+/// Mean position of the non-zero pixels. Throws std::invalid_argument if `map` has none.
 cv::Point2d centroid(const cv::Mat& map);
 
-/// Smallest circle that contains the centres of all map pixels (the paper's term,
-/// doi 10.1177/1687814017728839). Throws std::invalid_argument when `map` has no pixel.
+/// Smallest circle that contains the centres of all map pixels (the paper's term, doi
+/// 10.1177/1687814017728839). Throws std::invalid_argument if `map` has no pixels.
 Circle excircle(const cv::Mat& map);
 
-/// Largest circle that contains only map pixels. Throws std::invalid_argument when `map` has no
-/// pixel.
+/// Largest circle that contains only map pixels. Throws std::invalid_argument if `map` has no
+/// pixels.
 Circle incircle(const cv::Mat& map);
 
-/// True when `map` is a non-empty CV_8UC1 image of zeros and 255s.
+/// True if `map` is a non-empty CV_8UC1 image that contains only 0 and 255.
 bool is_binary_map(const cv::Mat& map);
 
 }  // namespace mbncc

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Size limits of all images: in messages, files and descriptions of objects.
+// Size limits of all images: in messages, files and object descriptions.
 #pragma once
 
 #include <cstdint>

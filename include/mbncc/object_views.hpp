@@ -8,8 +8,8 @@
 
 namespace mbncc {
 
-/// Removes the view `number`, counted from 1; object frame and other views are unchanged. Throws
-/// std::invalid_argument if there is no such view, or no other.
+/// Removes view `number`, counted from 1; object frame and other views are unchanged. Throws
+/// std::invalid_argument if there is no such view, or if it is the only one.
 void remove_view(ObjectModel& model, std::size_t number);
 
 }  // namespace mbncc

@@ -30,23 +30,23 @@ struct PolarImage {
 /// border is replicated.
 PolarImage polar_image(const cv::Mat& image, cv::Point2d centre, const PolarGrid& grid);
 
-/// A template in polar form with its weights: the ring's radius inside the region, because outer
-/// rings cover more area, and 0 outside.
+/// A template in polar form with its weights: inside the region, the radius of the ring, because
+/// outer rings cover more area; 0 outside.
 class PolarTemplate {
  public:
-  /// `image` as above; `region` CV_8UC1 of the same size, non-zero for pixels that are
-  /// correlated. Samples that touch a pixel outside the region have no weight.
+  /// `image` as in polar_image(); `region` is CV_8UC1 of the same size and non-zero for the pixels
+  /// that are correlated. Samples that touch a pixel outside the region have no weight.
   PolarTemplate(const cv::Mat& image, const cv::Mat& region, cv::Point2d centre,
                 const PolarGrid& grid);
 
   const PolarGrid& grid() const { return grid_; }
 
-  /// Normalized cross correlation [-1..1] with `target` (same grid) shifted by `first` .. `first` +
+  /// Normalized cross-correlation [-1..1] with `target` (same grid) shifted by `first` .. `first` +
   /// `count` - 1 columns: entry k is high if the target shows the template rotated by 2 pi (first +
   /// k) / angles from x towards y.
   std::vector<double> similarities(const PolarImage& target, int first, int count) const;
 
-  /// For every rotation.
+  /// The same for all rotations.
   std::vector<double> similarities(const PolarImage& target) const {
     return similarities(target, 0, grid_.angles);
   }
@@ -54,7 +54,7 @@ class PolarTemplate {
  private:
   PolarGrid grid_;
   std::vector<float> weights_, weighted_;  // w and w (T - mean), ring by ring
-  std::vector<char> used_;                 // ring has weight
+  std::vector<char> used_;                 // whether a ring has weight
   double total_weight_ = 0, energy_ = 0;   // sum w, sum w (T - mean)^2
 };
 

@@ -20,7 +20,8 @@ std::string symmetry_text(std::optional<int> symmetry);
 std::optional<int> parse_symmetry(const std::string& text);
 
 /// Sets or clears the declared symmetry. A declaration removes the lesson's proposals, the reasons
-/// nearly_..., from the object's quality. Throws std::invalid_argument for other values.
+/// nearly_..., from the object's quality. Throws std::invalid_argument for values that may not be
+/// declared.
 void declare_symmetry(ObjectModel& model, std::optional<int> symmetry);
 
 }  // namespace mbncc

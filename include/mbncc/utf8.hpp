@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Validation of external text: names of files, labels.
+// Validation of external text: file names and labels.
 #pragma once
 
 #include <cstddef>
@@ -7,8 +7,8 @@
 
 namespace mbncc {
 
-/// Bytes of the character that `text` begins with, 1 to 4; 0 if it does not begin with well-formed
-/// UTF-8 (RFC 3629: no overlong forms, no surrogates), or is empty.
+/// Number of bytes, 1 to 4, of the character at the start of `text`; 0 if `text` is empty or does
+/// not start with well-formed UTF-8 (RFC 3629: no overlong forms, no surrogates).
 std::size_t utf8_length(std::string_view text);
 
 }  // namespace mbncc

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Settings of the camera nodelet: where images come from and what is published with them.
+// Settings of the camera nodelet: the source of the images and what is published with them.
 #pragma once
 
 #include <string>
@@ -12,15 +12,15 @@ struct CameraConfig {
   std::string source = "0";            ///< device index or path, stream URL, folder, or video file
   double frame_rate = 0;               ///< [Hz]; 0: the source's own, 10 for a folder
   bool loop = false;                   ///< restart a folder or video at its end
-  int width = 0;                       ///< [px] asked of a device; 0: its default
+  int width = 0;                       ///< [px] requested from a device; 0: its default
   int height = 0;                      ///< [px]
   double exposure = -1;                ///< in the driver's unit; -1: unchanged
   double gain = -1;                    ///< in the driver's unit; -1: unchanged
   double white_balance = -1;           ///< [K]; -1: unchanged
   bool detect_frozen = false;          ///< do not publish images that repeat exactly
-  std::string camera_name = "camera";  ///< of the calibration
-  std::string camera_info_url;         ///< of the calibration; "": the manager's default
-  std::string frame_id = "camera_optical_frame";  ///< of the images
+  std::string camera_name = "camera";  ///< name of the camera in the calibration
+  std::string camera_info_url;         ///< location of the calibration; "": the manager's default
+  std::string frame_id = "camera_optical_frame";  ///< frame of the images
 
   template <class Self, class Visitor>
   static void fields(Self& self, Visitor&& visit) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// One list of fields per config struct is used by all readers: YAML, tool flags, ROS parameters,
-// the table of parameters and the tests. Each config struct has a static member template
+// A config struct has one list of fields that serves all readers: YAML, tool flags, ROS parameters,
+// the table of parameters and the tests. The list is a static member template of the struct,
 //   template <class Self, class Visitor> static void fields(Self& self, Visitor&& visit);
 // which calls visit(FieldInfo, value) for every field.
 #pragma once
@@ -13,8 +13,8 @@
 
 namespace mbncc {
 
-/// The values that a field accepts. Numbers are in [low, high]; texts match one of `choices` if
-/// there are any.
+/// The values that a field accepts. Numbers must be in [low, high]; if there are `choices`, texts
+/// must match one of them.
 struct Allowed {
   double low = -std::numeric_limits<double>::infinity();
   double high = std::numeric_limits<double>::infinity();
@@ -32,7 +32,7 @@ struct Allowed {
     return allowed;
   }
 
-  /// Names of tf frames, "" included.
+  /// Names of tf frames, including "".
   static Allowed frame() {
     Allowed allowed;
     allowed.printable = true;
@@ -58,32 +58,32 @@ void for_each_field(Config& config, Visitor&& visit) {
   std::remove_const_t<Config>::fields(config, std::forward<Visitor>(visit));
 }
 
-/// Throws ConfigError that names key, value and the allowed values if `value` violates
+/// Throws ConfigError that names the key, the value and the allowed values if `value` violates
 /// `info.allowed`.
 void check_allowed(const FieldInfo& info, bool value);
 void check_allowed(const FieldInfo& info, int value);
 void check_allowed(const FieldInfo& info, double value);
 void check_allowed(const FieldInfo& info, const std::string& value);
 
-/// Reads `text` into `value`; throws ConfigError that names the key if the value is mistyped or not
-/// allowed.
+/// Parses `text` into `value`; throws ConfigError that names the key if the value has the wrong
+/// type or is not allowed.
 void parse_field(const FieldInfo& info, const std::string& text, bool& value);
 void parse_field(const FieldInfo& info, const std::string& text, int& value);
 void parse_field(const FieldInfo& info, const std::string& text, double& value);
 void parse_field(const FieldInfo& info, const std::string& text, std::string& value);
 
-/// Text that parse_field() reads back to the same value.
+/// Text that parse_field() parses to the same value.
 std::string field_text(bool value);
 std::string field_text(int value);
 std::string field_text(double value);
 std::string field_text(const std::string& value);
 
-/// A field without its type, for tables, YAML and --set.
+/// A field with its type erased, for tables, YAML and --set.
 struct FieldRow {
   FieldInfo info;
   std::string type;                                ///< "bool", "int", "double" or "string"
   std::string value;                               ///< as text
-  std::function<void(const std::string&)> assign;  ///< parse_field() into the struct it came from
+  std::function<void(const std::string&)> assign;  ///< parse_field() into the struct
 };
 
 template <class T>
@@ -106,13 +106,14 @@ std::vector<FieldRow> field_rows(Config& config) {
   return rows;
 }
 
-/// Sets the row named `key`; throws ConfigError for an unknown key, naming the nearest known one.
+/// Sets the row named `key`; throws ConfigError for an unknown key and suggests the nearest known
+/// one.
 void assign_field(const std::vector<FieldRow>& rows, const std::string& key,
                   const std::string& text);
 
 /// Reads a flat YAML mapping `key: value` from `path` into the rows. Throws FileError for an
-/// unreadable file and ConfigError for an unknown, mistyped or out-of-range key; that key then
-/// changes no row.
+/// unreadable file, and ConfigError for a key that is unknown or whose value has the wrong type or
+/// is out of range; that key then changes no row.
 void load_yaml_file(const std::vector<FieldRow>& rows, const std::string& path);
 
 }  // namespace mbncc

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// How a nodelet's images come.
+// Settings for how a nodelet receives its images.
 #pragma once
 
 #include <string>

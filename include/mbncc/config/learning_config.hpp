@@ -9,8 +9,8 @@
 namespace mbncc {
 
 struct LearningConfig {
-  std::string method = "auto";              ///< one of those below; teaching/segmenter.cpp runs it
-  int iterations = 2;                       ///< graph cuts of every method
+  std::string method = "auto";  ///< one of the choices below; run by teaching/segmenter.cpp
+  int iterations = 2;           ///< number of graph cuts in every method
   std::string superpixel_method = "seeds";  ///< of sb_grabcut: seeds or slic
   int superpixels = 1600;   ///< sb_grabcut: superpixels requested in the region's crop
   double min_area = 80;     ///< [px] smaller maps are refused

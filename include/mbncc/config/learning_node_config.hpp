@@ -16,11 +16,11 @@ struct LearningNodeConfig {
   PlatformConfig platform;
   ImageConfig images;
   std::string library_path = "~/.ros/mbncc_library";  ///< folder of the learned objects
-  double learn_timeout = 120;                         ///< [s] of a lesson whose goal sets none
-  double still_time = 0.5;    ///< [s] without motion after which a scene is still
-  int max_objects = 1000;     ///< largest number of objects in the library
-  std::string cell_name;      ///< stored with what it teaches; "": host name and namespace
-  std::string gripper_frame;  ///< tf frame that mark_grasp records; "": refused
+  double learn_timeout = 120;  ///< [s] for a lesson whose goal does not set it
+  double still_time = 0.5;     ///< [s] without motion after which a scene is still
+  int max_objects = 1000;      ///< largest number of objects in the library
+  std::string cell_name;       ///< stored with each taught object; "": host name and namespace
+  std::string gripper_frame;   ///< tf frame that mark_grasp records; "": refused
 
   template <class Self, class Visitor>
   static void fields(Self& self, Visitor&& visit) {

@@ -20,9 +20,9 @@ struct MatchingNodeConfig {
   std::string library_path = "~/.ros/mbncc_library";  ///< folder of the learned objects
   std::string search_roi;       ///< "x,y,width,height" [px] of reference points; "": whole image
   double max_rate = 0;          ///< [Hz] limit of searched images; 0: every image that arrives
-  int queue_size = 1;           ///< images that may wait for the search; 1: only the newest
-  int confirm_frames = 3;       ///< graspable images needed ...
-  int confirm_window = 5;       ///< ... among this many of the last ones
+  int queue_size = 1;           ///< images that can wait for the search; 1: only the newest
+  int confirm_frames = 3;       ///< images with a graspable detection needed ...
+  int confirm_window = 5;       ///< ... among this many last images
   double hold_time = 0;         ///< [s] for which a lost instance is published as HELD; 0: never
   int average_frames = 10;      ///< images over which the pose of a still instance is averaged
   double max_age = 0.5;         ///< [s] older images are dropped, older poses not confirmed

@@ -10,7 +10,7 @@ namespace mbncc {
 
 struct PlatformConfig {
   std::string platform_frame;    ///< tf frame whose x-y plane is the platform; "": use the distance
-  double platform_distance = 0;  ///< [m] of the platform along the optical axis; 0: unknown
+  double platform_distance = 0;  ///< [m] along the optical axis; 0: unknown
   bool rectified = true;         ///< images are rectified: P of camera_info, else K and D
   std::string camera_frame;      ///< optical frame; "": the images' frame_id
   double max_info_age = 60;      ///< [s] age after which a camera_info is no longer used

@@ -11,10 +11,10 @@ namespace mbncc {
 
 struct RectifyConfig {
   ImageConfig images;
-  bool top_view = false;       ///< publish what the camera would see from straight above
+  bool top_view = false;       ///< publish the view from straight above
   std::string platform_frame;  ///< tf frame whose x-y plane the top view looks down on
   std::string camera_frame;    ///< optical frame; "": the images' frame_id
-  bool rectified = false;      ///< the received images are rectified: P counts, else K and D
+  bool rectified = false;      ///< the received images are rectified: use P, else K and D
   double max_info_age = 60;    ///< [s] age after which a camera_info is no longer used
 
   template <class Self, class Visitor>

@@ -15,8 +15,8 @@ struct SearchConfig {
       "score";             ///< score: probability from all features; similarity: the paper's rule
   double min_score = 0.5;  ///< [0..1] least score of a reported detection
   double confirm_score = 0.7;         ///< [0..1] least score of a graspable detection, see fields()
-  double min_margin_place = 6;        ///< log-odds to the best competitor elsewhere
-  double min_margin_angle = 6;        ///< log-odds to the best other angle at the place
+  double min_margin_place = 6;        ///< log-odds difference to the best competitor elsewhere
+  double min_margin_angle = 6;        ///< log-odds difference to the best other angle at the place
   double max_place_deviation = 1.25;  ///< [px] largest standard deviation of a graspable position
   double max_angle_deviation = 1;     ///< [deg] largest standard deviation of a graspable angle
   double min_visible = 0.6;           ///< [0..1] part of the map inside the image

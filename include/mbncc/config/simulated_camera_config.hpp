@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Settings of the simulated camera nodelet: the drawn cell and its camera.
+// Settings of the simulated camera nodelet: the simulated cell and its camera.
 #pragma once
 
 #include <string>
@@ -15,23 +15,23 @@ struct SimulatedCameraConfig {
   int object_seed = 1;             ///< seed of the object's outline and surface
   double object_diameter = 90;     ///< [px]
   double object_elongation = 1.6;  ///< ratio of the longest to the shortest extent
-  int neighbours = 2;              ///< other objects that lie still
+  int neighbours = 2;              ///< number of other objects, which lie still
   double noise_sigma = 2;          ///< [grey levels]
   double light_gradient = 0.1;     ///< [0..1] fall-off of the light across the image
   double gain = 1;                 ///< exposure
   double frame_rate = 10;          ///< [Hz]
-  bool auto_play = true;  ///< the arm moves automatically; otherwise on request by a service
+  bool auto_play = true;  ///< the arm moves automatically; otherwise only when a service is called
   double rest_time = 6;   ///< [s] between two motions, with auto_play
   double leg_time = 1.5;  ///< [s] of one leg of a motion: reach, carry, retreat
   std::string object_name = "object";             ///< name of the object in ~truth
   std::string frame_id = "camera_optical_frame";  ///< of images and truth
   double focal_length = 600;                      ///< [px]; 0: publish no calibration
   double distortion = 0;                          ///< k1 of the lens
-  double tilt = 0;                                ///< [degrees] from straight down, about x
-  double principal_x = 0;                         ///< [px] principal point from the image's middle
-  double principal_y = 0;                         ///< [px]
-  double platform_distance = 0.6;                 ///< [m] for the truth in metres
-  double object_height = 0;  ///< [m] of the object's top face, for the truth in metres
+  double tilt = 0;                                ///< [degrees] about x from straight down
+  double principal_x = 0;          ///< [px] offset of the principal point from the image's centre
+  double principal_y = 0;          ///< [px]
+  double platform_distance = 0.6;  ///< [m] used for the truth in metres
+  double object_height = 0;        ///< [m] of the object's top face, for the truth in metres
 
   template <class Self, class Visitor>
   static void fields(Self& self, Visitor&& visit) {

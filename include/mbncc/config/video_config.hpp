@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Settings of the search through the images of one still camera.
+// Settings of the search in the images of one camera that does not move.
 #pragma once
 
 #include "mbncc/config/field.hpp"
@@ -7,8 +7,8 @@
 namespace mbncc {
 
 struct VideoConfig {
-  double sweep_time = 60;        ///< [s] period in which every object is searched once in the whole
-                                 ///< image, even without change; 0: all objects in every image
+  double sweep_time = 60;  ///< [s] period in which every object is searched once in the whole image
+                           ///< even if nothing changes; 0: all objects in every image
   double max_search_cost = 0.8;  ///< of a changed image, in searches of one object in a whole image
 
   template <class Self, class Visitor>

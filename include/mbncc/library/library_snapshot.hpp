@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What a library held when it was read.
+// The contents of a library at the time it was read.
 #pragma once
 
 #include <memory>
@@ -22,7 +22,7 @@ struct QuarantinedFile {
 struct LibrarySnapshot {
   std::vector<std::shared_ptr<const ObjectModel>> objects;  ///< sorted by name
   std::vector<QuarantinedFile> quarantined;                 ///< by this load
-  std::vector<std::string> other_images;  ///< PNG files that are no objects and stay in place
+  std::vector<std::string> other_images;  ///< PNG files that are not objects; they stay in place
 
   std::shared_ptr<const ObjectModel> find(const std::string& name) const;  ///< null: unknown
 };

@@ -12,18 +12,18 @@
 
 namespace mbncc {
 
-/// Format written by this version; newer ones are refused with a message and left unchanged.
+/// Format that this version writes; newer ones are refused with a message and left unchanged.
 constexpr int kObjectFileVersion = 1;
 
-/// An object's file is its name and this, in the library and its trash.
+/// Suffix of an object's file name, in the library and its trash.
 constexpr const char* kObjectFileEnding = ".png";
 
-/// Bytes of the file. Throws std::invalid_argument when the model breaks the rules of
+/// Bytes of the file. Throws std::invalid_argument if the model violates the rules of
 /// object_model.hpp.
 std::vector<std::uint8_t> encode_object(const ObjectModel& model);
 
-/// Reads the bytes of a file; `path` is named in errors. Checks sizes before anything is allocated,
-/// and all CRCs. Throws FileError.
+/// Decodes the bytes of a file; errors name `path`. Checks sizes before it allocates memory, and
+/// all CRCs. Throws FileError.
 ObjectModel decode_object(const std::vector<std::uint8_t>& bytes, const std::string& path);
 
 /// Reads a regular file of bounded size (no FIFO, no directory, no symbolic link). Throws

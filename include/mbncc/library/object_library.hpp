@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A folder of learned objects, one file each, safe against crashes: every change is one atomic
-// step.
+// A folder of learned objects, one file each. It is safe against crashes, because every change is
+// one atomic step.
 #pragma once
 
 #include <cstdint>
@@ -17,7 +17,7 @@ namespace mbncc {
 
 class LibraryCache;
 
-/// A name that exists already, is unknown or not allowed; `what()` gives the reason.
+/// A name that already exists, is unknown or is not allowed; `what()` gives the reason.
 class NameError : public std::invalid_argument {
  public:
   NameError(LearnError code, const std::string& sentence)
@@ -30,16 +30,16 @@ class NameError : public std::invalid_argument {
   LearnError code_;
 };
 
-/// Writers work under an exclusive lock on the folder (flock), so one writes at a time, across
+/// Writers hold an exclusive lock on the folder (flock), so only one writes at a time, across
 /// processes; readers need no lock, because every file is replaced atomically. All functions throw
-/// FileError (with errno's text) when a file operation fails; then the library is unchanged. A
-/// writer that waits longer than 10 s for the lock throws FileError.
+/// FileError (with errno's text) if a file operation fails; the library is then unchanged. A writer
+/// that waits longer than 10 s for the lock throws FileError.
 ///
 /// Revisions increase per name and are not reused, even after a removal, as long as the trash is
 /// not emptied. One instance serves one thread at a time.
 class ObjectLibrary {
  public:
-  /// Opens `folder`, creating it and its parents when missing.
+  /// Opens `folder`; creates it and its parents if they are missing.
   explicit ObjectLibrary(std::string folder);
   ~ObjectLibrary();
   ObjectLibrary(ObjectLibrary&&) noexcept;
@@ -47,47 +47,47 @@ class ObjectLibrary {
 
   const std::string& folder() const { return folder_; }
 
-  /// Reads all files; moves unreadable ones to `.quarantine/` with their reason and loads the
-  /// others. An intact PNG file that is no object stays in place, and its name is not available.
+  /// Reads all files, moves unreadable ones to `.quarantine/` with the reason and loads the others.
+  /// An intact PNG file that is not an object stays in place, and its name is not available.
   /// Objects whose file has not changed since the last load keep their pointer.
   std::shared_ptr<const LibrarySnapshot> load();
 
-  /// True when a file was added, changed or removed since the last load() of this instance.
+  /// True if a file was added, changed or removed since the last load() of this instance.
   bool changed_on_disk() const;
 
-  /// Writes 1 MB durably and removes it again, to check before a lesson that it can be stored.
-  /// Does not wait for other writers.
+  /// Writes 1 MB durably and removes it again, to check before a lesson that its result can be
+  /// stored. Does not wait for other writers.
   void check_storage() const;
 
   /// The contents of `.quarantine/`, from this and earlier loads, with the reasons.
   std::vector<QuarantinedFile> quarantine() const;
 
-  /// Behaviour of save() for an existing name.
+  /// What save() does if the name exists.
   enum class Existing { kRefuse, kReplace };
 
-  /// Stores `model` durably: temporary file, fsync, rename, fsync of the folder. Replacing moves
-  /// the old revision to `.trash/`. Returns the model as stored, with its new revision. Throws
-  /// NameError for an existing name (kRefuse), std::invalid_argument for a model that breaks the
-  /// rules or does not fit into a file.
+  /// Stores `model` durably: temporary file, fsync, rename, fsync of the folder. If an object is
+  /// replaced, its old revision is moved to `.trash/`. Returns the model as stored, with its new
+  /// revision. Throws NameError for an existing name (kRefuse), std::invalid_argument for a model
+  /// that violates the rules or does not fit into a file.
   ObjectModel save(ObjectModel model, Existing existing);
 
-  /// Applies `change` to the stored object under the lock and stores the result; as the next
-  /// revision, with the old one in the trash, when it moves poses (views, references, scale,
-  /// height, declared symmetry, grasp). If `change` throws, the object stays unchanged.
-  /// Throws NameError when the name is unknown, std::invalid_argument like save().
+  /// Applies `change` to the stored object under the lock and stores the result. If the change
+  /// moves poses (views, references, scale, height, declared symmetry, grasp), the result is the
+  /// next revision, and the old one is moved to the trash. If `change` throws, the object stays
+  /// unchanged. Throws NameError if the name is unknown, std::invalid_argument like save().
   ObjectModel edit(const std::string& name, const std::function<void(ObjectModel&)>& change);
 
-  /// New key and/or label; an empty argument keeps the old one. Throws NameError when the name is
-  /// unknown or the new one invalid or taken.
+  /// Changes name, label or both; an empty argument keeps the old one. Throws NameError if the name
+  /// is unknown or the new one is invalid or taken.
   ObjectModel rename(const std::string& name, const std::string& new_name,
                      const std::string& label);
 
-  /// Moves the object to `.trash/`. Throws NameError when the name is unknown.
+  /// Moves the object to `.trash/`. Throws NameError if the name is unknown.
   void remove(const std::string& name);
 
   /// Restores a revision from the trash (0: the newest readable one) as the next revision of that
-  /// name; a replaced object goes to the trash. Throws NameError when there is none or the name is
-  /// not allowed.
+  /// name; an object that it replaces is moved to the trash. Throws NameError if there is no such
+  /// revision or the name is not allowed.
   ObjectModel restore(const std::string& name, std::uint32_t revision = 0);
 
  private:

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// One file with the complete input of a failed search: image, library, settings and place, so
-// that it can be repeated elsewhere. YAML with images and objects as base64; the first lines are
+// A file with the complete input of a failed search: image, library, settings and place, so that
+// the search can be repeated elsewhere. YAML with images and objects as base64; the first lines are
 // a readable summary.
 #pragma once
 
@@ -15,25 +15,25 @@
 
 namespace mbncc {
 
-/// Format written by this version; newer ones are refused with a message.
+/// Format that this version writes; newer ones are refused with a message.
 constexpr int kMissFileVersion = 1;
 
 struct SavedMiss {
   cv::Mat image;                   ///< CV_8UC3, at most 8 million pixels
-  cv::Point2d place;               ///< [px] the place in question
-  std::vector<std::string> names;  ///< names in question; empty: all enabled
+  cv::Point2d place;               ///< [px] the place to explain
+  std::vector<std::string> names;  ///< objects to explain; empty: all enabled
   SearchConfig search;
   std::vector<std::shared_ptr<const ObjectModel>> objects;
-  std::vector<std::string> lines;  ///< the explanation when it was saved
+  std::vector<std::string> lines;  ///< the explanation at the time of saving
 };
 
-/// Explains the place again with this version.
+/// Computes the explanation again with this version of the package.
 std::vector<Explanation> explain(const SavedMiss& miss);
 
 /// Lines of the `most` likeliest explanations.
 std::vector<std::string> lines_of(const std::vector<Explanation>& explanations, std::size_t most);
 
-/// Throws FileError, and std::invalid_argument if it does not fit into a file.
+/// Throws FileError, and std::invalid_argument if the miss does not fit into a file.
 void write_miss(const std::string& path, const SavedMiss& miss);
 
 /// Throws FileError.

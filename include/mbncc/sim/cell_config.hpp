@@ -10,7 +10,7 @@ namespace mbncc::sim {
 
 SceneConfig scene_config(const SimulatedCameraConfig& config);
 
-/// Times are converted to at least one image at `frame_rate`.
+/// Times are converted to numbers of images at `frame_rate`, at least one.
 CellScriptConfig script_config(const SimulatedCameraConfig& config);
 
 }  // namespace mbncc::sim

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The script of the simulated camera: an object lies on the platform, an arm takes it away and
-// later puts it down elsewhere, rotated. One step per image; the same seed gives the same script.
+// The script of the simulated camera: an object lies on the platform; an arm takes it away and
+// later puts it down at another place and angle. One step per image; the same seed gives the same
+// script.
 #pragma once
 
 #include <cstdint>
@@ -15,8 +16,8 @@ namespace mbncc::sim {
 
 struct CellScriptConfig {
   cv::Size size{640, 480};  ///< [px] of the image
-  std::uint64_t seed = 1;   ///< seed of places and neighbours
-  SceneObject object;       ///< the one that is moved
+  std::uint64_t seed = 1;   ///< seed of the places and neighbours
+  SceneObject object;       ///< the object that is moved
   int neighbours = 2;       ///< other objects that lie still
   bool auto_play = true;    ///< moves automatically; otherwise only on request
   int rest_frames = 50;     ///< images at rest between two motions, with auto_play
@@ -32,7 +33,7 @@ const char* to_string(CellPhase phase);
 struct CellFrame {
   std::vector<Placed> placed;   ///< neighbours, and the object unless it is out of the cell
   std::optional<Arm> arm;       ///< none: out of the image
-  std::optional<Pose2D> truth;  ///< where the object lies; none while it is carried or out
+  std::optional<Pose2D> truth;  ///< pose at which the object lies; none while it is carried or out
   CellPhase phase = CellPhase::kRest;
 };
 
@@ -40,7 +41,7 @@ struct CellFrame {
 /// auto_play the object is repeatedly taken away and put down elsewhere.
 class CellScript {
  public:
-  /// Throws std::invalid_argument when the objects do not fit into the image.
+  /// Throws std::invalid_argument if the objects do not fit into the image.
   explicit CellScript(CellScriptConfig config = {});
 
   /// Contents of the current image.
@@ -52,18 +53,18 @@ class CellScript {
   /// Begins to carry the object out. Returns false and does nothing unless it lies at rest.
   bool take_away();
 
-  /// Begins to put the object down at the next place, from outside or from its current place.
-  /// Returns false and does nothing unless the cell is at rest.
+  /// Begins to put the object down at the next place, starting from outside or from its current
+  /// place. Returns false and does nothing unless the cell is at rest.
   bool put_next();
 
   bool at_rest() const { return legs_.empty(); }
 
-  /// Current or next place of the object at rest; none: outside.
+  /// Current or next resting pose of the object; none if it is outside.
   const std::optional<Pose2D>& place() const { return place_; }
 
  private:
   /// A segment of the arm's path. The object lies on the platform, is held at an interpolated pose
-  /// relative to the grip, or is out.
+  /// relative to the grip, or is outside.
   struct Leg {
     CellPhase phase = CellPhase::kRest;
     cv::Point2d from, to;  // [px] grip
@@ -79,11 +80,11 @@ class CellScript {
 
   CellScriptConfig config_;
   cv::Point2d shoulder_;  // [px] the arm's base
-  cv::Point2d outside_;   // [px] waiting position of the grip
+  cv::Point2d outside_;   // [px] position where the grip waits
   std::vector<Placed> neighbours_;
   std::uint64_t places_drawn_ = 0;
   std::optional<Pose2D> place_;
-  std::vector<Leg> legs_;  // remaining segments, the first one in progress
+  std::vector<Leg> legs_;  // remaining segments; the first one is in progress
   int leg_frame_ = 0;
   int rest_frame_ = 0;
 };

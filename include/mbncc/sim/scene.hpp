@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A simulated cell with known truth, reproducible from a seed: a textured platform, textured
-// irregular objects at sub-pixel poses, light, noise and an arm. Used by demo, tests and
-// benchmarks; the same seed gives the same images.
+// irregular objects at sub-pixel poses, light, noise and an arm. Used by the demo, the tests and
+// the benchmarks; the same seed gives the same images.
 #pragma once
 
 #include <cstdint>
@@ -21,7 +21,7 @@ struct SceneObject {
   double elongation = 1.6;  ///< [1] approximate ratio of the longest to the shortest extent
 };
 
-/// An object lying at a pose: position of its outline's centroid, angle relative to its drawing.
+/// An object at a pose: position of its outline's centroid, and angle relative to its drawing.
 struct Placed {
   SceneObject object;
   Pose2D pose;
@@ -30,7 +30,7 @@ struct Placed {
 /// A tapered robot arm with a two-finger gripper, seen from above, that reaches into the image
 /// from outside.
 struct Arm {
-  Pose2D grip;          ///< point between the finger tips; theta: direction the arm reaches in
+  Pose2D grip;  ///< point between the finger tips; theta: direction in which the arm extends
   double opening = 60;  ///< [px] between the fingers
 };
 
@@ -52,8 +52,8 @@ class Scene {
 
   const SceneConfig& config() const { return config_; }
 
-  /// CV_8UC3 image of the platform with `placed` on it, later ones on top, and the arm above all.
-  /// `frame` seeds the noise.
+  /// CV_8UC3 image of the platform with `placed` on it, later ones on top, and the arm above
+  /// everything. `frame` seeds the noise.
   cv::Mat render(const std::vector<Placed>& placed, std::uint64_t frame = 0,
                  const std::optional<Arm>& arm = std::nullopt) const;
 
@@ -66,7 +66,7 @@ class Scene {
   SceneConfig config_;
   cv::Mat platform_;                   // CV_32FC3 [grey levels]
   cv::Mat light_;                      // CV_32FC3 [1]
-  std::shared_ptr<SceneCache> cache_;  // of drawings; the same for all copies
+  std::shared_ptr<SceneCache> cache_;  // cache of drawings, shared by all copies
 };
 
 }  // namespace mbncc::sim
