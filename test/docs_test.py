@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
 """Checks that the documents' references exist: linked files and headings, tests, launch files and their arguments,
-and that the messages of a lesson in docs/console.md stand in the sources.
+and that the messages of a lesson in docs/console.md occur in the sources.
 
 usage: docs_test.py SOURCE_DIR
 """
@@ -12,7 +12,7 @@ import xml.etree.ElementTree
 
 LINK = re.compile(r'\]\((?!https?:)([^)#\s]*)#?([^)\s]*)\)')
 HEADING = re.compile(r'^#+ (.*)$', re.MULTILINE)
-TEST = re.compile(r'`(?:All/)?([A-Z]\w*)?\.([A-Z]\w+|\*)`')  # also `.Case`, of the suite named before, and `Suite.*`
+TEST = re.compile(r'`(?:All/)?([A-Z]\w*)?\.([A-Z]\w+|\*)`')  # also `.Case` for the previously named suite, and `Suite.*`
 PYTHON_TEST = re.compile(r'`(test_\w+)`')
 DEFINED = re.compile(r'\b(?:TEST|TEST_F|TEST_P)\(\s*(\w+)\s*,\s*(\w+)\s*\)')
 LAUNCH = re.compile(r'\b(?:roslaunch (?:mbncc_vision )?)(\w+\.launch)((?:[ \t]+\w+:=[^\s`]+)*)')
@@ -32,7 +32,7 @@ def defined_python_tests(root):
 
 
 def anchors_of(text):
-    """Names that GitHub gives to headings."""
+    """Anchors that GitHub generates for headings."""
     return {re.sub(r'[^\w\- ]', '', heading).lower().replace(' ', '-') for heading in HEADING.findall(text)}
 
 
@@ -54,7 +54,7 @@ def test_faults(text, tests, python_tests):
 
 
 def arguments_of(root, launch):
-    """Names of a launch file's arguments, None where there is no such file."""
+    """Names of a launch file's arguments; None if there is no such file."""
     path = root / 'launch' / launch
     if not path.is_file():
         return None
@@ -72,7 +72,7 @@ def launch_faults(root, text):
 
 
 def literals_of(root):
-    """All sources with the parts of their string literals joined."""
+    """All sources with adjacent string literals joined."""
     sources = [path for folder in ('src', 'include') for path in sorted((root / folder).rglob('*.[ch]pp'))]
     return '\n'.join(re.sub(r'"\s*"', '', path.read_text()) for path in sources)
 

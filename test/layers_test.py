@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""Keeps the layers apart: a file includes only its own layer or lower ones, the core knows no ROS,
+"""Checks the layers: a file includes only its own layer or lower ones, the core does not use ROS,
 and its private code is in the namespace of its folder.
 
 usage: layers_test.py SOURCE_DIR LIBMBNCC
@@ -10,7 +10,7 @@ import re
 import subprocess
 import sys
 
-# Every folder of sources, and how high it stands: a file includes its own folder and lower ones.
+# All source folders with their levels: a file may include its own folder and lower ones.
 FOLDERS = {
     'base': 0,
     'numeric': 1, 'simd': 1,
@@ -35,13 +35,13 @@ FOLDERS = {
     'nodelets': 21, 'cli': 21, 'console': 21,
 }
 NODELETS = 21
-# Private code of a folder of the core is in mbncc::<last part of its name>, except in these.
+# The private code of a core folder is in mbncc::<last part of its name>, except in these folders.
 NAMESPACES = {'base': 'mbncc', 'matching': 'mbncc', 'miss': 'mbncc', 'simd': 'mbncc::kernels',
               'matching/template': 'mbncc::templates'}
-# A public header declares LibraryCache; clones.hpp only defines macros.
+# LibraryCache is declared in a public header; clones.hpp only defines macros.
 NAMESPACE_OF_FILE = {'library_cache.hpp': 'mbncc', 'library_cache.cpp': 'mbncc', 'clones.hpp': None}
 # Public headers lie in one folder per layer. Those without an implementation hold data: the layer's private folders
-# and all above may include them. The others stand as high as the folder that implements them.
+# and all above may include them. The others have the level of the folder that implements them.
 PUBLIC = {'matching': 3, 'learning': 13, 'cell': 19}
 CORE_LIBRARIES = ('opencv2/core', 'opencv2/imgproc', 'opencv2/ximgproc', 'Eigen/', 'png.h',
                   'yaml-cpp/')
@@ -55,7 +55,7 @@ ROS_LIBRARIES = ('libros', 'libtf', 'libnodelet', 'libcv_bridge', 'libimage_tran
 
 
 def folder_of(parts):
-    """The folder of FOLDERS that holds a file with these parts of a path, None for none."""
+    """The folder in FOLDERS that contains the file with these path components; None if there is none."""
     for length in (2, 1):
         name = '/'.join(parts[:length])
         if len(parts) > length and name in FOLDERS:
@@ -88,7 +88,7 @@ def first_own_header(path):
 
 
 class PublicHeaders:
-    """How high each header of include/ stands."""
+    """The level of each header in include/."""
 
     def __init__(self, root):
         self.implemented = {}

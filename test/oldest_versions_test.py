@@ -37,7 +37,7 @@ PATTERNS = {
                                    r'remove_cvref\w*|make_shared_for_overwrite|atomic_ref|assume_aligned)\b|'
                                    r'#\s*include\s*<(?:span|concepts|ranges|format|bit|numbers|source_location|compare|coroutine|latch|'
                                    r'barrier|semaphore|stop_token|syncstream|version)>'),
-        # Others, of a double, cannot be told from those of an int, which gcc 8 has.
+        # Other calls for a double cannot be distinguished from those for an int, which gcc 8 supports.
         ('floating-point charconv of libstdc++ 11', r'\bstd::chars_format\b|'
                                                     r'\bstd::(?:from|to)_chars(?:<\s*(?:float|double)|\([^;]*,\s*-?\d+\.\d*)'),
         ('C++20', r'\b(?:co_await|co_yield|consteval|constinit|char8_t)\b|\brequires\s+[A-Z(]|\btemplate\s*<\s*concept|'
@@ -58,7 +58,7 @@ PATTERNS = {
         ('types that are generic since Python 3.9', r'(?:->|:)\s*(?:list|dict|tuple|set)\['),
     ],
 }
-# A program that is only built where OpenCV has it.
+# A program that is only built if OpenCV provides SIFT.
 EXCEPTED = {'bench/matching/sift_engine.cpp', 'bench/matching/sift_engine.hpp', 'test/oldest_versions_test.py'}
 
 
@@ -87,7 +87,7 @@ def faults_of(kind, text):
 
 
 def check_itself():
-    """A pattern that finds nothing would pass for ever."""
+    """A pattern that matches nothing would always pass."""
     newer = {'C++': ['cv::SIFT::create()', 'cv::stackBlur(', 'YAML::DeepRecursion', 'Eigen::seq(', '<boost/json.hpp>', 'std::span<int>',
                      '#include <bit>', 'std::from_chars(a, b, value, std::chars_format::general)', 'std::to_chars(a, b, 0.5)',
                      'name.starts_with("a")', 'co_await x'],

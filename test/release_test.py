@@ -42,7 +42,7 @@ def main():
         assert each.maintainers and 'example.org' not in each.maintainers[0].email, each.maintainers
     unlicensed = [str(path.relative_to(root)) for path in source_files(root) if lacks_licence(path)]
     assert not unlicensed, 'without the line "%s" at the head: %s' % (LICENCE, unlicensed)
-    # As catkin_prepare_release renames it.
+    # The heading as catkin_prepare_release renames it.
     released = re.sub(r'^Forthcoming\n-+$', '9.9.9 (2026-01-01)\n------------------', (root / 'CHANGELOG.rst').read_text(),
                       flags=re.MULTILINE)
     changelog = Changelog('mbncc_vision')

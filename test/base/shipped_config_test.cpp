@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Every YAML file in config/ names every field of its struct with its default and its range, and
+// Every YAML file in config/ lists every field of its struct with its default and its range, and
 // nothing else.
 #include <gtest/gtest.h>
 #include <yaml-cpp/yaml.h>
@@ -24,7 +24,7 @@ std::string path_of(const std::string& file) {
   return std::string(MBNCC_CONFIG_FOLDER) + "/" + file;
 }
 
-// The comment on a key's line and on the lines below it.
+// The comment on the line of each key and on the lines below it.
 std::map<std::string, std::string> lines_by_key(const std::string& file) {
   std::ifstream stream(path_of(file));
   std::map<std::string, std::string> lines;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// From images to metres with the claimed covariance, in a simulated cell whose truth is known.
+// Poses in metres and their stated covariance, tested in a simulated cell with known truth.
 #include <gtest/gtest.h>
 
 #include <opencv2/imgproc.hpp>
@@ -19,7 +19,7 @@ constexpr double kDistance = 0.8, kHeight = 0.03;  // [m]
 const cv::Size kImage(440, 340);
 constexpr int kObjects = 16, kPoses = 4;
 
-/// A camera at the place of kCamera, from which the scene is drawn, and the platform below it.
+/// A camera at the position of kCamera, from which the scene is drawn, and the platform below it.
 struct Viewer {
   cv::Matx33d rotation = cv::Matx33d::eye();  // from the drawing's frame
   PinholeCamera camera = kCamera;
@@ -33,7 +33,7 @@ cv::Matx33d matrix_of(const PinholeCamera& camera) {
   return {camera.fx, 0, camera.cx, 0, camera.fy, camera.cy, 0, 0, 1};
 }
 
-/// What one viewer sees of another one's image.
+/// The image of `of` as the viewer `by` would see it.
 cv::Mat seen(const cv::Mat& image, const Viewer& by, const Viewer& of, int interpolation) {
   if (cv::norm(by.rotation - of.rotation) == 0) return image;
   cv::Mat result;
@@ -47,7 +47,7 @@ cv::Mat seen(const cv::Mat& image, const Viewer& by, const Viewer& of, int inter
 Viewer tilted(double degrees) {
   const double c = std::cos(degrees * kPi / 180), s = std::sin(degrees * kPi / 180);
   Viewer viewer{{1, 0, 0, 0, c, -s, 0, s, c}, {}};
-  // Moved so that the drawing stays in view.
+  // The principal point is moved so that the drawing stays in view.
   viewer.camera = {kCamera.fx, kCamera.fy, kCamera.cx, kCamera.cy + kCamera.fy * s / c};
   return viewer;
 }
@@ -60,7 +60,7 @@ sim::Scene scene_of(int object, double noise) {
   return sim::Scene(config);
 }
 
-/// A pose of the drawing where a viewer sees it.
+/// A pose of the drawing as a viewer sees it.
 Pose2D pose_in(const Viewer& viewer, const Pose2D& pose) {
   const auto seen_at = [&](cv::Point2d pixel) {
     const cv::Vec3d ray = viewer.rotation * rays_of(kCamera)(pixel);
@@ -72,12 +72,13 @@ Pose2D pose_in(const Viewer& viewer, const Pose2D& pose) {
   return {place.x, place.y, std::atan2(ahead.y, ahead.x)};
 }
 
-/// What is learned and searched: images of a camera, as another one at its place shows them.
+/// The images that are learned and searched: those of `camera`, resampled to the viewer `shown` at
+/// the same position.
 struct Views {
   Viewer camera, shown;
   ImageDistortion stated;
 
-  /// Sharp in the camera, interpolated like rectified images in the other.
+  /// Sharp for the camera, interpolated like a rectified image for the other viewer.
   cv::Mat of_drawing(const cv::Mat& drawing) const {
     return seen(seen(drawing, camera, {}, cv::INTER_LANCZOS4), shown, camera, cv::INTER_LINEAR);
   }
@@ -98,8 +99,8 @@ struct Views {
   }
 };
 
-/// Squared error of position and yaw on the platform, weighted by the stated covariance: 3 is
-/// honest.
+/// Squared error of position and yaw on the platform, weighted by the stated covariance; the
+/// expected value is 3.
 double squared_error(const PlatformPose& found, const PlatformPose& truth) {
   const cv::Matx33d turn = found.rotation * truth.rotation.t();
   const cv::Vec3d error(found.position[0] - truth.position[0],
@@ -111,7 +112,7 @@ double squared_error(const PlatformPose& found, const PlatformPose& truth) {
   return error.dot(covariance.inv() * error);
 }
 
-/// Error by stated deviation over poses of several objects, each a root mean square.
+/// Root mean square of the error divided by the stated deviation, over poses of several objects.
 double normalised_error(double noise, const Views& views = {}) {
   std::mt19937 random(7);
   std::uniform_real_distribution<double> x(90, 350), y(90, 250), theta(-kPi, kPi), size(50, 110);

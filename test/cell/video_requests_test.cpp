@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Watching while library and request change.
+// Watching while the library and the request change.
 #include <gtest/gtest.h>
 
 #include "cell/watched_scene.hpp"
@@ -38,7 +38,7 @@ TEST_F(VideoSearchTest, WhereALookAlikeIsForgottenTheOtherIsFoundAndGraspable) {
   const std::vector<std::shared_ptr<const ObjectModel>> both{learned(drawing(0), "one"),
                                                              learned(drawing(0), "other")};
   put(0, kLeft);
-  for (int kept = 0; kept < 2; ++kept) {  // the one that was shown, and the one that was not
+  for (int kept = 0; kept < 2; ++kept) {  // the object that was shown, and the other one
     matcher_.set_objects(both);
     video_.reset();
     ASSERT_FALSE(show_many(20).matches.at(0).graspable);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// An instance that the video search calls graspable is also graspable in a search of the whole
-// image: drawn sequences of look-alikes, with late and lost images and little effort for each.
+// An instance that the video search reports as graspable is also graspable in a search of the whole
+// image: simulated sequences of look-alikes, with late and lost images and a small search budget
+// per image.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -14,13 +15,13 @@ namespace mbncc {
 namespace {
 
 const cv::Size kSmall(208, 160);     // [px]
-constexpr int kImagesOfAStory = 60;  // shown to one VideoSearch
-constexpr double kNear = 4;          // [px] the whole search has it there, too
+constexpr int kImagesOfAStory = 60;  // number of images shown to one VideoSearch
+constexpr double kNear = 4;          // [px] distance at which both searches report the same place
 constexpr double kSize = 0.02;       // relative error of a match's scale
-// Variation of a margin by noise from image to image.
+// Variation of a margin between images that is caused by noise.
 constexpr double kNoise = 3;  // log-odds
 
-/// Of the environment.
+/// The number in an environment variable, or `otherwise`.
 int number(const char* name, int otherwise) {
   const char* text = std::getenv(name);
   return text ? std::atoi(text) : otherwise;
@@ -31,7 +32,7 @@ struct Kind {
   std::string name;
 };
 
-/// Two names of one object, one of them slightly smaller, and another object.
+/// Two names for one object, one of them drawn slightly smaller, and another object.
 std::vector<Kind> kinds_of(std::uint64_t seed) {
   const sim::SceneObject twin{seed, 44, 1.5};
   return {
@@ -63,8 +64,8 @@ class Story {
     for (int i = random_.uniform(1, 4); i > 0; --i) put();
   }
 
-  /// Shows the next image; true where the watch calls something graspable that the whole search
-  /// denies.
+  /// Shows the next image; true if the video search reports an instance as graspable and the whole
+  /// search contradicts it.
   bool step() {
     for (int unseen = random_.uniform(0, 10) == 0 ? random_.uniform(1, 6) : 1; unseen > 0; --unseen)
       happen();
@@ -161,7 +162,8 @@ class Story {
     matcher_.set_objects(objects);
   }
 
-  /// The whole search finds nothing of that name there, or something else about as likely.
+  /// The whole search finds nothing of that name at the place, or a competitor that is about as
+  /// likely.
   bool is_denied(const Match& match) const {
     for (const auto& other : whole_.matches)
       if (other.name == match.name &&
@@ -170,8 +172,9 @@ class Story {
     return true;
   }
 
-  /// The object, or one in the stated size, is there, no other in the library looks the same, and
-  /// the whole search has missed it: it was verified on the same pixels before.
+  /// The object, drawn in the reported size, is at the place, no other object in the library looks
+  /// the same, and the whole search has missed it: the match was verified on the same pixels
+  /// before.
   bool is_overlooked(const Match& match) const {
     const auto objects = matcher_.objects();
     const auto drawn_as = [&](const std::string& name) {
@@ -211,7 +214,8 @@ class Story {
   SearchResult result_, whole_;
 };
 
-/// Shows `images` of stories from `first` on. Returns how many instances were graspable.
+/// Shows `images` images of stories, starting with story `first`. Returns the number of graspable
+/// instances.
 int show(int first, int images) {
   int graspable = 0;
   for (int shown = 0, story = first; shown < images; ++story) {
@@ -231,7 +235,7 @@ TEST(WatchedRivals, NothingIsGraspableThatAWholeSearchDenies) {
   EXPECT_GT(graspable, 0);
 }
 
-/// A sequence in which a look-alike was once passed over.
+/// A sequence in which an earlier version missed a look-alike.
 struct Sequence {
   const char* name;
   int story;
@@ -246,15 +250,15 @@ TEST_P(WatchedSequence, TheLookAlikeCompetes) {
 INSTANTIATE_TEST_SUITE_P(
     ALookAlike, WatchedSequence,
     testing::Values(
-        // A search of its region proposes the twin nowhere near.
+        // A search of its region does not propose the twin anywhere near it.
         Sequence{"that_a_search_passes_over", 313},
-        // Three lie on top of each other: the look-alike is found at one of them only.
+        // Three objects lie on top of each other; the look-alike is found at only one of them.
         Sequence{"found_at_a_neighbour", 1073},
         // An instance replaces its look-alike, which was found in darker images.
         Sequence{"of_an_earlier_image", 2881},
-        // Only the look-alike was searched everywhere since more places resemble both.
+        // Only the look-alike has been searched in the whole image since more places resemble both.
         Sequence{"with_more_clutter", 1621},
-        // The refinement of one name only reaches the size in which the object appears.
+        // Only the refinement of one name reaches the size in which the object appears.
         Sequence{"in_another_size", 20871}),
     [](const auto& one) { return std::string(one.param.name); });
 

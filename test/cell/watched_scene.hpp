@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A drawn scene that a VideoSearch watches, for its tests.
+// A simulated scene that a VideoSearch watches, for its tests.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -35,7 +35,7 @@ inline sim::SceneConfig scene_config() {
   return config;
 }
 
-/// Three taught objects of which some lie in the image.
+/// Three taught objects, some of which lie in the image.
 class VideoSearchTest : public ::testing::Test {
  protected:
   VideoSearchTest() {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The completion is sourced by a real bash without any start-up files.
+// The completion script is sourced by a real bash without start-up files.
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -9,7 +9,7 @@
 namespace mbncc::test {
 namespace {
 
-/// Completions of bash for the last of `words`.
+/// Completions that bash offers for the last word of `words`.
 std::string completed(const TemporaryFolder& folder, const std::string& words) {
   const std::string script = folder / "ask.sh", out = folder / "offered";
   std::ofstream(script) << "source <(" << MBNCC_TOOL << " completion bash)\nCOMP_WORDS=(" << words
@@ -35,7 +35,7 @@ TEST(Completion, OffersCommandsOptionsChoicesNamesAndFiles) {
       completed(folder, "mbncc find --library '" + std::string(folder / "library") + "' --name ''"),
       " wrench \n");
   EXPECT_EQ(completed(folder, "mbncc show --name n"), " nut \n");
-  // bash gives the equals sign as a word of its own, zsh does not.
+  // bash passes the equals sign as a separate word, zsh does not.
   const std::string library = folder / "library";
   EXPECT_EQ(completed(folder, "mbncc show --library = '" + library + "' --name w"), " wrench \n");
   EXPECT_EQ(completed(folder, "mbncc show '--library=" + library + "' --name w"), " wrench \n");

@@ -37,7 +37,7 @@ TEST_F(ExplainCommand, NamesTheThresholdThatFailedAndIsRunAgain) {
   EXPECT_TRUE(run.prints("below min_score 1.00")) << run.out;
   EXPECT_TRUE(run.says("wrote " + miss));
   EXPECT_FALSE(cv::imread(folder_ / "why.png").empty());
-  // The library may be gone by then.
+  // The library may no longer exist when the miss is replayed.
   std::filesystem::remove_all(folder_.library());
   const ToolRun again = run_tool({"replay", miss});
   EXPECT_EQ(again.code, 0) << again.err;

@@ -172,7 +172,8 @@ TEST_F(FindCommand, AnyImageSizeIsSearched) {
   EXPECT_TRUE(run.prints("part_of_it.png,part,0,")) << run.out;
 }
 
-// A JPEG that says it should be shown turned by a quarter: coordinates stay the sensor's.
+// A JPEG whose orientation says that it should be shown rotated by 90 degrees: coordinates remain
+// those of the sensor.
 TEST_F(FindCommand, AnExifOrientationIsToldAndNotApplied) {
   folder_.write("turned.jpg", cv::imread(folder_ / "target.png"));
   std::string bytes = content_of_file(folder_ / "turned.jpg");

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// `mbncc learn --overwrite` killed at random moments: the old object or the new one, never less.
+// `mbncc learn --overwrite` is killed at random moments: either the old object or the new one
+// remains.
 #include <gtest/gtest.h>
 
 #include <chrono>
@@ -16,7 +17,7 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-// The delay before each kill is the point of this test, not a way to wait for something.
+// The delay before each kill is what this test varies; it does not wait for anything.
 TEST(KilledLearn, LeavesTheOldObjectOrTheNewOne) {
   const int kills = kills_wanted(30);
   const LessonFolder folder;
@@ -27,7 +28,7 @@ TEST(KilledLearn, LeavesTheOldObjectOrTheNewOne) {
   const std::chrono::duration<double> whole = Clock::now() - start;
 
   std::mt19937 random(17);
-  // Half of the kills fall anywhere, half near the end, where the file is written.
+  // Half of the kills happen at any time, half near the end, when the file is written.
   std::uniform_real_distribution<double> anywhere(0, 1), near_end(0.7, 1);
   ObjectLibrary library(folder.library());
   std::uint32_t revision = 1;

@@ -43,7 +43,7 @@ TEST(LearnCommand, APhotographIsNoMap) {
     EXPECT_EQ(run.code, 1);
     EXPECT_TRUE(run.says("a photograph, not a map")) << run.err;
   }
-  // Smoothed edges and the noise of JPEG are borne.
+  // Smoothed edges and JPEG noise are tolerated.
   cv::Mat map = cv::imread(folder / "map.png", cv::IMREAD_GRAYSCALE);
   cv::GaussianBlur(map, map, {}, 1.5);
   folder.write("map.jpg", map);

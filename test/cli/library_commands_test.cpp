@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// map, list, show, forget, restore, check, params.
+// Tests of the commands map, list, show, forget, restore, check and params.
 #include <gtest/gtest.h>
 #include <yaml-cpp/yaml.h>
 

@@ -1,6 +1,6 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""A library that rsync copies to another cell can be read there at any time: never half an object, nothing quarantined.
+"""A library that rsync copies to another cell can be read there at any time: no partial object, nothing quarantined.
 
 usage: rsync_test.py PATH/TO/mbncc
 """

@@ -10,7 +10,7 @@
 namespace mbncc::test {
 namespace {
 
-// The guide's first example, as a newcomer types it.
+// The first example of the guide, as a new user would type it.
 TEST(SimulateCommand, DrawsImagesThatTeachAndAreFound) {
   TemporaryFolder folder;
   const std::string images = folder / "images/", library = folder / "library";

@@ -39,7 +39,7 @@ inline std::vector<std::string> split(const std::string& text, char separator) {
   return parts;
 }
 
-/// Starts the tool with its output going to the files; the caller waits for it.
+/// Starts the tool with its output redirected to the files; the caller waits for it.
 inline pid_t start_tool(const std::vector<std::string>& words, const std::string& out,
                         const std::string& err) {
   const pid_t child = ::fork();
@@ -94,7 +94,7 @@ class LessonFolder : public TemporaryFolder {
     return drawn;
   }
 
-  /// Words of a lesson by map; more can be appended.
+  /// Arguments of a lesson by map; more can be appended.
   std::vector<std::string> lesson(const std::string& name) const {
     return {"learn",    "--library",          library(), "--name",         name,
             "--before", *this / "before.png", "--map",   *this / "map.png"};

@@ -93,7 +93,7 @@ TEST(Usage, EveryCommandExplainsItself) {
     EXPECT_TRUE(one.prints("--config FILE.yaml"));
     EXPECT_TRUE(one.prints("--set key=value"));
   }
-  // Columns are as wide as the longest name.
+  // The column is as wide as the longest name.
   EXPECT_TRUE(all.prints("\n  completion  print a script")) << all.out;
   EXPECT_TRUE(all.prints("\n  learn       learn an object")) << all.out;
   EXPECT_EQ(run_tool({"help", "learn"}).out, run_tool({"learn", "--help"}).out);
@@ -111,7 +111,7 @@ TEST(Usage, TheNodeletsOwnFilesAreTaken) {
 
 TEST(Usage, AParameterOfSeveralPartsNeedsOneThatTakesIt) {
   EXPECT_EQ(run_tool({"params", "--set", "width=1"}).code,
-            0);  // the camera's, not the simulated one's
+            0);  // the parameter of the camera nodelet, not of the simulated camera
   EXPECT_EQ(run_tool({"params", "--set", "width=-1"}).code, 2);
   EXPECT_EQ(run_tool({"simulate", "--out", "/nowhere", "--set", "width=1"}).code, 2);
 }

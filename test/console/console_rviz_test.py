@@ -1,6 +1,6 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""RViz never gets a file of the package, into which it would offer to save.
+"""RViz never gets a file of the package, because it would offer to overwrite it.
 
 usage: console_rviz_test.py PATH/TO/console_rviz
 """
@@ -31,7 +31,7 @@ class ConsoleRVizTest(unittest.TestCase):
         stand_in.chmod(0o755)
 
     def start(self, *arguments):
-        """What RViz is called with."""
+        """The arguments with which RViz is called."""
         env = dict(os.environ, ROS_HOME=str(self.folder), PATH=str(self.folder / "bin") + ":" + os.environ["PATH"])
         return subprocess.run([SCRIPT] + [str(a) for a in arguments], env=env, stdout=subprocess.PIPE, text=True,
                               check=True).stdout.split()

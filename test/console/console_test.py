@@ -14,11 +14,11 @@ from console_operator import Teacher  # noqa: E402
 from console_session import PATIENCE, Session, wait_for  # noqa: E402
 
 CAMERA = {"width": 400, "height": 300, "object_diameter": 70.0, "neighbours": 1, "leg_time": 0.5}
-PLACE = 5  # [px] learned and true reference point may be apart
+PLACE = 5  # [px] largest distance between the learned and the true reference point
 
 
 class ConsoleTest(unittest.TestCase):
-    """One session for all: starting RViz takes longer than teaching."""
+    """All tests share one session, because starting RViz takes longer than teaching."""
 
     @classmethod
     def setUpClass(cls):
@@ -45,13 +45,13 @@ class ConsoleTest(unittest.TestCase):
         self.teach("bracket")
         result = self.teacher.press("Accept")
         self.assertEqual(result.error_code, LearnObjectResult.SUCCESS, result.message)
-        # The name was written as well.
+        # The fourth action was typing the name.
         self.assertEqual(self.teacher.mouse.actions, 4)
         self.teacher.order("put_next", lies=True)
         self.teacher.found.wait(self.is_at_its_true_place, "the object is found")
 
     def is_at_its_true_place(self, detections):
-        # Whether it is also confirmed depends on the machine's load: old images confirm nothing.
+        # Whether it is also confirmed depends on the load of the machine, because old images confirm nothing.
         true = self.teacher.truth.get().objects
         return bool(true) and any(
             o.name == "bracket" and math.hypot(o.image_pose.x - true[0].image_pose.x,
@@ -167,7 +167,7 @@ class ConsoleTest(unittest.TestCase):
     def test_6_goes_on_when_the_nodelets_were_away(self):
         subprocess.run(["rosnode", "kill", "/mbncc_manager"], stdout=subprocess.DEVNULL, check=True)
         silent = self.teacher.feedback.count()
-        # roslaunch restarts them; the button is enabled again once the console is informed.
+        # roslaunch restarts the nodelets; the button is enabled once the console has heard from them.
         self.teacher.mouse.click_until("Teach", lambda: self.teacher.feedback.count() > silent,
                                        "a lesson begins", patience=2 * PATIENCE)
         self.assertIsNone(self.session.console.poll())

@@ -1,6 +1,6 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""A whole lesson by the keyboard alone: name, Teach, a stroke, Accept, Replace, Add view and the next view.
+"""A whole lesson with the keyboard only: name, Teach, a stroke, Accept, Replace, Add view and the next view.
 
 usage: keyboard_test.py SCRIPTS_FOLDER PLUGIN_FOLDER
 """

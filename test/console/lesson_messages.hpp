@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Messages of the learning nodelet in a lesson, and a console during one.
+// Messages of the learning nodelet during a lesson, and a console that receives them.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -71,7 +71,7 @@ inline LessonModel::Word word(std::uint8_t command) {
   return word;
 }
 
-/// A correction is on its way.
+/// Sends a correction that is not yet answered.
 inline void decide(LessonModel& lesson) {
   lesson.want(word(LessonModel::Word::EDIT));
   ASSERT_TRUE(lesson.next_word());

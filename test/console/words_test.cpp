@@ -10,7 +10,7 @@
 namespace mbncc::console {
 namespace {
 
-// Relative luminance of "#rrggbb" by WCAG 2.
+// Relative luminance of "#rrggbb" as defined by WCAG 2.
 double luminance(const std::string& colour) {
   const double weights[] = {0.2126, 0.7152, 0.0722};
   double sum = 0;

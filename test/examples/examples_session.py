@@ -19,7 +19,7 @@ from mbncc_vision.msg import DetectedObjectArray, LearnObjectAction, LearnObject
 
 PLACES = 3
 TOLERANCE = 1e-4  # [m]
-DEADLINE = 60  # [s] generous; nothing waits for it when all is well
+DEADLINE = 60  # [s] generous; not reached unless a test fails
 HEIGHT = 0.02  # [m]
 GRASPING = ("controller_in_cpp/target", "controller_in_python/target")
 POSING = ("vision_consumer/target", "collision_object")
@@ -35,14 +35,14 @@ def compose(outer, inner):
 
 
 def relative(base, pose):
-    """`pose` as seen from `base`."""
+    """`pose` relative to `base`."""
     c, s = math.cos(base[2]), math.sin(base[2])
     x, y = pose[0] - base[0], pose[1] - base[1]
     return (c * x + s * y, -s * x + c * y, pose[2] - base[2])
 
 
 class Session:
-    """Keeps the newest message of each topic."""
+    """Stores the newest message of each topic."""
 
     def __init__(self):
         self.changed = threading.Condition()
@@ -72,7 +72,7 @@ class Session:
         return self.wait(rests, "the object at rest")["camera/truth"]
 
     def order(self, name):
-        """Calls a service of the arm until it obeys; returns the stamp of an image after that."""
+        """Calls a service of the arm until the arm accepts; returns the stamp of a later image."""
         rospy.wait_for_service("camera/" + name, DEADLINE)
         call = rospy.ServiceProxy("camera/" + name, Trigger)
         self.wait(lambda newest: call().success, name)
@@ -103,9 +103,9 @@ def main():
     rospy.init_node("examples_session")
     session = Session()
     shown, known = session.teach()
-    # Object frame and gripper as they lay in the frame of the truth, which is not that of the lesson.
+    # Object frame and gripper relative to the frame of the truth, which is not that of the lesson.
     gripper = relative(shown, (0.01, 0.02, 0))
-    reference = relative(gripper_of(known), (0, 0, 0))  # the object frame as seen from the gripper
+    reference = relative(gripper_of(known), (0, 0, 0))  # the object frame relative to the gripper
     worst = {}
     printer = Printer()
     for _ in range(PLACES):
@@ -139,7 +139,7 @@ class Printer:
         atexit.register(self.stop)  # also if a check fails
 
     def check(self, stamp, pose, depth):
-        """Returns the error of the position, [m], in the first line about an image after `stamp`."""
+        """Returns the position error [m] in the first line about an image after `stamp`."""
         for line in self._program.stdout:
             if "yaw" not in line:  # rospy's log
                 continue
@@ -162,7 +162,7 @@ def check_body(obstacle):
     assert obstacle.operation == CollisionObject.ADD
     mesh = obstacle.meshes[0]
     assert {round(vertex.z, 6) for vertex in mesh.vertices} == {0, HEIGHT}
-    edges = {}  # a closed body: each edge is passed once each way
+    edges = {}  # in a closed mesh, each edge occurs once in each direction
     for triangle in mesh.triangles:
         a, b, c = triangle.vertex_indices
         for edge in ((a, b), (b, c), (c, a)):

@@ -1,6 +1,6 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""A package of its own is built against the install space, and its programs find the simulated cell's object.
+"""A separate package is built against the install space, and its programs find the simulated cell's object.
 
 usage: examples_test.py CMAKE SOURCE_FOLDER BUILD_FOLDER STAND_INS
 

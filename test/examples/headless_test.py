@@ -1,6 +1,6 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""A robot without a screen needs neither Qt nor RViz: package.xml leaves them out, and nothing else asks for them.
+"""A robot without a screen needs neither Qt nor RViz: package.xml leaves them out, and nothing else requires them.
 
 usage: headless_test.py CMAKE SOURCE_FOLDER
 """

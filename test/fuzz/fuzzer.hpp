@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// One entry per fuzz target, as libFuzzer wants it; replay.cpp calls it with the corpus.
+// One entry point per fuzz target, as libFuzzer expects it; replay.cpp calls it with the corpus.
 #pragma once
 
 #include <cstddef>
@@ -10,8 +10,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
 
 namespace mbncc::fuzz {
 
-/// Proves that a fuzzer gets as far as here and that its build notices: writes beyond an array when
-/// built with MBNCC_PLANTED_BUG.
+/// Shows that a fuzzer reaches this point and that its build detects errors: writes beyond an array
+/// when built with MBNCC_PLANTED_BUG.
 inline void planted_bug([[maybe_unused]] std::size_t index) {
 #ifdef MBNCC_PLANTED_BUG
   auto* bytes = new char[4];
@@ -20,7 +20,7 @@ inline void planted_bug([[maybe_unused]] std::size_t index) {
 #endif
 }
 
-/// Takes pieces from the front of the fuzzer's bytes; zeros when they are used up.
+/// Takes values from the front of the fuzzer's bytes; returns zeros when they are used up.
 class Pieces {
  public:
   Pieces(const std::uint8_t* data, std::size_t size) : data_(data), left_(size) {}

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// An image message as a peer may send it: any bytes, or fields that nearly fit each other. It is
-// refused with a sentence, or its image has the size that it names.
+// An image message as a peer may send it: arbitrary bytes, or fields that are nearly consistent. It
+// must be refused with an error message, or decoded to an image of the stated size.
 #include <ros/serialization.h>
 
 #include <cstdlib>
@@ -18,11 +18,11 @@ constexpr const char* kEncodings[] = {"mono8",       "8UC1",        "mono16",   
                                       "bayer_rggb8", "bayer_bggr8", "bayer_gbrg8", "bayer_grbg8",
                                       "yuv422",      "yuv422_yuy2", "32FC1",       ""};
 
-// roscpp takes the memory that a length claims before it notices that the message is shorter: up to
-// 4 GB. That is its fault, not ours to find.
+// roscpp allocates the memory that a length claims before it notices that the message is shorter:
+// up to 4 GB. This is a fault of roscpp, so such messages are left out.
 bool lengths_fit(const std::string& bytes) {
   std::size_t at = 12;                        // sequence number and stamp
-  for (const std::size_t then : {8, 5, 0}) {  // behind frame_id, encoding and data
+  for (const std::size_t then : {8, 5, 0}) {  // after frame_id, encoding and data
     std::uint32_t length = 0;
     if (at + sizeof length > bytes.size()) return false;
     std::memcpy(&length, bytes.data() + at, sizeof length);
@@ -33,7 +33,7 @@ bool lengths_fit(const std::string& bytes) {
   return true;
 }
 
-// As roscpp reads it from the wire.
+// Deserialises the message as roscpp does.
 sensor_msgs::Image image_from_bytes(const std::string& bytes) {
   sensor_msgs::Image message;
   std::string copy = bytes;
@@ -43,7 +43,7 @@ sensor_msgs::Image image_from_bytes(const std::string& bytes) {
   return message;
 }
 
-// Mostly a few pixels, sometimes anything.
+// Usually a few pixels, sometimes any number.
 std::uint32_t length_from(fuzz::Pieces& pieces) {
   const std::uint8_t kind = pieces.byte();
   if (kind < 240) return kind % 40;
@@ -61,7 +61,7 @@ sensor_msgs::Image image_from_fields(fuzz::Pieces& pieces) {
   message.height = length_from(pieces);
   message.step = length_from(pieces) * (1 + pieces.byte() % 4);
   message.is_bigendian = pieces.byte();
-  // Data of the length that the fields ask for, now and then a little more or less.
+  // The length that the fields imply, sometimes a little more or less.
   const std::uint8_t error = pieces.byte();
   const std::uint64_t wanted = std::uint64_t{message.step} * message.height;
   const std::uint64_t length = wanted + (error > 250 ? error - 250 : 0) - (error == 250 ? 1 : 0);
@@ -94,7 +94,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   try {
     decode(image_from_bytes(bytes));
   } catch (const ros::serialization::StreamOverrunException&) {
-    // roscpp drops such a message.
+    // roscpp drops such a message
   }
   return 0;
 }

@@ -12,7 +12,7 @@ namespace {
 
 template <class Number>
 Number number_from(fuzz::Pieces& pieces) {
-  // Mostly near the image, sometimes anything.
+  // Usually near the image, sometimes anywhere.
   const int kind = pieces.byte();
   if (kind < 200) return static_cast<Number>(kind - 20);
   Number number = 0;

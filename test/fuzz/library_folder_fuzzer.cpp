@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Library folders: files of any name and content, links and folders among them. Loading must not
-// fail, loaded objects can be stored again, and no file outside the folder is changed.
+// Library folders with files of any name and content, including links and folders. Loading must not
+// fail, it must be possible to store the loaded objects again, and no file outside the folder may
+// change.
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -18,7 +19,7 @@ using namespace mbncc;
 
 namespace {
 
-// A sound object under a chosen name.
+// A valid object under the given name.
 std::vector<std::uint8_t> sound_object(std::uint32_t revision) {
   View view;
   view.template_image = cv::Mat::zeros(6, 5, CV_8UC3);
@@ -69,7 +70,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     if (object->revision > 8) fuzz::planted_bug(snapshot->objects.size());
     try {
       library.save(*object, ObjectLibrary::Existing::kReplace);
-    } catch (const FileError&) {  // its name is taken by a folder
+    } catch (const FileError&) {  // a folder has the object's name
     }
   }
   std::size_t outside = 0;

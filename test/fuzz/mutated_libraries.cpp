@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Mutated libraries through `mbncc check`, `mbncc find` and the live matcher, each in a separate
-// process with bounded memory: no crash, accepted objects are searched, deleted or disabled ones
-// are not. usage: mutated_libraries COUNT [FIRST]
+// Runs mutated libraries through `mbncc check`, `mbncc find` and the live matcher, each in a
+// separate process with bounded memory: nothing crashes, accepted objects are searched, deleted or
+// disabled ones are not. usage: mutated_libraries COUNT [FIRST]
 #include <malloc.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
@@ -31,11 +31,11 @@ using namespace mbncc;
 
 namespace {
 
-constexpr rlim_t kMostMemory = rlim_t{512} << 20;  // [bytes] that one library may take in all
-constexpr unsigned kPatience = 120;                // [s] of processor time that it may take
+constexpr rlim_t kMostMemory = rlim_t{512} << 20;  // [bytes] limit per library
+constexpr unsigned kPatience = 120;                // [s] of processor time per library
 using Names = std::vector<std::string>;
 
-/// Result for one library; the counts are summed over all.
+/// Result for one library; the counts are summed over all libraries.
 struct Outcome {
   std::array<int, 5> counts{};
   std::string fault;  // "": none
@@ -57,8 +57,8 @@ bool holds(const Names& names, const std::string& name) {
   return std::find(names.begin(), names.end(), name) != names.end();
 }
 
-/// Runs a command of the tool and returns what it prints. The check may refuse, because a
-/// quarantine that is not a folder cannot be listed.
+/// Runs a command of the tool and returns its output. `mbncc check` may fail, because a quarantine
+/// that is not a folder cannot be listed.
 std::string printed_by(const cli::Command& command, const Names& words) {
   std::ostringstream out, err;
   auto* const out_before = std::cout.rdbuf(out.rdbuf());
@@ -80,7 +80,7 @@ std::string printed_by(const cli::Command& command, const Names& words) {
   return out.str();
 }
 
-/// Every enabled object of the library is searched for, whatever image it was learned in.
+/// Every enabled object of the library must be searched, regardless of the image it was learned in.
 void check_find(const LibrarySnapshot& library, const std::string& folder, const std::string& image,
                 const Names& settings) {
   Names words{"--library", folder, "--json", image};
@@ -94,7 +94,8 @@ void check_find(const LibrarySnapshot& library, const std::string& folder, const
            (skipped.empty() ? "no reason" : skipped.front()));
 }
 
-/// Searched and found names: of a single image, or of the next two of a video.
+/// Names of the objects that were searched and found, in a single image or in the next two of a
+/// video.
 struct Looks {
   Names searched, found;
 
@@ -140,8 +141,8 @@ void check_searched(const LibrarySnapshot& library, const Looks& looks, cv::Size
   }
 }
 
-/// Deletes or disables the sound object under a running matcher, as others do: by the library, and
-/// where that is refused, by the file.
+/// Deletes or disables the valid object while a matcher is running, as another process would:
+/// through the library, or by deleting the file if the library refuses.
 void take_away(const std::string& folder, bool disable) {
   try {
     ObjectLibrary library(folder);
@@ -165,11 +166,11 @@ void check_live(const LibrarySnapshot& library, const std::string& folder, const
   if (!holds(before.found, fuzz::kSound)) fail("the sound object is not found");
   if (seed % 16 == 0) matcher.score_map(image);
   take_away(folder, seed % 2 == 0);
-  // A mutant more, too, that was not there when the search began.
+  // Also adds a mutant that did not exist when the search began.
   fuzz::make_mutants(folder, seed + 1);
   try {
     matcher.refresh(false);
-  } catch (const FileError&) {  // then nothing at all may be found
+  } catch (const FileError&) {  // then nothing may be found at all
     if (matcher.fault().empty()) fail("the library cannot be read, and no fault is told");
   }
   const Looks after = watcher.look();
@@ -186,7 +187,7 @@ void bound_memory_and_time() {
   const rlimit memory{most, most}, time{kPatience, kPatience};
   ::setrlimit(RLIMIT_AS, &memory);
   ::setrlimit(RLIMIT_CPU, &time);
-  ::alarm(10 * kPatience);  // where it waits for ever
+  ::alarm(10 * kPatience);  // ends a process that waits forever
 }
 
 Outcome outcome_of(const std::string& folder, const std::string& image_path, unsigned seed) {
@@ -201,7 +202,7 @@ Outcome outcome_of(const std::string& folder, const std::string& image_path, uns
     outcome.refused() = static_cast<int>(snapshot->quarantined.size());
     try {
       outcome.refused() += static_cast<int>(library.quarantine().size());
-    } catch (const FileError&) {  // the quarantine is no folder
+    } catch (const FileError&) {  // the quarantine is not a folder
     }
     if (snapshot->find(fuzz::kSound) == nullptr) fail("the sound object is lost");
     check_find(*snapshot, folder, image_path,
@@ -213,7 +214,7 @@ Outcome outcome_of(const std::string& folder, const std::string& image_path, uns
   return outcome;
 }
 
-/// In a child, which leaves its outcome in a pipe: counts, then the fault.
+/// Runs in a child process, which writes its outcome to a pipe: the counts, then the fault.
 Outcome run(const std::string& image_path, unsigned seed) {
   const test::TemporaryFolder folder;
   int ends[2];
@@ -250,7 +251,7 @@ Outcome run(const std::string& image_path, unsigned seed) {
   return outcome;
 }
 
-/// The sound object on plain ground.
+/// The valid object on a plain background.
 cv::Mat image_of_sound(const std::string& folder) {
   fuzz::make_mutated_library(folder, 0);
   const auto sound = ObjectLibrary(folder).load()->find(fuzz::kSound);
@@ -268,7 +269,7 @@ int main(int argc, char** argv) {
     return 2;
   }
   const int count = std::atoi(argv[1]), first = argc > 2 ? std::atoi(argv[2]) : 1;
-  // Threads' heaps reserve address space that nobody uses.
+  // The heaps of threads reserve address space without using it.
   ::mallopt(M_ARENA_MAX, 1);
   cv::setNumThreads(1);
   const test::TemporaryFolder sound;

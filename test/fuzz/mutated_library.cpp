@@ -94,7 +94,7 @@ class Mutator {
     return bytes;
   }
 
-  /// Of a file that may pass for an object's, or for one in the trash.
+  /// Name of a file that may be taken for an object's file, or for one in the trash.
   std::string name() {
     static const std::vector<std::string> names{"mutant.png",
                                                 "victim.1.png",
@@ -188,7 +188,7 @@ class Mutator {
     return joined(lines);
   }
 
-  /// A line `key: value`, or a number of a list, gets another value.
+  /// Replaces the value in a line `key: value`, or a number in a list.
   std::string with_value(const std::string& text) {
     static const std::vector<std::string> values{
         "0",     "-1",   "1",      "2",     "15",           "16384",        "16385",        "65500",
@@ -212,7 +212,8 @@ class Mutator {
   std::mt19937 random_;
 };
 
-/// Views stacked, map in alpha: as encode_object() draws them, whatever the description says.
+/// Stacked views with the map in alpha, drawn like encode_object() does whatever the description
+/// says.
 cv::Mat drawn(const ObjectModel& model, std::vector<cv::Rect>& rectangles) {
   cv::Size canvas;
   for (const auto& view : model.views) {
@@ -241,7 +242,7 @@ Bytes object_bytes(Mutator& mutator) {
   Bytes bytes;
   try {
     bytes = library::encode_png(rgba, "mbncc", text);
-  } catch (const std::invalid_argument&) {  // text that no PNG takes
+  } catch (const std::invalid_argument&) {  // text that PNG cannot contain
     bytes = {text.begin(), text.end()};
   }
   return kind == 8 ? mutator.bytes(bytes) : bytes;
@@ -265,7 +266,7 @@ void add_mutant(const std::string& folder, Mutator& mutator, int number) {
     write(path, object_bytes(mutator));
 }
 
-/// Folders and files of the library's own, in a state that no library leaves.
+/// Puts the library's own folders and files into a state in which no library leaves them.
 void disturb(const std::string& folder, Mutator& mutator) {
   constexpr const char* kInner[] = {".trash", ".quarantine", ".lock"};
   const std::string inner = folder + "/" + mutator.one_of(kInner);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Object files: any bytes, or any description in a sound PNG, which no blind change of bytes would
-// get past the checksums.
+// Object files: arbitrary bytes, or an arbitrary description in a valid PNG, because randomly
+// changed bytes would fail the checksums.
 #include <vector>
 
 #include "fuzz/fuzzer.hpp"
@@ -27,9 +27,9 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   try {
     const ObjectModel model = decode_object(file_from(pieces), "/library/object.png");
     if (model.revision > 1) fuzz::planted_bug(model.views.size());
-    encode_object(model);  // what is read can be written
+    encode_object(model);  // a model that was read can be written
   } catch (const FileError&) {
-  } catch (const std::invalid_argument&) {  // text that no PNG takes
+  } catch (const std::invalid_argument&) {  // text that PNG cannot contain
   }
   return 0;
 }

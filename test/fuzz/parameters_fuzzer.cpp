@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// YAML files of parameters: whatever they say, a value is either refused or allowed.
+// YAML files of parameters with any content: every value is either refused or allowed.
 #include <fstream>
 
 #include "fuzz/fuzzer.hpp"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Objects of any map, learned and looked for anywhere in small images: whatever a library's file
-// may hold is searched for.
+// Learns objects with any map and searches them anywhere in small images: every map that a library
+// file can contain must be searchable.
 #include "fuzz/fuzzer.hpp"
 #include "support/searched_map.hpp"
 
@@ -9,12 +9,12 @@ using namespace mbncc;
 namespace {
 
 int side_from(fuzz::Pieces& pieces) {
-  // Mostly small, sometimes as long as images are.
+  // Usually small, sometimes as long as the largest image.
   const int low = pieces.byte(), high = pieces.byte();
   return high < 200 ? 1 + low % 48 : 1 + (low | (high - 200) << 8);
 }
 
-// A map drawn by the fuzzer, or one of those drawn here.
+// A map drawn by the fuzzer, or one of the predefined shapes.
 cv::Mat map_from(fuzz::Pieces& pieces) {
   const int kind = pieces.byte();
   const int width = side_from(pieces);

@@ -12,7 +12,7 @@
 
 namespace mbncc::test {
 
-/// Smooth random texture of about the given colour. [grey levels] contrast
+/// Smooth random texture with about the given colour; `contrast` in grey levels.
 inline cv::Mat texture(cv::Size size, cv::Scalar colour, double contrast, int seed,
                        double grain = 3) {
   cv::RNG random(seed);
@@ -26,7 +26,7 @@ inline cv::Mat texture(cv::Size size, cv::Scalar colour, double contrast, int se
   return image;
 }
 
-/// Camera noise and 8 bits.
+/// Adds camera noise and converts to 8 bits.
 inline cv::Mat exposed(const cv::Mat& radiance, int seed, double gain = 1, double sigma = 2) {
   cv::RNG random(seed);
   cv::Mat noise(radiance.size(), CV_32FC3), image;
@@ -67,7 +67,7 @@ inline DrawnLesson draw_lesson(cv::Point at = {120, 100}, cv::Size size = {240, 
   return drawn;
 }
 
-/// Results of lessons that must give a reason and a remedy.
+/// Error of a lesson that must fail with a reason and a remedy.
 inline LearnError error_for(const Lesson& lesson) {
   const LearnResult result = learn_object(lesson);
   EXPECT_FALSE(result.message.empty());

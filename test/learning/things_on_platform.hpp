@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Images of a drawn platform with plain things on it.
+// Images of a simulated platform with plain objects on it.
 #pragma once
 
 #include <opencv2/core.hpp>
@@ -11,7 +11,7 @@ namespace mbncc::test {
 
 const cv::Size kPlatformSize(160, 120);  // [px]
 
-/// CV_32FC3 image of the platform with something plain on `places`.
+/// CV_32FC3 image of the platform with plain objects at `places`.
 inline cv::Mat image_with(const std::vector<cv::Rect>& places, int seed) {
   cv::Mat radiance = texture(kPlatformSize, cv::Scalar(105, 115, 120), 8, 1), values;
   for (const auto& place : places) radiance(place).setTo(cv::Scalar(40, 60, 190));

@@ -20,7 +20,7 @@ FaultPlan& fault_plan() {
 
 namespace {
 
-// True when this call is the one that goes wrong; errno is set.
+// True if this call is to fail; errno is set.
 bool goes_wrong(const char* call) {
   FaultPlan& plan = fault_plan();
   if (!plan.armed) return false;
@@ -46,7 +46,7 @@ std::string folder_of(const std::string& path) {
   return path.substr(0, path.find_last_of('/'));
 }
 
-// Notes that an entry of a folder was made or taken away.
+// Records that an entry of a folder was created or removed.
 void note_entry(const std::string& path) {
   if (fault_plan().armed) fault_plan().unsafe_names.insert(inode_of(folder_of(path)));
 }
@@ -106,7 +106,7 @@ int fsync(int file) {
   return real<int(int)>("fsync")(file);
 }
 
-// The descriptor is gone, whatever is reported.
+// The descriptor is closed, whatever close() returns.
 int close(int file) {
   const int result = real<int(int)>("close")(file);
   return goes_wrong("close") ? -1 : result;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Files that are no objects: damaged, hostile, or not files at all.
+// Files that are not objects: damaged, hostile, or not regular files.
 #include <gtest/gtest.h>
 #include <sys/resource.h>
 #include <sys/stat.h>
@@ -78,7 +78,7 @@ TEST(HostileFiles, AppendedRemovedAndShuffledBytesAreRefused) {
   }
 }
 
-// A sound PNG around any description.
+// A valid PNG with any description.
 Bytes with_description(const std::string& text) {
   cv::Mat rgba(6, 5, CV_8UC4, cv::Scalar::all(255));
   return library::encode_png(rgba, "mbncc", text);
@@ -148,7 +148,7 @@ TEST(HostileFiles, DescriptionsAreChecked) {
     EXPECT_TRUE(is_refused(with_description(text))) << text.substr(0, 300);
 }
 
-// Files of earlier versions have no symmetry. "auto" is not written, but accepted.
+// Files of earlier versions have no symmetry. "auto" is accepted, but never written.
 TEST(HostileFiles, ADeclaredSymmetryIsOptionalAndChecked) {
   const std::string sound = sound_description();
   ASSERT_EQ(sound.find("\nsymmetry:"), std::string::npos);
@@ -180,7 +180,7 @@ TEST(HostileFiles, ImagesOfOtherKindsAreRefused) {
   const std::string text = sound_description();
   EXPECT_TRUE(
       is_refused(library::encode_png(cv::Mat(6, 5, CV_8UC4, cv::Scalar::all(255)), "other", text)));
-  // Half-transparent: no map says "half".
+  // Half-transparent pixels are neither map nor background.
   EXPECT_TRUE(
       is_refused(library::encode_png(cv::Mat(6, 5, CV_8UC4, cv::Scalar::all(128)), "mbncc", text)));
   EXPECT_TRUE(
@@ -201,7 +201,7 @@ void put_number(Bytes& bytes, std::size_t at, std::uint32_t value) {
     bytes[at + static_cast<std::size_t>(i)] = static_cast<std::uint8_t>(value >> (24 - 8 * i));
 }
 
-// A sound object whose header claims another size, checksum included.
+// A valid object whose header claims another size, with a correct checksum.
 Bytes claiming_size(std::uint32_t width, std::uint32_t height) {
   Bytes bytes = small_object();
   put_number(bytes, 16, width);
@@ -216,7 +216,7 @@ std::size_t peak_memory() {
   return static_cast<std::size_t>(usage.ru_maxrss) * 1024;
 }
 
-// In a child process, whose peak memory is independent of earlier tests.
+// Runs in a child process, whose peak memory does not depend on earlier tests.
 bool is_refused_within_memory_bound(const Bytes& bytes) {
   const pid_t child = ::fork();
   if (child == 0) {
@@ -235,7 +235,7 @@ bool is_refused_within_memory_bound(const Bytes& bytes) {
   return WIFEXITED(status) && WEXITSTATUS(status) == 0;
 }
 
-// 64 kB of text that stand for 300 MB.
+// 64 kB of text that expand to 300 MB.
 TEST(HostileFiles, AliasesAreRefusedBeforeTheyAreExpanded) {
   std::string text = sound_description();
   const std::string advice = "advice:\n    []";
@@ -257,7 +257,8 @@ TEST(HostileFiles, BombsStayWithinTheMemoryBound) {
   EXPECT_TRUE(is_refused_within_memory_bound(claiming_size(60000, 60000)));
   EXPECT_TRUE(is_refused_within_memory_bound(claiming_size(8192, 1024)));
   EXPECT_TRUE(is_refused_within_memory_bound(claiming_size(0, 10)));
-  // The largest accepted image, all transparent: no object, but some kilobytes claim 32 MB.
+  // The largest accepted image, fully transparent: it is not an object, and a few kilobytes claim
+  // 32 MB.
   std::string text = sound_description();
   text.replace(text.find("[0, 0, 5, 6]"), 12, "[0, 0, 2896, 2896]");
   text.replace(text.find("[640, 480]"), 10, "[3000, 3000]");

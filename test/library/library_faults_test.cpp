@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Every system call of every change of the library fails once, and the process dies at each once.
+// Every system call of every change of the library fails once, and the process ends once at each.
 #include <gtest/gtest.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -28,7 +28,7 @@ struct Change {
   std::function<void(ObjectLibrary&)> apply;
 };
 
-// The library holds revision 1 of "wrench" (old seed), and revision 1 of "nut" in the trash.
+// The library contains revision 1 of "wrench" (old seed), and the trash revision 1 of "nut".
 void fill(const std::string& folder) {
   ObjectLibrary library(folder);
   library.save(random_model(kOldSeed), Existing::kRefuse);
@@ -72,7 +72,7 @@ int temporary_files(const std::string& folder) {
   }));
 }
 
-// State seen by a reader: names, labels, revisions and first references.
+// The state that a reader sees: names, labels, revisions and first references.
 std::string content_of(const std::string& folder) {
   std::string content;
   const auto snapshot = ObjectLibrary(folder).load();
@@ -119,7 +119,7 @@ TEST(LibraryFaults, AFailingCallLeavesTheLibraryAsItWas) {
         } else {
           EXPECT_NE(reason.find(std::generic_category().message(error)), std::string::npos)
               << reason;
-          // A rename with a new label is two steps, which may not be durable yet.
+          // A rename with a new label consists of two steps, which may not be durable yet.
           const bool half_renamed = found.find("wrench renamed 1") != std::string::npos;
           const bool not_durable = reason.find("not yet safe") != std::string::npos;
           EXPECT_TRUE(found == before || half_renamed || (not_durable && found == after))
@@ -200,7 +200,7 @@ TEST(LibraryFaults, DeathAtAnyCallLeavesOldOrNew) {
   }
 }
 
-// Acknowledged changes must survive a power cut: data before name, name before return.
+// Acknowledged changes must survive a power failure: data before name, name before return.
 TEST(LibraryFaults, DataIsSyncedBeforeItsNameAndTheNameBeforeReturn) {
   for (const Change& change : changes()) {
     SCOPED_TRACE(change.name);
@@ -225,7 +225,7 @@ TEST(LibraryFaults, QuarantinedFilesAreSyncedLikewise) {
   EXPECT_TRUE(fault_plan().unsafe_names.empty());
 }
 
-// Network file systems report a full disk only at close.
+// Network file systems report a full disk only when the file is closed.
 TEST(LibraryFaults, AnErrorAtClosingAWrittenFileIsTold) {
   const auto calls = calls_of(changes()[1]);
   const auto written = std::find(calls.begin(), calls.end(), "write");
@@ -265,7 +265,8 @@ TEST(LibraryFaults, AStorageThatFailsIsToldBeforeALesson) {
       } catch (const FileError& failure) {
         reason = failure.what();
       }
-      // Nothing is lost where the lock cannot be closed, or the trial stays until the next write.
+      // Nothing is lost if closing the lock fails, or if the trial file remains until the next
+      // write.
       const bool harmless = reason.empty() && (calls[at] == "close" || calls[at] == "unlink");
       EXPECT_TRUE(harmless || reason.find(std::generic_category().message(error)) != reason.npos)
           << calls[at] << ": " << reason;

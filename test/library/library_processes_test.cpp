@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Several processes on one library: writers, readers, kills, and readers without permission.
+// Several processes use one library: writers, readers, killed writers, and readers without
+// permission.
 #include <gtest/gtest.h>
 #include <sys/stat.h>
 #include <sys/wait.h>
@@ -26,7 +27,7 @@ using Existing = ObjectLibrary::Existing;
 
 constexpr unsigned kNobody = 65534;
 
-// Runs `work` in a separate process; exit code 0 if it returns true.
+// Runs `work` in a separate process; the exit code is 0 if it returns true.
 pid_t in_process(const std::function<bool()>& work) {
   const pid_t child = ::fork();
   if (child != 0) return child;
@@ -71,7 +72,7 @@ TEST(LibraryProcesses, TwoWritersAndAReaderDoNotDisturbEachOther) {
         std::filesystem::exists(folder / (".trash/wrench." + std::to_string(revision) + ".png")));
 }
 
-// The delay before each kill is the point of this test, not a way to wait for something.
+// The delay before each kill is what this test varies; it does not wait for anything.
 TEST(LibraryProcesses, KillsAtRandomMomentsLoseNothing) {
   const int kills = kills_wanted(100);
   TemporaryFolder folder;

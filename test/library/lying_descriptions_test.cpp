@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Sound PNG files whose descriptions lie: every field, in every way that a value can be wrong.
+// Valid PNG files with wrong descriptions: every field, with every kind of wrong value.
 #include <gtest/gtest.h>
 #include <yaml-cpp/yaml.h>
 
@@ -16,7 +16,7 @@ namespace {
 
 constexpr int kWidth = 5, kHeight = 6;  // [px] of each of two views
 
-/// Two views, and every optional field is there.
+/// Two views, and all optional fields.
 YAML::Node sound() {
   ObjectModel model;
   model.name = model.label = "wrench";
@@ -57,7 +57,7 @@ std::string text_of(const Path& path) {
   return text;
 }
 
-/// The entry of `node` at the path; keys of lists are numbers.
+/// The entry of `node` at the path; keys of list entries are numbers.
 YAML::Node at(YAML::Node node, const Path& path) {
   for (const auto& key : path) {
     const YAML::Node next = node.IsSequence() ? node[std::stoul(key)] : node[key];
@@ -82,7 +82,7 @@ void expect_refused_without(Path path) {
 
 struct Number {
   Path path;
-  double low, high;  // that are allowed
+  double low, high;  // allowed range
 };
 
 std::vector<Number> numbers() {

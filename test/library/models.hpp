@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Object models drawn from a seed, and their comparison.
+// Random object models from a seed, and their comparison.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -33,7 +33,7 @@ inline View random_view(std::mt19937& random, int largest_side = 60) {
   return view;
 }
 
-/// An object with every field set, or left out, by the seed.
+/// An object whose fields are set or left out at random.
 inline ObjectModel random_model(unsigned seed, const std::string& name = "wrench",
                                 int largest_side = 60) {
   std::mt19937 random(seed);
@@ -96,7 +96,7 @@ inline void expect_equal(const Quality& a, const Quality& b) {
   expect_same_number(a.search_time, b.search_time);
 }
 
-/// All but the revision.
+/// Compares everything except the revision.
 inline void expect_equal(const ObjectModel& a, const ObjectModel& b) {
   EXPECT_EQ(a.name, b.name);
   EXPECT_EQ(a.label, b.label);

@@ -113,7 +113,7 @@ TEST(ObjectLibrary, ReplacedAndRemovedRevisionsCanBeRestored) {
   EXPECT_THROW(library.restore("gear"), std::invalid_argument);
 }
 
-// "wrench.1" is no object, though the trash has a "wrench.1.png".
+// "wrench.1" is not an object, although the trash contains a "wrench.1.png".
 TEST(ObjectLibrary, OnlyNamesOfObjectsAreRestored) {
   TemporaryFolder folder;
   ObjectLibrary library(folder.path());
@@ -136,7 +136,7 @@ TEST(ObjectLibrary, OnlyNamesOfObjectsAreRestored) {
   EXPECT_EQ(snapshot->find("wrench")->revision, 3u);
 }
 
-// Nobody could delete it: deleting the wrench leaves that file.
+// As an object it could not be deleted, because deleting the wrench leaves this file.
 TEST(ObjectLibrary, AFileWithARevisionInItsNameIsNoSecondObject) {
   TemporaryFolder folder;
   ObjectLibrary library(folder.path());
@@ -157,7 +157,7 @@ TEST(ObjectLibrary, ForeignFilesInTheTrashBlockNoName) {
   TemporaryFolder folder;
   ObjectLibrary library(folder.path());
   library.save(random_model(1), Existing::kRefuse);
-  // Of 32 bits the largest number, the largest that a file may have, and one beyond both.
+  // The largest number of 32 bits, the largest revision allowed, and a number beyond both.
   std::filesystem::create_directory(folder / ".trash");
   for (const char* revision : {"4294967295", "2000000000", "99999999999"})
     std::ofstream(folder / (".trash/wrench." + std::string(revision) + ".png")) << "no image";
@@ -166,7 +166,7 @@ TEST(ObjectLibrary, ForeignFilesInTheTrashBlockNoName) {
   EXPECT_EQ(library.load()->find("wrench")->revision, 3u);
   library.remove("wrench");
   EXPECT_THROW(library.restore("wrench", 2000000000), FileError);
-  EXPECT_EQ(library.restore("wrench").revision, 4u);  // the newest that can be read
+  EXPECT_EQ(library.restore("wrench").revision, 4u);  // the newest readable one
   expect_equal(*library.load()->find("wrench"), random_model(3));
 }
 
@@ -263,7 +263,8 @@ TEST(ObjectLibrary, RenameOntoAUsedNameTakesANewRevision) {
   EXPECT_EQ(library.rename("wrench", "nut", "").revision, 3u);
 }
 
-// The tested size of a library; config's max_objects keeps the nodelet's at half of it.
+// The library is tested at this size; max_objects in the configuration limits the nodelet's to
+// half.
 TEST(ObjectLibrary, TwoThousandObjectsLoadAndReloadUnchanged) {
   constexpr unsigned kObjects = 2000;
   TemporaryFolder folder;

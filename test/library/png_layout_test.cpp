@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// PNG files whose chunks are sound one by one, and that are no objects as a whole.
+// PNG files whose chunks are valid individually, but which are not objects as a whole.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -35,7 +35,7 @@ struct Chunk {
 
 class PngLayout : public testing::Test {
  protected:
-  /// Of a sound object: IHDR, iTXt, IDAT, IEND.
+  /// Chunks of a valid object: IHDR, iTXt, IDAT, IEND.
   static std::vector<Chunk> chunks() {
     const Bytes bytes = encode_object(random_model(1, "wrench", 20));
     std::vector<Chunk> all;
@@ -66,7 +66,7 @@ class PngLayout : public testing::Test {
     return bytes;
   }
 
-  /// Why the file is refused; "" when it is taken.
+  /// Why the file is refused; "" if it is accepted.
   static std::string fault_of(const Bytes& bytes) {
     try {
       decode_object(bytes, "/library/wrench.png");

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Handling of unreadable files by the library.
+// How the library handles unreadable files.
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -47,7 +47,7 @@ void write(const std::string& path, const std::vector<std::uint8_t>& bytes) {
              static_cast<std::streamsize>(bytes.size()));
 }
 
-// The file of an object as a later version of this package may write it.
+// An object file as a later version of this package may write it.
 std::vector<std::uint8_t> newer_format(const ObjectModel& model) {
   std::vector<cv::Rect> rectangles;
   const cv::Size size = model.views.front().map.size();
@@ -127,7 +127,7 @@ TEST(ObjectLibrary, DamagedImagesAndDamagedObjectsAreQuarantined) {
   write(folder / "cut.png", cut);
   write(folder / "flipped.png", flipped);
   write(folder / "object.png", object);
-  // Sound as an image, but what it says of an object is wrong.
+  // Valid as an image, but its description of an object is wrong.
   write(folder / "claim.png",
         library::encode_png(cv::Mat(9, 9, CV_8UC4, cv::Scalar::all(9)), "mbncc", "format: 1"));
   const auto snapshot = library.load();

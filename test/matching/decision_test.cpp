@@ -21,7 +21,7 @@ class DecisionTest : public ::testing::Test {
                                         prepared::Engine::kFast};
   const SearchConfig config_{};
 
-  /// Certain, with a distinct outline, and accurate to a tenth of a pixel.
+  /// A reliable detection with a distinct outline, accurate to a tenth of a pixel.
   decision::Detection sound() const {
     decision::Detection detection;
     detection.object = object_.model.get();
@@ -52,7 +52,7 @@ class DecisionTest : public ::testing::Test {
     return select(detections, config_, min_score, max_instances);
   }
 
-  /// Of the only detection of an image.
+  /// The match from the only detection in an image.
   Match match_of(const decision::Detection& detection) const {
     return select({detection}).matches.at(0);
   }

@@ -12,7 +12,7 @@
 namespace mbncc {
 namespace {
 
-/// Every grid pose that reaches the threshold.
+/// All grid poses that reach the threshold.
 std::vector<templates::Candidate> all_poses(const MaskedTemplate& points, const cv::Mat& grey,
                                             const ExhaustiveSettings& settings) {
   const int rotations = std::max(1, static_cast<int>(std::ceil(2 * kPi / settings.angle_step)));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The fast searches against the one that cannot miss.
+// Compares the fast searches with the exhaustive one.
 #include "matching/exhaustive_search.hpp"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Objects taught in colour and grey images, and the reverse.
+// Objects taught in colour and searched in grey images, and the reverse.
 #include <gtest/gtest.h>
 
 #include <opencv2/imgproc.hpp>
@@ -16,7 +16,7 @@ using test::texture;
 
 class GreyImagesTest : public test::MatcherTest {
  protected:
-  /// As a grey camera shows it, in three channels.
+  /// The image of a grey camera, in three channels.
   static cv::Mat as_grey(const cv::Mat& image) {
     cv::Mat grey, three;
     cv::cvtColor(image, grey, cv::COLOR_BGR2GRAY);

@@ -25,7 +25,7 @@ inline cv::Mat texture(cv::Size size, std::uint64_t seed, double grain = 3) {
   return image;
 }
 
-/// Rows from `from` on are displaced by `way` [px].
+/// The image with the rows from `from` on displaced by `way` [px].
 inline cv::Mat torn(const cv::Mat& image, int from, double way) {
   cv::Mat moved, result = image.clone();
   cv::warpAffine(image, moved, cv::Matx23d(1, 0, way, 0, 1, 0), image.size(), cv::INTER_LINEAR,
@@ -42,7 +42,7 @@ inline cv::Mat angle_map() {
   return map;
 }
 
-/// The image an object is learned from: its texture under the map, another one around it.
+/// The learning image of an object: its texture under the map, another one around it.
 struct LearningImage {
   explicit LearningImage(std::uint64_t seed, const cv::Mat& object_map = angle_map())
       : map(object_map), surface(texture(map.size(), seed)) {
@@ -53,7 +53,7 @@ struct LearningImage {
   cv::Mat map, surface, image;
 };
 
-/// Objects on their other side.
+/// The object turned over, so that it appears mirrored.
 inline LearningImage mirrored(const LearningImage& source) {
   LearningImage other(1);
   cv::flip(source.map, other.map, 1);
@@ -71,7 +71,7 @@ inline std::shared_ptr<ObjectModel> object_from(const LearningImage& source,
   return model;
 }
 
-/// Draws the object so that its learned point `reference` lands at `pose`, turned by pose.theta.
+/// Draws the object so that its learned point `reference` lies at `pose`, rotated by pose.theta.
 inline void place(cv::Mat& scene, const LearningImage& source, cv::Point2d reference,
                   const Pose2D& pose) {
   const double c = std::cos(pose.theta), s = std::sin(pose.theta);

@@ -55,7 +55,7 @@ TEST_F(Limits, ThresholdsChangeAtOnce) {
   EXPECT_TRUE(matcher.find(scene_).matches.empty());
 }
 
-// A bent strip of five pixels: in the coarse levels hardly anything of it is left.
+// A bent strip of five pixels, of which hardly anything is left at the coarse levels.
 TEST_F(Limits, NarrowObjectsAreFoundUnderNoiseAndInAnotherLight) {
   cv::Mat map = cv::Mat::zeros(120, 120, CV_8UC1);
   map(cv::Rect(35, 25, 5, 70)) = 255;

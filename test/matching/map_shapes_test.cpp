@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Maps of every shape, including thin and long ones that fill their crop or touch an image's
-// border: every valid library file must be searched without a fault.
+// Maps of every shape, including thin and long ones that fill their crop or touch the border of an
+// image: every valid library file must be searchable.
 #include <gtest/gtest.h>
 
 #include <cstdlib>
@@ -55,7 +55,7 @@ TEST(MapShapes, TheLongestLines) {
   check({MapShape::kDiagonal, {1500, 1500}, Border::kTop, Border::kNone, 0});
 }
 
-// Sides spread evenly over the powers of two; the area is bounded for the sake of time.
+// The sides are spread evenly over the powers of two; the area is bounded to save time.
 TEST(MapShapes, AnyShapeAtAnyBorder) {
   std::mt19937 random(11);
   const auto any = [&](int count) {

@@ -182,7 +182,7 @@ TEST_F(MatcherTest, NamesWhatItSkips) {
 
 TEST_F(MatcherTest, FindsObjectsThatHangOverTheBorder) {
   cv::Mat scene = texture({320, 240}, 68, 4);
-  const Pose2D truth{300, 120, 0};  // a sixth of the map is beyond the right border
+  const Pose2D truth{300, 120, 0};  // a sixth of the map lies beyond the right border
   place(scene, source_, reference_.position(), truth);
   const SearchResult result = matcher().find(scene);
   ASSERT_FALSE(result.matches.empty());

@@ -9,7 +9,7 @@
 
 namespace mbncc::test {
 
-/// All of it, where `light` turns the template's colour at x, y [px] into the image's.
+/// Samples the whole surface; `light` maps the template's colour at x, y [px] to that of the image.
 template <class Light>
 templates::SurfaceSample sample_of(const templates::SurfaceTemplate& surface, const Light& light) {
   templates::SurfaceSample sample;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// An image whose lower rows were read after the object had moved on shows it at no one pose.
+// If the lower rows of an image were read after the object moved on, no single pose fits the
+// object.
 #include <gtest/gtest.h>
 
 #include "mbncc/matching/matcher.hpp"

@@ -90,12 +90,12 @@ TEST_F(VerificationTest, OfWhatIsUnlikelyNothingIsKnown) {
   EXPECT_DOUBLE_EQ(found.contour_alternative, decision::kNotExamined);
 }
 
-// Its edges are 4 px away at the learned size.
+// At the learned size, its edges are 4 px away.
 TEST_F(VerificationTest, ALargeObjectIsFoundInASizeAsOfHeightsAndTilts) {
   cv::Mat map = cv::Mat::zeros(240, 240, CV_8UC1);
   map(cv::Rect(40, 70, 160, 100)) = 255;
   test::LearningImage plate(3, map);
-  // With little texture, the edges tell the size.
+  // If there is little texture, the edges determine the size.
   plate.surface.convertTo(plate.surface, -1, 0.1, 120);
   plate.surface.copyTo(plate.image, map);
   const prepared::PreparedObject object(test::object_from(plate, {120, 120, 0}),
@@ -108,7 +108,7 @@ TEST_F(VerificationTest, ALargeObjectIsFoundInASizeAsOfHeightsAndTilts) {
     const cv::Point2d lever = size * view.reference_in_anchor.position();
     const Pose2D there = compose({200.5 * size - 0.5, 200.5 * size - 0.5, 0.8},
                                  inverse(Pose2D{lever.x, lever.y, 0}));
-    // As where one side of the object was aligned at the learned size.
+    // One side of the object has been aligned at the learned size.
     search::PoseHypothesis hypothesis =
         search::score_as_is(view, scene, {there.x + 2, there.y - 2, there.theta});
     hypothesis.odds = 8;
@@ -141,7 +141,7 @@ TEST_F(VerificationTest, TheMirrorImageIsToldAndCosts) {
   EXPECT_LT(found.log_odds(), 8);
 }
 
-// A plate without the tip of a corner, its only difference to its mirror image.
+// The only difference between the plate and its mirror image is the missing tip of one corner.
 TEST_F(VerificationTest, AMirrorImageThatDiffersSlightlyIsTold) {
   cv::Mat map = cv::Mat::zeros(120, 120, CV_8UC1);
   map(cv::Rect(10, 25, 100, 70)) = 255;
@@ -161,7 +161,7 @@ TEST_F(VerificationTest, AMirrorImageThatDiffersSlightlyIsTold) {
   }
 }
 
-// The lamp's highlight is at another place of the object than in the lesson.
+// The lamp's highlight is at another place on the object than in the lesson.
 TEST_F(VerificationTest, APlainSurfaceDoesNotDriftAlongItsShading) {
   const cv::Point2d spot(50, 75);
   const auto shaded = [&](cv::Point2d bright) {
@@ -186,7 +186,7 @@ TEST_F(VerificationTest, APlainSurfaceDoesNotDriftAlongItsShading) {
   }
 }
 
-// Its colours, each of which occurs all over it, are right but in one compact part.
+// The colours are right except in one compact part; each of them occurs all over the object.
 TEST_F(VerificationTest, APartOfAnotherColourIsTold) {
   test::LearningImage chequered = source_;
   for (int y = 0; y < 120; y += 6)

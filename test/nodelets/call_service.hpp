@@ -7,9 +7,9 @@
 
 namespace mbncc::nodelets {
 
-/// Calls `name` on a connection of its own that stays open until the answer is read. On the other
-/// kind roscpp may see the server hang up before it reads the answer, and lose the call
-/// (github.com/ros/ros_comm/issues/1976).
+/// Calls `name` on a separate connection that stays open until the answer is read. With a
+/// connection that is not persistent, roscpp may see the server hang up before it reads the answer,
+/// and lose the call (github.com/ros/ros_comm/issues/1976).
 template <class Service>
 bool call_service(const std::string& name, Service& service) {
   ros::ServiceClient client = ros::NodeHandle().serviceClient<Service>(name, true);

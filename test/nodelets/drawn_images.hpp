@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Images drawn and published by tests: one part on a platform, under a camera without distortion.
+// Simulated images that tests publish: one part on a platform, under a camera without distortion.
 #pragma once
 
 #include <sensor_msgs/CameraInfo.h>
@@ -18,12 +18,12 @@ inline sim::SceneConfig drawn_scene() {
   return config;
 }
 
-/// The part as large as `diameter` [px].
+/// The part with a size of `diameter` [px].
 inline sim::Placed drawn_part(double diameter, const Pose2D& pose) {
   return {{11, diameter, 1.6}, pose};
 }
 
-/// The calibration of images of the scene.
+/// The calibration for the images of the scene.
 inline sensor_msgs::CameraInfo drawn_camera_info(const std_msgs::Header& header) {
   sensor_msgs::CameraInfo info;
   info.header = header;

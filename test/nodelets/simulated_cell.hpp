@@ -29,7 +29,7 @@ class SimulatedCell : public testing::Test {
         [this](const DetectedObjectArray::ConstPtr& found) { found_ = found; });
   }
 
-  /// Calls a service of the arm until it obeys, and sees it move.
+  /// Calls a service of the arm until the arm accepts, and waits until it moves.
   void order(const std::string& service) {
     ASSERT_TRUE(ros::service::waitForService(service, 30000));
     ASSERT_TRUE(spin_until([&] {
@@ -39,7 +39,7 @@ class SimulatedCell : public testing::Test {
     ASSERT_TRUE(spin_until([this] { return truth_ && truth_->message != "rest"; }));
   }
 
-  /// Teaches the object that lies in the cell, which the arm takes away after `before_removal`.
+  /// Teaches the object that lies in the cell; the arm takes it away after `before_removal`.
   void teach(
       const std::string& name, const std::function<void()>& before_removal = [] {}) {
     Teacher teacher;
@@ -55,12 +55,12 @@ class SimulatedCell : public testing::Test {
     ASSERT_EQ(lesson.error_code, Teacher::Result::SUCCESS) << lesson.message;
   }
 
-  /// Whether the arm has left, with the object present or not.
+  /// Whether the arm has left, and the object is present or not as given.
   bool rests(bool present) const {
     return truth_ && truth_->message == "rest" && truth_->objects.empty() != present;
   }
 
-  /// The confirmed instance of `name` in an image taken after `stamp`; any when `name` is empty.
+  /// The confirmed instance of `name` in an image taken after `stamp`; any name if `name` is empty.
   const DetectedObject* confirmed_since(const ros::Time& stamp,
                                         const std::string& name = "") const {
     if (!found_ || found_->header.stamp <= stamp) return nullptr;

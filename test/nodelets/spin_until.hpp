@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Waiting in rostests: for a predicate, never for a time.
+// Waiting in rostests: for a predicate, never for a fixed time.
 #pragma once
 
 #include <ros/callback_queue.h>
@@ -9,8 +9,8 @@
 
 namespace mbncc::nodelets {
 
-/// Handles callbacks until `predicate` holds. False when it does not within `timeout`, a generous
-/// deadline by the steady clock.
+/// Handles callbacks until `predicate` holds. Returns false if it does not hold within `timeout`, a
+/// generous deadline on the steady clock.
 template <class Predicate>
 bool spin_until(Predicate predicate, std::chrono::seconds timeout = std::chrono::seconds(30)) {
   const auto deadline = std::chrono::steady_clock::now() + timeout;

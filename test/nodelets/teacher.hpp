@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A client of the LearnObject action for rostests: plain topics, so that it works on any clock, and
-// with several goals at a time.
+// A client of the LearnObject action for rostests. It uses plain topics, so that it works with any
+// clock and with several goals at a time.
 #pragma once
 
 #include <actionlib_msgs/GoalID.h>
@@ -80,19 +80,20 @@ class Teacher {
   /// The last message of a running lesson.
   const Feedback& last_feedback(const std::string& id) { return heard_[id]; }
 
-  /// The lesson is in this stage or has been.
+  /// True if the lesson is in this stage or was in it before.
   bool has_been_in(const std::string& id, std::uint8_t stage) const {
     const auto stages = passed_.find(id);
     return stages != passed_.end() && stages->second.count(stage) > 0;
   }
 
-  /// The end of a goal; waits for it. `status` as in actionlib_msgs/GoalStatus.
+  /// Waits for the result of a goal. `status` as in actionlib_msgs/GoalStatus.
   mbncc_vision::LearnObjectActionResult await(const std::string& id) {
     EXPECT_TRUE(spin_until([&] { return ended(id); }, std::chrono::seconds(90))) << id;
     return ended_[id];
   }
 
-  /// For many consecutive lessons: their results contain images. Late messages are ignored.
+  /// Drops the messages of a goal, because the results of many lessons contain images. Late
+  /// messages are ignored.
   void forget(const std::string& id) {
     sent_.erase(id);
     ended_.erase(id);
@@ -103,7 +104,7 @@ class Teacher {
   Result teach(const Goal& goal) { return await(send(goal)).result; }
 
  private:
-  // The server remembers ids for some seconds and ignores a goal that comes again.
+  // The server remembers ids for some seconds and ignores a goal with a known id.
   static std::string fresh_id() {
     static int sent = 0;
     return "goal_" + std::to_string(++sent);

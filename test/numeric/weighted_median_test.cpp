@@ -9,7 +9,7 @@
 namespace mbncc::numeric {
 namespace {
 
-/// By its definition.
+/// The weighted median by its definition.
 float least_with_half_of_the_weight(std::vector<Weighted> values) {
   std::sort(values.begin(), values.end());
   double total = 0, below = 0;
@@ -21,7 +21,8 @@ float least_with_half_of_the_weight(std::vector<Weighted> values) {
 
 TEST(WeightedMedian, IsTheLeastValueWithHalfOfTheWeight) {
   std::mt19937 random(1);
-  std::uniform_int_distribution<int> count(1, 40), value(-20, 20), weight(1, 8);  // many are equal
+  // The ranges are small, so that many values are equal.
+  std::uniform_int_distribution<int> count(1, 40), value(-20, 20), weight(1, 8);
   for (int round = 0; round < 500; ++round) {
     std::vector<Weighted> values(count(random));
     for (auto& one : values) one = {value(random), weight(random)};

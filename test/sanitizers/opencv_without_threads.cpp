@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Part of the core under ThreadSanitizer: OpenCV's own threads meet inside libtbb, whose
-// synchronisation it does not see. The package's threads are not touched.
+// Used to run a part of the core under ThreadSanitizer: OpenCV's own threads synchronise inside
+// libtbb, which ThreadSanitizer does not see. The package's threads are not affected.
 #include <opencv2/core/utility.hpp>
 
 namespace {

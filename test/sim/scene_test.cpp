@@ -39,7 +39,7 @@ TEST(Scene, SameSeedSameImage) {
   EXPECT_FALSE(identical(Scene(config).render({placed}, 5), Scene(other).render({placed}, 5)));
 }
 
-/// Centroid of the area that an object really covers.
+/// Centroid of the area that an object actually covers.
 cv::Point2d covered_centroid(const Placed& placed, cv::Size image) {
   cv::Rect where;
   const cv::Mat cover = coverage(draw_object(placed.object), placed.pose, image, where);
@@ -66,7 +66,7 @@ TEST(Scene, TrueMapLiesAtThePose) {
   }
 }
 
-/// Shift of `b` against `a` by least squares on the gradient, inside `map`.
+/// Shift of `b` relative to `a`, by least squares on the gradient inside `map`.
 cv::Point2d shift_between(const cv::Mat& a, const cv::Mat& b, const cv::Mat& map) {
   cv::Mat first, second, gx, gy, inner;
   cv::cvtColor(a, first, cv::COLOR_BGR2GRAY);
@@ -169,7 +169,7 @@ TEST(Scene, ArmCoversWhatItReachesOver) {
   const cv::Mat without = scene.render({}), with = scene.render({}, 0, arm);
   cv::Mat difference;
   cv::absdiff(without, with, difference);
-  // The arm reaches to the left, so it comes in from the right.
+  // The arm extends to the left, so it enters from the right.
   EXPECT_GT(cv::mean(difference(cv::Rect(215, 80, 20, 40)))[1], 10);
   EXPECT_EQ(cv::mean(difference(cv::Rect(0, 0, 40, 200)))[1], 0);
 }

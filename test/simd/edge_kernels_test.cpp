@@ -56,7 +56,7 @@ TEST(BestResponses, LeaveOutTheLeastOfTheParts) {
   }
 }
 
-/// In maps of one value, each rotation having `terms` of them.
+/// Uses maps with one value, and `terms` terms per rotation.
 void expect_best_response(std::int8_t value, int terms, const std::vector<std::int16_t>& labels,
                           int best, int label) {
   const std::vector<std::int8_t> maps(kResponseRows * kPositions, value);

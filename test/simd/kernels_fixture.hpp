@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Inputs that every version of a kernel has to take alike.
+// Inputs for which every version of a kernel must give the same result.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -12,7 +12,7 @@
 
 namespace mbncc::kernels {
 
-/// Random input at the contract's bounds, starting `misalignment` elements into its buffer.
+/// Random input at the limits of the contract, starting `misalignment` elements into its buffer.
 class Kernels : public ::testing::TestWithParam<std::tuple<int, int>> {
  protected:
   int count() const { return std::get<0>(GetParam()); }

@@ -12,7 +12,7 @@ namespace {
 
 constexpr int kRows = 37;
 
-/// Random points, partly outside of a random image, at odd counts and row lengths.
+/// Random points, partly outside a random image, with odd counts and row lengths.
 class PointKernels : public ::testing::TestWithParam<std::tuple<int, int>> {
  protected:
   PointKernels() : pixels_(static_cast<std::size_t>(kRows * step())) {

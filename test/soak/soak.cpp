@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Simulates days of operation in minutes: repeats a sequence of small images through all state
-// that a nodelet keeps between images, with lessons, edits and clock jumps. Memory, open files
-// and threads must stay constant. usage: soak FRAMES [CSV]
+// Simulates days of operation in minutes: repeats a sequence of small images through all state that
+// a nodelet keeps between images, with lessons, edits and clock jumps. Memory, open files and
+// threads must stay constant. usage: soak FRAMES [CSV]
 #include <cstdlib>
 #include <iostream>
 #include <opencv2/core/utility.hpp>
@@ -22,9 +22,9 @@
 namespace mbncc::test {
 namespace {
 
-constexpr double kFrameTime = 1. / 30;                  // [s]
-constexpr double kMostGrowth = 5;                       // [MB]
-constexpr int kRest = 40, kMove = 12;                   // images of an object at rest, of the arm
+constexpr double kFrameTime = 1. / 30;  // [s]
+constexpr double kMostGrowth = 5;       // [MB]
+constexpr int kRest = 40, kMove = 12;   // images of an object at rest, and of the arm
 constexpr long kLessonEvery = 2000, kJumpEvery = 7000;  // images
 constexpr long kSamples = 400;
 
@@ -34,7 +34,8 @@ sim::SceneConfig scene_config() {
   return config;
 }
 
-/// An object lies, an arm carries it elsewhere, it lies there, the arm takes it away.
+/// An object lies at a place, an arm carries it to another one, it lies there, and the arm takes it
+/// away.
 class Story {
  public:
   Story() {
@@ -83,7 +84,7 @@ class Cell {
     if (frame % kJumpEvery == kJumpEvery - 1) now_ = 1000;  // a bag that starts again
     now_ += kFrameTime;
     if (frame % kLessonEvery == 0) teach(frame / kLessonEvery);
-    // Copies, as images from a camera are.
+    // Cloned, because every image from a camera has its own memory.
     const cv::Mat image = story_.image(frame).clone();
     if (gate_.judge(now_, now_) == StampGate::Verdict::kRestarted) start_over();
     if (frozen_.update(image)) throw std::runtime_error("live images are called frozen");

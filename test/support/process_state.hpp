@@ -23,7 +23,7 @@ struct ProcessState {
   int threads = 0;
 };
 
-/// False where /proc is not mounted, as in a bare chroot: there nothing can be said.
+/// False if /proc is not mounted, as in a bare chroot; the resources are then unknown.
 inline bool process_is_visible() {
   return std::filesystem::exists("/proc/self/statm");
 }
@@ -50,10 +50,10 @@ inline ProcessState process_state() {
   return state;
 }
 
-/// States over the images of a long run; the first fifth is taken as the time to settle.
+/// Process states over the images of a long run; the first fifth is taken as settling time.
 class StateHistory {
  public:
-  /// Samples are written to `csv` as they come, unless it is "".
+  /// Appends each sample to `csv` immediately, unless `csv` is "".
   explicit StateHistory(const std::string& csv = "") {
     if (csv.empty()) return;
     csv_.open(csv);
@@ -68,9 +68,9 @@ class StateHistory {
            << state.threads << std::endl;
   }
 
-  /// [MB] resident in the last tenth over the third tenth, each by its median.
+  /// [MB] resident memory in the last tenth minus that in the third tenth, each as a median.
   double growth() const { return growth_of(&ProcessState::resident); }
-  /// [MB] the same for allocated memory that is not freed.
+  /// [MB] the same for memory that is allocated and not freed.
   double growth_in_use() const { return growth_of(&ProcessState::in_use); }
   /// Minimum of open files in the last tenth minus that in the third tenth: short-lived files and
   /// connections do not count, leaked ones do.
@@ -91,7 +91,7 @@ class StateHistory {
     return static_cast<std::size_t>(part * static_cast<double>(samples_.size()));
   }
 
-  /// Over the tenth of the run that begins at `part`.
+  /// The samples in the tenth of the run that begins at `part`.
   std::vector<ProcessState> tenth(double part) const {
     std::vector<ProcessState> states;
     for (std::size_t i = index(part); i <= index(part + 0.1) && i < samples_.size(); ++i)

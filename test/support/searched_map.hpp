@@ -14,11 +14,11 @@ namespace mbncc::test {
 enum class MapShape { kFull, kLine, kDiagonal, kFrame, kPixel, kScattered, kDisc };
 constexpr int kMapShapes = 7;
 
-/// Where in its learning image an object lies.
+/// The border of its learning image at which an object lies.
 enum class Border { kNone, kLeft, kTop, kRight, kBottom };
 constexpr int kBorders = 5;
 
-/// A map of `size` that leaves nothing of its box out.
+/// A map of `size` whose bounding box has the same size.
 inline cv::Mat map_of(MapShape shape, cv::Size size, unsigned seed) {
   cv::Mat map = cv::Mat::zeros(size, CV_8UC1);
   const cv::Point last(size.width - 1, size.height - 1);
@@ -50,8 +50,8 @@ inline cv::Mat map_of(MapShape shape, cv::Size size, unsigned seed) {
   return map;
 }
 
-/// An object of that map with `margin` [px] of background in its crop, learned at a border of an
-/// image that has `room` [px] on the other sides.
+/// An object with that map and `margin` [px] of background in its crop, learned at a border of an
+/// image that leaves `room` [px] on the other sides.
 inline std::shared_ptr<ObjectModel> object_of(const cv::Mat& map, Border border, int margin,
                                               int room, unsigned seed) {
   View view;
@@ -69,7 +69,7 @@ inline std::shared_ptr<ObjectModel> object_of(const cv::Mat& map, Border border,
   return model;
 }
 
-/// An image of `size` with noise, and with the part of the object's crop that fits at a border.
+/// A noise image of `size` that contains the part of the object's crop that fits at a border.
 inline cv::Mat image_of(const View& view, cv::Size size, Border border, unsigned seed) {
   cv::Mat image(size, CV_8UC3);
   cv::RNG(seed + 1).fill(image, cv::RNG::UNIFORM, 60, 200);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A folder that is gone when the test ends.
+// A folder that is removed when the test ends.
 #pragma once
 
 #include <unistd.h>
@@ -27,7 +27,7 @@ class TemporaryFolder {
   std::string operator/(const std::string& name) const { return path_ + "/" + name; }
 
  private:
-  // In memory where there is such a place: syncing costs nothing there.
+  // Uses a memory file system if there is one, because syncing costs nothing there.
   static std::filesystem::path parent() {
     const std::filesystem::path memory = "/dev/shm";
     const bool writable = ::access(memory.c_str(), W_OK | X_OK) == 0;

@@ -13,7 +13,7 @@ namespace {
 const cv::Size kSize(640, 480);
 constexpr int kBeyond = 100;  // [px] of the cell on every side of the image
 
-/// What a camera sees of a larger cell.
+/// The part of a larger cell that a camera sees.
 class CameraMotion : public testing::Test {
  protected:
   static sim::SceneConfig scene_config() {

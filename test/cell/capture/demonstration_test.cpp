@@ -94,7 +94,7 @@ TEST_F(DemonstrationTest, LightThatChangesInAStillPeriodIsNoticed) {
   const StillShot first = shot({part_});
   demonstration.look(first);
   StillShot dim = first;
-  dim.image = cv::Mat(0.5 * first.image);  // beside it, not in its place
+  dim.image = cv::Mat(0.5 * first.image);  // stored beside the first image, which stays unchanged
   dim.stamp += 2;
   EXPECT_EQ(demonstration.look(dim), Step::kWaitRemoval);
   EXPECT_EQ(demonstration.anew(), Demonstration::Anew::kLight);

@@ -6,8 +6,8 @@
 namespace mbncc {
 namespace {
 
-/// Images that pass in 100 s, which come at `camera` [Hz], each early or late by up to `jitter`
-/// of a period.
+/// Number of images that pass in 100 s if they arrive at `camera` [Hz], each early or late by up to
+/// `jitter` of a period.
 int passed(double camera, double limit, double jitter = 0) {
   RateLimit rate;
   int count = 0;
@@ -33,7 +33,7 @@ TEST(RateLimit, NothingIsSavedUpInAPause) {
   RateLimit rate;
   rate.note(1, 10);
   int count = 0;
-  for (int i = 0; i < 10; ++i) {  // within a tenth of a second, after a long time
+  for (int i = 0; i < 10; ++i) {  // ten images within a tenth of a second, after a long pause
     if (!rate.allows(100 + i / 100., 10)) continue;
     rate.note(100 + i / 100., 10);
     ++count;

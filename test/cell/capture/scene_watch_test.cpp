@@ -11,12 +11,12 @@ namespace {
 
 constexpr double kFrameTime = 0.1;  // [s]
 
-/// A small simulated cell whose images a watch sees.
+/// A small simulated cell whose images go to a watch.
 class Cell {
  public:
   explicit Cell(double noise = 3) : scene_(scene_config(noise)), script_(script_config()) {}
 
-  /// Shows the next `count` images of the script.
+  /// Passes the next `count` images of the script to the watch.
   void show(int count, std::optional<double> gain = {}) {
     for (int i = 0; i < count; ++i) {
       const sim::CellFrame frame = script_.frame();
@@ -25,12 +25,12 @@ class Cell {
     }
   }
 
-  /// Shows the whole motion that the script is in.
+  /// Shows the rest of the script's current motion.
   void show_motion() {
     while (!script_.at_rest()) show(1);
   }
 
-  /// Shows the resting cell with an arm that reaches over it.
+  /// Shows the resting cell with an arm reaching over it.
   void show_arm(int count, cv::Point2d grip) {
     for (int i = 0; i < count; ++i)
       show_image(
@@ -77,7 +77,7 @@ TEST(SceneWatch, BecomesStillAfterTheStillTime) {
   EXPECT_FALSE(cell.watch.before_change());
 }
 
-// The motion that comes next may have begun in the newest images.
+// The newest images may already show the beginning of the next motion.
 TEST(SceneWatch, WhatIsHandedOverIsNeverOfTheNewestImages) {
   constexpr double kStill = 1;
   SceneWatch watch(kStill);

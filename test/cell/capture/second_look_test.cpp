@@ -12,7 +12,8 @@ class SecondLook : public testing::Test {
  protected:
   sim::Placed at(double x, double y, double theta) const { return {{17, 80, 1.6}, {x, y, theta}}; }
 
-  /// The part lies at its place before and at others, or none, after.
+  /// The part lies at its place in the image before, and at the given places, if any, in the image
+  /// after.
   double put_down(const std::vector<sim::Placed>& after) const {
     cv::Mat map = scene_.true_map(shown_);
     for (const auto& placed : after) map |= scene_.true_map(placed);

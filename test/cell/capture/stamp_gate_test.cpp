@@ -65,7 +65,7 @@ TEST(StampGate, DropsAnUnstampedImage) {
   StampGate gate(0.5, 0.1);
   EXPECT_EQ(gate.judge(0, 100), Verdict::kLate);
   StampGate start(0.5, 0.1);
-  EXPECT_EQ(start.judge(0, 0), Verdict::kRepeated);  // simulated time has not begun
+  EXPECT_EQ(start.judge(0, 0), Verdict::kRepeated);  // simulated time has not started
 }
 
 }  // namespace

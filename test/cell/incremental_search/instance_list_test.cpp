@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The comparisons and competitors of a known instance in a video.
+// Comparisons and competitors of a known instance in a video.
 #include "cell/incremental_search/instance_list.hpp"
 
 #include <gtest/gtest.h>
@@ -9,7 +9,7 @@ namespace {
 
 constexpr double kReach = 10;  // [px]
 
-/// A certain instance whose outline is a square of 40 px.
+/// A reliable instance whose outline is a square of 40 px.
 Known known_at(double x, const std::string& name = "one", double log_odds = 20) {
   Known known;
   known.match.name = name;
@@ -79,7 +79,7 @@ class KnownInstancesTest : public testing::Test {
     known_.compare("one", found, [covered](const cv::Rect&) { return covered; });
   }
 
-  /// Of the only known instance, compared with `rival` alone.
+  /// Margin of the only known instance if `rival` is its only competitor.
   double margin_to(const Match& rival) {
     known_.all()[0].others.clear();
     compare_with({rival_of(rival)});
@@ -95,8 +95,8 @@ TEST_F(KnownInstancesTest, WhatASearchFindsAtThePlaceCompetes) {
   EXPECT_NEAR(judged(known_.all()[0]).margin_place, 5, 1e-9) << "the best of them";
 }
 
-// A whole search compares only uncalibrated evidence, without the calibration by the outline's fit
-// and by other instances.
+// A whole search compares only uncalibrated evidence, without the calibration by the fit of the
+// outline and by other instances.
 TEST_F(KnownInstancesTest, CalibrationIsNoPartOfTheComparison) {
   Known firm = known_at(100, "one", 24);
   firm.match.odds.calibration = -4;
@@ -113,7 +113,8 @@ TEST_F(KnownInstancesTest, CalibrationIsNoPartOfTheComparison) {
   EXPECT_NEAR(judged(known_.all()[0]).margin_place, -3, 1e-9) << "of 21 to 24";
 }
 
-// The two objects were searched everywhere at different times, with other clutter in view.
+// The two objects were searched in the whole image at different times, with different clutter in
+// view.
 TEST_F(KnownInstancesTest, ARivalIsNoWorseByMoreClutter) {
   known_.admit(known_at(100, "one", 24), kReach);
   Match crowded = known_at(100, "other", 24).match;

@@ -96,7 +96,7 @@ TEST_F(VideoSearchTest, NewObjectIsGraspableOnlyAfterAllWereSearchedThere) {
   EXPECT_TRUE(graspable);
 }
 
-// Reference points are looked for about a change, and may lie a little beside it.
+// Reference points are searched around a change, so they may lie slightly outside of it.
 TEST_F(VideoSearchTest, AnObjectIsFoundWhoseReferencePointLiesBesideIt) {
   const auto model = std::make_shared<ObjectModel>(*models_[0]);
   View& view = model->views.front();

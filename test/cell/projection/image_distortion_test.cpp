@@ -16,7 +16,7 @@ namespace {
 
 const cv::Size kSize(640, 480);
 
-/// With radial distortion k1; its axis is the image's middle.
+/// A camera with radial distortion k1 and the principal point in the image's centre.
 struct Camera {
   double focal_length = 600, k1 = 0;
 
@@ -89,7 +89,7 @@ TEST(ImageDistortion, WidensTheCovarianceByTheObjectsLength) {
   EXPECT_EQ(cv::norm(with_distortion(cv::Matx33d::eye(), {}, outline) - cv::Matx33d::eye()), 0);
 }
 
-/// A view learned at one place of an image and found by shift and rotation at another.
+/// A view learned at one position in the image and found by shift and rotation at another.
 class TwoViews {
  public:
   TwoViews(const Camera& camera, const Plane& plane)
@@ -101,7 +101,7 @@ class TwoViews {
     y_ = x_.cross(plane.normal);
   }
 
-  /// Errors in units of what is stated: of yaw, and of position (root mean square of both axes).
+  /// Errors of yaw and position, divided by the stated deviations (root mean square of both axes).
   std::pair<double, double> errors(std::mt19937& random) {
     std::normal_distribution<double> normal;
     std::uniform_real_distribution<double> aspect(0.2, 1);
@@ -182,7 +182,7 @@ class TwoViews {
   cv::Vec3d x_, y_;
 };
 
-/// Root mean squares of errors in units of what is stated.
+/// Checks that the root mean square of the errors agrees with the stated deviations.
 void expect_honest(const Camera& camera, const Plane& plane, const std::string& what) {
   TwoViews views(camera, plane);
   std::mt19937 random(3);

@@ -25,7 +25,7 @@ Pose2D noisy(const Pose2D& pose, cv::RNG& random) {
           wrap_angle(pose.theta + random.gaussian(kSigmaAngle))};
 }
 
-/// The tracked instance after one more image with this pose.
+/// The tracked instance after one more image in which it has this pose.
 Match averaged(PoseAverage& average, const Pose2D& pose, std::uint32_t id = 1) {
   std::vector<TrackedMatch> matches{seen(id, pose)};
   average.apply(matches);
@@ -69,7 +69,8 @@ TEST(PoseAverage, AMovingInstanceDoesNotLagBehind) {
   }
 }
 
-// So slow that no image jumps: a mean of ten would lie half of their way behind.
+// The motion is too slow for a jump between images, but a mean of ten would lag behind by half of
+// their path.
 TEST(PoseAverage, ACreepingInstanceDoesNotLagBehind) {
   PoseAverage average(10);
   for (int i = 0; i < 40; ++i)

@@ -117,7 +117,7 @@ TEST(InstanceTracker, AfterAnInterruptionInstancesKeepTheirIdsAndAreConfirmedAne
 
 class BestInstance : public ::testing::Test {
  protected:
-  /// x of the one that the stable frame follows; 0: none.
+  /// x of the instance that the stable frame follows; 0 if there is none.
   double best_of(const std::vector<Match>& matches) {
     double x = 0;
     for (const auto& tracked : tracker_.update(now_++, matches)) {

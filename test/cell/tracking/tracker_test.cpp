@@ -120,12 +120,13 @@ TEST(InstanceTracker, IdsAreNeverUsedAgain) {
   }
 }
 
-/// Two equal objects that pass each other again and again, one's width apart, at 5 px an image.
+/// Two equal objects that pass each other repeatedly at a distance of one width, each at 5 px per
+/// image.
 class Passing {
  public:
   explicit Passing(std::uint64_t seed) : random_(seed) {}
 
-  /// Images are dropped as a whole, or one object is missed, in a fifth of the cases.
+  /// In a fifth of the cases, the whole image is dropped, or else one object is missed.
   void run(int images, bool whole) {
     for (int i = 0; i < images; ++i) {
       const double way = 5 * std::abs((i % 120) - 60);  // there and back

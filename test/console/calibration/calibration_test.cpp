@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Chessboards drawn as a known camera sees them.
+// Tests with chessboards drawn as a known camera sees them.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -64,7 +64,7 @@ TEST(BoardCalibration, TellsWhereTheBoardsWere) {
   const auto outline = calibration.outlines()[0];
   ASSERT_EQ(outline.size(), 4u);
   EXPECT_EQ(outline, calibration.outline());
-  // Around the board, not across it.
+  // The outline goes around the board, not across it.
   EXPECT_NEAR(cv::norm(outline[1] - outline[0]), cv::norm(outline[2] - outline[3]), 2);
   EXPECT_EQ(static_cast<int>(calibration.fields().size()), calibration.covered());
   EXPECT_EQ(calibration.fields().count(0), 0u) << "the corner of the image";
@@ -87,7 +87,7 @@ TEST(BoardCalibration, AShrunkImageTellsTheCamerasPixels) {
   cv::resize(image, half, {}, 0.5, 0.5, cv::INTER_AREA);
   ASSERT_EQ(whole.take(image), Seen::kTaken);
   ASSERT_EQ(shrunk.take(half), Seen::kTaken);
-  // The order of the board's ends is not defined.
+  // Which end of the board comes first is not defined.
   EXPECT_LT(std::min(cv::norm(whole.corners().front() - shrunk.corners().front()),
                      cv::norm(whole.corners().front() - shrunk.corners().back())),
             1);

@@ -59,7 +59,7 @@ TEST(Lamps, SilenceIsNoticedWithinThreeSeconds) {
   EXPECT_EQ(lamps[kMatcher].level, Level::kBad);
 }
 
-/// A report of the camera nodelet, named as by diagnostic_updater.
+/// A report of the camera nodelet, named as diagnostic_updater names it.
 diagnostic_msgs::DiagnosticArray complaint_of(const std::string& node, const std::string& message) {
   diagnostic_msgs::DiagnosticArray diagnostics;
   auto& status = diagnostics.status.emplace_back();

@@ -1,6 +1,6 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""The image: whether it is live, the part of it that is searched, and where a board was.
+"""The image view: whether the image is live, the searched part of it, and the positions of boards.
 
 usage: image_test.py SCRIPTS_FOLDER PLUGIN_FOLDER
 """
@@ -18,7 +18,7 @@ from console_session import Session, end  # noqa: E402
 from layout_report import LayoutReport  # noqa: E402
 
 WIDTH, HEIGHT = 400, 300
-# Without noise an image of a still scene is exactly repeated, as by a frozen camera.
+# Without noise, images of a still scene are identical, like those of a frozen camera.
 CAMERA = {"width": WIDTH, "height": HEIGHT, "object_diameter": 70.0, "neighbours": 0, "leg_time": 0.5,
           "noise_sigma": 0.0}
 
@@ -51,7 +51,7 @@ class ImageTest(unittest.TestCase):
         self.teacher.press("Accept")
         self.teacher.order("put_next", lies=True)
         self.wait_until_found()
-        # The quarter of the image that is opposite to the object.
+        # The quarter of the image that is diagonally opposite the object.
         place = self.teacher.truth.get().objects[0].image_pose
         x = 5 if place.x > WIDTH / 2 else WIDTH - 105
         y = 5 if place.y > HEIGHT / 2 else HEIGHT - 80

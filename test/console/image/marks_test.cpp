@@ -37,7 +37,7 @@ TEST(Marks, OfADraftShowEveryPartWhereItLies) {
   mbncc_vision::LearnObjectResult draft;
   draft.object.reference.x = 100;
   draft.object.reference.y = 200;
-  draft.object.outline = box(-10, -5, 10, 5);  // the larger part, about the reference
+  draft.object.outline = box(-10, -5, 10, 5);  // the larger part, around the reference
   cv::Mat map(60, 60, CV_8UC1, cv::Scalar(0));
   map(cv::Rect(20, 20, 21, 11)).setTo(255);
   map(cv::Rect(20, 40, 5, 5)).setTo(255);

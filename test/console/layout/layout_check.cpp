@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Looks at the widgets of a running Qt program for what is cut off, covered or out of reach. Qt
-// loads it with QT_QPA_GENERIC_PLUGINS=layoutcheck and this library's folder's parent in
-// QT_PLUGIN_PATH. Several times a second it writes the file MBNCC_LAYOUT_REPORT: {"looks": how many
-// so far, "focus": who has the keyboard, "texts": what labels and painted widgets say,
-// "complaints": [...]}.
+// Checks the widgets of a running Qt program for text that is cut off, and for widgets that are
+// covered or out of reach. Qt loads it if QT_QPA_GENERIC_PLUGINS=layoutcheck and QT_PLUGIN_PATH
+// contains the parent of this library's folder. Several times per second it writes the file
+// MBNCC_LAYOUT_REPORT: {"looks": number of checks so far, "focus": the widget with the focus,
+// "texts": texts of labels and painted widgets, "complaints": [...]}.
 #include <QAbstractButton>
 #include <QAbstractScrollArea>
 #include <QAbstractSpinBox>
@@ -145,7 +145,7 @@ class Look {
     known[keys] = name_of(&button);
   }
 
-  /// Tab goes from line to line, in a line from left to right.
+  /// Tab should go line by line, and from left to right within a line.
   void look_at_tab_order(QWidget& top) {
     QHash<const QWidget*, const QWidget*> last;  // by parent
     const QWidget* widget = &top;
@@ -167,7 +167,7 @@ class Look {
   QJsonArray complaints_;
 };
 
-/// What is written in the windows; a widget that paints describes it for a screen reader.
+/// Texts in the windows; a widget that paints its text describes it for screen readers.
 QJsonArray texts() {
   QJsonArray texts;
   for (const auto* widget : QApplication::allWidgets()) {

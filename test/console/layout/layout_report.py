@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""What layout_check.cpp, loaded into the console, says of its widgets."""
+"""Reads the report of layout_check.cpp, which is loaded into the console, about the console's widgets."""
 import json
 import os
 import pathlib
@@ -31,8 +31,8 @@ class LayoutReport:
     def wait_until_silent(self, part, patience=PATIENCE):
         wait_for(lambda: not self.says(part), "the console no longer says '%s'" % part, patience)
 
-    def complaints(self, patience=10):  # a layout settles within it, or never
-        """Of two looks from now on, and later, until there are none or `patience` is over."""
+    def complaints(self, patience=10):  # a layout that has not settled by then never does
+        """Complaints of two checks from now on, or of later ones, until there are none or `patience` [s] is over."""
         first = self.newest()["looks"]
         wait_for(lambda: self.newest()["looks"] >= first + 2, "the widgets are looked at")
         try:

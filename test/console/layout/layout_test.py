@@ -65,7 +65,7 @@ class LayoutTest(unittest.TestCase):
         self.teacher.order("take_away", lies=False, halfway=lambda: self.fits("the arm takes it"))
         draft = self.review()
         self.fits("review")
-        # Without a window manager a click alone does not give the window the keyboard.
+        # Without a window manager, a click alone does not give the window the keyboard focus.
         self.mouse.click("Cut")
         self.fits("review, a tool in hand")
         self.cut_until_bad(draft)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// From the draft to the operator's word.
+// From the draft to the operator's decision.
 #include <gtest/gtest.h>
 #include <mbncc_vision/LearnQuality.h>
 
@@ -18,7 +18,7 @@ LessonModel joined_in_review() {
 
 TEST(LessonReview, JoinsALessonInReview) {
   LessonModel lesson;
-  lesson.take_draft(draft(Result::SUCCESS));  // kept by the server for those who come late
+  lesson.take_draft(draft(Result::SUCCESS));  // the server latches it for clients that connect late
   lesson.take_status(status("goal"), 0);
   EXPECT_FALSE(lesson.may_accept());
   lesson.take_feedback(feedback(Feedback::WAIT_CONFIRM), 1);

@@ -32,7 +32,7 @@ TEST(LibraryModel, ADeclaredSymmetryGoesBackToTheOneBefore) {
   EXPECT_EQ(request.name, "a");
   EXPECT_EQ(request.symmetry, 255);
   object.symmetry = 255;
-  library.set_objects({object});  // the library's news may come before the answer
+  library.set_objects({object});  // the list may arrive before the answer
   library.done(request);
   EXPECT_EQ(library.undo().command, Request::SET_SYMMETRY);
   EXPECT_EQ(library.undo().name, "a");

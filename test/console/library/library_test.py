@@ -1,6 +1,6 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""The library beside the image: messages that go when they no longer hold, new names, objects from the trash, own thresholds.
+"""The library beside the image: messages that disappear when outdated, new names, restored objects, own thresholds.
 
 usage: library_test.py SCRIPTS_FOLDER PLUGIN_FOLDER
 """
@@ -17,7 +17,7 @@ from console_session import Session, wait_for  # noqa: E402
 from layout_report import LayoutReport  # noqa: E402
 
 CAMERA = {"width": 400, "height": 300, "object_diameter": 70.0, "neighbours": 0, "leg_time": 0.5}
-FIRST = (40, 40)  # [px] of the list, where its first object is
+FIRST = (40, 40)  # [px] position of the first object in the list
 
 
 class LibraryTest(unittest.TestCase):

@@ -130,8 +130,8 @@ TEST(NoiseModel, EdgesMayDifferMore) {
   EXPECT_GT(high, 3 * low);
 }
 
-// Noise only in brightness, as from compression: a change of colour is then more significant than
-// an equal change of brightness.
+// The noise affects only brightness, as after compression: a change of colour is then more
+// significant than an equal change of brightness.
 TEST(NoiseModel, KnowsWhichWayTheNoiseGoes) {
   cv::Mat common(kSize, CV_32FC1), own(kSize, CV_32FC3);
   cv::RNG random(7);

@@ -23,7 +23,7 @@ cv::Mat noisy(const cv::Mat& image, int seed) {
   return image + noise;
 }
 
-// Of images whose sizes are quickly transformed, even and odd, and of others.
+// Tests even and odd sizes whose transform is fast, and others.
 TEST(PhaseShift, IsThatOfOpenCv) {
   for (const cv::Size size : {cv::Size(320, 240), cv::Size(225, 135), cv::Size(157, 211)}) {
     const cv::Mat wide = ground(size + cv::Size(20, 20));
@@ -32,7 +32,7 @@ TEST(PhaseShift, IsThatOfOpenCv) {
     const cv::Point2d shift = phase_shift(before, after);
     EXPECT_NEAR(shift.x, 7, 0.5) << size;
     EXPECT_NEAR(shift.y, -4, 0.5) << size;
-    if (size.width % 2 != 0) continue;  // where cv::phaseCorrelate() is half a pixel off
+    if (size.width % 2 != 0) continue;  // cv::phaseCorrelate() is half a pixel off for these
     cv::Mat window;
     cv::createHanningWindow(window, size, CV_32F);
     EXPECT_LT(cv::norm(shift - cv::phaseCorrelate(before.clone(), after.clone(), window)), 1e-3);

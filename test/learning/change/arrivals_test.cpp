@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Which changed patches are of something that came.
+// Which changed patches belong to something that arrived.
 #include <gtest/gtest.h>
 
 #include "learning/change/arrivals.hpp"
@@ -43,10 +43,10 @@ TEST_F(ArrivalsTest, SpecksAreNoArrivals) {
   EXPECT_EQ(cv::countNonZero(arrivals({kLeft}, {speck}, test::map_of({kLeft, speck}))), 0);
 }
 
-// An edge of the platform, equal before and after, splits the patch across it.
+// An edge of the platform that is equal before and after splits a patch that lies across it.
 TEST_F(ArrivalsTest, PatchesThatAThinSeamPartsAreOne) {
   for (const int gap : {3, 12}) {
-    // One half of the departure looks like an arrival.
+    // One half of the departed object looks like an arrival.
     const cv::Rect half(kLeft.br().x + gap, kLeft.y, 12, 30);
     const cv::Mat came = arrivals({kLeft}, {half}, test::map_of({kLeft, half}));
     EXPECT_EQ(cv::countNonZero(came), gap == 3 ? 0 : half.area()) << gap;
@@ -76,13 +76,13 @@ TEST_F(ArrivalsTest, DeparturesAreWhatLeft) {
   EXPECT_EQ(left({}, {kLeft}), 0);
 }
 
-// If colours are equal before and after, the edges along the border decide.
+// If the colours before and after are equal, the edges along the border decide.
 TEST_F(ArrivalsTest, EdgesTellWhereColoursDoNot) {
   const cv::Mat labels = cv::Mat_<int>(test::map_of({kLeft})) / 255;
   const cv::Mat bare(test::kPlatformSize, CV_32FC3, cv::Scalar::all(120));
   cv::Mat shown = bare.clone();
   shown(kLeft).setTo(cv::Scalar::all(150));
-  // Each grey is as likely as the other.
+  // Both greys are equally likely.
   cv::Mat both = bare.clone();
   both(cv::Rect(0, 0, 160, 60)).setTo(cv::Scalar::all(150));
   const change::ColourMixture platform =

@@ -15,7 +15,7 @@ cv::Mat platform() {
   return test::texture(kSize, cv::Scalar(105, 115, 120), 14, 1);
 }
 
-/// The platform with `gain` on the part of the image that `quarter` is.
+/// The platform with `gain` applied to `part` of the image.
 cv::Mat lit(const cv::Rect& part, double gain) {
   cv::Mat radiance = platform();
   radiance(part) *= gain;

@@ -19,7 +19,7 @@ cv::Mat floats(const cv::Mat& image) {
   return values;
 }
 
-// The platform, with something of strong texture at `place`.
+// The platform with a strongly textured object at `place`.
 cv::Mat scene_with(const cv::Rect& place) {
   cv::Mat scene = test::texture(kSize, cv::Scalar(105, 115, 120), 6, 1);
   test::texture(kThing.size(), cv::Scalar(60, 90, 190), 30, 2).copyTo(scene(place));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Measures of a survey of two images, and the limits that end a lesson.
+// Measures of a survey of two images, and the limits beyond which a lesson ends.
 #include <gtest/gtest.h>
 
 #include "learning/images.hpp"
@@ -63,7 +63,7 @@ class SurveyLimits : public testing::Test {
     }
   }
 
-  /// Of each figure as much as is borne.
+  /// A survey in which each figure has its largest tolerated value.
   ChangeSurvey most() const {
     ChangeSurvey survey;
     survey.exposure = config_.max_exposure_change;

@@ -11,7 +11,7 @@ namespace {
 constexpr double kWhite = 255;
 const cv::Size kSize(160, 120);
 
-/// CV_32FC1 of about the given brightness.
+/// CV_32FC1 texture with about the given mean brightness.
 cv::Mat grey(double brightness, double contrast, int seed = 1, double grain = 3) {
   cv::Mat one;
   cv::extractChannel(test::texture(kSize, cv::Scalar::all(brightness), contrast, seed, grain), one,
@@ -33,7 +33,8 @@ TEST(TextureChange, ContrastKnowsAGainAndNoOffset) {
 }
 
 TEST(TextureChange, NoiseAddsNoContrastWhereThereIsEnoughOfIt) {
-  // Half has much texture under half the light, half has so little that noise passes for it.
+  // One half has strong texture under half of the light, the other so little that noise resembles
+  // it.
   cv::Mat before = grey(100, 5.5, 1, 1.5), after = before * 0.5;
   grey(100, 20)(cv::Rect(0, 0, 60, 120)).copyTo(before(cv::Rect(0, 0, 60, 120)));
   cv::Mat(grey(50, 10)(cv::Rect(0, 0, 60, 120))).copyTo(after(cv::Rect(0, 0, 60, 120)));
@@ -52,7 +53,7 @@ TEST(TextureChange, ContrastIsNotReadNearWhite) {
 }
 
 TEST(TextureChange, WhiteOfTheImageAfterIsAsBrightAsItWasMade) {
-  // Clipped in the image after and then darkened, so that it no longer looks white.
+  // Clipped in the image after and then darkened, so that it no longer appears white.
   const cv::Mat before = grey(170, 15);
   const cv::Mat clipped = cv::min(before * 1.4, kWhite) / 1.4;
   EXPECT_DOUBLE_EQ(texture_change(before, clipped, kWhite / 1.4).contrast, 1) << "nothing is told";
@@ -71,7 +72,7 @@ TEST(TextureChange, TextureThatMovedIsDisplaced) {
 }
 
 TEST(TextureChange, WhatStaysInOneImageStays) {
-  // An object removed from a plain table takes its texture with it.
+  // If an object is removed from a plain table, its texture disappears with it.
   cv::Mat after(kSize, CV_32FC1, cv::Scalar(120));
   grey(120, 15)(cv::Rect(0, 90, 160, 30)).copyTo(after(cv::Rect(0, 90, 160, 30)));
   EXPECT_LT(texture_change(grey(120, 15), after, kWhite).displaced, 0.2);

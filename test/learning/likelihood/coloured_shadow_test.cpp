@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// On a green cloth, what is dark green is shadow; what is grey, or all dark green, is an object.
+// On a green cloth, a dark green patch is shadow; a grey patch, or a patch that is dark green
+// throughout, is an object.
 #include "learning/likelihood/coloured_shadow.hpp"
 
 #include <gtest/gtest.h>
@@ -14,13 +15,13 @@ namespace {
 const cv::Size kSize(200, 160);
 const cv::Scalar kCloth(150, 170, 30), kGrey(130, 130, 130);
 const cv::Rect kObject(90, 60, 44, 40);
-const cv::Rect kBesideObject(64, 66, 60, 34);  // partly under it
+const cv::Rect kBesideObject(64, 66, 60, 34);  // partly under the object
 
 cv::Mat plain(const cv::Scalar& colour) {
   return cv::Mat(kSize, CV_32FC3, colour);
 }
 
-// Part of the patch that is shadow, where `colour` is seen on `platform`.
+// Fraction of the patch that counts as shadow if it shows `colour` on `platform`.
 double shadow_part(const cv::Scalar& colour, const cv::Scalar& platform) {
   const cv::Mat shadow = coloured_shadow(plain(colour), plain(platform), 3);
   return cv::countNonZero(shadow) / static_cast<double>(shadow.total());
@@ -48,7 +49,7 @@ cv::Mat truth() {
   return map;
 }
 
-// Of an object on cloth with a hard shadow at its side.
+// IoU for an object on cloth with a hard shadow at its side.
 double iou_of(const cv::Scalar& object, double light) {
   const cv::Mat cloth = test::texture(kSize, kCloth, 3, 4);
   cv::Mat before = cloth.clone();

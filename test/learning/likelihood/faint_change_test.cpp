@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Change hidden by noise in single pixels is significant in wide patches.
+// A change that is hidden by noise in single pixels is significant in wide patches.
 #include "learning/likelihood/faint_change.hpp"
 
 #include <gtest/gtest.h>
@@ -13,7 +13,7 @@ namespace {
 
 const cv::Size kSize(120, 100);
 
-// Squared distances of three channels of noise, of which `patch` departs by `contrast` deviations.
+// Squared distances of three channels of noise; `patch` deviates by `contrast` standard deviations.
 cv::Mat distances(const cv::Rect& patch, float contrast) {
   cv::RNG random(3);
   cv::Mat noise(kSize, CV_32FC3), squares;

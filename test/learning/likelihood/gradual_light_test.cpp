@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Light ends softly, objects sharply.
+// Changes of light have soft borders, objects have sharp ones.
 #include "learning/likelihood/gradual_light.hpp"
 
 #include <gtest/gtest.h>
@@ -14,7 +14,7 @@ namespace {
 const cv::Size kSize(140, 120);
 const cv::Rect kPatch(50, 40, 40, 40);
 
-// CV_32FC1, `part` of the light left in the patch, whose border is blurred.
+// CV_32FC1 image with the fraction `part` of the light in the patch, whose border is blurred.
 cv::Mat light(double part, double blur) {
   cv::Mat light(kSize, CV_32FC1, cv::Scalar(1));
   light(kPatch).setTo(part);
@@ -33,7 +33,7 @@ cv::Mat lit(const cv::Mat& image, const cv::Mat& light) {
 const cv::Mat kTextureVisible(kSize, CV_32FC1, cv::Scalar(-1));
 const cv::Mat kNoTexture(kSize, CV_32FC1, cv::Scalar(0));
 
-// Place of a plain bright object next to the patch.
+// Position of a plain bright object next to the patch.
 const cv::Rect kObject(15, 20, 25, 60);
 
 struct Scene {
@@ -49,7 +49,7 @@ struct Scene {
   }
   static cv::Mat platform() { return cv::Mat(kSize, CV_32FC3, cv::Scalar(130, 140, 150)); }
 
-  // Parts of patch and object that are reached.
+  // Fraction of `part` that is reached.
   double reached(const cv::Rect& part, const cv::Mat& texture_loss = kNoTexture) const {
     const cv::Mat mask = gradual_light(before, after, changed, texture_loss, 1);
     return cv::countNonZero(mask(part)) / static_cast<double>(part.area());
@@ -86,7 +86,7 @@ TEST(GradualLight, NarrowGapsInAnEdgeLetNothingThrough) {
   EXPECT_EQ(Scene(edge).reached(kPatch), 0);
 }
 
-// The least height on the best way in, by hand.
+// The lowest barrier on the best path, computed by hand.
 TEST(GradualLight, BarrierIsTheLowestPass) {
   cv::Mat heights = cv::Mat::zeros(9, 9, CV_32FC1);
   cv::rectangle(heights, {2, 2, 5, 5}, cv::Scalar(8), 1);
@@ -99,7 +99,7 @@ TEST(GradualLight, BarrierIsTheLowestPass) {
       << "no way in from a closed frame";
 }
 
-// Grey object on a plain grey platform, whose shadow has its colours.
+// A grey object on a plain grey platform, whose shadow has the same colours.
 TEST(GradualLight, AShadowOfTheObjectsColourIsNoPartOfTheMap) {
   const cv::Rect object(45, 40, 30, 40), region(25, 20, 90, 80);
   cv::Mat platform = test::texture(kSize, cv::Scalar::all(150), 3, 1), scene, truth;

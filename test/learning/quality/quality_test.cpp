@@ -109,7 +109,7 @@ TEST(Quality, ShiftedMapLosesItsEdges) {
             quality_of(drawn.lesson.before, drawn.truth).edge_agreement);
 }
 
-// It will be found as well: this is reported, but no fault of the map.
+// The twin will be found as well; this is reported, but it is not a fault of the map.
 TEST(Quality, ATwinInTheImageIsNoted) {
   DrawnLesson drawn = draw_lesson({60, 60}, {320, 240});
   cv::Mat twin = drawn.lesson.before(cv::Rect(10, 20, 100, 80)).clone();
@@ -124,7 +124,7 @@ TEST(Quality, ATwinInTheImageIsNoted) {
 TEST(Quality, SymmetriesAreNotedButNoFault) {
   const cv::Size size(240, 200);
   cv::Mat image = test::exposed(test::texture(size, cv::Scalar(110, 110, 110), 10, 5), 6);
-  // A bar whose right half is its left half turned.
+  // A bar whose right half is its left half rotated by 180 degrees.
   const cv::Rect bar(70, 80, 100, 41), left(70, 80, 50, 41), right(120, 80, 50, 41);
   cv::Mat map = cv::Mat::zeros(size, CV_8UC1), turned;
   map(bar).setTo(255);
@@ -172,7 +172,7 @@ TEST(Quality, RoundObjectsHaveNoAngle) {
   EXPECT_TRUE(has_reason(quality, "round"));
 }
 
-// Every weakness of a cut is named; none improves the verdict.
+// Every weakness of a cut is reported; none improves the verdict.
 TEST(Quality, EvidenceAgainstTheCutIsNamed) {
   const DrawnLesson drawn = draw_lesson();
   const auto verdict_with = [&](const CutEvidence& evidence, const char* key) {

@@ -13,7 +13,7 @@ namespace {
 
 class VerdictTest : public testing::Test {
  protected:
-  /// Nothing can be said against it.
+  /// A quality without any weakness.
   Quality sound() const {
     Quality quality;
     quality.area = 10 * learning_.min_area;

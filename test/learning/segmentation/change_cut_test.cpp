@@ -54,7 +54,7 @@ TEST(ChangeCut, AShadowIsNotTheObject) {
   EXPECT_GT(test::iou(cut(drawn.lesson).map, drawn.truth), 0.85);
 }
 
-// As dark everywhere as a shadow would be: only the platform's texture is gone.
+// As dark as a shadow everywhere, but the platform's texture is missing.
 TEST(ChangeCut, AnObjectOfAShadowsColourIsNoShadow) {
   DrawnLesson drawn = draw_lesson();
   drawn.platform = test::texture(drawn.platform.size(), cv::Scalar(125, 125, 125), 3, 5, 1);
@@ -65,7 +65,7 @@ TEST(ChangeCut, AnObjectOfAShadowsColourIsNoShadow) {
   EXPECT_GT(test::iou(cut(drawn.lesson).map, drawn.truth), 0.9);
 }
 
-// A shadow could explain all of a plain grey object on a brighter grey platform; but an object was
+// A shadow could explain the whole plain grey object on a brighter grey platform, but an object was
 // taken away.
 TEST(ChangeCut, AGreyObjectOnAGreyPlatformIsNoShadow) {
   for (const double light : {0.7, 0.8}) {
@@ -82,7 +82,7 @@ TEST(ChangeCut, AGreyObjectOnAGreyPlatformIsNoShadow) {
   EXPECT_FALSE(cut(draw_lesson().lesson).evidence.shadow_like);
 }
 
-// Four pixels wide and hardly brighter than the platform: much outline, little area.
+// Four pixels wide and hardly brighter than the platform: a long outline and a small area.
 DrawnLesson draw_faint_hook() {
   DrawnLesson drawn = draw_lesson();
   drawn.truth.setTo(0);
@@ -129,7 +129,7 @@ TEST(ChangeCut, StrokesAreEvidence) {
   EXPECT_GT(mended.evidence.boundary_contrast, first.evidence.boundary_contrast);
 }
 
-// Pixels just outside are taken in about as often as those just inside are left out.
+// Pixels just outside are included about as often as pixels just inside are left out.
 TEST(ChangeCut, TheOutlineIsNeitherInsideNorOutside) {
   const DrawnLesson drawn = draw_lesson();
   const cv::Mat map = cut(drawn.lesson).map;
@@ -150,7 +150,7 @@ TEST(ChangeCut, HolesShowThePlatform) {
   EXPECT_LT(cv::countNonZero(map(hole)), 0.2 * hole.area());
 }
 
-// Putting the object aside inside the region must not add the new place to the map.
+// If the object is put aside inside the region, its new place must not be added to the map.
 TEST(ChangeCut, TheNewPlaceIsNotTheObject) {
   DrawnLesson drawn = draw_lesson({80, 100}, {320, 240});
   const cv::Mat elsewhere = test::wedge_map({320, 240}, {220, 120});
@@ -162,7 +162,7 @@ TEST(ChangeCut, TheNewPlaceIsNotTheObject) {
   EXPECT_GT(test::iou(result.map, drawn.truth), 0.9);
 }
 
-// Pixels beyond the region's surroundings have no influence.
+// Pixels outside the region's surroundings have no effect.
 TEST(ChangeCut, FarPixelsDoNotMatter) {
   DrawnLesson drawn = draw_lesson({70, 70}, {360, 280});
   const cv::Mat nothing = cv::Mat::zeros(drawn.truth.size(), CV_8UC1);

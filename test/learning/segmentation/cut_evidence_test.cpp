@@ -20,7 +20,7 @@ cv::Mat map_of(const cv::Rect& place) {
   return map;
 }
 
-/// Of images without an edge: neighbours agree at little cost.
+/// Smoothness of images without edges: a label change between neighbours has a low cost.
 Smoothness even() {
   Smoothness smoothness;
   smoothness.strength = 0.1F;
@@ -93,7 +93,7 @@ TEST_F(CutEvidenceTest, AMapAtItsRegionsEdgeIsTold) {
   const cv::Mat inside = map_of(kRegion);
   EXPECT_EQ(region_touch(map_of(kObject), inside), 0);
   EXPECT_EQ(region_touch(map_of(kRegion), inside), 1);
-  // One side of four.
+  // One of four sides touches the edge.
   EXPECT_NEAR(region_touch(map_of({10, 20, 20, 20}), inside), 0.28, 0.03);
 }
 

@@ -45,7 +45,7 @@ double energy(const cv::Mat& map, const cv::Mat& unary,
   return sum;
 }
 
-// The oracle tries every map.
+// The reference result: tries every map.
 double least_energy(const cv::Mat& unary, const segmentation::Smoothness& smoothness) {
   const int pixels = static_cast<int>(unary.total());
   double least = 1e9;
@@ -85,7 +85,7 @@ TEST(GraphCut, FindsTheLeastEnergyOfAllMaps) {
     }
 }
 
-// A map of 2 x 2 blocks costs the same at both resolutions.
+// A map made of 2 x 2 blocks has the same energy at both resolutions.
 TEST(GraphCut, HalfResolutionKeepsTheEnergyOfBlocks) {
   cv::RNG random(8);
   for (const cv::Size size : {cv::Size(8, 6), cv::Size(7, 5)}) {

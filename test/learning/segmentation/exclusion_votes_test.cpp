@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Votes of excluding strokes: which other pixels of a map go along.
+// Votes of excluding strokes: which other pixels of a map are removed as well.
 #include "learning/segmentation/exclusion_votes.hpp"
 
 #include <gtest/gtest.h>
@@ -18,7 +18,7 @@ cv::Mat mask_of(const cv::Rect& area) {
   return mask;
 }
 
-// Half of the map is the platform in a deep shadow, less certain than the other half, which is red.
+// Half of the map is the platform in a deep shadow, which is less certain than the other, red half.
 CutImages drawn_cut() {
   CutImages cut;
   const cv::Size size(kSide, kSide);
@@ -33,7 +33,7 @@ CutImages drawn_cut() {
   return cut;
 }
 
-// Mean well inside an area.
+// Mean over the interior of an area.
 double mean_on(const cv::Mat& votes, const cv::Rect& area) {
   return cv::mean(votes(cv::Rect(area.tl() + cv::Point(3, 3), area.br() - cv::Point(3, 3))))[0];
 }
@@ -50,7 +50,7 @@ TEST(ExclusionVotes, ADotIsEnough) {
   EXPECT_LT(mean_on(votes, kRed), -3);
 }
 
-// An undecided appearance: a grey that is neither the stroke's nor the object's.
+// An ambiguous appearance: a grey between those of the stroke and the object.
 TEST(ExclusionVotes, OutermostPixelsAreDoubtedMore) {
   CutImages cut = drawn_cut();
   const cv::Rect grey(10, 32, 20, 8);  // beyond the map's edge at 15 as well

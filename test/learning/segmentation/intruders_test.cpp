@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The gripper that stays in sight after the grasp is no part of the object, wherever it reaches.
+// A gripper that stays in view after the grasp is not part of the object, wherever it reaches.
 #include "learning/segmentation/intruders.hpp"
 
 #include <gtest/gtest.h>
@@ -12,7 +12,7 @@
 namespace mbncc::segmentation {
 namespace {
 
-// A lesson whose image after shows something plain on `places`.
+// A lesson whose image after shows plain objects at `places`.
 struct Intrusion {
   test::DrawnLesson drawn = test::draw_lesson();
   cv::Mat place = cv::Mat::zeros(drawn.truth.size(), CV_8UC1);
@@ -38,7 +38,7 @@ TEST_P(Gripper, IsNoPartOfTheObject) {
   EXPECT_LT(cv::countNonZero(intrusion.cut.map & beside), 0.05 * cv::countNonZero(beside));
 }
 
-// Left of the object, on it from the left and from above, with two fingers.
+// Gripper left of the object, and on it from the left and from above, with two fingers.
 INSTANTIATE_TEST_SUITE_P(Places, Gripper,
                          testing::Values(std::vector<cv::Rect>{{0, 90, 84, 20}},
                                          std::vector<cv::Rect>{{0, 90, 110, 20}},
@@ -86,7 +86,7 @@ TEST_F(FindIntruders, AreNoSpecks) {
 }
 
 TEST_F(FindIntruders, EndWhereNothingChanged) {
-  // Something of the arm's colour had been there before.
+  // An object of the arm's colour was already there before.
   const cv::Rect stays(60, 50, 40, 20);
   const cv::Mat found = intruders({stays}, {arm_, stays}, test::map_of({arm_}),
                                   test::map_of({cv::Rect(0, 50, 20, 20)}));
@@ -102,7 +102,7 @@ TEST(Intruders, ComeFromBeyondTheBorder) {
   EXPECT_EQ(cv::norm(reaching, at_border, cv::NORM_INF), 0);
 }
 
-// A region drawn too small cuts the object off; its rest outside is no intruder.
+// A region that is too small cuts off the object; the part outside is not an intruder.
 TEST(Intruders, AnObjectThatSticksOutOfTheRegionIsNone) {
   test::DrawnLesson drawn = test::draw_lesson();
   drawn.lesson.region = cv::Rect(100, 60, 70, 84);

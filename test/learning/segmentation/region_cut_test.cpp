@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Lessons from one image: the platform is predicted, and the rim classified by the colours on its
-// sides.
+// Lessons from one image: the platform is predicted, and the rim is classified by the colours on
+// both sides.
 #include <gtest/gtest.h>
 
 #include <opencv2/imgproc.hpp>
@@ -82,7 +82,7 @@ TEST(RegionCut, WithoutARingThereIsStillAnAnswer) {
   EXPECT_EQ(cut.map.size(), image.size());
 }
 
-// A rim pixel belongs to the side whose colour makes up more of it.
+// A rim pixel belongs to the side whose colour contributes more to it.
 TEST(RimPreference, HalfOfEachSideDecides) {
   cv::Mat before(kSize, CV_32FC3, cv::Scalar(180, 180, 180)), after = before.clone();
   before(kObject).setTo(cv::Scalar(40, 40, 220));
@@ -108,7 +108,7 @@ TEST(RimPreference, TellsNothingBetweenEqualSidesOrOfAThirdColour) {
   EXPECT_EQ(rim.told.at<uchar>(kObject.y + 20, kObject.x), 0);
 }
 
-// On squares of two colours, side in px.
+// A scene on squares of two colours; `side` in px.
 cv::Mat scene_on_squares(int side) {
   cv::Mat image = table();
   for (int y = 0; y < kSize.height; y += side)
@@ -120,7 +120,7 @@ cv::Mat scene_on_squares(int side) {
   return test::exposed(image, 5);
 }
 
-// The default method on one image.
+// The cut of the default method for one image.
 teaching::Segmentation cut_of(const cv::Mat& image, const cv::Rect& region) {
   const StageObserver silent;
   teaching::LessonProgress progress(silent);

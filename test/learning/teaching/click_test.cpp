@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The object is shown by a click on it.
+// The operator shows the object by a click on it.
 #include <gtest/gtest.h>
 
 #include <limits>
@@ -26,7 +26,7 @@ TEST(Click, PicksTheChangeUnderIt) {
   EXPECT_GT(iou(map_of(learn_object(drawn.lesson)), other), 0.9);
 }
 
-// Two neighbours left together, nearly touching: the click means one of them.
+// Two neighbours that nearly touch were taken away together; the click selects one of them.
 TEST(Click, OneOfTwoNeighboursThatLeft) {
   const cv::Size size(320, 200);
   auto drawn = draw_lesson({110, 100}, size);
@@ -38,7 +38,7 @@ TEST(Click, OneOfTwoNeighboursThatLeft) {
   EXPECT_GT(iou(map_of(learn_object(drawn.lesson)), drawn.truth), 0.9);
 }
 
-// The cloth under the object moved meanwhile, but for the image's border.
+// The cloth under the object moved as well, except at the image's border.
 TEST(Click, OnAPlatformThatChangedAsWell) {
   const cv::Size size(320, 240);
   const auto drawn = draw_lesson({160, 120}, size);
@@ -79,7 +79,7 @@ TEST(Click, FindsAPlainlyVisibleObjectInOneImage) {
   EXPECT_NE(result.object.quality.verdict, Verdict::kGood);
 }
 
-// A click does not tell whether the disc is meant or the plate below it.
+// A click does not tell whether the disc or the plate below it is meant.
 TEST(Click, InOneImageTheMapOfFewSquaresIsUnstable) {
   Lesson lesson;
   lesson.name = "object";

@@ -31,7 +31,7 @@ TEST(ComparedImages, AnotherScene) {
   EXPECT_EQ(error_for(drawn.lesson), LearnError::kChangeTooLarge);
 }
 
-/// A lesson whose image after shows the same platform in another light.
+/// A lesson whose image after shows the same platform in different light.
 class LightChanged : public testing::Test {
  protected:
   void refused_without_a_place_and_learned_with_one(const cv::Mat& radiance) {
@@ -63,7 +63,7 @@ TEST_F(LightChanged, Switched) {
     refused_without_a_place_and_learned_with_one(drawn_.platform * gain);
 }
 
-// Dark images with a black level of some grey levels, which resembles a much lower exposure.
+// Dark images with a black level of several grey levels, which looks like a much lower exposure.
 TEST(ComparedImages, ABlackLevelIsNoSwitchedLight) {
   DrawnLesson drawn = draw_lesson({160, 120}, {320, 240});
   const auto dark = [](const cv::Mat& radiance, double gain, double offset) {
@@ -111,7 +111,7 @@ TEST(ComparedImages, ForgiveExposureAndASmallShift) {
   EXPECT_GT(test::iou(full_size_map(result.object.views.at(0)), drawn.truth), 0.85);
 }
 
-// Neighbours that were taken away as well change most of the image.
+// Neighbours that were also taken away change most of the image.
 TEST(ComparedImages, AShownPlaceMayHaveChangedSurroundings) {
   const cv::Size size(320, 240);
   DrawnLesson drawn = draw_lesson({160, 120}, size);

@@ -42,7 +42,7 @@ LessonEdit excluding(LessonEdit::Line line, double width = 5) {
 const LessonEdit::Line kInside{{100, 95}, {120, 100}, {140, 92}};
 const LessonEdit::Line kOutside{{76, 66}, {100, 66}, {160, 66}};
 
-// Every way to a first map must keep the promises of an edit.
+// The guarantees of an edit hold for every way to obtain the first map.
 class EditedLesson : public testing::TestWithParam<const char*> {
  protected:
   Lesson lesson() const {
@@ -196,7 +196,7 @@ TEST(InteractiveLesson, ANewRegionIsCutAnew) {
 TEST(InteractiveLesson, AForeignThingThatIsPaintedOverLeavesTheMap) {
   auto drawn = draw_lesson();
   cv::Mat scene = drawn.scene.clone();
-  cv::rectangle(scene, {130, 104, 30, 24}, cv::Scalar(40, 60, 45), cv::FILLED);  // a foreign thing
+  cv::rectangle(scene, {130, 104, 30, 24}, cv::Scalar(40, 60, 45), cv::FILLED);  // a foreign object
   drawn.scene.copyTo(scene, drawn.truth);
   drawn.lesson.before = test::exposed(scene, 11);
   InteractiveLesson edited(drawn.lesson);

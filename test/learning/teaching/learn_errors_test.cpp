@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Lessons that are refused for their input or for their result.
+// Lessons that are refused because of their input or their result.
 #include "mbncc/learning/learn_object.hpp"
 
 #include <gtest/gtest.h>
@@ -117,7 +117,7 @@ TEST(LearnErrors, MapEmptyOrFull) {
   EXPECT_EQ(error_for(drawn.lesson), LearnError::kSegmentationFull);
 }
 
-// The sentence that a person reads of a refused lesson.
+// The message that a person reads about a refused lesson.
 std::string told(const Lesson& lesson) {
   const LearnResult result = learn_object(lesson);
   return result.message + " " + result.hint;

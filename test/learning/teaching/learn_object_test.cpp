@@ -62,7 +62,7 @@ TEST(LearnObject, FindsTheRegionFromTheChange) {
   EXPECT_GT(iou(learned_map(result), drawn.truth), 0.75);
 }
 
-// A shiny rail beside the object shows it once more, up to the edge of the drawn region.
+// A shiny rail beside the object reflects it, up to the edge of the drawn region.
 DrawnLesson draw_reflection() {
   DrawnLesson drawn = draw_lesson();
   const cv::Rect object(100, 70, 60, 60), reflection(72, 70, 28, 60);
@@ -107,7 +107,7 @@ TEST(LearnObject, AStrokeOnAMapWithoutItsReflectionKeepsWhatTheChangeConfirmed) 
   EXPECT_LT(edited.evidence->stability, 0.85) << "the other cut still took more";
 }
 
-// The survey finds only the wedge, the cut the whole object.
+// The survey finds only the wedge, but the cut finds the whole object.
 TEST(LearnObject, WidensARegionThatNobodyDrew) {
   DrawnLesson drawn = draw_lesson();
   const cv::Rect faint(150, 84, 60, 16);
@@ -128,7 +128,7 @@ TEST(LearnObject, WidensARegionThatNobodyDrew) {
 
 const cv::Rect kTile(90, 70, 80, 48);
 
-// A tile among others; the edges of its dots are as clear as its outline.
+// A tile among others; the edges of its dots are as strong as its outline.
 DrawnLesson draw_tile(const cv::Rect& region) {
   const cv::Scalar bright(215, 225, 230), dark(30, 30, 35);
   const int gap = 7;
@@ -174,7 +174,7 @@ TEST(LearnObject, ATightBoxInOneImageShowsTheObjectNotItsPrint) {
   EXPECT_GT(iou(learned_map(result), drawn.truth), 0.9);
 }
 
-// Grown, the region would be the whole image, which leaves no background.
+// A grown region would be the whole image, which leaves no background.
 TEST(LearnObject, ATightRegionThatCannotGrowStays) {
   DrawnLesson drawn = draw_lesson();
   const cv::Rect board(10, 10, 220, 180);

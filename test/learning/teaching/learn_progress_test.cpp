@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Reports to a lesson's observer, and cancellation by it.
+// Reports to a lesson's observer, and cancellation by the observer.
 #include "mbncc/learning/learn_object.hpp"
 
 #include <gtest/gtest.h>

@@ -93,7 +93,7 @@ TEST(CheckStoring, LabelsAreChecked) {
   EXPECT_EQ(error_of(lesson, Storing::kNew, {}), LearnError::kNameInvalid);
 }
 
-// The exception of the library for `change`.
+// The exception that the library throws for `change`.
 template <class Change>
 Refusal refusal_by(Change&& change) {
   try {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Lessons whose object is put aside within the view.
+// Lessons in which the object is put aside within the view.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -75,7 +75,7 @@ TEST_P(PutAside, StaysKnownThroughEdits) {
   expect_at_new_place(edited.edit(edit));
 }
 
-// Where platform hides a part of it now, the map of the place that it left stays as it was.
+// If the object is partly hidden now, the map from its old place must not be refined.
 TEST_P(PutAside, RefinesNothingWhereTheMapsDisagree) {
   const cv::Rect hidden(200, 60, 120, 54);
   test::exposed(drawn_.platform, 14)(hidden).copyTo(drawn_.lesson.after(hidden));
@@ -87,8 +87,8 @@ TEST_P(PutAside, RefinesNothingWhereTheMapsDisagree) {
 
 INSTANTIATE_TEST_SUITE_P(Angles, PutAside, testing::Values(0, 40, 175));
 
-// An object of the platform's colour on a mark of another colour and the same shape: the mark looks
-// like an arrival, and the object's new place like the one that it left.
+// An object of the platform's colour lies on a mark of the same shape but another colour: the mark
+// looks like an arrival, and the object's new place looks like the place that it left.
 class LooksLikePlatform : public testing::Test {
  protected:
   LooksLikePlatform() {
@@ -125,7 +125,7 @@ TEST_F(LooksLikePlatform, IsFoundThoughNothingSeemsToHaveArrived) {
   expect_learned_and_found();
 }
 
-// A larger area than the object changed as well, and the object lies elsewhere afterwards.
+// An area larger than the object changed as well, and the object lies elsewhere afterwards.
 class LargerChange : public testing::Test {
  protected:
   LargerChange() {
@@ -168,8 +168,8 @@ TEST_F(LargerChange, OfANudgedThingIsNotTheObject) {
   expect_object_learned();
 }
 
-// Near the old place, of the platform's colours, and seen with much noise: one cut takes both
-// places.
+// The places are close together, the object has the platform's colours, and the noise is strong, so
+// that one cut includes both places.
 TEST(PutAsideLesson, PlacesNearEachOtherAreToldApart) {
   constexpr int kMoved = 90;  // [px]
   const cv::Size size(460, 300);
@@ -190,7 +190,7 @@ TEST(PutAsideLesson, PlacesNearEachOtherAreToldApart) {
   EXPECT_NEAR(result.put_aside->pose.x - result.object.views.front().reference.x, kMoved, 1);
 }
 
-// The object among them is not determined.
+// It is not determined which of the two is the object.
 TEST(PutAsideLesson, TwoThingsThatLeftAreNotGood) {
   auto drawn = test::draw_lesson({100, 110}, kSize);
   const cv::Mat beside = test::wedge_map(kSize, {180, 110});

@@ -43,7 +43,7 @@ TEST(Resemblance, ViewsOfOneObjectGetOneFrame) {
 TEST(Resemblance, AnotherObjectInTheMapIsNoView) {
   const auto first = placed(5, {200, 200, 0}), other = placed(77, {200, 200, 0});
   const cv::Mat before = scene().render({first}, 1);
-  // The stored object is in the image, but at another place.
+  // The stored object is in the image, but not in the map.
   const cv::Mat later = scene().render({other, placed(5, {450, 300, 1})}, 2);
   const ObjectModel stored = learned("part", first, before);
   EXPECT_FALSE(shared_reference(stored, learned("part", other, later).views[0], later));

@@ -29,7 +29,7 @@ class ConclusionTest : public ::testing::Test {
     conclude(match_, config_);
   }
 
-  /// It is refused only for this reason.
+  /// Expects that it is refused for this reason only.
   void expect_refused(const std::string& reason, bool ambiguous) {
     verify();
     EXPECT_FALSE(match_.graspable);

@@ -105,7 +105,8 @@ class SurfaceTest : public ::testing::Test {
                                          prepared::Engine::kFast};
   const templates::SurfaceTemplate& surface_ = object_.views.front().fine.surface;
 
-  /// Of the template's own colours times `gain`, `slope` [grey levels / px] brighter to the right.
+  /// Residual for the template's own colours times `gain`, with brightness increasing to the right
+  /// by `slope` [grey levels / px].
   templates::SurfaceTemplate::Residual residual_of(float gain, float slope) const {
     return surface_.residual(test::sample_of(
         surface_, [&](float colour, float x, float) { return gain * colour + slope * x; }));

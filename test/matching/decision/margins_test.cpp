@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A graspable instance was compared with its competitors.
+// Tests that a graspable instance was compared with its competitors.
 #include <gtest/gtest.h>
 
 #include <opencv2/imgproc.hpp>
@@ -14,7 +14,7 @@ TEST(Margins, EveryInstanceMeetsItsOwnOtherAngles) {
   cv::Mat map = cv::Mat::zeros(60, 60, CV_8UC1);
   cv::circle(map, {30, 30}, 22, 255, cv::FILLED);
   test::LearningImage source(3, map);
-  // Little texture: any angle would nearly do.
+  // With little texture, nearly any angle fits.
   source.surface.convertTo(source.surface, -1, 0.15, 120);
   source.surface.copyTo(source.image, map);
   const Pose2D reference{30, 30, 0};

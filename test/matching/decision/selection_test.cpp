@@ -16,7 +16,7 @@ class SelectionTest : public ::testing::Test {
                                          prepared::Engine::kFast};
   const SearchConfig config_{};
 
-  /// Known to a tenth of a pixel.
+  /// A detection whose position is known to a tenth of a pixel.
   Detection detection_of(double log_odds, double elsewhere = 0) const {
     Detection detection;
     detection.object = object_.model.get();
@@ -29,7 +29,7 @@ class SelectionTest : public ::testing::Test {
     return detection;
   }
 
-  /// Of the only detection of an image.
+  /// The match from the only detection in an image.
   Match match_of(double log_odds, double elsewhere = 0) const {
     const auto selected =
         select_matches({detection_of(log_odds, elsewhere)}, {config_, std::nullopt, 1, {}, {}, 0});
@@ -70,8 +70,8 @@ TEST_F(SelectionTest, AnotherObjectsPrintDoesNotCountAgainstIt) {
   EXPECT_DOUBLE_EQ(selected.matches[0].margin_place, 2);
 }
 
-// Of two look-alikes, the refinement of one may reach the size in which the object appears, and
-// that of the other may not.
+// For one of two look-alikes, the refinement may reach the size in which the object appears, and
+// for the other one it may not.
 TEST_F(SelectionTest, WhatAnotherSizeGainedDoesNotCountAgainstAnotherObject) {
   const prepared::PreparedObject other{test::object_from(test::LearningImage(2), {58, 60, 0}),
                                        prepared::Engine::kFast};

@@ -67,7 +67,8 @@ TEST(ClosestPoints, MapsOfAnyShapeAndSizeAreAligned) {
 }
 
 TEST(ClosestPoints, EdgesOfOppositeDirectionsAreNoPairs) {
-  // The nearest edge to each side of a narrow leg beside another one is the other's opposite side.
+  // In a narrow leg beside another one, the edge nearest to each side is the opposite side of the
+  // other leg.
   cv::Mat leg = cv::Mat::zeros(120, 120, CV_8UC1);
   leg(cv::Rect(20, 56, 80, 8)) = 255;
   const auto fixed = contour_of(leg, {60, 60});

@@ -16,7 +16,7 @@ namespace {
 const cv::Scalar kSteel(150, 150, 150), kRed(40, 40, 170), kBlack(30, 30, 30),
     kTable(225, 225, 230);
 
-/// A tool on a white table: steel, with a handle.
+/// A tool on a white table: steel with a handle.
 class ColourPartsTest : public ::testing::Test {
  protected:
   static constexpr int kHandle = 60, kLength = 150, kWidth = 24;
@@ -30,7 +30,7 @@ class ColourPartsTest : public ::testing::Test {
     sum.convertTo(image, CV_8U);
   }
 
-  /// With a marked head, so that half a turn looks different.
+  /// The head is marked, so that the tool looks different after a half turn.
   cv::Mat image_with(const cv::Scalar& handle, std::uint64_t seed) const {
     cv::Mat image(150, 300, CV_8UC3, kTable);
     image(tool_) = kSteel;
@@ -55,7 +55,7 @@ class ColourPartsTest : public ::testing::Test {
 
   double difference_in(const cv::Mat& image) const { return difference_in(image, tool()).colour; }
 
-  /// Where it was learned.
+  /// Colour difference at the pose at which the object was learned.
   static ColourDifference difference_in(const cv::Mat& image, std::shared_ptr<ObjectModel> model) {
     const prepared::PreparedObject object(std::move(model), prepared::Engine::kFast);
     const prepared::PreparedView& view = object.views.front();
@@ -132,7 +132,7 @@ TEST_F(ColourPartsTest, APartThatIsHalfCoveredIsToldToo) {
 }
 
 TEST_F(ColourPartsTest, TheGroundExplainsNoMoreThanAShareOfItself) {
-  // Everything is more yellow: the table a little, the head by far more.
+  // Everything is more yellow: the table slightly, the head much more.
   cv::Mat image = image_with(kRed, 2);
   cv::Mat head = image(cv::Rect(tool_.x + kHandle, tool_.y, kLength - kHandle, kWidth)).clone();
   cv::multiply(image, cv::Scalar(0.9, 1, 1), image);
@@ -142,7 +142,8 @@ TEST_F(ColourPartsTest, TheGroundExplainsNoMoreThanAShareOfItself) {
 }
 
 TEST_F(ColourPartsTest, GroundThatTheMapHoldsMayChange) {
-  // A learned map with a strip of green platform along the tool, found on a red one.
+  // The learned map includes a strip of green platform along the tool, which is then found on a red
+  // platform.
   const cv::Scalar green(60, 150, 60), red(60, 60, 150);
   const auto on_ground = [&](const cv::Scalar& ground, std::uint64_t seed) {
     cv::Mat image(150, 300, CV_8UC3, ground);
@@ -170,7 +171,7 @@ TEST_F(ColourPartsTest, TheGroundBesideNarrowObjectsIsNoOtherColour) {
   map(rod) = 255;
   const auto object = object_of(rod_on(kTable, kRed, 1), map);
   const cv::Scalar wood(90, 130, 170);
-  // 0.2: a part that differs by more is of another colour, see conclusion.cpp.
+  // Above 0.2, a part counts as having another colour, see conclusion.cpp.
   EXPECT_LT(difference_in(rod_on(wood, kRed, 2), object).colour, 0.2);
   EXPECT_GT(difference_in(rod_on(wood, {60, 150, 60}, 2), object).colour, 0.2);
 }

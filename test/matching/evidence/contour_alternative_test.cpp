@@ -25,7 +25,7 @@ class OutlineElsewhere : public test::MatcherTest {
                                compose(reference, inverse(view.reference_in_anchor)), 1);
   }
 
-  /// The same outline with a surface displaced by `off` [px].
+  /// The same outline with the surface displaced by `off` [px].
   test::LearningImage with_surface_moved(cv::Point2d off) const {
     test::LearningImage moved = source_;
     cv::warpAffine(source_.surface, moved.surface, cv::Matx23d(1, 0, off.x, 0, 1, off.y),
@@ -57,7 +57,7 @@ TEST_F(OutlineElsewhere, ItIsBetterByWhatThePlaceItselfIs) {
   const Pose2D anchor = compose(truth_, inverse(view.reference_in_anchor));
   const double best = agreement.aligned(anchor, 1).agreement;
   const double turn = 2 / contour.radius();  // two pixels at the rim
-  // Near, far, and between the places that are tried.
+  // Near, far, and between the positions that are tried.
   for (const cv::Point2d off : {cv::Point2d(3, 0), {0, -3.2}, {5, 5}, {-5, 3}, {3, -5}, {6, 6}})
     for (const double turned : {anchor.theta, anchor.theta + turn}) {
       const Pose2D beside{anchor.x + off.x, anchor.y + off.y, turned};

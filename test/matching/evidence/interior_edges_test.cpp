@@ -14,7 +14,7 @@ using Dots = std::vector<cv::Point>;
 
 const Dots kTaught{{44, 50}, {72, 70}, {44, 70}};
 
-/// A white tile of 64 x 44 px with black dots, in the middle of 120 x 120 pixels.
+/// A white tile of 64 x 44 px with black dots, in the centre of 120 x 120 pixels.
 test::LearningImage tile(const Dots& dots) {
   cv::Mat map = cv::Mat::zeros(120, 120, CV_8UC1);
   map(cv::Rect(28, 38, 64, 44)) = 255;
@@ -37,7 +37,7 @@ class InteriorEdgesTest : public test::MatcherTest {
     return scene;
   }
 
-  /// Of the taught tile and `scene` at its true pose.
+  /// Difference between the taught tile and `scene` at its true pose.
   InteriorDifference differences(const cv::Mat& scene, const Dots& taught = kTaught,
                                  double scale = 1) const {
     const prepared::PreparedObject object(test::object_from(tile(taught), {60, 60, 0}),
@@ -52,7 +52,7 @@ class InteriorEdgesTest : public test::MatcherTest {
     return differences(scene, taught, scale).largest;
   }
 
-  /// The best match of the taught tile, whatever its score; none: nullopt.
+  /// The best match of the taught tile, whatever its score; nullopt if there is none.
   static std::optional<Match> best_match(const cv::Mat& scene) {
     SearchConfig config;
     config.min_score = 1e-6;
@@ -75,7 +75,7 @@ TEST_F(InteriorEdgesTest, TheSamePrintDiffersLittle) {
   EXPECT_LT(difference(noisy), 0.3);
 }
 
-// Each is one dot more or less, of one to nine.
+// Each variant has one dot more or less, out of one to nine.
 TEST_F(InteriorEdgesTest, OneDotMoreOrLessIsAnotherPrint) {
   Dots dots{{60, 60}};
   for (const cv::Point dot :
@@ -87,7 +87,7 @@ TEST_F(InteriorEdgesTest, OneDotMoreOrLessIsAnotherPrint) {
   }
 }
 
-// A white tile may saturate as a whole, or its lighter part alone, which is no highlight.
+// A white tile may saturate completely, or only in its lighter part, which is not a highlight.
 TEST_F(InteriorEdgesTest, DotsOnASaturatedPartAreCompared) {
   Dots more = kTaught;
   more.emplace_back(41, 60);

@@ -20,7 +20,7 @@ class LocalCastTest : public test::MatcherTest {
                                          prepared::Engine::kFast};
   const prepared::PreparedView& view_ = object_.views.front();
 
-  /// Of the lesson itself, in light of another colour.
+  /// Evidence in the learning image itself, in light of another colour.
   Evidence evidence_in(const ColourCast& light) const {
     const cv::Mat image = search::without_cast(source_.image, {-light.blue, -light.red});
     const Pose2D anchor{view_.anchor.x + object_.model->views.front().origin.x,
@@ -29,7 +29,7 @@ class LocalCastTest : public test::MatcherTest {
   }
 };
 
-// The kernels look colours up in tables.
+// The kernels use colours as indices into tables, so they must stay in range.
 TEST_F(LocalCastTest, ColoursWithoutItStayColours) {
   templates::SurfaceSample sample =
       test::sample_of(view_.fine.surface, [](float, float, float) { return 250.f; });

@@ -45,7 +45,7 @@ TEST_F(TurnedOverTest, TheObjectLiesBetterThanItsMirrorImage) {
 }
 
 TEST_F(TurnedOverTest, ItsMirrorImageLiesBetterWhereItIsTurnedOver) {
-  // The pose at which an angle covers most of its mirror image: turned by a quarter.
+  // The pose at which an angle covers most of its mirror image: rotated by 90 degrees.
   const cv::Mat scene = scene_with(test::mirrored(source_), truth_);
   double most = -1;
   for (int k = 0; k < 36; ++k)
@@ -82,7 +82,7 @@ test::LearningImage flag_of(int length) {
   return test::LearningImage(3, map);
 }
 
-// Where its leg covers that of its mirror image, turned by half, their centres lie apart.
+// Where its leg covers that of its mirror image, rotated by 180 degrees, the centres differ.
 TEST_F(TurnedOverTest, AFlagIsToldWhereItsLegLiesOnThatOfItsMirrorImage) {
   const Pose2D turned{truth_.x, truth_.y, truth_.theta + kPi};
   for (const int length : {16, 24, 36}) {

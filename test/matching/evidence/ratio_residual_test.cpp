@@ -25,7 +25,7 @@ class RatioResidualTest : public ::testing::Test {
   const prepared::PreparedView& view_ = object_.views.front();
   const templates::SurfaceTemplate& surface_ = view_.fine.surface;
 
-  /// Of the template's own colours in that light.
+  /// Misfit of the template's own colours in this light.
   double misfit_in(const Light& light) const {
     return view_.ratios.misfit(surface_, test::sample_of(surface_, light));
   }

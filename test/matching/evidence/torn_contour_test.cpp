@@ -45,7 +45,7 @@ TEST_F(TornOutline, PartsThatLieApartAreTold) {
             << "from " << from << " by " << way << ", found at " << part;
 }
 
-// The pose that suits both parts best.
+// The pose that fits both parts best.
 TEST_F(TornOutline, ItIsToldOfWhatLiesTurnedBetweenTheParts) {
   constexpr double kWay = 8;
   const Pose2D anchor = anchor_at(truth_);
@@ -76,7 +76,7 @@ TEST_F(TornOutline, ADetectionKnows) {
   EXPECT_TRUE(is_torn(image, kWay)) << "by the outline, before a background that rests";
 }
 
-/// A narrow object, turned a little, lies as well on both parts of itself.
+/// A narrow object, rotated slightly, fits both of its torn parts about as well.
 TEST(TornBar, ADetectionKnowsByTheRowsOfTheImage) {
   cv::Mat map = cv::Mat::zeros(120, 120, CV_8UC1), image = test::texture({320, 240}, 77, 5);
   map(cv::Rect(52, 15, 16, 90)) = 255;

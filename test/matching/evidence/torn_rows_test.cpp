@@ -19,7 +19,7 @@ cv::Mat textured() {
   return test::texture(kSize, 77, 5);
 }
 
-/// A plain bright object, a little larger than kBox, on a plain platform with noise.
+/// A plain bright object, slightly larger than kBox, on a plain platform with noise.
 cv::Mat plain() {
   cv::Mat image(kSize, CV_8UC1, cv::Scalar(90)), noise(kSize, CV_16SC1);
   cv::rectangle(image, kBox, cv::Scalar(200), cv::FILLED);
@@ -59,7 +59,7 @@ TEST(TornRows, AnEdgeAlongTheRowsIsNone) {
   EXPECT_FALSE(has_torn_rows(image, kBox));
 }
 
-/// Slanted lines are displaced at every row.
+/// Slanted lines are displaced in every row.
 TEST(TornRows, LinesThatRunFlatAreNone) {
   cv::Mat image(kSize, CV_8UC1, cv::Scalar(90));
   for (int y = -200; y < kSize.height; y += 15)

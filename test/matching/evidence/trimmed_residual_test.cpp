@@ -17,7 +17,7 @@ class TrimmedResidualTest : public ::testing::Test {
                                          prepared::Engine::kFast};
   const templates::SurfaceTemplate& surface_ = object_.views.front().fine.surface;
 
-  /// Of the template's colours that `light` turns into an image's.
+  /// Residual if `light` maps the template's colours to those of the image.
   template <class Light>
   double residual(const Light& light) const {
     return trimmed_residual(templates::block_sums(surface_, test::sample_of(surface_, light)));

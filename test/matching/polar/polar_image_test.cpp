@@ -18,7 +18,7 @@ cv::Mat grey_texture(cv::Size size, std::uint64_t seed) {
   return grey;
 }
 
-/// `image` turned by `theta` from x towards y about `centre`.
+/// `image` rotated by `theta` from x towards y about `centre`.
 cv::Mat turned(const cv::Mat& image, cv::Point2d centre, double theta) {
   const double c = std::cos(theta), s = std::sin(theta);
   const cv::Matx23d motion(c, -s, centre.x - c * centre.x + s * centre.y,  //

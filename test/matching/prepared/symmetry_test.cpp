@@ -41,7 +41,7 @@ cv::Mat painted(const cv::Mat& map) {
   return image;
 }
 
-/// As a camera sees it: blurred, lit from one side, with noise.
+/// The image as a camera sees it: blurred, lit from one side, with noise.
 cv::Mat photographed(const cv::Mat& image, double noise = 2, int seed = 7) {
   cv::Mat light, result;
   image.convertTo(light, CV_32F);
@@ -86,7 +86,7 @@ TEST(Symmetry, TextureBreaksIt) {
   EXPECT_EQ(measured(test::LearningImage(51, square).image, square).possible, 1);
 }
 
-// A print, an oblique side and gloss look alike in one image, so only the operator can decide.
+// Print, an oblique side and gloss look alike in one image, so only the operator can decide.
 TEST(Symmetry, ARoundOutlineIsLeftToTheOperatorWhateverItsTexture) {
   const MeasuredSymmetry symmetry = measured(test::LearningImage(51, disc()).image, disc());
   EXPECT_EQ(symmetry.certain, 1);
@@ -99,7 +99,7 @@ TEST(Symmetry, AnIrregularOutlineHasNone) {
   EXPECT_EQ(symmetry.possible, 1);
 }
 
-// A dot of 1 % of the area that a person sees at once.
+// A dot of 1 % of the area, which a person notices at once.
 TEST(Symmetry, ASmallMarkLeavesItToTheOperator) {
   for (const double contrast : {20., 35.}) {
     cv::Mat marked_bar = painted(bar()), marked_disc = painted(disc());
@@ -123,14 +123,14 @@ TEST(Symmetry, ANotchLeavesItToTheOperator) {
   EXPECT_EQ(symmetry.possible, 2);
 }
 
-// Half the bar a little lighter: no edge, but another end.
+// Half of the bar is slightly lighter: there is no edge, but the ends differ.
 TEST(Symmetry, AnEndOfAnotherShadeLeavesItToTheOperator) {
   cv::Mat image = painted(bar());
   image(cv::Rect(86, 45, 15, 31)).setTo(kPaint + cv::Scalar::all(25));
   EXPECT_EQ(measured(photographed(image), bar()).certain, 1);
 }
 
-// Its differences are too small for a mark, and no noise is that strong.
+// The differences are too small for a mark, but too large for noise.
 TEST(Symmetry, FineGrainBreaksIt) {
   cv::Mat grain(121, 121, CV_32FC3), image;
   cv::RNG(3).fill(grain, cv::RNG::NORMAL, 0, 12);
@@ -150,7 +150,7 @@ TEST(Symmetry, ATaperedOutlineLeavesItToTheOperator) {
   EXPECT_EQ(symmetry.possible, 2);
 }
 
-// The centroid of a map is no more accurate than its edge; the surface determines the centre.
+// The centroid of a map is no more accurate than its edge, so the surface determines the centre.
 TEST(Symmetry, ARoughlyCutMapHidesNone) {
   cv::Mat image = painted(bar());
   for (int x = 27; x < 60; x += 8) {
@@ -188,8 +188,8 @@ TEST(Symmetry, WhatIsDeclaredCounts) {
   EXPECT_THROW(PreparedObject(model, Engine::kFast), std::invalid_argument);
 }
 
-/// A bar with a faint mark, whose symmetry is left to the operator, found in another image of the
-/// scene that it was learned in.
+/// A bar with a faint mark, whose symmetry is left to the operator, in another image of the scene
+/// in which it was learned.
 class MarkedBar : public test::MatcherTest {
  protected:
   Match found(const cv::Mat& map, std::optional<int> declared, int noise = 8) {
@@ -234,7 +234,7 @@ TEST_F(MarkedBar, AsADiscIsGraspableAtAnyAngleOnceDeclaredRound) {
   EXPECT_TRUE(declared.graspable);
 }
 
-// A wrongly declared symmetry of a bar does not add angles.
+// A wrong declaration of a bar's symmetry does not add angles.
 TEST_F(MarkedBar, DeclaredNoneKeepsTheAngleStrict) {
   cv::Mat plain = painted(bar());
   auto model = std::make_shared<ObjectModel>();

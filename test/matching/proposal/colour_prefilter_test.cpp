@@ -10,7 +10,7 @@
 namespace mbncc::proposal {
 namespace {
 
-/// A texture of another mean colour, `tint` (b, g, r) grey levels away.
+/// A texture with another mean colour, shifted by `tint` (b, g, r) [grey levels].
 cv::Mat tinted(cv::Size size, std::uint64_t seed, const cv::Scalar& tint) {
   return test::texture(size, seed, 4) + tint;
 }

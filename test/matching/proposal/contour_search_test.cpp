@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The coarse search by edges proposes poses over all of an image.
+// The coarse search by edges proposes poses in the whole image.
 #include "matching/proposal/contour_search.hpp"
 
 #include <gtest/gtest.h>
@@ -27,7 +27,7 @@ class EdgeSearchTest : public ::testing::Test {
                        foremost, most, {}, {}, part);
   }
 
-  /// The ground with a bright object at `truth`.
+  /// The background with a bright object at `truth`.
   cv::Mat with_object(const Pose2D& truth) const {
     cv::Mat image = ground_.clone();
     test::LearningImage bright = source_;
@@ -36,7 +36,7 @@ class EdgeSearchTest : public ::testing::Test {
     return image;
   }
 
-  /// The best response of a pose at `truth`; 0 if there is none.
+  /// The best response for a pose at `truth`; 0 if there is none.
   double response_at(const Pose2D& truth, const std::vector<templates::Candidate>& poses) const {
     const double side = 1 << bank_.level();
     double best = 0;

@@ -23,7 +23,7 @@ TemplateBank bank_of(int length) {
 
 class BarKernels : public testing::TestWithParam<int> {};
 
-// Long ones are turned piece by piece.
+// Long bars are rotated piece by piece.
 TEST_P(BarKernels, CoverTheBarAtEveryAngle) {
   const int length = GetParam();
   const TemplateBank bank = bank_of(length);

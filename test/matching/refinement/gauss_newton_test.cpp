@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Refinement: the pose is pulled onto the surface and onto the contour.
+// Refinement pulls the pose onto the surface and onto the contour.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -14,7 +14,7 @@ namespace {
 
 class ClimbTest : public ::testing::Test {
  protected:
-  /// An object with texture, or of one colour on a background of another.
+  /// An object with texture, or in one colour on a background of another.
   static test::LearningImage lesson(bool textured) {
     test::LearningImage source(41);
     if (textured) return source;
@@ -47,7 +47,7 @@ class ClimbTest : public ::testing::Test {
     Pose2D anchor;
   };
 
-  /// 1.5 px and 2 degrees off, in the kth of eight directions.
+  /// `pose` displaced by 1.5 px and 2 degrees, in the kth of eight directions.
   static Pose2D beside(const Pose2D& pose, int k) {
     const double direction = k * kPi / 4;
     return {pose.x + 1.5 * std::cos(direction), pose.y + 1.5 * std::sin(direction),

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Sub-pixel refinement: light must not displace the pose, and the covariance must hold.
+// Sub-pixel refinement: light must not displace the pose, and the covariance must be correct.
 #include "matching/refinement/refinement.hpp"
 
 #include <gtest/gtest.h>
@@ -43,8 +43,8 @@ class RefinementTest : public ::testing::Test {
     return noisy;
   }
 
-  /// As relief does that follows the texture: brightness as if it lay `aside` [px], colours as they
-  /// are.
+  /// Imitates relief that follows the texture: the brightness is displaced by `aside` [px], the
+  /// colours are not.
   cv::Mat scene_with_brightness_aside(const Pose2D& truth, double aside) const {
     cv::Mat scene = scene_with(truth, 42, 0);
     const cv::Mat moved = scene_with({truth.x + aside, truth.y, truth.theta}, 42, 0);
@@ -59,7 +59,7 @@ class RefinementTest : public ::testing::Test {
     return scene;
   }
 
-  /// The anchor when the reference point lies at `truth`, the object `scale` times as large.
+  /// The anchor if the reference point lies at `truth` and the object is `scale` times as large.
   Pose2D anchor_at(const Pose2D& truth, double scale = 1) const {
     const cv::Point2d lever = scale * view_.reference_in_anchor.position();
     return compose(truth, inverse(Pose2D{lever.x, lever.y, 0}));
@@ -70,7 +70,7 @@ class RefinementTest : public ::testing::Test {
     return refine(view_.dense, scene::SceneLevel(scene, 0), start, iterations, scale);
   }
 
-  /// A scene `scale` times as large as with the object at `truth`, with noise.
+  /// A scene with the object at `truth`, enlarged by `scale`, with noise.
   cv::Mat scene_in_size(double scale, const Pose2D& truth) const {
     cv::Mat scene;
     cv::resize(scene_with(truth, 42, 0), scene, {}, scale, scale,
@@ -78,7 +78,7 @@ class RefinementTest : public ::testing::Test {
     return with_noise(scene, 9, 3);
   }
 
-  /// The anchor there.
+  /// The anchor in that scene.
   Pose2D anchor_in_size(double scale, const Pose2D& truth) const {
     return anchor_at({(truth.x + 0.5) * scale - 0.5, (truth.y + 0.5) * scale - 0.5, truth.theta},
                      scale);
@@ -175,7 +175,7 @@ TEST_F(RefinementTest, ShadingIsSeenInTheClaim) {
 }
 
 TEST_F(RefinementTest, TheClaimTurnsWithTheObject) {
-  // Along a long strip the place is known less well than across.
+  // Along a long strip, the position is known less well than across it.
   cv::Mat map = cv::Mat::zeros(120, 120, CV_8UC1);
   map(cv::Rect(15, 52, 90, 12)) = 255;
   LearningImage strip(5, map);
@@ -235,7 +235,7 @@ TEST_F(RefinementTest, StartsFromAnotherScale) {
   }
 }
 
-// At the learned size, its edges are 3 to 5 px away.
+// At the learned size, the edges are 3 to 5 px away.
 TEST_F(RefinementTest, ALargePlainObjectInAnotherSizeNeedsAStartThere) {
   cv::Mat map = cv::Mat::zeros(240, 240, CV_8UC1);
   map(cv::Rect(30, 60, 180, 120)) = 255;

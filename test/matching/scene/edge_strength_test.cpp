@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Lengths of edge vectors under different light.
+// Lengths of edge vectors in different light.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -35,7 +35,7 @@ TEST(EdgeStrength, GrowsWithContrast) {
   EXPECT_LT(step_response(120, 140), step_response(120, 200));
 }
 
-// Half of the light halves the contrast in grey levels, not the contrast of the surfaces.
+// Half of the light halves the contrast in grey levels, but not the contrast of the surfaces.
 TEST(EdgeStrength, ChangesLittleWithTheLight) {
   const double full = step_response(120, 180);
   EXPECT_GT(full, 0.75);

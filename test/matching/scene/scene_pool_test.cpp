@@ -22,7 +22,7 @@ bool equal(const cv::Mat& a, const cv::Mat& b) {
   return a.size() == b.size() && a.type() == b.type() && cv::norm(a, b, cv::NORM_INF) == 0;
 }
 
-/// All data of `scene` are as in a new scene.
+/// Expects the same data in `scene` as in a new scene.
 void expect_as_if_fresh(const SceneImage& scene, const cv::Mat& image) {
   constexpr int kMargin = 20;
   const SceneImage fresh(image, kTop);

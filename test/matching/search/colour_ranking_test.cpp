@@ -25,7 +25,7 @@ class ColourRankingTest : public ::testing::Test {
 
   const prepared::PreparedView& view() const { return object_->views.front(); }
 
-  /// Poses over all the image; the second last one is true, and of all of them last by edges.
+  /// Poses all over the image; the second last one is the true one, although edges rank it last.
   std::vector<templates::Candidate> poses() const {
     std::vector<templates::Candidate> poses;
     for (int x = 40; x <= 280; x += 20)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What is proposed where something covers a part of an object.
+// Proposals if an object is partly covered.
 #include "matching/search/proposals.hpp"
 
 #include <gtest/gtest.h>
@@ -51,7 +51,7 @@ class ProposalsTest : public ::testing::Test {
 
 TEST_F(ProposalsTest, TheVisiblePartKeepsItsValueWhereTheRestIsCovered) {
   cv::Mat covered = free_.clone();
-  // Of the object's colour, so that the outline alone is covered.
+  // The cover has the object's colour, so that only the outline is covered.
   cv::circle(covered, compose(kTruth, {-13, -22, 0}).position(), 22, kColour, cv::FILLED);
   const double free = value_at_truth(free_);
   ASSERT_GT(free, 0);

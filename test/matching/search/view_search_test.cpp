@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A view is looked for again, and harder, where the first look does not find it.
+// A view is searched a second time, with a larger budget, if the first search does not find it.
 #include "matching/search/view_search.hpp"
 
 #include <gtest/gtest.h>
@@ -15,7 +15,7 @@ namespace {
 const cv::Point2d kReference{52, 60};
 const cv::Scalar kBrown{100, 118, 140};
 
-/// A hook of one colour that busy grey ground has nowhere.
+/// A hook in one colour that does not occur on the busy grey background.
 test::LearningImage hook() {
   constexpr int kWidth = 2;
   cv::Mat map = cv::Mat::zeros(120, 120, CV_8UC1);
@@ -27,7 +27,7 @@ test::LearningImage hook() {
   return source;
 }
 
-/// Grey ground with edges everywhere.
+/// A grey background with edges everywhere.
 cv::Mat busy_ground(std::uint64_t seed) {
   cv::Mat grey, ground;
   cv::cvtColor(test::texture({320, 240}, seed, 1.0), grey, cv::COLOR_BGR2GRAY);
@@ -53,7 +53,7 @@ class ViewSearchTest : public ::testing::Test {
            angle_distance(pose.theta, truth.theta) < to_radians(4.);
   }
 
-  /// Number of images, of twelve, whose best detection is at the true place.
+  /// Number of images, out of twelve, in which the best detection is at the true position.
   int found_by(SearchMode mode) const {
     int found = 0;
     for (unsigned k = 0; k < 12; ++k) {
@@ -76,7 +76,7 @@ TEST_F(ViewSearchTest, ASecondLookFindsColoursThatEdgesHide) {
   EXPECT_GT(in_the_end, at_once);
 }
 
-/// A plate with a half-turn symmetry except for a thin appendix, which moves the middle of its
+/// A plate with a half-turn symmetry except for a thin appendix, which displaces the centre of its
 /// excircle by 20 px and its centroid by two.
 test::LearningImage whiskered_plate() {
   cv::Mat map = cv::Mat::zeros(120, 140, CV_8UC1);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What saturates the camera, and shows nothing of the object, is not compared.
+// Pixels that saturate the camera show nothing of the object and are not compared.
 #include <gtest/gtest.h>
 
 #include "matching/images.hpp"
@@ -15,7 +15,7 @@ class HighlightsTest : public ::testing::Test {
  protected:
   const test::LearningImage source_{1};
 
-  /// Surface points of the object learned from `learned` that are compared in `image`, of all.
+  /// Fraction of the surface points learned from `learned` that are compared in `image`.
   static double compared(const cv::Mat& learned, const cv::Mat& image) {
     auto model = std::make_shared<ObjectModel>();
     model->name = "object";

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The camera nodelet, loaded into this process, playing folders and videos that the tests write.
+// The camera nodelet, loaded into this process, plays folders and videos that the tests write.
 #include <diagnostic_msgs/DiagnosticArray.h>
 #include <gtest/gtest.h>
 #include <nodelet/loader.h>
@@ -22,7 +22,7 @@
 namespace mbncc::nodelets {
 namespace {
 
-/// Image `number` is of this grey all over.
+/// The grey level that fills image `number`.
 int grey_of(int number) {
   return 20 + 15 * number;
 }
@@ -179,7 +179,7 @@ TEST_F(Camera, BadParametersStopItWithASentence) {
 int main(int argc, char** argv) {
   testing::InitGoogleTest(&argc, argv);
   ros::init(argc, argv, "camera_rostest");
-  // Between tests no other handle is alive, and the node would shut down.
+  // Between tests, no other handle exists, and the node would shut down.
   const ros::NodeHandle keeps_the_node_running;
   return RUN_ALL_TESTS();
 }

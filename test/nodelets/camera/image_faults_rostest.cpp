@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Images that change their size again and again, that show nothing, and whose tf frames are
-// missing; in this process so that sanitizers see it. MBNCC_IMAGES: switches of size, a tenth of
-// the empty images. Latencies go to the test's report.
+// Images that change their size repeatedly, that show nothing, and whose tf frames are missing. The
+// nodelets run in this process, so that sanitizers check them. MBNCC_IMAGES: number of size
+// changes; a tenth of it is the number of empty images. Latencies are written to the test's report.
 #include <gtest/gtest.h>
 #include <mbncc_vision/DetectedObjectArray.h>
 #include <nodelet/loader.h>
@@ -168,7 +168,7 @@ TEST_F(ImageFaults, EmptyImagesShowNothing) {
     const DetectedObjectArray& array = show(image);
     ASSERT_TRUE(array.objects.empty()) << i;
   }
-  // An image that is new all over may be searched in parts.
+  // An image that has changed completely may be searched in several steps.
   EXPECT_TRUE(spin_until([this] { return show(part_there_).objects.size() == 1; }))
       << "and then the part is found";
 }
@@ -187,10 +187,10 @@ TEST_F(ImageFaults, AnOldCameraInfoDoesNotCount) {
   EXPECT_TRUE(spin_until([&] { return is_posed(true); })) << "a new one counts";
 }
 
-/// Latencies of images, and the status of their arrays.
+/// Latencies of the images, and what their arrays contained.
 struct Shown {
   std::vector<double> latencies;  // [ms]
-  int posed = 0;                  // arrays with a pose in metres
+  int posed = 0;                  // number of arrays with a pose in metres
 };
 
 TEST_F(ImageFaults, MissingTransformsDelayNothing) {
@@ -228,7 +228,7 @@ TEST_F(ImageFaults, MissingTransformsDelayNothing) {
   broadcaster.sendTransform(platform);
   const Shown outdated = measure("tf_too_old");
   EXPECT_EQ(outdated.posed, 0);
-  // A lookup that waits would cost tens of milliseconds; a busy machine delays all alike.
+  // A lookup that waits would cost tens of milliseconds; a busy machine delays all images alike.
   const double usual = percentile(without_tf.latencies, 0.5);
   EXPECT_LT(percentile(missing.latencies, 0.5), 3 * usual + 20);
   EXPECT_LT(percentile(outdated.latencies, 0.5), 3 * usual + 20);

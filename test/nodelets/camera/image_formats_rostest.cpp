@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Images of 16 bits, of a part of the sensor, of binned pixels and of a fisheye: the pose is
-// right, or the refusal names the remedy. The matching nodelet runs in this process.
+// Images with 16 bits, of a part of the sensor, with binned pixels and from a fisheye lens: the
+// pose is correct, or the refusal names the remedy. The matching nodelet runs in this process.
 #include <gtest/gtest.h>
 #include <mbncc_vision/DetectedObjectArray.h>
 #include <mbncc_vision/ExplainPlace.h>
@@ -69,7 +69,7 @@ cv::Mat with_12_bits(const cv::Mat& image) {
   return result;
 }
 
-/// Red, green, red ... in the first row, green, blue ... in the second one.
+/// Bayer mosaic with red, green, red ... in the first row and green, blue ... in the second one.
 cv::Mat rggb_mosaic(const cv::Mat& image) {
   constexpr int kChannels[2][2] = {{2, 1}, {1, 0}};  // of bgr
   cv::Mat mosaic(image.size(), CV_8UC1);
@@ -79,7 +79,8 @@ cv::Mat rggb_mosaic(const cv::Mat& image) {
   return mosaic;
 }
 
-/// Of a sensor whose centre is the optical axis and whose pixels all form the image.
+/// Calibration of a sensor whose centre is the optical axis and whose pixels all contribute to the
+/// image.
 sensor_msgs::CameraInfo info_of(cv::Size sensor) {
   sensor_msgs::CameraInfo info;
   info.width = static_cast<std::uint32_t>(sensor.width);
@@ -157,7 +158,8 @@ class ImageFormats : public testing::Test {
     return spin_until([&] { return answered_.count(stamp) > 0; });
   }
 
-  /// The part's detection with a pose in metres; the first camera_info may follow its image.
+  /// The part's detection with a pose in metres; repeats, because the first camera_info may arrive
+  /// after its image.
   DetectedObject find(const sensor_msgs::Image& sent, const sensor_msgs::CameraInfo& info) {
     const bool found = spin_until([&] {
       return is_answered(publish(sent, info)) && array_->objects.size() == 1 &&
@@ -173,7 +175,7 @@ class ImageFormats : public testing::Test {
     EXPECT_NEAR(wrap_angle(found.image_pose.theta - expected_.theta), 0, kMostAngle);
   }
 
-  /// Of the next live image, at the part's place.
+  /// Explains the part's place in the next live image.
   mbncc_vision::ExplainPlace::Response explain(const sensor_msgs::Image& sent) {
     mbncc_vision::ExplainPlace call;
     call.request.place.x = expected_.x;
@@ -187,7 +189,7 @@ class ImageFormats : public testing::Test {
     return call.response;
   }
 
-  /// Until STALE says why no image is usable.
+  /// Publishes images until a STALE message says why no image is usable.
   std::string refusal_of(const sensor_msgs::Image& sent) {
     EXPECT_TRUE(spin_until([&] {
       publish(sent);
@@ -286,7 +288,7 @@ TEST_F(ImageFormats, AFisheyeSeesByTheAngle) {
   auto info = info_of(kSize);
   info.distortion_model = "equidistant";
   info.D = {0.1, 0, 0, 0};
-  // Off the axis, where a lens shows.
+  // The principal point is moved away, so that the lens has an effect.
   info.K[2] = 10;
   const DetectedObject found = find(message_of(shown_, "bgr8"), info);
   expect_place(found);
@@ -330,7 +332,8 @@ TEST_F(ImageFormats, AnotherSizeIsToldWithTheRemedy) {
   EXPECT_NE(message.find("Teach it again at this size"), std::string::npos) << message;
 }
 
-// Stamps that double precision holds exactly: of 32 images a second, 24 are three in four.
+// Stamps that double precision represents exactly: of 32 images per second, 24 are three out of
+// four.
 TEST_F(ImageFormats, TheRateIsThatOfTheStamps) {
   ros::param::set("/matching/max_rate", 24.0);
   teach(false);
@@ -340,7 +343,7 @@ TEST_F(ImageFormats, TheRateIsThatOfTheStamps) {
   std::size_t passed = 0;
   for (int i = 0; i <= 64; ++i) {
     const ros::Time stamp = publish_at(first + ros::Duration(0, 31250000 * i), sent);
-    // The others leave no message to wait for; one that is overtaken would not have been answered.
+    // There is no message to wait for the other images; an image that was overtaken would get none.
     if (i % 4 == 1) continue;
     ASSERT_TRUE(is_answered(stamp)) << i;
     ++passed;

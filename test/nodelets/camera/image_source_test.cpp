@@ -30,7 +30,7 @@ class FolderOfImages : public testing::Test {
   test::TemporaryFolder folder_;
 };
 
-/// The sentence with which a source is refused; "" when it opens.
+/// The message with which a source is refused; "" if it opens.
 std::string refusal(const std::string& source) {
   CameraConfig config;
   config.source = source;

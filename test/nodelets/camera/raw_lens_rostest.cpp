@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Metres from the raw images of a distorted camera, with a cell that is started as it is.
+// Poses in metres from the raw images of a distorted camera, with a cell that is started in the
+// usual way.
 #include <gtest/gtest.h>
 #include <ros/ros.h>
 #include <tf2/LinearMath/Quaternion.h>
@@ -18,7 +19,8 @@ constexpr double kFar = 0.28;          // [m] where it shifts by 6.7 mm
 constexpr double kMostError = 0.0005;  // [m], a quarter of a pixel
 constexpr int kMostPlaces = 30;
 
-/// [m] Of the learned frame from the true one, in the object: the lesson chose it.
+/// Position [m] of the learned frame relative to the true one, in the object's frame; the lesson
+/// chose it.
 tf2::Vector3 in_object(const geometry_msgs::Pose& seen, const geometry_msgs::Pose& truth) {
   const auto& q = truth.orientation;
   const tf2::Vector3 apart(seen.position.x - truth.position.x, seen.position.y - truth.position.y,
@@ -32,7 +34,7 @@ class RawLens : public SimulatedCell {
 
   double from_axis() const { return std::hypot(true_pose().position.x, true_pose().position.y); }
 
-  /// Puts the object down at new places until one is as wanted, and awaits its pose there.
+  /// Puts the object down at new places until one is `wanted`, and waits for its pose there.
   void find_where(const std::function<bool(double)>& wanted, geometry_msgs::Pose& seen) {
     for (int place = 0; place == 0 || !wanted(from_axis()); ++place) {
       ASSERT_LT(place, kMostPlaces) << "no place is as wanted";

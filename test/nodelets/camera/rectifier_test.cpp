@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Rectified images and top views, of which camera and in which frame.
+// Rectified images and top views: for which camera and in which frame.
 #include "nodelets/camera/rectifier.hpp"
 
 #include <gtest/gtest.h>
@@ -72,7 +72,7 @@ TEST(Rectifier, GivesTheDrawingBackFromATiltedCamera) {
   EXPECT_GT(mean_difference(tilted(inner), straight(inner)), 5) << "another camera is wanted";
 }
 
-/// The part of a raw image, and the part of the rectified one that it gives.
+/// A part of the raw image must give the corresponding part of the rectified image.
 void expect_same_part(const sensor_msgs::CameraInfo& whole) {
   const cv::Mat raw = drawing();
   const cv::Rect part(40, 30, 200, 160), inner(30, 30, 140, 100);

@@ -109,7 +109,7 @@ TEST_F(SimulatedCamera, ReportsLikeACamera) {
 int main(int argc, char** argv) {
   testing::InitGoogleTest(&argc, argv);
   ros::init(argc, argv, "simulated_camera_rostest");
-  // Between tests no other handle is alive, and the node would shut down.
+  // Between tests, no other handle exists, and the node would shut down.
   const ros::NodeHandle keeps_the_node_running;
   return RUN_ALL_TESTS();
 }

@@ -16,13 +16,13 @@ namespace {
 
 using Seconds = SourcePlayer::Seconds;
 
-/// A scripted camera, in a simulated environment whose clocks advance only in pauses.
+/// A scripted camera in a simulated environment, whose clocks advance only during pauses.
 struct Story {
   bool live = false;
   double rate = 0;    // [Hz]
-  int openings = 0;   // attempts so far
-  int refusals = 0;   // attempts that fail before one succeeds
-  int images = 1000;  // until the end
+  int openings = 0;   // attempts to open it so far
+  int refusals = 0;   // failed attempts before one succeeds
+  int images = 1000;  // number of images until the end
   int grabbed = 0, retrieved = 0;
   int fails_at = -1, unreadable = -1;  // numbers of grabs
   bool same_image = false;

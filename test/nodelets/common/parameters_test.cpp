@@ -34,7 +34,7 @@ XmlRpcValue one(const std::string& key, const Value& value) {
   return values;
 }
 
-/// The sentence with which `values` are refused; "" when they are accepted.
+/// The message with which `values` are refused; "" if they are accepted.
 std::string refusal(const XmlRpcValue& values) {
   Sample sample;
   try {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// From camera_info and tf to metres: raw and rectified images, and calibrations that are none.
+// From camera_info and tf to metres: raw and rectified images, and invalid calibrations.
 #include "nodelets/conversion/calibration.hpp"
 
 #include <gtest/gtest.h>
@@ -19,7 +19,7 @@ namespace {
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 const cv::Size kSize(1280, 960);
 
-/// A strong barrel, the principal point far from the middle.
+/// Strong barrel distortion, with the principal point far from the centre.
 sensor_msgs::CameraInfo strong_lens() {
   sensor_msgs::CameraInfo info;
   info.width = 1280;
@@ -75,7 +75,8 @@ TEST(Rays, AreNotFiniteWhereTheLensFoldsOver) {
   EXPECT_FALSE(std::isnan((*rays)({580, 530})[0]));
 }
 
-// It rises again behind the fold, so that one ray leads there: none that the lens has.
+// Beyond the fold the radius rises again, so that a ray leads there, but it is not one that the
+// lens can form.
 TEST(Rays, AreNotFiniteBehindAFold) {
   auto info = strong_lens();
   info.distortion_model = "equidistant";
@@ -122,7 +123,7 @@ TEST(Rays, OfAFisheyeUndoTheLens) {
     }
 }
 
-// A camera that sends a part of its sensor, two by three pixels as one.
+// A camera that sends a part of its sensor, with 2 x 3 pixels binned into one.
 TEST(Calibration, RegionAndBinningAreThoseOfTheSensor) {
   auto info = strong_lens();
   info.roi.x_offset = 200;
@@ -179,7 +180,7 @@ TEST(Calibration, TakesThePlatformAtTheImagesStamp) {
   transform.transform.rotation.w = 1;
   for (const double stamp : {9.0, 11.0}) {
     transform.header.stamp = ros::Time(stamp);
-    transform.transform.translation.z = stamp / 10;  // it sinks
+    transform.transform.translation.z = stamp / 10;  // the platform sinks
     tf.setTransform(transform, "test");
   }
   const auto info = strong_lens();
@@ -221,7 +222,7 @@ TEST(Calibration, UnusableCameraInfoIsRefusedWithASentence) {
   EXPECT_FALSE(calibrate({}, &info, header(), kSize, tf).platform);
 }
 
-/// The message names the fault.
+/// Expects a message that names the fault.
 void expect_fault(bool rectified, const sensor_msgs::CameraInfo& info, const std::string& words) {
   tf2_ros::Buffer tf;
   const auto calibration = calibrate(at_distance(rectified), &info, header(), kSize, tf);

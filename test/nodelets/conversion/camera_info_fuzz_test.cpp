@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Random calibrations, valid and corrupted: a pose in metres is given only if it agrees with
-// camera_info, by an independent computation.
+// Random calibrations, valid and corrupted: a pose in metres is given only if it agrees with an
+// independent computation from camera_info.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -20,21 +20,21 @@ namespace mbncc::nodelets {
 namespace {
 
 constexpr int kMessages = 8000;
-constexpr int kPixels = 3;             // of each
+constexpr int kPixels = 3;             // number of pixels per message
 constexpr double kMostError = 1e-3;    // [m]
-constexpr double kFarthest = 100.001;  // [m] of a place that makes sense
-constexpr double kTolerance = 2e-6;    // of entries that the definition fixes
+constexpr double kFarthest = 100.001;  // [m] largest distance of a plausible position
+constexpr double kTolerance = 2e-6;    // tolerance of entries that the definition fixes
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 
 using sensor_msgs::CameraInfo;
 
-/// One message, the image that it came with, and the platform.
+/// One message, the image that it belongs to, and the platform.
 struct Case {
   CameraInfo info;
   bool rectified = false;
   cv::Size size;
-  double distance = 0;  // [m]; 0: by tf
+  double distance = 0;  // [m]; 0: from tf
   cv::Matx44d T_camera_platform = cv::Matx44d::eye();
   double object_height = 0;  // [m]
 };
@@ -46,7 +46,7 @@ bool is(double value, double wanted) {
   return std::abs(value - wanted) <= kTolerance;
 }
 
-/// The pixel of the sensor; none where the image is not the message's.
+/// The pixel on the sensor; none if the image does not fit the message.
 std::optional<cv::Point2d> on_sensor(const Case& c, cv::Point2d pixel) {
   const auto& roi = c.info.roi;
   const bool none = roi.x_offset + roi.y_offset + roi.width + roi.height == 0;
@@ -59,7 +59,7 @@ std::optional<cv::Point2d> on_sensor(const Case& c, cv::Point2d pixel) {
                      roi.y_offset + by * pixel.y + (by - 1) / 2);
 }
 
-/// No lens is so short, long or askew: nothing made by hand has this matrix.
+/// No real lens is so short, so long or so far off axis.
 bool is_possible(double fx, double fy, double cx, double cy, const CameraInfo& info) {
   const double side = std::max(info.width, info.height);
   const auto possible = [side](double f) { return f > 0.05 * side && f < 200 * side; };
@@ -67,7 +67,7 @@ bool is_possible(double fx, double fy, double cx, double cy, const CameraInfo& i
          std::abs(cy) < 2.5 * info.height;
 }
 
-/// Direction (x, y, 1) with P (x, y, 1, 1/z) on the pixel, for a point at depth z.
+/// The direction (x, y, 1) for which P (x, y, 1, 1/z) is the pixel, for a point at depth z.
 std::optional<cv::Vec3d> rectified_ray(const CameraInfo& info, cv::Point2d pixel, double z) {
   const auto& p = info.P;
   if (!is_possible(p[0], p[5], p[2], p[6], info)) return {};
@@ -82,7 +82,7 @@ std::optional<cv::Vec3d> rectified_ray(const CameraInfo& info, cv::Point2d pixel
 
 using Vector = std::array<double, 2>;
 
-/// The distortion of CameraInfo's models, of a direction (x, y, 1).
+/// Applies the distortion of CameraInfo's models to a direction (x, y, 1).
 Vector distort(const CameraInfo& info, const Vector& v) {
   const auto& d = info.D;
   const double x = v[0], y = v[1], r2 = x * x + y * y, r = std::sqrt(r2);
@@ -99,8 +99,8 @@ Vector distort(const CameraInfo& info, const Vector& v) {
           y * radial + d[2] * (r2 + 2 * y * y) + 2 * d[3] * x * y};
 }
 
-/// Follows the lens from its axis outwards in so many steps, so that it ends on no branch behind a
-/// fold.
+/// Follows the distortion outwards from the axis in `steps` steps, so that the result is not on a
+/// branch beyond a fold.
 std::optional<Vector> undistort(const CameraInfo& info, const Vector& wanted, int steps) {
   constexpr double kStep = 1e-7;
   Vector v{0, 0};
@@ -135,7 +135,7 @@ std::optional<cv::Vec3d> raw_ray(const CameraInfo& info, cv::Point2d pixel) {
   const auto& k = info.K;
   if (!is_possible(k[0], k[4], k[2], k[5], info)) return {};
   if (!is(k[1], 0) || !is(k[3], 0) || !is(k[6], 0) || !is(k[7], 0) || !is(k[8], 1)) return {};
-  // A raw image's rays are those of the frame only when nothing turns it.
+  // The rays of a raw image are in the camera's frame only if R does not rotate it.
   const std::array<double, 9> one{1, 0, 0, 0, 1, 0, 0, 0, 1};
   bool same = true, none = true;
   for (std::size_t i = 0; i < 9; ++i) {
@@ -150,13 +150,13 @@ std::optional<cv::Vec3d> raw_ray(const CameraInfo& info, cv::Point2d pixel) {
     return cv::Vec3d(distorted[0], distorted[1], 1);
   if (!is_known_lens(info)) return {};
   auto straight = undistort(info, distorted, 200);
-  if (!straight) straight = undistort(info, distorted, 20000);  // strange lenses need small ones
+  if (!straight) straight = undistort(info, distorted, 20000);  // unusual lenses need small steps
   if (!straight) return {};
   return cv::Vec3d((*straight)[0], (*straight)[1], 1);
 }
 
-/// Where the ray meets the object's top face; none unless before the camera at a distance that
-/// makes sense.
+/// Intersection of the ray with the object's top face; none unless it lies in front of the camera
+/// at a plausible distance.
 std::optional<cv::Vec3d> place_on(const cv::Vec3d& ray, const Case& c) {
   cv::Vec3d point(0, 0, c.distance), normal(0, 0, -1);
   if (c.distance == 0) {
@@ -180,7 +180,7 @@ std::optional<cv::Vec3d> place_of(const Case& c, cv::Point2d pixel) {
     const auto ray = raw_ray(c.info, *full);
     return ray ? place_on(*ray, c) : std::nullopt;
   }
-  // A baseline shifts the ray; its depth is found by going there and back.
+  // A baseline shifts the ray, so its depth is found by iteration.
   double z = c.distance == 0 ? c.T_camera_platform(2, 3) : c.distance;
   std::optional<cv::Vec3d> place;
   for (int round = 0; round < 30; ++round) {
@@ -276,7 +276,7 @@ class Generator {
     return numbers[index(numbers.size())];
   }
 
-  /// One of all the numbers.
+  /// A random one of the message's numbers.
   double& number_of(CameraInfo& info) {
     const std::size_t i = index(30 + info.D.size());
     if (i < 9) return info.K[i];
@@ -342,7 +342,7 @@ class Generator {
       c.distance = number(0.3, 1.5);
       return;
     }
-    // It is tilted and points towards the camera.
+    // The platform is tilted and faces the camera.
     const double tilt = CV_PI + number(-0.5, 0.5), cosine = std::cos(tilt), sine = std::sin(tilt);
     c.T_camera_platform = {1, 0,    0,      number(-0.2, 0.2), 0, cosine, -sine, number(-0.2, 0.2),
                            0, sine, cosine, number(0.3, 1.5),  0, 0,      0,     1};

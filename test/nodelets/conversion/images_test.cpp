@@ -22,7 +22,7 @@ sensor_msgs::Image message_of(const cv::Mat& memory, const std::string& encoding
   return message;
 }
 
-// An image of one colour as a sensor with the pattern of `first_rows` (e.g. "rggb") sees it.
+// An image of one colour as a sensor with a Bayer pattern sees it; `first_rows` is e.g. "rggb".
 cv::Mat mosaic(const std::string& first_rows) {
   cv::Mat memory(8, 10, CV_8UC1);
   for (int y = 0; y < memory.rows; ++y)
@@ -62,7 +62,7 @@ TEST(DecodeImage, ReadsGreyOfEightAndSixteenBits) {
   const cv::Mat grey(8, 10, CV_8UC1, cv::Scalar(77));
   expect_colour(decode_image(message_of(grey, "mono8")).image, {77, 77, 77}, 0);
   expect_colour(decode_image(message_of(grey, "8UC1")).image, {77, 77, 77}, 0);
-  // Value 0x4d12 in both byte orders.
+  // The value 0x4d12 in both byte orders.
   auto little = message_of(cv::Mat(8, 10, CV_8UC2, cv::Scalar(0x12, 0x4d)), "mono16");
   expect_colour(decode_image(little).image, {0x4d, 0x4d, 0x4d}, 0);
   auto big = message_of(cv::Mat(8, 10, CV_8UC2, cv::Scalar(0x4d, 0x12)), "mono16");
@@ -70,7 +70,7 @@ TEST(DecodeImage, ReadsGreyOfEightAndSixteenBits) {
   expect_colour(decode_image(big).image, {0x4d, 0x4d, 0x4d}, 0);
 }
 
-/// The same image with the bytes of its numbers swapped.
+/// The same image with the bytes of each number swapped.
 sensor_msgs::Image swapped(sensor_msgs::Image message) {
   for (std::size_t i = 0; i + 1 < message.data.size(); i += 2)
     std::swap(message.data[i], message.data[i + 1]);
@@ -220,7 +220,7 @@ TEST(DecodeImage, RefusesALyingLayout) {
       {"encoding of a megabyte", [](auto& m) { m.encoding.assign(1 << 20, 'b'); }},
       {"floats", [](auto& m) { m.encoding = "32FC3"; }},
       {"doubles", [](auto& m) { m.encoding = "64FC1"; }},
-      {"16-bit colour", [](auto& m) { m.encoding = "bgr16"; }},  // in rows of 8 bits
+      {"16-bit colour", [](auto& m) { m.encoding = "bgr16"; }},  // in rows for 8 bits
       {"signed", [](auto& m) { m.encoding = "8SC3"; }},
       {"two channels", [](auto& m) { m.encoding = "8UC2"; }},
       {"12-bit Bayer", [](auto& m) { m.encoding = "bayer_bggr12"; }},
@@ -257,7 +257,7 @@ TEST(DecodeMap, ThresholdsGreyAndRefusesColour) {
 TEST(EncodeImage, ReadsBackBitForBit) {
   cv::Mat image(8, 10, CV_8UC3);
   cv::randu(image, 0, 256);
-  const cv::Mat part = image(cv::Rect(2, 1, 5, 4));  // rows apart in memory
+  const cv::Mat part = image(cv::Rect(2, 1, 5, 4));  // its rows are not contiguous in memory
   const Decoded decoded = decode_image(encode_image(part));
   ASSERT_TRUE(decoded);
   EXPECT_EQ(cv::norm(decoded.image, part, cv::NORM_INF), 0);

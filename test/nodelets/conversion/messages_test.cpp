@@ -11,7 +11,7 @@ namespace {
 
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
-// An 80 x 40 px plate learned at reference (100, 90), 0.5 mm a pixel.
+// An 80 x 40 px plate learned at reference (100, 90), 0.5 mm per pixel.
 ObjectModel plate() {
   ObjectModel model;
   model.name = "plate";

@@ -26,7 +26,7 @@ mbncc_vision::DetectedObject confirmed(std::uint32_t id, double x) {
 
 class ObjectFramesTest : public ::testing::Test {
  protected:
-  /// Shows an image stamped `stamp` [s].
+  /// Sends the frames for an image stamped `stamp` [s].
   void show(double stamp, const std::vector<mbncc_vision::DetectedObject>& objects) {
     mbncc_vision::DetectedObjectArray array;
     array.header.stamp.fromSec(stamp);
@@ -46,7 +46,7 @@ class ObjectFramesTest : public ::testing::Test {
   ObjectFrames frames_;
   tf2::BufferCore buffer_;
   int sent_ = 0;
-  bool rounds_ = false;  // stamps, as Python's tf2 does
+  bool rounds_ = false;  // rounds stamps to doubles, as Python's tf2 does
 };
 
 TEST_F(ObjectFramesTest, TheStableFrameFollowsOneInstanceBesideTheNumberedOnes) {
@@ -100,7 +100,7 @@ TEST_F(ObjectFramesTest, NothingIsSentTwiceForAStampNorWithoutAName) {
 }
 
 TEST_F(ObjectFramesTest, AGraspHangsUnderBothFrames) {
-  mbncc_vision::DetectedObject turned = confirmed(1, 3);  // half about its own x
+  mbncc_vision::DetectedObject turned = confirmed(1, 3);  // by 180 degrees about its x axis
   turned.pose.pose.orientation.x = 1;
   turned.pose.pose.orientation.w = 0;
   turned.has_grasp = true;

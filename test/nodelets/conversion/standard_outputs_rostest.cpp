@@ -19,7 +19,7 @@
 namespace mbncc::nodelets {
 namespace {
 
-/// Keeps the messages of a topic by their stamps.
+/// Stores the messages of a topic by their stamps.
 template <class Message>
 class Heard {
  public:
@@ -104,7 +104,7 @@ TEST_F(StandardOutputs, SayWhatDetectedObjectsSays) {
   EXPECT_NEAR(grasp.translation.z, 0.1, 1e-6) << "as marked above the platform";
   EXPECT_NEAR(std::hypot(grasp.rotation.x, grasp.rotation.y), 1, 1e-6) << "and pointing down";
 
-  // Lost objects are reported by empty messages.
+  // An empty message reports that the objects are gone.
   order("camera/take_away");
   ASSERT_TRUE(spin_until([this] { return rests(false); }));
   const ros::Time gone = truth_->header.stamp;

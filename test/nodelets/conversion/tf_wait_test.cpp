@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Waiting for a robot's tf. A wait that should not be would last an hour, and the test would run
-// into its time limit.
+// Waiting for a robot's tf. A wait that is not justified would last an hour, so that the test would
+// exceed its time limit.
 #include "nodelets/conversion/tf_wait.hpp"
 
 #include <gtest/gtest.h>

@@ -24,7 +24,7 @@ void add_corner(Points& points, double x, double y, double z) {
   point.z = static_cast<float>(z);
 }
 
-/// 60 x 20 px or mm, 30 mm high; the reference point lies 10 beside the middle.
+/// 60 x 20 px or mm, 30 mm high; the reference point lies 10 beside the centre.
 DetectedObject bar() {
   DetectedObject object;
   object.name = "bar";

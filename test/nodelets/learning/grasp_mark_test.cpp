@@ -8,7 +8,7 @@
 namespace mbncc::nodelets {
 namespace {
 
-// The gripper 0.1 m before the camera's object plane, turned by a quarter about z.
+// The gripper is 0.1 m in front of the camera's object plane, rotated by 90 degrees about z.
 geometry_msgs::TransformStamped gripper_in_camera() {
   geometry_msgs::TransformStamped transform;
   transform.header.stamp = ros::Time(10);
@@ -23,7 +23,7 @@ geometry_msgs::TransformStamped gripper_in_camera() {
 Eigen::Isometry3d object_in_camera() {
   Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
   pose.translation() = Eigen::Vector3d(0.2, 0.1, 0.6);
-  pose.linear() << 0, -1, 0, 1, 0, 0, 0, 0, 1;  // a quarter about z as well
+  pose.linear() << 0, -1, 0, 1, 0, 0, 0, 0, 1;  // also rotated by 90 degrees about z
   return pose;
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Ctrl-C during a lesson: its client gets a result, and the process ends in order.
+// Ctrl-C during a lesson: the client gets a result, and the process shuts down in order.
 #include <gtest/gtest.h>
 #include <ros/ros.h>
 #include <sys/wait.h>

@@ -41,8 +41,8 @@ class LessonScale : public testing::Test {
   }
 
   // Publishes platform and gripper on tf, with the camera displaced by `motion`, and marks the
-  // grasp. The nodelet has then received them, because its last gripper pose was too old to be
-  // marked.
+  // grasp. The nodelet must then have received them, because its last gripper pose was too old to
+  // be marked.
   void place(const ros::Time& stamp, const cv::Vec3d& motion = {}) {
     ASSERT_TRUE(spin_until([this] { return !mark(); }));
     tf2_msgs::TFMessage message;
@@ -103,7 +103,8 @@ class LessonScale : public testing::Test {
     return teacher_.await(id).result;
   }
 
-  // The gripper's place in the frame of an object whose top face lies `height` above the platform.
+  // Checks the gripper's position in the frame of an object whose top face is `height` above the
+  // platform.
   static void expect_grasp(const Result& lesson, const cv::Point2d& reference, double height) {
     ASSERT_EQ(lesson.error_code, Result::SUCCESS) << lesson.message;
     ASSERT_TRUE(lesson.object.has_grasp) << lesson.message;
@@ -156,7 +157,7 @@ TEST_F(LessonScale, WhatIsLearnedWithoutScaleSaysSo) {
   EXPECT_NE(lesson.message.find("without scale"), std::string::npos) << lesson.message;
 }
 
-// Must be the last call, because later stamps are too old for tf.
+// Must be the last test, because later stamps are too old for tf.
 TEST_F(LessonScale, ScaleAndGraspOutlastWhatTfRemembers) {
   const std::string id = begin(goal("long", pose_));
   place(ros::Time::now() + ros::Duration(60));

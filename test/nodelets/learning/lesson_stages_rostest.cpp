@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Cancelling a lesson and unloading the learning nodelet in every stage, in this process so that
-// sanitizers see it. MBNCC_ROUNDS: how often each; the slowest of all goes to the test's report.
+// Cancels a lesson and unloads the learning nodelet in every stage. The nodelet runs in this
+// process, so that sanitizers check it. MBNCC_ROUNDS: number of repetitions; the slowest one is
+// written to the test's report.
 #include <gtest/gtest.h>
 #include <nodelet/loader.h>
 #include <ros/ros.h>
@@ -44,7 +45,7 @@ struct Way {
   const char* name;
   std::uint8_t stage;
   Show show;
-  bool given;    // both images come with the goal
+  bool given;    // both images are given with the goal
   bool confirm;  // the operator is asked
   bool waits;    // the lesson stays in the stage by itself
 };
@@ -84,12 +85,12 @@ class LessonStages : public testing::TestWithParam<Way> {
   cv::Mat image() {
     if (show_ == Show::kTurned) return turned(before_);
     if (show_ == Show::kTurnedEmpty) return turned(after_);
-    // Motion begins once the lesson has seen the scene before.
+    // The motion begins once the lesson has seen the scene before.
     const bool moves = show_ == Show::kMotion && has_asked_;
     return moves && ++shown_ % 2 == 0 ? moving_ : before_;
   }
 
-  /// As a camera sees it that was knocked against.
+  /// The image after someone has bumped into the camera.
   static cv::Mat turned(const cv::Mat& image) {
     cv::Mat result;
     const cv::Mat motion = cv::getRotationMatrix2D({image.cols / 2.f, image.rows / 2.f}, -3, 1);
@@ -126,7 +127,8 @@ class LessonStages : public testing::TestWithParam<Way> {
 
   bool is_stored() const { return std::filesystem::exists(folder_ / "library/part.png"); }
 
-  /// Nothing is stored after "cancelled", and a lesson that waits cannot have succeeded meanwhile.
+  /// Nothing is stored after "cancelled", and a lesson that waits cannot have succeeded in the
+  /// meantime.
   void expect_end(const Way& way, const std::string& id, std::uint8_t status) {
     const auto end = teacher_->await(id);
     if (end.result.error_code == Result::SUCCESS) {
@@ -187,7 +189,7 @@ TEST_P(LessonStages, UnloadingTellsTheClientAndLeavesTheLibraryAsItWas) {
 
 using LessonCamera = LessonStages;
 
-// Otherwise it is told of something that reaches over the edge, for ever.
+// Otherwise the lesson would report forever that something reaches over the edge.
 TEST_P(LessonCamera, MovesAndTheLessonSaysSoAndGoesOn) {
   load();
   const std::string id = reach_stage(kWays[1]);
@@ -204,7 +206,7 @@ INSTANTIATE_TEST_SUITE_P(Any, LessonCamera, testing::Values(kWays[0]));
 
 using LessonSearch = LessonStages;
 
-// Found again with a score below 1, the object would not be reported by such a search.
+// The object is found again with a score below 1, so such a search would not report it.
 TEST_P(LessonSearch, JudgesByTheConfiguredOne) {
   const auto verdict = [this] {
     load();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Live CHANGE lessons in the simulated cell, and what is found afterwards.
+// Live CHANGE lessons in the simulated cell, and searches for what was learned.
 #include <gtest/gtest.h>
 #include <mbncc_vision/EditObject.h>
 #include <nodelet/NodeletUnload.h>
@@ -17,7 +17,7 @@ namespace {
 
 class LiveLesson : public SimulatedCell {
  protected:
-  // The next lesson is about the same object; two names for it would make each other ambiguous.
+  // The next lesson teaches the same object; under two names, both would be ambiguous.
   void forget(const std::string& name) {
     mbncc_vision::EditObject edit;
     edit.request.name = name;
@@ -73,7 +73,7 @@ TEST_F(LiveLesson, TeachesAnObjectThatHasBeenTakenAwayAlready) {
   Teacher teacher;
   ASSERT_TRUE(teacher.connect());
   ASSERT_TRUE(spin_until([this] { return rests(true); }));
-  // A still period with the object in view: a fresh lesson sees one before it asks for the removal.
+  // A still period with the object in view: a new lesson sees one before it asks for the removal.
   Teacher::Goal goal;
   goal.name = "waiting";
   const std::string waiting = teacher.send(goal);
@@ -93,7 +93,7 @@ TEST_F(LiveLesson, TeachesAnObjectThatHasBeenTakenAwayAlready) {
   forget("gone");
 }
 
-// Last: the learning nodelet is gone afterwards.
+// This must be the last test, because it unloads the learning nodelet.
 TEST_F(LiveLesson, TellsItsClientWhenTheNodeletIsUnloaded) {
   Teacher teacher;
   ASSERT_TRUE(teacher.connect());

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A session with simulated clock and images: identities, accepted stamps, and the example
-// consumer.
+// A session with simulated clock and images: identities, accepted stamps, and the example consumer.
 #include <gtest/gtest.h>
 #include <mbncc_vision/DetectedObjectArray.h>
 #include <mbncc_vision/FindObjects.h>
@@ -98,8 +97,8 @@ class Session : public testing::Test {
     return nullptr;
   }
 
-  /// The next image and its detections. On a busy machine one may be lost; then the following
-  /// one.
+  /// Shows the next image and returns its detections. On a busy machine an image may be lost; then
+  /// the following one is used.
   DetectedObjectArray::ConstPtr show(const std::vector<Pose2D>& poses) {
     for (int attempt = 0; attempt < 10; ++attempt) {
       set_clock(now_ + kInterval);

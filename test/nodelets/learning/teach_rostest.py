@@ -1,6 +1,6 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""scripts/teach as an operator uses it, in the simulated cell."""
+"""Tests scripts/teach in the simulated cell, as an operator uses it."""
 import os
 import signal
 import subprocess
@@ -27,7 +27,7 @@ def known_names():
 
 
 def order(command):
-    """Repeats until the arm of the simulated cell is free to follow."""
+    """Repeats the command until the arm of the simulated cell accepts it."""
     rospy.wait_for_service("camera/" + command, PATIENCE)
     deadline = rospy.Time.now() + rospy.Duration(PATIENCE)
     while not rospy.ServiceProxy("camera/" + command, Trigger)().success:
@@ -77,10 +77,10 @@ class Teach(unittest.TestCase):
         self.assertEqual(rospy.ServiceProxy("list_objects", ListObjects)().objects[0].symmetry,
                          LearnObjectGoal.SYMMETRY_ROUND)
         again, _ = self.start("agreed").communicate()
-        self.assertIn("(--overwrite), add a view to it (--add-view)", again)  # what to do, in this program's words
+        self.assertIn("(--overwrite), add a view to it (--add-view)", again)  # the remedy names this program's options
 
     def lost_lesson(self, namespace):
-        """Kills the nodelet amid a lesson; what the program says then."""
+        """Kills the nodelet during a lesson; returns what the program then prints."""
         rospy.wait_for_service(namespace + "/list_objects", PATIENCE)
         program = self.start("lost", namespace=namespace)
         program.stdout.readline()

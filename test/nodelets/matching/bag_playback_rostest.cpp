@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A bag of the simulated cell is recorded, played with --clock and compared with its truth.
+// A bag of the simulated cell is recorded, played with --clock and compared with the truth.
 #include <gtest/gtest.h>
 #include <mbncc_vision/DetectedObjectArray.h>
 #include <mbncc_vision/FindObjects.h>
@@ -54,7 +54,7 @@ class BagPlayback : public testing::Test {
         });
   }
 
-  // Random sub-pixel places and angles, well inside the image.
+  // Random sub-pixel positions and angles, well inside the image.
   static std::vector<Pose2D> places() {
     std::mt19937 random(3);
     std::uniform_real_distribution<double> x(70, 330), y(70, 230), theta(-kPi, kPi);
@@ -100,7 +100,7 @@ class BagPlayback : public testing::Test {
            find.response.detections.searched == std::vector<std::string>{"part"};
   }
 
-  // Plays the whole bag until its last image was searched.
+  // Plays the whole bag and waits until its last image has been searched.
   void play(const std::string& path) {
     const std::string command = "rosbag play --clock --quiet --delay 1 " + path + " > /dev/null";
     auto playing = std::async(std::launch::async, [&] { return std::system(command.c_str()); });
@@ -108,12 +108,12 @@ class BagPlayback : public testing::Test {
     EXPECT_TRUE(spin_until([&] { return !arrays_.empty() && arrays_.back()->header.stamp == last; },
                            std::chrono::seconds(120)));
     EXPECT_EQ(playing.get(), 0);
-    // The first images may overtake the first calibration.
+    // The first images may arrive before the first calibration.
     while (!arrays_.empty() && arrays_.front()->status == DetectedObjectArray::UNCALIBRATED)
       arrays_.erase(arrays_.begin());
   }
 
-  // Position of the taught reference point in the image of this stamp.
+  // Position of the taught reference point in the image with this stamp.
   Pose2D expected(const ros::Time& stamp) const {
     return compose(compose(truth_.at(stamp), inverse(learned_at_)), reference_);
   }
@@ -176,13 +176,13 @@ TEST_F(BagPlayback, FindsEveryPoseAndSendsTfOnceAtTheImagesStamp) {
   }
   EXPECT_EQ(places_found.size(), static_cast<std::size_t>(kPlaces));
 
-  // The last transforms may be under way still.
+  // The last transforms may still be on their way.
   EXPECT_TRUE(spin_until([&] { return sent_.size() >= 2 * confirmed_.size(); }));
   std::set<std::pair<std::string, ros::Time>> sent;
   for (const auto& transform : sent_) {
     EXPECT_TRUE(sent.emplace(transform.child_frame_id, transform.header.stamp).second)
         << "tf twice for a stamp";
-    // The stable frame's first word on another instance; see ObjectFrames.
+    // The first transform of the stable frame for another instance; see ObjectFrames.
     const ros::Duration step(0, ObjectFrames::kStep);
     if (confirmed_.count(transform.header.stamp - step) == 1) continue;
     ASSERT_EQ(confirmed_.count(transform.header.stamp), 1u) << "tf without a confirmed detection";

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Messages about an image, and the conditions to move an arm.
+// Messages about an image, and the conditions for moving an arm.
 #include "nodelets/matching/detection_pipeline.hpp"
 
 #include <gtest/gtest.h>
@@ -25,7 +25,7 @@ const cv::Size kSize(320, 240);
 
 class DetectionPipelineTest : public testing::Test {
  protected:
-  /// A textured angle on a plain platform, learned where it lies.
+  /// A textured angle on a plain platform, learned at its place.
   DetectionPipelineTest() : image_(kSize, CV_8UC3, cv::Scalar(110, 110, 110)) {
     cv::Mat map = cv::Mat::zeros(kSize, CV_8UC1), texture(kSize, CV_8UC3);
     map(cv::Rect(130, 80, 24, 70)) = 255;
@@ -62,7 +62,7 @@ class DetectionPipelineTest : public testing::Test {
     return received;
   }
 
-  /// Messages about the last of several equal images, with the frames that may be sent.
+  /// The message about the last of several equal images, with the frames that may be sent.
   DetectedObjectArray after(int images) {
     const LiveMatcher matcher({}, folder_.path());
     DetectionPipeline pipeline(config_, matcher, tf_);
@@ -92,7 +92,7 @@ TEST_F(DetectionPipelineTest, AFrameIsGivenOnceItIsConfirmed) {
     EXPECT_EQ(object.state, images < 3 ? DetectedObject::NEW : DetectedObject::CONFIRMED);
     EXPECT_EQ(object.child_frame_id, images < 3 ? "" : "object_angle_0");
     EXPECT_TRUE(object.pose_valid);
-    // The object's upper side lies 20 mm nearer than the platform.
+    // The object's top face is 20 mm nearer than the platform.
     EXPECT_NEAR(object.pose.pose.position.z, 0.48, 1e-6);
     EXPECT_NEAR(object.pose.pose.position.x, (150 - 159.5) / 300 * 0.48, 1e-4);
     EXPECT_NEAR(object.valid_until.toSec(), 100 + 0.1 * (images - 1) + config_.max_age, 1e-6);
@@ -148,10 +148,10 @@ TEST_F(DetectionPipelineTest, PosesAreInTheTargetFrameAsItWasAtTheImagesStamp) {
   geometry_msgs::TransformStamped transform;
   transform.header.frame_id = "base";
   transform.child_frame_id = "camera";
-  transform.transform.rotation.x = 1;  // looks down
+  transform.transform.rotation.x = 1;  // looks straight down
   for (const double stamp : {100., 101.}) {
     transform.header.stamp = ros::Time(stamp);
-    transform.transform.translation.x = stamp - 99.2;  // it moves
+    transform.transform.translation.x = stamp - 99.2;  // the camera moves
     tf_.setTransform(transform, "test");
   }
   const DetectedObjectArray array = after(3);
@@ -168,7 +168,7 @@ TEST_F(DetectionPipelineTest, TheGraspIsInTheFrameOfThePoses) {
   geometry_msgs::TransformStamped transform;
   transform.header.frame_id = "base";
   transform.child_frame_id = "camera";
-  transform.transform.rotation.x = 1;  // looks down
+  transform.transform.rotation.x = 1;  // looks straight down
   tf_.setTransform(transform, "test", true);
   const DetectedObject object = after(3).objects.at(0);
   ASSERT_TRUE(object.has_grasp);
@@ -180,7 +180,7 @@ TEST_F(DetectionPipelineTest, TheGraspIsInTheFrameOfThePoses) {
   EXPECT_NEAR(grasp.z - pose.z, 0.1, 1e-9) << "above the object";
 }
 
-/// The point `p` of the object's frame in the array's.
+/// Transforms the point `p` from the object's frame to that of the array.
 template <class Point>
 cv::Vec3d placed(const DetectedObject& object, const Point& p) {
   geometry_msgs::Pose point;

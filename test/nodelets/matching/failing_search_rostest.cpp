@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Searches that end in an exception or do not end, and images that cannot be searched:
-// subscribers are informed each time. The test reports the longest delay.
+// Searches that throw or never end, and images that cannot be searched: subscribers are informed
+// every time. The test reports the longest delay.
 #include <gtest/gtest.h>
 #include <mbncc_vision/DetectedObjectArray.h>
 #include <ros/ros.h>
@@ -75,7 +75,7 @@ class InjectedSearch : public ImageSearch {
   std::atomic<int> resets_{0};
 };
 
-/// Every kind of exception that a search may end in.
+/// Throws every kind of exception that a search may end with.
 const std::vector<std::function<void()>>& exceptions() {
   static const std::vector<std::function<void()>> all{
       [] { throw std::runtime_error("injected"); }, [] { throw std::bad_alloc(); },
@@ -110,7 +110,7 @@ class FailingSearch : public testing::Test {
     return config;
   }
 
-  /// The stamp of the image that was handed over.
+  /// Publishes an image and returns its stamp.
   ros::Time show(const std::string& encoding = "") {
     std_msgs::Header header;
     header.stamp = std::max(ros::Time::now(), last_stamp_ + ros::Duration(0, 1));
@@ -122,7 +122,7 @@ class FailingSearch : public testing::Test {
     return header.stamp;
   }
 
-  /// The message about the image of this stamp.
+  /// Waits for the message about the image with this stamp.
   DetectedObjectArray::ConstPtr about(const ros::Time& stamp) {
     DetectedObjectArray::ConstPtr found;
     EXPECT_TRUE(spin_until([&] {
@@ -195,7 +195,7 @@ TEST_F(FailingSearch, OneThatNeverEndsIsStale) {
   end.set_value();
 }
 
-// Images skipped by the rate limit must not hide failed searches.
+// Images that the rate limit skips must not hide failed searches.
 TEST_F(FailingSearch, RefusedImagesAreStaleAtALowRate) {
   settings_.change([](MatchingNodeConfig& config) { config.max_rate = 0.5; });
   ASSERT_EQ(about(show())->objects.size(), 1u);

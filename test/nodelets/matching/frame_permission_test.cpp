@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A frame is sent for what may be grasped, and for nothing else.
+// A frame is sent only for objects that may be grasped.
 #include "nodelets/matching/frame_permission.hpp"
 
 #include <gtest/gtest.h>
@@ -25,7 +25,7 @@ DetectedObjectArray graspable_one() {
   return array;
 }
 
-/// The frames left, joined.
+/// The remaining frames, joined into one string.
 std::string frames_left(DetectedObjectArray array, bool wanted = true) {
   permit_frames(array, ros::Time(), wanted);
   return array.objects[0].child_frame_id + array.objects[0].stable_frame_id;

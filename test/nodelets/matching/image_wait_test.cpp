@@ -8,7 +8,7 @@
 namespace mbncc::nodelets {
 namespace {
 
-constexpr double kPatience = 30;  // [s] never used up when all is well
+constexpr double kPatience = 30;  // [s] not reached unless a test fails
 
 sensor_msgs::ImageConstPtr stamped(double stamp) {
   const sensor_msgs::ImagePtr image(new sensor_msgs::Image);

@@ -127,7 +127,8 @@ TEST_F(LiveMatcherTest, LeavesDisabledObjectsAlone) {
   EXPECT_TRUE(matcher.find(image_, {}).result.searched.empty());
 }
 
-// A map that the paper's matching cannot take: the others are searched, and it can be deleted.
+// The paper's matching cannot use this map; the other objects are still searched, and the object
+// can be deleted.
 TEST_F(LiveMatcherTest, AnObjectThatCannotBePreparedStopsNoOther) {
   store(plate("first", {160, 120}));
   store(plate("second", {160, 120}));

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// In metres: a strongly distorted simulated camera, the platform by tf, a grasp marked in a lesson.
+// Poses in metres: a strongly distorted simulated camera, the platform from tf, a grasp marked in a
+// lesson.
 #include <geometry_msgs/PoseArray.h>
 #include <gtest/gtest.h>
 #include <ros/ros.h>
@@ -19,7 +20,7 @@ namespace mbncc::nodelets {
 namespace {
 
 constexpr int kPlaces = 3;
-// The gripper's place at the demonstration, as the launch file has it.
+// The gripper's pose at the demonstration, as in the launch file.
 const Pose2D kGripper{0.02, 0.03, kPi / 4};  // [m], [rad] in the camera's x and y
 
 Pose2D planar(const geometry_msgs::Pose& pose) {

@@ -16,7 +16,7 @@ namespace {
 
 using mbncc_vision::DetectedObject;
 
-/// A square of 40 px, 80 mm wide, turned by 90 degrees.
+/// A square of 40 px or 80 mm, rotated by 90 degrees.
 mbncc_vision::DetectedObjectArray one(std::uint8_t state) {
   mbncc_vision::DetectedObjectArray array;
   DetectedObject object;
@@ -57,7 +57,7 @@ TEST(Overlay, TheLegendLiesBelowTheImage) {
   EXPECT_EQ(cv::norm(drawn.rowRange(0, image.rows), image, cv::NORM_INF), 0);
 }
 
-/// The legend's columns in which something is drawn.
+/// The columns of the legend in which something is drawn.
 cv::Mat written_columns(const cv::Mat& legend) {
   cv::Mat columns, brightest;
   cv::inRange(legend, cv::Scalar::all(30), cv::Scalar::all(30), columns);
@@ -74,7 +74,7 @@ TEST(Overlay, TheAgeStandsApartFromTheLegend) {
       const cv::Mat drawn = draw_detections(image, array);
       return cv::Mat(drawn.rowRange(image.rows, drawn.rows));
     };
-    // The two differ in their first digit, the age's leftmost letter.
+    // The two differ in the first digit of the age, which is its leftmost character.
     const cv::Mat young = legend(0.01f), old = legend(8.01f);
     cv::Mat differing;
     cv::reduce(cv::Mat(young != old).reshape(1, young.rows), differing, 0, cv::REDUCE_MAX);
@@ -123,7 +123,7 @@ TEST(ScoreMap, ItsLabelsDoNotCoverEachOther) {
   const cv::Mat both = draw_score_map(scores, 30);
   cv::Mat changed;
   cv::absdiff(alone, both, changed);
-  // Right of the ring, where "object" stands, and "next best" would stand beside its square.
+  // The ring's label "object" is here; beside its square, the label "next best" would overlap it.
   EXPECT_EQ(cv::sum(changed(cv::Rect(332, 80, 40, 20))), cv::Scalar());
   EXPECT_GT(cv::sum(changed(cv::Rect(270, 105, 100, 60)))[0], 0) << "below it";
 }
@@ -133,7 +133,7 @@ TEST(Markers, TheOutlineIsInMetresInTheObjectsFrame) {
   const auto outline = std::find_if(markers.begin(), markers.end(),
                                     [](const auto& marker) { return marker.ns == "outline"; });
   ASSERT_NE(outline, markers.end());
-  ASSERT_EQ(outline->points.size(), 5u);  // closed
+  ASSERT_EQ(outline->points.size(), 5u);  // the outline is closed
   EXPECT_NEAR(outline->points[0].x, -0.04, 1e-6);
   EXPECT_NEAR(outline->points[0].y, 0.04, 1e-6);
   EXPECT_EQ(outline->points[0].z, 0) << "on the top face";

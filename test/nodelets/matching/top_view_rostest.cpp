@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A tilted camera, whose images are shown as from straight above.
+// A tilted camera whose images are shown as seen from straight above.
 #include <gtest/gtest.h>
 #include <ros/ros.h>
 #include <tf2_eigen/tf2_eigen.h>
@@ -21,7 +21,7 @@ constexpr char kCamera[] = "camera_optical_frame";
 
 class TopView : public SimulatedCell {
  protected:
-  /// The found object in the truth's frame, which is the camera's, at the next place.
+  /// The pose of the found object relative to the truth at the next place, in the camera's frame.
   std::optional<Eigen::Isometry3d> offset_at_next_place() {
     order("camera/put_next");
     if (!spin_until([this] { return rests(true); })) return {};

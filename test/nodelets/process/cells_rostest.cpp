@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Two cells with one library: an object taught in one is found in both, and the cells do not affect
-// each other.
+// each other otherwise.
 #include <gtest/gtest.h>
 #include <mbncc_vision/DetectedObjectArray.h>
 #include <mbncc_vision/LearnedObjectArray.h>
@@ -20,7 +20,7 @@ namespace {
 using mbncc_vision::DetectedObject;
 using mbncc_vision::DetectedObjectArray;
 
-/// One of the two cells, as its consumers see it.
+/// One of the two cells as its consumers see it.
 class CellClient {
  public:
   explicit CellClient(const std::string& name)

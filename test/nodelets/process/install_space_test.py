@@ -1,11 +1,11 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""Every nodelet of the package loads from the install space; the one of vision_msgs tells if they are missing.
+"""Every nodelet of the package loads from the install space; that for vision_msgs reports if they are missing.
 
 usage: install_space_test.py CMAKE BUILD_FOLDER
 
-Installs into a temporary prefix, starts a master on a port of its own and loads each nodelet of
-the installed plugin descriptions with an environment that knows only the system and that prefix.
+Installs into a temporary prefix, starts a master on a separate port and loads each nodelet of
+the installed plugin descriptions in an environment that contains only the system and that prefix.
 """
 import os
 import subprocess
@@ -19,11 +19,11 @@ import rospkg
 from own_master import free_port, nodelet_program, published, stop, wait_for
 
 PACKAGE = "mbncc_vision"
-ARGUMENTS = {PACKAGE + "/CameraNodelet": ["_source:=/nowhere"]}  # what cannot be left at its default
+ARGUMENTS = {PACKAGE + "/CameraNodelet": ["_source:=/nowhere"]}  # arguments without a usable default
 
 
 def environment(prefix, home, port):
-    """The environment a user has after sourcing the install space, and nothing of the build."""
+    """The environment after sourcing the install space, without anything from the build."""
     build_free = {key: value for key, value in os.environ.items()
                   if key not in ("CMAKE_PREFIX_PATH", "LD_LIBRARY_PATH", "PYTHONPATH",
                                  "ROS_PACKAGE_PATH")}
@@ -40,11 +40,11 @@ def environment(prefix, home, port):
 
 
 def load(name, env, master):
-    """Loads one nodelet; it must come up, stay and end by itself on SIGINT. Returns what it said."""
-    node = "probe_" + name.split("/")[1]  # parameters stay on the server under this name
+    """Loads one nodelet; it must start, keep running and end by itself on SIGINT. Returns its output."""
+    node = "probe_" + name.split("/")[1]  # parameters remain on the server under this name
     command = [nodelet_program(), "standalone", name, "__name:=" + node] + ARGUMENTS.get(name, [])
     process = subprocess.Popen(command, env=env, stderr=subprocess.PIPE, text=True)
-    # Each nodelet publishes diagnostics or images once it has been initialised.
+    # Each nodelet publishes diagnostics or images once it is initialised.
     wait_for(lambda: any("/" + node in nodes and topic in ("/diagnostics", "/image_raw")
                          for topic, nodes in published(master).items()), process, name)
     stop(process)

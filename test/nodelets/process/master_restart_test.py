@@ -1,6 +1,6 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""The ROS master dies and comes back: who subscribes then gets images and detections.
+"""The ROS master dies and comes back: clients that subscribe afterwards get images and detections.
 
 usage: master_restart_test.py
 """
@@ -44,7 +44,7 @@ def main():
             wait_for(lambda: {"/image_raw", "/detected_objects"} <= set(published(server)),
                      nodelets[0], "first registration")
             wait_for(lambda: "/find_objects" in services(server), nodelets[1], "first registration")
-            # Reports come once a second, as the nodelets look at the master.
+            # Reports arrive once per second; the nodelets check the master at the same rate.
             hear("/diagnostics", env, messages=8)
             kill(master)
             master, server = start_master(env)

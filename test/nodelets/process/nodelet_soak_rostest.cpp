@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// All nodelets in one process, fed at full rate: teaching, edits, find_objects and camera_infos
-// that change beside matching, more images than can be searched, a long run. MBNCC_SOAK_FRAMES
-// and MBNCC_SOAK_MINUTES: searched images and time of the long run, the later of both;
-// MBNCC_SOAK_CSV: a file for memory, open files and threads over them.
+// All nodelets in one process, fed at full rate: teaching, edits, find_objects and changing
+// camera_infos alongside matching, more images than can be searched, a long run. MBNCC_SOAK_FRAMES
+// and MBNCC_SOAK_MINUTES: searched images and duration of the long run, whichever is reached later;
+// MBNCC_SOAK_CSV: a file for memory, open files and threads over time.
 #include <gtest/gtest.h>
 #include <mbncc_vision/DetectedObjectArray.h>
 #include <mbncc_vision/EditObject.h>
@@ -31,12 +31,12 @@ namespace {
 using mbncc_vision::DetectedObjectArray;
 using test::StateHistory;
 
-// An image that is lost in every lesson makes ten times as much.
+// One leaked image per lesson would add ten times as much.
 constexpr double kMostGrowthInUse = 2;  // [MB]
 constexpr double kMostGrowth = 5;       // [MB]
-// roscpp keeps connections to other nodes' XML-RPC servers for 30 s (XMLRPCManager), about as long
-// as the run: a few more may be open at its end. Hundreds of lessons and edits would each leave
-// one.
+// roscpp keeps connections to the XML-RPC servers of other nodes for 30 s (XMLRPCManager), which is
+// about as long as the run, so a few more may be open at its end. A leak in lessons or edits would
+// add hundreds.
 constexpr int kMostNewFiles = 3;
 constexpr std::chrono::hours kPatience{24};
 
@@ -93,7 +93,8 @@ class Soak : public testing::Test {
     ASSERT_TRUE(loader_.load(name, "mbncc_vision/" + type, {}, {})) << name;
   }
 
-  /// Lessons with given images follow each other; the nodelet's edits and reloads with them.
+  /// Runs lessons with given images one after the other, together with the edits and reloads of the
+  /// nodelet.
   void keep_teaching(Teacher& teacher) {
     if (!lesson_.empty() && !teacher.ended(lesson_)) return;
     if (!lesson_.empty()) {
@@ -121,7 +122,7 @@ class Soak : public testing::Test {
     if (call_service("edit_object", call) && call.response.success) ++edits_;
   }
 
-  /// In a given image, while the camera publishes another calibration.
+  /// Searches a given image while the camera publishes another calibration.
   void ask() {
     mbncc_vision::FindObjects call;
     call.request.image = before_;
@@ -140,7 +141,7 @@ class Soak : public testing::Test {
     infos_.publish(info);
   }
 
-  /// Images of this size are taught and shown.
+  /// Uses images of this size for teaching and showing.
   void use_size(const cv::Size& size) {
     set("/camera/width", size.width);
     set("/camera/height", size.height);
@@ -196,7 +197,7 @@ TEST_F(Soak, TeachingBesideMatchingStaysFlat) {
       [&] {
         keep_teaching(teacher);
         for (; searched_ >= sampled; sampled += every) history.add(sampled);
-        // The figures of a long run would only fill memory.
+        // The figures of a long run would only use up memory.
         if (latencies_.size() > 20000) record("full_rate");
         return searched_ >= frames && std::chrono::steady_clock::now() >= end;
       },
@@ -219,7 +220,7 @@ TEST_F(Soak, TeachingBesideMatchingStaysFlat) {
   EXPECT_LE(history.new_threads(), 0);
 }
 
-// 60 images a second of which each takes about a fifth of a second to search whole.
+// 60 images per second, each of which takes about a fifth of a second to search completely.
 TEST_F(Soak, OverloadSearchesTheNewestAndKeepsNothing) {
   if (!test::process_is_visible()) GTEST_SKIP() << "/proc is not mounted";
   constexpr int kSearched = 40;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// In one process images are passed by pointer: every subscriber gets the published image
+// Within one process, images are passed by pointer: every subscriber gets the published image
 // itself, including rectified images.
 #include <gtest/gtest.h>
 #include <nodelet/loader.h>
@@ -14,16 +14,16 @@
 namespace mbncc::nodelets {
 namespace {
 
-/// Addresses of the images heard, by stamp.
+/// Addresses of the received images by stamp.
 class Listener {
  public:
   explicit Listener(const std::string& topic)
       : subscriber_(ros::NodeHandle().subscribe<sensor_msgs::Image>(
             topic, 10, [this](const sensor_msgs::ImageConstPtr& image) {
-              heard_[image->header.stamp] = image;  // kept, so that no address is used again
+              heard_[image->header.stamp] = image;  // kept, so that the address is not reused
             })) {}
 
-  /// Images that both have heard, and how many of them were one and the same.
+  /// Number of images that both have received, and number of those that were the same object.
   std::pair<int, int> shared_with(const Listener& other) const {
     int both = 0, same = 0;
     for (const auto& [stamp, image] : heard_) {
@@ -52,7 +52,7 @@ TEST(OneProcess, ImagesAreNotCopied) {
   }
 }
 
-// Rectifying follows the camera out, whose timer is hardly ever idle.
+// Unloads the rectify nodelet and then the camera nodelet, whose timer is hardly ever idle.
 TEST(OneProcess, UnloadingAmidCallbacksLeavesNothingBehind) {
   for (int round = 0; round < 20; ++round) {
     int heard = 0;

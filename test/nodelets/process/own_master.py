@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Processes and a separate ROS master of a test, on a free port."""
+"""Processes and a separate ROS master for a test, on a free port."""
 import os
 import signal
 import socket
@@ -8,7 +8,7 @@ import sys
 import time
 import xmlrpc.client
 
-DEADLINE = 60  # [s] generous; nothing waits for it when all is well
+DEADLINE = 60  # [s] generous; not reached unless a test fails
 
 
 def free_port():
@@ -38,7 +38,7 @@ def stop(process):
 
 
 def start_master(env):
-    """The master of `env` as process and server. roslaunch and roscore give up after 10 s of a busy machine."""
+    """The master of `env` as process and server. roslaunch and roscore time out after 10 s on a busy machine."""
     master = subprocess.Popen(["rosmaster", "--core", "-p", env["ROS_MASTER_URI"].rsplit(":", 1)[1]], env=env,
                               stdout=subprocess.DEVNULL)
     server = xmlrpc.client.ServerProxy(env["ROS_MASTER_URI"])
@@ -54,7 +54,7 @@ def is_running(master):
 
 
 def published(master):
-    """Topics that somebody publishes, as name -> publishers; {} while there is no master."""
+    """Published topics as name -> publishers; {} while there is no master."""
     try:
         return dict(master.getSystemState("/test")[2][0])
     except OSError:

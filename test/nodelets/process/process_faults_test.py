@@ -4,8 +4,8 @@
 
 usage: process_faults_test.py
 
-Camera, matching and learning run as processes of their own, with a master of their own. Prints how long each
-fault took to be noticed and to be over; those times belong into docs/reliability.md.
+Camera, matching and learning run as separate processes with a separate master. Prints how long it took to detect
+each fault and to recover from it; these times belong in docs/reliability.md.
 """
 import os
 import signal
@@ -33,7 +33,7 @@ projection_matrix: {rows: 3, cols: 4, data: [400, 0, 160, 0, 0, 400, 120, 0, 0, 
 
 
 class Cell:
-    """The processes, and the messages that a peer receives."""
+    """The processes, and the messages that a client receives."""
 
     def __init__(self, home, env):
         self._env = env
@@ -112,7 +112,7 @@ def check(holds, what):
 
 
 def resident(process):
-    """[MB]; None where /proc is not mounted."""
+    """Memory [MB]; None if /proc is not mounted."""
     try:
         with open("/proc/%d/statm" % process.pid) as pages:
             return int(pages.read().split()[1]) * os.sysconf("SC_PAGESIZE") / 1e6
@@ -121,7 +121,7 @@ def resident(process):
 
 
 def draw_images(home):
-    """The part on its ground, and the ground alone."""
+    """The part on its background, and the background alone."""
     import cv2
     import numpy
     random = numpy.random.RandomState(1)
@@ -149,13 +149,13 @@ def teach(cell, images, name):
     before, after = (Image(height=240, width=320, encoding="bgr8", step=960, data=image.tobytes())
                      for image in images)
     client.send_goal(LearnObjectGoal(name=name, before=before, after=after, overwrite=True, allow_bad=True))
-    # The state can be told before the result is there.
+    # The state may arrive before the result.
     cell.wait(lambda: client.get_result() is not None, "result of the lesson of " + name)
     return client.get_result()
 
 
 def stopped_camera(cell):
-    """Stopped and going on: STALE without objects and tf meanwhile."""
+    """The camera stops and continues: STALE without objects and tf in between."""
     cell.wait(cell.sees_the_part, "the part confirmed")
     cell.camera.send_signal(signal.SIGSTOP)
     cell.wait(cell.is_stale, "STALE while the camera is stopped")
@@ -172,7 +172,7 @@ def stopped_camera(cell):
 
 
 def stopped_subscriber(cell, home):
-    """A stopped subscriber delays no other and costs no memory."""
+    """A stopped subscriber does not delay others or use up memory."""
     heard = os.path.join(home, "overlay.txt")
     with open(heard, "w") as output:
         slow = cell.start("rostopic", "echo", "--noarr", "/matchingnodelet/overlay", stdout=output)
@@ -195,7 +195,7 @@ def stopped_subscriber(cell, home):
 
 
 def killed_client(cell, images):
-    """Its lesson ends at its time limit, and the next is taken."""
+    """The lesson of a dead client ends at its time limit, and the next one is accepted."""
     client = cell.start(sys.executable, TEACH, "lonely", "--yes", "--timeout", str(LESSON_TIME),
                         stdout=subprocess.DEVNULL)
     cell.feedback = cell.result = None

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A nodelet that cannot start says why and leaves its manager, this process, alive.
+// A nodelet that cannot start says why and leaves its manager, which is this process, running.
 #include <diagnostic_msgs/DiagnosticArray.h>
 #include <gtest/gtest.h>
 #include <mbncc_vision/DetectedObjectArray.h>
@@ -84,7 +84,7 @@ TEST_F(RefusedStart, LibraryThatCannotBeOpened) {
     expect_refusal(type, "library_path", file + "/library", file);
 }
 
-// roslaunch would restart a refusing nodelet repeatedly.
+// roslaunch would restart such a nodelet again and again.
 TEST_F(RefusedStart, ImageTransportThatIsNotInstalledIsToldOnceAndInDiagnostics) {
   for (const char* type : {"LearningNodelet", "MatchingNodelet"}) {
     errors_.clear();
@@ -132,7 +132,7 @@ TEST_F(RefusedStart, RightedParametersStartItAfterAll) {
 int main(int argc, char** argv) {
   testing::InitGoogleTest(&argc, argv);
   ros::init(argc, argv, "refused_start_rostest");
-  // Between tests no other handle is alive, and the node would shut down.
+  // Between tests, no other handle exists, and the node would shut down.
   const ros::NodeHandle keeps_the_node_running;
   return RUN_ALL_TESTS();
 }

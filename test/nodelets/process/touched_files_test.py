@@ -1,11 +1,11 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""Files that learning and matching change on disk for valid and invalid requests.
+"""Checks which files learning and matching change on disk for valid and invalid requests.
 
 usage: touched_files_test.py
 
-Both run under strace with a master of their own. No program may be started, and no file outside the
-library and ROS's log folder created, written, renamed or removed.
+Both run under strace with a separate master. They may not start programs, and may create, write, rename or remove
+files only in the library and in ROS's log folder.
 """
 import os
 import re
@@ -24,7 +24,7 @@ CALL = re.compile(r"^\d+ +(\w+)\((.*)\) += +(-?\d+)")
 
 
 def clients(home):
-    """Asks as a peer would; runs in the environment of the test's master."""
+    """Sends requests like another client; runs in the environment of the test's master."""
     import actionlib
     import numpy
     import rospy
@@ -98,7 +98,7 @@ def main():
             traced.extend(start(name, home, env) for name in NODELETS)
             clients(home)
             for name in NODELETS:
-                # strace hands no signal on.
+                # strace does not forward signals.
                 node = server.lookupNode("/test", "/" + name.lower())[2]
                 xmlrpc.client.ServerProxy(node).shutdown("/test", "the test is over")
             for process, _ in traced:
@@ -113,7 +113,7 @@ def main():
         for process, log in traced:
             started = 0
             for line in violations(log, allowed):
-                # The first is strace's own start of the program.
+                # The first one is the start of the program by strace.
                 started += " exec" in line
                 if started != 1 or " exec" not in line:
                     found.append(line)

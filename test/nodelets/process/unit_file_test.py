@@ -1,10 +1,10 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""The systemd unit's command brings the cell up in a state folder that is empty.
+"""The systemd unit's command starts the cell with an empty state folder.
 
 usage: unit_file_test.py
 
-Runs what docs/mbncc_vision.service starts, with its environment, in a folder that stands for /var/lib/mbncc.
+Runs the command and environment of docs/mbncc_vision.service in a folder that replaces /var/lib/mbncc.
 """
 import configparser
 import os
@@ -20,7 +20,7 @@ UNIT = os.path.join(os.path.dirname(__file__), "../../../docs/mbncc_vision.servi
 
 
 def service(state):
-    """Environment and roslaunch command of the unit, in another state folder."""
+    """Environment and roslaunch command of the unit for another state folder."""
     unit = configparser.ConfigParser(strict=False, interpolation=None)
     unit.optionxform = str
     unit.read(UNIT)

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Consoles, controllers and bags of other machines are built against these definitions: a changed
-// checksum shuts them all out, so it is no side effect of an edit but a decision.
+// Consoles, controllers and bags on other machines are built against these definitions. A changed
+// checksum excludes all of them, so it must be a deliberate decision.
 #include <gtest/gtest.h>
 #include <mbncc_vision/ConfirmLearning.h>
 #include <mbncc_vision/DetectedObjectArray.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A client of one cell that has neither calibration nor images but those the test gives it.
+// A client of one cell whose only images and calibration are those that the test provides.
 #pragma once
 
 #include <diagnostic_msgs/DiagnosticArray.h>
@@ -72,7 +72,7 @@ class Protocol : public testing::Test {
     return goal;
   }
 
-  // Images of the part, without calibration, until the object goes.
+  // Publishes images of the part, without calibration, as long as the returned timer exists.
   ros::WallTimer play() {
     return node_.createWallTimer(ros::WallDuration(0.1), [this](const auto&) {
       std_msgs::Header header;
@@ -92,7 +92,7 @@ class Protocol : public testing::Test {
 
   bool status_is(std::uint8_t status) const { return array_ && array_->status == status; }
 
-  /// Diagnostics of a nodelet.
+  /// Whether the diagnostics of a nodelet have this level.
   bool health_is(const std::string& nodelet, int level, const std::string& start = "") {
     const auto& status = health_[nodelet];
     return !status.name.empty() && status.level == level && status.message.rfind(start, 0) == 0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Detections without images, without calibration, with malformed images, on request and
+// Detections without images, without calibration, with malformed images, on request and while
 // disabled; settings at run time.
 #include <dynamic_reconfigure/Reconfigure.h>
 #include <mbncc_vision/FindObjects.h>
@@ -27,7 +27,7 @@ TEST_F(Protocol, SaysStaleWithoutImagesAndLibraryEmptyWithThem) {
       "matching/markers", 5, [&](const visualization_msgs::MarkerArray::ConstPtr& array) {
         if (status_is(DetectedObjectArray::STALE)) marks = array->markers.size();
       });
-  EXPECT_TRUE(spin_until([&] { return marks == 1; }));  // those of before are deleted
+  EXPECT_TRUE(spin_until([&] { return marks == 1; }));  // the earlier markers are deleted
   {
     const ros::WallTimer playing = play();
     ASSERT_TRUE(spin_until([this] { return status_is(DetectedObjectArray::LIBRARY_EMPTY); }));
@@ -174,7 +174,7 @@ TEST_F(Protocol, FindsOnceOnRequest) {
   EXPECT_TRUE(edit("part", EditObject::Request::DELETE).success);
 }
 
-// Without images each call waits until its timeout; an excess call must not.
+// Without images, each call waits until its timeout; a call in excess of the limit must not.
 TEST_F(Protocol, ManyCallsAtATimeAreToldBusy) {
   constexpr int kCalls = 30;
   std::atomic<int> busy{0}, out_of_time{0}, ended{0};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A running lesson: a second goal, its time limit, the operator's word.
+// A running lesson: a second goal, its time limit, the operator's decision.
 #include <std_srvs/Trigger.h>
 
 #include <cmath>
@@ -47,7 +47,7 @@ TEST_F(Protocol, EndsALessonAtItsTimeLimit) {
   EXPECT_TRUE(edit("next", EditObject::Request::DELETE).success);
 }
 
-// A lesson that waits for the operator's word.
+// A lesson that waits for the operator's decision.
 class Review : public Protocol {
  protected:
   std::string begin(const std::string& name, double timeout = 0) {

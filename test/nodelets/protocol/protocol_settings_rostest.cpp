@@ -26,7 +26,7 @@ class RunTimeSettings : public Protocol {
     return array_ && array_->objects.size() == 1 && array_->objects[0].state == state;
   }
 
-  /// In an image that is published from now on.
+  /// Waits until the predicate holds for an image that is published after this call.
   template <class Predicate>
   bool comes_to(const Predicate& predicate) {
     const int before = arrays_;
@@ -104,7 +104,7 @@ TEST_F(RunTimeSettings, ConfirmingMayTakeLongerButNotLongerThanItsWindow) {
 
 TEST_F(RunTimeSettings, WhatIsLostMayBeHeld) {
   set("hold_time", 60);
-  set_roi("0,0,20,20");  // which the object does not lie in
+  set_roi("0,0,20,20");  // the object does not lie in this region
   EXPECT_TRUE(comes_to([this] {
     return !array_->objects.empty() && array_->objects[0].state == DetectedObject::HELD;
   }));
@@ -126,7 +126,7 @@ TEST_F(RunTimeSettings, TheRegionIsATopicToo) {
     std::string stored;
     return ros::param::get("matching/search_roi", stored) && stored == "0,0,20,20";
   }));
-  publisher.publish(sensor_msgs::RegionOfInterest());  // everywhere
+  publisher.publish(sensor_msgs::RegionOfInterest());  // the whole image
   EXPECT_TRUE(comes_to([this] { return sees(DetectedObject::CONFIRMED); }));
 }
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""A chessboard on a platform as a distorted camera sees it, drawn for tests, and the camera's calibration."""
+"""Draws a chessboard on a platform as a distorted camera sees it, and provides the camera's calibration."""
 import cv2
 import numpy as np
 import yaml
@@ -7,7 +7,7 @@ import yaml
 MATRIX = np.array([[600.0, 0, 310], [0, 605, 245], [0, 0, 1]])
 DISTORTION = np.array([-0.2, 0.05, 0.001, -0.001, 0])
 COLUMNS, ROWS, SQUARE = 7, 5, 0.03
-# Camera's z looks down, the platform's z up; tilted a little.
+# The camera's z axis points down, the platform's up; the camera is slightly tilted.
 TURN = cv2.Rodrigues(cv2.Rodrigues(np.array([np.pi, 0, 0]))[0] @ cv2.Rodrigues(np.array([0.12, -0.08, 0.3]))[0])[0]
 PLACE = np.array([-0.10, -0.07, 0.62])
 
@@ -17,7 +17,7 @@ def project(points, turn=TURN, place=PLACE):
 
 
 def chessboard(rows=ROWS, turn=TURN, place=PLACE):
-    """Drawn three times finer, square by square with curved edges, then reduced."""
+    """Draws at three times the resolution, square by square with curved edges, then scales down."""
     fine = 3
     image = np.full((480 * fine, 640 * fine), 200, np.uint8)
     for row in range(-1, rows):
@@ -36,7 +36,7 @@ def chessboard(rows=ROWS, turn=TURN, place=PLACE):
 
 
 def camera_yaml():
-    """The calibration as a file of camera_info_manager's."""
+    """The calibration as a file for camera_info_manager."""
     projection = np.hstack([MATRIX, np.zeros((3, 1))])
     return yaml.safe_dump({
         "image_width": 640, "image_height": 480, "camera_name": "camera", "distortion_model": "plumb_bob",

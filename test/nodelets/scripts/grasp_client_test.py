@@ -1,6 +1,6 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""Accepted and refused objects of the example consumer.
+"""Tests which objects the example consumer accepts and refuses.
 
 usage: grasp_client_test.py PATH/TO/grasp_client.py FOLDER/OF/PYTHON/MESSAGES
 """

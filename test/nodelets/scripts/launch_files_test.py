@@ -25,7 +25,7 @@ def parameters(name, *arguments):
 
 
 def calibrations(name, *arguments):
-    """What the topic camera_info of each node of the package is called."""
+    """The names to which the nodes of the package remap camera_info."""
     return {dict(node.remap_args)["camera_info"] for node in load(name, *arguments).nodes
             if node.type == "nodelet" and node.args != "manager"}
 
@@ -194,7 +194,7 @@ class Frames(unittest.TestCase):
 
 
 class OwnCamera(unittest.TestCase):
-    """The example of a cell with a driver and frames of its own."""
+    """The example of a cell with its own driver and frames."""
 
     def test_names_topics_and_frames_to_the_cell(self):
         arguments = ["../examples/launch/own_camera.launch", "image:=/cell7/cam/image_raw",
@@ -221,7 +221,7 @@ class Settings(unittest.TestCase):
 
 
 class Manager(unittest.TestCase):
-    """Nodelets in a driver's manager get its images without a copy."""
+    """Nodelets in a driver's manager receive its images without copying."""
 
     def nodes(self, *arguments):
         return {node.name: node.args.split() for node in load(*arguments).nodes if node.type == "nodelet"}
@@ -281,7 +281,7 @@ class Platform(unittest.TestCase):
 
 
 class Searching(unittest.TestCase):
-    """A lesson is judged by the search that will look for its object."""
+    """A lesson is judged with the settings of the search that will later find its object."""
 
     def of(self, nodelet, *arguments, file="cell.launch"):
         start = nodelet + "/"
@@ -306,7 +306,7 @@ class Searching(unittest.TestCase):
 
 
 class StaleParameters(unittest.TestCase):
-    """The master may outlive a launch, whose parameters must not affect the next one."""
+    """The master may outlive a launch; the parameters of that launch must not affect the next one."""
 
     def test_every_node_of_every_file_begins_without(self):
         files = glob.glob(os.path.join(LAUNCH, "*.launch"))

@@ -4,7 +4,8 @@
 
 usage: metres_setup_test.py
 
-The camera plays an image of a chessboard. In place of camera_calibration's window, its service call is made.
+The camera plays an image of a chessboard. The test makes the service call of camera_calibration instead of using its
+window.
 """
 import os
 import re
@@ -38,7 +39,7 @@ def start_cell(env, *arguments):
 
 
 def status(env):
-    """Of the next detections, as text; "" while there are none."""
+    """Status of the next detections as text; "" if there are none."""
     heard = subprocess.run(["rostopic", "echo", "-n", "1", "/detected_objects/status"], env=env, timeout=60,
                            capture_output=True, text=True, check=False)
     return heard.stdout.partition("\n")[0]
@@ -67,7 +68,7 @@ def calibrate(env, *arguments):
 
 
 def published_pose(folder):
-    """Rotation and position that a platform.launch publishes, and the frames."""
+    """Rotation and position that platform.launch publishes, and its frames."""
     with open(os.path.join(folder, "platform.launch"), encoding="utf-8") as file:
         words = re.search('args="([^"]*)"', file.read()).group(1).split()
     numbers = [float(word) for word in words[:7]]
@@ -77,7 +78,7 @@ def published_pose(folder):
 
 
 def check_fixed_frame(env):
-    """The camera hangs from a robot: turned by a quarter about its axis, 1 m beside the base and 2 m above."""
+    """The camera is mounted on a robot: rotated by 90 degrees about its axis, 1 m beside the base and 2 m above it."""
     robot = subprocess.Popen(["rosrun", "tf2_ros", "static_transform_publisher", "1", "0", "2", "0", "0",
                               "0.70710678", "0.70710678", "base_link", "camera_optical_frame"], env=env)
     try:
@@ -122,7 +123,7 @@ def main():
         prepare(home)
         env = dict(os.environ, HOME=home, ROS_HOME=home + "/ros", ROS_LOG_DIR=home + "/log",
                    ROS_MASTER_URI="http://localhost:%d" % free_port(), ROS_HOSTNAME="localhost")
-        # rosrun finds no programs in a build folder inside the package.
+        # rosrun does not find programs in a build folder inside the package.
         tool = os.path.join(env["CMAKE_PREFIX_PATH"].split(":")[0], "lib", "mbncc_vision", "mbncc")
         run(env, tool, "learn", "--library", "library", "--name", "corner", "--before",
             "images/board.png", "--roi", "280,200,90,90", "--allow-bad")

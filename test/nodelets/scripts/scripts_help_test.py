@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""Every script explains itself when asked with --help, and does nothing else.
+"""Every script prints its help for --help, and does nothing else.
 
 usage: scripts_help_test.py SOURCE_DIR
 """
