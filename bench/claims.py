@@ -1,14 +1,14 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Judges the paper's claims (doi 10.1177/1687814017728839) by the rows that the benchmark programs write.
+"""Checks the paper's claims (doi 10.1177/1687814017728839) against the rows that the benchmark programs write.
 
 Rows are dictionaries of text by column, as csv.DictReader reads them.
 """
 
 VARIANTS = {"mbncc": "MB-NCC", "incircle": "PP-NCC incircle", "excircle": "PP-NCC excircle"}
-SQUARE, IRREGULAR, ELONGATED = "1.0", "2.0", "4.0"  # elongations that paper_bench draws
-ALIKE = 0.1        # scores that differ by less are alike
-SURE = 0.8         # a score above which an object is found reliably
-SLOWEST = 10_000   # [ms] that the paper allows a lesson
+SQUARE, IRREGULAR, ELONGATED = "1.0", "2.0", "4.0"  # elongations that paper_bench uses
+ALIKE = 0.1        # scores that differ by less count as equal
+SURE = 0.8         # score above which an object is found reliably
+SLOWEST = 10_000   # [ms] that the paper allows for a lesson
 
 
 class Claim:
@@ -26,7 +26,7 @@ def learning_claims(figures):
 
     def accuracy(method, iterations=2):
         return float(series[method, iterations]["accuracy"])
-    # The superpixels that suit these lessons best.
+    # The superpixels with the best result on these lessons.
     best = max((method for method, _ in series if method.startswith("sb_grabcut")), key=accuracy)
     own, settled = accuracy(best), accuracy(best, last)
     rivals = {name: accuracy(name, last) for name in ("grabcut_mask", "grabcut_rect")}

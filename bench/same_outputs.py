@@ -2,9 +2,9 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Compares the outputs of two builds of the command-line tool, to the last bit.
 
-Both teach every case of the sets (pair of images, and the region alone) and search its targets with the taught
-object; a set whose cases share targets (`library`) is searched for all objects at once. Lessons, maps and detections
-must be equal; only times may differ. Exit code 1 if anything differs. Cases: bench/README.md, "Data".
+Both teach every case of the sets (from the pair of images, and from the region alone) and search the targets for the
+taught object; a set whose cases share targets (`library`) is searched for all objects at once. Lessons, maps and
+detections must be equal; only times may differ. Exit code 1 if anything differs. Cases: bench/README.md, "Data".
 
     bench/same_outputs.py OLD/mbncc NEW/mbncc SET [SET ...]
 """
@@ -26,7 +26,7 @@ def lasting(value):
 
 
 def output_of(command):
-    """Exit code and standard output; lines of JSON without times."""
+    """Exit code and standard output, without the times in JSON lines."""
     done = subprocess.run([str(word) for word in command], stdout=subprocess.PIPE, stderr=subprocess.DEVNULL)
     try:
         return done.returncode, [lasting(json.loads(line)) for line in done.stdout.decode().splitlines()]

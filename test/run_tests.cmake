@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-# catkin's run_tests runs rostests alone; this adds all other tests of ctest and builds what they run.
+# catkin's run_tests runs only rostests; this adds all other tests of ctest and builds their programs.
 function(mbncc_depend_on_programs target folder)
   get_property(programs DIRECTORY ${folder} PROPERTY BUILDSYSTEM_TARGETS)
   foreach(program ${programs})

@@ -44,7 +44,7 @@ Outcome Demo::run() {
   return timed_out();
 }
 
-/// What the operator does when told to take the object away; after some hesitation.
+/// The operator's reaction to the request to take the object away, after some hesitation.
 void Demo::act() {
   if (!cell_.script().at_rest() || hesitation_-- > 0) return;
   hesitation_ = 25;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// An operator who hesitates, reaches in, pauses, puts things down first or aside.
+// An operator who hesitates, reaches in, pauses, or first puts objects down or aside.
 #pragma once
 
 #include <opencv2/core.hpp>
@@ -10,12 +10,12 @@
 
 namespace mbncc::bench {
 
-/// How the operator shows the object.
+/// How the operator demonstrates the object.
 enum class Way { kTakenAway, kPutAside, kAlreadyMoved, kPutDownFirst };
 
 struct Outcome {
   LearnResult learned;
-  Pose2D shown;  ///< where the object lay in the image before
+  Pose2D shown;  ///< pose of the object in the image before
   bool timed_out = false;
 };
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Accuracy in metres in the simulated cell with a strong lens: taught at one place, found at
-// others, in raw, rectified and undistorted-by-us images, for objects of several heights.
+// Accuracy in metres in the simulated cell with a strong lens: objects of several heights are
+// taught at one place and found at others, in images from a rectified camera, in rectified raw
+// images, and in raw images.
 #include <filesystem>
 #include <iostream>
 
@@ -26,7 +27,7 @@ constexpr const char* kOptions =
 constexpr double kHeights[] = {0, 0.02, 0.04, 0.06};  // [m]
 constexpr int kPosesPerObject = 10;
 constexpr double kLearnedTheta = 0.4;  // [rad]
-// The gripper in the object's frame [m]: beside and above it.
+// Position [m] of the gripper in the object's frame: beside and above it.
 const cv::Vec3d kGripper(0.02, 0.01, -0.1);
 
 SimulatedCameraConfig camera_config(double distortion) {
@@ -41,11 +42,11 @@ SimulatedCameraConfig camera_config(double distortion) {
   return config;
 }
 
-/// How images reach the search.
+/// How the images reach the search.
 struct Way {
   std::string name;
-  bool distorted;  ///< the camera gives raw images
-  bool undone;     ///< and the rectifier undoes the lens
+  bool distorted;  ///< the camera sends raw images
+  bool undone;     ///< the rectifier corrects them
 };
 
 const Way kWays[] = {{"rectified camera", false, false},
@@ -55,8 +56,8 @@ const Way kWays[] = {{"rectified camera", false, false},
 struct Error {
   double position = 0;  ///< [m]
   double angle = 0;     ///< [rad]
-  double grasp = 0;     ///< [m] of the gripper's frame
-  double claimed = 0;   ///< position's error by its claimed deviation
+  double grasp = 0;     ///< [m] error of the gripper's frame
+  double claimed = 0;   ///< position error divided by its claimed deviation
 };
 
 class Cell {
@@ -71,7 +72,7 @@ class Cell {
     return way_.undone ? rectifier_.rectify(raw, optics_.camera_info()).image : raw;
   }
 
-  /// Metric pose of what is seen at a pixel pose of this way's images.
+  /// Metric pose of an object with this pixel pose in the images of this kind.
   std::optional<PlatformPose> lift(const Pose2D& pose, const cv::Matx33d& covariance,
                                    double height) const {
     const auto& info = optics_.camera_info();
@@ -80,7 +81,7 @@ class Cell {
     return Platform(*rays, plane_at(config_.platform_distance)).lift(pose, covariance, height);
   }
 
-  /// Metric pose of a place in the undistorted image.
+  /// Metric pose of a pixel pose in the undistorted image.
   PlatformPose truth(const Pose2D& pose, double height) const {
     const Platform platform(rays_of(optics_.pinhole()), plane_at(config_.platform_distance));
     return *platform.lift(pose, cv::Matx33d::zeros(), height);
@@ -135,7 +136,7 @@ struct Tally {
   int poses = 0, untaught = 0;
 };
 
-/// One object: taught in the middle, searched at other places.
+/// Teaches one object in the centre of the image and searches it at other places.
 void measure(Cell& cell, std::uint64_t seed, double height, Tally& tally) {
   cv::RNG random(seed);
   sim::Placed placed{{seed, random.uniform(80., 130.), random.uniform(1.2, 2.2)},

@@ -1,16 +1,16 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""Latency and CPU time of a running cell: 30 images a second of 640 x 480, five objects, one manager.
+"""Latency and CPU time of a running cell: 30 images per second of 640 x 480, five objects, one manager.
 
 usage: latency.py PATH/TO/mbncc [--seconds S] [--rate HZ] [--play] [--recorded N] [--queue N] [--cells N]
 (in a shell that has sourced the build; starts its own master)
 
-Teaches five drawn objects, plays the simulated cell, and prints what detected_objects says of itself, the lag of
-tf behind the images' stamps, and the CPU time of the nodelets: searching, with ~enable false, and with the learning
-nodelet alone watching the still scene. The simulated camera runs in a process of its own and is not counted. With
---recorded its images are recorded first, at 15 Hz, and played by the camera nodelet, which holds rates that drawing
-does not. --queue is the matching nodelet's queue_size. With --cells, so many cells run at once instead, each in a
-namespace with a manager of its own, and one library.
+Teaches five simulated objects, plays the simulated cell, and prints the times that detected_objects reports, the lag
+of tf behind the images' stamps, and the CPU time of the nodelets: while searching, with ~enable false, and with only
+the learning nodelet watching the still scene. The simulated camera runs in a separate process and is not counted. With
+--recorded, its images are first recorded at 15 Hz and then played by the camera nodelet, which reaches rates that the
+simulation does not. --queue is the matching nodelet's queue_size. With --cells, this number of cells run at once
+instead, each in a namespace with its own manager, with one library.
 """
 import argparse
 import os
@@ -75,7 +75,7 @@ def calibration_of(info):
 
 
 def record(folder, count):
-    """Images and camera.yaml of the simulated camera that is running."""
+    """Records images and camera.yaml of the running simulated camera."""
     import cv2
     import rospy
     from cv_bridge import CvBridge
@@ -130,7 +130,8 @@ def measure(seconds):
     arrays, lags, shown = [], [], []
     heard = rospy.Subscriber("detected_objects", DetectedObjectArray, arrays.append, queue_size=100)
     seen = rospy.Subscriber("camera_info", CameraInfo, lambda info: shown.append(info.header.stamp), queue_size=100)
-    # The newest of a message: when another instance takes over a stable frame, an older one comes with it.
+    # Uses the newest stamp of each message: if another instance takes over a stable frame, an older
+    # one is sent along.
     rospy.Subscriber("/tf", TFMessage, lambda message: lags.append(
         (rospy.Time.now() - max(t.header.stamp for t in message.transforms)).to_sec()), queue_size=100)
     rospy.wait_for_service("matching/enable", 60)
@@ -139,7 +140,7 @@ def measure(seconds):
         time.sleep(0.1)
     pid = manager_pid()
     del arrays[:], lags[:], shown[:]
-    begin = rospy.Time.now()  # of an image shown before it, the answer may have been deleted
+    begin = rospy.Time.now()  # answers to earlier images may have been deleted
     searching = share_of_core(pid, seconds)
     print("| of | images | p50 ms | p99 ms | worst ms |\n|---|---:|---:|---:|---:|")
     line("search time", [array.search_time for array in arrays])
@@ -147,7 +148,7 @@ def measure(seconds):
     line("tf lag, stamp to arrival here", lags or [np.nan])
     print("\nimages searched per second: %.1f" % (len(arrays) / seconds))
     seen.unregister()
-    time.sleep(1)  # for the answers to the last images
+    time.sleep(1)  # waits for the answers to the last images
     heard.unregister()
     answered = {array.header.stamp for array in arrays}
     shown = [stamp for stamp in shown if stamp >= begin]
@@ -181,7 +182,7 @@ def measure_cells(cells, seconds):
     for cell in cells:
         rospy.wait_for_service(cell + "/matching/enable", 60)
         rospy.Subscriber(cell + "/detected_objects", DetectedObjectArray, arrays[cell].append, queue_size=100)
-    time.sleep(10)  # the first searches
+    time.sleep(10)  # waits for the first searches
     pids = {cell: manager_pid(cell) for cell in cells}
     for heard in arrays.values():
         del heard[:]

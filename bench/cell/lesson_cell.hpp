@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The simulated cell as a lesson sees it: light that flickers and drifts, arms that reach in.
+// The simulated cell as a lesson sees it: with flickering and drifting light, and arms that reach
+// in.
 #pragma once
 
 #include <cstdint>
@@ -19,13 +20,13 @@ class LessonCell {
  public:
   LessonCell(std::uint64_t seed, cv::RNG& random);
 
-  /// The next image goes to `watch`; `intruder` hides the story's own arm.
+  /// Passes the next image to `watch`; `intruder` replaces the arm of the script.
   void show(const std::optional<sim::Arm>& intruder = {});
 
   void rest(int images);
   void finish_motion();
 
-  /// An arm reaches in from below, pauses, and leaves again.
+  /// Makes an arm reach in from below, pause and leave again.
   void reach_in();
 
   cv::Mat map_of(const Pose2D& pose) const { return scene_.true_map({object_, pose}); }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Live lessons in the simulated cell: an operator who hesitates, reaches in, pauses, puts things
-// down first or aside, under flickering and drifting light. How many are stored, and how well?
+// Live lessons in the simulated cell: an operator hesitates, reaches in, pauses, or first puts
+// objects down or aside, under flickering and drifting light. Counts how many lessons are stored,
+// and how good they are.
 #include <algorithm>
 #include <filesystem>
 #include <iostream>
@@ -30,7 +31,7 @@ double iou(const cv::Mat& a, const cv::Mat& b) {
   return static_cast<double>(cv::countNonZero(a & b)) / std::max(1, cv::countNonZero(a | b));
 }
 
-/// Put down at the next place, is it found there?
+/// Puts the object down at the next place and checks whether it is found there.
 bool is_found_next(LessonCell& cell, const Outcome& outcome) {
   cell.finish_motion();
   cell.script().put_next();

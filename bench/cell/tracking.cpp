@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Identity of two equal objects that pass each other again and again, one's width apart, with
-// dropped images: how often are they swapped, lost, confirmed?
+// Identity of two equal objects that pass each other repeatedly at a distance of one width, with
+// dropped images. Counts how often they are swapped, lost and confirmed.
 #include <filesystem>
 #include <iostream>
 #include <map>
@@ -21,9 +21,9 @@ constexpr const char* kOptions =
 constexpr double kRate = 30, kNoise = 0.3, kRadius = 40;  // [Hz], [px], [px]
 
 struct Condition {
-  double speed;   ///< [px] an image, each object
-  double missed;  ///< share of the images
-  bool whole;     ///< dropped as a whole; else one object is missed
+  double speed;   ///< [px] per image, for each object
+  double missed;  ///< fraction of the images that is affected
+  bool whole;     ///< whole images are dropped; otherwise one object is missed
 };
 
 struct Tally {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Watching a workshop: what a still scene, single changes and a long video cost, and what is found
-// in it, with a library of taught objects of which some lie in the image.
+// Watching a simulated workshop with a library of taught objects, some of which lie in the image:
+// cost of a still scene, of single changes and of a long video, and what is found in it.
 #include <filesystem>
 #include <iostream>
 #include <optional>
@@ -57,7 +57,8 @@ void measure_still(Workshop& workshop, double yardstick, Table& table) {
   table.rows.push_back(cost_row("still scene", still, yardstick));
 }
 
-/// What `change` does to the first object costs, in the images until nothing is owed any more.
+/// Cost of `change`, which is applied to the first object, in the images until no search is
+/// pending.
 template <class Change>
 void measure_change(Workshop& workshop, const std::string& what, double yardstick, Table& table,
                     Table& delays, const Change& change) {
@@ -83,7 +84,7 @@ void measure_change(Workshop& workshop, const std::string& what, double yardstic
 
 struct Tally {
   int visible = 0, found = 0, reported = 0, right = 0, graspable = 0, graspable_right = 0;
-  int longest = 0;  ///< [images] that a visible object was overlooked
+  int longest = 0;  ///< longest time [images] for which a visible object was missed
   int whole_visible = 0, whole_found = 0, whole_reported = 0;
 };
 

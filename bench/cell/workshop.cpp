@@ -9,10 +9,10 @@
 namespace mbncc::bench {
 namespace {
 
-constexpr double kArmHalf = 80;   // [px] with its shadow
+constexpr double kArmHalf = 80;   // [px] half width of the arm with its shadow
 constexpr double kMostShift = 3;  // [px]
 constexpr double kMostTurn = to_radians(3);
-constexpr int kBeats = 60, kGone = 44;  // images of a round, and until the arm is gone
+constexpr int kBeats = 60, kGone = 44;  // images per round, and until the arm is gone
 const cv::Size kSize(640, 480);
 
 sim::SceneObject drawing_of(int index, int seed) {
@@ -129,7 +129,7 @@ bool is_covered(const Lying& one, const std::optional<sim::Arm>& arm) {
   if (!arm) return false;
   const cv::Point2d off = one.placed.pose.position() - arm->grip.position();
   const double reach = 0.6 * one.placed.object.diameter;
-  return std::abs(off.x) < kArmHalf + reach && off.y > -reach - 30;  // it reaches up from below
+  return std::abs(off.x) < kArmHalf + reach && off.y > -reach - 30;  // it reaches in from below
 }
 
 }  // namespace mbncc::bench

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A simulated workshop with a library of taught objects, and who watches it.
+// A simulated workshop with a library of taught objects, and a video search that watches it.
 #pragma once
 
 #include <memory>
@@ -20,27 +20,27 @@ struct Lying {
   int index;
   sim::Placed placed;
   bool held = false;
-  int overlooked = 0;  ///< images in a row
+  int overlooked = 0;  ///< number of consecutive images in which it was missed
 };
 
-/// The workshop, its camera and who watches it.
+/// The workshop, its camera and its video search.
 class Workshop {
  public:
   Workshop(int objects, int lying, int seed);
 
-  /// Puts an object to a free place.
+  /// Puts an object at a free place.
   void add(int index);
 
-  /// A place where nothing lies; the object itself does not count.
+  /// A pose at which it overlaps no other object; object `self` is ignored.
   Pose2D free_pose(const sim::SceneObject& drawing, int self = -1);
 
-  /// Renders and searches the next image; thread CPU ms of the search.
+  /// Renders and searches the next image; returns the thread CPU time of the search [ms].
   double show(double light = 1, const std::optional<sim::Arm>& arm = {});
 
-  /// Searches the same image whole; thread CPU ms.
+  /// Searches the same image completely; returns the thread CPU time [ms].
   double search_whole();
 
-  /// Within 3 px and 3 degrees; null: not found.
+  /// The match within 3 px and 3 degrees of the object; null if it was not found.
   const Match* right_one(const SearchResult& result, const Lying& one) const;
 
   const SearchResult& result() const { return result_; }
@@ -60,13 +60,13 @@ class Workshop {
   std::uint64_t frames_ = 0;
 };
 
-/// Every 60 images an arm comes from below, and carries an object elsewhere, or only reaches over
-/// some.
+/// Every 60 images an arm comes from below. It carries an object to another place, or only reaches
+/// over some objects.
 class Story {
  public:
   explicit Story(Workshop& workshop) : workshop_(workshop) {}
 
-  /// The arm in the next image; what it holds has been moved.
+  /// The arm in the next image; also moves the object that it holds.
   std::optional<sim::Arm> step();
 
  private:
@@ -80,7 +80,7 @@ class Story {
   Pose2D from_, to_;
 };
 
-/// The arm or its shadow may lie on the object.
+/// True if the arm or its shadow may cover the object.
 bool is_covered(const Lying& one, const std::optional<sim::Arm>& arm);
 
 }  // namespace mbncc::bench

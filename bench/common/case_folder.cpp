@@ -73,7 +73,7 @@ std::vector<Target> read_targets(const fs::path& folder) {
   return targets;
 }
 
-/// The strings of the list "tags" in a JSON file of known form; no JSON reader is worth that.
+/// The strings of the list "tags" in a JSON file of known form, which does not need a JSON parser.
 std::vector<std::string> tags_in_json(const std::string& text) {
   std::vector<std::string> tags;
   const auto key = text.find("\"tags\"");

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Time that this thread has computed: what other programs on the machine do hardly shows.
+// CPU time of this thread, which hardly depends on other programs on the machine.
 #pragma once
 
 #include <ctime>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Reads comma separated files whose first line names the columns; no quoting.
+// Reads comma-separated files whose first line names the columns; no quoting.
 #pragma once
 
 #include <map>
@@ -10,8 +10,8 @@ namespace mbncc::bench {
 
 using CsvRow = std::map<std::string, std::string>;
 
-/// All rows of a file. Throws std::runtime_error when it cannot be read or a row has the wrong
-/// number of columns.
+/// All rows of a file. Throws std::runtime_error if it cannot be read or a row has the wrong number
+/// of columns.
 std::vector<CsvRow> read_csv(const std::string& path);
 
 /// "a;b;c" -> {a, b, c}; empty parts are dropped.

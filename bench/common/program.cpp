@@ -11,7 +11,7 @@ namespace mbncc::bench {
 
 namespace {
 
-/// Runs the work on one thread, repeatably; a failure becomes a sentence.
+/// Runs the work on one thread with a fixed seed; an exception is printed as one sentence.
 int run(const std::string& name, const std::function<void()>& work) {
   cv::setNumThreads(1);
   cv::setRNGSeed(1);

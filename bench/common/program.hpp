@@ -9,19 +9,19 @@
 
 namespace mbncc::bench {
 
-/// What main() of a benchmark does: reads the options, runs `benchmark` in one thread with a fixed
-/// seed, and turns an exception into a sentence. `required` names the argument that must be there.
-/// Returns the exit code: 0 done, 1 failed, 2 wrong usage.
+/// The main() of a benchmark: reads the options, runs `benchmark` on one thread with a fixed seed,
+/// and prints an exception as one sentence. `required` names the mandatory argument. Returns the
+/// exit code: 0 done, 1 failed, 2 wrong usage.
 int run_program(int argc, char** argv, const std::string& name, const std::string& options,
                 const std::string& required,
                 const std::function<void(const cv::CommandLineParser&)>& benchmark);
 
-/// The same for programs whose arguments are the folders of one or more evaluation sets.
+/// Like run_program(), for programs whose arguments are the folders of one or more evaluation sets.
 int run_on_sets(int argc, char** argv, const std::string& name,
                 const std::function<void(const std::vector<std::string>&)>& benchmark);
 
-/// The folder at `path`, made if need be; to be called before the work, which may take hours. An
-/// empty path stays empty. Throws std::runtime_error when nothing can be written there.
+/// The folder at `path`, which is created if necessary; call this before the benchmark, which may
+/// take hours. An empty path stays empty. Throws std::runtime_error if the folder is not writable.
 std::filesystem::path output_folder(const std::string& path);
 
 }  // namespace mbncc::bench

@@ -6,12 +6,13 @@
 
 namespace mbncc::bench {
 
-/// Value below which `percent` of the series lies, linear between neighbours; NaN when empty.
+/// Value below which `percent` of the series lies, interpolated linearly; NaN if the series is
+/// empty.
 double percentile(std::vector<double> series, double percent);
 
 double median(std::vector<double> series);
 
-/// NaN when empty.
+/// NaN if the series is empty.
 double mean(const std::vector<double>& series);
 
 }  // namespace mbncc::bench

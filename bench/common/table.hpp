@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Tables for people (Markdown) and for programs (CSV).
+// Tables in Markdown and CSV.
 #pragma once
 
 #include <iosfwd>
@@ -19,7 +19,7 @@ std::string to_text(double value, int decimals);
 void write_markdown(std::ostream& out, const Table& table);
 void write_csv(std::ostream& out, const Table& table);
 
-/// Throws std::runtime_error when the file cannot be written.
+/// Throws std::runtime_error if the file cannot be written.
 void save_csv(const std::string& path, const Table& table);
 
 }  // namespace mbncc::bench

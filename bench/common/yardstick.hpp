@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Work of known size that times are divided by, so that figures of different machines compare.
+// Reference workloads by which times are divided, so that results from different machines are
+// comparable.
 #pragma once
 
 #include <opencv2/core.hpp>
@@ -16,7 +17,7 @@ class MatchYardstick {
   cv::Mat image_, template_, scores_;
 };
 
-/// One cv::grabCut by rectangle, two iterations, on 200 x 200 pixels of smoothed noise.
+/// One cv::grabCut with a rectangle, two iterations, on 200 x 200 pixels of smoothed noise.
 class CutYardstick {
  public:
   CutYardstick();

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What evidence.hpp says of right and wrong poses on evaluation sets, as rows for fit.py.
+// Writes the evidence of evidence.hpp for correct and wrong poses on evaluation sets, as rows for
+// fit.py.
 #include <algorithm>
 #include <fstream>
 
@@ -35,7 +36,7 @@ bool is_right(const decision::Detection& detection, const Target& target, const 
   return judged.front().correct;
 }
 
-/// The best detections of different places, of sorted ones.
+/// The best detection at each place; `detections` is sorted.
 std::vector<decision::Detection> best_of_places(
     const std::vector<decision::Detection>& detections) {
   std::vector<decision::Detection> places;

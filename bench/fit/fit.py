@@ -4,7 +4,7 @@
 
 usage: fit.py ROWS.csv [--plot reliability.png]
 
-Prints the weights, and what they are worth on sets left out: each set is judged by weights fitted to all others.
+Prints the weights and their quality by cross-validation: each set is judged by weights fitted to all others.
 """
 import argparse
 import csv
@@ -15,14 +15,14 @@ import numpy as np
 
 READ = ["contour_coverage", "gradient", "trimmed_residual", "histogram", "shading_free_ncc", "texture"]  # columns of the file
 NAMES = READ + ["cast_penalty", "log_area", "outside", "one"]
-OF_SMALL = ["one", "contour_coverage", "gradient", "trimmed_residual", "histogram", "shading_free_ncc"]  # weights of their own
+OF_SMALL = ["one", "contour_coverage", "gradient", "trimmed_residual", "histogram", "shading_free_ncc"]  # with weights for small objects
 LARGE_AREA, SMALL_AREA = 1800, 700  # as in evidence.cpp
 EDGES = [0.02, 0.15, 0.35, 0.65, 0.85, 0.98]  # limits of the probability ranges in the reliability table
-RIDGE = 0.05  # rows are many, features are alike: prevents large weights of opposite sign
+RIDGE = 0.05  # rows are many and features are correlated: prevents large weights of opposite sign
 
 
 def read_rows(path):
-    """Features, what else the odds are made of, which are right, sets, and the weights that the rows were made with."""
+    """Features, the other parts of the odds, correctness, sets, and the weights with which the rows were made."""
     rows = list(csv.DictReader(open(path)))
     number = lambda name: np.array([float(row[name]) for row in rows])
     features = {name: number(name) for name in READ}
@@ -82,7 +82,7 @@ def counts(odds, right, limit=0.0):
 
 
 def reliability(odds, right):
-    """(mean probability, share of right ones, its deviation, rows) per range of probability."""
+    """(mean probability, fraction of correct ones, its deviation, rows) per range of probability."""
     p = probability(odds)
     bins = np.digitize(p, EDGES)
     table = []

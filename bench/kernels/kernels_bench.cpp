@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The innermost loops, formula against vectorised loop, at sizes that a VGA search has.
+// The innermost loops: reference against vectorised version, at the sizes of a VGA search.
 #include <benchmark/benchmark.h>
 
 #include <random>
@@ -12,7 +12,7 @@ namespace {
 
 constexpr int kStride = 160;  // a row of a 640 x 480 image at a quarter of the resolution
 constexpr int kRows = 120;
-constexpr int kCount = 2 * kernels::kPositions;  // positions of a row worked on at a time
+constexpr int kCount = 2 * kernels::kPositions;  // positions of a row that are processed together
 
 template <class Number>
 std::vector<Number> numbers(std::size_t count, int low, int high) {
@@ -107,7 +107,7 @@ void edge_vectors(benchmark::State& state, const kernels::Table& table) {
 
 using KernelBenchmark = void (*)(benchmark::State&, const kernels::Table&);
 
-/// One benchmark per target of this machine and per size.
+/// Registers one benchmark per target of this machine and per size.
 bool register_all(const std::string& name, KernelBenchmark run, const std::vector<int>& sizes) {
   for (const auto& target : kernels::targets())
     for (const int size : sizes)

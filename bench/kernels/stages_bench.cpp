@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Whole stages on a simulated image, beside the OpenCV calls that times are divided by.
+// Whole stages on a simulated image, together with the OpenCV calls that serve as reference.
 #include <benchmark/benchmark.h>
 
 #include <memory>
@@ -14,7 +14,7 @@
 namespace mbncc::bench {
 namespace {
 
-/// One object: where it is learned, and where it lies afterwards.
+/// One object with the images of its lesson and of a later scene.
 struct Cell {
   explicit Cell(double diameter) {
     const sim::Scene scene;

@@ -1,15 +1,15 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""Adds to drawn lessons what real cameras and tables do to them.
+"""Adds disturbances of real cameras and tables to simulated lessons.
 
 usage: disturb.py SET OUT KIND [--seed N]
   SET   folder of cases (learn_before.png, learn_after.png, gt_mask.png, roi.txt)
   OUT   folder for the disturbed cases
-  KIND  moving_shadow   a stripe of shadow lies elsewhere in each image
-        glow            the platform round the object takes on its colour
+  KIND  moving_shadow   a stripe of shadow at a different place in each image
+        glow            the platform around the object takes on its colour
         jpeg60, jpeg30  compression with subsampled chroma
         bayer           mosaic and bilinear demosaicing
-        banding         flicker bands of +-3 grey levels, at another phase in each image
+        banding         flicker bands of +-3 grey levels, with a different phase in each image
         sharpened       unsharp mask, amount 1
         exposure        gain of 1.08 and white balance of +-4 % between the images
 
@@ -28,7 +28,7 @@ def to_image(values):
 
 
 def shadow_mask(shape, roi, random):
-    """1 in the light, .6 in a stripe as wide as part of the region that passes through or near it."""
+    """1 in the light, .6 in a stripe through or near the region; its width is a part of the region's."""
     height, width = shape
     x, y, w, h = roi
     angle = random.uniform(0, 2 * np.pi)
@@ -44,7 +44,7 @@ def moving_shadow(before, after, mask, roi, random):
 
 
 def glow(before, after, mask, roi, random):
-    """The object's mean colour, up to a quarter of it, falls off within some 20 px of its outline."""
+    """Adds up to a quarter of the object's mean colour; it falls off within about 20 px of the outline."""
     colour = before[mask > 0].mean(0)
     distance = cv2.distanceTransform((mask == 0).astype(np.uint8), cv2.DIST_L2, 5)
     part = random.uniform(.1, .25) * np.exp(-distance / random.uniform(8, 25)) * (mask == 0)

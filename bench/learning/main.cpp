@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Learning methods on the same lessons in the same run, one thread: agreement with the true map and
-// time, for every number of graph cuts.
+// Compares learning methods on the same lessons in the same run on one thread: agreement with the
+// true map and time, for every number of graph cuts.
 #include <filesystem>
 #include <iostream>
 #include <map>
@@ -29,7 +29,7 @@ constexpr const char* kOptions =
     "{cases      | 0 | the first so many cases only; 0: all }"
     "{help h     |   | this text }";
 
-/// What one method did with one number of iterations.
+/// Results of one method with one number of iterations.
 struct Series {
   std::vector<double> iou, boundary_f, accuracy, map_ms, lesson_ms;
   int refused = 0;

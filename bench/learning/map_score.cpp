@@ -6,7 +6,7 @@
 namespace mbncc::bench {
 namespace {
 
-constexpr double kRounding = 1e-3;  // of the distance transform
+constexpr double kRounding = 1e-3;  // error of the distance transform
 
 cv::Mat boundary(const cv::Mat& map) {
   cv::Mat inner;
@@ -14,7 +14,7 @@ cv::Mat boundary(const cv::Mat& map) {
   return map & ~inner;
 }
 
-/// Part of `boundary` within the tolerance of `other`.
+/// Fraction of `boundary` that lies within the tolerance of `other`.
 double part_near(const cv::Mat& boundary, const cv::Mat& other, double tolerance) {
   cv::Mat distance;
   cv::distanceTransform(~other, distance, cv::DIST_L2, 5);

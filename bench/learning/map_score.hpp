@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// How well a map agrees with the true one.
+// Agreement of a map with the true one.
 #pragma once
 
 #include <opencv2/core.hpp>
@@ -9,10 +9,10 @@ namespace mbncc::bench {
 struct MapScore {
   double iou = 0;         ///< [0..1] intersection over union
   double boundary_f = 0;  ///< [0..1] F1 of boundary pixels within 2 px of the other boundary
-  double accuracy = 0;    ///< [..1] the paper's: 1 - sum |map - standard| / area of the standard
+  double accuracy = 0;  ///< [..1] as in the paper: 1 - sum |map - standard| / area of the standard
 };
 
-/// Both CV_8UC1 of one size, 0 and 255. An empty `map` scores 0 throughout.
+/// Both are CV_8UC1 of the same size, 0 and 255. An empty `map` scores 0 throughout.
 MapScore score_map(const cv::Mat& map, const cv::Mat& standard, double boundary_tolerance = 2);
 
 }  // namespace mbncc::bench

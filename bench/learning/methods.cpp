@@ -20,7 +20,7 @@ Lesson lesson_of(const CaseFolder& one) {
   return lesson;
 }
 
-/// A whole lesson by one of the package's methods; the map is ready when the verdict begins.
+/// A whole lesson with one of the package's methods; the map is ready when the verdict begins.
 Cut lesson(const CaseFolder& one, LearningConfig config, int iterations) {
   config.iterations = iterations;
   Cut cut;
@@ -63,7 +63,7 @@ Method package_method(const std::string& name) {
   return lesson_method(name, config);
 }
 
-/// "sb_grabcut_slic_4000": superpixels by SLIC, 4000 asked for.
+/// "sb_grabcut_slic_4000": SLIC with 4000 superpixels requested.
 Method superpixel_method(const std::string& name) {
   const auto parts = split(name, '_');
   LearningConfig config;

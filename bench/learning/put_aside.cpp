@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Lessons in which the object is put aside within the view: its place before and its place after
-// are told apart, it is found again, and both views make the map.
+// Lessons in which the object is put aside within the view: its old and new place are
+// distinguished, it is found again, and both views contribute to the map.
 #include <iostream>
 #include <opencv2/imgproc.hpp>
 #include <optional>
@@ -15,8 +15,8 @@
 namespace mbncc::bench {
 namespace {
 
-constexpr int kTries = 200;          // places asked for before a case is left out
-constexpr int kClearance = 12;       // [px] between both places, and to the image's edge
+constexpr int kTries = 200;          // attempts before a case is left out
+constexpr int kClearance = 12;       // [px] between both places, and to the edge of the image
 constexpr double kNearEnough = 3;    // [px]
 constexpr double kTurnedEnough = 3;  // [degrees]
 
@@ -25,7 +25,7 @@ cv::Matx23d matrix_of(const Pose2D& motion) {
   return {c, -s, motion.x, s, c, motion.y};
 }
 
-// A motion that takes the object to a free place of the image.
+// A motion that moves the object to a free place in the image.
 std::optional<Pose2D> free_motion(const CaseFolder& one, cv::RNG& random) {
   const cv::Size size = one.map.size();
   const double reach = one.diameter / 2 + kClearance;
@@ -39,7 +39,7 @@ std::optional<Pose2D> free_motion(const CaseFolder& one, cv::RNG& random) {
   return std::nullopt;
 }
 
-// The image after, with the object pasted in where `motion` takes it.
+// The image after, with the object pasted in at the place to which `motion` moves it.
 cv::Mat pasted(const CaseFolder& one, const Pose2D& motion, cv::RNG& random) {
   const cv::Matx23d matrix = matrix_of(motion);
   cv::Mat object, cover, after, noise(one.after.size(), CV_32FC3);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Images of changed scenes: nothing was taken away, the light was switched, the camera was
-// pushed. None of these lessons may lead to a stored map, unless the light was switched, a region
-// shows the object and its map is right.
+// Images of changed scenes: nothing was taken away, the light was switched, or the camera was
+// pushed. None of these lessons may store a map, unless the light was switched, a region shows the
+// object and the map is correct.
 #include <algorithm>
 #include <functional>
 #include <iostream>
@@ -30,7 +30,7 @@ cv::Mat nothing_changed(const CaseFolder& one, cv::RNG& random) {
   return with_noise(one.before, random.uniform(0.97, 1.03), random);
 }
 
-// The object leaves while the lamp goes: darker or brighter, or from the other side.
+// The object is removed and the light changes: darker, brighter, or from the other side.
 cv::Mat light_switched(const CaseFolder& one, cv::RNG& random) {
   const double left = random.uniform(0.45, 0.75), right = random.uniform(1.3, 1.7);
   const int way = random.uniform(0, 3);
@@ -56,12 +56,12 @@ cv::Mat camera_pushed(const CaseFolder& one, cv::RNG& random) {
   return with_noise(moved, 1, random);
 }
 
-constexpr int kTries = 100;        // of each disturbance
+constexpr int kTries = 100;        // per disturbance
 constexpr double kRightMap = 0.6;  // IoU
 
 using Disturb = std::function<cv::Mat(const CaseFolder&, cv::RNG&)>;
 
-// Exposure that changed anyway could undo the switching of the light.
+// Leaves out cases with a change of exposure, because it could cancel the change of light.
 std::vector<CaseFolder> evenly_exposed_cases(const std::vector<std::string>& sets) {
   std::vector<CaseFolder> cases;
   for (const auto& set : sets)

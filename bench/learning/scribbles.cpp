@@ -17,7 +17,7 @@ cv::Mat grown(const cv::Mat& map, int pixels) {
   return result;
 }
 
-/// The middle lines, and the core: the lines of a disc or square shrink to a point.
+/// The middle lines, plus the core, because the lines of a disc or square shrink to a point.
 cv::Mat strokes_on(const cv::Mat& map) {
   cv::Mat line, distance;
   cv::ximgproc::thinning(map, line);

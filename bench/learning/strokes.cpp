@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Strokes of the operator, one after the other, on each map that misses the object (IoU below .85),
-// drawn with the true map along the middle of the largest error.
+// Successive strokes of an operator on each map that misses the object (IoU below .85). Each stroke
+// is drawn from the true map, along the middle of the largest error.
 #include <algorithm>
 #include <filesystem>
 #include <iostream>
@@ -28,7 +28,7 @@ constexpr const char* kOptions =
 
 constexpr double kBad = 0.85;  // IoU below which an operator would correct
 constexpr double kMiddle =
-    0.4;  // of the error's greatest half-width: the stroke keeps to its middle
+    0.4;  // of the error's largest half width: the stroke stays in its middle
 constexpr int kStrokeWidth = 3;  // [px]
 
 cv::Mat largest_part(const cv::Mat& mask) {
@@ -40,14 +40,14 @@ cv::Mat largest_part(const cv::Mat& mask) {
   return labels == largest;
 }
 
-// Dots of a pixel that make a stroke along the middle line of `part`, and no wider than it.
+// One-pixel dots that form a stroke along the middle line of `part` and no wider than it.
 std::vector<LessonEdit::Line> stroke_on(const cv::Mat& part) {
   cv::Mat line, depth, stroke;
   cv::ximgproc::thinning(part, line);
   cv::distanceTransform(part, depth, cv::DIST_L2, 5);
   double deepest = 0;
   cv::minMaxLoc(depth, nullptr, &deepest);
-  // Of a patch as wide as long, thinning may leave nothing: a dot in its middle.
+  // Thinning may leave nothing of a compact patch; then its middle is used.
   if (cv::countNonZero(line) == 0) line = depth >= deepest;
   cv::dilate(line & (depth >= std::max(1.0, kMiddle * deepest)), stroke,
              cv::Mat::ones(kStrokeWidth, kStrokeWidth, CV_8U));
@@ -73,12 +73,12 @@ cv::Mat map_of(const LearnResult& result) {
 }
 
 struct Tally {
-  std::vector<std::vector<double>> ious;  // of each map: before, and after each stroke
+  std::vector<std::vector<double>> ious;  // of each map: before the strokes, and after each one
   std::vector<double> again_ms, yardstick_ms;
   int restored = 0;
 };
 
-/// Carries the edit out; thread CPU ms until the new map is there.
+/// Carries out the edit; returns the thread CPU time [ms] until the new map is available.
 double cpu_ms_of_edit(InteractiveLesson& lesson, const LessonEdit& edit) {
   const double start = thread_cpu_ms();
   double ms = 0;
@@ -89,7 +89,7 @@ double cpu_ms_of_edit(InteractiveLesson& lesson, const LessonEdit& edit) {
   return ms;
 }
 
-/// The IoU after each stroke; a lesson that fails keeps the last one.
+/// The IoU after each stroke; a lesson that fails keeps its last IoU.
 std::vector<double> correct(InteractiveLesson& lesson, const cv::Mat& truth, int strokes,
                             std::vector<double>& again_ms) {
   std::vector<double> ious{score_map(map_of(lesson.result()), truth).iou};
@@ -120,7 +120,7 @@ void run_case(const CaseFolder& one, int strokes, Tally& tally) {
   tally.restored += cv::norm(map_of(learned.result()), first, cv::NORM_INF) == 0;
 }
 
-/// IoUs of all maps after `stroke` strokes; those that ended earlier count with their last.
+/// IoUs of all maps after `stroke` strokes; maps with fewer strokes count with their last IoU.
 std::vector<double> after(const Tally& tally, std::size_t stroke) {
   std::vector<double> values;
   for (const auto& ious : tally.ious) values.push_back(ious[std::min(stroke, ious.size() - 1)]);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Many objects in one find: recall, precision and time against their number and that of threads.
+// Many objects in one search: recall, precision and time for different numbers of objects and
+// threads.
 #include <sys/resource.h>
 
 #include <filesystem>
@@ -32,7 +33,7 @@ constexpr const char* kOptions =
     " down; the copies count as false }"
     "{help h   |             | this text }";
 
-/// What is searched, and the truth: instances of each target by object.
+/// The images to search, and the true instances by target and object.
 struct Scene {
   std::vector<cv::Mat> images;
   std::vector<std::map<std::string, std::vector<Instance>>> truth;
@@ -71,7 +72,8 @@ Scene read_scene(const cv::CommandLineParser& options) {
   return scene;
 }
 
-/// Every object's detections are judged by themselves; those of objects made up are all wrong.
+/// The detections of every object are judged separately; all detections of synthetic objects are
+/// wrong.
 void judge_matches(const Scene& scene, std::size_t image, const std::vector<std::string>& names,
                    const std::vector<Match>& matches, double ms, Tally& tally) {
   std::map<std::string, std::vector<Found>> found;

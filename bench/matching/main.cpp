@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Matching engines on the same images in the same run, one thread, true maps given.
+// Compares matching engines on the same images in the same run, on one thread, with true maps.
 #include <filesystem>
 #include <iostream>
 #include <opencv2/imgproc.hpp>
@@ -33,12 +33,12 @@ constexpr const char* kOptions =
     "{angle_tol       | 3   | [deg] largest angle error of a correct detection }"
     "{help h          |     | this text }";
 
-/// One engine with what it has done so far.
+/// One engine and its results so far.
 struct Contestant {
   std::string name;
   std::unique_ptr<Engine> engine;
   TaggedTally tally;
-  double threshold = 0;  ///< the shipped one, or the best one on all of the set
+  double threshold = 0;  ///< the shipped one, or the best one on the whole set
 };
 
 struct Run {
@@ -53,7 +53,7 @@ Run contestants_for(const std::string& names) {
   return run;
 }
 
-/// Where the truth lies in a target resized by `scale`, whose pixel centres are at integers too.
+/// The true instances in a target resized by `scale`; pixel centres are at integers there, too.
 std::vector<Instance> rescaled(std::vector<Instance> instances, double scale) {
   for (auto& instance : instances) {
     instance.pose.x = (instance.pose.x + 0.5) * scale - 0.5;
@@ -69,8 +69,8 @@ cv::Mat rescaled(const cv::Mat& image, double scale) {
   return result;
 }
 
-/// Engines and yardstick take turns on every image, so that a slow minute of the machine hits
-/// all.
+/// Engines and yardstick take turns on every image, so that a temporary slowdown of the machine
+/// affects all of them.
 void run_case(const CaseFolder& one, const Tolerance& tolerance, double scale, const fs::path& out,
               Run& run) {
   MatchYardstick yardstick;
@@ -137,7 +137,7 @@ Table table_of(const Run& run, const std::string& tag) {
   return table;
 }
 
-/// All tags below each other, the tag as the first column.
+/// All tags one below the other, with the tag as the first column.
 Table table_of_tags(const Run& run) {
   Table all;
   for (const auto& [tag, unused] : run.contestants.front().tally.by_tag()) {

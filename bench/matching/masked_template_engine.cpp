@@ -11,17 +11,17 @@ namespace mbncc::bench {
 namespace {
 
 constexpr int kTopLevel = 2;            // three levels: 0, 1, 2
-constexpr double kLeastDiameter = 12;   // [px] at the coarse level; smaller templates find nothing
+constexpr double kLeastDiameter = 12;   // [px] at the coarse level; smaller templates do not work
 constexpr std::size_t kKeptPeaks = 20;  // coarse peaks that are refined
-constexpr int kSearchReach = 2;         // [px] about a peak, one level finer
-constexpr double kArcStep = 1.5;        // [px] along the excircle from one rotation to the next
+constexpr int kSearchReach = 2;         // [px] around a peak, at the next finer level
+constexpr double kArcStep = 1.5;        // [px] along the excircle between two rotations
 
 double similarity_or_nothing(double value) {
   return std::isfinite(value) && std::abs(value) <= 1.001 ? value : -1;
 }
 
-/// Masked NCC at every place the template fits in; flat places, where OpenCV divides by zero, get
-/// -1.
+/// Masked NCC at every position where the template fits in; flat positions, where OpenCV divides by
+/// zero, get -1.
 cv::Mat similarities(const cv::Mat& image, const cv::Mat& template_image, const cv::Mat& mask) {
   cv::Mat result;
   cv::matchTemplate(image, template_image, result, cv::TM_CCOEFF_NORMED, mask);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What a user of OpenCV builds: rotated templates with masks, cv::matchTemplate, three pyramid
+// A typical solution with OpenCV: rotated templates with masks, cv::matchTemplate, three pyramid
 // levels.
 #pragma once
 
@@ -15,12 +15,12 @@ class MaskedTemplateEngine : public Engine {
   std::vector<Found> find(const cv::Mat& image) override;
 
  private:
-  /// Template and mask about the centre of the excircle, at one pyramid level and rotation.
+  /// Template and mask centred on the excircle, at one pyramid level and rotation.
   struct Rotated {
     cv::Mat template_image, mask;
     double theta;
   };
-  /// A centre of the excircle at some level, with a rotation.
+  /// A candidate position of the excircle's centre at some level, with a rotation.
   struct Peak {
     cv::Point2d position;
     double theta;
@@ -32,9 +32,9 @@ class MaskedTemplateEngine : public Engine {
   std::vector<Peak> coarse_peaks(const cv::Mat& image) const;
   Peak refined(const cv::Mat& image, int level, const Peak& peak) const;
 
-  cv::Mat template_, mask_;  // CV_8UC1 crops about the excircle, full resolution
+  cv::Mat template_, mask_;  // CV_8UC1 crops around the excircle, full resolution
   double radius_ = 0;        // [px] of the excircle
-  cv::Point2d lever_;        // reference point as seen from the excircle's centre
+  cv::Point2d lever_;        // reference point relative to the excircle's centre
   int coarse_level_ = 0;
   std::vector<Rotated> coarse_;
 };

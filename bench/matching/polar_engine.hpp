@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The paper's matching (MB-NCC in the polar domain) and what it compares itself with: PP-NCC, the
-// same search with all pixels of the incircle or excircle (doi 10.1177/1687814017728839).
+// The paper's matching (MB-NCC in the polar domain) and its baseline: PP-NCC, the same search with
+// all pixels of the incircle or excircle (doi 10.1177/1687814017728839).
 #pragma once
 
 #include <optional>
@@ -21,8 +21,8 @@ class PolarEngine : public Engine {
  private:
   PolarRegion region_;
   std::optional<PolarSearch> search_;
-  cv::Point2d lever_;  // reference point as seen from the centre of the search
-  double apart_ = 0;   // [px] least distance of two detections
+  cv::Point2d lever_;  // reference point relative to the centre of the search
+  double apart_ = 0;   // [px] minimum distance of two detections
 };
 
 }  // namespace mbncc::bench

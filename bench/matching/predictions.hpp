@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Detections of one case as a file, for scoring by another program.
+// Writes the detections of one case to a file, so that another program can score them.
 #pragma once
 
 #include <filesystem>
@@ -10,12 +10,12 @@
 
 namespace mbncc::bench {
 
-/// A row per detection; a row with empty fields for a target without any.
+/// One row per detection; a target without detections gets a row with empty fields.
 class Predictions {
  public:
   void add(const std::string& target, const std::vector<Found>& found, double ms);
 
-  /// Writes folder/<case>.csv. Throws std::runtime_error when that fails.
+  /// Writes folder/<case>.csv. Throws std::runtime_error on failure.
   void save(const std::filesystem::path& folder, const std::string& name) const;
 
  private:

@@ -31,8 +31,8 @@ double signed_turn(double a, double b, int symmetry) {
   return wrap_angle(symmetry * (a - b)) / symmetry;
 }
 
-/// Squared error weighted by the covariance that the engine claims. A round object has no angle
-/// whose error could be judged.
+/// Squared error weighted by the covariance that the engine states. The angle of a round object is
+/// not judged.
 std::optional<double> squared_error(const Found& found, const Instance& instance) {
   if (!found.covariance || instance.symmetry == 0) return {};
   const cv::Vec3d error(found.pose.x - instance.pose.x, found.pose.y - instance.pose.y,
@@ -40,7 +40,7 @@ std::optional<double> squared_error(const Found& found, const Instance& instance
   return error.dot(found.covariance->inv(cv::DECOMP_SVD) * error);
 }
 
-/// The nearest instance that `accepted` lets through.
+/// The nearest instance that satisfies `accepted`.
 template <class Accepted>
 std::optional<std::size_t> nearest(const Pose2D& pose, const std::vector<Instance>& instances,
                                    const Accepted& accepted) {

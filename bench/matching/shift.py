@@ -1,21 +1,21 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""Shifts the targets of a drawn set, truth included, as an ordinary day does.
+"""Shifts the targets of a simulated set, including the truth, to typical real conditions.
 
 usage: shift.py SET OUT KIND [--seed N]
   SET   folder of cases (README.md)
-  OUT   folder for the shifted cases; what a kind leaves alone is linked
+  OUT   folder for the shifted cases; files that a kind does not change are linked
   KIND  colour11, colour12       gains of red x1.1 and blue x.9; x1.2 and x.8
         gain18                   gain of 1.8, clipped
         dim                      gain of .4, and noise of 1.5 grey levels
-        shadow_across            the edge of a shadow (.55) through the image, 30 to 80 px from an object
-        shadow_on                ... through an object's middle
+        shadow_across            the edge of a shadow (.55) across the image, 30 to 80 px from an object
+        shadow_on                ... through the centre of an object
         gloss                    a white spot on 15 % of each object
         covered                  a hand on 20 to 30 % of each object
-        defocus2, defocus3       blur by a disc of that radius in pixels
+        defocus2, defocus3       blur by a disc with this radius in pixels
         grey_target, grey_lesson grey targets; grey lesson images
         scale90, 95, 105, 110    targets resized
-        tilt6, tilt10            the platform tilted by so many degrees (focal length: 1.3 widths)
+        tilt6, tilt10            the platform tilted by this many degrees (focal length: 1.3 widths)
         jpeg20                   compression with subsampled chroma
         bayer                    mosaic and bilinear demosaicing
         motion6                  blur along 6 px
@@ -34,7 +34,7 @@ LESSON = ('learn_before.png', 'learn_after.png')
 
 
 class Target:
-    """An image, a matrix (3 x 3) that tells where its pixels came to lie, and the objects in it."""
+    """An image, the 3 x 3 matrix of its warp, and the objects in it."""
 
     def __init__(self, image, rows, shape, random):
         self.image = image.astype(np.float32)
@@ -50,7 +50,7 @@ class Target:
         self.motion = matrix @ self.motion
 
     def pose(self, row):
-        """x, y, theta of an object after all warps: place of its reference, rotation of the nearest similarity."""
+        """x, y, theta of an object after all warps: position of its reference, rotation of the nearest similarity."""
         at = np.array([float(row['x']), float(row['y']), 1.])
         mapped = self.motion @ at
         u, v, w = mapped
@@ -83,7 +83,7 @@ def dim(target):
 
 
 def edge_at(target, distance, depth):
-    """A shadow beyond a straight edge that passes an object (the middle, where there is none)."""
+    """A shadow on one side of a straight edge near an object, or near the centre if there is no object."""
     height, width = target.image.shape[:2]
     at = np.array([width / 2, height / 2])
     if target.rows:
@@ -104,7 +104,7 @@ def shadow_on(target):
 
 
 def painted(target, part, colour):
-    """Covers each object from one side, or a spot of it, by that part of its pixels; softened by 1 px."""
+    """Covers the given fraction of each object's pixels, from one side or as a spot, with an edge softened by 1 px."""
     cover = np.zeros(target.image.shape[:2], np.float32)
     for row in target.rows:
         cover = np.maximum(cover, part(target, row))

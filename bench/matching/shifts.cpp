@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Engines on a set and on what shift.py made of it: a row per kind of shift and engine.
+// Runs engines on a set and on the sets that shift.py made from it: one row per kind of shift and
+// engine.
 #include <algorithm>
 #include <filesystem>
 #include <iostream>
@@ -38,7 +39,7 @@ struct Contestant {
   Tally all;
 };
 
-/// What is counted of one case, for paired comparisons.
+/// Adds the counts of one case, for paired comparisons.
 void add_counts(const std::string& kind, const std::string& name, const std::string& engine,
                 const Tally& tally, double threshold, Table& counts) {
   const Figures figures = tally.figures(threshold);

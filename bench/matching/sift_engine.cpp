@@ -9,9 +9,9 @@ namespace {
 
 constexpr float kRatio = 0.8F;            // Lowe's ratio test
 constexpr double kReprojection = 3;       // [px]
-constexpr std::size_t kLeastInliers = 3;  // two points fix a similarity transform
+constexpr std::size_t kLeastInliers = 3;  // two points determine a similarity transform
 constexpr int kMostInstances = 10;
-constexpr double kScaleRange = 1.2;  // the camera is fixed: other scales are wrong for certain
+constexpr double kScaleRange = 1.2;  // the camera is fixed, so other scales are certainly wrong
 
 struct Pairs {
   std::vector<cv::Point2f> learned, seen;
@@ -41,7 +41,7 @@ std::vector<Found> SiftEngine::find(const cv::Mat& image) {
   cv::Mat descriptors;
   sift_->detectAndCompute(image, cv::noArray(), seen, descriptors);
   if (points_.size() < 2 || seen.empty()) return {};
-  // From the image to the object, so that several instances may claim the same learned point.
+  // Matches from the image to the object, so that several instances can use the same learned point.
   std::vector<std::vector<cv::DMatch>> matches;
   cv::BFMatcher(cv::NORM_L2).knnMatch(descriptors, descriptors_, matches, 2);
   Pairs pairs;

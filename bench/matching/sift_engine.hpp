@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The other tool at hand in OpenCV: SIFT points under the map, matched, RANSAC for shift and turn.
+// The other common solution with OpenCV: SIFT points under the map, matching, and RANSAC for shift
+// and rotation.
 #pragma once
 
 #include <opencv2/features2d.hpp>
@@ -9,7 +10,7 @@
 
 namespace mbncc::bench {
 
-/// Scores are counts of inliers.
+/// The score is the number of inliers.
 class SiftEngine : public Engine {
  public:
   SiftEngine();

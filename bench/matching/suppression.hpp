@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Keeps the best of detections that lie close together.
+// Keeps the best one of detections that lie close together.
 #pragma once
 
 #include <vector>
@@ -8,7 +8,7 @@
 
 namespace mbncc::bench {
 
-/// Best score first; none within `distance` [px] of a better one.
+/// In descending order of score; none is within `distance` [px] of a better one.
 std::vector<Found> without_neighbours(std::vector<Found> found, double distance);
 
 }  // namespace mbncc::bench

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Objects taught at one rotation and at several: is what was taught twice known better? Further
-// views are the first targets of a case, with the true map where the truth puts it; the others are
-// searched.
+// Objects taught at one rotation and at several: do more views improve the results? The additional
+// views are the first targets of a case, with the true map at the true pose; the remaining targets
+// are searched.
 #include <filesystem>
 #include <iostream>
 #include <opencv2/imgproc.hpp>
@@ -26,7 +26,7 @@ constexpr const char* kOptions =
     "{views    | 1,2,4 | comma separated: numbers of views; the largest tells what is searched }"
     "{help h   |       | this text }";
 
-/// The object as it lies in a target; none when it is not wholly in the image.
+/// The object as it appears in a target; none if it is not completely in the image.
 std::optional<View> view_in(const Target& target, const CaseFolder& one) {
   if (target.instances.size() != 1) return {};
   const Pose2D& pose = target.instances.front().pose;
@@ -42,8 +42,8 @@ std::optional<View> view_in(const Target& target, const CaseFolder& one) {
 }
 
 struct Lesson {
-  std::vector<View> views;      ///< the lesson's own first
-  std::vector<Target> targets;  ///< that no view was taken from
+  std::vector<View> views;      ///< starting with the view of the lesson
+  std::vector<Target> targets;  ///< targets that were not used as views
 };
 
 Lesson lesson_of(const CaseFolder& one, std::size_t most) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The paper's matching experiments (doi 10.1177/1687814017728839, Figs. 12 to 16) in the simulated
-// cell: MB-NCC against PP-NCC with incircle and excircle, at the true place of the object, and at
-// every place of an image that also shows a piece of wastepaper.
+// cell: MB-NCC against PP-NCC with incircle and excircle, at the true position of the object, and
+// at every position of an image that also shows a piece of wastepaper.
 #include <algorithm>
 #include <filesystem>
 #include <iostream>
@@ -28,11 +28,11 @@ constexpr double kDiameter = 110;             // [px]
 constexpr double kElongations[] = {1, 2, 4};  // the paper: square, irregular, elongated
 constexpr int kBackgrounds = 6;
 constexpr const char* kVariants[] = {"mbncc", "incircle", "excircle"};
-constexpr int kStep = 2;  // [px] of the half-size image
+constexpr int kStep = 2;  // [px] in the half-size image
 const cv::Point2d kWastepaper{450, 230};
 const Pose2D kPlace{320, 240, 0};
 
-/// A template in polar form, and where its centre lies in the learning image.
+/// A template in polar form, and the position of its centre in the learning image.
 struct Variant {
   cv::Point2d centre;
   PolarTemplate object;
@@ -63,7 +63,7 @@ cv::Mat grey_scene(std::uint64_t platform, const sim::Placed& placed) {
   return grey;
 }
 
-/// Similarities at the true place for every rotation of the template.
+/// Similarities at the true position for every rotation of the template.
 std::vector<double> by_rotation(const Variant& variant, const cv::Mat& grey) {
   return variant.object.similarities(polar_image(grey, variant.centre, variant.object.grid()));
 }
@@ -78,7 +78,7 @@ struct Results {
   Table backgrounds{{"elongation", "background", "mbncc", "incircle", "excircle"}, {}};
 };
 
-/// The object is learned on one platform and looked at on others.
+/// The object is learned on one platform and compared on others.
 void compare(double elongation, Results& results) {
   sim::Placed placed;
   placed.object = {7, kDiameter, elongation};
@@ -117,7 +117,8 @@ cv::Mat best_by_place(const Variant& variant, const cv::Mat& grey) {
   return scores;
 }
 
-/// Largest score within `radius` cells of a place; NaN-free, since the place lies in the image.
+/// Largest score within `radius` cells of a position. It is never NaN, because the position lies in
+/// the image.
 double peak_near(const cv::Mat& scores, cv::Point2d place, double radius, bool inside) {
   cv::Mat mask(scores.size(), CV_8UC1, cv::Scalar(inside ? 0 : 255));
   cv::circle(mask, place, cvRound(radius), cv::Scalar(inside ? 255 : 0), cv::FILLED);
@@ -133,7 +134,8 @@ cv::Mat half_grey(const cv::Mat& image) {
   return half;
 }
 
-/// Figs. 14c and 16: the turned object and the wastepaper, on another platform than the learned.
+/// Figs. 14c and 16: the rotated object and the wastepaper on a platform that was not used for
+/// learning.
 void compare_places(const fs::path& out) {
   sim::Placed placed;
   placed.object = {7, kDiameter, kElongations[2]};

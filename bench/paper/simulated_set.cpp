@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Writes an evaluation set (bench/README.md) drawn in the simulated cell, for whoever has no other.
+// Writes an evaluation set (bench/README.md) drawn in the simulated cell, for users without other
+// data.
 #include <filesystem>
 #include <fstream>
 #include <iostream>
@@ -25,14 +26,14 @@ constexpr const char* kOptions =
     "{help h  |   | this text }";
 
 constexpr int kNeighbours = 2;
-constexpr double kMargin = 0.15;  // of the true map's box: the operator's rectangle is rough
+constexpr double kMargin = 0.15;  // of the true map's box, since the operator's region is rough
 
 struct Cell {
   sim::Scene scene;
   sim::SceneObject object;
   cv::RNG random;
 
-  /// A place whose circle lies in the `column`-th third of the image.
+  /// A pose whose circle lies in the `column`-th third of the image.
   Pose2D place(int column, double diameter) {
     const double width = scene.config().size.width / 3.0, reach = 0.6 * diameter;
     const double low = column * width + reach, high = (column + 1) * width - reach;

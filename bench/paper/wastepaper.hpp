@@ -7,7 +7,8 @@
 
 namespace mbncc::bench {
 
-/// Draws the sheet, `diameter` [px] across, into `image` (CV_8UC3). The same seed draws the same.
+/// Draws the sheet, `diameter` [px] across, into `image` (CV_8UC3). The same seed gives the same
+/// drawing.
 void draw_wastepaper(cv::Mat& image, cv::Point2d centre, double diameter, std::uint64_t seed);
 
 }  // namespace mbncc::bench

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Lessons from real photographs: every case below the given folders is taught in one way, and its
-// map compared with the true one. Figures per source, maps and evidence for bench/real/page.py.
+// Lessons from real photographs: every case in the given folders is taught in one way, and its map
+// is compared with the true one. Writes figures per source, and maps and evidence for
+// bench/real/page.py.
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
@@ -103,7 +104,8 @@ Lesson lesson_of(const CaseFolder& one, const std::string& by) {
   return lesson;
 }
 
-// Otsu's threshold on the largest channel's difference in the region, largest piece.
+// Otsu's threshold on the difference in the region, with the maximum over the channels; keeps the
+// largest piece.
 cv::Mat otsu_map(const Lesson& lesson) {
   const cv::Rect room =
       lesson.region.empty() ? cv::Rect({0, 0}, lesson.before.size()) : lesson.region;

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""Makes the photographs' cases from fetched public repositories.
+"""Makes cases of photographs from fetched public repositories.
 
 MIRROR/OWNER+NAME holds a git repository (bare, in `repo`, or with `.git`), e.g. of
 `git clone --bare https://github.com/OWNER/NAME MIRROR/OWNER+NAME`. Every CASES_DIR/SOURCE.yaml
@@ -30,7 +30,7 @@ import yaml
 
 
 class Missing(Exception):
-    """A repository, file or frame that is not there."""
+    """A repository, file or frame that does not exist."""
 
 
 def git_dir(mirror, repository):
@@ -81,7 +81,7 @@ def filled(shape, polygon):
 
 
 def mask_of(shape, outline, holes):
-    """Outlines and holes run on the object's own outermost pixels, as of cv2.findContours."""
+    """Outlines and holes run along the object's outermost pixels, as in the result of cv2.findContours."""
     mask = np.zeros(shape[:2], np.uint8)
     for polygon in outline:
         mask |= filled(shape, polygon)
@@ -113,7 +113,7 @@ def make_case(git, source, case, folder):
 
 
 def make_source(mirror, out, path):
-    """Returns the number of cases made and of cases named."""
+    """Returns the number of cases made and the number of cases listed."""
     source = yaml.safe_load(path.read_text())
     folder = out / "pairs" / source["source"]
     made = 0

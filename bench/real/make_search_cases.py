@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""Makes the searches in photographs from fetched public repositories.
+"""Makes search cases of photographs from fetched public repositories.
 
 MIRROR is as in make_cases.py. Every CASES_DIR/SOURCE.yaml names one repository at one commit, the
 objects taught in its photographs, and where they are in others:
@@ -45,7 +45,7 @@ def cut(image, box, path):
 
 
 def resized(image, step):
-    """By a factor (exactly that one, though the size is rounded) or to a size."""
+    """Scales by a factor (exactly, although the size is rounded) or to a size."""
     if isinstance(step, list):
         return cv2.resize(image, tuple(step), interpolation=cv2.INTER_AREA)
     return cv2.resize(image, None, fx=step, fy=step,
@@ -129,7 +129,7 @@ def make_case(git, source, case, folder):
 
 
 def make_source(mirror, out, path):
-    """Returns the number of searches made and of searches named."""
+    """Returns the number of searches made and the number of searches listed."""
     source = yaml.safe_load(path.read_text())
     named = sum(len(case["searches"]) for case in source["cases"])
     made = 0

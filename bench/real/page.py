@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""Shows every lesson of a run of real_lessons_bench, worst first: images, map, truth, verdict.
+"""Makes a page of all lessons of a real_lessons_bench run, worst first: images, map, truth, verdict.
 
 usage: page.py RUN SET[,SET...] OUT [--worst N]
   RUN    folder given to real_lessons_bench as --out
@@ -17,8 +17,8 @@ import pathlib
 import cv2
 import numpy as np
 
-MARGIN = 0.4  # of the object's longer side, around it
-HEIGHT = 220  # [px] of an image on the page
+MARGIN = 0.4  # margin around the object, as a fraction of its longer side
+HEIGHT = 220  # [px] height of an image on the page
 
 
 def case_folders(sets):

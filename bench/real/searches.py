@@ -4,11 +4,11 @@
 
 SET is a folder that make_search_cases.py has made. Each object is taught by its true map
 (`mbncc learn --map`) and the symmetry that its tag `sym:` [degrees] declares, otherwise with the
-settings as shipped, and searched in its targets (`mbncc find`). A detection is right within
+default settings, and searched in its targets (`mbncc find`). A detection is right if it is within
 max(5 px, 5 % of the diameter) and 6 degrees, modulo the symmetry, of an instance that no better one
-has taken; otherwise it is wrong, unless it lies in a place of ignore.csv (an object that is tilted,
-of another size, or shares part of its print with the taught one); graspable ones there have a
-column of their own. Further arguments go to `mbncc find`.
+has claimed; otherwise it is wrong, unless it lies in an area of ignore.csv (an object that is
+tilted, of another size, or shares part of its print with the taught one); graspable detections
+there have a separate column. Further arguments are passed to `mbncc find`.
 OUT.json holds every detection.
 """
 import argparse
@@ -49,7 +49,7 @@ def teach(mbncc, library, case, period):
 
 
 def at_reference(found, shift):
-    """The detection's place of the case's own reference point, `shift` [px] from the object's."""
+    """Position of the case's reference point at the detection; `shift` [px] is its offset from the object's."""
     angle = math.radians(found["theta_deg"])
     across, down = shift
     return (found["x"] + math.cos(angle) * across - math.sin(angle) * down,
@@ -61,7 +61,7 @@ def turn_between(a, b, period):
 
 
 def judge(found, instances, ignored, tolerance, period):
-    """'right', 'wrong' or 'ignored'; takes the instance that is right."""
+    """'right', 'wrong' or 'ignored'; a right detection claims its instance."""
     near = [one for one in instances
             if math.hypot(found["place"][0] - float(one["x"]), found["place"][1] - float(one["y"])) <= tolerance and
             turn_between(found["theta_deg"], float(one["theta_deg"]), period) <= DEGREES]
@@ -74,7 +74,7 @@ def judge(found, instances, ignored, tolerance, period):
 
 
 def search(mbncc, case, arguments):
-    """For each target of a case what was found, with its verdict, and how many were missed."""
+    """For each target of a case: the detections with their verdicts, and the number of missed instances."""
     tags = json.loads((case / "meta.json").read_text())["tags"]
     period = next((float(tag[4:]) for tag in tags if tag.startswith("sym:")), 360)
     targets = [case / (row["target"] + ".png") for row in rows_of(case / "targets.csv")]

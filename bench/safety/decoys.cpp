@@ -10,7 +10,7 @@ namespace mbncc::bench {
 namespace {
 
 const cv::Size kSize(kDecoyWidth, kDecoyHeight);
-constexpr std::uint64_t kStrangers = 1'000'000;  // seeds of objects that are never taught
+constexpr std::uint64_t kStrangers = 1'000'000;  // first seed of the objects that are never taught
 
 sim::Scene scene_by(cv::RNG& random) {
   sim::SceneConfig config;
@@ -35,7 +35,8 @@ sim::Placed stranger(cv::RNG& random) {
   return {drawing, pose_by(random, 0.6 * drawing.diameter)};
 }
 
-/// Its pixels under the object's map come from a larger stranger lying above it.
+/// Replaces the pixels under the object's map by those of a larger, unknown object at the same
+/// pose.
 void resurface(const sim::Scene& scene, const sim::Placed& placed, cv::Mat& image,
                cv::RNG& random) {
   sim::Placed cover = stranger(random);

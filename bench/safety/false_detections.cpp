@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Images without the object: how many detections are reported all the same, and how many of them
-// could be grasped, at the thresholds as shipped.
+// Images without the object: how many detections are reported nevertheless, and how many of them
+// are graspable, with the shipped thresholds.
 #include <filesystem>
 #include <iostream>
 #include <map>
@@ -29,8 +29,8 @@ constexpr const char* kOptions =
     "{seed        | 1    | draws everything }"
     "{help h      |      | this text }";
 
-constexpr int kPerImage = 4;       // objects searched for, each alone
-constexpr double kColourful = 30;  // [grey levels] less cannot be told by colour
+constexpr int kPerImage = 4;       // objects searched per image, one at a time
+constexpr double kColourful = 30;  // [grey levels] least value to be distinguished by colour
 
 using Object = std::shared_ptr<const ObjectModel>;
 
@@ -87,7 +87,7 @@ class Trials {
   std::map<std::string, Count> counts_;
 };
 
-/// The next few of the objects, in turn.
+/// Returns the next few objects in turn.
 class Turns {
  public:
   explicit Turns(const std::vector<Taught>& taught) : taught_(taught) {}
@@ -117,7 +117,7 @@ Object object_of(const CaseFolder& one) {
   return object;
 }
 
-/// Drawn objects are in no photograph.
+/// Simulated objects do not occur in photographs.
 void search_parts(const std::vector<CaseFolder>& cases, int images, Turns& turns, Trials& trials,
                   cv::RNG& random) {
   std::vector<cv::Mat> photographs;
@@ -131,8 +131,8 @@ void search_parts(const std::vector<CaseFolder>& cases, int images, Turns& turns
                   turns.next());
 }
 
-/// The photographed objects: in images that lack them, and in those of themselves with exchanged
-/// colours.
+/// The photographed objects: searched in images that lack them, and in their own images with
+/// exchanged colour channels.
 void search_photographed(const std::vector<CaseFolder>& cases, int images, Trials& trials,
                          cv::RNG& random) {
   for (const auto& one : cases) {

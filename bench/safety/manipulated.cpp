@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Images in which something is wrong with the object: torn between two moments, mirrored, another
-// surface, half covered, glossy, another object upon it. Whatever is called graspable in them has
-// to be right. Of a drawn object that looks the same after part of a turn, the truth may state no
-// symmetry; such poses are counted apart.
+// Images in which something is wrong with the object: torn between two moments, mirrored, with
+// another surface, half covered, glossy, or with another object on top. Every graspable detection
+// in them must be correct. If a drawn object looks the same after part of a turn, the truth may
+// state no symmetry; such poses are counted separately.
 #include <algorithm>
 #include <filesystem>
 #include <iostream>
@@ -33,22 +33,22 @@ constexpr const char* kOptions =
     "{seed   | 1 | draws what is done to the images }"
     "{help h |   | this text }";
 
-/// A target with one instance of an object, and another object to spoil it with.
+/// A target with one instance of an object, and another object used for the manipulation.
 struct Scene {
   const CaseFolder& object;
   const CaseFolder& other;
   const Instance& instance;
   cv::Mat image;
-  bool has_mirror_image = false;  ///< of the object, beside it
+  bool has_mirror_image = false;  ///< a mirror image of the object lies beside it
 };
 
-/// What was done to an image, and where the object may rightly be found in it.
+/// A manipulated image, and the correct poses of the object in it.
 struct Spoiled {
   cv::Mat image;
-  std::vector<Pose2D> poses;  ///< any between two of them, too; empty: nowhere
+  std::vector<Pose2D> poses;  ///< poses between two of them are also correct; empty: none is
 };
 
-/// [px] from the learning image of a case to a target.
+/// Transform [px] from the learning image of a case to a target.
 cv::Matx23d placing(const CaseFolder& object, const Pose2D& pose) {
   const double c = std::cos(pose.theta), s = std::sin(pose.theta);
   const cv::Point2d r = object.reference;
@@ -72,7 +72,7 @@ Spoiled untouched(const Scene& scene, cv::RNG&) {
   return {scene.image, {scene.instance.pose}};
 }
 
-/// Rows from `from` on show what is `way` [px] farther on, `moved`.
+/// From row `from` on, the image shows `moved`, which is displaced by `way` [px].
 struct Tear {
   int from;
   double way;
@@ -80,7 +80,7 @@ struct Tear {
   cv::Mat moved;
 };
 
-/// Somewhere within the object, by 4 to 10 px.
+/// A tear within the object, displaced by 4 to 10 px.
 Tear tear_within(const cv::Rect& box, const cv::Mat& image, cv::RNG& random) {
   Tear tear;
   tear.way = random.uniform(4., 10.) * (random.uniform(0, 2) == 0 ? 1 : -1);
@@ -91,7 +91,7 @@ Tear tear_within(const cv::Rect& box, const cv::Mat& image, cv::RNG& random) {
   return tear;
 }
 
-/// The image up to the tear, `later` from there on.
+/// The image above the tear, and `later` below it.
 Spoiled torn_at(const Tear& tear, const Scene& scene, const cv::Mat& later) {
   Spoiled spoiled{scene.image.clone(), {scene.instance.pose, scene.instance.pose}};
   later.rowRange(tear.from, later.rows).copyTo(spoiled.image.rowRange(tear.from, later.rows));
@@ -105,7 +105,7 @@ Spoiled torn(const Scene& scene, cv::RNG& random) {
   return torn_at(tear, scene, tear.moved);
 }
 
-/// The object alone, on a background that rests.
+/// Only the object is torn; the background is at rest.
 Spoiled torn_object(const Scene& scene, cv::RNG& random) {
   const cv::Size size = scene.image.size();
   const cv::Mat map = placed_map(scene.object, scene.instance.pose, size);
@@ -127,7 +127,7 @@ Spoiled mirrored(const Scene& scene, cv::RNG&) {
   return spoiled;
 }
 
-/// The other object's learning image within the outline.
+/// The learning image of the other object within the outline.
 Spoiled other_print(const Scene& scene, cv::RNG& random) {
   Spoiled spoiled{scene.image.clone(), {}};
   Pose2D pose = scene.instance.pose;
@@ -137,7 +137,7 @@ Spoiled other_print(const Scene& scene, cv::RNG& random) {
   return spoiled;
 }
 
-/// What lies elsewhere in the image, over half of the object.
+/// Covers half of the object with another part of the image.
 Spoiled half_covered(const Scene& scene, cv::RNG& random) {
   const cv::Size size = scene.image.size();
   const Pose2D& pose = scene.instance.pose;
@@ -161,7 +161,7 @@ Spoiled half_covered(const Scene& scene, cv::RNG& random) {
   return spoiled;
 }
 
-/// White spots over some 15 % of the object.
+/// White spots on about 15 % of the object.
 Spoiled glossy(const Scene& scene, cv::RNG& random) {
   constexpr int kSpots = 3;
   const cv::Size size = scene.image.size();
@@ -180,7 +180,7 @@ Spoiled glossy(const Scene& scene, cv::RNG& random) {
   return {scene.image + light, {scene.instance.pose}};
 }
 
-/// The other object on top, off its middle.
+/// The other object on top, not centred.
 Spoiled stacked(const Scene& scene, cv::RNG& random) {
   const double off = 0.3 * (scene.object.diameter + scene.other.diameter) * random.uniform(0.5, 1.);
   const double angle = random.uniform(-kPi, kPi);
@@ -197,9 +197,9 @@ cv::Point2d centroid(const cv::Mat& map) {
   return {moments.m10 / moments.m00, moments.m01 / moments.m00};
 }
 
-/// Its outline tells it from its mirror image, at any rotation.
+/// True if the outline differs from its mirror image at every rotation.
 bool is_one_sided(const CaseFolder& object) {
-  constexpr double kAlike = 0.85;  // of the area
+  constexpr double kAlike = 0.85;  // fraction of the area
   CaseFolder mirror;
   cv::flip(object.map, mirror.map, 1);
   mirror.reference = centroid(mirror.map);
@@ -221,7 +221,7 @@ double distance_to_way(cv::Point2d point, cv::Point2d from, cv::Point2d to) {
   return cv::norm(point - from - part * way);
 }
 
-/// Up to rotations by `symmetry`.
+/// Compares modulo rotations by `symmetry`.
 bool is_right(const Match& match, const Spoiled& spoiled, const Scene& scene, double symmetry) {
   if (spoiled.poses.empty()) return false;
   const double near = std::max(3.0, 0.03 * scene.object.diameter);
@@ -232,14 +232,14 @@ bool is_right(const Match& match, const Spoiled& spoiled, const Scene& scene, do
 
 struct Count {
   int images = 0, right = 0, wrong = 0, sure_wrong = 0;
-  int turned = 0;  ///< right but for a rotation that the match states to be a symmetry
+  int turned = 0;  ///< correct except for a rotation that the match reports as a symmetry
 };
 
-/// What is done to an image.
+/// A kind of manipulation.
 struct Kind {
   std::string_view name;
   Spoiled (*spoil)(const Scene& scene, cv::RNG& random);
-  bool varies = true;  ///< with each draw
+  bool varies = true;  ///< whether each repetition differs
 };
 
 constexpr std::string_view kMirrored = "mirrored";
@@ -260,7 +260,8 @@ std::string known_kinds() {
 
 class Trials {
  public:
-  /// Of these `kinds`; of all if there are none. Throws std::invalid_argument for an unknown one.
+  /// Runs only these `kinds`, or all if it is empty. Throws std::invalid_argument for an unknown
+  /// kind.
   Trials(fs::path out, std::set<std::string> kinds, int seed)
       : out_(std::move(out)), kinds_(std::move(kinds)), random_(static_cast<std::uint64_t>(seed)) {
     for (const auto& name : kinds_)
@@ -348,7 +349,7 @@ void spoil_set(const fs::path& set, std::size_t most, int each, Trials& trials) 
   }
 }
 
-/// Between commas.
+/// Splits `list` at commas.
 std::vector<std::string> parts_of(const std::string& list) {
   std::vector<std::string> parts;
   std::stringstream stream(list);

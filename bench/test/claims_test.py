@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""Checks the paper's claims again from the tables of the stored page, and from the output of the built programs.
+"""Checks the paper's claims against the tables of the stored page, and against the output of the built programs.
 
 usage: claims_test.py [FOLDER_OF_THE_BENCHMARK_PROGRAMS]
 """
@@ -22,7 +22,7 @@ PROGRAMS = pathlib.Path(sys.argv.pop()) if len(sys.argv) > 1 else None
 
 
 def rows_of_table(head):
-    """The rows of the page's table whose first column is called `head`."""
+    """The rows of the table in the page whose first column is named `head`."""
     lines = re.search(r"^\| %s .*\n(?:\|.*\n)+" % head, PAGE, re.MULTILINE).group(0).splitlines()
     names, _, *body = ([cell.strip() for cell in line.strip("|").split("|")] for line in lines)
     return [dict(zip(names, cells)) for cells in body]

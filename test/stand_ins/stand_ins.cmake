@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-# MBNCC_STAND_INS: prefix of the message packages that generate.py writes. vision_msgs_INCLUDE_DIRS are theirs where
+# MBNCC_STAND_INS: prefix of the message packages that generate.py writes. vision_msgs_INCLUDE_DIRS points to them if
 # the package is not installed.
 set(MBNCC_STAND_INS ${PROJECT_BINARY_DIR}/stand_ins)
 set(generator ${PROJECT_SOURCE_DIR}/test/stand_ins/generate.py)
