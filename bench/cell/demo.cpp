@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cell/demo.hpp"
 
-#include "mbncc/cell/second_look.hpp"
+#include "mbncc/cell/part_put_down.hpp"
 
 namespace mbncc::bench {
 namespace {

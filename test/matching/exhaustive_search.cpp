@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "matching/scene/scene_image.hpp"
+#include "matching/scene/grey_image.hpp"
 #include "matching/template/candidate.hpp"
 #include "matching/template/map_footprint.hpp"
 #include "mbncc/matching/similarity.hpp"

@@ -8,6 +8,7 @@
 #include <opencv2/core.hpp>
 #include <optional>
 
+#include "mbncc/cell/scene_difference.hpp"
 #include "mbncc/cell/scene_watch.hpp"
 
 namespace mbncc {

@@ -18,27 +18,6 @@ struct StillShot {
   std::uint64_t number = 0;  ///< counts the still periods, from 1
 };
 
-enum class SceneChange {
-  kNone,
-  kInside,   ///< something came, went or moved inside the image
-  kAtBorder  ///< the change reaches the image's edge: an arm in view, or an object half outside
-};
-
-/// Coarse difference of two images of one camera.
-struct SceneDifference {
-  SceneChange change = SceneChange::kNone;
-  cv::Mat changed;      ///< CV_8UC1 of the images' size, 255 where they differ beyond noise
-  double fraction = 0;  ///< [0..1] changed part of the image
-  double exposure = 1;  ///< factor between the images, >= 1; compensated before the comparison
-};
-
-/// Compares two images of one camera (CV_8UC3, same size) coarsely. It decides when to analyse
-/// the change, not where the object is.
-SceneDifference scene_difference(const cv::Mat& before, const cv::Mat& after);
-
-/// Only its `change`.
-SceneChange scene_change(const cv::Mat& before, const cv::Mat& after);
-
 /// Processes every image of one camera in turn, in about a millisecond each. Keeps references to
 /// the images, so they must not be modified afterwards.
 class SceneWatch {

@@ -7,6 +7,7 @@
 
 #include <opencv2/core.hpp>
 
+#include "mbncc/cell/pinhole_camera.hpp"
 #include "mbncc/cell/platform.hpp"
 
 namespace mbncc {

@@ -1,14 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Checks whether a lesson may be stored, before the operator moves anything, and adds a further
-// view to a known object.
+// Checks whether a lesson may be stored, before the operator moves anything.
 #pragma once
 
 #include <exception>
-#include <opencv2/core.hpp>
 #include <optional>
 #include <string>
 
-#include "mbncc/config/search_config.hpp"
 #include "mbncc/error.hpp"
 #include "mbncc/learning/lesson.hpp"
 #include "mbncc/library/object_library.hpp"
@@ -41,16 +38,5 @@ enum class Storing {
 /// object.
 std::optional<Refusal> check_storing(const Lesson& lesson, Storing storing,
                                      const LibrarySnapshot& library);
-
-/// Adds the view of `learned`, taught by `image`, to `stored`, in its frame and at its height;
-/// the verdict is that of the newest view. Refuses and leaves `stored` unchanged if the stored
-/// object is not found in the image.
-std::optional<Refusal> add_view(ObjectModel& stored, const ObjectModel& learned,
-                                const cv::Mat& image, const SearchConfig& search = {});
-
-/// If add_view() would refuse the view, the verdict becomes BAD for the reason "view_refused", with
-/// its sentences as the first advice, so that the operator reads them before the work on a view.
-void note_refused_view(ObjectModel& learned, const ObjectModel& stored, const cv::Mat& image,
-                       const SearchConfig& search = {});
 
 }  // namespace mbncc

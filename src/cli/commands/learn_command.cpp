@@ -12,6 +12,7 @@
 #include "cli/settings.hpp"
 #include "cli/terminal/progress.hpp"
 #include "mbncc/error.hpp"
+#include "mbncc/learning/further_view.hpp"
 #include "mbncc/learning/interactive_lesson.hpp"
 #include "mbncc/learning/lesson_storage.hpp"
 #include "mbncc/learning/resemblance.hpp"

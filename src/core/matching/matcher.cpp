@@ -14,6 +14,7 @@
 #include "matching/proposal/ncc_search.hpp"
 #include "matching/search/colour_cast.hpp"
 #include "matching/search/object_search.hpp"
+#include "matching/search/occupied_search.hpp"
 
 namespace mbncc {
 namespace {
@@ -209,7 +210,7 @@ decision::AcceptanceSettings Matcher::Implementation::acceptance(const SearchReq
           request.max_instances > 0 ? request.max_instances : config.max_instances,
           request.clutter,
           request.elsewhere,
-          decision::multiple_testing_penalty(std::max(objects, request.among))};
+          std::max(objects, request.among)};
 }
 
 std::vector<std::string> names_at_limit(const std::vector<Match>& matches, int most) {

@@ -261,4 +261,17 @@ geometry_msgs::Polygon footprint_of(const ObjectModel& model) {
   return footprint;
 }
 
+const char* word_of(std::uint8_t state) {
+  switch (state) {
+    case mbncc_vision::DetectedObject::CONFIRMED:
+      return "confirmed";
+    case mbncc_vision::DetectedObject::AMBIGUOUS:
+      return "ambiguous";
+    case mbncc_vision::DetectedObject::HELD:
+      return "held";
+    default:
+      return "not sure yet";
+  }
+}
+
 }  // namespace mbncc::nodelets

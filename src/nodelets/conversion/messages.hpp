@@ -61,4 +61,7 @@ geometry_msgs::Vector3 size_of(const ObjectModel& model);
 /// the platform. [m]; empty if learned without scale.
 geometry_msgs::Polygon footprint_of(const ObjectModel& model);
 
+/// Of DetectedObject::state.
+const char* word_of(std::uint8_t state);
+
 }  // namespace mbncc::nodelets

@@ -6,8 +6,11 @@
 #include <opencv2/imgproc.hpp>
 #include <utility>
 
-#include "mbncc/cell/second_look.hpp"
+#include "mbncc/cell/part_put_down.hpp"
+#include "mbncc/learning/further_view.hpp"
 #include "mbncc/learning/resemblance.hpp"
+#include "nodelets/conversion/images.hpp"
+#include "nodelets/conversion/messages.hpp"
 #include "nodelets/learning/lesson_goal.hpp"
 #include "nodelets/learning/outcome.hpp"
 
@@ -28,6 +31,33 @@ cv::Rect place_of(const View& view) {
 }
 
 }  // namespace
+
+GoalLesson to_lesson(const Goal& goal, const std::string& name, const cv::Mat& before,
+                     const cv::Mat& after) {
+  GoalLesson made{described(goal, name), {}};
+  Lesson& lesson = made.lesson;
+  lesson.before = before;
+  if (goal.mode == Goal::CHANGE || goal.mode == Goal::ROI) {
+    const auto region = from_msg(goal.roi, before.size());
+    if (!region) made.fault = outcome(LearnError::kRegionInvalid);
+    lesson.region = region.value_or(cv::Rect{});
+  }
+  if (goal.mode == Goal::CHANGE) lesson.after = after;
+  if (goal.mode == Goal::OUTLINE) lesson.outline = *from_msg(goal.outline);
+  if (goal.mode == Goal::CLICK)
+    lesson.click = cv::Point2f(static_cast<float>(goal.point.x), static_cast<float>(goal.point.y));
+  if (goal.mode == Goal::MASK) {
+    const Decoded mask = decode_map(goal.mask);
+    if (!mask)
+      made.fault = outcome(LearnError::kEncoding, "Mask: " + mask.fault + ".",
+                           "Send mono8 of the image's size, with 255 on the object.");
+    lesson.map = mask.image;
+  }
+  const bool mismatch = (!lesson.after.empty() && lesson.after.size() != before.size()) ||
+                        (!lesson.map.empty() && lesson.map.size() != before.size());
+  if (mismatch) made.fault = outcome(LearnError::kImageMismatch);
+  return made;
+}
 
 LessonDraft::LessonDraft(const Goal& goal, std::string name, const LessonTools& tools,
                          const LessonImages& images, LessonFeedback& feedback)

@@ -16,6 +16,15 @@
 
 namespace mbncc::nodelets {
 
+/// The lesson of a goal that passed check_goal(), with these images (CV_8UC3; `after` is empty if
+/// the mode needs none). On failure `fault` contains the result.
+struct GoalLesson {
+  Lesson lesson;
+  std::optional<mbncc_vision::LearnObjectResult> fault;
+};
+GoalLesson to_lesson(const mbncc_vision::LearnObjectGoal& goal, const std::string& name,
+                     const cv::Mat& before, const cv::Mat& after);
+
 class LessonDraft {
  public:
   /// The references outlive it. `name` of the object.

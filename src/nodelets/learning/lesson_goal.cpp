@@ -20,17 +20,6 @@ bool is_empty(const sensor_msgs::RegionOfInterest& roi) {
   return roi.width == 0 && roi.height == 0;
 }
 
-// Without images.
-Lesson described(const Goal& goal, const std::string& name) {
-  Lesson lesson;
-  lesson.name = name;
-  lesson.label = goal.label;
-  lesson.object_height = goal.object_height;
-  lesson.symmetry = symmetry_from_msg(goal.symmetry);
-  if (goal.set_reference) lesson.reference = from_msg(goal.reference);
-  return lesson;
-}
-
 Fault check_symmetry(const Goal& goal) {
   try {
     symmetry_from_msg(goal.symmetry);
@@ -96,6 +85,16 @@ Fault check_numbers(const Goal& goal) {
 
 }  // namespace
 
+Lesson described(const Goal& goal, const std::string& name) {
+  Lesson lesson;
+  lesson.name = name;
+  lesson.label = goal.label;
+  lesson.object_height = goal.object_height;
+  lesson.symmetry = symmetry_from_msg(goal.symmetry);
+  if (goal.set_reference) lesson.reference = from_msg(goal.reference);
+  return lesson;
+}
+
 Fault check_goal(const Goal& goal, const LibrarySnapshot& library, int max_objects) {
   if (auto fault = check_symmetry(goal)) return fault;
   if (auto fault = check_storable(goal, library, max_objects)) return fault;
@@ -122,33 +121,6 @@ std::string name_for(const Goal& goal, const LibrarySnapshot& library) {
   std::size_t number = 1;
   while (library.find("object_" + std::to_string(number))) ++number;
   return "object_" + std::to_string(number);
-}
-
-GoalLesson to_lesson(const Goal& goal, const std::string& name, const cv::Mat& before,
-                     const cv::Mat& after) {
-  GoalLesson made{described(goal, name), {}};
-  Lesson& lesson = made.lesson;
-  lesson.before = before;
-  if (goal.mode == Goal::CHANGE || goal.mode == Goal::ROI) {
-    const auto region = from_msg(goal.roi, before.size());
-    if (!region) made.fault = outcome(LearnError::kRegionInvalid);
-    lesson.region = region.value_or(cv::Rect{});
-  }
-  if (goal.mode == Goal::CHANGE) lesson.after = after;
-  if (goal.mode == Goal::OUTLINE) lesson.outline = *from_msg(goal.outline);
-  if (goal.mode == Goal::CLICK)
-    lesson.click = cv::Point2f(static_cast<float>(goal.point.x), static_cast<float>(goal.point.y));
-  if (goal.mode == Goal::MASK) {
-    const Decoded mask = decode_map(goal.mask);
-    if (!mask)
-      made.fault = outcome(LearnError::kEncoding, "Mask: " + mask.fault + ".",
-                           "Send mono8 of the image's size, with 255 on the object.");
-    lesson.map = mask.image;
-  }
-  const bool mismatch = (!lesson.after.empty() && lesson.after.size() != before.size()) ||
-                        (!lesson.map.empty() && lesson.map.size() != before.size());
-  if (mismatch) made.fault = outcome(LearnError::kImageMismatch);
-  return made;
 }
 
 }  // namespace mbncc::nodelets

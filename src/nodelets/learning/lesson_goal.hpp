@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Checks a LearnObject goal before the operator moves anything, then combines it with images to a
-// lesson.
+// Checks a LearnObject goal before the operator moves anything.
 #pragma once
 
 #include <mbncc_vision/LearnObjectGoal.h>
 #include <mbncc_vision/LearnObjectResult.h>
 
-#include <opencv2/core.hpp>
 #include <optional>
 #include <string>
 
@@ -31,13 +29,7 @@ Storing storing_of(const mbncc_vision::LearnObjectGoal& goal);
 /// The goal's name, or the first free object_<n> for "".
 std::string name_for(const mbncc_vision::LearnObjectGoal& goal, const LibrarySnapshot& library);
 
-/// The lesson of a goal that passed check_goal(), with these images (CV_8UC3; `after` is empty if
-/// the mode needs none). On failure `fault` contains the result.
-struct GoalLesson {
-  Lesson lesson;
-  std::optional<mbncc_vision::LearnObjectResult> fault;
-};
-GoalLesson to_lesson(const mbncc_vision::LearnObjectGoal& goal, const std::string& name,
-                     const cv::Mat& before, const cv::Mat& after);
+/// The goal's lesson, without images and without the place of its object.
+Lesson described(const mbncc_vision::LearnObjectGoal& goal, const std::string& name);
 
 }  // namespace mbncc::nodelets

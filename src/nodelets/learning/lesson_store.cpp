@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <utility>
 
+#include "mbncc/learning/further_view.hpp"
 #include "nodelets/learning/lesson_feedback.hpp"
 #include "nodelets/learning/lesson_goal.hpp"
 #include "nodelets/learning/outcome.hpp"

@@ -6,7 +6,7 @@
 #include <cstdio>
 #include <vector>
 
-#include "nodelets/matching/overlay.hpp"
+#include "nodelets/conversion/messages.hpp"
 
 namespace mbncc::nodelets {
 namespace {

@@ -9,23 +9,11 @@
 
 #include "mbncc/drawing.hpp"
 #include "mbncc/matching/overlay.hpp"
+#include "nodelets/conversion/messages.hpp"
 
 namespace mbncc::nodelets {
 
 using mbncc_vision::DetectedObject;
-
-const char* word_of(std::uint8_t state) {
-  switch (state) {
-    case DetectedObject::CONFIRMED:
-      return "confirmed";
-    case DetectedObject::AMBIGUOUS:
-      return "ambiguous";
-    case DetectedObject::HELD:
-      return "held";
-    default:
-      return "not sure yet";
-  }
-}
 
 namespace {
 

@@ -9,9 +9,6 @@
 
 namespace mbncc::nodelets {
 
-/// Of DetectedObject::state.
-const char* word_of(std::uint8_t state);
-
 /// CV_8UC3: a copy of `image` with outline, axes, name, instance, score and state of every object
 /// (blue confirmed, orange ambiguous, grey otherwise), and a legend with the image's age below
 /// it.

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "mbncc/cell/scene_difference.hpp"
 #include "mbncc/sim/cell_script.hpp"
 #include "mbncc/sim/scene.hpp"
 

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "library/models.hpp"
+#include "mbncc/learning/further_view.hpp"
 #include "mbncc/sim/scene.hpp"
 #include "support/temporary_folder.hpp"
 

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "mbncc/learning/further_view.hpp"
 #include "mbncc/sim/scene.hpp"
 
 namespace mbncc::test {

@@ -8,6 +8,7 @@
 
 #include "matching/images.hpp"
 #include "matching/search/object_search.hpp"
+#include "matching/search/occupied_search.hpp"
 
 namespace mbncc::search {
 namespace {

@@ -7,6 +7,7 @@
 
 #include "nodelets/conversion/images.hpp"
 #include "nodelets/conversion/messages.hpp"
+#include "nodelets/learning/lesson_draft.hpp"
 
 namespace mbncc::nodelets {
 namespace {

@@ -12,27 +12,7 @@ namespace {
 constexpr double kStep = 0.5;        // [px] of numerical derivatives
 constexpr double kAngleStep = 1e-3;  // [rad] likewise
 constexpr double kRigidTolerance = 1e-3;
-constexpr double kShortestFocus = 0.1, kLongestFocus = 100;  // of the image's longer side
-constexpr double kMostAspect = 2;                            // of the two focal lengths
-constexpr double kMostBeside = 0.5;                  // of the image's size, the principal point
-constexpr double kMatrixTolerance = 1e-6;            // of entries that are 0 or 1
 constexpr double kNearest = 0.001, kFarthest = 100;  // [m] of a pose from the camera
-
-template <int Rows, int Columns>
-bool all_finite(const cv::Matx<double, Rows, Columns>& matrix) {
-  for (const double value : matrix.val)
-    if (!std::isfinite(value)) return false;
-  return true;
-}
-
-bool is_nearly(double value, double wanted) {
-  return std::abs(value - wanted) <= kMatrixTolerance;
-}
-
-/// The place lies outside the image by no more than a part of its size.
-bool is_near(double place, int size) {
-  return place >= -kMostBeside * size && place <= (1 + kMostBeside) * size;
-}
 
 struct Frame {
   cv::Vec3d position;
@@ -57,38 +37,6 @@ cv::Matx<double, 6, 1> derivative(const Frame& low, const Frame& high, double wi
 
 }  // namespace
 
-std::string fault_of_camera(const cv::Matx33d& matrix, cv::Size calibrated) {
-  if (calibrated.empty()) return "the image has no size";
-  if (!all_finite(matrix)) return "a number is not finite";
-  if (!is_nearly(matrix(2, 0), 0) || !is_nearly(matrix(2, 1), 0) || !is_nearly(matrix(2, 2), 1))
-    return "the last row is not 0 0 1";
-  if (!is_nearly(matrix(0, 1), 0) || !is_nearly(matrix(1, 0), 0)) return "the pixels are skewed";
-  const double fx = matrix(0, 0), fy = matrix(1, 1);
-  const double side = std::max(calibrated.width, calibrated.height);
-  for (const double focus : {fx, fy}) {
-    if (!(focus >= kShortestFocus * side))
-      return "the focal length is shorter than a tenth of the image";
-    if (focus > kLongestFocus * side) return "the focal length is longer than a hundred images";
-  }
-  if (fx > kMostAspect * fy || fy > kMostAspect * fx)
-    return "one focal length is more than twice the other";
-  if (!is_near(matrix(0, 2), calibrated.width) || !is_near(matrix(1, 2), calibrated.height))
-    return "the principal point lies far outside the image";
-  return "";
-}
-
-std::optional<PinholeCamera> usable_camera(const cv::Matx33d& matrix, cv::Size calibrated,
-                                           cv::Size image) {
-  if (calibrated != image || !fault_of_camera(matrix, calibrated).empty()) return std::nullopt;
-  return PinholeCamera{matrix(0, 0), matrix(1, 1), matrix(0, 2), matrix(1, 2)};
-}
-
-PixelToRay rays_of(const PinholeCamera& camera) {
-  return [camera](cv::Point2d pixel) {
-    return cv::Vec3d((pixel.x - camera.cx) / camera.fx, (pixel.y - camera.cy) / camera.fy, 1);
-  };
-}
-
 Plane plane_at(double distance) {
   if (!(distance > 0) || !std::isfinite(distance))
     throw std::invalid_argument("the platform's distance must be positive and finite");
@@ -99,7 +47,7 @@ Plane plane_of(const cv::Matx44d& T_camera_platform) {
   const cv::Matx33d rotation = T_camera_platform.get_minor<3, 3>(0, 0);
   const cv::Vec3d point(T_camera_platform(0, 3), T_camera_platform(1, 3), T_camera_platform(2, 3));
   const double fault = cv::norm(rotation * rotation.t() - cv::Matx33d::eye());
-  if (!all_finite(T_camera_platform) || !(fault < kRigidTolerance))
+  if (!cv::checkRange(T_camera_platform) || !(fault < kRigidTolerance))
     throw std::invalid_argument("the platform's pose must be finite and rigid");
   cv::Vec3d normal(rotation(0, 2), rotation(1, 2), rotation(2, 2));
   const double height = -normal.dot(point);

@@ -88,6 +88,14 @@ double map_iou(const cv::Mat& a, const cv::Mat& b) {
   return either == 0 ? 0 : cv::countNonZero(a & b) / static_cast<double>(either);
 }
 
+double outline_iou(const std::vector<cv::Point2f>& outline, const cv::Mat& map) {
+  cv::Mat found = cv::Mat::zeros(map.size(), CV_8UC1);
+  const std::vector<cv::Point> corners(outline.begin(), outline.end());
+  if (corners.empty()) return 0;
+  cv::fillPoly(found, std::vector<std::vector<cv::Point>>{corners}, cv::Scalar(255));
+  return map_iou(found, map);
+}
+
 double change_agreement(const cv::Mat& changed, const cv::Mat& map) {
   const cv::Rect box = surroundings(map);
   const cv::Mat change = changed(box), part = map(box);

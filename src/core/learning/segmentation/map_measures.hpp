@@ -3,6 +3,7 @@
 #pragma once
 
 #include <opencv2/core.hpp>
+#include <vector>
 
 #include "mbncc/object_model.hpp"
 
@@ -20,6 +21,9 @@ double edge_agreement(const cv::Mat& image, const cv::Mat& map);
 
 /// IoU [0..1] of two maps of one size (CV_8UC1); 0 if both are empty.
 double map_iou(const cv::Mat& a, const cv::Mat& b);
+
+/// IoU of the map with a filled `outline` [px].
+double outline_iou(const std::vector<cv::Point2f>& outline, const cv::Mat& map);
 
 /// IoU of the map with the changed pixels around it (CV_8UC1).
 double change_agreement(const cv::Mat& changed, const cv::Mat& map);

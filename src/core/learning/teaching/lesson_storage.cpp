@@ -5,7 +5,6 @@
 #include <stdexcept>
 
 #include "mbncc/label.hpp"
-#include "mbncc/learning/resemblance.hpp"
 #include "mbncc/library/object_file.hpp"
 #include "mbncc/symmetry.hpp"
 
@@ -47,23 +46,6 @@ std::string hint_for(const std::exception& failure) {
          "unchanged.";
 }
 
-/// The object lies as in a stored view, in the same light, so the view adds nothing.
-bool shows_the_same(const View& one, const View& other) {
-  constexpr double kSameMap = 0.9;  // of the larger map
-  constexpr double kNoise = 4;      // [grey levels] mean difference of two images of one scene
-  const cv::Rect place(one.origin, one.map.size()), other_place(other.origin, other.map.size());
-  const cv::Rect common = place & other_place;
-  if (one.image_size != other.image_size || common.empty()) return false;
-  const cv::Rect here = common - one.origin, there = common - other.origin;
-  const cv::Mat both = one.map(here) & other.map(there);
-  const int larger = std::max(cv::countNonZero(one.map), cv::countNonZero(other.map));
-  if (cv::countNonZero(both) < kSameMap * larger) return false;
-  cv::Mat difference;
-  cv::absdiff(one.template_image(here), other.template_image(there), difference);
-  const cv::Scalar mean = cv::mean(difference, both);
-  return std::max({mean[0], mean[1], mean[2]}) < kNoise;
-}
-
 }  // namespace
 
 Refusal::Refusal(LearnError error, const std::string& message, const std::string& hint)
@@ -92,42 +74,6 @@ std::optional<Refusal> check_storing(const Lesson& lesson, Storing storing,
   if (!stored)
     return Refusal(LearnError::kNameUnknown, "The library does not hold '" + lesson.name + "'.");
   return check_view_fields(lesson, *stored);
-}
-
-std::optional<Refusal> add_view(ObjectModel& stored, const ObjectModel& learned,
-                                const cv::Mat& image, const SearchConfig& search) {
-  View view = learned.views.front();
-  for (const auto& known : stored.views)
-    if (shows_the_same(view, known))
-      return Refusal(
-          LearnError::kAlreadyKnown,
-          "'" + stored.name + "' already has this view: the object lies as in that image.",
-          "Turn the object a little or change the light; then teach the view again. Another side "
-          "is taught under its own name.");
-  const auto reference = shared_reference(stored, view, image, search);
-  if (!reference)
-    return Refusal(LearnError::kNotDistinct,
-                   "The stored object was not found in the new image, so the new view cannot "
-                   "share its frame.",
-                   "A further view shows the same side, turned a little or in other light. Teach "
-                   "another side under its own name, or use overwrite.");
-  view.reference = *reference;
-  stored.views.push_back(view);
-  stored.quality = learned.quality;
-  declare_symmetry(stored, stored.symmetry);
-  return {};
-}
-
-void note_refused_view(ObjectModel& learned, const ObjectModel& stored, const cv::Mat& image,
-                       const SearchConfig& search) {
-  ObjectModel tried = stored;
-  const auto refusal = add_view(tried, learned, image, search);
-  if (!refusal) return;
-  Quality& quality = learned.quality;
-  quality.verdict = Verdict::kBad;
-  quality.reasons.insert(quality.reasons.begin(), "view_refused");
-  quality.advice.insert(quality.advice.begin(),
-                        "It cannot be added. " + refusal->message + " " + refusal->hint);
 }
 
 }  // namespace mbncc

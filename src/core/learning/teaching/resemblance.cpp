@@ -2,7 +2,6 @@
 #include "mbncc/learning/resemblance.hpp"
 
 #include <algorithm>
-#include <opencv2/imgproc.hpp>
 
 #include "learning/segmentation/map_measures.hpp"
 #include "mbncc/matching/matcher.hpp"
@@ -12,16 +11,6 @@ namespace {
 
 constexpr double kLeastAgreement = 0.5;    // IoU of a found outline and the new map
 constexpr double kLeastExtentRatio = 0.8;  // of the excircles' radii
-constexpr double kLeastScore = 0.05;       // of a view; the agreement with the map decides
-constexpr int kPlacesTried = 5;
-
-double agreement(const Match& match, const cv::Mat& map) {
-  cv::Mat found = cv::Mat::zeros(map.size(), CV_8UC1);
-  const std::vector<cv::Point> corners(match.outline.begin(), match.outline.end());
-  if (corners.empty()) return 0;
-  cv::fillPoly(found, std::vector<std::vector<cv::Point>>{corners}, cv::Scalar(255));
-  return segmentation::map_iou(found, map);
-}
 
 std::vector<Match> matches_of(std::vector<std::shared_ptr<const ObjectModel>> objects,
                               const cv::Mat& image, const SearchRequest& request,
@@ -64,26 +53,6 @@ void warn(Quality& quality) {
 
 }  // namespace
 
-std::optional<Pose2D> shared_reference(const ObjectModel& stored, const View& view,
-                                       const cv::Mat& image, const SearchConfig& search) {
-  auto searched = std::make_shared<ObjectModel>(stored);
-  searched->enabled = true;
-  SearchRequest request;
-  request.min_score = kLeastScore;
-  request.max_instances = kPlacesTried;
-
-  const cv::Mat map = full_size_map(view);
-  std::optional<Pose2D> reference;
-  double best = kLeastAgreement;
-  for (const auto& match : matches_of({searched}, image, request, search)) {
-    const double agreed = agreement(match, map);
-    if (agreed < best) continue;
-    best = agreed;
-    reference = match.pose;
-  }
-  return reference;
-}
-
 void note_resemblance(ObjectModel& object, const cv::Mat& image,
                       const std::vector<std::shared_ptr<const ObjectModel>>& known,
                       const SearchConfig& search) {
@@ -95,7 +64,8 @@ void note_resemblance(ObjectModel& object, const cv::Mat& image,
   request.roi = cv::Rect(view.origin, view.map.size());
   Quality& quality = object.quality;
   for (const auto& match : matches_of(rivals, image, request, search)) {
-    if (match.score <= quality.confusable_score || agreement(match, map) < kLeastAgreement)
+    if (match.score <= quality.confusable_score ||
+        segmentation::outline_iou(match.outline, map) < kLeastAgreement)
       continue;
     quality.confusable_with = match.name;
     quality.confusable_score = match.score;

@@ -13,10 +13,6 @@ namespace mbncc::decision {
 /// [radii] Nearer detections are of one place.
 constexpr double kSamePlace = 0.7;
 
-/// Log-odds penalty for similar places elsewhere, except other instances. `odds` are those of
-/// the best detections of different places, best first.
-double clutter_penalty(const std::vector<double>& odds);
-
 /// Lowers the log-odds of every object's detections by its clutter penalty: if several places
 /// nearly match the object, each of them is less likely to be right. A single place or several
 /// certain instances lose nothing; order and margins do not change. `least`: least penalty by name.

@@ -50,6 +50,9 @@ constexpr double kComparable = 8;
 /// Whether two detections are at one place.
 bool at_one_place(const Detection& a, const Detection& b);
 
+/// Whether the reference point lies in `roi` [px]; true if that is empty.
+bool reference_within(const Detection& detection, const cv::Rect& roi);
+
 /// Ranks detections at the same place by their rotation_odds: the best one gets the group's largest
 /// log-odds, and the others keep their differences in rotation_odds. Returns best first.
 std::vector<Detection> resolve_rotations(std::vector<Detection> detections);

@@ -130,7 +130,8 @@ double acceptance_score(const Detection& detection, const SearchConfig& config) 
 
 Selection select_matches(std::vector<Detection> detections, const AcceptanceSettings& acceptance) {
   Selection selection;
-  selection.clutter = apply_clutter_penalty(detections, acceptance.clutter, acceptance.rarity);
+  selection.clutter = apply_clutter_penalty(detections, acceptance.clutter,
+                                            multiple_testing_penalty(acceptance.objects));
   calibrate(detections, acceptance);
   std::stable_sort(
       detections.begin(), detections.end(), [&](const Detection& a, const Detection& b) {

@@ -19,7 +19,7 @@ struct AcceptanceSettings {
   std::optional<double> min_score;  ///< for all objects; none: the object's own or the configured
   int max_instances;                ///< per name
   std::map<std::string, double> clutter, elsewhere;  ///< see SearchRequest
-  double rarity = 0;                                 ///< see multiple_testing_penalty()
+  std::size_t objects = 1;                           ///< searched in the image
 };
 
 struct Selection {

@@ -139,9 +139,4 @@ double rotation_odds(const Evidence& evidence) {
          17 * evidence.log_residual;
 }
 
-double rotation_odds(const Evidence& evidence, double misfit) {
-  // Fitted likewise.
-  return 68 * evidence.contour_score - 9 * evidence.log_residual - 12 * misfit;
-}
-
 }  // namespace mbncc::evidence

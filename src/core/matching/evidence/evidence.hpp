@@ -45,8 +45,4 @@ double log_odds(const Evidence& evidence, double area);
 /// do not rotate with the object, so only features independent of them are used.
 double rotation_odds(const Evidence& evidence);
 
-/// More accurate where the surface's `misfit` (RatioResidual) is known as well; another scale, not
-/// comparable with the above.
-double rotation_odds(const Evidence& evidence, double misfit);
-
 }  // namespace mbncc::evidence

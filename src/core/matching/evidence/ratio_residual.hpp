@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "matching/evidence/evidence.hpp"
 #include "matching/template/surface_template.hpp"
 
 namespace mbncc::evidence {
@@ -28,5 +29,9 @@ class RatioResidual {
  private:
   std::vector<std::pair<std::size_t, std::size_t>> pairs_;  // neighbours
 };
+
+/// rotation_odds() where the surface's `misfit` is known as well: more accurate, on another scale,
+/// not comparable with the one of the evidence alone.
+double rotation_odds(const Evidence& evidence, double misfit);
 
 }  // namespace mbncc::evidence

@@ -10,6 +10,7 @@
 
 #include "matching/evidence/evidence.hpp"
 #include "matching/prepared/comparison.hpp"
+#include "matching/search/occupied_search.hpp"
 #include "matching/search/view_search.hpp"
 
 namespace mbncc {
@@ -176,7 +177,7 @@ class Explainer {
     explanation.odds.best_at_place = -std::numeric_limits<double>::infinity();
     for (const auto& view : object.views) {
       if (view.polar) continue;
-      for (const auto& one : search::judge_places(object, view, scene, {place_})) {
+      for (const auto& one : search::search_places(object, view, scene, {place_})) {
         LogOdds odds = one.odds;
         odds.clutter = clutter == searched_.usual.clutter.end() ? 0 : clutter->second;
         if (odds.total() <= explanation.odds.total()) continue;

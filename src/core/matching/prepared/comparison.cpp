@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "matching/scene/grey_image.hpp"
+
 namespace mbncc::prepared {
 
 std::vector<Comparison> comparisons(

@@ -6,6 +6,7 @@
 #include <opencv2/imgproc.hpp>
 
 #include "imaging/pyramid.hpp"
+#include "matching/scene/grey_image.hpp"
 #include "mbncc/matching/symmetry.hpp"
 
 namespace mbncc::prepared {

@@ -15,12 +15,6 @@
 
 namespace mbncc::scene {
 
-/// `image` as grey: CV_8UC3 (bgr) or CV_8UC1, at least 16 x 16; else std::invalid_argument.
-cv::Mat grey_image(const cv::Mat& image);
-
-/// A grey image, or one whose channels are equal everywhere, as of a grey camera.
-bool is_grey(const cv::Mat& image);
-
 struct SceneImage {
   SceneImage() = default;
   SceneImage(const cv::Mat& image, int top_level);

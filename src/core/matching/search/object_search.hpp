@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "matching/search/view_search.hpp"
-#include "mbncc/matching/match.hpp"
 
 namespace mbncc::search {
 
@@ -15,13 +14,5 @@ namespace mbncc::search {
 std::vector<decision::Detection> search_object(const prepared::PreparedObject& object,
                                                const scene::SceneImage& scene, const cv::Rect& roi,
                                                SearchMode mode);
-
-/// Detections of `object` in `roi`, as above, at places of other objects of its size that are not
-/// in `found`, the detections of the same object.
-std::vector<decision::Detection> search_occupied(const prepared::PreparedObject& object,
-                                                 const scene::SceneImage& scene,
-                                                 const cv::Rect& roi,
-                                                 const std::vector<Footprint>& occupied,
-                                                 const std::vector<decision::Detection>& found);
 
 }  // namespace mbncc::search

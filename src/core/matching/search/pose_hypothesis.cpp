@@ -10,10 +10,19 @@
 namespace mbncc::search {
 namespace {
 
+constexpr std::size_t kPolished = 8;
+constexpr double kOutclassed = 8;  // log-odds behind the best: not aligned again
+
 bool same_pose(const Pose2D& a, const Pose2D& b, double radius) {
   constexpr double kSame = 0.25;  // [px]
   return std::hypot(a.x - b.x, a.y - b.y) < kSame &&
          angle_distance(a.theta, b.theta) * radius < kSame;
+}
+
+/// Poses nearer than this are refined to one.
+bool is_one_of(const std::vector<Pose2D>& poses, const Pose2D& pose, double radius) {
+  return std::any_of(poses.begin(), poses.end(),
+                     [&](const Pose2D& other) { return same_pose(other, pose, radius); });
 }
 
 PoseHypothesis hypothesis(const prepared::PreparedView& view,
@@ -55,6 +64,27 @@ PoseHypothesis multistart_align(const prepared::PreparedView& view, const scene:
   }
   best.refining = kRefining;
   return best;
+}
+
+std::vector<PoseHypothesis> hypotheses(const prepared::PreparedView& view,
+                                       const scene::SceneImage& scene,
+                                       const std::vector<templates::Candidate>& candidates,
+                                       double promising) {
+  std::vector<PoseHypothesis> found;
+  std::vector<Pose2D> reached;
+  for (std::size_t i = 0; i < candidates.size(); ++i) {
+    const templates::Candidate& candidate = candidates[i];
+    if (i >= kPolished || candidate.value <= promising ||
+        candidate.value <= candidates.front().value - kOutclassed) {
+      found.push_back(score_as_is(view, scene, candidate.pose));
+      continue;
+    }
+    const PoseHypothesis top = multistart_align(view, scene, candidate.pose);
+    if (is_one_of(reached, top.pose, view.shape.radius())) continue;
+    reached.push_back(top.pose);
+    found.push_back(top);
+  }
+  return found;
 }
 
 }  // namespace mbncc::search

@@ -2,9 +2,12 @@
 // A pose hypothesis at full resolution, aligned by contour and surface.
 #pragma once
 
+#include <vector>
+
 #include "matching/evidence/evidence.hpp"
 #include "matching/prepared/prepared_object.hpp"
 #include "matching/scene/scene_image.hpp"
+#include "matching/template/candidate.hpp"
 #include "mbncc/geometry.hpp"
 
 namespace mbncc::search {
@@ -30,5 +33,12 @@ PoseHypothesis better_rotation(const PoseHypothesis& a, const PoseHypothesis& b)
 /// The best pose that alignments from this one and slightly turned ones reach.
 PoseHypothesis multistart_align(const prepared::PreparedView& view, const scene::SceneImage& scene,
                                 const Pose2D& pose);
+
+/// The hypotheses of sorted candidates at full resolution: the best of those above `promising`
+/// log-odds are aligned from several starts, the others scored as they are.
+std::vector<PoseHypothesis> hypotheses(const prepared::PreparedView& view,
+                                       const scene::SceneImage& scene,
+                                       const std::vector<templates::Candidate>& candidates,
+                                       double promising);
 
 }  // namespace mbncc::search

@@ -3,14 +3,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 #include "matching/decision/clutter.hpp"
-#include "matching/evidence/contour_alignment.hpp"
-#include "matching/refinement/gauss_newton.hpp"
+#include "matching/decision/clutter_penalty.hpp"
+#include "matching/search/pose_hypothesis.hpp"
 #include "matching/search/proposals.hpp"
 #include "matching/search/pyramid_tracking.hpp"
-#include "matching/search/rotation_peaks.hpp"
+#include "matching/search/rotations.hpp"
 #include "matching/search/search_budget.hpp"
 #include "matching/search/verification.hpp"
 
@@ -22,8 +21,6 @@ constexpr std::size_t kMostPlaces = 10;  // ... and so many ...
 constexpr double kLikely = 0;            // ... that have these log-odds
 constexpr double kSamePose = 1e-6;       // [px]
 constexpr double kOtherAngle = to_radians(10.);
-constexpr std::size_t kPolished = 8;
-constexpr double kOutclassed = 8;  // log-odds behind the best: not aligned again
 
 /// A view with a part of the rotations gets proportionally fewer candidates.
 template <class Count>
@@ -42,6 +39,21 @@ FirstSearch for_sector(FirstSearch first, const proposal::AngleRange& sector) {
   first.budget = for_sector(first.budget, sector);
   first.correlated_places = part_of(first.correlated_places, sector);
   return first;
+}
+
+/// The best of different places, of sorted candidates: at most `most`, and at least `apart` [px]
+/// from each other.
+std::vector<templates::Candidate> best_places(const std::vector<templates::Candidate>& candidates,
+                                              double apart, std::size_t most) {
+  std::vector<templates::Candidate> places;
+  for (const auto& candidate : candidates) {
+    const bool known = std::any_of(places.begin(), places.end(), [&](const auto& other) {
+      return cv::norm(candidate.pose.position() - other.pose.position()) < apart;
+    });
+    if (!known) places.push_back(candidate);
+    if (places.size() == most) break;
+  }
+  return places;
 }
 
 class ViewSearch {
@@ -71,18 +83,7 @@ class ViewSearch {
       merge(best_by_visible_part(), candidates);
     templates::suppress(candidates, {most_at(0), kNoRival, apart()});
     try_other_angles(candidates);
-    return judge_all(candidates);
-  }
-
-  std::vector<decision::Detection> run_at(const std::vector<cv::Point2d>& centres) const {
-    std::vector<templates::Candidate> candidates;
-    for (const auto& centre : centres) {
-      const auto turned = turned_at({{centre.x, centre.y, 0}, 0, 0});
-      candidates.insert(candidates.end(), turned.begin(), turned.end());
-    }
-    templates::sort_by_value(candidates);
-    templates::drop_below(kWorthRefining, candidates);
-    return candidates.empty() ? std::vector<decision::Detection>{} : judge_all(candidates);
+    return verify(object_, view_, scene_, hypotheses(view_, scene_, candidates, first_.promising));
   }
 
  private:
@@ -108,7 +109,7 @@ class ViewSearch {
   /// Whether one of the sorted candidates is likely, no other place is, and it was among the first
   /// contour proposals, which would then also contain a further instance.
   bool sure(const std::vector<templates::Candidate>& candidates) const {
-    const auto places = templates::best_places(candidates, apart(), 2);
+    const auto places = best_places(candidates, apart(), 2);
     if (places.empty() || places[0].value < kCertain) return false;
     if (places.size() > 1 && places[1].value >= kSecond) return false;
     return proposals_.foremost_by_edges(places[0].pose, kForemost);
@@ -117,7 +118,7 @@ class ViewSearch {
   /// Whether one of the sorted candidates is likely, including the clutter penalty.
   bool found(const std::vector<templates::Candidate>& candidates) const {
     std::vector<double> odds;
-    for (const auto& place : templates::best_places(candidates, apart(), candidates.size()))
+    for (const auto& place : best_places(candidates, apart(), candidates.size()))
       odds.push_back(place.value);
     return !odds.empty() && odds.front() - decision::clutter_penalty(odds) >= kFound;
   }
@@ -127,10 +128,10 @@ class ViewSearch {
   /// even with low odds.
   void try_other_angles(std::vector<templates::Candidate>& candidates) const {
     std::vector<templates::Candidate> needed;
-    const auto places = templates::best_places(candidates, 0.5 * view_.shape.radius(), kMostPlaces);
+    const auto places = best_places(candidates, 0.5 * view_.shape.radius(), kMostPlaces);
     for (std::size_t i = 0; i < places.size(); ++i) {
       if (i >= kFinal && places[i].value < kLikely) break;
-      const auto turned = turned_at(places[i]);
+      const auto turned = rotations_at(view_, scene_, places[i]);
       candidates.insert(candidates.end(), turned.begin(), turned.end());
       const auto rival =
           std::find_if(turned.begin(), turned.end(), [&](const templates::Candidate& other) {
@@ -148,56 +149,6 @@ class ViewSearch {
                                      {kSamePose, view_.shape.radius()}});
   }
 
-  /// The best other rotations at a place, best first.
-  std::vector<templates::Candidate> turned_at(const templates::Candidate& place) const {
-    constexpr std::size_t kMost = 3;
-    auto peaks = rotation_peaks(view_.rough[0], scene_.levels[0], place, 2);
-    std::vector<templates::Candidate> turned = reached_from(peaks, kMost);
-    peaks.insert(peaks.begin(), half_turned(place));
-    const auto shifted = reached_from(shifted_onto_edges(peaks), kMost);
-    turned.insert(turned.end(), shifted.begin(), shifted.end());
-    templates::suppress(turned, {kMost, templates::Suppression::kUnlimited,
-                                 templates::Suppression::kUnlimited, alike()});
-    return turned;
-  }
-
-  /// Half a turn about the map's centroid, where an elongated object covers itself best; this may
-  /// be farther than the shifts reach.
-  templates::Candidate half_turned(const templates::Candidate& place) const {
-    const templates::SurfaceTemplate& surface = view_.templates[0].surface;
-    const auto mean = [&](const std::vector<float>& values) {
-      return std::accumulate(values.begin(), values.begin() + surface.size(), 0.0) /
-             static_cast<double>(surface.size());
-    };
-    return {compose(place.pose, {2 * mean(surface.x), 2 * mean(surface.y), kPi}), place.level, 0};
-  }
-
-  /// The first of these, shifted to the best fit of their outlines, best first: if shading
-  /// displaced one rotation by pixels, the other is displaced in the opposite direction.
-  std::vector<templates::Candidate> shifted_onto_edges(
-      std::vector<templates::Candidate> peaks) const {
-    constexpr std::size_t kMost = 6;
-    if (peaks.size() > kMost) peaks.resize(kMost);
-    for (auto& peak : peaks)
-      peak = evidence::shifted_onto_edges(view_.templates[0].contour, scene_.levels[0], peak);
-    templates::sort_by_value(peaks);
-    return peaks;
-  }
-
-  /// The aligned poses of the first `most` of them, by log-odds.
-  std::vector<templates::Candidate> reached_from(std::vector<templates::Candidate> starts,
-                                                 std::size_t most) const {
-    constexpr int kIterations = 5;
-    if (starts.size() > most) starts.resize(most);
-    for (auto& start : starts) {
-      const refinement::ScoredPose reached = refinement::align_and_score(
-          view_.templates[0], scene_.levels[0], start.pose, kIterations);
-      start.pose = reached.pose;
-      start.value = evidence::log_odds(reached.evidence, view_.shape.area());
-    }
-    return starts;
-  }
-
   /// The paper's poses without alignment, with their evidence.
   std::vector<decision::Detection> judge_polar() const {
     std::vector<PoseHypothesis> found;
@@ -205,34 +156,6 @@ class ViewSearch {
       for (const auto& one : view_.polar->find(scene_.grey, roi_))
         found.push_back(score_as_is(view_, scene_, one.pose));
     return verify(object_, view_, scene_, found);
-  }
-
-  std::vector<decision::Detection> judge_all(
-      const std::vector<templates::Candidate>& candidates) const {
-    std::vector<PoseHypothesis> found;
-    std::vector<Pose2D> reached;
-    for (std::size_t i = 0; i < candidates.size(); ++i) {
-      const templates::Candidate& candidate = candidates[i];
-      if (i >= kPolished || candidate.value <= first_.promising ||
-          candidate.value <= candidates.front().value - kOutclassed) {
-        found.push_back(score_as_is(view_, scene_, candidate.pose));
-        continue;
-      }
-      const PoseHypothesis top = multistart_align(view_, scene_, candidate.pose);
-      if (is_one_of(reached, top.pose)) continue;
-      reached.push_back(top.pose);
-      found.push_back(top);
-    }
-    return verify(object_, view_, scene_, found);
-  }
-
-  /// Poses nearer than this are refined to one.
-  bool is_one_of(const std::vector<Pose2D>& poses, const Pose2D& pose) const {
-    constexpr double kAlike = 0.25;  // [px]
-    return std::any_of(poses.begin(), poses.end(), [&](const Pose2D& other) {
-      return cv::norm(other.position() - pose.position()) < kAlike &&
-             angle_distance(other.theta, pose.theta) * view_.shape.radius() < kAlike;
-    });
   }
 
   const prepared::PreparedObject& object_;
@@ -252,13 +175,6 @@ std::vector<decision::Detection> search_view(const prepared::PreparedObject& obj
                                              const scene::SceneImage& scene, const cv::Rect& roi,
                                              SearchMode mode, const proposal::SearchMask& places) {
   return ViewSearch(object, view, scene, roi, mode, places).run();
-}
-
-std::vector<decision::Detection> judge_places(const prepared::PreparedObject& object,
-                                              const prepared::PreparedView& view,
-                                              const scene::SceneImage& scene,
-                                              const std::vector<cv::Point2d>& centres) {
-  return ViewSearch(object, view, scene, {}, SearchMode::kQuick, {}).run_at(centres);
 }
 
 }  // namespace mbncc::search

@@ -31,11 +31,4 @@ std::vector<decision::Detection> search_view(const prepared::PreparedObject& obj
                                              SearchMode mode,
                                              const proposal::SearchMask& places = {});
 
-/// The best poses of `view` near places [px], whether or not a search proposes them, to compare
-/// look-alikes at the places of other objects.
-std::vector<decision::Detection> judge_places(const prepared::PreparedObject& object,
-                                              const prepared::PreparedView& view,
-                                              const scene::SceneImage& scene,
-                                              const std::vector<cv::Point2d>& centres);
-
 }  // namespace mbncc::search

@@ -49,14 +49,4 @@ void drop_below(double floor, std::vector<Candidate>& candidates) {
   while (!candidates.empty() && candidates.back().value < floor) candidates.pop_back();
 }
 
-std::vector<Candidate> best_places(const std::vector<Candidate>& candidates, double apart,
-                                   std::size_t most) {
-  std::vector<Candidate> places;
-  for (const auto& candidate : candidates) {
-    if (!is_near(candidate, places, apart)) places.push_back(candidate);
-    if (places.size() == most) break;
-  }
-  return places;
-}
-
 }  // namespace mbncc::templates

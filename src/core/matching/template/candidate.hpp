@@ -42,9 +42,4 @@ void suppress(std::vector<Candidate>& candidates, const Suppression& suppression
 /// Drops those below `floor` from sorted candidates.
 void drop_below(double floor, std::vector<Candidate>& candidates);
 
-/// The best of different places, of sorted candidates of one level: at most `most`, and at least
-/// `apart` [px at level] from each other.
-std::vector<Candidate> best_places(const std::vector<Candidate>& candidates, double apart,
-                                   std::size_t most);
-
 }  // namespace mbncc::templates

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "mbncc/cell/second_look.hpp"
+#include "mbncc/cell/part_put_down.hpp"
 
 #include <gtest/gtest.h>
 

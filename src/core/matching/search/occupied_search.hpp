@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Searches an object at the places of other objects.
+#pragma once
+
+#include <opencv2/core.hpp>
+#include <vector>
+
+#include "matching/decision/detection.hpp"
+#include "matching/prepared/prepared_object.hpp"
+#include "matching/scene/scene_image.hpp"
+#include "mbncc/matching/match.hpp"
+
+namespace mbncc::search {
+
+/// Detections of `object` whose reference points lie in `roi` [px] (empty: the whole image), at
+/// places of other objects of its size that are not in `found`, the detections of the same object.
+std::vector<decision::Detection> search_occupied(const prepared::PreparedObject& object,
+                                                 const scene::SceneImage& scene,
+                                                 const cv::Rect& roi,
+                                                 const std::vector<Footprint>& occupied,
+                                                 const std::vector<decision::Detection>& found);
+
+/// The best poses of `view` near places [px], whether or not a search proposes them, to compare
+/// look-alikes at the places of other objects.
+std::vector<decision::Detection> search_places(const prepared::PreparedObject& object,
+                                               const prepared::PreparedView& view,
+                                               const scene::SceneImage& scene,
+                                               const std::vector<cv::Point2d>& centres);
+
+}  // namespace mbncc::search

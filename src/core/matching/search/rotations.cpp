@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "matching/search/rotations.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "matching/evidence/contour_alignment.hpp"
+#include "matching/refinement/gauss_newton.hpp"
+
+namespace mbncc::search {
+namespace {
+
+/// Local maxima of the agreement with `object` at a place over a full turn, in steps of `arc` [px]
+/// at the rim, best first. The candidates' values are those of align().
+std::vector<templates::Candidate> rotation_peaks(const templates::PoseTemplate& object,
+                                                 const scene::SceneLevel& scene,
+                                                 const templates::Candidate& place, double arc) {
+  const double rim = 2 * kPi * object.surface.radius();
+  const int count = std::max(24, static_cast<int>(std::ceil(rim / arc)));
+  std::vector<templates::Candidate> turned(count, place);
+  for (int k = 0; k < count; ++k) {
+    turned[k].pose.theta = wrap_angle(place.pose.theta + 2 * kPi * k / count);
+    turned[k].value = refinement::align(object, scene, turned[k].pose, 0).value;
+  }
+  std::vector<templates::Candidate> peaks;
+  for (int k = 0; k < count; ++k)
+    if (turned[k].value >= turned[(k + 1) % count].value &&
+        turned[k].value > turned[(k + count - 1) % count].value)
+      peaks.push_back(turned[k]);
+  templates::sort_by_value(peaks);
+  return peaks;
+}
+
+/// Half a turn about the map's centroid, where an elongated object covers itself best; this may
+/// be farther than the shifts reach.
+templates::Candidate half_turned(const prepared::PreparedView& view,
+                                 const templates::Candidate& place) {
+  const templates::SurfaceTemplate& surface = view.templates[0].surface;
+  const auto mean = [&](const std::vector<float>& values) {
+    return std::accumulate(values.begin(), values.begin() + surface.size(), 0.0) /
+           static_cast<double>(surface.size());
+  };
+  return {compose(place.pose, {2 * mean(surface.x), 2 * mean(surface.y), kPi}), place.level, 0};
+}
+
+/// The first of these, shifted to the best fit of their outlines, best first: if shading
+/// displaced one rotation by pixels, the other is displaced in the opposite direction.
+std::vector<templates::Candidate> shifted_onto_edges(const prepared::PreparedView& view,
+                                                     const scene::SceneImage& scene,
+                                                     std::vector<templates::Candidate> peaks) {
+  constexpr std::size_t kMost = 6;
+  if (peaks.size() > kMost) peaks.resize(kMost);
+  for (auto& peak : peaks)
+    peak = evidence::shifted_onto_edges(view.templates[0].contour, scene.levels[0], peak);
+  templates::sort_by_value(peaks);
+  return peaks;
+}
+
+/// The aligned poses of the first `most` of them, by log-odds.
+std::vector<templates::Candidate> reached_from(const prepared::PreparedView& view,
+                                               const scene::SceneImage& scene,
+                                               std::vector<templates::Candidate> starts,
+                                               std::size_t most) {
+  constexpr int kIterations = 5;
+  if (starts.size() > most) starts.resize(most);
+  for (auto& start : starts) {
+    const refinement::ScoredPose reached =
+        refinement::align_and_score(view.templates[0], scene.levels[0], start.pose, kIterations);
+    start.pose = reached.pose;
+    start.value = evidence::log_odds(reached.evidence, view.shape.area());
+  }
+  return starts;
+}
+
+}  // namespace
+
+std::vector<templates::Candidate> rotations_at(const prepared::PreparedView& view,
+                                               const scene::SceneImage& scene,
+                                               const templates::Candidate& place) {
+  constexpr std::size_t kMost = 3;
+  auto peaks = rotation_peaks(view.rough[0], scene.levels[0], place, 2);
+  std::vector<templates::Candidate> turned = reached_from(view, scene, peaks, kMost);
+  peaks.insert(peaks.begin(), half_turned(view, place));
+  const auto shifted = reached_from(view, scene, shifted_onto_edges(view, scene, peaks), kMost);
+  turned.insert(turned.end(), shifted.begin(), shifted.end());
+  templates::suppress(turned, {kMost,
+                               templates::Suppression::kUnlimited,
+                               templates::Suppression::kUnlimited,
+                               {1.5, view.shape.radius()}});
+  return turned;
+}
+
+}  // namespace mbncc::search
