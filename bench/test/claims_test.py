@@ -34,14 +34,14 @@ def rows_of_file(path):
 
 
 class KeptPage(unittest.TestCase):
-    def test_its_tables_give_its_claims_again(self):
+    def test_its_tables_reproduce_its_claims(self):
         for claim in learning_claims(rows_of_table("method")) + place_claims(rows_of_table("variant")):
             self.assertIn(claim.row() + "\n", PAGE)
 
 
 @unittest.skipUnless(PROGRAMS, "the benchmark programs are not built")
 class Programs(unittest.TestCase):
-    def test_write_what_is_judged(self):
+    def test_write_the_figures_that_are_judged(self):
         with tempfile.TemporaryDirectory() as folder:
             out = pathlib.Path(folder)
             self.run_quietly("simulated_set", out / "set", "--cases=1")

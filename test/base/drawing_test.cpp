@@ -16,7 +16,7 @@ Marking triangle(double x, double y) {
   return marking;
 }
 
-TEST(DrawMarkings, LeavesTheImageItselfAlone) {
+TEST(DrawMarkings, DoesNotChangeTheInputImage) {
   const cv::Mat image(100, 120, CV_8UC3, cv::Scalar::all(30)), before = image.clone();
   const cv::Mat drawn = draw_markings(image, {triangle(40, 50)});
   EXPECT_EQ(cv::norm(image, before, cv::NORM_INF), 0);
@@ -32,18 +32,18 @@ TEST(DrawMarkings, DrawsXRedAndYGreenDownwards) {
   EXPECT_EQ(drawn.at<cv::Vec3b>(100, 80), cv::Vec3b(0, 0, 0));
 }
 
-TEST(DrawMarkings, TakesGreyImagesAndNoOtherKind) {
+TEST(DrawMarkings, AcceptsGreyImagesAndRefusesOtherTypes) {
   EXPECT_EQ(draw_markings(cv::Mat::zeros(50, 50, CV_8UC1), {triangle(5, 5)}).type(), CV_8UC3);
   EXPECT_THROW(draw_markings(cv::Mat::zeros(50, 50, CV_16UC1), {}), std::invalid_argument);
   EXPECT_THROW(draw_markings(cv::Mat(), {}), std::invalid_argument);
 }
 
-TEST(DrawMarkings, SurvivesMarksOutsideAndTinyImages) {
+TEST(DrawMarkings, HandlesMarksOutsideTheImageAndTinyImages) {
   for (const double far : {-1e9, -50.0, 60.0, 1e9})
     EXPECT_NO_THROW(draw_markings(cv::Mat::zeros(16, 16, CV_8UC3), {triangle(far, far)}));
 }
 
-TEST(DrawMarkings, TheEndOfALongCaptionIsSeen) {
+TEST(DrawMarkings, ShowsTheEndOfALongCaption) {
   const cv::Mat image(200, 300, CV_8UC3, cv::Scalar::all(90));
   Marking marking;
   marking.pose = {150, 100, 0};

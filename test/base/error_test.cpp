@@ -9,7 +9,7 @@
 namespace mbncc::test {
 namespace {
 
-TEST(LearnErrors, EachHasItsOwnNameMessageAndHint) {
+TEST(LearnErrors, EachHasAUniqueNameAndMessageAndAHint) {
   std::set<std::string> names, messages;
   int known = 0;
   for (int code = 0; code >= -99; --code) {
@@ -24,7 +24,7 @@ TEST(LearnErrors, EachHasItsOwnNameMessageAndHint) {
   EXPECT_EQ(known, 25);
 }
 
-TEST(FileErrors, SayPathAndReason) {
+TEST(FileErrors, NamePathAndReason) {
   const FileError error("/lib/wrench.png", "cut short");
   EXPECT_STREQ(error.what(), "/lib/wrench.png: cut short");
   EXPECT_EQ(error.path(), "/lib/wrench.png");

@@ -50,7 +50,7 @@ TEST(Field, AssignsEachType) {
   EXPECT_EQ(sample.engine, "polar");
 }
 
-TEST(Field, RefusalsNameKeyValueAndRange) {
+TEST(Field, RefusalNamesKeyValueAndRange) {
   for (const auto& [key, text, wanted] :
        std::vector<std::array<std::string, 3>>{{"flag", "yes", "true or false"},
                                                {"count", "11", "1 .. 10"},
@@ -69,7 +69,7 @@ TEST(Field, RefusalsNameKeyValueAndRange) {
   }
 }
 
-TEST(Field, UnknownKeysNameTheNearestOne) {
+TEST(Field, UnknownKeyErrorNamesTheNearestKey) {
   EXPECT_NE(refusal_of("cuont", "1").find("'count'"), std::string::npos);
 }
 

@@ -51,7 +51,7 @@ TEST(Rotation, PositiveThetaTurnsXTowardsY) {
   expect_near(transform({10, 20, kPi / 2}, {3, 0}), {10, 23});
 }
 
-TEST(Poses, ComposeIsTransformAfterTransform) {
+TEST(Poses, ComposeAppliesOneTransformAfterTheOther) {
   RandomPoses random;
   for (int i = 0; i < 100; ++i) {
     const Pose2D outer = random.pose(), inner = random.pose();
@@ -60,7 +60,7 @@ TEST(Poses, ComposeIsTransformAfterTransform) {
   }
 }
 
-TEST(Poses, InverseUndoes) {
+TEST(Poses, InverseUndoesTheTransform) {
   RandomPoses random;
   for (int i = 0; i < 100; ++i) {
     const Pose2D pose = random.pose();
@@ -102,7 +102,7 @@ TEST(Maps, IncircleHoldsMapPixelsOnly) {
   EXPECT_LE(incircle(full).radius, 10) << "what lies beyond the image is no map";
 }
 
-TEST(Maps, EmptyOnesAreRefused) {
+TEST(Maps, EmptyMapsAreRefused) {
   const cv::Mat empty = cv::Mat::zeros(5, 5, CV_8UC1);
   EXPECT_THROW(centroid(empty), std::invalid_argument);
   EXPECT_THROW(excircle(empty), std::invalid_argument);

@@ -13,7 +13,7 @@ TEST(Label, TextsOfAnyLanguageArePrintable) {
     EXPECT_TRUE(is_printable(text)) << text;
 }
 
-TEST(Label, WhatSteersAScreenIsNotPrintable) {
+TEST(Label, ControlCharactersAreNotPrintable) {
   const std::string texts[] = {
       "a\n",          "\t",           "\x1b[31m",     std::string("a\0b", 3),
       "\x7f",         "\xc2\x80",     "\xc2\x9b",     "\xc2\x9f",

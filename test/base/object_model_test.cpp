@@ -32,7 +32,7 @@ ObjectModel sound_model() {
   return model;
 }
 
-TEST(Names, AreSafeAsFilesAndFrames) {
+TEST(Names, AreSafeAsFileNamesAndFrameNames) {
   for (const char* name : {"a", "Wrench_10", "Z9"}) EXPECT_TRUE(is_valid_name(name)) << name;
   EXPECT_TRUE(is_valid_name(std::string(64, 'a')));
   for (const std::string& name :
@@ -81,7 +81,7 @@ Pose2D gripper_in_image(const ObjectModel& model) {
       {p[0] / model.metres_per_pixel, p[1] / model.metres_per_pixel, 2 * std::atan2(q[2], q[3])});
 }
 
-TEST(MoveReference, TheGraspStaysWhereItIs) {
+TEST(MoveReference, KeepsTheGraspInPlace) {
   ObjectModel model = sound_model();
   model.metres_per_pixel = 0.002;
   model.grasp = Grasp{{{0.01, -0.03, -0.1}}, {{0, 0, std::sin(0.2), std::cos(0.2)}}};

@@ -28,7 +28,7 @@ TEST(RemoveView, LeavesTheOthersAndTheirFrame) {
   }
 }
 
-TEST(RemoveView, RefusesTheOnlyViewAndOnesThatAreNotThere) {
+TEST(RemoveView, RefusesTheOnlyViewAndUnknownViews) {
   ObjectModel model = with_views(1);
   EXPECT_THROW(remove_view(model, 1), std::invalid_argument);
   model = with_views(2);

@@ -8,7 +8,7 @@
 namespace mbncc::test {
 namespace {
 
-TEST(DeclaredSymmetry, EveryValueHasItsWord) {
+TEST(DeclaredSymmetry, EveryValueHasAWord) {
   const std::pair<std::optional<int>, const char*> words[] = {
       {std::nullopt, "auto"}, {1, "none"}, {2, "2"}, {3, "3"}, {4, "4"}, {6, "6"}, {0, "round"}};
   for (const auto& [symmetry, word] : words) {
@@ -18,7 +18,7 @@ TEST(DeclaredSymmetry, EveryValueHasItsWord) {
   }
 }
 
-TEST(DeclaredSymmetry, OtherWordsAreRefusedWithTheAllowedOnes) {
+TEST(DeclaredSymmetry, OtherWordsAreRefusedAndTheAllowedWordsListed) {
   for (const char* word : {"", "0", "1", "5", "8", "-2", "2.0", " 2", "Round", "twice"}) {
     try {
       parse_symmetry(word);
@@ -39,7 +39,7 @@ TEST(DeclaredSymmetry, OtherNumbersAreRefused) {
   }
 }
 
-TEST(DeclaredSymmetry, AnswersTheProposalsOfTheLesson) {
+TEST(DeclaredSymmetry, SettlesTheProposalOfTheLesson) {
   ObjectModel model;
   model.quality.reasons = {"low_texture", "nearly_symmetric_180", "small_object"};
   model.quality.advice = {"a", "b", "c"};

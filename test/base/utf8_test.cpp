@@ -21,7 +21,7 @@ std::string encoded(unsigned code) {
   return {first(0xf0, 18), rest(12), rest(6), rest(0)};
 }
 
-TEST(Utf8, EveryCharacterAndNoSurrogate) {
+TEST(Utf8, AcceptsEveryCharacterExceptSurrogates) {
   for (unsigned code = 0; code < 0x110000; ++code) {
     const std::string text = encoded(code);
     const bool surrogate = code >= 0xd800 && code <= 0xdfff;
@@ -30,7 +30,7 @@ TEST(Utf8, EveryCharacterAndNoSurrogate) {
   EXPECT_EQ(utf8_length(encoded(0x110000)), 0u);
 }
 
-TEST(Utf8, NothingThatIsCutShortOverlongOrBeginsAmid) {
+TEST(Utf8, RefusesTruncatedOverlongAndMisalignedText) {
   for (const unsigned code : {0xe9u, 0x20acu, 0x1f527u}) {
     const std::string text = encoded(code);
     for (std::size_t length = 0; length < text.size(); ++length)

@@ -141,7 +141,7 @@ double normalised_error(double noise, const Views& views = {}) {
   return std::sqrt(total / (3 * count));
 }
 
-TEST(MetricAccuracy, ErrorsAreAsLargeAsStated) {
+TEST(MetricAccuracy, ErrorsMatchTheStatedCovariance) {
   for (const double noise : {1., 2., 4.}) {
     const double error = normalised_error(noise);
     EXPECT_GT(error, 0.7) << "noise " << noise;

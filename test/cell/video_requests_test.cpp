@@ -34,7 +34,7 @@ TEST_F(VideoSearchTest, OneOfTwoThatLookAlikeIsNeverGraspable) {
   EXPECT_TRUE(found);
 }
 
-TEST_F(VideoSearchTest, WhereALookAlikeIsForgottenTheOtherIsFoundAndGraspable) {
+TEST_F(VideoSearchTest, AfterALookAlikeIsForgottenTheOtherIsGraspable) {
   const std::vector<std::shared_ptr<const ObjectModel>> both{learned(drawing(0), "one"),
                                                              learned(drawing(0), "other")};
   put(0, kLeft);
@@ -51,13 +51,13 @@ TEST_F(VideoSearchTest, WhereALookAlikeIsForgottenTheOtherIsFoundAndGraspable) {
   }
 }
 
-TEST_F(VideoSearchTest, WithoutSweepsEveryImageIsSearchedWhole) {
+TEST_F(VideoSearchTest, WithoutSweepsTheWholeOfEveryImageIsSearched) {
   video_ = VideoSearch({0, 2.0});
   put(0, kLeft);
   for (int i = 0; i < 3; ++i) EXPECT_TRUE(show().matches.at(0).fresh);
 }
 
-TEST_F(VideoSearchTest, AnotherRequestBeginsAnew) {
+TEST_F(VideoSearchTest, AnotherRequestRestartsTheSearch) {
   put(0, kLeft);
   put(1, kRight);
   show_many(2);
@@ -69,7 +69,7 @@ TEST_F(VideoSearchTest, AnotherRequestBeginsAnew) {
   EXPECT_EQ(result.searched, request.names);
 }
 
-TEST_F(VideoSearchTest, AfterAResetNothingIsTakenAsKnown) {
+TEST_F(VideoSearchTest, AResetForgetsAllInstances) {
   put(0, kLeft);
   show_many(40);
   ASSERT_FALSE(of(show(), 0)->fresh);
@@ -80,7 +80,7 @@ TEST_F(VideoSearchTest, AfterAResetNothingIsTakenAsKnown) {
   EXPECT_EQ(result.searched.size(), models_.size());
 }
 
-TEST_F(VideoSearchTest, UnknownNamesAreSkippedAloud) {
+TEST_F(VideoSearchTest, UnknownNamesAreReportedAsSkipped) {
   SearchRequest request;
   request.names = {"nobody"};
   put(0, kLeft);

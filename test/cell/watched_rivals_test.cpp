@@ -228,7 +228,7 @@ int show(int first, int images) {
   return graspable;
 }
 
-TEST(WatchedRivals, NothingIsGraspableThatAWholeSearchDenies) {
+TEST(WatchedRivals, GraspableInstancesPassAFullSearch) {
   const int images = number("MBNCC_IMAGES", 400);
   const int graspable = show(number("MBNCC_FIRST_STORY", 1), images);
   std::cout << images << " images, " << graspable << " graspable instances\n";

@@ -48,14 +48,14 @@ TEST_F(EvaluateCommand, WritesAPageWithImagesOfFaults) {
   EXPECT_EQ(YAML::Load(lines[2])["recall"].as<double>(), 0);
 }
 
-TEST_F(EvaluateCommand, WrongTruthGetsASentence) {
+TEST_F(EvaluateCommand, AWrongTruthFileIsExplained) {
   EXPECT_TRUE(evaluate("x,y\n").says("no column 'image'"));
   EXPECT_TRUE(evaluate("image,x,y\ntarget.png,12,left\n").says("line 2: y is no number: 'left'"));
   EXPECT_TRUE(evaluate("image,name,x,y\ntarget.png,nut,1,2\n").says("no object 'nut'"));
   EXPECT_EQ(evaluate("").code, 1);
 }
 
-TEST_F(EvaluateCommand, AShareOfNothingIsNoNumber) {
+TEST_F(EvaluateCommand, SharesOfNothingAreNotNumbers) {
   const ToolRun run = evaluate("image,x,y\nempty.png,,\n", {"--set", "min_score=1"});
   EXPECT_EQ(run.code, 0) << run.err;
   EXPECT_TRUE(run.prints("recall: - (0 of 0), graspable - (0 of 0)")) << run.out;
@@ -73,7 +73,7 @@ TEST_F(EvaluateCommand, UnknownColumnsAreRefused) {
   EXPECT_TRUE(run.says("its column 'theta_dge' is unknown; did you mean 'theta_deg'?")) << run.err;
 }
 
-TEST_F(EvaluateCommand, ATruthThatIsNoTextIsNotPrinted) {
+TEST_F(EvaluateCommand, ABinaryTruthFileIsNotPrinted) {
   const ToolRun run = evaluate("\x89PNG\r\n\x1a\n,x,y\n");
   EXPECT_EQ(run.code, 1);
   EXPECT_TRUE(run.says("truth.csv: no text; give a CSV file with the columns")) << run.err;

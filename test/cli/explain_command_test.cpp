@@ -20,7 +20,7 @@ class ExplainCommand : public testing::Test {
   const LessonFolder folder_;
 };
 
-TEST_F(ExplainCommand, TellsWhatIsFoundThere) {
+TEST_F(ExplainCommand, ExplainsWhatIsFoundThere) {
   const ToolRun run = run_tool(explain());
   EXPECT_EQ(run.code, 0) << run.err;
   EXPECT_TRUE(run.prints("'part' at (195")) << run.out;
@@ -28,7 +28,7 @@ TEST_F(ExplainCommand, TellsWhatIsFoundThere) {
   EXPECT_TRUE(run.prints("min_score 0.50 passed"));
 }
 
-TEST_F(ExplainCommand, NamesTheThresholdThatFailedAndIsRunAgain) {
+TEST_F(ExplainCommand, NamesTheThresholdThatFailedAndCanBeRunAgain) {
   const std::string miss = folder_ / "a.miss";
   const ToolRun run =
       run_tool(explain() + std::vector<std::string>{"--set", "min_score=1", "--save", miss,
@@ -45,7 +45,7 @@ TEST_F(ExplainCommand, NamesTheThresholdThatFailedAndIsRunAgain) {
   EXPECT_TRUE(again.prints("as when it was saved"));
 }
 
-TEST_F(ExplainCommand, PrintsAnObjectOnALine) {
+TEST_F(ExplainCommand, PrintsOneObjectPerLine) {
   const ToolRun run = run_tool(explain() + std::vector<std::string>{"--json"});
   const auto lines = split(run.out, '\n');
   ASSERT_EQ(lines.size(), 1u);
@@ -55,7 +55,7 @@ TEST_F(ExplainCommand, PrintsAnObjectOnALine) {
   EXPECT_EQ(one["parts"].size(), 7u);
 }
 
-TEST_F(ExplainCommand, RefusesWithASentence) {
+TEST_F(ExplainCommand, ExplainsRefusals) {
   const ToolRun outside = run_tool(explain("9999,5"));
   EXPECT_EQ(outside.code, 1);
   EXPECT_TRUE(outside.says("does not lie in the image of 320 x 240 px"));

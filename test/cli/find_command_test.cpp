@@ -45,7 +45,7 @@ TEST_F(FindCommand, CsvHasARowPerDetectionAndOnePerEmptyImage) {
   EXPECT_EQ(lines[2].rfind(folder_ / "empty.png" + ",,,,,,,,,,,", 0), 0u) << lines[2];
 }
 
-TEST_F(FindCommand, JsonHoldsWhatADetectionHolds) {
+TEST_F(FindCommand, JsonContainsAllFieldsOfADetection) {
   const ToolRun run = find({"--json", folder_ / "target.png", folder_ / "empty.png"});
   ASSERT_EQ(run.code, 0) << run.err;
   const auto lines = split(run.out, '\n');
@@ -62,7 +62,7 @@ TEST_F(FindCommand, JsonHoldsWhatADetectionHolds) {
   EXPECT_EQ(images[1]["objects"].size(), 0u);
 }
 
-TEST_F(FindCommand, JsonIsUtf8WhateverTheNameOfTheFile) {
+TEST_F(FindCommand, JsonIsUtf8ForAnyFileName) {
   const std::string name = "caf\xc3\xa9_\xff\xc3.png";
   folder_.write(name, cv::imread(folder_ / "empty.png"));
   const ToolRun run = find({"--json", folder_ / name});
@@ -174,7 +174,7 @@ TEST_F(FindCommand, AnyImageSizeIsSearched) {
 
 // A JPEG whose orientation says that it should be shown rotated by 90 degrees: coordinates remain
 // those of the sensor.
-TEST_F(FindCommand, AnExifOrientationIsToldAndNotApplied) {
+TEST_F(FindCommand, AnExifOrientationIsReportedAndNotApplied) {
   folder_.write("turned.jpg", cv::imread(folder_ / "target.png"));
   std::string bytes = content_of_file(folder_ / "turned.jpg");
   const std::string exif(

@@ -118,7 +118,7 @@ TEST(LearnCommand, StrokesAndClicksAreCheckedBeforeAnythingIsRead) {
   }
 }
 
-TEST(LearnCommand, NamesAreGuarded) {
+TEST(LearnCommand, NamesAreChecked) {
   const LessonFolder folder;
   ASSERT_EQ(run_tool(folder.lesson("part")).code, 0);
   const ToolRun taken = run_tool(folder.lesson("part") + Words{"--json"});
@@ -190,7 +190,7 @@ TEST(LearnCommand, AViewOfAnotherObjectIsNotAdded) {
   EXPECT_EQ(ObjectLibrary(folder.library()).load()->find("part")->views.size(), 1u);
 }
 
-TEST(LearnCommand, AnObjectLikeAKnownOneIsStoredWithAWarning) {
+TEST(LearnCommand, AnObjectSimilarToAKnownOneIsStoredWithAWarning) {
   const LessonFolder folder;
   ASSERT_EQ(run_tool(folder.lesson("part")).code, 0);
   const ToolRun run = run_tool(folder.lesson("twin") + Words{"--json"});
@@ -272,7 +272,7 @@ TEST(LearnCommand, UnusableImagesAndRegionsStoreNothing) {
   }
 }
 
-TEST(LearnCommand, OutputFoldersThatAreFilesAreRefusedAndNothingIsSaidToBeWritten) {
+TEST(LearnCommand, OutputFoldersThatAreFilesAreRefused) {
   const LessonFolder folder;
   for (const char* inside : {"map.png", "map.png/deeper"}) {
     const ToolRun run = run_tool(folder.lesson("part") + Words{"--stages", folder / inside});

@@ -27,7 +27,7 @@ class LibraryCommands : public testing::Test {
   LessonFolder folder_;
 };
 
-TEST_F(LibraryCommands, MapComesBackAtFullSize) {
+TEST_F(LibraryCommands, TheMapIsExportedAtFullSize) {
   ASSERT_EQ(on_library("map", {"--name", "part", "--out", folder_ / "out.png"}).code, 0);
   const cv::Mat out = cv::imread(folder_ / "out.png", cv::IMREAD_UNCHANGED);
   const cv::Mat map = cv::imread(folder_ / "map.png", cv::IMREAD_UNCHANGED);
@@ -131,7 +131,7 @@ TEST_F(LibraryCommands, CheckRepairsFromTheTrashAndSaysSo) {
   EXPECT_EQ(on_library("check").code, 0);
 }
 
-TEST_F(LibraryCommands, WhatTheTrashDoesNotHoldIsToldWithTheTrashsFolder) {
+TEST_F(LibraryCommands, RestoreErrorNamesTheTrashFolder) {
   const ToolRun run = on_library("restore", {"--name", "nosuch"});
   EXPECT_EQ(run.code, 1);
   EXPECT_TRUE(
@@ -163,7 +163,7 @@ TEST_F(LibraryCommands, ImagesOfTheUserStayWhereTheyAre) {
   EXPECT_TRUE(lesson.says("An image that is not an object has this name")) << lesson.err;
 }
 
-TEST_F(LibraryCommands, CommandsOnOneFileWarnOfBrokenOthers) {
+TEST_F(LibraryCommands, CommandsWarnOfOtherUnreadableFiles) {
   std::ofstream(folder_.library() + "/broken.png") << "no image";
   const ToolRun list = on_library("list");
   EXPECT_EQ(list.code, 0);

@@ -10,7 +10,7 @@
 namespace mbncc::cli {
 namespace {
 
-TEST(Progress, TellsHowFarTheWorkIsAndLeavesNothingBehind) {
+TEST(Progress, ShowsTheProgressAndClearsTheLine) {
   std::ostringstream out;
   {
     Progress progress("searched", 4, out, true, 0);
@@ -34,7 +34,7 @@ TEST(Progress, OfOneLongItemNamesTheStep) {
   EXPECT_FALSE(stages.observer(to_a_file)) << "nobody would see the steps";
 }
 
-TEST(Progress, SaysNothingOfShortWorkAndToFiles) {
+TEST(Progress, IsSilentForShortWorkAndIfNotATerminal) {
   std::ostringstream out;
   {
     Progress patient("searched", 4, out, true, 1000), to_a_file("searched", 4, out, false, 0);

@@ -11,7 +11,7 @@ namespace mbncc::test {
 namespace {
 
 // The first example of the guide, as a new user would type it.
-TEST(SimulateCommand, DrawsImagesThatTeachAndAreFound) {
+TEST(SimulateCommand, DrawsImagesThatCanBeTaughtAndFound) {
   TemporaryFolder folder;
   const std::string images = folder / "images/", library = folder / "library";
   ASSERT_EQ(run_tool({"simulate", "--out", images, "--count", "2"}).code, 0);
@@ -34,7 +34,7 @@ TEST(SimulateCommand, DrawsImagesThatTeachAndAreFound) {
   }
 }
 
-TEST(SimulateCommand, ObeysTheSimulatedCamerasParameters) {
+TEST(SimulateCommand, UsesTheSimulatedCamerasParameters) {
   TemporaryFolder folder;
   const std::string images = folder / "images/";
   const ToolRun run =
@@ -54,7 +54,7 @@ TEST(SimulateCommand, TheSeedDrawsOtherImages) {
   EXPECT_GT(cv::norm(one, two, cv::NORM_INF), 50);
 }
 
-TEST(SimulateCommand, WhatDoesNotFitIsRefused) {
+TEST(SimulateCommand, RefusesScenesThatDoNotFit) {
   TemporaryFolder folder;
   const ToolRun run =
       run_tool({"simulate", "--out", folder / "images", "--set", "object_diameter=900"});

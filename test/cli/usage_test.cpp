@@ -12,7 +12,7 @@ struct Wrong {
   std::string sentence;
 };
 
-TEST(Usage, WrongUsageGetsASentenceAndExitCode2) {
+TEST(Usage, WrongUsageIsExplainedWithExitCode2) {
   const std::vector<std::string> learn = {"learn", "--library", "L",    "--name",
                                           "n",     "--before",  "b.png"};
   const std::vector<std::string> find = {"find", "--library", "L"};
@@ -101,7 +101,7 @@ TEST(Usage, EveryCommandExplainsItself) {
   EXPECT_EQ(run_tool({"--version"}).out.rfind("mbncc ", 0), 0u);
 }
 
-TEST(Usage, TheNodeletsOwnFilesAreTaken) {
+TEST(Usage, AcceptsTheConfigFilesOfTheNodelets) {
   for (const char* file : {"camera", "learning", "matching", "rectify", "simulated_camera"}) {
     const ToolRun run =
         run_tool({"params", "--config", std::string(MBNCC_CONFIG_FOLDER) + "/" + file + ".yaml"});
@@ -109,7 +109,7 @@ TEST(Usage, TheNodeletsOwnFilesAreTaken) {
   }
 }
 
-TEST(Usage, AParameterOfSeveralPartsNeedsOneThatTakesIt) {
+TEST(Usage, SharedParametersNeedAPartThatAcceptsThem) {
   EXPECT_EQ(run_tool({"params", "--set", "width=1"}).code,
             0);  // the parameter of the camera nodelet, not of the simulated camera
   EXPECT_EQ(run_tool({"params", "--set", "width=-1"}).code, 2);

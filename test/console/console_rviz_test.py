@@ -36,7 +36,7 @@ class ConsoleRVizTest(unittest.TestCase):
         return subprocess.run([SCRIPT] + [str(a) for a in arguments], env=env, stdout=subprocess.PIPE, text=True,
                               check=True).stdout.split()
 
-    def test_the_package_lends_a_copy(self):
+    def test_the_package_provides_a_copy(self):
         flag, config, *others = self.start(SHIPPED, "-f", "base", "__name:=console")
         self.assertEqual((flag, others), ("-d", ["-f", "base", "__name:=console"]))
         self.assertEqual(pathlib.Path(config), self.folder / "mbncc_vision" / "console.rviz")
@@ -52,7 +52,7 @@ class ConsoleRVizTest(unittest.TestCase):
         self.start(SHIPPED)
         self.assertEqual(copy.read_text(), SHIPPED.read_text())
 
-    def test_a_file_of_the_operator_is_used_as_it_is(self):
+    def test_a_file_of_the_operator_is_used_unchanged(self):
         own = self.folder / "own.rviz"
         own.write_text("own")
         self.assertEqual(self.start(own)[1], str(own))

@@ -90,7 +90,7 @@ class ConsoleTest(unittest.TestCase):
         self.assertEqual(back.map.data, first.map.data)
         self.teacher.press("Reject")
 
-    def test_3b_a_double_click_draws_nothing_and_escape_puts_the_tool_down(self):
+    def test_3b_a_double_click_draws_nothing_and_escape_deselects_the_tool(self):
         first = self.teach("untouched")
         reference = first.object.reference
         image = (first.preview.width, first.preview.height)
@@ -121,7 +121,7 @@ class ConsoleTest(unittest.TestCase):
         wait_for(lambda: self.teacher.draft.count() >= count + 3, "three corrections are carried out")
         self.teacher.press("Reject")
 
-    def test_3d_a_taken_name_asks_what_is_meant(self):
+    def test_3d_a_taken_name_asks_what_to_do(self):
         from mbncc_vision.msg import LearnObjectResult
         self.teacher.mouse.write("name", "bracket")
         self.teacher.mouse.click_until("Teach", lambda: self.teacher.mouse.sees("Replace it"), "it is asked")
@@ -133,7 +133,7 @@ class ConsoleTest(unittest.TestCase):
         self.assertEqual(result.error_code, LearnObjectResult.SUCCESS, result.message)
         wait_for(lambda: self.teacher.revisions()["bracket"] > revisions["bracket"], "it is replaced")
 
-    def test_3e_tells_why_something_is_found_and_saves_it(self):
+    def test_3e_explains_a_detection_and_saves_it(self):
         truth = self.teacher.truth.get().objects[0].image_pose
         self.teacher.mouse.click_until("Why not found here\\?", lambda: True, "it asks for the place")
         self.teacher.mouse.drag([(truth.x, truth.y)], (CAMERA["width"], CAMERA["height"]))
@@ -156,7 +156,7 @@ class ConsoleTest(unittest.TestCase):
         self.teacher.mouse.click_until("Delete", lambda: "bracket" not in self.teacher.names(), "it is deleted")
         self.teacher.mouse.click_until("Undo edit", lambda: "bracket" in self.teacher.names(), "it is back")
 
-    def test_5_a_console_opened_amid_a_review_takes_the_decision(self):
+    def test_5_a_console_opened_during_a_review_takes_the_decision(self):
         from mbncc_vision.msg import LearnObjectResult
         self.teach("handed_over")
         self.session.reopen_console()
@@ -164,7 +164,7 @@ class ConsoleTest(unittest.TestCase):
         self.assertEqual(result.error_code, LearnObjectResult.SUCCESS, result.message)
         wait_for(lambda: "handed_over" in self.teacher.names(), "it is known")
 
-    def test_6_goes_on_when_the_nodelets_were_away(self):
+    def test_6_continues_after_the_nodelets_were_away(self):
         subprocess.run(["rosnode", "kill", "/mbncc_manager"], stdout=subprocess.DEVNULL, check=True)
         silent = self.teacher.feedback.count()
         # roslaunch restarts the nodelets; the button is enabled once the console has heard from them.

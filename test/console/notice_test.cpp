@@ -8,12 +8,12 @@ namespace {
 
 const Notice::Line kLesson{Level::kUnknown, "Take the object away now."};
 
-TEST(Notice, NothingPostedLeavesTheLessonItsWord) {
+TEST(Notice, WithoutANoticeTheLessonTextIsShown) {
   const Notice notice;
   EXPECT_EQ(notice.over(kLesson, 0).text, kLesson.text);
 }
 
-TEST(Notice, StaysLongEnoughToBeReadWhateverTheLessonSays) {
+TEST(Notice, StaysVisibleForItsFullTime) {
   Notice notice;
   notice.post({Level::kBad, "Library: the name is taken"}, 10);
   const Notice::Line shown = notice.over(kLesson, 10.2);
@@ -23,14 +23,14 @@ TEST(Notice, StaysLongEnoughToBeReadWhateverTheLessonSays) {
   EXPECT_EQ(notice.over(kLesson, 10 + Notice::kStays).text, kLesson.text);
 }
 
-TEST(Notice, TheNewestCounts) {
+TEST(Notice, TheNewestNoticeIsShown) {
   Notice notice;
   notice.post({Level::kBad, "first"}, 10);
   notice.post({Level::kGood, "second"}, 11);
   EXPECT_EQ(notice.over(kLesson, 12).text, "second");
 }
 
-TEST(Notice, WhatIsOutOfDateIsGone) {
+TEST(Notice, AClearedNoticeIsNotShown) {
   Notice notice;
   notice.post({Level::kBad, "Library: the name is taken"}, 10);
   notice.clear();

@@ -21,7 +21,7 @@ double luminance(const std::string& colour) {
   return sum;
 }
 
-TEST(Words, EveryPlateIsLegible) {
+TEST(Words, EveryStatusColourHasReadableContrast) {
   for (const Level level : {Level::kGood, Level::kDoubtful, Level::kBad, Level::kUnknown}) {
     const double plate = luminance(colour_of(level)), ink = luminance(ink_on(level));
     const double contrast = (std::max(plate, ink) + 0.05) / (std::min(plate, ink) + 0.05);
@@ -30,7 +30,7 @@ TEST(Words, EveryPlateIsLegible) {
 }
 
 // Auto is first, so that the default declares nothing.
-TEST(Words, EverySymmetryThatAGoalMayDeclareHasItsChoice) {
+TEST(Words, EveryDeclarableSymmetryHasAChoice) {
   std::vector<int> values;
   for (const auto& choice : symmetry_choices()) values.push_back(choice.value);
   EXPECT_EQ(values, (std::vector<int>{0, 1, 2, 3, 4, 6, 255}));

@@ -46,7 +46,7 @@ TEST(HostileFiles, EveryTruncationIsRefused) {
         << length;
 }
 
-TEST(HostileFiles, EveryFlippedBitIsNoticed) {
+TEST(HostileFiles, EveryFlippedBitIsDetected) {
   const Bytes bytes = encode_object(random_model(1, "wrench", 6));
   for (std::size_t bit = 0; bit < 8 * bytes.size(); ++bit) {
     Bytes mutant = bytes;
@@ -252,7 +252,7 @@ TEST(HostileFiles, AliasesAreRefusedBeforeTheyAreExpanded) {
   }
 }
 
-TEST(HostileFiles, BombsStayWithinTheMemoryBound) {
+TEST(HostileFiles, DecompressionBombsStayWithinTheMemoryBound) {
   EXPECT_TRUE(is_refused_within_memory_bound(claiming_size(0x7fffffff, 0x7fffffff)));
   EXPECT_TRUE(is_refused_within_memory_bound(claiming_size(60000, 60000)));
   EXPECT_TRUE(is_refused_within_memory_bound(claiming_size(8192, 1024)));
@@ -267,7 +267,7 @@ TEST(HostileFiles, BombsStayWithinTheMemoryBound) {
   EXPECT_TRUE(is_refused_within_memory_bound(bomb));
 }
 
-TEST(HostileFiles, WhatIsNoRegularFileIsQuarantined) {
+TEST(HostileFiles, SpecialFilesAreQuarantined) {
   TemporaryFolder folder, elsewhere;
   ObjectLibrary library(folder.path());
   library.save(random_model(1), ObjectLibrary::Existing::kRefuse);

@@ -212,7 +212,7 @@ TEST(LibraryFaults, DataIsSyncedBeforeItsNameAndTheNameBeforeReturn) {
   }
 }
 
-TEST(LibraryFaults, QuarantinedFilesAreSyncedLikewise) {
+TEST(LibraryFaults, QuarantinedFilesAreAlsoSynced) {
   TemporaryFolder folder;
   fill(folder.path());
   std::filesystem::resize_file(folder / "wrench.png", 100);
@@ -226,7 +226,7 @@ TEST(LibraryFaults, QuarantinedFilesAreSyncedLikewise) {
 }
 
 // Network file systems report a full disk only when the file is closed.
-TEST(LibraryFaults, AnErrorAtClosingAWrittenFileIsTold) {
+TEST(LibraryFaults, AnErrorOnClosingAWrittenFileIsReported) {
   const auto calls = calls_of(changes()[1]);
   const auto written = std::find(calls.begin(), calls.end(), "write");
   const auto closed = std::find(std::find(written, calls.end(), "fsync"), calls.end(), "close");
@@ -245,7 +245,7 @@ TEST(LibraryFaults, AnErrorAtClosingAWrittenFileIsTold) {
   EXPECT_EQ(content_of(folder.path()), before);
 }
 
-TEST(LibraryFaults, AStorageThatFailsIsToldBeforeALesson) {
+TEST(LibraryFaults, AFailingStorageIsReportedBeforeALesson) {
   const Change trial{"check", [](ObjectLibrary& library) { library.check_storage(); }};
   const auto calls = calls_of(trial);
   EXPECT_GE(std::count(calls.begin(), calls.end(), "fsync"), 1);
@@ -276,7 +276,7 @@ TEST(LibraryFaults, AStorageThatFailsIsToldBeforeALesson) {
   }
 }
 
-TEST(LibraryFaults, FileSystemsWithoutLinksKeepOldRevisionsToo) {
+TEST(LibraryFaults, OldRevisionsAreKeptOnFileSystemsWithoutLinks) {
   const auto calls = calls_of(changes()[1]);
   TemporaryFolder folder;
   fill(folder.path());

@@ -73,7 +73,7 @@ TEST(LibraryProcesses, TwoWritersAndAReaderDoNotDisturbEachOther) {
 }
 
 // The delay before each kill is what this test varies; it does not wait for anything.
-TEST(LibraryProcesses, KillsAtRandomMomentsLoseNothing) {
+TEST(LibraryProcesses, KillsAtRandomTimesLoseNothing) {
   const int kills = kills_wanted(100);
   TemporaryFolder folder;
   ObjectLibrary library(folder.path());

@@ -108,7 +108,7 @@ std::vector<Number> numbers() {
   return all;
 }
 
-TEST(LyingDescriptions, TheTruthIsTaken) {
+TEST(InvalidDescriptions, ValidDescriptionsAreAccepted) {
   EXPECT_FALSE(is_refused(sound()));
   for (const char* optional : {"taught_by", "metres_per_pixel", "min_score", "symmetry", "grasp"}) {
     YAML::Node description = sound();
@@ -117,7 +117,7 @@ TEST(LyingDescriptions, TheTruthIsTaken) {
   }
 }
 
-TEST(LyingDescriptions, NumbersAreNumbersAndInRange) {
+TEST(InvalidDescriptions, NumbersMustBeNumbersInRange) {
   for (const auto& number : numbers()) {
     for (const char* lie : {"nan", ".nan", "inf", ".inf", "-.inf", "1e999", "-1e999", "one", "''",
                             "~", "[1]", "[]", "{}", "{a: 1}", "1 2", "1,5", "true"})
@@ -129,7 +129,7 @@ TEST(LyingDescriptions, NumbersAreNumbersAndInRange) {
   }
 }
 
-TEST(LyingDescriptions, WholeNumbersHaveNoFraction) {
+TEST(InvalidDescriptions, IntegersMustHaveNoFraction) {
   for (const Path& path : std::initializer_list<Path>{{"format"},
                                                       {"revision"},
                                                       {"quality", "symmetry"},
@@ -139,7 +139,7 @@ TEST(LyingDescriptions, WholeNumbersHaveNoFraction) {
     expect_refused(path, "1.5");
 }
 
-TEST(LyingDescriptions, TextsAreTexts) {
+TEST(InvalidDescriptions, TextsMustBeTexts) {
   const std::string long_label(201, 'x');
   for (const char* lie :
        {"[a]", "{}", "\"a\\nb\"", "\"a\\u0007b\"", "\"\\x7f\"", long_label.c_str()})
@@ -156,7 +156,7 @@ TEST(LyingDescriptions, TextsAreTexts) {
   for (const char* lie : {"[a]", "{}"}) expect_refused({"quality", "confusable_with"}, lie);
 }
 
-TEST(LyingDescriptions, ListsAreAsLongAsTheyHaveToBe) {
+TEST(InvalidDescriptions, ListsMustHaveTheRightLength) {
   const std::vector<std::pair<Path, int>> lists = {
       {{"grasp", "position"}, 3},          {{"grasp", "orientation"}, 4},
       {{"views", "0", "rectangle"}, 4},    {{"views", "0", "origin"}, 2},
@@ -173,7 +173,7 @@ TEST(LyingDescriptions, ListsAreAsLongAsTheyHaveToBe) {
   }
 }
 
-TEST(LyingDescriptions, WhatIsNeededIsThere) {
+TEST(InvalidDescriptions, RequiredFieldsMustExist) {
   for (const char* key : {"format", "label", "enabled", "revision", "learned_at", "object_height",
                           "views", "quality"}) {
     expect_refused_without({key});
@@ -186,7 +186,7 @@ TEST(LyingDescriptions, WhatIsNeededIsThere) {
   for (const char* key : {"position", "orientation"}) expect_refused_without({"grasp", key});
 }
 
-TEST(LyingDescriptions, ViewsLieInTheImageAndInTheirLessons) {
+TEST(InvalidDescriptions, ViewsMustLieInTheImageAndInTheirLessons) {
   for (const char* lie : {"[0, 0, 5, 5]", "[0, 0, 5, 7]", "[0, 0, 6, 6]", "[0, 0, 4, 0]",
                           "[0, 0, 0, 6]", "[1, 0, 4, 6]", "[0, 1, 5, 6]", "[0, 6, 5, 6]",
                           "[0, 0, 5, -6]", "[0, 0, 5, 1000000]", "[0, 0, 1000000, 6]"})
@@ -202,7 +202,7 @@ TEST(LyingDescriptions, ViewsLieInTheImageAndInTheirLessons) {
     expect_refused({"views"}, lie);
 }
 
-TEST(LyingDescriptions, ThereAreNoMoreViewsThanAllowed) {
+TEST(InvalidDescriptions, TheNumberOfViewsIsLimited) {
   YAML::Node description = sound();
   const auto add_view = [&description](int number) {
     YAML::Node view = YAML::Clone(description["views"][0]);
@@ -216,7 +216,7 @@ TEST(LyingDescriptions, ThereAreNoMoreViewsThanAllowed) {
   EXPECT_TRUE(is_refused(description, views));
 }
 
-TEST(LyingDescriptions, AGraspIsAUnitQuaternion) {
+TEST(InvalidDescriptions, AGraspMustBeAUnitQuaternion) {
   for (const char* lie : {"[0, 0, 0, 0]", "[0, 0, 0, 2]", "[1, 1, 0, 0]", "[0, 0, 0.6, 0.7]"})
     expect_refused({"grasp", "orientation"}, lie);
   for (const char* lie : {"text", "[1, 2, 3]", "1"}) expect_refused({"grasp"}, lie);

@@ -26,7 +26,7 @@ TEST(ObjectFile, EncodingIsReproducible) {
   EXPECT_EQ(encode_object(random_model(3)), encode_object(random_model(3)));
 }
 
-TEST(ObjectFile, NameIsTheFileNamesUpToItsFirstDot) {
+TEST(ObjectFile, NameIsTheFileNameUpToTheFirstDot) {
   const auto bytes = encode_object(random_model(1));
   EXPECT_EQ(decode_object(bytes, "/lib/.trash/spanner.12.png").name, "spanner");
   EXPECT_THROW(decode_object(bytes, "/lib/2nd try.png"), FileError);
@@ -47,7 +47,7 @@ TEST(ObjectFile, RefusesModelsThatBreakTheRules) {
   EXPECT_THROW(encode_object(model), std::invalid_argument);
 }
 
-TEST(ObjectFile, RefusesMorePixelsThanItWouldRead) {
+TEST(ObjectFile, RefusesToWriteMorePixelsThanItReads) {
   ObjectModel model = random_model(1);
   View large;
   large.template_image = cv::Mat::zeros(3000, 3000, CV_8UC3);
@@ -57,7 +57,7 @@ TEST(ObjectFile, RefusesMorePixelsThanItWouldRead) {
   EXPECT_THROW(encode_object(model), std::invalid_argument);
 }
 
-TEST(ObjectFile, WhatIsNoRegularFileIsNotRead) {
+TEST(ObjectFile, SpecialFilesAreNotRead) {
   const TemporaryFolder folder;
   ASSERT_EQ(::mkfifo((folder / "wrench.png").c_str(), 0644), 0);
   for (const std::string& path : {folder / "wrench.png", std::string("/dev/null")}) {

@@ -71,7 +71,7 @@ TEST(ObjectLibrary, UnchangedObjectsKeepTheirPointer) {
   expect_equal(*first->find("b"), random_model(2, "b"));
 }
 
-TEST(ObjectLibrary, NoticesChangesOfOthers) {
+TEST(ObjectLibrary, DetectsChangesByOtherProcesses) {
   TemporaryFolder folder;
   ObjectLibrary reader(folder.path()), writer(folder.path());
   writer.save(random_model(1, "a"), Existing::kRefuse);
@@ -114,7 +114,7 @@ TEST(ObjectLibrary, ReplacedAndRemovedRevisionsCanBeRestored) {
 }
 
 // "wrench.1" is not an object, although the trash contains a "wrench.1.png".
-TEST(ObjectLibrary, OnlyNamesOfObjectsAreRestored) {
+TEST(ObjectLibrary, RestoresOnlyObjectNames) {
   TemporaryFolder folder;
   ObjectLibrary library(folder.path());
   for (unsigned seed : {1, 2, 3}) library.save(random_model(seed), Existing::kReplace);
@@ -137,7 +137,7 @@ TEST(ObjectLibrary, OnlyNamesOfObjectsAreRestored) {
 }
 
 // As an object it could not be deleted, because deleting the wrench leaves this file.
-TEST(ObjectLibrary, AFileWithARevisionInItsNameIsNoSecondObject) {
+TEST(ObjectLibrary, AFileNameWithARevisionIsNoSecondObject) {
   TemporaryFolder folder;
   ObjectLibrary library(folder.path());
   library.save(random_model(1), Existing::kRefuse);
@@ -153,7 +153,7 @@ TEST(ObjectLibrary, AFileWithARevisionInItsNameIsNoSecondObject) {
   }
 }
 
-TEST(ObjectLibrary, ForeignFilesInTheTrashBlockNoName) {
+TEST(ObjectLibrary, ForeignFilesInTheTrashDoNotBlockAName) {
   TemporaryFolder folder;
   ObjectLibrary library(folder.path());
   library.save(random_model(1), Existing::kRefuse);
@@ -170,7 +170,7 @@ TEST(ObjectLibrary, ForeignFilesInTheTrashBlockNoName) {
   expect_equal(*library.load()->find("wrench"), random_model(3));
 }
 
-TEST(ObjectLibrary, ALinkInThePlaceOfTheTrashIsNotFollowed) {
+TEST(ObjectLibrary, ALinkInPlaceOfTheTrashIsNotFollowed) {
   TemporaryFolder elsewhere;
   TemporaryFolder folder;
   ObjectLibrary library(folder.path());
@@ -197,7 +197,7 @@ TEST(ObjectLibrary, ALinkInThePlaceOfTheTrashIsNotFollowed) {
   EXPECT_TRUE(std::filesystem::is_empty(elsewhere.path()));
 }
 
-TEST(ObjectLibrary, RevisionsAreNeverGivenTwice) {
+TEST(ObjectLibrary, RevisionNumbersAreNeverReused) {
   TemporaryFolder folder;
   ObjectLibrary library(folder.path());
   library.save(random_model(1), Existing::kRefuse);
@@ -254,7 +254,7 @@ TEST(ObjectLibrary, RenameChangesKeyAndLabel) {
   EXPECT_THROW(library.rename("wrench", "w", ""), std::invalid_argument);
 }
 
-TEST(ObjectLibrary, RenameOntoAUsedNameTakesANewRevision) {
+TEST(ObjectLibrary, RenameToAUsedNameTakesANewRevision) {
   TemporaryFolder folder;
   ObjectLibrary library(folder.path());
   for (unsigned seed : {1, 2}) library.save(random_model(seed, "nut"), Existing::kReplace);

@@ -82,17 +82,17 @@ class PngLayout : public testing::Test {
   }
 };
 
-TEST_F(PngLayout, TheFileAsItIsIsTaken) {
+TEST_F(PngLayout, AnUnchangedFileIsAccepted) {
   EXPECT_EQ(fault_of(file_of(chunks())), "");
 }
 
-TEST_F(PngLayout, NothingFollowsTheImage) {
+TEST_F(PngLayout, DataAfterTheImageIsRefused) {
   Bytes bytes = file_of(chunks());
   bytes.push_back(0);
   expect_refused(bytes, "bytes after the image's end");
 }
 
-TEST_F(PngLayout, OneDescriptionAndNoMore) {
+TEST_F(PngLayout, ExactlyOneDescriptionIsRequired) {
   auto all = chunks();
   const Chunk text = chunk(all, "iTXt");
   all.insert(all.begin() + 1, text);
@@ -101,14 +101,14 @@ TEST_F(PngLayout, OneDescriptionAndNoMore) {
   expect_refused(file_of(all), "text chunk");
 }
 
-TEST_F(PngLayout, TextsAreBounded) {
+TEST_F(PngLayout, TextLengthIsLimited) {
   auto all = chunks();
   Bytes& text = chunk(all, "iTXt").data;
   text.insert(text.end(), library::PngLimits::kMaxText, '\n');
   expect_refused(file_of(all), "too long");
 }
 
-TEST_F(PngLayout, PixelsAreBoundedBeforeAnyIsRead) {
+TEST_F(PngLayout, PixelCountIsCheckedBeforeReading) {
   for (const auto& [width, height] :
        {std::pair(8192, 1025), std::pair(2896, 2897), std::pair(129, 65500)}) {
     auto all = chunks();
@@ -120,7 +120,7 @@ TEST_F(PngLayout, PixelsAreBoundedBeforeAnyIsRead) {
   }
 }
 
-TEST_F(PngLayout, PixelsAreRgbaOfEightBitsWithoutInterlacing) {
+TEST_F(PngLayout, OnlyNonInterlacedEightBitRgbaIsAccepted) {
   constexpr std::size_t kDepth = 8, kColourType = 9, kInterlace = 12;
   for (const auto& [at, value] : {std::pair(kDepth, 16), std::pair(kColourType, 2),
                                   std::pair(kColourType, 0), std::pair(kInterlace, 1)}) {

@@ -58,7 +58,7 @@ std::vector<std::uint8_t> newer_format(const ObjectModel& model) {
   return library::encode_png(cv::Mat(size, CV_8UC4, cv::Scalar::all(255)), "mbncc", text);
 }
 
-TEST(ObjectLibrary, FilesOfANewerFormatAreReportedAndLeftAlone) {
+TEST(ObjectLibrary, FilesOfANewerFormatAreReportedAndKept) {
   TemporaryFolder folder;
   ObjectLibrary library(folder.path());
   library.save(random_model(1, "nut"), Existing::kRefuse);
@@ -103,7 +103,7 @@ TEST(ObjectLibrary, ImagesThatAreNoObjectsStayInPlace) {
   EXPECT_EQ(library::read_regular_file(folder / "photo.png", photo.size()).bytes, photo);
 }
 
-TEST(ObjectLibrary, AnImageThatIsNoObjectIsNeitherReplacedNorMovedByItsName) {
+TEST(ObjectLibrary, ImagesThatAreNoObjectsAreNotReplacedOrMoved) {
   TemporaryFolder folder;
   ObjectLibrary library(folder.path());
   library.save(random_model(1, "nut"), Existing::kRefuse);

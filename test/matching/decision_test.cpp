@@ -58,7 +58,7 @@ class DecisionTest : public ::testing::Test {
   }
 };
 
-TEST_F(DecisionTest, WhatIsBeyondDoubtIsGraspable) {
+TEST_F(DecisionTest, ACertainMatchIsGraspable) {
   const Match match = match_of(sound());
   EXPECT_TRUE(match.graspable);
   EXPECT_FALSE(match.ambiguous);
@@ -66,7 +66,7 @@ TEST_F(DecisionTest, WhatIsBeyondDoubtIsGraspable) {
   EXPECT_NEAR(match.margin_angle, decision::kNoCompetitor, 1e-9);
 }
 
-TEST_F(DecisionTest, WhatMayBeSomethingElseIsAmbiguous) {
+TEST_F(DecisionTest, AMatchWithACompetitorIsAmbiguous) {
   const std::vector<std::function<void(decision::Detection&)>> doubts{
       [](decision::Detection& d) { d.colour_difference = 0.25; },
       [](decision::Detection& d) { d.size_alternative = true; },
@@ -80,7 +80,7 @@ TEST_F(DecisionTest, WhatMayBeSomethingElseIsAmbiguous) {
       match_of(changed([](decision::Detection& d) { d.colour_difference = 0.19; })).graspable);
 }
 
-TEST_F(DecisionTest, WhatIsNotKnownWellIsNotGrasped) {
+TEST_F(DecisionTest, AnUncertainPoseIsNotGrasped) {
   const double place = config_.max_place_deviation, angle = to_radians(config_.max_angle_deviation);
   const auto with = [&](double x, double y, double theta) {
     return match_of(changed([&](decision::Detection& d) {
@@ -110,7 +110,7 @@ TEST_F(DecisionTest, ARoundObjectsAngleDoesNotMatter) {
   EXPECT_TRUE(match.graspable);
 }
 
-TEST_F(DecisionTest, AnOutlineThatLiesBetterElsewhereIsNotGrasped) {
+TEST_F(DecisionTest, AContourThatFitsBetterElsewhereIsNotGrasped) {
   const auto at = [&](double elsewhere) {
     return match_of(changed([&](decision::Detection& d) { d.contour_alternative = elsewhere; }));
   };
@@ -118,7 +118,7 @@ TEST_F(DecisionTest, AnOutlineThatLiesBetterElsewhereIsNotGrasped) {
   EXPECT_FALSE(at(0.06).graspable);
 }
 
-TEST_F(DecisionTest, MostOfTheObjectHasToBeInTheImage) {
+TEST_F(DecisionTest, MostOfTheObjectMustBeInTheImage) {
   const auto seen = [&](double part) {
     return match_of(changed([&](decision::Detection& d) { d.visible = part; })).graspable;
   };
@@ -126,7 +126,7 @@ TEST_F(DecisionTest, MostOfTheObjectHasToBeInTheImage) {
   EXPECT_FALSE(seen(config_.min_visible - 0.01));
 }
 
-TEST_F(DecisionTest, GraspableAsksForTheConfirmScore) {
+TEST_F(DecisionTest, GraspableRequiresConfirmScore) {
   SearchConfig strict;
   strict.confirm_score = 0.9999;
   const decision::Detection likely =
@@ -156,7 +156,7 @@ TEST_F(DecisionTest, AnotherObjectAtThePlaceMakesAmbiguous) {
   }
 }
 
-TEST_F(DecisionTest, OfSeveralCompetitorsTheBestCounts) {
+TEST_F(DecisionTest, TheBestOfSeveralCompetitorsCounts) {
   const auto turned = [&](double degrees, double behind) {
     return changed([&](decision::Detection& d) {
       d.pose.theta = to_radians(degrees);
@@ -169,7 +169,7 @@ TEST_F(DecisionTest, OfSeveralCompetitorsTheBestCounts) {
     EXPECT_NEAR(select(angles).matches.at(0).margin_angle, 8, 1e-9);
 }
 
-TEST_F(DecisionTest, FarBehindAnInstanceOutsideTheRegionItMayBeALike) {
+TEST_F(DecisionTest, AMuchBetterInstanceOutsideTheRegionPreventsAGrasp) {
   const decision::Detection likely =
       changed([](decision::Detection& d) { d.odds.best_at_place = 6; });
   for (const double elsewhere : {6.0, 25.0}) {
@@ -213,7 +213,7 @@ TEST_F(DecisionTest, AnotherAngleAtThePlaceMakesAmbiguous) {
   }
 }
 
-TEST_F(DecisionTest, AnUnexplainedPlaceAsLikelyMakesAmbiguous) {
+TEST_F(DecisionTest, AnEquallyLikelyUnexplainedPlaceMakesAmbiguous) {
   const decision::Detection elsewhere = changed([](decision::Detection& d) {
     d.pose.x += 300;
     d.odds.best_at_place -= 2;
@@ -227,7 +227,7 @@ TEST_F(DecisionTest, AnUnexplainedPlaceAsLikelyMakesAmbiguous) {
   EXPECT_TRUE(both.rivals.empty());
 }
 
-TEST_F(DecisionTest, OfThePlacesClaimedTwiceTheBetterStays) {
+TEST_F(DecisionTest, TheBetterOfTwoAtOnePlaceStays) {
   const decision::Detection shifted = changed([](decision::Detection& d) {
     d.pose.x += 3;
     d.odds.best_at_place += 1;
@@ -260,7 +260,7 @@ TEST_F(DecisionTest, NoMoreInstancesThanAskedFor) {
   EXPECT_EQ(select(row, std::nullopt, 3).matches.size(), 3u);
 }
 
-TEST_F(DecisionTest, ARequestsScoreGoesBeforeTheObjectsOwnAndTheConfigs) {
+TEST_F(DecisionTest, MinScoreOfTheRequestPrecedesObjectAndConfig) {
   auto model = std::make_shared<ObjectModel>(*test::object_from(source_, {58, 60, 0}));
   model->min_score = 0.9;
   const prepared::PreparedObject choosy(model, prepared::Engine::kFast);

@@ -87,7 +87,7 @@ INSTANTIATE_TEST_SUITE_P(Scenes, AgainstExhaustive,
                                            Case{22, {45.7, 28.1, -2.2}}, Case{23, {44, 36, 3.1}},
                                            Case{24, {33.3, 25.5, 1.6}}));
 
-TEST(ExhaustiveSearch, FlatImagesHoldNothing) {
+TEST(ExhaustiveSearch, FindsNothingInFlatImages) {
   const test::LearningImage source(31, small_map());
   const auto object = test::object_from(source, {27, 31, 0});
   ExhaustiveSettings settings;

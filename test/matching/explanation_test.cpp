@@ -35,7 +35,7 @@ class ExplanationTest : public test::MatcherTest {
   }
 };
 
-TEST_F(ExplanationTest, OfWhatIsFoundIsTheMatchItself) {
+TEST_F(ExplanationTest, ExplanationOfADetectionEqualsTheMatch) {
   Matcher matcher = matcher_of({object_});
   const auto found = matcher.find(image_).matches;
   ASSERT_EQ(found.size(), 1u);
@@ -76,14 +76,14 @@ TEST_F(ExplanationTest, ANarrowFailureIsVisibleInItsDigits) {
   EXPECT_TRUE(says(explanation, "below min_score 0.5000."));
 }
 
-TEST_F(ExplanationTest, JudgesAPlaceThatNoSearchProposes) {
+TEST_F(ExplanationTest, RatesAPlaceThatNoSearchProposes) {
   const Explanation explanation = at({20, 20});
   EXPECT_LT(explanation.score, 0.3);
   EXPECT_FALSE(lines_of(explanation).empty());
   EXPECT_NE(explanation.outcome, Outcome::kGraspable);
 }
 
-TEST_F(ExplanationTest, ASumOfItsParts) {
+TEST_F(ExplanationTest, OddsAreTheSumOfTheirParts) {
   const Explanation explanation = at(truth_.position());
   const LogOdds& odds = explanation.odds;
   EXPECT_GT(odds.evidence, 3);
@@ -93,7 +93,7 @@ TEST_F(ExplanationTest, ASumOfItsParts) {
   EXPECT_NEAR(explanation.score, 1 / (1 + std::exp(-odds.total())), 1e-9);
 }
 
-TEST_F(ExplanationTest, OfAGreyImageIsInGrey) {
+TEST_F(ExplanationTest, ExplanationOfAGreyImageIsGrey) {
   cv::Mat grey;
   cv::cvtColor(image_, grey, cv::COLOR_BGR2GRAY);
   const auto explanation = explain_place({object_}, {}, grey, truth_.position()).at(0);
@@ -101,7 +101,7 @@ TEST_F(ExplanationTest, OfAGreyImageIsInGrey) {
   EXPECT_NEAR(explanation.odds.rotations(), 0, 1e-9);
 }
 
-TEST_F(ExplanationTest, IsOfTheSizeSeen) {
+TEST_F(ExplanationTest, ExplanationHasTheSizeOfTheObjectInTheImage) {
   constexpr double kScale = 1.05;
   cv::Mat larger;
   cv::resize(image_, larger, {}, kScale, kScale, cv::INTER_CUBIC);
@@ -122,7 +122,7 @@ TEST_F(ExplanationTest, NamesLightOfAnotherColour) {
   EXPECT_GT(cast->lacking, 0.5);
 }
 
-TEST_F(ExplanationTest, TheBetterObjectTakesThePlace) {
+TEST_F(ExplanationTest, ABetterObjectAtThePlaceIsNamed) {
   auto twin = std::make_shared<ObjectModel>(*object_);
   twin->name = "twin";
   const auto explanations = explain_place({object_, twin}, {}, image_, truth_.position());
@@ -132,7 +132,7 @@ TEST_F(ExplanationTest, TheBetterObjectTakesThePlace) {
   EXPECT_TRUE(covered || rivals);
 }
 
-TEST_F(ExplanationTest, RefusesWhatCannotBeExplained) {
+TEST_F(ExplanationTest, RefusesUnusableRequests) {
   EXPECT_THROW(at({-1, 5}), std::invalid_argument);
   EXPECT_THROW(at({1e6, 5}), std::invalid_argument);
   EXPECT_THROW(explain_place({object_}, {}, image_, {5, 5}, {"unknown"}), std::invalid_argument);
@@ -143,7 +143,7 @@ TEST_F(ExplanationTest, RefusesWhatCannotBeExplained) {
   EXPECT_TRUE(explain_place({disabled}, {}, image_, {5, 5}).empty());
 }
 
-TEST_F(ExplanationTest, IsDrawn) {
+TEST_F(ExplanationTest, ExplanationIsDrawn) {
   const auto explanations = explain_place({object_}, {}, image_, truth_.position());
   const cv::Mat drawn = draw_explanation(image_, truth_.position(), explanations);
   EXPECT_EQ(drawn.size(), image_.size());

@@ -54,7 +54,7 @@ TEST_F(GreyImagesTest, ShowWhatWasTaughtInColour) {
   expect_found(matcher(), one_channel);
 }
 
-TEST_F(GreyImagesTest, LeaveTheModelInColour) {
+TEST_F(GreyImagesTest, DoNotChangeTheColourModel) {
   const auto model = object_from(source_, reference_);
   const cv::Mat before = model->views.front().template_image.clone();
   matcher_of({model}).find(as_grey(scene()));

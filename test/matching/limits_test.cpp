@@ -32,7 +32,7 @@ class Limits : public ::testing::Test {
   cv::Mat scene_;
 };
 
-TEST_F(Limits, WhenTheTimeIsSpentTheRestIsSkippedAloud) {
+TEST_F(Limits, ObjectsBeyondTheTimeBudgetAreReportedAsSkipped) {
   SearchConfig config;
   config.time_budget = 1e-9;
   Matcher matcher(config);

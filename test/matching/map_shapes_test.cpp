@@ -41,14 +41,14 @@ void check(const Case& one, const SearchConfig& config = {}) {
   EXPECT_NO_THROW(check_search(config, model, image));
 }
 
-TEST(MapShapes, LinesThatFillTheirCrop) {
+TEST(MapShapes, LinesThatFillTheirCropAreFound) {
   for (const cv::Size size : {cv::Size(1, 100), cv::Size(300, 1), cv::Size(3, 300), cv::Size(1, 1),
                               cv::Size(2, 2), cv::Size(4, 90), cv::Size(130, 7)})
     for (int border = 0; border < kBorders; ++border)
       check({MapShape::kFull, size, static_cast<Border>(border), static_cast<Border>(border), 0});
 }
 
-TEST(MapShapes, TheLongestLines) {
+TEST(MapShapes, TheLongestLinesAreFound) {
   for (const cv::Size size :
        {cv::Size(kLongest, 1), cv::Size(1, kLongest), cv::Size(kLongest, 3), cv::Size(5, 5000)})
     check({MapShape::kFull, size, Border::kNone, Border::kLeft, 0});
@@ -56,7 +56,7 @@ TEST(MapShapes, TheLongestLines) {
 }
 
 // The sides are spread evenly over the powers of two; the area is bounded to save time.
-TEST(MapShapes, AnyShapeAtAnyBorder) {
+TEST(MapShapes, AnyShapeAtAnyBorderIsFound) {
   std::mt19937 random(11);
   const auto any = [&](int count) {
     return static_cast<int>(random() % static_cast<unsigned>(count));

@@ -46,7 +46,7 @@ TEST_F(MatcherTest, ScoreMapIsHighestWhereTheObjectLies) {
   EXPECT_LE(value, 1.001);
 }
 
-TEST_F(MatcherTest, HonoursReferencePointAndDirection) {
+TEST_F(MatcherTest, UsesReferencePointAndDirection) {
   Pose2D reference{40, 70, 0.7};
   const Matcher matcher = matcher_of({object_from(source_, reference)});
   cv::Mat scene = texture({320, 240}, 60, 4);
@@ -70,7 +70,7 @@ TEST_F(MatcherTest, FindsTwoInstances) {
   EXPECT_EQ(matcher().find(scene, one).matches.size(), 1u);
 }
 
-TEST_F(MatcherTest, TellsWhereMaxInstancesIsReached) {
+TEST_F(MatcherTest, ReportsThatMaxInstancesIsReached) {
   cv::Mat scene(240, 420, CV_8UC3, cv::Scalar(90, 120, 130));
   for (const double x : {80., 210., 340.})
     place(scene, source_, reference_.position(), {x, 120, x / 100});
@@ -103,7 +103,7 @@ TEST_F(MatcherTest, DisabledObjectsAreNotFound) {
   EXPECT_TRUE(result.searched.empty());
 }
 
-TEST_F(MatcherTest, WhatWasNotReportedIsARival) {
+TEST_F(MatcherTest, UnreportedDetectionsAreRivals) {
   cv::Mat scene = texture({320, 240}, 61, 4);
   place(scene, source_, reference_.position(), {80, 70, 0.4});
   place(scene, source_, reference_.position(), {220, 150, -2});
@@ -116,7 +116,7 @@ TEST_F(MatcherTest, WhatWasNotReportedIsARival) {
   EXPECT_GT(result.rivals[0].log_odds(), 0);
 }
 
-TEST_F(MatcherTest, TellsObjectsApart) {
+TEST_F(MatcherTest, DistinguishesObjects) {
   const LearningImage other(2);
   const Matcher matcher = matcher_of(
       {object_from(source_, reference_, "first"), object_from(other, reference_, "second")});
@@ -128,7 +128,7 @@ TEST_F(MatcherTest, TellsObjectsApart) {
   EXPECT_EQ(result.searched, (std::vector<std::string>{"first", "second"}));
 }
 
-TEST_F(MatcherTest, ALargerOrSmallerLikenessIsNeverGraspable) {
+TEST_F(MatcherTest, ALargerOrSmallerCopyIsNeverGraspable) {
   for (const double scale : {0.75, 0.85, 0.92, 1.08, 1.15, 1.3}) {
     cv::Mat scene = texture({320, 240}, 64, 4);
     place(scene, source_, reference_.position(), {160, 120, 0.4});
@@ -169,7 +169,7 @@ TEST_F(MatcherTest, FindsLargerAndSmallerObjectsOnRequest) {
   }
 }
 
-TEST_F(MatcherTest, NamesWhatItSkips) {
+TEST_F(MatcherTest, NamesSkippedObjects) {
   auto disabled = object_from(source_, reference_, "off");
   disabled->enabled = false;
   const Matcher matcher = matcher_of({object_from(source_, reference_), disabled});
@@ -191,7 +191,7 @@ TEST_F(MatcherTest, FindsObjectsThatHangOverTheBorder) {
   EXPECT_GT(result.matches[0].visible, 0.6);
 }
 
-TEST_F(MatcherTest, BearsAnotherExposure) {
+TEST_F(MatcherTest, FindsTheObjectAtAnotherExposure) {
   const Pose2D truth{150.3, 110.6, 2.4};
   cv::Mat scene = texture({320, 240}, 69, 4), darker;
   place(scene, source_, reference_.position(), truth);
@@ -212,7 +212,7 @@ TEST_F(MatcherTest, AnIsolatedObjectMayBeGrasped) {
   EXPECT_FALSE(result.matches[0].outline.empty());
 }
 
-TEST_F(MatcherTest, APoseThatIsNotKnownWellEnoughIsNotGrasped) {
+TEST_F(MatcherTest, AnUncertainPoseIsNotGrasped) {
   cv::Mat scene = texture({320, 240}, 70, 4);
   place(scene, source_, reference_.position(), {160, 120, 0.9});
   for (const bool of_angle : {false, true}) {
@@ -249,7 +249,7 @@ TEST_F(MatcherTest, LooksForReferencePointsInTheRegionOnly) {
   EXPECT_TRUE(matcher().find(scene, request).matches.empty());
 }
 
-TEST_F(MatcherTest, FindsNothingWhereThereIsNothing) {
+TEST_F(MatcherTest, FindsNothingWithoutAnObject) {
   const Matcher matcher = this->matcher();
   cv::Mat noise(240, 320, CV_8UC3);
   cv::RNG(5).fill(noise, cv::RNG::UNIFORM, 0, 256);

@@ -53,7 +53,7 @@ class VerificationTest : public test::MatcherTest {
   }
 };
 
-TEST_F(VerificationTest, NothingSpeaksAgainstTheTruth) {
+TEST_F(VerificationTest, TheTrueObjectHasNoDoubts) {
   const scene::SceneImage scene(scene_with(source_, truth_), object_.top_level());
   const decision::Detection found = judged(scene, anchor_at(truth_), 30);
   EXPECT_LT(found.colour_difference, 0.1);
@@ -71,7 +71,7 @@ TEST_F(VerificationTest, NothingSpeaksAgainstTheTruth) {
   EXPECT_EQ(found.pose.position(), refined.pose.position());
 }
 
-TEST_F(VerificationTest, TheTruthIsOfTheLearnedSize) {
+TEST_F(VerificationTest, TheTrueObjectHasTheLearnedSize) {
   const scene::SceneImage scene(scene_with(source_, truth_), object_.top_level());
   search::PoseHypothesis hypothesis = search::score_as_is(view_, scene, anchor_at(truth_));
   hypothesis.refining = 4;
@@ -81,7 +81,7 @@ TEST_F(VerificationTest, TheTruthIsOfTheLearnedSize) {
   EXPECT_EQ(found.odds.resized, 0);
 }
 
-TEST_F(VerificationTest, OfWhatIsUnlikelyNothingIsKnown) {
+TEST_F(VerificationTest, UnlikelyHypothesesAreNotExamined) {
   const scene::SceneImage scene(scene_with(source_, truth_), object_.top_level());
   const decision::Detection found = judged(scene, anchor_at(truth_), -3);
   EXPECT_GE(found.covariance(0, 0), 1e4);
@@ -91,7 +91,7 @@ TEST_F(VerificationTest, OfWhatIsUnlikelyNothingIsKnown) {
 }
 
 // At the learned size, its edges are 4 px away.
-TEST_F(VerificationTest, ALargeObjectIsFoundInASizeAsOfHeightsAndTilts) {
+TEST_F(VerificationTest, ALargeObjectIsFoundAtASlightlyDifferentSize) {
   cv::Mat map = cv::Mat::zeros(240, 240, CV_8UC1);
   map(cv::Rect(40, 70, 160, 100)) = 255;
   test::LearningImage plate(3, map);
@@ -122,18 +122,18 @@ TEST_F(VerificationTest, ALargeObjectIsFoundInASizeAsOfHeightsAndTilts) {
   }
 }
 
-TEST_F(VerificationTest, AnotherSizeIsTold) {
+TEST_F(VerificationTest, AnotherSizeIsDetected) {
   for (const double size : {0.85, 0.9, 0.92, 1.08, 1.1, 1.15})
     EXPECT_TRUE(judged(resized_scene(size), anchor_at(truth_in(size), size), 1).size_alternative)
         << size;
 }
 
-TEST_F(VerificationTest, OfWhatIsUnlikelyAnotherSizeIsNotExcluded) {
+TEST_F(VerificationTest, AnotherSizeIsNotExcludedForUnlikelyHypotheses) {
   const scene::SceneImage scene(scene_with(source_, truth_), object_.top_level());
   EXPECT_TRUE(judged(scene, anchor_at(truth_), -1).size_alternative);
 }
 
-TEST_F(VerificationTest, TheMirrorImageIsToldAndCosts) {
+TEST_F(VerificationTest, TheMirrorImageIsDetectedAndLowersTheOdds) {
   const scene::SceneImage scene(scene_with(test::mirrored(source_), truth_), object_.top_level());
   const decision::Detection found = judged(scene, {truth_.x, truth_.y, 0}, 10);
   EXPECT_TRUE(found.mirror_alternative);
@@ -142,7 +142,7 @@ TEST_F(VerificationTest, TheMirrorImageIsToldAndCosts) {
 }
 
 // The only difference between the plate and its mirror image is the missing tip of one corner.
-TEST_F(VerificationTest, AMirrorImageThatDiffersSlightlyIsTold) {
+TEST_F(VerificationTest, ASlightlyDifferentMirrorImageIsDetected) {
   cv::Mat map = cv::Mat::zeros(120, 120, CV_8UC1);
   map(cv::Rect(10, 25, 100, 70)) = 255;
   cv::fillPoly(map, std::vector<std::vector<cv::Point>>{{{110, 25}, {105, 25}, {110, 30}}},
@@ -187,7 +187,7 @@ TEST_F(VerificationTest, APlainSurfaceDoesNotDriftAlongItsShading) {
 }
 
 // The colours are right except in one compact part; each of them occurs all over the object.
-TEST_F(VerificationTest, APartOfAnotherColourIsTold) {
+TEST_F(VerificationTest, APartOfAnotherColourIsDetected) {
   test::LearningImage chequered = source_;
   for (int y = 0; y < 120; y += 6)
     for (int x = y / 6 % 2 * 6; x + 6 <= 120; x += 12)

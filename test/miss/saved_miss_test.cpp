@@ -35,7 +35,7 @@ class SavedMissTest : public test::MatcherTest {
   SavedMiss miss_;
 };
 
-TEST_F(SavedMissTest, ComesBackAndIsExplainedAlike) {
+TEST_F(SavedMissTest, IsReadBackWithTheSameExplanation) {
   write_miss(path(), miss_);
   const SavedMiss read = read_miss(path());
   EXPECT_EQ(cv::norm(read.image, miss_.image, cv::NORM_INF), 0);
@@ -51,7 +51,7 @@ TEST_F(SavedMissTest, BeginsWithTheReasonInWords) {
   EXPECT_NE(text().find("mbncc replay"), std::string::npos);
 }
 
-TEST_F(SavedMissTest, AnotherFileIsRefusedWithItsPath) {
+TEST_F(SavedMissTest, OtherFilesAreRefusedWithTheirPath) {
   write_miss(path(), miss_);
   const std::string whole = text();
   for (const std::string& broken :
@@ -70,7 +70,7 @@ TEST_F(SavedMissTest, AnotherFileIsRefusedWithItsPath) {
   EXPECT_THROW(read_miss(folder_ / "none"), FileError);
 }
 
-TEST_F(SavedMissTest, AFolderThatCannotBeWrittenIsAFileError) {
+TEST_F(SavedMissTest, AnUnwritableFolderIsAFileError) {
   EXPECT_THROW(write_miss(folder_ / "none/a.miss", miss_), FileError);
 }
 

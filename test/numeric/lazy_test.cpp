@@ -10,7 +10,7 @@
 namespace mbncc::numeric {
 namespace {
 
-TEST(Lazy, IsMadeOnceForAllCopiesAndThreads) {
+TEST(Lazy, IsComputedOnceForAllCopiesAndThreads) {
   std::atomic<int> made{0};
   const Lazy<std::vector<int>> value([&made] {
     ++made;
@@ -26,7 +26,7 @@ TEST(Lazy, IsMadeOnceForAllCopiesAndThreads) {
   EXPECT_EQ(&*value, &*copy);
 }
 
-TEST(Lazy, WithoutAMakerIsEmpty) {
+TEST(Lazy, IsEmptyWithoutAFunction) {
   EXPECT_TRUE(Lazy<std::vector<int>>()->empty());
 }
 

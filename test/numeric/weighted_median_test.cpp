@@ -31,7 +31,7 @@ TEST(WeightedMedian, IsTheLeastValueWithHalfOfTheWeight) {
   }
 }
 
-TEST(WeightedMedian, OfNothingIsZero) {
+TEST(WeightedMedian, IsZeroWithoutValues) {
   std::vector<Weighted> none;
   EXPECT_EQ(weighted_median(none), 0);
 }

@@ -6,7 +6,7 @@
 namespace mbncc::sim {
 namespace {
 
-TEST(CellConfig, SceneAndStoryAreOfOneImageAndSeed) {
+TEST(CellConfig, SceneAndStoryShareImageSizeAndSeed) {
   SimulatedCameraConfig config;
   config.width = 320;
   config.height = 200;
@@ -25,7 +25,7 @@ TEST(CellConfig, SceneAndStoryAreOfOneImageAndSeed) {
   EXPECT_EQ(script.neighbours, 5);
 }
 
-TEST(CellConfig, TimesAreImagesAndNoneVanishes) {
+TEST(CellConfig, TimesAreConvertedToAtLeastOneImage) {
   SimulatedCameraConfig config;
   config.frame_rate = 20;
   config.rest_time = 3;

@@ -31,7 +31,7 @@ TEST(CellScript, BeginsAtRestInTheMiddle) {
   EXPECT_EQ(frame.placed.size(), 3u);
 }
 
-TEST(CellScript, RestsUntilTold) {
+TEST(CellScript, RestsUntilACommand) {
   CellScript script(on_request());
   for (int i = 0; i < 500; ++i) script.step();
   EXPECT_TRUE(script.at_rest());
@@ -101,7 +101,7 @@ TEST(CellScript, NoTruthWhileCarried) {
   EXPECT_EQ(carried, 5);
 }
 
-TEST(CellScript, WaitingArmAndCarriedOffObjectAreOutOfTheImage) {
+TEST(CellScript, WaitingArmAndRemovedObjectAreOutsideTheImage) {
   CellScriptConfig config = on_request();
   config.leg_frames = 50;
   CellScript script(config);
@@ -138,7 +138,7 @@ TEST(CellScript, PlacesAreInsideAndClearOfTheNeighbours) {
   }
 }
 
-TEST(CellScript, PlaysByItself) {
+TEST(CellScript, RunsAutomatically) {
   CellScriptConfig config;
   config.rest_frames = 4;
   config.leg_frames = 3;

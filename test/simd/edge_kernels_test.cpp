@@ -38,7 +38,7 @@ TEST_P(Kernels, BestResponsesEqualReference) {
     }
 }
 
-TEST(BestResponses, LeaveOutTheLeastOfTheParts) {
+TEST(BestResponses, OmitTheWeakestPart) {
   std::vector<std::int8_t> maps(kResponseRows * kPositions + 4);
   const std::vector<std::int8_t> first{5, -7, 3, 4};
   std::copy(first.begin(), first.end(), maps.begin());
@@ -78,7 +78,7 @@ TEST(BestResponses, AreNotNegative) {
   expect_best_response(-1, 1, {5}, 0, 0);
 }
 
-TEST(BestResponses, BearTheirBounds) {
+TEST(BestResponses, DoNotOverflowAtTheirBounds) {
   constexpr int kTerms = 2000;
   expect_best_response(kMaxResponse, kTerms, {3}, kTerms * kMaxResponse, 3);
 }

@@ -37,7 +37,7 @@ class CameraMotion : public testing::Test {
   const cv::Mat cell_ = scene_.render({part_}, 1), again_ = scene_.render({part_}, 2);
 };
 
-TEST_F(CameraMotion, IsToldWhateverTheWay) {
+TEST_F(CameraMotion, IsDetectedForShiftRotationAndZoom) {
   const cv::Mat before = seen(cell_);
   for (const cv::Point2d shift : {cv::Point2d(4, 2), {-15, 5}, {30, -10}, {90, 40}})
     EXPECT_TRUE(camera_moved(before, seen(again_, shift))) << shift;
@@ -47,11 +47,11 @@ TEST_F(CameraMotion, IsToldWhateverTheWay) {
     EXPECT_TRUE(camera_moved(before, seen(again_, {}, 0, zoom))) << zoom;
 }
 
-TEST_F(CameraMotion, AlsoWhenTheObjectLeavesAtTheSameTime) {
+TEST_F(CameraMotion, IsDetectedWhenTheObjectLeavesAtTheSameTime) {
   EXPECT_TRUE(camera_moved(seen(cell_), seen(scene_.render({}, 2), {20, 8})));
 }
 
-TEST_F(CameraMotion, ThingsInFrontOfACameraThatStandsAreNone) {
+TEST_F(CameraMotion, ThingsInFrontOfAStillCameraAreNoCameraMotion) {
   const cv::Mat before = seen(cell_);
   sim::Placed elsewhere = part_;
   elsewhere.pose = {250, 250, 1.3};
@@ -63,14 +63,14 @@ TEST_F(CameraMotion, ThingsInFrontOfACameraThatStandsAreNone) {
   EXPECT_FALSE(camera_moved(before, cv::Mat(0.5 * seen(again_))));
 }
 
-TEST_F(CameraMotion, ALargeObjectThatIsNudgedIsNone) {
+TEST_F(CameraMotion, ANudgedLargeObjectIsNoCameraMotion) {
   const auto nudged = [this](double by) {
     return seen(scene_.render({{{11, 330, 1.2}, {400 + by, 340, 0.3}}}, by == 0 ? 1 : 2));
   };
   for (const double by : {4., 10.}) EXPECT_FALSE(camera_moved(nudged(0), nudged(by))) << by;
 }
 
-TEST_F(CameraMotion, NothingIsToldWithoutTexture) {
+TEST_F(CameraMotion, IsNotDetectedWithoutTexture) {
   cv::Mat grey(kSize, CV_8UC3, cv::Scalar::all(120)), noisy(kSize, CV_8UC3);
   EXPECT_FALSE(camera_moved(grey, grey));
   cv::RNG random(1);

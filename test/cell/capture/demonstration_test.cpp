@@ -61,7 +61,7 @@ TEST_F(DemonstrationTest, WhatWasPutDownBelongsToTheSceneBefore) {
   EXPECT_EQ(demonstration.after().number, 3u);
 }
 
-TEST_F(DemonstrationTest, AGivenImageBeforeStays) {
+TEST_F(DemonstrationTest, KeepsTheGivenImageBefore) {
   Demonstration demonstration(scene_.render({part_}, 77));
   EXPECT_EQ(demonstration.look(shot({part_})), Step::kWaitRemoval);
   EXPECT_EQ(demonstration.look(shot({})), Step::kReady);
@@ -69,7 +69,7 @@ TEST_F(DemonstrationTest, AGivenImageBeforeStays) {
   EXPECT_EQ(demonstration.before().number, 0u);
 }
 
-TEST_F(DemonstrationTest, AHandThatWasThereAtTheStartAndLeftIsNoObject) {
+TEST_F(DemonstrationTest, AHandVisibleAtTheStartIsNoObject) {
   Demonstration demonstration;
   const sim::Arm arm{{160, 120, -kPi / 2}};
   demonstration.look(shot({part_}, arm));
@@ -79,7 +79,7 @@ TEST_F(DemonstrationTest, AHandThatWasThereAtTheStartAndLeftIsNoObject) {
   EXPECT_EQ(demonstration.before().number, 2u);
 }
 
-TEST_F(DemonstrationTest, AnotherLightTakesTheImageAnew) {
+TEST_F(DemonstrationTest, ChangedLightRestartsWithANewImageBefore) {
   Demonstration demonstration;
   demonstration.look(shot({part_}));
   StillShot dim = shot({part_});
@@ -89,7 +89,7 @@ TEST_F(DemonstrationTest, AnotherLightTakesTheImageAnew) {
   EXPECT_EQ(demonstration.before().number, 2u);
 }
 
-TEST_F(DemonstrationTest, LightThatChangesInAStillPeriodIsNoticed) {
+TEST_F(DemonstrationTest, LightChangeDuringAStillPeriodIsDetected) {
   Demonstration demonstration;
   const StillShot first = shot({part_});
   demonstration.look(first);
@@ -100,7 +100,7 @@ TEST_F(DemonstrationTest, LightThatChangesInAStillPeriodIsNoticed) {
   EXPECT_EQ(demonstration.anew(), Demonstration::Anew::kLight);
 }
 
-TEST_F(DemonstrationTest, AnotherSceneTakesTheImageAnew) {
+TEST_F(DemonstrationTest, ChangedSceneRestartsWithANewImageBefore) {
   Demonstration demonstration;
   demonstration.look(shot({part_}));
   StillShot other = shot({part_});
@@ -111,7 +111,7 @@ TEST_F(DemonstrationTest, AnotherSceneTakesTheImageAnew) {
   EXPECT_EQ(demonstration.look(shot({})), Step::kReady);
 }
 
-TEST_F(DemonstrationTest, ImagesOfAnotherSizeDoNotCount) {
+TEST_F(DemonstrationTest, ImagesOfAnotherSizeAreIgnored) {
   Demonstration demonstration;
   demonstration.look(shot({part_}));
   StillShot other = shot({});

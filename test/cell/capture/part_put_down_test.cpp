@@ -8,7 +8,7 @@
 namespace mbncc {
 namespace {
 
-class SecondLook : public testing::Test {
+class PartPutDownTest : public testing::Test {
  protected:
   sim::Placed at(double x, double y, double theta) const { return {{17, 80, 1.6}, {x, y, theta}}; }
 
@@ -25,23 +25,23 @@ class SecondLook : public testing::Test {
   const cv::Mat before_ = scene_.render({shown_}, 1);
 };
 
-TEST_F(SecondLook, AnObjectThatLeftPutNothingDown) {
+TEST_F(PartPutDownTest, ARemovedObjectCountsAsNotPutDown) {
   EXPECT_LT(part_put_down(scene_.true_map(shown_), before_, scene_.render({}, 2)), 0.15);
   EXPECT_LT(part_put_down(scene_.true_map(shown_), before_, scene_.render({at(500, 300, 1)}, 2)),
             0.15);
 }
 
-TEST_F(SecondLook, AMapOfBothPlacesIsTold) {
+TEST_F(PartPutDownTest, AMapThatCoversBothPlacesIsDetected) {
   for (const double way : {25.0, 40.0, 60.0, 75.0})
     EXPECT_GT(put_down({at(320 + way, 240, 0.3 + way / 30)}), kMostPutDown + 0.1) << way;
 }
 
-TEST_F(SecondLook, LightThatDriftsMakesNoDifference) {
+TEST_F(PartPutDownTest, DriftingLightMakesNoDifference) {
   const cv::Mat darker = scene_.render({}, 2) * 0.94;
   EXPECT_LT(part_put_down(scene_.true_map(shown_), before_, darker), 0.15);
 }
 
-TEST_F(SecondLook, RefusesImagesOfOtherKinds) {
+TEST_F(PartPutDownTest, RefusesUnusableImages) {
   EXPECT_THROW(part_put_down(scene_.true_map(shown_), before_, cv::Mat()), std::invalid_argument);
 }
 

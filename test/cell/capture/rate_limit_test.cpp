@@ -29,7 +29,7 @@ TEST(RateLimit, IsReachedAndNotExceeded) {
   EXPECT_EQ(passed(30, 0), 3000) << "0: no limit";
 }
 
-TEST(RateLimit, NothingIsSavedUpInAPause) {
+TEST(RateLimit, APauseDoesNotAllowABurst) {
   RateLimit rate;
   rate.note(1, 10);
   int count = 0;
@@ -41,7 +41,7 @@ TEST(RateLimit, NothingIsSavedUpInAPause) {
   EXPECT_LE(count, 3);
 }
 
-TEST(RateLimit, WhatWasNotSearchedDoesNotCount) {
+TEST(RateLimit, ImagesThatWereNotSearchedDoNotCount) {
   RateLimit rate;
   rate.note(1, 1);
   EXPECT_FALSE(rate.allows(1.2, 1));
@@ -49,7 +49,7 @@ TEST(RateLimit, WhatWasNotSearchedDoesNotCount) {
   EXPECT_TRUE(rate.allows(2.1, 1)) << "until one is noted";
 }
 
-TEST(RateLimit, BeginsAnewWhenTheClockDoes) {
+TEST(RateLimit, RestartsAfterAReset) {
   RateLimit rate;
   rate.note(100, 1);
   EXPECT_FALSE(rate.allows(1, 1));

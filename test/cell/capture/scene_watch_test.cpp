@@ -79,7 +79,7 @@ TEST(SceneWatch, BecomesStillAfterTheStillTime) {
 }
 
 // The newest images may already show the beginning of the next motion.
-TEST(SceneWatch, WhatIsHandedOverIsNeverOfTheNewestImages) {
+TEST(SceneWatch, NeverHandsOverTheNewestImages) {
   constexpr double kStill = 1;
   SceneWatch watch(kStill);
   const cv::Mat image(60, 80, CV_8UC3, cv::Scalar::all(100));
@@ -132,7 +132,7 @@ TEST(SceneWatch, StillImagesShowNothingOfTheMotion) {
   }
 }
 
-TEST(SceneWatch, ArmThatComesAndGoesIsNoChange) {
+TEST(SceneWatch, ArmThatEntersAndLeavesIsNoChange) {
   Cell cell;
   cell.show(10);
   const std::uint64_t number = cell.watch.still()->number;
@@ -145,7 +145,7 @@ TEST(SceneWatch, ArmThatComesAndGoesIsNoChange) {
   EXPECT_FALSE(cell.watch.before_change());
 }
 
-TEST(SceneWatch, PausingArmIsToldByTheBorder) {
+TEST(SceneWatch, PausingArmIsDetectedAtTheBorder) {
   Cell cell;
   cell.show(10);
   const cv::Mat before = cell.watch.still()->image;
@@ -178,7 +178,7 @@ TEST(SceneWatch, SlowMotionAddsUp) {
   EXPECT_FALSE(cell.watch.still());
 }
 
-TEST(SceneWatch, ClockJumpAndNewSizeStartAnew) {
+TEST(SceneWatch, ClockJumpAndNewSizeRestartTheWatch) {
   Cell cell;
   cell.show(10);
   ASSERT_TRUE(cell.watch.still());

@@ -33,27 +33,27 @@ TEST(StampGate, DropsOldImagesAndThoseFromTheFuture) {
   EXPECT_EQ(gate.judge(100.05, 100), Verdict::kFresh);
 }
 
-TEST(StampGate, TellsOnceThatTheClockJumpedBack) {
+TEST(StampGate, ReportsABackwardClockJumpOnce) {
   StampGate gate(0.5, 0.1);
   EXPECT_EQ(gate.judge(100, 100), Verdict::kFresh);
   EXPECT_EQ(gate.judge(90, 90), Verdict::kRestarted);
   EXPECT_EQ(gate.judge(90.1, 90.1), Verdict::kFresh);
 }
 
-TEST(StampGate, TellsOfTheJumpOnTheFirstUsableImage) {
+TEST(StampGate, ReportsTheJumpOnTheFirstUsableImage) {
   StampGate gate(0.5, 0.1);
   EXPECT_EQ(gate.judge(100, 100), Verdict::kFresh);
   EXPECT_EQ(gate.judge(100, 90), Verdict::kAhead);
   EXPECT_EQ(gate.judge(90.2, 90.2), Verdict::kRestarted);
 }
 
-TEST(StampGate, BearsAClockThatIsSlewed) {
+TEST(StampGate, AcceptsASlewedClock) {
   StampGate gate(0.5, 0.1);
   EXPECT_EQ(gate.judge(100, 100), Verdict::kFresh);
   EXPECT_EQ(gate.judge(100.01, 99.99), Verdict::kFresh);
 }
 
-TEST(StampGate, EveryVerdictHasAWordOfItsOwn) {
+TEST(StampGate, EveryVerdictHasItsOwnWord) {
   std::set<std::string> words;
   for (const auto verdict :
        {Verdict::kFresh, Verdict::kRepeated, Verdict::kLate, Verdict::kAhead, Verdict::kRestarted})

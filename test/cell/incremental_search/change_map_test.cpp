@@ -53,7 +53,7 @@ TEST_F(ChangeMapTest, FlickerIsNoChange) {
   }
 }
 
-TEST_F(ChangeMapTest, LightThatDriftsSlowlyAcrossTheImageIsNoChange) {
+TEST_F(ChangeMapTest, LightThatDriftsSlowlyIsNoChange) {
   cv::Mat ramp(240, 320, CV_32FC3);
   for (int x = 0; x < 320; ++x) ramp.col(x).setTo(cv::Scalar::all((x - 160) / 160.));
   for (int i = 0; i < 200; ++i) {
@@ -66,7 +66,7 @@ TEST_F(ChangeMapTest, LightThatDriftsSlowlyAcrossTheImageIsNoChange) {
   }
 }
 
-TEST_F(ChangeMapTest, PatchIsToldOnceWhenItHasComeToRest) {
+TEST_F(ChangeMapTest, APatchIsReportedOnceAfterItHasComeToRest) {
   const cv::Rect patch(100, 60, 40, 30);
   show(platform());
   show(with_patch(patch));
@@ -90,7 +90,7 @@ TEST_F(ChangeMapTest, SmallShiftOfAPatchIsSeen) {
   EXPECT_TRUE(map_.touches({90, 50, 60, 50}));
 }
 
-TEST_F(ChangeMapTest, WhatKeepsMovingIsToldNowAndThen) {
+TEST_F(ChangeMapTest, AMovingPatchIsReportedAtIntervals) {
   show(platform());
   std::size_t told = 0;
   for (int i = 0; i < 120; ++i) {
@@ -101,7 +101,7 @@ TEST_F(ChangeMapTest, WhatKeepsMovingIsToldNowAndThen) {
   EXPECT_LE(told, 20u);
 }
 
-TEST_F(ChangeMapTest, PushedCameraUpsetsAll) {
+TEST_F(ChangeMapTest, APushedCameraChangesTheWholeImage) {
   show(platform());
   cv::Mat pushed;
   cv::warpAffine(platform(), pushed, cv::Matx23d(1, 0, 9, 0, 1, 5), {320, 240}, cv::INTER_LINEAR,
@@ -115,14 +115,14 @@ TEST_F(ChangeMapTest, PushedCameraUpsetsAll) {
   EXPECT_TRUE(is_calm());
 }
 
-TEST_F(ChangeMapTest, AnotherSizeBeginsAnew) {
+TEST_F(ChangeMapTest, AnotherImageSizeRestartsTheMap) {
   show(platform());
   map_.update(stamp_ + 1, platform()({0, 0, 160, 120}));
   EXPECT_TRUE(map_.settled().empty());
   EXPECT_FALSE(map_.touches({0, 0, 160, 120}));
 }
 
-TEST_F(ChangeMapTest, GreyImagesServeToo) {
+TEST_F(ChangeMapTest, AcceptsGreyImages) {
   cv::Mat grey;
   cv::cvtColor(platform(), grey, cv::COLOR_BGR2GRAY);
   map_.update(stamp_ += 1, grey);
@@ -131,7 +131,7 @@ TEST_F(ChangeMapTest, GreyImagesServeToo) {
   EXPECT_TRUE(map_.touches({40, 40, 60, 60}));
 }
 
-TEST_F(ChangeMapTest, RefusesWhatIsNoImage) {
+TEST_F(ChangeMapTest, RefusesUnusableImages) {
   EXPECT_THROW(map_.update(0, {}), std::invalid_argument);
   EXPECT_THROW(map_.update(0, cv::Mat(10, 10, CV_32FC1)), std::invalid_argument);
 }

@@ -31,7 +31,7 @@ Match judged(const Known& known) {
   return known.judged({"one", "other"}, SearchConfig());
 }
 
-TEST(Known, IsGraspableOnceItIsComparedWithAllObjectsAndPlaces) {
+TEST(Known, IsGraspableAfterComparisonWithAllObjectsAndPlaces) {
   Known known = known_at(100);
   known.others["other"] = std::nullopt;
   EXPECT_TRUE(judged(known).graspable);
@@ -59,7 +59,7 @@ TEST(Known, CompetitorsCountWhereverTheyAre) {
   EXPECT_FALSE(judged(known).graspable);
 }
 
-TEST(Known, SearchedAgainOnTheSamePixelsItsMarginsStay) {
+TEST(Known, KeepsItsMarginsWhenTheSamePixelsAreSearchedAgain) {
   Known before = known_at(100), again = known_at(100, "one", 25);
   before.others["other"] = Competitor{"other", {100, 100}, 18};
   before.elsewhere = Competitor{"one", {300, 100}, 17};
@@ -89,7 +89,7 @@ class KnownInstancesTest : public testing::Test {
   InstanceList known_{0.25};
 };
 
-TEST_F(KnownInstancesTest, WhatASearchFindsAtThePlaceCompetes) {
+TEST_F(KnownInstancesTest, DetectionsAtThePlaceCompete) {
   known_.admit(known_at(100), kReach);
   compare_with({rival_at(104, "other", 12), rival_at(100, "other", 15), rival_at(96, "other", 9)});
   EXPECT_NEAR(judged(known_.all()[0]).margin_place, 5, 1e-9) << "the best of them";
@@ -97,7 +97,7 @@ TEST_F(KnownInstancesTest, WhatASearchFindsAtThePlaceCompetes) {
 
 // A whole search compares only uncalibrated evidence, without the calibration by the fit of the
 // outline and by other instances.
-TEST_F(KnownInstancesTest, CalibrationIsNoPartOfTheComparison) {
+TEST_F(KnownInstancesTest, CalibrationDoesNotEnterTheComparison) {
   Known firm = known_at(100, "one", 24);
   firm.match.odds.calibration = -4;
   known_.admit(firm, kReach);
@@ -115,7 +115,7 @@ TEST_F(KnownInstancesTest, CalibrationIsNoPartOfTheComparison) {
 
 // The two objects were searched in the whole image at different times, with different clutter in
 // view.
-TEST_F(KnownInstancesTest, ARivalIsNoWorseByMoreClutter) {
+TEST_F(KnownInstancesTest, MoreClutterDoesNotWeakenARival) {
   known_.admit(known_at(100, "one", 24), kReach);
   Match crowded = known_at(100, "other", 24).match;
   crowded.odds.clutter = 7;
@@ -125,21 +125,21 @@ TEST_F(KnownInstancesTest, ARivalIsNoWorseByMoreClutter) {
       << "nor worse by its own lack of it";
 }
 
-TEST_F(KnownInstancesTest, ARivalsPrintDoesNotCountAgainstIt) {
+TEST_F(KnownInstancesTest, APrintDifferenceDoesNotWeakenARival) {
   known_.admit(known_at(100, "one", 24), kReach);
   Match dirty = known_at(100, "other", 15).match;
   dirty.odds.print = 9;
   EXPECT_NEAR(margin_to(dirty), 0, 1e-9);
 }
 
-TEST_F(KnownInstancesTest, WhatAnotherSizeGainedDoesNotCountAgainstARival) {
+TEST_F(KnownInstancesTest, GainByAnotherSizeDoesNotWeakenARival) {
   Known resized = known_at(100, "one", 24);
   resized.match.odds.resized = 5;
   known_.admit(resized, kReach);
   EXPECT_NEAR(margin_to(known_at(100, "other", 15).match), 4, 1e-9);
 }
 
-TEST_F(KnownInstancesTest, AnObjectThatWasNotSearchedForThereIsOpen) {
+TEST_F(KnownInstancesTest, AnObjectNotYetSearchedForThereBlocksTheGrasp) {
   known_.admit(known_at(100), kReach);
   compare_with({}, false);
   EXPECT_FALSE(judged(known_.all()[0]).graspable);
@@ -147,7 +147,7 @@ TEST_F(KnownInstancesTest, AnObjectThatWasNotSearchedForThereIsOpen) {
   EXPECT_TRUE(judged(known_.all()[0]).graspable);
 }
 
-TEST_F(KnownInstancesTest, OtherPlacesOfTheObjectCompeteUnlessTheyAreInstances) {
+TEST_F(KnownInstancesTest, OtherPlacesCompeteUnlessTheyAreInstances) {
   known_.admit(known_at(100), kReach);
   known_.admit(known_at(200), kReach);
   compare_with({rival_at(203, "one", 15), rival_at(100, "one", 14)});
@@ -162,7 +162,7 @@ TEST_F(KnownInstancesTest, OtherObjectsElsewhereDoNotCompete) {
   EXPECT_TRUE(judged(known_.all()[0]).graspable);
 }
 
-TEST_F(KnownInstancesTest, OfTwoAtOnePlaceTheBetterStaysAndKnowsTheOther) {
+TEST_F(KnownInstancesTest, TheBetterOfTwoAtOnePlaceStaysAndKeepsItsMargin) {
   Known weaker = known_at(102, "other", 18), better = known_at(100);
   weaker.match.score = 0.8;
   ASSERT_NE(known_.admit(weaker, kReach), nullptr);
@@ -173,7 +173,7 @@ TEST_F(KnownInstancesTest, OfTwoAtOnePlaceTheBetterStaysAndKnowsTheOther) {
   EXPECT_EQ(known_.admit(weaker, kReach), nullptr);
 }
 
-TEST_F(KnownInstancesTest, OneOfAnEarlierImageIsReplacedWithoutAComparison) {
+TEST_F(KnownInstancesTest, AnInstanceOfAnEarlierImageIsReplacedUncompared) {
   Known earlier = known_at(102, "other", 10);
   earlier.match.score = 0.8;
   earlier.match.fresh = false;

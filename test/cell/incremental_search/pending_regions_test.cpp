@@ -12,7 +12,7 @@ int equally_urgent(const std::string&) {
   return 0;
 }
 
-TEST(PendingRegions, NothingOwedIsNothingDue) {
+TEST(PendingRegions, AnEmptyListHasNoNextRegion) {
   const PendingRegions pending;
   EXPECT_FALSE(pending.next(equally_urgent).has_value());
   EXPECT_FALSE(pending.contains("part"));
@@ -36,7 +36,7 @@ TEST(PendingRegions, OldestComesFirst) {
   EXPECT_EQ(pending.next(equally_urgent)->region, kThere);
 }
 
-TEST(PendingRegions, PaidOnesAreClosed) {
+TEST(PendingRegions, CompletedRegionsAreClosed) {
   PendingRegions pending;
   pending.add("a", kHere);
   pending.add("b", kHere);
@@ -47,7 +47,7 @@ TEST(PendingRegions, PaidOnesAreClosed) {
   EXPECT_FALSE(pending.is_open({0, 0, 20, 20}));
 }
 
-TEST(PendingRegions, RegionsThatNearlyCoverEachOtherAreJoinedOthersKept) {
+TEST(PendingRegions, JoinsOnlyRegionsThatNearlyCoverEachOther) {
   PendingRegions pending;
   pending.add("a", kHere);
   pending.add("a", kHere + cv::Point(5, 0));
@@ -57,7 +57,7 @@ TEST(PendingRegions, RegionsThatNearlyCoverEachOtherAreJoinedOthersKept) {
   EXPECT_EQ(pending.next(equally_urgent)->region, kThere);
 }
 
-TEST(PendingRegions, ForgottenObjectsOweNothing) {
+TEST(PendingRegions, ForgottenObjectsHaveNoPendingRegions) {
   PendingRegions pending;
   pending.add("a", kHere);
   pending.add("a", kThere);

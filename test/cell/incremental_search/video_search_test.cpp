@@ -10,7 +10,7 @@
 namespace mbncc {
 namespace {
 
-TEST_F(VideoSearchTest, FirstImageIsSearchedAsAnyOther) {
+TEST_F(VideoSearchTest, FirstImageIsSearchedLikeAnyOther) {
   put(0, kLeft);
   put(1, kRight);
   const SearchResult result = show();
@@ -23,7 +23,7 @@ TEST_F(VideoSearchTest, FirstImageIsSearchedAsAnyOther) {
   }
 }
 
-TEST_F(VideoSearchTest, StillSceneIsSeenAFewTimesAndThenKnown) {
+TEST_F(VideoSearchTest, AStillSceneIsSearchedAFewTimesOnly) {
   put(0, kLeft);
   put(1, kRight);
   show_many(40);
@@ -40,7 +40,7 @@ TEST_F(VideoSearchTest, StillSceneIsSeenAFewTimesAndThenKnown) {
   EXPECT_LE(fresh, 2) << "the sweep alone looks again";
 }
 
-TEST_F(VideoSearchTest, EveryObjectIsSweptInTime) {
+TEST_F(VideoSearchTest, EveryObjectIsSweptWithinItsPeriod) {
   video_ = VideoSearch({2.0, 2.0});
   put(0, kLeft);
   put(1, kRight);
@@ -68,7 +68,7 @@ TEST_F(VideoSearchTest, MovingObjectIsFoundInEveryImage) {
   }
 }
 
-TEST_F(VideoSearchTest, JumpIsFollowedAndTheOldPlaceLeftAtOnce) {
+TEST_F(VideoSearchTest, AJumpedObjectIsReportedAtItsNewPlaceOnly) {
   put(0, kLeft);
   put(1, kRight);
   show_many(5);
@@ -97,7 +97,7 @@ TEST_F(VideoSearchTest, NewObjectIsGraspableOnlyAfterAllWereSearchedThere) {
 }
 
 // Reference points are searched around a change, so they may lie slightly outside of it.
-TEST_F(VideoSearchTest, AnObjectIsFoundWhoseReferencePointLiesBesideIt) {
+TEST_F(VideoSearchTest, FindsAnObjectWhoseReferencePointLiesBesideIt) {
   const auto model = std::make_shared<ObjectModel>(*models_[0]);
   View& view = model->views.front();
   const cv::Rect box = cv::boundingRect(view.map) + view.origin;
@@ -141,7 +141,7 @@ TEST_F(VideoSearchTest, FlickerCostsNothing) {
   }
 }
 
-TEST_F(VideoSearchTest, PushedCameraIsSearchedAnew) {
+TEST_F(VideoSearchTest, TheWholeImageIsSearchedAfterACameraMotion) {
   put(0, kLeft);
   put(1, kRight);
   show_many(5);

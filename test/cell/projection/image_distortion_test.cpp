@@ -46,7 +46,7 @@ ImageDistortion distortion(const Camera& camera, const Plane& plane) {
   return distortion_of({camera.rays(), plane}, kSize);
 }
 
-TEST(ImageDistortion, IsNoneStraightFromAboveWithoutALens) {
+TEST(ImageDistortion, IsZeroForAnIdealCameraLookingStraightDown) {
   const ImageDistortion none = distortion({}, plane_at(0.8));
   EXPECT_LT(none.shear, 1e-6);
   EXPECT_LT(none.bend, 1e-9);
@@ -60,14 +60,14 @@ TEST(ImageDistortion, GrowsWithTiltAndFieldOfView) {
   EXPECT_NEAR(yaw({600}, 1) / yaw({1200}, 1), 2, 0.05);
 }
 
-TEST(ImageDistortion, OfALensCountsAsWell) {
+TEST(ImageDistortion, IncludesTheLens) {
   EXPECT_GT(yaw_error_of(distortion({600, -0.2}, plane_at(0.8))), 0.02);
   const double weak = yaw_error_of(distortion({600, -0.01}, plane_at(0.8)));
   EXPECT_GT(weak, 0.0005);
   EXPECT_LT(weak, 0.002);
 }
 
-TEST(ImageDistortion, LeavesOutWhatDoesNotShowThePlatform) {
+TEST(ImageDistortion, IgnoresPixelsThatDoNotShowThePlatform) {
   const Camera camera;
   const PixelToRay half = [rays = camera.rays()](cv::Point2d pixel) {
     return pixel.x < 250 ? cv::Vec3d::all(std::numeric_limits<double>::quiet_NaN()) : rays(pixel);

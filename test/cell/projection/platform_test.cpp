@@ -96,7 +96,7 @@ TEST(Platform, RotationIsProperAndFollowsTheDirectionInTheImage) {
   EXPECT_NEAR(std::atan2(step.y, step.x), seen.theta, 1e-4);
 }
 
-TEST(Platform, WhicheverWayTheFramesZPoints) {
+TEST(Platform, DirectionOfTheFramesZAxisDoesNotMatter) {
   const cv::Vec3d origin(0, 0, 0.8);
   const Platform away(rays_of(kCamera), plane_of(pose_of(cv::Matx33d::eye(), origin)));
   const Platform back(rays_of(kCamera), plane_of(pose_of(rotation_x(kPi), origin)));
@@ -155,7 +155,7 @@ TEST(Platform, NoPoseWhereTheRayMissesThePlane) {
   EXPECT_FALSE(straight_down().metres_per_pixel({nan, 0}, 0));
 }
 
-TEST(Platform, UnusableCalibrationsAreTold) {
+TEST(Platform, UnusableCalibrationsAreDetected) {
   const cv::Matx33d good(600, 0, 320, 0, 600, 240, 0, 0, 1);
   const cv::Size size(640, 480);
   EXPECT_TRUE(usable_camera(good, size, size));
@@ -173,7 +173,7 @@ TEST(Platform, UnusableCalibrationsAreTold) {
   }
 }
 
-TEST(Platform, WhatNoLensHasIsNamed) {
+TEST(Platform, ImplausibleIntrinsicsAreNamed) {
   const cv::Size size(640, 480);
   const auto fault = [&](int row, int column, double value) {
     cv::Matx33d matrix(600, 0, 320, 0, 600, 240, 0, 0, 1);
@@ -199,7 +199,7 @@ TEST(Platform, WhatNoLensHasIsNamed) {
   EXPECT_NE(fault_of_camera({64001, 0, 320, 0, 64001, 240, 0, 0, 1}, size), "");
 }
 
-TEST(Platform, NoPoseIsTooNearOrTooFarToBeOne) {
+TEST(Platform, PosesTooNearOrTooFarAreRefused) {
   EXPECT_TRUE(straight_down(99).lift({320, 240, 0}, kCovariance, 0));
   EXPECT_FALSE(straight_down(101).lift({320, 240, 0}, kCovariance, 0));
   EXPECT_FALSE(straight_down(99).lift({3200, 240, 0}, kCovariance, 0)) << "far beside";
@@ -207,7 +207,7 @@ TEST(Platform, NoPoseIsTooNearOrTooFarToBeOne) {
   EXPECT_FALSE(straight_down(0.8).metres_per_pixel({320, 240}, 0.7995));
 }
 
-TEST(Platform, RefusesPlanesThatAreNone) {
+TEST(Platform, RefusesInvalidPlanes) {
   EXPECT_THROW(plane_at(0), std::invalid_argument);
   EXPECT_THROW(plane_at(std::numeric_limits<double>::quiet_NaN()), std::invalid_argument);
   EXPECT_THROW(plane_of(cv::Matx44d::zeros()), std::invalid_argument);

@@ -46,7 +46,7 @@ TEST(TopView, LooksStraightDownAtTheSameMiddle) {
   }
 }
 
-TEST(TopView, OfAnUprightCameraIsItsOwn) {
+TEST(TopView, OfAnUprightCameraEqualsItsImage) {
   const PinholeCamera square{600, 600, 330, 250};
   const TurnedCamera view = top_view(square, plane_at(0.8), kSize);
   EXPECT_NEAR(cv::norm(view.rotation - cv::Matx33d::eye()), 0, 1e-12);
@@ -55,7 +55,7 @@ TEST(TopView, OfAnUprightCameraIsItsOwn) {
   EXPECT_NEAR(view.camera.cy, 250, 1e-9);
 }
 
-TEST(TopView, IsRefusedWhereItWouldShowTooLittle) {
+TEST(TopView, IsRefusedIfItWouldShowTooLittle) {
   EXPECT_NO_THROW(top_view(kCamera, tilted(30, 1), kSize));
   EXPECT_THROW(top_view(kCamera, tilted(61, 1), kSize), std::invalid_argument);
   EXPECT_THROW(top_view(kCamera, tilted(170, 1), kSize), std::invalid_argument);

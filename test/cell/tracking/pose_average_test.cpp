@@ -49,7 +49,7 @@ TEST(PoseAverage, NormalisedErrorOfStillInstancesIsAboutOne) {
   EXPECT_LT(std::sqrt(error / kTrials), 0.6 * kSigma);
 }
 
-TEST(PoseAverage, WhatAllImagesShareStaysInTheCovariance) {
+TEST(PoseAverage, CommonErrorOfAllImagesStaysInTheCovariance) {
   PoseAverage average(10);
   Match last;
   for (int i = 0; i < 10; ++i) last = averaged(average, {100, 50, 1});
@@ -77,7 +77,7 @@ TEST(PoseAverage, ACreepingInstanceDoesNotLagBehind) {
     EXPECT_LT(std::abs(averaged(average, {100 + 0.1 * i, 50, 0}).pose.x - (100 + 0.1 * i)), 0.35);
 }
 
-TEST(PoseAverage, AnotherAngleBeginsAnewHoweverLittleIsClaimed) {
+TEST(PoseAverage, AChangedAngleRestartsTheAverageAtAnyCovariance) {
   PoseAverage average(10);
   Match last;
   for (const double degrees : {0, 0, 20}) {
@@ -89,7 +89,7 @@ TEST(PoseAverage, AnotherAngleBeginsAnewHoweverLittleIsClaimed) {
   EXPECT_NEAR(last.pose.theta, to_radians(20), 1e-12);
 }
 
-TEST(PoseAverage, WhatWasNotFoundInThisImageAddsNothing) {
+TEST(PoseAverage, InstancesNotFoundInThisImageAddNothing) {
   PoseAverage average(10);
   averaged(average, {10, 20, 0});
   averaged(average, {10.2, 20, 0});
@@ -99,14 +99,14 @@ TEST(PoseAverage, WhatWasNotFoundInThisImageAddsNothing) {
   EXPECT_NEAR(matches[0].match.pose.x, 10.1, 1e-9);
 }
 
-TEST(PoseAverage, ASuddenMoveAndATurnBeginAnew) {
+TEST(PoseAverage, ASuddenMoveOrTurnRestartsTheAverage) {
   PoseAverage average(10);
   for (int i = 0; i < 10; ++i) averaged(average, {100, 50, 0});
   EXPECT_DOUBLE_EQ(averaged(average, {104, 50, 0}).pose.x, 104);
   EXPECT_NEAR(averaged(average, {104, 50, 1}).pose.theta, 1, 1e-12);
 }
 
-TEST(PoseAverage, BearsTheTurnFromPiToMinusPi) {
+TEST(PoseAverage, HandlesTheWrapFromPiToMinusPi) {
   PoseAverage average(10);
   averaged(average, {0, 0, kPi - 0.001});
   EXPECT_NEAR(angle_distance(averaged(average, {0, 0, -kPi + 0.001}).pose.theta, kPi), 0, 1e-9);
@@ -120,7 +120,7 @@ TEST(PoseAverage, OutlineMovesWithThePose) {
   EXPECT_LT(cv::norm(cv::Point2d(match.outline[0]) - transform(match.pose, {30, 0})), 1e-4);
 }
 
-TEST(PoseAverage, HeldInstancesKeepTheirMeanAndMissingOnesAreForgotten) {
+TEST(PoseAverage, HeldInstancesKeepTheirMeanAndMissingOnesLoseIt) {
   PoseAverage average(10);
   averaged(average, {10, 20, 0});
   averaged(average, {10.2, 20, 0});
@@ -132,7 +132,7 @@ TEST(PoseAverage, HeldInstancesKeepTheirMeanAndMissingOnesAreForgotten) {
   EXPECT_DOUBLE_EQ(averaged(average, {10.2, 20, 0}).pose.x, 10.2);
 }
 
-TEST(PoseAverage, OneImageIsItself) {
+TEST(PoseAverage, AWindowOfOneImageReturnsThatImage) {
   PoseAverage average(1);
   averaged(average, {10, 20, 0});
   EXPECT_DOUBLE_EQ(averaged(average, {10.1, 20, 0}).pose.x, 10.1);

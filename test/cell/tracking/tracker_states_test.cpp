@@ -38,7 +38,7 @@ TEST(InstanceTracker, AmbiguousIsNeverConfirmed) {
   EXPECT_EQ(tracker.update(4, {ambiguous_at(100, 100)})[0].state, TrackState::kAmbiguous);
 }
 
-TEST(InstanceTracker, AngleJumpHasToBeConfirmedAnew) {
+TEST(InstanceTracker, AnAngleJumpMustBeConfirmedAgain) {
   InstanceTracker tracker;
   for (int i = 0; i < 5; ++i) tracker.update(i, {match_at(100, 100, 0)});
   const auto flipped = tracker.update(5, {match_at(100, 100, kPi)});
@@ -57,7 +57,7 @@ TEST(InstanceTracker, ATurnOfThreeDegreesIsAnotherAngle) {
   }
 }
 
-TEST(InstanceTracker, AngleJumpByTheSymmetryIsNone) {
+TEST(InstanceTracker, ARotationByTheSymmetryIsNoAngleJump) {
   InstanceTracker tracker;
   for (int i = 0; i < 6; ++i) {
     Match match = match_at(100, 100, i % 2 == 0 ? 0 : kPi);
@@ -89,7 +89,7 @@ TEST(InstanceTracker, RoundObjectsDoNotTurn) {
   }
 }
 
-TEST(InstanceTracker, TellsWhyAnInstanceIsNotConfirmed) {
+TEST(InstanceTracker, ReportsWhyAnInstanceIsNotConfirmed) {
   InstanceTracker tracker({3, 5, 10, 0.5, 10});
   EXPECT_EQ(tracker.update(0, {match_at(100, 100)})[0].reasons,
             std::vector<std::string>{"graspable in 1 of the last 5 images, 3 needed"});
@@ -103,7 +103,7 @@ TEST(InstanceTracker, TellsWhyAnInstanceIsNotConfirmed) {
   EXPECT_EQ(held[0].reasons, std::vector<std::string>{"not seen in this image"});
 }
 
-TEST(InstanceTracker, AfterAnInterruptionInstancesKeepTheirIdsAndAreConfirmedAnew) {
+TEST(InstanceTracker, AfterAnInterruptionInstancesAreConfirmedAgain) {
   InstanceTracker tracker;
   for (int i = 0; i < 5; ++i) tracker.update(i, {match_at(100, 100)});
   tracker.interrupt();

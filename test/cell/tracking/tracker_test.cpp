@@ -34,7 +34,7 @@ TEST(InstanceTracker, AnswersInTheOrderOfTheMatches) {
   EXPECT_EQ(tracked[1].instance_id, 1u);
 }
 
-TEST(InstanceTracker, JumpBeyondTheGateIsAnotherInstanceWithAnotherFrame) {
+TEST(InstanceTracker, AJumpBeyondTheGateStartsAnotherInstanceAndFrame) {
   InstanceTracker tracker;
   tracker.update(0, {match_at(100, 100)});
   const auto tracked = tracker.update(0.1, {match_at(200, 100)});
@@ -44,7 +44,7 @@ TEST(InstanceTracker, JumpBeyondTheGateIsAnotherInstanceWithAnotherFrame) {
   EXPECT_EQ(tracked[0].state, TrackState::kNew);
 }
 
-TEST(InstanceTracker, AMotionIsGuessedForHalfASecondOnly) {
+TEST(InstanceTracker, MotionIsExtrapolatedForHalfASecondOnly) {
   for (const double pause : {0.4, 0.8}) {
     InstanceTracker tracker;
     tracker.update(0, {match_at(100, 100)});
@@ -54,7 +54,7 @@ TEST(InstanceTracker, AMotionIsGuessedForHalfASecondOnly) {
   }
 }
 
-TEST(InstanceTracker, TheNearestBelongTogether) {
+TEST(InstanceTracker, NearestMatchesAreAssociated) {
   InstanceTracker tracker;
   tracker.update(0, {match_at(100, 100), match_at(108, 100)});
   const auto tracked = tracker.update(0.1, {match_at(107, 100), match_at(99, 100)});
@@ -82,7 +82,7 @@ TEST(InstanceTracker, AnInstanceMissedInAWholeWindowIsForgotten) {
   }
 }
 
-TEST(InstanceTracker, FrameIndexIsNotGivenToAnotherInstanceForTenSeconds) {
+TEST(InstanceTracker, AFrameIndexIsNotReusedForTenSeconds) {
   InstanceTracker tracker;
   double stamp = 0;
   tracker.update(stamp, {match_at(100, 100)});
@@ -200,7 +200,7 @@ TEST(InstanceTracker, ClockJumpBackResets) {
   EXPECT_EQ(tracked[0].state, TrackState::kNew);
 }
 
-TEST(InstanceTracker, RefusesNonsense) {
+TEST(InstanceTracker, RefusesInvalidSettings) {
   TrackerConfig config;
   config.confirm_frames = 6;
   EXPECT_THROW(InstanceTracker{config}, std::invalid_argument);

@@ -55,7 +55,7 @@ TEST(BoardCalibration, FindsTheCameraThatDrewTheBoards) {
   EXPECT_EQ(result.info.width, 640u);
 }
 
-TEST(BoardCalibration, TellsWhereTheBoardsWere) {
+TEST(BoardCalibration, ReportsWhereTheBoardsWere) {
   BoardCalibration calibration(kBoard, kImage);
   EXPECT_TRUE(calibration.outlines().empty());
   EXPECT_TRUE(calibration.outline().empty());
@@ -80,7 +80,7 @@ TEST(BoardCalibration, TheSameImageIsTakenOnce) {
   EXPECT_NE(calibration.advice(Seen::kKnown).find("not covered yet"), std::string::npos);
 }
 
-TEST(BoardCalibration, AShrunkImageTellsTheCamerasPixels) {
+TEST(BoardCalibration, CornersOfAShrunkImageAreInCameraPixels) {
   BoardCalibration whole(kBoard, kImage), shrunk(kBoard, kImage);
   const cv::Mat image = board_at({0.2, 0.1, 0}, {-0.09, -0.06, 0.6});
   cv::Mat half;
@@ -93,13 +93,13 @@ TEST(BoardCalibration, AShrunkImageTellsTheCamerasPixels) {
             1);
 }
 
-TEST(BoardCalibration, WithoutABoardNothingIsTaken) {
+TEST(BoardCalibration, AnImageWithoutABoardIsNotTaken) {
   BoardCalibration calibration(kBoard, kImage);
   EXPECT_EQ(calibration.take(cv::Mat(kImage, CV_8UC3, cv::Scalar::all(90))), Seen::kNothing);
   EXPECT_NE(calibration.advice(Seen::kNothing).find("7 x 5"), std::string::npos);
 }
 
-TEST(ImageCheck, TellsBlurFromSharpnessAndBurntFromDark) {
+TEST(ImageCheck, DistinguishesBlurredSharpSaturatedAndDarkImages) {
   const cv::Mat sharp = board_at({0.2, 0.1, 0}, {-0.09, -0.06, 0.6});
   cv::Mat blurred;
   cv::GaussianBlur(sharp, blurred, {}, 3);

@@ -29,7 +29,7 @@ mbncc_vision::DetectedObjectArray one(bool metric) {
   return array;
 }
 
-TEST(DetectionRows, MillimetresAndDegreesWhereCalibrated) {
+TEST(DetectionRows, ShowMillimetresAndDegreesIfCalibrated) {
   const auto rows = detection_rows(one(true), 0.12);
   ASSERT_EQ(rows.size(), 1u);
   EXPECT_EQ(rows[0].cells[0], "bracket #3");
@@ -41,7 +41,7 @@ TEST(DetectionRows, MillimetresAndDegreesWhereCalibrated) {
   EXPECT_EQ(rows[0].level, Level::kGood);
 }
 
-TEST(DetectionRows, PixelsOtherwise) {
+TEST(DetectionRows, ShowPixelsIfNotCalibrated) {
   const auto rows = detection_rows(one(false), 0);
   EXPECT_EQ(rows[0].cells[2], "320.5 px");
   EXPECT_EQ(rows[0].cells[4], "30.0\u00b0");
@@ -55,7 +55,7 @@ TEST(DetectionRows, ZeroHasNoSign) {
   EXPECT_EQ(detection_rows(array, 0)[0].cells[4], "0.0\u00b0");
 }
 
-TEST(DetectionRows, ReasonsStandALineEach) {
+TEST(DetectionRows, EachReasonHasItsOwnLine) {
   auto array = one(true);
   EXPECT_EQ(detection_rows(array, 0)[0].reasons, "");
   array.objects[0].reasons = {"angle open", "30 % outside"};
@@ -68,7 +68,7 @@ TEST(DetectionRows, ARoundObjectHasNoAngle) {
   EXPECT_EQ(detection_rows(array, 0)[0].cells[4], "round");
 }
 
-TEST(DetectionRows, StatesDifferInWordAndSymbol) {
+TEST(DetectionRows, StatesHaveDifferentWordsAndSymbols) {
   auto array = one(true);
   array.objects[0].state = DetectedObject::AMBIGUOUS;
   const auto ambiguous = detection_rows(array, 0)[0];

@@ -38,14 +38,14 @@ diagnostic_msgs::DiagnosticArray quarantine_of(const std::string& node, const st
   return diagnostics;
 }
 
-TEST(Lamps, AllIsWell) {
+TEST(Lamps, AllAreGoodInNormalOperation) {
   for (const auto& lamp : well(10).look(11)) {
     EXPECT_EQ(lamp.level, Level::kGood) << lamp.name;
     EXPECT_EQ(lamp.reason, "");
   }
 }
 
-TEST(Lamps, WhatIsNotWellSaysWhy) {
+TEST(Lamps, EachFaultHasAReason) {
   const auto lamps = Lamps().look(10);
   for (const auto& lamp : lamps) {
     EXPECT_NE(lamp.level, Level::kGood) << lamp.name;
@@ -53,7 +53,7 @@ TEST(Lamps, WhatIsNotWellSaysWhy) {
   }
 }
 
-TEST(Lamps, SilenceIsNoticedWithinThreeSeconds) {
+TEST(Lamps, SilenceIsDetectedWithinThreeSeconds) {
   const auto lamps = well(10).look(12.5);
   EXPECT_EQ(lamps[kCamera].level, Level::kBad);
   EXPECT_EQ(lamps[kMatcher].level, Level::kBad);
@@ -69,7 +69,7 @@ diagnostic_msgs::DiagnosticArray complaint_of(const std::string& node, const std
   return diagnostics;
 }
 
-TEST(Lamps, ImagesThatAreNotLiveAreTold) {
+TEST(Lamps, ImagesThatAreNotLiveAreReported) {
   Lamps lamps;
   lamps.take_image(10);
   lamps.take_origin("THE SAME IMAGE");
@@ -79,13 +79,13 @@ TEST(Lamps, ImagesThatAreNotLiveAreTold) {
   EXPECT_EQ(lamps.look(11)[kCamera].level, Level::kGood);
 }
 
-TEST(Lamps, TheCameraSaysItselfWhatIsWrong) {
+TEST(Lamps, TheCamerasOwnFaultIsShown) {
   Lamps lamps = well(10);
   lamps.take_diagnostics(complaint_of("camera", "/dev/video0 is gone"), 13);
   EXPECT_EQ(lamps.look(13)[kCamera].reason, "/dev/video0 is gone");
 }
 
-TEST(Lamps, OnlyTheOwnCellsComplaintsShow) {
+TEST(Lamps, OnlyFaultsOfTheOwnCellAreShown) {
   Lamps left("/left"), right("/right"), alone;
   for (Lamps* lamps : {&left, &right, &alone}) {
     lamps->take_diagnostics(complaint_of("left/camera", "/dev/video0 is gone"), 13);
@@ -100,7 +100,7 @@ TEST(Lamps, OnlyTheOwnCellsComplaintsShow) {
   EXPECT_EQ(alone.look(13)[kLibrary].level, Level::kGood);
 }
 
-TEST(Lamps, StatusOfTheSearchShows) {
+TEST(Lamps, TheStatusOfTheSearchIsShown) {
   Lamps lamps = well(10);
   lamps.take_detections(array(DetectedObjectArray::UNCALIBRATED, "no camera_info"), 10);
   EXPECT_EQ(lamps.look(10)[kCalibration].level, Level::kDoubtful);
@@ -114,7 +114,7 @@ TEST(Lamps, StatusOfTheSearchShows) {
   EXPECT_EQ(lamps.look(10)[kCalibration].level, Level::kUnknown);
 }
 
-TEST(Lamps, AnEmptyOrDisabledOrDamagedLibraryShows) {
+TEST(Lamps, AnEmptyDisabledOrDamagedLibraryIsShown) {
   Lamps lamps = well(10);
   lamps.take_library(0, 0);
   EXPECT_EQ(lamps.look(10)[kLibrary].level, Level::kDoubtful);
@@ -125,7 +125,7 @@ TEST(Lamps, AnEmptyOrDisabledOrDamagedLibraryShows) {
   EXPECT_EQ(lamps.look(10)[kLibrary].level, Level::kDoubtful);
 }
 
-TEST(Lamps, ALibraryWhoseKeeperIsGoneIsNotWell) {
+TEST(Lamps, ALibraryWithoutItsNodeletIsUnknown) {
   Lamps lamps = well(10);
   ASSERT_EQ(lamps.look(10)[kLibrary].level, Level::kGood);
   lamps.forget_library();

@@ -15,7 +15,7 @@ TEST(ImageFrame, FitsTheImageIntoTheMiddle) {
   EXPECT_NEAR(corner.y, 120, 1e-9);
 }
 
-TEST(ImageFrame, BothWaysAgree) {
+TEST(ImageFrame, BothMappingsAreInverse) {
   ImageFrame frame;
   frame.set_sizes({641, 479}, {333, 517});
   frame.zoom(3, {100, 200});
@@ -37,7 +37,7 @@ TEST(ImageFrame, ZoomKeepsThePointUnderTheMouse) {
   EXPECT_DOUBLE_EQ(frame.scale(), 4);
 }
 
-TEST(ImageFrame, NeverShowsLessThanAllOrAnotherImageEnlarged) {
+TEST(ImageFrame, LimitsTheZoomAndResetsItForAnotherImageSize) {
   ImageFrame frame;
   frame.set_sizes({640, 480}, {640, 480});
   frame.zoom(0.1, {0, 0});
@@ -47,7 +47,7 @@ TEST(ImageFrame, NeverShowsLessThanAllOrAnotherImageEnlarged) {
   EXPECT_DOUBLE_EQ(frame.scale(), 2);
 }
 
-TEST(ImageFrame, WhatIsEnlargedCanBeMovedToItsEdgesAndNoFarther) {
+TEST(ImageFrame, AnEnlargedImageCanBeMovedToItsEdgesOnly) {
   ImageFrame frame;
   frame.set_sizes({640, 480}, {640, 480});
   frame.pan({50, 0});

@@ -22,7 +22,7 @@ TEST(ImageOrigin, ImagesThatDifferAreLive) {
   EXPECT_EQ(origin.warning(), "");
 }
 
-TEST(ImageOrigin, OneThatIsRepeatedIsToldUntilAnotherComes) {
+TEST(ImageOrigin, ARepeatedImageIsReportedUntilAnotherOneArrives) {
   ImageOrigin origin;
   for (int i = 0; i < ImageOrigin::kEqual; ++i) origin.take(image(7, 100 + i), ros::Time(100 + i));
   EXPECT_EQ(origin.warning(), "") << "it may be chance";
@@ -32,7 +32,7 @@ TEST(ImageOrigin, OneThatIsRepeatedIsToldUntilAnotherComes) {
   EXPECT_EQ(origin.warning(), "");
 }
 
-TEST(ImageOrigin, OldStampsAreTold) {
+TEST(ImageOrigin, OldStampsAreReported) {
   ImageOrigin origin;
   origin.take(image(1, 100), ros::Time(100 + ImageOrigin::kOld));
   EXPECT_EQ(origin.warning(), "");

@@ -38,7 +38,7 @@ class ImageTest(unittest.TestCase):
     def wait_until_found(self, found=True):
         self.teacher.found.wait(lambda m: bool(m.objects) == found, "it is found" if found else "nothing is found")
 
-    def test_1_a_repeated_image_is_told_until_it_changes(self):
+    def test_1_a_repeated_image_is_reported_until_it_changes(self):
         self.report.wait_until_says("THE SAME IMAGE")
         self.teacher.order("take_away", lies=False, halfway=lambda: self.report.wait_until_says("Live"))
         self.teacher.order("put_next", lies=True)
@@ -71,7 +71,7 @@ class ImageTest(unittest.TestCase):
         self.mouse.drag([(20, 20), (60, 60), (90, 80)], (WIDTH, HEIGHT))
         self.mouse.window("Search region")
 
-    def test_4_the_image_of_an_explanation_is_told_as_still(self):
+    def test_4_the_image_of_an_explanation_is_marked_as_still(self):
         self.mouse.click(r"Why not found here\?")
         self.mouse.drag([(30, 30)], (WIDTH, HEIGHT))
         self.mouse.window("Save this miss")

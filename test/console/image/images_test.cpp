@@ -19,7 +19,7 @@ sensor_msgs::Image message(int width, int height, const std::string& encoding, i
   return message;
 }
 
-TEST(Images, WhatCannotBeShownIsEmpty) {
+TEST(Images, ImagesThatCannotBeShownBecomeEmpty) {
   EXPECT_TRUE(to_rgb({}).empty());
   EXPECT_TRUE(to_rgb(message(4, 4, "32FC7", 3, 0)).empty());
   auto cut = message(4, 4, "bgr8", 3, 0);
@@ -31,7 +31,7 @@ TEST(Images, GreyBecomesColour) {
   EXPECT_EQ(to_rgb(message(4, 3, "mono8", 1, 7)).type(), CV_8UC3);
 }
 
-TEST(Images, Of16BitsAreAsBrightAsTheWhiteLevelSays) {
+TEST(Images, SixteenBitImagesAreScaledByTheWhiteLevel) {
   const auto brightness = [](const char* encoding, int white_level) {
     auto image = message(4, 4, encoding, 2, 0);
     for (std::size_t i = 1; i < image.data.size(); i += 2) image.data[i] = 8;  // 2048 each
@@ -46,12 +46,12 @@ TEST(Images, Of16BitsAreAsBrightAsTheWhiteLevelSays) {
   EXPECT_EQ(brightness("16UC1", 0), -1);
 }
 
-TEST(Images, LargeOnesAreShrunk) {
+TEST(Images, LargeImagesAreShrunk) {
   EXPECT_EQ(small(cv::Mat(2048, 2448, CV_8UC3)).cols, 1600);
   EXPECT_EQ(small(cv::Mat(480, 640, CV_8UC3)).cols, 640);
 }
 
-TEST(Images, TheCheckerboardShowsOutsideTheMapOnly) {
+TEST(Images, TheCheckerboardIsVisibleOutsideTheMapOnly) {
   const cv::Mat object(20, 20, CV_8UC3, cv::Scalar(10, 20, 30));
   auto map = message(20, 20, "mono8", 1, 0);
   map.data[0] = 255;
@@ -61,7 +61,7 @@ TEST(Images, TheCheckerboardShowsOutsideTheMapOnly) {
   EXPECT_TRUE(on_checkerboard(object, message(19, 20, "mono8", 1, 0)).empty());
 }
 
-TEST(ChangeTint, TintsWhatChangedSinceTheFirstImage) {
+TEST(ChangeTint, TintsPixelsThatChangedSinceTheFirstImage) {
   cv::Mat image(60, 80, CV_8UC3, cv::Scalar::all(100));
   ChangeTint tint;
   EXPECT_EQ(cv::norm(tint.tint(image), image, cv::NORM_INF), 0);

@@ -8,7 +8,7 @@ namespace {
 
 const cv::Rect kRoom(0, 0, 640, 480);
 
-TEST(LabelPlaces, ALabelStandsBesideItsThingInsideTheRoom) {
+TEST(LabelPlaces, ALabelLiesBesideItsObjectWithinTheBounds) {
   for (const cv::Point& corner : {cv::Point(300, 200), cv::Point(0, 0), cv::Point(600, 450)}) {
     const cv::Rect box(corner, cv::Size(40, 30));
     const auto places = place_labels({{box, {120, 20}}}, kRoom);
@@ -18,7 +18,7 @@ TEST(LabelPlaces, ALabelStandsBesideItsThingInsideTheRoom) {
   }
 }
 
-TEST(LabelPlaces, LabelsOfNeighboursCoverNeitherEachOtherNorTheThings) {
+TEST(LabelPlaces, LabelsOfNeighboursDoNotOverlap) {
   std::vector<LabelledThing> things;
   for (int i = 0; i < 4; ++i) things.push_back({{200 + 60 * i, 200, 50, 50}, {130, 20}});
   const auto places = place_labels(things, kRoom);
@@ -28,7 +28,7 @@ TEST(LabelPlaces, LabelsOfNeighboursCoverNeitherEachOtherNorTheThings) {
   }
 }
 
-TEST(LabelPlaces, ATooSmallRoomGetsItAllTheSame) {
+TEST(LabelPlaces, ALabelIsPlacedEvenIfTheBoundsAreTooSmall) {
   EXPECT_EQ(place_labels({{{0, 0, 30, 30}, {500, 20}}}, {0, 0, 40, 40}).size(), 1u);
 }
 

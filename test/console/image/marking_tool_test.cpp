@@ -14,12 +14,12 @@ std::optional<MarkingTool::Request> drag(MarkingTool& tool, std::vector<cv::Poin
   return tool.release(way.back(), kImage);
 }
 
-TEST(MarkingTool, DrawsNothingUnlessChosen) {
+TEST(MarkingTool, DrawsNothingUnlessAToolIsChosen) {
   MarkingTool tool;
   EXPECT_FALSE(drag(tool, {{10, 10}, {50, 50}}));
 }
 
-TEST(MarkingTool, AStrokeKeepsItsWayAndWidth) {
+TEST(MarkingTool, AStrokeKeepsItsPathAndWidth) {
   for (const Tool kind : {Tool::kInclude, Tool::kExclude}) {
     MarkingTool tool;
     tool.choose(kind);
@@ -44,7 +44,7 @@ TEST(MarkingTool, AClickDrawsNothing) {
   EXPECT_FALSE(drag(tool, {{10, 10}, {11, 11}})) << "nor does a slip of the mouse";
 }
 
-TEST(MarkingTool, WhatIsBeingDrawnCanBeGivenUp) {
+TEST(MarkingTool, ADrawingCanBeCancelled) {
   MarkingTool tool;
   tool.choose(Tool::kInclude);
   EXPECT_FALSE(tool.give_up());
@@ -54,7 +54,7 @@ TEST(MarkingTool, WhatIsBeingDrawnCanBeGivenUp) {
   EXPECT_FALSE(tool.release({50, 50}, kImage));
 }
 
-TEST(MarkingTool, ARegionIsTheSameFromAnyCornerAndStaysInTheImage) {
+TEST(MarkingTool, ARegionIsTheSameFromAnyCornerAndClipped) {
   for (const auto& way :
        std::vector<std::vector<cv::Point2f>>{{{100, 50}, {900, 200}}, {{900, 200}, {100, 50}}}) {
     MarkingTool tool;
@@ -68,7 +68,7 @@ TEST(MarkingTool, ARegionIsTheSameFromAnyCornerAndStaysInTheImage) {
   }
 }
 
-TEST(MarkingTool, ASlipIsNoRegion) {
+TEST(MarkingTool, AVeryShortDragIsNoRegion) {
   MarkingTool tool;
   tool.choose(Tool::kRegion);
   EXPECT_FALSE(drag(tool, {{10, 10}, {11, 11}}));
@@ -94,7 +94,7 @@ TEST(MarkingTool, AxesAreMovedByTheirOriginAndTurnedByTheirTip) {
   EXPECT_NEAR(turned->reference.x, 100, 1e-9);
 }
 
-TEST(MarkingTool, AxesUnderTheMouseAreNotSetAnew) {
+TEST(MarkingTool, AxesAreNotResetWhileDragged) {
   MarkingTool tool;
   tool.choose(Tool::kAxes);
   tool.set_axes({}, 40);

@@ -8,14 +8,14 @@
 namespace mbncc::console {
 namespace {
 
-TEST(LessonModel, NothingMayBeDoneWithoutServer) {
+TEST(LessonModel, NoActionIsAllowedWithoutServer) {
   LessonModel lesson;
   EXPECT_EQ(lesson.phase(), Phase::kNoServer);
   EXPECT_FALSE(lesson.may_teach() || lesson.may_cancel() || lesson.may_decide());
   EXPECT_FALSE(lesson.headline().empty());
 }
 
-TEST(LessonModel, AServerMakesItReady) {
+TEST(LessonModel, IsReadyOnceAServerExists) {
   EXPECT_TRUE(ready().may_teach());
 }
 
@@ -33,7 +33,7 @@ TEST(LessonModel, SaysWithinThreeSecondsThatTheServerIsGone) {
   }
 }
 
-TEST(LessonModel, ALessonThatTheServerForgotIsLost) {
+TEST(LessonModel, ALessonUnknownToTheServerIsLost) {
   LessonModel lesson = ready();
   lesson.begin("goal", 0);
   lesson.take_status(status("goal"), 1);
@@ -44,14 +44,14 @@ TEST(LessonModel, ALessonThatTheServerForgotIsLost) {
   EXPECT_EQ(lesson.level(), Level::kBad);
 }
 
-TEST(LessonModel, JoinsALessonThatIsUnderWay) {
+TEST(LessonModel, JoinsARunningLesson) {
   LessonModel lesson;
   lesson.take_status(status("theirs"), 0);
   EXPECT_EQ(lesson.phase(), Phase::kRunning);
   EXPECT_EQ(lesson.goal(), "theirs");
 }
 
-TEST(LessonModel, FeedbackTellsWhatToDoAndHowLongIsLeft) {
+TEST(LessonModel, FeedbackShowsTheNextStepAndTheRemainingTime) {
   LessonModel lesson = ready();
   lesson.begin("goal", 0);
   lesson.take_feedback(feedback(Feedback::WAIT_REMOVAL, 65), 1);
@@ -65,14 +65,14 @@ TEST(LessonModel, FeedbackTellsWhatToDoAndHowLongIsLeft) {
   EXPECT_FALSE(lesson.may_decide());
 }
 
-TEST(LessonModel, EveryStageHasAHeadlineOfItsOwn) {
+TEST(LessonModel, EveryStageHasItsOwnHeadline) {
   std::set<std::string> headlines;
   for (std::uint8_t stage = Feedback::WAIT_IMAGE; stage <= Feedback::STORE; ++stage)
     headlines.insert(headline_of(stage));
   EXPECT_EQ(headlines.size(), std::size_t{Feedback::STORE} + 1);
 }
 
-TEST(LessonModel, TheEndSaysWhatHappenedAndWhatToDo) {
+TEST(LessonModel, TheResultStatesWhatHappenedAndWhatToDo) {
   LessonModel lesson = in_review();
   lesson.take_result(result(Result::TIMEOUT), 5);
   EXPECT_TRUE(lesson.may_teach());
@@ -81,13 +81,13 @@ TEST(LessonModel, TheEndSaysWhatHappenedAndWhatToDo) {
   EXPECT_FALSE(lesson.draft());
 }
 
-TEST(LessonModel, ARejectedLessonIsNoAlarm) {
+TEST(LessonModel, ARejectedLessonRaisesNoAlarm) {
   LessonModel lesson = in_review();
   lesson.take_result(result(Result::REJECTED_BY_OPERATOR), 5);
   EXPECT_EQ(lesson.level(), Level::kUnknown);
 }
 
-TEST(LessonModel, ARecalledGoalHasTaughtNothing) {
+TEST(LessonModel, ARecalledGoalStoredNothing) {
   LessonModel lesson = in_review();
   mbncc_vision::LearnObjectActionResult recalled;
   recalled.status.goal_id.id = "goal";
@@ -149,13 +149,13 @@ TEST(LessonModel, AResultIsWithdrawnWhenItsObjectIsGone) {
   EXPECT_FALSE(lesson.take_library({})) << "once";
 }
 
-TEST(LessonModel, AResultIsWithdrawnWhenAnotherRevisionTakesItsPlace) {
+TEST(LessonModel, AResultIsWithdrawnWhenItsRevisionIsReplaced) {
   LessonModel lesson = learned("part", 2);
   EXPECT_FALSE(lesson.take_library({listed("part", 2)}));
   EXPECT_TRUE(lesson.take_library({listed("part", 3)}));
 }
 
-TEST(LessonModel, ARunningLessonKeepsItsWords) {
+TEST(LessonModel, LibraryChangesDoNotAffectARunningLesson) {
   LessonModel lesson = learned("part", 1);
   EXPECT_FALSE(lesson.take_library({listed("part", 1)}));
   lesson.begin("next", 2);

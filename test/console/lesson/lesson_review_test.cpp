@@ -37,7 +37,7 @@ TEST(LessonReview, TheDraftOfTheLessonBeforeIsNeverAccepted) {
   EXPECT_TRUE(lesson.may_accept());
 }
 
-TEST(LessonReview, ARepeatedQuestionOnlyTellsTheTime) {
+TEST(LessonReview, ARepeatedQuestionOnlyUpdatesTheTime) {
   LessonModel lesson = in_review();
   decide(lesson);
   lesson.take_feedback(feedback(Feedback::WAIT_CONFIRM, 50), 2);
@@ -49,14 +49,14 @@ TEST(LessonReview, ARepeatedQuestionOnlyTellsTheTime) {
   EXPECT_EQ(lesson.level(), Level::kBad);
 }
 
-TEST(LessonReview, AsksWithTheDraft) {
+TEST(LessonReview, AsksTogetherWithTheDraft) {
   const LessonModel lesson = in_review();
   EXPECT_TRUE(lesson.may_accept());
   EXPECT_TRUE(lesson.may_decide());
   ASSERT_TRUE(lesson.draft());
 }
 
-TEST(LessonReview, TheSentenceLeavesTheAdviceToTheReview) {
+TEST(LessonReview, TheDetailOmitsTheAdvice) {
   LessonModel lesson = in_review();
   Result marginal = draft(Result::SUCCESS);
   marginal.object.quality.verdict = mbncc_vision::LearnQuality::MARGINAL;
@@ -64,7 +64,7 @@ TEST(LessonReview, TheSentenceLeavesTheAdviceToTheReview) {
   EXPECT_EQ(lesson.detail(), "Verdict MARGINAL. Accept, correct or reject the outline.");
 }
 
-TEST(LessonReview, ABadDraftIsAcceptedOnlyOnTheOperatorsWord) {
+TEST(LessonReview, ABadDraftIsAcceptedOnlyAfterConfirmation) {
   LessonModel lesson = in_review(Result::QUALITY_BAD);
   EXPECT_FALSE(lesson.may_accept());
   EXPECT_TRUE(lesson.may_decide());
@@ -86,7 +86,7 @@ TEST(LessonReview, TheDraftOfAnEarlierLessonIsNotShown) {
   EXPECT_FALSE(lesson.draft());
 }
 
-TEST(LessonReview, TheDraftsNumberChangesWithTheDraftAlone) {
+TEST(LessonReview, TheDraftNumberChangesOnlyWithTheDraft) {
   LessonModel lesson = in_review();
   const int shown = lesson.draft_number();
   lesson.take_feedback(feedback(Feedback::WAIT_CONFIRM), 2);
@@ -96,7 +96,7 @@ TEST(LessonReview, TheDraftsNumberChangesWithTheDraftAlone) {
   EXPECT_NE(lesson.draft_number(), shown);
 }
 
-TEST(LessonReview, ACorrectionBringsItsDraftInAnyOrder) {
+TEST(LessonReview, DraftAndFeedbackMayArriveInAnyOrder) {
   for (const bool draft_first : {true, false}) {
     LessonModel lesson = in_review();
     decide(lesson);
@@ -113,7 +113,7 @@ TEST(LessonReview, ACorrectionBringsItsDraftInAnyOrder) {
   }
 }
 
-TEST(LessonReview, OneWordAtATime) {
+TEST(LessonReview, OnlyOneCommandIsSentAtATime) {
   LessonModel lesson = in_review();
   decide(lesson);
   EXPECT_EQ(lesson.phase(), Phase::kDeciding);
@@ -124,7 +124,7 @@ TEST(LessonReview, OneWordAtATime) {
   EXPECT_EQ(lesson.level(), Level::kBad);
 }
 
-TEST(LessonReview, CorrectionsDrawnWhileOneIsComputedWaitTheirTurn) {
+TEST(LessonReview, CorrectionsAreQueuedWhileOneIsComputed) {
   LessonModel lesson = in_review();
   decide(lesson);
   auto second = word(LessonModel::Word::EDIT);
@@ -143,7 +143,7 @@ TEST(LessonReview, CorrectionsDrawnWhileOneIsComputedWaitTheirTurn) {
   EXPECT_EQ(lesson.next_word()->command, LessonModel::Word::UNDO);
 }
 
-TEST(LessonReview, AnAcceptMeansWhatWasSeen) {
+TEST(LessonReview, AnAcceptDoesNotApplyToALaterDraft) {
   LessonModel lesson = in_review();
   decide(lesson);
   lesson.want(word(LessonModel::Word::ACCEPT));
@@ -151,7 +151,7 @@ TEST(LessonReview, AnAcceptMeansWhatWasSeen) {
   EXPECT_FALSE(lesson.next_word()) << "another draft than that of the click";
 }
 
-TEST(LessonReview, WhatWaitsEndsWithTheLesson) {
+TEST(LessonReview, QueuedCommandsEndWithTheLesson) {
   LessonModel lesson = in_review();
   decide(lesson);
   lesson.want(word(LessonModel::Word::EDIT));
@@ -159,7 +159,7 @@ TEST(LessonReview, WhatWaitsEndsWithTheLesson) {
   EXPECT_TRUE(lesson.waiting().empty());
 }
 
-TEST(LessonReview, UndoIsOfferedWhereThereIsSomethingToTakeBack) {
+TEST(LessonReview, UndoIsOfferedIfThereIsACorrection) {
   LessonModel lesson = in_review();
   EXPECT_FALSE(lesson.may_undo());
   decide(lesson);
@@ -184,7 +184,7 @@ TEST(LessonReview, ACorrectionMayBeUndoneBeforeItIsAnswered) {
   EXPECT_EQ(lesson.next_word()->command, LessonModel::Word::UNDO);
 }
 
-TEST(LessonReview, TheUndoOfARefusedCorrectionTakesNoEarlierOneBack) {
+TEST(LessonReview, TheUndoOfARefusedCorrectionUndoesNoEarlierOne) {
   LessonModel lesson = in_review();
   decide(lesson);
   lesson.take_answer(true, "");
@@ -199,7 +199,7 @@ TEST(LessonReview, TheUndoOfARefusedCorrectionTakesNoEarlierOneBack) {
   EXPECT_TRUE(lesson.may_undo()) << "the first correction";
 }
 
-TEST(LessonReview, AnUndoBelongsToTheCorrectionBeforeIt) {
+TEST(LessonReview, AnUndoBelongsToThePrecedingCorrection) {
   using Word = LessonModel::Word;
   LessonModel lesson = in_review();
   decide(lesson);
@@ -214,7 +214,7 @@ TEST(LessonReview, AnUndoBelongsToTheCorrectionBeforeIt) {
   EXPECT_EQ(lesson.waiting().front().command, Word::EDIT);
 }
 
-TEST(LessonReview, WithoutAnAnswerThereMayBeACorrection) {
+TEST(LessonReview, WithoutAnAnswerUndoStaysAvailable) {
   LessonModel lesson = in_review();
   decide(lesson);
   lesson.want(word(LessonModel::Word::UNDO));
@@ -233,7 +233,7 @@ TEST(LessonReview, SurplusUndosDoNotCountAgainstALaterCorrection) {
   EXPECT_TRUE(lesson.may_undo());
 }
 
-TEST(LessonReview, AJoinedReviewMayHoldCorrections) {
+TEST(LessonReview, AJoinedReviewMayContainCorrections) {
   LessonModel lesson = joined_in_review();
   EXPECT_TRUE(lesson.may_undo());
   lesson.want(word(LessonModel::Word::UNDO));
@@ -242,7 +242,7 @@ TEST(LessonReview, AJoinedReviewMayHoldCorrections) {
   EXPECT_FALSE(lesson.may_undo());
 }
 
-TEST(LessonReview, HasNoDeadlineWhereTheServerSetsNone) {
+TEST(LessonReview, HasNoDeadlineIfTheServerSetsNone) {
   LessonModel lesson = in_review();
   lesson.take_feedback(feedback(Feedback::WAIT_CONFIRM, 0), 2);
   EXPECT_EQ(lesson.time_left(3), "");

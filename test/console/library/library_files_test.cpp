@@ -22,7 +22,7 @@ class LibraryFiles : public testing::Test {
   ObjectLibrary library_;
 };
 
-TEST_F(LibraryFiles, AnObjectTravelsAsOneFile) {
+TEST_F(LibraryFiles, AnObjectIsCopiedAsOneFile) {
   export_object(library_.folder(), "part", folder_ / "carried.png");
   EXPECT_EQ(import_object(library_.folder(), folder_ / "carried.png"), "carried");
   EXPECT_TRUE(library_.load()->find("carried"));
@@ -30,7 +30,7 @@ TEST_F(LibraryFiles, AnObjectTravelsAsOneFile) {
       << "the name is taken";
 }
 
-TEST_F(LibraryFiles, WhatIsNoObjectIsRefused) {
+TEST_F(LibraryFiles, FilesThatAreNoObjectsAreRefused) {
   EXPECT_THROW(export_object(library_.folder(), "none", folder_ / "x.png"), std::exception);
   EXPECT_THROW(import_object(library_.folder(), folder_ / "none.png"), std::exception);
   EXPECT_THROW(earlier_revisions(folder_ / "elsewhere", "part"), std::exception);
@@ -47,7 +47,7 @@ TEST_F(LibraryFiles, ReplacedRevisionsAreListedNewestFirst) {
   EXPECT_FALSE(revisions[0].image.empty());
 }
 
-TEST_F(LibraryFiles, DeletedObjectsAreListedOnceAsTheyWereLast) {
+TEST_F(LibraryFiles, DeletedObjectsAreListedOnceWithTheLastRevision) {
   library_.save(test::random_model(2, "other"), ObjectLibrary::Existing::kRefuse);
   library_.save(test::random_model(1, "part"), ObjectLibrary::Existing::kReplace);
   library_.save(test::random_model(2, "other"), ObjectLibrary::Existing::kReplace);

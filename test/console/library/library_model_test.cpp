@@ -8,7 +8,7 @@ namespace {
 
 using Request = LibraryModel::Request;
 
-TEST(LibraryModel, EveryEditHasItsWayBack) {
+TEST(LibraryModel, EveryEditCanBeUndone) {
   LibraryModel library;
   EXPECT_FALSE(library.can_undo());
   library.done(LibraryModel::enable("a", false));
@@ -21,7 +21,7 @@ TEST(LibraryModel, EveryEditHasItsWayBack) {
   EXPECT_EQ(library.undo().name, "b");
 }
 
-TEST(LibraryModel, ADeclaredSymmetryGoesBackToTheOneBefore) {
+TEST(LibraryModel, UndoRestoresThePreviousSymmetry) {
   LibraryModel library;
   mbncc_vision::LearnedObject object;
   object.name = "a";
@@ -40,7 +40,7 @@ TEST(LibraryModel, ADeclaredSymmetryGoesBackToTheOneBefore) {
   EXPECT_EQ(library.undo_text(), "Undo: symmetry of 'a'");
 }
 
-TEST(LibraryModel, UndoGoesBackStepByStep) {
+TEST(LibraryModel, UndoRevertsOneEditAtATime) {
   LibraryModel library;
   library.done(LibraryModel::remove("a"));
   library.done(LibraryModel::remove("b"));
@@ -51,7 +51,7 @@ TEST(LibraryModel, UndoGoesBackStepByStep) {
   EXPECT_FALSE(library.can_undo());
 }
 
-TEST(LibraryModel, WhatTheTrashGaveBackGoesThereAgain) {
+TEST(LibraryModel, UndoOfARestoreDeletesTheObjectAgain) {
   LibraryModel library;
   library.done(library.restore("a", 3));
   EXPECT_EQ(library.undo().command, Request::DELETE) << "it was deleted before";
@@ -65,7 +65,7 @@ TEST(LibraryModel, WhatTheTrashGaveBackGoesThereAgain) {
   EXPECT_EQ(library.undo().revision, 4u);
 }
 
-TEST(LibraryModel, AnOwnThresholdGoesBackToTheOneBefore) {
+TEST(LibraryModel, UndoRestoresThePreviousThreshold) {
   LibraryModel library;
   mbncc_vision::LearnedObject object;
   object.name = "a";
@@ -83,7 +83,7 @@ TEST(LibraryModel, AnOwnThresholdGoesBackToTheOneBefore) {
   EXPECT_FLOAT_EQ(library.undo().min_score, 0.4f);
 }
 
-TEST(LibraryModel, WhatALessonReplacedCanBeBroughtBack) {
+TEST(LibraryModel, AReplacedRevisionCanBeRestored) {
   LibraryModel library;
   mbncc_vision::LearnedObject object;
   object.name = "part";

@@ -56,7 +56,7 @@ class LibraryTest(unittest.TestCase):
     def own_threshold(self):
         return self.teacher.library.get().objects[0].min_score
 
-    def test_1_learned_is_said_only_while_the_object_is_there(self):
+    def test_1_learned_is_shown_only_while_the_object_exists(self):
         self.teach("bracket")
         self.report.wait_until_says("Learned 'bracket'")
         self.delete("bracket")
@@ -64,7 +64,7 @@ class LibraryTest(unittest.TestCase):
         self.report.wait_until_says("Ready")
         self.mouse.click_until("Undo edit", lambda: "bracket" in self.teacher.names(), "it is back")
 
-    def test_2_a_name_that_cannot_be_given_is_told_below_the_list_until_it_is_corrected(self):
+    def test_2_an_invalid_name_is_reported_below_the_list_until_it_is_corrected(self):
         self.teach("clamp")
         self.mouse.focus_window()
         self.mouse.click("library", at=FIRST)
@@ -127,7 +127,7 @@ class LibraryTest(unittest.TestCase):
         self.set_least()
         self.mouse.click_until("Undo edit", lambda: self.own_threshold() <= 0, "it has none any more")
 
-    def test_5_an_object_gets_the_threshold_of_all_again(self):
+    def test_5_an_object_gets_the_common_threshold_again(self):
         self.show_own_threshold()
         self.assertFalse(self.mouse.sees("as all"), "it has none of its own")
         self.set_least()

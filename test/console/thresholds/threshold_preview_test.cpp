@@ -12,7 +12,7 @@ mbncc_vision::DetectedObjectArray found(const std::vector<float>& scores) {
   return array;
 }
 
-TEST(ThresholdPreview, CountsWhatOtherThresholdsWouldReport) {
+TEST(ThresholdPreview, CountsDetectionsAtOtherThresholds) {
   const ThresholdPreview preview(found({0.9f, 0.6f, 0.3f}), {0.5, 0.7});
   EXPECT_EQ(preview.summary({0.2, 0.55}),
             "In this image: reported 3 (now 2), graspable 2 (now 1).");
@@ -23,7 +23,7 @@ TEST(ThresholdPreview, CountsWhatOtherThresholdsWouldReport) {
   EXPECT_NE(marks[1].level, Level::kGood);
 }
 
-TEST(ThresholdPreview, AnObjectsOwnThresholdHoldsForItAlone) {
+TEST(ThresholdPreview, AnObjectsOwnThresholdAppliesToThatObjectOnly) {
   auto array = found({0.6f, 0.6f});
   array.objects[0].name = "part";
   array.objects[1].name = "other";
@@ -42,7 +42,7 @@ TEST(ThresholdPreview, AnObjectsOwnThresholdHoldsForItAlone) {
   EXPECT_EQ(preview.summary(wanted), "In this image: reported 0 (now 1), graspable 0 (now 0).");
 }
 
-TEST(ThresholdPreview, OtherImagesDoNotCount) {
+TEST(ThresholdPreview, OtherImagesAreIgnored) {
   auto array = found({0.9f, 0.9f});
   array.objects[0].reasons = {"graspable in 1 of the last 5 images, 3 needed"};
   array.objects[1].reasons = {"older than valid_until when it was published"};
@@ -51,7 +51,7 @@ TEST(ThresholdPreview, OtherImagesDoNotCount) {
             "In this image: reported 2 (now 2), graspable 0 (now 2).");
 }
 
-TEST(ThresholdPreview, NoThresholdMakesADoubtfulOneGraspable) {
+TEST(ThresholdPreview, OtherDoubtsPreventAGraspAtAnyThreshold) {
   auto array = found({0.6f, 0.6f});
   array.objects[0].reasons = {"score 0.60 is below confirm_score"};
   array.objects[1].reasons = {"angle open (margin 1.0)"};

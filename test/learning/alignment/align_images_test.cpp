@@ -81,7 +81,7 @@ TEST(CameraShift, IsZeroWhereNothingMoved) {
             cv::Point2d());
 }
 
-TEST(CameraShift, LongerThanAllowedIsLeftAlone) {
+TEST(CameraShift, IsNotCorrectedIfItExceedsTheLimit) {
   const cv::Mat wide = test::texture({300, 260}, kTable, 20, 3, 8);
   const cv::Mat b = wide(cv::Rect(30, 30, 240, 200)), a = wide(cv::Rect(26, 30, 240, 200));
   EXPECT_EQ(alignment::estimate_shift(alignment::smooth_luminance(b),
@@ -89,7 +89,7 @@ TEST(CameraShift, LongerThanAllowedIsLeftAlone) {
             cv::Point2d());
 }
 
-TEST(AlignImages, RingNeverCountsTheRegionOrAMovedNeighbour) {
+TEST(AlignImages, TheRingExcludesTheRegionAndMovedNeighbours) {
   const test::DrawnLesson drawn = test::draw_lesson({120, 100}, {320, 240});
   cv::Mat before = drawn.lesson.before.clone();
   const cv::Rect neighbour(200, 110, 20, 20);
@@ -105,7 +105,7 @@ TEST(AlignImages, RingNeverCountsTheRegionOrAMovedNeighbour) {
   EXPECT_GT(cv::countNonZero(pair.trusted), 0.3 * pair.window.area());
 }
 
-TEST(NoiseModel, LearnsTheNoiseOfBothImages) {
+TEST(NoiseModel, EstimatesTheNoiseOfBothImages) {
   for (const double sigma : {1.5, 4.0}) {
     const cv::Mat scene(kSize, CV_32FC3, kTable);
     alignment::AlignedPair pair;
@@ -119,7 +119,7 @@ TEST(NoiseModel, LearnsTheNoiseOfBothImages) {
   }
 }
 
-TEST(NoiseModel, EdgesMayDifferMore) {
+TEST(NoiseModel, HasALargerVarianceAtEdges) {
   alignment::AlignedPair pair;
   pair.after = test::texture(kSize, kTable, 40, 3, 1.5);
   pair.before = alignment::undo_shift(pair.after, {0.25, 0.1});
@@ -132,7 +132,7 @@ TEST(NoiseModel, EdgesMayDifferMore) {
 
 // The noise affects only brightness, as after compression: a change of colour is then more
 // significant than an equal change of brightness.
-TEST(NoiseModel, KnowsWhichWayTheNoiseGoes) {
+TEST(NoiseModel, EstimatesTheCorrelationOfTheChannels) {
   cv::Mat common(kSize, CV_32FC1), own(kSize, CV_32FC3);
   cv::RNG random(7);
   random.fill(common, cv::RNG::NORMAL, 0, 4);
@@ -155,7 +155,7 @@ TEST(NoiseModel, KnowsWhichWayTheNoiseGoes) {
   EXPECT_NEAR(distance({8, 8, 8}), distance({-8, -8, -8}), 1e-3 * distance({8, 8, 8}));
 }
 
-TEST(NoiseModel, IndependentChannelsStayIndependent) {
+TEST(NoiseModel, KeepsIndependentChannelsUncorrelated) {
   const cv::Mat scene(kSize, CV_32FC3, kTable);
   alignment::AlignedPair pair;
   pair.before = floats(test::exposed(scene, 1, 1, 3));

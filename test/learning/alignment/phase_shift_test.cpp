@@ -24,7 +24,7 @@ cv::Mat noisy(const cv::Mat& image, int seed) {
 }
 
 // Tests even and odd sizes whose transform is fast, and others.
-TEST(PhaseShift, IsThatOfOpenCv) {
+TEST(PhaseShift, EqualsThatOfOpenCv) {
   for (const cv::Size size : {cv::Size(320, 240), cv::Size(225, 135), cv::Size(157, 211)}) {
     const cv::Mat wide = ground(size + cv::Size(20, 20));
     const cv::Mat before = noisy(wide(cv::Rect({10, 10}, size)), 1);
@@ -39,7 +39,7 @@ TEST(PhaseShift, IsThatOfOpenCv) {
   }
 }
 
-TEST(PhaseShift, IsUndone) {
+TEST(PhaseShift, CanBeUndone) {
   const cv::Mat before = ground({160, 120});
   const cv::Mat after = undo_shift(before, {-2.25, 1.5});
   const cv::Point2d shift = phase_shift(before, after);
@@ -50,7 +50,7 @@ TEST(PhaseShift, IsUndone) {
             0.3 * cv::norm(before(inner), after(inner), cv::NORM_L1));
 }
 
-TEST(PhaseShift, OfTheSameImageIsNone) {
+TEST(PhaseShift, IsZeroForTheSameImage) {
   const cv::Mat image = ground({160, 120});
   EXPECT_LT(cv::norm(phase_shift(image, noisy(image, 3))), 0.05);
   EXPECT_EQ(phase_shift(cv::Mat::zeros(image.size(), CV_32FC1), image), cv::Point2d());

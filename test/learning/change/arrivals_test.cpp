@@ -24,16 +24,16 @@ class ArrivalsTest : public testing::Test {
       test::image_with({}, 13), cv::Mat(test::kPlatformSize, CV_8UC1, cv::Scalar(255)));
 };
 
-TEST_F(ArrivalsTest, WhatCameIsToldFromWhatLeft) {
+TEST_F(ArrivalsTest, DistinguishesArrivalsFromDepartures) {
   const cv::Mat came = arrivals({kLeft}, {kCame}, test::map_of({kLeft, kCame}));
   EXPECT_EQ(cv::norm(came, test::map_of({kCame}), cv::NORM_INF), 0);
 }
 
-TEST_F(ArrivalsTest, TwoThatLeftDidNotCome) {
+TEST_F(ArrivalsTest, TwoDeparturesAreNoArrivals) {
   EXPECT_EQ(cv::countNonZero(arrivals({kLeft, kCame}, {}, test::map_of({kLeft, kCame}))), 0);
 }
 
-TEST_F(ArrivalsTest, WithoutAPatchThatLeftNothingCame) {
+TEST_F(ArrivalsTest, WithoutADepartureThereIsNoArrival) {
   EXPECT_EQ(cv::countNonZero(arrivals({}, {kLeft, kCame}, test::map_of({kLeft, kCame}))), 0)
       << "they are much alike, whatever they are";
 }
@@ -44,7 +44,7 @@ TEST_F(ArrivalsTest, SpecksAreNoArrivals) {
 }
 
 // An edge of the platform that is equal before and after splits a patch that lies across it.
-TEST_F(ArrivalsTest, PatchesThatAThinSeamPartsAreOne) {
+TEST_F(ArrivalsTest, PatchesSplitByAThinSeamAreOne) {
   for (const int gap : {3, 12}) {
     // One half of the departed object looks like an arrival.
     const cv::Rect half(kLeft.br().x + gap, kLeft.y, 12, 30);
@@ -53,7 +53,7 @@ TEST_F(ArrivalsTest, PatchesThatAThinSeamPartsAreOne) {
   }
 }
 
-TEST_F(ArrivalsTest, ArrivalsAreChangedPixelsAlone) {
+TEST_F(ArrivalsTest, ArrivalsContainOnlyChangedPixels) {
   // A ring whose hole is narrower than a seam.
   cv::Mat changed = test::map_of({kLeft, kCame});
   changed(cv::Rect(113, 53, 4, 4)).setTo(0);
@@ -62,7 +62,7 @@ TEST_F(ArrivalsTest, ArrivalsAreChangedPixelsAlone) {
   EXPECT_EQ(cv::countNonZero(came & ~changed), 0);
 }
 
-TEST_F(ArrivalsTest, DeparturesAreWhatLeft) {
+TEST_F(ArrivalsTest, DeparturesContainTheRemovedObject) {
   const auto bytes = [this](const std::vector<cv::Rect>& places, int seed) {
     cv::Mat image8;
     test::image_with(places, seed).convertTo(image8, CV_8U);
@@ -77,7 +77,7 @@ TEST_F(ArrivalsTest, DeparturesAreWhatLeft) {
 }
 
 // If the colours before and after are equal, the edges along the border decide.
-TEST_F(ArrivalsTest, EdgesTellWhereColoursDoNot) {
+TEST_F(ArrivalsTest, EdgesDecideIfColoursAreEqual) {
   const cv::Mat labels = cv::Mat_<int>(test::map_of({kLeft})) / 255;
   const cv::Mat bare(test::kPlatformSize, CV_32FC3, cv::Scalar::all(120));
   cv::Mat shown = bare.clone();

@@ -30,7 +30,7 @@ TEST(Exposure, IsThatOfMostPixels) {
   EXPECT_NEAR(exposure.unevenness, 1, 0.02);
 }
 
-TEST(Exposure, OneQuarterThatIsBrighterOrDarkerIsUneven) {
+TEST(Exposure, ABrighterOrDarkerQuarterMakesItUneven) {
   const cv::Mat before = test::exposed(platform(), 11);
   for (const int x : {0, 80})
     for (const int y : {0, 60})
@@ -41,13 +41,13 @@ TEST(Exposure, OneQuarterThatIsBrighterOrDarkerIsUneven) {
       }
 }
 
-TEST(Exposure, UnevennessReachesTheSurvey) {
+TEST(Exposure, TheSurveyIncludesUnevenness) {
   const cv::Mat before = test::exposed(platform(), 11);
   EXPECT_GT(survey_change(before, lit({0, 0, 80, 60}, 0.7)).unevenness, 1.35);
   EXPECT_LT(survey_change(before, lit({0, 0, 160, 120}, 0.7)).unevenness, 1.05);
 }
 
-TEST(Exposure, DarkAndSaturatedPixelsSayNothing) {
+TEST(Exposure, IgnoresDarkAndSaturatedPixels) {
   cv::Mat before = test::exposed(platform(), 11), after = test::exposed(platform() * 0.8, 12);
   for (const int value : {4, 255}) {
     cv::Mat b = before.clone(), a = after.clone();
@@ -58,7 +58,7 @@ TEST(Exposure, DarkAndSaturatedPixelsSayNothing) {
   }
 }
 
-TEST(Exposure, FewPixelsTellNone) {
+TEST(Exposure, IsNotEstimatedFromFewPixels) {
   cv::Mat before(kSize, CV_8UC3, cv::Scalar::all(255)), after = before.clone();
   before(cv::Rect(0, 0, 16, 16)).setTo(cv::Scalar::all(200));
   after(cv::Rect(0, 0, 16, 16)).setTo(cv::Scalar::all(100));

@@ -44,12 +44,12 @@ TEST_P(Nudge, IsRecognised) {
 INSTANTIATE_TEST_SUITE_P(MovedNeighbour, Nudge,
                          testing::Values(cv::Point(6, 0), cv::Point(-4, 8), cv::Point(5, -3)));
 
-TEST(MovedNeighbour, WhatLeftIsNone) {
+TEST(MovedNeighbour, ADepartureIsNoMovedNeighbour) {
   const cv::Mat platform = test::texture(kSize, cv::Scalar(105, 115, 120), 6, 1);
   EXPECT_LT(part_moved(scene_with(kThing), platform), 0.02);
 }
 
-TEST(MovedNeighbour, WhatMovedFarIsNone) {
+TEST(MovedNeighbour, AnObjectThatMovedFarIsNoMovedNeighbour) {
   EXPECT_LT(part_moved(scene_with(kThing), scene_with(kThing + cv::Point(80, 60))), 0.02);
 }
 

@@ -19,15 +19,15 @@ class PlatformLikeness : public testing::Test {
   const cv::Mat map_ = test::wedge_map(size_, {80, 60});
 };
 
-TEST_F(PlatformLikeness, NearOneWhereOnlyTheTextureMoved) {
+TEST_F(PlatformLikeness, IsNearOneIfOnlyTheTextureMoved) {
   EXPECT_GT(of(test::texture(size_, cv::Scalar(105, 115, 120), 14, 9)), 0.8);
 }
 
-TEST_F(PlatformLikeness, NearZeroOfAnotherColour) {
+TEST_F(PlatformLikeness, IsNearZeroForAnotherColour) {
   EXPECT_LT(of(test::texture(size_, cv::Scalar(60, 90, 190), 14, 9)), 0.05);
 }
 
-TEST_F(PlatformLikeness, ThePartThatShowsThePlatform) {
+TEST_F(PlatformLikeness, EqualsThePartThatShowsThePlatform) {
   cv::Mat before = platform_.clone();
   const cv::Mat object = test::texture(size_, cv::Scalar(60, 90, 190), 14, 9);
   const cv::Rect half(80, 0, 80, 120);

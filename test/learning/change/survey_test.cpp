@@ -25,7 +25,7 @@ ChangeSurvey survey_of(double step, double noise) {
                        test::exposed(patched, 12, 1, noise));
 }
 
-TEST(Survey, ThePartThatChangedIsTold) {
+TEST(Survey, MeasuresTheChangedFraction) {
   const double part = kPlace.area() / static_cast<double>(kSize.area());
   EXPECT_NEAR(survey_of(40, 2).fraction, part, 0.1 * part);
   EXPECT_EQ(survey_of(0, 2).fraction, 0);
@@ -36,7 +36,7 @@ TEST(Survey, NoiseIsNoChange) {
   EXPECT_LT(survey_of(0, 2).fraction, 0.001);
 }
 
-TEST(Survey, ASureChangeIsSeenInAnyNoise) {
+TEST(Survey, AStrongChangeIsDetectedAtAnyNoise) {
   const double part = kPlace.area() / static_cast<double>(kSize.area());
   const ChangeSurvey survey = survey_of(40, 8);
   EXPECT_TRUE(survey.noisy);
@@ -44,7 +44,7 @@ TEST(Survey, ASureChangeIsSeenInAnyNoise) {
   EXPECT_FALSE(survey_of(40, 2).noisy);
 }
 
-TEST(Survey, ABlackLevelOfManyGreyLevelsIsAChangedLight) {
+TEST(Survey, ALargeBlackLevelCountsAsChangedLight) {
   const cv::Mat before = test::exposed(platform(), 11);
   EXPECT_GT(survey_change(before, test::exposed(platform() - cv::Scalar::all(40), 12)).exposure,
             1.4);

@@ -25,14 +25,14 @@ cv::Mat noisy(const cv::Mat& image, double sigma, int seed) {
   return image + noise;
 }
 
-TEST(TextureChange, ContrastKnowsAGainAndNoOffset) {
+TEST(TextureChange, ContrastDependsOnTheGainAndNotOnTheOffset) {
   const cv::Mat before = grey(120, 15);
   EXPECT_NEAR(texture_change(before, before * 0.8, kWhite).contrast, 1 / 0.8, 0.01);
   EXPECT_NEAR(texture_change(before, before - 20, kWhite).contrast, 1, 0.01);
   EXPECT_DOUBLE_EQ(texture_change(before, before * 0.8, kWhite).displaced, 0);
 }
 
-TEST(TextureChange, NoiseAddsNoContrastWhereThereIsEnoughOfIt) {
+TEST(TextureChange, NoiseAddsNoContrastToStrongTexture) {
   // One half has strong texture under half of the light, the other so little that noise resembles
   // it.
   cv::Mat before = grey(100, 5.5, 1, 1.5), after = before * 0.5;
@@ -41,7 +41,7 @@ TEST(TextureChange, NoiseAddsNoContrastWhereThereIsEnoughOfIt) {
   EXPECT_NEAR(texture_change(noisy(before, 3, 3), noisy(after, 3, 4), kWhite).contrast, 2, 0.15);
 }
 
-TEST(TextureChange, ContrastIsNotReadNearWhite) {
+TEST(TextureChange, ContrastIgnoresPixelsNearWhite) {
   // A brighter lamp reduces the contrast of bright areas and increases that of others.
   cv::Mat before = grey(120, 12), after;
   before(cv::Rect(40, 0, 120, 120)) += 90;
@@ -52,14 +52,14 @@ TEST(TextureChange, ContrastIsNotReadNearWhite) {
   EXPECT_NEAR(texture_change(before, after, kWhite).contrast, gain, 0.05);
 }
 
-TEST(TextureChange, WhiteOfTheImageAfterIsAsBrightAsItWasMade) {
+TEST(TextureChange, ContrastIgnoresPixelsClippedInTheImageAfter) {
   // Clipped in the image after and then darkened, so that it no longer appears white.
   const cv::Mat before = grey(170, 15);
   const cv::Mat clipped = cv::min(before * 1.4, kWhite) / 1.4;
   EXPECT_DOUBLE_EQ(texture_change(before, clipped, kWhite / 1.4).contrast, 1) << "nothing is told";
 }
 
-TEST(TextureChange, FewSquaresTellNoContrast) {
+TEST(TextureChange, ContrastIsNotEstimatedFromFewSquares) {
   cv::Mat before(kSize, CV_32FC1, cv::Scalar(120)), after = before.clone();
   const cv::Rect patch(60, 40, 24, 24);
   grey(120, 15)(patch).copyTo(before(patch));
@@ -67,11 +67,11 @@ TEST(TextureChange, FewSquaresTellNoContrast) {
   EXPECT_DOUBLE_EQ(texture_change(before, after, kWhite).contrast, 1);
 }
 
-TEST(TextureChange, TextureThatMovedIsDisplaced) {
+TEST(TextureChange, MovedTextureIsDisplaced) {
   EXPECT_GT(texture_change(grey(120, 15, 1), grey(120, 15, 2), kWhite).displaced, 0.7);
 }
 
-TEST(TextureChange, WhatStaysInOneImageStays) {
+TEST(TextureChange, TextureInOnlyOneImageIsNotDisplaced) {
   // If an object is removed from a plain table, its texture disappears with it.
   cv::Mat after(kSize, CV_32FC1, cv::Scalar(120));
   grey(120, 15)(cv::Rect(0, 90, 160, 30)).copyTo(after(cv::Rect(0, 90, 160, 30)));

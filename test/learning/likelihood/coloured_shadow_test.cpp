@@ -27,7 +27,7 @@ double shadow_part(const cv::Scalar& colour, const cv::Scalar& platform) {
   return cv::countNonZero(shadow) / static_cast<double>(shadow.total());
 }
 
-TEST(ColouredShadow, HasThePlatformsColourInLessLight) {
+TEST(ColouredShadow, HasTheColourOfTheDarkerPlatform) {
   EXPECT_EQ(shadow_part(kCloth * 0.5, kCloth), 1);
   EXPECT_EQ(shadow_part(kCloth * 0.5 + cv::Scalar(4, -4, 8), kCloth), 1) << "with a tint";
   EXPECT_EQ(shadow_part(kCloth, kCloth), 0) << "nothing changed";
@@ -37,7 +37,7 @@ TEST(ColouredShadow, HasThePlatformsColourInLessLight) {
   EXPECT_EQ(shadow_part({30, 40, 120}, kCloth), 0) << "another hue";
 }
 
-TEST(ColouredShadow, CannotBeToldOnGrey) {
+TEST(ColouredShadow, IsNotDetectedOnGrey) {
   EXPECT_EQ(shadow_part(kGrey * 0.5, kGrey), 0);
   EXPECT_EQ(shadow_part(kGrey * 0.5 + cv::Scalar(1, 0, -1), kGrey + cv::Scalar(2, 0, -2)), 0)
       << "its colour is hardly more than noise";

@@ -31,25 +31,25 @@ cv::Mat faint(const cv::Mat& unchanged, const cv::Mat& shaded, double brightness
 
 const cv::Rect kPatch(40, 30, 30, 30), kGap(40, 30, 30, 4);
 
-TEST(FaintChange, AWidePatchShows) {
+TEST(FaintChange, AWidePatchIsDetected) {
   const cv::Mat patch = distances(kPatch, 1.2F), found = faint(patch, patch, 45);
   EXPECT_GT(cv::countNonZero(found(kPatch)), 0.7 * kPatch.area());
   EXPECT_LT(cv::countNonZero(found) - cv::countNonZero(found(kPatch)), 0.15 * kPatch.area());
 }
 
-TEST(FaintChange, NoiseAndShadowsAreNone) {
+TEST(FaintChange, NoiseAndShadowsAreNoFaintChange) {
   const cv::Mat none = distances(kPatch, 0), patch = distances(kPatch, 1.2F);
   EXPECT_EQ(cv::countNonZero(faint(none, none, 45)), 0);
   EXPECT_EQ(cv::countNonZero(faint(patch, none, 45)), 0);
 }
 
-TEST(FaintChange, NarrowOnesAndThoseOfBrightImagesAreLeftToTheirPixels) {
+TEST(FaintChange, IsNotDetectedInNarrowPatchesAndBrightImages) {
   const cv::Mat gap = distances(kGap, 1.2F), patch = distances(kPatch, 1.2F);
   EXPECT_LT(cv::countNonZero(faint(gap, gap, 45)), 0.2 * kGap.area());
   EXPECT_EQ(cv::countNonZero(faint(patch, patch, 200)), 0);
 }
 
-TEST(FaintChange, ADimLessonIsLearnedAsAWhole) {
+TEST(FaintChange, TheWholeObjectOfADimLessonIsLearned) {
   test::DrawnLesson drawn = test::draw_lesson();
   drawn.lesson.before = test::exposed(drawn.scene, 11, 0.4, 8);
   drawn.lesson.after = test::exposed(drawn.platform, 12, 0.4, 8);

@@ -56,7 +56,7 @@ struct Scene {
   }
 };
 
-TEST(GradualLight, SoftShadowAndReflectionAreReachedTheObjectIsNot) {
+TEST(GradualLight, ReachesSoftShadowsAndReflectionsButNotTheObject) {
   for (const double part : {0.8, 1.2}) {
     const Scene scene(light(part, 9));
     EXPECT_GT(scene.reached(kPatch), 0.9) << part;
@@ -64,19 +64,19 @@ TEST(GradualLight, SoftShadowAndReflectionAreReachedTheObjectIsNot) {
   }
 }
 
-TEST(GradualLight, ASharpEdgeKeepsOutUnlessItsShadowLeavesTextureVisible) {
+TEST(GradualLight, ASharpEdgeStopsItUnlessTextureStaysVisible) {
   const Scene scene(light(0.7, 1));
   EXPECT_EQ(scene.reached(kPatch), 0);
   EXPECT_GT(scene.reached(kPatch, kTextureVisible), 0.9);
   EXPECT_EQ(Scene(light(1.3, 1)).reached(kPatch, kTextureVisible), 0) << "no shadow is brighter";
 }
 
-TEST(GradualLight, AFaintObjectAloneIsNotReached) {
+TEST(GradualLight, DoesNotReachASingleFaintObject) {
   const Scene scene(light(1, 1), {115, 125, 135});
   EXPECT_EQ(scene.reached(kObject), 0);
 }
 
-TEST(GradualLight, NarrowGapsInAnEdgeLetNothingThrough) {
+TEST(GradualLight, DoesNotPassNarrowGapsInAnEdge) {
   cv::Mat heights = cv::Mat::zeros(kSize, CV_32FC1);
   cv::rectangle(heights, kPatch, cv::Scalar(10), 3);
   heights(cv::Rect(70, 36, 4, 10)).setTo(0);
@@ -87,7 +87,7 @@ TEST(GradualLight, NarrowGapsInAnEdgeLetNothingThrough) {
 }
 
 // The lowest barrier on the best path, computed by hand.
-TEST(GradualLight, BarrierIsTheLowestPass) {
+TEST(GradualLight, TheBarrierIsThatOfTheLowestPath) {
   cv::Mat heights = cv::Mat::zeros(9, 9, CV_32FC1);
   cv::rectangle(heights, {2, 2, 5, 5}, cv::Scalar(8), 1);
   heights.at<float>(2, 4) = 3;

@@ -31,7 +31,7 @@ TEST(LineEvidence, BridgesAPixelThatLooksLikePlatform) {
   EXPECT_GT(line_evidence(preference).parts.at<float>(30, 40), 1);
 }
 
-TEST(LineEvidence, GapsArePartsOfTheOtherSide) {
+TEST(LineEvidence, GapsEqualThePartsOfTheOtherSide) {
   const cv::Mat part = drawn({20, 30}, {60, 30}, 3, 2);
   const cv::Rect inner(20, 15, 40, 30);  // beyond the image there is platform, for both sides
   const cv::Mat difference = line_evidence(-part).gaps(inner) - line_evidence(part).parts(inner);
@@ -39,19 +39,19 @@ TEST(LineEvidence, GapsArePartsOfTheOtherSide) {
   EXPECT_EQ(line_evidence(part).gaps.at<float>(30, 40), kNone);
 }
 
-TEST(LineEvidence, NothingOnPlatformAndWithinWideParts) {
+TEST(LineEvidence, FindsNoLinesOnThePlatformOrWithinWideParts) {
   const cv::Mat lines = line_evidence(drawn({20, 30}, {60, 30}, 25, 2)).parts;
   EXPECT_EQ(lines.at<float>(30, 40), kNone);
   EXPECT_LT(lines.at<float>(5, 5), 0);
 }
 
-TEST(LineEvidence, NoPixelCountsMuch) {
+TEST(LineEvidence, LimitsTheInfluenceOfOnePixel) {
   cv::Mat preference(60, 80, CV_32FC1, cv::Scalar(-2));
   preference.at<float>(30, 40) = 1000;
   EXPECT_LT(line_evidence(preference).parts.at<float>(30, 40), 0);
 }
 
-TEST(LineEvidence, SmallAndBorderedImagesHaveTheirOwnSize) {
+TEST(LineEvidence, KeepsTheSizeOfSmallAndBorderedImages) {
   for (const cv::Size size : {cv::Size(1, 1), cv::Size(3, 40), cv::Size(5, 5)}) {
     const LineEvidence lines = line_evidence(cv::Mat::ones(size, CV_32FC1));
     for (const cv::Mat& one : {lines.parts, lines.gaps}) {

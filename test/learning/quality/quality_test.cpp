@@ -38,7 +38,7 @@ cv::Mat disc_map(cv::Size size, cv::Point centre, int radius) {
   return map;
 }
 
-TEST(Quality, OfAGoodMap) {
+TEST(Quality, IsGoodForAGoodMap) {
   const DrawnLesson drawn = draw_lesson();
   const Quality quality = quality_of(drawn.lesson.before, drawn.truth);
   EXPECT_EQ(quality.verdict, Verdict::kGood);
@@ -74,7 +74,7 @@ TEST(Quality, ADiscFillsItsExcircle) {
 }
 
 // Each signal raises the risk; the limits are those of the verdict.
-TEST(Quality, TheOutlinesProbabilityFollowsTheCutsSignals) {
+TEST(Quality, TheSignalsOfTheCutLowerTheOutlineProbability) {
   const DrawnLesson drawn = draw_lesson();
   const ObjectModel object = model_of(drawn.lesson.before, drawn.truth);
   const auto judged = [&](const CutEvidence& evidence) {
@@ -101,7 +101,7 @@ TEST(Quality, TheOutlinesProbabilityFollowsTheCutsSignals) {
   EXPECT_TRUE(has_reason(judged(unverified), "little_of_region"));
 }
 
-TEST(Quality, ShiftedMapLosesItsEdges) {
+TEST(Quality, AShiftedMapHasLessEdgeSupport) {
   const DrawnLesson drawn = draw_lesson();
   cv::Mat shifted = cv::Mat::zeros(drawn.truth.size(), CV_8UC1);
   drawn.truth(cv::Rect(0, 0, 200, 160)).copyTo(shifted(cv::Rect(40, 40, 200, 160)));
@@ -110,7 +110,7 @@ TEST(Quality, ShiftedMapLosesItsEdges) {
 }
 
 // The twin will be found as well; this is reported, but it is not a fault of the map.
-TEST(Quality, ATwinInTheImageIsNoted) {
+TEST(Quality, ASecondObjectOfTheSameLookIsReported) {
   DrawnLesson drawn = draw_lesson({60, 60}, {320, 240});
   cv::Mat twin = drawn.lesson.before(cv::Rect(10, 20, 100, 80)).clone();
   twin.copyTo(drawn.lesson.before(cv::Rect(180, 130, 100, 80)));
@@ -121,7 +121,7 @@ TEST(Quality, ATwinInTheImageIsNoted) {
       has_reason(quality_of(draw_lesson().lesson.before, draw_lesson().truth), "not_distinct"));
 }
 
-TEST(Quality, SymmetriesAreNotedButNoFault) {
+TEST(Quality, SymmetriesAreReportedButNoFault) {
   const cv::Size size(240, 200);
   cv::Mat image = test::exposed(test::texture(size, cv::Scalar(110, 110, 110), 10, 5), 6);
   // A bar whose right half is its left half rotated by 180 degrees.
@@ -138,7 +138,7 @@ TEST(Quality, SymmetriesAreNotedButNoFault) {
 }
 
 // The disc's mark shows its angle: the near symmetry is reported, but not used.
-TEST(Quality, NearSymmetriesAreProposedUntilTheyAreDeclared) {
+TEST(Quality, NearSymmetriesAreProposedUntilDeclared) {
   const cv::Size size(240, 200);
   cv::Mat scene(size, CV_32FC3, cv::Scalar::all(110)), map = disc_map(size, {120, 100}, 40);
   scene.setTo(cv::Scalar(60, 90, 190), map);

@@ -49,7 +49,7 @@ class VerdictTest : public testing::Test {
   const SearchConfig search_;
 };
 
-TEST_F(VerdictTest, WhatNothingSpeaksAgainstIsGood) {
+TEST_F(VerdictTest, AMapWithoutDoubtsIsGood) {
   const Quality quality = decided(sound());
   EXPECT_EQ(quality.verdict, Verdict::kGood);
   EXPECT_TRUE(quality.reasons.empty());
@@ -57,7 +57,7 @@ TEST_F(VerdictTest, WhatNothingSpeaksAgainstIsGood) {
   EXPECT_EQ(teaching::error_of(quality), LearnError::kSuccess);
 }
 
-TEST_F(VerdictTest, ARiskOfAFifthIsNotGoodAndOneOfAHalfIsBad) {
+TEST_F(VerdictTest, RiskAboveAFifthIsNotGoodAndAboveAHalfIsBad) {
   for (double stability = 1; stability > 0; stability -= 0.01) {
     const double risk = risk_with(stable(stability));
     const Verdict expected = risk > 0.5   ? Verdict::kBad
@@ -68,7 +68,7 @@ TEST_F(VerdictTest, ARiskOfAFifthIsNotGoodAndOneOfAHalfIsBad) {
   EXPECT_GT(risk_with(stable(0)), 0.9);
 }
 
-TEST_F(VerdictTest, EverySignalIsARisk) {
+TEST_F(VerdictTest, EverySignalRaisesTheRisk) {
   const double usual = risk_with({});
   EXPECT_LT(usual, 0.1);
   EXPECT_GT(risk_with(stable(0.8)), usual + 0.15);
@@ -93,7 +93,7 @@ TEST_F(VerdictTest, EverySignalIsARisk) {
   EXPECT_GT(1 - decided(off_edges, unverified).outline_probability, risk_with(unverified) + 0.3);
 }
 
-TEST_F(VerdictTest, WhatTheCutTellsIsNotGood) {
+TEST_F(VerdictTest, WarningsOfTheCutPreventGood) {
   CutEvidence touch, outside, beside, several, unverified;
   touch.cut_off = 0.04;
   several.second_departure = 0.51;
@@ -110,7 +110,7 @@ TEST_F(VerdictTest, WhatTheCutTellsIsNotGood) {
   EXPECT_EQ(verdict_with(outside), Verdict::kBad);
 }
 
-TEST_F(VerdictTest, WhatLooksLikeAShadowHasToLieInsideTheRegion) {
+TEST_F(VerdictTest, AShadowMustLieInsideTheRegion) {
   CutEvidence evidence;
   evidence.region_touch = 0.06;
   EXPECT_EQ(verdict_with(evidence), Verdict::kGood);
@@ -137,7 +137,7 @@ TEST_F(VerdictTest, SmallObjectsWarnAndSmallerOnesAreRefused) {
   EXPECT_EQ(teaching::error_of(decided(quality)), LearnError::kTooSmall);
 }
 
-TEST_F(VerdictTest, APlainSurfaceCountsIfTheObjectIsNotFoundAgain) {
+TEST_F(VerdictTest, APlainSurfaceIsNamedIfTheObjectIsNotFoundAgain) {
   Quality quality = sound();
   quality.contrast = 1;
   EXPECT_EQ(verdict_of(quality), Verdict::kGood);
@@ -147,7 +147,7 @@ TEST_F(VerdictTest, APlainSurfaceCountsIfTheObjectIsNotFoundAgain) {
   EXPECT_EQ(teaching::error_of(decided(quality)), LearnError::kNotDistinct);
 }
 
-TEST_F(VerdictTest, WhatIsNotFoundAgainIsRefused) {
+TEST_F(VerdictTest, AnObjectThatIsNotFoundAgainIsRefused) {
   Quality quality = sound();
   quality.self_score = search_.confirm_score - 0.01;
   EXPECT_EQ(verdict_of(quality), Verdict::kMarginal);
@@ -156,7 +156,7 @@ TEST_F(VerdictTest, WhatIsNotFoundAgainIsRefused) {
   EXPECT_EQ(teaching::error_of(decided(quality)), LearnError::kNotDistinct);
 }
 
-TEST_F(VerdictTest, WhatLooksTheSameIsToldFromSeventyPercentOn) {
+TEST_F(VerdictTest, ALookAlikeIsReportedAboveSeventyPercent) {
   Quality quality = sound();
   for (const double runner_up : {0.69, 0.71}) {
     quality.runner_up = runner_up;
@@ -167,7 +167,7 @@ TEST_F(VerdictTest, WhatLooksTheSameIsToldFromSeventyPercentOn) {
   }
 }
 
-TEST_F(VerdictTest, WhatRefusesGoesBeforeWarningsAndTheyDoNotSoftenIt) {
+TEST_F(VerdictTest, RefusalsPrecedeWarnings) {
   CutEvidence outside = stable(1);
   outside.change_outside = 0.6;  // refuses
   outside.cut_off = 0.2;         // warns before

@@ -98,7 +98,7 @@ DrawnLesson draw_faint_hook() {
   return drawn;
 }
 
-TEST(ChangeCut, TheObjectIsCutOffWhereItContinuesNotWhereAShadowDoes) {
+TEST(ChangeCut, CutOffGrowsWithTheCutObjectAndNotWithItsShadow) {
   DrawnLesson drawn = draw_lesson();
   cv::Rect& region = drawn.lesson.region;
   region = cv::boundingRect(drawn.truth);
@@ -117,7 +117,7 @@ TEST(ChangeCut, AThinFaintHookIsKept) {
 }
 
 // A correction of the map must not worsen the verdict.
-TEST(ChangeCut, StrokesAreEvidence) {
+TEST(ChangeCut, StrokesImproveTheEvidence) {
   const DrawnLesson drawn = draw_faint_hook();
   const ChangeCut first = cut(drawn.lesson);
   cv::Mat beside, include = drawn.truth.clone();
@@ -130,7 +130,7 @@ TEST(ChangeCut, StrokesAreEvidence) {
 }
 
 // Pixels just outside are included about as often as pixels just inside are left out.
-TEST(ChangeCut, TheOutlineIsNeitherInsideNorOutside) {
+TEST(ChangeCut, TheOutlineIsUnbiased) {
   const DrawnLesson drawn = draw_lesson();
   const cv::Mat map = cut(drawn.lesson).map;
   const int added = cv::countNonZero(map & ~drawn.truth);
@@ -151,7 +151,7 @@ TEST(ChangeCut, HolesShowThePlatform) {
 }
 
 // If the object is put aside inside the region, its new place must not be added to the map.
-TEST(ChangeCut, TheNewPlaceIsNotTheObject) {
+TEST(ChangeCut, TheNewPlaceIsNotPartOfTheMap) {
   DrawnLesson drawn = draw_lesson({80, 100}, {320, 240});
   const cv::Mat elsewhere = test::wedge_map({320, 240}, {220, 120});
   cv::Mat scene = drawn.platform.clone();

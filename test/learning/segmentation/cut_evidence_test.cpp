@@ -62,22 +62,22 @@ class CutEvidenceTest : public testing::Test {
   cv::Mat changed_ = cv::Mat_<float>(map_of(kObject)) / 255;
 };
 
-TEST_F(CutEvidenceTest, ASureCutStaysAsItIs) {
+TEST_F(CutEvidenceTest, AClearCutIsStable) {
   prefer(8, -8);
   EXPECT_GT(evidence().stability, 0.95);
 }
 
-TEST_F(CutEvidenceTest, ACutThatALittleLessBalanceLosesIsUnstable) {
+TEST_F(CutEvidenceTest, ACutLostAtSlightlyLowerBalanceIsUnstable) {
   prefer(1, -8);
   EXPECT_LT(evidence().stability, 0.1);
 }
 
-TEST_F(CutEvidenceTest, ACutThatALittleMoreBalanceSpreadsIsUnstable) {
+TEST_F(CutEvidenceTest, ACutThatSpreadsAtSlightlyHigherBalanceIsUnstable) {
   prefer(8, -1);
   EXPECT_LT(evidence().stability, 0.3);
 }
 
-TEST_F(CutEvidenceTest, ChangeThatIsNotTheMapsIsTold) {
+TEST_F(CutEvidenceTest, MeasuresChangeOutsideTheMap) {
   prefer(8, -8);
   EXPECT_EQ(evidence().change_outside, 0);
   EXPECT_EQ(evidence().change_beside, 0);
@@ -89,7 +89,7 @@ TEST_F(CutEvidenceTest, ChangeThatIsNotTheMapsIsTold) {
   EXPECT_EQ(evidence().change_outside, 0) << "not surely";
 }
 
-TEST_F(CutEvidenceTest, AMapAtItsRegionsEdgeIsTold) {
+TEST_F(CutEvidenceTest, MeasuresHowMuchTheMapTouchesTheRegionsEdge) {
   const cv::Mat inside = map_of(kRegion);
   EXPECT_EQ(region_touch(map_of(kObject), inside), 0);
   EXPECT_EQ(region_touch(map_of(kRegion), inside), 1);
@@ -97,7 +97,7 @@ TEST_F(CutEvidenceTest, AMapAtItsRegionsEdgeIsTold) {
   EXPECT_NEAR(region_touch(map_of({10, 20, 20, 20}), inside), 0.28, 0.03);
 }
 
-TEST_F(CutEvidenceTest, AnObjectThatTheRegionCutsOffIsTold) {
+TEST_F(CutEvidenceTest, MeasuresHowMuchTheRegionCutsOff) {
   prefer(8, -8);
   region_ = cv::Rect(10, 10, kObject.br().x - 10, 40);  // ends where the object does
   EXPECT_EQ(evidence().cut_off, 0) << "it ends there, too";
@@ -111,7 +111,7 @@ TEST_F(CutEvidenceTest, AnObjectThatTheRegionCutsOffIsTold) {
   EXPECT_NEAR(evidence().cut_off, kObject.width / 96., 0.07) << "it may lie below an intruder";
 }
 
-TEST_F(CutEvidenceTest, AnOutlineThatCostsNothingFollowsEdges) {
+TEST_F(CutEvidenceTest, BoundaryContrastGrowsAsTheOutlineCostFalls) {
   prefer(8, -8);
   EXPECT_NEAR(evidence().boundary_contrast, 0, 1e-6);
   for (auto& weights : smoothness_.weights) weights *= 0.25;
@@ -123,7 +123,7 @@ TEST(MapMeasures, TheOutlineIsTheOutermostPixels) {
   EXPECT_EQ(cv::countNonZero(outline_pixels(map_of({0, 0, 80, 60}))), 2 * 80 + 2 * 60 - 4);
 }
 
-TEST(MapMeasures, EveryBorderIsOne) {
+TEST(MapMeasures, DetectContactWithEveryBorder) {
   EXPECT_FALSE(touches_border(map_of({1, 1, 78, 58})));
   for (const cv::Rect& place :
        {cv::Rect(0, 20, 5, 5), {75, 20, 5, 5}, {20, 0, 5, 5}, {20, 55, 5, 5}})

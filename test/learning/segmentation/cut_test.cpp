@@ -57,7 +57,7 @@ double least_energy(const cv::Mat& unary, const segmentation::Smoothness& smooth
   return least;
 }
 
-TEST(Smoothness, ARimIsFreeAndTheRestAsBefore) {
+TEST(Smoothness, TheRimIsFreeAndTheRestUnchanged) {
   cv::RNG random(3);
   const cv::Size size(9, 8);
   const cv::Mat nothing = cv::Mat::zeros(size, CV_8UC1), even = cv::Mat::zeros(size, CV_32FC1);
@@ -139,7 +139,7 @@ TEST(GraphCut, ATiltedCutIsTheCutOfTheTiltedPreferences) {
     }
 }
 
-TEST(ColourMixture, PrefersItsOwnColours) {
+TEST(ColourMixture, GivesItsOwnColoursTheHighestDensity) {
   const cv::Size size(60, 60);
   cv::Mat image = test::texture(size, cv::Scalar(40, 60, 200), 5, 1);
   test::texture(size, cv::Scalar(200, 60, 40), 5, 2)(cv::Rect(0, 0, 30, 60))
@@ -171,7 +171,7 @@ TEST(ColourMixture, OfTooFewPixelsIsEmpty) {
   EXPECT_EQ(mixture.density({1, 2, 3}), 0);
 }
 
-TEST(ArrivalTest, TellsTheNewPlaceFromTheOldOne) {
+TEST(ArrivalTest, DistinguishesTheNewPlaceFromTheOldOne) {
   const cv::Size size(200, 120);
   const cv::Mat platform = test::texture(size, cv::Scalar(105, 115, 120), 12, 1);
   const cv::Rect left(30, 40, 40, 40), right(130, 40, 40, 40);
@@ -187,7 +187,7 @@ TEST(ArrivalTest, TellsTheNewPlaceFromTheOldOne) {
   EXPECT_EQ(cv::countNonZero(arrivals), right.area());
 }
 
-TEST(ArrivalTest, WhatLeftOutweighsWhatMayHaveArrived) {
+TEST(ArrivalTest, DeparturesOutweighPossibleArrivals) {
   const cv::Size size(320, 200);
   const cv::Mat platform = test::texture(size, cv::Scalar(105, 115, 120), 16, 1, 1.2);
   const cv::Rect left(30, 40, 40, 40), right(130, 40, 40, 40), gripper(220, 0, 100, 60);
@@ -216,7 +216,7 @@ TEST(CleanMap, KeepsNearAndLargePiecesOnly) {
   EXPECT_EQ(cv::countNonZero(map(far)), 0);
 }
 
-TEST(CleanMap, KeepsASmallGroupThatIsWanted) {
+TEST(CleanMap, KeepsAMarkedSmallGroup) {
   cv::Mat map = cv::Mat::zeros(60, 60, CV_8UC1), wanted = map.clone();
   map(cv::Rect(5, 5, 30, 30)).setTo(255);
   map(cv::Rect(50, 50, 5, 5)).setTo(255);
@@ -226,7 +226,7 @@ TEST(CleanMap, KeepsASmallGroupThatIsWanted) {
   EXPECT_EQ(cv::norm(map, all, cv::NORM_INF), 0);
 }
 
-TEST(CleanMap, SpecksGoAndThinPartsStay) {
+TEST(CleanMap, RemovesSpecksAndKeepsThinParts) {
   cv::Mat map = cv::Mat::zeros(30, 40, CV_8UC1);
   cv::line(map, {5, 5}, {14, 14}, cv::Scalar(255));
   const cv::Mat thin = map.clone();

@@ -38,20 +38,20 @@ double mean_on(const cv::Mat& votes, const cv::Rect& area) {
   return cv::mean(votes(cv::Rect(area.tl() + cv::Point(3, 3), area.br() - cv::Point(3, 3))))[0];
 }
 
-TEST(ExclusionVotes, WhatLooksLikeTheStrokeLeaves) {
+TEST(ExclusionVotes, ExcludePixelsThatLookLikeTheStroke) {
   const cv::Mat votes = exclusion_votes(drawn_cut(), mask_of(kStroke));
   EXPECT_GT(mean_on(votes, kShaded), 3);
   EXPECT_LT(mean_on(votes, kRed), -3);
 }
 
-TEST(ExclusionVotes, ADotIsEnough) {
+TEST(ExclusionVotes, WorkWithASingleDot) {
   const cv::Mat votes = exclusion_votes(drawn_cut(), mask_of({20, 24, 1, 1}));
   EXPECT_GT(mean_on(votes, kShaded), 3);
   EXPECT_LT(mean_on(votes, kRed), -3);
 }
 
 // An ambiguous appearance: a grey between those of the stroke and the object.
-TEST(ExclusionVotes, OutermostPixelsAreDoubtedMore) {
+TEST(ExclusionVotes, ExcludeOutermostPixelsMoreReadily) {
   CutImages cut = drawn_cut();
   const cv::Rect grey(10, 32, 20, 8);  // beyond the map's edge at 15 as well
   test::texture(grey.size(), cv::Scalar(30, 45, 100), 4, 5).copyTo(cut.before(grey));
@@ -61,14 +61,14 @@ TEST(ExclusionVotes, OutermostPixelsAreDoubtedMore) {
   EXPECT_GT(outermost, inside + 1);
 }
 
-TEST(ExclusionVotes, ConcernTheMapAlone) {
+TEST(ExclusionVotes, AreLimitedToTheMap) {
   const CutImages cut = drawn_cut();
   const cv::Mat votes = exclusion_votes(cut, mask_of(kStroke));
   EXPECT_EQ(cv::norm(votes, cv::NORM_INF, ~cut.map), 0);
   EXPECT_LE(cv::norm(votes, cv::NORM_INF), 10);
 }
 
-TEST(ExclusionVotes, NoneWithoutAStrokeOrWithoutARest) {
+TEST(ExclusionVotes, AreZeroWithoutAStrokeOrAnyRemainingMap) {
   const CutImages cut = drawn_cut();
   EXPECT_EQ(cv::norm(exclusion_votes(cut, mask_of({})), cv::NORM_INF), 0);
   EXPECT_EQ(cv::norm(exclusion_votes(cut, cut.map), cv::NORM_INF), 0);

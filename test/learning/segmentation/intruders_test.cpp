@@ -45,7 +45,7 @@ INSTANTIATE_TEST_SUITE_P(Places, Gripper,
                                          std::vector<cv::Rect>{{110, 0, 24, 95}},
                                          std::vector<cv::Rect>{{90, 0, 12, 90}, {120, 0, 12, 90}}));
 
-TEST(Intruders, WhatTouchesTheObjectIsToldToTheVerdict) {
+TEST(Intruders, ContactWithTheObjectIsReportedToTheVerdict) {
   EXPECT_GT(Intrusion({{0, 90, 110, 20}}).cut.evidence.region_touch, 0.04);
   EXPECT_EQ(Intrusion({{0, 10, 110, 20}}).cut.evidence.region_touch, 0);
 }
@@ -65,19 +65,19 @@ class FindIntruders : public testing::Test {
       test::image_with({}, 13), cv::Mat(test::kPlatformSize, CV_8UC1, cv::Scalar(255)));
 };
 
-TEST_F(FindIntruders, AreWhatCame) {
+TEST_F(FindIntruders, FindsArrivals) {
   const cv::Mat found =
       intruders({}, {arm_}, test::map_of({arm_}), test::map_of({cv::Rect(0, 50, 20, 20)}));
   EXPECT_GT(test::iou(found, test::map_of({arm_})), 0.95);
 }
 
-TEST_F(FindIntruders, AreNotWhatLeft) {
+TEST_F(FindIntruders, IgnoresDepartures) {
   EXPECT_EQ(cv::countNonZero(intruders({arm_}, {}, test::map_of({arm_}),
                                        test::map_of({cv::Rect(0, 50, 20, 20)}))),
             0);
 }
 
-TEST_F(FindIntruders, AreNoSpecks) {
+TEST_F(FindIntruders, IgnoresSpecks) {
   const cv::Rect speck(140, 100, 4, 4);
   const cv::Mat found = intruders({}, {arm_}, test::map_of({arm_, speck}),
                                   test::map_of({cv::Rect(0, 50, 20, 20), speck}));
@@ -85,7 +85,7 @@ TEST_F(FindIntruders, AreNoSpecks) {
   EXPECT_EQ(cv::countNonZero(found(speck)), 0);
 }
 
-TEST_F(FindIntruders, EndWhereNothingChanged) {
+TEST_F(FindIntruders, StopsAtUnchangedPixels) {
   // An object of the arm's colour was already there before.
   const cv::Rect stays(60, 50, 40, 20);
   const cv::Mat found = intruders({stays}, {arm_, stays}, test::map_of({arm_}),
@@ -103,7 +103,7 @@ TEST(Intruders, ComeFromBeyondTheBorder) {
 }
 
 // A region that is too small cuts off the object; the part outside is not an intruder.
-TEST(Intruders, AnObjectThatSticksOutOfTheRegionIsNone) {
+TEST(Intruders, AnObjectThatExceedsTheRegionIsNoIntruder) {
   test::DrawnLesson drawn = test::draw_lesson();
   drawn.lesson.region = cv::Rect(100, 60, 70, 84);
   const ChangeCut cut =

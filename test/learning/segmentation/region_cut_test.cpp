@@ -41,7 +41,7 @@ cv::Mat scene(const cv::Scalar& colour) {
   return test::exposed(image, 3);
 }
 
-TEST(PredictedPlatform, FollowsTheLightAndLeavesNeighboursOut) {
+TEST(PredictedPlatform, FollowsTheLightAndExcludesNeighbours) {
   cv::Mat image = scene({40, 40, 200});
   image(cv::Rect(48, 60, 6, 40)).setTo(cv::Scalar(10, 200, 10));
   const alignment::AlignedPair pair = likelihood::predict_platform(image, kRegion);
@@ -70,20 +70,20 @@ TEST(RegionCut, IsNoLargerForALargerRegion) {
   EXPECT_GT(test::iou(cut.map, truth()), 0.95);
 }
 
-TEST(RegionCut, OfAnEmptyTableIsEmpty) {
+TEST(RegionCut, IsEmptyForAnEmptyTable) {
   const ChangeCut cut = region_cut(test::exposed(table(), 4), kRegion, 2);
   EXPECT_EQ(cv::countNonZero(cut.map), 0);
   EXPECT_EQ(cut.evidence.region_span, 0);
 }
 
-TEST(RegionCut, WithoutARingThereIsStillAnAnswer) {
+TEST(RegionCut, WorksWithoutARing) {
   const cv::Mat image = scene({40, 40, 200});
   const ChangeCut cut = region_cut(image, {0, 0, kSize.width, kSize.height}, 2);
   EXPECT_EQ(cut.map.size(), image.size());
 }
 
 // A rim pixel belongs to the side whose colour contributes more to it.
-TEST(RimPreference, HalfOfEachSideDecides) {
+TEST(RimPreference, FollowsTheLargerShareOfTheMixture) {
   cv::Mat before(kSize, CV_32FC3, cv::Scalar(180, 180, 180)), after = before.clone();
   before(kObject).setTo(cv::Scalar(40, 40, 220));
   const auto mixed = [&](int x, float object) {
@@ -99,7 +99,7 @@ TEST(RimPreference, HalfOfEachSideDecides) {
   EXPECT_EQ(rim.told.at<uchar>(y, kObject.x + 10), 0) << "far from the outline nothing is told";
 }
 
-TEST(RimPreference, TellsNothingBetweenEqualSidesOrOfAThirdColour) {
+TEST(RimPreference, IsUndecidedForEqualSidesAndAThirdColour) {
   cv::Mat before(kSize, CV_32FC3, cv::Scalar(180, 180, 180)), after = before.clone();
   EXPECT_EQ(cv::countNonZero(likelihood::rim_preference(before, after, truth(), 1).told), 0);
   before(kObject).setTo(cv::Scalar(40, 40, 220));
@@ -130,14 +130,14 @@ teaching::Segmentation cut_of(const cv::Mat& image, const cv::Rect& region) {
   return teaching::segmenter_of("auto", false)(task, {}, progress);
 }
 
-TEST(OneImage, TheCutWithTheClearerOutlineIsTaken) {
+TEST(OneImage, TheCutWithTheClearerOutlineIsChosen) {
   const teaching::Segmentation small = cut_of(scene_on_squares(20), kRegion);
   EXPECT_GT(test::iou(small.map, truth()), 0.95) << "GrabCut takes squares for the object";
   const teaching::Segmentation large = cut_of(scene_on_squares(60), {62, 52, 66, 56});
   EXPECT_GT(test::iou(large.map, truth()), 0.85) << "the region cut takes a square for the object";
 }
 
-TEST(OneImage, AMapIsAsStableAsTheTwoCutsAgree) {
+TEST(OneImage, StabilityIsTheAgreementOfTheTwoCuts) {
   const teaching::Segmentation plain = cut_of(scene({40, 40, 200}), kRegion);
   EXPECT_GT(plain.evidence->stability, 0.9);
   EXPECT_FALSE(plain.evidence->verified);

@@ -33,7 +33,7 @@ INSTANTIATE_TEST_SUITE_P(Superpixels, AnySize,
                                                           cv::Size(33, 17), cv::Size(400, 8),
                                                           cv::Size(70, 500), cv::Size(160, 121))));
 
-TEST(Superpixels, RefuseWhatIsTooSmall) {
+TEST(Superpixels, RefuseImagesThatAreTooSmall) {
   for (const char* method : {"seeds", "slic"}) {
     EXPECT_THROW(superpixels_of(cv::Mat(7, 20, CV_8UC3), method, 10), std::invalid_argument);
     EXPECT_THROW(superpixels_of(cv::Mat(20, 20, CV_8UC1), method, 10), std::invalid_argument);
@@ -55,7 +55,7 @@ TEST(Superpixels, SimplifyingEvensOutTextureAndKeepsTheMean) {
   EXPECT_NEAR(mean_after[0], mean_before[0], 1);
 }
 
-TEST(Superpixels, InsideIsTheMajority) {
+TEST(Superpixels, TheMajorityDecidesWhatIsInside) {
   Superpixels halves;
   halves.labels = cv::Mat::zeros(10, 20, CV_32SC1);
   halves.labels.colRange(10, 20).setTo(1);
@@ -67,7 +67,7 @@ TEST(Superpixels, InsideIsTheMajority) {
   EXPECT_EQ(cv::countNonZero(inside.colRange(10, 20)), 0);
 }
 
-TEST(Grabcut, TakesMasksThatLackASide) {
+TEST(Grabcut, AcceptsMasksWithoutOneSide) {
   const cv::Mat image = test::exposed(test::texture({40, 40}, cv::Scalar(100, 110, 120), 20, 1), 2);
   const cv::Mat background(40, 40, CV_8UC1, cv::Scalar(cv::GC_BGD));
   const cv::Mat foreground(40, 40, CV_8UC1, cv::Scalar(cv::GC_PR_FGD));
@@ -75,7 +75,7 @@ TEST(Grabcut, TakesMasksThatLackASide) {
   EXPECT_EQ(cv::countNonZero(repeatable_grabcut(image, foreground, 2)), 1600);
 }
 
-TEST(Grabcut, LeavesTheRandomStateAlone) {
+TEST(Grabcut, DoesNotChangeTheRandomState) {
   const test::DrawnLesson drawn = test::draw_lesson();
   cv::setRNGSeed(42);
   const std::uint64_t state = cv::theRNG().state;

@@ -34,7 +34,7 @@ class Arrival : public testing::TestWithParam<int> {
   Lesson lesson_;
 };
 
-TEST_P(Arrival, WhatWasPutDownIsNotLearned) {
+TEST_P(Arrival, AnObjectThatWasPutDownIsNotLearned) {
   script_.take_away();
   lesson_.before = image();
   script_.put_next();

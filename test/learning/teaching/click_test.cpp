@@ -27,7 +27,7 @@ TEST(Click, PicksTheChangeUnderIt) {
 }
 
 // Two neighbours that nearly touch were taken away together; the click selects one of them.
-TEST(Click, OneOfTwoNeighboursThatLeft) {
+TEST(Click, SelectsOneOfTwoRemovedNeighbours) {
   const cv::Size size(320, 200);
   auto drawn = draw_lesson({110, 100}, size);
   const cv::Mat other = test::wedge_map(size, {186, 100}) & ~drawn.truth;
@@ -39,7 +39,7 @@ TEST(Click, OneOfTwoNeighboursThatLeft) {
 }
 
 // The cloth under the object moved as well, except at the image's border.
-TEST(Click, OnAPlatformThatChangedAsWell) {
+TEST(Click, WorksOnAPlatformThatAlsoChanged) {
   const cv::Size size(320, 240);
   const auto drawn = draw_lesson({160, 120}, size);
   cv::Mat moving = cv::Mat::zeros(size, CV_32FC3);
@@ -68,7 +68,7 @@ TEST(Click, FarFromAllChangeIsRefused) {
   EXPECT_EQ(learn_object(drawn.lesson).error, LearnError::kNoChange);
 }
 
-TEST(Click, FindsAPlainlyVisibleObjectInOneImage) {
+TEST(Click, FindsAClearlyVisibleObjectInOneImage) {
   auto drawn = draw_lesson();
   drawn.lesson.after = cv::Mat();
   drawn.lesson.region = {};
@@ -80,7 +80,7 @@ TEST(Click, FindsAPlainlyVisibleObjectInOneImage) {
 }
 
 // A click does not tell whether the disc or the plate below it is meant.
-TEST(Click, InOneImageTheMapOfFewSquaresIsUnstable) {
+TEST(Click, AnAmbiguousClickInOneImageGivesAnUnstableMap) {
   Lesson lesson;
   lesson.name = "object";
   cv::Mat scene = test::texture({320, 240}, cv::Scalar(105, 115, 120), 4, 1);
@@ -104,7 +104,7 @@ TEST(Click, OutsideTheRegionIsRefused) {
   }
 }
 
-TEST(Click, InARegionOfOneImageTheRegionTellsTheSize) {
+TEST(Click, InOneImageTheRegionLimitsTheSize) {
   auto drawn = draw_lesson({160, 120}, {320, 240});
   drawn.lesson.after = cv::Mat();
   drawn.lesson.click = cv::Point2d(155, 120);

@@ -16,7 +16,7 @@ using test::DrawnLesson;
 
 using test::error_for;
 
-TEST(ComparedImages, NoChange) {
+TEST(ComparedImages, WithoutAChangeAreRefused) {
   DrawnLesson drawn = draw_lesson();
   drawn.lesson.after = test::exposed(drawn.scene, 77);
   EXPECT_EQ(error_for(drawn.lesson), LearnError::kNoChange);
@@ -24,7 +24,7 @@ TEST(ComparedImages, NoChange) {
   EXPECT_EQ(error_for(drawn.lesson), LearnError::kNoChange);
 }
 
-TEST(ComparedImages, AnotherScene) {
+TEST(ComparedImages, OfAnotherSceneAreRefused) {
   DrawnLesson drawn = draw_lesson();
   drawn.lesson.after =
       test::exposed(test::texture(drawn.truth.size(), cv::Scalar(105, 115, 120), 14, 99), 12);
@@ -58,13 +58,13 @@ class LightChanged : public testing::Test {
   }
 };
 
-TEST_F(LightChanged, Switched) {
+TEST_F(LightChanged, SwitchedLightNeedsAPlace) {
   for (const double gain : {0.5, 1.7})
     refused_without_a_place_and_learned_with_one(drawn_.platform * gain);
 }
 
 // Dark images with a black level of several grey levels, which looks like a much lower exposure.
-TEST(ComparedImages, ABlackLevelIsNoSwitchedLight) {
+TEST(ComparedImages, ABlackLevelIsNoLightChange) {
   DrawnLesson drawn = draw_lesson({160, 120}, {320, 240});
   const auto dark = [](const cv::Mat& radiance, double gain, double offset) {
     return cv::Mat(radiance * (0.4 * gain) + cv::Scalar::all(offset));
@@ -79,13 +79,13 @@ TEST(ComparedImages, ABlackLevelIsNoSwitchedLight) {
   EXPECT_EQ(error_for(drawn.lesson), LearnError::kChangeTooLarge);
 }
 
-TEST_F(LightChanged, FromElsewhere) {
+TEST_F(LightChanged, LightFromAnotherSideNeedsAPlace) {
   cv::Mat platform = drawn_.platform.clone();
   for (int x = 0; x < platform.cols; ++x) platform.col(x) *= 0.75 + 0.5 * x / platform.cols;
   refused_without_a_place_and_learned_with_one(platform);
 }
 
-TEST(ComparedImages, CameraPushed) {
+TEST(ComparedImages, OfAPushedCameraAreRefused) {
   const cv::Mat wide = test::texture({420, 340}, cv::Scalar(105, 115, 120), 14, 1);
   DrawnLesson drawn = draw_lesson({160, 120}, {320, 240});
   cv::Mat scene = wide(cv::Rect(40, 40, 320, 240)).clone();
@@ -99,7 +99,7 @@ TEST(ComparedImages, CameraPushed) {
   EXPECT_EQ(error_for(drawn.lesson), LearnError::kChangeTooLarge);
 }
 
-TEST(ComparedImages, ForgiveExposureAndASmallShift) {
+TEST(ComparedImages, MayDifferInExposureAndByASmallShift) {
   const cv::Mat wide = test::texture({420, 340}, cv::Scalar(105, 115, 120), 14, 1);
   DrawnLesson drawn = draw_lesson({160, 120}, {320, 240});
   cv::Mat scene = wide(cv::Rect(40, 40, 320, 240)).clone();
@@ -112,7 +112,7 @@ TEST(ComparedImages, ForgiveExposureAndASmallShift) {
 }
 
 // Neighbours that were also taken away change most of the image.
-TEST(ComparedImages, AShownPlaceMayHaveChangedSurroundings) {
+TEST(ComparedImages, SurroundingsMayChangeIfThePlaceIsGiven) {
   const cv::Size size(320, 240);
   DrawnLesson drawn = draw_lesson({160, 120}, size);
   cv::Mat scene = drawn.scene.clone();
@@ -129,7 +129,7 @@ TEST(ComparedImages, AShownPlaceMayHaveChangedSurroundings) {
 }
 
 // Most of the texture is removed, but the rest does not move.
-TEST(ComparedImages, ForgiveAClearedTable) {
+TEST(ComparedImages, MayShowAClearedTable) {
   const cv::Size size(320, 240);
   DrawnLesson drawn = draw_lesson({60, 60}, size);
   cv::Mat table = test::texture(size, cv::Scalar(105, 115, 120), 1, 1);

@@ -59,11 +59,11 @@ class EditedLesson : public testing::TestWithParam<const char*> {
   }
 };
 
-TEST_P(EditedLesson, StartsAsLearnObject) {
+TEST_P(EditedLesson, StartsWithTheResultOfLearnObject) {
   expect_equal(InteractiveLesson(lesson()).result(), learn_object(lesson()));
 }
 
-TEST_P(EditedLesson, HoldsToTheStrokes) {
+TEST_P(EditedLesson, ObeysTheStrokes) {
   InteractiveLesson edited(lesson());
   ASSERT_TRUE(edited.result().has_model);
   LessonEdit edit = including(kInside);
@@ -171,7 +171,7 @@ TEST(InteractiveLesson, KeepsSixtyFourEditsToUndo) {
   EXPECT_EQ(edited.result().object.views[0].reference.x, 5);
 }
 
-TEST(InteractiveLesson, ReferenceAloneMovesTheFrameOnly) {
+TEST(InteractiveLesson, AReferenceEditMovesOnlyTheFrame) {
   InteractiveLesson edited(draw_lesson().lesson);
   const cv::Mat map = map_of(edited.result());
   LessonEdit edit;
@@ -181,7 +181,7 @@ TEST(InteractiveLesson, ReferenceAloneMovesTheFrameOnly) {
   EXPECT_EQ(cv::norm(map_of(result), map, cv::NORM_INF), 0);
 }
 
-TEST(InteractiveLesson, ANewRegionIsCutAnew) {
+TEST(InteractiveLesson, ANewRegionGivesANewCut) {
   const auto drawn = draw_lesson();
   Lesson lesson = drawn.lesson;
   lesson.region = {60, 60, 60, 50};  // cuts through the object
@@ -193,7 +193,7 @@ TEST(InteractiveLesson, ANewRegionIsCutAnew) {
   EXPECT_EQ(cv::norm(map_of(result), map_of(learn_object(drawn.lesson)), cv::NORM_INF), 0);
 }
 
-TEST(InteractiveLesson, AForeignThingThatIsPaintedOverLeavesTheMap) {
+TEST(InteractiveLesson, AnExcludeStrokeRemovesAForeignObject) {
   auto drawn = draw_lesson();
   cv::Mat scene = drawn.scene.clone();
   cv::rectangle(scene, {130, 104, 30, 24}, cv::Scalar(40, 60, 45), cv::FILLED);  // a foreign object
@@ -208,7 +208,7 @@ TEST(InteractiveLesson, AForeignThingThatIsPaintedOverLeavesTheMap) {
   EXPECT_GT(after, 0.9);
 }
 
-TEST(InteractiveLesson, AnEditLeavesTheFirstCutAlone) {
+TEST(InteractiveLesson, AnEditDoesNotChangeTheFirstCut) {
   const auto drawn = draw_lesson();
   InteractiveLesson one(drawn.lesson), other(drawn.lesson);
   one.edit(including({{60, 50}, {66, 50}}));

@@ -51,14 +51,14 @@ TEST(LearnErrors, ChangeCutNeedsAnImageAfter) {
   EXPECT_EQ(learn_object(drawn.lesson, config).error, LearnError::kNoImage);
 }
 
-TEST(LearnErrors, NothingSaysWhereTheObjectIs) {
+TEST(LearnErrors, ObjectPlaceIsNotGiven) {
   DrawnLesson drawn = draw_lesson();
   drawn.lesson.after = cv::Mat();
   drawn.lesson.region = {};
   EXPECT_EQ(error_for(drawn.lesson), LearnError::kRegionInvalid);
 }
 
-TEST(LearnErrors, ReferencesThatAreNoNumbers) {
+TEST(LearnErrors, ReferencesThatAreNotNumbers) {
   constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
   DrawnLesson drawn = draw_lesson();
@@ -123,7 +123,7 @@ std::string told(const Lesson& lesson) {
   return result.message + " " + result.hint;
 }
 
-TEST(LearnErrors, WhatWasGivenIsNamedWithItsRemedy) {
+TEST(LearnErrors, MessagesNameTheInputAndTheRemedy) {
   DrawnLesson drawn = draw_lesson();
   Lesson lesson = drawn.lesson;
   const std::string size =
@@ -148,7 +148,7 @@ TEST(LearnErrors, WhatWasGivenIsNamedWithItsRemedy) {
   EXPECT_EQ(told(lesson), "The region is the whole image. Draw it close around the object.");
 }
 
-TEST(LearnErrors, ARegionInsideTheObjectIsTold) {
+TEST(LearnErrors, ARegionInsideTheObjectIsReported) {
   DrawnLesson drawn = draw_lesson({160, 120}, {320, 240});
   Lesson lesson = drawn.lesson;
   lesson.after = cv::Mat();
@@ -159,7 +159,7 @@ TEST(LearnErrors, ARegionInsideTheObjectIsTold) {
   }
 }
 
-TEST(LearnErrors, AClickOnThePlatformIsToldFromAnObjectAtTheBorder) {
+TEST(LearnErrors, MessageDistinguishesAClickOnThePlatform) {
   DrawnLesson drawn = draw_lesson({30, 100});
   drawn.lesson.region = {};
   drawn.lesson.click = cv::Point2d(30, 100);
@@ -180,7 +180,7 @@ TEST(LearnErrors, TouchesBorder) {
   EXPECT_EQ(result.hint, result.object.quality.advice.front());
 }
 
-TEST(LearnErrors, ARegionThatReachesOutIsToldFromAnObjectAtTheBorder) {
+TEST(LearnErrors, MessageDistinguishesARegionBeyondTheBorder) {
   DrawnLesson drawn = draw_lesson({30, 100});
   drawn.lesson.region = {-40, 40, 130, 130};
   const LearnResult result = learn_object(drawn.lesson);

@@ -46,7 +46,7 @@ INSTANTIATE_TEST_SUITE_P(Learning, EveryMethod,
                          testing::Values("change_cut", "sb_grabcut", "grabcut_rect",
                                          "grabcut_mask"));
 
-TEST(LearnObject, LearnsFromARegionAlone) {
+TEST(LearnObject, LearnsFromARegionOnly) {
   DrawnLesson drawn = draw_lesson();
   drawn.lesson.after = cv::Mat();
   const LearnResult result = learn_object(drawn.lesson);
@@ -82,7 +82,7 @@ DrawnLesson draw_reflection() {
   return drawn;
 }
 
-TEST(LearnObject, AReflectionUpToTheRegionsEdgeIsLeftOut) {
+TEST(LearnObject, AReflectionAtTheRegionsEdgeIsExcluded) {
   const DrawnLesson drawn = draw_reflection();
   const LearnResult by_change = learn_object(drawn.lesson, with_method("change_cut"));
   EXPECT_LT(iou(learned_map(by_change), drawn.truth), 0.85) << "shows nothing";
@@ -94,7 +94,7 @@ TEST(LearnObject, AReflectionUpToTheRegionsEdgeIsLeftOut) {
   EXPECT_GT(result.evidence->change_beside, 0.05) << "which is a change that the map leaves out";
 }
 
-TEST(LearnObject, AStrokeOnAMapWithoutItsReflectionKeepsWhatTheChangeConfirmed) {
+TEST(LearnObject, AStrokeKeepsTheVerifiedMapWithoutReflection) {
   const DrawnLesson drawn = draw_reflection();
   InteractiveLesson lesson(drawn.lesson);
   LessonEdit edit;
@@ -108,7 +108,7 @@ TEST(LearnObject, AStrokeOnAMapWithoutItsReflectionKeepsWhatTheChangeConfirmed) 
 }
 
 // The survey finds only the wedge, but the cut finds the whole object.
-TEST(LearnObject, WidensARegionThatNobodyDrew) {
+TEST(LearnObject, WidensARegionThatWasNotDrawn) {
   DrawnLesson drawn = draw_lesson();
   const cv::Rect faint(150, 84, 60, 16);
   drawn.scene(faint) = cv::Scalar(110, 110, 115);
@@ -166,7 +166,7 @@ TEST(LearnObject, ADrawnRegionMayBeTightOrSlightlyTooSmall) {
   }
 }
 
-TEST(LearnObject, ATightBoxInOneImageShowsTheObjectNotItsPrint) {
+TEST(LearnObject, ATightRegionInOneImageGivesTheWholeObject) {
   DrawnLesson drawn = draw_tile(kTile);
   drawn.lesson.after = cv::Mat();
   const LearnResult result = learn_object(drawn.lesson);
@@ -175,7 +175,7 @@ TEST(LearnObject, ATightBoxInOneImageShowsTheObjectNotItsPrint) {
 }
 
 // A grown region would be the whole image, which leaves no background.
-TEST(LearnObject, ATightRegionThatCannotGrowStays) {
+TEST(LearnObject, ATightRegionThatCannotGrowIsKept) {
   DrawnLesson drawn = draw_lesson();
   const cv::Rect board(10, 10, 220, 180);
   const std::vector<cv::Point> octagon = {{50, 10},   {189, 10}, {229, 50}, {229, 149},
@@ -189,14 +189,14 @@ TEST(LearnObject, ATightRegionThatCannotGrowStays) {
   EXPECT_EQ(cv::boundingRect(learned_map(result)), board);
 }
 
-TEST(LearnObject, ARegionThatCutsTheObjectOffIsNoGoodLesson) {
+TEST(LearnObject, ARegionThatCutsTheObjectOffIsNotGood) {
   const DrawnLesson drawn = draw_tile({kTile.x - 10, kTile.y - 10, kTile.width + 20, 24});
   const LearnResult result = learn_object(drawn.lesson);
   EXPECT_LT(iou(learned_map(result), drawn.truth), 0.6) << "the region hardly grows";
   EXPECT_NE(result.object.quality.verdict, Verdict::kGood);
 }
 
-TEST(LearnObject, TakesAReadyMapAsItIs) {
+TEST(LearnObject, UsesAGivenMapUnchanged) {
   DrawnLesson drawn = draw_lesson();
   drawn.lesson.map = drawn.truth;
   const LearnResult result = learn_object(drawn.lesson);
@@ -204,7 +204,7 @@ TEST(LearnObject, TakesAReadyMapAsItIs) {
   EXPECT_EQ(cv::countNonZero(learned_map(result) != drawn.truth), 0);
 }
 
-TEST(LearnObject, NeverRefusesAReadyMapForQuality) {
+TEST(LearnObject, NeverRefusesAGivenMapForQuality) {
   DrawnLesson drawn = draw_lesson();
   drawn.lesson.map = cv::Mat::zeros(drawn.truth.size(), CV_8UC1);
   drawn.lesson.map(cv::Rect(0, 0, 6, 6)).setTo(255);
@@ -214,7 +214,7 @@ TEST(LearnObject, NeverRefusesAReadyMapForQuality) {
   EXPECT_FALSE(result.object.quality.reasons.empty());
 }
 
-TEST(LearnObject, TakesAnOutlineAsDrawn) {
+TEST(LearnObject, UsesADrawnOutlineUnchanged) {
   DrawnLesson drawn = draw_lesson();
   drawn.lesson.after = cv::Mat();
   drawn.lesson.outline = {{80, 70}, {160, 70}, {160, 130}, {80, 130}};
@@ -233,7 +233,7 @@ TEST(LearnObject, RefinesAnOutlineWhenAskedTo) {
   EXPECT_GT(iou(learned_map(result), drawn.truth), 0.75);
 }
 
-TEST(LearnObject, PutsTheReferenceAtTheCentroidUnlessToldOtherwise) {
+TEST(LearnObject, PutsTheReferenceAtTheCentroidByDefault) {
   DrawnLesson drawn = draw_lesson();
   drawn.lesson.map = drawn.truth;
   const cv::Point2d centre = centroid(drawn.truth);
@@ -246,7 +246,7 @@ TEST(LearnObject, PutsTheReferenceAtTheCentroidUnlessToldOtherwise) {
   EXPECT_DOUBLE_EQ(reference.theta, 0.5);
 }
 
-TEST(LearnObject, NotesNameLabelTimeAndTimings) {
+TEST(LearnObject, StoresNameLabelTimeAndTimings) {
   DrawnLesson drawn = draw_lesson();
   drawn.lesson.label = "Keil";
   drawn.lesson.symmetry = 3;

@@ -38,7 +38,7 @@ LearnError error_of(const std::string& name, Storing storing, const LibrarySnaps
   return error_of(lesson, storing, library);
 }
 
-TEST(CheckStoring, NamesMustFitWhatIsAskedFor) {
+TEST(CheckStoring, NameMustFitTheKindOfStoring) {
   const LibrarySnapshot library = library_of({named("cup")});
   EXPECT_EQ(error_of("box", Storing::kNew, library), LearnError::kSuccess);
   EXPECT_EQ(error_of("cup", Storing::kNew, library), LearnError::kNameTaken);
@@ -51,7 +51,7 @@ TEST(CheckStoring, NamesMustFitWhatIsAskedFor) {
       EXPECT_EQ(error_of(name, storing, library), LearnError::kNameInvalid) << name;
 }
 
-TEST(CheckStoring, AnImageThatIsNoObjectKeepsItsName) {
+TEST(CheckStoring, NameOfAnotherImageIsTaken) {
   LibrarySnapshot library = library_of({named("cup")});
   library.other_images = {"photo.png"};
   for (const Storing storing : {Storing::kNew, Storing::kReplace})
@@ -59,7 +59,7 @@ TEST(CheckStoring, AnImageThatIsNoObjectKeepsItsName) {
   EXPECT_EQ(error_of("box", Storing::kNew, library), LearnError::kSuccess);
 }
 
-TEST(CheckStoring, AFurtherViewBringsNothingThatContradictsTheObject) {
+TEST(CheckStoring, AFurtherViewMustNotContradictTheObject) {
   ObjectModel cup = named("cup");
   cup.object_height = 0.05;
   const LibrarySnapshot library = library_of({cup});
@@ -105,7 +105,7 @@ Refusal refusal_by(Change&& change) {
   return Refusal(LearnError::kSuccess);
 }
 
-TEST(RefusalByTheLibrary, OnlyNamesAreToBlameForNames) {
+TEST(LibraryRefusal, NameErrorsAreReportedForNamesOnly) {
   using Existing = ObjectLibrary::Existing;
   TemporaryFolder folder;
   ObjectLibrary library(folder.path());
@@ -150,7 +150,7 @@ class AddView : public testing::Test {
   const sim::Scene scene_;
 };
 
-TEST_F(AddView, TakesFrameHeightAndSymmetryOfTheStoredObject) {
+TEST_F(AddView, UsesFrameHeightAndSymmetryOfTheStoredObject) {
   const auto first = placed(5, {200, 200, 0}), second = placed(5, {420, 260, 2});
   ObjectModel stored = learned(first, scene_.render({first}, 1));
   stored.views[0].reference = first.pose;
@@ -175,7 +175,7 @@ TEST_F(AddView, TakesFrameHeightAndSymmetryOfTheStoredObject) {
   EXPECT_EQ(stored.grasp->position[0], 0.1);
 }
 
-TEST_F(AddView, RefusesWhatIsStoredAlready) {
+TEST_F(AddView, RefusesAViewThatIsAlreadyStored) {
   const auto first = placed(5, {200, 200, 0});
   ObjectModel stored = learned(first, scene_.render({first}, 1));
   const cv::Mat again = scene_.render({first}, 2);
@@ -198,7 +198,7 @@ TEST_F(AddView, RefusesAnotherObjectAndChangesNothing) {
   EXPECT_EQ(stored.views.size(), 1u);
 }
 
-TEST_F(AddView, ARefusalIsToldBeforeItIsAsked) {
+TEST_F(AddView, ARefusalIsReportedBeforeConfirmation) {
   const auto first = placed(5, {200, 200, 0}), other = placed(77, {420, 260, 0});
   const auto moved = placed(5, {420, 260, 2});
   const ObjectModel stored = learned(first, scene_.render({first}, 1));

@@ -66,7 +66,7 @@ TEST_P(PutAside, ThePoseIsThatOfTheObjectFrame) {
   expect_at_new_place(learn_object(drawn_.lesson));
 }
 
-TEST_P(PutAside, StaysKnownThroughEdits) {
+TEST_P(PutAside, IsKeptThroughEdits) {
   InteractiveLesson edited(drawn_.lesson);
   LessonEdit edit;
   edit.include = {{{80, 110}, {90, 110}}};
@@ -76,7 +76,7 @@ TEST_P(PutAside, StaysKnownThroughEdits) {
 }
 
 // If the object is partly hidden now, the map from its old place must not be refined.
-TEST_P(PutAside, RefinesNothingWhereTheMapsDisagree) {
+TEST_P(PutAside, DoesNotRefineIfTheMapsDisagree) {
   const cv::Rect hidden(200, 60, 120, 54);
   test::exposed(drawn_.platform, 14)(hidden).copyTo(drawn_.lesson.after(hidden));
   const LearnResult result = learn_object(drawn_.lesson);
@@ -120,7 +120,7 @@ TEST_F(LooksLikePlatform, IsLearnedWhereItLay) {
   expect_learned_and_found();
 }
 
-TEST_F(LooksLikePlatform, IsFoundThoughNothingSeemsToHaveArrived) {
+TEST_F(LooksLikePlatform, IsFoundWithoutADetectedArrival) {
   lesson_.region = {60, 105, 100, 90};
   expect_learned_and_found();
 }
@@ -154,13 +154,13 @@ class LargerChange : public testing::Test {
   cv::Mat before_, after_;
 };
 
-TEST_F(LargerChange, OfAGripperIsNotWhatLeft) {
+TEST_F(LargerChange, OfAGripperIsNotTheObject) {
   const cv::Rect gripper(330, 60, 130, 110);
   test::texture(gripper.size(), cv::Scalar(97, 107, 112), 14, 5, 2).copyTo(after_(gripper));
   expect_object_learned();
 }
 
-TEST_F(LargerChange, OfANudgedThingIsNotTheObject) {
+TEST_F(LargerChange, OfANudgedNeighbourIsNotTheObject) {
   const cv::Rect thing(60, 180, 90, 80);
   const cv::Mat looks = test::texture(thing.size(), cv::Scalar(40, 190, 60), 40, 5);
   looks.copyTo(before_(thing));
@@ -170,7 +170,7 @@ TEST_F(LargerChange, OfANudgedThingIsNotTheObject) {
 
 // The places are close together, the object has the platform's colours, and the noise is strong, so
 // that one cut includes both places.
-TEST(PutAsideLesson, PlacesNearEachOtherAreToldApart) {
+TEST(PutAsideLesson, SeparatesPlacesThatAreCloseTogether) {
   constexpr int kMoved = 90;  // [px]
   const cv::Size size(460, 300);
   const cv::Mat truth = test::wedge_map(size, {180, 150});
@@ -191,7 +191,7 @@ TEST(PutAsideLesson, PlacesNearEachOtherAreToldApart) {
 }
 
 // It is not determined which of the two is the object.
-TEST(PutAsideLesson, TwoThingsThatLeftAreNotGood) {
+TEST(PutAsideLesson, TwoRemovedObjectsAreNotGood) {
   auto drawn = test::draw_lesson({100, 110}, kSize);
   const cv::Mat beside = test::wedge_map(kSize, {180, 110});
   test::texture(kSize, cv::Scalar(60, 90, 190), 22, 4).copyTo(drawn.scene, beside);
@@ -202,7 +202,7 @@ TEST(PutAsideLesson, TwoThingsThatLeftAreNotGood) {
   EXPECT_NE(result.object.quality.verdict, Verdict::kGood);
 }
 
-TEST(PutAsideLesson, OfTwoThingsThatLeftApartTheClickedOneIsMeant) {
+TEST(PutAsideLesson, AClickSelectsOneOfTwoRemovedObjects) {
   auto drawn = test::draw_lesson(kOldPlace, kSize);
   const cv::Mat other = test::wedge_map(kSize, {250, 120});
   test::texture(kSize, cv::Scalar(60, 90, 190), 22, 4).copyTo(drawn.scene, other);
@@ -224,11 +224,11 @@ TEST(PutAsideLesson, OfTwoThingsThatLeftApartTheClickedOneIsMeant) {
   EXPECT_GT(test::iou(test::map_of(clicked), drawn.truth), 0.93);
 }
 
-TEST(PutAsideLesson, AnObjectThatLeftIsNowhere) {
+TEST(PutAsideLesson, ARemovedObjectHasNoNewPlace) {
   EXPECT_FALSE(learn_object(test::draw_lesson(kOldPlace, kSize).lesson).put_aside);
 }
 
-TEST(PutAsideLesson, AnotherThingThatArrivedIsNotTheObject) {
+TEST(PutAsideLesson, AnotherObjectThatArrivedIsNotTheObject) {
   auto drawn = test::draw_lesson(kOldPlace, kSize);
   cv::Mat scene = drawn.platform.clone();
   cv::circle(scene, {250, 120}, 26, cv::Scalar(190, 90, 40), cv::FILLED);

@@ -41,7 +41,7 @@ TEST(Resemblance, ViewsOfOneObjectGetOneFrame) {
   EXPECT_NEAR(angle_distance(reference->theta, 2), 0, to_radians(1.5));
 }
 
-TEST(Resemblance, AnotherObjectInTheMapIsNoView) {
+TEST(Resemblance, AnotherObjectIsRefusedAsAView) {
   const auto first = placed(5, {200, 200, 0}), other = placed(77, {200, 200, 0});
   const cv::Mat before = scene().render({first}, 1);
   // The stored object is in the image, but not in the map.
@@ -50,7 +50,7 @@ TEST(Resemblance, AnotherObjectInTheMapIsNoView) {
   EXPECT_FALSE(shared_reference(stored, learned("part", other, later).views[0], later));
 }
 
-TEST(Resemblance, TheMostSimilarKnownObjectIsNoted) {
+TEST(Resemblance, TheMostSimilarKnownObjectIsReported) {
   const auto first = placed(5, {200, 200, 0}), other = placed(77, {430, 250, 0});
   const cv::Mat image = scene().render({first, other}, 1);
   const auto known = [](const ObjectModel& model) {

@@ -28,20 +28,20 @@ class ClutterTest : public ::testing::Test {
   }
 };
 
-TEST_F(ClutterTest, OnePlaceAloneLosesNothing) {
+TEST_F(ClutterTest, ASinglePlaceHasNoPenalty) {
   std::vector<Detection> detections{at(object_, 100, 4), at(object_, 101, 3)};
   apply_clutter_penalty(detections);
   EXPECT_DOUBLE_EQ(detections[0].log_odds(), 4);
   EXPECT_DOUBLE_EQ(detections[1].log_odds(), 3);
 }
 
-TEST_F(ClutterTest, HopelessPlacesCostNothing) {
+TEST_F(ClutterTest, UnlikelyPlacesAddNoPenalty) {
   std::vector<Detection> detections{at(object_, 100, 4), at(object_, 400, -30)};
   apply_clutter_penalty(detections);
   EXPECT_DOUBLE_EQ(detections[0].log_odds(), 4);
 }
 
-TEST_F(ClutterTest, LikesElsewhereCostEachMore) {
+TEST_F(ClutterTest, EveryUncertainPlaceRaisesThePenalty) {
   std::vector<Detection> detections{at(object_, 100, 4)};
   double before = 4;
   for (int k = 1; k <= 3; ++k) {
@@ -54,7 +54,7 @@ TEST_F(ClutterTest, LikesElsewhereCostEachMore) {
   }
 }
 
-TEST_F(ClutterTest, InstancesBeyondDoubtAreNoLikes) {
+TEST_F(ClutterTest, CertainInstancesDoNotRaiseThePenalty) {
   std::vector<Detection> detections{at(object_, 100, 15), at(object_, 300, 12), at(object_, 500, 9),
                                     at(object_, 700, 10), at(object_, 900, 4)};
   apply_clutter_penalty(detections);
@@ -62,14 +62,14 @@ TEST_F(ClutterTest, InstancesBeyondDoubtAreNoLikes) {
   EXPECT_LT(detections[4].log_odds(), 4) << "and it might be a like";
 }
 
-TEST_F(ClutterTest, LikesBehindManyPlacesCount) {
+TEST_F(ClutterTest, UncertainPlacesCountBehindManyOthers) {
   std::vector<Detection> detections;
   for (int k = 0; k < 20; ++k) detections.push_back(at(object_, 100 + 200 * k, 9 - 0.25 * k));
   apply_clutter_penalty(detections);
   EXPECT_LT(detections[0].log_odds(), 1) << "a pattern: as many uncertain places as likely ones";
 }
 
-TEST_F(ClutterTest, LikesBesideInstancesStayUnlikely) {
+TEST_F(ClutterTest, UncertainPlacesBesideAnInstanceStayUnlikely) {
   std::vector<Detection> detections{at(object_, 100, 15), at(object_, 300, 3), at(object_, 500, 3),
                                     at(object_, 700, 3)};
   apply_clutter_penalty(detections);
@@ -77,7 +77,7 @@ TEST_F(ClutterTest, LikesBesideInstancesStayUnlikely) {
   EXPECT_LT(detections[1].log_odds(), 0);
 }
 
-TEST_F(ClutterTest, WhatTheWholeImageToldIsTakenOffAtLeast) {
+TEST_F(ClutterTest, ThePenaltyOfTheWholeImageIsTheMinimum) {
   std::vector<Detection> detections{at(object_, 100, 4), at(other_, 300, 4)};
   const auto taken = apply_clutter_penalty(detections, {{"object", 2.5}, {"gone", 1}});
   EXPECT_DOUBLE_EQ(detections[0].log_odds(), 1.5);
@@ -86,14 +86,14 @@ TEST_F(ClutterTest, WhatTheWholeImageToldIsTakenOffAtLeast) {
   EXPECT_DOUBLE_EQ(taken.at("gone"), 1) << "and is handed on";
 }
 
-TEST_F(ClutterTest, OtherObjectsAreNoLikes) {
+TEST_F(ClutterTest, OtherObjectsDoNotRaiseThePenalty) {
   std::vector<Detection> detections{at(object_, 100, 4), at(other_, 300, 4)};
   apply_clutter_penalty(detections);
   EXPECT_DOUBLE_EQ(detections[0].log_odds(), 4);
   EXPECT_DOUBLE_EQ(detections[1].log_odds(), 4);
 }
 
-TEST_F(ClutterTest, ManyObjectsAreEachLessLikely) {
+TEST_F(ClutterTest, ManyObjectsLowerTheOddsOfEach) {
   EXPECT_DOUBLE_EQ(multiple_testing_penalty(1), 0);
   EXPECT_DOUBLE_EQ(multiple_testing_penalty(kFewObjects), 0);
   EXPECT_LT(multiple_testing_penalty(10), multiple_testing_penalty(40));

@@ -43,7 +43,7 @@ class ConclusionTest : public ::testing::Test {
   Detection detection_;
 };
 
-TEST_F(ConclusionTest, WithoutADoubtItIsGraspableAndHasNoReason) {
+TEST_F(ConclusionTest, WithoutDoubtsAMatchIsGraspableAndHasNoReason) {
   verify();
   EXPECT_TRUE(match_.graspable);
   EXPECT_FALSE(match_.ambiguous);
@@ -60,34 +60,34 @@ TEST_F(ConclusionTest, NamesTheBestCompetitor) {
   EXPECT_TRUE(match_.graspable) << "9 is margin enough";
 }
 
-TEST_F(ConclusionTest, AnOpenAngle) {
+TEST_F(ConclusionTest, AnUndecidedAngleIsNamed) {
   match_.margin_angle = 2.5;
   expect_refused("angle open (margin 2.5)", true);
   match_.other_angle = to_radians(270);
   expect_refused("angle open (margin 2.5 to -90 degrees)", true);
 }
 
-TEST_F(ConclusionTest, AnotherColour) {
+TEST_F(ConclusionTest, AnotherColourIsNamed) {
   detection_.colour_difference = 0.21;
   expect_refused("colour of a part differs", true);
 }
 
-TEST_F(ConclusionTest, AnotherPrint) {
+TEST_F(ConclusionTest, AnotherPrintIsNamed) {
   detection_.interior_difference = 1.21;
   expect_refused("edges inside the outline differ", true);
 }
 
-TEST_F(ConclusionTest, ItsMirrorImage) {
+TEST_F(ConclusionTest, TheMirrorImageIsNamed) {
   detection_.mirror_alternative = true;
   expect_refused("mirrored fits as well", true);
 }
 
-TEST_F(ConclusionTest, AnotherSize) {
+TEST_F(ConclusionTest, AnotherSizeIsNamed) {
   detection_.size_alternative = true;
   expect_refused("another size fits better", true);
 }
 
-TEST_F(ConclusionTest, PartsThatLieApart) {
+TEST_F(ConclusionTest, DisplacedPartsAreNamed) {
   detection_.torn = true;
   expect_refused("upper and lower part lie apart", false);
 }
@@ -100,14 +100,14 @@ TEST_F(ConclusionTest, ALowScoreIsNotAmbiguous) {
   EXPECT_EQ(match_.reasons.size(), 2U);
 }
 
-TEST_F(ConclusionTest, AnOutlineThatFitsBesideIt) {
+TEST_F(ConclusionTest, AContourThatFitsBesideItIsNamed) {
   detection_.contour_alternative = 0.051;
   expect_refused("outline fits better beside it", false);
   detection_.contour_alternative = kNotExamined;
   expect_refused("too unlikely to be examined", false);
 }
 
-TEST_F(ConclusionTest, WeakEvidence) {
+TEST_F(ConclusionTest, WeakEvidenceIsNamed) {
   detection_.odds.best_at_place = 3.9;
   expect_refused("evidence too weak", false);
   detection_.odds.best_at_place = 4;
@@ -115,7 +115,7 @@ TEST_F(ConclusionTest, WeakEvidence) {
   EXPECT_TRUE(match_.graspable);
 }
 
-TEST_F(ConclusionTest, AnUncertainPosition) {
+TEST_F(ConclusionTest, AnUncertainPositionIsNamed) {
   match_.covariance(1, 1) = 4;
   expect_refused("position known to 2.0 px only", false);
 }
@@ -128,7 +128,7 @@ TEST_F(ConclusionTest, AnUncertainAngleMattersUnlessItIsRound) {
   EXPECT_TRUE(match_.graspable);
 }
 
-TEST_F(ConclusionTest, ACovarianceThatIsNoNumber) {
+TEST_F(ConclusionTest, ANonFiniteCovariancePreventsAGrasp) {
   for (const int axis : {0, 1, 2}) {
     match_.covariance = cv::Matx33d::diag({0.01, 0.01, 1e-6});
     match_.covariance(axis, axis) = std::nan("");
@@ -137,12 +137,12 @@ TEST_F(ConclusionTest, ACovarianceThatIsNoNumber) {
   }
 }
 
-TEST_F(ConclusionTest, AMarginThatNoneReachesLeavesNothingGraspable) {
+TEST_F(ConclusionTest, AnUnreachableMarginLeavesNothingGraspable) {
   config_.min_margin_place = kNoCompetitor + 1;
   expect_refused("min_margin_place is above the largest margin", true);
 }
 
-TEST_F(ConclusionTest, WhatIsNoNumberIsADoubt) {
+TEST_F(ConclusionTest, NotANumberPreventsAGrasp) {
   const Match match = match_;
   const Detection detection = detection_;
   for (double* value : {&match_.score, &match_.visible, &match_.margin_angle,
@@ -157,7 +157,7 @@ TEST_F(ConclusionTest, WhatIsNoNumberIsADoubt) {
   }
 }
 
-TEST_F(ConclusionTest, APartOutside) {
+TEST_F(ConclusionTest, APartOutsideTheImageIsNamed) {
   match_.visible = 0.3;
   expect_refused("70 % outside", false);
 }

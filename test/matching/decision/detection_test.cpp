@@ -28,7 +28,7 @@ class RotationTest : public ::testing::Test {
   }
 };
 
-TEST_F(RotationTest, WhatLightLeavesAloneDecidesAtOnePlace) {
+TEST_F(RotationTest, TheResidualUnexplainedByLightDecidesAtOnePlace) {
   const auto compared = resolve_rotations({at(100, 0, 6, 40), at(101, 3, 5, 43)});
   ASSERT_EQ(compared.size(), 2u);
   EXPECT_DOUBLE_EQ(compared[0].pose.theta, 3);
@@ -36,7 +36,7 @@ TEST_F(RotationTest, WhatLightLeavesAloneDecidesAtOnePlace) {
   EXPECT_DOUBLE_EQ(compared[1].log_odds(), 3) << "the margin is that of the rotations";
 }
 
-TEST_F(RotationTest, WhatThePlaceGainedByAnotherSizeGoesToTheBestRotation) {
+TEST_F(RotationTest, GainByAnotherSizeGoesToTheBestRotation) {
   Detection resized = at(100, 0, 6, 40);
   resized.odds.resized = 2;
   const auto compared = resolve_rotations({resized, at(101, 3, 5, 43)});
@@ -45,7 +45,7 @@ TEST_F(RotationTest, WhatThePlaceGainedByAnotherSizeGoesToTheBestRotation) {
   EXPECT_DOUBLE_EQ(compared[0].odds.resized, 2);
 }
 
-TEST_F(RotationTest, GlossThatHidesAPrintTakesNoRotationOutOfTheComparison) {
+TEST_F(RotationTest, AHiddenPrintDoesNotExcludeARotation) {
   Detection glossy = at(100, 0, -6, 43);
   glossy.odds.print = 7;
   const auto compared = resolve_rotations({glossy, at(100, 3, 6, 40)});
@@ -53,7 +53,7 @@ TEST_F(RotationTest, GlossThatHidesAPrintTakesNoRotationOutOfTheComparison) {
   EXPECT_DOUBLE_EQ(compared[0].pose.theta, 0);
 }
 
-TEST_F(RotationTest, OtherPlacesAndHopelessPosesStayAsTheyAre) {
+TEST_F(RotationTest, OtherPlacesAndUnlikelyPosesStayUnchanged) {
   const auto compared =
       resolve_rotations({at(100, 0, 6, 40), at(100, 2, -9, 50), at(400, 1, 2, 60)});
   ASSERT_EQ(compared.size(), 3u);
@@ -62,7 +62,7 @@ TEST_F(RotationTest, OtherPlacesAndHopelessPosesStayAsTheyAre) {
   EXPECT_DOUBLE_EQ(compared[2].log_odds(), -9);
 }
 
-TEST(RotationOdds, UnexplainedColoursTellEqualCorrelationsApart) {
+TEST(RotationOdds, ColourResidualsDecideBetweenEqualCorrelations) {
   evidence::Evidence right, wrong;
   right.contour_score = wrong.contour_score = 0.7;
   right.shading_free_ncc = wrong.shading_free_ncc = 0.97;
@@ -71,7 +71,7 @@ TEST(RotationOdds, UnexplainedColoursTellEqualCorrelationsApart) {
   EXPECT_GT(evidence::rotation_odds(right), evidence::rotation_odds(wrong) + 4);
 }
 
-TEST(RotationOdds, ContourAndColoursDecideBesideRatios) {
+TEST(RotationOdds, ContourAndColoursDecideTogetherWithRatios) {
   evidence::Evidence right, wrong;
   right.contour_score = 0.8;
   wrong.contour_score = 0.7;
@@ -82,12 +82,12 @@ TEST(RotationOdds, ContourAndColoursDecideBesideRatios) {
   EXPECT_GT(evidence::rotation_odds(right, 1), evidence::rotation_odds(wrong, 1) + 3);
 }
 
-TEST(RotationOdds, RatiosThatLightLeavesUnexplainedDecide) {
+TEST(RotationOdds, RatioResidualsDecide) {
   EXPECT_GT(evidence::rotation_odds(evidence::Evidence(), 1.5),
             evidence::rotation_odds(evidence::Evidence(), 2) + 5);
 }
 
-TEST(BetterTurned, IsWhatLightLeavesAlone) {
+TEST(BetterRotation, PrefersTheSmallerColourResidual) {
   search::PoseHypothesis shaded, true_to_colour;
   shaded.pose.theta = 0.06;
   shaded.odds = 7;
@@ -113,7 +113,7 @@ class SurfaceTest : public ::testing::Test {
   }
 };
 
-TEST_F(SurfaceTest, NothingIsUnexplainedUnderAnotherGainAndShading) {
+TEST_F(SurfaceTest, GainAndShadingAreExplained) {
   const templates::SurfaceTemplate::Residual same = residual_of(1, 0);
   EXPECT_LT(surface_.unexplained(same), 1);
   EXPECT_LT(surface_.unexplained(residual_of(0.8, 0.3)), 2) << "gain and slope are no object";

@@ -10,7 +10,7 @@
 namespace mbncc {
 namespace {
 
-TEST(Margins, EveryInstanceMeetsItsOwnOtherAngles) {
+TEST(Margins, EveryInstanceIsComparedWithItsOwnOtherAngles) {
   cv::Mat map = cv::Mat::zeros(60, 60, CV_8UC1);
   cv::circle(map, {30, 30}, 22, 255, cv::FILLED);
   test::LearningImage source(3, map);

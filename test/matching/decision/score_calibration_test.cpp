@@ -22,23 +22,23 @@ double calibration_of(double elsewhere, double angle_margin = kNoCompetitor,
   return calibration(detection_of(0, elsewhere), angle_margin, instance_margin);
 }
 
-TEST(Calibration, AnOutlineThatLiesFirmlySpeaksForThePose) {
+TEST(Calibration, AFirmContourRaisesTheScore) {
   EXPECT_GT(calibration_of(kFirm), 0);
   EXPECT_LT(calibration_of(kAsGoodElsewhere), calibration_of(kFirm) - 1);
 }
 
-TEST(Calibration, ANearRotationSpeaksAgainstThePose) {
+TEST(Calibration, ANearRotationLowersTheScore) {
   EXPECT_DOUBLE_EQ(calibration_of(kFirm, 10), calibration_of(kFirm)) << "far behind";
   EXPECT_LT(calibration_of(kFirm, 1), calibration_of(kFirm) - 2);
   EXPECT_LT(calibration_of(kFirm, -3), calibration_of(kFirm, 1));
 }
 
-TEST(Calibration, AFarBetterInstanceSpeaksAgainstItsLikes) {
+TEST(Calibration, AFarBetterInstanceLowersTheScore) {
   EXPECT_DOUBLE_EQ(calibration_of(kFirm, 20, -4), calibration_of(kFirm));
   EXPECT_LT(calibration_of(kFirm, 20, -10), calibration_of(kFirm) - 1);
 }
 
-TEST(Calibration, WhatWasNotExaminedMayLieBetterElsewhere) {
+TEST(Calibration, AnUnexaminedContourCountsAsNotFirm) {
   EXPECT_LE(calibration_of(kNotExamined), calibration_of(kAsGoodElsewhere));
 }
 

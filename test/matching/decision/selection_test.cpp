@@ -37,18 +37,18 @@ class SelectionTest : public ::testing::Test {
   }
 };
 
-TEST_F(SelectionTest, GraspableIsWhatIsNearlyCertain) {
+TEST_F(SelectionTest, OnlyNearlyCertainMatchesAreGraspable) {
   EXPECT_TRUE(match_of(4).graspable);
   EXPECT_FALSE(match_of(3).graspable);
 }
 
-TEST_F(SelectionTest, ScoresKnowHowFirmlyAnOutlineLies) {
+TEST_F(SelectionTest, TheScoreDependsOnTheFirmnessOfTheContour) {
   EXPECT_GT(match_of(3, -0.15).score, match_of(3, 0.05).score);
   EXPECT_FALSE(match_of(20, 0.06).graspable) << "it may lie a few pixels off";
   EXPECT_FALSE(match_of(20, kNotExamined).graspable);
 }
 
-TEST_F(SelectionTest, ANearRotationLowersTheScoreAndLeavesTheMargin) {
+TEST_F(SelectionTest, ANearRotationLowersTheScoreAndNotTheMargin) {
   Detection one = detection_of(4), turned = one;
   turned.pose.theta = 1;
   turned.odds.best_at_place = 3;
@@ -58,7 +58,7 @@ TEST_F(SelectionTest, ANearRotationLowersTheScoreAndLeavesTheMargin) {
   EXPECT_DOUBLE_EQ(selected.matches[0].margin_angle, 1);
 }
 
-TEST_F(SelectionTest, AnotherObjectsPrintDoesNotCountAgainstIt) {
+TEST_F(SelectionTest, APrintDifferenceDoesNotWeakenACompetitor) {
   const prepared::PreparedObject other{test::object_from(test::LearningImage(2), {58, 60, 0}),
                                        prepared::Engine::kFast};
   Detection behind = detection_of(4);
@@ -72,7 +72,7 @@ TEST_F(SelectionTest, AnotherObjectsPrintDoesNotCountAgainstIt) {
 
 // For one of two look-alikes, the refinement may reach the size in which the object appears, and
 // for the other one it may not.
-TEST_F(SelectionTest, WhatAnotherSizeGainedDoesNotCountAgainstAnotherObject) {
+TEST_F(SelectionTest, GainByAnotherSizeDoesNotWeakenACompetitor) {
   const prepared::PreparedObject other{test::object_from(test::LearningImage(2), {58, 60, 0}),
                                        prepared::Engine::kFast};
   Detection resized = detection_of(15), behind = detection_of(7);
@@ -91,7 +91,7 @@ TEST_F(SelectionTest, WhatAnotherSizeGainedDoesNotCountAgainstAnotherObject) {
   EXPECT_DOUBLE_EQ(margin(), 8) << "the other gained more";
 }
 
-TEST_F(SelectionTest, WhatIsNotConvincingIsNotAmbiguous) {
+TEST_F(SelectionTest, UnconvincingMatchesAreNotAmbiguous) {
   EXPECT_FALSE(match_of(3).ambiguous) << "nothing else is as likely";
 }
 

@@ -28,7 +28,7 @@ void expect_near(const Pose2D& pose, const Pose2D& wanted, double distance) {
   EXPECT_NEAR(angle_distance(pose.theta, wanted.theta), 0, distance / 40);
 }
 
-TEST(ClosestPoints, AContourIsLaidUponItselfFromAWrongRotationAndPlace) {
+TEST(ClosestPoints, AlignsAContourWithItselfFromAWrongPose) {
   const auto contour = contour_of(angle_with_leg(60), {50, 65});
   const ClosestPoints closest(contour);
   for (const Pose2D& start : {Pose2D{0, 0, 0}, Pose2D{9, -6, 0.2}, Pose2D{-5, 8, -0.25}}) {
@@ -38,14 +38,14 @@ TEST(ClosestPoints, AContourIsLaidUponItselfFromAWrongRotationAndPlace) {
   }
 }
 
-TEST(ClosestPoints, TheSameContourAboutAnotherPointIsMovedByTheirDistance) {
+TEST(ClosestPoints, AnotherReferencePointShiftsThePose) {
   const auto fixed = contour_of(angle_with_leg(60), {50, 65});
   const RegisteredContour laid =
       ClosestPoints(fixed).align(contour_of(angle_with_leg(60), {62, 56}), {0, 0, 0.1});
   expect_near(laid.pose, {12, -9, 0}, 0.2);
 }
 
-TEST(ClosestPoints, WhatOneContourLacksDoesNotPullTheOther) {
+TEST(ClosestPoints, MissingPartsDoNotBiasThePose) {
   const auto fixed = contour_of(angle_with_leg(60), {50, 65});
   const RegisteredContour laid =
       ClosestPoints(fixed).align(contour_of(angle_with_leg(30), {50, 65}), {3, -4, 0.1});
@@ -66,7 +66,7 @@ TEST(ClosestPoints, MapsOfAnyShapeAndSizeAreAligned) {
   }
 }
 
-TEST(ClosestPoints, EdgesOfOppositeDirectionsAreNoPairs) {
+TEST(ClosestPoints, DoesNotPairEdgesOfOppositeDirections) {
   // In a narrow leg beside another one, the edge nearest to each side is the opposite side of the
   // other leg.
   cv::Mat leg = cv::Mat::zeros(120, 120, CV_8UC1);

@@ -102,7 +102,7 @@ TEST_F(ColourPartsTest, APlainSurfaceInDimLightHasItsOwnColour) {
   EXPECT_LT(difference_in(dim, object_of(plain, map)).colour, 0.05);
 }
 
-TEST_F(ColourPartsTest, ACompactPartOfAnotherColourDiffersWhateverItsColoursWere) {
+TEST_F(ColourPartsTest, ACompactPartDiffersWhateverItsLearnedColours) {
   cv::Mat map = cv::Mat::zeros(150, 300, CV_8UC1);
   map(tool_) = 255;
   cv::Mat chequered = image_with(kRed, 1);
@@ -119,19 +119,19 @@ TEST_F(ColourPartsTest, ACompactPartOfAnotherColourDiffersWhateverItsColoursWere
   EXPECT_LT(difference.colour, difference.block);
 }
 
-TEST_F(ColourPartsTest, WhatLiesAcrossCoversTheContourAndDoesNotCount) {
+TEST_F(ColourPartsTest, AThingAcrossTheContourDoesNotCount) {
   cv::Mat image = image_with(kRed, 2);
   cv::rectangle(image, cv::Rect(tool_.x + 5, 20, 45, 110), cv::Scalar(60, 140, 60), cv::FILLED);
   EXPECT_LT(difference_in(image), 0.1);
 }
 
-TEST_F(ColourPartsTest, APartThatIsHalfCoveredIsToldToo) {
+TEST_F(ColourPartsTest, AHalfCoveredPartDiffersToo) {
   cv::Mat image = image_with(kBlack, 2);
   cv::rectangle(image, cv::Rect(tool_.x + 5, 20, 22, 110), cv::Scalar(60, 140, 60), cv::FILLED);
   EXPECT_GT(difference_in(image), 0.3);
 }
 
-TEST_F(ColourPartsTest, TheGroundExplainsNoMoreThanAShareOfItself) {
+TEST_F(ColourPartsTest, TheGroundExplainsOnlyAnEqualColourShift) {
   // Everything is more yellow: the table slightly, the head much more.
   cv::Mat image = image_with(kRed, 2);
   cv::Mat head = image(cv::Rect(tool_.x + kHandle, tool_.y, kLength - kHandle, kWidth)).clone();
@@ -141,7 +141,7 @@ TEST_F(ColourPartsTest, TheGroundExplainsNoMoreThanAShareOfItself) {
   EXPECT_GT(difference_in(image), 0.2);
 }
 
-TEST_F(ColourPartsTest, GroundThatTheMapHoldsMayChange) {
+TEST_F(ColourPartsTest, GroundInsideTheMapMayChange) {
   // The learned map includes a strip of green platform along the tool, which is then found on a red
   // platform.
   const cv::Scalar green(60, 150, 60), red(60, 60, 150);
@@ -157,7 +157,7 @@ TEST_F(ColourPartsTest, GroundThatTheMapHoldsMayChange) {
   EXPECT_LT(difference_in(on_ground(red, 2), object_of(on_ground(green, 1), map)).colour, 0.1);
 }
 
-TEST_F(ColourPartsTest, TheGroundBesideNarrowObjectsIsNoOtherColour) {
+TEST_F(ColourPartsTest, TheGroundBesideNarrowObjectsIsNotCounted) {
   const cv::Rect rod(75, 70, kLength, 2);
   const auto rod_on = [&](const cv::Scalar& ground, const cv::Scalar& colour, std::uint64_t seed) {
     cv::Mat image(150, 300, CV_8UC3, ground);
@@ -176,7 +176,7 @@ TEST_F(ColourPartsTest, TheGroundBesideNarrowObjectsIsNoOtherColour) {
   EXPECT_GT(difference_in(rod_on(wood, {60, 150, 60}, 2), object).colour, 0.2);
 }
 
-TEST_F(ColourPartsTest, TheThreadsRandomStateNeitherMattersNorChanges) {
+TEST_F(ColourPartsTest, RandomStateIsNeitherUsedNorChanged) {
   const cv::Mat image = image_with(kRed, 2);
   cv::theRNG().state = 77;
   const double first = difference_in(image);
@@ -185,7 +185,7 @@ TEST_F(ColourPartsTest, TheThreadsRandomStateNeitherMattersNorChanges) {
   EXPECT_EQ(difference_in(image), first);
 }
 
-TEST_F(ColourPartsTest, ALookAlikeIsNoDetection) {
+TEST_F(ColourPartsTest, ALookAlikeIsNotDetected) {
   Matcher matcher;
   matcher.set_objects({tool()});
   const auto found = matcher.find(image_with(kRed, 2)).matches;

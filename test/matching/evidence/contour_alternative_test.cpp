@@ -12,7 +12,7 @@
 namespace mbncc::evidence {
 namespace {
 
-class OutlineElsewhere : public test::MatcherTest {
+class ContourAlternativeTest : public test::MatcherTest {
  protected:
   cv::Mat scene_ = test::texture({320, 240}, 77, 5);
   const Pose2D truth_{170, 120, 0.8};
@@ -34,19 +34,19 @@ class OutlineElsewhere : public test::MatcherTest {
   }
 };
 
-TEST_F(OutlineElsewhere, NothingIsBetterThanTheTruth) {
+TEST_F(ContourAlternativeTest, NoShiftIsBetterThanTheTrueOne) {
   test::place(scene_, source_, reference_.position(), truth_);
   EXPECT_LT(better_than(truth_), -0.1);
   EXPECT_LT(better_than({truth_.x + 0.7, truth_.y - 0.7, truth_.theta}), -0.05);
 }
 
-TEST_F(OutlineElsewhere, TheTruthIsBetterThanAPlaceNearIt) {
+TEST_F(ContourAlternativeTest, TheTruePlaceIsBetterThanOneNearIt) {
   test::place(scene_, source_, reference_.position(), truth_);
   for (const cv::Point2d off : {cv::Point2d(5, 0), {-5, 0}, {0, 5}, {3, -3}})
     EXPECT_GT(better_than({truth_.x + off.x, truth_.y + off.y, truth_.theta}), 0.1) << off;
 }
 
-TEST_F(OutlineElsewhere, ItIsBetterByWhatThePlaceItselfIs) {
+TEST_F(ContourAlternativeTest, TheAdvantageIsTheDifferenceOfTheAgreements) {
   test::place(scene_, source_, reference_.position(), truth_);
   const prepared::PreparedObject object(test::object_from(source_, reference_),
                                         prepared::Engine::kFast);
@@ -66,7 +66,7 @@ TEST_F(OutlineElsewhere, ItIsBetterByWhatThePlaceItselfIs) {
     }
 }
 
-TEST_F(OutlineElsewhere, ACandidateIsShiftedOntoTheEdges) {
+TEST_F(ContourAlternativeTest, ACandidateIsShiftedOntoTheEdges) {
   test::place(scene_, source_, reference_.position(), truth_);
   const prepared::PreparedObject object(test::object_from(source_, reference_),
                                         prepared::Engine::kFast);
@@ -81,7 +81,7 @@ TEST_F(OutlineElsewhere, ACandidateIsShiftedOntoTheEdges) {
   EXPECT_GT(shifted.value, 0.4) << "the agreement of the contour";
 }
 
-TEST_F(OutlineElsewhere, APoseThatItsOutlineContradictsIsTold) {
+TEST_F(ContourAlternativeTest, APoseThatTheContourContradictsIsReported) {
   test::place(scene_, source_, reference_.position(), truth_);
   const prepared::PreparedObject object(test::object_from(source_, reference_),
                                         prepared::Engine::kFast);
@@ -96,7 +96,7 @@ TEST_F(OutlineElsewhere, APoseThatItsOutlineContradictsIsTold) {
   EXPECT_GT(judged[0].contour_alternative, 0.05) << "too much for a grasp";
 }
 
-TEST_F(OutlineElsewhere, ASurfaceThatItsOutlineContradictsIsNeverGraspable) {
+TEST_F(ContourAlternativeTest, ASurfaceMatchAgainstTheContourIsNeverGraspable) {
   SearchConfig unlikely_too;
   unlikely_too.min_score = 0.1;
   const Matcher matcher = matcher_of({test::object_from(source_, reference_)}, unlikely_too);

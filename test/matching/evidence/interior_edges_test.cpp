@@ -126,7 +126,7 @@ TEST_F(InteriorEdgesTest, AnotherSizeIsComparedAtThatSize) {
   EXPECT_GT(difference(larger), 0.5);
 }
 
-TEST_F(InteriorEdgesTest, WhatLiesAcrossTheOutlineIsNoPrint) {
+TEST_F(InteriorEdgesTest, AThingAcrossTheContourIsNoPrint) {
   cv::Mat scene = scene_with(tile(kTaught));
   cv::line(scene, {212, 77}, {126, 160}, {30, 60, 140}, 5, cv::LINE_AA);
   EXPECT_GT(differences(scene).largest, 1.3);

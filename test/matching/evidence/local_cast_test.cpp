@@ -30,7 +30,7 @@ class LocalCastTest : public test::MatcherTest {
 };
 
 // The kernels use colours as indices into tables, so they must stay in range.
-TEST_F(LocalCastTest, ColoursWithoutItStayColours) {
+TEST_F(LocalCastTest, CorrectedColoursStayInRange) {
   templates::SurfaceSample sample =
       test::sample_of(view_.fine.surface, [](float, float, float) { return 250.f; });
   take_out(ColourCast{-0.3, -0.3}, sample);
@@ -38,7 +38,7 @@ TEST_F(LocalCastTest, ColoursWithoutItStayColours) {
     EXPECT_LE(*std::max_element(plane.begin(), plane.end()), 255);
 }
 
-TEST_F(LocalCastTest, IsTakenOutAtItsPrice) {
+TEST_F(LocalCastTest, ACorrectedCastLowersTheOdds) {
   const Evidence plain = evidence_in({}), redder = evidence_in({-0.15, 0.15});
   const double area = view_.shape.area();
   EXPECT_EQ(plain.cast, 0) << "as seen where nothing else is likelier";

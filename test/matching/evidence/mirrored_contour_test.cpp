@@ -8,7 +8,7 @@ namespace mbncc::evidence {
 namespace {
 
 /// An angle with legs of 70 and 52 px, 24 px wide, as in test::angle_map(), and its mirror images.
-class TurnedOverTest : public test::MatcherTest {
+class MirroredContourTest : public test::MatcherTest {
  protected:
   const Pose2D truth_{170, 120, 0.8};
 
@@ -40,11 +40,11 @@ class TurnedOverTest : public test::MatcherTest {
   }
 };
 
-TEST_F(TurnedOverTest, TheObjectLiesBetterThanItsMirrorImage) {
+TEST_F(MirroredContourTest, TheObjectFitsBetterThanItsMirrorImage) {
   EXPECT_LT(better_at(truth_, source_, scene_with(source_, truth_)), -0.1);
 }
 
-TEST_F(TurnedOverTest, ItsMirrorImageLiesBetterWhereItIsTurnedOver) {
+TEST_F(MirroredContourTest, TheMirrorImageFitsATurnedObjectBetter) {
   // The pose at which an angle covers most of its mirror image: rotated by 90 degrees.
   const cv::Mat scene = scene_with(test::mirrored(source_), truth_);
   double most = -1;
@@ -53,7 +53,7 @@ TEST_F(TurnedOverTest, ItsMirrorImageLiesBetterWhereItIsTurnedOver) {
   EXPECT_GT(most, 0.1);
 }
 
-TEST_F(TurnedOverTest, BothOutlinesAreMeasuredWhereTheyLieBest) {
+TEST_F(MirroredContourTest, BothContoursAreComparedAtTheirBestPoses) {
   const cv::Mat over = scene_with(test::mirrored(source_), truth_),
                 own = scene_with(source_, truth_);
   double best = 0;
@@ -83,7 +83,7 @@ test::LearningImage flag_of(int length) {
 }
 
 // Where its leg covers that of its mirror image, rotated by 180 degrees, the centres differ.
-TEST_F(TurnedOverTest, AFlagIsToldWhereItsLegLiesOnThatOfItsMirrorImage) {
+TEST_F(MirroredContourTest, ATurnedFlagIsDetectedWhereTheLegsCoincide) {
   const Pose2D turned{truth_.x, truth_.y, truth_.theta + kPi};
   for (const int length : {16, 24, 36}) {
     const test::LearningImage flag = flag_of(length);
@@ -96,7 +96,7 @@ TEST_F(TurnedOverTest, AFlagIsToldWhereItsLegLiesOnThatOfItsMirrorImage) {
   }
 }
 
-TEST_F(TurnedOverTest, TheOutlinesDistanceGrowsWithTheSize) {
+TEST_F(MirroredContourTest, TheDistanceOfTheContoursScalesWithTheSize) {
   const test::LearningImage flag = flag_of(36);
   const cv::Mat scene = scene_with(test::mirrored(flag), truth_);
   for (const double size : {0.92, 1.08}) {
@@ -108,7 +108,7 @@ TEST_F(TurnedOverTest, TheOutlinesDistanceGrowsWithTheSize) {
   }
 }
 
-TEST_F(TurnedOverTest, AnOutlineThatIsItsOwnMirrorImageAgreesAsWell) {
+TEST_F(MirroredContourTest, AMirrorSymmetricContourFitsEquallyWell) {
   cv::Mat map = cv::Mat::zeros(120, 120, CV_8UC1);
   map(cv::Rect(30, 40, 60, 40)) = 255;
   const test::LearningImage plate(3, map);
@@ -118,7 +118,7 @@ TEST_F(TurnedOverTest, AnOutlineThatIsItsOwnMirrorImageAgreesAsWell) {
   EXPECT_EQ(object.views.front().mirrored_contour.limit(), kMirrored);
 }
 
-TEST_F(TurnedOverTest, ASlightDifferenceIsToldWhereTheLessonTellsIt) {
+TEST_F(MirroredContourTest, ASlightDifferenceIsDetectedWithItsOwnLimit) {
   const test::LearningImage plate = cut_plate();
   const prepared::PreparedObject object(test::object_from(plate, {60, 60, 0}),
                                         prepared::Engine::kFast);

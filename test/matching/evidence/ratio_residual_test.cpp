@@ -31,21 +31,21 @@ class RatioResidualTest : public ::testing::Test {
   }
 };
 
-TEST_F(RatioResidualTest, GainAndShadingAreLight) {
+TEST_F(RatioResidualTest, GainAndShadingAreExplainedByLight) {
   EXPECT_LT(misfit_in([](float colour, float, float) { return colour; }), 0.01);
   EXPECT_LT(misfit_in([](float colour, float, float) { return 0.4f * colour; }), 0.01);
   EXPECT_LT(misfit_in([](float colour, float x, float) { return (0.8f + 0.005f * x) * colour; }),
             1.2);
 }
 
-TEST_F(RatioResidualTest, TheEdgesOfShadowsAreLight) {
+TEST_F(RatioResidualTest, ShadowEdgesAreExplainedByLight) {
   EXPECT_LT(misfit_in([](float colour, float x, float y) {
               return std::fmod(x + y + 140, 14.F) < 7 ? colour : 0.45f * colour;
             }),
             1.2);
 }
 
-TEST_F(RatioResidualTest, WhatCoversLessThanHalfDecidesNot) {
+TEST_F(RatioResidualTest, ACoverOfLessThanHalfDoesNotDecide) {
   std::vector<float> places(surface_.x.begin(), surface_.x.begin() + surface_.size());
   const auto edge = places.begin() + static_cast<std::ptrdiff_t>(0.65 * places.size());
   std::nth_element(places.begin(), edge, places.end());
@@ -72,7 +72,7 @@ TEST_F(RatioResidualTest, OnlyPointsThatAreComparedCount) {
   EXPECT_LT(view_.ratios.misfit(surface_, sample), 0.01);
 }
 
-TEST_F(RatioResidualTest, NothingIsComparedWhereNothingIsSeen) {
+TEST_F(RatioResidualTest, InvisiblePointsAreNotCompared) {
   EXPECT_DOUBLE_EQ(view_.ratios.misfit(surface_, {}), 0);
   EXPECT_DOUBLE_EQ(RatioResidual().misfit(surface_, {}), 0);
 }

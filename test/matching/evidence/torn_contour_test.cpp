@@ -10,9 +10,9 @@ namespace {
 
 using test::torn;
 
-class TornOutline : public test::MatcherTest {
+class TornContourTest : public test::MatcherTest {
  protected:
-  TornOutline() { test::place(scene_, source_, reference_.position(), truth_); }
+  TornContourTest() { test::place(scene_, source_, reference_.position(), truth_); }
 
   Pose2D anchor_at(const Pose2D& pose) const {
     return compose(pose, inverse(view_.reference_in_anchor));
@@ -29,13 +29,13 @@ class TornOutline : public test::MatcherTest {
   const prepared::PreparedView& view_ = object_.views.front();
 };
 
-TEST_F(TornOutline, WhatLiesTogetherIsNotTorn) {
+TEST_F(TornContourTest, AnIntactObjectIsNotTorn) {
   for (const cv::Point2d off : {cv::Point2d(0, 0), {1, 0}, {0, -1}})
     for (const double turn : {-0.02, 0., 0.02})
       EXPECT_LT(better(scene_, {truth_.x + off.x, truth_.y + off.y, truth_.theta + turn}), kTorn);
 }
 
-TEST_F(TornOutline, PartsThatLieApartAreTold) {
+TEST_F(TornContourTest, DisplacedPartsAreDetected) {
   const int middle = cvRound(anchor_at(truth_).y);
   for (const int from : {middle - 12, middle, middle + 12})
     for (const double way : {-8., -5., 5., 8.})
@@ -46,7 +46,7 @@ TEST_F(TornOutline, PartsThatLieApartAreTold) {
 }
 
 // The pose that fits both parts best.
-TEST_F(TornOutline, ItIsToldOfWhatLiesTurnedBetweenTheParts) {
+TEST_F(TornContourTest, IsDetectedForARotatedPoseBetweenTheParts) {
   constexpr double kWay = 8;
   const Pose2D anchor = anchor_at(truth_);
   const cv::Mat image = torn(scene_, cvRound(anchor.y), kWay);
@@ -57,7 +57,7 @@ TEST_F(TornOutline, ItIsToldOfWhatLiesTurnedBetweenTheParts) {
   }
 }
 
-TEST_F(TornOutline, ADetectionKnows) {
+TEST_F(TornContourTest, IsReportedInTheDetection) {
   const Pose2D anchor = anchor_at(truth_);
   const int middle = cvRound(anchor.y);
   const auto is_torn = [&](const cv::Mat& image, double way) {
@@ -77,7 +77,7 @@ TEST_F(TornOutline, ADetectionKnows) {
 }
 
 /// A narrow object, rotated slightly, fits both of its torn parts about as well.
-TEST(TornBar, ADetectionKnowsByTheRowsOfTheImage) {
+TEST(TornBar, IsDetectedByTheRowsOfTheImage) {
   cv::Mat map = cv::Mat::zeros(120, 120, CV_8UC1), image = test::texture({320, 240}, 77, 5);
   map(cv::Rect(52, 15, 16, 90)) = 255;
   const test::LearningImage source(1, map);

@@ -40,7 +40,7 @@ TEST(TornRows, AnIntactImageHasNone) {
   EXPECT_FALSE(has_torn_rows(plain(), kBox));
 }
 
-TEST(TornRows, AreToldWhereverTheTearIsWithinTheObject) {
+TEST(TornRows, AreDetectedAtEveryRowOfTheObject) {
   for (const int from : {105, 115, 125})
     for (const double way : {-12., -8., -4., 4., 8., 12.}) {
       EXPECT_TRUE(has_torn_rows(grey(torn(textured(), from, way)), kBox)) << from << ' ' << way;
@@ -48,26 +48,26 @@ TEST(TornRows, AreToldWhereverTheTearIsWithinTheObject) {
     }
 }
 
-TEST(TornRows, DoNotConcernAnObjectElsewhere) {
+TEST(TornRows, DoNotAffectAnObjectElsewhere) {
   for (const int from : {60, 180})
     EXPECT_FALSE(has_torn_rows(grey(torn(textured(), from, 8)), kBox)) << from;
 }
 
-TEST(TornRows, AnEdgeAlongTheRowsIsNone) {
+TEST(TornRows, AnEdgeAlongTheRowsIsNoTear) {
   cv::Mat image = plain();
   image.rowRange(115, kSize.height) += cv::Scalar(40);
   EXPECT_FALSE(has_torn_rows(image, kBox));
 }
 
 /// Slanted lines are displaced in every row.
-TEST(TornRows, LinesThatRunFlatAreNone) {
+TEST(TornRows, FlatLinesAreNoTear) {
   cv::Mat image(kSize, CV_8UC1, cv::Scalar(90));
   for (int y = -200; y < kSize.height; y += 15)
     cv::line(image, {0, y}, {kSize.width, y + 60}, cv::Scalar(200), 2, cv::LINE_AA);
   EXPECT_FALSE(has_torn_rows(image, kBox));
 }
 
-TEST(TornRows, ACheckeredPlatformIsNone) {
+TEST(TornRows, ACheckeredPlatformIsNoTear) {
   for (const int side : {6, 10, 14}) {
     cv::Mat image(kSize, CV_8UC1);
     for (int y = 0; y < image.rows; ++y)
@@ -78,7 +78,7 @@ TEST(TornRows, ACheckeredPlatformIsNone) {
   }
 }
 
-TEST(TornRows, AreToldOfWhatTheImageCutsOff) {
+TEST(TornRows, AreDetectedForAnObjectAtTheImageBorder) {
   const cv::Mat image = grey(torn(textured(), 115, 8));
   for (const int x : {-40, 300}) EXPECT_TRUE(has_torn_rows(image, {x, 90, 60, 50})) << x;
   EXPECT_FALSE(has_torn_rows(image, {-400, -400, 60, 50}));

@@ -24,20 +24,20 @@ class TrimmedResidualTest : public ::testing::Test {
   }
 };
 
-TEST_F(TrimmedResidualTest, GainAndOffsetAreLight) {
+TEST_F(TrimmedResidualTest, GainAndOffsetAreExplainedByLight) {
   EXPECT_LT(residual([](float colour, float, float) { return 0.8f * colour + 20; }), 1);
 }
 
-TEST_F(TrimmedResidualTest, AnotherSurfaceIsNone) {
+TEST_F(TrimmedResidualTest, AnotherSurfaceHasALargeResidual) {
   EXPECT_GT(residual([](float colour, float, float) { return 255 - colour; }), 20);
 }
 
-TEST_F(TrimmedResidualTest, WhatCoversAThirdDecidesNothing) {
+TEST_F(TrimmedResidualTest, ACoverOfAThirdDoesNotDecide) {
   EXPECT_LT(residual([](float colour, float, float y) { return y < -15 ? 30 : colour; }), 1);
   EXPECT_GT(residual([](float colour, float, float y) { return y < 25 ? 30 : colour; }), 5);
 }
 
-TEST_F(TrimmedResidualTest, WithoutPartsThereIsNone) {
+TEST_F(TrimmedResidualTest, WithoutPartsThereIsNoResidual) {
   EXPECT_LT(trimmed_residual({}), 0);
   templates::SurfaceSample outside =
       test::sample_of(surface_, [](float, float, float) { return 0.f; });

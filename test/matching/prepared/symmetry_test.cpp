@@ -75,32 +75,32 @@ TEST(Symmetry, APlainDiscIsRound) {
   EXPECT_EQ(measured(painted(disc()), disc()).certain, 0);
 }
 
-TEST(Symmetry, LightAndNoiseOfACameraHideNone) {
+TEST(Symmetry, IsMeasuredUnderLightAndCameraNoise) {
   EXPECT_EQ(measured(photographed(painted(bar())), bar()).certain, 2);
   EXPECT_EQ(measured(photographed(painted(disc())), disc()).certain, 0);
   EXPECT_EQ(measured(photographed(painted(polygon(6, 50))), polygon(6, 50)).certain, 6);
 }
 
-TEST(Symmetry, TextureBreaksIt) {
+TEST(Symmetry, TextureBreaksTheSymmetry) {
   const cv::Mat square = polygon(4, 40);
   EXPECT_EQ(measured(test::LearningImage(51, square).image, square).possible, 1);
 }
 
 // Print, an oblique side and gloss look alike in one image, so only the operator can decide.
-TEST(Symmetry, ARoundOutlineIsLeftToTheOperatorWhateverItsTexture) {
+TEST(Symmetry, ARoundOutlineWithAnyTextureIsLeftToTheOperator) {
   const MeasuredSymmetry symmetry = measured(test::LearningImage(51, disc()).image, disc());
   EXPECT_EQ(symmetry.certain, 1);
   EXPECT_EQ(symmetry.possible, 0);
 }
 
-TEST(Symmetry, AnIrregularOutlineHasNone) {
+TEST(Symmetry, AnIrregularOutlineHasNoSymmetry) {
   const MeasuredSymmetry symmetry = measured(painted(test::angle_map()), test::angle_map());
   EXPECT_EQ(symmetry.certain, 1);
   EXPECT_EQ(symmetry.possible, 1);
 }
 
 // A dot of 1 % of the area, which a person notices at once.
-TEST(Symmetry, ASmallMarkLeavesItToTheOperator) {
+TEST(Symmetry, ASmallMarkIsLeftToTheOperator) {
   for (const double contrast : {20., 35.}) {
     cv::Mat marked_bar = painted(bar()), marked_disc = painted(disc());
     const cv::Scalar mark = kPaint + cv::Scalar::all(contrast);
@@ -115,7 +115,7 @@ TEST(Symmetry, ASmallMarkLeavesItToTheOperator) {
   }
 }
 
-TEST(Symmetry, ANotchLeavesItToTheOperator) {
+TEST(Symmetry, ANotchIsLeftToTheOperator) {
   cv::Mat map = bar();
   map(cv::Rect(98, 57, 3, 7)) = 0;  // 1 % of the area
   const MeasuredSymmetry symmetry = measured(photographed(painted(map)), map);
@@ -124,14 +124,14 @@ TEST(Symmetry, ANotchLeavesItToTheOperator) {
 }
 
 // Half of the bar is slightly lighter: there is no edge, but the ends differ.
-TEST(Symmetry, AnEndOfAnotherShadeLeavesItToTheOperator) {
+TEST(Symmetry, AnEndOfAnotherShadeIsLeftToTheOperator) {
   cv::Mat image = painted(bar());
   image(cv::Rect(86, 45, 15, 31)).setTo(kPaint + cv::Scalar::all(25));
   EXPECT_EQ(measured(photographed(image), bar()).certain, 1);
 }
 
 // The differences are too small for a mark, but too large for noise.
-TEST(Symmetry, FineGrainBreaksIt) {
+TEST(Symmetry, FineGrainBreaksTheSymmetry) {
   cv::Mat grain(121, 121, CV_32FC3), image;
   cv::RNG(3).fill(grain, cv::RNG::NORMAL, 0, 12);
   painted(bar()).convertTo(image, CV_32F);
@@ -141,7 +141,7 @@ TEST(Symmetry, FineGrainBreaksIt) {
   EXPECT_EQ(measured(image, bar()).possible, 2);
 }
 
-TEST(Symmetry, ATaperedOutlineLeavesItToTheOperator) {
+TEST(Symmetry, ATaperedOutlineIsLeftToTheOperator) {
   cv::Mat map = cv::Mat::zeros(121, 121, CV_8UC1);
   const std::vector<cv::Point> corners{{20, 44}, {100, 46}, {100, 74}, {20, 76}};
   cv::fillPoly(map, std::vector<std::vector<cv::Point>>{corners}, cv::Scalar(255));
@@ -151,7 +151,7 @@ TEST(Symmetry, ATaperedOutlineLeavesItToTheOperator) {
 }
 
 // The centroid of a map is no more accurate than its edge, so the surface determines the centre.
-TEST(Symmetry, ARoughlyCutMapHidesNone) {
+TEST(Symmetry, IsMeasuredOnARoughMap) {
   cv::Mat image = painted(bar());
   for (int x = 27; x < 60; x += 8) {
     image(cv::Rect(x, 50, 4, 12)).setTo(cv::Scalar::all(230));
@@ -163,7 +163,7 @@ TEST(Symmetry, ARoughlyCutMapHidesNone) {
   EXPECT_EQ(measured(photographed(image, 1), map).certain, 2);
 }
 
-TEST(Symmetry, GlossLeavesItToTheOperator) {
+TEST(Symmetry, GlossIsLeftToTheOperator) {
   cv::Mat gloss = cv::Mat::zeros(121, 121, CV_8UC1), image = painted(disc());
   cv::circle(gloss, {50, 48}, 6, cv::Scalar(40), cv::FILLED);
   cv::GaussianBlur(gloss, gloss, {}, 2);
@@ -174,7 +174,7 @@ TEST(Symmetry, GlossLeavesItToTheOperator) {
   EXPECT_EQ(symmetry.possible, 0);
 }
 
-TEST(Symmetry, WhatIsDeclaredCounts) {
+TEST(Symmetry, ADeclaredSymmetryOverridesTheMeasurement) {
   auto model = std::make_shared<ObjectModel>();
   model->name = "bar";
   model->views = {crop_view(painted(bar()), bar(), {60, 60, 0})};
@@ -210,7 +210,7 @@ class MarkedBar : public test::MatcherTest {
   }
 };
 
-TEST_F(MarkedBar, IsGraspableAtEitherAngleOnceDeclared) {
+TEST_F(MarkedBar, IsGraspableAtBothAnglesIfDeclaredSymmetric) {
   for (const int noise : {8, 9, 10, 11, 12}) {
     const Match undeclared = found(bar(), std::nullopt, noise);
     EXPECT_EQ(undeclared.symmetry, 1) << noise;
@@ -223,7 +223,7 @@ TEST_F(MarkedBar, IsGraspableAtEitherAngleOnceDeclared) {
   EXPECT_FALSE(declared.ambiguous);
 }
 
-TEST_F(MarkedBar, AsADiscIsGraspableAtAnyAngleOnceDeclaredRound) {
+TEST_F(MarkedBar, AMarkedDiscIsGraspableAtAnyAngleIfDeclaredRound) {
   for (const int noise : {8, 9, 10, 11, 12}) {
     const Match undeclared = found(disc(), std::nullopt, noise);
     EXPECT_EQ(undeclared.symmetry, 1) << noise;

@@ -15,15 +15,15 @@ cv::Mat tinted(cv::Size size, std::uint64_t seed, const cv::Scalar& tint) {
   return test::texture(size, seed, 4) + tint;
 }
 
-class ColourGateTest : public ::testing::Test {
+class ColourPrefilterTest : public ::testing::Test {
  protected:
   const cv::Size size_{320, 240};
   const cv::Point2d anchor_{60, 60};
   test::LearningImage source_{1};
 
-  ColourGateTest() { source_.surface = tinted(source_.map.size(), 1, {-60, 0, 60}); }
+  ColourPrefilterTest() { source_.surface = tinted(source_.map.size(), 1, {-60, 0, 60}); }
 
-  ColourPrefilter gate() const {
+  ColourPrefilter prefilter() const {
     return {source_.surface, source_.map, anchor_,
             templates::MapGeometry(source_.map).mean_width()};
   }
@@ -38,12 +38,12 @@ class ColourGateTest : public ::testing::Test {
   }
 };
 
-TEST_F(ColourGateTest, LeavesTheTruePlaceAndLittleElseAtAnyRotation) {
+TEST_F(ColourPrefilterTest, KeepsTheTruePlaceAndLittleElseAtAnyRotation) {
   for (int k = 0; k < 8; ++k) {
     cv::Mat scene = tinted(size_, 10 + static_cast<unsigned>(k), {20, 0, -20});
     const Pose2D truth{110.0 + 10 * k, 100.0 + 5 * k, 0.8 * k};
     test::place(scene, source_, anchor_, truth);
-    const SearchMask places = gate().places(classes_of(scene));
+    const SearchMask places = prefilter().places(classes_of(scene));
     EXPECT_FALSE(places.everywhere());
     const cv::Mat wanted = places.of_positions(0, {0, 0}, 1, size_);
     EXPECT_NE(wanted.at<uchar>(cvRound(truth.y), cvRound(truth.x)), 0) << "rotation " << k;
@@ -51,23 +51,24 @@ TEST_F(ColourGateTest, LeavesTheTruePlaceAndLittleElseAtAnyRotation) {
   }
 }
 
-TEST_F(ColourGateTest, LeavesEverythingWhereTheImageHasTheObjectsColoursAllOver) {
+TEST_F(ColourPrefilterTest, KeepsEverythingIfTheObjectsColoursAreEverywhere) {
   cv::Mat scene = tinted(size_, 11, {-60, 0, 60});
   test::place(scene, source_, anchor_, {150, 120, 1});
-  EXPECT_TRUE(gate().places(classes_of(scene)).everywhere());
+  EXPECT_TRUE(prefilter().places(classes_of(scene)).everywhere());
 }
 
-TEST_F(ColourGateTest, AlwaysLeavesSomething) {
+TEST_F(ColourPrefilterTest, AlwaysKeepsSomething) {
   const cv::Mat scene = tinted(size_, 12, {60, 0, -60});
-  EXPECT_GT(part_of(gate().places(classes_of(scene)), size_), 0.02);
+  EXPECT_GT(part_of(prefilter().places(classes_of(scene)), size_), 0.02);
 }
 
-TEST_F(ColourGateTest, SmallImagesAreNotGated) {
+TEST_F(ColourPrefilterTest, DoesNotFilterSmallImages) {
   const cv::Mat scene = tinted({16, 16}, 13, {60, 0, -60});
-  EXPECT_TRUE(gate().places(imaging::ClassImages(imaging::build_pyramid(scene, 0))).everywhere());
+  EXPECT_TRUE(
+      prefilter().places(imaging::ClassImages(imaging::build_pyramid(scene, 0))).everywhere());
 }
 
-TEST(SearchMask, PositionsOfAnyLevelFallIntoTheirCells) {
+TEST(SearchMask, MapsPositionsOfEveryLevelToTheirCells) {
   cv::Mat mask = cv::Mat::zeros(3, 4, CV_8UC1);
   mask.at<uchar>(1, 2) = 255;
   const SearchMask places(mask, 3);  // cells of 8 px: x 16..23, y 8..15
@@ -81,7 +82,7 @@ TEST(SearchMask, PositionsOfAnyLevelFallIntoTheirCells) {
   EXPECT_NE(stepped.at<uchar>(3, 6), 0);
 }
 
-TEST(SearchMask, SpansCoverWhatIsWantedInWholeGroups) {
+TEST(SearchMask, SpansCoverWantedPositionsInWholeGroups) {
   cv::RNG random(5);
   for (int round = 0; round < 200; ++round) {
     const int group = 8, count = group * random.uniform(1, 9);

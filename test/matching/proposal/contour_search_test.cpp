@@ -16,7 +16,7 @@ namespace {
 
 const cv::Point2d kAnchor{60, 60};
 
-class EdgeSearchTest : public ::testing::Test {
+class ContourSearchTest : public ::testing::Test {
  protected:
   std::vector<templates::Candidate> search(const cv::Mat& image, std::size_t foremost,
                                            std::size_t most,
@@ -58,7 +58,7 @@ class EdgeSearchTest : public ::testing::Test {
   const cv::Mat ground_ = test::texture({320, 240}, 5);
 };
 
-TEST(EdgePeaks, TheBestComeFirstWhateverSumsAreEqual) {
+TEST(ResponsePeaks, BestPeaksComeFirstDespiteEqualSums) {
   std::vector<ResponsePeak> peaks;
   for (int i = 0; i < 500; ++i) peaks.emplace_back(1 + i * 37 % 23, i * 11 % 64, i, i % 7);
   auto sorted = peaks;
@@ -77,7 +77,7 @@ TEST(EdgePeaks, TheBestComeFirstWhateverSumsAreEqual) {
   }
 }
 
-TEST_F(EdgeSearchTest, TheForemostComeFirstAndInOrder) {
+TEST_F(ContourSearchTest, BestPosesComeFirstAndInOrder) {
   auto all = values(search(ground_, 400, 400));
   auto some = values(search(ground_, 50, 400));
   EXPECT_TRUE(std::is_sorted(some.rend() - 50, some.rend()));
@@ -87,7 +87,7 @@ TEST_F(EdgeSearchTest, TheForemostComeFirstAndInOrder) {
   EXPECT_EQ(some, all);
 }
 
-TEST_F(EdgeSearchTest, TheForemostOfAQuarterTurnLieApart) {
+TEST_F(ContourSearchTest, BestPosesOfAQuarterTurnAreApart) {
   const auto poses = search(ground_, 50, 400);
   for (std::size_t i = 0; i < 50; ++i)
     for (std::size_t j = 0; j < i; ++j) {
@@ -97,7 +97,7 @@ TEST_F(EdgeSearchTest, TheForemostOfAQuarterTurnLieApart) {
     }
 }
 
-TEST_F(EdgeSearchTest, APlaceIsProposedAtManyRotations) {
+TEST_F(ContourSearchTest, APlaceIsProposedAtManyRotations) {
   const auto poses = search(ground_, 20000, 20000);
   const auto here =
       std::count_if(poses.begin(), poses.end(), [](const templates::Candidate& candidate) {
@@ -106,12 +106,12 @@ TEST_F(EdgeSearchTest, APlaceIsProposedAtManyRotations) {
   EXPECT_GT(here, 6);
 }
 
-TEST_F(EdgeSearchTest, FindsAnObjectAmongTheForemost) {
+TEST_F(ContourSearchTest, FindsAnObjectAmongTheBestPoses) {
   const Pose2D truth{150, 120, 1.2};
   EXPECT_GT(response_at(truth, search(with_object(truth), 20, 20)), 0);
 }
 
-TEST_F(EdgeSearchTest, ACoveredPartDoesNotLowerTheBestThreeQuarters) {
+TEST_F(ContourSearchTest, ACoveredPartDoesNotLowerTheBestThreeQuarters) {
   const Pose2D truth{150, 120, 1.2};
   const cv::Mat free = with_object(truth);
   cv::Mat covered = free.clone();

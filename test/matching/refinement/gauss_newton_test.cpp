@@ -12,7 +12,7 @@
 namespace mbncc::refinement {
 namespace {
 
-class ClimbTest : public ::testing::Test {
+class GaussNewtonTest : public ::testing::Test {
  protected:
   /// An object with texture, or in one colour on a background of another.
   static test::LearningImage lesson(bool textured) {
@@ -58,9 +58,9 @@ class ClimbTest : public ::testing::Test {
   static const cv::Point2d kReference;
 };
 
-const cv::Point2d ClimbTest::kReference{58, 60};
+const cv::Point2d GaussNewtonTest::kReference{58, 60};
 
-TEST_F(ClimbTest, FindsBackFromNearby) {
+TEST_F(GaussNewtonTest, ConvergesFromNearbyPoses) {
   for (const bool textured : {true, false}) {
     const Laid laid(textured, {101.4, 77.3, 0.7});
     for (int k = 0; k < 8; ++k) {
@@ -73,7 +73,7 @@ TEST_F(ClimbTest, FindsBackFromNearby) {
   }
 }
 
-TEST_F(ClimbTest, NeverGetsWorse) {
+TEST_F(GaussNewtonTest, NeverLowersTheValue) {
   const test::LearningImage source = lesson(true);
   const auto object = test::object_from(source, {kReference.x, kReference.y, 0});
   const prepared::PreparedView view(object->views.front(), prepared::Engine::kFast);

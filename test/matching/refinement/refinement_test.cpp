@@ -107,7 +107,7 @@ TEST_F(RefinementTest, FindsAFractionOfAPixelFromAnySide) {
   }
 }
 
-TEST_F(RefinementTest, ErrorsKeepToTheDeviationsClaimed) {
+TEST_F(RefinementTest, ErrorsMatchTheCovariance) {
   double squares = 0;
   constexpr int kPoses = 20;
   for (int k = 0; k < kPoses; ++k) {
@@ -122,14 +122,14 @@ TEST_F(RefinementTest, ErrorsKeepToTheDeviationsClaimed) {
   EXPECT_GT(std::sqrt(squares / kPoses), 0.3);
 }
 
-TEST_F(RefinementTest, NoiseIsSeenInTheClaim) {
+TEST_F(RefinementTest, NoiseIncreasesTheCovariance) {
   const Pose2D truth{103.7, 82.6, 0.9};
   const cv::Matx33d calm = refined(scene_with(truth, 42, 1), anchor_at(truth)).covariance;
   const cv::Matx33d noisy = refined(scene_with(truth, 42, 14), anchor_at(truth)).covariance;
   for (int k = 0; k < 3; ++k) EXPECT_GT(noisy(k, k), 1.5 * calm(k, k));
 }
 
-TEST_F(RefinementTest, DisplacedBrightnessHardlyDisplacesThePose) {
+TEST_F(RefinementTest, DisplacedBrightnessHardlyBiasesThePose) {
   const Pose2D truth{103.7, 82.6, 0.5};
   const Pose2D anchor = anchor_at(truth);
   const cv::Mat scene = scene_with_brightness_aside(truth, 0.5);
@@ -137,7 +137,7 @@ TEST_F(RefinementTest, DisplacedBrightnessHardlyDisplacesThePose) {
   EXPECT_LT(found, 0.15);
 }
 
-TEST_F(RefinementTest, DisplacedColourHardlyDisplacesThePose) {
+TEST_F(RefinementTest, DisplacedColourHardlyBiasesThePose) {
   constexpr double kAside = 2.5;
   const Pose2D truth{103.7, 82.6, 0.5}, colour{truth.x - kAside, truth.y, truth.theta};
   const cv::Mat scene = with_noise(scene_with_brightness_aside(colour, kAside), 5, 3);
@@ -147,7 +147,7 @@ TEST_F(RefinementTest, DisplacedColourHardlyDisplacesThePose) {
   EXPECT_GT(std::sqrt(found.covariance(0, 0)), 0.1 * kAside);
 }
 
-TEST_F(RefinementTest, DisagreementIsSeenInTheClaim) {
+TEST_F(RefinementTest, DisagreementIncreasesTheCovariance) {
   const Pose2D truth{103.7, 82.6, 0.5};
   const auto claim = [&](double aside) {
     const cv::Mat scene = with_noise(scene_with_brightness_aside(truth, aside), 5, 3);
@@ -157,7 +157,7 @@ TEST_F(RefinementTest, DisagreementIsSeenInTheClaim) {
   for (int k = 0; k < 3; ++k) EXPECT_GT(disagreed(k, k), 2 * agreed(k, k)) << k;
 }
 
-TEST_F(RefinementTest, ShadingIsSeenInTheClaim) {
+TEST_F(RefinementTest, ShadingIncreasesTheCovariance) {
   const Pose2D truth{103.7, 82.6, 0.5};
   const cv::Mat even = scene_with(truth);
   cv::Mat shaded = even.clone();
@@ -174,7 +174,7 @@ TEST_F(RefinementTest, ShadingIsSeenInTheClaim) {
   EXPECT_GT(found.covariance(1, 1), place);
 }
 
-TEST_F(RefinementTest, TheClaimTurnsWithTheObject) {
+TEST_F(RefinementTest, TheCovarianceRotatesWithTheObject) {
   // Along a long strip, the position is known less well than across it.
   cv::Mat map = cv::Mat::zeros(120, 120, CV_8UC1);
   map(cv::Rect(15, 52, 90, 12)) = 255;
@@ -194,14 +194,14 @@ TEST_F(RefinementTest, TheClaimTurnsWithTheObject) {
   EXPECT_GT(along_y(1, 1), 1.3 * along_y(0, 0));
 }
 
-TEST_F(RefinementTest, BeyondEightPercentAnotherObjectIsSeen) {
+TEST_F(RefinementTest, ScaleIsKeptIfItDiffersByMoreThanEightPercent) {
   const Pose2D truth{103.7, 82.6, 0.7};
   for (const double scale : {0.9, 1.1})
     EXPECT_EQ(refined(scene_in_size(scale, truth), anchor_in_size(scale, truth), 12).scale, 1)
         << scale;
 }
 
-TEST_F(RefinementTest, BearsAPartThatIsCovered) {
+TEST_F(RefinementTest, RefinesAPartlyCoveredObject) {
   const Pose2D truth{103.7, 82.6, 0};
   const Pose2D anchor = anchor_at(truth);
   cv::Mat scene = scene_with(truth);
@@ -211,7 +211,7 @@ TEST_F(RefinementTest, BearsAPartThatIsCovered) {
   EXPECT_LT(angle_distance(found.pose.theta, anchor.theta), 0.4 * kDegree);
 }
 
-TEST_F(RefinementTest, TellsTheScaleWhereItDiffers) {
+TEST_F(RefinementTest, MeasuresTheScale) {
   const Pose2D truth{103.7, 82.6, 0.7};
   for (const double scale : {0.97, 0.985, 1.02, 1.03}) {
     const Pose2D anchor = anchor_in_size(scale, truth);
@@ -236,7 +236,7 @@ TEST_F(RefinementTest, StartsFromAnotherScale) {
 }
 
 // At the learned size, the edges are 3 to 5 px away.
-TEST_F(RefinementTest, ALargePlainObjectInAnotherSizeNeedsAStartThere) {
+TEST_F(RefinementTest, ALargePlainObjectNeedsAStartAtItsScale) {
   cv::Mat map = cv::Mat::zeros(240, 240, CV_8UC1);
   map(cv::Rect(30, 60, 180, 120)) = 255;
   LearningImage plate(3, map);
@@ -255,7 +255,7 @@ TEST_F(RefinementTest, ALargePlainObjectInAnotherSizeNeedsAStartThere) {
   EXPECT_NEAR(refine(view.dense, level, anchor, 12, 0.94).scale, 0.95, 0.004);
 }
 
-TEST_F(RefinementTest, StaysWhereItStartsWithoutSteps) {
+TEST_F(RefinementTest, StaysAtTheStartWithoutSteps) {
   const Pose2D truth{103.7, 82.6, 0.7};
   const Pose2D start{104.1, 82.2, 0.71};
   const Refined found = refined(scene_with(truth), start, 0);
@@ -266,13 +266,13 @@ TEST_F(RefinementTest, StaysWhereItStartsWithoutSteps) {
   EXPECT_GT(found.covariance(0, 0), 0);
 }
 
-TEST_F(RefinementTest, KnowsNothingOutsideTheImage) {
+TEST_F(RefinementTest, CovarianceIsLargeOutsideTheImage) {
   const Refined found = refined(scene_with({103.7, 82.6, 0.7}), {-500, 40, 0});
   EXPECT_GT(found.covariance(0, 0), 1000);
   EXPECT_GT(found.covariance(2, 2), 1);
 }
 
-TEST(DisagreementTest, TellsHowFarApartBeyondTheClaims) {
+TEST(RandomEffectsTest, MeasuresTheDisagreementBeyondTheCovariances) {
   const auto pull_to = [](const numeric::Motion& motion, double information) {
     numeric::NormalEquations pull;
     pull.information = information * cv::Matx44d::diag({1, 1, 400, 400});
@@ -293,7 +293,7 @@ TEST(DisagreementTest, TellsHowFarApartBeyondTheClaims) {
   EXPECT_NEAR(apart.variance(), 0.25 / 2 / 3, 0.02);
 }
 
-TEST(MotionPullTest, WhatIsLooseTellsLessOfThePlaceAndAsMuchOfNothing) {
+TEST(MarginalisationTest, AFreeShiftLowersTheInformationOnThePosition) {
   numeric::NormalEquations pull;
   pull.information = cv::Matx44d(50, 3, 8, 2, 3, 40, -5, 1, 8, -5, 900, 4, 2, 1, 4, 700);
   const numeric::Motion motion(0.2, -0.1, 0.01, 0.02);
@@ -309,7 +309,7 @@ TEST(MotionPullTest, WhatIsLooseTellsLessOfThePlaceAndAsMuchOfNothing) {
   EXPECT_LT(cv::norm(loose.information * motion - loose.vector), 1e-9);
 }
 
-TEST(MotionPullTest, WhatIsLooseThroughoutTellsLessOfEverything) {
+TEST(MarginalisationTest, AFreeShiftAndTurnLowerAllInformation) {
   numeric::NormalEquations pull;
   pull.information = cv::Matx44d(50, 3, 8, 2, 3, 40, -5, 1, 8, -5, 90000, 4, 2, 1, 4, 70000);
   const numeric::Motion motion(0.2, -0.1, 0.01, 0.02);

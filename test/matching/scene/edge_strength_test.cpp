@@ -36,18 +36,18 @@ TEST(EdgeStrength, GrowsWithContrast) {
 }
 
 // Half of the light halves the contrast in grey levels, but not the contrast of the surfaces.
-TEST(EdgeStrength, ChangesLittleWithTheLight) {
+TEST(EdgeStrength, HardlyDependsOnTheLight) {
   const double full = step_response(120, 180);
   EXPECT_GT(full, 0.75);
   EXPECT_NEAR(step_response(60, 90), full, 0.1);
   EXPECT_NEAR(step_response(40, 60), full, 0.17);
 }
 
-TEST(EdgeStrength, StaysShortForNoiseInTheDark) {
+TEST(EdgeStrength, StaysSmallForNoiseInTheDark) {
   EXPECT_LT(step_response(10, 13), 0.5);
 }
 
-TEST(EdgeStrength, TheSameStepIsWeakerInBrightLight) {
+TEST(EdgeStrength, IsSmallerForTheSameStepInBrightLight) {
   EXPECT_GT(step_response(20, 40), step_response(220, 240) + 0.08);
 }
 

@@ -46,7 +46,7 @@ void expect_as_if_fresh(const SceneImage& scene, const cv::Mat& image) {
   }
 }
 
-TEST(ScenePool, ShowsAnImageAsIfItWereTheFirst) {
+TEST(ScenePool, ReusedScenesEqualFreshOnes) {
   ScenePool pool;
   std::uint64_t seed = 1;
   for (const cv::Size size :
@@ -57,7 +57,7 @@ TEST(ScenePool, ShowsAnImageAsIfItWereTheFirst) {
     }
 }
 
-TEST(ScenePool, LargerMarginsAreNotForgottenTooSoon) {
+TEST(ScenePool, ALargerMarginKeepsTheNarrowerOneValid) {
   const SceneImage scene(random_image({60, 50}, CV_8UC3, 3), 0);
   const auto narrow = scene.levels[0].responses(10);
   const std::int8_t before = narrow->data()[narrow->offset(2, 30, 20)];
@@ -68,7 +68,7 @@ TEST(ScenePool, LargerMarginsAreNotForgottenTooSoon) {
   EXPECT_EQ(scene.levels[0].responses(10), wide);
 }
 
-TEST(ScenePool, LeavesTheCallersImagesAlone) {
+TEST(ScenePool, DoesNotChangeTheCallersImages) {
   ScenePool pool;
   const cv::Mat grey = random_image({50, 40}, CV_8UC1, 1), kept = grey.clone();
   pool.show(grey, kTop);
@@ -76,7 +76,7 @@ TEST(ScenePool, LeavesTheCallersImagesAlone) {
   EXPECT_TRUE(equal(grey, kept));
 }
 
-TEST(ScenePool, ImagesShownAtATimeAreApart) {
+TEST(ScenePool, SimultaneousImagesAreIndependent) {
   ScenePool pool;
   const cv::Mat first = random_image({50, 40}, CV_8UC3, 1);
   const cv::Mat second = random_image({50, 40}, CV_8UC3, 2);
@@ -85,7 +85,7 @@ TEST(ScenePool, ImagesShownAtATimeAreApart) {
   expect_as_if_fresh(*other, second);
 }
 
-TEST(ScenePool, BearsImagesThatCannotBeSearched) {
+TEST(ScenePool, RecoversFromUnusableImages) {
   ScenePool pool;
   EXPECT_THROW(pool.show(cv::Mat(40, 40, CV_16UC1), kTop), std::invalid_argument);
   const cv::Mat image = random_image({50, 40}, CV_8UC3, 1);

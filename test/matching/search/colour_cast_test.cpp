@@ -61,34 +61,34 @@ class ColourCastTest : public ::testing::Test {
   }
 };
 
-TEST_F(ColourCastTest, TellsTheGainsOfBlueAndRed) {
+TEST_F(ColourCastTest, MeasuresTheGainsOfBlueAndRed) {
   const auto gains = told(cast(image_, 0.9, 1.1));
   ASSERT_TRUE(gains);
   EXPECT_NEAR(std::exp(gains->blue), 0.9, 0.015);
   EXPECT_NEAR(std::exp(gains->red), 1.1, 0.015);
 }
 
-TEST_F(ColourCastTest, TellsNothingOfLightAsItWas) {
+TEST_F(ColourCastTest, ReportsNoCastInUnchangedLight) {
   EXPECT_FALSE(told(image_));
   const cv::Mat darker = 0.8 * image_;
   EXPECT_FALSE(told(darker)) << "brightness is no colour";
 }
 
-TEST_F(ColourCastTest, BelievesNeitherOneAloneNorUnlikelyOnes) {
+TEST_F(ColourCastTest, IgnoresSingleAndUnlikelyObjects) {
   const cv::Mat reddish = cast(image_, 0.9, 1.1);
   EXPECT_FALSE(told(reddish, 1));
   EXPECT_FALSE(told(reddish, kObjects, 0));
   EXPECT_FALSE(told(reddish, 0));
 }
 
-TEST_F(ColourCastTest, BelievesNoneWhereTheyDisagree) {
+TEST_F(ColourCastTest, ReportsNoCastIfObjectsDisagree) {
   cv::Mat mixed = image_.clone();
   cast(image_, 0.8, 1.2)(cv::Rect(0, 0, 165, 240)).copyTo(mixed(cv::Rect(0, 0, 165, 240)));
   cast(image_, 1.2, 0.8)(cv::Rect(165, 0, 150, 240)).copyTo(mixed(cv::Rect(165, 0, 150, 240)));
   EXPECT_FALSE(told(mixed));
 }
 
-TEST_F(ColourCastTest, ABalancedImageIsAsItWas) {
+TEST_F(ColourCastTest, RemovingTheCastRestoresTheImage) {
   const cv::Mat back = without_cast(cast(image_, 0.9, 1.1), {std::log(0.9), std::log(1.1)});
   EXPECT_LT(cv::norm(back, image_, cv::NORM_INF), 45) << "but where red was clipped";
   EXPECT_LT(cv::norm(back, image_, cv::NORM_L1) / static_cast<double>(3 * image_.total()), 1);

@@ -45,7 +45,7 @@ class ColourRankingTest : public ::testing::Test {
   std::unique_ptr<scene::SceneImage> scene_;
 };
 
-TEST_F(ColourRankingTest, TheObjectsColoursLiftItsPoseAboveBetterEdges) {
+TEST_F(ColourRankingTest, MatchingColoursRankAboveBetterEdges) {
   const auto best = best_by_colours(view(), *scene_, poses(), 5);
   ASSERT_EQ(best.size(), 5u);
   EXPECT_TRUE(is_truth(best.front()));
@@ -59,12 +59,12 @@ TEST_F(ColourRankingTest, ColoursDoNotOutweighEdges) {
   EXPECT_FALSE(is_truth(best_by_colours(view(), *scene_, all, 5).front()));
 }
 
-TEST_F(ColourRankingTest, MoreThanThereAreIsAll) {
+TEST_F(ColourRankingTest, ReturnsAllPosesIfMoreAreRequested) {
   EXPECT_EQ(best_by_colours(view(), *scene_, poses(), 10000).size(), poses().size());
   EXPECT_TRUE(best_by_colours(view(), *scene_, {}, 5).empty());
 }
 
-TEST_F(ColourRankingTest, InAnImageTooSmallForColoursEdgesDecide) {
+TEST_F(ColourRankingTest, EdgesDecideInImagesTooSmallForColours) {
   const scene::SceneImage small(test::texture({16, 16}, 3), 0);
   auto all = poses();
   all[7].value = 0.7;

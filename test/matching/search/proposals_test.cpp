@@ -49,7 +49,7 @@ class ProposalsTest : public ::testing::Test {
   cv::Mat free_;
 };
 
-TEST_F(ProposalsTest, TheVisiblePartKeepsItsValueWhereTheRestIsCovered) {
+TEST_F(ProposalsTest, ACoveredPartDoesNotLowerTheVisiblePart) {
   cv::Mat covered = free_.clone();
   // The cover has the object's colour, so that only the outline is covered.
   cv::circle(covered, compose(kTruth, {-13, -22, 0}).position(), 22, kColour, cv::FILLED);

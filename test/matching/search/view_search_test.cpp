@@ -71,7 +71,7 @@ class ViewSearchTest : public ::testing::Test {
   prepared::PreparedObject object_;
 };
 
-TEST_F(ViewSearchTest, ASecondLookFindsColoursThatEdgesHide) {
+TEST_F(ViewSearchTest, TheSecondPassFindsMoreObjects) {
   const int at_once = found_by(SearchMode::kQuick), in_the_end = found_by(SearchMode::kTwice);
   EXPECT_LT(at_once, 9);
   EXPECT_GT(in_the_end, at_once);
@@ -94,7 +94,7 @@ class WhiskeredPlateTest : public ViewSearchTest {
   WhiskeredPlateTest() : ViewSearchTest(whiskered_plate()) {}
 };
 
-TEST_F(WhiskeredPlateTest, MeetsItsHalfTurnWhereThePlateCoversItself) {
+TEST_F(WhiskeredPlateTest, ProposesTheHalfTurnThatCoversThePlate) {
   const Pose2D truth{150, 120, 0.8};
   cv::Mat image = test::texture({320, 240}, 77, 5);
   test::place(image, source_, kReference, truth);
@@ -112,7 +112,7 @@ TEST_F(WhiskeredPlateTest, MeetsItsHalfTurnWhereThePlateCoversItself) {
   })) << "the search proposes nothing there";
 }
 
-TEST(SearchOccupied, AnObjectIsJudgedWhereAnotherOfItsSizeLies) {
+TEST(SearchOccupied, RatesAnObjectAtThePlaceOfAnother) {
   const test::LearningImage source(1);
   const prepared::PreparedObject object(test::object_from(source, {52, 60, 0}),
                                         prepared::Engine::kFast);

@@ -43,24 +43,24 @@ TEST_F(HighlightsTest, AreNotCompared) {
   EXPECT_GT(left, 0.7);
 }
 
-TEST_F(HighlightsTest, WhatWasWhiteInTheLessonIsNone) {
+TEST_F(HighlightsTest, LearnedWhiteIsNoHighlight) {
   const cv::Mat white = with_spot(source_.image);
   EXPECT_EQ(compared(white, white), 1);
 }
 
-TEST_F(HighlightsTest, WhatSaturatesInBrighterLightIsNone) {
+TEST_F(HighlightsTest, SaturationByBrighterLightIsNoHighlight) {
   cv::Mat pale = source_.image.clone(), brighter;
   pale(kSpot) = cv::Scalar::all(180);
   pale.convertTo(brighter, -1, 1.5);
   EXPECT_GT(compared(pale, brighter), 0.97);
 }
 
-TEST_F(HighlightsTest, OfAnImageThatIsSaturatedMostlyAllIsCompared) {
+TEST_F(HighlightsTest, MostlySaturatedImagesAreComparedCompletely) {
   cv::Mat white(source_.image.size(), CV_8UC3, cv::Scalar::all(255));
   EXPECT_EQ(compared(source_.image, white), 1) << "what a white table shows speaks against it";
 }
 
-TEST_F(HighlightsTest, DoNotKeepAnObjectFromTheGrasp) {
+TEST_F(HighlightsTest, DoNotPreventAGrasp) {
   Matcher matcher;
   matcher.set_objects({test::object_from(source_, {58, 60, 0})});
   const cv::Mat background = test::texture({320, 240}, 77, 5);

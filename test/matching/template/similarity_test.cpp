@@ -23,7 +23,7 @@ class SimilarityTest : public ::testing::Test {
   const Pose2D home_{60, 60, 0};
 };
 
-TEST_F(SimilarityTest, IsOneAtHome) {
+TEST_F(SimilarityTest, IsOneAtTheLearnedPose) {
   const Similarity similar = similarity(points_, learned_, home_, 0);
   EXPECT_NEAR(similar.value, 1, 1e-9);
   EXPECT_EQ(similar.visible, 1);

@@ -153,7 +153,7 @@ TEST_F(Camera, WithholdsFrozenImages) {
   EXPECT_EQ(received_.size(), 4u);
 }
 
-TEST_F(Camera, BadParametersStopItWithASentence) {
+TEST_F(Camera, InvalidParametersStopItWithAnExplanation) {
   const auto refusal = [this](const std::string& key, const auto& value) {
     ros::param::del("/camera");
     fatal_.clear();

@@ -129,7 +129,7 @@ class ImageFaults : public testing::Test {
   std::unique_ptr<nodelet::Loader> loader_;
 };
 
-TEST_F(ImageFaults, SwitchingResolutionIsBorne) {
+TEST_F(ImageFaults, AChangingResolutionIsHandled) {
   load();
   const std::vector<cv::Size> others{{320, 240}, {80, 60}, {161, 120},
                                      {120, 160}, {2, 2},   {640, 3}};
@@ -158,7 +158,7 @@ TEST_F(ImageFaults, AQueueAnswersEveryImageOfABurst) {
   EXPECT_EQ(array_->header.stamp, last_stamp_) << "in their order";
 }
 
-TEST_F(ImageFaults, EmptyImagesShowNothing) {
+TEST_F(ImageFaults, EmptyImagesGiveNoDetections) {
   load();
   cv::RNG random(3);
   for (int i = 0; i < 10 * images(); ++i) {
@@ -173,7 +173,7 @@ TEST_F(ImageFaults, EmptyImagesShowNothing) {
       << "and then the part is found";
 }
 
-TEST_F(ImageFaults, AnOldCameraInfoDoesNotCount) {
+TEST_F(ImageFaults, AnOldCameraInfoIsIgnored) {
   ros::param::set("/matching/max_info_age", 2.0);
   load();
   const auto is_posed = [this](bool with_camera_info) {

@@ -216,7 +216,7 @@ class ImageFormats : public testing::Test {
 
 class GreyImages : public ImageFormats, public testing::WithParamInterface<const char*> {};
 
-TEST_P(GreyImages, Of12BitsAreFoundAndExplained) {
+TEST_P(GreyImages, TwelveBitImagesAreSearchedAndExplained) {
   ros::param::set("/matching/white_level", kWhite);
   teach(true);
   load();
@@ -230,7 +230,7 @@ TEST_P(GreyImages, Of12BitsAreFoundAndExplained) {
 
 INSTANTIATE_TEST_SUITE_P(Encodings, GreyImages, testing::Values("mono16", "16UC1"));
 
-TEST_F(ImageFormats, NumbersWithoutAScaleAreRefused) {
+TEST_F(ImageFormats, SixteenBitsWithoutAWhiteLevelAreRefused) {
   teach(true);
   load();
   EXPECT_NE(refusal_of(message_of(with_12_bits(grey(shown_)), "16UC1")).find("set white_level"),
@@ -239,7 +239,7 @@ TEST_F(ImageFormats, NumbersWithoutAScaleAreRefused) {
   EXPECT_TRUE(array_->objects.empty());
 }
 
-TEST_F(ImageFormats, ABayerMosaicOf12BitsHasItsColours) {
+TEST_F(ImageFormats, ATwelveBitBayerMosaicHasItsColours) {
   ros::param::set("/matching/white_level", kWhite);
   teach(false);
   load();
@@ -253,7 +253,7 @@ TEST_F(ImageFormats, ABayerMosaicOf12BitsHasItsColours) {
   EXPECT_LT(std::max(mean[0], mean[2]), kMostColour) << "blue and red in their places";
 }
 
-TEST_F(ImageFormats, APartOfTheSensorHasItsPlaceOnIt) {
+TEST_F(ImageFormats, ASensorRegionKeepsItsPosition) {
   teach(false);
   load();
   auto info = info_of({400, 300});
@@ -268,7 +268,7 @@ TEST_F(ImageFormats, APartOfTheSensorHasItsPlaceOnIt) {
   EXPECT_NEAR(kFocalLength * place.y / kDistance + 150 - 130, found.image_pose.y, kMostMisfit);
 }
 
-TEST_F(ImageFormats, BinnedPixelsAreSeveralOfTheSensor) {
+TEST_F(ImageFormats, BinnedPixelsCoverSeveralSensorPixels) {
   teach(false);
   load();
   auto info = info_of({320, 240});
@@ -281,7 +281,7 @@ TEST_F(ImageFormats, BinnedPixelsAreSeveralOfTheSensor) {
   EXPECT_NEAR(binned(kFocalLength * place.y / kDistance + 120), found.image_pose.y, kMostMisfit);
 }
 
-TEST_F(ImageFormats, AFisheyeSeesByTheAngle) {
+TEST_F(ImageFormats, AFisheyeMapsByTheAngle) {
   ros::param::set("/matching/rectified", false);
   teach(false);
   load();
@@ -318,7 +318,7 @@ TEST_F(ImageFormats, ARegionOutsideTheImageIsRefused) {
   EXPECT_EQ(statuses_, std::set<int>{DetectedObjectArray::STALE});
 }
 
-TEST_F(ImageFormats, AnotherSizeIsToldWithTheRemedy) {
+TEST_F(ImageFormats, AnotherSizeIsReportedWithTheRemedy) {
   teach(false);
   load();
   cv::Mat larger;
@@ -334,7 +334,7 @@ TEST_F(ImageFormats, AnotherSizeIsToldWithTheRemedy) {
 
 // Stamps that double precision represents exactly: of 32 images per second, 24 are three out of
 // four.
-TEST_F(ImageFormats, TheRateIsThatOfTheStamps) {
+TEST_F(ImageFormats, TheRateIsMeasuredByTheStamps) {
   ros::param::set("/matching/max_rate", 24.0);
   teach(false);
   load();

@@ -60,7 +60,7 @@ TEST_F(FolderOfImages, PlaysInTheOrderOfNamesAndEnds) {
   EXPECT_FALSE(source->grab());
 }
 
-TEST_F(FolderOfImages, LoopSeesImagesThatCameMeanwhile) {
+TEST_F(FolderOfImages, LoopIncludesImagesAddedMeanwhile) {
   write("a.png", 10);
   const auto source = open(true);
   EXPECT_EQ(next_grey(*source), 10);
@@ -97,19 +97,19 @@ TEST_F(FolderOfImages, WithoutImagesIsRefused) {
   EXPECT_NE(refusal(folder_.path()).find("holds no image"), std::string::npos);
 }
 
-TEST_F(FolderOfImages, FileThatIsNoVideoIsRefused) {
+TEST_F(FolderOfImages, AFileThatIsNoVideoIsRefused) {
   std::ofstream(folder_ / "video.avi") << "rubbish";
   EXPECT_NE(refusal(folder_ / "video.avi").find("not a readable video"), std::string::npos);
 }
 
-TEST(ImageSource, MissingOnesAreRefused) {
+TEST(ImageSource, MissingSourcesAreRefused) {
   EXPECT_NE(refusal("/no/such/folder").find("no such folder"), std::string::npos);
   EXPECT_NE(refusal("/dev/no_such_video").find("no such folder"), std::string::npos);
   EXPECT_NE(refusal("/dev/no_such_video").find("there is "), std::string::npos);
   EXPECT_NE(refusal("99999").find("does not answer"), std::string::npos);
 }
 
-TEST(ImageSource, SecretsOfStreamsAreNotTold) {
+TEST(ImageSource, PasswordsAreRemovedFromStreamNames) {
   const std::string secrets[][2] = {
       {"rtsp://admin:secret@10.0.0.7:554/live", "rtsp://10.0.0.7:554/live"},
       {"rtsp://admin:se/c@ret?#:@camera/live", "rtsp://camera/live"},
@@ -125,7 +125,7 @@ TEST(ImageSource, SecretsOfStreamsAreNotTold) {
     EXPECT_EQ(without_secrets(harmless), harmless);
 }
 
-TEST(ImageSource, SecretsOfStreamsReachNeitherSentencesNorStandardError) {
+TEST(ImageSource, PasswordsDoNotReachMessagesOrStandardError) {
   for (const std::string source :
        {"http://admin:secret@127.0.0.1:1/live", "rtsp://admin:secret@127.0.0.1:1/live",
         "http://127.0.0.1:1/video?password=secret", "rtsp:/admin:secret@127.0.0.1:1"}) {

@@ -49,7 +49,7 @@ class RawLens : public SimulatedCell {
   }
 };
 
-TEST_F(RawLens, DoesNotMoveWhatIsFound) {
+TEST_F(RawLens, DoesNotChangeThePoses) {
   ASSERT_NO_FATAL_FAILURE(teach("part"));
   geometry_msgs::Pose seen;
   ASSERT_NO_FATAL_FAILURE(find_where([](double apart) { return apart < kNear; }, seen));

@@ -44,7 +44,7 @@ double mean_difference(const cv::Mat& a, const cv::Mat& b) {
   return cv::mean(difference)[1];
 }
 
-TEST(Rectifier, GivesTheUndistortedImageBack) {
+TEST(Rectifier, RestoresTheUndistortedImage) {
   const SimulatedOptics optics(distorted_cell());
   const cv::Mat straight = drawing(), raw = optics.expose(straight);
   const RectifiedView view = without_distortion(optics.camera_info(), header(), kSize);
@@ -56,7 +56,7 @@ TEST(Rectifier, GivesTheUndistortedImageBack) {
   EXPECT_GT(mean_difference(raw(inner), straight(inner)), 5) << "the lens shows";
 }
 
-TEST(Rectifier, GivesTheDrawingBackFromATiltedCamera) {
+TEST(Rectifier, RestoresTheDrawingFromATiltedCamera) {
   SimulatedCameraConfig config = distorted_cell();
   config.tilt = 8;
   const SimulatedOptics optics(config);
@@ -102,7 +102,7 @@ TEST(Rectifier, APartOfTheSensorGivesAPartOfTheImage) {
   expect_same_part(info);
 }
 
-TEST(Rectifier, RefusesACalibrationOfAnotherSizeOrNone) {
+TEST(Rectifier, RefusesACalibrationOfAnotherSizeOrAMissingOne) {
   const auto info = SimulatedOptics(distorted_cell()).camera_info();
   EXPECT_FALSE(without_distortion(info, header(), {640, 480}));
   EXPECT_FALSE(without_distortion({}, header(), kSize));

@@ -66,7 +66,7 @@ TEST_F(SimulatedCamera, PublishesImagesCalibrationAndTruthOfOneStamp) {
   EXPECT_GT(info_->K[0], 0);
 }
 
-TEST_F(SimulatedCamera, TellsTheStoryOnRequest) {
+TEST_F(SimulatedCamera, PlaysTheStoryOnRequest) {
   ASSERT_TRUE(spin_until([this] { return at_rest() && truth_->objects.size() == 1; }));
   const DetectedObject first = truth_->objects[0];
   EXPECT_EQ(first.name, "object");
@@ -89,7 +89,7 @@ TEST_F(SimulatedCamera, TellsTheStoryOnRequest) {
   EXPECT_NE(second.image_pose.theta, first.image_pose.theta);
 }
 
-TEST_F(SimulatedCamera, ReportsLikeACamera) {
+TEST_F(SimulatedCamera, PublishesDiagnosticsLikeACamera) {
   std::map<std::string, std::string> values;
   const auto reports = node_.subscribe<diagnostic_msgs::DiagnosticArray>(
       "/diagnostics", 20, [&](const diagnostic_msgs::DiagnosticArray::ConstPtr& report) {

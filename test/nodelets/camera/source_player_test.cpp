@@ -119,7 +119,7 @@ TEST_F(SourcePlayerTest, PublishesImageAfterImageWithGrowingStamps) {
   EXPECT_EQ(state(), "open");
 }
 
-TEST_F(SourcePlayerTest, TriesAgainAfterPausesThatDoubleUpToEightSeconds) {
+TEST_F(SourcePlayerTest, RetriesAfterPausesThatDoubleUpToEightSeconds) {
   story_.refusals = 7;
   play(7);
   EXPECT_EQ(pauses_, (std::vector<double>{0.5, 1, 2, 4, 8, 8, 8}));
@@ -129,7 +129,7 @@ TEST_F(SourcePlayerTest, TriesAgainAfterPausesThatDoubleUpToEightSeconds) {
   EXPECT_EQ(published_.size(), 1u);
 }
 
-TEST_F(SourcePlayerTest, AnImageMakesTheNextRetrySoonAgain) {
+TEST_F(SourcePlayerTest, AnImageResetsTheRetryPause) {
   story_.live = true;
   story_.refusals = 3;
   story_.fails_at = 2;
@@ -179,7 +179,7 @@ TEST_F(SourcePlayerTest, ALiveSourceGetsNoStampTwice) {
   EXPECT_EQ(count("images without a new stamp"), "2");
 }
 
-TEST_F(SourcePlayerTest, KeepsTheAskedPaceAndHurriesAfterNoDelay) {
+TEST_F(SourcePlayerTest, KeepsTheFrameRateWithoutCatchingUp) {
   config_.frame_rate = 4;
   play(4);
   EXPECT_EQ(pauses_, (std::vector<double>{0.25, 0.25, 0.25}));
@@ -188,7 +188,7 @@ TEST_F(SourcePlayerTest, KeepsTheAskedPaceAndHurriesAfterNoDelay) {
   EXPECT_EQ(pauses_, (std::vector<double>{0.25, 0.25, 0.25, 0.25}));
 }
 
-TEST_F(SourcePlayerTest, TakesTheSourcesPaceOrTenHertz) {
+TEST_F(SourcePlayerTest, UsesTheSourcesRateOrTenHertz) {
   story_.rate = 2;
   play(2);
   EXPECT_EQ(pauses_, std::vector<double>{0.5});
@@ -197,14 +197,14 @@ TEST_F(SourcePlayerTest, TakesTheSourcesPaceOrTenHertz) {
   EXPECT_EQ(pauses_, (std::vector<double>{0.5, 0.5, 0.1}));
 }
 
-TEST_F(SourcePlayerTest, UnreadableImagesAreCountedAndLeftOut) {
+TEST_F(SourcePlayerTest, UnreadableImagesAreCountedAndSkipped) {
   story_.unreadable = 1;
   play(3);
   EXPECT_EQ(published_, (std::vector<int>{1, 3}));
   EXPECT_EQ(count("unreadable images"), "1");
 }
 
-TEST_F(SourcePlayerTest, TheEndIsSaidOnceAndLasts) {
+TEST_F(SourcePlayerTest, TheEndIsReportedAndLasts) {
   story_.images = 2;
   play(5);
   EXPECT_EQ(published_.size(), 2u);

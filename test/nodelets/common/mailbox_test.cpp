@@ -25,7 +25,7 @@ TEST(MailboxTest, SeveralItemsWaitInTheirOrder) {
   EXPECT_EQ(mailbox.take(), 3);
 }
 
-TEST(MailboxTest, ClearDropsWhatWaits) {
+TEST(MailboxTest, ClearDropsWaitingItems) {
   Mailbox<int> mailbox(2);
   mailbox.put(1);
   mailbox.put(2);

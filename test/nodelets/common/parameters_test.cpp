@@ -65,14 +65,14 @@ TEST(Parameters, AreAssignedByName) {
   EXPECT_EQ(sample.mode, "fast");
 }
 
-TEST(Parameters, NotSetKeepTheirDefaults) {
+TEST(Parameters, KeepTheirDefaultsIfNotSet) {
   Sample sample;
   assign_parameters(field_rows(sample), one("loop", true));
   EXPECT_EQ(sample.count, 3);
   EXPECT_EQ(sample.rate, 10);
 }
 
-TEST(Parameters, WholeNumberStandsForDoubleAndString) {
+TEST(Parameters, IntegersAreAcceptedAsDoubleAndString) {
   XmlRpcValue values;
   values["rate"] = 5;
   values["source"] = 0;
@@ -116,7 +116,7 @@ TEST(Parameters, ListsAndNamespacesAreRefused) {
   EXPECT_NE(refusal(XmlRpcValue(3)), "");
 }
 
-TEST(Parameters, KeysOfOtherLibrariesAreLeftAlone) {
+TEST(Parameters, KeysOfOtherLibrariesAreIgnored) {
   EXPECT_EQ(refusal(one("known_to_others", one("a", 1))), "");
 }
 

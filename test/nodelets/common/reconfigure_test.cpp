@@ -17,7 +17,7 @@ class ReconfigureTest : public testing::Test {
   MatchingNodeConfig config_;
 };
 
-TEST_F(ReconfigureTest, ListsWhatMayBeChangedWithItsBounds) {
+TEST_F(ReconfigureTest, ListsChangeableParametersWithTheirBounds) {
   const auto description = describe(rows());
   ASSERT_EQ(description.groups.size(), 1u);
   ASSERT_EQ(description.groups[0].parameters.size(), 4u);
@@ -32,7 +32,7 @@ TEST_F(ReconfigureTest, ListsWhatMayBeChangedWithItsBounds) {
   EXPECT_EQ(to_config(rows()).doubles.at(0).value, config_.search.min_score);
 }
 
-TEST_F(ReconfigureTest, AssignsWhatIsAllowedAndRefusesTheRest) {
+TEST_F(ReconfigureTest, AssignsAllowedValuesAndRefusesOthers) {
   dynamic_reconfigure::Config wanted = to_config(rows());
   wanted.bools[0].value = 0;
   wanted.doubles[0].value = 0.5;
@@ -47,7 +47,7 @@ TEST_F(ReconfigureTest, AssignsWhatIsAllowedAndRefusesTheRest) {
   EXPECT_EQ(config_.tf_prefix, "left_");
 }
 
-TEST_F(ReconfigureTest, RefusesWhatMayNotBeChanged) {
+TEST_F(ReconfigureTest, RefusesFixedParameters) {
   dynamic_reconfigure::Config wanted;
   wanted.strs.emplace_back();
   wanted.strs[0].name = "library_path";

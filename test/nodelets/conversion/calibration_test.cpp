@@ -66,7 +66,7 @@ TEST(Rays, OfRawPixelsUndoTheLens) {
     }
 }
 
-TEST(Rays, AreNotFiniteWhereTheLensFoldsOver) {
+TEST(Rays, AreNotFiniteWhereTheLensModelFoldsOver) {
   auto info = strong_lens();
   info.D = {-0.9, 0, 0, 0, 0};
   const auto rays = rays_of(info, false, kSize);
@@ -152,7 +152,7 @@ TEST(Calibration, RegionAndBinningAreThoseOfTheSensor) {
       << "not the whole sensor";
 }
 
-TEST(Calibration, AWindowThatContradictsItselfHasNoSize) {
+TEST(Calibration, AnInconsistentRegionHasNoSize) {
   using Spoil = std::function<void(sensor_msgs::CameraInfo&)>;
   for (const Spoil& spoil :
        std::vector<Spoil>{[](auto& i) { i.width = 0; }, [](auto& i) { i.height = 0xffffffffu; },
@@ -194,7 +194,7 @@ TEST(Calibration, TakesThePlatformAtTheImagesStamp) {
   EXPECT_FALSE(none.fault.empty());
 }
 
-TEST(Calibration, UnusableCameraInfoIsRefusedWithASentence) {
+TEST(Calibration, UnusableCameraInfoIsRefusedWithAReason) {
   using Spoil = std::function<void(sensor_msgs::CameraInfo&)>;
   const std::vector<std::pair<bool, Spoil>> faults{
       {true, [](auto& info) { info.P.fill(0); }},
@@ -231,7 +231,7 @@ void expect_fault(bool rectified, const sensor_msgs::CameraInfo& info, const std
       << "'" << calibration.fault << "' lacks '" << words << "'";
 }
 
-TEST(Calibration, WhatNoCameraHasIsNamed) {
+TEST(Calibration, ImplausibleIntrinsicsAreNamed) {
   struct Row {
     bool rectified;
     std::function<void(sensor_msgs::CameraInfo&)> spoil;
@@ -269,7 +269,7 @@ TEST(Calibration, WhatNoCameraHasIsNamed) {
   }
 }
 
-TEST(Calibration, ALensWithoutNumbersIsStraightUnlessAFisheye) {
+TEST(Calibration, ALensWithoutCoefficientsIsIdealUnlessAFisheye) {
   auto info = strong_lens();
   tf2_ros::Buffer tf;
   for (const std::size_t count : {0, 3, 5}) {
@@ -280,7 +280,7 @@ TEST(Calibration, ALensWithoutNumbersIsStraightUnlessAFisheye) {
   expect_fault(false, info, "has 4");
 }
 
-TEST(Calibration, APlatformThatIsNotBeforeTheCameraIsNone) {
+TEST(Calibration, APlatformNotInFrontOfTheCameraIsRefused) {
   const auto info = strong_lens();
   tf2_ros::Buffer tf;
   PlatformConfig config;

@@ -405,7 +405,7 @@ std::string text_of(const Case& c) {
   return text.str();
 }
 
-TEST(CameraInfoFuzz, PosesAreGivenOnlyWhereTheMessageIsMet) {
+TEST(CameraInfoFuzz, PosesAreGivenOnlyForUsableMessages) {
   Generator generator(77);
   int posed = 0, refused = 0, sound = 0, sound_posed = 0;
   for (int i = 0; i < kMessages; ++i) {

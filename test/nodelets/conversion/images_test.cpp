@@ -78,7 +78,7 @@ sensor_msgs::Image swapped(sensor_msgs::Image message) {
   return message;
 }
 
-TEST(DecodeImage, SixteenBitsAreAsBrightAsTheWhiteLevelSays) {
+TEST(DecodeImage, SixteenBitsAreScaledByTheWhiteLevel) {
   const cv::Mat grey(8, 10, CV_16UC1, cv::Scalar(2000));
   for (const auto& [white, expected] :
        {std::pair(0, 8), {65535, 8}, {4095, 125}, {2000, 255}, {1000, 255}}) {
@@ -89,7 +89,7 @@ TEST(DecodeImage, SixteenBitsAreAsBrightAsTheWhiteLevelSays) {
   }
 }
 
-TEST(DecodeImage, SixteenBitsOfEveryOrderAndPattern) {
+TEST(DecodeImage, DecodesSixteenBitsOfEveryOrderAndPattern) {
   const cv::Mat bgr(8, 10, CV_16UC3, cv::Scalar(kColour[0], kColour[1], kColour[2]) * 16);
   cv::Mat other;
   const int white = 255 * 16;
@@ -110,7 +110,7 @@ TEST(DecodeImage, SixteenBitsOfEveryOrderAndPattern) {
   }
 }
 
-TEST(DecodeImage, NumbersWithoutAMeaningNeedTheirWhiteLevel) {
+TEST(DecodeImage, SixteenBitsNeedAWhiteLevel) {
   const auto message = message_of(cv::Mat(8, 10, CV_16UC1, cv::Scalar(500)), "16UC1");
   EXPECT_NE(decode_image(message).fault.find("white_level"), std::string::npos);
   expect_colour(decode_image(message, 1000).image, {128, 128, 128}, 0);
@@ -178,7 +178,7 @@ struct Lie {
   void (*tell)(sensor_msgs::Image&);
 };
 
-TEST(DecodeImage, RefusesALyingLayout) {
+TEST(DecodeImage, RefusesAnInconsistentLayout) {
   const Lie lies[] = {
       {"no width", [](auto& m) { m.width = 0; }},
       {"no height", [](auto& m) { m.height = 0; }},
@@ -263,7 +263,7 @@ TEST(EncodeImage, ReadsBackBitForBit) {
   EXPECT_EQ(cv::norm(decoded.image, part, cv::NORM_INF), 0);
 }
 
-TEST(EncodeImage, OfNothingIsAnEmptyField) {
+TEST(EncodeImage, OfAnEmptyImageIsEmpty) {
   EXPECT_FALSE(is_given(encode_image({})));
   EXPECT_TRUE(is_given(encode_image(cv::Mat::zeros(2, 2, CV_8UC1))));
 }

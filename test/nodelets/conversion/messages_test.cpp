@@ -65,7 +65,7 @@ TEST(LearnedObjectMessage, CarriesTheDeclaredSymmetry) {
     EXPECT_THROW(symmetry_from_msg(static_cast<std::uint8_t>(wrong)), std::invalid_argument);
 }
 
-TEST(LearnedObjectMessage, CarriesEveryTimeThatAFileMayHold) {
+TEST(LearnedObjectMessage, CarriesEveryTimeThatAFileMayContain) {
   ObjectModel model = plate();
   model.learned_at = 4e9;
   EXPECT_EQ(to_msg(model, false).learned_at.sec, 4000000000u);
@@ -103,7 +103,7 @@ TEST(DetectedObjectMessage, HasNoMetricPoseByItself) {
   EXPECT_EQ(message.outline.points.size(), 3u);
 }
 
-TEST(DetectedObjectMessage, TellsAnAmbiguousMatch) {
+TEST(DetectedObjectMessage, ReportsAnAmbiguousMatch) {
   Match match;
   match.ambiguous = true;
   EXPECT_EQ(to_msg(match, nullptr).state, mbncc_vision::DetectedObject::AMBIGUOUS);
@@ -115,7 +115,7 @@ TEST(RegionOfInterest, ReadsBack) {
   EXPECT_EQ(from_msg(to_msg(region), {640, 480}), region);
 }
 
-TEST(RegionOfInterest, OfZeroTimesZeroIsTheWholeImage) {
+TEST(RegionOfInterest, OfZeroSizeIsTheWholeImage) {
   const auto region = from_msg(sensor_msgs::RegionOfInterest{}, {640, 480});
   ASSERT_TRUE(region);
   EXPECT_TRUE(region->empty());

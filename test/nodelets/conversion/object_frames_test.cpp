@@ -84,7 +84,7 @@ TEST_F(ObjectFramesTest, AnInstanceThatMovesIsInterpolated) {
   EXPECT_NEAR(x_at("object_key", 1.5), 3.5, 1e-9);
 }
 
-TEST_F(ObjectFramesTest, NothingIsSentTwiceForAStampNorWithoutAName) {
+TEST_F(ObjectFramesTest, ATransformIsSentOncePerStampAndOnlyWithAName) {
   show(1, {confirmed(1, 3)});
   EXPECT_EQ(sent_, 2);
   show(1, {confirmed(1, 3)});
@@ -99,7 +99,7 @@ TEST_F(ObjectFramesTest, NothingIsSentTwiceForAStampNorWithoutAName) {
   EXPECT_EQ(sent_, 4);
 }
 
-TEST_F(ObjectFramesTest, AGraspHangsUnderBothFrames) {
+TEST_F(ObjectFramesTest, AGraspIsAChildOfBothFrames) {
   mbncc_vision::DetectedObject turned = confirmed(1, 3);  // by 180 degrees about its x axis
   turned.pose.pose.orientation.x = 1;
   turned.pose.pose.orientation.w = 0;
@@ -116,7 +116,7 @@ TEST_F(ObjectFramesTest, AGraspHangsUnderBothFrames) {
   }
 }
 
-TEST_F(ObjectFramesTest, NoFrameOfAGraspThatIsNoPose) {
+TEST_F(ObjectFramesTest, AnInvalidGraspGetsNoFrame) {
   mbncc_vision::DetectedObject object = confirmed(1, 3);
   object.has_grasp = true;
   object.grasp.position.x = std::numeric_limits<double>::quiet_NaN();

@@ -64,7 +64,7 @@ class StandardOutputs : public SimulatedCell {
   Heard<vision_msgs::VisionInfo> infos_{node_, "vision/vision_info"};
 };
 
-TEST_F(StandardOutputs, SayWhatDetectedObjectsSays) {
+TEST_F(StandardOutputs, AgreeWithDetectedObjects) {
   teach_with_grasp("part");
   const ros::Time since = truth_->header.stamp;
   ASSERT_TRUE(spin_until([&] { return confirmed_since(since) != nullptr; }));

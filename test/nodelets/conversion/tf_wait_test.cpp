@@ -26,7 +26,7 @@ void wait(const tf2_ros::Buffer& tf, double patience = kHour) {
   wait_for_transform(tf, "base", "camera", kStamp, patience);
 }
 
-TEST(TfWait, EndsWhenTheTransformHasCome) {
+TEST(TfWait, EndsWhenTheTransformArrives) {
   tf2_ros::Buffer tf;
   tf.setTransform(base_to_camera(kStamp - ros::Duration(0.02)), "robot");
   std::thread robot(
@@ -36,29 +36,29 @@ TEST(TfWait, EndsWhenTheTransformHasCome) {
   EXPECT_TRUE(tf.canTransform("base", "camera", kStamp));
 }
 
-TEST(TfWait, NobodyWaitsForWhatIsThere) {
+TEST(TfWait, DoesNotWaitForAnAvailableTransform) {
   tf2_ros::Buffer tf;
   tf.setTransform(base_to_camera(kStamp), "robot");
   wait(tf);
 }
 
-TEST(TfWait, NobodyWaitsForAMissingFrame) {
+TEST(TfWait, DoesNotWaitForAMissingFrame) {
   wait(tf2_ros::Buffer());
 }
 
-TEST(TfWait, NobodyWaitsForARobotThatHasFallenSilent) {
+TEST(TfWait, DoesNotWaitForARobotThatStoppedPublishing) {
   tf2_ros::Buffer tf;
   tf.setTransform(base_to_camera(kStamp - ros::Duration(kHour + 1)), "robot");
   wait(tf);
 }
 
-TEST(TfWait, NobodyWaitsForAFixedTransform) {
+TEST(TfWait, DoesNotWaitForAFixedTransform) {
   tf2_ros::Buffer tf;
   tf.setTransform(base_to_camera(ros::Time(1)), "robot", true);
   wait(tf);
 }
 
-TEST(TfWait, EndsWithThePatience) {
+TEST(TfWait, EndsAfterTheTimeout) {
   tf2_ros::Buffer tf;
   tf.setTransform(base_to_camera(kStamp - ros::Duration(0.001)), "robot");
   wait(tf, 0.01);

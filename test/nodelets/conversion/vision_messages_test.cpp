@@ -68,7 +68,7 @@ TEST(VisionMessages, AreThoseOfThePublicPackage) {
   EXPECT_STREQ(MD5Sum<vision_msgs::VisionInfo>::value(), "eee36f8dc558754ceb4ef619179d8b34");
 }
 
-TEST(VisionMessages, InTheImageTheBoxLiesAlongTheObject) {
+TEST(VisionMessages, InTheImageTheBoxIsAlignedWithTheObject) {
   const auto array = array_of(bar());
   const auto detections = to_detections_2d(array, ids_of(array));
   ASSERT_EQ(detections.detections.size(), 1u);
@@ -86,7 +86,7 @@ TEST(VisionMessages, InTheImageTheBoxLiesAlongTheObject) {
   EXPECT_EQ(detection.results[0].pose, bar().pose);
 }
 
-TEST(VisionMessages, InSpaceTheBoxHoldsTheBody) {
+TEST(VisionMessages, InSpaceTheBoxContainsTheBody) {
   for (const bool out : {false, true}) {
     DetectedObject object = bar();
     if (out) {
@@ -108,7 +108,7 @@ TEST(VisionMessages, InSpaceTheBoxHoldsTheBody) {
   }
 }
 
-TEST(VisionMessages, OfUnknownScaleTheBoxHasNoSize) {
+TEST(VisionMessages, WithUnknownScaleTheBoxHasNoSize) {
   DetectedObject object = bar();
   object.footprint.points.clear();
   const auto array = array_of(object);
@@ -117,7 +117,7 @@ TEST(VisionMessages, OfUnknownScaleTheBoxHasNoSize) {
   EXPECT_EQ(box.center, object.pose.pose);
 }
 
-TEST(VisionMessages, WhatIsNotConfirmedIsLeftOut) {
+TEST(VisionMessages, UnconfirmedObjectsAreOmitted) {
   for (const std::uint8_t state :
        {DetectedObject::NEW, DetectedObject::AMBIGUOUS, DetectedObject::HELD}) {
     DetectedObject object = bar();
@@ -128,7 +128,7 @@ TEST(VisionMessages, WhatIsNotConfirmedIsLeftOut) {
   }
 }
 
-TEST(VisionMessages, WithoutMetresTheImageIsLeft) {
+TEST(VisionMessages, WithoutMetresOnlyTheImageMessageIsFilled) {
   DetectedObject object = bar();
   object.pose_valid = false;
   object.pose.pose.position.x = std::nan("");
@@ -148,7 +148,7 @@ TEST(ObjectIds, AreTheNamesChecksums) {
   EXPECT_EQ(object_id("bracket"), 0x410e266e) << "zlib.crc32(b'bracket')";
 }
 
-TEST(ObjectIds, NewNamesAreNews) {
+TEST(ObjectIds, ReportNewNames) {
   ObjectIds ids;
   const auto array = array_of(bar());
   EXPECT_FALSE(ids.has("bar"));
@@ -158,7 +158,7 @@ TEST(ObjectIds, NewNamesAreNews) {
   EXPECT_EQ(ids.names().at(object_id("bar")), "bar");
 }
 
-TEST(ObjectIds, OfTwoNamesWithOneNumberTheSecondIsLeftOut) {
+TEST(ObjectIds, OmitTheSecondOfTwoNamesWithOneNumber) {
   const std::string first = "part_150239268", second = "part_1195475997";
   ASSERT_EQ(object_id(first), object_id(second));
   DetectedObject one = bar(), other = bar();

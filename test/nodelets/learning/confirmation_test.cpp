@@ -58,7 +58,7 @@ TEST(Confirmation, EndsWhenInterrupted) {
   EXPECT_FALSE(desk.next([] { return true; }, kPatience));
 }
 
-TEST(Confirmation, LosesPatience) {
+TEST(Confirmation, EndsAfterTheTimeout) {
   Confirmation desk;
   desk.open();
   EXPECT_FALSE(desk.next(never, std::chrono::milliseconds(1)));

@@ -45,14 +45,14 @@ TEST(GraspMark, IsTheGrippersPoseInTheObjectsFrame) {
   EXPECT_FALSE(mark.relative_to(object_in_camera()));
 }
 
-TEST(GraspMark, RefusesWithASentence) {
+TEST(GraspMark, RefusesWithAReason) {
   tf2_ros::Buffer tf;
   EXPECT_THROW(GraspMark(tf, "").record("camera", ros::Time(10)), std::runtime_error);
   EXPECT_THROW(GraspMark(tf, "gripper").record("", ros::Time(10)), std::runtime_error);
   EXPECT_THROW(GraspMark(tf, "gripper").record("camera", ros::Time(10)), std::runtime_error);
 }
 
-TEST(GraspMark, RefusesAGripperPoseOfTheDistantPast) {
+TEST(GraspMark, RefusesAnOldGripperPose) {
   tf2_ros::Buffer tf;
   tf.setTransform(gripper_in_camera(), "test", false);
   EXPECT_NO_THROW(GraspMark(tf, "gripper").record("camera", ros::Time(10.3)));

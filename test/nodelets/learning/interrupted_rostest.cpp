@@ -24,7 +24,7 @@ pid_t start_learning(const std::string& library) {
   _exit(127);
 }
 
-TEST(Interrupted, TheClientIsToldAndTheProcessEndsInOrder) {
+TEST(Interrupted, InformsTheClientAndEndsTheProcessInOrder) {
   const test::TemporaryFolder folder;
   const pid_t pid = start_learning(folder.path());
   ASSERT_GT(pid, 0);

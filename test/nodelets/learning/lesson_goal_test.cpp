@@ -42,7 +42,7 @@ int code(const Goal& goal, const LibrarySnapshot& library, int max_objects = kMa
   return fault->error_code;
 }
 
-TEST(CheckGoal, LetsAFreshNamePass) {
+TEST(CheckGoal, AcceptsANewName) {
   EXPECT_EQ(code(goal_named("cup"), library_of({"box"})), Result::SUCCESS);
   EXPECT_EQ(code(goal_named(""), library_of({"box"})), Result::SUCCESS);
 }
@@ -54,7 +54,7 @@ TEST(CheckGoal, RefusesBadNames) {
   EXPECT_EQ(code(goal_named(std::string("cup\0", 4)), {}), Result::NAME_INVALID);
 }
 
-TEST(CheckGoal, AsksForOverwriteOrAddViewOfAKnownName) {
+TEST(CheckGoal, RequiresOverwriteOrAddViewForAKnownName) {
   Goal goal = goal_named("cup");
   const auto library = library_of({"cup"});
   EXPECT_EQ(code(goal, library), Result::NAME_TAKEN);
@@ -82,7 +82,7 @@ TEST(CheckGoal, KeepsTheLibraryWithinItsLimit) {
   EXPECT_EQ(code(goal, library_of({"a", "b"}), 2), Result::SUCCESS);
 }
 
-TEST(CheckGoal, NeedsWhatTheModeWorksOn) {
+TEST(CheckGoal, RequiresTheInputOfTheMode) {
   Goal goal = goal_named("cup");
   goal.point.y = std::numeric_limits<double>::quiet_NaN();
   for (const int mode :
@@ -103,7 +103,7 @@ TEST(CheckGoal, NeedsWhatTheModeWorksOn) {
   EXPECT_EQ(code(goal, {}), Result::REGION_INVALID);
 }
 
-TEST(CheckGoal, RefusesNumbersWithoutSense) {
+TEST(CheckGoal, RefusesInvalidNumbers) {
   Goal goal = goal_named("cup");
   for (const double height : {kNaN, -0.1, 1000.0}) {
     goal.object_height = height;
@@ -152,7 +152,7 @@ class ToLesson : public ::testing::Test {
   GoalLesson made(const cv::Mat& after = {}) { return to_lesson(goal_, "cup", image_, after); }
 };
 
-TEST_F(ToLesson, OfAChangeHasBothImages) {
+TEST_F(ToLesson, ChangeHasBothImages) {
   goal_.object_height = 0.02;
   const auto made = this->made(image_.clone());
   EXPECT_FALSE(made.fault);
@@ -165,7 +165,7 @@ TEST_F(ToLesson, OfAChangeHasBothImages) {
   EXPECT_EQ(this->made(image_.clone()).lesson.symmetry, 0);
 }
 
-TEST_F(ToLesson, OfARegionHasNoAfterImage) {
+TEST_F(ToLesson, RegionHasNoAfterImage) {
   goal_.mode = Goal::ROI;
   goal_.roi = to_msg(cv::Rect(4, 5, 30, 20));
   const auto made = this->made(image_);
@@ -176,7 +176,7 @@ TEST_F(ToLesson, OfARegionHasNoAfterImage) {
   EXPECT_EQ(this->made().fault->error_code, Result::REGION_INVALID);
 }
 
-TEST_F(ToLesson, OfAMaskNeedsTheImagesSize) {
+TEST_F(ToLesson, MaskMustHaveTheImagesSize) {
   goal_.mode = Goal::MASK;
   goal_.mask = encode_image(cv::Mat::zeros(48, 64, CV_8UC1));
   EXPECT_FALSE(made().fault);
@@ -191,7 +191,7 @@ TEST_F(ToLesson, RefusesImagesOfTwoSizes) {
   EXPECT_EQ(made(cv::Mat(40, 64, CV_8UC3)).fault->error_code, Result::IMAGE_MISMATCH);
 }
 
-TEST_F(ToLesson, TakesTheReferenceWhenSet) {
+TEST_F(ToLesson, UsesTheReferenceIfSet) {
   goal_.set_reference = true;
   goal_.reference.x = 7;
   ASSERT_TRUE(made().lesson.reference);

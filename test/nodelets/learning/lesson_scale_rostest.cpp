@@ -148,7 +148,7 @@ TEST_F(LessonScale, AGraspMayBeMarkedAfterTheCameraHasMoved) {
   expect_grasp(lesson, {lesson.object.reference.x, lesson.object.reference.y}, 0);
 }
 
-TEST_F(LessonScale, WhatIsLearnedWithoutScaleSaysSo) {
+TEST_F(LessonScale, AnObjectLearnedWithoutScaleReportsIt) {
   Goal early = goal("early", pose_);
   early.before.header.stamp -= ros::Duration(100);
   const Result lesson = teacher_.teach(early);
@@ -158,7 +158,7 @@ TEST_F(LessonScale, WhatIsLearnedWithoutScaleSaysSo) {
 }
 
 // Must be the last test, because later stamps are too old for tf.
-TEST_F(LessonScale, ScaleAndGraspOutlastWhatTfRemembers) {
+TEST_F(LessonScale, ScaleAndGraspSurviveTheTfCacheTime) {
   const std::string id = begin(goal("long", pose_));
   place(ros::Time::now() + ros::Duration(60));
   const Result lesson = accept(id);

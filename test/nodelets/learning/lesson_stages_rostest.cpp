@@ -159,7 +159,7 @@ class LessonStages : public testing::TestWithParam<Way> {
   std::unique_ptr<Teacher> teacher_;
 };
 
-TEST_P(LessonStages, CancellingLeavesTheLibraryAsItWas) {
+TEST_P(LessonStages, CancellingKeepsTheLibrary) {
   const Way way = GetParam();
   load();
   for (int round = 0; round < rounds(); ++round) {
@@ -173,7 +173,7 @@ TEST_P(LessonStages, CancellingLeavesTheLibraryAsItWas) {
   RecordProperty("slowest_ms", static_cast<int>(1000 * slowest_));
 }
 
-TEST_P(LessonStages, UnloadingTellsTheClientAndLeavesTheLibraryAsItWas) {
+TEST_P(LessonStages, UnloadingInformsTheClientAndKeepsTheLibrary) {
   const Way way = GetParam();
   for (int round = 0; round < rounds(); ++round) {
     load();
@@ -190,7 +190,7 @@ TEST_P(LessonStages, UnloadingTellsTheClientAndLeavesTheLibraryAsItWas) {
 using LessonCamera = LessonStages;
 
 // Otherwise the lesson would report forever that something reaches over the edge.
-TEST_P(LessonCamera, MovesAndTheLessonSaysSoAndGoesOn) {
+TEST_P(LessonCamera, MotionIsReportedAndTheLessonContinues) {
   load();
   const std::string id = reach_stage(kWays[1]);
   show_ = Show::kTurned;
@@ -207,7 +207,7 @@ INSTANTIATE_TEST_SUITE_P(Any, LessonCamera, testing::Values(kWays[0]));
 using LessonSearch = LessonStages;
 
 // The object is found again with a score below 1, so such a search would not report it.
-TEST_P(LessonSearch, JudgesByTheConfiguredOne) {
+TEST_P(LessonSearch, UsesTheConfiguredSearch) {
   const auto verdict = [this] {
     load();
     Teacher::Goal goal;

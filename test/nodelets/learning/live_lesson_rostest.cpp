@@ -94,7 +94,7 @@ TEST_F(LiveLesson, TeachesAnObjectThatHasBeenTakenAwayAlready) {
 }
 
 // This must be the last test, because it unloads the learning nodelet.
-TEST_F(LiveLesson, TellsItsClientWhenTheNodeletIsUnloaded) {
+TEST_F(LiveLesson, InformsTheClientWhenTheNodeletIsUnloaded) {
   Teacher teacher;
   ASSERT_TRUE(teacher.connect());
   Teacher::Goal goal;

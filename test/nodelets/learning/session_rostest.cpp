@@ -188,7 +188,7 @@ TEST_F(Session, LateDuplicateAndFutureImagesAreNotSearched) {
   for (const auto& stamp : {duplicate, late, future}) EXPECT_FALSE(array_of(stamp)) << stamp;
 }
 
-TEST_F(Session, FrozenClockIsNoticed) {
+TEST_F(Session, FrozenClockIsDetected) {
   const Pose2D pose{150, 120, 0.5};
   for (int i = 0; i < 5; ++i) show({pose});
   EXPECT_TRUE(spin_until([this] { return arrays_.back()->status == DetectedObjectArray::STALE; }));
@@ -199,7 +199,7 @@ TEST_F(Session, FrozenClockIsNoticed) {
   EXPECT_NE(array->objects[0].state, DetectedObject::CONFIRMED) << "sightings before the silence";
 }
 
-TEST_F(Session, GoesOnAfterTheClockJumpedBack) {
+TEST_F(Session, ContinuesAfterTheClockJumpedBack) {
   const Pose2D pose{150, 120, 0.5};
   for (int i = 0; i < 5; ++i) show({pose});
   const ros::Time before = now_;
@@ -215,7 +215,7 @@ TEST_F(Session, GoesOnAfterTheClockJumpedBack) {
   EXPECT_EQ(array->objects[0].state, DetectedObject::CONFIRMED);
 }
 
-TEST_F(Session, ExampleConsumerTakesWhatIsConfirmedAndNothingElse) {
+TEST_F(Session, ExampleConsumerTakesOnlyConfirmedObjects) {
   const Pose2D pose{150, 120, 0.5};
   const auto consume = [&](const std::string& arguments) {
     auto ended = std::async(std::launch::async, [arguments] {

@@ -60,7 +60,7 @@ class Teach(unittest.TestCase):
         order("put_next")
         return program.returncode, said + rest
 
-    def test_an_agreed_lesson_is_stored_and_a_declined_one_is_not(self):
+    def test_an_accepted_lesson_is_stored_and_a_rejected_one_is_not(self):
         with tempfile.TemporaryDirectory() as folder:
             preview = os.path.join(folder, "outline.png")
             code, said = self.lesson("y\n", "agreed", "--preview", preview, "--symmetry", "round")
@@ -90,13 +90,13 @@ class Teach(unittest.TestCase):
         self.assertNotIn("Traceback", said)
         return said
 
-    def test_a_server_that_dies_is_missed(self):
+    def test_a_server_that_dies_is_detected(self):
         self.assertIn("the learning nodelet is gone", self.lost_lesson("/doomed"))
 
-    def test_a_server_that_was_started_anew_has_lost_the_lesson(self):
+    def test_a_restarted_server_has_lost_the_lesson(self):
         self.assertIn("teach again", self.lost_lesson("/reborn"))
 
-    def test_a_bad_name_ends_at_once_with_a_sentence(self):
+    def test_a_bad_name_ends_at_once_with_a_reason(self):
         known_names()
         program = self.start("7up")
         said, _ = program.communicate()

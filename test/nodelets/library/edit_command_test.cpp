@@ -79,7 +79,7 @@ TEST_F(EditObject, MovesTheReference) {
   EXPECT_GT(stored().revision, before);
 }
 
-TEST_F(EditObject, TheGraspStaysWhereItIsWhenTheReferenceMoves) {
+TEST_F(EditObject, KeepsTheGraspWhenTheReferenceMoves) {
   auto grasp = request(Request::SET_GRASP);
   grasp.grasp.orientation.w = 1;
   edit_object(library_, grasp);
@@ -122,7 +122,7 @@ TEST_F(EditObject, DeclaresTheSymmetry) {
   EXPECT_FALSE(edit_object(library_, declare).symmetry);
 }
 
-TEST_F(EditObject, RefusesNonsenseAndChangesNothing) {
+TEST_F(EditObject, RefusesInvalidRequestsAndChangesNothing) {
   const ObjectModel before = stored();
   auto threshold = request(Request::SET_THRESHOLD);
   for (const float score : {0.0f, -1.0f, 1.5f, std::numeric_limits<float>::quiet_NaN()}) {

@@ -83,7 +83,7 @@ class DetectionPipelineTest : public testing::Test {
   bool calibrated_ = true;
 };
 
-TEST_F(DetectionPipelineTest, AFrameIsGivenOnceItIsConfirmed) {
+TEST_F(DetectionPipelineTest, AConfirmedObjectGetsAFrame) {
   for (const int images : {1, 2, 3}) {
     const DetectedObjectArray array = after(images);
     ASSERT_EQ(array.objects.size(), 1u);
@@ -111,7 +111,7 @@ TEST_F(DetectionPipelineTest, WithoutCalibrationThereAreNoMetresAndNoFrames) {
   EXPECT_EQ(array.objects[0].child_frame_id, "");
 }
 
-TEST_F(DetectionPipelineTest, ATiltedCameraIsToldAndMakesPosesLessCertain) {
+TEST_F(DetectionPipelineTest, ATiltedCameraIsReportedAndRaisesTheCovariance) {
   const DetectedObjectArray upright = after(1);
   ASSERT_EQ(upright.objects.size(), 1u);
   EXPECT_EQ(upright.message, "");
@@ -225,7 +225,7 @@ TEST_F(DetectionPipelineTest, TheFootprintLiesOnThePlatform) {
   }
 }
 
-TEST_F(DetectionPipelineTest, AnEmptyLibraryIsTold) {
+TEST_F(DetectionPipelineTest, AnEmptyLibraryIsReported) {
   ObjectLibrary(folder_.path()).remove("angle");
   EXPECT_EQ(after(1).status, DetectedObjectArray::LIBRARY_EMPTY);
 }

@@ -23,7 +23,7 @@ DetectedObjectArray three_objects() {
   return array;
 }
 
-TEST(ConfirmedPoses, AreThoseOfWhatMayBeGraspedInTheirOrder) {
+TEST(ConfirmedPoses, AreThoseOfGraspableObjectsInOrder) {
   const auto poses = confirmed_poses(three_objects());
   EXPECT_EQ(poses.header.frame_id, "base");
   ASSERT_EQ(poses.poses.size(), 2u);
@@ -37,7 +37,7 @@ TEST(ConfirmedPoses, AreInMetres) {
   EXPECT_EQ(confirmed_poses(array).poses.size(), 1u);
 }
 
-TEST(ConfirmedPoses, NoneWhereTheStatusIsNoGroundToMoveOn) {
+TEST(ConfirmedPoses, AreEmptyIfTheStatusForbidsMotion) {
   auto array = three_objects();
   array.status = DetectedObjectArray::BUDGET_EXCEEDED;
   EXPECT_EQ(confirmed_poses(array).poses.size(), 2u);

@@ -158,7 +158,7 @@ class FailingSearch : public testing::Test {
   ros::Time last_stamp_, heard_;
 };
 
-TEST_F(FailingSearch, EndsInAStatusEveryTime) {
+TEST_F(FailingSearch, AlwaysEndsInAStatus) {
   ros::Time good;
   double longest = 0;
   for (int round = 0; round < kRounds; ++round) {
@@ -185,7 +185,7 @@ TEST_F(FailingSearch, EndsInAStatusEveryTime) {
   EXPECT_TRUE(spin_until([&] { return placed_.count(good) > 0; })) << "tf of the others is heard";
 }
 
-TEST_F(FailingSearch, OneThatNeverEndsIsStale) {
+TEST_F(FailingSearch, ASearchThatNeverEndsIsStale) {
   std::promise<void> end;
   ASSERT_EQ(about(show())->objects.size(), 1u);
   search_.inject([ended = end.get_future().share()] { ended.wait(); });

@@ -31,14 +31,14 @@ std::string frames_left(DetectedObjectArray array, bool wanted = true) {
   return array.objects[0].child_frame_id + array.objects[0].stable_frame_id;
 }
 
-TEST(FramePermission, WhatMayBeGraspedHasItsFrames) {
+TEST(FramePermission, AllowsFramesForGraspableObjects) {
   EXPECT_EQ(frames_left(graspable_one()), "object_key_0object_key");
   DetectedObjectArray late = graspable_one();
   late.status = DetectedObjectArray::BUDGET_EXCEEDED;
   EXPECT_EQ(frames_left(late), "object_key_0object_key");
 }
 
-TEST(FramePermission, NothingElseHas) {
+TEST(FramePermission, RefusesFramesForAllOtherObjects) {
   EXPECT_EQ(frames_left(graspable_one(), false), "") << "not wanted";
   for (const auto status :
        {DetectedObjectArray::STALE, DetectedObjectArray::UNCALIBRATED,
@@ -64,7 +64,7 @@ TEST(FramePermission, NothingElseHas) {
   EXPECT_EQ(frames_left(unturned), "");
 }
 
-TEST(FramePermission, EachObjectIsJudgedByItself) {
+TEST(FramePermission, ChecksEachObjectSeparately) {
   DetectedObjectArray array = graspable_one();
   array.objects.push_back(array.objects[0]);
   array.objects[0].state = DetectedObject::NEW;
@@ -73,7 +73,7 @@ TEST(FramePermission, EachObjectIsJudgedByItself) {
   EXPECT_EQ(array.objects[1].child_frame_id, "object_key_0");
 }
 
-TEST(FramePermission, WhatBecameTooOldIsNoLongerConfirmedAndHasNoFrame) {
+TEST(FramePermission, RefusesFramesForObjectsThatBecameTooOld) {
   DetectedObjectArray array = graspable_one();
   array.header.stamp = ros::Time(100);
   array.objects.push_back(array.objects[0]);

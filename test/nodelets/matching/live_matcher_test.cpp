@@ -44,7 +44,7 @@ class LiveMatcherTest : public ::testing::Test {
   const cv::Mat image_ = cv::Mat(120, 160, CV_8UC3, cv::Scalar::all(90));
 };
 
-TEST_F(LiveMatcherTest, SkipsObjectsOfOtherImageSizesWithASentence) {
+TEST_F(LiveMatcherTest, SkipsObjectsOfOtherImageSizesWithAReason) {
   store(plate("here", {160, 120}));
   store(plate("elsewhere", {320, 240}));
   const LiveMatcher matcher({}, folder_.path());
@@ -56,7 +56,7 @@ TEST_F(LiveMatcherTest, SkipsObjectsOfOtherImageSizesWithASentence) {
             "this size");
 }
 
-TEST_F(LiveMatcherTest, AnotherConfirmScoreHoldsForTheNextSearch) {
+TEST_F(LiveMatcherTest, AChangedConfirmScoreAppliesToTheNextSearch) {
   store(plate("here", {160, 120}));
   LiveMatcher matcher({}, folder_.path());
   const auto complains = [&] {
@@ -83,7 +83,7 @@ TEST_F(LiveMatcherTest, SearchesNothingWhenNoObjectFits) {
   EXPECT_TRUE(matcher.find(image_, {}).result.searched.empty());
 }
 
-TEST_F(LiveMatcherTest, SaysThatARequestedNameIsUnknown) {
+TEST_F(LiveMatcherTest, ReportsAnUnknownRequestedName) {
   store(plate("here", {160, 120}));
   const LiveMatcher matcher({}, folder_.path());
   SearchRequest request;
@@ -119,7 +119,7 @@ TEST_F(LiveMatcherTest, EveryObjectHasItsTurnWhenTimeIsShort) {
   EXPECT_EQ(order, (std::vector<std::string>{"a", "b", "c", "a", "b", "c"}));
 }
 
-TEST_F(LiveMatcherTest, LeavesDisabledObjectsAlone) {
+TEST_F(LiveMatcherTest, SkipsDisabledObjects) {
   ObjectModel model = plate("here", {160, 120});
   model.enabled = false;
   store(model);
@@ -129,7 +129,7 @@ TEST_F(LiveMatcherTest, LeavesDisabledObjectsAlone) {
 
 // The paper's matching cannot use this map; the other objects are still searched, and the object
 // can be deleted.
-TEST_F(LiveMatcherTest, AnObjectThatCannotBePreparedStopsNoOther) {
+TEST_F(LiveMatcherTest, AnObjectThatCannotBePreparedDoesNotStopOthers) {
   store(plate("first", {160, 120}));
   store(plate("second", {160, 120}));
   SearchConfig config;

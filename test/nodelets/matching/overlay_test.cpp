@@ -65,7 +65,7 @@ cv::Mat written_columns(const cv::Mat& legend) {
   return brightest == 0;
 }
 
-TEST(Overlay, TheAgeStandsApartFromTheLegend) {
+TEST(Overlay, TheAgeIsSeparateFromTheLegend) {
   for (const int width : {320, 640, 800, 1280, 2448}) {
     const cv::Mat image(240, width, CV_8UC3, cv::Scalar::all(120));
     const auto legend = [&](float latency) {
@@ -84,7 +84,7 @@ TEST(Overlay, TheAgeStandsApartFromTheLegend) {
   }
 }
 
-TEST(Overlay, TheStateGivesTheColour) {
+TEST(Overlay, TheStateDeterminesTheColour) {
   const cv::Mat image(240, 320, CV_8UC3, cv::Scalar::all(120));
   const auto blue = colour_of(Standing::kGood), orange = colour_of(Standing::kDoubtful);
   const cv::Mat confirmed = draw_detections(image, one(DetectedObject::CONFIRMED)).rowRange(0, 240);
@@ -101,7 +101,7 @@ TEST(Overlay, AReasonIsBrief) {
   EXPECT_EQ(brief_reason({"angle open (margin 0.2)"}), "\nangle open");
 }
 
-TEST(ScoreMap, MarksTheBestPlaceAndTheNextElsewhere) {
+TEST(ScoreMap, MarksTheBestPlaceAndTheNextBestElsewhere) {
   cv::Mat scores(200, 300, CV_32FC1, cv::Scalar(0.1));
   scores.at<float>(100, 80) = 0.9f;
   scores.at<float>(100, 85) = 0.8f;
@@ -139,13 +139,13 @@ TEST(Markers, TheOutlineIsInMetresInTheObjectsFrame) {
   EXPECT_EQ(outline->points[0].z, 0) << "on the top face";
 }
 
-TEST(Markers, NoOutlineOfUnknownScale) {
+TEST(Markers, NoOutlineWithUnknownScale) {
   auto array = one(DetectedObject::CONFIRMED);
   array.objects[0].footprint.points.clear();
   for (const auto& marker : to_markers(array).markers) EXPECT_NE(marker.ns, "outline");
 }
 
-TEST(Markers, TheCaptionTellsTheStateInWords) {
+TEST(Markers, TheCaptionNamesTheState) {
   const auto markers = to_markers(one(DetectedObject::AMBIGUOUS)).markers;
   EXPECT_NE(markers.back().text.find("ambiguous"), std::string::npos);
 }

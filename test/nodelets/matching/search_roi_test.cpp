@@ -15,7 +15,7 @@ TEST(SearchRoi, ReadsFourNumbersOrNothing) {
     EXPECT_THROW(parse_roi(text), ConfigError) << text;
 }
 
-TEST(SearchRoi, IsThatPartOfItWhichTheImageHolds) {
+TEST(SearchRoi, IsClippedToTheImage) {
   EXPECT_EQ(roi_in({10, 20, 30, 40}, {640, 480}), cv::Rect(10, 20, 30, 40));
   EXPECT_EQ(roi_in({600, 20, 100, 40}, {640, 480}), cv::Rect(600, 20, 40, 40));
   EXPECT_TRUE(roi_in({}, {640, 480}).empty()) << "everywhere";

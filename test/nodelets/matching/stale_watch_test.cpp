@@ -20,7 +20,7 @@ TEST(StaleWatch, ReportsSilenceOnceASecond) {
   EXPECT_TRUE(watch.due(start + milliseconds(2500))) << "and again a second later";
 }
 
-TEST(StaleWatch, SilenceCountsFromTheLastRestart) {
+TEST(StaleWatch, SilenceIsMeasuredFromTheLastRestart) {
   const auto start = StaleWatch::Clock::now();
   StaleWatch watch(1.5);
   watch.restart(start);
@@ -29,7 +29,7 @@ TEST(StaleWatch, SilenceCountsFromTheLastRestart) {
   EXPECT_TRUE(watch.due(start + milliseconds(2500)));
 }
 
-TEST(StaleWatch, SilenceCountsFromTheBeginning) {
+TEST(StaleWatch, SilenceIsMeasuredFromTheStart) {
   const auto start = StaleWatch::Clock::now();
   StaleWatch watch(1.5);
   EXPECT_FALSE(watch.due(start + milliseconds(1400)));

@@ -43,7 +43,7 @@ class TopView : public SimulatedCell {
   tf2_ros::TransformListener listener_{tf_};
 };
 
-TEST_F(TopView, PosesOfATiltedCameraAreTheTrueOnesUntilItIsMoved) {
+TEST_F(TopView, PosesOfATiltedCameraAreTrueUntilItIsMoved) {
   ASSERT_NO_FATAL_FAILURE(teach("part"));
   const auto first = offset_at_next_place();
   ASSERT_TRUE(first);

@@ -52,7 +52,7 @@ class CellClient {
   ros::Subscriber subscriber_;
 };
 
-TEST(Cells, ShareALibraryAndNothingElse) {
+TEST(Cells, ShareOnlyTheLibrary) {
   ros::NodeHandle node;
   CellClient left("left"), right("right");
   mbncc_vision::LearnedObjectArray::ConstPtr library;

@@ -176,7 +176,7 @@ class Soak : public testing::Test {
   nodelet::Loader loader_{false};
 };
 
-TEST_F(Soak, TeachingBesideMatchingStaysFlat) {
+TEST_F(Soak, TeachingWhileMatchingKeepsTheMemoryConstant) {
   if (!test::process_is_visible()) GTEST_SKIP() << "/proc is not mounted";
   load("/camera", "SimulatedCameraNodelet");
   load("/rectify", "RectifyNodelet");
@@ -221,7 +221,7 @@ TEST_F(Soak, TeachingBesideMatchingStaysFlat) {
 }
 
 // 60 images per second, each of which takes about a fifth of a second to search completely.
-TEST_F(Soak, OverloadSearchesTheNewestAndKeepsNothing) {
+TEST_F(Soak, OverloadSearchesTheNewestImageAndQueuesNone) {
   if (!test::process_is_visible()) GTEST_SKIP() << "/proc is not mounted";
   constexpr int kSearched = 40;
   use_size({1280, 960});

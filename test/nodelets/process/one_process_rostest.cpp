@@ -53,7 +53,7 @@ TEST(OneProcess, ImagesAreNotCopied) {
 }
 
 // Unloads the rectify nodelet and then the camera nodelet, whose timer is hardly ever idle.
-TEST(OneProcess, UnloadingAmidCallbacksLeavesNothingBehind) {
+TEST(OneProcess, UnloadingDuringCallbacksLeavesNothingBehind) {
   for (int round = 0; round < 20; ++round) {
     int heard = 0;
     const ros::Subscriber listener = ros::NodeHandle().subscribe<sensor_msgs::Image>(

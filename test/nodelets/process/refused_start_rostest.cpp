@@ -85,7 +85,7 @@ TEST_F(RefusedStart, LibraryThatCannotBeOpened) {
 }
 
 // roslaunch would restart such a nodelet again and again.
-TEST_F(RefusedStart, ImageTransportThatIsNotInstalledIsToldOnceAndInDiagnostics) {
+TEST_F(RefusedStart, MissingImageTransportIsReportedOnceAndInDiagnostics) {
   for (const char* type : {"LearningNodelet", "MatchingNodelet"}) {
     errors_.clear();
     ros::param::set("/part/library_path", folder_ / "library");
@@ -106,7 +106,7 @@ TEST_F(RefusedStart, ImageTransportThatIsNotInstalledIsToldOnceAndInDiagnostics)
   }
 }
 
-TEST_F(RefusedStart, StaleTellsOfTheImageTransport) {
+TEST_F(RefusedStart, StaleStatusNamesTheImageTransport) {
   ros::param::set("/part/library_path", folder_ / "library");
   ros::param::set("/part/image_transport", "pigeon");
   std::string message;
@@ -119,7 +119,7 @@ TEST_F(RefusedStart, StaleTellsOfTheImageTransport) {
   EXPECT_TRUE(loader_.unload("/part"));
 }
 
-TEST_F(RefusedStart, RightedParametersStartItAfterAll) {
+TEST_F(RefusedStart, CorrectedParametersAllowTheStart) {
   expect_refusal("LearningNodelet", "still_time", -1.0, "'still_time'");
   ros::param::set("/part/still_time", 0.5);
   EXPECT_TRUE(load("LearningNodelet"));

@@ -25,7 +25,7 @@ std::string service_checksum() {
   return ros::service_traits::MD5Sum<Service>::value();
 }
 
-TEST(Contract, DefinitionsAreThoseThatOthersWereBuiltAgainst) {
+TEST(Contract, MessageDefinitionsAreUnchanged) {
   EXPECT_EQ(checksum<mbncc_vision::DetectedObjectArray>(), "96f7743807fe8968a98c8a3f467f7af5");
   EXPECT_EQ(checksum<mbncc_vision::LearnedObjectArray>(), "b9c340d9e02571b2ba3ca68183cbd949");
   EXPECT_EQ(checksum<mbncc_vision::LearnObjectAction>(), "509cfbcd3356de008752fe0eaa45fe9b");

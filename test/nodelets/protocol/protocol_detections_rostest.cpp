@@ -36,7 +36,7 @@ TEST_F(Protocol, SaysStaleWithoutImagesAndLibraryEmptyWithThem) {
   EXPECT_TRUE(spin_until([this] { return status_is(DetectedObjectArray::STALE); }));
 }
 
-TEST_F(Protocol, DiagnosticsTellThatImagesHaveStopped) {
+TEST_F(Protocol, DiagnosticsReportThatImagesStopped) {
   const std::string stopped = "images have stopped; check the camera and its cable";
   const auto is_error = [&](const std::string& nodelet) {
     return health_is(nodelet, diagnostic_msgs::DiagnosticStatus::ERROR, stopped);
@@ -51,7 +51,7 @@ TEST_F(Protocol, DiagnosticsTellThatImagesHaveStopped) {
   EXPECT_TRUE(spin_until([&] { return is_error("matching") && is_error("learning"); }));
 }
 
-TEST_F(Protocol, DiagnosticsTellThatNoImageIsUsable) {
+TEST_F(Protocol, DiagnosticsReportThatNoImageIsUsable) {
   const ros::WallTimer playing = node_.createWallTimer(ros::WallDuration(0.1), [this](const auto&) {
     sensor_msgs::Image image = before_;
     image.header.stamp = ros::Time::now();
@@ -65,7 +65,7 @@ TEST_F(Protocol, DiagnosticsTellThatNoImageIsUsable) {
   }));
 }
 
-TEST_F(Protocol, DiagnosticsTellByHowMuchAnImageIsLate) {
+TEST_F(Protocol, DiagnosticsReportTheAgeOfALateImage) {
   const ros::WallTimer playing = node_.createWallTimer(ros::WallDuration(0.1), [this](const auto&) {
     sensor_msgs::Image image = before_;
     image.header.stamp = ros::Time::now() - ros::Duration(10000);
@@ -77,7 +77,7 @@ TEST_F(Protocol, DiagnosticsTellByHowMuchAnImageIsLate) {
   }));
 }
 
-TEST_F(Protocol, DiagnosticsNameTheTopicThatHasNoPublisher) {
+TEST_F(Protocol, DiagnosticsNameTheTopicWithoutPublisher) {
   images_.shutdown();
   EXPECT_TRUE(spin_until([this] {
     return health_is("matching", diagnostic_msgs::DiagnosticStatus::ERROR,
@@ -175,7 +175,7 @@ TEST_F(Protocol, FindsOnceOnRequest) {
 }
 
 // Without images, each call waits until its timeout; a call in excess of the limit must not.
-TEST_F(Protocol, ManyCallsAtATimeAreToldBusy) {
+TEST_F(Protocol, CallsInExcessOfTheLimitAreAnsweredBusy) {
   constexpr int kCalls = 30;
   std::atomic<int> busy{0}, out_of_time{0}, ended{0};
   std::vector<std::thread> callers;
@@ -215,7 +215,7 @@ TEST_F(Protocol, IsIdleWhileDisabled) {
   EXPECT_TRUE(spin_until([&] { return arrays_ > before; }));
 }
 
-TEST_F(Protocol, TakesSettingsAtRunTimeAndRefusesNonsense) {
+TEST_F(Protocol, AcceptsSettingsAtRunTimeAndRefusesInvalidOnes) {
   dynamic_reconfigure::Reconfigure::Request request;
   request.config.doubles.resize(2);
   request.config.doubles[0].name = "min_score";
@@ -235,7 +235,7 @@ TEST_F(Protocol, TakesSettingsAtRunTimeAndRefusesNonsense) {
   call<dynamic_reconfigure::Reconfigure>("matching/set_parameters", request);
 }
 
-TEST_F(Protocol, DrawsImagesForWhoLooks) {
+TEST_F(Protocol, DrawsImagesForSubscribers) {
   ASSERT_EQ(teacher_.teach(given("part")).error_code, Result::SUCCESS);
   const ros::WallTimer playing = play();
   sensor_msgs::Image::ConstPtr scores;
@@ -251,7 +251,7 @@ TEST_F(Protocol, DrawsImagesForWhoLooks) {
   EXPECT_TRUE(edit("part", EditObject::Request::DELETE).success);
 }
 
-TEST_F(Protocol, BearsMalformedImages) {
+TEST_F(Protocol, SurvivesMalformedImages) {
   const ros::WallTimer playing = play();
   ASSERT_TRUE(spin_until([this] { return images_.getNumSubscribers() > 0; }));
   for (const auto& spoil : std::vector<void (*)(sensor_msgs::Image&)>{

@@ -64,7 +64,7 @@ TEST_F(Protocol, TeachesByRegionOutlineAndMask) {
   for (const auto& name : names()) EXPECT_TRUE(edit(name, EditObject::Request::DELETE).success);
 }
 
-TEST_F(Protocol, RefusesImagesThatLieOrDoNotFit) {
+TEST_F(Protocol, RefusesInconsistentAndMismatchedImages) {
   Goal goal = given("part");
   goal.before.step += 1;
   EXPECT_EQ(teacher_.teach(goal).error_code, Result::ENCODING);

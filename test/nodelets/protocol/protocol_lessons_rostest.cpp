@@ -101,7 +101,7 @@ TEST_F(Review, AsksTheOperatorBeforeStoring) {
   EXPECT_TRUE(edit("checked", EditObject::Request::DELETE).success);
 }
 
-TEST_F(Review, EditsAreTakenBackAndTheLastOnesStored) {
+TEST_F(Review, EditsCanBeUndoneAndTheLastOnesAreStored) {
   const std::string id = begin("edited");
   EXPECT_FALSE(confirm(ConfirmLearning::Request::UNDO).success) << "no edit yet";
   EXPECT_FALSE(confirm(ConfirmLearning::Request::EDIT).success) << "nothing to edit";

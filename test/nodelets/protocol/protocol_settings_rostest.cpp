@@ -66,7 +66,7 @@ class RunTimeSettings : public Protocol {
   ros::WallTimer playing_;
 };
 
-TEST_F(RunTimeSettings, ThresholdsAndMarginsDecideWhatIsConfirmed) {
+TEST_F(RunTimeSettings, ThresholdsAndMarginsControlConfirmation) {
   const std::map<std::string, double> strict{
       {"confirm_score", 1}, {"min_margin_place", 100}, {"min_margin_angle", 100}};
   const std::map<std::string, double> usual{
@@ -102,7 +102,7 @@ TEST_F(RunTimeSettings, ConfirmingMayTakeLongerButNotLongerThanItsWindow) {
   EXPECT_TRUE(comes_to([this] { return sees(DetectedObject::CONFIRMED); }));
 }
 
-TEST_F(RunTimeSettings, WhatIsLostMayBeHeld) {
+TEST_F(RunTimeSettings, LostInstancesCanBeHeld) {
   set("hold_time", 60);
   set_roi("0,0,20,20");  // the object does not lie in this region
   EXPECT_TRUE(comes_to([this] {
@@ -114,7 +114,7 @@ TEST_F(RunTimeSettings, WhatIsLostMayBeHeld) {
   EXPECT_TRUE(comes_to([this] { return sees(DetectedObject::CONFIRMED); }));
 }
 
-TEST_F(RunTimeSettings, TheRegionIsATopicToo) {
+TEST_F(RunTimeSettings, TheRegionCanBeSetByTopic) {
   auto publisher = node_.advertise<sensor_msgs::RegionOfInterest>("matching/search_roi", 1);
   ASSERT_TRUE(spin_until([&] { return publisher.getNumSubscribers() == 1; }));
   sensor_msgs::RegionOfInterest roi;
@@ -130,7 +130,7 @@ TEST_F(RunTimeSettings, TheRegionIsATopicToo) {
   EXPECT_TRUE(comes_to([this] { return sees(DetectedObject::CONFIRMED); }));
 }
 
-TEST_F(RunTimeSettings, ARegionThatIsNoneIsRefused) {
+TEST_F(RunTimeSettings, AnInvalidRegionIsRefused) {
   for (const auto& text : set_roi("10,20").strs) {
     if (text.name == "search_roi") {
       EXPECT_EQ(text.value, "");
@@ -138,7 +138,7 @@ TEST_F(RunTimeSettings, ARegionThatIsNoneIsRefused) {
   }
 }
 
-TEST_F(RunTimeSettings, AnObjectsOwnThresholdComesByService) {
+TEST_F(RunTimeSettings, AnObjectsOwnThresholdIsSetByService) {
   EditObject::Request request;
   request.name = "part";
   request.command = request.SET_THRESHOLD;
@@ -150,14 +150,14 @@ TEST_F(RunTimeSettings, AnObjectsOwnThresholdComesByService) {
   EXPECT_TRUE(comes_to([this] { return sees(DetectedObject::CONFIRMED); }));
 }
 
-TEST_F(RunTimeSettings, TheMatchingNodeletTellsWhatItSearchesFor) {
+TEST_F(RunTimeSettings, TheMatchingNodeletReportsWhatItSearchesFor) {
   ASSERT_TRUE(spin_until([this] {
     const auto known = call<mbncc_vision::ListObjects>("matching/list_objects", {});
     return known.objects.size() == 1 && known.objects[0].name == "part";
   }));
 }
 
-TEST_F(RunTimeSettings, FindObjectsGoesByThem) {
+TEST_F(RunTimeSettings, ApplyToFindObjects) {
   set("min_score", 1);
   mbncc_vision::FindObjects::Request request;
   request.image = before_;

@@ -73,7 +73,7 @@ class CalibratePlatformTest(unittest.TestCase):
         self.assertIn("looks the same after half a turn", done.stdout)
         self.assertRegex(done.stdout, r"height uncertain by up to 0\.\d\d mm at the image's edge")
 
-    def test_the_origin_is_the_same_corner_however_the_board_lies(self):
+    def test_the_origin_is_the_same_corner_for_any_board_pose(self):
         rows = 4
         centre = np.array([(COLUMNS - 1) / 2, -(rows - 1) / 2, 0]) * SQUARE
         for degrees in range(0, 360, 30):
@@ -87,7 +87,7 @@ class CalibratePlatformTest(unittest.TestCase):
             self.assertNotIn("half a turn", done.stdout)
             self.expect_true_pose(0.001, 0.5, turn, place)
 
-    def test_states_how_uncertain_the_height_is(self):
+    def test_states_the_uncertainty_of_the_height(self):
         points = calibrate_platform.board_points(COLUMNS, ROWS, SQUARE, 0)
         camera = calibrate_platform.Camera(yaml.safe_load(camera_yaml()), False)
         exact = project(points)
@@ -145,7 +145,7 @@ class CalibratePlatformTest(unittest.TestCase):
         self.assertEqual(camera.size, (640, 480))
         self.assertTrue(np.array_equal(camera.matrix, MATRIX))
 
-    def test_live_images_of_16_bits_are_as_bright_as_the_white_level_says(self):
+    def test_live_16_bit_images_are_scaled_by_the_white_level(self):
         grey = chessboard()
         deep = np.round(grey * (4095 / 255)).astype(np.uint16)
         for encoding, numbers in (("mono16", deep), ("16UC1", deep), ("mono8", grey)):
@@ -154,7 +154,7 @@ class CalibratePlatformTest(unittest.TestCase):
         with self.assertRaises(calibrate_platform.Fault):
             calibrate_platform.to_bgr(CvBridge().cv2_to_imgmsg(deep, "16UC1"), 0)
 
-    def test_topics_that_bring_nothing_are_named(self):
+    def test_topics_without_messages_are_named(self):
         with unittest.mock.patch("rosgraph.is_master_online", return_value=True), \
                 unittest.mock.patch("rospy.init_node"), \
                 unittest.mock.patch("rospy.resolve_name", side_effect=lambda name: "/cell7/" + name), \
@@ -163,7 +163,7 @@ class CalibratePlatformTest(unittest.TestCase):
                                         "image_raw:=TOPIC camera_info:=TOPIC"):
                 calibrate_platform.live(types.SimpleNamespace(points=None, count=1))
 
-    def test_faults_are_sentences(self):
+    def test_faults_are_explained(self):
         cv2.imwrite(self.path("empty.png"), np.full((480, 640), 128, np.uint8))
         self.write("few.csv", "1,2,0,0\n3,4,0.1,0\n")
         self.write("bad.csv", "1,2,x,0\n")
@@ -177,7 +177,7 @@ class CalibratePlatformTest(unittest.TestCase):
             self.assertTrue(done.stderr.startswith("calibrate_platform: "), done.stderr)
             self.assertEqual(len(done.stderr.strip().splitlines()), 1, done.stderr)
 
-    def test_a_calibration_that_is_none_is_told(self):
+    def test_an_invalid_calibration_is_reported(self):
         self.write("points.csv", "1,2,0,0\n3,4,0.1,0\n5,9,0,0.1\n9,9,0.1,0.1\n")
         for text in ("", "image_width: 640\n", "- 1\n", "{a: [\n", "camera_matrix: {data: [1, 2]}\n"):
             self.write("camera.yaml", text)

@@ -46,25 +46,25 @@ class GraspClientTest(unittest.TestCase):
             self.assertIsNone(chosen)
             self.assertEqual(len(reasons), 1)
 
-    def test_refuses_arrays_that_are_no_ground_to_move_on(self):
+    def test_refuses_arrays_whose_status_forbids_motion(self):
         for status in (DetectedObjectArray.STALE, DetectedObjectArray.UNCALIBRATED,
                        DetectedObjectArray.TF_UNAVAILABLE, DetectedObjectArray.LIBRARY_EMPTY,
                        DetectedObjectArray.SEARCH_FAILED, 255):
             self.assertIsNone(choice([confirmed()], status=status)[0])
 
-    def test_other_objects_and_none(self):
+    def test_ignores_other_objects_and_empty_arrays(self):
         self.assertIsNone(choice([confirmed()], name="other")[0])
         self.assertIsNone(choice([])[0])
         self.assertEqual(choice([confirmed(state=DetectedObject.NEW), confirmed(instance_id=2)])[0]
                          .instance_id, 2)
 
-    def test_a_mistyped_name_is_told_beside_those_that_there_are(self):
+    def test_a_mistyped_name_is_reported_with_the_known_names(self):
         self.assertIn("it has part, plate", grasp_client.unknown("prat", {"plate": 1, "part": 1})[0])
         self.assertEqual(grasp_client.unknown("part", {"part": 1}), [])
         self.assertEqual(grasp_client.unknown("", {"part": 1}), [])
         self.assertEqual(grasp_client.unknown("part", {}), [])
 
-    def test_names_the_grasp_frame_where_there_is_one(self):
+    def test_names_the_grasp_frame_if_there_is_one(self):
         header = DetectedObjectArray().header
         sent = confirmed(child_frame_id="object_part_0")
         self.assertIn("grasp frame object_part_0_grasp", grasp_client.describe(sent, header, grasp=True))

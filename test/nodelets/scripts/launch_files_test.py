@@ -36,36 +36,36 @@ class Rectified(unittest.TestCase):
         for nodelet in ("learning", "matching"):
             self.assertIs(loaded[cell + nodelet + "/rectified"], expected, (nodelet, name, arguments))
 
-    def test_a_camera_gives_raw_images(self):
+    def test_a_camera_publishes_raw_images(self):
         self.expect(False, "cell.launch")
         self.expect(False, "cell.launch", "simulated:=true")
         self.expect(False, "demo.launch")
         self.expect(False, "vision.launch")
 
-    def test_the_rectify_nodelet_gives_rectified_ones(self):
+    def test_the_rectify_nodelet_publishes_rectified_images(self):
         self.expect(True, "cell.launch", "rectify:=true")
         self.expect(True, "cell.launch", "camera:=false", "rectify:=true", "image:=/front/image_raw")
 
-    def test_other_images_are_told_by_their_topic(self):
+    def test_other_images_are_recognised_by_their_topic(self):
         self.expect(False, "cell.launch", "camera:=false", "image:=/front/image_color")
         self.expect(True, "cell.launch", "camera:=false", "image:=/front/image_rect")
         self.expect(True, "cell.launch", "camera:=false", "image:=/front/image_rect_color")
         self.expect(False, "replay.launch", "bag:=x.bag")
         self.expect(True, "replay.launch", "bag:=x.bag", "image:=/image_rect")
 
-    def test_the_operator_has_the_last_word(self):
+    def test_an_explicit_argument_takes_precedence(self):
         self.expect(True, "cell.launch", "camera:=false", "image:=/straight", "rectified:=true")
         self.expect(True, "replay.launch", "bag:=x.bag", "image:=/straight", "rectified:=true")
         self.expect(False, "cell.launch", "camera:=false", "image:=/image_rect", "rectified:=false")
 
-    def test_both_of_two_cells(self):
+    def test_both_of_two_cells_use_raw_images(self):
         loaded = parameters("cells.launch")
         for key in ("/left/learning", "/left/matching", "/right/matching"):
             self.assertIs(loaded[key + "/rectified"], False, key)
 
 
 class TopView(unittest.TestCase):
-    def test_is_searched_with_a_calibration_and_a_frame_of_its_own(self):
+    def test_is_searched_with_its_own_calibration_and_frame(self):
         config = load("cell.launch", "top_view:=true", "platform_frame:=table", "image:=/usb_cam/image_raw")
         remaps = {node.name: dict(node.remap_args) for node in config.nodes}
         for nodelet in ("learning", "matching"):
@@ -78,7 +78,7 @@ class TopView(unittest.TestCase):
         self.assertIs(config.params["/rectify/top_view"].value, True)
         self.assertEqual(config.params["/rectify/platform_frame"].value, "table")
 
-    def test_undistorts_raw_images_alone(self):
+    def test_undistorts_only_raw_images(self):
         def rectified(*arguments):
             return parameters("cell.launch", "top_view:=true", *arguments)["/rectify/rectified"]
         self.assertIs(rectified(), False)
@@ -87,7 +87,7 @@ class TopView(unittest.TestCase):
         self.assertIs(rectified("image:=/straight", "rectified:=true"), True)
         self.assertIs(rectified("image:=/image_rect", "rectified:=false"), False)
 
-    def test_of_two_cells_and_of_bags(self):
+    def test_works_for_two_cells_and_for_bags(self):
         loaded = parameters("cells.launch", "top_view:=true")
         for key in ("/left/rectify", "/right/rectify"):
             self.assertIs(loaded[key + "/top_view"], True, key)
@@ -96,7 +96,7 @@ class TopView(unittest.TestCase):
         self.assertEqual(loaded["/searched_image"], "top_view/image_rect")
         self.assertEqual(parameters("replay.launch", "bag:=x.bag", "rectify:=true")["/searched_image"], "image_rect")
 
-    def test_is_off_unless_wanted(self):
+    def test_is_off_by_default(self):
         loaded = parameters("cell.launch", "rectify:=true", "platform_frame:=table")
         self.assertIs(loaded["/rectify/top_view"], False)
         self.assertIs(loaded["/rectify/rectified"], False)
@@ -116,7 +116,7 @@ class Calibration(unittest.TestCase):
         self.assertEqual(calibrations("replay.launch", "bag:=x.bag", "image:=/front/image_raw"),
                          {"/front/camera_info"})
 
-    def test_may_lie_elsewhere(self):
+    def test_may_be_another_topic(self):
         self.assertEqual(calibrations("cell.launch", "image:=/a/image_raw", "camera_info:=/b/info"), {"/b/info"})
 
 
@@ -134,7 +134,7 @@ class Console(unittest.TestCase):
         self.assertIn("-f usb_cam", self.of("rviz:=true", "frame:=usb_cam").args)
 
 
-    def test_is_told_which_images_the_cell_searches(self):
+    def test_is_configured_with_the_images_that_the_cell_searches(self):
         def told(*arguments):
             loaded = parameters("cell.launch", *arguments)
             return loaded["/searched_image"], loaded["/camera_image"]
@@ -152,7 +152,7 @@ class Images(unittest.TestCase):
         loaded = parameters(name, *arguments)
         return {key: loaded[nodelet + "/" + key] for key in self.WANTED if nodelet + "/" + key in loaded}
 
-    def test_are_read_as_asked_for(self):
+    def test_are_read_with_the_arguments(self):
         learning = {key: value for key, value in self.WANTED.items() if key != "tf_wait"}
         for name, cell in (("cell.launch", ""), ("cells.launch", "/left"), ("vision.launch", "")):
             self.assertEqual(self.of(cell + "/learning", name, *self.ARGUMENTS), learning)
@@ -169,26 +169,26 @@ class Images(unittest.TestCase):
             read = self.of(nodelet, *arguments)
             self.assertEqual((read["image_transport"], read["white_level"], read["max_info_age"]), ("raw", 0, 1e9))
 
-    def test_are_read_as_the_files_say_otherwise(self):
+    def test_are_read_as_configured_in_the_files_by_default(self):
         self.assertEqual(self.of("/matching", "cell.launch"),
                          {"image_transport": "raw", "white_level": 0, "max_info_age": 60, "tf_wait": 0})
 
 
 class Frames(unittest.TestCase):
-    def test_are_those_asked_for(self):
+    def test_are_those_of_the_arguments(self):
         for name in (["cell.launch"], ["replay.launch", "bag:=x.bag"]):
             loaded = parameters(*name, "target_frame:=base_link", "gripper_frame:=tool0", "tf_prefix:=left_")
             self.assertEqual(loaded["/matching/target_frame"], "base_link")
             self.assertEqual(loaded["/matching/tf_prefix"], "left_")
             self.assertEqual(loaded["/learning/gripper_frame"], "tool0")
 
-    def test_of_poses_are_the_same_wherever_images_come_from(self):
+    def test_of_poses_do_not_depend_on_the_image_source(self):
         for arguments, matching in ((["cells.launch"], "/left/matching"), (["cells.launch"], "/right/matching"),
                                     (["replay.launch", "bag:=x.bag"], "/matching")):
             loaded = parameters(*arguments, "target_frame:=base_link")
             self.assertEqual(loaded[matching + "/target_frame"], "base_link", arguments)
 
-    def test_are_those_of_the_files_otherwise(self):
+    def test_are_those_of_the_files_by_default(self):
         loaded = parameters("cell.launch")
         self.assertEqual((loaded["/matching/target_frame"], loaded["/learning/gripper_frame"]), ("", ""))
 
@@ -196,7 +196,7 @@ class Frames(unittest.TestCase):
 class OwnCamera(unittest.TestCase):
     """The example of a cell with its own driver and frames."""
 
-    def test_names_topics_and_frames_to_the_cell(self):
+    def test_passes_topics_and_frames_to_the_cell(self):
         arguments = ["../examples/launch/own_camera.launch", "image:=/cell7/cam/image_raw",
                      "camera_frame:=cell7_cam_optical", "base_frame:=robot_base", "camera_pose:=0.5 0 1.2 1 0 0 0",
                      "platform_distance:=0.8"]
@@ -235,7 +235,7 @@ class Manager(unittest.TestCase):
             self.assertNotIn("mbncc_manager", apart)
             self.assertEqual(apart["matching"], ["standalone", "mbncc_vision/MatchingNodelet"])
 
-    def test_has_no_remappings_which_would_come_before_those_of_its_nodelets(self):
+    def test_has_no_remappings_that_override_those_of_its_nodelets(self):
         for name, arguments in (("cell.launch", ()), ("demo.launch", ()), ("cells.launch", ()),
                                 ("replay.launch", ("bag:=x.bag",))):
             for more in ((), ("image:=/usb_cam/image_raw",)) if name in ("cell.launch", "replay.launch") else ((),):
@@ -244,7 +244,7 @@ class Manager(unittest.TestCase):
                 for manager in managers:
                     self.assertFalse({"image_raw", "camera_info"} & set(dict(manager.remap_args)), (name, more))
 
-    def test_may_be_the_drivers(self):
+    def test_may_be_that_of_the_driver(self):
         for arguments in (["cell.launch", "camera:=false"], ["demo.launch"], ["replay.launch", "bag:=x.bag"],
                           ["vision.launch"], ["cell.launch", "one_manager:=false"],
                           ["cells.launch", "left_manager:=/driver", "right_manager:=/driver"]):
@@ -297,7 +297,7 @@ class Searching(unittest.TestCase):
             self.assertEqual(judged, {"confirm_score": 0.9, "scale_range": 0.1})
             self.assertLessEqual(judged.items(), self.of("/matching", own).items())
 
-    def test_also_those_that_are_shipped(self):
+    def test_learning_reads_the_shipped_settings_of_matching(self):
         for file, cell in (("cell.launch", ""), ("cells.launch", "/left"), ("demo.launch", "")):
             judged = self.of(cell + "/learning/matching", file=file)
             self.assertIn("min_score", judged)
@@ -308,14 +308,14 @@ class Searching(unittest.TestCase):
 class StaleParameters(unittest.TestCase):
     """The master may outlive a launch; the parameters of that launch must not affect the next one."""
 
-    def test_every_node_of_every_file_begins_without(self):
+    def test_every_node_of_every_file_clears_its_parameters(self):
         files = glob.glob(os.path.join(LAUNCH, "*.launch"))
         self.assertGreaterEqual(len(files), 6)
         for path in files:
             for node in xml.etree.ElementTree.parse(path).getroot().iter("node"):
                 self.assertEqual(node.get("clear_params"), "true", (path, node.get("name")))
 
-    def test_namespaces_are_cleared_that_nodes_read(self):
+    def test_all_namespaces_that_nodes_read_are_cleared(self):
         for arguments in (["cell.launch"], ["cell.launch", "simulated:=true", "rectify:=true", "one_manager:=false"],
                           ["cells.launch"], ["demo.launch"], ["replay.launch", "bag:=x.bag"], ["console.launch"],
                           ["vision.launch"]):
@@ -324,7 +324,7 @@ class StaleParameters(unittest.TestCase):
             for node in config.nodes:
                 self.assertIn(node.namespace + node.name, cleared, arguments)
 
-    def test_what_a_file_sets_for_a_node_of_another_one_is_set_after(self):
+    def test_settings_for_nodes_of_an_included_file_are_applied_last(self):
         self.assertIs(parameters("demo.launch", "auto_play:=false")["/camera/auto_play"], False)
 
 
