@@ -304,7 +304,7 @@ void ConsoleWidget::ask_about_name(const std::string& name) {
         [this, name] {
           begin({What::kReplace, name});
         }},
-       {"&Add view", "Teach this side in other light or a little turned as well",
+       {"&Add view", "Teach this side also in different light or slightly rotated",
         [this, name] {
           begin({What::kView, name});
         }},
@@ -347,8 +347,8 @@ void ConsoleWidget::end_lesson(const mbncc_vision::LearnObjectActionResult& resu
 void ConsoleWidget::offer_next_view(const std::string& name) {
   const bool goes_on = !viewed_.empty();
   const std::string question =
-      goes_on ? " Turn '" + name + "' a little or change the light, then press Space."
-              : " Is it to be found in other light as well?";
+      goes_on ? " Rotate '" + name + "' slightly or change the light, then press Space."
+              : " Should it also be found in different light?";
   lesson_bar_->ask(
       "", {lesson_.level(), lesson_.detail() + question},
       {{goes_on ? "Ne&xt view (Space)" : "Teach anothe&r view",
@@ -475,10 +475,11 @@ void ConsoleWidget::ask_for_place() {
   image_->ask_for_region(false);
   image_->ask_for_place(true);
   image_->setFocus();
-  lesson_bar_->say({Level::kUnknown,
-                    "Click the middle of the object that should be found, or go there by the arrow "
-                    "keys and press Space; Esc cancels."},
-                   now());
+  lesson_bar_->say(
+      {Level::kUnknown,
+       "Click the middle of the object that should be found, or move there with the arrow keys "
+       "and press Space; Esc cancels."},
+      now());
   show_lesson();
 }
 

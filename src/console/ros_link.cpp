@@ -322,10 +322,10 @@ void RosLink::set_search_region(const QRect& region) {
 
 void RosLink::keep_calibration(const sensor_msgs::CameraInfo& calibration) {
   if (image_topic(kSearchedImages) != image_topic(kCameraImages))
-    return Q_EMIT calibration_kept(
-        false,
-        "these images are rectified, which the camera's own are not; start the cell without "
-        "rectify and top_view to calibrate the lens");
+    return Q_EMIT calibration_kept(false,
+                                   "these images are rectified, but the camera's raw images are "
+                                   "needed; start the cell without rectify and top_view to "
+                                   "calibrate the lens");
   later([this, calibration] {
     sensor_msgs::SetCameraInfo call;
     call.request.camera_info = calibration;

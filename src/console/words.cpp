@@ -116,7 +116,7 @@ std::string word_of_state(std::uint8_t state) {
 
 const std::vector<SymmetryChoice>& symmetry_choices() {
   using Goal = mbncc_vision::LearnObjectGoal;
-  static const std::vector<SymmetryChoice> choices{{Goal::SYMMETRY_AUTO, "symmetry as measured"},
+  static const std::vector<SymmetryChoice> choices{{Goal::SYMMETRY_AUTO, "measured symmetry"},
                                                    {Goal::SYMMETRY_NONE, "no symmetry"},
                                                    {Goal::SYMMETRY_2, "same after 180\u00b0"},
                                                    {Goal::SYMMETRY_3, "same after 120\u00b0"},

@@ -96,7 +96,8 @@ std::string BoardCalibration::advice(Seen seen) const {
                             " fields covered. ";
   if (seen == Seen::kNothing)
     return state + "No complete board of " + std::to_string(board_.columns) + " x " +
-           std::to_string(board_.rows) + " inner corners is visible: show all of it.";
+           std::to_string(board_.rows) +
+           " inner corners is visible. Move the whole board into view.";
   if (suffices()) return state + "Compute the calibration, or continue for a better one.";
   if (covered() < kCovered)
     return state + "Move the board to fields not covered yet, including the corners.";

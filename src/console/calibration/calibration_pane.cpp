@@ -148,7 +148,7 @@ void CalibrationPane::show_kept(bool success, const QString& message) {
 
 void CalibrationPane::calibrate_platform(const CellImages& images) {
   platform_->setEnabled(false);
-  result_text_->setText("The platform is being calibrated; leave the board where it lies.");
+  result_text_->setText("The platform is being calibrated; do not move the board.");
   platform_calibration_.begin(board(), images);
 }
 

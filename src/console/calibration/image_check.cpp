@@ -38,8 +38,8 @@ std::string ImageCheck::advice() const {
           : "Sharpness: " + part + " % of the sharpest: turn the focus ring back.";
   const std::string light =
       burnt_ > kMostBurnt ? " Too bright: " + std::to_string(std::lround(100 * burnt_)) +
-                                " % is overexposed; shorten the exposure."
-      : brightness_ < kDark ? " Too dark: lengthen the exposure, or add light."
+                                " % is overexposed; reduce the exposure time."
+      : brightness_ < kDark ? " Too dark: increase the exposure time or add light."
                             : " The exposure is right.";
   return focus + light;
 }

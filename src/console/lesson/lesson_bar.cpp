@@ -27,7 +27,7 @@ LessonBar::LessonBar(QWidget* parent)
     : QWidget(parent),
       name_(new QLineEdit),
       height_(new QDoubleSpinBox),
-      symmetry_(make_symmetry_box("At which angles the object counts as the same")),
+      symmetry_(make_symmetry_box("Rotations at which the object looks the same")),
       teach_(make_button("&Teach", "Start a lesson, then take the object away",
                          "Alt+T, or Enter in the name")),
       cancel_(make_button("&Cancel", "End the lesson; nothing is stored", "Alt+C")),

@@ -229,7 +229,7 @@ void LessonModel::withdraw_undo_of_refused() {
 void LessonModel::look_at_clock(double now) {
   if (phase_ == Phase::kNoServer || now - heard_ <= kSilence) return;
   const bool lost = under_way();
-  end("The learning nodelet is gone",
+  end("The learning nodelet has stopped",
       lost ? "The lesson is lost. This window continues automatically when the nodelet is back."
            : "This window continues automatically when the nodelet is back.",
       Level::kBad);

@@ -43,10 +43,10 @@ ReviewPane::ReviewPane(QWidget* parent)
       reasons_(new QLabel),
       template_(new ScaledImage(kTemplate)),
       score_map_(new ScaledImage(kScoreMap)),
-      insist_(new QCheckBox("I have checked it: store it although BAD")),
+      insist_(new QCheckBox("I have checked it; store it despite BAD")),
       accept_(make_button("&Accept", "Store the object", "Alt+A or Ctrl+Enter")),
       reject_(make_button("&Reject", "End the lesson; nothing is stored", "Alt+R")),
-      undo_(make_button("&Undo mark", "Take the last correction back", "Ctrl+Z")),
+      undo_(make_button("&Undo mark", "Undo the last correction", "Ctrl+Z")),
       tools_(new QButtonGroup(this)),
       width_(new QSlider(Qt::Horizontal)) {
   template_->setToolTip("What was learned; the checkerboard is not part of it");

@@ -13,8 +13,8 @@ namespace {
 
 QString threshold_sentence(const mbncc_vision::EditObject::Request& request) {
   const QString name = QString::fromStdString(request.name);
-  if (request.clear) return "'" + name + "' has no min_score of its own any more.";
-  return QString("'%1' has its own min_score now, %2. Undo edit takes it back.")
+  if (request.clear) return "'" + name + "' no longer has its own min_score.";
+  return QString("'%1' has its own min_score now, %2. Undo edit reverts it.")
       .arg(name)
       .arg(static_cast<double>(request.min_score), 0, 'f', 2);
 }
@@ -128,7 +128,8 @@ void LibraryController::show_deleted() {
     const auto objects = deleted_objects(folder_.toStdString());
     auto* dialog = new TrashDialog(
         "Deleted objects",
-        objects.empty() ? "No object is deleted." : "Each is shown as it was last.", &strip_);
+        objects.empty() ? "There are no deleted objects." : "Each is shown with its last revision.",
+        &strip_);
     for (const auto& object : objects)
       dialog->add(object, QString::fromStdString(object.name + "\n" + object.text));
     connect(dialog, &TrashDialog::restore_wanted, this, &LibraryController::restore);

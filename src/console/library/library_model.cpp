@@ -136,9 +136,9 @@ std::string LibraryModel::undo_text() const {
     case Request::DELETE:
       return "Undo: delete '" + last.name + "' again";
     default:
-      return last.revision == 0 ? "Undo: bring '" + last.name + "' back"
-                                : "Undo: bring revision " + std::to_string(last.revision) +
-                                      " of '" + last.name + "' back";
+      return last.revision == 0 ? "Undo: restore '" + last.name + "'"
+                                : "Undo: restore revision " + std::to_string(last.revision) +
+                                      " of '" + last.name + "'";
   }
 }
 

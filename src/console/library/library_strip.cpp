@@ -47,14 +47,14 @@ LibraryStrip::LibraryStrip(QWidget* parent)
       search_(new QLineEdit),
       list_(new QListWidget),
       complaint_(new QLabel),
-      symmetry_(make_symmetry_box("At which angles the chosen object counts as the same")),
-      view_(make_button("Teach &view", "Teach the chosen object in other light or a little turned",
-                        "Alt+V")),
-      enable_(make_button("&Disable", "Search for the chosen object, or not", "Alt+D")),
+      symmetry_(make_symmetry_box("Rotations at which the chosen object looks the same")),
+      view_(make_button("Teach &view",
+                        "Teach the chosen object in different light or slightly rotated", "Alt+V")),
+      enable_(
+          make_button("&Disable", "Enable or disable the search for the chosen object", "Alt+D")),
       rename_(make_button("Re&name", "Write a new name below its image", "F2")),
-      delete_(
-          make_button("De&lete", "Take it out of the library; Undo edit brings it back", "Alt+L")),
-      undo_(make_button("Undo &edit", "Take the last change of the library back", "Alt+E")),
+      delete_(make_button("De&lete", "Remove it from the library; Undo edit restores it", "Alt+L")),
+      undo_(make_button("Undo &edit", "Undo the last change of the library", "Alt+E")),
       more_(make_button("M&ore", "Export, import, earlier revisions, deleted objects", "Alt+O")) {
   search_->setPlaceholderText("search the library");
   search_->setClearButtonEnabled(true);

@@ -19,7 +19,7 @@ constexpr QSize kSize(700, 440);  // wide enough for the longest name
 TrashDialog::TrashDialog(const QString& title, const QString& text, QWidget* parent)
     : QDialog(parent),
       list_(new QListWidget),
-      restore_(make_button("&Restore", "Undo edit takes it back", "Alt+R")) {
+      restore_(make_button("&Restore", "Undo edit reverts it", "Alt+R")) {
   setWindowTitle(title);
   setAttribute(Qt::WA_DeleteOnClose);
   list_->setIconSize({96, 96});

@@ -79,7 +79,7 @@ void ThresholdPane::begin(const Thresholds& now, const QString& object) {
   object_ = object;
   now_ = now;
   one_->setText(object.isEmpty() ? "for one object: choose it in the library first"
-                                 : "min_score for the chosen object alone:");
+                                 : "min_score only for the chosen object:");
   object_text_->setText(object);
   one_->setEnabled(!object.isEmpty());
   confirm_->setValue(steps_of(now.confirm_score));

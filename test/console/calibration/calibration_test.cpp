@@ -110,7 +110,7 @@ TEST(ImageCheck, DistinguishesBlurredSharpSaturatedAndDarkImages) {
   EXPECT_LT(check.sharpness(), 0.6);
   EXPECT_NE(check.advice().find("turn the focus ring back"), std::string::npos);
   check.take(cv::Mat(kImage, CV_8UC3, cv::Scalar::all(255)));
-  EXPECT_NE(check.advice().find("shorten the exposure"), std::string::npos);
+  EXPECT_NE(check.advice().find("reduce the exposure time"), std::string::npos);
   check.take(cv::Mat(kImage, CV_8UC3, cv::Scalar::all(10)));
   EXPECT_NE(check.advice().find("Too dark"), std::string::npos);
 }

@@ -118,7 +118,7 @@ class LibraryTest(unittest.TestCase):
         self.report.wait_until_says("0.01 (min_score)")
         self.mouse.click("Apply")
         wait_for(lambda: 0 < self.own_threshold() < 0.02, "it has a threshold of its own")
-        self.report.wait_until_says("'clamp' has its own min_score now, 0.01. Undo edit takes it back.")
+        self.report.wait_until_says("'clamp' has its own min_score now, 0.01. Undo edit reverts it.")
 
     def test_4_an_own_threshold_is_previewed_for_its_object_and_undone(self):
         self.teacher.order("put_next", lies=True)
@@ -139,7 +139,7 @@ class LibraryTest(unittest.TestCase):
         self.report.wait_until_says("0.50 (min_score)")
         self.mouse.click("Apply")
         wait_for(lambda: self.own_threshold() <= 0, "it has none any more")
-        self.report.wait_until_says("'clamp' has no min_score of its own any more.")
+        self.report.wait_until_says("'clamp' no longer has its own min_score.")
 
 
 class Report(unittest.TextTestResult):

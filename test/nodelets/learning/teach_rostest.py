@@ -91,7 +91,7 @@ class Teach(unittest.TestCase):
         return said
 
     def test_a_server_that_dies_is_detected(self):
-        self.assertIn("the learning nodelet is gone", self.lost_lesson("/doomed"))
+        self.assertIn("the learning nodelet has stopped", self.lost_lesson("/doomed"))
 
     def test_a_restarted_server_has_lost_the_lesson(self):
         self.assertIn("teach again", self.lost_lesson("/reborn"))

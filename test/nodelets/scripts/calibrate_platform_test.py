@@ -183,7 +183,7 @@ class CalibratePlatformTest(unittest.TestCase):
             self.write("camera.yaml", text)
             done = self.call("--points", self.path("points.csv"))
             self.assertEqual(done.returncode, 1, text)
-            self.assertIn("is no calibration", done.stderr)
+            self.assertIn("is not a calibration", done.stderr)
             self.assertEqual(len(done.stderr.strip().splitlines()), 1, done.stderr)
 
 

@@ -65,15 +65,16 @@ std::optional<Refusal> add_view(ObjectModel& stored, const ObjectModel& learned,
       return Refusal(
           LearnError::kAlreadyKnown,
           "'" + stored.name + "' already has this view: the object lies as in that image.",
-          "Turn the object a little or change the light; then teach the view again. Another side "
+          "Rotate the object slightly or change the light; then teach the view again. Another side "
           "is taught under its own name.");
   const auto reference = shared_reference(stored, view, image, search);
   if (!reference)
-    return Refusal(LearnError::kNotDistinct,
-                   "The stored object was not found in the new image, so the new view cannot "
-                   "share its frame.",
-                   "A further view shows the same side, turned a little or in other light. Teach "
-                   "another side under its own name, or use overwrite.");
+    return Refusal(
+        LearnError::kNotDistinct,
+        "The stored object was not found in the new image, so the new view cannot "
+        "share its frame.",
+        "A further view shows the same side, slightly rotated or in different light. Teach "
+        "another side under its own name, or use overwrite.");
   view.reference = *reference;
   stored.views.push_back(view);
   stored.quality = learned.quality;
