@@ -19,7 +19,7 @@ namespace {
 constexpr const char* kOptions =
     "{@out    |     | folder for lessons.csv }"
     "{lessons | 100 | number of lessons }"
-    "{seed    | 1   | draws them }"
+    "{seed    | 1   | random seed }"
     "{help h  |     | this text }";
 
 constexpr double kLeastIou = 0.8, kMostShift = 2;  // [px]

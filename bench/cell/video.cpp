@@ -20,7 +20,7 @@ constexpr const char* kOptions =
     "{frames  | 3000 | images of the video }"
     "{objects | 40   | taught objects }"
     "{lying   | 12   | of these, in the image }"
-    "{seed    | 1    | draws objects and story }"
+    "{seed    | 1    | random seed of objects and story }"
     "{help h  |      | this text }";
 
 constexpr double kDrift = 0.1, kFlicker = 0.015;  // of the light

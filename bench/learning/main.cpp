@@ -25,8 +25,8 @@ constexpr const char* kOptions =
     "{@set       |   | folder with the cases to learn }"
     "{out        |   | folder for cases.csv, figures.csv and the maps }"
     "{methods    |   | comma separated, sb_grabcut_slic_4000 and the like too; empty: the usual }"
-    "{iterations | 5 | graph cuts: 1, 2, ... so many }"
-    "{cases      | 0 | the first so many cases only; 0: all }"
+    "{iterations | 5 | numbers of graph cuts: 1, 2, ... up to this }"
+    "{cases      | 0 | use only the first N cases; 0: all }"
     "{help h     |   | this text }";
 
 /// Results of one method with one number of iterations.

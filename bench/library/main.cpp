@@ -26,11 +26,11 @@ constexpr const char* kOptions =
     "{@set     |             | folder with the cases; all of them share their targets }"
     "{objects  | 40          | comma separated: numbers of objects in the library }"
     "{threads  | 1           | comma separated: numbers of threads }"
-    "{targets  | 0           | the first so many targets only; 0: all }"
+    "{targets  | 0           | use only the first N targets; 0: all }"
     "{red      | 1           | the targets' red channel is multiplied by this }"
     "{blue     | 1           | and their blue channel by this }"
-    "{repeat   | 1           | larger images for their time: each target so many times across and"
-    " down; the copies count as false }"
+    "{repeat   | 1           | larger images for their time: each target repeated N times across "
+    "and down; the copies count as false }"
     "{help h   |             | this text }";
 
 /// The images to search, and the true instances by target and object.

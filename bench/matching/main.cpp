@@ -25,7 +25,7 @@ constexpr const char* kOptions =
     "{out             |     | folder for figures.csv, curves.csv and one folder of predictions per "
     "engine }"
     "{engines         |     | comma separated; all when empty }"
-    "{cases           | 0   | the first so many cases only; 0: all }"
+    "{cases           | 0   | use only the first N cases; 0: all }"
     "{tags            |     | print a table per tag as well }"
     "{position_tol    | 3   | [px] largest position error of a correct detection ... }"
     "{position_of_diameter | 0.03 | ... or this part of the object's diameter, if larger }"

@@ -20,9 +20,9 @@ namespace fs = std::filesystem;
 
 constexpr const char* kOptions =
     "{@out    |   | folder for the cases }"
-    "{cases   | 8 | so many objects }"
+    "{cases   | 8 | number of objects }"
     "{targets | 4 | images to search with each; the last one lacks the object }"
-    "{seed    | 1 | draws everything }"
+    "{seed    | 1 | random seed }"
     "{help h  |   | this text }";
 
 constexpr int kNeighbours = 2;

@@ -59,7 +59,7 @@ def main():
     parser.add_argument('run', type=pathlib.Path)
     parser.add_argument('sets')
     parser.add_argument('out', type=pathlib.Path)
-    parser.add_argument('--worst', type=int, default=0, help='only so many; 0: all')
+    parser.add_argument('--worst', type=int, default=0, help='only the worst N; 0: all')
     arguments = parser.parse_args()
     folders = case_folders(arguments.sets.split(','))
     with open(arguments.run / 'cases.csv') as file:

@@ -26,7 +26,7 @@ constexpr const char* kOptions =
     "{likes       | 1000 | images with a look-alike }"
     "{empty       | 1000 | black, plain and noisy images }"
     "{objects     | 40   | taught objects; every image is searched for four of them }"
-    "{seed        | 1    | draws everything }"
+    "{seed        | 1    | random seed }"
     "{help h      |      | this text }";
 
 constexpr int kPerImage = 4;       // objects searched per image, one at a time

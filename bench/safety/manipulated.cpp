@@ -30,7 +30,7 @@ constexpr const char* kOptions =
     "{each   | 2 | images of each kind per instance }"
     "{kinds  |   | of what is done to the images, with commas between them; all if empty }"
     "{most   | 0 | cases per set; 0: all }"
-    "{seed   | 1 | draws what is done to the images }"
+    "{seed   | 1 | random seed of the manipulations }"
     "{help h |   | this text }";
 
 /// A target with one instance of an object, and another object used for the manipulation.

@@ -27,16 +27,18 @@ struct CameraConfig {
     visit(FieldInfo{"source", Allowed::anything(), "",
                     "device index or path, stream URL, folder of images, or video file"},
           self.source);
-    visit(FieldInfo{"frame_rate", Allowed::range(0, 1000), "Hz",
-                    "images per second, asked of a device; 0: the source's own, 10 for a folder"},
-          self.frame_rate);
+    visit(
+        FieldInfo{
+            "frame_rate", Allowed::range(0, 1000), "Hz",
+            "images per second, requested from a device; 0: the source's own, 10 for a folder"},
+        self.frame_rate);
     visit(FieldInfo{"loop", Allowed::anything(), "", "restart a folder or video at its end"},
           self.loop);
     visit(FieldInfo{"width", Allowed::range(0, 16384), "px",
-                    "image width asked of a device; 0: its default"},
+                    "image width requested from a device; 0: its default"},
           self.width);
     visit(FieldInfo{"height", Allowed::range(0, 16384), "px",
-                    "image height asked of a device; 0: its default"},
+                    "image height requested from a device; 0: its default"},
           self.height);
     visit(FieldInfo{"exposure", Allowed::at_least(-1), "",
                     "exposure of a device in its driver's unit; -1: unchanged"},

@@ -56,7 +56,7 @@ struct MatchingNodeConfig {
                     "an instance is confirmed if it is graspable in this many images"},
           self.confirm_frames);
     visit(FieldInfo{"confirm_window", Allowed::range(1, 100), "",
-                    "number of last images in which confirm_frames counts"},
+                    "number of most recent images in which confirm_frames are counted"},
           self.confirm_window);
     visit(FieldInfo{"hold_time", Allowed::range(0, 60), "s",
                     "a lost instance is published as HELD for this long; 0: never"},

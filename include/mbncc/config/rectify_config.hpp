@@ -30,10 +30,11 @@ struct RectifyConfig {
     visit(FieldInfo{"camera_frame", Allowed::frame(), "",
                     "optical frame of the camera; empty: the images' frame_id"},
           self.camera_frame);
-    visit(FieldInfo{"rectified", Allowed::anything(), "",
-                    "for the top view: the images that come in are rectified, P of camera_info "
-                    "counts; otherwise K and D"},
-          self.rectified);
+    visit(
+        FieldInfo{"rectified", Allowed::anything(), "",
+                  "for the top view: the received images are rectified; P of camera_info is used, "
+                  "otherwise K and D"},
+        self.rectified);
     visit(
         FieldInfo{"max_info_age", Allowed::at_least(0.1), "s", "an older camera_info is not used"},
         self.max_info_age);

@@ -13,10 +13,10 @@ struct SearchConfig {
       "fast";  ///< fast: pyramid and rotated templates; polar: the paper's, step by step
   std::string accept_by =
       "score";             ///< score: probability from all features; similarity: the paper's rule
-  double min_score = 0.5;  ///< [0..1] least score of a reported detection
-  double confirm_score = 0.7;         ///< [0..1] least score of a graspable detection, see fields()
-  double min_margin_place = 6;        ///< log-odds difference to the best competitor elsewhere
-  double min_margin_angle = 6;        ///< log-odds difference to the best other angle at the place
+  double min_score = 0.5;  ///< [0..1] minimum score of a reported detection
+  double confirm_score = 0.7;   ///< [0..1] minimum score of a graspable detection, see fields()
+  double min_margin_place = 6;  ///< log-odds difference to the best competitor elsewhere
+  double min_margin_angle = 6;  ///< log-odds difference to the best other angle at the place
   double max_place_deviation = 1.25;  ///< [px] largest standard deviation of a graspable position
   double max_angle_deviation = 1;     ///< [deg] largest standard deviation of a graspable angle
   double min_visible = 0.6;           ///< [0..1] part of the map inside the image
@@ -35,12 +35,12 @@ struct SearchConfig {
     visit(FieldInfo{"accept_by", Allowed::one_of({"score", "similarity"}), "",
                     "value that the thresholds compare: the score or the similarity"},
           self.accept_by);
-    visit(FieldInfo{"min_score", Allowed::range(0, 1), "", "least score of a reported detection"},
+    visit(FieldInfo{"min_score", Allowed::range(0, 1), "", "minimum score of a reported detection"},
           self.min_score);
     visit(
         FieldInfo{
             "confirm_score", Allowed::range(0, 1), "",
-            "least score of a graspable detection; its probability is .98 or more in any case"},
+            "minimum score of a graspable detection; its probability must always be at least .98"},
         self.confirm_score);
     visit(FieldInfo{"min_margin_place", Allowed::range(0, 100), "log-odds",
                     "graspable only with this margin to the best competitor elsewhere"},

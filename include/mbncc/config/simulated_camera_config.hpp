@@ -86,10 +86,10 @@ struct SimulatedCameraConfig {
                     "image's upper edge"},
           self.tilt);
     visit(FieldInfo{"principal_x", Allowed::range(-8192, 8192), "px",
-                    "principal point from the image's middle"},
+                    "offset of the principal point from the image centre"},
           self.principal_x);
     visit(FieldInfo{"principal_y", Allowed::range(-8192, 8192), "px",
-                    "principal point from the image's middle"},
+                    "offset of the principal point from the image centre"},
           self.principal_y);
     visit(FieldInfo{"platform_distance", Allowed::range(0.01, 100), "m",
                     "distance of the platform, for the truth in metres"},
