@@ -34,7 +34,7 @@ def array_fault(array):
         return "not in the wanted frame: " + array.message
     # This also covers a status that this program does not know yet.
     if array.status not in (DetectedObjectArray.OK, DetectedObjectArray.BUDGET_EXCEEDED):
-        return "not to be relied upon: " + array.message
+        return "not reliable: " + array.message
     return None
 
 

@@ -72,7 +72,7 @@ void Arguments::check_complete(const std::vector<Option>& options,
   if (operand.empty() && !operands_.empty())
     throw UsageError("'" + operands_.front() + "' is not expected here");
   if (!operand.empty() && operands_.empty())
-    throw UsageError("nothing to work on is given; give " + in_words(operand));
+    throw UsageError("an argument is missing; give " + in_words(operand));
 }
 
 std::string Arguments::get(const std::string& option, const std::string& otherwise) const {
@@ -90,7 +90,7 @@ void Arguments::at_most_one_of(const std::vector<std::string>& options) const {
   for (const auto& option : options) {
     if (!has(option)) continue;
     if (!given.empty())
-      throw UsageError(given + " and " + option + " exclude each other; give one");
+      throw UsageError(given + " and " + option + " cannot be combined; give only one");
     given = option;
   }
 }

@@ -26,7 +26,7 @@ class Reader {
   std::uint32_t number(int count) {
     std::uint32_t value = 0;
     for (int i = 0; i < count; ++i) {
-      if (at_end()) throw std::runtime_error("the file is cut short");
+      if (at_end()) throw std::runtime_error("the file is truncated");
       value = value << 8 | bytes_[position_++];
     }
     return value;

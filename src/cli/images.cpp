@@ -31,7 +31,7 @@ std::string remedy_for(const std::string& unwritable) {
   const auto folder = std::filesystem::path(unwritable).parent_path();
   return folder.empty() || std::filesystem::exists(folder)
              ? "; check disk space and permissions"
-             : "; make its folder, or choose another one";
+             : "; create the folder or choose another one";
 }
 
 std::vector<std::uint8_t> read_bytes(const std::string& path) {
@@ -77,7 +77,7 @@ void check_header(const ImageHeader& header, const std::string& path) {
     throw FileError(path, std::to_string(header.bits) +
                               " bits per channel; convert it to 8 bits, with the scaling that "
                               "suits the camera");
-  if (!header.complete) throw FileError(path, "the file is cut short");
+  if (!header.complete) throw FileError(path, "the file is truncated");
 }
 
 // Grippers are calibrated to the sensor's rows and columns, so the orientation is not applied.

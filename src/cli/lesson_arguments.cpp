@@ -37,7 +37,7 @@ std::vector<Option> lesson_options() {
           {"--include", "x,y[,x,y...]", "a stroke on the object", false, true},
           {"--exclude", "x,y[,x,y...]", "a stroke on the background", false, true},
           {"--stroke-width", "PIXELS", "of the strokes; 0: closed areas; default: 5"},
-          {"--label", "TEXT", "shown to people; default: the name"},
+          {"--label", "TEXT", "shown to the operator; default: the name"},
           {"--height", "METRES", "of the object's top face above the platform; default: 0"},
           {"--symmetry", "auto|none|2|3|4|6|round", "equal angles in a turn; default: auto"},
           {"--overwrite", "", "replace the object of this name, if there is one"},

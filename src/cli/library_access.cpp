@@ -47,7 +47,7 @@ std::shared_ptr<const LibrarySnapshot> load_reporting(ObjectLibrary& library) {
               << (file.moved ? "; moved to .quarantine\n" : "; left in place\n");
   for (const auto& file : snapshot->other_images)
     std::cerr << "mbncc: warning: " << library.folder() << '/' << file
-              << ": not an object; left where it is\n";
+              << ": not an object; left in place\n";
   return snapshot;
 }
 

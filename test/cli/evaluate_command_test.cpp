@@ -50,7 +50,8 @@ TEST_F(EvaluateCommand, WritesAPageWithImagesOfFaults) {
 
 TEST_F(EvaluateCommand, AWrongTruthFileIsExplained) {
   EXPECT_TRUE(evaluate("x,y\n").says("no column 'image'"));
-  EXPECT_TRUE(evaluate("image,x,y\ntarget.png,12,left\n").says("line 2: y is no number: 'left'"));
+  EXPECT_TRUE(
+      evaluate("image,x,y\ntarget.png,12,left\n").says("line 2: y is not a number: 'left'"));
   EXPECT_TRUE(evaluate("image,name,x,y\ntarget.png,nut,1,2\n").says("no object 'nut'"));
   EXPECT_EQ(evaluate("").code, 1);
 }
@@ -76,7 +77,7 @@ TEST_F(EvaluateCommand, UnknownColumnsAreRefused) {
 TEST_F(EvaluateCommand, ABinaryTruthFileIsNotPrinted) {
   const ToolRun run = evaluate("\x89PNG\r\n\x1a\n,x,y\n");
   EXPECT_EQ(run.code, 1);
-  EXPECT_TRUE(run.says("truth.csv: no text; give a CSV file with the columns")) << run.err;
+  EXPECT_TRUE(run.says("truth.csv: not a text file; give a CSV file with the columns")) << run.err;
   EXPECT_EQ(run.err.find('\x89'), std::string::npos);
   EXPECT_EQ(evaluate("image,x,y\nübung.png,,\n").code, 0) << "names in UTF-8 are text";
 }

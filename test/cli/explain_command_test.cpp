@@ -62,7 +62,7 @@ TEST_F(ExplainCommand, ExplainsRefusals) {
   EXPECT_EQ(run_tool(explain() + std::vector<std::string>{"--name", "none"}).code, 1);
   const ToolRun broken = run_tool({"replay", folder_ / "target.png", folder_ / "nothing"});
   EXPECT_EQ(broken.code, 1);
-  EXPECT_TRUE(broken.says("target.png: no saved miss; give a file of 'Save this miss'"));
+  EXPECT_TRUE(broken.says("target.png: not a saved miss; give a file written by 'Save this miss'"));
   EXPECT_TRUE(broken.says("nothing: "));
 }
 

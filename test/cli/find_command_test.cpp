@@ -96,7 +96,7 @@ TEST_F(FindCommand, UnreadableImagesDoNotStopTheOthers) {
   EXPECT_EQ(split(run.out, '\n').size(), 2u) << run.out;
   for (const char* sentence :
        {"none.png: there is no such file", "deep.png: 16 bits per channel",
-        "cut_target.png: the file is cut short", "cut_whole.jpg: the file is cut short",
+        "cut_target.png: the file is truncated", "cut_whole.jpg: the file is truncated",
         "text.png: neither a PNG nor a JPEG", "nothing.png: the file is empty",
         "one.png: an image to search must have at least 16 x 16 pixels",
         "huge.png: the image has more than 64 million pixels", ": a folder; give",

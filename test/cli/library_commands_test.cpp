@@ -36,7 +36,7 @@ TEST_F(LibraryCommands, TheMapIsExportedAtFullSize) {
   EXPECT_EQ(cv::norm(out, map, cv::NORM_INF), 0);
   const ToolRun nowhere = on_library("map", {"--name", "part", "--out", folder_ / "no/out.png"});
   EXPECT_EQ(nowhere.code, 1);
-  EXPECT_TRUE(nowhere.says("cannot be written: No such file or directory; make its folder"))
+  EXPECT_TRUE(nowhere.says("cannot be written: No such file or directory; create the folder"))
       << nowhere.err;
   EXPECT_FALSE(std::filesystem::exists(folder_ / "out.png.part"));
   const ToolRun full = on_library("map", {"--name", "part", "--out", "/dev/full"});
@@ -75,7 +75,7 @@ TEST_F(LibraryCommands, ASymmetryIsDeclaredAndShown) {
   EXPECT_EQ(edit.code, 0) << edit.err;
   EXPECT_TRUE(edit.prints("'part' has symmetry round, revision 2")) << edit.out;
   const ToolRun strict = on_library("edit", {"--name", "part", "--min-score", "0.75"});
-  EXPECT_TRUE(strict.prints("'part' has symmetry round, is reported from a score of 0.75 on"))
+  EXPECT_TRUE(strict.prints("'part' has symmetry round, is reported at a score of 0.75 or more"))
       << strict.out;
   const ToolRun usual = on_library("edit", {"--name", "part", "--min-score", "auto"});
   EXPECT_FALSE(usual.prints("is reported from")) << usual.out;
@@ -149,7 +149,7 @@ TEST_F(LibraryCommands, ImagesOfTheUserStayWhereTheyAre) {
                  std::vector<std::string>(command == "find" ? 1 : 0, photo));
     EXPECT_EQ(run.code, 1);
     EXPECT_TRUE(run.says("the library has no objects; teach one first")) << run.err;
-    EXPECT_EQ(run.err.find(photo + ": not an object; left where it is\n"),
+    EXPECT_EQ(run.err.find(photo + ": not an object; left in place\n"),
               run.err.rfind("not an object") - photo.size() - 2)
         << "once: " << run.err;
   }
@@ -157,7 +157,7 @@ TEST_F(LibraryCommands, ImagesOfTheUserStayWhereTheyAre) {
   folder_.write("library/photo.png", cv::imread(folder_ / "target.png"));
   const ToolRun check = on_library("check");
   EXPECT_EQ(check.code, 0) << check.err;
-  EXPECT_TRUE(check.says("photo.png: not an object; left where it is")) << check.err;
+  EXPECT_TRUE(check.says("photo.png: not an object; left in place")) << check.err;
   const ToolRun lesson = run_tool(folder_.lesson("photo"));
   EXPECT_EQ(lesson.code, 1);
   EXPECT_TRUE(lesson.says("An image that is not an object has this name")) << lesson.err;

@@ -148,7 +148,7 @@ TEST(ObjectLibrary, AFileNameWithARevisionIsNoSecondObject) {
   ASSERT_EQ(snapshot->quarantined.size(), 4u);
   for (const auto& file : snapshot->quarantined) {
     EXPECT_TRUE(file.moved) << file.file;
-    EXPECT_EQ(file.reason, "the file's name is no valid object name") << file.file;
+    EXPECT_EQ(file.reason, "the file's name is not a valid object name") << file.file;
     EXPECT_FALSE(std::filesystem::exists(folder / file.file)) << file.file;
   }
 }

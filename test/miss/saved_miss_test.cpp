@@ -64,7 +64,8 @@ TEST_F(SavedMissTest, OtherFilesAreRefusedWithTheirPath) {
     } catch (const FileError& error) {
       EXPECT_EQ(error.path(), path());
       const bool claims = broken.rfind("mbncc_miss", 0) == 0;
-      EXPECT_EQ(error.reason().find("no saved miss; give a file") == 0, !claims) << error.reason();
+      EXPECT_EQ(error.reason().find("not a saved miss; give a file") == 0, !claims)
+          << error.reason();
     }
   }
   EXPECT_THROW(read_miss(folder_ / "none"), FileError);

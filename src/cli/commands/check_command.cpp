@@ -53,7 +53,7 @@ ExitCode run(const Arguments& arguments) {
   for (const auto& file : faulty)
     std::cerr << (file.moved ? ".quarantine/" : "") << file.file << ": " << file.reason << '\n';
   for (const auto& file : snapshot->other_images)
-    std::cerr << file << ": not an object; left where it is\n";
+    std::cerr << file << ": not an object; left in place\n";
   if (faulty.empty()) return kDone;
   const bool moved =
       std::any_of(faulty.begin(), faulty.end(), [](auto& file) { return file.moved; });
@@ -72,7 +72,7 @@ Command check_command() {
            {"--repair", "", "restore the newest revision of unreadable objects from the trash"}},
           "",
           "Unreadable files are moved to DIR/.quarantine, with their reasons. The exit code is 1\n "
-          "as long as there are any.\n",
+          "while any remain there.\n",
           run};
 }
 

@@ -34,7 +34,8 @@ ExitCode run(const Arguments& arguments) {
     if (arguments.has("--min-score")) model.min_score = min_score;
   });
   std::cout << "'" << object.name << "' has symmetry " << symmetry_text(object.symmetry);
-  if (object.min_score) std::cout << ", is reported from a score of " << *object.min_score << " on";
+  if (object.min_score)
+    std::cout << ", is reported at a score of " << *object.min_score << " or more";
   std::cout << ", revision " << object.revision << '\n';
   return kDone;
 }
@@ -42,17 +43,18 @@ ExitCode run(const Arguments& arguments) {
 }  // namespace
 
 Command edit_command() {
-  return {"edit",
-          "declare an object's symmetry or set its own threshold",
-          {library_option(),
-           name_option(),
-           {"--symmetry", "auto|none|2|3|4|6|round", "equal angles in a turn"},
-           {"--min-score", "S", "least score to report it, instead of min_score; auto: min_score"}},
-          "",
-          "Equivalent angles do not compete, so an object can be graspable at any of them. auto: "
-          "as\n measured in the image. none: the angle always matters. The old revision goes to\n"
-          "the trash.\n",
-          run};
+  return {
+      "edit",
+      "declare an object's symmetry or set its own threshold",
+      {library_option(),
+       name_option(),
+       {"--symmetry", "auto|none|2|3|4|6|round", "equal angles in a turn"},
+       {"--min-score", "S", "minimum score to report it, instead of min_score; auto: min_score"}},
+      "",
+      "Equivalent angles do not compete, so an object can be graspable at any of them. auto: "
+      "as\n measured in the image. none: the angle always matters. The old revision goes to\n"
+      "the trash.\n",
+      run};
 }
 
 }  // namespace mbncc::cli

@@ -97,7 +97,7 @@ Command find_command() {
           "find learned objects in images",
           {library_option(),
            {"--name", "NAME", "search for this object only", false, true},
-           {"--min-score", "S", "least score of reported detections"},
+           {"--min-score", "S", "minimum score of reported detections"},
            {"--max-instances", "N", "detections per object and image"},
            {"--threads", "T", "worker threads"},
            {"--engine", "fast|polar", "polar: the paper's matching in the polar domain"},

@@ -61,7 +61,7 @@ class Columns {
     } catch (const std::exception&) {
     }
     throw FileError(
-        path_, "line " + std::to_string(line) + ": " + name + " is no number: '" + value + "'");
+        path_, "line " + std::to_string(line) + ": " + name + " is not a number: '" + value + "'");
   }
 
  private:
@@ -76,7 +76,8 @@ Truth read_truth(const std::string& path) {
   std::string line;
   if (!file || !std::getline(file, line)) throw FileError(path, "cannot be read, or is empty");
   if (!is_text(line))
-    throw FileError(path, "no text; give a CSV file with the columns image,name,x,y,theta_deg");
+    throw FileError(path,
+                    "not a text file; give a CSV file with the columns image,name,x,y,theta_deg");
   const Columns columns(path, cells_of(line));
   Truth truth;
   for (int number = 2; std::getline(file, line); ++number) {

@@ -23,9 +23,8 @@ bool read_whole(const std::string& text, int& value) {
 
 cv::Rect parse_rectangle(const std::string& option, const std::string& text) {
   const auto refuse = [&] {
-    throw UsageError(option +
-                     " needs x,y,w,h: four whole numbers in pixels, w and h above 0, not '" + text +
-                     "'");
+    throw UsageError(option + " needs x,y,w,h: four integers in pixels, w and h above 0, not '" +
+                     text + "'");
   };
   std::array<int, 4> numbers{};
   std::size_t count = 0;
@@ -59,7 +58,7 @@ cv::Point2f parse_point(const std::string& option, const std::string& text) {
 int parse_whole(const std::string& option, const std::string& text, int lowest) {
   int value = 0;
   if (!read_whole(text, value) || value < lowest)
-    throw UsageError(option + " needs a whole number of at least " + std::to_string(lowest) +
+    throw UsageError(option + " needs an integer of at least " + std::to_string(lowest) +
                      ", not '" + text + "'");
   return value;
 }

@@ -23,7 +23,7 @@ constexpr std::array<Entry, 25> kEntries{{
      "Give a region of at least 8 x 8 pixels inside the image; an outline needs three corners "
      "and must not cross itself."},
     {LearnError::kNoChange, "NO_CHANGE", "The images before and after show no difference.",
-     "Take away the object alone, and let a region (roi), if one is given, cover the place where "
+     "Take away only the object, and let a region (roi), if one is given, cover the place where "
      "it lay."},
     {LearnError::kChangeTooLarge, "CHANGE_TOO_LARGE",
      "Nearly everything changed between the images.",
@@ -46,7 +46,7 @@ constexpr std::array<Entry, 25> kEntries{{
     {LearnError::kNotDistinct, "NOT_DISTINCT",
      "The object cannot be distinguished from its surroundings.",
      "Teach it on a plainer background, or turn its marked side up."},
-    {LearnError::kAlreadyKnown, "ALREADY_KNOWN", "The library already knows this object.",
+    {LearnError::kAlreadyKnown, "ALREADY_KNOWN", "The library already contains this object.",
      "Replace it (overwrite), or add a view to it (add_view)."},
     {LearnError::kNameInvalid, "NAME_INVALID", "The name is not allowed.",
      "Use a letter, then letters, digits or underscores, 64 characters at most."},
@@ -64,7 +64,7 @@ constexpr std::array<Entry, 25> kEntries{{
      "Use mono8, mono16, bgr8, rgb8, bgra8, rgba8, bayer_*8, yuv422 or yuv422_yuy2 with a step and "
      "data length that fit."},
     {LearnError::kBusy, "BUSY", "Another lesson is running.", "Wait for it to end, or cancel it."},
-    {LearnError::kNameUnknown, "NAME_UNKNOWN", "The library does not know this name.",
+    {LearnError::kNameUnknown, "NAME_UNKNOWN", "The library has no object of this name.",
      "Choose a name of the library, or teach the object as a new one, without add_view."},
     {LearnError::kImageMismatch, "IMAGE_MISMATCH", "The images differ in size.",
      "Teach again without changing the camera's image size; given images and maps must have "

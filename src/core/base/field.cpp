@@ -70,7 +70,7 @@ void check_allowed(const FieldInfo& info, double value) {
 
 void check_allowed(const FieldInfo& info, int value) {
   if (value < info.allowed.low || value > info.allowed.high)
-    refuse(info, std::to_string(value), "a whole number " + info.allowed.to_string());
+    refuse(info, std::to_string(value), "an integer " + info.allowed.to_string());
 }
 
 void check_allowed(const FieldInfo& info, const std::string& value) {
@@ -92,7 +92,7 @@ void parse_field(const FieldInfo& info, const std::string& text, int& value) {
   const auto end = text.data() + text.size();
   const auto read = std::from_chars(text.data(), end, parsed);
   if (text.empty() || read.ec != std::errc() || read.ptr != end)
-    refuse(info, text, "a whole number " + info.allowed.to_string());
+    refuse(info, text, "an integer " + info.allowed.to_string());
   check_allowed(info, parsed);
   value = parsed;
 }

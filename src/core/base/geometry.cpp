@@ -12,7 +12,7 @@ namespace {
 // Bounding box of the map's pixels, which is much smaller than most images.
 cv::Rect box_of(const cv::Mat& map) {
   const cv::Rect box = map.empty() ? cv::Rect() : cv::boundingRect(map);
-  if (box.empty()) throw std::invalid_argument("the map has no pixel");
+  if (box.empty()) throw std::invalid_argument("the map has no pixels");
   return box;
 }
 

@@ -134,8 +134,9 @@ std::vector<std::vector<cv::Point2f>> outlines(const View& view) {
 
 void move_reference(ObjectModel& model, const Pose2D& reference) {
   require(is_finite(reference), "the new reference must be finite");
-  require(!model.grasp || model.metres_per_pixel > 0,
-          "the object has a grasp but no scale to move it by; clear the grasp first");
+  require(
+      !model.grasp || model.metres_per_pixel > 0,
+      "the object has a grasp, but the scale needed to move it is unknown; clear the grasp first");
   require(!model.views.empty(), "an object needs at least one view");
   const Pose2D move = compose(inverse(model.views.front().reference), reference);
   for (auto& view : model.views) view.reference = compose(view.reference, move);

@@ -44,7 +44,7 @@ void write_all(int descriptor, const std::vector<std::uint8_t>& bytes, const std
 
 void sync_file(int descriptor, const std::string& path) {
   if (repeat_interrupted([&] { return ::fsync(descriptor); }) != 0)
-    fail(path, "cannot be made safe on the disk", errno);
+    fail(path, "cannot be synced to disk", errno);
 }
 
 // A temporary file that is removed unless it has been renamed to its final name.
@@ -170,7 +170,7 @@ void FolderSync::sync() {
   // Some network file systems cannot sync folders and return EINVAL.
   const int result = repeat_interrupted([&] { return ::fsync(file_.get()); });
   if (result != 0 && errno != EINVAL)
-    fail(folder_, "the change is made but not yet safe on the disk", errno);
+    fail(folder_, "the change is made but not yet synced to disk", errno);
 }
 
 void make_folder(const std::string& folder) {

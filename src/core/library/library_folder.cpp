@@ -90,7 +90,7 @@ std::vector<std::string> object_files(const LibraryFolder& folder) {
 
 void check_file_name(const LibraryFolder& folder, const std::string& file) {
   if (!is_valid_name(file.substr(0, file.rfind(kObjectFileEnding))))
-    throw ContentError(folder.path + "/" + file, "the file's name is no valid object name");
+    throw ContentError(folder.path + "/" + file, "the file's name is not a valid object name");
 }
 
 void refuse_other_image(const std::string& object_file) {

@@ -92,7 +92,7 @@ void read_views(library::PngReader& reader, library::ObjectDescription& descript
 }
 
 ObjectModel decode(const std::vector<std::uint8_t>& bytes, const std::string& name) {
-  if (!is_valid_name(name)) throw std::runtime_error("the file's name is no valid object name");
+  if (!is_valid_name(name)) throw std::runtime_error("the file's name is not a valid object name");
   library::PngReader reader(bytes, library::kTextKey);
   library::ObjectDescription description = library::read_description(reader.text());
   description.model.name = name;

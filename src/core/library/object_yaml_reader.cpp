@@ -101,7 +101,7 @@ std::array<int, N> wholes(const YAML::Node& parent, const char* key) {
 Verdict read_verdict(const std::string& text) {
   for (const Verdict verdict : {Verdict::kGood, Verdict::kMarginal, Verdict::kBad})
     if (text == to_string(verdict)) return verdict;
-  throw std::runtime_error("its verdict '" + text + "' is none of GOOD, MARGINAL, BAD");
+  throw std::runtime_error("its verdict '" + text + "' is not GOOD, MARGINAL or BAD");
 }
 
 Quality read_quality(const YAML::Node& node) {

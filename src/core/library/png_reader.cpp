@@ -18,7 +18,7 @@ void PngReader::on_warning(png_structp, const char*) {}
 
 void PngReader::on_read(png_structp png, png_bytep data, std::size_t length) {
   auto* reader = static_cast<PngReader*>(png_get_io_ptr(png));
-  if (length > reader->bytes_.size() - reader->position_) png_error(png, "the file is cut short");
+  if (length > reader->bytes_.size() - reader->position_) png_error(png, "the file is truncated");
   std::memcpy(data, reader->bytes_.data() + reader->position_, length);
   reader->position_ += length;
 }
@@ -88,7 +88,8 @@ void PngReader::find_text(const std::string& key) {
     text_.assign(texts[i].text, length);
     ++found;
   }
-  if (found != 1) throw PngError("it has no text chunk '" + key + "', so it is no learned object");
+  if (found != 1)
+    throw PngError("it has no text chunk '" + key + "', so it is not a learned object");
 }
 
 void PngReader::read_row(std::uint8_t* row) {

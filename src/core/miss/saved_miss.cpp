@@ -105,8 +105,9 @@ SavedMiss read_miss(const std::string& path) {
   const auto content = library::read_regular_file(path, kLargestFile);
   const std::string text(content.bytes.begin(), content.bytes.end());
   if (text.rfind(kVersionKey, 0) != 0)
-    throw FileError(path,
-                    "no saved miss; give a file of 'Save this miss' or 'mbncc explain --save'");
+    throw FileError(
+        path,
+        "not a saved miss; give a file written by 'Save this miss' or 'mbncc explain --save'");
   try {
     return parse(YAML::Load(text), path);
   } catch (const FileError&) {

@@ -50,7 +50,7 @@ std::string text_of(XmlRpcValue value) {
 /// The values that the row accepts, in words.
 std::string wanted(const FieldRow& row) {
   if (row.type == "bool") return "true or false";
-  const std::string kind = row.type == "int"      ? "a whole number"
+  const std::string kind = row.type == "int"      ? "an integer"
                            : row.type == "double" ? "a number"
                                                   : "a text";
   const std::string unit = row.info.unit.empty() ? "" : " [" + row.info.unit + "]";

@@ -15,7 +15,7 @@
 namespace mbncc::nodelets {
 
 /// Assigns each member of the struct `values` to the row of its name. Members named in `foreign`
-/// are ignored, because libraries read them from the same namespace. A whole number is accepted for
+/// are ignored, because libraries read them from the same namespace. An integer is accepted for
 /// a double or a string; nothing else is converted. Throws ConfigError that names key, value and
 /// the allowed values, or for an unknown key the nearest known one.
 void assign_parameters(const std::vector<FieldRow>& rows, const XmlRpc::XmlRpcValue& values,

@@ -94,7 +94,7 @@ std::string fault_of_distortion(const CameraInfo& info) {
   if (model == models::RATIONAL_POLYNOMIAL) counts = {8};
   if (model == models::EQUIDISTANT) counts = {4};
   if (counts.empty())
-    return "camera_info's distortion_model is none of plumb_bob, rational_polynomial, equidistant; "
+    return "camera_info's distortion_model is not plumb_bob, rational_polynomial or equidistant; "
            "calibrate with one of them, or give rectified images";
   if (std::find(counts.begin(), counts.end(), count) == counts.end())
     return "camera_info: D holds " + std::to_string(count) + " numbers, but " + model + " has " +
@@ -116,7 +116,7 @@ std::string fault_of_rectified(const CameraInfo& info, cv::Size sensor) {
   const std::string fault = fault_of_camera(p_of(info), sensor);
   if (!fault.empty()) return "camera_info: in P " + fault + kRemedy;
   if (!is_rotation(rectification_of(info)))
-    return std::string("camera_info: R is no rotation") + kRemedy;
+    return std::string("camera_info: R is not a rotation") + kRemedy;
   for (const int i : {3, 7, 11})
     if (!(std::abs(info.P[static_cast<std::size_t>(i)]) <= kNoBaseline))
       return "camera_info: P is that of a stereo pair's second camera, whose frame is the first "

@@ -35,7 +35,7 @@ std::string advice_on_distortion(const Calibration& calibration) {
        << " degrees, because the image shows the platform tilted (by "
        << to_degrees(calibration.tilt)
        << " degrees) or distorted; start the cell with top_view:=true, which needs the platform's "
-          "frame, or with rectify:=true against distortion alone";
+          "frame, or with rectify:=true to remove only the distortion";
   return text.str();
 }
 
