@@ -24,7 +24,7 @@ class EvaluateCommand : public testing::Test {
 
 constexpr const char* kRight = "image,name,x,y,theta_deg\ntarget.png,part,195,125,70\n";
 
-TEST_F(EvaluateCommand, CountsWhatIsFound) {
+TEST_F(EvaluateCommand, CountsDetections) {
   const ToolRun run = evaluate(kRight);
   EXPECT_EQ(run.code, 0) << run.err;
   EXPECT_TRUE(run.prints("2 images with 1 instances")) << run.out;

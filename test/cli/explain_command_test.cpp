@@ -20,7 +20,7 @@ class ExplainCommand : public testing::Test {
   const LessonFolder folder_;
 };
 
-TEST_F(ExplainCommand, ExplainsWhatIsFoundThere) {
+TEST_F(ExplainCommand, ExplainsADetection) {
   const ToolRun run = run_tool(explain());
   EXPECT_EQ(run.code, 0) << run.err;
   EXPECT_TRUE(run.prints("'part' at (195")) << run.out;

@@ -210,7 +210,7 @@ TEST(LearnCommand, RefusalsAreReportedInJsonToo) {
   EXPECT_FALSE(report["stored"].as<bool>());
 }
 
-TEST(LearnCommand, WhatCannotBeStoredIsReportedInJsonToo) {
+TEST(LearnCommand, StorageErrorsAreReportedInJsonToo) {
   const LessonFolder folder;
   const ToolRun run = run_tool(folder.lesson("part") + Words{"--json", "--label", "two\nlines"});
   EXPECT_EQ(run.code, 1);

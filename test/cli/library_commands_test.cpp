@@ -116,7 +116,7 @@ TEST_F(LibraryCommands, CheckReportsUnreadableFilesUntilTheyAreGone) {
   EXPECT_EQ(on_library("check").code, 0);
 }
 
-TEST_F(LibraryCommands, CheckRepairsFromTheTrashAndSaysSo) {
+TEST_F(LibraryCommands, CheckRepairsFromTheTrashAndReportsIt) {
   ASSERT_EQ(run_tool(folder_.lesson("part") + std::vector<std::string>{"--overwrite"}).code, 0);
   for (const std::string name : {"part", "stranger"})
     std::ofstream(folder_.library() + "/" + name + ".png") << "no image";

@@ -46,7 +46,7 @@ class GreyImagesTest : public test::MatcherTest {
   const Pose2D truth_{150.3, 110.7, 0.9};
 };
 
-TEST_F(GreyImagesTest, ShowWhatWasTaughtInColour) {
+TEST_F(GreyImagesTest, ShowObjectsTaughtInColour) {
   const cv::Mat grey = as_grey(scene());
   expect_found(matcher(), grey);
   cv::Mat one_channel;
@@ -61,7 +61,7 @@ TEST_F(GreyImagesTest, DoNotChangeTheColourModel) {
   EXPECT_EQ(cv::norm(model->views.front().template_image, before, cv::NORM_INF), 0);
 }
 
-TEST_F(GreyImagesTest, TeachWhatColourImagesShow) {
+TEST_F(GreyImagesTest, TeachObjectsFoundInColourImages) {
   expect_found(matcher_of({object_from(grey_source(), reference_)}), scene());
 }
 

@@ -49,7 +49,7 @@ TEST_F(DemonstrationTest, AnArmThatComesAndGoesIsNoObject) {
   EXPECT_EQ(demonstration.look(shot({})), Step::kReady);
 }
 
-TEST_F(DemonstrationTest, WhatWasPutDownBelongsToTheSceneBefore) {
+TEST_F(DemonstrationTest, AnObjectThatWasPutDownBelongsToTheSceneBefore) {
   Demonstration demonstration;
   demonstration.look(shot({}));
   EXPECT_EQ(demonstration.look(shot({part_})), Step::kReady);

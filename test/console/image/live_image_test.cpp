@@ -8,7 +8,7 @@ namespace {
 
 constexpr bool kSearched = true, kBare = false, kTeaching = true;
 
-TEST(LiveImage, ShowsWhatIsFound) {
+TEST(LiveImage, ShowsDetections) {
   LiveImage live;
   EXPECT_TRUE(live.take(kSearched, !kTeaching, 10));
   EXPECT_FALSE(live.take(kBare, !kTeaching, 10.1));

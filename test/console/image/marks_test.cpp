@@ -18,7 +18,7 @@ geometry_msgs::Polygon box(float left, float top, float right, float bottom) {
   return polygon;
 }
 
-TEST(Marks, OfDetectionsSayNameScoreAndState) {
+TEST(Marks, OfDetectionsShowNameScoreAndState) {
   mbncc_vision::DetectedObjectArray detections;
   auto& object = detections.objects.emplace_back();
   object.name = "part";

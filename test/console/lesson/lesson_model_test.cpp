@@ -19,7 +19,7 @@ TEST(LessonModel, IsReadyOnceAServerExists) {
   EXPECT_TRUE(ready().may_teach());
 }
 
-TEST(LessonModel, SaysWithinThreeSecondsThatTheServerIsGone) {
+TEST(LessonModel, ReportsALostServerWithinThreeSeconds) {
   for (const bool running : {false, true}) {
     LessonModel lesson = ready();
     if (running) lesson.begin("goal", 0);

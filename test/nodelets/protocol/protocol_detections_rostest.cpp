@@ -19,7 +19,7 @@
 namespace mbncc::nodelets {
 namespace {
 
-TEST_F(Protocol, SaysStaleWithoutImagesAndLibraryEmptyWithThem) {
+TEST_F(Protocol, ReportsStaleWithoutImagesAndLibraryEmptyWithThem) {
   ASSERT_TRUE(spin_until([this] { return status_is(DetectedObjectArray::STALE); }));
   EXPECT_TRUE(array_->objects.empty());
   std::size_t marks = 0;
