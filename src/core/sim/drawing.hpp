@@ -4,7 +4,7 @@
 
 #include <opencv2/core.hpp>
 
-#include "mbncc/sim/scene.hpp"
+#include "mbncc/sim/scene_content.hpp"
 
 namespace mbncc::sim {
 

@@ -5,7 +5,7 @@
 #include <opencv2/core.hpp>
 #include <vector>
 
-#include "mbncc/sim/scene.hpp"
+#include "mbncc/sim/scene_content.hpp"
 
 namespace mbncc::sim {
 

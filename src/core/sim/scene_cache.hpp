@@ -8,7 +8,7 @@
 #include <opencv2/core.hpp>
 #include <vector>
 
-#include "mbncc/sim/scene.hpp"
+#include "mbncc/sim/scene_content.hpp"
 #include "sim/drawing.hpp"
 
 namespace mbncc::sim {

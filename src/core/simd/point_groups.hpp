@@ -2,7 +2,7 @@
 // The vectorised kernels that read images at points; point_kernels.hpp documents them.
 #pragma once
 
-#include "simd/point_kernels.hpp"
+#include "simd/points.hpp"
 
 namespace mbncc::kernels {
 

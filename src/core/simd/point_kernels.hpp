@@ -3,44 +3,13 @@
 // rows of an image. Every version gives the same bits.
 #pragma once
 
-#include <cstdint>
+#include "simd/points.hpp"
 
 namespace mbncc::kernels {
-
-/// A point (px, py) of the object lies at (cosine px - sine py + x, sine px + cosine py + y).
-struct Placement {
-  float cosine, sine, x, y;
-};
-
-/// An 8-bit image with interleaved channels.
-struct Image8 {
-  const std::uint8_t* data;
-  int step;  ///< [bytes] of a row
-  int columns, rows;
-};
-
-/// Points of an object.
-struct Points {
-  const float *x, *y;
-  int count;
-};
-
-struct Colours {
-  float *blue, *green, *red;  ///< 0 outside the image
-  float* inside;              ///< 1 inside, 0 outside the image
-};
 
 /// Interpolated colours of a three-channel image of at least 2 x 2 pixels.
 void sample_colours(const Image8& image, const Points& points, const Placement& placement,
                     const Colours& colours);
-
-/// Edge readings near one contour point; all 0 where the image ends.
-struct NormalReadings {
-  float* response;  ///< [-1..1] largest response within one pixel along the normal
-  float* seen;      ///< 1 where `response` was read
-  float* pull;      ///< [0..1] largest response within reach
-  float* moment;    ///< `pull` times the mean distance [px] along the normal of the responses
-};
 
 /// Responses of an edge image (gradient_orientation.hpp) to edges across the unit normals, read at
 /// whole pixels up to `reach` along them. `image` has at least 3 x 3 pixels.

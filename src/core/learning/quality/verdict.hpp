@@ -4,8 +4,10 @@
 
 #include <optional>
 
+#include "mbncc/config/learning_config.hpp"
 #include "mbncc/config/search_config.hpp"
-#include "mbncc/learning/quality.hpp"
+#include "mbncc/learning/cut_evidence.hpp"
+#include "mbncc/object_model.hpp"
 
 namespace mbncc::quality {
 
