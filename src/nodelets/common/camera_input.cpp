@@ -10,7 +10,7 @@
 namespace mbncc::nodelets {
 namespace {
 
-constexpr std::chrono::seconds kSilence{5};  // after which images have stopped
+constexpr std::chrono::seconds kSilence{5};  // longest gap between images
 
 std::string nobody_publishes(const std::string& topic) {
   return "no publisher of images on " + topic + "; start the camera, or check the image topic";

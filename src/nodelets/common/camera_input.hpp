@@ -20,7 +20,7 @@ constexpr char kImagesStopped[] = "images have stopped; check the camera and its
 
 struct CameraInputConfig {
   std::string transport;    ///< raw, compressed ...
-  double max_info_age = 0;  ///< [s] of the steady clock that a calibration is valid after arrival
+  double max_info_age = 0;  ///< [s] by the steady clock, age at which a calibration expires
   int queue_size = 1;       ///< images that may wait for the callback
 };
 
@@ -32,8 +32,8 @@ class CameraInput {
   /// fault() gives the reason. Images are passed to `callback` on the node's callback thread.
   CameraInput(ros::NodeHandle node, CameraInputConfig config, Callback callback);
 
-  /// Subscribes or unsubscribes according to `wanted`; does nothing if unchanged. With calls from
-  /// several threads, the last one decides.
+  /// Subscribes or unsubscribes according to `wanted`; does nothing if unchanged. `wanted` is
+  /// evaluated under a lock, so the last of several calls from different threads decides.
   void set_active(const std::function<bool()>& wanted);
   void set_active(bool active) {
     set_active([active] { return active; });
@@ -49,7 +49,8 @@ class CameraInput {
   /// The last received calibration; null if none is valid.
   sensor_msgs::CameraInfoConstPtr camera_info() const;
 
-  /// The same for images of this size and frame.
+  /// The last received calibration if it is valid and fits images of this frame and size; otherwise
+  /// null.
   sensor_msgs::CameraInfoConstPtr camera_info_for(const std::string& frame_id, cv::Size size) const;
 
  private:
@@ -66,7 +67,7 @@ class CameraInput {
   const Callback callback_;
   std::mutex switching_;  // guards active_; locked before mutex_, and never in an image callback
   bool active_ = false;
-  mutable std::mutex mutex_;  // of what follows
+  mutable std::mutex mutex_;  // guards the members below
   std::string transport_fault_;
   image_transport::Subscriber images_;
   ros::Subscriber infos_;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Base class of the nodelets: a start that may fail with a message, and an end that waits for
+// Base class of the nodelets. Its start may fail with a message, and its end waits for running
 // callbacks.
 #pragma once
 
@@ -15,8 +15,9 @@
 
 namespace mbncc::nodelets {
 
-/// Its callbacks run one at a time on its own thread. On the manager's threads, a nodelet unloaded
-/// during a callback would be deleted after its callback queue, which its publishers still use.
+/// Runs its callbacks one at a time on its own spinner thread. On the manager's threads, a nodelet
+/// that is unloaded during a callback would be destroyed after its callback queue, which its
+/// publishers still use.
 class GuardedNodelet : public nodelet::Nodelet {
  protected:
   /// Reads the parameters and starts the work; throws with a message if this fails. No callback
@@ -30,7 +31,8 @@ class GuardedNodelet : public nodelet::Nodelet {
   ros::NodeHandle node() { return with_own_queue(getNodeHandle()); }
   ros::NodeHandle private_node() { return with_own_queue(getPrivateNodeHandle()); }
 
-  /// Call this in the destructor of the nodelet, whose members the callbacks use.
+  /// Ends the callbacks, then calls stop(). Call this in the destructor of the derived class,
+  /// because callbacks use its members.
   void finish() {
     spinner_.stop();
     stop();

@@ -12,7 +12,8 @@ namespace mbncc::nodelets {
 
 class HealthReport {
  public:
-  /// `name` is the nodelet's, `task` the part that `describe` reports on.
+  /// `name` is the name of the nodelet, `hardware` the hardware id, and `task` the name of the
+  /// status that `describe` fills in.
   HealthReport(ros::NodeHandle node, ros::NodeHandle private_node, const std::string& name,
                const std::string& hardware, const std::string& task,
                const diagnostic_updater::TaskFunction& describe)

@@ -12,7 +12,7 @@
 namespace mbncc::nodelets {
 namespace {
 
-constexpr std::chrono::milliseconds kGlance{50};
+constexpr std::chrono::milliseconds kGlance{50};  // between two checks for an interrupt
 
 // Written in any thread that receives the signal, read in the watches' threads; std::sig_atomic_t
 // is only safe within one thread.
@@ -23,7 +23,8 @@ void note_interrupt(int) {
   interrupted = true;
 }
 
-/// There is one handler per process, but there may be several watches.
+/// Replaces roscpp's SIGINT handler for the first watch of the process and restores it after the
+/// last one.
 class SharedHandler {
  public:
   void enter() {
@@ -34,7 +35,7 @@ class SharedHandler {
     sigaction(SIGINT, &ours, &roscpps_);
   }
 
-  /// True for the last one.
+  /// Returns true for the last watch.
   bool leave() {
     const std::lock_guard<std::mutex> lock(mutex_);
     if (--watches_ > 0) return false;

@@ -12,10 +12,10 @@ namespace mbncc::nodelets {
 class InterruptWatch {
  public:
   /// `on_interrupt` is called on a separate thread. When all watches of the process have called
-  /// theirs, ROS shuts down as usual.
+  /// their callbacks, ROS shuts down as usual.
   explicit InterruptWatch(std::function<void()> on_interrupt);
 
-  /// The last instance restores the handler.
+  /// The last instance restores roscpp's handler.
   ~InterruptWatch();
 
  private:

@@ -15,10 +15,11 @@ namespace mbncc::nodelets {
 template <class Item>
 class Mailbox {
  public:
-  /// `size`: items that may wait, at least 1; with 1 the newest replaces an older one.
+  /// `size` is the number of items that can wait, at least 1. With 1, a new item replaces the
+  /// waiting one.
   explicit Mailbox(std::size_t size = 1) : size_(size) {}
 
-  /// True if an item that was not taken yet was displaced.
+  /// Appends an item. Returns true if it displaced the oldest waiting item.
   bool put(Item item) {
     const std::lock_guard<std::mutex> lock(mutex_);
     const bool full = items_.size() >= size_;
@@ -28,7 +29,7 @@ class Mailbox {
     return full;
   }
 
-  /// Waits for the oldest item; none once closed.
+  /// Waits for an item, and removes and returns the oldest one; none after close().
   std::optional<Item> take() {
     std::unique_lock<std::mutex> lock(mutex_);
     filled_.wait(lock, [this] { return closed_ || !items_.empty(); });
@@ -44,7 +45,7 @@ class Mailbox {
     items_.clear();
   }
 
-  /// Ends every take(), now and later.
+  /// Makes current and later calls of take() return none.
   void close() {
     const std::lock_guard<std::mutex> lock(mutex_);
     closed_ = true;

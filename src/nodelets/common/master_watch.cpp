@@ -22,7 +22,7 @@ using XmlRpc::XmlRpcValue;
 
 constexpr std::chrono::seconds kInterval{1};
 
-/// The master's registrations of this process.
+/// The registrations of this process at the master.
 struct Standing {
   bool known = false;
   std::vector<std::string> services;
@@ -35,8 +35,8 @@ XmlRpcValue arguments(const std::vector<std::string>& texts) {
   return values;
 }
 
-/// None if the master does not answer, and in a process that is ending, which unregisters itself
-/// and must not be registered again.
+/// Calls a method of the master. Returns none if the master does not answer, or if the process is
+/// shutting down: it unregisters itself then and must not be registered again.
 std::optional<XmlRpcValue> ask_master(const std::string& method,
                                       const std::vector<std::string>& texts) {
   XmlRpcValue response, payload;
@@ -46,7 +46,7 @@ std::optional<XmlRpcValue> ask_master(const std::string& method,
   return payload;
 }
 
-/// Rows [name, [node, ...]] of the master's state that name this node.
+/// Names of the rows [name, [node, ...]] of the master's state that list this node.
 std::vector<std::string> rows_of_this_node(XmlRpcValue rows) {
   std::vector<std::string> names;
   for (int i = 0; i < rows.size(); ++i)
@@ -59,11 +59,11 @@ std::vector<std::string> rows_of_this_node(XmlRpcValue rows) {
 std::optional<Standing> standing() {
   auto state = ask_master("getSystemState", {ros::this_node::getName()});
   if (!state) return {};
-  // Publications, subscriptions, services. Every node publishes /rosout.
+  // The state lists publishers, subscribers and services. Every node publishes /rosout.
   return Standing{!rows_of_this_node((*state)[0]).empty(), rows_of_this_node((*state)[2])};
 }
 
-/// Passes on the list of publishers as the master would.
+/// Sends this process the list of a topic's publishers, as the master would.
 void update_publishers(const std::string& topic, const XmlRpcValue& publishers) {
   std::string host;
   std::uint32_t port = 0;
@@ -88,12 +88,13 @@ void register_topics() {
   topics->getSubscribedTopics(subscribed);
   for (const auto& topic : subscribed) {
     const auto publishers = ask_master("registerSubscriber", {name, topic, "*", self});
-    // Without publishers yet, connections that outlived the master stay.
+    // An empty list would close connections that outlived the master.
     if (publishers && publishers->size() > 0) update_publishers(topic, *publishers);
   }
 }
 
-/// The URI for service calls. Only while roscpp runs, because it has no port before and afterwards.
+/// The URI for service calls. Call this only while roscpp runs, because it has no port before and
+/// afterwards.
 std::string service_uri() {
   return "rosrpc://" + ros::network::getHost() + ":" +
          std::to_string(ros::ConnectionManager::instance()->getTCPPort());
@@ -127,7 +128,7 @@ MasterWatch::~MasterWatch() {
   watcher_.join();
 }
 
-/// False if the watch ends.
+/// Waits for one interval. Returns false if the watch ends.
 bool MasterWatch::wait() {
   std::unique_lock<std::mutex> lock(mutex_);
   return !changed_.wait_for(lock, kInterval, [this] { return stopped_; });

@@ -26,7 +26,7 @@ class MasterWatch {
   void watch();
   bool wait();
 
-  std::vector<std::string> services_;  // of this process, as the master knew them
+  std::vector<std::string> services_;  // of this process, as last listed by the master
   std::string service_uri_;
   std::mutex mutex_;  // guards stopped_
   std::condition_variable changed_;

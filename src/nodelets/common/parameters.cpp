@@ -31,7 +31,7 @@ const char* name_of(XmlRpcValue::Type type) {
   }
 }
 
-/// `value` as parse_field() reads it; "" for lists, namespaces and the like.
+/// `value` as text for parse_field(); "" for lists, namespaces and other types.
 std::string text_of(XmlRpcValue value) {
   switch (value.getType()) {
     case XmlRpcValue::TypeBoolean:

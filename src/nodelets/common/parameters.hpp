@@ -16,13 +16,13 @@ namespace mbncc::nodelets {
 
 /// Assigns each member of the struct `values` to the row of its name. Members named in `foreign`
 /// are ignored, because libraries read them from the same namespace. An integer is accepted for
-/// a double or a string; nothing else is converted. Throws ConfigError that names key, value and
-/// the allowed values, or for an unknown key the nearest known one.
+/// a double or a string; nothing else is converted. Throws ConfigError that names the key,
+/// the value and the allowed values or, for an unknown key, the nearest known one.
 void assign_parameters(const std::vector<FieldRow>& rows, const XmlRpc::XmlRpcValue& values,
                        const std::set<std::string>& foreign = {});
 
 /// Reads the parameters of the handle's namespace into the rows; unset ones keep their value.
-/// `foreign` adds to the keys that roscpp's own helpers read there (diagnostic_period ...).
+/// `foreign` extends the list of keys that ROS libraries read there (diagnostic_period ...).
 /// Throws ConfigError, which also names the namespace.
 void read_parameters(const ros::NodeHandle& handle, const std::vector<FieldRow>& rows,
                      std::set<std::string> foreign = {});

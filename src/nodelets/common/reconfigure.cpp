@@ -51,7 +51,7 @@ void add_group(Config& config) {
   group.state = true;
 }
 
-// The message's bool is a number.
+// BoolParameter::value is a number.
 std::string text_of(const dynamic_reconfigure::BoolParameter& flag) {
   return field_text(flag.value != 0);
 }
@@ -77,7 +77,8 @@ void assign_all(const Rows& rows, const Parameters& parameters,
     assign_one(rows, parameter.name, text_of(parameter), refusals);
 }
 
-/// Clients of the parameter server, and the nodelet after a restart, see the current values.
+/// Writes the values to the parameter server, so that its clients, and the nodelet after a restart,
+/// get the current ones.
 void store(const ros::NodeHandle& node, const Config& config) {
   for (const auto& flag : config.bools) node.setParam(flag.name, flag.value != 0);
   for (const auto& number : config.ints) node.setParam(number.name, number.value);

@@ -19,13 +19,13 @@ namespace mbncc::nodelets {
 
 using Rows = std::vector<FieldRow>;
 
-/// The rows of these names, in their order.
+/// The rows with these names, in the order of `names`.
 Rows chosen(const Rows& rows, const std::vector<std::string>& names);
 
 /// The current values of the rows.
 dynamic_reconfigure::Config to_config(const Rows& rows);
 
-/// Names, types, bounds and meanings, with the current values as defaults.
+/// Names, types, bounds and meanings of the rows, with the current values as defaults.
 dynamic_reconfigure::ConfigDescription describe(const Rows& rows);
 
 /// Assigns every value of `wanted`; returns a message for each one that was refused.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The platform under the camera, from camera_info, parameters and tf.
+// Determines the platform below the camera from camera_info, parameters and tf.
 #pragma once
 
 #include <sensor_msgs/CameraInfo.h>
@@ -18,17 +18,17 @@
 namespace mbncc::nodelets {
 
 struct Calibration {
-  std::optional<Platform> platform;                    ///< none: poses only in pixels
-  std::string fault;                                   ///< why there is none, with the remedy
-  std::optional<Eigen::Isometry3d> T_camera_platform;  ///< of platform_frame, if it is set
-  ImageDistortion distortion;                          ///< of the image
-  double tilt = 0;  ///< [rad] of the optical axis against the platform's normal
+  std::optional<Platform> platform;  ///< none: poses only in pixels
+  std::string fault;                 ///< why there is no platform, with the remedy
+  std::optional<Eigen::Isometry3d> T_camera_platform;  ///< pose of platform_frame, if it is set
+  ImageDistortion distortion;  ///< deviation of the image from a constant scale
+  double tilt = 0;             ///< [rad] between the optical axis and the platform's normal
 };
 
-/// Whether poses in metres are wanted.
+/// Whether the parameters describe a platform, so that poses in metres are wanted.
 bool has_platform(const PlatformConfig& config);
 
-/// Optical frame of an image: the configured one, otherwise the image's.
+/// Optical frame of an image: the configured one, otherwise the frame in its header.
 std::string camera_frame_of(const PlatformConfig& config, const std_msgs::Header& header);
 
 /// Plane through the frame's x and y axes. Throws like plane_of(cv::Matx44d).

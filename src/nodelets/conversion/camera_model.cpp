@@ -14,17 +14,17 @@ namespace {
 namespace models = sensor_msgs::distortion_models;
 using sensor_msgs::CameraInfo;
 
-constexpr std::uint32_t kLongestSide = 65536;  // [px] of a sensor
-constexpr double kTurnTolerance = 1e-3;        // of a rotation matrix
-constexpr double kSameTurn = 1e-6;             // likewise, where there should be no rotation
-constexpr double kNoBaseline = 1e-6;           // [px m]
+constexpr std::uint32_t kLongestSide = 65536;  // [px] largest side of a sensor
+constexpr double kTurnTolerance = 1e-3;        // largest error of a rotation matrix
+constexpr double kSameTurn = 1e-6;             // largest difference to the identity
+constexpr double kNoBaseline = 1e-6;           // [px m] largest last column of P that counts as 0
 constexpr char kRemedy[] = "; calibrate the camera";
 
 /// The pixels of the sensor that form an image.
 struct Window {
   cv::Rect region;   // [px] of the sensor
   cv::Size binning;  // binning factors
-  cv::Size image;
+  cv::Size image;    // [px] of the image
 };
 
 std::optional<Window> window_of(const CameraInfo& info) {
@@ -49,14 +49,14 @@ cv::Matx33d k_of(const CameraInfo& info) {
   return cv::Matx33d(info.K.data());
 }
 
-/// The left part of P.
+/// The left 3 x 3 part of P.
 cv::Matx33d p_of(const CameraInfo& info) {
   const auto& p = info.P;
   return {p[0], p[1], p[2], p[4], p[5], p[6], p[8], p[9], p[10]};
 }
 
-/// The sensor's camera in pixels of the image; a binned pixel's centre is the centre of its
-/// sensor pixels.
+/// Converts a camera matrix from pixels of the sensor to pixels of the image. The centre of a
+/// binned pixel is the centre of its sensor pixels.
 PinholeCamera seen_through(const Window& window, const cv::Matx33d& matrix) {
   const double x = window.binning.width, y = window.binning.height;
   return {matrix(0, 0) / x, matrix(1, 1) / y, (matrix(0, 2) - window.region.x - (x - 1) / 2) / x,

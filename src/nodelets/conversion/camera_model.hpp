@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// camera_info, checked for plausibility, in pixels of the received image: its region of interest
-// and binning are applied as CameraInfo.msg defines them.
+// Checks camera_info for plausibility and converts it to pixels of the received image: the region
+// of interest and binning are applied as CameraInfo.msg defines them.
 #pragma once
 
 #include <sensor_msgs/CameraInfo.h>
@@ -13,42 +13,42 @@
 
 namespace mbncc::nodelets {
 
-/// The camera of raw images, of the models plumb_bob, rational_polynomial or equidistant.
-/// rays.cpp, camera/rectifier.cpp, scripts/calibrate_platform and camera_info_fuzz_test.cpp tell
-/// them apart as well; docs/interfaces.md names them.
+/// The camera of raw images with one of the models plumb_bob, rational_polynomial or equidistant.
+/// A new model also needs a change in rays.cpp, camera/rectifier.cpp, scripts/calibrate_platform,
+/// camera_info_fuzz_test.cpp and docs/interfaces.md.
 struct Lens {
   PinholeCamera camera;
-  std::vector<double> distortion;  ///< as OpenCV takes it; empty: none
-  bool is_fisheye = false;         ///< of cv::fisheye, CameraInfo's "equidistant"
+  std::vector<double> distortion;  ///< coefficients in OpenCV's order; empty: none
+  bool is_fisheye = false;         ///< model of cv::fisheye, "equidistant" in CameraInfo
 };
 
-/// Message if there is no calibration of an image.
+/// Message if there is no calibration for an image.
 constexpr char kNoCameraInfo[] =
     "no camera_info of this image's size and frame has come within max_info_age; compare "
     "its topic, size and frame_id with those of the images";
 
-/// Size of the images that come with the calibration: the region of interest, binned. Empty if
-/// the message contradicts itself.
+/// Size of the images that the calibration applies to: the region of interest after binning. Empty
+/// if the message contradicts itself.
 cv::Size image_size(const sensor_msgs::CameraInfo& info);
 
-/// Why the calibration cannot be used for images of `size`, by P if they are `rectified`,
-/// otherwise by K and D: one message with a remedy. "" if it can be used.
+/// Why the calibration cannot be used for images of `size`, with the remedy; "" if it can be used.
+/// Checks P and R if the images are `rectified`, otherwise K, R and D.
 std::string fault_of_calibration(const sensor_msgs::CameraInfo& info, bool rectified,
                                  cv::Size size);
 
-/// Of a calibration without fault in raw images.
+/// Lens of the raw images. The calibration must not have a fault.
 Lens lens_of(const sensor_msgs::CameraInfo& info);
 
-/// Of a calibration without fault in rectified images.
+/// Camera of the rectified images. The calibration must not have a fault.
 PinholeCamera rectified_camera_of(const sensor_msgs::CameraInfo& info);
 
 /// Rotation of the rectified camera relative to the raw one; the identity if R is empty.
 cv::Matx33d rectification_of(const sensor_msgs::CameraInfo& info);
 
-/// Calibration without header of images of `size` without distortion.
+/// Calibration of images of `size` without distortion; its header is empty.
 sensor_msgs::CameraInfo camera_info_of(const PinholeCamera& camera, cv::Size size);
 
-/// As OpenCV takes it.
+/// Camera matrix of the form that OpenCV uses.
 cv::Matx33d matrix_of(const PinholeCamera& camera);
 
 }  // namespace mbncc::nodelets

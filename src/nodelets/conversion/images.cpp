@@ -16,18 +16,19 @@ namespace {
 
 constexpr std::uint32_t kLargestSide = ImageLimits::kMostSide;  // [px]
 constexpr std::uint64_t kMostPixels = ImageLimits::kMostPixels;
-constexpr std::size_t kLongestFrame = 255;  // [bytes] of the frame's name
-constexpr int kCopy = -1;                   // no colour conversion
-constexpr int kFullRange = 65535;           // of 16 bits
-constexpr const char* kUnscaled = "16UC1";  // which does not define its range
+constexpr std::size_t kLongestFrame = 255;  // [bytes] longest frame_id
+constexpr int kCopy = -1;                   // in place of a colour code: no conversion
+constexpr int kFullRange = 65535;           // largest value of 16 bits
+constexpr const char* kUnscaled = "16UC1";  // encoding that does not define its range
 
 struct Encoding {
   const char* name;
-  int type;        // of the message's memory
+  int type;        // OpenCV's type of the message's data
   int conversion;  // OpenCV's colour code to bgr
 };
 
-// sensor_msgs names a Bayer pattern by its first row, OpenCV by the second row's middle columns.
+// sensor_msgs names a Bayer pattern by its first two rows, OpenCV by the second and third pixel of
+// the second row.
 constexpr std::array<Encoding, 23> kEncodings{{
     {"mono8", CV_8UC1, cv::COLOR_GRAY2BGR},
     {"8UC1", CV_8UC1, cv::COLOR_GRAY2BGR},
@@ -65,7 +66,7 @@ bool is_yuv(const Encoding& encoding) {
          encoding.conversion == cv::COLOR_YUV2BGR_YUY2;
 }
 
-// A name from a message, safe to print.
+// The first 32 characters of a text from a message, with '?' for those that are not printable.
 std::string printable(const std::string& text) {
   std::string shown = text.substr(0, 32);
   std::replace_if(
@@ -108,7 +109,7 @@ cv::Mat view_of(const sensor_msgs::Image& message, const Encoding& encoding) {
                  const_cast<std::uint8_t*>(message.data.data()), message.step);
 }
 
-/// 16-bit numbers in this machine's byte order, little endian.
+/// The image with 16-bit values in this machine's byte order, which is little endian.
 cv::Mat in_native_order(const cv::Mat& view, bool is_bigendian) {
   if (!is_bigendian || view.depth() != CV_16U) return view;
   const cv::Mat bytes(view.rows, view.cols * view.channels(), CV_8UC2, view.data, view.step);

@@ -12,17 +12,17 @@
 
 namespace mbncc::nodelets {
 
-/// An image, or the message why it could not be decoded.
+/// A decoded image, or the reason why it could not be decoded.
 struct Decoded {
-  cv::Mat image;      ///< its own memory; empty when refused
+  cv::Mat image;      ///< owns its memory; empty if refused
   std::string fault;  ///< "" when decoded
 
   explicit operator bool() const { return !image.empty(); }
 };
 
 /// CV_8UC3 bgr from any accepted encoding: mono8 8UC1 8UC3 bgr8 rgb8 bgra8 rgba8 bayer_*8 yuv422
-/// yuv422_yuy2, and of 16 bits mono16 16UC1 bgr16 rgb16 bgra16 rgba16 bayer_*16, whose
-/// `white_level` becomes 255; 0: 65535, and 16UC1 is refused.
+/// yuv422_yuy2, and with 16 bits mono16 16UC1 bgr16 rgb16 bgra16 rgba16 bayer_*16. In 16-bit images
+/// `white_level` becomes 255; if it is 0, 65535 becomes 255 and 16UC1 is refused.
 Decoded decode_image(const sensor_msgs::Image& message, int white_level = 0);
 
 /// CV_8UC1 map of 0 and 255 from mono8 or 8UC1; values >= 128 count as object.
@@ -34,7 +34,7 @@ bool is_given(const sensor_msgs::Image& message);
 /// Message of a CV_8UC3 (bgr8) or CV_8UC1 (mono8) image; an empty image gives an empty message.
 sensor_msgs::Image encode_image(const cv::Mat& image, const std_msgs::Header& header = {});
 
-/// The same as JPEG, for consoles on a slow network.
+/// Message of an image as JPEG, for consoles on a slow network.
 sensor_msgs::CompressedImage encode_jpeg(const cv::Mat& image, const std_msgs::Header& header);
 
 }  // namespace mbncc::nodelets

@@ -179,7 +179,8 @@ mbncc_vision::DetectedObject to_msg(const Match& match, const ObjectModel* model
 }
 
 std::optional<Pose2D> from_msg(const geometry_msgs::Pose2D& pose) {
-  const auto is_near = [](double pixels) { return std::abs(pixels) <= kFarthestPixel; };  // no NaN
+  // False for NaN.
+  const auto is_near = [](double pixels) { return std::abs(pixels) <= kFarthestPixel; };
   if (!is_near(pose.x) || !is_near(pose.y) || !std::isfinite(pose.theta)) return {};
   return Pose2D{pose.x, pose.y, pose.theta};
 }

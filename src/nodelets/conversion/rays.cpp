@@ -12,10 +12,10 @@
 namespace mbncc::nodelets {
 namespace {
 
-constexpr double kMostMisfit = 0.01;   // [px] reprojection error of a ray
-constexpr double kMostSideways = 0.1;  // [rad] by which a lens rotates a direction about its axis
+constexpr double kMostMisfit = 0.01;   // [px] largest reprojection error of a ray
+constexpr double kMostSideways = 0.1;  // [rad] largest rotation about the optical axis
 constexpr int kIterations = 100;  // OpenCV's default of 5 leaves an error of a tenth of a pixel
-constexpr int kSteps = 64;        // from the optical axis to a ray
+constexpr int kSteps = 64;        // number of steps from the optical axis to a ray
 
 /// Rays through the pixels of a raw image, directions in the optical frame.
 class DistortedRays {
@@ -30,7 +30,7 @@ class DistortedRays {
   }
 
  private:
-  /// Of a ray's direction (x, y, 1).
+  /// The x and y of the direction (x, y, 1) of the ray through a raw pixel.
   cv::Point2d undistorted(cv::Point2d pixel) const {
     const std::vector<cv::Point2d> raw{pixel};
     std::vector<cv::Point2d> straight;
@@ -54,18 +54,20 @@ class DistortedRays {
     return pixels;
   }
 
-  /// Lenses displace pixels radially; decentred ones also slightly sideways.
+  /// Whether the pixel is displaced too far sideways. Lenses displace pixels radially; decentred
+  /// ones also slightly sideways.
   bool is_bent_sideways(cv::Point2d direction, cv::Point2d pixel) const {
     const auto& camera = lens_.camera;
     const cv::Point2d seen((pixel.x - camera.cx) / camera.fx, (pixel.y - camera.cy) / camera.fy);
     return std::abs(seen.cross(direction)) > kMostSideways * cv::norm(seen) * cv::norm(direction);
   }
 
-  /// Far from the axis a model may fold over, where a pixel has no ray or a wrong one. From the
-  /// axis to a valid ray, the radius of the pixels increases monotonically.
+  /// Whether the direction belongs to a valid ray through the pixel: from the axis to it, the
+  /// radius of the pixels must increase monotonically. Far from the axis a distortion model may
+  /// fold over, so that a pixel has no ray or a wrong one.
   bool leads_to(cv::Point2d direction, cv::Point2d pixel) const {
     std::vector<cv::Point2d> directions;
-    // Denser near the axis, where a fold may be narrow.
+    // The points are denser near the axis, where a fold may be narrow.
     for (int i = 0; i <= kSteps; ++i)
       directions.push_back(direction * (double(i * i) / (kSteps * kSteps)));
     const auto pixels = distorted(directions);

@@ -11,8 +11,8 @@
 
 namespace mbncc::nodelets {
 
-/// Rays of an image of `size`: by P if it is `rectified`, otherwise by K with the distortion D
-/// corrected. A raw pixel whose distortion cannot be inverted has a ray that is not finite. None if
+/// Rays of an image of `size`: computed from P if it is `rectified`, otherwise from K and D. A raw
+/// pixel whose distortion cannot be inverted has a ray that is not finite. None if
 /// fault_of_calibration() reports a fault.
 std::optional<PixelToRay> rays_of(const sensor_msgs::CameraInfo& info, bool rectified,
                                   cv::Size size);

@@ -7,14 +7,15 @@
 namespace mbncc::nodelets {
 namespace {
 
-constexpr std::chrono::milliseconds kGlance{1};
+constexpr std::chrono::milliseconds kGlance{1};  // between two checks of tf
 
-/// The frames are connected, but their transforms do not reach `stamp` yet.
+/// Whether the frames are connected, but their newest transform is older than `stamp`, by at most
+/// `patience` [s].
 bool lags_behind(const tf2_ros::Buffer& tf, const std::string& target, const std::string& source,
                  const ros::Time& stamp, double patience) {
   try {
     const ros::Time newest = tf.lookupTransform(target, source, ros::Time(0)).header.stamp;
-    // A fixed transform has no stamp.
+    // A static transform has no stamp.
     return !newest.isZero() && newest < stamp && (stamp - newest).toSec() <= patience;
   } catch (const tf2::TransformException&) {
     return false;
@@ -33,7 +34,7 @@ void wait_for_transform(const tf2_ros::Buffer& tf, const std::string& target,
 
 std::string tf_fault(const tf2::TransformException& error) {
   std::string words = error.what();
-  words.erase(words.find_last_not_of(" .") + 1);  // of tf's own sentence
+  words.erase(words.find_last_not_of(" .") + 1);  // without tf's own full stop
   if (words.find("into the future") != std::string::npos)
     return words + "; a robot's tf that lags behind is waited for with tf_wait";
   const bool unconnected = dynamic_cast<const tf2::LookupException*>(&error) != nullptr ||

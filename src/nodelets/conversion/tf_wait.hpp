@@ -16,7 +16,7 @@ namespace mbncc::nodelets {
 void wait_for_transform(const tf2_ros::Buffer& tf, const std::string& target,
                         const std::string& source, const ros::Time& stamp, double patience);
 
-/// tf's error message, with the remedy if tf lags behind.
+/// tf's error message, with a remedy if tf lags behind or does not connect the frames.
 std::string tf_fault(const tf2::TransformException& error);
 
 }  // namespace mbncc::nodelets

@@ -10,7 +10,7 @@ namespace mbncc::nodelets {
 
 /// Carries out `request` and returns the changed object (DELETE: the deleted one). Throws
 /// std::invalid_argument with a message if the request is wrong, FileError if the library cannot be
-/// written; then nothing has changed.
+/// written; nothing is changed in either case.
 ObjectModel edit_object(ObjectLibrary& library, const mbncc_vision::EditObject::Request& request);
 
 }  // namespace mbncc::nodelets

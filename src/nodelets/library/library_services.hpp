@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// list_objects, edit_object, reload_library and the latched object_library topic.
+// The services list_objects, edit_object and reload_library, and the latched topic object_library.
 #pragma once
 
 #include <mbncc_vision/EditObject.h>
@@ -13,7 +13,7 @@
 
 namespace mbncc::nodelets {
 
-/// Publishes snapshots of the library; latched, without thumbnails.
+/// Publishes snapshots of the library on a latched topic, without thumbnails.
 class LibraryPublisher {
  public:
   explicit LibraryPublisher(ros::NodeHandle node);

@@ -27,10 +27,10 @@ class SharedLibrary {
   const std::string& folder() const { return library_.folder(); }
   Snapshot snapshot() const;
 
-  /// Reads the folder again if a file changed or `always`. Throws FileError.
+  /// Reads the folder again if a file has changed, or in any case if `always`. Throws FileError.
   void refresh(bool always);
 
-  /// Why the folder could not be read the last time; "" if it could.
+  /// Why the last attempt to read the folder failed; "" if it succeeded.
   std::string fault() const;
 
   /// See ObjectLibrary::check_storage().
@@ -44,10 +44,10 @@ class SharedLibrary {
   void note(const std::string& fault);
 
   mutable std::mutex snapshot_mutex_;
-  mutable std::mutex library_mutex_;  // taken first
+  mutable std::mutex library_mutex_;  // locked before snapshot_mutex_
   ObjectLibrary library_;
   Snapshot snapshot_;
-  std::string fault_;  // guarded like snapshot_
+  std::string fault_;  // guarded by snapshot_mutex_
   const Listener listener_;
 };
 
