@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// State of the camera's diagnostics: counters written by the worker thread.
+// State and counters of a camera for its diagnostics. Thread-safe.
 #pragma once
 
 #include <diagnostic_updater/DiagnosticStatusWrapper.h>
@@ -18,7 +18,7 @@ class CameraHealth {
     std::uint64_t unreadable = 0;
     std::uint64_t frozen = 0;
     std::uint64_t unstamped = 0;  ///< grabbed while the clock did not advance
-    std::uint64_t failures = 0;   ///< of the source
+    std::uint64_t failures = 0;   ///< number of times the source failed
   };
 
   /// `level` as in diagnostic_msgs/DiagnosticStatus.
@@ -26,7 +26,7 @@ class CameraHealth {
 
   void count(std::uint64_t Counts::*what);
 
-  /// Fills in state, counts and the rate since the last call.
+  /// Fills in the state, the counts and the rate of published images since the last call.
   void describe(diagnostic_updater::DiagnosticStatusWrapper& status);
 
  private:

@@ -17,7 +17,7 @@ namespace {
 namespace fs = std::filesystem;
 namespace logging = cv::utils::logging;
 
-/// "0", "12": the number of a device.
+/// Whether the source is the number of a device, such as "0" or "12".
 bool is_index(const std::string& source) {
   return source.size() < 6 && std::all_of(source.begin(), source.end(),
                                           [](unsigned char c) { return std::isdigit(c) != 0; });
@@ -43,7 +43,8 @@ std::vector<std::string> images_in(const std::string& folder) {
   return paths;
 }
 
-/// "there is /dev/video0, /dev/video2", for a mistyped device.
+/// Lists the devices, as in "there is /dev/video0, /dev/video2", for the error message about a
+/// mistyped device.
 std::string devices_here() {
   std::vector<std::string> devices;
   std::error_code error;
@@ -61,7 +62,8 @@ bool is_stream(const std::string& source) {
   return source.find("://") != std::string::npos;
 }
 
-/// OpenCV's backends write the address of a stream that cannot be opened to standard error.
+/// Silences OpenCV while it exists, because OpenCV's backends write the address of a stream that
+/// cannot be opened to standard error.
 class QuietOpenCv {
  public:
   QuietOpenCv() : before_(logging::setLogLevel(logging::LOG_LEVEL_SILENT)) {}
@@ -165,7 +167,7 @@ class CaptureSource : public ImageSource {
   }
 
   std::string source_;
-  std::string name_;  // of the source in sentences
+  std::string name_;  // name of the source in messages
   bool is_video_;
   bool loop_;
   cv::VideoCapture capture_;
@@ -197,11 +199,11 @@ std::string without_secrets(const std::string& source) {
     const std::string word = source.substr(0, space);
     return word.substr(0, word.find("://")) + " ...";
   }
-  // Also for an address with a mistyped scheme.
+  // This also handles a URL with a mistyped scheme.
   const auto slashes = source.find("://"), colon = source.find(':');
   if (colon == std::string::npos) return source;
   const auto begin = slashes == std::string::npos ? colon + 1 : slashes + 3;
-  // Passwords may hold any of / ? # : @, so everything before the last @ is removed.
+  // Passwords may contain any of / ? # : @, so everything before the last @ is removed.
   const auto at = source.rfind('@');
   const auto host = at == std::string::npos || at < begin ? begin : at + 1;
   const auto query = source.find_first_of("?#", host);

@@ -11,8 +11,8 @@
 
 namespace mbncc::nodelets {
 
-/// A source without secrets: without the user, password and query of a stream's URL, and without
-/// the text after the first word of a pipeline that contains one.
+/// Removes the secrets from a source: the user, password and query of a stream's URL, and all text
+/// after the first word of a pipeline or of a URL with spaces.
 std::string without_secrets(const std::string& source);
 
 class ImageSource {
@@ -23,7 +23,7 @@ class ImageSource {
   /// live source. False at the end. Throws FileError if the source has failed and must be reopened.
   virtual bool grab() = 0;
 
-  /// The image just grabbed, CV_8UC3 or CV_8UC1. Throws FileError if it cannot be read; the next
+  /// Decodes the grabbed image, CV_8UC3 or CV_8UC1. Throws FileError if it cannot be read; the next
   /// one may be readable.
   virtual cv::Mat retrieve() = 0;
 

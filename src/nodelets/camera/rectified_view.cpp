@@ -13,7 +13,7 @@
 namespace mbncc::nodelets {
 namespace {
 
-constexpr double kMoved = 0.1;  // [degrees] between platform and camera
+constexpr double kMoved = 0.1;  // [degrees] largest rotation of the platform's normal
 
 double degrees_between(const cv::Vec3d& a, const cv::Vec3d& b) {
   return std::atan2(cv::norm(a.cross(b)), a.dot(b)) * 180 / CV_PI;
@@ -38,7 +38,7 @@ RectifiedView without_distortion(const sensor_msgs::CameraInfo& info,
                                  const std_msgs::Header& header, cv::Size size) {
   std::string fault = fault_of_calibration(info, true, size);
   if (fault.empty()) {
-    // R may rotate the images, as rectification does.
+    // Rectification applies R, so a rotation in R is no fault.
     sensor_msgs::CameraInfo unturned = info;
     unturned.R.fill(0);
     fault = fault_of_calibration(unturned, false, size);

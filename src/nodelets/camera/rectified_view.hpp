@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What the rectify nodelet makes of a camera's images: the same view without distortion, or the
-// view from straight above.
+// Determines the view that the rectify nodelet publishes: that of the received images without
+// distortion, or the view from straight above.
 #pragma once
 
 #include <sensor_msgs/CameraInfo.h>
@@ -19,17 +19,17 @@
 
 namespace mbncc::nodelets {
 
-/// From which images which ones are made, or why none.
+/// Cameras of the received and the published images, or the reason why nothing is published.
 struct RectifiedView {
-  Lens lens;            ///< of the received images
-  TurnedCamera wanted;  ///< of the published ones
+  Lens lens;            ///< lens of the received images
+  TurnedCamera wanted;  ///< camera of the published images
   std::string frame_id;
   std::string fault;  ///< message with the remedy
 
   explicit operator bool() const { return fault.empty(); }
 };
 
-/// The camera of P, in the frame of the image.
+/// The view of the camera described by P, in the frame of the image.
 RectifiedView without_distortion(const sensor_msgs::CameraInfo& info,
                                  const std_msgs::Header& header, cv::Size size);
 
@@ -40,8 +40,9 @@ class TopView {
   /// Throws std::invalid_argument without a platform_frame.
   explicit TopView(const RectifyConfig& config);
 
-  /// A fault if the platform's direction is unknown, or is no longer that of the first image: the
-  /// frame is static, and a lesson compares images of one view.
+  /// The view for an image of `size`. It has a fault if the platform's direction is unknown or
+  /// differs from that in the first image: the frame is static, and a lesson compares images of one
+  /// view.
   RectifiedView view(const sensor_msgs::CameraInfo& info, const std_msgs::Header& header,
                      cv::Size size);
 
@@ -52,7 +53,7 @@ class TopView {
   tf2_ros::Buffer tf_;
   tf2_ros::TransformListener listener_{tf_};
   tf2_ros::StaticTransformBroadcaster broadcaster_;
-  std::optional<cv::Vec3d> normal_;  // of the platform at the first image
+  std::optional<cv::Vec3d> normal_;  // normal of the platform in the first image
 };
 
 }  // namespace mbncc::nodelets

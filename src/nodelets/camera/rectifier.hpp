@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Shows what a camera sees as another one without distortion would, that stands at the same place.
+// Converts a camera's images to those of a camera without distortion at the same position.
 #pragma once
 
 #include <opencv2/core.hpp>
@@ -11,15 +11,16 @@ namespace mbncc::nodelets {
 
 class Rectifier {
  public:
-  /// The image, CV_8UC3, of a camera with this lens, as `wanted` shows it in the same size; black
-  /// where the lens shows nothing. The first image of a lens or camera takes longer.
+  /// Converts `image` (CV_8UC3), taken through `lens`, to an image of the camera `wanted` of the
+  /// same size; black where the lens shows nothing. The first image of a lens or camera takes
+  /// longer.
   cv::Mat rectify(const cv::Mat& image, const Lens& lens, const TurnedCamera& wanted);
 
  private:
   void prepare(const Lens& lens, const TurnedCamera& wanted, cv::Size size);
 
-  Lens lens_;                   // of the maps
-  TurnedCamera wanted_;         // likewise
+  Lens lens_;                   // lens for which the maps were computed
+  TurnedCamera wanted_;         // camera for which the maps were computed
   cv::Mat places_, fractions_;  // coordinates in the raw image, for cv::remap
 };
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Publishes rectified images of a camera while there is a subscriber: image_rect, or with a
-// platform's frame top_view/image_rect and its camera_info.
+// Publishes rectified images of a camera while there is a subscriber: image_rect or, with the
+// parameter top_view, top_view/image_rect and top_view/camera_info.
 #include <image_transport/image_transport.h>
 #include <ros/ros.h>
 #include <pluginlib/class_list_macros.hpp>
@@ -58,10 +58,10 @@ class RectifyNodelet : public GuardedNodelet {
     report_.reset();
     if (camera_) camera_->set_active(false);
     mailbox_.close();
-    if (worker_.joinable()) worker_.join();  // it publishes
+    if (worker_.joinable()) worker_.join();  // it uses the publisher
     image_transport::Publisher closing;
     {
-      // A subscriber may come or go at the same time.
+      // A subscriber may connect or disconnect at the same time.
       const std::lock_guard<std::mutex> lock(mutex_);
       std::swap(closing, publisher_);
     }
@@ -84,7 +84,7 @@ class RectifyNodelet : public GuardedNodelet {
     }
   }
 
-  /// Why the image was not published; "" if it was.
+  /// Rectifies and publishes an image. Returns why it was not published; "" if it was.
   std::string publish(const sensor_msgs::Image& message) {
     const Decoded decoded = decode_image(message, config_.images.white_level);
     if (!decoded) return decoded.fault;
@@ -134,10 +134,10 @@ class RectifyNodelet : public GuardedNodelet {
   RectifyConfig config_;
   std::unique_ptr<CameraInput> camera_;
   Mailbox<sensor_msgs::ImageConstPtr> mailbox_;
-  std::unique_ptr<TopView> top_view_;  // of the worker thread, like the rectifier; null: not wanted
-  Rectifier rectifier_;
+  std::unique_ptr<TopView> top_view_;  // used by the worker thread only; null: not wanted
+  Rectifier rectifier_;                // used by the worker thread only
   ros::Publisher infos_;
-  std::mutex mutex_;  // guards what follows
+  std::mutex mutex_;  // guards publisher_, fault_ and the counts
   image_transport::Publisher publisher_;
   std::string fault_;
   std::uint64_t published_ = 0, refused_ = 0;

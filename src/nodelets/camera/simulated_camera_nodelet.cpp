@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Simulates the cell as a camera: image_raw, camera_info, and the truth for demo and tests.
+// Simulates the camera of a cell: publishes image_raw, camera_info, and the truth for the demo and
+// the tests.
 #include <image_transport/image_transport.h>
 #include <mbncc_vision/DetectedObjectArray.h>
 #include <ros/ros.h>

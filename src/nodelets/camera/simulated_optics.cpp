@@ -28,7 +28,7 @@ sensor_msgs::CameraInfo info_of(const SimulatedCameraConfig& config, const Pinho
   return sizes;
 }
 
-/// Turned about the x axis.
+/// Rotation by the tilt about the x axis.
 cv::Matx33d rotation_of(const SimulatedCameraConfig& config) {
   const double angle = config.tilt * CV_PI / 180, c = std::cos(angle), s = std::sin(angle);
   return {1, 0, 0, 0, c, -s, 0, s, c};
@@ -59,7 +59,7 @@ SimulatedOptics::SimulatedOptics(const SimulatedCameraConfig& config)
 cv::Mat SimulatedOptics::expose(const cv::Mat& drawing) const {
   if (where_.empty()) return drawing;
   cv::Mat raw;
-  // OpenCV's cubic kernel displaces edges by hundredths of a pixel.
+  // Not INTER_CUBIC, because OpenCV's cubic kernel displaces edges by hundredths of a pixel.
   cv::remap(drawing, raw, where_, cv::noArray(), cv::INTER_LANCZOS4, cv::BORDER_REFLECT_101);
   return raw;
 }

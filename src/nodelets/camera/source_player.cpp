@@ -16,9 +16,9 @@ using diagnostic_msgs::DiagnosticStatus;
 using Clock = SourcePlayer::Clock;
 using Seconds = SourcePlayer::Seconds;
 
-constexpr Seconds kFirstRetry{0.5}, kLongestRetry{8};  // doubling between
+constexpr Seconds kFirstRetry{0.5}, kLongestRetry{8};  // pauses before reopening; each doubles
 constexpr Seconds kGlance{0.05};                       // between checks for a subscriber or a clock
-constexpr double kFolderRate = 10;                     // [Hz]
+constexpr double kFolderRate = 10;                     // [Hz] of a source without a known rate
 
 Clock::duration ticks(Seconds seconds) {
   return std::chrono::duration_cast<Clock::duration>(seconds);
@@ -92,7 +92,7 @@ void SourcePlayer::end() {
   ROS_INFO("%s is at its end", name_.c_str());
 }
 
-/// Empty, with a warning, if the image cannot be read.
+/// Returns an empty image and logs a warning if the image cannot be read.
 cv::Mat SourcePlayer::retrieve() {
   try {
     return source_->retrieve();
@@ -125,7 +125,7 @@ void SourcePlayer::wait_until_due() {
   const double wanted = config_.frame_rate > 0 ? config_.frame_rate : source_->rate();
   const Clock::time_point now = world_.steady_time();
   if (due_ > now) world_.pause(due_ - now);
-  // A delay is not made up by faster images.
+  // After a delay, images are not played faster to catch up.
   due_ = std::max(due_, now) + ticks(Seconds(1 / (wanted > 0 ? wanted : kFolderRate)));
 }
 

@@ -28,7 +28,7 @@ class SourcePlayer {
     /// Opens the source; throws FileError when it cannot be opened now.
     std::function<std::unique_ptr<ImageSource>()> open;
     std::function<bool()> has_listener;
-    std::function<ros::Time()> time;  ///< for stamps; zero before a simulated clock has begun
+    std::function<ros::Time()> time;  ///< for stamps; zero before a simulated clock has started
     std::function<Clock::time_point()> steady_time;  ///< for the rate
     std::function<void(Seconds)> pause;              ///< may return early to end the player
     /// Takes CV_8UC1 or CV_8UC3.
@@ -37,8 +37,9 @@ class SourcePlayer {
 
   SourcePlayer(const CameraConfig& config, World world);
 
-  /// One attempt to open the source, one image, or one pause. Errors are reported by log and
-  /// health(), and the source is reopened after a pause of .5 s that doubles up to 8 s.
+  /// Attempts once to open the source, plays one image, or pauses once. Errors are logged and
+  /// reported by health(); the source is then reopened after a pause of 0.5 s, which doubles up to
+  /// 8 s.
   void step();
 
   /// May be called from any thread.
@@ -59,12 +60,12 @@ class SourcePlayer {
   void wait_until_due();
 
   const CameraConfig config_;
-  const std::string name_;  // of the source in sentences
+  const std::string name_;  // name of the source in messages
   const World world_;
   CameraHealth health_;
   std::unique_ptr<ImageSource> source_;
   FrozenImage frozen_;
-  bool withholding_ = false;  // since the image is frozen
+  bool withholding_ = false;  // the images are frozen and not published
   Seconds retry_;
   Clock::time_point due_;
   ros::Time last_stamp_;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// In place of the vision nodelet where vision_msgs is not installed: says so once and idles. A
-// nodelet that cannot be loaded would be started again every second.
+// Replaces the vision nodelet if vision_msgs is not installed: reports this and idles. A nodelet
+// that cannot be loaded would be started again every second.
 #include <ros/ros.h>
 #include <pluginlib/class_list_macros.hpp>
 

@@ -12,8 +12,9 @@
 
 namespace mbncc::nodelets {
 
-/// vision_msgs identifies objects by number. The number of a name is the CRC-32 of its bytes
-/// without the highest bit: the same in every cell and run, independent of the library.
+/// The number of an object for vision_msgs, which identifies objects by number: the CRC-32 of the
+/// name's bytes without the highest bit. It is the same in every cell and run and does not depend
+/// on the library.
 std::int64_t object_id(const std::string& name);
 
 /// Maps numbers to names.
@@ -26,7 +27,7 @@ class ObjectIds {
   /// be published.
   bool has(const std::string& name) const;
 
-  /// By number.
+  /// The names by number.
   const std::map<std::int64_t, std::string>& names() const { return names_; }
 
  private:
@@ -35,13 +36,14 @@ class ObjectIds {
   std::map<std::int64_t, std::string> names_;
 };
 
-/// The confirmed() objects. The box around the outline is aligned with the object's axes; [px],
-/// rotated clockwise on the screen. Without a pose in metres, the pose of the hypothesis is zero.
+/// Converts the confirmed() objects. The box [px] around the outline is aligned with the object's
+/// axes; its angle is clockwise on the screen. Without a pose in metres, the pose of the hypothesis
+/// is zero.
 vision_msgs::Detection2DArray to_detections_2d(const mbncc_vision::DetectedObjectArray& detections,
                                                const ObjectIds& ids);
 
-/// The graspable() objects. The box around the body is aligned with the object's axes, between the
-/// footprint and the top face; its size is 0 if the scale is unknown.
+/// Converts the graspable() objects. The box [m] around the body is aligned with the object's axes,
+/// between the footprint and the top face; its size is 0 if the scale is unknown.
 vision_msgs::Detection3DArray to_detections_3d(const mbncc_vision::DetectedObjectArray& detections,
                                                const ObjectIds& ids);
 

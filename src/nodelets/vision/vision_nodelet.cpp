@@ -53,7 +53,7 @@ class VisionNodelet : public GuardedNodelet {
   }
 
   void on_detections(const mbncc_vision::DetectedObjectArrayConstPtr& detections) {
-    // Subscribers that get a number can look up its name.
+    // Published first, so that subscribers can look up the name of every number that they receive.
     if (ids_.add(*detections)) tell_names();
     for (const auto& object : detections->objects)
       if (!ids_.has(object.name))
@@ -65,7 +65,8 @@ class VisionNodelet : public GuardedNodelet {
     ++published_;
   }
 
-  /// Whether detections are to be relied upon is told by the matching nodelet.
+  /// Reports only on publishing; whether detections are reliable is reported by the matching
+  /// nodelet.
   void diagnose(diagnostic_updater::DiagnosticStatusWrapper& status) {
     const std::lock_guard<std::mutex> lock(mutex_);
     status.summary(diagnostic_msgs::DiagnosticStatus::OK,
@@ -81,7 +82,7 @@ class VisionNodelet : public GuardedNodelet {
     info.database_location = private_node().resolveName("object_ids");
     info.database_version = version_++;
     XmlRpc::XmlRpcValue ids;
-    ids.begin();  // an empty struct, where there are no names yet
+    ids.begin();  // makes an empty struct if there are no names yet
     for (const auto& [id, name] : ids_.names()) ids[name] = static_cast<int>(id);
     private_node().setParam("object_ids", ids);
     info_.publish(info);
